@@ -1,0 +1,29 @@
+"""A small ball grows into a larger one; prints its height at five times.
+
+Run: python3 follow_sphere.py
+"""
+
+from active_implicit_surfaces import vtkActiveImplicitSurface
+from film_strip import output_folder, skin_actor, write_film_strip
+from vtkmodules.vtkCommonDataModel import vtkSphere
+
+folder = output_folder(__doc__)
+
+small, large = vtkSphere(), vtkSphere()
+small.SetRadius(0.3)
+large.SetRadius(0.9)
+surface = vtkActiveImplicitSurface()
+surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
+surface.SetInitialFunction(small)
+surface.SetTargetFunction(large)
+surface.SetAttraction(4)
+for time in (0.0, 0.2, 0.4, 0.6, 0.8):
+    surface.UpdateTimeStep(time)
+    print(f"at {time} its height is {2 * surface.GetOutput().GetBounds()[3]:.3f}")
+
+frames = []
+for time in (0.0, 0.2, 0.4, 0.6, 0.8):  # going back starts anew, with the same result
+    surface.UpdateTimeStep(time)
+    frames.append([skin_actor(surface.GetOutput())])
+write_film_strip(folder / "follow_sphere.png", frames, floor=-0.95)
+print(f"wrote {folder / 'follow_sphere.png'}")

@@ -1,0 +1,52 @@
+"""A star, the potential of a skeleton of six points, becomes two balls that do not touch.
+
+Figure 6 of the paper: the surface parts by itself. Run: python3 morph_topology.py
+"""
+
+from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotential
+from film_strip import CLAY, output_folder, skin_actor, write_film_strip
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImplicitBoolean, vtkPolyData, vtkSphere
+from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
+
+TIMES = (0.0, 0.2, 0.5, 1.0, 3.0)
+
+folder = output_folder(__doc__)
+points = vtkPoints()
+for axis in range(3):
+    for side in (-0.55, 0.55):
+        points.InsertNextPoint([side if axis == i else 0.0 for i in range(3)])
+six_points = vtkPolyData()
+six_points.SetPoints(points)
+star = vtkSkeletonPotential()
+star.SetInput(six_points)
+star.SetRadius(0.9)
+balls = vtkImplicitBoolean()
+balls.SetOperationTypeToUnion()
+for x in (-0.6, 0.6):
+    ball = vtkSphere()
+    ball.SetCenter(x, 0.0, 0.0)
+    ball.SetRadius(0.45)
+    balls.AddFunction(ball)
+
+surface = vtkActiveImplicitSurface()
+surface.SetModelBounds(-1.25, 1.25, -1.25, 1.25, -1.25, 1.25)
+surface.SetVoxelSize(2.5 / 50)
+surface.SetInitialFunction(star)
+surface.SetTargetFunction(balls)
+surface.SetAttraction(2)
+surface.SetTension(0.01)
+surface.SetTimeStepSize(0.1)
+surface.SetNumberOfTimeSteps(31)
+
+components = vtkPolyDataConnectivityFilter()
+components.SetExtractionModeToAllRegions()
+components.SetInputConnection(surface.GetOutputPort())
+frames = []
+for time in TIMES:
+    surface.UpdateTimeStep(time)
+    components.Update()
+    print(f"at {time}: {components.GetNumberOfExtractedRegions()} piece(s)", flush=True)
+    frames.append([skin_actor(surface.GetOutput(), CLAY)])
+write_film_strip(folder / "morph_topology.png", frames)
+print(f"wrote {folder / 'morph_topology.png'}")

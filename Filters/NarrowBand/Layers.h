@@ -1,0 +1,33 @@
+/**
+ * The layers of the band, rebuilt from the signs of the potential; stateless.
+ */
+#ifndef Layers_h
+#define Layers_h
+
+#include "LeafTable.h"
+
+namespace activesurface
+{
+
+/** Sets Inside of every leaf from its values. */
+void ReadSigns(LeafTable& table);
+
+/**
+ * From Inside of every leaf: the layers, the active nodes (band and pockets) and the crossed edges.
+ * Adds the leaves that a layer has reached, in the table and in the tree, and gives the nodes
+ * outside all layers the value + or - Far.
+ */
+void RebuildLayers(LeafTable& table, PotentialTree& tree);
+
+/** Replaces the leaves that no layer touches by tiles of their sign. */
+void DropEmptyLeaves(LeafTable& table, PotentialTree& tree);
+
+/** Numbers the crossed edges leaf by leaf, axis by axis, node by node; returns how many. */
+std::size_t NumberCrossings(LeafTable& table);
+
+/** Writes the active masks into the tree's own leaves. */
+void WriteActiveMasks(const LeafTable& table);
+
+}
+
+#endif

@@ -1,0 +1,185 @@
+/**
+ * The leaves of the potential in the order of the tree, each with its masks and its 26 neighbours.
+ *
+ * Everything that is derived from the signs of the potential lives here: layers, active nodes,
+ * crossed edges. All passes over the band run over this table, one leaf at a time, in parallel;
+ * a pass writes only the leaf it is called for.
+ */
+#ifndef LeafTable_h
+#define LeafTable_h
+
+#include "LeafMask.h"
+
+#include <openvdb/openvdb.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace activesurface
+{
+
+using PotentialTree = openvdb::FloatTree;
+using PotentialLeaf = PotentialTree::LeafNodeType;
+
+/** In place of a neighbour's number: no leaf there, all nodes on one side of the surface. */
+constexpr std::int32_t NoLeafOutside = -1;
+constexpr std::int32_t NoLeafInside = -2;
+
+constexpr int NumberOfLayers = 5; // 0..2 band, 3 and 4 rings
+constexpr int LastBandLayer = 2;
+constexpr int LastLayer = NumberOfLayers - 1;
+
+/** Number of a neighbour: offsets in {-1,0,1}; 13 is the leaf itself. */
+constexpr int NeighbourNumber(int dx, int dy, int dz)
+{
+  return 9 * (dx + 1) + 3 * (dy + 1) + dz + 1;
+}
+
+/** The neighbour across a face. axis 0..2, sign -1 or 1. */
+constexpr int FaceNumber(int axis, int sign)
+{
+  return 13 + sign * (axis == 0 ? 9 : axis == 1 ? 3 : 1);
+}
+
+/** Distance in a leaf's array from a node to the next one along an axis. */
+constexpr int Stride(int axis)
+{
+  return axis == 0 ? 64 : axis == 1 ? 8 : 1;
+}
+
+struct BandLeaf
+{
+  float* Value = nullptr; //< the leaf's own 512 values of u
+  PotentialLeaf* Leaf = nullptr;
+  openvdb::Coord Origin;
+  std::array<std::int32_t, 27> Neighbour{};
+  std::uint32_t Wanted = 0; //< neighbours without a leaf that a layer has reached, one bit each
+
+  LeafMask Inside;                            //< u < 0
+  std::array<LeafMask, NumberOfLayers> Upto;  //< nodes of the layers 0..m
+  LeafMask Active;                            //< band and pockets: advanced by the next substep
+  LeafMask Advanced;                          //< nodes whose value the last substep advanced
+  std::array<LeafMask, 3> Edge;               //< crossed edges, by axis, at their lower node
+  std::size_t FirstCrossing = 0;              //< number of the first crossed edge
+  std::array<int, 3> CrossingsBefore{};       //< crossed edges of this leaf on earlier axes
+};
+
+/** A leaf and its neighbours across the faces, for straight steps of at most 8 nodes. */
+struct LeafCross
+{
+  const BandLeaf* Leaf[3][3]; //< by axis; before, itself, after. An empty leaf where there is none
+
+  template <int Axis>
+  struct Place
+  {
+    const BandLeaf* Leaf;
+    int Node;
+  };
+
+  /** The node `steps` away from a node of the leaf. */
+  template <int Axis>
+  Place<Axis> Step(int node, int steps) const
+  {
+    constexpr int stride = Stride(Axis);
+    const int side = (((node / stride) & 7) + steps) >> 3;
+    return { this->Leaf[Axis][side + 1], node + (steps - 8 * side) * stride };
+  }
+};
+
+class LeafTable
+{
+public:
+  /** Takes the leaves of the tree as they are now, keeping the masks of those already known. */
+  void Rebuild(PotentialTree& tree);
+
+  std::size_t Size() const { return this->Leaves.size(); }
+  BandLeaf& operator[](std::size_t i) { return this->Leaves[i]; }
+  const BandLeaf& operator[](std::size_t i) const { return this->Leaves[i]; }
+
+  /** Mask of a neighbour; where there is no leaf: `none`, or for Inside the side it lies on. */
+  const LeafMask& MaskOf(std::int32_t number, LeafMask BandLeaf::*mask) const
+  {
+    return number >= 0 ? this->Leaves[number].*mask : this->Nothing;
+  }
+  const LeafMask& UptoOf(std::int32_t number, int layer) const
+  {
+    return number >= 0 ? this->Leaves[number].Upto[layer] : this->Nothing;
+  }
+  const LeafMask& InsideOf(std::int32_t number) const
+  {
+    return number >= 0 ? this->Leaves[number].Inside
+      : number == NoLeafInside ? this->Everything
+                               : this->Nothing;
+  }
+
+  /** Leaf number and node of the node `steps` away along an axis; the leaf number may be < 0. */
+  struct Place
+  {
+    std::int32_t Leaf;
+    int Node;
+  };
+  Place Step(std::int32_t leaf, int node, int axis, int steps) const
+  {
+    const int shift = axis == 0 ? 6 : axis == 1 ? 3 : 0;
+    const int coordinate = ((node >> shift) & 7) + steps;
+    const int moved = node + (((coordinate & 7) - ((node >> shift) & 7)) << shift);
+    if (coordinate >= 0 && coordinate < 8)
+    {
+      return { leaf, moved };
+    }
+    return { this->Leaves[leaf].Neighbour[FaceNumber(axis, coordinate < 0 ? -1 : 1)], moved };
+  }
+
+  /** The same for offsets of at most one on each axis (edge and corner neighbours included). */
+  Place Offset(std::int32_t leaf, int node, int dx, int dy, int dz) const;
+
+  LeafCross Cross(const BandLeaf& leaf) const
+  {
+    static const BandLeaf none;
+    LeafCross cross;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int side = -1; side <= 1; ++side)
+      {
+        const std::int32_t n = side == 0 ? -1 : leaf.Neighbour[FaceNumber(axis, side)];
+        cross.Leaf[axis][side + 1] = side == 0 ? &leaf : n >= 0 ? &this->Leaves[n] : &none;
+      }
+    }
+    return cross;
+  }
+
+  /** Calls function(i) for every leaf, in parallel. */
+  template <class Function>
+  void ForEach(Function&& function) const
+  {
+    constexpr std::size_t grain = 16;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Leaves.size(), grain),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+        {
+          function(i);
+        }
+      });
+  }
+
+  /** Number of a leaf by its origin, or a negative number. */
+  std::int32_t Find(const openvdb::Coord& origin) const;
+
+private:
+  void FindNeighbours(const PotentialTree& tree);
+  void BuildIndex();
+
+  std::vector<BandLeaf> Leaves;
+  std::vector<BandLeaf> Previous;           // the table before Rebuild, kept for its memory
+  std::vector<PotentialLeaf*> Nodes;        // the tree's leaves, in its order
+  std::vector<std::int32_t> Index;          // open-addressing hash of the origins
+  LeafMask Nothing;
+  LeafMask Everything = LeafMask::All();
+};
+
+}
+
+#endif

@@ -1,0 +1,120 @@
+/**
+ * The active implicit surface: a potential stored near the surface, advanced in time.
+ *
+ * M. Desbrun, M.-P. Cani-Gascuel, Active Implicit Surface for Animation, Graphics Interface 1998
+ * ("the paper"). The surface S(t) is the zero set of a potential phi stored on the nodes of a
+ * lattice near it, and moves along its normal with the speed V of Motion.h:
+ *
+ *   d phi / dt + V |grad phi| = 0,   n = grad phi / |grad phi|
+ *
+ * SIGN: phi is NEGATIVE INSIDE; n points outward; V > 0 inflates. The paper's f is -phi up to scale.
+ *
+ * STORAGE: an openvdb::FloatGrid holding u = phi / VoxelSize. Node (i,j,k) is at world position
+ * (i,j,k) * VoxelSize, so lattices of the same VoxelSize coincide in all runs. Layer 0 are the
+ * corners of the voxels that the surface crosses, layer m the 6-neighbours of layer m - 1. Layers
+ * 0..2 are active in the grid; layers 3 and 4 are ghosts, inactive values in the same leaves,
+ * extrapolated from inside after every substep (a ring node all of whose stencil lies in the
+ * layers, at a medial axis, is a "pocket" and active too). Everything else is + or - Far, of which
+ * only the sign means anything. Inside the layers u keeps its own slope (about .5 to 1.5); where a
+ * distance is wanted, it is divided by that slope on the way out.
+ *
+ * REPRODUCIBILITY: the potential after Advance depends on the times and the motion alone, bitwise,
+ * not on the number of threads nor on the history of the memory.
+ */
+#ifndef NarrowBand_h
+#define NarrowBand_h
+
+#include "Motion.h"
+#include "Target.h"
+#include "vtkActiveNarrowBandModule.h"
+
+#include <openvdb/openvdb.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace activesurface
+{
+
+class LeafTable;
+
+/** A function of space, negative inside: values at `count` points (x y z each). */
+struct InitialFunction
+{
+  std::function<void(std::size_t count, const double* points, double* values)> Evaluate;
+  bool ThreadSafe = true;
+};
+
+class VTKACTIVENARROWBAND_EXPORT NarrowBand
+{
+public:
+  /** Active layers on either side of layer 0, and ghost layers around them. */
+  static constexpr int BandLayers = 2;
+  static constexpr int RingLayers = 2;
+  /** Value beyond the rings, in voxels; only its sign means anything. */
+  static constexpr float Far = 1000.f;
+
+  /**
+   * voxelSize: distance of the nodes [world units], finite and > 0, else std::invalid_argument.
+   */
+  explicit NarrowBand(double voxelSize);
+  ~NarrowBand();
+
+  /** A copy with its own potential: a branch that leaves this trajectory untouched. */
+  std::unique_ptr<NarrowBand> Clone() const;
+
+  /** Threads that TBB may use; 0: all. The result does not depend on it. */
+  void SetNumberOfThreads(int threads);
+
+  /**
+   * Guard: Start and Advance throw std::runtime_error when the band would hold more active nodes
+   * than this. The potential then is that of the last finished substep.
+   */
+  void SetMaximumNumberOfActiveVoxels(std::size_t maximum);
+
+  /**
+   * Sets the potential to the zero set of a function within bounds (xmin xmax ymin ymax zmin zmax;
+   * closed at their faces where the function is negative there), and the time. Memory is
+   * proportional to the surface and one plane of the lattice. A function without zero set gives an
+   * empty surface. Throws std::invalid_argument for bounds that are empty, not finite or absurd for
+   * the voxel size, std::runtime_error beyond the maximum number of active voxels.
+   * Returns false when `progress` stopped it; the surface is then empty.
+   */
+  bool Start(double time, const double bounds[6], const InitialFunction& function,
+    const ProgressFunction& progress = {});
+
+  /**
+   * Moves the surface to the motion time `time` (not before the current one, else
+   * std::invalid_argument); substeps end exactly there. An exception (of the target, or the
+   * guard's) leaves the potential and GetTime() as after the last finished substep.
+   */
+  AdvanceReport Advance(
+    double time, const Motion& motion, Target& target, const ProgressFunction& progress = {});
+
+  double GetVoxelSize() const;
+  double GetTime() const;
+  bool IsEmpty() const;
+  std::size_t GetNumberOfActiveNodes() const;
+  std::size_t GetNumberOfGhosts() const;
+
+  /** Runs a function where TBB uses no more threads than SetNumberOfThreads allows. */
+  void Run(const std::function<void()>& function) const;
+
+  /** u = phi / VoxelSize; active mask = band, the ghosts are inactive values in the same leaves. */
+  openvdb::FloatGrid::ConstPtr GetPotential() const;
+
+  /** The leaves of the potential with their masks, for the polygoniser and the exporters. */
+  const LeafTable& GetLeaves() const;
+
+private:
+  NarrowBand(const NarrowBand&) = delete;
+  void operator=(const NarrowBand&) = delete;
+
+  struct State;
+  std::unique_ptr<State> Members;
+};
+
+}
+
+#endif

@@ -1,0 +1,69 @@
+#include "PotentialImage.h"
+
+#include "LeafTable.h"
+#include "NarrowBand.h"
+
+#include <openvdb/tree/ValueAccessor.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+
+namespace
+{
+
+constexpr float HalfWidth = 3.f; // voxels
+
+/** u over its own central slope: a distance in voxels to second order near the surface. */
+float DistanceAt(
+  const openvdb::tree::ValueAccessor<const PotentialTree>& potential, const openvdb::Coord& node)
+{
+  const float value = potential.getValue(node);
+  if (!potential.isValueOn(node))
+  {
+    return value < 0.f ? -HalfWidth : HalfWidth;
+  }
+  float square = 0.f;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    openvdb::Coord low = node, high = node;
+    --low[axis];
+    ++high[axis];
+    const float difference = .5f * (potential.getValue(high) - potential.getValue(low));
+    square += difference * difference;
+  }
+  // A flat spot on a medial axis must not throw the node out of the clamp's sign or to infinity.
+  const float distance = square > 0.f ? value / std::sqrt(square) : value;
+  return std::min(std::max(distance, -HalfWidth), HalfWidth);
+}
+
+void WritePlane(
+  const PotentialTree& tree, const int extent[6], int z, float voxelSize, float* distances)
+{
+  openvdb::tree::ValueAccessor<const PotentialTree> potential(tree);
+  for (int y = extent[2]; y <= extent[3]; ++y)
+  {
+    for (int x = extent[0]; x <= extent[1]; ++x)
+    {
+      *distances++ = voxelSize * DistanceAt(potential, openvdb::Coord(x, y, z));
+    }
+  }
+}
+
+}
+
+void WriteDistances(const NarrowBand& band, const int extent[6], float* distances)
+{
+  const std::size_t plane =
+    (std::size_t(extent[1] - extent[0]) + 1) * (std::size_t(extent[3] - extent[2]) + 1);
+  band.Run([&] {
+    tbb::parallel_for(extent[4], extent[5] + 1, [&](int z) {
+      WritePlane(band.GetPotential()->tree(), extent, z, static_cast<float>(band.GetVoxelSize()),
+        distances + std::size_t(z - extent[4]) * plane);
+    });
+  });
+}
+
+}

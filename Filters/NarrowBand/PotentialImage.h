@@ -1,0 +1,24 @@
+/**
+ * The potential on a box of the lattice, as a distance.
+ */
+#ifndef PotentialImage_h
+#define PotentialImage_h
+
+#include "vtkActiveNarrowBandModule.h"
+
+namespace activesurface
+{
+
+class NarrowBand;
+
+/**
+ * Signed distance to the surface [world units], negative inside, at the lattice nodes
+ * extent[0]..extent[1], extent[2]..extent[3], extent[4]..extent[5], x fastest: the potential over
+ * its own slope where it is active, clamped to +-3 voxels there and beyond.
+ */
+VTKACTIVENARROWBAND_EXPORT void WriteDistances(
+  const NarrowBand& band, const int extent[6], float* distances);
+
+}
+
+#endif

@@ -1,0 +1,47 @@
+/**
+ * The surface as triangles: outward, closed, each edge in exactly two of them.
+ *
+ * One vertex per crossed lattice edge, at the linear crossing; triangles voxel by voxel (see
+ * CubeTriangles.h). Only the band is visited. Vertices and triangles come in the order of the
+ * leaves, so the same potential gives the same bytes.
+ */
+#ifndef Skin_h
+#define Skin_h
+
+#include "vtkActiveNarrowBandModule.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace activesurface
+{
+
+class NarrowBand;
+
+class VTKACTIVENARROWBAND_EXPORT Skin
+{
+public:
+  /** Counts; the band must not change before Write. */
+  explicit Skin(const NarrowBand& band);
+
+  std::size_t GetNumberOfPoints() const { return this->NumberOfPoints; }
+  std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
+
+  /**
+   * points: 3 floats per vertex, world coordinates. normals: 3 floats per vertex, outward, unit
+   * length, from the gradient of the potential interpolated along the edge; may be null.
+   * corners: 3 vertex numbers per triangle, counter-clockwise seen from outside.
+   */
+  void Write(float* points, float* normals, std::int64_t* corners) const;
+
+private:
+  const NarrowBand& Band;
+  std::size_t NumberOfPoints = 0;
+  std::size_t NumberOfTriangles = 0;
+  std::vector<std::size_t> FirstTriangle; // per leaf
+};
+
+}
+
+#endif

@@ -1,0 +1,47 @@
+/**
+ * One forward Euler step of the potential at the active nodes, in one sweep over the leaves:
+ *
+ *   u' = u - dt V/h |grad u|                  advection: ENO2 one-sided differences, Godunov's choice
+ *          + dt Tension kappa |grad u| / h^2  central differences
+ *          - q sign(u) (|grad u| - 1)         slope relaxation, at nodes without a crossed edge
+ *
+ * kappa |grad u| is formed as one product, which is bounded by itself: no clamp, so that the last
+ * voxel vanishes in time and necks pinch off as they should.
+ */
+#ifndef StepForward_h
+#define StepForward_h
+
+#include "LeafTable.h"
+
+namespace activesurface
+{
+
+struct SubstepBuffers;
+
+/** Coefficients of one substep; lengths in voxels. */
+struct StepCoefficients
+{
+  float Advection = 0.f;  //< dt / h
+  float Tension = 0.f;    //< dt Tension / h^2
+  float Relaxation = 0.f; //< q
+  bool Moves = false;     //< whether any speed or relaxation is to be applied
+};
+
+/** Slopes of the nodes of layer 0, counted on the potential before the step. */
+struct SlopeCounts
+{
+  std::size_t Nodes = 0;
+  std::size_t Flat = 0;  //< slope below 1/sqrt 2
+  std::size_t Steep = 0; //< slope above sqrt 2
+};
+
+/** Advances all active nodes from the old values (Jacobi) and renews the signs. */
+SlopeCounts StepForward(
+  LeafTable& table, const StepCoefficients& coefficients, SubstepBuffers& buffers);
+
+/** Multiplies the potential by a power of two: exact, and the surface stays where it is. */
+void ScalePotential(LeafTable& table, float factor);
+
+}
+
+#endif

@@ -1,0 +1,227 @@
+#include "Skeleton.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace activesurface
+{
+namespace
+{
+// Enough to look at several lattices without leaving the first cache.
+constexpr std::size_t HitsOfStream = 32;
+
+constexpr double SmallestSize = 1e-100;
+constexpr double LargestSize = 1e100;
+
+bool IsFinite(const double x[3])
+{
+  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+}
+
+bool SkeletonVertex::IsUsable() const
+{
+  return std::fabs(this->Position[0]) <= LargestSize &&
+    std::fabs(this->Position[1]) <= LargestSize && std::fabs(this->Position[2]) <= LargestSize &&
+    this->Radius >= SmallestSize && this->Radius <= LargestSize &&
+    std::fabs(this->Strength) <= LargestSize;
+}
+
+void Skeleton::Clear()
+{
+  this->Points.clear();
+  this->Segments.clear();
+  this->Capsules.clear();
+}
+
+void Skeleton::AddPoint(const SkeletonVertex& vertex)
+{
+  const double* p = vertex.Position;
+  this->Points.push_back(
+    { { p[0], p[1], p[2] }, vertex.Strength, 1.0 / (vertex.Radius * vertex.Radius) });
+  this->AddCapsule(vertex, vertex);
+}
+
+void Skeleton::AddSegment(const SkeletonVertex& start, const SkeletonVertex& end)
+{
+  SkeletonSegment segment;
+  double length2 = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    segment.Start[axis] = start.Position[axis];
+    segment.Edge[axis] = end.Position[axis] - start.Position[axis];
+    length2 += segment.Edge[axis] * segment.Edge[axis];
+  }
+  const bool hasLength = length2 >= SmallestSize * SmallestSize;
+  segment.InverseLength2 = hasLength ? 1.0 / length2 : 0.0;
+  segment.Radius = start.Radius;
+  segment.RadiusChange = end.Radius - start.Radius;
+  segment.Strength = start.Strength;
+  segment.StrengthChange = end.Strength - start.Strength;
+  this->Segments.push_back(segment);
+  this->AddCapsule(start, end);
+}
+
+void Skeleton::AddCapsule(const SkeletonVertex& start, const SkeletonVertex& end)
+{
+  const bool isFirst = this->Capsules.empty();
+  Capsule capsule;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    capsule.Start[axis] = start.Position[axis];
+    capsule.End[axis] = end.Position[axis];
+    const double low =
+      std::min(start.Position[axis] - start.Radius, end.Position[axis] - end.Radius);
+    const double high =
+      std::max(start.Position[axis] + start.Radius, end.Position[axis] + end.Radius);
+    double* bounds = this->Bounds + 2 * axis;
+    bounds[0] = isFirst ? low : std::min(bounds[0], low);
+    bounds[1] = isFirst ? high : std::max(bounds[1], high);
+  }
+  capsule.StartRadius = start.Radius;
+  capsule.EndRadius = end.Radius;
+  this->Capsules.push_back(capsule);
+}
+
+void Skeleton::Build()
+{
+  this->Cells.Build(this->Capsules, this->Bounds);
+}
+
+void Skeleton::Evaluate(SkeletonKernel kernel, double threshold, std::size_t count,
+  const double* points, double* values, double* gradients) const
+{
+  switch (kernel)
+  {
+    case SkeletonKernel::Wyvill:
+      this->EvaluateWith<WyvillKernel>(threshold, count, points, values, gradients);
+      break;
+    case SkeletonKernel::CubicSpline:
+      this->EvaluateWith<CubicSplineKernel>(threshold, count, points, values, gradients);
+      break;
+    case SkeletonKernel::Metaball:
+      this->EvaluateWith<MetaballKernel>(threshold, count, points, values, gradients);
+      break;
+  }
+}
+
+template <class Kernel>
+void Skeleton::EvaluateWith(double threshold, std::size_t count, const double* points,
+  double* values, double* gradients) const
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double* x = points + 3 * i;
+    const SkeletonSum sum =
+      IsFinite(x) ? this->SumAt<Kernel>(x) : SkeletonSum{ { nan, nan, nan, nan } };
+    values[i] = threshold - sum.Terms[3];
+    if (gradients)
+    {
+      std::copy(sum.Terms, sum.Terms + 3, gradients + 3 * i);
+    }
+  }
+}
+
+template <class Kernel>
+SkeletonSum Skeleton::SumAt(const double x[3]) const
+{
+  SkeletonSum sum;
+  if (this->Cells.GetNumberOfLattices() > 1)
+  {
+    this->AddMerged<Kernel>(sum, x);
+  }
+  else if (this->Cells.GetNumberOfLattices() == 1)
+  {
+    Index hits[SkeletonCells::HitsAtOnce];
+    SkeletonCells::Search search = this->Cells.StartSearch(0, x);
+    while (!search.IsOver())
+    {
+      const std::size_t count = this->Cells.TakeHits(search, hits, SkeletonCells::HitsAtOnce);
+      this->AddHits<Kernel>(sum, x, hits, count);
+    }
+  }
+  return sum;
+}
+
+// The hits of one lattice.
+struct Skeleton::Stream
+{
+  SkeletonCells::Search Search;
+  std::size_t Head;
+  std::size_t Count;
+  Index Hits[HitsOfStream];
+
+  // Whether there is a hit at Head.
+  bool Refill(const SkeletonCells& cells)
+  {
+    while (this->Head == this->Count && !this->Search.IsOver())
+    {
+      this->Head = 0;
+      this->Count = cells.TakeHits(this->Search, this->Hits, HitsOfStream);
+    }
+    return this->Head < this->Count;
+  }
+};
+
+template <class Kernel>
+void Skeleton::AddMerged(SkeletonSum& sum, const double x[3]) const
+{
+  std::array<Stream, SkeletonCells::MaximumLattices> streams;
+  std::array<Stream*, SkeletonCells::MaximumLattices> open;
+  auto end = open.begin();
+  for (std::size_t lattice = 0; lattice < this->Cells.GetNumberOfLattices(); ++lattice)
+  {
+    Stream& stream = streams[lattice];
+    stream.Search = this->Cells.StartSearch(lattice, x);
+    stream.Head = stream.Count = 0;
+    *end = &stream;
+    end += stream.Refill(this->Cells) ? 1 : 0;
+  }
+  const auto isEarlier = [](const Stream* a, const Stream* b)
+  { return a->Hits[a->Head] < b->Hits[b->Head]; };
+  Index merged[SkeletonCells::HitsAtOnce];
+  std::size_t count = 0;
+  while (end != open.begin())
+  {
+    const auto first = std::min_element(open.begin(), end, isEarlier);
+    Stream& stream = **first;
+    merged[count] = stream.Hits[stream.Head];
+    ++stream.Head;
+    ++count;
+    if (!stream.Refill(this->Cells))
+    {
+      --end;
+      *first = *end;
+    }
+    if (count == SkeletonCells::HitsAtOnce || end == open.begin())
+    {
+      this->AddHits<Kernel>(sum, x, merged, count);
+      count = 0;
+    }
+  }
+}
+
+template <class Kernel>
+void Skeleton::AddHits(
+  SkeletonSum& result, const double x[3], const Index* hits, std::size_t count) const
+{
+  const SkeletonPoint* points = this->Points.data();
+  const std::size_t pointCount = this->Points.size();
+  // Copies, so that they stay in registers.
+  const double here[3] = { x[0], x[1], x[2] };
+  SkeletonSum sum = result;
+  const Index* end = hits + count;
+  for (; hits != end && *hits < pointCount; ++hits)
+  {
+    points[*hits].AddTo<Kernel>(sum, here);
+  }
+  for (; hits != end; ++hits)
+  {
+    this->Segments[*hits - pointCount].AddTo<Kernel>(sum, here);
+  }
+  result = sum;
+}
+
+}

@@ -1,0 +1,73 @@
+// Points and segments, and the sum of their contributions (see SkeletonKernel.h) anywhere.
+//
+// Contributions are added by ascending index, points in the order in which they were added, then
+// segments, so that a sum has the same bits whatever the cells, the batch and the thread.
+
+#ifndef Skeleton_h
+#define Skeleton_h
+
+#include "SkeletonCells.h"
+#include "SkeletonKernel.h"
+
+namespace activesurface
+{
+
+struct SkeletonVertex
+{
+  double Position[3];
+  double Radius;
+  double Strength;
+
+  // Finite, and of a size (1e-100 to 1e100) that can be squared and divided by.
+  bool IsUsable() const;
+};
+
+class Skeleton
+{
+public:
+  // Forgets all elements, keeps the memory.
+  void Clear();
+
+  // All points come before the first segment. Vertices have to be usable.
+  void AddPoint(const SkeletonVertex& vertex);
+  void AddSegment(const SkeletonVertex& start, const SkeletonVertex& end);
+
+  // Comes after the last element and before the first evaluation. Throws as SkeletonCells does.
+  void Build();
+
+  // Values: threshold - sum, at points (x y z each); gradients, unless null: those of the values.
+  // A point that is not finite gets NaN. Thread-safe.
+  void Evaluate(SkeletonKernel kernel, double threshold, std::size_t count, const double* points,
+    double* values, double* gradients) const;
+
+  std::size_t GetNumberOfElements() const { return this->Capsules.size(); }
+
+  // The box of all supports: xmin xmax ymin ... Meaningless without elements.
+  const double* GetBounds() const { return this->Bounds; }
+
+private:
+  using Index = SkeletonCells::Index;
+  struct Stream;
+
+  void AddCapsule(const SkeletonVertex& start, const SkeletonVertex& end);
+
+  template <class Kernel>
+  void EvaluateWith(double threshold, std::size_t count, const double* points, double* values,
+    double* gradients) const;
+  template <class Kernel>
+  SkeletonSum SumAt(const double x[3]) const;
+  template <class Kernel>
+  void AddMerged(SkeletonSum& sum, const double x[3]) const;
+  template <class Kernel>
+  void AddHits(SkeletonSum& sum, const double x[3], const Index* hits, std::size_t count) const;
+
+  std::vector<SkeletonPoint> Points;
+  std::vector<SkeletonSegment> Segments;
+  std::vector<Capsule> Capsules; // of the points, then of the segments
+  double Bounds[6];
+  SkeletonCells Cells;
+};
+
+}
+
+#endif

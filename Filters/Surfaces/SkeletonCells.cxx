@@ -1,0 +1,388 @@
+#include "SkeletonCells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace activesurface
+{
+namespace
+{
+// Radii in a lattice are 0.625 to 1.25 cells: smaller cells hold fewer candidates, and take more
+// time and memory to fill.
+constexpr double CellsPerRadius = 1.25;
+// A segment is registered in pieces of up to two cells; one of more pieces goes to coarser cells.
+constexpr double CellsPerPiece = 2.0;
+constexpr double MaximumPieces = 32.0;
+constexpr double HalfCellDiagonal = 0.8660255;
+constexpr std::size_t MaximumElements = std::size_t(1) << 28;
+// Balls are stored as floats, less than 4 cells from where they are used: errors are below 1e-6.
+constexpr double FloatMargin = 1e-5;
+constexpr double FarAway = 16.0;
+constexpr float Everywhere = std::numeric_limits<float>::infinity();
+
+double GetLength(const Capsule& capsule)
+{
+  return std::hypot(capsule.End[0] - capsule.Start[0], capsule.End[1] - capsule.Start[1],
+    capsule.End[2] - capsule.Start[2]);
+}
+}
+
+void SkeletonCells::Build(const std::vector<Capsule>& capsules, const double bounds[6])
+{
+  this->Lattices.clear();
+  if (capsules.empty())
+  {
+    return;
+  }
+  if (capsules.size() > MaximumElements)
+  {
+    throw std::length_error("A skeleton of more than 268 million elements is not supported.");
+  }
+  this->Measure(capsules, bounds);
+  this->ChooseLattices(capsules);
+  this->MakeSlots();
+  this->Registrations.clear();
+  this->RegistrationCounts.resize(capsules.size());
+  for (std::size_t element = 0; element < capsules.size(); ++element)
+  {
+    const std::size_t before = this->Registrations.size();
+    this->Register(static_cast<Index>(element), capsules[element]);
+    this->RegistrationCounts[element] = static_cast<Index>(this->Registrations.size() - before);
+  }
+  this->FillLists();
+}
+
+void SkeletonCells::Measure(const std::vector<Capsule>& capsules, const double bounds[6])
+{
+  double largestCoordinate = 0.0;
+  for (int i = 0; i < 6; ++i)
+  {
+    largestCoordinate = std::max(largestCoordinate, std::fabs(bounds[i]));
+  }
+  this->Slack = 32.0 * std::numeric_limits<double>::epsilon() * largestCoordinate;
+  this->LargestRadius = 0.0;
+  for (const Capsule& capsule : capsules)
+  {
+    this->LargestRadius = std::max({ this->LargestRadius, capsule.StartRadius, capsule.EndRadius });
+  }
+  this->LargestRadius += this->Slack;
+  this->FirstCellSize = this->LargestRadius / CellsPerRadius;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Origin[axis] = bounds[2 * axis];
+  }
+}
+
+void SkeletonCells::ChooseLattices(const std::vector<Capsule>& capsules)
+{
+  int coarsest = std::numeric_limits<int>::max();
+  this->LatticeOf.resize(capsules.size());
+  for (std::size_t element = 0; element < capsules.size(); ++element)
+  {
+    this->LatticeOf[element] = this->ChooseLevel(capsules[element]);
+    coarsest = std::min(coarsest, this->LatticeOf[element]);
+  }
+  std::array<std::size_t, MaximumLattices> elements = {};
+  for (int& level : this->LatticeOf)
+  {
+    level = std::min(level - coarsest, static_cast<int>(MaximumLattices) - 1);
+    ++elements[level];
+  }
+  std::array<int, MaximumLattices> latticeOfLevel;
+  for (std::size_t level = 0; level < MaximumLattices; ++level)
+  {
+    latticeOfLevel[level] = static_cast<int>(this->Lattices.size());
+    if (elements[level] > 0)
+    {
+      const int halvings = static_cast<int>(level) + coarsest;
+      const double cellSize = std::ldexp(this->FirstCellSize, -halvings);
+      this->Lattices.push_back({ { this->Origin[0], this->Origin[1], this->Origin[2] }, cellSize,
+        1.0 / cellSize, elements[level], 0, 0 });
+    }
+  }
+  for (int& level : this->LatticeOf)
+  {
+    level = latticeOfLevel[level];
+  }
+}
+
+// Level l has cells of FirstCellSize / 2^l; it is negative for segments that are long against the
+// largest radius.
+int SkeletonCells::ChooseLevel(const Capsule& capsule) const
+{
+  const double radius = std::max(capsule.StartRadius, capsule.EndRadius) + this->Slack;
+  const int level = std::ilogb(this->LargestRadius / radius);
+  const double length = GetLength(capsule);
+  const double longest = MaximumPieces * CellsPerPiece * this->FirstCellSize;
+  return length > 0.0 ? std::min(level, std::ilogb(longest / length)) : level;
+}
+
+void SkeletonCells::MakeSlots()
+{
+  std::size_t slots = 0;
+  for (SkeletonLattice& lattice : this->Lattices)
+  {
+    int bits = SkeletonLattice::BlockBits + 1;
+    while ((std::size_t(1) << bits) < 4 * lattice.Elements)
+    {
+      ++bits;
+    }
+    lattice.HashShift = 64 - (bits - SkeletonLattice::BlockBits);
+    lattice.FirstSlot = slots;
+    slots += std::size_t(1) << bits;
+  }
+  this->LastElements.assign(slots, 0);
+  this->ListStarts.assign(slots + 1, 0);
+}
+
+void SkeletonCells::Register(Index element, const Capsule& capsule)
+{
+  const SkeletonLattice& lattice = this->Lattices[this->LatticeOf[element]];
+  const double length = GetLength(capsule);
+  if (length == 0.0)
+  {
+    const double radius = std::max(capsule.StartRadius, capsule.EndRadius);
+    this->RegisterBall(element, capsule.Start, radius + this->Slack, lattice);
+    return;
+  }
+  const double pieceLength = CellsPerPiece * lattice.CellSize;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(length / pieceLength)));
+  for (int i = 0; i < pieces; ++i)
+  {
+    const double from = static_cast<double>(i) / pieces;
+    const double to = static_cast<double>(i + 1) / pieces;
+    this->RegisterPiece(element, this->GetPiece(capsule, from, to), lattice);
+  }
+}
+
+struct SkeletonCells::Span
+{
+  static constexpr int Capacity = 8; // a ball's diameter is 3 cells at most
+  int Count = 0;
+  double Gap2[Capacity]; // squared distance from the cell's slab to the centre, in cells
+  float Place[Capacity]; // of the centre, from the cell's
+  std::uint64_t Hash[Capacity];
+  Index InBlock[Capacity];
+  bool IsLast[Capacity];
+};
+
+// The first and the last cell hold all that lies beyond.
+SkeletonCells::Span SkeletonCells::GetSpan(
+  const SkeletonLattice& lattice, int axis, double centre, double radius)
+{
+  Span span;
+  const double place = lattice.GetCoordinate(centre, axis);
+  const Index low = SkeletonLattice::GetCell(lattice.GetCoordinate(centre - radius, axis));
+  const Index high = SkeletonLattice::GetCell(lattice.GetCoordinate(centre + radius, axis));
+  for (Index cell = low; cell <= high && span.Count < Span::Capacity; ++cell)
+  {
+    const double offset = place - cell;
+    const double below = cell == 0 ? 0.0 : -offset;
+    const double above = cell == SkeletonLattice::LastCell ? 0.0 : offset - 1.0;
+    const double gap = std::max({ below, above, 0.0 });
+    span.Gap2[span.Count] = gap * gap;
+    span.Place[span.Count] = static_cast<float>(offset - 0.5);
+    span.Hash[span.Count] = SkeletonLattice::GetHash(cell, axis);
+    span.InBlock[span.Count] = SkeletonLattice::GetPlaceInBlock(cell, axis);
+    span.IsLast[span.Count] = cell == SkeletonLattice::LastCell;
+    ++span.Count;
+  }
+  return span;
+}
+
+void SkeletonCells::RegisterBall(
+  Index element, const double centre[3], double radius, const SkeletonLattice& lattice)
+{
+  const Span xs = this->GetSpan(lattice, 0, centre[0], radius);
+  const Span ys = this->GetSpan(lattice, 1, centre[1], radius);
+  const Span zs = this->GetSpan(lattice, 2, centre[2], radius);
+  const double cells = radius * lattice.InverseCellSize;
+  const double radius2 = cells * cells * (1.0 + FloatMargin) + FloatMargin;
+  for (int k = 0; k < zs.Count; ++k)
+  {
+    for (int j = 0; j < ys.Count; ++j)
+    {
+      const double gap2 = zs.Gap2[k] + ys.Gap2[j];
+      for (int i = 0; i < xs.Count; ++i)
+      {
+        if (gap2 + xs.Gap2[i] <= radius2)
+        {
+          const bool isFar = xs.IsLast[i] || ys.IsLast[j] || zs.IsLast[k];
+          const float ball[4] = { xs.Place[i], ys.Place[j], zs.Place[k],
+            isFar ? Everywhere : static_cast<float>(radius2) };
+          this->AddTo(lattice.GetSlot(xs.Hash[i] + ys.Hash[j] + zs.Hash[k],
+                        xs.InBlock[i] | ys.InBlock[j] | zs.InBlock[k]),
+            element, ball);
+        }
+      }
+    }
+  }
+}
+
+void SkeletonCells::AddTo(std::size_t slot, Index element, const float ball[4])
+{
+  if (this->LastElements[slot] != element + 1)
+  {
+    this->LastElements[slot] = element + 1;
+    this->Registrations.push_back(
+      { static_cast<Index>(slot), { ball[0], ball[1], ball[2], ball[3] } });
+  }
+}
+
+SkeletonCells::Piece SkeletonCells::GetPiece(const Capsule& capsule, double from, double to) const
+{
+  Piece piece;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double edge = capsule.End[axis] - capsule.Start[axis];
+    piece.Start[axis] = capsule.Start[axis] + from * edge;
+    piece.Edge[axis] = (to - from) * edge;
+  }
+  const double change = capsule.EndRadius - capsule.StartRadius;
+  piece.Radius = capsule.StartRadius + std::max(from * change, to * change) + this->Slack;
+  return piece;
+}
+
+void SkeletonCells::RegisterPiece(Index element, const Piece& piece, const SkeletonLattice& lattice)
+{
+  Index low[3];
+  Index high[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double lowEnd = piece.Start[axis] + std::min(piece.Edge[axis], 0.0) - piece.Radius;
+    const double highEnd = piece.Start[axis] + std::max(piece.Edge[axis], 0.0) + piece.Radius;
+    low[axis] = SkeletonLattice::GetCell(lattice.GetCoordinate(lowEnd, axis));
+    high[axis] = SkeletonLattice::GetCell(lattice.GetCoordinate(highEnd, axis));
+  }
+  const float ball[4] = { 0.0f, 0.0f, 0.0f, Everywhere };
+  Index cell[3];
+  for (cell[2] = low[2]; cell[2] <= high[2]; ++cell[2])
+  {
+    for (cell[1] = low[1]; cell[1] <= high[1]; ++cell[1])
+    {
+      for (cell[0] = low[0]; cell[0] <= high[0]; ++cell[0])
+      {
+        if (this->Touches(piece, lattice, cell))
+        {
+          this->AddTo(lattice.GetSlot(cell), element, ball);
+        }
+      }
+    }
+  }
+}
+
+// Whether the piece comes near the ball around the cell.
+bool SkeletonCells::Touches(const Piece& piece, const SkeletonLattice& lattice, const Index cell[3])
+{
+  double centre[3];
+  double along = 0.0;
+  double length2 = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (cell[axis] == 0 || cell[axis] == SkeletonLattice::LastCell)
+    {
+      return true;
+    }
+    centre[axis] = lattice.Origin[axis] + (cell[axis] + 0.5) * lattice.CellSize - piece.Start[axis];
+    along += centre[axis] * piece.Edge[axis];
+    length2 += piece.Edge[axis] * piece.Edge[axis];
+  }
+  const double t = length2 > 0.0 ? std::min(std::max(along / length2, 0.0), 1.0) : 0.0;
+  double distance2 = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double offset = centre[axis] - t * piece.Edge[axis];
+    distance2 += offset * offset;
+  }
+  const double reach = piece.Radius + HalfCellDiagonal * lattice.CellSize;
+  return distance2 <= reach * reach;
+}
+
+// A counting sort by slot. Elements come in ascending order, so lists are ascending.
+void SkeletonCells::FillLists()
+{
+  if (this->Registrations.size() > std::numeric_limits<Index>::max())
+  {
+    throw std::length_error("A skeleton of so many elements is not supported.");
+  }
+  for (const Registration& registration : this->Registrations)
+  {
+    ++this->ListStarts[registration.Slot + 1];
+  }
+  std::partial_sum(this->ListStarts.begin(), this->ListStarts.end(), this->ListStarts.begin());
+  this->Lists.resize(this->Registrations.size());
+  this->Balls.resize(4 * this->Registrations.size());
+  std::vector<Index>& filled = this->LastElements;
+  std::fill(filled.begin(), filled.end(), 0);
+  const Registration* registration = this->Registrations.data();
+  for (std::size_t element = 0; element < this->RegistrationCounts.size(); ++element)
+  {
+    const Registration* end = registration + this->RegistrationCounts[element];
+    for (; registration != end; ++registration)
+    {
+      const std::size_t start = this->ListStarts[registration->Slot];
+      const std::size_t length = this->ListStarts[registration->Slot + 1] - start;
+      const std::size_t place = filled[registration->Slot]++;
+      this->Lists[start + place] = static_cast<Index>(element);
+      for (std::size_t column = 0; column < 4; ++column)
+      {
+        this->Balls[4 * start + column * length + place] = registration->Ball[column];
+      }
+    }
+  }
+}
+
+SkeletonCells::Search SkeletonCells::StartSearch(std::size_t lattice, const double x[3]) const
+{
+  Search search;
+  Index cell[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double coordinate = this->Lattices[lattice].GetCoordinate(x[axis], axis);
+    cell[axis] = SkeletonLattice::GetCell(coordinate);
+    const double place = coordinate - cell[axis] - 0.5;
+    search.Position[axis] = static_cast<float>(std::min(std::max(place, -FarAway), FarAway));
+  }
+  const std::size_t slot = this->Lattices[lattice].GetSlot(cell);
+  search.Start = this->ListStarts[slot];
+  search.Length = this->ListStarts[slot + 1] - search.Start;
+  search.Done = 0;
+  return search;
+}
+
+// Two loops: the first is for the vector unit, the second has no branch, as hits are unpredictable.
+std::size_t SkeletonCells::TakeHits(Search& search, Index* hits, std::size_t capacity) const
+{
+  const Index length = search.Length;
+  const Index looked = std::min(length - search.Done, static_cast<Index>(capacity));
+  const float* ballX = this->Balls.data() + std::size_t(4) * search.Start + search.Done;
+  const float* ballY = ballX + length;
+  const float* ballZ = ballY + length;
+  const float* radius2 = ballZ + length;
+  const float x = search.Position[0];
+  const float y = search.Position[1];
+  const float z = search.Position[2];
+  Index isHit[HitsAtOnce];
+  for (Index i = 0; i < looked; ++i)
+  {
+    const float dx = ballX[i] - x;
+    const float dy = ballY[i] - y;
+    const float dz = ballZ[i] - z;
+    isHit[i] = dx * dx + dy * dy + dz * dz < radius2[i] ? 1 : 0;
+  }
+  const Index* list = this->Lists.data() + search.Start + search.Done;
+  std::size_t count = 0;
+  for (Index i = 0; i < looked; ++i)
+  {
+    hits[count] = list[i];
+    count += isHit[i];
+  }
+  search.Done += looked;
+  return count;
+}
+
+}

@@ -1,0 +1,156 @@
+#include "SurfaceSettings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <tuple>
+
+namespace activesurface
+{
+
+namespace
+{
+
+void Require(bool condition, const char* sentence)
+{
+  if (!condition)
+  {
+    throw std::invalid_argument(sentence);
+  }
+}
+
+bool IsPositive(double value)
+{
+  return std::isfinite(value) && value > 0.0;
+}
+
+bool IsZeroOrPositive(double value)
+{
+  return std::isfinite(value) && value >= 0.0;
+}
+
+void CheckBounds(const std::array<double, 6>& bounds)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = bounds[2 * axis];
+    const double high = bounds[2 * axis + 1];
+    if (!std::isfinite(low) || !std::isfinite(high) || !(low < high))
+    {
+      std::ostringstream text;
+      text << "ModelBounds has to be (xmin, xmax, ymin, ymax, zmin, zmax) with finite min < max on "
+              "each axis; on axis "
+           << "xyz"[axis] << " it is " << low << ", " << high << ".";
+      throw std::invalid_argument(text.str());
+    }
+  }
+}
+
+void CheckSteps(const std::vector<double>& steps)
+{
+  const auto ascends = [](double a, double b) { return !(a < b); };
+  Require(!steps.empty() && std::all_of(steps.begin(), steps.end(),
+                              [](double time) { return std::isfinite(time); }) &&
+      std::adjacent_find(steps.begin(), steps.end(), ascends) == steps.end(),
+    "The time steps have to be finite and ascending; check StartTime and TimeStepSize (which has to "
+    "be > 0, and not lost in rounding beside StartTime) or the time steps of the input.");
+}
+
+SurfaceDomain MakeDomainOf(const SurfaceSettings& settings, const double bounds[6])
+{
+  SurfaceDomain domain;
+  std::copy(bounds, bounds + 6, domain.Bounds);
+  double longest = 0.0;
+  double square = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double side = bounds[2 * axis + 1] - bounds[2 * axis];
+    longest = std::max(longest, side);
+    square += side * side;
+  }
+  domain.VoxelSize = settings.VoxelSize > 0.0 ? settings.VoxelSize : longest / 64.0;
+  domain.Reach = settings.Reach > 0.0 ? settings.Reach : std::sqrt(square) / 8.0;
+  return domain;
+}
+
+}
+
+bool SurfaceSettings::operator==(const SurfaceSettings& other) const
+{
+  const auto all = [](const SurfaceSettings& s) {
+    return std::tie(s.TargetFunction, s.ParticlesMove, s.TargetStamp, s.Particles.Radius,
+      s.Particles.Threshold, s.Particles.Kernel, s.Particles.Arrays, s.IsoValue, s.Invert,
+      s.Normalize, s.Reach, s.InitialFunction, s.InitialStamp, s.VoxelSize, s.BoundsGiven, s.Bounds,
+      s.Strategy.Attraction, s.Strategy.Tension, s.Strategy.CFL, s.Steps, s.TimeScale);
+  };
+  return all(*this) == all(other);
+}
+
+double SurfaceSettings::GetMotionTime(double pipelineTime) const
+{
+  return this->TimeScale * (pipelineTime - this->Steps.front());
+}
+
+void SurfaceSettings::Check() const
+{
+  Require(IsZeroOrPositive(this->VoxelSize),
+    "VoxelSize has to be a finite number > 0, or 0 for a 64th of the bounds' longest side.");
+  Require(IsZeroOrPositive(this->Reach),
+    "TargetReach has to be a finite number > 0, or 0 for an eighth of the bounds' diagonal.");
+  Require(std::isfinite(this->IsoValue), "TargetIsoValue has to be a finite number.");
+  Require(IsZeroOrPositive(this->Strategy.Attraction), "Attraction has to be a finite number >= 0.");
+  Require(IsZeroOrPositive(this->Strategy.Tension),
+    "Tension has to be a finite number >= 0: a negative one would be unstable.");
+  Require(IsPositive(this->Strategy.CFL) && this->Strategy.CFL <= 1.0, "CFL has to be in (0, 1].");
+  Require(IsPositive(this->TimeScale), "TimeScale has to be a finite number > 0.");
+  Require(IsZeroOrPositive(this->Particles.Radius),
+    "ParticleRadius has to be a finite number > 0, or 0 for one that is estimated.");
+  Require(std::isfinite(this->Particles.Threshold), "ParticleThreshold has to be a finite number.");
+  CheckSteps(this->Steps);
+  if (this->BoundsGiven)
+  {
+    CheckBounds(this->Bounds);
+  }
+}
+
+bool SurfaceDomain::GetExtent(int extent[6]) const
+{
+  constexpr double rounding = 1e-6; // a bound on a node, but for rounding, is that node
+  constexpr double farthest = 1e9;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = std::floor(this->Bounds[2 * axis] / this->VoxelSize + rounding);
+    const double high = std::ceil(this->Bounds[2 * axis + 1] / this->VoxelSize - rounding);
+    if (!(low > -farthest && high < farthest))
+    {
+      return false;
+    }
+    extent[2 * axis] = static_cast<int>(low);
+    extent[2 * axis + 1] = static_cast<int>(high);
+  }
+  return true;
+}
+
+SurfaceDomain MakeDomain(const SurfaceSettings& settings)
+{
+  return MakeDomainOf(settings, settings.Bounds.data());
+}
+
+SurfaceDomain MakeDomain(const SurfaceSettings& settings, const double targetBounds[6])
+{
+  double longest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    longest = std::max(longest, targetBounds[2 * axis + 1] - targetBounds[2 * axis]);
+  }
+  double bounds[6];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] = targetBounds[2 * axis] - longest / 8.0;
+    bounds[2 * axis + 1] = targetBounds[2 * axis + 1] + longest / 8.0;
+  }
+  return MakeDomainOf(settings, bounds);
+}
+
+}

@@ -1,0 +1,81 @@
+// All that the motion of a surface depends on: two equal settings move it alike, so that a state is
+// kept for as long as the settings are equal to those that it was made with.
+
+#ifndef SurfaceSettings_h
+#define SurfaceSettings_h
+
+#include "Motion.h"
+#include "SkeletonKernel.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkImplicitFunction;
+
+namespace activesurface
+{
+
+struct ParticleSettings
+{
+  double Radius = 0.0; // 0: estimated
+  double Threshold = 0.5;
+  SkeletonKernel Kernel = SkeletonKernel::Wyvill;
+  std::array<std::string, 3> Arrays; // that were chosen for radii, ids and strengths
+};
+
+struct SurfaceSettings
+{
+  // What attracts: a function, or else particles, which are the same at all steps unless they move.
+  vtkImplicitFunction* TargetFunction = nullptr;
+  bool ParticlesMove = false;
+  std::uint64_t TargetStamp = 0; // of the function, or of all that makes the particles
+  ParticleSettings Particles;
+
+  double IsoValue = 0.0;
+  bool Invert = false;
+  bool Normalize = true;
+  double Reach = 0.0; // 0: an eighth of the diagonal of the bounds
+
+  // Where it starts, unless on the target.
+  vtkImplicitFunction* InitialFunction = nullptr;
+  std::uint64_t InitialStamp = 0;
+
+  double VoxelSize = 0.0; // 0: a 64th of the longest side of the bounds
+  bool BoundsGiven = false;
+  std::array<double, 6> Bounds = {};
+
+  Motion Strategy;
+  std::vector<double> Steps; // pipeline times; the first one is motion time 0
+  double TimeScale = 1.0;
+
+  bool operator==(const SurfaceSettings& other) const;
+  bool operator!=(const SurfaceSettings& other) const { return !(*this == other); }
+
+  double GetMotionTime(double pipelineTime) const;
+
+  // Throws std::invalid_argument, saying which property cannot be as it is.
+  void Check() const;
+};
+
+// Where a surface starts and at which resolution: known from the bounds.
+struct SurfaceDomain
+{
+  double Bounds[6];
+  double VoxelSize;
+  double Reach;
+
+  // Lattice nodes within the bounds, first and last of each axis; false if there are too many.
+  bool GetExtent(int extent[6]) const;
+};
+
+// With the bounds given by the settings.
+SurfaceDomain MakeDomain(const SurfaceSettings& settings);
+
+// With the bounds of the target, enlarged by a quarter of the longest side, half of it at each end.
+SurfaceDomain MakeDomain(const SurfaceSettings& settings, const double targetBounds[6]);
+
+}
+
+#endif

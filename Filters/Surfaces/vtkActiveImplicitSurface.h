@@ -1,0 +1,357 @@
+/**
+ * @class   vtkActiveImplicitSurface
+ * @brief   a living skin: a surface that follows a target through time and remembers its way
+ *
+ * The surface is the zero set of a potential phi, negative inside, that is stored on the lattice
+ * nodes near it. It moves along its normal with the speed
+ *
+ *   V = Attraction * (TargetIsoValue - F) - Tension * kappa
+ *
+ * where F is the target, or the distance to it (NormalizeTarget), and kappa the sum of the principal
+ * curvatures. It splits and merges by itself. See M. Desbrun, M.-P. Cani-Gascuel, Active Implicit
+ * Surface for Animation, Graphics Interface 1998.
+ *
+ * Input, port 0 (optional): the target as particles, a vtkPointSet without cells or with vertices
+ * (all its points count), with or without time steps; they act like a vtkSkeletonPotential of
+ * points. Or the target is TargetFunction. SetInputArrayToProcess(0, ...) chooses an array of radii,
+ * (1, ...) of ids, (2, ...) of strengths; without them ParticleRadius, the point numbers and 1 hold.
+ * Particles go in straight lines from one time step to the next, matched by ids, or by number if
+ * both steps have equally many. One that is missing in the next step stays as it is until then; one
+ * that is new appears at its own step. No particles at all is no target: the skin vanishes.
+ *
+ * Output, port 0: the skin, a vtkPolyData of triangles, closed, outward, with Normals. Port 1: the
+ * potential as a vtkImageData with the scalars "Potential", a signed distance [length], negative
+ * inside, clamped to +-3 voxels. Its extent covers ModelBounds, in lattice nodes; what is outside is
+ * cropped from the image, never from the skin. Without ModelBounds it covers the first target,
+ * enlarged by a quarter: this is known beforehand if port 1 is connected (the input then is updated
+ * for the first time step when information is asked for), else after the first update.
+ *
+ * Time: the time steps of the input are passed on. If it has fewer than two (TargetFunction, static
+ * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them. A
+ * request for a later one continues from the state that is held, and the input is asked once for
+ * each step in between; the same time again costs nothing; an earlier one starts anew. A time
+ * between two steps branches off the earlier one. A time before the first step or after the last is
+ * that step. So the result depends on the time and the properties only, bit by bit: not on the order
+ * of requests, nor on the number of threads. The state is made anew when the target, the initial
+ * shape or a property that shapes the motion changes.
+ *
+ * A vanished skin is legal: empty output and one warning. What cannot be done is one error with a
+ * sentence that says why, empty outputs, and a new start at the next update.
+ */
+
+#ifndef vtkActiveImplicitSurface_h
+#define vtkActiveImplicitSurface_h
+
+#include "vtkActiveSurfacesModule.h" // for the export macro
+#include "vtkImageAlgorithm.h"
+#include "vtkSmartPointer.h" // for the functions
+
+#include <memory> // for the requests
+
+class vtkImageData;
+class vtkImplicitFunction;
+class vtkPolyData;
+
+namespace activesurface
+{
+class SurfaceRequests;
+}
+
+class VTKACTIVESURFACES_EXPORT vtkActiveImplicitSurface : public vtkImageAlgorithm
+{
+public:
+  static vtkActiveImplicitSurface* New();
+  vtkTypeMacro(vtkActiveImplicitSurface, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * What the skin is attracted by, negative inside: any implicit function, instead of an input.
+   * Functions of VTK that only read themselves (vtkSphere, vtkBox, vtkPlane, vtkPlanes, vtkCylinder,
+   * vtkCone, vtkQuadric, vtkSuperquadric, vtkSkeletonPotential; vtkImplicitBoolean of such), without
+   * a transform, are evaluated by all threads, others by one. Changing it starts the skin anew.
+   * Default: none.
+   */
+  virtual void SetTargetFunction(vtkImplicitFunction* function);
+  vtkImplicitFunction* GetTargetFunction();
+  ///@}
+
+  ///@{
+  /**
+   * The shape that the skin has at the first time, negative inside, within ModelBounds, where it is
+   * closed. Changing it starts the skin anew. Default: none, the skin starts on the target itself,
+   * as it is at the first time.
+   */
+  virtual void SetInitialFunction(vtkImplicitFunction* function);
+  vtkImplicitFunction* GetInitialFunction();
+  ///@}
+
+  ///@{
+  /**
+   * Level of the target that attracts the skin [unit of the target's values].
+   * Range: finite. Default: 0.
+   */
+  vtkSetMacro(TargetIsoValue, double);
+  vtkGetMacro(TargetIsoValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the target's inside is where its values are above TargetIsoValue. Default: off, below.
+   */
+  vtkSetMacro(InvertTarget, vtkTypeBool);
+  vtkGetMacro(InvertTarget, vtkTypeBool);
+  vtkBooleanMacro(InvertTarget, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the distance (F - TargetIsoValue) / |grad F|, clamped to +-TargetReach, attracts instead
+   * of F - TargetIsoValue itself. Attraction then is a rate whatever the scale of the target, and
+   * where the target is flat the skin goes at a constant speed. Off: the speed is as uneven as F,
+   * and steep targets cost many small substeps. Default: on.
+   */
+  vtkSetMacro(NormalizeTarget, vtkTypeBool);
+  vtkGetMacro(NormalizeTarget, vtkTypeBool);
+  vtkBooleanMacro(NormalizeTarget, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Distance [length] from the target beyond which it attracts no faster: the largest speed is
+   * Attraction * TargetReach. A larger one brings far skins sooner, for more substeps.
+   * Range: >= 0; 0 is an eighth of the bounds' diagonal. Default: 0.
+   */
+  vtkSetClampMacro(TargetReach, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TargetReach, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are at
+   * its multiples. Halving it takes 4 times the memory, 8 (with Tension 16) times the time.
+   * Range: >= 0; 0 is a 64th of the longest side of the bounds. Default: 0.
+   */
+  vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(VoxelSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled, and
+   * which the potential's image covers; the skin may leave it later. Sampling costs one evaluation
+   * for each lattice node in the box. Range: finite, min < max on each axis, or unset. Default:
+   * unset (1, -1, 1, -1, 1, -1), that is the box of the first target and of the initial shape
+   * (particles and vtkSkeletonPotential have one, with their radii), enlarged by an eighth of its
+   * longest side at each face.
+   */
+  vtkSetVector6Macro(ModelBounds, double);
+  vtkGetVector6Macro(ModelBounds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Rate [1/time] at which the skin closes in on the target: the distance falls by a factor e in a
+   * time of 1 / Attraction. With NormalizeTarget off its unit is [length/time] per unit of the
+   * target. Substeps are as many as Attraction * time at least. Range: >= 0. Default: 1.
+   */
+  vtkSetClampMacro(Attraction, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Attraction, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight of surface tension [length^2/time]: adds -Tension * (sum of the principal curvatures) to
+   * the speed. It smooths, and shrinks what the target does not hold: a ball under tension alone
+   * has radius sqrt(r0^2 - 4 * Tension * t). Substeps are 4 * Tension * time / VoxelSize^2 at least.
+   * Range: >= 0. Default: 0, no smoothing.
+   */
+  vtkSetClampMacro(Tension, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Tension, double);
+  ///@}
+
+  ///@{
+  /**
+   * Fraction of the stable time step that a substep takes. Smaller is more exact in time, and takes
+   * 1 / CFL times as long. Range: 0 (excluded) to 1. Default: 1.
+   */
+  vtkSetMacro(CFL, double);
+  vtkGetMacro(CFL, double);
+  ///@}
+
+  ///@{
+  /**
+   * First time step [pipeline time] that is published where the input has no time steps.
+   * Range: finite. Default: 0.
+   */
+  vtkSetMacro(StartTime, double);
+  vtkGetMacro(StartTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of the time steps [pipeline time] that are published where the input has none.
+   * Range: > 0. Default: 0.1.
+   */
+  vtkSetMacro(TimeStepSize, double);
+  vtkGetMacro(TimeStepSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of time steps that are published where the input has none. Changing it starts the skin
+   * anew. Range: 1 to 1000000. Default: 11.
+   */
+  vtkSetClampMacro(NumberOfTimeSteps, int, 1, 1000000);
+  vtkGetMacro(NumberOfTimeSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * Motion time per pipeline time [time/pipeline time]; the motion's units of time are those of
+   * Attraction and Tension. An input whose steps are numbered 0, 1, 2 ... at 25 per second has
+   * TimeScale 1/25. Range: > 0. Default: 1.
+   */
+  vtkSetMacro(TimeScale, double);
+  vtkGetMacro(TimeScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance [length] at which a particle's influence ends, where no array of radii is chosen. The
+   * skin of a single particle is smaller: .45 of it for the kernel WYVILL and the threshold .5.
+   * Range: >= 0; 0 is twice the usual distance of neighbours at the first time step, with a warning
+   * that says the value. Default: 0.
+   */
+  vtkSetClampMacro(ParticleRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ParticleRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * How a particle's influence falls off, from vtkSkeletonPotential: WYVILL (0), smooth;
+   * CUBIC_SPLINE (1), narrower, the one of SPH; METABALL (2). Default: WYVILL.
+   */
+  vtkSetClampMacro(ParticleKernel, int, 0, 2);
+  vtkGetMacro(ParticleKernel, int);
+  void SetParticleKernelToWyvill();
+  void SetParticleKernelToCubicSpline();
+  void SetParticleKernelToMetaball();
+  ///@}
+
+  ///@{
+  /**
+   * Level of the particles' summed influence, 1 at the centre of a single one, at which their
+   * surface is: lower is thicker. Range: > 0 for a surface. Default: 0.5.
+   */
+  vtkSetMacro(ParticleThreshold, double);
+  vtkGetMacro(ParticleThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the skin has outward unit normals, the point array "Normals", from the potential.
+   * Does not restart the motion. Default: on.
+   */
+  vtkSetMacro(ComputeNormals, vtkTypeBool);
+  vtkGetMacro(ComputeNormals, vtkTypeBool);
+  vtkBooleanMacro(ComputeNormals, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the potential's image, output port 1, is made with each skin, so that GetPotential()
+   * has it after Update(). It is made on request of its port, Update(1), in any case. Its memory is
+   * 4 bytes for each lattice node in the bounds. Does not restart the motion. Default: off.
+   */
+  vtkSetMacro(OutputPotential, vtkTypeBool);
+  vtkGetMacro(OutputPotential, vtkTypeBool);
+  vtkBooleanMacro(OutputPotential, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Guard of the memory: a band of more active voxels is an error instead. One takes about 40
+   * bytes; a ball that fills a box of n^3 voxels has about 7 n^2.
+   * Range: >= 1. Default: 50000000.
+   */
+  vtkSetClampMacro(MaximumNumberOfActiveVoxels, vtkIdType, 1, VTK_ID_MAX);
+  vtkGetMacro(MaximumNumberOfActiveVoxels, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Number of threads that move the skin. It does not change the result.
+   * Range: >= 0; 0 is all that TBB may use. Default: 0.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Points at which the target was evaluated, and substeps that were taken, since the filter was
+   * made or the counters were reset.
+   */
+  vtkIdType GetTargetEvaluations();
+  vtkIdType GetSubsteps();
+  void ResetCounters();
+  ///@}
+
+  /** The skin. */
+  vtkPolyData* GetOutput();
+
+  /** The potential's image; empty unless it was asked for, see OutputPotential. */
+  vtkImageData* GetPotential();
+
+  /** Later than those of the functions too. */
+  vtkMTimeType GetMTime() override;
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+protected:
+  vtkActiveImplicitSurface();
+  ~vtkActiveImplicitSurface() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  void ReportReferences(vtkGarbageCollector* collector) override;
+
+private:
+  vtkActiveImplicitSurface(const vtkActiveImplicitSurface&) = delete;
+  void operator=(const vtkActiveImplicitSurface&) = delete;
+
+  vtkSmartPointer<vtkImplicitFunction> TargetFunction;
+  vtkSmartPointer<vtkImplicitFunction> InitialFunction;
+  double TargetIsoValue = 0.0;
+  vtkTypeBool InvertTarget = 0;
+  vtkTypeBool NormalizeTarget = 1;
+  double TargetReach = 0.0;
+  double VoxelSize = 0.0;
+  double ModelBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  double Attraction = 1.0;
+  double Tension = 0.0;
+  double CFL = 1.0;
+  double StartTime = 0.0;
+  double TimeStepSize = 0.1;
+  int NumberOfTimeSteps = 11;
+  double TimeScale = 1.0;
+  double ParticleRadius = 0.0;
+  int ParticleKernel = 0;
+  double ParticleThreshold = 0.5;
+  vtkTypeBool ComputeNormals = 1;
+  vtkTypeBool OutputPotential = 0;
+  vtkIdType MaximumNumberOfActiveVoxels = 50000000;
+  int NumberOfThreads = 0;
+
+  std::unique_ptr<activesurface::SurfaceRequests> Requests;
+};
+
+#endif

@@ -1,0 +1,265 @@
+#include "vtkSkeletonPotential.h"
+
+#include "Skeleton.h"
+#include "SkeletonInput.h"
+
+#include "vtkDataArray.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <vector>
+
+vtkStandardNewMacro(vtkSkeletonPotential);
+
+namespace
+{
+constexpr vtkIdType PointsAtOnce = 256;
+constexpr vtkIdType PointsPerTask = 2048;
+}
+
+struct vtkSkeletonPotential::Internals
+{
+  vtkSmartPointer<vtkPointSet> Input;
+
+  // In place of an input; those of SetElements, or none.
+  std::vector<activesurface::SkeletonVertex> OwnElements;
+  bool HasOwnElements = false;
+  bool OwnElementsHaveRadii = false;
+
+  // What Build makes.
+  activesurface::Skeleton Skeleton;
+  vtkIdType IgnoredElements = 0;
+  std::mutex Building;
+  std::atomic<vtkMTimeType> BuildTime{ 0 };
+};
+
+vtkSkeletonPotential::vtkSkeletonPotential()
+  : Internal(new Internals)
+{
+}
+
+vtkSkeletonPotential::~vtkSkeletonPotential() = default;
+
+void vtkSkeletonPotential::SetInput(vtkPointSet* input)
+{
+  Internals& own = *this->Internal;
+  if (own.Input != input || own.HasOwnElements)
+  {
+    own.Input = input;
+    own.HasOwnElements = false;
+    this->Modified();
+  }
+}
+
+vtkPointSet* vtkSkeletonPotential::GetInput()
+{
+  return this->Internal->Input;
+}
+
+void vtkSkeletonPotential::SetElements(
+  vtkIdType count, const double* positions, const double* radii, const double* strengths)
+{
+  Internals& own = *this->Internal;
+  own.Input = nullptr;
+  own.HasOwnElements = true;
+  own.OwnElementsHaveRadii = radii != nullptr;
+  own.OwnElements.resize(static_cast<std::size_t>(std::max<vtkIdType>(count, 0)));
+  for (std::size_t i = 0; i < own.OwnElements.size(); ++i)
+  {
+    activesurface::SkeletonVertex& vertex = own.OwnElements[i];
+    std::copy(positions + 3 * i, positions + 3 * i + 3, vertex.Position);
+    vertex.Radius = radii ? radii[i] : 0.0;
+    vertex.Strength = strengths ? strengths[i] : 1.0;
+  }
+  this->Modified();
+}
+
+void vtkSkeletonPotential::SetRadiusArrayName(const char* name)
+{
+  this->SetName(this->RadiusArrayName, name);
+}
+
+void vtkSkeletonPotential::SetStrengthArrayName(const char* name)
+{
+  this->SetName(this->StrengthArrayName, name);
+}
+
+void vtkSkeletonPotential::SetName(std::string& member, const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (member != wanted)
+  {
+    member = wanted;
+    this->Modified();
+  }
+}
+
+vtkMTimeType vtkSkeletonPotential::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  vtkPointSet* input = this->Internal->Input;
+  return input ? std::max(own, input->GetMTime()) : own;
+}
+
+void vtkSkeletonPotential::Build()
+{
+  Internals& own = *this->Internal;
+  // Not GetMTime(): a change of the transform leaves the elements as they are.
+  const vtkMTimeType changed =
+    std::max(this->vtkObject::GetMTime(), own.Input ? own.Input->GetMTime() : 0);
+  if (own.BuildTime.load(std::memory_order_acquire) == changed)
+  {
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(own.Building);
+  if (own.BuildTime.load(std::memory_order_relaxed) != changed)
+  {
+    this->ReadElements();
+    own.BuildTime.store(changed, std::memory_order_release);
+  }
+}
+
+void vtkSkeletonPotential::ReadElements()
+{
+  Internals& own = *this->Internal;
+  own.IgnoredElements = 0;
+  own.Skeleton.Clear();
+  try
+  {
+    if (own.HasOwnElements)
+    {
+      own.IgnoredElements = this->AddOwnElements();
+    }
+    else
+    {
+      own.IgnoredElements = static_cast<vtkIdType>(activesurface::AddElements(
+        own.Input, { this->RadiusArrayName, this->StrengthArrayName, this->Radius }, own.Skeleton));
+    }
+    own.Skeleton.Build();
+  }
+  catch (const std::exception& error)
+  {
+    own.Skeleton.Clear();
+    own.Skeleton.Build();
+    vtkErrorMacro(<< error.what() << " The function is Threshold everywhere.");
+  }
+  if (own.IgnoredElements > 0 && !own.HasOwnElements)
+  {
+    vtkWarningMacro(
+      << own.IgnoredElements
+      << " points or segments are ignored: a coordinate, radius or strength of theirs "
+         "is not finite, a radius is not positive, or a point does not exist.");
+  }
+}
+
+vtkIdType vtkSkeletonPotential::AddOwnElements()
+{
+  Internals& own = *this->Internal;
+  vtkIdType ignored = 0;
+  for (activesurface::SkeletonVertex vertex : own.OwnElements)
+  {
+    vertex.Radius = own.OwnElementsHaveRadii ? vertex.Radius : this->Radius;
+    if (vertex.IsUsable())
+    {
+      own.Skeleton.AddPoint(vertex);
+    }
+    else
+    {
+      ++ignored;
+    }
+  }
+  return ignored;
+}
+
+bool vtkSkeletonPotential::GetSkeletonBounds(double bounds[6])
+{
+  this->Build();
+  if (this->Internal->Skeleton.GetNumberOfElements() == 0)
+  {
+    vtkMath::UninitializeBounds(bounds);
+    return false;
+  }
+  std::copy_n(this->Internal->Skeleton.GetBounds(), 6, bounds);
+  return true;
+}
+
+vtkIdType vtkSkeletonPotential::GetNumberOfIgnoredElements()
+{
+  this->Build();
+  return this->Internal->IgnoredElements;
+}
+
+void vtkSkeletonPotential::EvaluateBatch(
+  vtkIdType count, const double* points, double* values, double* gradients) const
+{
+  this->Internal->Skeleton.Evaluate(static_cast<activesurface::SkeletonKernel>(this->Kernel),
+    this->Threshold, static_cast<std::size_t>(std::max<vtkIdType>(count, 0)), points, values,
+    gradients);
+}
+
+double vtkSkeletonPotential::EvaluateFunction(double x[3])
+{
+  this->Build();
+  double value;
+  this->EvaluateBatch(1, x, &value, nullptr);
+  return value;
+}
+
+void vtkSkeletonPotential::EvaluateGradient(double x[3], double g[3])
+{
+  this->Build();
+  double value;
+  double gradient[3]; // x and g may be the same array
+  this->EvaluateBatch(1, x, &value, gradient);
+  std::copy_n(gradient, 3, g);
+}
+
+void vtkSkeletonPotential::EvaluateFunction(vtkDataArray* input, vtkDataArray* output)
+{
+  if (!input || !output || input->GetNumberOfComponents() != 3)
+  {
+    vtkErrorMacro("Evaluation needs an array of points, of three components, and one for values.");
+    return;
+  }
+  output->SetNumberOfComponents(1);
+  output->SetNumberOfTuples(input->GetNumberOfTuples());
+  this->Build();
+  vtkSMPTools::For(0, input->GetNumberOfTuples(), PointsPerTask,
+    [this, input, output](vtkIdType begin, vtkIdType end)
+    {
+      double points[3 * PointsAtOnce];
+      double values[PointsAtOnce];
+      for (; begin < end; begin += PointsAtOnce)
+      {
+        const vtkIdType count = std::min(PointsAtOnce, end - begin);
+        for (vtkIdType i = 0; i < count; ++i)
+        {
+          input->GetTuple(begin + i, points + 3 * i);
+        }
+        this->EvaluateBatch(count, points, values, nullptr);
+        for (vtkIdType i = 0; i < count; ++i)
+        {
+          output->SetComponent(begin + i, 0, values[i]);
+        }
+      }
+    });
+}
+
+void vtkSkeletonPotential::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* kernels[] = { "Wyvill", "CubicSpline", "Metaball" };
+  os << indent << "Input: " << this->GetInput() << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "RadiusArrayName: " << this->RadiusArrayName << "\n";
+  os << indent << "StrengthArrayName: " << this->StrengthArrayName << "\n";
+  os << indent << "Kernel: " << kernels[this->Kernel] << "\n";
+  os << indent << "Threshold: " << this->Threshold << "\n";
+}

@@ -1,0 +1,28 @@
+"""Active implicit surfaces: living skins over particles, skeletons and shapes, as VTK filters.
+
+>>> from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotential
+
+`help(vtkActiveImplicitSurface)` shows every property with its unit, range and default.
+"""
+
+# Written by CMake when it copies this file into the build folder.
+__version__ = "@PROJECT_VERSION@"
+
+try:
+    # The base classes must be known before the classes derived from them.
+    import vtkmodules.vtkCommonDataModel
+    import vtkmodules.vtkCommonExecutionModel  # noqa: F401
+except ImportError as error:
+    raise ImportError(
+        "active_implicit_surfaces needs VTK's Python modules for this Python; install them "
+        f"(Debian: python3-vtk9, then run /usr/bin/python3). The cause was: {error}"
+    ) from error
+
+try:
+    from .vtkActiveSurfaces import *
+except ImportError as error:
+    raise ImportError(
+        "active_implicit_surfaces found VTK, but its own compiled library does not load. Build and "
+        "install the package with this Python (cmake -DPython3_EXECUTABLE=...), and import the "
+        f"installed package, not the source folder. The cause was: {error}"
+    ) from error

@@ -1,0 +1,207 @@
+#include "PipelineTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkCommand.h"
+#include "vtkDataObject.h"
+#include "vtkExecutive.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSphere.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <sstream>
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+namespace activesurface
+{
+
+vtkStandardNewMacro(ParticleSource);
+
+ParticleSource::ParticleSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+void ParticleSource::SetCloud(const Cloud& cloud)
+{
+  this->Particles = cloud;
+  this->Modified();
+}
+
+void ParticleSource::SetSteps(const std::vector<double>& steps)
+{
+  this->Steps = steps;
+  this->Modified();
+}
+
+void ParticleSource::SetContinuous(bool continuous)
+{
+  this->Continuous = continuous;
+  this->Modified();
+}
+
+std::string ParticleSource::GetExecutions() const
+{
+  std::ostringstream text;
+  for (const double time : this->Executions)
+  {
+    text << time << " ";
+  }
+  return text.str();
+}
+
+int ParticleSource::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  vtkInformation* out = output->GetInformationObject(0);
+  if (!this->Steps.empty())
+  {
+    const double range[2] = { this->Steps.front(), this->Steps.back() };
+    out->Set(SDDP::TIME_STEPS(), this->Steps.data(), static_cast<int>(this->Steps.size()));
+    out->Set(SDDP::TIME_RANGE(), range, 2);
+  }
+  else if (this->Continuous)
+  {
+    const double range[2] = { 0.0, 10.0 };
+    out->Remove(SDDP::TIME_STEPS());
+    out->Set(SDDP::TIME_RANGE(), range, 2);
+  }
+  return 1;
+}
+
+int ParticleSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  vtkInformation* out = output->GetInformationObject(0);
+  const double time = out->Has(SDDP::UPDATE_TIME_STEP()) ? out->Get(SDDP::UPDATE_TIME_STEP()) : 0.0;
+  this->Executions.push_back(time);
+  if (this->FailingExecution >= 0 && this->FailingExecution < int(this->Executions.size()))
+  {
+    return 0;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("id");
+  for (const Particle& particle : this->Particles(time))
+  {
+    points->InsertNextPoint(particle.X, particle.Y, particle.Z);
+    ids->InsertNextValue(particle.Id);
+  }
+  vtkPolyData* particles = vtkPolyData::GetData(output, 0);
+  particles->SetPoints(points);
+  particles->GetPointData()->AddArray(ids);
+  if (!this->Steps.empty() || this->Continuous)
+  {
+    particles->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  }
+  return 1;
+}
+
+namespace
+{
+
+class Listener : public vtkCommand
+{
+public:
+  static Listener* New() { return new Listener; }
+  void Execute(vtkObject*, unsigned long, void* text) override
+  {
+    this->Said->push_back(static_cast<const char*>(text));
+  }
+  std::vector<std::string>* Said = nullptr;
+};
+
+void Listen(vtkObject* object, unsigned long event, std::vector<std::string>* said)
+{
+  vtkNew<Listener> listener;
+  listener->Said = said;
+  object->AddObserver(event, listener);
+}
+
+}
+
+Messages::Messages(vtkActiveImplicitSurface* filter)
+{
+  Listen(filter, vtkCommand::ErrorEvent, &this->Errors);
+  Listen(filter, vtkCommand::WarningEvent, &this->Warnings);
+  Listen(filter->GetExecutive(), vtkCommand::ErrorEvent, &this->Errors);
+}
+
+int Messages::Count(const std::vector<std::string>& messages, const std::string& words)
+{
+  return static_cast<int>(std::count_if(messages.begin(), messages.end(),
+    [&words](const std::string& message) { return message.find(words) != std::string::npos; }));
+}
+
+std::string GetBytes(vtkActiveImplicitSurface* filter)
+{
+  vtkPolyData* skin = filter->GetOutput();
+  std::string bytes;
+  const auto append = [&bytes](vtkDataArray* array)
+  {
+    if (array)
+    {
+      bytes.append(static_cast<const char*>(array->GetVoidPointer(0)),
+        array->GetDataSize() * array->GetDataTypeSize());
+    }
+  };
+  append(skin->GetPoints() ? skin->GetPoints()->GetData() : nullptr);
+  append(skin->GetPolys()->GetConnectivityArray());
+  append(skin->GetPointData()->GetNormals());
+  return bytes;
+}
+
+std::string GetBytesAt(vtkActiveImplicitSurface* filter, double time)
+{
+  filter->UpdateTimeStep(time);
+  return GetBytes(filter);
+}
+
+std::array<double, 6> GetSkinBounds(vtkActiveImplicitSurface* filter)
+{
+  std::array<double, 6> bounds;
+  filter->GetOutput()->GetBounds(bounds.data());
+  return bounds;
+}
+
+vtkSmartPointer<vtkActiveImplicitSurface> MakeShrinkingBall()
+{
+  vtkNew<vtkSphere> from;
+  from->SetRadius(0.6);
+  vtkNew<vtkSphere> to;
+  to->SetRadius(0.4);
+  auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
+  filter->SetInitialFunction(from);
+  filter->SetTargetFunction(to);
+  filter->SetModelBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
+  filter->SetVoxelSize(0.0625);
+  return filter;
+}
+
+vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOver(ParticleSource* source)
+{
+  auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
+  filter->SetParticleRadius(0.3);
+  filter->SetAttraction(10.0);
+  filter->SetVoxelSize(0.05);
+  filter->SetModelBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
+  return filter;
+}
+
+std::vector<Particle> MovingBall(double time)
+{
+  return { { 0.2 * time, 0.0, 0.0, 7 } };
+}
+
+}

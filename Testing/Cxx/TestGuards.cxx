@@ -1,0 +1,342 @@
+// What happens with input that is wrong, empty or too large: a sentence or a documented behaviour,
+// and always a potential that can be used afterwards.
+
+#include "Check.h"
+#include "SurfaceMeasures.h"
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+using namespace activesurface;
+
+namespace
+{
+constexpr Point Origin = { 0.0, 0.0, 0.0 };
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+// A ball's distance, with another value beyond x = .2.
+Shape MakeSpoiltBall(double radius, double spoilt)
+{
+  const Shape ball = MakeBall(Origin, radius);
+  return {
+    [ball, spoilt](const Point& point) { return point[0] > 0.2 ? spoilt : ball.Value(point); }, {}
+  };
+}
+
+// The skin where x < -.2, which no dropped sample point is near.
+Range GetRadiiOfTheSoundHalf(const Mesh& mesh)
+{
+  Mesh half;
+  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
+  {
+    if (mesh.Points[i] < -0.2f)
+    {
+      half.Points.insert(half.Points.end(), &mesh.Points[i], &mesh.Points[i] + 3);
+    }
+  }
+  return GetRadii(half, Origin);
+}
+
+void CheckClosed(Check& check, const NarrowBand& band, const std::string& name)
+{
+  const Mesh mesh = Polygonise(band);
+  check.Near(double(FindDefects(mesh).Edges), 0, 0, "edges that are not in two triangles, " + name);
+  check.Less(0.0, GetVolume(mesh), "volume, " + name);
+}
+
+// One NaN that got into the potential would empty the surface within two substeps.
+void SamplesThatAreNotFiniteAreDropped(Check& check)
+{
+  for (const double spoilt : { NaN, Infinity, -Infinity })
+  {
+    const double h = VoxelSizeOf(32);
+    NarrowBand band(h);
+    StartOn(band, MakeBall(Origin, 0.6));
+    ShapeTarget target(MakeSpoiltBall(0.5, spoilt));
+    const AdvanceReport report = band.Advance(8.0, Motion(), target);
+    const std::string name = "target " + std::to_string(spoilt);
+    check.True(report.DroppedSamples > 0, "dropped samples are counted, " + name);
+    check.True(report.DroppedSamples < report.TargetEvaluations, "others are not, " + name);
+    CheckClosed(check, band, name);
+    // .1 e^-8 is left of the way; .04 h for the crossings of chords (h / 8 r = .016 h).
+    const Range radii = GetRadiiOfTheSoundHalf(Polygonise(band));
+    check.Near((radii.Minimum - 0.5) / h, 0.0, 0.04, "least radius of the sound half, " + name);
+    check.Near((radii.Maximum - 0.5) / h, 0.0, 0.04, "largest radius of the sound half, " + name);
+  }
+}
+
+void TargetThatIsNowhereFiniteMovesNothing(Check& check)
+{
+  NarrowBand band(VoxelSizeOf(32));
+  StartOn(band, MakeBall(CentreA, 0.6));
+  const Mesh before = Polygonise(band);
+  ShapeTarget target(MakeConstant(NaN));
+  const AdvanceReport report = band.Advance(1.0, Motion(), target);
+  const std::size_t samples = before.GetNumberOfPoints() * report.Substeps;
+  check.True(Polygonise(band).Points == before.Points, "no vertex has moved");
+  check.Equal(report.TargetEvaluations, samples, "every sample point is evaluated");
+  check.Equal(report.DroppedSamples, samples, "and dropped, in every substep");
+  check.Near(report.MaxSpeed, 0.0, 0.0, "largest speed");
+  check.Near(band.GetTime(), 1.0, 0.0, "time goes on");
+}
+
+void VoxelSizeMustBeFiniteAndPositive(Check& check)
+{
+  for (const double size : { 0.0, -0.1, NaN, Infinity })
+  {
+    check.Throws<std::invalid_argument>([size] { NarrowBand band(size); }, "VoxelSize must be",
+      "a voxel size of " + std::to_string(size));
+  }
+}
+
+void BoundsMustBeFiniteAndOrdered(Check& check)
+{
+  const double bad[][6] = { { 1, -1, -1, 1, -1, 1 }, { 0, 0, -1, 1, -1, 1 },
+    { -1, 1, NaN, 1, -1, 1 }, { -1, 1, -1, 1, -1, Infinity }, { -1e30, 1e30, -1, 1, -1, 1 } };
+  for (const double(&bounds)[6] : bad)
+  {
+    NarrowBand band(VoxelSizeOf(32));
+    check.Throws<std::invalid_argument>(
+      [&] { band.Start(0.0, bounds, MakeInitialFunction(MakeBall(Origin, 0.5))); }, "The bounds",
+      "bounds from " + std::to_string(bounds[0]) + " to " + std::to_string(bounds[1]));
+    check.True(band.IsEmpty(), "a refused start leaves an empty surface empty");
+  }
+}
+
+void StartBeyondTheMaximumIsRefused(Check& check)
+{
+  NarrowBand band(VoxelSizeOf(32));
+  band.SetMaximumNumberOfActiveVoxels(1000);
+  check.Throws<std::runtime_error>([&] { StartOn(band, MakeBall(Origin, 0.6)); },
+    "MaximumNumberOfActiveVoxels", "7000 nodes are more than 1000");
+  band.SetMaximumNumberOfActiveVoxels(100000);
+  StartOn(band, MakeBall(Origin, 0.6));
+  CheckClosed(check, band, "started with a larger maximum");
+}
+
+void GrowthBeyondTheMaximumKeepsTheLastSubstep(Check& check)
+{
+  NarrowBand band(VoxelSizeOf(32));
+  StartOn(band, MakeBall(Origin, 0.3));
+  const std::size_t maximum = 2 * band.GetNumberOfActiveNodes();
+  band.SetMaximumNumberOfActiveVoxels(maximum);
+  ShapeTarget target(MakeBall(Origin, 0.7));
+  check.Throws<std::runtime_error>([&] { band.Advance(8.0, Motion(), target); },
+    "MaximumNumberOfActiveVoxels", "a ball of twice the radius has four times the nodes");
+  check.Less(0.0, band.GetTime(), "time of the last finished substep");
+  check.Less(band.GetTime(), 8.0, "time of the last finished substep");
+  CheckClosed(check, band, "after the exception");
+  band.SetMaximumNumberOfActiveVoxels(100000);
+  band.Advance(8.0, Motion(), target);
+  // .4 e^-8 = .002 h is left of the way.
+  const double radius = GetRadii(Polygonise(band), Origin).Mean;
+  check.Near(radius / VoxelSizeOf(32), 0.7 / VoxelSizeOf(32), 0.04, "radius [h], with more room");
+}
+
+void SurfaceWithoutCommonGroundVanishes(Check& check)
+{
+  NarrowBand band(VoxelSizeOf(32));
+  StartOn(band, MakeBall({ -0.5, 0.0, 0.0 }, 0.3));
+  ShapeTarget target(MakeBall({ 0.5, 0.0, 0.0 }, 0.3));
+  const AdvanceReport report = band.Advance(5.0, Motion(), target);
+  check.True(report.Vanished && band.IsEmpty(), "the surface has vanished, and says so");
+  check.Near(band.GetTime(), 5.0, 0.0, "time goes on without a surface");
+  check.True(Polygonise(band).GetNumberOfPoints() == 0, "its skin is empty");
+  const AdvanceReport later = band.Advance(6.0, Motion(), target);
+  check.True(later.Vanished && later.TargetEvaluations == 0, "nothing is left to move");
+}
+
+void FunctionWithoutInsideGivesAnEmptySurface(Check& check)
+{
+  NarrowBand band(VoxelSizeOf(32));
+  StartOn(band, MakeBall({ 3.0, 0.0, 0.0 }, 0.5));
+  ShapeTarget target(MakeBall(Origin, 0.5));
+  check.True(band.IsEmpty(), "the surface is empty");
+  check.True(band.GetNumberOfActiveNodes() == 0, "no node is kept");
+  check.True(Polygonise(band).GetNumberOfPoints() == 0, "the skin is empty");
+  check.True(band.Advance(1.0, Motion(), target).Vanished, "it stays empty");
+  check.Near(band.GetTime(), 1.0, 0.0, "time goes on");
+}
+
+// As from an image with holes: nodes whose value is not a number are outside.
+void FunctionThatIsNotFiniteGivesAClosedSurface(Check& check)
+{
+  NarrowBand band(VoxelSizeOf(32));
+  StartOn(band, MakeSpoiltBall(0.6, NaN));
+  CheckClosed(check, band, "a ball, not a number beyond x = .2");
+}
+
+void TimeDoesNotRunBackwards(Check& check)
+{
+  NarrowBand band(VoxelSizeOf(32));
+  StartOn(band, MakeBall(Origin, 0.5));
+  ShapeTarget target(MakeBall(Origin, 0.6));
+  band.Advance(1.0, Motion(), target);
+  const Mesh before = Polygonise(band);
+  for (const double time : { 0.5, -1.0, NaN })
+  {
+    check.Throws<std::invalid_argument>([&] { band.Advance(time, Motion(), target); },
+      "cannot go back", "from 1 to " + std::to_string(time));
+  }
+  check.Near(
+    double(band.Advance(1.0, Motion(), target).Substeps), 0, 0, "to stay takes no substep");
+  check.True(Polygonise(band).Points == before.Points, "no vertex has moved");
+  check.Near(band.GetTime(), 1.0, 0.0, "time is what it was");
+}
+
+void ProgressFunctionStopsTheStart(Check& check)
+{
+  NarrowBand band(VoxelSizeOf(32));
+  const auto stop = [](double) { return false; };
+  check.True(
+    !band.Start(0.0, Box, MakeInitialFunction(MakeBall(Origin, 0.5)), stop), "Start returns false");
+  check.True(band.IsEmpty(), "the surface is empty");
+}
+
+void ProgressFunctionStopsTheMotion(Check& check)
+{
+  NarrowBand band(VoxelSizeOf(32));
+  StartOn(band, MakeBall(Origin, 0.3));
+  ShapeTarget target(MakeBall(Origin, 0.6));
+  double last = -1.0;
+  bool increasing = true;
+  int asked = 0;
+  const ProgressFunction thrice = [&](double fraction)
+  {
+    increasing = increasing && fraction > last && fraction >= 0.0 && fraction < 1.0;
+    last = fraction;
+    return ++asked <= 3;
+  };
+  const AdvanceReport report = band.Advance(4.0, Motion(), target, thrice);
+  check.True(report.Aborted, "the report says so");
+  check.Near(double(report.Substeps), 3, 0, "substeps before the stop");
+  check.True(increasing, "the fraction increases and is less than 1");
+  check.Near(band.GetTime(), 4.0 * last, 1e-12, "time is where it stopped");
+  CheckClosed(check, band, "after the stop");
+}
+
+// Lets so many batches through, then throws.
+class FailingTarget : public ShapeTarget
+{
+public:
+  FailingTarget(const Shape& shape, double failureTime)
+    : ShapeTarget(shape)
+    , FailureTime(failureTime)
+  {
+  }
+
+  void MoveTo(double time) override { this->Fails = time > this->FailureTime; }
+
+  void Evaluate(
+    std::size_t count, const double* points, double* values, double* slopes) const override
+  {
+    if (this->Fails)
+    {
+      throw std::runtime_error("The target is out of order.");
+    }
+    this->ShapeTarget::Evaluate(count, points, values, slopes);
+  }
+
+private:
+  double FailureTime;
+  bool Fails = false;
+};
+
+void ExceptionOfTheTargetKeepsTheLastSubstep(Check& check)
+{
+  NarrowBand band(VoxelSizeOf(32));
+  StartOn(band, MakeBall(Origin, 0.3));
+  FailingTarget target(MakeBall(Origin, 0.6), 0.5);
+  check.Throws<std::runtime_error>([&] { band.Advance(4.0, Motion(), target); }, "out of order",
+    "the target's exception comes through");
+  // Failed at the first substep that begins after .5; each is at most 1 / Attraction long.
+  check.Less(0.5, band.GetTime(), "time of the last finished substep");
+  check.Less(band.GetTime(), 1.5, "time of the last finished substep");
+  CheckClosed(check, band, "after the exception");
+}
+
+// Counts points, and notices when two threads ask at the same time.
+class WatchingTarget : public ShapeTarget
+{
+public:
+  WatchingTarget(const Shape& shape, bool threadSafe)
+    : ShapeTarget(shape)
+    , ThreadSafe(threadSafe)
+  {
+  }
+
+  bool IsThreadSafe() const override { return this->ThreadSafe; }
+
+  void Evaluate(
+    std::size_t count, const double* points, double* values, double* slopes) const override
+  {
+    const bool alone = ++this->Inside == 1;
+    this->Crowded = this->Crowded || !alone;
+    this->Points += count;
+    this->ShapeTarget::Evaluate(count, points, values, slopes);
+    --this->Inside;
+  }
+
+  mutable std::atomic<std::size_t> Points = 0;
+  mutable std::atomic<int> Inside = 0;
+  mutable std::atomic<bool> Crowded = false;
+
+private:
+  bool ThreadSafe;
+};
+
+void EachSamplePointIsEvaluatedOncePerSubstep(Check& check)
+{
+  NarrowBand band(VoxelSizeOf(64));
+  StartOn(band, MakeBall(CentreA, 0.5));
+  WatchingTarget target(MakeBall(CentreA, 0.6), true);
+  std::size_t expected = 0;
+  std::size_t substeps = 0;
+  while (band.GetTime() < 0.5 && substeps < 1000)
+  {
+    expected += Polygonise(band).GetNumberOfPoints();
+    bool first = true;
+    const auto once = [&first](double) { return std::exchange(first, false); };
+    substeps += band.Advance(0.5, Motion(), target, once).Substeps;
+  }
+  check.Less(3.0, double(substeps), "number of substeps");
+  check.Near(double(target.Points), double(expected), 0, "points evaluated, one per vertex");
+}
+
+void TargetThatIsNotThreadSafeIsAskedByOneThread(Check& check)
+{
+  NarrowBand band(VoxelSizeOf(64));
+  band.SetNumberOfThreads(2);
+  StartOn(band, MakeBall(CentreA, 0.5));
+  WatchingTarget target(MakeBall(CentreA, 0.6), false);
+  band.Advance(1.0, Motion(), target);
+  check.True(target.Points > 0, "the target was asked");
+  check.True(!target.Crowded, "never by two threads at once");
+}
+}
+
+int main(int argc, char** argv)
+{
+  return RunFacts(argc, argv,
+    { { "SamplesThatAreNotFiniteAreDropped", SamplesThatAreNotFiniteAreDropped },
+      { "TargetThatIsNowhereFiniteMovesNothing", TargetThatIsNowhereFiniteMovesNothing },
+      { "VoxelSizeMustBeFiniteAndPositive", VoxelSizeMustBeFiniteAndPositive },
+      { "BoundsMustBeFiniteAndOrdered", BoundsMustBeFiniteAndOrdered },
+      { "StartBeyondTheMaximumIsRefused", StartBeyondTheMaximumIsRefused },
+      { "GrowthBeyondTheMaximumKeepsTheLastSubstep", GrowthBeyondTheMaximumKeepsTheLastSubstep },
+      { "SurfaceWithoutCommonGroundVanishes", SurfaceWithoutCommonGroundVanishes },
+      { "FunctionWithoutInsideGivesAnEmptySurface", FunctionWithoutInsideGivesAnEmptySurface },
+      { "FunctionThatIsNotFiniteGivesAClosedSurface", FunctionThatIsNotFiniteGivesAClosedSurface },
+      { "TimeDoesNotRunBackwards", TimeDoesNotRunBackwards },
+      { "ProgressFunctionStopsTheStart", ProgressFunctionStopsTheStart },
+      { "ProgressFunctionStopsTheMotion", ProgressFunctionStopsTheMotion },
+      { "ExceptionOfTheTargetKeepsTheLastSubstep", ExceptionOfTheTargetKeepsTheLastSubstep },
+      { "EachSamplePointIsEvaluatedOncePerSubstep", EachSamplePointIsEvaluatedOncePerSubstep },
+      { "TargetThatIsNotThreadSafeIsAskedByOneThread",
+        TargetThatIsNotThreadSafeIsAskedByOneThread } });
+}

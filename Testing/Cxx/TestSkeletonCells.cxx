@@ -1,0 +1,189 @@
+// The sums of vtkSkeletonPotential against those over all elements one by one, and by all ways to
+// evaluate it. Where values are compared by ==, the same bits are meant.
+
+#include "Check.h"
+#include "SkeletonShapes.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace
+{
+const char* const KernelNames[] = { "Wyvill", "cubic spline", "metaball" };
+
+// The elements of a shape whose segments share no points, each in a potential of its own, in the
+// order in which they are added. Threshold 0 makes F the contribution itself, negated.
+std::vector<vtkNew<vtkSkeletonPotential>> TakeApart(Shape& shape, int points, int kernel)
+{
+  const int elements = points + static_cast<int>(shape.Lines->GetNumberOfCells());
+  std::vector<vtkNew<vtkSkeletonPotential>> parts(elements);
+  for (int i = 0; i < elements; ++i)
+  {
+    Shape part;
+    const vtkIdType first = i < points ? i : points + 2 * (i - points);
+    for (vtkIdType id = first; id < first + (i < points ? 1 : 2); ++id)
+    {
+      Point p;
+      shape.Points->GetPoint(id, p.data());
+      part.Add(p, shape.Radii->GetValue(id), shape.Strengths->GetValue(id));
+    }
+    if (i >= points)
+    {
+      part.Join({ 0, 1 });
+    }
+    part.GiveTo(parts[i]);
+    parts[i]->SetKernel(kernel);
+    parts[i]->SetThreshold(0.0);
+  }
+  return parts;
+}
+
+void CheckAgainstParts(Check& check, Shape& shape, int points, int kernel,
+  const std::vector<Point>& places, const std::string& sentence)
+{
+  vtkNew<vtkSkeletonPotential> whole;
+  shape.GiveTo(whole);
+  whole->SetKernel(kernel);
+  whole->SetThreshold(0.0);
+  const auto parts = TakeApart(shape, points, kernel);
+  int different = 0;
+  int touched = 0;
+  for (const Point& x : places)
+  {
+    double value = 0.0;
+    Point gradient = { 0.0, 0.0, 0.0 };
+    for (const auto& part : parts)
+    {
+      const Point own = GradientAt(part, x);
+      value += ValueAt(part, x);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        gradient[axis] += own[axis];
+      }
+    }
+    touched += value != 0.0 ? 1 : 0;
+    different += value != ValueAt(whole, x) || gradient != GradientAt(whole, x) ? 1 : 0;
+  }
+  check.Equal(different, 0, sentence + ": places where the bits differ");
+  check.True(touched > static_cast<int>(places.size()) / 4, sentence + ": supports are met");
+}
+
+// Radii vary 100 times: many lattices are merged.
+void CellsGiveTheSumOverAllElements(Check& check)
+{
+  for (const int kernel : { 0, 1, 2 })
+  {
+    Random random(4);
+    Shape shape;
+    Fill(shape, random, 700, 300, 0.5, 1.0);
+    const std::vector<Point> places = PlacesNear(shape, random, 400);
+    CheckAgainstParts(check, shape, 700, kernel, places, KernelNames[kernel]);
+  }
+}
+
+// One size of cells, huge empty space, coordinates that leave few digits to the radius, many
+// elements in one place, a flat cloud.
+void CellsAreRightForAnyLayout(Check& check)
+{
+  Random random(5);
+  struct Cloud
+  {
+    const char* Name;
+    Point Size;
+    Point Offset;
+    double Radius;
+  };
+  for (const Cloud& cloud : { Cloud{ "dense", { 1.0, 1.0, 1.0 }, { 0.0, 0.0, 0.0 }, 0.3 },
+         Cloud{ "far from the origin", { 1.0, 1.0, 1.0 }, { 1e9, -1e9, 1e9 }, 0.2 },
+         Cloud{ "radius below the rounding", { 1e3, 1e3, 1e3 }, { 1e9, 0.0, 0.0 }, 1e-12 },
+         Cloud{ "sparse", { 1e12, 1e12, 1e12 }, { 0.0, 0.0, 0.0 }, 1e-3 },
+         Cloud{ "all in one place", { 0.0, 0.0, 0.0 }, { 1.0, 2.0, 3.0 }, 0.1 },
+         Cloud{ "in a plane", { 1.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 }, 0.1 } })
+  {
+    Shape shape;
+    for (int i = 0; i < 600; ++i)
+    {
+      const Point p = random.In(0.0, 1.0);
+      shape.Add({ cloud.Offset[0] + p[0] * cloud.Size[0], cloud.Offset[1] + p[1] * cloud.Size[1],
+                  cloud.Offset[2] + p[2] * cloud.Size[2] },
+        cloud.Radius * random.Between(0.6, 1.0), random.Between(-0.5, 1.0));
+    }
+    CheckAgainstParts(check, shape, 600, 0, PlacesNear(shape, random, 400), cloud.Name);
+  }
+}
+
+void BatchesArraysAndThreadsGiveTheSameBits(Check& check)
+{
+  Random random(6);
+  Shape shape;
+  Fill(shape, random, 500, 100, 0.4, 1.0);
+  const std::vector<Point> places = PlacesNear(shape, random, 5000);
+  const auto count = static_cast<vtkIdType>(places.size());
+  vtkNew<vtkSkeletonPotential> potential;
+  shape.GiveTo(potential);
+
+  // The first evaluation, and with it the reading of the input, is that of four threads at once.
+  std::vector<std::vector<double>> ofThreads(4, std::vector<double>(places.size()));
+  std::vector<std::thread> threads;
+  for (std::vector<double>& values : ofThreads)
+  {
+    threads.emplace_back(
+      [&values, &places, &potential]
+      {
+        for (std::size_t i = 0; i < places.size(); ++i)
+        {
+          values[i] = ValueAt(potential, places[i]);
+        }
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+
+  std::vector<double> values(places.size());
+  std::vector<Point> gradients(places.size());
+  potential->EvaluateBatch(count, places[0].data(), values.data(), gradients[0].data());
+  std::vector<double> valuesOnly(places.size());
+  potential->EvaluateBatch(count, places[0].data(), valuesOnly.data(), nullptr);
+  check.True(values == valuesOnly, "a batch without gradients");
+  for (const std::vector<double>& ofThread : ofThreads)
+  {
+    check.True(values == ofThread, "a thread among four");
+  }
+
+  vtkNew<vtkDoubleArray> points;
+  points->SetNumberOfComponents(3);
+  vtkNew<vtkDoubleArray> doubles;
+  vtkNew<vtkFloatArray> floats;
+  for (const Point& x : places)
+  {
+    points->InsertNextTuple(x.data());
+  }
+  potential->FunctionValue(points, doubles);
+  potential->FunctionValue(points, floats);
+  int different = doubles->GetNumberOfTuples() == count ? 0 : 1;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    different += doubles->GetValue(i) != values[i] ? 1 : 0;
+    different += floats->GetValue(i) != static_cast<float>(values[i]) ? 1 : 0;
+    different += GradientAt(potential, places[i]) != gradients[i] ? 1 : 0;
+  }
+  check.Equal(different, 0, "arrays and single gradients that differ");
+}
+
+}
+
+int main(int argc, char** argv)
+{
+  return RunFacts(argc, argv,
+    {
+      { "CellsGiveTheSumOverAllElements", CellsGiveTheSumOverAllElements },
+      { "CellsAreRightForAnyLayout", CellsAreRightForAnyLayout },
+      { "BatchesArraysAndThreadsGiveTheSameBits", BatchesArraysAndThreadsGiveTheSameBits },
+    });
+}

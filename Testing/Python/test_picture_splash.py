@@ -1,0 +1,13 @@
+"""The skin of the splash at step 24, when drops fly, looks as it did.
+
+Run: python3 test_picture_splash.py -V <baseline.png> -T <folder>
+"""
+
+import sys
+
+from picture import same_as_baseline
+from scenes import splash
+
+_, surface = splash()
+surface.UpdateTimeStep(24)
+sys.exit(same_as_baseline(surface.GetOutput(), view=(0.4, 0.5, 1.0), component=1))
