@@ -14,7 +14,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 DATA = Path(__file__).resolve().parents[2] / "Testing" / "Data" / "sph_drop.vtp"
 STEPS, SECONDS_PER_STEP = 41, 1 / 25
-PICTURED = (5, 10, 15, 20, 25)
+PICTURED = (5, 10, 15, 20, 25, 39)
 
 folder = output_folder(__doc__)
 particles = vtkXMLPolyDataReader()
@@ -23,14 +23,12 @@ surface = vtkActiveImplicitSurface()
 surface.SetInputConnection(particles.GetOutputPort())
 surface.SetTimeScale(SECONDS_PER_STEP)  # the file's time steps are numbered 0, 1, 2 ...
 surface.SetVoxelSize(0.03)
-surface.SetParticleRadius(0.16)  # two spacings: as far as a particle's influence reaches
-surface.SetParticleThreshold(0.6)
-surface.SetAttraction(200)
-surface.SetTargetReach(0.06)  # no faster than 12 per second, even far from all particles
+surface.SetParticleRadius(0.17)  # two spacings: as far as a particle's influence reaches
+surface.SetParticleThreshold(0.7)
+surface.SetAttraction(100)  # per second: the skin is a hundredth of a second behind
 
 components = vtkPolyDataConnectivityFilter()
 components.SetExtractionModeToAllRegions()
-components.SetInputConnection(surface.GetOutputPort())
 writer = vtkXMLPolyDataWriter()
 balls, skins, files, seconds = [], [], [], 0.0
 for step in range(STEPS):
@@ -38,6 +36,8 @@ for step in range(STEPS):
     surface.UpdateTimeStep(step)
     seconds += time.perf_counter() - start
     skin = surface.GetOutput()
+    components.SetInputData(skin)
+    components.Update()
     files.append({"name": f"skin_{step:04}.vtp", "time": step * SECONDS_PER_STEP})
     writer.SetFileName(str(folder / files[-1]["name"]))
     writer.SetInputData(skin)
@@ -45,11 +45,11 @@ for step in range(STEPS):
     if step in PICTURED:
         balls.append([ball_actor(particles.GetOutput(), 0.05)])
         skins.append([skin_actor(skin)])
-    components.Update()
     pieces, triangles = components.GetNumberOfExtractedRegions(), skin.GetNumberOfPolys()
     print(f"{files[-1]['time']:.2f} s: {triangles} triangles in {pieces} piece(s)", flush=True)
 
 series = folder / "skin.vtp.series"  # for ParaView, with the times in seconds
 series.write_text(json.dumps({"file-series-version": "1.0", "files": files}))
-write_film_strip(folder / "coat_particles.png", balls, skins, view=(0.4, 0.5, 1), floor=0)
-print(f"{STEPS / seconds:.1f} frames/s; wrote {series} and {folder / 'coat_particles.png'}")
+picture = folder / "coat_particles.png"
+write_film_strip(picture, balls, skins, view=(0.4, 0.5, 1), width=2400, floor=0)
+print(f"{STEPS / seconds:.1f} frames/s; wrote {series} and {picture}")

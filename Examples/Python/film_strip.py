@@ -1,11 +1,9 @@
-"""Pictures for the examples: frames of an animation side by side, seen and lit alike, in one PNG."""
+"""Pictures for the examples: moments side by side, seen and lit alike, in one PNG."""
 
 import argparse
 import math
 from pathlib import Path
 
-import vtkmodules.vtkInteractionStyle
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.vtkCommonCore import vtkMath
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
@@ -136,7 +134,7 @@ def _camera_that_fits(actors, view):
     seen, center, lengths = _bounds_seen_by(camera, actors), [0.0] * 3, [0.0] * 3
     seen.GetCenter(center)
     seen.GetLengths(lengths)
-    lengths = [length + 0.08 * lengths[1] for length in lengths]
+    lengths = [length + 0.10 * lengths[1] for length in lengths]
     back = vtkMatrix4x4()
     vtkMatrix4x4.Invert(camera.GetViewTransformMatrix(), back)
     middle = back.MultiplyPoint((*center, 1.0))[:3]

@@ -4,6 +4,8 @@ Figure 5 of the paper: a grid of 50^3, attraction 2, tension 0.01.
 Run: python3 morph_same_topology.py
 """
 
+import math
+
 from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotential
 from film_strip import CLAY, output_folder, skin_actor, write_film_strip
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -11,19 +13,13 @@ from vtkmodules.vtkCommonDataModel import vtkSuperquadric
 from vtkmodules.vtkFiltersCore import vtkMassProperties
 from vtkmodules.vtkFiltersSources import vtkLineSource
 
-CORNERS = (
-    (-0.75, 0.35, 0.20),
-    (-0.45, -0.35, 0.05),
-    (0.00, 0.10, -0.20),
-    (0.45, 0.45, 0.05),
-    (0.75, -0.35, 0.20),
-)
-TIMES = (0.0, 0.2, 0.5, 1.0, 3.0)
+TIMES = (0.0, 0.15, 0.3, 0.6, 3.0)
 
 folder = output_folder(__doc__)
 corners = vtkPoints()
-for corner in CORNERS:
-    corners.InsertNextPoint(corner)
+for i in range(17):
+    angle = math.pi * (i / 8 - 1)
+    corners.InsertNextPoint(0.1 * i - 0.8, 0.4 * math.sin(angle), 0.25 * math.cos(angle))
 line = vtkLineSource()
 line.SetPoints(corners)
 line.Update()
@@ -47,12 +43,11 @@ surface.SetTimeStepSize(0.1)
 surface.SetNumberOfTimeSteps(31)
 
 volume = vtkMassProperties()
-volume.SetInputConnection(surface.GetOutputPort())
 frames = []
 for time in TIMES:
     surface.UpdateTimeStep(time)
-    volume.Update()
+    volume.SetInputData(surface.GetOutput())
     print(f"at {time}: volume {volume.GetVolume():.3f}", flush=True)
     frames.append([skin_actor(surface.GetOutput(), CLAY)])
-write_film_strip(folder / "morph_same_topology.png", frames)
+write_film_strip(folder / "morph_same_topology.png", frames, floor=-0.7)
 print(f"wrote {folder / 'morph_same_topology.png'}")

@@ -9,12 +9,12 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImplicitBoolean, vtkPolyData, vtkSphere
 from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 
-TIMES = (0.0, 0.2, 0.5, 1.0, 3.0)
+TIMES = (0.0, 0.3, 0.8, 1.8, 2.1)
 
 folder = output_folder(__doc__)
 points = vtkPoints()
 for axis in range(3):
-    for side in (-0.55, 0.55):
+    for side in (-0.63, 0.63):
         points.InsertNextPoint([side if axis == i else 0.0 for i in range(3)])
 six_points = vtkPolyData()
 six_points.SetPoints(points)
@@ -44,9 +44,8 @@ components.SetExtractionModeToAllRegions()
 components.SetInputConnection(surface.GetOutputPort())
 frames = []
 for time in TIMES:
-    surface.UpdateTimeStep(time)
-    components.Update()
+    components.UpdateTimeStep(time)
     print(f"at {time}: {components.GetNumberOfExtractedRegions()} piece(s)", flush=True)
     frames.append([skin_actor(surface.GetOutput(), CLAY)])
-write_film_strip(folder / "morph_topology.png", frames)
+write_film_strip(folder / "morph_topology.png", frames, floor=-1.2)
 print(f"wrote {folder / 'morph_topology.png'}")

@@ -135,8 +135,7 @@ private:
     const float growthFirst = q - r, growthSecond = p - r;
     if (growthFirst > 0.f && growthSecond > 0.f && p + growthFirst >= this->Smallest)
     {
-      this->Other.Add(
-        p + growthFirst, growthFirst * growthFirst + growthSecond * growthSecond);
+      this->Other.Add(p + growthFirst, growthFirst * growthFirst + growthSecond * growthSecond);
     }
   }
 
@@ -163,20 +162,24 @@ void FillGhosts(LeafTable& table)
 {
   for (int layer = 1; layer < NumberOfLayers; ++layer)
   {
-    table.ForEach([&](std::size_t i) {
-      BandLeaf& leaf = table[i];
-      const LeafMask nodes = NodesToFill(leaf, layer);
-      if (!nodes.Any())
+    table.ForEach(
+      [&](std::size_t i)
       {
-        return;
-      }
-      const LeafCross cross = table.Cross(leaf);
-      NodeFill fill(table, cross, static_cast<std::int32_t>(i), layer);
-      nodes.ForEach([&](int node) {
-        const float magnitude = fill.Magnitude(node);
-        leaf.Value[node] = leaf.Inside.Has(node) ? -magnitude : magnitude;
+        BandLeaf& leaf = table[i];
+        const LeafMask nodes = NodesToFill(leaf, layer);
+        if (!nodes.Any())
+        {
+          return;
+        }
+        const LeafCross cross = table.Cross(leaf);
+        NodeFill fill(table, cross, static_cast<std::int32_t>(i), layer);
+        nodes.ForEach(
+          [&](int node)
+          {
+            const float magnitude = fill.Magnitude(node);
+            leaf.Value[node] = leaf.Inside.Has(node) ? -magnitude : magnitude;
+          });
       });
-    });
   }
 }
 

@@ -42,8 +42,8 @@ struct Box
 [[noreturn]] void RefuseBounds(const double bounds[6], const char* why)
 {
   std::ostringstream text;
-  text << "The bounds (" << bounds[0] << ", " << bounds[1] << ", " << bounds[2] << ", "
-       << bounds[3] << ", " << bounds[4] << ", " << bounds[5] << ") " << why;
+  text << "The bounds (" << bounds[0] << ", " << bounds[1] << ", " << bounds[2] << ", " << bounds[3]
+       << ", " << bounds[4] << ", " << bounds[5] << ") " << why;
   throw std::invalid_argument(text.str());
 }
 
@@ -107,9 +107,8 @@ public:
       return;
     }
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes.size(), 1024),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        this->EvaluateRange(nodes, range.begin(), range.end(), values);
-      });
+      [&](const tbb::blocked_range<std::size_t>& range)
+      { this->EvaluateRange(nodes, range.begin(), range.end(), values); });
   }
 
 private:
@@ -162,8 +161,8 @@ void SamplePlane(const Sampler& sampler, const Box& box, int x, std::vector<open
 }
 
 /** Turns on the corners of the voxels between two planes whose corners differ in sign. */
-void AddCrossedVoxels(const Box& box, int x, const SignPlane& before, const SignPlane& after,
-  CrossedNodes& crossed)
+void AddCrossedVoxels(
+  const Box& box, int x, const SignPlane& before, const SignPlane& after, CrossedNodes& crossed)
 {
   openvdb::tree::ValueAccessor<CrossedNodes> accessor(crossed);
   const int rows = box.Size(1), columns = box.Size(2);
@@ -242,8 +241,8 @@ void SampleActiveNodes(const Sampler& sampler, openvdb::FloatTree& tree)
 }
 
 /** |F| / |grad F| by central differences, or a negative number where that means nothing. */
-float FirstOrderDistance(
-  const openvdb::tree::ValueAccessor<const openvdb::FloatTree>& function, const openvdb::Coord& node)
+float FirstOrderDistance(const openvdb::tree::ValueAccessor<const openvdb::FloatTree>& function,
+  const openvdb::Coord& node)
 {
   double square = 0.0;
   for (int axis = 0; axis < 3; ++axis)
@@ -267,16 +266,18 @@ float FirstOrderDistance(
 void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& potential)
 {
   openvdb::tree::LeafManager<openvdb::FloatTree> leaves(potential);
-  leaves.foreach ([&](PotentialLeaf& leaf, std::size_t) {
-    openvdb::tree::ValueAccessor<const openvdb::FloatTree> accessor(function);
-    for (auto it = leaf.beginValueOn(); it; ++it)
+  leaves.foreach (
+    [&](PotentialLeaf& leaf, std::size_t)
     {
-      const float swept = std::fabs(*it);
-      float distance = FirstOrderDistance(accessor, it.getCoord());
-      distance = distance < 0.f ? swept : std::min(std::max(distance, .5f * swept), 1.5f * swept);
-      it.setValue(accessor.getValue(it.getCoord()) < 0.f ? -distance : distance);
-    }
-  });
+      openvdb::tree::ValueAccessor<const openvdb::FloatTree> accessor(function);
+      for (auto it = leaf.beginValueOn(); it; ++it)
+      {
+        const float swept = std::fabs(*it);
+        float distance = FirstOrderDistance(accessor, it.getCoord());
+        distance = distance < 0.f ? swept : std::min(std::max(distance, .5f * swept), 1.5f * swept);
+        it.setValue(accessor.getValue(it.getCoord()) < 0.f ? -distance : distance);
+      }
+    });
 }
 
 openvdb::FloatTree::Ptr NearbyDistances(const Sampler& sampler, CrossedNodes& crossed)
@@ -285,11 +286,10 @@ openvdb::FloatTree::Ptr NearbyDistances(const Sampler& sampler, CrossedNodes& cr
   openvdb::tools::dilateActiveValues(
     crossed, NumberOfLayers, openvdb::tools::NN_FACE, openvdb::tools::IGNORE_TILES);
   auto function = openvdb::FloatGrid::create(NarrowBand::Far);
-  function->setTree(std::make_shared<openvdb::FloatTree>(
-    crossed, NarrowBand::Far, openvdb::TopologyCopy()));
+  function->setTree(
+    std::make_shared<openvdb::FloatTree>(crossed, NarrowBand::Far, openvdb::TopologyCopy()));
   SampleActiveNodes(sampler, function->tree());
-  openvdb::tools::signedFloodFillWithValues(
-    function->tree(), NarrowBand::Far, -NarrowBand::Far);
+  openvdb::tools::signedFloodFillWithValues(function->tree(), NarrowBand::Far, -NarrowBand::Far);
   const auto swept = openvdb::tools::sdfToSdf(*function, 0.f, 1);
   SmoothDistances(function->tree(), swept->tree());
   // Fast sweeping has its own background: the signs beyond are those of the flooded function.

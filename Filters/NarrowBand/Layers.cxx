@@ -40,8 +40,8 @@ private:
     {
       for (int y = y0; y <= y1; ++y)
       {
-        this->Row[8 * nx + x + 1][8 * ny + y + 1] = (before.Row(x, y) >> 7) |
-          (middle.Row(x, y) << 1) | ((after.Row(x, y) & 1u) << 9);
+        this->Row[8 * nx + x + 1][8 * ny + y + 1] =
+          (before.Row(x, y) >> 7) | (middle.Row(x, y) << 1) | ((after.Row(x, y) & 1u) << 9);
       }
     }
   }
@@ -73,8 +73,8 @@ struct CrossedVoxels
     {
       for (int y = 0; y < 8; ++y)
       {
-        const unsigned voxels = this->Row[x][y] | this->Row[x + 1][y] | this->Row[x][y + 1] |
-          this->Row[x + 1][y + 1];
+        const unsigned voxels =
+          this->Row[x][y] | this->Row[x + 1][y] | this->Row[x][y + 1] | this->Row[x + 1][y + 1];
         corners.Word[x] |= std::uint64_t((voxels | voxels >> 1) & 0xffu) << (8 * y);
       }
     }
@@ -101,19 +101,21 @@ struct CrossedVoxels
 
 void FindLayerZero(LeafTable& table)
 {
-  table.ForEach([&](std::size_t i) {
-    BandLeaf& leaf = table[i];
-    const CrossedVoxels crossed{ SignBlock(table, leaf) };
-    leaf.Upto[0] = crossed.Corners();
-    leaf.Wanted = 0;
-    for (int n = 0; n < 27; ++n)
+  table.ForEach(
+    [&](std::size_t i)
     {
-      if (leaf.Neighbour[n] < 0 && n != 13 && crossed.Touch(n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1))
+      BandLeaf& leaf = table[i];
+      const CrossedVoxels crossed{ SignBlock(table, leaf) };
+      leaf.Upto[0] = crossed.Corners();
+      leaf.Wanted = 0;
+      for (int n = 0; n < 27; ++n)
       {
-        leaf.Wanted |= 1u << n;
+        if (leaf.Neighbour[n] < 0 && n != 13 && crossed.Touch(n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1))
+        {
+          leaf.Wanted |= 1u << n;
+        }
       }
-    }
-  });
+    });
 }
 
 /** Bits on the face of a mask that looks in the direction of an axis and a sign. */
@@ -136,26 +138,28 @@ bool TouchesFace(const LeafMask& mask, int axis, int sign)
 /** Layers 0..m: layers 0..m-1 and their 6-neighbours. */
 void AddLayer(LeafTable& table, int layer)
 {
-  table.ForEach([&](std::size_t i) {
-    BandLeaf& leaf = table[i];
-    const LeafMask& inner = leaf.Upto[layer - 1];
-    LeafMask grown = inner;
-    for (int axis = 0; axis < 3; ++axis)
+  table.ForEach(
+    [&](std::size_t i)
     {
-      for (int sign = -1; sign <= 1; sign += 2)
+      BandLeaf& leaf = table[i];
+      const LeafMask& inner = leaf.Upto[layer - 1];
+      LeafMask grown = inner;
+      for (int axis = 0; axis < 3; ++axis)
       {
-        const int face = FaceNumber(axis, sign);
-        const LeafMask& next = table.UptoOf(leaf.Neighbour[face], layer - 1);
-        grown = grown |
-          (sign > 0 ? SeenAhead(inner, next, axis, 1) : SeenBehind(inner, next, axis, 1));
-        if (leaf.Neighbour[face] < 0 && TouchesFace(inner, axis, sign))
+        for (int sign = -1; sign <= 1; sign += 2)
         {
-          leaf.Wanted |= 1u << face;
+          const int face = FaceNumber(axis, sign);
+          const LeafMask& next = table.UptoOf(leaf.Neighbour[face], layer - 1);
+          grown =
+            grown | (sign > 0 ? SeenAhead(inner, next, axis, 1) : SeenBehind(inner, next, axis, 1));
+          if (leaf.Neighbour[face] < 0 && TouchesFace(inner, axis, sign))
+          {
+            leaf.Wanted |= 1u << face;
+          }
         }
       }
-    }
-    leaf.Upto[layer] = grown;
-  });
+      leaf.Upto[layer] = grown;
+    });
 }
 
 /** Creates the wanted leaves; false when there were none. */
@@ -215,57 +219,68 @@ bool HasDiagonalStencil(const LeafTable& table, std::int32_t i, int node)
 
 void FindActiveNodes(LeafTable& table)
 {
-  table.ForEach([&](std::size_t i) {
-    BandLeaf& leaf = table[i];
-    leaf.Active = leaf.Upto[LastBandLayer];
-    const LeafMask candidates = HaveAxisStencil(table, leaf).Without(leaf.Upto[LastBandLayer]);
-    candidates.ForEach([&](int node) {
-      if (HasDiagonalStencil(table, static_cast<std::int32_t>(i), node))
-      {
-        leaf.Active.Add(node);
-      }
+  table.ForEach(
+    [&](std::size_t i)
+    {
+      BandLeaf& leaf = table[i];
+      leaf.Active = leaf.Upto[LastBandLayer];
+      const LeafMask candidates = HaveAxisStencil(table, leaf).Without(leaf.Upto[LastBandLayer]);
+      candidates.ForEach(
+        [&](int node)
+        {
+          if (HasDiagonalStencil(table, static_cast<std::int32_t>(i), node))
+          {
+            leaf.Active.Add(node);
+          }
+        });
     });
-  });
 }
 
 void FindCrossedEdges(LeafTable& table)
 {
-  table.ForEach([&](std::size_t i) {
-    BandLeaf& leaf = table[i];
-    for (int axis = 0; axis < 3; ++axis)
+  table.ForEach(
+    [&](std::size_t i)
     {
-      const LeafMask& next = table.InsideOf(leaf.Neighbour[FaceNumber(axis, 1)]);
-      leaf.Edge[axis] = leaf.Inside ^ SeenAhead(leaf.Inside, next, axis, 1);
-    }
-  });
+      BandLeaf& leaf = table[i];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const LeafMask& next = table.InsideOf(leaf.Neighbour[FaceNumber(axis, 1)]);
+        leaf.Edge[axis] = leaf.Inside ^ SeenAhead(leaf.Inside, next, axis, 1);
+      }
+    });
 }
 
 void RetireNodes(LeafTable& table)
 {
-  table.ForEach([&](std::size_t i) {
-    BandLeaf& leaf = table[i];
-    LeafMask::All().Without(leaf.Upto[LastLayer]).ForEach([&](int node) {
-      leaf.Value[node] = leaf.Inside.Has(node) ? -NarrowBand::Far : NarrowBand::Far;
+  table.ForEach(
+    [&](std::size_t i)
+    {
+      BandLeaf& leaf = table[i];
+      LeafMask::All()
+        .Without(leaf.Upto[LastLayer])
+        .ForEach([&](int node)
+          { leaf.Value[node] = leaf.Inside.Has(node) ? -NarrowBand::Far : NarrowBand::Far; });
     });
-  });
 }
 
 }
 
 void ReadSigns(LeafTable& table)
 {
-  table.ForEach([&](std::size_t i) {
-    BandLeaf& leaf = table[i];
-    for (int x = 0; x < 8; ++x)
+  table.ForEach(
+    [&](std::size_t i)
     {
-      std::uint64_t word = 0;
-      for (int node = 0; node < 64; ++node)
+      BandLeaf& leaf = table[i];
+      for (int x = 0; x < 8; ++x)
       {
-        word |= std::uint64_t(leaf.Value[64 * x + node] < 0.f) << node;
+        std::uint64_t word = 0;
+        for (int node = 0; node < 64; ++node)
+        {
+          word |= std::uint64_t(leaf.Value[64 * x + node] < 0.f) << node;
+        }
+        leaf.Inside.Word[x] = word;
       }
-      leaf.Inside.Word[x] = word;
-    }
-  });
+    });
 }
 
 void RebuildLayers(LeafTable& table, PotentialTree& tree)
@@ -319,15 +334,17 @@ std::size_t NumberCrossings(LeafTable& table)
 
 void WriteActiveMasks(const LeafTable& table)
 {
-  table.ForEach([&](std::size_t i) {
-    const BandLeaf& leaf = table[i];
-    PotentialLeaf::NodeMaskType mask;
-    for (int x = 0; x < 8; ++x)
+  table.ForEach(
+    [&](std::size_t i)
     {
-      mask.getWord<std::uint64_t>(x) = leaf.Active.Word[x];
-    }
-    leaf.Leaf->setValueMask(mask);
-  });
+      const BandLeaf& leaf = table[i];
+      PotentialLeaf::NodeMaskType mask;
+      for (int x = 0; x < 8; ++x)
+      {
+        mask.getWord<std::uint64_t>(x) = leaf.Active.Word[x];
+      }
+      leaf.Leaf->setValueMask(mask);
+    });
 }
 
 }

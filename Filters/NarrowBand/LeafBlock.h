@@ -29,8 +29,8 @@ struct LeafBlock
       for (int ny = -1; ny <= 1; ++ny)
       {
         const std::int32_t* number = &leaf.Neighbour[NeighbourNumber(nx, ny, -1)];
-        this->GatherColumn(nx, ny, Source(table, number[0]), Source(table, number[1]),
-          Source(table, number[2]));
+        this->GatherColumn(
+          nx, ny, Source(table, number[0]), Source(table, number[1]), Source(table, number[2]));
       }
     }
   }

@@ -123,7 +123,7 @@ inline LeafMask SeenAhead(const LeafMask& mask, const LeafMask& next, int axis, 
   {
     const int ahead = x + steps;
     seen.Word[x] = axis == 0 ? (ahead < 8 ? mask.Word[ahead] : next.Word[ahead - 8])
-      : axis == 1 ? (mask.Word[x] >> (8 * steps)) | (next.Word[x] << (64 - 8 * steps))
+      : axis == 1            ? (mask.Word[x] >> (8 * steps)) | (next.Word[x] << (64 - 8 * steps))
                   : ((mask.Word[x] & ~low) >> steps) | ((next.Word[x] & low) << (8 - steps));
   }
   return seen;

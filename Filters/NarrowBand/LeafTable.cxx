@@ -81,20 +81,22 @@ std::int32_t LeafTable::Find(const openvdb::Coord& origin) const
 
 void LeafTable::FindNeighbours(const PotentialTree& tree)
 {
-  this->ForEach([&](std::size_t i) {
-    BandLeaf& leaf = this->Leaves[i];
-    for (int n = 0; n < 27; ++n)
+  this->ForEach(
+    [&](std::size_t i)
     {
-      const openvdb::Coord origin =
-        leaf.Origin.offsetBy(8 * (n / 9 - 1), 8 * (n / 3 % 3 - 1), 8 * (n % 3 - 1));
-      std::int32_t number = this->Find(origin);
-      if (number < 0 && tree.getValue(origin) < 0.f)
+      BandLeaf& leaf = this->Leaves[i];
+      for (int n = 0; n < 27; ++n)
       {
-        number = NoLeafInside;
+        const openvdb::Coord origin =
+          leaf.Origin.offsetBy(8 * (n / 9 - 1), 8 * (n / 3 % 3 - 1), 8 * (n % 3 - 1));
+        std::int32_t number = this->Find(origin);
+        if (number < 0 && tree.getValue(origin) < 0.f)
+        {
+          number = NoLeafInside;
+        }
+        leaf.Neighbour[n] = number;
       }
-      leaf.Neighbour[n] = number;
-    }
-  });
+    });
 }
 
 LeafTable::Place LeafTable::Offset(std::int32_t leaf, int node, int dx, int dy, int dz) const

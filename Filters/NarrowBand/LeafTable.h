@@ -58,13 +58,13 @@ struct BandLeaf
   std::array<std::int32_t, 27> Neighbour{};
   std::uint32_t Wanted = 0; //< neighbours without a leaf that a layer has reached, one bit each
 
-  LeafMask Inside;                            //< u < 0
-  std::array<LeafMask, NumberOfLayers> Upto;  //< nodes of the layers 0..m
-  LeafMask Active;                            //< band and pockets: advanced by the next substep
-  LeafMask Advanced;                          //< nodes whose value the last substep advanced
-  std::array<LeafMask, 3> Edge;               //< crossed edges, by axis, at their lower node
-  std::size_t FirstCrossing = 0;              //< number of the first crossed edge
-  std::array<int, 3> CrossingsBefore{};       //< crossed edges of this leaf on earlier axes
+  LeafMask Inside;                           //< u < 0
+  std::array<LeafMask, NumberOfLayers> Upto; //< nodes of the layers 0..m
+  LeafMask Active;                           //< band and pockets: advanced by the next substep
+  LeafMask Advanced;                         //< nodes whose value the last substep advanced
+  std::array<LeafMask, 3> Edge;              //< crossed edges, by axis, at their lower node
+  std::size_t FirstCrossing = 0;             //< number of the first crossed edge
+  std::array<int, 3> CrossingsBefore{};      //< crossed edges of this leaf on earlier axes
 };
 
 /** A leaf and its neighbours across the faces, for straight steps of at most 8 nodes. */
@@ -110,7 +110,7 @@ public:
   }
   const LeafMask& InsideOf(std::int32_t number) const
   {
-    return number >= 0 ? this->Leaves[number].Inside
+    return number >= 0         ? this->Leaves[number].Inside
       : number == NoLeafInside ? this->Everything
                                : this->Nothing;
   }
@@ -123,14 +123,10 @@ public:
   };
   Place Step(std::int32_t leaf, int node, int axis, int steps) const
   {
-    const int shift = axis == 0 ? 6 : axis == 1 ? 3 : 0;
-    const int coordinate = ((node >> shift) & 7) + steps;
-    const int moved = node + (((coordinate & 7) - ((node >> shift) & 7)) << shift);
-    if (coordinate >= 0 && coordinate < 8)
-    {
-      return { leaf, moved };
-    }
-    return { this->Leaves[leaf].Neighbour[FaceNumber(axis, coordinate < 0 ? -1 : 1)], moved };
+    const int stride = Stride(axis);
+    const int side = (((node / stride) & 7) + steps) >> 3;
+    const int moved = node + (steps - 8 * side) * stride;
+    return { side == 0 ? leaf : this->Leaves[leaf].Neighbour[FaceNumber(axis, side)], moved };
   }
 
   /** The same for offsets of at most one on each axis (edge and corner neighbours included). */
@@ -157,7 +153,8 @@ public:
   {
     constexpr std::size_t grain = 16;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Leaves.size(), grain),
-      [&](const tbb::blocked_range<std::size_t>& range) {
+      [&](const tbb::blocked_range<std::size_t>& range)
+      {
         for (std::size_t i = range.begin(); i != range.end(); ++i)
         {
           function(i);
@@ -173,9 +170,9 @@ private:
   void BuildIndex();
 
   std::vector<BandLeaf> Leaves;
-  std::vector<BandLeaf> Previous;           // the table before Rebuild, kept for its memory
-  std::vector<PotentialLeaf*> Nodes;        // the tree's leaves, in its order
-  std::vector<std::int32_t> Index;          // open-addressing hash of the origins
+  std::vector<BandLeaf> Previous;    // the table before Rebuild, kept for its memory
+  std::vector<PotentialLeaf*> Nodes; // the tree's leaves, in its order
+  std::vector<std::int32_t> Index;   // open-addressing hash of the origins
   LeafMask Nothing;
   LeafMask Everything = LeafMask::All();
 };

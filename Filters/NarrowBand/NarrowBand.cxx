@@ -19,6 +19,18 @@
 namespace activesurface
 {
 
+namespace
+{
+
+/** How the target limits the step: largest speed [length/time], largest |dF/dn| met. */
+struct TargetLimits
+{
+  double Speed = 0.0;
+  double Slope = 0.0;
+};
+
+}
+
 struct NarrowBand::State
 {
   double VoxelSize = 1.0;
@@ -32,6 +44,7 @@ struct NarrowBand::State
 
   void MakeEmpty();
   void TakeTree(openvdb::FloatTree::Ptr tree);
+  TargetLimits SampleTarget(const Motion& motion, Target& target, AdvanceReport& report);
   void Step(double end, const Motion& motion, Target& target, AdvanceReport& report);
   void RebuildBand();
   void FinishFrame();
@@ -82,13 +95,29 @@ void NarrowBand::State::CheckSize() const
 namespace
 {
 
+/** Rate at which tracking the target limits the time step. Advection by minmod-limited differences
+ * is stable (total variation does not grow) up to 2/3 of a voxel in the 1-norm, which is at most
+ * sqrt 3 times the speed. */
+double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& limits)
+{
+  const double advection = 1.5 * std::sqrt(3.0);
+  return advection * limits.Speed / voxelSize + motion.Attraction * limits.Slope;
+}
+
 /** The rates of all that limits the time step add up; taking the largest alone lets the skin
  * tremble at rest. */
-double StableStep(const Motion& motion, double voxelSize, double largestSpeed, double largestSlope)
+double StableStep(const Motion& motion, double voxelSize, double trackingRate)
 {
-  const double rate = 2.0 * largestSpeed / voxelSize + motion.Attraction * largestSlope +
-    4.0 * std::fabs(motion.Tension) / (voxelSize * voxelSize);
+  const double rate = trackingRate + 4.0 * std::fabs(motion.Tension) / (voxelSize * voxelSize);
   return rate > 0.0 ? motion.CFL / rate : std::numeric_limits<double>::infinity();
+}
+
+/** Relaxation is paid by tracking alone: at a fixed rate it would bias tension. It uses the same
+ * one-sided differences as advection (voxels per step), and unless both together stay below 1/2
+ * they amplify each other. */
+double RelaxationFor(double tracking, double advection)
+{
+  return std::max(0.0, std::min(0.3 * std::min(1.0, tracking), 0.5 - advection));
 }
 
 void CheckStep(double step, double remaining)
@@ -128,34 +157,40 @@ float ScaleFor(const SlopeCounts& counts)
 
 }
 
+TargetLimits NarrowBand::State::SampleTarget(
+  const Motion& motion, Target& target, AdvanceReport& report)
+{
+  if (!(motion.Attraction > 0.0))
+  {
+    return {};
+  }
+  target.MoveTo(this->Time);
+  FindSamplePoints(this->Leaves, this->VoxelSize, this->Crossings, this->Buffers.Points);
+  const TargetSamples samples = EvaluateTarget(target, this->Crossings, this->Buffers);
+  const double speed = FindTargetSpeed(this->Leaves, motion.Attraction, this->Buffers);
+  report.TargetEvaluations += samples.Count;
+  report.DroppedSamples += samples.Dropped;
+  report.MaxSpeed = std::max(report.MaxSpeed, speed);
+  return { speed, samples.LargestSlope };
+}
+
 void NarrowBand::State::Step(
   double end, const Motion& motion, Target& target, AdvanceReport& report)
 {
+  const TargetLimits limits = this->SampleTarget(motion, target, report);
+  const double tracking = TrackingRate(motion, this->VoxelSize, limits);
+  const double stable = StableStep(motion, this->VoxelSize, tracking);
   const double remaining = end - this->Time;
-  double largestSpeed = 0.0, largestSlope = 0.0;
-  if (motion.Attraction > 0.0)
-  {
-    target.MoveTo(this->Time);
-    FindSamplePoints(this->Leaves, this->VoxelSize, this->Crossings, this->Buffers.Points);
-    const TargetSamples samples = EvaluateTarget(target, this->Crossings, this->Buffers);
-    largestSpeed = FindTargetSpeed(this->Leaves, motion.Attraction, this->Buffers);
-    largestSlope = samples.LargestSlope;
-    report.TargetEvaluations += samples.Count;
-    report.DroppedSamples += samples.Dropped;
-    report.MaxSpeed = std::max(report.MaxSpeed, largestSpeed);
-  }
-  const double stable = StableStep(motion, this->VoxelSize, largestSpeed, largestSlope);
   CheckStep(stable, remaining);
   const double step = std::min(stable, remaining);
-  // Relaxation is paid by tracking alone: at a fixed rate it would bias tension.
-  const double tracking = motion.Attraction * largestSlope + 2.0 * largestSpeed / this->VoxelSize;
 
   StepCoefficients coefficients;
   coefficients.Moves = motion.Attraction > 0.0;
   coefficients.Advection = static_cast<float>(step / this->VoxelSize);
   coefficients.Tension =
     static_cast<float>(step * motion.Tension / (this->VoxelSize * this->VoxelSize));
-  coefficients.Relaxation = static_cast<float>(0.3 * std::min(1.0, step * tracking));
+  coefficients.Relaxation =
+    static_cast<float>(RelaxationFor(step * tracking, step * limits.Speed / this->VoxelSize));
   const SlopeCounts slopes = StepForward(this->Leaves, coefficients, this->Buffers);
   this->RebuildBand();
   const float scale = ScaleFor(slopes);
@@ -214,9 +249,8 @@ std::unique_ptr<NarrowBand> NarrowBand::Clone() const
   members.Time = this->Members->Time;
   members.Threads = this->Members->Threads;
   members.Maximum = this->Members->Maximum;
-  copy->Run([&] {
-    members.TakeTree(std::make_shared<openvdb::FloatTree>(this->Members->Potential->tree()));
-  });
+  copy->Run([&]
+    { members.TakeTree(std::make_shared<openvdb::FloatTree>(this->Members->Potential->tree())); });
   return copy;
 }
 
@@ -237,22 +271,24 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   members.MakeEmpty();
   members.Time = time;
   bool finished = false;
-  this->Run([&] {
-    openvdb::FloatTree::Ptr tree =
-      MakeInitialPotential(members.VoxelSize, bounds, function, members.Maximum, progress);
-    if (!tree)
+  this->Run(
+    [&]
     {
-      return;
-    }
-    members.TakeTree(tree);
-    for (std::size_t i = 0; i < members.Leaves.Size(); ++i)
-    {
-      members.Leaves[i].Advanced = LeafMask::All();
-    }
-    FillGhosts(members.Leaves);
-    members.FinishFrame();
-    finished = true;
-  });
+      openvdb::FloatTree::Ptr tree =
+        MakeInitialPotential(members.VoxelSize, bounds, function, members.Maximum, progress);
+      if (!tree)
+      {
+        return;
+      }
+      members.TakeTree(tree);
+      for (std::size_t i = 0; i < members.Leaves.Size(); ++i)
+      {
+        members.Leaves[i].Advanced = LeafMask::All();
+      }
+      FillGhosts(members.Leaves);
+      members.FinishFrame();
+      finished = true;
+    });
   if (finished && members.CountActive() > members.Maximum)
   {
     members.MakeEmpty();
@@ -276,25 +312,27 @@ AdvanceReport NarrowBand::Advance(
   }
   AdvanceReport report;
   const double begin = members.Time;
-  this->Run([&] {
-    try
+  this->Run(
+    [&]
     {
-      while (members.Time < time && members.Crossings > 0 && !report.Aborted)
+      try
       {
-        report.Aborted = progress && !progress((members.Time - begin) / (time - begin));
-        if (!report.Aborted)
+        while (members.Time < time && members.Crossings > 0 && !report.Aborted)
         {
-          members.Step(time, motion, target, report);
+          report.Aborted = progress && !progress((members.Time - begin) / (time - begin));
+          if (!report.Aborted)
+          {
+            members.Step(time, motion, target, report);
+          }
         }
       }
-    }
-    catch (...)
-    {
+      catch (...)
+      {
+        members.FinishFrame();
+        throw;
+      }
       members.FinishFrame();
-      throw;
-    }
-    members.FinishFrame();
-  });
+    });
   members.Time = report.Aborted ? members.Time : time;
   report.Vanished = members.Crossings == 0;
   return report;

@@ -7,7 +7,8 @@
  *
  *   d phi / dt + V |grad phi| = 0,   n = grad phi / |grad phi|
  *
- * SIGN: phi is NEGATIVE INSIDE; n points outward; V > 0 inflates. The paper's f is -phi up to scale.
+ * SIGN: phi is NEGATIVE INSIDE; n points outward; V > 0 inflates. The paper's f is -phi up to
+ * scale.
  *
  * STORAGE: an openvdb::FloatGrid holding u = phi / VoxelSize. Node (i,j,k) is at world position
  * (i,j,k) * VoxelSize, so lattices of the same VoxelSize coincide in all runs. Layer 0 are the

@@ -58,12 +58,17 @@ void WriteDistances(const NarrowBand& band, const int extent[6], float* distance
 {
   const std::size_t plane =
     (std::size_t(extent[1] - extent[0]) + 1) * (std::size_t(extent[3] - extent[2]) + 1);
-  band.Run([&] {
-    tbb::parallel_for(extent[4], extent[5] + 1, [&](int z) {
-      WritePlane(band.GetPotential()->tree(), extent, z, static_cast<float>(band.GetVoxelSize()),
-        distances + std::size_t(z - extent[4]) * plane);
+  band.Run(
+    [&]
+    {
+      tbb::parallel_for(extent[4], extent[5] + 1,
+        [&](int z)
+        {
+          WritePlane(band.GetPotential()->tree(), extent, z,
+            static_cast<float>(band.GetVoxelSize()),
+            distances + std::size_t(z - extent[4]) * plane);
+        });
     });
-  });
 }
 
 }

@@ -20,7 +20,8 @@ using RowMask = std::array<float, 8>; //< 1 where a bit is set, else 0
 /** The eight bits of a row as numbers. */
 inline const RowMask& MaskOfBits(unsigned bits)
 {
-  static const std::array<RowMask, 256> masks = [] {
+  static const std::array<RowMask, 256> masks = []
+  {
     std::array<RowMask, 256> all{};
     for (unsigned b = 0; b < 256; ++b)
     {
@@ -53,10 +54,10 @@ inline UpwindSquares UpwindDifferences(const float* u, int stride)
   const float behind = u[0] - u[-stride];
   const float ahead = u[stride] - u[0];
   const float here = ahead - behind;
-  const float second_behind = u[0] - 2.f * u[-stride] + u[-2 * stride];
-  const float second_ahead = u[0] - 2.f * u[stride] + u[2 * stride];
-  const float minus = behind + .5f * MinMod(here, second_behind);
-  const float plus = ahead - .5f * MinMod(here, second_ahead);
+  const float bendBehind = u[0] - 2.f * u[-stride] + u[-2 * stride];
+  const float bendAhead = u[0] - 2.f * u[stride] + u[2 * stride];
+  const float minus = behind + .5f * MinMod(here, bendBehind);
+  const float plus = ahead - .5f * MinMod(here, bendAhead);
   const float outward = std::max(std::max(minus, -plus), 0.f);
   const float inward = std::max(std::max(-minus, plus), 0.f);
   return { outward * outward, inward * inward };

@@ -14,25 +14,29 @@ void FindSamplePoints(
   const LeafTable& table, double voxelSize, std::size_t count, std::vector<double>& points)
 {
   points.resize(3 * count);
-  table.ForEach([&](std::size_t i) {
-    const BandLeaf& leaf = table[i];
-    double* point = points.data() + 3 * leaf.FirstCrossing;
-    for (int axis = 0; axis < 3; ++axis)
+  table.ForEach(
+    [&](std::size_t i)
     {
-      leaf.Edge[axis].ForEach([&](int node) {
-        const LeafTable::Place upper = table.Step(static_cast<std::int32_t>(i), node, axis, 1);
-        const float low = leaf.Value[node];
-        const float high = table[upper.Leaf].Value[upper.Node];
-        double at[3] = { double(leaf.Origin[0] + (node >> 6)),
-          double(leaf.Origin[1] + ((node >> 3) & 7)), double(leaf.Origin[2] + (node & 7)) };
-        at[axis] += double(low) / (double(low) - double(high));
-        for (double x : at)
-        {
-          *point++ = voxelSize * x;
-        }
-      });
-    }
-  });
+      const BandLeaf& leaf = table[i];
+      double* point = points.data() + 3 * leaf.FirstCrossing;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        leaf.Edge[axis].ForEach(
+          [&](int node)
+          {
+            const LeafTable::Place upper = table.Step(static_cast<std::int32_t>(i), node, axis, 1);
+            const float low = leaf.Value[node];
+            const float high = table[upper.Leaf].Value[upper.Node];
+            double at[3] = { double(leaf.Origin[0] + (node >> 6)),
+              double(leaf.Origin[1] + ((node >> 3) & 7)), double(leaf.Origin[2] + (node & 7)) };
+            at[axis] += double(low) / (double(low) - double(high));
+            for (double x : at)
+            {
+              *point++ = voxelSize * x;
+            }
+          });
+      }
+    });
 }
 
 namespace
@@ -43,8 +47,7 @@ TargetSamples EvaluateBatch(
 {
   double* values = buffers.Values.data();
   double* slopes = buffers.Slopes.data();
-  target.Evaluate(
-    end - begin, buffers.Points.data() + 3 * begin, values + begin, slopes + begin);
+  target.Evaluate(end - begin, buffers.Points.data() + 3 * begin, values + begin, slopes + begin);
   TargetSamples samples;
   samples.Count = end - begin;
   for (std::size_t i = begin; i < end; ++i)
@@ -79,9 +82,8 @@ TargetSamples EvaluateTarget(const Target& target, std::size_t count, SubstepBuf
   }
   return tbb::parallel_reduce(
     tbb::blocked_range<std::size_t>(0, count, batch), TargetSamples(),
-    [&](const tbb::blocked_range<std::size_t>& range, const TargetSamples& so_far) {
-      return Sum(so_far, EvaluateBatch(target, range.begin(), range.end(), buffers));
-    },
+    [&](const tbb::blocked_range<std::size_t>& range, const TargetSamples& soFar)
+    { return Sum(soFar, EvaluateBatch(target, range.begin(), range.end(), buffers)); },
     Sum);
 }
 

@@ -32,21 +32,22 @@ template <class Function>
 void ForEachCrossedVoxel(const LeafTable& table, std::size_t i, Function&& function)
 {
   const std::int32_t leaf = static_cast<std::int32_t>(i);
-  table[i].Upto[0].ForEach([&](int node) {
-    const unsigned bits = InsideCorners(table, leaf, node);
-    if (bits != 0 && bits != 0xffu)
+  table[i].Upto[0].ForEach(
+    [&](int node)
     {
-      function(node, bits);
-    }
-  });
+      const unsigned bits = InsideCorners(table, leaf, node);
+      if (bits != 0 && bits != 0xffu)
+      {
+        function(node, bits);
+      }
+    });
 }
 
 /** Number of the vertex on an edge of the voxel with this lower corner. */
 std::int64_t VertexOnEdge(const LeafTable& table, std::int32_t leaf, int node, int edge)
 {
   const int corner = LowerCornerOfEdge[edge], axis = AxisOfEdge(edge);
-  const LeafTable::Place lower =
-    table.Offset(leaf, node, corner >> 2, corner >> 1 & 1, corner & 1);
+  const LeafTable::Place lower = table.Offset(leaf, node, corner >> 2, corner >> 1 & 1, corner & 1);
   const BandLeaf& owner = table[lower.Leaf];
   return static_cast<std::int64_t>(
     owner.FirstCrossing + owner.CrossingsBefore[axis] + owner.Edge[axis].Rank(lower.Node));
@@ -54,7 +55,7 @@ std::int64_t VertexOnEdge(const LeafTable& table, std::int32_t leaf, int node, i
 
 float ValueAt(const LeafTable& table, const LeafTable::Place& place)
 {
-  return place.Leaf >= 0 ? table[place.Leaf].Value[place.Node]
+  return place.Leaf >= 0         ? table[place.Leaf].Value[place.Node]
     : place.Leaf == NoLeafInside ? -NarrowBand::Far
                                  : NarrowBand::Far;
 }
@@ -79,8 +80,8 @@ void WriteNormal(const LeafTable& table, const LeafTable::Place& lower,
   double gradient[3] = { 0.0, 0.0, 0.0 };
   AddGradient(table, lower, 1.0 - t, gradient);
   AddGradient(table, upper, t, gradient);
-  double length = std::sqrt(
-    gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2]);
+  double length =
+    std::sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2]);
   if (!(length > 0.0))
   {
     gradient[axis] = low < 0.0 ? 1.0 : -1.0; // no gradient: at least from inside to outside
@@ -99,39 +100,43 @@ void WriteVertices(
   std::size_t vertex = leaf.FirstCrossing;
   for (int axis = 0; axis < 3; ++axis)
   {
-    leaf.Edge[axis].ForEach([&](int node) {
-      const LeafTable::Place lower{ static_cast<std::int32_t>(i), node };
-      const LeafTable::Place upper = table.Step(lower.Leaf, node, axis, 1);
-      const double low = ValueAt(table, lower), high = ValueAt(table, upper);
-      double at[3] = { double(leaf.Origin[0] + (node >> 6)),
-        double(leaf.Origin[1] + ((node >> 3) & 7)), double(leaf.Origin[2] + (node & 7)) };
-      at[axis] += low / (low - high);
-      for (int d = 0; d < 3; ++d)
+    leaf.Edge[axis].ForEach(
+      [&](int node)
       {
-        points[3 * vertex + d] = static_cast<float>(voxelSize * at[d]);
-      }
-      if (normals)
-      {
-        WriteNormal(table, lower, upper, axis, normals + 3 * vertex);
-      }
-      ++vertex;
-    });
+        const LeafTable::Place lower{ static_cast<std::int32_t>(i), node };
+        const LeafTable::Place upper = table.Step(lower.Leaf, node, axis, 1);
+        const double low = ValueAt(table, lower), high = ValueAt(table, upper);
+        double at[3] = { double(leaf.Origin[0] + (node >> 6)),
+          double(leaf.Origin[1] + ((node >> 3) & 7)), double(leaf.Origin[2] + (node & 7)) };
+        at[axis] += low / (low - high);
+        for (int d = 0; d < 3; ++d)
+        {
+          points[3 * vertex + d] = static_cast<float>(voxelSize * at[d]);
+        }
+        if (normals)
+        {
+          WriteNormal(table, lower, upper, axis, normals + 3 * vertex);
+        }
+        ++vertex;
+      });
   }
 }
 
 /** corners: where the first triangle of the leaf goes. */
 void WriteTriangles(const LeafTable& table, std::size_t i, std::int64_t* corners)
 {
-  ForEachCrossedVoxel(table, i, [&](int node, unsigned bits) {
-    const VoxelTriangles& triangles = TrianglesOfVoxel(bits);
-    for (int t = 0; t < triangles.Count; ++t)
+  ForEachCrossedVoxel(table, i,
+    [&](int node, unsigned bits)
     {
-      for (std::uint8_t edge : triangles.Edge[t])
+      const VoxelTriangles& triangles = TrianglesOfVoxel(bits);
+      for (int t = 0; t < triangles.Count; ++t)
       {
-        *corners++ = VertexOnEdge(table, static_cast<std::int32_t>(i), node, edge);
+        for (std::uint8_t edge : triangles.Edge[t])
+        {
+          *corners++ = VertexOnEdge(table, static_cast<std::int32_t>(i), node, edge);
+        }
       }
-    }
-  });
+    });
 }
 
 }
@@ -141,14 +146,18 @@ Skin::Skin(const NarrowBand& band)
 {
   const LeafTable& table = band.GetLeaves();
   this->FirstTriangle.resize(table.Size() + 1);
-  band.Run([&] {
-    table.ForEach([&](std::size_t i) {
-      std::size_t count = 0;
-      ForEachCrossedVoxel(
-        table, i, [&](int, unsigned bits) { count += TrianglesOfVoxel(bits).Count; });
-      this->FirstTriangle[i + 1] = count;
+  band.Run(
+    [&]
+    {
+      table.ForEach(
+        [&](std::size_t i)
+        {
+          std::size_t count = 0;
+          ForEachCrossedVoxel(
+            table, i, [&](int, unsigned bits) { count += TrianglesOfVoxel(bits).Count; });
+          this->FirstTriangle[i + 1] = count;
+        });
     });
-  });
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
     this->FirstTriangle[i + 1] += this->FirstTriangle[i];
@@ -163,12 +172,16 @@ Skin::Skin(const NarrowBand& band)
 void Skin::Write(float* points, float* normals, std::int64_t* corners) const
 {
   const LeafTable& table = this->Band.GetLeaves();
-  this->Band.Run([&] {
-    table.ForEach([&](std::size_t i) {
-      WriteVertices(table, i, this->Band.GetVoxelSize(), points, normals);
-      WriteTriangles(table, i, corners + 3 * this->FirstTriangle[i]);
+  this->Band.Run(
+    [&]
+    {
+      table.ForEach(
+        [&](std::size_t i)
+        {
+          WriteVertices(table, i, this->Band.GetVoxelSize(), points, normals);
+          WriteTriangles(table, i, corners + 3 * this->FirstTriangle[i]);
+        });
     });
-  });
 }
 
 }

@@ -96,10 +96,12 @@ SlopeCounts StepForward(
   buffers.FlatNodes.resize(size);
   buffers.SteepNodes.resize(size);
   table.ForEach([&](std::size_t i) { StepLeaf(table, i, coefficients, buffers); });
-  table.ForEach([&](std::size_t i) {
-    std::copy_n(buffers.Next.data() + 512 * i, 512, table[i].Value);
-    table[i].Advanced = table[i].Active;
-  });
+  table.ForEach(
+    [&](std::size_t i)
+    {
+      std::copy_n(buffers.Next.data() + 512 * i, 512, table[i].Value);
+      table[i].Advanced = table[i].Active;
+    });
   ReadSigns(table);
   SlopeCounts counts;
   for (std::size_t i = 0; i < size; ++i)
@@ -113,10 +115,12 @@ SlopeCounts StepForward(
 
 void ScalePotential(LeafTable& table, float factor)
 {
-  table.ForEach([&](std::size_t i) {
-    BandLeaf& leaf = table[i];
-    leaf.Upto[LastLayer].ForEach([&](int node) { leaf.Value[node] *= factor; });
-  });
+  table.ForEach(
+    [&](std::size_t i)
+    {
+      BandLeaf& leaf = table[i];
+      leaf.Upto[LastLayer].ForEach([&](int node) { leaf.Value[node] *= factor; });
+    });
 }
 
 }

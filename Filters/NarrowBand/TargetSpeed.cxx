@@ -51,11 +51,14 @@ void AddIncomingEdges(const LeafTable& table, const BandLeaf& leaf, int axis, co
     lastPlane.Word[x] = axis == 0 ? ~0ull : axis == 1 ? 0xffull << 56 : 0x8080808080808080ull;
   }
   const LeafMask& edges = before.Edge[axis];
-  (edges & lastPlane).ForEach([&](int lower) {
-    const int node = lower - 7 * Stride(axis);
-    samples.Add(node, leaf.Value[node], before.Value[lower], first[edges.Rank(lower)]);
-    known.Add(node);
-  });
+  (edges & lastPlane)
+    .ForEach(
+      [&](int lower)
+      {
+        const int node = lower - 7 * Stride(axis);
+        samples.Add(node, leaf.Value[node], before.Value[lower], first[edges.Rank(lower)]);
+        known.Add(node);
+      });
 }
 
 void AddOwnEdges(const LeafTable& table, const BandLeaf& leaf, int axis, const double* values,
@@ -64,20 +67,22 @@ void AddOwnEdges(const LeafTable& table, const BandLeaf& leaf, int axis, const d
   const std::int32_t after = leaf.Neighbour[FaceNumber(axis, 1)];
   const int stride = Stride(axis);
   const double* value = values + leaf.FirstCrossing + leaf.CrossingsBefore[axis];
-  leaf.Edge[axis].ForEach([&](int node) {
-    const bool inside = (node / stride) % 8 < 7;
-    const float own = leaf.Value[node];
-    const float other =
-      inside ? leaf.Value[node + stride] : table[after].Value[node - 7 * stride];
-    samples.Add(node, own, other, *value);
-    known.Add(node);
-    if (inside)
+  leaf.Edge[axis].ForEach(
+    [&](int node)
     {
-      samples.Add(node + stride, other, own, *value);
-      known.Add(node + stride);
-    }
-    ++value;
-  });
+      const bool inside = (node / stride) % 8 < 7;
+      const float own = leaf.Value[node];
+      const float other =
+        inside ? leaf.Value[node + stride] : table[after].Value[node - 7 * stride];
+      samples.Add(node, own, other, *value);
+      known.Add(node);
+      if (inside)
+      {
+        samples.Add(node + stride, other, own, *value);
+        known.Add(node + stride);
+      }
+      ++value;
+    });
 }
 
 /** Speed at the nodes with crossed edges. */
@@ -95,11 +100,13 @@ void TakeSamples(const LeafTable& table, std::size_t i, double attraction, Subst
   std::fill_n(speed, 512, 0.f); // what the extension does not reach stands still
   float largest = 0.f;
   const float rate = static_cast<float>(-attraction);
-  known.ForEach([&](int node) {
-    const float weight = samples.Weight[node];
-    speed[node] = weight > 0.f ? rate * (samples.Sum[node] / weight) : 0.f;
-    largest = std::max(largest, std::fabs(speed[node]));
-  });
+  known.ForEach(
+    [&](int node)
+    {
+      const float weight = samples.Weight[node];
+      speed[node] = weight > 0.f ? rate * (samples.Sum[node] / weight) : 0.f;
+      largest = std::max(largest, std::fabs(speed[node]));
+    });
   buffers.Known[i] = known;
   buffers.LargestSpeed[i] = largest;
 }
@@ -117,8 +124,8 @@ struct Surroundings
     for (int n = 0; n < 9; ++n)
     {
       const int axis = n / 3, side = n % 3;
-      const std::int32_t leaf = side == 1 ? static_cast<std::int32_t>(i)
-                                          : table[i].Neighbour[FaceNumber(axis, side - 1)];
+      const std::int32_t leaf =
+        side == 1 ? static_cast<std::int32_t>(i) : table[i].Neighbour[FaceNumber(axis, side - 1)];
       this->Value[axis][side] = leaf >= 0 ? table[leaf].Value : nullptr;
       this->Speed[axis][side] =
         leaf >= 0 ? buffers.Speed.data() + 512 * std::size_t(leaf) : nullptr;
@@ -139,7 +146,8 @@ struct Surroundings
   }
 };
 
-/** Sums over the known neighbours of a node. Others are not read: their leaf may be writing them. */
+/** Sums over the known neighbours of a node. Others are not read: their leaf may be writing them.
+ */
 struct KnownSpeeds
 {
   const Surroundings& Around;
@@ -179,34 +187,35 @@ float ExtendedSpeed(const Surroundings& around, int node)
   sums.Add<1>(1);
   sums.Add<2>(-1);
   sums.Add<2>(1);
-  return sums.Weights > 0.f ? sums.Weighted / sums.Weights
-                            : sums.Plain / sums.Count;
+  return sums.Weights > 0.f ? sums.Weighted / sums.Weights : sums.Plain / sums.Count;
 }
 
 /** One round; false when no active node was left to reach. */
 bool ExtendOnce(const LeafTable& table, SubstepBuffers& buffers)
 {
   std::atomic<bool> reached{ false };
-  table.ForEach([&](std::size_t i) {
-    const BandLeaf& leaf = table[i];
-    const LeafMask& known = buffers.Known[i];
-    buffers.NextKnown[i] = known;
-    const LeafMask missing = leaf.Active.Without(known);
-    if (!missing.Any())
+  table.ForEach(
+    [&](std::size_t i)
     {
-      return;
-    }
-    const Surroundings around(table, i, buffers);
-    const LeafMask front = missing & around.NextToKnown();
-    if (!front.Any())
-    {
-      return;
-    }
-    float* speed = buffers.Speed.data() + 512 * i;
-    front.ForEach([&](int node) { speed[node] = ExtendedSpeed(around, node); });
-    buffers.NextKnown[i] = known | front;
-    reached.store(true, std::memory_order_relaxed);
-  });
+      const BandLeaf& leaf = table[i];
+      const LeafMask& known = buffers.Known[i];
+      buffers.NextKnown[i] = known;
+      const LeafMask missing = leaf.Active.Without(known);
+      if (!missing.Any())
+      {
+        return;
+      }
+      const Surroundings around(table, i, buffers);
+      const LeafMask front = missing & around.NextToKnown();
+      if (!front.Any())
+      {
+        return;
+      }
+      float* speed = buffers.Speed.data() + 512 * i;
+      front.ForEach([&](int node) { speed[node] = ExtendedSpeed(around, node); });
+      buffers.NextKnown[i] = known | front;
+      reached.store(true, std::memory_order_relaxed);
+    });
   std::swap(buffers.Known, buffers.NextKnown);
   return reached.load();
 }

@@ -161,7 +161,7 @@ void SkeletonCells::Register(Index element, const Capsule& capsule)
 
 struct SkeletonCells::Span
 {
-  static constexpr int Capacity = 8; // a ball's diameter is 3 cells at most
+  static constexpr int Capacity = 8; // a ball's diameter is 2.5 cells at most
   int Count = 0;
   double Gap2[Capacity]; // squared distance from the cell's slab to the centre, in cells
   float Place[Capacity]; // of the centre, from the cell's

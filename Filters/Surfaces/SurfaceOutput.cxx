@@ -13,9 +13,6 @@
 #include "vtkPolyData.h"
 #include "vtkTypeInt64Array.h"
 
-#include <sstream>
-#include <stdexcept>
-
 namespace activesurface
 {
 
@@ -56,19 +53,6 @@ void FillSkin(const NarrowBand& band, bool normals, vtkPolyData* skin)
 
 void FillPotential(const NarrowBand& band, const int extent[6], vtkImageData* potential)
 {
-  constexpr double mostNodes = 4e9; // 16 GB
-  double nodes = 1.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    nodes *= extent[2 * axis + 1] - double(extent[2 * axis]) + 1.0;
-  }
-  if (nodes > mostNodes)
-  {
-    std::ostringstream text;
-    text << "The image of the potential would have " << nodes
-         << " nodes; shrink ModelBounds or enlarge VoxelSize, or turn OutputPotential off.";
-    throw std::runtime_error(text.str());
-  }
   const double spacing = band.GetVoxelSize();
   potential->SetExtent(const_cast<int*>(extent));
   potential->SetOrigin(0.0, 0.0, 0.0);

@@ -14,8 +14,7 @@ class NarrowBand;
 // Triangles, with the point array "Normals" if wanted; valid and empty for an empty surface.
 void FillSkin(const NarrowBand& band, bool normals, vtkPolyData* skin);
 
-// The distances on an extent of the lattice, as scalars "Potential". Throws std::runtime_error for
-// more nodes than an image should have.
+// The distances on an extent of the lattice, as scalars "Potential".
 void FillPotential(const NarrowBand& band, const int extent[6], vtkImageData* potential);
 
 }

@@ -170,10 +170,12 @@ void SurfaceRequests::AskInput(
   {
     return;
   }
+  if (TargetInput::IsComposite(input))
+  {
+    this->CompositeStamp = this->Input.GetStamp();
+  }
   const int wanted = this->Simulation.GetStepWanted();
-  this->InputFailed = this->Continuing && !this->Answered;
   this->AskedStep = wanted >= 0 ? wanted : this->Simulation.GetLastStepAdded();
-  this->Answered = false;
   if (this->InputMoves)
   {
     input->Set(SDDP::UPDATE_TIME_STEP(), this->Steps[this->AskedStep]);
@@ -182,9 +184,7 @@ void SurfaceRequests::AskInput(
   {
     input->Set(SDDP::UPDATE_TIME_STEP(), input->Get(SDDP::TIME_STEPS())[0]);
   }
-  input->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
-  input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
-  input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  TargetInput::AskForWhole(input);
 }
 
 void SurfaceRequests::CheckTarget() const
@@ -200,20 +200,37 @@ void SurfaceRequests::CheckTarget() const
     throw std::invalid_argument(
       "There is no target; set TargetFunction, or connect particles to input port 0.");
   }
+  if (this->Input.IsConnected() && this->CompositeStamp == this->Input.GetStamp())
+  {
+    throw std::invalid_argument("The input is a composite data set, which cannot be a target; "
+                                "extract or merge its blocks to one point set.");
+  }
 }
 
-void SurfaceRequests::TakeInput(vtkInformation* input)
+// Takes the step that the input was asked for, then as many more as the goal needs.
+SurfaceSimulation::Outcome SurfaceRequests::Advance(vtkInformation* input)
 {
-  this->Answered = true;
-  if (this->InputFailed)
-  {
-    throw std::runtime_error("The input has failed to make its time step " +
-      std::to_string(this->Steps[this->AskedStep]) + ".");
-  }
-  if (this->Simulation.GetStepWanted() == this->AskedStep)
+  if (input && this->Simulation.GetStepWanted() == this->AskedStep)
   {
     this->Simulation.AddParticles(this->AskedStep, this->Input.Read(input));
   }
+  const auto report = [this](double fraction) {
+    this->Filter->UpdateProgress(fraction);
+    return !IsAborted(this->Filter);
+  };
+  SurfaceSimulation::Outcome outcome = this->Simulation.Advance(report);
+  while (outcome == SurfaceSimulation::Outcome::NeedsParticles)
+  {
+    const int step = this->Simulation.GetStepWanted();
+    if (!this->Input.Update(input, this->Steps[step]))
+    {
+      throw std::runtime_error("The input has failed to make its time step " +
+        std::to_string(this->Steps[step]) + ".");
+    }
+    this->Simulation.AddParticles(step, this->Input.Read(input));
+    outcome = this->Simulation.Advance(report);
+  }
+  return outcome;
 }
 
 void SurfaceRequests::Make(
@@ -224,28 +241,12 @@ void SurfaceRequests::Make(
   this->Simulation.SetNumberOfThreads(this->Filter->GetNumberOfThreads());
   this->Simulation.SetMaximumNumberOfActiveVoxels(
     static_cast<std::size_t>(this->Filter->GetMaximumNumberOfActiveVoxels()));
-  if (input)
+  if (this->Advance(input) == SurfaceSimulation::Outcome::Aborted)
   {
-    this->TakeInput(input);
+    this->GiveUp(output);
+    return;
   }
-  const auto outcome = this->Simulation.Advance([this](double fraction) {
-    this->Filter->UpdateProgress(fraction);
-    return !IsAborted(this->Filter);
-  });
-  switch (outcome)
-  {
-    case SurfaceSimulation::Outcome::NeedsParticles:
-      this->Continuing = true;
-      request->Set(SDDP::CONTINUE_EXECUTING(), 1);
-      return;
-    case SurfaceSimulation::Outcome::Aborted:
-      this->GiveUp(request, output);
-      return;
-    case SurfaceSimulation::Outcome::AtGoal:
-      this->Continuing = false;
-      request->Remove(SDDP::CONTINUE_EXECUTING());
-      this->FillOutputs(request, output);
-  }
+  this->FillOutputs(request, output);
 }
 
 void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector* output)
@@ -276,12 +277,9 @@ void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector*
   }
 }
 
-void SurfaceRequests::GiveUp(vtkInformation* request, vtkInformationVector* output)
+void SurfaceRequests::GiveUp(vtkInformationVector* output)
 {
   this->Simulation.Drop();
-  this->Continuing = false;
-  this->Answered = true;
-  request->Remove(SDDP::CONTINUE_EXECUTING());
   for (int port = SkinPort; port <= PotentialPort; ++port)
   {
     vtkInformation* out = output->GetInformationObject(port);

@@ -1,7 +1,8 @@
 // The pipeline's requests to a vtkActiveImplicitSurface, answered by a SurfaceSimulation.
 //
-// A request for data takes as many passes as time steps of the input are needed: in each pass the
-// input is asked for one step (AskInput), and its particles are taken in (Make).
+// A request for data may need several time steps of the input. The first of them is asked for as
+// usual (AskInput), the others by updates of the input from within (Make), not by VTK's
+// CONTINUE_EXECUTING: in its loop the pipeline hangs for good if the input fails (VTK 9.1 to 9.6).
 
 #ifndef SurfaceRequests_h
 #define SurfaceRequests_h
@@ -39,11 +40,11 @@ public:
 
   void AskInput(vtkInformation* request, vtkInformation* input, vtkInformationVector* output);
 
-  // The outputs, or the wish to be called again; throws what has to be said to the user.
+  // The outputs; throws what has to be said to the user.
   void Make(vtkInformation* request, vtkInformation* input, vtkInformationVector* output);
 
   // Leaves empty outputs that do not count as made, and no state.
-  void GiveUp(vtkInformation* request, vtkInformationVector* output);
+  void GiveUp(vtkInformationVector* output);
 
 private:
   SurfaceSettings GatherSettings() const;
@@ -51,7 +52,7 @@ private:
   const SurfaceDomain* FindDomain(vtkInformation* input, bool isWanted);
   void PublishExtent(vtkInformation* output, const SurfaceDomain* domain) const;
   void CheckTarget() const;
-  void TakeInput(vtkInformation* input);
+  SurfaceSimulation::Outcome Advance(vtkInformation* input);
   bool Makes(int port, vtkInformation* request) const;
   void FillOutputs(vtkInformation* request, vtkInformationVector* output);
 
@@ -61,11 +62,8 @@ private:
   std::vector<double> Steps; // as published
   bool InputMoves = false;
 
-  // Between the passes of a request.
-  bool Continuing = false;
-  int AskedStep = 0;
-  bool Answered = true; // by the input, since it was asked
-  bool InputFailed = false;
+  std::uint64_t CompositeStamp = 0; // of the last input that was a composite data set
+  int AskedStep = 0; // of the input, as usual
 };
 
 }

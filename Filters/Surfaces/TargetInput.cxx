@@ -138,14 +138,13 @@ std::array<std::string, 3> TargetInput::DescribeArrays() const
   return arrays;
 }
 
+bool TargetInput::IsComposite(vtkInformation* information)
+{
+  return vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(information)) != nullptr;
+}
+
 ParticleFrame TargetInput::Read(vtkInformation* information) const
 {
-  int port = 0;
-  vtkAlgorithm* producer = this->Filter->GetInputAlgorithm(0, 0, port);
-  if (vtkCompositeDataSet::SafeDownCast(producer->GetOutputDataObject(port)))
-  {
-    Refuse("A composite data set");
-  }
   vtkPointSet* points = vtkPointSet::GetData(information);
   if (!points)
   {
@@ -180,14 +179,21 @@ vtkAbstractArray* TargetInput::FindArray(int index, vtkPointSet* points) const
   return array;
 }
 
-void TargetInput::Update(vtkInformation* information, double time) const
+void TargetInput::AskForWhole(vtkInformation* information)
 {
-  information->Set(SDDP::UPDATE_TIME_STEP(), time);
   information->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
   information->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
   information->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
+bool TargetInput::Update(vtkInformation* information, double time) const
+{
+  AskForWhole(information);
+  information->Set(SDDP::UPDATE_TIME_STEP(), time);
   int port = 0;
-  this->Filter->GetInputAlgorithm(0, 0, port)->Update(port);
+  vtkAlgorithm* producer = this->Filter->GetInputAlgorithm(0, 0, port);
+  auto upstream = SDDP::SafeDownCast(producer->GetExecutive());
+  return upstream && upstream->Update(port);
 }
 
 }

@@ -36,12 +36,19 @@ public:
   // Which arrays were chosen for radii, ids and strengths; empty where none was.
   std::array<std::string, 3> DescribeArrays() const;
 
+  // True before a request for data only: then the pipeline hands over one block after the other, as
+  // if each were the input.
+  static bool IsComposite(vtkInformation* information);
+
   // Throws std::invalid_argument for data that are no particles, and for arrays that are missing or
   // unfit.
   ParticleFrame Read(vtkInformation* information) const;
 
-  // Brings the input up to date at a time, from outside of a request for data.
-  void Update(vtkInformation* information, double time) const;
+  // All of it, whatever piece of the skin is asked for.
+  static void AskForWhole(vtkInformation* information);
+
+  // Brings the input up to date at a time; false if it fails.
+  bool Update(vtkInformation* information, double time) const;
 
 private:
   bool IsArrayChosen(int index) const;

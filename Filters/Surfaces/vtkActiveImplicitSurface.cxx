@@ -159,7 +159,7 @@ int vtkActiveImplicitSurface::RequestData(
   }
   catch (const std::exception& error)
   {
-    this->Requests->GiveUp(request, output);
+    this->Requests->GiveUp(output);
     vtkErrorMacro(<< error.what());
     return 0;
   }

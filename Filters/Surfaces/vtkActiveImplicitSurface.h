@@ -271,8 +271,8 @@ public:
 
   ///@{
   /**
-   * Guard of the memory: a band of more active voxels is an error instead. One takes about 40
-   * bytes; a ball that fills a box of n^3 voxels has about 7 n^2.
+   * Guard of the memory: a band of more active voxels is an error instead. A ball of diameter d has
+   * about 20 * (d / VoxelSize)^2 of them. Does not restart the motion.
    * Range: >= 1. Default: 50000000.
    */
   vtkSetClampMacro(MaximumNumberOfActiveVoxels, vtkIdType, 1, VTK_ID_MAX);

@@ -19,6 +19,7 @@
  * Elements, from the input:
  * - segments: each piece of the lines and polylines of a vtkPolyData. Radius and strength run
  *   linearly between the two ends and are taken at the point of the segment that is closest to x.
+ *   Where they change, the gradient jumps across the planes through the ends.
  *   A piece that occurs twice counts once.
  * - points: every point that is the end of no segment, and every point of a vertex cell. Without
  *   lines, and in any other vtkPointSet, these are all points, whatever the cells.

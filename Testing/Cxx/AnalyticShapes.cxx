@@ -259,6 +259,9 @@ void ShapeTarget::Evaluate(
 
 void StartOn(NarrowBand& band, const Shape& shape)
 {
+  const double nodesAlongSide = 2.0 / band.GetVoxelSize();
+  band.SetMaximumNumberOfActiveVoxels(
+    static_cast<std::size_t>(100.0 * nodesAlongSide * nodesAlongSide));
   band.Start(0.0, Box, MakeInitialFunction(shape));
 }
 }

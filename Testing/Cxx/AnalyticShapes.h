@@ -104,7 +104,10 @@ constexpr double VoxelSizeOf(int n)
   return 2.0 / (n - 1);
 }
 
-/** Starts the surface on a shape within Box, at time 0. */
+/**
+ * Starts the surface on a shape within Box, at time 0. Sets a maximum of active voxels that no
+ * sound surface reaches: noise throws instead of filling the memory.
+ */
 void StartOn(NarrowBand& band, const Shape& shape);
 
 /** Centres that no symmetry of the lattice favours. */

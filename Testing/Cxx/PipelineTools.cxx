@@ -16,6 +16,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <sstream>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
@@ -138,8 +139,16 @@ Messages::Messages(vtkActiveImplicitSurface* filter)
 
 int Messages::Count(const std::vector<std::string>& messages, const std::string& words)
 {
-  return static_cast<int>(std::count_if(messages.begin(), messages.end(),
-    [&words](const std::string& message) { return message.find(words) != std::string::npos; }));
+  const auto count = std::count_if(messages.begin(), messages.end(),
+    [&words](const std::string& message) { return message.find(words) != std::string::npos; });
+  if (count != 1)
+  {
+    for (const std::string& message : messages)
+    {
+      std::printf("  said: %s\n", message.c_str());
+    }
+  }
+  return static_cast<int>(count);
 }
 
 std::string GetBytes(vtkActiveImplicitSurface* filter)

@@ -69,7 +69,7 @@ public:
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
 
-  /** Of the warnings, or errors, how many contain the words. */
+  /** Of the warnings, or errors, how many contain the words; prints all if not just one does. */
   static int Count(const std::vector<std::string>& messages, const std::string& words);
 };
 

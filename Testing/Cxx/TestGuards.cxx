@@ -112,9 +112,9 @@ void StartBeyondTheMaximumIsRefused(Check& check)
 {
   NarrowBand band(VoxelSizeOf(32));
   band.SetMaximumNumberOfActiveVoxels(1000);
-  check.Throws<std::runtime_error>([&] { StartOn(band, MakeBall(Origin, 0.6)); },
+  check.Throws<std::runtime_error>([&]
+    { band.Start(0.0, Box, MakeInitialFunction(MakeBall(Origin, 0.6))); },
     "MaximumNumberOfActiveVoxels", "7000 nodes are more than 1000");
-  band.SetMaximumNumberOfActiveVoxels(100000);
   StartOn(band, MakeBall(Origin, 0.6));
   CheckClosed(check, band, "started with a larger maximum");
 }

@@ -223,7 +223,7 @@ void TimesBeyondTheStepsAreTheFirstAndTheLast(Check& check)
 }
 
 // The first-order distance of vtkSphere, (r^2 - R^2) / 2r, gives r^2 = R^2 + (r0^2 - R^2) e^(-t).
-// Five substeps of .1, first order in time: .05 of the .07 gone, that is .06 h; the crossings of
+// Five substeps of .1 have .9^5 for e^(-.5): a radius that is .003 or .05 h less. Crossings of
 // chords are within h^2 / 8r, .02 h.
 void TimeScaleIsMotionTimePerPipelineTime(Check& check)
 {

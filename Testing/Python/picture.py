@@ -1,8 +1,8 @@
-"""Compares a picture of a skin with its baseline, by -V <baseline.png> -T <folder for what differs>.
+"""Compares a picture of a skin with its baseline: -V <baseline.png> -T <folder for differences>.
 
-The comparison overlooks smooth differences, so the skin is shown in flat, hard-edged bands of color,
-chosen by one component of its normals. To renew a baseline: look at the picture that the failed test
-leaves in the folder, and copy it over the baseline.
+The comparison overlooks smooth differences, so the skin is shown in flat, hard-edged bands of
+color, chosen by one component of its normals. To renew a baseline: look at the picture that the
+failed test leaves in the folder, and copy it over the baseline.
 """
 
 import sys
@@ -26,7 +26,7 @@ MAXIMUM_ERROR = 10.0  # in units of a pixel that differs outright; the picture h
 
 
 def same_as_baseline(skin, view, component):
-    """Whether the skin, seen from the direction `view`, looks like the baseline; its exit code."""
+    """0 if the skin, seen from the direction `view`, looks like the baseline, else 1."""
     window = _window_with(_banded_actor(skin, component), view)
     window.Render()
     testing = vtkTesting()

@@ -17,8 +17,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 DATA = Path(__file__).resolve().parents[1] / "Data"
 STEPS = 41
 VOXEL = 0.03
-PARTICLE_RADIUS = 0.16
-PARTICLE_THRESHOLD = 0.6
+PARTICLE_RADIUS = 0.17
+PARTICLE_THRESHOLD = 0.7
 
 
 def splash():
@@ -31,8 +31,7 @@ def splash():
     surface.SetVoxelSize(VOXEL)
     surface.SetParticleRadius(PARTICLE_RADIUS)
     surface.SetParticleThreshold(PARTICLE_THRESHOLD)
-    surface.SetAttraction(200)
-    surface.SetTargetReach(2 * VOXEL)
+    surface.SetAttraction(100)
     return particles, surface
 
 

@@ -1,0 +1,366 @@
+// Particles as the target: how they move between steps, what they are made of, and which of them
+// count.
+
+#include "Check.h"
+#include "PipelineTools.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSkeletonPotential.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <limits>
+
+using namespace activesurface;
+
+namespace
+{
+
+constexpr double VoxelSize = 0.05;
+
+vtkSmartPointer<ParticleSource> MakeSource(const ParticleSource::Cloud& cloud)
+{
+  auto source = vtkSmartPointer<ParticleSource>::New();
+  source->SetCloud(cloud);
+  source->SetSteps({ 0.0, 1.0, 2.0 });
+  return source;
+}
+
+std::string BytesOver(const ParticleSource::Cloud& cloud, double time)
+{
+  return GetBytesAt(MakeSkinOver(MakeSource(cloud)), time);
+}
+
+void UseNoIds(vtkActiveImplicitSurface* filter)
+{
+  filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
+}
+
+double GetCentre(vtkActiveImplicitSurface* filter)
+{
+  const auto bounds = GetSkinBounds(filter);
+  return 0.5 * (bounds[0] + bounds[1]);
+}
+
+// Three that move apart.
+std::vector<Particle> Three(double t)
+{
+  return { { -0.5 - 0.1 * t, 0.0, 0.0, 3 }, { 0.1 * t, 0.0, 0.0, 9 }, { 0.5, 0.1 * t, 0.0, -4 } };
+}
+
+vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<std::array<double, 3>>& positions)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const auto& position : positions)
+  {
+    points->InsertNextPoint(position.data());
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  return data;
+}
+
+template <class Array>
+void AddArray(vtkPointSet* points, const char* name, const std::vector<double>& values)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  for (const double value : values)
+  {
+    array->InsertNextTuple1(value);
+  }
+  points->GetPointData()->AddArray(array);
+}
+
+vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOverData(vtkPointSet* points)
+{
+  auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
+  filter->SetInputData(points);
+  filter->SetParticleRadius(0.3);
+  filter->SetVoxelSize(VoxelSize);
+  filter->SetModelBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
+  return filter;
+}
+
+}
+
+// A ball that moves with U lags behind by U / Attraction; .12 h is NUMERICS row 12.
+void SkinFollowsParticlesBetweenSteps(Check& check)
+{
+  auto filter = MakeSkinOver(MakeSource(MovingBall));
+  for (const double time : { 0.75, 1.0, 1.5, 2.0 })
+  {
+    filter->UpdateTimeStep(time);
+    const double lag = 0.2 / 10.0 * (1.0 - std::exp(-10.0 * time));
+    check.Near(
+      GetCentre(filter), 0.2 * time - lag, 0.12 * VoxelSize, "centre at " + std::to_string(time));
+  }
+}
+
+void ParticlesAreMatchedByTheirIds(Check& check)
+{
+  const auto shuffled = [](double t)
+  {
+    const std::vector<Particle> p = Three(t);
+    return t == 1.0 ? std::vector<Particle>{ p[2], p[0], p[1] } : p;
+  };
+  check.True(BytesOver(shuffled, 1.0) == BytesOver(Three, 1.0), "shuffled in the later step");
+
+  auto numbered = MakeSkinOver(MakeSource(shuffled));
+  UseNoIds(numbered);
+  check.True(GetBytesAt(numbered, 1.0) != BytesOver(Three, 1.0), "not so by number");
+  auto plain = MakeSkinOver(MakeSource(Three));
+  UseNoIds(plain);
+  check.True(GetBytesAt(plain, 1.0) == BytesOver(Three, 1.0), "by number if they are in order");
+}
+
+void ParticleThatIsMissingLaterStaysUntilThen(Check& check)
+{
+  const auto still = [](double) { return Three(0.0); };
+  const auto missing = [](double t)
+  {
+    const std::vector<Particle> p = Three(0.0);
+    return t == 1.0 ? std::vector<Particle>{ p[1], p[2] } : p;
+  };
+  check.True(BytesOver(missing, 0.6) == BytesOver(still, 0.6), "in between");
+  check.True(BytesOver(missing, 1.0) == BytesOver(still, 1.0), "until the step");
+  check.True(BytesOver(missing, 2.0) != BytesOver(still, 2.0), "not after it");
+}
+
+void NewParticleAppearsAtItsOwnStep(Check& check)
+{
+  const auto two = [](double)
+  {
+    const std::vector<Particle> p = Three(0.0);
+    return std::vector<Particle>{ p[0], p[1] };
+  };
+  // Near enough to an old one to pull its skin.
+  const auto born = [two](double t)
+  {
+    std::vector<Particle> p = two(t);
+    if (t >= 1.0)
+    {
+      p.push_back({ 0.15, 0.0, 0.0, 100 });
+    }
+    return p;
+  };
+  check.True(BytesOver(born, 1.0) == BytesOver(two, 1.0), "not before");
+  check.True(BytesOver(born, 1.5) != BytesOver(two, 1.5), "from then on");
+}
+
+void WithoutIdsOtherCountsHoldTheParticles(Check& check)
+{
+  const auto growing = [](double t)
+  {
+    std::vector<Particle> p = Three(t);
+    if (t == 1.0)
+    {
+      p.insert(p.begin(), { 0.8, 0.8, 0.8, 1 });
+    }
+    return p;
+  };
+  const auto still = [](double) { return Three(0.0); };
+  auto filter = MakeSkinOver(MakeSource(growing));
+  UseNoIds(filter);
+  check.True(GetBytesAt(filter, 1.0) == BytesOver(still, 1.0), "they stay");
+}
+
+void NoParticlesLaterMakeTheSkinVanish(Check& check)
+{
+  const auto leaving = [](double t)
+  { return t < 1.0 ? MovingBall(0.0) : std::vector<Particle>(); };
+  auto filter = MakeSkinOver(MakeSource(leaving));
+  Messages messages(filter);
+  filter->UpdateTimeStep(1.0);
+  check.Less(0, filter->GetOutput()->GetNumberOfPolys(), "triangles at the step without particles");
+  filter->UpdateTimeStep(2.0);
+  check.Equal(filter->GetOutput()->GetNumberOfPolys(), 0, "triangles after it");
+  check.True(filter->GetOutput()->GetPoints() != nullptr, "the output is valid");
+  filter->UpdateTimeStep(1.0);
+  filter->UpdateTimeStep(2.0);
+  check.Equal(Messages::Count(messages.Warnings, "has vanished"), 1, "warnings");
+  check.Equal(messages.Errors.size(), std::size_t(0), "errors");
+}
+
+// An isolated WYVILL ball has its surface at radius * sqrt(1 - cbrt(threshold / strength)); crossings
+// of chords are within h^2 / 8r, and of this potential's curvature as much: .1 h.
+void RadiusAndStrengthComeFromArrays(Check& check)
+{
+  vtkSmartPointer<vtkPolyData> points = MakePoints({ { -0.5, 0.0, 0.0 }, { 0.4, 0.0, 0.0 } });
+  AddArray<vtkFloatArray>(points, "size", { 0.4, 0.6 });
+  AddArray<vtkDoubleArray>(points, "weight", { 1.0, 2.0 });
+  auto filter = MakeSkinOverData(points);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "size");
+  filter->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weight");
+  filter->Update();
+  const auto bounds = GetSkinBounds(filter);
+  const double left = -0.5 - 0.4 * std::sqrt(1.0 - std::cbrt(0.5));
+  const double right = 0.4 + 0.6 * std::sqrt(1.0 - std::cbrt(0.25));
+  check.Near(bounds[0], left, 0.1 * VoxelSize, "radius .4, strength 1");
+  check.Near(bounds[1], right, 0.1 * VoxelSize, "radius .6, strength 2");
+
+  points->GetPointData()->SetActiveScalars("size");
+  filter->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
+  filter->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  filter->Update();
+  check.Near(GetSkinBounds(filter)[0], left, 0.1 * VoxelSize, "as the active scalars");
+}
+
+void ScalarsAloneAreNoRadii(Check& check)
+{
+  vtkSmartPointer<vtkPolyData> points = MakePoints({ { 0.0, 0.0, 0.0 } });
+  AddArray<vtkFloatArray>(points, "temperature", { 300.0 });
+  points->GetPointData()->SetActiveScalars("temperature");
+  auto filter = MakeSkinOverData(points);
+  filter->Update();
+  check.Near(GetSkinBounds(filter)[1], 0.3 * 0.4542, 0.1 * VoxelSize, "radius of the skin");
+}
+
+void KernelAndThresholdShapeTheSkin(Check& check)
+{
+  auto filter = MakeSkinOverData(MakePoints({ { 0.0, 0.0, 0.0 } }));
+  filter->SetParticleRadius(0.6);
+  const auto radius = [filter]
+  {
+    filter->Update();
+    return GetSkinBounds(filter)[1];
+  };
+  check.Near(radius(), 0.6 * 0.4542, 0.1 * VoxelSize, "WYVILL");
+  filter->SetParticleKernelToCubicSpline();
+  check.Near(radius(), 0.6 * 0.3611, 0.1 * VoxelSize, "CUBIC_SPLINE");
+  filter->SetParticleKernelToMetaball();
+  check.Near(radius(), 0.6 * 0.4226, 0.1 * VoxelSize, "METABALL");
+  filter->SetParticleKernelToWyvill();
+  filter->SetParticleThreshold(0.25);
+  check.Near(radius(), 0.6 * std::sqrt(1.0 - std::cbrt(0.25)), 0.1 * VoxelSize, "threshold");
+}
+
+// The same arithmetic, by two ways.
+void ParticlesActLikeASkeletonPotential(Check& check)
+{
+  vtkSmartPointer<vtkPolyData> points =
+    MakePoints({ { -0.2, 0.0, 0.0 }, { 0.2, 0.1, 0.0 }, { 0.0, -0.3, 0.2 } });
+  auto input = MakeSkinOverData(points);
+  auto function = MakeSkinOverData(points);
+  vtkNew<vtkSkeletonPotential> potential;
+  potential->SetInput(points);
+  potential->SetRadius(0.3);
+  function->RemoveAllInputs();
+  function->SetTargetFunction(potential);
+  check.True(GetBytesAt(input, 0.0) == GetBytesAt(function, 0.0), "at the start");
+  check.True(GetBytesAt(input, 1.0) == GetBytesAt(function, 1.0), "at the end");
+}
+
+// Neighbours on a lattice of distance .1, of which the boundary is no exception.
+void RadiusIsEstimatedFromTheSpacing(Check& check)
+{
+  std::vector<std::array<double, 3>> lattice;
+  for (int i = 0; i < 1000; ++i)
+  {
+    lattice.push_back({ 0.1 * (i % 10), 0.1 * (i / 10 % 10), 0.1 * (i / 100) });
+  }
+  lattice.push_back(lattice.front()); // a point twice is no neighbour
+  lattice.push_back({ 50.0, 0.0, 0.0 });
+  auto estimated = MakeSkinOverData(MakePoints(lattice));
+  estimated->SetParticleRadius(0.0);
+  Messages messages(estimated);
+  const std::string bytes = GetBytesAt(estimated, 0.1);
+  estimated->UpdateTimeStep(0.2);
+  estimated->UpdateTimeStep(0.1);
+  check.Equal(Messages::Count(messages.Warnings, "ParticleRadius is not set; 0.2 is used"), 1,
+    "warnings that say the value");
+  auto given = MakeSkinOverData(MakePoints(lattice));
+  given->SetParticleRadius(0.2);
+  // Not to the byte: the distances of the lattice are rounded.
+  check.Near(double(bytes.size()) / GetBytesAt(given, 0.1).size(), 1.0, 0.01, "as 0.2");
+}
+
+void PointsThatAreNotFiniteAreLeftOut(Check& check)
+{
+  const double bad = std::numeric_limits<double>::quiet_NaN();
+  const double far = std::numeric_limits<double>::infinity();
+  auto filter = MakeSkinOverData(
+    MakePoints({ { bad, 0.0, 0.0 }, { 0.1, 0.0, 0.0 }, { 0.0, far, 0.0 }, { -0.1, 0.0, 0.0 } }));
+  filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
+  Messages messages(filter);
+  const std::string bytes = GetBytesAt(filter, 0.3);
+  check.Equal(Messages::Count(messages.Warnings, "2 particles are left out"), 1, "warnings");
+  check.Equal(messages.Warnings.size(), std::size_t(1), "warnings in all");
+  auto good = MakeSkinOverData(MakePoints({ { 0.1, 0.0, 0.0 }, { -0.1, 0.0, 0.0 } }));
+  good->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
+  check.True(bytes == GetBytesAt(good, 0.3), "as without them");
+}
+
+void BoundsComeFromTheParticles(Check& check)
+{
+  auto filter = MakeSkinOverData(MakePoints({ { 100.0, 0.0, 0.0 }, { 100.2, 0.0, 0.0 } }));
+  filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
+  filter->SetVoxelSize(0.0);
+  filter->OutputPotentialOn();
+  filter->Update();
+  // The supports' box is .8 long, with a quarter more 1.
+  check.Near(filter->GetPotential()->GetSpacing()[0], 1.0 / 64.0, 1e-9, "voxel size");
+  check.Less(0, filter->GetOutput()->GetNumberOfPolys(), "triangles");
+}
+
+void AnyPointSetWillDo(Check& check)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkSmartPointer<vtkPolyData> points = MakePoints({ { 0.0, 0.0, 0.0 }, { 0.2, 0.0, 0.0 } });
+  grid->SetPoints(points->GetPoints());
+  const vtkIdType first = 0;
+  grid->InsertNextCell(VTK_VERTEX, 1, &first);
+  check.True(GetBytesAt(MakeSkinOverData(grid), 0.0) == GetBytesAt(MakeSkinOverData(points), 0.0),
+    "a vtkUnstructuredGrid with a vertex: all its points count");
+}
+
+// 41 steps of 992 particles at 25 per second; the reader calls them 0, 1, 2 ...
+void TheSplashIsReadOnceAndStaysClosed(Check& check)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(ACTIVE_TEST_DATA "/sph_drop.vtp");
+  vtkNew<vtkActiveImplicitSurface> filter;
+  filter->SetInputConnection(reader->GetOutputPort());
+  filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
+  filter->SetParticleRadius(0.2);
+  filter->SetVoxelSize(0.06);
+  filter->SetAttraction(50.0);
+  filter->SetTimeScale(1.0 / 25.0);
+  Messages messages(filter);
+  for (int step = 0; step < 41; step += 8)
+  {
+    filter->UpdateTimeStep(step);
+    vtkPolyData* skin = filter->GetOutput();
+    // A closed surface has 3 edges for 2 triangles, hence an even number of triangles.
+    check.Less(1000, skin->GetNumberOfPolys(), "triangles at step " + std::to_string(step));
+    check.Equal(skin->GetNumberOfPolys() % 2, 0, "odd number of triangles");
+  }
+  check.Equal(messages.Errors.size() + messages.Warnings.size(), std::size_t(0), "messages");
+}
+
+int main(int argc, char** argv)
+{
+  return RunFacts(argc, argv,
+    { { "SkinFollowsParticlesBetweenSteps", SkinFollowsParticlesBetweenSteps },
+      { "ParticlesAreMatchedByTheirIds", ParticlesAreMatchedByTheirIds },
+      { "ParticleThatIsMissingLaterStaysUntilThen", ParticleThatIsMissingLaterStaysUntilThen },
+      { "NewParticleAppearsAtItsOwnStep", NewParticleAppearsAtItsOwnStep },
+      { "WithoutIdsOtherCountsHoldTheParticles", WithoutIdsOtherCountsHoldTheParticles },
+      { "NoParticlesLaterMakeTheSkinVanish", NoParticlesLaterMakeTheSkinVanish },
+      { "RadiusAndStrengthComeFromArrays", RadiusAndStrengthComeFromArrays },
+      { "ScalarsAloneAreNoRadii", ScalarsAloneAreNoRadii },
+      { "KernelAndThresholdShapeTheSkin", KernelAndThresholdShapeTheSkin },
+      { "ParticlesActLikeASkeletonPotential", ParticlesActLikeASkeletonPotential },
+      { "RadiusIsEstimatedFromTheSpacing", RadiusIsEstimatedFromTheSpacing },
+      { "PointsThatAreNotFiniteAreLeftOut", PointsThatAreNotFiniteAreLeftOut },
+      { "BoundsComeFromTheParticles", BoundsComeFromTheParticles },
+      { "AnyPointSetWillDo", AnyPointSetWillDo },
+      { "TheSplashIsReadOnceAndStaysClosed", TheSplashIsReadOnceAndStaysClosed } });
+}
