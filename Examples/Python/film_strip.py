@@ -25,7 +25,7 @@ from vtkmodules.vtkRenderingCore import (
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkSSAOPass
 
 PAPER = (0.96, 0.96, 0.95)
-WATER = (0.34, 0.62, 0.82)
+WATER = (0.36, 0.66, 0.86)
 CLAY = (0.95, 0.66, 0.46)
 VIEW_ANGLE = 14.0
 FINENESS = 2  # a frame is rendered this many times larger, then averaged
@@ -33,7 +33,7 @@ FINENESS = 2  # a frame is rendered this many times larger, then averaged
 # Key, fill and rim, placed as the camera sees them: direction, color, intensity.
 LIGHTS = (
     ((-1.0, 1.4, 1.2), (1.00, 0.97, 0.92), 0.80),
-    ((1.3, 0.1, 0.8), (0.85, 0.92, 1.00), 0.38),
+    ((1.3, 0.1, 0.8), (0.85, 0.92, 1.00), 0.45),
     ((0.2, 1.0, -0.8), (1.00, 1.00, 1.00), 0.30),
 )
 
@@ -99,8 +99,8 @@ def _actor(mapper, color):
     actor.SetMapper(mapper)
     look = actor.GetProperty()
     look.SetColor(color)
-    look.SetAmbient(0.22)
-    look.SetDiffuse(0.78)
+    look.SetAmbient(0.32)
+    look.SetDiffuse(0.72)
     look.SetSpecular(0.35)
     look.SetSpecularPower(40)
     return actor

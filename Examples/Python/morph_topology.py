@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImplicitBoolean, vtkPolyData, vtkSphere
 from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 
-TIMES = (0.0, 0.3, 0.8, 1.8, 2.1)
+TIMES = (0.0, 0.3, 0.8, 1.8, 2.1, 3.0)
 
 folder = output_folder(__doc__)
 points = vtkPoints()

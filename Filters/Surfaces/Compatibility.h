@@ -12,7 +12,7 @@ namespace activesurface
 // Whether the user has asked a running algorithm to stop; to be called by the thread that runs it.
 inline bool IsAborted(vtkAlgorithm* algorithm)
 {
-#if VTK_VERSION_NUMBER_QUICK >= VTK_VERSION_CHECK(9, 2, 20220825)
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
   return algorithm->CheckAbort();
 #else
   return algorithm->GetAbortExecute() != 0;

@@ -26,8 +26,6 @@ namespace activesurface
 namespace
 {
 
-constexpr int EmptyExtent[6] = { 0, -1, 0, -1, 0, -1 };
-
 bool IsEmpty(const int extent[6])
 {
   return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
@@ -131,10 +129,11 @@ const SurfaceDomain* SurfaceRequests::FindDomain(vtkInformation* input, bool isW
 
 void SurfaceRequests::PublishExtent(vtkInformation* output, const SurfaceDomain* domain) const
 {
+  constexpr int empty[6] = { 0, -1, 0, -1, 0, -1 };
   int extent[6];
   if (!domain || !domain->GetExtent(extent))
   {
-    std::copy(EmptyExtent, EmptyExtent + 6, extent);
+    std::copy(empty, empty + 6, extent);
   }
   const double size = domain ? domain->VoxelSize : 1.0;
   output->Set(SDDP::WHOLE_EXTENT(), extent, 6);
@@ -262,7 +261,7 @@ void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector*
   // The extent may be known since now only.
   vtkInformation* out = output->GetInformationObject(PotentialPort);
   this->PublishExtent(out, this->Simulation.FindDomain());
-  int extent[6];
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
   out->Get(SDDP::UPDATE_EXTENT(), extent);
   if (IsEmpty(extent))
   {

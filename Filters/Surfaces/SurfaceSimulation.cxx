@@ -21,6 +21,9 @@ constexpr double DifferenceStep = 0.125;
 // overlap enough to be one body.
 constexpr double RadiusPerSpacing = 2.0;
 
+// A time that is so near a step, in units of the distance to the next one, is that step.
+constexpr double RoundingOfTimes = 1e-6;
+
 }
 
 void SurfaceSimulation::Configure(const SurfaceSettings& settings)
@@ -48,16 +51,11 @@ void SurfaceSimulation::Drop()
 
 void SurfaceSimulation::SetGoal(double pipelineTime)
 {
-  const std::vector<double>& steps = this->Settings.Steps;
-  if (steps.empty())
+  if (this->Settings.Steps.empty())
   {
     return;
   }
-  GoalTime goal;
-  goal.Time = std::min(std::max(pipelineTime, steps.front()), steps.back());
-  const auto after = std::upper_bound(steps.begin(), steps.end(), goal.Time);
-  goal.Step = std::max(0, static_cast<int>(after - steps.begin()) - 1);
-  goal.Between = goal.Time > steps[goal.Step];
+  const GoalTime goal = this->FindGoal(pipelineTime);
   if (goal.Step < this->Step)
   {
     this->Band.reset();
@@ -69,6 +67,32 @@ void SurfaceSimulation::SetGoal(double pipelineTime)
     this->FirstStep = this->Step;
   }
   this->Goal = goal;
+}
+
+SurfaceSimulation::GoalTime SurfaceSimulation::FindGoal(double pipelineTime) const
+{
+  const std::vector<double>& steps = this->Settings.Steps;
+  const double time = pipelineTime > steps.front() ? pipelineTime : steps.front();
+  const auto after = std::upper_bound(steps.begin(), steps.end(), time);
+  GoalTime goal;
+  goal.Step = std::max(0, static_cast<int>(after - steps.begin()) - 1);
+  goal.Time = steps[goal.Step];
+  if (after == steps.end())
+  {
+    return goal;
+  }
+  const double tolerance = RoundingOfTimes * (*after - goal.Time);
+  if (*after - time <= tolerance)
+  {
+    ++goal.Step;
+    goal.Time = *after;
+  }
+  else if (time - goal.Time > tolerance)
+  {
+    goal.Time = time;
+    goal.Between = true;
+  }
+  return goal;
 }
 
 bool SurfaceSimulation::HasParticlesFrom(int step) const

@@ -52,8 +52,9 @@ public:
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
 
-  // The pipeline time to go to; before the first step is the first, after the last the last one. A
-  // time before the step that the surface is at takes it back to the start.
+  // The pipeline time to go to; before the first step is the first, after the last the last one, and
+  // a millionth of their distance from a step is that step. A time before the step that the surface
+  // is at takes it back to the start.
   void SetGoal(double pipelineTime);
   double GetGoalTime() const { return this->Goal.Time; }
 
@@ -89,6 +90,7 @@ private:
     bool Between = false; // after that step
   };
 
+  GoalTime FindGoal(double pipelineTime) const;
   bool UsesParticles() const { return !this->Settings.TargetFunction; }
   bool HasParticlesFrom(int step) const;
   bool BranchIsAtGoal() const;

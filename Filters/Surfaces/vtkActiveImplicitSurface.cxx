@@ -35,7 +35,11 @@ vtkActiveImplicitSurface::~vtkActiveImplicitSurface() = default;
 
 void vtkActiveImplicitSurface::SetTargetFunction(vtkImplicitFunction* function)
 {
-  vtkSetSmartPointerBodyMacro(TargetFunction, vtkImplicitFunction, function);
+  if (this->TargetFunction != function)
+  {
+    this->TargetFunction = function;
+    this->Modified();
+  }
 }
 
 vtkImplicitFunction* vtkActiveImplicitSurface::GetTargetFunction()
@@ -45,7 +49,11 @@ vtkImplicitFunction* vtkActiveImplicitSurface::GetTargetFunction()
 
 void vtkActiveImplicitSurface::SetInitialFunction(vtkImplicitFunction* function)
 {
-  vtkSetSmartPointerBodyMacro(InitialFunction, vtkImplicitFunction, function);
+  if (this->InitialFunction != function)
+  {
+    this->InitialFunction = function;
+    this->Modified();
+  }
 }
 
 vtkImplicitFunction* vtkActiveImplicitSurface::GetInitialFunction()

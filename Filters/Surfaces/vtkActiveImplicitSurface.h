@@ -30,8 +30,8 @@
  * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them. A
  * request for a later one continues from the state that is held, and the input is asked once for
  * each step in between; the same time again costs nothing; an earlier one starts anew. A time
- * between two steps branches off the earlier one. A time before the first step or after the last is
- * that step. So the result depends on the time and the properties only, bit by bit: not on the order
+ * between two steps branches off the earlier one. A time before the first step or after the last, or
+ * that differs by rounding from a step, is that step. So the result depends on the time and the properties only, bit by bit: not on the order
  * of requests, nor on the number of threads. The state is made anew when the target, the initial
  * shape or a property that shapes the motion changes.
  *

@@ -1,4 +1,4 @@
-"""The tube on its way to a box, half a unit of time on, looks as it did.
+"""The tube on its way to a box, half-way, looks as it did.
 
 Run: python3 test_picture_morph_same_topology.py -V <baseline.png> -T <folder>
 """
@@ -9,5 +9,5 @@ from picture import same_as_baseline
 from scenes import tube_to_box
 
 surface = tube_to_box()
-surface.UpdateTimeStep(0.5)
+surface.UpdateTimeStep(0.3)
 sys.exit(same_as_baseline(surface.GetOutput(), view=(0.45, 0.45, 1.0), component=1))

@@ -1,4 +1,4 @@
-"""The star on its way to two balls, when it parts, looks as it did.
+"""The star on its way to two balls, drawn out to a thread, looks as it did.
 
 Run: python3 test_picture_morph_topology.py -V <baseline.png> -T <folder>
 """
@@ -9,5 +9,5 @@ from picture import same_as_baseline
 from scenes import star_to_balls
 
 surface = star_to_balls()
-surface.UpdateTimeStep(0.5)
+surface.UpdateTimeStep(1.5)
 sys.exit(same_as_baseline(surface.GetOutput(), view=(0.45, 0.45, 1.0), component=1))

@@ -1,0 +1,377 @@
+"""vtkActiveImplicitSurface as a Python user has it: defaults, time, garbage, and what is let go.
+
+Run: python3 test_filter.py
+"""
+
+import gc
+import math
+import unittest
+import weakref
+
+from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotential
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkIntArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkSphere
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+UNSET_BOUNDS = (1.0, -1.0, 1.0, -1.0, 1.0, -1.0)
+DEFAULTS = {
+    "TargetFunction": None,
+    "InitialFunction": None,
+    "TargetIsoValue": 0.0,
+    "InvertTarget": 0,
+    "NormalizeTarget": 1,
+    "TargetReach": 0.0,
+    "VoxelSize": 0.0,
+    "ModelBounds": UNSET_BOUNDS,
+    "Attraction": 1.0,
+    "Tension": 0.0,
+    "CFL": 1.0,
+    "StartTime": 0.0,
+    "TimeStepSize": 0.1,
+    "NumberOfTimeSteps": 11,
+    "TimeScale": 1.0,
+    "ParticleRadius": 0.0,
+    "ParticleKernel": 0,  # vtkSkeletonPotential.WYVILL
+    "ParticleThreshold": 0.5,
+    "ComputeNormals": 1,
+    "OutputPotential": 0,
+    "MaximumNumberOfActiveVoxels": 50000000,
+    "NumberOfThreads": 0,
+}
+# What a property becomes when it is set to something out of its range that can be mended.
+CLAMPED = [
+    ("VoxelSize", -1.0, 0.0),
+    ("TargetReach", -1.0, 0.0),
+    ("Attraction", -1.0, 0.0),
+    ("Tension", -1.0, 0.0),
+    ("ParticleRadius", -1.0, 0.0),
+    ("ParticleKernel", 7, vtkSkeletonPotential.METABALL),
+    ("NumberOfTimeSteps", 0, 1),
+    ("NumberOfThreads", -3, 0),
+    ("MaximumNumberOfActiveVoxels", 0, 1),
+]
+# What cannot be mended, and what is said of it.
+REFUSED = [
+    ("VoxelSize", math.nan),
+    ("TargetReach", math.nan),
+    ("TargetIsoValue", math.inf),
+    ("ModelBounds", (0, 1, 2, -2, 0, 1)),
+    ("ModelBounds", (0, 1, 0, math.inf, 0, 1)),
+    ("ModelBounds", (0, 0, 0, 0, 0, 0)),
+    ("Attraction", math.nan),
+    ("Tension", math.nan),
+    ("CFL", 0.0),
+    ("CFL", math.nan),
+    ("TimeStepSize", 0.0),
+    ("TimeStepSize", math.nan),
+    ("StartTime", -math.inf),
+    ("TimeScale", 0.0),
+    ("ParticleRadius", math.nan),
+    ("ParticleThreshold", math.inf),
+]
+
+
+def make_points(positions):
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    for position in positions:
+        points.InsertNextPoint(position)
+    data = vtkPolyData()
+    data.SetPoints(points)
+    return data
+
+
+def make_ball(radius):
+    ball = vtkSphere()
+    ball.SetRadius(radius)
+    return ball
+
+
+def make_shrinking_ball():
+    surface = vtkActiveImplicitSurface()
+    surface.SetInitialFunction(make_ball(0.6))
+    surface.SetTargetFunction(make_ball(0.4))
+    surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
+    surface.SetVoxelSize(0.0625)
+    return surface
+
+
+class Travellers(VTKPythonAlgorithmBase):
+    """Two particles that go apart, in steps; it notes for which times it is executed."""
+
+    def __init__(self, steps):
+        super().__init__(nInputPorts=0, outputType="vtkPolyData")
+        self.steps = steps
+        self.speed = 0.1
+        self.executions = []
+
+    def RequestInformation(self, request, inputs, outputs):
+        information = outputs.GetInformationObject(0)
+        information.Set(Pipeline.TIME_STEPS(), self.steps, len(self.steps))
+        information.Set(Pipeline.TIME_RANGE(), [self.steps[0], self.steps[-1]], 2)
+        return 1
+
+    def RequestData(self, request, inputs, outputs):
+        time = outputs.GetInformationObject(0).Get(Pipeline.UPDATE_TIME_STEP())
+        self.executions.append(time)
+        way = 0.1 + self.speed * time
+        data = make_points([(-way, 0, 0), (way, 0, 0)])
+        ids = vtkIntArray()
+        ids.SetName("id")
+        ids.InsertNextValue(5)
+        ids.InsertNextValue(3)
+        data.GetPointData().AddArray(ids)
+        output = vtkPolyData.GetData(outputs, 0)
+        output.ShallowCopy(data)
+        output.GetInformation().Set(output.DATA_TIME_STEP(), time)
+        return 1
+
+
+def make_skin_over(source):
+    surface = vtkActiveImplicitSurface()
+    surface.SetInputConnection(source.GetOutputPort())
+    surface.SetInputArrayToProcess(1, 0, 0, 0, "id")
+    surface.SetParticleRadius(0.3)
+    surface.SetVoxelSize(0.05)
+    surface.SetAttraction(10)
+    return surface
+
+
+class Listener:
+    """What a filter says from now on."""
+
+    def __init__(self, surface):
+        self.errors = []
+        self.warnings = []
+
+        @calldata_type(VTK_STRING)
+        def on_error(caller, event, text):
+            self.errors.append(text)
+
+        @calldata_type(VTK_STRING)
+        def on_warning(caller, event, text):
+            self.warnings.append(text)
+
+        surface.AddObserver("ErrorEvent", on_error)
+        surface.AddObserver("WarningEvent", on_warning)
+        # What the pipeline adds to an error is not of interest, but would be printed.
+        surface.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
+
+
+class Properties(unittest.TestCase):
+    def test_defaults(self):
+        surface = vtkActiveImplicitSurface()
+        for name, default in DEFAULTS.items():
+            with self.subTest(name):
+                self.assertEqual(getattr(surface, "Get" + name)(), default)
+
+    def test_what_is_set_is_got(self):
+        surface = vtkActiveImplicitSurface()
+        for name, default in DEFAULTS.items():
+            if isinstance(default, (int, float)):
+                with self.subTest(name):
+                    value = 1 if default == 0 else default / 2 if default <= 1 else 2
+                    getattr(surface, "Set" + name)(type(default)(value))
+                    self.assertEqual(getattr(surface, "Get" + name)(), type(default)(value))
+
+    def test_what_can_be_mended_is(self):
+        surface = vtkActiveImplicitSurface()
+        for name, value, mended in CLAMPED:
+            with self.subTest(name):
+                getattr(surface, "Set" + name)(value)
+                self.assertEqual(getattr(surface, "Get" + name)(), mended)
+
+    def test_what_cannot_be_mended_is_an_error_that_names_it(self):
+        for name, value in REFUSED:
+            with self.subTest(name, value=value):
+                surface = make_shrinking_ball()
+                getattr(surface, "Set" + name)(value)
+                listener = Listener(surface)
+                surface.UpdateTimeStep(0.3)
+                self.assertEqual(len(listener.errors), 1)
+                self.assertIn(name, listener.errors[0])
+                self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_wrong_types_are_type_errors(self):
+        surface = vtkActiveImplicitSurface()
+        for wrong in ("ball", 3, vtkPolyData()):
+            with self.assertRaises(TypeError):
+                surface.SetTargetFunction(wrong)
+        with self.assertRaises(TypeError):
+            surface.SetVoxelSize("small")
+        with self.assertRaises(TypeError):
+            surface.SetModelBounds(0, 1)
+
+    def test_printing_names_every_property(self):
+        text = str(vtkActiveImplicitSurface())
+        for name in DEFAULTS:
+            with self.subTest(name):
+                self.assertIn(name + ":", text)
+
+
+class Time(unittest.TestCase):
+    def test_a_loop_over_the_steps_asks_for_each_once(self):
+        source = Travellers([0.0, 1.0, 2.0, 3.0])
+        surface = make_skin_over(source)
+        surface.UpdateInformation()
+        steps = surface.GetOutputInformation(0).Get(Pipeline.TIME_STEPS())
+        self.assertEqual(list(steps), [0.0, 1.0, 2.0, 3.0])
+        lengths = []
+        for step in steps:
+            surface.UpdateTimeStep(step)
+            lengths.append(surface.GetOutput().GetLength())
+        self.assertEqual(source.executions, [0.0, 1.0, 2.0, 3.0])
+        self.assertEqual(lengths, sorted(set(lengths)))
+
+    def test_an_earlier_time_gives_the_same_again(self):
+        surface = make_skin_over(Travellers([0.0, 1.0, 2.0]))
+        surface.UpdateTimeStep(0.5)
+        length = surface.GetOutput().GetLength()
+        surface.UpdateTimeStep(2.0)
+        self.assertNotEqual(surface.GetOutput().GetLength(), length)
+        surface.UpdateTimeStep(0.5)
+        self.assertEqual(surface.GetOutput().GetLength(), length)
+
+    def test_a_change_of_the_source_starts_anew(self):
+        source = Travellers([0.0, 1.0, 2.0])
+        surface = make_skin_over(source)
+        surface.UpdateTimeStep(2.0)
+        source.speed = 0.05
+        source.Modified()
+        surface.UpdateTimeStep(2.0)
+        self.assertEqual(source.executions, [0.0, 1.0, 2.0] * 2)
+
+    def test_counters_tell_what_a_step_costs(self):
+        surface = make_shrinking_ball()
+        surface.UpdateTimeStep(0.1)
+        self.assertGreater(surface.GetTargetEvaluations(), 0)
+        self.assertGreater(surface.GetSubsteps(), 0)
+        surface.ResetCounters()
+        self.assertEqual(surface.GetTargetEvaluations(), 0)
+        surface.ComputeNormalsOff()
+        surface.UpdateTimeStep(0.1)
+        self.assertEqual(surface.GetSubsteps(), 0)
+
+
+class Outputs(unittest.TestCase):
+    def test_skin_and_potential(self):
+        surface = make_shrinking_ball()
+        surface.OutputPotentialOn()
+        surface.Update()
+        skin = surface.GetOutput()
+        self.assertIsInstance(skin, vtkPolyData)
+        self.assertEqual(skin.GetPointData().GetNormals().GetName(), "Normals")
+        self.assertEqual(skin.GetNumberOfCells(), skin.GetNumberOfPolys())
+        potential = surface.GetPotential()
+        self.assertIsInstance(potential, vtkImageData)
+        self.assertEqual(potential.GetPointData().GetScalars().GetName(), "Potential")
+
+    def test_without_normals(self):
+        surface = make_shrinking_ball()
+        surface.ComputeNormalsOff()
+        surface.Update()
+        self.assertIsNone(surface.GetOutput().GetPointData().GetNormals())
+
+
+class Garbage(unittest.TestCase):
+    def assert_says(self, surface, words):
+        listener = Listener(surface)
+        surface.Update()
+        self.assertEqual(len(listener.errors), 1)
+        self.assertIn(words, listener.errors[0])
+        self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_nothing_at_all(self):
+        self.assert_says(vtkActiveImplicitSurface(), "There is no target")
+
+    def test_two_targets(self):
+        surface = make_shrinking_ball()
+        surface.SetInputData(make_points([(0, 0, 0)]))
+        self.assert_says(surface, "There are two targets")
+
+    def test_a_mesh(self):
+        mesh = vtkSphereSource()
+        surface = vtkActiveImplicitSurface()
+        surface.SetInputConnection(mesh.GetOutputPort())
+        self.assert_says(surface, "cannot be a target yet")
+
+    def test_a_function_without_bounds(self):
+        surface = vtkActiveImplicitSurface()
+        surface.SetTargetFunction(make_ball(0.5))
+        self.assert_says(surface, "set ModelBounds")
+
+    def test_an_array_that_is_not_there(self):
+        surface = vtkActiveImplicitSurface()
+        surface.SetInputData(make_points([(0, 0, 0), (0.1, 0, 0)]))
+        surface.SetInputArrayToProcess(0, 0, 0, 0, "radii")
+        self.assert_says(surface, 'array "radii"')
+
+    def test_no_points(self):
+        for data in (vtkPolyData(), make_points([])):
+            surface = vtkActiveImplicitSurface()
+            surface.SetInputData(data)
+            listener = Listener(surface)
+            surface.UpdateTimeStep(0.5)
+            self.assertEqual(listener.errors, [])
+            self.assertEqual(len(listener.warnings), 1)
+            self.assertIn("There are no particles", listener.warnings[0])
+
+    def test_points_that_are_no_numbers(self):
+        surface = vtkActiveImplicitSurface()
+        surface.SetInputData(make_points([(math.nan, 0, 0)] * 3))
+        listener = Listener(surface)
+        surface.Update()
+        self.assertEqual(listener.errors, [])
+        self.assertIn("3 particles are left out", listener.warnings[0])
+        self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_points_at_the_end_of_the_world(self):
+        surface = vtkActiveImplicitSurface()
+        surface.SetInputData(make_points([(1e30, 0, 0), (0, 0, 0)]))
+        surface.SetParticleRadius(1)
+        surface.SetVoxelSize(0.1)
+        self.assert_says(surface, "VoxelSize")
+
+
+class Lifetime(unittest.TestCase):
+    def test_everything_is_let_go(self):
+        ball = make_ball(0.5)
+        count = ball.GetReferenceCount()
+        surface = make_shrinking_ball()
+        surface.SetTargetFunction(ball)
+        surface.Update()
+        self.assertGreater(ball.GetReferenceCount(), count)
+        reference = weakref.ref(surface)
+        del surface
+        gc.collect()
+        self.assertIsNone(reference())
+        self.assertEqual(ball.GetReferenceCount(), count)
+
+    def test_the_skin_outlives_the_filter(self):
+        surface = make_shrinking_ball()
+        surface.Update()
+        skin = surface.GetOutput()
+        count = skin.GetNumberOfPolys()
+        del surface
+        gc.collect()
+        self.assertGreater(count, 0)
+        self.assertEqual(skin.GetNumberOfPolys(), count)
+
+    def test_the_same_data_may_change(self):
+        data = make_points([(0, 0, 0), (0.2, 0, 0)])
+        surface = vtkActiveImplicitSurface()
+        surface.SetInputData(data)
+        surface.SetParticleRadius(0.3)
+        surface.Update()
+        length = surface.GetOutput().GetLength()
+        data.GetPoints().SetPoint(1, 0.3, 0, 0)
+        data.GetPoints().Modified()
+        surface.Update()
+        self.assertGreater(surface.GetOutput().GetLength(), length)
+
+
+if __name__ == "__main__":
+    unittest.main()
