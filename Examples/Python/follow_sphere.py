@@ -3,11 +3,9 @@
 Run: python3 follow_sphere.py
 """
 
+import film_strip
 from active_implicit_surfaces import vtkActiveImplicitSurface
-from film_strip import output_folder, skin_actor, write_film_strip
 from vtkmodules.vtkCommonDataModel import vtkSphere
-
-folder = output_folder(__doc__)
 
 small, large = vtkSphere(), vtkSphere()
 small.SetRadius(0.3)
@@ -21,9 +19,10 @@ for time in (0.0, 0.2, 0.4, 0.6, 0.8):
     surface.UpdateTimeStep(time)
     print(f"at {time} its height is {2 * surface.GetOutput().GetBounds()[3]:.3f}")
 
+folder = film_strip.output_folder(__doc__)
 frames = []
 for time in (0.0, 0.2, 0.4, 0.6, 0.8):  # going back starts anew, with the same result
     surface.UpdateTimeStep(time)
-    frames.append([skin_actor(surface.GetOutput())])
-write_film_strip(folder / "follow_sphere.png", frames, floor=-0.95)
+    frames.append([film_strip.skin_actor(surface.GetOutput())])
+film_strip.write_film_strip(folder / "follow_sphere.png", frames, floor=-0.95)
 print(f"wrote {folder / 'follow_sphere.png'}")

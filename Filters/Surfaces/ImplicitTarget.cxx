@@ -194,8 +194,7 @@ void ImplicitTarget::Sample(
 {
   if (this->Root->Skeleton)
   {
-    this->Root->Skeleton->EvaluateBatch(
-      static_cast<vtkIdType>(count), points, values, gradients);
+    this->Root->Skeleton->EvaluateBatch(static_cast<vtkIdType>(count), points, values, gradients);
     return;
   }
   for (std::size_t i = 0; i < count; ++i)

@@ -66,8 +66,8 @@ std::vector<std::size_t> SortByIds(const std::vector<std::int64_t>& ids)
 {
   std::vector<std::size_t> order(ids.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-    [&ids](std::size_t a, std::size_t b) { return ids[a] < ids[b]; });
+  std::stable_sort(
+    order.begin(), order.end(), [&ids](std::size_t a, std::size_t b) { return ids[a] < ids[b]; });
   return order;
 }
 
@@ -158,8 +158,7 @@ double ParticleFrame::GetSpacing() const
     for (vtkIdType k = 0; k < nearest->GetNumberOfIds(); ++k)
     {
       const double* other = this->Particles[nearest->GetId(k)].Position;
-      distance = std::max(
-        distance, std::hypot(x[0] - other[0], x[1] - other[1], x[2] - other[2]));
+      distance = std::max(distance, std::hypot(x[0] - other[0], x[1] - other[1], x[2] - other[2]));
     }
     if (distance > 0.0)
     {
@@ -238,8 +237,7 @@ void ParticleFrames::Match()
   this->Matched = true;
 }
 
-void ParticleFrames::Interpolate(
-  int step, double fraction, std::vector<SkeletonVertex>& particles)
+void ParticleFrames::Interpolate(int step, double fraction, std::vector<SkeletonVertex>& particles)
 {
   particles = this->Get(step).Particles;
   if (fraction == 0.0 || this->Earlier.Step != step || this->Later.Step != step + 1)

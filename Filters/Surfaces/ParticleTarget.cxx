@@ -5,8 +5,8 @@
 namespace activesurface
 {
 
-ParticleTarget::ParticleTarget(ParticleFrames& frames, SkeletonKernel kernel, double threshold,
-  const TargetOptions& options)
+ParticleTarget::ParticleTarget(
+  ParticleFrames& frames, SkeletonKernel kernel, double threshold, const TargetOptions& options)
   : PotentialTarget(options)
   , Frames(frames)
   , Kernel(kernel)

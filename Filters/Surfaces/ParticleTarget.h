@@ -19,8 +19,8 @@ class ParticleTarget : public PotentialTarget
 {
 public:
   // The frames are the caller's, and have to hold what MoveAlong asks for.
-  ParticleTarget(ParticleFrames& frames, SkeletonKernel kernel, double threshold,
-    const TargetOptions& options);
+  ParticleTarget(
+    ParticleFrames& frames, SkeletonKernel kernel, double threshold, const TargetOptions& options);
 
   // From now on the particles go from this step to the next between two motion times, where they
   // begin at once. Without a next step, or if end = begin, they stay.

@@ -59,8 +59,7 @@ void PotentialTarget::Evaluate(
   }
 }
 
-void PotentialTarget::EvaluateLevel(
-  std::size_t count, const double* points, double* values) const
+void PotentialTarget::EvaluateLevel(std::size_t count, const double* points, double* values) const
 {
   this->Sample(count, points, values, nullptr);
   std::transform(

@@ -163,8 +163,8 @@ void SurfaceRequests::AskInput(
 {
   vtkInformation* out = output->GetInformationObject(AskedPort(request));
   this->Simulation.Configure(this->GatherSettings());
-  this->Simulation.SetGoal(out->Has(SDDP::UPDATE_TIME_STEP()) ? out->Get(SDDP::UPDATE_TIME_STEP())
-                                                              : this->Steps.front());
+  this->Simulation.SetGoal(
+    out->Has(SDDP::UPDATE_TIME_STEP()) ? out->Get(SDDP::UPDATE_TIME_STEP()) : this->Steps.front());
   if (!input)
   {
     return;
@@ -213,7 +213,8 @@ SurfaceSimulation::Outcome SurfaceRequests::Advance(vtkInformation* input)
   {
     this->Simulation.AddParticles(this->AskedStep, this->Input.Read(input));
   }
-  const auto report = [this](double fraction) {
+  const auto report = [this](double fraction)
+  {
     this->Filter->UpdateProgress(fraction);
     return !IsAborted(this->Filter);
   };
@@ -223,8 +224,8 @@ SurfaceSimulation::Outcome SurfaceRequests::Advance(vtkInformation* input)
     const int step = this->Simulation.GetStepWanted();
     if (!this->Input.Update(input, this->Steps[step]))
     {
-      throw std::runtime_error("The input has failed to make its time step " +
-        std::to_string(this->Steps[step]) + ".");
+      throw std::runtime_error(
+        "The input has failed to make its time step " + std::to_string(this->Steps[step]) + ".");
     }
     this->Simulation.AddParticles(step, this->Input.Read(input));
     outcome = this->Simulation.Advance(report);

@@ -63,7 +63,7 @@ private:
   bool InputMoves = false;
 
   std::uint64_t CompositeStamp = 0; // of the last input that was a composite data set
-  int AskedStep = 0; // of the input, as usual
+  int AskedStep = 0;                // of the input, as usual
 };
 
 }

@@ -50,10 +50,11 @@ void CheckBounds(const std::array<double, 6>& bounds)
 void CheckSteps(const std::vector<double>& steps)
 {
   const auto ascends = [](double a, double b) { return !(a < b); };
-  Require(!steps.empty() && std::all_of(steps.begin(), steps.end(),
-                              [](double time) { return std::isfinite(time); }) &&
+  Require(!steps.empty() &&
+      std::all_of(steps.begin(), steps.end(), [](double time) { return std::isfinite(time); }) &&
       std::adjacent_find(steps.begin(), steps.end(), ascends) == steps.end(),
-    "The time steps have to be finite and ascending; check StartTime and TimeStepSize (which has to "
+    "The time steps have to be finite and ascending; check StartTime and TimeStepSize (which has "
+    "to "
     "be > 0, and not lost in rounding beside StartTime) or the time steps of the input.");
 }
 
@@ -78,7 +79,8 @@ SurfaceDomain MakeDomainOf(const SurfaceSettings& settings, const double bounds[
 
 bool SurfaceSettings::operator==(const SurfaceSettings& other) const
 {
-  const auto all = [](const SurfaceSettings& s) {
+  const auto all = [](const SurfaceSettings& s)
+  {
     return std::tie(s.TargetFunction, s.ParticlesMove, s.TargetStamp, s.Particles.Radius,
       s.Particles.Threshold, s.Particles.Kernel, s.Particles.Arrays, s.IsoValue, s.Invert,
       s.Normalize, s.Reach, s.InitialFunction, s.InitialStamp, s.VoxelSize, s.BoundsGiven, s.Bounds,
@@ -99,7 +101,8 @@ void SurfaceSettings::Check() const
   Require(IsZeroOrPositive(this->Reach),
     "TargetReach has to be a finite number > 0, or 0 for an eighth of the bounds' diagonal.");
   Require(std::isfinite(this->IsoValue), "TargetIsoValue has to be a finite number.");
-  Require(IsZeroOrPositive(this->Strategy.Attraction), "Attraction has to be a finite number >= 0.");
+  Require(
+    IsZeroOrPositive(this->Strategy.Attraction), "Attraction has to be a finite number >= 0.");
   Require(IsZeroOrPositive(this->Strategy.Tension),
     "Tension has to be a finite number >= 0: a negative one would be unstable.");
   Require(IsPositive(this->Strategy.CFL) && this->Strategy.CFL <= 1.0, "CFL has to be in (0, 1].");

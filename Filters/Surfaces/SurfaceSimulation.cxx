@@ -152,8 +152,9 @@ void SurfaceSimulation::GiveRadii(ParticleFrame& frame)
     this->EstimatedRadius = RadiusPerSpacing * frame.GetSpacing();
     if (this->EstimatedRadius == 0.0)
     {
-      throw std::invalid_argument("The particles' radius cannot be estimated, as no two of them are "
-                                  "apart; set ParticleRadius or choose a radius array.");
+      throw std::invalid_argument(
+        "The particles' radius cannot be estimated, as no two of them are "
+        "apart; set ParticleRadius or choose a radius array.");
     }
     std::ostringstream text;
     text << "ParticleRadius is not set; " << this->EstimatedRadius << " is used, "
@@ -248,9 +249,8 @@ ProgressFunction SurfaceSimulation::GetPartOf(const ProgressFunction& progress) 
 {
   const double parts = this->Goal.Step - this->FirstStep + (this->Goal.Between ? 1 : 0);
   const double done = this->Step - this->FirstStep;
-  return [progress, parts, done](double fraction) {
-    return !progress || progress(std::min((done + fraction) / std::max(parts, 1.0), 1.0));
-  };
+  return [progress, parts, done](double fraction)
+  { return !progress || progress(std::min((done + fraction) / std::max(parts, 1.0), 1.0)); };
 }
 
 bool SurfaceSimulation::Start(const ProgressFunction& progress)
@@ -276,8 +276,9 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
   this->Step = 0;
   if (this->Band->IsEmpty())
   {
-    this->Warn("empty", "The initial shape has no surface within the bounds, so there is no skin; "
-                        "check ModelBounds, TargetIsoValue and whether VoxelSize is small enough.");
+    this->Warn("empty",
+      "The initial shape has no surface within the bounds, so there is no skin; "
+      "check ModelBounds, TargetIsoValue and whether VoxelSize is small enough.");
   }
   return true;
 }
@@ -311,9 +312,8 @@ bool SurfaceSimulation::StartBand(const SurfaceDomain& domain, const ProgressFun
   const PotentialTarget* shape = initial ? initial.get() : this->Attractor.get();
   InitialFunction function;
   function.ThreadSafe = shape->IsThreadSafe();
-  function.Evaluate = [shape](std::size_t count, const double* points, double* values) {
-    shape->EvaluateLevel(count, points, values);
-  };
+  function.Evaluate = [shape](std::size_t count, const double* points, double* values)
+  { shape->EvaluateLevel(count, points, values); };
   this->Band = std::make_unique<NarrowBand>(domain.VoxelSize);
   this->Band->SetNumberOfThreads(this->Threads);
   this->Band->SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);
@@ -336,13 +336,11 @@ bool SurfaceSimulation::AdvanceBranch(const ProgressFunction& progress)
 {
   this->Branch = this->Band->Clone();
   this->BranchTime = this->Goal.Time;
-  return this->AdvanceBand(
-    *this->Branch, this->Settings.GetMotionTime(this->Goal.Time), progress);
+  return this->AdvanceBand(*this->Branch, this->Settings.GetMotionTime(this->Goal.Time), progress);
 }
 
 // From the step to a motion time that is not after the next one.
-bool SurfaceSimulation::AdvanceBand(
-  NarrowBand& band, double time, const ProgressFunction& progress)
+bool SurfaceSimulation::AdvanceBand(NarrowBand& band, double time, const ProgressFunction& progress)
 {
   if (band.IsEmpty())
   {
@@ -351,8 +349,8 @@ bool SurfaceSimulation::AdvanceBand(
   if (this->MovingAttractor && this->Settings.ParticlesMove)
   {
     const double* steps = this->Settings.Steps.data() + this->Step;
-    this->MovingAttractor->MoveAlong(this->Step, this->Settings.GetMotionTime(steps[0]),
-      this->Settings.GetMotionTime(steps[1]));
+    this->MovingAttractor->MoveAlong(
+      this->Step, this->Settings.GetMotionTime(steps[0]), this->Settings.GetMotionTime(steps[1]));
   }
   band.SetNumberOfThreads(this->Threads);
   band.SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);

@@ -52,9 +52,9 @@ public:
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
 
-  // The pipeline time to go to; before the first step is the first, after the last the last one, and
-  // a millionth of their distance from a step is that step. A time before the step that the surface
-  // is at takes it back to the start.
+  // The pipeline time to go to; before the first step is the first, after the last the last one,
+  // and a millionth of their distance from a step is that step. A time before the step that the
+  // surface is at takes it back to the start.
   void SetGoal(double pipelineTime);
   double GetGoalTime() const { return this->Goal.Time; }
 
@@ -123,8 +123,8 @@ private:
   int FirstStep = -1; // where the way to the goal began, for the progress
   std::unique_ptr<PotentialTarget> Attractor;
   ParticleTarget* MovingAttractor = nullptr; // the same, if particles
-  std::unique_ptr<NarrowBand> Band; // at the step
-  int Step = -1;                    // -1: not started
+  std::unique_ptr<NarrowBand> Band;          // at the step
+  int Step = -1;                             // -1: not started
   std::unique_ptr<NarrowBand> Branch;
   double BranchTime = 0.0; // pipeline time
 

@@ -97,8 +97,7 @@ std::vector<double> TargetInput::GetTimeSteps(vtkInformation* information)
 
 bool TargetInput::IsContinuous(vtkInformation* information)
 {
-  if (!information || information->Has(SDDP::TIME_STEPS()) ||
-    !information->Has(SDDP::TIME_RANGE()))
+  if (!information || information->Has(SDDP::TIME_STEPS()) || !information->Has(SDDP::TIME_RANGE()))
   {
     return false;
   }
@@ -173,8 +172,9 @@ vtkAbstractArray* TargetInput::FindArray(int index, vtkPointSet* points) const
     association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
   if (!array || !isOfPoints)
   {
-    throw std::invalid_argument("The input has no point array as chosen by SetInputArrayToProcess(" +
-      std::to_string(index) + ", ...): " + this->DescribeArrays()[index] + ".");
+    throw std::invalid_argument(
+      "The input has no point array as chosen by SetInputArrayToProcess(" + std::to_string(index) +
+      ", ...): " + this->DescribeArrays()[index] + ".");
   }
   return array;
 }

@@ -7,33 +7,35 @@
  *
  *   V = Attraction * (TargetIsoValue - F) - Tension * kappa
  *
- * where F is the target, or the distance to it (NormalizeTarget), and kappa the sum of the principal
- * curvatures. It splits and merges by itself. See M. Desbrun, M.-P. Cani-Gascuel, Active Implicit
- * Surface for Animation, Graphics Interface 1998.
+ * where F is the target, or the distance to it (NormalizeTarget), and kappa the sum of the
+ * principal curvatures. It splits and merges by itself. See M. Desbrun, M.-P. Cani-Gascuel, Active
+ * Implicit Surface for Animation, Graphics Interface 1998.
  *
  * Input, port 0 (optional): the target as particles, a vtkPointSet without cells or with vertices
  * (all its points count), with or without time steps; they act like a vtkSkeletonPotential of
- * points. Or the target is TargetFunction. SetInputArrayToProcess(0, ...) chooses an array of radii,
- * (1, ...) of ids, (2, ...) of strengths; without them ParticleRadius, the point numbers and 1 hold.
- * Particles go in straight lines from one time step to the next, matched by ids, or by number if
- * both steps have equally many. One that is missing in the next step stays as it is until then; one
- * that is new appears at its own step. No particles at all is no target: the skin vanishes.
+ * points. Or the target is TargetFunction. SetInputArrayToProcess(0, ...) chooses an array of
+ * radii, (1, ...) of ids, (2, ...) of strengths; without them ParticleRadius, the point numbers and
+ * 1 hold. Particles go in straight lines from one time step to the next, matched by ids, or by
+ * number if both steps have equally many. One that is missing in the next step stays as it is until
+ * then; one that is new appears at its own step. No particles at all is no target: the skin
+ * vanishes.
  *
  * Output, port 0: the skin, a vtkPolyData of triangles, closed, outward, with Normals. Port 1: the
  * potential as a vtkImageData with the scalars "Potential", a signed distance [length], negative
- * inside, clamped to +-3 voxels. Its extent covers ModelBounds, in lattice nodes; what is outside is
- * cropped from the image, never from the skin. Without ModelBounds it covers the first target,
+ * inside, clamped to +-3 voxels. Its extent covers ModelBounds, in lattice nodes; what is outside
+ * is cropped from the image, never from the skin. Without ModelBounds it covers the first target,
  * enlarged by a quarter: this is known beforehand if port 1 is connected (the input then is updated
  * for the first time step when information is asked for), else after the first update.
  *
  * Time: the time steps of the input are passed on. If it has fewer than two (TargetFunction, static
- * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them. A
- * request for a later one continues from the state that is held, and the input is asked once for
+ * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them.
+ * A request for a later one continues from the state that is held, and the input is asked once for
  * each step in between; the same time again costs nothing; an earlier one starts anew. A time
- * between two steps branches off the earlier one. A time before the first step or after the last, or
- * that differs by rounding from a step, is that step. So the result depends on the time and the properties only, bit by bit: not on the order
- * of requests, nor on the number of threads. The state is made anew when the target, the initial
- * shape or a property that shapes the motion changes.
+ * between two steps branches off the earlier one. A time before the first step or after the last,
+ * or that differs by rounding from a step, is that step. So the result depends on the time and the
+ * properties only, bit by bit: not on the order of requests, nor on the number of threads. The
+ * state is made anew when the target, the initial shape or a property that shapes the motion
+ * changes.
  *
  * A vanished skin is legal: empty output and one warning. What cannot be done is one error with a
  * sentence that says why, empty outputs, and a new start at the next update.
@@ -67,10 +69,10 @@ public:
   ///@{
   /**
    * What the skin is attracted by, negative inside: any implicit function, instead of an input.
-   * Functions of VTK that only read themselves (vtkSphere, vtkBox, vtkPlane, vtkPlanes, vtkCylinder,
-   * vtkCone, vtkQuadric, vtkSuperquadric, vtkSkeletonPotential; vtkImplicitBoolean of such), without
-   * a transform, are evaluated by all threads, others by one. Changing it starts the skin anew.
-   * Default: none.
+   * Functions of VTK that only read themselves (vtkSphere, vtkBox, vtkPlane, vtkPlanes,
+   * vtkCylinder, vtkCone, vtkQuadric, vtkSuperquadric, vtkSkeletonPotential; vtkImplicitBoolean of
+   * such), without a transform, are evaluated by all threads, others by one. Changing it starts the
+   * skin anew. Default: none.
    */
   virtual void SetTargetFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetTargetFunction();
@@ -106,10 +108,10 @@ public:
 
   ///@{
   /**
-   * Whether the distance (F - TargetIsoValue) / |grad F|, clamped to +-TargetReach, attracts instead
-   * of F - TargetIsoValue itself. Attraction then is a rate whatever the scale of the target, and
-   * where the target is flat the skin goes at a constant speed. Off: the speed is as uneven as F,
-   * and steep targets cost many small substeps. Default: on.
+   * Whether the distance (F - TargetIsoValue) / |grad F|, clamped to +-TargetReach, attracts
+   * instead of F - TargetIsoValue itself. Attraction then is a rate whatever the scale of the
+   * target, and where the target is flat the skin goes at a constant speed. Off: the speed is as
+   * uneven as F, and steep targets cost many small substeps. Default: on.
    */
   vtkSetMacro(NormalizeTarget, vtkTypeBool);
   vtkGetMacro(NormalizeTarget, vtkTypeBool);
@@ -128,8 +130,8 @@ public:
 
   ///@{
   /**
-   * Distance of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are at
-   * its multiples. Halving it takes 4 times the memory, 8 (with Tension 16) times the time.
+   * Distance of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
+   * at its multiples. Halving it takes 4 times the memory, 8 (with Tension 16) times the time.
    * Range: >= 0; 0 is a 64th of the longest side of the bounds. Default: 0.
    */
   vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
@@ -163,8 +165,8 @@ public:
   /**
    * Weight of surface tension [length^2/time]: adds -Tension * (sum of the principal curvatures) to
    * the speed. It smooths, and shrinks what the target does not hold: a ball under tension alone
-   * has radius sqrt(r0^2 - 4 * Tension * t). Substeps are 4 * Tension * time / VoxelSize^2 at least.
-   * Range: >= 0. Default: 0, no smoothing.
+   * has radius sqrt(r0^2 - 4 * Tension * t). Substeps are 4 * Tension * time / VoxelSize^2 at
+   * least. Range: >= 0. Default: 0, no smoothing.
    */
   vtkSetClampMacro(Tension, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);

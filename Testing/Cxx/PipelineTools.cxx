@@ -1,5 +1,6 @@
 #include "PipelineTools.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
@@ -151,6 +152,15 @@ int Messages::Count(const std::vector<std::string>& messages, const std::string&
   return static_cast<int>(count);
 }
 
+void CountExecutions(vtkAlgorithm* algorithm, int& executions)
+{
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  counter->SetClientData(&executions);
+  algorithm->AddObserver(vtkCommand::StartEvent, counter);
+}
+
 std::string GetBytes(vtkActiveImplicitSurface* filter)
 {
   vtkPolyData* skin = filter->GetOutput();
@@ -211,6 +221,14 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOver(ParticleSource* source)
 std::vector<Particle> MovingBall(double time)
 {
   return { { 0.2 * time, 0.0, 0.0, 7 } };
+}
+
+vtkSmartPointer<ParticleSource> MakeMovingBall()
+{
+  auto source = vtkSmartPointer<ParticleSource>::New();
+  source->SetCloud(MovingBall);
+  source->SetSteps({ 0.0, 1.0, 2.0, 3.0, 4.0 });
+  return source;
 }
 
 }

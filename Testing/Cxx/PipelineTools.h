@@ -73,6 +73,9 @@ public:
   static int Count(const std::vector<std::string>& messages, const std::string& words);
 };
 
+/** Adds one for each execution of an algorithm from now on. */
+void CountExecutions(vtkAlgorithm* algorithm, int& executions);
+
 /** The points, triangles and normals of the skin, byte by byte. */
 std::string GetBytes(vtkActiveImplicitSurface* filter);
 
@@ -85,11 +88,15 @@ std::array<double, 6> GetSkinBounds(vtkActiveImplicitSurface* filter);
 /** A ball of radius .6 that goes towards one of radius .4, in 11 steps of .1. */
 vtkSmartPointer<vtkActiveImplicitSurface> MakeShrinkingBall();
 
-/** A skin over particles of radius .3, with voxels of .05 in the box +-1 and an Attraction of 10. */
+/** A skin over particles of radius .3, with voxels of .05 in the box +-1 and an Attraction of 10.
+ */
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOver(ParticleSource* source);
 
 /** One ball that goes along x from 0, .2 for each unit of time. */
 std::vector<Particle> MovingBall(double time);
+
+/** The moving ball at the time steps 0 to 4. */
+vtkSmartPointer<ParticleSource> MakeMovingBall();
 
 }
 

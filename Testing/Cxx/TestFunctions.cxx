@@ -76,7 +76,8 @@ void BooleansHaveTheGradientOfTheTermThatDecides(Check& check)
 {
   auto ball = MakeBall(0.0, 0.4);
   const std::string alone = BytesTowards(ball);
-  const auto combine = [ball](int operation, vtkImplicitFunction* first, vtkImplicitFunction* second)
+  const auto combine = [ball](
+                         int operation, vtkImplicitFunction* first, vtkImplicitFunction* second)
   {
     vtkNew<vtkImplicitBoolean> boolean;
     boolean->SetOperationType(operation);
@@ -167,7 +168,8 @@ void InsideMayBeAboveTheIsoValue(Check& check)
   plain->SetInitialFunction(nullptr);
   plain->UpdateTimeStep(0.0);
   // Chords are within h^2 / 8r.
-  check.Near(GetSkinBounds(plain)[1], std::sqrt(0.125), 0.03 * VoxelSize, "radius at the iso value");
+  check.Near(
+    GetSkinBounds(plain)[1], std::sqrt(0.125), 0.03 * VoxelSize, "radius at the iso value");
 }
 
 // Beyond the reach the speed is Attraction * TargetReach: uniform, so exact but for chords, .13 h
@@ -255,7 +257,8 @@ void FunctionsAreLetGo(Check& check)
 int main(int argc, char** argv)
 {
   return RunFacts(argc, argv,
-    { { "BooleansHaveTheGradientOfTheTermThatDecides", BooleansHaveTheGradientOfTheTermThatDecides },
+    { { "BooleansHaveTheGradientOfTheTermThatDecides",
+        BooleansHaveTheGradientOfTheTermThatDecides },
       { "BooleansMayBeNested", BooleansMayBeNested },
       { "FunctionsWithoutGradientGetOne", FunctionsWithoutGradientGetOne },
       { "SumsAndTransformsWork", SumsAndTransformsWork },

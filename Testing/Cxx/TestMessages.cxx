@@ -249,7 +249,8 @@ void InputThatFailsIsAnError(Check& check)
   auto filter = MakeSkinOver(source);
   Messages messages(filter);
   filter->UpdateTimeStep(3.0);
-  check.Equal(Messages::Count(messages.Errors, "input has failed to make its time step 2"), 1, "errors");
+  check.Equal(
+    Messages::Count(messages.Errors, "input has failed to make its time step 2"), 1, "errors");
   check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0, "points");
   source->SetFailingExecution(-1);
   source->Modified();
@@ -315,8 +316,7 @@ void NoSurfaceWithinTheBoundsIsAWarning(Check& check)
 int main(int argc, char** argv)
 {
   return RunFacts(argc, argv,
-    { { "NoTargetIsAnError", NoTargetIsAnError },
-      { "TwoTargetsAreAnError", TwoTargetsAreAnError },
+    { { "NoTargetIsAnError", NoTargetIsAnError }, { "TwoTargetsAreAnError", TwoTargetsAreAnError },
       { "UnknownBoundsAreAnError", UnknownBoundsAreAnError },
       { "NumbersThatCannotBeAreErrors", NumbersThatCannotBeAreErrors },
       { "TooManyVoxelsAreAnError", TooManyVoxelsAreAnError },

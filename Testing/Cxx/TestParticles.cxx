@@ -173,8 +173,7 @@ void WithoutIdsOtherCountsHoldTheParticles(Check& check)
 
 void NoParticlesLaterMakeTheSkinVanish(Check& check)
 {
-  const auto leaving = [](double t)
-  { return t < 1.0 ? MovingBall(0.0) : std::vector<Particle>(); };
+  const auto leaving = [](double t) { return t < 1.0 ? MovingBall(0.0) : std::vector<Particle>(); };
   auto filter = MakeSkinOver(MakeSource(leaving));
   Messages messages(filter);
   filter->UpdateTimeStep(1.0);
@@ -188,8 +187,8 @@ void NoParticlesLaterMakeTheSkinVanish(Check& check)
   check.Equal(messages.Errors.size(), std::size_t(0), "errors");
 }
 
-// An isolated WYVILL ball has its surface at radius * sqrt(1 - cbrt(threshold / strength)); crossings
-// of chords are within h^2 / 8r, and of this potential's curvature as much: .1 h.
+// An isolated WYVILL ball has its surface at radius * sqrt(1 - cbrt(threshold / strength));
+// crossings of chords are within h^2 / 8r, and of this potential's curvature as much: .1 h.
 void RadiusAndStrengthComeFromArrays(Check& check)
 {
   vtkSmartPointer<vtkPolyData> points = MakePoints({ { -0.5, 0.0, 0.0 }, { 0.4, 0.0, 0.0 } });
@@ -334,6 +333,8 @@ void TheSplashIsReadOnceAndStaysClosed(Check& check)
   filter->SetAttraction(50.0);
   filter->SetTimeScale(1.0 / 25.0);
   Messages messages(filter);
+  int executions = 0;
+  CountExecutions(reader, executions);
   for (int step = 0; step < 41; step += 8)
   {
     filter->UpdateTimeStep(step);
@@ -342,6 +343,7 @@ void TheSplashIsReadOnceAndStaysClosed(Check& check)
     check.Less(1000, skin->GetNumberOfPolys(), "triangles at step " + std::to_string(step));
     check.Equal(skin->GetNumberOfPolys() % 2, 0, "odd number of triangles");
   }
+  check.Equal(executions, 41, "executions of the reader");
   check.Equal(messages.Errors.size() + messages.Warnings.size(), std::size_t(0), "messages");
 }
 

@@ -40,14 +40,6 @@ double GetTime(vtkDataObject* data)
   return data->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
 }
 
-vtkSmartPointer<ParticleSource> MakeMovingBall()
-{
-  auto source = vtkSmartPointer<ParticleSource>::New();
-  source->SetCloud(MovingBall);
-  source->SetSteps({ 0.0, 1.0, 2.0 });
-  return source;
-}
-
 }
 
 // The potential starts as vtkSphere's first-order distance (r^2 - R^2) / 2r; divided by its slope,
@@ -93,7 +85,8 @@ void ExtentCoversTheBoundsInLatticeNodes(Check& check)
   check.Equal(image->GetOrigin()[2], 0.0, "origin");
   filter->SetVoxelSize(0.125);
   filter->Update();
-  check.Equal(Text(filter->GetPotential()->GetExtent()), "-6 6 -8 8 0 16 ", "extent, after a change");
+  check.Equal(
+    Text(filter->GetPotential()->GetExtent()), "-6 6 -8 8 0 16 ", "extent, after a change");
 }
 
 void ImageIsMadeOnlyIfWanted(Check& check)
@@ -147,7 +140,8 @@ void PartOfTheExtentIsACrop(Check& check)
     for (int x = extent[0]; x <= extent[1]; ++x)
     {
       same = same &&
-        image->GetScalarComponentAsFloat(x, 5, z, 0) == whole->GetScalarComponentAsFloat(x, 5, z, 0);
+        image->GetScalarComponentAsFloat(x, 5, z, 0) ==
+          whole->GetScalarComponentAsFloat(x, 5, z, 0);
     }
   }
   check.True(same, "the values are those of the whole");
@@ -201,7 +195,8 @@ void ExtentOverParticlesIsKnownAfterTheFirstUpdate(Check& check)
   auto image = MakeSkinOver(MakeMovingBall());
   image->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
   image->Update(1);
-  check.Equal(Text(image->GetPotential()->GetExtent()), "-8 8 -8 8 -8 8 ", "extent, asked for first");
+  check.Equal(
+    Text(image->GetPotential()->GetExtent()), "-8 8 -8 8 -8 8 ", "extent, asked for first");
 }
 
 void VanishedSkinsAreOutsideEverywhere(Check& check)

@@ -4,12 +4,11 @@ import math
 import re
 import unittest
 
+from active_implicit_surfaces import vtkSkeletonPotential
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkContourFilter
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
-
-from active_implicit_surfaces import vtkSkeletonPotential
 
 NUMBERS = ["Radius", "Threshold"]
 PROPERTIES = [*NUMBERS, "Input", "RadiusArrayName", "StrengthArrayName", "Kernel"]
