@@ -246,6 +246,11 @@ void SurfaceRequests::Make(
     this->GiveUp(output);
     return;
   }
+  // Some algorithms modify themselves while they execute, which is no reason to start anew.
+  if (input)
+  {
+    this->Simulation.SetTargetStamp(this->Input.GetStamp());
+  }
   this->FillOutputs(request, output);
 }
 

@@ -52,6 +52,9 @@ public:
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
 
+  // What makes the particles has changed its stamp, but not them.
+  void SetTargetStamp(std::uint64_t stamp) { this->Settings.TargetStamp = stamp; }
+
   // The pipeline time to go to; before the first step is the first, after the last the last one,
   // and a millionth of their distance from a step is that step. A time before the step that the
   // surface is at takes it back to the start.

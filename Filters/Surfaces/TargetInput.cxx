@@ -81,7 +81,12 @@ std::uint64_t TargetInput::GetStamp() const
   auto upstream = this->IsConnected()
     ? vtkDemandDrivenPipeline::SafeDownCast(this->Filter->GetInputExecutive(0, 0))
     : nullptr;
-  return upstream ? upstream->GetPipelineMTime() : 0;
+  if (!upstream)
+  {
+    return 0;
+  }
+  upstream->UpdatePipelineMTime();
+  return upstream->GetPipelineMTime();
 }
 
 std::vector<double> TargetInput::GetTimeSteps(vtkInformation* information)

@@ -85,6 +85,10 @@ int ParticleSource::RequestData(
   vtkInformation* out = output->GetInformationObject(0);
   const double time = out->Has(SDDP::UPDATE_TIME_STEP()) ? out->Get(SDDP::UPDATE_TIME_STEP()) : 0.0;
   this->Executions.push_back(time);
+  if (this->Restless)
+  {
+    this->Modified();
+  }
   if (this->FailingExecution >= 0 && this->FailingExecution < int(this->Executions.size()))
   {
     return 0;

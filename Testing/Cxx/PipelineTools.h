@@ -42,6 +42,8 @@ public:
   void SetContinuous(bool continuous);
   /** RequestData fails from that execution on, counted from 0. */
   void SetFailingExecution(int execution) { this->FailingExecution = execution; }
+  /** It modifies itself when it executes, as it should not. */
+  void SetRestless(bool restless) { this->Restless = restless; }
 
   /** The times it was executed for, in order. */
   std::vector<double> Executions;
@@ -58,6 +60,7 @@ private:
   std::vector<double> Steps;
   bool Continuous = false;
   int FailingExecution = -1;
+  bool Restless = false;
 };
 
 /** All that the filter, and its executive, say from now on. */

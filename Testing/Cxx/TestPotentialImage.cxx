@@ -102,7 +102,7 @@ void ImageIsMadeOnlyIfWanted(Check& check)
   other->OutputPotentialOn();
   other->UpdateTimeStep(0.3);
   check.Equal(other->GetPotential()->GetNumberOfPoints(), 33 * 33 * 33, "nodes by OutputPotential");
-  check.Equal(GetTime(other->GetPotential()), 0.3, "DATA_TIME_STEP");
+  check.Equal(GetTime(other->GetPotential()), 0.1 * 3, "DATA_TIME_STEP");
 }
 
 void EachPortHasItsOwnTime(Check& check)

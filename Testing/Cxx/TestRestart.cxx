@@ -100,6 +100,16 @@ void ChangesUpstreamRestart(Check& check)
   check.True(GetBytes(filter) == GetBytesAt(MakeSkinOver(direct), 3.0), "the same bytes");
 }
 
+void InputsThatModifyThemselvesDoNotRestart(Check& check)
+{
+  auto source = MakeMovingBall();
+  source->SetRestless(true);
+  auto filter = MakeSkinOver(source);
+  filter->UpdateTimeStep(2.0);
+  filter->UpdateTimeStep(3.0);
+  check.Equal(source->GetExecutions(), "0 1 2 3 ", "times asked for");
+}
+
 // Another consumer of the input takes it to another time; the steps that are held stay valid.
 void OtherConsumersOfTheInputDoNotMatter(Check& check)
 {
@@ -142,6 +152,7 @@ int main(int argc, char** argv)
       { "WhatDoesNotShapeTheMotionDoesNotRestartIt", WhatDoesNotShapeTheMotionDoesNotRestartIt },
       { "ThreadsDoNotChangeTheBytes", ThreadsDoNotChangeTheBytes },
       { "ChangesUpstreamRestart", ChangesUpstreamRestart },
+      { "InputsThatModifyThemselvesDoNotRestart", InputsThatModifyThemselvesDoNotRestart },
       { "OtherConsumersOfTheInputDoNotMatter", OtherConsumersOfTheInputDoNotMatter },
       { "StaticDataThatChangeRestart", StaticDataThatChangeRestart } });
 }
