@@ -77,13 +77,18 @@ Box LatticeBox(double voxelSize, const double bounds[6])
   throw std::runtime_error(text.str());
 }
 
-/** A ball that fills a box of n^3 voxels needs about 7 n^2 active ones: refused before sampling. */
+/** A ball that fills a box of n^3 voxels needs about 7 n^2 active ones: refused before sampling,
+ * which would visit all n^3. */
 void CheckSize(const Box& box, std::size_t maximum)
 {
   const double x = box.Size(0), y = box.Size(1), z = box.Size(2);
   if (7.0 / 3.0 * (x * y + y * z + z * x) > static_cast<double>(maximum))
   {
-    RefuseSize(maximum);
+    std::ostringstream text;
+    text << "The bounds hold " << x << " x " << y << " x " << z << " voxels; a shape that fills "
+         << "them would need more than MaximumNumberOfActiveVoxels = " << maximum
+         << " active voxels. Enlarge VoxelSize, shrink ModelBounds or raise the maximum.";
+    throw std::runtime_error(text.str());
   }
 }
 

@@ -50,9 +50,6 @@ struct InitialFunction
 class VTKACTIVENARROWBAND_EXPORT NarrowBand
 {
 public:
-  /** Active layers on either side of layer 0, and ghost layers around them. */
-  static constexpr int BandLayers = 2;
-  static constexpr int RingLayers = 2;
   /** Value beyond the rings, in voxels; only its sign means anything. */
   static constexpr float Far = 1000.f;
 
@@ -69,8 +66,9 @@ public:
   void SetNumberOfThreads(int threads);
 
   /**
-   * Guard: Start and Advance throw std::runtime_error when the band would hold more active nodes
-   * than this. The potential then is that of the last finished substep.
+   * Guard: Start throws std::runtime_error, and leaves an empty surface, when the band would hold
+   * more active nodes than this, or the bounds so many voxels that a shape which fills them would.
+   * Advance throws after the substep in which the band has grown beyond it.
    */
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum);
 

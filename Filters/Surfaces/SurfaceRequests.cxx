@@ -113,9 +113,9 @@ const SurfaceDomain* SurfaceRequests::FindDomain(vtkInformation* input, bool isW
   {
     this->Simulation.Configure(this->GatherSettings());
     const SurfaceDomain* domain = this->Simulation.FindDomain();
-    if (!domain && isWanted && input && !this->Filter->GetTargetFunction())
+    if (!domain && isWanted && input && !this->Filter->GetTargetFunction() &&
+      this->Input.Update(input, this->Steps.front()))
     {
-      this->Input.Update(input, this->Steps.front());
       this->Simulation.AddParticles(0, this->Input.Read(input));
       domain = this->Simulation.FindDomain();
     }

@@ -4,11 +4,15 @@
 #include "Check.h"
 #include "SurfaceMeasures.h"
 
+#include <tbb/global_control.h>
+
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 
 using namespace activesurface;
@@ -279,9 +283,12 @@ public:
     this->Crowded = this->Crowded || !alone;
     this->Points += count;
     this->ShapeTarget::Evaluate(count, points, values, slopes);
+    std::this_thread::sleep_for(this->Delay);
     --this->Inside;
   }
 
+  /** Time in which another thread may come. */
+  std::chrono::milliseconds Delay{ 0 };
   mutable std::atomic<std::size_t> Points = 0;
   mutable std::atomic<int> Inside = 0;
   mutable std::atomic<bool> Crowded = false;
@@ -310,13 +317,18 @@ void EachSamplePointIsEvaluatedOncePerSubstep(Check& check)
 
 void TargetThatIsNotThreadSafeIsAskedByOneThread(Check& check)
 {
-  NarrowBand band(VoxelSizeOf(64));
-  band.SetNumberOfThreads(2);
-  StartOn(band, MakeBall(CentreA, 0.5));
-  WatchingTarget target(MakeBall(CentreA, 0.6), false);
-  band.Advance(1.0, Motion(), target);
-  check.True(target.Points > 0, "the target was asked");
-  check.True(!target.Crowded, "never by two threads at once");
+  const tbb::global_control twoThreads(tbb::global_control::max_allowed_parallelism, 2);
+  for (const bool threadSafe : { false, true })
+  {
+    NarrowBand band(VoxelSizeOf(64));
+    band.SetNumberOfThreads(2);
+    StartOn(band, MakeBall(CentreA, 0.5));
+    WatchingTarget target(MakeBall(CentreA, 0.6), threadSafe);
+    target.Delay = std::chrono::milliseconds(2);
+    band.Advance(0.1, Motion(), target);
+    check.True(target.Points > 0, "the target was asked");
+    check.True(target.Crowded == threadSafe, "by two threads at once if it may be");
+  }
 }
 }
 

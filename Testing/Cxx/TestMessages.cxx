@@ -140,8 +140,12 @@ void GrowingBeyondTheMaximumIsAnError(Check& check)
   Works(check, filter, "at first");
   Refuses(check, filter, "MaximumNumberOfActiveVoxels", 1.0);
   filter->SetMaximumNumberOfActiveVoxels(60000);
-  filter->UpdateTimeStep(1.0);
+  const std::string bytes = GetBytesAt(filter, 1.0);
   check.Less(0.7, GetSkinBounds(filter)[1], "radius when it may");
+  auto direct = MakeShrinkingBall();
+  direct->SetTargetFunction(large);
+  direct->SetModelBounds(-0.65, 0.65, -0.65, 0.65, -0.65, 0.65);
+  check.True(bytes == GetBytesAt(direct, 1.0), "the same bytes as without an error");
 }
 
 void MeshesAndLinesAreNoTargetYet(Check& check)

@@ -18,11 +18,12 @@ Shape MakeTwoBalls()
 }
 
 // Twelve time constants after the start: e^-12 of the way is left, .0001 h.
-void CheckTopology(Check& check, const Shape& start, const Shape& end, const Topology& expected)
+void CheckTopology(
+  Check& check, const Shape& start, const Shape& end, const Topology& expected, int n = 40)
 {
   for (const double tension : { 0.0, 0.005 })
   {
-    NarrowBand band(VoxelSizeOf(40));
+    NarrowBand band(VoxelSizeOf(n));
     StartOn(band, start);
     ShapeTarget target(end);
     Motion motion;
@@ -92,10 +93,15 @@ void BallApartFromItsTargetVanishes(Check& check)
   CheckTopology(check, start, MakeBall({ 0.5, 0.0, 0.0 }, 0.25), { 0, 0, 0 });
 }
 
+// Under tension it is a near thing at n = 40: the lens that both balls share is .1 thick, two
+// voxels, and with CFL .6 or less it vanishes first. From n = 48 on the time step does not decide.
 void SmallOverlapIsEnoughToArrive(Check& check)
 {
   const Shape start = MakeBall({ -0.2, 0.0, 0.0 }, 0.3);
-  CheckTopology(check, start, MakeBall({ 0.3, 0.0, 0.0 }, 0.3), { 1, 0, 2 });
+  for (const int n : { 40, 64 })
+  {
+    CheckTopology(check, start, MakeBall({ 0.3, 0.0, 0.0 }, 0.3), { 1, 0, 2 }, n);
+  }
 }
 }
 
