@@ -77,8 +77,9 @@ Box LatticeBox(double voxelSize, const double bounds[6])
   throw std::runtime_error(text.str());
 }
 
-/** A ball that fills a box of n^3 voxels needs about 7 n^2 active ones: refused before sampling,
- * which would visit all n^3. */
+/** A ball of .6 of the diameter of a box of n^3 voxels needs about 7 n^2 active ones, one that
+ * fills it 20 n^2: a box for 7 n^2 too many is refused before sampling, which would visit all n^3.
+ */
 void CheckSize(const Box& box, std::size_t maximum)
 {
   const double x = box.Size(0), y = box.Size(1), z = box.Size(2);

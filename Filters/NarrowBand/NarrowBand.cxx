@@ -55,7 +55,6 @@ struct NarrowBand::State
 void NarrowBand::State::MakeEmpty()
 {
   this->Potential = openvdb::FloatGrid::create(NarrowBand::Far);
-  this->Potential->setTransform(openvdb::math::Transform::createLinearTransform(this->VoxelSize));
   this->Leaves.Rebuild(this->Potential->tree());
   this->Crossings = 0;
 }

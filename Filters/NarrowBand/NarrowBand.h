@@ -11,13 +11,14 @@
  * scale.
  *
  * STORAGE: an openvdb::FloatGrid holding u = phi / VoxelSize. Node (i,j,k) is at world position
- * (i,j,k) * VoxelSize, so lattices of the same VoxelSize coincide in all runs. Layer 0 are the
- * corners of the voxels that the surface crosses, layer m the 6-neighbours of layer m - 1. Layers
- * 0..2 are active in the grid; layers 3 and 4 are ghosts, inactive values in the same leaves,
- * extrapolated from inside after every substep (a ring node all of whose stencil lies in the
- * layers, at a medial axis, is a "pocket" and active too). Everything else is + or - Far, of which
- * only the sign means anything. Inside the layers u keeps its own slope (about .5 to 1.5); where a
- * distance is wanted, it is divided by that slope on the way out.
+ * (i,j,k) * VoxelSize, so lattices of the same VoxelSize coincide in all runs. (The grid's own
+ * transform is the identity: OpenVDB's refuses voxels below about 1e-5, whatever the unit.) Layer 0
+ * are the corners of the voxels that the surface crosses, layer m the 6-neighbours of layer m - 1.
+ * Layers 0..2 are active in the grid; layers 3 and 4 are ghosts, inactive values in the same
+ * leaves, extrapolated from inside after every substep (a ring node all of whose stencil lies in
+ * the layers, at a medial axis, is a "pocket" and active too). Everything else is + or - Far, of
+ * which only the sign means anything. Inside the layers u keeps its own slope (about .5 to 1.5);
+ * where a distance is wanted, it is divided by that slope on the way out.
  *
  * REPRODUCIBILITY: the potential after Advance depends on the times and the motion alone, bitwise,
  * not on the number of threads nor on the history of the memory.

@@ -135,7 +135,8 @@ void CloneIsABranch(Check& check)
   check.True(!AreIdentical(*unmoved, *band), "the comparison tells two times apart");
 }
 
-// Powers of two are exact in floating point: lengths by 2^10, tension [length^2/time] by 2^20.
+// Powers of two are exact in floating point: lengths by 2^10, tension [length^2/time] by 2^20; and
+// by 2^-30 and 2^-60, as for a scene of some nanometres in metres.
 void UnitOfLengthDoesNotMatter(Check& check)
 {
   const auto run = [](double unit)
@@ -153,6 +154,7 @@ void UnitOfLengthDoesNotMatter(Check& check)
   check.True(!reference->IsEmpty(), "there is a surface to compare");
   check.True(
     AreIdentical(*reference, *run(1024.0)), "the same potential in a box 1024 times as large");
+  check.True(AreIdentical(*reference, *run(std::ldexp(1.0, -30))), "and in one of a nanometre");
 }
 
 using Reorder = std::function<openvdb::Coord(const openvdb::Coord&)>;
