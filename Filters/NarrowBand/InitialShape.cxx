@@ -299,7 +299,7 @@ openvdb::FloatTree::Ptr NearbyDistances(const Sampler& sampler, CrossedNodes& cr
   const auto swept = openvdb::tools::sdfToSdf(*function, 0.f, 1);
   SmoothDistances(function->tree(), swept->tree());
   // Fast sweeping has its own background: the signs beyond are those of the flooded function.
-  const auto potential = std::make_shared<openvdb::FloatTree>(function->tree());
+  auto potential = std::make_shared<openvdb::FloatTree>(function->tree());
   for (auto leaf = potential->beginLeaf(); leaf; ++leaf)
   {
     const PotentialLeaf* from = swept->tree().probeConstLeaf(leaf->origin());

@@ -2,7 +2,9 @@
 
 #include "NarrowBand.h"
 
-#include <atomic>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace activesurface
 {
@@ -263,24 +265,39 @@ void RetireNodes(LeafTable& table)
     });
 }
 
+/** Which of eight numbers are negative, one bit each. */
+unsigned NegativeBits(const float* values)
+{
+#ifdef __SSE2__
+  const __m128 zero = _mm_setzero_ps();
+  const int low = _mm_movemask_ps(_mm_cmplt_ps(_mm_loadu_ps(values), zero));
+  const int high = _mm_movemask_ps(_mm_cmplt_ps(_mm_loadu_ps(values + 4), zero));
+  return static_cast<unsigned>(low | high << 4);
+#else
+  unsigned bits = 0;
+  for (int z = 0; z < 8; ++z)
+  {
+    bits |= unsigned(values[z] < 0.f) << z;
+  }
+  return bits;
+#endif
+}
+
+}
+
+LeafMask InsideNodes(const float* values)
+{
+  LeafMask inside;
+  for (int row = 0; row < 64; ++row)
+  {
+    inside.Word[row / 8] |= std::uint64_t(NegativeBits(values + 8 * row)) << (8 * (row % 8));
+  }
+  return inside;
 }
 
 void ReadSigns(LeafTable& table)
 {
-  table.ForEach(
-    [&](std::size_t i)
-    {
-      BandLeaf& leaf = table[i];
-      for (int x = 0; x < 8; ++x)
-      {
-        std::uint64_t word = 0;
-        for (int node = 0; node < 64; ++node)
-        {
-          word |= std::uint64_t(leaf.Value[64 * x + node] < 0.f) << node;
-        }
-        leaf.Inside.Word[x] = word;
-      }
-    });
+  table.ForEach([&](std::size_t i) { table[i].Inside = InsideNodes(table[i].Value); });
 }
 
 void RebuildLayers(LeafTable& table, PotentialTree& tree)

@@ -9,6 +9,9 @@
 namespace activesurface
 {
 
+/** Which of the 512 values of a leaf are negative. */
+LeafMask InsideNodes(const float* values);
+
 /** Sets Inside of every leaf from its values. */
 void ReadSigns(LeafTable& table);
 

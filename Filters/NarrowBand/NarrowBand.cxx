@@ -43,7 +43,7 @@ struct NarrowBand::State
   SubstepBuffers Buffers;
 
   void MakeEmpty();
-  void TakeTree(openvdb::FloatTree::Ptr tree);
+  void TakeTree(const openvdb::FloatTree::Ptr& tree);
   TargetLimits SampleTarget(const Motion& motion, Target& target, AdvanceReport& report);
   void Step(double end, const Motion& motion, Target& target, AdvanceReport& report);
   void RebuildBand();
@@ -59,7 +59,7 @@ void NarrowBand::State::MakeEmpty()
   this->Crossings = 0;
 }
 
-void NarrowBand::State::TakeTree(openvdb::FloatTree::Ptr tree)
+void NarrowBand::State::TakeTree(const openvdb::FloatTree::Ptr& tree)
 {
   this->Potential->setTree(tree);
   this->Leaves.Rebuild(*tree);

@@ -8,6 +8,7 @@
 #ifndef RowKernels_h
 #define RowKernels_h
 
+#include "InstructionSets.h"
 #include "LeafBlock.h"
 
 #include <cmath>
@@ -36,7 +37,7 @@ inline const RowMask& MaskOfBits(unsigned bits)
 }
 
 /** The smaller of two numbers of one sign, 0 for opposite ones. */
-inline float MinMod(float a, float b)
+ACTIVE_ALWAYS_INLINE float MinMod(float a, float b)
 {
   return std::max(std::min(a, b), 0.f) + std::min(std::max(a, b), 0.f);
 }
@@ -49,7 +50,7 @@ struct UpwindSquares
 };
 
 /** ENO2: one-sided differences, each corrected by the smaller neighbouring second difference. */
-inline UpwindSquares UpwindDifferences(const float* u, int stride)
+ACTIVE_ALWAYS_INLINE UpwindSquares UpwindDifferences(const float* u, int stride)
 {
   const float behind = u[0] - u[-stride];
   const float ahead = u[stride] - u[0];
@@ -64,7 +65,7 @@ inline UpwindSquares UpwindDifferences(const float* u, int stride)
 }
 
 /** next -= advection * V * |grad u| + q * sign(u) * (|grad u| - 1). */
-inline void AddTransport(
+ACTIVE_ALWAYS_INLINE void AddTransport(
   const float* u, const float* speed, float advection, const RowMask& relaxation, float* next)
 {
   for (int z = 0; z < 8; ++z)
@@ -81,7 +82,7 @@ inline void AddTransport(
 }
 
 /** next += tension * kappa * |grad u|, kappa the sum of the principal curvatures, in voxels. */
-inline void AddTension(const float* u, float tension, float* next)
+ACTIVE_ALWAYS_INLINE void AddTension(const float* u, float tension, float* next)
 {
   constexpr int X = LeafBlock::X, Y = LeafBlock::Y, Z = LeafBlock::Z;
   for (int z = 0; z < 8; ++z)
@@ -106,7 +107,7 @@ inline void AddTension(const float* u, float tension, float* next)
 }
 
 /** Squares of the central slope. */
-inline void CentralSlopes(const float* u, float* squares)
+ACTIVE_ALWAYS_INLINE void CentralSlopes(const float* u, float* squares)
 {
   constexpr int X = LeafBlock::X, Y = LeafBlock::Y, Z = LeafBlock::Z;
   for (int z = 0; z < 8; ++z)

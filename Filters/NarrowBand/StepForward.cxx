@@ -24,7 +24,7 @@ LeafMask NodesWithCrossing(const LeafTable& table, const BandLeaf& leaf)
   return nodes;
 }
 
-void CountSlopes(const float* u, unsigned bits, int& flat, int& steep)
+ACTIVE_ALWAYS_INLINE void CountSlopes(const float* u, unsigned bits, int& flat, int& steep)
 {
   float squares[8];
   CentralSlopes(u, squares);
@@ -36,6 +36,7 @@ void CountSlopes(const float* u, unsigned bits, int& flat, int& steep)
   }
 }
 
+ACTIVE_FOR_EACH_INSTRUCTION_SET
 void StepLeaf(const LeafTable& table, std::size_t i, const StepCoefficients& coefficients,
   SubstepBuffers& buffers)
 {
@@ -101,8 +102,8 @@ SlopeCounts StepForward(
     {
       std::copy_n(buffers.Next.data() + 512 * i, 512, table[i].Value);
       table[i].Advanced = table[i].Active;
+      table[i].Inside = InsideNodes(table[i].Value);
     });
-  ReadSigns(table);
   SlopeCounts counts;
   for (std::size_t i = 0; i < size; ++i)
   {

@@ -133,61 +133,72 @@ struct Surroundings
     }
   }
 
-  LeafMask NextToKnown() const
+  /** Nodes whose neighbour in this direction is known. */
+  LeafMask KnownAlong(int axis, int sign) const
   {
-    LeafMask next;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const LeafMask& known = *this->Known[axis][1];
-      next = next | SeenBehind(known, *this->Known[axis][0], axis, 1) |
-        SeenAhead(known, *this->Known[axis][2], axis, 1);
-    }
-    return next;
+    const LeafMask& known = *this->Known[axis][1];
+    return sign < 0 ? SeenBehind(known, *this->Known[axis][0], axis, 1)
+                    : SeenAhead(known, *this->Known[axis][2], axis, 1);
   }
 };
 
-/** Sums over the known neighbours of a node. Others are not read: their leaf may be writing them.
- */
+/** Sums over the known neighbours of a node. */
 struct KnownSpeeds
 {
-  const Surroundings& Around;
-  const int Node;
-  const float Own; //< |u| of the node
-  float Weights = 0.f;
-  float Weighted = 0.f;
-  float Plain = 0.f;
-  float Count = 0.f;
+  float Weight;
+  float Weighted;
+  float Plain;
+  float Count;
 
-  template <int Axis>
-  void Add(int sign)
+  float Mean() const
   {
-    constexpr int stride = Stride(Axis);
-    const int side = (((this->Node / stride) & 7) + sign) >> 3;
-    const int next = this->Node + (sign - 8 * side) * stride;
-    if (!this->Around.Known[Axis][side + 1]->Has(next))
-    {
-      return;
-    }
-    const float speed = this->Around.Speed[Axis][side + 1][next];
-    const float nearer = this->Own - std::fabs(this->Around.Value[Axis][side + 1][next]);
-    const float weight = std::max(nearer, 0.f);
-    this->Weights += weight;
-    this->Weighted += weight * speed;
-    this->Plain += speed;
-    this->Count += 1.f;
+    return this->Weight > 0.f ? this->Weighted / this->Weight : this->Plain / this->Count;
   }
 };
 
-float ExtendedSpeed(const Surroundings& around, int node)
+/** Adds the neighbour in one direction of each of these nodes, all of which are known. */
+void AddNeighbours(
+  const Surroundings& around, int axis, int sign, const LeafMask& nodes, KnownSpeeds* sums)
 {
-  KnownSpeeds sums{ around, node, std::fabs(around.Value[0][1][node]) };
-  sums.Add<0>(-1);
-  sums.Add<0>(1);
-  sums.Add<1>(-1);
-  sums.Add<1>(1);
-  sums.Add<2>(-1);
-  sums.Add<2>(1);
-  return sums.Weights > 0.f ? sums.Weighted / sums.Weights : sums.Plain / sums.Count;
+  const int stride = Stride(axis);
+  nodes.ForEach(
+    [&](int node)
+    {
+      const int side = (((node / stride) & 7) + sign) >> 3;
+      const int next = node + (sign - 8 * side) * stride;
+      const float speed = around.Speed[axis][side + 1][next];
+      const float nearer =
+        std::fabs(around.Value[0][1][node]) - std::fabs(around.Value[axis][side + 1][next]);
+      const float weight = std::max(nearer, 0.f);
+      KnownSpeeds& sum = sums[node];
+      sum.Weight += weight;
+      sum.Weighted += weight * speed;
+      sum.Plain += speed;
+      sum.Count += 1.f;
+    });
+}
+
+/** Speeds of those of the missing nodes that have a known neighbour; returns which. */
+LeafMask ExtendLeaf(const Surroundings& around, const LeafMask& missing, float* speed)
+{
+  std::array<LeafMask, 6> reached;
+  LeafMask front;
+  for (int face = 0; face < 6; ++face)
+  {
+    reached[face] = missing & around.KnownAlong(face / 2, face % 2 ? 1 : -1);
+    front = front | reached[face];
+  }
+  if (front.Any())
+  {
+    KnownSpeeds sums[512];
+    front.ForEach([&](int node) { sums[node] = KnownSpeeds(); });
+    for (int face = 0; face < 6; ++face)
+    {
+      AddNeighbours(around, face / 2, face % 2 ? 1 : -1, reached[face], sums);
+    }
+    front.ForEach([&](int node) { speed[node] = sums[node].Mean(); });
+  }
+  return front;
 }
 
 /** One round; false when no active node was left to reach. */
@@ -205,14 +216,12 @@ bool ExtendOnce(const LeafTable& table, SubstepBuffers& buffers)
       {
         return;
       }
-      const Surroundings around(table, i, buffers);
-      const LeafMask front = missing & around.NextToKnown();
+      const LeafMask front =
+        ExtendLeaf(Surroundings(table, i, buffers), missing, buffers.Speed.data() + 512 * i);
       if (!front.Any())
       {
         return;
       }
-      float* speed = buffers.Speed.data() + 512 * i;
-      front.ForEach([&](int node) { speed[node] = ExtendedSpeed(around, node); });
       buffers.NextKnown[i] = known | front;
       reached.store(true, std::memory_order_relaxed);
     });

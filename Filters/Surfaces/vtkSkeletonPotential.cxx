@@ -112,7 +112,7 @@ void vtkSkeletonPotential::Build()
 {
   Internals& own = *this->Internal;
   // Not GetMTime(): a change of the transform leaves the elements as they are.
-  const vtkMTimeType changed =
+  const vtkMTimeType changed = // NOLINTNEXTLINE(bugprone-parent-virtual-call)
     std::max(this->vtkObject::GetMTime(), own.Input ? own.Input->GetMTime() : 0);
   if (own.BuildTime.load(std::memory_order_acquire) == changed)
   {

@@ -3,12 +3,17 @@
 // Run: BenchmarkSubstep [largest n]      (default 256; about a minute)
 //
 // A ball of radius .6 in [-1,1]^3, n nodes along a side. Columns, median (best) of the repetitions:
-//   tension   tension alone
-//   target    the default scheme, attraction and tension, to a moving ball whose distance is a
-//   formula openvdb   one step of OpenVDB's LevelSetFilter::meanCurvature on the same ball, half
-//   width 3,
-//             with its own renormalisation and rebuilding, per active voxel of its own band
-//   ratio     tension over openvdb
+//
+//   tension: tension alone
+//
+//   target: the default scheme, attraction and tension, to a moving ball whose distance is a
+//   formula
+//
+//   openvdb: one step of OpenVDB's LevelSetFilter::meanCurvature on the same ball, half width 3,
+//   with its own renormalisation and rebuilding, per active voxel of its own band
+//
+//   ratio: tension over openvdb
+//
 // Memory is the peak of the process so far: n grows, so each line's is that of its n.
 
 #include "NarrowBand.h"
