@@ -78,17 +78,20 @@ Box LatticeBox(double voxelSize, const double bounds[6])
 }
 
 /** A ball of .6 of the diameter of a box of n^3 voxels needs about 7 n^2 active ones, one that
- * fills it 20 n^2: a box for 7 n^2 too many is refused before sampling, which would visit all n^3.
- */
+ * fills it 20 n^2: a box for 7 n^2 too many is refused before sampling. So is one with so many
+ * nodes that sampling them would take minutes, as for a stray particle far from the others. */
 void CheckSize(const Box& box, std::size_t maximum)
 {
+  constexpr double nodesPerActiveVoxel = 40.0;
   const double x = box.Size(0), y = box.Size(1), z = box.Size(2);
-  if (7.0 / 3.0 * (x * y + y * z + z * x) > static_cast<double>(maximum))
+  const double most = static_cast<double>(maximum);
+  if (7.0 / 3.0 * (x * y + y * z + z * x) > most || x * y * z > nodesPerActiveVoxel * most)
   {
     std::ostringstream text;
-    text << "The bounds hold " << x << " x " << y << " x " << z << " voxels; a shape that fills "
-         << "them would need more than MaximumNumberOfActiveVoxels = " << maximum
-         << " active voxels. Enlarge VoxelSize, shrink ModelBounds or raise the maximum.";
+    text << "The bounds hold " << x << " x " << y << " x " << z << " voxels, too many for "
+         << "MaximumNumberOfActiveVoxels = " << maximum
+         << ". Enlarge VoxelSize, shrink ModelBounds "
+         << "(without them: is there a particle far from the others?) or raise the maximum.";
     throw std::runtime_error(text.str());
   }
 }
@@ -219,9 +222,27 @@ bool FindCrossedNodes(const Sampler& sampler, const Box& box, std::size_t maximu
   return true;
 }
 
-/** The function at the active nodes of a tree, scaled by a power of two to about 1. */
-void SampleActiveNodes(const Sampler& sampler, openvdb::FloatTree& tree)
+/** The power of two that brings the largest finite value at the crossed nodes to about 1. */
+double ScaleOf(const std::vector<openvdb::Coord>& nodes, const std::vector<double>& values,
+  const CrossedNodes& crossed)
 {
+  openvdb::tree::ValueAccessor<const CrossedNodes> isCrossed(crossed);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    if (std::isfinite(values[i]) && isCrossed.isValueOn(nodes[i]))
+    {
+      largest = std::max(largest, std::fabs(values[i]));
+    }
+  }
+  return largest > 0.0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
+}
+
+/** The function at the active nodes of a tree, scaled to about 1 at the crossed ones. */
+void SampleActiveNodes(
+  const Sampler& sampler, const CrossedNodes& crossed, openvdb::FloatTree& tree)
+{
+  constexpr double most = 1e6; // far from the surface functions may do what they like
   std::vector<openvdb::Coord> nodes;
   nodes.reserve(tree.activeVoxelCount());
   for (auto it = tree.cbeginValueOn(); it; ++it)
@@ -230,16 +251,11 @@ void SampleActiveNodes(const Sampler& sampler, openvdb::FloatTree& tree)
   }
   std::vector<double> values;
   sampler.Evaluate(nodes, values);
-  double largest = 0.0;
-  for (double value : values)
-  {
-    largest = std::isfinite(value) ? std::max(largest, std::fabs(value)) : largest;
-  }
-  const double scale = largest > 0.0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
+  const double scale = ScaleOf(nodes, values, crossed);
   std::size_t i = 0;
   for (auto it = tree.beginValueOn(); it; ++it, ++i)
   {
-    const double value = std::min(std::max(scale * values[i], -4.0), 4.0);
+    const double value = std::min(std::max(scale * values[i], -most), most);
     // What rounds to zero keeps its side.
     const float stored = static_cast<float>(value);
     it.setValue(value < 0.0 ? std::min(stored, -1e-30f) : stored);
@@ -286,15 +302,16 @@ void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& pot
     });
 }
 
-openvdb::FloatTree::Ptr NearbyDistances(const Sampler& sampler, CrossedNodes& crossed)
+openvdb::FloatTree::Ptr NearbyDistances(const Sampler& sampler, const CrossedNodes& crossed)
 {
   // One node more than the layers, so that every layer has central differences.
+  CrossedNodes nearby(crossed);
   openvdb::tools::dilateActiveValues(
-    crossed, NumberOfLayers, openvdb::tools::NN_FACE, openvdb::tools::IGNORE_TILES);
+    nearby, NumberOfLayers, openvdb::tools::NN_FACE, openvdb::tools::IGNORE_TILES);
   auto function = openvdb::FloatGrid::create(NarrowBand::Far);
   function->setTree(
-    std::make_shared<openvdb::FloatTree>(crossed, NarrowBand::Far, openvdb::TopologyCopy()));
-  SampleActiveNodes(sampler, function->tree());
+    std::make_shared<openvdb::FloatTree>(nearby, NarrowBand::Far, openvdb::TopologyCopy()));
+  SampleActiveNodes(sampler, crossed, function->tree());
   openvdb::tools::signedFloodFillWithValues(function->tree(), NarrowBand::Far, -NarrowBand::Far);
   const auto swept = openvdb::tools::sdfToSdf(*function, 0.f, 1);
   SmoothDistances(function->tree(), swept->tree());

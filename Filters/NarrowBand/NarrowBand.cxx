@@ -255,7 +255,8 @@ std::unique_ptr<NarrowBand> NarrowBand::Clone() const
 
 void NarrowBand::SetNumberOfThreads(int threads)
 {
-  this->Members->Threads = std::max(threads, 0);
+  constexpr int most = 1024; // TBB takes memory for each
+  this->Members->Threads = std::min(std::max(threads, 0), most);
 }
 
 void NarrowBand::SetMaximumNumberOfActiveVoxels(std::size_t maximum)

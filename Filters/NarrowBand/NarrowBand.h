@@ -63,7 +63,7 @@ public:
   /** A copy with its own potential: a branch that leaves this trajectory untouched. */
   std::unique_ptr<NarrowBand> Clone() const;
 
-  /** Threads that TBB may use; 0: all. The result does not depend on it. */
+  /** Threads that TBB may use, 1024 at most; 0: all. The result does not depend on it. */
   void SetNumberOfThreads(int threads);
 
   /**

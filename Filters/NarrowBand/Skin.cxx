@@ -4,7 +4,9 @@
 #include "LeafTable.h"
 #include "NarrowBand.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace activesurface
 {
@@ -93,8 +95,9 @@ void WriteNormal(const LeafTable& table, const LeafTable::Place& lower,
   }
 }
 
+template <class Number>
 void WriteVertices(
-  const LeafTable& table, std::size_t i, double voxelSize, float* points, float* normals)
+  const LeafTable& table, std::size_t i, double voxelSize, Number* points, float* normals)
 {
   const BandLeaf& leaf = table[i];
   std::size_t vertex = leaf.FirstCrossing;
@@ -111,7 +114,7 @@ void WriteVertices(
         at[axis] += low / (low - high);
         for (int d = 0; d < 3; ++d)
         {
-          points[3 * vertex + d] = static_cast<float>(voxelSize * at[d]);
+          points[3 * vertex + d] = static_cast<Number>(voxelSize * at[d]);
         }
         if (normals)
         {
@@ -161,15 +164,18 @@ Skin::Skin(const NarrowBand& band)
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
     this->FirstTriangle[i + 1] += this->FirstTriangle[i];
-    for (const LeafMask& edges : table[i].Edge)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      this->NumberOfPoints += edges.Count();
+      this->NumberOfPoints += table[i].Edge[axis].Count();
+      this->FarthestNode =
+        std::max(this->FarthestNode, std::abs(std::int64_t(table[i].Origin[axis])));
     }
   }
   this->NumberOfTriangles = this->FirstTriangle.back();
 }
 
-void Skin::Write(float* points, float* normals, std::int64_t* corners) const
+template <class Number>
+void Skin::WriteAs(Number* points, float* normals, std::int64_t* corners) const
 {
   const LeafTable& table = this->Band.GetLeaves();
   this->Band.Run(
@@ -182,6 +188,16 @@ void Skin::Write(float* points, float* normals, std::int64_t* corners) const
           WriteTriangles(table, i, corners + 3 * this->FirstTriangle[i]);
         });
     });
+}
+
+void Skin::Write(float* points, float* normals, std::int64_t* corners) const
+{
+  this->WriteAs(points, normals, corners);
+}
+
+void Skin::Write(double* points, float* normals, std::int64_t* corners) const
+{
+  this->WriteAs(points, normals, corners);
 }
 
 }

@@ -28,15 +28,26 @@ public:
   std::size_t GetNumberOfPoints() const { return this->NumberOfPoints; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
 
+  /** Whether single precision is too coarse for the points: so far from the origin, in voxels, that
+   * it would move them by a hundredth of a voxel. */
+  bool NeedsDoublePrecision() const { return this->FarthestNode > (1 << 17); }
+
+  ///@{
   /**
-   * points: 3 floats per vertex, world coordinates. normals: 3 floats per vertex, outward, unit
+   * points: 3 numbers per vertex, world coordinates. normals: 3 floats per vertex, outward, unit
    * length, from the gradient of the potential interpolated along the edge; may be null.
    * corners: 3 vertex numbers per triangle, counter-clockwise seen from outside.
    */
   void Write(float* points, float* normals, std::int64_t* corners) const;
+  void Write(double* points, float* normals, std::int64_t* corners) const;
+  ///@}
 
 private:
+  template <class Number>
+  void WriteAs(Number* points, float* normals, std::int64_t* corners) const;
+
   const NarrowBand& Band;
+  std::int64_t FarthestNode = 0; // largest lattice coordinate
   std::size_t NumberOfPoints = 0;
   std::size_t NumberOfTriangles = 0;
   std::vector<std::size_t> FirstTriangle; // per leaf

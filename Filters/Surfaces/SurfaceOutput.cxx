@@ -5,46 +5,75 @@
 #include "Skin.h"
 
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTypeInt64Array.h"
 
 namespace activesurface
 {
 
-void FillSkin(const NarrowBand& band, bool normals, vtkPolyData* skin)
+namespace
 {
-  const Skin triangles(band);
-  const auto points = static_cast<vtkIdType>(triangles.GetNumberOfPoints());
-  const auto count = static_cast<vtkIdType>(triangles.GetNumberOfTriangles());
-  vtkNew<vtkFloatArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(points);
-  vtkNew<vtkFloatArray> directions;
-  directions->SetName("Normals");
-  directions->SetNumberOfComponents(3);
-  directions->SetNumberOfTuples(normals ? points : 0);
-  vtkNew<vtkTypeInt64Array> corners;
-  corners->SetNumberOfValues(3 * count);
-  triangles.Write(coordinates->GetPointer(0), normals ? directions->GetPointer(0) : nullptr,
-    reinterpret_cast<std::int64_t*>(corners->GetPointer(0)));
 
+// Points of the array's precision.
+template <class Array>
+vtkSmartPointer<Array> WriteTriangles(const Skin& triangles, float* normals, std::int64_t* corners)
+{
+  auto coordinates = vtkSmartPointer<Array>::New();
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(triangles.GetNumberOfPoints()));
+  triangles.Write(coordinates->GetPointer(0), normals, corners);
+  return coordinates;
+}
+
+vtkSmartPointer<vtkCellArray> MakeCells(vtkTypeInt64Array* corners)
+{
+  const vtkIdType count = corners->GetNumberOfValues() / 3;
   vtkNew<vtkTypeInt64Array> offsets;
   offsets->SetNumberOfValues(count + 1);
   for (vtkIdType i = 0; i <= count; ++i)
   {
     offsets->SetValue(i, 3 * i);
   }
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, corners);
+  return cells;
+}
+
+}
+
+void FillSkin(const NarrowBand& band, bool normals, vtkPolyData* skin)
+{
+  const Skin triangles(band);
+  vtkNew<vtkFloatArray> directions;
+  directions->SetName("Normals");
+  directions->SetNumberOfComponents(3);
+  directions->SetNumberOfTuples(
+    normals ? static_cast<vtkIdType>(triangles.GetNumberOfPoints()) : 0);
+  vtkNew<vtkTypeInt64Array> corners;
+  corners->SetNumberOfValues(3 * static_cast<vtkIdType>(triangles.GetNumberOfTriangles()));
+
+  float* direction = normals ? directions->GetPointer(0) : nullptr;
+  auto* corner = reinterpret_cast<std::int64_t*>(corners->GetPointer(0));
+  vtkSmartPointer<vtkDataArray> coordinates;
+  if (triangles.NeedsDoublePrecision())
+  {
+    coordinates = WriteTriangles<vtkDoubleArray>(triangles, direction, corner);
+  }
+  else
+  {
+    coordinates = WriteTriangles<vtkFloatArray>(triangles, direction, corner);
+  }
   vtkNew<vtkPoints> vertices;
   vertices->SetData(coordinates);
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, corners);
   skin->SetPoints(vertices);
-  skin->SetPolys(cells);
+  skin->SetPolys(MakeCells(corners));
   if (normals)
   {
     skin->GetPointData()->SetNormals(directions);

@@ -258,7 +258,10 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
   const SurfaceDomain* domain = this->FindDomain();
   if (!domain && this->UsesParticles() && !this->Settings.InitialFunction)
   {
-    this->Warn("empty", "There are no particles at the first time step, so there is no skin.");
+    this->Warn("empty",
+      "There are no particles at the first time step, so there is no skin, now or later: it does "
+      "not grow "
+      "out of nothing. Set InitialFunction, or begin with a step that has particles.");
     this->Band = std::make_unique<NarrowBand>(1.0);
     this->Step = 0;
     return true;

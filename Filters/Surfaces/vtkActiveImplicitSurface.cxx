@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 
 using activesurface::SurfaceRequests;
 
@@ -164,6 +165,13 @@ int vtkActiveImplicitSurface::RequestData(
   {
     this->Requests->Make(request, input[0]->GetInformationObject(0), output);
     return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Requests->GiveUp(output);
+    vtkErrorMacro(<< "There is not enough memory for the skin, or for the potential's image, whose "
+                     "size is that of ModelBounds; enlarge VoxelSize or shrink ModelBounds.");
+    return 0;
   }
   catch (const std::exception& error)
   {

@@ -15,17 +15,18 @@
  * (all its points count), with or without time steps; they act like a vtkSkeletonPotential of
  * points. Or the target is TargetFunction. SetInputArrayToProcess(0, ...) chooses an array of
  * radii, (1, ...) of ids, (2, ...) of strengths; without them ParticleRadius, the point numbers and
- * 1 hold. Particles go in straight lines from one time step to the next, matched by ids, or by
- * number if both steps have equally many. One that is missing in the next step stays as it is until
- * then; one that is new appears at its own step. No particles at all is no target: the skin
- * vanishes.
+ * 1 hold. Particles go in straight lines from one time step to the next, matched by ids (equal ones
+ * in their order), or by number if both steps have equally many. One that is missing in the next
+ * step stays as it is until then; one that is new appears at its own step. No particles at all is
+ * no target: the skin vanishes.
  *
  * Output, port 0: the skin, a vtkPolyData of triangles, closed, outward, with Normals. Port 1: the
  * potential as a vtkImageData with the scalars "Potential", a signed distance [length], negative
- * inside, clamped to +-3 voxels. Its extent covers ModelBounds, in lattice nodes; what is outside
- * is cropped from the image, never from the skin. Without ModelBounds it covers the first target,
- * enlarged by a quarter: this is known beforehand if port 1 is connected (the input then is updated
- * for the first time step when information is asked for), else after the first update.
+ * inside, good within about 1.5 voxels, clamped to +-3 voxels. Its extent covers ModelBounds, in
+ * lattice nodes; what is outside is cropped from the image, never from the skin. Without
+ * ModelBounds it covers the first target, enlarged by a quarter: this is known beforehand if port 1
+ * is connected (the input then is updated for the first time step when information is asked for),
+ * else after the first update.
  *
  * Time: the time steps of the input are passed on. If it has fewer than two (TargetFunction, static
  * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them.
@@ -284,9 +285,9 @@ public:
   ///@{
   /**
    * Number of threads that move the skin. It does not change the result.
-   * Range: >= 0; 0 is all that TBB may use. Default: 0.
+   * Range: 0 to 1024; 0 is all that TBB may use. Default: 0.
    */
-  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
