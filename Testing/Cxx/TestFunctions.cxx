@@ -173,7 +173,7 @@ void InsideMayBeAboveTheIsoValue(Check& check)
 }
 
 // Beyond the reach the speed is Attraction * TargetReach: uniform, so exact but for chords, .13 h
-// (NUMERICS row 4).
+// (README of NarrowBand, Figures).
 void FarTargetsAttractWithConstantSpeed(Check& check)
 {
   auto filter = MakeShrinkingBall();

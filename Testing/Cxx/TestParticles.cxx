@@ -90,7 +90,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOverData(vtkPointSet* points)
 
 }
 
-// A ball that moves with U lags behind by U / Attraction; .12 h is NUMERICS row 12.
+// A ball that moves with U lags behind by U / Attraction; .12 h as for a function.
 void SkinFollowsParticlesBetweenSteps(Check& check)
 {
   auto filter = MakeSkinOver(MakeSource(MovingBall));
