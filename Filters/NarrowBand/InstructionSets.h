@@ -1,18 +1,22 @@
 /**
- * Which instruction sets a function is compiled for; the best one is chosen when the library loads.
+ * Which instruction sets the row kernels are compiled for, and which one runs.
  *
- * Results do not depend on the choice: rows are vectorised lane by lane, nothing is summed across
- * lanes, and contraction to fused multiply-add is off. The sanitizers run before such choices can
- * be made, so they get the baseline.
+ * The best one that the processor has is taken when the library loads, or the one that the
+ * environment variable ACTIVE_INSTRUCTION_SET names: sse2, avx2 or avx512; one that the processor
+ * lacks falls back to the best below it. Results do not depend on the choice: rows are vectorised
+ * lane by lane, nothing is summed across lanes, and contraction to fused multiply-add is off.
  */
 #ifndef InstructionSets_h
 #define InstructionSets_h
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
-  !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define ACTIVE_FOR_EACH_INSTRUCTION_SET __attribute__((target_clones("avx2", "default")))
+#include "vtkActiveNarrowBandModule.h"
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define ACTIVE_FOR_AVX2 __attribute__((target("avx2")))
+#define ACTIVE_FOR_AVX512 __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl")))
 #else
-#define ACTIVE_FOR_EACH_INSTRUCTION_SET
+#define ACTIVE_FOR_AVX2
+#define ACTIVE_FOR_AVX512
 #endif
 
 #if defined(__GNUC__)
@@ -20,5 +24,24 @@
 #else
 #define ACTIVE_ALWAYS_INLINE inline
 #endif
+
+namespace activesurface
+{
+
+enum class InstructionSet
+{
+  Baseline, //< SSE2 on x86-64
+  Avx2,
+  Avx512
+};
+
+/** The one that kernels run with. */
+VTKACTIVENARROWBAND_EXPORT InstructionSet GetInstructionSet();
+
+/** Takes another one, or the best below it that the processor has; returns which. For all bands,
+ * and not while one advances. */
+VTKACTIVENARROWBAND_EXPORT InstructionSet SetInstructionSet(InstructionSet wanted);
+
+}
 
 #endif

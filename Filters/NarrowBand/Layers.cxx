@@ -1,7 +1,5 @@
 #include "Layers.h"
 
-#include "NarrowBand.h"
-
 #ifdef __SSE2__
 #include <emmintrin.h>
 #endif
@@ -260,8 +258,11 @@ void RetireNodes(LeafTable& table)
       BandLeaf& leaf = table[i];
       LeafMask::All()
         .Without(leaf.Upto[LastLayer])
-        .ForEach([&](int node)
-          { leaf.Value[node] = leaf.Inside.Has(node) ? -NarrowBand::Far : NarrowBand::Far; });
+        .ForEach(
+          [&](int node) {
+            leaf.Value[node] =
+              table.BackgroundOf(leaf.Inside.Has(node) ? NoLeafInside : NoLeafOutside);
+          });
     });
 }
 
@@ -300,7 +301,7 @@ void ReadSigns(LeafTable& table)
   table.ForEach([&](std::size_t i) { table[i].Inside = InsideNodes(table[i].Value); });
 }
 
-void RebuildLayers(LeafTable& table, PotentialTree& tree)
+void FindLayers(LeafTable& table, PotentialTree& tree)
 {
   do
   {
@@ -310,8 +311,13 @@ void RebuildLayers(LeafTable& table, PotentialTree& tree)
       AddLayer(table, layer);
     }
   } while (AddWantedLeaves(table, tree));
-  FindActiveNodes(table);
   FindCrossedEdges(table);
+}
+
+void RebuildLayers(LeafTable& table, PotentialTree& tree)
+{
+  FindLayers(table, tree);
+  FindActiveNodes(table);
   RetireNodes(table);
 }
 
@@ -320,9 +326,9 @@ void DropEmptyLeaves(LeafTable& table, PotentialTree& tree)
   bool dropped = false;
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
-    if (!table[i].Upto[LastLayer].Any())
+    if (!IsUsed(table[i]))
     {
-      const float side = table[i].Inside.Has(0) ? -NarrowBand::Far : NarrowBand::Far;
+      const float side = table.BackgroundOf(table[i].Inside.Has(0) ? NoLeafInside : NoLeafOutside);
       tree.addTile(1, table[i].Origin, side, false);
       dropped = true;
     }
@@ -347,6 +353,19 @@ std::size_t NumberCrossings(LeafTable& table)
     }
   }
   return count;
+}
+
+void ReadActiveMasks(LeafTable& table)
+{
+  table.ForEach(
+    [&](std::size_t i)
+    {
+      const PotentialLeaf::NodeMaskType& mask = table[i].Leaf->getValueMask();
+      for (int x = 0; x < 8; ++x)
+      {
+        table[i].Active.Word[x] = mask.getWord<std::uint64_t>(x);
+      }
+    });
 }
 
 void WriteActiveMasks(const LeafTable& table)

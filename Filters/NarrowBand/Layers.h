@@ -16,19 +16,23 @@ LeafMask InsideNodes(const float* values);
 void ReadSigns(LeafTable& table);
 
 /**
- * From Inside of every leaf: the layers, the active nodes (band and pockets) and the crossed edges.
- * Adds the leaves that a layer has reached, in the table and in the tree, and gives the nodes
- * outside all layers the value + or - Far.
+ * From Inside of every leaf: the layers and the crossed edges. Adds the leaves that a layer has
+ * reached, in the table and in the tree.
  */
+void FindLayers(LeafTable& table, PotentialTree& tree);
+
+/** FindLayers, then the active nodes (band and pockets), and + or - the background for the nodes
+ * outside all layers. */
 void RebuildLayers(LeafTable& table, PotentialTree& tree);
 
-/** Replaces the leaves that no layer touches by tiles of their sign. */
+/** Replaces the leaves that no layer and no active node touches by tiles of their sign. */
 void DropEmptyLeaves(LeafTable& table, PotentialTree& tree);
 
 /** Numbers the crossed edges leaf by leaf, axis by axis, node by node; returns how many. */
 std::size_t NumberCrossings(LeafTable& table);
 
-/** Writes the active masks into the tree's own leaves. */
+/** Takes the active masks from the tree's own leaves, or writes them there. */
+void ReadActiveMasks(LeafTable& table);
 void WriteActiveMasks(const LeafTable& table);
 
 }

@@ -5,7 +5,6 @@
 #define LeafBlock_h
 
 #include "LeafTable.h"
-#include "NarrowBand.h"
 
 #include <algorithm>
 
@@ -50,9 +49,8 @@ private:
 
   static RowSource Source(const LeafTable& table, std::int32_t number)
   {
-    static const float outside = NarrowBand::Far, inside = -NarrowBand::Far;
     return number >= 0 ? RowSource{ table[number].Value, 1 }
-                       : RowSource{ number == NoLeafInside ? &inside : &outside, 0 };
+                       : RowSource{ &table.BackgroundOf(number), 0 };
   }
 
   void GatherColumn(int nx, int ny, RowSource before, RowSource middle, RowSource after)

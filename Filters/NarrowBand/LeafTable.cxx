@@ -109,4 +109,17 @@ LeafTable::Place LeafTable::Offset(std::int32_t leaf, int node, int dx, int dy, 
     ((x & 7) << 6) | ((y & 7) << 3) | (z & 7) };
 }
 
+LeafMask NodesWithCrossing(const LeafTable& table, const BandLeaf& leaf)
+{
+  LeafMask nodes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::int32_t before = leaf.Neighbour[FaceNumber(axis, -1)];
+    static const LeafMask nothing;
+    const LeafMask& edges = before >= 0 ? table[before].Edge[axis] : nothing;
+    nodes = nodes | leaf.Edge[axis] | SeenBehind(leaf.Edge[axis], edges, axis, 1);
+  }
+  return nodes;
+}
+
 }

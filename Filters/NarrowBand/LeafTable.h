@@ -67,6 +67,12 @@ struct BandLeaf
   std::array<int, 3> CrossingsBefore{};      //< crossed edges of this leaf on earlier axes
 };
 
+/** Whether a node of the leaf means more than its sign. */
+inline bool IsUsed(const BandLeaf& leaf)
+{
+  return leaf.Upto[LastLayer].Any() || leaf.Active.Any();
+}
+
 /** A leaf and its neighbours across the faces, for straight steps of at most 8 nodes. */
 struct LeafCross
 {
@@ -162,6 +168,14 @@ public:
       });
   }
 
+  /** Value that stands for all nodes beyond the layers, and minus it inside. */
+  void SetBackground(float value) { this->Background[0] = value, this->Background[1] = -value; }
+  float GetBackground() const { return this->Background[0]; }
+  const float& BackgroundOf(std::int32_t number) const
+  {
+    return this->Background[number == NoLeafInside ? 1 : 0];
+  }
+
   /** Number of a leaf by its origin, or a negative number. */
   std::int32_t Find(const openvdb::Coord& origin) const;
 
@@ -173,9 +187,13 @@ private:
   std::vector<BandLeaf> Previous;    // the table before Rebuild, kept for its memory
   std::vector<PotentialLeaf*> Nodes; // the tree's leaves, in its order
   std::vector<std::int32_t> Index;   // open-addressing hash of the origins
+  std::array<float, 2> Background{};
   LeafMask Nothing;
   LeafMask Everything = LeafMask::All();
 };
+
+/** Nodes at either end of a crossed edge. */
+LeafMask NodesWithCrossing(const LeafTable& table, const BandLeaf& leaf);
 
 }
 

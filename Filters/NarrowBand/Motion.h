@@ -1,19 +1,54 @@
 /**
  * The motion strategy: what makes the surface move, as plain numbers.
  *
- * Normal speed, outward positive (eq. (2) to (4) of the paper, sign of the tension corrected):
- *   V = Attraction * (iso - F(x)) - Tension * kappa,   kappa = div n, the SUM of the principal
- *   curvatures (2/r on a sphere), so that a sphere under tension alone obeys r^2 = r0^2 - 4 Tension
- * t.
+ * Normal speed, outward positive (eq. (2) to (4) and section 5 of the paper, sign of the tension
+ * corrected):
+ *   V = Attraction * (iso - F(x)) - Tension * kappa
+ *       + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
+ * with kappa = div n, the SUM of the principal curvatures (2/r on a sphere), so that a sphere under
+ * tension alone obeys r^2 = r0^2 - 4 Tension t; A and V the area and the volume of the skin.
  */
 #ifndef Motion_h
 #define Motion_h
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 
 namespace activesurface
 {
+
+/** How area or volume is held: not, by a force in proportion to what is missing (the paper's), or
+ * by a uniform displacement after each substep that restores it. */
+enum class Control
+{
+  None,
+  Penalty,
+  Exact
+};
+
+/** Where the target is evaluated for the speed of a node: at the crossings of its edges and
+ * extended from there, at the node itself, or at the point of the surface that is closest to it. */
+enum class TargetEvaluation
+{
+  Shifted,
+  Node,
+  ClosestPoint
+};
+
+/** Differences of the advective part: central, or one-sided from where the surface comes. */
+enum class GradientScheme
+{
+  Central,
+  Upwind
+};
+
+/** A box (xmin xmax ymin ymax zmin zmax) that the surface may not leave. */
+struct Walls
+{
+  bool Present = false;
+  double Bounds[6] = {};
+};
 
 struct Motion
 {
@@ -26,21 +61,59 @@ struct Motion
   double Tension = 0.0;
 
   /**
-   * Fraction of the stable time step 1 / (2.6 Vmax/h + Attraction L + 4 Tension/h^2). 1 is the
-   * largest stable value: 1.08 lets noise grow, 1.2 destroys the surface.
+   * Fraction of the stable time step 1 / (2.6 Vmax/h + Attraction L + 4 Tension/h^2 + those of the
+   * stiffnesses). 1 is the largest stable value: 1.08 lets noise grow, 1.2 destroys the surface.
    */
   double CFL = 1.0;
+
+  ///@{
+  /** Not both Exact: one displacement cannot restore two numbers. */
+  Control AreaControl = Control::None;
+  Control VolumeControl = Control::None;
+  ///@}
+
+  ///@{
+  /** Speed [length/time] per missing share, of Penalty. >= 0. A sphere under tension keeps the
+   * offset e = 1 - V/V0 with e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0), and collapses if
+   * VolumeStiffness r0 < 4.233 Tension; for the area e (1 - e)^(1/2) and 5.196. */
+  double AreaStiffness = 1.0;
+  double VolumeStiffness = 1.0;
+  ///@}
+
+  ///@{
+  /** What is held; 0: the value at the start. >= 0. */
+  double TargetArea = 0.0;
+  double TargetVolume = 0.0;
+  ///@}
+
+  TargetEvaluation Evaluation = TargetEvaluation::Shifted;
+  GradientScheme Gradient = GradientScheme::Upwind;
+
+  /** The paper's own scheme instead of this library's, for comparison: see PaperStep.h. */
+  bool Paper = false;
+
+  Walls Box;
 };
 
-/** What one call of NarrowBand::Advance did. */
+/** When Settle ends. */
+struct RestCriterion
+{
+  double Tolerance = 1e-3; //< largest normal speed at the sample points [voxels/time]
+  std::size_t MaximumSubsteps = 10000;
+};
+
+/** What one call of NarrowBand::Advance or Settle did. */
 struct AdvanceReport
 {
   std::size_t Substeps = 0;
-  std::size_t TargetEvaluations = 0; //< sample points at which the target was evaluated
-  std::size_t DroppedSamples = 0;    //< sample points whose target value was not finite
+  std::size_t Sleeps = 0;            //< substeps skipped, as the surface was at rest on its target
+  std::size_t TargetEvaluations = 0; //< points at which the target was evaluated
+  std::size_t DroppedSamples = 0;    //< points whose target value was not finite
   double MaxSpeed = 0.0;             //< largest |Attraction (iso - F)| met [length/time]
   bool Vanished = false;             //< the surface is empty at the end
   bool Aborted = false;              //< the progress function said stop; time is where it stopped
+  bool AtRest = false;               //< Settle ended by its tolerance
+  double RestSpeed = std::numeric_limits<double>::infinity(); //< at Settle's last substep
 };
 
 /** Told the fraction done, in [0,1], before each substep; returns false to stop there. */

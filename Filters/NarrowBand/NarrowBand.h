@@ -92,6 +92,20 @@ public:
   AdvanceReport Advance(
     double time, const Motion& motion, Target& target, const ProgressFunction& progress = {});
 
+  /**
+   * Moves the surface until it rests: until its normal speed at the sample points, everything
+   * included, is within the tolerance, or the substeps are used up; the report says which. Time
+   * goes on meanwhile. Errors as with Advance.
+   */
+  AdvanceReport Settle(const Motion& motion, const RestCriterion& criterion, Target& target,
+    const ProgressFunction& progress = {});
+
+  ///@{
+  /** Of the skin now [length^2, length^3]; voids are taken off. */
+  double GetArea() const;
+  double GetVolume() const;
+  ///@}
+
   double GetVoxelSize() const;
   double GetTime() const;
   bool IsEmpty() const;

@@ -81,6 +81,30 @@ ACTIVE_ALWAYS_INLINE void AddTransport(
   }
 }
 
+/** Squares of the central slope. */
+ACTIVE_ALWAYS_INLINE void CentralSlopes(const float* u, float* squares)
+{
+  constexpr int X = LeafBlock::X, Y = LeafBlock::Y, Z = LeafBlock::Z;
+  for (int z = 0; z < 8; ++z)
+  {
+    const float* c = u + z;
+    const float gx = .5f * (c[X] - c[-X]), gy = .5f * (c[Y] - c[-Y]), gz = .5f * (c[Z] - c[-Z]);
+    squares[z] = gx * gx + gy * gy + gz * gz;
+  }
+}
+
+/** next -= advection * V * |grad u|, central differences: for comparison with the paper. */
+ACTIVE_ALWAYS_INLINE void AddCentralTransport(
+  const float* u, const float* speed, float advection, float* next)
+{
+  float squares[8];
+  CentralSlopes(u, squares);
+  for (int z = 0; z < 8; ++z)
+  {
+    next[z] -= advection * speed[z] * std::sqrt(squares[z]);
+  }
+}
+
 /** next += tension * kappa * |grad u|, kappa the sum of the principal curvatures, in voxels. */
 ACTIVE_ALWAYS_INLINE void AddTension(const float* u, float tension, float* next)
 {
@@ -103,18 +127,6 @@ ACTIVE_ALWAYS_INLINE void AddTension(const float* u, float tension, float* next)
     const bool regular = square > 1e-12f * size * size;
     const float rate = regular ? product / square : (2.f / 3.f) * (hxx + hyy + hzz);
     next[z] += tension * rate;
-  }
-}
-
-/** Squares of the central slope. */
-ACTIVE_ALWAYS_INLINE void CentralSlopes(const float* u, float* squares)
-{
-  constexpr int X = LeafBlock::X, Y = LeafBlock::Y, Z = LeafBlock::Z;
-  for (int z = 0; z < 8; ++z)
-  {
-    const float* c = u + z;
-    const float gx = .5f * (c[X] - c[-X]), gy = .5f * (c[Y] - c[-Y]), gz = .5f * (c[Z] - c[-Z]);
-    squares[z] = gx * gx + gy * gy + gz * gz;
   }
 }
 

@@ -3,6 +3,7 @@
 #include "CubeTriangles.h"
 #include "LeafTable.h"
 #include "NarrowBand.h"
+#include "SkinVoxels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,37 +14,6 @@ namespace activesurface
 
 namespace
 {
-
-/** Bit c set: corner c = 4 x + 2 y + z of the voxel with this lower corner is inside. */
-unsigned InsideCorners(const LeafTable& table, std::int32_t leaf, int node)
-{
-  unsigned bits = 0;
-  for (int corner = 0; corner < CornersOfVoxel; ++corner)
-  {
-    const LeafTable::Place place =
-      table.Offset(leaf, node, corner >> 2, corner >> 1 & 1, corner & 1);
-    const bool inside =
-      place.Leaf >= 0 ? table[place.Leaf].Inside.Has(place.Node) : place.Leaf == NoLeafInside;
-    bits |= unsigned(inside) << corner;
-  }
-  return bits;
-}
-
-/** Calls function(node, bits) for the crossed voxels whose lower corner is in the leaf. */
-template <class Function>
-void ForEachCrossedVoxel(const LeafTable& table, std::size_t i, Function&& function)
-{
-  const std::int32_t leaf = static_cast<std::int32_t>(i);
-  table[i].Upto[0].ForEach(
-    [&](int node)
-    {
-      const unsigned bits = InsideCorners(table, leaf, node);
-      if (bits != 0 && bits != 0xffu)
-      {
-        function(node, bits);
-      }
-    });
-}
 
 /** Number of the vertex on an edge of the voxel with this lower corner. */
 std::int64_t VertexOnEdge(const LeafTable& table, std::int32_t leaf, int node, int edge)
@@ -57,9 +27,7 @@ std::int64_t VertexOnEdge(const LeafTable& table, std::int32_t leaf, int node, i
 
 float ValueAt(const LeafTable& table, const LeafTable::Place& place)
 {
-  return place.Leaf >= 0         ? table[place.Leaf].Value[place.Node]
-    : place.Leaf == NoLeafInside ? -NarrowBand::Far
-                                 : NarrowBand::Far;
+  return place.Leaf >= 0 ? table[place.Leaf].Value[place.Node] : table.BackgroundOf(place.Leaf);
 }
 
 /** Adds weight * central gradient at a node. */

@@ -10,20 +10,6 @@ namespace activesurface
 namespace
 {
 
-/** Nodes at either end of a crossed edge: they are not relaxed, which would move the surface. */
-LeafMask NodesWithCrossing(const LeafTable& table, const BandLeaf& leaf)
-{
-  LeafMask nodes;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const std::int32_t before = leaf.Neighbour[FaceNumber(axis, -1)];
-    static const LeafMask nothing;
-    const LeafMask& edges = before >= 0 ? table[before].Edge[axis] : nothing;
-    nodes = nodes | leaf.Edge[axis] | SeenBehind(leaf.Edge[axis], edges, axis, 1);
-  }
-  return nodes;
-}
-
 ACTIVE_ALWAYS_INLINE void CountSlopes(const float* u, unsigned bits, int& flat, int& steep)
 {
   float squares[8];
@@ -36,17 +22,46 @@ ACTIVE_ALWAYS_INLINE void CountSlopes(const float* u, unsigned bits, int& flat, 
   }
 }
 
-ACTIVE_FOR_EACH_INSTRUCTION_SET
-void StepLeaf(const LeafTable& table, std::size_t i, const StepCoefficients& coefficients,
-  SubstepBuffers& buffers)
+/** Adds all terms to a row; speeds: the target's, or null. */
+ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* speeds, unsigned relaxed,
+  const StepCoefficients& coefficients, float* next)
+{
+  if (coefficients.Moves())
+  {
+    RowMask relaxation = MaskOfBits(relaxed);
+    float speed[8];
+    for (int z = 0; z < 8; ++z)
+    {
+      relaxation[z] *= coefficients.Relaxation;
+      speed[z] = (speeds ? speeds[z] : 0.f) + coefficients.Uniform;
+    }
+    if (coefficients.Central)
+    {
+      AddCentralTransport(u, speed, coefficients.Advection, next);
+      AddTransport(u, speed, 0.f, relaxation, next);
+    }
+    else
+    {
+      AddTransport(u, speed, coefficients.Advection, relaxation, next);
+    }
+  }
+  if (coefficients.Tension != 0.f)
+  {
+    AddTension(u, coefficients.Tension, next);
+  }
+}
+
+ACTIVE_ALWAYS_INLINE void StepLeaf(const LeafTable& table, std::size_t i,
+  const StepCoefficients& coefficients, SubstepBuffers& buffers)
 {
   const BandLeaf& leaf = table[i];
   LeafBlock block;
   block.Gather(table, leaf);
+  // Relaxing the ends of a crossed edge would move the surface.
   const LeafMask relaxed = coefficients.Relaxation > 0.f
     ? LeafMask::All().Without(NodesWithCrossing(table, leaf))
     : LeafMask();
-  const float* speeds = coefficients.Moves ? buffers.Speed.data() + 512 * i : nullptr;
+  const float* speeds = coefficients.Attracted ? buffers.Speed.data() + 512 * i : nullptr;
   int flat = 0, steep = 0;
   for (int row = 0; row < 64; ++row)
   {
@@ -61,19 +76,7 @@ void StepLeaf(const LeafTable& table, std::size_t i, const StepCoefficients& coe
     }
     float next[8];
     std::copy_n(u, 8, next);
-    if (coefficients.Moves)
-    {
-      RowMask relaxation = MaskOfBits(relaxed.Row(x, y));
-      for (float& q : relaxation)
-      {
-        q *= coefficients.Relaxation;
-      }
-      AddTransport(u, speeds + 8 * row, coefficients.Advection, relaxation, next);
-    }
-    if (coefficients.Tension != 0.f)
-    {
-      AddTension(u, coefficients.Tension, next);
-    }
+    AddTerms(u, speeds ? speeds + 8 * row : nullptr, relaxed.Row(x, y), coefficients, next);
     for (int z = 0; z < 8; ++z)
     {
       result[z] = (active >> z) & 1u ? next[z] : u[z];
@@ -87,23 +90,38 @@ void StepLeaf(const LeafTable& table, std::size_t i, const StepCoefficients& coe
   buffers.SteepNodes[i] = steep;
 }
 
+void StepLeafWithBaseline(const LeafTable& table, std::size_t i,
+  const StepCoefficients& coefficients, SubstepBuffers& buffers)
+{
+  StepLeaf(table, i, coefficients, buffers);
+}
+
+ACTIVE_FOR_AVX2 void StepLeafWithAvx2(const LeafTable& table, std::size_t i,
+  const StepCoefficients& coefficients, SubstepBuffers& buffers)
+{
+  StepLeaf(table, i, coefficients, buffers);
+}
+
+ACTIVE_FOR_AVX512 void StepLeafWithAvx512(const LeafTable& table, std::size_t i,
+  const StepCoefficients& coefficients, SubstepBuffers& buffers)
+{
+  StepLeaf(table, i, coefficients, buffers);
+}
+
 }
 
 SlopeCounts StepForward(
-  LeafTable& table, const StepCoefficients& coefficients, SubstepBuffers& buffers)
+  const LeafTable& table, const StepCoefficients& coefficients, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
   buffers.Next.resize(512 * size);
   buffers.FlatNodes.resize(size);
   buffers.SteepNodes.resize(size);
-  table.ForEach([&](std::size_t i) { StepLeaf(table, i, coefficients, buffers); });
-  table.ForEach(
-    [&](std::size_t i)
-    {
-      std::copy_n(buffers.Next.data() + 512 * i, 512, table[i].Value);
-      table[i].Advanced = table[i].Active;
-      table[i].Inside = InsideNodes(table[i].Value);
-    });
+  const InstructionSet set = GetInstructionSet();
+  const auto step = set == InstructionSet::Avx512 ? StepLeafWithAvx512
+    : set == InstructionSet::Avx2                 ? StepLeafWithAvx2
+                                                  : StepLeafWithBaseline;
+  table.ForEach([&](std::size_t i) { step(table, i, coefficients, buffers); });
   SlopeCounts counts;
   for (std::size_t i = 0; i < size; ++i)
   {
@@ -112,6 +130,17 @@ SlopeCounts StepForward(
     counts.Steep += buffers.SteepNodes[i];
   }
   return counts;
+}
+
+void TakeNext(LeafTable& table, const SubstepBuffers& buffers)
+{
+  table.ForEach(
+    [&](std::size_t i)
+    {
+      std::copy_n(buffers.Next.data() + 512 * i, 512, table[i].Value);
+      table[i].Advanced = table[i].Active;
+      table[i].Inside = InsideNodes(table[i].Value);
+    });
 }
 
 void ScalePotential(LeafTable& table, float factor)

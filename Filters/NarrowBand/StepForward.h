@@ -2,7 +2,7 @@
  * One forward Euler step of the potential at the active nodes, in one sweep over the leaves:
  *
  *   u' = u - dt V/h |grad u|                  advection: ENO2 one-sided differences, Godunov's
- * choice
+ *                                             choice; or central differences
  *          + dt Tension kappa |grad u| / h^2  central differences
  *          - q sign(u) (|grad u| - 1)         slope relaxation, at nodes without a crossed edge
  *
@@ -25,7 +25,11 @@ struct StepCoefficients
   float Advection = 0.f;  //< dt / h
   float Tension = 0.f;    //< dt Tension / h^2
   float Relaxation = 0.f; //< q
-  bool Moves = false;     //< whether any speed or relaxation is to be applied
+  float Uniform = 0.f;    //< speed of all nodes, besides the target's
+  bool Attracted = false; //< whether there are target speeds
+  bool Central = false;   //< differences of the advective part
+
+  bool Moves() const { return this->Attracted || this->Uniform != 0.f; }
 };
 
 /** Slopes of the nodes of layer 0, counted on the potential before the step. */
@@ -36,9 +40,12 @@ struct SlopeCounts
   std::size_t Steep = 0; //< slope above sqrt 2
 };
 
-/** Advances all active nodes from the old values (Jacobi) and renews the signs. */
+/** Next from the values of all active nodes (Jacobi). */
 SlopeCounts StepForward(
-  LeafTable& table, const StepCoefficients& coefficients, SubstepBuffers& buffers);
+  const LeafTable& table, const StepCoefficients& coefficients, SubstepBuffers& buffers);
+
+/** Makes Next the potential, with its signs; the active nodes count as advanced. */
+void TakeNext(LeafTable& table, const SubstepBuffers& buffers);
 
 /** Multiplies the potential by a power of two: exact, and the surface stays where it is. */
 void ScalePotential(LeafTable& table, float factor);

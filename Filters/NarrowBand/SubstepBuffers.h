@@ -14,7 +14,8 @@ namespace activesurface
 
 struct SubstepBuffers
 {
-  // Per sample point, in the order of NumberCrossings.
+  // Per point of evaluation: the sample points in the order of NumberCrossings, then those of
+  // single nodes (NodePoints.h).
   std::vector<double> Points; //< x y z
   std::vector<double> Values; //< F - iso
   std::vector<double> Slopes; //< bound of |dF/dn|
@@ -26,6 +27,8 @@ struct SubstepBuffers
   std::vector<LeafMask> NextKnown;
 
   // Per leaf.
+  std::vector<LeafMask> OwnPoint; //< nodes with a point of evaluation of their own
+  std::vector<std::size_t> FirstOwnPoint;
   std::vector<float> LargestSpeed;
   std::vector<int> FlatNodes;  //< layer 0 nodes of slope below 1/sqrt 2
   std::vector<int> SteepNodes; //< layer 0 nodes of slope above sqrt 2

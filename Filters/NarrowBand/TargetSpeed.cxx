@@ -1,5 +1,6 @@
 #include "TargetSpeed.h"
 
+#include "NodePoints.h"
 #include "SubstepBuffers.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ struct WeightedSamples
 {
   std::array<float, 512> Weight{};
   std::array<float, 512> Sum{};
+  bool Plain = false; //< all weights are 1, as in the paper
 
   /** own: potential at the node, other: across the crossed edge. */
   void Add(int node, float own, float other, double value)
@@ -27,7 +29,7 @@ struct WeightedSamples
     {
       return;
     }
-    const float t = std::max(own / (own - other), smallest);
+    const float t = this->Plain ? 1.f : std::max(own / (own - other), smallest);
     const float weight = 1.f / (t * t);
     this->Weight[node] += weight;
     this->Sum[node] += weight * sample;
@@ -86,10 +88,12 @@ void AddOwnEdges(const LeafTable& table, const BandLeaf& leaf, int axis, const d
 }
 
 /** Speed at the nodes with crossed edges. */
-void TakeSamples(const LeafTable& table, std::size_t i, double attraction, SubstepBuffers& buffers)
+void TakeSamples(
+  const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
   const BandLeaf& leaf = table[i];
   WeightedSamples samples;
+  samples.Plain = motion.Paper;
   LeafMask known;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -97,18 +101,50 @@ void TakeSamples(const LeafTable& table, std::size_t i, double attraction, Subst
     AddOwnEdges(table, leaf, axis, buffers.Values.data(), samples, known);
   }
   float* speed = buffers.Speed.data() + 512 * i;
-  std::fill_n(speed, 512, 0.f); // what the extension does not reach stands still
-  float largest = 0.f;
-  const float rate = static_cast<float>(-attraction);
+  const float rate = static_cast<float>(-motion.Attraction);
   known.ForEach(
     [&](int node)
     {
       const float weight = samples.Weight[node];
       speed[node] = weight > 0.f ? rate * (samples.Sum[node] / weight) : 0.f;
-      largest = std::max(largest, std::fabs(speed[node]));
     });
   buffers.Known[i] = known;
-  buffers.LargestSpeed[i] = largest;
+}
+
+/** Speed at the nodes with points of their own. */
+void TakeOwnPoints(std::size_t i, const Motion& motion, SubstepBuffers& buffers)
+{
+  const double* value = buffers.Values.data() + buffers.FirstOwnPoint[i];
+  float* speed = buffers.Speed.data() + 512 * i;
+  const float rate = static_cast<float>(-motion.Attraction);
+  buffers.OwnPoint[i].ForEach(
+    [&](int node)
+    {
+      const float sample = static_cast<float>(*value++);
+      speed[node] = std::isfinite(sample) ? rate * sample : 0.f;
+    });
+}
+
+float LargestOf(const float* speed, const LeafMask& nodes)
+{
+  float largest = 0.f;
+  nodes.ForEach([&](int node) { largest = std::max(largest, std::fabs(speed[node])); });
+  return largest;
+}
+
+/** All that the samples themselves say; the largest speeds of each leaf with it. */
+void TakeTarget(
+  const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
+{
+  float* speed = buffers.Speed.data() + 512 * i;
+  std::fill_n(speed, 512, 0.f); // what the extension does not reach stands still
+  buffers.Known[i] = LeafMask();
+  if (SamplesCrossings(motion))
+  {
+    TakeSamples(table, i, motion, buffers);
+  }
+  TakeOwnPoints(i, motion, buffers);
+  buffers.LargestSpeed[i] = LargestOf(speed, buffers.Known[i] | buffers.OwnPoint[i]);
 }
 
 /** A leaf and its neighbours across the faces, as one round of the extension sees them. */
@@ -231,21 +267,45 @@ bool ExtendOnce(const LeafTable& table, SubstepBuffers& buffers)
 
 }
 
-double FindTargetSpeed(const LeafTable& table, double attraction, SubstepBuffers& buffers)
+double FindTargetSpeed(const LeafTable& table, const Motion& motion, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
   buffers.Speed.resize(512 * size);
   buffers.Known.resize(size);
   buffers.NextKnown.resize(size);
   buffers.LargestSpeed.resize(size);
-  table.ForEach([&](std::size_t i) { TakeSamples(table, i, attraction, buffers); });
-  while (ExtendOnce(table, buffers))
+  table.ForEach([&](std::size_t i) { TakeTarget(table, i, motion, buffers); });
+  // What is extended is a mean of what is known: no larger.
+  while (SamplesCrossings(motion) && !motion.Paper && ExtendOnce(table, buffers))
   {
   }
   double largest = 0.0;
   for (float speed : buffers.LargestSpeed)
   {
     largest = std::max(largest, static_cast<double>(speed));
+  }
+  return largest;
+}
+
+double LargestSpeedAtSurface(const LeafTable& table, const SubstepBuffers& buffers)
+{
+  const auto speedAt = [&](const LeafTable::Place& place)
+  { return buffers.Speed[512 * std::size_t(place.Leaf) + place.Node]; };
+  float largest = 0.f;
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      table[i].Edge[axis].ForEach(
+        [&](int node)
+        {
+          const LeafTable::Place lower{ static_cast<std::int32_t>(i), node };
+          const LeafTable::Place upper = table.Step(lower.Leaf, node, axis, 1);
+          const float low = table[i].Value[node], high = table[upper.Leaf].Value[upper.Node];
+          const float t = low / (low - high);
+          largest = std::max(largest, std::fabs((1.f - t) * speedAt(lower) + t * speedAt(upper)));
+        });
+    }
   }
   return largest;
 }

@@ -10,6 +10,7 @@
 #define TargetSpeed_h
 
 #include "LeafTable.h"
+#include "Motion.h"
 
 namespace activesurface
 {
@@ -17,10 +18,14 @@ namespace activesurface
 struct SubstepBuffers;
 
 /**
- * Fills Speed = -attraction * (F - iso) at the active nodes; nodes all of whose sample points were
- * dropped stand still. Returns the largest |speed|.
+ * Fills Speed = -Attraction * (F - iso) at the active nodes, from the values at the sample points
+ * and those at the nodes' own points (NodePoints.h). Nodes all of whose values were dropped stand
+ * still. Returns the largest |speed|.
  */
-double FindTargetSpeed(const LeafTable& table, double attraction, SubstepBuffers& buffers);
+double FindTargetSpeed(const LeafTable& table, const Motion& motion, SubstepBuffers& buffers);
+
+/** The largest |speed| at the sample points, interpolated between the nodes. */
+double LargestSpeedAtSurface(const LeafTable& table, const SubstepBuffers& buffers);
 
 }
 

@@ -1,0 +1,310 @@
+#include "BandState.h"
+
+#include "ExactControl.h"
+#include "GhostFill.h"
+#include "Layers.h"
+#include "NodePoints.h"
+#include "PaperStep.h"
+#include "SamplePoints.h"
+#include "StepForward.h"
+#include "TargetSpeed.h"
+#include "WalledTarget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace activesurface
+{
+
+/** One substep: what is asked for, and what comes of it. */
+struct NarrowBand::State::Move
+{
+  double MostTime = std::numeric_limits<double>::infinity();
+  bool MaySleep = true;
+
+  PenaltyForce Force;
+  double Step = 0.0; // time
+  bool Sleeps = false;
+};
+
+namespace
+{
+
+/** The potential is doubled or halved when most of its slopes have left 1/sqrt 2 .. sqrt 2. */
+float ScaleFor(const SlopeCounts& counts)
+{
+  return 2 * counts.Flat > counts.Nodes ? 2.f : 2 * counts.Steep > counts.Nodes ? .5f : 1.f;
+}
+
+/** Whether this motion ends at the target, and does so by itself. With tension the surface goes on
+ * towards the balance of both, and controls never rest. */
+bool EndsAtTarget(const Motion& motion)
+{
+  return motion.Attraction > 0.0 && motion.Tension == 0.0 && motion.AreaControl == Control::None &&
+    motion.VolumeControl == Control::None && SamplesCrossings(motion) && !motion.Paper;
+}
+
+}
+
+void NarrowBand::State::MakeEmpty()
+{
+  this->Potential = openvdb::FloatGrid::create(NarrowBand::Far);
+  this->Leaves.SetBackground(NarrowBand::Far);
+  this->Leaves.Rebuild(this->Potential->tree());
+  this->Crossings = 0;
+  this->Paper = false;
+}
+
+void NarrowBand::State::TakeTree(const openvdb::FloatTree::Ptr& tree)
+{
+  this->Potential->setTree(tree);
+  this->Leaves.SetBackground(this->Paper ? PaperThreshold : NarrowBand::Far);
+  this->Leaves.Rebuild(*tree);
+  ReadSigns(this->Leaves);
+  ReadActiveMasks(this->Leaves);
+  if (this->Paper)
+  {
+    RebuildPaperBand(this->Leaves, *tree);
+  }
+  else
+  {
+    RebuildLayers(this->Leaves, *tree);
+  }
+  this->Crossings = NumberCrossings(this->Leaves);
+}
+
+void NarrowBand::State::TakeScheme(const Motion& motion)
+{
+  if (motion.Paper == this->Paper)
+  {
+    return;
+  }
+  this->Paper = motion.Paper;
+  this->Leaves.SetBackground(this->Paper ? PaperThreshold : NarrowBand::Far);
+  for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
+  {
+    // The paper's band begins with all that is known; ghosts begin with none.
+    BandLeaf& leaf = this->Leaves[i];
+    leaf.Advanced = leaf.Active;
+    leaf.Active = this->Paper ? leaf.Upto[LastLayer] : leaf.Active;
+  }
+  this->RebuildBand();
+}
+
+std::size_t NarrowBand::State::CountActive() const
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
+  {
+    count += this->Leaves[i].Active.Count();
+  }
+  return count;
+}
+
+void NarrowBand::State::CheckSize() const
+{
+  const std::size_t count = this->CountActive();
+  if (count > this->Maximum)
+  {
+    std::ostringstream text;
+    text << "The band has grown to " << count << " active voxels, more than "
+         << "MaximumNumberOfActiveVoxels = " << this->Maximum
+         << "; enlarge VoxelSize, check that the target is bounded, or raise the maximum.";
+    throw std::runtime_error(text.str());
+  }
+}
+
+SkinMeasure NarrowBand::State::Measure() const
+{
+  const SkinMeasure skin = MeasureSkin(this->Leaves);
+  const double square = this->VoxelSize * this->VoxelSize;
+  return { skin.Area * square, skin.Volume * square * this->VoxelSize };
+}
+
+TargetLimits NarrowBand::State::SampleTarget(
+  const Motion& motion, Target& target, AdvanceReport& report)
+{
+  if (!(motion.Attraction > 0.0))
+  {
+    return {};
+  }
+  target.MoveTo(this->Time);
+  std::size_t count = SamplesCrossings(motion) ? this->Crossings : 0;
+  if (count > 0)
+  {
+    FindSamplePoints(this->Leaves, this->VoxelSize, count, this->Buffers.Points);
+  }
+  count = AddNodePoints(
+    this->Leaves, this->Potential->tree(), this->VoxelSize, motion, count, this->Buffers);
+  const TargetSamples samples = EvaluateTarget(target, count, this->Buffers);
+  const double speed = FindTargetSpeed(this->Leaves, motion, this->Buffers);
+  report.TargetEvaluations += samples.Count;
+  report.DroppedSamples += samples.Dropped;
+  report.MaxSpeed = std::max(report.MaxSpeed, speed);
+  return { speed, samples.LargestSlope };
+}
+
+PenaltyForce NarrowBand::State::FindForce(const Motion& motion) const
+{
+  const bool isForced =
+    motion.AreaControl == Control::Penalty || motion.VolumeControl == Control::Penalty;
+  return isForced ? FindPenalty(motion, this->Measure(), this->StartMeasure) : PenaltyForce();
+}
+
+// Within a thousandth of a voxel of the target going on would only roughen the surface.
+bool NarrowBand::State::IsAtTarget(const Motion& motion, const TargetLimits& limits) const
+{
+  constexpr double nearest = 1e-3;     // voxels
+  constexpr double nodesNearest = 1.0; // those of a crossed edge are up to a voxel off the surface
+  const double rate = this->VoxelSize * motion.Attraction * limits.Slope; // speed per voxel
+  return EndsAtTarget(motion) && limits.Speed <= nodesNearest * rate &&
+    LargestSpeedAtSurface(this->Leaves, this->Buffers) <= nearest * rate;
+}
+
+void NarrowBand::State::MakeDefaultStep(
+  const Motion& motion, const TargetLimits& limits, Move& move)
+{
+  const double size = this->VoxelSize;
+  const double tracking = TrackingRate(motion, size, limits);
+  const double step = move.Step;
+  StepCoefficients coefficients;
+  coefficients.Attracted = motion.Attraction > 0.0;
+  coefficients.Central = motion.Gradient == GradientScheme::Central;
+  coefficients.Uniform = static_cast<float>(move.Force.Speed);
+  coefficients.Advection = static_cast<float>(step / size);
+  coefficients.Tension = static_cast<float>(step * motion.Tension / (size * size));
+  const double speed = limits.Speed + std::fabs(move.Force.Speed);
+  coefficients.Relaxation = static_cast<float>(RelaxationFor(step * tracking, step * speed / size));
+  const SlopeCounts slopes = StepForward(this->Leaves, coefficients, this->Buffers);
+  if (motion.Box.Present)
+  {
+    ClampToWalls(this->Leaves, motion.Box, size, this->Buffers);
+  }
+  TakeNext(this->Leaves, this->Buffers);
+  this->RebuildBand();
+  const float scale = ScaleFor(slopes);
+  if (scale != 1.f)
+  {
+    ScalePotential(this->Leaves, scale);
+  }
+  this->RestoreControlled(motion);
+}
+
+void NarrowBand::State::MakePaperStep(const Motion& motion, Move& move)
+{
+  StepPaper(this->Leaves, move.Step / this->VoxelSize, this->Buffers);
+  if (motion.Box.Present)
+  {
+    ClampToWalls(this->Leaves, motion.Box, this->VoxelSize, this->Buffers);
+  }
+  TakeNext(this->Leaves, this->Buffers);
+  this->RebuildBand();
+  this->RestoreControlled(motion);
+}
+
+void NarrowBand::State::RestoreControlled(const Motion& motion)
+{
+  const double square = this->VoxelSize * this->VoxelSize;
+  const ControlledBand band{ this->Leaves, this->Buffers, [this] { this->RebuildBand(); },
+    motion.Box, this->VoxelSize };
+  if (motion.VolumeControl == Control::Exact)
+  {
+    RestoreVolume(band, HeldVolume(motion, this->StartMeasure) / (square * this->VoxelSize));
+  }
+  else if (motion.AreaControl == Control::Exact)
+  {
+    RestoreArea(band, HeldArea(motion, this->StartMeasure) / square);
+  }
+}
+
+void NarrowBand::State::MakeStep(
+  const Motion& motion, Target& target, AdvanceReport& report, Move& move)
+{
+  WalledTarget walled(target, motion.Box);
+  const TargetLimits limits =
+    this->SampleTarget(motion, motion.Box.Present ? walled : target, report);
+  move.Force = this->FindForce(motion);
+  double stable = StableStep(motion, this->VoxelSize, limits, move.Force);
+  move.Sleeps = !std::isfinite(stable) || (move.MaySleep && this->IsAtTarget(motion, limits));
+  if (motion.Paper)
+  {
+    const PaperLimits whole = FindPaperSpeed(this->Leaves, motion.Attraction > 0.0,
+      move.Force.Speed, motion.Tension / this->VoxelSize, this->Buffers);
+    stable = motion.CFL * PaperTimeStep(whole, motion.Tension, this->VoxelSize, this->BoxSize);
+    move.Sleeps = !std::isfinite(stable);
+  }
+  if (std::isfinite(move.MostTime))
+  {
+    CheckStep(stable, move.MostTime);
+  }
+  move.Step = std::min(stable, move.MostTime);
+  if (move.Sleeps)
+  {
+    ++report.Sleeps;
+    return;
+  }
+  if (motion.Paper)
+  {
+    this->MakePaperStep(motion, move);
+  }
+  else
+  {
+    this->MakeDefaultStep(motion, limits, move);
+  }
+  ++report.Substeps;
+}
+
+void NarrowBand::State::Step(
+  double end, const Motion& motion, Target& target, AdvanceReport& report)
+{
+  Move move;
+  move.MostTime = end - this->Time;
+  this->MakeStep(motion, target, report, move);
+  this->Time = move.Step < move.MostTime ? this->Time + move.Step : end;
+  this->CheckSize();
+}
+
+void NarrowBand::State::StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report)
+{
+  Move move;
+  move.MaySleep = false;
+  this->Trace.Begin(this->Leaves);
+  this->MakeStep(motion, target, report, move);
+  report.RestSpeed = move.Sleeps ? 0.0 : this->Trace.GetLargest(this->Leaves) / move.Step;
+  this->Time += move.Sleeps ? 0.0 : move.Step;
+  this->CheckSize();
+}
+
+void NarrowBand::State::RebuildBand()
+{
+  if (this->Paper)
+  {
+    RebuildPaperBand(this->Leaves, this->Potential->tree());
+  }
+  else
+  {
+    RebuildLayers(this->Leaves, this->Potential->tree());
+    FillGhosts(this->Leaves);
+  }
+  std::size_t empty = 0;
+  for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
+  {
+    empty += !IsUsed(this->Leaves[i]);
+  }
+  if (8 * empty > this->Leaves.Size())
+  {
+    DropEmptyLeaves(this->Leaves, this->Potential->tree());
+  }
+  this->Crossings = NumberCrossings(this->Leaves);
+}
+
+void NarrowBand::State::FinishFrame()
+{
+  DropEmptyLeaves(this->Leaves, this->Potential->tree());
+  NumberCrossings(this->Leaves);
+  WriteActiveMasks(this->Leaves);
+}
+
+}

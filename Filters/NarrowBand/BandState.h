@@ -1,0 +1,65 @@
+/**
+ * What a NarrowBand holds, and one substep of it.
+ */
+#ifndef BandState_h
+#define BandState_h
+
+#include "Displacement.h"
+#include "LeafTable.h"
+#include "NarrowBand.h"
+#include "SkinMeasure.h"
+#include "SubstepBuffers.h"
+#include "TimeStep.h"
+
+#include <limits>
+
+namespace activesurface
+{
+
+struct NarrowBand::State
+{
+  double VoxelSize = 1.0;
+  double Time = 0.0;
+  int Threads = 0;
+  std::size_t Maximum = std::numeric_limits<std::size_t>::max();
+  openvdb::FloatGrid::Ptr Potential;
+  LeafTable Leaves;
+  std::size_t Crossings = 0;
+  SkinMeasure StartMeasure; // world units
+  double BoxSize = 1.0;     // longest side of the bounds at the start
+  bool Paper = false;       // the band is the paper's: see PaperStep.h
+  SubstepBuffers Buffers;
+  Displacement Trace;
+
+  void MakeEmpty();
+  /** From the signs, or for the paper's band the active masks, of a tree. */
+  void TakeTree(const openvdb::FloatTree::Ptr& tree);
+  /** Makes the band the one that this motion needs. */
+  void TakeScheme(const Motion& motion);
+
+  void Step(double end, const Motion& motion, Target& target, AdvanceReport& report);
+  /** One substep of any length; the speed is the report's RestSpeed. */
+  void StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report);
+
+  void RebuildBand();
+  void FinishFrame();
+  std::size_t CountActive() const;
+  /** Area and volume in world units. */
+  SkinMeasure Measure() const;
+
+private:
+  struct Move;
+
+  TargetLimits SampleTarget(const Motion& motion, Target& target, AdvanceReport& report);
+  bool IsAtTarget(const Motion& motion, const TargetLimits& limits) const;
+  PenaltyForce FindForce(const Motion& motion) const;
+  void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
+  void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);
+  void MakePaperStep(const Motion& motion, Move& move);
+  void RestoreControlled(const Motion& motion);
+  void CheckSize() const;
+};
+
+}
+
+#endif

@@ -1,0 +1,124 @@
+#include "NodePoints.h"
+
+#include "SubstepBuffers.h"
+
+#include <openvdb/tree/ValueAccessor.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+
+namespace
+{
+
+using Potential = openvdb::tree::ValueAccessor<const PotentialTree, false>;
+
+double Mix(double a, double b, double t)
+{
+  return a + t * (b - a);
+}
+
+/** u between the nodes, at a point in voxels. */
+double Interpolate(const Potential& potential, const double x[3])
+{
+  const openvdb::Coord low(static_cast<int>(std::floor(x[0])), static_cast<int>(std::floor(x[1])),
+    static_cast<int>(std::floor(x[2])));
+  double value[8];
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    value[corner] = potential.getValue(low.offsetBy(corner >> 2, corner >> 1 & 1, corner & 1));
+  }
+  const double tx = x[0] - low[0], ty = x[1] - low[1], tz = x[2] - low[2];
+  const double front = Mix(Mix(value[0], value[1], tz), Mix(value[2], value[3], tz), ty);
+  const double back = Mix(Mix(value[4], value[5], tz), Mix(value[6], value[7], tz), ty);
+  return Mix(front, back, tx);
+}
+
+/** Moves a point of the band to the surface along the gradient. Where that vanishes, on a medial
+ * axis, the point stays: no point of the surface is the closest one. */
+void MoveToSurface(const Potential& potential, double x[3])
+{
+  constexpr int mostSteps = 8;
+  constexpr double longest = 1.5; // voxels; further, the interpolation would leave the layers
+  for (int step = 0; step < mostSteps; ++step)
+  {
+    const double value = Interpolate(potential, x);
+    double gradient[3], square = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double low[3] = { x[0], x[1], x[2] }, high[3] = { x[0], x[1], x[2] };
+      low[axis] -= .5;
+      high[axis] += .5;
+      gradient[axis] = Interpolate(potential, high) - Interpolate(potential, low);
+      square += gradient[axis] * gradient[axis];
+    }
+    if (square < 1e-8 || std::fabs(value) < 1e-9)
+    {
+      return;
+    }
+    const double length = std::fabs(value) / std::sqrt(square);
+    const double shift = value / square * std::min(1.0, longest / std::max(length, longest));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      x[axis] -= shift * gradient[axis];
+    }
+  }
+}
+
+LeafMask NodesWithOwnPoint(const LeafTable& table, const BandLeaf& leaf, const Motion& motion)
+{
+  if (!SamplesCrossings(motion))
+  {
+    return leaf.Active;
+  }
+  return motion.Paper ? leaf.Active.Without(NodesWithCrossing(table, leaf)) : LeafMask();
+}
+
+}
+
+std::size_t AddNodePoints(const LeafTable& table, const PotentialTree& potential, double voxelSize,
+  const Motion& motion, std::size_t crossings, SubstepBuffers& buffers)
+{
+  const std::size_t size = table.Size();
+  buffers.OwnPoint.assign(size, LeafMask());
+  buffers.FirstOwnPoint.assign(size, crossings);
+  if (SamplesCrossings(motion) && !motion.Paper)
+  {
+    return crossings;
+  }
+  table.ForEach(
+    [&](std::size_t i) { buffers.OwnPoint[i] = NodesWithOwnPoint(table, table[i], motion); });
+  std::size_t count = crossings;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    buffers.FirstOwnPoint[i] = count;
+    count += buffers.OwnPoint[i].Count();
+  }
+  buffers.Points.resize(3 * count);
+  table.ForEach(
+    [&](std::size_t i)
+    {
+      const Potential values(potential);
+      double* point = buffers.Points.data() + 3 * buffers.FirstOwnPoint[i];
+      buffers.OwnPoint[i].ForEach(
+        [&](int node)
+        {
+          const openvdb::Coord& origin = table[i].Origin;
+          double x[3] = { double(origin[0] + (node >> 6)), double(origin[1] + ((node >> 3) & 7)),
+            double(origin[2] + (node & 7)) };
+          if (motion.Evaluation == TargetEvaluation::ClosestPoint)
+          {
+            MoveToSurface(values, x);
+          }
+          for (double coordinate : x)
+          {
+            *point++ = voxelSize * coordinate;
+          }
+        });
+    });
+  return count;
+}
+
+}

@@ -1,0 +1,29 @@
+/**
+ * The connected parts of the skin: each bounds a body from outside or a void from inside.
+ */
+#ifndef SkinParts_h
+#define SkinParts_h
+
+#include "vtkActiveNarrowBandModule.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace activesurface
+{
+
+class NarrowBand;
+
+struct SkinPart
+{
+  double Area = 0.0;                    //< world units
+  double Volume = 0.0;                  //< enclosed; negative: of a void
+  std::int64_t EulerCharacteristic = 0; //< 2 - 2 * handles
+};
+
+/** In the order of their first vertices; the same bytes for the same potential. */
+VTKACTIVENARROWBAND_EXPORT std::vector<SkinPart> FindSkinParts(const NarrowBand& band);
+
+}
+
+#endif

@@ -1,0 +1,61 @@
+#include "WalledTarget.h"
+
+#include "SubstepBuffers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+
+double DistanceToWalls(const Walls& walls, const double x[3])
+{
+  double inside = -HUGE_VAL, square = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double beyond =
+      std::max(walls.Bounds[2 * axis] - x[axis], x[axis] - walls.Bounds[2 * axis + 1]);
+    inside = std::max(inside, beyond);
+    square += beyond > 0.0 ? beyond * beyond : 0.0;
+  }
+  return square > 0.0 ? std::sqrt(square) : inside;
+}
+
+void WalledTarget::Evaluate(
+  std::size_t count, const double* points, double* values, double* slopes) const
+{
+  this->Within.Evaluate(count, points, values, slopes);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    // In the target's own unit; where it is flat, as far from a distance, as a distance.
+    const double slope = slopes[i] > 0.0 ? slopes[i] : 1.0;
+    const double wall = slope * DistanceToWalls(this->Box, points + 3 * i);
+    if (wall > values[i])
+    {
+      values[i] = wall;
+      slopes[i] = slope;
+    }
+  }
+}
+
+void ClampToWalls(
+  const LeafTable& table, const Walls& walls, double voxelSize, SubstepBuffers& buffers)
+{
+  table.ForEach(
+    [&](std::size_t i)
+    {
+      const BandLeaf& leaf = table[i];
+      float* next = buffers.Next.data() + 512 * i;
+      leaf.Active.ForEach(
+        [&](int node)
+        {
+          const double x[3] = { voxelSize * (leaf.Origin[0] + (node >> 6)),
+            voxelSize * (leaf.Origin[1] + ((node >> 3) & 7)),
+            voxelSize * (leaf.Origin[2] + (node & 7)) };
+          const double wall = DistanceToWalls(walls, x) / voxelSize;
+          next[node] = std::max(next[node], static_cast<float>(wall));
+        });
+    });
+}
+
+}
