@@ -199,6 +199,12 @@ Shape Scale(const Shape& shape, double factor)
     [shape, shrunk](const Point& point) { return SlopeAt(shape, shrunk(point)); } };
 }
 
+Shape Move(const Shape& shape, const Point& to)
+{
+  return { [shape, to](const Point& point) { return shape.Value(Minus(point, to)); },
+    [shape, to](const Point& point) { return SlopeAt(shape, Minus(point, to)); } };
+}
+
 Point GetGradient(const Shape& shape, const Point& point)
 {
   constexpr double step = 1e-5;

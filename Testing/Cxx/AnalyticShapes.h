@@ -74,6 +74,9 @@ Shape Normalise(const Shape& shape, double reach);
 /** Grows a shape about the origin. */
 Shape Scale(const Shape& shape, double factor);
 
+/** Takes what is at the origin to a point. */
+Shape Move(const Shape& shape, const Point& to);
+
 /** By central differences, for shapes of size 1. */
 Point GetGradient(const Shape& shape, const Point& point);
 

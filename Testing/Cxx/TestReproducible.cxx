@@ -3,13 +3,13 @@
 
 #include "Check.h"
 #include "InstructionSets.h"
+#include "RandomShapes.h"
 #include "SurfaceMeasures.h"
 
 #include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -72,18 +72,24 @@ Shape MakeRing()
   return MakeTorus({ 0.01, 0.02, 0.013 }, 0.5, 0.22);
 }
 
-std::unique_ptr<NarrowBand> StartScene(int threads)
+struct Course
+{
+  Shape Start;
+  Shape End;
+};
+
+std::unique_ptr<NarrowBand> StartScene(int threads, const Shape& start)
 {
   auto band = std::make_unique<NarrowBand>(VoxelSizeOf(48));
   band->SetNumberOfThreads(threads);
-  StartOn(*band, MakeSixMetaballs());
+  StartOn(*band, start);
   return band;
 }
 
-std::unique_ptr<NarrowBand> RunScene(const Scene& scene, int threads)
+std::unique_ptr<NarrowBand> RunScene(const Scene& scene, int threads, const Course& course)
 {
-  std::unique_ptr<NarrowBand> band = StartScene(threads);
-  ShapeTarget target(MakeRing());
+  std::unique_ptr<NarrowBand> band = StartScene(threads, course.Start);
+  ShapeTarget target(course.End);
   band->Advance(scene.Time, scene.Way, target);
   return band;
 }
@@ -94,23 +100,38 @@ bool AreSameMeshes(const Mesh& first, const Mesh& second)
     first.Corners == second.Corners;
 }
 
-void AnyNumberOfThreadsGivesTheSameBytes(Check& check)
+void CheckThreads(Check& check, const Course& course)
 {
   // On a machine with two cores too.
   const tbb::global_control fourThreads(tbb::global_control::max_allowed_parallelism, 4);
   for (const Scene& scene : Scenes)
   {
-    const auto reference = RunScene(scene, 1);
+    const auto reference = RunScene(scene, 1, course);
     check.True(!reference->IsEmpty(), scene.Name + " leaves a surface to compare");
     for (const int threads : { 1, 2, 4 })
     {
-      const auto band = RunScene(scene, threads);
+      const auto band = RunScene(scene, threads, course);
       const std::string name = scene.Name + ", threads: " + std::to_string(threads);
       check.True(AreIdentical(*reference, *band), "the same potential, " + name);
       check.True(
         AreSameMeshes(Polygonise(*reference), Polygonise(*band)), "the same skin, " + name);
     }
   }
+}
+
+void AnyNumberOfThreadsGivesTheSameBytes(Check& check)
+{
+  CheckThreads(check, { MakeSixMetaballs(), MakeRing() });
+}
+
+void AnyNumberOfThreadsGivesTheSameBytesAtRandom(Check& check)
+{
+  RandomShapes random(14);
+  const Shape metaballs = Scale(MakeSixMetaballs(), random.DrawLengthNear(1.0));
+  const Shape start = Move(metaballs, random.DrawPointNear({ 0.0, 0.0, 0.0 }));
+  const Point centre = random.DrawPointNear({ 0.01, 0.02, 0.013 });
+  const double ring = random.DrawLengthNear(0.5);
+  CheckThreads(check, { start, MakeTorus(centre, ring, random.DrawLengthNear(0.22)) });
 }
 
 // The machine decides; where it lacks one, the best below it runs, and is compared with itself.
@@ -120,11 +141,11 @@ void AnyInstructionSetGivesTheSameBytes(Check& check)
   for (const Scene& scene : Scenes)
   {
     SetInstructionSet(InstructionSet::Baseline);
-    const auto reference = RunScene(scene, 2);
+    const auto reference = RunScene(scene, 2, { MakeSixMetaballs(), MakeRing() });
     for (const InstructionSet set : { InstructionSet::Avx2, InstructionSet::Avx512 })
     {
       const bool has = SetInstructionSet(set) == set;
-      const auto band = RunScene(scene, 2);
+      const auto band = RunScene(scene, 2, { MakeSixMetaballs(), MakeRing() });
       const std::string name = scene.Name + (set == InstructionSet::Avx2 ? ", AVX2" : ", AVX-512") +
         (has ? "" : " (not on this machine)");
       check.True(AreIdentical(*reference, *band), "the same potential, " + name);
@@ -139,7 +160,8 @@ void RunningTwiceGivesTheSameBytes(Check& check)
 {
   for (const Scene& scene : Scenes)
   {
-    check.True(AreIdentical(*RunScene(scene, 0), *RunScene(scene, 0)), scene.Name);
+    const Course course = { MakeSixMetaballs(), MakeRing() };
+    check.True(AreIdentical(*RunScene(scene, 0, course), *RunScene(scene, 0, course)), scene.Name);
   }
 }
 
@@ -148,8 +170,8 @@ void InterruptionLeavesNoTrace(Check& check)
 {
   for (const Scene& scene : Scenes)
   {
-    const auto reference = RunScene(scene, 2);
-    const auto band = StartScene(2);
+    const auto reference = RunScene(scene, 2, { MakeSixMetaballs(), MakeRing() });
+    const auto band = StartScene(2, MakeSixMetaballs());
     ShapeTarget target(MakeRing());
     bool more = true;
     int calls = 0;
@@ -169,8 +191,8 @@ void InterruptionLeavesNoTrace(Check& check)
 // The same object, used for something else before.
 void FormerUseLeavesNoTrace(Check& check)
 {
-  const auto reference = RunScene(Scenes[1], 2);
-  const auto band = StartScene(2);
+  const auto reference = RunScene(Scenes[1], 2, { MakeSixMetaballs(), MakeRing() });
+  const auto band = StartScene(2, MakeSixMetaballs());
   ShapeTarget elsewhere(MakeBall({ -0.2, 0.1, 0.3 }, 0.8));
   band->Advance(2.0, Scenes[1].Way, elsewhere);
   StartOn(*band, MakeSixMetaballs());
@@ -182,7 +204,7 @@ void FormerUseLeavesNoTrace(Check& check)
 void CloneIsABranch(Check& check)
 {
   const Scene& scene = Scenes[1];
-  const auto band = StartScene(2);
+  const auto band = StartScene(2, MakeSixMetaballs());
   ShapeTarget target(MakeRing());
   const double half = 0.5 * scene.Time;
   band->Advance(half, scene.Way, target);
@@ -198,16 +220,16 @@ void CloneIsABranch(Check& check)
 
 // Powers of two are exact in floating point: lengths by 2^10, tension [length^2/time] by 2^20; and
 // by 2^-30 and 2^-60, as for a scene of some nanometres in metres.
-void UnitOfLengthDoesNotMatter(Check& check)
+void CheckUnits(Check& check, const Ball& from, const Ball& to)
 {
-  const auto run = [](double unit)
+  const auto run = [&](double unit)
   {
     auto band = std::make_unique<NarrowBand>(VoxelSizeOf(32) * unit);
     const double box[6] = { -unit, unit, -unit, unit, -unit, unit };
-    band->Start(0.0, box, MakeInitialFunction(Scale(MakeBall(CentreA, 0.6), unit)));
+    band->Start(0.0, box, MakeInitialFunction(Scale(MakeBall(from.Centre, from.Radius), unit)));
     Motion motion;
     motion.Tension = 0.02 * unit * unit;
-    ShapeTarget target(Scale(MakeBall({ 0.1, 0.0, 0.0 }, 0.6), unit));
+    ShapeTarget target(Scale(MakeBall(to.Centre, to.Radius), unit));
     band->Advance(2.5, motion, target);
     return band;
   };
@@ -218,49 +240,104 @@ void UnitOfLengthDoesNotMatter(Check& check)
   check.True(AreIdentical(*reference, *run(std::ldexp(1.0, -30))), "and in one of a nanometre");
 }
 
-using Reorder = std::function<openvdb::Coord(const openvdb::Coord&)>;
+void UnitOfLengthDoesNotMatter(Check& check)
+{
+  CheckUnits(check, { CentreA, 0.6 }, { { 0.1, 0.0, 0.0 }, 0.6 });
+}
 
-// Largest difference near the surface [voxels] between a potential and its image under a symmetry
-// of the lattice.
-double GetAsymmetry(const NarrowBand& band, const Reorder& reorder)
+void UnitOfLengthDoesNotMatterAtRandom(Check& check)
+{
+  RandomShapes random(141);
+  for (int i = 0; i < 3; ++i)
+  {
+    const Ball from = random.DrawBallNear({ CentreA, 0.6 });
+    CheckUnits(check, from, random.DrawBallNear({ { 0.1, 0.0, 0.0 }, 0.6 }));
+  }
+}
+
+using openvdb::Coord;
+
+// A symmetry of the lattice: axis a of the image is axis Axes[a] of the original, times Signs[a].
+struct Symmetry
+{
+  const char* Name;
+  int Axes[3];
+  int Signs[3];
+};
+
+constexpr Symmetry Symmetries[] = { { "mirrored", { 0, 1, 2 }, { -1, 1, 1 } },
+  { "with x and y swapped", { 1, 0, 2 }, { 1, 1, 1 } },
+  { "with x, y, z permuted", { 1, 2, 0 }, { 1, 1, 1 } } };
+
+template <class Triple>
+Triple GetImage(const Triple& original, const Symmetry& symmetry)
+{
+  Triple image = original;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    image[axis] = symmetry.Signs[axis] * original[symmetry.Axes[axis]];
+  }
+  return image;
+}
+
+// Largest difference near the surface [voxels] between a potential's image and another potential.
+double GetAsymmetry(const NarrowBand& band, const NarrowBand& other, const Symmetry& symmetry)
 {
   const openvdb::FloatGrid::ConstPtr grid = band.GetPotential();
-  const openvdb::FloatGrid::ConstAccessor potential = grid->getConstAccessor();
+  const openvdb::FloatGrid::ConstPtr otherGrid = other.GetPotential();
+  const openvdb::FloatGrid::ConstAccessor potential = otherGrid->getConstAccessor();
   double largest = 0.0;
   for (auto node = grid->cbeginValueOn(); node; ++node)
   {
     if (std::abs(*node) < 1.f)
     {
-      const double other = potential.getValue(reorder(node.getCoord()));
-      largest = std::max(largest, std::abs(*node - other));
+      const double image = potential.getValue(GetImage(node.getCoord(), symmetry));
+      largest = std::max(largest, std::abs(*node - image));
     }
   }
   return largest;
 }
 
-// A ball at the origin is the same for all symmetries of the lattice, and so must be its potential.
-// Sums of three axes are rounded in another order: 6e-8 * |u| <= 2.4e-7 (|u| < 4) per substep and
-// node. Tension only averages, so that they add up at worst: 100 substeps give 2.4e-5.
-void MirroredAndTurnedBallsAreTheSame(Check& check)
+std::unique_ptr<NarrowBand> Shrink(Check& check, const Ball& ball)
 {
   const double h = VoxelSizeOf(32);
-  NarrowBand band(h);
-  StartOn(band, MakeBall({ 0.0, 0.0, 0.0 }, 0.6));
+  auto band = std::make_unique<NarrowBand>(h);
+  StartOn(*band, MakeBall(ball.Centre, ball.Radius));
   Motion motion;
   motion.Attraction = 0.0;
   motion.Tension = 1.0;
   motion.CFL = 0.8;
   ShapeTarget none(MakeConstant(0.0));
-  const AdvanceReport report = band.Advance(60 * 0.2 * h * h, motion, none);
-  check.True(!band.IsEmpty(), "there is a surface to compare");
+  const AdvanceReport report = band->Advance(60 * 0.2 * h * h, motion, none);
+  check.True(!band->IsEmpty(), "there is a surface to compare");
   check.Less(double(report.Substeps), 100.0, "number of substeps");
-  using openvdb::Coord;
-  const double mirrored = GetAsymmetry(band, [](Coord c) { return Coord(-c[0], c[1], c[2]); });
-  const double swapped = GetAsymmetry(band, [](Coord c) { return Coord(c[1], c[0], c[2]); });
-  const double turned = GetAsymmetry(band, [](Coord c) { return Coord(c[1], c[2], c[0]); });
-  check.Less(mirrored, 2.4e-5, "difference to the mirror image [h]");
-  check.Less(swapped, 2.4e-5, "difference to the image with x and y swapped [h]");
-  check.Less(turned, 2.4e-5, "difference to the image with x, y, z permuted [h]");
+  return band;
+}
+
+// The image of a ball under a symmetry of the lattice is a ball, and its potential must be the
+// image of the potential. Sums of three axes are rounded in another order: 6e-8 * |u| <= 2.4e-7
+// (|u| < 4) per substep and node. Tension only averages, so that they add up at worst: 100 substeps
+// give 2.4e-5.
+void CheckSymmetries(Check& check, const Ball& ball)
+{
+  const auto band = Shrink(check, ball);
+  for (const Symmetry& symmetry : Symmetries)
+  {
+    const auto image = Shrink(check, { GetImage(ball.Centre, symmetry), ball.Radius });
+    check.Less(GetAsymmetry(*band, *image, symmetry), 2.4e-5,
+      std::string("difference to the ball ") + symmetry.Name + " [h]");
+  }
+}
+
+void MirroredAndTurnedBallsAreTheSame(Check& check)
+{
+  CheckSymmetries(check, { { 0.0, 0.0, 0.0 }, 0.6 });
+}
+
+void MirroredAndTurnedBallsAreTheSameAtRandom(Check& check)
+{
+  RandomShapes random(142);
+  CheckSymmetries(check, random.DrawBallNear({ CentreA, 0.6 }));
 }
 }
 
@@ -270,8 +347,12 @@ int main(int argc, char** argv)
     { { "AnyNumberOfThreadsGivesTheSameBytes", AnyNumberOfThreadsGivesTheSameBytes },
       { "AnyInstructionSetGivesTheSameBytes", AnyInstructionSetGivesTheSameBytes },
       { "RunningTwiceGivesTheSameBytes", RunningTwiceGivesTheSameBytes },
+      { "AnyNumberOfThreadsGivesTheSameBytesAtRandom",
+        AnyNumberOfThreadsGivesTheSameBytesAtRandom },
       { "InterruptionLeavesNoTrace", InterruptionLeavesNoTrace },
       { "FormerUseLeavesNoTrace", FormerUseLeavesNoTrace }, { "CloneIsABranch", CloneIsABranch },
       { "UnitOfLengthDoesNotMatter", UnitOfLengthDoesNotMatter },
-      { "MirroredAndTurnedBallsAreTheSame", MirroredAndTurnedBallsAreTheSame } });
+      { "UnitOfLengthDoesNotMatterAtRandom", UnitOfLengthDoesNotMatterAtRandom },
+      { "MirroredAndTurnedBallsAreTheSame", MirroredAndTurnedBallsAreTheSame },
+      { "MirroredAndTurnedBallsAreTheSameAtRandom", MirroredAndTurnedBallsAreTheSameAtRandom } });
 }

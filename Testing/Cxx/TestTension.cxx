@@ -2,10 +2,12 @@
 // the sum of its principal curvatures is 2 / r. The surface is all that moves it: no target.
 
 #include "Check.h"
+#include "RandomShapes.h"
 #include "SurfaceMeasures.h"
 
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -67,7 +69,7 @@ void CheckShrinking(Check& check, const ShrinkingBall& ball)
     const Range radii = GetRadii(mesh, ball.Centre);
     const std::string name = Name(ball.Nodes, ball.Factor, radius);
     check.Near(radii.Mean / radius, 1.0, milestone.RelativeTolerance, "mean radius, " + name);
-    if (radius >= 0.3)
+    if (radius >= 0.5 * ball.StartRadius)
     {
       const Deviation deviation = GetDeviation(mesh, MakeBall(ball.Centre, radius), h);
       check.Less(radii.GetSpread() / h, 0.04, "spread of the radii [h], " + name);
@@ -95,26 +97,67 @@ void ShrinkingBallHasExactRadiusElsewhere(Check& check)
   CheckShrinking(check, { 64, 0.25, CentreB, 0.65, { { 0.5, 0.0005 }, { 0.35, 0.0012 } } });
 }
 
+// The milestones are the same parts of the start radius as from .6: 3/4, 1/2, 1/4. Errors are
+// proportional to h^2 / r^2, for the smallest start 1.23 times as large as there.
+ShrinkingBall DrawShrinkingBall(
+  RandomShapes& random, int n, double factor, const std::vector<double>& tolerances)
+{
+  const Ball start = random.DrawBallNear({ CentreA, 0.6 });
+  ShrinkingBall ball = { n, factor, start.Centre, start.Radius, {} };
+  double part = 0.75;
+  for (const double tolerance : tolerances)
+  {
+    ball.Milestones.push_back({ part * start.Radius, tolerance });
+    part -= 0.25;
+  }
+  return ball;
+}
+
+void ShrinkingBallHasExactRadiusAtRandom(Check& check)
+{
+  RandomShapes random(2);
+  for (const double factor : { 0.1, 0.2, 0.25 })
+  {
+    CheckShrinking(check, DrawShrinkingBall(random, 32, factor, { 0.0015, 0.0035, 0.015 }));
+    CheckShrinking(check, DrawShrinkingBall(random, 64, factor, { 0.0005, 0.0012, 0.005 }));
+  }
+  CheckShrinking(check, DrawShrinkingBall(random, 128, 0.25, { 0.0002, 0.0005 }));
+}
+
 // Exact: r0^2 / 4 b. The last voxel of the ball is no sphere on the lattice: it takes about
 // h^2 / b more or less, out of r0^2 / 4 b = 5.5 h^2 / b with r0 = 4.7 h, and half of that is found.
-void BallVanishesAtTheExactTime(Check& check)
+void CheckVanishing(Check& check, const Ball& ball, double factor)
 {
   const double h = VoxelSizeOf(32);
-  const double radius = 0.3;
-  const double exact = TimeToShrink(radius, 0.0);
+  const double exact = TimeToShrink(ball.Radius, 0.0);
+  NarrowBand band(h);
+  StartOn(band, MakeBall(ball.Centre, ball.Radius));
+  ShapeTarget none(MakeConstant(0.0));
+  int steps = 0;
+  while (!band.IsEmpty() && steps * factor * h * h < 3.0 * exact)
+  {
+    ++steps;
+    band.Advance(steps * factor * h * h, TensionAlone(0.25), none);
+  }
+  check.Near(steps * factor * h * h / exact, 1.0, 0.05,
+    "time of vanishing, " + Name(32, factor, ball.Radius));
+}
+
+void BallVanishesAtTheExactTime(Check& check)
+{
   for (const double factor : { 0.06, 0.24 })
   {
-    NarrowBand band(h);
-    StartOn(band, MakeBall(CentreA, radius));
-    ShapeTarget none(MakeConstant(0.0));
-    int steps = 0;
-    while (!band.IsEmpty() && steps * factor * h * h < 3.0 * exact)
-    {
-      ++steps;
-      band.Advance(steps * factor * h * h, TensionAlone(0.25), none);
-    }
-    check.Near(
-      steps * factor * h * h / exact, 1.0, 0.05, "time of vanishing, " + Name(32, factor, radius));
+    CheckVanishing(check, { CentreA, 0.3 }, factor);
+  }
+}
+
+// The smallest ball, of 4.2 h, takes 4.5 h^2 / b: the last voxel's share is a quarter larger.
+void BallVanishesAtTheExactTimeAtRandom(Check& check)
+{
+  RandomShapes random(3);
+  for (const double factor : { 0.06, 0.06, 0.06, 0.24, 0.24, 0.24 })
+  {
+    CheckVanishing(check, random.DrawBallNear({ CentreA, 0.3 }), factor);
   }
 }
 
@@ -132,26 +175,48 @@ double NoiseAt(const Point& point, double h)
   return bits / 2147483648.0 - 1.0;
 }
 
-double SpreadFromNoise(double factor)
+// Boundless when the noise has filled the box: StartOn sets a maximum of active voxels.
+double SpreadFromNoise(const Ball& ball, double factor)
 {
   const double h = VoxelSizeOf(32);
-  Shape noisy = MakeBall(CentreA, 0.6);
+  Shape noisy = MakeBall(ball.Centre, ball.Radius);
   noisy.Value = [h, smooth = noisy.Value](const Point& point)
   { return smooth(point) + 0.05 * h * NoiseAt(point, h); };
   NarrowBand band(h);
   StartOn(band, noisy);
   ShapeTarget none(MakeConstant(0.0));
-  band.Advance(TimeToShrink(0.6, 0.42), TensionAlone(factor), none);
-  return band.IsEmpty() ? 1e30 : GetRadii(Polygonise(band), CentreA).GetSpread() / h;
+  try
+  {
+    band.Advance(TimeToShrink(0.6, 0.42), TensionAlone(factor), none);
+  }
+  catch (const std::runtime_error&)
+  {
+    return 1e30;
+  }
+  return band.IsEmpty() ? 1e30 : GetRadii(Polygonise(band), ball.Centre).GetSpread() / h;
 }
 
 // The largest stable factor of explicit diffusion of a surface in space is 1/4: the potential is
 // flat along its normal, so that only two of the three second differences act. Noise of a standard
 // deviation of .03 h is gone after 44 substeps at that factor, and grows at 1.2 times it.
+void CheckStability(Check& check, const Ball& ball)
+{
+  check.Less(SpreadFromNoise(ball, 0.25), 0.06, "spread [h] from noise at dt = .25 h^2 / Tension");
+  check.Less(1.0, SpreadFromNoise(ball, 0.30), "spread [h] from noise at dt = .30 h^2 / Tension");
+}
+
 void TheStableTimeStepIsAQuarter(Check& check)
 {
-  check.Less(SpreadFromNoise(0.25), 0.06, "spread [h] from noise at dt = .25 h^2 / Tension");
-  check.Less(1.0, SpreadFromNoise(0.30), "spread [h] from noise at dt = .30 h^2 / Tension");
+  CheckStability(check, { CentreA, 0.6 });
+}
+
+void TheStableTimeStepIsAQuarterAtRandom(Check& check)
+{
+  RandomShapes random(11);
+  for (int i = 0; i < 3; ++i)
+  {
+    CheckStability(check, random.DrawBallNear({ CentreA, 0.6 }));
+  }
 }
 }
 
@@ -160,6 +225,9 @@ int main(int argc, char** argv)
   return RunFacts(argc, argv,
     { { "ShrinkingBallHasExactRadius", ShrinkingBallHasExactRadius },
       { "ShrinkingBallHasExactRadiusElsewhere", ShrinkingBallHasExactRadiusElsewhere },
+      { "ShrinkingBallHasExactRadiusAtRandom", ShrinkingBallHasExactRadiusAtRandom },
       { "BallVanishesAtTheExactTime", BallVanishesAtTheExactTime },
-      { "TheStableTimeStepIsAQuarter", TheStableTimeStepIsAQuarter } });
+      { "BallVanishesAtTheExactTimeAtRandom", BallVanishesAtTheExactTimeAtRandom },
+      { "TheStableTimeStepIsAQuarter", TheStableTimeStepIsAQuarter },
+      { "TheStableTimeStepIsAQuarterAtRandom", TheStableTimeStepIsAQuarterAtRandom } });
 }

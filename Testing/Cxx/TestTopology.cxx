@@ -2,6 +2,7 @@
 // close by themselves, and appear only where the surface can get to.
 
 #include "Check.h"
+#include "RandomShapes.h"
 #include "SurfaceMeasures.h"
 
 #include <string>
@@ -12,10 +13,42 @@ namespace
 {
 constexpr Point Origin = { 0.0, 0.0, 0.0 };
 
+constexpr Ball Left = { { -0.43, 0.01, 0.02 }, 0.3 };
+constexpr Ball Right = { { 0.45, 0.03, -0.01 }, 0.33 };
+
 Shape MakeTwoBalls()
 {
-  return MakeBalls({ { { -0.43, 0.01, 0.02 }, 0.3 }, { { 0.45, 0.03, -0.01 }, 0.33 } });
+  return MakeBalls({ Left, Right });
 }
+
+Shape DrawBall(RandomShapes& random, const Ball& ball)
+{
+  const Ball drawn = random.DrawBallNear(ball);
+  return MakeBall(drawn.Centre, drawn.Radius);
+}
+
+Shape DrawTwoBalls(RandomShapes& random)
+{
+  const Ball left = random.DrawBallNear(Left);
+  return MakeBalls({ left, random.DrawBallNear(Right) });
+}
+
+Shape DrawTorus(RandomShapes& random, double ringRadius, double tubeRadius)
+{
+  const Point centre = random.DrawPointNear({ 0.01, 0.02, 0.013 });
+  const double ring = random.DrawLengthNear(ringRadius);
+  return MakeTorus(centre, ring, random.DrawLengthNear(tubeRadius));
+}
+
+Shape DrawShell(RandomShapes& random, double outerRadius, double innerRadius)
+{
+  const double outer = random.DrawLengthNear(outerRadius);
+  const double inner = random.DrawLengthNear(innerRadius);
+  return Move(MakeShell(outer, inner), random.DrawPointNear(Origin));
+}
+
+// The facts at random: with centres within .05 and radii within 10 % what has something in common
+// keeps it, and what is apart stays apart, unless a comment says how that is seen to.
 
 // Twelve time constants after the start: e^-12 of the way is left, .0001 h.
 void CheckTopology(
@@ -48,9 +81,23 @@ void OneBallBecomesTwo(Check& check)
   CheckTopology(check, MakeBall(Origin, 0.5), MakeTwoBalls(), { 2, 0, 4 });
 }
 
+void OneBallBecomesTwoAtRandom(Check& check)
+{
+  RandomShapes random(171);
+  const Shape start = DrawBall(random, { Origin, 0.5 });
+  CheckTopology(check, start, DrawTwoBalls(random), { 2, 0, 4 });
+}
+
 void TwoBallsBecomeOne(Check& check)
 {
   CheckTopology(check, MakeTwoBalls(), MakeBall({ 0.01, 0.02, 0.0 }, 0.6), { 1, 0, 2 });
+}
+
+void TwoBallsBecomeOneAtRandom(Check& check)
+{
+  RandomShapes random(172);
+  const Shape start = DrawTwoBalls(random);
+  CheckTopology(check, start, DrawBall(random, { { 0.01, 0.02, 0.0 }, 0.6 }), { 1, 0, 2 });
 }
 
 void BallBecomesATorus(Check& check)
@@ -59,15 +106,36 @@ void BallBecomesATorus(Check& check)
   CheckTopology(check, MakeBall(Origin, 0.6), torus, { 1, 0, 0 });
 }
 
+void BallBecomesATorusAtRandom(Check& check)
+{
+  RandomShapes random(173);
+  const Shape start = DrawBall(random, { Origin, 0.6 });
+  CheckTopology(check, start, DrawTorus(random, 0.55, 0.2), { 1, 0, 0 });
+}
+
 void TorusBecomesABall(Check& check)
 {
   const Shape torus = MakeTorus({ 0.01, 0.02, 0.013 }, 0.5, 0.2);
   CheckTopology(check, torus, MakeBall({ 0.01, 0.03, 0.02 }, 0.6), { 1, 0, 2 });
 }
 
+void TorusBecomesABallAtRandom(Check& check)
+{
+  RandomShapes random(174);
+  const Shape start = DrawTorus(random, 0.5, 0.2);
+  CheckTopology(check, start, DrawBall(random, { { 0.01, 0.03, 0.02 }, 0.6 }), { 1, 0, 2 });
+}
+
 void OneOfTwoBallsVanishes(Check& check)
 {
   CheckTopology(check, MakeTwoBalls(), MakeBall({ -0.4, 0.0, 0.0 }, 0.32), { 1, 0, 2 });
+}
+
+void OneOfTwoBallsVanishesAtRandom(Check& check)
+{
+  RandomShapes random(175);
+  const Shape start = DrawTwoBalls(random);
+  CheckTopology(check, start, DrawBall(random, { { -0.4, 0.0, 0.0 }, 0.32 }), { 1, 0, 2 });
 }
 
 // No surface is there that could move to the void's.
@@ -76,9 +144,23 @@ void VoidOfTheTargetAloneIsNotMade(Check& check)
   CheckTopology(check, MakeBall(Origin, 0.6), MakeShell(0.7, 0.3), { 1, 0, 2 });
 }
 
+void VoidOfTheTargetAloneIsNotMadeAtRandom(Check& check)
+{
+  RandomShapes random(176);
+  const Shape start = DrawBall(random, { Origin, 0.6 });
+  CheckTopology(check, start, DrawShell(random, 0.7, 0.3), { 1, 0, 2 });
+}
+
 void VoidCloses(Check& check)
 {
   CheckTopology(check, MakeShell(0.7, 0.3), MakeBall(Origin, 0.65), { 1, 0, 2 });
+}
+
+void VoidClosesAtRandom(Check& check)
+{
+  RandomShapes random(177);
+  const Shape start = DrawShell(random, 0.7, 0.3);
+  CheckTopology(check, start, DrawBall(random, { Origin, 0.65 }), { 1, 0, 2 });
 }
 
 void VoidMoves(Check& check)
@@ -86,11 +168,31 @@ void VoidMoves(Check& check)
   CheckTopology(check, MakeShell(0.5, 0.4), MakeShell(0.7, 0.25), { 1, 1, 4 });
 }
 
+// With one centre, so that the target's void is within the start's. The start is .1 thick as above,
+// two voxels.
+void VoidMovesAtRandom(Check& check)
+{
+  RandomShapes random(178);
+  const Point centre = random.DrawPointNear(Origin);
+  const double inner = random.DrawLengthNear(0.4);
+  const Shape start = Move(MakeShell(inner + 0.1, inner), centre);
+  const double goal = random.DrawLengthNear(0.7);
+  const Shape end = Move(MakeShell(goal, random.DrawLengthNear(0.25)), centre);
+  CheckTopology(check, start, end, { 1, 1, 4 });
+}
+
 // It shrinks with the distance to the target's ball, and cannot jump there.
 void BallApartFromItsTargetVanishes(Check& check)
 {
   const Shape start = MakeBall({ -0.5, 0.0, 0.0 }, 0.25);
   CheckTopology(check, start, MakeBall({ 0.5, 0.0, 0.0 }, 0.25), { 0, 0, 0 });
+}
+
+void BallApartFromItsTargetVanishesAtRandom(Check& check)
+{
+  RandomShapes random(179);
+  const Shape start = DrawBall(random, { { -0.5, 0.0, 0.0 }, 0.25 });
+  CheckTopology(check, start, DrawBall(random, { { 0.5, 0.0, 0.0 }, 0.25 }), { 0, 0, 0 });
 }
 
 // Under tension it is a near thing at n = 40: the lens that both balls share is .1 thick, two
@@ -103,16 +205,42 @@ void SmallOverlapIsEnoughToArrive(Check& check)
     CheckTopology(check, start, MakeBall({ 0.3, 0.0, 0.0 }, 0.3), { 1, 0, 2 }, n);
   }
 }
+
+// The lens is .1 thick, and as wide as above or wider: of smaller balls it is narrower, and tension
+// may well make it vanish, at n = 96 too.
+void SmallOverlapIsEnoughToArriveAtRandom(Check& check)
+{
+  RandomShapes random(180);
+  const Point centre = random.DrawPointNear({ -0.2, 0.0, 0.0 });
+  const double radius = random.DrawBetween(0.3, 0.33);
+  const double goal = random.DrawBetween(0.3, 0.33);
+  const Point beyond = { centre[0] + radius + goal - 0.1, centre[1], centre[2] };
+  for (const int n : { 40, 64 })
+  {
+    CheckTopology(check, MakeBall(centre, radius), MakeBall(beyond, goal), { 1, 0, 2 }, n);
+  }
+}
 }
 
 int main(int argc, char** argv)
 {
   return RunFacts(argc, argv,
-    { { "OneBallBecomesTwo", OneBallBecomesTwo }, { "TwoBallsBecomeOne", TwoBallsBecomeOne },
-      { "BallBecomesATorus", BallBecomesATorus }, { "TorusBecomesABall", TorusBecomesABall },
+    { { "OneBallBecomesTwo", OneBallBecomesTwo },
+      { "OneBallBecomesTwoAtRandom", OneBallBecomesTwoAtRandom },
+      { "TwoBallsBecomeOne", TwoBallsBecomeOne },
+      { "TwoBallsBecomeOneAtRandom", TwoBallsBecomeOneAtRandom },
+      { "BallBecomesATorus", BallBecomesATorus },
+      { "BallBecomesATorusAtRandom", BallBecomesATorusAtRandom },
+      { "TorusBecomesABall", TorusBecomesABall },
+      { "TorusBecomesABallAtRandom", TorusBecomesABallAtRandom },
       { "OneOfTwoBallsVanishes", OneOfTwoBallsVanishes },
+      { "OneOfTwoBallsVanishesAtRandom", OneOfTwoBallsVanishesAtRandom },
       { "VoidOfTheTargetAloneIsNotMade", VoidOfTheTargetAloneIsNotMade },
-      { "VoidCloses", VoidCloses }, { "VoidMoves", VoidMoves },
+      { "VoidOfTheTargetAloneIsNotMadeAtRandom", VoidOfTheTargetAloneIsNotMadeAtRandom },
+      { "VoidCloses", VoidCloses }, { "VoidClosesAtRandom", VoidClosesAtRandom },
+      { "VoidMoves", VoidMoves }, { "VoidMovesAtRandom", VoidMovesAtRandom },
       { "BallApartFromItsTargetVanishes", BallApartFromItsTargetVanishes },
-      { "SmallOverlapIsEnoughToArrive", SmallOverlapIsEnoughToArrive } });
+      { "BallApartFromItsTargetVanishesAtRandom", BallApartFromItsTargetVanishesAtRandom },
+      { "SmallOverlapIsEnoughToArrive", SmallOverlapIsEnoughToArrive },
+      { "SmallOverlapIsEnoughToArriveAtRandom", SmallOverlapIsEnoughToArriveAtRandom } });
 }
