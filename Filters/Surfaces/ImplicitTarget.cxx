@@ -1,5 +1,6 @@
 #include "ImplicitTarget.h"
 
+#include "vtkGridPotential.h"
 #include "vtkImplicitBoolean.h"
 #include "vtkImplicitFunction.h"
 #include "vtkImplicitFunctionCollection.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <vector>
 
 namespace activesurface
@@ -23,8 +25,9 @@ namespace
 // Functions that only read themselves when they are evaluated. Subclasses have names of their own.
 bool OnlyReadsItself(vtkImplicitFunction* function)
 {
-  constexpr std::array<const char*, 9> known = { "vtkBox", "vtkCone", "vtkCylinder", "vtkPlane",
-    "vtkPlanes", "vtkQuadric", "vtkSkeletonPotential", "vtkSphere", "vtkSuperquadric" };
+  constexpr std::array<const char*, 10> known = { "vtkBox", "vtkCone", "vtkCylinder",
+    "vtkGridPotential", "vtkPlane", "vtkPlanes", "vtkQuadric", "vtkSkeletonPotential", "vtkSphere",
+    "vtkSuperquadric" };
   const char* name = function->GetClassName();
   return std::any_of(
     known.begin(), known.end(), [name](const char* other) { return !std::strcmp(name, other); });
@@ -38,6 +41,23 @@ bool HasGradient(vtkImplicitFunction* function)
     !vtkSuperquadric::SafeDownCast(function);           // it is always 0
 }
 
+using Batch =
+  std::function<void(vtkIdType count, const double* points, double* values, double* gradients)>;
+
+// EvaluateBatch of a function that has it, as it is now; empty for others.
+template <class Potential>
+Batch FindBatch(vtkImplicitFunction* function)
+{
+  Potential* potential = Potential::SafeDownCast(function);
+  if (!potential)
+  {
+    return {};
+  }
+  potential->Build();
+  return [potential](vtkIdType count, const double* points, double* values, double* gradients)
+  { potential->EvaluateBatch(count, points, values, gradients); };
+}
+
 }
 
 // A function, and those that it is made of.
@@ -49,7 +69,7 @@ struct ImplicitTarget::Node
   double SampleAt(const double x[3], double gradient[3]) const;
 
   bool ThreadSafe = false;
-  vtkSkeletonPotential* Skeleton = nullptr; // the function, if it is one, to be taken in batches
+  Batch InBatches; // evaluates the function, if it is one of those with EvaluateBatch
 
 private:
   double SampleBoolean(const double x[3], double gradient[3]) const;
@@ -72,10 +92,10 @@ ImplicitTarget::Node::Node(vtkImplicitFunction* function, double step)
     return;
   }
   this->ThreadSafe = OnlyReadsItself(function);
-  this->Skeleton = vtkSkeletonPotential::SafeDownCast(function);
-  if (this->Skeleton)
+  this->InBatches = FindBatch<vtkSkeletonPotential>(function);
+  if (!this->InBatches)
   {
-    this->Skeleton->Build();
+    this->InBatches = FindBatch<vtkGridPotential>(function);
   }
   if (std::strcmp(function->GetClassName(), "vtkImplicitBoolean") != 0)
   {
@@ -95,10 +115,10 @@ ImplicitTarget::Node::Node(vtkImplicitFunction* function, double step)
 
 double ImplicitTarget::Node::ValueAt(const double x[3]) const
 {
-  if (this->Skeleton)
+  if (this->InBatches)
   {
     double value;
-    this->Skeleton->EvaluateBatch(1, x, &value, nullptr);
+    this->InBatches(1, x, &value, nullptr);
     return value;
   }
   return this->Function->FunctionValue(x);
@@ -106,10 +126,10 @@ double ImplicitTarget::Node::ValueAt(const double x[3]) const
 
 double ImplicitTarget::Node::SampleAt(const double x[3], double gradient[3]) const
 {
-  if (this->Skeleton)
+  if (this->InBatches)
   {
     double value;
-    this->Skeleton->EvaluateBatch(1, x, &value, gradient);
+    this->InBatches(1, x, &value, gradient);
     return value;
   }
   if (this->Boolean)
@@ -192,9 +212,9 @@ bool ImplicitTarget::IsThreadSafe() const
 void ImplicitTarget::Sample(
   std::size_t count, const double* points, double* values, double* gradients) const
 {
-  if (this->Root->Skeleton)
+  if (this->Root->InBatches)
   {
-    this->Root->Skeleton->EvaluateBatch(static_cast<vtkIdType>(count), points, values, gradients);
+    this->Root->InBatches(static_cast<vtkIdType>(count), points, values, gradients);
     return;
   }
   for (std::size_t i = 0; i < count; ++i)
