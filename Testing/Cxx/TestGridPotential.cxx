@@ -1,109 +1,15 @@
-// vtkGridPotential of an image: the trilinear function, its box, and what is of no use.
+// vtkGridPotential of an image: the trilinear function and its box.
 
 #include "Check.h"
 #include "GridSamples.h"
 #include "GridShapes.h"
 #include "PipelineTools.h"
 
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkImplicitBoolean.h"
-#include "vtkMatrix3x3.h"
 #include "vtkTransform.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <functional>
 #include <memory>
-
-namespace
-{
-// Spacing (.5, .25, 2), an extent that starts at (2, -3, 10), and axes turned about z by an angle
-// of cosine .8, then cyclically exchanged.
-struct Place
-{
-  explicit Place(bool isTurned)
-  {
-    if (isTurned)
-    {
-      this->Direction = { 0.0, 0.0, 1.0, 0.8, -0.6, 0.0, 0.6, 0.8, 0.0 };
-    }
-  }
-
-  Point At(const Point& pixel) const
-  {
-    Point x = this->Origin;
-    for (int d = 0; d < 3; ++d)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        x[d] += this->Direction[3 * d + axis] * this->Spacing[axis] * pixel[axis];
-      }
-    }
-    return x;
-  }
-
-  // The gradient in space of one by pixel.
-  Point Turn(const Point& rise) const
-  {
-    Point gradient = { 0.0, 0.0, 0.0 };
-    for (int d = 0; d < 3; ++d)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        gradient[d] += this->Direction[3 * d + axis] * rise[axis] / this->Spacing[axis];
-      }
-    }
-    return gradient;
-  }
-
-  Point Origin = { 1.0, -2.0, 3.0 };
-  Point Spacing = { 0.5, 0.25, 2.0 };
-  std::array<int, 6> Extent = { 2, 6, -3, 2, 10, 16 };
-  std::array<double, 9> Direction = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
-};
-
-using Field = std::function<double(double i, double j, double k)>;
-
-double Linear(double i, double j, double k)
-{
-  return 2.0 * i + 3.0 * j + 5.0 * k - 40.0; // 1 to 56: any type holds it
-}
-
-vtkSmartPointer<vtkImageData> MakeImage(const Place& place, int type, const Field& field)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  auto extent = place.Extent;
-  image->SetExtent(extent.data());
-  image->SetOrigin(place.Origin.data());
-  image->SetSpacing(place.Spacing.data());
-  image->SetDirectionMatrix(place.Direction.data());
-  image->AllocateScalars(type, 1);
-  for (int k = extent[4]; k <= extent[5]; ++k)
-  {
-    for (int j = extent[2]; j <= extent[3]; ++j)
-    {
-      for (int i = extent[0]; i <= extent[1]; ++i)
-      {
-        image->SetScalarComponentFromDouble(i, j, k, 0, field(i, j, k));
-      }
-    }
-  }
-  return image;
-}
-
-Point PixelIn(const Place& place, Random& random)
-{
-  const auto& e = place.Extent;
-  return { random.Between(e[0], e[1]), random.Between(e[2], e[3]), random.Between(e[4], e[5]) };
-}
-
-vtkSmartPointer<vtkImageData> MakeNoise(const Place& place, unsigned seed)
-{
-  Random random(seed);
-  return MakeImage(
-    place, VTK_DOUBLE, [&random](double, double, double) { return random.Between(-1.0, 1.0); });
-}
-}
 
 // Some 30 roundings of numbers up to 100, and of lattice coordinates up to 50, times slopes of up
 // to 5 per pixel: 1e-12 is ample. Spacing makes it up to 4 times as much in the gradient.
@@ -261,79 +167,6 @@ void GradientIsThatOfTheValue(Check& check)
   }
 }
 
-namespace
-{
-void ExpectError(Check& check, vtkGridPotential* potential, const std::string& words)
-{
-  const Listener listener(potential);
-  check.Equal(ValueAt(potential, { 1.5, 1.5, 1.5 }), 1.0, words + ": outside everywhere");
-  check.True(GradientAt(potential, { 1.5, 1.5, 1.5 }) == Point{ 0.0, 0.0, 0.0 }, "no gradient");
-  check.Equal(listener.Errors, 1, words + ": one error");
-  check.True(listener.Said(words), words + ": is what it says");
-  const std::string told = potential->GetError();
-  check.True(told.find(words) != std::string::npos && told.back() == '.', told + ": GetError");
-  double bounds[6];
-  check.True(!potential->GetGridBounds(bounds) && bounds[0] > bounds[1], words + ": no bounds");
-}
-
-vtkSmartPointer<vtkImageData> MakeSmallImage(int x, int y, int z, int components = 1)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(x, y, z);
-  image->AllocateScalars(VTK_FLOAT, components);
-  image->GetPointData()->GetScalars()->Fill(-1.0);
-  return image;
-}
-}
-
-void InputOfNoUseIsOneError(Check& check)
-{
-  const auto expect = [&check](vtkDataSet* input, const std::string& words, const char* name = "")
-  {
-    vtkNew<vtkGridPotential> potential;
-    potential->SetInput(input);
-    potential->SetScalarArrayName(name);
-    ExpectError(check, potential, words);
-  };
-  expect(vtkNew<vtkUnstructuredGrid>(), "A vtkUnstructuredGrid");
-  expect(vtkNew<vtkImageData>(), "is empty");
-  expect(MakeSmallImage(4, 1, 4), "is flat");
-  expect(MakeSmallImage(4, 4, 4, 3), "have 3 components");
-  expect(MakeSmallImage(4, 4, 4), "\"absent\" is missing", "absent");
-  auto image = MakeSmallImage(4, 4, 4);
-  image->GetPointData()->GetScalars()->Resize(10);
-  expect(image, "have 10 values for 64 pixels");
-  image = MakeSmallImage(4, 4, 4);
-  image->GetPointData()->Initialize();
-  expect(image, "no numeric point array");
-  const auto expectNoPlace = [&expect](const std::function<void(vtkImageData*)>& spoil)
-  {
-    auto spoilt = MakeSmallImage(4, 4, 4);
-    spoil(spoilt);
-    expect(spoilt, "no place in space");
-  };
-  expectNoPlace([](vtkImageData* i) { i->SetSpacing(1.0, 0.0, 1.0); });
-  expectNoPlace([](vtkImageData* i) { i->SetSpacing(1.0, 1.0, NaN); });
-  expectNoPlace([](vtkImageData* i) { i->SetOrigin(NaN, 0.0, 0.0); });
-  expectNoPlace([](vtkImageData* i) { i->SetDirectionMatrix(1, 1, 0, 0, 1, 0, 0, 0, 1); });
-}
-
-void ErrorsCanBeKeptQuiet(Check& check)
-{
-  vtkNew<vtkGridPotential> potential;
-  const Listener listener(potential);
-  check.Equal(ValueAt(potential, { 0.0, 0.0, 0.0 }), 1.0, "no input");
-  check.Equal(std::string(potential->GetError()), "There is no input.", "GetError");
-  potential->SetReportErrors(false);
-  potential->SetInput(MakeSmallImage(4, 4, 1));
-  check.Equal(ValueAt(potential, { 0.0, 0.0, 0.0 }), 1.0, "flat");
-  check.True(std::string(potential->GetError()).find("flat") != std::string::npos, "GetError");
-  check.Equal(listener.Errors, 0, "errors");
-  potential->SetInput(MakeSmallImage(4, 4, 4));
-  check.Equal(ValueAt(potential, { 1.0, 1.0, 1.0 }), -1.0, "an image of use");
-  check.Equal(std::string(potential->GetError()), "", "GetError");
-}
-
 // Turned axes may be mirrored, and spacing negative.
 void MirroredAxesAreNoError(Check& check)
 {
@@ -383,41 +216,6 @@ void WaysOfAskingGiveTheSameBytes(Check& check)
   {
     check.True(AreSameBytes(one, byThread), "several threads");
   }
-}
-
-void ChangesOfTheImageAreSeen(Check& check)
-{
-  auto image = MakeSmallImage(4, 4, 4);
-  vtkNew<vtkFloatArray> other;
-  other->SetName("other");
-  other->SetNumberOfTuples(64);
-  other->Fill(3.0);
-  image->GetPointData()->AddArray(other);
-  vtkNew<vtkGridPotential> potential;
-  potential->SetInput(image);
-  const auto isSeen = [&](double expected, const char* sentence)
-  {
-    static vtkMTimeType before = 0;
-    check.True(potential->GetMTime() > before, std::string("GetMTime: ") + sentence);
-    check.Equal(ValueAt(potential, { 2.5, 1.0, 1.0 }), expected, sentence);
-    before = potential->GetMTime();
-  };
-  isSeen(-1.0, "at the start");
-  image->GetPointData()->GetScalars()->Fill(-2.0);
-  image->GetPointData()->GetScalars()->Modified();
-  isSeen(-2.0, "pixels");
-  image->SetSpacing(0.5, 1.0, 1.0);
-  isSeen(1.0, "spacing: now outside");
-  image->SetOrigin(2.0, 0.0, 0.0);
-  isSeen(-2.0, "origin");
-  potential->SetScalarArrayName("other");
-  isSeen(3.0, "ScalarArrayName");
-  potential->SetIsoValue(1.0);
-  isSeen(2.0, "IsoValue");
-  potential->InvertInsideOn();
-  isSeen(-2.0, "InvertInside");
-  potential->SetInput(nullptr);
-  isSeen(1.0, "no input");
 }
 
 namespace
@@ -504,11 +302,8 @@ int main(int argc, char** argv)
       { "IsoValueAndInvertInsideSaySide", IsoValueAndInvertInsideSaySide },
       { "NaNPixelsSpoilTheVoxelsThatTouchThem", NaNPixelsSpoilTheVoxelsThatTouchThem },
       { "GradientIsThatOfTheValue", GradientIsThatOfTheValue },
-      { "InputOfNoUseIsOneError", InputOfNoUseIsOneError },
-      { "ErrorsCanBeKeptQuiet", ErrorsCanBeKeptQuiet },
       { "MirroredAxesAreNoError", MirroredAxesAreNoError },
       { "WaysOfAskingGiveTheSameBytes", WaysOfAskingGiveTheSameBytes },
-      { "ChangesOfTheImageAreSeen", ChangesOfTheImageAreSeen },
       { "SamplesTakeThePlaceOfAnInput", SamplesTakeThePlaceOfAnInput },
       { "IsATargetOfTheSkin", IsATargetOfTheSkin },
     });
