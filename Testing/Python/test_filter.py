@@ -12,9 +12,10 @@ from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotent
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkIntArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkSphere
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkSphere, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 
 UNSET_BOUNDS = (1.0, -1.0, 1.0, -1.0, 1.0, -1.0)
 DEFAULTS = {
@@ -36,6 +37,7 @@ DEFAULTS = {
     "ParticleRadius": 0.0,
     "ParticleKernel": 0,  # vtkSkeletonPotential.WYVILL
     "ParticleThreshold": 0.5,
+    "MeshThickness": 0.0,
     "ComputeNormals": 1,
     "OutputPotential": 0,
     "MaximumNumberOfActiveVoxels": 50000000,
@@ -48,6 +50,7 @@ CLAMPED = [
     ("Attraction", -1.0, 0.0),
     ("Tension", -1.0, 0.0),
     ("ParticleRadius", -1.0, 0.0),
+    ("MeshThickness", -1.0, 0.0),
     ("ParticleKernel", 7, vtkSkeletonPotential.METABALL),
     ("NumberOfTimeSteps", 0, 1),
     ("NumberOfThreads", -3, 0),
@@ -71,6 +74,7 @@ REFUSED = [
     ("TimeScale", 0.0),
     ("ParticleRadius", math.nan),
     ("ParticleThreshold", math.inf),
+    ("MeshThickness", math.nan),
 ]
 
 
@@ -276,6 +280,40 @@ class Outputs(unittest.TestCase):
         self.assertIsNone(surface.GetOutput().GetPointData().GetNormals())
 
 
+class Inputs(unittest.TestCase):
+    def setUp(self):
+        self.mesh = vtkSphereSource()  # of radius .5
+        self.mesh.SetThetaResolution(64)
+        self.mesh.SetPhiResolution(64)
+        self.image = vtkSampleFunction()
+        self.image.SetImplicitFunction(make_ball(0.5))
+        self.image.SetModelBounds(-1, 1, -1, 1, -1, 1)
+        self.surface = vtkActiveImplicitSurface()
+        self.surface.SetVoxelSize(0.05)
+
+    def assert_is_the_ball(self, time):
+        self.surface.UpdateTimeStep(time)
+        bounds = self.surface.GetOutput().GetBounds()
+        for side, bound in enumerate(bounds):
+            # As in TestTargets.cxx: .06 voxels.
+            self.assertAlmostEqual(bound, 0.5 if side % 2 else -0.5, delta=0.003)
+
+    def test_a_mesh_is_a_target(self):
+        self.surface.SetInputConnection(self.mesh.GetOutputPort())
+        self.assert_is_the_ball(0.0)
+        self.assert_is_the_ball(1.0)
+
+    def test_an_image_is_a_target(self):
+        self.surface.SetInputConnection(self.image.GetOutputPort())
+        self.assert_is_the_ball(0.0)
+        self.assert_is_the_ball(1.0)
+
+    def test_a_mesh_is_an_initial_shape(self):
+        self.surface.SetTargetFunction(make_ball(0.4))
+        self.surface.SetInputConnection(1, self.mesh.GetOutputPort())
+        self.assert_is_the_ball(0.0)
+
+
 class Garbage(unittest.TestCase):
     def assert_says(self, surface, words):
         listener = Listener(surface)
@@ -292,11 +330,24 @@ class Garbage(unittest.TestCase):
         surface.SetInputData(make_points([(0, 0, 0)]))
         self.assert_says(surface, "There are two targets")
 
-    def test_a_mesh(self):
-        mesh = vtkSphereSource()
+    def test_a_table(self):
         surface = vtkActiveImplicitSurface()
-        surface.SetInputConnection(mesh.GetOutputPort())
-        self.assert_says(surface, "cannot be a target yet")
+        surface.SetInputDataObject(vtkTable())
+        surface.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
+        surface.Update()
+        self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_an_image_without_values(self):
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 3)
+        surface = vtkActiveImplicitSurface()
+        surface.SetInputData(image)
+        self.assert_says(surface, "no active point scalars")
+
+    def test_two_initial_shapes(self):
+        surface = make_shrinking_ball()
+        surface.SetInputConnection(1, vtkSphereSource().GetOutputPort())
+        self.assert_says(surface, "There are two initial shapes")
 
     def test_a_function_without_bounds(self):
         surface = vtkActiveImplicitSurface()

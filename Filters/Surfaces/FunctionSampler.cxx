@@ -1,4 +1,4 @@
-#include "ImplicitTarget.h"
+#include "FunctionSampler.h"
 
 #include "vtkGridPotential.h"
 #include "vtkImplicitBoolean.h"
@@ -61,7 +61,7 @@ Batch FindBatch(vtkImplicitFunction* function)
 }
 
 // A function, and those that it is made of.
-struct ImplicitTarget::Node
+struct FunctionSampler::Node
 {
   Node(vtkImplicitFunction* function, double step);
 
@@ -82,7 +82,7 @@ private:
   std::vector<Node> Terms;
 };
 
-ImplicitTarget::Node::Node(vtkImplicitFunction* function, double step)
+FunctionSampler::Node::Node(vtkImplicitFunction* function, double step)
   : Function(function)
   , GradientTrusted(HasGradient(function))
   , Step(step)
@@ -113,7 +113,7 @@ ImplicitTarget::Node::Node(vtkImplicitFunction* function, double step)
   this->Boolean = this->Terms.empty() ? nullptr : boolean;
 }
 
-double ImplicitTarget::Node::ValueAt(const double x[3]) const
+double FunctionSampler::Node::ValueAt(const double x[3]) const
 {
   if (this->InBatches)
   {
@@ -124,7 +124,7 @@ double ImplicitTarget::Node::ValueAt(const double x[3]) const
   return this->Function->FunctionValue(x);
 }
 
-double ImplicitTarget::Node::SampleAt(const double x[3], double gradient[3]) const
+double FunctionSampler::Node::SampleAt(const double x[3], double gradient[3]) const
 {
   if (this->InBatches)
   {
@@ -149,7 +149,7 @@ double ImplicitTarget::Node::SampleAt(const double x[3], double gradient[3]) con
 }
 
 // The value of the term that decides, and its gradient.
-double ImplicitTarget::Node::SampleBoolean(const double x[3], double gradient[3]) const
+double FunctionSampler::Node::SampleBoolean(const double x[3], double gradient[3]) const
 {
   const int operation = this->Boolean->GetOperationType();
   const Node* decides = nullptr;
@@ -183,7 +183,7 @@ double ImplicitTarget::Node::SampleBoolean(const double x[3], double gradient[3]
   return sign * least;
 }
 
-void ImplicitTarget::Node::TakeDifferences(const double x[3], double gradient[3]) const
+void FunctionSampler::Node::TakeDifferences(const double x[3], double gradient[3]) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -195,21 +195,19 @@ void ImplicitTarget::Node::TakeDifferences(const double x[3], double gradient[3]
   }
 }
 
-ImplicitTarget::ImplicitTarget(
-  vtkImplicitFunction* function, double step, const TargetOptions& options)
-  : PotentialTarget(options)
-  , Root(std::make_unique<Node>(function, step))
+FunctionSampler::FunctionSampler(vtkImplicitFunction* function, double step)
+  : Root(std::make_unique<Node>(function, step))
 {
 }
 
-ImplicitTarget::~ImplicitTarget() = default;
+FunctionSampler::~FunctionSampler() = default;
 
-bool ImplicitTarget::IsThreadSafe() const
+bool FunctionSampler::IsThreadSafe() const
 {
   return this->Root->ThreadSafe;
 }
 
-void ImplicitTarget::Sample(
+void FunctionSampler::Sample(
   std::size_t count, const double* points, double* values, double* gradients) const
 {
   if (this->Root->InBatches)
