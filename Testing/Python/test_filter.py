@@ -15,7 +15,6 @@ from vtkmodules.vtkCommonCore import VTK_STRING, vtkIntArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkSphere, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 
 UNSET_BOUNDS = (1.0, -1.0, 1.0, -1.0, 1.0, -1.0)
 DEFAULTS = {
@@ -278,40 +277,6 @@ class Outputs(unittest.TestCase):
         surface.ComputeNormalsOff()
         surface.Update()
         self.assertIsNone(surface.GetOutput().GetPointData().GetNormals())
-
-
-class Inputs(unittest.TestCase):
-    def setUp(self):
-        self.mesh = vtkSphereSource()  # of radius .5
-        self.mesh.SetThetaResolution(64)
-        self.mesh.SetPhiResolution(64)
-        self.image = vtkSampleFunction()
-        self.image.SetImplicitFunction(make_ball(0.5))
-        self.image.SetModelBounds(-1, 1, -1, 1, -1, 1)
-        self.surface = vtkActiveImplicitSurface()
-        self.surface.SetVoxelSize(0.05)
-
-    def assert_is_the_ball(self, time):
-        self.surface.UpdateTimeStep(time)
-        bounds = self.surface.GetOutput().GetBounds()
-        for side, bound in enumerate(bounds):
-            # As in TestTargets.cxx: .06 voxels.
-            self.assertAlmostEqual(bound, 0.5 if side % 2 else -0.5, delta=0.003)
-
-    def test_a_mesh_is_a_target(self):
-        self.surface.SetInputConnection(self.mesh.GetOutputPort())
-        self.assert_is_the_ball(0.0)
-        self.assert_is_the_ball(1.0)
-
-    def test_an_image_is_a_target(self):
-        self.surface.SetInputConnection(self.image.GetOutputPort())
-        self.assert_is_the_ball(0.0)
-        self.assert_is_the_ball(1.0)
-
-    def test_a_mesh_is_an_initial_shape(self):
-        self.surface.SetTargetFunction(make_ball(0.4))
-        self.surface.SetInputConnection(1, self.mesh.GetOutputPort())
-        self.assert_is_the_ball(0.0)
 
 
 class Garbage(unittest.TestCase):
