@@ -193,6 +193,10 @@ void SurfaceInput::AskForFirst(vtkInformation* information)
   {
     information->Set(SDDP::UPDATE_TIME_STEP(), information->Get(SDDP::TIME_STEPS())[0]);
   }
+  else if (information->Has(SDDP::TIME_RANGE()))
+  {
+    information->Set(SDDP::UPDATE_TIME_STEP(), information->Get(SDDP::TIME_RANGE())[0]);
+  }
 }
 
 bool SurfaceInput::Update(vtkInformation* information, double time) const

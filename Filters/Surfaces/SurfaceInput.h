@@ -53,7 +53,7 @@ public:
 
   // All of it, whatever piece of the skin is asked for.
   static void AskForWhole(vtkInformation* information);
-  // At its first time step, if it has any.
+  // At its first time step or time, if it has any.
   static void AskForFirst(vtkInformation* information);
 
   // Brings the input up to date, at a time or the first one; false if it fails.

@@ -192,7 +192,8 @@ void SurfaceRequests::AskInputs(
   this->Simulation.Configure(this->GatherSettings());
   this->Simulation.SetGoal(
     out->Has(SDDP::UPDATE_TIME_STEP()) ? out->Get(SDDP::UPDATE_TIME_STEP()) : this->Steps.front());
-  if (vtkInformation* target = Get(input, SurfaceInput::Target))
+  vtkInformation* target = Get(input, SurfaceInput::Target);
+  if (target)
   {
     this->AskTarget(target);
   }
@@ -201,8 +202,8 @@ void SurfaceRequests::AskInputs(
   {
     this->CompositeInitial = this->Initial.GetStamp();
   }
-  // Only then: the same source at both ports is to be at the target's time later.
-  if (initial && this->Simulation.WantsInitial())
+  // One source at both ports is at the target's time, which is the first one when the start needs it.
+  if (initial && initial != target)
   {
     SurfaceInput::AskForFirst(initial);
   }

@@ -50,7 +50,8 @@ void Refuses(Check& check, vtkAlgorithm* start, const std::string& words)
   Messages messages(filter);
   filter->UpdateTimeStep(0.2);
   check.Equal(Messages::Count(messages.Errors, words), 1, "errors with \"" + words + "\"");
-  check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0, "points");
+  vtkPolyData* skin = filter->GetOutput(); // none where an input is composite
+  check.Equal(skin ? skin->GetNumberOfPoints() : 0, 0, "points");
 }
 
 }
@@ -153,7 +154,7 @@ void ChangeOfTheInputRestarts(Check& check)
   filter->UpdateTimeStep(0.4);
   const auto oneStep = filter->GetTargetEvaluations();
   check.Less(0, oneStep, "evaluations");
-  check.Equal(source->GetExecutions(), "0 ", "times asked for");
+  check.Equal(source->Executions.size(), std::size_t(1), "executions");
   source->SetShape([](double) { return MakeBallMesh(0.7); });
   filter->ResetCounters();
   filter->UpdateTimeStep(0.5);

@@ -310,8 +310,9 @@ class Garbage(unittest.TestCase):
         self.assert_says(surface, "no active point scalars")
 
     def test_two_initial_shapes(self):
+        mesh = vtkSphereSource()
         surface = make_shrinking_ball()
-        surface.SetInputConnection(1, vtkSphereSource().GetOutputPort())
+        surface.SetInputConnection(1, mesh.GetOutputPort())
         self.assert_says(surface, "There are two initial shapes")
 
     def test_a_function_without_bounds(self):
