@@ -123,19 +123,27 @@ double Walk::FindSquare(const openvdb::Vec3d& place, std::size_t triangle) const
   return least;
 }
 
+// Near the mesh, OpenVDB's distances are exact, and the walls between bodies that overlap are taken
+// out. They are still in the mesh: a walk that gets much nearer has found one, and does not count.
 void Shorten(
   openvdb::FloatTree::LeafNodeType& leaf, const openvdb::Int32Tree& nearest, const Walk& walk)
 {
+  constexpr float exact = .75f;
+  constexpr float mostTooLong = 1.f;
   const openvdb::tree::ValueAccessor<const openvdb::Int32Tree, false> triangles(nearest);
   for (auto node = leaf.beginValueOn(); node; ++node)
   {
     const openvdb::Coord place = node.getCoord();
     const openvdb::Int32 triangle = triangles.getValue(place);
-    if (triangle != openvdb::Int32(openvdb::util::INVALID_IDX))
+    const float known = std::fabs(*node);
+    if (known > exact && triangle != openvdb::Int32(openvdb::util::INVALID_IDX))
     {
       const auto distance = static_cast<float>(
         std::sqrt(walk.FindSquare(place.asVec3d(), static_cast<std::size_t>(triangle))));
-      node.setValue(std::copysign(std::min(distance, std::fabs(*node)), *node));
+      if (distance < known && distance > known - mostTooLong)
+      {
+        node.setValue(std::copysign(distance, *node));
+      }
     }
   }
 }

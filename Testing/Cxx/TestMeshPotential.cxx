@@ -146,6 +146,8 @@ void BodiesAreUnitedAndVoidsFilled(Check& check)
   potential->SetInput(Append(MakeSphere(0.5, 40), MakeSphere(0.5, 40, 180.0, { 0.6, 0.0, 0.0 })));
   check.Equal(std::string(potential->GetDefects()), "", "defects");
   check.Less(ValueAt(potential, { 0.3, 0.0, 0.0 }), -0.1, "in both");
+  // .02 from the other one's wall, .44 from the surface of the two; Reach is .27.
+  check.Near(ValueAt(potential, { 0.12, 0.0, 0.0 }), -0.27, 0.03, "beside an inner wall");
   check.Less(ValueAt(potential, { -0.2, 0.0, 0.0 }), -0.1, "in one");
   check.Less(0.1, ValueAt(potential, { 0.3, 0.6, 0.0 }), "in none");
   potential->SetInput(Append(MakeSphere(0.8, 40), MakeSphere(0.4, 40)));
