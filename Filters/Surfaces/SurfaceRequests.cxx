@@ -37,11 +37,18 @@ int AskedPort(vtkInformation* request)
   return std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
 }
 
+// Null if nothing is connected.
+vtkInformation* Get(vtkInformationVector** input, SurfaceInput::Ports port)
+{
+  return input[port]->GetInformationObject(0);
+}
+
 }
 
 SurfaceRequests::SurfaceRequests(vtkActiveImplicitSurface* filter)
   : Filter(filter)
-  , Input(filter)
+  , Target(filter, SurfaceInput::Target)
+  , Initial(filter, SurfaceInput::Initial)
 {
 }
 
@@ -51,20 +58,24 @@ SurfaceSettings SurfaceRequests::GatherSettings() const
   vtkActiveImplicitSurface* filter = this->Filter;
   SurfaceSettings settings;
   settings.TargetFunction = filter->GetTargetFunction();
-  settings.ParticlesMove = this->InputMoves;
+  settings.InputMoves = this->InputMoves;
   settings.TargetStamp = settings.TargetFunction
     ? static_cast<std::uint64_t>(settings.TargetFunction->GetMTime())
-    : this->Input.GetStamp();
+    : this->Target.GetStamp();
   settings.Particles.Radius = filter->GetParticleRadius();
   settings.Particles.Threshold = filter->GetParticleThreshold();
   settings.Particles.Kernel = static_cast<SkeletonKernel>(filter->GetParticleKernel());
-  settings.Particles.Arrays = this->Input.DescribeArrays();
+  settings.MeshThickness = filter->GetMeshThickness();
+  settings.Arrays = this->Target.DescribeArrays();
   settings.IsoValue = filter->GetTargetIsoValue();
   settings.Invert = filter->GetInvertTarget() != 0;
   settings.Normalize = filter->GetNormalizeTarget() != 0;
   settings.Reach = filter->GetTargetReach();
   settings.InitialFunction = filter->GetInitialFunction();
-  settings.InitialStamp = settings.InitialFunction ? settings.InitialFunction->GetMTime() : 0;
+  settings.HasInitialInput = this->Initial.IsConnected();
+  settings.InitialStamp = settings.InitialFunction
+    ? static_cast<std::uint64_t>(settings.InitialFunction->GetMTime())
+    : this->Initial.GetStamp();
   settings.VoxelSize = filter->GetVoxelSize();
   filter->GetModelBounds(settings.Bounds.data());
   settings.BoundsGiven = !std::equal(unset, unset + 6, settings.Bounds.data());
@@ -76,10 +87,10 @@ SurfaceSettings SurfaceRequests::GatherSettings() const
   return settings;
 }
 
-void SurfaceRequests::FindTimeSteps(vtkInformation* input)
+void SurfaceRequests::FindTimeSteps(vtkInformation* target)
 {
-  this->Steps = TargetInput::GetTimeSteps(input);
-  this->InputMoves = !this->Steps.empty() || TargetInput::IsContinuous(input);
+  this->Steps = SurfaceInput::GetTimeSteps(target);
+  this->InputMoves = !this->Steps.empty() || SurfaceInput::IsContinuous(target);
   if (this->Steps.empty())
   {
     const int count = this->Filter->GetNumberOfTimeSteps();
@@ -90,9 +101,9 @@ void SurfaceRequests::FindTimeSteps(vtkInformation* input)
   }
 }
 
-void SurfaceRequests::PublishInformation(vtkInformation* input, vtkInformationVector* output)
+void SurfaceRequests::PublishInformation(vtkInformationVector** input, vtkInformationVector* output)
 {
-  this->FindTimeSteps(input);
+  this->FindTimeSteps(Get(input, SurfaceInput::Target));
   for (int port = SkinPort; port <= PotentialPort; ++port)
   {
     const double range[2] = { this->Steps.front(), this->Steps.back() };
@@ -108,16 +119,15 @@ void SurfaceRequests::PublishInformation(vtkInformation* input, vtkInformationVe
 }
 
 // Null if it is not known. Errors are not told here but when data are asked for.
-const SurfaceDomain* SurfaceRequests::FindDomain(vtkInformation* input, bool isWanted)
+const SurfaceDomain* SurfaceRequests::FindDomain(vtkInformationVector** input, bool isWanted)
 {
   try
   {
     this->Simulation.Configure(this->GatherSettings());
     const SurfaceDomain* domain = this->Simulation.FindDomain();
-    if (!domain && isWanted && input && !this->Filter->GetTargetFunction() &&
-      this->Input.Update(input, this->Steps.front()))
+    if (!domain && isWanted)
     {
-      this->Simulation.AddParticles(0, this->Input.Read(input));
+      this->ReadFirst(input);
       domain = this->Simulation.FindDomain();
     }
     return domain;
@@ -125,6 +135,22 @@ const SurfaceDomain* SurfaceRequests::FindDomain(vtkInformation* input, bool isW
   catch (const std::exception&)
   {
     return nullptr;
+  }
+}
+
+// What the start needs of the inputs, updated from within.
+void SurfaceRequests::ReadFirst(vtkInformationVector** input)
+{
+  vtkInformation* target = Get(input, SurfaceInput::Target);
+  vtkInformation* initial = Get(input, SurfaceInput::Initial);
+  if (target && this->Simulation.GetStepWanted() == 0 &&
+    this->Target.Update(target, this->Steps.front()))
+  {
+    this->Simulation.AddFrame(0, this->Target.Read(target));
+  }
+  if (initial && this->Simulation.WantsInitial() && this->Initial.UpdateFirst(initial))
+  {
+    this->Simulation.SetInitial(this->Initial.Read(initial));
   }
 }
 
@@ -159,60 +185,122 @@ void SurfaceRequests::MarkNotMade(vtkInformation* request, vtkInformationVector*
   }
 }
 
-void SurfaceRequests::AskInput(
-  vtkInformation* request, vtkInformation* input, vtkInformationVector* output)
+void SurfaceRequests::AskInputs(
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
   vtkInformation* out = output->GetInformationObject(AskedPort(request));
   this->Simulation.Configure(this->GatherSettings());
   this->Simulation.SetGoal(
     out->Has(SDDP::UPDATE_TIME_STEP()) ? out->Get(SDDP::UPDATE_TIME_STEP()) : this->Steps.front());
-  if (!input)
+  vtkInformation* target = Get(input, SurfaceInput::Target);
+  if (target)
   {
-    return;
+    this->AskTarget(target);
   }
-  if (TargetInput::IsComposite(input))
+  vtkInformation* initial = Get(input, SurfaceInput::Initial);
+  if (initial && SurfaceInput::IsComposite(initial))
   {
-    this->CompositeStamp = this->Input.GetStamp();
+    this->CompositeInitial = this->Initial.GetStamp();
   }
-  const int wanted = this->Simulation.GetStepWanted();
-  this->AskedStep = wanted >= 0 ? wanted : this->Simulation.GetLastStepAdded();
-  if (this->InputMoves)
+  // One source at both ports is at the target's time, which is the first one when the start needs it.
+  if (initial && initial != target)
   {
-    input->Set(SDDP::UPDATE_TIME_STEP(), this->Steps[this->AskedStep]);
+    SurfaceInput::AskForFirst(initial);
   }
-  else if (input->Has(SDDP::TIME_STEPS()))
-  {
-    input->Set(SDDP::UPDATE_TIME_STEP(), input->Get(SDDP::TIME_STEPS())[0]);
-  }
-  TargetInput::AskForWhole(input);
 }
 
-void SurfaceRequests::CheckTarget() const
+void SurfaceRequests::AskTarget(vtkInformation* target)
+{
+  if (SurfaceInput::IsComposite(target))
+  {
+    this->CompositeTarget = this->Target.GetStamp();
+  }
+  // An algorithm that has failed to make a time is taken by VTK to have made it: only after another
+  // time it is asked again.
+  const int wanted = this->Simulation.GetStepWanted();
+  const bool isReady = wanted >= 0 && !this->AskedInVain;
+  this->AskedStep = isReady ? wanted : this->Simulation.GetLastStepAdded();
+  this->AskedInVain = true;
+  SurfaceInput::AskForFirst(target);
+  if (this->InputMoves)
+  {
+    target->Set(SDDP::UPDATE_TIME_STEP(), this->Steps[this->AskedStep]);
+  }
+}
+
+void SurfaceRequests::CheckInputs() const
 {
   const bool isFunction = this->Filter->GetTargetFunction() != nullptr;
-  if (isFunction && this->Input.IsConnected())
+  if (isFunction && this->Target.IsConnected())
   {
     throw std::invalid_argument("There are two targets, TargetFunction and the input of port 0; "
                                 "set TargetFunction to none or disconnect the input.");
   }
-  if (!isFunction && !this->Input.IsConnected())
+  if (!isFunction && !this->Target.IsConnected())
   {
     throw std::invalid_argument(
-      "There is no target; set TargetFunction, or connect particles to input port 0.");
+      "There is no target; set TargetFunction, or connect particles, a skeleton of lines, a closed "
+      "mesh or an image to input port 0.");
   }
-  if (this->Input.IsConnected() && this->CompositeStamp == this->Input.GetStamp())
+  if (this->Filter->GetInitialFunction() && this->Initial.IsConnected())
+  {
+    throw std::invalid_argument("There are two initial shapes, InitialFunction and the input of "
+                                "port 1; set InitialFunction to none or disconnect the input.");
+  }
+  if (this->Target.IsConnected() && this->CompositeTarget == this->Target.GetStamp())
   {
     throw std::invalid_argument("The input is a composite data set, which cannot be a target; "
-                                "extract or merge its blocks to one point set.");
+                                "extract or merge its blocks to one point set or image.");
+  }
+  if (this->Initial.IsConnected() && this->CompositeInitial == this->Initial.GetStamp())
+  {
+    throw std::invalid_argument("The input of port 1 is a composite data set, which is no initial "
+                                "shape; extract or merge its blocks to one mesh or image.");
   }
 }
 
-// Takes the step that the input was asked for, then as many more as the goal needs.
-SurfaceSimulation::Outcome SurfaceRequests::Advance(vtkInformation* input)
+// Some algorithms modify themselves while they execute, which is no reason to start anew; nor if
+// they fail.
+class SurfaceRequests::StampsAfterwards
 {
-  if (input && this->Simulation.GetStepWanted() == this->AskedStep)
+public:
+  explicit StampsAfterwards(SurfaceRequests& requests)
+    : Requests(requests)
   {
-    this->Simulation.AddParticles(this->AskedStep, this->Input.Read(input));
+  }
+  StampsAfterwards(const StampsAfterwards&) = delete;
+  void operator=(const StampsAfterwards&) = delete;
+  ~StampsAfterwards()
+  {
+    SurfaceRequests& own = this->Requests;
+    if (own.Target.IsConnected())
+    {
+      own.Simulation.SetTargetStamp(own.Target.GetStamp());
+    }
+    if (own.Initial.IsConnected())
+    {
+      own.Simulation.SetInitialStamp(own.Initial.GetStamp());
+    }
+  }
+
+private:
+  SurfaceRequests& Requests;
+};
+
+// Takes what the inputs were asked for, then as many more steps of the target as the goal needs.
+SurfaceSimulation::Outcome SurfaceRequests::Advance(vtkInformationVector** input)
+{
+  const StampsAfterwards stamps(*this);
+  vtkInformation* initial = Get(input, SurfaceInput::Initial);
+  if (initial && this->Simulation.WantsInitial())
+  {
+    this->Simulation.SetInitial(this->Initial.Read(initial));
+  }
+  vtkInformation* target = Get(input, SurfaceInput::Target);
+  this->AskedInVain = false;
+  if (target && this->Simulation.GetStepWanted() == this->AskedStep)
+  {
+    this->Simulation.AddFrame(this->AskedStep, this->Target.Read(target));
   }
   const auto report = [this](double fraction)
   {
@@ -220,39 +308,38 @@ SurfaceSimulation::Outcome SurfaceRequests::Advance(vtkInformation* input)
     return !IsAborted(this->Filter);
   };
   SurfaceSimulation::Outcome outcome = this->Simulation.Advance(report);
-  while (outcome == SurfaceSimulation::Outcome::NeedsParticles)
+  while (outcome == SurfaceSimulation::Outcome::NeedsFrame)
   {
     const int step = this->Simulation.GetStepWanted();
-    if (!this->Input.Update(input, this->Steps[step]))
+    this->AskedInVain = true;
+    if (!this->Target.Update(target, this->Steps[step]))
     {
       throw std::runtime_error(
         "The input has failed to make its time step " + std::to_string(this->Steps[step]) + ".");
     }
-    this->Simulation.AddParticles(step, this->Input.Read(input));
+    this->AskedInVain = false;
+    this->Simulation.AddFrame(step, this->Target.Read(target));
     outcome = this->Simulation.Advance(report);
   }
   return outcome;
 }
 
 void SurfaceRequests::Make(
-  vtkInformation* request, vtkInformation* input, vtkInformationVector* output)
+  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  this->CheckTarget();
+  this->CheckInputs();
   this->Simulation.GetSettings().Check();
   this->Simulation.SetNumberOfThreads(this->Filter->GetNumberOfThreads());
   this->Simulation.SetMaximumNumberOfActiveVoxels(
     static_cast<std::size_t>(this->Filter->GetMaximumNumberOfActiveVoxels()));
-  if (this->Advance(input) == SurfaceSimulation::Outcome::Aborted)
+  if (this->Advance(input) == SurfaceSimulation::Outcome::AtGoal)
+  {
+    this->FillOutputs(request, output);
+  }
+  else
   {
     this->GiveUp(output);
-    return;
   }
-  // Some algorithms modify themselves while they execute, which is no reason to start anew.
-  if (input)
-  {
-    this->Simulation.SetTargetStamp(this->Input.GetStamp());
-  }
-  this->FillOutputs(request, output);
 }
 
 void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector* output)
@@ -285,7 +372,6 @@ void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector*
 
 void SurfaceRequests::GiveUp(vtkInformationVector* output)
 {
-  this->Simulation.Drop();
   for (int port = SkinPort; port <= PotentialPort; ++port)
   {
     vtkInformation* out = output->GetInformationObject(port);

@@ -1,5 +1,7 @@
 #include "SurfaceSettings.h"
 
+#include "vtkBoundingBox.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -81,10 +83,11 @@ bool SurfaceSettings::operator==(const SurfaceSettings& other) const
 {
   const auto all = [](const SurfaceSettings& s)
   {
-    return std::tie(s.TargetFunction, s.ParticlesMove, s.TargetStamp, s.Particles.Radius,
-      s.Particles.Threshold, s.Particles.Kernel, s.Particles.Arrays, s.IsoValue, s.Invert,
-      s.Normalize, s.Reach, s.InitialFunction, s.InitialStamp, s.VoxelSize, s.BoundsGiven, s.Bounds,
-      s.Strategy.Attraction, s.Strategy.Tension, s.Strategy.CFL, s.Steps, s.TimeScale);
+    return std::tie(s.TargetFunction, s.InputMoves, s.TargetStamp, s.Particles.Radius,
+      s.Particles.Threshold, s.Particles.Kernel, s.MeshThickness, s.Arrays, s.IsoValue, s.Invert,
+      s.Normalize, s.Reach, s.InitialFunction, s.HasInitialInput, s.InitialStamp, s.VoxelSize,
+      s.BoundsGiven, s.Bounds, s.Strategy.Attraction, s.Strategy.Tension, s.Strategy.CFL, s.Steps,
+      s.TimeScale);
   };
   return all(*this) == all(other);
 }
@@ -110,6 +113,7 @@ void SurfaceSettings::Check() const
   Require(IsZeroOrPositive(this->Particles.Radius),
     "ParticleRadius has to be a finite number > 0, or 0 for one that is estimated.");
   Require(std::isfinite(this->Particles.Threshold), "ParticleThreshold has to be a finite number.");
+  Require(IsZeroOrPositive(this->MeshThickness), "MeshThickness has to be a finite number >= 0.");
   CheckSteps(this->Steps);
   if (this->BoundsGiven)
   {
@@ -140,19 +144,23 @@ SurfaceDomain MakeDomain(const SurfaceSettings& settings)
   return MakeDomainOf(settings, settings.Bounds.data());
 }
 
-SurfaceDomain MakeDomain(const SurfaceSettings& settings, const double targetBounds[6])
+SurfaceDomain MakeDomain(
+  const SurfaceSettings& settings, vtkBoundingBox shapes, const vtkBoundingBox& images)
 {
-  double longest = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
+  if (shapes.IsValid())
   {
-    longest = std::max(longest, targetBounds[2 * axis + 1] - targetBounds[2 * axis]);
+    shapes.Inflate(shapes.GetMaxLength() / 8.0);
+  }
+  shapes.AddBox(images);
+  if (images.IsValid())
+  {
+    // The longest side then is 64 voxels.
+    const double voxel =
+      settings.VoxelSize > 0.0 ? settings.VoxelSize : shapes.GetMaxLength() / 60.0;
+    shapes.Inflate(2.0 * voxel);
   }
   double bounds[6];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    bounds[2 * axis] = targetBounds[2 * axis] - longest / 8.0;
-    bounds[2 * axis + 1] = targetBounds[2 * axis + 1] + longest / 8.0;
-  }
+  shapes.GetBounds(bounds);
   return MakeDomainOf(settings, bounds);
 }
 

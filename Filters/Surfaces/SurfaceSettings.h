@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+class vtkBoundingBox;
 class vtkImplicitFunction;
 
 namespace activesurface
@@ -22,16 +23,17 @@ struct ParticleSettings
   double Radius = 0.0; // 0: estimated
   double Threshold = 0.5;
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
-  std::array<std::string, 3> Arrays; // that were chosen for radii, ids and strengths
 };
 
 struct SurfaceSettings
 {
-  // What attracts: a function, or else particles, which are the same at all steps unless they move.
+  // What attracts: a function, or else the input, which is the same at all steps unless it moves.
   vtkImplicitFunction* TargetFunction = nullptr;
-  bool ParticlesMove = false;
-  std::uint64_t TargetStamp = 0; // of the function, or of all that makes the particles
-  ParticleSettings Particles;
+  bool InputMoves = false;
+  std::uint64_t TargetStamp = 0;     // of the function, or of all that makes the input
+  ParticleSettings Particles;        // and skeletons
+  double MeshThickness = 0.0;        // 0: closed meshes
+  std::array<std::string, 5> Arrays; // of the inputs, that were chosen
 
   double IsoValue = 0.0;
   bool Invert = false;
@@ -40,7 +42,8 @@ struct SurfaceSettings
 
   // Where it starts, unless on the target.
   vtkImplicitFunction* InitialFunction = nullptr;
-  std::uint64_t InitialStamp = 0;
+  bool HasInitialInput = false;
+  std::uint64_t InitialStamp = 0; // of the function, or of all that makes the input
 
   double VoxelSize = 0.0; // 0: a 64th of the longest side of the bounds
   bool BoundsGiven = false;
@@ -52,6 +55,8 @@ struct SurfaceSettings
 
   bool operator==(const SurfaceSettings& other) const;
   bool operator!=(const SurfaceSettings& other) const { return !(*this == other); }
+
+  bool UsesInput() const { return !this->TargetFunction; }
 
   double GetMotionTime(double pipelineTime) const;
 
@@ -73,8 +78,10 @@ struct SurfaceDomain
 // With the bounds given by the settings.
 SurfaceDomain MakeDomain(const SurfaceSettings& settings);
 
-// With the bounds of the target, enlarged by a quarter of the longest side, half of it at each end.
-SurfaceDomain MakeDomain(const SurfaceSettings& settings, const double targetBounds[6]);
+// With the box of the target and the initial shape: shapes enlarged by a quarter of their longest
+// side, half of it at each end, and with images by two voxels at each end.
+SurfaceDomain MakeDomain(
+  const SurfaceSettings& settings, vtkBoundingBox shapes, const vtkBoundingBox& images);
 
 }
 

@@ -1,9 +1,7 @@
 #include "SurfaceSimulation.h"
 
-#include "vtkBoundingBox.h"
-#include "vtkSkeletonPotential.h"
-
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -11,39 +9,25 @@
 namespace activesurface
 {
 
-namespace
-{
-
-// Spacing of the samples that stand in for the gradients that a function does not give [voxels].
-constexpr double DifferenceStep = 0.125;
-
-// Reach of the particles in units of their distance, when it is not given: balls of neighbours
-// overlap enough to be one body.
-constexpr double RadiusPerSpacing = 2.0;
-
-// A time that is so near a step, in units of the distance to the next one, is that step.
-constexpr double RoundingOfTimes = 1e-6;
-
-}
-
 void SurfaceSimulation::Configure(const SurfaceSettings& settings)
 {
   if (this->Settings != settings)
   {
     this->Drop();
-    this->Told.clear();
+    this->Messages.Forget();
     this->Settings = settings;
   }
 }
 
 void SurfaceSimulation::Drop()
 {
-  this->Frames.Clear();
+  this->Shapes.Clear();
   this->LastStepAdded = 0;
-  this->EstimatedRadius = 0.0;
-  this->DomainKnown = false;
-  this->MovingAttractor = nullptr;
-  this->Attractor.reset();
+  this->ForgetWay();
+}
+
+void SurfaceSimulation::ForgetWay()
+{
   this->Band.reset();
   this->Branch.reset();
   this->Step = -1;
@@ -55,12 +39,10 @@ void SurfaceSimulation::SetGoal(double pipelineTime)
   {
     return;
   }
-  const GoalTime goal = this->FindGoal(pipelineTime);
-  if (goal.Step < this->Step)
+  const GoalTime goal = FindGoal(this->Settings.Steps, pipelineTime);
+  if (goal.Step < this->Step || (goal.Step == this->Step && this->IsUnderWay()))
   {
-    this->Band.reset();
-    this->Branch.reset();
-    this->Step = -1;
+    this->ForgetWay();
   }
   if (goal.Time != this->Goal.Time || this->Step < 0)
   {
@@ -69,147 +51,48 @@ void SurfaceSimulation::SetGoal(double pipelineTime)
   this->Goal = goal;
 }
 
-SurfaceSimulation::GoalTime SurfaceSimulation::FindGoal(double pipelineTime) const
+// A surface that has vanished stays at the time at which it did.
+bool SurfaceSimulation::IsUnderWay() const
 {
-  const std::vector<double>& steps = this->Settings.Steps;
-  const double time = pipelineTime > steps.front() ? pipelineTime : steps.front();
-  const auto after = std::upper_bound(steps.begin(), steps.end(), time);
-  GoalTime goal;
-  goal.Step = std::max(0, static_cast<int>(after - steps.begin()) - 1);
-  goal.Time = steps[goal.Step];
-  if (after == steps.end())
-  {
-    return goal;
-  }
-  const double tolerance = RoundingOfTimes * (*after - goal.Time);
-  if (*after - time <= tolerance)
-  {
-    ++goal.Step;
-    goal.Time = *after;
-  }
-  else if (time - goal.Time > tolerance)
-  {
-    goal.Time = time;
-    goal.Between = true;
-  }
-  return goal;
+  return this->Band &&
+    this->Band->GetTime() > this->Settings.GetMotionTime(this->Settings.Steps[this->Step]);
 }
 
-bool SurfaceSimulation::HasParticlesFrom(int step) const
+bool SurfaceSimulation::HasFramesFrom(int step) const
 {
-  return !this->UsesParticles() ||
-    (this->Settings.ParticlesMove ? this->Frames.Has(step) && this->Frames.Has(step + 1)
-                                  : this->Frames.Has(0));
+  return !this->Settings.UsesInput() ||
+    (this->Settings.InputMoves ? this->Shapes.Has(step) && this->Shapes.Has(step + 1)
+                               : this->Shapes.Has(0));
 }
 
 bool SurfaceSimulation::BranchIsAtGoal() const
 {
-  return this->Branch && this->BranchTime == this->Goal.Time;
+  return this->Branch && this->BranchTime == this->Goal.Time && !this->BranchIsUnderWay;
 }
 
 int SurfaceSimulation::GetStepWanted() const
 {
-  if (!this->UsesParticles())
+  if (!this->Settings.UsesInput())
   {
     return -1;
   }
-  if (this->Step < 0 || !this->Settings.ParticlesMove)
+  if (this->Step < 0 || !this->Settings.InputMoves)
   {
-    return this->Frames.Has(0) ? -1 : 0;
+    return this->Shapes.Has(0) ? -1 : 0;
   }
   const bool onTheWay =
     this->Step < this->Goal.Step || (this->Goal.Between && !this->BranchIsAtGoal());
-  if (!onTheWay || this->HasParticlesFrom(this->Step))
+  if (!onTheWay || this->HasFramesFrom(this->Step))
   {
     return -1;
   }
-  return this->Frames.Has(this->Step) ? this->Step + 1 : this->Step;
+  return this->Shapes.Has(this->Step) ? this->Step + 1 : this->Step;
 }
 
-void SurfaceSimulation::AddParticles(int step, ParticleFrame frame)
+void SurfaceSimulation::AddFrame(int step, TargetFrame frame)
 {
-  if (frame.Ignored > 0)
-  {
-    std::ostringstream text;
-    text << frame.Ignored << " particles are left out at the time step "
-         << this->Settings.Steps.at(step)
-         << ": coordinates, radius or strength are not finite, or the radius is not > 0.";
-    this->Warn("ignored particles", text.str());
-  }
-  this->GiveRadii(frame);
-  this->Frames.Add(step, std::move(frame));
+  this->Shapes.Add(step, std::move(frame));
   this->LastStepAdded = step;
-}
-
-void SurfaceSimulation::GiveRadii(ParticleFrame& frame)
-{
-  if (frame.HasRadii || frame.Particles.empty())
-  {
-    return;
-  }
-  if (this->Settings.Particles.Radius == 0.0 && this->EstimatedRadius == 0.0)
-  {
-    this->EstimatedRadius = RadiusPerSpacing * frame.GetSpacing();
-    if (this->EstimatedRadius == 0.0)
-    {
-      throw std::invalid_argument(
-        "The particles' radius cannot be estimated, as no two of them are "
-        "apart; set ParticleRadius or choose a radius array.");
-    }
-    std::ostringstream text;
-    text << "ParticleRadius is not set; " << this->EstimatedRadius << " is used, "
-         << RadiusPerSpacing << " times the usual distance of neighbours. Set it to silence this.";
-    this->Warn("radius", text.str());
-  }
-  frame.GiveRadius(
-    this->EstimatedRadius > 0.0 ? this->EstimatedRadius : this->Settings.Particles.Radius);
-}
-
-const SurfaceDomain* SurfaceSimulation::FindDomain()
-{
-  if (this->DomainKnown)
-  {
-    return &this->Domain;
-  }
-  this->Settings.Check();
-  double bounds[6];
-  if (this->Settings.BoundsGiven)
-  {
-    this->Domain = MakeDomain(this->Settings);
-    this->DomainKnown = true;
-  }
-  else if (this->FindShapeBounds(bounds))
-  {
-    this->Domain = MakeDomain(this->Settings, bounds);
-    this->DomainKnown = true;
-  }
-  return this->DomainKnown ? &this->Domain : nullptr;
-}
-
-// Of the first target and the initial shape, as far as they have any.
-bool SurfaceSimulation::FindShapeBounds(double bounds[6]) const
-{
-  vtkBoundingBox box;
-  const auto add = [&box, bounds](bool known) { known ? box.AddBounds(bounds) : void(); };
-  if (this->UsesParticles())
-  {
-    if (!this->Frames.Has(0))
-    {
-      return false;
-    }
-    add(this->Frames.Get(0).GetBounds(bounds));
-  }
-  for (vtkImplicitFunction* function :
-    { this->Settings.TargetFunction, this->Settings.InitialFunction })
-  {
-    auto skeleton = vtkSkeletonPotential::SafeDownCast(function);
-    add(skeleton && !skeleton->GetTransform() && skeleton->GetSkeletonBounds(bounds));
-  }
-  if (box.IsValid())
-  {
-    box.GetBounds(bounds);
-  }
-  return box.IsValid() != 0;
 }
 
 SurfaceSimulation::Outcome SurfaceSimulation::Advance(const ProgressFunction& progress)
@@ -236,12 +119,7 @@ SurfaceSimulation::Outcome SurfaceSimulation::Advance(const ProgressFunction& pr
       return Outcome::AtGoal;
     }
   }
-  if (finished)
-  {
-    return Outcome::NeedsParticles;
-  }
-  this->Drop();
-  return Outcome::Aborted;
+  return finished ? Outcome::NeedsFrame : Outcome::Aborted;
 }
 
 // Of the way to the goal, from the start or the step where it began, the next step.
@@ -255,72 +133,66 @@ ProgressFunction SurfaceSimulation::GetPartOf(const ProgressFunction& progress) 
 
 bool SurfaceSimulation::Start(const ProgressFunction& progress)
 {
-  const SurfaceDomain* domain = this->FindDomain();
-  if (!domain && this->UsesParticles() && !this->Settings.InitialFunction)
+  try
   {
-    this->Warn("empty",
-      "There are no particles at the first time step, so there is no skin, now or later: it does "
-      "not grow "
-      "out of nothing. Set InitialFunction, or begin with a step that has particles.");
-    this->Band = std::make_unique<NarrowBand>(1.0);
-    this->Step = 0;
-    return true;
+    const SurfaceDomain* domain = this->FindDomain();
+    const bool isEmpty = this->Shapes.StartsOnNothing();
+    if (!domain && !isEmpty)
+    {
+      throw std::invalid_argument("The bounds of the target are not known; set ModelBounds to a "
+                                  "box around the shape that the skin starts with.");
+    }
+    this->Band = std::make_unique<NarrowBand>(domain ? domain->VoxelSize : 1.0);
+    const bool finished = isEmpty || this->StartBand(*domain, progress);
+    if (isEmpty)
+    {
+      this->Messages.Say("empty",
+        "There are no particles, and nothing else, at the first time step, so there is no skin, "
+        "now or later: it does not grow out of nothing. Set an initial shape, or begin with a step "
+        "that is not empty.");
+    }
+    this->Step = finished ? 0 : -1;
+    return finished;
   }
-  if (!domain)
+  catch (...)
   {
-    throw std::invalid_argument("The bounds of the target are not known; set ModelBounds to a box "
-                                "around the shape that the skin starts with.");
+    this->Drop();
+    throw;
   }
-  this->MakeTarget(*domain);
-  if (!this->StartBand(*domain, progress))
-  {
-    return false;
-  }
-  this->Step = 0;
-  if (this->Band->IsEmpty())
-  {
-    this->Warn("empty",
-      "The initial shape has no surface within the bounds, so there is no skin; "
-      "check ModelBounds, TargetIsoValue and whether VoxelSize is small enough.");
-  }
-  return true;
-}
-
-void SurfaceSimulation::MakeTarget(const SurfaceDomain& domain)
-{
-  const SurfaceSettings& settings = this->Settings;
-  const TargetOptions options{ settings.IsoValue, settings.Invert, settings.Normalize,
-    domain.Reach };
-  if (!this->UsesParticles())
-  {
-    this->Attractor = std::make_unique<ImplicitTarget>(
-      settings.TargetFunction, DifferenceStep * domain.VoxelSize, options);
-    return;
-  }
-  auto particles = std::make_unique<ParticleTarget>(
-    this->Frames, settings.Particles.Kernel, settings.Particles.Threshold, options);
-  this->MovingAttractor = particles.get();
-  this->MovingAttractor->MoveAlong(0, 0.0, 0.0);
-  this->Attractor = std::move(particles);
 }
 
 bool SurfaceSimulation::StartBand(const SurfaceDomain& domain, const ProgressFunction& progress)
 {
-  std::unique_ptr<PotentialTarget> initial;
-  if (this->Settings.InitialFunction)
-  {
-    initial = std::make_unique<ImplicitTarget>(
-      this->Settings.InitialFunction, DifferenceStep * domain.VoxelSize, TargetOptions());
-  }
-  const PotentialTarget* shape = initial ? initial.get() : this->Attractor.get();
+  this->Shapes.StartTarget();
+  const std::unique_ptr<PotentialTarget> initial = this->Shapes.MakeStart();
+  const PotentialTarget* shape = initial ? initial.get() : &this->Shapes.GetTarget();
+  std::atomic<bool> isFinite{ false }; // anywhere
   InitialFunction function;
   function.ThreadSafe = shape->IsThreadSafe();
-  function.Evaluate = [shape](std::size_t count, const double* points, double* values)
-  { shape->EvaluateLevel(count, points, values); };
-  this->Band = std::make_unique<NarrowBand>(domain.VoxelSize);
+  function.Evaluate = [shape, &isFinite](std::size_t count, const double* points, double* values)
+  {
+    shape->EvaluateLevel(count, points, values);
+    if (!isFinite.load(std::memory_order_relaxed) &&
+      std::any_of(values, values + count, [](double value) { return std::isfinite(value); }))
+    {
+      isFinite.store(true, std::memory_order_relaxed);
+    }
+  };
   this->Band->SetNumberOfThreads(this->Threads);
   this->Band->SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);
-  return this->Band->Start(0.0, domain.Bounds, function, progress);
+  if (!this->Band->Start(0.0, domain.Bounds, function, progress))
+  {
+    return false;
+  }
+  if (this->Band->IsEmpty())
+  {
+    this->Messages.Say("empty",
+      isFinite ? "The initial shape has no surface within the bounds, so there is no skin; check "
+                 "ModelBounds, TargetIsoValue and whether VoxelSize is small enough."
+               : "The initial shape is not a finite number anywhere within the bounds, so there is "
+                 "no skin; check the initial shape, or the target where there is none.");
+  }
+  return true;
 }
 
 bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
@@ -337,32 +209,66 @@ bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
 
 bool SurfaceSimulation::AdvanceBranch(const ProgressFunction& progress)
 {
-  this->Branch = this->Band->Clone();
-  this->BranchTime = this->Goal.Time;
-  return this->AdvanceBand(*this->Branch, this->Settings.GetMotionTime(this->Goal.Time), progress);
+  if (!this->Branch || this->BranchTime != this->Goal.Time)
+  {
+    this->Branch = this->Band->Clone();
+    this->BranchTime = this->Goal.Time;
+    this->BranchIsUnderWay = true;
+  }
+  const double end = this->Settings.GetMotionTime(this->Goal.Time);
+  this->BranchIsUnderWay = !this->AdvanceBand(*this->Branch, end, progress);
+  return !this->BranchIsUnderWay;
 }
 
-// From the step to a motion time that is not after the next one.
+// From the step, or from where it was interrupted, to a motion time that is not after the next one.
 bool SurfaceSimulation::AdvanceBand(NarrowBand& band, double time, const ProgressFunction& progress)
 {
   if (band.IsEmpty())
   {
     return true;
   }
-  if (this->MovingAttractor && this->Settings.ParticlesMove)
+  MovingTarget* moving = this->Shapes.GetMovingTarget();
+  if (moving && this->Settings.InputMoves)
   {
     const double* steps = this->Settings.Steps.data() + this->Step;
-    this->MovingAttractor->MoveAlong(
+    moving->MoveAlong(
       this->Step, this->Settings.GetMotionTime(steps[0]), this->Settings.GetMotionTime(steps[1]));
   }
   band.SetNumberOfThreads(this->Threads);
   band.SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);
-  const AdvanceReport report =
-    band.Advance(time, this->Settings.Strategy, *this->Attractor, progress);
-  this->Substeps += report.Substeps;
+  const AdvanceReport report = this->AdvanceCounting(band, time, progress);
   this->TargetEvaluations += report.TargetEvaluations;
   this->WarnOf(report, time);
   return !report.Aborted;
+}
+
+// Counts the substeps that were finished before an exception too.
+AdvanceReport SurfaceSimulation::AdvanceCounting(
+  NarrowBand& band, double time, const ProgressFunction& progress)
+{
+  double seen = band.GetTime();
+  const auto count = [this, &band, &seen]
+  {
+    this->Substeps += band.GetTime() > seen ? 1 : 0;
+    seen = band.GetTime();
+  };
+  const auto watch = [&count, &progress](double fraction)
+  {
+    count();
+    return progress(fraction);
+  };
+  try
+  {
+    const AdvanceReport report =
+      band.Advance(time, this->Settings.Strategy, this->Shapes.GetTarget(), watch);
+    count();
+    return report;
+  }
+  catch (...)
+  {
+    count();
+    throw;
+  }
 }
 
 const NarrowBand& SurfaceSimulation::GetBand() const
@@ -377,23 +283,15 @@ void SurfaceSimulation::WarnOf(const AdvanceReport& report, double time)
     std::ostringstream text;
     text << "The skin has vanished before the motion time " << time
          << "; it does not come back. Does the target meet the initial shape?";
-    this->Warn("vanished", text.str());
+    this->Messages.Say("vanished", text.str());
   }
   if (report.DroppedSamples > 0)
   {
     std::ostringstream text;
     text << "On the way to the motion time " << time << " the target was not a finite number at "
          << report.DroppedSamples << " of " << report.TargetEvaluations
-         << " points of the skin; they were left out.";
-    this->Warn(text.str(), text.str());
-  }
-}
-
-void SurfaceSimulation::Warn(const std::string& reason, const std::string& sentence)
-{
-  if (this->Told.insert(reason).second && this->Tell)
-  {
-    this->Tell(sentence);
+         << " points of the skin; they were left out. This is told once.";
+    this->Messages.Say("not finite", text.str());
   }
 }
 

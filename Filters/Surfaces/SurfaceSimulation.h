@@ -4,28 +4,32 @@
 // not depend on which times between the steps were asked for. A time between two steps is reached
 // by a branch, a copy of the earlier step's state, which leaves the trajectory as it is.
 //
-// Moving particles come in from outside, one step after the other:
+// A way that was interrupted, by the user or by an error, is taken up again where it was left, at a
+// substep. What is between two steps then is no state to branch off: a goal before the next step
+// takes the surface back to the start.
+//
+// Frames of the target come in from outside, one step after the other:
 //
 //   simulation.Configure(settings);
 //   simulation.SetGoal(time);
-//   while (simulation.Advance(progress) == SurfaceSimulation::Outcome::NeedsParticles)
-//     simulation.AddParticles(step = simulation.GetStepWanted(), the particles of that step);
+//   if (simulation.WantsInitial())
+//     simulation.SetInitial(the initial shape);
+//   while (simulation.Advance(progress) == SurfaceSimulation::Outcome::NeedsFrame)
+//     simulation.AddFrame(step = simulation.GetStepWanted(), the input at that step);
 //   simulation.GetBand() is the surface at that time
 
 #ifndef SurfaceSimulation_h
 #define SurfaceSimulation_h
 
-#include "ImplicitTarget.h"
+#include "GoalTime.h"
 #include "NarrowBand.h"
-#include "ParticleFrames.h"
-#include "ParticleTarget.h"
 #include "SurfaceSettings.h"
+#include "SurfaceShapes.h"
+#include "Warnings.h"
 
 #include <cstddef>
-#include <functional>
 #include <memory>
-#include <set>
-#include <string>
+#include <utility>
 
 namespace activesurface
 {
@@ -36,13 +40,12 @@ public:
   enum class Outcome
   {
     AtGoal,
-    NeedsParticles, // of the step GetStepWanted
-    Aborted         // by the progress function; the state is lost
+    NeedsFrame, // of the step GetStepWanted
+    Aborted     // by the progress function; the next Advance goes on from there
   };
 
   // Told, once for each reason and as long as the settings stay the same, what a user should know.
-  using Warning = std::function<void(const std::string& sentence)>;
-  void SetWarning(const Warning& warning) { this->Tell = warning; }
+  void SetWarning(const Warnings::Listener& warning) { this->Messages.SetListener(warning); }
 
   // Neither of them changes the motion.
   void SetNumberOfThreads(int threads) { this->Threads = threads; }
@@ -52,84 +55,72 @@ public:
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
 
-  // What makes the particles has changed its stamp, but not them.
+  // What makes the inputs has changed its stamp, but not them.
   void SetTargetStamp(std::uint64_t stamp) { this->Settings.TargetStamp = stamp; }
+  void SetInitialStamp(std::uint64_t stamp) { this->Settings.InitialStamp = stamp; }
 
-  // The pipeline time to go to; before the first step is the first, after the last the last one,
-  // and a millionth of their distance from a step is that step. A time before the step that the
-  // surface is at takes it back to the start.
+  // The pipeline time to go to, see FindGoal. One before the state that is held takes the surface
+  // back to the start.
   void SetGoal(double pipelineTime);
   double GetGoalTime() const { return this->Goal.Time; }
 
-  // The step whose particles have to come next, or -1 if none are needed to reach the goal; and the
-  // step that came last, or 0.
+  // The step whose frame has to come next, or -1 if none is needed to reach the goal; and the step
+  // that came last, or 0.
   int GetStepWanted() const;
   int GetLastStepAdded() const { return this->LastStepAdded; }
-  void AddParticles(int step, ParticleFrame frame);
+  void AddFrame(int step, TargetFrame frame);
 
-  // Goes as far as the particles allow. Throws std::invalid_argument for settings that cannot be,
-  // and what NarrowBand throws; the state then is to be dropped.
+  // Whether the initial shape has to come in before the surface can start.
+  bool WantsInitial() const { return this->Shapes.WantsInitial(); }
+  void SetInitial(TargetFrame frame) { this->Shapes.SetInitial(std::move(frame)); }
+
+  // Goes as far as the frames allow. Throws std::invalid_argument for settings that cannot be, and
+  // what NarrowBand throws: at the start everything then is dropped, later the state is that of the
+  // last finished substep.
   Outcome Advance(const ProgressFunction& progress);
 
-  // Forget the state, and the particles.
+  // Forget the state, and the frames.
   void Drop();
 
   // At the goal, when Advance has reached it.
   const NarrowBand& GetBand() const;
 
-  // Null as long as the bounds are not known: before particles were added, or for functions that
-  // have none. Throws for settings that cannot be.
-  const SurfaceDomain* FindDomain();
+  // Null as long as the bounds are not known, see SurfaceShapes.
+  const SurfaceDomain* FindDomain() { return this->Shapes.FindDomain(); }
 
   std::size_t GetSubsteps() const { return this->Substeps; }
   std::size_t GetTargetEvaluations() const { return this->TargetEvaluations; }
   void ResetCounters() { this->Substeps = this->TargetEvaluations = 0; }
 
 private:
-  struct GoalTime
-  {
-    int Step = 0;         // the last one that is not after the goal
-    double Time = 0.0;    // pipeline time
-    bool Between = false; // after that step
-  };
-
-  GoalTime FindGoal(double pipelineTime) const;
-  bool UsesParticles() const { return !this->Settings.TargetFunction; }
-  bool HasParticlesFrom(int step) const;
+  void ForgetWay();
+  bool HasFramesFrom(int step) const;
+  bool IsUnderWay() const;
   bool BranchIsAtGoal() const;
-  bool FindShapeBounds(double bounds[6]) const;
   ProgressFunction GetPartOf(const ProgressFunction& progress) const;
 
   bool Start(const ProgressFunction& progress);
+  bool StartBand(const SurfaceDomain& domain, const ProgressFunction& progress);
   bool AdvanceStep(const ProgressFunction& progress);
   bool AdvanceBranch(const ProgressFunction& progress);
   bool AdvanceBand(NarrowBand& band, double time, const ProgressFunction& progress);
-  void MakeTarget(const SurfaceDomain& domain);
-  bool StartBand(const SurfaceDomain& domain, const ProgressFunction& progress);
-  void GiveRadii(ParticleFrame& frame);
-  void Warn(const std::string& reason, const std::string& sentence);
+  AdvanceReport AdvanceCounting(NarrowBand& band, double time, const ProgressFunction& progress);
   void WarnOf(const AdvanceReport& report, double time);
 
   SurfaceSettings Settings;
   int Threads = 0;
   std::size_t MaximumVoxels = 0;
-  Warning Tell;
-  std::set<std::string> Told;
-
-  ParticleFrames Frames;
+  Warnings Messages;
+  SurfaceShapes Shapes{ this->Settings, this->Messages };
   int LastStepAdded = 0;
-  double EstimatedRadius = 0.0;
-  bool DomainKnown = false;
-  SurfaceDomain Domain;
 
   GoalTime Goal;
-  int FirstStep = -1; // where the way to the goal began, for the progress
-  std::unique_ptr<PotentialTarget> Attractor;
-  ParticleTarget* MovingAttractor = nullptr; // the same, if particles
-  std::unique_ptr<NarrowBand> Band;          // at the step
-  int Step = -1;                             // -1: not started
-  std::unique_ptr<NarrowBand> Branch;
-  double BranchTime = 0.0; // pipeline time
+  int FirstStep = -1;                 // where the way to the goal began, for the progress
+  std::unique_ptr<NarrowBand> Band;   // at the step, or under way to the next one
+  int Step = -1;                      // -1: not started
+  std::unique_ptr<NarrowBand> Branch; // from the step to BranchTime
+  double BranchTime = 0.0;            // pipeline time
+  bool BranchIsUnderWay = false;      // has not got there
 
   std::size_t Substeps = 0;
   std::size_t TargetEvaluations = 0;

@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkActiveImplicitSurface);
 vtkActiveImplicitSurface::vtkActiveImplicitSurface()
   : Requests(std::make_unique<SurfaceRequests>(this))
 {
-  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
   // No radii; the base class has chosen the active scalars.
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
@@ -122,6 +122,7 @@ void vtkActiveImplicitSurface::ReportReferences(vtkGarbageCollector* collector)
 int vtkActiveImplicitSurface::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
@@ -147,14 +148,14 @@ vtkTypeBool vtkActiveImplicitSurface::ProcessRequest(
 int vtkActiveImplicitSurface::RequestInformation(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  this->Requests->PublishInformation(input[0]->GetInformationObject(0), output);
+  this->Requests->PublishInformation(input, output);
   return 1;
 }
 
 int vtkActiveImplicitSurface::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  this->Requests->AskInput(request, input[0]->GetInformationObject(0), output);
+  this->Requests->AskInputs(request, input, output);
   return 1;
 }
 
@@ -163,11 +164,12 @@ int vtkActiveImplicitSurface::RequestData(
 {
   try
   {
-    this->Requests->Make(request, input[0]->GetInformationObject(0), output);
+    this->Requests->Make(request, input, output);
     return 1;
   }
   catch (const std::bad_alloc&)
   {
+    this->Requests->GetSimulation().Drop();
     this->Requests->GiveUp(output);
     vtkErrorMacro(<< "There is not enough memory for the skin, or for the potential's image, whose "
                      "size is that of ModelBounds; enlarge VoxelSize or shrink ModelBounds.");
@@ -204,6 +206,7 @@ void vtkActiveImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ParticleRadius: " << this->ParticleRadius << "\n"
      << indent << "ParticleKernel: " << this->ParticleKernel << "\n"
      << indent << "ParticleThreshold: " << this->ParticleThreshold << "\n"
+     << indent << "MeshThickness: " << this->MeshThickness << "\n"
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "OutputPotential: " << this->OutputPotential << "\n"
      << indent << "MaximumNumberOfActiveVoxels: " << this->MaximumNumberOfActiveVoxels << "\n"

@@ -11,14 +11,25 @@
  * principal curvatures. It splits and merges by itself. See M. Desbrun, M.-P. Cani-Gascuel, Active
  * Implicit Surface for Animation, Graphics Interface 1998.
  *
- * Input, port 0 (optional): the target as particles, a vtkPointSet without cells or with vertices
- * (all its points count), with or without time steps; they act like a vtkSkeletonPotential of
- * points. Or the target is TargetFunction. SetInputArrayToProcess(0, ...) chooses an array of
- * radii, (1, ...) of ids, (2, ...) of strengths; without them ParticleRadius, the point numbers and
- * 1 hold. Particles go in straight lines from one time step to the next, matched by ids (equal ones
- * in their order), or by number if both steps have equally many. One that is missing in the next
- * step stays as it is until then; one that is new appears at its own step. No particles at all is
- * no target: the skin vanishes.
+ * Input, port 0 (optional): the target, by what it is, or else TargetFunction.
+ * - Particles: a vtkPointSet without cells or with vertices; all its points count. They act like a
+ *   vtkSkeletonPotential of points. SetInputArrayToProcess(0, ...) chooses an array of radii, (1,
+ *   ...) of ids, (2, ...) of strengths; without them ParticleRadius, the point numbers and 1 hold.
+ * - Skeleton: a vtkPolyData with lines, as vtkSkeletonPotential takes it, with the same arrays.
+ * - Mesh: a vtkPolyData with polygons or strips, closed, else see MeshThickness: the distance to
+ * it, as vtkGridPotential gives it. Not together with lines.
+ * - Image: a vtkImageData, whose values are F; inside is below TargetIsoValue (InvertTarget:
+ * above), and not beyond its box. Its active point scalars, or the array chosen by (3, ...).
+ *
+ * With time steps, all of one kind, the target moves. Particles go in straight lines from one step
+ * to the next, matched by ids (equal ones in their order), or by number if both steps have equally
+ * many. One that is missing in the next step stays as it is until then; one that is new appears at
+ * its own step. The others are blended, F = (1 - f) F0 + f F1 at a fraction f of the way: shapes
+ * that do not overlap from step to step vanish on the way. A step without points, or a mesh without
+ * cells, is no target: the skin shrinks there, and vanishes.
+ *
+ * Input, port 1 (optional): Initial, the shape at the first time, in place of InitialFunction: a
+ * mesh or an image as above, where (4, ...) chooses the image's array; at its first time step.
  *
  * Output, port 0: the skin, a vtkPolyData of triangles, closed, outward, with Normals. Port 1: the
  * potential as a vtkImageData with the scalars "Potential", a signed distance [length], negative
@@ -39,7 +50,9 @@
  * changes.
  *
  * A vanished skin is legal: empty output and one warning. What cannot be done is one error with a
- * sentence that says why, empty outputs, and a new start at the next update.
+ * sentence that says why, and empty outputs. What was reached before it, or before an abort, is
+ * kept: with the cause gone (as by a larger MaximumNumberOfActiveVoxels) the next update goes on
+ * from the last finished substep, to the same bytes.
  */
 
 #ifndef vtkActiveImplicitSurface_h
@@ -71,9 +84,9 @@ public:
   /**
    * What the skin is attracted by, negative inside: any implicit function, instead of an input.
    * Functions of VTK that only read themselves (vtkSphere, vtkBox, vtkPlane, vtkPlanes,
-   * vtkCylinder, vtkCone, vtkQuadric, vtkSuperquadric, vtkSkeletonPotential; vtkImplicitBoolean of
-   * such), without a transform, are evaluated by all threads, others by one. Changing it starts the
-   * skin anew. Default: none.
+   * vtkCylinder, vtkCone, vtkQuadric, vtkSuperquadric, vtkSkeletonPotential, vtkGridPotential;
+   * vtkImplicitBoolean of such), without a transform, are evaluated by all threads, others by one.
+   * Changing it starts the skin anew. Default: none.
    */
   virtual void SetTargetFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetTargetFunction();
@@ -82,8 +95,8 @@ public:
   ///@{
   /**
    * The shape that the skin has at the first time, negative inside, within ModelBounds, where it is
-   * closed. Changing it starts the skin anew. Default: none, the skin starts on the target itself,
-   * as it is at the first time.
+   * closed. Changing it starts the skin anew. Not together with input port 1. Default: none, the
+   * skin starts on the input of port 1, or else on the target itself, as it is at the first time.
    */
   virtual void SetInitialFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetInitialFunction();
@@ -91,7 +104,8 @@ public:
 
   ///@{
   /**
-   * Level of the target that attracts the skin [unit of the target's values].
+   * Level of the target that attracts the skin [unit of the target's values]; of images at port 1
+   * too.
    * Range: finite. Default: 0.
    */
   vtkSetMacro(TargetIsoValue, double);
@@ -100,7 +114,8 @@ public:
 
   ///@{
   /**
-   * Whether the target's inside is where its values are above TargetIsoValue. Default: off, below.
+   * Whether the target's inside is where its values are above TargetIsoValue; of images at port 1
+   * too. Default: off, below.
    */
   vtkSetMacro(InvertTarget, vtkTypeBool);
   vtkGetMacro(InvertTarget, vtkTypeBool);
@@ -145,8 +160,8 @@ public:
    * which the potential's image covers; the skin may leave it later. Sampling costs one evaluation
    * for each lattice node in the box. Range: finite, min < max on each axis, or unset. Default:
    * unset (1, -1, 1, -1, 1, -1), that is the box of the first target and of the initial shape
-   * (particles and vtkSkeletonPotential have one, with their radii), enlarged by an eighth of its
-   * longest side at each face.
+   * (inputs, vtkSkeletonPotential and vtkGridPotential have one), enlarged by an eighth of its
+   * longest side at each face, but with an image by two voxels only.
    */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
@@ -221,10 +236,10 @@ public:
 
   ///@{
   /**
-   * Distance [length] at which a particle's influence ends, where no array of radii is chosen. The
-   * skin of a single particle is smaller: .45 of it for the kernel WYVILL and the threshold .5.
-   * Range: >= 0; 0 is twice the usual distance of neighbours at the first time step, with a warning
-   * that says the value. Default: 0.
+   * Distance [length] at which the influence of a particle, or of a line of a skeleton, ends, where
+   * no array of radii is chosen. The skin of a single particle is smaller: .45 of it for the kernel
+   * WYVILL and the threshold .5. Range: >= 0; 0 is twice the usual distance of neighbours at the
+   * first time step, with a warning that says the value. Default: 0.
    */
   vtkSetClampMacro(ParticleRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleRadius, double);
@@ -249,6 +264,16 @@ public:
    */
   vtkSetMacro(ParticleThreshold, double);
   vtkGetMacro(ParticleThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Thickness [length] of the shell that an input mesh with open edges becomes; a closed one is a
+   * solid all the same. Below about two voxels the shell has holes.
+   * Range: >= 0. Default: 0, no shell: an open mesh has no inside, or a wrong one, with a warning.
+   */
+  vtkSetClampMacro(MeshThickness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MeshThickness, double);
   ///@}
 
   ///@{
@@ -293,8 +318,8 @@ public:
 
   ///@{
   /**
-   * Points at which the target was evaluated, and substeps that were taken, since the filter was
-   * made or the counters were reset.
+   * Points at which the target was evaluated (but for motions that ended in an error), and substeps
+   * that were taken, since the filter was made or the counters were reset.
    */
   vtkIdType GetTargetEvaluations();
   vtkIdType GetSubsteps();
@@ -349,6 +374,7 @@ private:
   double ParticleRadius = 0.0;
   int ParticleKernel = 0;
   double ParticleThreshold = 0.5;
+  double MeshThickness = 0.0;
   vtkTypeBool ComputeNormals = 1;
   vtkTypeBool OutputPotential = 0;
   vtkIdType MaximumNumberOfActiveVoxels = 50000000;

@@ -13,9 +13,10 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSphere.h"
-#include "vtkSphereSource.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
 #include "vtkTrivialProducer.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <limits>
 
@@ -128,7 +129,7 @@ void TooManyVoxelsAreAnError(Check& check)
   Refuses(check, filter, "MaximumNumberOfActiveVoxels");
 }
 
-// The second of them comes late in the motion: the state is lost, and made again.
+// The second of them comes late in the motion.
 void GrowingBeyondTheMaximumIsAnError(Check& check)
 {
   auto filter = MakeShrinkingBall();
@@ -148,19 +149,38 @@ void GrowingBeyondTheMaximumIsAnError(Check& check)
   check.True(bytes == GetBytesAt(direct, 1.0), "the same bytes as without an error");
 }
 
-void MeshesAndLinesAreNoTargetYet(Check& check)
+void OtherCellsAreNoTarget(Check& check)
 {
-  vtkNew<vtkSphereSource> sphere;
-  vtkNew<vtkActiveImplicitSurface> filter;
-  filter->SetInputConnection(sphere->GetOutputPort());
-  Refuses(check, filter, "A vtkPolyData with polygons or strips cannot be a target yet");
-
-  vtkSmartPointer<vtkPolyData> data = MakeTwoPoints();
+  vtkNew<vtkPolyData> both;
+  both->DeepCopy(MakeTwoPoints());
+  both->GetPoints()->InsertNextPoint(0.0, 0.2, 0.0);
   vtkNew<vtkCellArray> lines;
   lines->InsertNextCell({ 0, 1 });
-  data->SetLines(lines);
-  filter->SetInputData(data);
-  Refuses(check, filter, "A vtkPolyData with lines cannot be a target yet");
+  both->SetLines(lines);
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({ 0, 1, 2 });
+  both->SetPolys(polygons);
+  vtkNew<vtkActiveImplicitSurface> filter;
+  filter->SetInputData(both);
+  Refuses(check, filter, "A vtkPolyData with both polygons and lines cannot be a target");
+
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(both->GetPoints());
+  const vtkIdType corners[] = { 0, 1, 2 };
+  grid->InsertNextCell(VTK_TRIANGLE, 3, corners);
+  filter->SetInputData(grid);
+  Refuses(check, filter, "A vtkUnstructuredGrid with other cells than vertices cannot be a target");
+}
+
+void ImagesWithoutFittingValuesAreNoTarget(Check& check)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 4, 4);
+  vtkNew<vtkActiveImplicitSurface> filter;
+  filter->SetInputData(image);
+  Refuses(check, filter, "The image of input port 0 has no active point scalars");
+  image->AllocateScalars(VTK_FLOAT, 3);
+  Refuses(check, filter, "cannot give an image's values: it has to hold one number for each point");
 }
 
 void CompositeDataAreNoTarget(Check& check)
@@ -178,12 +198,12 @@ void CompositeDataAreNoTarget(Check& check)
 
 void OtherDataAreRefusedByThePipeline(Check& check)
 {
-  vtkNew<vtkImageData> image;
+  vtkNew<vtkTable> table;
   vtkNew<vtkActiveImplicitSurface> filter;
-  filter->SetInputData(image);
+  filter->SetInputDataObject(table);
   Messages messages(filter);
   filter->Update();
-  check.Less(0, Messages::Count(messages.Errors, "a vtkPointSet is required"), "errors");
+  check.Less(0, Messages::Count(messages.Errors, "is of type vtkTable"), "errors");
 }
 
 void ArraysThatCannotBeAreErrors(Check& check)
@@ -317,6 +337,29 @@ void NoSurfaceWithinTheBoundsIsAWarning(Check& check)
   check.Equal(messages.Warnings.size(), std::size_t(1), "warnings in all");
 }
 
+// One message for all steps.
+void TargetThatIsNotFiniteIsAWarning(Check& check)
+{
+  auto filter = MakeShrinkingBall();
+  vtkNew<vtkSphere> nowhere;
+  nowhere->SetRadius(NaN);
+  filter->SetTargetFunction(nowhere);
+  Messages messages(filter);
+  for (int step = 0; step <= 4; ++step)
+  {
+    filter->UpdateTimeStep(0.1 * step);
+  }
+  check.Equal(
+    Messages::Count(messages.Warnings, "the target was not a finite number"), 1, "warnings");
+  check.Equal(messages.Warnings.size(), std::size_t(1), "warnings in all");
+
+  messages.Warnings.clear();
+  filter->SetInitialFunction(nullptr);
+  filter->UpdateTimeStep(0.0);
+  check.Equal(Messages::Count(messages.Warnings, "not a finite number anywhere within the bounds"),
+    1, "warnings of the start");
+}
+
 int main(int argc, char** argv)
 {
   return RunFacts(argc, argv,
@@ -325,7 +368,8 @@ int main(int argc, char** argv)
       { "NumbersThatCannotBeAreErrors", NumbersThatCannotBeAreErrors },
       { "TooManyVoxelsAreAnError", TooManyVoxelsAreAnError },
       { "GrowingBeyondTheMaximumIsAnError", GrowingBeyondTheMaximumIsAnError },
-      { "MeshesAndLinesAreNoTargetYet", MeshesAndLinesAreNoTargetYet },
+      { "OtherCellsAreNoTarget", OtherCellsAreNoTarget },
+      { "ImagesWithoutFittingValuesAreNoTarget", ImagesWithoutFittingValuesAreNoTarget },
       { "CompositeDataAreNoTarget", CompositeDataAreNoTarget },
       { "OtherDataAreRefusedByThePipeline", OtherDataAreRefusedByThePipeline },
       { "ArraysThatCannotBeAreErrors", ArraysThatCannotBeAreErrors },
@@ -335,5 +379,6 @@ int main(int argc, char** argv)
       { "ErrorsAreToldAgain", ErrorsAreToldAgain },
       { "NoParticlesAreAWarning", NoParticlesAreAWarning },
       { "TargetsThatNeverMeetAreAWarning", TargetsThatNeverMeetAreAWarning },
-      { "NoSurfaceWithinTheBoundsIsAWarning", NoSurfaceWithinTheBoundsIsAWarning } });
+      { "NoSurfaceWithinTheBoundsIsAWarning", NoSurfaceWithinTheBoundsIsAWarning },
+      { "TargetThatIsNotFiniteIsAWarning", TargetThatIsNotFiniteIsAWarning } });
 }

@@ -12,7 +12,7 @@ from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotent
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkIntArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkSphere
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkSphere, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -36,6 +36,7 @@ DEFAULTS = {
     "ParticleRadius": 0.0,
     "ParticleKernel": 0,  # vtkSkeletonPotential.WYVILL
     "ParticleThreshold": 0.5,
+    "MeshThickness": 0.0,
     "ComputeNormals": 1,
     "OutputPotential": 0,
     "MaximumNumberOfActiveVoxels": 50000000,
@@ -48,6 +49,7 @@ CLAMPED = [
     ("Attraction", -1.0, 0.0),
     ("Tension", -1.0, 0.0),
     ("ParticleRadius", -1.0, 0.0),
+    ("MeshThickness", -1.0, 0.0),
     ("ParticleKernel", 7, vtkSkeletonPotential.METABALL),
     ("NumberOfTimeSteps", 0, 1),
     ("NumberOfThreads", -3, 0),
@@ -71,6 +73,7 @@ REFUSED = [
     ("TimeScale", 0.0),
     ("ParticleRadius", math.nan),
     ("ParticleThreshold", math.inf),
+    ("MeshThickness", math.nan),
 ]
 
 
@@ -292,11 +295,25 @@ class Garbage(unittest.TestCase):
         surface.SetInputData(make_points([(0, 0, 0)]))
         self.assert_says(surface, "There are two targets")
 
-    def test_a_mesh(self):
-        mesh = vtkSphereSource()
+    def test_a_table(self):
         surface = vtkActiveImplicitSurface()
-        surface.SetInputConnection(mesh.GetOutputPort())
-        self.assert_says(surface, "cannot be a target yet")
+        surface.SetInputDataObject(vtkTable())
+        surface.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
+        surface.Update()
+        self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_an_image_without_values(self):
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 3)
+        surface = vtkActiveImplicitSurface()
+        surface.SetInputData(image)
+        self.assert_says(surface, "no active point scalars")
+
+    def test_two_initial_shapes(self):
+        mesh = vtkSphereSource()
+        surface = make_shrinking_ball()
+        surface.SetInputConnection(1, mesh.GetOutputPort())
+        self.assert_says(surface, "There are two initial shapes")
 
     def test_a_function_without_bounds(self):
         surface = vtkActiveImplicitSurface()

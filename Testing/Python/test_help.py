@@ -10,14 +10,14 @@ from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotent
 NUMBERS = """
     TargetIsoValue TargetReach VoxelSize MaximumNumberOfActiveVoxels Attraction Tension CFL
     StartTime TimeStepSize NumberOfTimeSteps TimeScale ParticleRadius ParticleThreshold
-    NumberOfThreads
+    MeshThickness NumberOfThreads
 """.split()
 NOT_NUMBERS = """
     InvertTarget NormalizeTarget ModelBounds ComputeNormals OutputPotential ParticleKernel
 """.split()
 WITH_UNIT = """
     TargetReach VoxelSize ModelBounds Attraction Tension StartTime TimeStepSize TimeScale
-    ParticleRadius
+    ParticleRadius MeshThickness
 """.split()
 
 

@@ -1,5 +1,6 @@
-#include "ImplicitTarget.h"
+#include "FunctionSampler.h"
 
+#include "vtkGridPotential.h"
 #include "vtkImplicitBoolean.h"
 #include "vtkImplicitFunction.h"
 #include "vtkImplicitFunctionCollection.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <vector>
 
 namespace activesurface
@@ -23,8 +25,9 @@ namespace
 // Functions that only read themselves when they are evaluated. Subclasses have names of their own.
 bool OnlyReadsItself(vtkImplicitFunction* function)
 {
-  constexpr std::array<const char*, 9> known = { "vtkBox", "vtkCone", "vtkCylinder", "vtkPlane",
-    "vtkPlanes", "vtkQuadric", "vtkSkeletonPotential", "vtkSphere", "vtkSuperquadric" };
+  constexpr std::array<const char*, 10> known = { "vtkBox", "vtkCone", "vtkCylinder",
+    "vtkGridPotential", "vtkPlane", "vtkPlanes", "vtkQuadric", "vtkSkeletonPotential", "vtkSphere",
+    "vtkSuperquadric" };
   const char* name = function->GetClassName();
   return std::any_of(
     known.begin(), known.end(), [name](const char* other) { return !std::strcmp(name, other); });
@@ -38,10 +41,27 @@ bool HasGradient(vtkImplicitFunction* function)
     !vtkSuperquadric::SafeDownCast(function);           // it is always 0
 }
 
+using Batch =
+  std::function<void(vtkIdType count, const double* points, double* values, double* gradients)>;
+
+// EvaluateBatch of a function that has it, as it is now; empty for others.
+template <class Potential>
+Batch FindBatch(vtkImplicitFunction* function)
+{
+  Potential* potential = Potential::SafeDownCast(function);
+  if (!potential)
+  {
+    return {};
+  }
+  potential->Build();
+  return [potential](vtkIdType count, const double* points, double* values, double* gradients)
+  { potential->EvaluateBatch(count, points, values, gradients); };
+}
+
 }
 
 // A function, and those that it is made of.
-struct ImplicitTarget::Node
+struct FunctionSampler::Node
 {
   Node(vtkImplicitFunction* function, double step);
 
@@ -49,7 +69,7 @@ struct ImplicitTarget::Node
   double SampleAt(const double x[3], double gradient[3]) const;
 
   bool ThreadSafe = false;
-  vtkSkeletonPotential* Skeleton = nullptr; // the function, if it is one, to be taken in batches
+  Batch InBatches; // evaluates the function, if it is one of those with EvaluateBatch
 
 private:
   double SampleBoolean(const double x[3], double gradient[3]) const;
@@ -62,7 +82,7 @@ private:
   std::vector<Node> Terms;
 };
 
-ImplicitTarget::Node::Node(vtkImplicitFunction* function, double step)
+FunctionSampler::Node::Node(vtkImplicitFunction* function, double step)
   : Function(function)
   , GradientTrusted(HasGradient(function))
   , Step(step)
@@ -72,10 +92,10 @@ ImplicitTarget::Node::Node(vtkImplicitFunction* function, double step)
     return;
   }
   this->ThreadSafe = OnlyReadsItself(function);
-  this->Skeleton = vtkSkeletonPotential::SafeDownCast(function);
-  if (this->Skeleton)
+  this->InBatches = FindBatch<vtkSkeletonPotential>(function);
+  if (!this->InBatches)
   {
-    this->Skeleton->Build();
+    this->InBatches = FindBatch<vtkGridPotential>(function);
   }
   if (std::strcmp(function->GetClassName(), "vtkImplicitBoolean") != 0)
   {
@@ -93,23 +113,23 @@ ImplicitTarget::Node::Node(vtkImplicitFunction* function, double step)
   this->Boolean = this->Terms.empty() ? nullptr : boolean;
 }
 
-double ImplicitTarget::Node::ValueAt(const double x[3]) const
+double FunctionSampler::Node::ValueAt(const double x[3]) const
 {
-  if (this->Skeleton)
+  if (this->InBatches)
   {
     double value;
-    this->Skeleton->EvaluateBatch(1, x, &value, nullptr);
+    this->InBatches(1, x, &value, nullptr);
     return value;
   }
   return this->Function->FunctionValue(x);
 }
 
-double ImplicitTarget::Node::SampleAt(const double x[3], double gradient[3]) const
+double FunctionSampler::Node::SampleAt(const double x[3], double gradient[3]) const
 {
-  if (this->Skeleton)
+  if (this->InBatches)
   {
     double value;
-    this->Skeleton->EvaluateBatch(1, x, &value, gradient);
+    this->InBatches(1, x, &value, gradient);
     return value;
   }
   if (this->Boolean)
@@ -129,7 +149,7 @@ double ImplicitTarget::Node::SampleAt(const double x[3], double gradient[3]) con
 }
 
 // The value of the term that decides, and its gradient.
-double ImplicitTarget::Node::SampleBoolean(const double x[3], double gradient[3]) const
+double FunctionSampler::Node::SampleBoolean(const double x[3], double gradient[3]) const
 {
   const int operation = this->Boolean->GetOperationType();
   const Node* decides = nullptr;
@@ -163,7 +183,7 @@ double ImplicitTarget::Node::SampleBoolean(const double x[3], double gradient[3]
   return sign * least;
 }
 
-void ImplicitTarget::Node::TakeDifferences(const double x[3], double gradient[3]) const
+void FunctionSampler::Node::TakeDifferences(const double x[3], double gradient[3]) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -175,26 +195,24 @@ void ImplicitTarget::Node::TakeDifferences(const double x[3], double gradient[3]
   }
 }
 
-ImplicitTarget::ImplicitTarget(
-  vtkImplicitFunction* function, double step, const TargetOptions& options)
-  : PotentialTarget(options)
-  , Root(std::make_unique<Node>(function, step))
+FunctionSampler::FunctionSampler(vtkImplicitFunction* function, double step)
+  : Root(std::make_unique<Node>(function, step))
 {
 }
 
-ImplicitTarget::~ImplicitTarget() = default;
+FunctionSampler::~FunctionSampler() = default;
 
-bool ImplicitTarget::IsThreadSafe() const
+bool FunctionSampler::IsThreadSafe() const
 {
   return this->Root->ThreadSafe;
 }
 
-void ImplicitTarget::Sample(
+void FunctionSampler::Sample(
   std::size_t count, const double* points, double* values, double* gradients) const
 {
-  if (this->Root->Skeleton)
+  if (this->Root->InBatches)
   {
-    this->Root->Skeleton->EvaluateBatch(static_cast<vtkIdType>(count), points, values, gradients);
+    this->Root->InBatches(static_cast<vtkIdType>(count), points, values, gradients);
     return;
   }
   for (std::size_t i = 0; i < count; ++i)

@@ -1,12 +1,12 @@
-// The particles of a step of the input, and their way to the next step.
+// The particles of one step of the input, and their way to those of the next.
 //
 // A particle moves in a straight line from one step to the next, and its radius and strength change
 // evenly. Particles are matched by their ids, or by their index where there are none and the steps
 // have equally many. A particle without a partner in the next step stays as it is until then; one
 // without a partner in the step before is not there before its own step.
 
-#ifndef ParticleFrames_h
-#define ParticleFrames_h
+#ifndef ParticleFrame_h
+#define ParticleFrame_h
 
 #include "Skeleton.h"
 
@@ -49,35 +49,13 @@ struct ParticleFrame
 // Throws std::invalid_argument for arrays that cannot be radii, ids or strengths of the points.
 ParticleFrame ReadParticles(vtkPointSet* points, const ParticleArrays& arrays);
 
-// Two consecutive steps at most.
-class ParticleFrames
-{
-public:
-  void Clear();
+// For each of the earlier particles its place among the later ones, or NoPartner.
+constexpr std::size_t NoPartner = static_cast<std::size_t>(-1);
+std::vector<std::size_t> FindPartners(const ParticleFrame& earlier, const ParticleFrame& later);
 
-  // The step replaces the elder of the two that are held.
-  void Add(int step, ParticleFrame frame);
-
-  bool Has(int step) const;
-  const ParticleFrame& Get(int step) const;
-
-  // The particles of a step, moved on by a fraction in [0,1] of the way to the next one, if that is
-  // held. They come in the order of the step, always.
-  void Interpolate(int step, double fraction, std::vector<SkeletonVertex>& particles);
-
-private:
-  struct Held
-  {
-    int Step = -1;
-    ParticleFrame Frame;
-  };
-
-  void Match();
-
-  Held Earlier, Later;
-  bool Matched = false;
-  std::vector<std::size_t> Partners; // in Later, for each particle of Earlier
-};
+// Moves earlier particles on, by a fraction in [0,1] of their way to their partners.
+void MoveToPartners(const ParticleFrame& later, const std::vector<std::size_t>& partners,
+  double fraction, std::vector<SkeletonVertex>& particles);
 
 }
 

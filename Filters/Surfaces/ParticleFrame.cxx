@@ -1,4 +1,4 @@
-#include "ParticleFrames.h"
+#include "ParticleFrame.h"
 
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -21,8 +20,6 @@ namespace activesurface
 
 namespace
 {
-
-constexpr std::size_t NoPartner = std::numeric_limits<std::size_t>::max();
 
 // The array as numbers, one for each point, or null if there is none.
 vtkDataArray* AsNumbers(vtkAbstractArray* array, vtkIdType points, const char* what)
@@ -200,59 +197,26 @@ ParticleFrame ReadParticles(vtkPointSet* points, const ParticleArrays& arrays)
   return frame;
 }
 
-void ParticleFrames::Clear()
+std::vector<std::size_t> FindPartners(const ParticleFrame& earlier, const ParticleFrame& later)
 {
-  *this = ParticleFrames();
-}
-
-void ParticleFrames::Add(int step, ParticleFrame frame)
-{
-  this->Earlier = std::move(this->Later);
-  this->Later.Step = step;
-  this->Later.Frame = std::move(frame);
-  this->Matched = false;
-}
-
-bool ParticleFrames::Has(int step) const
-{
-  return step >= 0 && (this->Earlier.Step == step || this->Later.Step == step);
-}
-
-const ParticleFrame& ParticleFrames::Get(int step) const
-{
-  return this->Later.Step == step ? this->Later.Frame : this->Earlier.Frame;
-}
-
-void ParticleFrames::Match()
-{
-  const ParticleFrame& earlier = this->Earlier.Frame;
-  const ParticleFrame& later = this->Later.Frame;
   const bool sameCount =
     earlier.Particles.size() + earlier.Ignored == later.Particles.size() + later.Ignored;
-  this->Partners.assign(earlier.Particles.size(), NoPartner);
+  std::vector<std::size_t> partners(earlier.Particles.size(), NoPartner);
   if (earlier.HasIds == later.HasIds && (earlier.HasIds || sameCount))
   {
-    MatchIds(earlier.Ids, later.Ids, this->Partners);
+    MatchIds(earlier.Ids, later.Ids, partners);
   }
-  this->Matched = true;
+  return partners;
 }
 
-void ParticleFrames::Interpolate(int step, double fraction, std::vector<SkeletonVertex>& particles)
+void MoveToPartners(const ParticleFrame& later, const std::vector<std::size_t>& partners,
+  double fraction, std::vector<SkeletonVertex>& particles)
 {
-  particles = this->Get(step).Particles;
-  if (fraction == 0.0 || this->Earlier.Step != step || this->Later.Step != step + 1)
-  {
-    return;
-  }
-  if (!this->Matched)
-  {
-    this->Match();
-  }
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    if (this->Partners[i] != NoPartner)
+    if (partners[i] != NoPartner)
     {
-      MoveTowards(particles[i], this->Later.Frame.Particles[this->Partners[i]], fraction);
+      MoveTowards(particles[i], later.Particles[partners[i]], fraction);
     }
   }
 }

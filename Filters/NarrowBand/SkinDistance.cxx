@@ -1,0 +1,194 @@
+#include "SkinDistance.h"
+
+#include "LeafTable.h"
+#include "NarrowBand.h"
+#include "Trilinear.h"
+
+#include <openvdb/tree/ValueAccessor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace activesurface
+{
+
+namespace
+{
+
+constexpr float HalfWidth = 3.f; // voxels
+constexpr float LeastSlope = .05f;
+
+// Not registered with the tree: cheap to make for each call, from any thread.
+using Reader = openvdb::tree::ValueAccessor<const PotentialTree, false>;
+
+/** u at a node `steps` along an axis, if it is in the layers: a step more, and its value. */
+void LookAlong(const LeafTable& table, const LeafTable::Place& node, int axis, int side, int& steps,
+  float& value)
+{
+  const LeafTable::Place place = table.Step(node.Leaf, node.Node, axis, side);
+  if (place.Leaf >= 0 && table[place.Leaf].Upto[LastLayer].Has(place.Node))
+  {
+    value = table[place.Leaf].Value[place.Node];
+    ++steps;
+  }
+}
+
+/** |grad u| at a node of the layers, from those of its neighbours that are in the layers. */
+float SlopeAt(const LeafTable& table, const LeafTable::Place& node)
+{
+  const float own = table[node.Leaf].Value[node.Node];
+  float square = 0.f;
+  bool isKnown = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    int steps = 0;
+    float before = own, after = own;
+    LookAlong(table, node, axis, -1, steps, before);
+    LookAlong(table, node, axis, 1, steps, after);
+    const float difference = steps > 0 ? (after - before) / static_cast<float>(steps) : 0.f;
+    square += difference * difference;
+    isKnown = isKnown || steps > 0;
+  }
+  return isKnown ? std::max(std::sqrt(square), LeastSlope) : 1.f;
+}
+
+openvdb::CoordBBox CrossedNodes(const LeafTable& table)
+{
+  openvdb::CoordBBox box;
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    table[i].Upto[0].ForEach([&](int node)
+      { box.expand(table[i].Origin.offsetBy(node >> 6, (node >> 3) & 7, node & 7)); });
+  }
+  return box;
+}
+
+}
+
+// Two trees of the same leaves. Where there is no leaf, only the sign of the potential is read.
+struct SkinDistance::State
+{
+  explicit State(const NarrowBand& band)
+    : VoxelSize(band.GetVoxelSize())
+    , Potential(band.GetPotential()->tree())
+    , Slopes(band.GetPotential()->tree())
+    , Crossed(CrossedNodes(band.GetLeaves()))
+  {
+    this->Potential.evalLeafBoundingBox(this->Leaves);
+  }
+
+  void TakeLeaves(const LeafTable& table);
+  void ReadNode(
+    Reader& potential, Reader& slopes, const openvdb::Coord& node, double& u, double& slope) const;
+  bool IsFarOutside(const double place[3]) const;
+
+  const double VoxelSize;
+  PotentialTree Potential;
+  PotentialTree Slopes;
+  openvdb::CoordBBox Crossed; //< corners of the crossed voxels
+  openvdb::CoordBBox Leaves;  //< holds all that is inside
+};
+
+void SkinDistance::State::TakeLeaves(const LeafTable& table)
+{
+  // Copies of one tree: their leaves come in the order of the table.
+  std::vector<PotentialLeaf*> potential, slopes;
+  this->Potential.getNodes(potential);
+  this->Slopes.getNodes(slopes);
+  table.ForEach(
+    [&](std::size_t i)
+    {
+      const BandLeaf& leaf = table[i];
+      float* u = potential[i]->buffer().data();
+      float* slope = slopes[i]->buffer().data();
+      for (int node = 0; node < static_cast<int>(PotentialLeaf::SIZE); ++node)
+      {
+        const bool isInLayers = leaf.Upto[LastLayer].Has(node);
+        slope[node] = isInLayers ? SlopeAt(table, { static_cast<std::int32_t>(i), node }) : 1.f;
+        u[node] = isInLayers ? u[node] : leaf.Inside.Has(node) ? -HalfWidth : HalfWidth;
+      }
+    });
+}
+
+void SkinDistance::State::ReadNode(
+  Reader& potential, Reader& slopes, const openvdb::Coord& node, double& u, double& slope) const
+{
+  const PotentialLeaf* leaf = potential.probeConstLeaf(node);
+  u = leaf ? leaf->getValue(node) : std::copysign(HalfWidth, potential.getValue(node));
+  slope = leaf ? slopes.getValue(node) : 1.f;
+}
+
+/** Also what would not fit into lattice coordinates; place in voxels. */
+bool SkinDistance::State::IsFarOutside(const double place[3]) const
+{
+  bool isOutside = this->Leaves.empty();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    isOutside = isOutside || place[axis] < this->Leaves.min()[axis] - 1.0 ||
+      place[axis] > this->Leaves.max()[axis] + 1.0;
+  }
+  return isOutside;
+}
+
+SkinDistance::SkinDistance(const NarrowBand& band)
+  : Members(std::make_unique<State>(band))
+{
+  band.Run([&] { this->Members->TakeLeaves(band.GetLeaves()); });
+}
+
+SkinDistance::~SkinDistance() = default;
+
+double SkinDistance::Evaluate(const double x[3], double* gradient) const
+{
+  const State& own = *this->Members;
+  const bool isFinite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+  const double far = isFinite ? HalfWidth * own.VoxelSize : std::nan("");
+  const double place[3] = { x[0] / own.VoxelSize, x[1] / own.VoxelSize, x[2] / own.VoxelSize };
+  if (gradient)
+  {
+    std::fill_n(gradient, 3, isFinite ? 0.0 : far);
+  }
+  if (!isFinite || own.IsFarOutside(place))
+  {
+    return far;
+  }
+  openvdb::Coord lower;
+  double t[3], u[CornersOfCell], slope[CornersOfCell];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lower[axis] = static_cast<int>(std::floor(place[axis]));
+    t[axis] = place[axis] - lower[axis];
+  }
+  Reader potential(own.Potential), slopes(own.Slopes);
+  for (int c = 0; c < CornersOfCell; ++c)
+  {
+    own.ReadNode(potential, slopes, lower.offsetBy(c >> 2, c >> 1 & 1, c & 1), u[c], slope[c]);
+  }
+  double rise[3], bend[3];
+  const double level = Trilinear(u, t, rise), steepness = Trilinear(slope, t, bend);
+  const double distance = level / steepness;
+  if (std::fabs(distance) >= HalfWidth)
+  {
+    return std::copysign(far, distance);
+  }
+  for (int axis = 0; gradient && axis < 3; ++axis)
+  {
+    gradient[axis] = (rise[axis] - distance * bend[axis]) / steepness;
+  }
+  return own.VoxelSize * distance;
+}
+
+bool SkinDistance::GetBounds(double bounds[6]) const
+{
+  const State& own = *this->Members;
+  for (int axis = 0; axis < 3 && !own.Crossed.empty(); ++axis)
+  {
+    bounds[2 * axis] = own.VoxelSize * own.Crossed.min()[axis];
+    bounds[2 * axis + 1] = own.VoxelSize * own.Crossed.max()[axis];
+  }
+  return !own.Crossed.empty();
+}
+
+}

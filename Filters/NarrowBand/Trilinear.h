@@ -1,0 +1,48 @@
+/**
+ * Trilinear interpolation within one voxel: what all samples on a lattice share.
+ */
+#ifndef Trilinear_h
+#define Trilinear_h
+
+namespace activesurface
+{
+
+/** Corner c = 4 i + 2 j + k of a voxel, i j k in {0,1}: the layout of the eight values. */
+constexpr int CornersOfCell = 8;
+
+/** Between a and b; of the sign of both, and exact at the ends. */
+inline double Between(double a, double b, double t)
+{
+  return (1.0 - t) * a + t * b;
+}
+
+/**
+ * The value at the fractions t in [0,1] of a voxel, and its derivatives by t unless gradient is
+ * null. Where all corners have one sign, so has the value, whatever the rounding.
+ */
+inline double Trilinear(const double corner[CornersOfCell], const double t[3], double* gradient)
+{
+  double edge[4]; // along k, at (i, j) = 2 i + j
+  for (int e = 0; e < 4; ++e)
+  {
+    edge[e] = Between(corner[2 * e], corner[2 * e + 1], t[2]);
+  }
+  const double low = Between(edge[0], edge[1], t[1]);
+  const double high = Between(edge[2], edge[3], t[1]);
+  if (gradient)
+  {
+    double rise[4];
+    for (int e = 0; e < 4; ++e)
+    {
+      rise[e] = corner[2 * e + 1] - corner[2 * e];
+    }
+    gradient[0] = high - low;
+    gradient[1] = Between(edge[1] - edge[0], edge[3] - edge[2], t[0]);
+    gradient[2] = Between(Between(rise[0], rise[1], t[1]), Between(rise[2], rise[3], t[1]), t[0]);
+  }
+  return Between(low, high, t[0]);
+}
+
+}
+
+#endif

@@ -1,0 +1,31 @@
+// A function of space known by samples: what a vtkGridPotential evaluates.
+
+#ifndef GridSamples_h
+#define GridSamples_h
+
+namespace activesurface
+{
+
+// Immutable. Any of the methods may be called by several threads at once, and allocates nothing.
+class GridSamples
+{
+public:
+  virtual ~GridSamples() = default;
+
+  // Negative inside; gradient: three numbers, or null. NaN where x is not finite.
+  virtual double Evaluate(const double x[3], double* gradient) const = 0;
+
+  // Box outside which it is not negative; false, and untouched, where it never is.
+  virtual bool GetBounds(double bounds[6]) const = 0;
+
+protected:
+  GridSamples() = default;
+
+private:
+  GridSamples(const GridSamples&) = delete;
+  void operator=(const GridSamples&) = delete;
+};
+
+}
+
+#endif

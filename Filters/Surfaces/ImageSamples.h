@@ -1,0 +1,57 @@
+// The pixels of a vtkImageData as samples: trilinear within the image's box, and outside it the
+// distance to the box.
+
+#ifndef ImageSamples_h
+#define ImageSamples_h
+
+#include "GridSamples.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkImageData;
+
+namespace activesurface
+{
+
+struct ImageLevel
+{
+  std::string ArrayName; // empty: the active scalars, else the first array of one component
+  double IsoValue = 0.0;
+  bool InvertInside = false;
+};
+
+class ImageSamples : public GridSamples
+{
+public:
+  // Keeps the array, which must not change meanwhile. Throws std::invalid_argument, with a
+  // sentence, for an image that is flat, without such an array, or not placed in space by rotated
+  // axes.
+  ImageSamples(vtkImageData* image, const ImageLevel& level);
+  ~ImageSamples() override;
+
+  double Evaluate(const double x[3], double* gradient) const override;
+  bool GetBounds(double bounds[6]) const override;
+
+private:
+  void ReadAxes(vtkImageData* image);
+  void Locate(const double x[3], double place[3]) const;
+  double DistanceToBox(const double excess[3], double* gradient) const;
+  double Interpolate(const double place[3], double* gradient) const;
+
+  vtkSmartPointer<vtkDataArray> Pixels;
+  double IsoValue;
+  double Sign; // of the samples
+  int Extent[6];
+  double Origin[3];
+  double Axis[3][3];    // from a pixel to the next one along each axis [length]
+  double Inverse[3][3]; // rows give lattice coordinates
+  double Spacing[3];    // length of the axes, positive
+  double Slack;         // rounding of lattice coordinates [pixels]
+};
+
+}
+
+#endif

@@ -1,0 +1,30 @@
+// The distance to the skin of a NarrowBand as samples.
+
+#ifndef SkinSamples_h
+#define SkinSamples_h
+
+#include "GridSamples.h"
+
+#include <memory>
+
+namespace activesurface
+{
+
+class SkinDistance;
+
+class SkinSamples : public GridSamples
+{
+public:
+  explicit SkinSamples(std::shared_ptr<const SkinDistance> skin);
+  ~SkinSamples() override;
+
+  double Evaluate(const double x[3], double* gradient) const override;
+  bool GetBounds(double bounds[6]) const override;
+
+private:
+  std::shared_ptr<const SkinDistance> Skin;
+};
+
+}
+
+#endif

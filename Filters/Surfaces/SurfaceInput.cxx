@@ -1,0 +1,223 @@
+#include "SurfaceInput.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkAlgorithm.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <sstream>
+#include <stdexcept>
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+namespace activesurface
+{
+
+namespace
+{
+
+enum ArrayIndices
+{
+  RadiusArray = 0,
+  IdArray = 1,
+  StrengthArray = 2,
+  ValueArray = 3,
+  InitialValueArray = 4
+};
+
+}
+
+SurfaceInput::SurfaceInput(vtkAlgorithm* filter, Ports port)
+  : Filter(filter)
+  , Port(port)
+{
+}
+
+bool SurfaceInput::IsConnected() const
+{
+  return this->Filter->GetNumberOfInputConnections(this->Port) > 0;
+}
+
+std::uint64_t SurfaceInput::GetStamp() const
+{
+  auto upstream = this->IsConnected()
+    ? vtkDemandDrivenPipeline::SafeDownCast(this->Filter->GetInputExecutive(this->Port, 0))
+    : nullptr;
+  if (!upstream)
+  {
+    return 0;
+  }
+  upstream->UpdatePipelineMTime();
+  return upstream->GetPipelineMTime();
+}
+
+std::vector<double> SurfaceInput::GetTimeSteps(vtkInformation* information)
+{
+  std::vector<double> steps;
+  if (information && information->Has(SDDP::TIME_STEPS()))
+  {
+    const double* first = information->Get(SDDP::TIME_STEPS());
+    steps.assign(first, first + information->Length(SDDP::TIME_STEPS()));
+  }
+  return steps.size() > 1 ? steps : std::vector<double>();
+}
+
+bool SurfaceInput::IsContinuous(vtkInformation* information)
+{
+  if (!information || information->Has(SDDP::TIME_STEPS()) || !information->Has(SDDP::TIME_RANGE()))
+  {
+    return false;
+  }
+  const double* range = information->Get(SDDP::TIME_RANGE());
+  return range[0] < range[1];
+}
+
+bool SurfaceInput::IsArrayChosen(int index) const
+{
+  vtkInformation* choice = this->Filter->GetInputArrayInformation(index);
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  return name ? *name != '\0' : choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()) != 0;
+}
+
+std::array<std::string, 5> SurfaceInput::DescribeArrays() const
+{
+  std::array<std::string, 5> arrays;
+  for (int index = RadiusArray; index <= InitialValueArray; ++index)
+  {
+    if (this->IsArrayChosen(index))
+    {
+      vtkInformation* choice = this->Filter->GetInputArrayInformation(index);
+      const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+      std::ostringstream text;
+      text << "association " << choice->Get(vtkDataObject::FIELD_ASSOCIATION());
+      if (name)
+      {
+        text << ", array \"" << name << "\"";
+      }
+      else
+      {
+        text << ", attribute " << choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+      }
+      arrays[index] = text.str();
+    }
+  }
+  return arrays;
+}
+
+bool SurfaceInput::IsComposite(vtkInformation* information)
+{
+  return vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(information)) != nullptr;
+}
+
+TargetFrame SurfaceInput::Read(vtkInformation* information) const
+{
+  vtkDataSet* data = vtkDataSet::GetData(information);
+  switch (FindKind(data))
+  {
+    case TargetKind::Particles:
+      return MakeParticles(vtkPointSet::SafeDownCast(data),
+        { this->FindArray(RadiusArray, data), this->FindArray(IdArray, data),
+          this->FindArray(StrengthArray, data) });
+    case TargetKind::Skeleton:
+      return MakeSkeleton(vtkPointSet::SafeDownCast(data),
+        { this->FindArray(RadiusArray, data), nullptr, this->FindArray(StrengthArray, data) });
+    case TargetKind::Mesh:
+      return MakeMesh(data);
+    case TargetKind::Image:
+      return MakeImage(data, this->FindValues(data));
+    default:
+      return TargetFrame();
+  }
+}
+
+vtkAbstractArray* SurfaceInput::FindValues(vtkDataSet* image) const
+{
+  const int index = this->Port == Target ? ValueArray : InitialValueArray;
+  vtkAbstractArray* chosen = this->FindArray(index, image);
+  vtkAbstractArray* values = chosen ? chosen : image->GetPointData()->GetScalars();
+  if (!values)
+  {
+    throw std::invalid_argument("The image of input port " + std::to_string(this->Port) +
+      " has no active point scalars; choose a point array by SetInputArrayToProcess(" +
+      std::to_string(index) + ", ...), or make cell data point data (vtkCellDataToPointData).");
+  }
+  return values;
+}
+
+// Null if none is chosen.
+vtkAbstractArray* SurfaceInput::FindArray(int index, vtkDataSet* data) const
+{
+  if (!this->IsArrayChosen(index))
+  {
+    return nullptr;
+  }
+  vtkInformation* choice = this->Filter->GetInputArrayInformation(index);
+  const int association = choice->Get(vtkDataObject::FIELD_ASSOCIATION());
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  vtkPointData* arrays = data->GetPointData();
+  vtkAbstractArray* array = name
+    ? arrays->GetAbstractArray(name)
+    : arrays->GetAbstractAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
+  const bool isOfPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
+    association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
+  if (!array || !isOfPoints)
+  {
+    throw std::invalid_argument(
+      "The input has no point array as chosen by SetInputArrayToProcess(" + std::to_string(index) +
+      ", ...): " + this->DescribeArrays()[index] + ".");
+  }
+  return array;
+}
+
+void SurfaceInput::AskForWhole(vtkInformation* information)
+{
+  information->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+  information->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+  information->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (information->Has(SDDP::WHOLE_EXTENT()))
+  {
+    information->Set(SDDP::UPDATE_EXTENT(), information->Get(SDDP::WHOLE_EXTENT()), 6);
+  }
+}
+
+void SurfaceInput::AskForFirst(vtkInformation* information)
+{
+  AskForWhole(information);
+  if (information->Has(SDDP::TIME_STEPS()) && information->Length(SDDP::TIME_STEPS()) > 0)
+  {
+    information->Set(SDDP::UPDATE_TIME_STEP(), information->Get(SDDP::TIME_STEPS())[0]);
+  }
+  else if (information->Has(SDDP::TIME_RANGE()))
+  {
+    information->Set(SDDP::UPDATE_TIME_STEP(), information->Get(SDDP::TIME_RANGE())[0]);
+  }
+}
+
+bool SurfaceInput::Update(vtkInformation* information, double time) const
+{
+  AskForWhole(information);
+  information->Set(SDDP::UPDATE_TIME_STEP(), time);
+  return this->UpdateProducer();
+}
+
+bool SurfaceInput::UpdateFirst(vtkInformation* information) const
+{
+  AskForFirst(information);
+  return this->UpdateProducer();
+}
+
+bool SurfaceInput::UpdateProducer() const
+{
+  int port = 0;
+  vtkAlgorithm* producer = this->Filter->GetInputAlgorithm(this->Port, 0, port);
+  auto upstream = SDDP::SafeDownCast(producer->GetExecutive());
+  return upstream && upstream->Update(port);
+}
+
+}
