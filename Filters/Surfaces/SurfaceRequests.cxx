@@ -202,7 +202,8 @@ void SurfaceRequests::AskInputs(
   {
     this->CompositeInitial = this->Initial.GetStamp();
   }
-  // One source at both ports is at the target's time, which is the first one when the start needs it.
+  // One source at both ports is at the target's time, which is the first one when the start needs
+  // it.
   if (initial && initial != target)
   {
     SurfaceInput::AskForFirst(initial);

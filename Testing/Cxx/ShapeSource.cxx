@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <sstream>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
@@ -117,7 +118,8 @@ void ShapeSource::Execute(vtkInformation* out)
   }
   image->CopyStructure(shape);
   image->AllocateScalars(values->GetDataType(), 1);
-  image->GetPointData()->GetScalars()->DeepCopy(values);
+  std::memcpy(image->GetScalarPointer(), values->GetVoidPointer(0),
+    static_cast<std::size_t>(values->GetDataSize()) * values->GetDataTypeSize());
 }
 
 vtkSmartPointer<ShapeSource> MakeSource(

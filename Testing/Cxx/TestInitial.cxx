@@ -180,6 +180,7 @@ void OneSourceMayBeBoth(Check& check)
   auto both = MakeShrinking(source);
   both->SetTargetFunction(nullptr);
   both->SetInputConnection(0, source->GetOutputPort());
+  both->UpdateTimeStep(1.0);
   both->UpdateTimeStep(2.0);
   check.Equal(source->GetExecutions(), "0 1 2 ", "times asked for");
   // It goes .1 per unit of time and lags behind by .1 (1 - e^-2).

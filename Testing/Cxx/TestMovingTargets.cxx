@@ -71,7 +71,7 @@ void SkinFollowsAMovingMesh(Check& check)
   FollowsTheBall(check, source, 0.12 * VoxelSize + MeshError);
 }
 
-// Blends of squared distances are exact; the source writes over its pixels.
+// Blends of squared distances are exact.
 void SkinFollowsAMovingImage(Check& check)
 {
   const auto source = MakeSource([](double t) { return MakeBallImage(0.5, 0.2 * t); }, { 0, 1, 2 });
