@@ -28,6 +28,7 @@ struct NarrowBand::State
   SkinMeasure StartMeasure; // world units
   double BoxSize = 1.0;     // longest side of the bounds at the start
   bool Paper = false;       // the band is the paper's: see PaperStep.h
+  AdvanceReport Work;       // since ForgetWork
   SubstepBuffers Buffers;
   Displacement Trace;
 

@@ -11,6 +11,8 @@
 #ifndef Motion_h
 #define Motion_h
 
+#include "Walls.h"
+
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -41,13 +43,6 @@ enum class GradientScheme
 {
   Central,
   Upwind
-};
-
-/** A box (xmin xmax ymin ymax zmin zmax) that the surface may not leave. */
-struct Walls
-{
-  bool Present = false;
-  double Bounds[6] = {};
 };
 
 struct Motion
@@ -102,7 +97,7 @@ struct RestCriterion
   std::size_t MaximumSubsteps = 10000;
 };
 
-/** What one call of NarrowBand::Advance or Settle did. */
+/** What NarrowBand::Advance or Settle did. */
 struct AdvanceReport
 {
   std::size_t Substeps = 0;

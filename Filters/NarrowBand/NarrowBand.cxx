@@ -41,6 +41,7 @@ std::unique_ptr<NarrowBand> NarrowBand::Clone() const
   members.StartMeasure = this->Members->StartMeasure;
   members.BoxSize = this->Members->BoxSize;
   members.Paper = this->Members->Paper;
+  members.Work = this->Members->Work;
   copy->Run([&]
     { members.TakeTree(std::make_shared<openvdb::FloatTree>(this->Members->Potential->tree())); });
   return copy;
@@ -64,6 +65,7 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   members.MakeEmpty();
   members.Time = time;
   members.StartMeasure = SkinMeasure();
+  members.Work = AdvanceReport();
   members.BoxSize =
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
   bool finished = false;
@@ -99,10 +101,24 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
 namespace
 {
 
+void AddWork(AdvanceReport& sum, const AdvanceReport& report)
+{
+  sum.Substeps += report.Substeps;
+  sum.Sleeps += report.Sleeps;
+  sum.TargetEvaluations += report.TargetEvaluations;
+  sum.DroppedSamples += report.DroppedSamples;
+  sum.MaxSpeed = std::max(sum.MaxSpeed, report.MaxSpeed);
+}
+
 /** Calls substep() until it returns false; leaves the band as after the last one that finished. */
 template <class State, class Substep>
-void GoOn(const NarrowBand& band, State& members, Substep&& substep)
+void GoOn(const NarrowBand& band, State& members, const AdvanceReport& report, Substep&& substep)
 {
+  const auto finish = [&]
+  {
+    members.FinishFrame();
+    AddWork(members.Work, report);
+  };
   band.Run(
     [&]
     {
@@ -114,10 +130,10 @@ void GoOn(const NarrowBand& band, State& members, Substep&& substep)
       }
       catch (...)
       {
-        members.FinishFrame();
+        finish();
         throw;
       }
-      members.FinishFrame();
+      finish();
     });
 }
 
@@ -137,7 +153,7 @@ AdvanceReport NarrowBand::Advance(
   AdvanceReport report;
   const double begin = members.Time;
   this->Run([&] { members.TakeScheme(motion); });
-  GoOn(*this, members,
+  GoOn(*this, members, report,
     [&]
     {
       if (!(members.Time < time))
@@ -167,10 +183,11 @@ AdvanceReport NarrowBand::Settle(const Motion& motion, const RestCriterion& crit
   }
   AdvanceReport report;
   this->Run([&] { members.TakeScheme(motion); });
-  GoOn(*this, members,
+  GoOn(*this, members, report,
     [&]
     {
-      const double done = double(report.Substeps) / double(criterion.MaximumSubsteps);
+      const double done =
+        double(report.Substeps) / std::max(1.0, double(criterion.MaximumSubsteps));
       report.Aborted = progress && !progress(std::min(done, 1.0));
       if (report.Aborted || report.Substeps >= criterion.MaximumSubsteps)
       {
@@ -189,6 +206,16 @@ void NarrowBand::Run(const std::function<void()>& function) const
   const int threads = this->Members->Threads;
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   arena.execute(function);
+}
+
+const AdvanceReport& NarrowBand::GetWork() const
+{
+  return this->Members->Work;
+}
+
+void NarrowBand::ForgetWork()
+{
+  this->Members->Work = AdvanceReport();
 }
 
 double NarrowBand::GetArea() const

@@ -101,6 +101,13 @@ public:
     const ProgressFunction& progress = {});
 
   ///@{
+  /** What was done since the start or the last ForgetWork, also by calls that ended in an
+   * exception: the numbers, and the largest speed. A clone has it too. */
+  const AdvanceReport& GetWork() const;
+  void ForgetWork();
+  ///@}
+
+  ///@{
   /** Of the skin now [length^2, length^3]; voids are taken off. */
   double GetArea() const;
   double GetVolume() const;

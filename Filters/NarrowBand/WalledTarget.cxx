@@ -3,23 +3,9 @@
 #include "SubstepBuffers.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace activesurface
 {
-
-double DistanceToWalls(const Walls& walls, const double x[3])
-{
-  double inside = -HUGE_VAL, square = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double beyond =
-      std::max(walls.Bounds[2 * axis] - x[axis], x[axis] - walls.Bounds[2 * axis + 1]);
-    inside = std::max(inside, beyond);
-    square += beyond > 0.0 ? beyond * beyond : 0.0;
-  }
-  return square > 0.0 ? std::sqrt(square) : inside;
-}
 
 void WalledTarget::Evaluate(
   std::size_t count, const double* points, double* values, double* slopes) const

@@ -10,16 +10,13 @@
 #define WalledTarget_h
 
 #include "LeafTable.h"
-#include "Motion.h"
 #include "Target.h"
+#include "Walls.h"
 
 namespace activesurface
 {
 
 struct SubstepBuffers;
-
-/** Distance to the box, negative inside. */
-double DistanceToWalls(const Walls& walls, const double x[3]);
 
 /** A target within walls. */
 class WalledTarget : public Target

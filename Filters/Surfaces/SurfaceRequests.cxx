@@ -1,6 +1,9 @@
 #include "SurfaceRequests.h"
 
 #include "Compatibility.h"
+#include "FilterProperties.h"
+#include "PublishedInformation.h"
+#include "SurfaceHistory.h"
 #include "SurfaceOutput.h"
 #include "vtkActiveImplicitSurface.h"
 
@@ -8,13 +11,12 @@
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
-#include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationExecutivePortVectorKey.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
-#include "vtkSetGet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -54,36 +56,19 @@ SurfaceRequests::SurfaceRequests(vtkActiveImplicitSurface* filter)
 
 SurfaceSettings SurfaceRequests::GatherSettings() const
 {
-  constexpr double unset[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  vtkActiveImplicitSurface* filter = this->Filter;
-  SurfaceSettings settings;
-  settings.TargetFunction = filter->GetTargetFunction();
+  SurfaceSettings settings = ReadProperties(this->Filter);
   settings.InputMoves = this->InputMoves;
-  settings.TargetStamp = settings.TargetFunction
-    ? static_cast<std::uint64_t>(settings.TargetFunction->GetMTime())
-    : this->Target.GetStamp();
-  settings.Particles.Radius = filter->GetParticleRadius();
-  settings.Particles.Threshold = filter->GetParticleThreshold();
-  settings.Particles.Kernel = static_cast<SkeletonKernel>(filter->GetParticleKernel());
-  settings.MeshThickness = filter->GetMeshThickness();
+  if (!settings.TargetFunction)
+  {
+    settings.TargetStamp = this->Target.GetStamp();
+  }
   settings.Arrays = this->Target.DescribeArrays();
-  settings.IsoValue = filter->GetTargetIsoValue();
-  settings.Invert = filter->GetInvertTarget() != 0;
-  settings.Normalize = filter->GetNormalizeTarget() != 0;
-  settings.Reach = filter->GetTargetReach();
-  settings.InitialFunction = filter->GetInitialFunction();
   settings.HasInitialInput = this->Initial.IsConnected();
-  settings.InitialStamp = settings.InitialFunction
-    ? static_cast<std::uint64_t>(settings.InitialFunction->GetMTime())
-    : this->Initial.GetStamp();
-  settings.VoxelSize = filter->GetVoxelSize();
-  filter->GetModelBounds(settings.Bounds.data());
-  settings.BoundsGiven = !std::equal(unset, unset + 6, settings.Bounds.data());
-  settings.Strategy.Attraction = filter->GetAttraction();
-  settings.Strategy.Tension = filter->GetTension();
-  settings.Strategy.CFL = filter->GetCFL();
+  if (!settings.InitialFunction)
+  {
+    settings.InitialStamp = this->Initial.GetStamp();
+  }
   settings.Steps = this->Steps;
-  settings.TimeScale = filter->GetTimeScale();
   return settings;
 }
 
@@ -91,9 +76,15 @@ void SurfaceRequests::FindTimeSteps(vtkInformation* target)
 {
   this->Steps = SurfaceInput::GetTimeSteps(target);
   this->InputMoves = !this->Steps.empty() || SurfaceInput::IsContinuous(target);
+  const bool settles = this->Filter->GetEvolutionMode() == vtkActiveMotionAlgorithm::EQUILIBRIUM;
+  if (settles)
+  {
+    this->InputMoves = false;
+    this->Steps.resize(std::min(this->Steps.size(), std::size_t(1)));
+  }
   if (this->Steps.empty())
   {
-    const int count = this->Filter->GetNumberOfTimeSteps();
+    const int count = settles ? 1 : this->Filter->GetNumberOfTimeSteps();
     for (int i = 0; i < count; ++i)
     {
       this->Steps.push_back(this->Filter->GetStartTime() + i * this->Filter->GetTimeStepSize());
@@ -104,16 +95,14 @@ void SurfaceRequests::FindTimeSteps(vtkInformation* target)
 void SurfaceRequests::PublishInformation(vtkInformationVector** input, vtkInformationVector* output)
 {
   this->FindTimeSteps(Get(input, SurfaceInput::Target));
-  for (int port = SkinPort; port <= PotentialPort; ++port)
+  const bool settles = this->Filter->GetEvolutionMode() == vtkActiveMotionAlgorithm::EQUILIBRIUM;
+  for (int port = SkinPort; port <= HistoryPort; ++port)
   {
-    const double range[2] = { this->Steps.front(), this->Steps.back() };
-    vtkInformation* out = output->GetInformationObject(port);
-    out->Set(SDDP::TIME_STEPS(), this->Steps.data(), static_cast<int>(this->Steps.size()));
-    out->Set(SDDP::TIME_RANGE(), range, 2);
+    PublishTimes(output->GetInformationObject(port), this->Steps, settles);
   }
   vtkInformation* image = output->GetInformationObject(PotentialPort);
   const bool isConnected = vtkExecutive::CONSUMERS()->Length(image) > 0;
-  this->PublishExtent(image, this->FindDomain(input, isConnected));
+  PublishExtent(image, this->FindDomain(input, isConnected));
   vtkDataObject::SetPointDataActiveScalarInfo(image, VTK_FLOAT, 1);
   image->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
 }
@@ -154,29 +143,15 @@ void SurfaceRequests::ReadFirst(vtkInformationVector** input)
   }
 }
 
-void SurfaceRequests::PublishExtent(vtkInformation* output, const SurfaceDomain* domain) const
-{
-  constexpr int empty[6] = { 0, -1, 0, -1, 0, -1 };
-  int extent[6];
-  if (!domain || !domain->GetExtent(extent))
-  {
-    std::copy(empty, empty + 6, extent);
-  }
-  const double size = domain ? domain->VoxelSize : 1.0;
-  output->Set(SDDP::WHOLE_EXTENT(), extent, 6);
-  output->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
-  output->Set(vtkDataObject::SPACING(), size, size, size);
-}
-
 bool SurfaceRequests::Makes(int port, vtkInformation* request) const
 {
-  return port == AskedPort(request) ||
+  return port == AskedPort(request) || port == HistoryPort ||
     (port == PotentialPort && this->Filter->GetOutputPotential());
 }
 
 void SurfaceRequests::MarkNotMade(vtkInformation* request, vtkInformationVector* output) const
 {
-  for (int port = SkinPort; port <= PotentialPort; ++port)
+  for (int port = SkinPort; port <= HistoryPort; ++port)
   {
     if (!this->Makes(port, request))
     {
@@ -346,16 +321,13 @@ void SurfaceRequests::Make(
 void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector* output)
 {
   const NarrowBand& band = this->Simulation.GetBand();
-  const double time = this->Simulation.GetGoalTime();
   if (this->Makes(SkinPort, request))
   {
-    vtkPolyData* skin = vtkPolyData::GetData(output, SkinPort);
-    FillSkin(band, this->Filter->GetComputeNormals() != 0, skin);
-    skin->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    FillSkin(band, this->Filter->GetComputeNormals() != 0, vtkPolyData::GetData(output, SkinPort));
   }
   // The extent may be known since now only.
   vtkInformation* out = output->GetInformationObject(PotentialPort);
-  this->PublishExtent(out, this->Simulation.FindDomain());
+  PublishExtent(out, this->Simulation.FindDomain());
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
   out->Get(SDDP::UPDATE_EXTENT(), extent);
   if (IsEmpty(extent))
@@ -365,15 +337,21 @@ void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector*
   }
   if (this->Makes(PotentialPort, request))
   {
-    vtkImageData* potential = vtkImageData::GetData(output, PotentialPort);
-    FillPotential(band, extent, potential);
-    potential->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    FillPotential(band, extent, vtkImageData::GetData(output, PotentialPort));
   }
+  FillHistory(this->Simulation.GetHistory(), vtkTable::GetData(output, HistoryPort));
+  for (int port = SkinPort; port <= HistoryPort; ++port)
+  {
+    PublishTime(vtkDataObject::GetData(output, port), this->Simulation.GetGoalTime(),
+      this->Simulation.GetSettings().Settles);
+  }
+  this->Function.Renew(&band);
 }
 
 void SurfaceRequests::GiveUp(vtkInformationVector* output)
 {
-  for (int port = SkinPort; port <= PotentialPort; ++port)
+  this->Function.Renew(nullptr);
+  for (int port = SkinPort; port <= HistoryPort; ++port)
   {
     vtkInformation* out = output->GetInformationObject(port);
     vtkDataObject::GetData(out)->Initialize();

@@ -7,12 +7,14 @@
 #ifndef SurfaceRequests_h
 #define SurfaceRequests_h
 
+#include "SkinFunction.h"
 #include "SurfaceInput.h"
 #include "SurfaceSimulation.h"
 
 #include <vector>
 
 class vtkActiveImplicitSurface;
+class vtkGridPotential;
 class vtkInformation;
 class vtkInformationVector;
 
@@ -25,7 +27,8 @@ public:
   enum OutputPorts
   {
     SkinPort = 0,
-    PotentialPort = 1
+    PotentialPort = 1,
+    HistoryPort = 2
   };
 
   explicit SurfaceRequests(vtkActiveImplicitSurface* filter);
@@ -47,11 +50,13 @@ public:
   // Leaves empty outputs that do not count as made.
   void GiveUp(vtkInformationVector* output);
 
+  // Of the skin that was made last; the same object always.
+  vtkGridPotential* GetSkinFunction() { return this->Function.Get(this->Simulation.FindSkin()); }
+
 private:
   SurfaceSettings GatherSettings() const;
   void FindTimeSteps(vtkInformation* target);
   const SurfaceDomain* FindDomain(vtkInformationVector** input, bool isWanted);
-  void PublishExtent(vtkInformation* output, const SurfaceDomain* domain) const;
   void AskTarget(vtkInformation* target);
   void CheckInputs() const;
   void ReadFirst(vtkInformationVector** input);
@@ -65,6 +70,7 @@ private:
   SurfaceInput Target;
   SurfaceInput Initial;
   SurfaceSimulation Simulation;
+  SkinFunction Function;
   std::vector<double> Steps; // as published
   bool InputMoves = false;
 

@@ -60,6 +60,24 @@ void CheckSteps(const std::vector<double>& steps)
     "be > 0, and not lost in rounding beside StartTime) or the time steps of the input.");
 }
 
+void CheckStrategy(const Motion& motion)
+{
+  Require(IsZeroOrPositive(motion.Attraction), "Attraction has to be a finite number >= 0.");
+  Require(IsZeroOrPositive(motion.Tension),
+    "Tension has to be a finite number >= 0: a negative one would be unstable.");
+  Require(IsPositive(motion.CFL) && motion.CFL <= 1.0, "CFL has to be in (0, 1].");
+  Require(IsZeroOrPositive(motion.AreaStiffness), "AreaStiffness has to be a finite number >= 0.");
+  Require(
+    IsZeroOrPositive(motion.VolumeStiffness), "VolumeStiffness has to be a finite number >= 0.");
+  Require(IsZeroOrPositive(motion.TargetArea),
+    "TargetArea has to be a finite number > 0, or 0 for the area at the start.");
+  Require(IsZeroOrPositive(motion.TargetVolume),
+    "TargetVolume has to be a finite number > 0, or 0 for the volume at the start.");
+  Require(motion.AreaControl != Control::Exact || motion.VolumeControl != Control::Exact,
+    "AreaControl and VolumeControl cannot both be EXACT, as one displacement cannot restore two "
+    "numbers; make one of them PENALTY.");
+}
+
 SurfaceDomain MakeDomainOf(const SurfaceSettings& settings, const double bounds[6])
 {
   SurfaceDomain domain;
@@ -83,11 +101,14 @@ bool SurfaceSettings::operator==(const SurfaceSettings& other) const
 {
   const auto all = [](const SurfaceSettings& s)
   {
+    const Motion& m = s.Strategy;
     return std::tie(s.TargetFunction, s.InputMoves, s.TargetStamp, s.Particles.Radius,
       s.Particles.Threshold, s.Particles.Kernel, s.MeshThickness, s.Arrays, s.IsoValue, s.Invert,
       s.Normalize, s.Reach, s.InitialFunction, s.HasInitialInput, s.InitialStamp, s.VoxelSize,
-      s.BoundsGiven, s.Bounds, s.Strategy.Attraction, s.Strategy.Tension, s.Strategy.CFL, s.Steps,
-      s.TimeScale);
+      s.BoundsGiven, s.Bounds, s.Bounded, m.Attraction, m.Tension, m.CFL, m.AreaControl,
+      m.VolumeControl, m.AreaStiffness, m.VolumeStiffness, m.TargetArea, m.TargetVolume,
+      m.Evaluation, m.Gradient, m.Paper, s.Settles, s.Rest.Tolerance, s.Rest.MaximumSubsteps,
+      s.Steps, s.TimeScale);
   };
   return all(*this) == all(other);
 }
@@ -104,11 +125,8 @@ void SurfaceSettings::Check() const
   Require(IsZeroOrPositive(this->Reach),
     "TargetReach has to be a finite number > 0, or 0 for an eighth of the bounds' diagonal.");
   Require(std::isfinite(this->IsoValue), "TargetIsoValue has to be a finite number.");
-  Require(
-    IsZeroOrPositive(this->Strategy.Attraction), "Attraction has to be a finite number >= 0.");
-  Require(IsZeroOrPositive(this->Strategy.Tension),
-    "Tension has to be a finite number >= 0: a negative one would be unstable.");
-  Require(IsPositive(this->Strategy.CFL) && this->Strategy.CFL <= 1.0, "CFL has to be in (0, 1].");
+  CheckStrategy(this->Strategy);
+  Require(IsZeroOrPositive(this->Rest.Tolerance), "RestTolerance has to be a finite number >= 0.");
   Require(IsPositive(this->TimeScale), "TimeScale has to be a finite number > 0.");
   Require(IsZeroOrPositive(this->Particles.Radius),
     "ParticleRadius has to be a finite number > 0, or 0 for one that is estimated.");

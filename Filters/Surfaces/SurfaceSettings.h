@@ -49,7 +49,11 @@ struct SurfaceSettings
   bool BoundsGiven = false;
   std::array<double, 6> Bounds = {};
 
+  bool Bounded = false; // by walls at the bounds
+
   Motion Strategy;
+  bool Settles = false; // goes to rest from the first step, which is the only one
+  RestCriterion Rest;
   std::vector<double> Steps; // pipeline times; the first one is motion time 0
   double TimeScale = 1.0;
 

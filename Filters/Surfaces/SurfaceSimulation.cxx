@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -31,6 +32,8 @@ void SurfaceSimulation::ForgetWay()
   this->Band.reset();
   this->Branch.reset();
   this->Step = -1;
+  this->Settled = false;
+  this->History.clear();
 }
 
 void SurfaceSimulation::SetGoal(double pipelineTime)
@@ -54,7 +57,7 @@ void SurfaceSimulation::SetGoal(double pipelineTime)
 // A surface that has vanished stays at the time at which it did.
 bool SurfaceSimulation::IsUnderWay() const
 {
-  return this->Band &&
+  return this->Band && !this->Settings.Settles &&
     this->Band->GetTime() > this->Settings.GetMotionTime(this->Settings.Steps[this->Step]);
 }
 
@@ -106,6 +109,10 @@ SurfaceSimulation::Outcome SurfaceSimulation::Advance(const ProgressFunction& pr
     {
       finished = this->Start(part);
     }
+    else if (this->Settings.Settles && !this->Settled)
+    {
+      finished = this->Settle(part);
+    }
     else if (this->Step < this->Goal.Step)
     {
       finished = this->AdvanceStep(part);
@@ -151,7 +158,11 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
         "now or later: it does not grow out of nothing. Set an initial shape, or begin with a step "
         "that is not empty.");
     }
-    this->Step = finished ? 0 : -1;
+    if (finished)
+    {
+      this->Step = 0;
+      this->AddToHistory(this->Settings.Steps.front(), "");
+    }
     return finished;
   }
   catch (...)
@@ -161,15 +172,48 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
   }
 }
 
+namespace
+{
+
+// The part of a shape within walls, on a box that is wide enough for the surface to close on them.
+struct WalledStart
+{
+  Walls Box;
+  double Bounds[6];
+
+  WalledStart(const Walls& walls, const SurfaceDomain& domain)
+    : Box(walls)
+  {
+    const double margin = walls.Present ? 2.0 * domain.VoxelSize : 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Bounds[2 * axis] = domain.Bounds[2 * axis] - margin;
+      this->Bounds[2 * axis + 1] = domain.Bounds[2 * axis + 1] + margin;
+    }
+  }
+
+  void Cut(std::size_t count, const double* points, double* values) const
+  {
+    for (std::size_t i = 0; this->Box.Present && i < count; ++i)
+    {
+      values[i] = std::max(values[i], DistanceToWalls(this->Box, points + 3 * i));
+    }
+  }
+};
+
+}
+
 bool SurfaceSimulation::StartBand(const SurfaceDomain& domain, const ProgressFunction& progress)
 {
   this->Shapes.StartTarget();
   const std::unique_ptr<PotentialTarget> initial = this->Shapes.MakeStart();
   const PotentialTarget* shape = initial ? initial.get() : &this->Shapes.GetTarget();
+  const WalledStart start(this->GetMotion().Box, domain);
   std::atomic<bool> isFinite{ false }; // anywhere
   InitialFunction function;
   function.ThreadSafe = shape->IsThreadSafe();
-  function.Evaluate = [shape, &isFinite](std::size_t count, const double* points, double* values)
+  function.Evaluate = [shape, &isFinite, &start](
+                        std::size_t count, const double* points, double* values)
   {
     shape->EvaluateLevel(count, points, values);
     if (!isFinite.load(std::memory_order_relaxed) &&
@@ -177,10 +221,11 @@ bool SurfaceSimulation::StartBand(const SurfaceDomain& domain, const ProgressFun
     {
       isFinite.store(true, std::memory_order_relaxed);
     }
+    start.Cut(count, points, values);
   };
   this->Band->SetNumberOfThreads(this->Threads);
   this->Band->SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);
-  if (!this->Band->Start(0.0, domain.Bounds, function, progress))
+  if (!this->Band->Start(0.0, start.Bounds, function, progress))
   {
     return false;
   }
@@ -204,7 +249,47 @@ bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
     return false;
   }
   ++this->Step;
+  this->AddToHistory(this->Settings.Steps[this->Step], "");
   return true;
+}
+
+void SurfaceSimulation::AddToHistory(double pipelineTime, const std::string& event)
+{
+  this->History.push_back(MakeHistoryRow(*this->Band, pipelineTime, event));
+  this->Band->ForgetWork();
+}
+
+bool SurfaceSimulation::Settle(const ProgressFunction& progress)
+{
+  const double never = std::numeric_limits<double>::infinity();
+  const AdvanceReport report = this->AdvanceCounting(*this->Band, never, progress);
+  this->WarnOf(report, this->Band->GetTime());
+  if (report.Aborted)
+  {
+    return false;
+  }
+  this->Settled = true;
+  const bool rests = report.AtRest || report.Vanished;
+  if (!rests)
+  {
+    this->WarnOfNoRest(report.RestSpeed);
+  }
+  const double time =
+    this->Settings.Steps.front() + this->Band->GetTime() / this->Settings.TimeScale;
+  this->AddToHistory(time, rests ? "at rest" : "not at rest");
+  return true;
+}
+
+Motion SurfaceSimulation::GetMotion()
+{
+  Motion motion = this->Settings.Strategy;
+  const SurfaceDomain* domain = this->FindDomain();
+  motion.Box.Present = this->Settings.Bounded && domain;
+  if (domain)
+  {
+    std::copy_n(domain->Bounds, 6, motion.Box.Bounds);
+  }
+  return motion;
 }
 
 bool SurfaceSimulation::AdvanceBranch(const ProgressFunction& progress)
@@ -237,30 +322,28 @@ bool SurfaceSimulation::AdvanceBand(NarrowBand& band, double time, const Progres
   band.SetNumberOfThreads(this->Threads);
   band.SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);
   const AdvanceReport report = this->AdvanceCounting(band, time, progress);
-  this->TargetEvaluations += report.TargetEvaluations;
   this->WarnOf(report, time);
   return !report.Aborted;
 }
 
-// Counts the substeps that were finished before an exception too.
+// To a motion time, or to rest if that is infinite. Counts what was done before an exception too.
 AdvanceReport SurfaceSimulation::AdvanceCounting(
   NarrowBand& band, double time, const ProgressFunction& progress)
 {
-  double seen = band.GetTime();
-  const auto count = [this, &band, &seen]
+  const AdvanceReport before = band.GetWork();
+  const auto count = [this, &band, &before]
   {
-    this->Substeps += band.GetTime() > seen ? 1 : 0;
-    seen = band.GetTime();
-  };
-  const auto watch = [&count, &progress](double fraction)
-  {
-    count();
-    return progress(fraction);
+    this->Substeps += band.GetWork().Substeps - before.Substeps;
+    this->TargetEvaluations += band.GetWork().TargetEvaluations - before.TargetEvaluations;
   };
   try
   {
-    const AdvanceReport report =
-      band.Advance(time, this->Settings.Strategy, this->Shapes.GetTarget(), watch);
+    const Motion motion = this->GetMotion();
+    RestCriterion rest = this->Settings.Rest;
+    rest.MaximumSubsteps -= std::min(before.Substeps, rest.MaximumSubsteps);
+    PotentialTarget& target = this->Shapes.GetTarget();
+    const AdvanceReport report = std::isfinite(time) ? band.Advance(time, motion, target, progress)
+                                                     : band.Settle(motion, rest, target, progress);
     count();
     return report;
   }
@@ -274,6 +357,22 @@ AdvanceReport SurfaceSimulation::AdvanceCounting(
 const NarrowBand& SurfaceSimulation::GetBand() const
 {
   return this->Goal.Between ? *this->Branch : *this->Band;
+}
+
+const NarrowBand* SurfaceSimulation::FindSkin() const
+{
+  const bool isAtGoal = this->Step >= 0 && this->Step == this->Goal.Step && !this->IsUnderWay() &&
+    (!this->Goal.Between || this->BranchIsAtGoal()) && (!this->Settings.Settles || this->Settled);
+  return isAtGoal ? &this->GetBand() : nullptr;
+}
+
+void SurfaceSimulation::WarnOfNoRest(double speed)
+{
+  std::ostringstream text;
+  text << "The skin is not at rest after " << this->Settings.Rest.MaximumSubsteps
+       << " substeps: its speed is " << speed << " voxels per time, RestTolerance "
+       << this->Settings.Rest.Tolerance << "; raise MaximumNumberOfSubsteps, or RestTolerance.";
+  this->Messages.Say("no rest", text.str());
 }
 
 void SurfaceSimulation::WarnOf(const AdvanceReport& report, double time)

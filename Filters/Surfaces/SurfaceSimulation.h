@@ -23,6 +23,7 @@
 
 #include "GoalTime.h"
 #include "NarrowBand.h"
+#include "SurfaceHistory.h"
 #include "SurfaceSettings.h"
 #include "SurfaceShapes.h"
 #include "Warnings.h"
@@ -30,6 +31,7 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace activesurface
 {
@@ -85,6 +87,12 @@ public:
   // At the goal, when Advance has reached it.
   const NarrowBand& GetBand() const;
 
+  // The same, or null when the surface is not at the goal.
+  const NarrowBand* FindSkin() const;
+
+  // Of the steps up to the goal.
+  const std::vector<HistoryRow>& GetHistory() const { return this->History; }
+
   // Null as long as the bounds are not known, see SurfaceShapes.
   const SurfaceDomain* FindDomain() { return this->Shapes.FindDomain(); }
 
@@ -103,9 +111,13 @@ private:
   bool StartBand(const SurfaceDomain& domain, const ProgressFunction& progress);
   bool AdvanceStep(const ProgressFunction& progress);
   bool AdvanceBranch(const ProgressFunction& progress);
+  bool Settle(const ProgressFunction& progress);
   bool AdvanceBand(NarrowBand& band, double time, const ProgressFunction& progress);
   AdvanceReport AdvanceCounting(NarrowBand& band, double time, const ProgressFunction& progress);
+  Motion GetMotion();
+  void AddToHistory(double pipelineTime, const std::string& event);
   void WarnOf(const AdvanceReport& report, double time);
+  void WarnOfNoRest(double speed);
 
   SurfaceSettings Settings;
   int Threads = 0;
@@ -121,6 +133,8 @@ private:
   std::unique_ptr<NarrowBand> Branch; // from the step to BranchTime
   double BranchTime = 0.0;            // pipeline time
   bool BranchIsUnderWay = false;      // has not got there
+  bool Settled = false;               // has come to rest, or used up its substeps
+  std::vector<HistoryRow> History;    // of the steps so far
 
   std::size_t Substeps = 0;
   std::size_t TargetEvaluations = 0;

@@ -5,6 +5,7 @@
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkGarbageCollector.h"
+#include "vtkGridPotential.h"
 #include "vtkImageData.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
@@ -12,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSkeletonPotential.h"
+#include "vtkTable.h"
 
 #include <algorithm>
 #include <exception>
@@ -25,7 +27,7 @@ vtkActiveImplicitSurface::vtkActiveImplicitSurface()
   : Requests(std::make_unique<SurfaceRequests>(this))
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
   // No radii; the base class has chosen the active scalars.
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
   this->Requests->GetSimulation().SetWarning(
@@ -102,6 +104,24 @@ vtkImageData* vtkActiveImplicitSurface::GetPotential()
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(SurfaceRequests::PotentialPort));
 }
 
+vtkTable* vtkActiveImplicitSurface::GetHistory()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(SurfaceRequests::HistoryPort));
+}
+
+vtkImplicitFunction* vtkActiveImplicitSurface::GetSkinFunction()
+{
+  return this->Requests->GetSkinFunction();
+}
+
+void vtkActiveImplicitSurface::PaperFaithful()
+{
+  this->SetPaperScheme(true);
+  this->SetTargetEvaluation(SHIFTED);
+  this->SetGradientScheme(CENTRAL);
+  this->SetNormalizeTarget(false);
+}
+
 vtkMTimeType vtkActiveImplicitSurface::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -130,7 +150,9 @@ int vtkActiveImplicitSurface::FillInputPortInformation(int, vtkInformation* info
 int vtkActiveImplicitSurface::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(),
-    port == SurfaceRequests::SkinPort ? "vtkPolyData" : "vtkImageData");
+    port == SurfaceRequests::SkinPort          ? "vtkPolyData"
+      : port == SurfaceRequests::PotentialPort ? "vtkImageData"
+                                               : "vtkTable");
   return 1;
 }
 
@@ -196,9 +218,7 @@ void vtkActiveImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "VoxelSize: " << this->VoxelSize << "\n"
      << indent << "ModelBounds: " << b[0] << " " << b[1] << " " << b[2] << " " << b[3] << " "
      << b[4] << " " << b[5] << "\n"
-     << indent << "Attraction: " << this->Attraction << "\n"
-     << indent << "Tension: " << this->Tension << "\n"
-     << indent << "CFL: " << this->CFL << "\n"
+     << indent << "BoundedDomain: " << this->BoundedDomain << "\n"
      << indent << "StartTime: " << this->StartTime << "\n"
      << indent << "TimeStepSize: " << this->TimeStepSize << "\n"
      << indent << "NumberOfTimeSteps: " << this->NumberOfTimeSteps << "\n"

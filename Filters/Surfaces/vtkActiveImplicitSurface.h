@@ -3,13 +3,10 @@
  * @brief   a living skin: a surface that follows a target through time and remembers its way
  *
  * The surface is the zero set of a potential phi, negative inside, that is stored on the lattice
- * nodes near it. It moves along its normal with the speed
- *
- *   V = Attraction * (TargetIsoValue - F) - Tension * kappa
- *
- * where F is the target, or the distance to it (NormalizeTarget), and kappa the sum of the
- * principal curvatures. It splits and merges by itself. See M. Desbrun, M.-P. Cani-Gascuel, Active
- * Implicit Surface for Animation, Graphics Interface 1998.
+ * nodes near it. It moves along its normal: attracted by a target, resisting curvature, and holding
+ * its area or volume, see vtkActiveMotionAlgorithm for the speed and its properties. It splits and
+ * merges by itself. See M. Desbrun, M.-P. Cani-Gascuel, Active Implicit Surface for Animation,
+ * Graphics Interface 1998.
  *
  * Input, port 0 (optional): the target, by what it is, or else TargetFunction.
  * - Particles: a vtkPointSet without cells or with vertices; all its points count. They act like a
@@ -37,7 +34,10 @@
  * lattice nodes; what is outside is cropped from the image, never from the skin. Without
  * ModelBounds it covers the first target, enlarged by a quarter: this is known beforehand if port 1
  * is connected (the input then is updated for the first time step when information is asked for),
- * else after the first update.
+ * else after the first update. Port 2: the history, a vtkTable with a row for each time step so
+ * far: Time [pipeline time], Substeps and MaxSpeed (of attraction [length/time]) since the row
+ * before, Area, Volume, ActiveVoxels, Components, Voids and EulerCharacteristic of the skin, and
+ * Event: with EvolutionMode EQUILIBRIUM "at rest" or "not at rest".
  *
  * Time: the time steps of the input are passed on. If it has fewer than two (TargetFunction, static
  * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them.
@@ -58,26 +58,27 @@
 #ifndef vtkActiveImplicitSurface_h
 #define vtkActiveImplicitSurface_h
 
+#include "vtkActiveMotionAlgorithm.h"
 #include "vtkActiveSurfacesModule.h" // for the export macro
-#include "vtkImageAlgorithm.h"
-#include "vtkSmartPointer.h" // for the functions
+#include "vtkSmartPointer.h"         // for the functions
 
 #include <memory> // for the requests
 
 class vtkImageData;
 class vtkImplicitFunction;
 class vtkPolyData;
+class vtkTable;
 
 namespace activesurface
 {
 class SurfaceRequests;
 }
 
-class VTKACTIVESURFACES_EXPORT vtkActiveImplicitSurface : public vtkImageAlgorithm
+class VTKACTIVESURFACES_EXPORT vtkActiveImplicitSurface : public vtkActiveMotionAlgorithm
 {
 public:
   static vtkActiveImplicitSurface* New();
-  vtkTypeMacro(vtkActiveImplicitSurface, vtkImageAlgorithm);
+  vtkTypeMacro(vtkActiveImplicitSurface, vtkActiveMotionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -169,32 +170,12 @@ public:
 
   ///@{
   /**
-   * Rate [1/time] at which the skin closes in on the target: the distance falls by a factor e in a
-   * time of 1 / Attraction. With NormalizeTarget off its unit is [length/time] per unit of the
-   * target. Substeps are as many as Attraction * time at least. Range: >= 0. Default: 1.
+   * Whether the skin may not leave ModelBounds: it comes to rest on the faces of that box, closed,
+   * as the target is cut off there. Range: on or off. Default: off.
    */
-  vtkSetClampMacro(Attraction, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(Attraction, double);
-  ///@}
-
-  ///@{
-  /**
-   * Weight of surface tension [length^2/time]: adds -Tension * (sum of the principal curvatures) to
-   * the speed. It smooths, and shrinks what the target does not hold: a ball under tension alone
-   * has radius sqrt(r0^2 - 4 * Tension * t). Substeps are 4 * Tension * time / VoxelSize^2 at
-   * least. Range: >= 0. Default: 0, no smoothing.
-   */
-  vtkSetClampMacro(Tension, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(Tension, double);
-  ///@}
-
-  ///@{
-  /**
-   * Fraction of the stable time step that a substep takes. Smaller is more exact in time, and takes
-   * 1 / CFL times as long. Range: 0 (excluded) to 1. Default: 1.
-   */
-  vtkSetMacro(CFL, double);
-  vtkGetMacro(CFL, double);
+  vtkSetMacro(BoundedDomain, vtkTypeBool);
+  vtkGetMacro(BoundedDomain, vtkTypeBool);
+  vtkBooleanMacro(BoundedDomain, vtkTypeBool);
   ///@}
 
   ///@{
@@ -316,10 +297,16 @@ public:
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
+  /**
+   * The paper's own choices, for comparison: PaperScheme on, TargetEvaluation SHIFTED,
+   * GradientScheme CENTRAL, NormalizeTarget off.
+   */
+  void PaperFaithful();
+
   ///@{
   /**
-   * Points at which the target was evaluated (but for motions that ended in an error), and substeps
-   * that were taken, since the filter was made or the counters were reset.
+   * Points at which the target was evaluated, and substeps that were taken, since the filter was
+   * made or the counters were reset.
    */
   vtkIdType GetTargetEvaluations();
   vtkIdType GetSubsteps();
@@ -331,6 +318,19 @@ public:
 
   /** The potential's image; empty unless it was asked for, see OutputPotential. */
   vtkImageData* GetPotential();
+
+  /** One row for each time step on the way to the skin, see above. */
+  vtkTable* GetHistory();
+
+  /**
+   * The skin as an implicit function: a vtkGridPotential, which any thread may evaluate in a time
+   * that does not depend on the size of the skin. Trilinear, of the right side everywhere, a
+   * first-order distance [length] within about 1.5 voxels of the skin, clamped to +-3 voxels. It is
+   * the same object always, and after each update that of the new skin; before the first, and after
+   * an error, it is outside everywhere. It may be the target of another surface, which starts anew
+   * when it changes: to follow a moving skin, connect its output port instead.
+   */
+  vtkImplicitFunction* GetSkinFunction();
 
   /** Later than those of the functions too. */
   vtkMTimeType GetMTime() override;
@@ -363,10 +363,8 @@ private:
   vtkTypeBool NormalizeTarget = 1;
   double TargetReach = 0.0;
   double VoxelSize = 0.0;
+  vtkTypeBool BoundedDomain = 0;
   double ModelBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  double Attraction = 1.0;
-  double Tension = 0.0;
-  double CFL = 1.0;
   double StartTime = 0.0;
   double TimeStepSize = 0.1;
   int NumberOfTimeSteps = 11;

@@ -1,0 +1,37 @@
+// The skin of a surface as an implicit function for others.
+
+#ifndef SkinFunction_h
+#define SkinFunction_h
+
+#include "vtkSmartPointer.h"
+
+#include <memory>
+
+class vtkGridPotential;
+
+namespace activesurface
+{
+
+class NarrowBand;
+class SkinDistance;
+
+class SkinFunction
+{
+public:
+  SkinFunction();
+  ~SkinFunction();
+
+  // The same object always. The first time it is asked for it becomes that of this skin, later it is
+  // that of the skin for which it was last renewed; null: outside everywhere.
+  vtkGridPotential* Get(const NarrowBand* band);
+
+  // Takes a snapshot, if anybody has asked for the function.
+  void Renew(const NarrowBand* band);
+
+private:
+  vtkSmartPointer<vtkGridPotential> Function; // null until somebody asks for it
+};
+
+}
+
+#endif

@@ -1,0 +1,21 @@
+#include "vtkActiveMotionAlgorithm.h"
+
+void vtkActiveMotionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Attraction: " << this->Attraction << "\n"
+     << indent << "Tension: " << this->Tension << "\n"
+     << indent << "CFL: " << this->CFL << "\n"
+     << indent << "VolumeControl: " << this->VolumeControl << "\n"
+     << indent << "AreaControl: " << this->AreaControl << "\n"
+     << indent << "VolumeStiffness: " << this->VolumeStiffness << "\n"
+     << indent << "AreaStiffness: " << this->AreaStiffness << "\n"
+     << indent << "TargetVolume: " << this->TargetVolume << "\n"
+     << indent << "TargetArea: " << this->TargetArea << "\n"
+     << indent << "EvolutionMode: " << this->EvolutionMode << "\n"
+     << indent << "RestTolerance: " << this->RestTolerance << "\n"
+     << indent << "MaximumNumberOfSubsteps: " << this->MaximumNumberOfSubsteps << "\n"
+     << indent << "TargetEvaluation: " << this->TargetEvaluation << "\n"
+     << indent << "GradientScheme: " << this->GradientScheme << "\n"
+     << indent << "PaperScheme: " << this->PaperScheme << "\n";
+}

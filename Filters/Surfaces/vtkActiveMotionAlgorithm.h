@@ -1,0 +1,241 @@
+/**
+ * @class   vtkActiveMotionAlgorithm
+ * @brief   the motion strategy of a vtkActiveImplicitSurface, as properties
+ *
+ * Normal speed of the skin, outward positive (eq. (2) to (4) and section 5 of Desbrun and
+ * Cani-Gascuel 1998, the sign of the tension corrected):
+ *
+ *   V = Attraction * (TargetIsoValue - F) - Tension * kappa
+ *       + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
+ *
+ * F is the target, or the distance to it; kappa the sum of the principal curvatures; the last two
+ * terms belong to AreaControl and VolumeControl PENALTY. Changing any of these properties starts
+ * the skin anew.
+ */
+
+#ifndef vtkActiveMotionAlgorithm_h
+#define vtkActiveMotionAlgorithm_h
+
+#include "vtkActiveSurfacesModule.h" // for the export macro
+#include "vtkImageAlgorithm.h"
+
+class VTKACTIVESURFACES_EXPORT vtkActiveMotionAlgorithm : public vtkImageAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkActiveMotionAlgorithm, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Rate [1/time] at which the skin closes in on the target: the distance falls by a factor e in a
+   * time of 1 / Attraction. With NormalizeTarget off its unit is [length/time] per unit of the
+   * target. Substeps are as many as Attraction * time at least. Range: >= 0. Default: 1.
+   */
+  vtkSetClampMacro(Attraction, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Attraction, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight of surface tension [length^2/time]: adds -Tension * (sum of the principal curvatures) to
+   * the speed. It smooths, and shrinks what the target does not hold: a ball under tension alone
+   * has radius sqrt(r0^2 - 4 * Tension * t). Substeps are 4 * Tension * time / VoxelSize^2 at
+   * least. Range: >= 0. Default: 0, no smoothing.
+   */
+  vtkSetClampMacro(Tension, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Tension, double);
+  ///@}
+
+  ///@{
+  /**
+   * Fraction of the stable time step that a substep takes. Smaller is more exact in time, and takes
+   * 1 / CFL times as long. Range: 0 (excluded) to 1. Default: 1.
+   */
+  vtkSetMacro(CFL, double);
+  vtkGetMacro(CFL, double);
+  ///@}
+
+  enum ControlType
+  {
+    NONE = 0,
+    PENALTY = 1,
+    EXACT = 2
+  };
+
+  ///@{
+  /**
+   * How the volume of the skin is held (paper, section 5.2). NONE (0). PENALTY (1): a speed in
+   * proportion to what is missing; a ball of radius r0 under tension alone keeps missing a share e
+   * of it, e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0), and collapses where VolumeStiffness
+   * * r0 < 4.233 Tension. EXACT (2): a uniform displacement after each substep restores it, to 1e-6
+   * and through splits to 1e-5, without stiffness; it costs a fifth to a half more. Default: NONE.
+   */
+  vtkSetClampMacro(VolumeControl, int, NONE, EXACT);
+  vtkGetMacro(VolumeControl, int);
+  void SetVolumeControlToNone() { this->SetVolumeControl(NONE); }
+  void SetVolumeControlToPenalty() { this->SetVolumeControl(PENALTY); }
+  void SetVolumeControlToExact() { this->SetVolumeControl(EXACT); }
+  ///@}
+
+  ///@{
+  /**
+   * How the area of the skin is held (paper, section 5.1), as VolumeControl; a penalty's offset is
+   * e (1 - e)^(1/2) = 2 Tension / (AreaStiffness r0), and its least stiffness 5.196 Tension / r0.
+   * Not EXACT together with VolumeControl: one displacement cannot restore both. Default: NONE.
+   */
+  vtkSetClampMacro(AreaControl, int, NONE, EXACT);
+  vtkGetMacro(AreaControl, int);
+  void SetAreaControlToNone() { this->SetAreaControl(NONE); }
+  void SetAreaControlToPenalty() { this->SetAreaControl(PENALTY); }
+  void SetAreaControlToExact() { this->SetAreaControl(EXACT); }
+  ///@}
+
+  ///@{
+  /**
+   * Speed [length/time] per share of the volume that is missing, with VolumeControl PENALTY.
+   * Substeps are VolumeStiffness * time * area / volume at least. Range: >= 0. Default: 1.
+   */
+  vtkSetClampMacro(VolumeStiffness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(VolumeStiffness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Speed [length/time] per share of the area that is missing, with AreaControl PENALTY.
+   * Range: >= 0. Default: 1.
+   */
+  vtkSetClampMacro(AreaStiffness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(AreaStiffness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Volume [length^3] that VolumeControl holds. Range: >= 0; 0 is that of the skin at the start.
+   * Default: 0.
+   */
+  vtkSetClampMacro(TargetVolume, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TargetVolume, double);
+  ///@}
+
+  ///@{
+  /**
+   * Area [length^2] that AreaControl holds. Range: >= 0; 0 is that of the skin at the start.
+   * Default: 0.
+   */
+  vtkSetClampMacro(TargetArea, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TargetArea, double);
+  ///@}
+
+  enum EvolutionModeType
+  {
+    TRANSIENT = 0,
+    EQUILIBRIUM = 1
+  };
+
+  ///@{
+  /**
+   * TRANSIENT (0): the skin follows the time steps. EQUILIBRIUM (1): there are none, each update
+   * takes the skin to rest on the target as it is at its first time step, until RestTolerance or
+   * MaximumNumberOfSubsteps ends it: a warning tells the latter, the history both.
+   * Default: TRANSIENT.
+   */
+  vtkSetClampMacro(EvolutionMode, int, TRANSIENT, EQUILIBRIUM);
+  vtkGetMacro(EvolutionMode, int);
+  void SetEvolutionModeToTransient() { this->SetEvolutionMode(TRANSIENT); }
+  void SetEvolutionModeToEquilibrium() { this->SetEvolutionMode(EQUILIBRIUM); }
+  ///@}
+
+  ///@{
+  /**
+   * Largest normal speed [voxels/time] of a skin at rest, with EvolutionMode EQUILIBRIUM. Below
+   * about 1e-7 voxels per substep's time single precision has no rest. Range: >= 0. Default: 0.001.
+   */
+  vtkSetClampMacro(RestTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(RestTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Substeps after which the way to rest ends in any case, with EvolutionMode EQUILIBRIUM.
+   * Range: >= 0. Default: 10000.
+   */
+  vtkSetClampMacro(MaximumNumberOfSubsteps, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumberOfSubsteps, int);
+  ///@}
+
+  enum TargetEvaluationType
+  {
+    SHIFTED = 0,
+    NODE = 1,
+    CLOSEST_POINT = 2
+  };
+
+  ///@{
+  /**
+   * Where the target is evaluated for the speed of a lattice node. SHIFTED (0): where its edges
+   * cross the skin (paper, section 4.3), extended from there. NODE (1): at the node, which freezes
+   * into a staircase (the paper's Figs. 2 and 3). CLOSEST_POINT (2): at the closest point of the
+   * skin, as smooth as SHIFTED and four times the evaluations. Default: SHIFTED.
+   */
+  vtkSetClampMacro(TargetEvaluation, int, SHIFTED, CLOSEST_POINT);
+  vtkGetMacro(TargetEvaluation, int);
+  void SetTargetEvaluationToShifted() { this->SetTargetEvaluation(SHIFTED); }
+  void SetTargetEvaluationToNode() { this->SetTargetEvaluation(NODE); }
+  void SetTargetEvaluationToClosestPoint() { this->SetTargetEvaluation(CLOSEST_POINT); }
+  ///@}
+
+  enum GradientSchemeType
+  {
+    CENTRAL = 0,
+    UPWIND = 1
+  };
+
+  ///@{
+  /**
+   * Differences with which the potential is advected: CENTRAL (0), the paper's, which is not stable
+   * by itself, or UPWIND (1), from where the skin comes. Default: UPWIND.
+   */
+  vtkSetClampMacro(GradientScheme, int, CENTRAL, UPWIND);
+  vtkGetMacro(GradientScheme, int);
+  void SetGradientSchemeToCentral() { this->SetGradientScheme(CENTRAL); }
+  void SetGradientSchemeToUpwind() { this->SetGradientScheme(UPWIND); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether the paper's own scheme moves the skin: thresholds at 3 voxels, plain means of the
+   * samples (or TargetEvaluation) and F at the nodes beyond, central differences, its time steps
+   * (6) and (7) in a box of unit size, no care for the slope. For comparison: it is slower, and
+   * worse. Default: off.
+   */
+  vtkSetMacro(PaperScheme, vtkTypeBool);
+  vtkGetMacro(PaperScheme, vtkTypeBool);
+  vtkBooleanMacro(PaperScheme, vtkTypeBool);
+  ///@}
+
+protected:
+  vtkActiveMotionAlgorithm() = default;
+  ~vtkActiveMotionAlgorithm() override = default;
+
+private:
+  vtkActiveMotionAlgorithm(const vtkActiveMotionAlgorithm&) = delete;
+  void operator=(const vtkActiveMotionAlgorithm&) = delete;
+
+  double Attraction = 1.0;
+  double Tension = 0.0;
+  double CFL = 1.0;
+  int VolumeControl = NONE;
+  int AreaControl = NONE;
+  double VolumeStiffness = 1.0;
+  double AreaStiffness = 1.0;
+  double TargetVolume = 0.0;
+  double TargetArea = 0.0;
+  int EvolutionMode = TRANSIENT;
+  double RestTolerance = 1e-3;
+  int MaximumNumberOfSubsteps = 10000;
+  int TargetEvaluation = SHIFTED;
+  int GradientScheme = UPWIND;
+  vtkTypeBool PaperScheme = 0;
+};
+
+#endif
