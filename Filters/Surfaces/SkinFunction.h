@@ -21,8 +21,8 @@ public:
   SkinFunction();
   ~SkinFunction();
 
-  // The same object always. The first time it is asked for it becomes that of this skin, later it is
-  // that of the skin for which it was last renewed; null: outside everywhere.
+  // The same object always. The first time it is asked for it becomes that of this skin, later it
+  // is that of the skin for which it was last renewed; null: outside everywhere.
   vtkGridPotential* Get(const NarrowBand* band);
 
   // Takes a snapshot, if anybody has asked for the function.

@@ -342,8 +342,11 @@ void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector*
   FillHistory(this->Simulation.GetHistory(), vtkTable::GetData(output, HistoryPort));
   for (int port = SkinPort; port <= HistoryPort; ++port)
   {
-    PublishTime(vtkDataObject::GetData(output, port), this->Simulation.GetGoalTime(),
-      this->Simulation.GetSettings().Settles);
+    if (this->Makes(port, request))
+    {
+      PublishTime(vtkDataObject::GetData(output, port), this->Simulation.GetGoalTime(),
+        this->Simulation.GetSettings().Settles);
+    }
   }
   this->Function.Renew(&band);
 }
