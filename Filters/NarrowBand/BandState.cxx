@@ -57,10 +57,15 @@ void NarrowBand::State::MakeEmpty()
   this->Paper = false;
 }
 
+float NarrowBand::State::GetBackground() const
+{
+  return this->Paper ? PaperThreshold : NarrowBand::Far;
+}
+
 void NarrowBand::State::TakeTree(const openvdb::FloatTree::Ptr& tree)
 {
   this->Potential->setTree(tree);
-  this->Leaves.SetBackground(this->Paper ? PaperThreshold : NarrowBand::Far);
+  this->Leaves.SetBackground(this->GetBackground());
   this->Leaves.Rebuild(*tree);
   ReadSigns(this->Leaves);
   ReadActiveMasks(this->Leaves);
@@ -75,6 +80,20 @@ void NarrowBand::State::TakeTree(const openvdb::FloatTree::Ptr& tree)
   this->Crossings = NumberCrossings(this->Leaves);
 }
 
+void NarrowBand::State::Restore(const openvdb::FloatTree::Ptr& tree)
+{
+  this->TakeTree(tree);
+  for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
+  {
+    this->Leaves[i].Advanced = LeafMask::All();
+  }
+  if (!this->Paper)
+  {
+    FillGhosts(this->Leaves);
+  }
+  this->FinishFrame();
+}
+
 void NarrowBand::State::TakeScheme(const Motion& motion)
 {
   if (motion.Paper == this->Paper)
@@ -82,7 +101,7 @@ void NarrowBand::State::TakeScheme(const Motion& motion)
     return;
   }
   this->Paper = motion.Paper;
-  this->Leaves.SetBackground(this->Paper ? PaperThreshold : NarrowBand::Far);
+  this->Leaves.SetBackground(this->GetBackground());
   for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
   {
     // The paper's band begins with all that is known; ghosts begin with none.

@@ -35,6 +35,9 @@ struct NarrowBand::State
   void MakeEmpty();
   /** From the signs, or for the paper's band the active masks, of a tree. */
   void TakeTree(const openvdb::FloatTree::Ptr& tree);
+  /** The same, and all that follows from the active nodes. */
+  void Restore(const openvdb::FloatTree::Ptr& tree);
+  float GetBackground() const;
   /** Makes the band the one that this motion needs. */
   void TakeScheme(const Motion& motion);
 

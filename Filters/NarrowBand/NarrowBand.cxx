@@ -1,14 +1,14 @@
 #include "NarrowBand.h"
 
 #include "BandState.h"
-#include "GhostFill.h"
 #include "InitialShape.h"
-#include "Layers.h"
+#include "PackedBand.h"
 
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <sstream>
 #include <stdexcept>
 
@@ -47,6 +47,46 @@ std::unique_ptr<NarrowBand> NarrowBand::Clone() const
   return copy;
 }
 
+namespace
+{
+
+/** What a state is besides its potential, as it lies in a packed one. */
+struct PackedNumbers
+{
+  double VoxelSize, Time, Area, Volume, BoxSize;
+  double Paper; // 0 or 1
+};
+
+}
+
+std::string NarrowBand::Pack() const
+{
+  const State& members = *this->Members;
+  const PackedNumbers numbers = { members.VoxelSize, members.Time, members.StartMeasure.Area,
+    members.StartMeasure.Volume, members.BoxSize, members.Paper ? 1.0 : 0.0 };
+  return std::string(reinterpret_cast<const char*>(&numbers), sizeof numbers) +
+    PackBand(members.Leaves);
+}
+
+std::unique_ptr<NarrowBand> NarrowBand::Unpack(const std::string& bytes)
+{
+  PackedNumbers numbers;
+  if (bytes.size() < sizeof numbers)
+  {
+    throw std::runtime_error("The saved state is damaged.");
+  }
+  std::memcpy(&numbers, bytes.data(), sizeof numbers);
+  auto band = std::make_unique<NarrowBand>(numbers.VoxelSize);
+  State& members = *band->Members;
+  members.Time = numbers.Time;
+  members.StartMeasure = { numbers.Area, numbers.Volume };
+  members.BoxSize = numbers.BoxSize;
+  members.Paper = numbers.Paper != 0.0;
+  band->Run(
+    [&] { members.Restore(UnpackBand(bytes.substr(sizeof numbers), members.GetBackground())); });
+  return band;
+}
+
 void NarrowBand::SetNumberOfThreads(int threads)
 {
   constexpr int most = 1024; // TBB takes memory for each
@@ -78,13 +118,7 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
       {
         return;
       }
-      members.TakeTree(tree);
-      for (std::size_t i = 0; i < members.Leaves.Size(); ++i)
-      {
-        members.Leaves[i].Advanced = LeafMask::All();
-      }
-      FillGhosts(members.Leaves);
-      members.FinishFrame();
+      members.Restore(tree);
       members.StartMeasure = members.Measure();
       finished = true;
     });

@@ -35,6 +35,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace activesurface
 {
@@ -62,6 +63,16 @@ public:
 
   /** A copy with its own potential: a branch that leaves this trajectory untouched. */
   std::unique_ptr<NarrowBand> Clone() const;
+
+  ///@{
+  /**
+   * The state as bytes, without loss, and the band made of them, which goes on to the same bytes:
+   * less than 4 per active voxel. For this process, not for files. The work done (GetWork) is not
+   * in them.
+   */
+  std::string Pack() const;
+  static std::unique_ptr<NarrowBand> Unpack(const std::string& bytes);
+  ///@}
 
   /** Threads that TBB may use, 1024 at most; 0: all. The result does not depend on it. */
   void SetNumberOfThreads(int threads);

@@ -308,6 +308,8 @@ void SurfaceRequests::Make(
   this->Simulation.SetNumberOfThreads(this->Filter->GetNumberOfThreads());
   this->Simulation.SetMaximumNumberOfActiveVoxels(
     static_cast<std::size_t>(this->Filter->GetMaximumNumberOfActiveVoxels()));
+  this->Simulation.SetCheckpoints(this->Filter->GetCheckpointInterval(),
+    static_cast<std::size_t>(this->Filter->GetCheckpointMemory()) << 20);
   if (this->Advance(input) == SurfaceSimulation::Outcome::AtGoal)
   {
     this->FillOutputs(request, output);

@@ -1,7 +1,8 @@
 #include "SurfaceSimulation.h"
 
+#include "SurfaceStart.h"
+
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -24,6 +25,8 @@ void SurfaceSimulation::Drop()
 {
   this->Shapes.Clear();
   this->LastStepAdded = 0;
+  this->Saved.Clear();
+  this->History.clear();
   this->ForgetWay();
 }
 
@@ -33,7 +36,18 @@ void SurfaceSimulation::ForgetWay()
   this->Branch.reset();
   this->Step = -1;
   this->Settled = false;
-  this->History.clear();
+}
+
+// Takes the surface to the last checkpoint up to a step, if that is nearer.
+void SurfaceSimulation::Rewind(int step)
+{
+  const int saved = this->Saved.FindUpTo(step);
+  if (saved > this->Step)
+  {
+    this->ForgetWay();
+    this->Band = this->Saved.Restore(saved);
+    this->Step = saved;
+  }
 }
 
 void SurfaceSimulation::SetGoal(double pipelineTime)
@@ -47,6 +61,7 @@ void SurfaceSimulation::SetGoal(double pipelineTime)
   {
     this->ForgetWay();
   }
+  this->Rewind(goal.Step);
   if (goal.Time != this->Goal.Time || this->Step < 0)
   {
     this->FirstStep = this->Step;
@@ -172,72 +187,14 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
   }
 }
 
-namespace
-{
-
-// The part of a shape within walls, on a box that is wide enough for the surface to close on them.
-struct WalledStart
-{
-  Walls Box;
-  double Bounds[6];
-
-  WalledStart(const Walls& walls, const SurfaceDomain& domain)
-    : Box(walls)
-  {
-    const double margin = walls.Present ? 2.0 * domain.VoxelSize : 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->Bounds[2 * axis] = domain.Bounds[2 * axis] - margin;
-      this->Bounds[2 * axis + 1] = domain.Bounds[2 * axis + 1] + margin;
-    }
-  }
-
-  void Cut(std::size_t count, const double* points, double* values) const
-  {
-    for (std::size_t i = 0; this->Box.Present && i < count; ++i)
-    {
-      values[i] = std::max(values[i], DistanceToWalls(this->Box, points + 3 * i));
-    }
-  }
-};
-
-}
-
 bool SurfaceSimulation::StartBand(const SurfaceDomain& domain, const ProgressFunction& progress)
 {
   this->Shapes.StartTarget();
   const std::unique_ptr<PotentialTarget> initial = this->Shapes.MakeStart();
-  const PotentialTarget* shape = initial ? initial.get() : &this->Shapes.GetTarget();
-  const WalledStart start(this->GetMotion().Box, domain);
-  std::atomic<bool> isFinite{ false }; // anywhere
-  InitialFunction function;
-  function.ThreadSafe = shape->IsThreadSafe();
-  function.Evaluate = [shape, &isFinite, &start](
-                        std::size_t count, const double* points, double* values)
-  {
-    shape->EvaluateLevel(count, points, values);
-    if (!isFinite.load(std::memory_order_relaxed) &&
-      std::any_of(values, values + count, [](double value) { return std::isfinite(value); }))
-    {
-      isFinite.store(true, std::memory_order_relaxed);
-    }
-    start.Cut(count, points, values);
-  };
+  const PotentialTarget& shape = initial ? *initial : this->Shapes.GetTarget();
   this->Band->SetNumberOfThreads(this->Threads);
   this->Band->SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);
-  if (!this->Band->Start(0.0, start.Bounds, function, progress))
-  {
-    return false;
-  }
-  if (this->Band->IsEmpty())
-  {
-    this->Messages.Say("empty",
-      isFinite ? "The initial shape has no surface within the bounds, so there is no skin; check "
-                 "ModelBounds, TargetIsoValue and whether VoxelSize is small enough."
-               : "The initial shape is not a finite number anywhere within the bounds, so there is "
-                 "no skin; check the initial shape, or the target where there is none.");
-  }
-  return true;
+  return StartOn(*this->Band, { domain, this->GetMotion().Box, shape }, this->Messages, progress);
 }
 
 bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
@@ -255,8 +212,19 @@ bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
 
 void SurfaceSimulation::AddToHistory(double pipelineTime, const std::string& event)
 {
-  this->History.push_back(MakeHistoryRow(*this->Band, pipelineTime, event));
+  const std::size_t row = this->Settled ? 1 : static_cast<std::size_t>(this->Step);
+  this->History.resize(std::max(this->History.size(), row + 1));
+  this->History[row] = MakeHistoryRow(*this->Band, pipelineTime, event);
   this->Band->ForgetWork();
+  this->Saved.Add(this->Step, *this->Band);
+}
+
+std::vector<HistoryRow> SurfaceSimulation::GetHistory() const
+{
+  const std::size_t rows =
+    this->Settings.Settles ? 2 : static_cast<std::size_t>(this->Goal.Step) + 1;
+  const auto end = this->History.begin() + std::min(rows, this->History.size());
+  return std::vector<HistoryRow>(this->History.begin(), end);
 }
 
 bool SurfaceSimulation::Settle(const ProgressFunction& progress)

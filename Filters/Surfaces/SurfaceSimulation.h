@@ -6,7 +6,7 @@
 //
 // A way that was interrupted, by the user or by an error, is taken up again where it was left, at a
 // substep. What is between two steps then is no state to branch off: a goal before the next step
-// takes the surface back to the start.
+// takes the surface back to a checkpoint.
 //
 // Frames of the target come in from outside, one step after the other:
 //
@@ -21,6 +21,7 @@
 #ifndef SurfaceSimulation_h
 #define SurfaceSimulation_h
 
+#include "Checkpoints.h"
 #include "GoalTime.h"
 #include "NarrowBand.h"
 #include "SurfaceHistory.h"
@@ -49,9 +50,12 @@ public:
   // Told, once for each reason and as long as the settings stay the same, what a user should know.
   void SetWarning(const Warnings::Listener& warning) { this->Messages.SetListener(warning); }
 
-  // Neither of them changes the motion.
+  // None of them changes the motion.
   void SetNumberOfThreads(int threads) { this->Threads = threads; }
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumVoxels = maximum; }
+
+  // Going back then starts from the last of them.
+  void SetCheckpoints(int interval, std::size_t memory) { this->Saved.SetLimits(interval, memory); }
 
   // Drops everything if these are other settings.
   void Configure(const SurfaceSettings& settings);
@@ -62,7 +66,7 @@ public:
   void SetInitialStamp(std::uint64_t stamp) { this->Settings.InitialStamp = stamp; }
 
   // The pipeline time to go to, see FindGoal. One before the state that is held takes the surface
-  // back to the start.
+  // back to the nearest checkpoint, or to the start.
   void SetGoal(double pipelineTime);
   double GetGoalTime() const { return this->Goal.Time; }
 
@@ -91,7 +95,7 @@ public:
   const NarrowBand* FindSkin() const;
 
   // Of the steps up to the goal.
-  const std::vector<HistoryRow>& GetHistory() const { return this->History; }
+  std::vector<HistoryRow> GetHistory() const;
 
   // Null as long as the bounds are not known, see SurfaceShapes.
   const SurfaceDomain* FindDomain() { return this->Shapes.FindDomain(); }
@@ -102,6 +106,7 @@ public:
 
 private:
   void ForgetWay();
+  void Rewind(int step);
   bool HasFramesFrom(int step) const;
   bool IsUnderWay() const;
   bool BranchIsAtGoal() const;
@@ -134,7 +139,8 @@ private:
   double BranchTime = 0.0;            // pipeline time
   bool BranchIsUnderWay = false;      // has not got there
   bool Settled = false;               // has come to rest, or used up its substeps
-  std::vector<HistoryRow> History;    // of the steps so far
+  std::vector<HistoryRow> History;    // of the farthest way so far
+  Checkpoints Saved;
 
   std::size_t Substeps = 0;
   std::size_t TargetEvaluations = 0;

@@ -227,6 +227,8 @@ void vtkActiveImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ParticleKernel: " << this->ParticleKernel << "\n"
      << indent << "ParticleThreshold: " << this->ParticleThreshold << "\n"
      << indent << "MeshThickness: " << this->MeshThickness << "\n"
+     << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n"
+     << indent << "CheckpointMemory: " << this->CheckpointMemory << "\n"
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "OutputPotential: " << this->OutputPotential << "\n"
      << indent << "MaximumNumberOfActiveVoxels: " << this->MaximumNumberOfActiveVoxels << "\n"

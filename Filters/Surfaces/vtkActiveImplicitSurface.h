@@ -42,9 +42,10 @@
  * Time: the time steps of the input are passed on. If it has fewer than two (TargetFunction, static
  * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them.
  * A request for a later one continues from the state that is held, and the input is asked once for
- * each step in between; the same time again costs nothing; an earlier one starts anew. A time
- * between two steps branches off the earlier one. A time before the first step or after the last,
- * or that differs by rounding from a step, is that step. So the result depends on the time and the
+ * each step in between; the same time again costs nothing; an earlier one continues from the
+ * nearest checkpoint before it (CheckpointInterval). A time between two steps branches off the
+ * earlier one. A time before the first step or after the last, or that differs by rounding from a
+ * step, is that step. So the result depends on the time and the
  * properties only, bit by bit: not on the order of requests, nor on the number of threads. The
  * state is made anew when the target, the initial shape or a property that shapes the motion
  * changes.
@@ -259,6 +260,25 @@ public:
 
   ///@{
   /**
+   * Distance, in time steps, of the states that are kept so that a request for an earlier time
+   * costs no more steps than that. 0 keeps none: it starts over. Does not restart the motion.
+   * Range: >= 0. Default: 10.
+   */
+  vtkSetClampMacro(CheckpointInterval, int, 0, VTK_INT_MAX);
+  vtkGetMacro(CheckpointInterval, int);
+  ///@}
+
+  ///@{
+  /**
+   * Memory [MiB] for the states that are kept: about 3.3 bytes per active voxel each. When it ends,
+   * those go that leave the smallest gaps. Does not restart the motion. Range: >= 0. Default: 256.
+   */
+  vtkSetClampMacro(CheckpointMemory, int, 0, VTK_INT_MAX);
+  vtkGetMacro(CheckpointMemory, int);
+  ///@}
+
+  ///@{
+  /**
    * Whether the skin has outward unit normals, the point array "Normals", from the potential.
    * Does not restart the motion. Default: on.
    */
@@ -372,6 +392,8 @@ private:
   double ParticleRadius = 0.0;
   int ParticleKernel = 0;
   double ParticleThreshold = 0.5;
+  int CheckpointInterval = 10;
+  int CheckpointMemory = 256;
   double MeshThickness = 0.0;
   vtkTypeBool ComputeNormals = 1;
   vtkTypeBool OutputPotential = 0;
