@@ -62,6 +62,21 @@ float NarrowBand::State::GetBackground() const
   return this->Paper ? PaperThreshold : NarrowBand::Far;
 }
 
+StateNumbers NarrowBand::State::GetNumbers() const
+{
+  return { this->VoxelSize, this->Time, this->StartMeasure.Area, this->StartMeasure.Volume,
+    this->BoxSize, this->Paper, this->GetBackground() };
+}
+
+void NarrowBand::State::SetNumbers(const StateNumbers& numbers)
+{
+  this->VoxelSize = numbers.VoxelSize;
+  this->Time = numbers.Time;
+  this->StartMeasure = { numbers.StartArea, numbers.StartVolume };
+  this->BoxSize = numbers.BoxSize;
+  this->Paper = numbers.Paper;
+}
+
 void NarrowBand::State::TakeTree(const openvdb::FloatTree::Ptr& tree)
 {
   this->Potential->setTree(tree);

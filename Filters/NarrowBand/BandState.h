@@ -8,6 +8,7 @@
 #include "LeafTable.h"
 #include "NarrowBand.h"
 #include "SkinMeasure.h"
+#include "StateGrid.h"
 #include "SubstepBuffers.h"
 #include "TimeStep.h"
 
@@ -38,6 +39,8 @@ struct NarrowBand::State
   /** The same, and all that follows from the active nodes. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
   float GetBackground() const;
+  StateNumbers GetNumbers() const;
+  void SetNumbers(const StateNumbers& numbers);
   /** Makes the band the one that this motion needs. */
   void TakeScheme(const Motion& motion);
 

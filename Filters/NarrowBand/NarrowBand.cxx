@@ -3,6 +3,7 @@
 #include "BandState.h"
 #include "InitialShape.h"
 #include "PackedBand.h"
+#include "StateGrid.h"
 
 #include <tbb/task_arena.h>
 
@@ -35,55 +36,50 @@ std::unique_ptr<NarrowBand> NarrowBand::Clone() const
 {
   auto copy = std::make_unique<NarrowBand>(this->Members->VoxelSize);
   State& members = *copy->Members;
-  members.Time = this->Members->Time;
+  members.SetNumbers(this->Members->GetNumbers());
   members.Threads = this->Members->Threads;
   members.Maximum = this->Members->Maximum;
-  members.StartMeasure = this->Members->StartMeasure;
-  members.BoxSize = this->Members->BoxSize;
-  members.Paper = this->Members->Paper;
   members.Work = this->Members->Work;
   copy->Run([&]
     { members.TakeTree(std::make_shared<openvdb::FloatTree>(this->Members->Potential->tree())); });
   return copy;
 }
 
-namespace
-{
-
-/** What a state is besides its potential, as it lies in a packed one. */
-struct PackedNumbers
-{
-  double VoxelSize, Time, Area, Volume, BoxSize;
-  double Paper; // 0 or 1
-};
-
-}
-
 std::string NarrowBand::Pack() const
 {
-  const State& members = *this->Members;
-  const PackedNumbers numbers = { members.VoxelSize, members.Time, members.StartMeasure.Area,
-    members.StartMeasure.Volume, members.BoxSize, members.Paper ? 1.0 : 0.0 };
+  const StateNumbers numbers = this->Members->GetNumbers();
   return std::string(reinterpret_cast<const char*>(&numbers), sizeof numbers) +
-    PackBand(members.Leaves);
+    PackBand(this->Members->Leaves);
 }
 
 std::unique_ptr<NarrowBand> NarrowBand::Unpack(const std::string& bytes)
 {
-  PackedNumbers numbers;
+  StateNumbers numbers;
   if (bytes.size() < sizeof numbers)
   {
     throw std::runtime_error("The saved state is damaged.");
   }
-  std::memcpy(&numbers, bytes.data(), sizeof numbers);
+  std::memcpy(static_cast<void*>(&numbers), bytes.data(), sizeof numbers);
   auto band = std::make_unique<NarrowBand>(numbers.VoxelSize);
   State& members = *band->Members;
-  members.Time = numbers.Time;
-  members.StartMeasure = { numbers.Area, numbers.Volume };
-  members.BoxSize = numbers.BoxSize;
-  members.Paper = numbers.Paper != 0.0;
+  members.SetNumbers(numbers);
   band->Run(
     [&] { members.Restore(UnpackBand(bytes.substr(sizeof numbers), members.GetBackground())); });
+  return band;
+}
+
+openvdb::FloatGrid::Ptr NarrowBand::ToGrid() const
+{
+  return MakeStateGrid(this->Members->Potential->tree(), this->Members->GetNumbers());
+}
+
+std::unique_ptr<NarrowBand> NarrowBand::FromGrid(const openvdb::FloatGrid& grid)
+{
+  const StateNumbers numbers = ReadStateGrid(grid);
+  auto band = std::make_unique<NarrowBand>(numbers.VoxelSize);
+  State& members = *band->Members;
+  members.SetNumbers(numbers);
+  band->Run([&] { members.Restore(std::make_shared<openvdb::FloatTree>(grid.tree())); });
   return band;
 }
 

@@ -74,6 +74,16 @@ public:
   static std::unique_ptr<NarrowBand> Unpack(const std::string& bytes);
   ///@}
 
+  ///@{
+  /**
+   * The state as a grid for files, without loss: the potential at the active nodes, + or - the
+   * background elsewhere, and as metadata all else (but GetWork). FromGrid throws
+   * std::runtime_error for a grid that is no such state.
+   */
+  openvdb::FloatGrid::Ptr ToGrid() const;
+  static std::unique_ptr<NarrowBand> FromGrid(const openvdb::FloatGrid& grid);
+  ///@}
+
   /** Threads that TBB may use, 1024 at most; 0: all. The result does not depend on it. */
   void SetNumberOfThreads(int threads);
 

@@ -353,6 +353,18 @@ void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector*
   this->Function.Renew(&band);
 }
 
+void SurfaceRequests::SaveState(const std::string& file) const
+{
+  const SavedState state = this->Simulation.GetState();
+  if (!state.Band || this->Simulation.GetSettings().Settles)
+  {
+    throw std::runtime_error(
+      "There is no state of a time step to save; update the filter first, with "
+      "EvolutionMode TRANSIENT.");
+  }
+  WriteState(file, state);
+}
+
 void SurfaceRequests::GiveUp(vtkInformationVector* output)
 {
   this->Function.Renew(nullptr);

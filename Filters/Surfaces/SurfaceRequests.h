@@ -11,6 +11,7 @@
 #include "SurfaceInput.h"
 #include "SurfaceSimulation.h"
 
+#include <string>
 #include <vector>
 
 class vtkActiveImplicitSurface;
@@ -49,6 +50,10 @@ public:
 
   // Leaves empty outputs that do not count as made.
   void GiveUp(vtkInformationVector* output);
+
+  // Throw what has to be said to the user.
+  void SaveState(const std::string& file) const;
+  void LoadState(const std::string& file) { this->Simulation.SetState(ReadState(file)); }
 
   // Of the skin that was made last; the same object always.
   vtkGridPotential* GetSkinFunction() { return this->Function.Get(this->Simulation.FindSkin()); }

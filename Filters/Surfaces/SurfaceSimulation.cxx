@@ -1,11 +1,11 @@
 #include "SurfaceSimulation.h"
 
+#include "MotionWarnings.h"
 #include "SurfaceStart.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 namespace activesurface
@@ -15,9 +15,55 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
 {
   if (this->Settings != settings)
   {
+    this->Loaded = this->LoadedIsNew ? this->Loaded : SavedState();
     this->Drop();
     this->Messages.Forget();
     this->Settings = settings;
+  }
+  this->LoadedIsNew = false;
+}
+
+SavedState SurfaceSimulation::GetState() const
+{
+  SavedState state;
+  if (this->Step >= 0 && !this->IsUnderWay())
+  {
+    state.Band = this->Band->Clone();
+    state.Time = this->Settings.Steps[this->Step];
+    state.History = this->History;
+    state.History.resize(std::min(this->History.size(), std::size_t(this->Step) + 1));
+  }
+  return state;
+}
+
+void SurfaceSimulation::SetState(const SavedState& state)
+{
+  this->Drop();
+  this->Loaded = state;
+  this->LoadedIsNew = true;
+}
+
+// When the target is at its start, as always: the voxels and the radius of the particles come from
+// there.
+void SurfaceSimulation::TakeLoaded()
+{
+  const std::vector<double>& steps = this->Settings.Steps;
+  const GoalTime time = FindGoal(steps, this->Loaded.Time);
+  const NarrowBand& band = *this->Loaded.Band;
+  const double motionTime = this->Settings.GetMotionTime(time.Time);
+  if (time.Between || std::fabs(band.GetTime() - motionTime) > 1e-9 * std::fabs(motionTime) ||
+    band.GetVoxelSize() != this->FindDomain()->VoxelSize)
+  {
+    throw std::invalid_argument(
+      "The state that was loaded is not one of this surface: its time is no "
+      "time step, or its VoxelSize another one. The properties have to be "
+      "those that it was saved with.");
+  }
+  this->Saved.Keep(time.Step, band);
+  // Each checkpoint has its rows: what is known of later steps stays.
+  if (this->History.size() < this->Loaded.History.size())
+  {
+    this->History = this->Loaded.History;
   }
 }
 
@@ -164,6 +210,16 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
       throw std::invalid_argument("The bounds of the target are not known; set ModelBounds to a "
                                   "box around the shape that the skin starts with.");
     }
+    if (this->Loaded.Band && domain)
+    {
+      this->Shapes.StartTarget();
+      this->TakeLoaded();
+      this->Rewind(this->Goal.Step);
+      if (this->Step >= 0)
+      {
+        return true;
+      }
+    }
     this->Band = std::make_unique<NarrowBand>(domain ? domain->VoxelSize : 1.0);
     const bool finished = isEmpty || this->StartBand(*domain, progress);
     if (isEmpty)
@@ -231,7 +287,7 @@ bool SurfaceSimulation::Settle(const ProgressFunction& progress)
 {
   const double never = std::numeric_limits<double>::infinity();
   const AdvanceReport report = this->AdvanceCounting(*this->Band, never, progress);
-  this->WarnOf(report, this->Band->GetTime());
+  WarnOfMotion(report, this->Band->GetTime(), this->Messages);
   if (report.Aborted)
   {
     return false;
@@ -240,7 +296,7 @@ bool SurfaceSimulation::Settle(const ProgressFunction& progress)
   const bool rests = report.AtRest || report.Vanished;
   if (!rests)
   {
-    this->WarnOfNoRest(report.RestSpeed);
+    WarnOfNoRest(this->Settings.Rest, report.RestSpeed, this->Messages);
   }
   const double time =
     this->Settings.Steps.front() + this->Band->GetTime() / this->Settings.TimeScale;
@@ -290,7 +346,7 @@ bool SurfaceSimulation::AdvanceBand(NarrowBand& band, double time, const Progres
   band.SetNumberOfThreads(this->Threads);
   band.SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);
   const AdvanceReport report = this->AdvanceCounting(band, time, progress);
-  this->WarnOf(report, time);
+  WarnOfMotion(report, time, this->Messages);
   return !report.Aborted;
 }
 
@@ -332,34 +388,6 @@ const NarrowBand* SurfaceSimulation::FindSkin() const
   const bool isAtGoal = this->Step >= 0 && this->Step == this->Goal.Step && !this->IsUnderWay() &&
     (!this->Goal.Between || this->BranchIsAtGoal()) && (!this->Settings.Settles || this->Settled);
   return isAtGoal ? &this->GetBand() : nullptr;
-}
-
-void SurfaceSimulation::WarnOfNoRest(double speed)
-{
-  std::ostringstream text;
-  text << "The skin is not at rest after " << this->Settings.Rest.MaximumSubsteps
-       << " substeps: its speed is " << speed << " voxels per time, RestTolerance "
-       << this->Settings.Rest.Tolerance << "; raise MaximumNumberOfSubsteps, or RestTolerance.";
-  this->Messages.Say("no rest", text.str());
-}
-
-void SurfaceSimulation::WarnOf(const AdvanceReport& report, double time)
-{
-  if (report.Vanished && !report.Aborted)
-  {
-    std::ostringstream text;
-    text << "The skin has vanished before the motion time " << time
-         << "; it does not come back. Does the target meet the initial shape?";
-    this->Messages.Say("vanished", text.str());
-  }
-  if (report.DroppedSamples > 0)
-  {
-    std::ostringstream text;
-    text << "On the way to the motion time " << time << " the target was not a finite number at "
-         << report.DroppedSamples << " of " << report.TargetEvaluations
-         << " points of the skin; they were left out. This is told once.";
-    this->Messages.Say("not finite", text.str());
-  }
 }
 
 }

@@ -24,6 +24,7 @@
 #include "Checkpoints.h"
 #include "GoalTime.h"
 #include "NarrowBand.h"
+#include "StateFile.h"
 #include "SurfaceHistory.h"
 #include "SurfaceSettings.h"
 #include "SurfaceShapes.h"
@@ -94,6 +95,13 @@ public:
   // The same, or null when the surface is not at the goal.
   const NarrowBand* FindSkin() const;
 
+  // The state at the last step that is not after the goal; its band is null if there is none.
+  SavedState GetState() const;
+
+  // From now on, and as long as the settings stay the same after the next Configure, the surface
+  // starts with this state.
+  void SetState(const SavedState& state);
+
   // Of the steps up to the goal.
   std::vector<HistoryRow> GetHistory() const;
 
@@ -107,6 +115,7 @@ public:
 private:
   void ForgetWay();
   void Rewind(int step);
+  void TakeLoaded();
   bool HasFramesFrom(int step) const;
   bool IsUnderWay() const;
   bool BranchIsAtGoal() const;
@@ -121,8 +130,6 @@ private:
   AdvanceReport AdvanceCounting(NarrowBand& band, double time, const ProgressFunction& progress);
   Motion GetMotion();
   void AddToHistory(double pipelineTime, const std::string& event);
-  void WarnOf(const AdvanceReport& report, double time);
-  void WarnOfNoRest(double speed);
 
   SurfaceSettings Settings;
   int Threads = 0;
@@ -141,6 +148,8 @@ private:
   bool Settled = false;               // has come to rest, or used up its substeps
   std::vector<HistoryRow> History;    // of the farthest way so far
   Checkpoints Saved;
+  SavedState Loaded;
+  bool LoadedIsNew = false; // it has been set since the settings were last looked at
 
   std::size_t Substeps = 0;
   std::size_t TargetEvaluations = 0;

@@ -114,6 +114,35 @@ vtkImplicitFunction* vtkActiveImplicitSurface::GetSkinFunction()
   return this->Requests->GetSkinFunction();
 }
 
+bool vtkActiveImplicitSurface::SaveState(const char* file)
+{
+  try
+  {
+    this->Requests->SaveState(file ? file : "");
+    return true;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return false;
+  }
+}
+
+bool vtkActiveImplicitSurface::LoadState(const char* file)
+{
+  try
+  {
+    this->Requests->LoadState(file ? file : "");
+    this->Modified();
+    return true;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return false;
+  }
+}
+
 void vtkActiveImplicitSurface::PaperFaithful()
 {
   this->SetPaperScheme(true);
@@ -219,16 +248,10 @@ void vtkActiveImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ModelBounds: " << b[0] << " " << b[1] << " " << b[2] << " " << b[3] << " "
      << b[4] << " " << b[5] << "\n"
      << indent << "BoundedDomain: " << this->BoundedDomain << "\n"
-     << indent << "StartTime: " << this->StartTime << "\n"
-     << indent << "TimeStepSize: " << this->TimeStepSize << "\n"
-     << indent << "NumberOfTimeSteps: " << this->NumberOfTimeSteps << "\n"
-     << indent << "TimeScale: " << this->TimeScale << "\n"
      << indent << "ParticleRadius: " << this->ParticleRadius << "\n"
      << indent << "ParticleKernel: " << this->ParticleKernel << "\n"
      << indent << "ParticleThreshold: " << this->ParticleThreshold << "\n"
      << indent << "MeshThickness: " << this->MeshThickness << "\n"
-     << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n"
-     << indent << "CheckpointMemory: " << this->CheckpointMemory << "\n"
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "OutputPotential: " << this->OutputPotential << "\n"
      << indent << "MaximumNumberOfActiveVoxels: " << this->MaximumNumberOfActiveVoxels << "\n"

@@ -181,43 +181,6 @@ public:
 
   ///@{
   /**
-   * First time step [pipeline time] that is published where the input has no time steps.
-   * Range: finite. Default: 0.
-   */
-  vtkSetMacro(StartTime, double);
-  vtkGetMacro(StartTime, double);
-  ///@}
-
-  ///@{
-  /**
-   * Distance of the time steps [pipeline time] that are published where the input has none.
-   * Range: > 0. Default: 0.1.
-   */
-  vtkSetMacro(TimeStepSize, double);
-  vtkGetMacro(TimeStepSize, double);
-  ///@}
-
-  ///@{
-  /**
-   * Number of time steps that are published where the input has none. Changing it starts the skin
-   * anew. Range: 1 to 1000000. Default: 11.
-   */
-  vtkSetClampMacro(NumberOfTimeSteps, int, 1, 1000000);
-  vtkGetMacro(NumberOfTimeSteps, int);
-  ///@}
-
-  ///@{
-  /**
-   * Motion time per pipeline time [time/pipeline time]; the motion's units of time are those of
-   * Attraction and Tension. An input whose steps are numbered 0, 1, 2 ... at 25 per second has
-   * TimeScale 1/25. Range: > 0. Default: 1.
-   */
-  vtkSetMacro(TimeScale, double);
-  vtkGetMacro(TimeScale, double);
-  ///@}
-
-  ///@{
-  /**
    * Distance [length] at which the influence of a particle, or of a line of a skeleton, ends, where
    * no array of radii is chosen. The skin of a single particle is smaller: .45 of it for the kernel
    * WYVILL and the threshold .5. Range: >= 0; 0 is twice the usual distance of neighbours at the
@@ -260,25 +223,6 @@ public:
 
   ///@{
   /**
-   * Distance, in time steps, of the states that are kept so that a request for an earlier time
-   * costs no more steps than that. 0 keeps none: it starts over. Does not restart the motion.
-   * Range: >= 0. Default: 10.
-   */
-  vtkSetClampMacro(CheckpointInterval, int, 0, VTK_INT_MAX);
-  vtkGetMacro(CheckpointInterval, int);
-  ///@}
-
-  ///@{
-  /**
-   * Memory [MiB] for the states that are kept: about 3.3 bytes per active voxel each. When it ends,
-   * those go that leave the smallest gaps. Does not restart the motion. Range: >= 0. Default: 256.
-   */
-  vtkSetClampMacro(CheckpointMemory, int, 0, VTK_INT_MAX);
-  vtkGetMacro(CheckpointMemory, int);
-  ///@}
-
-  ///@{
-  /**
    * Whether the skin has outward unit normals, the point array "Normals", from the potential.
    * Does not restart the motion. Default: on.
    */
@@ -315,6 +259,18 @@ public:
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * The state of the skin at the last time step that is not after the time of the last update, in a
+   * file, a .vdb with metadata; and taking it up again, in this or another filter whose properties
+   * and inputs are the same: later times, and earlier ones down to that of the state, cost no more
+   * than the way from there, and give the same bytes. False, and an error, if the file cannot be
+   * written or read, or there is no state; SaveState leaves no half file.
+   */
+  bool SaveState(const char* file);
+  bool LoadState(const char* file);
   ///@}
 
   /**
@@ -385,15 +341,9 @@ private:
   double VoxelSize = 0.0;
   vtkTypeBool BoundedDomain = 0;
   double ModelBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  double StartTime = 0.0;
-  double TimeStepSize = 0.1;
-  int NumberOfTimeSteps = 11;
-  double TimeScale = 1.0;
   double ParticleRadius = 0.0;
   int ParticleKernel = 0;
   double ParticleThreshold = 0.5;
-  int CheckpointInterval = 10;
-  int CheckpointMemory = 256;
   double MeshThickness = 0.0;
   vtkTypeBool ComputeNormals = 1;
   vtkTypeBool OutputPotential = 0;

@@ -1,6 +1,6 @@
 /**
  * @class   vtkActiveMotionAlgorithm
- * @brief   the motion strategy of a vtkActiveImplicitSurface, as properties
+ * @brief   the motion strategy of a vtkActiveImplicitSurface, and its clock, as properties
  *
  * Normal speed of the skin, outward positive (eq. (2) to (4) and section 5 of Desbrun and
  * Cani-Gascuel 1998, the sign of the tension corrected):
@@ -126,6 +126,62 @@ public:
   vtkGetMacro(TargetArea, double);
   ///@}
 
+  ///@{
+  /**
+   * First time step [pipeline time] that is published where the input has no time steps.
+   * Range: finite. Default: 0.
+   */
+  vtkSetMacro(StartTime, double);
+  vtkGetMacro(StartTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of the time steps [pipeline time] that are published where the input has none.
+   * Range: > 0. Default: 0.1.
+   */
+  vtkSetMacro(TimeStepSize, double);
+  vtkGetMacro(TimeStepSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of time steps that are published where the input has none. Changing it starts the skin
+   * anew. Range: 1 to 1000000. Default: 11.
+   */
+  vtkSetClampMacro(NumberOfTimeSteps, int, 1, 1000000);
+  vtkGetMacro(NumberOfTimeSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * Motion time per pipeline time [time/pipeline time]; the motion's units of time are those of
+   * Attraction and Tension. An input whose steps are numbered 0, 1, 2 ... at 25 per second has
+   * TimeScale 1/25. Range: > 0. Default: 1.
+   */
+  vtkSetMacro(TimeScale, double);
+  vtkGetMacro(TimeScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance, in time steps, of the states that are kept so that a request for an earlier time
+   * costs no more steps than that. 0 keeps none: it starts over. Does not restart the motion.
+   * Range: >= 0. Default: 10.
+   */
+  vtkSetClampMacro(CheckpointInterval, int, 0, VTK_INT_MAX);
+  vtkGetMacro(CheckpointInterval, int);
+  ///@}
+
+  ///@{
+  /**
+   * Memory [MiB] for the states that are kept: about 3.3 bytes per active voxel each. When it ends,
+   * those go that leave the smallest gaps. Does not restart the motion. Range: >= 0. Default: 256.
+   */
+  vtkSetClampMacro(CheckpointMemory, int, 0, VTK_INT_MAX);
+  vtkGetMacro(CheckpointMemory, int);
+  ///@}
+
   enum EvolutionModeType
   {
     TRANSIENT = 0,
@@ -230,6 +286,12 @@ private:
   double AreaStiffness = 1.0;
   double TargetVolume = 0.0;
   double TargetArea = 0.0;
+  double StartTime = 0.0;
+  double TimeStepSize = 0.1;
+  int NumberOfTimeSteps = 11;
+  double TimeScale = 1.0;
+  int CheckpointInterval = 10;
+  int CheckpointMemory = 256;
   int EvolutionMode = TRANSIENT;
   double RestTolerance = 1e-3;
   int MaximumNumberOfSubsteps = 10000;

@@ -8,6 +8,8 @@
 #include "vtkVariant.h"
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <random>
 #include <string>
@@ -179,6 +181,72 @@ void ChangingTheCheckpointsDoesNotRestart(Check& check)
   check.Equal(filter->GetSubsteps(), vtkIdType(0), "substeps");
 }
 
+// In another filter, as in another program: from the file on, to later times and between them.
+void SavedStateGoesOnToTheSameBytes(Check& check)
+{
+  const std::string file = std::string(ACTIVE_TEST_OUTPUT) + "/state.vdb";
+  auto source = MakeDrops();
+  auto first = MakeSkinOverDrops(source);
+  GetBytesAt(first, 1.25); // the state is that of the step before
+  check.True(first->SaveState(file.c_str()), "the state is saved");
+  auto second = MakeSkinOverDrops(MakeDrops());
+  check.True(second->LoadState(file.c_str()), "the state is loaded");
+  const double times[] = { 2.0, 1.2, 1.57, 0.4, 3.0 };
+  for (const double time : times)
+  {
+    check.True(GetAllAt(second, time) == GetFresh(time), "as fresh at " + std::to_string(time));
+  }
+  auto third = MakeSkinOverDrops(MakeDrops());
+  third->LoadState(file.c_str());
+  third->ResetCounters();
+  GetBytesAt(third, 1.2);
+  check.Equal(third->GetSubsteps(), vtkIdType(0), "substeps to the time of the file");
+}
+
+void StatesThatDoNotFitAreRefused(Check& check)
+{
+  const std::string file = std::string(ACTIVE_TEST_OUTPUT) + "/state_to_refuse.vdb";
+  auto filter = MakeSkinOverDrops(MakeDrops());
+  Messages messages(filter);
+  check.True(!filter->SaveState(file.c_str()), "there is no state before the first update");
+  check.Equal(Messages::Count(messages.Errors, "no state of a time step to save"), 1, "error");
+  const std::string good = GetBytesAt(filter, 1.0);
+  check.True(filter->SaveState(file.c_str()), "the state is saved");
+  check.True(!filter->SaveState("/no/such/folder/state.vdb"), "a folder that is not there");
+  check.Equal(Messages::Count(messages.Errors, "cannot be written to /no/such/folder"), 1, "error");
+  check.True(!filter->LoadState("/no/such/file.vdb"), "a file that is not there");
+  check.Equal(Messages::Count(messages.Errors, "holds no state of a surface"), 1, "error");
+  check.True(GetBytesAt(filter, 1.0) == good, "the skin after refused files");
+
+  auto other = MakeSkinOverDrops(MakeDrops());
+  other->SetVoxelSize(0.1);
+  Messages complaints(other);
+  other->LoadState(file.c_str());
+  GetBytesAt(other, 1.0);
+  check.Equal(Messages::Count(complaints.Errors, "not one of this surface"), 1, "other voxels");
+}
+
+// A file cut off anywhere, or with a wrong byte, is an error or a state, never a crash.
+void DamagedFilesAreNoStates(Check& check)
+{
+  const std::string file = std::string(ACTIVE_TEST_OUTPUT) + "/state_to_damage.vdb";
+  auto filter = MakeSkinOverDrops(MakeDrops());
+  GetBytesAt(filter, 0.5);
+  filter->SaveState(file.c_str());
+  std::ifstream in(file, std::ios::binary);
+  const std::string whole((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  check.Less(1000, whole.size(), "bytes");
+  Messages messages(filter);
+  std::size_t refused = 0;
+  for (int i = 0; i < 20; ++i)
+  {
+    std::ofstream(file, std::ios::binary) << whole.substr(0, i * whole.size() / 20);
+    refused += !filter->LoadState(file.c_str());
+  }
+  check.Equal(refused, std::size_t(20), "files cut off that are refused");
+  check.Equal(messages.Errors.size(), std::size_t(20), "a sentence for each");
+}
+
 // 4 bytes per active voxel is the aim; the signs and masks are in it.
 void PackedStateIsSmallAndGoesOnToTheSameBytes(Check& check)
 {
@@ -225,6 +293,9 @@ int main(int argc, char** argv)
       { "GoingBackCostsLessThanAnInterval", GoingBackCostsLessThanAnInterval },
       { "WithoutCheckpointsItStartsOver", WithoutCheckpointsItStartsOver },
       { "ChangingTheCheckpointsDoesNotRestart", ChangingTheCheckpointsDoesNotRestart },
+      { "SavedStateGoesOnToTheSameBytes", SavedStateGoesOnToTheSameBytes },
+      { "StatesThatDoNotFitAreRefused", StatesThatDoNotFitAreRefused },
+      { "DamagedFilesAreNoStates", DamagedFilesAreNoStates },
       { "PackedStateIsSmallAndGoesOnToTheSameBytes", PackedStateIsSmallAndGoesOnToTheSameBytes },
       { "EmptySurfacePacks", EmptySurfacePacks } });
 }
