@@ -89,6 +89,20 @@ struct PartedSkin
   }
 };
 
+/** The block of a vertex: several vertices in a row are in the same one. */
+void AddBlock(const double x[3], double blockSize, std::vector<PartBlock>& blocks)
+{
+  PartBlock block;
+  for (int d = 0; d < 3; ++d)
+  {
+    block[d] = static_cast<std::int32_t>(std::floor(x[d] / blockSize));
+  }
+  if (blocks.empty() || blocks.back() != block)
+  {
+    blocks.push_back(block);
+  }
+}
+
 }
 
 std::vector<SkinPart> FindSkinParts(const NarrowBand& band)
@@ -96,9 +110,11 @@ std::vector<SkinPart> FindSkinParts(const NarrowBand& band)
   const PartedSkin skin{ Skin(band) };
   std::vector<SkinPart> parts(skin.NumberOfParts);
   std::vector<std::int64_t> faces(skin.NumberOfParts);
-  for (const std::size_t part : skin.PartOf)
+  for (std::size_t v = 0; v < skin.PartOf.size(); ++v)
   {
-    ++parts[part].EulerCharacteristic;
+    SkinPart& part = parts[skin.PartOf[v]];
+    ++part.EulerCharacteristic;
+    AddBlock(skin.Points.data() + 3 * v, VoxelsOfBlock * band.GetVoxelSize(), part.Blocks);
   }
   for (std::size_t c = 0; c < skin.Corners.size(); c += 3)
   {
@@ -113,6 +129,9 @@ std::vector<SkinPart> FindSkinParts(const NarrowBand& band)
   {
     // A closed part of F triangles has 3 F / 2 edges: V - E + F.
     parts[p].EulerCharacteristic -= faces[p] / 2;
+    std::vector<PartBlock>& blocks = parts[p].Blocks;
+    std::sort(blocks.begin(), blocks.end());
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
   }
   return parts;
 }

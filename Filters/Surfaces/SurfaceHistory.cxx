@@ -1,13 +1,15 @@
 #include "SurfaceHistory.h"
 
 #include "NarrowBand.h"
-#include "SkinParts.h"
+#include "SkinEvents.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
+
+#include <utility>
 
 namespace activesurface
 {
@@ -30,22 +32,31 @@ void AddColumn(
 
 }
 
-HistoryRow MakeHistoryRow(const NarrowBand& band, double time, const std::string& event)
+HistoryRow HistoryWriter::MakeRow(const NarrowBand& band, double time)
 {
+  std::vector<SkinPart> parts = FindSkinParts(band);
   HistoryRow row;
   row.Time = time;
   row.Substeps = band.GetWork().Substeps;
   row.MaxSpeed = band.GetWork().MaxSpeed;
   row.ActiveVoxels = band.GetNumberOfActiveNodes();
-  row.Event = event;
-  for (const SkinPart& part : FindSkinParts(band))
+  row.Event = this->HasParts ? FindEvents(this->Parts, parts) : "";
+  for (const SkinPart& part : parts)
   {
     row.Area += part.Area;
     row.Volume += part.Volume;
-    ++(part.Volume > 0.0 ? row.Components : row.Voids);
+    ++(part.IsVoid() ? row.Voids : row.Components);
     row.EulerCharacteristic += part.EulerCharacteristic;
   }
+  this->Parts = std::move(parts);
+  this->HasParts = true;
   return row;
+}
+
+void HistoryWriter::Restart(const NarrowBand& band)
+{
+  this->Parts = FindSkinParts(band);
+  this->HasParts = true;
 }
 
 void FillHistory(const std::vector<HistoryRow>& rows, vtkTable* table)

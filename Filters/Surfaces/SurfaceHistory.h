@@ -3,6 +3,8 @@
 #ifndef SurfaceHistory_h
 #define SurfaceHistory_h
 
+#include "SkinParts.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -28,8 +30,21 @@ struct HistoryRow
   std::string Event;
 };
 
-// Of a surface that has just arrived at a time; its work is that since the row before.
-HistoryRow MakeHistoryRow(const NarrowBand& band, double time, const std::string& event);
+// Makes the rows of a surface on its way. It remembers the parts of the skin at the row before, to
+// tell what has happened to them.
+class HistoryWriter
+{
+public:
+  // Of a surface that has just arrived at a time; its work is that since the row before.
+  HistoryRow MakeRow(const NarrowBand& band, double time);
+
+  // The surface is at another place: this is the one of the row before, from now on.
+  void Restart(const NarrowBand& band);
+
+private:
+  std::vector<SkinPart> Parts;
+  bool HasParts = false;
+};
 
 // One row each, one column for each member, by its name.
 void FillHistory(const std::vector<HistoryRow>& rows, vtkTable* table);

@@ -82,6 +82,7 @@ void SurfaceSimulation::ForgetWay()
   this->Branch.reset();
   this->Step = -1;
   this->Settled = false;
+  this->Historian = HistoryWriter();
 }
 
 // Takes the surface to the last checkpoint up to a step, if that is nearer.
@@ -92,6 +93,7 @@ void SurfaceSimulation::Rewind(int step)
   {
     this->ForgetWay();
     this->Band = this->Saved.Restore(saved);
+    this->Historian.Restart(*this->Band);
     this->Step = saved;
   }
 }
@@ -270,7 +272,8 @@ void SurfaceSimulation::AddToHistory(double pipelineTime, const std::string& eve
 {
   const std::size_t row = this->Settled ? 1 : static_cast<std::size_t>(this->Step);
   this->History.resize(std::max(this->History.size(), row + 1));
-  this->History[row] = MakeHistoryRow(*this->Band, pipelineTime, event);
+  this->History[row] = this->Historian.MakeRow(*this->Band, pipelineTime);
+  this->History[row].Event = event.empty() ? this->History[row].Event : event;
   this->Band->ForgetWork();
   this->Saved.Add(this->Step, *this->Band);
 }

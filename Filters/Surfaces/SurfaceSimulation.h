@@ -147,6 +147,7 @@ private:
   bool BranchIsUnderWay = false;      // has not got there
   bool Settled = false;               // has come to rest, or used up its substeps
   std::vector<HistoryRow> History;    // of the farthest way so far
+  HistoryWriter Historian;
   Checkpoints Saved;
   SavedState Loaded;
   bool LoadedIsNew = false; // it has been set since the settings were last looked at

@@ -37,7 +37,9 @@
  * else after the first update. Port 2: the history, a vtkTable with a row for each time step so
  * far: Time [pipeline time], Substeps and MaxSpeed (of attraction [length/time]) since the row
  * before, Area, Volume, ActiveVoxels, Components, Voids and EulerCharacteristic of the skin, and
- * Event: with EvolutionMode EQUILIBRIUM "at rest" or "not at rest".
+ * Event, what has happened to its parts since: "merge", "split", "vanish", "birth", "void opens",
+ * "void closes", "hole opens", "hole closes", several with ", " in between; with EvolutionMode
+ * EQUILIBRIUM instead "at rest" or "not at rest".
  *
  * Time: the time steps of the input are passed on. If it has fewer than two (TargetFunction, static
  * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them.
