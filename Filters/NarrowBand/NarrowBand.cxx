@@ -262,6 +262,16 @@ double NarrowBand::GetVolume() const
   return skin.Volume;
 }
 
+double NarrowBand::GetStartArea() const
+{
+  return this->Members->StartMeasure.Area;
+}
+
+double NarrowBand::GetStartVolume() const
+{
+  return this->Members->StartMeasure.Volume;
+}
+
 double NarrowBand::GetVoxelSize() const
 {
   return this->Members->VoxelSize;

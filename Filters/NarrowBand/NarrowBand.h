@@ -129,9 +129,11 @@ public:
   ///@}
 
   ///@{
-  /** Of the skin now [length^2, length^3]; voids are taken off. */
+  /** Of the skin now, and at the start [length^2, length^3]; voids are taken off. */
   double GetArea() const;
   double GetVolume() const;
+  double GetStartArea() const;
+  double GetStartVolume() const;
   ///@}
 
   double GetVoxelSize() const;

@@ -15,6 +15,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkTypeInt64Array.h"
 
+#include <algorithm>
+
 namespace activesurface
 {
 
@@ -48,18 +50,47 @@ vtkSmartPointer<vtkCellArray> MakeCells(vtkTypeInt64Array* corners)
 
 }
 
-void FillSkin(const NarrowBand& band, bool normals, vtkPolyData* skin)
+namespace
+{
+
+// Speeds times normals.
+vtkSmartPointer<vtkFloatArray> MakeVelocity(const std::vector<float>& speeds, const float* normals)
+{
+  auto velocity = vtkSmartPointer<vtkFloatArray>::New();
+  velocity->SetName("Velocity");
+  velocity->SetNumberOfComponents(3);
+  velocity->SetNumberOfTuples(static_cast<vtkIdType>(speeds.size()));
+  for (std::size_t i = 0; i < 3 * speeds.size(); ++i)
+  {
+    velocity->SetValue(static_cast<vtkIdType>(i), speeds[i / 3] * normals[i]);
+  }
+  return velocity;
+}
+
+vtkSmartPointer<vtkFloatArray> MakeCurvature(const std::vector<float>& curvatures)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName("MeanCurvature");
+  array->SetNumberOfTuples(static_cast<vtkIdType>(curvatures.size()));
+  std::copy(curvatures.begin(), curvatures.end(), array->GetPointer(0));
+  return array;
+}
+
+}
+
+void FillSkin(const NarrowBand& band, const SkinArrays& arrays, vtkPolyData* skin)
 {
   const Skin triangles(band);
+  const bool directed = arrays.Normals || arrays.Speeds;
   vtkNew<vtkFloatArray> directions;
   directions->SetName("Normals");
   directions->SetNumberOfComponents(3);
   directions->SetNumberOfTuples(
-    normals ? static_cast<vtkIdType>(triangles.GetNumberOfPoints()) : 0);
+    directed ? static_cast<vtkIdType>(triangles.GetNumberOfPoints()) : 0);
   vtkNew<vtkTypeInt64Array> corners;
   corners->SetNumberOfValues(3 * static_cast<vtkIdType>(triangles.GetNumberOfTriangles()));
 
-  float* direction = normals ? directions->GetPointer(0) : nullptr;
+  float* direction = directed ? directions->GetPointer(0) : nullptr;
   auto* corner = reinterpret_cast<std::int64_t*>(corners->GetPointer(0));
   vtkSmartPointer<vtkDataArray> coordinates;
   if (triangles.NeedsDoublePrecision())
@@ -74,9 +105,17 @@ void FillSkin(const NarrowBand& band, bool normals, vtkPolyData* skin)
   vertices->SetData(coordinates);
   skin->SetPoints(vertices);
   skin->SetPolys(MakeCells(corners));
-  if (normals)
+  if (arrays.Normals)
   {
     skin->GetPointData()->SetNormals(directions);
+  }
+  if (arrays.Speeds)
+  {
+    skin->GetPointData()->AddArray(MakeVelocity(*arrays.Speeds, direction));
+  }
+  if (arrays.Curvatures)
+  {
+    skin->GetPointData()->AddArray(MakeCurvature(*arrays.Curvatures));
   }
 }
 

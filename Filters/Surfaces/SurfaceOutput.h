@@ -3,6 +3,8 @@
 #ifndef SurfaceOutput_h
 #define SurfaceOutput_h
 
+#include <vector>
+
 class vtkImageData;
 class vtkPolyData;
 
@@ -11,8 +13,16 @@ namespace activesurface
 
 class NarrowBand;
 
-// Triangles, with the point array "Normals" if wanted; valid and empty for an empty surface.
-void FillSkin(const NarrowBand& band, bool normals, vtkPolyData* skin);
+// Which point arrays the skin has besides.
+struct SkinArrays
+{
+  bool Normals = true;
+  const std::vector<float>* Curvatures = nullptr; // "MeanCurvature", if not null
+  const std::vector<float>* Speeds = nullptr;     // along the normals: "Velocity", if not null
+};
+
+// Triangles; valid and empty for an empty surface.
+void FillSkin(const NarrowBand& band, const SkinArrays& arrays, vtkPolyData* skin);
 
 // The distances on an extent of the lattice, as scalars "Potential".
 void FillPotential(const NarrowBand& band, const int extent[6], vtkImageData* potential);

@@ -3,6 +3,7 @@
 #include "Compatibility.h"
 #include "FilterProperties.h"
 #include "PublishedInformation.h"
+#include "SkinMotion.h"
 #include "SurfaceHistory.h"
 #include "SurfaceOutput.h"
 #include "vtkActiveImplicitSurface.h"
@@ -165,6 +166,7 @@ void SurfaceRequests::AskInputs(
 {
   vtkInformation* out = output->GetInformationObject(AskedPort(request));
   this->Simulation.Configure(this->GatherSettings());
+  this->Simulation.SetSpeedsWanted(this->Filter->GetComputeVelocity() != 0);
   this->Simulation.SetGoal(
     out->Has(SDDP::UPDATE_TIME_STEP()) ? out->Get(SDDP::UPDATE_TIME_STEP()) : this->Steps.front());
   vtkInformation* target = Get(input, SurfaceInput::Target);
@@ -320,12 +322,31 @@ void SurfaceRequests::Make(
   }
 }
 
+void SurfaceRequests::FillSkinPort(vtkPolyData* skin)
+{
+  const NarrowBand& band = this->Simulation.GetBand();
+  SkinArrays arrays;
+  arrays.Normals = this->Filter->GetComputeNormals() != 0;
+  std::vector<float> curvatures, speeds;
+  if (this->Filter->GetComputeCurvature())
+  {
+    curvatures = FindCurvatures(band);
+    arrays.Curvatures = &curvatures;
+  }
+  if (this->Filter->GetComputeVelocity())
+  {
+    speeds = this->Simulation.GetSpeeds();
+    arrays.Speeds = &speeds;
+  }
+  FillSkin(band, arrays, skin);
+}
+
 void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector* output)
 {
   const NarrowBand& band = this->Simulation.GetBand();
   if (this->Makes(SkinPort, request))
   {
-    FillSkin(band, this->Filter->GetComputeNormals() != 0, vtkPolyData::GetData(output, SkinPort));
+    this->FillSkinPort(vtkPolyData::GetData(output, SkinPort));
   }
   // The extent may be known since now only.
   vtkInformation* out = output->GetInformationObject(PotentialPort);

@@ -18,6 +18,7 @@ class vtkActiveImplicitSurface;
 class vtkGridPotential;
 class vtkInformation;
 class vtkInformationVector;
+class vtkPolyData;
 
 namespace activesurface
 {
@@ -69,6 +70,7 @@ private:
 
   class StampsAfterwards;
   bool Makes(int port, vtkInformation* request) const;
+  void FillSkinPort(vtkPolyData* skin);
   void FillOutputs(vtkInformation* request, vtkInformationVector* output);
 
   vtkActiveImplicitSurface* Filter;

@@ -1,6 +1,7 @@
 #include "SurfaceSimulation.h"
 
 #include "MotionWarnings.h"
+#include "SkinMotion.h"
 #include "SurfaceStart.h"
 
 #include <algorithm>
@@ -148,11 +149,26 @@ int SurfaceSimulation::GetStepWanted() const
   }
   const bool onTheWay =
     this->Step < this->Goal.Step || (this->Goal.Between && !this->BranchIsAtGoal());
-  if (!onTheWay || this->HasFramesFrom(this->Step))
+  if (!onTheWay)
+  {
+    return this->SpeedsWanted ? this->GetStepWantedAtGoal() : -1;
+  }
+  if (this->HasFramesFrom(this->Step))
   {
     return -1;
   }
   return this->Shapes.Has(this->Step) ? this->Step + 1 : this->Step;
+}
+
+// Where the target has to be to tell the speeds: after a return to a checkpoint it may not be
+// there.
+int SurfaceSimulation::GetStepWantedAtGoal() const
+{
+  if (!this->Shapes.Has(this->Goal.Step))
+  {
+    return this->Goal.Step;
+  }
+  return this->Goal.Between && !this->Shapes.Has(this->Goal.Step + 1) ? this->Goal.Step + 1 : -1;
 }
 
 void SurfaceSimulation::AddFrame(int step, TargetFrame frame)
@@ -332,6 +348,31 @@ bool SurfaceSimulation::AdvanceBranch(const ProgressFunction& progress)
   return !this->BranchIsUnderWay;
 }
 
+// On its way to the next step, if that is known.
+void SurfaceSimulation::PlaceTargetFrom(int step)
+{
+  MovingTarget* moving = this->Shapes.GetMovingTarget();
+  if (moving && this->Settings.InputMoves)
+  {
+    const int next = this->Shapes.Has(step + 1) ? step + 1 : step;
+    moving->MoveAlong(step, this->Settings.GetMotionTime(this->Settings.Steps[step]),
+      this->Settings.GetMotionTime(this->Settings.Steps[next]));
+  }
+}
+
+std::vector<float> SurfaceSimulation::GetSpeeds()
+{
+  const NarrowBand& band = this->GetBand();
+  if (band.IsEmpty())
+  {
+    return {};
+  }
+  this->PlaceTargetFrom(this->Goal.Step);
+  const Motion motion = this->GetMotion();
+  return FindSpeeds(
+    band, { motion, this->Shapes.GetTarget(), band.GetStartArea(), band.GetStartVolume() });
+}
+
 // From the step, or from where it was interrupted, to a motion time that is not after the next one.
 bool SurfaceSimulation::AdvanceBand(NarrowBand& band, double time, const ProgressFunction& progress)
 {
@@ -339,13 +380,7 @@ bool SurfaceSimulation::AdvanceBand(NarrowBand& band, double time, const Progres
   {
     return true;
   }
-  MovingTarget* moving = this->Shapes.GetMovingTarget();
-  if (moving && this->Settings.InputMoves)
-  {
-    const double* steps = this->Settings.Steps.data() + this->Step;
-    moving->MoveAlong(
-      this->Step, this->Settings.GetMotionTime(steps[0]), this->Settings.GetMotionTime(steps[1]));
-  }
+  this->PlaceTargetFrom(this->Step);
   band.SetNumberOfThreads(this->Threads);
   band.SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);
   const AdvanceReport report = this->AdvanceCounting(band, time, progress);

@@ -92,6 +92,11 @@ public:
   // At the goal, when Advance has reached it.
   const NarrowBand& GetBand() const;
 
+  // Whether GetSpeeds will be asked for, which needs the target at the goal.
+  void SetSpeedsWanted(bool wanted) { this->SpeedsWanted = wanted; }
+  // Normal speeds of the skin at the goal, at its vertices.
+  std::vector<float> GetSpeeds();
+
   // The same, or null when the surface is not at the goal.
   const NarrowBand* FindSkin() const;
 
@@ -117,6 +122,8 @@ private:
   void Rewind(int step);
   void TakeLoaded();
   bool HasFramesFrom(int step) const;
+  int GetStepWantedAtGoal() const;
+  void PlaceTargetFrom(int step);
   bool IsUnderWay() const;
   bool BranchIsAtGoal() const;
   ProgressFunction GetPartOf(const ProgressFunction& progress) const;
@@ -134,6 +141,7 @@ private:
   SurfaceSettings Settings;
   int Threads = 0;
   std::size_t MaximumVoxels = 0;
+  bool SpeedsWanted = false;
   Warnings Messages;
   SurfaceShapes Shapes{ this->Settings, this->Messages };
   int LastStepAdded = 0;

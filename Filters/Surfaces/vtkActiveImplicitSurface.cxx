@@ -253,6 +253,8 @@ void vtkActiveImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ParticleThreshold: " << this->ParticleThreshold << "\n"
      << indent << "MeshThickness: " << this->MeshThickness << "\n"
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
+     << indent << "ComputeVelocity: " << this->ComputeVelocity << "\n"
+     << indent << "ComputeCurvature: " << this->ComputeCurvature << "\n"
      << indent << "OutputPotential: " << this->OutputPotential << "\n"
      << indent << "MaximumNumberOfActiveVoxels: " << this->MaximumNumberOfActiveVoxels << "\n"
      << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";

@@ -235,6 +235,30 @@ public:
 
   ///@{
   /**
+   * Whether the skin has the point array "Velocity": its normal velocity [length/time] at that
+   * moment, by the equation of motion; its component along the surface means nothing and is 0. As
+   * it belongs to points of the skin, and not to points that are followed through time, it is right
+   * through splits and merges. Costs an evaluation of the target. Does not restart the motion.
+   * Default: off.
+   */
+  vtkSetMacro(ComputeVelocity, vtkTypeBool);
+  vtkGetMacro(ComputeVelocity, vtkTypeBool);
+  vtkBooleanMacro(ComputeVelocity, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the skin has the point array "MeanCurvature": the sum of the principal curvatures
+   * [1/length], 2/r on a ball of radius r, negative in hollows, at most 4 per voxel. Does not
+   * restart the motion. Default: off.
+   */
+  vtkSetMacro(ComputeCurvature, vtkTypeBool);
+  vtkGetMacro(ComputeCurvature, vtkTypeBool);
+  vtkBooleanMacro(ComputeCurvature, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Whether the potential's image, output port 1, is made with each skin, so that GetPotential()
    * has it after Update(). It is made on request of its port, Update(1), in any case. Its memory is
    * 4 bytes for each lattice node in the bounds. Does not restart the motion. Default: off.
@@ -348,6 +372,8 @@ private:
   double ParticleThreshold = 0.5;
   double MeshThickness = 0.0;
   vtkTypeBool ComputeNormals = 1;
+  vtkTypeBool ComputeVelocity = 0;
+  vtkTypeBool ComputeCurvature = 0;
   vtkTypeBool OutputPotential = 0;
   vtkIdType MaximumNumberOfActiveVoxels = 50000000;
   int NumberOfThreads = 0;
