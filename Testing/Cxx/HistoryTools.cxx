@@ -44,6 +44,12 @@ Mesh GetMesh(vtkPolyData* triangles)
   return mesh;
 }
 
+std::size_t CountDefects(const Mesh& mesh)
+{
+  const MeshDefects defects = FindDefects(mesh);
+  return defects.Edges + defects.Vertices + defects.Unused;
+}
+
 std::string DescribeTopology(const Mesh& mesh)
 {
   const Topology topology = GetTopology(mesh);

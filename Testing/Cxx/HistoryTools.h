@@ -6,6 +6,7 @@
 
 #include "SurfaceMeasures.h"
 
+#include <cstddef>
 #include <string>
 
 class vtkActiveImplicitSurface;
@@ -16,6 +17,9 @@ namespace activesurface
 
 /** Triangles, and their normals if they have any. */
 Mesh GetMesh(vtkPolyData* triangles);
+
+/** Edges and vertices that are not those of a closed manifold, and unused vertices. */
+std::size_t CountDefects(const Mesh& mesh);
 
 /** "bodies voids Euler-number": of a mesh, and of a row of the history. */
 std::string DescribeTopology(const Mesh& mesh);

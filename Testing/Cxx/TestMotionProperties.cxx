@@ -5,11 +5,8 @@
 #include "PipelineTools.h"
 #include "ShapeFunction.h"
 
-#include "vtkCommand.h"
-#include "vtkExecutive.h"
 #include "vtkPolyData.h"
 #include "vtkSphere.h"
-#include "vtkTable.h"
 
 #include <cmath>
 #include <set>
@@ -170,7 +167,7 @@ void BoundedSkinStaysWithin(Check& check)
     const auto bounds = GetSkinBounds(filter);
     check.Less(bounds[1], 0.93 + 1e-6, "farthest point" + name);
     check.Less(-0.69 - 1e-6, bounds[2], "lowest point" + name);
-    check.Equal(FindDefects(GetMesh(filter->GetOutput())).Edges, std::size_t(0), "defects" + name);
+    check.Equal(CountDefects(GetMesh(filter->GetOutput())), std::size_t(0), "defects" + name);
     check.Equal(DescribeTopology(filter, step), "1 0 2", "bodies, voids, Euler number" + name);
     farthest = bounds[1];
     lowest = bounds[2];
@@ -193,8 +190,7 @@ void BoundedSkinStartsClosed(Check& check)
   filter->BoundedDomainOn();
   filter->Update();
   check.Near(GetSkinBounds(filter)[1], 0.93, 0.03 * VoxelSizeOf(40), "farthest point");
-  const MeshDefects defects = FindDefects(GetMesh(filter->GetOutput()));
-  check.Equal(defects.Edges + defects.Vertices + defects.Unused, std::size_t(0), "defects");
+  check.Equal(CountDefects(GetMesh(filter->GetOutput())), std::size_t(0), "defects");
   check.Equal(DescribeTopology(filter, 0), "1 0 2", "bodies, voids, Euler number");
 }
 
@@ -231,7 +227,8 @@ void PaperFaithfulSetsFourProperties(Check& check)
     }
   }
   check.Equal(changed,
-    "  GradientScheme: 0  NormalizeTarget: 0  PaperScheme: 1  TargetEvaluation: 0", "changed lines");
+    "  GradientScheme: 0  NormalizeTarget: 0  PaperScheme: 1  TargetEvaluation: 0",
+    "changed lines");
 }
 
 // The rate of r^2 - R^2 is 2 R = 1.2: after 20 time constants nothing is left of the way. The plain
@@ -258,9 +255,8 @@ void PaperSchemeArrivesAtABall(Check& check)
 void EvaluationAtNodesRoughensTheNormals(Check& check)
 {
   const Shape end = MakeBall({ 0.21, 0.13, 0.07 }, 0.6);
-  for (const int evaluation :
-    { vtkActiveMotionAlgorithm::SHIFTED, vtkActiveMotionAlgorithm::NODE,
-      vtkActiveMotionAlgorithm::CLOSEST_POINT })
+  for (const int evaluation : { vtkActiveMotionAlgorithm::SHIFTED, vtkActiveMotionAlgorithm::NODE,
+         vtkActiveMotionAlgorithm::CLOSEST_POINT })
   {
     auto filter = MakeTense(MakeBall({ 0.0, 0.0, 0.0 }, 0.4), 40);
     filter->SetTargetFunction(MakeFunction(end));
@@ -269,8 +265,7 @@ void EvaluationAtNodesRoughensTheNormals(Check& check)
     filter->SetTargetEvaluation(evaluation);
     filter->SetTimeStepSize(2.0);
     filter->UpdateTimeStep(20.0);
-    const double angle =
-      GetDeviation(GetMesh(filter->GetOutput()), end, VoxelSizeOf(40)).MeanAngle;
+    const double angle = GetDeviation(GetMesh(filter->GetOutput()), end, VoxelSizeOf(40)).MeanAngle;
     const bool isRough = evaluation == vtkActiveMotionAlgorithm::NODE;
     check.Less(isRough ? 10.0 : angle, isRough ? angle : 2.0,
       "mean angle of the normals [degrees], evaluation " + std::to_string(evaluation));

@@ -235,8 +235,8 @@ void SkinFunctionHasTheSidesOfTheMesh(Check& check)
   const int last = CountRows(filter) - 1;
   const double expected = count * GetNumber(filter, last, "Volume") / 8.0;
   check.Equal(far, 0, "points on other sides farther than .1 voxel from the skin");
-  check.Less(near, count * GetNumber(filter, last, "Area") * 0.03 * 0.05 / 8.0,
-    "points on other sides");
+  check.Less(
+    near, count * GetNumber(filter, last, "Area") * 0.03 * 0.05 / 8.0, "points on other sides");
   check.Near(inside, expected, 5.0 * std::sqrt(expected), "points inside, within five deviations");
 }
 
