@@ -311,6 +311,18 @@ void NarrowBand::State::StepAndTrace(const Motion& motion, Target& target, Advan
   this->CheckSize();
 }
 
+void NarrowBand::State::Confine(const Walls& walls)
+{
+  this->Buffers.Next.resize(512 * this->Leaves.Size());
+  this->Leaves.ForEach([&](std::size_t i)
+    { std::copy_n(this->Leaves[i].Value, 512, this->Buffers.Next.data() + 512 * i); });
+  ClampToWalls(this->Leaves, walls, this->VoxelSize, this->Buffers);
+  TakeNext(this->Leaves, this->Buffers);
+  this->RebuildBand();
+  this->FinishFrame();
+  this->StartMeasure = this->Measure();
+}
+
 void NarrowBand::State::RebuildBand()
 {
   if (this->Paper)

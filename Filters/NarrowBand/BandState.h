@@ -48,6 +48,9 @@ struct NarrowBand::State
   /** One substep of any length; the speed is the report's RestSpeed. */
   void StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report);
 
+  /** To be called between motions: the surface counts as just started. */
+  void Confine(const Walls& walls);
+
   void RebuildBand();
   void FinishFrame();
   std::size_t CountActive() const;

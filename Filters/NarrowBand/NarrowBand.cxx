@@ -128,6 +128,11 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   return finished;
 }
 
+void NarrowBand::Confine(const Walls& walls)
+{
+  this->Run([&] { this->Members->Confine(walls); });
+}
+
 namespace
 {
 

@@ -105,6 +105,9 @@ public:
   bool Start(double time, const double bounds[6], const InitialFunction& function,
     const ProgressFunction& progress = {});
 
+  /** Takes the surface back within walls, where it is beyond them. */
+  void Confine(const Walls& walls);
+
   /**
    * Moves the surface to the motion time `time` (not before the current one, else
    * std::invalid_argument); substeps end exactly there. An exception (of the target, or the

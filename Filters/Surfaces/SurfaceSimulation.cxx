@@ -1,7 +1,6 @@
 #include "SurfaceSimulation.h"
 
 #include "MotionWarnings.h"
-#include "SkinMotion.h"
 #include "SurfaceStart.h"
 
 #include <algorithm>
@@ -22,50 +21,6 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
     this->Settings = settings;
   }
   this->LoadedIsNew = false;
-}
-
-SavedState SurfaceSimulation::GetState() const
-{
-  SavedState state;
-  if (this->Step >= 0 && !this->IsUnderWay())
-  {
-    state.Band = this->Band->Clone();
-    state.Time = this->Settings.Steps[this->Step];
-    state.History = this->History;
-    state.History.resize(std::min(this->History.size(), std::size_t(this->Step) + 1));
-  }
-  return state;
-}
-
-void SurfaceSimulation::SetState(const SavedState& state)
-{
-  this->Drop();
-  this->Loaded = state;
-  this->LoadedIsNew = true;
-}
-
-// When the target is at its start, as always: the voxels and the radius of the particles come from
-// there.
-void SurfaceSimulation::TakeLoaded()
-{
-  const std::vector<double>& steps = this->Settings.Steps;
-  const GoalTime time = FindGoal(steps, this->Loaded.Time);
-  const NarrowBand& band = *this->Loaded.Band;
-  const double motionTime = this->Settings.GetMotionTime(time.Time);
-  if (time.Between || std::fabs(band.GetTime() - motionTime) > 1e-9 * std::fabs(motionTime) ||
-    band.GetVoxelSize() != this->FindDomain()->VoxelSize)
-  {
-    throw std::invalid_argument(
-      "The state that was loaded is not one of this surface: its time is no "
-      "time step, or its VoxelSize another one. The properties have to be "
-      "those that it was saved with.");
-  }
-  this->Saved.Keep(time.Step, band);
-  // Each checkpoint has its rows: what is known of later steps stays.
-  if (this->History.size() < this->Loaded.History.size())
-  {
-    this->History = this->Loaded.History;
-  }
 }
 
 void SurfaceSimulation::Drop()
@@ -284,24 +239,6 @@ bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
   return true;
 }
 
-void SurfaceSimulation::AddToHistory(double pipelineTime, const std::string& event)
-{
-  const std::size_t row = this->Settled ? 1 : static_cast<std::size_t>(this->Step);
-  this->History.resize(std::max(this->History.size(), row + 1));
-  this->History[row] = this->Historian.MakeRow(*this->Band, pipelineTime);
-  this->History[row].Event = event.empty() ? this->History[row].Event : event;
-  this->Band->ForgetWork();
-  this->Saved.Add(this->Step, *this->Band);
-}
-
-std::vector<HistoryRow> SurfaceSimulation::GetHistory() const
-{
-  const std::size_t rows =
-    this->Settings.Settles ? 2 : static_cast<std::size_t>(this->Goal.Step) + 1;
-  const auto end = this->History.begin() + std::min(rows, this->History.size());
-  return std::vector<HistoryRow>(this->History.begin(), end);
-}
-
 bool SurfaceSimulation::Settle(const ProgressFunction& progress)
 {
   const double never = std::numeric_limits<double>::infinity();
@@ -360,19 +297,6 @@ void SurfaceSimulation::PlaceTargetFrom(int step)
   }
 }
 
-std::vector<float> SurfaceSimulation::GetSpeeds()
-{
-  const NarrowBand& band = this->GetBand();
-  if (band.IsEmpty())
-  {
-    return {};
-  }
-  this->PlaceTargetFrom(this->Goal.Step);
-  const Motion motion = this->GetMotion();
-  return FindSpeeds(
-    band, { motion, this->Shapes.GetTarget(), band.GetStartArea(), band.GetStartVolume() });
-}
-
 // From the step, or from where it was interrupted, to a motion time that is not after the next one.
 bool SurfaceSimulation::AdvanceBand(NarrowBand& band, double time, const ProgressFunction& progress)
 {
@@ -414,18 +338,6 @@ AdvanceReport SurfaceSimulation::AdvanceCounting(
     count();
     throw;
   }
-}
-
-const NarrowBand& SurfaceSimulation::GetBand() const
-{
-  return this->Goal.Between ? *this->Branch : *this->Band;
-}
-
-const NarrowBand* SurfaceSimulation::FindSkin() const
-{
-  const bool isAtGoal = this->Step >= 0 && this->Step == this->Goal.Step && !this->IsUnderWay() &&
-    (!this->Goal.Between || this->BranchIsAtGoal()) && (!this->Settings.Settles || this->Settled);
-  return isAtGoal ? &this->GetBand() : nullptr;
 }
 
 }

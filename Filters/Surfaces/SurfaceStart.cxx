@@ -53,6 +53,12 @@ bool StartOn(
   {
     return false;
   }
+  // The rim of shape and wall is round in the distances of the start, by a few hundredths of a
+  // voxel.
+  if (start.Box.Present)
+  {
+    band.Confine(start.Box);
+  }
   if (band.IsEmpty())
   {
     messages.Say("empty",
