@@ -87,6 +87,28 @@ void MatchIds(const std::vector<std::int64_t>& earlier, const std::vector<std::i
   }
 }
 
+// The later particles that are nobody's partner.
+std::vector<std::size_t> FindBirths(const std::vector<std::size_t>& partners, std::size_t later)
+{
+  std::vector<bool> isPartner(later, false);
+  for (const std::size_t partner : partners)
+  {
+    if (partner != ParticleMatches::NoPartner)
+    {
+      isPartner[partner] = true;
+    }
+  }
+  std::vector<std::size_t> births;
+  for (std::size_t i = 0; i < later; ++i)
+  {
+    if (!isPartner[i])
+    {
+      births.push_back(i);
+    }
+  }
+  return births;
+}
+
 double Between(double a, double b, double fraction)
 {
   return a + fraction * (b - a);
@@ -100,6 +122,15 @@ void MoveTowards(SkeletonVertex& particle, const SkeletonVertex& partner, double
   }
   particle.Radius = Between(particle.Radius, partner.Radius, fraction);
   particle.Strength = Between(particle.Strength, partner.Strength, fraction);
+}
+
+void AddFaded(const SkeletonVertex& particle, double share, std::vector<SkeletonVertex>& particles)
+{
+  if (share * particle.Strength != 0.0)
+  {
+    particles.push_back(particle);
+    particles.back().Strength *= share;
+  }
 }
 
 }
@@ -197,27 +228,37 @@ ParticleFrame ReadParticles(vtkPointSet* points, const ParticleArrays& arrays)
   return frame;
 }
 
-std::vector<std::size_t> FindPartners(const ParticleFrame& earlier, const ParticleFrame& later)
+ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later)
 {
   const bool sameCount =
     earlier.Particles.size() + earlier.Ignored == later.Particles.size() + later.Ignored;
-  std::vector<std::size_t> partners(earlier.Particles.size(), NoPartner);
+  ParticleMatches matches;
+  matches.Partners.assign(earlier.Particles.size(), ParticleMatches::NoPartner);
   if (earlier.HasIds == later.HasIds && (earlier.HasIds || sameCount))
   {
-    MatchIds(earlier.Ids, later.Ids, partners);
+    MatchIds(earlier.Ids, later.Ids, matches.Partners);
   }
-  return partners;
+  matches.Births = FindBirths(matches.Partners, later.Particles.size());
+  return matches;
 }
 
-void MoveToPartners(const ParticleFrame& later, const std::vector<std::size_t>& partners,
-  double fraction, std::vector<SkeletonVertex>& particles)
+void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& later,
+  const ParticleMatches& matches, double fraction, std::vector<SkeletonVertex>& particles)
 {
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  particles.clear();
+  for (std::size_t i = 0; i < earlier.Particles.size(); ++i)
   {
-    if (partners[i] != NoPartner)
+    if (matches.Partners[i] == ParticleMatches::NoPartner)
     {
-      MoveTowards(particles[i], later.Particles[partners[i]], fraction);
+      AddFaded(earlier.Particles[i], 1.0 - fraction, particles);
+      continue;
     }
+    particles.push_back(earlier.Particles[i]);
+    MoveTowards(particles.back(), later.Particles[matches.Partners[i]], fraction);
+  }
+  for (const std::size_t birth : matches.Births)
+  {
+    AddFaded(later.Particles[birth], fraction, particles);
   }
 }
 

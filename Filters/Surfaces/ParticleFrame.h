@@ -2,8 +2,9 @@
 //
 // A particle moves in a straight line from one step to the next, and its radius and strength change
 // evenly. Particles are matched by their ids, or by their index where there are none and the steps
-// have equally many. A particle without a partner in the next step stays as it is until then; one
-// without a partner in the step before is not there before its own step.
+// have equally many, else not at all. One without a partner in the next step dies: at a fraction f
+// of the way it has 1 - f of its strength. One without a partner in the step before is born: it has
+// f of its strength. So their sum is continuous in time, whatever the steps hold.
 
 #ifndef ParticleFrame_h
 #define ParticleFrame_h
@@ -49,13 +50,21 @@ struct ParticleFrame
 // Throws std::invalid_argument for arrays that cannot be radii, ids or strengths of the points.
 ParticleFrame ReadParticles(vtkPointSet* points, const ParticleArrays& arrays);
 
-// For each of the earlier particles its place among the later ones, or NoPartner.
-constexpr std::size_t NoPartner = static_cast<std::size_t>(-1);
-std::vector<std::size_t> FindPartners(const ParticleFrame& earlier, const ParticleFrame& later);
+// Which particles of two steps are the same.
+struct ParticleMatches
+{
+  static constexpr std::size_t NoPartner = static_cast<std::size_t>(-1);
 
-// Moves earlier particles on, by a fraction in [0,1] of their way to their partners.
-void MoveToPartners(const ParticleFrame& later, const std::vector<std::size_t>& partners,
-  double fraction, std::vector<SkeletonVertex>& particles);
+  std::vector<std::size_t> Partners; // for each earlier one its place among the later, or NoPartner
+  std::vector<std::size_t> Births;   // of the later ones, by ascending place
+};
+
+ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later);
+
+// Replaces particles by those at a fraction in [0,1] of the way from the earlier step to the later:
+// the earlier ones in their order, then the births in theirs, none that has faded to nothing.
+void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& later,
+  const ParticleMatches& matches, double fraction, std::vector<SkeletonVertex>& particles);
 
 }
 

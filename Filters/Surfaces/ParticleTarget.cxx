@@ -14,7 +14,7 @@ ParticleTarget::ParticleTarget(
 
 void ParticleTarget::Place(int step, double fraction)
 {
-  this->Frames.InterpolateParticles(step, fraction, this->Particles);
+  this->Frames.PlaceParticles(step, fraction, this->Particles);
   this->Elements.Clear();
   for (const SkeletonVertex& particle : this->Particles)
   {

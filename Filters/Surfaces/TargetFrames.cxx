@@ -33,20 +33,21 @@ TargetFrame& TargetFrames::Get(int step)
   return this->Later.Step == step ? this->Later.Frame : this->Earlier.Frame;
 }
 
-void TargetFrames::InterpolateParticles(
-  int step, double fraction, std::vector<SkeletonVertex>& particles)
+void TargetFrames::PlaceParticles(int step, double fraction, std::vector<SkeletonVertex>& particles)
 {
-  particles = this->Get(step).Particles.Particles;
   if (fraction == 0.0 || this->Earlier.Step != step || this->Later.Step != step + 1)
   {
+    particles = this->Get(step).Particles.Particles;
     return;
   }
+  const ParticleFrame& earlier = this->Earlier.Frame.Particles;
+  const ParticleFrame& later = this->Later.Frame.Particles;
   if (!this->Matched)
   {
-    this->Partners = FindPartners(this->Earlier.Frame.Particles, this->Later.Frame.Particles);
+    this->Matches = MatchParticles(earlier, later);
     this->Matched = true;
   }
-  MoveToPartners(this->Later.Frame.Particles, this->Partners, fraction, particles);
+  InterpolateParticles(earlier, later, this->Matches, fraction, particles);
 }
 
 }

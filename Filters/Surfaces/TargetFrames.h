@@ -5,7 +5,6 @@
 
 #include "TargetFrame.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace activesurface
@@ -23,9 +22,10 @@ public:
   const TargetFrame& Get(int step) const;
   TargetFrame& Get(int step);
 
-  // The particles of a step, moved on by a fraction in [0,1] of the way to the next one, if that is
-  // held. They come in the order of the step, always.
-  void InterpolateParticles(int step, double fraction, std::vector<SkeletonVertex>& particles);
+  // The particles at a fraction in [0,1] of the way from a step to the next one, see
+  // ParticleFrame.h; those of the step itself, in their order, at 0 and as long as the next one is
+  // not held.
+  void PlaceParticles(int step, double fraction, std::vector<SkeletonVertex>& particles);
 
 private:
   struct Held
@@ -36,7 +36,7 @@ private:
 
   Held Earlier, Later;
   bool Matched = false;
-  std::vector<std::size_t> Partners; // in Later, for each particle of Earlier
+  ParticleMatches Matches; // of Earlier and Later
 };
 
 }

@@ -20,10 +20,12 @@
  *
  * With time steps, all of one kind, the target moves. Particles go in straight lines from one step
  * to the next, matched by ids (equal ones in their order), or by number if both steps have equally
- * many. One that is missing in the next step stays as it is until then; one that is new appears at
- * its own step. The others are blended, F = (1 - f) F0 + f F1 at a fraction f of the way: shapes
- * that do not overlap from step to step vanish on the way. A step without points, or a mesh without
- * cells, is no target: the skin shrinks there, and vanishes.
+ * many, else not at all. One that is missing in the next step fades out on the way to it, its
+ * strength falling evenly to 0; one that is new fades in. Another level of detail, where all ids
+ * change, so fades from one to the other. Skeletons, meshes and images are blended, F = (1 - f) F0
+ * + f F1 at a fraction f of the way: shapes that do not overlap from step to step vanish on the
+ * way. A step without points, or a mesh without cells, is no target: the skin shrinks towards it,
+ * and vanishes.
  *
  * Input, port 1 (optional): Initial, the shape at the first time, in place of InitialFunction: a
  * mesh or an image as above, where (4, ...) chooses the image's array; at its first time step.

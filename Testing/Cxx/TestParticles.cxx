@@ -120,7 +120,8 @@ void ParticlesAreMatchedByTheirIds(Check& check)
   check.True(GetBytesAt(plain, 1.0) == BytesOver(Three, 1.0), "by number if they are in order");
 }
 
-void ParticleThatIsMissingLaterStaysUntilThen(Check& check)
+// How they fade is a matter of TestBirths.
+void ParticleThatIsMissingLaterFadesOut(Check& check)
 {
   const auto still = [](double) { return Three(0.0); };
   const auto missing = [](double t)
@@ -128,37 +129,48 @@ void ParticleThatIsMissingLaterStaysUntilThen(Check& check)
     const std::vector<Particle> p = Three(0.0);
     return t == 1.0 ? std::vector<Particle>{ p[1], p[2] } : p;
   };
-  check.True(BytesOver(missing, 0.6) == BytesOver(still, 0.6), "in between");
-  check.True(BytesOver(missing, 1.0) == BytesOver(still, 1.0), "until the step");
-  check.True(BytesOver(missing, 2.0) != BytesOver(still, 2.0), "not after it");
+  auto filter = MakeSkinOver(MakeSource(missing));
+  check.True(GetBytesAt(filter, 0.0) == BytesOver(still, 0.0), "not before its last step");
+  const double left = GetSkinBounds(filter)[0];
+  filter->UpdateTimeStep(0.4);
+  check.Less(left + 0.5 * VoxelSize, GetSkinBounds(filter)[0], "from then on");
+  filter->UpdateTimeStep(1.0);
+  check.Less(-0.2, GetSkinBounds(filter)[0], "gone at the next step");
 }
 
-void NewParticleAppearsAtItsOwnStep(Check& check)
+// Near enough to an old one to pull its skin.
+void NewParticleFadesIn(Check& check)
 {
   const auto two = [](double)
   {
     const std::vector<Particle> p = Three(0.0);
     return std::vector<Particle>{ p[0], p[1] };
   };
-  // Near enough to an old one to pull its skin.
   const auto born = [two](double t)
   {
     std::vector<Particle> p = two(t);
-    if (t >= 1.0)
+    if (t == 2.0)
     {
       p.push_back({ 0.15, 0.0, 0.0, 100 });
     }
     return p;
   };
-  check.True(BytesOver(born, 1.0) == BytesOver(two, 1.0), "not before");
-  check.True(BytesOver(born, 1.5) != BytesOver(two, 1.5), "from then on");
+  check.True(BytesOver(born, 1.0) == BytesOver(two, 1.0), "not before the step without it");
+  auto filter = MakeSkinOver(MakeSource(born));
+  filter->UpdateTimeStep(1.0);
+  const double before = GetSkinBounds(filter)[1];
+  filter->UpdateTimeStep(1.5);
+  const double half = GetSkinBounds(filter)[1];
+  filter->UpdateTimeStep(2.0);
+  check.Less(before + 0.5 * VoxelSize, half, "half there half the way");
+  check.Less(half + 0.5 * VoxelSize, GetSkinBounds(filter)[1], "all there at its own step");
 }
 
-void WithoutIdsOtherCountsHoldTheParticles(Check& check)
+void WithoutIdsOtherCountsAreCrossFaded(Check& check)
 {
   const auto growing = [](double t)
   {
-    std::vector<Particle> p = Three(t);
+    std::vector<Particle> p = Three(0.0);
     if (t == 1.0)
     {
       p.insert(p.begin(), { 0.8, 0.8, 0.8, 1 });
@@ -168,21 +180,31 @@ void WithoutIdsOtherCountsHoldTheParticles(Check& check)
   const auto still = [](double) { return Three(0.0); };
   auto filter = MakeSkinOver(MakeSource(growing));
   UseNoIds(filter);
-  check.True(GetBytesAt(filter, 1.0) == BytesOver(still, 1.0), "they stay");
+  filter->UpdateTimeStep(1.0);
+  const auto bounds = GetSkinBounds(filter);
+  auto other = MakeSkinOver(MakeSource(still));
+  other->UpdateTimeStep(1.0);
+  // A ball far off does not come out of nothing. The others fade into themselves: their sum stays.
+  for (int i = 0; i < 6; ++i)
+  {
+    check.Near(bounds[i], GetSkinBounds(other)[i], 1e-4 * VoxelSize, "they stay");
+  }
 }
 
+// Half the way no sum is above the threshold any more.
 void NoParticlesLaterMakeTheSkinVanish(Check& check)
 {
   const auto leaving = [](double t) { return t < 1.0 ? MovingBall(0.0) : std::vector<Particle>(); };
   auto filter = MakeSkinOver(MakeSource(leaving));
   Messages messages(filter);
+  filter->UpdateTimeStep(0.4);
+  check.Less(0, filter->GetOutput()->GetNumberOfPolys(), "triangles on the way");
   filter->UpdateTimeStep(1.0);
-  check.Less(0, filter->GetOutput()->GetNumberOfPolys(), "triangles at the step without particles");
+  check.Equal(filter->GetOutput()->GetNumberOfPolys(), 0, "triangles at the step without any");
+  check.True(filter->GetOutput()->GetPoints() != nullptr, "the output is valid");
+  filter->UpdateTimeStep(0.0);
   filter->UpdateTimeStep(2.0);
   check.Equal(filter->GetOutput()->GetNumberOfPolys(), 0, "triangles after it");
-  check.True(filter->GetOutput()->GetPoints() != nullptr, "the output is valid");
-  filter->UpdateTimeStep(1.0);
-  filter->UpdateTimeStep(2.0);
   check.Equal(Messages::Count(messages.Warnings, "has vanished"), 1, "warnings");
   check.Equal(messages.Errors.size(), std::size_t(0), "errors");
 }
@@ -352,9 +374,9 @@ int main(int argc, char** argv)
   return RunFacts(argc, argv,
     { { "SkinFollowsParticlesBetweenSteps", SkinFollowsParticlesBetweenSteps },
       { "ParticlesAreMatchedByTheirIds", ParticlesAreMatchedByTheirIds },
-      { "ParticleThatIsMissingLaterStaysUntilThen", ParticleThatIsMissingLaterStaysUntilThen },
-      { "NewParticleAppearsAtItsOwnStep", NewParticleAppearsAtItsOwnStep },
-      { "WithoutIdsOtherCountsHoldTheParticles", WithoutIdsOtherCountsHoldTheParticles },
+      { "ParticleThatIsMissingLaterFadesOut", ParticleThatIsMissingLaterFadesOut },
+      { "NewParticleFadesIn", NewParticleFadesIn },
+      { "WithoutIdsOtherCountsAreCrossFaded", WithoutIdsOtherCountsAreCrossFaded },
       { "NoParticlesLaterMakeTheSkinVanish", NoParticlesLaterMakeTheSkinVanish },
       { "RadiusAndStrengthComeFromArrays", RadiusAndStrengthComeFromArrays },
       { "ScalarsAloneAreNoRadii", ScalarsAloneAreNoRadii },
