@@ -269,6 +269,7 @@ void NarrowBand::State::MakeStep(
     stable = motion.CFL * PaperTimeStep(whole, motion.Tension, this->VoxelSize, this->BoxSize);
     move.Sleeps = !std::isfinite(stable);
   }
+  stable = std::min(stable, motion.LongestStep);
   if (std::isfinite(move.MostTime))
   {
     CheckStep(stable, move.MostTime);

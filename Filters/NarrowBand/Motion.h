@@ -61,6 +61,9 @@ struct Motion
    */
   double CFL = 1.0;
 
+  /** No substep is longer: the target is looked at once in each of them, at its beginning. > 0. */
+  double LongestStep = std::numeric_limits<double>::infinity();
+
   ///@{
   /** Not both Exact: one displacement cannot restore two numbers. */
   Control AreaControl = Control::None;

@@ -104,6 +104,7 @@ void CheckMotion(const Motion& motion)
   Require(IsZeroOrPositive(motion.Attraction), "Attraction must be a finite number >= 0.");
   Require(std::isfinite(motion.Tension), "Tension must be a finite number.");
   Require(motion.CFL > 0.0 && std::isfinite(motion.CFL), "CFL must be a finite number > 0.");
+  Require(motion.LongestStep > 0.0, "LongestStep must be a number > 0.");
   Require(IsZeroOrPositive(motion.AreaStiffness) && IsZeroOrPositive(motion.VolumeStiffness),
     "AreaStiffness and VolumeStiffness must be finite numbers >= 0.");
   Require(IsZeroOrPositive(motion.TargetArea) && IsZeroOrPositive(motion.TargetVolume),

@@ -11,6 +11,15 @@
 namespace activesurface
 {
 
+namespace
+{
+
+// Least number of substeps from one step to the next while the target moves: so many times it is
+// looked at on its way, however slow the surface is.
+constexpr double SubstepsOfMovingTarget = 4.0;
+
+}
+
 void SurfaceSimulation::Configure(const SurfaceSettings& settings)
 {
   if (this->Settings != settings)
@@ -268,6 +277,12 @@ Motion SurfaceSimulation::GetMotion()
   if (domain)
   {
     std::copy_n(domain->Bounds, 6, motion.Box.Bounds);
+  }
+  if (this->Settings.InputMoves && this->Step >= 0 &&
+    this->Step + 1 < static_cast<int>(this->Settings.Steps.size()))
+  {
+    const double* steps = this->Settings.Steps.data() + this->Step;
+    motion.LongestStep = this->Settings.TimeScale * (steps[1] - steps[0]) / SubstepsOfMovingTarget;
   }
   return motion;
 }
