@@ -517,7 +517,7 @@ class Together(Case):
 
     def test_motion_times_beyond_numbers(self):
         for start, size, scale in ((0, 1e300, 1e300), (-1.7e308, 1e307, 1e10), (0, 1e-300, 1e-300)):
-            self.assert_survives(
+            _, listener = self.assert_survives(
                 ball_to_ball,
                 ("TimeScale", start, size, scale),
                 lambda surface, start=start, size=size, scale=scale: (
@@ -527,6 +527,7 @@ class Together(Case):
                 ),
                 1e308,
             )
+            self.assertEqual(len(listener.errors), 1 if scale > 1 else 0, listener.errors)
 
     def test_a_small_fraction_of_the_stable_step(self):
         for attraction in (0, 4):
