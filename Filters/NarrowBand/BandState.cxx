@@ -207,7 +207,7 @@ void NarrowBand::State::MakeDefaultStep(
   coefficients.Attracted = motion.Attraction > 0.0;
   coefficients.Central = motion.Gradient == GradientScheme::Central;
   coefficients.Uniform = static_cast<float>(move.Force.Speed);
-  coefficients.Advection = static_cast<float>(step / size);
+  coefficients.Advection = AdvectionFactor(step, size);
   coefficients.Tension = static_cast<float>(step * motion.Tension / (size * size));
   const double speed = limits.Speed + std::fabs(move.Force.Speed);
   coefficients.Relaxation = static_cast<float>(RelaxationFor(step * tracking, step * speed / size));
@@ -228,7 +228,7 @@ void NarrowBand::State::MakeDefaultStep(
 
 void NarrowBand::State::MakePaperStep(const Motion& motion, Move& move)
 {
-  StepPaper(this->Leaves, move.Step / this->VoxelSize, this->Buffers);
+  StepPaper(this->Leaves, AdvectionFactor(move.Step, this->VoxelSize), this->Buffers);
   if (motion.Box.Present)
   {
     ClampToWalls(this->Leaves, motion.Box, this->VoxelSize, this->Buffers);
@@ -270,10 +270,7 @@ void NarrowBand::State::MakeStep(
     move.Sleeps = !std::isfinite(stable);
   }
   stable = std::min(stable, motion.LongestStep);
-  if (std::isfinite(move.MostTime))
-  {
-    CheckStep(stable, move.MostTime);
-  }
+  CheckStep(stable, this->VoxelSize, move.MostTime);
   move.Step = std::min(stable, move.MostTime);
   if (move.Sleeps)
   {

@@ -61,7 +61,9 @@ Box LatticeBox(double voxelSize, const double bounds[6])
     }
     if (!(std::fabs(low) < farthest && std::fabs(high) < farthest))
     {
-      RefuseBounds(bounds, "hold more than 10^9 voxels along an axis; enlarge VoxelSize.");
+      RefuseBounds(bounds,
+        "hold more than 10^9 voxels along an axis; enlarge VoxelSize or shrink "
+        "ModelBounds (without them: is there a particle far from the others?).");
     }
     box.First[axis] = static_cast<int>(std::floor(low + rounding));
     box.Last[axis] = static_cast<int>(std::ceil(high - rounding));
@@ -302,6 +304,21 @@ void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& pot
     });
 }
 
+/** Whether a node is inside by more than what fast sweeping takes for zero; it refuses others. */
+bool HasInside(const openvdb::FloatTree& function)
+{
+  constexpr float zero = 1e-8f;
+  for (auto it = function.cbeginValueOn(); it; ++it)
+  {
+    if (*it < -zero)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Null if there is nothing inside. */
 openvdb::FloatTree::Ptr NearbyDistances(const Sampler& sampler, const CrossedNodes& crossed)
 {
   // One node more than the layers, so that every layer has central differences.
@@ -312,6 +329,10 @@ openvdb::FloatTree::Ptr NearbyDistances(const Sampler& sampler, const CrossedNod
   function->setTree(
     std::make_shared<openvdb::FloatTree>(nearby, NarrowBand::Far, openvdb::TopologyCopy()));
   SampleActiveNodes(sampler, crossed, function->tree());
+  if (!HasInside(function->tree()))
+  {
+    return nullptr;
+  }
   openvdb::tools::signedFloodFillWithValues(function->tree(), NarrowBand::Far, -NarrowBand::Far);
   const auto swept = openvdb::tools::sdfToSdf(*function, 0.f, 1);
   SmoothDistances(function->tree(), swept->tree());
@@ -342,11 +363,9 @@ openvdb::FloatTree::Ptr MakeInitialPotential(double voxelSize, const double boun
   {
     return nullptr;
   }
-  if (crossed.empty())
-  {
-    return std::make_shared<openvdb::FloatTree>(NarrowBand::Far);
-  }
-  return NearbyDistances(sampler, crossed);
+  const openvdb::FloatTree::Ptr potential =
+    crossed.empty() ? nullptr : NearbyDistances(sampler, crossed);
+  return potential ? potential : std::make_shared<openvdb::FloatTree>(NarrowBand::Far);
 }
 
 }

@@ -114,17 +114,36 @@ void CheckMotion(const Motion& motion)
     "numbers; make one of them PENALTY.");
 }
 
-void CheckStep(double step, double remaining)
+void CheckStep(double step, double voxelSize, double remaining)
 {
   constexpr double mostSubsteps = 1e6;
-  if (!(step * mostSubsteps > remaining))
+  const bool isTooSmall = !(step / voxelSize >= std::numeric_limits<float>::min());
+  const bool isTooOften = std::isfinite(remaining) && !(step * mostSubsteps > remaining);
+  if (isTooSmall || isTooOften)
   {
     std::ostringstream text;
-    text << "The stable time step is " << step << ", more than a million substeps for the "
-         << remaining << " to go; lower Attraction, Tension or the stiffnesses, enlarge VoxelSize, "
-         << "or check the scale of the target function (NormalizeTarget).";
+    text << "The stable time step is " << step << ", ";
+    if (isTooOften)
+    {
+      text << "more than a million substeps for the " << remaining << " to go";
+    }
+    else
+    {
+      text << "too small for single precision";
+    }
+    text << "; lower Attraction, Tension, AreaStiffness, VolumeStiffness, TimeScale or "
+         << "TimeStepSize, raise CFL, "
+         << "VoxelSize, TargetArea or TargetVolume, or check the scale of the target function "
+         << "(NormalizeTarget).";
     throw std::runtime_error(text.str());
   }
+}
+
+// A step may be long beyond single precision, where the speed is 0 in it.
+float AdvectionFactor(double step, double voxelSize)
+{
+  constexpr double most = std::numeric_limits<float>::max();
+  return static_cast<float>(std::min(step / voxelSize, most));
 }
 
 }

@@ -45,8 +45,12 @@ double RelaxationFor(double tracking, double advection);
 /** Throws std::invalid_argument for a motion that cannot be. */
 void CheckMotion(const Motion& motion);
 
-/** Throws std::runtime_error for a step that would take more than a million for the rest. */
-void CheckStep(double step, double remaining);
+/** Throws std::runtime_error for a stable step that would take more than a million for the rest, or
+ * whose speeds single precision does not hold. */
+void CheckStep(double step, double voxelSize, double remaining);
+
+/** What a speed is multiplied by to give voxels per step. */
+float AdvectionFactor(double step, double voxelSize);
 
 }
 

@@ -96,6 +96,10 @@ ImageSamples::ImageSamples(vtkImageData* image, const ImageLevel& level)
   : IsoValue(level.IsoValue)
   , Sign(level.InvertInside ? -1.0 : 1.0)
 {
+  if (!std::isfinite(level.IsoValue))
+  {
+    throw std::invalid_argument("IsoValue has to be a finite number.");
+  }
   image->GetExtent(this->Extent);
   CheckExtent(this->Extent);
   this->Pixels = FindPixels(image, level.ArrayName);

@@ -89,7 +89,7 @@ void CheckSize(const MeshTriangles& mesh, double voxelSize, double reach, double
     std::ostringstream text;
     text << "The distances to the mesh would need about " << voxels
          << " voxels, more than MaximumNumberOfVoxels = " << maximum
-         << "; enlarge VoxelSize, lessen Reach or raise the maximum.";
+         << "; enlarge VoxelSize, lessen Reach or MeshThickness, or raise the maximum.";
     throw std::runtime_error(text.str());
   }
 }

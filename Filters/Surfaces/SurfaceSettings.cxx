@@ -32,6 +32,15 @@ bool IsZeroOrPositive(double value)
   return std::isfinite(value) && value >= 0.0;
 }
 
+// Speeds are kept in single precision.
+constexpr double ShortestLength = 1e-30;
+constexpr double LongestLength = 1e30;
+
+bool IsLength(double value)
+{
+  return value >= ShortestLength && value <= LongestLength;
+}
+
 void CheckBounds(const std::array<double, 6>& bounds)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -65,7 +74,8 @@ void CheckStrategy(const Motion& motion)
   Require(IsZeroOrPositive(motion.Attraction), "Attraction has to be a finite number >= 0.");
   Require(IsZeroOrPositive(motion.Tension),
     "Tension has to be a finite number >= 0: a negative one would be unstable.");
-  Require(IsPositive(motion.CFL) && motion.CFL <= 1.0, "CFL has to be in (0, 1].");
+  constexpr double leastCFL = 1e-6; // below, what a substep moves is lost in rounding
+  Require(motion.CFL >= leastCFL && motion.CFL <= 1.0, "CFL has to be between 1e-6 and 1.");
   Require(IsZeroOrPositive(motion.AreaStiffness), "AreaStiffness has to be a finite number >= 0.");
   Require(
     IsZeroOrPositive(motion.VolumeStiffness), "VolumeStiffness has to be a finite number >= 0.");
@@ -91,6 +101,14 @@ SurfaceDomain MakeDomainOf(const SurfaceSettings& settings, const double bounds[
     square += side * side;
   }
   domain.VoxelSize = settings.VoxelSize > 0.0 ? settings.VoxelSize : longest / 64.0;
+  if (domain.VoxelSize != 0.0 && !IsLength(domain.VoxelSize))
+  {
+    std::ostringstream text;
+    text << "VoxelSize, which is not set, would be " << domain.VoxelSize
+         << ", a 64th of the longest side of ModelBounds, or of the target; it has to be between "
+         << ShortestLength << " and " << LongestLength << ".";
+    throw std::invalid_argument(text.str());
+  }
   domain.Reach = settings.Reach > 0.0 ? settings.Reach : std::sqrt(square) / 8.0;
   return domain;
 }
@@ -120,19 +138,24 @@ double SurfaceSettings::GetMotionTime(double pipelineTime) const
 
 void SurfaceSettings::Check() const
 {
-  Require(IsZeroOrPositive(this->VoxelSize),
-    "VoxelSize has to be a finite number > 0, or 0 for a 64th of the bounds' longest side.");
+  Require(this->VoxelSize == 0.0 || IsLength(this->VoxelSize),
+    "VoxelSize has to be between 1e-30 and 1e30, or 0 for a 64th of the bounds' longest side.");
   Require(IsZeroOrPositive(this->Reach),
     "TargetReach has to be a finite number > 0, or 0 for an eighth of the bounds' diagonal.");
   Require(std::isfinite(this->IsoValue), "TargetIsoValue has to be a finite number.");
   CheckStrategy(this->Strategy);
   Require(IsZeroOrPositive(this->Rest.Tolerance), "RestTolerance has to be a finite number >= 0.");
   Require(IsPositive(this->TimeScale), "TimeScale has to be a finite number > 0.");
-  Require(IsZeroOrPositive(this->Particles.Radius),
-    "ParticleRadius has to be a finite number > 0, or 0 for one that is estimated.");
+  Require(this->Particles.Radius == 0.0 || IsLength(this->Particles.Radius),
+    "ParticleRadius has to be between 1e-30 and 1e30, or 0 for one that is estimated.");
   Require(std::isfinite(this->Particles.Threshold), "ParticleThreshold has to be a finite number.");
-  Require(IsZeroOrPositive(this->MeshThickness), "MeshThickness has to be a finite number >= 0.");
+  Require(this->MeshThickness >= 0.0 && this->MeshThickness <= LongestLength,
+    "MeshThickness has to be between 0 and 1e30.");
   CheckSteps(this->Steps);
+  Require(std::isfinite(this->GetMotionTime(this->Steps.back())),
+    "The motion time of the last step, TimeScale * (its time - that of the first step), has to be "
+    "finite; check TimeScale, StartTime, TimeStepSize and NumberOfTimeSteps, or the time steps of "
+    "the input.");
   if (this->BoundsGiven)
   {
     CheckBounds(this->Bounds);

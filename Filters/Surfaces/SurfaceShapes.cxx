@@ -192,7 +192,10 @@ void SurfaceShapes::MakeFunction(int step, TargetFrame& frame)
   }
   catch (const std::runtime_error& error)
   {
-    throw std::runtime_error(where.str() + error.what());
+    const char* hint = frame.Kind == TargetKind::Mesh
+      ? " (Its Reach is TargetReach and the size of TargetIsoValue together.)"
+      : "";
+    throw std::runtime_error(where.str() + error.what() + hint);
   }
 }
 

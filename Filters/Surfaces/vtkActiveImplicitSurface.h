@@ -154,7 +154,8 @@ public:
   /**
    * Distance of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
    * at its multiples. Halving it takes 4 times the memory, 8 (with Tension 16) times the time.
-   * Range: >= 0; 0 is a 64th of the longest side of the bounds. Default: 0.
+   * Range: >= 0; 1e-30 to 1e30, or 0, which is a 64th of the longest side of the bounds.
+   * Default: 0.
    */
   vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
@@ -187,8 +188,8 @@ public:
   /**
    * Distance [length] at which the influence of a particle, or of a line of a skeleton, ends, where
    * no array of radii is chosen. The skin of a single particle is smaller: .45 of it for the kernel
-   * WYVILL and the threshold .5. Range: >= 0; 0 is twice the usual distance of neighbours at the
-   * first time step, with a warning that says the value. Default: 0.
+   * WYVILL and the threshold .5. Range: >= 0; 1e-30 to 1e30, or 0, which is twice the usual
+   * distance of neighbours at the first time step, with a warning that says the value. Default: 0.
    */
   vtkSetClampMacro(ParticleRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleRadius, double);
@@ -219,7 +220,8 @@ public:
   /**
    * Thickness [length] of the shell that an input mesh with open edges becomes; a closed one is a
    * solid all the same. Below about two voxels the shell has holes.
-   * Range: >= 0. Default: 0, no shell: an open mesh has no inside, or a wrong one, with a warning.
+   * Range: >= 0, at most 1e30. Default: 0, no shell: an open mesh has no inside, or a wrong one,
+   * with a warning.
    */
   vtkSetClampMacro(MeshThickness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshThickness, double);

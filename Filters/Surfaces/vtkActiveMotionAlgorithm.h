@@ -49,7 +49,7 @@ public:
   ///@{
   /**
    * Fraction of the stable time step that a substep takes. Smaller is more exact in time, and takes
-   * 1 / CFL times as long. Range: 0 (excluded) to 1. Default: 1.
+   * 1 / CFL times as long. Range: 1e-6 to 1. Default: 1.
    */
   vtkSetMacro(CFL, double);
   vtkGetMacro(CFL, double);
@@ -79,9 +79,10 @@ public:
 
   ///@{
   /**
-   * How the area of the skin is held (paper, section 5.1), as VolumeControl; a penalty's offset is
-   * e (1 - e)^(1/2) = 2 Tension / (AreaStiffness r0), and its least stiffness 5.196 Tension / r0.
-   * Not EXACT together with VolumeControl: one displacement cannot restore both. Default: NONE.
+   * How the area of the skin is held (paper, section 5.1): NONE (0), PENALTY (1) or EXACT (2), as
+   * with VolumeControl. The offset of a penalty is e (1 - e)^(1/2) = 2 Tension / (AreaStiffness
+   * r0), its least stiffness 5.196 Tension / r0. Not EXACT together with VolumeControl: one
+   * displacement cannot restore both. Default: NONE.
    */
   vtkSetClampMacro(AreaControl, int, NONE, EXACT);
   vtkGetMacro(AreaControl, int);

@@ -75,7 +75,7 @@ public:
 
   ///@{
   /**
-   * Image: the sample on the surface F = 0 [unit of the image]. Default: 0.
+   * Image: the sample on the surface F = 0 [unit of the image]. Range: finite. Default: 0.
    */
   vtkSetMacro(IsoValue, double);
   vtkGetMacro(IsoValue, double);

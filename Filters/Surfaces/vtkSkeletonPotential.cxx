@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <exception>
 #include <mutex>
+#include <stdexcept>
 #include <vector>
 
 vtkStandardNewMacro(vtkSkeletonPotential);
@@ -133,6 +135,10 @@ void vtkSkeletonPotential::ReadElements()
   own.Skeleton.Clear();
   try
   {
+    if (!std::isfinite(this->Threshold))
+    {
+      throw std::invalid_argument("Threshold has to be a finite number.");
+    }
     if (own.HasOwnElements)
     {
       own.IgnoredElements = this->AddOwnElements();

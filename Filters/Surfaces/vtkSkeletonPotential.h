@@ -79,7 +79,7 @@ public:
   ///@{
   /**
    * Distance [length] at which the influence of an element ends, where no array says it.
-   * Range: > 0; at 0 all elements are ignored, with a warning. Default: 1.
+   * Range: >= 0; 1e-100 to 1e100, else all elements are ignored, with a warning. Default: 1.
    */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
@@ -119,7 +119,7 @@ public:
   ///@{
   /**
    * Sum of influences [1] on the surface F = 0, and the value of F away from all elements: lower is
-   * thicker. Range: > 0 for a bounded inside. Default: 0.5.
+   * thicker. Range: finite, > 0 for a bounded inside. Default: 0.5.
    */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);

@@ -1,68 +1,138 @@
-"""help(vtkActiveImplicitSurface) tells unit, range and default of every property, and truly."""
+"""help() tells unit, range and default of every property of the three classes, and truly."""
 
 import pydoc
 import re
 import unittest
 
 import active_implicit_surfaces
-from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotential
+from active_implicit_surfaces import (
+    vtkActiveImplicitSurface,
+    vtkActiveMotionAlgorithm,
+    vtkGridPotential,
+    vtkSkeletonPotential,
+)
+from properties import comment_of, get, own_properties
 
-NUMBERS = """
-    TargetIsoValue TargetReach VoxelSize MaximumNumberOfActiveVoxels Attraction Tension CFL
-    StartTime TimeStepSize NumberOfTimeSteps TimeScale ParticleRadius ParticleThreshold
-    MeshThickness NumberOfThreads
-""".split()
-NOT_NUMBERS = """
-    InvertTarget NormalizeTarget ModelBounds ComputeNormals OutputPotential ParticleKernel
-""".split()
-WITH_UNIT = """
-    TargetReach VoxelSize ModelBounds Attraction Tension StartTime TimeStepSize TimeScale
-    ParticleRadius MeshThickness
-""".split()
+# Of each class: numbers with a range, of which some have a unit; and what is no number.
+NUMBERS = {
+    vtkActiveImplicitSurface: """
+        TargetIsoValue TargetReach VoxelSize MaximumNumberOfActiveVoxels Attraction Tension CFL
+        VolumeStiffness AreaStiffness TargetVolume TargetArea RestTolerance
+        MaximumNumberOfSubsteps StartTime TimeStepSize NumberOfTimeSteps TimeScale ParticleRadius
+        ParticleThreshold MeshThickness NumberOfThreads
+    """.split(),
+    vtkSkeletonPotential: "Radius Threshold".split(),
+    vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness MaximumNumberOfVoxels".split(),
+}
+SWITCHES = {
+    vtkActiveImplicitSurface: """
+        InvertTarget NormalizeTarget BoundedDomain ComputeNormals OutputPotential PaperScheme
+    """.split(),
+    vtkSkeletonPotential: [],
+    vtkGridPotential: ["InvertInside"],
+}
+CHOICES = {
+    vtkActiveImplicitSurface: """
+        VolumeControl AreaControl EvolutionMode TargetEvaluation GradientScheme ParticleKernel
+    """.split(),
+    vtkSkeletonPotential: ["Kernel"],
+    vtkGridPotential: [],
+}
+OTHERS = {
+    vtkActiveImplicitSurface: "TargetFunction InitialFunction ModelBounds".split(),
+    vtkSkeletonPotential: "Input RadiusArrayName StrengthArrayName".split(),
+    vtkGridPotential: "Input ScalarArrayName".split(),
+}
+WITH_UNIT = {
+    vtkActiveImplicitSurface: """
+        TargetIsoValue TargetReach VoxelSize ModelBounds Attraction Tension VolumeStiffness
+        AreaStiffness TargetVolume TargetArea RestTolerance StartTime TimeStepSize TimeScale
+        ParticleRadius MeshThickness
+    """.split(),
+    vtkSkeletonPotential: "Radius RadiusArrayName StrengthArrayName Threshold".split(),
+    vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness".split(),
+}
 
 
-def comment_of(name):
-    """The property's comment, without the signature lines that the wrapper puts above it."""
-    signatures, _, comment = getattr(vtkActiveImplicitSurface, "Set" + name).__doc__.rpartition(
-        "\nC++: "
-    )
-    return comment.partition("\n")[2] if signatures else comment
+def every(*lists):
+    """(class, name) of the properties in these."""
+    return [(kind, name) for names in lists for kind in names for name in names[kind]]
 
 
 class HelpTellsEverything(unittest.TestCase):
+    def about(self, kind, name):
+        return self.subTest(f"{kind.__name__}.{name}")
+
+    def test_every_property_is_in_one_list(self):
+        for kind in NUMBERS:
+            with self.subTest(kind.__name__):
+                listed = NUMBERS[kind] + SWITCHES[kind] + CHOICES[kind] + OTHERS[kind]
+                self.assertEqual(sorted(listed), own_properties(kind))
+
+    def test_the_motion_is_among_the_properties_of_the_surface(self):
+        motion = own_properties(vtkActiveMotionAlgorithm)
+        self.assertIn("Tension", motion)
+        self.assertLess(set(motion), set(own_properties(vtkActiveImplicitSurface)))
+
     def test_every_property_tells_its_default(self):
-        for name in NUMBERS + NOT_NUMBERS:
-            with self.subTest(name):
-                self.assertIn("Default", comment_of(name))
+        for kind, name in every(NUMBERS, SWITCHES, CHOICES, OTHERS):
+            with self.about(kind, name):
+                comment = comment_of(kind, name)
+                self.assertIn("Default:", comment)
 
     def test_every_number_tells_its_range(self):
-        for name in NUMBERS:
-            with self.subTest(name):
-                self.assertIn("Range", comment_of(name))
+        for kind, name in every(NUMBERS):
+            with self.about(kind, name):
+                comment = comment_of(kind, name)
+                self.assertIn("Range:", comment)
 
     def test_every_quantity_tells_its_unit(self):
-        for name in WITH_UNIT:
-            with self.subTest(name):
-                self.assertRegex(comment_of(name), r"\[[^\]]+\]")
+        for kind, name in every(WITH_UNIT):
+            with self.about(kind, name):
+                comment = comment_of(kind, name)
+                self.assertRegex(comment, r"\[[^\]]+\]")
 
-    def test_a_default_that_is_a_number_is_the_one_a_new_filter_has(self):
-        surface = vtkActiveImplicitSurface()
-        for name in NUMBERS:
-            told = re.search(r"Default:\s*(-?\d[\d.]*(?:e[+-]?\d+)?)", comment_of(name))
-            if told:
-                with self.subTest(name):
-                    default = float(told.group(1).rstrip("."))
-                    self.assertEqual(getattr(surface, "Get" + name)(), default)
+    def test_every_choice_tells_its_values(self):
+        for kind, name in every(CHOICES):
+            with self.about(kind, name):
+                comment = comment_of(kind, name)
+                values = getattr(kind(), f"Get{name}MaxValue")() + 1
+                told = {int(value) for value in re.findall(r"\s\((\d)\)", comment)}
+                self.assertEqual(told, set(range(values)))
+
+    def test_a_default_that_is_a_number_is_the_one_a_new_object_has(self):
+        told = 0
+        for kind, name in every(NUMBERS):
+            with self.about(kind, name):
+                comment = comment_of(kind, name)
+                number = re.search(r"Default:\s*(-?\d[\d.]*(?:e[+-]?\d+)?)", comment)
+                self.assertIsNotNone(number)
+                self.assertEqual(get(kind(), name), float(number[1].rstrip(".")))
+                told += 1
+        self.assertEqual(told, len(every(NUMBERS)))
+
+    def test_a_switch_tells_how_it_is_made(self):
+        for kind, name in every(SWITCHES):
+            with self.about(kind, name):
+                comment = comment_of(kind, name)
+                self.assertIn("Default: on" if get(kind(), name) else "Default: off", comment)
+
+    def test_a_choice_tells_which_it_begins_with(self):
+        for kind, name in every(CHOICES):
+            with self.about(kind, name):
+                comment = comment_of(kind, name)
+                word = re.search(r"Default:\s*(\w+)", comment)[1]
+                self.assertEqual(get(kind(), name), getattr(kind, word, 0))
 
     def test_help_shows_all_of_it(self):
-        shown = pydoc.plain(pydoc.render_doc(vtkActiveImplicitSurface))
-        for name in NUMBERS + NOT_NUMBERS:
-            with self.subTest(name):
-                self.assertTrue("Set" + name in shown, "help() does not show it")
+        shown = {kind: pydoc.plain(pydoc.render_doc(kind)) for kind in NUMBERS}
+        for kind, name in every(NUMBERS, SWITCHES, CHOICES, OTHERS):
+            with self.about(kind, name):
+                self.assertTrue("Set" + name in shown[kind], "help() does not show it")
 
     def test_the_classes_and_the_package_say_what_they_are(self):
-        self.assertTrue(vtkActiveImplicitSurface.__doc__)
-        self.assertTrue(vtkSkeletonPotential.__doc__)
+        for kind in (*NUMBERS, vtkActiveMotionAlgorithm):
+            self.assertTrue(kind.__doc__)
         self.assertRegex(active_implicit_surfaces.__version__, r"^\d+\.\d+\.\d+$")
 
 

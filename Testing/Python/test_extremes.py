@@ -1,0 +1,556 @@
+"""Absurd values of every property of the three classes, before the first update and after one.
+
+Each is refused by one error that names the property, or clamped as its comment says, or it works:
+a closed skin of finite points, or none and a warning. Nothing crashes, hangs or eats the memory.
+The name of each case is printed before it runs, so that the last one tells what crashed.
+
+Run: python3 test_extremes.py
+"""
+
+import faulthandler
+import math
+import re
+import resource
+import time
+import unittest
+
+import numpy
+from active_implicit_surfaces import (
+    vtkActiveImplicitSurface,
+    vtkGridPotential,
+    vtkSkeletonPotential,
+)
+from properties import comment_of, get, own_properties, put
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkSphere
+from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkImagingHybrid import vtkSampleFunction
+
+MEMORY = 4 << 30  # bytes of address space
+LONGEST = 2.0  # seconds that a case may take
+HANGS = 30  # seconds after which the test ends itself
+
+INT_MAX = 2**31 - 1
+NUMBERS = (0.0, -0.0, -1.0, 1e-300, -1e-300, 1e300, -1e300, math.nan, math.inf, -math.inf)
+INTEGERS = (0, -1, 1, INT_MAX, -INT_MAX - 1)
+NAMES = (None, "", "absent")
+
+FIRST, LATER = 0.1, 0.2
+# What an error calls a property whose name it does not tell.
+NAMES_FOR = {"ScalarArrayName": "array", "RadiusArrayName": "array", "StrengthArrayName": "array"}
+VOXEL = 1 / 12
+
+
+def make_ball(radius):
+    ball = vtkSphere()
+    ball.SetRadius(radius)
+    return ball
+
+
+def make_surface():
+    surface = vtkActiveImplicitSurface()
+    surface.SetVoxelSize(VOXEL)
+    surface.SetAttraction(4)
+    surface.SetNumberOfThreads(1)
+    surface.SetMaximumNumberOfActiveVoxels(100000)
+    surface.SetMaximumNumberOfSubsteps(20)
+    surface.OutputPotentialOn()
+    return surface
+
+
+def ball_to_ball():
+    surface = make_surface()
+    surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
+    surface.SetInitialFunction(make_ball(0.45))
+    surface.SetTargetFunction(make_ball(0.6))
+    return surface
+
+
+def penalties():
+    surface = ball_to_ball()
+    surface.SetTension(0.01)
+    surface.SetVolumeControlToPenalty()
+    surface.SetAreaControlToPenalty()
+    return surface
+
+
+def exact_volume():
+    surface = ball_to_ball()
+    surface.SetVolumeControlToExact()
+    return surface
+
+
+def exact_area():
+    surface = ball_to_ball()
+    surface.SetAreaControlToExact()
+    return surface
+
+
+def to_rest():
+    surface = ball_to_ball()
+    surface.SetEvolutionModeToEquilibrium()
+    return surface
+
+
+def penalties_to_rest():
+    surface = penalties()
+    surface.SetEvolutionModeToEquilibrium()
+    return surface
+
+
+def tension_to_rest():
+    surface = to_rest()
+    surface.SetAttraction(0)
+    surface.SetTension(0.01)
+    return surface
+
+
+def paper():
+    surface = ball_to_ball()
+    surface.PaperFaithful()
+    return surface
+
+
+def paper_to_rest():
+    surface = to_rest()
+    surface.PaperFaithful()
+    return surface
+
+
+def raw():
+    surface = ball_to_ball()
+    surface.NormalizeTargetOff()
+    return surface
+
+
+def at_nodes():
+    surface = ball_to_ball()
+    surface.SetTargetEvaluationToNode()
+    return surface
+
+
+def in_a_box():
+    surface = ball_to_ball()
+    surface.SetModelBounds(-0.5, 0.5, -1, 1, -1, 1)
+    surface.BoundedDomainOn()
+    return surface
+
+
+def particles():
+    points = vtkPoints()
+    for x in (-0.2, 0.2):
+        points.InsertNextPoint(x, 0, 0)
+    data = vtkPolyData()
+    data.SetPoints(points)
+    surface = make_surface()
+    surface.SetInputData(data)
+    surface.SetParticleRadius(0.8)
+    return surface
+
+
+def skeleton():
+    source = vtkLineSource()
+    surface = make_surface()
+    surface.SetInputConnection(source.GetOutputPort())
+    surface.SetParticleRadius(0.8)
+    return surface
+
+
+def mesh():
+    source = vtkSphereSource()
+    surface = make_surface()
+    surface.SetInputConnection(source.GetOutputPort())
+    return surface
+
+
+def open_mesh():
+    source = vtkPlaneSource()
+    surface = make_surface()
+    surface.SetInputConnection(source.GetOutputPort())
+    surface.SetMeshThickness(0.3)
+    return surface
+
+
+def make_image():
+    sample = vtkSampleFunction()
+    sample.SetImplicitFunction(make_ball(0.6))
+    sample.SetModelBounds(-1, 1, -1, 1, -1, 1)
+    sample.SetSampleDimensions(20, 20, 20)
+    return sample
+
+
+def image():
+    sample = make_image()
+    surface = make_surface()
+    surface.SetInputConnection(sample.GetOutputPort())
+    return surface
+
+
+def output_of(source):
+    source.Update()
+    return source.GetOutput()
+
+
+# Of the scenes other than the first, the properties that matter there more, or in another way.
+SCENES = {
+    penalties: "Tension AreaStiffness VolumeStiffness TargetArea TargetVolume CFL",
+    exact_volume: "Tension TargetVolume VolumeControl AreaControl",
+    exact_area: "Tension TargetArea",
+    to_rest: "Attraction CFL RestTolerance MaximumNumberOfSubsteps TimeScale StartTime",
+    penalties_to_rest: "AreaStiffness VolumeStiffness TargetArea TargetVolume",
+    tension_to_rest: "Attraction Tension CFL TimeScale",
+    paper: "Attraction Tension CFL NormalizeTarget",
+    paper_to_rest: "Attraction Tension CFL",
+    raw: "Attraction TargetIsoValue",
+    at_nodes: "Attraction TargetIsoValue TargetReach",
+    in_a_box: "Attraction TargetIsoValue VoxelSize",
+    particles: "ParticleRadius ParticleThreshold ParticleKernel VoxelSize TargetIsoValue",
+    skeleton: "ParticleRadius ParticleThreshold ParticleKernel VoxelSize TargetIsoValue",
+    mesh: "MeshThickness TargetReach TargetIsoValue",
+    open_mesh: "MeshThickness TargetReach TargetIsoValue VoxelSize",
+    image: "TargetIsoValue TargetReach VoxelSize",
+}
+
+
+def extremes_of(default):
+    """Absurd values for a property that has this one now; none for functions and data."""
+    if isinstance(default, float):
+        yield from NUMBERS
+    elif isinstance(default, int):
+        yield from INTEGERS
+    elif isinstance(default, str):
+        yield from NAMES
+    elif isinstance(default, tuple):
+        for i in range(len(default)):
+            for number in NUMBERS:
+                yield (*default[:i], number, *default[i + 1 :])
+    elif default is not None and not hasattr(default, "IsA"):
+        raise AssertionError(f"no extremes are known for {default!r}")
+
+
+def documented_bounds(kind, name):
+    """Least and largest value that the comment tells."""
+    comment = " ".join(comment_of(kind, name).split())
+    told = re.search(r"Range: (\d+) to (\d+)", comment)
+    if told:
+        return float(told[1]), float(told[2])
+    told = re.search(r"Range: >= (\d+)", comment)
+    if told:
+        return float(told[1]), math.inf
+    values = [float(value) for value in re.findall(r"\((\d)\)", comment)]
+    return (min(values), max(values)) if values else (math.nan, math.nan)
+
+
+class Listener:
+    """What an object says from now on."""
+
+    def __init__(self, thing):
+        self.errors = []
+        self.warnings = []
+
+        @calldata_type(VTK_STRING)
+        def on_error(caller, event, text):
+            self.errors.append(text)
+
+        @calldata_type(VTK_STRING)
+        def on_warning(caller, event, text):
+            self.warnings.append(text)
+
+        thing.AddObserver("ErrorEvent", on_error)
+        thing.AddObserver("WarningEvent", on_warning)
+        if hasattr(thing, "GetExecutive"):
+            # What the pipeline adds to an error is not of interest, but would be printed.
+            thing.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
+
+    def forget(self):
+        self.errors.clear()
+        self.warnings.clear()
+
+
+def points_of(skin):
+    points = skin.GetPoints()
+    return vtk_to_numpy(points.GetData()) if points else numpy.zeros((0, 3))
+
+
+def is_closed(skin):
+    """Whether each edge is in two triangles that agree on the side."""
+    corners = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    ends = numpy.roll(corners, -1, axis=1).ravel()
+    edges = corners.astype(numpy.int64).ravel() * skin.GetNumberOfPoints() + ends
+    others = ends.astype(numpy.int64) * skin.GetNumberOfPoints() + corners.ravel()
+    return len(numpy.unique(edges)) == len(edges) and numpy.array_equal(
+        numpy.sort(edges), numpy.sort(others)
+    )
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        faulthandler.dump_traceback_later(HANGS, exit=True)
+
+    def tearDown(self):
+        faulthandler.cancel_dump_traceback_later()
+
+    def begin(self, *words):
+        print(*words, flush=True)
+        faulthandler.dump_traceback_later(HANGS, exit=True)
+        return self.subTest(" ".join(str(word) for word in words))
+
+    def assert_is_clamped(self, thing, name, value):
+        """If the value has become another one, it is the bound that the comment tells."""
+        got = get(thing, name)
+        if got == value or value is None or not isinstance(value, (int, float)):
+            return
+        if math.isnan(value):
+            self.assertTrue(math.isnan(got))
+            return
+        least, largest = documented_bounds(type(thing), name)
+        bound = least if value < least else largest
+        if bound == math.inf:
+            self.assertTrue(1e299 <= got < math.inf or got >= INT_MAX)
+        else:
+            self.assertEqual(got, bound)
+
+    def assert_is_sane(self, surface):
+        """Finite and closed."""
+        skin = surface.GetOutput()
+        self.assertTrue(numpy.isfinite(points_of(skin)).all(), "a point is not finite")
+        normals = skin.GetPointData().GetNormals()
+        if normals:
+            self.assertTrue(numpy.isfinite(vtk_to_numpy(normals)).all(), "normals are not finite")
+        self.assertTrue(is_closed(skin), "not closed")
+        if surface.GetOutputPotential():
+            values = surface.GetPotential().GetPointData().GetScalars()
+            self.assertTrue(numpy.isfinite(vtk_to_numpy(values)).all(), "potential is not finite")
+        history = surface.GetHistory()
+        for name in ("Time", "Area", "Volume", "MaxSpeed"):
+            column = vtk_to_numpy(history.GetColumnByName(name))
+            self.assertTrue(numpy.isfinite(column).all(), f"{name} of the history: {column}")
+
+    def assert_is_refused(self, surface, listener, *names):
+        self.assertEqual(len(listener.errors), 1)
+        for name in names:
+            self.assertIn(name, listener.errors[0])
+        self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
+        self.assertEqual(surface.GetPotential().GetNumberOfPoints(), 0)
+        self.assertEqual(surface.GetHistory().GetNumberOfRows(), 0)
+
+    def update(self, surface, listener, pipeline_time):
+        listener.forget()
+        began = time.monotonic()
+        surface.UpdateTimeStep(pipeline_time)
+        self.assertLess(time.monotonic() - began, LONGEST)
+
+    def check(self, surface, listener, name, pipeline_time=LATER):
+        """Updates, and returns whether that is refused."""
+        self.update(surface, listener, pipeline_time)
+        if listener.errors:
+            self.assert_is_refused(surface, listener, name)
+            return True
+        self.assert_is_sane(surface)
+        if surface.GetOutput().GetNumberOfPoints() == 0:
+            self.assertTrue(listener.warnings, "no skin, and no word")
+        return False
+
+
+class OfTheSurface(Case):
+    """Each property of the filter, and those of a scene again there."""
+
+    def go_through(self, make, names):
+        self.reference = make()
+        Listener(self.reference)
+        self.reference.UpdateTimeStep(LATER)
+        self.assertGreater(self.reference.GetOutput().GetNumberOfPoints(), 0)
+        for name in names:
+            for value in extremes_of(get(self.reference, name)):
+                for when in ("before", "after"):
+                    with self.begin(make.__name__, name, value, when):
+                        self.try_value(make, name, value, when)
+
+    def try_value(self, make, name, value, when):
+        surface = make()
+        listener = Listener(surface)
+        if when == "after":
+            surface.UpdateTimeStep(FIRST)
+        put(surface, name, value)
+        self.assert_is_clamped(surface, name, value)
+        if self.check(surface, listener, name):
+            put(surface, name, get(self.reference, name))
+            self.update(surface, listener, LATER)
+            self.assertEqual(listener.errors, [])
+            self.assertEqual(
+                points_of(surface.GetOutput()).tobytes(),
+                points_of(self.reference.GetOutput()).tobytes(),
+            )
+
+    def test_every_property(self):
+        self.go_through(ball_to_ball, own_properties(vtkActiveImplicitSurface))
+
+    def test_properties_where_they_matter(self):
+        for make, names in SCENES.items():
+            self.go_through(make, names.split())
+
+
+class OfThePotentials(Case):
+    """Each property of the implicit functions: finite values, or one error that names it."""
+
+    PLACES = ((0, 0, 0), (0.3, 0.1, 0.2), (0.5, 0, 0), (7, 0, 0))
+
+    def evaluate(self, function):
+        began = time.monotonic()
+        numbers = []
+        for place in self.PLACES:
+            gradient = [0.0, 0.0, 0.0]
+            numbers.append(function.EvaluateFunction(place))
+            function.EvaluateGradient(place, gradient)
+            numbers.extend(gradient)
+        self.assertLess(time.monotonic() - began, LONGEST)
+        return numbers
+
+    def go_through(self, kind, data):
+        def make():
+            function = kind()
+            function.SetInput(data)
+            if kind is vtkGridPotential:
+                function.SetVoxelSize(VOXEL)
+            return function
+
+        reference = make()
+        expected = self.evaluate(reference)
+        for name in own_properties(kind):
+            for value in extremes_of(get(reference, name)):
+                for when in ("before", "after"):
+                    with self.begin(kind.__name__, data.__class__.__name__, name, value, when):
+                        function = make()
+                        listener = Listener(function)
+                        if when == "after":
+                            self.evaluate(function)
+                        put(function, name, value)
+                        self.assert_is_clamped(function, name, value)
+                        numbers = self.evaluate(function)
+                        if listener.errors:
+                            self.assertEqual(len(listener.errors), 1)
+                            self.assertRegex(listener.errors[0], NAMES_FOR.get(name, name))
+                        else:
+                            self.assertTrue(numpy.isfinite(numbers).all(), numbers)
+                        listener.forget()
+                        put(function, name, get(reference, name))
+                        self.assertEqual(self.evaluate(function), expected)
+                        self.assertEqual(listener.errors, [])
+
+    def test_the_skeleton_of_a_line(self):
+        self.go_through(vtkSkeletonPotential, output_of(vtkLineSource()))
+
+    def test_the_distance_to_a_mesh(self):
+        self.go_through(vtkGridPotential, output_of(vtkSphereSource()))
+
+    def test_the_shell_of_an_open_mesh(self):
+        self.go_through(vtkGridPotential, output_of(vtkPlaneSource()))
+
+    def test_the_samples_of_an_image(self):
+        self.go_through(vtkGridPotential, output_of(make_image()))
+
+
+class Together(Case):
+    """Absurd values in combinations and places that are worth a look."""
+
+    def assert_survives(self, make, words, change, *times):
+        with self.begin(make.__name__, *words):
+            surface = make()
+            listener = Listener(surface)
+            change(surface)
+            for pipeline_time in times or (LATER,):
+                self.check(surface, listener, words[0], pipeline_time)
+            return surface, listener
+
+    def test_times_that_are_no_numbers_or_far(self):
+        for pipeline_time in (*NUMBERS, 1e-320):
+            with self.begin("time", pipeline_time):
+                surface = ball_to_ball()
+                surface.SetNumberOfTimeSteps(3)
+                listener = Listener(surface)
+                for asked in (pipeline_time, FIRST, pipeline_time):
+                    self.update(surface, listener, asked)
+                    self.assertEqual(listener.errors, [])
+                    self.assert_is_sane(surface)
+                steps = 2 if pipeline_time > 0.2 else 0
+                self.assertEqual(surface.GetHistory().GetNumberOfRows(), steps + 1)
+
+    def test_arrays_that_are_not_there(self):
+        for make, index in ((particles, 0), (particles, 1), (particles, 2), (image, 3)):
+            for association in (0, 1, 2, 3):
+                with self.begin("array", make.__name__, index, association):
+                    surface = make()
+                    listener = Listener(surface)
+                    surface.SetInputArrayToProcess(index, 0, 0, association, "absent")
+                    self.assertTrue(self.check(surface, listener, "SetInputArrayToProcess"))
+                    surface.SetInputArrayToProcess(index, 0, 0, 0, "")
+                    self.assertFalse(self.check(surface, listener, ""))
+
+    def test_bounds(self):
+        for size in (0, 1e-320, 1e-300, 1e-31, 1e31, 1e300):
+            for voxel in (0, VOXEL):
+                self.assert_survives(
+                    ball_to_ball,
+                    ("ModelBounds", "of size", size, "voxels", voxel),
+                    lambda surface, size=size, voxel=voxel: (
+                        surface.SetModelBounds(-size, size, -size, size, -size, size),
+                        surface.SetVoxelSize(voxel),
+                    ),
+                )
+
+    def test_the_last_of_many_or_absurd_steps(self):
+        for name, value in (("TimeStepSize", 1e300), ("TimeStepSize", 1e-300)):
+            self.assert_survives(
+                ball_to_ball,
+                (name, value),
+                lambda surface, name=name, value=value: put(surface, name, value),
+                1e308,
+            )
+        surface = ball_to_ball()
+        listener = Listener(surface)
+        surface.SetNumberOfTimeSteps(INT_MAX)
+        self.update(surface, listener, LATER)
+        self.assertEqual(listener.errors, [])
+        self.assert_is_sane(surface)
+
+    def test_motion_times_beyond_numbers(self):
+        for start, size, scale in ((0, 1e300, 1e300), (-1.7e308, 1e307, 1e10), (0, 1e-300, 1e-300)):
+            _, listener = self.assert_survives(
+                ball_to_ball,
+                ("TimeScale", start, size, scale),
+                lambda surface, start=start, size=size, scale=scale: (
+                    surface.SetStartTime(start),
+                    surface.SetTimeStepSize(size),
+                    surface.SetTimeScale(scale),
+                ),
+                1e308,
+            )
+            self.assertEqual(len(listener.errors), 1 if scale > 1 else 0, listener.errors)
+
+    def test_a_small_fraction_of_the_stable_step(self):
+        for attraction in (0, 4):
+            for value in (1e-300, 1e-7, 1e-6):
+                for make in (ball_to_ball, to_rest):
+                    self.assert_survives(
+                        make,
+                        ("CFL", value, "Attraction", attraction),
+                        lambda surface, value=value, attraction=attraction: (
+                            surface.SetCFL(value),
+                            surface.SetAttraction(attraction),
+                        ),
+                        FIRST,
+                    )
+
+    def test_no_tolerance_ends_by_the_substeps(self):
+        surface, listener = self.assert_survives(
+            tension_to_rest, ("RestTolerance", 0), lambda surface: surface.SetRestTolerance(0)
+        )
+        self.assertIn("MaximumNumberOfSubsteps", "".join(listener.warnings))
+        self.assertEqual(surface.GetSubsteps(), 20)
+
+
+if __name__ == "__main__":
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    unittest.main()
