@@ -120,7 +120,8 @@ void MoveTowards(SkeletonVertex& particle, const SkeletonVertex& partner, double
   {
     particle.Position[axis] = Between(particle.Position[axis], partner.Position[axis], fraction);
   }
-  particle.Radius = Between(particle.Radius, partner.Radius, fraction);
+  const double radius = Between(particle.Radius, partner.Radius, fraction);
+  particle.Radius = radius > 0.0 ? radius : partner.Radius; // which rounding may have swallowed
   particle.Strength = Between(particle.Strength, partner.Strength, fraction);
 }
 

@@ -195,11 +195,11 @@ def main():
     def line(name, rows, lag):
         value, level = flicker(rows), (rows.mean() - reference.mean()) / SPACING
         ratio = flicker(reference) / value
-        print(f"{name:50} {value:8.4f} {ratio:6.1f} {lag:6} {level:7.3f}", flush=True)
+        print(f"{name:52} {value:8.4f} {ratio:6.1f} {lag:6} {level:7.3f}", flush=True)
 
     reference = history(frame_by_frame(jittering))
     steady = history(frame_by_frame(rising))
-    print(f"{'':50} {'flicker':>8} {'less':>6} {'lag':>6} {'level':>7}")
+    print(f"{'':52} {'flicker':>8} {'less':>6} {'lag':>6} {'level':>7}")
     line("frame by frame", reference, "0")
     for motion in SKINS:
         lags = (steady - history(skin(rising, *motion)))[-1] / RISE

@@ -198,6 +198,7 @@ void JumpsNoFartherThan(Check& check, const Distances& jump, const Distances& bo
 {
   check.Less(jump.Mean, share * bound.Mean + MeanError, "mean jump, " + name);
   check.Less(jump.Largest, share * bound.Largest + LargestError, "largest jump, " + name);
+  check.Less(0.5 * share * bound.Mean, jump.Mean, "the skin is on its way, " + name);
 }
 
 // The number of pieces, of voids and of handles is the same at all steps.

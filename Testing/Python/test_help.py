@@ -19,14 +19,15 @@ NUMBERS = {
         TargetIsoValue TargetReach VoxelSize MaximumNumberOfActiveVoxels Attraction Tension CFL
         VolumeStiffness AreaStiffness TargetVolume TargetArea RestTolerance
         MaximumNumberOfSubsteps StartTime TimeStepSize NumberOfTimeSteps TimeScale ParticleRadius
-        ParticleThreshold MeshThickness NumberOfThreads
+        ParticleThreshold MeshThickness NumberOfThreads CheckpointInterval CheckpointMemory
     """.split(),
     vtkSkeletonPotential: "Radius Threshold".split(),
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness MaximumNumberOfVoxels".split(),
 }
 SWITCHES = {
     vtkActiveImplicitSurface: """
-        InvertTarget NormalizeTarget BoundedDomain ComputeNormals OutputPotential PaperScheme
+        InvertTarget NormalizeTarget BoundedDomain ComputeNormals ComputeVelocity ComputeCurvature
+        OutputPotential PaperScheme
     """.split(),
     vtkSkeletonPotential: [],
     vtkGridPotential: ["InvertInside"],
@@ -47,7 +48,7 @@ WITH_UNIT = {
     vtkActiveImplicitSurface: """
         TargetIsoValue TargetReach VoxelSize ModelBounds Attraction Tension VolumeStiffness
         AreaStiffness TargetVolume TargetArea RestTolerance StartTime TimeStepSize TimeScale
-        ParticleRadius MeshThickness
+        ParticleRadius MeshThickness CheckpointMemory
     """.split(),
     vtkSkeletonPotential: "Radius RadiusArrayName StrengthArrayName Threshold".split(),
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness".split(),
