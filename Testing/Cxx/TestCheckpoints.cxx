@@ -4,6 +4,11 @@
 #include "PipelineTools.h"
 #include "SurfaceMeasures.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
@@ -48,6 +53,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOverDrops(ParticleSource* sour
   filter->SetAttraction(20.0);
   filter->SetTension(0.01);
   filter->SetVolumeControlToPenalty();
+  filter->OutputPotentialOn();
   return filter;
 }
 
@@ -64,11 +70,14 @@ std::string TextOf(vtkTable* table)
   return text;
 }
 
-// Skin and history at a time.
+// Skin, history and potential at a time: all three ports.
 std::string GetAllAt(vtkActiveImplicitSurface* filter, double time)
 {
   const std::string skin = GetBytesAt(filter, time);
-  return skin + TextOf(filter->GetHistory());
+  vtkDataArray* distances = filter->GetPotential()->GetPointData()->GetScalars();
+  const char* bytes = static_cast<const char*>(distances->GetVoidPointer(0));
+  return skin + TextOf(filter->GetHistory()) +
+    std::string(bytes, static_cast<std::size_t>(4 * distances->GetNumberOfValues()));
 }
 
 // 200 times in any order, a third of them between the steps; raw numbers of the generator, which
@@ -151,6 +160,38 @@ void GoingBackCostsLessThanAnInterval(Check& check)
         "substeps back to step " + std::to_string(step) + ", interval " + std::to_string(interval));
     }
   }
+}
+
+// Stopped 50 times, after as many substeps as it happens, and asked for any time next.
+void AbortsLeaveNoTrace(Check& check)
+{
+  auto filter = MakeSkinOverDrops(MakeDrops());
+  int left = 0;
+  vtkNew<vtkCallbackCommand> watcher;
+  watcher->SetClientData(&left);
+  watcher->SetCallback(
+    [](vtkObject* caller, unsigned long, void* count, void*)
+    {
+      if (--*static_cast<int*>(count) == 0)
+      {
+        static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn();
+      }
+    });
+  filter->AddObserver(vtkCommand::ProgressEvent, watcher);
+  std::mt19937 random(7);
+  const std::vector<double> times = DrawTimes(100);
+  std::size_t stopped = 0, wrong = 0;
+  for (int i = 0; i < 50; ++i)
+  {
+    left = 1 + static_cast<int>(random() % 40);
+    filter->UpdateTimeStep(times[2 * i]);
+    stopped += filter->GetOutput()->GetNumberOfPoints() == 0;
+    left = 0;
+    filter->AbortExecuteOff();
+    wrong += GetAllAt(filter, times[2 * i + 1]) != GetFresh(times[2 * i + 1]);
+  }
+  check.Less(15, stopped, "updates that were stopped");
+  check.Equal(wrong, std::size_t(0), "later skins that differ from a fresh run's");
 }
 
 void WithoutCheckpointsItStartsOver(Check& check)
@@ -291,6 +332,7 @@ int main(int argc, char** argv)
   return RunFacts(argc, argv,
     { { "AnyOrderOfTimesGivesTheSameBytes", AnyOrderOfTimesGivesTheSameBytes },
       { "GoingBackCostsLessThanAnInterval", GoingBackCostsLessThanAnInterval },
+      { "AbortsLeaveNoTrace", AbortsLeaveNoTrace },
       { "WithoutCheckpointsItStartsOver", WithoutCheckpointsItStartsOver },
       { "ChangingTheCheckpointsDoesNotRestart", ChangingTheCheckpointsDoesNotRestart },
       { "SavedStateGoesOnToTheSameBytes", SavedStateGoesOnToTheSameBytes },
