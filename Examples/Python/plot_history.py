@@ -24,12 +24,10 @@ surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
 surface.SetInitialFunction(ball)
 surface.SetTargetFunction(pair)
 surface.SetNumberOfTimeSteps(61)
-surface.SetTension(0.005)
 surface.UpdateTimeStep(6.0)
 history = surface.GetHistory()
 for row in range(history.GetNumberOfRows()):
-    event = history.GetValueByName(row, "Event").ToString()
-    if event:
+    if event := history.GetValueByName(row, "Event").ToString():
         print(f"at {history.GetValueByName(row, 'Time').ToDouble():.1f}: {event}")
 
 chart = vtkChartXY()
