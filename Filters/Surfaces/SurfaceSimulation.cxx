@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <stdexcept>
 
@@ -57,9 +58,16 @@ void SurfaceSimulation::Rewind(int step)
   if (saved > this->Step)
   {
     this->ForgetWay();
-    this->Band = this->Saved.Restore(saved);
-    this->Historian.Restart(*this->Band);
-    this->Step = saved;
+    try
+    {
+      this->Band = this->Saved.Restore(saved);
+      this->Historian.Restart(*this->Band);
+      this->Step = saved;
+    }
+    catch (const std::exception&)
+    {
+      this->ForgetWay(); // no memory for it: the long way may do with less
+    }
   }
 }
 
