@@ -25,14 +25,16 @@ public:
     : Parent(before.size() + after.size())
   {
     std::iota(this->Parent.begin(), this->Parent.end(), std::size_t(0));
-    std::multimap<PartBlock, std::size_t> places;
+    std::vector<Place> places;
     for (std::size_t p = 0; p < before.size(); ++p)
     {
       for (const PartBlock& block : before[p].Blocks)
       {
-        places.emplace(block, p);
+        places.push_back({ block, p });
       }
     }
+    std::sort(places.begin(), places.end(),
+      [](const Place& a, const Place& b) { return a.Block < b.Block; });
     for (std::size_t p = 0; p < after.size(); ++p)
     {
       for (const PartBlock& block : after[p].Blocks)
@@ -52,19 +54,27 @@ public:
   }
 
 private:
-  void JoinAround(const PartBlock& block, std::size_t part, const std::vector<SkinPart>& before,
-    bool isVoid, const std::multimap<PartBlock, std::size_t>& places)
+  struct Place
   {
-    for (int n = 0; n < 27; ++n)
+    PartBlock Block;
+    std::size_t Part;
+  };
+
+  // Blocks that differ along z alone are next to each other in the order of the places.
+  void JoinAround(const PartBlock& block, std::size_t part, const std::vector<SkinPart>& before,
+    bool isVoid, const std::vector<Place>& places)
+  {
+    for (int n = 0; n < 9; ++n)
     {
-      const PartBlock near = { block[0] + n / 9 - 1, block[1] + n / 3 % 3 - 1,
-        block[2] + n % 3 - 1 };
-      const auto [first, last] = places.equal_range(near);
-      for (auto place = first; place != last; ++place)
+      const PartBlock first = { block[0] + n / 3 - 1, block[1] + n % 3 - 1, block[2] - 1 };
+      const PartBlock last = { first[0], first[1], block[2] + 1 };
+      for (auto place = std::lower_bound(places.begin(), places.end(), first,
+             [](const Place&a, const PartBlock&b) { return a.Block < b; });
+           place != places.end() && place->Block <= last; ++place)
       {
-        if (before[place->second].IsVoid() == isVoid)
+        if (before[place->Part].IsVoid() == isVoid)
         {
-          const std::size_t a = this->Find(place->second), b = this->Find(part);
+          const std::size_t a = this->Find(place->Part), b = this->Find(part);
           this->Parent[std::max(a, b)] = std::min(a, b);
         }
       }
