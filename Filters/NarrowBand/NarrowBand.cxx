@@ -8,6 +8,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <sstream>
@@ -45,26 +46,38 @@ std::unique_ptr<NarrowBand> NarrowBand::Clone() const
   return copy;
 }
 
+namespace
+{
+
+/** StateNumbers as they lie in packed bytes. */
+using PackedNumbers = std::array<double, 6>;
+
+}
+
 std::string NarrowBand::Pack() const
 {
-  const StateNumbers numbers = this->Members->GetNumbers();
-  return std::string(reinterpret_cast<const char*>(&numbers), sizeof numbers) +
+  const StateNumbers n = this->Members->GetNumbers();
+  const PackedNumbers packed = { n.VoxelSize, n.Time, n.StartArea, n.StartVolume, n.BoxSize,
+    n.Paper ? 1.0 : 0.0 };
+  return std::string(reinterpret_cast<const char*>(packed.data()), sizeof packed) +
     PackBand(this->Members->Leaves);
 }
 
 std::unique_ptr<NarrowBand> NarrowBand::Unpack(const std::string& bytes)
 {
-  StateNumbers numbers;
-  if (bytes.size() < sizeof numbers)
+  PackedNumbers packed;
+  if (bytes.size() < sizeof packed)
   {
     throw std::runtime_error("The saved state is damaged.");
   }
-  std::memcpy(static_cast<void*>(&numbers), bytes.data(), sizeof numbers);
+  std::memcpy(packed.data(), bytes.data(), sizeof packed);
+  const StateNumbers numbers = { packed[0], packed[1], packed[2], packed[3], packed[4],
+    packed[5] != 0.0, 0.f };
   auto band = std::make_unique<NarrowBand>(numbers.VoxelSize);
   State& members = *band->Members;
   members.SetNumbers(numbers);
   band->Run(
-    [&] { members.Restore(UnpackBand(bytes.substr(sizeof numbers), members.GetBackground())); });
+    [&] { members.Restore(UnpackBand(bytes.substr(sizeof packed), members.GetBackground())); });
   return band;
 }
 
