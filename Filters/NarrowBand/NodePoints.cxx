@@ -1,6 +1,7 @@
 #include "NodePoints.h"
 
 #include "SubstepBuffers.h"
+#include "Trilinear.h"
 
 #include <openvdb/tree/ValueAccessor.h>
 
@@ -15,11 +16,6 @@ namespace
 
 using Potential = openvdb::tree::ValueAccessor<const PotentialTree, false>;
 
-double Mix(double a, double b, double t)
-{
-  return a + t * (b - a);
-}
-
 /** u between the nodes, at a point in voxels. */
 double Interpolate(const Potential& potential, const double x[3])
 {
@@ -30,10 +26,8 @@ double Interpolate(const Potential& potential, const double x[3])
   {
     value[corner] = potential.getValue(low.offsetBy(corner >> 2, corner >> 1 & 1, corner & 1));
   }
-  const double tx = x[0] - low[0], ty = x[1] - low[1], tz = x[2] - low[2];
-  const double front = Mix(Mix(value[0], value[1], tz), Mix(value[2], value[3], tz), ty);
-  const double back = Mix(Mix(value[4], value[5], tz), Mix(value[6], value[7], tz), ty);
-  return Mix(front, back, tx);
+  const double t[3] = { x[0] - low[0], x[1] - low[1], x[2] - low[2] };
+  return Trilinear(value, t, nullptr);
 }
 
 /** Moves a point of the band to the surface along the gradient. Where that vanishes, on a medial

@@ -1,5 +1,6 @@
 #include "vtkGridPotential.h"
 
+#include "BatchEvaluation.h"
 #include "GridSamples.h"
 #include "ImageSamples.h"
 #include "MeshSamples.h"
@@ -11,7 +12,6 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -26,8 +26,6 @@ vtkStandardNewMacro(vtkGridPotential);
 namespace
 {
 constexpr double Outside = 1.0; // F where there is nothing
-constexpr vtkIdType PointsAtOnce = 256;
-constexpr vtkIdType PointsPerTask = 2048;
 }
 
 struct vtkGridPotential::Internals
@@ -219,28 +217,8 @@ void vtkGridPotential::EvaluateFunction(vtkDataArray* input, vtkDataArray* outpu
     vtkErrorMacro("Evaluation needs an array of points, of three components, and one for values.");
     return;
   }
-  output->SetNumberOfComponents(1);
-  output->SetNumberOfTuples(input->GetNumberOfTuples());
   this->Build();
-  vtkSMPTools::For(0, input->GetNumberOfTuples(), PointsPerTask,
-    [this, input, output](vtkIdType begin, vtkIdType end)
-    {
-      double points[3 * PointsAtOnce];
-      double values[PointsAtOnce];
-      for (; begin < end; begin += PointsAtOnce)
-      {
-        const vtkIdType count = std::min(PointsAtOnce, end - begin);
-        for (vtkIdType i = 0; i < 3 * count; ++i)
-        {
-          points[i] = input->GetComponent(begin + i / 3, static_cast<int>(i % 3));
-        }
-        this->EvaluateBatch(count, points, values, nullptr);
-        for (vtkIdType i = 0; i < count; ++i)
-        {
-          output->SetComponent(begin + i, 0, values[i]);
-        }
-      }
-    });
+  activesurface::EvaluateArray(*this, input, output);
 }
 
 void vtkGridPotential::PrintSelf(ostream& os, vtkIndent indent)

@@ -1,5 +1,6 @@
 #include "vtkSkeletonPotential.h"
 
+#include "BatchEvaluation.h"
 #include "Skeleton.h"
 #include "SkeletonInput.h"
 
@@ -7,7 +8,6 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -19,12 +19,6 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkSkeletonPotential);
-
-namespace
-{
-constexpr vtkIdType PointsAtOnce = 256;
-constexpr vtkIdType PointsPerTask = 2048;
-}
 
 struct vtkSkeletonPotential::Internals
 {
@@ -234,28 +228,8 @@ void vtkSkeletonPotential::EvaluateFunction(vtkDataArray* input, vtkDataArray* o
     vtkErrorMacro("Evaluation needs an array of points, of three components, and one for values.");
     return;
   }
-  output->SetNumberOfComponents(1);
-  output->SetNumberOfTuples(input->GetNumberOfTuples());
   this->Build();
-  vtkSMPTools::For(0, input->GetNumberOfTuples(), PointsPerTask,
-    [this, input, output](vtkIdType begin, vtkIdType end)
-    {
-      double points[3 * PointsAtOnce];
-      double values[PointsAtOnce];
-      for (; begin < end; begin += PointsAtOnce)
-      {
-        const vtkIdType count = std::min(PointsAtOnce, end - begin);
-        for (vtkIdType i = 0; i < count; ++i)
-        {
-          input->GetTuple(begin + i, points + 3 * i);
-        }
-        this->EvaluateBatch(count, points, values, nullptr);
-        for (vtkIdType i = 0; i < count; ++i)
-        {
-          output->SetComponent(begin + i, 0, values[i]);
-        }
-      }
-    });
+  activesurface::EvaluateArray(*this, input, output);
 }
 
 void vtkSkeletonPotential::PrintSelf(ostream& os, vtkIndent indent)
