@@ -20,10 +20,10 @@ from active_implicit_surfaces import (
     vtkGridPotential,
     vtkSkeletonPotential,
 )
+from listener import Listener
 from properties import comment_of, get, own_properties, put
-from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkSphere
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
@@ -241,32 +241,6 @@ def documented_bounds(kind, name):
         return float(told[1]), math.inf
     values = [float(value) for value in re.findall(r"\((\d)\)", comment)]
     return (min(values), max(values)) if values else (math.nan, math.nan)
-
-
-class Listener:
-    """What an object says from now on."""
-
-    def __init__(self, thing):
-        self.errors = []
-        self.warnings = []
-
-        @calldata_type(VTK_STRING)
-        def on_error(caller, event, text):
-            self.errors.append(text)
-
-        @calldata_type(VTK_STRING)
-        def on_warning(caller, event, text):
-            self.warnings.append(text)
-
-        thing.AddObserver("ErrorEvent", on_error)
-        thing.AddObserver("WarningEvent", on_warning)
-        if hasattr(thing, "GetExecutive"):
-            # What the pipeline adds to an error is not of interest, but would be printed.
-            thing.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
-
-    def forget(self):
-        self.errors.clear()
-        self.warnings.clear()
 
 
 def points_of(skin):

@@ -9,9 +9,9 @@ import unittest
 import weakref
 
 from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotential
-from vtkmodules.util.misc import calldata_type
+from listener import Listener
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonCore import VTK_STRING, vtkIntArray, vtkPoints
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkSphere, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -141,27 +141,6 @@ def make_skin_over(source):
     surface.SetVoxelSize(0.05)
     surface.SetAttraction(10)
     return surface
-
-
-class Listener:
-    """What a filter says from now on."""
-
-    def __init__(self, surface):
-        self.errors = []
-        self.warnings = []
-
-        @calldata_type(VTK_STRING)
-        def on_error(caller, event, text):
-            self.errors.append(text)
-
-        @calldata_type(VTK_STRING)
-        def on_warning(caller, event, text):
-            self.warnings.append(text)
-
-        surface.AddObserver("ErrorEvent", on_error)
-        surface.AddObserver("WarningEvent", on_warning)
-        # What the pipeline adds to an error is not of interest, but would be printed.
-        surface.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
 
 
 class Properties(unittest.TestCase):

@@ -1,0 +1,110 @@
+// The point arrays that the filter gives the skin on request, and the substeps of a moving target.
+
+#include "Check.h"
+#include "PipelineTools.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <string>
+
+using namespace activesurface;
+
+namespace
+{
+
+vtkDataArray* GetArray(vtkActiveImplicitSurface* filter, const char* name)
+{
+  return filter->GetOutput()->GetPointData()->GetArray(name);
+}
+
+std::string GetArrayBytes(vtkActiveImplicitSurface* filter, const char* name)
+{
+  vtkDataArray* array = GetArray(filter, name);
+  return std::string(static_cast<const char*>(array->GetVoidPointer(0)),
+    static_cast<std::size_t>(4 * array->GetNumberOfValues()));
+}
+
+// Thirty time constants after its start the skin goes as fast as its particle, .2 along x, so that
+// a vertex has the normal speed .2 n_x: within 5 % in the mean.
+void VelocityIsThatOfTheParticle(Check& check)
+{
+  auto source = MakeMovingBall();
+  auto filter = MakeSkinOver(source);
+  filter->SetVoxelSize(0.02);
+  filter->ComputeVelocityOn();
+  filter->UpdateTimeStep(3.0);
+  vtkDataArray* velocity = GetArray(filter, "Velocity");
+  vtkDataArray* normals = GetArray(filter, "Normals");
+  check.True(velocity && velocity->GetNumberOfComponents() == 3, "there are vectors");
+  double error = 0.0, size = 0.0;
+  for (vtkIdType v = 0; v < velocity->GetNumberOfTuples(); ++v)
+  {
+    double speed = 0.0;
+    for (int d = 0; d < 3; ++d)
+    {
+      speed += velocity->GetComponent(v, d) * normals->GetComponent(v, d);
+    }
+    error += std::fabs(speed - 0.2 * normals->GetComponent(v, 0));
+    size += std::fabs(0.2 * normals->GetComponent(v, 0));
+  }
+  check.Less(0.0, size, "sum of the exact speeds");
+  check.Less(error / size, 0.05, "mean error over the mean speed");
+}
+
+// The input has to be asked again for where the target is when a checkpoint is the time itself.
+void VelocityDoesNotDependOnTheWay(Check& check)
+{
+  for (const double time : { 1.0, 2.5, 0.0 })
+  {
+    auto direct = MakeSkinOver(MakeMovingBall());
+    direct->ComputeVelocityOn();
+    direct->UpdateTimeStep(time);
+    auto filter = MakeSkinOver(MakeMovingBall());
+    filter->SetCheckpointInterval(1);
+    filter->UpdateTimeStep(4.0);
+    filter->ComputeVelocityOn();
+    filter->UpdateTimeStep(time);
+    check.True(GetArrayBytes(filter, "Velocity") == GetArrayBytes(direct, "Velocity"),
+      "the same velocity at " + std::to_string(time));
+  }
+}
+
+void ArraysAreThereOnRequestAndDoNotRestart(Check& check)
+{
+  auto filter = MakeShrinkingBall();
+  filter->UpdateTimeStep(0.5);
+  check.True(!GetArray(filter, "Velocity") && !GetArray(filter, "MeanCurvature"), "none at first");
+  filter->ResetCounters();
+  filter->ComputeVelocityOn();
+  filter->ComputeCurvatureOn();
+  filter->ComputeNormalsOff();
+  filter->UpdateTimeStep(0.5);
+  check.Equal(filter->GetSubsteps(), vtkIdType(0), "substeps");
+  check.True(!GetArray(filter, "Normals"), "no normals");
+  const vtkIdType points = filter->GetOutput()->GetNumberOfPoints();
+  check.Equal(GetArray(filter, "Velocity")->GetNumberOfTuples(), points, "velocities");
+  check.Equal(GetArray(filter, "MeanCurvature")->GetNumberOfTuples(), points, "curvatures");
+}
+
+// At an Attraction of .01 the stable step is a hundred intervals long.
+void MovingTargetIsLookedAtFourTimesFromStepToStep(Check& check)
+{
+  auto filter = MakeSkinOver(MakeMovingBall());
+  filter->SetAttraction(0.01);
+  filter->UpdateTimeStep(1.0);
+  check.Less(3.0, double(filter->GetSubsteps()), "substeps in one interval");
+}
+}
+
+int main(int argc, char** argv)
+{
+  return RunFacts(argc, argv,
+    { { "VelocityIsThatOfTheParticle", VelocityIsThatOfTheParticle },
+      { "VelocityDoesNotDependOnTheWay", VelocityDoesNotDependOnTheWay },
+      { "ArraysAreThereOnRequestAndDoNotRestart", ArraysAreThereOnRequestAndDoNotRestart },
+      { "MovingTargetIsLookedAtFourTimesFromStepToStep",
+        MovingTargetIsLookedAtFourTimesFromStepToStep } });
+}

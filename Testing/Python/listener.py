@@ -1,0 +1,30 @@
+"""What an object of VTK says."""
+
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.vtkCommonCore import VTK_STRING
+
+
+class Listener:
+    """What an object says from now on."""
+
+    def __init__(self, thing):
+        self.errors = []
+        self.warnings = []
+
+        @calldata_type(VTK_STRING)
+        def on_error(caller, event, text):
+            self.errors.append(text)
+
+        @calldata_type(VTK_STRING)
+        def on_warning(caller, event, text):
+            self.warnings.append(text)
+
+        thing.AddObserver("ErrorEvent", on_error)
+        thing.AddObserver("WarningEvent", on_warning)
+        if hasattr(thing, "GetExecutive"):
+            # What the pipeline adds to an error is not of interest, but would be printed.
+            thing.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
+
+    def forget(self):
+        self.errors.clear()
+        self.warnings.clear()
