@@ -1,0 +1,51 @@
+#include "FileReplacement.h"
+
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// Of its own for each process and each file, so that two writers never share one.
+std::string MakeTemporaryName(const std::string& name)
+{
+  static std::atomic<unsigned> count{ 0 };
+  return name + "." + std::to_string(getpid()) + "-" + std::to_string(++count) + ".part";
+}
+
+}
+
+FileReplacement::FileReplacement(const std::string& name)
+  : Name(name)
+  , TemporaryName(MakeTemporaryName(name))
+{
+}
+
+FileReplacement::~FileReplacement()
+{
+  if (!this->Finished)
+  {
+    std::remove(this->TemporaryName.c_str());
+  }
+}
+
+void FileReplacement::Finish()
+{
+  std::error_code error;
+  std::filesystem::rename(this->TemporaryName, this->Name, error);
+  if (error)
+  {
+    throw std::runtime_error("it cannot get its name: " + error.message());
+  }
+  this->Finished = true;
+}
+
+}
