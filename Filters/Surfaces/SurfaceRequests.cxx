@@ -3,7 +3,7 @@
 #include "Compatibility.h"
 #include "FilterProperties.h"
 #include "PublishedInformation.h"
-#include "SkinMotion.h"
+#include "SkinPort.h"
 #include "SurfaceHistory.h"
 #include "SurfaceOutput.h"
 #include "vtkActiveImplicitSurface.h"
@@ -136,7 +136,7 @@ void SurfaceRequests::ReadFirst(vtkInformationVector** input)
   if (target && this->Simulation.GetStepWanted() == 0 &&
     this->Target.Update(target, this->Steps.front()))
   {
-    this->Simulation.AddFrame(0, this->Target.Read(target));
+    this->AddFrame(0, target);
   }
   if (initial && this->Simulation.WantsInitial() && this->Initial.UpdateFirst(initial))
   {
@@ -166,7 +166,7 @@ void SurfaceRequests::AskInputs(
 {
   vtkInformation* out = output->GetInformationObject(AskedPort(request));
   this->Simulation.Configure(this->GatherSettings());
-  this->Simulation.SetSpeedsWanted(this->Filter->GetComputeVelocity() != 0);
+  this->Simulation.SetWishes(ReadWishes(this->Filter, this->Target));
   this->Simulation.SetGoal(
     out->Has(SDDP::UPDATE_TIME_STEP()) ? out->Get(SDDP::UPDATE_TIME_STEP()) : this->Steps.front());
   vtkInformation* target = Get(input, SurfaceInput::Target);
@@ -265,6 +265,11 @@ private:
   SurfaceRequests& Requests;
 };
 
+void SurfaceRequests::AddFrame(int step, vtkInformation* target)
+{
+  this->Simulation.AddFrame(step, this->Target.Read(target, this->Simulation.GetWishes().Extras));
+}
+
 // Takes what the inputs were asked for, then as many more steps of the target as the goal needs.
 SurfaceSimulation::Outcome SurfaceRequests::Advance(vtkInformationVector** input)
 {
@@ -278,7 +283,7 @@ SurfaceSimulation::Outcome SurfaceRequests::Advance(vtkInformationVector** input
   this->AskedInVain = false;
   if (target && this->Simulation.GetStepWanted() == this->AskedStep)
   {
-    this->Simulation.AddFrame(this->AskedStep, this->Target.Read(target));
+    this->AddFrame(this->AskedStep, target);
   }
   const auto report = [this](double fraction)
   {
@@ -296,7 +301,7 @@ SurfaceSimulation::Outcome SurfaceRequests::Advance(vtkInformationVector** input
         "The input has failed to make its time step " + std::to_string(this->Steps[step]) + ".");
     }
     this->AskedInVain = false;
-    this->Simulation.AddFrame(step, this->Target.Read(target));
+    this->AddFrame(step, target);
     outcome = this->Simulation.Advance(report);
   }
   return outcome;
@@ -322,31 +327,12 @@ void SurfaceRequests::Make(
   }
 }
 
-void SurfaceRequests::FillSkinPort(vtkPolyData* skin)
-{
-  const NarrowBand& band = this->Simulation.GetBand();
-  SkinArrays arrays;
-  arrays.Normals = this->Filter->GetComputeNormals() != 0;
-  std::vector<float> curvatures, speeds;
-  if (this->Filter->GetComputeCurvature())
-  {
-    curvatures = FindCurvatures(band);
-    arrays.Curvatures = &curvatures;
-  }
-  if (this->Filter->GetComputeVelocity())
-  {
-    speeds = this->Simulation.GetSpeeds();
-    arrays.Speeds = &speeds;
-  }
-  FillSkin(band, arrays, skin);
-}
-
 void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector* output)
 {
   const NarrowBand& band = this->Simulation.GetBand();
   if (this->Makes(SkinPort, request))
   {
-    this->FillSkinPort(vtkPolyData::GetData(output, SkinPort));
+    FillSkinPort(this->Filter, this->Simulation, vtkPolyData::GetData(output, SkinPort));
   }
   // The extent may be known since now only.
   vtkInformation* out = output->GetInformationObject(PotentialPort);

@@ -66,11 +66,11 @@ private:
   void AskTarget(vtkInformation* target);
   void CheckInputs() const;
   void ReadFirst(vtkInformationVector** input);
+  void AddFrame(int step, vtkInformation* target);
   SurfaceSimulation::Outcome Advance(vtkInformationVector** input);
 
   class StampsAfterwards;
   bool Makes(int port, vtkInformation* request) const;
-  void FillSkinPort(vtkPolyData* skin);
   void FillOutputs(vtkInformation* request, vtkInformationVector* output);
 
   vtkActiveImplicitSurface* Filter;

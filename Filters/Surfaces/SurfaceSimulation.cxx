@@ -115,32 +115,21 @@ int SurfaceSimulation::GetStepWanted() const
   {
     return -1;
   }
-  if (this->Step < 0 || !this->Settings.InputMoves)
+  if ((this->Step < 0 || !this->Settings.InputMoves) && !this->Shapes.Has(0))
   {
-    return this->Shapes.Has(0) ? -1 : 0;
+    return 0;
   }
-  const bool onTheWay =
-    this->Step < this->Goal.Step || (this->Goal.Between && !this->BranchIsAtGoal());
+  const bool onTheWay = this->Step < 0 || this->Step < this->Goal.Step ||
+    (this->Goal.Between && !this->BranchIsAtGoal());
   if (!onTheWay)
   {
-    return this->SpeedsWanted ? this->GetStepWantedAtGoal() : -1;
+    return this->GetStepWantedAtGoal();
   }
-  if (this->HasFramesFrom(this->Step))
+  if (this->Step < 0 || this->HasFramesFrom(this->Step))
   {
     return -1;
   }
   return this->Shapes.Has(this->Step) ? this->Step + 1 : this->Step;
-}
-
-// Where the target has to be to tell the speeds: after a return to a checkpoint it may not be
-// there.
-int SurfaceSimulation::GetStepWantedAtGoal() const
-{
-  if (!this->Shapes.Has(this->Goal.Step))
-  {
-    return this->Goal.Step;
-  }
-  return this->Goal.Between && !this->Shapes.Has(this->Goal.Step + 1) ? this->Goal.Step + 1 : -1;
 }
 
 void SurfaceSimulation::AddFrame(int step, TargetFrame frame)

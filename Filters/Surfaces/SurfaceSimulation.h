@@ -21,6 +21,7 @@
 #ifndef SurfaceSimulation_h
 #define SurfaceSimulation_h
 
+#include "CarriedArrays.h"
 #include "Checkpoints.h"
 #include "GoalTime.h"
 #include "NarrowBand.h"
@@ -32,11 +33,21 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace activesurface
 {
+
+// What the skin shall have besides its shape.
+struct SkinWishes
+{
+  bool Speeds = false;
+  bool Arrays = false; // of the particles
+  bool Drift = false;  // their velocities
+  std::string Extras;  // with which their frames are to be read for that
+};
 
 class SurfaceSimulation
 {
@@ -92,10 +103,13 @@ public:
   // At the goal, when Advance has reached it.
   const NarrowBand& GetBand() const;
 
-  // Whether GetSpeeds will be asked for, which needs the target at the goal.
-  void SetSpeedsWanted(bool wanted) { this->SpeedsWanted = wanted; }
+  // What will be asked for at the goal, which needs the target there.
+  void SetWishes(const SkinWishes& wishes) { this->Wishes = wishes; }
+  const SkinWishes& GetWishes() const { return this->Wishes; }
   // Normal speeds of the skin at the goal, at its vertices.
   std::vector<float> GetSpeeds();
+  // As wished; refers to the frames.
+  CarriedArrays GetCarried();
 
   // The same, or null when the surface is not at the goal.
   const NarrowBand* FindSkin() const;
@@ -123,6 +137,7 @@ private:
   void TakeLoaded();
   bool HasFramesFrom(int step) const;
   int GetStepWantedAtGoal() const;
+  bool LooksBack() const;
   void PlaceTargetFrom(int step);
   bool IsUnderWay() const;
   bool BranchIsAtGoal() const;
@@ -141,7 +156,7 @@ private:
   SurfaceSettings Settings;
   int Threads = 0;
   std::size_t MaximumVoxels = 0;
-  bool SpeedsWanted = false;
+  SkinWishes Wishes;
   Warnings Messages;
   SurfaceShapes Shapes{ this->Settings, this->Messages };
   int LastStepAdded = 0;

@@ -119,14 +119,17 @@ TargetFrame MakeParticles(vtkPointSet* points, const ParticleArrays& arrays)
   return frame;
 }
 
-TargetFrame MakeSkeleton(vtkPointSet* lines, const ParticleArrays& arrays)
+TargetFrame MakeSkeleton(vtkPointSet* lines, vtkAbstractArray* radii, vtkAbstractArray* strengths)
 {
+  ParticleArrays arrays;
+  arrays.Radii = radii;
+  arrays.Strengths = strengths;
   TargetFrame frame;
   frame.Kind = TargetKind::Skeleton;
   frame.Particles = ReadParticles(lines, arrays);
   frame.Data = CopyShape(lines);
-  AddArray(frame.Data, arrays.Radii, RadiusName);
-  AddArray(frame.Data, arrays.Strengths, StrengthName);
+  AddArray(frame.Data, radii, RadiusName);
+  AddArray(frame.Data, strengths, StrengthName);
   return frame;
 }
 

@@ -26,8 +26,8 @@ NUMBERS = {
 }
 SWITCHES = {
     vtkActiveImplicitSurface: """
-        InvertTarget NormalizeTarget BoundedDomain ComputeNormals ComputeVelocity ComputeCurvature
-        OutputPotential PaperScheme
+        InvertTarget NormalizeTarget BoundedDomain ComputeNormals ComputeVelocity TangentialVelocity
+        PassTargetArrays ComputeCurvature OutputPotential PaperScheme
     """.split(),
     vtkSkeletonPotential: [],
     vtkGridPotential: ["InvertInside"],
