@@ -15,7 +15,7 @@ namespace activesurface
 
 void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool settles)
 {
-  if (settles)
+  if (settles || steps.empty())
   {
     output->Remove(SDDP::TIME_STEPS());
     output->Remove(SDDP::TIME_RANGE());

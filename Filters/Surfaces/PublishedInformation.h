@@ -13,7 +13,7 @@ namespace activesurface
 
 struct SurfaceDomain;
 
-// None for a surface that settles: it is at rest, at no time.
+// None for a surface that settles: it is at rest, at no time; nor without steps.
 void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool settles);
 void PublishTime(vtkDataObject* data, double time, bool settles);
 

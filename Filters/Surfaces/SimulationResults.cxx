@@ -71,8 +71,9 @@ std::vector<float> SurfaceSimulation::GetSpeeds()
 // Whether the velocities of the particles are those on the way to the goal, from the step before.
 bool SurfaceSimulation::LooksBack() const
 {
-  return this->Wishes.Drift && this->Settings.InputMoves && !this->Goal.Between &&
-    this->Goal.Step > 0;
+  const int before = this->Goal.Step - 1;
+  return this->Wishes.Drift && this->Settings.InputMoves && !this->Goal.Between && before >= 0 &&
+    (!this->Settings.OnlyForward || this->Shapes.HasExtras(before, this->Wishes.Extras));
 }
 
 // Frames that tell what is wished at the goal: after a return to a checkpoint they may not be

@@ -70,7 +70,7 @@ std::vector<double> SurfaceInput::GetTimeSteps(vtkInformation* information)
     const double* first = information->Get(SDDP::TIME_STEPS());
     steps.assign(first, first + information->Length(SDDP::TIME_STEPS()));
   }
-  return steps.size() > 1 ? steps : std::vector<double>();
+  return steps;
 }
 
 bool SurfaceInput::IsContinuous(vtkInformation* information)

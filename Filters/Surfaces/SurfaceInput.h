@@ -34,7 +34,7 @@ public:
   // Changes whenever an algorithm or data upstream is modified, not when another time is read.
   std::uint64_t GetStamp() const;
 
-  // The time steps that the input offers, if two at least; else none.
+  // The time steps that the input offers; none without an input.
   static std::vector<double> GetTimeSteps(vtkInformation* information);
   // Whether the input offers any time in a range, without steps.
   static bool IsContinuous(vtkInformation* information);

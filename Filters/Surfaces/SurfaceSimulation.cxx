@@ -23,6 +23,14 @@ constexpr double SubstepsOfMovingTarget = 4.0;
 
 void SurfaceSimulation::Configure(const SurfaceSettings& settings)
 {
+  if (this->Settings.AreContinuedBy(settings) && this->IsOnStepsOf(settings))
+  {
+    this->Settings = settings;
+    if (!this->History.empty())
+    {
+      this->History.front().Time = settings.Steps.front();
+    }
+  }
   if (this->Settings != settings)
   {
     this->Loaded = this->LoadedIsNew ? this->Loaded : SavedState();
@@ -31,6 +39,14 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
     this->Settings = settings;
   }
   this->LoadedIsNew = false;
+}
+
+// Whether the way so far is one along these steps. An input of one step stands still, and the
+// filter has its own clock as long as it does.
+bool SurfaceSimulation::IsOnStepsOf(const SurfaceSettings& settings) const
+{
+  return this->Settings.InputMoves ? settings.InputMoves
+                                   : this->Step <= 0 && !this->IsUnderWay() && !this->Branch;
 }
 
 void SurfaceSimulation::Drop()
@@ -80,6 +96,10 @@ void SurfaceSimulation::SetGoal(double pipelineTime)
   const GoalTime goal = FindGoal(this->Settings.Steps, pipelineTime);
   if (goal.Step < this->Step || (goal.Step == this->Step && this->IsUnderWay()))
   {
+    if (this->Settings.OnlyForward && !this->IsUnderWay())
+    {
+      this->Saved.Keep(this->Step, *this->Band); // it cannot be reached again
+    }
     this->ForgetWay();
   }
   this->Rewind(goal.Step);

@@ -69,7 +69,7 @@ public:
   // Going back then starts from the last of them.
   void SetCheckpoints(int interval, std::size_t memory) { this->Saved.SetLimits(interval, memory); }
 
-  // Drops everything if these are other settings.
+  // Drops everything if these are other settings, unless only further steps have come.
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
 
@@ -132,6 +132,7 @@ public:
   void ResetCounters() { this->Substeps = this->TargetEvaluations = 0; }
 
 private:
+  bool IsOnStepsOf(const SurfaceSettings& settings) const;
   void ForgetWay();
   void Rewind(int step);
   void TakeLoaded();

@@ -52,7 +52,9 @@
  * step, is that step. So the result depends on the time and the
  * properties only, bit by bit: not on the order of requests, nor on the number of threads. The
  * state is made anew when the target, the initial shape or a property that shapes the motion
- * changes.
+ * changes. In situ it goes on: an input whose list of time steps has grown at its end is the same
+ * input, and is asked for its new steps only; and where no time can be had twice
+ * (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are the times asked for, from the first one on.
  *
  * A vanished skin is legal: empty output and one warning. What cannot be done is one error with a
  * sentence that says why, and empty outputs. What was reached before it, or before an abort, is
