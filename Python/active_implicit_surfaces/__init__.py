@@ -21,6 +21,7 @@ except ImportError as error:
 
 try:
     from .vtkActiveIO import *
+    from .vtkActiveIO import vtkActiveEXRReader
     from .vtkActiveSurfaces import *
 except ImportError as error:
     raise ImportError(
