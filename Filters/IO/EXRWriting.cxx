@@ -155,6 +155,20 @@ void WritePixels(
   file.writePixels(window.max.y - window.min.y + 1);
 }
 
+// Calls what touches the file's name, and tells its errors as ours.
+template <class Action>
+auto WithName(const Action& action)
+{
+  try
+  {
+    return action();
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw EXRError(vtkErrorCode::CannotOpenFileError, error.what());
+  }
+}
+
 }
 
 void WriteEXR(
@@ -162,7 +176,7 @@ void WriteEXR(
 {
   CheckLoss(settings, sources);
   const Imf::Header header = MakeHeader(settings, sources);
-  FileReplacement replacement(name);
+  FileReplacement replacement = WithName([&name] { return FileReplacement(name); });
   EXROutput output(replacement.GetTemporaryName());
   try
   {
@@ -180,7 +194,7 @@ void WriteEXR(
     }
   }
   output.Close();
-  replacement.Finish();
+  WithName([&replacement] { replacement.Finish(); });
 }
 
 }

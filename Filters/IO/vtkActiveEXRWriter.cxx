@@ -27,6 +27,7 @@ struct vtkActiveEXRWriter::Settings
   vtkSmartPointer<vtkMatrix4x4> WorldToCamera, WorldToNDC;
   std::vector<double> Times; // of the input
   int Step = 0;              // which of them is being written
+  bool Asked = false;        // whether the input has come to be written
 };
 
 vtkStandardNewMacro(vtkActiveEXRWriter);
@@ -130,8 +131,13 @@ void vtkActiveEXRWriter::Write()
     return;
   }
   this->Chosen->Step = 0;
+  this->Chosen->Asked = false;
   this->Modified(); // writes again what has not changed
   this->UpdateWholeExtent();
+  if (!this->Chosen->Asked)
+  {
+    this->Fail(vtkErrorCode::UnknownError, "Nothing is written, as the input has failed.");
+  }
 }
 
 int vtkActiveEXRWriter::RequestInformation(
@@ -174,6 +180,7 @@ int vtkActiveEXRWriter::RequestData(
   const auto again = vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING();
   Settings& chosen = *this->Chosen;
   this->SetErrorCode(vtkErrorCode::NoError);
+  chosen.Asked = true;
   const std::string name = this->FileName ? this->FileName : "";
   try
   {

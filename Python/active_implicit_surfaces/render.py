@@ -5,20 +5,23 @@
 
 Layers, as point arrays of the image that capture() returns, and their channels in the file:
 
-RGBA      R G B A, HALF     the picture, as linear light; see `encoding`
-Z         Z, FLOAT          distance from the camera along its axis [world units]; `far` where
-                            nothing is. Both projections
-P         P.X Y Z, FLOAT    place in the world; 0 where nothing is
-N         N.X Y Z, HALF     unit normal in the world's axes, as the data has it (outward on a closed
-                            skin), not turned to the camera; 0 where nothing is
-forward   forward.u v, HALF motion from this frame to the next [pixels], u to the right, v up; 0
-                            where nothing is or nothing moves
-id        id, UINT          1 for the renderer's first actor, 2 for its second ...; 0 where nothing is
+RGBA     R G B A, HALF      the picture, as linear light; see `encoding`
+Z        Z, FLOAT           distance from the camera along its axis [world units], with perspective
+                            and without; `far` where nothing is
+P        P.X P.Y P.Z, FLOAT place in the world; 0 where nothing is
+N        N.X N.Y N.Z, HALF  unit normal along the world's axes, as the data has it (outward on a
+                            closed skin), not turned to the camera; 0 where nothing is
+forward  forward.u .v, HALF motion until the next frame [pixels], u to the right, v up; 0 where
+                            nothing is, or nothing moves
+id       id, UINT           1 for the renderer's first actor, 2 for its second and so on; 0 where
+                            nothing is
 
-Z and P are of the depth buffer, so of everything opaque; N, forward and id of the surfaces of actors
-whose mapper has a data set (vtkPolyDataMapper, vtkDataSetMapper): these are rendered again, without
-lights, with the values in place of colors. What is translucent is in the picture only. Samples are
-at the pixels' centers; only the picture is antialiased.
+Z and P are of the depth buffer, so of everything opaque. N, forward and id are of the surfaces of
+actors whose mapper has a data set (vtkPolyDataMapper, vtkDataSetMapper): these are rendered again,
+without lights, with the values in place of colors. What is translucent is in the picture only.
+Layers are sampled at the pixels' centers; only the picture is antialiased. It has the 8 bits of the
+window, alpha is the window's too (0 on a background whose BackgroundAlpha is 0, if the window has
+AlphaBitPlanes).
 """
 
 import numpy
@@ -283,7 +286,7 @@ def _render_values(window, renderer, surface):
         window.RemoveRenderer(other)
     window.AddRenderer(drawn)
     try:
-        _draw(window, drawn, values, "id", 1)  # the first has no depth test: VTK attaches it later
+        _draw(window, drawn, values, "id", 1)  # VTK 9.1 draws the first without depth
         return {name: _draw(window, drawn, values, name, shape[name]) for name in shape}
     finally:
         values.ReleaseGraphicsResources(window)
