@@ -147,14 +147,20 @@ public:
 
   ///@{
   /**
-   * Matrices from world coordinates to the camera's (attribute worldToCamera) and to those of the
-   * picture (worldToNDC: (0, 0) is the upper left corner of the display window, (1, 1) the lower
-   * right). As in VTK, columns are multiplied by them; they are turned around for the file, and
-   * single there. Default: none.
+   * Matrix from world coordinates to the camera's (attribute worldToCamera: x to the right, y up, z
+   * ahead). As in VTK, columns are multiplied by it; it is turned around for the file, and single
+   * there. Default: none.
    */
   void SetWorldToCamera(vtkMatrix4x4* matrix);
-  void SetWorldToNDC(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetWorldToCamera();
+  ///@}
+
+  ///@{
+  /**
+   * Matrix from world coordinates to those of the picture (attribute worldToNDC: (0, 0) is the upper
+   * left corner of the display window, (1, 1) the lower right), else as WorldToCamera. Default: none.
+   */
+  void SetWorldToNDC(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetWorldToNDC();
   ///@}
 

@@ -1,6 +1,7 @@
 """EXR files that other programs make and read, and the two classes as Python sees them.
 
-The programs are those of Debian's package openexr; the module OpenEXR of PyPI is used if it is there.
+The programs are those of Debian's package openexr; the module OpenEXR of PyPI is used if it is
+there.
 
 Run: python3 test_exr.py
 """
