@@ -3,6 +3,7 @@
 #include "EXRAttributes.h"
 #include "EXRError.h"
 #include "EXRStreams.h"
+#include "EXRZip.h"
 #include "FileReplacement.h"
 
 #include <ImfChannelList.h>
@@ -105,7 +106,6 @@ Imf::Header MakeHeader(const EXRHeaderSettings& settings, const std::vector<EXRS
   const Windows windows = MakeWindows(settings);
   Imf::Header header(windows.Display, windows.Data, static_cast<float>(settings.PixelAspectRatio),
     Imath::V2f(0.0f, 0.0f), 1.0f, Imf::INCREASING_Y, ToImf(settings.Packing));
-  header.zipCompressionLevel() = settings.Level;
   AddAttributes(settings, header);
   for (const EXRSource& source : sources)
   {
@@ -139,20 +139,36 @@ Imf::Slice MakeSlice(const EXRSamples& samples, const Imath::Box2i& window)
     samples.Stride, static_cast<std::size_t>(-row));
 }
 
-void WritePixels(
-  EXROutput& output, const Imf::Header& header, const std::vector<EXRSource>& sources)
+void WriteByOpenEXR(
+  EXROutput& output, const Imf::Header& header, const std::vector<EXRSamples>& channels)
 {
   const Imath::Box2i window = header.dataWindow();
-  std::vector<EXRSamples> channels;
   Imf::FrameBuffer frame;
-  for (const EXRSource& source : sources)
+  for (const EXRSamples& channel : channels)
   {
-    channels.push_back(MakeSamples(source));
-    frame.insert(source.Channel, MakeSlice(channels.back(), window));
+    frame.insert(channel.Channel, MakeSlice(channel, window));
   }
   Imf::OutputFile file(output, header, 0);
   file.setFrameBuffer(frame);
   file.writePixels(window.max.y - window.min.y + 1);
+}
+
+void WritePixels(
+  EXROutput& output, const EXRHeaderSettings& settings, const std::vector<EXRSource>& sources)
+{
+  const Imf::Header header = MakeHeader(settings, sources);
+  std::vector<EXRSamples> channels;
+  channels.reserve(sources.size());
+  for (const EXRSource& source : sources)
+  {
+    channels.push_back(MakeSamples(source));
+  }
+  if (IsZipped(header))
+  {
+    WriteZipped(output, header, channels, settings.Level);
+    return;
+  }
+  WriteByOpenEXR(output, header, channels);
 }
 
 // Calls what touches the file's name, and tells its errors as ours.
@@ -175,12 +191,11 @@ void WriteEXR(
   const std::string& name, const EXRHeaderSettings& settings, const std::vector<EXRSource>& sources)
 {
   CheckLoss(settings, sources);
-  const Imf::Header header = MakeHeader(settings, sources);
   FileReplacement replacement = WithName([&name] { return FileReplacement(name); });
   EXROutput output(replacement.GetTemporaryName());
   try
   {
-    WritePixels(output, header, sources);
+    WritePixels(output, settings, sources);
   }
   catch (const EXRError&)
   {

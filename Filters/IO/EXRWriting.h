@@ -32,7 +32,7 @@ struct EXRMatrix
 struct EXRHeaderSettings
 {
   EXRPacking Packing = EXRPacking::ZIP;
-  int Level = 4;
+  int Level = 4;                    // of ZIP and ZIPS
   std::array<int, 4> Extent{};      // first and last column, first and last row from below
   std::array<int, 2> DisplaySize{}; // 0: the extent is the display window
   double PixelAspectRatio = 1.0;

@@ -31,6 +31,9 @@
  * for the number it is put before the extension, name.0000.exr. FilePrefix and FilePattern are not
  * used. Pipeline time becomes the attribute "time".
  *
+ * ZIP and ZIPS are packed by all threads that vtkSMPTools may use; the bytes are the same for any
+ * number of them.
+ *
  * A file is written whole or not at all: under a temporary name beside it, then renamed. What goes
  * wrong is one error with a sentence, and ErrorCode tells the kind (vtkErrorCode); a file that was
  * there before is left as it was.
@@ -86,7 +89,7 @@ public:
 
   ///@{
   /**
-   * Effort of ZIP and ZIPS: 1 is fastest, 9 smallest. Range: 1 to 9. Default: 1.
+   * Effort of ZIP and ZIPS: 1 is fastest, 9 smallest. Range: 1 to 9. Default: 4.
    */
   vtkSetClampMacro(CompressionLevel, int, 1, 9);
   vtkGetMacro(CompressionLevel, int);
@@ -157,8 +160,9 @@ public:
 
   ///@{
   /**
-   * Matrix from world coordinates to those of the picture (attribute worldToNDC: (0, 0) is the upper
-   * left corner of the display window, (1, 1) the lower right), else as WorldToCamera. Default: none.
+   * Matrix from world coordinates to those of the picture (attribute worldToNDC: (0, 0) is the
+   * upper left corner of the display window, (1, 1) the lower right), else as WorldToCamera.
+   * Default: none.
    */
   void SetWorldToNDC(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetWorldToNDC();
@@ -240,7 +244,7 @@ private:
   void Fail(unsigned long code, const std::string& sentence);
 
   int Compression = ZIP;
-  int CompressionLevel = 1;
+  int CompressionLevel = 4;
   int ColorEncoding = LINEAR;
   int DisplaySize[2] = { 0, 0 };
   double PixelAspectRatio = 1.0;

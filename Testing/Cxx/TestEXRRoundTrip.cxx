@@ -166,6 +166,7 @@ void ChannelsFollowTheConvention(Check& check)
   AddArray(image, "id.object", VTK_LONG_LONG, 1);
   AddArray(image, "w", VTK_FLOAT, 11);
   AddArray(image, "P", VTK_FLOAT, 3);
+  AddArray(image, "x.of_more_than_the_31_letters_of_old_files", VTK_FLOAT, 1);
   image->GetPointData()->GetArray("P")->SetComponentName(0, "x");
   image->GetPointData()->GetArray("P")->SetComponentName(1, "y");
   image->GetPointData()->GetArray("P")->SetComponentName(2, "z");
@@ -175,10 +176,11 @@ void ChannelsFollowTheConvention(Check& check)
   check.Equal(ChannelsOf(name),
     std::string("B:2 G:2 P.x:2 P.y:2 P.z:2 R:2 Z:2 albedo.A:1 albedo.B:1 albedo.G:1 albedo.R:1 "
                 "forward.u:2 forward.v:2 id.object:0 key.A:2 key.B:2 key.G:2 key.R:2 w.00:2 "
-                "w.01:2 w.02:2 w.03:2 w.04:2 w.05:2 w.06:2 w.07:2 w.08:2 w.09:2 w.10:2 "),
+                "w.01:2 w.02:2 w.03:2 w.04:2 w.05:2 w.06:2 w.07:2 w.08:2 w.09:2 w.10:2 "
+                "x.of_more_than_the_31_letters_of_old_files:2 "),
     "channels and types");
   const auto copy = Read(check, name);
-  check.Equal(copy->GetPointData()->GetNumberOfArrays(), 8, "arrays again");
+  check.Equal(copy->GetPointData()->GetNumberOfArrays(), 9, "arrays again");
   check.Equal(copy->GetPointData()->GetArray("w")->GetNumberOfComponents(), 11, "numbered ones");
   vtkNew<vtkActiveEXRWriter> again;
   Write(check, again, copy, OutputName("names_again.exr"));
