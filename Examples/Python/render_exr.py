@@ -33,7 +33,8 @@ window.SetOffScreenRendering(True)
 window.SetAlphaBitPlanes(True)  # so that alpha tells what is skin
 window.SetSize(960, 540)
 window.AddRenderer(renderer)
-renderer.GetActiveCamera().SetPosition(0.4, 0.5, 1)
+camera = renderer.GetActiveCamera()
+camera.SetPosition(0.4, 0.5, 1)
 writer = vtkActiveEXRWriter()
 writer.SetFramesPerSecond(1 / SECONDS_PER_STEP)
 for step in range(FIRST, LAST + 1):
@@ -42,17 +43,15 @@ for step in range(FIRST, LAST + 1):
     renderer.AddActor(skin_actor(surface.GetOutput()))
     if step == FIRST:
         renderer.ResetCamera()
-        renderer.GetActiveCamera().Zoom(1.7)
+        camera.Zoom(1.7)
     renderer.ResetCameraClippingRange()
     writer.AddAttribute("time", step * SECONDS_PER_STEP)
-    image = render.write_exr(
-        window, folder / f"splash.{step:04}.exr", frame_duration=SECONDS_PER_STEP, writer=writer
-    )
+    path = folder / f"splash.{step:04}.exr"
+    image = render.write_exr(window, path, frame_duration=SECONDS_PER_STEP, writer=writer)
     steps = vtk_to_numpy(image.GetPointData().GetArray("forward"))
-    longest = numpy.linalg.norm(steps, axis=1).max()
-    print(f"step {step}: the fastest place moves {longest:.1f} pixels until the next", flush=True)
+    print(f"step {step}: up to {numpy.linalg.norm(steps, axis=1).max():.1f} pixels of motion")
 
-picture = folder / "render_exr.png"  # to look at, the last one's colors
+picture = folder / "render_exr.png"  # the last one's colors, to look at
 png = vtkPNGWriter()
 png.SetFileName(str(picture))
 png.SetInputData(image)

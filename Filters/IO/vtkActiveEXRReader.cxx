@@ -131,28 +131,38 @@ bool vtkActiveEXRReader::IsChannelEnabled(const char* name)
   return name && this->Files->Selection.Has(name);
 }
 
-// Which files there are, and what all of them have to tell of their part.
-void vtkActiveEXRReader::FindFiles()
+void vtkActiveEXRReader::NameFiles()
 {
   Series& files = *this->Files;
   files.Names.clear();
-  files.Times.clear();
-  files.Parts.clear();
   files.Memory = { static_cast<const char*>(this->MemoryBuffer),
     static_cast<std::size_t>(std::max<vtkIdType>(this->MemoryBufferLength, 0)) };
+  if (files.Memory.Bytes)
+  {
+    files.Names.emplace_back("(memory)");
+    return;
+  }
   const vtkIdType count = this->FileNames ? this->FileNames->GetNumberOfValues() : 0;
-  for (vtkIdType i = 0; i < count && !files.Memory.Bytes; ++i)
+  for (vtkIdType i = 0; i < count; ++i)
   {
     files.Names.push_back(this->FileNames->GetValue(i));
   }
+  if (count == 0 && this->FileName && *this->FileName)
+  {
+    files.Names.emplace_back(this->FileName);
+  }
   if (files.Names.empty())
   {
-    if (!files.Memory.Bytes && !(this->FileName && *this->FileName))
-    {
-      throw EXRError(vtkErrorCode::NoFileNameError, "Set FileName or FileNames: there is no file.");
-    }
-    files.Names.push_back(files.Memory.Bytes ? "(memory)" : this->FileName);
+    throw EXRError(vtkErrorCode::NoFileNameError, "Set FileName or FileNames: there is no file.");
   }
+}
+
+// What all files have to tell of their part.
+void vtkActiveEXRReader::ScanFiles()
+{
+  Series& files = *this->Files;
+  files.Times.clear();
+  files.Parts.clear();
   bool rising = files.Names.size() > 1;
   for (const std::string& name : files.Names)
   {
@@ -164,6 +174,7 @@ void vtkActiveEXRReader::FindFiles()
           files.Parts = file.GetParts();
         }
         const EXRPart& part = activesurface::FindEXRPart(file, this->Part);
+        activesurface::FindEXRLayers(part, files.Selection); // throws if there are none
         const EXRExtent& extent = this->Window == DISPLAY ? part.Display : part.Data;
         const bool first = files.Times.empty();
         files.Extent = first ? extent : activesurface::UniteExtents(files.Extent, extent);
@@ -209,7 +220,8 @@ int vtkActiveEXRReader::RequestInformation(
   this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
-    this->FindFiles();
+    this->NameFiles();
+    this->ScanFiles();
     this->Publish(outputs->GetInformationObject(0));
     return 1;
   }

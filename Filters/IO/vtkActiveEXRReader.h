@@ -151,7 +151,8 @@ private:
 
   struct Series;
 
-  void FindFiles();
+  void NameFiles();
+  void ScanFiles();
   void Publish(vtkInformation* information);
   void ReadStep(vtkInformation* information);
   int Fail(unsigned long code, const std::string& sentence, vtkInformationVector* outputs);

@@ -179,8 +179,23 @@ int vtkActiveEXRWriter::RequestData(
 {
   const auto again = vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING();
   Settings& chosen = *this->Chosen;
-  this->SetErrorCode(vtkErrorCode::NoError);
   chosen.Asked = true;
+  this->WriteStep(vtkImageData::GetData(inputs[0]));
+  const bool well = this->GetErrorCode() == vtkErrorCode::NoError;
+  if (well && this->WriteAllTimeSteps && chosen.Step + 1 < static_cast<int>(chosen.Times.size()))
+  {
+    ++chosen.Step;
+    request->Set(again, 1);
+    return 1;
+  }
+  chosen.Step = 0;
+  request->Remove(again);
+  return well ? 1 : 0;
+}
+
+void vtkActiveEXRWriter::WriteStep(vtkImageData* image)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
   const std::string name = this->FileName ? this->FileName : "";
   try
   {
@@ -188,8 +203,8 @@ int vtkActiveEXRWriter::RequestData(
     {
       throw EXRError(vtkErrorCode::NoFileNameError, "FileName is not set.");
     }
-    this->WriteImage(vtkImageData::GetData(inputs[0]),
-      activesurface::MakeFrameName(name, this->FrameNumber + chosen.Step, this->WriteAllTimeSteps));
+    const int number = this->FrameNumber + this->Chosen->Step;
+    this->WriteImage(image, activesurface::MakeFrameName(name, number, this->WriteAllTimeSteps));
   }
   catch (const EXRError& error)
   {
@@ -199,17 +214,6 @@ int vtkActiveEXRWriter::RequestData(
   {
     this->Fail(vtkErrorCode::UnknownError, "Cannot write \"" + name + "\": " + error.what());
   }
-  const bool more = this->GetErrorCode() == vtkErrorCode::NoError && this->WriteAllTimeSteps &&
-    chosen.Step + 1 < static_cast<int>(chosen.Times.size());
-  if (more)
-  {
-    ++chosen.Step;
-    request->Set(again, 1);
-    return 1;
-  }
-  chosen.Step = 0;
-  request->Remove(again);
-  return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
 }
 
 namespace

@@ -240,6 +240,7 @@ private:
 
   struct Settings;
 
+  void WriteStep(vtkImageData* image);
   void WriteImage(vtkImageData* image, const std::string& name);
   void Fail(unsigned long code, const std::string& sentence);
 

@@ -6,6 +6,7 @@
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ bool HaveSameBytes(vtkDataArray* a, vtkDataArray* b);
 
 // A file in the folder of the tests' output.
 std::string OutputName(const std::string& name);
+
+// A folder there, empty.
+std::filesystem::path EmptyFolder(const std::string& name);
+std::size_t CountFiles(const std::filesystem::path& folder);
 
 std::vector<char> ReadBytes(const std::string& name);
 void WriteBytes(const std::string& name, const std::vector<char>& bytes);
