@@ -16,8 +16,16 @@ import numpy
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from active_implicit_surfaces import render, vtkActiveEXRReader, vtkActiveEXRWriter
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkGlyph3DMapper,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+)
 
 WIDTH, HEIGHT = 160, 120
 AROUND, DOWN = 400, 200  # triangles of the ball
@@ -63,6 +71,21 @@ def floor_actor():
     data = plane.GetOutput()
     data.GetPointData().SetNormals(None)
     return actor_of(data)
+
+
+def glyph_actor():
+    """The ball again, as a glyph: it has depth, and no values."""
+    points, place = vtkPoints(), vtkPolyData()
+    points.InsertNextPoint(CENTER)
+    place.SetPoints(points)
+    ball = vtkSphereSource()
+    ball.SetRadius(RADIUS)
+    mapper = vtkGlyph3DMapper()
+    mapper.SetInputData(place)
+    mapper.SetSourceConnection(ball.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
 
 
 def window_with(*actors, parallel=False):
@@ -196,6 +219,15 @@ class Layers(unittest.TestCase):
         self.assertLess(numpy.abs(normals - [0, 0, 1]).max(), 1e-6)
         self.assertLess(numpy.abs(layers["P"][floor][:, 2] + 2).max(), 1e-4)
         self.assertLess(numpy.abs(layers["forward"][floor]).max(), 1e-6)
+
+    def test_what_has_no_values_hides_those_behind_it(self):
+        layers = layers_of(render.capture(window_with(floor_actor(), glyph_actor())))
+        steep = hits(False)[3] > 0.6  # well within its coarse outline
+        self.assertGreater(steep.sum(), 1000)
+        self.assertFalse(layers["id"][steep].any())
+        self.assertFalse(layers["N"][steep].any())
+        self.assertTrue((layers["P"][steep][:, 2] > CENTER[2]).all(), "the glyph's depth")
+        self.assertTrue((layers["id"][numpy.isnan(hits(False)[0])] == 1).all(), "the floor beside")
 
     def test_a_camera_that_moves_moves_the_picture(self):
         window = window_with(floor_actor(), parallel=True)
