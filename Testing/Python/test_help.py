@@ -1,4 +1,4 @@
-"""help() tells unit, range and default of every property of the three classes, and truly."""
+"""help() tells unit, range and default of every property of the classes, and truly."""
 
 import pydoc
 import re
@@ -6,6 +6,8 @@ import unittest
 
 import active_implicit_surfaces
 from active_implicit_surfaces import (
+    vtkActiveEXRReader,
+    vtkActiveEXRWriter,
     vtkActiveImplicitSurface,
     vtkActiveMotionAlgorithm,
     vtkGridPotential,
@@ -23,6 +25,8 @@ NUMBERS = {
     """.split(),
     vtkSkeletonPotential: "Radius Threshold".split(),
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness MaximumNumberOfVoxels".split(),
+    vtkActiveEXRReader: "Part MaximumMemory".split(),
+    vtkActiveEXRWriter: "CompressionLevel PixelAspectRatio FramesPerSecond FrameNumber".split(),
 }
 SWITCHES = {
     vtkActiveImplicitSurface: """
@@ -31,6 +35,8 @@ SWITCHES = {
     """.split(),
     vtkSkeletonPotential: [],
     vtkGridPotential: ["InvertInside"],
+    vtkActiveEXRReader: [],
+    vtkActiveEXRWriter: ["WriteAllTimeSteps"],
 }
 CHOICES = {
     vtkActiveImplicitSurface: """
@@ -38,11 +44,15 @@ CHOICES = {
     """.split(),
     vtkSkeletonPotential: ["Kernel"],
     vtkGridPotential: [],
+    vtkActiveEXRReader: ["Window"],
+    vtkActiveEXRWriter: "Compression ColorEncoding".split(),
 }
 OTHERS = {
     vtkActiveImplicitSurface: "TargetFunction InitialFunction ModelBounds".split(),
     vtkSkeletonPotential: "Input RadiusArrayName StrengthArrayName".split(),
     vtkGridPotential: "Input ScalarArrayName".split(),
+    vtkActiveEXRReader: [],
+    vtkActiveEXRWriter: "DisplaySize TimeCode WorldToCamera WorldToNDC".split(),
 }
 WITH_UNIT = {
     vtkActiveImplicitSurface: """
@@ -52,6 +62,8 @@ WITH_UNIT = {
     """.split(),
     vtkSkeletonPotential: "Radius RadiusArrayName StrengthArrayName Threshold".split(),
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness".split(),
+    vtkActiveEXRReader: ["MaximumMemory"],
+    vtkActiveEXRWriter: "DisplaySize FramesPerSecond".split(),
 }
 
 
