@@ -37,8 +37,8 @@ Value GetValue(vtkDataArray* array, vtkIdType tuple)
   }
 }
 
-// Calls function(zero) with a zero of the type of a grid that holds the array's values without loss,
-// integers as 32 or 64 bits. Throws std::invalid_argument if there is none.
+// Calls function(zero) with a zero of the type of a grid that holds the array's values without
+// loss, integers as 32 or 64 bits. Throws std::invalid_argument if there is none.
 template <class Function>
 void DispatchValues(vtkDataArray* array, Function&& function)
 {

@@ -83,8 +83,7 @@ void CheckIsClosed(const LatticeMesh& mesh)
   for (const Triangle& t : mesh.Triangles)
   {
     const std::int64_t corner[3] = { first[t[0]], first[t[1]], first[t[2]] };
-    const bool isFlat =
-      corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
+    const bool isFlat = corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
     for (int i = 0; !isFlat && i < 3; ++i)
     {
       edges.push_back(std::minmax({ corner[i], corner[(i + 1) % 3] }));
@@ -132,8 +131,7 @@ LatticeMesh ReadClosedMesh(vtkPolyData* data, double& voxelSize)
   CheckIsClosed(mesh);
   if (!(side / voxelSize <= mostVoxels))
   {
-    throw std::invalid_argument(
-      "The mesh is more than a million voxels long; enlarge VoxelSize.");
+    throw std::invalid_argument("The mesh is more than a million voxels long; enlarge VoxelSize.");
   }
   return mesh;
 }

@@ -38,10 +38,18 @@ openvdb::GridBase::Ptr Copy(vtkImageData* image, vtkDataArray* array, const Valu
   {
     values[i] = GetValue<Value>(array, i);
   }
-  const openvdb::tools::Dense<Value, openvdb::tools::LayoutXYZ> dense(
-    GetBox(image), values.data());
+  const openvdb::tools::Dense<Value, openvdb::tools::LayoutXYZ> dense(GetBox(image), values.data());
   auto grid = openvdb::Grid<Tree>::create(background);
   openvdb::tools::copyFromDense(dense, *grid, openvdb::zeroVal<Value>());
+  // It takes what is no number for the background.
+  auto accessor = grid->getAccessor();
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (values[i] != values[i])
+    {
+      accessor.setValue(dense.offsetToCoord(i), values[i]);
+    }
+  }
   return grid;
 }
 

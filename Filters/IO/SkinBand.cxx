@@ -65,8 +65,8 @@ public:
   }
 
   // Of the voxels in a box, as far as they come that near.
-  void TryBox(
-    Reader& first, const Coord& lower, const Coord& upper, const Vec3d& node, Nearest& nearest) const
+  void TryBox(Reader& first, const Coord& lower, const Coord& upper, const Vec3d& node,
+    Nearest& nearest) const
   {
     Coord voxel;
     for (voxel[0] = lower[0]; voxel[0] <= upper[0]; ++voxel[0])
@@ -173,8 +173,7 @@ private:
           const Vec3d node = layer[i].asVec3d();
           if (isFirst)
           {
-            this->Triangles.TryBox(
-              voxels, layer[i].offsetBy(-1), layer[i], node, found[i]);
+            this->Triangles.TryBox(voxels, layer[i].offsetBy(-1), layer[i], node, found[i]);
           }
           else
           {
@@ -186,8 +185,7 @@ private:
     return found;
   }
 
-  void TryNeighbours(
-    TrianglesOfVoxels::Reader& known, const Coord& place, Nearest& nearest) const
+  void TryNeighbours(TrianglesOfVoxels::Reader& known, const Coord& place, Nearest& nearest) const
   {
     const Vec3d node = place.asVec3d();
     std::int32_t last = -1;

@@ -54,7 +54,7 @@ openvdb::GridBase::Ptr Spread(vtkDataArray* array, const LatticeMesh& mesh, cons
   auto tree = std::make_shared<Tree>(
     band.Triangles->tree(), openvdb::zeroVal<Value>(), openvdb::TopologyCopy());
   openvdb::tree::LeafManager<Tree> leaves(*tree);
-  leaves.foreach(
+  leaves.foreach (
     [&](typename Tree::LeafNodeType& leaf, std::size_t)
     {
       const auto* nearest = band.Triangles->tree().probeConstLeaf(leaf.origin());
@@ -90,7 +90,7 @@ openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize)
   const auto background = static_cast<float>(HalfWidth * voxelSize);
   const float largest = std::nextafter(background, 0.f);
   openvdb::tree::LeafManager<openvdb::FloatTree> leaves(*tree);
-  leaves.foreach(
+  leaves.foreach (
     [=](openvdb::FloatTree::LeafNodeType& leaf, std::size_t)
     {
       for (auto value = leaf.beginValueOn(); value; ++value)
@@ -118,8 +118,7 @@ openvdb::GridBase::Ptr MakeArrayGrid(
   vtkDataArray* array, const LatticeMesh& mesh, const MeshBand& band)
 {
   openvdb::GridBase::Ptr grid;
-  DispatchValues(array,
-    [&](auto zero) { grid = Spread<decltype(zero)>(array, mesh, band); });
+  DispatchValues(array, [&](auto zero) { grid = Spread<decltype(zero)>(array, mesh, band); });
   grid->setName(array->GetName() ? array->GetName() : "");
   return grid;
 }

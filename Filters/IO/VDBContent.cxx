@@ -70,8 +70,7 @@ void VDBContent::AddState(const CarriedState& carried)
 void VDBContent::AddSkin(const NarrowBand& band, vtkPointData* arrays)
 {
   const LatticeMesh mesh = MakeSkinMesh(band);
-  band.Run(
-    [&] { this->AddSurface(mesh, MakeSkinBand(band, mesh), band.GetVoxelSize(), arrays); });
+  band.Run([&] { this->AddSurface(mesh, MakeSkinBand(band, mesh), band.GetVoxelSize(), arrays); });
 }
 
 void VDBContent::AddMesh(vtkPolyData* data)

@@ -55,10 +55,12 @@ void WriteVDB(const std::string& file, const openvdb::GridPtrVec& grids,
     LookThroughVDB(replacement.GetTemporaryName()); // OpenVDB does not tell of a full disk
     replacement.Finish();
   }
-  catch (const std::exception&)
+  catch (const std::exception& error)
   {
     throw FileError(vtkErrorCode::OutOfDiskSpaceError,
-      "The file " + file + " cannot be written as a whole; check that there is room on the disk.");
+      "The file " + file +
+        " cannot be written as a whole; check that there is room on the disk. (" + error.what() +
+        ")");
   }
 }
 

@@ -222,7 +222,8 @@ void vtkActiveVDBWriter::WriteSteps()
       frame);
     return;
   }
-  const std::vector<double> steps = source.Steps.empty() ? std::vector<double>{ 0.0 } : source.Steps;
+  const std::vector<double> steps =
+    source.Steps.empty() ? std::vector<double>{ 0.0 } : source.Steps;
   this->UpdateProgress(0.0);
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
@@ -252,8 +253,8 @@ void vtkActiveVDBWriter::WriteData(const std::string& file, vtkDataObject* data,
   choice.VoxelSize = this->VoxelSize;
   activesurface::VDBContent content(choice);
   content.Add(data);
-  activesurface::WriteVDB(file, content.GetGrids(), MakeMetadata(data, frame, this->Units),
-    GetFlags(this->Compression));
+  activesurface::WriteVDB(
+    file, content.GetGrids(), MakeMetadata(data, frame, this->Units), GetFlags(this->Compression));
 }
 
 void vtkActiveVDBWriter::PrintSelf(ostream& os, vtkIndent indent)

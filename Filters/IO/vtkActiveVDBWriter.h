@@ -7,9 +7,9 @@
  *
  * Of a surface the file has the grid "surface", a level set: the true distance to the skin's
  * triangles [length], negative inside, within 3 voxels on either side and +-3 voxels beyond. Its
- * transform is exact: voxels of the skin's VoxelSize, with nodes at multiples of it. Besides, as the
- * properties below say, the state to go on from, a fog, the velocity and the point arrays. A mesh
- * that does not come from a vtkActiveImplicitSurface has to be closed, and is converted by
+ * transform is exact: voxels of the skin's VoxelSize, with nodes at multiples of it. Besides, as
+ * the properties below say, the state to go on from, a fog, the velocity and the point arrays. A
+ * mesh that does not come from a vtkActiveImplicitSurface has to be closed, and is converted by
  * OpenVDB's own meshToVolume with voxels of VoxelSize.
  *
  * Of an image the file has a grid for its active scalars (else its first point array), named after
@@ -31,7 +31,6 @@
 #include <string> // for names
 
 class vtkDataObject;
-
 
 class VTKACTIVEIO_EXPORT vtkActiveVDBWriter : public vtkAlgorithm
 {

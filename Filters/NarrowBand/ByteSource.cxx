@@ -69,8 +69,7 @@ void ByteSource::Read(void* bytes, std::size_t count)
       this->WindowBegin = this->Position;
       this->Window.resize(std::min(WindowSize, this->GetRest()));
       this->File.seekg(static_cast<std::streamoff>(this->Position));
-      if (!this->File.read(
-            this->Window.data(), static_cast<std::streamsize>(this->Window.size())))
+      if (!this->File.read(this->Window.data(), static_cast<std::streamsize>(this->Window.size())))
       {
         throw std::runtime_error("it cannot be read to its end");
       }

@@ -7,7 +7,8 @@
 namespace activesurface
 {
 
-/** Opens an openvdb::io::File, whose grids then do not need it any more: later ones always do so. */
+/** Opens an openvdb::io::File, whose grids then do not need it any more: later ones always do so.
+ */
 template <class File>
 auto OpenAtOnce(File& file, int) -> decltype(file.open(false))
 {

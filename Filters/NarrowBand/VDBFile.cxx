@@ -105,7 +105,10 @@ VDBFile Look::Run()
     this->ReadGrid(grid);
     if (this->HasPlaces)
     {
-      this->Trees&& this->Source.GetPosition() > places.End ? Refuse("its grids overlap") : void();
+      if (this->Trees && this->Source.GetPosition() > places.End)
+      {
+        Refuse("its grids overlap");
+      }
       this->Source.Seek(places.End);
     }
     file.Grids.push_back(grid);
@@ -179,7 +182,7 @@ void Look::ReadGrid(VDBGrid& grid)
     Refuse("a grid is one of half floats and is not");
   }
   grid.IsKnown = grid.Transform && FindType(grid.Type) &&
-    (grid.GetValueType() != "points" ||
+    (std::string(grid.GetValueType()) != "points" ||
       this->Version >= openvdb::OPENVDB_FILE_VERSION_MULTIPASS_IO);
   const bool isSkipped = this->HasPlaces && (!this->Trees || !grid.IsKnown);
   if (!grid.Parent.empty() || isSkipped)
@@ -210,6 +213,7 @@ void Look::ReadTransform(VDBGrid& grid)
   this->Source.Seek(begin);
   std::istringstream bytes(this->Source.ReadBytes(end - begin), std::ios::binary);
   grid.Transform = openvdb::math::Transform::createLinearTransform();
+  openvdb::io::setCurrentVersion(bytes);
   grid.Transform->read(bytes);
   // Some of them are stored with their inverse.
   const openvdb::Vec3d node(1.0, 2.0, 3.0);
@@ -230,8 +234,8 @@ bool HasTheSizes(const VDBMetadata& metadata, const VDBTree& tree, bool arePacke
   {
     return !metadata.HasLeafSizes && !told;
   }
-  bool isSo = metadata.NumberOfLeaves == tree.Sizes.size() &&
-    (metadata.HasPackedSizes || !arePacked);
+  bool isSo =
+    metadata.NumberOfLeaves == tree.Sizes.size() && (metadata.HasPackedSizes || !arePacked);
   for (std::size_t i = 0; isSo && i < tree.Sizes.size(); ++i)
   {
     isSo = told->getMask(i) == tree.Sizes[i].Scheme &&
@@ -256,8 +260,7 @@ void Look::WalkTree(VDBGrid& grid, const VDBMetadata& metadata)
   }
   const bool arePacked =
     this->Compression & (openvdb::io::COMPRESS_BLOSC | openvdb::io::COMPRESS_ZIP);
-  grid.CanBeClipped =
-    type.Kind == VDBFormat::Values && HasTheSizes(metadata, tree, arePacked);
+  grid.CanBeClipped = type.Kind == VDBFormat::Values && HasTheSizes(metadata, tree, arePacked);
   grid.ActiveVoxels = tree.ActiveVoxels;
   grid.NumberOfLeaves = tree.NumberOfLeaves;
   grid.ActiveBox = tree.ActiveBox;
@@ -288,10 +291,10 @@ void Look::FindParents(VDBFile& file) const
 
 }
 
-std::string VDBGrid::GetValueType() const
+const char* VDBGrid::GetValueType() const
 {
   const KnownType* known = FindType(this->Type);
-  return !known ? this->Type : known->Kind == VDBFormat::Points ? "points" : known->Name;
+  return !known ? this->Type.c_str() : known->Kind == VDBFormat::Points ? "points" : known->Name;
 }
 
 VDBFile LookThroughVDB(const std::string& file, bool trees)
@@ -303,8 +306,7 @@ VDBFile LookThroughVDB(const std::string& file, bool trees)
   }
   catch (const std::exception& error)
   {
-    throw std::runtime_error(
-      "The file " + file + " cannot be read: " + error.what() + ".");
+    throw std::runtime_error("The file " + file + " cannot be read: " + error.what() + ".");
   }
 }
 
@@ -326,8 +328,8 @@ openvdb::GridBase::Ptr ReadVDBGrid(
   }
   catch (const std::exception& error)
   {
-    throw std::runtime_error("The grid " + grid.Name + " of the file " + file +
-      " cannot be read: " + error.what() + ".");
+    throw std::runtime_error(
+      "The grid " + grid.Name + " of the file " + file + " cannot be read: " + error.what() + ".");
   }
 }
 

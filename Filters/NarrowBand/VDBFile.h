@@ -4,8 +4,8 @@
  * OpenVDB's reader believes a file: a bit that is flipped may make it ask for any amount of memory,
  * loop for hours or read beyond its arrays. So each size in the file is compared with what is there
  * first, down to the last leaf, in a walk that builds nothing; it reads all masks, and passes over
- * the values. A file that passes is read without fault, though its values may be any. Memory then is
- * within a few hundred times the size of the file.
+ * the values. A file that passes is read without fault, though its values may be any. Memory then
+ * is within a few hundred times the size of the file.
  */
 #ifndef VDBFile_h
 #define VDBFile_h
@@ -42,7 +42,7 @@ struct VDBGrid
   ///@}
 
   /** The value's type: float, double, int32, int64, bool, vec3s, vec3d, vec3i, mask, points. */
-  std::string GetValueType() const;
+  const char* GetValueType() const;
 };
 
 struct VDBFile

@@ -43,7 +43,8 @@ public:
     if (this->Left == 0)
     {
       const auto stored = source.Read<std::int32_t>();
-      const std::int64_t unpacked = stored > 0 ? source.Read<std::int32_t>() : -std::int64_t(stored);
+      const std::int64_t unpacked =
+        stored > 0 ? source.Read<std::int32_t>() : -std::int64_t(stored);
       constexpr std::int64_t best = 300; // LZ4 packs to a 255th at best
       if (stored == 0 || unpacked <= 0 || (stored > 0 && unpacked > best * stored))
       {

@@ -136,8 +136,7 @@ void Walk::Node(int level, const openvdb::Coord& origin)
 }
 
 /** Of tiles in place of children: as many words, negative. */
-void Walk::Children(
-  int level, const openvdb::Coord& origin, const std::uint64_t* words, int count)
+void Walk::Children(int level, const openvdb::Coord& origin, const std::uint64_t* words, int count)
 {
   const int width = Log2Width[level];
   const int reach = Log2Reach[level - 1];
@@ -147,8 +146,8 @@ void Walk::Children(
     {
       const int n = 64 * i + __builtin_ctzll(rest);
       const int last = (1 << width) - 1;
-      const openvdb::Coord place = origin.offsetBy((n >> 2 * width) << reach,
-        ((n >> width) & last) << reach, (n & last) << reach);
+      const openvdb::Coord place = origin.offsetBy(
+        (n >> 2 * width) << reach, ((n >> width) & last) << reach, (n & last) << reach);
       if (count < 0)
       {
         this->Tile(place, level - 1);
@@ -170,8 +169,7 @@ void Walk::Tile(const openvdb::Coord& origin, int level)
   const int last = (1 << Log2Reach[level]) - 1;
   this->Tree.ActiveVoxels += std::uint64_t(1) << 3 * Log2Reach[level];
   this->Tree.ActiveTiles += 1;
-  this->Tree.ActiveBox.expand(
-    openvdb::CoordBBox(origin, origin.offsetBy(last, last, last)));
+  this->Tree.ActiveBox.expand(openvdb::CoordBBox(origin, origin.offsetBy(last, last, last)));
 }
 
 void Walk::Leaf(const openvdb::Coord& origin)

@@ -50,9 +50,9 @@ struct VDBTree
   std::uint64_t ActiveVoxels = 0; //< those of tiles too
   std::uint64_t ActiveTiles = 0;
   std::uint64_t NumberOfLeaves = 0;
-  openvdb::CoordBBox ActiveBox;     //< empty if nothing is active
-  std::vector<Leaf> Leaves;         //< in the order of the file
-  std::vector<VDBLeafSize> Sizes;   //< of leaves of values
+  openvdb::CoordBBox ActiveBox;   //< empty if nothing is active
+  std::vector<Leaf> Leaves;       //< in the order of the file
+  std::vector<VDBLeafSize> Sizes; //< of leaves of values
 };
 
 /** From the beginning of the topology. Throws std::runtime_error for a tree that is damaged. */

@@ -1,6 +1,7 @@
 #include "StateFile.h"
 
 #include "SavedGrid.h"
+#include "VDBFile.h"
 
 #include <openvdb/io/File.h>
 
@@ -33,6 +34,19 @@ std::vector<HistoryRow> RowsOf(const std::string& text)
     rows.push_back(row);
   }
   return rows;
+}
+
+openvdb::GridBase::Ptr FindSavedGrid(const std::string& file)
+{
+  const VDBFile content = LookThroughVDB(file);
+  for (const VDBGrid& grid : content.Grids)
+  {
+    if (grid.Name == SavedGridName)
+    {
+      return ReadVDBGrid(file, grid);
+    }
+  }
+  throw std::runtime_error(std::string("it has no grid ") + SavedGridName);
 }
 
 }
@@ -78,10 +92,7 @@ SavedState ReadState(const std::string& file)
 {
   try
   {
-    openvdb::initialize();
-    openvdb::io::File in(file);
-    in.open(false); // all at once: the file may change later
-    const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(in.readGrid(SavedGridName));
+    const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(FindSavedGrid(file));
     if (!grid)
     {
       throw std::runtime_error("its grid potential is not one of floats");

@@ -19,6 +19,7 @@ except ImportError as error:
     ) from error
 
 try:
+    from .vtkActiveIO import *
     from .vtkActiveSurfaces import *
 except ImportError as error:
     raise ImportError(

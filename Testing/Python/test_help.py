@@ -1,4 +1,4 @@
-"""help() tells unit, range and default of every property of the three classes, and truly."""
+"""help() tells unit, range and default of every property of the classes, and truly."""
 
 import pydoc
 import re
@@ -8,6 +8,8 @@ import active_implicit_surfaces
 from active_implicit_surfaces import (
     vtkActiveImplicitSurface,
     vtkActiveMotionAlgorithm,
+    vtkActiveVDBReader,
+    vtkActiveVDBWriter,
     vtkGridPotential,
     vtkSkeletonPotential,
 )
@@ -23,6 +25,8 @@ NUMBERS = {
     """.split(),
     vtkSkeletonPotential: "Radius Threshold".split(),
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness MaximumNumberOfVoxels".split(),
+    vtkActiveVDBReader: "DownsamplingFactor MaximumNumberOfPoints".split(),
+    vtkActiveVDBWriter: ["VoxelSize"],
 }
 SWITCHES = {
     vtkActiveImplicitSurface: """
@@ -31,6 +35,10 @@ SWITCHES = {
     """.split(),
     vtkSkeletonPotential: [],
     vtkGridPotential: ["InvertInside"],
+    vtkActiveVDBReader: ["OutputDense"],
+    vtkActiveVDBWriter: """
+        WriteAllTimeSteps WriteState WriteDensity WriteVelocity WritePointArrays HalfFloat
+    """.split(),
 }
 CHOICES = {
     vtkActiveImplicitSurface: """
@@ -38,11 +46,15 @@ CHOICES = {
     """.split(),
     vtkSkeletonPotential: ["Kernel"],
     vtkGridPotential: [],
+    vtkActiveVDBReader: ["Region"],
+    vtkActiveVDBWriter: "GridClass Compression".split(),
 }
 OTHERS = {
     vtkActiveImplicitSurface: "TargetFunction InitialFunction ModelBounds".split(),
     vtkSkeletonPotential: "Input RadiusArrayName StrengthArrayName".split(),
     vtkGridPotential: "Input ScalarArrayName".split(),
+    vtkActiveVDBReader: "FileName GridName IndexRegion WorldRegion".split(),
+    vtkActiveVDBWriter: "FileName InputData Units".split(),
 }
 WITH_UNIT = {
     vtkActiveImplicitSurface: """
@@ -52,6 +64,8 @@ WITH_UNIT = {
     """.split(),
     vtkSkeletonPotential: "Radius RadiusArrayName StrengthArrayName Threshold".split(),
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness".split(),
+    vtkActiveVDBReader: ["WorldRegion"],
+    vtkActiveVDBWriter: ["VoxelSize"],
 }
 
 
