@@ -24,7 +24,8 @@ std::string Pad(int number, std::size_t digits)
 std::string MakeFrameName(const std::string& pattern, int number, bool always)
 {
   const std::size_t last = pattern.find_last_of('#');
-  if (last != std::string::npos)
+  const std::size_t folder = pattern.find_last_of('/');
+  if (last != std::string::npos && (folder == std::string::npos || folder < last))
   {
     const std::size_t before = pattern.find_last_not_of('#', last);
     const std::size_t first = before == std::string::npos ? 0 : before + 1;

@@ -16,7 +16,7 @@ SavedState SurfaceSimulation::GetState() const
   SavedState state;
   if (this->Step >= 0 && !this->IsUnderWay())
   {
-    state.Band = this->Band->Clone();
+    state.Band = this->Band;
     state.Time = this->Settings.Steps[this->Step];
     state.History = this->History;
     state.History.resize(std::min(this->History.size(), std::size_t(this->Step) + 1));
@@ -130,9 +130,9 @@ CarriedArrays SurfaceSimulation::GetCarried()
   return carried;
 }
 
-const NarrowBand& SurfaceSimulation::GetBand() const
+std::shared_ptr<const NarrowBand> SurfaceSimulation::ShareBand() const
 {
-  return this->Goal.Between ? *this->Branch : *this->Band;
+  return this->Goal.Between ? this->Branch : this->Band;
 }
 
 const NarrowBand* SurfaceSimulation::FindSkin() const

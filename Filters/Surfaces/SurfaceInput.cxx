@@ -1,5 +1,7 @@
 #include "SurfaceInput.h"
 
+#include "CarriedData.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
@@ -170,7 +172,7 @@ vtkAbstractArray* SurfaceInput::FindValues(vtkDataSet* image) const
   const int index = this->Port == Target ? ValueArray : InitialValueArray;
   vtkAbstractArray* chosen = this->FindArray(index, image);
   vtkAbstractArray* values = chosen ? chosen : image->GetPointData()->GetScalars();
-  if (!values)
+  if (!values && !GetCarriedGrid(image->GetInformation()))
   {
     throw std::invalid_argument("The image of input port " + std::to_string(this->Port) +
       " has no active point scalars; choose a point array by SetInputArrayToProcess(" +

@@ -2,6 +2,7 @@
 
 #include "Compatibility.h"
 #include "FilterProperties.h"
+#include "OutputState.h"
 #include "PublishedInformation.h"
 #include "SkinPort.h"
 #include "SurfaceHistory.h"
@@ -356,8 +357,7 @@ void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector*
   {
     if (this->Makes(port, request))
     {
-      PublishTime(vtkDataObject::GetData(output, port), this->Simulation.GetGoalTime(),
-        this->Simulation.GetSettings().Settles);
+      PublishState(this->Filter, this->Simulation, vtkDataObject::GetData(output, port));
     }
   }
   this->Function.Renew(&band);

@@ -252,10 +252,20 @@ bool SurfaceSimulation::StartBand(const SurfaceDomain& domain, const ProgressFun
   return StartOn(*this->Band, { domain, this->GetMotion().Box, shape }, this->Messages, progress);
 }
 
+// The band goes on as a copy while an output, at another port or elsewhere, holds it.
+void SurfaceSimulation::KeepWhatIsShared()
+{
+  if (this->Band.use_count() > 1)
+  {
+    this->Band = this->Band->Clone();
+  }
+}
+
 bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
 {
   const double end = this->Settings.GetMotionTime(this->Settings.Steps[this->Step + 1]);
   this->Branch.reset();
+  this->KeepWhatIsShared();
   if (!this->AdvanceBand(*this->Band, end, progress))
   {
     return false;
@@ -267,6 +277,7 @@ bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
 
 bool SurfaceSimulation::Settle(const ProgressFunction& progress)
 {
+  this->KeepWhatIsShared();
   const double never = std::numeric_limits<double>::infinity();
   const AdvanceReport report = this->AdvanceCounting(*this->Band, never, progress);
   WarnOfMotion(report, this->Band->GetTime(), this->Messages);

@@ -81,6 +81,7 @@ public:
   // back to the nearest checkpoint, or to the start.
   void SetGoal(double pipelineTime);
   double GetGoalTime() const { return this->Goal.Time; }
+  int GetGoalStep() const { return this->Goal.Step; } // or the step before
 
   // The step whose frame has to come next, or -1 if none is needed to reach the goal; and the step
   // that came last, or 0.
@@ -101,7 +102,11 @@ public:
   void Drop();
 
   // At the goal, when Advance has reached it.
-  const NarrowBand& GetBand() const;
+  const NarrowBand& GetBand() const { return *this->ShareBand(); }
+  // To keep: it does not change any more.
+  std::shared_ptr<const NarrowBand> ShareBand() const;
+  // Whether it is the state at a step, to go on from.
+  bool IsAtStep() const { return !this->Goal.Between && !this->Settings.Settles; }
 
   // What will be asked for at the goal, which needs the target there.
   void SetWishes(const SkinWishes& wishes) { this->Wishes = wishes; }
@@ -146,6 +151,7 @@ private:
 
   bool Start(const ProgressFunction& progress);
   bool StartBand(const SurfaceDomain& domain, const ProgressFunction& progress);
+  void KeepWhatIsShared();
   bool AdvanceStep(const ProgressFunction& progress);
   bool AdvanceBranch(const ProgressFunction& progress);
   bool Settle(const ProgressFunction& progress);
@@ -164,9 +170,9 @@ private:
 
   GoalTime Goal;
   int FirstStep = -1;                 // where the way to the goal began, for the progress
-  std::unique_ptr<NarrowBand> Band;   // at the step, or under way to the next one
+  std::shared_ptr<NarrowBand> Band;   // at the step, or under way to the next one
   int Step = -1;                      // -1: not started
-  std::unique_ptr<NarrowBand> Branch; // from the step to BranchTime
+  std::shared_ptr<NarrowBand> Branch; // from the step to BranchTime
   double BranchTime = 0.0;            // pipeline time
   bool BranchIsUnderWay = false;      // has not got there
   bool Settled = false;               // has come to rest, or used up its substeps

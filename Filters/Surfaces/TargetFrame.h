@@ -46,7 +46,7 @@ struct TargetFrame
 TargetKind FindKind(vtkDataSet* data);
 
 // The frames of each kind. They throw std::invalid_argument for arrays that are unfit; arrays may
-// be null, but for an image's.
+// be null, an image's where it carries a level set.
 TargetFrame MakeParticles(vtkPointSet* points, const ParticleArrays& arrays);
 TargetFrame MakeSkeleton(vtkPointSet* lines, vtkAbstractArray* radii, vtkAbstractArray* strengths);
 TargetFrame MakeMesh(vtkDataSet* mesh);

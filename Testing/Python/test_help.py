@@ -10,6 +10,8 @@ from active_implicit_surfaces import (
     vtkActiveEXRWriter,
     vtkActiveImplicitSurface,
     vtkActiveMotionAlgorithm,
+    vtkActiveVDBReader,
+    vtkActiveVDBWriter,
     vtkGridPotential,
     vtkSkeletonPotential,
 )
@@ -27,6 +29,8 @@ NUMBERS = {
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness MaximumNumberOfVoxels".split(),
     vtkActiveEXRReader: "Part MaximumMemory".split(),
     vtkActiveEXRWriter: "CompressionLevel PixelAspectRatio FramesPerSecond FrameNumber".split(),
+    vtkActiveVDBReader: "DownsamplingFactor MaximumNumberOfPoints".split(),
+    vtkActiveVDBWriter: ["VoxelSize"],
 }
 SWITCHES = {
     vtkActiveImplicitSurface: """
@@ -37,6 +41,10 @@ SWITCHES = {
     vtkGridPotential: ["InvertInside"],
     vtkActiveEXRReader: [],
     vtkActiveEXRWriter: ["WriteAllTimeSteps"],
+    vtkActiveVDBReader: ["OutputDense"],
+    vtkActiveVDBWriter: """
+        WriteAllTimeSteps WriteState WriteDensity WriteVelocity WritePointArrays HalfFloat
+    """.split(),
 }
 CHOICES = {
     vtkActiveImplicitSurface: """
@@ -46,6 +54,8 @@ CHOICES = {
     vtkGridPotential: [],
     vtkActiveEXRReader: ["Window"],
     vtkActiveEXRWriter: "Compression ColorEncoding".split(),
+    vtkActiveVDBReader: ["Region"],
+    vtkActiveVDBWriter: "GridClass Compression".split(),
 }
 OTHERS = {
     vtkActiveImplicitSurface: "TargetFunction InitialFunction ModelBounds".split(),
@@ -53,6 +63,8 @@ OTHERS = {
     vtkGridPotential: "Input ScalarArrayName".split(),
     vtkActiveEXRReader: [],
     vtkActiveEXRWriter: "DisplaySize TimeCode WorldToCamera WorldToNDC".split(),
+    vtkActiveVDBReader: "FileName GridName IndexRegion WorldRegion".split(),
+    vtkActiveVDBWriter: "FileName InputData Units".split(),
 }
 WITH_UNIT = {
     vtkActiveImplicitSurface: """
@@ -64,6 +76,8 @@ WITH_UNIT = {
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness".split(),
     vtkActiveEXRReader: ["MaximumMemory"],
     vtkActiveEXRWriter: "DisplaySize FramesPerSecond".split(),
+    vtkActiveVDBReader: ["WorldRegion"],
+    vtkActiveVDBWriter: ["VoxelSize"],
 }
 
 
