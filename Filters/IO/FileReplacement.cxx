@@ -31,7 +31,7 @@ FileReplacement::FileReplacement(const std::string& name)
   const auto status = std::filesystem::status(name, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
-    throw std::runtime_error("what is there under its name is no file");
+    throw std::runtime_error("a folder or a device has that name, which is no file");
   }
 }
 

@@ -9,8 +9,8 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
+#include <stdexcept>
 
 namespace activesurface
 {
@@ -18,13 +18,21 @@ namespace activesurface
 namespace
 {
 
-void CheckCanBeMade(const std::string& file, const std::string& temporary)
+FileReplacement MakeReplacement(const std::string& file)
 {
-  if (std::filesystem::is_directory(file))
+  try
+  {
+    return FileReplacement(file);
+  }
+  catch (const std::runtime_error& error)
   {
     throw FileError(vtkErrorCode::CannotOpenFileError,
-      "The file " + file + " cannot be written: it is a folder.");
+      "The file " + file + " cannot be written: " + error.what() + ".");
   }
+}
+
+void CheckCanBeMade(const std::string& file, const std::string& temporary)
+{
   errno = 0;
   const bool isMade = std::ofstream(temporary, std::ios::binary).is_open();
   if (!isMade)
@@ -40,7 +48,7 @@ void CheckCanBeMade(const std::string& file, const std::string& temporary)
 void WriteVDB(const std::string& file, const openvdb::GridPtrVec& grids,
   const openvdb::MetaMap& metadata, std::uint32_t compression)
 {
-  FileReplacement replacement(file);
+  FileReplacement replacement = MakeReplacement(file);
   CheckCanBeMade(file, replacement.GetTemporaryName());
   for (const openvdb::GridBase::Ptr& grid : grids)
   {

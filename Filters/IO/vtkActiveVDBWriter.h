@@ -70,7 +70,8 @@ public:
   /**
    * Whether the file also has the grid "potential", the state without loss, which the filter's
    * LoadState takes up again to the same bytes. Only of a vtkActiveImplicitSurface, and at one of
-   * its time steps: between two there is none. Never as half floats. Default: off.
+   * its time steps: between two there is none. It is never written as
+   * half floats. Default: off.
    */
   vtkSetMacro(WriteState, vtkTypeBool);
   vtkGetMacro(WriteState, vtkTypeBool);

@@ -1,6 +1,6 @@
 /**
  * How long a skin takes into a .vdb file: its triangles, the true distances to them, and the file,
- * by the size of its active values.
+ * looked through, by the size of its active values. Processor time.
  *
  *   BenchmarkVDB [voxel size, 0.01] [threads, 0: all]
  */
@@ -11,10 +11,10 @@
 
 #include <openvdb/io/Compression.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 
 using namespace activesurface;
@@ -24,12 +24,13 @@ namespace
 
 constexpr double Megabyte = 1e6;
 
+// Of the processor, over all threads, so that other programs do not count.
 template <class Work>
 double Time(Work&& work)
 {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 void Torus(std::size_t count, const double* points, double* values)

@@ -1,4 +1,4 @@
-"""vtkActiveVDBWriter's files as OpenVDB's own tools see them; theirs as vtkActiveVDBReader does."""
+"""Our .vdb files as OpenVDB's own tools see them, and theirs as vtkActiveVDBReader does."""
 
 import subprocess
 import tempfile
