@@ -6,6 +6,7 @@
 
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 
 namespace activesurface
@@ -50,6 +51,7 @@ public:
   VDBLeafSize Values(const std::uint64_t* active, int words);
 
 private:
+  void Background();
   openvdb::Coord Origin();
   bool IsActive();
   void Node(int level, const openvdb::Coord& origin);
@@ -69,7 +71,7 @@ void Walk::Root()
   {
     Refuse("a tree has not one buffer");
   }
-  this->Source.Skip(this->Format.ValueSize); // background
+  this->Background();
   const auto tiles = this->Source.Read<std::uint32_t>();
   const auto children = this->Source.Read<std::uint32_t>();
   std::set<std::tuple<int, int, int>> taken;
@@ -90,6 +92,16 @@ void Walk::Root()
     {
       this->Tile(origin, 2);
     }
+  }
+}
+
+void Walk::Background()
+{
+  const std::string value = this->Source.ReadBytes(this->Format.ValueSize);
+  const bool isZero = value.find_first_not_of('\0') == std::string::npos;
+  if (this->Format.Kind == VDBFormat::Points && !isZero)
+  {
+    Refuse("points have a background"); // to which their reader aborts the program
   }
 }
 

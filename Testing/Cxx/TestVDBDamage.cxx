@@ -181,6 +181,23 @@ void DamagedPointsAreRefusedOrRead(Check& check)
   CheckMutations(check, Write({ MakePoints() }, Blosc), "points");
 }
 
+// OpenVDB's own reader aborts the program there.
+void PointsWithABackgroundAreRefused(Check& check)
+{
+  openvdb::initialize();
+  std::string bytes = Write({ MakePoints() }, Blosc);
+  // One buffer, the background 0, no tiles.
+  const std::string root("\1\0\0\0\0\0\0\0\0\0\0\0", 12);
+  const auto place = bytes.find(root, bytes.find("UniformScaleMap"));
+  check.True(place != std::string::npos, "the root is found");
+  bytes[place + 4] = 1;
+  const std::string name = std::string(ACTIVE_TEST_OUTPUT) + "/vdb_background.vdb";
+  std::ofstream(name, std::ios::binary) << bytes;
+  Outcome outcome;
+  ReadOne(name, outcome);
+  check.Equal(outcome.Refused, 1, "refused");
+}
+
 void DamagedSeveralGridsAreRefusedOrRead(Check& check)
 {
   auto ball = MakeBall();
@@ -214,6 +231,7 @@ int main(int argc, char** argv)
       { "DamagedVectorsAndWholeNumbersAreRefusedOrRead",
         DamagedVectorsAndWholeNumbersAreRefusedOrRead },
       { "DamagedPointsAreRefusedOrRead", DamagedPointsAreRefusedOrRead },
+      { "PointsWithABackgroundAreRefused", PointsWithABackgroundAreRefused },
       { "DamagedSeveralGridsAreRefusedOrRead", DamagedSeveralGridsAreRefusedOrRead },
       { "TruncatedFilesAreRefused", TruncatedFilesAreRefused } });
 }
