@@ -85,7 +85,7 @@ Need MeasureNeed(int n, double before)
       const double started = ReadPeak();
       ForgetPeak();
       const int substeps = std::max(8, 1280 / n);
-      AdvanceSubsteps(band, 2, motion, target);
+      AdvanceSubsteps(band, substeps, motion, target);
       const double seconds = SecondsOf([&] { AdvanceSubsteps(band, substeps, motion, target); });
       need.Seconds = seconds / substeps;
       need.Advancing = 1024.0 * (ReadPeak() - before);

@@ -151,7 +151,7 @@ int main(int argc, char** argv)
   WithThreads(1,
     [&]
     {
-      Compare(MakeBallToTorus(isQuick ? 24 : 64), isQuick ? 3 : 1);
-      Compare(MakeMeshToMesh(isQuick ? 24 : 64), isQuick ? 3 : 1);
+      Compare(MakeBallToTorus(isQuick ? 24 : 64), isQuick ? 2 : 1);
+      Compare(MakeMeshToMesh(isQuick ? 24 : 64), isQuick ? 2 : 1);
     });
 }

@@ -179,7 +179,7 @@ int main(int argc, char** argv)
       CompareSubsteps(n, threads, isQuick ? 5 : 7);
     }
   }
-  CompareShrinking(48, isQuick ? 1 : 3);
+  CompareShrinking(48, 3);
   if (!isQuick)
   {
     CompareShrinking(128, 1);

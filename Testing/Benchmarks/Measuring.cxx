@@ -19,7 +19,7 @@ namespace activesurface
 double MedianOf(Costs costs)
 {
   std::sort(costs.begin(), costs.end());
-  return costs.at(costs.size() / 2);
+  return 0.5 * (costs.at((costs.size() - 1) / 2) + costs.at(costs.size() / 2));
 }
 
 namespace
