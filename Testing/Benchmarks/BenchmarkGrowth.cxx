@@ -141,59 +141,71 @@ double FitExponent(const std::vector<double>& x, const std::vector<double>& y)
   return (count * sxy - sx * sy) / (count * sxx - sx * sx);
 }
 
+/** One number per turn. */
+template <class Number>
+Costs Collect(const std::vector<std::vector<Need>>& turns, const Number& number)
+{
+  Costs costs;
+  for (const std::vector<Need>& turn : turns)
+  {
+    costs.push_back(number(turn));
+  }
+  return costs;
+}
+
+void TellExponents(const std::vector<double>& sizes, const std::vector<std::vector<Need>>& turns)
+{
+  const auto fit = [&sizes](const std::vector<Need>& turn, double Need::*number)
+  {
+    std::vector<double> y;
+    for (const Need& need : turn)
+    {
+      y.push_back(need.*number);
+    }
+    return FitExponent(sizes, y);
+  };
+  const Work work = { "growth", "n = 64 to " + std::to_string(std::lround(sizes.back())), 1 };
+  Tell(work, "exponent of time", "",
+    Collect(turns, [&](const std::vector<Need>& turn) { return fit(turn, &Need::Seconds); }));
+  Tell(work, "exponent of memory", "",
+    Collect(turns, [&](const std::vector<Need>& turn) { return fit(turn, &Need::Peak); }));
+}
+
 void GrowWithResolution(int largest, int repetitions)
 {
-  std::vector<int> sizes;
+  std::vector<double> sizes;
   for (int n = 64; n <= largest; n *= 2)
   {
     sizes.push_back(n);
   }
-  std::vector<std::vector<Need>> needs(repetitions);
-  for (auto& turn : needs)
+  std::vector<std::vector<Need>> turns(repetitions);
+  for (std::vector<Need>& turn : turns)
   {
-    for (const int n : sizes)
+    for (const double n : sizes)
     {
-      turn.push_back(MeasureInChild(n));
+      turn.push_back(MeasureInChild(static_cast<int>(n)));
     }
   }
   for (std::size_t i = 0; i < sizes.size(); ++i)
   {
-    Costs seconds, peaks, advancing;
-    for (const auto& turn : needs)
-    {
-      seconds.push_back(turn[i].Seconds);
-      peaks.push_back(turn[i].Peak / turn[i].Voxels);
-      advancing.push_back(turn[i].Advancing / turn[i].Voxels);
-    }
-    const Work work = { "growth", "n = " + std::to_string(sizes[i]), 1 };
-    Tell(work, "time of a substep", "s", seconds);
-    Tell(work, "memory at the peak", "bytes per active voxel", peaks);
-    Tell(work, "memory while advancing", "bytes per active voxel", advancing);
+    const Work work = { "growth", "n = " + std::to_string(std::lround(sizes[i])), 1 };
+    using Turn = std::vector<Need>;
+    Tell(work, "time of a substep", "s",
+      Collect(turns, [i](const Turn& turn) { return turn[i].Seconds; }));
+    Tell(work, "memory at the peak", "bytes per active voxel",
+      Collect(turns, [i](const Turn& turn) { return turn[i].Peak / turn[i].Voxels; }));
+    Tell(work, "memory while advancing", "bytes per active voxel",
+      Collect(turns, [i](const Turn& turn) { return turn[i].Advancing / turn[i].Voxels; }));
   }
-  Costs ofTime, ofMemory;
-  for (const auto& turn : needs)
-  {
-    std::vector<double> x, seconds, bytes;
-    for (std::size_t i = 0; i < sizes.size(); ++i)
-    {
-      x.push_back(sizes[i]);
-      seconds.push_back(turn[i].Seconds);
-      bytes.push_back(turn[i].Peak);
-    }
-    ofTime.push_back(FitExponent(x, seconds));
-    ofMemory.push_back(FitExponent(x, bytes));
-  }
-  const Work work = { "growth", "n = 64 to " + std::to_string(largest), 1 };
-  Tell(work, "exponent of time", "", ofTime);
-  Tell(work, "exponent of memory", "", ofMemory);
+  TellExponents(sizes, turns);
 }
 
 double AdvanceWith(int threads, int n, NarrowBand& band, Target& target)
 {
   band.SetNumberOfThreads(threads);
   const int substeps = std::max(8, 1280 / n);
-  const auto begin = [&] { AdvanceSubsteps(band, substeps, MakeMotion(10.0, 0.001), target); };
-  return SecondsOf(begin) / substeps;
+  const auto work = [&] { AdvanceSubsteps(band, substeps, MakeMotion(10.0, 0.001), target); };
+  return SecondsOf(work) / substeps;
 }
 
 void GrowWithThreads(int n, int repetitions)
@@ -244,7 +256,7 @@ vtkSmartPointer<vtkPolyData> FillBall(double spacing, double place)
   return cloud;
 }
 
-/** Two ways: once to the start, then a frame of .1 towards a cloud that is half a voxel farther. */
+/** .1 of time towards a cloud that goes half a voxel to and fro; frame 0 is the start. */
 double AdvanceFrame(double spacing, int frame, vtkActiveImplicitSurface* surface)
 {
   surface->SetInputData(FillBall(spacing, 0.01 * (frame % 2)));

@@ -19,9 +19,8 @@
 #include "OpenVDBSchemes.h"
 #include "Scenes.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 using namespace activesurface;
 
@@ -101,9 +100,57 @@ std::size_t FindEnd(const Course& course, double error)
   return i;
 }
 
+/** The worst contestant's best error: all reach it. */
+double FindCommonError(const std::vector<std::vector<Course>>& all)
+{
+  double common = 0.0;
+  for (const std::vector<Course>& courses : all)
+  {
+    const Costs& errors = courses[0].Errors;
+    common = std::max(common, *std::min_element(errors.begin(), errors.end()));
+  }
+  return common;
+}
+
+/** Seconds after that piece, one per repetition. */
+Costs SecondsAfter(const std::vector<Course>& courses, std::size_t piece)
+{
+  Costs seconds;
+  for (const Course& course : courses)
+  {
+    seconds.push_back(course.Seconds[piece]);
+  }
+  return seconds;
+}
+
+void TellCourses(const Work& work, const std::vector<std::vector<Course>>& all)
+{
+  const std::vector<std::string> names = { "morph", NameOf(Default), NameOf(Cheapest) };
+  const double common = FindCommonError(all);
+  Tell(work, "the same error", "voxels", { common });
+  std::vector<Costs> whole;
+  std::vector<Costs> same;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const Course& first = all[i][0];
+    const std::size_t end = FindEnd(first, common);
+    whole.push_back(SecondsAfter(all[i], Pieces - 1));
+    same.push_back(SecondsAfter(all[i], end));
+    Tell(work, names[i] + ", to the same error", "s", same[i]);
+    Tell(work, names[i] + ", to time 10", "s", whole[i]);
+    Tell(work, names[i] + ", steps", "", { first.Steps[end] });
+    Tell(work, names[i] + ", steps to time 10", "", { first.Steps.back() });
+    Tell(work, names[i] + ", error at time 10", "voxels", { first.Errors.back() });
+  }
+  for (std::size_t i = 1; i < all.size(); ++i)
+  {
+    TellRatio(work, "morph over " + names[i], same[i], same[0]);
+    TellRatio(work, "morph to time 10 over " + names[i], whole[i], whole[0]);
+  }
+}
+
 void Compare(const MorphScene& scene, int repetitions)
 {
-  std::vector<Course> courses(3);
   std::vector<std::vector<Course>> all(3);
   for (int repetition = 0; repetition < repetitions; ++repetition)
   {
@@ -111,36 +158,7 @@ void Compare(const MorphScene& scene, int repetitions)
     all[1].push_back(FollowTheirs(scene, Default));
     all[2].push_back(FollowTheirs(scene, Cheapest));
   }
-  double common = 0.0;
-  for (const auto& course : all)
-  {
-    const Costs& errors = course[0].Errors;
-    common = std::max(common, *std::min_element(errors.begin(), errors.end()));
-  }
-  const std::vector<std::string> names = { "morph", NameOf(Default), NameOf(Cheapest) };
-  const Work work = { "morph", scene.Name, 1 };
-  std::vector<Costs> whole(3);
-  std::vector<Costs> same(3);
-  Tell(work, "the same error", "voxels", { common });
-  for (int i = 0; i < 3; ++i)
-  {
-    const std::size_t end = FindEnd(all[i][0], common);
-    for (const Course& course : all[i])
-    {
-      whole[i].push_back(course.Seconds.back());
-      same[i].push_back(course.Seconds[end]);
-    }
-    Tell(work, names[i] + ", to the same error", "s", same[i]);
-    Tell(work, names[i] + ", to time 10", "s", whole[i]);
-    Tell(work, names[i] + ", steps", "", { all[i][0].Steps[end] });
-    Tell(work, names[i] + ", steps to time 10", "", { all[i][0].Steps.back() });
-    Tell(work, names[i] + ", error at time 10", "voxels", { all[i][0].Errors.back() });
-  }
-  for (int i = 1; i < 3; ++i)
-  {
-    TellRatio(work, "morph over " + names[i], same[i], same[0]);
-    TellRatio(work, "morph to time 10 over " + names[i], whole[i], whole[0]);
-  }
+  TellCourses({ "morph", scene.Name, 1 }, all);
 }
 }
 

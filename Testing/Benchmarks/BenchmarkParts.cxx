@@ -183,37 +183,44 @@ double Polygonise(const NarrowBand& band)
     });
 }
 
-void TakeApart(int n, int threads, int repetitions)
+using Parts = std::map<std::string, Costs>;
+
+/** Nanoseconds per active voxel and substep of each part, and of what they add up to. */
+void AddTurn(OpenBand& open, NarrowBand& band, int substeps, Parts& parts)
 {
   const Motion motion = MakeMotion(10.0, 0.001);
-  const int substeps = std::max(4, 1280 / n);
+  MovingBall target;
+  const double units = 1e-9 * substeps * band.GetNumberOfActiveNodes();
+  open.Seconds.clear();
+  for (int i = 0; i < substeps; ++i)
+  {
+    open.Substep(motion, target);
+  }
+  double sum = 0.0;
+  for (const auto& [part, seconds] : open.Seconds)
+  {
+    parts[part].push_back(seconds / units);
+    sum += seconds;
+  }
+  parts["sum of the parts"].push_back(sum / units);
+  parts["Advance"].push_back(
+    SecondsOf([&] { AdvanceSubsteps(band, substeps, motion, target); }) / units);
+  parts["polygonise"].push_back(Polygonise(band) / units);
+}
+
+void TakeApart(int n, int threads, int repetitions)
+{
   NarrowBand band(VoxelSizeOf(n));
   band.SetNumberOfThreads(threads);
   band.Start(0.0, Box, MakeInitial(BallDistance()));
-  MovingBall target;
   OpenBand open(band);
-  std::map<std::string, Costs> parts;
+  Parts parts;
   WithThreads(threads,
     [&]
     {
       for (int repetition = 0; repetition < repetitions; ++repetition)
       {
-        const double units = 1e-9 * substeps * band.GetNumberOfActiveNodes();
-        open.Seconds.clear();
-        for (int i = 0; i < substeps; ++i)
-        {
-          open.Substep(motion, target);
-        }
-        double sum = 0.0;
-        for (const auto& [part, seconds] : open.Seconds)
-        {
-          parts[part].push_back(seconds / units);
-          sum += seconds;
-        }
-        parts["sum of the parts"].push_back(sum / units);
-        parts["Advance"].push_back(
-          SecondsOf([&] { AdvanceSubsteps(band, substeps, motion, target); }) / units);
-        parts["polygonise"].push_back(Polygonise(band) / units);
+        AddTurn(open, band, std::max(4, 1280 / n), parts);
       }
     });
   open.RequireSameAs(band);
