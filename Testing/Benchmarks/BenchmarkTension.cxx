@@ -1,31 +1,31 @@
-// How exact tension is, against the resolution and the time step.
+// What a substep costs, against OpenVDB's LevelSetFilter::meanCurvature: a ball of radius .6 in
+// [-1,1]^3, n nodes along a side.
 //
-// Run: BenchmarkTension [largest n] [dt factor]      (default 128, a quarter of a minute; all
-// factors)
+// Run: BenchmarkTension [quick]
 //
-// A ball of radius .6 in [-1,1]^3, n nodes along a side, shrinks under tension alone to radius .3.
-// Exact: r^2 = r0^2 - 4 Tension t. The substep is factor * h^2 / Tension. Columns:
+// Costs are nanoseconds per active voxel and substep, each per active voxel of its own band (ours
+// is 5 voxels wide and has 7 n^2 of them, OpenVDB's of half width 3 has 6 to 7 n^2), with all that
+// a substep needs: in OpenVDB the step, renormalisation, the new band.
 //
-//   error: of the mean radius, relative to .3 [%]
+//   tension: tension alone
 //
-//   skin: the same of the skin of an exact ball of radius .3, whose points lie on chords of the
-//   sphere: h^2 / 24 r^2 too near on average; the surface itself is off by the difference
+//   default scheme: attraction to a moving ball, whose distance is a formula, and tension
 //
-//   spread: largest minus least radius [h]
-//
-//   order: log of the ratio of the errors over log of the ratio of the voxel sizes, from the line
-//   above and from n = 32 to this line; 2 for a scheme of second order
+// "shrinks to .3" is the same motion to the same time: the ball shrinks under tension alone,
+// exactly r^2 = .36 - 4 Tension t, to r = .3. Seconds for all of it, and the error of the mean
+// radius at its end. OpenVDB's step is h^2 / 6 in this time, ours h^2 / 4. Radii are those of the
+// crossings of the lattice's edges, for both.
 
-#include "NarrowBand.h"
-#include "Skin.h"
+#include "Crossings.h"
+#include "Measuring.h"
+#include "OpenVDBSchemes.h"
+#include "Scenes.h"
 
-#include <algorithm>
-#include <chrono>
+#include <openvdb/tools/LevelSetSphere.h>
+
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <vector>
+#include <memory>
 
 using namespace activesurface;
 
@@ -33,134 +33,137 @@ namespace
 {
 constexpr double StartRadius = 0.6;
 constexpr double EndRadius = 0.3;
-// No symmetry of the lattice favours it.
-constexpr double Centre[3] = { 0.013, 0.007, -0.021 };
 
-class NoTarget : public Target
+using LevelSetFilter = openvdb::tools::LevelSetFilter<openvdb::FloatGrid>;
+
+openvdb::FloatGrid::Ptr MakeLevelSetBall(int n)
 {
-public:
-  void MoveTo(double) override {}
-
-  void Evaluate(std::size_t count, const double*, double* values, double* slopes) const override
-  {
-    std::fill(values, values + count, 0.0);
-    std::fill(slopes, slopes + count, 0.0);
-  }
-};
-
-template <class Coordinate>
-double GetRadius(const Coordinate* point)
-{
-  double square = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    square += std::pow(point[axis] - Centre[axis], 2);
-  }
-  return std::sqrt(square);
+  return openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(
+    static_cast<float>(StartRadius), openvdb::Vec3f(0.f), static_cast<float>(VoxelSizeOf(n)));
 }
 
-InitialFunction MakeBall(double radius)
+// Enough to be timed, few enough to stay near the same number of voxels.
+int CountSubsteps(int n)
 {
-  InitialFunction ball;
-  ball.Evaluate = [radius](std::size_t count, const double* points, double* values)
-  {
-    for (std::size_t i = 0; i < count; ++i)
+  return std::max(4, 1280 / n);
+}
+
+Contestant MakeOurs(const std::string& name, int n, const Motion& motion, int threads)
+{
+  auto band = std::make_shared<NarrowBand>(VoxelSizeOf(n));
+  band->SetNumberOfThreads(threads);
+  band->Start(0.0, Box, MakeInitial(BallDistance()));
+  auto target = std::make_shared<MovingBall>();
+  AdvanceSubsteps(*band, 2, motion, *target); // memory is there from now on
+  return { name,
+    [=]
     {
-      values[i] = GetRadius(points + 3 * i) - radius;
-    }
+      const double voxels = static_cast<double>(band->GetNumberOfActiveNodes());
+      const int substeps = CountSubsteps(n);
+      const double seconds = SecondsOf([&] { AdvanceSubsteps(*band, substeps, motion, *target); });
+      return 1e9 * seconds / (voxels * substeps);
+    } };
+}
+
+Contestant MakeTheirs(int n, bool isCheapest)
+{
+  auto ball = MakeLevelSetBall(n);
+  auto filter = std::make_shared<LevelSetFilter>(*ball);
+  ChooseScheme(*filter, isCheapest);
+  return { NameOf(isCheapest),
+    [=]
+    {
+      const int steps = std::max(1, 128 / n);
+      const double voxels = static_cast<double>(ball->activeVoxelCount());
+      const double seconds = SecondsOf(
+        [&]
+        {
+          for (int i = 0; i < steps; ++i)
+          {
+            filter->meanCurvature();
+          }
+        });
+      return 1e9 * seconds / (voxels * steps);
+    } };
+}
+
+void CompareSubsteps(int n, int threads, int repetitions)
+{
+  const std::vector<Contestant> contestants = {
+    MakeOurs("tension", n, MakeMotion(0.0, 1.0), threads),
+    MakeTheirs(n, Default),
+    MakeTheirs(n, Cheapest),
+    MakeOurs("default scheme", n, MakeMotion(10.0, 0.001), threads),
   };
-  return ball;
-}
-
-struct Radii
-{
-  double Error = 0.0; //< of their mean, relative to EndRadius
-  double Spread = 0.0;
-};
-
-Radii MeasureRadii(const NarrowBand& band)
-{
-  const Skin skin(band);
-  const std::size_t count = skin.GetNumberOfPoints();
-  std::vector<double> points(3 * count);
-  std::vector<std::int64_t> corners(3 * skin.GetNumberOfTriangles());
-  skin.Write(points.data(), nullptr, corners.data());
-  double sum = 0.0;
-  double least = 1e30;
-  double largest = 0.0;
-  for (std::size_t i = 0; i < count; ++i)
+  std::vector<Costs> costs;
+  WithThreads(threads, [&] { costs = MeasureInTurns(contestants, repetitions); });
+  const Work work = { "tension", "n = " + std::to_string(n), threads };
+  for (std::size_t i = 0; i < contestants.size(); ++i)
   {
-    const double radius = GetRadius(points.data() + 3 * i);
-    sum += radius;
-    least = std::min(least, radius);
-    largest = std::max(largest, radius);
+    Tell(work, contestants[i].Name, "ns", costs[i]);
   }
-  return { sum / count / EndRadius - 1.0, largest - least };
+  TellRatio(work, "tension over OpenVDB, defaults", costs[1], costs[0]);
+  TellRatio(work, "tension over OpenVDB, cheapest", costs[2], costs[0]);
 }
 
-NarrowBand& StartOnBall(NarrowBand& band, double radius)
+double ErrorOfRadius(const openvdb::FloatGrid& grid, double voxelSize)
 {
-  const double box[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
-  band.Start(0.0, box, MakeBall(radius));
-  return band;
-}
-
-struct Line
-{
-  double VoxelSize = 0.0;
-  Radii Exact;
-  Radii Shrunk;
-  std::size_t Substeps = 0;
-  double Seconds = 0.0;
-};
-
-Line Shrink(int n, double factor)
-{
-  Line line;
-  line.VoxelSize = 2.0 / (n - 1);
-  NarrowBand band(line.VoxelSize);
-  line.Exact = MeasureRadii(StartOnBall(band, EndRadius));
-  StartOnBall(band, StartRadius);
-  Motion motion;
-  motion.Attraction = 0.0;
-  motion.Tension = 1.0;
-  motion.CFL = 4.0 * factor;
-  NoTarget none;
-  const auto begin = std::chrono::steady_clock::now();
-  const double time = (StartRadius * StartRadius - EndRadius * EndRadius) / 4.0;
-  line.Substeps = band.Advance(time, motion, none).Substeps;
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-  line.Seconds = spent.count();
-  line.Shrunk = MeasureRadii(band);
-  return line;
-}
-
-double GetOrder(const Line& coarse, const Line& fine)
-{
-  return std::log(std::abs(coarse.Shrunk.Error / fine.Shrunk.Error)) /
-    std::log(coarse.VoxelSize / fine.VoxelSize);
-}
-
-void PrintLines(double factor, int largest)
-{
-  std::vector<Line> lines;
-  for (int n = 32; n <= largest; n *= 2)
+  double sum = 0.0;
+  const std::vector<double> points = FindCrossings(grid, voxelSize);
+  for (std::size_t i = 0; i < points.size(); i += 3)
   {
-    lines.push_back(Shrink(n, factor));
-    const Line& line = lines.back();
-    std::printf("%6.2f %4d %10.4f %10.4f %10.3f", factor, n, 100.0 * line.Shrunk.Error,
-      100.0 * line.Exact.Error, line.Shrunk.Spread / line.VoxelSize);
-    if (lines.size() > 1)
+    sum += std::sqrt(
+      points[i] * points[i] + points[i + 1] * points[i + 1] + points[i + 2] * points[i + 2]);
+  }
+  return 100.0 * std::fabs(3.0 * sum / points.size() / EndRadius - 1.0);
+}
+
+double ShrinkOurs(int n, double& error)
+{
+  NarrowBand band(VoxelSizeOf(n));
+  band.SetNumberOfThreads(1);
+  band.Start(0.0, Box, MakeInitial(BallDistance()));
+  MovingBall none;
+  const double time = (StartRadius * StartRadius - EndRadius * EndRadius) / 4.0;
+  const double seconds = SecondsOf([&] { band.Advance(time, MakeMotion(0.0, 1.0), none); });
+  error = ErrorOfRadius(*band.GetPotential(), band.GetVoxelSize());
+  return seconds;
+}
+
+double ShrinkTheirs(int n, bool isCheapest, double& error)
+{
+  const double h = VoxelSizeOf(n);
+  const openvdb::FloatGrid::Ptr ball = MakeLevelSetBall(n);
+  LevelSetFilter filter(*ball);
+  ChooseScheme(filter, isCheapest);
+  const double steps = (StartRadius * StartRadius - EndRadius * EndRadius) / (4.0 * h * h / 6.0);
+  const double seconds = SecondsOf(
+    [&]
     {
-      std::printf(
-        " %6.2f %8.2f", GetOrder(lines[lines.size() - 2], line), GetOrder(lines.front(), line));
-    }
-    else
-    {
-      std::printf(" %6s %8s", "-", "-");
-    }
-    std::printf(" %9zu %8.1f\n", line.Substeps, line.Seconds);
-    std::fflush(stdout);
+      for (int i = 0; i < std::lround(steps); ++i)
+      {
+        filter.meanCurvature();
+      }
+    });
+  error = ErrorOfRadius(*ball, h);
+  return seconds;
+}
+
+void CompareShrinking(int n, int repetitions)
+{
+  double errors[3] = { 0.0, 0.0, 0.0 };
+  const std::vector<Contestant> contestants = {
+    { "shrinks", [&] { return ShrinkOurs(n, errors[0]); } },
+    { NameOf(Default), [&] { return ShrinkTheirs(n, Default, errors[1]); } },
+    { NameOf(Cheapest), [&] { return ShrinkTheirs(n, Cheapest, errors[2]); } },
+  };
+  std::vector<Costs> costs;
+  WithThreads(1, [&] { costs = MeasureInTurns(contestants, repetitions); });
+  const Work work = { "tension", "shrinks to .3, n = " + std::to_string(n), 1 };
+  TellContest(work, "s", contestants, costs);
+  for (std::size_t i = 0; i < contestants.size(); ++i)
+  {
+    Tell(work, "error of " + contestants[i].Name, "% of radius", { errors[i] });
   }
 }
 }
@@ -168,16 +171,17 @@ void PrintLines(double factor, int largest)
 int main(int argc, char** argv)
 {
   openvdb::initialize();
-  const int largest = argc > 1 ? std::atoi(argv[1]) : 128;
-  std::vector<double> factors = { 0.1, 0.15, 0.2, 0.25 };
-  if (argc > 2)
+  const bool isQuick = IsQuick(argc, argv);
+  for (int n = 64; n <= (isQuick ? 128 : 512); n *= 2)
   {
-    factors = { std::atof(argv[2]) };
+    for (const int threads : ThreadsToMeasure())
+    {
+      CompareSubsteps(n, threads, isQuick ? 5 : 7);
+    }
   }
-  std::printf("%6s %4s %10s %10s %10s %6s %8s %9s %8s\n", "factor", "n", "error [%]", "skin [%]",
-    "spread [h]", "order", "since 32", "substeps", "seconds");
-  for (const double factor : factors)
+  CompareShrinking(48, 3);
+  if (!isQuick)
   {
-    PrintLines(factor, largest);
+    CompareShrinking(128, 1);
   }
 }

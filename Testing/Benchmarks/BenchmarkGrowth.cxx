@@ -1,0 +1,308 @@
+// How time and memory grow: with the resolution, with the number of threads, and with the number of
+// particles around the same surface.
+//
+// Run: BenchmarkGrowth [quick]
+//
+// Resolution: a ball of radius .6 in [-1,1]^3, n nodes along a side, the default scheme
+// (attraction to a moving ball, tension); seconds per substep, and the largest memory that a
+// process of its own has held during start and substeps, less what it held after a run at n = 16.
+// Exponents are those of the straight line through the logarithms, by least squares. "while
+// advancing" is the same peak for the substeps alone: the start, which samples the bounds and
+// sweeps distances, needs more.
+//
+// Threads: the largest n, 1 to all threads, against one.
+//
+// Particles: a ball of radius 1 filled with 1,000 times 1, 2, 4 ... of them, whose kernels shrink
+// as their spacing does; the voxel stays. Seconds per frame of the filter, of which the search
+// structure of the particles is a part.
+
+#include "Measuring.h"
+#include "Scenes.h"
+
+#include "vtkActiveImplicitSurface.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+using namespace activesurface;
+
+namespace
+{
+
+/** In kB, since the process began or ForgetPeak. */
+double ReadPeak()
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+  {
+    if (line.rfind("VmHWM:", 0) == 0)
+    {
+      return std::stod(line.substr(6));
+    }
+  }
+  throw std::runtime_error("/proc/self/status has no VmHWM.");
+}
+
+void ForgetPeak()
+{
+  std::ofstream("/proc/self/clear_refs") << 5;
+}
+
+/** What a process of its own has found for one n. */
+struct Need
+{
+  double Voxels = 0.0;
+  double Seconds = 0.0; //< per substep
+  double Peak = 0.0;    //< bytes
+  double Advancing = 0.0;
+};
+
+Need MeasureNeed(int n, double before)
+{
+  Need need;
+  WithThreads(1,
+    [&]
+    {
+      NarrowBand band(VoxelSizeOf(n));
+      band.SetNumberOfThreads(1);
+      band.Start(0.0, Box, MakeInitial(BallDistance()));
+      MovingBall target;
+      const Motion motion = MakeMotion(10.0, 0.001);
+      need.Voxels = static_cast<double>(band.GetNumberOfActiveNodes());
+      const double started = ReadPeak();
+      ForgetPeak();
+      const int substeps = std::max(8, 1280 / n);
+      AdvanceSubsteps(band, substeps, motion, target);
+      const double seconds = SecondsOf([&] { AdvanceSubsteps(band, substeps, motion, target); });
+      need.Seconds = seconds / substeps;
+      need.Advancing = 1024.0 * (ReadPeak() - before);
+      need.Peak = std::max(need.Advancing, 1024.0 * (started - before));
+    });
+  return need;
+}
+
+/** Before this process has started any thread. */
+Need MeasureInChild(int n)
+{
+  int ends[2];
+  if (pipe(ends) != 0)
+  {
+    throw std::runtime_error("No pipe.");
+  }
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    // What the first band of all needs besides: code, threads' stacks.
+    MeasureNeed(16, 0.0);
+    ForgetPeak();
+    const Need need = MeasureNeed(n, ReadPeak());
+    const bool written = write(ends[1], &need, sizeof need) == sizeof need;
+    _exit(written ? 0 : 1);
+  }
+  Need need;
+  const bool isRead = read(ends[0], &need, sizeof need) == sizeof need;
+  int status = 0;
+  waitpid(child, &status, 0);
+  close(ends[0]);
+  close(ends[1]);
+  if (!isRead || status != 0)
+  {
+    throw std::runtime_error("The measuring process has failed.");
+  }
+  return need;
+}
+
+double FitExponent(const std::vector<double>& x, const std::vector<double>& y)
+{
+  double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+  const double count = static_cast<double>(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i)
+  {
+    const double a = std::log(x[i]);
+    const double b = std::log(y[i]);
+    sx += a;
+    sy += b;
+    sxx += a * a;
+    sxy += a * b;
+  }
+  return (count * sxy - sx * sy) / (count * sxx - sx * sx);
+}
+
+/** One number per turn. */
+template <class Number>
+Costs Collect(const std::vector<std::vector<Need>>& turns, const Number& number)
+{
+  Costs costs;
+  for (const std::vector<Need>& turn : turns)
+  {
+    costs.push_back(number(turn));
+  }
+  return costs;
+}
+
+void TellExponents(const std::vector<double>& sizes, const std::vector<std::vector<Need>>& turns)
+{
+  const auto fit = [&sizes](const std::vector<Need>& turn, double Need::*number)
+  {
+    std::vector<double> y;
+    for (const Need& need : turn)
+    {
+      y.push_back(need.*number);
+    }
+    return FitExponent(sizes, y);
+  };
+  const Work work = { "growth", "n = 64 to " + std::to_string(std::lround(sizes.back())), 1 };
+  Tell(work, "exponent of time", "",
+    Collect(turns, [&](const std::vector<Need>& turn) { return fit(turn, &Need::Seconds); }));
+  Tell(work, "exponent of memory", "",
+    Collect(turns, [&](const std::vector<Need>& turn) { return fit(turn, &Need::Peak); }));
+}
+
+void GrowWithResolution(int largest, int repetitions)
+{
+  std::vector<double> sizes;
+  for (int n = 64; n <= largest; n *= 2)
+  {
+    sizes.push_back(n);
+  }
+  std::vector<std::vector<Need>> turns(repetitions);
+  for (std::vector<Need>& turn : turns)
+  {
+    for (const double n : sizes)
+    {
+      turn.push_back(MeasureInChild(static_cast<int>(n)));
+    }
+  }
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    const Work work = { "growth", "n = " + std::to_string(std::lround(sizes[i])), 1 };
+    using Turn = std::vector<Need>;
+    Tell(work, "time of a substep", "s",
+      Collect(turns, [i](const Turn& turn) { return turn[i].Seconds; }));
+    Tell(work, "memory at the peak", "bytes per active voxel",
+      Collect(turns, [i](const Turn& turn) { return turn[i].Peak / turn[i].Voxels; }));
+    Tell(work, "memory while advancing", "bytes per active voxel",
+      Collect(turns, [i](const Turn& turn) { return turn[i].Advancing / turn[i].Voxels; }));
+  }
+  TellExponents(sizes, turns);
+}
+
+double AdvanceWith(int threads, int n, NarrowBand& band, Target& target)
+{
+  band.SetNumberOfThreads(threads);
+  const int substeps = std::max(8, 1280 / n);
+  const auto work = [&] { AdvanceSubsteps(band, substeps, MakeMotion(10.0, 0.001), target); };
+  return SecondsOf(work) / substeps;
+}
+
+void GrowWithThreads(int n, int repetitions)
+{
+  NarrowBand band(VoxelSizeOf(n));
+  band.Start(0.0, Box, MakeInitial(BallDistance()));
+  MovingBall target;
+  std::vector<Contestant> contestants;
+  for (int threads = 1; threads <= CountThreads(); ++threads)
+  {
+    contestants.push_back({ std::to_string(threads) + " threads",
+      [&, threads] { return AdvanceWith(threads, n, band, target); } });
+  }
+  const std::vector<Costs> costs = MeasureInTurns(contestants, repetitions);
+  for (std::size_t i = 0; i < contestants.size(); ++i)
+  {
+    const Work work = { "growth", "n = " + std::to_string(n), static_cast<int>(i) + 1 };
+    Tell(work, "time of a substep by the clock", "s", costs[i]);
+    TellRatio(work, contestants[i].Name + " over 1", costs[0], costs[i]);
+  }
+}
+
+/** In a ball of radius 1 at a place, on a lattice of `spacing`, each a little off. */
+vtkSmartPointer<vtkPolyData> FillBall(double spacing, double place)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> off(-0.1 * spacing, 0.1 * spacing);
+  vtkNew<vtkPoints> points;
+  const int half = static_cast<int>(1.0 / spacing);
+  for (int k = -half; k <= half; ++k)
+  {
+    for (int j = -half; j <= half; ++j)
+    {
+      for (int i = -half; i <= half; ++i)
+      {
+        const double length = spacing * std::sqrt(double(i * i + j * j + k * k));
+        const double at[3] = { i * spacing + off(random), j * spacing + off(random),
+          k * spacing + off(random) };
+        if (length < 1.0)
+        {
+          points->InsertNextPoint(at[0] + place, at[1], at[2]);
+        }
+      }
+    }
+  }
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  cloud->SetPoints(points);
+  return cloud;
+}
+
+/** .1 of time towards a cloud that goes half a voxel to and fro; frame 0 is the start. */
+double AdvanceFrame(double spacing, int frame, vtkActiveImplicitSurface* surface)
+{
+  surface->SetInputData(FillBall(spacing, 0.01 * (frame % 2)));
+  return SecondsOf([&] { surface->UpdateTimeStep(0.1 * frame); });
+}
+
+void GrowWithParticles(double count, int frames)
+{
+  // A ball has 4/3 pi / spacing^3 of them.
+  const double spacing = std::cbrt(4.18879 / count);
+  vtkNew<vtkActiveImplicitSurface> surface;
+  surface->SetNumberOfThreads(1);
+  surface->SetVoxelSize(0.02);
+  surface->SetParticleRadius(2.0 * spacing);
+  surface->SetAttraction(20.0);
+  surface->SetTimeStepSize(0.1);
+  surface->SetNumberOfTimeSteps(frames + 1);
+  const double bounds[6] = { -1.4, 1.4, -1.4, 1.4, -1.4, 1.4 };
+  surface->SetModelBounds(bounds);
+  Costs costs;
+  WithThreads(1,
+    [&]
+    {
+      for (int frame = 0; frame <= frames; ++frame)
+      {
+        const double seconds = AdvanceFrame(spacing, frame, surface);
+        if (frame > 0)
+        {
+          costs.push_back(seconds);
+        }
+      }
+    });
+  std::ostringstream name;
+  name << std::lround(count / 1000.0) << "k particles";
+  Tell({ "growth", name.str(), 1 }, "time of a frame", "s", costs);
+}
+}
+
+int main(int argc, char** argv)
+{
+  openvdb::initialize();
+  const bool isQuick = IsQuick(argc, argv);
+  GrowWithResolution(isQuick ? 256 : 512, isQuick ? 3 : 5);
+  GrowWithThreads(isQuick ? 128 : 256, isQuick ? 7 : 15);
+  for (double count = 1000.0; count <= (isQuick ? 16e3 : 256e3); count *= 4.0)
+  {
+    GrowWithParticles(count, isQuick ? 3 : 5);
+  }
+}

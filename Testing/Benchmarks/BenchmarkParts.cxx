@@ -1,0 +1,285 @@
+// Where the time of a substep goes; and what a scene costs of which nine tenths rest.
+//
+// Run: BenchmarkParts [quick]
+//
+// The library's hot path has no clocks in it. The passes of a substep are called here one by one,
+// in the order in which BandState calls them for attraction and tension, on a band of our own; in
+// the end its potential must be, bit by bit, that of a NarrowBand that has advanced as often, or
+// this program fails: so it cannot fall behind what it takes apart. Relaxation is a term of the
+// step's kernel: its time is that of the kernel with it less that of the same kernel without.
+// Polygonising is beside the substep, but in the same unit. Shares are of the sum of the substep's
+// parts.
+//
+// At rest: ten balls in a row, n nodes along it; the target is the same row, of which the first one
+// or all balls swing. Seconds per substep, from the same start, with the same steps in time.
+
+#include "GhostFill.h"
+#include "Layers.h"
+#include "Measuring.h"
+#include "NodePoints.h"
+#include "SamplePoints.h"
+#include "Scenes.h"
+#include "Skin.h"
+#include "StepForward.h"
+#include "SubstepBuffers.h"
+#include "TargetSpeed.h"
+#include "TimeStep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <memory>
+
+using namespace activesurface;
+
+namespace
+{
+
+/** A band whose passes are in the open. */
+struct OpenBand
+{
+  double VoxelSize;
+  double Time = 0.0;
+  openvdb::FloatGrid::Ptr Potential;
+  LeafTable Leaves;
+  SubstepBuffers Buffers;
+  std::size_t Crossings = 0;
+  std::map<std::string, double> Seconds; //< per part, since it was cleared
+
+  explicit OpenBand(const NarrowBand& band)
+    : VoxelSize(band.GetVoxelSize())
+    , Time(band.GetTime())
+    , Potential(band.GetPotential()->deepCopy())
+  {
+    this->Leaves.SetBackground(NarrowBand::Far);
+    this->Leaves.Rebuild(this->Potential->tree());
+    ReadSigns(this->Leaves);
+    ReadActiveMasks(this->Leaves);
+    RebuildLayers(this->Leaves, this->Potential->tree());
+    this->Crossings = NumberCrossings(this->Leaves);
+  }
+
+  template <class Pass>
+  void Clock(const std::string& part, const Pass& pass)
+  {
+    this->Seconds[part] += SecondsOf(pass);
+  }
+
+  std::size_t CountActive() const
+  {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
+    {
+      count += this->Leaves[i].Active.Count();
+    }
+    return count;
+  }
+
+  TargetLimits SampleTarget(const Motion& motion, Target& target)
+  {
+    TargetLimits limits;
+    std::size_t count = 0;
+    target.MoveTo(this->Time);
+    this->Clock("sample points",
+      [&]
+      {
+        FindSamplePoints(this->Leaves, this->VoxelSize, this->Crossings, this->Buffers.Points);
+        count = AddNodePoints(this->Leaves, this->Potential->tree(), this->VoxelSize, motion,
+          this->Crossings, this->Buffers);
+      });
+    this->Clock(
+      "target", [&] { limits.Slope = EvaluateTarget(target, count, this->Buffers).LargestSlope; });
+    this->Clock(
+      "extension", [&] { limits.Speed = FindTargetSpeed(this->Leaves, motion, this->Buffers); });
+    return limits;
+  }
+
+  void StepForwardWith(StepCoefficients coefficients)
+  {
+    const auto step = [&] { StepForward(this->Leaves, coefficients, this->Buffers); };
+    const double whole = SecondsOf(step);
+    // Both once more, with the caches alike; the last one leaves what the step is to be.
+    const float relaxation = coefficients.Relaxation;
+    coefficients.Relaxation = 0.f;
+    const double without = SecondsOf(step);
+    coefficients.Relaxation = relaxation;
+    const double share = SecondsOf(step) - without;
+    this->Seconds["relaxation"] += share;
+    this->Seconds["speed and update"] += whole - share;
+    this->Clock("speed and update", [&] { TakeNext(this->Leaves, this->Buffers); });
+  }
+
+  void RebuildBand()
+  {
+    this->Clock("layers", [&] { RebuildLayers(this->Leaves, this->Potential->tree()); });
+    this->Clock("ghosts", [&] { FillGhosts(this->Leaves); });
+    this->Clock("layers",
+      [&]
+      {
+        std::size_t empty = 0;
+        for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
+        {
+          empty += !IsUsed(this->Leaves[i]);
+        }
+        if (8 * empty > this->Leaves.Size())
+        {
+          DropEmptyLeaves(this->Leaves, this->Potential->tree());
+        }
+        this->Crossings = NumberCrossings(this->Leaves);
+      });
+  }
+
+  void Substep(const Motion& motion, Target& target)
+  {
+    const TargetLimits limits = this->SampleTarget(motion, target);
+    const double size = this->VoxelSize;
+    const double step = StableStep(motion, size, limits, PenaltyForce());
+    StepCoefficients coefficients;
+    coefficients.Attracted = true;
+    coefficients.Advection = AdvectionFactor(step, size);
+    coefficients.Tension = static_cast<float>(step * motion.Tension / (size * size));
+    coefficients.Relaxation = static_cast<float>(
+      RelaxationFor(step * TrackingRate(motion, size, limits), step * limits.Speed / size));
+    this->StepForwardWith(coefficients);
+    this->RebuildBand();
+    this->Time += step;
+  }
+
+  void RequireSameAs(const NarrowBand& band) const
+  {
+    auto values = this->Potential->getConstAccessor();
+    std::size_t count = 0;
+    for (auto node = band.GetPotential()->cbeginValueOn(); node; ++node, ++count)
+    {
+      if (values.getValue(node.getCoord()) != *node)
+      {
+        std::fprintf(stderr, "The passes here are no longer those of the library's substep.\n");
+        std::exit(1);
+      }
+    }
+    if (count != this->CountActive())
+    {
+      std::fprintf(stderr, "The band here is no longer that of the library's substep.\n");
+      std::exit(1);
+    }
+  }
+};
+
+double Polygonise(const NarrowBand& band)
+{
+  return SecondsOf(
+    [&]
+    {
+      const Skin skin(band);
+      const std::size_t count = skin.GetNumberOfPoints();
+      const std::unique_ptr<float[]> points(new float[3 * count]);
+      const std::unique_ptr<float[]> normals(new float[3 * count]);
+      const std::unique_ptr<std::int64_t[]> corners(
+        new std::int64_t[3 * skin.GetNumberOfTriangles()]);
+      skin.Write(points.get(), normals.get(), corners.get());
+    });
+}
+
+using Parts = std::map<std::string, Costs>;
+
+/** Nanoseconds per active voxel and substep of each part, and of what they add up to. */
+void AddTurn(OpenBand& open, NarrowBand& band, int substeps, Parts& parts)
+{
+  const Motion motion = MakeMotion(10.0, 0.001);
+  MovingBall target;
+  const double units = 1e-9 * substeps * band.GetNumberOfActiveNodes();
+  open.Seconds.clear();
+  for (int i = 0; i < substeps; ++i)
+  {
+    open.Substep(motion, target);
+  }
+  double sum = 0.0;
+  for (const auto& [part, seconds] : open.Seconds)
+  {
+    parts[part].push_back(seconds / units);
+    sum += seconds;
+  }
+  parts["sum of the parts"].push_back(sum / units);
+  parts["Advance"].push_back(
+    SecondsOf([&] { AdvanceSubsteps(band, substeps, motion, target); }) / units);
+  parts["polygonise"].push_back(Polygonise(band) / units);
+}
+
+void TakeApart(int n, int threads, int repetitions)
+{
+  NarrowBand band(VoxelSizeOf(n));
+  band.SetNumberOfThreads(threads);
+  band.Start(0.0, Box, MakeInitial(BallDistance()));
+  OpenBand open(band);
+  Parts parts;
+  WithThreads(threads,
+    [&]
+    {
+      for (int repetition = 0; repetition < repetitions; ++repetition)
+      {
+        AddTurn(open, band, std::max(4, 1280 / n), parts);
+      }
+    });
+  open.RequireSameAs(band);
+  const Work work = { "parts", "n = " + std::to_string(n), threads };
+  const double sum = MedianOf(parts["sum of the parts"]);
+  for (const auto& [part, costs] : parts)
+  {
+    Costs shares = costs;
+    std::for_each(shares.begin(), shares.end(), [sum](double& cost) { cost *= 100.0 / sum; });
+    Tell(work, part, "ns", costs);
+    Tell(work, "share of " + part, "%", shares);
+  }
+}
+
+class SwingingBalls : public FormulaTarget<RowOfBalls>
+{
+public:
+  explicit SwingingBalls(int moving)
+    : FormulaTarget<RowOfBalls>(RowOfBalls{ moving })
+  {
+  }
+  void MoveTo(double time) override { this->Form.Y = 0.02 * std::sin(30.0 * time); }
+};
+
+Contestant MakeRow(const std::string& name, int n, int moving)
+{
+  auto band = std::make_shared<NarrowBand>(VoxelSizeOf(n));
+  const double bounds[6] = { -1.0, 1.0, -0.2, 0.2, -0.2, 0.2 };
+  band->Start(0.0, bounds, MakeInitial(RowOfBalls()));
+  auto target = std::make_shared<SwingingBalls>(moving);
+  return { name,
+    [=]
+    {
+      const int substeps = 10;
+      Motion motion = MakeMotion(30.0, 0.0);
+      motion.LongestStep = 1e-3; // the same for all
+      return SecondsOf([&] { AdvanceSubsteps(*band, substeps, motion, *target); }) / substeps;
+    } };
+}
+
+void RestPartly(int n, int repetitions)
+{
+  const std::vector<Contestant> contestants = {
+    MakeRow("90 % at rest", n, 1),
+    MakeRow("all moving", n, RowOfBalls::Count),
+  };
+  std::vector<Costs> costs;
+  WithThreads(1, [&] { costs = MeasureInTurns(contestants, repetitions); });
+  TellContest({ "parts", "row of balls, n = " + std::to_string(n), 1 }, "s", contestants, costs);
+}
+}
+
+int main(int argc, char** argv)
+{
+  openvdb::initialize();
+  const bool isQuick = IsQuick(argc, argv);
+  for (const int threads : ThreadsToMeasure())
+  {
+    TakeApart(isQuick ? 128 : 256, threads, isQuick ? 5 : 15);
+  }
+  RestPartly(isQuick ? 256 : 512, isQuick ? 7 : 15);
+}

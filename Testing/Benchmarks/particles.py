@@ -1,0 +1,202 @@
+"""Time per frame of a smoothed skin over moving particles, against pysplashsurf and OpenVDB.
+
+Run: python3 particles.py quick|full <threads> <path of ParticlesToLevelSet>
+
+Scenes: the splash in Testing/Data (992 particles), and pools of 25,600 and 250,000 particles under
+waves, all with particles of radius r = .05 that are 2 r apart, 25 frames a second; voxel = 1, .75
+and .5 r. Each makes the same frames in turns, and a ratio is that of a frame:
+
+- frame: vtkActiveImplicitSurface, Attraction 100 and Tension 100 (r/2)^2, which smooths what is
+  smaller than r/2; triangles with normals. Its first frame, the start, is told by itself, as later
+  ones go on from it.
+- pysplashsurf (PyPI): its recommended smoothing, 25 weighted iterations, with normals, without the
+  optional mesh cleanup.
+- OpenVDB: ParticlesToLevelSet with spheres of 2 r, which close the gaps, four smoothing steps,
+  volumeToMesh, without normals; in a process of its own (ParticlesToLevelSet.cxx).
+
+With one thread, times are the processor's, else the clock's. quick leaves out the large pool, and
+the other one's fine voxels. Lines and JSON are as in Measuring.h.
+"""
+
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+SIZE, THREADS, OPENVDB = sys.argv[1], int(sys.argv[2]), sys.argv[3]
+# Before anything starts threads.
+os.environ["RAYON_NUM_THREADS"] = os.environ["VTK_SMP_MAX_THREADS"] = str(THREADS)
+if THREADS == 1:
+    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+
+import numpy  # noqa: E402
+from active_implicit_surfaces import vtkActiveImplicitSurface  # noqa: E402
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy  # noqa: E402
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase  # noqa: E402
+from vtkmodules.vtkCommonCore import vtkPoints  # noqa: E402
+from vtkmodules.vtkCommonDataModel import vtkPolyData  # noqa: E402
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline  # noqa: E402
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader  # noqa: E402
+
+try:
+    import pysplashsurf
+except ImportError:
+    pysplashsurf = None
+
+DATA = Path(__file__).resolve().parents[1] / "Data" / "sph_drop.vtp"
+R = 0.05
+FRAMES_PER_SECOND = 25
+ATTRACTION = 100
+
+
+def splash(count):
+    reader, frames = vtkXMLPolyDataReader(), []
+    reader.SetFileName(str(DATA))
+    for step in range(16, 16 + count):
+        reader.UpdateTimeStep(step)
+        frames.append(vtk_to_numpy(reader.GetOutput().GetPoints().GetData()).copy())
+    return frames
+
+
+def pool(across, deep, count):
+    """Waves of deep water: each particle goes round on a circle that shrinks with depth."""
+    i, j, k = numpy.meshgrid(*map(numpy.arange, (across, across, deep)), indexing="ij")
+    rest = 2 * R * numpy.stack([i, j, k - deep], axis=-1).reshape(-1, 3).astype(float)
+    rest += numpy.random.default_rng(1).normal(0, 0.1 * R, rest.shape)
+    wave_number = 2 * numpy.pi / (20 * 2 * R)
+    frames = []
+    for frame in range(count):
+        phase = wave_number * (rest[:, 0] + 0.5 * rest[:, 1]) - 6.0 * frame / FRAMES_PER_SECOND
+        height = 4 * R * numpy.exp(wave_number * rest[:, 2])
+        offset = numpy.stack([-height * numpy.sin(phase), 0 * phase, height * numpy.cos(phase)])
+        frames.append((rest + offset.T).astype(numpy.float32))
+    return frames
+
+
+class Series(VTKPythonAlgorithmBase):
+    """The frames, at times 0, 1, 2 ..."""
+
+    def __init__(self, frames):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+        self.frames = frames
+
+    def RequestInformation(self, request, inputs, outputs):
+        steps = list(range(len(self.frames)))
+        info = outputs.GetInformationObject(0)
+        info.Set(vtkStreamingDemandDrivenPipeline.TIME_STEPS(), steps, len(steps))
+        info.Set(vtkStreamingDemandDrivenPipeline.TIME_RANGE(), [0, steps[-1]], 2)
+        return 1
+
+    def RequestData(self, request, inputs, outputs):
+        step = outputs.GetInformationObject(0).Get(
+            vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()
+        )
+        points, output = vtkPoints(), vtkPolyData.GetData(outputs, 0)
+        points.SetData(numpy_to_vtk(self.frames[int(step)]))
+        output.SetPoints(points)
+        return 1
+
+
+def make_skin(series, voxel):
+    surface = vtkActiveImplicitSurface()
+    surface.SetInputConnection(series.GetOutputPort())
+    surface.SetTimeScale(1 / FRAMES_PER_SECOND)
+    surface.SetVoxelSize(voxel)
+    surface.SetParticleRadius(3.4 * R)
+    surface.SetParticleThreshold(0.7)
+    surface.SetAttraction(ATTRACTION)
+    surface.SetTension(ATTRACTION * (0.5 * R) ** 2)
+    surface.SetNumberOfThreads(THREADS)
+    return surface
+
+
+def seconds_of(action):
+    clock = time.process_time if THREADS == 1 else time.perf_counter
+    began = clock()
+    action()
+    return clock() - began
+
+
+def reconstruct(particles, voxel):
+    pysplashsurf.reconstruction_pipeline(
+        particles,
+        particle_radius=R,
+        smoothing_length=2.0,  # in particle radii, as the next one
+        cube_size=voxel / R,
+        iso_surface_threshold=0.6,
+        mesh_smoothing_weights=True,
+        mesh_smoothing_iters=25,
+        compute_normals=True,
+        multi_threading=THREADS > 1,
+    )
+
+
+def openvdb_seconds(program, folder, particles, voxel):
+    path = Path(folder) / "positions"
+    path.write_bytes(numpy.ascontiguousarray(particles, numpy.float32).tobytes())
+    program.stdin.write(f"{path} {2 * R} {voxel}\n")
+    program.stdin.flush()
+    return float(program.stdout.readline().split()[0])
+
+
+def tell(case, name, unit, costs):
+    median, least, largest = statistics.median(costs), min(costs), max(costs)
+    print(
+        f"particles {case:28} {THREADS:2} thr  {name:44} "
+        f"{median:9.4g} ({least:.4g} .. {largest:.4g}) {unit}",
+        flush=True,
+    )
+    figure = {"part": "particles", "case": case, "threads": THREADS, "name": name, "unit": unit}
+    figure |= {"median": median, "min": least, "max": largest}
+    if "ACTIVE_BENCHMARK_RESULTS" in os.environ:
+        with open(os.environ["ACTIVE_BENCHMARK_RESULTS"], "a") as file:
+            file.write(json.dumps(figure) + "\n")
+
+
+def compare(scene, frames, factor, program, folder):
+    voxel, case = factor * R, f"{scene}, voxel {factor} r"
+    surface = make_skin(Series(frames), voxel)
+    tell(case, "start", "s", [seconds_of(lambda: surface.UpdateTimeStep(0))])
+    costs = {"frame": [], "pysplashsurf": [], "OpenVDB": []}
+    for step in range(1, len(frames)):
+        costs["frame"].append(seconds_of(lambda step=step: surface.UpdateTimeStep(step)))
+        if pysplashsurf:
+            costs["pysplashsurf"].append(
+                seconds_of(lambda step=step: reconstruct(frames[step], voxel))
+            )
+        costs["OpenVDB"].append(openvdb_seconds(program, folder, frames[step], voxel))
+    tell(case, "substeps per frame", "", [surface.GetSubsteps() / (len(frames) - 1)])
+    for name, theirs in costs.items():
+        if theirs:
+            tell(case, name, "s", theirs)
+    for name in ("pysplashsurf", "OpenVDB"):
+        ratios = [theirs / ours for theirs, ours in zip(costs[name], costs["frame"])]
+        if ratios:
+            tell(case, f"frame over {name}", "x", ratios)
+
+
+def main():
+    if not pysplashsurf:
+        print("pysplashsurf: left out, as it is not installed (pip install pysplashsurf)")
+    quick = SIZE == "quick"
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        subprocess.Popen(
+            [OPENVDB, str(THREADS)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        ) as program,
+    ):
+        for factor in (1, 0.75, 0.5):
+            compare("splash", splash(4 if quick else 8), factor, program, folder)
+            if factor == 1 or not quick:
+                compare("25k", pool(40, 16, 3 if quick else 5), factor, program, folder)
+            if not quick:
+                compare("250k", pool(100, 25, 4), factor, program, folder)
+        program.stdin.close()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,134 @@
+"""Holds the benchmarks' figures against what is aimed at: a table, and everything as JSON.
+
+Run: python3 report.py benchmarks.jsonl quick|full benchmarks.json
+
+benchmarks.jsonl has an object on each line, as Measuring.h and particles.py write them. An aim is
+met when the median of its least favourable case meets it; the table shows that one, and beside it
+the most favourable. A dash means that nothing was measured.
+"""
+
+import json
+import os
+import platform
+import re
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass
+class Aim:
+    """Of the figures of a part whose name and case match, and with as many threads."""
+
+    text: str
+    limit: float
+    part: str
+    name: str
+    case: str = ""
+    threads: int = 1  # 0: as many as there are, if there are two at least
+    at_most: bool = False
+
+    def selects(self, row):
+        threads_match = row["threads"] == self.threads or (
+            self.threads == 0 and row["threads"] == os.cpu_count() != 1
+        )
+        return (
+            threads_match
+            and row["part"] == self.part
+            and re.fullmatch(self.name, row["name"])
+            and re.search(self.case, row["case"])
+        )
+
+    def judge(self, rows):
+        """The least and the most favourable figure, and by which factor the aim is met."""
+        found = sorted(row["median"] for row in rows if self.selects(row))
+        if not found:
+            return None
+        worst, best = (found[-1], found[0]) if self.at_most else (found[0], found[-1])
+        return worst, best, self.limit / worst if self.at_most else worst / self.limit
+
+
+# "shrinks" is the tension to the same time, so with an error: ours is the smaller one.
+AIMS = [
+    Aim(
+        "default scheme [ns per active voxel, substep]",
+        20,
+        "tension",
+        "default scheme",
+        at_most=True,
+    ),
+    Aim("tension alone [ns per active voxel, substep]", 10, "tension", "tension", at_most=True),
+    Aim("tension, times meanCurvature, defaults", 100, "tension", "shrinks over .*defaults"),
+    Aim("tension, times meanCurvature, cheapest", 25, "tension", "shrinks over .*cheapest"),
+    Aim("morph, times LevelSetMorphing, defaults", 150, "morph", "morph over .*defaults"),
+    Aim("morph, times LevelSetMorphing, cheapest", 30, "morph", "morph over .*cheapest"),
+    Aim("particles, times pysplashsurf", 3, "particles", "frame over pysplashsurf"),
+    Aim(
+        "particles, times pysplashsurf, all threads",
+        3,
+        "particles",
+        "frame over pysplashsurf",
+        threads=0,
+    ),
+    Aim("particles, times ParticlesToLevelSet", 50, "particles", "frame over OpenVDB"),
+    Aim(
+        "particles, times ParticlesToLevelSet, all threads",
+        50,
+        "particles",
+        "frame over OpenVDB",
+        threads=0,
+    ),
+    Aim("mesh, times vtkFlyingEdges3D", 4, "skin", "skin over vtkFlyingEdges3D", "n = 256"),
+    Aim("growth of time with n [exponent]", 2.05, "growth", "exponent of time", at_most=True),
+    Aim("growth of memory with n [exponent]", 2.05, "growth", "exponent of memory", at_most=True),
+    Aim("2 threads, times one", 1.85, "growth", "2 threads over 1", threads=2),
+    Aim("90 % at rest, times all moving", 5, "parts", "90 % at rest over all moving"),
+    Aim(
+        "memory at the peak [bytes per active voxel]",
+        40,
+        "growth",
+        "memory at the peak",
+        "n = (256|512)",
+        at_most=True,
+    ),
+]
+
+
+def machine():
+    model = "unknown"
+    for line in Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            model = line.split(":", 1)[1].strip()
+    return {
+        "processor": model,
+        "cores": os.cpu_count(),
+        "load": os.getloadavg()[0],
+        "system": platform.platform(),
+    }
+
+
+def main():
+    source, size, target = sys.argv[1:]
+    rows = [json.loads(line) for line in Path(source).read_text().splitlines()]
+    judged = []
+    print(f"\n{'work':50} {'aim':>8} {'measured':>9} {'at best':>9}  ")
+    for aim in AIMS:
+        relation = "<=" if aim.at_most else ">="
+        line = f"{aim.text:50} {relation}{aim.limit:6g}"
+        verdict = aim.judge(rows)
+        if not verdict:
+            print(f"{line} {'-':>9}")
+            continue
+        worst, best, factor = verdict
+        met = f"met, {factor:.2f} x" if factor >= 1 else f"not met, by {1 / factor:.2f} x"
+        print(f"{line} {worst:9.3g} {best:9.3g}  {met}")
+        judged.append({"aim": aim.text, "limit": aim.limit, "measured": worst, "factor": factor})
+    where = machine()
+    print("\non {processor}, {cores} core(s), load {load:.1f}".format(**where))
+    result = {"size": size, "machine": where, "aims": judged, "figures": rows}
+    Path(target).write_text(json.dumps(result, indent=1))
+    print(f"all figures: {target}")
+
+
+if __name__ == "__main__":
+    main()
