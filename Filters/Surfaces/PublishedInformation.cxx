@@ -3,6 +3,7 @@
 #include "SurfaceSettings.h"
 
 #include "vtkDataObject.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -12,6 +13,11 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace activesurface
 {
+
+int AskedPort(vtkInformation* request)
+{
+  return std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+}
 
 void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool settles)
 {
@@ -34,6 +40,21 @@ void PublishTime(vtkDataObject* data, double time, bool settles)
     return;
   }
   data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+}
+
+bool IsOtherPiece(vtkInformation* output)
+{
+  return output->Has(SDDP::UPDATE_PIECE_NUMBER()) && output->Get(SDDP::UPDATE_PIECE_NUMBER()) > 0;
+}
+
+void AskForSomeExtent(vtkInformation* output)
+{
+  int e[6] = { 0, -1, 0, -1, 0, -1 };
+  output->Get(SDDP::UPDATE_EXTENT(), e);
+  if (e[0] > e[1] || e[2] > e[3] || e[4] > e[5])
+  {
+    output->Set(SDDP::UPDATE_EXTENT(), output->Get(SDDP::WHOLE_EXTENT()), 6);
+  }
 }
 
 void PublishExtent(vtkInformation* output, const SurfaceDomain* domain)

@@ -4,20 +4,16 @@
 #include "FilterProperties.h"
 #include "PublishedInformation.h"
 #include "SkinMotion.h"
-#include "SurfaceHistory.h"
 #include "SurfaceOutput.h"
 #include "vtkActiveImplicitSurface.h"
 
 #include "vtkDataObject.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkExecutive.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationExecutivePortVectorKey.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTable.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -30,14 +26,11 @@ namespace activesurface
 namespace
 {
 
-bool IsEmpty(const int extent[6])
+// Another piece of the skin or of the history than the first, which is all of it.
+bool IsNothing(vtkInformation* request, vtkInformationVector* output)
 {
-  return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
-}
-
-int AskedPort(vtkInformation* request)
-{
-  return std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  const int port = AskedPort(request);
+  return port != SurfaceRequests::PotentialPort && IsOtherPiece(output->GetInformationObject(port));
 }
 
 // Null if nothing is connected.
@@ -144,26 +137,13 @@ void SurfaceRequests::ReadFirst(vtkInformationVector** input)
   }
 }
 
-bool SurfaceRequests::Makes(int port, vtkInformation* request) const
-{
-  return port == AskedPort(request) || port == HistoryPort ||
-    (port == PotentialPort && this->Filter->GetOutputPotential());
-}
-
-void SurfaceRequests::MarkNotMade(vtkInformation* request, vtkInformationVector* output) const
-{
-  for (int port = SkinPort; port <= HistoryPort; ++port)
-  {
-    if (!this->Makes(port, request))
-    {
-      output->GetInformationObject(port)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-    }
-  }
-}
-
 void SurfaceRequests::AskInputs(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
+  if (IsNothing(request, output))
+  {
+    return;
+  }
   vtkInformation* out = output->GetInformationObject(AskedPort(request));
   this->Simulation.Configure(this->GatherSettings());
   this->Simulation.SetSpeedsWanted(this->Filter->GetComputeVelocity() != 0);
@@ -306,6 +286,10 @@ void SurfaceRequests::Make(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
   this->CheckInputs();
+  if (IsNothing(request, output))
+  {
+    return;
+  }
   this->Simulation.GetSettings().Check();
   this->Simulation.SetNumberOfThreads(this->Filter->GetNumberOfThreads());
   this->Simulation.SetMaximumNumberOfActiveVoxels(
@@ -341,39 +325,6 @@ void SurfaceRequests::FillSkinPort(vtkPolyData* skin)
   FillSkin(band, arrays, skin);
 }
 
-void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector* output)
-{
-  const NarrowBand& band = this->Simulation.GetBand();
-  if (this->Makes(SkinPort, request))
-  {
-    this->FillSkinPort(vtkPolyData::GetData(output, SkinPort));
-  }
-  // The extent may be known since now only.
-  vtkInformation* out = output->GetInformationObject(PotentialPort);
-  PublishExtent(out, this->Simulation.FindDomain());
-  int extent[6] = { 0, -1, 0, -1, 0, -1 };
-  out->Get(SDDP::UPDATE_EXTENT(), extent);
-  if (IsEmpty(extent))
-  {
-    out->Get(SDDP::WHOLE_EXTENT(), extent);
-    out->Set(SDDP::UPDATE_EXTENT(), extent, 6);
-  }
-  if (this->Makes(PotentialPort, request))
-  {
-    FillPotential(band, extent, vtkImageData::GetData(output, PotentialPort));
-  }
-  FillHistory(this->Simulation.GetHistory(), vtkTable::GetData(output, HistoryPort));
-  for (int port = SkinPort; port <= HistoryPort; ++port)
-  {
-    if (this->Makes(port, request))
-    {
-      PublishTime(vtkDataObject::GetData(output, port), this->Simulation.GetGoalTime(),
-        this->Simulation.GetSettings().Settles);
-    }
-  }
-  this->Function.Renew(&band);
-}
-
 void SurfaceRequests::SaveState(const std::string& file) const
 {
   const SavedState state = this->Simulation.GetState();
@@ -384,17 +335,6 @@ void SurfaceRequests::SaveState(const std::string& file) const
       "EvolutionMode TRANSIENT.");
   }
   WriteState(file, state);
-}
-
-void SurfaceRequests::GiveUp(vtkInformationVector* output)
-{
-  this->Function.Renew(nullptr);
-  for (int port = SkinPort; port <= HistoryPort; ++port)
-  {
-    vtkInformation* out = output->GetInformationObject(port);
-    vtkDataObject::GetData(out)->Initialize();
-    out->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-  }
 }
 
 }

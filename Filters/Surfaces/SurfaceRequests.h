@@ -15,6 +15,7 @@
 #include <vector>
 
 class vtkActiveImplicitSurface;
+class vtkDataObject;
 class vtkGridPotential;
 class vtkInformation;
 class vtkInformationVector;
@@ -69,8 +70,9 @@ private:
   SurfaceSimulation::Outcome Advance(vtkInformationVector** input);
 
   class StampsAfterwards;
-  bool Makes(int port, vtkInformation* request) const;
+  bool Makes(int port, vtkInformation* request, vtkInformationVector* output) const;
   void FillSkinPort(vtkPolyData* skin);
+  void Fill(int port, vtkInformation* image, vtkDataObject* data);
   void FillOutputs(vtkInformation* request, vtkInformationVector* output);
 
   vtkActiveImplicitSurface* Filter;

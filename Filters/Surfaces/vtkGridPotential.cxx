@@ -1,6 +1,7 @@
 #include "vtkGridPotential.h"
 
 #include "BatchEvaluation.h"
+#include "FunctionInput.h"
 #include "GridSamples.h"
 #include "ImageSamples.h"
 #include "MeshSamples.h"
@@ -12,7 +13,6 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <atomic>
@@ -30,7 +30,7 @@ constexpr double Outside = 1.0; // F where there is nothing
 
 struct vtkGridPotential::Internals
 {
-  vtkSmartPointer<vtkDataSet> Input;
+  activesurface::FunctionInput Input;
   std::shared_ptr<const activesurface::GridSamples> Given; // by SetSamples, in place of an input
 
   // What Build makes.
@@ -51,22 +51,36 @@ vtkGridPotential::~vtkGridPotential() = default;
 void vtkGridPotential::SetInput(vtkDataSet* input)
 {
   Internals& own = *this->Internal;
-  if (own.Input != input || own.Given)
+  if (own.Input.SetData(input) || own.Given)
   {
-    own.Input = input;
     own.Given = nullptr;
     this->Modified();
   }
 }
 
+void vtkGridPotential::SetInputConnection(vtkAlgorithmOutput* output)
+{
+  Internals& own = *this->Internal;
+  if (own.Input.Connect(output) || own.Given)
+  {
+    own.Given = nullptr;
+    this->Modified();
+  }
+}
+
+vtkAlgorithmOutput* vtkGridPotential::GetInputConnection()
+{
+  return this->Internal->Input.GetConnection();
+}
+
 vtkDataSet* vtkGridPotential::GetInput()
 {
-  return this->Internal->Input;
+  return vtkDataSet::SafeDownCast(this->Internal->Input.GetData());
 }
 
 void vtkGridPotential::SetSamples(std::shared_ptr<const activesurface::GridSamples> samples)
 {
-  this->Internal->Input = nullptr;
+  this->Internal->Input.SetData(nullptr);
   this->Internal->Given = std::move(samples);
   this->Modified();
 }
@@ -83,9 +97,7 @@ void vtkGridPotential::SetScalarArrayName(const char* name)
 
 vtkMTimeType vtkGridPotential::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  vtkDataSet* input = this->Internal->Input;
-  return input ? std::max(own, input->GetMTime()) : own;
+  return std::max(this->Superclass::GetMTime(), this->Internal->Input.FindMTime());
 }
 
 void vtkGridPotential::Build()
@@ -93,7 +105,7 @@ void vtkGridPotential::Build()
   Internals& own = *this->Internal;
   // Not GetMTime(): a change of the transform leaves the samples as they are.
   const vtkMTimeType changed = // NOLINTNEXTLINE(bugprone-parent-virtual-call)
-    std::max(this->vtkObject::GetMTime(), own.Input ? own.Input->GetMTime() : 0);
+    std::max(this->vtkObject::GetMTime(), own.Input.GetMTime());
   if (own.BuildTime.load(std::memory_order_acquire) == changed)
   {
     return;
@@ -135,16 +147,18 @@ void vtkGridPotential::ReadSamples()
 std::shared_ptr<const activesurface::GridSamples> vtkGridPotential::MakeSamples()
 {
   Internals& own = *this->Internal;
-  if (own.Given || !own.Input)
+  own.Input.Update();
+  vtkDataObject* input = own.Input.GetData();
+  if (own.Given || !input)
   {
     return own.Given;
   }
-  if (auto image = vtkImageData::SafeDownCast(own.Input))
+  if (auto image = vtkImageData::SafeDownCast(input))
   {
     return std::make_shared<activesurface::ImageSamples>(image,
       activesurface::ImageLevel{ this->ScalarArrayName, this->IsoValue, this->InvertInside != 0 });
   }
-  if (auto polyData = vtkPolyData::SafeDownCast(own.Input))
+  if (auto polyData = vtkPolyData::SafeDownCast(input))
   {
     const activesurface::MeshTriangles mesh = activesurface::ReadTriangles(polyData);
     own.Defects = mesh.Defects.Describe();
@@ -152,7 +166,7 @@ std::shared_ptr<const activesurface::GridSamples> vtkGridPotential::MakeSamples(
       activesurface::MeshMeasure{ this->VoxelSize, this->Reach, this->MeshThickness,
         static_cast<double>(this->MaximumNumberOfVoxels) });
   }
-  throw std::invalid_argument(std::string("A ") + own.Input->GetClassName() +
+  throw std::invalid_argument(std::string("A ") + input->GetClassName() +
     " has no samples on a lattice, and no closed mesh; give a vtkImageData, or a vtkPolyData of "
     "polygons.");
 }

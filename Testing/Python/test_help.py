@@ -41,8 +41,8 @@ CHOICES = {
 }
 OTHERS = {
     vtkActiveImplicitSurface: "TargetFunction InitialFunction ModelBounds".split(),
-    vtkSkeletonPotential: "Input RadiusArrayName StrengthArrayName".split(),
-    vtkGridPotential: "Input ScalarArrayName".split(),
+    vtkSkeletonPotential: "Input InputConnection RadiusArrayName StrengthArrayName".split(),
+    vtkGridPotential: "Input InputConnection ScalarArrayName".split(),
 }
 WITH_UNIT = {
     vtkActiveImplicitSurface: """
