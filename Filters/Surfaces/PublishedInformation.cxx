@@ -4,7 +4,9 @@
 
 #include "vtkDataObject.h"
 #include "vtkExecutive.h"
+#include "vtkExtentTranslator.h"
 #include "vtkInformation.h"
+#include "vtkNew.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -13,6 +15,23 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace activesurface
 {
+
+namespace
+{
+
+// Whether it is not empty, and within. VTK splits an empty extent into pieces that are neither.
+bool IsPartOf(const int extent[6], const int whole[6])
+{
+  bool isPart = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int low = extent[2 * axis], high = extent[2 * axis + 1];
+    isPart = isPart && whole[2 * axis] <= low && low <= high && high <= whole[2 * axis + 1];
+  }
+  return isPart;
+}
+
+}
 
 int AskedPort(vtkInformation* request)
 {
@@ -42,19 +61,21 @@ void PublishTime(vtkDataObject* data, double time, bool settles)
   data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
 }
 
-bool IsOtherPiece(vtkInformation* output)
-{
-  return output->Has(SDDP::UPDATE_PIECE_NUMBER()) && output->Get(SDDP::UPDATE_PIECE_NUMBER()) > 0;
-}
-
 void AskForSomeExtent(vtkInformation* output)
 {
-  int e[6] = { 0, -1, 0, -1, 0, -1 };
-  output->Get(SDDP::UPDATE_EXTENT(), e);
-  if (e[0] > e[1] || e[2] > e[3] || e[4] > e[5])
+  const int* whole = output->Get(SDDP::WHOLE_EXTENT());
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  output->Get(SDDP::UPDATE_EXTENT(), extent);
+  if (IsPartOf(extent, whole))
   {
-    output->Set(SDDP::UPDATE_EXTENT(), output->Get(SDDP::WHOLE_EXTENT()), 6);
+    return;
   }
+  const bool hasPieces = output->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) != 0;
+  vtkNew<vtkExtentTranslator> translator;
+  translator->PieceToExtentThreadSafe(hasPieces ? output->Get(SDDP::UPDATE_PIECE_NUMBER()) : 0,
+    hasPieces ? output->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) : 1, 0, const_cast<int*>(whole),
+    extent, vtkExtentTranslator::BLOCK_MODE, 0);
+  output->Set(SDDP::UPDATE_EXTENT(), extent, 6);
 }
 
 void PublishExtent(vtkInformation* output, const SurfaceDomain* domain)

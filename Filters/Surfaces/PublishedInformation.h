@@ -23,7 +23,7 @@ void PublishTime(vtkDataObject* data, double time, bool settles);
 // Of the potential's image; empty without a domain.
 void PublishExtent(vtkInformation* output, const SurfaceDomain* domain);
 
-// All of the image, if none of it was asked for.
+// Its piece of the image, if no part was asked for as the extent was not known.
 void AskForSomeExtent(vtkInformation* output);
 
 // Whether another piece than the first is asked for. Outputs are shared out in pieces to the ranks

@@ -17,12 +17,13 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 namespace
 {
 
-void UpdatePieceAt(vtkActiveImplicitSurface* filter, int port, int piece, double time)
+void UpdatePieceAt(
+  vtkActiveImplicitSurface* filter, int port, int piece, double time, int pieces = 2)
 {
   filter->UpdateInformation();
   vtkInformation* out = filter->GetOutputInformation(port);
   out->Set(SDDP::UPDATE_PIECE_NUMBER(), piece);
-  out->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 2);
+  out->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), pieces);
   out->Set(SDDP::UPDATE_TIME_STEP(), time);
   filter->Update(port);
 }
@@ -54,6 +55,35 @@ void OtherPiecesAreEmptyAndCostNothing(Check& check)
   UpdatePieceAt(filter, 0, 0, 3.0);
   auto other = MakeSkinOver(MakeMovingBall());
   check.True(GetBytes(filter) == GetBytesAt(other, 3.0), "then the first piece, as ever");
+}
+
+// Particles have no bounds before they are read, and nobody was connected who needed them.
+void PiecesOfAnImageWithoutABoxAreParts(Check& check)
+{
+  auto whole = MakeSkinOver(MakeMovingBall());
+  whole->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
+  UpdatePieceAt(whole, 1, 0, 3.0, 1);
+  vtkIdType nodes = 0;
+  for (int piece = 0; piece < 2; ++piece)
+  {
+    auto filter = MakeSkinOver(MakeMovingBall());
+    filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
+    UpdatePieceAt(filter, 1, piece, 3.0);
+    check.Less(filter->GetPotential()->GetNumberOfPoints(),
+      0.6 * whole->GetPotential()->GetNumberOfPoints(), "nodes of half the image");
+    nodes += filter->GetPotential()->GetNumberOfPoints();
+  }
+  check.True(nodes >= whole->GetPotential()->GetNumberOfPoints(), "nodes of both halves");
+}
+
+void ThereMayBeMorePiecesThanNodes(Check& check)
+{
+  auto filter = MakeSkinOver(MakeMovingBall());
+  filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
+  Messages messages(filter);
+  UpdatePieceAt(filter, 1, 9999999, 3.0, 10000000);
+  check.True(filter->GetPotential()->GetNumberOfPoints() <= 8, "nodes of the last piece");
+  check.Equal(messages.Errors.size(), std::size_t(0), "errors");
 }
 
 // Pieces of an image share a layer of nodes, or not; every node is in one at least, with its value.
@@ -92,6 +122,8 @@ int main(int argc, char** argv)
     {
       { "TheFirstPieceIsAllOfTheSkin", TheFirstPieceIsAllOfTheSkin },
       { "OtherPiecesAreEmptyAndCostNothing", OtherPiecesAreEmptyAndCostNothing },
+      { "PiecesOfAnImageWithoutABoxAreParts", PiecesOfAnImageWithoutABoxAreParts },
+      { "ThereMayBeMorePiecesThanNodes", ThereMayBeMorePiecesThanNodes },
       { "PiecesOfTheImageMakeUpTheWhole", PiecesOfTheImageMakeUpTheWhole },
     });
 }
