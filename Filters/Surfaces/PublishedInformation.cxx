@@ -61,6 +61,11 @@ void PublishTime(vtkDataObject* data, double time, bool settles)
   data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
 }
 
+bool IsOtherPiece(vtkInformation* output)
+{
+  return output->Has(SDDP::UPDATE_PIECE_NUMBER()) && output->Get(SDDP::UPDATE_PIECE_NUMBER()) > 0;
+}
+
 void AskForSomeExtent(vtkInformation* output)
 {
   const int* whole = output->Get(SDDP::WHOLE_EXTENT());
