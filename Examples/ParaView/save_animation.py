@@ -31,15 +31,14 @@ skin = ActiveImplicitSurface(
     ParticleRadius=0.17,
     ParticleThreshold=0.7,
     Attraction=100,
-    ComputeVelocity=1,  # [length/time], for the colors, and for motion blur elsewhere
+    ComputeVelocity=1,  # [length/time], in the files, for motion blur elsewhere
 )
 
 view = GetActiveViewOrCreate("RenderView")
 view.ViewSize = [640, 480]
 view.OrientationAxesVisibility = 0
 shown = Show(skin, view)
-shown.ColorArrayName = ["POINTS", "Velocity"]
-shown.RescaleTransferFunctionToDataRange()
+shown.ColorArrayName = [None, ""]
 Hide(particles, view)
 view.CameraPosition = [0.4, 0.5, 1.0]
 view.CameraFocalPoint = [0, 0, 0]
