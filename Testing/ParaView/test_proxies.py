@@ -1,4 +1,4 @@
-"""The proxies of the plugin: all create; defaults, ranges, choices, units are those of the classes."""
+"""The plugin's proxies: all create; defaults, ranges, choices, units are those of the classes."""
 
 import re
 import sys
