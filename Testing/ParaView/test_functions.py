@@ -1,4 +1,4 @@
-"""Implicit functions in ParaView: as targets, as starting shapes, in Clip; moved in mid-animation."""
+"""Implicit functions in ParaView: targets, starting shapes, in Clip; moved in mid-animation."""
 
 import unittest
 
