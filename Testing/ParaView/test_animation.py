@@ -66,8 +66,8 @@ NOT_CHANGED = {"Target", "Initial", "TimestepValues"}
 # What does not show in the second step: other times are published, or the input's hold.
 WITHOUT_EFFECT = set(
     """
-    CheckpointInterval CheckpointMemory IdArray MaximumNumberOfActiveVoxels MeshThickness ModelBounds
-    NumberOfThreads NumberOfTimeSteps OutputPotential StartTime TimeStepSize
+    CheckpointInterval CheckpointMemory IdArray MaximumNumberOfActiveVoxels MeshThickness
+    ModelBounds NumberOfThreads NumberOfTimeSteps OutputPotential StartTime TimeStepSize
 """.split()
 )
 WITHOUT_SKIN = {"InvertTarget", "RadiusArray", "StrengthArray", "TargetArray", "InitialArray"}
