@@ -1,4 +1,4 @@
-"""Saves the state that the screenshot of ParaView's window shows; see Testing/ParaView/screenshot."""
+"""Saves the state that the screenshot of ParaView shows; see Testing/ParaView/screenshot."""
 
 import sys
 
