@@ -27,6 +27,12 @@ FileReplacement::FileReplacement(const std::string& name)
   : Name(name)
   , TemporaryName(MakeTemporaryName(name))
 {
+  std::error_code error;
+  const auto status = std::filesystem::status(name, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+  {
+    throw std::runtime_error("what is there under its name is no file");
+  }
 }
 
 FileReplacement::~FileReplacement()

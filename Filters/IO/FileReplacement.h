@@ -16,6 +16,7 @@ namespace activesurface
 class FileReplacement
 {
 public:
+  // Throws std::runtime_error if a folder or a device bears the name.
   explicit FileReplacement(const std::string& name);
 
   // Unless Finish was called, removes what was written; a file that was there before stays.

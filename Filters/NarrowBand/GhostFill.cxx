@@ -13,8 +13,8 @@ namespace
 /** Sums over the candidates for a node's value. */
 struct Candidates
 {
-  float Sum = 0.f;
-  float Weight = 0.f;
+  float Sum;
+  float Weight;
 
   void Add(float value, float weight)
   {
@@ -23,83 +23,143 @@ struct Candidates
   }
 };
 
-/** The extrapolated |u| of one node of a layer. */
-class NodeFill
+/** All that is found for a node. */
+struct NodeSums
+{
+  Candidates ThreePoint;
+  Candidates Other;
+  float LargestStep;
+  float Smallest;
+
+  static NodeSums Nothing()
+  {
+    return { { 0.f, 0.f }, { 0.f, 0.f }, 0.f, std::numeric_limits<float>::max() };
+  }
+};
+
+/** The extrapolated |u| of the nodes of one layer in one leaf. */
+class LayerFill
 {
 public:
-  NodeFill(const LeafTable& table, const LeafCross& cross, std::int32_t leaf, int layer)
+  LayerFill(const LeafTable& table, std::size_t leaf, int layer)
     : Table(table)
-    , Cross(cross)
-    , Leaf(leaf)
+    , Leaf(static_cast<std::int32_t>(leaf))
     , Inner(layer - 1)
   {
   }
 
-  float Magnitude(int node)
+  /** Calls function(node, magnitude) for each of the nodes. */
+  template <class Function>
+  void ForEach(const LeafMask& nodes, Function&& function)
   {
-    this->Node = node;
-    this->ThreePoint = this->Other = Candidates();
-    this->LargestStep = 0.f;
-    this->Smallest = std::numeric_limits<float>::max();
-    this->AddRay<0>(-1);
-    this->AddRay<0>(1);
-    this->AddRay<1>(-1);
-    this->AddRay<1>(1);
-    this->AddRay<2>(-1);
-    this->AddRay<2>(1);
-    const float least = .01f * this->LargestStep * this->LargestStep;
-    if (this->ThreePoint.Weight > 0.f && this->ThreePoint.Weight >= least)
-    {
-      return this->ThreePoint.Sum / this->ThreePoint.Weight;
-    }
-    this->AddCorners();
-    const float weight = this->ThreePoint.Weight + this->Other.Weight;
-    // No inner increase: a medial axis, where the potential is flat.
-    return weight > 0.f ? (this->ThreePoint.Sum + this->Other.Sum) / weight : this->Smallest;
+    nodes.ForEach([this](int node) { this->Sums[node] = NodeSums::Nothing(); });
+    this->AddRays<0, -1>(nodes);
+    this->AddRays<0, 1>(nodes);
+    this->AddRays<1, -1>(nodes);
+    this->AddRays<1, 1>(nodes);
+    this->AddRays<2, -1>(nodes);
+    this->AddRays<2, 1>(nodes);
+    nodes.ForEach([this, &function](int node) { function(node, this->FindMagnitude(node)); });
   }
 
 private:
-  /** |u| of a node of a smaller layer, else a negative number. */
-  float Value(const BandLeaf& leaf, int node) const
+  /** The neighbours of the nodes in one direction, which is all that their rays need. */
+  template <int Axis, int Sign>
+  struct Line
   {
-    return leaf.Upto[this->Inner].Has(node) ? std::fabs(leaf.Value[node]) : -1.f;
-  }
+    const float* Value[3]; //< before, own, after
+    const LeafMask* Inner[3];
 
-  template <int Axis>
-  float OnRay(int steps) const
-  {
-    const auto place = this->Cross.Step<Axis>(this->Node, steps);
-    return this->Value(*place.Leaf, place.Node);
-  }
-
-  template <int Axis>
-  void AddRay(int sign)
-  {
-    const float first = this->OnRay<Axis>(sign);
-    if (first < 0.f)
+    /** Nodes that have so many steps ahead a node of a smaller layer. */
+    LeafMask WithInner(int steps) const
     {
-      return;
+      return Sign < 0 ? SeenBehind(*this->Inner[1], *this->Inner[0], Axis, steps)
+                      : SeenAhead(*this->Inner[1], *this->Inner[2], Axis, steps);
     }
-    this->Smallest = std::min(this->Smallest, first);
-    const float second = this->OnRay<Axis>(2 * sign);
+
+    float Magnitude(int node, int steps) const
+    {
+      constexpr int stride = Stride(Axis);
+      const int side = (((node / stride) & 7) + Sign * steps) >> 3;
+      return std::fabs(this->Value[side + 1][node + (Sign * steps - 8 * side) * stride]);
+    }
+  };
+
+  template <int Axis, int Sign>
+  Line<Axis, Sign> FindLine() const
+  {
+    Line<Axis, Sign> line;
+    for (int side = -1; side <= 1; ++side)
+    {
+      const std::int32_t n =
+        side == 0 ? this->Leaf : this->Table[this->Leaf].Neighbour[FaceNumber(Axis, side)];
+      line.Value[side + 1] = n >= 0 ? this->Table[n].Value : nullptr;
+      line.Inner[side + 1] = &this->Table.UptoOf(n, this->Inner);
+    }
+    return line;
+  }
+
+  /** Rays are as long as the nodes of smaller layers go, up to three. */
+  template <int Axis, int Sign>
+  void AddRays(const LeafMask& nodes)
+  {
+    const auto line = this->FindLine<Axis, Sign>();
+    const LeafMask first = nodes & line.WithInner(1);
+    const LeafMask second = first & line.WithInner(2);
+    const LeafMask third = second & line.WithInner(3);
+    first.Without(second).ForEach(
+      [&](int node) {
+        this->Sums[node].Smallest = std::min(this->Sums[node].Smallest, line.Magnitude(node, 1));
+      });
+    second.Without(third).ForEach([&](int node)
+      { AddTwoPoint(line.Magnitude(node, 1), line.Magnitude(node, 2), this->Sums[node]); });
+    third.ForEach(
+      [&](int node)
+      {
+        AddThreePoint(line.Magnitude(node, 1), line.Magnitude(node, 2), line.Magnitude(node, 3),
+          this->Sums[node]);
+      });
+  }
+
+  static void AddTwoPoint(float first, float second, NodeSums& sums)
+  {
     const float step = first - second;
-    if (second < 0.f || step <= 0.f)
+    sums.Smallest = std::min(sums.Smallest, first);
+    if (step > 0.f)
     {
-      return;
+      sums.LargestStep = std::max(sums.LargestStep, step);
+      sums.Other.Add(first + step, step * step);
     }
-    this->LargestStep = std::max(this->LargestStep, step);
-    const float third = this->OnRay<Axis>(3 * sign);
-    if (third < 0.f)
+  }
+
+  static void AddThreePoint(float first, float second, float third, NodeSums& sums)
+  {
+    const float step = first - second;
+    sums.Smallest = std::min(sums.Smallest, first);
+    if (step > 0.f)
     {
-      this->Other.Add(first + step, step * step);
-      return;
+      sums.LargestStep = std::max(sums.LargestStep, step);
+      const float growth = std::min(std::max(2.f * step - (second - third), 0.f), 2.f * step);
+      sums.ThreePoint.Add(first + growth, growth * growth);
     }
-    const float growth = std::min(std::max(2.f * step - (second - third), 0.f), 2.f * step);
-    this->ThreePoint.Add(first + growth, growth * growth);
+  }
+
+  float FindMagnitude(int node)
+  {
+    NodeSums& sums = this->Sums[node];
+    const float least = .01f * sums.LargestStep * sums.LargestStep;
+    if (sums.ThreePoint.Weight > 0.f && sums.ThreePoint.Weight >= least)
+    {
+      return sums.ThreePoint.Sum / sums.ThreePoint.Weight;
+    }
+    this->AddCorners(node, sums);
+    const float weight = sums.ThreePoint.Weight + sums.Other.Weight;
+    // No inner increase: a medial axis, where the potential is flat.
+    return weight > 0.f ? (sums.ThreePoint.Sum + sums.Other.Sum) / weight : sums.Smallest;
   }
 
   /** Around the corners of a square: p + q - r, from two neighbours and the node between them. */
-  void AddCorners()
+  void AddCorners(int node, NodeSums& sums) const
   {
     for (int first = 0; first < 2; ++first)
     {
@@ -107,47 +167,40 @@ private:
       {
         for (int signs = 0; signs < 4; ++signs)
         {
-          this->AddCorner(first, signs & 1 ? 1 : -1, second, signs & 2 ? 1 : -1);
+          int alongFirst[3] = { 0, 0, 0 }, alongSecond[3] = { 0, 0, 0 }, between[3] = { 0, 0, 0 };
+          alongFirst[first] = between[first] = signs & 1 ? 1 : -1;
+          alongSecond[second] = between[second] = signs & 2 ? 1 : -1;
+          AddCorner(this->AtOffset(node, alongFirst), this->AtOffset(node, alongSecond),
+            this->AtOffset(node, between), sums);
         }
       }
     }
   }
 
-  float AtOffset(const int offset[3]) const
+  /** |u| of a node of a smaller layer, else a negative number. */
+  float AtOffset(int node, const int offset[3]) const
   {
     const LeafTable::Place place =
-      this->Table.Offset(this->Leaf, this->Node, offset[0], offset[1], offset[2]);
-    return place.Leaf >= 0 ? this->Value(this->Table[place.Leaf], place.Node) : -1.f;
+      this->Table.Offset(this->Leaf, node, offset[0], offset[1], offset[2]);
+    const bool isInner =
+      place.Leaf >= 0 && this->Table[place.Leaf].Upto[this->Inner].Has(place.Node);
+    return isInner ? std::fabs(this->Table[place.Leaf].Value[place.Node]) : -1.f;
   }
 
-  void AddCorner(int firstAxis, int firstSign, int secondAxis, int secondSign)
+  static void AddCorner(float p, float q, float r, NodeSums& sums)
   {
-    int alongFirst[3] = { 0, 0, 0 }, alongSecond[3] = { 0, 0, 0 }, between[3] = { 0, 0, 0 };
-    alongFirst[firstAxis] = between[firstAxis] = firstSign;
-    alongSecond[secondAxis] = between[secondAxis] = secondSign;
-    const float p = this->AtOffset(alongFirst);
-    const float q = this->AtOffset(alongSecond);
-    const float r = this->AtOffset(between);
-    if (p < 0.f || q < 0.f || r < 0.f)
-    {
-      return;
-    }
     const float growthFirst = q - r, growthSecond = p - r;
-    if (growthFirst > 0.f && growthSecond > 0.f && p + growthFirst >= this->Smallest)
+    if (p >= 0.f && q >= 0.f && r >= 0.f && growthFirst > 0.f && growthSecond > 0.f &&
+      p + growthFirst >= sums.Smallest)
     {
-      this->Other.Add(p + growthFirst, growthFirst * growthFirst + growthSecond * growthSecond);
+      sums.Other.Add(p + growthFirst, growthFirst * growthFirst + growthSecond * growthSecond);
     }
   }
 
   const LeafTable& Table;
-  const LeafCross& Cross;
   const std::int32_t Leaf;
-  const int Inner; //< last layer whose values may be used
-  int Node = 0;
-  Candidates ThreePoint;
-  Candidates Other;
-  float LargestStep = 0.f;
-  float Smallest = 0.f;
+  const int Inner;    //< last layer whose values may be used
+  NodeSums Sums[512]; //< of the layer's nodes, all else is not set
 };
 
 /** Nodes of a layer whose value is not the last substep's: ghosts, and those that entered. */
@@ -171,14 +224,10 @@ void FillGhosts(LeafTable& table)
         {
           return;
         }
-        const LeafCross cross = table.Cross(leaf);
-        NodeFill fill(table, cross, static_cast<std::int32_t>(i), layer);
-        nodes.ForEach(
-          [&](int node)
-          {
-            const float magnitude = fill.Magnitude(node);
-            leaf.Value[node] = leaf.Inside.Has(node) ? -magnitude : magnitude;
-          });
+        LayerFill(table, i, layer)
+          .ForEach(nodes,
+            [&leaf](int node, float magnitude)
+            { leaf.Value[node] = leaf.Inside.Has(node) ? -magnitude : magnitude; });
       });
   }
 }

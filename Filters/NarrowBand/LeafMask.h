@@ -114,11 +114,11 @@ struct LeafMask
 };
 
 /** The mask whose node n is set where `mask` has n + steps along x, y or z (axis 0, 1, 2);
- * `next` is the mask of the neighbour leaf in that direction. steps: 1 or 2. */
+ * `next` is the mask of the neighbour leaf in that direction. steps: 1 to 7. */
 inline LeafMask SeenAhead(const LeafMask& mask, const LeafMask& next, int axis, int steps)
 {
   LeafMask seen;
-  const std::uint64_t low = steps == 1 ? 0x0101010101010101ull : 0x0303030303030303ull;
+  const std::uint64_t low = ((1u << steps) - 1u) * 0x0101010101010101ull;
   for (int x = 0; x < 8; ++x)
   {
     const int ahead = x + steps;
@@ -133,7 +133,7 @@ inline LeafMask SeenAhead(const LeafMask& mask, const LeafMask& next, int axis, 
 inline LeafMask SeenBehind(const LeafMask& mask, const LeafMask& previous, int axis, int steps)
 {
   LeafMask seen;
-  const std::uint64_t low = (steps == 1 ? 0x7f : 0x3f) * 0x0101010101010101ull;
+  const std::uint64_t low = (0xffu >> steps) * 0x0101010101010101ull;
   for (int x = 0; x < 8; ++x)
   {
     const int behind = x - steps;

@@ -73,28 +73,6 @@ inline bool IsUsed(const BandLeaf& leaf)
   return leaf.Upto[LastLayer].Any() || leaf.Active.Any();
 }
 
-/** A leaf and its neighbours across the faces, for straight steps of at most 8 nodes. */
-struct LeafCross
-{
-  const BandLeaf* Leaf[3][3]; //< by axis; before, itself, after. An empty leaf where there is none
-
-  template <int Axis>
-  struct Place
-  {
-    const BandLeaf* Leaf;
-    int Node;
-  };
-
-  /** The node `steps` away from a node of the leaf. */
-  template <int Axis>
-  Place<Axis> Step(int node, int steps) const
-  {
-    constexpr int stride = Stride(Axis);
-    const int side = (((node / stride) & 7) + steps) >> 3;
-    return { this->Leaf[Axis][side + 1], node + (steps - 8 * side) * stride };
-  }
-};
-
 class LeafTable
 {
 public:
@@ -137,21 +115,6 @@ public:
 
   /** The same for offsets of at most one on each axis (edge and corner neighbours included). */
   Place Offset(std::int32_t leaf, int node, int dx, int dy, int dz) const;
-
-  LeafCross Cross(const BandLeaf& leaf) const
-  {
-    static const BandLeaf none;
-    LeafCross cross;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (int side = -1; side <= 1; ++side)
-      {
-        const std::int32_t n = side == 0 ? -1 : leaf.Neighbour[FaceNumber(axis, side)];
-        cross.Leaf[axis][side + 1] = side == 0 ? &leaf : n >= 0 ? &this->Leaves[n] : &none;
-      }
-    }
-    return cross;
-  }
 
   /** Calls function(i) for every leaf, in parallel. */
   template <class Function>

@@ -192,19 +192,19 @@ struct KnownSpeeds
   }
 };
 
-/** Adds the neighbour in one direction of each of these nodes, all of which are known. */
-void AddNeighbours(
-  const Surroundings& around, int axis, int sign, const LeafMask& nodes, KnownSpeeds* sums)
+/** Adds the neighbour in one direction of those nodes where it is known. */
+template <int Axis, int Sign>
+void AddNeighbours(const Surroundings& around, const LeafMask& nodes, KnownSpeeds* sums)
 {
-  const int stride = Stride(axis);
+  constexpr int stride = Stride(Axis);
+  const float* own = around.Value[Axis][1];
   nodes.ForEach(
     [&](int node)
     {
-      const int side = (((node / stride) & 7) + sign) >> 3;
-      const int next = node + (sign - 8 * side) * stride;
-      const float speed = around.Speed[axis][side + 1][next];
-      const float nearer =
-        std::fabs(around.Value[0][1][node]) - std::fabs(around.Value[axis][side + 1][next]);
+      const int side = (((node / stride) & 7) + Sign) >> 3;
+      const int next = node + (Sign - 8 * side) * stride;
+      const float speed = around.Speed[Axis][side + 1][next];
+      const float nearer = std::fabs(own[node]) - std::fabs(around.Value[Axis][side + 1][next]);
       const float weight = std::max(nearer, 0.f);
       KnownSpeeds& sum = sums[node];
       sum.Weight += weight;
@@ -227,20 +227,22 @@ LeafMask ExtendLeaf(const Surroundings& around, const LeafMask& missing, float* 
   if (front.Any())
   {
     KnownSpeeds sums[512];
-    front.ForEach([&](int node) { sums[node] = KnownSpeeds(); });
-    for (int face = 0; face < 6; ++face)
-    {
-      AddNeighbours(around, face / 2, face % 2 ? 1 : -1, reached[face], sums);
-    }
+    front.ForEach([&](int node) { sums[node] = { 0.f, 0.f, 0.f, 0.f }; });
+    AddNeighbours<0, -1>(around, reached[0], sums);
+    AddNeighbours<0, 1>(around, reached[1], sums);
+    AddNeighbours<1, -1>(around, reached[2], sums);
+    AddNeighbours<1, 1>(around, reached[3], sums);
+    AddNeighbours<2, -1>(around, reached[4], sums);
+    AddNeighbours<2, 1>(around, reached[5], sums);
     front.ForEach([&](int node) { speed[node] = sums[node].Mean(); });
   }
   return front;
 }
 
-/** One round; false when no active node was left to reach. */
+/** One round; false when no active node is left to reach. */
 bool ExtendOnce(const LeafTable& table, SubstepBuffers& buffers)
 {
-  std::atomic<bool> reached{ false };
+  std::atomic<bool> reached{ false }, left{ false };
   table.ForEach(
     [&](std::size_t i)
     {
@@ -254,15 +256,18 @@ bool ExtendOnce(const LeafTable& table, SubstepBuffers& buffers)
       }
       const LeafMask front =
         ExtendLeaf(Surroundings(table, i, buffers), missing, buffers.Speed.data() + 512 * i);
-      if (!front.Any())
-      {
-        return;
-      }
       buffers.NextKnown[i] = known | front;
-      reached.store(true, std::memory_order_relaxed);
+      if (front.Any())
+      {
+        reached.store(true, std::memory_order_relaxed);
+      }
+      if (missing.Without(front).Any())
+      {
+        left.store(true, std::memory_order_relaxed);
+      }
     });
   std::swap(buffers.Known, buffers.NextKnown);
-  return reached.load();
+  return reached.load() && left.load();
 }
 
 }

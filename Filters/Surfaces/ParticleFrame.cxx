@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -21,19 +20,22 @@ namespace activesurface
 namespace
 {
 
-// The array as numbers, one for each point, or null if there is none.
-vtkDataArray* AsNumbers(vtkAbstractArray* array, vtkIdType points, const char* what)
+// The array as numbers, so many for each point, or null if there is none.
+vtkDataArray* AsNumbers(
+  vtkAbstractArray* array, vtkIdType points, const char* what, int components = 1)
 {
   if (!array)
   {
     return nullptr;
   }
   vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
-  if (!numbers || numbers->GetNumberOfComponents() != 1 || numbers->GetNumberOfTuples() != points)
+  if (!numbers || numbers->GetNumberOfComponents() != components ||
+    numbers->GetNumberOfTuples() != points)
   {
     throw std::invalid_argument(std::string("The array \"") +
       (array->GetName() ? array->GetName() : "") + "\" cannot give the particles' " + what +
-      ": it has to hold one number for each point.");
+      ": it has to hold " + (components == 1 ? "one number" : "three numbers") +
+      " for each point.");
   }
   return numbers;
 }
@@ -58,79 +60,26 @@ std::vector<std::int64_t> ReadIds(vtkDataArray* array)
   return { ids->GetPointer(0), ids->GetPointer(0) + count };
 }
 
-// Indices of the particles, by ascending id; equal ids stay in order.
-std::vector<std::size_t> SortByIds(const std::vector<std::int64_t>& ids)
+// One that is not finite counts as unknown, NaN.
+void KeepVelocities(vtkDataArray* velocities, ParticleFrame& frame)
 {
-  std::vector<std::size_t> order(ids.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(
-    order.begin(), order.end(), [&ids](std::size_t a, std::size_t b) { return ids[a] < ids[b]; });
-  return order;
-}
-
-void MatchIds(const std::vector<std::int64_t>& earlier, const std::vector<std::int64_t>& later,
-  std::vector<std::size_t>& partners)
-{
-  const std::vector<std::size_t> from = SortByIds(earlier);
-  const std::vector<std::size_t> to = SortByIds(later);
-  auto candidate = to.begin();
-  for (const std::size_t particle : from)
+  if (velocities)
   {
-    while (candidate != to.end() && later[*candidate] < earlier[particle])
+    frame.Velocities.resize(3 * frame.Points.size());
+    for (std::size_t i = 0; i < frame.Points.size(); ++i)
     {
-      ++candidate;
-    }
-    if (candidate != to.end() && later[*candidate] == earlier[particle])
-    {
-      partners[particle] = *candidate++;
+      velocities->GetTuple(frame.Points[i], frame.Velocities.data() + 3 * i);
     }
   }
 }
 
-// The later particles that are nobody's partner.
-std::vector<std::size_t> FindBirths(const std::vector<std::size_t>& partners, std::size_t later)
+// Copies: what comes through the input may be written over by the next step.
+void KeepArrays(vtkPointData* arrays, ParticleFrame& frame)
 {
-  std::vector<bool> isPartner(later, false);
-  for (const std::size_t partner : partners)
+  if (arrays)
   {
-    if (partner != ParticleMatches::NoPartner)
-    {
-      isPartner[partner] = true;
-    }
-  }
-  std::vector<std::size_t> births;
-  for (std::size_t i = 0; i < later; ++i)
-  {
-    if (!isPartner[i])
-    {
-      births.push_back(i);
-    }
-  }
-  return births;
-}
-
-double Between(double a, double b, double fraction)
-{
-  return a + fraction * (b - a);
-}
-
-void MoveTowards(SkeletonVertex& particle, const SkeletonVertex& partner, double fraction)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    particle.Position[axis] = Between(particle.Position[axis], partner.Position[axis], fraction);
-  }
-  const double radius = Between(particle.Radius, partner.Radius, fraction);
-  particle.Radius = radius > 0.0 ? radius : partner.Radius; // which rounding may have swallowed
-  particle.Strength = Between(particle.Strength, partner.Strength, fraction);
-}
-
-void AddFaded(const SkeletonVertex& particle, double share, std::vector<SkeletonVertex>& particles)
-{
-  if (share * particle.Strength != 0.0)
-  {
-    particles.push_back(particle);
-    particles.back().Strength *= share;
+    frame.Carried = vtkSmartPointer<vtkPointData>::New();
+    frame.Carried->DeepCopy(arrays);
   }
 }
 
@@ -225,42 +174,11 @@ ParticleFrame ReadParticles(vtkPointSet* points, const ParticleArrays& arrays)
     }
     frame.Particles.push_back(particle);
     frame.Ids.push_back(ids ? allIds[i] : i);
+    frame.Points.push_back(i);
   }
+  KeepVelocities(AsNumbers(arrays.Velocities, count, "velocities", 3), frame);
+  KeepArrays(arrays.Carried, frame);
   return frame;
-}
-
-ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later)
-{
-  const bool sameCount =
-    earlier.Particles.size() + earlier.Ignored == later.Particles.size() + later.Ignored;
-  ParticleMatches matches;
-  matches.Partners.assign(earlier.Particles.size(), ParticleMatches::NoPartner);
-  if (earlier.HasIds == later.HasIds && (earlier.HasIds || sameCount))
-  {
-    MatchIds(earlier.Ids, later.Ids, matches.Partners);
-  }
-  matches.Births = FindBirths(matches.Partners, later.Particles.size());
-  return matches;
-}
-
-void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& later,
-  const ParticleMatches& matches, double fraction, std::vector<SkeletonVertex>& particles)
-{
-  particles.clear();
-  for (std::size_t i = 0; i < earlier.Particles.size(); ++i)
-  {
-    if (matches.Partners[i] == ParticleMatches::NoPartner)
-    {
-      AddFaded(earlier.Particles[i], 1.0 - fraction, particles);
-      continue;
-    }
-    particles.push_back(earlier.Particles[i]);
-    MoveTowards(particles.back(), later.Particles[matches.Partners[i]], fraction);
-  }
-  for (const std::size_t birth : matches.Births)
-  {
-    AddFaded(later.Particles[birth], fraction, particles);
-  }
 }
 
 }

@@ -1,15 +1,12 @@
-// The particles of one step of the input, and their way to those of the next.
-//
-// A particle moves in a straight line from one step to the next, and its radius and strength change
-// evenly. Particles are matched by their ids, or by their index where there are none and the steps
-// have equally many, else not at all. One without a partner in the next step dies: at a fraction f
-// of the way it has 1 - f of its strength. One without a partner in the step before is born: it has
-// f of its strength. So their sum is continuous in time, whatever the steps hold.
+// The particles of one step of the input.
 
 #ifndef ParticleFrame_h
 #define ParticleFrame_h
 
 #include "Skeleton.h"
+
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,15 +24,20 @@ struct ParticleArrays
   vtkAbstractArray* Radii = nullptr;
   vtkAbstractArray* Ids = nullptr;
   vtkAbstractArray* Strengths = nullptr;
+  vtkAbstractArray* Velocities = nullptr;
+  vtkPointData* Carried = nullptr; // all that the skin may be asked to have too
 };
 
 struct ParticleFrame
 {
   std::vector<SkeletonVertex> Particles;
-  std::vector<std::int64_t> Ids; // of the particles: from the array, else their point numbers
-  bool HasIds = false;           // from the array
-  bool HasRadii = false;         // else to be given by GiveRadius
-  std::size_t Ignored = 0;       // points left out: not finite, or without a size
+  std::vector<std::int64_t> Ids;  // of the particles: from the array, else their point numbers
+  bool HasIds = false;            // from the array
+  bool HasRadii = false;          // else to be given by GiveRadius
+  std::size_t Ignored = 0;        // points left out: not finite, or without a size
+  std::vector<vtkIdType> Points;  // of the input, which the particles are
+  std::vector<double> Velocities; // of the particles, x y z each; empty without an array
+  vtkSmartPointer<vtkPointData> Carried; // of the input's points, a copy; null if not wanted
 
   void GiveRadius(double radius);
 
@@ -49,22 +51,6 @@ struct ParticleFrame
 
 // Throws std::invalid_argument for arrays that cannot be radii, ids or strengths of the points.
 ParticleFrame ReadParticles(vtkPointSet* points, const ParticleArrays& arrays);
-
-// Which particles of two steps are the same.
-struct ParticleMatches
-{
-  static constexpr std::size_t NoPartner = static_cast<std::size_t>(-1);
-
-  std::vector<std::size_t> Partners; // for each earlier one its place among the later, or NoPartner
-  std::vector<std::size_t> Births;   // of the later ones, by ascending place
-};
-
-ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later);
-
-// Replaces particles by those at a fraction in [0,1] of the way from the earlier step to the later:
-// the earlier ones in their order, then the births in theirs, none that has faded to nothing.
-void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& later,
-  const ParticleMatches& matches, double fraction, std::vector<SkeletonVertex>& particles);
 
 }
 

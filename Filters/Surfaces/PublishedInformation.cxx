@@ -40,7 +40,7 @@ int AskedPort(vtkInformation* request)
 
 void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool settles)
 {
-  if (settles)
+  if (settles || steps.empty())
   {
     output->Remove(SDDP::TIME_STEPS());
     output->Remove(SDDP::TIME_RANGE());

@@ -1,6 +1,8 @@
 // What a request fills of the outputs, and with what.
 
+#include "OutputState.h"
 #include "PublishedInformation.h"
+#include "SkinPort.h"
 #include "SurfaceHistory.h"
 #include "SurfaceOutput.h"
 #include "SurfaceRequests.h"
@@ -43,7 +45,7 @@ void SurfaceRequests::Fill(int port, vtkInformation* image, vtkDataObject* data)
   switch (port)
   {
     case SkinPort:
-      this->FillSkinPort(vtkPolyData::SafeDownCast(data));
+      FillSkinPort(this->Filter, this->Simulation, vtkPolyData::SafeDownCast(data));
       break;
     case PotentialPort:
       AskForSomeExtent(image);
@@ -67,7 +69,7 @@ void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector*
     {
       vtkDataObject* data = vtkDataObject::GetData(output, port);
       this->Fill(port, image, data);
-      PublishTime(data, this->Simulation.GetGoalTime(), this->Simulation.GetSettings().Settles);
+      PublishState(this->Filter, this->Simulation, data);
     }
   }
   this->Function.Renew(&this->Simulation.GetBand());

@@ -16,7 +16,7 @@ SavedState SurfaceSimulation::GetState() const
   SavedState state;
   if (this->Step >= 0 && !this->IsUnderWay())
   {
-    state.Band = this->Band->Clone();
+    state.Band = this->Band;
     state.Time = this->Settings.Steps[this->Step];
     state.History = this->History;
     state.History.resize(std::min(this->History.size(), std::size_t(this->Step) + 1));
@@ -68,9 +68,71 @@ std::vector<float> SurfaceSimulation::GetSpeeds()
     band, { motion, this->Shapes.GetTarget(), band.GetStartArea(), band.GetStartVolume() });
 }
 
-const NarrowBand& SurfaceSimulation::GetBand() const
+// Whether the velocities of the particles are those on the way to the goal, from the step before.
+bool SurfaceSimulation::LooksBack() const
 {
-  return this->Goal.Between ? *this->Branch : *this->Band;
+  const int before = this->Goal.Step - 1;
+  return this->Wishes.Drift && this->Settings.InputMoves && !this->Goal.Between && before >= 0 &&
+    (!this->Settings.OnlyForward || this->Shapes.HasExtras(before, this->Wishes.Extras));
+}
+
+// Frames that tell what is wished at the goal: after a return to a checkpoint they may not be
+// there.
+int SurfaceSimulation::GetStepWantedAtGoal() const
+{
+  const SkinWishes& wishes = this->Wishes;
+  const bool wantsParticles = wishes.Arrays || wishes.Drift;
+  const int last = static_cast<int>(this->Settings.Steps.size()) - 1;
+  const bool looksAhead = this->Goal.Between || (wishes.Drift && this->Goal.Step == 0);
+  int from = this->Goal.Step - (this->LooksBack() ? 1 : 0);
+  int to = std::min(this->Goal.Step + (looksAhead ? 1 : 0), last);
+  if (!this->Settings.InputMoves)
+  {
+    from = to = 0;
+  }
+  for (int step = from; step <= to && (wishes.Speeds || wantsParticles); ++step)
+  {
+    if (!this->Shapes.Has(step) || (wantsParticles && !this->Shapes.HasExtras(step, wishes.Extras)))
+    {
+      return step;
+    }
+  }
+  return -1;
+}
+
+CarriedArrays SurfaceSimulation::GetCarried()
+{
+  CarriedArrays carried;
+  const bool isWished = this->Wishes.Arrays || this->Wishes.Drift;
+  if (isWished && this->Shapes.GetKind() != TargetKind::Particles)
+  {
+    this->Messages.Say("no particles",
+      "PassTargetArrays and TangentialVelocity do nothing here: the target has no particles.");
+  }
+  else if (isWished)
+  {
+    const int first = this->Settings.InputMoves ? this->Goal.Step - (this->LooksBack() ? 1 : 0) : 0;
+    const int second = std::min(first + 1, static_cast<int>(this->Settings.Steps.size()) - 1);
+    const double begin = this->Settings.GetMotionTime(this->Settings.Steps[first]);
+    const double duration = this->Settings.GetMotionTime(this->Settings.Steps[second]) - begin;
+    const double goal = this->Settings.GetMotionTime(this->Goal.Time);
+    const double fraction = this->LooksBack()           ? 1.0
+      : this->Goal.Between && this->Settings.InputMoves ? (goal - begin) / duration
+                                                        : 0.0;
+    carried.Moment = FindMoment(this->Shapes.GetFrames(), first, fraction);
+    carried.Kernel = this->Settings.Particles.Kernel;
+    carried.Arrays = this->Wishes.Arrays;
+    if (this->Wishes.Drift)
+    {
+      carried.Velocities = carried.Moment.FindVelocities(duration);
+    }
+  }
+  return carried;
+}
+
+std::shared_ptr<const NarrowBand> SurfaceSimulation::ShareBand() const
+{
+  return this->Goal.Between ? this->Branch : this->Band;
 }
 
 const NarrowBand* SurfaceSimulation::FindSkin() const

@@ -128,9 +128,19 @@ template <class Kernel>
 SkeletonSum Skeleton::SumAt(const double x[3]) const
 {
   SkeletonSum sum;
+  this->VisitHits(x,
+    [this, &sum, x](const Index* hits, std::size_t count)
+    { this->AddHits<Kernel>(sum, x, hits, count); });
+  return sum;
+}
+
+// Calls visit(hits, count) for all that may reach x, ascending.
+template <class Visitor>
+void Skeleton::VisitHits(const double x[3], Visitor visit) const
+{
   if (this->Cells.GetNumberOfLattices() > 1)
   {
-    this->AddMerged<Kernel>(sum, x);
+    this->VisitMerged(x, visit);
   }
   else if (this->Cells.GetNumberOfLattices() == 1)
   {
@@ -139,10 +149,9 @@ SkeletonSum Skeleton::SumAt(const double x[3]) const
     while (!search.IsOver())
     {
       const std::size_t count = this->Cells.TakeHits(search, hits, SkeletonCells::HitsAtOnce);
-      this->AddHits<Kernel>(sum, x, hits, count);
+      visit(hits, count);
     }
   }
-  return sum;
 }
 
 // The hits of one lattice.
@@ -165,8 +174,8 @@ struct Skeleton::Stream
   }
 };
 
-template <class Kernel>
-void Skeleton::AddMerged(SkeletonSum& sum, const double x[3]) const
+template <class Visitor>
+void Skeleton::VisitMerged(const double x[3], Visitor visit) const
 {
   std::array<Stream, SkeletonCells::MaximumLattices> streams;
   std::array<Stream*, SkeletonCells::MaximumLattices> open;
@@ -197,7 +206,7 @@ void Skeleton::AddMerged(SkeletonSum& sum, const double x[3]) const
     }
     if (count == SkeletonCells::HitsAtOnce || end == open.begin())
     {
-      this->AddHits<Kernel>(sum, x, merged, count);
+      visit(merged, count);
       count = 0;
     }
   }
@@ -222,6 +231,42 @@ void Skeleton::AddHits(
     this->Segments[*hits - pointCount].AddTo<Kernel>(sum, here);
   }
   result = sum;
+}
+
+void Skeleton::FindWeights(
+  SkeletonKernel kernel, const double x[3], std::vector<SkeletonWeight>& weights) const
+{
+  weights.clear();
+  switch (kernel)
+  {
+    case SkeletonKernel::Wyvill:
+      this->AddWeights<WyvillKernel>(x, weights);
+      break;
+    case SkeletonKernel::CubicSpline:
+      this->AddWeights<CubicSplineKernel>(x, weights);
+      break;
+    case SkeletonKernel::Metaball:
+      this->AddWeights<MetaballKernel>(x, weights);
+      break;
+  }
+}
+
+template <class Kernel>
+void Skeleton::AddWeights(const double x[3], std::vector<SkeletonWeight>& weights) const
+{
+  this->VisitHits(x,
+    [this, &weights, x](const Index* hits, std::size_t count)
+    {
+      for (std::size_t i = 0; i < count && hits[i] < this->Points.size(); ++i)
+      {
+        SkeletonSum sum;
+        this->Points[hits[i]].AddTo<Kernel>(sum, x);
+        if (sum.Terms[3] != 0.0)
+        {
+          weights.push_back({ hits[i], sum.Terms[3] });
+        }
+      }
+    });
 }
 
 }

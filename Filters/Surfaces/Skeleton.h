@@ -22,6 +22,13 @@ struct SkeletonVertex
   bool IsUsable() const;
 };
 
+// How much a point of the skeleton adds to the sum at a place.
+struct SkeletonWeight
+{
+  std::uint32_t Point;
+  double Weight;
+};
+
 class Skeleton
 {
 public:
@@ -40,6 +47,11 @@ public:
   void Evaluate(SkeletonKernel kernel, double threshold, std::size_t count, const double* points,
     double* values, double* gradients) const;
 
+  // What each point, no segment, contributes to the sum at x, those that add nothing left out; in
+  // the order of the points. Thread-safe.
+  void FindWeights(
+    SkeletonKernel kernel, const double x[3], std::vector<SkeletonWeight>& weights) const;
+
   std::size_t GetNumberOfElements() const { return this->Capsules.size(); }
 
   // The box of all supports: xmin xmax ymin ... Meaningless without elements.
@@ -57,7 +69,11 @@ private:
   template <class Kernel>
   SkeletonSum SumAt(const double x[3]) const;
   template <class Kernel>
-  void AddMerged(SkeletonSum& sum, const double x[3]) const;
+  void AddWeights(const double x[3], std::vector<SkeletonWeight>& weights) const;
+  template <class Visitor>
+  void VisitHits(const double x[3], Visitor visit) const;
+  template <class Visitor>
+  void VisitMerged(const double x[3], Visitor visit) const;
   template <class Kernel>
   void AddHits(SkeletonSum& sum, const double x[3], const Index* hits, std::size_t count) const;
 

@@ -1,5 +1,8 @@
 #include "StateFile.h"
 
+#include "SavedGrid.h"
+#include "VDBFile.h"
+
 #include <openvdb/io/File.h>
 
 #include <cstdio>
@@ -11,25 +14,6 @@ namespace activesurface
 
 namespace
 {
-
-constexpr const char* GridName = "potential";
-constexpr const char* TimeName = "active_pipeline_time";
-constexpr const char* HistoryName = "active_history";
-
-// A row to a line, numbers in hexadecimal so that none is rounded; the event at the end.
-std::string TextOf(const std::vector<HistoryRow>& rows)
-{
-  std::string text;
-  for (const HistoryRow& row : rows)
-  {
-    char line[256];
-    std::snprintf(line, sizeof line, "%a %zu %a %a %a %zu %d %d %lld ", row.Time, row.Substeps,
-      row.MaxSpeed, row.Area, row.Volume, row.ActiveVoxels, row.Components, row.Voids,
-      row.EulerCharacteristic);
-    text += line + row.Event + "\n";
-  }
-  return text;
-}
 
 std::vector<HistoryRow> RowsOf(const std::string& text)
 {
@@ -52,17 +36,34 @@ std::vector<HistoryRow> RowsOf(const std::string& text)
   return rows;
 }
 
-template <class Value>
-Value ReadMetadata(const openvdb::GridBase& grid, const char* name)
+openvdb::GridBase::Ptr FindSavedGrid(const std::string& file)
 {
-  const auto metadata = grid.getMetadata<openvdb::TypedMetadata<Value>>(name);
-  if (!metadata)
+  const VDBFile content = LookThroughVDB(file);
+  for (const VDBGrid& grid : content.Grids)
   {
-    throw std::runtime_error(std::string("it has no ") + name);
+    if (grid.Name == SavedGridName)
+    {
+      return ReadVDBGrid(file, grid);
+    }
   }
-  return metadata->value();
+  throw std::runtime_error(std::string("it has no grid ") + SavedGridName);
 }
 
+}
+
+// A row to a line, numbers in hexadecimal so that none is rounded; the event at the end.
+std::string WriteHistory(const std::vector<HistoryRow>& rows)
+{
+  std::string text;
+  for (const HistoryRow& row : rows)
+  {
+    char line[256];
+    std::snprintf(line, sizeof line, "%a %zu %a %a %a %zu %d %d %lld ", row.Time, row.Substeps,
+      row.MaxSpeed, row.Area, row.Volume, row.ActiveVoxels, row.Components, row.Voids,
+      row.EulerCharacteristic);
+    text += line + row.Event + "\n";
+  }
+  return text;
 }
 
 void WriteState(const std::string& file, const SavedState& state)
@@ -70,11 +71,9 @@ void WriteState(const std::string& file, const SavedState& state)
   const std::string temporary = file + ".part";
   try
   {
-    const openvdb::FloatGrid::Ptr grid = state.Band->ToGrid();
-    grid->insertMeta(TimeName, openvdb::DoubleMetadata(state.Time));
-    grid->insertMeta(HistoryName, openvdb::StringMetadata(TextOf(state.History)));
     openvdb::io::File out(temporary);
-    out.write(openvdb::GridCPtrVec{ grid });
+    out.write(openvdb::GridCPtrVec{
+      MakeSavedGrid({ state.Band, state.Time, WriteHistory(state.History) }) });
     out.close();
     if (std::rename(temporary.c_str(), file.c_str()) != 0)
     {
@@ -93,24 +92,18 @@ SavedState ReadState(const std::string& file)
 {
   try
   {
-    openvdb::initialize();
-    openvdb::io::File in(file);
-    in.open(false); // all at once: the file may change later
-    const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(in.readGrid(GridName));
+    const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(FindSavedGrid(file));
     if (!grid)
     {
       throw std::runtime_error("its grid potential is not one of floats");
     }
-    SavedState state;
-    state.Band = NarrowBand::FromGrid(*grid);
-    state.Time = ReadMetadata<double>(*grid, TimeName);
-    state.History = RowsOf(ReadMetadata<std::string>(*grid, HistoryName));
-    return state;
+    const SavedBand saved = ReadSavedGrid(*grid);
+    return { saved.Band, saved.Time, RowsOf(saved.History) };
   }
   catch (const std::exception& error)
   {
     throw std::runtime_error("The file " + file + " holds no state of a surface: " + error.what() +
-      "; it has to be one that SaveState has written.");
+      "; it has to be one that SaveState, or a vtkActiveVDBWriter with WriteState, has written.");
   }
 }
 

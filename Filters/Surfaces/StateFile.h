@@ -20,6 +20,9 @@ struct SavedState
   std::vector<HistoryRow> History; // up to it
 };
 
+// Rows as the text that is in a state.
+std::string WriteHistory(const std::vector<HistoryRow>& rows);
+
 // Throws std::runtime_error if the file cannot be written; then there is none, or the one before.
 void WriteState(const std::string& file, const SavedState& state);
 

@@ -1,5 +1,7 @@
 #include "SurfaceInput.h"
 
+#include "CarriedData.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
@@ -28,8 +30,13 @@ enum ArrayIndices
   IdArray = 1,
   StrengthArray = 2,
   ValueArray = 3,
-  InitialValueArray = 4
+  InitialValueArray = 4,
+  VelocityArray = 5
 };
+
+// What the description of extras begins with.
+constexpr char WithArrays = 'A';
+constexpr char WithoutArrays = '-';
 
 }
 
@@ -65,7 +72,7 @@ std::vector<double> SurfaceInput::GetTimeSteps(vtkInformation* information)
     const double* first = information->Get(SDDP::TIME_STEPS());
     steps.assign(first, first + information->Length(SDDP::TIME_STEPS()));
   }
-  return steps.size() > 1 ? steps : std::vector<double>();
+  return steps;
 }
 
 bool SurfaceInput::IsContinuous(vtkInformation* information)
@@ -85,29 +92,41 @@ bool SurfaceInput::IsArrayChosen(int index) const
   return name ? *name != '\0' : choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()) != 0;
 }
 
+std::string SurfaceInput::DescribeArray(int index) const
+{
+  if (!this->IsArrayChosen(index))
+  {
+    return "";
+  }
+  vtkInformation* choice = this->Filter->GetInputArrayInformation(index);
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  std::ostringstream text;
+  text << "association " << choice->Get(vtkDataObject::FIELD_ASSOCIATION());
+  if (name)
+  {
+    text << ", array \"" << name << "\"";
+  }
+  else
+  {
+    text << ", attribute " << choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+  }
+  return text.str();
+}
+
 std::array<std::string, 5> SurfaceInput::DescribeArrays() const
 {
   std::array<std::string, 5> arrays;
   for (int index = RadiusArray; index <= InitialValueArray; ++index)
   {
-    if (this->IsArrayChosen(index))
-    {
-      vtkInformation* choice = this->Filter->GetInputArrayInformation(index);
-      const char* name = choice->Get(vtkDataObject::FIELD_NAME());
-      std::ostringstream text;
-      text << "association " << choice->Get(vtkDataObject::FIELD_ASSOCIATION());
-      if (name)
-      {
-        text << ", array \"" << name << "\"";
-      }
-      else
-      {
-        text << ", attribute " << choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
-      }
-      arrays[index] = text.str();
-    }
+    arrays[index] = this->DescribeArray(index);
   }
   return arrays;
+}
+
+std::string SurfaceInput::DescribeExtras(bool arrays, bool velocities) const
+{
+  return (arrays ? WithArrays : WithoutArrays) +
+    (velocities ? this->DescribeArray(VelocityArray) : "");
 }
 
 bool SurfaceInput::IsComposite(vtkInformation* information)
@@ -115,18 +134,30 @@ bool SurfaceInput::IsComposite(vtkInformation* information)
   return vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(information)) != nullptr;
 }
 
-TargetFrame SurfaceInput::Read(vtkInformation* information) const
+TargetFrame SurfaceInput::ReadParticles(vtkDataSet* points, const std::string& extras) const
+{
+  ParticleArrays arrays;
+  arrays.Radii = this->FindArray(RadiusArray, points);
+  arrays.Ids = this->FindArray(IdArray, points);
+  arrays.Strengths = this->FindArray(StrengthArray, points);
+  arrays.Velocities = extras.size() > 1 ? this->FindArray(VelocityArray, points) : nullptr;
+  arrays.Carried =
+    !extras.empty() && extras.front() == WithArrays ? points->GetPointData() : nullptr;
+  TargetFrame frame = MakeParticles(vtkPointSet::SafeDownCast(points), arrays);
+  frame.Extras = extras;
+  return frame;
+}
+
+TargetFrame SurfaceInput::Read(vtkInformation* information, const std::string& extras) const
 {
   vtkDataSet* data = vtkDataSet::GetData(information);
   switch (FindKind(data))
   {
     case TargetKind::Particles:
-      return MakeParticles(vtkPointSet::SafeDownCast(data),
-        { this->FindArray(RadiusArray, data), this->FindArray(IdArray, data),
-          this->FindArray(StrengthArray, data) });
+      return this->ReadParticles(data, extras);
     case TargetKind::Skeleton:
-      return MakeSkeleton(vtkPointSet::SafeDownCast(data),
-        { this->FindArray(RadiusArray, data), nullptr, this->FindArray(StrengthArray, data) });
+      return MakeSkeleton(vtkPointSet::SafeDownCast(data), this->FindArray(RadiusArray, data),
+        this->FindArray(StrengthArray, data));
     case TargetKind::Mesh:
       return MakeMesh(data);
     case TargetKind::Image:
@@ -141,7 +172,7 @@ vtkAbstractArray* SurfaceInput::FindValues(vtkDataSet* image) const
   const int index = this->Port == Target ? ValueArray : InitialValueArray;
   vtkAbstractArray* chosen = this->FindArray(index, image);
   vtkAbstractArray* values = chosen ? chosen : image->GetPointData()->GetScalars();
-  if (!values)
+  if (!values && !GetCarriedGrid(image->GetInformation()))
   {
     throw std::invalid_argument("The image of input port " + std::to_string(this->Port) +
       " has no active point scalars; choose a point array by SetInputArrayToProcess(" +
@@ -170,7 +201,7 @@ vtkAbstractArray* SurfaceInput::FindArray(int index, vtkDataSet* data) const
   {
     throw std::invalid_argument(
       "The input has no point array as chosen by SetInputArrayToProcess(" + std::to_string(index) +
-      ", ...): " + this->DescribeArrays()[index] + ".");
+      ", ...): " + this->DescribeArray(index) + ".");
   }
   return array;
 }

@@ -34,7 +34,7 @@ public:
   // Changes whenever an algorithm or data upstream is modified, not when another time is read.
   std::uint64_t GetStamp() const;
 
-  // The time steps that the input offers, if two at least; else none.
+  // The time steps that the input offers; none without an input.
   static std::vector<double> GetTimeSteps(vtkInformation* information);
   // Whether the input offers any time in a range, without steps.
   static bool IsContinuous(vtkInformation* information);
@@ -47,9 +47,13 @@ public:
   // if each were the input.
   static bool IsComposite(vtkInformation* information);
 
-  // Throws std::invalid_argument for data that cannot be a target, and for arrays that are missing
-  // or unfit.
-  TargetFrame Read(vtkInformation* information) const;
+  // What else to read of particles: copies of all their arrays, and the array of velocities, if one
+  // was chosen. As text, which is different for different data.
+  std::string DescribeExtras(bool arrays, bool velocities) const;
+
+  // With the extras of a description. Throws std::invalid_argument for data that cannot be a
+  // target, and for arrays that are missing or unfit.
+  TargetFrame Read(vtkInformation* information, const std::string& extras = "") const;
 
   // All of it, whatever piece of the skin is asked for.
   static void AskForWhole(vtkInformation* information);
@@ -62,6 +66,8 @@ public:
 
 private:
   bool IsArrayChosen(int index) const;
+  std::string DescribeArray(int index) const;
+  TargetFrame ReadParticles(vtkDataSet* points, const std::string& extras) const;
   vtkAbstractArray* FindArray(int index, vtkDataSet* data) const;
   vtkAbstractArray* FindValues(vtkDataSet* image) const;
   bool UpdateProducer() const;

@@ -48,11 +48,6 @@ vtkSmartPointer<vtkCellArray> MakeCells(vtkTypeInt64Array* corners)
   return cells;
 }
 
-}
-
-namespace
-{
-
 // Speeds times normals.
 vtkSmartPointer<vtkFloatArray> MakeVelocity(const std::vector<float>& speeds, const float* normals)
 {
@@ -78,11 +73,12 @@ vtkSmartPointer<vtkFloatArray> MakeCurvature(const std::vector<float>& curvature
 
 }
 
-void FillSkin(const NarrowBand& band, const SkinArrays& arrays, vtkPolyData* skin)
+vtkSmartPointer<vtkFloatArray> FillSkin(
+  const NarrowBand& band, const SkinArrays& arrays, vtkPolyData* skin)
 {
   const Skin triangles(band);
   const bool directed = arrays.Normals || arrays.Speeds;
-  vtkNew<vtkFloatArray> directions;
+  auto directions = vtkSmartPointer<vtkFloatArray>::New();
   directions->SetName("Normals");
   directions->SetNumberOfComponents(3);
   directions->SetNumberOfTuples(
@@ -117,6 +113,7 @@ void FillSkin(const NarrowBand& band, const SkinArrays& arrays, vtkPolyData* ski
   {
     skin->GetPointData()->AddArray(MakeCurvature(*arrays.Curvatures));
   }
+  return directions;
 }
 
 void FillPotential(const NarrowBand& band, const int extent[6], vtkImageData* potential)

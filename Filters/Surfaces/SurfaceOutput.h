@@ -3,8 +3,11 @@
 #ifndef SurfaceOutput_h
 #define SurfaceOutput_h
 
+#include "vtkSmartPointer.h"
+
 #include <vector>
 
+class vtkFloatArray;
 class vtkImageData;
 class vtkPolyData;
 
@@ -21,8 +24,10 @@ struct SkinArrays
   const std::vector<float>* Speeds = nullptr;     // along the normals: "Velocity", if not null
 };
 
-// Triangles; valid and empty for an empty surface.
-void FillSkin(const NarrowBand& band, const SkinArrays& arrays, vtkPolyData* skin);
+// Triangles; valid and empty for an empty surface. Returns the outward normals, whether the skin
+// has them or not; empty if nothing needs them.
+vtkSmartPointer<vtkFloatArray> FillSkin(
+  const NarrowBand& band, const SkinArrays& arrays, vtkPolyData* skin);
 
 // The distances on an extent of the lattice, as scalars "Potential".
 void FillPotential(const NarrowBand& band, const int extent[6], vtkImageData* potential);

@@ -3,7 +3,7 @@
 #include "Compatibility.h"
 #include "FilterProperties.h"
 #include "PublishedInformation.h"
-#include "SkinMotion.h"
+#include "SkinPort.h"
 #include "SurfaceOutput.h"
 #include "vtkActiveImplicitSurface.h"
 
@@ -51,7 +51,6 @@ SurfaceRequests::SurfaceRequests(vtkActiveImplicitSurface* filter)
 SurfaceSettings SurfaceRequests::GatherSettings() const
 {
   SurfaceSettings settings = ReadProperties(this->Filter);
-  settings.InputMoves = this->InputMoves;
   if (!settings.TargetFunction)
   {
     settings.TargetStamp = this->Target.GetStamp();
@@ -62,37 +61,17 @@ SurfaceSettings SurfaceRequests::GatherSettings() const
   {
     settings.InitialStamp = this->Initial.GetStamp();
   }
-  settings.Steps = this->Steps;
+  this->Clock.WriteTo(settings);
   return settings;
-}
-
-void SurfaceRequests::FindTimeSteps(vtkInformation* target)
-{
-  this->Steps = SurfaceInput::GetTimeSteps(target);
-  this->InputMoves = !this->Steps.empty() || SurfaceInput::IsContinuous(target);
-  const bool settles = this->Filter->GetEvolutionMode() == vtkActiveMotionAlgorithm::EQUILIBRIUM;
-  if (settles)
-  {
-    this->InputMoves = false;
-    this->Steps.resize(std::min(this->Steps.size(), std::size_t(1)));
-  }
-  if (this->Steps.empty())
-  {
-    const int count = settles ? 1 : this->Filter->GetNumberOfTimeSteps();
-    for (int i = 0; i < count; ++i)
-    {
-      this->Steps.push_back(this->Filter->GetStartTime() + i * this->Filter->GetTimeStepSize());
-    }
-  }
 }
 
 void SurfaceRequests::PublishInformation(vtkInformationVector** input, vtkInformationVector* output)
 {
-  this->FindTimeSteps(Get(input, SurfaceInput::Target));
+  this->Clock.Read(this->Filter, Get(input, SurfaceInput::Target));
   const bool settles = this->Filter->GetEvolutionMode() == vtkActiveMotionAlgorithm::EQUILIBRIUM;
   for (int port = SkinPort; port <= HistoryPort; ++port)
   {
-    PublishTimes(output->GetInformationObject(port), this->Steps, settles);
+    PublishTimes(output->GetInformationObject(port), this->Clock.GetPublishedSteps(), settles);
   }
   vtkInformation* image = output->GetInformationObject(PotentialPort);
   const bool isConnected = vtkExecutive::CONSUMERS()->Length(image) > 0;
@@ -127,14 +106,22 @@ void SurfaceRequests::ReadFirst(vtkInformationVector** input)
   vtkInformation* target = Get(input, SurfaceInput::Target);
   vtkInformation* initial = Get(input, SurfaceInput::Initial);
   if (target && this->Simulation.GetStepWanted() == 0 &&
-    this->Target.Update(target, this->Steps.front()))
+    this->Target.Update(target, this->Simulation.GetSettings().Steps.front()))
   {
-    this->Simulation.AddFrame(0, this->Target.Read(target));
+    this->AddFrame(0, target);
   }
   if (initial && this->Simulation.WantsInitial() && this->Initial.UpdateFirst(initial))
   {
     this->Simulation.SetInitial(this->Initial.Read(initial));
   }
+}
+
+double SurfaceRequests::GetAskedTime(vtkInformation* output) const
+{
+  const std::vector<double>& steps = this->Clock.GetPublishedSteps();
+  return output->Has(SDDP::UPDATE_TIME_STEP()) ? output->Get(SDDP::UPDATE_TIME_STEP())
+    : steps.empty()                            ? 0.0
+                                               : steps.front();
 }
 
 void SurfaceRequests::AskInputs(
@@ -144,12 +131,15 @@ void SurfaceRequests::AskInputs(
   {
     return;
   }
-  vtkInformation* out = output->GetInformationObject(AskedPort(request));
-  this->Simulation.Configure(this->GatherSettings());
-  this->Simulation.SetSpeedsWanted(this->Filter->GetComputeVelocity() != 0);
-  this->Simulation.SetGoal(
-    out->Has(SDDP::UPDATE_TIME_STEP()) ? out->Get(SDDP::UPDATE_TIME_STEP()) : this->Steps.front());
   vtkInformation* target = Get(input, SurfaceInput::Target);
+  const double time = this->GetAskedTime(output->GetInformationObject(AskedPort(request)));
+  if (this->Clock.Ask(target, time))
+  {
+    this->Simulation.Drop();
+  }
+  this->Simulation.Configure(this->GatherSettings());
+  this->Simulation.SetWishes(ReadWishes(this->Filter, this->Target));
+  this->Simulation.SetGoal(time);
   if (target)
   {
     this->AskTarget(target);
@@ -175,14 +165,15 @@ void SurfaceRequests::AskTarget(vtkInformation* target)
   }
   // An algorithm that has failed to make a time is taken by VTK to have made it: only after another
   // time it is asked again.
+  const SurfaceSettings& settings = this->Simulation.GetSettings();
   const int wanted = this->Simulation.GetStepWanted();
-  const bool isReady = wanted >= 0 && !this->AskedInVain;
+  const bool isReady = wanted >= 0 && (!this->AskedInVain || settings.OnlyForward);
   this->AskedStep = isReady ? wanted : this->Simulation.GetLastStepAdded();
   this->AskedInVain = true;
   SurfaceInput::AskForFirst(target);
-  if (this->InputMoves)
+  if (settings.InputMoves)
   {
-    target->Set(SDDP::UPDATE_TIME_STEP(), this->Steps[this->AskedStep]);
+    target->Set(SDDP::UPDATE_TIME_STEP(), settings.Steps[this->AskedStep]);
   }
 }
 
@@ -245,6 +236,29 @@ private:
   SurfaceRequests& Requests;
 };
 
+void SurfaceRequests::AddFrame(int step, vtkInformation* target)
+{
+  this->Simulation.AddFrame(step, this->Target.Read(target, this->Simulation.GetWishes().Extras));
+}
+
+// From within, at another time than the one for which it was asked before.
+void SurfaceRequests::UpdateTarget(vtkInformation* target, double time)
+{
+  if (this->Simulation.GetSettings().OnlyForward)
+  {
+    throw std::runtime_error("The input's time " + std::to_string(time) +
+      " is needed, but it cannot be had again (NO_PRIOR_TEMPORAL_ACCESS). Ask for times in their "
+      "order; a CheckpointInterval of 1 keeps the skins of earlier ones.");
+  }
+  this->AskedInVain = true;
+  if (!this->Target.Update(target, time))
+  {
+    throw std::runtime_error(
+      "The input has failed to make its time step " + std::to_string(time) + ".");
+  }
+  this->AskedInVain = false;
+}
+
 // Takes what the inputs were asked for, then as many more steps of the target as the goal needs.
 SurfaceSimulation::Outcome SurfaceRequests::Advance(vtkInformationVector** input)
 {
@@ -258,7 +272,7 @@ SurfaceSimulation::Outcome SurfaceRequests::Advance(vtkInformationVector** input
   this->AskedInVain = false;
   if (target && this->Simulation.GetStepWanted() == this->AskedStep)
   {
-    this->Simulation.AddFrame(this->AskedStep, this->Target.Read(target));
+    this->AddFrame(this->AskedStep, target);
   }
   const auto report = [this](double fraction)
   {
@@ -269,14 +283,8 @@ SurfaceSimulation::Outcome SurfaceRequests::Advance(vtkInformationVector** input
   while (outcome == SurfaceSimulation::Outcome::NeedsFrame)
   {
     const int step = this->Simulation.GetStepWanted();
-    this->AskedInVain = true;
-    if (!this->Target.Update(target, this->Steps[step]))
-    {
-      throw std::runtime_error(
-        "The input has failed to make its time step " + std::to_string(this->Steps[step]) + ".");
-    }
-    this->AskedInVain = false;
-    this->Simulation.AddFrame(step, this->Target.Read(target));
+    this->UpdateTarget(target, this->Simulation.GetSettings().Steps[step]);
+    this->AddFrame(step, target);
     outcome = this->Simulation.Advance(report);
   }
   return outcome;
@@ -304,25 +312,6 @@ void SurfaceRequests::Make(
   {
     this->GiveUp(output);
   }
-}
-
-void SurfaceRequests::FillSkinPort(vtkPolyData* skin)
-{
-  const NarrowBand& band = this->Simulation.GetBand();
-  SkinArrays arrays;
-  arrays.Normals = this->Filter->GetComputeNormals() != 0;
-  std::vector<float> curvatures, speeds;
-  if (this->Filter->GetComputeCurvature())
-  {
-    curvatures = FindCurvatures(band);
-    arrays.Curvatures = &curvatures;
-  }
-  if (this->Filter->GetComputeVelocity())
-  {
-    speeds = this->Simulation.GetSpeeds();
-    arrays.Speeds = &speeds;
-  }
-  FillSkin(band, arrays, skin);
 }
 
 void SurfaceRequests::SaveState(const std::string& file) const

@@ -7,6 +7,7 @@
 #ifndef SurfaceRequests_h
 #define SurfaceRequests_h
 
+#include "InputClock.h"
 #include "SkinFunction.h"
 #include "SurfaceInput.h"
 #include "SurfaceSimulation.h"
@@ -62,16 +63,17 @@ public:
 
 private:
   SurfaceSettings GatherSettings() const;
-  void FindTimeSteps(vtkInformation* target);
   const SurfaceDomain* FindDomain(vtkInformationVector** input, bool isWanted);
+  double GetAskedTime(vtkInformation* output) const;
   void AskTarget(vtkInformation* target);
   void CheckInputs() const;
   void ReadFirst(vtkInformationVector** input);
+  void AddFrame(int step, vtkInformation* target);
+  void UpdateTarget(vtkInformation* target, double time);
   SurfaceSimulation::Outcome Advance(vtkInformationVector** input);
 
   class StampsAfterwards;
   bool Makes(int port, vtkInformation* request, vtkInformationVector* output) const;
-  void FillSkinPort(vtkPolyData* skin);
   void Fill(int port, vtkInformation* image, vtkDataObject* data);
   void FillOutputs(vtkInformation* request, vtkInformationVector* output);
 
@@ -80,8 +82,7 @@ private:
   SurfaceInput Initial;
   SurfaceSimulation Simulation;
   SkinFunction Function;
-  std::vector<double> Steps; // as published
-  bool InputMoves = false;
+  InputClock Clock;
 
   // Of the last inputs that were composite data sets.
   std::uint64_t CompositeTarget = 0;

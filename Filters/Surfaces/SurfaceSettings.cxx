@@ -126,9 +126,22 @@ bool SurfaceSettings::operator==(const SurfaceSettings& other) const
       s.BoundsGiven, s.Bounds, s.Bounded, m.Attraction, m.Tension, m.CFL, m.AreaControl,
       m.VolumeControl, m.AreaStiffness, m.VolumeStiffness, m.TargetArea, m.TargetVolume,
       m.Evaluation, m.Gradient, m.Paper, s.Settles, s.Rest.Tolerance, s.Rest.MaximumSubsteps,
-      s.Steps, s.TimeScale);
+      s.Steps, s.InputSteps, s.OnlyForward, s.TimeScale);
   };
   return all(*this) == all(other);
+}
+
+bool SurfaceSettings::AreContinuedBy(const SurfaceSettings& others) const
+{
+  const std::size_t known = this->InputSteps.size();
+  SurfaceSettings same = others;
+  same.InputMoves = this->InputMoves;
+  same.TargetStamp = this->TargetStamp;
+  same.Steps = this->Steps;
+  same.InputSteps = this->InputSteps;
+  return this->UsesInput() && !this->Settles && known > 0 && others.InputSteps.size() > known &&
+    std::equal(this->InputSteps.begin(), this->InputSteps.end(), others.InputSteps.begin()) &&
+    same == *this;
 }
 
 double SurfaceSettings::GetMotionTime(double pipelineTime) const

@@ -54,11 +54,17 @@ struct SurfaceSettings
   Motion Strategy;
   bool Settles = false; // goes to rest from the first step, which is the only one
   RestCriterion Rest;
-  std::vector<double> Steps; // pipeline times; the first one is motion time 0
+  std::vector<double> Steps;      // pipeline times; the first one is motion time 0
+  std::vector<double> InputSteps; // of the input; or empty
+  bool OnlyForward = false;       // no step of the input can be had again
   double TimeScale = 1.0;
 
   bool operator==(const SurfaceSettings& other) const;
   bool operator!=(const SurfaceSettings& other) const { return !(*this == other); }
+
+  // Whether others are these, but that the input has gone on: further steps have been added to its
+  // own.
+  bool AreContinuedBy(const SurfaceSettings& others) const;
 
   bool UsesInput() const { return !this->TargetFunction; }
 

@@ -117,6 +117,13 @@ void SurfaceShapes::Add(int step, TargetFrame frame)
   this->Frames.Add(step, std::move(frame));
 }
 
+bool SurfaceShapes::HasExtras(int step, const std::string& extras) const
+{
+  return this->Frames.Has(step) &&
+    (this->Frames.Get(step).Kind != TargetKind::Particles ||
+      this->Frames.Get(step).Extras == extras);
+}
+
 // An empty frame fits all others.
 void SurfaceShapes::CheckKind(int step, TargetFrame& frame)
 {

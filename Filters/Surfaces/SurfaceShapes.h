@@ -29,6 +29,13 @@ public:
   void Add(int step, TargetFrame frame);
   bool Has(int step) const { return this->Frames.Has(step); }
 
+  // Whether a frame of particles was read with those extras, see TargetFrame.
+  bool HasExtras(int step, const std::string& extras) const;
+
+  // The frames that are held, and of what kind they are: Nothing, as long as none is.
+  TargetFrames& GetFrames() { return this->Frames; }
+  TargetKind GetKind() const { return this->Kind; }
+
   // The frame that is the initial shape, if the settings have one. Throws as Add.
   void SetInitial(TargetFrame frame);
   bool WantsInitial() const;

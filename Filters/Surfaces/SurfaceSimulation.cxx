@@ -23,6 +23,14 @@ constexpr double SubstepsOfMovingTarget = 4.0;
 
 void SurfaceSimulation::Configure(const SurfaceSettings& settings)
 {
+  if (this->Settings.AreContinuedBy(settings) && this->IsOnStepsOf(settings))
+  {
+    this->Settings = settings;
+    if (!this->History.empty())
+    {
+      this->History.front().Time = settings.Steps.front();
+    }
+  }
   if (this->Settings != settings)
   {
     this->Loaded = this->LoadedIsNew ? this->Loaded : SavedState();
@@ -31,6 +39,14 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
     this->Settings = settings;
   }
   this->LoadedIsNew = false;
+}
+
+// Whether the way so far is one along these steps. An input of one step stands still, and the
+// filter has its own clock as long as it does.
+bool SurfaceSimulation::IsOnStepsOf(const SurfaceSettings& settings) const
+{
+  return this->Settings.InputMoves ? settings.InputMoves
+                                   : this->Step <= 0 && !this->IsUnderWay() && !this->Branch;
 }
 
 void SurfaceSimulation::Drop()
@@ -80,6 +96,10 @@ void SurfaceSimulation::SetGoal(double pipelineTime)
   const GoalTime goal = FindGoal(this->Settings.Steps, pipelineTime);
   if (goal.Step < this->Step || (goal.Step == this->Step && this->IsUnderWay()))
   {
+    if (this->Settings.OnlyForward && !this->IsUnderWay())
+    {
+      this->Saved.Keep(this->Step, *this->Band); // it cannot be reached again
+    }
     this->ForgetWay();
   }
   this->Rewind(goal.Step);
@@ -115,32 +135,21 @@ int SurfaceSimulation::GetStepWanted() const
   {
     return -1;
   }
-  if (this->Step < 0 || !this->Settings.InputMoves)
+  if ((this->Step < 0 || !this->Settings.InputMoves) && !this->Shapes.Has(0))
   {
-    return this->Shapes.Has(0) ? -1 : 0;
+    return 0;
   }
-  const bool onTheWay =
-    this->Step < this->Goal.Step || (this->Goal.Between && !this->BranchIsAtGoal());
+  const bool onTheWay = this->Step < 0 || this->Step < this->Goal.Step ||
+    (this->Goal.Between && !this->BranchIsAtGoal());
   if (!onTheWay)
   {
-    return this->SpeedsWanted ? this->GetStepWantedAtGoal() : -1;
+    return this->GetStepWantedAtGoal();
   }
-  if (this->HasFramesFrom(this->Step))
+  if (this->Step < 0 || this->HasFramesFrom(this->Step))
   {
     return -1;
   }
   return this->Shapes.Has(this->Step) ? this->Step + 1 : this->Step;
-}
-
-// Where the target has to be to tell the speeds: after a return to a checkpoint it may not be
-// there.
-int SurfaceSimulation::GetStepWantedAtGoal() const
-{
-  if (!this->Shapes.Has(this->Goal.Step))
-  {
-    return this->Goal.Step;
-  }
-  return this->Goal.Between && !this->Shapes.Has(this->Goal.Step + 1) ? this->Goal.Step + 1 : -1;
 }
 
 void SurfaceSimulation::AddFrame(int step, TargetFrame frame)
@@ -243,10 +252,20 @@ bool SurfaceSimulation::StartBand(const SurfaceDomain& domain, const ProgressFun
   return StartOn(*this->Band, { domain, this->GetMotion().Box, shape }, this->Messages, progress);
 }
 
+// The band goes on as a copy while an output, at another port or elsewhere, holds it.
+void SurfaceSimulation::KeepWhatIsShared()
+{
+  if (this->Band.use_count() > 1)
+  {
+    this->Band = this->Band->Clone();
+  }
+}
+
 bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
 {
   const double end = this->Settings.GetMotionTime(this->Settings.Steps[this->Step + 1]);
   this->Branch.reset();
+  this->KeepWhatIsShared();
   if (!this->AdvanceBand(*this->Band, end, progress))
   {
     return false;
@@ -258,6 +277,7 @@ bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
 
 bool SurfaceSimulation::Settle(const ProgressFunction& progress)
 {
+  this->KeepWhatIsShared();
   const double never = std::numeric_limits<double>::infinity();
   const AdvanceReport report = this->AdvanceCounting(*this->Band, never, progress);
   WarnOfMotion(report, this->Band->GetTime(), this->Messages);

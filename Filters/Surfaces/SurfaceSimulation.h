@@ -21,6 +21,7 @@
 #ifndef SurfaceSimulation_h
 #define SurfaceSimulation_h
 
+#include "CarriedArrays.h"
 #include "Checkpoints.h"
 #include "GoalTime.h"
 #include "NarrowBand.h"
@@ -32,11 +33,21 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace activesurface
 {
+
+// What the skin shall have besides its shape.
+struct SkinWishes
+{
+  bool Speeds = false;
+  bool Arrays = false; // of the particles
+  bool Drift = false;  // their velocities
+  std::string Extras;  // with which their frames are to be read for that
+};
 
 class SurfaceSimulation
 {
@@ -58,7 +69,7 @@ public:
   // Going back then starts from the last of them.
   void SetCheckpoints(int interval, std::size_t memory) { this->Saved.SetLimits(interval, memory); }
 
-  // Drops everything if these are other settings.
+  // Drops everything if these are other settings, unless only further steps have come.
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
 
@@ -70,6 +81,7 @@ public:
   // back to the nearest checkpoint, or to the start.
   void SetGoal(double pipelineTime);
   double GetGoalTime() const { return this->Goal.Time; }
+  int GetGoalStep() const { return this->Goal.Step; } // or the step before
 
   // The step whose frame has to come next, or -1 if none is needed to reach the goal; and the step
   // that came last, or 0.
@@ -90,12 +102,19 @@ public:
   void Drop();
 
   // At the goal, when Advance has reached it.
-  const NarrowBand& GetBand() const;
+  const NarrowBand& GetBand() const { return *this->ShareBand(); }
+  // To keep: it does not change any more.
+  std::shared_ptr<const NarrowBand> ShareBand() const;
+  // Whether it is the state at a step, to go on from.
+  bool IsAtStep() const { return !this->Goal.Between && !this->Settings.Settles; }
 
-  // Whether GetSpeeds will be asked for, which needs the target at the goal.
-  void SetSpeedsWanted(bool wanted) { this->SpeedsWanted = wanted; }
+  // What will be asked for at the goal, which needs the target there.
+  void SetWishes(const SkinWishes& wishes) { this->Wishes = wishes; }
+  const SkinWishes& GetWishes() const { return this->Wishes; }
   // Normal speeds of the skin at the goal, at its vertices.
   std::vector<float> GetSpeeds();
+  // As wished; refers to the frames.
+  CarriedArrays GetCarried();
 
   // The same, or null when the surface is not at the goal.
   const NarrowBand* FindSkin() const;
@@ -118,11 +137,13 @@ public:
   void ResetCounters() { this->Substeps = this->TargetEvaluations = 0; }
 
 private:
+  bool IsOnStepsOf(const SurfaceSettings& settings) const;
   void ForgetWay();
   void Rewind(int step);
   void TakeLoaded();
   bool HasFramesFrom(int step) const;
   int GetStepWantedAtGoal() const;
+  bool LooksBack() const;
   void PlaceTargetFrom(int step);
   bool IsUnderWay() const;
   bool BranchIsAtGoal() const;
@@ -130,6 +151,7 @@ private:
 
   bool Start(const ProgressFunction& progress);
   bool StartBand(const SurfaceDomain& domain, const ProgressFunction& progress);
+  void KeepWhatIsShared();
   bool AdvanceStep(const ProgressFunction& progress);
   bool AdvanceBranch(const ProgressFunction& progress);
   bool Settle(const ProgressFunction& progress);
@@ -141,16 +163,16 @@ private:
   SurfaceSettings Settings;
   int Threads = 0;
   std::size_t MaximumVoxels = 0;
-  bool SpeedsWanted = false;
+  SkinWishes Wishes;
   Warnings Messages;
   SurfaceShapes Shapes{ this->Settings, this->Messages };
   int LastStepAdded = 0;
 
   GoalTime Goal;
   int FirstStep = -1;                 // where the way to the goal began, for the progress
-  std::unique_ptr<NarrowBand> Band;   // at the step, or under way to the next one
+  std::shared_ptr<NarrowBand> Band;   // at the step, or under way to the next one
   int Step = -1;                      // -1: not started
-  std::unique_ptr<NarrowBand> Branch; // from the step to BranchTime
+  std::shared_ptr<NarrowBand> Branch; // from the step to BranchTime
   double BranchTime = 0.0;            // pipeline time
   bool BranchIsUnderWay = false;      // has not got there
   bool Settled = false;               // has come to rest, or used up its substeps

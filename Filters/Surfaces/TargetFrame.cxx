@@ -1,5 +1,7 @@
 #include "TargetFrame.h"
 
+#include "CarriedData.h"
+
 #include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -119,14 +121,17 @@ TargetFrame MakeParticles(vtkPointSet* points, const ParticleArrays& arrays)
   return frame;
 }
 
-TargetFrame MakeSkeleton(vtkPointSet* lines, const ParticleArrays& arrays)
+TargetFrame MakeSkeleton(vtkPointSet* lines, vtkAbstractArray* radii, vtkAbstractArray* strengths)
 {
+  ParticleArrays arrays;
+  arrays.Radii = radii;
+  arrays.Strengths = strengths;
   TargetFrame frame;
   frame.Kind = TargetKind::Skeleton;
   frame.Particles = ReadParticles(lines, arrays);
   frame.Data = CopyShape(lines);
-  AddArray(frame.Data, arrays.Radii, RadiusName);
-  AddArray(frame.Data, arrays.Strengths, StrengthName);
+  AddArray(frame.Data, radii, RadiusName);
+  AddArray(frame.Data, strengths, StrengthName);
   return frame;
 }
 
@@ -140,18 +145,23 @@ TargetFrame MakeMesh(vtkDataSet* mesh)
 
 TargetFrame MakeImage(vtkDataSet* image, vtkAbstractArray* values)
 {
-  vtkDataArray* numbers = vtkDataArray::SafeDownCast(values);
-  if (!numbers || numbers->GetNumberOfComponents() != 1 ||
-    numbers->GetNumberOfTuples() != image->GetNumberOfPoints())
-  {
-    const std::string name = values && values->GetName() ? values->GetName() : "";
-    throw std::invalid_argument("The array \"" + name +
-      "\" cannot give an image's values: it has to hold one number for each point.");
-  }
   TargetFrame frame;
   frame.Kind = TargetKind::Image;
   frame.Data.TakeReference(image->NewInstance());
   frame.Data->CopyStructure(image);
+  if (!values)
+  {
+    Carry(frame.Data->GetInformation(), GetCarriedGrid(image->GetInformation()));
+    return frame;
+  }
+  vtkDataArray* numbers = vtkDataArray::SafeDownCast(values);
+  if (!numbers || numbers->GetNumberOfComponents() != 1 ||
+    numbers->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    const std::string name = values->GetName() ? values->GetName() : "";
+    throw std::invalid_argument("The array \"" + name +
+      "\" cannot give an image's values: it has to hold one number for each point.");
+  }
   // Not a copy. A VTK image makes a new array where another object holds the one that it had.
   frame.Data->GetPointData()->SetScalars(numbers);
   return frame;

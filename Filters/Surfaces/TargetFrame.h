@@ -9,6 +9,8 @@
 #include "vtkImplicitFunction.h"
 #include "vtkSmartPointer.h"
 
+#include <string>
+
 namespace activesurface
 {
 
@@ -33,6 +35,7 @@ struct TargetFrame
   TargetKind Kind = TargetKind::Nothing;
   bool HasCells = true;                          // else points alone
   ParticleFrame Particles;                       // or the points of a skeleton
+  std::string Extras;                            // which arrays besides were read of particles
   vtkSmartPointer<vtkDataSet> Data;              // of the other kinds: what of the input is needed
   vtkSmartPointer<vtkImplicitFunction> Function; // of the other kinds, once it is made
 
@@ -43,9 +46,9 @@ struct TargetFrame
 TargetKind FindKind(vtkDataSet* data);
 
 // The frames of each kind. They throw std::invalid_argument for arrays that are unfit; arrays may
-// be null, but for an image's.
+// be null, an image's where it carries a level set.
 TargetFrame MakeParticles(vtkPointSet* points, const ParticleArrays& arrays);
-TargetFrame MakeSkeleton(vtkPointSet* lines, const ParticleArrays& arrays);
+TargetFrame MakeSkeleton(vtkPointSet* lines, vtkAbstractArray* radii, vtkAbstractArray* strengths);
 TargetFrame MakeMesh(vtkDataSet* mesh);
 TargetFrame MakeImage(vtkDataSet* image, vtkAbstractArray* values);
 

@@ -3,6 +3,7 @@
 #ifndef TargetFrames_h
 #define TargetFrames_h
 
+#include "ParticleMatches.h"
 #include "TargetFrame.h"
 
 #include <vector>
@@ -15,7 +16,7 @@ class TargetFrames
 public:
   void Clear();
 
-  // The step replaces the elder of the two that are held.
+  // The step replaces itself, or else the elder of the two that are held.
   void Add(int step, TargetFrame frame);
 
   bool Has(int step) const;
@@ -23,9 +24,12 @@ public:
   TargetFrame& Get(int step);
 
   // The particles at a fraction in [0,1] of the way from a step to the next one, see
-  // ParticleFrame.h; those of the step itself, in their order, at 0 and as long as the next one is
-  // not held.
+  // ParticleMatches.h; those of the step itself, in their order, at 0 and as long as the next one
+  // is not held.
   void PlaceParticles(int step, double fraction, std::vector<SkeletonVertex>& particles);
+
+  // Of the particles of a step and those of the next one; null if not both are held.
+  const ParticleMatches* FindMatches(int step);
 
 private:
   struct Held

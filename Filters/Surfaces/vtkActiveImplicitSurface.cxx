@@ -254,8 +254,8 @@ void vtkActiveImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "MeshThickness: " << this->MeshThickness << "\n"
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "ComputeVelocity: " << this->ComputeVelocity << "\n"
+     << indent << "TangentialVelocity: " << this->TangentialVelocity << "\n"
+     << indent << "PassTargetArrays: " << this->PassTargetArrays << "\n"
      << indent << "ComputeCurvature: " << this->ComputeCurvature << "\n"
-     << indent << "OutputPotential: " << this->OutputPotential << "\n"
-     << indent << "MaximumNumberOfActiveVoxels: " << this->MaximumNumberOfActiveVoxels << "\n"
-     << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+     << indent << "OutputPotential: " << this->OutputPotential << "\n";
 }

@@ -54,7 +54,9 @@
  * step, is that step. So the result depends on the time and the
  * properties only, bit by bit: not on the order of requests, nor on the number of threads. The
  * state is made anew when the target, the initial shape or a property that shapes the motion
- * changes.
+ * changes. In situ it goes on: an input whose list of time steps has grown at its end is the same
+ * input, and is asked for its new steps only; and where no time can be had twice
+ * (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are the times asked for, from the first one on.
  *
  * A vanished skin is legal: empty output and one warning. What cannot be done is one error with a
  * sentence that says why, and empty outputs. What was reached before it, or before an abort, is
@@ -242,14 +244,39 @@ public:
   ///@{
   /**
    * Whether the skin has the point array "Velocity": its normal velocity [length/time] at that
-   * moment, by the equation of motion; its component along the surface means nothing and is 0. As
-   * it belongs to points of the skin, and not to points that are followed through time, it is right
-   * through splits and merges. Costs an evaluation of the target. Does not restart the motion.
-   * Default: off.
+   * moment, by the equation of motion, to which TangentialVelocity adds. As it belongs to points of
+   * the skin, and not to points that are followed through time, it is right through splits and
+   * merges. Costs an evaluation of the target. Does not restart the motion. Default: off.
    */
   vtkSetMacro(ComputeVelocity, vtkTypeBool);
   vtkGetMacro(ComputeVelocity, vtkTypeBool);
   vtkBooleanMacro(ComputeVelocity, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether "Velocity" has a component along the skin too: that of the particles' own velocity,
+   * averaged with their kernels' weights. It comes from the array that SetInputArrayToProcess(5,
+   * ...) chooses, else from the particles' way since the step before (at the first step, to the
+   * next one). Particles without either do not count; without any, and for other targets, it is 0.
+   * Does not restart the motion. Default: off.
+   */
+  vtkSetMacro(TangentialVelocity, vtkTypeBool);
+  vtkGetMacro(TangentialVelocity, vtkTypeBool);
+  vtkBooleanMacro(TangentialVelocity, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the skin has the point arrays of the particles under it: floating-point ones averaged
+   * with the kernels' weights, others, such as ids and names, from the particle with the largest
+   * weight; where no kernel reaches, from the nearest particle. Between two steps the values go
+   * evenly from one to the other. Left out are ghost levels, arrays called like one of the skin's
+   * own, and those that are not alike at both steps. Does not restart the motion. Default: off.
+   */
+  vtkSetMacro(PassTargetArrays, vtkTypeBool);
+  vtkGetMacro(PassTargetArrays, vtkTypeBool);
+  vtkBooleanMacro(PassTargetArrays, vtkTypeBool);
   ///@}
 
   ///@{
@@ -272,25 +299,6 @@ public:
   vtkSetMacro(OutputPotential, vtkTypeBool);
   vtkGetMacro(OutputPotential, vtkTypeBool);
   vtkBooleanMacro(OutputPotential, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
-   * Guard of the memory: a band of more active voxels is an error instead. A ball of diameter d has
-   * about 20 * (d / VoxelSize)^2 of them. Does not restart the motion.
-   * Range: >= 1. Default: 50000000.
-   */
-  vtkSetClampMacro(MaximumNumberOfActiveVoxels, vtkIdType, 1, VTK_ID_MAX);
-  vtkGetMacro(MaximumNumberOfActiveVoxels, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
-   * Number of threads that move the skin. It does not change the result.
-   * Range: 0 to 1024; 0 is all that TBB may use. Default: 0.
-   */
-  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
-  vtkGetMacro(NumberOfThreads, int);
   ///@}
 
   ///@{
@@ -379,10 +387,10 @@ private:
   double MeshThickness = 0.0;
   vtkTypeBool ComputeNormals = 1;
   vtkTypeBool ComputeVelocity = 0;
+  vtkTypeBool TangentialVelocity = 0;
+  vtkTypeBool PassTargetArrays = 0;
   vtkTypeBool ComputeCurvature = 0;
   vtkTypeBool OutputPotential = 0;
-  vtkIdType MaximumNumberOfActiveVoxels = 50000000;
-  int NumberOfThreads = 0;
 
   std::unique_ptr<activesurface::SurfaceRequests> Requests;
 };

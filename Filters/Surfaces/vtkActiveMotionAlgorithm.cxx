@@ -18,6 +18,8 @@ void vtkActiveMotionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "TimeScale: " << this->TimeScale << "\n"
      << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n"
      << indent << "CheckpointMemory: " << this->CheckpointMemory << "\n"
+     << indent << "MaximumNumberOfActiveVoxels: " << this->MaximumNumberOfActiveVoxels << "\n"
+     << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n"
      << indent << "EvolutionMode: " << this->EvolutionMode << "\n"
      << indent << "RestTolerance: " << this->RestTolerance << "\n"
      << indent << "MaximumNumberOfSubsteps: " << this->MaximumNumberOfSubsteps << "\n"

@@ -1,6 +1,7 @@
 /**
  * @class   vtkActiveMotionAlgorithm
- * @brief   the motion strategy of a vtkActiveImplicitSurface, and its clock, as properties
+ * @brief   the motion strategy of a vtkActiveImplicitSurface, its clock and its limits, as
+ * properties
  *
  * Normal speed of the skin, outward positive (eq. (2) to (4) and section 5 of Desbrun and
  * Cani-Gascuel 1998, the sign of the tension corrected):
@@ -10,7 +11,7 @@
  *
  * F is the target, or the distance to it; kappa the sum of the principal curvatures; the last two
  * terms belong to AreaControl and VolumeControl PENALTY. Changing any of these properties starts
- * the skin anew.
+ * the skin anew, but those of the clock's checkpoints and of what may be used of the machine.
  */
 
 #ifndef vtkActiveMotionAlgorithm_h
@@ -183,6 +184,25 @@ public:
   vtkGetMacro(CheckpointMemory, int);
   ///@}
 
+  ///@{
+  /**
+   * Guard of the memory: a band of more active voxels is an error instead. A ball of diameter d has
+   * about 20 * (d / VoxelSize)^2 of them. Does not restart the motion.
+   * Range: >= 1. Default: 50000000.
+   */
+  vtkSetClampMacro(MaximumNumberOfActiveVoxels, vtkIdType, 1, VTK_ID_MAX);
+  vtkGetMacro(MaximumNumberOfActiveVoxels, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Number of threads that move the skin. It does not change the result.
+   * Range: 0 to 1024; 0 is all that TBB may use. Default: 0.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
   enum EvolutionModeType
   {
     TRANSIENT = 0,
@@ -293,6 +313,8 @@ private:
   double TimeScale = 1.0;
   int CheckpointInterval = 10;
   int CheckpointMemory = 256;
+  vtkIdType MaximumNumberOfActiveVoxels = 50000000;
+  int NumberOfThreads = 0;
   int EvolutionMode = TRANSIENT;
   double RestTolerance = 1e-3;
   int MaximumNumberOfSubsteps = 10000;

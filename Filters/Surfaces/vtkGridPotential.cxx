@@ -1,9 +1,11 @@
 #include "vtkGridPotential.h"
 
 #include "BatchEvaluation.h"
+#include "CarriedData.h"
 #include "FunctionInput.h"
 #include "GridSamples.h"
 #include "ImageSamples.h"
+#include "LevelSetSamples.h"
 #include "MeshSamples.h"
 #include "MeshTriangles.h"
 
@@ -12,6 +14,7 @@
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -155,8 +158,14 @@ std::shared_ptr<const activesurface::GridSamples> vtkGridPotential::MakeSamples(
   }
   if (auto image = vtkImageData::SafeDownCast(input))
   {
-    return std::make_shared<activesurface::ImageSamples>(image,
-      activesurface::ImageLevel{ this->ScalarArrayName, this->IsoValue, this->InvertInside != 0 });
+    const activesurface::ImageLevel level{ this->ScalarArrayName, this->IsoValue,
+      this->InvertInside != 0 };
+    const auto grid = activesurface::GetCarriedGrid(image->GetInformation());
+    if (grid && image->GetPointData()->GetNumberOfArrays() == 0)
+    {
+      return std::make_shared<activesurface::LevelSetSamples>(grid, level);
+    }
+    return std::make_shared<activesurface::ImageSamples>(image, level);
   }
   if (auto polyData = vtkPolyData::SafeDownCast(input))
   {

@@ -9,6 +9,9 @@
  *   IsoValue - sample with InvertInside. Origin, spacing, extent and direction matrix count. What
  * is not known is outside: beyond the image's box F is the distance to the box [length], so a body
  *   that reaches the faces is closed there. In voxels that touch a pixel of value NaN, F is NaN.
+ * - the voxels of a sparse level set that a vtkImageData carries in place of arrays
+ *   (vtkActiveVDBReader with OutputDense off), in the same way; beyond its band F is what the level
+ *   set holds there, + or - a constant, with gradient 0.
  * - the signed distance [length] to the polygons and strips of a vtkPolyData, on a lattice through
  *   the origin with voxels of VoxelSize, within Reach of the mesh; +-Reach with gradient 0 beyond.
  *   A closed mesh bounds a solid, whichever way its polygons are turned. Bodies that overlap are

@@ -12,6 +12,7 @@ try:
     # The base classes must be known before the classes derived from them.
     import vtkmodules.vtkCommonDataModel
     import vtkmodules.vtkCommonExecutionModel  # noqa: F401
+    import vtkmodules.vtkIOImage  # noqa: F401
 except ImportError as error:
     raise ImportError(
         "active_implicit_surfaces needs VTK's Python modules for this Python; install them "
@@ -19,6 +20,8 @@ except ImportError as error:
     ) from error
 
 try:
+    from .vtkActiveIO import *
+    from .vtkActiveIO import vtkActiveEXRReader
     from .vtkActiveSurfaces import *
 except ImportError as error:
     raise ImportError(
@@ -26,3 +29,5 @@ except ImportError as error:
         "install the package with this Python (cmake -DPython3_EXECUTABLE=...), and import the "
         f"installed package, not the source folder. The cause was: {error}"
     ) from error
+
+vtkActiveEXRReader.RegisterWithFactory()  # so that vtkImageReader2Factory knows .exr

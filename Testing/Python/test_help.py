@@ -1,4 +1,4 @@
-"""help() tells unit, range and default of every property of the three classes, and truly."""
+"""help() tells unit, range and default of every property of the classes, and truly."""
 
 import pydoc
 import re
@@ -6,8 +6,12 @@ import unittest
 
 import active_implicit_surfaces
 from active_implicit_surfaces import (
+    vtkActiveEXRReader,
+    vtkActiveEXRWriter,
     vtkActiveImplicitSurface,
     vtkActiveMotionAlgorithm,
+    vtkActiveVDBReader,
+    vtkActiveVDBWriter,
     vtkGridPotential,
     vtkSkeletonPotential,
 )
@@ -23,14 +27,24 @@ NUMBERS = {
     """.split(),
     vtkSkeletonPotential: "Radius Threshold".split(),
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness MaximumNumberOfVoxels".split(),
+    vtkActiveEXRReader: "Part MaximumMemory".split(),
+    vtkActiveEXRWriter: "CompressionLevel PixelAspectRatio FramesPerSecond FrameNumber".split(),
+    vtkActiveVDBReader: "DownsamplingFactor MaximumNumberOfPoints".split(),
+    vtkActiveVDBWriter: ["VoxelSize"],
 }
 SWITCHES = {
     vtkActiveImplicitSurface: """
-        InvertTarget NormalizeTarget BoundedDomain ComputeNormals ComputeVelocity ComputeCurvature
-        OutputPotential PaperScheme
+        InvertTarget NormalizeTarget BoundedDomain ComputeNormals ComputeVelocity TangentialVelocity
+        PassTargetArrays ComputeCurvature OutputPotential PaperScheme
     """.split(),
     vtkSkeletonPotential: [],
     vtkGridPotential: ["InvertInside"],
+    vtkActiveEXRReader: [],
+    vtkActiveEXRWriter: ["WriteAllTimeSteps"],
+    vtkActiveVDBReader: ["OutputDense"],
+    vtkActiveVDBWriter: """
+        WriteAllTimeSteps WriteState WriteDensity WriteVelocity WritePointArrays HalfFloat
+    """.split(),
 }
 CHOICES = {
     vtkActiveImplicitSurface: """
@@ -38,11 +52,19 @@ CHOICES = {
     """.split(),
     vtkSkeletonPotential: ["Kernel"],
     vtkGridPotential: [],
+    vtkActiveEXRReader: ["Window"],
+    vtkActiveEXRWriter: "Compression ColorEncoding".split(),
+    vtkActiveVDBReader: ["Region"],
+    vtkActiveVDBWriter: "GridClass Compression".split(),
 }
 OTHERS = {
     vtkActiveImplicitSurface: "TargetFunction InitialFunction ModelBounds".split(),
     vtkSkeletonPotential: "Input InputConnection RadiusArrayName StrengthArrayName".split(),
     vtkGridPotential: "Input InputConnection ScalarArrayName".split(),
+    vtkActiveEXRReader: [],
+    vtkActiveEXRWriter: "DisplaySize TimeCode WorldToCamera WorldToNDC".split(),
+    vtkActiveVDBReader: "FileName GridName IndexRegion WorldRegion".split(),
+    vtkActiveVDBWriter: "FileName InputData Units".split(),
 }
 WITH_UNIT = {
     vtkActiveImplicitSurface: """
@@ -52,6 +74,10 @@ WITH_UNIT = {
     """.split(),
     vtkSkeletonPotential: "Radius RadiusArrayName StrengthArrayName Threshold".split(),
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness".split(),
+    vtkActiveEXRReader: ["MaximumMemory"],
+    vtkActiveEXRWriter: "DisplaySize FramesPerSecond".split(),
+    vtkActiveVDBReader: ["WorldRegion"],
+    vtkActiveVDBWriter: ["VoxelSize"],
 }
 
 

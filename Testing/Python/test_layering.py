@@ -13,8 +13,11 @@ ROOT = Path(__file__).resolve().parents[2]
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.MULTILINE)
 IMPORT_FROM_SOURCE = re.compile(r"sys\.path")
 PIPELINE_HEADER = re.compile(r"(.*/)?vtk\w*\.h$")
-# Export macros, and the ABI namespace that newer VTKs wrap everything in.
-NOT_PIPELINE = re.compile(r"vtkActiveNarrowBandModule\.h$|vtkABI\w*\.h$")
+# Export macros, the ABI namespace that newer VTKs wrap everything in, and the keys by which data
+# objects carry what is the band's.
+NOT_PIPELINE = re.compile(
+    r"vtkActiveNarrowBandModule\.h$|vtkABI\w*\.h$|vtkInformation\w*\.h$|vtkObjectBase\.h$"
+)
 NOT_FOR_WRAPPED_HEADERS = re.compile(
     r"(openvdb|nanovdb|tbb|oneapi|OpenEXR|Imath)/|Imf\w*\.h$|tbb\.h$"
 )

@@ -1,0 +1,74 @@
+// Values of VTK's arrays as OpenVDB has them.
+
+#ifndef ArrayValues_h
+#define ArrayValues_h
+
+#include "vtkDataArray.h"
+
+#include <openvdb/Types.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace activesurface
+{
+
+template <class Value>
+Value GetValue(vtkDataArray* array, vtkIdType tuple)
+{
+  using Traits = openvdb::VecTraits<Value>;
+  using Element = typename Traits::ElementType;
+  if constexpr (Traits::IsVec)
+  {
+    Value value;
+    for (int i = 0; i < Traits::Size; ++i)
+    {
+      value[i] = static_cast<Element>(array->GetComponent(tuple, i));
+    }
+    return value;
+  }
+  else if constexpr (sizeof(Element) == sizeof(vtkTypeInt64) && std::is_integral<Element>::value)
+  {
+    return array->GetVariantValue(tuple).ToTypeInt64(); // more digits than a double has
+  }
+  else
+  {
+    return static_cast<Value>(array->GetComponent(tuple, 0));
+  }
+}
+
+// Calls function(zero) with a zero of the type of a grid that holds the array's values without
+// loss, integers as 32 or 64 bits. Throws std::invalid_argument if there is none.
+template <class Function>
+void DispatchValues(vtkDataArray* array, Function&& function)
+{
+  const int components = array->GetNumberOfComponents();
+  const int type = array->GetDataType();
+  if (components != 1 && components != 3)
+  {
+    throw std::invalid_argument(std::string("The point array \"") +
+      (array->GetName() ? array->GetName() : "") + "\" has " + std::to_string(components) +
+      " components; a grid has one or three. Leave it out, or split it.");
+  }
+  const bool isWide = array->GetDataTypeSize() > 4 || type == VTK_UNSIGNED_INT;
+  if (type == VTK_FLOAT)
+  {
+    components == 1 ? function(0.f) : function(openvdb::Vec3s(0.f));
+  }
+  else if (type == VTK_DOUBLE)
+  {
+    components == 1 ? function(0.0) : function(openvdb::Vec3d(0.0));
+  }
+  else if (components == 3)
+  {
+    isWide ? function(openvdb::Vec3d(0.0)) : function(openvdb::Vec3i(0));
+  }
+  else
+  {
+    isWide ? function(openvdb::Int64(0)) : function(openvdb::Int32(0));
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,32 @@
+// An EXR file that cannot be read or written: a full sentence, and the code that VTK's readers and
+// writers give with it (vtkErrorCode).
+
+#ifndef EXRError_h
+#define EXRError_h
+
+#include <stdexcept>
+#include <string>
+
+#include "vtkErrorCode.h"
+
+namespace activesurface
+{
+
+class EXRError : public std::runtime_error
+{
+public:
+  EXRError(unsigned long code, const std::string& sentence)
+    : std::runtime_error(sentence)
+    , Code(code)
+  {
+  }
+
+  unsigned long GetCode() const { return this->Code; }
+
+private:
+  unsigned long Code;
+};
+
+}
+
+#endif

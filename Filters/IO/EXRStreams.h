@@ -1,0 +1,68 @@
+// Where OpenEXR reads from and writes to: streams that know their size, and tell every error. (Its
+// own output stream does not tell those of the last bytes, which are written when it closes.)
+
+#ifndef EXRStreams_h
+#define EXRStreams_h
+
+#include <ImfIO.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <istream>
+#include <string>
+
+namespace activesurface
+{
+
+class EXRInput : public Imf::IStream
+{
+public:
+  // The stream is the caller's and has to live as long.
+  EXRInput(std::istream& stream, const std::string& name);
+
+  bool read(char bytes[], int count) override;
+  std::uint64_t tellg() override { return this->Position; }
+  void seekg(std::uint64_t position) override;
+  void clear() override { this->Stream.clear(); }
+
+  std::uint64_t GetSize() const { return this->Size; }
+  // Whether more was asked for than there is.
+  bool HasEndedEarly() const { return this->EndedEarly; }
+
+private:
+  std::istream& Stream;
+  std::uint64_t Position = 0;
+  std::uint64_t Size = 0;
+  bool EndedEarly = false;
+};
+
+class EXROutput : public Imf::OStream
+{
+public:
+  // Makes the file, or throws an EXRError.
+  explicit EXROutput(const std::string& name);
+  ~EXROutput() override;
+
+  void write(const char bytes[], int count) override;
+  std::uint64_t tellp() override { return this->Position; }
+  void seekp(std::uint64_t position) override;
+
+  // Throws an EXRError unless every byte has reached the file.
+  void Close();
+  // The error that has stopped the writing, 0 if there was none.
+  int GetErrorNumber() const { return this->ErrorNumber; }
+
+private:
+  EXROutput(const EXROutput&) = delete;
+  void operator=(const EXROutput&) = delete;
+
+  [[noreturn]] void Fail();
+
+  std::FILE* File;
+  std::uint64_t Position = 0;
+  int ErrorNumber = 0;
+};
+
+}
+
+#endif

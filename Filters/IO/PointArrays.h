@@ -1,0 +1,21 @@
+// The points of a .vdb file as poly data.
+
+#ifndef PointArrays_h
+#define PointArrays_h
+
+#include <openvdb/openvdb.h>
+
+#include <cstdint>
+
+class vtkPolyData;
+
+namespace activesurface
+{
+
+// Throws std::invalid_argument for a grid of no points, std::runtime_error for more points than the
+// maximum, or a damaged grid.
+void ReadPoints(const openvdb::GridBase& grid, std::int64_t maximum, vtkPolyData* data);
+
+}
+
+#endif

@@ -1,0 +1,304 @@
+#include "vtkActiveEXRReader.h"
+
+#include "EXRError.h"
+#include "EXRHeaderScan.h"
+#include "EXRSeries.h"
+
+#include "vtkImageData.h"
+#include "vtkImageReader2Factory.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <fstream>
+
+using activesurface::EXRError;
+using activesurface::EXRExtent;
+using activesurface::EXRFile;
+using activesurface::EXRPart;
+
+struct vtkActiveEXRReader::Series
+{
+  std::vector<std::string> Names;
+  std::vector<double> Times; // empty for one file
+  EXRExtent Extent{};
+  std::vector<EXRPart> Parts; // of the first file
+  activesurface::EXRMemory Memory;
+  activesurface::EXRSelection Selection;
+};
+
+vtkStandardNewMacro(vtkActiveEXRReader);
+
+vtkActiveEXRReader::vtkActiveEXRReader()
+  : Files(std::make_unique<Series>())
+{
+}
+
+vtkActiveEXRReader::~vtkActiveEXRReader() = default;
+
+void vtkActiveEXRReader::RegisterWithFactory()
+{
+  static const bool registered = []
+  {
+    vtkNew<vtkActiveEXRReader> reader;
+    vtkImageReader2Factory::RegisterReader(reader);
+    return true;
+  }();
+  static_cast<void>(registered);
+}
+
+int vtkActiveEXRReader::CanReadFile(const char* name)
+{
+  std::ifstream stream(name ? name : "", std::ios::binary);
+  return stream && activesurface::IsEXR(stream) ? 3 : 0;
+}
+
+int vtkActiveEXRReader::GetNumberOfParts()
+{
+  return static_cast<int>(this->Files->Parts.size());
+}
+
+const char* vtkActiveEXRReader::GetPartName(int part)
+{
+  const bool found = part >= 0 && part < this->GetNumberOfParts();
+  return found ? this->Files->Parts[part].Name.c_str() : nullptr;
+}
+
+const char* vtkActiveEXRReader::GetPartType(int part)
+{
+  const bool found = part >= 0 && part < this->GetNumberOfParts();
+  return found ? this->Files->Parts[part].Type.c_str() : nullptr;
+}
+
+int vtkActiveEXRReader::GetNumberOfChannels()
+{
+  const bool found = this->Part < this->GetNumberOfParts();
+  return found ? static_cast<int>(this->Files->Parts[this->Part].Channels.size()) : 0;
+}
+
+const char* vtkActiveEXRReader::GetChannelName(int index)
+{
+  const bool found = index >= 0 && index < this->GetNumberOfChannels();
+  return found ? this->Files->Parts[this->Part].Channels[index].Name.c_str() : nullptr;
+}
+
+int vtkActiveEXRReader::GetChannelType(int index)
+{
+  const bool found = index >= 0 && index < this->GetNumberOfChannels();
+  return found ? static_cast<int>(this->Files->Parts[this->Part].Channels[index].Type) : -1;
+}
+
+void vtkActiveEXRReader::EnableChannel(const char* name)
+{
+  if (name && !this->IsChannelEnabled(name))
+  {
+    activesurface::EXRSelection& selection = this->Files->Selection;
+    selection.All ? static_cast<void>(selection.Exceptions.erase(name))
+                  : static_cast<void>(selection.Exceptions.insert(name));
+    this->Modified();
+  }
+}
+
+void vtkActiveEXRReader::DisableChannel(const char* name)
+{
+  if (name && this->IsChannelEnabled(name))
+  {
+    activesurface::EXRSelection& selection = this->Files->Selection;
+    selection.All ? static_cast<void>(selection.Exceptions.insert(name))
+                  : static_cast<void>(selection.Exceptions.erase(name));
+    this->Modified();
+  }
+}
+
+void vtkActiveEXRReader::EnableAllChannels()
+{
+  this->Files->Selection = { true, {} };
+  this->Modified();
+}
+
+void vtkActiveEXRReader::DisableAllChannels()
+{
+  this->Files->Selection = { false, {} };
+  this->Modified();
+}
+
+bool vtkActiveEXRReader::IsChannelEnabled(const char* name)
+{
+  return name && this->Files->Selection.Has(name);
+}
+
+void vtkActiveEXRReader::NameFiles()
+{
+  Series& files = *this->Files;
+  files.Names.clear();
+  files.Memory = { static_cast<const char*>(this->MemoryBuffer),
+    static_cast<std::size_t>(std::max<vtkIdType>(this->MemoryBufferLength, 0)) };
+  if (files.Memory.Bytes)
+  {
+    files.Names.emplace_back("(memory)");
+    return;
+  }
+  const vtkIdType count = this->FileNames ? this->FileNames->GetNumberOfValues() : 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    files.Names.push_back(this->FileNames->GetValue(i));
+  }
+  if (count == 0 && this->FileName && *this->FileName)
+  {
+    files.Names.emplace_back(this->FileName);
+  }
+  if (files.Names.empty())
+  {
+    throw EXRError(vtkErrorCode::NoFileNameError, "Set FileName or FileNames: there is no file.");
+  }
+}
+
+// What all files have to tell of their part.
+void vtkActiveEXRReader::ScanFiles()
+{
+  Series& files = *this->Files;
+  files.Times.clear();
+  files.Parts.clear();
+  bool rising = files.Names.size() > 1;
+  for (const std::string& name : files.Names)
+  {
+    activesurface::WithEXRFile(name, files.Memory,
+      [&](EXRFile& file)
+      {
+        if (files.Parts.empty())
+        {
+          files.Parts = file.GetParts();
+        }
+        const EXRPart& part = activesurface::FindEXRPart(file, this->Part);
+        activesurface::FindEXRLayers(part, files.Selection); // throws if there are none
+        const EXRExtent& extent = this->Window == DISPLAY ? part.Display : part.Data;
+        const bool first = files.Times.empty();
+        files.Extent = first ? extent : activesurface::UniteExtents(files.Extent, extent);
+        rising = rising && part.HasTime && (first || part.Time > files.Times.back());
+        files.Times.push_back(part.Time);
+      });
+  }
+  for (std::size_t i = 0; i < files.Times.size() && !rising; ++i)
+  {
+    files.Times[i] = static_cast<double>(i);
+  }
+}
+
+void vtkActiveEXRReader::Publish(vtkInformation* information)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const Series& files = *this->Files;
+  const EXRExtent& extent = files.Extent;
+  const int whole[6] = { extent[0], extent[1], extent[2], extent[3], 0, 0 };
+  std::copy_n(whole, 6, this->DataExtent);
+  information->Set(Pipeline::WHOLE_EXTENT(), whole, 6);
+  information->Set(vtkDataObject::SPACING(), this->DataSpacing, 3);
+  information->Set(vtkDataObject::ORIGIN(), this->DataOrigin, 3);
+  const auto layers = activesurface::FindEXRLayers(files.Parts[this->Part], files.Selection);
+  this->DataScalarType = layers.front().Integer ? VTK_UNSIGNED_INT : VTK_FLOAT;
+  this->NumberOfScalarComponents = static_cast<int>(layers.front().Channels.size());
+  vtkDataObject::SetPointDataActiveScalarInfo(
+    information, this->DataScalarType, this->NumberOfScalarComponents);
+  information->Remove(Pipeline::TIME_STEPS());
+  information->Remove(Pipeline::TIME_RANGE());
+  if (files.Names.size() > 1)
+  {
+    const double range[2] = { files.Times.front(), files.Times.back() };
+    information->Set(
+      Pipeline::TIME_STEPS(), files.Times.data(), static_cast<int>(files.Times.size()));
+    information->Set(Pipeline::TIME_RANGE(), range, 2);
+  }
+}
+
+int vtkActiveEXRReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    this->NameFiles();
+    this->ScanFiles();
+    this->Publish(outputs->GetInformationObject(0));
+    return 1;
+  }
+  catch (const EXRError& error)
+  {
+    return this->Fail(error.GetCode(), error.what(), outputs);
+  }
+  catch (const std::exception& error)
+  {
+    return this->Fail(vtkErrorCode::UnknownError, error.what(), outputs);
+  }
+}
+
+void vtkActiveEXRReader::ReadStep(vtkInformation* information)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const Series& files = *this->Files;
+  std::size_t step = 0;
+  if (information->Has(Pipeline::UPDATE_TIME_STEP()))
+  {
+    const double time = information->Get(Pipeline::UPDATE_TIME_STEP());
+    const auto later = std::upper_bound(files.Times.begin(), files.Times.end(), time);
+    step = static_cast<std::size_t>(std::max<std::ptrdiff_t>(later - files.Times.begin() - 1, 0));
+  }
+  vtkImageData* output = vtkImageData::GetData(information);
+  output->Initialize();
+  output->SetSpacing(this->DataSpacing);
+  output->SetOrigin(this->DataOrigin);
+  constexpr double bytesPerMiB = 1 << 20;
+  activesurface::WithEXRFile(files.Names[step], files.Memory,
+    [&](EXRFile& file)
+    {
+      activesurface::ReadEXRImage(file, static_cast<std::size_t>(this->Part), files.Selection,
+        files.Extent, this->MaximumMemory * bytesPerMiB, output);
+    });
+  if (files.Names.size() > 1)
+  {
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), files.Times[step]);
+  }
+}
+
+int vtkActiveEXRReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    this->ReadStep(outputs->GetInformationObject(0));
+    return 1;
+  }
+  catch (const EXRError& error)
+  {
+    return this->Fail(error.GetCode(), error.what(), outputs);
+  }
+  catch (const std::exception& error)
+  {
+    return this->Fail(vtkErrorCode::UnknownError, error.what(), outputs);
+  }
+}
+
+// Tells it once, and leaves nothing of an earlier file.
+int vtkActiveEXRReader::Fail(
+  unsigned long code, const std::string& sentence, vtkInformationVector* outputs)
+{
+  if (vtkImageData* output = vtkImageData::GetData(outputs))
+  {
+    output->Initialize();
+  }
+  this->SetErrorCode(code);
+  vtkErrorMacro(<< sentence);
+  return 0;
+}
+
+void vtkActiveEXRReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Part: " << this->Part << "\n";
+  os << indent << "Window: " << (this->Window == DATA ? "data" : "display") << "\n";
+  os << indent << "MaximumMemory: " << this->MaximumMemory << " MiB\n";
+}

@@ -1,0 +1,305 @@
+#include "vtkActiveEXRWriter.h"
+
+#include "EXRError.h"
+#include "EXRPlan.h"
+#include "EXRWriting.h"
+#include "FrameName.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <vector>
+
+using activesurface::EXRError;
+
+struct vtkActiveEXRWriter::Settings
+{
+  activesurface::EXRChoices Choices;
+  std::map<std::string, std::string> Texts{ { "software",
+    "Active Implicit Surfaces for VTK " ACTIVE_VERSION } };
+  std::map<std::string, double> Numbers;
+  vtkSmartPointer<vtkMatrix4x4> WorldToCamera, WorldToNDC;
+  std::vector<double> Times; // of the input
+  int Step = 0;              // which of them is being written
+  bool Asked = false;        // whether the input has come to be written
+};
+
+vtkStandardNewMacro(vtkActiveEXRWriter);
+
+vtkActiveEXRWriter::vtkActiveEXRWriter()
+  : Chosen(std::make_unique<Settings>())
+{
+}
+
+vtkActiveEXRWriter::~vtkActiveEXRWriter()
+{
+  this->SetTimeCode(nullptr);
+}
+
+void vtkActiveEXRWriter::SetWorldToCamera(vtkMatrix4x4* matrix)
+{
+  this->Chosen->WorldToCamera = matrix;
+  this->Modified();
+}
+
+void vtkActiveEXRWriter::SetWorldToNDC(vtkMatrix4x4* matrix)
+{
+  this->Chosen->WorldToNDC = matrix;
+  this->Modified();
+}
+
+vtkMatrix4x4* vtkActiveEXRWriter::GetWorldToCamera()
+{
+  return this->Chosen->WorldToCamera;
+}
+
+vtkMatrix4x4* vtkActiveEXRWriter::GetWorldToNDC()
+{
+  return this->Chosen->WorldToNDC;
+}
+
+void vtkActiveEXRWriter::AddAttribute(const char* name, const char* text)
+{
+  if (name && *name && text)
+  {
+    this->Chosen->Numbers.erase(name);
+    this->Chosen->Texts[name] = text;
+    this->Modified();
+  }
+}
+
+void vtkActiveEXRWriter::AddAttribute(const char* name, double number)
+{
+  if (name && *name)
+  {
+    this->Chosen->Texts.erase(name);
+    this->Chosen->Numbers[name] = number;
+    this->Modified();
+  }
+}
+
+void vtkActiveEXRWriter::ClearAttributes()
+{
+  this->Chosen->Texts.clear();
+  this->Chosen->Numbers.clear();
+  this->Modified();
+}
+
+void vtkActiveEXRWriter::AddChannel(const char* array, int component, const char* channel)
+{
+  this->Chosen->Choices.Channels.push_back(
+    { array ? array : "", component, channel ? channel : "" });
+  this->Modified();
+}
+
+void vtkActiveEXRWriter::ClearChannels()
+{
+  this->Chosen->Choices.Channels.clear();
+  this->Modified();
+}
+
+void vtkActiveEXRWriter::AssignPixelType(const char* array, int type)
+{
+  if (!array || type < UINT || type > FLOAT)
+  {
+    vtkErrorMacro("AssignPixelType needs an array's name and UINT (0), HALF (1) or FLOAT (2), not "
+      << type << ".");
+    return;
+  }
+  this->Chosen->Choices.Types[array] = static_cast<activesurface::EXRPixel>(type);
+  this->Modified();
+}
+
+void vtkActiveEXRWriter::ClearPixelTypes()
+{
+  this->Chosen->Choices.Types.clear();
+  this->Modified();
+}
+
+void vtkActiveEXRWriter::Write()
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    this->Fail(vtkErrorCode::UserError, "There is no input to write.");
+    return;
+  }
+  this->Chosen->Step = 0;
+  this->Chosen->Asked = false;
+  this->Modified(); // writes again what has not changed
+  this->UpdateWholeExtent();
+  if (!this->Chosen->Asked)
+  {
+    this->Fail(vtkErrorCode::UnknownError, "Nothing is written, as the input has failed.");
+  }
+}
+
+int vtkActiveEXRWriter::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  vtkInformation* information = inputs[0]->GetInformationObject(0);
+  const auto key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+  this->Chosen->Times.clear();
+  if (information->Has(key))
+  {
+    const double* times = information->Get(key);
+    this->Chosen->Times.assign(times, times + information->Length(key));
+  }
+  return 1;
+}
+
+int vtkActiveEXRWriter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* information = inputs[0]->GetInformationObject(0);
+  if (information->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    int whole[6];
+    information->Get(Pipeline::WHOLE_EXTENT(), whole);
+    information->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
+  }
+  const Settings& chosen = *this->Chosen;
+  if (this->WriteAllTimeSteps && !chosen.Times.empty())
+  {
+    information->Set(
+      Pipeline::UPDATE_TIME_STEP(), chosen.Times[static_cast<std::size_t>(chosen.Step)]);
+  }
+  return 1;
+}
+
+int vtkActiveEXRWriter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  const auto again = vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING();
+  Settings& chosen = *this->Chosen;
+  chosen.Asked = true;
+  this->WriteStep(vtkImageData::GetData(inputs[0]));
+  const bool well = this->GetErrorCode() == vtkErrorCode::NoError;
+  if (well && this->WriteAllTimeSteps && chosen.Step + 1 < static_cast<int>(chosen.Times.size()))
+  {
+    ++chosen.Step;
+    request->Set(again, 1);
+    return 1;
+  }
+  chosen.Step = 0;
+  request->Remove(again);
+  return well ? 1 : 0;
+}
+
+void vtkActiveEXRWriter::WriteStep(vtkImageData* image)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  const std::string name = this->FileName ? this->FileName : "";
+  try
+  {
+    if (name.empty())
+    {
+      throw EXRError(vtkErrorCode::NoFileNameError, "FileName is not set.");
+    }
+    const int number = this->FrameNumber + this->Chosen->Step;
+    this->WriteImage(image, activesurface::MakeFrameName(name, number, this->WriteAllTimeSteps));
+  }
+  catch (const EXRError& error)
+  {
+    this->Fail(error.GetCode(), "Cannot write \"" + name + "\": " + error.what());
+  }
+  catch (const std::exception& error)
+  {
+    this->Fail(vtkErrorCode::UnknownError, "Cannot write \"" + name + "\": " + error.what());
+  }
+}
+
+namespace
+{
+
+activesurface::EXRMatrix Copy(vtkMatrix4x4* matrix)
+{
+  activesurface::EXRMatrix copy;
+  if (matrix)
+  {
+    copy.Set = true;
+    std::copy_n(matrix->GetData(), 16, copy.Elements.begin());
+  }
+  return copy;
+}
+
+void CheckSize(vtkImageData* image, const int displaySize[2])
+{
+  constexpr int largest = 1 << 24;
+  if (!image || image->GetNumberOfPoints() == 0)
+  {
+    throw EXRError(vtkErrorCode::UserError, "the input is empty.");
+  }
+  const int* dimensions = image->GetDimensions();
+  if (dimensions[2] != 1)
+  {
+    throw EXRError(vtkErrorCode::UserError,
+      "the input has " + std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
+        " x " + std::to_string(dimensions[2]) +
+        " points, and an image of one slice is needed (vtkExtractVOI takes one).");
+  }
+  const int width = displaySize[0], height = displaySize[1];
+  const bool none = width == 0 && height == 0;
+  if (!none && (width < 1 || height < 1 || width > largest || height > largest))
+  {
+    throw EXRError(vtkErrorCode::UserError,
+      "DisplaySize " + std::to_string(width) + ", " + std::to_string(height) +
+        " is neither 0, 0 nor from 1 to 16777216.");
+  }
+}
+
+}
+
+void vtkActiveEXRWriter::WriteImage(vtkImageData* image, const std::string& name)
+{
+  CheckSize(image, this->DisplaySize);
+  const Settings& chosen = *this->Chosen;
+  activesurface::EXRHeaderSettings header;
+  header.Packing = static_cast<activesurface::EXRPacking>(this->Compression);
+  header.Level = this->CompressionLevel;
+  std::copy_n(image->GetExtent(), 4, header.Extent.begin());
+  std::copy_n(this->DisplaySize, 2, header.DisplaySize.begin());
+  header.PixelAspectRatio = this->PixelAspectRatio;
+  header.FramesPerSecond = this->FramesPerSecond;
+  header.TimeCode = this->TimeCode ? this->TimeCode : "";
+  header.WorldToCamera = Copy(chosen.WorldToCamera);
+  header.WorldToNDC = Copy(chosen.WorldToNDC);
+  header.Texts = chosen.Texts;
+  header.Numbers = chosen.Numbers;
+  vtkInformation* information = image->GetInformation();
+  if (information->Has(vtkDataObject::DATA_TIME_STEP()))
+  {
+    header.Numbers.emplace("time", information->Get(vtkDataObject::DATA_TIME_STEP()));
+  }
+  activesurface::EXRChoices choices = chosen.Choices;
+  choices.FromSRGB = this->ColorEncoding == SRGB;
+  activesurface::WriteEXR(name, header, activesurface::PlanChannels(image, choices));
+}
+
+void vtkActiveEXRWriter::Fail(unsigned long code, const std::string& sentence)
+{
+  this->SetErrorCode(code);
+  vtkErrorMacro(<< sentence << (sentence.back() == '.' ? "" : "."));
+}
+
+void vtkActiveEXRWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  static const char* const names[] = { "none", "ZIP", "ZIPS", "PIZ", "DWAA" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Compression: " << names[this->Compression] << "\n";
+  os << indent << "CompressionLevel: " << this->CompressionLevel << "\n";
+  os << indent << "ColorEncoding: " << (this->ColorEncoding == SRGB ? "sRGB" : "linear") << "\n";
+  os << indent << "DisplaySize: " << this->DisplaySize[0] << ", " << this->DisplaySize[1] << "\n";
+  os << indent << "PixelAspectRatio: " << this->PixelAspectRatio << "\n";
+  os << indent << "FramesPerSecond: " << this->FramesPerSecond << "\n";
+  os << indent << "TimeCode: " << (this->TimeCode ? this->TimeCode : "(none)") << "\n";
+  os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "on" : "off") << "\n";
+  os << indent << "FrameNumber: " << this->FrameNumber << "\n";
+}

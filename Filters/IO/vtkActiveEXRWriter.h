@@ -1,0 +1,259 @@
+/**
+ * @class   vtkActiveEXRWriter
+ * @brief   writes an image, with all its point arrays, as an OpenEXR file of many layers
+ *
+ * The input is an image of one slice (x * y * 1 points). Its point arrays become channels by
+ * OpenEXR's convention of layers:
+ *
+ *   array                                              channels
+ *   RGBA or RGB                                        R, G, B, A or R, G, B
+ *   the scalars, unsigned char or short, 3 or 4 comp.  the same: pictures of other readers, windows
+ *   other unsigned char or short, 3 or 4 components    name.R, name.G, name.B, name.A
+ *   N, P, any of 3 components                          N.X, N.Y, N.Z
+ *   forward, any of 2 components                       forward.u, forward.v
+ *   any of 4 components                                name.R, name.G, name.B, name.A
+ *   more components                                    name.0, name.1, ... (00, 01 beyond ten)
+ *   Z, id, any of one component                        its name as it is; a dot makes a layer of it
+ *
+ * Where the components of an array have names (SetComponentName), these follow the dot. AddChannel
+ * replaces the rule for an array. float and double arrays become FLOAT, integers UINT, integer
+ * colors HALF from 0 to 1; AssignPixelType chooses another type for an array. A value that does not
+ * fit (a number below 0 in UINT, 1e9 in HALF) is an error that tells it. NaN and infinity pass.
+ *
+ * Colors in EXR files are linear. What a render window shows is meant for a display: set
+ * ColorEncoding to SRGB for it.
+ *
+ * Rows are VTK's, from below, and turned around on the way: row 0 of the image is the lowest of the
+ * picture. vtkActiveEXRReader reads back the same bytes (of float and unsigned int).
+ *
+ * FileName may hold a run of #, or %d or %04d: FrameNumber takes its place. With WriteAllTimeSteps
+ * there is a file for each of the input's time steps, numbered from FrameNumber on; without a place
+ * for the number it is put before the extension, name.0000.exr. FilePrefix and FilePattern are not
+ * used. Pipeline time becomes the attribute "time".
+ *
+ * ZIP and ZIPS are packed by all threads that vtkSMPTools may use; the bytes are the same for any
+ * number of them.
+ *
+ * A file is written whole or not at all: under a temporary name beside it, then renamed. What goes
+ * wrong is one error with a sentence, and ErrorCode tells the kind (vtkErrorCode); a file that was
+ * there before is left as it was.
+ */
+
+#ifndef vtkActiveEXRWriter_h
+#define vtkActiveEXRWriter_h
+
+#include "vtkActiveIOModule.h" // for the export macro
+#include "vtkImageWriter.h"
+
+#include <memory> // for what it holds
+#include <string> // for sentences
+
+class vtkMatrix4x4;
+
+class VTKACTIVEIO_EXPORT vtkActiveEXRWriter : public vtkImageWriter
+{
+public:
+  static vtkActiveEXRWriter* New();
+  vtkTypeMacro(vtkActiveEXRWriter, vtkImageWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Writes the file or, with WriteAllTimeSteps, the files. GetErrorCode() is 0 if all went well.
+   */
+  void Write() override;
+
+  enum CompressionType
+  {
+    NONE = 0,
+    ZIP = 1,
+    ZIPS = 2,
+    PIZ = 3,
+    DWAA = 4
+  };
+
+  ///@{
+  /**
+   * How pixels are packed, all but DWAA without loss. NONE (0). ZIP (1): 16 rows at a time, read by
+   * everything. ZIPS (2): row by row, for those who read single rows. PIZ (3): wavelets, best for
+   * noise. DWAA (4): small, with loss; refused when a channel holds data, which is any but R, G, B,
+   * A and Y. Default: ZIP.
+   */
+  vtkSetClampMacro(Compression, int, NONE, DWAA);
+  vtkGetMacro(Compression, int);
+  void SetCompressionToNone() { this->SetCompression(NONE); }
+  void SetCompressionToZIP() { this->SetCompression(ZIP); }
+  void SetCompressionToZIPS() { this->SetCompression(ZIPS); }
+  void SetCompressionToPIZ() { this->SetCompression(PIZ); }
+  void SetCompressionToDWAA() { this->SetCompression(DWAA); }
+  ///@}
+
+  ///@{
+  /**
+   * Effort of ZIP and ZIPS: 1 is fastest, 9 smallest. Range: 1 to 9. Default: 4.
+   */
+  vtkSetClampMacro(CompressionLevel, int, 1, 9);
+  vtkGetMacro(CompressionLevel, int);
+  ///@}
+
+  enum ColorEncodingType
+  {
+    LINEAR = 0,
+    SRGB = 1
+  };
+
+  ///@{
+  /**
+   * What the numbers of the input's colors mean (arrays RGB and RGBA, and integer ones of 3 or 4
+   * components). LINEAR (0): light; they are written as they are. SRGB (1): they are for a display,
+   * and decoded to light; alpha is not. Default: LINEAR.
+   */
+  vtkSetClampMacro(ColorEncoding, int, LINEAR, SRGB);
+  vtkGetMacro(ColorEncoding, int);
+  void SetColorEncodingToLinear() { this->SetColorEncoding(LINEAR); }
+  void SetColorEncodingToSRGB() { this->SetColorEncoding(SRGB); }
+  ///@}
+
+  ///@{
+  /**
+   * Width and height of the display window [pixels], whose lower left pixel is point (0, 0) of the
+   * input; the input's extent within it, or beyond, is the data window. Values from 1 to 2^24; 0,
+   * 0: the extent is both windows, from (0, 0) on. Default: 0, 0.
+   */
+  vtkSetVector2Macro(DisplaySize, int);
+  vtkGetVector2Macro(DisplaySize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Width of a pixel over its height. Range: 1e-6 to 1e6. Default: 1.
+   */
+  vtkSetClampMacro(PixelAspectRatio, double, 1e-6, 1e6);
+  vtkGetMacro(PixelAspectRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * Frame rate [1/second], the attribute framesPerSecond. Range: 0 to 1e6; 0: not written.
+   * Default: 0.
+   */
+  vtkSetClampMacro(FramesPerSecond, double, 0.0, 1e6);
+  vtkGetMacro(FramesPerSecond, double);
+  ///@}
+
+  ///@{
+  /**
+   * Attribute timeCode, as "hours:minutes:seconds:frame", two digits each. Default: none.
+   */
+  vtkSetStringMacro(TimeCode);
+  vtkGetStringMacro(TimeCode);
+  ///@}
+
+  ///@{
+  /**
+   * Matrix from world coordinates to the camera's (attribute worldToCamera: x to the right, y up, z
+   * ahead). As in VTK, columns are multiplied by it; it is turned around for the file, and single
+   * there. Default: none.
+   */
+  void SetWorldToCamera(vtkMatrix4x4* matrix);
+  vtkMatrix4x4* GetWorldToCamera();
+  ///@}
+
+  ///@{
+  /**
+   * Matrix from world coordinates to those of the picture (attribute worldToNDC: (0, 0) is the
+   * upper left corner of the display window, (1, 1) the lower right), else as WorldToCamera.
+   * Default: none.
+   */
+  void SetWorldToNDC(vtkMatrix4x4* matrix);
+  vtkMatrix4x4* GetWorldToNDC();
+  ///@}
+
+  ///@{
+  /**
+   * Adds an attribute to the header, a text or a number (written as double), or replaces it.
+   * Customary texts: owner (who made it), comments, software (at first this package and its
+   * version), capDate (when, as "YYYY:MM:DD hh:mm:ss"). Nothing of the clock is written by itself,
+   * so that equal input makes equal bytes. ClearAttributes() leaves none, software neither.
+   */
+  void AddAttribute(const char* name, const char* text);
+  void AddAttribute(const char* name, double number);
+  void ClearAttributes();
+  ///@}
+
+  ///@{
+  /**
+   * Writes a component of a point array as a channel of this name. An array for which this is
+   * called has no channel but these; the others follow the rule.
+   */
+  void AddChannel(const char* array, int component, const char* channel);
+  void ClearChannels();
+  ///@}
+
+  enum PixelType
+  {
+    UINT = 0,
+    HALF = 1,
+    FLOAT = 2
+  };
+
+  ///@{
+  /**
+   * The type of the channels of an array: UINT (0), HALF (1) or FLOAT (2), in place of the rule's.
+   * HALF has 11 bits, and is what colors and normals need; depth and positions need FLOAT.
+   */
+  void AssignPixelType(const char* array, int type);
+  void ClearPixelTypes();
+  ///@}
+
+  ///@{
+  /**
+   * Whether all time steps of the input are written, one file each. Default: off.
+   */
+  vtkSetMacro(WriteAllTimeSteps, bool);
+  vtkGetMacro(WriteAllTimeSteps, bool);
+  vtkBooleanMacro(WriteAllTimeSteps, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Number that a run of # or %d in FileName stands for; that of the first file with
+   * WriteAllTimeSteps. Range: 0 to 100000000. Default: 0.
+   */
+  vtkSetClampMacro(FrameNumber, int, 0, 100000000);
+  vtkGetMacro(FrameNumber, int);
+  ///@}
+
+protected:
+  vtkActiveEXRWriter();
+  ~vtkActiveEXRWriter() override;
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*) override;
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector*) override;
+
+private:
+  vtkActiveEXRWriter(const vtkActiveEXRWriter&) = delete;
+  void operator=(const vtkActiveEXRWriter&) = delete;
+
+  struct Settings;
+
+  void WriteStep(vtkImageData* image);
+  void WriteImage(vtkImageData* image, const std::string& name);
+  void Fail(unsigned long code, const std::string& sentence);
+
+  int Compression = ZIP;
+  int CompressionLevel = 4;
+  int ColorEncoding = LINEAR;
+  int DisplaySize[2] = { 0, 0 };
+  double PixelAspectRatio = 1.0;
+  double FramesPerSecond = 0.0;
+  char* TimeCode = nullptr;
+  bool WriteAllTimeSteps = false;
+  int FrameNumber = 0;
+  std::unique_ptr<Settings> Chosen;
+};
+
+#endif

@@ -1,0 +1,271 @@
+#include "vtkActiveVDBWriter.h"
+
+#include "CarriedData.h"
+#include "FrameName.h"
+#include "VDBContent.h"
+#include "VDBOutput.h"
+
+#include "vtkDataObject.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <openvdb/io/Compression.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <vector>
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+using activesurface::FileError;
+
+vtkStandardNewMacro(vtkActiveVDBWriter);
+
+namespace
+{
+
+constexpr const char* Creator = "Active Implicit Surfaces for VTK " ACTIVE_VERSION;
+
+// ParaView puts a filter of its own after each of ours, whose output is a copy.
+vtkDataObject* FindData(vtkAlgorithm* consumer)
+{
+  int port = 0;
+  vtkAlgorithm* producer = consumer->GetInputAlgorithm(0, 0, port);
+  const bool isOfParaView = std::strcmp(producer->GetClassName(), "vtkPVPostFilter") == 0 &&
+    producer->GetNumberOfInputConnections(0) > 0;
+  return isOfParaView ? FindData(producer) : producer->GetOutputDataObject(port);
+}
+
+// The input's port, with its time steps.
+struct Source
+{
+  explicit Source(vtkAlgorithm* consumer)
+  {
+    int port = 0;
+    vtkAlgorithm* producer = consumer->GetInputAlgorithm(0, 0, port);
+    this->Port = port;
+    this->Pipeline = SDDP::SafeDownCast(producer->GetExecutive());
+    if (!this->Pipeline || !this->Pipeline->UpdateInformation())
+    {
+      throw std::runtime_error("The input cannot be updated.");
+    }
+    this->Information = this->Pipeline->GetOutputInformation(port);
+    if (this->Information->Has(SDDP::TIME_STEPS()))
+    {
+      const double* first = this->Information->Get(SDDP::TIME_STEPS());
+      this->Steps.assign(first, first + this->Information->Length(SDDP::TIME_STEPS()));
+    }
+  }
+
+  void Update() const
+  {
+    this->Information->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+    this->Information->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+    this->Information->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    if (this->Information->Has(SDDP::WHOLE_EXTENT()))
+    {
+      int whole[6];
+      this->Information->Get(SDDP::WHOLE_EXTENT(), whole);
+      this->Information->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+    }
+    if (!this->Pipeline->Update(this->Port))
+    {
+      throw std::runtime_error("The input has failed to make its data, so there is no file of it.");
+    }
+  }
+
+  void Update(double time) const
+  {
+    this->Information->Set(SDDP::UPDATE_TIME_STEP(), time);
+    this->Update();
+  }
+
+  // The last step that is not after a time.
+  int FindStep(double time) const
+  {
+    const auto after = std::upper_bound(this->Steps.begin(), this->Steps.end(), time);
+    return std::max(0, static_cast<int>(after - this->Steps.begin()) - 1);
+  }
+
+  SDDP* Pipeline = nullptr;
+  int Port = 0;
+  vtkInformation* Information = nullptr;
+  std::vector<double> Steps;
+};
+
+std::uint32_t GetFlags(int compression)
+{
+  using namespace openvdb::io;
+  constexpr std::uint32_t flags[] = { COMPRESS_NONE, COMPRESS_ACTIVE_MASK,
+    COMPRESS_ACTIVE_MASK | COMPRESS_ZIP, COMPRESS_ACTIVE_MASK | COMPRESS_BLOSC };
+  return flags[compression];
+}
+
+bool HasTime(vtkDataObject* data)
+{
+  return data->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()) != 0;
+}
+
+double GetTime(vtkDataObject* data)
+{
+  return HasTime(data) ? data->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()) : 0.0;
+}
+
+openvdb::MetaMap MakeMetadata(vtkDataObject* data, int frame, const std::string& units)
+{
+  openvdb::MetaMap metadata;
+  metadata.insertMeta(openvdb::GridBase::META_GRID_CREATOR, openvdb::StringMetadata(Creator));
+  metadata.insertMeta("time", openvdb::DoubleMetadata(GetTime(data)));
+  metadata.insertMeta("frame", openvdb::Int32Metadata(frame));
+  metadata.insertMeta("units", openvdb::StringMetadata(units));
+  if (const auto carried = activesurface::GetCarriedState(data->GetInformation()))
+  {
+    for (const auto& [name, value] : carried->Motion)
+    {
+      metadata.insertMeta("motion_" + name, openvdb::DoubleMetadata(value));
+    }
+  }
+  return metadata;
+}
+
+}
+
+vtkActiveVDBWriter::vtkActiveVDBWriter()
+{
+  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfOutputPorts(0);
+}
+
+vtkActiveVDBWriter::~vtkActiveVDBWriter() = default;
+
+void vtkActiveVDBWriter::SetFileName(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (this->FileName != wanted)
+  {
+    this->FileName = wanted;
+    this->Modified();
+  }
+}
+
+void vtkActiveVDBWriter::SetUnits(const char* units)
+{
+  const std::string wanted = units ? units : "";
+  if (this->Units != wanted)
+  {
+    this->Units = wanted;
+    this->Modified();
+  }
+}
+
+int vtkActiveVDBWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkActiveVDBWriter::Write()
+{
+  const auto fail = [this](unsigned long code, const char* sentence)
+  {
+    this->SetErrorCode(code);
+    vtkErrorMacro(<< sentence);
+    return 0;
+  };
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (this->FileName.empty())
+  {
+    return fail(vtkErrorCode::NoFileNameError, "There is no FileName to write to.");
+  }
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return fail(vtkErrorCode::UserError, "There is no input to write.");
+  }
+  try
+  {
+    openvdb::initialize();
+    this->WriteSteps();
+    return 1;
+  }
+  catch (const FileError& error)
+  {
+    return fail(error.Code, error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    return fail(vtkErrorCode::UserError, "There is not enough memory for the grids of the file.");
+  }
+  catch (const std::exception& error)
+  {
+    return fail(vtkErrorCode::UserError, error.what());
+  }
+}
+
+void vtkActiveVDBWriter::WriteSteps()
+{
+  using activesurface::MakeFrameName;
+  const Source source(this);
+  if (!this->WriteAllTimeSteps)
+  {
+    source.Update();
+    vtkDataObject* data = FindData(this);
+    const int frame = data ? source.FindStep(GetTime(data)) : 0;
+    this->WriteData(MakeFrameName(this->FileName, frame, false), data, frame);
+    return;
+  }
+  const std::vector<double> steps =
+    source.Steps.empty() ? std::vector<double>{ 0.0 } : source.Steps;
+  this->UpdateProgress(0.0);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+  {
+    if (this->GetAbortExecute())
+    {
+      throw std::runtime_error("Writing was stopped before the time step " + std::to_string(i) +
+        "; the files of those before it are there.");
+    }
+    const int frame = static_cast<int>(i);
+    source.Update(steps[i]);
+    this->WriteData(MakeFrameName(this->FileName, frame, true), FindData(this), frame);
+    this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(steps.size()));
+  }
+}
+
+void vtkActiveVDBWriter::WriteData(const std::string& file, vtkDataObject* data, int frame)
+{
+  activesurface::VDBChoice choice;
+  choice.State = this->WriteState != 0;
+  choice.Density = this->WriteDensity != 0;
+  choice.Velocity = this->WriteVelocity != 0;
+  choice.PointArrays = this->WritePointArrays != 0;
+  choice.HalfFloat = this->HalfFloat != 0;
+  constexpr openvdb::GridClass kinds[] = { openvdb::GRID_UNKNOWN, openvdb::GRID_LEVEL_SET,
+    openvdb::GRID_FOG_VOLUME };
+  choice.Kind = kinds[this->GridClass];
+  choice.VoxelSize = this->VoxelSize;
+  activesurface::VDBContent content(choice);
+  content.Add(data);
+  activesurface::WriteVDB(
+    file, content.GetGrids(), MakeMetadata(data, frame, this->Units), GetFlags(this->Compression));
+}
+
+void vtkActiveVDBWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n"
+     << indent << "WriteAllTimeSteps: " << this->WriteAllTimeSteps << "\n"
+     << indent << "WriteState: " << this->WriteState << "\n"
+     << indent << "WriteDensity: " << this->WriteDensity << "\n"
+     << indent << "WriteVelocity: " << this->WriteVelocity << "\n"
+     << indent << "WritePointArrays: " << this->WritePointArrays << "\n"
+     << indent << "GridClass: " << this->GridClass << "\n"
+     << indent << "VoxelSize: " << this->VoxelSize << "\n"
+     << indent << "HalfFloat: " << this->HalfFloat << "\n"
+     << indent << "Compression: " << this->Compression << "\n"
+     << indent << "Units: " << this->Units << "\n";
+}

@@ -1,0 +1,55 @@
+/**
+ * The bytes of a file, one after the other, and never beyond its end.
+ */
+#ifndef ByteSource_h
+#define ByteSource_h
+
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace activesurface
+{
+
+/** All methods throw std::runtime_error for what is not there. */
+class ByteSource
+{
+public:
+  explicit ByteSource(const std::string& file);
+
+  std::uint64_t GetSize() const { return this->Size; }
+  std::uint64_t GetPosition() const { return this->Position; }
+  std::uint64_t GetRest() const { return this->Size - this->Position; }
+
+  void Seek(std::uint64_t position);
+  void Skip(std::uint64_t count);
+  void Read(void* bytes, std::size_t count);
+
+  template <class Value>
+  Value Read()
+  {
+    Value value;
+    this->Read(&value, sizeof value);
+    return value;
+  }
+
+  std::string ReadBytes(std::uint64_t count);
+  /** Its length, in four bytes, and so many bytes. */
+  std::string ReadText() { return this->ReadBytes(this->Read<std::uint32_t>()); }
+
+private:
+  ByteSource(const ByteSource&) = delete;
+  void operator=(const ByteSource&) = delete;
+
+  std::ifstream File;
+  std::uint64_t Size = 0;
+  std::uint64_t Position = 0;
+  std::vector<char> Window; // the bytes from WindowBegin on
+  std::uint64_t WindowBegin = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,72 @@
+/**
+ * A tree in a .vdb file, walked through without being built: whether all that it says of its sizes
+ * is so, since OpenVDB's own reader believes it, and where it is active.
+ */
+#ifndef VDBTree_h
+#define VDBTree_h
+
+#include <openvdb/openvdb.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace activesurface
+{
+
+class ByteSource;
+
+/** How the values of a tree lie in a file. */
+struct VDBFormat
+{
+  enum Leaves
+  {
+    Values,
+    Bools,
+    Masks,
+    Points
+  };
+  Leaves Kind = Values;
+  std::uint32_t ValueSize = 0;   //< bytes, in memory
+  std::uint32_t StoredSize = 0;  //< bytes in the file, less as half floats
+  std::uint32_t Compression = 0; //< OpenVDB's flags
+};
+
+/** What reading would have to skip to pass a leaf. */
+struct VDBLeafSize
+{
+  std::int8_t Scheme = 0;
+  std::int64_t Bytes = 0;
+};
+
+struct VDBTree
+{
+  struct Leaf
+  {
+    openvdb::Coord Origin;
+    std::array<std::uint64_t, 8> Active;
+  };
+
+  std::uint64_t ActiveVoxels = 0; //< those of tiles too
+  std::uint64_t ActiveTiles = 0;
+  std::uint64_t NumberOfLeaves = 0;
+  openvdb::CoordBBox ActiveBox;   //< empty if nothing is active
+  std::vector<Leaf> Leaves;       //< in the order of the file
+  std::vector<VDBLeafSize> Sizes; //< of leaves of values
+};
+
+/** From the beginning of the topology. Throws std::runtime_error for a tree that is damaged. */
+VDBTree WalkTopology(ByteSource& source, const VDBFormat& format);
+
+/** The buffers that follow it, but those of points. */
+void WalkBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree);
+
+/**
+ * What Blosc has packed: `stored` bytes, from here on, which have to unpack to `unpacked` bytes, or
+ * with padding to the least size that OpenVDB packs.
+ */
+void SkipBlosc(ByteSource& source, std::uint64_t stored, std::uint64_t unpacked);
+
+}
+
+#endif

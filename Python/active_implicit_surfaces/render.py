@@ -1,0 +1,352 @@
+"""What a vtkRenderWindow shows, as the layers that compositing programs work with.
+
+>>> from active_implicit_surfaces import render
+>>> render.write_exr(window, "picture.exr", frame_duration=1 / 24)
+
+Layers, as point arrays of the image that capture() returns, and their channels in the file:
+
+RGBA     R G B A, HALF      the picture, as linear light; see `encoding`
+Z        Z, FLOAT           distance from the camera along its axis [world units], with perspective
+                            and without; `far` where nothing is
+P        P.X P.Y P.Z, FLOAT place in the world; 0 where nothing is
+N        N.X N.Y N.Z, HALF  unit normal along the world's axes, as the data has it (outward on a
+                            closed skin), not turned to the camera; 0 where nothing is
+forward  forward.u .v, HALF motion until the next frame [pixels], u to the right, v up; 0 where
+                            nothing is, or nothing moves
+id       id, UINT           1 for the renderer's first actor, 2 for its second and so on; 0 where
+                            nothing is
+
+Z and P are of the depth buffer, so of everything opaque. N, forward and id are of the surfaces of
+actors whose mapper has a data set (vtkPolyDataMapper, vtkDataSetMapper): these are rendered again,
+without lights, with the values in place of colors. What is translucent is in the picture only.
+Layers are sampled at the pixels' centers; only the picture is antialiased. It has the 8 bits of the
+window, alpha is the window's too (0 on a background whose BackgroundAlpha is 0, if the window has
+AlphaBitPlanes).
+"""
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals
+from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingOpenGL2 import (
+    vtkCameraPass,
+    vtkRenderPassCollection,
+    vtkSequencePass,
+    vtkValuePass,
+)
+
+from .vtkActiveIO import vtkActiveEXRWriter
+
+FAR = 1e10  # what Blender writes where nothing is; finite, so that filters of pictures make no NaN
+_POINT_FIELD = 3  # VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, which vtkValuePass takes
+# Of depth, by which a value and the depth buffer may differ and be of the same surface: the buffer
+# has 24 bits, of which perspective leaves about 14 far away.
+_SAME_DEPTH = 1e-4
+
+
+def write_exr(window, file_name, *, frame_duration=1.0, writer=None, **options):
+    """Writes what the window shows; returns the image that capture() made of it.
+
+    frame_duration [time of the velocities] and the options are those of capture(). `writer`: a
+    vtkActiveEXRWriter with settings of your own (compression, attributes); it gets input, file
+    name, types, matrices. Raises OSError with a sentence if the file cannot be written.
+    """
+    image = capture(window, frame_duration=frame_duration, **options)
+    writer = writer or vtkActiveEXRWriter()
+    for name in ("RGBA", "N", "forward"):
+        writer.AssignPixelType(name, vtkActiveEXRWriter.HALF)
+    renderer = options.get("renderer") or _renderer_of(window)
+    to_camera, to_picture = camera_matrices(renderer)
+    writer.SetWorldToCamera(to_camera)
+    writer.SetWorldToNDC(to_picture)
+    writer.SetColorEncodingToSRGB()
+    if options.get("encoding", "srgb") == "linear":
+        writer.SetColorEncodingToLinear()
+    said = []
+    observer = writer.AddObserver("ErrorEvent", _note(said))
+    executive_observer = writer.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    writer.SetFileName(str(file_name))
+    writer.SetInputData(image)
+    writer.Write()
+    writer.RemoveObserver(observer)
+    writer.GetExecutive().RemoveObserver(executive_observer)
+    if writer.GetErrorCode():
+        raise OSError(said[0] if said else f"{file_name} could not be written.")
+    return image
+
+
+def capture(
+    window,
+    *,
+    renderer=None,
+    velocity="Velocity",
+    frame_duration=1.0,
+    camera_after=None,
+    encoding="srgb",
+    far=FAR,
+):
+    """Renders the window, and returns its layers as the point arrays of a vtkImageData.
+
+    renderer: the one whose layers are wanted, which has to fill the window; at first its first.
+    velocity: name of a point array of 3 components, in the data's own coordinates; surfaces without
+    it stand still. frame_duration: time until the next frame, in the velocities' unit of time.
+    camera_after: the camera of the next frame, if it moves. encoding: "srgb" if the window's colors
+    look right on a display (what VTK's shading is made for), "linear" if they are light already;
+    here the array RGBA holds the window's 8 bits as they are, write_exr decodes them. far: Z where
+    nothing is.
+    """
+    if encoding not in ("srgb", "linear"):
+        raise ValueError(f'encoding is "srgb" or "linear", not {encoding!r}.')
+    renderer = renderer or _renderer_of(window)
+    if tuple(renderer.GetViewport()) != (0.0, 0.0, 1.0, 1.0):
+        raise ValueError("The renderer does not fill the window (SetViewport), so no layer would.")
+    window.Render()
+    size = window.GetSize()
+    picture = _picture(window, size)
+    depth, values = _surface_values(window, renderer, velocity)
+    camera = renderer.GetActiveCamera()
+    projection = _projection(renderer, camera)
+    places, distances = _places(depth, size, projection, camera)
+    hit = depth < 1.0
+    seen = hit & (values["distance"] <= distances * (1.0 + _SAME_DEPTH))
+    after = _projection(renderer, camera_after or camera)
+    moved = places + frame_duration * numpy.where(seen[:, None], values["velocity"], 0.0)
+    steps = _pixels(moved, after, size) - _pixels(places, projection, size)
+    layers = {
+        "Z": numpy.where(hit, distances, far),
+        "P": numpy.where(hit[:, None], places, 0.0),
+        "N": numpy.where(seen[:, None], _unit(values["normal"]), 0.0),
+        "forward": numpy.where(hit[:, None], steps, 0.0),
+        "id": numpy.where(seen, numpy.rint(values["id"]), 0).astype(numpy.uint32),
+    }
+    return _image(size, picture, layers)
+
+
+def camera_matrices(renderer):
+    """World to camera (x right, y up, z ahead) and to the picture ((0, 0) upper left, (1, 1) lower
+    right), as OpenEXR's attributes worldToCamera and worldToNDC want them."""
+    camera = renderer.GetActiveCamera()
+    to_camera = numpy.diag([1.0, 1.0, -1.0, 1.0]) @ _numbers(camera.GetViewTransformMatrix())
+    to_unit = numpy.array([[0.5, 0, 0, 0.5], [0, -0.5, 0, 0.5], [0, 0, 1, 0], [0, 0, 0, 1]])
+    return _matrix(to_camera), _matrix(to_unit @ _projection(renderer, camera))
+
+
+def _renderer_of(window):
+    renderer = window.GetRenderers().GetFirstRenderer()
+    if renderer is None:
+        raise ValueError("The window has no renderer.")
+    return renderer
+
+
+def _note(said):
+    def note(caller, event, text):
+        said.append(text.strip())
+
+    note.CallDataType = "string0"
+    return note
+
+
+def _numbers(matrix):
+    return numpy.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+
+
+def _matrix(numbers):
+    matrix = vtkMatrix4x4()
+    matrix.DeepCopy(numbers.ravel())
+    return matrix
+
+
+def _projection(renderer, camera):
+    """World to the cube from -1 to 1."""
+    aspect = renderer.GetTiledAspectRatio()
+    return _numbers(camera.GetCompositeProjectionTransformMatrix(aspect, -1, 1))
+
+
+def _picture(window, size):
+    colors = vtkUnsignedCharArray()
+    window.GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, colors)
+    return vtk_to_numpy(colors).reshape(-1, 4).copy()
+
+
+def _surface_values(window, renderer, velocity):
+    """The depth buffer, and the values of the nearest surface in each pixel."""
+    samples = window.GetMultiSamples()
+    window.SetMultiSamples(0)
+    try:
+        window.Render()
+        size = window.GetSize()
+        depth = vtkFloatArray()
+        window.GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depth)
+        values = _render_values(window, renderer, _stand_in(renderer, velocity))
+    finally:
+        window.SetMultiSamples(samples)
+    return vtk_to_numpy(depth).astype(float), values
+
+
+def _stand_in(renderer, velocity):
+    """All opaque surfaces in one, in world coordinates, with their values as point arrays."""
+    together = vtkAppendPolyData()
+    camera = renderer.GetActiveCamera()
+    actors, index = renderer.GetActors(), 0
+    actors.InitTraversal()
+    while (actor := actors.GetNextActor()) is not None:
+        index += 1
+        surface = _surface_of(actor)
+        if surface is not None:
+            together.AddInputData(_with_values(surface, velocity, index, camera))
+    if together.GetNumberOfInputConnections(0) == 0:
+        return None
+    together.Update()
+    return together.GetOutput()
+
+
+def _surface_of(actor):
+    """An actor's opaque surface in world coordinates, or None."""
+    mapper = actor.GetMapper()
+    if not actor.GetVisibility() or mapper is None or actor.HasTranslucentPolygonalGeometry():
+        return None
+    data = mapper.GetInputDataObject(0, 0)
+    if data is None or not data.IsA("vtkDataSet") or mapper.IsA("vtkGlyph3DMapper"):
+        return None
+    outside = vtkGeometryFilter()
+    outside.SetInputData(data)
+    outside.Update()
+    surface = outside.GetOutput()
+    if surface.GetNumberOfCells() == 0:
+        return None
+    source = outside
+    if surface.GetPointData().GetNormals() is None:
+        source = vtkPolyDataNormals()
+        source.SetInputConnection(outside.GetOutputPort())
+        source.SplittingOff()
+    to_world = vtkTransform()
+    to_world.SetMatrix(actor.GetMatrix())
+    turned = vtkTransformFilter()
+    turned.SetTransform(to_world)
+    turned.SetInputConnection(source.GetOutputPort())
+    turned.Update()
+    return turned.GetOutput()
+
+
+def _with_values(surface, velocity, index, camera):
+    """The surface with the arrays that are rendered, and no other."""
+    only = surface.NewInstance()
+    only.CopyStructure(surface)
+    count = surface.GetNumberOfPoints()
+    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    source = surface.GetPointData()
+    speeds = source.GetArray(velocity)
+    if speeds is None or speeds.GetNumberOfComponents() != 3:
+        speeds = numpy.zeros((count, 3))
+    else:
+        speeds = vtk_to_numpy(speeds)
+    values = {
+        "normal": vtk_to_numpy(source.GetNormals()),
+        "velocity": speeds,
+        "id": numpy.full(count, index),
+        "distance": _distances(points, camera),
+    }
+    for name, numbers in values.items():
+        array = numpy_to_vtk(numpy.ascontiguousarray(numbers, dtype=numpy.float32), deep=True)
+        array.SetName(name)
+        only.GetPointData().AddArray(array)
+    return only
+
+
+def _render_values(window, renderer, surface):
+    """The arrays of the surface, as vtkValuePass draws them into a buffer of floats."""
+    shape = {"normal": 3, "velocity": 3, "id": 1, "distance": 1}
+    pixels = window.GetSize()[0] * window.GetSize()[1]
+    if surface is None:
+        return {
+            name: numpy.full((pixels, count) if count > 1 else pixels, numpy.inf)
+            for name, count in shape.items()
+        }
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(surface)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    drawn = vtkRenderer()
+    drawn.AddActor(actor)
+    drawn.SetActiveCamera(renderer.GetActiveCamera())
+    values, passes = vtkValuePass(), vtkRenderPassCollection()
+    passes.AddItem(values)
+    sequence, camera_pass = vtkSequencePass(), vtkCameraPass()
+    sequence.SetPasses(passes)
+    camera_pass.SetDelegatePass(sequence)
+    drawn.SetPass(camera_pass)
+    others = list(window.GetRenderers())
+    for other in others:
+        window.RemoveRenderer(other)
+    window.AddRenderer(drawn)
+    try:
+        _draw(window, drawn, values, "id", 1)  # VTK 9.1 draws the first without depth
+        return {name: _draw(window, drawn, values, name, shape[name]) for name in shape}
+    finally:
+        values.ReleaseGraphicsResources(window)
+        window.RemoveRenderer(drawn)
+        for other in others:
+            window.AddRenderer(other)
+
+
+def _draw(window, renderer, values, name, count):
+    values.SetInputArrayToProcess(_POINT_FIELD, name)
+    drawn = []
+    for component in range(count):
+        values.SetInputComponentToProcess(component)
+        window.Render()
+        drawn.append(vtk_to_numpy(values.GetFloatImageDataArray(renderer)).astype(float))
+    # NaN where nothing is drawn, which no comparison likes.
+    numbers = numpy.stack(drawn, axis=1) if count > 1 else drawn[0]
+    return numpy.where(numpy.isnan(numbers), numpy.inf, numbers)
+
+
+def _distances(points, camera):
+    return (points - camera.GetPosition()) @ numpy.array(camera.GetDirectionOfProjection())
+
+
+def _places(depth, size, projection, camera):
+    """Where in the world the pixels' centers are, at these depths, and how far along the axis."""
+    x = (numpy.arange(size[0]) + 0.5) / size[0] * 2.0 - 1.0
+    y = (numpy.arange(size[1]) + 0.5) / size[1] * 2.0 - 1.0
+    cube = numpy.empty((len(depth), 4))
+    cube[:, 0] = numpy.tile(x, size[1])
+    cube[:, 1] = numpy.repeat(y, size[0])
+    cube[:, 2] = 2.0 * depth - 1.0
+    cube[:, 3] = 1.0
+    world = cube @ numpy.linalg.inv(projection).T
+    places = world[:, :3] / world[:, 3:]
+    return places, _distances(places, camera)
+
+
+def _pixels(places, projection, size):
+    """Where in the picture places are, in pixels from the lower left."""
+    clip = places @ projection[:, :3].T + projection[:, 3]
+    return (clip[:, :2] / clip[:, 3:] + 1.0) * 0.5 * numpy.array(size)
+
+
+def _unit(vectors):
+    finite = numpy.where(numpy.isfinite(vectors), vectors, 0.0)
+    lengths = numpy.linalg.norm(finite, axis=1, keepdims=True)
+    return finite / numpy.where(lengths > 0.0, lengths, 1.0)
+
+
+def _image(size, picture, layers):
+    image = vtkImageData()
+    image.SetDimensions(size[0], size[1], 1)
+    data = image.GetPointData()
+    for name, numbers in {"RGBA": picture, **layers}.items():
+        if numbers.dtype == float:
+            numbers = numbers.astype(numpy.float32)
+        array = numpy_to_vtk(numpy.ascontiguousarray(numbers), deep=True)
+        array.SetName(name)
+        data.AddArray(array)
+    data.SetActiveScalars("RGBA")
+    image.GetInformation().Remove(vtkDataObject.DATA_TIME_STEP())
+    return image

@@ -1,0 +1,219 @@
+// Thousands of damaged .vdb files: each is read, or refused with a sentence, and leaves nothing of
+// the file before. A crash, a hang or an allocation without bound ends the test.
+
+#include "Check.h"
+#include "GridFiles.h"
+
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+
+#include <openvdb/points/PointAttribute.h>
+#include <openvdb/points/PointConversion.h>
+#include <openvdb/points/PointGroup.h>
+#include <openvdb/tools/LevelSetSphere.h>
+
+#include <fstream>
+#include <random>
+
+#include <sys/resource.h>
+
+using namespace activesurface;
+
+namespace
+{
+
+constexpr int MutationsOfEach = 300;
+
+std::string Write(const openvdb::GridPtrVec& grids, std::uint32_t compression)
+{
+  const std::string name = std::string(ACTIVE_TEST_OUTPUT) + "/vdb_whole.vdb";
+  openvdb::initialize();
+  openvdb::io::File out(name);
+  out.setCompression(compression);
+  out.write(grids);
+  return ReadFile(name);
+}
+
+openvdb::FloatGrid::Ptr MakeBall()
+{
+  auto ball =
+    openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(0.4f, openvdb::Vec3f(0.f), 0.125f);
+  ball->setName("ball");
+  ball->insertMeta("text", openvdb::StringMetadata("some words"));
+  return ball;
+}
+
+openvdb::GridBase::Ptr MakePoints()
+{
+  using namespace openvdb::points;
+  std::vector<openvdb::Vec3s> positions;
+  std::vector<int> ids;
+  for (int i = 0; i < 200; ++i)
+  {
+    positions.emplace_back(std::sin(0.1f * i), std::cos(0.13f * i), 0.01f * i);
+    ids.push_back(i);
+  }
+  const auto transform = openvdb::math::Transform::createLinearTransform(0.25);
+  const PointAttributeVector<openvdb::Vec3s> places(positions);
+  using Index = openvdb::tools::PointIndexGrid;
+  const auto index = openvdb::tools::createPointIndexGrid<Index>(places, *transform);
+  auto grid = createPointDataGrid<NullCodec, PointDataGrid>(*index, places, *transform);
+  appendAttribute<int>(grid->tree(), "id");
+  populateAttribute(grid->tree(), index->tree(), "id", PointAttributeVector<int>(ids));
+  appendAttribute<float>(grid->tree(), "same", 1.f);
+  appendGroup(grid->tree(), "chosen");
+  grid->setName("points");
+  return grid;
+}
+
+// Flips bits, cuts, doubles and overwrites; in the head of the file more often than chance has it.
+std::string Mutate(const std::string& whole, std::mt19937& random)
+{
+  std::string bytes = whole;
+  const auto below = [&](std::size_t n)
+  { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+  const std::size_t place =
+    below(2) ? below(bytes.size()) : below(std::min<std::size_t>(1500, bytes.size()));
+  switch (below(6))
+  {
+    case 0:
+    case 1:
+      bytes[place] = static_cast<char>(bytes[place] ^ (1 << below(8)));
+      break;
+    case 2:
+      for (int i = 0; i < 8; ++i)
+      {
+        char& byte = bytes[below(bytes.size())];
+        byte = static_cast<char>(byte ^ (1 << below(8)));
+      }
+      break;
+    case 3:
+      bytes.resize(place);
+      break;
+    case 4:
+      bytes.insert(place, bytes.substr(below(bytes.size()), 1 + below(64)));
+      break;
+    default:
+    {
+      const std::uint32_t sizes[] = { 0, 1, 0x7fffffff, 0xffffffff, 0x80000000, 0x10000 };
+      const std::uint32_t size = sizes[below(6)];
+      bytes.replace(place, std::min<std::size_t>(4, bytes.size() - place),
+        reinterpret_cast<const char*>(&size), std::min<std::size_t>(4, bytes.size() - place));
+    }
+  }
+  return bytes;
+}
+
+struct Outcome
+{
+  int Read = 0;
+  int Refused = 0;
+  int Silent = 0; // neither
+};
+
+void ReadOne(const std::string& name, Outcome& outcome)
+{
+  vtkNew<vtkActiveVDBReader> reader;
+  reader->SetMaximumNumberOfPoints(1000000);
+  const ErrorsOf errors(reader);
+  reader->SetFileName(name.c_str());
+  reader->Update();
+  auto data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  const bool isEmpty = !data || data->GetNumberOfPoints() == 0;
+  outcome.Read += errors.Said.empty() ? 1 : 0;
+  outcome.Refused += !errors.Said.empty() && isEmpty && reader->GetErrorCode() != 0 ? 1 : 0;
+  outcome.Silent += !errors.Said.empty() && (!isEmpty || reader->GetErrorCode() == 0) ? 1 : 0;
+}
+
+void CheckMutations(Check& check, const std::string& whole, const char* kind)
+{
+  const std::string name = std::string(ACTIVE_TEST_OUTPUT) + "/vdb_damaged_" + kind + ".vdb";
+  std::mt19937 random(12345);
+  Outcome outcome;
+  for (int i = 0; i < MutationsOfEach; ++i)
+  {
+    std::ofstream(name, std::ios::binary) << Mutate(whole, random);
+    ReadOne(name, outcome);
+  }
+  check.Equal(outcome.Silent, 0, std::string(kind) + ": errors with data");
+  check.Equal(outcome.Read + outcome.Refused, MutationsOfEach, std::string(kind) + ": outcomes");
+  check.Less(MutationsOfEach / 4, outcome.Refused, std::string(kind) + ": refused");
+  check.Less(0, outcome.Read, std::string(kind) + ": read, as only values differ");
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  // Some hundreds of MiB in the worst case, of files of 100 kB; the sanitizer keeps what is freed.
+  check.Less(usage.ru_maxrss / 1024, 2000, "largest memory [MiB]");
+}
+
+constexpr std::uint32_t Mask = openvdb::io::COMPRESS_ACTIVE_MASK;
+constexpr std::uint32_t Blosc = Mask | openvdb::io::COMPRESS_BLOSC;
+constexpr std::uint32_t Zip = Mask | openvdb::io::COMPRESS_ZIP;
+
+}
+
+void DamagedLevelSetsAreRefusedOrRead(Check& check)
+{
+  CheckMutations(check, Write({ MakeBall() }, Blosc), "blosc");
+  CheckMutations(check, Write({ MakeBall() }, 0), "plain");
+}
+
+void DamagedVectorsAndWholeNumbersAreRefusedOrRead(Check& check)
+{
+  auto vectors = openvdb::Vec3SGrid::create();
+  auto numbers = openvdb::Int32Grid::create(-1);
+  auto flags = openvdb::BoolGrid::create();
+  for (int i = 0; i < 300; ++i)
+  {
+    const openvdb::Coord place(i % 20, i / 20, 3 * i % 17);
+    vectors->tree().setValue(place, openvdb::Vec3s(1.f * i));
+    numbers->tree().setValue(place, i);
+    flags->tree().setValue(place, i % 2 == 0);
+  }
+  vectors->tree().addTile(1, openvdb::Coord(64, 0, 0), openvdb::Vec3s(1.f), true);
+  CheckMutations(check, Write({ vectors }, Zip), "vectors");
+  CheckMutations(check, Write({ numbers }, Zip), "numbers");
+  CheckMutations(check, Write({ flags }, Mask), "flags");
+}
+
+void DamagedPointsAreRefusedOrRead(Check& check)
+{
+  openvdb::initialize();
+  CheckMutations(check, Write({ MakePoints() }, Blosc), "points");
+}
+
+void DamagedSeveralGridsAreRefusedOrRead(Check& check)
+{
+  auto ball = MakeBall();
+  auto half = MakeBall();
+  half->setSaveFloatAsHalf(true);
+  auto same = ball->copy();
+  same->setName("same");
+  CheckMutations(check, Write({ half, ball, same }, Blosc), "several");
+}
+
+// Cut after each of its first bytes, and at places up to its end.
+void TruncatedFilesAreRefused(Check& check)
+{
+  const std::string whole = Write({ MakeBall() }, Blosc);
+  const std::string name = std::string(ACTIVE_TEST_OUTPUT) + "/vdb_cut.vdb";
+  Outcome outcome;
+  int cuts = 0;
+  for (std::size_t size = 0; size < whole.size(); size += size < 400 ? 1 : 97)
+  {
+    std::ofstream(name, std::ios::binary) << whole.substr(0, size);
+    ReadOne(name, outcome);
+    ++cuts;
+  }
+  check.Equal(outcome.Refused, cuts, "refused");
+}
+
+int main(int argc, char** argv)
+{
+  return RunFacts(argc, argv,
+    { { "DamagedLevelSetsAreRefusedOrRead", DamagedLevelSetsAreRefusedOrRead },
+      { "DamagedVectorsAndWholeNumbersAreRefusedOrRead",
+        DamagedVectorsAndWholeNumbersAreRefusedOrRead },
+      { "DamagedPointsAreRefusedOrRead", DamagedPointsAreRefusedOrRead },
+      { "DamagedSeveralGridsAreRefusedOrRead", DamagedSeveralGridsAreRefusedOrRead },
+      { "TruncatedFilesAreRefused", TruncatedFilesAreRefused } });
+}

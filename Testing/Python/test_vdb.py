@@ -1,0 +1,128 @@
+"""vtkActiveVDBWriter's files as OpenVDB's own tools see them; theirs as vtkActiveVDBReader does."""
+
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import pyopenvdb
+from active_implicit_surfaces import (
+    vtkActiveImplicitSurface,
+    vtkActiveVDBReader,
+    vtkActiveVDBWriter,
+)
+from vtkmodules.vtkCommonDataModel import vtkSphere
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+DATA = Path(__file__).resolve().parents[1] / "Data"
+
+
+def ball():
+    sphere = vtkSphere()
+    sphere.SetRadius(0.5)
+    surface = vtkActiveImplicitSurface()
+    surface.SetTargetFunction(sphere)
+    surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
+    surface.SetVoxelSize(0.0625)
+    surface.SetTension(0.125)
+    return surface
+
+
+def splash():
+    particles = vtkXMLPolyDataReader()
+    particles.SetFileName(str(DATA / "sph_drop.vtp"))
+    surface = vtkActiveImplicitSurface()
+    surface.SetInputConnection(particles.GetOutputPort())
+    surface.SetTimeScale(1 / 25)
+    surface.SetVoxelSize(0.03)
+    surface.SetParticleRadius(0.17)
+    surface.SetParticleThreshold(0.7)
+    surface.SetAttraction(100)
+    return surface
+
+
+def write(surface, path):
+    writer = vtkActiveVDBWriter()
+    writer.SetInputConnection(surface.GetOutputPort())
+    writer.SetFileName(str(path))
+    writer.SetUnits("m")
+    return writer.Write()
+
+
+class WithAFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.file = Path(folder.name) / "a.vdb"
+
+
+class OthersReadOurFiles(WithAFolder):
+    def test_vdb_print_lists_class_voxel_size_and_metadata(self):
+        surface = ball()
+        surface.UpdateTimeStep(0)
+        self.assertEqual(write(surface, self.file), 1)
+        said = subprocess.run(
+            ["vdb_print", "-l", str(self.file)], capture_output=True, text=True, check=True
+        ).stdout
+        for words in ("level set", "0.0625", "motion_Tension", "0.125", "units: m", "frame: 0"):
+            self.assertIn(words, said)
+
+    def test_pyopenvdb_reads_the_distance(self):
+        surface = ball()
+        surface.UpdateTimeStep(0)
+        write(surface, self.file)
+        grid = pyopenvdb.read(str(self.file), "surface")
+        self.assertEqual(grid.gridClass, "level set")
+        self.assertAlmostEqual(grid.background, 3 * 0.0625)
+        self.assertEqual(grid.transform.voxelSize()[0], 0.0625)
+        values = grid.getConstAccessor()
+        # On the axis the skin's vertices are exact; the triangles are within h^2 / 2r of the ball.
+        for node in (6, 7, 9, 10):
+            self.assertAlmostEqual(
+                values.getValue((node, 0, 0)), 0.0625 * node - 0.5, delta=0.0625**2
+            )
+
+    def test_the_splash_is_less_than_three_times_its_active_values(self):
+        surface = splash()
+        surface.UpdateTimeStep(20)
+        write(surface, self.file)
+        grid = pyopenvdb.read(str(self.file), "surface")
+        self.assertGreater(grid.activeVoxelCount(), 10000)
+        self.assertLess(self.file.stat().st_size, 3 * 4 * grid.activeVoxelCount())
+
+
+class WeReadTheFilesOfOthers(WithAFolder):
+    def test_grids_of_pyopenvdb(self):
+        sphere = pyopenvdb.createLevelSetSphere(radius=1.0, voxelSize=0.125)
+        sphere.name = "sphere"
+        sphere["about"] = "round"
+        flags = pyopenvdb.BoolGrid()
+        flags.name = "flags"
+        flags.fill((0, 0, 0), (9, 9, 9), True)
+        arrows = pyopenvdb.Vec3SGrid()
+        arrows.name = "arrows"
+        arrows.fill((-2, -2, -2), (2, 2, 2), (1, 2, 3))
+        pyopenvdb.write(str(self.file), grids=[flags, arrows, sphere], metadata={"by": "hand"})
+        reader = vtkActiveVDBReader()
+        reader.SetFileName(str(self.file))
+        reader.Update()
+        names = [reader.GetGridName(i) for i in range(reader.GetNumberOfGrids())]
+        self.assertEqual(sorted(names), ["arrows", "flags", "sphere"])
+        self.assertEqual(reader.GetGridMetadata(names.index("sphere"), "about"), "round")
+        self.assertEqual(reader.GetMetadata("by"), "hand")
+        image = reader.GetImageOutput()
+        self.assertEqual(image.GetSpacing(), (0.125, 0.125, 0.125))
+        values = sphere.getConstAccessor()
+        for x in range(image.GetExtent()[0], image.GetExtent()[1] + 1):
+            there = image.GetScalarComponentAsDouble(x, 1, 2, 0)
+            self.assertEqual(there, values.getValue((x, 1, 2)))
+        for name, count, value in (("flags", 10, 1), ("arrows", 5, 1)):
+            reader.SetGridName(name)
+            reader.Update()
+            array = reader.GetImageOutput().GetPointData().GetArray(name)
+            self.assertEqual(array.GetNumberOfTuples(), count**3)
+            self.assertEqual(array.GetRange(0), (value, value))
+
+
+if __name__ == "__main__":
+    unittest.main()
