@@ -2,8 +2,11 @@
 
 import unittest
 
+import numpy
+from paraview import servermanager
 from paraview.simple import (
     ActiveImplicitSurface,
+    Calculator,
     Delete,
     GetAnimationScene,
     GetTimeKeeper,
@@ -13,6 +16,7 @@ from paraview.simple import (
     Wavelet,
 )
 from scenes import skin_bytes, splash
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 # Another value of each property; those that the skin over particles does not depend on, too.
 OTHER_VALUES = {
@@ -44,10 +48,12 @@ OTHER_VALUES = {
     "ParticleKernel": 2,
     "ParticleRadius": 0.2,
     "ParticleThreshold": 0.5,
+    "PassTargetArrays": 1,
     "RadiusArray": ["POINTS", "id"],
     "RestTolerance": 1,
     "StartTime": 1,
     "StrengthArray": ["POINTS", "id"],
+    "TangentialVelocity": 1,
     "TargetArea": 2,
     "TargetArray": ["POINTS", "id"],
     "TargetEvaluation": 2,
@@ -57,6 +63,7 @@ OTHER_VALUES = {
     "Tension": 0.02,
     "TimeScale": 1 / 50,
     "TimeStepSize": 0.2,
+    "VelocityArray": ["POINTS", "id"],
     "VolumeControl": 2,
     "VolumeStiffness": 3,
     "VoxelSize": 0.1,
@@ -68,6 +75,7 @@ WITHOUT_EFFECT = set(
     """
     CheckpointInterval CheckpointMemory IdArray MaximumNumberOfActiveVoxels MeshThickness
     ModelBounds NumberOfThreads NumberOfTimeSteps OutputPotential StartTime TimeStepSize
+    VelocityArray
 """.split()
 )
 WITHOUT_SKIN = {"InvertTarget", "RadiusArray", "StrengthArray", "TargetArray", "InitialArray"}
@@ -159,8 +167,25 @@ class ChangesInMidAnimation(unittest.TestCase):
             "MaximumNumberOfSubsteps": {"EvolutionMode": 1, "MaximumNumberOfSubsteps": 20},
             "EvolutionMode": {"MaximumNumberOfSubsteps": 20},
             "PaperScheme": {"Attraction": 1},
+            "TangentialVelocity": {"ComputeVelocity": 1},
             "NormalizeTarget": {"Attraction": 1},
         }.get(name, {})
+
+    def test_the_skin_goes_along_with_the_particles(self):
+        ResetSession()
+        surface, particles = splash(ComputeVelocity=1, TangentialVelocity=1)
+        wind = numpy.array([3.0, -2.0, 1.0])
+        surface.Target = Calculator(
+            Input=particles, ResultArrayName="wind", Function="3*iHat - 2*jHat + kHat"
+        )
+        surface.VelocityArray = ["POINTS", "wind"]
+        surface.UpdatePipeline(2)
+        data = servermanager.Fetch(surface, idx=0).GetPointData()
+        normals, velocities = (vtk_to_numpy(data.GetArray(n)) for n in ("Normals", "Velocity"))
+        differences = velocities - wind
+        along = numpy.einsum("ij,ij->i", differences, normals)[:, None]
+        # Single precision of velocities of some ten units, and of the normals.
+        self.assertLess(abs(differences - along * normals).max(), 1e-4)
 
     def test_another_input_is_another_skin(self):
         ResetSession()

@@ -19,11 +19,17 @@ SURFACE, FUNCTIONS = (
     ("filters", "ActiveImplicitSurface"),
     ("sources", "ActiveImplicitSurfaceOfFunctions"),
 )
+SCREENSHOT = ("screenshot_writers", "ActiveEXR")
 CLASSES = {
     SURFACE: active_implicit_surfaces.vtkActiveImplicitSurface,
     FUNCTIONS: active_implicit_surfaces.vtkActiveImplicitSurface,
     ("implicit_functions", "SkeletonPotential"): active_implicit_surfaces.vtkSkeletonPotential,
     ("implicit_functions", "GridPotential"): active_implicit_surfaces.vtkGridPotential,
+    ("sources", "ActiveVDBReader"): active_implicit_surfaces.vtkActiveVDBReader,
+    ("writers", "ActiveVDBWriter"): active_implicit_surfaces.vtkActiveVDBWriter,
+    ("sources", "ActiveEXRReader"): active_implicit_surfaces.vtkActiveEXRReader,
+    ("writers", "ActiveEXRWriter"): active_implicit_surfaces.vtkActiveEXRWriter,
+    SCREENSHOT: active_implicit_surfaces.vtkActiveEXRWriter,
 }
 # What a proxy has in another way, or not at all, and why.
 ELSEWHERE = {
@@ -33,11 +39,29 @@ ELSEWHERE = {
         "ParticleKernel",
         "ParticleThreshold",
         "MeshThickness",
+        "PassTargetArrays",
+        "TangentialVelocity",
     },  # no input
     ("implicit_functions", "SkeletonPotential"): {"InputConnection"},  # by Input
     ("implicit_functions", "GridPotential"): {"InputConnection"},
+    ("sources", "ActiveVDBReader"): set(),
+    ("writers", "ActiveVDBWriter"): {"InputData"},  # by Input
+    ("sources", "ActiveEXRReader"): set(),
+    ("writers", "ActiveEXRWriter"): {"WorldToCamera", "WorldToNDC"},  # no matrices in the panel
+    SCREENSHOT: {  # a picture at a time, of all that is seen
+        "DisplaySize",
+        "FrameNumber",
+        "TimeCode",
+        "WorldToCamera",
+        "WorldToNDC",
+        "WriteAllTimeSteps",
+    },
 }
-OTHER_DEFAULTS = {(FUNCTIONS, "ModelBounds"): [-1, 1, -1, 1, -1, 1]}  # functions have no bounds
+LISTS = {"FileName", "GridName"}  # of the readers, which are empty at first
+OTHER_DEFAULTS = {
+    (FUNCTIONS, "ModelBounds"): [-1, 1, -1, 1, -1, 1],  # functions have no bounds
+    (SCREENSHOT, "ColorEncoding"): [1],  # what a view shows is for a display
+}
 KERNELS = active_implicit_surfaces.vtkSkeletonPotential
 
 
@@ -62,6 +86,13 @@ def elements_of(prop):
 def domain_of(prop, kind):
     domain = prop.FindDomain(kind)
     return domain if domain and domain.IsA(kind) else None
+
+
+def default_of(kind, name, prop):
+    if name in LISTS and prop.GetRepeatCommand():
+        return []
+    value = getattr(kind(), "Get" + name)()
+    return list(value) if isinstance(value, tuple) else ["" if value is None else value]
 
 
 class Proxies(unittest.TestCase):
@@ -91,8 +122,7 @@ class Proxies(unittest.TestCase):
         told = 0
         for key, kind, name, prop in every_property():
             with self.subTest(f"{key[1]}.{name}"):
-                value = getattr(kind(), "Get" + name)()
-                expected = list(value) if isinstance(value, tuple) else [value]
+                expected = default_of(kind, name, prop)
                 expected = OTHER_DEFAULTS.get((key, name), expected)
                 self.assertEqual(elements_of(prop), expected)
                 told += 1

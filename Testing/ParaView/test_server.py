@@ -15,16 +15,19 @@ from paraview.simple import (
     ActiveImplicitSurfaceFunctions,
     Connect,
     Disconnect,
+    OpenDataFile,
     OutputPort,
     PolyLineSource,
     ResetSession,
     SaveData,
+    Wavelet,
 )
 from scenes import skin_bytes, splash
 from vtkmodules.vtkIOXML import vtkXMLPImageDataReader
 
 PVSERVER, RANKS = sys.argv.pop(1), int(sys.argv.pop(1))
 FOLDER = Path(os.environ.get("ACTIVE_TEST_OUTPUT", ".")) / f"server_{RANKS}"
+FILES = ("wavelet.vdb", "wavelet.exr")
 # Also where root runs the tests, on fewer processors than ranks.
 MPI = {
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
@@ -35,8 +38,16 @@ MPI = {
 }
 
 
+def write_files():
+    """A volume, as .vdb, and a picture, as .exr."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    wavelet = Wavelet(WholeExtent=[-9, 9, -9, 9, 0, 0])
+    for name in FILES:
+        SaveData(str(FOLDER / name), proxy=wavelet)
+
+
 def results():
-    """Skins, sizes of the image and of the history, of a filter and of a source."""
+    """Skins, sizes of the image and of the history, of a filter and of a source; what is read."""
     surface, _ = splash()
     found = [skin_bytes(surface, 3), skin_bytes(surface, 1), skin_bytes(surface, 3)]
     found.append(surface.GetDataInformation(0).GetNumberOfCells())
@@ -44,7 +55,12 @@ def results():
     tube = ActiveImplicitSurfaceFunctions(TargetFunction="Skeleton Potential", VoxelSize=0.1)
     tube.TargetFunction.Input = PolyLineSource(Points=[-0.5, 0, 0, 0.5, 0, 0])
     found.append(skin_bytes(tube, 0.3))
-    FOLDER.mkdir(parents=True, exist_ok=True)
+    for name in FILES:
+        reader = OpenDataFile(str(FOLDER / name))
+        reader.UpdatePipeline()
+        information = reader.GetDataInformation()
+        values = information.GetPointDataInformation().GetArrayInformation("RTData")
+        found += [information.GetNumberOfCells(), values.GetComponentRange(0)]
     image = FOLDER / "potential.pvti"
     SaveData(str(image), proxy=OutputPort(surface, 1))
     reader = vtkXMLPImageDataReader()
@@ -75,6 +91,7 @@ def start_server():
 
 class ClientAndServer(unittest.TestCase):
     def test_results_are_those_of_one_program(self):
+        write_files()
         expected = results()
         ResetSession()
         server, port = start_server()
