@@ -22,6 +22,17 @@ int vtkActiveVDBReader::GetNumberOfGrids()
   return static_cast<int>(this->Internal->File.Grids.size());
 }
 
+vtkStringArray* vtkActiveVDBReader::GetGridNames()
+{
+  vtkStringArray* names = this->Internal->Names;
+  names->SetNumberOfValues(0);
+  for (const VDBGrid& grid : this->Internal->File.Grids)
+  {
+    names->InsertNextValue(grid.Name);
+  }
+  return names;
+}
+
 const char* vtkActiveVDBReader::GetGridName(int i)
 {
   const VDBGrid* grid = this->Internal->Find(i);

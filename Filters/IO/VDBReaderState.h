@@ -6,6 +6,9 @@
 #include "VDBFile.h"
 #include "vtkActiveVDBReader.h"
 
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+
 #include <string>
 #include <vector>
 
@@ -19,6 +22,7 @@ struct vtkActiveVDBReader::Internals
   int FileNumber = -1;
   activesurface::VDBFile File;
   std::vector<activesurface::VDBGrid> Chosen;
+  vtkNew<vtkStringArray> Names; // of all grids, for who asks for a list
 
   const activesurface::VDBGrid* Find(int i) const
   {

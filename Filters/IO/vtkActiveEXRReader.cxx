@@ -131,6 +131,22 @@ bool vtkActiveEXRReader::IsChannelEnabled(const char* name)
   return name && this->Files->Selection.Has(name);
 }
 
+void vtkActiveEXRReader::AddFileName(const char* name)
+{
+  const vtkNew<vtkStringArray> names;
+  if (this->FileNames)
+  {
+    names->DeepCopy(this->FileNames);
+  }
+  names->InsertNextValue(name ? name : "");
+  this->SetFileNames(names);
+}
+
+void vtkActiveEXRReader::ClearFileNames()
+{
+  this->SetFileNames(nullptr);
+}
+
 void vtkActiveEXRReader::NameFiles()
 {
   Series& files = *this->Files;
@@ -235,6 +251,27 @@ int vtkActiveEXRReader::RequestInformation(
   }
 }
 
+namespace
+{
+
+// What is asked for of the image that was read, as by the ranks of a parallel program.
+void TakePart(vtkInformation* information, vtkImageData* image)
+{
+  int* part = information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
+  if (!part)
+  {
+    return;
+  }
+  if (part[0] > part[1] || part[2] > part[3] || part[4] > part[5])
+  {
+    image->Initialize();
+    return;
+  }
+  image->Crop(part);
+}
+
+}
+
 void vtkActiveEXRReader::ReadStep(vtkInformation* information)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -257,6 +294,7 @@ void vtkActiveEXRReader::ReadStep(vtkInformation* information)
       activesurface::ReadEXRImage(file, static_cast<std::size_t>(this->Part), files.Selection,
         files.Extent, this->MaximumMemory * bytesPerMiB, output);
     });
+  TakePart(information, output);
   if (files.Names.size() > 1)
   {
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), files.Times[step]);

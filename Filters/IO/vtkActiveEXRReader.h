@@ -63,6 +63,14 @@ public:
 
   ///@{
   /**
+   * The files of a series one by one, as an alternative to SetFileNames.
+   */
+  void AddFileName(VTK_FILEPATH const char* name);
+  void ClearFileNames();
+  ///@}
+
+  ///@{
+  /**
    * Which part of a multi-part file is read. Range: >= 0. Default: 0.
    */
   vtkSetClampMacro(Part, int, 0, VTK_INT_MAX);

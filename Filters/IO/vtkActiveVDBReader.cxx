@@ -61,6 +61,11 @@ openvdb::FloatGrid::ConstPtr AsLevelSet(const openvdb::GridBase::Ptr& grid)
               : openvdb::gridPtrCast<openvdb::FloatGrid>(grid);
 }
 
+bool IsOtherPiece(vtkInformation* output)
+{
+  return output->Has(SDDP::UPDATE_PIECE_NUMBER()) && output->Get(SDDP::UPDATE_PIECE_NUMBER()) > 0;
+}
+
 void Place(const ImagePlace& place, vtkImageData* image)
 {
   image->SetExtent(const_cast<int*>(place.Extent));
@@ -267,7 +272,10 @@ int vtkActiveVDBReader::RequestData(
       throw std::runtime_error("The files of the series have grids of different kinds, points and "
                                "volumes; choose one by GridName.");
     }
-    image ? this->MakeImage(image) : this->MakePoints(vtkPolyData::SafeDownCast(data));
+    if (!IsOtherPiece(out))
+    {
+      image ? this->MakeImage(image) : this->MakePoints(vtkPolyData::SafeDownCast(data));
+    }
     if (this->Internal->Times.size() > 1)
     {
       data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), this->Internal->Times[file]);

@@ -20,6 +20,8 @@
  *
  * Several files are a series: time steps, with the metadata "time" where all have one and they
  * increase, else numbers 0, 1, 2... A time between two of them is the earlier one.
+ *
+ * Of the pieces that the ranks of a parallel program ask for, the first one is all of the data.
  */
 
 #ifndef vtkActiveVDBReader_h
@@ -34,6 +36,7 @@
 
 class vtkImageData;
 class vtkPolyData;
+class vtkStringArray;
 
 class VTKACTIVEIO_EXPORT vtkActiveVDBReader : public vtkDataObjectAlgorithm
 {
@@ -138,6 +141,7 @@ public:
    * active voxels in index coordinates. Nothing, 0 or empty for a number that does not exist.
    */
   int GetNumberOfGrids();
+  vtkStringArray* GetGridNames();
   const char* GetGridName(int i);
   const char* GetGridType(int i);
   const char* GetGridClass(int i);

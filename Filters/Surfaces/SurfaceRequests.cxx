@@ -2,23 +2,18 @@
 
 #include "Compatibility.h"
 #include "FilterProperties.h"
-#include "OutputState.h"
 #include "PublishedInformation.h"
 #include "SkinPort.h"
-#include "SurfaceHistory.h"
 #include "SurfaceOutput.h"
 #include "vtkActiveImplicitSurface.h"
 
 #include "vtkDataObject.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkExecutive.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationExecutivePortVectorKey.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTable.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -31,14 +26,11 @@ namespace activesurface
 namespace
 {
 
-bool IsEmpty(const int extent[6])
+// Another piece of the skin or of the history than the first, which is all of it.
+bool IsNothing(vtkInformation* request, vtkInformationVector* output)
 {
-  return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
-}
-
-int AskedPort(vtkInformation* request)
-{
-  return std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  const int port = AskedPort(request);
+  return port != SurfaceRequests::PotentialPort && IsOtherPiece(output->GetInformationObject(port));
 }
 
 // Null if nothing is connected.
@@ -124,23 +116,6 @@ void SurfaceRequests::ReadFirst(vtkInformationVector** input)
   }
 }
 
-bool SurfaceRequests::Makes(int port, vtkInformation* request) const
-{
-  return port == AskedPort(request) || port == HistoryPort ||
-    (port == PotentialPort && this->Filter->GetOutputPotential());
-}
-
-void SurfaceRequests::MarkNotMade(vtkInformation* request, vtkInformationVector* output) const
-{
-  for (int port = SkinPort; port <= HistoryPort; ++port)
-  {
-    if (!this->Makes(port, request))
-    {
-      output->GetInformationObject(port)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-    }
-  }
-}
-
 double SurfaceRequests::GetAskedTime(vtkInformation* output) const
 {
   const std::vector<double>& steps = this->Clock.GetPublishedSteps();
@@ -152,6 +127,10 @@ double SurfaceRequests::GetAskedTime(vtkInformation* output) const
 void SurfaceRequests::AskInputs(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
+  if (IsNothing(request, output))
+  {
+    return;
+  }
   vtkInformation* target = Get(input, SurfaceInput::Target);
   const double time = this->GetAskedTime(output->GetInformationObject(AskedPort(request)));
   if (this->Clock.Ask(target, time))
@@ -315,6 +294,10 @@ void SurfaceRequests::Make(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
   this->CheckInputs();
+  if (IsNothing(request, output))
+  {
+    return;
+  }
   this->Simulation.GetSettings().Check();
   this->Simulation.SetNumberOfThreads(this->Filter->GetNumberOfThreads());
   this->Simulation.SetMaximumNumberOfActiveVoxels(
@@ -331,38 +314,6 @@ void SurfaceRequests::Make(
   }
 }
 
-void SurfaceRequests::FillOutputs(vtkInformation* request, vtkInformationVector* output)
-{
-  const NarrowBand& band = this->Simulation.GetBand();
-  if (this->Makes(SkinPort, request))
-  {
-    FillSkinPort(this->Filter, this->Simulation, vtkPolyData::GetData(output, SkinPort));
-  }
-  // The extent may be known since now only.
-  vtkInformation* out = output->GetInformationObject(PotentialPort);
-  PublishExtent(out, this->Simulation.FindDomain());
-  int extent[6] = { 0, -1, 0, -1, 0, -1 };
-  out->Get(SDDP::UPDATE_EXTENT(), extent);
-  if (IsEmpty(extent))
-  {
-    out->Get(SDDP::WHOLE_EXTENT(), extent);
-    out->Set(SDDP::UPDATE_EXTENT(), extent, 6);
-  }
-  if (this->Makes(PotentialPort, request))
-  {
-    FillPotential(band, extent, vtkImageData::GetData(output, PotentialPort));
-  }
-  FillHistory(this->Simulation.GetHistory(), vtkTable::GetData(output, HistoryPort));
-  for (int port = SkinPort; port <= HistoryPort; ++port)
-  {
-    if (this->Makes(port, request))
-    {
-      PublishState(this->Filter, this->Simulation, vtkDataObject::GetData(output, port));
-    }
-  }
-  this->Function.Renew(&band);
-}
-
 void SurfaceRequests::SaveState(const std::string& file) const
 {
   const SavedState state = this->Simulation.GetState();
@@ -373,17 +324,6 @@ void SurfaceRequests::SaveState(const std::string& file) const
       "EvolutionMode TRANSIENT.");
   }
   WriteState(file, state);
-}
-
-void SurfaceRequests::GiveUp(vtkInformationVector* output)
-{
-  this->Function.Renew(nullptr);
-  for (int port = SkinPort; port <= HistoryPort; ++port)
-  {
-    vtkInformation* out = output->GetInformationObject(port);
-    vtkDataObject::GetData(out)->Initialize();
-    out->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-  }
 }
 
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 class vtkActiveImplicitSurface;
+class vtkDataObject;
 class vtkGridPotential;
 class vtkInformation;
 class vtkInformationVector;
@@ -72,7 +73,8 @@ private:
   SurfaceSimulation::Outcome Advance(vtkInformationVector** input);
 
   class StampsAfterwards;
-  bool Makes(int port, vtkInformation* request) const;
+  bool Makes(int port, vtkInformation* request, vtkInformationVector* output) const;
+  void Fill(int port, vtkInformation* image, vtkDataObject* data);
   void FillOutputs(vtkInformation* request, vtkInformationVector* output);
 
   vtkActiveImplicitSurface* Filter;

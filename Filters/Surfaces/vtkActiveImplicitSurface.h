@@ -41,7 +41,9 @@
  * before, Area, Volume, ActiveVoxels, Components, Voids and EulerCharacteristic of the skin, and
  * Event, what has happened to its parts since: "merge", "split", "vanish", "birth", "void opens",
  * "void closes", "hole opens", "hole closes", several with ", " in between; with EvolutionMode
- * EQUILIBRIUM instead "at rest" or "not at rest".
+ * EQUILIBRIUM instead "at rest" or "not at rest". Where pieces are asked for, as by the ranks of a
+ * parallel program, all of the skin and of the history is the first piece, and the others are empty
+ * and cost nothing; of the image each piece is a part. The inputs are asked for all that they have.
  *
  * Time: the time steps of the input are passed on. If it has fewer than two (TargetFunction, static
  * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them.

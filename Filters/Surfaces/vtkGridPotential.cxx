@@ -2,6 +2,7 @@
 
 #include "BatchEvaluation.h"
 #include "CarriedData.h"
+#include "FunctionInput.h"
 #include "GridSamples.h"
 #include "ImageSamples.h"
 #include "LevelSetSamples.h"
@@ -15,7 +16,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <atomic>
@@ -33,7 +33,7 @@ constexpr double Outside = 1.0; // F where there is nothing
 
 struct vtkGridPotential::Internals
 {
-  vtkSmartPointer<vtkDataSet> Input;
+  activesurface::FunctionInput Input;
   std::shared_ptr<const activesurface::GridSamples> Given; // by SetSamples, in place of an input
 
   // What Build makes.
@@ -54,22 +54,36 @@ vtkGridPotential::~vtkGridPotential() = default;
 void vtkGridPotential::SetInput(vtkDataSet* input)
 {
   Internals& own = *this->Internal;
-  if (own.Input != input || own.Given)
+  if (own.Input.SetData(input) || own.Given)
   {
-    own.Input = input;
     own.Given = nullptr;
     this->Modified();
   }
 }
 
+void vtkGridPotential::SetInputConnection(vtkAlgorithmOutput* output)
+{
+  Internals& own = *this->Internal;
+  if (own.Input.Connect(output) || own.Given)
+  {
+    own.Given = nullptr;
+    this->Modified();
+  }
+}
+
+vtkAlgorithmOutput* vtkGridPotential::GetInputConnection()
+{
+  return this->Internal->Input.GetConnection();
+}
+
 vtkDataSet* vtkGridPotential::GetInput()
 {
-  return this->Internal->Input;
+  return vtkDataSet::SafeDownCast(this->Internal->Input.GetData());
 }
 
 void vtkGridPotential::SetSamples(std::shared_ptr<const activesurface::GridSamples> samples)
 {
-  this->Internal->Input = nullptr;
+  this->Internal->Input.SetData(nullptr);
   this->Internal->Given = std::move(samples);
   this->Modified();
 }
@@ -86,9 +100,7 @@ void vtkGridPotential::SetScalarArrayName(const char* name)
 
 vtkMTimeType vtkGridPotential::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  vtkDataSet* input = this->Internal->Input;
-  return input ? std::max(own, input->GetMTime()) : own;
+  return std::max(this->Superclass::GetMTime(), this->Internal->Input.FindMTime());
 }
 
 void vtkGridPotential::Build()
@@ -96,7 +108,7 @@ void vtkGridPotential::Build()
   Internals& own = *this->Internal;
   // Not GetMTime(): a change of the transform leaves the samples as they are.
   const vtkMTimeType changed = // NOLINTNEXTLINE(bugprone-parent-virtual-call)
-    std::max(this->vtkObject::GetMTime(), own.Input ? own.Input->GetMTime() : 0);
+    std::max(this->vtkObject::GetMTime(), own.Input.GetMTime());
   if (own.BuildTime.load(std::memory_order_acquire) == changed)
   {
     return;
@@ -138,11 +150,13 @@ void vtkGridPotential::ReadSamples()
 std::shared_ptr<const activesurface::GridSamples> vtkGridPotential::MakeSamples()
 {
   Internals& own = *this->Internal;
-  if (own.Given || !own.Input)
+  own.Input.Update();
+  vtkDataObject* input = own.Input.GetData();
+  if (own.Given || !input)
   {
     return own.Given;
   }
-  if (auto image = vtkImageData::SafeDownCast(own.Input))
+  if (auto image = vtkImageData::SafeDownCast(input))
   {
     const activesurface::ImageLevel level{ this->ScalarArrayName, this->IsoValue,
       this->InvertInside != 0 };
@@ -153,7 +167,7 @@ std::shared_ptr<const activesurface::GridSamples> vtkGridPotential::MakeSamples(
     }
     return std::make_shared<activesurface::ImageSamples>(image, level);
   }
-  if (auto polyData = vtkPolyData::SafeDownCast(own.Input))
+  if (auto polyData = vtkPolyData::SafeDownCast(input))
   {
     const activesurface::MeshTriangles mesh = activesurface::ReadTriangles(polyData);
     own.Defects = mesh.Defects.Describe();
@@ -161,7 +175,7 @@ std::shared_ptr<const activesurface::GridSamples> vtkGridPotential::MakeSamples(
       activesurface::MeshMeasure{ this->VoxelSize, this->Reach, this->MeshThickness,
         static_cast<double>(this->MaximumNumberOfVoxels) });
   }
-  throw std::invalid_argument(std::string("A ") + own.Input->GetClassName() +
+  throw std::invalid_argument(std::string("A ") + input->GetClassName() +
     " has no samples on a lattice, and no closed mesh; give a vtkImageData, or a vtkPolyData of "
     "polygons.");
 }

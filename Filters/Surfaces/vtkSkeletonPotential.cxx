@@ -1,6 +1,7 @@
 #include "vtkSkeletonPotential.h"
 
 #include "BatchEvaluation.h"
+#include "FunctionInput.h"
 #include "Skeleton.h"
 #include "SkeletonInput.h"
 
@@ -8,7 +9,6 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <atomic>
@@ -22,7 +22,7 @@ vtkStandardNewMacro(vtkSkeletonPotential);
 
 struct vtkSkeletonPotential::Internals
 {
-  vtkSmartPointer<vtkPointSet> Input;
+  activesurface::FunctionInput Input;
 
   // In place of an input; those of SetElements, or none.
   std::vector<activesurface::SkeletonVertex> OwnElements;
@@ -46,24 +46,38 @@ vtkSkeletonPotential::~vtkSkeletonPotential() = default;
 void vtkSkeletonPotential::SetInput(vtkPointSet* input)
 {
   Internals& own = *this->Internal;
-  if (own.Input != input || own.HasOwnElements)
+  if (own.Input.SetData(input) || own.HasOwnElements)
   {
-    own.Input = input;
     own.HasOwnElements = false;
     this->Modified();
   }
 }
 
+void vtkSkeletonPotential::SetInputConnection(vtkAlgorithmOutput* output)
+{
+  Internals& own = *this->Internal;
+  if (own.Input.Connect(output) || own.HasOwnElements)
+  {
+    own.HasOwnElements = false;
+    this->Modified();
+  }
+}
+
+vtkAlgorithmOutput* vtkSkeletonPotential::GetInputConnection()
+{
+  return this->Internal->Input.GetConnection();
+}
+
 vtkPointSet* vtkSkeletonPotential::GetInput()
 {
-  return this->Internal->Input;
+  return vtkPointSet::SafeDownCast(this->Internal->Input.GetData());
 }
 
 void vtkSkeletonPotential::SetElements(
   vtkIdType count, const double* positions, const double* radii, const double* strengths)
 {
   Internals& own = *this->Internal;
-  own.Input = nullptr;
+  own.Input.SetData(nullptr);
   own.HasOwnElements = true;
   own.OwnElementsHaveRadii = radii != nullptr;
   own.OwnElements.resize(static_cast<std::size_t>(std::max<vtkIdType>(count, 0)));
@@ -99,9 +113,7 @@ void vtkSkeletonPotential::SetName(std::string& member, const char* name)
 
 vtkMTimeType vtkSkeletonPotential::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  vtkPointSet* input = this->Internal->Input;
-  return input ? std::max(own, input->GetMTime()) : own;
+  return std::max(this->Superclass::GetMTime(), this->Internal->Input.FindMTime());
 }
 
 void vtkSkeletonPotential::Build()
@@ -109,7 +121,7 @@ void vtkSkeletonPotential::Build()
   Internals& own = *this->Internal;
   // Not GetMTime(): a change of the transform leaves the elements as they are.
   const vtkMTimeType changed = // NOLINTNEXTLINE(bugprone-parent-virtual-call)
-    std::max(this->vtkObject::GetMTime(), own.Input ? own.Input->GetMTime() : 0);
+    std::max(this->vtkObject::GetMTime(), own.Input.GetMTime());
   if (own.BuildTime.load(std::memory_order_acquire) == changed)
   {
     return;
@@ -133,14 +145,20 @@ void vtkSkeletonPotential::ReadElements()
     {
       throw std::invalid_argument("Threshold has to be a finite number.");
     }
+    own.Input.Update();
+    if (own.Input.GetData() && !this->GetInput())
+    {
+      throw std::invalid_argument(std::string("A ") + own.Input.GetData()->GetClassName() +
+        " is no skeleton; connect points or lines, a vtkPointSet.");
+    }
     if (own.HasOwnElements)
     {
       own.IgnoredElements = this->AddOwnElements();
     }
     else
     {
-      own.IgnoredElements = static_cast<vtkIdType>(activesurface::AddElements(
-        own.Input, { this->RadiusArrayName, this->StrengthArrayName, this->Radius }, own.Skeleton));
+      own.IgnoredElements = static_cast<vtkIdType>(activesurface::AddElements(this->GetInput(),
+        { this->RadiusArrayName, this->StrengthArrayName, this->Radius }, own.Skeleton));
     }
     own.Skeleton.Build();
   }

@@ -51,6 +51,7 @@
 #include <memory> // For Internals
 #include <string> // For names of arrays
 
+class vtkAlgorithmOutput;
 class vtkPointSet;
 
 class VTKACTIVESURFACES_EXPORT vtkSkeletonPotential : public vtkImplicitFunction
@@ -74,6 +75,16 @@ public:
    */
   void SetInput(vtkPointSet* input);
   vtkPointSet* GetInput();
+  ///@}
+
+  ///@{
+  /**
+   * The output of an algorithm in place of a data set, as within ParaView. It is brought up to date
+   * at the first evaluation, and again after GetMTime() (which filters ask for when they update)
+   * has found a change upstream; at the time that it was last asked for. Default: none.
+   */
+  void SetInputConnection(vtkAlgorithmOutput* output);
+  vtkAlgorithmOutput* GetInputConnection();
   ///@}
 
   ///@{

@@ -17,11 +17,11 @@ id       id, UINT           1 for the renderer's first actor, 2 for its second a
                             nothing is
 
 Z and P are of the depth buffer, so of everything opaque. N, forward and id are of the surfaces of
-actors whose mapper has a data set (vtkPolyDataMapper, vtkDataSetMapper): these are rendered again,
-without lights, with the values in place of colors. What is translucent is in the picture only.
-Layers are sampled at the pixels' centers; only the picture is antialiased. It has the 8 bits of the
-window, alpha is the window's too (0 on a background whose BackgroundAlpha is 0, if the window has
-AlphaBitPlanes).
+actors whose mapper has a data set (vtkPolyDataMapper, vtkDataSetMapper) or blocks of them, as those
+of ParaView: these are rendered again, without lights, with the values in place of colors. What is
+translucent is in the picture only. Layers are sampled at the pixels' centers; only the picture is
+antialiased. It has the 8 bits of the window, alpha is the window's too (0 on a background whose
+BackgroundAlpha is 0, if the window has AlphaBitPlanes).
 """
 
 import numpy
@@ -32,7 +32,7 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 from vtkmodules.vtkRenderingOpenGL2 import (
     vtkCameraPass,
@@ -212,9 +212,12 @@ def _surface_of(actor):
     if not actor.GetVisibility() or mapper is None or actor.HasTranslucentPolygonalGeometry():
         return None
     data = mapper.GetInputDataObject(0, 0)
-    if data is None or not data.IsA("vtkDataSet") or mapper.IsA("vtkGlyph3DMapper"):
+    if data is None or mapper.IsA("vtkGlyph3DMapper"):
         return None
-    outside = vtkGeometryFilter()
+    has_blocks = data.IsA("vtkCompositeDataSet")
+    if not has_blocks and not data.IsA("vtkDataSet"):
+        return None
+    outside = vtkCompositeDataGeometryFilter() if has_blocks else vtkGeometryFilter()
     outside.SetInputData(data)
     outside.Update()
     surface = outside.GetOutput()

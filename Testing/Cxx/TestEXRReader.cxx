@@ -193,6 +193,15 @@ void FilesAreTimeSteps(Check& check)
     reader->UpdateTimeStep(time);
     check.Equal(At(reader->GetOutput(), "Z", 0, 1, 1), step, "at " + std::to_string(time));
   }
+  vtkNew<vtkActiveEXRReader> other;
+  other->AddFileName(names->GetValue(2).c_str());
+  other->ClearFileNames();
+  for (int i = 0; i < 2; ++i)
+  {
+    other->AddFileName(names->GetValue(i).c_str());
+  }
+  other->UpdateInformation();
+  check.True(TimesOf(other) == std::vector<double>({ 0.25, 0.75 }), "files one by one");
   names->InsertNextValue(names->GetValue(0)); // times that do not rise
   reader->Modified();
   reader->UpdateInformation();

@@ -59,8 +59,8 @@ CHOICES = {
 }
 OTHERS = {
     vtkActiveImplicitSurface: "TargetFunction InitialFunction ModelBounds".split(),
-    vtkSkeletonPotential: "Input RadiusArrayName StrengthArrayName".split(),
-    vtkGridPotential: "Input ScalarArrayName".split(),
+    vtkSkeletonPotential: "Input InputConnection RadiusArrayName StrengthArrayName".split(),
+    vtkGridPotential: "Input InputConnection ScalarArrayName".split(),
     vtkActiveEXRReader: [],
     vtkActiveEXRWriter: "DisplaySize TimeCode WorldToCamera WorldToNDC".split(),
     vtkActiveVDBReader: "FileName GridName IndexRegion WorldRegion".split(),

@@ -108,6 +108,8 @@ class WeReadTheFilesOfOthers(WithAFolder):
         reader.Update()
         names = [reader.GetGridName(i) for i in range(reader.GetNumberOfGrids())]
         self.assertEqual(sorted(names), ["arrows", "flags", "sphere"])
+        listed = reader.GetGridNames()
+        self.assertEqual([listed.GetValue(i) for i in range(listed.GetNumberOfValues())], names)
         self.assertEqual(reader.GetGridMetadata(names.index("sphere"), "about"), "round")
         self.assertEqual(reader.GetMetadata("by"), "hand")
         image = reader.GetImageOutput()

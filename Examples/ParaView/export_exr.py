@@ -1,0 +1,58 @@
+"""The splash for compositing: what a view shows, in layers, and a slice of the potential, as .exr.
+
+Run: pvbatch export_exr.py [--output DIR]
+"""
+
+from pathlib import Path
+
+from active_implicit_surfaces import render
+from moments import output_folder
+from paraview.simple import (
+    ActiveImplicitSurface,
+    ExtractSubset,
+    GetActiveViewOrCreate,
+    OutputPort,
+    ResetCamera,
+    SaveData,
+    Show,
+    XMLPolyDataReader,
+)
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+DATA = Path(__file__).resolve().parents[2] / "Testing" / "Data" / "sph_drop.vtp"
+STEP = 25
+
+folder = output_folder(__doc__)
+skin = ActiveImplicitSurface(
+    Target=XMLPolyDataReader(FileName=str(DATA)),
+    TimeScale=1 / 25,
+    VoxelSize=0.05,
+    ParticleRadius=0.17,
+    ParticleThreshold=0.7,
+    Attraction=100,
+    ComputeVelocity=1,  # [length/time], for the layer forward
+)
+
+skin.UpdatePipeline(STEP)
+view = GetActiveViewOrCreate("RenderView")
+view.ViewSize = [640, 480]
+view.OrientationAxesVisibility = 0
+view.ViewTime = STEP
+shown = Show(skin, view)
+shown.ColorArrayName = [None, ""]
+view.CameraPosition = [0.4, 0.5, 1.0]
+view.CameraFocalPoint = [0, 0, 0]
+ResetCamera(view)
+window = view.GetRenderWindow()
+layered = folder / "pv_layers.exr"
+layers = render.write_exr(window, layered, renderer=view.GetRenderer(), frame_duration=1 / 25)
+ids = vtk_to_numpy(layers.GetPointData().GetArray("id"))
+print(f"wrote {layered}: the skin in {(ids > 0).sum()} pixels")
+
+# Save Data writes all arrays of an image of one slice.
+extent = list(skin.GetDataInformation(1).GetExtent())
+extent[4] = extent[5] = (extent[4] + extent[5]) // 2
+middle = ExtractSubset(Input=OutputPort(skin, 1), VOI=extent)
+middle.UpdatePipeline(STEP)
+SaveData(str(folder / "pv_potential.exr"), proxy=middle)
+print(f"wrote {folder / 'pv_potential.exr'}: z = {middle.GetDataInformation().GetBounds()[4]:.2f}")

@@ -1,0 +1,55 @@
+"""Moments of a surface side by side in one picture, and its history as text, for the examples."""
+
+import argparse
+from pathlib import Path
+
+from paraview import servermanager
+from paraview.simple import (
+    AssignViewToLayout,
+    CreateLayout,
+    CreateRenderView,
+    ResetCamera,
+    SaveScreenshot,
+    Show,
+)
+
+SIZE = 400
+
+
+def output_folder(description):
+    """The folder named by --output, made if it is not there."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--output", type=Path, default=Path("output"), metavar="DIR")
+    folder = parser.parse_args().output
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def save_moments(surface, times, picture):
+    """A view for each of the times, which it keeps as no animation takes it along."""
+    layout = CreateLayout("Moments")
+    cell = 0
+    for i, time in enumerate(times):
+        view = CreateRenderView(ViewTime=time, UseCache=0, OrientationAxesVisibility=0)
+        view.ViewSize = [SIZE, SIZE]
+        AssignViewToLayout(view, layout, cell)
+        left = len(times) - i
+        cell = layout.SplitHorizontal(cell, 1 / left) + 1 if left > 1 else cell
+        shown = Show(surface, view)
+        shown.ColorArrayName = [None, ""]
+        shown.DiffuseColor = [0.95, 0.66, 0.46]
+        view.CameraPosition = [0.45, 0.45, 1.0]
+        view.CameraFocalPoint = [0, 0, 0]
+        ResetCamera(view)
+        view.ViewTime = time
+    SaveScreenshot(str(picture), layout, ImageResolution=[SIZE * len(times), SIZE])
+    print(f"wrote {picture}")
+
+
+def print_history(surface, column, every):
+    """Of the history, output port 2, some rows of a column."""
+    surface.UpdatePipeline(surface.TimestepValues[-1])
+    table = servermanager.Fetch(surface, idx=2)
+    for row in range(0, table.GetNumberOfRows(), every):
+        time = table.GetValueByName(row, "Time").ToDouble()
+        print(f"at {time:.1f}: {column} {table.GetValueByName(row, column).ToDouble():.3f}")

@@ -1,0 +1,58 @@
+"""The splash as an animation: the pictures of its frames, and its skins as a series of .vtp files.
+
+Run: pvbatch save_animation.py [--output DIR]
+"""
+
+from pathlib import Path
+
+from moments import output_folder
+from paraview.simple import (
+    ActiveImplicitSurface,
+    GetActiveViewOrCreate,
+    GetAnimationScene,
+    Hide,
+    OutputPort,
+    ResetCamera,
+    SaveAnimation,
+    SaveData,
+    Show,
+    XMLPolyDataReader,
+)
+
+DATA = Path(__file__).resolve().parents[2] / "Testing" / "Data" / "sph_drop.vtp"
+FRAMES = [10, 25]  # the first and the last
+
+folder = output_folder(__doc__)
+particles = XMLPolyDataReader(FileName=str(DATA))
+skin = ActiveImplicitSurface(
+    Target=particles,
+    TimeScale=1 / 25,
+    VoxelSize=0.05,
+    ParticleRadius=0.17,
+    ParticleThreshold=0.7,
+    Attraction=100,
+    ComputeVelocity=1,  # [length/time], in the files, for motion blur elsewhere
+)
+
+view = GetActiveViewOrCreate("RenderView")
+view.ViewSize = [640, 480]
+view.OrientationAxesVisibility = 0
+shown = Show(skin, view)
+shown.ColorArrayName = [None, ""]
+Hide(particles, view)
+view.CameraPosition = [0.4, 0.5, 1.0]
+view.CameraFocalPoint = [0, 0, 0]
+ResetCamera(view)
+
+scene = GetAnimationScene()
+scene.UpdateAnimationUsingDataTimeSteps()
+SaveAnimation(str(folder / "pv_frame.png"), view, FrameWindow=FRAMES, SuffixFormat=".%.4d")
+SaveData(
+    str(folder / "pv_animated.vtp"),
+    proxy=OutputPort(skin, 0),
+    Writetimestepsasfileseries=1,
+    Firsttimestep=FRAMES[0],
+    Lasttimestep=FRAMES[1],
+    Filenamesuffix="_%.4d",
+)
+print(f"wrote {folder / 'pv_frame.png'} and pv_animated.vtp, frames {FRAMES[0]} to {FRAMES[1]}")

@@ -1,0 +1,53 @@
+// The data set that an implicit function reads: one that is given, or the output of an algorithm,
+// which is brought up to date when the function reads it. Functions are no algorithms, no pipeline
+// does so for them.
+
+#ifndef FunctionInput_h
+#define FunctionInput_h
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkSmartPointer.h"
+
+#include <atomic>
+
+class vtkAlgorithmOutput;
+
+namespace activesurface
+{
+
+class FunctionInput
+{
+public:
+  // Each lets the other go; true if that is a change.
+  bool SetData(vtkDataObject* data);
+  bool Connect(vtkAlgorithmOutput* output);
+
+  vtkDataObject* GetData() const { return this->Data; }
+  vtkAlgorithmOutput* GetConnection() const;
+
+  // Of the last change of the data, or of anything upstream. Asks the pipeline: not for threads.
+  vtkMTimeType FindMTime();
+  // The same as of the last FindMTime, cheap and for threads.
+  vtkMTimeType GetMTime() const;
+
+  // Brings all of the algorithm's output up to date, at the time that it was last asked for. By one
+  // thread.
+  void Update();
+
+private:
+  void Remember();
+
+  vtkSmartPointer<vtkDataObject> Data;
+  vtkSmartPointer<vtkAlgorithm> Producer;
+  int Port = 0;
+
+  // What is known of the algorithm since the last look at it.
+  vtkMTimeType PipelineTime = 0;
+  vtkMTimeType DataTime = 0;
+  std::atomic<vtkMTimeType> Changed{ 0 };
+};
+
+}
+
+#endif

@@ -1,0 +1,39 @@
+"""What the tests in ParaView look at: the splash, coarse, and the bytes of what comes out."""
+
+from pathlib import Path
+
+from paraview import servermanager
+from paraview.simple import ActiveImplicitSurface, XMLPolyDataReader
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+DATA = Path(__file__).resolve().parents[1] / "Data" / "sph_drop.vtp"
+
+
+def splash(**properties):
+    """The skin over the splash, steps 0 to 40, and the reader of its particles."""
+    particles = XMLPolyDataReader(FileName=str(DATA))
+    return ActiveImplicitSurface(Target=particles, **(COARSE | properties)), particles
+
+
+COARSE = {
+    "TimeScale": 1 / 25,
+    "VoxelSize": 0.12,
+    "ParticleRadius": 0.17,
+    "ParticleThreshold": 0.7,
+    "Attraction": 100,
+}
+
+
+def skin_bytes(surface, time):
+    """Points, triangles and point arrays of the skin at a time, and how many triangles."""
+    surface.UpdatePipeline(time)
+    return bytes_of(servermanager.Fetch(surface, idx=0))
+
+
+def bytes_of(skin):
+    arrays = [skin.GetPoints().GetData(), skin.GetPolys().GetConnectivityArray()]
+    arrays += [
+        skin.GetPointData().GetArray(i) for i in range(skin.GetPointData().GetNumberOfArrays())
+    ]
+    assert skin.GetNumberOfPolys() > 100, "there is next to no skin"
+    return [vtk_to_numpy(array).tobytes() for array in arrays]

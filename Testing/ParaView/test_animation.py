@@ -1,0 +1,223 @@
+"""Time in ParaView: the time keeper, playing, scrubbing, and properties that change on the way."""
+
+import unittest
+
+import numpy
+from paraview import servermanager
+from paraview.simple import (
+    ActiveImplicitSurface,
+    Calculator,
+    Delete,
+    GetAnimationScene,
+    GetTimeKeeper,
+    PointSource,
+    ResetSession,
+    Sphere,
+    Wavelet,
+)
+from scenes import skin_bytes, splash
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+# Another value of each property; those that the skin over particles does not depend on, too.
+OTHER_VALUES = {
+    "AreaControl": 1,
+    "AreaStiffness": 3,
+    "Attraction": 40,
+    "BoundedDomain": 1,
+    "CFL": 0.5,
+    "CheckpointInterval": 1,
+    "CheckpointMemory": 1,
+    "ComputeCurvature": 1,
+    "ComputeNormals": 0,
+    "ComputeVelocity": 1,
+    "EvolutionMode": 1,
+    "GradientScheme": 0,
+    "IdArray": ["POINTS", "id"],
+    "InitialArray": ["POINTS", "RTData"],
+    "InitialFunction": "Sphere",
+    "InvertTarget": 1,
+    "MaximumNumberOfActiveVoxels": 1000000,
+    "MaximumNumberOfSubsteps": 10,
+    "MeshThickness": 1,
+    "ModelBounds": [-1, 2, -1, 3, -1, 2],
+    "NormalizeTarget": 0,
+    "NumberOfThreads": 1,
+    "NumberOfTimeSteps": 5,
+    "OutputPotential": 1,
+    "PaperScheme": 1,
+    "ParticleKernel": 2,
+    "ParticleRadius": 0.2,
+    "ParticleThreshold": 0.5,
+    "PassTargetArrays": 1,
+    "RadiusArray": ["POINTS", "id"],
+    "RestTolerance": 1,
+    "StartTime": 1,
+    "StrengthArray": ["POINTS", "id"],
+    "TangentialVelocity": 1,
+    "TargetArea": 2,
+    "TargetArray": ["POINTS", "id"],
+    "TargetEvaluation": 2,
+    "TargetIsoValue": 0.1,
+    "TargetReach": 0.01,
+    "TargetVolume": 2,
+    "Tension": 0.02,
+    "TimeScale": 1 / 50,
+    "TimeStepSize": 0.2,
+    "VelocityArray": ["POINTS", "id"],
+    "VolumeControl": 2,
+    "VolumeStiffness": 3,
+    "VoxelSize": 0.1,
+}
+# Inputs, what is only read, and what would be an error or no skin at all over these particles.
+NOT_CHANGED = {"Target", "Initial", "TimestepValues"}
+# What does not show in the second step: other times are published, or the input's hold.
+WITHOUT_EFFECT = set(
+    """
+    CheckpointInterval CheckpointMemory IdArray MaximumNumberOfActiveVoxels MeshThickness
+    ModelBounds NumberOfThreads NumberOfTimeSteps OutputPotential StartTime TimeStepSize
+    VelocityArray
+""".split()
+)
+WITHOUT_SKIN = {"InvertTarget", "RadiusArray", "StrengthArray", "TargetArray", "InitialArray"}
+
+
+class Time(unittest.TestCase):
+    def setUp(self):
+        ResetSession()
+
+    def test_the_time_keeper_has_the_steps_of_the_particles(self):
+        surface, _ = splash()
+        self.assertEqual(list(surface.TimestepValues), [float(i) for i in range(41)])
+        self.assertEqual(list(GetTimeKeeper().TimestepValues), list(surface.TimestepValues))
+
+    def test_the_time_keeper_has_the_steps_of_a_surface_without_any_in_its_input(self):
+        surface = ActiveImplicitSurface(Target=Sphere(), NumberOfTimeSteps=4, TimeStepSize=0.5)
+        self.assertEqual(list(surface.TimestepValues), [0, 0.5, 1, 1.5])
+        surface.NumberOfTimeSteps = 2
+        surface.UpdatePipelineInformation()
+        self.assertEqual(list(GetTimeKeeper().TimestepValues), [0, 0.5])
+
+    def test_ten_steps_played_are_those_asked_for_one_by_one(self):
+        surface, _ = splash()
+        scene = GetAnimationScene()
+        scene.UpdateAnimationUsingDataTimeSteps()
+        played = []
+        for step in range(10):
+            scene.AnimationTime = step
+            played.append(skin_bytes(surface, step))
+        for step in (9, 4):
+            fresh, _ = splash()
+            self.assertEqual(skin_bytes(fresh, step), played[step], f"step {step}")
+        self.assertEqual(len({skin[0] for skin in played}), 10, "each step has its own skin")
+
+    def test_scrubbing_back_and_forth_twenty_times_is_the_same_as_forward(self):
+        surface, _ = splash()
+        forward = [skin_bytes(surface, step) for step in range(12)]
+        places = [(7 * i) % 12 for i in range(20)]
+        for step in places:
+            self.assertEqual(skin_bytes(surface, step), forward[step], f"step {step}")
+
+
+class ChangesInMidAnimation(unittest.TestCase):
+    def test_every_property_has_another_value_here(self):
+        ResetSession()
+        surface, _ = splash()
+        known = set(OTHER_VALUES) | NOT_CHANGED
+        self.assertEqual(sorted(surface.ListProperties()), sorted(known))
+
+    def test_no_change_leaves_stale_output(self):
+        ResetSession()
+        fresh = {}  # by name, needed and other value: each is made once
+        for name in sorted(set(OTHER_VALUES) - WITHOUT_SKIN):
+            with self.subTest(name):
+                needed = self.needed(name)
+                key = str(needed)
+                if key not in fresh:
+                    fresh[key] = self.fresh_bytes(needed)
+                changed, particles = splash(**needed)
+                for step in (0, 1, 2):
+                    changed.UpdatePipeline(step)
+                before = plain_value(changed, name)
+                setattr(changed, name, OTHER_VALUES[name])
+                expected = self.fresh_bytes(needed | {name: OTHER_VALUES[name]})
+                self.assertEqual(skin_bytes(changed, 2), expected)
+                self.assertEqual(expected != fresh[key], name not in WITHOUT_EFFECT)
+                setattr(changed, name, before)
+                self.assertEqual(skin_bytes(changed, 2), fresh[key], "and back")
+                Delete(changed)
+                Delete(particles)
+
+    @staticmethod
+    def fresh_bytes(properties):
+        surface, particles = splash(**properties)
+        found = skin_bytes(surface, 2)
+        Delete(surface)
+        Delete(particles)
+        return found
+
+    @staticmethod
+    def needed(name):
+        """Properties with which the skin depends on this one."""
+        return {
+            "AreaStiffness": {"AreaControl": 1},
+            "TargetArea": {"AreaControl": 1},
+            "VolumeStiffness": {"VolumeControl": 1},
+            "TargetVolume": {"VolumeControl": 2},
+            "RestTolerance": {"EvolutionMode": 1, "MaximumNumberOfSubsteps": 20},
+            "MaximumNumberOfSubsteps": {"EvolutionMode": 1, "MaximumNumberOfSubsteps": 20},
+            "EvolutionMode": {"MaximumNumberOfSubsteps": 20},
+            "PaperScheme": {"Attraction": 1},
+            "TangentialVelocity": {"ComputeVelocity": 1},
+            "NormalizeTarget": {"Attraction": 1},
+        }.get(name, {})
+
+    def test_the_skin_goes_along_with_the_particles(self):
+        ResetSession()
+        surface, particles = splash(ComputeVelocity=1, TangentialVelocity=1)
+        wind = numpy.array([3.0, -2.0, 1.0])
+        surface.Target = Calculator(
+            Input=particles, ResultArrayName="wind", Function="3*iHat - 2*jHat + kHat"
+        )
+        surface.VelocityArray = ["POINTS", "wind"]
+        surface.UpdatePipeline(2)
+        data = servermanager.Fetch(surface, idx=0).GetPointData()
+        normals, velocities = (vtk_to_numpy(data.GetArray(n)) for n in ("Normals", "Velocity"))
+        differences = velocities - wind
+        along = numpy.einsum("ij,ij->i", differences, normals)[:, None]
+        # Single precision of velocities of some ten units, and of the normals.
+        self.assertLess(abs(differences - along * normals).max(), 1e-4)
+
+    def test_another_input_is_another_skin(self):
+        ResetSession()
+        surface, _ = splash()
+        before = skin_bytes(surface, 1)
+        points = PointSource(NumberOfPoints=60, Radius=0.3)
+        surface.Target = points
+        fresh, _ = splash()
+        fresh.Target = points
+        self.assertEqual(skin_bytes(surface, 0.1), skin_bytes(fresh, 0.1))
+        self.assertNotEqual(skin_bytes(surface, 0.1), before)
+        points.Radius = 0.5
+        self.assertEqual(skin_bytes(surface, 0.1), skin_bytes(fresh, 0.1))
+
+    def test_initial_may_come_and_go(self):
+        ResetSession()
+        surface, _ = splash(Attraction=1)
+        without = skin_bytes(surface, 1)
+        surface.Initial = Sphere(Radius=0.4, Center=[0.5, 0.5, 0.5])
+        self.assertNotEqual(skin_bytes(surface, 1), without)
+        surface.Initial = None
+        self.assertEqual(skin_bytes(surface, 1), without)
+        surface.Initial = Wavelet(WholeExtent=[-2, 2, -2, 2, -2, 2])
+
+
+def plain_value(surface, name):
+    """As it can be set again."""
+    value = getattr(surface, name)
+    if name == "InitialFunction":
+        return "None"
+    return value if isinstance(value, (int, float, str)) else list(value)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,212 @@
+"""The plugin's proxies: all create; defaults, ranges, choices, units are those of the classes."""
+
+import re
+import sys
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import active_implicit_surfaces
+from paraview import servermanager
+from paraview.simple import Clip, ExtractCellsByRegion, Slice, Wavelet
+from vtkmodules.vtkCommonDataModel import vtkSuperquadric
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "Testing" / "Python"))
+from properties import comment_of, own_properties  # noqa: E402
+
+SURFACE, FUNCTIONS = (
+    ("filters", "ActiveImplicitSurface"),
+    ("sources", "ActiveImplicitSurfaceOfFunctions"),
+)
+SCREENSHOT = ("screenshot_writers", "ActiveEXR")
+CLASSES = {
+    SURFACE: active_implicit_surfaces.vtkActiveImplicitSurface,
+    FUNCTIONS: active_implicit_surfaces.vtkActiveImplicitSurface,
+    ("implicit_functions", "SkeletonPotential"): active_implicit_surfaces.vtkSkeletonPotential,
+    ("implicit_functions", "GridPotential"): active_implicit_surfaces.vtkGridPotential,
+    ("sources", "ActiveVDBReader"): active_implicit_surfaces.vtkActiveVDBReader,
+    ("writers", "ActiveVDBWriter"): active_implicit_surfaces.vtkActiveVDBWriter,
+    ("sources", "ActiveEXRReader"): active_implicit_surfaces.vtkActiveEXRReader,
+    ("writers", "ActiveEXRWriter"): active_implicit_surfaces.vtkActiveEXRWriter,
+    SCREENSHOT: active_implicit_surfaces.vtkActiveEXRWriter,
+}
+# What a proxy has in another way, or not at all, and why.
+ELSEWHERE = {
+    SURFACE: {"TargetFunction"},  # its target is the input
+    FUNCTIONS: {
+        "ParticleRadius",
+        "ParticleKernel",
+        "ParticleThreshold",
+        "MeshThickness",
+        "PassTargetArrays",
+        "TangentialVelocity",
+    },  # no input
+    ("implicit_functions", "SkeletonPotential"): {"InputConnection"},  # by Input
+    ("implicit_functions", "GridPotential"): {"InputConnection"},
+    ("sources", "ActiveVDBReader"): set(),
+    ("writers", "ActiveVDBWriter"): {"InputData"},  # by Input
+    ("sources", "ActiveEXRReader"): set(),
+    ("writers", "ActiveEXRWriter"): {"WorldToCamera", "WorldToNDC"},  # no matrices in the panel
+    SCREENSHOT: {  # a picture at a time, of all that is seen
+        "DisplaySize",
+        "FrameNumber",
+        "TimeCode",
+        "WorldToCamera",
+        "WorldToNDC",
+        "WriteAllTimeSteps",
+    },
+}
+LISTS = {"FileName", "GridName"}  # of the readers, which are empty at first
+OTHER_DEFAULTS = {
+    (FUNCTIONS, "ModelBounds"): [-1, 1, -1, 1, -1, 1],  # functions have no bounds
+    (SCREENSHOT, "ColorEncoding"): [1],  # what a view shows is for a display
+}
+KERNELS = active_implicit_surfaces.vtkSkeletonPotential
+
+
+def new_proxy(key):
+    return servermanager.ProxyManager().SMProxyManager.NewProxy(*key)
+
+
+def every_property():
+    """(key, class, name, proxy's property) of all that is in both, but inputs and functions."""
+    for key, kind in CLASSES.items():
+        proxy = new_proxy(key)
+        for name in own_properties(kind):
+            prop = proxy.GetProperty(name)
+            if prop and hasattr(prop, "GetElement") and name not in ELSEWHERE[key]:
+                yield key, kind, name, prop
+
+
+def elements_of(prop):
+    return [prop.GetElement(i) for i in range(prop.GetNumberOfElements())]
+
+
+def domain_of(prop, kind):
+    domain = prop.FindDomain(kind)
+    return domain if domain and domain.IsA(kind) else None
+
+
+def default_of(kind, name, prop):
+    if name in LISTS and prop.GetRepeatCommand():
+        return []
+    value = getattr(kind(), "Get" + name)()
+    return list(value) if isinstance(value, tuple) else ["" if value is None else value]
+
+
+class Proxies(unittest.TestCase):
+    def test_all_in_the_files_create(self):
+        created = []
+        for path in sorted((ROOT / "Filters" / "ParaView").glob("*.xml")):
+            for group in ElementTree.parse(path).getroot():
+                for proxy in group:
+                    if "class" in proxy.attrib:
+                        made = new_proxy((group.get("name"), proxy.get("name")))
+                        self.assertIsNotNone(made, proxy.get("name"))
+                        made.UpdateVTKObjects()
+                        self.assertEqual(
+                            made.GetClientSideObject().GetClassName(), proxy.get("class")
+                        )
+                        created.append((group.get("name"), proxy.get("name")))
+        self.assertLessEqual(set(CLASSES), set(created))
+
+    def test_every_property_of_a_class_is_in_its_proxies(self):
+        for key, kind in CLASSES.items():
+            proxy = new_proxy(key)
+            for name in own_properties(kind):
+                with self.subTest(f"{key[1]}.{name}"):
+                    self.assertEqual(proxy.GetProperty(name) is None, name in ELSEWHERE[key])
+
+    def test_defaults_are_those_of_the_classes(self):
+        told = 0
+        for key, kind, name, prop in every_property():
+            with self.subTest(f"{key[1]}.{name}"):
+                expected = default_of(kind, name, prop)
+                expected = OTHER_DEFAULTS.get((key, name), expected)
+                self.assertEqual(elements_of(prop), expected)
+                told += 1
+        self.assertGreater(told, 80)
+
+    def test_the_superquadric_is_vtk_s(self):
+        proxy = new_proxy(("implicit_functions", "Superquadric"))
+        for name in "Center Scale Size ThetaRoundness PhiRoundness Toroidal Thickness".split():
+            value = getattr(vtkSuperquadric(), "Get" + name)()
+            expected = list(value) if isinstance(value, tuple) else [value]
+            self.assertEqual(elements_of(proxy.GetProperty(name)), expected, name)
+
+    def test_ranges_are_those_of_the_classes(self):
+        told = 0
+        for key, kind, name, prop in every_property():
+            if not hasattr(kind, f"Get{name}MinValue") or prop.IsA("vtkSMIdTypeVectorProperty"):
+                continue
+            with self.subTest(f"{key[1]}.{name}"):
+                low, high = (getattr(kind(), f"Get{name}M{end}Value")() for end in ("in", "ax"))
+                if choices := domain_of(prop, "vtkSMEnumerationDomain"):
+                    values = [choices.GetEntryValue(i) for i in range(choices.GetNumberOfEntries())]
+                    self.assertEqual(values, list(range(low, high + 1)))
+                else:
+                    domain = domain_of(prop, "vtkSMDoubleRangeDomain") or domain_of(
+                        prop, "vtkSMIntRangeDomain"
+                    )
+                    self.assertEqual(domain.GetMinimum(0), low)
+                    unbounded = high == 2**31 - 1 or high > 1e298
+                    self.assertEqual(domain.GetMaximumExists(0) == 0, unbounded)
+                    if not unbounded:
+                        self.assertEqual(domain.GetMaximum(0), high)
+                told += 1
+        self.assertGreater(told, 40)
+
+    def test_choices_have_the_names_of_the_constants(self):
+        for key, kind, name, prop in every_property():
+            if choices := domain_of(prop, "vtkSMEnumerationDomain"):
+                names = KERNELS if name == "ParticleKernel" else kind
+                for i in range(choices.GetNumberOfEntries()):
+                    constant = choices.GetEntryText(i).upper().replace(" ", "_")
+                    with self.subTest(f"{key[1]}.{name}.{constant}"):
+                        self.assertEqual(getattr(names, constant), choices.GetEntryValue(i))
+
+    def test_a_value_arrives_at_the_object(self):
+        proxy = new_proxy(SURFACE)
+        for name, value in (("Tension", 0.5), ("VolumeControl", 2), ("CheckpointMemory", 7)):
+            proxy.GetProperty(name).SetElement(0, value)
+            proxy.UpdateVTKObjects()
+            self.assertEqual(getattr(proxy.GetClientSideObject(), "Get" + name)(), value)
+
+    def test_every_property_says_what_it_is_with_its_unit(self):
+        for key, kind, name, prop in every_property():
+            with self.subTest(f"{key[1]}.{name}"):
+                told = prop.GetDocumentation()
+                text = told.GetDescription() if told else ""
+                self.assertGreater(len(text.strip()), 20)
+                unit = re.search(r"\[[^\]]+\]", comment_of(kind, name))
+                number = not domain_of(prop, "vtkSMBooleanDomain") and not domain_of(
+                    prop, "vtkSMEnumerationDomain"
+                )
+                if unit and number:
+                    self.assertRegex(text, r"\[[^\]]+\]", f"{unit[0]} is not told")
+
+    def test_every_property_of_the_panel_is_in_one_group(self):
+        for key in (SURFACE, FUNCTIONS):
+            proxy, grouped = new_proxy(key), []
+            for i in range(proxy.GetNumberOfPropertyGroups()):
+                group = proxy.GetPropertyGroup(i)
+                grouped += [group.GetPropertyName(j) for j in range(group.GetNumberOfProperties())]
+            self.assertEqual(len(grouped), len(set(grouped)))
+            own = set(own_properties(CLASSES[key])) - ELSEWHERE[key]
+            self.assertEqual(own - set(grouped), set())
+
+    def test_filters_of_paraview_offer_the_functions(self):
+        wavelet = Wavelet()
+        for made, name in (
+            (Clip, "ClipType"),
+            (Slice, "SliceType"),
+            (ExtractCellsByRegion, "IntersectWith"),
+        ):
+            offered = made(Input=wavelet).GetProperty(name).GetAvailable()
+            self.assertIn("Skeleton Potential", offered)
+            self.assertIn("Image or Mesh", offered)
+
+
+if __name__ == "__main__":
+    unittest.main()

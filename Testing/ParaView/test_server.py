@@ -1,0 +1,110 @@
+"""The same bytes with a server, of one rank or more, as within one program; and nothing twice.
+
+Run: pvpython test_server.py <pvserver> <number of ranks>
+"""
+
+import os
+import socket
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+from paraview import servermanager
+from paraview.simple import (
+    ActiveImplicitSurfaceFunctions,
+    Connect,
+    Disconnect,
+    OpenDataFile,
+    OutputPort,
+    PolyLineSource,
+    ResetSession,
+    SaveData,
+    Wavelet,
+)
+from scenes import skin_bytes, splash
+from vtkmodules.vtkIOXML import vtkXMLPImageDataReader
+
+PVSERVER, RANKS = sys.argv.pop(1), int(sys.argv.pop(1))
+FOLDER = Path(os.environ.get("ACTIVE_TEST_OUTPUT", ".")) / f"server_{RANKS}"
+FILES = ("wavelet.vdb", "wavelet.exr")
+# Also where root runs the tests, on fewer processors than ranks.
+MPI = {
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OMPI_MCA_mpi_yield_when_idle": "1",
+    "OMPI_MCA_hwloc_base_binding_policy": "none",
+}
+
+
+def write_files():
+    """A volume, as .vdb, and a picture, as .exr."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    wavelet = Wavelet(WholeExtent=[-9, 9, -9, 9, 0, 0])
+    for name in FILES:
+        SaveData(str(FOLDER / name), proxy=wavelet)
+
+
+def results():
+    """Skins, sizes of the image and of the history, of a filter and of a source; what is read."""
+    surface, _ = splash()
+    found = [skin_bytes(surface, 3), skin_bytes(surface, 1), skin_bytes(surface, 3)]
+    found.append(surface.GetDataInformation(0).GetNumberOfCells())
+    found.append(servermanager.Fetch(surface, idx=2).GetNumberOfRows())
+    tube = ActiveImplicitSurfaceFunctions(TargetFunction="Skeleton Potential", VoxelSize=0.1)
+    tube.TargetFunction.Input = PolyLineSource(Points=[-0.5, 0, 0, 0.5, 0, 0])
+    found.append(skin_bytes(tube, 0.3))
+    for name in FILES:
+        reader = OpenDataFile(str(FOLDER / name))
+        reader.UpdatePipeline()
+        information = reader.GetDataInformation()
+        values = information.GetPointDataInformation().GetArrayInformation("RTData")
+        found += [information.GetNumberOfCells(), values.GetComponentRange(0)]
+    image = FOLDER / "potential.pvti"
+    SaveData(str(image), proxy=OutputPort(surface, 1))
+    reader = vtkXMLPImageDataReader()
+    reader.SetFileName(str(image))
+    reader.Update()
+    values = reader.GetOutput().GetPointData().GetArray("Potential")
+    return found + [reader.GetOutput().GetExtent(), bytes(memoryview(values))]
+
+
+def start_server():
+    with socket.socket() as free:
+        free.bind(("localhost", 0))
+        port = free.getsockname()[1]
+    command = ["mpirun", "-np", str(RANKS)] if RANKS > 1 else []
+    # This program is an MPI run of its own, which the server is not part of.
+    server = subprocess.Popen(
+        [*command, PVSERVER, f"--server-port={port}"],
+        env={k: v for k, v in os.environ.items() if not k.startswith(("OMPI_", "PMIX_"))} | MPI,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,  # what it says when it is told to end
+        text=True,
+    )
+    for line in server.stdout:
+        if line.startswith("Accepting"):
+            return server, port
+    raise RuntimeError("pvserver does not start.")
+
+
+class ClientAndServer(unittest.TestCase):
+    def test_results_are_those_of_one_program(self):
+        write_files()
+        expected = results()
+        ResetSession()
+        server, port = start_server()
+        self.addCleanup(server.stdout.close)
+        self.addCleanup(server.wait)
+        self.addCleanup(server.terminate)
+        Connect("localhost", port)
+        self.assertTrue(servermanager.ActiveConnection.IsRemote())
+        self.assertEqual(servermanager.ActiveConnection.GetNumberOfDataPartitions(), RANKS)
+        found = results()
+        self.assertEqual([a == b for a, b in zip(found, expected)], [True] * len(expected))
+        Disconnect()
+
+
+if __name__ == "__main__":
+    unittest.main()
