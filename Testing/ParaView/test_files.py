@@ -265,4 +265,6 @@ class EXR(Files):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    # ParaView puts things away in its order only where the script comes to its end.
+    if not unittest.main(exit=False).result.wasSuccessful():
+        raise SystemExit(1)
