@@ -1,5 +1,6 @@
-// What a vtkActiveVDBReader tells of its file.
+// What a vtkActiveVDBReader knows and tells of its file.
 
+#include "GridChoice.h"
 #include "VDBReaderState.h"
 
 #include <algorithm>
@@ -20,6 +21,25 @@ std::string GetText(const openvdb::MetaMap* metadata, const std::string& name)
 int vtkActiveVDBReader::GetNumberOfGrids()
 {
   return static_cast<int>(this->Internal->File.Grids.size());
+}
+
+// In voxels, of what Region says.
+openvdb::CoordBBox vtkActiveVDBReader::Internals::FindBox(const vtkActiveVDBReader* reader) const
+{
+  if (reader->Region == INDEX)
+  {
+    return activesurface::FindVoxels(reader->IndexRegion);
+  }
+  if (reader->Region == WORLD)
+  {
+    return activesurface::FindVoxels(*this->Chosen.front().Transform, reader->WorldRegion);
+  }
+  openvdb::CoordBBox box;
+  for (const VDBGrid& grid : this->Chosen)
+  {
+    box.expand(grid.ActiveBox);
+  }
+  return box;
 }
 
 vtkStringArray* vtkActiveVDBReader::GetGridNames()

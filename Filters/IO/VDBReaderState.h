@@ -28,6 +28,7 @@ struct vtkActiveVDBReader::Internals
   {
     return i >= 0 && i < static_cast<int>(this->File.Grids.size()) ? &this->File.Grids[i] : nullptr;
   }
+  openvdb::CoordBBox FindBox(const vtkActiveVDBReader* reader) const;
   bool IsOfPoints() const
   {
     return !this->Chosen.empty() && std::string(this->Chosen.front().GetValueType()) == "points";

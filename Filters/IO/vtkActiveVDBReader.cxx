@@ -230,6 +230,18 @@ int vtkActiveVDBReader::Fail(vtkInformationVector* output, const char* sentence)
   return 0;
 }
 
+void vtkActiveVDBReader::PublishExtent(vtkInformation* output) const
+{
+  const Internals& own = *this->Internal;
+  output->Remove(SDDP::WHOLE_EXTENT());
+  if (!own.IsOfPoints())
+  {
+    const ImagePlace place = activesurface::MakeImagePlace(
+      *own.Chosen.front().Transform, own.FindBox(this), this->DownsamplingFactor);
+    output->Set(SDDP::WHOLE_EXTENT(), place.Extent, 6);
+  }
+}
+
 int vtkActiveVDBReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
@@ -239,6 +251,7 @@ int vtkActiveVDBReader::RequestInformation(
   {
     this->FindTimes();
     this->LookAt(this->FindFile(out));
+    this->PublishExtent(out);
   }
   catch (const std::exception& error)
   {
@@ -303,22 +316,7 @@ void vtkActiveVDBReader::MakeImage(vtkImageData* image)
 {
   const Internals& own = *this->Internal;
   const openvdb::math::Transform& transform = *own.Chosen.front().Transform;
-  openvdb::CoordBBox box;
-  const int* r = this->IndexRegion;
-  switch (this->Region)
-  {
-    case INDEX:
-      box = activesurface::FindVoxels(r);
-      break;
-    case WORLD:
-      box = activesurface::FindVoxels(transform, this->WorldRegion);
-      break;
-    default:
-      for (const VDBGrid& grid : own.Chosen)
-      {
-        box.expand(grid.ActiveBox);
-      }
-  }
+  openvdb::CoordBBox box = own.FindBox(this);
   const ImagePlace place = activesurface::MakeImagePlace(transform, box, this->DownsamplingFactor);
   if (this->OutputDense && place.CountPoints() > static_cast<double>(this->MaximumNumberOfPoints))
   {

@@ -191,6 +191,7 @@ private:
   void LookAt(int file);
   void FindTimes();
   int FindFile(vtkInformation* output) const;
+  void PublishExtent(vtkInformation* output) const;
   void MakeImage(vtkImageData* image);
   void MakePoints(vtkPolyData* points);
 

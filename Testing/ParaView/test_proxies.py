@@ -44,7 +44,8 @@ ELSEWHERE = {
     },  # no input
     ("implicit_functions", "SkeletonPotential"): {"InputConnection"},  # by Input
     ("implicit_functions", "GridPotential"): {"InputConnection"},
-    ("sources", "ActiveVDBReader"): set(),
+    # What an image without arrays carries is lost in the filter that ParaView puts after each.
+    ("sources", "ActiveVDBReader"): {"OutputDense"},
     ("writers", "ActiveVDBWriter"): {"InputData"},  # by Input
     ("sources", "ActiveEXRReader"): set(),
     ("writers", "ActiveEXRWriter"): {"WorldToCamera", "WorldToNDC"},  # no matrices in the panel
@@ -183,7 +184,7 @@ class Proxies(unittest.TestCase):
                 number = not domain_of(prop, "vtkSMBooleanDomain") and not domain_of(
                     prop, "vtkSMEnumerationDomain"
                 )
-                if unit and number:
+                if unit and number and name not in LISTS:
                     self.assertRegex(text, r"\[[^\]]+\]", f"{unit[0]} is not told")
 
     def test_every_property_of_the_panel_is_in_one_group(self):

@@ -141,7 +141,7 @@ class HelpTellsEverything(unittest.TestCase):
     def test_a_switch_tells_how_it_is_made(self):
         for kind, name in every(SWITCHES):
             with self.about(kind, name):
-                comment = comment_of(kind, name)
+                comment = " ".join(comment_of(kind, name).split())
                 self.assertIn("Default: on" if get(kind(), name) else "Default: off", comment)
 
     def test_a_choice_tells_which_it_begins_with(self):
