@@ -40,10 +40,13 @@ int AskedPort(vtkInformation* request)
 
 void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool settles)
 {
-  if (settles || steps.empty())
+  if (settles)
   {
     output->Remove(SDDP::TIME_STEPS());
     output->Remove(SDDP::TIME_RANGE());
+  }
+  if (settles || steps.empty())
+  {
     return;
   }
   const double range[2] = { steps.front(), steps.back() };

@@ -16,7 +16,7 @@ struct SurfaceDomain;
 // Of the outputs the one that a request is for.
 int AskedPort(vtkInformation* request);
 
-// None for a surface that settles: it is at rest, at no time; nor without steps.
+// None for a surface that settles: it is at rest, at no time. Without steps, those of the input.
 void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool settles);
 void PublishTime(vtkDataObject* data, double time, bool settles);
 
