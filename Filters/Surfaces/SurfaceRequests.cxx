@@ -167,7 +167,8 @@ void SurfaceRequests::AskTarget(vtkInformation* target)
   // time it is asked again.
   const SurfaceSettings& settings = this->Simulation.GetSettings();
   const int wanted = this->Simulation.GetStepWanted();
-  const bool isReady = wanted >= 0 && (!this->AskedInVain || settings.OnlyForward);
+  const bool isNewest = wanted + 1 == static_cast<int>(settings.Steps.size());
+  const bool isReady = wanted >= 0 && (settings.OnlyForward ? isNewest : !this->AskedInVain);
   this->AskedStep = isReady ? wanted : this->Simulation.GetLastStepAdded();
   this->AskedInVain = true;
   SurfaceInput::AskForFirst(target);
