@@ -1,6 +1,6 @@
 #include "EXRAttributes.h"
 
-#include "EXRError.h"
+#include "FileError.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -217,7 +217,7 @@ void AddTimeCode(Imf::Header& header, const std::string& text)
   if (read != 4 || static_cast<std::size_t>(end) != text.size() || !within(hours, 23) ||
     !within(minutes, 59) || !within(seconds, 59) || !within(frame, 59))
   {
-    throw EXRError(vtkErrorCode::UserError,
+    throw FileError(vtkErrorCode::UserError,
       "TimeCode \"" + text + "\" is not hours:minutes:seconds:frame, as in 01:00:00:12");
   }
   Imf::addTimeCode(header, Imf::TimeCode(hours, minutes, seconds, frame));

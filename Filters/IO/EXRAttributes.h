@@ -17,7 +17,7 @@ namespace activesurface
 // text.
 void CopyEXRAttributes(const Imf::Header& header, vtkFieldData* data);
 
-// Sets timeCode from "hh:mm:ss:ff". Throws EXRError if it is none.
+// Sets timeCode from "hh:mm:ss:ff". Throws FileError if it is none.
 void AddTimeCode(Imf::Header& header, const std::string& text);
 
 // Sets framesPerSecond; 24000/1001 and the like where it is one of those.

@@ -1,8 +1,8 @@
 #include "EXRFile.h"
 
 #include "EXRAttributes.h"
-#include "EXRError.h"
 #include "EXRHeaderScan.h"
+#include "FileError.h"
 
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
@@ -38,7 +38,7 @@ void Guard(const EXRInput& input, const Action& action)
   {
     action();
   }
-  catch (const EXRError&)
+  catch (const FileError&)
   {
     throw;
   }
@@ -46,9 +46,9 @@ void Guard(const EXRInput& input, const Action& action)
   {
     if (input.HasEndedEarly())
     {
-      throw EXRError(vtkErrorCode::PrematureEndOfFileError, "it ends too early");
+      throw FileError(vtkErrorCode::PrematureEndOfFileError, "it ends too early");
     }
-    throw EXRError(
+    throw FileError(
       vtkErrorCode::FileFormatError, std::string("it is damaged (OpenEXR: ") + error.what() + ")");
   }
 }

@@ -50,7 +50,7 @@ struct EXRDestination
 class EXRFile
 {
 public:
-  // Reads the headers. Throws EXRError; the stream has to live as long as this.
+  // Reads the headers. Throws FileError; the stream has to live as long as this.
   EXRFile(std::istream& stream, const std::string& name);
   ~EXRFile();
 

@@ -1,6 +1,6 @@
 #include "EXRHeaderScan.h"
 
-#include "EXRError.h"
+#include "FileError.h"
 
 #include <algorithm>
 #include <cstring>
@@ -33,7 +33,7 @@ constexpr Compression OtherCompression = { 256, 66048 };
 
 [[noreturn]] void Refuse(const std::string& sentence)
 {
-  throw EXRError(vtkErrorCode::FileFormatError, sentence);
+  throw FileError(vtkErrorCode::FileFormatError, sentence);
 }
 
 // What of a header counts for memory.
@@ -58,7 +58,7 @@ public:
   {
     if (this->Input.GetSize() < 8 || this->Number() != Magic)
     {
-      throw EXRError(vtkErrorCode::UnrecognizedFileTypeError, "it is no EXR file");
+      throw FileError(vtkErrorCode::UnrecognizedFileTypeError, "it is no EXR file");
     }
     const std::uint32_t version = this->Number();
     if ((version & 0xff) != 2)

@@ -9,8 +9,9 @@
 namespace activesurface
 {
 
-// Throws an EXRError with a sentence unless the stream begins with the headers of an EXR file whose
-// windows, tiles, tables and attributes could be in a file of its size. Leaves it at its beginning.
+// Throws an FileError with a sentence unless the stream begins with the headers of an EXR file
+// whose windows, tiles, tables and attributes could be in a file of its size. Leaves it at its
+// beginning.
 void CheckEXRHeaders(EXRInput& input);
 
 // Whether these are the first bytes of an EXR file.

@@ -1,6 +1,6 @@
 #include "EXRPixels.h"
 
-#include "EXRError.h"
+#include "FileError.h"
 
 #include "vtkDataArray.h"
 
@@ -75,7 +75,7 @@ const char* NameOf(EXRPixel type)
 template <class Value>
 [[noreturn]] void RefuseValue(const EXRSource& source, Value value)
 {
-  throw EXRError(vtkErrorCode::UserError,
+  throw FileError(vtkErrorCode::UserError,
     "Value " + std::to_string(value) + " of array \"" + source.Array->GetName() +
       "\" does not fit into the type of channel " + source.Channel + ", " + NameOf(source.Type) +
       "; AssignPixelType chooses another.");
@@ -188,7 +188,7 @@ EXRSamples MakeSamples(const EXRSource& source)
     vtkTemplateMacro(ConvertArray(
       source, static_cast<const VTK_TT*>(values) + source.Component, samples.Converted));
     default:
-      throw EXRError(vtkErrorCode::UserError,
+      throw FileError(vtkErrorCode::UserError,
         std::string("Array \"") + array->GetName() + "\" has a type that no channel can hold.");
   }
   samples.First = samples.Converted.data();

@@ -38,7 +38,7 @@ struct EXRSamples
   std::vector<char> Converted; // what First points to, unless that is the array itself
 };
 
-// Throws EXRError if a value does not fit into the type. The source has to live as long.
+// Throws FileError if a value does not fit into the type. The source has to live as long.
 EXRSamples MakeSamples(const EXRSource& source);
 
 }

@@ -1,6 +1,6 @@
 #include "EXRPlan.h"
 
-#include "EXRError.h"
+#include "FileError.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -18,7 +18,7 @@ constexpr std::size_t LongestChannelName = 255;
 
 [[noreturn]] void Refuse(const std::string& sentence)
 {
-  throw EXRError(vtkErrorCode::UserError, sentence);
+  throw FileError(vtkErrorCode::UserError, sentence);
 }
 
 bool IsInteger(const vtkDataArray* array)

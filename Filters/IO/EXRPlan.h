@@ -27,7 +27,7 @@ struct EXRChoices
   bool FromSRGB = false;
 };
 
-// All channels, sorted by name. Throws EXRError if two have one name, or there is none.
+// All channels, sorted by name. Throws FileError if two have one name, or there is none.
 std::vector<EXRSource> PlanChannels(vtkImageData* image, const EXRChoices& choices);
 
 }

@@ -1,6 +1,6 @@
 #include "EXRSeries.h"
 
-#include "EXRError.h"
+#include "FileError.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -57,16 +57,16 @@ void OpenFile(const std::string& name, std::ifstream& stream)
   const auto status = std::filesystem::status(name, error);
   if (!std::filesystem::exists(status))
   {
-    throw EXRError(vtkErrorCode::FileNotFoundError, "there is no such file");
+    throw FileError(vtkErrorCode::FileNotFoundError, "there is no such file");
   }
   if (std::filesystem::is_directory(status))
   {
-    throw EXRError(vtkErrorCode::CannotOpenFileError, "it is a folder");
+    throw FileError(vtkErrorCode::CannotOpenFileError, "it is a folder");
   }
   stream.open(name, std::ios::binary);
   if (!stream)
   {
-    throw EXRError(
+    throw FileError(
       vtkErrorCode::CannotOpenFileError, std::string("it cannot be opened: ") + strerror(errno));
   }
 }
@@ -160,9 +160,9 @@ void WithEXRFile(
     EXRFile file(stream, name);
     read(file);
   }
-  catch (const EXRError& error)
+  catch (const FileError& error)
   {
-    throw EXRError(error.GetCode(), "Cannot read \"" + name + "\": " + error.what() + ".");
+    throw FileError(error.GetCode(), "Cannot read \"" + name + "\": " + error.what() + ".");
   }
 }
 
@@ -171,13 +171,13 @@ const EXRPart& FindEXRPart(const EXRFile& file, std::size_t part)
   const auto count = file.GetParts().size();
   if (part >= count)
   {
-    throw EXRError(vtkErrorCode::UserError,
+    throw FileError(vtkErrorCode::UserError,
       "it has no Part " + std::to_string(part) + ", they are 0 to " + std::to_string(count - 1));
   }
   const EXRPart& found = file.GetParts()[part];
   if (found.Type.compare(0, 4, "deep") == 0)
   {
-    throw EXRError(vtkErrorCode::FileFormatError,
+    throw FileError(vtkErrorCode::FileFormatError,
       "part " + std::to_string(part) +
         " holds deep data, several samples to a pixel, which is not supported; flatten it first");
   }
@@ -196,7 +196,7 @@ std::vector<EXRLayer> FindEXRLayers(const EXRPart& part, const EXRSelection& sel
   }
   if (channels.empty())
   {
-    throw EXRError(vtkErrorCode::UserError, "it has none of the channels that are enabled");
+    throw FileError(vtkErrorCode::UserError, "it has none of the channels that are enabled");
   }
   return GroupChannels(channels);
 }
@@ -215,7 +215,7 @@ void ReadEXRImage(EXRFile& file, std::size_t part, const EXRSelection& selection
   const double bytes = 4 * channels * CountPixels(decoded);
   if (bytes > limit)
   {
-    throw EXRError(vtkErrorCode::UserError,
+    throw FileError(vtkErrorCode::UserError,
       "its pixels take " + std::to_string(static_cast<long long>(bytes / (1 << 20)) + 1) +
         " MiB, more than MaximumMemory allows");
   }

@@ -20,7 +20,7 @@ struct EXRMemory
   std::size_t Size = 0;
 };
 
-// Calls read(file) with an open file; throws EXRError with a sentence that names it.
+// Calls read(file) with an open file; throws FileError with a sentence that names it.
 void WithEXRFile(
   const std::string& name, const EXRMemory& memory, const std::function<void(EXRFile&)>& read);
 
@@ -36,14 +36,14 @@ struct EXRSelection
   }
 };
 
-// What a file has to offer of one part, or an EXRError: it is not there, or deep.
+// What a file has to offer of one part, or an FileError: it is not there, or deep.
 const EXRPart& FindEXRPart(const EXRFile& file, std::size_t part);
 
-// The layers of a part that are wanted. An EXRError if there are none.
+// The layers of a part that are wanted. An FileError if there are none.
 std::vector<EXRLayer> FindEXRLayers(const EXRPart& part, const EXRSelection& selection);
 
 // Fills an empty image: the layers of a part over an extent, which need not be that of the data
-// window, and the attributes as field data. An EXRError if it takes more bytes than the limit.
+// window, and the attributes as field data. An FileError if it takes more bytes than the limit.
 void ReadEXRImage(EXRFile& file, std::size_t part, const EXRSelection& selection,
   const EXRExtent& extent, double limit, vtkImageData* image);
 

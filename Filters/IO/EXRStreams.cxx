@@ -1,6 +1,6 @@
 #include "EXRStreams.h"
 
-#include "EXRError.h"
+#include "FileError.h"
 
 #include <cerrno>
 #include <cstring>
@@ -17,7 +17,7 @@ EXRInput::EXRInput(std::istream& stream, const std::string& name)
   stream.seekg(0);
   if (!stream || size < 0)
   {
-    throw EXRError(vtkErrorCode::CannotOpenFileError, "it is no file that can be read");
+    throw FileError(vtkErrorCode::CannotOpenFileError, "it is no file that can be read");
   }
   this->Size = static_cast<std::uint64_t>(size);
 }
@@ -27,12 +27,12 @@ bool EXRInput::read(char bytes[], int count)
   if (count < 0 || static_cast<std::uint64_t>(count) > this->Size - this->Position)
   {
     this->EndedEarly = true;
-    throw EXRError(vtkErrorCode::PrematureEndOfFileError, "it ends too early");
+    throw FileError(vtkErrorCode::PrematureEndOfFileError, "it ends too early");
   }
   this->Stream.read(bytes, count);
   if (!this->Stream)
   {
-    throw EXRError(vtkErrorCode::CannotOpenFileError, "it cannot be read to its end");
+    throw FileError(vtkErrorCode::CannotOpenFileError, "it cannot be read to its end");
   }
   this->Position += static_cast<std::uint64_t>(count);
   return this->Position < this->Size;
@@ -43,7 +43,7 @@ void EXRInput::seekg(std::uint64_t position)
   if (position > this->Size)
   {
     this->EndedEarly = true;
-    throw EXRError(vtkErrorCode::PrematureEndOfFileError, "it ends too early");
+    throw FileError(vtkErrorCode::PrematureEndOfFileError, "it ends too early");
   }
   this->Stream.clear();
   this->Stream.seekg(static_cast<std::streamoff>(position));
@@ -56,7 +56,7 @@ EXROutput::EXROutput(const std::string& name)
 {
   if (!this->File)
   {
-    throw EXRError(vtkErrorCode::CannotOpenFileError,
+    throw FileError(vtkErrorCode::CannotOpenFileError,
       std::string("no file can be made there: ") + std::strerror(errno));
   }
 }
@@ -101,7 +101,7 @@ void EXROutput::Close()
 void EXROutput::Fail()
 {
   this->ErrorNumber = this->ErrorNumber == 0 ? errno : this->ErrorNumber;
-  throw EXRError(vtkErrorCode::OutOfDiskSpaceError,
+  throw FileError(vtkErrorCode::OutOfDiskSpaceError,
     std::string("it cannot be written to its end: ") + std::strerror(this->ErrorNumber));
 }
 

@@ -39,7 +39,7 @@ private:
 class EXROutput : public Imf::OStream
 {
 public:
-  // Makes the file, or throws an EXRError.
+  // Makes the file, or throws an FileError.
   explicit EXROutput(const std::string& name);
   ~EXROutput() override;
 
@@ -47,7 +47,7 @@ public:
   std::uint64_t tellp() override { return this->Position; }
   void seekp(std::uint64_t position) override;
 
-  // Throws an EXRError unless every byte has reached the file.
+  // Throws an FileError unless every byte has reached the file.
   void Close();
   // The error that has stopped the writing, 0 if there was none.
   int GetErrorNumber() const { return this->ErrorNumber; }

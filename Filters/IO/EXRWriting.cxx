@@ -1,9 +1,9 @@
 #include "EXRWriting.h"
 
 #include "EXRAttributes.h"
-#include "EXRError.h"
 #include "EXRStreams.h"
 #include "EXRZip.h"
+#include "FileError.h"
 #include "FileReplacement.h"
 
 #include <ImfChannelList.h>
@@ -122,7 +122,7 @@ void CheckLoss(const EXRHeaderSettings& settings, const std::vector<EXRSource>& 
   const auto data = std::find_if(sources.begin(), sources.end(), isData);
   if (settings.Packing == EXRPacking::DWAA && data != sources.end())
   {
-    throw EXRError(vtkErrorCode::UserError,
+    throw FileError(vtkErrorCode::UserError,
       "Compression DWAA loses what the eye does not see, and channel " + data->Channel +
         " holds data, not colors; choose ZIP or PIZ.");
   }
@@ -181,7 +181,7 @@ auto WithName(const Action& action)
   }
   catch (const std::runtime_error& error)
   {
-    throw EXRError(vtkErrorCode::CannotOpenFileError, error.what());
+    throw FileError(vtkErrorCode::CannotOpenFileError, error.what());
   }
 }
 
@@ -197,7 +197,7 @@ void WriteEXR(
   {
     WritePixels(output, settings, sources);
   }
-  catch (const EXRError&)
+  catch (const FileError&)
   {
     throw;
   }

@@ -43,7 +43,7 @@ struct EXRHeaderSettings
   std::map<std::string, double> Numbers;
 };
 
-// Throws EXRError with what follows "Cannot write the file: "; a file that was there stays then.
+// Throws FileError with what follows "Cannot write the file: "; a file that was there stays then.
 void WriteEXR(const std::string& name, const EXRHeaderSettings& settings,
   const std::vector<EXRSource>& sources);
 

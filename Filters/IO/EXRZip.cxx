@@ -1,6 +1,6 @@
 #include "EXRZip.h"
 
-#include "EXRError.h"
+#include "FileError.h"
 
 #include "vtkSMPTools.h"
 
@@ -207,7 +207,7 @@ void WriteZipped(
   const Pixels pixels{ channels, header.dataWindow(), level };
   if (16.0 * pixels.Width() * lines * channels.size() > std::numeric_limits<std::int32_t>::max())
   {
-    throw EXRError(vtkErrorCode::UserError,
+    throw FileError(vtkErrorCode::UserError,
       "the image is too wide for the format: 16 rows of all channels have to be below 512 MiB");
   }
   header.setType(Imf::SCANLINEIMAGE);

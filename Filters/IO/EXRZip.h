@@ -17,7 +17,7 @@ namespace activesurface
 bool IsZipped(const Imf::Header& header);
 
 // Writes all of a file. The channels are the header's, sorted by name, their rows from below;
-// level: effort, 1 to 9. Throws EXRError.
+// level: effort, 1 to 9. Throws FileError.
 void WriteZipped(
   EXROutput& output, Imf::Header header, const std::vector<EXRSamples>& channels, int level);
 

@@ -1,5 +1,6 @@
 #include "VDBOutput.h"
 
+#include "FileError.h"
 #include "FileReplacement.h"
 #include "VDBFile.h"
 

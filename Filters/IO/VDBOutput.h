@@ -5,23 +5,10 @@
 
 #include <openvdb/openvdb.h>
 
-#include <stdexcept>
 #include <string>
 
 namespace activesurface
 {
-
-// What is wrong with a file, and as which of vtkErrorCode's numbers.
-class FileError : public std::runtime_error
-{
-public:
-  FileError(unsigned long code, const std::string& sentence)
-    : std::runtime_error(sentence)
-    , Code(code)
-  {
-  }
-  const unsigned long Code;
-};
 
 // compression: OpenVDB's flags. The metadata are those of the file and of each grid. Throws
 // FileError; a file that was there before then is still.

@@ -1,8 +1,8 @@
 #include "vtkActiveEXRReader.h"
 
-#include "EXRError.h"
 #include "EXRHeaderScan.h"
 #include "EXRSeries.h"
+#include "FileError.h"
 
 #include "vtkImageData.h"
 #include "vtkImageReader2Factory.h"
@@ -16,10 +16,10 @@
 #include <algorithm>
 #include <fstream>
 
-using activesurface::EXRError;
 using activesurface::EXRExtent;
 using activesurface::EXRFile;
 using activesurface::EXRPart;
+using activesurface::FileError;
 
 struct vtkActiveEXRReader::Series
 {
@@ -169,7 +169,7 @@ void vtkActiveEXRReader::NameFiles()
   }
   if (files.Names.empty())
   {
-    throw EXRError(vtkErrorCode::NoFileNameError, "Set FileName or FileNames: there is no file.");
+    throw FileError(vtkErrorCode::NoFileNameError, "Set FileName or FileNames: there is no file.");
   }
 }
 
@@ -241,7 +241,7 @@ int vtkActiveEXRReader::RequestInformation(
     this->Publish(outputs->GetInformationObject(0));
     return 1;
   }
-  catch (const EXRError& error)
+  catch (const FileError& error)
   {
     return this->Fail(error.GetCode(), error.what(), outputs);
   }
@@ -310,7 +310,7 @@ int vtkActiveEXRReader::RequestData(
     this->ReadStep(outputs->GetInformationObject(0));
     return 1;
   }
-  catch (const EXRError& error)
+  catch (const FileError& error)
   {
     return this->Fail(error.GetCode(), error.what(), outputs);
   }

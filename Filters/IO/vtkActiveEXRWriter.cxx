@@ -1,8 +1,8 @@
 #include "vtkActiveEXRWriter.h"
 
-#include "EXRError.h"
 #include "EXRPlan.h"
 #include "EXRWriting.h"
+#include "FileError.h"
 #include "FrameName.h"
 
 #include "vtkImageData.h"
@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <vector>
 
-using activesurface::EXRError;
+using activesurface::FileError;
 
 struct vtkActiveEXRWriter::Settings
 {
@@ -201,12 +201,12 @@ void vtkActiveEXRWriter::WriteStep(vtkImageData* image)
   {
     if (name.empty())
     {
-      throw EXRError(vtkErrorCode::NoFileNameError, "FileName is not set.");
+      throw FileError(vtkErrorCode::NoFileNameError, "FileName is not set.");
     }
     const int number = this->FrameNumber + this->Chosen->Step;
     this->WriteImage(image, activesurface::MakeFrameName(name, number, this->WriteAllTimeSteps));
   }
-  catch (const EXRError& error)
+  catch (const FileError& error)
   {
     this->Fail(error.GetCode(), "Cannot write \"" + name + "\": " + error.what());
   }
@@ -235,12 +235,12 @@ void CheckSize(vtkImageData* image, const int displaySize[2])
   constexpr int largest = 1 << 24;
   if (!image || image->GetNumberOfPoints() == 0)
   {
-    throw EXRError(vtkErrorCode::UserError, "the input is empty.");
+    throw FileError(vtkErrorCode::UserError, "the input is empty.");
   }
   const int* dimensions = image->GetDimensions();
   if (dimensions[2] != 1)
   {
-    throw EXRError(vtkErrorCode::UserError,
+    throw FileError(vtkErrorCode::UserError,
       "the input has " + std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
         " x " + std::to_string(dimensions[2]) +
         " points, and an image of one slice is needed (vtkExtractVOI takes one).");
@@ -249,7 +249,7 @@ void CheckSize(vtkImageData* image, const int displaySize[2])
   const bool none = width == 0 && height == 0;
   if (!none && (width < 1 || height < 1 || width > largest || height > largest))
   {
-    throw EXRError(vtkErrorCode::UserError,
+    throw FileError(vtkErrorCode::UserError,
       "DisplaySize " + std::to_string(width) + ", " + std::to_string(height) +
         " is neither 0, 0 nor from 1 to 16777216.");
   }

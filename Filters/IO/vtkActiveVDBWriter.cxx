@@ -1,6 +1,7 @@
 #include "vtkActiveVDBWriter.h"
 
 #include "CarriedData.h"
+#include "FileError.h"
 #include "FrameName.h"
 #include "VDBContent.h"
 #include "VDBOutput.h"
@@ -195,7 +196,7 @@ int vtkActiveVDBWriter::Write()
   }
   catch (const FileError& error)
   {
-    return fail(error.Code, error.what());
+    return fail(error.GetCode(), error.what());
   }
   catch (const std::bad_alloc&)
   {

@@ -78,8 +78,8 @@ void KeepArrays(vtkPointData* arrays, ParticleFrame& frame)
 {
   if (arrays)
   {
-    frame.Carried = vtkSmartPointer<vtkPointData>::New();
-    frame.Carried->DeepCopy(arrays);
+    frame.Passed = vtkSmartPointer<vtkPointData>::New();
+    frame.Passed->DeepCopy(arrays);
   }
 }
 
@@ -177,7 +177,7 @@ ParticleFrame ReadParticles(vtkPointSet* points, const ParticleArrays& arrays)
     frame.Points.push_back(i);
   }
   KeepVelocities(AsNumbers(arrays.Velocities, count, "velocities", 3), frame);
-  KeepArrays(arrays.Carried, frame);
+  KeepArrays(arrays.Passed, frame);
   return frame;
 }
 

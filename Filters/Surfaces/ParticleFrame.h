@@ -25,7 +25,7 @@ struct ParticleArrays
   vtkAbstractArray* Ids = nullptr;
   vtkAbstractArray* Strengths = nullptr;
   vtkAbstractArray* Velocities = nullptr;
-  vtkPointData* Carried = nullptr; // all that the skin may be asked to have too
+  vtkPointData* Passed = nullptr; // all that the skin may be asked to have too
 };
 
 struct ParticleFrame
@@ -37,7 +37,7 @@ struct ParticleFrame
   std::size_t Ignored = 0;        // points left out: not finite, or without a size
   std::vector<vtkIdType> Points;  // of the input, which the particles are
   std::vector<double> Velocities; // of the particles, x y z each; empty without an array
-  vtkSmartPointer<vtkPointData> Carried; // of the input's points, a copy; null if not wanted
+  vtkSmartPointer<vtkPointData> Passed; // of the input's points, a copy; null if not wanted
 
   void GiveRadius(double radius);
 

@@ -100,9 +100,9 @@ int SurfaceSimulation::GetStepWantedAtGoal() const
   return -1;
 }
 
-CarriedArrays SurfaceSimulation::GetCarried()
+PassedArrays SurfaceSimulation::GetPassedArrays()
 {
-  CarriedArrays carried;
+  PassedArrays passed;
   const bool isWished = this->Wishes.Arrays || this->Wishes.Drift;
   if (isWished && this->Shapes.GetKind() != TargetKind::Particles)
   {
@@ -119,15 +119,15 @@ CarriedArrays SurfaceSimulation::GetCarried()
     const double fraction = this->LooksBack()           ? 1.0
       : this->Goal.Between && this->Settings.InputMoves ? (goal - begin) / duration
                                                         : 0.0;
-    carried.Moment = FindMoment(this->Shapes.GetFrames(), first, fraction);
-    carried.Kernel = this->Settings.Particles.Kernel;
-    carried.Arrays = this->Wishes.Arrays;
+    passed.Moment = FindMoment(this->Shapes.GetFrames(), first, fraction);
+    passed.Kernel = this->Settings.Particles.Kernel;
+    passed.Arrays = this->Wishes.Arrays;
     if (this->Wishes.Drift)
     {
-      carried.Velocities = carried.Moment.FindVelocities(duration);
+      passed.Velocities = passed.Moment.FindVelocities(duration);
     }
   }
-  return carried;
+  return passed;
 }
 
 std::shared_ptr<const NarrowBand> SurfaceSimulation::ShareBand() const

@@ -42,8 +42,8 @@ void FillSkinPort(
     arrays.Speeds = &speeds;
   }
   const vtkSmartPointer<vtkFloatArray> directions = FillSkin(band, arrays, skin);
-  const CarriedArrays carried = simulation.GetCarried();
-  band.Run([&carried, &directions, skin] { Carry(carried, directions, skin); });
+  const PassedArrays passed = simulation.GetPassedArrays();
+  band.Run([&passed, &directions, skin] { PassArrays(passed, directions, skin); });
 }
 
 }

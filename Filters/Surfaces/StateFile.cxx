@@ -1,5 +1,6 @@
 #include "StateFile.h"
 
+#include "FileReplacement.h"
 #include "SavedGrid.h"
 #include "VDBFile.h"
 
@@ -68,21 +69,18 @@ std::string WriteHistory(const std::vector<HistoryRow>& rows)
 
 void WriteState(const std::string& file, const SavedState& state)
 {
-  const std::string temporary = file + ".part";
   try
   {
-    openvdb::io::File out(temporary);
+    FileReplacement replacement(file);
+    openvdb::io::File out(replacement.GetTemporaryName());
     out.write(openvdb::GridCPtrVec{
       MakeSavedGrid({ state.Band, state.Time, WriteHistory(state.History) }) });
     out.close();
-    if (std::rename(temporary.c_str(), file.c_str()) != 0)
-    {
-      throw std::runtime_error("it cannot be renamed");
-    }
+    LookThroughVDB(replacement.GetTemporaryName()); // OpenVDB does not tell of a full disk
+    replacement.Finish();
   }
   catch (const std::exception& error)
   {
-    std::remove(temporary.c_str());
     throw std::runtime_error("The state cannot be written to " + file + ": " + error.what() +
       "; check that the folder exists, may be written to and has room.");
   }

@@ -141,7 +141,7 @@ TargetFrame SurfaceInput::ReadParticles(vtkDataSet* points, const std::string& e
   arrays.Ids = this->FindArray(IdArray, points);
   arrays.Strengths = this->FindArray(StrengthArray, points);
   arrays.Velocities = extras.size() > 1 ? this->FindArray(VelocityArray, points) : nullptr;
-  arrays.Carried =
+  arrays.Passed =
     !extras.empty() && extras.front() == WithArrays ? points->GetPointData() : nullptr;
   TargetFrame frame = MakeParticles(vtkPointSet::SafeDownCast(points), arrays);
   frame.Extras = extras;

@@ -21,10 +21,10 @@
 #ifndef SurfaceSimulation_h
 #define SurfaceSimulation_h
 
-#include "CarriedArrays.h"
 #include "Checkpoints.h"
 #include "GoalTime.h"
 #include "NarrowBand.h"
+#include "PassedArrays.h"
 #include "StateFile.h"
 #include "SurfaceHistory.h"
 #include "SurfaceSettings.h"
@@ -114,7 +114,7 @@ public:
   // Normal speeds of the skin at the goal, at its vertices.
   std::vector<float> GetSpeeds();
   // As wished; refers to the frames.
-  CarriedArrays GetCarried();
+  PassedArrays GetPassedArrays();
 
   // The same, or null when the surface is not at the goal.
   const NarrowBand* FindSkin() const;

@@ -18,6 +18,8 @@
 #ifndef Check_h
 #define Check_h
 
+#include "OutputFiles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -156,6 +158,7 @@ inline int RunFacts(int argc, char** argv, const std::vector<Fact>& facts)
   const bool list = take("--list");
   const bool verbose = take("--verbose");
 
+  const auto program = std::filesystem::path(argv[0]).stem();
   int failed = 0;
   for (const std::string& name : names)
   {
@@ -174,6 +177,7 @@ inline int RunFacts(int argc, char** argv, const std::vector<Fact>& facts)
     }
     else if (names.empty() || std::find(names.begin(), names.end(), fact.Name) != names.end())
     {
+      FolderOfTheFact = std::filesystem::path(ACTIVE_TEST_OUTPUT) / program / fact.Name;
       failed += Holds(fact, verbose) ? 0 : 1;
     }
   }

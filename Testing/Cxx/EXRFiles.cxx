@@ -158,25 +158,6 @@ bool HaveSameBytes(vtkDataArray* a, vtkDataArray* b)
       static_cast<std::size_t>(a->GetNumberOfValues() * a->GetDataTypeSize())) == 0;
 }
 
-std::string OutputName(const std::string& name)
-{
-  return std::string(ACTIVE_TEST_OUTPUT) + "/" + name;
-}
-
-std::filesystem::path EmptyFolder(const std::string& name)
-{
-  const std::filesystem::path folder = OutputName(name);
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
-
-std::size_t CountFiles(const std::filesystem::path& folder)
-{
-  return static_cast<std::size_t>(std::distance(
-    std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
-}
-
 std::vector<char> ReadBytes(const std::string& name)
 {
   std::ifstream stream(name, std::ios::binary);

@@ -32,13 +32,6 @@ vtkSmartPointer<vtkImageData> MakeLayers(int width, int height);
 // Whether two arrays have the same bytes.
 bool HaveSameBytes(vtkDataArray* a, vtkDataArray* b);
 
-// A file in the folder of the tests' output.
-std::string OutputName(const std::string& name);
-
-// A folder there, empty.
-std::filesystem::path EmptyFolder(const std::string& name);
-std::size_t CountFiles(const std::filesystem::path& folder);
-
 std::vector<char> ReadBytes(const std::string& name);
 void WriteBytes(const std::string& name, const std::vector<char>& bytes);
 

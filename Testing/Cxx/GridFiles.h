@@ -51,27 +51,12 @@ public:
   bool Has(const std::string& words) const { return this->Last().find(words) != std::string::npos; }
 };
 
-/** A folder of the test's own, empty. */
-inline std::string MakeFolder(const std::string& name)
-{
-  const std::filesystem::path folder = std::filesystem::path(ACTIVE_TEST_OUTPUT) / name;
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder.string() + "/";
-}
-
 inline std::string ReadFile(const std::string& name)
 {
   std::ifstream file(name, std::ios::binary);
   std::ostringstream bytes;
   bytes << file.rdbuf();
   return bytes.str();
-}
-
-inline std::size_t CountFiles(const std::string& folder)
-{
-  const auto begin = std::filesystem::directory_iterator(folder);
-  return static_cast<std::size_t>(std::distance(begin, std::filesystem::directory_iterator()));
 }
 
 template <class Grid = openvdb::FloatGrid>

@@ -36,7 +36,7 @@ void ChecksPassAndFail(Check& check)
   check.True(IsHeld([](Check& c) { c.Less(1, 2, ""); }), "Less passes");
   check.True(!IsHeld([](Check& c) { c.Less(2, 2, ""); }), "Less fails at the bound");
   check.True(!IsHeld([](Check& c) { c.Less(NotANumber, 2, ""); }), "Less fails for NaN");
-  check.True(IsHeld([](Check& c) { c.Equal(3, 3u, ""); }), "Equal passes");
+  check.True(IsHeld([](Check& c) { c.Equal(3u, std::size_t(3), ""); }), "Equal passes");
   check.True(!IsHeld([](Check& c) { c.Equal("a", std::string("b"), ""); }), "Equal fails");
 }
 

@@ -2,6 +2,7 @@
 
 #include "Check.h"
 #include "PipelineTools.h"
+#include "SmallDisk.h"
 #include "SurfaceMeasures.h"
 
 #include "vtkCallbackCommand.h"
@@ -13,6 +14,7 @@
 #include "vtkVariant.h"
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -225,7 +227,7 @@ void ChangingTheCheckpointsDoesNotRestart(Check& check)
 // In another filter, as in another program: from the file on, to later times and between them.
 void SavedStateGoesOnToTheSameBytes(Check& check)
 {
-  const std::string file = std::string(ACTIVE_TEST_OUTPUT) + "/state.vdb";
+  const std::string file = OutputName("state.vdb");
   auto source = MakeDrops();
   auto first = MakeSkinOverDrops(source);
   GetBytesAt(first, 1.25); // the state is that of the step before
@@ -246,7 +248,7 @@ void SavedStateGoesOnToTheSameBytes(Check& check)
 
 void StatesThatDoNotFitAreRefused(Check& check)
 {
-  const std::string file = std::string(ACTIVE_TEST_OUTPUT) + "/state_to_refuse.vdb";
+  const std::string file = OutputName("state_to_refuse.vdb");
   auto filter = MakeSkinOverDrops(MakeDrops());
   Messages messages(filter);
   check.True(!filter->SaveState(file.c_str()), "there is no state before the first update");
@@ -270,7 +272,7 @@ void StatesThatDoNotFitAreRefused(Check& check)
 // A file cut off anywhere, or with a wrong byte, is an error or a state, never a crash.
 void DamagedFilesAreNoStates(Check& check)
 {
-  const std::string file = std::string(ACTIVE_TEST_OUTPUT) + "/state_to_damage.vdb";
+  const std::string file = OutputName("state_to_damage.vdb");
   auto filter = MakeSkinOverDrops(MakeDrops());
   GetBytesAt(filter, 0.5);
   filter->SaveState(file.c_str());
@@ -286,6 +288,30 @@ void DamagedFilesAreNoStates(Check& check)
   }
   check.Equal(refused, std::size_t(20), "files cut off that are refused");
   check.Equal(messages.Errors.size(), std::size_t(20), "a sentence for each");
+}
+
+// Whatever there is room for: the file that was there before stays, and no other is left.
+void AFullDiskLeavesTheStateBefore(Check& check)
+{
+  const std::string folder = EmptyFolder("full_disk");
+  const std::string file = folder + "state.vdb";
+  auto filter = MakeSkinOverDrops(MakeDrops());
+  const std::string good = GetBytesAt(filter, 0.5);
+  check.True(filter->SaveState(file.c_str()), "the first state is saved");
+  GetBytesAt(filter, 1.0);
+  const std::string measured = OutputName("measured.vdb");
+  check.True(filter->SaveState(measured.c_str()), "the second state could be saved");
+  const auto whole = std::filesystem::file_size(measured);
+  Messages messages(filter);
+  for (const auto size : { std::uintmax_t(0), whole / 2, whole - 100 })
+  {
+    const SmallDisk disk(size);
+    check.True(!filter->SaveState(file.c_str()), "no room beyond " + std::to_string(size));
+  }
+  check.Equal(messages.Errors.size(), std::size_t(3), "a sentence for each");
+  check.Equal(CountFiles(folder), std::size_t(1), "files");
+  check.True(filter->LoadState(file.c_str()), "the state before can be loaded");
+  check.True(GetBytesAt(filter, 0.5) == good, "and is that of its time");
 }
 
 // 4 bytes per active voxel is the aim; the signs and masks are in it.
@@ -338,6 +364,7 @@ int main(int argc, char** argv)
       { "SavedStateGoesOnToTheSameBytes", SavedStateGoesOnToTheSameBytes },
       { "StatesThatDoNotFitAreRefused", StatesThatDoNotFitAreRefused },
       { "DamagedFilesAreNoStates", DamagedFilesAreNoStates },
+      { "AFullDiskLeavesTheStateBefore", AFullDiskLeavesTheStateBefore },
       { "PackedStateIsSmallAndGoesOnToTheSameBytes", PackedStateIsSmallAndGoesOnToTheSameBytes },
       { "EmptySurfacePacks", EmptySurfacePacks } });
 }

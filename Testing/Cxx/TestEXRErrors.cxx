@@ -3,6 +3,7 @@
 
 #include "Check.h"
 #include "EXRFiles.h"
+#include "SmallDisk.h"
 
 #include "vtkActiveEXRReader.h"
 #include "vtkActiveEXRWriter.h"
@@ -18,11 +19,9 @@
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
-#include <csignal>
 #include <filesystem>
 #include <limits>
 
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 namespace
@@ -218,17 +217,13 @@ void FullDiskLeavesTheOldFile(Check& check)
   vtkNew<vtkActiveEXRWriter> writer;
   writer->SetInputData(MakeLayers(100, 100));
   writer->SetFileName(name.c_str());
-  std::signal(SIGXFSZ, SIG_IGN);
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
   for (const rlim_t size : { 10, 1000, 5000, 300000 }) // in the header, the first and last rows
   {
-    rlimit less = before;
-    less.rlim_cur = size;
-    setrlimit(RLIMIT_FSIZE, &less);
-    CheckWriteRefused(check, writer, vtkErrorCode::OutOfDiskSpaceError, "File too large",
-      "a disk of " + std::to_string(size) + " bytes");
-    setrlimit(RLIMIT_FSIZE, &before);
+    {
+      const activesurface::SmallDisk disk(size);
+      CheckWriteRefused(check, writer, vtkErrorCode::OutOfDiskSpaceError, "File too large",
+        "a disk of " + std::to_string(size) + " bytes");
+    }
     check.Equal(CountFiles(folder), std::size_t(1), "files");
     check.True(ReadBytes(name) == std::vector<char>({ 'o', 'l', 'd' }), "the old file is whole");
   }

@@ -1,7 +1,7 @@
 // A simulation that is still running: its time steps come one by one, and none comes again.
 
-#include "CarriedTools.h"
 #include "Check.h"
+#include "GrainTools.h"
 #include "PipelineTools.h"
 #include "PriorAccess.h"
 

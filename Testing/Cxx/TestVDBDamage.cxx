@@ -33,7 +33,7 @@ constexpr int MutationsOfEach = 300;
 
 std::string Write(const openvdb::GridPtrVec& grids, std::uint32_t compression)
 {
-  const std::string name = std::string(ACTIVE_TEST_OUTPUT) + "/vdb_whole.vdb";
+  const std::string name = OutputName("vdb_whole.vdb");
   openvdb::initialize();
   openvdb::io::File out(name);
   out.setCompression(compression);
@@ -134,7 +134,7 @@ void ReadOne(const std::string& name, Outcome& outcome)
 
 void CheckMutations(Check& check, const std::string& whole, const char* kind)
 {
-  const std::string name = std::string(ACTIVE_TEST_OUTPUT) + "/vdb_damaged_" + kind + ".vdb";
+  const std::string name = OutputName("vdb_damaged_") + kind + ".vdb";
   std::mt19937 random(12345);
   Outcome outcome;
   for (int i = 0; i < MutationsOfEach; ++i)
@@ -198,7 +198,7 @@ void PointsWithABackgroundAreRefused(Check& check)
   const auto place = bytes.find(root, bytes.find("UniformScaleMap"));
   check.True(place != std::string::npos, "the root is found");
   bytes[place + 4] = 1;
-  const std::string name = std::string(ACTIVE_TEST_OUTPUT) + "/vdb_background.vdb";
+  const std::string name = OutputName("vdb_background.vdb");
   std::ofstream(name, std::ios::binary) << bytes;
   Outcome outcome;
   ReadOne(name, outcome);
@@ -219,7 +219,7 @@ void DamagedSeveralGridsAreRefusedOrRead(Check& check)
 void TruncatedFilesAreRefused(Check& check)
 {
   const std::string whole = Write({ MakeBall() }, Blosc);
-  const std::string name = std::string(ACTIVE_TEST_OUTPUT) + "/vdb_cut.vdb";
+  const std::string name = OutputName("vdb_cut.vdb");
   Outcome outcome;
   int cuts = 0;
   for (std::size_t size = 0; size < whole.size(); size += size < 400 ? 1 : 97)

@@ -56,7 +56,7 @@ template <class Grid>
 void CheckType(Check& check, const char* type, const typename Grid::ValueType& value, int vtkType,
   bool half = false)
 {
-  const std::string file = std::string(ACTIVE_TEST_OUTPUT) + "/vdb_type.vdb";
+  const std::string file = OutputName("vdb_type.vdb");
   auto grid = MakeGrid<Grid>("a", value);
   grid->setSaveFloatAsHalf(half);
   Save(file, { grid });
@@ -104,7 +104,7 @@ void AllTypesOfNumbersAreRead(Check& check)
 void TheBestGridIsTheDefault(Check& check)
 {
   using namespace openvdb;
-  const std::string file = MakeFolder("vdb_best") + "several.vdb";
+  const std::string file = EmptyFolder("vdb_best") + "several.vdb";
   auto other = MakeGrid<FloatGrid>("other", 1.f);
   auto fog = MakeGrid<FloatGrid>("fog", 2.f);
   fog->setGridClass(GRID_FOG_VOLUME);
@@ -139,7 +139,7 @@ void TheBestGridIsTheDefault(Check& check)
 
 void RegionsAndLevelsAreTheSameValues(Check& check)
 {
-  const std::string file = MakeFolder("vdb_region") + "ball.vdb";
+  const std::string file = EmptyFolder("vdb_region") + "ball.vdb";
   auto ball = openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(
     2.f, openvdb::Vec3f(0.1f, 0.2f, 0.3f), 0.0625f);
   Save(file, { ball });
@@ -181,7 +181,7 @@ void RegionsAndLevelsAreTheSameValues(Check& check)
 
 void RotationsAreDirections(Check& check)
 {
-  const std::string file = MakeFolder("vdb_rotated") + "a.vdb";
+  const std::string file = EmptyFolder("vdb_rotated") + "a.vdb";
   auto grid = MakeGrid<openvdb::FloatGrid>("a", 1.f);
   auto transform = openvdb::math::Transform::createLinearTransform(0.5);
   transform->postScale(openvdb::Vec3d(1.0, 2.0, 3.0));
@@ -209,7 +209,7 @@ void RotationsAreDirections(Check& check)
 
 void SeriesAreTimeSteps(Check& check)
 {
-  const std::string folder = MakeFolder("vdb_times");
+  const std::string folder = EmptyFolder("vdb_times");
   vtkNew<vtkActiveVDBReader> reader;
   for (const double time : { 1.5, 2.0, 4.0 })
   {
@@ -253,7 +253,7 @@ void PointsComeWithTheirAttributes(Check& check)
   appendGroup(grid->tree(), "chosen");
   setGroup(grid->tree(), "chosen", true);
   grid->setName("points");
-  const std::string file = MakeFolder("vdb_points") + "points.vdb";
+  const std::string file = EmptyFolder("vdb_points") + "points.vdb";
   Save(file, { grid });
 
   auto reader = MakeReader(file);
@@ -288,7 +288,7 @@ void PointsComeWithTheirAttributes(Check& check)
 
 void AbsurdBoxesAreRefused(Check& check)
 {
-  const std::string file = MakeFolder("vdb_absurd") + "a.vdb";
+  const std::string file = EmptyFolder("vdb_absurd") + "a.vdb";
   auto grid = MakeGrid<openvdb::FloatGrid>("a", 1.f);
   grid->tree().setValue(openvdb::Coord(1 << 29), 2.f);
   grid->tree().setValue(openvdb::Coord(-(1 << 29)), 2.f);
@@ -314,7 +314,7 @@ void AbsurdBoxesAreRefused(Check& check)
 // (1e-12); and the filter starts on it.
 void LevelSetsStaySparse(Check& check)
 {
-  const std::string file = MakeFolder("vdb_sparse") + "ball.vdb";
+  const std::string file = EmptyFolder("vdb_sparse") + "ball.vdb";
   Save(file,
     { openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(
       1.f, openvdb::Vec3f(0.1f, 0.f, 0.f), 0.0625f) });
@@ -350,7 +350,7 @@ void LevelSetsStaySparse(Check& check)
 
 void WhatIsNoFileIsAnError(Check& check)
 {
-  const std::string folder = MakeFolder("vdb_no_file");
+  const std::string folder = EmptyFolder("vdb_no_file");
   std::ofstream(folder + "empty.vdb");
   std::ofstream(folder + "other.vdb") << "this is a text, not a .vdb file at all";
   auto good = MakeGrid<openvdb::FloatGrid>("a", 1.f);

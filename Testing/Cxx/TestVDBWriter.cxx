@@ -3,6 +3,7 @@
 #include "Check.h"
 #include "GridFiles.h"
 #include "PipelineTools.h"
+#include "SmallDisk.h"
 
 #include "vtkActiveImplicitSurface.h"
 #include "vtkCubeSource.h"
@@ -16,10 +17,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cmath>
-#include <csignal>
 #include <cstring>
-
-#include <sys/resource.h>
 
 using namespace activesurface;
 
@@ -34,30 +32,11 @@ vtkSmartPointer<vtkActiveVDBWriter> MakeWriter(vtkAlgorithm* input, const std::s
   return writer;
 }
 
-// Files are limited to so many bytes while it lives.
-class SmallDisk
-{
-public:
-  explicit SmallDisk(rlim_t size)
-  {
-    getrlimit(RLIMIT_FSIZE, &this->Before);
-    std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit = { size, this->Before.rlim_max };
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~SmallDisk() { setrlimit(RLIMIT_FSIZE, &this->Before); }
-  SmallDisk(const SmallDisk&) = delete;
-  void operator=(const SmallDisk&) = delete;
-
-private:
-  rlimit Before;
-};
-
 }
 
 void TheFileTellsWhatItIs(Check& check)
 {
-  const std::string file = MakeFolder("vdb_tells") + "ball.vdb";
+  const std::string file = EmptyFolder("vdb_tells") + "ball.vdb";
   auto ball = MakeShrinkingBall();
   ball->SetTension(0.0625);
   ball->UpdateTimeStep(0.3);
@@ -77,7 +56,7 @@ void TheFileTellsWhatItIs(Check& check)
 
 void StateGoesOnToTheSameBytes(Check& check)
 {
-  const std::string file = MakeFolder("vdb_state") + "state.vdb";
+  const std::string file = EmptyFolder("vdb_state") + "state.vdb";
   auto whole = MakeSkinOver(MakeMovingBall());
   whole->UpdateTimeStep(2.0);
   auto writer = MakeWriter(whole, file);
@@ -96,7 +75,7 @@ void StateGoesOnToTheSameBytes(Check& check)
 
 void BetweenStepsThereIsNoState(Check& check)
 {
-  const std::string folder = MakeFolder("vdb_between");
+  const std::string folder = EmptyFolder("vdb_between");
   auto filter = MakeSkinOver(MakeMovingBall());
   filter->UpdateTimeStep(1.5);
   auto writer = MakeWriter(filter, folder + "a.vdb");
@@ -113,7 +92,7 @@ void BetweenStepsThereIsNoState(Check& check)
 // The potential's port goes on to a later time; what the skin's carries is still the skin's.
 void PortsAtTwoTimesCarryTheirOwnStates(Check& check)
 {
-  const std::string folder = MakeFolder("vdb_ports");
+  const std::string folder = EmptyFolder("vdb_ports");
   auto filter = MakeShrinkingBall();
   filter->UpdateTimeStep(0.1);
   MakeWriter(filter, folder + "before.vdb")->Write();
@@ -135,7 +114,7 @@ void PortsAtTwoTimesCarryTheirOwnStates(Check& check)
 
 void DensityVelocityAndArraysAreThere(Check& check)
 {
-  const std::string file = MakeFolder("vdb_arrays") + "ball.vdb";
+  const std::string file = EmptyFolder("vdb_arrays") + "ball.vdb";
   auto ball = MakeShrinkingBall();
   ball->ComputeVelocityOn();
   ball->ComputeCurvatureOn();
@@ -166,7 +145,7 @@ void DensityVelocityAndArraysAreThere(Check& check)
 
 void HalfFloatsAreWithinTheirPrecision(Check& check)
 {
-  const std::string folder = MakeFolder("vdb_half");
+  const std::string folder = EmptyFolder("vdb_half");
   auto ball = MakeShrinkingBall();
   auto writer = MakeWriter(ball, folder + "whole.vdb");
   writer->Write();
@@ -188,7 +167,7 @@ void HalfFloatsAreWithinTheirPrecision(Check& check)
 
 void AllCompressionsAreLossless(Check& check)
 {
-  const std::string folder = MakeFolder("vdb_compression");
+  const std::string folder = EmptyFolder("vdb_compression");
   auto ball = MakeShrinkingBall();
   auto writer = MakeWriter(ball, "");
   writer->WriteStateOn();
@@ -212,7 +191,7 @@ void AllCompressionsAreLossless(Check& check)
 
 void SeriesHaveAFileForEachStep(Check& check)
 {
-  const std::string folder = MakeFolder("vdb_series");
+  const std::string folder = EmptyFolder("vdb_series");
   auto writer = MakeWriter(MakeShrinkingBall(), folder + "ball.vdb");
   writer->WriteAllTimeStepsOn();
   check.Equal(writer->Write(), 1, "written");
@@ -226,7 +205,7 @@ void SeriesHaveAFileForEachStep(Check& check)
 
 void AnInputThatFailsLeavesTheFilesBefore(Check& check)
 {
-  const std::string folder = MakeFolder("vdb_failing");
+  const std::string folder = EmptyFolder("vdb_failing");
   auto source = MakeMovingBall();
   auto filter = MakeSkinOver(source);
   const Messages quiet(filter);
@@ -244,7 +223,7 @@ void AnInputThatFailsLeavesTheFilesBefore(Check& check)
 
 void WhatCannotBeWrittenIsAnErrorAndNoFile(Check& check)
 {
-  const std::string folder = MakeFolder("vdb_errors");
+  const std::string folder = EmptyFolder("vdb_errors");
   auto ball = MakeShrinkingBall();
   const auto refuses = [&](const std::string& file, const std::string& words)
   {
@@ -273,7 +252,7 @@ void WhatCannotBeWrittenIsAnErrorAndNoFile(Check& check)
 
 void MeshesHaveToBeClosed(Check& check)
 {
-  const std::string folder = MakeFolder("vdb_mesh");
+  const std::string folder = EmptyFolder("vdb_mesh");
   vtkNew<vtkCubeSource> cube; // whose faces have points of their own
   auto writer = MakeWriter(cube, folder + "cube.vdb");
   writer->SetVoxelSize(0.05);
@@ -291,7 +270,7 @@ void MeshesHaveToBeClosed(Check& check)
 
 void ImagesComeBackBitByBit(Check& check)
 {
-  const std::string file = MakeFolder("vdb_image") + "image.vdb";
+  const std::string file = EmptyFolder("vdb_image") + "image.vdb";
   vtkNew<vtkImageData> image;
   image->SetExtent(-3, 17, 2, 12, -20, -5);
   image->SetSpacing(0.5, 0.25, 2.0);

@@ -1,8 +1,8 @@
 // The velocity of the skin through the filter: along its normal against finite differences of the
 // skin itself, along the surface against that of the particles.
 
-#include "CarriedTools.h"
 #include "Check.h"
+#include "GrainTools.h"
 #include "PipelineTools.h"
 
 #include "vtkDataArray.h"

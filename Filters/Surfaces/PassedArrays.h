@@ -1,7 +1,7 @@
 // What the skin takes of the particles under it.
 
-#ifndef CarriedArrays_h
-#define CarriedArrays_h
+#ifndef PassedArrays_h
+#define PassedArrays_h
 
 #include "ParticleMoment.h"
 #include "SkeletonKernel.h"
@@ -14,9 +14,9 @@ class vtkPolyData;
 namespace activesurface
 {
 
-struct CarriedArrays
+struct PassedArrays
 {
-  ParticleMoment Moment; // without particles: nothing is carried
+  ParticleMoment Moment; // without particles: nothing is passed
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
   bool Arrays = false;            // all point arrays of the particles
   std::vector<double> Velocities; // of the particles, x y z each, NaN for unknown; or empty
@@ -27,7 +27,7 @@ struct CarriedArrays
 // alike at both steps around the moment, is left out, and so are ghost levels. To the skin's
 // "Velocity", which is along the directions, adds the average velocity of the particles, but for
 // what is along the directions. Does nothing without particles.
-void Carry(const CarriedArrays& carried, const vtkFloatArray* directions, vtkPolyData* skin);
+void PassArrays(const PassedArrays& passed, const vtkFloatArray* directions, vtkPolyData* skin);
 
 }
 

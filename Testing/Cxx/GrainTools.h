@@ -1,8 +1,8 @@
 /**
  * Particles with arrays, for the tests of what the skin takes of them.
  */
-#ifndef CarriedTools_h
-#define CarriedTools_h
+#ifndef GrainTools_h
+#define GrainTools_h
 
 #include "ShapeSource.h"
 

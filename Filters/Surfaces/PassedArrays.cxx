@@ -1,4 +1,4 @@
-#include "CarriedArrays.h"
+#include "PassedArrays.h"
 
 #include "ParticleWeights.h"
 
@@ -42,7 +42,7 @@ bool IsReal(vtkAbstractArray* array)
 
 vtkPointData* FindArrays(const ParticleFrame* frame)
 {
-  return frame ? frame->Carried.Get() : nullptr;
+  return frame ? frame->Passed.Get() : nullptr;
 }
 
 // An array of both steps around a moment, or of the only one that counts.
@@ -66,7 +66,7 @@ bool Has(const ParticleFrame* frame)
   return frame && !frame->Particles.empty();
 }
 
-// Empty for an array that cannot be carried.
+// Empty for an array that cannot be passed.
 Pair FindPair(const ParticleMoment& moment, const char* name)
 {
   const bool wantsEarlier = moment.Fraction < 1.0 && Has(moment.Earlier);
@@ -137,9 +137,9 @@ Column MakeVelocityColumn(const std::vector<double>& velocities)
 }
 
 // Fills the averages, and for each point of the skin which particle has the largest weight.
-std::vector<vtkIdType> Average(const CarriedArrays& carried, vtkPolyData* skin, Columns& columns)
+std::vector<vtkIdType> Average(const PassedArrays& passed, vtkPolyData* skin, Columns& columns)
 {
-  const ParticleWeights particles(carried.Moment.Particles, carried.Kernel);
+  const ParticleWeights particles(passed.Moment.Particles, passed.Kernel);
   const std::size_t count = static_cast<std::size_t>(skin->GetNumberOfPoints());
   std::vector<vtkIdType> nearest(count);
   for (Column& column : columns)
@@ -229,9 +229,9 @@ vtkPointData* GetReference(const ParticleMoment& moment)
   return FindArrays(fromEarlier ? moment.Earlier : moment.Later);
 }
 
-void CopyActiveScalars(const CarriedArrays& carried, vtkPolyData* skin)
+void CopyActiveScalars(const PassedArrays& passed, vtkPolyData* skin)
 {
-  vtkDataArray* scalars = carried.Arrays ? GetReference(carried.Moment)->GetScalars() : nullptr;
+  vtkDataArray* scalars = passed.Arrays ? GetReference(passed.Moment)->GetScalars() : nullptr;
   if (scalars && scalars->GetName() && skin->GetPointData()->HasArray(scalars->GetName()))
   {
     skin->GetPointData()->SetActiveScalars(scalars->GetName());
@@ -239,11 +239,11 @@ void CopyActiveScalars(const CarriedArrays& carried, vtkPolyData* skin)
 }
 
 // Of the arrays that the particles have, those that the skin gets, in their order.
-std::vector<Pair> FindPairs(const CarriedArrays& carried, vtkPolyData* skin)
+std::vector<Pair> FindPairs(const PassedArrays& passed, vtkPolyData* skin)
 {
-  const ParticleMoment& moment = carried.Moment;
+  const ParticleMoment& moment = passed.Moment;
   vtkPointData* own = skin->GetPointData();
-  vtkPointData* arrays = carried.Arrays ? GetReference(moment) : nullptr;
+  vtkPointData* arrays = passed.Arrays ? GetReference(moment) : nullptr;
   std::vector<Pair> pairs;
   for (int i = 0; arrays && i < arrays->GetNumberOfArrays(); ++i)
   {
@@ -264,37 +264,37 @@ std::vector<Pair> FindPairs(const CarriedArrays& carried, vtkPolyData* skin)
 
 }
 
-void Carry(const CarriedArrays& carried, const vtkFloatArray* directions, vtkPolyData* skin)
+void PassArrays(const PassedArrays& passed, const vtkFloatArray* directions, vtkPolyData* skin)
 {
-  if (carried.Moment.Particles.empty() || skin->GetNumberOfPoints() == 0)
+  if (passed.Moment.Particles.empty() || skin->GetNumberOfPoints() == 0)
   {
     return;
   }
-  const std::vector<Pair> pairs = FindPairs(carried, skin);
+  const std::vector<Pair> pairs = FindPairs(passed, skin);
   Columns columns;
   for (const Pair& pair : pairs)
   {
     if (IsReal(pair.Get()))
     {
-      columns.push_back(MakeColumn(carried.Moment, pair));
+      columns.push_back(MakeColumn(passed.Moment, pair));
     }
   }
-  if (!carried.Velocities.empty())
+  if (!passed.Velocities.empty())
   {
-    columns.push_back(MakeVelocityColumn(carried.Velocities));
+    columns.push_back(MakeVelocityColumn(passed.Velocities));
   }
-  const std::vector<vtkIdType> nearest = Average(carried, skin, columns);
+  const std::vector<vtkIdType> nearest = Average(passed, skin, columns);
   auto column = columns.cbegin();
   for (const Pair& pair : pairs)
   {
     IsReal(pair.Get()) ? AddAverages(*column++, skin)
-                       : AddNearest(carried.Moment, pair, nearest, skin);
+                       : AddNearest(passed.Moment, pair, nearest, skin);
   }
-  if (!carried.Velocities.empty())
+  if (!passed.Velocities.empty())
   {
     AddDrift(*column, directions, skin);
   }
-  CopyActiveScalars(carried, skin);
+  CopyActiveScalars(passed, skin);
 }
 
 }

@@ -1,4 +1,4 @@
-#include "CarriedTools.h"
+#include "GrainTools.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

@@ -1,8 +1,8 @@
-// An EXR file that cannot be read or written: a full sentence, and the code that VTK's readers and
+// A file that cannot be read or written: a full sentence, and the code that VTK's readers and
 // writers give with it (vtkErrorCode).
 
-#ifndef EXRError_h
-#define EXRError_h
+#ifndef FileError_h
+#define FileError_h
 
 #include <stdexcept>
 #include <string>
@@ -12,10 +12,10 @@
 namespace activesurface
 {
 
-class EXRError : public std::runtime_error
+class FileError : public std::runtime_error
 {
 public:
-  EXRError(unsigned long code, const std::string& sentence)
+  FileError(unsigned long code, const std::string& sentence)
     : std::runtime_error(sentence)
     , Code(code)
   {

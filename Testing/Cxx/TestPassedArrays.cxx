@@ -1,7 +1,7 @@
 // What the skin takes of the particles under it: their arrays, and their velocity along the skin.
 
-#include "CarriedTools.h"
 #include "Check.h"
+#include "GrainTools.h"
 #include "PipelineTools.h"
 
 #include "vtkDataArray.h"
@@ -62,7 +62,7 @@ void TwoBallsKeepTheirOwn(Check& check)
   filter->Update();
   vtkPolyData* skin = filter->GetOutput();
   auto names = vtkStringArray::SafeDownCast(skin->GetPointData()->GetAbstractArray("name"));
-  check.True(names != nullptr, "names are carried");
+  check.True(names != nullptr, "names are passed");
   vtkIdType wrong = 0;
   for (vtkIdType v = 0; v < skin->GetNumberOfPoints(); ++v)
   {

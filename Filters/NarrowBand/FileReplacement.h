@@ -8,12 +8,14 @@
 #ifndef FileReplacement_h
 #define FileReplacement_h
 
+#include "vtkActiveNarrowBandModule.h"
+
 #include <string>
 
 namespace activesurface
 {
 
-class FileReplacement
+class VTKACTIVENARROWBAND_EXPORT FileReplacement
 {
 public:
   // Throws std::runtime_error if a folder or a device bears the name.
