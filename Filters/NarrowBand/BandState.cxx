@@ -123,6 +123,7 @@ void NarrowBand::State::TakeScheme(const Motion& motion)
     BandLeaf& leaf = this->Leaves[i];
     leaf.Advanced = leaf.Active;
     leaf.Active = this->Paper ? leaf.Upto[LastLayer] : leaf.Active;
+    leaf.Unretired = LeafMask::All();
   }
   this->RebuildBand();
 }

@@ -1,5 +1,8 @@
 #include "GhostFill.h"
 
+#include "LeafKernels.h"
+#include "LeafLine.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,7 +44,7 @@ struct NodeSums
 class LayerFill
 {
 public:
-  LayerFill(const LeafTable& table, std::size_t leaf, int layer)
+  ACTIVE_ALWAYS_INLINE LayerFill(const LeafTable& table, std::size_t leaf, int layer)
     : Table(table)
     , Leaf(static_cast<std::int32_t>(leaf))
     , Inner(layer - 1)
@@ -50,7 +53,7 @@ public:
 
   /** Calls function(node, magnitude) for each of the nodes. */
   template <class Function>
-  void ForEach(const LeafMask& nodes, Function&& function)
+  ACTIVE_ALWAYS_INLINE void ForEach(const LeafMask& nodes, Function&& function)
   {
     nodes.ForEach([this](int node) { this->Sums[node] = NodeSums::Nothing(); });
     this->AddRays<0, -1>(nodes);
@@ -63,85 +66,55 @@ public:
   }
 
 private:
-  /** The neighbours of the nodes in one direction, which is all that their rays need. */
-  template <int Axis, int Sign>
-  struct Line
-  {
-    const float* Value[3]; //< before, own, after
-    const LeafMask* Inner[3];
-
-    /** Nodes that have so many steps ahead a node of a smaller layer. */
-    LeafMask WithInner(int steps) const
-    {
-      return Sign < 0 ? SeenBehind(*this->Inner[1], *this->Inner[0], Axis, steps)
-                      : SeenAhead(*this->Inner[1], *this->Inner[2], Axis, steps);
-    }
-
-    float Magnitude(int node, int steps) const
-    {
-      constexpr int stride = Stride(Axis);
-      const int side = (((node / stride) & 7) + Sign * steps) >> 3;
-      return std::fabs(this->Value[side + 1][node + (Sign * steps - 8 * side) * stride]);
-    }
-  };
-
-  template <int Axis, int Sign>
-  Line<Axis, Sign> FindLine() const
-  {
-    Line<Axis, Sign> line;
-    for (int side = -1; side <= 1; ++side)
-    {
-      const std::int32_t n =
-        side == 0 ? this->Leaf : this->Table[this->Leaf].Neighbour[FaceNumber(Axis, side)];
-      line.Value[side + 1] = n >= 0 ? this->Table[n].Value : nullptr;
-      line.Inner[side + 1] = &this->Table.UptoOf(n, this->Inner);
-    }
-    return line;
-  }
-
   /** Rays are as long as the nodes of smaller layers go, up to three. */
   template <int Axis, int Sign>
-  void AddRays(const LeafMask& nodes)
+  ACTIVE_ALWAYS_INLINE void AddRays(const LeafMask& nodes)
   {
-    const auto line = this->FindLine<Axis, Sign>();
-    const LeafMask first = nodes & line.WithInner(1);
-    const LeafMask second = first & line.WithInner(2);
-    const LeafMask third = second & line.WithInner(3);
+    const LeafLine<Axis> line(
+      this->Table, this->Leaf, [this](std::int32_t n) { return this->Table[n].Value; });
+    const LeafMask& inner = this->Table[this->Leaf].Upto[this->Inner];
+    const LeafMask& next =
+      this->Table.UptoOf(this->Table[this->Leaf].Neighbour[FaceNumber(Axis, Sign)], this->Inner);
+    const LeafMask first = nodes & Seen<Axis, Sign>(inner, next);
+    const LeafMask second = first & Seen<Axis, 2 * Sign>(inner, next);
+    const LeafMask third = second & Seen<Axis, 3 * Sign>(inner, next);
     first.Without(second).ForEach(
-      [&](int node) {
-        this->Sums[node].Smallest = std::min(this->Sums[node].Smallest, line.Magnitude(node, 1));
+      [&](int node)
+      {
+        NodeSums& sums = this->Sums[node];
+        sums.Smallest = std::min(sums.Smallest, std::fabs(line.At(node, Sign)));
       });
-    second.Without(third).ForEach([&](int node)
-      { AddTwoPoint(line.Magnitude(node, 1), line.Magnitude(node, 2), this->Sums[node]); });
+    second.Without(third).ForEach(
+      [&](int node)
+      {
+        AddTwoPoint(
+          std::fabs(line.At(node, Sign)), std::fabs(line.At(node, 2 * Sign)), this->Sums[node]);
+      });
     third.ForEach(
       [&](int node)
       {
-        AddThreePoint(line.Magnitude(node, 1), line.Magnitude(node, 2), line.Magnitude(node, 3),
-          this->Sums[node]);
+        AddThreePoint(std::fabs(line.At(node, Sign)), std::fabs(line.At(node, 2 * Sign)),
+          std::fabs(line.At(node, 3 * Sign)), this->Sums[node]);
       });
   }
 
-  static void AddTwoPoint(float first, float second, NodeSums& sums)
+  // A step that is no increase has weight 0.
+  static ACTIVE_ALWAYS_INLINE void AddTwoPoint(float first, float second, NodeSums& sums)
   {
-    const float step = first - second;
+    const float step = std::max(first - second, 0.f);
     sums.Smallest = std::min(sums.Smallest, first);
-    if (step > 0.f)
-    {
-      sums.LargestStep = std::max(sums.LargestStep, step);
-      sums.Other.Add(first + step, step * step);
-    }
+    sums.LargestStep = std::max(sums.LargestStep, step);
+    sums.Other.Add(first + step, step * step);
   }
 
-  static void AddThreePoint(float first, float second, float third, NodeSums& sums)
+  static ACTIVE_ALWAYS_INLINE void AddThreePoint(
+    float first, float second, float third, NodeSums& sums)
   {
-    const float step = first - second;
+    const float step = std::max(first - second, 0.f), most = 2.f * step;
     sums.Smallest = std::min(sums.Smallest, first);
-    if (step > 0.f)
-    {
-      sums.LargestStep = std::max(sums.LargestStep, step);
-      const float growth = std::min(std::max(2.f * step - (second - third), 0.f), 2.f * step);
-      sums.ThreePoint.Add(first + growth, growth * growth);
-    }
+    sums.LargestStep = std::max(sums.LargestStep, step);
+    const float growth = std::min(std::max(most - (second - third), 0.f), most);
+    sums.ThreePoint.Add(first + growth, growth * growth);
   }
 
   float FindMagnitude(int node)
@@ -204,10 +177,29 @@ private:
 };
 
 /** Nodes of a layer whose value is not the last substep's: ghosts, and those that entered. */
-LeafMask NodesToFill(const BandLeaf& leaf, int layer)
+ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, int layer)
 {
   return leaf.Upto[layer].Without(leaf.Upto[layer - 1]).Without(leaf.Active & leaf.Advanced);
 }
+struct FillLayer
+{
+  LeafTable& Table;
+  int Layer;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    BandLeaf& leaf = this->Table[i];
+    const LeafMask nodes = NodesToFill(leaf, this->Layer);
+    if (!nodes.Any())
+    {
+      return;
+    }
+    LayerFill(this->Table, i, this->Layer)
+      .ForEach(nodes,
+        [&leaf](int node, float magnitude)
+        { leaf.Value[node] = leaf.Inside.Has(node) ? -magnitude : magnitude; });
+  }
+};
 
 }
 
@@ -215,20 +207,7 @@ void FillGhosts(LeafTable& table)
 {
   for (int layer = 1; layer < NumberOfLayers; ++layer)
   {
-    table.ForEach(
-      [&](std::size_t i)
-      {
-        BandLeaf& leaf = table[i];
-        const LeafMask nodes = NodesToFill(leaf, layer);
-        if (!nodes.Any())
-        {
-          return;
-        }
-        LayerFill(table, i, layer)
-          .ForEach(nodes,
-            [&leaf](int node, float magnitude)
-            { leaf.Value[node] = leaf.Inside.Has(node) ? -magnitude : magnitude; });
-      });
+    ForEachLeaf(table, FillLayer{ table, layer });
   }
 }
 

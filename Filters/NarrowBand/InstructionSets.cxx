@@ -14,12 +14,15 @@ InstructionSet FindBest()
 {
 #if defined(__x86_64__) && defined(__GNUC__)
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+  const bool hasBits = __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
+    __builtin_cpu_supports("popcnt");
+  const bool hasAvx2 = hasBits && __builtin_cpu_supports("avx2");
+  if (hasAvx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
     __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
   {
     return InstructionSet::Avx512;
   }
-  if (__builtin_cpu_supports("avx2"))
+  if (hasAvx2)
   {
     return InstructionSet::Avx2;
   }

@@ -12,17 +12,22 @@
 #include "vtkActiveNarrowBandModule.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
-#define ACTIVE_FOR_AVX2 __attribute__((target("avx2")))
-#define ACTIVE_FOR_AVX512 __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl")))
+#define ACTIVE_FOR_AVX2 __attribute__((target("avx2,bmi,bmi2,popcnt")))
+#define ACTIVE_FOR_AVX512                                                                          \
+  __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,bmi,bmi2,popcnt")))
 #else
 #define ACTIVE_FOR_AVX2
 #define ACTIVE_FOR_AVX512
 #endif
 
+// Of functions, and of lambdas behind their parameters: what is called from a kernel is compiled
+// with its instructions only when it becomes a part of it.
 #if defined(__GNUC__)
 #define ACTIVE_ALWAYS_INLINE inline __attribute__((always_inline))
+#define ACTIVE_INLINED __attribute__((always_inline))
 #else
 #define ACTIVE_ALWAYS_INLINE inline
+#define ACTIVE_INLINED
 #endif
 
 namespace activesurface

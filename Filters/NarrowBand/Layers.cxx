@@ -1,5 +1,9 @@
 #include "Layers.h"
 
+#include "LeafKernels.h"
+
+#include <cstring>
+
 #ifdef __SSE2__
 #include <emmintrin.h>
 #endif
@@ -10,12 +14,35 @@ namespace activesurface
 namespace
 {
 
-/** Ten rows of ten rows of ten bits: the signs of a leaf and of one node around it. Bit z + 1. */
+constexpr int RowsWritten = 16; // of which 9 mean something: as many as fill a vector
+constexpr int RowsRead = RowsWritten + 8;
+
+using RowBytes = std::array<std::uint8_t, 8>;
+
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the first row is the lowest byte");
+
+/** The eight rows of a word. */
+ACTIVE_ALWAYS_INLINE RowBytes BytesOf(std::uint64_t word)
+{
+  RowBytes bytes;
+  std::memcpy(bytes.data(), &word, sizeof word);
+  return bytes;
+}
+
+ACTIVE_ALWAYS_INLINE std::uint64_t WordOf(const RowBytes& bytes)
+{
+  std::uint64_t word;
+  std::memcpy(&word, bytes.data(), sizeof word);
+  return word;
+}
+
+/** The signs of a leaf and of one node around it: rows of ten bits, bit z + 1, at [x + 1][y + 1].
+ * All loops run over y, which the compiler turns into vector code. */
 struct SignBlock
 {
-  unsigned Row[10][10];
+  std::uint16_t Row[10][RowsRead] = {};
 
-  SignBlock(const LeafTable& table, const BandLeaf& leaf)
+  ACTIVE_ALWAYS_INLINE SignBlock(const LeafTable& table, const BandLeaf& leaf)
   {
     for (int nx = -1; nx <= 1; ++nx)
     {
@@ -32,16 +59,25 @@ struct SignBlock
   }
 
 private:
-  void Take(int nx, int ny, const LeafMask& before, const LeafMask& middle, const LeafMask& after)
+  ACTIVE_ALWAYS_INLINE void Take(
+    int nx, int ny, const LeafMask& before, const LeafMask& middle, const LeafMask& after)
   {
     const int x0 = nx < 0 ? 7 : 0, x1 = nx > 0 ? 0 : 7;
-    const int y0 = ny < 0 ? 7 : 0, y1 = ny > 0 ? 0 : 7;
     for (int x = x0; x <= x1; ++x)
     {
-      for (int y = y0; y <= y1; ++y)
+      std::uint16_t* row = this->Row[8 * nx + x + 1];
+      if (ny != 0)
       {
-        this->Row[8 * nx + x + 1][8 * ny + y + 1] =
-          (before.Row(x, y) >> 7) | (middle.Row(x, y) << 1) | ((after.Row(x, y) & 1u) << 9);
+        const int y = ny < 0 ? 7 : 0;
+        row[ny < 0 ? 0 : 9] = static_cast<std::uint16_t>(
+          (before.Row(x, y) >> 7) | (middle.Row(x, y) << 1) | ((after.Row(x, y) & 1u) << 9));
+        continue;
+      }
+      const RowBytes b = BytesOf(before.Word[x]), m = BytesOf(middle.Word[x]);
+      const RowBytes a = BytesOf(after.Word[x]);
+      for (int y = 0; y < 8; ++y)
+      {
+        row[y + 1] = static_cast<std::uint16_t>(b[y] >> 7 | m[y] << 1 | (a[y] & 1) << 9);
       }
     }
   }
@@ -50,73 +86,109 @@ private:
 /** Crossed voxels with lower corners -1..7 around a leaf; bit z + 1. */
 struct CrossedVoxels
 {
-  unsigned Row[9][9];
+  std::uint16_t Row[9][RowsRead];
 
-  explicit CrossedVoxels(const SignBlock& sign)
+  ACTIVE_ALWAYS_INLINE explicit CrossedVoxels(const SignBlock& sign)
   {
     for (int x = 0; x < 9; ++x)
     {
-      for (int y = 0; y < 9; ++y)
+      const std::uint16_t *p = sign.Row[x], *q = sign.Row[x + 1];
+      for (int y = 0; y < RowsWritten; ++y)
       {
-        const unsigned a = sign.Row[x][y], b = sign.Row[x + 1][y];
-        const unsigned c = sign.Row[x][y + 1], d = sign.Row[x + 1][y + 1];
-        const unsigned any = a | b | c | d, all = a & b & c & d;
-        this->Row[x][y] = (any | any >> 1) & ~(all & all >> 1) & 0x1ffu;
+        const unsigned any = p[y] | q[y] | p[y + 1] | q[y + 1];
+        const unsigned all = p[y] & q[y] & p[y + 1] & q[y + 1];
+        this->Row[x][y] = static_cast<std::uint16_t>((any | any >> 1) & ~(all & all >> 1) & 0x1ffu);
       }
     }
   }
 
-  LeafMask Corners() const
+  ACTIVE_ALWAYS_INLINE LeafMask Corners() const
   {
     LeafMask corners;
     for (int x = 0; x < 8; ++x)
     {
+      const std::uint16_t *p = this->Row[x], *q = this->Row[x + 1];
+      RowBytes bytes;
       for (int y = 0; y < 8; ++y)
       {
-        const unsigned voxels =
-          this->Row[x][y] | this->Row[x + 1][y] | this->Row[x][y + 1] | this->Row[x + 1][y + 1];
-        corners.Word[x] |= std::uint64_t((voxels | voxels >> 1) & 0xffu) << (8 * y);
+        const unsigned voxels = p[y] | q[y] | p[y + 1] | q[y + 1];
+        bytes[y] = static_cast<std::uint8_t>(voxels | voxels >> 1);
       }
+      corners.Word[x] = WordOf(bytes);
     }
     return corners;
   }
 
-  /** Whether a crossed voxel has a corner in the neighbour leaf at these offsets. */
-  bool Touch(int dx, int dy, int dz) const
+  /** The crossed voxels of all rows, of the first and of the last ones, in x and in y. */
+  struct Shadows
   {
-    const unsigned bits = dz < 0 ? 0x001u : dz > 0 ? 0x100u : 0x1ffu;
-    for (int x = dx > 0 ? 8 : 0; x <= (dx < 0 ? 0 : 8); ++x)
+    unsigned Of[3][3] = {}; //< first, all, last
+  };
+
+  ACTIVE_ALWAYS_INLINE Shadows FindShadows() const
+  {
+    std::uint16_t all[RowsRead] = {};
+    for (int x = 0; x < 9; ++x)
     {
-      for (int y = dy > 0 ? 8 : 0; y <= (dy < 0 ? 0 : 8); ++y)
+      for (int y = 0; y < RowsWritten; ++y)
       {
-        if (this->Row[x][y] & bits)
-        {
-          return true;
-        }
+        all[y] = static_cast<std::uint16_t>(all[y] | this->Row[x][y]);
       }
     }
-    return false;
+    const std::uint16_t* of[3] = { this->Row[0], all, this->Row[8] };
+    Shadows shadows;
+    for (int x = 0; x < 3; ++x)
+    {
+      shadows.Of[x][0] = of[x][0];
+      shadows.Of[x][2] = of[x][8];
+      for (int y = 0; y < 9; ++y)
+      {
+        shadows.Of[x][1] |= of[x][y];
+      }
+    }
+    return shadows;
   }
 };
 
-void FindLayerZero(LeafTable& table)
+/** Bits of the neighbours in which a crossed voxel has a corner. */
+std::uint32_t NeighboursTouched(const CrossedVoxels::Shadows& shadows)
 {
-  table.ForEach(
-    [&](std::size_t i)
-    {
-      BandLeaf& leaf = table[i];
-      const CrossedVoxels crossed{ SignBlock(table, leaf) };
-      leaf.Upto[0] = crossed.Corners();
-      leaf.Wanted = 0;
-      for (int n = 0; n < 27; ++n)
-      {
-        if (leaf.Neighbour[n] < 0 && n != 13 && crossed.Touch(n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1))
-        {
-          leaf.Wanted |= 1u << n;
-        }
-      }
-    });
+  constexpr unsigned bits[3] = { 0x001u, 0x1ffu, 0x100u };
+  std::uint32_t touched = 0;
+  for (int n = 0; n < 27; ++n)
+  {
+    touched |= std::uint32_t((shadows.Of[n / 9][n / 3 % 3] & bits[n % 3]) != 0) << n;
+  }
+  return touched;
 }
+
+/** Bits of the neighbours that are no leaves. */
+std::uint32_t NeighboursMissing(const BandLeaf& leaf)
+{
+  std::uint32_t missing = 0;
+  for (int n = 0; n < 27; ++n)
+  {
+    missing |= std::uint32_t(leaf.Neighbour[n] < 0) << n;
+  }
+  return missing & ~(1u << 13);
+}
+
+struct FindLayerZero
+{
+  LeafTable& Table;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    BandLeaf& leaf = this->Table[i];
+    const CrossedVoxels crossed{ SignBlock(this->Table, leaf) };
+    leaf.Upto[0] = crossed.Corners();
+    leaf.Wanted = 0;
+    if (const std::uint32_t missing = NeighboursMissing(leaf))
+    {
+      leaf.Wanted = missing & NeighboursTouched(crossed.FindShadows());
+    }
+  }
+};
 
 /** Bits on the face of a mask that looks in the direction of an axis and a sign. */
 bool TouchesFace(const LeafMask& mask, int axis, int sign)
@@ -250,19 +322,20 @@ void FindCrossedEdges(LeafTable& table)
     });
 }
 
+/** Nodes that have left the layers take the background; the others outside have it already. */
 void RetireNodes(LeafTable& table)
 {
   table.ForEach(
     [&](std::size_t i)
     {
       BandLeaf& leaf = table[i];
-      LeafMask::All()
-        .Without(leaf.Upto[LastLayer])
+      leaf.Unretired.Without(leaf.Upto[LastLayer])
         .ForEach(
           [&](int node) {
             leaf.Value[node] =
               table.BackgroundOf(leaf.Inside.Has(node) ? NoLeafInside : NoLeafOutside);
           });
+      leaf.Unretired = leaf.Upto[LastLayer];
     });
 }
 
@@ -305,7 +378,7 @@ void FindLayers(LeafTable& table, PotentialTree& tree)
 {
   do
   {
-    FindLayerZero(table);
+    ForEachLeaf(table, FindLayerZero{ table });
     for (int layer = 1; layer < NumberOfLayers; ++layer)
     {
       AddLayer(table, layer);

@@ -1,12 +1,14 @@
 /**
- * The values of a leaf with those of two nodes around it, in one piece of memory.
+ * The values of a leaf with those around it that stencils read, in one piece of memory: two nodes
+ * along the axes, one along the diagonals of two axes. All else in the block is not set.
  */
 #ifndef LeafBlock_h
 #define LeafBlock_h
 
+#include "InstructionSets.h"
 #include "LeafTable.h"
 
-#include <algorithm>
+#include <cstring>
 
 namespace activesurface
 {
@@ -21,17 +23,17 @@ struct LeafBlock
 
   alignas(64) float Value[Side * Side * Side];
 
-  void Gather(const LeafTable& table, const BandLeaf& leaf)
+  ACTIVE_ALWAYS_INLINE void Gather(const LeafTable& table, const BandLeaf& leaf)
   {
-    for (int nx = -1; nx <= 1; ++nx)
-    {
-      for (int ny = -1; ny <= 1; ++ny)
-      {
-        const std::int32_t* number = &leaf.Neighbour[NeighbourNumber(nx, ny, -1)];
-        this->GatherColumn(
-          nx, ny, Source(table, number[0]), Source(table, number[1]), Source(table, number[2]));
-      }
-    }
+    this->GatherRows<0, 0, 2>(table, leaf);
+    this->GatherRows<-1, 0, 1>(table, leaf);
+    this->GatherRows<1, 0, 1>(table, leaf);
+    this->GatherRows<0, -1, 1>(table, leaf);
+    this->GatherRows<0, 1, 1>(table, leaf);
+    this->GatherRows<-1, -1, 0>(table, leaf);
+    this->GatherRows<-1, 1, 0>(table, leaf);
+    this->GatherRows<1, -1, 0>(table, leaf);
+    this->GatherRows<1, 1, 0>(table, leaf);
   }
 
   /** The row (x, y) of the leaf itself. */
@@ -41,43 +43,42 @@ struct LeafBlock
   }
 
 private:
-  struct RowSource
+  /** Where the rows of a leaf lie; where there is none, one row stands for all. */
+  struct Rows
   {
-    const float* Value;
-    int Step; // 1, or 0 where one value stands for all nodes
+    const float* First;
+    int Stride;
+
+    ACTIVE_ALWAYS_INLINE Rows(const LeafTable& table, std::int32_t number)
+      : First(number >= 0 ? table[number].Value : table.BackgroundRowOf(number))
+      , Stride(number >= 0 ? 8 : 0)
+    {
+    }
+
+    ACTIVE_ALWAYS_INLINE const float* operator[](int row) const
+    {
+      return this->First + this->Stride * row;
+    }
   };
 
-  static RowSource Source(const LeafTable& table, std::int32_t number)
+  /** The rows that lie in the leaf's neighbour (nx, ny), with so many nodes before and after. */
+  template <int nx, int ny, int Around>
+  ACTIVE_ALWAYS_INLINE void GatherRows(const LeafTable& table, const BandLeaf& leaf)
   {
-    return number >= 0 ? RowSource{ table[number].Value, 1 }
-                       : RowSource{ &table.BackgroundOf(number), 0 };
-  }
-
-  void GatherColumn(int nx, int ny, RowSource before, RowSource middle, RowSource after)
-  {
-    const int x0 = nx < 0 ? 8 - Halo : 0, x1 = nx > 0 ? Halo : 8;
-    const int y0 = ny < 0 ? 8 - Halo : 0, y1 = ny > 0 ? Halo : 8;
+    constexpr int thick = nx != 0 && ny != 0 ? 1 : Halo;
+    constexpr int x0 = nx < 0 ? 8 - thick : 0, x1 = nx > 0 ? thick : 8;
+    constexpr int y0 = ny < 0 ? 8 - thick : 0, y1 = ny > 0 ? thick : 8;
+    const std::int32_t* number = &leaf.Neighbour[NeighbourNumber(nx, ny, -1)];
+    const Rows before(table, number[0]), middle(table, number[1]), after(table, number[2]);
     for (int x = x0; x < x1; ++x)
     {
       for (int y = y0; y < y1; ++y)
       {
-        const int row = 64 * x + 8 * y;
-        float* to = this->Value + (8 * nx + x + Halo) * X + (8 * ny + y + Halo) * Y;
-        const float* from = before.Value + before.Step * (row + 8 - Halo);
-        to[0] = from[0];
-        to[1] = from[before.Step];
-        from = middle.Value + middle.Step * row;
-        if (middle.Step)
-        {
-          std::copy_n(from, 8, to + Halo);
-        }
-        else
-        {
-          std::fill_n(to + Halo, 8, *from);
-        }
-        from = after.Value + after.Step * row;
-        to[Halo + 8] = from[0];
-        to[Halo + 9] = from[after.Step];
+        const int row = 8 * x + y;
+        float* to = this->Value + (8 * nx + x + Halo) * X + (8 * ny + y + Halo) * Y + Halo;
+        std::memcpy(to, middle[row], 8 * sizeof(float));
+        std::memcpy(to - Around, before[row] + 8 - Around, Around * sizeof(float));
+        std::memcpy(to + 8, after[row], Around * sizeof(float));
       }
     }
   }

@@ -8,6 +8,8 @@
 #ifndef LeafMask_h
 #define LeafMask_h
 
+#include "InstructionSets.h"
+
 #include <array>
 #include <cstdint>
 
@@ -39,7 +41,7 @@ struct LeafMask
   /** The eight bits of the row (x, y). */
   unsigned Row(int x, int y) const { return (this->Word[x] >> (8 * y)) & 0xffu; }
 
-  bool Any() const
+  ACTIVE_ALWAYS_INLINE bool Any() const
   {
     std::uint64_t any = 0;
     for (std::uint64_t word : this->Word)
@@ -70,26 +72,26 @@ struct LeafMask
     return rank + CountBits(this->Word[node >> 6] & ((std::uint64_t(1) << (node & 63)) - 1));
   }
 
-  LeafMask operator|(const LeafMask& other) const
+  ACTIVE_ALWAYS_INLINE LeafMask operator|(const LeafMask& other) const
   {
     return this->Combine(other, [](std::uint64_t a, std::uint64_t b) { return a | b; });
   }
-  LeafMask operator&(const LeafMask& other) const
+  ACTIVE_ALWAYS_INLINE LeafMask operator&(const LeafMask& other) const
   {
     return this->Combine(other, [](std::uint64_t a, std::uint64_t b) { return a & b; });
   }
-  LeafMask operator^(const LeafMask& other) const
+  ACTIVE_ALWAYS_INLINE LeafMask operator^(const LeafMask& other) const
   {
     return this->Combine(other, [](std::uint64_t a, std::uint64_t b) { return a ^ b; });
   }
-  LeafMask Without(const LeafMask& other) const
+  ACTIVE_ALWAYS_INLINE LeafMask Without(const LeafMask& other) const
   {
     return this->Combine(other, [](std::uint64_t a, std::uint64_t b) { return a & ~b; });
   }
   bool operator==(const LeafMask& other) const { return this->Word == other.Word; }
 
   template <class Function>
-  LeafMask Combine(const LeafMask& other, Function&& function) const
+  ACTIVE_ALWAYS_INLINE LeafMask Combine(const LeafMask& other, Function&& function) const
   {
     LeafMask result;
     for (int x = 0; x < 8; ++x)
@@ -101,7 +103,7 @@ struct LeafMask
 
   /** Calls function(node) for each bit in ascending order. */
   template <class Function>
-  void ForEach(Function&& function) const
+  ACTIVE_ALWAYS_INLINE void ForEach(Function&& function) const
   {
     for (int x = 0; x < 8; ++x)
     {
@@ -115,7 +117,8 @@ struct LeafMask
 
 /** The mask whose node n is set where `mask` has n + steps along x, y or z (axis 0, 1, 2);
  * `next` is the mask of the neighbour leaf in that direction. steps: 1 to 7. */
-inline LeafMask SeenAhead(const LeafMask& mask, const LeafMask& next, int axis, int steps)
+ACTIVE_ALWAYS_INLINE LeafMask SeenAhead(
+  const LeafMask& mask, const LeafMask& next, int axis, int steps)
 {
   LeafMask seen;
   const std::uint64_t low = ((1u << steps) - 1u) * 0x0101010101010101ull;
@@ -130,7 +133,8 @@ inline LeafMask SeenAhead(const LeafMask& mask, const LeafMask& next, int axis, 
 }
 
 /** The same looking back: node n is set where `mask` has n - steps. */
-inline LeafMask SeenBehind(const LeafMask& mask, const LeafMask& previous, int axis, int steps)
+ACTIVE_ALWAYS_INLINE LeafMask SeenBehind(
+  const LeafMask& mask, const LeafMask& previous, int axis, int steps)
 {
   LeafMask seen;
   const std::uint64_t low = (0xffu >> steps) * 0x0101010101010101ull;

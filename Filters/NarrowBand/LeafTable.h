@@ -62,6 +62,7 @@ struct BandLeaf
   std::array<LeafMask, NumberOfLayers> Upto; //< nodes of the layers 0..m
   LeafMask Active;                           //< band and pockets: advanced by the next substep
   LeafMask Advanced;                         //< nodes whose value the last substep advanced
+  LeafMask Unretired = LeafMask::All();      //< nodes that may hold more than the background
   std::array<LeafMask, 3> Edge;              //< crossed edges, by axis, at their lower node
   std::size_t FirstCrossing = 0;             //< number of the first crossed edge
   std::array<int, 3> CrossingsBefore{};      //< crossed edges of this leaf on earlier axes
@@ -132,11 +133,17 @@ public:
   }
 
   /** Value that stands for all nodes beyond the layers, and minus it inside. */
-  void SetBackground(float value) { this->Background[0] = value, this->Background[1] = -value; }
-  float GetBackground() const { return this->Background[0]; }
-  const float& BackgroundOf(std::int32_t number) const
+  void SetBackground(float value)
   {
-    return this->Background[number == NoLeafInside ? 1 : 0];
+    this->Background[0].fill(value);
+    this->Background[1].fill(-value);
+  }
+  float GetBackground() const { return this->Background[0][0]; }
+  float BackgroundOf(std::int32_t number) const { return *this->BackgroundRowOf(number); }
+  /** Eight times the same. */
+  const float* BackgroundRowOf(std::int32_t number) const
+  {
+    return this->Background[number == NoLeafInside ? 1 : 0].data();
   }
 
   /** Number of a leaf by its origin, or a negative number. */
@@ -150,7 +157,7 @@ private:
   std::vector<BandLeaf> Previous;    // the table before Rebuild, kept for its memory
   std::vector<PotentialLeaf*> Nodes; // the tree's leaves, in its order
   std::vector<std::int32_t> Index;   // open-addressing hash of the origins
-  std::array<float, 2> Background{};
+  std::array<std::array<float, 8>, 2> Background{};
   LeafMask Nothing;
   LeafMask Everything = LeafMask::All();
 };

@@ -18,7 +18,7 @@ namespace
 /** What is known of a leaf without its values. */
 struct LeafBits
 {
-  std::int32_t Origin[3];
+  std::int32_t Origin[4]; //< the last one 0: no byte is left unset
   LeafMask Inside;
   LeafMask Active;
 };
@@ -73,7 +73,7 @@ std::string PackBand(const LeafTable& table)
       continue;
     }
     leaves.push_back(
-      { { leaf.Origin[0], leaf.Origin[1], leaf.Origin[2] }, leaf.Inside, leaf.Active });
+      { { leaf.Origin[0], leaf.Origin[1], leaf.Origin[2], 0 }, leaf.Inside, leaf.Active });
     leaf.Active.ForEach([&](int node) { magnitudes.push_back(std::fabs(leaf.Value[node])); });
   }
   std::ostringstream out;

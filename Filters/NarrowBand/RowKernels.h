@@ -18,22 +18,25 @@ namespace activesurface
 
 using RowMask = std::array<float, 8>; //< 1 where a bit is set, else 0
 
-/** The eight bits of a row as numbers. */
-inline const RowMask& MaskOfBits(unsigned bits)
+inline std::array<RowMask, 256> MakeRowMasks()
 {
-  static const std::array<RowMask, 256> masks = []
+  std::array<RowMask, 256> all{};
+  for (unsigned b = 0; b < 256; ++b)
   {
-    std::array<RowMask, 256> all{};
-    for (unsigned b = 0; b < 256; ++b)
+    for (unsigned z = 0; z < 8; ++z)
     {
-      for (unsigned z = 0; z < 8; ++z)
-      {
-        all[b][z] = (b >> z) & 1u ? 1.f : 0.f;
-      }
+      all[b][z] = (b >> z) & 1u ? 1.f : 0.f;
     }
-    return all;
-  }();
-  return masks[bits];
+  }
+  return all;
+}
+
+inline const std::array<RowMask, 256> RowMasks = MakeRowMasks();
+
+/** The eight bits of a row as numbers. */
+ACTIVE_ALWAYS_INLINE const RowMask& MaskOfBits(unsigned bits)
+{
+  return RowMasks[bits];
 }
 
 /** The smaller of two numbers of one sign, 0 for opposite ones. */

@@ -1,8 +1,11 @@
 #include "StepForward.h"
 
 #include "Layers.h"
+#include "LeafKernels.h"
 #include "RowKernels.h"
 #include "SubstepBuffers.h"
+
+#include <algorithm>
 
 namespace activesurface
 {
@@ -51,62 +54,51 @@ ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* speeds, unsigned
   }
 }
 
-ACTIVE_ALWAYS_INLINE void StepLeaf(const LeafTable& table, std::size_t i,
-  const StepCoefficients& coefficients, SubstepBuffers& buffers)
+struct StepLeaf
 {
-  const BandLeaf& leaf = table[i];
-  LeafBlock block;
-  block.Gather(table, leaf);
-  // Relaxing the ends of a crossed edge would move the surface.
-  const LeafMask relaxed = coefficients.Relaxation > 0.f
-    ? LeafMask::All().Without(NodesWithCrossing(table, leaf))
-    : LeafMask();
-  const float* speeds = coefficients.Attracted ? buffers.Speed.data() + 512 * i : nullptr;
-  int flat = 0, steep = 0;
-  for (int row = 0; row < 64; ++row)
+  const LeafTable& Table;
+  const StepCoefficients& Coefficients;
+  SubstepBuffers& Buffers;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
-    const int x = row / 8, y = row % 8;
-    const unsigned active = leaf.Active.Row(x, y);
-    float* result = buffers.Next.data() + 512 * i + 8 * row;
-    const float* u = block.Row(x, y);
-    if (active == 0)
+    const BandLeaf& leaf = this->Table[i];
+    LeafBlock block;
+    block.Gather(this->Table, leaf);
+    // Relaxing the ends of a crossed edge would move the surface.
+    const LeafMask relaxed = this->Coefficients.Relaxation > 0.f
+      ? LeafMask::All().Without(NodesWithCrossing(this->Table, leaf))
+      : LeafMask();
+    const float* speeds =
+      this->Coefficients.Attracted ? this->Buffers.Speed.data() + 512 * i : nullptr;
+    int flat = 0, steep = 0;
+    for (int row = 0; row < 64; ++row)
     {
-      std::copy_n(u, 8, result);
-      continue;
+      const int x = row / 8, y = row % 8;
+      const unsigned active = leaf.Active.Row(x, y);
+      float* result = this->Buffers.Next.data() + 512 * i + 8 * row;
+      const float* u = block.Row(x, y);
+      if (active == 0)
+      {
+        std::copy_n(u, 8, result);
+        continue;
+      }
+      float next[8];
+      std::copy_n(u, 8, next);
+      AddTerms(u, speeds ? speeds + 8 * row : nullptr, relaxed.Row(x, y), this->Coefficients, next);
+      for (int z = 0; z < 8; ++z)
+      {
+        result[z] = (active >> z) & 1u ? next[z] : u[z];
+      }
+      if (const unsigned zero = leaf.Upto[0].Row(x, y))
+      {
+        CountSlopes(u, zero, flat, steep);
+      }
     }
-    float next[8];
-    std::copy_n(u, 8, next);
-    AddTerms(u, speeds ? speeds + 8 * row : nullptr, relaxed.Row(x, y), coefficients, next);
-    for (int z = 0; z < 8; ++z)
-    {
-      result[z] = (active >> z) & 1u ? next[z] : u[z];
-    }
-    if (const unsigned zero = leaf.Upto[0].Row(x, y))
-    {
-      CountSlopes(u, zero, flat, steep);
-    }
+    this->Buffers.FlatNodes[i] = flat;
+    this->Buffers.SteepNodes[i] = steep;
   }
-  buffers.FlatNodes[i] = flat;
-  buffers.SteepNodes[i] = steep;
-}
-
-void StepLeafWithBaseline(const LeafTable& table, std::size_t i,
-  const StepCoefficients& coefficients, SubstepBuffers& buffers)
-{
-  StepLeaf(table, i, coefficients, buffers);
-}
-
-ACTIVE_FOR_AVX2 void StepLeafWithAvx2(const LeafTable& table, std::size_t i,
-  const StepCoefficients& coefficients, SubstepBuffers& buffers)
-{
-  StepLeaf(table, i, coefficients, buffers);
-}
-
-ACTIVE_FOR_AVX512 void StepLeafWithAvx512(const LeafTable& table, std::size_t i,
-  const StepCoefficients& coefficients, SubstepBuffers& buffers)
-{
-  StepLeaf(table, i, coefficients, buffers);
-}
+};
 
 }
 
@@ -117,11 +109,7 @@ SlopeCounts StepForward(
   buffers.Next.resize(512 * size);
   buffers.FlatNodes.resize(size);
   buffers.SteepNodes.resize(size);
-  const InstructionSet set = GetInstructionSet();
-  const auto step = set == InstructionSet::Avx512 ? StepLeafWithAvx512
-    : set == InstructionSet::Avx2                 ? StepLeafWithAvx2
-                                                  : StepLeafWithBaseline;
-  table.ForEach([&](std::size_t i) { step(table, i, coefficients, buffers); });
+  ForEachLeaf(table, StepLeaf{ table, coefficients, buffers });
   SlopeCounts counts;
   for (std::size_t i = 0; i < size; ++i)
   {

@@ -1,5 +1,7 @@
 #include "TargetSpeed.h"
 
+#include "LeafKernels.h"
+#include "LeafLine.h"
 #include "NodePoints.h"
 #include "SubstepBuffers.h"
 
@@ -147,125 +149,151 @@ void TakeTarget(
   buffers.LargestSpeed[i] = LargestOf(speed, buffers.Known[i] | buffers.OwnPoint[i]);
 }
 
-/** A leaf and its neighbours across the faces, as one round of the extension sees them. */
-struct Surroundings
+/** One round of the extension in one leaf: nodes that have a known neighbour become known. */
+class LeafExtension
 {
-  const float* Value[3][3]; //< by axis; before, itself, after
-  const float* Speed[3][3];
-  const LeafMask* Known[3][3];
-
-  Surroundings(const LeafTable& table, std::size_t i, const SubstepBuffers& buffers)
+public:
+  ACTIVE_ALWAYS_INLINE LeafExtension(
+    const LeafTable& table, std::size_t leaf, const SubstepBuffers& buffers)
+    : Table(table)
+    , Leaf(static_cast<std::int32_t>(leaf))
+    , Buffers(buffers)
   {
-    static const LeafMask nothing;
-    for (int n = 0; n < 9; ++n)
+  }
+
+  /** Speeds of those of the missing nodes that are reached; returns which. */
+  ACTIVE_ALWAYS_INLINE LeafMask Extend(const LeafMask& missing, float* speed) const
+  {
+    const Neighbours<0> alongX(*this, missing);
+    const Neighbours<1> alongY(*this, missing);
+    const Neighbours<2> alongZ(*this, missing);
+    const LeafMask front = alongX.GetReached() | alongY.GetReached() | alongZ.GetReached();
+    const float* own = this->Table[this->Leaf].Value;
+    front.ForEach(
+      [&](int node) ACTIVE_INLINED
+      {
+        const float distance = std::fabs(own[node]);
+        KnownSpeeds sums;
+        alongX.Add(node, distance, sums);
+        alongY.Add(node, distance, sums);
+        alongZ.Add(node, distance, sums);
+        speed[node] = sums.Weight > 0.f ? sums.Weighted / sums.Weight : this->FindMean(node);
+      });
+    return front;
+  }
+
+private:
+  struct KnownSpeeds
+  {
+    float Weight = 0.f;
+    float Weighted = 0.f;
+  };
+
+  /** The two neighbours on an axis of the missing nodes, where they are known. */
+  template <int Axis>
+  class Neighbours
+  {
+  public:
+    ACTIVE_ALWAYS_INLINE Neighbours(const LeafExtension& leaf, const LeafMask& missing)
+      : Values(leaf.Table, leaf.Leaf, [&leaf](std::int32_t n) { return leaf.Table[n].Value; })
+      , Speeds(leaf.Table, leaf.Leaf,
+          [&leaf](std::int32_t n) { return leaf.Buffers.Speed.data() + 512 * std::size_t(n); })
+      , Before(missing & leaf.SeeKnown<Axis, -1>())
+      , After(missing & leaf.SeeKnown<Axis, 1>())
     {
-      const int axis = n / 3, side = n % 3;
-      const std::int32_t leaf =
-        side == 1 ? static_cast<std::int32_t>(i) : table[i].Neighbour[FaceNumber(axis, side - 1)];
-      this->Value[axis][side] = leaf >= 0 ? table[leaf].Value : nullptr;
-      this->Speed[axis][side] =
-        leaf >= 0 ? buffers.Speed.data() + 512 * std::size_t(leaf) : nullptr;
-      this->Known[axis][side] = leaf >= 0 ? &buffers.Known[leaf] : &nothing;
     }
+
+    ACTIVE_ALWAYS_INLINE LeafMask GetReached() const { return this->Before | this->After; }
+
+    ACTIVE_ALWAYS_INLINE void Add(int node, float distance, KnownSpeeds& sums) const
+    {
+      this->Add(node, -1, this->Before.Has(node), distance, sums);
+      this->Add(node, 1, this->After.Has(node), distance, sums);
+    }
+
+  private:
+    /** Without a branch: what is not known counts for nothing. */
+    ACTIVE_ALWAYS_INLINE void Add(
+      int node, int sign, bool known, float distance, KnownSpeeds& sums) const
+    {
+      const float nearer = distance - std::fabs(this->Values.At(node, sign));
+      const float weight = static_cast<float>(known) * std::max(nearer, 0.f);
+      sums.Weight += weight;
+      sums.Weighted += weight * this->Speeds.At(node, sign);
+    }
+
+    const LeafLine<Axis> Values;
+    const LeafLine<Axis> Speeds;
+    const LeafMask Before;
+    const LeafMask After;
+  };
+
+  /** The plain mean of the known neighbours, where none is nearer to the surface. */
+  float FindMean(int node) const
+  {
+    float sum = 0.f, count = 0.f;
+    for (int face = 0; face < 6; ++face)
+    {
+      const LeafTable::Place next = this->Table.Step(this->Leaf, node, face / 2, face % 2 ? 1 : -1);
+      if (next.Leaf >= 0 && this->Buffers.Known[next.Leaf].Has(next.Node))
+      {
+        sum += this->Buffers.Speed[512 * std::size_t(next.Leaf) + next.Node];
+        count += 1.f;
+      }
+    }
+    return sum / count;
   }
 
   /** Nodes whose neighbour in this direction is known. */
-  LeafMask KnownAlong(int axis, int sign) const
+  template <int Axis, int Sign>
+  ACTIVE_ALWAYS_INLINE LeafMask SeeKnown() const
   {
-    const LeafMask& known = *this->Known[axis][1];
-    return sign < 0 ? SeenBehind(known, *this->Known[axis][0], axis, 1)
-                    : SeenAhead(known, *this->Known[axis][2], axis, 1);
+    static const LeafMask nothing;
+    const std::int32_t next = this->Table[this->Leaf].Neighbour[FaceNumber(Axis, Sign)];
+    return Seen<Axis, Sign>(
+      this->Buffers.Known[this->Leaf], next >= 0 ? this->Buffers.Known[next] : nothing);
   }
+
+  const LeafTable& Table;
+  const std::int32_t Leaf;
+  const SubstepBuffers& Buffers;
 };
 
-/** Sums over the known neighbours of a node. */
-struct KnownSpeeds
+struct ExtendLeaf
 {
-  float Weight;
-  float Weighted;
-  float Plain;
-  float Count;
+  const LeafTable& Table;
+  SubstepBuffers& Buffers;
+  std::atomic<bool>& Reached;
+  std::atomic<bool>& Left;
 
-  float Mean() const
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
-    return this->Weight > 0.f ? this->Weighted / this->Weight : this->Plain / this->Count;
-  }
-};
-
-/** Adds the neighbour in one direction of those nodes where it is known. */
-template <int Axis, int Sign>
-void AddNeighbours(const Surroundings& around, const LeafMask& nodes, KnownSpeeds* sums)
-{
-  constexpr int stride = Stride(Axis);
-  const float* own = around.Value[Axis][1];
-  nodes.ForEach(
-    [&](int node)
+    const LeafMask& known = this->Buffers.Known[i];
+    this->Buffers.NextKnown[i] = known;
+    const LeafMask missing = this->Table[i].Active.Without(known);
+    if (!missing.Any())
     {
-      const int side = (((node / stride) & 7) + Sign) >> 3;
-      const int next = node + (Sign - 8 * side) * stride;
-      const float speed = around.Speed[Axis][side + 1][next];
-      const float nearer = std::fabs(own[node]) - std::fabs(around.Value[Axis][side + 1][next]);
-      const float weight = std::max(nearer, 0.f);
-      KnownSpeeds& sum = sums[node];
-      sum.Weight += weight;
-      sum.Weighted += weight * speed;
-      sum.Plain += speed;
-      sum.Count += 1.f;
-    });
-}
-
-/** Speeds of those of the missing nodes that have a known neighbour; returns which. */
-LeafMask ExtendLeaf(const Surroundings& around, const LeafMask& missing, float* speed)
-{
-  std::array<LeafMask, 6> reached;
-  LeafMask front;
-  for (int face = 0; face < 6; ++face)
-  {
-    reached[face] = missing & around.KnownAlong(face / 2, face % 2 ? 1 : -1);
-    front = front | reached[face];
+      return;
+    }
+    const LeafMask front = LeafExtension(this->Table, i, this->Buffers)
+                             .Extend(missing, this->Buffers.Speed.data() + 512 * i);
+    this->Buffers.NextKnown[i] = known | front;
+    if (front.Any())
+    {
+      this->Reached.store(true, std::memory_order_relaxed);
+    }
+    if (missing.Without(front).Any())
+    {
+      this->Left.store(true, std::memory_order_relaxed);
+    }
   }
-  if (front.Any())
-  {
-    KnownSpeeds sums[512];
-    front.ForEach([&](int node) { sums[node] = { 0.f, 0.f, 0.f, 0.f }; });
-    AddNeighbours<0, -1>(around, reached[0], sums);
-    AddNeighbours<0, 1>(around, reached[1], sums);
-    AddNeighbours<1, -1>(around, reached[2], sums);
-    AddNeighbours<1, 1>(around, reached[3], sums);
-    AddNeighbours<2, -1>(around, reached[4], sums);
-    AddNeighbours<2, 1>(around, reached[5], sums);
-    front.ForEach([&](int node) { speed[node] = sums[node].Mean(); });
-  }
-  return front;
-}
+};
 
 /** One round; false when no active node is left to reach. */
 bool ExtendOnce(const LeafTable& table, SubstepBuffers& buffers)
 {
   std::atomic<bool> reached{ false }, left{ false };
-  table.ForEach(
-    [&](std::size_t i)
-    {
-      const BandLeaf& leaf = table[i];
-      const LeafMask& known = buffers.Known[i];
-      buffers.NextKnown[i] = known;
-      const LeafMask missing = leaf.Active.Without(known);
-      if (!missing.Any())
-      {
-        return;
-      }
-      const LeafMask front =
-        ExtendLeaf(Surroundings(table, i, buffers), missing, buffers.Speed.data() + 512 * i);
-      buffers.NextKnown[i] = known | front;
-      if (front.Any())
-      {
-        reached.store(true, std::memory_order_relaxed);
-      }
-      if (missing.Without(front).Any())
-      {
-        left.store(true, std::memory_order_relaxed);
-      }
-    });
+  ForEachLeaf(table, ExtendLeaf{ table, buffers, reached, left });
   std::swap(buffers.Known, buffers.NextKnown);
   return reached.load() && left.load();
 }
