@@ -26,19 +26,17 @@ struct Candidates
   }
 };
 
-/** All that is found for a node. */
-struct NodeSums
+/** Of three nodes in one direction. A step that is no increase has weight 0. */
+ACTIVE_ALWAYS_INLINE float LimitedGrowth(float step, float second, float third)
 {
-  Candidates ThreePoint;
-  Candidates Other;
-  float LargestStep;
-  float Smallest;
+  const float most = 2.f * step;
+  return std::min(std::max(most - (second - third), 0.f), most);
+}
 
-  static NodeSums Nothing()
-  {
-    return { { 0.f, 0.f }, { 0.f, 0.f }, 0.f, std::numeric_limits<float>::max() };
-  }
-};
+ACTIVE_ALWAYS_INLINE float Increase(float first, float second)
+{
+  return std::max(first - second, 0.f);
+}
 
 /** The extrapolated |u| of the nodes of one layer in one leaf. */
 class LayerFill
@@ -55,14 +53,22 @@ public:
   template <class Function>
   ACTIVE_ALWAYS_INLINE void ForEach(const LeafMask& nodes, Function&& function)
   {
-    nodes.ForEach([this](int node) { this->Sums[node] = NodeSums::Nothing(); });
+    nodes.ForEach([this](int node) ACTIVE_INLINED
+      { this->Weight[node] = this->Sum[node] = this->LargestStep[node] = 0.f; });
     this->AddRays<0, -1>(nodes);
     this->AddRays<0, 1>(nodes);
     this->AddRays<1, -1>(nodes);
     this->AddRays<1, 1>(nodes);
     this->AddRays<2, -1>(nodes);
     this->AddRays<2, 1>(nodes);
-    nodes.ForEach([this, &function](int node) { function(node, this->FindMagnitude(node)); });
+    nodes.ForEach(
+      [this, &function](int node) ACTIVE_INLINED
+      {
+        const float weight = this->Weight[node];
+        const float least = .01f * this->LargestStep[node] * this->LargestStep[node];
+        const bool isCertain = weight > 0.f && weight >= least;
+        function(node, isCertain ? this->Sum[node] / weight : this->FindUncertain(node));
+      });
   }
 
 private:
@@ -78,61 +84,53 @@ private:
     const LeafMask first = nodes & Seen<Axis, Sign>(inner, next);
     const LeafMask second = first & Seen<Axis, 2 * Sign>(inner, next);
     const LeafMask third = second & Seen<Axis, 3 * Sign>(inner, next);
-    first.Without(second).ForEach(
-      [&](int node)
-      {
-        NodeSums& sums = this->Sums[node];
-        sums.Smallest = std::min(sums.Smallest, std::fabs(line.At(node, Sign)));
-      });
     second.Without(third).ForEach(
-      [&](int node)
+      [&](int node) ACTIVE_INLINED
       {
-        AddTwoPoint(
-          std::fabs(line.At(node, Sign)), std::fabs(line.At(node, 2 * Sign)), this->Sums[node]);
+        const float step =
+          Increase(std::fabs(line.At(node, Sign)), std::fabs(line.At(node, 2 * Sign)));
+        this->LargestStep[node] = std::max(this->LargestStep[node], step);
       });
     third.ForEach(
-      [&](int node)
+      [&](int node) ACTIVE_INLINED
       {
-        AddThreePoint(std::fabs(line.At(node, Sign)), std::fabs(line.At(node, 2 * Sign)),
-          std::fabs(line.At(node, 3 * Sign)), this->Sums[node]);
+        const float a1 = std::fabs(line.At(node, Sign)), a2 = std::fabs(line.At(node, 2 * Sign));
+        const float a3 = std::fabs(line.At(node, 3 * Sign));
+        const float step = Increase(a1, a2), growth = LimitedGrowth(step, a2, a3);
+        this->LargestStep[node] = std::max(this->LargestStep[node], step);
+        this->Sum[node] += growth * growth * (a1 + growth);
+        this->Weight[node] += growth * growth;
       });
   }
 
-  // A step that is no increase has weight 0.
-  static ACTIVE_ALWAYS_INLINE void AddTwoPoint(float first, float second, NodeSums& sums)
+  /** Where the three-point rays do not say enough: with all other candidates. */
+  float FindUncertain(int node) const
   {
-    const float step = std::max(first - second, 0.f);
-    sums.Smallest = std::min(sums.Smallest, first);
-    sums.LargestStep = std::max(sums.LargestStep, step);
-    sums.Other.Add(first + step, step * step);
-  }
-
-  static ACTIVE_ALWAYS_INLINE void AddThreePoint(
-    float first, float second, float third, NodeSums& sums)
-  {
-    const float step = std::max(first - second, 0.f), most = 2.f * step;
-    sums.Smallest = std::min(sums.Smallest, first);
-    sums.LargestStep = std::max(sums.LargestStep, step);
-    const float growth = std::min(std::max(most - (second - third), 0.f), most);
-    sums.ThreePoint.Add(first + growth, growth * growth);
-  }
-
-  float FindMagnitude(int node)
-  {
-    NodeSums& sums = this->Sums[node];
-    const float least = .01f * sums.LargestStep * sums.LargestStep;
-    if (sums.ThreePoint.Weight > 0.f && sums.ThreePoint.Weight >= least)
+    Candidates other = { 0.f, 0.f };
+    float smallest = std::numeric_limits<float>::max();
+    for (int face = 0; face < 6; ++face)
     {
-      return sums.ThreePoint.Sum / sums.ThreePoint.Weight;
+      float ray[3]; // negative beyond its end
+      for (int steps = 1; steps <= 3; ++steps)
+      {
+        const bool goesOn = steps == 1 || ray[steps - 2] >= 0.f;
+        ray[steps - 1] = goesOn ? this->AtSteps(node, face / 2, face % 2 ? steps : -steps) : -1.f;
+      }
+      smallest = ray[0] >= 0.f ? std::min(smallest, ray[0]) : smallest;
+      if (ray[1] >= 0.f && ray[2] < 0.f)
+      {
+        const float step = Increase(ray[0], ray[1]);
+        other.Add(ray[0] + step, step * step);
+      }
     }
-    this->AddCorners(node, sums);
-    const float weight = sums.ThreePoint.Weight + sums.Other.Weight;
+    this->AddCorners(node, smallest, other);
+    const float weight = this->Weight[node] + other.Weight;
     // No inner increase: a medial axis, where the potential is flat.
-    return weight > 0.f ? (sums.ThreePoint.Sum + sums.Other.Sum) / weight : sums.Smallest;
+    return weight > 0.f ? (this->Sum[node] + other.Sum) / weight : smallest;
   }
 
   /** Around the corners of a square: p + q - r, from two neighbours and the node between them. */
-  void AddCorners(int node, NodeSums& sums) const
+  void AddCorners(int node, float smallest, Candidates& other) const
   {
     for (int first = 0; first < 2; ++first)
     {
@@ -144,36 +142,45 @@ private:
           alongFirst[first] = between[first] = signs & 1 ? 1 : -1;
           alongSecond[second] = between[second] = signs & 2 ? 1 : -1;
           AddCorner(this->AtOffset(node, alongFirst), this->AtOffset(node, alongSecond),
-            this->AtOffset(node, between), sums);
+            this->AtOffset(node, between), smallest, other);
         }
       }
     }
   }
 
   /** |u| of a node of a smaller layer, else a negative number. */
-  float AtOffset(int node, const int offset[3]) const
+  float At(const LeafTable::Place& place) const
   {
-    const LeafTable::Place place =
-      this->Table.Offset(this->Leaf, node, offset[0], offset[1], offset[2]);
     const bool isInner =
       place.Leaf >= 0 && this->Table[place.Leaf].Upto[this->Inner].Has(place.Node);
     return isInner ? std::fabs(this->Table[place.Leaf].Value[place.Node]) : -1.f;
   }
+  float AtOffset(int node, const int offset[3]) const
+  {
+    return this->At(this->Table.Offset(this->Leaf, node, offset[0], offset[1], offset[2]));
+  }
+  float AtSteps(int node, int axis, int steps) const
+  {
+    return this->At(this->Table.Step(this->Leaf, node, axis, steps));
+  }
 
-  static void AddCorner(float p, float q, float r, NodeSums& sums)
+  static void AddCorner(float p, float q, float r, float smallest, Candidates& other)
   {
     const float growthFirst = q - r, growthSecond = p - r;
     if (p >= 0.f && q >= 0.f && r >= 0.f && growthFirst > 0.f && growthSecond > 0.f &&
-      p + growthFirst >= sums.Smallest)
+      p + growthFirst >= smallest)
     {
-      sums.Other.Add(p + growthFirst, growthFirst * growthFirst + growthSecond * growthSecond);
+      other.Add(p + growthFirst, growthFirst * growthFirst + growthSecond * growthSecond);
     }
   }
 
   const LeafTable& Table;
   const std::int32_t Leaf;
-  const int Inner;    //< last layer whose values may be used
-  NodeSums Sums[512]; //< of the layer's nodes, all else is not set
+  const int Inner; //< last layer whose values may be used
+  // Of the layer's nodes; all else is not set. Three-point rays alone count in the sums.
+  float Sum[512];
+  float Weight[512];
+  float LargestStep[512];
 };
 
 /** Nodes of a layer whose value is not the last substep's: ghosts, and those that entered. */
@@ -181,6 +188,7 @@ ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, int layer)
 {
   return leaf.Upto[layer].Without(leaf.Upto[layer - 1]).Without(leaf.Active & leaf.Advanced);
 }
+
 struct FillLayer
 {
   LeafTable& Table;
@@ -196,7 +204,7 @@ struct FillLayer
     }
     LayerFill(this->Table, i, this->Layer)
       .ForEach(nodes,
-        [&leaf](int node, float magnitude)
+        [&leaf](int node, float magnitude) ACTIVE_INLINED
         { leaf.Value[node] = leaf.Inside.Has(node) ? -magnitude : magnitude; });
   }
 };

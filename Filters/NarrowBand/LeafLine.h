@@ -23,7 +23,7 @@ public:
     const std::int32_t before = table[leaf].Neighbour[FaceNumber(Axis, -1)];
     const std::int32_t after = table[leaf].Neighbour[FaceNumber(Axis, 1)];
     const float* own = arrayOf(leaf);
-    const float* ofBefore = before >= 0 ? arrayOf(before) : own; // is never read then
+    const float* ofBefore = before >= 0 ? arrayOf(before) : own;
     const float* ofAfter = after >= 0 ? arrayOf(after) : own;
     for (int p = 0; p < Planes; ++p)
     {
@@ -32,10 +32,16 @@ public:
     }
   }
 
-  /** The number so many steps along the axis; the node there must have a leaf. */
+  /**
+   * The number so many steps along the axis. Where there is no leaf, that of another node: callers
+   * mask it away. So do they with a number that another thread writes meanwhile.
+   */
   ACTIVE_ALWAYS_INLINE float At(int node, int steps) const
   {
-    return this->Plane[((node / Step) & 7) + steps + Farthest][node & ~(7 * Step)];
+    const float* from = this->Plane[((node / Step) & 7) + steps + Farthest] + (node & ~(7 * Step));
+    float number;
+    __atomic_load(from, &number, __ATOMIC_RELAXED);
+    return number;
   }
 
 private:
@@ -44,6 +50,12 @@ private:
 
   const float* Plane[Planes]; //< its first node, by its place along the axis
 };
+
+/** For numbers that other threads read with LeafLine::At meanwhile. */
+ACTIVE_ALWAYS_INLINE void WriteShared(float number, float* to)
+{
+  __atomic_store(to, &number, __ATOMIC_RELAXED);
+}
 
 /** The mask whose node n is set where `mask` has n + Steps along an axis; next: the mask of the
  * leaf in that direction. Steps: -7 to 7. */

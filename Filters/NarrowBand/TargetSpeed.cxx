@@ -177,7 +177,8 @@ public:
         alongX.Add(node, distance, sums);
         alongY.Add(node, distance, sums);
         alongZ.Add(node, distance, sums);
-        speed[node] = sums.Weight > 0.f ? sums.Weighted / sums.Weight : this->FindMean(node);
+        WriteShared(
+          sums.Weight > 0.f ? sums.Weighted / sums.Weight : this->FindMean(node), speed + node);
       });
     return front;
   }
