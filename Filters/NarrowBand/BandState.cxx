@@ -130,12 +130,7 @@ void NarrowBand::State::TakeScheme(const Motion& motion)
 
 std::size_t NarrowBand::State::CountActive() const
 {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
-  {
-    count += this->Leaves[i].Active.Count();
-  }
-  return count;
+  return this->Leaves.Count([](const BandLeaf& leaf) { return leaf.Active.Count(); });
 }
 
 void NarrowBand::State::CheckSize() const
@@ -189,7 +184,7 @@ PenaltyForce NarrowBand::State::FindForce(const Motion& motion) const
 }
 
 // Within a thousandth of a voxel of the target going on would only roughen the surface.
-bool NarrowBand::State::IsAtTarget(const Motion& motion, const TargetLimits& limits) const
+bool NarrowBand::State::IsAtTarget(const Motion& motion, const TargetLimits& limits)
 {
   constexpr double nearest = 1e-3;     // voxels
   constexpr double nodesNearest = 1.0; // those of a crossed edge are up to a voxel off the surface
@@ -312,9 +307,9 @@ void NarrowBand::State::StepAndTrace(const Motion& motion, Target& target, Advan
 
 void NarrowBand::State::Confine(const Walls& walls)
 {
-  this->Buffers.Next.resize(512 * this->Leaves.Size());
-  this->Leaves.ForEach([&](std::size_t i)
-    { std::copy_n(this->Leaves[i].Value, 512, this->Buffers.Next.data() + 512 * i); });
+  this->Buffers.MakeRoomForNodes(this->Leaves.Size());
+  this->Leaves.ForEach(
+    [&](std::size_t i) { std::copy_n(this->Leaves[i].Value, 512, this->Buffers.NextOf(i)); });
   ClampToWalls(this->Leaves, walls, this->VoxelSize, this->Buffers);
   TakeNext(this->Leaves, this->Buffers);
   this->RebuildBand();
@@ -333,11 +328,7 @@ void NarrowBand::State::RebuildBand()
     RebuildLayers(this->Leaves, this->Potential->tree());
     FillGhosts(this->Leaves);
   }
-  std::size_t empty = 0;
-  for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
-  {
-    empty += !IsUsed(this->Leaves[i]);
-  }
+  const std::size_t empty = this->Leaves.Count([](const BandLeaf& leaf) { return !IsUsed(leaf); });
   if (8 * empty > this->Leaves.Size())
   {
     DropEmptyLeaves(this->Leaves, this->Potential->tree());

@@ -61,7 +61,7 @@ private:
   struct Move;
 
   TargetLimits SampleTarget(const Motion& motion, Target& target, AdvanceReport& report);
-  bool IsAtTarget(const Motion& motion, const TargetLimits& limits) const;
+  bool IsAtTarget(const Motion& motion, const TargetLimits& limits);
   PenaltyForce FindForce(const Motion& motion) const;
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);

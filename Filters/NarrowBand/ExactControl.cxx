@@ -27,7 +27,7 @@ double Clamp(double value, double most)
 void Displace(const ControlledBand& band, double distance)
 {
   LeafTable& table = band.Leaves;
-  band.Buffers.Next.resize(512 * table.Size());
+  band.Buffers.MakeRoomForNodes(table.Size());
   const float shift = static_cast<float>(distance);
   table.ForEach(
     [&](std::size_t i)
@@ -38,7 +38,7 @@ void Displace(const ControlledBand& band, double distance)
       {
         const float* u = block.Row(row / 8, row % 8);
         const unsigned active = table[i].Active.Row(row / 8, row % 8);
-        float* next = band.Buffers.Next.data() + 512 * i + 8 * row;
+        float* next = band.Buffers.NextOf(i) + 8 * row;
         float squares[8];
         CentralSlopes(u, squares);
         for (int z = 0; z < 8; ++z)

@@ -237,7 +237,10 @@ void AddLayer(LeafTable& table, int layer)
 /** Creates the wanted leaves; false when there were none. */
 bool AddWantedLeaves(LeafTable& table, PotentialTree& tree)
 {
-  bool added = false;
+  if (table.Count([](const BandLeaf& leaf) { return leaf.Wanted != 0; }) == 0)
+  {
+    return false;
+  }
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
     for (std::uint32_t wanted = table[i].Wanted; wanted != 0; wanted &= wanted - 1)
@@ -245,15 +248,11 @@ bool AddWantedLeaves(LeafTable& table, PotentialTree& tree)
       const int n = __builtin_ctz(wanted);
       tree.touchLeaf(
         table[i].Origin.offsetBy(8 * (n / 9 - 1), 8 * (n / 3 % 3 - 1), 8 * (n % 3 - 1)));
-      added = true;
     }
   }
-  if (added)
-  {
-    table.Rebuild(tree);
-    ReadSigns(table);
-  }
-  return added;
+  table.Rebuild(tree);
+  ReadSigns(table);
+  return true;
 }
 
 /** Nodes whose neighbours one and two steps away on the axes are all in the layers. */
@@ -314,10 +313,13 @@ void FindCrossedEdges(LeafTable& table)
     [&](std::size_t i)
     {
       BandLeaf& leaf = table[i];
+      leaf.Crossings = 0;
       for (int axis = 0; axis < 3; ++axis)
       {
         const LeafMask& next = table.InsideOf(leaf.Neighbour[FaceNumber(axis, 1)]);
         leaf.Edge[axis] = leaf.Inside ^ SeenAhead(leaf.Inside, next, axis, 1);
+        leaf.CrossingsBefore[axis] = leaf.Crossings;
+        leaf.Crossings += leaf.Edge[axis].Count();
       }
     });
 }
@@ -417,13 +419,8 @@ std::size_t NumberCrossings(LeafTable& table)
   std::size_t count = 0;
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
-    BandLeaf& leaf = table[i];
-    leaf.FirstCrossing = count;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      leaf.CrossingsBefore[axis] = static_cast<int>(count - leaf.FirstCrossing);
-      count += leaf.Edge[axis].Count();
-    }
+    table[i].FirstCrossing = count;
+    count += table[i].Crossings;
   }
   return count;
 }

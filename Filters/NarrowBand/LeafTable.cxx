@@ -24,20 +24,20 @@ void LeafTable::Rebuild(PotentialTree& tree)
   // The old index still finds the entries whose masks go on.
   this->Nodes.clear();
   tree.getNodes(this->Nodes);
-  this->Previous.clear();
   this->Previous.resize(this->Nodes.size());
-  for (std::size_t i = 0; i < this->Nodes.size(); ++i)
-  {
-    const std::int32_t known = this->Find(this->Nodes[i]->origin());
-    BandLeaf& leaf = this->Previous[i];
-    if (known >= 0)
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Nodes.size(), Grain),
+    [this](const tbb::blocked_range<std::size_t>& range)
     {
-      leaf = this->Leaves[known];
-    }
-    leaf.Leaf = this->Nodes[i];
-    leaf.Value = this->Nodes[i]->buffer().data();
-    leaf.Origin = this->Nodes[i]->origin();
-  }
+      for (std::size_t i = range.begin(); i != range.end(); ++i)
+      {
+        const std::int32_t known = this->Find(this->Nodes[i]->origin());
+        BandLeaf& leaf = this->Previous[i];
+        leaf = known >= 0 ? this->Leaves[known] : BandLeaf();
+        leaf.Leaf = this->Nodes[i];
+        leaf.Value = this->Nodes[i]->buffer().data();
+        leaf.Origin = this->Nodes[i]->origin();
+      }
+    });
   std::swap(this->Leaves, this->Previous);
   this->BuildIndex();
   this->FindNeighbours(tree);

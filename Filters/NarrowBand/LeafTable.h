@@ -13,9 +13,11 @@
 #include <openvdb/openvdb.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace activesurface
@@ -66,6 +68,7 @@ struct BandLeaf
   std::array<LeafMask, 3> Edge;              //< crossed edges, by axis, at their lower node
   std::size_t FirstCrossing = 0;             //< number of the first crossed edge
   std::array<int, 3> CrossingsBefore{};      //< crossed edges of this leaf on earlier axes
+  int Crossings = 0;                         //< crossed edges of this leaf
 };
 
 /** Whether a node of the leaf means more than its sign. */
@@ -121,8 +124,7 @@ public:
   template <class Function>
   void ForEach(Function&& function) const
   {
-    constexpr std::size_t grain = 16;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Leaves.size(), grain),
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Leaves.size(), Grain),
       [&](const tbb::blocked_range<std::size_t>& range)
       {
         for (std::size_t i = range.begin(); i != range.end(); ++i)
@@ -130,6 +132,23 @@ public:
           function(i);
         }
       });
+  }
+
+  /** The sum of function(leaf), a whole number, over all leaves, in parallel. */
+  template <class Function>
+  std::size_t Count(Function&& function) const
+  {
+    return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, this->Leaves.size(), Grain), std::size_t(0),
+      [&](const tbb::blocked_range<std::size_t>& range, std::size_t count)
+      {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+        {
+          count += static_cast<std::size_t>(function(this->Leaves[i]));
+        }
+        return count;
+      },
+      std::plus<std::size_t>());
   }
 
   /** Value that stands for all nodes beyond the layers, and minus it inside. */
@@ -150,6 +169,8 @@ public:
   std::int32_t Find(const openvdb::Coord& origin) const;
 
 private:
+  static constexpr std::size_t Grain = 16; //< leaves: some microseconds of work
+
   void FindNeighbours(const PotentialTree& tree);
   void BuildIndex();
 

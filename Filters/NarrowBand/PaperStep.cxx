@@ -31,7 +31,7 @@ PaperLimits FindLeafSpeed(const LeafTable& table, std::size_t i, bool attracted,
   for (int row = 0; row < 64; ++row)
   {
     const float* u = block.Row(row / 8, row % 8);
-    float* speed = buffers.Speed.data() + 512 * i + 8 * row;
+    float* speed = buffers.SpeedOf(i) + 8 * row;
     float squares[8], rates[8] = {}; // curvature * slope
     CentralSlopes(u, squares);
     AddTension(u, 1.f, rates);
@@ -56,7 +56,7 @@ PaperLimits FindLeafSpeed(const LeafTable& table, std::size_t i, bool attracted,
 PaperLimits FindPaperSpeed(
   const LeafTable& table, bool attracted, double uniform, double tension, SubstepBuffers& buffers)
 {
-  buffers.Speed.resize(512 * table.Size());
+  buffers.MakeRoomForNodes(table.Size());
   std::vector<PaperLimits> parts(table.Size());
   table.ForEach(
     [&](std::size_t i)
@@ -86,7 +86,6 @@ double PaperTimeStep(const PaperLimits& limits, double tension, double voxelSize
 
 void StepPaper(const LeafTable& table, double advection, SubstepBuffers& buffers)
 {
-  buffers.Next.resize(512 * table.Size());
   const float factor = static_cast<float>(advection);
   table.ForEach(
     [&](std::size_t i)
@@ -96,14 +95,13 @@ void StepPaper(const LeafTable& table, double advection, SubstepBuffers& buffers
       for (int row = 0; row < 64; ++row)
       {
         const float* u = block.Row(row / 8, row % 8);
-        const std::size_t first = 512 * i + 8 * row;
         float next[8];
         std::copy_n(u, 8, next);
-        AddCentralTransport(u, buffers.Speed.data() + first, factor, next);
+        AddCentralTransport(u, buffers.SpeedOf(i) + 8 * row, factor, next);
         for (int z = 0; z < 8; ++z)
         {
           const bool active = (table[i].Active.Row(row / 8, row % 8) >> z) & 1u;
-          buffers.Next[first + z] = active ? Clamp(next[z], PaperThreshold) : u[z];
+          buffers.NextOf(i)[8 * row + z] = active ? Clamp(next[z], PaperThreshold) : u[z];
         }
       }
     });

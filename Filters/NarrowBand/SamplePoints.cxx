@@ -13,7 +13,7 @@ namespace activesurface
 void FindSamplePoints(
   const LeafTable& table, double voxelSize, std::size_t count, std::vector<double>& points)
 {
-  points.resize(3 * count);
+  MakeRoom(points, 3 * count);
   table.ForEach(
     [&](std::size_t i)
     {
@@ -74,8 +74,8 @@ TargetSamples Sum(const TargetSamples& a, const TargetSamples& b)
 TargetSamples EvaluateTarget(const Target& target, std::size_t count, SubstepBuffers& buffers)
 {
   constexpr std::size_t batch = 512;
-  buffers.Values.resize(count);
-  buffers.Slopes.resize(count);
+  MakeRoom(buffers.Values, count);
+  MakeRoom(buffers.Slopes, count);
   if (!target.IsThreadSafe())
   {
     return count > 0 ? EvaluateBatch(target, 0, count, buffers) : TargetSamples();

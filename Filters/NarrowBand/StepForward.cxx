@@ -69,14 +69,13 @@ struct StepLeaf
     const LeafMask relaxed = this->Coefficients.Relaxation > 0.f
       ? LeafMask::All().Without(NodesWithCrossing(this->Table, leaf))
       : LeafMask();
-    const float* speeds =
-      this->Coefficients.Attracted ? this->Buffers.Speed.data() + 512 * i : nullptr;
+    const float* speeds = this->Coefficients.Attracted ? this->Buffers.SpeedOf(i) : nullptr;
     int flat = 0, steep = 0;
     for (int row = 0; row < 64; ++row)
     {
       const int x = row / 8, y = row % 8;
       const unsigned active = leaf.Active.Row(x, y);
-      float* result = this->Buffers.Next.data() + 512 * i + 8 * row;
+      float* result = this->Buffers.NextOf(i) + 8 * row;
       const float* u = block.Row(x, y);
       if (active == 0)
       {
@@ -106,14 +105,14 @@ SlopeCounts StepForward(
   const LeafTable& table, const StepCoefficients& coefficients, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
-  buffers.Next.resize(512 * size);
+  buffers.MakeRoomForNodes(size);
   buffers.FlatNodes.resize(size);
   buffers.SteepNodes.resize(size);
   ForEachLeaf(table, StepLeaf{ table, coefficients, buffers });
   SlopeCounts counts;
+  counts.Nodes = table.Count([](const BandLeaf& leaf) { return leaf.Upto[0].Count(); });
   for (std::size_t i = 0; i < size; ++i)
   {
-    counts.Nodes += table[i].Upto[0].Count();
     counts.Flat += buffers.FlatNodes[i];
     counts.Steep += buffers.SteepNodes[i];
   }
@@ -125,7 +124,7 @@ void TakeNext(LeafTable& table, const SubstepBuffers& buffers)
   table.ForEach(
     [&](std::size_t i)
     {
-      std::copy_n(buffers.Next.data() + 512 * i, 512, table[i].Value);
+      std::copy_n(buffers.NextOf(i), 512, table[i].Value);
       table[i].Advanced = table[i].Active;
       table[i].Inside = InsideNodes(table[i].Value);
     });

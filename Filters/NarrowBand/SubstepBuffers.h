@@ -12,6 +12,18 @@
 namespace activesurface
 {
 
+/** Makes a vector so long; what it holds is lost, so that memory is never needed twice. */
+template <class Value>
+void MakeRoom(std::vector<Value>& room, std::size_t size)
+{
+  if (room.capacity() < size)
+  {
+    std::vector<Value>().swap(room);
+    room.reserve(size + size / 8); // surfaces that grow do so by little
+  }
+  room.resize(size);
+}
+
 struct SubstepBuffers
 {
   // Per point of evaluation: the sample points in the order of NumberCrossings, then those of
@@ -20,9 +32,9 @@ struct SubstepBuffers
   std::vector<double> Values; //< F - iso
   std::vector<double> Slopes; //< bound of |dF/dn|
 
-  // Per leaf, 512 nodes each.
-  std::vector<float> Speed; //< extended target speed, valid where Known
-  std::vector<float> Next;  //< potential after the substep
+  // Per leaf, 512 nodes each: extended target speed, valid where Known, then the potential after
+  // the substep, which takes its room row by row.
+  std::vector<float> Nodes;
   std::vector<LeafMask> Known;
   std::vector<LeafMask> NextKnown;
 
@@ -32,6 +44,12 @@ struct SubstepBuffers
   std::vector<float> LargestSpeed;
   std::vector<int> FlatNodes;  //< layer 0 nodes of slope below 1/sqrt 2
   std::vector<int> SteepNodes; //< layer 0 nodes of slope above sqrt 2
+
+  void MakeRoomForNodes(std::size_t leaves) { MakeRoom(this->Nodes, 512 * leaves); }
+  float* SpeedOf(std::size_t leaf) { return this->Nodes.data() + 512 * leaf; }
+  const float* SpeedOf(std::size_t leaf) const { return this->Nodes.data() + 512 * leaf; }
+  float* NextOf(std::size_t leaf) { return this->Nodes.data() + 512 * leaf; }
+  const float* NextOf(std::size_t leaf) const { return this->Nodes.data() + 512 * leaf; }
 };
 
 }

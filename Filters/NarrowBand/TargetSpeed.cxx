@@ -102,7 +102,7 @@ void TakeSamples(
     AddIncomingEdges(table, leaf, axis, buffers.Values.data(), samples, known);
     AddOwnEdges(table, leaf, axis, buffers.Values.data(), samples, known);
   }
-  float* speed = buffers.Speed.data() + 512 * i;
+  float* speed = buffers.SpeedOf(i);
   const float rate = static_cast<float>(-motion.Attraction);
   known.ForEach(
     [&](int node)
@@ -117,7 +117,7 @@ void TakeSamples(
 void TakeOwnPoints(std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
   const double* value = buffers.Values.data() + buffers.FirstOwnPoint[i];
-  float* speed = buffers.Speed.data() + 512 * i;
+  float* speed = buffers.SpeedOf(i);
   const float rate = static_cast<float>(-motion.Attraction);
   buffers.OwnPoint[i].ForEach(
     [&](int node)
@@ -138,7 +138,7 @@ float LargestOf(const float* speed, const LeafMask& nodes)
 void TakeTarget(
   const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
-  float* speed = buffers.Speed.data() + 512 * i;
+  float* speed = buffers.SpeedOf(i);
   std::fill_n(speed, 512, 0.f); // what the extension does not reach stands still
   buffers.Known[i] = LeafMask();
   if (SamplesCrossings(motion))
@@ -197,8 +197,7 @@ private:
   public:
     ACTIVE_ALWAYS_INLINE Neighbours(const LeafExtension& leaf, const LeafMask& missing)
       : Values(leaf.Table, leaf.Leaf, [&leaf](std::int32_t n) { return leaf.Table[n].Value; })
-      , Speeds(leaf.Table, leaf.Leaf,
-          [&leaf](std::int32_t n) { return leaf.Buffers.Speed.data() + 512 * std::size_t(n); })
+      , Speeds(leaf.Table, leaf.Leaf, [&leaf](std::int32_t n) { return leaf.Buffers.SpeedOf(n); })
       , Before(missing & leaf.SeeKnown<Axis, -1>())
       , After(missing & leaf.SeeKnown<Axis, 1>())
     {
@@ -238,7 +237,7 @@ private:
       const LeafTable::Place next = this->Table.Step(this->Leaf, node, face / 2, face % 2 ? 1 : -1);
       if (next.Leaf >= 0 && this->Buffers.Known[next.Leaf].Has(next.Node))
       {
-        sum += this->Buffers.Speed[512 * std::size_t(next.Leaf) + next.Node];
+        sum += this->Buffers.SpeedOf(next.Leaf)[next.Node];
         count += 1.f;
       }
     }
@@ -276,8 +275,8 @@ struct ExtendLeaf
     {
       return;
     }
-    const LeafMask front = LeafExtension(this->Table, i, this->Buffers)
-                             .Extend(missing, this->Buffers.Speed.data() + 512 * i);
+    const LeafMask front =
+      LeafExtension(this->Table, i, this->Buffers).Extend(missing, this->Buffers.SpeedOf(i));
     this->Buffers.NextKnown[i] = known | front;
     if (front.Any())
     {
@@ -301,10 +300,21 @@ bool ExtendOnce(const LeafTable& table, SubstepBuffers& buffers)
 
 }
 
+namespace
+{
+
+double LargestOfLeaves(const SubstepBuffers& buffers)
+{
+  const auto largest = std::max_element(buffers.LargestSpeed.begin(), buffers.LargestSpeed.end());
+  return largest == buffers.LargestSpeed.end() ? 0.0 : static_cast<double>(*largest);
+}
+
+}
+
 double FindTargetSpeed(const LeafTable& table, const Motion& motion, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
-  buffers.Speed.resize(512 * size);
+  buffers.MakeRoomForNodes(size);
   buffers.Known.resize(size);
   buffers.NextKnown.resize(size);
   buffers.LargestSpeed.resize(size);
@@ -313,35 +323,33 @@ double FindTargetSpeed(const LeafTable& table, const Motion& motion, SubstepBuff
   while (SamplesCrossings(motion) && !motion.Paper && ExtendOnce(table, buffers))
   {
   }
-  double largest = 0.0;
-  for (float speed : buffers.LargestSpeed)
-  {
-    largest = std::max(largest, static_cast<double>(speed));
-  }
-  return largest;
+  return LargestOfLeaves(buffers);
 }
 
-double LargestSpeedAtSurface(const LeafTable& table, const SubstepBuffers& buffers)
+double LargestSpeedAtSurface(const LeafTable& table, SubstepBuffers& buffers)
 {
   const auto speedAt = [&](const LeafTable::Place& place)
-  { return buffers.Speed[512 * std::size_t(place.Leaf) + place.Node]; };
-  float largest = 0.f;
-  for (std::size_t i = 0; i < table.Size(); ++i)
-  {
-    for (int axis = 0; axis < 3; ++axis)
+  { return buffers.SpeedOf(place.Leaf)[place.Node]; };
+  table.ForEach(
+    [&](std::size_t i)
     {
-      table[i].Edge[axis].ForEach(
-        [&](int node)
-        {
-          const LeafTable::Place lower{ static_cast<std::int32_t>(i), node };
-          const LeafTable::Place upper = table.Step(lower.Leaf, node, axis, 1);
-          const float low = table[i].Value[node], high = table[upper.Leaf].Value[upper.Node];
-          const float t = low / (low - high);
-          largest = std::max(largest, std::fabs((1.f - t) * speedAt(lower) + t * speedAt(upper)));
-        });
-    }
-  }
-  return largest;
+      float largest = 0.f;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        table[i].Edge[axis].ForEach(
+          [&](int node)
+          {
+            const LeafTable::Place lower{ static_cast<std::int32_t>(i), node };
+            const LeafTable::Place upper = table.Step(lower.Leaf, node, axis, 1);
+            const float low = table[i].Value[node], high = table[upper.Leaf].Value[upper.Node];
+            const float t = low / (low - high);
+            const float speed = (1.f - t) * speedAt(lower) + t * speedAt(upper);
+            largest = std::max(largest, std::fabs(speed));
+          });
+      }
+      buffers.LargestSpeed[i] = largest;
+    });
+  return LargestOfLeaves(buffers);
 }
 
 }

@@ -25,7 +25,7 @@ struct SubstepBuffers;
 double FindTargetSpeed(const LeafTable& table, const Motion& motion, SubstepBuffers& buffers);
 
 /** The largest |speed| at the sample points, interpolated between the nodes. */
-double LargestSpeedAtSurface(const LeafTable& table, const SubstepBuffers& buffers);
+double LargestSpeedAtSurface(const LeafTable& table, SubstepBuffers& buffers);
 
 }
 

@@ -31,7 +31,7 @@ void ClampToWalls(
     [&](std::size_t i)
     {
       const BandLeaf& leaf = table[i];
-      float* next = buffers.Next.data() + 512 * i;
+      float* next = buffers.NextOf(i);
       leaf.Active.ForEach(
         [&](int node)
         {
