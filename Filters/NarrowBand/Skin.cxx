@@ -1,7 +1,7 @@
 #include "Skin.h"
 
-#include "CubeTriangles.h"
-#include "LeafTable.h"
+#include "LeafBlock.h"
+#include "LeafKernels.h"
 #include "NarrowBand.h"
 #include "SkinVoxels.h"
 
@@ -15,46 +15,29 @@ namespace activesurface
 namespace
 {
 
-/** Number of the vertex on an edge of the voxel with this lower corner. */
-std::int64_t VertexOnEdge(const LeafTable& table, std::int32_t leaf, int node, int edge)
+/** Adds weight * central gradient at a node of the block. */
+ACTIVE_ALWAYS_INLINE void AddGradient(const float* u, double weight, double gradient[3])
 {
-  const int corner = LowerCornerOfEdge[edge], axis = AxisOfEdge(edge);
-  const LeafTable::Place lower = table.Offset(leaf, node, corner >> 2, corner >> 1 & 1, corner & 1);
-  const BandLeaf& owner = table[lower.Leaf];
-  return static_cast<std::int64_t>(
-    owner.FirstCrossing + owner.CrossingsBefore[axis] + owner.Edge[axis].Rank(lower.Node));
-}
-
-float ValueAt(const LeafTable& table, const LeafTable::Place& place)
-{
-  return place.Leaf >= 0 ? table[place.Leaf].Value[place.Node] : table.BackgroundOf(place.Leaf);
-}
-
-/** Adds weight * central gradient at a node. */
-void AddGradient(
-  const LeafTable& table, const LeafTable::Place& place, double weight, double gradient[3])
-{
+  constexpr int strides[3] = { LeafBlock::X, LeafBlock::Y, LeafBlock::Z };
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double ahead = ValueAt(table, table.Step(place.Leaf, place.Node, axis, 1));
-    const double behind = ValueAt(table, table.Step(place.Leaf, place.Node, axis, -1));
+    const double ahead = u[strides[axis]], behind = u[-strides[axis]];
     gradient[axis] += weight * (ahead - behind);
   }
 }
 
-void WriteNormal(const LeafTable& table, const LeafTable::Place& lower,
-  const LeafTable::Place& upper, int axis, float* normal)
+/** The potential decreases inwards; t: how far the crossing is from the lower to the upper node. */
+ACTIVE_ALWAYS_INLINE void WriteNormal(
+  const float* lower, const float* upper, double t, int axis, float* normal)
 {
-  const double low = ValueAt(table, lower), high = ValueAt(table, upper);
-  const double t = low / (low - high);
   double gradient[3] = { 0.0, 0.0, 0.0 };
-  AddGradient(table, lower, 1.0 - t, gradient);
-  AddGradient(table, upper, t, gradient);
+  AddGradient(lower, 1.0 - t, gradient);
+  AddGradient(upper, t, gradient);
   double length =
     std::sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2]);
   if (!(length > 0.0))
   {
-    gradient[axis] = low < 0.0 ? 1.0 : -1.0; // no gradient: at least from inside to outside
+    gradient[axis] = *lower < 0.f ? 1.0 : -1.0; // no gradient: at least from inside to outside
     length = 1.0;
   }
   for (int d = 0; d < 3; ++d)
@@ -63,52 +46,99 @@ void WriteNormal(const LeafTable& table, const LeafTable::Place& lower,
   }
 }
 
+/** The vertices of a leaf: where the surface crosses the edges that begin in it. */
 template <class Number>
-void WriteVertices(
-  const LeafTable& table, std::size_t i, double voxelSize, Number* points, float* normals)
+struct WriteVertices
 {
-  const BandLeaf& leaf = table[i];
-  std::size_t vertex = leaf.FirstCrossing;
-  for (int axis = 0; axis < 3; ++axis)
+  const LeafTable& Table;
+  double VoxelSize;
+  Number* Points;
+  float* Normals;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
-    leaf.Edge[axis].ForEach(
-      [&](int node)
+    const BandLeaf& leaf = this->Table[i];
+    if (leaf.Crossings == 0)
+    {
+      return;
+    }
+    constexpr int strides[3] = { LeafBlock::X, LeafBlock::Y, LeafBlock::Z };
+    LeafBlock block;
+    block.Gather(this->Table, leaf);
+    std::size_t vertex = leaf.FirstCrossing;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      leaf.Edge[axis].ForEach(
+        [&](int node) ACTIVE_INLINED
+        {
+          const int x = node >> 6, y = (node >> 3) & 7, z = node & 7;
+          const float* lower = block.Row(x, y) + z;
+          const float* upper = lower + strides[axis];
+          const double low = *lower, high = *upper, t = low / (low - high);
+          double at[3] = { double(leaf.Origin[0] + x), double(leaf.Origin[1] + y),
+            double(leaf.Origin[2] + z) };
+          at[axis] += t;
+          for (int d = 0; d < 3; ++d)
+          {
+            this->Points[3 * vertex + d] = static_cast<Number>(this->VoxelSize * at[d]);
+          }
+          if (this->Normals)
+          {
+            WriteNormal(lower, upper, t, axis, this->Normals + 3 * vertex);
+          }
+          ++vertex;
+        });
+    }
+  }
+};
+
+struct CountTriangles
+{
+  const LeafTable& Table;
+  std::size_t* Counts;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    const VoxelTriangles* triangles = &TrianglesOfVoxel(0);
+    std::size_t count = 0;
+    ForEachCrossedVoxel(
+      this->Table, i, [&](int, unsigned bits) ACTIVE_INLINED { count += triangles[bits].Count; });
+    this->Counts[i] = count;
+  }
+};
+
+struct WriteTriangles
+{
+  const LeafTable& Table;
+  const std::size_t* First; //< number of the first triangle of each leaf
+  std::int64_t* Corners;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    if (this->First[i] == this->First[i + 1])
+    {
+      return;
+    }
+    std::int64_t vertex[3 * CornersOfLeaf]; // by EdgePlace, where the edge is crossed
+    ForEachCrossedEdge(this->Table, i,
+      [&vertex](const CrossedEdge& edge) ACTIVE_INLINED { vertex[edge.Place] = edge.Number; });
+    const VoxelTriangles* all = &TrianglesOfVoxel(0);
+    std::int64_t* corner = this->Corners + 3 * this->First[i];
+    ForEachCrossedVoxel(this->Table, i,
+      [&](int node, unsigned bits) ACTIVE_INLINED
       {
-        const LeafTable::Place lower{ static_cast<std::int32_t>(i), node };
-        const LeafTable::Place upper = table.Step(lower.Leaf, node, axis, 1);
-        const double low = ValueAt(table, lower), high = ValueAt(table, upper);
-        double at[3] = { double(leaf.Origin[0] + (node >> 6)),
-          double(leaf.Origin[1] + ((node >> 3) & 7)), double(leaf.Origin[2] + (node & 7)) };
-        at[axis] += low / (low - high);
-        for (int d = 0; d < 3; ++d)
+        const VoxelTriangles& triangles = all[bits];
+        const int place = CornerPlace(node);
+        for (int t = 0; t < triangles.Count; ++t)
         {
-          points[3 * vertex + d] = static_cast<Number>(voxelSize * at[d]);
+          for (std::uint8_t edge : triangles.Edge[t])
+          {
+            *corner++ = vertex[place + PlaceOfEdge[edge]];
+          }
         }
-        if (normals)
-        {
-          WriteNormal(table, lower, upper, axis, normals + 3 * vertex);
-        }
-        ++vertex;
       });
   }
-}
-
-/** corners: where the first triangle of the leaf goes. */
-void WriteTriangles(const LeafTable& table, std::size_t i, std::int64_t* corners)
-{
-  ForEachCrossedVoxel(table, i,
-    [&](int node, unsigned bits)
-    {
-      const VoxelTriangles& triangles = TrianglesOfVoxel(bits);
-      for (int t = 0; t < triangles.Count; ++t)
-      {
-        for (std::uint8_t edge : triangles.Edge[t])
-        {
-          *corners++ = VertexOnEdge(table, static_cast<std::int32_t>(i), node, edge);
-        }
-      }
-    });
-}
+};
 
 }
 
@@ -117,24 +147,13 @@ Skin::Skin(const NarrowBand& band)
 {
   const LeafTable& table = band.GetLeaves();
   this->FirstTriangle.resize(table.Size() + 1);
-  band.Run(
-    [&]
-    {
-      table.ForEach(
-        [&](std::size_t i)
-        {
-          std::size_t count = 0;
-          ForEachCrossedVoxel(
-            table, i, [&](int, unsigned bits) { count += TrianglesOfVoxel(bits).Count; });
-          this->FirstTriangle[i + 1] = count;
-        });
-    });
+  band.Run([&] { ForEachLeaf(table, CountTriangles{ table, this->FirstTriangle.data() + 1 }); });
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
     this->FirstTriangle[i + 1] += this->FirstTriangle[i];
+    this->NumberOfPoints += table[i].Crossings;
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->NumberOfPoints += table[i].Edge[axis].Count();
       this->FarthestNode =
         std::max(this->FarthestNode, std::abs(std::int64_t(table[i].Origin[axis])));
     }
@@ -149,12 +168,9 @@ void Skin::WriteAs(Number* points, float* normals, std::int64_t* corners) const
   this->Band.Run(
     [&]
     {
-      table.ForEach(
-        [&](std::size_t i)
-        {
-          WriteVertices(table, i, this->Band.GetVoxelSize(), points, normals);
-          WriteTriangles(table, i, corners + 3 * this->FirstTriangle[i]);
-        });
+      ForEachLeaf(
+        table, WriteVertices<Number>{ table, this->Band.GetVoxelSize(), points, normals });
+      ForEachLeaf(table, WriteTriangles{ table, this->FirstTriangle.data(), corners });
     });
 }
 

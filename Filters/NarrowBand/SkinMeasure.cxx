@@ -1,5 +1,6 @@
 #include "SkinMeasure.h"
 
+#include "LeafKernels.h"
 #include "SkinVoxels.h"
 
 #include <cmath>
@@ -31,24 +32,43 @@ double Dot(const Vector& a, const Vector& b)
   return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 }
 
-/** Where the surface crosses an edge of the voxel with this lower corner; from the reference. */
-Vector CrossingOnEdge(
-  const LeafTable& table, std::int32_t leaf, int node, int edge, const openvdb::Coord& reference)
+/** Where the surface crosses the edges of a leaf's voxels, as seen from the reference. */
+struct CrossingsOfLeaf
 {
-  const int corner = LowerCornerOfEdge[edge], axis = AxisOfEdge(edge);
-  const LeafTable::Place lower = table.Offset(leaf, node, corner >> 2, corner >> 1 & 1, corner & 1);
-  const LeafTable::Place upper = table.Step(lower.Leaf, lower.Node, axis, 1);
-  const double low = table[lower.Leaf].Value[lower.Node];
-  const double high = table[upper.Leaf].Value[upper.Node];
-  const openvdb::Coord origin = table[leaf].Origin - reference;
-  double at[3] = { double(origin[0] + (node >> 6) + (corner >> 2)),
-    double(origin[1] + ((node >> 3) & 7) + (corner >> 1 & 1)),
-    double(origin[2] + (node & 7) + (corner & 1)) };
-  at[axis] += low / (low - high);
-  return { at[0], at[1], at[2] };
-}
+  double Origin[3];
+  double Along[3 * CornersOfLeaf]; // by EdgePlace, where the edge is crossed: 0 to 1
 
-void AddTriangle(const Vector corners[3], SkinMeasure& sum)
+  ACTIVE_ALWAYS_INLINE CrossingsOfLeaf(
+    const LeafTable& table, std::size_t i, const openvdb::Coord& reference)
+  {
+    const openvdb::Coord origin = table[i].Origin - reference;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Origin[axis] = double(origin[axis]);
+    }
+    ForEachCrossedEdge(table, i,
+      [&](const CrossedEdge& edge) ACTIVE_INLINED
+      {
+        const LeafTable::Place upper = table.Step(edge.Leaf, edge.Node, edge.Axis, 1);
+        const double low = table[edge.Leaf].Value[edge.Node];
+        const double high = table[upper.Leaf].Value[upper.Node];
+        this->Along[edge.Place] = low / (low - high);
+      });
+  }
+
+  /** The crossing of an edge of the voxel with this lower corner. */
+  ACTIVE_ALWAYS_INLINE Vector At(int node, int edge) const
+  {
+    const int corner = LowerCornerOfEdge[edge];
+    double at[3] = { this->Origin[0] + ((node >> 6) + (corner >> 2)),
+      this->Origin[1] + (((node >> 3) & 7) + (corner >> 1 & 1)),
+      this->Origin[2] + ((node & 7) + (corner & 1)) };
+    at[AxisOfEdge(edge)] += this->Along[CornerPlace(node) + PlaceOfEdge[edge]];
+    return { at[0], at[1], at[2] };
+  }
+};
+
+ACTIVE_ALWAYS_INLINE void AddTriangle(const Vector corners[3], SkinMeasure& sum)
 {
   const Vector twiceArea =
     Cross(Difference(corners[1], corners[0]), Difference(corners[2], corners[0]));
@@ -56,26 +76,35 @@ void AddTriangle(const Vector corners[3], SkinMeasure& sum)
   sum.Volume += Dot(corners[0], twiceArea) / 6.0;
 }
 
-SkinMeasure MeasureLeaf(const LeafTable& table, std::size_t i, const openvdb::Coord& reference)
+struct MeasureLeaf
 {
-  SkinMeasure sum;
-  ForEachCrossedVoxel(table, i,
-    [&](int node, unsigned bits)
+  const LeafTable& Table;
+  const openvdb::Coord& Reference;
+  SkinMeasure* Parts;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    SkinMeasure sum;
+    if (this->Table[i].Upto[0].Any())
     {
-      const VoxelTriangles& triangles = TrianglesOfVoxel(bits);
-      for (int t = 0; t < triangles.Count; ++t)
-      {
-        Vector corners[3];
-        for (int c = 0; c < 3; ++c)
+      const CrossingsOfLeaf crossings(this->Table, i, this->Reference);
+      const VoxelTriangles* all = &TrianglesOfVoxel(0);
+      ForEachCrossedVoxel(this->Table, i,
+        [&](int node, unsigned bits) ACTIVE_INLINED
         {
-          corners[c] = CrossingOnEdge(
-            table, static_cast<std::int32_t>(i), node, triangles.Edge[t][c], reference);
-        }
-        AddTriangle(corners, sum);
-      }
-    });
-  return sum;
-}
+          const VoxelTriangles& triangles = all[bits];
+          for (int t = 0; t < triangles.Count; ++t)
+          {
+            const std::uint8_t* edge = triangles.Edge[t];
+            const Vector corners[3] = { crossings.At(node, edge[0]), crossings.At(node, edge[1]),
+              crossings.At(node, edge[2]) };
+            AddTriangle(corners, sum);
+          }
+        });
+    }
+    this->Parts[i] = sum;
+  }
+};
 
 }
 
@@ -95,7 +124,7 @@ SkinMeasure MeasureSkin(const LeafTable& table)
   }
   const openvdb::Coord reference = table[first].Origin;
   std::vector<SkinMeasure> parts(table.Size());
-  table.ForEach([&](std::size_t i) { parts[i] = MeasureLeaf(table, i, reference); });
+  ForEachLeaf(table, MeasureLeaf{ table, reference, parts.data() });
   for (const SkinMeasure& part : parts)
   {
     total.Area += part.Area;
