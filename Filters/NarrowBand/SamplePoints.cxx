@@ -1,5 +1,7 @@
 #include "SamplePoints.h"
 
+#include "LeafKernels.h"
+#include "LeafLine.h"
 #include "SubstepBuffers.h"
 
 #include <tbb/parallel_reduce.h>
@@ -10,33 +12,53 @@
 namespace activesurface
 {
 
+namespace
+{
+
+struct FindPoints
+{
+  const LeafTable& Table;
+  double VoxelSize;
+  double* Points;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    double* point = this->Points + 3 * this->Table[i].FirstCrossing;
+    this->AddEdges<0>(i, point);
+    this->AddEdges<1>(i, point);
+    this->AddEdges<2>(i, point);
+  }
+
+private:
+  template <int Axis>
+  ACTIVE_ALWAYS_INLINE void AddEdges(std::size_t i, double*& point) const
+  {
+    const BandLeaf& leaf = this->Table[i];
+    const LeafLine<Axis> line(this->Table, static_cast<std::int32_t>(i),
+      [this](std::int32_t n) { return this->Table[n].Value; });
+    leaf.Edge[Axis].ForEach(
+      [&](int node) ACTIVE_INLINED
+      {
+        const double low = leaf.Value[node], high = line.At(node, 1);
+        double at[3] = { double(leaf.Origin[0] + (node >> 6)),
+          double(leaf.Origin[1] + ((node >> 3) & 7)), double(leaf.Origin[2] + (node & 7)) };
+        at[Axis] += low / (low - high);
+        for (int d = 0; d < 3; ++d)
+        {
+          point[d] = this->VoxelSize * at[d];
+        }
+        point += 3;
+      });
+  }
+};
+
+}
+
 void FindSamplePoints(
   const LeafTable& table, double voxelSize, std::size_t count, std::vector<double>& points)
 {
   MakeRoom(points, 3 * count);
-  table.ForEach(
-    [&](std::size_t i)
-    {
-      const BandLeaf& leaf = table[i];
-      double* point = points.data() + 3 * leaf.FirstCrossing;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        leaf.Edge[axis].ForEach(
-          [&](int node)
-          {
-            const LeafTable::Place upper = table.Step(static_cast<std::int32_t>(i), node, axis, 1);
-            const float low = leaf.Value[node];
-            const float high = table[upper.Leaf].Value[upper.Node];
-            double at[3] = { double(leaf.Origin[0] + (node >> 6)),
-              double(leaf.Origin[1] + ((node >> 3) & 7)), double(leaf.Origin[2] + (node & 7)) };
-            at[axis] += double(low) / (double(low) - double(high));
-            for (double x : at)
-            {
-              *point++ = voxelSize * x;
-            }
-          });
-      }
-    });
+  ForEachLeaf(table, FindPoints{ table, voxelSize, points.data() });
 }
 
 namespace

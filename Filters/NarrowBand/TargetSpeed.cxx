@@ -1,9 +1,9 @@
 #include "TargetSpeed.h"
 
 #include "LeafKernels.h"
-#include "LeafLine.h"
 #include "NodePoints.h"
 #include "SubstepBuffers.h"
+#include "WeightedSamples.h"
 
 #include <algorithm>
 #include <atomic>
@@ -15,101 +15,16 @@ namespace activesurface
 namespace
 {
 
-/** Sums of weight and weight * value of the sample points around each node of a leaf. */
-struct WeightedSamples
-{
-  std::array<float, 512> Weight{};
-  std::array<float, 512> Sum{};
-  bool Plain = false; //< all weights are 1, as in the paper
-
-  /** own: potential at the node, other: across the crossed edge. */
-  void Add(int node, float own, float other, double value)
-  {
-    constexpr float smallest = 1e-6f; // below, the crossing counts as on the node
-    const float sample = static_cast<float>(value);
-    if (!std::isfinite(sample))
-    {
-      return;
-    }
-    const float t = this->Plain ? 1.f : std::max(own / (own - other), smallest);
-    const float weight = 1.f / (t * t);
-    this->Weight[node] += weight;
-    this->Sum[node] += weight * sample;
-  }
-};
-
-/** Edges that begin in the leaf before this one and end on its first plane. */
-void AddIncomingEdges(const LeafTable& table, const BandLeaf& leaf, int axis, const double* values,
-  WeightedSamples& samples, LeafMask& known)
-{
-  const std::int32_t number = leaf.Neighbour[FaceNumber(axis, -1)];
-  if (number < 0)
-  {
-    return;
-  }
-  const BandLeaf& before = table[number];
-  const double* first = values + before.FirstCrossing + before.CrossingsBefore[axis];
-  LeafMask lastPlane;
-  for (int x = axis == 0 ? 7 : 0; x < 8; ++x)
-  {
-    lastPlane.Word[x] = axis == 0 ? ~0ull : axis == 1 ? 0xffull << 56 : 0x8080808080808080ull;
-  }
-  const LeafMask& edges = before.Edge[axis];
-  (edges & lastPlane)
-    .ForEach(
-      [&](int lower)
-      {
-        const int node = lower - 7 * Stride(axis);
-        samples.Add(node, leaf.Value[node], before.Value[lower], first[edges.Rank(lower)]);
-        known.Add(node);
-      });
-}
-
-void AddOwnEdges(const LeafTable& table, const BandLeaf& leaf, int axis, const double* values,
-  WeightedSamples& samples, LeafMask& known)
-{
-  const std::int32_t after = leaf.Neighbour[FaceNumber(axis, 1)];
-  const int stride = Stride(axis);
-  const double* value = values + leaf.FirstCrossing + leaf.CrossingsBefore[axis];
-  leaf.Edge[axis].ForEach(
-    [&](int node)
-    {
-      const bool inside = (node / stride) % 8 < 7;
-      const float own = leaf.Value[node];
-      const float other =
-        inside ? leaf.Value[node + stride] : table[after].Value[node - 7 * stride];
-      samples.Add(node, own, other, *value);
-      known.Add(node);
-      if (inside)
-      {
-        samples.Add(node + stride, other, own, *value);
-        known.Add(node + stride);
-      }
-      ++value;
-    });
-}
-
 /** Speed at the nodes with crossed edges. */
-void TakeSamples(
+ACTIVE_ALWAYS_INLINE void TakeSamples(
   const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
-  const BandLeaf& leaf = table[i];
-  WeightedSamples samples;
-  samples.Plain = motion.Paper;
-  LeafMask known;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    AddIncomingEdges(table, leaf, axis, buffers.Values.data(), samples, known);
-    AddOwnEdges(table, leaf, axis, buffers.Values.data(), samples, known);
-  }
+  WeightedSamples samples(motion.Paper);
+  samples.Add(table, i, buffers.Values.data());
   float* speed = buffers.SpeedOf(i);
   const float rate = static_cast<float>(-motion.Attraction);
-  known.ForEach(
-    [&](int node)
-    {
-      const float weight = samples.Weight[node];
-      speed[node] = weight > 0.f ? rate * (samples.Sum[node] / weight) : 0.f;
-    });
+  const LeafMask known = NodesWithCrossing(table, table[i]);
+  known.ForEach([&](int node) ACTIVE_INLINED { speed[node] = rate * samples.GetMean(node); });
   buffers.Known[i] = known;
 }
 
@@ -135,19 +50,26 @@ float LargestOf(const float* speed, const LeafMask& nodes)
 }
 
 /** All that the samples themselves say; the largest speeds of each leaf with it. */
-void TakeTarget(
-  const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
+struct TakeTarget
 {
-  float* speed = buffers.SpeedOf(i);
-  std::fill_n(speed, 512, 0.f); // what the extension does not reach stands still
-  buffers.Known[i] = LeafMask();
-  if (SamplesCrossings(motion))
+  const LeafTable& Table;
+  const struct Motion& Motion;
+  SubstepBuffers& Buffers;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
-    TakeSamples(table, i, motion, buffers);
+    float* speed = this->Buffers.SpeedOf(i);
+    std::fill_n(speed, 512, 0.f); // what the extension does not reach stands still
+    this->Buffers.Known[i] = LeafMask();
+    if (SamplesCrossings(this->Motion))
+    {
+      TakeSamples(this->Table, i, this->Motion, this->Buffers);
+    }
+    TakeOwnPoints(i, this->Motion, this->Buffers);
+    const LeafMask nodes = this->Buffers.Known[i] | this->Buffers.OwnPoint[i];
+    this->Buffers.LargestSpeed[i] = LargestOf(speed, nodes);
   }
-  TakeOwnPoints(i, motion, buffers);
-  buffers.LargestSpeed[i] = LargestOf(speed, buffers.Known[i] | buffers.OwnPoint[i]);
-}
+};
 
 /** One round of the extension in one leaf: nodes that have a known neighbour become known. */
 class LeafExtension
@@ -318,7 +240,7 @@ double FindTargetSpeed(const LeafTable& table, const Motion& motion, SubstepBuff
   buffers.Known.resize(size);
   buffers.NextKnown.resize(size);
   buffers.LargestSpeed.resize(size);
-  table.ForEach([&](std::size_t i) { TakeTarget(table, i, motion, buffers); });
+  ForEachLeaf(table, TakeTarget{ table, motion, buffers });
   // What is extended is a mean of what is known: no larger.
   while (SamplesCrossings(motion) && !motion.Paper && ExtendOnce(table, buffers))
   {
