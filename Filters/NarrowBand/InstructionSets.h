@@ -47,6 +47,29 @@ VTKACTIVENARROWBAND_EXPORT InstructionSet GetInstructionSet();
  * and not while one advances. */
 VTKACTIVENARROWBAND_EXPORT InstructionSet SetInstructionSet(InstructionSet wanted);
 
+/** A function object compiled for each instruction set. Its operator() must be
+ * ACTIVE_ALWAYS_INLINE, and so must be what it calls. */
+template <class Kernel, class... Arguments>
+struct CompiledKernel
+{
+  static void Baseline(const Kernel& kernel, Arguments... arguments) { kernel(arguments...); }
+  ACTIVE_FOR_AVX2 static void Avx2(const Kernel& kernel, Arguments... arguments)
+  {
+    kernel(arguments...);
+  }
+  ACTIVE_FOR_AVX512 static void Avx512(const Kernel& kernel, Arguments... arguments)
+  {
+    kernel(arguments...);
+  }
+
+  using Function = void (*)(const Kernel&, Arguments...);
+  static Function GetBest()
+  {
+    const InstructionSet set = GetInstructionSet();
+    return set == InstructionSet::Avx512 ? Avx512 : set == InstructionSet::Avx2 ? Avx2 : Baseline;
+  }
+};
+
 }
 
 #endif

@@ -89,54 +89,19 @@ void Skeleton::Build()
   this->Cells.Build(this->Capsules, this->Bounds);
 }
 
-void Skeleton::Evaluate(SkeletonKernel kernel, double threshold, std::size_t count,
-  const double* points, double* values, double* gradients) const
-{
-  switch (kernel)
-  {
-    case SkeletonKernel::Wyvill:
-      this->EvaluateWith<WyvillKernel>(threshold, count, points, values, gradients);
-      break;
-    case SkeletonKernel::CubicSpline:
-      this->EvaluateWith<CubicSplineKernel>(threshold, count, points, values, gradients);
-      break;
-    case SkeletonKernel::Metaball:
-      this->EvaluateWith<MetaballKernel>(threshold, count, points, values, gradients);
-      break;
-  }
-}
-
 template <class Kernel>
-void Skeleton::EvaluateWith(double threshold, std::size_t count, const double* points,
-  double* values, double* gradients) const
-{
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double* x = points + 3 * i;
-    const SkeletonSum sum =
-      IsFinite(x) ? this->SumAt<Kernel>(x) : SkeletonSum{ { nan, nan, nan, nan } };
-    values[i] = threshold - sum.Terms[3];
-    if (gradients)
-    {
-      std::copy(sum.Terms, sum.Terms + 3, gradients + 3 * i);
-    }
-  }
-}
-
-template <class Kernel>
-SkeletonSum Skeleton::SumAt(const double x[3]) const
+ACTIVE_ALWAYS_INLINE SkeletonSum Skeleton::SumAt(const double x[3]) const
 {
   SkeletonSum sum;
   this->VisitHits(x,
-    [this, &sum, x](const Index* hits, std::size_t count)
+    [this, &sum, x](const Index* hits, std::size_t count) ACTIVE_INLINED
     { this->AddHits<Kernel>(sum, x, hits, count); });
   return sum;
 }
 
 // Calls visit(hits, count) for all that may reach x, ascending.
 template <class Visitor>
-void Skeleton::VisitHits(const double x[3], Visitor visit) const
+ACTIVE_ALWAYS_INLINE void Skeleton::VisitHits(const double x[3], Visitor visit) const
 {
   if (this->Cells.GetNumberOfLattices() > 1)
   {
@@ -213,7 +178,7 @@ void Skeleton::VisitMerged(const double x[3], Visitor visit) const
 }
 
 template <class Kernel>
-void Skeleton::AddHits(
+ACTIVE_ALWAYS_INLINE void Skeleton::AddHits(
   SkeletonSum& result, const double x[3], const Index* hits, std::size_t count) const
 {
   const SkeletonPoint* points = this->Points.data();
@@ -231,6 +196,56 @@ void Skeleton::AddHits(
     this->Segments[*hits - pointCount].AddTo<Kernel>(sum, here);
   }
   result = sum;
+}
+
+// Sums at one point after the other.
+template <class Kernel>
+struct Skeleton::Evaluation
+{
+  const Skeleton& Elements;
+  double Threshold;
+  const double* Points;
+  double* Values;
+  double* Gradients; // or null
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t count) const
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double* x = this->Points + 3 * i;
+      const SkeletonSum sum =
+        IsFinite(x) ? this->Elements.SumAt<Kernel>(x) : SkeletonSum{ { nan, nan, nan, nan } };
+      this->Values[i] = this->Threshold - sum.Terms[3];
+      if (this->Gradients)
+      {
+        std::copy(sum.Terms, sum.Terms + 3, this->Gradients + 3 * i);
+      }
+    }
+  }
+};
+
+void Skeleton::Evaluate(SkeletonKernel kernel, double threshold, std::size_t count,
+  const double* points, double* values, double* gradients) const
+{
+  const auto evaluate = [&](auto kind)
+  {
+    using Kind = Evaluation<decltype(kind)>;
+    CompiledKernel<Kind, std::size_t>::GetBest()(
+      Kind{ *this, threshold, points, values, gradients }, count);
+  };
+  switch (kernel)
+  {
+    case SkeletonKernel::Wyvill:
+      evaluate(WyvillKernel());
+      break;
+    case SkeletonKernel::CubicSpline:
+      evaluate(CubicSplineKernel());
+      break;
+    case SkeletonKernel::Metaball:
+      evaluate(MetaballKernel());
+      break;
+  }
 }
 
 void Skeleton::FindWeights(

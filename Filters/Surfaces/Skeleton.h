@@ -64,18 +64,18 @@ private:
   void AddCapsule(const SkeletonVertex& start, const SkeletonVertex& end);
 
   template <class Kernel>
-  void EvaluateWith(double threshold, std::size_t count, const double* points, double* values,
-    double* gradients) const;
+  struct Evaluation;
   template <class Kernel>
-  SkeletonSum SumAt(const double x[3]) const;
+  ACTIVE_ALWAYS_INLINE SkeletonSum SumAt(const double x[3]) const;
   template <class Kernel>
   void AddWeights(const double x[3], std::vector<SkeletonWeight>& weights) const;
   template <class Visitor>
-  void VisitHits(const double x[3], Visitor visit) const;
+  ACTIVE_ALWAYS_INLINE void VisitHits(const double x[3], Visitor visit) const;
   template <class Visitor>
   void VisitMerged(const double x[3], Visitor visit) const;
   template <class Kernel>
-  void AddHits(SkeletonSum& sum, const double x[3], const Index* hits, std::size_t count) const;
+  ACTIVE_ALWAYS_INLINE void AddHits(
+    SkeletonSum& sum, const double x[3], const Index* hits, std::size_t count) const;
 
   std::vector<SkeletonPoint> Points;
   std::vector<SkeletonSegment> Segments;

@@ -21,7 +21,6 @@ constexpr double HalfCellDiagonal = 0.8660255;
 constexpr std::size_t MaximumElements = std::size_t(1) << 28;
 // Balls are stored as floats, less than 4 cells from where they are used: errors are below 1e-6.
 constexpr double FloatMargin = 1e-5;
-constexpr double FarAway = 16.0;
 constexpr float Everywhere = std::numeric_limits<float>::infinity();
 
 double GetLength(const Capsule& capsule)
@@ -334,55 +333,6 @@ void SkeletonCells::FillLists()
       }
     }
   }
-}
-
-SkeletonCells::Search SkeletonCells::StartSearch(std::size_t lattice, const double x[3]) const
-{
-  Search search;
-  Index cell[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double coordinate = this->Lattices[lattice].GetCoordinate(x[axis], axis);
-    cell[axis] = SkeletonLattice::GetCell(coordinate);
-    const double place = coordinate - cell[axis] - 0.5;
-    search.Position[axis] = static_cast<float>(std::min(std::max(place, -FarAway), FarAway));
-  }
-  const std::size_t slot = this->Lattices[lattice].GetSlot(cell);
-  search.Start = this->ListStarts[slot];
-  search.Length = this->ListStarts[slot + 1] - search.Start;
-  search.Done = 0;
-  return search;
-}
-
-// Two loops: the first is for the vector unit, the second has no branch, as hits are unpredictable.
-std::size_t SkeletonCells::TakeHits(Search& search, Index* hits, std::size_t capacity) const
-{
-  const Index length = search.Length;
-  const Index looked = std::min(length - search.Done, static_cast<Index>(capacity));
-  const float* ballX = this->Balls.data() + std::size_t(4) * search.Start + search.Done;
-  const float* ballY = ballX + length;
-  const float* ballZ = ballY + length;
-  const float* radius2 = ballZ + length;
-  const float x = search.Position[0];
-  const float y = search.Position[1];
-  const float z = search.Position[2];
-  Index isHit[HitsAtOnce];
-  for (Index i = 0; i < looked; ++i)
-  {
-    const float dx = ballX[i] - x;
-    const float dy = ballY[i] - y;
-    const float dz = ballZ[i] - z;
-    isHit[i] = dx * dx + dy * dy + dz * dz < radius2[i] ? 1 : 0;
-  }
-  const Index* list = this->Lists.data() + search.Start + search.Done;
-  std::size_t count = 0;
-  for (Index i = 0; i < looked; ++i)
-  {
-    hits[count] = list[i];
-    count += isHit[i];
-  }
-  search.Done += looked;
-  return count;
 }
 
 }
