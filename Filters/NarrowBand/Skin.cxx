@@ -15,36 +15,72 @@ namespace activesurface
 namespace
 {
 
+constexpr int StrideInBlock[3] = { LeafBlock::X, LeafBlock::Y, LeafBlock::Z };
+
 /** Adds weight * central gradient at a node of the block. */
 ACTIVE_ALWAYS_INLINE void AddGradient(const float* u, double weight, double gradient[3])
 {
-  constexpr int strides[3] = { LeafBlock::X, LeafBlock::Y, LeafBlock::Z };
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double ahead = u[strides[axis]], behind = u[-strides[axis]];
+    const double ahead = u[StrideInBlock[axis]], behind = u[-StrideInBlock[axis]];
     gradient[axis] += weight * (ahead - behind);
   }
 }
 
-/** The potential decreases inwards; t: how far the crossing is from the lower to the upper node. */
-ACTIVE_ALWAYS_INLINE void WriteNormal(
-  const float* lower, const float* upper, double t, int axis, float* normal)
+/** Normals of the vertices on one axis of a leaf; roots and divisions are for the vector unit. */
+class NormalsOfAxis
 {
-  double gradient[3] = { 0.0, 0.0, 0.0 };
-  AddGradient(lower, 1.0 - t, gradient);
-  AddGradient(upper, t, gradient);
-  double length =
-    std::sqrt(gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2]);
-  if (!(length > 0.0))
+public:
+  ACTIVE_ALWAYS_INLINE explicit NormalsOfAxis(int axis)
+    : Axis(axis)
   {
-    gradient[axis] = *lower < 0.f ? 1.0 : -1.0; // no gradient: at least from inside to outside
-    length = 1.0;
   }
-  for (int d = 0; d < 3; ++d)
+
+  /** t: how far the crossing is from the lower to the upper node. */
+  ACTIVE_ALWAYS_INLINE void Add(const float* lower, const float* upper, double t)
   {
-    normal[d] = static_cast<float>(gradient[d] / length);
+    double gradient[3] = { 0.0, 0.0, 0.0 };
+    AddGradient(lower, 1.0 - t, gradient);
+    AddGradient(upper, t, gradient);
+    this->X[this->Count] = gradient[0];
+    this->Y[this->Count] = gradient[1];
+    this->Z[this->Count] = gradient[2];
+    this->IsInside[this->Count] = *lower < 0.f;
+    ++this->Count;
   }
-}
+
+  ACTIVE_ALWAYS_INLINE void Write(float* normals)
+  {
+    float x[512], y[512], z[512];
+    for (int k = 0; k < this->Count; ++k)
+    {
+      const double length =
+        std::sqrt(this->X[k] * this->X[k] + this->Y[k] * this->Y[k] + this->Z[k] * this->Z[k]);
+      x[k] = static_cast<float>(this->X[k] / length);
+      y[k] = static_cast<float>(this->Y[k] / length);
+      z[k] = static_cast<float>(this->Z[k] / length);
+      this->X[k] = length;
+    }
+    for (int k = 0; k < this->Count; ++k, normals += 3)
+    {
+      normals[0] = x[k];
+      normals[1] = y[k];
+      normals[2] = z[k];
+      if (!(this->X[k] > 0.0))
+      {
+        // No gradient: at least from inside to outside.
+        std::fill_n(normals, 3, 0.f);
+        normals[this->Axis] = this->IsInside[k] ? 1.f : -1.f;
+      }
+    }
+  }
+
+private:
+  const int Axis;
+  int Count = 0;
+  double X[512], Y[512], Z[512]; //< gradients
+  bool IsInside[512];            //< the lower node
+};
 
 /** The vertices of a leaf: where the surface crosses the edges that begin in it. */
 template <class Number>
@@ -62,32 +98,43 @@ struct WriteVertices
     {
       return;
     }
-    constexpr int strides[3] = { LeafBlock::X, LeafBlock::Y, LeafBlock::Z };
     LeafBlock block;
     block.Gather(this->Table, leaf);
-    std::size_t vertex = leaf.FirstCrossing;
     for (int axis = 0; axis < 3; ++axis)
     {
-      leaf.Edge[axis].ForEach(
-        [&](int node) ACTIVE_INLINED
+      this->WriteAxis(leaf, block, axis);
+    }
+  }
+
+private:
+  ACTIVE_ALWAYS_INLINE void WriteAxis(const BandLeaf& leaf, const LeafBlock& block, int axis) const
+  {
+    const std::size_t first = leaf.FirstCrossing + leaf.CrossingsBefore[axis];
+    Number* point = this->Points + 3 * first;
+    NormalsOfAxis normals(axis);
+    leaf.Edge[axis].ForEach(
+      [&](int node) ACTIVE_INLINED
+      {
+        const int x = node >> 6, y = (node >> 3) & 7, z = node & 7;
+        const float* lower = block.Row(x, y) + z;
+        const float* upper = lower + StrideInBlock[axis];
+        const double low = *lower, high = *upper, t = low / (low - high);
+        double at[3] = { double(leaf.Origin[0] + x), double(leaf.Origin[1] + y),
+          double(leaf.Origin[2] + z) };
+        at[axis] += t;
+        for (int d = 0; d < 3; ++d)
         {
-          const int x = node >> 6, y = (node >> 3) & 7, z = node & 7;
-          const float* lower = block.Row(x, y) + z;
-          const float* upper = lower + strides[axis];
-          const double low = *lower, high = *upper, t = low / (low - high);
-          double at[3] = { double(leaf.Origin[0] + x), double(leaf.Origin[1] + y),
-            double(leaf.Origin[2] + z) };
-          at[axis] += t;
-          for (int d = 0; d < 3; ++d)
-          {
-            this->Points[3 * vertex + d] = static_cast<Number>(this->VoxelSize * at[d]);
-          }
-          if (this->Normals)
-          {
-            WriteNormal(lower, upper, t, axis, this->Normals + 3 * vertex);
-          }
-          ++vertex;
-        });
+          point[d] = static_cast<Number>(this->VoxelSize * at[d]);
+        }
+        point += 3;
+        if (this->Normals)
+        {
+          normals.Add(lower, upper, t);
+        }
+      });
+    if (this->Normals)
+    {
+      normals.Write(this->Normals + 3 * first);
     }
   }
 };
