@@ -40,6 +40,8 @@ public:
   void AddSegment(const SkeletonVertex& start, const SkeletonVertex& end);
 
   // Comes after the last element and before the first evaluation. Throws as SkeletonCells does.
+  // Elements that move by little between two builds keep their cells, which then list them with a
+  // margin: sums do not change by it, as what is out of reach adds nothing.
   void Build();
 
   // Values: threshold - sum, at points (x y z each); gradients, unless null: those of the values.
@@ -62,6 +64,7 @@ private:
   struct Stream;
 
   void AddCapsule(const SkeletonVertex& start, const SkeletonVertex& end);
+  bool AreWithinCells() const;
 
   template <class Kernel>
   struct Evaluation;
@@ -80,6 +83,7 @@ private:
   std::vector<SkeletonPoint> Points;
   std::vector<SkeletonSegment> Segments;
   std::vector<Capsule> Capsules; // of the points, then of the segments
+  std::vector<Capsule> Listed;   // what the cells were built for
   double Bounds[6];
   SkeletonCells Cells;
 };
