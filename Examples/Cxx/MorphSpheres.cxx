@@ -48,6 +48,7 @@ int main(int argc, char* argv[])
   surface->SetNumberOfTimeSteps(Steps);
 
   vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetDataModeToBinary(); // which VTK 9.1 can read with any libexpat
   for (int step = 0; step < Steps; ++step)
   {
     surface->UpdateTimeStep(step * StepSize);

@@ -37,6 +37,7 @@ skin = ActiveImplicitSurface(
 SaveData(
     str(folder / "pv_skin.vtp"),
     proxy=OutputPort(skin, 0),
+    DataMode="Binary",  # which ParaView 5.11 can read with any libexpat
     Writetimestepsasfileseries=1,
     Filenamesuffix="_%.4d",
 )

@@ -50,6 +50,7 @@ SaveAnimation(str(folder / "pv_frame.png"), view, FrameWindow=FRAMES, SuffixForm
 SaveData(
     str(folder / "pv_animated.vtp"),
     proxy=OutputPort(skin, 0),
+    DataMode="Binary",  # which ParaView 5.11 can read with any libexpat
     Writetimestepsasfileseries=1,
     Firsttimestep=FRAMES[0],
     Lasttimestep=FRAMES[1],

@@ -30,6 +30,7 @@ surface.SetAttraction(100)  # per second: the skin is a hundredth of a second be
 components = vtkPolyDataConnectivityFilter()
 components.SetExtractionModeToAllRegions()
 writer = vtkXMLPolyDataWriter()
+writer.SetDataModeToBinary()  # which VTK 9.1 can read with any libexpat
 balls, skins, files, seconds = [], [], [], 0.0
 for step in range(STEPS):
     start = time.perf_counter()

@@ -57,7 +57,8 @@ struct VoxelTriangles
 
 /**
  * The triangles of a voxel whose corner c is inside (negative) where bit c of insideBits is set.
- * Range: 0 to 255; higher bits are ignored. Thread-safe; the table is made at the first call.
+ * Range: 0 to 255; higher bits are ignored. Thread-safe; the table is made at the first call. All
+ * 256 lie one after the other, from that of 0 on.
  */
 VTKACTIVENARROWBAND_EXPORT const VoxelTriangles& TrianglesOfVoxel(unsigned insideBits);
 }

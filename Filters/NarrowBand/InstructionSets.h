@@ -1,5 +1,6 @@
 /**
- * Which instruction sets the row kernels are compiled for, and which one runs.
+ * Which instruction sets the kernels (of rows, of leaves, of skeletons) are compiled for, and which
+ * one runs.
  *
  * The best one that the processor has is taken when the library loads, or the one that the
  * environment variable ACTIVE_INSTRUCTION_SET names: sse2, avx2 or avx512; one that the processor
@@ -43,8 +44,8 @@ enum class InstructionSet
 /** The one that kernels run with. */
 VTKACTIVENARROWBAND_EXPORT InstructionSet GetInstructionSet();
 
-/** Takes another one, or the best below it that the processor has; returns which. For all bands,
- * and not while one advances. */
+/** Takes another one, or the best below it that the processor has; returns which. For the whole
+ * program, and not while any of its bands, skins or skeletons is at work. */
 VTKACTIVENARROWBAND_EXPORT InstructionSet SetInstructionSet(InstructionSet wanted);
 
 /** A function object compiled for each instruction set. Its operator() must be

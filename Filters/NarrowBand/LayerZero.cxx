@@ -3,6 +3,7 @@
 #include "LeafKernels.h"
 
 #include <array>
+#include <cstdint>
 #include <cstring>
 
 namespace activesurface

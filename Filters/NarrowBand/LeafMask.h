@@ -61,17 +61,6 @@ struct LeafMask
     return count;
   }
 
-  /** Number of bits set before this node. */
-  int Rank(int node) const
-  {
-    int rank = 0;
-    for (int x = 0; x < node >> 6; ++x)
-    {
-      rank += CountBits(this->Word[x]);
-    }
-    return rank + CountBits(this->Word[node >> 6] & ((std::uint64_t(1) << (node & 63)) - 1));
-  }
-
   ACTIVE_ALWAYS_INLINE LeafMask operator|(const LeafMask& other) const
   {
     return this->Combine(other, [](std::uint64_t a, std::uint64_t b) { return a | b; });

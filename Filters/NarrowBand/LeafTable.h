@@ -87,11 +87,8 @@ public:
   BandLeaf& operator[](std::size_t i) { return this->Leaves[i]; }
   const BandLeaf& operator[](std::size_t i) const { return this->Leaves[i]; }
 
-  /** Mask of a neighbour; where there is no leaf: `none`, or for Inside the side it lies on. */
-  const LeafMask& MaskOf(std::int32_t number, LeafMask BandLeaf::*mask) const
-  {
-    return number >= 0 ? this->Leaves[number].*mask : this->Nothing;
-  }
+  ///@{
+  /** Mask of a neighbour; where there is no leaf: none, or for Inside the side it lies on. */
   const LeafMask& UptoOf(std::int32_t number, int layer) const
   {
     return number >= 0 ? this->Leaves[number].Upto[layer] : this->Nothing;
@@ -102,6 +99,7 @@ public:
       : number == NoLeafInside ? this->Everything
                                : this->Nothing;
   }
+  ///@}
 
   /** Leaf number and node of the node `steps` away along an axis; the leaf number may be < 0. */
   struct Place

@@ -131,7 +131,7 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
       members.StartMeasure = members.Measure();
       finished = true;
     });
-  if (finished && members.CountActive() > members.Maximum)
+  if (finished && this->GetNumberOfActiveNodes() > members.Maximum)
   {
     members.MakeEmpty();
     throw std::runtime_error(
@@ -307,7 +307,9 @@ bool NarrowBand::IsEmpty() const
 
 std::size_t NarrowBand::GetNumberOfActiveNodes() const
 {
-  return this->Members->CountActive();
+  std::size_t count = 0;
+  this->Run([&] { count = this->Members->CountActive(); });
+  return count;
 }
 
 std::size_t NarrowBand::GetNumberOfGhosts() const
@@ -317,7 +319,7 @@ std::size_t NarrowBand::GetNumberOfGhosts() const
   {
     count += this->Members->Leaves[i].Upto[LastLayer].Count();
   }
-  return count - this->Members->CountActive();
+  return count - this->GetNumberOfActiveNodes();
 }
 
 openvdb::FloatGrid::ConstPtr NarrowBand::GetPotential() const

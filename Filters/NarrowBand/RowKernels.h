@@ -11,6 +11,8 @@
 #include "InstructionSets.h"
 #include "LeafBlock.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace activesurface
@@ -18,7 +20,7 @@ namespace activesurface
 
 using RowMask = std::array<float, 8>; //< 1 where a bit is set, else 0
 
-inline std::array<RowMask, 256> MakeRowMasks()
+constexpr std::array<RowMask, 256> MakeRowMasks()
 {
   std::array<RowMask, 256> all{};
   for (unsigned b = 0; b < 256; ++b)
@@ -31,7 +33,7 @@ inline std::array<RowMask, 256> MakeRowMasks()
   return all;
 }
 
-inline const std::array<RowMask, 256> RowMasks = MakeRowMasks();
+inline constexpr std::array<RowMask, 256> RowMasks = MakeRowMasks();
 
 /** The eight bits of a row as numbers. */
 ACTIVE_ALWAYS_INLINE const RowMask& MaskOfBits(unsigned bits)

@@ -105,7 +105,7 @@ SlopeCounts StepForward(
   const LeafTable& table, const StepCoefficients& coefficients, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
-  buffers.MakeRoomForNodes(size);
+  buffers.MakeRoomForNodes(size); // which it is where there are speeds
   buffers.FlatNodes.resize(size);
   buffers.SteepNodes.resize(size);
   ForEachLeaf(table, StepLeaf{ table, coefficients, buffers });

@@ -12,7 +12,8 @@
 namespace activesurface
 {
 
-/** Makes a vector so long; what it holds is lost, so that memory is never needed twice. */
+/** Makes a vector so long. Where it has to grow, what it holds is lost, so that memory is never
+ * needed twice. */
 template <class Value>
 void MakeRoom(std::vector<Value>& room, std::size_t size)
 {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace activesurface
 {
@@ -24,7 +25,7 @@ ACTIVE_ALWAYS_INLINE void TakeSamples(
   float* speed = buffers.SpeedOf(i);
   const float rate = static_cast<float>(-motion.Attraction);
   const LeafMask known = NodesWithCrossing(table, table[i]);
-  known.ForEach([&](int node) ACTIVE_INLINED { speed[node] = rate * samples.GetMean(node); });
+  known.ForEach([&](int node) ACTIVE_INLINED { speed[node] = samples.GetSpeed(node, rate); });
   buffers.Known[i] = known;
 }
 
@@ -219,11 +220,6 @@ bool ExtendOnce(const LeafTable& table, SubstepBuffers& buffers)
   std::swap(buffers.Known, buffers.NextKnown);
   return reached.load() && left.load();
 }
-
-}
-
-namespace
-{
 
 double LargestOfLeaves(const SubstepBuffers& buffers)
 {

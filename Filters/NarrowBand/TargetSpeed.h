@@ -18,13 +18,14 @@ namespace activesurface
 struct SubstepBuffers;
 
 /**
- * Fills Speed = -Attraction * (F - iso) at the active nodes, from the values at the sample points
+ * Fills SpeedOf = -Attraction * (F - iso) at the active nodes, from the values at the sample points
  * and those at the nodes' own points (NodePoints.h). Nodes all of whose values were dropped stand
  * still. Returns the largest |speed|.
  */
 double FindTargetSpeed(const LeafTable& table, const Motion& motion, SubstepBuffers& buffers);
 
-/** The largest |speed| at the sample points, interpolated between the nodes. */
+/** The largest |speed| at the sample points, interpolated between the nodes. Takes the room of
+ * LargestSpeed. */
 double LargestSpeedAtSurface(const LeafTable& table, SubstepBuffers& buffers);
 
 }

@@ -34,10 +34,10 @@ public:
     this->AddEdges<2>(table, i, values);
   }
 
-  /** 0 where all samples were dropped. */
-  ACTIVE_ALWAYS_INLINE float GetMean(int node) const
+  /** rate times the mean; 0 where all samples were dropped. */
+  ACTIVE_ALWAYS_INLINE float GetSpeed(int node, float rate) const
   {
-    return this->Weight[node] > 0.f ? this->Sum[node] / this->Weight[node] : 0.f;
+    return this->Weight[node] > 0.f ? rate * (this->Sum[node] / this->Weight[node]) : 0.f;
   }
 
 private:

@@ -11,6 +11,9 @@ namespace
 // Enough to look at several lattices without leaving the first cache.
 constexpr std::size_t HitsOfStream = 32;
 
+// Of the radius: more means more that is looked at in vain, less means more builds.
+constexpr double MarginOfMoving = 0.1;
+
 constexpr double SmallestSize = 1e-100;
 constexpr double LargestSize = 1e100;
 
@@ -87,11 +90,12 @@ void Skeleton::AddCapsule(const SkeletonVertex& start, const SkeletonVertex& end
 // Whether each element lies within what the cells list for it.
 bool Skeleton::AreWithinCells() const
 {
+  constexpr double largest = 1.0 + 2.0 * MarginOfMoving; // then cells list too much
   const auto isWithin = [](const double at[3], double radius, const double centre[3], double reach)
   {
     const double x = at[0] - centre[0], y = at[1] - centre[1], z = at[2] - centre[2];
     const double room = reach - radius;
-    return room >= 0.0 && x * x + y * y + z * z <= room * room;
+    return room >= 0.0 && reach <= largest * radius && x * x + y * y + z * z <= room * room;
   };
   // What holds at both ends of a segment holds between them: all runs linearly.
   return this->Listed.size() == this->Capsules.size() &&
@@ -109,10 +113,8 @@ void Skeleton::Build()
   {
     return;
   }
-  // A larger margin means more that is looked at in vain, a smaller one more builds.
-  constexpr double marginOfMoving = 0.1;
   const bool moves = this->Listed.size() == this->Capsules.size();
-  const double factor = moves ? 1.0 + marginOfMoving : 1.0;
+  const double factor = moves ? 1.0 + MarginOfMoving : 1.0;
   double largest = 0.0;
   this->Listed = this->Capsules;
   for (Capsule& capsule : this->Listed)
@@ -133,6 +135,7 @@ void Skeleton::Build()
   catch (...)
   {
     this->Listed.clear();
+    this->Cells = SkeletonCells(); // what is half built lists elements that are not there
     throw;
   }
 }
@@ -188,7 +191,7 @@ struct Skeleton::Stream
 };
 
 template <class Visitor>
-void Skeleton::VisitMerged(const double x[3], Visitor visit) const
+ACTIVE_ALWAYS_INLINE void Skeleton::VisitMerged(const double x[3], Visitor visit) const
 {
   std::array<Stream, SkeletonCells::MaximumLattices> streams;
   std::array<Stream*, SkeletonCells::MaximumLattices> open;

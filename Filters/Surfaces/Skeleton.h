@@ -75,7 +75,7 @@ private:
   template <class Visitor>
   ACTIVE_ALWAYS_INLINE void VisitHits(const double x[3], Visitor visit) const;
   template <class Visitor>
-  void VisitMerged(const double x[3], Visitor visit) const;
+  ACTIVE_ALWAYS_INLINE void VisitMerged(const double x[3], Visitor visit) const;
   template <class Kernel>
   ACTIVE_ALWAYS_INLINE void AddHits(
     SkeletonSum& sum, const double x[3], const Index* hits, std::size_t count) const;

@@ -7,6 +7,8 @@
 #ifndef SkeletonKernel_h
 #define SkeletonKernel_h
 
+#include "InstructionSets.h"
+
 #include <cmath>
 
 namespace activesurface
@@ -28,7 +30,7 @@ struct KernelSample
 // Wyvill, McPheeters and Wyvill 1986, in its sextic form.
 struct WyvillKernel
 {
-  static KernelSample At(double q2)
+  static ACTIVE_ALWAYS_INLINE KernelSample At(double q2)
   {
     const double u = 1.0 - q2;
     return { u * u * u, -6.0 * (u * u) };
@@ -38,7 +40,7 @@ struct WyvillKernel
 // The cubic B-spline of SPH, scaled to W(0) = 1 and support 1.
 struct CubicSplineKernel
 {
-  static KernelSample At(double q2)
+  static ACTIVE_ALWAYS_INLINE KernelSample At(double q2)
   {
     const double q = std::sqrt(q2);
     if (q <= 0.5)
@@ -53,7 +55,7 @@ struct CubicSplineKernel
 // Nishimura's piecewise quadratic.
 struct MetaballKernel
 {
-  static KernelSample At(double q2)
+  static ACTIVE_ALWAYS_INLINE KernelSample At(double q2)
   {
     if (9.0 * q2 <= 1.0)
     {
@@ -79,7 +81,7 @@ struct SkeletonPoint
   double InverseRadius2;
 
   template <class Kernel>
-  void AddTo(SkeletonSum& sum, const double x[3]) const
+  ACTIVE_ALWAYS_INLINE void AddTo(SkeletonSum& sum, const double x[3]) const
   {
     const double offset[4] = { this->Position[0] - x[0], this->Position[1] - x[1],
       this->Position[2] - x[2], this->Strength };
@@ -112,7 +114,7 @@ struct SkeletonSegment
   double StrengthChange;
 
   template <class Kernel>
-  void AddTo(SkeletonSum& sum, const double x[3]) const
+  ACTIVE_ALWAYS_INLINE void AddTo(SkeletonSum& sum, const double x[3]) const
   {
     double offset[3] = { this->Start[0] - x[0], this->Start[1] - x[1], this->Start[2] - x[2] };
     const double along =

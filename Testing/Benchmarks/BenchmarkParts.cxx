@@ -99,14 +99,19 @@ struct OpenBand
 
   void StepForwardWith(StepCoefficients coefficients)
   {
-    const auto step = [&] { StepForward(this->Leaves, coefficients, this->Buffers); };
-    const double whole = SecondsOf(step);
+    const std::vector<float> speeds = this->Buffers.Nodes; // each step takes their room
+    const auto seconds = [&]
+    {
+      this->Buffers.Nodes = speeds;
+      return SecondsOf([&] { StepForward(this->Leaves, coefficients, this->Buffers); });
+    };
+    const double whole = seconds();
     // Both once more, with the caches alike; the last one leaves what the step is to be.
     const float relaxation = coefficients.Relaxation;
     coefficients.Relaxation = 0.f;
-    const double without = SecondsOf(step);
+    const double without = seconds();
     coefficients.Relaxation = relaxation;
-    const double share = SecondsOf(step) - without;
+    const double share = seconds() - without;
     this->Seconds["relaxation"] += share;
     this->Seconds["speed and update"] += whole - share;
     this->Clock("speed and update", [&] { TakeNext(this->Leaves, this->Buffers); });

@@ -2,6 +2,7 @@
 // evaluate it. Where values are compared by ==, the same bits are meant.
 
 #include "Check.h"
+#include "InstructionSets.h"
 #include "SkeletonShapes.h"
 
 #include "vtkDoubleArray.h"
@@ -117,8 +118,24 @@ void CellsAreRightForAnyLayout(Check& check)
   }
 }
 
-// Small ways, which keep the cells, and large ones; radii that breathe; far from the origin, where
-// a way is rounded.
+// Moves all points by up to `way` along each axis; radii are multiplied by about `growth`.
+void Move(Shape& shape, Random& random, double way, double growth)
+{
+  for (vtkIdType id = 0; id < shape.Points->GetNumberOfPoints(); ++id)
+  {
+    Point p;
+    const Point by = random.In(-way, way);
+    shape.Points->GetPoint(id, p.data());
+    shape.Points->SetPoint(id, p[0] + by[0], p[1] + by[1], p[2] + by[2]);
+    const double factor = growth * random.Between(0.995, 1.005);
+    shape.Radii->SetValue(id, shape.Radii->GetValue(id) * factor);
+  }
+  shape.Points->Modified();
+  shape.Radii->Modified();
+}
+
+// Small ways, which keep the cells, and large ones; radii that breathe, and that shrink; far from
+// the origin, where a way is rounded.
 void ElementsThatMoveGiveTheBitsOfFreshOnes(Check& check)
 {
   for (const double offset : { 0.0, 1e9 })
@@ -139,17 +156,7 @@ void ElementsThatMoveGiveTheBitsOfFreshOnes(Check& check)
     int different = 0, touched = 0;
     for (int step = 0; step < 40; ++step)
     {
-      const double way = step % 8 == 7 ? 0.2 : 0.004;
-      for (vtkIdType id = 0; id < 400; ++id)
-      {
-        Point p;
-        const Point by = random.In(-way, way);
-        shape.Points->GetPoint(id, p.data());
-        shape.Points->SetPoint(id, p[0] + by[0], p[1] + by[1], p[2] + by[2]);
-        shape.Radii->SetValue(id, shape.Radii->GetValue(id) * random.Between(0.995, 1.005));
-      }
-      shape.Points->Modified();
-      shape.Radii->Modified();
+      Move(shape, random, step % 8 == 7 ? 0.2 : 0.004, step > 30 ? 0.95 : 1.0);
       vtkNew<vtkSkeletonPotential> fresh;
       shape.GiveTo(fresh);
       for (const Point& x : PlacesNear(shape, random, 100))
@@ -162,6 +169,46 @@ void ElementsThatMoveGiveTheBitsOfFreshOnes(Check& check)
     check.Equal(different, 0, "places where the bits differ, offset " + std::to_string(offset));
     check.True(touched > 3000, "supports are met");
   }
+}
+
+// One lattice of cells, and several that are merged.
+void AnyInstructionSetGivesTheSameBits(Check& check)
+{
+  using namespace activesurface;
+  const InstructionSet usual = GetInstructionSet();
+  for (const bool isMerged : { false, true })
+  {
+    Random random(7);
+    Shape shape;
+    for (int i = 0; i < (isMerged ? 0 : 500); ++i)
+    {
+      shape.Add(random.In(0.0, 1.0), random.Between(0.1, 0.11), 1.0);
+    }
+    if (isMerged)
+    {
+      Fill(shape, random, 500, 200, 0.5, 1.0);
+    }
+    for (const int kernel : { 0, 1, 2 })
+    {
+      vtkNew<vtkSkeletonPotential> potential;
+      shape.GiveTo(potential);
+      potential->SetKernel(kernel);
+      int different = 0;
+      for (const Point& x : PlacesNear(shape, random, 300))
+      {
+        SetInstructionSet(InstructionSet::Baseline);
+        const double value = ValueAt(potential, x);
+        const Point gradient = GradientAt(potential, x);
+        for (const InstructionSet set : { InstructionSet::Avx2, InstructionSet::Avx512 })
+        {
+          SetInstructionSet(set);
+          different += ValueAt(potential, x) != value || GradientAt(potential, x) != gradient;
+        }
+      }
+      check.Equal(different, 0, std::string("places that differ, ") + KernelNames[kernel]);
+    }
+  }
+  SetInstructionSet(usual);
 }
 
 void BatchesAndArraysGiveTheSameBits(Check& check)
@@ -255,6 +302,7 @@ int main(int argc, char** argv)
       { "CellsGiveTheSumOverAllElements", CellsGiveTheSumOverAllElements },
       { "CellsAreRightForAnyLayout", CellsAreRightForAnyLayout },
       { "ElementsThatMoveGiveTheBitsOfFreshOnes", ElementsThatMoveGiveTheBitsOfFreshOnes },
+      { "AnyInstructionSetGivesTheSameBits", AnyInstructionSetGivesTheSameBits },
       { "BatchesAndArraysGiveTheSameBits", BatchesAndArraysGiveTheSameBits },
       { "ThreadsThatReadTheInputTogetherGiveTheSameBits",
         ThreadsThatReadTheInputTogetherGiveTheSameBits },

@@ -62,7 +62,7 @@ def results():
         values = information.GetPointDataInformation().GetArrayInformation("RTData")
         found += [information.GetNumberOfCells(), values.GetComponentRange(0)]
     image = FOLDER / "potential.pvti"
-    SaveData(str(image), proxy=OutputPort(surface, 1))
+    SaveData(str(image), proxy=OutputPort(surface, 1), DataMode="Binary")
     reader = vtkXMLPImageDataReader()
     reader.SetFileName(str(image))
     reader.Update()
