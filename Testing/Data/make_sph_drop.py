@@ -55,8 +55,8 @@ def write_frames(path, particles, frames, fps):
 
 
 def say_encoding_by_default(path):
-    """Readers of VTK before 9.3.1 hand the tag of the appended data to libexpat in pieces. Since 2.6
-    (and in Debian's 2.5.0-1+deb12u2) it puts off what comes in pieces, unless the tag is short."""
+    """VTK 9.1 hands the tag of the appended data to libexpat in pieces. Since 2.6, and in Debian's
+    2.5.0-1+deb12u2, it puts off what comes in pieces, unless the tag is short."""
     text = Path(path).read_text()
     Path(path).write_text(text.replace('<AppendedData encoding="base64">', "<AppendedData>"))
 
