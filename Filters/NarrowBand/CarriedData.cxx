@@ -1,5 +1,7 @@
 #include "CarriedData.h"
 
+#include "ProgramEnd.h"
+
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkObjectBase.h"
@@ -38,6 +40,9 @@ public:
     auto parcel = dynamic_cast<Parcel*>(information->Get(key));
     return parcel ? parcel->Inside : nullptr;
   }
+
+protected:
+  ~Parcel() override { LetGo(std::move(this->Inside)); }
 
 private:
   std::shared_ptr<const Content> Inside;

@@ -3,6 +3,7 @@
 #include "BandState.h"
 #include "InitialShape.h"
 #include "PackedBand.h"
+#include "ProgramEnd.h"
 #include "StateGrid.h"
 
 #include <tbb/task_arena.h>
@@ -13,6 +14,7 @@
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace activesurface
 {
@@ -31,7 +33,10 @@ NarrowBand::NarrowBand(double voxelSize)
   this->Members->MakeEmpty();
 }
 
-NarrowBand::~NarrowBand() = default;
+NarrowBand::~NarrowBand()
+{
+  LetGo(std::move(this->Members->Potential));
+}
 
 std::unique_ptr<NarrowBand> NarrowBand::Clone() const
 {

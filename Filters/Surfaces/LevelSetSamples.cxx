@@ -1,5 +1,6 @@
 #include "LevelSetSamples.h"
 
+#include "ProgramEnd.h"
 #include "Trilinear.h"
 
 #include <openvdb/tree/ValueAccessor.h>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace activesurface
 {
@@ -29,7 +31,10 @@ LevelSetSamples::LevelSetSamples(const openvdb::FloatGrid::ConstPtr& grid, const
   }
 }
 
-LevelSetSamples::~LevelSetSamples() = default;
+LevelSetSamples::~LevelSetSamples()
+{
+  LetGo(std::move(this->Grid));
+}
 
 double LevelSetSamples::Evaluate(const double x[3], double* gradient) const
 {

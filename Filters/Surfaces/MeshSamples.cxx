@@ -1,6 +1,7 @@
 #include "MeshSamples.h"
 
 #include "MeshDistance.h"
+#include "ProgramEnd.h"
 #include "Trilinear.h"
 
 #include <openvdb/tree/ValueAccessor.h>
@@ -11,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace activesurface
 {
@@ -115,7 +117,10 @@ MeshSamples::MeshSamples(const MeshTriangles& mesh, const MeshMeasure& measure)
   this->Distance->tree().evalLeafBoundingBox(this->Leaves);
 }
 
-MeshSamples::~MeshSamples() = default;
+MeshSamples::~MeshSamples()
+{
+  LetGo(std::move(this->Distance));
+}
 
 void MeshSamples::Measure(const MeshMeasure& measure)
 {

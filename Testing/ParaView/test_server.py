@@ -72,7 +72,7 @@ def results():
 
 def start_server():
     with socket.socket() as free:
-        free.bind(("localhost", 0))
+        free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     command = ["mpirun", "-np", str(RANKS)] if RANKS > 1 else []
     # This program is an MPI run of its own, which the server is not part of.
@@ -98,7 +98,7 @@ class ClientAndServer(unittest.TestCase):
         self.addCleanup(server.stdout.close)
         self.addCleanup(server.wait)
         self.addCleanup(server.terminate)
-        Connect("localhost", port)
+        Connect("127.0.0.1", port)
         self.assertTrue(servermanager.ActiveConnection.IsRemote())
         self.assertEqual(servermanager.ActiveConnection.GetNumberOfDataPartitions(), RANKS)
         found = results()
