@@ -51,6 +51,11 @@ void vtkActiveEXRReader::RegisterWithFactory()
   static_cast<void>(registered);
 }
 
+const char* vtkActiveEXRReader::GetDescriptiveName()
+{
+  return "OpenEXR";
+}
+
 int vtkActiveEXRReader::CanReadFile(const char* name)
 {
   std::ifstream stream(name ? name : "", std::ios::binary);

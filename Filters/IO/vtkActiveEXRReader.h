@@ -1,6 +1,6 @@
 /**
  * @class   vtkActiveEXRReader
- * @brief   reads OpenEXR images: all layers, as arrays
+ * @brief   reads .exr images: all layers, as arrays
  *
  * One part of a file becomes an image of one slice, whose point arrays are the file's layers:
  *
@@ -59,7 +59,7 @@ public:
    */
   int CanReadFile(VTK_FILEPATH const char* name) override;
   const char* GetFileExtensions() override { return ".exr"; }
-  const char* GetDescriptiveName() override { return "OpenEXR"; }
+  const char* GetDescriptiveName() override;
 
   ///@{
   /**

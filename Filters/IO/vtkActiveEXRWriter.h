@@ -1,9 +1,9 @@
 /**
  * @class   vtkActiveEXRWriter
- * @brief   writes an image, with all its point arrays, as an OpenEXR file of many layers
+ * @brief   writes an image, with all its point arrays, as an .exr file of many layers
  *
  * The input is an image of one slice (x * y * 1 points). Its point arrays become channels by
- * OpenEXR's convention of layers:
+ * the convention of layers in .exr files:
  *
  *   array                                              channels
  *   RGBA or RGB                                        R, G, B, A or R, G, B

@@ -124,11 +124,8 @@ struct OpenBand
     this->Clock("layers",
       [&]
       {
-        std::size_t empty = 0;
-        for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
-        {
-          empty += !IsUsed(this->Leaves[i]);
-        }
+        const std::size_t empty =
+          this->Leaves.Count([](const BandLeaf& leaf) { return !IsUsed(leaf); });
         if (8 * empty > this->Leaves.Size())
         {
           DropEmptyLeaves(this->Leaves, this->Potential->tree());
