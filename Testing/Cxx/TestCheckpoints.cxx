@@ -331,6 +331,12 @@ void PackedStateIsSmallAndGoesOnToTheSameBytes(Check& check)
       band.Advance(0.1, motion, target);
       const std::string bytes = band.Pack();
       const auto other = NarrowBand::Unpack(bytes);
+      bool isSame = true;
+      for (int again = 0; again < 8; ++again)
+      {
+        isSame = isSame && band.Pack() == bytes && other->Pack() == bytes;
+      }
+      check.True(isSame, "packed again, the same bytes");
       const double active = double(band.GetNumberOfActiveNodes());
       check.Less(double(bytes.size()) / active, 4.0, "bytes per active voxel");
       check.True(AreIdentical(band, *other), "the same potential");
