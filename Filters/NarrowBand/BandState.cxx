@@ -5,6 +5,7 @@
 #include "Layers.h"
 #include "NodePoints.h"
 #include "PaperStep.h"
+#include "RestingLeaves.h"
 #include "SamplePoints.h"
 #include "StepForward.h"
 #include "TargetSpeed.h"
@@ -82,7 +83,6 @@ void NarrowBand::State::TakeTree(const openvdb::FloatTree::Ptr& tree)
   this->Potential->setTree(tree);
   this->Leaves.SetBackground(this->GetBackground());
   this->Leaves.Rebuild(*tree);
-  ReadSigns(this->Leaves);
   ReadActiveMasks(this->Leaves);
   if (this->Paper)
   {
@@ -109,6 +109,12 @@ void NarrowBand::State::Restore(const openvdb::FloatTree::Ptr& tree)
   this->FinishFrame();
 }
 
+void NarrowBand::State::Begin(const Motion& motion)
+{
+  this->TakeScheme(motion);
+  ForgetSpeeds(this->Leaves); // the target may be another one
+}
+
 void NarrowBand::State::TakeScheme(const Motion& motion)
 {
   if (motion.Paper == this->Paper)
@@ -116,6 +122,7 @@ void NarrowBand::State::TakeScheme(const Motion& motion)
     return;
   }
   this->Paper = motion.Paper;
+  this->Leaves.MoveAll();
   this->Leaves.SetBackground(this->GetBackground());
   for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
   {
@@ -153,27 +160,53 @@ SkinMeasure NarrowBand::State::Measure() const
   return { skin.Area * square, skin.Volume * square * this->VoxelSize };
 }
 
-TargetLimits NarrowBand::State::SampleTarget(
-  const Motion& motion, Target& target, AdvanceReport& report)
+void NarrowBand::State::TakeSamplesOf(
+  const LeafList& leaves, const Motion& motion, const Target& target, AdvanceReport& report)
 {
-  if (!(motion.Attraction > 0.0))
-  {
-    return {};
-  }
-  target.MoveTo(this->Time);
-  std::size_t count = SamplesCrossings(motion) ? this->Crossings : 0;
-  if (count > 0)
-  {
-    FindSamplePoints(this->Leaves, this->VoxelSize, count, this->Buffers.Points);
-  }
-  count = AddNodePoints(
-    this->Leaves, this->Potential->tree(), this->VoxelSize, motion, count, this->Buffers);
-  const TargetSamples samples = EvaluateTarget(target, count, this->Buffers);
-  const double speed = FindTargetSpeed(this->Leaves, motion, this->Buffers);
+  const TargetSamples samples =
+    SampleLeaves({ this->Leaves, this->Potential->tree(), this->VoxelSize }, leaves, motion, target,
+      this->Buffers);
+  TakeSamples(this->Leaves, leaves, motion, this->Buffers);
   report.TargetEvaluations += samples.Count;
   report.DroppedSamples += samples.Dropped;
-  report.MaxSpeed = std::max(report.MaxSpeed, speed);
-  return { speed, samples.LargestSlope };
+}
+
+// The target's speed wherever something moves, and where that is.
+TargetLimits NarrowBand::State::FollowTarget(
+  const Motion& motion, Target& target, AdvanceReport& report, Move& move)
+{
+  LeafTable& leaves = this->Leaves;
+  if (!(motion.Attraction > 0.0))
+  {
+    leaves.MoveAll();
+    return {};
+  }
+  const bool mayRest = move.MaySleep && EndsAtTarget(motion);
+  target.MoveTo(this->Time);
+  mayRest ? ForgetChanged(leaves, this->VoxelSize, target) : ForgetSpeeds(leaves);
+  const LeafList unknown = FindUnknown(leaves);
+  const LeafList sampled = leaves.FindAround(unknown);
+  this->TakeSamplesOf(sampled, motion, target, report);
+  RememberSpeeds(leaves, unknown, this->Buffers);
+  const TargetLimits limits = FindLimits(leaves);
+  report.MaxSpeed = std::max(report.MaxSpeed, limits.Speed);
+  if (mayRest)
+  {
+    const double rate = this->VoxelSize * motion.Attraction * limits.Slope;
+    leaves.Move(leaves.FindAround(FindUnrest(leaves, unknown, rate, this->Buffers)));
+    if (!std::includes(
+          sampled.begin(), sampled.end(), leaves.GetNear().begin(), leaves.GetNear().end()))
+    {
+      this->TakeSamplesOf(leaves.GetNear(), motion, target, report);
+    }
+  }
+  else
+  {
+    leaves.MoveAll();
+  }
+  ExtendSpeed(leaves, motion, this->Buffers);
+  move.Sleeps = leaves.GetMoving().empty();
+  return limits;
 }
 
 PenaltyForce NarrowBand::State::FindForce(const Motion& motion) const
@@ -181,16 +214,6 @@ PenaltyForce NarrowBand::State::FindForce(const Motion& motion) const
   const bool isForced =
     motion.AreaControl == Control::Penalty || motion.VolumeControl == Control::Penalty;
   return isForced ? FindPenalty(motion, this->Measure(), this->StartMeasure) : PenaltyForce();
-}
-
-// Within a thousandth of a voxel of the target going on would only roughen the surface.
-bool NarrowBand::State::IsAtTarget(const Motion& motion, const TargetLimits& limits)
-{
-  constexpr double nearest = 1e-3;     // voxels
-  constexpr double nodesNearest = 1.0; // those of a crossed edge are up to a voxel off the surface
-  const double rate = this->VoxelSize * motion.Attraction * limits.Slope; // speed per voxel
-  return EndsAtTarget(motion) && limits.Speed <= nodesNearest * rate &&
-    LargestSpeedAtSurface(this->Leaves, this->Buffers) <= nearest * rate;
 }
 
 void NarrowBand::State::MakeDefaultStep(
@@ -254,10 +277,10 @@ void NarrowBand::State::MakeStep(
 {
   WalledTarget walled(target, motion.Box);
   const TargetLimits limits =
-    this->SampleTarget(motion, motion.Box.Present ? walled : target, report);
+    this->FollowTarget(motion, motion.Box.Present ? walled : target, report, move);
   move.Force = this->FindForce(motion);
   double stable = StableStep(motion, this->VoxelSize, limits, move.Force);
-  move.Sleeps = !std::isfinite(stable) || (move.MaySleep && this->IsAtTarget(motion, limits));
+  move.Sleeps = move.Sleeps || !std::isfinite(stable);
   if (motion.Paper)
   {
     const PaperLimits whole = FindPaperSpeed(this->Leaves, motion.Attraction > 0.0,
@@ -307,6 +330,7 @@ void NarrowBand::State::StepAndTrace(const Motion& motion, Target& target, Advan
 
 void NarrowBand::State::Confine(const Walls& walls)
 {
+  this->Leaves.MoveAll();
   this->Buffers.MakeRoomForNodes(this->Leaves.Size());
   this->Leaves.ForEach(
     [&](std::size_t i) { std::copy_n(this->Leaves[i].Value, 512, this->Buffers.NextOf(i)); });
@@ -333,7 +357,7 @@ void NarrowBand::State::RebuildBand()
   {
     DropEmptyLeaves(this->Leaves, this->Potential->tree());
   }
-  this->Crossings = NumberCrossings(this->Leaves);
+  this->Crossings = this->Leaves.Count([](const BandLeaf& leaf) { return leaf.Crossings; });
 }
 
 void NarrowBand::State::FinishFrame()

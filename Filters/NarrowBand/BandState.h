@@ -41,8 +41,8 @@ struct NarrowBand::State
   float GetBackground() const;
   StateNumbers GetNumbers() const;
   void SetNumbers(const StateNumbers& numbers);
-  /** Makes the band the one that this motion needs. */
-  void TakeScheme(const Motion& motion);
+  /** Comes before the first substep of a motion. */
+  void Begin(const Motion& motion);
 
   void Step(double end, const Motion& motion, Target& target, AdvanceReport& report);
   /** One substep of any length; the speed is the report's RestSpeed. */
@@ -60,8 +60,13 @@ struct NarrowBand::State
 private:
   struct Move;
 
-  TargetLimits SampleTarget(const Motion& motion, Target& target, AdvanceReport& report);
-  bool IsAtTarget(const Motion& motion, const TargetLimits& limits);
+  /** Makes the band the one that this motion needs. */
+  void TakeScheme(const Motion& motion);
+
+  TargetLimits FollowTarget(
+    const Motion& motion, Target& target, AdvanceReport& report, Move& move);
+  void TakeSamplesOf(
+    const LeafList& leaves, const Motion& motion, const Target& target, AdvanceReport& report);
   PenaltyForce FindForce(const Motion& motion) const;
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);

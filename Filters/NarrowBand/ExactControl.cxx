@@ -27,6 +27,7 @@ double Clamp(double value, double most)
 void Displace(const ControlledBand& band, double distance)
 {
   LeafTable& table = band.Leaves;
+  table.MoveAll();
   band.Buffers.MakeRoomForNodes(table.Size());
   const float shift = static_cast<float>(distance);
   table.ForEach(

@@ -215,7 +215,7 @@ void FillGhosts(LeafTable& table)
 {
   for (int layer = 1; layer < NumberOfLayers; ++layer)
   {
-    ForEachLeaf(table, FillLayer{ table, layer });
+    ForEachLeaf(table, table.GetNear(), FillLayer{ table, layer });
   }
 }
 

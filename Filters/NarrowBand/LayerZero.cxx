@@ -192,7 +192,7 @@ struct FindInLeaf
 
 void FindLayerZero(LeafTable& table)
 {
-  ForEachLeaf(table, FindInLeaf{ table });
+  ForEachLeaf(table, table.GetNear(), FindInLeaf{ table });
 }
 
 }

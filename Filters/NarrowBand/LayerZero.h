@@ -9,8 +9,8 @@
 namespace activesurface
 {
 
-/** Upto[0] of every leaf from the signs, and in Wanted the missing neighbours that have a corner.
- */
+/** Upto[0] of the leaves near what moves from the signs, and in Wanted the missing neighbours that
+ * have a corner. */
 void FindLayerZero(LeafTable& table);
 
 }

@@ -4,10 +4,6 @@
 #include "LeafKernels.h"
 #include "LeafLine.h"
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
 namespace activesurface
 {
 
@@ -67,22 +63,22 @@ private:
 /** Creates the wanted leaves; false when there were none. */
 bool AddWantedLeaves(LeafTable& table, PotentialTree& tree)
 {
-  if (table.Count([](const BandLeaf& leaf) { return leaf.Wanted != 0; }) == 0)
-  {
-    return false;
-  }
-  for (std::size_t i = 0; i < table.Size(); ++i)
+  bool added = false;
+  for (const std::int32_t i : table.GetNear())
   {
     for (std::uint32_t wanted = table[i].Wanted; wanted != 0; wanted &= wanted - 1)
     {
       const int n = __builtin_ctz(wanted);
       tree.touchLeaf(
         table[i].Origin.offsetBy(8 * (n / 9 - 1), 8 * (n / 3 % 3 - 1), 8 * (n % 3 - 1)));
+      added = true;
     }
   }
-  table.Rebuild(tree);
-  ReadSigns(table);
-  return true;
+  if (added)
+  {
+    table.Rebuild(tree);
+  }
+  return added;
 }
 
 /** Nodes whose neighbours one and two steps away on the axes are all in the layers. */
@@ -172,24 +168,6 @@ struct UseLayers
   }
 };
 
-/** Which of eight numbers are negative, one bit each. */
-unsigned NegativeBits(const float* values)
-{
-#ifdef __SSE2__
-  const __m128 zero = _mm_setzero_ps();
-  const int low = _mm_movemask_ps(_mm_cmplt_ps(_mm_loadu_ps(values), zero));
-  const int high = _mm_movemask_ps(_mm_cmplt_ps(_mm_loadu_ps(values + 4), zero));
-  return static_cast<unsigned>(low | high << 4);
-#else
-  unsigned bits = 0;
-  for (int z = 0; z < 8; ++z)
-  {
-    bits |= unsigned(values[z] < 0.f) << z;
-  }
-  return bits;
-#endif
-}
-
 void GrowLayers(LeafTable& table, PotentialTree& tree)
 {
   do
@@ -197,38 +175,23 @@ void GrowLayers(LeafTable& table, PotentialTree& tree)
     FindLayerZero(table);
     for (int layer = 1; layer < NumberOfLayers; ++layer)
     {
-      ForEachLeaf(table, AddLayer{ table, layer });
+      ForEachLeaf(table, table.GetNear(), AddLayer{ table, layer });
     }
   } while (AddWantedLeaves(table, tree));
 }
 
 }
 
-LeafMask InsideNodes(const float* values)
-{
-  LeafMask inside;
-  for (int row = 0; row < 64; ++row)
-  {
-    inside.Word[row / 8] |= std::uint64_t(NegativeBits(values + 8 * row)) << (8 * (row % 8));
-  }
-  return inside;
-}
-
-void ReadSigns(LeafTable& table)
-{
-  table.ForEach([&](std::size_t i) { table[i].Inside = InsideNodes(table[i].Value); });
-}
-
 void FindLayers(LeafTable& table, PotentialTree& tree)
 {
   GrowLayers(table, tree);
-  table.ForEach([&](std::size_t i) { FindCrossedEdges(table, i); });
+  table.ForEach(table.GetNear(), [&](std::size_t i) { FindCrossedEdges(table, i); });
 }
 
 void RebuildLayers(LeafTable& table, PotentialTree& tree)
 {
   GrowLayers(table, tree);
-  ForEachLeaf(table, UseLayers{ table });
+  ForEachLeaf(table, table.GetNear(), UseLayers{ table });
 }
 
 void DropEmptyLeaves(LeafTable& table, PotentialTree& tree)

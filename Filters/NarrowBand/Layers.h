@@ -9,15 +9,9 @@
 namespace activesurface
 {
 
-/** Which of the 512 values of a leaf are negative. */
-LeafMask InsideNodes(const float* values);
-
-/** Sets Inside of every leaf from its values. */
-void ReadSigns(LeafTable& table);
-
 /**
- * From Inside of every leaf: the layers and the crossed edges. Adds the leaves that a layer has
- * reached, in the table and in the tree.
+ * From Inside of every leaf: the layers and the crossed edges of the leaves near what moves. Adds
+ * the leaves that a layer has reached, in the table and in the tree.
  */
 void FindLayers(LeafTable& table, PotentialTree& tree);
 

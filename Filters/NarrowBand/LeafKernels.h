@@ -19,6 +19,25 @@ void ForEachLeaf(const LeafTable& table, const Kernel& kernel)
   table.ForEach([&kernel, run](std::size_t i) { run(kernel, i); });
 }
 
+/** The same for those of a list. */
+template <class Kernel>
+void ForEachLeaf(const LeafTable& table, const LeafList& leaves, const Kernel& kernel)
+{
+  const auto run = CompiledKernel<Kernel, std::size_t>::GetBest();
+  table.ForEach(leaves, [&kernel, run](std::size_t i) { run(kernel, i); });
+}
+
+/** The same by this thread alone, in the order of the list. */
+template <class Kernel>
+void ForEachLeafInTurn(const LeafList& leaves, const Kernel& kernel)
+{
+  const auto run = CompiledKernel<Kernel, std::size_t>::GetBest();
+  for (const std::int32_t i : leaves)
+  {
+    run(kernel, static_cast<std::size_t>(i));
+  }
+}
+
 }
 
 #endif

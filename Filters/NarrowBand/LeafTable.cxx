@@ -1,6 +1,11 @@
 #include "LeafTable.h"
 
+#include <numeric>
 #include <utility>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace activesurface
 {
@@ -17,6 +22,34 @@ std::size_t Hash(const openvdb::Coord& origin)
   return static_cast<std::size_t>(key ^ (key >> 32));
 }
 
+/** Which of eight numbers are negative, one bit each. */
+unsigned NegativeBits(const float* values)
+{
+#ifdef __SSE2__
+  const __m128 zero = _mm_setzero_ps();
+  const int low = _mm_movemask_ps(_mm_cmplt_ps(_mm_loadu_ps(values), zero));
+  const int high = _mm_movemask_ps(_mm_cmplt_ps(_mm_loadu_ps(values + 4), zero));
+  return static_cast<unsigned>(low | high << 4);
+#else
+  unsigned bits = 0;
+  for (int z = 0; z < 8; ++z)
+  {
+    bits |= unsigned(values[z] < 0.f) << z;
+  }
+  return bits;
+#endif
+}
+
+}
+
+LeafMask InsideNodes(const float* values)
+{
+  LeafMask inside;
+  for (int row = 0; row < 64; ++row)
+  {
+    inside.Word[row / 8] |= std::uint64_t(NegativeBits(values + 8 * row)) << (8 * (row % 8));
+  }
+  return inside;
 }
 
 void LeafTable::Rebuild(PotentialTree& tree)
@@ -36,11 +69,63 @@ void LeafTable::Rebuild(PotentialTree& tree)
         leaf.Leaf = this->Nodes[i];
         leaf.Value = this->Nodes[i]->buffer().data();
         leaf.Origin = this->Nodes[i]->origin();
+        leaf.Inside = known >= 0 ? leaf.Inside : InsideNodes(leaf.Value);
       }
     });
   std::swap(this->Leaves, this->Previous);
   this->BuildIndex();
   this->FindNeighbours(tree);
+  this->Moving.clear();
+  this->Near = this->FindAll([](const BandLeaf& leaf) { return leaf.IsNear; });
+}
+
+void LeafTable::Move(LeafList leaves)
+{
+  for (const std::int32_t i : this->Near)
+  {
+    this->Leaves[i].IsNear = false;
+  }
+  this->Moving = std::move(leaves);
+  this->Near = this->FindAround(this->Moving);
+  for (const std::int32_t i : this->Near)
+  {
+    this->Leaves[i].IsNear = true;
+  }
+}
+
+void LeafTable::MoveAll()
+{
+  LeafList all(this->Leaves.size());
+  std::iota(all.begin(), all.end(), 0);
+  this->Move(std::move(all));
+}
+
+LeafList LeafTable::FindAround(const LeafList& leaves) const
+{
+  if (leaves.size() == this->Leaves.size())
+  {
+    return leaves;
+  }
+  std::vector<char> isAround(this->Leaves.size());
+  for (const std::int32_t i : leaves)
+  {
+    for (const std::int32_t n : this->Leaves[i].Neighbour)
+    {
+      if (n >= 0)
+      {
+        isAround[n] = 1;
+      }
+    }
+  }
+  LeafList around;
+  for (std::size_t i = 0; i < isAround.size(); ++i)
+  {
+    if (isAround[i])
+    {
+      around.push_back(static_cast<std::int32_t>(i));
+    }
+  }
+  return around;
 }
 
 void LeafTable::BuildIndex()

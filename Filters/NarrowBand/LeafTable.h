@@ -30,6 +30,9 @@ using PotentialLeaf = PotentialTree::LeafNodeType;
 constexpr std::int32_t NoLeafOutside = -1;
 constexpr std::int32_t NoLeafInside = -2;
 
+/** Numbers of leaves, ascending. */
+using LeafList = std::vector<std::int32_t>;
+
 constexpr int NumberOfLayers = 5; // 0..2 band, 3 and 4 rings
 constexpr int LastBandLayer = 2;
 constexpr int LastLayer = NumberOfLayers - 1;
@@ -52,6 +55,16 @@ constexpr int Stride(int axis)
   return axis == 0 ? 64 : axis == 1 ? 8 : 1;
 }
 
+/** What is remembered of the target's speed in a leaf as long as nothing changes it: neither the
+ * leaf or a neighbour has moved, nor the target there. */
+struct LeafSpeed
+{
+  bool IsKnown = false;
+  float AtNodes = 0.f;   //< largest |speed| at the nodes that have samples
+  float AtSurface = 0.f; //< the same at the sample points, interpolated between the nodes
+  double Slope = 0.0;    //< largest |dF/dn|
+};
+
 struct BandLeaf
 {
   float* Value = nullptr; //< the leaf's own 512 values of u
@@ -69,7 +82,12 @@ struct BandLeaf
   std::size_t FirstCrossing = 0;             //< number of the first crossed edge
   std::array<int, 3> CrossingsBefore{};      //< crossed edges of this leaf on earlier axes
   int Crossings = 0;                         //< crossed edges of this leaf
+  LeafSpeed Speed;
+  bool IsNear = true; //< in LeafTable's list of those
 };
+
+/** Which of the 512 values of a leaf are negative. */
+LeafMask InsideNodes(const float* values);
 
 /** Whether a node of the leaf means more than its sign. */
 inline bool IsUsed(const BandLeaf& leaf)
@@ -80,8 +98,36 @@ inline bool IsUsed(const BandLeaf& leaf)
 class LeafTable
 {
 public:
-  /** Takes the leaves of the tree as they are now, keeping the masks of those already known. */
+  /** Takes the leaves of the tree as they are now, keeping what is known of those it had; new ones
+   * know their signs, and are near what moves. */
   void Rebuild(PotentialTree& tree);
+
+  ///@{
+  /** The leaves that the next substep changes, until Rebuild; and those that see it: they and
+   * their neighbours. Both are all leaves, unless Move says otherwise. */
+  void Move(LeafList leaves);
+  void MoveAll();
+  const LeafList& GetMoving() const { return this->Moving; }
+  const LeafList& GetNear() const { return this->Near; }
+  ///@}
+
+  /** These leaves and their neighbours. */
+  LeafList FindAround(const LeafList& leaves) const;
+
+  /** All leaves for which condition(leaf) holds. */
+  template <class Condition>
+  LeafList FindAll(Condition&& condition) const
+  {
+    LeafList found;
+    for (std::size_t i = 0; i < this->Leaves.size(); ++i)
+    {
+      if (condition(this->Leaves[i]))
+      {
+        found.push_back(static_cast<std::int32_t>(i));
+      }
+    }
+    return found;
+  }
 
   std::size_t Size() const { return this->Leaves.size(); }
   BandLeaf& operator[](std::size_t i) { return this->Leaves[i]; }
@@ -122,14 +168,15 @@ public:
   template <class Function>
   void ForEach(Function&& function) const
   {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Leaves.size(), Grain),
-      [&](const tbb::blocked_range<std::size_t>& range)
-      {
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-        {
-          function(i);
-        }
-      });
+    ForRange(this->Leaves.size(), function);
+  }
+
+  /** The same for those of a list. */
+  template <class Function>
+  void ForEach(const LeafList& leaves, Function&& function) const
+  {
+    ForRange(
+      leaves.size(), [&](std::size_t place) { function(static_cast<std::size_t>(leaves[place])); });
   }
 
   /** The sum of function(leaf), a whole number, over all leaves, in parallel. */
@@ -169,10 +216,25 @@ public:
 private:
   static constexpr std::size_t Grain = 16; //< leaves: some microseconds of work
 
+  template <class Function>
+  static void ForRange(std::size_t size, Function&& function)
+  {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, Grain),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+        {
+          function(i);
+        }
+      });
+  }
+
   void FindNeighbours(const PotentialTree& tree);
   void BuildIndex();
 
   std::vector<BandLeaf> Leaves;
+  LeafList Moving;
+  LeafList Near;
   std::vector<BandLeaf> Previous;    // the table before Rebuild, kept for its memory
   std::vector<PotentialLeaf*> Nodes; // the tree's leaves, in its order
   std::vector<std::int32_t> Index;   // open-addressing hash of the origins

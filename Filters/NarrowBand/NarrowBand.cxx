@@ -205,7 +205,7 @@ AdvanceReport NarrowBand::Advance(
   }
   AdvanceReport report;
   const double begin = members.Time;
-  this->Run([&] { members.TakeScheme(motion); });
+  this->Run([&] { members.Begin(motion); });
   GoOn(*this, members, report,
     [&]
     {
@@ -235,7 +235,7 @@ AdvanceReport NarrowBand::Settle(const Motion& motion, const RestCriterion& crit
     throw std::invalid_argument("RestTolerance must be a number >= 0.");
   }
   AdvanceReport report;
-  this->Run([&] { members.TakeScheme(motion); });
+  this->Run([&] { members.Begin(motion); });
   GoOn(*this, members, report,
     [&]
     {

@@ -1,6 +1,6 @@
 #include "NodePoints.h"
 
-#include "SubstepBuffers.h"
+#include "SamplePoints.h"
 #include "Trilinear.h"
 
 #include <openvdb/tree/ValueAccessor.h>
@@ -61,6 +61,8 @@ void MoveToSurface(const Potential& potential, double x[3])
   }
 }
 
+}
+
 LeafMask NodesWithOwnPoint(const LeafTable& table, const BandLeaf& leaf, const Motion& motion)
 {
   if (!SamplesCrossings(motion))
@@ -70,49 +72,27 @@ LeafMask NodesWithOwnPoint(const LeafTable& table, const BandLeaf& leaf, const M
   return motion.Paper ? leaf.Active.Without(NodesWithCrossing(table, leaf)) : LeafMask();
 }
 
-}
-
-std::size_t AddNodePoints(const LeafTable& table, const PotentialTree& potential, double voxelSize,
-  const Motion& motion, std::size_t crossings, SubstepBuffers& buffers)
+double* WriteNodePoints(
+  const SampledLattice& lattice, std::size_t leaf, const Motion& motion, double* point)
 {
-  const std::size_t size = table.Size();
-  buffers.OwnPoint.assign(size, LeafMask());
-  buffers.FirstOwnPoint.assign(size, crossings);
-  if (SamplesCrossings(motion) && !motion.Paper)
-  {
-    return crossings;
-  }
-  table.ForEach(
-    [&](std::size_t i) { buffers.OwnPoint[i] = NodesWithOwnPoint(table, table[i], motion); });
-  std::size_t count = crossings;
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    buffers.FirstOwnPoint[i] = count;
-    count += buffers.OwnPoint[i].Count();
-  }
-  buffers.Points.resize(3 * count);
-  table.ForEach(
-    [&](std::size_t i)
-    {
-      const Potential values(potential);
-      double* point = buffers.Points.data() + 3 * buffers.FirstOwnPoint[i];
-      buffers.OwnPoint[i].ForEach(
-        [&](int node)
+  const Potential values(lattice.Potential);
+  const openvdb::Coord& origin = lattice.Leaves[leaf].Origin;
+  NodesWithOwnPoint(lattice.Leaves, lattice.Leaves[leaf], motion)
+    .ForEach(
+      [&](int node)
+      {
+        double x[3] = { double(origin[0] + (node >> 6)), double(origin[1] + ((node >> 3) & 7)),
+          double(origin[2] + (node & 7)) };
+        if (motion.Evaluation == TargetEvaluation::ClosestPoint)
         {
-          const openvdb::Coord& origin = table[i].Origin;
-          double x[3] = { double(origin[0] + (node >> 6)), double(origin[1] + ((node >> 3) & 7)),
-            double(origin[2] + (node & 7)) };
-          if (motion.Evaluation == TargetEvaluation::ClosestPoint)
-          {
-            MoveToSurface(values, x);
-          }
-          for (double coordinate : x)
-          {
-            *point++ = voxelSize * coordinate;
-          }
-        });
-    });
-  return count;
+          MoveToSurface(values, x);
+        }
+        for (double coordinate : x)
+        {
+          *point++ = lattice.VoxelSize * coordinate;
+        }
+      });
+  return point;
 }
 
 }

@@ -12,7 +12,7 @@
 namespace activesurface
 {
 
-struct SubstepBuffers;
+struct SampledLattice;
 
 /** Whether the crossings of the edges are sample points. */
 inline bool SamplesCrossings(const Motion& motion)
@@ -20,13 +20,19 @@ inline bool SamplesCrossings(const Motion& motion)
   return motion.Evaluation == TargetEvaluation::Shifted;
 }
 
-/**
- * Appends to the `crossings` points that are there already one for each node that has its own, leaf
- * by leaf: with Node and ClosestPoint every active node, with Shifted none, or in the paper's
- * scheme those without a crossed edge (its F(X) beyond the surface). Returns the number of points.
- */
-std::size_t AddNodePoints(const LeafTable& table, const PotentialTree& potential, double voxelSize,
-  const Motion& motion, std::size_t crossings, SubstepBuffers& buffers);
+/** Whether there are nodes with points of their own. */
+inline bool HasNodePoints(const Motion& motion)
+{
+  return motion.Paper || !SamplesCrossings(motion);
+}
+
+/** Which they are: with Node and ClosestPoint all active nodes, with Shifted none, or in the
+ * paper's scheme those without a crossed edge (its F(X) beyond the surface). */
+LeafMask NodesWithOwnPoint(const LeafTable& table, const BandLeaf& leaf, const Motion& motion);
+
+/** Their points (x y z, world units), node by node; returns their end. */
+double* WriteNodePoints(
+  const SampledLattice& lattice, std::size_t leaf, const Motion& motion, double* point);
 
 }
 

@@ -2,11 +2,10 @@
 
 #include "LeafKernels.h"
 #include "LeafLine.h"
+#include "NodePoints.h"
 #include "SubstepBuffers.h"
 
-#include <tbb/parallel_reduce.h>
-
-#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace activesurface
@@ -15,26 +14,28 @@ namespace activesurface
 namespace
 {
 
-struct FindPoints
+/** World positions (x y z) of a leaf's crossings; returns their end. */
+class CrossingPoints
 {
-  const LeafTable& Table;
-  double VoxelSize;
-  double* Points;
-
-  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+public:
+  ACTIVE_ALWAYS_INLINE CrossingPoints(const LeafTable& table, std::size_t i, double voxelSize)
+    : Table(table)
+    , Leaf(i)
+    , VoxelSize(voxelSize)
   {
-    double* point = this->Points + 3 * this->Table[i].FirstCrossing;
-    this->AddEdges<0>(i, point);
-    this->AddEdges<1>(i, point);
-    this->AddEdges<2>(i, point);
+  }
+
+  ACTIVE_ALWAYS_INLINE double* Write(double* point) const
+  {
+    return this->WriteAxis<2>(this->WriteAxis<1>(this->WriteAxis<0>(point)));
   }
 
 private:
   template <int Axis>
-  ACTIVE_ALWAYS_INLINE void AddEdges(std::size_t i, double*& point) const
+  ACTIVE_ALWAYS_INLINE double* WriteAxis(double* point) const
   {
-    const BandLeaf& leaf = this->Table[i];
-    const LeafLine<Axis> line(this->Table, static_cast<std::int32_t>(i),
+    const BandLeaf& leaf = this->Table[this->Leaf];
+    const LeafLine<Axis> line(this->Table, static_cast<std::int32_t>(this->Leaf),
       [this](std::int32_t n) { return this->Table[n].Value; });
     leaf.Edge[Axis].ForEach(
       [&](int node) ACTIVE_INLINED
@@ -49,64 +50,102 @@ private:
         }
         point += 3;
       });
+    return point;
+  }
+
+  const LeafTable& Table;
+  const std::size_t Leaf;
+  const double VoxelSize;
+};
+
+struct SampleLeaf
+{
+  const SampledLattice& Lattice;
+  const struct Motion& Motion;
+  const struct Target& Target;
+  SubstepBuffers& Buffers;
+  std::atomic<std::size_t>& Dropped;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    constexpr int most = 4 * 512; // three edges a node, and the node itself
+    double points[3 * most], values[most], slopes[most];
+    const double* end = points;
+    if (SamplesCrossings(this->Motion))
+    {
+      end = CrossingPoints(this->Lattice.Leaves, i, this->Lattice.VoxelSize).Write(points);
+    }
+    if (HasNodePoints(this->Motion))
+    {
+      end = WriteNodePoints(this->Lattice, i, this->Motion, points + (end - points));
+    }
+    const std::size_t count = static_cast<std::size_t>(end - points) / 3;
+    this->Buffers.LargestSlope[i] = 0.0;
+    if (count > 0)
+    {
+      this->Target.Evaluate(count, points, values, slopes);
+      this->Take(i, count, values, slopes);
+    }
+  }
+
+private:
+  ACTIVE_ALWAYS_INLINE void Take(
+    std::size_t i, std::size_t count, const double* values, const double* slopes) const
+  {
+    float* sample = this->Buffers.Samples.data() + this->Buffers.FirstSample[i];
+    double largest = 0.0;
+    std::size_t dropped = 0;
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      sample[n] = static_cast<float>(values[n]);
+      const bool counts = std::isfinite(sample[n]);
+      dropped += !counts;
+      largest = counts && slopes[n] > largest ? slopes[n] : largest;
+    }
+    this->Buffers.LargestSlope[i] = largest;
+    if (dropped > 0)
+    {
+      this->Dropped.fetch_add(dropped, std::memory_order_relaxed);
+    }
   }
 };
 
+/** Numbers the points; returns how many there are. */
+std::size_t NumberSamples(
+  const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers)
+{
+  buffers.FirstSample.assign(table.Size(), SubstepBuffers::NoSamples);
+  std::int64_t count = 0;
+  for (const std::int32_t i : leaves)
+  {
+    buffers.FirstSample[i] = count;
+    count += SamplesCrossings(motion) ? table[i].Crossings : 0;
+    count += HasNodePoints(motion) ? NodesWithOwnPoint(table, table[i], motion).Count() : 0;
+  }
+  return static_cast<std::size_t>(count);
 }
 
-void FindSamplePoints(
-  const LeafTable& table, double voxelSize, std::size_t count, std::vector<double>& points)
-{
-  MakeRoom(points, 3 * count);
-  ForEachLeaf(table, FindPoints{ table, voxelSize, points.data() });
 }
 
-namespace
+TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves,
+  const Motion& motion, const Target& target, SubstepBuffers& buffers)
 {
-
-TargetSamples EvaluateBatch(
-  const Target& target, std::size_t begin, std::size_t end, SubstepBuffers& buffers)
-{
-  double* values = buffers.Values.data();
-  double* slopes = buffers.Slopes.data();
-  target.Evaluate(end - begin, buffers.Points.data() + 3 * begin, values + begin, slopes + begin);
   TargetSamples samples;
-  samples.Count = end - begin;
-  for (std::size_t i = begin; i < end; ++i)
+  samples.Count = NumberSamples(lattice.Leaves, leaves, motion, buffers);
+  MakeRoom(buffers.Samples, samples.Count);
+  buffers.LargestSlope.resize(lattice.Leaves.Size());
+  std::atomic<std::size_t> dropped{ 0 };
+  const SampleLeaf sample{ lattice, motion, target, buffers, dropped };
+  if (target.IsThreadSafe())
   {
-    if (!std::isfinite(static_cast<float>(values[i])))
-    {
-      ++samples.Dropped;
-    }
-    else if (slopes[i] > samples.LargestSlope)
-    {
-      samples.LargestSlope = slopes[i];
-    }
+    ForEachLeaf(lattice.Leaves, leaves, sample);
   }
+  else
+  {
+    ForEachLeafInTurn(leaves, sample);
+  }
+  samples.Dropped = dropped.load();
   return samples;
-}
-
-TargetSamples Sum(const TargetSamples& a, const TargetSamples& b)
-{
-  return { a.Count + b.Count, a.Dropped + b.Dropped, std::max(a.LargestSlope, b.LargestSlope) };
-}
-
-}
-
-TargetSamples EvaluateTarget(const Target& target, std::size_t count, SubstepBuffers& buffers)
-{
-  constexpr std::size_t batch = 512;
-  MakeRoom(buffers.Values, count);
-  MakeRoom(buffers.Slopes, count);
-  if (!target.IsThreadSafe())
-  {
-    return count > 0 ? EvaluateBatch(target, 0, count, buffers) : TargetSamples();
-  }
-  return tbb::parallel_reduce(
-    tbb::blocked_range<std::size_t>(0, count, batch), TargetSamples(),
-    [&](const tbb::blocked_range<std::size_t>& range, const TargetSamples& soFar)
-    { return Sum(soFar, EvaluateBatch(target, range.begin(), range.end(), buffers)); },
-    Sum);
 }
 
 }

@@ -1,35 +1,43 @@
 /**
- * The sample points: where the surface crosses the edges of the lattice (paper, section 4.3).
+ * The points at which the target is evaluated: where the surface crosses the edges of the lattice
+ * (paper, section 4.3), and those of single nodes (NodePoints.h).
  */
 #ifndef SamplePoints_h
 #define SamplePoints_h
 
 #include "LeafTable.h"
+#include "Motion.h"
 #include "Target.h"
 
 #include <cstddef>
-#include <vector>
 
 namespace activesurface
 {
 
 struct SubstepBuffers;
 
-/** What Evaluate found. */
+/** What SampleLeaves found. */
 struct TargetSamples
 {
   std::size_t Count = 0;
-  std::size_t Dropped = 0;   //< values that are not finite
-  double LargestSlope = 0.0; //< L of the time step
+  std::size_t Dropped = 0; //< values that are not finite
 };
 
-/** World positions (x y z) of the crossings numbered by NumberCrossings, linear on the edges,
- * each computed once, from the edge's lower node. */
-void FindSamplePoints(
-  const LeafTable& table, double voxelSize, std::size_t count, std::vector<double>& points);
+/** The lattice whose leaves these are. */
+struct SampledLattice
+{
+  const LeafTable& Leaves;
+  const PotentialTree& Potential;
+  double VoxelSize;
+};
 
-/** The target's value at each sample point, once each, in batches. */
-TargetSamples EvaluateTarget(const Target& target, std::size_t count, SubstepBuffers& buffers);
+/**
+ * The target's value at each point of these leaves, once each, leaf by leaf: crossings, linear on
+ * the edges, each from its edge's lower node, axis by axis, node by node; then those of single
+ * nodes. Fills Samples and LargestSlope.
+ */
+TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves,
+  const Motion& motion, const Target& target, SubstepBuffers& buffers);
 
 }
 

@@ -112,11 +112,13 @@ void AddAttraction(const NarrowBand& band, const SkinForces& forces, std::vector
   SubstepBuffers buffers;
   forces.Attractor.MoveTo(band.GetTime());
   WalledTarget walled(forces.Attractor, motion.Box);
-  FindSamplePoints(band.GetLeaves(), band.GetVoxelSize(), speeds.size(), buffers.Points);
-  EvaluateTarget(motion.Box.Present ? walled : forces.Attractor, speeds.size(), buffers);
+  const LeafTable& table = band.GetLeaves();
+  const LeafList all = table.FindAll([](const BandLeaf&) { return true; });
+  SampleLeaves({ table, band.GetPotential()->tree(), band.GetVoxelSize() }, all, Motion(),
+    motion.Box.Present ? walled : forces.Attractor, buffers);
   for (std::size_t v = 0; v < speeds.size(); ++v)
   {
-    const double pull = -motion.Attraction * buffers.Values[v];
+    const double pull = -motion.Attraction * buffers.Samples[v];
     speeds[v] += std::isfinite(pull) ? static_cast<float>(pull) : 0.f;
   }
 }

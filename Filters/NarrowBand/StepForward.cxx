@@ -108,10 +108,10 @@ SlopeCounts StepForward(
   buffers.MakeRoomForNodes(size); // which it is where there are speeds
   buffers.FlatNodes.resize(size);
   buffers.SteepNodes.resize(size);
-  ForEachLeaf(table, StepLeaf{ table, coefficients, buffers });
+  ForEachLeaf(table, table.GetMoving(), StepLeaf{ table, coefficients, buffers });
   SlopeCounts counts;
   counts.Nodes = table.Count([](const BandLeaf& leaf) { return leaf.Upto[0].Count(); });
-  for (std::size_t i = 0; i < size; ++i)
+  for (const std::int32_t i : table.GetMoving())
   {
     counts.Flat += buffers.FlatNodes[i];
     counts.Steep += buffers.SteepNodes[i];
@@ -121,12 +121,17 @@ SlopeCounts StepForward(
 
 void TakeNext(LeafTable& table, const SubstepBuffers& buffers)
 {
-  table.ForEach(
+  table.ForEach(table.GetMoving(),
     [&](std::size_t i)
     {
       std::copy_n(buffers.NextOf(i), 512, table[i].Value);
-      table[i].Advanced = table[i].Active;
       table[i].Inside = InsideNodes(table[i].Value);
+    });
+  table.ForEach(table.GetNear(),
+    [&](std::size_t i)
+    {
+      table[i].Advanced = table[i].Active;
+      table[i].Speed.IsKnown = false;
     });
 }
 

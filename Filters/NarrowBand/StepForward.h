@@ -35,16 +35,17 @@ struct StepCoefficients
 /** Slopes of the nodes of layer 0, counted on the potential before the step. */
 struct SlopeCounts
 {
-  std::size_t Nodes = 0;
-  std::size_t Flat = 0;  //< slope below 1/sqrt 2
-  std::size_t Steep = 0; //< slope above sqrt 2
+  std::size_t Nodes = 0; //< of all leaves
+  std::size_t Flat = 0;  //< slope below 1/sqrt 2, in leaves that move
+  std::size_t Steep = 0; //< slope above sqrt 2, in leaves that move
 };
 
-/** Next from the values of all active nodes (Jacobi). */
+/** Next of the leaves that move, from the values of all active nodes (Jacobi). */
 SlopeCounts StepForward(
   const LeafTable& table, const StepCoefficients& coefficients, SubstepBuffers& buffers);
 
-/** Makes Next the potential, with its signs; the active nodes count as advanced. */
+/** Makes Next the potential of the leaves that move, with its signs; the active nodes count as
+ * advanced, also those that have stayed. */
 void TakeNext(LeafTable& table, const SubstepBuffers& buffers);
 
 /** Multiplies the potential by a power of two: exact, and the surface stays where it is. */

@@ -7,6 +7,7 @@
 #include "LeafMask.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace activesurface
@@ -27,11 +28,10 @@ void MakeRoom(std::vector<Value>& room, std::size_t size)
 
 struct SubstepBuffers
 {
-  // Per point of evaluation: the sample points in the order of NumberCrossings, then those of
-  // single nodes (NodePoints.h).
-  std::vector<double> Points; //< x y z
-  std::vector<double> Values; //< F - iso
-  std::vector<double> Slopes; //< bound of |dF/dn|
+  // F - iso at the points of evaluation, leaf by leaf.
+  std::vector<float> Samples;
+  static constexpr std::int64_t NoSamples = -1; //< of a leaf that has not been sampled
+  std::vector<std::int64_t> FirstSample;        //< number of a leaf's first point
 
   // Per leaf, 512 nodes each: extended target speed, valid where Known, then the potential after
   // the substep, which takes its room row by row.
@@ -40,11 +40,10 @@ struct SubstepBuffers
   std::vector<LeafMask> NextKnown;
 
   // Per leaf.
-  std::vector<LeafMask> OwnPoint; //< nodes with a point of evaluation of their own
-  std::vector<std::size_t> FirstOwnPoint;
-  std::vector<float> LargestSpeed;
-  std::vector<int> FlatNodes;  //< layer 0 nodes of slope below 1/sqrt 2
-  std::vector<int> SteepNodes; //< layer 0 nodes of slope above sqrt 2
+  std::vector<double> LargestSlope; //< of the target, |dF/dn|
+  std::vector<float> LargestSpeed;  //< at the nodes with samples
+  std::vector<int> FlatNodes;       //< layer 0 nodes of slope below 1/sqrt 2
+  std::vector<int> SteepNodes;      //< layer 0 nodes of slope above sqrt 2
 
   void MakeRoomForNodes(std::size_t leaves) { MakeRoom(this->Nodes, 512 * leaves); }
   float* SpeedOf(std::size_t leaf) { return this->Nodes.data() + 512 * leaf; }

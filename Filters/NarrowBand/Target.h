@@ -21,6 +21,17 @@ public:
   virtual void MoveTo(double time) { static_cast<void>(time); }
 
   /**
+   * Whether values in this box (xmin xmax ymin ymax zmin zmax) may differ from those before the
+   * last MoveTo. What does not change is evaluated once where the surface rests. May be called by
+   * several threads at once.
+   */
+  virtual bool MayHaveChanged(const double bounds[6]) const
+  {
+    static_cast<void>(bounds);
+    return true;
+  }
+
+  /**
    * At `count` points (x y z each, world coordinates): values = F - iso, negative inside the
    * target; slopes = an upper bound of |dF/dn| there, the stiffness that limits the time step
    * (1 for a distance, 0 where F is constant). A value that is not finite drops its sample point.

@@ -17,30 +17,33 @@ namespace
 {
 
 /** Speed at the nodes with crossed edges. */
-ACTIVE_ALWAYS_INLINE void TakeSamples(
+ACTIVE_ALWAYS_INLINE void TakeCrossings(
   const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
   WeightedSamples samples(motion.Paper);
-  samples.Add(table, i, buffers.Values.data());
+  samples.Add(table, i, buffers);
   float* speed = buffers.SpeedOf(i);
   const float rate = static_cast<float>(-motion.Attraction);
   const LeafMask known = NodesWithCrossing(table, table[i]);
   known.ForEach([&](int node) ACTIVE_INLINED { speed[node] = samples.GetSpeed(node, rate); });
-  buffers.Known[i] = known;
+  buffers.Known[i] = buffers.NextKnown[i] = known;
 }
 
 /** Speed at the nodes with points of their own. */
-void TakeOwnPoints(std::size_t i, const Motion& motion, SubstepBuffers& buffers)
+void TakeOwnPoints(
+  const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
-  const double* value = buffers.Values.data() + buffers.FirstOwnPoint[i];
+  const float* value = buffers.Samples.data() + buffers.FirstSample[i] +
+    (SamplesCrossings(motion) ? table[i].Crossings : 0);
   float* speed = buffers.SpeedOf(i);
   const float rate = static_cast<float>(-motion.Attraction);
-  buffers.OwnPoint[i].ForEach(
-    [&](int node)
-    {
-      const float sample = static_cast<float>(*value++);
-      speed[node] = std::isfinite(sample) ? rate * sample : 0.f;
-    });
+  NodesWithOwnPoint(table, table[i], motion)
+    .ForEach(
+      [&](int node)
+      {
+        const float sample = *value++;
+        speed[node] = std::isfinite(sample) ? rate * sample : 0.f;
+      });
 }
 
 float LargestOf(const float* speed, const LeafMask& nodes)
@@ -61,13 +64,17 @@ struct TakeTarget
   {
     float* speed = this->Buffers.SpeedOf(i);
     std::fill_n(speed, 512, 0.f); // what the extension does not reach stands still
-    this->Buffers.Known[i] = LeafMask();
+    LeafMask nodes;
     if (SamplesCrossings(this->Motion))
     {
-      TakeSamples(this->Table, i, this->Motion, this->Buffers);
+      TakeCrossings(this->Table, i, this->Motion, this->Buffers);
+      nodes = this->Buffers.Known[i];
     }
-    TakeOwnPoints(i, this->Motion, this->Buffers);
-    const LeafMask nodes = this->Buffers.Known[i] | this->Buffers.OwnPoint[i];
+    if (HasNodePoints(this->Motion))
+    {
+      TakeOwnPoints(this->Table, i, this->Motion, this->Buffers);
+      nodes = nodes | NodesWithOwnPoint(this->Table, this->Table[i], this->Motion);
+    }
     this->Buffers.LargestSpeed[i] = LargestOf(speed, nodes);
   }
 };
@@ -216,58 +223,51 @@ struct ExtendLeaf
 bool ExtendOnce(const LeafTable& table, SubstepBuffers& buffers)
 {
   std::atomic<bool> reached{ false }, left{ false };
-  ForEachLeaf(table, ExtendLeaf{ table, buffers, reached, left });
+  ForEachLeaf(table, table.GetNear(), ExtendLeaf{ table, buffers, reached, left });
   std::swap(buffers.Known, buffers.NextKnown);
   return reached.load() && left.load();
 }
 
-double LargestOfLeaves(const SubstepBuffers& buffers)
-{
-  const auto largest = std::max_element(buffers.LargestSpeed.begin(), buffers.LargestSpeed.end());
-  return largest == buffers.LargestSpeed.end() ? 0.0 : static_cast<double>(*largest);
 }
 
-}
-
-double FindTargetSpeed(const LeafTable& table, const Motion& motion, SubstepBuffers& buffers)
+void TakeSamples(
+  const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
   buffers.MakeRoomForNodes(size);
-  buffers.Known.resize(size);
-  buffers.NextKnown.resize(size);
+  buffers.Known.assign(size, LeafMask());
+  buffers.NextKnown.assign(size, LeafMask());
   buffers.LargestSpeed.resize(size);
-  ForEachLeaf(table, TakeTarget{ table, motion, buffers });
-  // What is extended is a mean of what is known: no larger.
+  ForEachLeaf(table, leaves, TakeTarget{ table, motion, buffers });
+}
+
+// What is extended is a mean of what is known: no larger.
+void ExtendSpeed(const LeafTable& table, const Motion& motion, SubstepBuffers& buffers)
+{
   while (SamplesCrossings(motion) && !motion.Paper && ExtendOnce(table, buffers))
   {
   }
-  return LargestOfLeaves(buffers);
 }
 
-double LargestSpeedAtSurface(const LeafTable& table, SubstepBuffers& buffers)
+float LargestSpeedAtSurface(const LeafTable& table, std::size_t i, const SubstepBuffers& buffers)
 {
   const auto speedAt = [&](const LeafTable::Place& place)
   { return buffers.SpeedOf(place.Leaf)[place.Node]; };
-  table.ForEach(
-    [&](std::size_t i)
-    {
-      float largest = 0.f;
-      for (int axis = 0; axis < 3; ++axis)
+  float largest = 0.f;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    table[i].Edge[axis].ForEach(
+      [&](int node)
       {
-        table[i].Edge[axis].ForEach(
-          [&](int node)
-          {
-            const LeafTable::Place lower{ static_cast<std::int32_t>(i), node };
-            const LeafTable::Place upper = table.Step(lower.Leaf, node, axis, 1);
-            const float low = table[i].Value[node], high = table[upper.Leaf].Value[upper.Node];
-            const float t = low / (low - high);
-            const float speed = (1.f - t) * speedAt(lower) + t * speedAt(upper);
-            largest = std::max(largest, std::fabs(speed));
-          });
-      }
-      buffers.LargestSpeed[i] = largest;
-    });
-  return LargestOfLeaves(buffers);
+        const LeafTable::Place lower{ static_cast<std::int32_t>(i), node };
+        const LeafTable::Place upper = table.Step(lower.Leaf, node, axis, 1);
+        const float low = table[i].Value[node], high = table[upper.Leaf].Value[upper.Node];
+        const float t = low / (low - high);
+        const float speed = (1.f - t) * speedAt(lower) + t * speedAt(upper);
+        largest = std::max(largest, std::fabs(speed));
+      });
+  }
+  return largest;
 }
 
 }

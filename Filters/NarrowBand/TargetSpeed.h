@@ -18,15 +18,18 @@ namespace activesurface
 struct SubstepBuffers;
 
 /**
- * Fills SpeedOf = -Attraction * (F - iso) at the active nodes, from the values at the sample points
- * and those at the nodes' own points (NodePoints.h). Nodes all of whose values were dropped stand
- * still. Returns the largest |speed|.
+ * Fills SpeedOf = -Attraction * (F - iso) at those nodes of these leaves that have samples, or a
+ * point of their own (NodePoints.h), and LargestSpeed. Nodes all of whose values were dropped stand
+ * still. Leaves have to be sampled, and so have those before them on the axes.
  */
-double FindTargetSpeed(const LeafTable& table, const Motion& motion, SubstepBuffers& buffers);
+void TakeSamples(
+  const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers);
 
-/** The largest |speed| at the sample points, interpolated between the nodes. Takes the room of
- * LargestSpeed. */
-double LargestSpeedAtSurface(const LeafTable& table, SubstepBuffers& buffers);
+/** From there to the active nodes of the leaves near what moves. */
+void ExtendSpeed(const LeafTable& table, const Motion& motion, SubstepBuffers& buffers);
+
+/** The largest |speed| at the crossings of a leaf, interpolated between the nodes. */
+float LargestSpeedAtSurface(const LeafTable& table, std::size_t i, const SubstepBuffers& buffers);
 
 }
 

@@ -27,7 +27,7 @@ void WalledTarget::Evaluate(
 void ClampToWalls(
   const LeafTable& table, const Walls& walls, double voxelSize, SubstepBuffers& buffers)
 {
-  table.ForEach(
+  table.ForEach(table.GetMoving(),
     [&](std::size_t i)
     {
       const BandLeaf& leaf = table[i];

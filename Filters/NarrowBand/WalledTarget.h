@@ -30,6 +30,10 @@ public:
   }
 
   void MoveTo(double time) override { this->Within.MoveTo(time); }
+  bool MayHaveChanged(const double bounds[6]) const override
+  {
+    return this->Within.MayHaveChanged(bounds);
+  }
   void Evaluate(
     std::size_t count, const double* points, double* values, double* slopes) const override;
   bool IsThreadSafe() const override { return this->Within.IsThreadSafe(); }

@@ -8,6 +8,7 @@
 #define WeightedSamples_h
 
 #include "LeafLine.h"
+#include "SubstepBuffers.h"
 
 #include <algorithm>
 #include <array>
@@ -26,12 +27,13 @@ public:
   {
   }
 
-  /** values: F - iso at the crossings, by their number. */
-  ACTIVE_ALWAYS_INLINE void Add(const LeafTable& table, std::size_t i, const double* values)
+  /** Those of a leaf that has been sampled, and of the leaves before it that have. */
+  ACTIVE_ALWAYS_INLINE void Add(
+    const LeafTable& table, std::size_t i, const SubstepBuffers& buffers)
   {
-    this->AddEdges<0>(table, i, values);
-    this->AddEdges<1>(table, i, values);
-    this->AddEdges<2>(table, i, values);
+    this->AddEdges<0>(table, i, buffers);
+    this->AddEdges<1>(table, i, buffers);
+    this->AddEdges<2>(table, i, buffers);
   }
 
   /** rate times the mean; 0 where all samples were dropped. */
@@ -51,29 +53,37 @@ private:
     float Low[MaximumEdges], High[MaximumEdges], Sample[MaximumEdges];
     short LowNode[MaximumEdges], HighNode[MaximumEdges];
 
-    ACTIVE_ALWAYS_INLINE void Add(float low, float high, double sample, int lowNode, int highNode)
+    ACTIVE_ALWAYS_INLINE void Add(float low, float high, float sample, int lowNode, int highNode)
     {
       this->Low[this->Count] = low;
       this->High[this->Count] = high;
-      this->Sample[this->Count] = static_cast<float>(sample);
+      this->Sample[this->Count] = sample;
       this->LowNode[this->Count] = static_cast<short>(lowNode);
       this->HighNode[this->Count] = static_cast<short>(highNode);
       ++this->Count;
     }
   };
 
+  /** The sample at the first crossing of an axis. */
+  template <int Axis>
+  static ACTIVE_ALWAYS_INLINE const float* FirstOf(
+    const BandLeaf& leaf, std::size_t i, const SubstepBuffers& buffers)
+  {
+    return buffers.Samples.data() + buffers.FirstSample[i] + leaf.CrossingsBefore[Axis];
+  }
+
   /** Edges that begin in the leaf before this one and end on its first plane. */
   template <int Axis>
   static ACTIVE_ALWAYS_INLINE void FindIncoming(
-    const LeafTable& table, const BandLeaf& leaf, const double* values, Edges& edges)
+    const LeafTable& table, const BandLeaf& leaf, const SubstepBuffers& buffers, Edges& edges)
   {
     const std::int32_t number = leaf.Neighbour[FaceNumber(Axis, -1)];
-    if (number < 0)
+    if (number < 0 || buffers.FirstSample[number] == SubstepBuffers::NoSamples)
     {
       return;
     }
     const BandLeaf& before = table[number];
-    const double* value = values + before.FirstCrossing + before.CrossingsBefore[Axis];
+    const float* value = FirstOf<Axis>(before, number, buffers);
     for (int x = 0; x < 8; ++x)
     {
       const std::uint64_t word = before.Edge[Axis].Word[x];
@@ -93,12 +103,12 @@ private:
 
   template <int Axis>
   static ACTIVE_ALWAYS_INLINE void FindOwn(
-    const LeafTable& table, std::size_t i, const double* values, Edges& edges)
+    const LeafTable& table, std::size_t i, const SubstepBuffers& buffers, Edges& edges)
   {
     const BandLeaf& leaf = table[i];
     const LeafLine<Axis> line(
       table, static_cast<std::int32_t>(i), [&](std::int32_t n) { return table[n].Value; });
-    const double* value = values + leaf.FirstCrossing + leaf.CrossingsBefore[Axis];
+    const float* value = FirstOf<Axis>(leaf, i, buffers);
     leaf.Edge[Axis].ForEach(
       [&](int node) ACTIVE_INLINED
       {
@@ -110,11 +120,12 @@ private:
 
   /** Sums go by axis, from the edge behind a node to the one ahead. */
   template <int Axis>
-  ACTIVE_ALWAYS_INLINE void AddEdges(const LeafTable& table, std::size_t i, const double* values)
+  ACTIVE_ALWAYS_INLINE void AddEdges(
+    const LeafTable& table, std::size_t i, const SubstepBuffers& buffers)
   {
     Edges edges;
-    FindIncoming<Axis>(table, table[i], values, edges);
-    FindOwn<Axis>(table, i, values, edges);
+    FindIncoming<Axis>(table, table[i], buffers, edges);
+    FindOwn<Axis>(table, i, buffers, edges);
     float lowWeight[MaximumEdges], highWeight[MaximumEdges];
     for (int e = 0; e < edges.Count; ++e)
     {

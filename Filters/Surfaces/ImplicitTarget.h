@@ -20,6 +20,7 @@ public:
   }
 
   bool IsThreadSafe() const override { return this->Function.IsThreadSafe(); }
+  bool MayHaveChanged(const double[6]) const override { return false; }
 
 protected:
   void Sample(

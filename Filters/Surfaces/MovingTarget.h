@@ -18,18 +18,31 @@ public:
   void MoveAlong(int step, double begin, double end);
 
   void MoveTo(double time) override;
+  bool MayHaveChanged(const double bounds[6]) const override;
 
 protected:
   // At a fraction in [0,1] of the way from this step to the next.
   virtual void Place(int step, double fraction) = 0;
 
+  // Whether the last Place may have changed values in a box.
+  virtual bool HasChangedIn(const double bounds[6]) const;
+
 private:
-  void PlaceOnce(int step, double fraction);
+  enum class Change
+  {
+    Nothing,
+    LastPlace,
+    Everything
+  };
+
+  bool PlaceOnce(int step, double fraction);
 
   int Step = -1;
   double Begin = 0.0;
   double End = 0.0;
   double Fraction = 0.0;
+  bool HasJumped = true;              // other than by MoveTo
+  Change Recent = Change::Everything; // with the last MoveTo
 };
 
 }

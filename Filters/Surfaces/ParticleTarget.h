@@ -6,6 +6,7 @@
 #ifndef ParticleTarget_h
 #define ParticleTarget_h
 
+#include "ChangedRegion.h"
 #include "MovingTarget.h"
 #include "Skeleton.h"
 #include "TargetFrames.h"
@@ -24,14 +25,20 @@ public:
 
 protected:
   void Place(int step, double fraction) override;
+  bool HasChangedIn(const double bounds[6]) const override;
   void Sample(
     std::size_t count, const double* points, double* values, double* gradients) const override;
 
 private:
+  void FindChanged();
+
   TargetFrames& Frames;
   const SkeletonKernel Kernel;
   const double Threshold;
   std::vector<SkeletonVertex> Particles;
+  std::vector<SkeletonVertex> Previous;
+  std::vector<ChangedRegion::Box> ChangedSupports;
+  ChangedRegion Changed; // from Previous to Particles
   Skeleton Elements;
 };
 

@@ -10,13 +10,14 @@
 // Polygonising is beside the substep, but in the same unit. Shares are of the sum of the substep's
 // parts.
 //
-// At rest: ten balls in a row, n nodes along it; the target is the same row, of which the first one
-// or all balls swing. Seconds per substep, from the same start, with the same steps in time.
+// At rest: ten balls in a row, n nodes along it, which have come to rest; the target is the same
+// row, of which the first one or all balls begin to swing. Seconds per substep, with the same steps
+// in time.
 
 #include "GhostFill.h"
 #include "Layers.h"
 #include "Measuring.h"
-#include "NodePoints.h"
+#include "RestingLeaves.h"
 #include "SamplePoints.h"
 #include "Scenes.h"
 #include "Skin.h"
@@ -46,7 +47,6 @@ struct OpenBand
   openvdb::FloatGrid::Ptr Potential;
   LeafTable Leaves;
   SubstepBuffers Buffers;
-  std::size_t Crossings = 0;
   std::map<std::string, double> Seconds; //< per part, since it was cleared
 
   explicit OpenBand(const NarrowBand& band)
@@ -56,10 +56,8 @@ struct OpenBand
   {
     this->Leaves.SetBackground(NarrowBand::Far);
     this->Leaves.Rebuild(this->Potential->tree());
-    ReadSigns(this->Leaves);
     ReadActiveMasks(this->Leaves);
     RebuildLayers(this->Leaves, this->Potential->tree());
-    this->Crossings = NumberCrossings(this->Leaves);
   }
 
   template <class Pass>
@@ -78,22 +76,25 @@ struct OpenBand
     return count;
   }
 
-  TargetLimits SampleTarget(const Motion& motion, Target& target)
+  TargetLimits FollowTarget(const Motion& motion, Target& target)
   {
-    TargetLimits limits;
-    std::size_t count = 0;
+    this->Leaves.MoveAll();
     target.MoveTo(this->Time);
-    this->Clock("sample points",
+    this->Clock("target",
       [&]
       {
-        FindSamplePoints(this->Leaves, this->VoxelSize, this->Crossings, this->Buffers.Points);
-        count = AddNodePoints(this->Leaves, this->Potential->tree(), this->VoxelSize, motion,
-          this->Crossings, this->Buffers);
+        SampleLeaves({ this->Leaves, this->Potential->tree(), this->VoxelSize },
+          this->Leaves.GetNear(), motion, target, this->Buffers);
       });
-    this->Clock(
-      "target", [&] { limits.Slope = EvaluateTarget(target, count, this->Buffers).LargestSlope; });
-    this->Clock(
-      "extension", [&] { limits.Speed = FindTargetSpeed(this->Leaves, motion, this->Buffers); });
+    TargetLimits limits;
+    this->Clock("speed at the surface",
+      [&]
+      {
+        TakeSamples(this->Leaves, this->Leaves.GetNear(), motion, this->Buffers);
+        RememberSpeeds(this->Leaves, this->Leaves.GetNear(), this->Buffers);
+        limits = FindLimits(this->Leaves);
+      });
+    this->Clock("extension", [&] { ExtendSpeed(this->Leaves, motion, this->Buffers); });
     return limits;
   }
 
@@ -113,8 +114,8 @@ struct OpenBand
     coefficients.Relaxation = relaxation;
     const double share = seconds() - without;
     this->Seconds["relaxation"] += share;
-    this->Seconds["speed and update"] += whole - share;
-    this->Clock("speed and update", [&] { TakeNext(this->Leaves, this->Buffers); });
+    this->Seconds["update"] += whole - share;
+    this->Clock("update", [&] { TakeNext(this->Leaves, this->Buffers); });
   }
 
   void RebuildBand()
@@ -130,13 +131,12 @@ struct OpenBand
         {
           DropEmptyLeaves(this->Leaves, this->Potential->tree());
         }
-        this->Crossings = NumberCrossings(this->Leaves);
       });
   }
 
   void Substep(const Motion& motion, Target& target)
   {
-    const TargetLimits limits = this->SampleTarget(motion, target);
+    const TargetLimits limits = this->FollowTarget(motion, target);
     const double size = this->VoxelSize;
     const double step = StableStep(motion, size, limits, PenaltyForce());
     StepCoefficients coefficients;
@@ -245,13 +245,19 @@ public:
   {
   }
   void MoveTo(double time) override { this->Form.Y = 0.02 * std::sin(30.0 * time); }
+  bool MayHaveChanged(const double bounds[6]) const override
+  {
+    return bounds[0] <= 2.0 * this->Form.Moving / RowOfBalls::Count - 1.0;
+  }
 };
 
 Contestant MakeRow(const std::string& name, int n, int moving)
 {
   auto band = std::make_shared<NarrowBand>(VoxelSizeOf(n));
   const double bounds[6] = { -1.0, 1.0, -0.2, 0.2, -0.2, 0.2 };
-  band->Start(0.0, bounds, MakeInitial(RowOfBalls()));
+  band->Start(-1.0, bounds, MakeInitial(RowOfBalls()));
+  FormulaTarget<RowOfBalls> still{ RowOfBalls() };
+  band->Advance(0.0, MakeMotion(30.0, 0.0), still);
   auto target = std::make_shared<SwingingBalls>(moving);
   return { name,
     [=]

@@ -1,0 +1,45 @@
+/**
+ * Which leaves rest: where a surface that is attracted by nothing but its target has arrived.
+ *
+ * A leaf is at rest when the target's speed at its sample points, interpolated between the nodes,
+ * is below a thousandth of a voxel times Attraction times L. It stays as it is, to the bit, as long
+ * as its neighbours are at rest as well: going on would roughen the surface, and cost time. This is
+ * a rule of the scheme, for the potential alone decides; that speeds are remembered where nothing
+ * has changed them, so that such a leaf costs next to nothing, leaves no trace.
+ */
+#ifndef RestingLeaves_h
+#define RestingLeaves_h
+
+#include "LeafTable.h"
+#include "Target.h"
+#include "TimeStep.h"
+
+namespace activesurface
+{
+
+struct SubstepBuffers;
+
+/** Forgets the speed of all leaves. */
+void ForgetSpeeds(LeafTable& table);
+
+/** Forgets the speed of the leaves near which the target has changed. */
+void ForgetChanged(LeafTable& table, double voxelSize, const Target& target);
+
+/** The leaves whose speed is not known. */
+LeafList FindUnknown(const LeafTable& table);
+
+/** Remembers the speed of these leaves, which have been sampled with their neighbours. AtSurface
+ * comes later. */
+void RememberSpeeds(LeafTable& table, const LeafList& leaves, const SubstepBuffers& buffers);
+
+/** Of all leaves, whose speeds have to be known. */
+TargetLimits FindLimits(const LeafTable& table);
+
+/** The leaves that are not at rest. measured: those whose speed has just become known. rate: speed
+ * per voxel. */
+LeafList FindUnrest(
+  LeafTable& table, const LeafList& measured, double rate, const SubstepBuffers& buffers);
+
+}
+
+#endif
