@@ -363,6 +363,10 @@ void NarrowBand::State::RebuildBand()
 void NarrowBand::State::FinishFrame()
 {
   DropEmptyLeaves(this->Leaves, this->Potential->tree());
+  if (!this->Leaves.IsSorted())
+  {
+    this->Leaves.Rebuild(this->Potential->tree());
+  }
   NumberCrossings(this->Leaves);
   WriteActiveMasks(this->Leaves);
 }

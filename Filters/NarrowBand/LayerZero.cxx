@@ -190,9 +190,9 @@ struct FindInLeaf
 
 }
 
-void FindLayerZero(LeafTable& table)
+void FindLayerZero(LeafTable& table, const LeafList& leaves)
 {
-  ForEachLeaf(table, table.GetNear(), FindInLeaf{ table });
+  ForEachLeaf(table, leaves, FindInLeaf{ table });
 }
 
 }

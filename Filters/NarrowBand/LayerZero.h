@@ -9,9 +9,9 @@
 namespace activesurface
 {
 
-/** Upto[0] of the leaves near what moves from the signs, and in Wanted the missing neighbours that
- * have a corner. */
-void FindLayerZero(LeafTable& table);
+/** Upto[0] of these leaves from the signs, and in Wanted the missing neighbours that have a corner.
+ */
+void FindLayerZero(LeafTable& table, const LeafList& leaves);
 
 }
 

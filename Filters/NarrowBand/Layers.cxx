@@ -60,25 +60,18 @@ private:
   }
 };
 
-/** Creates the wanted leaves; false when there were none. */
-bool AddWantedLeaves(LeafTable& table, PotentialTree& tree)
+/** Creates the leaves that these ones want. */
+LeafList AddWantedLeaves(LeafTable& table, PotentialTree& tree, const LeafList& leaves)
 {
-  bool added = false;
-  for (const std::int32_t i : table.GetNear())
+  std::vector<openvdb::Coord> wanted;
+  for (const std::int32_t i : leaves)
   {
-    for (std::uint32_t wanted = table[i].Wanted; wanted != 0; wanted &= wanted - 1)
+    for (std::uint32_t left = table[i].Wanted; left != 0; left &= left - 1)
     {
-      const int n = __builtin_ctz(wanted);
-      tree.touchLeaf(
-        table[i].Origin.offsetBy(8 * (n / 9 - 1), 8 * (n / 3 % 3 - 1), 8 * (n % 3 - 1)));
-      added = true;
+      wanted.push_back(table[i].OriginOf(__builtin_ctz(left)));
     }
   }
-  if (added)
-  {
-    table.Rebuild(tree);
-  }
-  return added;
+  return table.Add(wanted, tree);
 }
 
 /** Nodes whose neighbours one and two steps away on the axes are all in the layers. */
@@ -168,16 +161,19 @@ struct UseLayers
   }
 };
 
+/** New leaves change the layers around them, as far as the leaves next to them. */
 void GrowLayers(LeafTable& table, PotentialTree& tree)
 {
-  do
+  LeafList leaves = table.GetNear();
+  while (!leaves.empty())
   {
-    FindLayerZero(table);
+    FindLayerZero(table, leaves);
     for (int layer = 1; layer < NumberOfLayers; ++layer)
     {
-      ForEachLeaf(table, table.GetNear(), AddLayer{ table, layer });
+      ForEachLeaf(table, leaves, AddLayer{ table, layer });
     }
-  } while (AddWantedLeaves(table, tree));
+    leaves = table.FindAround(AddWantedLeaves(table, tree, leaves));
+  }
 }
 
 }

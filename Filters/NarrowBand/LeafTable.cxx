@@ -1,5 +1,6 @@
 #include "LeafTable.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -20,6 +21,23 @@ std::size_t Hash(const openvdb::Coord& origin)
   key = (key ^ (key >> 29)) + part(origin[1]) * 0xbf58476d1ce4e5b9ull;
   key = (key ^ (key >> 31)) + part(origin[2]) * 0x94d049bb133111ebull;
   return static_cast<std::size_t>(key ^ (key >> 32));
+}
+
+/** Nodes of a tree hold 4096, 128 and 8 lattice nodes along an axis, and their children by x, y, z.
+ */
+bool IsBeforeInTree(const openvdb::Coord& a, const openvdb::Coord& b)
+{
+  for (const int shift : { 12, 7, 3 })
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if ((a[axis] >> shift) != (b[axis] >> shift))
+      {
+        return (a[axis] >> shift) < (b[axis] >> shift);
+      }
+    }
+  }
+  return false;
 }
 
 /** Which of eight numbers are negative, one bit each. */
@@ -52,31 +70,73 @@ LeafMask InsideNodes(const float* values)
   return inside;
 }
 
+BandLeaf::BandLeaf(PotentialLeaf& leaf)
+  : Value(leaf.buffer().data())
+  , Leaf(&leaf)
+  , Origin(leaf.origin())
+  , Inside(InsideNodes(leaf.buffer().data()))
+{
+}
+
 void LeafTable::Rebuild(PotentialTree& tree)
 {
   // The old index still finds the entries whose masks go on.
-  this->Nodes.clear();
-  tree.getNodes(this->Nodes);
-  this->Previous.resize(this->Nodes.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Nodes.size(), Grain),
-    [this](const tbb::blocked_range<std::size_t>& range)
+  std::vector<PotentialLeaf*> nodes;
+  tree.getNodes(nodes);
+  std::vector<BandLeaf> leaves;
+  leaves.reserve(nodes.size() + nodes.size() / 8); // surfaces that grow do so by little
+  leaves.resize(nodes.size());
+  ForRange(nodes.size(),
+    [&](std::size_t i)
     {
-      for (std::size_t i = range.begin(); i != range.end(); ++i)
-      {
-        const std::int32_t known = this->Find(this->Nodes[i]->origin());
-        BandLeaf& leaf = this->Previous[i];
-        leaf = known >= 0 ? this->Leaves[known] : BandLeaf();
-        leaf.Leaf = this->Nodes[i];
-        leaf.Value = this->Nodes[i]->buffer().data();
-        leaf.Origin = this->Nodes[i]->origin();
-        leaf.Inside = known >= 0 ? leaf.Inside : InsideNodes(leaf.Value);
-      }
+      const std::int32_t known = this->Find(nodes[i]->origin());
+      leaves[i] = known >= 0 ? this->Leaves[known] : BandLeaf(*nodes[i]);
     });
-  std::swap(this->Leaves, this->Previous);
+  std::swap(this->Leaves, leaves);
+  this->Sorted = this->Leaves.size();
   this->BuildIndex();
-  this->FindNeighbours(tree);
+  this->ForEach([&](std::size_t i) { this->FindNeighbours(i, tree); });
   this->Moving.clear();
   this->Near = this->FindAll([](const BandLeaf& leaf) { return leaf.IsNear; });
+}
+
+LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTree& tree)
+{
+  LeafList added;
+  for (const openvdb::Coord& origin : origins)
+  {
+    if (this->Find(origin) >= 0)
+    {
+      continue;
+    }
+    const std::size_t i = this->Leaves.size();
+    added.push_back(static_cast<std::int32_t>(i));
+    this->Leaves.emplace_back(*tree.touchLeaf(origin));
+    this->AddToIndex(i);
+    this->FindNeighbours(i, tree);
+    for (int n = 0; n < 27; ++n)
+    {
+      const std::int32_t neighbour = this->Leaves[i].Neighbour[n];
+      if (neighbour >= 0)
+      {
+        this->Leaves[neighbour].Neighbour[26 - n] = static_cast<std::int32_t>(i);
+      }
+    }
+  }
+  this->Near.insert(this->Near.end(), added.begin(), added.end());
+  return added;
+}
+
+LeafList LeafTable::FindTreeOrder() const
+{
+  LeafList order(this->Leaves.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto added = order.begin() + static_cast<std::ptrdiff_t>(this->Sorted);
+  const auto isBefore = [this](std::int32_t a, std::int32_t b)
+  { return IsBeforeInTree(this->Leaves[a].Origin, this->Leaves[b].Origin); };
+  std::sort(added, order.end(), isBefore);
+  std::inplace_merge(order.begin(), added, order.end(), isBefore);
+  return order;
 }
 
 void LeafTable::Move(LeafList leaves)
@@ -138,13 +198,24 @@ void LeafTable::BuildIndex()
   this->Index.assign(size, -1);
   for (std::size_t i = 0; i < this->Leaves.size(); ++i)
   {
-    std::size_t slot = Hash(this->Leaves[i].Origin) & (size - 1);
-    while (this->Index[slot] >= 0)
-    {
-      slot = (slot + 1) & (size - 1);
-    }
-    this->Index[slot] = static_cast<std::int32_t>(i);
+    this->AddToIndex(i);
   }
+}
+
+void LeafTable::AddToIndex(std::size_t i)
+{
+  if (this->Index.size() < this->Leaves.size() + this->Leaves.size() / 2)
+  {
+    this->BuildIndex();
+    return;
+  }
+  const std::size_t last = this->Index.size() - 1;
+  std::size_t slot = Hash(this->Leaves[i].Origin) & last;
+  while (this->Index[slot] >= 0)
+  {
+    slot = (slot + 1) & last;
+  }
+  this->Index[slot] = static_cast<std::int32_t>(i);
 }
 
 std::int32_t LeafTable::Find(const openvdb::Coord& origin) const
@@ -164,24 +235,19 @@ std::int32_t LeafTable::Find(const openvdb::Coord& origin) const
   return NoLeafOutside;
 }
 
-void LeafTable::FindNeighbours(const PotentialTree& tree)
+void LeafTable::FindNeighbours(std::size_t i, const PotentialTree& tree)
 {
-  this->ForEach(
-    [&](std::size_t i)
+  BandLeaf& leaf = this->Leaves[i];
+  for (int n = 0; n < 27; ++n)
+  {
+    const openvdb::Coord origin = leaf.OriginOf(n);
+    std::int32_t number = this->Find(origin);
+    if (number < 0 && tree.getValue(origin) < 0.f)
     {
-      BandLeaf& leaf = this->Leaves[i];
-      for (int n = 0; n < 27; ++n)
-      {
-        const openvdb::Coord origin =
-          leaf.Origin.offsetBy(8 * (n / 9 - 1), 8 * (n / 3 % 3 - 1), 8 * (n % 3 - 1));
-        std::int32_t number = this->Find(origin);
-        if (number < 0 && tree.getValue(origin) < 0.f)
-        {
-          number = NoLeafInside;
-        }
-        leaf.Neighbour[n] = number;
-      }
-    });
+      number = NoLeafInside;
+    }
+    leaf.Neighbour[n] = number;
+  }
 }
 
 LeafTable::Place LeafTable::Offset(std::int32_t leaf, int node, int dx, int dy, int dz) const

@@ -1,5 +1,6 @@
 /**
- * The leaves of the potential in the order of the tree, each with its masks and its 26 neighbours.
+ * The leaves of the potential, each with its masks and its 26 neighbours; in the order of the tree,
+ * but for those that have been added since Rebuild, which are the last.
  *
  * Everything that is derived from the signs of the potential lives here: layers, active nodes,
  * crossed edges. All passes over the band run over this table, one leaf at a time, in parallel;
@@ -67,6 +68,15 @@ struct LeafSpeed
 
 struct BandLeaf
 {
+  BandLeaf() = default;
+  explicit BandLeaf(PotentialLeaf& leaf);
+
+  /** Of a neighbour, by its number. */
+  openvdb::Coord OriginOf(int n) const
+  {
+    return this->Origin.offsetBy(8 * (n / 9 - 1), 8 * (n / 3 % 3 - 1), 8 * (n % 3 - 1));
+  }
+
   float* Value = nullptr; //< the leaf's own 512 values of u
   PotentialLeaf* Leaf = nullptr;
   openvdb::Coord Origin;
@@ -98,13 +108,22 @@ inline bool IsUsed(const BandLeaf& leaf)
 class LeafTable
 {
 public:
-  /** Takes the leaves of the tree as they are now, keeping what is known of those it had; new ones
-   * know their signs, and are near what moves. */
+  /** Takes the leaves of the tree as they are now, keeping what is known of those it had. */
   void Rebuild(PotentialTree& tree);
+
+  /** Adds these leaves to the tree and to the table, where they are not there yet; the numbers of
+   * the others stay. Returns the numbers of the new ones, which are near what moves. */
+  LeafList Add(const std::vector<openvdb::Coord>& origins, PotentialTree& tree);
+
+  ///@{
+  /** Whether all leaves are in the order of the tree; what their order there is. */
+  bool IsSorted() const { return this->Sorted == this->Leaves.size(); }
+  LeafList FindTreeOrder() const;
+  ///@}
 
   ///@{
   /** The leaves that the next substep changes, until Rebuild; and those that see it: they and
-   * their neighbours. Both are all leaves, unless Move says otherwise. */
+   * their neighbours, and leaves that are new. */
   void Move(LeafList leaves);
   void MoveAll();
   const LeafList& GetMoving() const { return this->Moving; }
@@ -229,15 +248,15 @@ private:
       });
   }
 
-  void FindNeighbours(const PotentialTree& tree);
+  void FindNeighbours(std::size_t i, const PotentialTree& tree);
   void BuildIndex();
+  void AddToIndex(std::size_t i);
 
   std::vector<BandLeaf> Leaves;
   LeafList Moving;
   LeafList Near;
-  std::vector<BandLeaf> Previous;    // the table before Rebuild, kept for its memory
-  std::vector<PotentialLeaf*> Nodes; // the tree's leaves, in its order
-  std::vector<std::int32_t> Index;   // open-addressing hash of the origins
+  std::size_t Sorted = 0;          // how many there were at Rebuild
+  std::vector<std::int32_t> Index; // open-addressing hash of the origins
   std::array<std::array<float, 8>, 2> Background{};
   LeafMask Nothing;
   LeafMask Everything = LeafMask::All();

@@ -3,6 +3,7 @@
 #include "LeafKernels.h"
 #include "SkinVoxels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -112,23 +113,21 @@ SkinMeasure MeasureSkin(const LeafTable& table)
 {
   // Any point will do for a closed surface; one nearby keeps the sums small. Leaves without surface
   // do not count: whether they are still there depends on what was asked for before.
-  std::size_t first = 0;
-  while (first < table.Size() && !table[first].Upto[0].Any())
-  {
-    ++first;
-  }
+  const LeafList order = table.FindTreeOrder();
+  const auto first = std::find_if(
+    order.begin(), order.end(), [&](std::int32_t i) { return table[i].Upto[0].Any(); });
   SkinMeasure total;
-  if (first == table.Size())
+  if (first == order.end())
   {
     return total;
   }
-  const openvdb::Coord reference = table[first].Origin;
+  const openvdb::Coord reference = table[*first].Origin;
   std::vector<SkinMeasure> parts(table.Size());
   ForEachLeaf(table, MeasureLeaf{ table, reference, parts.data() });
-  for (const SkinMeasure& part : parts)
+  for (const std::int32_t i : order)
   {
-    total.Area += part.Area;
-    total.Volume += part.Volume;
+    total.Area += parts[i].Area;
+    total.Volume += parts[i].Volume;
   }
   return total;
 }
