@@ -187,6 +187,20 @@ struct WriteTriangles
   }
 };
 
+/** Both, while what a leaf's neighbours hold is in the caches. */
+template <class Number>
+struct WriteLeaf
+{
+  const WriteVertices<Number>& Vertices;
+  const WriteTriangles& Triangles;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    this->Vertices(i);
+    this->Triangles(i);
+  }
+};
+
 }
 
 Skin::Skin(const NarrowBand& band)
@@ -212,13 +226,9 @@ template <class Number>
 void Skin::WriteAs(Number* points, float* normals, std::int64_t* corners) const
 {
   const LeafTable& table = this->Band.GetLeaves();
-  this->Band.Run(
-    [&]
-    {
-      ForEachLeaf(
-        table, WriteVertices<Number>{ table, this->Band.GetVoxelSize(), points, normals });
-      ForEachLeaf(table, WriteTriangles{ table, this->FirstTriangle.data(), corners });
-    });
+  const WriteVertices<Number> vertices{ table, this->Band.GetVoxelSize(), points, normals };
+  const WriteTriangles triangles{ table, this->FirstTriangle.data(), corners };
+  this->Band.Run([&] { ForEachLeaf(table, WriteLeaf<Number>{ vertices, triangles }); });
 }
 
 void Skin::Write(float* points, float* normals, std::int64_t* corners) const

@@ -10,6 +10,8 @@
 #include "CubeTriangles.h"
 #include "LeafTable.h"
 
+#include <cstring>
+
 namespace activesurface
 {
 
@@ -71,15 +73,37 @@ public:
       pair(this->Row[x + 1][y + 1]) << 6;
   }
 
+  /** The lower corners of the voxels whose corners differ. */
+  ACTIVE_ALWAYS_INLINE LeafMask Crossed() const
+  {
+    LeafMask crossed;
+    for (int x = 0; x < 8; ++x)
+    {
+      const std::uint16_t *p = this->Row[x], *q = this->Row[x + 1];
+      std::uint8_t bytes[8];
+      for (int y = 0; y < 8; ++y)
+      {
+        const unsigned any = p[y] | q[y] | p[y + 1] | q[y + 1];
+        const unsigned all = p[y] & q[y] & p[y + 1] & q[y + 1];
+        bytes[y] = static_cast<std::uint8_t>((any | any >> 1) & ~(all & all >> 1));
+      }
+      std::memcpy(&crossed.Word[x], bytes, sizeof bytes);
+    }
+    return crossed;
+  }
+
 private:
   ACTIVE_ALWAYS_INLINE void Take(int nx, int ny, const LeafMask& own, const LeafMask& next)
   {
     for (int x = 0; x < (nx ? 1 : 8); ++x)
     {
+      std::uint16_t* row = this->Row[8 * nx + x] + 8 * ny;
+      std::uint8_t o[8], n[8];
+      std::memcpy(o, &own.Word[x], sizeof o);
+      std::memcpy(n, &next.Word[x], sizeof n);
       for (int y = 0; y < (ny ? 1 : 8); ++y)
       {
-        this->Row[8 * nx + x][8 * ny + y] =
-          static_cast<std::uint16_t>(own.Row(x, y) | (next.Row(x, y) & 1u) << 8);
+        row[y] = static_cast<std::uint16_t>(o[y] | (n[y] & 1) << 8);
       }
     }
   }
@@ -98,15 +122,7 @@ ACTIVE_ALWAYS_INLINE void ForEachCrossedVoxel(
     return;
   }
   const VoxelSigns signs(table, leaf);
-  leaf.Upto[0].ForEach(
-    [&](int node) ACTIVE_INLINED
-    {
-      const unsigned bits = signs.Corners(node);
-      if (bits != 0 && bits != 0xffu)
-      {
-        function(node, bits);
-      }
-    });
+  signs.Crossed().ForEach([&](int node) ACTIVE_INLINED { function(node, signs.Corners(node)); });
 }
 
 /** One crossed edge of a leaf's voxels. */
@@ -133,12 +149,17 @@ ACTIVE_ALWAYS_INLINE void ForEachEdgeOfOwner(
   for (int x = 0; x < (next[0] ? 1 : 8); ++x)
   {
     const std::uint64_t word = leaf.Edge[axis].Word[x];
+    std::int64_t number = before;
     for (std::uint64_t left = word & region; left != 0; left &= left - 1)
     {
       const int bit = __builtin_ctzll(left);
       const int place = first + CornerPlace(x, bit >> 3, bit & 7);
-      const std::int64_t number = before + CountBits(word & ((std::uint64_t(1) << bit) - 1));
+      if (region != ~0ull)
+      {
+        number = before + CountBits(word & ((std::uint64_t(1) << bit) - 1));
+      }
       function(CrossedEdge{ axis, EdgePlace(axis, place), owner, 64 * x + bit, number });
+      ++number;
     }
     before += CountBits(word);
   }
