@@ -1,16 +1,15 @@
 #include "InitialShape.h"
 
-#include "LeafTable.h"
+#include "InitialDistances.h"
 
-#include <openvdb/tools/FastSweeping.h>
-#include <openvdb/tools/Morphology.h>
-#include <openvdb/tools/SignedFloodFill.h>
-#include <openvdb/tree/LeafManager.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace activesurface
@@ -18,8 +17,6 @@ namespace activesurface
 
 namespace
 {
-
-using CrossedNodes = openvdb::BoolTree;
 
 /** Lattice nodes first..last of the three axes; the outermost ones lie on or beyond the bounds. */
 struct Box
@@ -151,11 +148,15 @@ private:
   const InitialFunction& Function;
 };
 
-/** The signs of one plane of the box: 1 inside, 0 outside; z fastest. */
-using SignPlane = std::vector<unsigned char>;
+/** The function on one plane of the box; z fastest. */
+struct Plane
+{
+  std::vector<double> Values;
+  std::vector<unsigned char> Signs; //< 1 inside, 0 outside
+};
 
-void SamplePlane(const Sampler& sampler, const Box& box, int x, std::vector<openvdb::Coord>& nodes,
-  std::vector<double>& values, SignPlane& signs)
+void SamplePlane(
+  const Sampler& sampler, const Box& box, int x, std::vector<openvdb::Coord>& nodes, Plane& plane)
 {
   nodes.clear();
   for (int y = box.First[1]; y <= box.Last[1]; ++y)
@@ -165,33 +166,36 @@ void SamplePlane(const Sampler& sampler, const Box& box, int x, std::vector<open
       nodes.emplace_back(x, y, z);
     }
   }
-  sampler.Evaluate(nodes, values);
-  signs.resize(values.size());
-  std::transform(
-    values.begin(), values.end(), signs.begin(), [](double value) { return value < 0.0; });
+  sampler.Evaluate(nodes, plane.Values);
+  plane.Signs.resize(nodes.size());
+  std::transform(plane.Values.begin(), plane.Values.end(), plane.Signs.begin(),
+    [](double value) { return value < 0.0; });
 }
 
-/** Turns on the corners of the voxels between two planes whose corners differ in sign. */
+/** Adds the corners of the voxels between two planes whose corners differ in sign. */
 void AddCrossedVoxels(
-  const Box& box, int x, const SignPlane& before, const SignPlane& after, CrossedNodes& crossed)
+  const Box& box, int x, const Plane& before, const Plane& after, CrossedNodes& crossed)
 {
-  openvdb::tree::ValueAccessor<CrossedNodes> accessor(crossed);
+  openvdb::tree::ValueAccessor<openvdb::BoolTree> accessor(crossed.Nodes);
   const int rows = box.Size(1), columns = box.Size(2);
   for (int y = 0; y + 1 < rows; ++y)
   {
     for (int z = 0; z + 1 < columns; ++z)
     {
       const std::size_t a = std::size_t(y) * columns + z, b = a + columns;
-      const int inside = before[a] + before[a + 1] + before[b] + before[b + 1] + after[a] +
-        after[a + 1] + after[b] + after[b + 1];
+      const unsigned char *p = before.Signs.data(), *q = after.Signs.data();
+      const int inside = p[a] + p[a + 1] + p[b] + p[b + 1] + q[a] + q[a + 1] + q[b] + q[b + 1];
       if (inside == 0 || inside == 8)
       {
         continue;
       }
       for (int corner = 0; corner < 8; ++corner)
       {
-        accessor.setValueOn(openvdb::Coord(x - 1 + (corner >> 2),
-          box.First[1] + y + (corner >> 1 & 1), box.First[2] + z + (corner & 1)));
+        const int dx = corner >> 2, dy = corner >> 1 & 1, dz = corner & 1;
+        const double value = std::fabs((dx ? after : before).Values[(dy ? b : a) + dz]);
+        crossed.Largest = std::isfinite(value) ? std::max(crossed.Largest, value) : crossed.Largest;
+        accessor.setValueOn(
+          openvdb::Coord(x - 1 + dx, box.First[1] + y + dy, box.First[2] + z + dz));
       }
     }
   }
@@ -202,151 +206,25 @@ bool FindCrossedNodes(const Sampler& sampler, const Box& box, std::size_t maximu
   const ProgressFunction& progress, CrossedNodes& crossed)
 {
   std::vector<openvdb::Coord> nodes;
-  std::vector<double> values;
-  SignPlane before, after;
+  Plane before, after;
   for (int x = box.First[0]; x <= box.Last[0]; ++x)
   {
     if (progress && !progress(double(x - box.First[0]) / box.Size(0)))
     {
       return false;
     }
-    SamplePlane(sampler, box, x, nodes, values, after);
+    SamplePlane(sampler, box, x, nodes, after);
     if (x > box.First[0])
     {
       AddCrossedVoxels(box, x, before, after, crossed);
     }
     std::swap(before, after);
-    if (crossed.activeVoxelCount() > maximum)
+    if (crossed.Nodes.activeVoxelCount() > maximum)
     {
       RefuseSize(maximum);
     }
   }
   return true;
-}
-
-/** The power of two that brings the largest finite value at the crossed nodes to about 1. */
-double ScaleOf(const std::vector<openvdb::Coord>& nodes, const std::vector<double>& values,
-  const CrossedNodes& crossed)
-{
-  openvdb::tree::ValueAccessor<const CrossedNodes> isCrossed(crossed);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
-    if (std::isfinite(values[i]) && isCrossed.isValueOn(nodes[i]))
-    {
-      largest = std::max(largest, std::fabs(values[i]));
-    }
-  }
-  return largest > 0.0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
-}
-
-/** The function at the active nodes of a tree, scaled to about 1 at the crossed ones. */
-void SampleActiveNodes(
-  const Sampler& sampler, const CrossedNodes& crossed, openvdb::FloatTree& tree)
-{
-  constexpr double most = 1e6; // far from the surface functions may do what they like
-  std::vector<openvdb::Coord> nodes;
-  nodes.reserve(tree.activeVoxelCount());
-  for (auto it = tree.cbeginValueOn(); it; ++it)
-  {
-    nodes.push_back(it.getCoord());
-  }
-  std::vector<double> values;
-  sampler.Evaluate(nodes, values);
-  const double scale = ScaleOf(nodes, values, crossed);
-  std::size_t i = 0;
-  for (auto it = tree.beginValueOn(); it; ++it, ++i)
-  {
-    const double value = std::min(std::max(scale * values[i], -most), most);
-    // What rounds to zero keeps its side.
-    const float stored = static_cast<float>(value);
-    it.setValue(value < 0.0 ? std::min(stored, -1e-30f) : stored);
-  }
-}
-
-/** |F| / |grad F| by central differences, or a negative number where that means nothing. */
-float FirstOrderDistance(const openvdb::tree::ValueAccessor<const openvdb::FloatTree>& function,
-  const openvdb::Coord& node)
-{
-  double square = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    openvdb::Coord low = node, high = node;
-    --low[axis];
-    ++high[axis];
-    if (!function.isValueOn(low) || !function.isValueOn(high))
-    {
-      return -1.f;
-    }
-    const double difference = .5 * (double(function.getValue(high)) - function.getValue(low));
-    square += difference * difference;
-  }
-  return square > 0.0 ? static_cast<float>(std::fabs(function.getValue(node)) / std::sqrt(square))
-                      : -1.f;
-}
-
-/** Sets the active nodes of `potential`, distances from fast sweeping, to the smoother first-order
- * distance of the function within half of them either way. */
-void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& potential)
-{
-  openvdb::tree::LeafManager<openvdb::FloatTree> leaves(potential);
-  leaves.foreach (
-    [&](PotentialLeaf& leaf, std::size_t)
-    {
-      openvdb::tree::ValueAccessor<const openvdb::FloatTree> accessor(function);
-      for (auto it = leaf.beginValueOn(); it; ++it)
-      {
-        const float swept = std::fabs(*it);
-        float distance = FirstOrderDistance(accessor, it.getCoord());
-        distance = distance < 0.f ? swept : std::min(std::max(distance, .5f * swept), 1.5f * swept);
-        it.setValue(accessor.getValue(it.getCoord()) < 0.f ? -distance : distance);
-      }
-    });
-}
-
-/** Whether a node is inside by more than what fast sweeping takes for zero; it refuses others. */
-bool HasInside(const openvdb::FloatTree& function)
-{
-  constexpr float zero = 1e-8f;
-  for (auto it = function.cbeginValueOn(); it; ++it)
-  {
-    if (*it < -zero)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/** Null if there is nothing inside. */
-openvdb::FloatTree::Ptr NearbyDistances(const Sampler& sampler, const CrossedNodes& crossed)
-{
-  // One node more than the layers, so that every layer has central differences.
-  CrossedNodes nearby(crossed);
-  openvdb::tools::dilateActiveValues(
-    nearby, NumberOfLayers, openvdb::tools::NN_FACE, openvdb::tools::IGNORE_TILES);
-  auto function = openvdb::FloatGrid::create(NarrowBand::Far);
-  function->setTree(
-    std::make_shared<openvdb::FloatTree>(nearby, NarrowBand::Far, openvdb::TopologyCopy()));
-  SampleActiveNodes(sampler, crossed, function->tree());
-  if (!HasInside(function->tree()))
-  {
-    return nullptr;
-  }
-  openvdb::tools::signedFloodFillWithValues(function->tree(), NarrowBand::Far, -NarrowBand::Far);
-  const auto swept = openvdb::tools::sdfToSdf(*function, 0.f, 1);
-  SmoothDistances(function->tree(), swept->tree());
-  // Fast sweeping has its own background: the signs beyond are those of the flooded function.
-  auto potential = std::make_shared<openvdb::FloatTree>(function->tree());
-  for (auto leaf = potential->beginLeaf(); leaf; ++leaf)
-  {
-    const PotentialLeaf* from = swept->tree().probeConstLeaf(leaf->origin());
-    for (auto it = leaf->beginValueOn(); it; ++it)
-    {
-      it.setValue(from->getValue(it.pos()));
-    }
-  }
-  return potential;
 }
 
 }
@@ -363,8 +241,12 @@ openvdb::FloatTree::Ptr MakeInitialPotential(double voxelSize, const double boun
   {
     return nullptr;
   }
+  const NodeFunction values = { [&sampler](const std::vector<openvdb::Coord>& nodes,
+                                  std::vector<double>& results)
+    { sampler.Evaluate(nodes, results); },
+    function.ThreadSafe };
   const openvdb::FloatTree::Ptr potential =
-    crossed.empty() ? nullptr : NearbyDistances(sampler, crossed);
+    crossed.Nodes.empty() ? nullptr : MakeNearbyDistances(std::move(crossed), values);
   return potential ? potential : std::make_shared<openvdb::FloatTree>(NarrowBand::Far);
 }
 

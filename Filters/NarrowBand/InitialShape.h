@@ -10,9 +10,8 @@ namespace activesurface
 {
 
 /**
- * The lattice within the bounds is visited plane by plane (only the signs of two planes are held);
- * the nodes near sign changes get OpenVDB's fast-sweeping distance, and within half of it either
- * way the function's own first-order distance F/|grad F|, which is smoother where F is smooth.
+ * The lattice within the bounds is visited plane by plane, of which two are held; the nodes near
+ * sign changes get distances (InitialDistances.h).
  * Where the function is negative at the faces of the bounds, the shape is closed half a voxel
  * inside them. A value that is not a number counts as outside.
  *

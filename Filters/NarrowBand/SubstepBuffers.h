@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace activesurface
@@ -26,6 +27,28 @@ void MakeRoom(std::vector<Value>& room, std::size_t size)
   room.resize(size);
 }
 
+/** 512 numbers per leaf, in blocks small enough to come out of what the heap has free. */
+class NodeArrays
+{
+public:
+  void MakeRoom(std::size_t leaves)
+  {
+    while (LeavesAtOnce * this->Blocks.size() < leaves)
+    {
+      this->Blocks.emplace_back(new float[512 * LeavesAtOnce]);
+    }
+  }
+
+  float* Of(std::size_t leaf) const
+  {
+    return this->Blocks[leaf / LeavesAtOnce].get() + 512 * (leaf % LeavesAtOnce);
+  }
+
+private:
+  static constexpr std::size_t LeavesAtOnce = 32;
+  std::vector<std::unique_ptr<float[]>> Blocks;
+};
+
 struct SubstepBuffers
 {
   // F - iso at the points of evaluation, leaf by leaf.
@@ -35,7 +58,7 @@ struct SubstepBuffers
 
   // Per leaf, 512 nodes each: extended target speed, valid where Known, then the potential after
   // the substep, which takes its room row by row.
-  std::vector<float> Nodes;
+  NodeArrays Nodes;
   std::vector<LeafMask> Known;
   std::vector<LeafMask> NextKnown;
 
@@ -45,11 +68,11 @@ struct SubstepBuffers
   std::vector<int> FlatNodes;       //< layer 0 nodes of slope below 1/sqrt 2
   std::vector<int> SteepNodes;      //< layer 0 nodes of slope above sqrt 2
 
-  void MakeRoomForNodes(std::size_t leaves) { MakeRoom(this->Nodes, 512 * leaves); }
-  float* SpeedOf(std::size_t leaf) { return this->Nodes.data() + 512 * leaf; }
-  const float* SpeedOf(std::size_t leaf) const { return this->Nodes.data() + 512 * leaf; }
-  float* NextOf(std::size_t leaf) { return this->Nodes.data() + 512 * leaf; }
-  const float* NextOf(std::size_t leaf) const { return this->Nodes.data() + 512 * leaf; }
+  void MakeRoomForNodes(std::size_t leaves) { this->Nodes.MakeRoom(leaves); }
+  float* SpeedOf(std::size_t leaf) { return this->Nodes.Of(leaf); }
+  const float* SpeedOf(std::size_t leaf) const { return this->Nodes.Of(leaf); }
+  float* NextOf(std::size_t leaf) { return this->Nodes.Of(leaf); }
+  const float* NextOf(std::size_t leaf) const { return this->Nodes.Of(leaf); }
 };
 
 }

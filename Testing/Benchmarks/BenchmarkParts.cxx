@@ -100,10 +100,17 @@ struct OpenBand
 
   void StepForwardWith(StepCoefficients coefficients)
   {
-    const std::vector<float> speeds = this->Buffers.Nodes; // each step takes their room
+    std::vector<float> speeds(512 * this->Leaves.Size()); // each step takes their room
+    for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
+    {
+      std::copy_n(this->Buffers.SpeedOf(i), 512, speeds.data() + 512 * i);
+    }
     const auto seconds = [&]
     {
-      this->Buffers.Nodes = speeds;
+      for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
+      {
+        std::copy_n(speeds.data() + 512 * i, 512, this->Buffers.SpeedOf(i));
+      }
       return SecondsOf([&] { StepForward(this->Leaves, coefficients, this->Buffers); });
     };
     const double whole = seconds();

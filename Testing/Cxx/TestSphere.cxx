@@ -4,6 +4,7 @@
 #include "RandomShapes.h"
 #include "SurfaceMeasures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -111,6 +112,28 @@ void NodesGrowWithTheSurfaceNotTheVolumeAtRandom(Check& check)
     CheckNodes(check, n, DrawBall(random));
   }
 }
+
+// Large enough to be swept in several slabs. Central differences of a distance are 1 but for
+// (h / r)^2, 2e-4.
+void DistancesHaveNoSeams(Check& check)
+{
+  const double h = VoxelSizeOf(256);
+  NarrowBand band(h);
+  StartOn(band, MakeBall(CentreA, Radius));
+  double largest = 0.0;
+  for (auto node = band.GetPotential()->cbeginValueOn(); node; ++node)
+  {
+    double square = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double x = h * node.getCoord()[axis] - CentreA[axis];
+      square += x * x;
+    }
+    largest = std::max(largest, std::fabs(*node - (std::sqrt(square) - Radius) / h));
+  }
+  check.Less(400000, band.GetNumberOfActiveNodes(), "active nodes");
+  check.Less(largest, 0.001, "largest error of a distance [h]");
+}
 }
 
 int main(int argc, char** argv)
@@ -119,6 +142,7 @@ int main(int argc, char** argv)
     { { "BallHasExactAreaAndVolume", BallHasExactAreaAndVolume },
       { "BallHasExactAreaAndVolumeAtRandom", BallHasExactAreaAndVolumeAtRandom },
       { "BallHasExactRadius", BallHasExactRadius },
+      { "DistancesHaveNoSeams", DistancesHaveNoSeams },
       { "NodesGrowWithTheSurfaceNotTheVolume", NodesGrowWithTheSurfaceNotTheVolume },
       { "NodesGrowWithTheSurfaceNotTheVolumeAtRandom",
         NodesGrowWithTheSurfaceNotTheVolumeAtRandom } });
