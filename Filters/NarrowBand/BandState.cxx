@@ -183,7 +183,14 @@ TargetLimits NarrowBand::State::FollowTarget(
   }
   const bool mayRest = move.MaySleep && EndsAtTarget(motion);
   target.MoveTo(this->Time);
-  mayRest ? ForgetChanged(leaves, this->VoxelSize, target) : ForgetSpeeds(leaves);
+  if (mayRest)
+  {
+    ForgetChanged(leaves, this->VoxelSize, target);
+  }
+  else
+  {
+    ForgetSpeeds(leaves);
+  }
   const LeafList unknown = FindUnknown(leaves);
   const LeafList sampled = leaves.FindAround(unknown);
   this->TakeSamplesOf(sampled, motion, target, report);

@@ -186,7 +186,8 @@ private:
 /** Nodes of a layer whose value is not the last substep's: ghosts, and those that entered. */
 ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, int layer)
 {
-  return leaf.Upto[layer].Without(leaf.Upto[layer - 1]).Without(leaf.Active & leaf.Advanced);
+  const LeafMask valid = leaf.IsNear ? leaf.Active & leaf.Advanced : leaf.Active;
+  return leaf.Upto[layer].Without(leaf.Upto[layer - 1]).Without(valid);
 }
 
 struct FillLayer
@@ -213,10 +214,12 @@ struct FillLayer
 
 void FillGhosts(LeafTable& table)
 {
-  for (int layer = 1; layer < NumberOfLayers; ++layer)
+  for (int layer = 1; layer < LastLayer; ++layer)
   {
     ForEachLeaf(table, table.GetNear(), FillLayer{ table, layer });
   }
+  // Three-point rays over three layers end up to nine nodes from what has moved.
+  ForEachLeaf(table, table.FindAround(table.GetNear()), FillLayer{ table, LastLayer });
 }
 
 }

@@ -18,6 +18,7 @@
 namespace activesurface
 {
 
+/** Where they may have changed: around what moves. */
 void FillGhosts(LeafTable& table);
 
 }

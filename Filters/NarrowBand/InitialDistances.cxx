@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <vector>
 
 namespace activesurface
 {
@@ -42,7 +44,7 @@ void SampleLeaf(const NodeFunction& function, double scale, PotentialLeaf& leaf)
 }
 
 /** The function near the crossed nodes, where it is scaled to about 1. */
-openvdb::FloatTree::Ptr SampleNearby(CrossedNodes crossed, const NodeFunction& function)
+openvdb::FloatTree::Ptr SampleNearby(CrossedNodes& crossed, const NodeFunction& function)
 {
   // One node more than the layers, so that every layer has central differences.
   openvdb::tools::dilateActiveValues(
@@ -98,17 +100,27 @@ void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& pot
 }
 
 /** Whether a node is inside by more than what fast sweeping takes for zero; it refuses others. */
-bool HasInside(const openvdb::FloatTree& function)
+bool HasInside(const openvdb::FloatTree& function, float largest)
 {
   constexpr float zero = 1e-8f;
   for (auto it = function.cbeginValueOn(); it; ++it)
   {
-    if (*it < -zero)
+    if (*it < -zero * largest)
     {
       return true;
     }
   }
   return false;
+}
+
+float LargestOf(const openvdb::FloatTree& function)
+{
+  float largest = 0.f;
+  for (auto it = function.cbeginValueOn(); it; ++it)
+  {
+    largest = std::max(largest, *it);
+  }
+  return largest;
 }
 
 /** Planes of leaves begin..end - 1 along x. */
@@ -178,7 +190,10 @@ public:
   {
     openvdb::FloatTree& function = this->Function->tree();
     openvdb::tools::signedFloodFillWithValues(function, NarrowBand::Far, -NarrowBand::Far);
-    this->Distances = openvdb::tools::sdfToSdf(*this->Function, 0.f, 1);
+    // A sheet that is inside by rounding alone keeps the function: there is no better distance.
+    this->Distances = HasInside(function, LargestOf(function))
+      ? openvdb::tools::sdfToSdf(*this->Function, 0.f, 1)
+      : this->Function->deepCopy();
     SmoothDistances(function, this->Distances->tree());
     this->Function.reset();
   }
@@ -222,10 +237,10 @@ private:
 
 }
 
-openvdb::FloatTree::Ptr MakeNearbyDistances(CrossedNodes crossed, const NodeFunction& function)
+openvdb::FloatTree::Ptr MakeNearbyDistances(CrossedNodes& crossed, const NodeFunction& function)
 {
-  const openvdb::FloatTree::Ptr tree = SampleNearby(std::move(crossed), function);
-  if (!HasInside(*tree))
+  const openvdb::FloatTree::Ptr tree = SampleNearby(crossed, function);
+  if (!HasInside(*tree, 1.f))
   {
     return nullptr;
   }

@@ -33,9 +33,9 @@ struct NodeFunction
  * smooth. Sweeping takes several times the memory of what it sweeps, and goes slab by slab.
  *
  * Returns a tree of distances in voxels with background Far, inside tiles -Far; null if there is
- * nothing inside.
+ * nothing inside. The crossed nodes are gone then: their room is needed.
  */
-openvdb::FloatTree::Ptr MakeNearbyDistances(CrossedNodes crossed, const NodeFunction& function);
+openvdb::FloatTree::Ptr MakeNearbyDistances(CrossedNodes& crossed, const NodeFunction& function);
 
 }
 

@@ -246,7 +246,7 @@ openvdb::FloatTree::Ptr MakeInitialPotential(double voxelSize, const double boun
     { sampler.Evaluate(nodes, results); },
     function.ThreadSafe };
   const openvdb::FloatTree::Ptr potential =
-    crossed.Nodes.empty() ? nullptr : MakeNearbyDistances(std::move(crossed), values);
+    crossed.Nodes.empty() ? nullptr : MakeNearbyDistances(crossed, values);
   return potential ? potential : std::make_shared<openvdb::FloatTree>(NarrowBand::Far);
 }
 

@@ -1,5 +1,6 @@
 /**
- * The layers of the band, rebuilt from the signs of the potential; stateless.
+ * The layers of the band, found from the signs of the potential, around what moves: elsewhere they
+ * are what they were.
  */
 #ifndef Layers_h
 #define Layers_h

@@ -97,7 +97,7 @@ public:
   /**
    * Sets the potential to the zero set of a function within bounds (xmin xmax ymin ymax zmin zmax;
    * closed at their faces where the function is negative there), and the time. Memory is
-   * proportional to the surface and one plane of the lattice. A function without zero set gives an
+   * proportional to the surface and two planes of the lattice. A function without zero set gives an
    * empty surface. Throws std::invalid_argument for bounds that are empty, not finite or absurd for
    * the voxel size, std::runtime_error beyond the maximum number of active voxels.
    * Returns false when `progress` stopped it; the surface is then empty.

@@ -14,7 +14,7 @@ namespace activesurface
 namespace
 {
 
-/** World positions (x y z) of a leaf's crossings; returns their end. */
+/** World positions (x y z) of a leaf's crossings. */
 class CrossingPoints
 {
 public:

@@ -1,6 +1,5 @@
 #include "StepForward.h"
 
-#include "Layers.h"
 #include "LeafKernels.h"
 #include "RowKernels.h"
 #include "SubstepBuffers.h"

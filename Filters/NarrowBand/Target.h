@@ -21,9 +21,8 @@ public:
   virtual void MoveTo(double time) { static_cast<void>(time); }
 
   /**
-   * Whether values in this box (xmin xmax ymin ymax zmin zmax) may differ from those before the
-   * last MoveTo. What does not change is evaluated once where the surface rests. May be called by
-   * several threads at once.
+   * Whether values or slopes in this box (xmin xmax ymin ymax zmin zmax) may differ from those
+   * before the last MoveTo. What does not change is evaluated once where the surface rests.
    */
   virtual bool MayHaveChanged(const double bounds[6]) const
   {

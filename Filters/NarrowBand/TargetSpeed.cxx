@@ -149,7 +149,7 @@ private:
       const float nearer = distance - std::fabs(this->Values.At(node, sign));
       const float weight = static_cast<float>(known) * std::max(nearer, 0.f);
       sums.Weight += weight;
-      sums.Weighted += weight * this->Speeds.At(node, sign);
+      sums.Weighted += weight * (known ? this->Speeds.At(node, sign) : 0.f);
     }
 
     const LeafLine<Axis> Values;
@@ -198,6 +198,11 @@ struct ExtendLeaf
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
+    if (i + 1 < this->Table.Size())
+    {
+      FetchAhead(this->Table[i + 1].Value);
+      FetchAhead(this->Buffers.SpeedOf(i + 1));
+    }
     const LeafMask& known = this->Buffers.Known[i];
     this->Buffers.NextKnown[i] = known;
     const LeafMask missing = this->Table[i].Active.Without(known);

@@ -43,7 +43,8 @@ private:
   const Walls& Box;
 };
 
-/** Next is no less than the distance to the walls [voxels] at any active node. */
+/** Next is no less than the distance to the walls [voxels] at any active node of the leaves that
+ * move. */
 void ClampToWalls(
   const LeafTable& table, const Walls& walls, double voxelSize, SubstepBuffers& buffers);
 

@@ -11,6 +11,13 @@ namespace
 
 constexpr int MostCells = 64; // along an axis
 
+// Cells about half as wide as the boxes are: a box is marked in a few.
+int FindSide(double extent, double width)
+{
+  const double side = 2.0 * extent / width;
+  return side >= 1.0 ? static_cast<int>(std::min(side, double(MostCells))) : 1;
+}
+
 ChangedRegion::Box Join(const ChangedRegion::Box& a, const ChangedRegion::Box& b)
 {
   ChangedRegion::Box both;
@@ -24,7 +31,7 @@ ChangedRegion::Box Join(const ChangedRegion::Box& a, const ChangedRegion::Box& b
 
 // Calls function(cell) for these cells until it returns true; whether it did.
 template <class Function>
-bool FindCell(const std::array<int, 6>& range, int side, Function&& function)
+bool FindCell(const std::array<int, 6>& range, const std::array<int, 3>& side, Function&& function)
 {
   for (int x = range[0]; x <= range[1]; ++x)
   {
@@ -32,7 +39,7 @@ bool FindCell(const std::array<int, 6>& range, int side, Function&& function)
     {
       for (int z = range[4]; z <= range[5]; ++z)
       {
-        if (function((x * side + y) * side + z))
+        if (function((x * side[1] + y) * side[2] + z))
         {
           return true;
         }
@@ -52,19 +59,26 @@ void ChangedRegion::SetEverywhere()
 void ChangedRegion::Set(const std::vector<Box>& boxes)
 {
   this->IsEverywhere = false;
-  this->Side = 0;
+  this->Side = {};
   if (boxes.empty())
   {
     return;
   }
-  // A few cells per box, so that marking them takes no longer than making the boxes.
-  this->Side = std::min(MostCells, 2 * static_cast<int>(std::cbrt(double(boxes.size()))) + 1);
   this->Bounds = boxes[0];
+  std::array<double, 3> width{};
   for (const Box& box : boxes)
   {
     this->Bounds = Join(this->Bounds, box);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      width[axis] += (box[2 * axis + 1] - box[2 * axis]) / double(boxes.size());
+    }
   }
-  this->Cells.assign(this->Side * this->Side * this->Side, 0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Side[axis] = FindSide(this->Bounds[2 * axis + 1] - this->Bounds[2 * axis], width[axis]);
+  }
+  this->Cells.assign(this->Side[0] * this->Side[1] * this->Side[2], 0);
   for (const Box& box : boxes)
   {
     FindCell(this->FindCells(box.data()), this->Side,
@@ -85,9 +99,9 @@ std::array<int, 6> ChangedRegion::FindCells(const double bounds[6]) const
     for (int end = 0; end < 2; ++end)
     {
       const double share = extent > 0.0 ? (bounds[2 * axis + end] - low) / extent : 0.0;
-      const double cell = std::floor(share * this->Side);
+      const double cell = std::floor(share * this->Side[axis]);
       range[2 * axis + end] =
-        static_cast<int>(std::min(std::max(cell, 0.0), double(this->Side - 1)));
+        static_cast<int>(std::min(std::max(cell, 0.0), double(this->Side[axis] - 1)));
     }
   }
   return range;
@@ -95,7 +109,7 @@ std::array<int, 6> ChangedRegion::FindCells(const double bounds[6]) const
 
 bool ChangedRegion::Touches(const double bounds[6]) const
 {
-  if (this->IsEverywhere || this->Side == 0)
+  if (this->IsEverywhere || this->Side[0] == 0)
   {
     return this->IsEverywhere;
   }

@@ -28,7 +28,7 @@ private:
   std::array<int, 6> FindCells(const double bounds[6]) const;
 
   bool IsEverywhere = true;
-  int Side = 0; // cells along each axis; 0: nothing has changed
+  std::array<int, 3> Side{}; // cells along each axis; 0: nothing has changed
   Box Bounds{};
   std::vector<char> Cells;
 };

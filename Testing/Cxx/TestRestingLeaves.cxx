@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -160,6 +161,28 @@ void RememberedSpeedsLeaveNoTrace(Check& check)
   }
 }
 
+// Taken up again from a checkpoint before each step, of which a part rests.
+void RestartsLeaveNoTrace(Check& check)
+{
+  for (const auto& [name, path] : { std::pair<std::string, Way>("swinging", Swing),
+         std::pair<std::string, Way>("approaching", Approach) })
+  {
+    auto kept = std::make_unique<NarrowBand>(VoxelSize);
+    NarrowBand straight(VoxelSize);
+    PairTarget one(path, true), other(path, true);
+    Rest(check, straight, one);
+    Rest(check, *kept, other);
+    for (double time = 2.05; time < 3.5; time += 0.05)
+    {
+      straight.Advance(time, MakeMotion(), one);
+      kept = NarrowBand::Unpack(kept->Pack());
+      kept->Advance(time, MakeMotion(), other);
+      check.True(
+        AreIdentical(straight, *kept), name + ", the same to the bit at " + std::to_string(time));
+    }
+  }
+}
+
 void WhatRestsCostsNoEvaluations(Check& check)
 {
   NarrowBand band(VoxelSize);
@@ -193,6 +216,7 @@ int main(int argc, char** argv)
     { { "WhatRestsStaysToTheBitWhileTheOtherPartMoves",
         WhatRestsStaysToTheBitWhileTheOtherPartMoves },
       { "RememberedSpeedsLeaveNoTrace", RememberedSpeedsLeaveNoTrace },
+      { "RestartsLeaveNoTrace", RestartsLeaveNoTrace },
       { "WhatRestsCostsNoEvaluations", WhatRestsCostsNoEvaluations },
       { "WhatRestsWakesWhenItsTargetChanges", WhatRestsWakesWhenItsTargetChanges } });
 }

@@ -113,6 +113,20 @@ void NodesGrowWithTheSurfaceNotTheVolumeAtRandom(Check& check)
   }
 }
 
+/** Of the potential at the active nodes, in voxels. */
+double GetLargestError(const NarrowBand& band, const Shape& distance)
+{
+  const double h = band.GetVoxelSize();
+  double largest = 0.0;
+  for (auto node = band.GetPotential()->cbeginValueOn(); node; ++node)
+  {
+    const openvdb::Coord& at = node.getCoord();
+    const double exact = distance.Value({ h * at[0], h * at[1], h * at[2] }) / h;
+    largest = std::max(largest, std::fabs(*node - exact));
+  }
+  return largest;
+}
+
 // Large enough to be swept in several slabs. Central differences of a distance are 1 but for
 // (h / r)^2, 2e-4.
 void DistancesHaveNoSeams(Check& check)
@@ -120,19 +134,51 @@ void DistancesHaveNoSeams(Check& check)
   const double h = VoxelSizeOf(256);
   NarrowBand band(h);
   StartOn(band, MakeBall(CentreA, Radius));
-  double largest = 0.0;
-  for (auto node = band.GetPotential()->cbeginValueOn(); node; ++node)
-  {
-    double square = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double x = h * node.getCoord()[axis] - CentreA[axis];
-      square += x * x;
-    }
-    largest = std::max(largest, std::fabs(*node - (std::sqrt(square) - Radius) / h));
-  }
   check.Less(400000, band.GetNumberOfActiveNodes(), "active nodes");
-  check.Less(largest, 0.001, "largest error of a distance [h]");
+  check.Less(GetLargestError(band, MakeBall(CentreA, Radius)), 0.001, "error of a distance [h]");
+}
+
+// Two balls, each in a slab of its own, and one of both between them. Where the right one's values
+// are 1e20 times the left one's, those are nothing to all of them together: half a voxel at worst.
+void BodiesFarApartAreBothThere(Check& check)
+{
+  const Shape left = MakeBall({ -0.513, 0.007, 0.011 }, 0.4);
+  const Shape right = MakeBall({ 0.491, -0.013, 0.005 }, 0.4);
+  for (const double factor : { 1.0, 1e20 })
+  {
+    const Shape both = {
+      [&](const Point& at) { return at[0] < -0.01 ? left.Value(at) : factor * right.Value(at); }, {}
+    };
+    NarrowBand band(VoxelSizeOf(256));
+    StartOn(band, both);
+    const std::string name = factor == 1.0 ? "" : ", of unlike size";
+    const Mesh mesh = Polygonise(band);
+    check.Equal(GetTopology(mesh).Components, 2, "bodies" + name);
+    // Both lack h^2 / 2 r^2, 2e-4; half a voxel of one of them is 1.5 %.
+    const double exact = 2.0 * 4.0 / 3.0 * Pi * 0.4 * 0.4 * 0.4;
+    check.Near(GetVolume(mesh) / exact, 1.0, factor == 1.0 ? 4e-4 : 0.015, "volume" + name);
+    if (factor == 1.0)
+    {
+      check.Less(GetLargestError(band, both), 0.001, "error of a distance [h]");
+    }
+  }
+}
+
+// A disk of no thickness, inside by rounding alone, in a slab of its own beside a ball.
+void SheetOfNoThicknessIsNoError(Check& check)
+{
+  const double h = VoxelSizeOf(256);
+  const double plane = -115.0 * h;
+  const Shape ball = MakeBall({ 0.491, -0.013, 0.005 }, 0.4);
+  const Shape both = { [&](const Point& at)
+    {
+      const double sheet = std::fabs(at[0] - plane) - 1e-12;
+      return at[0] < -0.01 ? std::max(sheet, std::hypot(at[1], at[2]) - 0.8) : ball.Value(at);
+    },
+    {} };
+  NarrowBand band(h);
+  StartOn(band, both);
+  check.Equal(GetTopology(Polygonise(band)).Components, 2, "the sheet and the ball");
 }
 }
 
@@ -143,6 +189,8 @@ int main(int argc, char** argv)
       { "BallHasExactAreaAndVolumeAtRandom", BallHasExactAreaAndVolumeAtRandom },
       { "BallHasExactRadius", BallHasExactRadius },
       { "DistancesHaveNoSeams", DistancesHaveNoSeams },
+      { "BodiesFarApartAreBothThere", BodiesFarApartAreBothThere },
+      { "SheetOfNoThicknessIsNoError", SheetOfNoThicknessIsNoError },
       { "NodesGrowWithTheSurfaceNotTheVolume", NodesGrowWithTheSurfaceNotTheVolume },
       { "NodesGrowWithTheSurfaceNotTheVolumeAtRandom",
         NodesGrowWithTheSurfaceNotTheVolumeAtRandom } });
