@@ -160,7 +160,7 @@ SkinMeasure NarrowBand::State::Measure() const
   return { skin.Area * square, skin.Volume * square * this->VoxelSize };
 }
 
-void NarrowBand::State::TakeSamplesOf(
+void NarrowBand::State::SampleTarget(
   const LeafList& leaves, const Motion& motion, const Target& target, AdvanceReport& report)
 {
   const TargetSamples samples =
@@ -193,7 +193,7 @@ TargetLimits NarrowBand::State::FollowTarget(
   }
   const LeafList unknown = FindUnknown(leaves);
   const LeafList sampled = leaves.FindAround(unknown);
-  this->TakeSamplesOf(sampled, motion, target, report);
+  this->SampleTarget(sampled, motion, target, report);
   RememberSpeeds(leaves, unknown, this->Buffers);
   const TargetLimits limits = FindLimits(leaves);
   report.MaxSpeed = std::max(report.MaxSpeed, limits.Speed);
@@ -204,7 +204,7 @@ TargetLimits NarrowBand::State::FollowTarget(
     if (!std::includes(
           sampled.begin(), sampled.end(), leaves.GetNear().begin(), leaves.GetNear().end()))
     {
-      this->TakeSamplesOf(leaves.GetNear(), motion, target, report);
+      this->SampleTarget(leaves.GetNear(), motion, target, report);
     }
   }
   else

@@ -65,7 +65,7 @@ private:
 
   TargetLimits FollowTarget(
     const Motion& motion, Target& target, AdvanceReport& report, Move& move);
-  void TakeSamplesOf(
+  void SampleTarget(
     const LeafList& leaves, const Motion& motion, const Target& target, AdvanceReport& report);
   PenaltyForce FindForce(const Motion& motion) const;
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);

@@ -183,7 +183,8 @@ private:
   float LargestStep[512];
 };
 
-/** Nodes of a layer whose value is not the last substep's: ghosts, and those that entered. */
+/** Nodes of a layer whose value is not the last substep's: ghosts, and those that entered, which
+ * only leaves near what moves can have. */
 ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, int layer)
 {
   const LeafMask valid = leaf.IsNear ? leaf.Active & leaf.Advanced : leaf.Active;

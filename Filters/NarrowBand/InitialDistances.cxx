@@ -23,7 +23,7 @@ namespace
 using Leaves = openvdb::tree::LeafManager<openvdb::FloatTree>;
 
 /** The function at the active nodes of a leaf, times a scale. */
-void SampleLeaf(const NodeFunction& function, double scale, PotentialLeaf& leaf)
+void SampleNodes(const NodeFunction& function, double scale, PotentialLeaf& leaf)
 {
   constexpr double most = 1e6; // far from the surface functions may do what they like
   std::vector<openvdb::Coord> nodes;
@@ -54,7 +54,7 @@ openvdb::FloatTree::Ptr SampleNearby(CrossedNodes& crossed, const NodeFunction& 
   crossed.Nodes.clear();
   const double scale = crossed.Largest > 0.0 ? std::ldexp(1.0, -std::ilogb(crossed.Largest)) : 1.0;
   Leaves leaves(*tree);
-  leaves.foreach ([&](PotentialLeaf& leaf, std::size_t) { SampleLeaf(function, scale, leaf); },
+  leaves.foreach ([&](PotentialLeaf& leaf, std::size_t) { SampleNodes(function, scale, leaf); },
     function.ThreadSafe);
   return tree;
 }
@@ -99,7 +99,8 @@ void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& pot
     });
 }
 
-/** Whether a node is inside by more than what fast sweeping takes for zero; it refuses others. */
+/** Whether a node is inside by more than what fast sweeping takes for zero, of the largest value
+ * around; it refuses others. */
 bool HasInside(const openvdb::FloatTree& function, float largest)
 {
   constexpr float zero = 1e-8f;
@@ -147,14 +148,13 @@ std::vector<Slab> FindSlabs(const openvdb::FloatTree& tree)
     ++planes[leaf->origin()[0] >> 3];
   }
   std::vector<Slab> slabs;
-  int leaves = fewestLeaves, first = 0;
+  int leaves = 0;
   for (const auto& [plane, count] : planes)
   {
-    if (leaves >= fewestLeaves && (slabs.empty() || plane - first >= fewestPlanes))
+    if (slabs.empty() || (leaves >= fewestLeaves && plane - slabs.back().Begin >= fewestPlanes))
     {
       slabs.push_back({ plane, plane });
       leaves = 0;
-      first = plane;
     }
     slabs.back().End = plane + 1;
     leaves += count;

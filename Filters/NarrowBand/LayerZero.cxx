@@ -93,9 +93,8 @@ struct CrossedVoxels
       const std::uint16_t *p = sign.Row[x], *q = sign.Row[x + 1];
       for (int y = 0; y < RowsWritten; ++y)
       {
-        const unsigned any = p[y] | q[y] | p[y + 1] | q[y + 1];
-        const unsigned all = p[y] & q[y] & p[y + 1] & q[y + 1];
-        this->Row[x][y] = static_cast<std::uint16_t>((any | any >> 1) & ~(all & all >> 1) & 0x1ffu);
+        this->Row[x][y] =
+          static_cast<std::uint16_t>(CrossedInRow(p[y], q[y], p[y + 1], q[y + 1]) & 0x1ffu);
       }
     }
   }

@@ -155,6 +155,10 @@ void LeafTable::Move(LeafList leaves)
 
 void LeafTable::MoveAll()
 {
+  if (this->Moving.size() == this->Leaves.size())
+  {
+    return;
+  }
   LeafList all(this->Leaves.size());
   std::iota(all.begin(), all.end(), 0);
   this->Move(std::move(all));
@@ -162,7 +166,7 @@ void LeafTable::MoveAll()
 
 LeafList LeafTable::FindAround(const LeafList& leaves) const
 {
-  if (leaves.size() == this->Leaves.size())
+  if (leaves.empty() || leaves.size() == this->Leaves.size())
   {
     return leaves;
   }

@@ -57,7 +57,7 @@ constexpr int Stride(int axis)
 }
 
 /** What is remembered of the target's speed in a leaf as long as nothing changes it: neither the
- * leaf or a neighbour has moved, nor the target there. */
+ * leaf nor a neighbour has moved, nor the target there. */
 struct LeafSpeed
 {
   bool IsKnown = false;

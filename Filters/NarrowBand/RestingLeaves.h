@@ -4,9 +4,9 @@
  * A leaf is at rest when the target's speed at its sample points, interpolated between the nodes,
  * is below a thousandth of a voxel times Attraction times L. It stays as it is, to the bit (but for
  * the factor 2 that keeps slopes near 1), as long as its neighbours are at rest as well: going on
- * would roughen the surface, and cost time. This is
- * a rule of the scheme, for the potential alone decides; that speeds are remembered where nothing
- * has changed them, so that such a leaf costs next to nothing, leaves no trace.
+ * would roughen the surface, and cost time. This is a rule of the scheme, for the potential and the
+ * target alone decide; that speeds are remembered where nothing has changed them, so that such a
+ * leaf costs next to nothing, leaves no trace.
  */
 #ifndef RestingLeaves_h
 #define RestingLeaves_h

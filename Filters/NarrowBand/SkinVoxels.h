@@ -8,6 +8,7 @@
 #define SkinVoxels_h
 
 #include "CubeTriangles.h"
+#include "LayerZero.h"
 #include "LeafTable.h"
 
 #include <cstring>
@@ -83,9 +84,7 @@ public:
       std::uint8_t bytes[8];
       for (int y = 0; y < 8; ++y)
       {
-        const unsigned any = p[y] | q[y] | p[y + 1] | q[y + 1];
-        const unsigned all = p[y] & q[y] & p[y + 1] & q[y + 1];
-        bytes[y] = static_cast<std::uint8_t>((any | any >> 1) & ~(all & all >> 1));
+        bytes[y] = static_cast<std::uint8_t>(CrossedInRow(p[y], q[y], p[y + 1], q[y + 1]));
       }
       std::memcpy(&crossed.Word[x], bytes, sizeof bytes);
     }

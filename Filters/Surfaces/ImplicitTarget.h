@@ -20,6 +20,7 @@ public:
   }
 
   bool IsThreadSafe() const override { return this->Function.IsThreadSafe(); }
+  // The function does not change while the surface advances: see FunctionSampler.
   bool MayHaveChanged(const double[6]) const override { return false; }
 
 protected:

@@ -9,7 +9,8 @@ using namespace activesurface;
 namespace
 {
 
-// A heap that does not move, and a particle that falls on it from step 1 to step 3.
+// A heap that does not move, and three particles that fall on it here and there, from step 1 to
+// step 3.
 std::vector<Particle> MakeHeap(double time)
 {
   std::vector<Particle> particles;
@@ -22,6 +23,8 @@ std::vector<Particle> MakeHeap(double time)
   }
   const double fallen = 0.4 * std::min(std::max(time - 1.0, 0.0), 2.0);
   particles.push_back({ -0.55, -0.05, 0.4 - fallen, 100 });
+  particles.push_back({ -0.75, -0.35, 0.6 - fallen, 101 });
+  particles.push_back({ -0.25, 0.15, 0.3 - 0.5 * fallen, 102 });
   return particles;
 }
 
