@@ -1,26 +1,17 @@
 #include "Skeleton.h"
 
 #include <algorithm>
-#include <array>
-#include <limits>
+#include <cmath>
 
 namespace activesurface
 {
 namespace
 {
-// Enough to look at several lattices without leaving the first cache.
-constexpr std::size_t HitsOfStream = 32;
-
 // Of the radius: more means more that is looked at in vain, less means more builds.
 constexpr double MarginOfMoving = 0.1;
 
 constexpr double SmallestSize = 1e-100;
 constexpr double LargestSize = 1e100;
-
-bool IsFinite(const double x[3])
-{
-  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-}
 }
 
 bool SkeletonVertex::IsUsable() const
@@ -138,201 +129,6 @@ void Skeleton::Build()
     this->Cells = SkeletonCells(); // what is half built lists elements that are not there
     throw;
   }
-}
-
-template <class Kernel>
-ACTIVE_ALWAYS_INLINE SkeletonSum Skeleton::SumAt(const double x[3]) const
-{
-  SkeletonSum sum;
-  this->VisitHits(x,
-    [this, &sum, x](const Index* hits, std::size_t count) ACTIVE_INLINED
-    { this->AddHits<Kernel>(sum, x, hits, count); });
-  return sum;
-}
-
-// Calls visit(hits, count) for all that may reach x, ascending.
-template <class Visitor>
-ACTIVE_ALWAYS_INLINE void Skeleton::VisitHits(const double x[3], Visitor visit) const
-{
-  if (this->Cells.GetNumberOfLattices() > 1)
-  {
-    this->VisitMerged(x, visit);
-  }
-  else if (this->Cells.GetNumberOfLattices() == 1)
-  {
-    Index hits[SkeletonCells::HitsAtOnce];
-    SkeletonCells::Search search = this->Cells.StartSearch(0, x);
-    while (!search.IsOver())
-    {
-      const std::size_t count = this->Cells.TakeHits(search, hits, SkeletonCells::HitsAtOnce);
-      visit(hits, count);
-    }
-  }
-}
-
-// The hits of one lattice.
-struct Skeleton::Stream
-{
-  SkeletonCells::Search Search;
-  std::size_t Head;
-  std::size_t Count;
-  Index Hits[HitsOfStream];
-
-  // Whether there is a hit at Head.
-  bool Refill(const SkeletonCells& cells)
-  {
-    while (this->Head == this->Count && !this->Search.IsOver())
-    {
-      this->Head = 0;
-      this->Count = cells.TakeHits(this->Search, this->Hits, HitsOfStream);
-    }
-    return this->Head < this->Count;
-  }
-};
-
-template <class Visitor>
-ACTIVE_ALWAYS_INLINE void Skeleton::VisitMerged(const double x[3], Visitor visit) const
-{
-  std::array<Stream, SkeletonCells::MaximumLattices> streams;
-  std::array<Stream*, SkeletonCells::MaximumLattices> open;
-  auto end = open.begin();
-  for (std::size_t lattice = 0; lattice < this->Cells.GetNumberOfLattices(); ++lattice)
-  {
-    Stream& stream = streams[lattice];
-    stream.Search = this->Cells.StartSearch(lattice, x);
-    stream.Head = stream.Count = 0;
-    *end = &stream;
-    end += stream.Refill(this->Cells) ? 1 : 0;
-  }
-  const auto isEarlier = [](const Stream* a, const Stream* b)
-  { return a->Hits[a->Head] < b->Hits[b->Head]; };
-  Index merged[SkeletonCells::HitsAtOnce];
-  std::size_t count = 0;
-  while (end != open.begin())
-  {
-    const auto first = std::min_element(open.begin(), end, isEarlier);
-    Stream& stream = **first;
-    merged[count] = stream.Hits[stream.Head];
-    ++stream.Head;
-    ++count;
-    if (!stream.Refill(this->Cells))
-    {
-      --end;
-      *first = *end;
-    }
-    if (count == SkeletonCells::HitsAtOnce || end == open.begin())
-    {
-      visit(merged, count);
-      count = 0;
-    }
-  }
-}
-
-template <class Kernel>
-ACTIVE_ALWAYS_INLINE void Skeleton::AddHits(
-  SkeletonSum& result, const double x[3], const Index* hits, std::size_t count) const
-{
-  const SkeletonPoint* points = this->Points.data();
-  const std::size_t pointCount = this->Points.size();
-  // Copies, so that they stay in registers.
-  const double here[3] = { x[0], x[1], x[2] };
-  SkeletonSum sum = result;
-  const Index* end = hits + count;
-  for (; hits != end && *hits < pointCount; ++hits)
-  {
-    points[*hits].AddTo<Kernel>(sum, here);
-  }
-  for (; hits != end; ++hits)
-  {
-    this->Segments[*hits - pointCount].AddTo<Kernel>(sum, here);
-  }
-  result = sum;
-}
-
-// Sums at one point after the other.
-template <class Kernel>
-struct Skeleton::Evaluation
-{
-  const Skeleton& Elements;
-  double Threshold;
-  const double* Points;
-  double* Values;
-  double* Gradients; // or null
-
-  ACTIVE_ALWAYS_INLINE void operator()(std::size_t count) const
-  {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const double* x = this->Points + 3 * i;
-      const SkeletonSum sum =
-        IsFinite(x) ? this->Elements.SumAt<Kernel>(x) : SkeletonSum{ { nan, nan, nan, nan } };
-      this->Values[i] = this->Threshold - sum.Terms[3];
-      if (this->Gradients)
-      {
-        std::copy(sum.Terms, sum.Terms + 3, this->Gradients + 3 * i);
-      }
-    }
-  }
-};
-
-void Skeleton::Evaluate(SkeletonKernel kernel, double threshold, std::size_t count,
-  const double* points, double* values, double* gradients) const
-{
-  const auto evaluate = [&](auto kind)
-  {
-    using Kind = Evaluation<decltype(kind)>;
-    CompiledKernel<Kind, std::size_t>::GetBest()(
-      Kind{ *this, threshold, points, values, gradients }, count);
-  };
-  switch (kernel)
-  {
-    case SkeletonKernel::Wyvill:
-      evaluate(WyvillKernel());
-      break;
-    case SkeletonKernel::CubicSpline:
-      evaluate(CubicSplineKernel());
-      break;
-    case SkeletonKernel::Metaball:
-      evaluate(MetaballKernel());
-      break;
-  }
-}
-
-void Skeleton::FindWeights(
-  SkeletonKernel kernel, const double x[3], std::vector<SkeletonWeight>& weights) const
-{
-  weights.clear();
-  switch (kernel)
-  {
-    case SkeletonKernel::Wyvill:
-      this->AddWeights<WyvillKernel>(x, weights);
-      break;
-    case SkeletonKernel::CubicSpline:
-      this->AddWeights<CubicSplineKernel>(x, weights);
-      break;
-    case SkeletonKernel::Metaball:
-      this->AddWeights<MetaballKernel>(x, weights);
-      break;
-  }
-}
-
-template <class Kernel>
-void Skeleton::AddWeights(const double x[3], std::vector<SkeletonWeight>& weights) const
-{
-  this->VisitHits(x,
-    [this, &weights, x](const Index* hits, std::size_t count)
-    {
-      for (std::size_t i = 0; i < count && hits[i] < this->Points.size(); ++i)
-      {
-        SkeletonSum sum;
-        this->Points[hits[i]].AddTo<Kernel>(sum, x);
-        if (sum.Terms[3] != 0.0)
-        {
-          weights.push_back({ hits[i], sum.Terms[3] });
-        }
-      }
-    });
 }
 
 }

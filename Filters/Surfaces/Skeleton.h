@@ -69,16 +69,15 @@ private:
   template <class Kernel>
   struct Evaluation;
   template <class Kernel>
-  ACTIVE_ALWAYS_INLINE SkeletonSum SumAt(const double x[3]) const;
-  template <class Kernel>
   void AddWeights(const double x[3], std::vector<SkeletonWeight>& weights) const;
   template <class Visitor>
-  ACTIVE_ALWAYS_INLINE void VisitHits(const double x[3], Visitor visit) const;
+  ACTIVE_ALWAYS_INLINE void VisitHits(const SkeletonCells::Place& place, Visitor visit) const;
   template <class Visitor>
-  ACTIVE_ALWAYS_INLINE void VisitMerged(const double x[3], Visitor visit) const;
-  template <class Kernel>
-  ACTIVE_ALWAYS_INLINE void AddHits(
-    SkeletonSum& sum, const double x[3], const Index* hits, std::size_t count) const;
+  ACTIVE_ALWAYS_INLINE void VisitMerged(const SkeletonCells::Place& place, Visitor visit) const;
+  template <class Kernel, class Sums>
+  ACTIVE_ALWAYS_INLINE void AddAll(const SkeletonCells::Place& place, Sums& sums) const;
+  template <class Kernel, class Sums>
+  ACTIVE_ALWAYS_INLINE void AddHits(const Index* hits, std::size_t count, Sums& sums) const;
 
   std::vector<SkeletonPoint> Points;
   std::vector<SkeletonSegment> Segments;

@@ -32,10 +32,18 @@ class SkeletonCells
 public:
   using Index = std::uint32_t;
 
-  // What is left to be looked at for one point in one lattice.
+  // A point, or a box around several that lie in one cell of each lattice.
+  struct Place
+  {
+    double Low[3];
+    double High[3];
+  };
+
+  // What is left to be looked at for one place in one lattice.
   struct Search
   {
-    float Position[3]; // of the point, in cells from its cell's centre
+    float Low[3]; // of the place, in cells from its cell's centre
+    float High[3];
     Index Start;
     Index Length;
     Index Done;
@@ -51,10 +59,15 @@ public:
 
   std::size_t GetNumberOfLattices() const { return this->Lattices.size(); }
 
-  // An element is found in one lattice.
-  ACTIVE_ALWAYS_INLINE Search StartSearch(std::size_t lattice, const double x[3]) const;
+  // The cell of a point in the finest lattice. Points that share it share those of all lattices,
+  // whose cells are made of finer ones, unless it is at an end (see SkeletonLattice::LastCell).
+  ACTIVE_ALWAYS_INLINE void FindCell(const double x[3], Index cell[3]) const;
 
-  // The next elements, in ascending order, that may contain the point: all that do, and a few more.
+  // An element is found in one lattice.
+  ACTIVE_ALWAYS_INLINE Search StartSearch(std::size_t lattice, const Place& place) const;
+
+  // The next elements, in ascending order, whose supports may touch the place: all that do, and a
+  // few more.
   // Looks at `capacity` elements, at most HitsAtOnce, and returns the number of hits, which may be
   // 0 before the search is over.
   static constexpr std::size_t HitsAtOnce = 256;
@@ -114,17 +127,33 @@ private:
   std::vector<Index> RegistrationCounts; // per element
 };
 
+ACTIVE_ALWAYS_INLINE void SkeletonCells::FindCell(const double x[3], Index cell[3]) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cell[axis] = this->Lattices.empty()
+      ? 0
+      : SkeletonLattice::GetCell(this->Lattices.back().GetCoordinate(x[axis], axis));
+  }
+}
+
 ACTIVE_ALWAYS_INLINE SkeletonCells::Search SkeletonCells::StartSearch(
-  std::size_t lattice, const double x[3]) const
+  std::size_t lattice, const Place& place) const
 {
   Search search;
   Index cell[3];
+  const auto fromCentre = [&cell](double coordinate, int axis) ACTIVE_INLINED
+  {
+    const double offset = coordinate - cell[axis] - 0.5;
+    return static_cast<float>(std::min(std::max(offset, -FarAway), FarAway));
+  };
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double coordinate = this->Lattices[lattice].GetCoordinate(x[axis], axis);
-    cell[axis] = SkeletonLattice::GetCell(coordinate);
-    const double place = coordinate - cell[axis] - 0.5;
-    search.Position[axis] = static_cast<float>(std::min(std::max(place, -FarAway), FarAway));
+    const double low = this->Lattices[lattice].GetCoordinate(place.Low[axis], axis);
+    const double high = this->Lattices[lattice].GetCoordinate(place.High[axis], axis);
+    cell[axis] = SkeletonLattice::GetCell(low);
+    search.Low[axis] = fromCentre(low, axis);
+    search.High[axis] = fromCentre(high, axis);
   }
   const std::size_t slot = this->Lattices[lattice].GetSlot(cell);
   search.Start = this->ListStarts[slot];
@@ -143,15 +172,15 @@ ACTIVE_ALWAYS_INLINE std::size_t SkeletonCells::TakeHits(
   const float* ballY = ballX + length;
   const float* ballZ = ballY + length;
   const float* radius2 = ballZ + length;
-  const float x = search.Position[0];
-  const float y = search.Position[1];
-  const float z = search.Position[2];
+  const Search at = search;
+  const auto gap = [](float low, float high, float centre) ACTIVE_INLINED
+  { return std::max(std::max(low - centre, centre - high), 0.f); };
   Index isHit[HitsAtOnce];
   for (Index i = 0; i < looked; ++i)
   {
-    const float dx = ballX[i] - x;
-    const float dy = ballY[i] - y;
-    const float dz = ballZ[i] - z;
+    const float dx = gap(at.Low[0], at.High[0], ballX[i]);
+    const float dy = gap(at.Low[1], at.High[1], ballY[i]);
+    const float dz = gap(at.Low[2], at.High[2], ballZ[i]);
     isHit[i] = dx * dx + dy * dy + dz * dz < radius2[i] ? 1 : 0;
   }
   const Index* list = this->Lists.data() + search.Start + search.Done;

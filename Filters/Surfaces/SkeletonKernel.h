@@ -9,6 +9,7 @@
 
 #include "InstructionSets.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace activesurface
@@ -27,6 +28,13 @@ struct KernelSample
   double SlopeOverQ; // W'(q) / q
 };
 
+// Number by number, which is without a branch.
+ACTIVE_ALWAYS_INLINE KernelSample Choose(
+  bool first, const KernelSample& one, const KernelSample& other)
+{
+  return { first ? one.Value : other.Value, first ? one.SlopeOverQ : other.SlopeOverQ };
+}
+
 // Wyvill, McPheeters and Wyvill 1986, in its sextic form.
 struct WyvillKernel
 {
@@ -43,12 +51,10 @@ struct CubicSplineKernel
   static ACTIVE_ALWAYS_INLINE KernelSample At(double q2)
   {
     const double q = std::sqrt(q2);
-    if (q <= 0.5)
-    {
-      return { 1.0 - 6.0 * q2 * (1.0 - q), 18.0 * q - 12.0 };
-    }
     const double v = 1.0 - q;
-    return { 2.0 * (v * v * v), -6.0 * (v * v) / q };
+    const KernelSample near = { 1.0 - 6.0 * q2 * v, 18.0 * q - 12.0 };
+    const KernelSample far = { 2.0 * (v * v * v), -6.0 * (v * v) / q };
+    return Choose(q <= 0.5, near, far);
   }
 };
 
@@ -57,21 +63,29 @@ struct MetaballKernel
 {
   static ACTIVE_ALWAYS_INLINE KernelSample At(double q2)
   {
-    if (9.0 * q2 <= 1.0)
-    {
-      return { 1.0 - 3.0 * q2, -6.0 };
-    }
     const double q = std::sqrt(q2);
     const double v = 1.0 - q;
-    return { 1.5 * (v * v), -3.0 * v / q };
+    const KernelSample near = { 1.0 - 3.0 * q2, -6.0 };
+    const KernelSample far = { 1.5 * (v * v), -3.0 * v / q };
+    return Choose(9.0 * q2 <= 1.0, near, far);
   }
 };
 
-// Sums of contributions: 0, 1, 2 are MINUS the gradient, as wanted of a potential that is negative
-// inside, 3 is the value. One array, because compilers then add two at a time.
-struct SkeletonSum
+// A place and the sums of contributions there: 0, 1, 2 are MINUS the gradient, as wanted of a
+// potential that is negative inside, 3 is the value. One array, because compilers then add two at a
+// time.
+struct SkeletonPlace
 {
+  double X[3];
   double Terms[4] = { 0.0, 0.0, 0.0, 0.0 };
+};
+
+// Places side by side, for the vector unit.
+struct SkeletonLanes
+{
+  static constexpr int Width = 8;
+  double X[3][Width];
+  double Terms[4][Width] = {};
 };
 
 struct SkeletonPoint
@@ -81,10 +95,10 @@ struct SkeletonPoint
   double InverseRadius2;
 
   template <class Kernel>
-  ACTIVE_ALWAYS_INLINE void AddTo(SkeletonSum& sum, const double x[3]) const
+  ACTIVE_ALWAYS_INLINE void AddTo(SkeletonPlace& place) const
   {
-    const double offset[4] = { this->Position[0] - x[0], this->Position[1] - x[1],
-      this->Position[2] - x[2], this->Strength };
+    const double offset[4] = { this->Position[0] - place.X[0], this->Position[1] - place.X[1],
+      this->Position[2] - place.X[2], this->Strength };
     const double q2 = (offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]) *
       this->InverseRadius2;
     if (!(q2 < 1.0))
@@ -96,7 +110,26 @@ struct SkeletonPoint
     const double factors[4] = { rate, rate, rate, kernel.Value };
     for (int i = 0; i < 4; ++i)
     {
-      sum.Terms[i] += offset[i] * factors[i];
+      place.Terms[i] += offset[i] * factors[i];
+    }
+  }
+
+  // The same bits at each place: beyond its support it adds zeros, as W(1) = W'(1) = 0.
+  template <class Kernel>
+  ACTIVE_ALWAYS_INLINE void AddTo(SkeletonLanes& lanes) const
+  {
+    for (int i = 0; i < SkeletonLanes::Width; ++i)
+    {
+      const double x = this->Position[0] - lanes.X[0][i];
+      const double y = this->Position[1] - lanes.X[1][i];
+      const double z = this->Position[2] - lanes.X[2][i];
+      const double q2 = std::min((x * x + y * y + z * z) * this->InverseRadius2, 1.0);
+      const KernelSample kernel = Kernel::At(q2);
+      const double rate = this->Strength * kernel.SlopeOverQ * this->InverseRadius2;
+      lanes.Terms[0][i] += x * rate;
+      lanes.Terms[1][i] += y * rate;
+      lanes.Terms[2][i] += z * rate;
+      lanes.Terms[3][i] += this->Strength * kernel.Value;
     }
   }
 };
@@ -114,9 +147,13 @@ struct SkeletonSegment
   double StrengthChange;
 
   template <class Kernel>
-  ACTIVE_ALWAYS_INLINE void AddTo(SkeletonSum& sum, const double x[3]) const
+  ACTIVE_ALWAYS_INLINE void AddTo(SkeletonPlace& place) const
   {
-    double offset[3] = { this->Start[0] - x[0], this->Start[1] - x[1], this->Start[2] - x[2] };
+    double offset[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      offset[axis] = this->Start[axis] - place.X[axis];
+    }
     const double along =
       -(offset[0] * this->Edge[0] + offset[1] * this->Edge[1] + offset[2] * this->Edge[2]);
     const double t = std::fmin(std::fmax(along * this->InverseLength2, 0.0), 1.0);
@@ -141,9 +178,24 @@ struct SkeletonSegment
     const double rate = slope * (inverseRadius * inverseRadius);
     for (int axis = 0; axis < 3; ++axis)
     {
-      sum.Terms[axis] += rate * offset[axis] + alongEdge * this->Edge[axis];
+      place.Terms[axis] += rate * offset[axis] + alongEdge * this->Edge[axis];
     }
-    sum.Terms[3] += strength * kernel.Value;
+    place.Terms[3] += strength * kernel.Value;
+  }
+
+  template <class Kernel>
+  ACTIVE_ALWAYS_INLINE void AddTo(SkeletonLanes& lanes) const
+  {
+    for (int i = 0; i < SkeletonLanes::Width; ++i)
+    {
+      SkeletonPlace place{ { lanes.X[0][i], lanes.X[1][i], lanes.X[2][i] },
+        { lanes.Terms[0][i], lanes.Terms[1][i], lanes.Terms[2][i], lanes.Terms[3][i] } };
+      this->AddTo<Kernel>(place);
+      for (int term = 0; term < 4; ++term)
+      {
+        lanes.Terms[term][i] = place.Terms[term];
+      }
+    }
   }
 };
 

@@ -1,0 +1,115 @@
+// Points in groups that share their cells, so that what may reach them is looked up once for all of
+// a group.
+
+#ifndef SkeletonBatch_h
+#define SkeletonBatch_h
+
+#include "SkeletonCells.h"
+#include "SkeletonKernel.h"
+
+#include <cmath>
+
+namespace activesurface
+{
+
+class SkeletonBatch
+{
+public:
+  using Index = SkeletonCells::Index;
+
+  static constexpr std::size_t Capacity = 256;
+
+  // Sorts the finite ones of up to Capacity points (x y z each).
+  ACTIVE_ALWAYS_INLINE SkeletonBatch(
+    const SkeletonCells& cells, std::size_t count, const double* points)
+    : Size(count)
+  {
+    std::size_t starts[Buckets + 1] = {};
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double* x = points + 3 * i;
+      this->IsUsable[i] = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+      if (this->IsUsable[i])
+      {
+        cells.FindCell(x, this->Cells[i]);
+        ++starts[this->BucketOf(i) + 1];
+      }
+    }
+    for (std::size_t bucket = 0; bucket < Buckets; ++bucket)
+    {
+      starts[bucket + 1] += starts[bucket];
+    }
+    this->Usable = starts[Buckets];
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (this->IsUsable[i])
+      {
+        this->Order[starts[this->BucketOf(i)]++] = i;
+      }
+    }
+  }
+
+  // Calls visit(members, count), count at most SkeletonLanes::Width, for each group; members are
+  // numbers of points.
+  template <class Visitor>
+  ACTIVE_ALWAYS_INLINE void ForEachGroup(Visitor visit) const
+  {
+    const std::size_t* first = this->Order;
+    const std::size_t* const end = this->Order + this->Usable;
+    while (first != end)
+    {
+      const std::size_t* last = first + 1;
+      while (last != end && last - first < SkeletonLanes::Width && this->ShareCells(*first, *last))
+      {
+        ++last;
+      }
+      visit(first, static_cast<int>(last - first));
+      first = last;
+    }
+  }
+
+  // Calls visit(number) for the points that are in no group, as they are not finite.
+  template <class Visitor>
+  ACTIVE_ALWAYS_INLINE void ForEachUnusable(Visitor visit) const
+  {
+    for (std::size_t i = 0; i < this->Size; ++i)
+    {
+      if (!this->IsUsable[i])
+      {
+        visit(i);
+      }
+    }
+  }
+
+private:
+  // Cells of a block differ in it; those of a batch seldom lie in more than a block.
+  static constexpr std::size_t Buckets = std::size_t(1) << SkeletonLattice::BlockBits;
+
+  ACTIVE_ALWAYS_INLINE std::size_t BucketOf(std::size_t i) const
+  {
+    const Index* cell = this->Cells[i];
+    return SkeletonLattice::GetPlaceInBlock(cell[0], 0) |
+      SkeletonLattice::GetPlaceInBlock(cell[1], 1) | SkeletonLattice::GetPlaceInBlock(cell[2], 2);
+  }
+
+  ACTIVE_ALWAYS_INLINE bool ShareCells(std::size_t i, std::size_t k) const
+  {
+    bool share = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      share = share && this->Cells[i][axis] == this->Cells[k][axis] &&
+        this->Cells[i][axis] != SkeletonLattice::LastCell;
+    }
+    return share;
+  }
+
+  const std::size_t Size;
+  std::size_t Usable;
+  bool IsUsable[Capacity];
+  Index Cells[Capacity][3];
+  std::size_t Order[Capacity];
+};
+
+}
+
+#endif
