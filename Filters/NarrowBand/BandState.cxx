@@ -39,11 +39,10 @@ float ScaleFor(const SlopeCounts& counts)
   return 2 * counts.Flat > counts.Nodes ? 2.f : 2 * counts.Steep > counts.Nodes ? .5f : 1.f;
 }
 
-/** Whether this motion ends at the target, and does so by itself. With tension the surface goes on
- * towards the balance of both, and controls never rest. */
-bool EndsAtTarget(const Motion& motion)
+/** Whether this motion ends, and does so by itself: controls never rest. */
+bool ComesToRest(const Motion& motion)
 {
-  return motion.Attraction > 0.0 && motion.Tension == 0.0 && motion.AreaControl == Control::None &&
+  return motion.Attraction > 0.0 && motion.AreaControl == Control::None &&
     motion.VolumeControl == Control::None && SamplesCrossings(motion) && !motion.Paper;
 }
 
@@ -137,7 +136,7 @@ void NarrowBand::State::TakeScheme(const Motion& motion)
 
 std::size_t NarrowBand::State::CountActive() const
 {
-  return this->Leaves.Count([](const BandLeaf& leaf) { return leaf.Active.Count(); });
+  return this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ActiveNodes; });
 }
 
 void NarrowBand::State::CheckSize() const
@@ -181,7 +180,7 @@ TargetLimits NarrowBand::State::FollowTarget(
     leaves.MoveAll();
     return {};
   }
-  const bool mayRest = move.MaySleep && EndsAtTarget(motion);
+  const bool mayRest = move.MaySleep && ComesToRest(motion);
   target.MoveTo(this->Time);
   if (mayRest)
   {
@@ -199,8 +198,8 @@ TargetLimits NarrowBand::State::FollowTarget(
   report.MaxSpeed = std::max(report.MaxSpeed, limits.Speed);
   if (mayRest)
   {
-    const double rate = this->VoxelSize * motion.Attraction * limits.Slope;
-    leaves.Move(leaves.FindAround(FindUnrest(leaves, unknown, rate, this->Buffers)));
+    const RestRule rule{ motion, this->VoxelSize, limits.Slope };
+    leaves.Move(leaves.FindAround(FindUnrest(leaves, unknown, rule, this->Buffers)));
     if (!std::includes(
           sampled.begin(), sampled.end(), leaves.GetNear().begin(), leaves.GetNear().end()))
     {
@@ -359,12 +358,13 @@ void NarrowBand::State::RebuildBand()
     RebuildLayers(this->Leaves, this->Potential->tree());
     FillGhosts(this->Leaves);
   }
-  const std::size_t empty = this->Leaves.Count([](const BandLeaf& leaf) { return !IsUsed(leaf); });
+  const std::size_t empty =
+    this->Leaves.Count([](const LeafSummary& leaf) { return !leaf.IsUsed; });
   if (8 * empty > this->Leaves.Size())
   {
     DropEmptyLeaves(this->Leaves, this->Potential->tree());
   }
-  this->Crossings = this->Leaves.Count([](const BandLeaf& leaf) { return leaf.Crossings; });
+  this->Crossings = this->Leaves.Count([](const LeafSummary& leaf) { return leaf.Crossings; });
 }
 
 void NarrowBand::State::FinishFrame()

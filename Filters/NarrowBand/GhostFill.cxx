@@ -185,9 +185,9 @@ private:
 
 /** Nodes of a layer whose value is not the last substep's: ghosts, and those that entered, which
  * only leaves near what moves can have. */
-ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, int layer)
+ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, bool isNear, int layer)
 {
-  const LeafMask valid = leaf.IsNear ? leaf.Active & leaf.Advanced : leaf.Active;
+  const LeafMask valid = isNear ? leaf.Active & leaf.Advanced : leaf.Active;
   return leaf.Upto[layer].Without(leaf.Upto[layer - 1]).Without(valid);
 }
 
@@ -199,7 +199,7 @@ struct FillLayer
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     BandLeaf& leaf = this->Table[i];
-    const LeafMask nodes = NodesToFill(leaf, this->Layer);
+    const LeafMask nodes = NodesToFill(leaf, this->Table.SummaryOf(i).IsNear, this->Layer);
     if (!nodes.Any())
     {
       return;

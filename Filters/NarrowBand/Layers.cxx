@@ -158,6 +158,7 @@ struct UseLayers
     FindCrossedEdges(this->Table, i);
     FindActiveNodes(this->Table, i);
     RetireNodes(this->Table, this->Table[i]);
+    this->Table.Summarise(i);
   }
 };
 
@@ -195,7 +196,7 @@ void DropEmptyLeaves(LeafTable& table, PotentialTree& tree)
   bool dropped = false;
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
-    if (!IsUsed(table[i]))
+    if (!table.SummaryOf(i).IsUsed)
     {
       const float side = table.BackgroundOf(table[i].Inside.Has(0) ? NoLeafInside : NoLeafOutside);
       tree.addTile(1, table[i].Origin, side, false);

@@ -36,6 +36,17 @@ struct LeafBlock
     this->GatherRows<1, 1, 0>(table, leaf);
   }
 
+  /** Only what the stencils of the row (x, y) of the leaf read. */
+  ACTIVE_ALWAYS_INLINE void GatherAround(const LeafTable& table, const BandLeaf& leaf, int x, int y)
+  {
+    constexpr int steps[][2] = { { 0, 0 }, { -2, 0 }, { -1, 0 }, { 1, 0 }, { 2, 0 }, { 0, -2 },
+      { 0, -1 }, { 0, 1 }, { 0, 2 }, { -1, -1 }, { -1, 1 }, { 1, -1 }, { 1, 1 } };
+    for (const auto& step : steps)
+    {
+      this->GatherRow(table, leaf, x + step[0], y + step[1]);
+    }
+  }
+
   /** The row (x, y) of the leaf itself. */
   const float* Row(int x, int y) const
   {
@@ -60,6 +71,18 @@ private:
       return this->First + this->Stride * row;
     }
   };
+
+  /** Any row, with two nodes before and after. */
+  ACTIVE_ALWAYS_INLINE void GatherRow(const LeafTable& table, const BandLeaf& leaf, int x, int y)
+  {
+    const std::int32_t* number = &leaf.Neighbour[NeighbourNumber(x >> 3, y >> 3, -1)];
+    const Rows before(table, number[0]), middle(table, number[1]), after(table, number[2]);
+    const int row = 8 * (x & 7) + (y & 7);
+    float* to = this->Value + (x + Halo) * X + (y + Halo) * Y + Halo;
+    std::memcpy(to, middle[row], 8 * sizeof(float));
+    std::memcpy(to - Halo, before[row] + 8 - Halo, Halo * sizeof(float));
+    std::memcpy(to + 8, after[row], Halo * sizeof(float));
+  }
 
   /** The rows that lie in the leaf's neighbour (nx, ny), with so many nodes before and after. */
   template <int nx, int ny, int Around>

@@ -86,18 +86,21 @@ void LeafTable::Rebuild(PotentialTree& tree)
   std::vector<BandLeaf> leaves;
   leaves.reserve(nodes.size() + nodes.size() / 8); // surfaces that grow do so by little
   leaves.resize(nodes.size());
+  std::vector<LeafSummary> summaries(nodes.size());
   ForRange(nodes.size(),
     [&](std::size_t i)
     {
       const std::int32_t known = this->Find(nodes[i]->origin());
       leaves[i] = known >= 0 ? this->Leaves[known] : BandLeaf(*nodes[i]);
+      summaries[i] = known >= 0 ? this->Summaries[known] : LeafSummary();
     });
   std::swap(this->Leaves, leaves);
+  std::swap(this->Summaries, summaries);
   this->Sorted = this->Leaves.size();
   this->BuildIndex();
   this->ForEach([&](std::size_t i) { this->FindNeighbours(i, tree); });
   this->Moving.clear();
-  this->Near = this->FindAll([](const BandLeaf& leaf) { return leaf.IsNear; });
+  this->Near = this->FindAll([this](std::size_t i) { return this->Summaries[i].IsNear; });
 }
 
 LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTree& tree)
@@ -112,6 +115,7 @@ LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTre
     const std::size_t i = this->Leaves.size();
     added.push_back(static_cast<std::int32_t>(i));
     this->Leaves.emplace_back(*tree.touchLeaf(origin));
+    this->Summaries.emplace_back();
     this->AddToIndex(i);
     this->FindNeighbours(i, tree);
     for (int n = 0; n < 27; ++n)
@@ -143,13 +147,13 @@ void LeafTable::Move(LeafList leaves)
 {
   for (const std::int32_t i : this->Near)
   {
-    this->Leaves[i].IsNear = false;
+    this->Summaries[i].IsNear = false;
   }
   this->Moving = std::move(leaves);
   this->Near = this->FindAround(this->Moving);
   for (const std::int32_t i : this->Near)
   {
-    this->Leaves[i].IsNear = true;
+    this->Summaries[i].IsNear = true;
   }
 }
 

@@ -14,11 +14,9 @@
 #include <openvdb/openvdb.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace activesurface
@@ -56,14 +54,25 @@ constexpr int Stride(int axis)
   return axis == 0 ? 64 : axis == 1 ? 8 : 1;
 }
 
-/** What is remembered of the target's speed in a leaf as long as nothing changes it: neither the
- * leaf nor a neighbour has moved, nor the target there. */
+/** What is remembered of the speed in a leaf as long as nothing changes it: neither the leaf nor a
+ * neighbour has moved, nor the target there. */
 struct LeafSpeed
 {
   bool IsKnown = false;
-  float AtNodes = 0.f;   //< largest |speed| at the nodes that have samples
-  float AtSurface = 0.f; //< the same at the sample points, interpolated between the nodes
+  float AtNodes = 0.f;   //< largest |target speed| at the nodes that have samples
+  float AtSurface = 0.f; //< of the surface itself, see RestingLeaves.h
   double Slope = 0.0;    //< largest |dF/dn|
+};
+
+/** What every substep asks of all leaves, those that rest too: small, so that it costs little. */
+struct LeafSummary
+{
+  LeafSpeed Speed;
+  std::int32_t ActiveNodes = 0;
+  std::int32_t ZeroNodes = 0; //< of layer 0
+  std::int32_t Crossings = 0;
+  bool IsUsed = false; //< whether a node of the leaf means more than its sign
+  bool IsNear = true;  //< in LeafTable's list of those
 };
 
 struct BandLeaf
@@ -92,18 +101,10 @@ struct BandLeaf
   std::size_t FirstCrossing = 0;             //< number of the first crossed edge
   std::array<int, 3> CrossingsBefore{};      //< crossed edges of this leaf on earlier axes
   int Crossings = 0;                         //< crossed edges of this leaf
-  LeafSpeed Speed;
-  bool IsNear = true; //< in LeafTable's list of those
 };
 
 /** Which of the 512 values of a leaf are negative. */
 LeafMask InsideNodes(const float* values);
-
-/** Whether a node of the leaf means more than its sign. */
-inline bool IsUsed(const BandLeaf& leaf)
-{
-  return leaf.Upto[LastLayer].Any() || leaf.Active.Any();
-}
 
 class LeafTable
 {
@@ -133,14 +134,14 @@ public:
   /** These leaves and their neighbours. */
   LeafList FindAround(const LeafList& leaves) const;
 
-  /** All leaves for which condition(leaf) holds. */
+  /** All leaves for which condition(i) holds. */
   template <class Condition>
   LeafList FindAll(Condition&& condition) const
   {
     LeafList found;
     for (std::size_t i = 0; i < this->Leaves.size(); ++i)
     {
-      if (condition(this->Leaves[i]))
+      if (condition(i))
       {
         found.push_back(static_cast<std::int32_t>(i));
       }
@@ -151,6 +152,11 @@ public:
   std::size_t Size() const { return this->Leaves.size(); }
   BandLeaf& operator[](std::size_t i) { return this->Leaves[i]; }
   const BandLeaf& operator[](std::size_t i) const { return this->Leaves[i]; }
+
+  LeafSummary& SummaryOf(std::size_t i) { return this->Summaries[i]; }
+  const LeafSummary& SummaryOf(std::size_t i) const { return this->Summaries[i]; }
+  /** Of a leaf whose nodes have changed; not of its Speed. */
+  ACTIVE_ALWAYS_INLINE void Summarise(std::size_t i);
 
   ///@{
   /** Mask of a neighbour; where there is no leaf: none, or for Inside the side it lies on. */
@@ -198,21 +204,16 @@ public:
       leaves.size(), [&](std::size_t place) { function(static_cast<std::size_t>(leaves[place])); });
   }
 
-  /** The sum of function(leaf), a whole number, over all leaves, in parallel. */
+  /** The sum of function(summary), a whole number, over all leaves. */
   template <class Function>
   std::size_t Count(Function&& function) const
   {
-    return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, this->Leaves.size(), Grain), std::size_t(0),
-      [&](const tbb::blocked_range<std::size_t>& range, std::size_t count)
-      {
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-        {
-          count += static_cast<std::size_t>(function(this->Leaves[i]));
-        }
-        return count;
-      },
-      std::plus<std::size_t>());
+    std::size_t count = 0;
+    for (const LeafSummary& summary : this->Summaries)
+    {
+      count += static_cast<std::size_t>(function(summary));
+    }
+    return count;
   }
 
   /** Value that stands for all nodes beyond the layers, and minus it inside. */
@@ -253,6 +254,7 @@ private:
   void AddToIndex(std::size_t i);
 
   std::vector<BandLeaf> Leaves;
+  std::vector<LeafSummary> Summaries; // of each
   LeafList Moving;
   LeafList Near;
   std::size_t Sorted = 0;          // how many there were at Rebuild
@@ -261,6 +263,16 @@ private:
   LeafMask Nothing;
   LeafMask Everything = LeafMask::All();
 };
+
+ACTIVE_ALWAYS_INLINE void LeafTable::Summarise(std::size_t i)
+{
+  const BandLeaf& leaf = this->Leaves[i];
+  LeafSummary& summary = this->Summaries[i];
+  summary.ActiveNodes = leaf.Active.Count();
+  summary.ZeroNodes = leaf.Upto[0].Count();
+  summary.Crossings = leaf.Crossings;
+  summary.IsUsed = leaf.Upto[LastLayer].Any() || leaf.Active.Any();
+}
 
 /** Nodes at either end of a crossed edge. */
 LeafMask NodesWithCrossing(const LeafTable& table, const BandLeaf& leaf);

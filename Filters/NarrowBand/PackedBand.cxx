@@ -68,7 +68,7 @@ std::string PackBand(const LeafTable& table)
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
     const BandLeaf& leaf = table[i];
-    if (!IsUsed(leaf))
+    if (!table.SummaryOf(i).IsUsed)
     {
       continue;
     }

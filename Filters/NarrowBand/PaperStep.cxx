@@ -128,6 +128,7 @@ void RebuildPaperBand(LeafTable& table, PotentialTree& tree)
           value = leaf.Inside.Has(node) ? -PaperThreshold : PaperThreshold;
         }
       }
+      table.Summarise(i);
     });
 }
 

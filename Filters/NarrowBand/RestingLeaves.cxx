@@ -1,5 +1,6 @@
 #include "RestingLeaves.h"
 
+#include "StepForward.h"
 #include "SubstepBuffers.h"
 #include "TargetSpeed.h"
 
@@ -14,6 +15,23 @@ namespace
 constexpr double Nearest = 1e-3; // voxels
 /** Nodes of a crossed edge are up to a voxel off the surface. */
 constexpr double NodesNearest = 1.0;
+
+/** Of a step that moves the surface by its speed. */
+StepCoefficients CoefficientsOf(const RestRule& rule)
+{
+  StepCoefficients coefficients;
+  coefficients.Attracted = true;
+  coefficients.Central = rule.Motion.Gradient == GradientScheme::Central;
+  coefficients.Advection = 1.f;
+  coefficients.Tension = static_cast<float>(rule.Motion.Tension / rule.VoxelSize);
+  return coefficients;
+}
+
+/** What a voxel from the target means. */
+double SpeedOfVoxel(const RestRule& rule)
+{
+  return rule.VoxelSize * rule.Motion.Attraction * rule.Slope;
+}
 
 bool MayHaveChanged(const Target& target, const openvdb::Coord& origin, double voxelSize)
 {
@@ -30,22 +48,27 @@ bool MayHaveChanged(const Target& target, const openvdb::Coord& origin, double v
 
 void ForgetSpeeds(LeafTable& table)
 {
-  table.ForEach([&](std::size_t i) { table[i].Speed.IsKnown = false; });
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    table.SummaryOf(i).Speed.IsKnown = false;
+  }
 }
 
 void ForgetChanged(LeafTable& table, double voxelSize, const Target& target)
 {
-  const LeafList changed = table.FindAll([&](const BandLeaf& leaf)
-    { return leaf.Speed.IsKnown && MayHaveChanged(target, leaf.Origin, voxelSize); });
+  const LeafList changed = table.FindAll(
+    [&](std::size_t i) {
+      return table.SummaryOf(i).Speed.IsKnown && MayHaveChanged(target, table[i].Origin, voxelSize);
+    });
   for (const std::int32_t i : table.FindAround(changed))
   {
-    table[i].Speed.IsKnown = false;
+    table.SummaryOf(i).Speed.IsKnown = false;
   }
 }
 
 LeafList FindUnknown(const LeafTable& table)
 {
-  return table.FindAll([](const BandLeaf& leaf) { return !leaf.Speed.IsKnown; });
+  return table.FindAll([&table](std::size_t i) { return !table.SummaryOf(i).Speed.IsKnown; });
 }
 
 void RememberSpeeds(LeafTable& table, const LeafList& leaves, const SubstepBuffers& buffers)
@@ -53,7 +76,7 @@ void RememberSpeeds(LeafTable& table, const LeafList& leaves, const SubstepBuffe
   table.ForEach(leaves,
     [&](std::size_t i)
     {
-      LeafSpeed& speed = table[i].Speed;
+      LeafSpeed& speed = table.SummaryOf(i).Speed;
       speed.AtNodes = buffers.LargestSpeed[i];
       speed.Slope = buffers.LargestSlope[i];
       speed.IsKnown = true;
@@ -65,26 +88,33 @@ TargetLimits FindLimits(const LeafTable& table)
   TargetLimits limits;
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
-    limits.Speed = std::max(limits.Speed, static_cast<double>(table[i].Speed.AtNodes));
-    limits.Slope = std::max(limits.Slope, table[i].Speed.Slope);
+    limits.Speed = std::max(limits.Speed, static_cast<double>(table.SummaryOf(i).Speed.AtNodes));
+    limits.Slope = std::max(limits.Slope, table.SummaryOf(i).Speed.Slope);
   }
   return limits;
 }
 
 LeafList FindUnrest(
-  LeafTable& table, const LeafList& measured, double rate, const SubstepBuffers& buffers)
+  LeafTable& table, const LeafList& measured, const RestRule& rule, const SubstepBuffers& buffers)
 {
-  // A leaf that is too fast at its nodes moves, and is measured anew: it needs no more.
-  const auto mayRest = [rate](const LeafSpeed& speed)
-  { return speed.AtNodes <= NodesNearest * rate; };
-  table.ForEach(measured,
-    [&](std::size_t i)
-    {
-      LeafSpeed& speed = table[i].Speed;
-      speed.AtSurface = mayRest(speed) ? LargestSpeedAtSurface(table, i, buffers) : 0.f;
-    });
-  return table.FindAll([&](const BandLeaf& leaf)
-    { return !mayRest(leaf.Speed) || !(leaf.Speed.AtSurface <= Nearest * rate); });
+  const double slow = Nearest * SpeedOfVoxel(rule);
+  if (rule.Motion.Tension > 0.0)
+  {
+    FindRates(table, measured, CoefficientsOf(rule), slow, buffers);
+  }
+  else
+  {
+    table.ForEach(measured,
+      [&](std::size_t i)
+      {
+        LeafSpeed& speed = table.SummaryOf(i).Speed;
+        // One that is too fast at its nodes moves, and is measured anew: it needs no more.
+        const bool mayRest = speed.AtNodes <= NodesNearest * SpeedOfVoxel(rule);
+        speed.AtSurface = mayRest ? LargestSpeedAtSurface(table, i, buffers) : speed.AtNodes;
+      });
+  }
+  return table.FindAll(
+    [&](std::size_t i) { return !(table.SummaryOf(i).Speed.AtSurface <= slow); });
 }
 
 }

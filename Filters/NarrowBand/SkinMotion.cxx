@@ -113,7 +113,7 @@ void AddAttraction(const NarrowBand& band, const SkinForces& forces, std::vector
   forces.Attractor.MoveTo(band.GetTime());
   WalledTarget walled(forces.Attractor, motion.Box);
   const LeafTable& table = band.GetLeaves();
-  const LeafList all = table.FindAll([](const BandLeaf&) { return true; });
+  const LeafList all = table.FindAll([](std::size_t) { return true; });
   SampleLeaves({ table, band.GetPotential()->tree(), band.GetVoxelSize() }, all, Motion(),
     motion.Box.Present ? walled : forces.Attractor, buffers);
   for (std::size_t v = 0; v < speeds.size(); ++v)

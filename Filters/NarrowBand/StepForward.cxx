@@ -5,6 +5,7 @@
 #include "SubstepBuffers.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace activesurface
 {
@@ -53,6 +54,62 @@ ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* speeds, unsigned
   }
 }
 
+/** How fast u changes where edges are crossed. Most leaves of a surface that moves are known by
+ * their first row to be fast enough. */
+struct FindRate
+{
+  LeafTable& Table;
+  const StepCoefficients& Coefficients;
+  double Enough;
+  const SubstepBuffers& Buffers;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    const BandLeaf& leaf = this->Table[i];
+    const LeafMask crossed = NodesWithCrossing(this->Table, leaf);
+    int row = 0;
+    while (row < 64 && crossed.Row(row / 8, row % 8) == 0)
+    {
+      ++row;
+    }
+    float largest = 0.f;
+    if (row < 64)
+    {
+      LeafBlock block;
+      block.GatherAround(this->Table, leaf, row / 8, row % 8);
+      largest = this->LargestOfRow(block, crossed, i, row);
+      if (largest <= this->Enough)
+      {
+        block.Gather(this->Table, leaf);
+      }
+      for (++row; row < 64 && largest <= this->Enough; ++row)
+      {
+        largest = std::max(largest, this->LargestOfRow(block, crossed, i, row));
+      }
+    }
+    this->Table.SummaryOf(i).Speed.AtSurface = largest;
+  }
+
+private:
+  ACTIVE_ALWAYS_INLINE float LargestOfRow(
+    const LeafBlock& block, const LeafMask& crossed, std::size_t i, int row) const
+  {
+    const unsigned nodes = crossed.Row(row / 8, row % 8);
+    float largest = 0.f;
+    if (nodes != 0)
+    {
+      float rates[8] = {};
+      AddTerms(block.Row(row / 8, row % 8), this->Buffers.SpeedOf(i) + 8 * row, 0,
+        this->Coefficients, rates);
+      for (int z = 0; z < 8; ++z)
+      {
+        largest = std::max(largest, (nodes >> z) & 1u ? std::fabs(rates[z]) : 0.f);
+      }
+    }
+    return largest;
+  }
+};
+
 struct StepLeaf
 {
   const LeafTable& Table;
@@ -100,6 +157,12 @@ struct StepLeaf
 
 }
 
+void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients& coefficients,
+  double enough, const SubstepBuffers& buffers)
+{
+  ForEachLeaf(table, leaves, FindRate{ table, coefficients, enough, buffers });
+}
+
 SlopeCounts StepForward(
   const LeafTable& table, const StepCoefficients& coefficients, SubstepBuffers& buffers)
 {
@@ -109,7 +172,7 @@ SlopeCounts StepForward(
   buffers.SteepNodes.resize(size);
   ForEachLeaf(table, table.GetMoving(), StepLeaf{ table, coefficients, buffers });
   SlopeCounts counts;
-  counts.Nodes = table.Count([](const BandLeaf& leaf) { return leaf.Upto[0].Count(); });
+  counts.Nodes = table.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
   for (const std::int32_t i : table.GetMoving())
   {
     counts.Flat += buffers.FlatNodes[i];
@@ -130,7 +193,7 @@ void TakeNext(LeafTable& table, const SubstepBuffers& buffers)
     [&](std::size_t i)
     {
       table[i].Advanced = table[i].Active;
-      table[i].Speed.IsKnown = false;
+      table.SummaryOf(i).Speed.IsKnown = false;
     });
 }
 

@@ -11,8 +11,8 @@
 // parts.
 //
 // At rest: ten balls in a row, n nodes along it, which have come to rest; the target is the same
-// row, of which the first one or all balls begin to swing. Seconds per substep, with the same steps
-// in time.
+// row, of which the first one or all balls begin to swing. Once without and once with a
+// Tension that smooths a third of a voxel. Seconds per substep, with the same steps in time.
 
 #include "GhostFill.h"
 #include "Layers.h"
@@ -94,6 +94,13 @@ struct OpenBand
         RememberSpeeds(this->Leaves, this->Leaves.GetNear(), this->Buffers);
         limits = FindLimits(this->Leaves);
       });
+    this->Clock("rest",
+      [&]
+      {
+        const RestRule rule{ motion, this->VoxelSize, limits.Slope };
+        this->Leaves.Move(this->Leaves.FindAround(
+          FindUnrest(this->Leaves, this->Leaves.GetNear(), rule, this->Buffers)));
+      });
     this->Clock("extension", [&] { ExtendSpeed(this->Leaves, motion, this->Buffers); });
     return limits;
   }
@@ -133,7 +140,7 @@ struct OpenBand
       [&]
       {
         const std::size_t empty =
-          this->Leaves.Count([](const BandLeaf& leaf) { return !IsUsed(leaf); });
+          this->Leaves.Count([](const LeafSummary& leaf) { return !leaf.IsUsed; });
         if (8 * empty > this->Leaves.Size())
         {
           DropEmptyLeaves(this->Leaves, this->Potential->tree());
@@ -258,33 +265,38 @@ public:
   }
 };
 
-Contestant MakeRow(const std::string& name, int n, int moving)
+Contestant MakeRow(const std::string& name, int n, int moving, double tension)
 {
+  Motion motion = MakeMotion(30.0, tension);
   auto band = std::make_shared<NarrowBand>(VoxelSizeOf(n));
   const double bounds[6] = { -1.0, 1.0, -0.2, 0.2, -0.2, 0.2 };
   band->Start(-1.0, bounds, MakeInitial(RowOfBalls()));
   FormulaTarget<RowOfBalls> still{ RowOfBalls() };
-  band->Advance(0.0, MakeMotion(30.0, 0.0), still);
+  band->Advance(0.0, motion, still);
   auto target = std::make_shared<SwingingBalls>(moving);
+  motion.LongestStep = 1e-3; // the same for all
   return { name,
     [=]
     {
       const int substeps = 10;
-      Motion motion = MakeMotion(30.0, 0.0);
-      motion.LongestStep = 1e-3; // the same for all
       return SecondsOf([&] { AdvanceSubsteps(*band, substeps, motion, *target); }) / substeps;
     } };
 }
 
 void RestPartly(int n, int repetitions)
 {
-  const std::vector<Contestant> contestants = {
-    MakeRow("90 % at rest", n, 1),
-    MakeRow("all moving", n, RowOfBalls::Count),
-  };
-  std::vector<Costs> costs;
-  WithThreads(1, [&] { costs = MeasureInTurns(contestants, repetitions); });
-  TellContest({ "parts", "row of balls, n = " + std::to_string(n), 1 }, "s", contestants, costs);
+  const double size = VoxelSizeOf(n);
+  for (const double tension : { 0.0, 3.0 * size * size })
+  {
+    const std::string under = tension > 0.0 ? " under tension" : "";
+    const std::vector<Contestant> contestants = {
+      MakeRow("90 % at rest" + under, n, 1, tension),
+      MakeRow("all moving" + under, n, RowOfBalls::Count, tension),
+    };
+    std::vector<Costs> costs;
+    WithThreads(1, [&] { costs = MeasureInTurns(contestants, repetitions); });
+    TellContest({ "parts", "row of balls, n = " + std::to_string(n), 1 }, "s", contestants, costs);
+  }
 }
 }
 
