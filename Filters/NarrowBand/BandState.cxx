@@ -159,12 +159,12 @@ SkinMeasure NarrowBand::State::Measure() const
   return { skin.Area * square, skin.Volume * square * this->VoxelSize };
 }
 
-void NarrowBand::State::SampleTarget(
-  const LeafList& leaves, const Motion& motion, const Target& target, AdvanceReport& report)
+void NarrowBand::State::SampleTarget(const LeafList& leaves, bool isMore, const Motion& motion,
+  const Target& target, AdvanceReport& report)
 {
-  const TargetSamples samples =
-    SampleLeaves({ this->Leaves, this->Potential->tree(), this->VoxelSize }, leaves, motion, target,
-      this->Buffers);
+  const auto sample = isMore ? SampleMore : SampleLeaves;
+  const TargetSamples samples = sample({ this->Leaves, this->Potential->tree(), this->VoxelSize },
+    leaves, motion, target, this->Buffers);
   TakeSamples(this->Leaves, leaves, motion, this->Buffers);
   report.TargetEvaluations += samples.Count;
   report.DroppedSamples += samples.Dropped;
@@ -192,7 +192,7 @@ TargetLimits NarrowBand::State::FollowTarget(
   }
   const LeafList unknown = FindUnknown(leaves);
   const LeafList sampled = leaves.FindAround(unknown);
-  this->SampleTarget(sampled, motion, target, report);
+  this->SampleTarget(sampled, false, motion, target, report);
   RememberSpeeds(leaves, unknown, this->Buffers);
   const TargetLimits limits = FindLimits(leaves);
   report.MaxSpeed = std::max(report.MaxSpeed, limits.Speed);
@@ -203,7 +203,7 @@ TargetLimits NarrowBand::State::FollowTarget(
     if (!std::includes(
           sampled.begin(), sampled.end(), leaves.GetNear().begin(), leaves.GetNear().end()))
     {
-      this->SampleTarget(leaves.GetNear(), motion, target, report);
+      this->SampleTarget(leaves.GetNear(), true, motion, target, report);
     }
   }
   else

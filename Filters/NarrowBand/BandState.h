@@ -65,8 +65,9 @@ private:
 
   TargetLimits FollowTarget(
     const Motion& motion, Target& target, AdvanceReport& report, Move& move);
-  void SampleTarget(
-    const LeafList& leaves, const Motion& motion, const Target& target, AdvanceReport& report);
+  /** isMore: besides those that have been sampled. */
+  void SampleTarget(const LeafList& leaves, bool isMore, const Motion& motion, const Target& target,
+    AdvanceReport& report);
   PenaltyForce FindForce(const Motion& motion) const;
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);

@@ -86,7 +86,9 @@ void LeafTable::Rebuild(PotentialTree& tree)
   std::vector<BandLeaf> leaves;
   leaves.reserve(nodes.size() + nodes.size() / 8); // surfaces that grow do so by little
   leaves.resize(nodes.size());
-  std::vector<LeafSummary> summaries(nodes.size());
+  std::vector<LeafSummary> summaries;
+  summaries.reserve(leaves.capacity());
+  summaries.resize(nodes.size());
   ForRange(nodes.size(),
     [&](std::size_t i)
     {
@@ -114,8 +116,8 @@ LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTre
     }
     const std::size_t i = this->Leaves.size();
     added.push_back(static_cast<std::int32_t>(i));
+    this->Summaries.resize(i + 1); // first, as memory may end
     this->Leaves.emplace_back(*tree.touchLeaf(origin));
-    this->Summaries.emplace_back();
     this->AddToIndex(i);
     this->FindNeighbours(i, tree);
     for (int n = 0; n < 27; ++n)

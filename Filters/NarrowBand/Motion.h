@@ -104,7 +104,7 @@ struct RestCriterion
 struct AdvanceReport
 {
   std::size_t Substeps = 0;
-  std::size_t Sleeps = 0;            //< substeps skipped, as the surface was at rest on its target
+  std::size_t Sleeps = 0;            //< substeps skipped, as the surface was at rest
   std::size_t TargetEvaluations = 0; //< points at which the target was evaluated
   std::size_t DroppedSamples = 0;    //< points whose target value was not finite
   double MaxSpeed = 0.0;             //< largest |Attraction (iso - F)| met [length/time]

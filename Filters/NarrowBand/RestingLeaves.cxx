@@ -33,13 +33,15 @@ double SpeedOfVoxel(const RestRule& rule)
   return rule.VoxelSize * rule.Motion.Attraction * rule.Slope;
 }
 
+/** Where a leaf's speeds depend on the target: its edges end in the next leaves, and the nodes
+ * there have edges of their own. */
 bool MayHaveChanged(const Target& target, const openvdb::Coord& origin, double voxelSize)
 {
   double bounds[6];
   for (int axis = 0; axis < 3; ++axis)
   {
-    bounds[2 * axis] = voxelSize * origin[axis];
-    bounds[2 * axis + 1] = voxelSize * (origin[axis] + 8); // edges end in the next leaf
+    bounds[2 * axis] = voxelSize * (origin[axis] - 1);
+    bounds[2 * axis + 1] = voxelSize * (origin[axis] + 9);
   }
   return target.MayHaveChanged(bounds);
 }
@@ -98,23 +100,27 @@ LeafList FindUnrest(
   LeafTable& table, const LeafList& measured, const RestRule& rule, const SubstepBuffers& buffers)
 {
   const double slow = Nearest * SpeedOfVoxel(rule);
-  if (rule.Motion.Tension > 0.0)
+  if (rule.Motion.Tension != 0.0)
   {
     FindRates(table, measured, CoefficientsOf(rule), slow, buffers);
+    return table.FindAll(
+      [&](std::size_t i) { return !(table.SummaryOf(i).Speed.AtSurface <= slow); });
   }
-  else
-  {
-    table.ForEach(measured,
-      [&](std::size_t i)
-      {
-        LeafSpeed& speed = table.SummaryOf(i).Speed;
-        // One that is too fast at its nodes moves, and is measured anew: it needs no more.
-        const bool mayRest = speed.AtNodes <= NodesNearest * SpeedOfVoxel(rule);
-        speed.AtSurface = mayRest ? LargestSpeedAtSurface(table, i, buffers) : speed.AtNodes;
-      });
-  }
+  // A leaf that is too fast at its nodes moves, and is measured anew: it needs no more.
+  const auto mayRest = [fastest = NodesNearest * SpeedOfVoxel(rule)](const LeafSpeed& speed)
+  { return speed.AtNodes <= fastest; };
+  table.ForEach(measured,
+    [&](std::size_t i)
+    {
+      LeafSpeed& speed = table.SummaryOf(i).Speed;
+      speed.AtSurface = mayRest(speed) ? LargestSpeedAtSurface(table, i, buffers) : speed.AtNodes;
+    });
   return table.FindAll(
-    [&](std::size_t i) { return !(table.SummaryOf(i).Speed.AtSurface <= slow); });
+    [&](std::size_t i)
+    {
+      const LeafSpeed& speed = table.SummaryOf(i).Speed;
+      return !mayRest(speed) || !(speed.AtSurface <= slow);
+    });
 }
 
 }

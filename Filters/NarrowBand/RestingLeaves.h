@@ -4,10 +4,10 @@
  *
  * A leaf is at rest when its surface is slower than a thousandth of a voxel times Attraction times
  * L. Without Tension that is the target's speed at its sample points, interpolated between the
- * nodes; with it, how fast u changes at the nodes of crossed edges, which are what moves the
- * surface and are not relaxed. The leaf stays as it is, to the bit (but for the factor 2 that keeps
- * slopes near 1), as long as its neighbours are at rest as well: going on would roughen the
- * surface, and cost time. This is a rule of the scheme, for the potential and the target alone
+ * nodes; with it, how fast u changes at the nodes of crossed edges, over its slope: they are what
+ * moves the surface, and are not relaxed. The leaf stays as it is, to the bit (but for the factor 2
+ * that keeps slopes near 1), as long as its neighbours are at rest as well: going on would roughen
+ * the surface, and cost time. This is a rule of the scheme, for the potential and the target alone
  * decide; that speeds are remembered where nothing has changed them, so that such a leaf costs next
  * to nothing, leaves no trace.
  */

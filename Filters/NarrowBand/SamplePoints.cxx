@@ -5,8 +5,10 @@
 #include "NodePoints.h"
 #include "SubstepBuffers.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 
 namespace activesurface
 {
@@ -110,19 +112,33 @@ private:
   }
 };
 
-/** Numbers the points; returns how many there are. */
+/** Of these leaves, those that have no samples yet. */
+LeafList FindUnsampled(const LeafList& leaves, const SubstepBuffers& buffers)
+{
+  LeafList unsampled;
+  std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(unsampled),
+    [&](std::int32_t i) { return buffers.FirstSample[i] == SubstepBuffers::NoSamples; });
+  return unsampled;
+}
+
+/** Numbers the points after those that there are, and makes room for them; returns how many. */
 std::size_t NumberSamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers)
 {
-  buffers.FirstSample.assign(table.Size(), SubstepBuffers::NoSamples);
-  std::int64_t count = 0;
+  const std::size_t before = buffers.Samples.size();
+  std::size_t size = before;
   for (const std::int32_t i : leaves)
   {
-    buffers.FirstSample[i] = count;
-    count += SamplesCrossings(motion) ? table[i].Crossings : 0;
-    count += HasNodePoints(motion) ? NodesWithOwnPoint(table, table[i], motion).Count() : 0;
+    buffers.FirstSample[i] = static_cast<std::int64_t>(size);
+    size += SamplesCrossings(motion) ? table[i].Crossings : 0;
+    size += HasNodePoints(motion) ? NodesWithOwnPoint(table, table[i], motion).Count() : 0;
   }
-  return static_cast<std::size_t>(count);
+  if (before == 0)
+  {
+    MakeRoom(buffers.Samples, size);
+  }
+  buffers.Samples.resize(size);
+  return size - before;
 }
 
 }
@@ -130,19 +146,27 @@ std::size_t NumberSamples(
 TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves,
   const Motion& motion, const Target& target, SubstepBuffers& buffers)
 {
-  TargetSamples samples;
-  samples.Count = NumberSamples(lattice.Leaves, leaves, motion, buffers);
-  MakeRoom(buffers.Samples, samples.Count);
+  buffers.Samples.clear();
+  buffers.FirstSample.assign(lattice.Leaves.Size(), SubstepBuffers::NoSamples);
   buffers.LargestSlope.resize(lattice.Leaves.Size());
+  return SampleMore(lattice, leaves, motion, target, buffers);
+}
+
+TargetSamples SampleMore(const SampledLattice& lattice, const LeafList& leaves,
+  const Motion& motion, const Target& target, SubstepBuffers& buffers)
+{
+  const LeafList unsampled = FindUnsampled(leaves, buffers);
+  TargetSamples samples;
+  samples.Count = NumberSamples(lattice.Leaves, unsampled, motion, buffers);
   std::atomic<std::size_t> dropped{ 0 };
   const SampleLeaf sample{ lattice, motion, target, buffers, dropped };
   if (target.IsThreadSafe())
   {
-    ForEachLeaf(lattice.Leaves, leaves, sample);
+    ForEachLeaf(lattice.Leaves, unsampled, sample);
   }
   else
   {
-    ForEachLeafInTurn(leaves, sample);
+    ForEachLeafInTurn(unsampled, sample);
   }
   samples.Dropped = dropped.load();
   return samples;

@@ -39,6 +39,10 @@ struct SampledLattice
 TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves,
   const Motion& motion, const Target& target, SubstepBuffers& buffers);
 
+/** The same for those of these leaves that have not been sampled, besides those that have. */
+TargetSamples SampleMore(const SampledLattice& lattice, const LeafList& leaves,
+  const Motion& motion, const Target& target, SubstepBuffers& buffers);
+
 }
 
 #endif

@@ -54,8 +54,8 @@ ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* speeds, unsigned
   }
 }
 
-/** How fast u changes where edges are crossed. Most leaves of a surface that moves are known by
- * their first row to be fast enough. */
+/** How fast the surface moves where edges are crossed. Most leaves of a surface that moves are
+ * known by their first row to be fast enough. */
 struct FindRate
 {
   LeafTable& Table;
@@ -98,12 +98,14 @@ private:
     float largest = 0.f;
     if (nodes != 0)
     {
-      float rates[8] = {};
-      AddTerms(block.Row(row / 8, row % 8), this->Buffers.SpeedOf(i) + 8 * row, 0,
-        this->Coefficients, rates);
+      const float* u = block.Row(row / 8, row % 8);
+      float rates[8] = {}, squares[8];
+      AddTerms(u, this->Buffers.SpeedOf(i) + 8 * row, 0, this->Coefficients, rates);
+      CentralSlopes(u, squares);
       for (int z = 0; z < 8; ++z)
       {
-        largest = std::max(largest, (nodes >> z) & 1u ? std::fabs(rates[z]) : 0.f);
+        const float speed = std::fabs(rates[z]) / std::sqrt(squares[z]);
+        largest = std::max(largest, (nodes >> z) & 1u ? speed : 0.f); // 0 / 0 counts as 0
       }
     }
     return largest;

@@ -40,9 +40,9 @@ struct SlopeCounts
   std::size_t Steep = 0; //< slope above sqrt 2, in leaves that move
 };
 
-/** How fast u changes at the nodes of crossed edges, whose target speeds have to be known: the
- * largest one of each of these leaves becomes its speed AtSurface. One that is above `enough` may
- * be any that is. coefficients: of a step of length 1. */
+/** How fast the surface moves at the nodes of crossed edges, whose target speeds have to be known:
+ * the change of u over its slope. The largest one of each of these leaves becomes its speed
+ * AtSurface; one that is above `enough` may be any that is. coefficients: of a step of length 1. */
 void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients& coefficients,
   double enough, const SubstepBuffers& buffers);
 

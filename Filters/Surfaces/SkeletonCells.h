@@ -4,7 +4,7 @@
 // and 27 cells read and merged, would mean twice the candidates and a merge.)
 //
 // Elements of unlike size have lattices of their own, whose cells halve from one to the next; a
-// point reads one list in each. A ball is listed at most 27 times, a long segment about 1000 times:
+// point reads one list in each. A ball is listed at most 27 times, a long segment about 600 times:
 // memory is O(elements), however large or degenerate the extent.
 
 #ifndef SkeletonCells_h

@@ -192,7 +192,8 @@ struct Skeleton::Evaluation
       });
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     constexpr double nowhere[4] = { nan, nan, nan, nan };
-    batch.ForEachUnusable([this, &nowhere](std::size_t i) { this->Write(i, nowhere); });
+    batch.ForEachUnusable(
+      [this, &nowhere](std::size_t i) ACTIVE_INLINED { this->Write(i, nowhere); });
   }
 
 private:
@@ -216,7 +217,7 @@ private:
     }
   }
 
-  void Write(std::size_t i, const double terms[4]) const
+  ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double terms[4]) const
   {
     this->Values[i] = this->Threshold - terms[3];
     if (this->Gradients)

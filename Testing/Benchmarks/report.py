@@ -82,7 +82,7 @@ AIMS = [
     Aim("growth of time with n [exponent]", 2.05, "growth", "exponent of time", at_most=True),
     Aim("growth of memory with n [exponent]", 2.05, "growth", "exponent of memory", at_most=True),
     Aim("2 threads, times one", 1.85, "growth", "2 threads over 1", threads=2),
-    Aim("90 % at rest, times all moving", 5, "parts", "90 % at rest over all moving$"),
+    Aim("90 % at rest, times all moving", 5, "parts", "90 % at rest over all moving"),
     Aim(
         "the same, under tension",
         5,

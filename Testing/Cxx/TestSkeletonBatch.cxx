@@ -5,7 +5,6 @@
 #include "InstructionSets.h"
 #include "SkeletonShapes.h"
 
-#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>

@@ -1,0 +1,142 @@
+// What decides on rest: how fast a leaf's surface is, and when that is to be found anew.
+
+#include "Check.h"
+#include "Layers.h"
+#include "RestingLeaves.h"
+#include "SamplePoints.h"
+#include "StepForward.h"
+#include "SubstepBuffers.h"
+#include "SurfaceMeasures.h"
+#include "TargetSpeed.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace activesurface;
+
+namespace
+{
+const double VoxelSize = VoxelSizeOf(64);
+
+Motion MakeMotion()
+{
+  Motion motion;
+  motion.Attraction = 5.0;
+  motion.Tension = 0.01;
+  return motion;
+}
+
+/** The leaves of a band, by themselves. */
+struct OpenLeaves
+{
+  openvdb::FloatTree Tree;
+  LeafTable Table;
+
+  explicit OpenLeaves(const NarrowBand& band)
+    : Tree(band.GetPotential()->tree())
+  {
+    this->Table.SetBackground(NarrowBand::Far);
+    this->Table.Rebuild(this->Tree);
+    RebuildLayers(this->Table, this->Tree);
+  }
+};
+
+// A target that has changed somewhere between two planes.
+class ChangeBetween : public Target
+{
+public:
+  ChangeBetween(double low, double high)
+    : Low(low)
+    , High(high)
+  {
+  }
+
+  bool MayHaveChanged(const double bounds[6]) const override
+  {
+    return bounds[0] <= this->High && bounds[1] >= this->Low;
+  }
+
+  void Evaluate(std::size_t, const double*, double*, double*) const override {}
+
+private:
+  double Low;
+  double High;
+};
+
+// Edges end in the next leaf, whose nodes have edges of their own: a change between the nodes on
+// either side of a leaf's end reaches both leaves, whatever is known of the other.
+void ForgetsWhereEdgesReach(Check& check)
+{
+  NarrowBand band(VoxelSize);
+  StartOn(band, MakeBall({ 0.013, -0.007, 0.021 }, 0.6));
+  for (const bool isBefore : { true, false })
+  {
+    OpenLeaves leaves(band);
+    LeafTable& table = leaves.Table;
+    const double middle = isBefore ? -0.5 : 0.5; // of the edge, from node 0
+    for (std::size_t i = 0; i < table.Size(); ++i)
+    {
+      const int x = table[i].Origin[0];
+      table.SummaryOf(i).Speed.IsKnown = isBefore ? x >= 0 : x < 0;
+    }
+    ForgetChanged(
+      table, VoxelSize, ChangeBetween((middle - 0.3) * VoxelSize, (middle + 0.3) * VoxelSize));
+    int kept = 0, keptFar = 0;
+    for (std::size_t i = 0; i < table.Size(); ++i)
+    {
+      const int x = table[i].Origin[0];
+      kept += x == (isBefore ? 0 : -8) && table.SummaryOf(i).Speed.IsKnown;
+      keptFar += x == (isBefore ? 16 : -24) && table.SummaryOf(i).Speed.IsKnown;
+    }
+    check.Equal(kept, 0, "leaves that remember what has changed");
+    check.Less(0, keptFar, "leaves far away that remember");
+  }
+}
+
+// How fast the surface of each leaf is, as FindRates says.
+std::vector<float> FindSurfaceSpeeds(OpenLeaves& leaves)
+{
+  LeafTable& table = leaves.Table;
+  const Motion motion = MakeMotion();
+  ShapeTarget target(MakeBall({ 0.013, -0.007, 0.021 }, 0.61));
+  SubstepBuffers buffers;
+  StepCoefficients coefficients;
+  coefficients.Attracted = true;
+  coefficients.Advection = 1.f;
+  coefficients.Tension = static_cast<float>(motion.Tension / VoxelSize);
+  SampleLeaves({ table, leaves.Tree, VoxelSize }, table.GetNear(), motion, target, buffers);
+  TakeSamples(table, table.GetNear(), motion, buffers);
+  FindRates(table, table.GetNear(), coefficients, 1e30, buffers);
+  std::vector<float> speeds;
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    speeds.push_back(table.SummaryOf(i).Speed.AtSurface);
+  }
+  return speeds;
+}
+
+// Twice the potential is the same surface, which is as fast as it was: 5 * .01 towards the target,
+// less .01 * 2 / .6 by tension.
+void SpeedUnderTensionIsThatOfTheSurface(Check& check)
+{
+  NarrowBand band(VoxelSize);
+  StartOn(band, MakeBall({ 0.013, -0.007, 0.021 }, 0.6));
+  OpenLeaves leaves(band);
+  const std::vector<float> once = FindSurfaceSpeeds(leaves);
+  ScalePotential(leaves.Table, 2.f);
+  const std::vector<float> twice = FindSurfaceSpeeds(leaves);
+  check.True(once == twice, "the same to the bit");
+  for (const float speed : once)
+  {
+    check.True(speed == 0.f || std::fabs(speed - 0.0167) < 0.002, "speed " + std::to_string(speed));
+  }
+}
+}
+
+int main(int argc, char** argv)
+{
+  return RunFacts(argc, argv,
+    { { "SpeedUnderTensionIsThatOfTheSurface", SpeedUnderTensionIsThatOfTheSurface },
+      { "ForgetsWhereEdgesReach", ForgetsWhereEdgesReach } });
+}
