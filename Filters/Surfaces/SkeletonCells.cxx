@@ -11,9 +11,9 @@ namespace activesurface
 {
 namespace
 {
-// Radii in a lattice are 0.4 to 0.8 cells: smaller cells hold fewer candidates, and take more
+// Radii in a lattice are 0.31 to 0.63 cells: smaller cells hold fewer candidates, and take more
 // time and memory to fill.
-constexpr double CellsPerRadius = 0.8;
+constexpr double CellsPerRadius = 0.63;
 // A segment is registered in pieces of up to two cells; one of more pieces goes to coarser cells.
 constexpr double CellsPerPiece = 2.0;
 constexpr double MaximumPieces = 32.0;
@@ -160,7 +160,7 @@ void SkeletonCells::Register(Index element, const Capsule& capsule)
 
 struct SkeletonCells::Span
 {
-  static constexpr int Capacity = 8; // a ball's diameter is 1.6 cells at most
+  static constexpr int Capacity = 8; // a ball's diameter is 1.3 cells at most
   int Count = 0;
   double Gap2[Capacity]; // squared distance from the cell's slab to the centre, in cells
   float Place[Capacity]; // of the centre, from the cell's

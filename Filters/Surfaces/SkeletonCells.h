@@ -4,8 +4,8 @@
 // and 27 cells read and merged, would mean twice the candidates and a merge.)
 //
 // Elements of unlike size have lattices of their own, whose cells halve from one to the next; a
-// point reads one list in each. A ball is listed at most 27 times, a long segment about 600 times:
-// memory is O(elements), however large or degenerate the extent.
+// point reads one list in each. A ball is listed at most 27 times, a long segment a few hundred
+// times: memory is O(elements), however large or degenerate the extent.
 
 #ifndef SkeletonCells_h
 #define SkeletonCells_h
