@@ -14,6 +14,8 @@ and .5 r. Each makes the same frames in turns, and a ratio is that of a frame:
 - OpenVDB: ParticlesToLevelSet with spheres of 2 r, which close the gaps, four smoothing steps,
   volumeToMesh, without normals; in a process of its own (ParticlesToLevelSet.cxx).
 
+The splash's last frame, held still until the skin rests, tells what a settled frame costs.
+
 With one thread, times are the processor's, else the clock's. quick leaves out the large pool, and
 the other one's fine voxels. Lines and JSON are as in Measuring.h.
 """
@@ -179,6 +181,16 @@ def compare(scene, frames, factor, program, folder):
             tell(case, f"frame over {name}", "x", ratios)
 
 
+def hold_still(factor, count=12):
+    """The same frame again and again: the first times after the start, and the last ones."""
+    surface = make_skin(Series(splash(1) * count), factor * R)
+    surface.UpdateTimeStep(0)
+    costs = [seconds_of(lambda step=step: surface.UpdateTimeStep(step)) for step in range(1, count)]
+    case = f"splash held still, voxel {factor} r"
+    tell(case, "frame that comes to rest", "s", costs[:3])
+    tell(case, "frame at rest", "s", costs[-3:])
+
+
 def main():
     if not pysplashsurf:
         print("pysplashsurf: left out, as it is not installed (pip install pysplashsurf)")
@@ -196,6 +208,7 @@ def main():
             if not quick:
                 compare("250k", pool(100, 25, 4), factor, program, folder)
         program.stdin.close()
+    hold_still(0.5)
 
 
 if __name__ == "__main__":
