@@ -43,7 +43,9 @@ struct LeafBlock
       { 0, -1 }, { 0, 1 }, { 0, 2 }, { -1, -1 }, { -1, 1 }, { 1, -1 }, { 1, 1 } };
     for (const auto& step : steps)
     {
-      this->GatherRow(table, leaf, x + step[0], y + step[1]);
+      const int atX = x + step[0], atY = y + step[1];
+      RowSource(table, leaf, atX >> 3, atY >> 3)
+        .Copy<Halo>(8 * (atX & 7) + (atY & 7), this->PlaceOf(atX, atY));
     }
   }
 
@@ -72,16 +74,31 @@ private:
     }
   };
 
-  /** Any row, with two nodes before and after. */
-  ACTIVE_ALWAYS_INLINE void GatherRow(const LeafTable& table, const BandLeaf& leaf, int x, int y)
+  /** The leaf's neighbour (nx, ny), and those before and after it along z. */
+  struct RowSource
   {
-    const std::int32_t* number = &leaf.Neighbour[NeighbourNumber(x >> 3, y >> 3, -1)];
-    const Rows before(table, number[0]), middle(table, number[1]), after(table, number[2]);
-    const int row = 8 * (x & 7) + (y & 7);
-    float* to = this->Value + (x + Halo) * X + (y + Halo) * Y + Halo;
-    std::memcpy(to, middle[row], 8 * sizeof(float));
-    std::memcpy(to - Halo, before[row] + 8 - Halo, Halo * sizeof(float));
-    std::memcpy(to + 8, after[row], Halo * sizeof(float));
+    Rows Before, Middle, After;
+
+    ACTIVE_ALWAYS_INLINE RowSource(const LeafTable& table, const BandLeaf& leaf, int nx, int ny)
+      : Before(table, leaf.Neighbour[NeighbourNumber(nx, ny, -1)])
+      , Middle(table, leaf.Neighbour[NeighbourNumber(nx, ny, 0)])
+      , After(table, leaf.Neighbour[NeighbourNumber(nx, ny, 1)])
+    {
+    }
+
+    template <int Around>
+    ACTIVE_ALWAYS_INLINE void Copy(int row, float* to) const
+    {
+      std::memcpy(to, this->Middle[row], 8 * sizeof(float));
+      std::memcpy(to - Around, this->Before[row] + 8 - Around, Around * sizeof(float));
+      std::memcpy(to + 8, this->After[row], Around * sizeof(float));
+    }
+  };
+
+  /** Where the row (x, y), counted from the leaf's own, lies in the block. */
+  ACTIVE_ALWAYS_INLINE float* PlaceOf(int x, int y)
+  {
+    return this->Value + (x + Halo) * X + (y + Halo) * Y + Halo;
   }
 
   /** The rows that lie in the leaf's neighbour (nx, ny), with so many nodes before and after. */
@@ -91,17 +108,12 @@ private:
     constexpr int thick = nx != 0 && ny != 0 ? 1 : Halo;
     constexpr int x0 = nx < 0 ? 8 - thick : 0, x1 = nx > 0 ? thick : 8;
     constexpr int y0 = ny < 0 ? 8 - thick : 0, y1 = ny > 0 ? thick : 8;
-    const std::int32_t* number = &leaf.Neighbour[NeighbourNumber(nx, ny, -1)];
-    const Rows before(table, number[0]), middle(table, number[1]), after(table, number[2]);
+    const RowSource source(table, leaf, nx, ny);
     for (int x = x0; x < x1; ++x)
     {
       for (int y = y0; y < y1; ++y)
       {
-        const int row = 8 * x + y;
-        float* to = this->Value + (8 * nx + x + Halo) * X + (8 * ny + y + Halo) * Y + Halo;
-        std::memcpy(to, middle[row], 8 * sizeof(float));
-        std::memcpy(to - Around, before[row] + 8 - Around, Around * sizeof(float));
-        std::memcpy(to + 8, after[row], Around * sizeof(float));
+        source.Copy<Around>(8 * x + y, this->PlaceOf(8 * nx + x, 8 * ny + y));
       }
     }
   }
