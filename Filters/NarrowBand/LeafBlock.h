@@ -45,17 +45,17 @@ struct LeafBlock
     {
       const int atX = x + step[0], atY = y + step[1];
       RowSource(table, leaf, atX >> 3, atY >> 3)
-        .Copy<Halo>(8 * (atX & 7) + (atY & 7), this->PlaceOf(atX, atY));
+        .Copy<Halo>(8 * (atX & 7) + (atY & 7), this->Value + PlaceOf(atX, atY));
     }
   }
 
   /** The row (x, y) of the leaf itself. */
-  const float* Row(int x, int y) const
-  {
-    return this->Value + (x + Halo) * X + (y + Halo) * Y + Halo;
-  }
+  const float* Row(int x, int y) const { return this->Value + PlaceOf(x, y); }
 
 private:
+  /** Of a row in the block; x and y are counted from the leaf's own. */
+  static constexpr int PlaceOf(int x, int y) { return (x + Halo) * X + (y + Halo) * Y + Halo; }
+
   /** Where the rows of a leaf lie; where there is none, one row stands for all. */
   struct Rows
   {
@@ -95,12 +95,6 @@ private:
     }
   };
 
-  /** Where the row (x, y), counted from the leaf's own, lies in the block. */
-  ACTIVE_ALWAYS_INLINE float* PlaceOf(int x, int y)
-  {
-    return this->Value + (x + Halo) * X + (y + Halo) * Y + Halo;
-  }
-
   /** The rows that lie in the leaf's neighbour (nx, ny), with so many nodes before and after. */
   template <int nx, int ny, int Around>
   ACTIVE_ALWAYS_INLINE void GatherRows(const LeafTable& table, const BandLeaf& leaf)
@@ -113,7 +107,7 @@ private:
     {
       for (int y = y0; y < y1; ++y)
       {
-        source.Copy<Around>(8 * x + y, this->PlaceOf(8 * nx + x, 8 * ny + y));
+        source.Copy<Around>(8 * x + y, this->Value + PlaceOf(8 * nx + x, 8 * ny + y));
       }
     }
   }

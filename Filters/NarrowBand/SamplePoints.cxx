@@ -112,15 +112,6 @@ private:
   }
 };
 
-/** Of these leaves, those that have no samples yet. */
-LeafList FindUnsampled(const LeafList& leaves, const SubstepBuffers& buffers)
-{
-  LeafList unsampled;
-  std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(unsampled),
-    [&](std::int32_t i) { return buffers.FirstSample[i] == SubstepBuffers::NoSamples; });
-  return unsampled;
-}
-
 /** Numbers the points after those that there are, and makes room for them; returns how many. */
 std::size_t NumberSamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers)
@@ -133,12 +124,35 @@ std::size_t NumberSamples(
     size += SamplesCrossings(motion) ? table[i].Crossings : 0;
     size += HasNodePoints(motion) ? NodesWithOwnPoint(table, table[i], motion).Count() : 0;
   }
-  if (before == 0)
+  if (before > 0)
+  {
+    buffers.Samples.resize(size);
+  }
+  else
   {
     MakeRoom(buffers.Samples, size);
   }
-  buffers.Samples.resize(size);
   return size - before;
+}
+
+/** Adds the samples of leaves that have none. */
+TargetSamples AddSamples(const SampledLattice& lattice, const LeafList& leaves,
+  const Motion& motion, const Target& target, SubstepBuffers& buffers)
+{
+  TargetSamples samples;
+  samples.Count = NumberSamples(lattice.Leaves, leaves, motion, buffers);
+  std::atomic<std::size_t> dropped{ 0 };
+  const SampleLeaf sample{ lattice, motion, target, buffers, dropped };
+  if (target.IsThreadSafe())
+  {
+    ForEachLeaf(lattice.Leaves, leaves, sample);
+  }
+  else
+  {
+    ForEachLeafInTurn(leaves, sample);
+  }
+  samples.Dropped = dropped.load();
+  return samples;
 }
 
 }
@@ -149,27 +163,16 @@ TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves
   buffers.Samples.clear();
   buffers.FirstSample.assign(lattice.Leaves.Size(), SubstepBuffers::NoSamples);
   buffers.LargestSlope.resize(lattice.Leaves.Size());
-  return SampleMore(lattice, leaves, motion, target, buffers);
+  return AddSamples(lattice, leaves, motion, target, buffers);
 }
 
 TargetSamples SampleMore(const SampledLattice& lattice, const LeafList& leaves,
   const Motion& motion, const Target& target, SubstepBuffers& buffers)
 {
-  const LeafList unsampled = FindUnsampled(leaves, buffers);
-  TargetSamples samples;
-  samples.Count = NumberSamples(lattice.Leaves, unsampled, motion, buffers);
-  std::atomic<std::size_t> dropped{ 0 };
-  const SampleLeaf sample{ lattice, motion, target, buffers, dropped };
-  if (target.IsThreadSafe())
-  {
-    ForEachLeaf(lattice.Leaves, unsampled, sample);
-  }
-  else
-  {
-    ForEachLeafInTurn(unsampled, sample);
-  }
-  samples.Dropped = dropped.load();
-  return samples;
+  LeafList unsampled;
+  std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(unsampled),
+    [&](std::int32_t i) { return buffers.FirstSample[i] == SubstepBuffers::NoSamples; });
+  return AddSamples(lattice, unsampled, motion, target, buffers);
 }
 
 }

@@ -1,4 +1,5 @@
-// What decides on rest: how fast a leaf's surface is, and when that is to be found anew.
+// What decides on rest: how fast a leaf's surface is, when that is to be found anew, and from which
+// samples.
 
 #include "Check.h"
 #include "Layers.h"
@@ -94,6 +95,35 @@ void ForgetsWhereEdgesReach(Check& check)
   }
 }
 
+// Of the leaves below and above 0, the second after the first, and of all at once: the same
+// numbers, each found once.
+void MoreSamplesAreAsThoseOfAll(Check& check)
+{
+  NarrowBand band(VoxelSize);
+  StartOn(band, MakeBall({ 0.013, -0.007, 0.021 }, 0.6));
+  const OpenLeaves leaves(band);
+  const LeafTable& table = leaves.Table;
+  const SampledLattice lattice = { table, leaves.Tree, VoxelSize };
+  const ShapeTarget target(MakeBall({ 0.013, -0.007, 0.021 }, 0.61));
+  const LeafList all = table.FindAll([](std::size_t) { return true; });
+  const LeafList low = table.FindAll([&](std::size_t i) { return table[i].Origin[0] < 0; });
+  SubstepBuffers once, twice;
+  const TargetSamples whole = SampleLeaves(lattice, all, MakeMotion(), target, once);
+  const TargetSamples first = SampleLeaves(lattice, low, MakeMotion(), target, twice);
+  const TargetSamples more = SampleMore(lattice, all, MakeMotion(), target, twice);
+  check.Less(0, first.Count, "samples below 0");
+  check.Equal(first.Count + more.Count, whole.Count, "samples, one after the other");
+  int different = 0;
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    for (int k = 0; k < table[i].Crossings; ++k)
+    {
+      different += once.Samples[once.FirstSample[i] + k] != twice.Samples[twice.FirstSample[i] + k];
+    }
+  }
+  check.Equal(different, 0, "samples that differ");
+}
+
 // How fast the surface of each leaf is, as FindRates says.
 std::vector<float> FindSurfaceSpeeds(OpenLeaves& leaves)
 {
@@ -138,5 +168,6 @@ int main(int argc, char** argv)
 {
   return RunFacts(argc, argv,
     { { "SpeedUnderTensionIsThatOfTheSurface", SpeedUnderTensionIsThatOfTheSurface },
-      { "ForgetsWhereEdgesReach", ForgetsWhereEdgesReach } });
+      { "ForgetsWhereEdgesReach", ForgetsWhereEdgesReach },
+      { "MoreSamplesAreAsThoseOfAll", MoreSamplesAreAsThoseOfAll } });
 }
