@@ -19,6 +19,7 @@
 #define Check_h
 
 #include "OutputFiles.h"
+#include "TestFolders.h"
 
 #include <algorithm>
 #include <cmath>
@@ -177,7 +178,7 @@ inline int RunFacts(int argc, char** argv, const std::vector<Fact>& facts)
     }
     else if (names.empty() || std::find(names.begin(), names.end(), fact.Name) != names.end())
     {
-      FolderOfTheFact = std::filesystem::path(ACTIVE_TEST_OUTPUT) / program / fact.Name;
+      FolderOfTheFact = std::filesystem::path(TestOutputFolder) / program / fact.Name;
       failed += Holds(fact, verbose) ? 0 : 1;
     }
   }

@@ -346,7 +346,7 @@ void AnyPointSetWillDo(Check& check)
 void TheSplashIsReadOnceAndStaysClosed(Check& check)
 {
   vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(ACTIVE_TEST_DATA "/sph_drop.vtp");
+  reader->SetFileName((std::string(TestDataFolder) + "/sph_drop.vtp").c_str());
   vtkNew<vtkActiveImplicitSurface> filter;
   filter->SetInputConnection(reader->GetOutputPort());
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
