@@ -1,7 +1,7 @@
 #include "vtkActiveEXRReader.h"
 
-#include "EXRHeaderScan.h"
-#include "EXRSeries.h"
+#include "EXR/EXRHeaderScan.h"
+#include "EXR/EXRSeries.h"
 #include "FileError.h"
 
 #include "vtkImageData.h"

@@ -1,7 +1,7 @@
 #include "vtkActiveEXRWriter.h"
 
-#include "EXRPlan.h"
-#include "EXRWriting.h"
+#include "EXR/EXRPlan.h"
+#include "EXR/EXRWriting.h"
 #include "FileError.h"
 #include "FrameName.h"
 

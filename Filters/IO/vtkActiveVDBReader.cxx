@@ -1,10 +1,10 @@
 #include "vtkActiveVDBReader.h"
 
 #include "CarriedData.h"
-#include "GridChoice.h"
-#include "ImageArrays.h"
-#include "PointArrays.h"
-#include "VDBReaderState.h"
+#include "Grids/GridChoice.h"
+#include "Grids/ImageArrays.h"
+#include "Grids/PointArrays.h"
+#include "Grids/VDBReaderState.h"
 
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"

@@ -3,8 +3,9 @@
 #include "CarriedData.h"
 #include "FileError.h"
 #include "FrameName.h"
-#include "VDBContent.h"
-#include "VDBOutput.h"
+#include "Grids/VDBContent.h"
+#include "Grids/VDBOutput.h"
+#include "WholeInput.h"
 
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
@@ -65,15 +66,7 @@ struct Source
 
   void Update() const
   {
-    this->Information->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
-    this->Information->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
-    this->Information->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-    if (this->Information->Has(SDDP::WHOLE_EXTENT()))
-    {
-      int whole[6];
-      this->Information->Get(SDDP::WHOLE_EXTENT(), whole);
-      this->Information->Set(SDDP::UPDATE_EXTENT(), whole, 6);
-    }
+    RequestWhole(this->Information);
     if (!this->Pipeline->Update(this->Port))
     {
       throw std::runtime_error("The input has failed to make its data, so there is no file of it.");

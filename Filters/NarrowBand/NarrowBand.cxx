@@ -1,10 +1,10 @@
 #include "NarrowBand.h"
 
-#include "BandState.h"
-#include "InitialShape.h"
-#include "PackedBand.h"
 #include "ProgramEnd.h"
-#include "StateGrid.h"
+#include "State/InitialShape.h"
+#include "State/PackedBand.h"
+#include "State/StateGrid.h"
+#include "Substep/BandState.h"
 
 #include <tbb/task_arena.h>
 
@@ -19,8 +19,31 @@
 namespace activesurface
 {
 
+namespace
+{
+
+StateNumbers GetNumbers(const BandState& state)
+{
+  return { state.VoxelSize, state.Time, state.StartMeasure.Area, state.StartMeasure.Volume,
+    state.BoxSize, state.Paper, state.GetBackground() };
+}
+
+void SetNumbers(const StateNumbers& numbers, BandState& state)
+{
+  state.VoxelSize = numbers.VoxelSize;
+  state.Time = numbers.Time;
+  state.StartMeasure = { numbers.StartArea, numbers.StartVolume };
+  state.BoxSize = numbers.BoxSize;
+  state.Paper = numbers.Paper;
+}
+
+/** StateNumbers as they lie in packed bytes. */
+using PackedNumbers = std::array<double, 6>;
+
+}
+
 NarrowBand::NarrowBand(double voxelSize)
-  : Members(new State)
+  : State(new BandState)
 {
   if (!std::isfinite(voxelSize) || !(voxelSize > 0.0))
   {
@@ -29,43 +52,35 @@ NarrowBand::NarrowBand(double voxelSize)
     throw std::invalid_argument(text.str());
   }
   openvdb::initialize();
-  this->Members->VoxelSize = voxelSize;
-  this->Members->MakeEmpty();
+  this->State->VoxelSize = voxelSize;
+  this->State->MakeEmpty();
 }
 
 NarrowBand::~NarrowBand()
 {
-  LetGo(std::move(this->Members->Potential));
+  LetGo(std::move(this->State->Potential));
 }
 
 std::unique_ptr<NarrowBand> NarrowBand::Clone() const
 {
-  auto copy = std::make_unique<NarrowBand>(this->Members->VoxelSize);
-  State& members = *copy->Members;
-  members.SetNumbers(this->Members->GetNumbers());
-  members.Threads = this->Members->Threads;
-  members.Maximum = this->Members->Maximum;
-  members.Work = this->Members->Work;
+  auto copy = std::make_unique<NarrowBand>(this->State->VoxelSize);
+  BandState& members = *copy->State;
+  SetNumbers(GetNumbers(*this->State), members);
+  members.Threads = this->State->Threads;
+  members.Maximum = this->State->Maximum;
+  members.Work = this->State->Work;
   copy->Run([&]
-    { members.TakeTree(std::make_shared<openvdb::FloatTree>(this->Members->Potential->tree())); });
+    { members.TakeTree(std::make_shared<openvdb::FloatTree>(this->State->Potential->tree())); });
   return copy;
-}
-
-namespace
-{
-
-/** StateNumbers as they lie in packed bytes. */
-using PackedNumbers = std::array<double, 6>;
-
 }
 
 std::string NarrowBand::Pack() const
 {
-  const StateNumbers n = this->Members->GetNumbers();
+  const StateNumbers n = GetNumbers(*this->State);
   const PackedNumbers packed = { n.VoxelSize, n.Time, n.StartArea, n.StartVolume, n.BoxSize,
     n.Paper ? 1.0 : 0.0 };
   return std::string(reinterpret_cast<const char*>(packed.data()), sizeof packed) +
-    PackBand(this->Members->Leaves);
+    PackBand(this->State->Leaves);
 }
 
 std::unique_ptr<NarrowBand> NarrowBand::Unpack(const std::string& bytes)
@@ -79,8 +94,8 @@ std::unique_ptr<NarrowBand> NarrowBand::Unpack(const std::string& bytes)
   const StateNumbers numbers = { packed[0], packed[1], packed[2], packed[3], packed[4],
     packed[5] != 0.0, 0.f };
   auto band = std::make_unique<NarrowBand>(numbers.VoxelSize);
-  State& members = *band->Members;
-  members.SetNumbers(numbers);
+  BandState& members = *band->State;
+  SetNumbers(numbers, members);
   band->Run(
     [&] { members.Restore(UnpackBand(bytes.substr(sizeof packed), members.GetBackground())); });
   return band;
@@ -88,15 +103,15 @@ std::unique_ptr<NarrowBand> NarrowBand::Unpack(const std::string& bytes)
 
 openvdb::FloatGrid::Ptr NarrowBand::ToGrid() const
 {
-  return MakeStateGrid(this->Members->Potential->tree(), this->Members->GetNumbers());
+  return MakeStateGrid(this->State->Potential->tree(), GetNumbers(*this->State));
 }
 
 std::unique_ptr<NarrowBand> NarrowBand::FromGrid(const openvdb::FloatGrid& grid)
 {
   const StateNumbers numbers = ReadStateGrid(grid);
   auto band = std::make_unique<NarrowBand>(numbers.VoxelSize);
-  State& members = *band->Members;
-  members.SetNumbers(numbers);
+  BandState& members = *band->State;
+  SetNumbers(numbers, members);
   band->Run([&] { members.Restore(std::make_shared<openvdb::FloatTree>(grid.tree())); });
   return band;
 }
@@ -104,18 +119,18 @@ std::unique_ptr<NarrowBand> NarrowBand::FromGrid(const openvdb::FloatGrid& grid)
 void NarrowBand::SetNumberOfThreads(int threads)
 {
   constexpr int most = 1024; // TBB takes memory for each
-  this->Members->Threads = std::min(std::max(threads, 0), most);
+  this->State->Threads = std::min(std::max(threads, 0), most);
 }
 
 void NarrowBand::SetMaximumNumberOfActiveVoxels(std::size_t maximum)
 {
-  this->Members->Maximum = maximum;
+  this->State->Maximum = maximum;
 }
 
 bool NarrowBand::Start(double time, const double bounds[6], const InitialFunction& function,
   const ProgressFunction& progress)
 {
-  State& members = *this->Members;
+  BandState& members = *this->State;
   members.MakeEmpty();
   members.Time = time;
   members.StartMeasure = SkinMeasure();
@@ -148,7 +163,7 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
 
 void NarrowBand::Confine(const Walls& walls)
 {
-  this->Run([&] { this->Members->Confine(walls); });
+  this->Run([&] { this->State->Confine(walls); });
 }
 
 namespace
@@ -164,8 +179,8 @@ void AddWork(AdvanceReport& sum, const AdvanceReport& report)
 }
 
 /** Calls substep() until it returns false; leaves the band as after the last one that finished. */
-template <class State, class Substep>
-void GoOn(const NarrowBand& band, State& members, const AdvanceReport& report, Substep&& substep)
+template <class Substep>
+void GoOn(const NarrowBand& band, BandState& members, const AdvanceReport& report, Substep&& substep)
 {
   const auto finish = [&]
   {
@@ -195,7 +210,7 @@ void GoOn(const NarrowBand& band, State& members, const AdvanceReport& report, S
 AdvanceReport NarrowBand::Advance(
   double time, const Motion& motion, Target& target, const ProgressFunction& progress)
 {
-  State& members = *this->Members;
+  BandState& members = *this->State;
   CheckMotion(motion);
   if (!(time >= members.Time))
   {
@@ -228,7 +243,7 @@ AdvanceReport NarrowBand::Advance(
 AdvanceReport NarrowBand::Settle(const Motion& motion, const RestCriterion& criterion,
   Target& target, const ProgressFunction& progress)
 {
-  State& members = *this->Members;
+  BandState& members = *this->State;
   CheckMotion(motion);
   if (!(criterion.Tolerance >= 0.0))
   {
@@ -256,85 +271,85 @@ AdvanceReport NarrowBand::Settle(const Motion& motion, const RestCriterion& crit
 
 void NarrowBand::Run(const std::function<void()>& function) const
 {
-  const int threads = this->Members->Threads;
+  const int threads = this->State->Threads;
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   arena.execute(function);
 }
 
 const AdvanceReport& NarrowBand::GetWork() const
 {
-  return this->Members->Work;
+  return this->State->Work;
 }
 
 void NarrowBand::ForgetWork()
 {
-  this->Members->Work = AdvanceReport();
+  this->State->Work = AdvanceReport();
 }
 
 double NarrowBand::GetArea() const
 {
   SkinMeasure skin;
-  this->Run([&] { skin = this->Members->Measure(); });
+  this->Run([&] { skin = this->State->Measure(); });
   return skin.Area;
 }
 
 double NarrowBand::GetVolume() const
 {
   SkinMeasure skin;
-  this->Run([&] { skin = this->Members->Measure(); });
+  this->Run([&] { skin = this->State->Measure(); });
   return skin.Volume;
 }
 
 double NarrowBand::GetStartArea() const
 {
-  return this->Members->StartMeasure.Area;
+  return this->State->StartMeasure.Area;
 }
 
 double NarrowBand::GetStartVolume() const
 {
-  return this->Members->StartMeasure.Volume;
+  return this->State->StartMeasure.Volume;
 }
 
 double NarrowBand::GetVoxelSize() const
 {
-  return this->Members->VoxelSize;
+  return this->State->VoxelSize;
 }
 
 double NarrowBand::GetTime() const
 {
-  return this->Members->Time;
+  return this->State->Time;
 }
 
 bool NarrowBand::IsEmpty() const
 {
-  return this->Members->Crossings == 0;
+  return this->State->Crossings == 0;
 }
 
 std::size_t NarrowBand::GetNumberOfActiveNodes() const
 {
   std::size_t count = 0;
-  this->Run([&] { count = this->Members->CountActive(); });
+  this->Run([&] { count = this->State->CountActive(); });
   return count;
 }
 
 std::size_t NarrowBand::GetNumberOfGhosts() const
 {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < this->Members->Leaves.Size(); ++i)
+  for (std::size_t i = 0; i < this->State->Leaves.Size(); ++i)
   {
-    count += this->Members->Leaves[i].Upto[LastLayer].Count();
+    count += this->State->Leaves[i].Upto[LastLayer].Count();
   }
   return count - this->GetNumberOfActiveNodes();
 }
 
 openvdb::FloatGrid::ConstPtr NarrowBand::GetPotential() const
 {
-  return this->Members->Potential;
+  return this->State->Potential;
 }
 
 const LeafTable& NarrowBand::GetLeaves() const
 {
-  return this->Members->Leaves;
+  return this->State->Leaves;
 }
 
 }

@@ -26,6 +26,7 @@
 #ifndef NarrowBand_h
 #define NarrowBand_h
 
+#include "InitialFunction.h"
 #include "Motion.h"
 #include "Target.h"
 #include "vtkActiveNarrowBandModule.h"
@@ -40,21 +41,12 @@
 namespace activesurface
 {
 
+struct BandState;
 class LeafTable;
-
-/** A function of space, negative inside: values at `count` points (x y z each). */
-struct InitialFunction
-{
-  std::function<void(std::size_t count, const double* points, double* values)> Evaluate;
-  bool ThreadSafe = true;
-};
 
 class VTKACTIVENARROWBAND_EXPORT NarrowBand
 {
 public:
-  /** Value beyond the rings, in voxels; only its sign means anything. */
-  static constexpr float Far = 1000.f;
-
   /**
    * voxelSize: distance of the nodes [world units], finite and > 0, else std::invalid_argument.
    */
@@ -158,8 +150,7 @@ private:
   NarrowBand(const NarrowBand&) = delete;
   void operator=(const NarrowBand&) = delete;
 
-  struct State;
-  std::unique_ptr<State> Members;
+  std::unique_ptr<BandState> State;
 };
 
 }

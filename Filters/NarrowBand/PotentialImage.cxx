@@ -1,6 +1,6 @@
 #include "PotentialImage.h"
 
-#include "LeafTable.h"
+#include "Leaves/LeafTable.h"
 #include "NarrowBand.h"
 
 #include <openvdb/tree/ValueAccessor.h>

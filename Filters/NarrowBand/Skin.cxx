@@ -1,9 +1,9 @@
 #include "Skin.h"
 
-#include "LeafBlock.h"
-#include "LeafKernels.h"
+#include "Leaves/LeafBlock.h"
+#include "Leaves/LeafKernels.h"
 #include "NarrowBand.h"
-#include "SkinVoxels.h"
+#include "Substep/SkinVoxels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "SkinDistance.h"
 
-#include "LeafTable.h"
+#include "Leaves/LeafTable.h"
 #include "NarrowBand.h"
 #include "Trilinear.h"
 

@@ -1,12 +1,12 @@
 #include "SkinMotion.h"
 
 #include "NarrowBand.h"
-#include "RowKernels.h"
-#include "SamplePoints.h"
 #include "Skin.h"
-#include "SubstepBuffers.h"
-#include "TimeStep.h"
-#include "WalledTarget.h"
+#include "Substep/RowKernels.h"
+#include "Substep/SamplePoints.h"
+#include "Substep/SubstepBuffers.h"
+#include "Substep/TimeStep.h"
+#include "Substep/WalledTarget.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "vtkActiveImplicitSurface.h"
 
-#include "SurfaceRequests.h"
+#include "Pipeline/SurfaceRequests.h"
 
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"

@@ -22,6 +22,7 @@ except ImportError as error:
 try:
     from .vtkActiveIO import *
     from .vtkActiveIO import vtkActiveEXRReader
+    from .vtkActivePotentials import *
     from .vtkActiveSurfaces import *
 except ImportError as error:
     raise ImportError(

@@ -14,17 +14,17 @@
 // row, of which the first one or all balls begin to swing. Once without and once with a
 // Tension that smooths a third of a voxel. Seconds per substep, with the same steps in time.
 
-#include "GhostFill.h"
-#include "Layers.h"
+#include "Leaves/GhostFill.h"
+#include "Leaves/Layers.h"
 #include "Measuring.h"
-#include "RestingLeaves.h"
-#include "SamplePoints.h"
+#include "Substep/RestingLeaves.h"
+#include "Substep/SamplePoints.h"
 #include "Scenes.h"
 #include "Skin.h"
-#include "StepForward.h"
-#include "SubstepBuffers.h"
-#include "TargetSpeed.h"
-#include "TimeStep.h"
+#include "Substep/StepForward.h"
+#include "Substep/SubstepBuffers.h"
+#include "Substep/TargetSpeed.h"
+#include "Substep/TimeStep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ struct OpenBand
     , Time(band.GetTime())
     , Potential(band.GetPotential()->deepCopy())
   {
-    this->Leaves.SetBackground(NarrowBand::Far);
+    this->Leaves.SetBackground(Far);
     this->Leaves.Rebuild(this->Potential->tree());
     ReadActiveMasks(this->Leaves);
     RebuildLayers(this->Leaves, this->Potential->tree());

@@ -5,9 +5,9 @@
  *   BenchmarkVDB [voxel size, 0.01] [threads, 0: all]
  */
 #include "NarrowBand.h"
-#include "SkinBand.h"
-#include "SkinGrids.h"
-#include "VDBOutput.h"
+#include "Grids/SkinBand.h"
+#include "Grids/SkinGrids.h"
+#include "Grids/VDBOutput.h"
 
 #include <openvdb/io/Compression.h>
 

@@ -2,7 +2,7 @@
 // continuous in time. What the skin does is a matter of TestDroplet and TestLevelOfDetail.
 
 #include "Check.h"
-#include "ParticleTarget.h"
+#include "Targets/ParticleTarget.h"
 #include "SkeletonShapes.h"
 
 #include <utility>

@@ -1,6 +1,6 @@
 // The region in which particles have changed: nothing of it is missed, and little besides is in it.
 
-#include "ChangedRegion.h"
+#include "Targets/ChangedRegion.h"
 #include "Check.h"
 #include "RandomShapes.h"
 

@@ -2,7 +2,7 @@
 // for several, as the library does, and compared on rows of random potentials.
 
 #include "Check.h"
-#include "RowKernels.h"
+#include "Substep/RowKernels.h"
 
 #include <cstring>
 #include <random>

@@ -2,13 +2,13 @@
 // samples.
 
 #include "Check.h"
-#include "Layers.h"
-#include "RestingLeaves.h"
-#include "SamplePoints.h"
-#include "StepForward.h"
-#include "SubstepBuffers.h"
+#include "Leaves/Layers.h"
+#include "Substep/RestingLeaves.h"
+#include "Substep/SamplePoints.h"
+#include "Substep/StepForward.h"
+#include "Substep/SubstepBuffers.h"
 #include "SurfaceMeasures.h"
-#include "TargetSpeed.h"
+#include "Substep/TargetSpeed.h"
 
 #include <cmath>
 #include <string>
@@ -37,7 +37,7 @@ struct OpenLeaves
   explicit OpenLeaves(const NarrowBand& band)
     : Tree(band.GetPotential()->tree())
   {
-    this->Table.SetBackground(NarrowBand::Far);
+    this->Table.SetBackground(Far);
     this->Table.Rebuild(this->Tree);
     RebuildLayers(this->Table, this->Tree);
   }

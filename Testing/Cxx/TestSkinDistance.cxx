@@ -2,7 +2,7 @@
 
 #include "Check.h"
 #include "SkinDistance.h"
-#include "SkinSamples.h"
+#include "Pipeline/SkinSamples.h"
 #include "SurfaceMeasures.h"
 
 #include "vtkCellArray.h"

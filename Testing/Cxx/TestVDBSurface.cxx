@@ -3,8 +3,8 @@
 #include "AnalyticShapes.h"
 #include "Check.h"
 #include "NarrowBand.h"
-#include "SkinBand.h"
-#include "SkinGrids.h"
+#include "Grids/SkinBand.h"
+#include "Grids/SkinGrids.h"
 
 #include <openvdb/math/Proximity.h>
 #include <openvdb/tools/Diagnostics.h>

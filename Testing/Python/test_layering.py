@@ -1,34 +1,73 @@
-"""Who may include whom: Surfaces -> NarrowBand <- IO, and the examples see only what is installed.
+"""Who may include whom: each module of Filters, and each room of it, is a floor of one stack.
 
-Each rule is first shown to find a file that breaks it, in a tree made up for that.
+A module's own folder holds what others include, its sub-folders ("rooms") are private, and an include names
+its room: `#include "Leaves/LeafTable.h"`. Prints the floors of the tree as it is. Each rule is first
+shown to find a file that breaks it, in a tree made up for that.
 """
 
 import re
 import tempfile
 import unittest
+from collections import defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.MULTILINE)
 IMPORT_FROM_SOURCE = re.compile(r"sys\.path")
-PIPELINE_HEADER = re.compile(r"(.*/)?vtk\w*\.h$")
-# Export macros, the ABI namespace that newer VTKs wrap everything in, and the keys by which data
-# objects carry what is the band's.
-NOT_PIPELINE = re.compile(
-    r"vtkActiveNarrowBandModule\.h$|vtkABI\w*\.h$|vtkInformation\w*\.h$|vtkObjectBase\.h$"
-)
+VTK_HEADER = re.compile(r"(.*/)?vtk\w*\.h$")
+EXPORT_HEADER = re.compile(r"vtkActive\w+Module\.h$")
 NOT_FOR_WRAPPED_HEADERS = re.compile(
     r"(openvdb|nanovdb|tbb|oneapi|OpenEXR|Imath)/|Imf\w*\.h$|tbb\.h$"
 )
-
 SOURCES = (".h", ".cxx", ".txx", ".cpp", ".hpp")
-# The folders of Filters that each folder of Filters may include.
+
+# Room: the rooms, and the single files of other rooms, that it may include besides its own. A module's
+# own folder, "NarrowBand" say, is a room as well.
+NUMERICS = ["NarrowBand/InstructionSets", "NarrowBand/Motion", "NarrowBand/Target"]
 MAY_INCLUDE = {
-    "NarrowBand": {"NarrowBand"},
-    "Surfaces": {"Surfaces", "NarrowBand"},
-    "IO": {"IO", "NarrowBand"},
+    "NarrowBand/Leaves": ["NarrowBand/InstructionSets"],
+    "NarrowBand/Substep": [
+        *NUMERICS,
+        "NarrowBand/Leaves",
+        "NarrowBand/CubeTriangles",
+        "NarrowBand/Trilinear",
+        "NarrowBand/Walls",
+    ],
+    "NarrowBand/State": ["NarrowBand/Leaves", "NarrowBand/InitialFunction", "NarrowBand/Motion"],
+    "NarrowBand": ["NarrowBand/Leaves", "NarrowBand/Substep", "NarrowBand/State"],
+    "VDB/Validation": [],
+    "VDB": ["VDB/Validation", "NarrowBand"],
+    "Potentials/Skeleton": [
+        "Potentials/Skeleton",
+        "Potentials/SkeletonCells",
+        "Potentials/SkeletonKernel",
+    ],
+    "Potentials/Grid": ["Potentials/GridSamples", "Potentials/MeshTriangles", "VDB", "NarrowBand"],
+    "Potentials": ["Potentials/Skeleton", "Potentials/Grid", "VDB", "NarrowBand"],
+    "Surfaces/Targets": ["Potentials", "VDB", "NarrowBand"],
+    "Surfaces/Simulation": ["Surfaces/Targets", "Potentials", "VDB", "NarrowBand"],
+    "Surfaces/Pipeline": [
+        "Surfaces/Simulation",
+        "Surfaces/Targets",
+        "Potentials",
+        "VDB",
+        "NarrowBand",
+    ],
+    "Surfaces": ["Surfaces/Pipeline", "Surfaces/Simulation", "Potentials"],
+    "IO/EXR": ["IO/FileError", "VDB"],
+    "IO/Grids": ["IO/FileError", "Potentials", "VDB", "NarrowBand"],
+    "IO": ["IO/EXR", "IO/Grids", "Potentials", "VDB", "NarrowBand"],
 }
+MODULES = ("NarrowBand", "VDB", "Potentials", "Surfaces", "IO")
+
+
+def module_of(name):
+    return name.split("/")[0]
+
+
+def room_of(unit):
+    return unit.rsplit("/", 1)[0]
 
 
 def sources_in(folder):
@@ -39,13 +78,29 @@ def includes_of(path):
     return INCLUDE.findall(path.read_text(encoding="utf-8"))
 
 
+def unit_of(root, path):
+    """A header and its source are one unit: NarrowBand/Leaves/LeafTable."""
+    return path.relative_to(root / "Filters").with_suffix("").as_posix()
+
+
 def find_in_filters(root, include):
-    """The file of Filters that an include names, whichever way it spells the path, or None."""
-    for folder in MAY_INCLUDE:
-        path = root / "Filters" / folder / Path(include).name
-        if path.is_file():
-            return path
-    return None
+    """The file of Filters that an include names, or means though it does not name its room."""
+    named = [root / "Filters" / module / include for module in MODULES]
+    meant = sorted((root / "Filters").rglob(Path(include).name))
+    return next((path for path in [*named, *meant] if path.is_file()), None)
+
+
+def names_its_room(root, path, include):
+    return include == path.relative_to(root / "Filters").as_posix().split("/", 1)[1]
+
+
+def is_allowed(unit, other):
+    room = room_of(unit)
+    allowed = MAY_INCLUDE.get(room, [])
+    private = "/" in room_of(other) and module_of(other) != module_of(unit)
+    return not private and (
+        room_of(other) == room or room_of(other) in allowed or other in allowed
+    )
 
 
 def reached_includes(root, header):
@@ -60,34 +115,96 @@ def reached_includes(root, header):
     return sorted(reached)
 
 
+def find_arrows(root):
+    """Unit: the units that it includes."""
+    arrows = defaultdict(set)
+    for path in sources_in(root / "Filters"):
+        unit = unit_of(root, path)
+        arrows[unit] |= set()
+        for include in includes_of(path):
+            own = find_in_filters(root, include)
+            if own and unit_of(root, own) != unit:
+                arrows[unit].add(unit_of(root, own))
+    return arrows
+
+
+def find_floors(arrows):
+    """Unit: its floor, one above the highest unit that it includes. Raises ValueError for a circle."""
+    floors, open_units = {}, []
+
+    def floor(unit):
+        if unit in open_units:
+            raise ValueError(" -> ".join([*open_units[open_units.index(unit) :], unit]))
+        if unit not in floors:
+            open_units.append(unit)
+            floors[unit] = 1 + max((floor(other) for other in arrows[unit]), default=-1)
+            open_units.pop()
+        return floors[unit]
+
+    for unit in sorted(arrows):
+        floor(unit)
+    return floors
+
+
+def describe_floors(arrows):
+    """The stack of each module, from the top down."""
+    lines = []
+    for module in MODULES:
+        own = {
+            unit: {other for other in others if module_of(other) == module}
+            for unit, others in arrows.items()
+            if module_of(unit) == module
+        }
+        floors = find_floors(own)
+        lines.append(f"{module}, {len(own)} units:")
+        for level in range(max(floors.values(), default=-1), -1, -1):
+            units = sorted(unit[len(module) + 1 :] for unit in own if floors[unit] == level)
+            lines.append(f"  {level:2} {' '.join(units)}")
+    return "\n".join(lines)
+
+
+def find_broken_includes(root, path):
+    """(include, why) of a file of Filters."""
+    unit = unit_of(root, path)
+    for include in includes_of(path):
+        own = find_in_filters(root, include)
+        if own and not is_allowed(unit, unit_of(root, own)):
+            yield include, f"{room_of(unit)} may not include {unit_of(root, own)}"
+        elif own and not names_its_room(root, own, include):
+            yield include, f"the room is not named: {own.relative_to(root / 'Filters')}"
+        is_vtk = VTK_HEADER.match(include) and not EXPORT_HEADER.search(include)
+        if module_of(unit) == "NarrowBand" and is_vtk and not own:
+            yield include, "the numerics know no VTK"
+    if path.name.startswith("vtk") and path.suffix == ".h":
+        for include in reached_includes(root, path):
+            if NOT_FOR_WRAPPED_HEADERS.match(include):
+                yield include, "a wrapped header shows no OpenVDB, TBB or OpenEXR"
+
+
 def find_broken_arrows(root):
     """One sentence for each include that breaks a rule."""
-    broken = []
-
-    def complain(path, include, why):
-        broken.append(f"{path.relative_to(root)} includes {include}: {why}")
-
-    for folder, allowed in MAY_INCLUDE.items():
-        for path in sources_in(root / "Filters" / folder):
-            for include in includes_of(path):
-                own = find_in_filters(root, include)
-                if own and own.parent.name not in allowed:
-                    complain(path, include, f"{folder} does not know {own.parent.name}")
-                is_pipeline = PIPELINE_HEADER.match(include) and not NOT_PIPELINE.search(include)
-                if folder == "NarrowBand" and is_pipeline:
-                    complain(path, include, "the numerics know no VTK")
-            if path.name.startswith("vtk") and path.suffix == ".h":
-                for include in reached_includes(root, path):
-                    if NOT_FOR_WRAPPED_HEADERS.match(include):
-                        complain(path, include, "a wrapped header shows no OpenVDB, TBB or OpenEXR")
-
+    broken = [
+        f"{path.relative_to(root)} includes {include}: {why}"
+        for path in sources_in(root / "Filters")
+        for include, why in find_broken_includes(root, path)
+    ]
     for path in sources_in(root / "Examples"):
         for include in includes_of(path):
             if "Filters/" in include or ".." in include:
-                complain(path, include, "examples see only the installed package")
+                broken.append(
+                    f"{path.relative_to(root)} includes {include}: "
+                    "examples see only the installed package"
+                )
     for path in sorted((root / "Examples").rglob("*.py")):
         for found in IMPORT_FROM_SOURCE.findall(path.read_text(encoding="utf-8")):
-            complain(path, found, "examples see only the installed package")
+            broken.append(
+                f"{path.relative_to(root)} includes {found}: "
+                "examples see only the installed package"
+            )
+    try:
+        find_floors(find_arrows(root))
+    except ValueError as error:
+        broken.append(f"includes run in a circle: {error}")
     return broken
 
 
@@ -97,9 +214,14 @@ class RulesFindWhatBreaksThem(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
         self.write("Filters/NarrowBand/NarrowBand.h", "#include <openvdb/openvdb.h>")
+        self.write("Filters/NarrowBand/NarrowBand.cxx", '#include "Leaves/LeafTable.h"')
         self.write("Filters/NarrowBand/Motion.h", '#include "vtkActiveNarrowBandModule.h"')
-        self.write("Filters/Surfaces/vtkSkin.h", '#include "vtkObject.h"\n#include "Motion.h"')
-        self.write("Filters/Surfaces/vtkSkin.cxx", '#include "vtkSkin.h"\n#include "NarrowBand.h"')
+        self.write("Filters/NarrowBand/Leaves/LeafTable.h", "#include <openvdb/openvdb.h>")
+        self.write("Filters/Potentials/vtkBall.h", '#include "vtkObject.h"')
+        self.write("Filters/Surfaces/vtkSkin.h", '#include "vtkObject.h"')
+        self.write("Filters/Surfaces/vtkSkin.cxx", '#include "vtkSkin.h"\n#include "vtkBall.h"')
+        self.write("Filters/Surfaces/Targets/Ball.h", '#include "Motion.h"\n#include "vtkBall.h"')
+        self.write("Filters/Surfaces/Simulation/Run.h", '#include "Targets/Ball.h"')
         self.write("Filters/IO/vtkReader.h", '#include "vtkObject.h"')
         self.write("Filters/IO/vtkReader.cxx", '#include "NarrowBand.h"\n#include <ImfPart.h>')
         self.write("Examples/Cxx/coat.cxx", "#include <vtkSkin.h>\n#include <iostream>")
@@ -115,50 +237,78 @@ class RulesFindWhatBreaksThem(unittest.TestCase):
         broken = find_broken_arrows(self.root)
         self.assertEqual(len(broken), 1, broken)
         self.assertTrue(broken[0].startswith(f"{name} includes {include}: "), broken)
+        (self.root / name).unlink()
 
     def test_a_tree_in_order_has_nothing_to_find(self):
         self.assertEqual(find_broken_arrows(self.root), [])
 
-    def test_pipeline_header_in_narrow_band(self):
+    def test_vtk_header_in_narrow_band(self):
         for header in ("vtkImageAlgorithm.h", "vtkObject.h", "vtk-9.1/vtkPolyData.h"):
             self.assert_found("Filters/NarrowBand/Bad.cxx", f"# include <{header}>", header)
 
-    def test_surfaces_in_narrow_band(self):
-        self.write("Filters/Surfaces/Frames.h", "")
-        self.assert_found("Filters/NarrowBand/Bad.h", '#include "Frames.h"', "Frames.h")
+    def test_module_above(self):
+        self.assert_found("Filters/NarrowBand/Bad.h", '#include "vtkBall.h"', "vtkBall.h")
+        self.assert_found("Filters/Potentials/Bad.h", '#include "vtkSkin.h"', "vtkSkin.h")
+        self.assert_found("Filters/Surfaces/Bad.cxx", '#include "vtkReader.h"', "vtkReader.h")
+        self.assert_found("Filters/IO/Bad.cxx", '#include "vtkSkin.h"', "vtkSkin.h")
+
+    def test_room_above(self):
         self.assert_found(
-            "Filters/NarrowBand/Bad.h", '#include "../Surfaces/Frames.h"', "../Surfaces/Frames.h"
+            "Filters/Surfaces/Targets/Bad.h", '#include "Simulation/Run.h"', "Simulation/Run.h"
         )
+        self.assert_found(
+            "Filters/NarrowBand/Leaves/Bad.h", '#include "NarrowBand.h"', "NarrowBand.h"
+        )
+
+    def test_private_room_of_another_module(self):
+        self.assert_found(
+            "Filters/IO/Bad.cxx", '#include "Leaves/LeafTable.h"', "Leaves/LeafTable.h"
+        )
+
+    def test_include_that_does_not_name_its_room(self):
+        for include in ("LeafTable.h", "../NarrowBand/Leaves/LeafTable.h"):
+            self.assert_found("Filters/NarrowBand/Bad.h", f'#include "{include}"', include)
+
+    def test_circle_between_the_files_of_a_room(self):
+        self.write("Filters/NarrowBand/Leaves/LeafTable.h", '#include "Leaves/Layers.h"')
+        self.write("Filters/NarrowBand/Leaves/Layers.cxx", '#include "Leaves/LeafTable.h"')
+        self.write("Filters/NarrowBand/Leaves/Layers.h", "")
+        broken = find_broken_arrows(self.root)
+        self.assertEqual(len(broken), 1, broken)
+        self.assertIn("circle: NarrowBand/Leaves/LeafTable -> ", broken[0])
 
     def test_openvdb_tbb_and_openexr_in_a_wrapped_header(self):
         for header in ("openvdb/openvdb.h", "tbb/tbb.h", "OpenEXR/ImfHeader.h", "ImfHeader.h"):
             self.assert_found("Filters/Surfaces/vtkBad.h", f"#include <{header}>", header)
-        (self.root / "Filters/Surfaces/vtkBad.h").unlink()
         self.assert_found(
             "Filters/IO/vtkBad.h", "#include <openvdb/io/File.h>", "openvdb/io/File.h"
         )
 
     def test_openvdb_in_a_wrapped_header_by_way_of_another(self):
         self.assert_found(
-            "Filters/Surfaces/vtkBad.h", '#include "NarrowBand.h"', "openvdb/openvdb.h"
+            "Filters/IO/vtkBad.h", '#include "NarrowBand.h"', "openvdb/openvdb.h"
         )
-
-    def test_surfaces_and_io_in_each_other(self):
-        self.assert_found("Filters/Surfaces/Bad.cxx", '#include "vtkReader.h"', "vtkReader.h")
-        (self.root / "Filters/Surfaces/Bad.cxx").unlink()
-        self.assert_found("Filters/IO/Bad.cxx", '#include "vtkSkin.h"', "vtkSkin.h")
 
     def test_source_tree_in_an_example(self):
         bad = "../../Filters/Surfaces/vtkSkin.h"
         self.assert_found("Examples/Cxx/bad.cxx", f'#include "{bad}"', bad)
-        (self.root / "Examples/Cxx/bad.cxx").unlink()
         self.assert_found("Examples/Python/bad.py", "import sys\nsys.path.append('.')", "sys.path")
 
 
 class ThisTree(unittest.TestCase):
+    def test_every_room_is_known(self):
+        rooms = {room_of(unit) for unit in find_arrows(ROOT)}
+        self.assertEqual(rooms, set(MAY_INCLUDE))
+
+    def test_the_rules_run_in_no_circle(self):
+        rooms = {
+            room: {other for other in others if other in MAY_INCLUDE and other != room}
+            for room, others in MAY_INCLUDE.items()
+        }
+        find_floors(rooms)
+
     def test_no_arrow_is_broken(self):
-        for folder in ("NarrowBand", "Surfaces"):
-            self.assertTrue(sources_in(ROOT / "Filters" / folder), f"no sources in {folder}")
+        print(describe_floors(find_arrows(ROOT)))
         broken = find_broken_arrows(ROOT)
         self.assertEqual(broken, [], "\n".join(broken))
 

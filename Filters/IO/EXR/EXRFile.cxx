@@ -1,0 +1,234 @@
+#include "EXR/EXRFile.h"
+
+#include "EXR/EXRAttributes.h"
+#include "EXR/EXRHeaderScan.h"
+#include "FileError.h"
+
+#include <ImfChannelList.h>
+#include <ImfDoubleAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfPartType.h>
+
+#include <cstring>
+
+namespace activesurface
+{
+
+struct EXRFile::OpenFile
+{
+  OpenFile(std::istream& stream, const std::string& name)
+    : Input(stream, name)
+  {
+  }
+
+  EXRInput Input;
+  std::unique_ptr<Imf::MultiPartInputFile> Parts;
+};
+
+namespace
+{
+
+// Calls what reads, and tells its errors as ours.
+template <class Action>
+void Guard(const EXRInput& input, const Action& action)
+{
+  try
+  {
+    action();
+  }
+  catch (const FileError&)
+  {
+    throw;
+  }
+  catch (const std::exception& error)
+  {
+    if (input.HasEndedEarly())
+    {
+      throw FileError(vtkErrorCode::PrematureEndOfFileError, "it ends too early");
+    }
+    throw FileError(
+      vtkErrorCode::FileFormatError, std::string("it is damaged (OpenEXR: ") + error.what() + ")");
+  }
+}
+
+// A window in columns and rows from the lower left of the display window.
+EXRExtent Flip(const Imath::Box2i& window, const Imath::Box2i& display)
+{
+  return { window.min.x - display.min.x, window.max.x - display.min.x, display.max.y - window.max.y,
+    display.max.y - window.min.y };
+}
+
+EXRPart Describe(const Imf::Header& header)
+{
+  EXRPart part;
+  part.Name = header.hasName() ? header.name() : "";
+  part.Type = header.hasType()
+    ? header.type()
+    : (header.hasTileDescription() ? Imf::TILEDIMAGE : Imf::SCANLINEIMAGE);
+  part.Data = Flip(header.dataWindow(), header.displayWindow());
+  part.Display = Flip(header.displayWindow(), header.displayWindow());
+  const Imf::ChannelList& channels = header.channels();
+  for (auto channel = channels.begin(); channel != channels.end(); ++channel)
+  {
+    const Imf::Channel& found = channel.channel();
+    part.Channels.push_back(
+      { channel.name(), static_cast<EXRPixel>(found.type), found.xSampling, found.ySampling });
+  }
+  if (const auto* time = header.findTypedAttribute<Imf::DoubleAttribute>("time"))
+  {
+    part.HasTime = true;
+    part.Time = time->value();
+  }
+  return part;
+}
+
+// Of coordinates that may be negative.
+int FloorDivide(int value, int divisor)
+{
+  const int quotient = value / divisor;
+  return quotient * divisor > value ? quotient - 1 : quotient;
+}
+
+// A channel that has fewer samples than the image has pixels: read by itself, then each sample is
+// repeated over the pixels that it stands for.
+struct Subsampled
+{
+  Subsampled(
+    const EXRDestination& destination, const Imf::Channel& channel, const Imath::Box2i& window)
+    : Destination(destination)
+    , Channel(channel)
+    , Left(FloorDivide(window.min.x, channel.xSampling))
+    , Top(FloorDivide(window.min.y, channel.ySampling))
+    , Width(FloorDivide(window.max.x, channel.xSampling) - this->Left + 1)
+    , Samples(4 * static_cast<std::size_t>(this->Width) *
+        (FloorDivide(window.max.y, channel.ySampling) - this->Top + 1))
+  {
+  }
+
+  Imf::Slice MakeSlice(Imf::PixelType type)
+  {
+    const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(this->Width);
+    const std::intptr_t base =
+      reinterpret_cast<std::intptr_t>(this->Samples.data()) - 4 * this->Left - row * this->Top;
+    return Imf::Slice(type, reinterpret_cast<char*>(base), 4, static_cast<std::size_t>(row),
+      this->Channel.xSampling, this->Channel.ySampling);
+  }
+
+  const char* At(int x, int y) const
+  {
+    const std::size_t column = FloorDivide(x, this->Channel.xSampling) - this->Left;
+    const std::size_t row = FloorDivide(y, this->Channel.ySampling) - this->Top;
+    return this->Samples.data() + 4 * (row * this->Width + column);
+  }
+
+  EXRDestination Destination;
+  Imf::Channel Channel;
+  int Left, Top, Width;
+  std::vector<char> Samples;
+};
+
+// The address that a pixel has, or would have, in an image that covers an extent.
+struct PixelPlace
+{
+  EXRExtent Extent;
+  Imath::Box2i Display;
+
+  std::ptrdiff_t Row(std::size_t stride) const
+  {
+    const std::ptrdiff_t first = this->Extent[0], last = this->Extent[1];
+    return static_cast<std::ptrdiff_t>(stride) * (last - first + 1);
+  }
+
+  char* At(const EXRDestination& to, int x, int y) const
+  {
+    const std::ptrdiff_t column =
+      static_cast<std::ptrdiff_t>(x) - this->Display.min.x - this->Extent[0];
+    const std::ptrdiff_t row =
+      static_cast<std::ptrdiff_t>(this->Display.max.y) - y - this->Extent[2];
+    return reinterpret_cast<char*>(reinterpret_cast<std::intptr_t>(to.Pixels) +
+      column * static_cast<std::ptrdiff_t>(to.Stride) + row * this->Row(to.Stride));
+  }
+};
+
+void Repeat(const Subsampled& channel, const PixelPlace& place, const Imath::Box2i& window)
+{
+  for (int y = window.min.y; y <= window.max.y; ++y)
+  {
+    for (int x = window.min.x; x <= window.max.x; ++x)
+    {
+      std::memcpy(place.At(channel.Destination, x, y), channel.At(x, y), 4);
+    }
+  }
+}
+
+void ReadPixels(
+  Imf::InputPart& part, const EXRExtent& extent, const std::vector<EXRDestination>& destinations)
+{
+  const Imf::Header& header = part.header();
+  const Imath::Box2i window = header.dataWindow();
+  const PixelPlace place{ extent, header.displayWindow() };
+  Imf::FrameBuffer frame;
+  std::vector<std::unique_ptr<Subsampled>> subsampled;
+  for (const EXRDestination& to : destinations)
+  {
+    const Imf::Channel& channel = header.channels()[to.Channel];
+    const Imf::PixelType type = channel.type == Imf::UINT ? Imf::UINT : Imf::FLOAT;
+    if (channel.xSampling != 1 || channel.ySampling != 1)
+    {
+      subsampled.push_back(std::make_unique<Subsampled>(to, channel, window));
+      frame.insert(to.Channel, subsampled.back()->MakeSlice(type));
+      continue;
+    }
+    // Rows go down in the file and up in the image.
+    frame.insert(to.Channel,
+      Imf::Slice(
+        type, place.At(to, 0, 0), to.Stride, static_cast<std::size_t>(-place.Row(to.Stride))));
+  }
+  part.setFrameBuffer(frame);
+  part.readPixels(window.min.y, window.max.y);
+  for (const auto& channel : subsampled)
+  {
+    Repeat(*channel, place, window);
+  }
+}
+
+}
+
+EXRFile::EXRFile(std::istream& stream, const std::string& name)
+  : File(std::make_unique<OpenFile>(stream, name))
+{
+  OpenFile& file = *this->File;
+  CheckEXRHeaders(file.Input);
+  Guard(file.Input,
+    [this, &file]
+    {
+      file.Parts = std::make_unique<Imf::MultiPartInputFile>(file.Input, 0);
+      for (int part = 0; part < file.Parts->parts(); ++part)
+      {
+        this->Parts.push_back(Describe(file.Parts->header(part)));
+      }
+    });
+}
+
+EXRFile::~EXRFile() = default;
+
+void EXRFile::CopyAttributes(std::size_t part, vtkFieldData* data) const
+{
+  CopyEXRAttributes(this->File->Parts->header(static_cast<int>(part)), data);
+}
+
+void EXRFile::Read(
+  std::size_t part, const EXRExtent& extent, const std::vector<EXRDestination>& channels)
+{
+  OpenFile& file = *this->File;
+  Guard(file.Input,
+    [&]
+    {
+      Imf::InputPart input(*file.Parts, static_cast<int>(part));
+      ReadPixels(input, extent, channels);
+    });
+}
+
+}

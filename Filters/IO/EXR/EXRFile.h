@@ -1,0 +1,78 @@
+// An EXR file as it is read: its parts and what their headers tell, and the pixels of a part, each
+// channel wherever it is wanted.
+//
+// Rows are VTK's, from below: the pixel (x, y) of the file is at column x - displayWindow.min.x and
+// row displayWindow.max.y - y, so that (0, 0) is the lower left one of the display window.
+
+#ifndef EXRFile_h
+#define EXRFile_h
+
+#include "EXR/EXRLayers.h"
+
+#include <array>
+#include <istream>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkFieldData;
+
+namespace activesurface
+{
+
+struct EXRChannel
+{
+  std::string Name;
+  EXRPixel Type = EXRPixel::HALF;
+  int XSampling = 1, YSampling = 1;
+};
+
+using EXRExtent = std::array<int, 4>; // first and last column, first and last row
+
+struct EXRPart
+{
+  std::string Name;
+  std::string Type; // scanlineimage, tiledimage, deepscanline or deeptile
+  std::vector<EXRChannel> Channels;
+  EXRExtent Data{}, Display{};
+  bool HasTime = false;
+  double Time = 0.0; // the attribute "time"
+};
+
+// Where the pixels of a channel go: as float, or as unsigned int where the channel is UINT.
+struct EXRDestination
+{
+  std::string Channel;
+  char* Pixels = nullptr; // of the first column and row of the extent
+  std::size_t Stride = 0; // bytes from one pixel to the next
+};
+
+class EXRFile
+{
+public:
+  // Reads the headers. Throws FileError; the stream has to live as long as this.
+  EXRFile(std::istream& stream, const std::string& name);
+  ~EXRFile();
+
+  const std::vector<EXRPart>& GetParts() const { return this->Parts; }
+
+  // One array for each attribute of a part that is a number, a text or a few of them.
+  void CopyAttributes(std::size_t part, vtkFieldData* data) const;
+
+  // Reads channels into images that cover the extent, which contains the part's data window. What
+  // is outside of the window is left as it is.
+  void Read(std::size_t part, const EXRExtent& extent, const std::vector<EXRDestination>& channels);
+
+private:
+  EXRFile(const EXRFile&) = delete;
+  void operator=(const EXRFile&) = delete;
+
+  struct OpenFile;
+
+  std::unique_ptr<OpenFile> File;
+  std::vector<EXRPart> Parts;
+};
+
+}
+
+#endif

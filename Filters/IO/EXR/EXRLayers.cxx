@@ -1,0 +1,170 @@
+#include "EXR/EXRLayers.h"
+
+#include <algorithm>
+#include <map>
+
+namespace activesurface
+{
+
+namespace
+{
+
+struct SplitName
+{
+  std::string Layer, Component;
+};
+
+// At the last dot; a channel without one, or that begins or ends with it, is no part of a layer.
+SplitName Split(const std::string& channel)
+{
+  const std::size_t dot = channel.rfind('.');
+  if (dot == std::string::npos || dot == 0 || dot + 1 == channel.size())
+  {
+    return { "", channel };
+  }
+  return { channel.substr(0, dot), channel.substr(dot + 1) };
+}
+
+// The sets of components that make one array, in its order; numbers are another.
+const std::vector<std::vector<std::string>> ComponentSets = { { "R", "G", "B", "A" },
+  { "R", "G", "B" }, { "r", "g", "b", "a" }, { "r", "g", "b" }, { "X", "Y", "Z" },
+  { "x", "y", "z" }, { "u", "v" }, { "U", "V" } };
+
+// Those of a layer that are not yet part of an array: their types by their components.
+using Waiting = std::map<std::string, EXRPixel>;
+
+bool Has(const Waiting& waiting, const std::vector<std::string>& components)
+{
+  const auto isInteger = [&waiting](const std::string& name)
+  { return waiting.at(name) == EXRPixel::UINT; };
+  for (const std::string& component : components)
+  {
+    if (waiting.count(component) == 0 || isInteger(component) != isInteger(components.front()))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// "0", "1" ... up to what there is; with leading zeros where there are more than ten.
+std::vector<std::string> MakeNumbers(std::size_t count)
+{
+  const std::size_t digits = std::to_string(count - 1).size();
+  std::vector<std::string> numbers;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::string number = std::to_string(i);
+    numbers.push_back(std::string(digits - number.size(), '0') + number);
+  }
+  return numbers;
+}
+
+std::string Join(const std::string& layer, const std::string& component)
+{
+  return layer.empty() ? component : layer + "." + component;
+}
+
+EXRLayer Take(Waiting& waiting, const std::string& layer, const std::vector<std::string>& names)
+{
+  EXRLayer taken;
+  taken.Integer = waiting.at(names.front()) == EXRPixel::UINT;
+  taken.Array = layer;
+  if (layer.empty())
+  {
+    for (const std::string& name : names)
+    {
+      taken.Array += name; // RGBA
+    }
+  }
+  for (const std::string& name : names)
+  {
+    taken.Channels.push_back(Join(layer, name));
+    waiting.erase(name);
+  }
+  taken.Components = names;
+  return taken;
+}
+
+void GroupLayer(const std::string& layer, Waiting waiting, std::vector<EXRLayer>& layers)
+{
+  for (const std::vector<std::string>& names : ComponentSets)
+  {
+    const bool picture = names.front() == "R";
+    // Without a layer, X, Y, Z are three images.
+    if ((!layer.empty() || picture) && Has(waiting, names))
+    {
+      layers.push_back(Take(waiting, layer, names));
+      break;
+    }
+  }
+  if (!layer.empty() && waiting.size() > 1 && Has(waiting, MakeNumbers(waiting.size())))
+  {
+    layers.push_back(Take(waiting, layer, MakeNumbers(waiting.size())));
+  }
+  for (const auto& [name, type] : waiting)
+  {
+    const std::string channel = Join(layer, name);
+    layers.push_back({ channel, { channel }, {}, type == EXRPixel::UINT });
+  }
+}
+
+}
+
+std::vector<EXRLayer> GroupChannels(const std::vector<EXRNamedPixel>& channels)
+{
+  std::map<std::string, Waiting> byLayer; // the picture's own layer, "", comes first
+  for (const EXRNamedPixel& channel : channels)
+  {
+    const SplitName name = Split(channel.Name);
+    byLayer[name.Layer].emplace(name.Component, channel.Type);
+  }
+  std::vector<EXRLayer> layers;
+  for (const auto& [layer, waiting] : byLayer)
+  {
+    GroupLayer(layer, waiting, layers);
+  }
+  return layers;
+}
+
+std::vector<std::string> NameChannels(const std::string& array, int components, bool color)
+{
+  if (components == 1)
+  {
+    return { array };
+  }
+  std::vector<std::string> names;
+  if (color || components == 4)
+  {
+    names = { "R", "G", "B", "A" };
+  }
+  else if (components == 3)
+  {
+    names = { "X", "Y", "Z" };
+  }
+  else if (components == 2)
+  {
+    names = { "u", "v" };
+  }
+  else
+  {
+    names = MakeNumbers(static_cast<std::size_t>(components));
+  }
+  names.resize(static_cast<std::size_t>(components));
+  const bool picture = array == "RGBA" || array == "RGB";
+  for (std::string& name : names)
+  {
+    name = Join(picture ? "" : array, name);
+  }
+  return names;
+}
+
+bool IsColorChannel(const std::string& channel)
+{
+  const std::string component = Split(channel).Component;
+  const bool inLayer = component.size() != channel.size();
+  return component == "R" || component == "G" || component == "B" || component == "A" ||
+    (component == "Y" && !inLayer);
+}
+
+}

@@ -1,0 +1,215 @@
+#include "EXR/EXRWriting.h"
+
+#include "EXR/EXRAttributes.h"
+#include "EXR/EXRStreams.h"
+#include "EXR/EXRZip.h"
+#include "FileError.h"
+#include "FileReplacement.h"
+
+#include <ImfChannelList.h>
+#include <ImfDoubleAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfMatrixAttribute.h>
+#include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
+
+#include <algorithm>
+
+namespace activesurface
+{
+
+namespace
+{
+
+Imf::Compression ToImf(EXRPacking packing)
+{
+  switch (packing)
+  {
+    case EXRPacking::NONE:
+      return Imf::NO_COMPRESSION;
+    case EXRPacking::ZIPS:
+      return Imf::ZIPS_COMPRESSION;
+    case EXRPacking::PIZ:
+      return Imf::PIZ_COMPRESSION;
+    case EXRPacking::DWAA:
+      return Imf::DWAA_COMPRESSION;
+    default:
+      return Imf::ZIP_COMPRESSION;
+  }
+}
+
+Imath::M44f ToImf(const EXRMatrix& matrix)
+{
+  Imath::M44f transposed;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      transposed[column][row] = static_cast<float>(matrix.Elements[4 * row + column]);
+    }
+  }
+  return transposed;
+}
+
+struct Windows
+{
+  Imath::Box2i Data, Display;
+};
+
+// Rows go down from the top of the display window.
+Windows MakeWindows(const EXRHeaderSettings& settings)
+{
+  const auto& extent = settings.Extent;
+  const int width = settings.DisplaySize[0], height = settings.DisplaySize[1];
+  if (width == 0 && height == 0)
+  {
+    const Imath::Box2i window(
+      Imath::V2i(0, 0), Imath::V2i(extent[1] - extent[0], extent[3] - extent[2]));
+    return { window, window };
+  }
+  return { Imath::Box2i(Imath::V2i(extent[0], height - 1 - extent[3]),
+             Imath::V2i(extent[1], height - 1 - extent[2])),
+    Imath::Box2i(Imath::V2i(0, 0), Imath::V2i(width - 1, height - 1)) };
+}
+
+void AddAttributes(const EXRHeaderSettings& settings, Imf::Header& header)
+{
+  for (const auto& [name, text] : settings.Texts)
+  {
+    header.insert(name, Imf::StringAttribute(text));
+  }
+  for (const auto& [name, number] : settings.Numbers)
+  {
+    header.insert(name, Imf::DoubleAttribute(number));
+  }
+  if (!settings.TimeCode.empty())
+  {
+    AddTimeCode(header, settings.TimeCode);
+  }
+  if (settings.FramesPerSecond > 0.0)
+  {
+    AddFramesPerSecond(header, settings.FramesPerSecond);
+  }
+  if (settings.WorldToCamera.Set)
+  {
+    Imf::addWorldToCamera(header, ToImf(settings.WorldToCamera));
+  }
+  if (settings.WorldToNDC.Set)
+  {
+    Imf::addWorldToNDC(header, ToImf(settings.WorldToNDC));
+  }
+}
+
+Imf::Header MakeHeader(const EXRHeaderSettings& settings, const std::vector<EXRSource>& sources)
+{
+  const Windows windows = MakeWindows(settings);
+  Imf::Header header(windows.Display, windows.Data, static_cast<float>(settings.PixelAspectRatio),
+    Imath::V2f(0.0f, 0.0f), 1.0f, Imf::INCREASING_Y, ToImf(settings.Packing));
+  AddAttributes(settings, header);
+  for (const EXRSource& source : sources)
+  {
+    header.channels().insert(
+      source.Channel, Imf::Channel(static_cast<Imf::PixelType>(source.Type)));
+  }
+  return header;
+}
+
+void CheckLoss(const EXRHeaderSettings& settings, const std::vector<EXRSource>& sources)
+{
+  const auto isData = [](const EXRSource& source)
+  { return !IsColorChannel(source.Channel) || source.Type == EXRPixel::UINT; };
+  const auto data = std::find_if(sources.begin(), sources.end(), isData);
+  if (settings.Packing == EXRPacking::DWAA && data != sources.end())
+  {
+    throw FileError(vtkErrorCode::UserError,
+      "Compression DWAA loses what the eye does not see, and channel " + data->Channel +
+        " holds data, not colors; choose ZIP or PIZ.");
+  }
+}
+
+// The rows of an array go up, those of the file down.
+Imf::Slice MakeSlice(const EXRSamples& samples, const Imath::Box2i& window)
+{
+  const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(samples.Stride);
+  const std::ptrdiff_t row = stride * (window.max.x - window.min.x + 1);
+  const std::intptr_t base =
+    reinterpret_cast<std::intptr_t>(samples.First) + window.max.y * row - window.min.x * stride;
+  return Imf::Slice(static_cast<Imf::PixelType>(samples.Type), reinterpret_cast<char*>(base),
+    samples.Stride, static_cast<std::size_t>(-row));
+}
+
+void WriteByOpenEXR(
+  EXROutput& output, const Imf::Header& header, const std::vector<EXRSamples>& channels)
+{
+  const Imath::Box2i window = header.dataWindow();
+  Imf::FrameBuffer frame;
+  for (const EXRSamples& channel : channels)
+  {
+    frame.insert(channel.Channel, MakeSlice(channel, window));
+  }
+  Imf::OutputFile file(output, header, 0);
+  file.setFrameBuffer(frame);
+  file.writePixels(window.max.y - window.min.y + 1);
+}
+
+void WritePixels(
+  EXROutput& output, const EXRHeaderSettings& settings, const std::vector<EXRSource>& sources)
+{
+  const Imf::Header header = MakeHeader(settings, sources);
+  std::vector<EXRSamples> channels;
+  channels.reserve(sources.size());
+  for (const EXRSource& source : sources)
+  {
+    channels.push_back(MakeSamples(source));
+  }
+  if (IsZipped(header))
+  {
+    WriteZipped(output, header, channels, settings.Level);
+    return;
+  }
+  WriteByOpenEXR(output, header, channels);
+}
+
+// Calls what touches the file's name, and tells its errors as ours.
+template <class Action>
+auto WithName(const Action& action)
+{
+  try
+  {
+    return action();
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw FileError(vtkErrorCode::CannotOpenFileError, error.what());
+  }
+}
+
+}
+
+void WriteEXR(
+  const std::string& name, const EXRHeaderSettings& settings, const std::vector<EXRSource>& sources)
+{
+  CheckLoss(settings, sources);
+  FileReplacement replacement = WithName([&name] { return FileReplacement(name); });
+  EXROutput output(replacement.GetTemporaryName());
+  try
+  {
+    WritePixels(output, settings, sources);
+  }
+  catch (const FileError&)
+  {
+    throw;
+  }
+  catch (const std::exception&)
+  {
+    if (output.GetErrorNumber() == 0)
+    {
+      throw;
+    }
+  }
+  output.Close();
+  WithName([&replacement] { replacement.Finish(); });
+}
+
+}

@@ -1,0 +1,52 @@
+// An EXR file as it is written: whole or not at all.
+
+#ifndef EXRWriting_h
+#define EXRWriting_h
+
+#include "EXR/EXRPixels.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace activesurface
+{
+
+enum class EXRPacking
+{
+  NONE = 0,
+  ZIP = 1,
+  ZIPS = 2,
+  PIZ = 3,
+  DWAA = 4
+};
+
+// A matrix as VTK has it, row by row; not written unless Set.
+struct EXRMatrix
+{
+  bool Set = false;
+  std::array<double, 16> Elements{};
+};
+
+struct EXRHeaderSettings
+{
+  EXRPacking Packing = EXRPacking::ZIP;
+  int Level = 4;                    // of ZIP and ZIPS
+  std::array<int, 4> Extent{};      // first and last column, first and last row from below
+  std::array<int, 2> DisplaySize{}; // 0: the extent is the display window
+  double PixelAspectRatio = 1.0;
+  double FramesPerSecond = 0.0; // 0: not written
+  std::string TimeCode;         // empty: not written
+  EXRMatrix WorldToCamera, WorldToNDC;
+  std::map<std::string, std::string> Texts;
+  std::map<std::string, double> Numbers;
+};
+
+// Throws FileError with what follows "Cannot write the file: "; a file that was there stays then.
+void WriteEXR(const std::string& name, const EXRHeaderSettings& settings,
+  const std::vector<EXRSource>& sources);
+
+}
+
+#endif

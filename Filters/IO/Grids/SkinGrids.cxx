@@ -1,0 +1,126 @@
+#include "Grids/SkinGrids.h"
+
+#include "Grids/ArrayValues.h"
+
+#include "vtkDataArray.h"
+
+#include <openvdb/math/Proximity.h>
+#include <openvdb/tools/LevelSetUtil.h>
+#include <openvdb/tree/LeafManager.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <type_traits>
+
+namespace activesurface
+{
+
+namespace
+{
+
+using openvdb::Vec3d;
+
+// Of the corners of a triangle, at its point that is nearest to a node.
+Vec3d FindWeights(const LatticeMesh& mesh, std::int32_t triangle, const openvdb::Coord& node)
+{
+  const auto& t = mesh.Triangles[triangle];
+  Vec3d weights;
+  openvdb::math::closestPointOnTriangleToPoint(
+    mesh.Points[t[0]], mesh.Points[t[1]], mesh.Points[t[2]], node.asVec3d(), weights);
+  return weights;
+}
+
+template <class Value>
+Value Blend(const Value corner[3], const Vec3d& weights, std::true_type)
+{
+  return static_cast<Value>(
+    corner[0] * weights[0] + corner[1] * weights[1] + corner[2] * weights[2]);
+}
+
+template <class Value>
+Value Blend(const Value corner[3], Vec3d weights, std::false_type)
+{
+  const double* const first = weights.asPointer();
+  return corner[std::max_element(first, first + 3) - first];
+}
+
+template <class Value>
+openvdb::GridBase::Ptr Spread(vtkDataArray* array, const LatticeMesh& mesh, const MeshBand& band)
+{
+  using Element = typename openvdb::VecTraits<Value>::ElementType;
+  using Tree = typename openvdb::FloatTree::ValueConverter<Value>::Type;
+  auto tree = std::make_shared<Tree>(
+    band.Triangles->tree(), openvdb::zeroVal<Value>(), openvdb::TopologyCopy());
+  openvdb::tree::LeafManager<Tree> leaves(*tree);
+  leaves.foreach (
+    [&](typename Tree::LeafNodeType& leaf, std::size_t)
+    {
+      const auto* nearest = band.Triangles->tree().probeConstLeaf(leaf.origin());
+      for (auto value = leaf.beginValueOn(); value; ++value)
+      {
+        const std::int32_t triangle = nearest->getValue(value.pos());
+        const Vec3d weights = FindWeights(mesh, triangle, value.getCoord());
+        Value corner[3];
+        for (int i = 0; i < 3; ++i)
+        {
+          corner[i] = GetValue<Value>(array, mesh.Triangles[triangle][i]);
+        }
+        value.setValue(Blend(corner, weights, std::is_floating_point<Element>()));
+      }
+    });
+  return openvdb::Grid<Tree>::create(tree);
+}
+
+}
+
+openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize)
+{
+  constexpr double smallest = 2e-5; // where the determinant counts as 0
+  if (!(voxelSize >= smallest))
+  {
+    std::ostringstream text;
+    text << "The voxels are of size " << voxelSize << ", and OpenVDB has none below " << smallest
+         << "; scale the scene up.";
+    throw std::invalid_argument(text.str());
+  }
+  auto tree = std::make_shared<openvdb::FloatTree>(band.Distances->tree());
+  const auto scale = static_cast<float>(voxelSize);
+  const auto background = static_cast<float>(HalfWidth * voxelSize);
+  const float largest = std::nextafter(background, 0.f);
+  openvdb::tree::LeafManager<openvdb::FloatTree> leaves(*tree);
+  leaves.foreach (
+    [=](openvdb::FloatTree::LeafNodeType& leaf, std::size_t)
+    {
+      for (auto value = leaf.beginValueOn(); value; ++value)
+      {
+        value.setValue(std::min(std::max(*value * scale, -largest), largest));
+      }
+    });
+  openvdb::tools::changeLevelSetBackground(*tree, background);
+  auto grid = openvdb::FloatGrid::create(tree);
+  grid->setName("surface");
+  grid->setGridClass(openvdb::GRID_LEVEL_SET);
+  grid->setTransform(openvdb::math::Transform::createLinearTransform(voxelSize));
+  return grid;
+}
+
+openvdb::FloatGrid::Ptr MakeDensityGrid(const openvdb::FloatGrid& surface)
+{
+  const openvdb::FloatGrid::Ptr grid = surface.deepCopy();
+  openvdb::tools::sdfToFogVolume(*grid);
+  grid->setName("density");
+  return grid;
+}
+
+openvdb::GridBase::Ptr MakeArrayGrid(
+  vtkDataArray* array, const LatticeMesh& mesh, const MeshBand& band)
+{
+  openvdb::GridBase::Ptr grid;
+  DispatchValues(array, [&](auto zero) { grid = Spread<decltype(zero)>(array, mesh, band); });
+  grid->setName(array->GetName() ? array->GetName() : "");
+  return grid;
+}
+
+}

@@ -1,0 +1,76 @@
+#include "Grids/VDBOutput.h"
+
+#include "FileError.h"
+#include "FileReplacement.h"
+#include "VDBFile.h"
+
+#include "vtkErrorCode.h"
+
+#include <openvdb/io/File.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+
+namespace activesurface
+{
+
+namespace
+{
+
+FileReplacement MakeReplacement(const std::string& file)
+{
+  try
+  {
+    return FileReplacement(file);
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw FileError(vtkErrorCode::CannotOpenFileError,
+      "The file " + file + " cannot be written: " + error.what() + ".");
+  }
+}
+
+void CheckCanBeMade(const std::string& file, const std::string& temporary)
+{
+  errno = 0;
+  const bool isMade = std::ofstream(temporary, std::ios::binary).is_open();
+  if (!isMade)
+  {
+    throw FileError(vtkErrorCode::CannotOpenFileError,
+      "The file " + file + " cannot be written: " + std::strerror(errno) +
+        "; check that its folder exists and may be written to.");
+  }
+}
+
+}
+
+void WriteVDB(const std::string& file, const openvdb::GridPtrVec& grids,
+  const openvdb::MetaMap& metadata, std::uint32_t compression)
+{
+  FileReplacement replacement = MakeReplacement(file);
+  CheckCanBeMade(file, replacement.GetTemporaryName());
+  for (const openvdb::GridBase::Ptr& grid : grids)
+  {
+    grid->insertMeta(metadata);
+  }
+  try
+  {
+    openvdb::io::File out(replacement.GetTemporaryName());
+    out.setCompression(compression);
+    out.write(grids, metadata);
+    out.close();
+    LookThroughVDB(replacement.GetTemporaryName()); // OpenVDB does not tell of a full disk
+    replacement.Finish();
+  }
+  catch (const std::exception& error)
+  {
+    throw FileError(vtkErrorCode::OutOfDiskSpaceError,
+      "The file " + file +
+        " cannot be written as a whole; check that there is room on the disk. (" + error.what() +
+        ")");
+  }
+}
+
+}

@@ -1,0 +1,22 @@
+/**
+ * The shape that a surface starts on.
+ */
+#ifndef InitialFunction_h
+#define InitialFunction_h
+
+#include <cstddef>
+#include <functional>
+
+namespace activesurface
+{
+
+/** A function of space, negative inside: values at `count` points (x y z each). */
+struct InitialFunction
+{
+  std::function<void(std::size_t count, const double* points, double* values)> Evaluate;
+  bool ThreadSafe = true;
+};
+
+}
+
+#endif

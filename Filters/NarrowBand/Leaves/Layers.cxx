@@ -1,0 +1,251 @@
+#include "Leaves/Layers.h"
+
+#include "Leaves/LayerZero.h"
+#include "Leaves/LeafKernels.h"
+#include "Leaves/LeafLine.h"
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** Bits on the face of a mask that looks in the direction of an axis and a sign. */
+bool TouchesFace(const LeafMask& mask, int axis, int sign)
+{
+  if (axis == 0)
+  {
+    return mask.Word[sign < 0 ? 0 : 7] != 0;
+  }
+  const std::uint64_t face = axis == 1 ? (sign < 0 ? 0xffull : 0xffull << 56)
+                                       : (sign < 0 ? 1ull : 0x80ull) * 0x0101010101010101ull;
+  std::uint64_t any = 0;
+  for (std::uint64_t word : mask.Word)
+  {
+    any |= word & face;
+  }
+  return any != 0;
+}
+
+/** Layers 0..m: layers 0..m-1 and their 6-neighbours. */
+struct AddLayer
+{
+  LeafTable& Table;
+  int Layer;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    BandLeaf& leaf = this->Table[i];
+    LeafMask grown = leaf.Upto[this->Layer - 1];
+    this->Grow<0, -1>(leaf, grown);
+    this->Grow<0, 1>(leaf, grown);
+    this->Grow<1, -1>(leaf, grown);
+    this->Grow<1, 1>(leaf, grown);
+    this->Grow<2, -1>(leaf, grown);
+    this->Grow<2, 1>(leaf, grown);
+    leaf.Upto[this->Layer] = grown;
+  }
+
+private:
+  template <int Axis, int Sign>
+  ACTIVE_ALWAYS_INLINE void Grow(BandLeaf& leaf, LeafMask& grown) const
+  {
+    const LeafMask& inner = leaf.Upto[this->Layer - 1];
+    const std::int32_t next = leaf.Neighbour[FaceNumber(Axis, Sign)];
+    grown = grown | Seen<Axis, Sign>(inner, this->Table.UptoOf(next, this->Layer - 1));
+    if (next < 0 && TouchesFace(inner, Axis, Sign))
+    {
+      leaf.Wanted |= 1u << FaceNumber(Axis, Sign);
+    }
+  }
+};
+
+/** Creates the leaves that these ones want. */
+LeafList AddWantedLeaves(LeafTable& table, PotentialTree& tree, const LeafList& leaves)
+{
+  std::vector<openvdb::Coord> wanted;
+  for (const std::int32_t i : leaves)
+  {
+    for (std::uint32_t left = table[i].Wanted; left != 0; left &= left - 1)
+    {
+      wanted.push_back(table[i].OriginOf(__builtin_ctz(left)));
+    }
+  }
+  return table.Add(wanted, tree);
+}
+
+/** Nodes whose neighbours one and two steps away on the axes are all in the layers. */
+ACTIVE_ALWAYS_INLINE LeafMask HaveAxisStencil(const LeafTable& table, const BandLeaf& leaf)
+{
+  const LeafMask& all = leaf.Upto[LastLayer];
+  LeafMask complete = all;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const LeafMask& next = table.UptoOf(leaf.Neighbour[FaceNumber(axis, 1)], LastLayer);
+    const LeafMask& previous = table.UptoOf(leaf.Neighbour[FaceNumber(axis, -1)], LastLayer);
+    complete = complete & SeenAhead(all, next, axis, 1) & SeenAhead(all, next, axis, 2) &
+      SeenBehind(all, previous, axis, 1) & SeenBehind(all, previous, axis, 2);
+  }
+  return complete;
+}
+
+bool HasDiagonalStencil(const LeafTable& table, std::int32_t i, int node)
+{
+  for (int n = 0; n < 27; ++n)
+  {
+    const int dx = n / 9 - 1, dy = n / 3 % 3 - 1, dz = n % 3 - 1;
+    if (dx * dx + dy * dy + dz * dz != 2)
+    {
+      continue;
+    }
+    const LeafTable::Place place = table.Offset(i, node, dx, dy, dz);
+    if (place.Leaf < 0 || !table[place.Leaf].Upto[LastLayer].Has(place.Node))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** The band, and the pockets beyond it. */
+ACTIVE_ALWAYS_INLINE void FindActiveNodes(LeafTable& table, std::size_t i)
+{
+  BandLeaf& leaf = table[i];
+  leaf.Active = leaf.Upto[LastBandLayer];
+  HaveAxisStencil(table, leaf)
+    .Without(leaf.Upto[LastBandLayer])
+    .ForEach(
+      [&](int node) ACTIVE_INLINED
+      {
+        if (HasDiagonalStencil(table, static_cast<std::int32_t>(i), node))
+        {
+          leaf.Active.Add(node);
+        }
+      });
+}
+
+ACTIVE_ALWAYS_INLINE void FindCrossedEdges(LeafTable& table, std::size_t i)
+{
+  BandLeaf& leaf = table[i];
+  leaf.Crossings = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const LeafMask& next = table.InsideOf(leaf.Neighbour[FaceNumber(axis, 1)]);
+    leaf.Edge[axis] = leaf.Inside ^ SeenAhead(leaf.Inside, next, axis, 1);
+    leaf.CrossingsBefore[axis] = leaf.Crossings;
+    leaf.Crossings += leaf.Edge[axis].Count();
+  }
+}
+
+/** Nodes that have left the layers take the background; the others outside have it already. */
+ACTIVE_ALWAYS_INLINE void RetireNodes(const LeafTable& table, BandLeaf& leaf)
+{
+  leaf.Unretired.Without(leaf.Upto[LastLayer])
+    .ForEach(
+      [&](int node) ACTIVE_INLINED {
+        leaf.Value[node] = table.BackgroundOf(leaf.Inside.Has(node) ? NoLeafInside : NoLeafOutside);
+      });
+  leaf.Unretired = leaf.Upto[LastLayer];
+}
+
+/** What follows from the layers: no leaf needs what is found in another one. */
+struct UseLayers
+{
+  LeafTable& Table;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    FindCrossedEdges(this->Table, i);
+    FindActiveNodes(this->Table, i);
+    RetireNodes(this->Table, this->Table[i]);
+    this->Table.Summarise(i);
+  }
+};
+
+/** New leaves change the layers around them, as far as the leaves next to them. */
+void GrowLayers(LeafTable& table, PotentialTree& tree)
+{
+  LeafList leaves = table.GetNear();
+  while (!leaves.empty())
+  {
+    FindLayerZero(table, leaves);
+    for (int layer = 1; layer < NumberOfLayers; ++layer)
+    {
+      ForEachLeaf(table, leaves, AddLayer{ table, layer });
+    }
+    leaves = table.FindAround(AddWantedLeaves(table, tree, leaves));
+  }
+}
+
+}
+
+void FindLayers(LeafTable& table, PotentialTree& tree)
+{
+  GrowLayers(table, tree);
+  table.ForEach(table.GetNear(), [&](std::size_t i) { FindCrossedEdges(table, i); });
+}
+
+void RebuildLayers(LeafTable& table, PotentialTree& tree)
+{
+  GrowLayers(table, tree);
+  ForEachLeaf(table, table.GetNear(), UseLayers{ table });
+}
+
+void DropEmptyLeaves(LeafTable& table, PotentialTree& tree)
+{
+  bool dropped = false;
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    if (!table.SummaryOf(i).IsUsed)
+    {
+      const float side = table.BackgroundOf(table[i].Inside.Has(0) ? NoLeafInside : NoLeafOutside);
+      tree.addTile(1, table[i].Origin, side, false);
+      dropped = true;
+    }
+  }
+  if (dropped)
+  {
+    table.Rebuild(tree);
+  }
+}
+
+std::size_t NumberCrossings(LeafTable& table)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    table[i].FirstCrossing = count;
+    count += table[i].Crossings;
+  }
+  return count;
+}
+
+void ReadActiveMasks(LeafTable& table)
+{
+  table.ForEach(
+    [&](std::size_t i)
+    {
+      const PotentialLeaf::NodeMaskType& mask = table[i].Leaf->getValueMask();
+      for (int x = 0; x < 8; ++x)
+      {
+        table[i].Active.Word[x] = mask.getWord<std::uint64_t>(x);
+      }
+    });
+}
+
+void WriteActiveMasks(const LeafTable& table)
+{
+  table.ForEach(
+    [&](std::size_t i)
+    {
+      const BandLeaf& leaf = table[i];
+      PotentialLeaf::NodeMaskType mask;
+      for (int x = 0; x < 8; ++x)
+      {
+        mask.getWord<std::uint64_t>(x) = leaf.Active.Word[x];
+      }
+      leaf.Leaf->setValueMask(mask);
+    });
+}
+
+}

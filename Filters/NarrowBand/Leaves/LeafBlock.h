@@ -1,0 +1,118 @@
+/**
+ * The values of a leaf with those around it that stencils read, in one piece of memory: two nodes
+ * along the axes, one along the diagonals of two axes. All else in the block is not set.
+ */
+#ifndef LeafBlock_h
+#define LeafBlock_h
+
+#include "InstructionSets.h"
+#include "Leaves/LeafTable.h"
+
+#include <cstring>
+
+namespace activesurface
+{
+
+struct LeafBlock
+{
+  static constexpr int Halo = 2;
+  static constexpr int Side = 8 + 2 * Halo;
+  static constexpr int X = Side * Side; //< distance of neighbours along x
+  static constexpr int Y = Side;
+  static constexpr int Z = 1;
+
+  alignas(64) float Value[Side * Side * Side];
+
+  ACTIVE_ALWAYS_INLINE void Gather(const LeafTable& table, const BandLeaf& leaf)
+  {
+    this->GatherRows<0, 0, 2>(table, leaf);
+    this->GatherRows<-1, 0, 1>(table, leaf);
+    this->GatherRows<1, 0, 1>(table, leaf);
+    this->GatherRows<0, -1, 1>(table, leaf);
+    this->GatherRows<0, 1, 1>(table, leaf);
+    this->GatherRows<-1, -1, 0>(table, leaf);
+    this->GatherRows<-1, 1, 0>(table, leaf);
+    this->GatherRows<1, -1, 0>(table, leaf);
+    this->GatherRows<1, 1, 0>(table, leaf);
+  }
+
+  /** Only what the stencils of the row (x, y) of the leaf read. */
+  ACTIVE_ALWAYS_INLINE void GatherAround(const LeafTable& table, const BandLeaf& leaf, int x, int y)
+  {
+    constexpr int steps[][2] = { { 0, 0 }, { -2, 0 }, { -1, 0 }, { 1, 0 }, { 2, 0 }, { 0, -2 },
+      { 0, -1 }, { 0, 1 }, { 0, 2 }, { -1, -1 }, { -1, 1 }, { 1, -1 }, { 1, 1 } };
+    for (const auto& step : steps)
+    {
+      const int atX = x + step[0], atY = y + step[1];
+      RowSource(table, leaf, atX >> 3, atY >> 3)
+        .Copy<Halo>(8 * (atX & 7) + (atY & 7), this->Value + PlaceOf(atX, atY));
+    }
+  }
+
+  /** The row (x, y) of the leaf itself. */
+  const float* Row(int x, int y) const { return this->Value + PlaceOf(x, y); }
+
+private:
+  /** Of a row in the block; x and y are counted from the leaf's own. */
+  static constexpr int PlaceOf(int x, int y) { return (x + Halo) * X + (y + Halo) * Y + Halo; }
+
+  /** Where the rows of a leaf lie; where there is none, one row stands for all. */
+  struct Rows
+  {
+    const float* First;
+    int Stride;
+
+    ACTIVE_ALWAYS_INLINE Rows(const LeafTable& table, std::int32_t number)
+      : First(number >= 0 ? table[number].Value : table.BackgroundRowOf(number))
+      , Stride(number >= 0 ? 8 : 0)
+    {
+    }
+
+    ACTIVE_ALWAYS_INLINE const float* operator[](int row) const
+    {
+      return this->First + this->Stride * row;
+    }
+  };
+
+  /** The leaf's neighbour (nx, ny), and those before and after it along z. */
+  struct RowSource
+  {
+    Rows Before, Middle, After;
+
+    ACTIVE_ALWAYS_INLINE RowSource(const LeafTable& table, const BandLeaf& leaf, int nx, int ny)
+      : Before(table, leaf.Neighbour[NeighbourNumber(nx, ny, -1)])
+      , Middle(table, leaf.Neighbour[NeighbourNumber(nx, ny, 0)])
+      , After(table, leaf.Neighbour[NeighbourNumber(nx, ny, 1)])
+    {
+    }
+
+    template <int Around>
+    ACTIVE_ALWAYS_INLINE void Copy(int row, float* to) const
+    {
+      std::memcpy(to, this->Middle[row], 8 * sizeof(float));
+      std::memcpy(to - Around, this->Before[row] + 8 - Around, Around * sizeof(float));
+      std::memcpy(to + 8, this->After[row], Around * sizeof(float));
+    }
+  };
+
+  /** The rows that lie in the leaf's neighbour (nx, ny), with so many nodes before and after. */
+  template <int nx, int ny, int Around>
+  ACTIVE_ALWAYS_INLINE void GatherRows(const LeafTable& table, const BandLeaf& leaf)
+  {
+    constexpr int thick = nx != 0 && ny != 0 ? 1 : Halo;
+    constexpr int x0 = nx < 0 ? 8 - thick : 0, x1 = nx > 0 ? thick : 8;
+    constexpr int y0 = ny < 0 ? 8 - thick : 0, y1 = ny > 0 ? thick : 8;
+    const RowSource source(table, leaf, nx, ny);
+    for (int x = x0; x < x1; ++x)
+    {
+      for (int y = y0; y < y1; ++y)
+      {
+        source.Copy<Around>(8 * x + y, this->Value + PlaceOf(8 * nx + x, 8 * ny + y));
+      }
+    }
+  }
+};
+
+}
+
+#endif

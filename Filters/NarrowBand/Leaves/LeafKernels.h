@@ -1,0 +1,54 @@
+/**
+ * Passes over the leaves, compiled for each instruction set.
+ */
+#ifndef LeafKernels_h
+#define LeafKernels_h
+
+#include "InstructionSets.h"
+#include "Leaves/LeafTable.h"
+
+namespace activesurface
+{
+
+/** Asks for a leaf's 512 numbers, which the leaf that comes next will want: processors do not guess
+ * it where rows are read out of order, as each leaf lies in a page of its own. */
+ACTIVE_ALWAYS_INLINE void FetchAhead(const float* numbers)
+{
+  constexpr int inALine = 16;
+  for (int k = 0; k < 512; k += inALine)
+  {
+    __builtin_prefetch(numbers + k);
+  }
+}
+
+/** Calls kernel(i) for every leaf, in parallel, with the best instructions that the processor has;
+ * see CompiledKernel. */
+template <class Kernel>
+void ForEachLeaf(const LeafTable& table, const Kernel& kernel)
+{
+  const auto run = CompiledKernel<Kernel, std::size_t>::GetBest();
+  table.ForEach([&kernel, run](std::size_t i) { run(kernel, i); });
+}
+
+/** The same for those of a list. */
+template <class Kernel>
+void ForEachLeaf(const LeafTable& table, const LeafList& leaves, const Kernel& kernel)
+{
+  const auto run = CompiledKernel<Kernel, std::size_t>::GetBest();
+  table.ForEach(leaves, [&kernel, run](std::size_t i) { run(kernel, i); });
+}
+
+/** The same by this thread alone, in the order of the list. */
+template <class Kernel>
+void ForEachLeafInTurn(const LeafList& leaves, const Kernel& kernel)
+{
+  const auto run = CompiledKernel<Kernel, std::size_t>::GetBest();
+  for (const std::int32_t i : leaves)
+  {
+    run(kernel, static_cast<std::size_t>(i));
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,70 @@
+/**
+ * What lies some steps along an axis from the nodes of a leaf, within it or in the leaves before
+ * and after it: numbers, and bits.
+ */
+#ifndef LeafLine_h
+#define LeafLine_h
+
+#include "Leaves/LeafTable.h"
+
+namespace activesurface
+{
+
+template <int Axis>
+class LeafLine
+{
+public:
+  static constexpr int Farthest = 3; //< steps
+
+  /** arrayOf(leaf): the 512 numbers of a leaf. */
+  template <class ArrayOf>
+  ACTIVE_ALWAYS_INLINE LeafLine(const LeafTable& table, std::int32_t leaf, ArrayOf&& arrayOf)
+  {
+    const std::int32_t before = table[leaf].Neighbour[FaceNumber(Axis, -1)];
+    const std::int32_t after = table[leaf].Neighbour[FaceNumber(Axis, 1)];
+    const float* own = arrayOf(leaf);
+    const float* ofBefore = before >= 0 ? arrayOf(before) : own;
+    const float* ofAfter = after >= 0 ? arrayOf(after) : own;
+    for (int p = 0; p < Planes; ++p)
+    {
+      const int place = p - Farthest;
+      this->Plane[p] = (place < 0 ? ofBefore : place < 8 ? own : ofAfter) + Step * (place & 7);
+    }
+  }
+
+  /**
+   * The number so many steps along the axis. Where there is no leaf, that of another node: callers
+   * mask it away. So do they with a number that another thread writes meanwhile.
+   */
+  ACTIVE_ALWAYS_INLINE float At(int node, int steps) const
+  {
+    const float* from = this->Plane[((node / Step) & 7) + steps + Farthest] + (node & ~(7 * Step));
+    float number;
+    __atomic_load(from, &number, __ATOMIC_RELAXED);
+    return number;
+  }
+
+private:
+  static constexpr int Planes = 8 + 2 * Farthest;
+  static constexpr int Step = Stride(Axis);
+
+  const float* Plane[Planes]; //< its first node, by its place along the axis
+};
+
+/** For numbers that other threads read with LeafLine::At meanwhile. */
+ACTIVE_ALWAYS_INLINE void WriteShared(float number, float* to)
+{
+  __atomic_store(to, &number, __ATOMIC_RELAXED);
+}
+
+/** The mask whose node n is set where `mask` has n + Steps along an axis; next: the mask of the
+ * leaf in that direction. Steps: -7 to 7. */
+template <int Axis, int Steps>
+ACTIVE_ALWAYS_INLINE LeafMask Seen(const LeafMask& mask, const LeafMask& next)
+{
+  return Steps < 0 ? SeenBehind(mask, next, Axis, -Steps) : SeenAhead(mask, next, Axis, Steps);
+}
+
+}
+
+#endif

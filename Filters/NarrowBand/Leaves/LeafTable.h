@@ -1,0 +1,285 @@
+/**
+ * The leaves of the potential, each with its masks and its 26 neighbours; in the order of the tree,
+ * but for those that have been added since Rebuild, which are the last.
+ *
+ * Everything that is derived from the signs of the potential lives here: layers, active nodes,
+ * crossed edges. All passes over the band run over this table, one leaf at a time, in parallel;
+ * a pass writes only the leaf it is called for.
+ */
+#ifndef LeafTable_h
+#define LeafTable_h
+
+#include "Leaves/LeafMask.h"
+
+#include <openvdb/openvdb.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace activesurface
+{
+
+using PotentialTree = openvdb::FloatTree;
+using PotentialLeaf = PotentialTree::LeafNodeType;
+
+/** In place of a neighbour's number: no leaf there, all nodes on one side of the surface. */
+constexpr std::int32_t NoLeafOutside = -1;
+constexpr std::int32_t NoLeafInside = -2;
+
+/** Magnitude of u beyond the layers [voxels]; only its sign means anything. */
+constexpr float Far = 1000.f;
+
+/** Numbers of leaves, ascending. */
+using LeafList = std::vector<std::int32_t>;
+
+constexpr int NumberOfLayers = 5; // 0..2 band, 3 and 4 rings
+constexpr int LastBandLayer = 2;
+constexpr int LastLayer = NumberOfLayers - 1;
+
+/** Number of a neighbour: offsets in {-1,0,1}; 13 is the leaf itself. */
+constexpr int NeighbourNumber(int dx, int dy, int dz)
+{
+  return 9 * (dx + 1) + 3 * (dy + 1) + dz + 1;
+}
+
+/** The neighbour across a face. axis 0..2, sign -1 or 1. */
+constexpr int FaceNumber(int axis, int sign)
+{
+  return 13 + sign * (axis == 0 ? 9 : axis == 1 ? 3 : 1);
+}
+
+/** Distance in a leaf's array from a node to the next one along an axis. */
+constexpr int Stride(int axis)
+{
+  return axis == 0 ? 64 : axis == 1 ? 8 : 1;
+}
+
+/** What is remembered of the speed in a leaf as long as nothing changes it: neither the leaf nor a
+ * neighbour has moved, nor the target there. */
+struct LeafSpeed
+{
+  bool IsKnown = false;
+  float AtNodes = 0.f;   //< largest |target speed| at the nodes that have samples
+  float AtSurface = 0.f; //< of the surface itself, see RestingLeaves.h
+  double Slope = 0.0;    //< largest |dF/dn|
+};
+
+/** What every substep asks of all leaves, those that rest too: small, so that it costs little. */
+struct LeafSummary
+{
+  LeafSpeed Speed;
+  std::int32_t ActiveNodes = 0;
+  std::int32_t ZeroNodes = 0; //< of layer 0
+  std::int32_t Crossings = 0;
+  bool IsUsed = false; //< whether a node of the leaf means more than its sign
+  bool IsNear = true;  //< in LeafTable's list of those
+};
+
+struct BandLeaf
+{
+  BandLeaf() = default;
+  explicit BandLeaf(PotentialLeaf& leaf);
+
+  /** Of a neighbour, by its number. */
+  openvdb::Coord OriginOf(int n) const
+  {
+    return this->Origin.offsetBy(8 * (n / 9 - 1), 8 * (n / 3 % 3 - 1), 8 * (n % 3 - 1));
+  }
+
+  float* Value = nullptr; //< the leaf's own 512 values of u
+  PotentialLeaf* Leaf = nullptr;
+  openvdb::Coord Origin;
+  std::array<std::int32_t, 27> Neighbour{};
+  std::uint32_t Wanted = 0; //< neighbours without a leaf that a layer has reached, one bit each
+
+  LeafMask Inside;                           //< u < 0
+  std::array<LeafMask, NumberOfLayers> Upto; //< nodes of the layers 0..m
+  LeafMask Active;                           //< band and pockets: advanced by the next substep
+  LeafMask Advanced;                         //< nodes whose value the last substep advanced
+  LeafMask Unretired = LeafMask::All();      //< nodes that may hold more than the background
+  std::array<LeafMask, 3> Edge;              //< crossed edges, by axis, at their lower node
+  std::size_t FirstCrossing = 0;             //< number of the first crossed edge
+  std::array<int, 3> CrossingsBefore{};      //< crossed edges of this leaf on earlier axes
+  int Crossings = 0;                         //< crossed edges of this leaf
+};
+
+/** Which of the 512 values of a leaf are negative. */
+LeafMask InsideNodes(const float* values);
+
+class LeafTable
+{
+public:
+  /** Takes the leaves of the tree as they are now, keeping what is known of those it had. */
+  void Rebuild(PotentialTree& tree);
+
+  /** Adds these leaves to the tree and to the table, where they are not there yet; the numbers of
+   * the others stay. Returns the numbers of the new ones, which are near what moves. */
+  LeafList Add(const std::vector<openvdb::Coord>& origins, PotentialTree& tree);
+
+  ///@{
+  /** Whether all leaves are in the order of the tree; what their order there is. */
+  bool IsSorted() const { return this->Sorted == this->Leaves.size(); }
+  LeafList FindTreeOrder() const;
+  ///@}
+
+  ///@{
+  /** The leaves that the next substep changes, until Rebuild; and those that see it: they and
+   * their neighbours, and leaves that are new. */
+  void Move(LeafList leaves);
+  void MoveAll();
+  const LeafList& GetMoving() const { return this->Moving; }
+  const LeafList& GetNear() const { return this->Near; }
+  ///@}
+
+  /** These leaves and their neighbours. */
+  LeafList FindAround(const LeafList& leaves) const;
+
+  /** All leaves for which condition(i) holds. */
+  template <class Condition>
+  LeafList FindAll(Condition&& condition) const
+  {
+    LeafList found;
+    for (std::size_t i = 0; i < this->Leaves.size(); ++i)
+    {
+      if (condition(i))
+      {
+        found.push_back(static_cast<std::int32_t>(i));
+      }
+    }
+    return found;
+  }
+
+  std::size_t Size() const { return this->Leaves.size(); }
+  BandLeaf& operator[](std::size_t i) { return this->Leaves[i]; }
+  const BandLeaf& operator[](std::size_t i) const { return this->Leaves[i]; }
+
+  LeafSummary& SummaryOf(std::size_t i) { return this->Summaries[i]; }
+  const LeafSummary& SummaryOf(std::size_t i) const { return this->Summaries[i]; }
+  /** Of a leaf whose nodes have changed; not of its Speed. */
+  ACTIVE_ALWAYS_INLINE void Summarise(std::size_t i);
+
+  ///@{
+  /** Mask of a neighbour; where there is no leaf: none, or for Inside the side it lies on. */
+  const LeafMask& UptoOf(std::int32_t number, int layer) const
+  {
+    return number >= 0 ? this->Leaves[number].Upto[layer] : this->Nothing;
+  }
+  const LeafMask& InsideOf(std::int32_t number) const
+  {
+    return number >= 0         ? this->Leaves[number].Inside
+      : number == NoLeafInside ? this->Everything
+                               : this->Nothing;
+  }
+  ///@}
+
+  /** Leaf number and node of the node `steps` away along an axis; the leaf number may be < 0. */
+  struct Place
+  {
+    std::int32_t Leaf;
+    int Node;
+  };
+  Place Step(std::int32_t leaf, int node, int axis, int steps) const
+  {
+    const int stride = Stride(axis);
+    const int side = (((node / stride) & 7) + steps) >> 3;
+    const int moved = node + (steps - 8 * side) * stride;
+    return { side == 0 ? leaf : this->Leaves[leaf].Neighbour[FaceNumber(axis, side)], moved };
+  }
+
+  /** The same for offsets of at most one on each axis (edge and corner neighbours included). */
+  Place Offset(std::int32_t leaf, int node, int dx, int dy, int dz) const;
+
+  /** Calls function(i) for every leaf, in parallel. */
+  template <class Function>
+  void ForEach(Function&& function) const
+  {
+    ForRange(this->Leaves.size(), function);
+  }
+
+  /** The same for those of a list. */
+  template <class Function>
+  void ForEach(const LeafList& leaves, Function&& function) const
+  {
+    ForRange(
+      leaves.size(), [&](std::size_t place) { function(static_cast<std::size_t>(leaves[place])); });
+  }
+
+  /** The sum of function(summary), a whole number, over all leaves. */
+  template <class Function>
+  std::size_t Count(Function&& function) const
+  {
+    std::size_t count = 0;
+    for (const LeafSummary& summary : this->Summaries)
+    {
+      count += static_cast<std::size_t>(function(summary));
+    }
+    return count;
+  }
+
+  /** Value that stands for all nodes beyond the layers, and minus it inside. */
+  void SetBackground(float value)
+  {
+    this->Background[0].fill(value);
+    this->Background[1].fill(-value);
+  }
+  float GetBackground() const { return this->Background[0][0]; }
+  float BackgroundOf(std::int32_t number) const { return *this->BackgroundRowOf(number); }
+  /** Eight times the same. */
+  const float* BackgroundRowOf(std::int32_t number) const
+  {
+    return this->Background[number == NoLeafInside ? 1 : 0].data();
+  }
+
+  /** Number of a leaf by its origin, or a negative number. */
+  std::int32_t Find(const openvdb::Coord& origin) const;
+
+private:
+  static constexpr std::size_t Grain = 16; //< leaves: some microseconds of work
+
+  template <class Function>
+  static void ForRange(std::size_t size, Function&& function)
+  {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, Grain),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+        {
+          function(i);
+        }
+      });
+  }
+
+  void FindNeighbours(std::size_t i, const PotentialTree& tree);
+  void BuildIndex();
+  void AddToIndex(std::size_t i);
+
+  std::vector<BandLeaf> Leaves;
+  std::vector<LeafSummary> Summaries; // of each
+  LeafList Moving;
+  LeafList Near;
+  std::size_t Sorted = 0;          // how many there were at Rebuild
+  std::vector<std::int32_t> Index; // open-addressing hash of the origins
+  std::array<std::array<float, 8>, 2> Background{};
+  LeafMask Nothing;
+  LeafMask Everything = LeafMask::All();
+};
+
+ACTIVE_ALWAYS_INLINE void LeafTable::Summarise(std::size_t i)
+{
+  const BandLeaf& leaf = this->Leaves[i];
+  LeafSummary& summary = this->Summaries[i];
+  summary.ActiveNodes = leaf.Active.Count();
+  summary.ZeroNodes = leaf.Upto[0].Count();
+  summary.Crossings = leaf.Crossings;
+  summary.IsUsed = leaf.Upto[LastLayer].Any() || leaf.Active.Any();
+}
+
+/** Nodes at either end of a crossed edge. */
+LeafMask NodesWithCrossing(const LeafTable& table, const BandLeaf& leaf);
+
+}
+
+#endif

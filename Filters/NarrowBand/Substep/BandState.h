@@ -1,0 +1,79 @@
+/**
+ * What a NarrowBand holds, and one substep of it.
+ */
+#ifndef BandState_h
+#define BandState_h
+
+#include "Leaves/LeafTable.h"
+#include "Motion.h"
+#include "Target.h"
+#include "Substep/Displacement.h"
+#include "Substep/SkinMeasure.h"
+#include "Substep/SubstepBuffers.h"
+#include "Substep/TimeStep.h"
+
+#include <limits>
+
+namespace activesurface
+{
+
+struct BandState
+{
+  double VoxelSize = 1.0;
+  double Time = 0.0;
+  int Threads = 0;
+  std::size_t Maximum = std::numeric_limits<std::size_t>::max();
+  openvdb::FloatGrid::Ptr Potential;
+  LeafTable Leaves;
+  std::size_t Crossings = 0;
+  SkinMeasure StartMeasure; // world units
+  double BoxSize = 1.0;     // longest side of the bounds at the start
+  bool Paper = false;       // the band is the paper's: see PaperStep.h
+  AdvanceReport Work;       // since ForgetWork
+  SubstepBuffers Buffers;
+  Displacement Trace;
+
+  void MakeEmpty();
+  /** From the signs, or for the paper's band the active masks, of a tree. */
+  void TakeTree(const openvdb::FloatTree::Ptr& tree);
+  /** The same, and all that follows from the active nodes. */
+  void Restore(const openvdb::FloatTree::Ptr& tree);
+  float GetBackground() const;
+  /** Comes before the first substep of a motion. */
+  void Begin(const Motion& motion);
+
+  void Step(double end, const Motion& motion, Target& target, AdvanceReport& report);
+  /** One substep of any length; the speed is the report's RestSpeed. */
+  void StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report);
+
+  /** To be called between motions: the surface counts as just started. */
+  void Confine(const Walls& walls);
+
+  void RebuildBand();
+  void FinishFrame();
+  std::size_t CountActive() const;
+  /** Area and volume in world units. */
+  SkinMeasure Measure() const;
+
+private:
+  struct Move;
+
+  /** Makes the band the one that this motion needs. */
+  void TakeScheme(const Motion& motion);
+
+  TargetLimits FollowTarget(
+    const Motion& motion, Target& target, AdvanceReport& report, Move& move);
+  /** isMore: besides those that have been sampled. */
+  void SampleTarget(const LeafList& leaves, bool isMore, const Motion& motion, const Target& target,
+    AdvanceReport& report);
+  PenaltyForce FindForce(const Motion& motion) const;
+  void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
+  void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);
+  void MakePaperStep(const Motion& motion, Move& move);
+  void RestoreControlled(const Motion& motion);
+  void CheckSize() const;
+};
+
+}
+
+#endif

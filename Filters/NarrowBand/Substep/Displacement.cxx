@@ -1,0 +1,105 @@
+#include "Substep/Displacement.h"
+
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+
+namespace
+{
+
+float ValueAt(const LeafTable& table, const LeafTable::Place& place)
+{
+  return place.Leaf >= 0 ? table[place.Leaf].Value[place.Node] : table.BackgroundOf(place.Leaf);
+}
+
+double Difference(const LeafTable& table, const LeafTable::Place& place, int axis)
+{
+  const double ahead = ValueAt(table, table.Step(place.Leaf, place.Node, axis, 1));
+  const double behind = ValueAt(table, table.Step(place.Leaf, place.Node, axis, -1));
+  return .5 * (ahead - behind);
+}
+
+/** Component along an axis of the normal at a share t of the way between two nodes. */
+double NormalAlong(const LeafTable& table, const LeafTable::Place& lower,
+  const LeafTable::Place& upper, int axis, double t)
+{
+  double square = 0.0, along = 0.0;
+  for (int d = 0; d < 3; ++d)
+  {
+    const double component =
+      (1.0 - t) * Difference(table, lower, d) + t * Difference(table, upper, d);
+    square += component * component;
+    along = d == axis ? component : along;
+  }
+  return square > 0.0 ? along / std::sqrt(square) : 1.0;
+}
+
+}
+
+void Displacement::Begin(const LeafTable& table)
+{
+  this->Leaves.resize(table.Size());
+  this->Values.resize(512 * table.Size());
+  table.ForEach(
+    [&](std::size_t i)
+    {
+      const BandLeaf& leaf = table[i];
+      this->Leaves[i] = { leaf.Origin, leaf.Edge, leaf.Inside,
+        { leaf.Neighbour[FaceNumber(0, 1)], leaf.Neighbour[FaceNumber(1, 1)],
+          leaf.Neighbour[FaceNumber(2, 1)] } };
+      std::copy_n(leaf.Value, 512, this->Values.data() + 512 * i);
+    });
+}
+
+double Displacement::GetLargest(const LeafTable& table) const
+{
+  return tbb::parallel_reduce(
+    tbb::blocked_range<std::size_t>(0, this->Leaves.size(), 16), 0.0,
+    [&](const tbb::blocked_range<std::size_t>& leaves, double largest)
+    {
+      for (std::size_t i = leaves.begin(); i != leaves.end(); ++i)
+      {
+        largest = std::max(largest, this->LargestOfLeaf(table, i));
+      }
+      return largest;
+    },
+    [](double a, double b) { return std::max(a, b); });
+}
+
+double Displacement::LargestOfLeaf(const LeafTable& table, std::size_t i) const
+{
+  const Leaf& before = this->Leaves[i];
+  const std::int32_t now = table.Find(before.Origin);
+  double largest = 0.0;
+  for (int axis = 0; now >= 0 && axis < 3; ++axis)
+  {
+    const int stride = Stride(axis);
+    (before.Edge[axis] & table[now].Edge[axis])
+      .ForEach(
+        [&](int node)
+        {
+          if (before.Inside.Has(node) != table[now].Inside.Has(node))
+          {
+            return;
+          }
+          const bool within = (node / stride) % 8 < 7;
+          const std::size_t upperBefore = within
+            ? 512 * i + node + stride
+            : 512 * std::size_t(before.Next[axis]) + node - 7 * stride;
+          const double low = this->Values[512 * i + node], high = this->Values[upperBefore];
+          const LeafTable::Place lower{ now, node };
+          const LeafTable::Place upper = table.Step(now, node, axis, 1);
+          const double lowNow = ValueAt(table, lower), highNow = ValueAt(table, upper);
+          const double t = lowNow / (lowNow - highNow);
+          const double moved = t - low / (low - high);
+          largest = std::max(largest, std::fabs(moved * NormalAlong(table, lower, upper, axis, t)));
+        });
+  }
+  return largest;
+}
+
+}

@@ -1,0 +1,140 @@
+/**
+ * The terms of the evolution equation on a row of eight nodes.
+ *
+ * Plain loops without branches, which the compiler turns into vector code. u points at the row in a
+ * LeafBlock; differences are per voxel. No reduction runs across the row and contraction to fused
+ * multiply-add is off, so any vector width gives the same bytes.
+ */
+#ifndef RowKernels_h
+#define RowKernels_h
+
+#include "InstructionSets.h"
+#include "Leaves/LeafBlock.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace activesurface
+{
+
+using RowMask = std::array<float, 8>; //< 1 where a bit is set, else 0
+
+constexpr std::array<RowMask, 256> MakeRowMasks()
+{
+  std::array<RowMask, 256> all{};
+  for (unsigned b = 0; b < 256; ++b)
+  {
+    for (unsigned z = 0; z < 8; ++z)
+    {
+      all[b][z] = (b >> z) & 1u ? 1.f : 0.f;
+    }
+  }
+  return all;
+}
+
+inline constexpr std::array<RowMask, 256> RowMasks = MakeRowMasks();
+
+/** The eight bits of a row as numbers. */
+ACTIVE_ALWAYS_INLINE const RowMask& MaskOfBits(unsigned bits)
+{
+  return RowMasks[bits];
+}
+
+/** The smaller of two numbers of one sign, 0 for opposite ones. */
+ACTIVE_ALWAYS_INLINE float MinMod(float a, float b)
+{
+  return std::max(std::min(a, b), 0.f) + std::min(std::max(a, b), 0.f);
+}
+
+/** Godunov's upwind |du|^2 on one axis, for a surface that moves outward and inward. */
+struct UpwindSquares
+{
+  float Outward;
+  float Inward;
+};
+
+/** ENO2: one-sided differences, each corrected by the smaller neighbouring second difference. */
+ACTIVE_ALWAYS_INLINE UpwindSquares UpwindDifferences(const float* u, int stride)
+{
+  const float behind = u[0] - u[-stride];
+  const float ahead = u[stride] - u[0];
+  const float here = ahead - behind;
+  const float bendBehind = u[0] - 2.f * u[-stride] + u[-2 * stride];
+  const float bendAhead = u[0] - 2.f * u[stride] + u[2 * stride];
+  const float minus = behind + .5f * MinMod(here, bendBehind);
+  const float plus = ahead - .5f * MinMod(here, bendAhead);
+  const float outward = std::max(std::max(minus, -plus), 0.f);
+  const float inward = std::max(std::max(-minus, plus), 0.f);
+  return { outward * outward, inward * inward };
+}
+
+/** next -= advection * V * |grad u| + q * sign(u) * (|grad u| - 1). */
+ACTIVE_ALWAYS_INLINE void AddTransport(
+  const float* u, const float* speed, float advection, const RowMask& relaxation, float* next)
+{
+  for (int z = 0; z < 8; ++z)
+  {
+    const UpwindSquares x = UpwindDifferences(u + z, LeafBlock::X);
+    const UpwindSquares y = UpwindDifferences(u + z, LeafBlock::Y);
+    const UpwindSquares w = UpwindDifferences(u + z, LeafBlock::Z);
+    const float outward = std::sqrt(x.Outward + y.Outward + w.Outward);
+    const float inward = std::sqrt(x.Inward + y.Inward + w.Inward);
+    const float slope = speed[z] > 0.f ? outward : inward;
+    const float excess = u[z] < 0.f ? 1.f - inward : outward - 1.f;
+    next[z] -= advection * speed[z] * slope + relaxation[z] * excess;
+  }
+}
+
+/** Squares of the central slope. */
+ACTIVE_ALWAYS_INLINE void CentralSlopes(const float* u, float* squares)
+{
+  constexpr int X = LeafBlock::X, Y = LeafBlock::Y, Z = LeafBlock::Z;
+  for (int z = 0; z < 8; ++z)
+  {
+    const float* c = u + z;
+    const float gx = .5f * (c[X] - c[-X]), gy = .5f * (c[Y] - c[-Y]), gz = .5f * (c[Z] - c[-Z]);
+    squares[z] = gx * gx + gy * gy + gz * gz;
+  }
+}
+
+/** next -= advection * V * |grad u|, central differences: for comparison with the paper. */
+ACTIVE_ALWAYS_INLINE void AddCentralTransport(
+  const float* u, const float* speed, float advection, float* next)
+{
+  float squares[8];
+  CentralSlopes(u, squares);
+  for (int z = 0; z < 8; ++z)
+  {
+    next[z] -= advection * speed[z] * std::sqrt(squares[z]);
+  }
+}
+
+/** next += tension * kappa * |grad u|, kappa the sum of the principal curvatures, in voxels. */
+ACTIVE_ALWAYS_INLINE void AddTension(const float* u, float tension, float* next)
+{
+  constexpr int X = LeafBlock::X, Y = LeafBlock::Y, Z = LeafBlock::Z;
+  for (int z = 0; z < 8; ++z)
+  {
+    const float* c = u + z;
+    const float gx = .5f * (c[X] - c[-X]), gy = .5f * (c[Y] - c[-Y]), gz = .5f * (c[Z] - c[-Z]);
+    const float hxx = c[X] - 2.f * c[0] + c[-X];
+    const float hyy = c[Y] - 2.f * c[0] + c[-Y];
+    const float hzz = c[Z] - 2.f * c[0] + c[-Z];
+    const float hxy = .25f * ((c[X + Y] - c[X - Y]) - (c[-X + Y] - c[-X - Y]));
+    const float hxz = .25f * ((c[X + Z] - c[X - Z]) - (c[-X + Z] - c[-X - Z]));
+    const float hyz = .25f * ((c[Y + Z] - c[Y - Z]) - (c[-Y + Z] - c[-Y - Z]));
+    const float square = gx * gx + gy * gy + gz * gz;
+    const float product = gx * gx * (hyy + hzz) + gy * gy * (hxx + hzz) + gz * gz * (hxx + hyy) -
+      2.f * (gx * gy * hxy + gy * gz * hyz + gx * gz * hxz);
+    // Where the gradient vanishes there is no normal: the mean over all normals.
+    const float size = std::fabs(hxx) + std::fabs(hyy) + std::fabs(hzz);
+    const bool regular = square > 1e-12f * size * size;
+    const float rate = regular ? product / square : (2.f / 3.f) * (hxx + hyy + hzz);
+    next[z] += tension * rate;
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,135 @@
+#include "Substep/SkinMeasure.h"
+
+#include "Leaves/LeafKernels.h"
+#include "Substep/SkinVoxels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace activesurface
+{
+
+namespace
+{
+
+struct Vector
+{
+  double X, Y, Z;
+};
+
+Vector Difference(const Vector& a, const Vector& b)
+{
+  return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
+}
+
+Vector Cross(const Vector& a, const Vector& b)
+{
+  return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
+}
+
+double Dot(const Vector& a, const Vector& b)
+{
+  return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+}
+
+/** Where the surface crosses the edges of a leaf's voxels, as seen from the reference. */
+struct CrossingsOfLeaf
+{
+  double Origin[3];
+  double Along[3 * CornersOfLeaf]; // by EdgePlace, where the edge is crossed: 0 to 1
+
+  ACTIVE_ALWAYS_INLINE CrossingsOfLeaf(
+    const LeafTable& table, std::size_t i, const openvdb::Coord& reference)
+  {
+    const openvdb::Coord origin = table[i].Origin - reference;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Origin[axis] = double(origin[axis]);
+    }
+    ForEachCrossedEdge(table, i,
+      [&](const CrossedEdge& edge) ACTIVE_INLINED
+      {
+        const LeafTable::Place upper = table.Step(edge.Leaf, edge.Node, edge.Axis, 1);
+        const double low = table[edge.Leaf].Value[edge.Node];
+        const double high = table[upper.Leaf].Value[upper.Node];
+        this->Along[edge.Place] = low / (low - high);
+      });
+  }
+
+  /** The crossing of an edge of the voxel with this lower corner. */
+  ACTIVE_ALWAYS_INLINE Vector At(int node, int edge) const
+  {
+    const int corner = LowerCornerOfEdge[edge];
+    double at[3] = { this->Origin[0] + ((node >> 6) + (corner >> 2)),
+      this->Origin[1] + (((node >> 3) & 7) + (corner >> 1 & 1)),
+      this->Origin[2] + ((node & 7) + (corner & 1)) };
+    at[AxisOfEdge(edge)] += this->Along[CornerPlace(node) + PlaceOfEdge[edge]];
+    return { at[0], at[1], at[2] };
+  }
+};
+
+ACTIVE_ALWAYS_INLINE void AddTriangle(const Vector corners[3], SkinMeasure& sum)
+{
+  const Vector twiceArea =
+    Cross(Difference(corners[1], corners[0]), Difference(corners[2], corners[0]));
+  sum.Area += .5 * std::sqrt(Dot(twiceArea, twiceArea));
+  sum.Volume += Dot(corners[0], twiceArea) / 6.0;
+}
+
+struct MeasureLeaf
+{
+  const LeafTable& Table;
+  const openvdb::Coord& Reference;
+  SkinMeasure* Parts;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    SkinMeasure sum;
+    if (this->Table[i].Upto[0].Any())
+    {
+      const CrossingsOfLeaf crossings(this->Table, i, this->Reference);
+      const VoxelTriangles* all = &TrianglesOfVoxel(0);
+      ForEachCrossedVoxel(this->Table, i,
+        [&](int node, unsigned bits) ACTIVE_INLINED
+        {
+          const VoxelTriangles& triangles = all[bits];
+          for (int t = 0; t < triangles.Count; ++t)
+          {
+            const std::uint8_t* edge = triangles.Edge[t];
+            const Vector corners[3] = { crossings.At(node, edge[0]), crossings.At(node, edge[1]),
+              crossings.At(node, edge[2]) };
+            AddTriangle(corners, sum);
+          }
+        });
+    }
+    this->Parts[i] = sum;
+  }
+};
+
+}
+
+SkinMeasure MeasureSkin(const LeafTable& table)
+{
+  // Any point will do for a closed surface; one nearby keeps the sums small. Leaves without surface
+  // do not count: whether they are still there depends on what was asked for before.
+  const LeafList order = table.FindTreeOrder();
+  const auto first = std::find_if(
+    order.begin(), order.end(), [&](std::int32_t i) { return table[i].Upto[0].Any(); });
+  SkinMeasure total;
+  if (first == order.end())
+  {
+    return total;
+  }
+  const openvdb::Coord reference = table[*first].Origin;
+  std::vector<SkinMeasure> parts(table.Size());
+  ForEachLeaf(table, MeasureLeaf{ table, reference, parts.data() });
+  for (const std::int32_t i : order)
+  {
+    total.Area += parts[i].Area;
+    total.Volume += parts[i].Volume;
+  }
+  return total;
+}
+
+}

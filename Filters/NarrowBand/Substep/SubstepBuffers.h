@@ -1,0 +1,80 @@
+/**
+ * What one substep passes from hand to hand; kept from substep to substep for its memory.
+ */
+#ifndef SubstepBuffers_h
+#define SubstepBuffers_h
+
+#include "Leaves/LeafMask.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace activesurface
+{
+
+/** Makes a vector so long. Where it has to grow, what it holds is lost, so that memory is never
+ * needed twice. */
+template <class Value>
+void MakeRoom(std::vector<Value>& room, std::size_t size)
+{
+  if (room.capacity() < size)
+  {
+    std::vector<Value>().swap(room);
+    room.reserve(size + size / 8); // surfaces that grow do so by little
+  }
+  room.resize(size);
+}
+
+/** 512 numbers per leaf, in blocks small enough to come out of what the heap has free. */
+class NodeArrays
+{
+public:
+  void MakeRoom(std::size_t leaves)
+  {
+    while (LeavesAtOnce * this->Blocks.size() < leaves)
+    {
+      this->Blocks.emplace_back(new float[512 * LeavesAtOnce]);
+    }
+  }
+
+  float* Of(std::size_t leaf) const
+  {
+    return this->Blocks[leaf / LeavesAtOnce].get() + 512 * (leaf % LeavesAtOnce);
+  }
+
+private:
+  static constexpr std::size_t LeavesAtOnce = 32;
+  std::vector<std::unique_ptr<float[]>> Blocks;
+};
+
+struct SubstepBuffers
+{
+  // F - iso at the points of evaluation, leaf by leaf.
+  std::vector<float> Samples;
+  static constexpr std::int64_t NoSamples = -1; //< of a leaf that has not been sampled
+  std::vector<std::int64_t> FirstSample;        //< number of a leaf's first point
+
+  // Per leaf, 512 nodes each: extended target speed, valid where Known, then the potential after
+  // the substep, which takes its room row by row.
+  NodeArrays Nodes;
+  std::vector<LeafMask> Known;
+  std::vector<LeafMask> NextKnown;
+
+  // Per leaf.
+  std::vector<double> LargestSlope; //< of the target, |dF/dn|
+  std::vector<float> LargestSpeed;  //< at the nodes with samples
+  std::vector<int> FlatNodes;       //< layer 0 nodes of slope below 1/sqrt 2
+  std::vector<int> SteepNodes;      //< layer 0 nodes of slope above sqrt 2
+
+  void MakeRoomForNodes(std::size_t leaves) { this->Nodes.MakeRoom(leaves); }
+  float* SpeedOf(std::size_t leaf) { return this->Nodes.Of(leaf); }
+  const float* SpeedOf(std::size_t leaf) const { return this->Nodes.Of(leaf); }
+  float* NextOf(std::size_t leaf) { return this->Nodes.Of(leaf); }
+  const float* NextOf(std::size_t leaf) const { return this->Nodes.Of(leaf); }
+};
+
+}
+
+#endif

@@ -1,0 +1,278 @@
+#include "Substep/TargetSpeed.h"
+
+#include "Leaves/LeafKernels.h"
+#include "Substep/NodePoints.h"
+#include "Substep/SubstepBuffers.h"
+#include "Substep/WeightedSamples.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** Speed at the nodes with crossed edges. */
+ACTIVE_ALWAYS_INLINE void TakeCrossings(
+  const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
+{
+  WeightedSamples samples(motion.Paper);
+  samples.Add(table, i, buffers);
+  float* speed = buffers.SpeedOf(i);
+  const float rate = static_cast<float>(-motion.Attraction);
+  const LeafMask known = NodesWithCrossing(table, table[i]);
+  known.ForEach([&](int node) ACTIVE_INLINED { speed[node] = samples.GetSpeed(node, rate); });
+  buffers.Known[i] = buffers.NextKnown[i] = known;
+}
+
+/** Speed at the nodes with points of their own. */
+void TakeOwnPoints(
+  const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
+{
+  const float* value = buffers.Samples.data() + buffers.FirstSample[i] +
+    (SamplesCrossings(motion) ? table[i].Crossings : 0);
+  float* speed = buffers.SpeedOf(i);
+  const float rate = static_cast<float>(-motion.Attraction);
+  NodesWithOwnPoint(table, table[i], motion)
+    .ForEach(
+      [&](int node)
+      {
+        const float sample = *value++;
+        speed[node] = std::isfinite(sample) ? rate * sample : 0.f;
+      });
+}
+
+float LargestOf(const float* speed, const LeafMask& nodes)
+{
+  float largest = 0.f;
+  nodes.ForEach([&](int node) { largest = std::max(largest, std::fabs(speed[node])); });
+  return largest;
+}
+
+/** All that the samples themselves say; the largest speeds of each leaf with it. */
+struct TakeTarget
+{
+  const LeafTable& Table;
+  const struct Motion& Motion;
+  SubstepBuffers& Buffers;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    float* speed = this->Buffers.SpeedOf(i);
+    std::fill_n(speed, 512, 0.f); // what the extension does not reach stands still
+    LeafMask nodes;
+    if (SamplesCrossings(this->Motion))
+    {
+      TakeCrossings(this->Table, i, this->Motion, this->Buffers);
+      nodes = this->Buffers.Known[i];
+    }
+    if (HasNodePoints(this->Motion))
+    {
+      TakeOwnPoints(this->Table, i, this->Motion, this->Buffers);
+      nodes = nodes | NodesWithOwnPoint(this->Table, this->Table[i], this->Motion);
+    }
+    this->Buffers.LargestSpeed[i] = LargestOf(speed, nodes);
+  }
+};
+
+/** One round of the extension in one leaf: nodes that have a known neighbour become known. */
+class LeafExtension
+{
+public:
+  ACTIVE_ALWAYS_INLINE LeafExtension(
+    const LeafTable& table, std::size_t leaf, const SubstepBuffers& buffers)
+    : Table(table)
+    , Leaf(static_cast<std::int32_t>(leaf))
+    , Buffers(buffers)
+  {
+  }
+
+  /** Speeds of those of the missing nodes that are reached; returns which. */
+  ACTIVE_ALWAYS_INLINE LeafMask Extend(const LeafMask& missing, float* speed) const
+  {
+    const Neighbours<0> alongX(*this, missing);
+    const Neighbours<1> alongY(*this, missing);
+    const Neighbours<2> alongZ(*this, missing);
+    const LeafMask front = alongX.GetReached() | alongY.GetReached() | alongZ.GetReached();
+    const float* own = this->Table[this->Leaf].Value;
+    front.ForEach(
+      [&](int node) ACTIVE_INLINED
+      {
+        const float distance = std::fabs(own[node]);
+        KnownSpeeds sums;
+        alongX.Add(node, distance, sums);
+        alongY.Add(node, distance, sums);
+        alongZ.Add(node, distance, sums);
+        WriteShared(
+          sums.Weight > 0.f ? sums.Weighted / sums.Weight : this->FindMean(node), speed + node);
+      });
+    return front;
+  }
+
+private:
+  struct KnownSpeeds
+  {
+    float Weight = 0.f;
+    float Weighted = 0.f;
+  };
+
+  /** The two neighbours on an axis of the missing nodes, where they are known. */
+  template <int Axis>
+  class Neighbours
+  {
+  public:
+    ACTIVE_ALWAYS_INLINE Neighbours(const LeafExtension& leaf, const LeafMask& missing)
+      : Values(leaf.Table, leaf.Leaf, [&leaf](std::int32_t n) { return leaf.Table[n].Value; })
+      , Speeds(leaf.Table, leaf.Leaf, [&leaf](std::int32_t n) { return leaf.Buffers.SpeedOf(n); })
+      , Before(missing & leaf.SeeKnown<Axis, -1>())
+      , After(missing & leaf.SeeKnown<Axis, 1>())
+    {
+    }
+
+    ACTIVE_ALWAYS_INLINE LeafMask GetReached() const { return this->Before | this->After; }
+
+    ACTIVE_ALWAYS_INLINE void Add(int node, float distance, KnownSpeeds& sums) const
+    {
+      this->Add(node, -1, this->Before.Has(node), distance, sums);
+      this->Add(node, 1, this->After.Has(node), distance, sums);
+    }
+
+  private:
+    /** Without a branch: what is not known counts for nothing. */
+    ACTIVE_ALWAYS_INLINE void Add(
+      int node, int sign, bool known, float distance, KnownSpeeds& sums) const
+    {
+      const float nearer = distance - std::fabs(this->Values.At(node, sign));
+      const float weight = static_cast<float>(known) * std::max(nearer, 0.f);
+      sums.Weight += weight;
+      sums.Weighted += weight * (known ? this->Speeds.At(node, sign) : 0.f);
+    }
+
+    const LeafLine<Axis> Values;
+    const LeafLine<Axis> Speeds;
+    const LeafMask Before;
+    const LeafMask After;
+  };
+
+  /** The plain mean of the known neighbours, where none is nearer to the surface. */
+  float FindMean(int node) const
+  {
+    float sum = 0.f, count = 0.f;
+    for (int face = 0; face < 6; ++face)
+    {
+      const LeafTable::Place next = this->Table.Step(this->Leaf, node, face / 2, face % 2 ? 1 : -1);
+      if (next.Leaf >= 0 && this->Buffers.Known[next.Leaf].Has(next.Node))
+      {
+        sum += this->Buffers.SpeedOf(next.Leaf)[next.Node];
+        count += 1.f;
+      }
+    }
+    return sum / count;
+  }
+
+  /** Nodes whose neighbour in this direction is known. */
+  template <int Axis, int Sign>
+  ACTIVE_ALWAYS_INLINE LeafMask SeeKnown() const
+  {
+    static const LeafMask nothing;
+    const std::int32_t next = this->Table[this->Leaf].Neighbour[FaceNumber(Axis, Sign)];
+    return Seen<Axis, Sign>(
+      this->Buffers.Known[this->Leaf], next >= 0 ? this->Buffers.Known[next] : nothing);
+  }
+
+  const LeafTable& Table;
+  const std::int32_t Leaf;
+  const SubstepBuffers& Buffers;
+};
+
+struct ExtendLeaf
+{
+  const LeafTable& Table;
+  SubstepBuffers& Buffers;
+  std::atomic<bool>& Reached;
+  std::atomic<bool>& Left;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    if (i + 1 < this->Table.Size())
+    {
+      FetchAhead(this->Table[i + 1].Value);
+      FetchAhead(this->Buffers.SpeedOf(i + 1));
+    }
+    const LeafMask& known = this->Buffers.Known[i];
+    this->Buffers.NextKnown[i] = known;
+    const LeafMask missing = this->Table[i].Active.Without(known);
+    if (!missing.Any())
+    {
+      return;
+    }
+    const LeafMask front =
+      LeafExtension(this->Table, i, this->Buffers).Extend(missing, this->Buffers.SpeedOf(i));
+    this->Buffers.NextKnown[i] = known | front;
+    if (front.Any())
+    {
+      this->Reached.store(true, std::memory_order_relaxed);
+    }
+    if (missing.Without(front).Any())
+    {
+      this->Left.store(true, std::memory_order_relaxed);
+    }
+  }
+};
+
+/** One round; false when no active node is left to reach. */
+bool ExtendOnce(const LeafTable& table, SubstepBuffers& buffers)
+{
+  std::atomic<bool> reached{ false }, left{ false };
+  ForEachLeaf(table, table.GetNear(), ExtendLeaf{ table, buffers, reached, left });
+  std::swap(buffers.Known, buffers.NextKnown);
+  return reached.load() && left.load();
+}
+
+}
+
+void TakeSamples(
+  const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers)
+{
+  const std::size_t size = table.Size();
+  buffers.MakeRoomForNodes(size);
+  buffers.Known.assign(size, LeafMask());
+  buffers.NextKnown.assign(size, LeafMask());
+  buffers.LargestSpeed.resize(size);
+  ForEachLeaf(table, leaves, TakeTarget{ table, motion, buffers });
+}
+
+// What is extended is a mean of what is known: no larger.
+void ExtendSpeed(const LeafTable& table, const Motion& motion, SubstepBuffers& buffers)
+{
+  while (SamplesCrossings(motion) && !motion.Paper && ExtendOnce(table, buffers))
+  {
+  }
+}
+
+float LargestSpeedAtSurface(const LeafTable& table, std::size_t i, const SubstepBuffers& buffers)
+{
+  const auto speedAt = [&](const LeafTable::Place& place)
+  { return buffers.SpeedOf(place.Leaf)[place.Node]; };
+  float largest = 0.f;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    table[i].Edge[axis].ForEach(
+      [&](int node)
+      {
+        const LeafTable::Place lower{ static_cast<std::int32_t>(i), node };
+        const LeafTable::Place upper = table.Step(lower.Leaf, node, axis, 1);
+        const float low = table[i].Value[node], high = table[upper.Leaf].Value[upper.Node];
+        const float t = low / (low - high);
+        const float speed = (1.f - t) * speedAt(lower) + t * speedAt(upper);
+        largest = std::max(largest, std::fabs(speed));
+      });
+  }
+  return largest;
+}
+
+}

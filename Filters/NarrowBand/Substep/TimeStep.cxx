@@ -1,0 +1,149 @@
+#include "Substep/TimeStep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace activesurface
+{
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+/** Advection by minmod-limited differences is stable (total variation does not grow) up to 2/3 of a
+ * voxel in the 1-norm, which is at most sqrt 3 times the speed. */
+double AdvectionRate(double speed, double voxelSize)
+{
+  return 1.5 * std::sqrt(3.0) * speed / voxelSize;
+}
+
+double Held(double wanted, double start, const char* name)
+{
+  const double held = wanted > 0.0 ? wanted : start;
+  if (!(held > 0.0) || !std::isfinite(held))
+  {
+    throw std::invalid_argument(std::string("There is no ") + name +
+      " to hold: the skin had none at the start; set Target" + name + " to a finite number > 0.");
+  }
+  return held;
+}
+
+void Require(bool condition, const char* sentence)
+{
+  if (!condition)
+  {
+    throw std::invalid_argument(sentence);
+  }
+}
+
+bool IsZeroOrPositive(double value)
+{
+  return std::isfinite(value) && value >= 0.0;
+}
+
+}
+
+double HeldArea(const Motion& motion, const SkinMeasure& start)
+{
+  return Held(motion.TargetArea, start.Area, "Area");
+}
+
+double HeldVolume(const Motion& motion, const SkinMeasure& start)
+{
+  return Held(motion.TargetVolume, start.Volume, "Volume");
+}
+
+PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const SkinMeasure& start)
+{
+  PenaltyForce penalty;
+  if (motion.AreaControl == Control::Penalty)
+  {
+    const double held = HeldArea(motion, start);
+    penalty.Speed += motion.AreaStiffness * (held - now.Area) / held;
+    penalty.Rate += motion.AreaStiffness * std::sqrt(16.0 * Pi * now.Area) / held;
+  }
+  if (motion.VolumeControl == Control::Penalty)
+  {
+    const double held = HeldVolume(motion, start);
+    penalty.Speed += motion.VolumeStiffness * (held - now.Volume) / held;
+    penalty.Rate += motion.VolumeStiffness * now.Area / held;
+  }
+  return penalty;
+}
+
+double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& limits)
+{
+  return AdvectionRate(limits.Speed, voxelSize) + motion.Attraction * limits.Slope;
+}
+
+// The rates of all that limits the time step add up; taking the largest alone lets the skin tremble
+// at rest.
+double StableStep(
+  const Motion& motion, double voxelSize, const TargetLimits& limits, const PenaltyForce& penalty)
+{
+  const double rate = TrackingRate(motion, voxelSize, limits) +
+    AdvectionRate(std::fabs(penalty.Speed), voxelSize) + penalty.Rate +
+    4.0 * std::fabs(motion.Tension) / (voxelSize * voxelSize);
+  return rate > 0.0 ? motion.CFL / rate : std::numeric_limits<double>::infinity();
+}
+
+// Relaxation is paid by tracking alone: at a fixed rate it would bias tension. It uses the same
+// one-sided differences as advection (voxels per step), and unless both together stay below 1/2
+// they amplify each other.
+double RelaxationFor(double tracking, double advection)
+{
+  return std::max(0.0, std::min(0.3 * std::min(1.0, tracking), 0.5 - advection));
+}
+
+void CheckMotion(const Motion& motion)
+{
+  Require(IsZeroOrPositive(motion.Attraction), "Attraction must be a finite number >= 0.");
+  Require(std::isfinite(motion.Tension), "Tension must be a finite number.");
+  Require(motion.CFL > 0.0 && std::isfinite(motion.CFL), "CFL must be a finite number > 0.");
+  Require(motion.LongestStep > 0.0, "LongestStep must be a number > 0.");
+  Require(IsZeroOrPositive(motion.AreaStiffness) && IsZeroOrPositive(motion.VolumeStiffness),
+    "AreaStiffness and VolumeStiffness must be finite numbers >= 0.");
+  Require(IsZeroOrPositive(motion.TargetArea) && IsZeroOrPositive(motion.TargetVolume),
+    "TargetArea and TargetVolume must be finite numbers > 0, or 0 for the values at the start.");
+  Require(motion.AreaControl != Control::Exact || motion.VolumeControl != Control::Exact,
+    "AreaControl and VolumeControl cannot both be EXACT, as one displacement cannot restore two "
+    "numbers; make one of them PENALTY.");
+}
+
+void CheckStep(double step, double voxelSize, double remaining)
+{
+  constexpr double mostSubsteps = 1e6;
+  const bool isTooSmall = !(step / voxelSize >= std::numeric_limits<float>::min());
+  const bool isTooOften = std::isfinite(remaining) && !(step * mostSubsteps > remaining);
+  if (isTooSmall || isTooOften)
+  {
+    std::ostringstream text;
+    text << "The stable time step is " << step << ", ";
+    if (isTooOften)
+    {
+      text << "more than a million substeps for the " << remaining << " to go";
+    }
+    else
+    {
+      text << "too small for single precision";
+    }
+    text << "; lower Attraction, Tension, AreaStiffness, VolumeStiffness, TimeScale or "
+         << "TimeStepSize, raise CFL, "
+         << "VoxelSize, TargetArea or TargetVolume, or check the scale of the target function "
+         << "(NormalizeTarget).";
+    throw std::runtime_error(text.str());
+  }
+}
+
+// A step may be long beyond single precision, where the speed is 0 in it.
+float AdvectionFactor(double step, double voxelSize)
+{
+  constexpr double most = std::numeric_limits<float>::max();
+  return static_cast<float>(std::min(step / voxelSize, most));
+}
+
+}

@@ -1,0 +1,247 @@
+#include "Grid/ImageSamples.h"
+
+#include "Trilinear.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace activesurface
+{
+
+namespace
+{
+
+vtkDataArray* FirstArrayOfOneComponent(vtkPointData* data)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    if (array && array->GetNumberOfComponents() == 1)
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+
+vtkDataArray* FindPixels(vtkImageData* image, const std::string& name)
+{
+  vtkPointData* data = image->GetPointData();
+  vtkDataArray* array = name.empty() ? data->GetScalars() : data->GetArray(name.c_str());
+  if (!array && name.empty())
+  {
+    array = FirstArrayOfOneComponent(data);
+  }
+  const std::string called =
+    name.empty() ? "The image's point scalars" : "The image's point array \"" + name + "\"";
+  if (!array)
+  {
+    throw std::invalid_argument(name.empty()
+        ? "The image has no numeric point array of one component."
+        : called + " is missing, or does not hold numbers; check ScalarArrayName.");
+  }
+  if (array->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument(called + " have " + std::to_string(array->GetNumberOfComponents()) +
+      " components, where one number per pixel is needed; name another by ScalarArrayName.");
+  }
+  if (array->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    throw std::invalid_argument(called + " have " + std::to_string(array->GetNumberOfTuples()) +
+      " values for " + std::to_string(image->GetNumberOfPoints()) + " pixels.");
+  }
+  return array;
+}
+
+void CheckExtent(const int extent[6])
+{
+  const bool isEmpty = extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
+  if (isEmpty)
+  {
+    throw std::invalid_argument("The image is empty: it has no pixels.");
+  }
+  if (extent[0] == extent[1] || extent[2] == extent[3] || extent[4] == extent[5])
+  {
+    throw std::invalid_argument(
+      "The image is flat: a potential in space needs two pixels or more along each axis.");
+  }
+}
+
+// Not too strict: matrices of scanners are rounded.
+bool AreOrthogonal(const double axis[3][3])
+{
+  constexpr double tolerance = 1e-3;
+  bool areOrthogonal = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* a = axis[i];
+    const double* b = axis[(i + 1) % 3];
+    areOrthogonal = areOrthogonal &&
+      std::fabs(vtkMath::Dot(a, b)) <= tolerance * vtkMath::Norm(a) * vtkMath::Norm(b);
+  }
+  return areOrthogonal;
+}
+
+}
+
+ImageSamples::ImageSamples(vtkImageData* image, const ImageLevel& level)
+  : IsoValue(level.IsoValue)
+  , Sign(level.InvertInside ? -1.0 : 1.0)
+{
+  if (!std::isfinite(level.IsoValue))
+  {
+    throw std::invalid_argument("IsoValue has to be a finite number.");
+  }
+  image->GetExtent(this->Extent);
+  CheckExtent(this->Extent);
+  this->Pixels = FindPixels(image, level.ArrayName);
+  this->ReadAxes(image);
+}
+
+ImageSamples::~ImageSamples() = default;
+
+void ImageSamples::ReadAxes(vtkImageData* image)
+{
+  const double* spacing = image->GetSpacing();
+  image->GetOrigin(this->Origin);
+  double columns[3][3];
+  double farthest = 0.0;
+  double finest = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int d = 0; d < 3; ++d)
+    {
+      this->Axis[axis][d] = image->GetDirectionMatrix()->GetElement(d, axis) * spacing[axis];
+      columns[d][axis] = this->Axis[axis][d];
+    }
+    this->Spacing[axis] = vtkMath::Norm(this->Axis[axis]);
+    const int last =
+      std::max(std::abs(this->Extent[2 * axis]), std::abs(this->Extent[2 * axis + 1]));
+    farthest += std::fabs(this->Origin[axis]) + this->Spacing[axis] * last;
+    finest = std::min(finest, this->Spacing[axis]);
+  }
+  if (!std::isfinite(farthest) || !(finest > 0.0) || !AreOrthogonal(this->Axis))
+  {
+    throw std::invalid_argument("The image has no place in space: its origin or spacing is not "
+                                "finite, a spacing is 0, or its direction matrix no rotation.");
+  }
+  vtkMath::Invert3x3(columns, this->Inverse);
+  constexpr double roundings = 32.0;
+  this->Slack = roundings * std::numeric_limits<double>::epsilon() * (1.0 + farthest / finest);
+}
+
+void ImageSamples::Locate(const double x[3], double place[3]) const
+{
+  constexpr double farthest = 1e150; // squares stay finite
+  double from[3];
+  for (int d = 0; d < 3; ++d)
+  {
+    from[d] = std::min(std::max(x[d] - this->Origin[d], -farthest), farthest);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    place[axis] = vtkMath::Dot(this->Inverse[axis], from);
+  }
+}
+
+double ImageSamples::Evaluate(const double x[3], double* gradient) const
+{
+  if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+  {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    if (gradient)
+    {
+      std::fill_n(gradient, 3, none);
+    }
+    return none;
+  }
+  double place[3], excess[3];
+  this->Locate(x, place);
+  bool isOutside = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double nearest = std::min(
+      std::max(place[axis], double(this->Extent[2 * axis])), double(this->Extent[2 * axis + 1]));
+    excess[axis] = place[axis] - nearest;
+    isOutside = isOutside || std::fabs(excess[axis]) > this->Slack;
+    place[axis] = nearest;
+  }
+  return isOutside ? this->DistanceToBox(excess, gradient) : this->Interpolate(place, gradient);
+}
+
+// excess: from the nearest point of the box, in pixels.
+double ImageSamples::DistanceToBox(const double excess[3], double* gradient) const
+{
+  double away[3] = { 0.0, 0.0, 0.0 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int d = 0; d < 3; ++d)
+    {
+      away[d] += excess[axis] * this->Axis[axis][d];
+    }
+  }
+  const double distance = std::hypot(away[0], away[1], away[2]);
+  for (int d = 0; gradient && d < 3; ++d)
+  {
+    gradient[d] = distance > 0.0 ? away[d] / distance : 0.0;
+  }
+  return distance;
+}
+
+// place: lattice coordinates within the extent.
+double ImageSamples::Interpolate(const double place[3], double* gradient) const
+{
+  vtkIdType lower = 0;
+  vtkIdType stride[3], step = 1;
+  double t[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int first = this->Extent[2 * axis], last = this->Extent[2 * axis + 1];
+    const int pixel = std::min(static_cast<int>(std::floor(place[axis])), last - 1);
+    t[axis] = place[axis] - pixel;
+    stride[axis] = step;
+    lower += step * (vtkIdType(pixel) - first);
+    step *= vtkIdType(last) - first + 1;
+  }
+  double corner[CornersOfCell];
+  for (int c = 0; c < CornersOfCell; ++c)
+  {
+    const vtkIdType pixel =
+      lower + (c >> 2) * stride[0] + (c >> 1 & 1) * stride[1] + (c & 1) * stride[2];
+    corner[c] = this->Sign * (this->Pixels->GetComponent(pixel, 0) - this->IsoValue);
+  }
+  double rise[3];
+  const double value = Trilinear(corner, t, rise);
+  for (int d = 0; gradient && d < 3; ++d)
+  {
+    gradient[d] =
+      rise[0] * this->Inverse[0][d] + rise[1] * this->Inverse[1][d] + rise[2] * this->Inverse[2][d];
+  }
+  return value;
+}
+
+bool ImageSamples::GetBounds(double bounds[6]) const
+{
+  for (int d = 0; d < 3; ++d)
+  {
+    bounds[2 * d] = bounds[2 * d + 1] = this->Origin[d];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double first = this->Extent[2 * axis] * this->Axis[axis][d];
+      const double last = this->Extent[2 * axis + 1] * this->Axis[axis][d];
+      bounds[2 * d] += std::min(first, last);
+      bounds[2 * d + 1] += std::max(first, last);
+    }
+  }
+  return true;
+}
+
+}

@@ -1,0 +1,97 @@
+#include "Grid/LevelSetSamples.h"
+
+#include "ProgramEnd.h"
+#include "Trilinear.h"
+
+#include <openvdb/tree/ValueAccessor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace activesurface
+{
+
+LevelSetSamples::LevelSetSamples(const openvdb::FloatGrid::ConstPtr& grid, const ImageLevel& level)
+  : Grid(grid)
+  , IsoValue(level.IsoValue)
+  , Sign(level.InvertInside ? -1.0 : 1.0)
+  , ToIndex(grid->transform().baseMap()->getAffineMap()->getMat4().inverse())
+  , Box(grid->evalActiveVoxelBoundingBox())
+{
+  if (this->Box.empty())
+  {
+    throw std::invalid_argument("The level set is empty: it has no active voxels.");
+  }
+  if (!std::isfinite(level.IsoValue))
+  {
+    throw std::invalid_argument("IsoValue has to be a finite number.");
+  }
+}
+
+LevelSetSamples::~LevelSetSamples()
+{
+  LetGo(std::move(this->Grid));
+}
+
+double LevelSetSamples::Evaluate(const double x[3], double* gradient) const
+{
+  const openvdb::Vec3d place = this->ToIndex.transform(openvdb::Vec3d(x[0], x[1], x[2]));
+  const bool isFinite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+  if (gradient)
+  {
+    std::fill_n(gradient, 3, isFinite ? 0.0 : std::numeric_limits<double>::quiet_NaN());
+  }
+  if (!isFinite)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  bool isOutside = false;
+  openvdb::Coord lower;
+  double t[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // Not what would not fit into lattice coordinates.
+    const double nearest =
+      std::min(std::max(place[axis], this->Box.min()[axis] - 1.0), this->Box.max()[axis] + 1.0);
+    isOutside = isOutside || nearest != place[axis];
+    lower[axis] = static_cast<int>(std::floor(nearest));
+    t[axis] = nearest - lower[axis];
+  }
+  // Not registered with the tree: cheap to make for each call, from any thread.
+  const openvdb::tree::ValueAccessor<const openvdb::FloatTree, false> grid(this->Grid->tree());
+  if (isOutside)
+  {
+    return this->Sign * (this->Grid->background() - this->IsoValue);
+  }
+  double corner[CornersOfCell], rise[3];
+  for (int c = 0; c < CornersOfCell; ++c)
+  {
+    corner[c] =
+      this->Sign * (grid.getValue(lower.offsetBy(c >> 2, c >> 1 & 1, c & 1)) - this->IsoValue);
+  }
+  const double value = Trilinear(corner, t, rise);
+  for (int d = 0; gradient && d < 3; ++d)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      gradient[d] += rise[axis] * this->ToIndex(d, axis);
+    }
+  }
+  return value;
+}
+
+bool LevelSetSamples::GetBounds(double bounds[6]) const
+{
+  const openvdb::BBoxd box = this->Grid->transform().indexToWorld(this->Box);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] = box.min()[axis];
+    bounds[2 * axis + 1] = box.max()[axis];
+  }
+  return true;
+}
+
+}

@@ -1,0 +1,191 @@
+#include "Grid/MeshSamples.h"
+
+#include "Grid/MeshDistance.h"
+#include "ProgramEnd.h"
+#include "Trilinear.h"
+
+#include <openvdb/tree/ValueAccessor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace activesurface
+{
+
+namespace
+{
+
+constexpr double DefaultVoxels = 64.0; // along the longest side
+constexpr double DefaultReach = 0.125; // of the diagonal
+constexpr double LeastReach = 3.0;     // voxels: the corners of crossed ones, and their neighbours
+constexpr double Margin = 2.0;       // voxels beyond Reach, so that what is nearer has all corners
+constexpr double FarthestNode = 1e9; // node numbers are 32-bit integers
+
+void CheckNumber(double number, const char* name)
+{
+  if (!std::isfinite(number) || number < 0.0)
+  {
+    std::ostringstream text;
+    text << name << " must be a finite number >= 0, not " << number << ".";
+    throw std::invalid_argument(text.str());
+  }
+}
+
+void CheckMesh(const MeshTriangles& mesh)
+{
+  if (mesh.Triangles.empty())
+  {
+    throw std::invalid_argument(mesh.Defects.BrokenPolygons + mesh.Defects.FlatPolygons > 0
+        ? "The mesh has no polygon of use. " + mesh.Defects.Describe()
+        : std::string("The mesh has no polygons, and no strips of triangles."));
+  }
+  if (mesh.Triangles.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+  {
+    throw std::invalid_argument("The mesh has more than 2^31 - 1 triangles.");
+  }
+}
+
+void CheckPlace(const std::array<double, 6>& bounds, double voxelSize)
+{
+  for (const double bound : bounds)
+  {
+    if (!(std::fabs(bound) / voxelSize < FarthestNode))
+    {
+      std::ostringstream text;
+      text << "The mesh reaches more than 10^9 voxels of " << voxelSize
+           << " from the origin; enlarge VoxelSize.";
+      throw std::invalid_argument(text.str());
+    }
+  }
+}
+
+// About the volume within reach of the mesh, in voxels. A sliver counts like a strip one voxel
+// wide, as voxels along it are visited.
+double EstimateVoxels(const MeshTriangles& mesh, double voxelSize, double reach)
+{
+  double area = 0.0;
+  for (const MeshTriangles::Triangle& triangle : mesh.Triangles)
+  {
+    const openvdb::Vec3d a(mesh.Points[triangle[0]].data());
+    const openvdb::Vec3d b(mesh.Points[triangle[1]].data());
+    const openvdb::Vec3d c(mesh.Points[triangle[2]].data());
+    const openvdb::Vec3d ab = (b - a) / voxelSize, ac = (c - a) / voxelSize;
+    const double longest = std::max({ ab.length(), ac.length(), (ac - ab).length() });
+    const double own = 0.5 * ab.cross(ac).length();
+    area += longest > 1.0 ? std::max(own, longest) : own;
+  }
+  constexpr double ball = 4.0; // 4/3 pi: around a mesh that is small for its reach
+  return 2.0 * reach * area + ball * reach * reach * reach;
+}
+
+void CheckSize(const MeshTriangles& mesh, double voxelSize, double reach, double maximum)
+{
+  const double voxels = EstimateVoxels(mesh, voxelSize, reach);
+  if (!(voxels <= maximum))
+  {
+    std::ostringstream text;
+    text << "The distances to the mesh would need about " << voxels
+         << " voxels, more than MaximumNumberOfVoxels = " << maximum
+         << "; enlarge VoxelSize, lessen Reach or MeshThickness, or raise the maximum.";
+    throw std::runtime_error(text.str());
+  }
+}
+
+}
+
+MeshSamples::MeshSamples(const MeshTriangles& mesh, const MeshMeasure& measure)
+  : Bounds(mesh.GetBounds())
+{
+  CheckNumber(measure.VoxelSize, "VoxelSize");
+  CheckNumber(measure.Reach, "Reach");
+  CheckNumber(measure.Thickness, "MeshThickness");
+  CheckMesh(mesh);
+  this->Measure(measure);
+  const bool isShell = measure.Thickness > 0.0 && !mesh.Defects.IsClosed();
+  if (isShell)
+  {
+    this->Thicken(measure.Thickness);
+  }
+  const double band = this->Reach + this->HalfShell + Margin;
+  CheckSize(mesh, this->VoxelSize, band, measure.MaximumNumberOfVoxels);
+  this->Distance = MakeMeshDistance(mesh, { this->VoxelSize, band, !isShell });
+  this->Distance->tree().evalLeafBoundingBox(this->Leaves);
+}
+
+MeshSamples::~MeshSamples()
+{
+  LetGo(std::move(this->Distance));
+}
+
+void MeshSamples::Measure(const MeshMeasure& measure)
+{
+  const double x = this->Bounds[1] - this->Bounds[0], y = this->Bounds[3] - this->Bounds[2],
+               z = this->Bounds[5] - this->Bounds[4];
+  this->VoxelSize =
+    measure.VoxelSize > 0.0 ? measure.VoxelSize : std::max({ x, y, z }) / DefaultVoxels;
+  CheckPlace(this->Bounds, this->VoxelSize);
+  const double reach = measure.Reach > 0.0 ? measure.Reach : DefaultReach * std::hypot(x, y, z);
+  this->Reach = std::max(reach / this->VoxelSize, LeastReach);
+}
+
+void MeshSamples::Thicken(double thickness)
+{
+  this->HalfShell = 0.5 * thickness / this->VoxelSize;
+  for (int i = 0; i < 6; ++i)
+  {
+    this->Bounds[i] += (i % 2 == 0 ? -0.5 : 0.5) * thickness;
+  }
+}
+
+double MeshSamples::Evaluate(const double x[3], double* gradient) const
+{
+  const bool isFinite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+  const double far =
+    isFinite ? this->Reach * this->VoxelSize : std::numeric_limits<double>::quiet_NaN();
+  if (gradient)
+  {
+    std::fill_n(gradient, 3, isFinite ? 0.0 : far);
+  }
+  double t[3];
+  openvdb::Coord lower;
+  bool isFar = !isFinite || this->Leaves.empty();
+  for (int axis = 0; axis < 3 && !isFar; ++axis)
+  {
+    const double place = x[axis] / this->VoxelSize;
+    isFar = place < this->Leaves.min()[axis] - 1.0 || place > this->Leaves.max()[axis] + 1.0;
+    lower[axis] = isFar ? 0 : static_cast<int>(std::floor(place));
+    t[axis] = place - lower[axis];
+  }
+  if (isFar)
+  {
+    return far;
+  }
+  // Not registered with the tree: cheap to make, from any thread.
+  openvdb::tree::ValueAccessor<const openvdb::FloatTree, false> distance(this->Distance->tree());
+  double corner[CornersOfCell];
+  for (int c = 0; c < CornersOfCell; ++c)
+  {
+    corner[c] = distance.getValue(lower.offsetBy(c >> 2, c >> 1 & 1, c & 1));
+  }
+  double rise[3];
+  const double value = Trilinear(corner, t, rise) - this->HalfShell;
+  if (std::fabs(value) >= this->Reach)
+  {
+    return std::copysign(far, value);
+  }
+  std::copy_n(rise, gradient ? 3 : 0, gradient);
+  return value * this->VoxelSize;
+}
+
+bool MeshSamples::GetBounds(double bounds[6]) const
+{
+  std::copy(this->Bounds.begin(), this->Bounds.end(), bounds);
+  return true;
+}
+
+}

@@ -1,0 +1,294 @@
+// Sums of a skeleton's contributions: at places side by side where several share their cells, at
+// one after the other where not, to the same bits.
+
+#include "Skeleton.h"
+#include "Skeleton/SkeletonBatch.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace activesurface
+{
+namespace
+{
+// Enough to look at several lattices without leaving the first cache.
+constexpr std::size_t HitsOfStream = 32;
+
+// Fewer places are faster one by one.
+constexpr int FewestLanes = 3;
+
+ACTIVE_ALWAYS_INLINE SkeletonCells::Place PlaceAt(const double x[3])
+{
+  return { { x[0], x[1], x[2] }, { x[0], x[1], x[2] } };
+}
+
+// All lanes; those that are left over are where the last member is.
+ACTIVE_ALWAYS_INLINE SkeletonLanes TakePlaces(
+  const double* points, const std::size_t* members, int count)
+{
+  SkeletonLanes lanes;
+  for (int i = 0; i < SkeletonLanes::Width; ++i)
+  {
+    const double* x = points + 3 * members[std::min(i, count - 1)];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lanes.X[axis][i] = x[axis];
+    }
+  }
+  return lanes;
+}
+
+ACTIVE_ALWAYS_INLINE SkeletonCells::Place FindBox(const SkeletonLanes& lanes)
+{
+  SkeletonCells::Place box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double* x = lanes.X[axis];
+    double low = x[0], high = x[0];
+    for (int i = 1; i < SkeletonLanes::Width; ++i)
+    {
+      low = std::min(low, x[i]);
+      high = std::max(high, x[i]);
+    }
+    box.Low[axis] = low;
+    box.High[axis] = high;
+  }
+  return box;
+}
+}
+
+// Calls visit(hits, count) for all that may reach the place, ascending.
+template <class Visitor>
+ACTIVE_ALWAYS_INLINE void Skeleton::VisitHits(
+  const SkeletonCells::Place& place, Visitor visit) const
+{
+  if (this->Cells.GetNumberOfLattices() > 1)
+  {
+    this->VisitMerged(place, visit);
+  }
+  else if (this->Cells.GetNumberOfLattices() == 1)
+  {
+    Index hits[SkeletonCells::HitsAtOnce];
+    SkeletonCells::Search search = this->Cells.StartSearch(0, place);
+    while (!search.IsOver())
+    {
+      const std::size_t count = this->Cells.TakeHits(search, hits, SkeletonCells::HitsAtOnce);
+      visit(hits, count);
+    }
+  }
+}
+
+// The hits of one lattice.
+struct Skeleton::Stream
+{
+  SkeletonCells::Search Search;
+  std::size_t Head;
+  std::size_t Count;
+  Index Hits[HitsOfStream];
+
+  // Whether there is a hit at Head.
+  bool Refill(const SkeletonCells& cells)
+  {
+    while (this->Head == this->Count && !this->Search.IsOver())
+    {
+      this->Head = 0;
+      this->Count = cells.TakeHits(this->Search, this->Hits, HitsOfStream);
+    }
+    return this->Head < this->Count;
+  }
+};
+
+template <class Visitor>
+ACTIVE_ALWAYS_INLINE void Skeleton::VisitMerged(
+  const SkeletonCells::Place& place, Visitor visit) const
+{
+  std::array<Stream, SkeletonCells::MaximumLattices> streams;
+  std::array<Stream*, SkeletonCells::MaximumLattices> open;
+  auto end = open.begin();
+  for (std::size_t lattice = 0; lattice < this->Cells.GetNumberOfLattices(); ++lattice)
+  {
+    Stream& stream = streams[lattice];
+    stream.Search = this->Cells.StartSearch(lattice, place);
+    stream.Head = stream.Count = 0;
+    *end = &stream;
+    end += stream.Refill(this->Cells) ? 1 : 0;
+  }
+  const auto isEarlier = [](const Stream* a, const Stream* b)
+  { return a->Hits[a->Head] < b->Hits[b->Head]; };
+  Index merged[SkeletonCells::HitsAtOnce];
+  std::size_t count = 0;
+  while (end != open.begin())
+  {
+    const auto first = std::min_element(open.begin(), end, isEarlier);
+    Stream& stream = **first;
+    merged[count] = stream.Hits[stream.Head];
+    ++stream.Head;
+    ++count;
+    if (!stream.Refill(this->Cells))
+    {
+      --end;
+      *first = *end;
+    }
+    if (count == SkeletonCells::HitsAtOnce || end == open.begin())
+    {
+      visit(merged, count);
+      count = 0;
+    }
+  }
+}
+
+template <class Kernel, class Sums>
+ACTIVE_ALWAYS_INLINE void Skeleton::AddHits(
+  const Index* hits, std::size_t count, Sums& result) const
+{
+  const SkeletonPoint* points = this->Points.data();
+  const std::size_t pointCount = this->Points.size();
+  Sums sums = result; // a copy, so that it stays in registers
+  const Index* end = hits + count;
+  for (; hits != end && *hits < pointCount; ++hits)
+  {
+    points[*hits].AddTo<Kernel>(sums);
+  }
+  for (; hits != end; ++hits)
+  {
+    this->Segments[*hits - pointCount].AddTo<Kernel>(sums);
+  }
+  result = sums;
+}
+
+template <class Kernel, class Sums>
+ACTIVE_ALWAYS_INLINE void Skeleton::AddAll(const SkeletonCells::Place& place, Sums& sums) const
+{
+  this->VisitHits(place,
+    [this, &sums](const Index* hits, std::size_t count) ACTIVE_INLINED
+    { this->AddHits<Kernel>(hits, count, sums); });
+}
+
+template <class Kernel>
+struct Skeleton::Evaluation
+{
+  const Skeleton& Elements;
+  double Threshold;
+  const double* Points;
+  double* Values;
+  double* Gradients; // or null
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t count) const
+  {
+    const SkeletonBatch batch(this->Elements.Cells, count, this->Points);
+    batch.ForEachGroup(
+      [this](const std::size_t* members, int size) ACTIVE_INLINED
+      {
+        if (size >= FewestLanes)
+        {
+          this->EvaluateTogether(members, size);
+          return;
+        }
+        for (int i = 0; i < size; ++i)
+        {
+          this->EvaluateAt(members[i]);
+        }
+      });
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double nowhere[4] = { nan, nan, nan, nan };
+    batch.ForEachUnusable(
+      [this, &nowhere](std::size_t i) ACTIVE_INLINED { this->Write(i, nowhere); });
+  }
+
+private:
+  ACTIVE_ALWAYS_INLINE void EvaluateAt(std::size_t i) const
+  {
+    const double* x = this->Points + 3 * i;
+    SkeletonPlace place{ { x[0], x[1], x[2] } };
+    this->Elements.AddAll<Kernel>(PlaceAt(x), place);
+    this->Write(i, place.Terms);
+  }
+
+  ACTIVE_ALWAYS_INLINE void EvaluateTogether(const std::size_t* members, int count) const
+  {
+    SkeletonLanes lanes = TakePlaces(this->Points, members, count);
+    this->Elements.AddAll<Kernel>(FindBox(lanes), lanes);
+    for (int i = 0; i < count; ++i)
+    {
+      const double terms[4] = { lanes.Terms[0][i], lanes.Terms[1][i], lanes.Terms[2][i],
+        lanes.Terms[3][i] };
+      this->Write(members[i], terms);
+    }
+  }
+
+  ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double terms[4]) const
+  {
+    this->Values[i] = this->Threshold - terms[3];
+    if (this->Gradients)
+    {
+      std::copy(terms, terms + 3, this->Gradients + 3 * i);
+    }
+  }
+};
+
+void Skeleton::Evaluate(SkeletonKernel kernel, double threshold, std::size_t count,
+  const double* points, double* values, double* gradients) const
+{
+  const auto evaluate = [&](auto kind)
+  {
+    using Kind = Evaluation<decltype(kind)>;
+    const auto run = CompiledKernel<Kind, std::size_t>::GetBest();
+    for (std::size_t first = 0; first < count; first += SkeletonBatch::Capacity)
+    {
+      const Kind part{ *this, threshold, points + 3 * first, values + first,
+        gradients ? gradients + 3 * first : nullptr };
+      run(part, std::min(count - first, SkeletonBatch::Capacity));
+    }
+  };
+  switch (kernel)
+  {
+    case SkeletonKernel::Wyvill:
+      evaluate(WyvillKernel());
+      break;
+    case SkeletonKernel::CubicSpline:
+      evaluate(CubicSplineKernel());
+      break;
+    case SkeletonKernel::Metaball:
+      evaluate(MetaballKernel());
+      break;
+  }
+}
+
+void Skeleton::FindWeights(
+  SkeletonKernel kernel, const double x[3], std::vector<SkeletonWeight>& weights) const
+{
+  weights.clear();
+  switch (kernel)
+  {
+    case SkeletonKernel::Wyvill:
+      this->AddWeights<WyvillKernel>(x, weights);
+      break;
+    case SkeletonKernel::CubicSpline:
+      this->AddWeights<CubicSplineKernel>(x, weights);
+      break;
+    case SkeletonKernel::Metaball:
+      this->AddWeights<MetaballKernel>(x, weights);
+      break;
+  }
+}
+
+template <class Kernel>
+void Skeleton::AddWeights(const double x[3], std::vector<SkeletonWeight>& weights) const
+{
+  this->VisitHits(PlaceAt(x),
+    [this, &weights, x](const Index* hits, std::size_t count)
+    {
+      for (std::size_t i = 0; i < count && hits[i] < this->Points.size(); ++i)
+      {
+        SkeletonPlace place{ { x[0], x[1], x[2] } };
+        this->Points[hits[i]].AddTo<Kernel>(place);
+        if (place.Terms[3] != 0.0)
+        {
+          weights.push_back({ hits[i], place.Terms[3] });
+        }
+      }
+    });
+}
+
+}

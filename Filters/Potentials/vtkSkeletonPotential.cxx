@@ -1,0 +1,263 @@
+#include "vtkSkeletonPotential.h"
+
+#include "BatchEvaluation.h"
+#include "FunctionInput.h"
+#include "Skeleton.h"
+#include "Skeleton/SkeletonInput.h"
+
+#include "vtkDataArray.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <stdexcept>
+#include <vector>
+
+vtkStandardNewMacro(vtkSkeletonPotential);
+
+struct vtkSkeletonPotential::Internals
+{
+  activesurface::FunctionInput Input;
+
+  // In place of an input; those of SetElements, or none.
+  std::vector<activesurface::SkeletonVertex> OwnElements;
+  bool HasOwnElements = false;
+  bool OwnElementsHaveRadii = false;
+
+  // What Build makes.
+  activesurface::Skeleton Skeleton;
+  vtkIdType IgnoredElements = 0;
+  std::mutex Building;
+  std::atomic<vtkMTimeType> BuildTime{ 0 };
+};
+
+vtkSkeletonPotential::vtkSkeletonPotential()
+  : Internal(new Internals)
+{
+}
+
+vtkSkeletonPotential::~vtkSkeletonPotential() = default;
+
+void vtkSkeletonPotential::SetInput(vtkPointSet* input)
+{
+  Internals& own = *this->Internal;
+  if (own.Input.SetData(input) || own.HasOwnElements)
+  {
+    own.HasOwnElements = false;
+    this->Modified();
+  }
+}
+
+void vtkSkeletonPotential::SetInputConnection(vtkAlgorithmOutput* output)
+{
+  Internals& own = *this->Internal;
+  if (own.Input.Connect(output) || own.HasOwnElements)
+  {
+    own.HasOwnElements = false;
+    this->Modified();
+  }
+}
+
+vtkAlgorithmOutput* vtkSkeletonPotential::GetInputConnection()
+{
+  return this->Internal->Input.GetConnection();
+}
+
+vtkPointSet* vtkSkeletonPotential::GetInput()
+{
+  return vtkPointSet::SafeDownCast(this->Internal->Input.GetData());
+}
+
+void vtkSkeletonPotential::SetElements(
+  vtkIdType count, const double* positions, const double* radii, const double* strengths)
+{
+  Internals& own = *this->Internal;
+  own.Input.SetData(nullptr);
+  own.HasOwnElements = true;
+  own.OwnElementsHaveRadii = radii != nullptr;
+  own.OwnElements.resize(static_cast<std::size_t>(std::max<vtkIdType>(count, 0)));
+  for (std::size_t i = 0; i < own.OwnElements.size(); ++i)
+  {
+    activesurface::SkeletonVertex& vertex = own.OwnElements[i];
+    std::copy(positions + 3 * i, positions + 3 * i + 3, vertex.Position);
+    vertex.Radius = radii ? radii[i] : 0.0;
+    vertex.Strength = strengths ? strengths[i] : 1.0;
+  }
+  this->Modified();
+}
+
+void vtkSkeletonPotential::SetRadiusArrayName(const char* name)
+{
+  this->SetName(this->RadiusArrayName, name);
+}
+
+void vtkSkeletonPotential::SetStrengthArrayName(const char* name)
+{
+  this->SetName(this->StrengthArrayName, name);
+}
+
+void vtkSkeletonPotential::SetName(std::string& member, const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (member != wanted)
+  {
+    member = wanted;
+    this->Modified();
+  }
+}
+
+vtkMTimeType vtkSkeletonPotential::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Internal->Input.FindMTime());
+}
+
+void vtkSkeletonPotential::Build()
+{
+  Internals& own = *this->Internal;
+  // Not GetMTime(): a change of the transform leaves the elements as they are.
+  const vtkMTimeType changed = // NOLINTNEXTLINE(bugprone-parent-virtual-call)
+    std::max(this->vtkObject::GetMTime(), own.Input.GetMTime());
+  if (own.BuildTime.load(std::memory_order_acquire) == changed)
+  {
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(own.Building);
+  if (own.BuildTime.load(std::memory_order_relaxed) != changed)
+  {
+    this->ReadElements();
+    own.BuildTime.store(changed, std::memory_order_release);
+  }
+}
+
+void vtkSkeletonPotential::ReadElements()
+{
+  Internals& own = *this->Internal;
+  own.IgnoredElements = 0;
+  own.Skeleton.Clear();
+  try
+  {
+    if (!std::isfinite(this->Threshold))
+    {
+      throw std::invalid_argument("Threshold has to be a finite number.");
+    }
+    own.Input.Update();
+    if (own.Input.GetData() && !this->GetInput())
+    {
+      throw std::invalid_argument(std::string("A ") + own.Input.GetData()->GetClassName() +
+        " is no skeleton; connect points or lines, a vtkPointSet.");
+    }
+    if (own.HasOwnElements)
+    {
+      own.IgnoredElements = this->AddOwnElements();
+    }
+    else
+    {
+      own.IgnoredElements = static_cast<vtkIdType>(activesurface::AddElements(this->GetInput(),
+        { this->RadiusArrayName, this->StrengthArrayName, this->Radius }, own.Skeleton));
+    }
+    own.Skeleton.Build();
+  }
+  catch (const std::exception& error)
+  {
+    own.Skeleton.Clear();
+    own.Skeleton.Build();
+    vtkErrorMacro(<< error.what() << " The function is Threshold everywhere.");
+  }
+  if (own.IgnoredElements > 0 && !own.HasOwnElements)
+  {
+    vtkWarningMacro(
+      << own.IgnoredElements
+      << " points or segments are ignored: a coordinate, radius or strength of theirs "
+         "is not finite, a radius is not positive, or a point does not exist.");
+  }
+}
+
+vtkIdType vtkSkeletonPotential::AddOwnElements()
+{
+  Internals& own = *this->Internal;
+  vtkIdType ignored = 0;
+  for (activesurface::SkeletonVertex vertex : own.OwnElements)
+  {
+    vertex.Radius = own.OwnElementsHaveRadii ? vertex.Radius : this->Radius;
+    if (vertex.IsUsable())
+    {
+      own.Skeleton.AddPoint(vertex);
+    }
+    else
+    {
+      ++ignored;
+    }
+  }
+  return ignored;
+}
+
+bool vtkSkeletonPotential::GetSkeletonBounds(double bounds[6])
+{
+  this->Build();
+  if (this->Internal->Skeleton.GetNumberOfElements() == 0)
+  {
+    vtkMath::UninitializeBounds(bounds);
+    return false;
+  }
+  std::copy_n(this->Internal->Skeleton.GetBounds(), 6, bounds);
+  return true;
+}
+
+vtkIdType vtkSkeletonPotential::GetNumberOfIgnoredElements()
+{
+  this->Build();
+  return this->Internal->IgnoredElements;
+}
+
+void vtkSkeletonPotential::EvaluateBatch(
+  vtkIdType count, const double* points, double* values, double* gradients) const
+{
+  this->Internal->Skeleton.Evaluate(static_cast<activesurface::SkeletonKernel>(this->Kernel),
+    this->Threshold, static_cast<std::size_t>(std::max<vtkIdType>(count, 0)), points, values,
+    gradients);
+}
+
+double vtkSkeletonPotential::EvaluateFunction(double x[3])
+{
+  this->Build();
+  double value;
+  this->EvaluateBatch(1, x, &value, nullptr);
+  return value;
+}
+
+void vtkSkeletonPotential::EvaluateGradient(double x[3], double g[3])
+{
+  this->Build();
+  double value;
+  double gradient[3]; // x and g may be the same array
+  this->EvaluateBatch(1, x, &value, gradient);
+  std::copy_n(gradient, 3, g);
+}
+
+void vtkSkeletonPotential::EvaluateFunction(vtkDataArray* input, vtkDataArray* output)
+{
+  if (!input || !output || input->GetNumberOfComponents() != 3)
+  {
+    vtkErrorMacro("Evaluation needs an array of points, of three components, and one for values.");
+    return;
+  }
+  this->Build();
+  activesurface::EvaluateArray(*this, input, output);
+}
+
+void vtkSkeletonPotential::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* kernels[] = { "Wyvill", "CubicSpline", "Metaball" };
+  os << indent << "Input: " << this->GetInput() << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "RadiusArrayName: " << this->RadiusArrayName << "\n";
+  os << indent << "StrengthArrayName: " << this->StrengthArrayName << "\n";
+  os << indent << "Kernel: " << kernels[this->Kernel] << "\n";
+  os << indent << "Threshold: " << this->Threshold << "\n";
+}

@@ -1,0 +1,34 @@
+#include "Pipeline/SkinFunction.h"
+
+#include "Pipeline/SkinSamples.h"
+#include "SkinDistance.h"
+
+#include "vtkGridPotential.h"
+
+namespace activesurface
+{
+
+SkinFunction::SkinFunction() = default;
+
+SkinFunction::~SkinFunction() = default;
+
+vtkGridPotential* SkinFunction::Get(const NarrowBand* band)
+{
+  if (!this->Function)
+  {
+    this->Function = vtkSmartPointer<vtkGridPotential>::New();
+    this->Renew(band);
+  }
+  return this->Function;
+}
+
+void SkinFunction::Renew(const NarrowBand* band)
+{
+  if (this->Function)
+  {
+    this->Function->SetSamples(
+      band ? std::make_shared<SkinSamples>(std::make_shared<SkinDistance>(*band)) : nullptr);
+  }
+}
+
+}

@@ -1,0 +1,244 @@
+#include "Pipeline/SurfaceInput.h"
+
+#include "CarriedData.h"
+#include "WholeInput.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkAlgorithm.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <sstream>
+#include <stdexcept>
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+namespace activesurface
+{
+
+namespace
+{
+
+enum ArrayIndices
+{
+  RadiusArray = 0,
+  IdArray = 1,
+  StrengthArray = 2,
+  ValueArray = 3,
+  InitialValueArray = 4,
+  VelocityArray = 5
+};
+
+// What the description of extras begins with.
+constexpr char WithArrays = 'A';
+constexpr char WithoutArrays = '-';
+
+}
+
+SurfaceInput::SurfaceInput(vtkAlgorithm* filter, Ports port)
+  : Filter(filter)
+  , Port(port)
+{
+}
+
+bool SurfaceInput::IsConnected() const
+{
+  return this->Filter->GetNumberOfInputConnections(this->Port) > 0;
+}
+
+std::uint64_t SurfaceInput::GetStamp() const
+{
+  auto upstream = this->IsConnected()
+    ? vtkDemandDrivenPipeline::SafeDownCast(this->Filter->GetInputExecutive(this->Port, 0))
+    : nullptr;
+  if (!upstream)
+  {
+    return 0;
+  }
+  upstream->UpdatePipelineMTime();
+  return upstream->GetPipelineMTime();
+}
+
+std::vector<double> SurfaceInput::GetTimeSteps(vtkInformation* information)
+{
+  std::vector<double> steps;
+  if (information && information->Has(SDDP::TIME_STEPS()))
+  {
+    const double* first = information->Get(SDDP::TIME_STEPS());
+    steps.assign(first, first + information->Length(SDDP::TIME_STEPS()));
+  }
+  return steps;
+}
+
+bool SurfaceInput::IsContinuous(vtkInformation* information)
+{
+  if (!information || information->Has(SDDP::TIME_STEPS()) || !information->Has(SDDP::TIME_RANGE()))
+  {
+    return false;
+  }
+  const double* range = information->Get(SDDP::TIME_RANGE());
+  return range[0] < range[1];
+}
+
+bool SurfaceInput::IsArrayChosen(int index) const
+{
+  vtkInformation* choice = this->Filter->GetInputArrayInformation(index);
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  return name ? *name != '\0' : choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()) != 0;
+}
+
+std::string SurfaceInput::DescribeArray(int index) const
+{
+  if (!this->IsArrayChosen(index))
+  {
+    return "";
+  }
+  vtkInformation* choice = this->Filter->GetInputArrayInformation(index);
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  std::ostringstream text;
+  text << "association " << choice->Get(vtkDataObject::FIELD_ASSOCIATION());
+  if (name)
+  {
+    text << ", array \"" << name << "\"";
+  }
+  else
+  {
+    text << ", attribute " << choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+  }
+  return text.str();
+}
+
+std::array<std::string, 5> SurfaceInput::DescribeArrays() const
+{
+  std::array<std::string, 5> arrays;
+  for (int index = RadiusArray; index <= InitialValueArray; ++index)
+  {
+    arrays[index] = this->DescribeArray(index);
+  }
+  return arrays;
+}
+
+std::string SurfaceInput::DescribeExtras(bool arrays, bool velocities) const
+{
+  return (arrays ? WithArrays : WithoutArrays) +
+    (velocities ? this->DescribeArray(VelocityArray) : "");
+}
+
+bool SurfaceInput::IsComposite(vtkInformation* information)
+{
+  return vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(information)) != nullptr;
+}
+
+TargetFrame SurfaceInput::ReadParticles(vtkDataSet* points, const std::string& extras) const
+{
+  ParticleArrays arrays;
+  arrays.Radii = this->FindArray(RadiusArray, points);
+  arrays.Ids = this->FindArray(IdArray, points);
+  arrays.Strengths = this->FindArray(StrengthArray, points);
+  arrays.Velocities = extras.size() > 1 ? this->FindArray(VelocityArray, points) : nullptr;
+  arrays.Passed =
+    !extras.empty() && extras.front() == WithArrays ? points->GetPointData() : nullptr;
+  TargetFrame frame = MakeParticles(vtkPointSet::SafeDownCast(points), arrays);
+  frame.Extras = extras;
+  return frame;
+}
+
+TargetFrame SurfaceInput::Read(vtkInformation* information, const std::string& extras) const
+{
+  vtkDataSet* data = vtkDataSet::GetData(information);
+  switch (FindKind(data))
+  {
+    case TargetKind::Particles:
+      return this->ReadParticles(data, extras);
+    case TargetKind::Skeleton:
+      return MakeSkeleton(vtkPointSet::SafeDownCast(data), this->FindArray(RadiusArray, data),
+        this->FindArray(StrengthArray, data));
+    case TargetKind::Mesh:
+      return MakeMesh(data);
+    case TargetKind::Image:
+      return MakeImage(data, this->FindValues(data));
+    default:
+      return TargetFrame();
+  }
+}
+
+vtkAbstractArray* SurfaceInput::FindValues(vtkDataSet* image) const
+{
+  const int index = this->Port == Target ? ValueArray : InitialValueArray;
+  vtkAbstractArray* chosen = this->FindArray(index, image);
+  vtkAbstractArray* values = chosen ? chosen : image->GetPointData()->GetScalars();
+  if (!values && !GetCarriedGrid(image->GetInformation()))
+  {
+    throw std::invalid_argument("The image of input port " + std::to_string(this->Port) +
+      " has no active point scalars; choose a point array by SetInputArrayToProcess(" +
+      std::to_string(index) + ", ...), or make cell data point data (vtkCellDataToPointData).");
+  }
+  return values;
+}
+
+// Null if none is chosen.
+vtkAbstractArray* SurfaceInput::FindArray(int index, vtkDataSet* data) const
+{
+  if (!this->IsArrayChosen(index))
+  {
+    return nullptr;
+  }
+  vtkInformation* choice = this->Filter->GetInputArrayInformation(index);
+  const int association = choice->Get(vtkDataObject::FIELD_ASSOCIATION());
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  vtkPointData* arrays = data->GetPointData();
+  vtkAbstractArray* array = name
+    ? arrays->GetAbstractArray(name)
+    : arrays->GetAbstractAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
+  const bool isOfPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
+    association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
+  if (!array || !isOfPoints)
+  {
+    throw std::invalid_argument(
+      "The input has no point array as chosen by SetInputArrayToProcess(" + std::to_string(index) +
+      ", ...): " + this->DescribeArray(index) + ".");
+  }
+  return array;
+}
+
+void SurfaceInput::AskForFirst(vtkInformation* information)
+{
+  RequestWhole(information);
+  if (information->Has(SDDP::TIME_STEPS()) && information->Length(SDDP::TIME_STEPS()) > 0)
+  {
+    information->Set(SDDP::UPDATE_TIME_STEP(), information->Get(SDDP::TIME_STEPS())[0]);
+  }
+  else if (information->Has(SDDP::TIME_RANGE()))
+  {
+    information->Set(SDDP::UPDATE_TIME_STEP(), information->Get(SDDP::TIME_RANGE())[0]);
+  }
+}
+
+bool SurfaceInput::Update(vtkInformation* information, double time) const
+{
+  RequestWhole(information);
+  information->Set(SDDP::UPDATE_TIME_STEP(), time);
+  return this->UpdateProducer();
+}
+
+bool SurfaceInput::UpdateFirst(vtkInformation* information) const
+{
+  AskForFirst(information);
+  return this->UpdateProducer();
+}
+
+bool SurfaceInput::UpdateProducer() const
+{
+  int port = 0;
+  vtkAlgorithm* producer = this->Filter->GetInputAlgorithm(this->Port, 0, port);
+  auto upstream = SDDP::SafeDownCast(producer->GetExecutive());
+  return upstream && upstream->Update(port);
+}
+
+}

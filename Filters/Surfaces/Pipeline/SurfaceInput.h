@@ -1,0 +1,79 @@
+// What comes through an input port: times, shapes, and whether something upstream has changed.
+
+#ifndef SurfaceInput_h
+#define SurfaceInput_h
+
+#include "Targets/TargetFrame.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkAbstractArray;
+class vtkAlgorithm;
+class vtkDataSet;
+class vtkInformation;
+
+namespace activesurface
+{
+
+class SurfaceInput
+{
+public:
+  enum Ports
+  {
+    Target = 0,
+    Initial = 1
+  };
+
+  SurfaceInput(vtkAlgorithm* filter, Ports port);
+
+  bool IsConnected() const;
+
+  // Changes whenever an algorithm or data upstream is modified, not when another time is read.
+  std::uint64_t GetStamp() const;
+
+  // The time steps that the input offers; none without an input.
+  static std::vector<double> GetTimeSteps(vtkInformation* information);
+  // Whether the input offers any time in a range, without steps.
+  static bool IsContinuous(vtkInformation* information);
+
+  // Which arrays were chosen for radii, ids, strengths and the values of the target's and the
+  // initial image; empty where none was.
+  std::array<std::string, 5> DescribeArrays() const;
+
+  // True before a request for data only: then the pipeline hands over one block after the other, as
+  // if each were the input.
+  static bool IsComposite(vtkInformation* information);
+
+  // What else to read of particles: copies of all their arrays, and the array of velocities, if one
+  // was chosen. As text, which is different for different data.
+  std::string DescribeExtras(bool arrays, bool velocities) const;
+
+  // With the extras of a description. Throws std::invalid_argument for data that cannot be a
+  // target, and for arrays that are missing or unfit.
+  TargetFrame Read(vtkInformation* information, const std::string& extras = "") const;
+
+  // All of it, at its first time step or time, if it has any.
+  static void AskForFirst(vtkInformation* information);
+
+  // Brings the input up to date, at a time or the first one; false if it fails.
+  bool Update(vtkInformation* information, double time) const;
+  bool UpdateFirst(vtkInformation* information) const;
+
+private:
+  bool IsArrayChosen(int index) const;
+  std::string DescribeArray(int index) const;
+  TargetFrame ReadParticles(vtkDataSet* points, const std::string& extras) const;
+  vtkAbstractArray* FindArray(int index, vtkDataSet* data) const;
+  vtkAbstractArray* FindValues(vtkDataSet* image) const;
+  bool UpdateProducer() const;
+
+  vtkAlgorithm* Filter;
+  Ports Port;
+};
+
+}
+
+#endif

@@ -1,0 +1,132 @@
+#include "Pipeline/SurfaceOutput.h"
+
+#include "NarrowBand.h"
+#include "PotentialImage.h"
+#include "Skin.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// Points of the array's precision.
+template <class Array>
+vtkSmartPointer<Array> WriteTriangles(const Skin& triangles, float* normals, std::int64_t* corners)
+{
+  auto coordinates = vtkSmartPointer<Array>::New();
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(triangles.GetNumberOfPoints()));
+  triangles.Write(coordinates->GetPointer(0), normals, corners);
+  return coordinates;
+}
+
+vtkSmartPointer<vtkCellArray> MakeCells(vtkTypeInt64Array* corners)
+{
+  const vtkIdType count = corners->GetNumberOfValues() / 3;
+  vtkNew<vtkTypeInt64Array> offsets;
+  offsets->SetNumberOfValues(count + 1);
+  for (vtkIdType i = 0; i <= count; ++i)
+  {
+    offsets->SetValue(i, 3 * i);
+  }
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, corners);
+  return cells;
+}
+
+// Speeds times normals.
+vtkSmartPointer<vtkFloatArray> MakeVelocity(const std::vector<float>& speeds, const float* normals)
+{
+  auto velocity = vtkSmartPointer<vtkFloatArray>::New();
+  velocity->SetName("Velocity");
+  velocity->SetNumberOfComponents(3);
+  velocity->SetNumberOfTuples(static_cast<vtkIdType>(speeds.size()));
+  for (std::size_t i = 0; i < 3 * speeds.size(); ++i)
+  {
+    velocity->SetValue(static_cast<vtkIdType>(i), speeds[i / 3] * normals[i]);
+  }
+  return velocity;
+}
+
+vtkSmartPointer<vtkFloatArray> MakeCurvature(const std::vector<float>& curvatures)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName("MeanCurvature");
+  array->SetNumberOfTuples(static_cast<vtkIdType>(curvatures.size()));
+  std::copy(curvatures.begin(), curvatures.end(), array->GetPointer(0));
+  return array;
+}
+
+}
+
+vtkSmartPointer<vtkFloatArray> FillSkin(
+  const NarrowBand& band, const SkinArrays& arrays, vtkPolyData* skin)
+{
+  const Skin triangles(band);
+  const bool directed = arrays.Normals || arrays.Speeds;
+  auto directions = vtkSmartPointer<vtkFloatArray>::New();
+  directions->SetName("Normals");
+  directions->SetNumberOfComponents(3);
+  directions->SetNumberOfTuples(
+    directed ? static_cast<vtkIdType>(triangles.GetNumberOfPoints()) : 0);
+  vtkNew<vtkTypeInt64Array> corners;
+  corners->SetNumberOfValues(3 * static_cast<vtkIdType>(triangles.GetNumberOfTriangles()));
+
+  float* direction = directed ? directions->GetPointer(0) : nullptr;
+  auto* corner = reinterpret_cast<std::int64_t*>(corners->GetPointer(0));
+  vtkSmartPointer<vtkDataArray> coordinates;
+  if (triangles.NeedsDoublePrecision())
+  {
+    coordinates = WriteTriangles<vtkDoubleArray>(triangles, direction, corner);
+  }
+  else
+  {
+    coordinates = WriteTriangles<vtkFloatArray>(triangles, direction, corner);
+  }
+  vtkNew<vtkPoints> vertices;
+  vertices->SetData(coordinates);
+  skin->SetPoints(vertices);
+  skin->SetPolys(MakeCells(corners));
+  if (arrays.Normals)
+  {
+    skin->GetPointData()->SetNormals(directions);
+  }
+  if (arrays.Speeds)
+  {
+    skin->GetPointData()->AddArray(MakeVelocity(*arrays.Speeds, direction));
+  }
+  if (arrays.Curvatures)
+  {
+    skin->GetPointData()->AddArray(MakeCurvature(*arrays.Curvatures));
+  }
+  return directions;
+}
+
+void FillPotential(const NarrowBand& band, const int extent[6], vtkImageData* potential)
+{
+  const double spacing = band.GetVoxelSize();
+  potential->SetExtent(const_cast<int*>(extent));
+  potential->SetOrigin(0.0, 0.0, 0.0);
+  potential->SetSpacing(spacing, spacing, spacing);
+  vtkNew<vtkFloatArray> distances;
+  distances->SetName("Potential");
+  distances->SetNumberOfTuples(potential->GetNumberOfPoints());
+  WriteDistances(band, extent, distances->GetPointer(0));
+  potential->GetPointData()->SetScalars(distances);
+}
+
+}

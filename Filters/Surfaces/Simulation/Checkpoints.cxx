@@ -1,0 +1,80 @@
+#include "Simulation/Checkpoints.h"
+
+#include "NarrowBand.h"
+
+#include <iterator>
+#include <limits>
+
+namespace activesurface
+{
+
+void Checkpoints::SetLimits(int interval, std::size_t memory)
+{
+  this->Interval = interval;
+  this->Memory = memory;
+  if (interval == 0)
+  {
+    this->Clear();
+  }
+  this->MakeRoom();
+}
+
+void Checkpoints::Add(int step, const NarrowBand& band)
+{
+  if (this->Interval > 0 && step % this->Interval == 0 && !this->States.count(step))
+  {
+    this->States[step] = band.Pack();
+    this->MakeRoom();
+  }
+}
+
+void Checkpoints::Keep(int step, const NarrowBand& band)
+{
+  this->States[step] = band.Pack();
+}
+
+int Checkpoints::FindUpTo(int step) const
+{
+  const auto after = this->States.upper_bound(step);
+  return after == this->States.begin() ? -1 : std::prev(after)->first;
+}
+
+std::unique_ptr<NarrowBand> Checkpoints::Restore(int step) const
+{
+  return NarrowBand::Unpack(this->States.at(step));
+}
+
+std::size_t Checkpoints::GetSize() const
+{
+  std::size_t size = 0;
+  for (const auto& [step, state] : this->States)
+  {
+    size += state.size();
+  }
+  return size;
+}
+
+// The start is needed most: without it all is done anew. Of the others the one that leaves the
+// smallest gap goes.
+void Checkpoints::MakeRoom()
+{
+  while (!this->States.empty() && this->GetSize() > this->Memory)
+  {
+    auto least = std::prev(this->States.end());
+    int smallest = std::numeric_limits<int>::max();
+    for (auto state = std::next(this->States.begin()); state != this->States.end(); ++state)
+    {
+      const auto next = std::next(state);
+      const int after = next == this->States.end() ? state->first + this->Interval : next->first;
+      const int gap = after - std::prev(state)->first;
+      if (gap < smallest)
+      {
+        smallest = gap;
+        least = state;
+      }
+    }
+    this->States.erase(least);
+  }
+}
+
+}

@@ -1,0 +1,36 @@
+#include "Simulation/MotionWarnings.h"
+
+#include <sstream>
+
+namespace activesurface
+{
+
+void WarnOfMotion(const AdvanceReport& report, double time, Warnings& messages)
+{
+  if (report.Vanished && !report.Aborted)
+  {
+    std::ostringstream text;
+    text << "The skin has vanished before the motion time " << time
+         << "; it does not come back. Does the target meet the initial shape?";
+    messages.Say("vanished", text.str());
+  }
+  if (report.DroppedSamples > 0)
+  {
+    std::ostringstream text;
+    text << "On the way to the motion time " << time << " the target was not a finite number at "
+         << report.DroppedSamples << " of " << report.TargetEvaluations
+         << " points of the skin; they were left out. This is told once.";
+    messages.Say("not finite", text.str());
+  }
+}
+
+void WarnOfNoRest(const RestCriterion& rest, double speed, Warnings& messages)
+{
+  std::ostringstream text;
+  text << "The skin is not at rest after " << rest.MaximumSubsteps << " substeps: its speed is "
+       << speed << " voxels per time, RestTolerance " << rest.Tolerance
+       << "; raise MaximumNumberOfSubsteps, or RestTolerance.";
+  messages.Say("no rest", text.str());
+}
+
+}

@@ -1,0 +1,119 @@
+#include "Simulation/ParticleMoment.h"
+
+#include "Targets/TargetFrames.h"
+
+#include <limits>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// Those of the later step, with their places in the earlier one.
+std::vector<ParticleOrigin> FindOriginsOfLater(std::size_t count, const ParticleMatches* matches)
+{
+  std::vector<ParticleOrigin> origins(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    origins[i] = { NoPartner, i };
+  }
+  for (std::size_t i = 0; matches && i < matches->Partners.size(); ++i)
+  {
+    if (matches->Partners[i] != NoPartner)
+    {
+      origins[matches->Partners[i]].Earlier = i;
+    }
+  }
+  return origins;
+}
+
+std::vector<ParticleOrigin> FindOriginsOfEarlier(std::size_t count, const ParticleMatches* matches)
+{
+  std::vector<ParticleOrigin> origins(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    origins[i] = { i, matches ? matches->Partners[i] : NoPartner };
+  }
+  return origins;
+}
+
+const ParticleFrame* Find(TargetFrames& frames, int step)
+{
+  return frames.Has(step) ? &frames.Get(step).Particles : nullptr;
+}
+
+double GetVelocity(const ParticleFrame* frame, std::size_t particle, std::size_t axis)
+{
+  const bool isKnown = particle != NoPartner && !frame->Velocities.empty();
+  return isKnown ? frame->Velocities[3 * particle + axis]
+                 : std::numeric_limits<double>::quiet_NaN();
+}
+
+}
+
+ParticleMoment FindMoment(TargetFrames& frames, int step, double fraction)
+{
+  ParticleMoment moment;
+  moment.Earlier = Find(frames, step);
+  moment.Later = Find(frames, step + 1);
+  moment.Fraction = fraction;
+  const ParticleMatches* matches = frames.FindMatches(step);
+  if (fraction == 0.0)
+  {
+    moment.Particles = moment.Earlier->Particles;
+    moment.Origins = FindOriginsOfEarlier(moment.Particles.size(), matches);
+  }
+  else if (fraction == 1.0)
+  {
+    moment.Particles = moment.Later->Particles;
+    moment.Origins = FindOriginsOfLater(moment.Particles.size(), matches);
+  }
+  else
+  {
+    InterpolateParticles(
+      *moment.Earlier, *moment.Later, *matches, fraction, moment.Particles, &moment.Origins);
+  }
+  return moment;
+}
+
+double Mix(double earlier, double later, const ParticleOrigin& origin, double fraction)
+{
+  if (fraction == 0.0 || origin.Later == NoPartner)
+  {
+    return earlier;
+  }
+  return fraction == 1.0 || origin.Earlier == NoPartner ? later
+                                                        : earlier + fraction * (later - earlier);
+}
+
+std::vector<double> ParticleMoment::FindVelocities(double duration) const
+{
+  std::vector<double> velocities(
+    3 * this->Particles.size(), std::numeric_limits<double>::quiet_NaN());
+  const bool given = (this->Earlier && !this->Earlier->Velocities.empty()) ||
+    (this->Later && !this->Later->Velocities.empty());
+  for (std::size_t i = 0; i < this->Particles.size(); ++i)
+  {
+    const ParticleOrigin& origin = this->Origins[i];
+    const bool hasBoth = origin.Earlier != NoPartner && origin.Later != NoPartner;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      double& velocity = velocities[3 * i + axis];
+      if (given)
+      {
+        velocity = Mix(GetVelocity(this->Earlier, origin.Earlier, axis),
+          GetVelocity(this->Later, origin.Later, axis), origin, this->Fraction);
+      }
+      else if (hasBoth && duration > 0.0)
+      {
+        velocity = (this->Later->Particles[origin.Later].Position[axis] -
+                     this->Earlier->Particles[origin.Earlier].Position[axis]) /
+          duration;
+      }
+    }
+  }
+  return velocities;
+}
+
+}

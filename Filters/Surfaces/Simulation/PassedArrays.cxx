@@ -1,0 +1,300 @@
+#include "Simulation/PassedArrays.h"
+
+#include "Simulation/ParticleWeights.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace activesurface
+{
+
+namespace
+{
+
+constexpr std::size_t Grain = 1024;
+
+// Numbers of the particles, to be averaged.
+struct Column
+{
+  std::size_t Components = 1;
+  std::vector<double> Values;         // of the particles
+  vtkSmartPointer<vtkDataArray> Name; // an empty array of the name and type to be made
+  std::vector<double> Averages;       // of the skin's points
+};
+
+using Columns = std::vector<Column>;
+
+bool IsReal(vtkAbstractArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+}
+
+vtkPointData* FindArrays(const ParticleFrame* frame)
+{
+  return frame ? frame->Passed.Get() : nullptr;
+}
+
+// An array of both steps around a moment, or of the only one that counts.
+struct Pair
+{
+  vtkAbstractArray* Earlier = nullptr;
+  vtkAbstractArray* Later = nullptr;
+
+  vtkAbstractArray* Get() const { return this->Earlier ? this->Earlier : this->Later; }
+
+  bool IsAlike() const
+  {
+    return !this->Earlier || !this->Later ||
+      (this->Earlier->GetDataType() == this->Later->GetDataType() &&
+        this->Earlier->GetNumberOfComponents() == this->Later->GetNumberOfComponents());
+  }
+};
+
+bool Has(const ParticleFrame* frame)
+{
+  return frame && !frame->Particles.empty();
+}
+
+// Empty for an array that cannot be passed.
+Pair FindPair(const ParticleMoment& moment, const char* name)
+{
+  const bool wantsEarlier = moment.Fraction < 1.0 && Has(moment.Earlier);
+  const bool wantsLater = moment.Fraction > 0.0 && Has(moment.Later);
+  Pair pair;
+  pair.Earlier = wantsEarlier ? FindArrays(moment.Earlier)->GetAbstractArray(name) : nullptr;
+  pair.Later = wantsLater ? FindArrays(moment.Later)->GetAbstractArray(name) : nullptr;
+  const bool isMissing = (wantsEarlier && !pair.Earlier) || (wantsLater && !pair.Later);
+  return isMissing || !pair.IsAlike() ? Pair() : pair;
+}
+
+// Where a particle's tuple is: at the nearer step of those that it is in.
+struct Place
+{
+  vtkAbstractArray* Array;
+  vtkIdType Tuple;
+};
+
+Place FindPlace(const ParticleMoment& moment, const Pair& pair, std::size_t particle)
+{
+  const ParticleOrigin& origin = moment.Origins[particle];
+  const bool isLater = pair.Later && origin.Later != NoPartner &&
+    (!pair.Earlier || origin.Earlier == NoPartner || moment.Fraction >= 0.5);
+  return isLater ? Place{ pair.Later, moment.Later->Points[origin.Later] }
+                 : Place{ pair.Earlier, moment.Earlier->Points[origin.Earlier] };
+}
+
+Column MakeColumn(const ParticleMoment& moment, const Pair& pair)
+{
+  auto earlier = vtkDataArray::SafeDownCast(pair.Earlier);
+  auto later = vtkDataArray::SafeDownCast(pair.Later);
+  Column column;
+  column.Components = static_cast<std::size_t>(pair.Get()->GetNumberOfComponents());
+  column.Name.TakeReference(vtkDataArray::CreateDataArray(pair.Get()->GetDataType()));
+  column.Name->SetName(pair.Get()->GetName());
+  for (std::size_t i = 0; i < moment.Particles.size(); ++i)
+  {
+    const ParticleOrigin& origin = moment.Origins[i];
+    for (int c = 0; c < static_cast<int>(column.Components); ++c)
+    {
+      const bool isEarlier = earlier && origin.Earlier != NoPartner;
+      const bool isLater = later && origin.Later != NoPartner;
+      column.Values.push_back(
+        Mix(isEarlier ? earlier->GetComponent(moment.Earlier->Points[origin.Earlier], c) : 0.0,
+          isLater ? later->GetComponent(moment.Later->Points[origin.Later], c) : 0.0, origin,
+          moment.Fraction));
+    }
+  }
+  return column;
+}
+
+// x, y, z, and how much of the weights is of particles whose velocity is known.
+Column MakeVelocityColumn(const std::vector<double>& velocities)
+{
+  Column column;
+  column.Components = 4;
+  for (std::size_t i = 0; i < velocities.size(); i += 3)
+  {
+    const double* v = velocities.data() + i;
+    const bool isKnown = std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      column.Values.push_back(isKnown ? v[axis] : 0.0);
+    }
+    column.Values.push_back(isKnown ? 1.0 : 0.0);
+  }
+  return column;
+}
+
+// Fills the averages, and for each point of the skin which particle has the largest weight.
+std::vector<vtkIdType> Average(const PassedArrays& passed, vtkPolyData* skin, Columns& columns)
+{
+  const ParticleWeights particles(passed.Moment.Particles, passed.Kernel);
+  const std::size_t count = static_cast<std::size_t>(skin->GetNumberOfPoints());
+  std::vector<vtkIdType> nearest(count);
+  for (Column& column : columns)
+  {
+    column.Averages.assign(count * column.Components, 0.0);
+  }
+  const auto isLighter = [](const SkeletonWeight& a, const SkeletonWeight& b)
+  { return a.Weight < b.Weight; };
+  const auto averageSome = [&](const tbb::blocked_range<std::size_t>& range)
+  {
+    std::vector<SkeletonWeight> weights;
+    for (std::size_t v = range.begin(); v != range.end(); ++v)
+    {
+      double x[3];
+      skin->GetPoints()->GetPoint(static_cast<vtkIdType>(v), x);
+      particles.Find(x, weights);
+      nearest[v] = std::max_element(weights.begin(), weights.end(), isLighter)->Point;
+      for (Column& column : columns)
+      {
+        double* averages = column.Averages.data() + v * column.Components;
+        for (const SkeletonWeight& weight : weights)
+        {
+          const double* values = column.Values.data() + weight.Point * column.Components;
+          for (std::size_t c = 0; c < column.Components; ++c)
+          {
+            averages[c] += weight.Weight * values[c];
+          }
+        }
+      }
+    }
+  };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, Grain), averageSome);
+  return nearest;
+}
+
+void AddAverages(const Column& column, vtkPolyData* skin)
+{
+  vtkDataArray* array = column.Name;
+  array->SetNumberOfComponents(static_cast<int>(column.Components));
+  array->SetNumberOfTuples(skin->GetNumberOfPoints());
+  for (vtkIdType v = 0; v < skin->GetNumberOfPoints(); ++v)
+  {
+    array->SetTuple(v, column.Averages.data() + v * column.Components);
+  }
+  skin->GetPointData()->AddArray(array);
+}
+
+void AddNearest(const ParticleMoment& moment, const Pair& pair,
+  const std::vector<vtkIdType>& nearest, vtkPolyData* skin)
+{
+  vtkSmartPointer<vtkAbstractArray> array;
+  array.TakeReference(pair.Get()->NewInstance());
+  array->SetName(pair.Get()->GetName());
+  array->SetNumberOfComponents(pair.Get()->GetNumberOfComponents());
+  array->SetNumberOfTuples(skin->GetNumberOfPoints());
+  for (std::size_t v = 0; v < nearest.size(); ++v)
+  {
+    const Place place = FindPlace(moment, pair, static_cast<std::size_t>(nearest[v]));
+    array->SetTuple(static_cast<vtkIdType>(v), place.Tuple, place.Array);
+  }
+  skin->GetPointData()->AddArray(array);
+}
+
+void AddDrift(const Column& column, const vtkFloatArray* directions, vtkPolyData* skin)
+{
+  vtkDataArray* velocity = skin->GetPointData()->GetArray("Velocity");
+  for (vtkIdType v = 0; v < skin->GetNumberOfPoints(); ++v)
+  {
+    const double* sum = column.Averages.data() + 4 * v;
+    double drift[3], along = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      drift[axis] = sum[3] > 0.0 ? sum[axis] / sum[3] : 0.0;
+      along += drift[axis] * directions->GetTypedComponent(v, axis);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double tangential = drift[axis] - along * directions->GetTypedComponent(v, axis);
+      velocity->SetComponent(v, axis, velocity->GetComponent(v, axis) + tangential);
+    }
+  }
+}
+
+vtkPointData* GetReference(const ParticleMoment& moment)
+{
+  const bool fromEarlier = Has(moment.Earlier) && moment.Fraction < 1.0;
+  return FindArrays(fromEarlier ? moment.Earlier : moment.Later);
+}
+
+void CopyActiveScalars(const PassedArrays& passed, vtkPolyData* skin)
+{
+  vtkDataArray* scalars = passed.Arrays ? GetReference(passed.Moment)->GetScalars() : nullptr;
+  if (scalars && scalars->GetName() && skin->GetPointData()->HasArray(scalars->GetName()))
+  {
+    skin->GetPointData()->SetActiveScalars(scalars->GetName());
+  }
+}
+
+// Of the arrays that the particles have, those that the skin gets, in their order.
+std::vector<Pair> FindPairs(const PassedArrays& passed, vtkPolyData* skin)
+{
+  const ParticleMoment& moment = passed.Moment;
+  vtkPointData* own = skin->GetPointData();
+  vtkPointData* arrays = passed.Arrays ? GetReference(moment) : nullptr;
+  std::vector<Pair> pairs;
+  for (int i = 0; arrays && i < arrays->GetNumberOfArrays(); ++i)
+  {
+    const char* name = arrays->GetAbstractArray(i)->GetName();
+    if (!name || *name == '\0' || own->HasArray(name) ||
+      std::string(name) == vtkDataSetAttributes::GhostArrayName())
+    {
+      continue;
+    }
+    const Pair pair = FindPair(moment, name);
+    if (pair.Get())
+    {
+      pairs.push_back(pair);
+    }
+  }
+  return pairs;
+}
+
+}
+
+void PassArrays(const PassedArrays& passed, const vtkFloatArray* directions, vtkPolyData* skin)
+{
+  if (passed.Moment.Particles.empty() || skin->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  const std::vector<Pair> pairs = FindPairs(passed, skin);
+  Columns columns;
+  for (const Pair& pair : pairs)
+  {
+    if (IsReal(pair.Get()))
+    {
+      columns.push_back(MakeColumn(passed.Moment, pair));
+    }
+  }
+  if (!passed.Velocities.empty())
+  {
+    columns.push_back(MakeVelocityColumn(passed.Velocities));
+  }
+  const std::vector<vtkIdType> nearest = Average(passed, skin, columns);
+  auto column = columns.cbegin();
+  for (const Pair& pair : pairs)
+  {
+    IsReal(pair.Get()) ? AddAverages(*column++, skin)
+                       : AddNearest(passed.Moment, pair, nearest, skin);
+  }
+  if (!passed.Velocities.empty())
+  {
+    AddDrift(*column, directions, skin);
+  }
+  CopyActiveScalars(passed, skin);
+}
+
+}

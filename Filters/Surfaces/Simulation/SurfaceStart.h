@@ -1,0 +1,28 @@
+// A surface put on the shape that it starts with.
+
+#ifndef SurfaceStart_h
+#define SurfaceStart_h
+
+#include "NarrowBand.h"
+#include "Simulation/SurfaceSettings.h"
+#include "Simulation/Warnings.h"
+#include "Targets/PotentialTarget.h"
+
+namespace activesurface
+{
+
+struct SurfaceStart
+{
+  const SurfaceDomain& Domain;
+  const Walls& Box;
+  const PotentialTarget& Shape;
+};
+
+// False if the progress function has stopped it. Warns of a start without a surface. Throws as
+// NarrowBand::Start.
+bool StartOn(NarrowBand& band, const SurfaceStart& start, Warnings& messages,
+  const ProgressFunction& progress);
+
+}
+
+#endif

@@ -1,0 +1,39 @@
+// Any vtkImplicitFunction as a target.
+
+#ifndef ImplicitTarget_h
+#define ImplicitTarget_h
+
+#include "Targets/FunctionSampler.h"
+#include "Targets/PotentialTarget.h"
+
+namespace activesurface
+{
+
+class ImplicitTarget : public PotentialTarget
+{
+public:
+  // As of FunctionSampler.
+  ImplicitTarget(vtkImplicitFunction* function, double step, const TargetOptions& options)
+    : PotentialTarget(options)
+    , Function(function, step)
+  {
+  }
+
+  bool IsThreadSafe() const override { return this->Function.IsThreadSafe(); }
+  // The function does not change while the surface advances: see FunctionSampler.
+  bool MayHaveChanged(const double[6]) const override { return false; }
+
+protected:
+  void Sample(
+    std::size_t count, const double* points, double* values, double* gradients) const override
+  {
+    this->Function.Sample(count, points, values, gradients);
+  }
+
+private:
+  FunctionSampler Function;
+};
+
+}
+
+#endif

@@ -1,0 +1,50 @@
+// A target that goes from one step of the input to the next.
+
+#ifndef MovingTarget_h
+#define MovingTarget_h
+
+#include "Targets/PotentialTarget.h"
+
+namespace activesurface
+{
+
+class MovingTarget : public PotentialTarget
+{
+public:
+  using PotentialTarget::PotentialTarget;
+
+  // From now on it goes from this step to the next between two motion times, and begins at once.
+  // Without a next step, or if end = begin, it stays.
+  void MoveAlong(int step, double begin, double end);
+
+  void MoveTo(double time) override;
+  bool MayHaveChanged(const double bounds[6]) const override;
+
+protected:
+  // At a fraction in [0,1] of the way from this step to the next.
+  virtual void Place(int step, double fraction) = 0;
+
+  // Whether the last Place may have changed values in a box.
+  virtual bool HasChangedIn(const double bounds[6]) const;
+
+private:
+  enum class Change
+  {
+    Nothing,
+    LastPlace,
+    Everything
+  };
+
+  bool PlaceOnce(int step, double fraction);
+
+  int Step = -1;
+  double Begin = 0.0;
+  double End = 0.0;
+  double Fraction = 0.0;
+  bool HasJumped = true;              // other than by MoveTo
+  Change Recent = Change::Everything; // with the last MoveTo
+};
+
+}
+
+#endif

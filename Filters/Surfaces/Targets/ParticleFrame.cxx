@@ -1,0 +1,184 @@
+#include "Targets/ParticleFrame.h"
+
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStaticPointLocator.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// The array as numbers, so many for each point, or null if there is none.
+vtkDataArray* AsNumbers(
+  vtkAbstractArray* array, vtkIdType points, const char* what, int components = 1)
+{
+  if (!array)
+  {
+    return nullptr;
+  }
+  vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
+  if (!numbers || numbers->GetNumberOfComponents() != components ||
+    numbers->GetNumberOfTuples() != points)
+  {
+    throw std::invalid_argument(std::string("The array \"") +
+      (array->GetName() ? array->GetName() : "") + "\" cannot give the particles' " + what +
+      ": it has to hold " + (components == 1 ? "one number" : "three numbers") +
+      " for each point.");
+  }
+  return numbers;
+}
+
+std::vector<std::int64_t> ReadIds(vtkDataArray* array)
+{
+  constexpr double exact = 9007199254740992.0; // 2^53
+  const vtkIdType count = array->GetNumberOfTuples();
+  const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+  for (vtkIdType i = 0; i < count && isReal; ++i)
+  {
+    const double value = array->GetComponent(i, 0);
+    if (!(std::fabs(value) <= exact) || value != std::floor(value))
+    {
+      throw std::invalid_argument(std::string("The array \"") +
+        (array->GetName() ? array->GetName() : "") +
+        "\" cannot give the particles' ids: they have to be integers.");
+    }
+  }
+  vtkNew<vtkTypeInt64Array> ids;
+  ids->DeepCopy(array);
+  return { ids->GetPointer(0), ids->GetPointer(0) + count };
+}
+
+// One that is not finite counts as unknown, NaN.
+void KeepVelocities(vtkDataArray* velocities, ParticleFrame& frame)
+{
+  if (velocities)
+  {
+    frame.Velocities.resize(3 * frame.Points.size());
+    for (std::size_t i = 0; i < frame.Points.size(); ++i)
+    {
+      velocities->GetTuple(frame.Points[i], frame.Velocities.data() + 3 * i);
+    }
+  }
+}
+
+// Copies: what comes through the input may be written over by the next step.
+void KeepArrays(vtkPointData* arrays, ParticleFrame& frame)
+{
+  if (arrays)
+  {
+    frame.Passed = vtkSmartPointer<vtkPointData>::New();
+    frame.Passed->DeepCopy(arrays);
+  }
+}
+
+}
+
+void ParticleFrame::GiveRadius(double radius)
+{
+  for (SkeletonVertex& particle : this->Particles)
+  {
+    particle.Radius = radius;
+  }
+  this->HasRadii = true;
+}
+
+bool ParticleFrame::GetBounds(double bounds[6]) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] = HUGE_VAL;
+    bounds[2 * axis + 1] = -HUGE_VAL;
+    for (const SkeletonVertex& particle : this->Particles)
+    {
+      const double x = particle.Position[axis];
+      bounds[2 * axis] = std::min(bounds[2 * axis], x - particle.Radius);
+      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], x + particle.Radius);
+    }
+  }
+  return !this->Particles.empty();
+}
+
+double ParticleFrame::GetSpacing() const
+{
+  constexpr std::size_t samples = 1000;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const SkeletonVertex& particle : this->Particles)
+  {
+    points->InsertNextPoint(particle.Position);
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(cloud);
+  locator->BuildLocator();
+
+  std::vector<double> distances;
+  vtkNew<vtkIdList> nearest;
+  const std::size_t stride = std::max<std::size_t>(1, this->Particles.size() / samples);
+  for (std::size_t i = 0; i < this->Particles.size() && this->Particles.size() > 1; i += stride)
+  {
+    const double* x = this->Particles[i].Position;
+    locator->FindClosestNPoints(2, x, nearest);
+    double distance = 0.0;
+    for (vtkIdType k = 0; k < nearest->GetNumberOfIds(); ++k)
+    {
+      const double* other = this->Particles[nearest->GetId(k)].Position;
+      distance = std::max(distance, std::hypot(x[0] - other[0], x[1] - other[1], x[2] - other[2]));
+    }
+    if (distance > 0.0)
+    {
+      distances.push_back(distance);
+    }
+  }
+  const auto middle = distances.begin() + distances.size() / 2;
+  std::nth_element(distances.begin(), middle, distances.end());
+  return distances.empty() ? 0.0 : *middle;
+}
+
+ParticleFrame ReadParticles(vtkPointSet* points, const ParticleArrays& arrays)
+{
+  const vtkIdType count = points->GetNumberOfPoints();
+  vtkDataArray* radii = AsNumbers(arrays.Radii, count, "radii");
+  vtkDataArray* ids = AsNumbers(arrays.Ids, count, "ids");
+  vtkDataArray* strengths = AsNumbers(arrays.Strengths, count, "strengths");
+  const std::vector<std::int64_t> allIds = ids ? ReadIds(ids) : std::vector<std::int64_t>();
+
+  ParticleFrame frame;
+  frame.HasRadii = radii != nullptr;
+  frame.HasIds = ids != nullptr;
+  frame.Particles.reserve(count);
+  frame.Ids.reserve(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    SkeletonVertex particle;
+    points->GetPoint(i, particle.Position);
+    particle.Radius = radii ? radii->GetComponent(i, 0) : 1.0;
+    particle.Strength = strengths ? strengths->GetComponent(i, 0) : 1.0;
+    if (!particle.IsUsable())
+    {
+      ++frame.Ignored;
+      continue;
+    }
+    frame.Particles.push_back(particle);
+    frame.Ids.push_back(ids ? allIds[i] : i);
+    frame.Points.push_back(i);
+  }
+  KeepVelocities(AsNumbers(arrays.Velocities, count, "velocities", 3), frame);
+  KeepArrays(arrays.Passed, frame);
+  return frame;
+}
+
+}

@@ -1,0 +1,144 @@
+#include "Targets/ParticleMatches.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// Indices of the particles, by ascending id; equal ids stay in order.
+std::vector<std::size_t> SortByIds(const std::vector<std::int64_t>& ids)
+{
+  std::vector<std::size_t> order(ids.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(
+    order.begin(), order.end(), [&ids](std::size_t a, std::size_t b) { return ids[a] < ids[b]; });
+  return order;
+}
+
+void MatchIds(const std::vector<std::int64_t>& earlier, const std::vector<std::int64_t>& later,
+  std::vector<std::size_t>& partners)
+{
+  const std::vector<std::size_t> from = SortByIds(earlier);
+  const std::vector<std::size_t> to = SortByIds(later);
+  auto candidate = to.begin();
+  for (const std::size_t particle : from)
+  {
+    while (candidate != to.end() && later[*candidate] < earlier[particle])
+    {
+      ++candidate;
+    }
+    if (candidate != to.end() && later[*candidate] == earlier[particle])
+    {
+      partners[particle] = *candidate++;
+    }
+  }
+}
+
+// The later particles that are nobody's partner.
+std::vector<std::size_t> FindBirths(const std::vector<std::size_t>& partners, std::size_t later)
+{
+  std::vector<bool> isPartner(later, false);
+  for (const std::size_t partner : partners)
+  {
+    if (partner != NoPartner)
+    {
+      isPartner[partner] = true;
+    }
+  }
+  std::vector<std::size_t> births;
+  for (std::size_t i = 0; i < later; ++i)
+  {
+    if (!isPartner[i])
+    {
+      births.push_back(i);
+    }
+  }
+  return births;
+}
+
+double Between(double a, double b, double fraction)
+{
+  return a + fraction * (b - a);
+}
+
+void MoveTowards(SkeletonVertex& particle, const SkeletonVertex& partner, double fraction)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    particle.Position[axis] = Between(particle.Position[axis], partner.Position[axis], fraction);
+  }
+  const double radius = Between(particle.Radius, partner.Radius, fraction);
+  particle.Radius = radius > 0.0 ? radius : partner.Radius; // which rounding may have swallowed
+  particle.Strength = Between(particle.Strength, partner.Strength, fraction);
+}
+
+// Particles that are on their way, and their origins if these are wanted.
+struct Crowd
+{
+  std::vector<SkeletonVertex>& Particles;
+  std::vector<ParticleOrigin>* Origins;
+
+  void Add(const SkeletonVertex& particle, const ParticleOrigin& origin)
+  {
+    this->Particles.push_back(particle);
+    if (this->Origins)
+    {
+      this->Origins->push_back(origin);
+    }
+  }
+
+  void AddFaded(SkeletonVertex particle, double share, const ParticleOrigin& origin)
+  {
+    particle.Strength *= share;
+    if (particle.Strength != 0.0)
+    {
+      this->Add(particle, origin);
+    }
+  }
+};
+
+}
+
+ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later)
+{
+  const bool sameCount =
+    earlier.Particles.size() + earlier.Ignored == later.Particles.size() + later.Ignored;
+  ParticleMatches matches;
+  matches.Partners.assign(earlier.Particles.size(), NoPartner);
+  if (earlier.HasIds == later.HasIds && (earlier.HasIds || sameCount))
+  {
+    MatchIds(earlier.Ids, later.Ids, matches.Partners);
+  }
+  matches.Births = FindBirths(matches.Partners, later.Particles.size());
+  return matches;
+}
+
+void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& later,
+  const ParticleMatches& matches, double fraction, std::vector<SkeletonVertex>& particles,
+  std::vector<ParticleOrigin>* origins)
+{
+  Crowd crowd{ particles, origins };
+  particles.clear();
+  for (std::size_t i = 0; i < earlier.Particles.size(); ++i)
+  {
+    const std::size_t partner = matches.Partners[i];
+    SkeletonVertex particle = earlier.Particles[i];
+    if (partner == NoPartner)
+    {
+      crowd.AddFaded(particle, 1.0 - fraction, { i, NoPartner });
+      continue;
+    }
+    MoveTowards(particle, later.Particles[partner], fraction);
+    crowd.Add(particle, { i, partner });
+  }
+  for (const std::size_t birth : matches.Births)
+  {
+    crowd.AddFaded(later.Particles[birth], fraction, { NoPartner, birth });
+  }
+}
+
+}

@@ -1,0 +1,43 @@
+// Which particles of two steps of the input are the same, and their way from one to the other.
+//
+// A particle moves in a straight line from one step to the next, and its radius and strength change
+// evenly. Particles are matched by their ids, or by their index where there are none and the steps
+// have equally many, else not at all. One without a partner in the next step dies: at a fraction f
+// of the way it has 1 - f of its strength. One without a partner in the step before is born: it has
+// f of its strength. So their sum is continuous in time, whatever the steps hold.
+
+#ifndef ParticleMatches_h
+#define ParticleMatches_h
+
+#include "Targets/ParticleFrame.h"
+
+namespace activesurface
+{
+
+constexpr std::size_t NoPartner = static_cast<std::size_t>(-1);
+
+struct ParticleMatches
+{
+  std::vector<std::size_t> Partners; // for each earlier one its place among the later, or NoPartner
+  std::vector<std::size_t> Births;   // of the later ones, by ascending place
+};
+
+ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later);
+
+// A particle's places in the two steps; NoPartner where it is not in the step.
+struct ParticleOrigin
+{
+  std::size_t Earlier;
+  std::size_t Later;
+};
+
+// Replaces particles by those at a fraction in [0,1] of the way from the earlier step to the later:
+// the earlier ones in their order, then the births in theirs, none that has faded to nothing. And
+// their origins, unless these are null.
+void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& later,
+  const ParticleMatches& matches, double fraction, std::vector<SkeletonVertex>& particles,
+  std::vector<ParticleOrigin>* origins = nullptr);
+
+}
+
+#endif

@@ -1,0 +1,69 @@
+#include "Targets/PotentialTarget.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+
+PotentialTarget::PotentialTarget(const TargetOptions& options)
+  : Options(options)
+{
+}
+
+double PotentialTarget::Side(double value) const
+{
+  const double above = value - this->Options.IsoValue;
+  return this->Options.Invert ? -above : above;
+}
+
+void PotentialTarget::TurnIntoDistance(double length, double& value, double& slope) const
+{
+  const double reach = this->Options.Reach;
+  const double distance = std::isfinite(length) && length > 0.0 ? value / length : HUGE_VAL * value;
+  if (std::fabs(distance) < reach)
+  {
+    value = distance;
+    slope = 1.0;
+    return;
+  }
+  value = value == 0.0 || std::isnan(value) ? value : std::copysign(reach, value);
+  slope = 0.0;
+}
+
+void PotentialTarget::Evaluate(
+  std::size_t count, const double* points, double* values, double* slopes) const
+{
+  constexpr std::size_t batch = 128;
+  double gradients[3 * batch];
+  for (std::size_t first = 0; first < count; first += batch)
+  {
+    const std::size_t size = std::min(batch, count - first);
+    this->Sample(size, points + 3 * first, values + first, gradients);
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const double* g = gradients + 3 * i;
+      double& value = values[first + i];
+      double& slope = slopes[first + i];
+      value = this->Side(value);
+      slope = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+      if (this->Options.Normalize)
+      {
+        this->TurnIntoDistance(slope, value, slope);
+      }
+      else if (!std::isfinite(slope))
+      {
+        value = std::nan(""); // no step would be stable there: the sample is to be dropped
+      }
+    }
+  }
+}
+
+void PotentialTarget::EvaluateLevel(std::size_t count, const double* points, double* values) const
+{
+  this->Sample(count, points, values, nullptr);
+  std::transform(
+    values, values + count, values, [this](double value) { return this->Side(value); });
+}
+
+}

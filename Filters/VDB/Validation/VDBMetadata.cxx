@@ -1,0 +1,103 @@
+#include "Validation/VDBMetadata.h"
+
+#include "Validation/ByteSource.h"
+#include "Validation/VDBTree.h"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace activesurface
+{
+
+namespace
+{
+
+constexpr const char* LeafSizesType = "__delayedload";
+
+[[noreturn]] void Refuse(const char* what)
+{
+  throw std::runtime_error(std::string("it is damaged: ") + what);
+}
+
+/** What io::DelayedLoadMetadata::readValue reads. */
+void WalkLeafSizes(ByteSource& source, VDBMetadata& metadata)
+{
+  constexpr std::uint32_t none = 0xffffffff;
+  constexpr std::uint64_t leastLeaf = 64; // bytes in a file
+  const std::uint64_t count = source.Read<std::uint32_t>();
+  if (count > source.GetSize() / leastLeaf)
+  {
+    Refuse("it tells sizes of more leaves than it can have");
+  }
+  const auto walk = [&source](std::uint32_t stored, std::uint64_t bytes)
+  {
+    if (stored > 0)
+    {
+      SkipBlosc(source, stored, bytes);
+    }
+    else
+    {
+      source.Skip(bytes);
+    }
+  };
+  walk(source.Read<std::uint32_t>(), count * sizeof(std::int8_t));
+  const auto stored = source.Read<std::uint32_t>();
+  if (stored != none)
+  {
+    walk(stored, count * sizeof(std::int64_t));
+  }
+  metadata.HasLeafSizes = true;
+  metadata.HasPackedSizes = stored != none;
+  metadata.NumberOfLeaves = count;
+}
+
+void WalkValue(ByteSource& source, const std::string& type, VDBMetadata& metadata)
+{
+  const auto size = source.Read<std::uint32_t>();
+  const std::uint64_t begin = source.GetPosition();
+  if (type == LeafSizesType && size > 0)
+  {
+    WalkLeafSizes(source, metadata);
+    if (source.GetPosition() - begin != size)
+    {
+      Refuse("its sizes of leaves have another length");
+    }
+    return;
+  }
+  // A known type is read by its own size, whatever the file says.
+  const bool isOfAnySize = type == openvdb::StringMetadata::staticTypeName() ||
+    type == LeafSizesType || !openvdb::Metadata::isRegisteredType(type);
+  if (!isOfAnySize && openvdb::Metadata::createMetadata(type)->size() != size)
+  {
+    Refuse("a metadata value has the wrong size");
+  }
+  if (type == openvdb::BoolMetadata::staticTypeName() && source.Read<std::uint8_t>() > 1)
+  {
+    Refuse("a metadata value is neither true nor false");
+  }
+  source.Seek(begin);
+  source.Skip(size);
+}
+
+}
+
+VDBMetadata ReadMetadata(ByteSource& source)
+{
+  VDBMetadata metadata;
+  const std::uint64_t begin = source.GetPosition();
+  const auto count = source.Read<std::uint32_t>();
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    source.ReadText();
+    const std::string type = source.ReadText();
+    WalkValue(source, type, metadata);
+  }
+  const std::uint64_t end = source.GetPosition();
+  source.Seek(begin);
+  std::istringstream bytes(source.ReadBytes(end - begin), std::ios::binary);
+  metadata.Values = std::make_shared<openvdb::MetaMap>();
+  metadata.Values->readMeta(bytes);
+  return metadata;
+}
+
+}

@@ -1,0 +1,326 @@
+#include "Validation/VDBPoints.h"
+
+#include "Validation/ByteSource.h"
+#include "Validation/VDBMetadata.h"
+
+#include <openvdb/points/AttributeArray.h>
+#include <openvdb/points/AttributeGroup.h>
+
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+namespace activesurface
+{
+
+namespace
+{
+
+using openvdb::points::AttributeArray;
+using Types = std::vector<openvdb::NamePair>;
+
+[[noreturn]] void Refuse(const char* what)
+{
+  throw std::runtime_error(std::string("it is damaged: ") + what);
+}
+
+/** One attribute of the points of one leaf. */
+struct Attribute
+{
+  std::uint64_t Bytes = 0;  //< in memory
+  std::uint64_t Stored = 0; //< in the file, if not in pages
+  bool IsUniform = false;
+  bool IsPaged = false;
+};
+
+/** Pages of one attribute, in which the arrays of several leaves lie one after the other. */
+class Pages
+{
+public:
+  /** Of an array, in the order of the leaves: begins a page where the last one is full. */
+  void AddSize(ByteSource& source, std::uint64_t bytes)
+  {
+    if (this->Left == 0)
+    {
+      const auto stored = source.Read<std::int32_t>();
+      const std::int64_t unpacked =
+        stored > 0 ? source.Read<std::int32_t>() : -std::int64_t(stored);
+      constexpr std::int64_t best = 300; // LZ4 packs to a 255th at best
+      if (stored == 0 || unpacked <= 0 || (stored > 0 && unpacked > best * stored))
+      {
+        Refuse("a page of attributes has an impossible size");
+      }
+      this->Sizes.push_back({ stored, unpacked });
+      this->Left = static_cast<std::uint64_t>(unpacked);
+    }
+    if (bytes == 0 || bytes > this->Left)
+    {
+      Refuse("an attribute does not fit its page");
+    }
+    this->Left -= bytes;
+  }
+
+  void SkipData(ByteSource& source) const
+  {
+    if (this->Left != 0)
+    {
+      Refuse("a page of attributes is not full");
+    }
+    for (const auto& [stored, unpacked] : this->Sizes)
+    {
+      if (stored > 0)
+      {
+        SkipBlosc(source, stored, unpacked);
+      }
+      else
+      {
+        source.Skip(unpacked);
+      }
+    }
+  }
+
+private:
+  std::vector<std::pair<std::int64_t, std::int64_t>> Sizes;
+  std::uint64_t Left = 0;
+};
+
+class Walk
+{
+public:
+  Walk(ByteSource& source, const VDBTree& tree)
+    : Source(source)
+    , Tree(tree)
+  {
+  }
+
+  void Run();
+
+private:
+  Types ReadTypes();
+  Types ReadDescriptor();
+  void ReadNames(std::uint64_t count, std::uint64_t positions);
+  std::uint64_t ReadCount(std::uint64_t least);
+  Attribute ReadAttribute(const openvdb::NamePair& type);
+  void ReadSizes();
+  void SkipVoxels();
+  void SkipAttributes();
+
+  ByteSource& Source;
+  const VDBTree& Tree;
+  std::size_t Count = 0;                       //< attributes of each leaf
+  Types Shared;                                //< of all leaves, as soon as one says so
+  std::vector<std::vector<Attribute>> PerLeaf; //< by leaf
+  std::vector<Pages> PerAttribute;
+};
+
+/** The passes over all leaves in the order in which PointDataLeafNode::readBuffers makes them. */
+void Walk::Run()
+{
+  const auto passes = this->Source.Read<std::uint16_t>();
+  if (passes < 6 || passes % 2 != 0)
+  {
+    Refuse("points have an impossible number of attributes");
+  }
+  this->Count = (passes - 4) / 2;
+  this->Source.Skip(sizeof(std::uint16_t) * this->Tree.Leaves.size());
+  for (std::size_t leaf = 0; leaf < this->Tree.Leaves.size(); ++leaf)
+  {
+    this->PerLeaf.emplace_back();
+    for (const openvdb::NamePair& type : this->ReadTypes())
+    {
+      this->PerLeaf.back().push_back(this->ReadAttribute(type));
+    }
+  }
+  this->ReadSizes();
+  this->SkipVoxels();
+  this->SkipAttributes();
+}
+
+Types Walk::ReadTypes()
+{
+  if (!this->Shared.empty())
+  {
+    return this->Shared;
+  }
+  const auto flags = this->Source.Read<std::uint8_t>();
+  const Types types = this->ReadDescriptor();
+  if (flags > 3)
+  {
+    Refuse("points have unknown flags");
+  }
+  if (flags & 1)
+  {
+    this->Shared = types;
+  }
+  if (flags & 2)
+  {
+    this->Source.Skip(this->Source.Read<std::uint64_t>());
+  }
+  return types;
+}
+
+Types Walk::ReadDescriptor()
+{
+  Types types(this->ReadCount(2 * sizeof(std::uint32_t)));
+  if (types.size() != this->Count)
+  {
+    Refuse("leaves have different numbers of attributes");
+  }
+  std::size_t groups = 0;
+  for (openvdb::NamePair& type : types)
+  {
+    type.first = this->Source.ReadText();
+    type.second = this->Source.ReadText();
+    if (!AttributeArray::isRegistered(type))
+    {
+      throw std::runtime_error("its points have an attribute of the unknown type " + type.first);
+    }
+    groups += type == openvdb::points::GroupAttributeArray::attributeType() ? 1 : 0;
+  }
+  this->ReadNames(types.size(), types.size());
+  this->ReadNames(this->ReadCount(sizeof(std::uint32_t)), 8 * groups);
+  ReadMetadata(this->Source);
+  return types;
+}
+
+void Walk::ReadNames(std::uint64_t count, std::uint64_t positions)
+{
+  for (std::uint64_t i = 0; i < count; ++i)
+  {
+    this->Source.ReadText();
+    if (this->Source.Read<std::uint64_t>() >= positions)
+    {
+      Refuse("an attribute is at an impossible place");
+    }
+  }
+}
+
+/** Of what takes `least` bytes at least, each. */
+std::uint64_t Walk::ReadCount(std::uint64_t least)
+{
+  const auto count = this->Source.Read<std::uint64_t>();
+  if (count > this->Source.GetRest() / least)
+  {
+    Refuse("points have too many attributes");
+  }
+  return count;
+}
+
+/** What TypedAttributeArray::readMetadata reads. */
+Attribute Walk::ReadAttribute(const openvdb::NamePair& type)
+{
+  constexpr std::uint64_t head = 6; // bytes that count as stored
+  enum
+  {
+    Strided = 1,
+    Uniform = 2,
+    Paged = 8,
+    AllKnown = 15,
+    FlagsOfFiles = 0x1f
+  };
+  const auto bytes = this->Source.Read<std::uint64_t>();
+  const auto flags = this->Source.Read<std::uint8_t>();
+  const auto form = this->Source.Read<std::uint8_t>();
+  const auto size = this->Source.Read<std::uint32_t>();
+  const auto stride = form & Strided ? this->Source.Read<std::uint32_t>() : 1u;
+  if (bytes <= head || bytes - head > this->Source.GetSize() * 512 || flags > FlagsOfFiles ||
+    form > AllKnown)
+  {
+    Refuse("an attribute has an impossible size");
+  }
+  static constexpr std::uint64_t most = std::uint64_t(1) << 31;
+  const std::uint64_t each = AttributeArray::create(type, 1, 1)->storageTypeSize();
+  const bool isStrideConstant = flags & AttributeArray::CONSTANTSTRIDE;
+  const std::uint64_t values = isStrideConstant ? std::uint64_t(size) * stride : stride;
+  Attribute attribute;
+  attribute.IsUniform = form & Uniform;
+  attribute.IsPaged = form & Paged;
+  attribute.Bytes = each * (attribute.IsUniform ? 1 : values);
+  attribute.Stored = bytes - head;
+  if (stride == 0 || values > most || attribute.Bytes > most ||
+    (attribute.IsPaged && attribute.Stored != attribute.Bytes))
+  {
+    Refuse("an attribute has an impossible size");
+  }
+  return attribute;
+}
+
+void Walk::ReadSizes()
+{
+  this->PerAttribute.resize(this->Count);
+  for (std::size_t i = 0; i < this->Count; ++i)
+  {
+    for (const std::vector<Attribute>& leaf : this->PerLeaf)
+    {
+      if (leaf[i].IsPaged)
+      {
+        this->PerAttribute[i].AddSize(this->Source, leaf[i].Bytes);
+      }
+    }
+  }
+}
+
+/** For each voxel the number of its last point. */
+void Walk::SkipVoxels()
+{
+  constexpr std::uint64_t bytes = 512 * sizeof(std::uint32_t);
+  constexpr std::uint16_t notPacked = 0xffff;
+  for (const VDBTree::Leaf& leaf : this->Tree.Leaves)
+  {
+    if (this->Source.Read<std::array<std::uint64_t, 8>>() != leaf.Active)
+    {
+      Refuse("a leaf has two masks");
+    }
+    const auto stored = this->Source.Read<std::uint16_t>();
+    if (stored == notPacked)
+    {
+      this->Source.Skip(bytes);
+    }
+    else
+    {
+      SkipBlosc(this->Source, stored, bytes);
+    }
+  }
+}
+
+void Walk::SkipAttributes()
+{
+  for (std::size_t i = 0; i < this->Count; ++i)
+  {
+    this->PerAttribute[i].SkipData(this->Source);
+    for (const std::vector<Attribute>& leaf : this->PerLeaf)
+    {
+      const Attribute& attribute = leaf[i];
+      if (attribute.IsPaged)
+      {
+        continue;
+      }
+      const bool isPacked = !attribute.IsUniform && this->Source.Read<std::uint8_t>() == 1;
+      if (isPacked)
+      {
+        SkipBlosc(this->Source, attribute.Stored, attribute.Bytes);
+      }
+      else if (attribute.Stored != attribute.Bytes)
+      {
+        Refuse("values of an attribute are missing");
+      }
+      else
+      {
+        this->Source.Skip(attribute.Stored);
+      }
+    }
+  }
+}
+
+}
+
+void WalkPoints(ByteSource& source, const VDBTree& tree)
+{
+  if (tree.ActiveTiles > 0)
+  {
+    Refuse("points have tiles");
+  }
+  Walk(source, tree).Run();
+}
+
+}

@@ -1,0 +1,17 @@
+/**
+ * The points in the leaves of a .vdb file, walked through without being built, as VDBTree.h.
+ */
+#ifndef VDBPoints_h
+#define VDBPoints_h
+
+#include "Validation/VDBTree.h"
+
+namespace activesurface
+{
+
+/** From the end of the topology. Throws std::runtime_error for points that are damaged. */
+void WalkPoints(ByteSource& source, const VDBTree& tree);
+
+}
+
+#endif
