@@ -66,7 +66,7 @@ struct Source
 
   void Update() const
   {
-    RequestWhole(this->Information);
+    activesurface::RequestWhole(this->Information);
     if (!this->Pipeline->Update(this->Port))
     {
       throw std::runtime_error("The input has failed to make its data, so there is no file of it.");

@@ -180,7 +180,8 @@ void AddWork(AdvanceReport& sum, const AdvanceReport& report)
 
 /** Calls substep() until it returns false; leaves the band as after the last one that finished. */
 template <class Substep>
-void GoOn(const NarrowBand& band, BandState& members, const AdvanceReport& report, Substep&& substep)
+void GoOn(
+  const NarrowBand& band, BandState& members, const AdvanceReport& report, Substep&& substep)
 {
   const auto finish = [&]
   {

@@ -1,6 +1,7 @@
 #include "vtkActiveImplicitSurface.h"
 
 #include "Pipeline/SurfaceRequests.h"
+#include "Simulation/PropertyValues.h"
 
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -19,6 +20,8 @@
 #include <exception>
 #include <new>
 
+using activesurface::OutputPorts;
+using activesurface::SurfaceProperties;
 using activesurface::SurfaceRequests;
 
 vtkStandardNewMacro(vtkActiveImplicitSurface);
@@ -81,12 +84,12 @@ void vtkActiveImplicitSurface::SetParticleKernelToMetaball()
 
 vtkIdType vtkActiveImplicitSurface::GetTargetEvaluations()
 {
-  return static_cast<vtkIdType>(this->Requests->GetSimulation().GetTargetEvaluations());
+  return static_cast<vtkIdType>(this->Requests->GetSimulation().GetDriver().GetTargetEvaluations());
 }
 
 vtkIdType vtkActiveImplicitSurface::GetSubsteps()
 {
-  return static_cast<vtkIdType>(this->Requests->GetSimulation().GetSubsteps());
+  return static_cast<vtkIdType>(this->Requests->GetSimulation().GetDriver().GetSubsteps());
 }
 
 void vtkActiveImplicitSurface::ResetCounters()
@@ -96,17 +99,17 @@ void vtkActiveImplicitSurface::ResetCounters()
 
 vtkPolyData* vtkActiveImplicitSurface::GetOutput()
 {
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(SurfaceRequests::SkinPort));
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(OutputPorts::Skin));
 }
 
 vtkImageData* vtkActiveImplicitSurface::GetPotential()
 {
-  return vtkImageData::SafeDownCast(this->GetOutputDataObject(SurfaceRequests::PotentialPort));
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(OutputPorts::Potential));
 }
 
 vtkTable* vtkActiveImplicitSurface::GetHistory()
 {
-  return vtkTable::SafeDownCast(this->GetOutputDataObject(SurfaceRequests::HistoryPort));
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(OutputPorts::History));
 }
 
 vtkImplicitFunction* vtkActiveImplicitSurface::GetSkinFunction()
@@ -179,9 +182,9 @@ int vtkActiveImplicitSurface::FillInputPortInformation(int, vtkInformation* info
 int vtkActiveImplicitSurface::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(),
-    port == SurfaceRequests::SkinPort          ? "vtkPolyData"
-      : port == SurfaceRequests::PotentialPort ? "vtkImageData"
-                                               : "vtkTable");
+    port == OutputPorts::Skin          ? "vtkPolyData"
+      : port == OutputPorts::Potential ? "vtkImageData"
+                                       : "vtkTable");
   return 1;
 }
 
@@ -190,7 +193,7 @@ vtkTypeBool vtkActiveImplicitSurface::ProcessRequest(
 {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
   {
-    this->Requests->MarkNotMade(request, output);
+    OutputPorts::MarkUnfilled(this->FindProperties(), request, output);
     return 1;
   }
   return this->Superclass::ProcessRequest(request, input, output);
@@ -199,14 +202,14 @@ vtkTypeBool vtkActiveImplicitSurface::ProcessRequest(
 int vtkActiveImplicitSurface::RequestInformation(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
-  this->Requests->PublishInformation(input, output);
+  this->Requests->PublishInformation(this->FindProperties(), input, output);
   return 1;
 }
 
 int vtkActiveImplicitSurface::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  this->Requests->AskInputs(request, input, output);
+  this->Requests->RequestInputs(this->FindProperties(), request, input, output);
   return 1;
 }
 
@@ -215,43 +218,61 @@ int vtkActiveImplicitSurface::RequestData(
 {
   try
   {
-    this->Requests->Make(request, input, output);
+    this->Requests->RequestData(this->FindProperties(), request, input, output);
     return 1;
   }
   catch (const std::bad_alloc&)
   {
-    this->Requests->GetSimulation().Drop();
-    this->Requests->GiveUp(output);
+    this->Requests->GetSimulation().Reset();
+    this->Requests->ClearOutputs(output);
     vtkErrorMacro(<< "There is not enough memory for the skin, or for the potential's image, whose "
                      "size is that of ModelBounds; enlarge VoxelSize or shrink ModelBounds.");
     return 0;
   }
   catch (const std::exception& error)
   {
-    this->Requests->GiveUp(output);
+    this->Requests->ClearOutputs(output);
     vtkErrorMacro(<< error.what());
     return 0;
   }
 }
 
+SurfaceProperties vtkActiveImplicitSurface::FindProperties()
+{
+  SurfaceProperties properties;
+  activesurface::SurfaceSettings& settings = properties.Settings;
+  activesurface::ForEachProperty(settings,
+    [this](const activesurface::Property&, auto& field, auto&& get)
+    { activesurface::AssignProperty(get(*this), field); });
+  settings.Inputs.TargetFunction = this->TargetFunction;
+  settings.Inputs.TargetMTime = this->TargetFunction ? this->TargetFunction->GetMTime() : 0;
+  settings.Inputs.InitialFunction = this->InitialFunction;
+  settings.Inputs.InitialMTime = this->InitialFunction ? this->InitialFunction->GetMTime() : 0;
+  properties.Clock = { this->GetStartTime(), this->GetTimeStepSize(),
+    this->GetNumberOfTimeSteps() };
+  properties.Limits.Threads = this->GetNumberOfThreads();
+  properties.Limits.MaximumVoxels =
+    static_cast<std::size_t>(this->GetMaximumNumberOfActiveVoxels());
+  properties.Limits.CheckpointInterval = this->GetCheckpointInterval();
+  properties.Limits.CheckpointMemory = static_cast<std::size_t>(this->GetCheckpointMemory()) << 20;
+  properties.Normals = this->ComputeNormals != 0;
+  properties.Curvature = this->ComputeCurvature != 0;
+  properties.Velocity = this->ComputeVelocity != 0;
+  properties.TangentialVelocity = this->TangentialVelocity != 0;
+  properties.PassTargetArrays = this->PassTargetArrays != 0;
+  properties.OutputPotential = this->OutputPotential != 0;
+  return properties;
+}
+
 void vtkActiveImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const double* b = this->ModelBounds;
+  activesurface::SurfaceSettings unused;
+  activesurface::ForEachShapeProperty(unused,
+    [&](const activesurface::Property& property, auto&, auto&& get)
+    { activesurface::PrintProperty(os << indent, property, get(*this)); });
   os << indent << "TargetFunction: " << this->TargetFunction << "\n"
      << indent << "InitialFunction: " << this->InitialFunction << "\n"
-     << indent << "TargetIsoValue: " << this->TargetIsoValue << "\n"
-     << indent << "InvertTarget: " << this->InvertTarget << "\n"
-     << indent << "NormalizeTarget: " << this->NormalizeTarget << "\n"
-     << indent << "TargetReach: " << this->TargetReach << "\n"
-     << indent << "VoxelSize: " << this->VoxelSize << "\n"
-     << indent << "ModelBounds: " << b[0] << " " << b[1] << " " << b[2] << " " << b[3] << " "
-     << b[4] << " " << b[5] << "\n"
-     << indent << "BoundedDomain: " << this->BoundedDomain << "\n"
-     << indent << "ParticleRadius: " << this->ParticleRadius << "\n"
-     << indent << "ParticleKernel: " << this->ParticleKernel << "\n"
-     << indent << "ParticleThreshold: " << this->ParticleThreshold << "\n"
-     << indent << "MeshThickness: " << this->MeshThickness << "\n"
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "ComputeVelocity: " << this->ComputeVelocity << "\n"
      << indent << "TangentialVelocity: " << this->TangentialVelocity << "\n"

@@ -81,6 +81,7 @@ class vtkTable;
 namespace activesurface
 {
 class SurfaceRequests;
+struct SurfaceProperties;
 }
 
 class VTKACTIVESURFACES_EXPORT vtkActiveImplicitSurface : public vtkActiveMotionAlgorithm
@@ -371,6 +372,8 @@ protected:
 private:
   vtkActiveImplicitSurface(const vtkActiveImplicitSurface&) = delete;
   void operator=(const vtkActiveImplicitSurface&) = delete;
+
+  activesurface::SurfaceProperties FindProperties();
 
   vtkSmartPointer<vtkImplicitFunction> TargetFunction;
   vtkSmartPointer<vtkImplicitFunction> InitialFunction;

@@ -2,7 +2,6 @@
 
 #include "Pipeline/Compatibility.h"
 #include "Pipeline/SurfaceInput.h"
-#include "vtkActiveImplicitSurface.h"
 
 #include <algorithm>
 
@@ -12,43 +11,43 @@ namespace activesurface
 namespace
 {
 
-std::vector<double> MakeOwnSteps(vtkActiveImplicitSurface* filter, int count)
+std::vector<double> MakeOwnSteps(const ClockProperties& properties, int count)
 {
   std::vector<double> steps;
   for (int i = 0; i < count; ++i)
   {
-    steps.push_back(filter->GetStartTime() + i * filter->GetTimeStepSize());
+    steps.push_back(properties.StartTime + i * properties.TimeStepSize);
   }
   return steps;
 }
 
 }
 
-void InputClock::Read(vtkActiveImplicitSurface* filter, vtkInformation* target)
+void InputClock::Read(const ClockProperties& properties, bool isEquilibrium, vtkInformation* target)
 {
-  const bool settles = filter->GetEvolutionMode() == vtkActiveMotionAlgorithm::EQUILIBRIUM;
-  this->OnlyForward = !settles && target && GetPriorAccess(target) != PriorAccess::Free;
+  this->OnlyForward = !isEquilibrium && target && GetPriorAccess(target) != PriorAccess::Free;
   this->InputSteps = SurfaceInput::GetTimeSteps(target);
   this->Published = this->InputSteps;
   if (this->OnlyForward)
   {
-    this->InputMoves = true;
-    this->Steps = this->Asked;
+    this->TargetMoves = true;
+    this->Steps = this->Requested;
     return;
   }
-  this->Asked.clear();
+  this->Requested.clear();
   const bool hasSteps = this->InputSteps.size() > 1;
-  this->InputMoves = !settles && (hasSteps || SurfaceInput::IsContinuous(target));
-  this->Steps = hasSteps ? this->InputSteps
-                         : MakeOwnSteps(filter, settles ? 1 : filter->GetNumberOfTimeSteps());
-  if (settles)
+  this->TargetMoves = !isEquilibrium && (hasSteps || SurfaceInput::IsContinuous(target));
+  this->Steps = hasSteps
+    ? this->InputSteps
+    : MakeOwnSteps(properties, isEquilibrium ? 1 : properties.NumberOfTimeSteps);
+  if (isEquilibrium)
   {
     this->Steps.resize(std::min(this->Steps.size(), std::size_t(1)));
   }
   this->Published = this->Steps;
 }
 
-bool InputClock::Ask(vtkInformation* target, double time)
+bool InputClock::Request(vtkInformation* target, double time)
 {
   if (!this->OnlyForward)
   {
@@ -57,22 +56,22 @@ bool InputClock::Ask(vtkInformation* target, double time)
   const bool startsAnew = GetPriorAccess(target) == PriorAccess::Reset;
   if (startsAnew)
   {
-    this->Asked.clear();
+    this->Requested.clear();
   }
-  if (this->Asked.empty() || time > this->Asked.back())
+  if (this->Requested.empty() || time > this->Requested.back())
   {
-    this->Asked.push_back(time);
+    this->Requested.push_back(time);
   }
-  this->Steps = this->Asked;
+  this->Steps = this->Requested;
   return startsAnew;
 }
 
-void InputClock::WriteTo(SurfaceSettings& settings) const
+void InputClock::WriteTo(SurfaceInputs& inputs) const
 {
-  settings.InputMoves = this->InputMoves;
-  settings.OnlyForward = this->OnlyForward;
-  settings.Steps = this->Steps;
-  settings.InputSteps = this->OnlyForward ? this->Asked : this->InputSteps;
+  inputs.TargetMoves = this->TargetMoves;
+  inputs.OnlyForward = this->OnlyForward;
+  inputs.Steps = this->Steps;
+  inputs.InputSteps = this->OnlyForward ? this->Requested : this->InputSteps;
 }
 
 }

@@ -1,8 +1,8 @@
 // The time steps of a filter: those of its target, or its own.
 //
 // In situ the target's steps are not all known. Either its list of time steps grows, or it says
-// that no time can be had twice (VTK 9.4 and later); then the steps are the times that were asked
-// for.
+// that no time can be had twice (VTK 9.4 and later); then the steps are the times that were
+// requested.
 
 #ifndef InputClock_h
 #define InputClock_h
@@ -11,31 +11,38 @@
 
 #include <vector>
 
-class vtkActiveImplicitSurface;
 class vtkInformation;
 
 namespace activesurface
 {
 
+// The filter's own clock, for a target without time steps.
+struct ClockProperties
+{
+  double StartTime = 0.0; // pipeline time, as TimeStepSize
+  double TimeStepSize = 0.1;
+  int NumberOfTimeSteps = 11;
+};
+
 class InputClock
 {
 public:
   // From the filter's properties and what the target says; null: there is none.
-  void Read(vtkActiveImplicitSurface* filter, vtkInformation* target);
+  void Read(const ClockProperties& properties, bool isEquilibrium, vtkInformation* target);
 
-  // Before data for a time are asked for. Whether all that was before is to be forgotten.
-  bool Ask(vtkInformation* target, double time);
+  // Before data for a time are requested. Whether all that was before is to be forgotten.
+  bool Request(vtkInformation* target, double time);
 
-  // InputMoves, OnlyForward, Steps and InputSteps.
-  void WriteTo(SurfaceSettings& settings) const;
+  // TargetMoves, OnlyForward, Steps and InputSteps.
+  void WriteTo(SurfaceInputs& inputs) const;
 
-  // To be published. No time is known, and this empty, before the first is asked for in situ.
+  // The TIME_STEPS to publish. Empty for an in-situ source until a time has been requested.
   const std::vector<double>& GetPublishedSteps() const { return this->Published; }
 
 private:
-  bool InputMoves = false;
+  bool TargetMoves = false;
   bool OnlyForward = false;
-  std::vector<double> Asked;      // in situ
+  std::vector<double> Requested;  // in situ
   std::vector<double> InputSteps; // all, even if only one
   std::vector<double> Steps;
   std::vector<double> Published;

@@ -1,6 +1,6 @@
 #include "Pipeline/PublishedInformation.h"
 
-#include "Simulation/SurfaceSettings.h"
+#include "Simulation/SurfaceDomain.h"
 
 #include "vtkDataObject.h"
 #include "vtkExecutive.h"
@@ -33,19 +33,19 @@ bool IsPartOf(const int extent[6], const int whole[6])
 
 }
 
-int AskedPort(vtkInformation* request)
+int RequestedPort(vtkInformation* request)
 {
   return std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
 }
 
-void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool settles)
+void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool isEquilibrium)
 {
-  if (settles)
+  if (isEquilibrium)
   {
     output->Remove(SDDP::TIME_STEPS());
     output->Remove(SDDP::TIME_RANGE());
   }
-  if (settles || steps.empty())
+  if (isEquilibrium || steps.empty())
   {
     return;
   }
@@ -54,14 +54,14 @@ void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool
   output->Set(SDDP::TIME_RANGE(), range, 2);
 }
 
-void PublishTime(vtkDataObject* data, double time, bool settles)
+void PublishTime(vtkDataObject* data, PipelineTime time, bool isEquilibrium)
 {
-  if (settles)
+  if (isEquilibrium)
   {
     data->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
     return;
   }
-  data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time.Value);
 }
 
 bool IsOtherPiece(vtkInformation* output)
@@ -69,7 +69,7 @@ bool IsOtherPiece(vtkInformation* output)
   return output->Has(SDDP::UPDATE_PIECE_NUMBER()) && output->Get(SDDP::UPDATE_PIECE_NUMBER()) > 0;
 }
 
-void AskForSomeExtent(vtkInformation* output)
+void RequestSomeExtent(vtkInformation* output)
 {
   const int* whole = output->Get(SDDP::WHOLE_EXTENT());
   int extent[6] = { 0, -1, 0, -1, 0, -1 };

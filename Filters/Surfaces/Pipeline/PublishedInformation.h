@@ -3,6 +3,8 @@
 #ifndef PublishedInformation_h
 #define PublishedInformation_h
 
+#include "Simulation/Times.h"
+
 #include <vector>
 
 class vtkDataObject;
@@ -13,20 +15,20 @@ namespace activesurface
 
 struct SurfaceDomain;
 
-// Of the outputs the one that a request is for.
-int AskedPort(vtkInformation* request);
+// The output port that a request is for.
+int RequestedPort(vtkInformation* request);
 
-// None for a surface that settles: it is at rest, at no time. Without steps, those of the input.
-void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool settles);
-void PublishTime(vtkDataObject* data, double time, bool settles);
+// None for a surface in equilibrium: it is at no time. Without steps, those of the input.
+void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool isEquilibrium);
+void PublishTime(vtkDataObject* data, PipelineTime time, bool isEquilibrium);
 
 // Of the potential's image; empty without a domain.
 void PublishExtent(vtkInformation* output, const SurfaceDomain* domain);
 
-// Its piece of the image, if no part was asked for as the extent was not known.
-void AskForSomeExtent(vtkInformation* output);
+// If UPDATE_EXTENT is empty or outside the image, requests the extent of this piece.
+void RequestSomeExtent(vtkInformation* output);
 
-// Whether another piece than the first is asked for. Outputs are shared out in pieces to the ranks
+// Whether another piece than the first is requested. Outputs are shared out in pieces to the ranks
 // of a parallel program: all of a skin or a history is its first piece, while of the image each
 // rank gets its own part.
 bool IsOtherPiece(vtkInformation* output);

@@ -52,7 +52,7 @@ bool SurfaceInput::IsConnected() const
   return this->Filter->GetNumberOfInputConnections(this->Port) > 0;
 }
 
-std::uint64_t SurfaceInput::GetStamp() const
+std::uint64_t SurfaceInput::GetPipelineMTime() const
 {
   auto upstream = this->IsConnected()
     ? vtkDemandDrivenPipeline::SafeDownCast(this->Filter->GetInputExecutive(this->Port, 0))
@@ -207,7 +207,7 @@ vtkAbstractArray* SurfaceInput::FindArray(int index, vtkDataSet* data) const
   return array;
 }
 
-void SurfaceInput::AskForFirst(vtkInformation* information)
+void SurfaceInput::RequestFirst(vtkInformation* information)
 {
   RequestWhole(information);
   if (information->Has(SDDP::TIME_STEPS()) && information->Length(SDDP::TIME_STEPS()) > 0)
@@ -229,7 +229,7 @@ bool SurfaceInput::Update(vtkInformation* information, double time) const
 
 bool SurfaceInput::UpdateFirst(vtkInformation* information) const
 {
-  AskForFirst(information);
+  RequestFirst(information);
   return this->UpdateProducer();
 }
 

@@ -32,7 +32,7 @@ public:
   bool IsConnected() const;
 
   // Changes whenever an algorithm or data upstream is modified, not when another time is read.
-  std::uint64_t GetStamp() const;
+  std::uint64_t GetPipelineMTime() const;
 
   // The time steps that the input offers; none without an input.
   static std::vector<double> GetTimeSteps(vtkInformation* information);
@@ -56,7 +56,7 @@ public:
   TargetFrame Read(vtkInformation* information, const std::string& extras = "") const;
 
   // All of it, at its first time step or time, if it has any.
-  static void AskForFirst(vtkInformation* information);
+  static void RequestFirst(vtkInformation* information);
 
   // Brings the input up to date, at a time or the first one; false if it fails.
   bool Update(vtkInformation* information, double time) const;

@@ -2,17 +2,21 @@
 
 #include "NarrowBand.h"
 #include "PotentialImage.h"
+#include "Simulation/SurfaceHistory.h"
 #include "Skin.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
@@ -71,6 +75,19 @@ vtkSmartPointer<vtkFloatArray> MakeCurvature(const std::vector<float>& curvature
   return array;
 }
 
+template <class Array, class Value>
+void AddColumn(
+  vtkTable* table, const char* name, const std::vector<HistoryRow>& rows, Value HistoryRow::*member)
+{
+  vtkNew<Array> column;
+  column->SetName(name);
+  for (const HistoryRow& row : rows)
+  {
+    column->InsertNextValue(row.*member);
+  }
+  table->AddColumn(column);
+}
+
 }
 
 vtkSmartPointer<vtkFloatArray> FillSkin(
@@ -127,6 +144,21 @@ void FillPotential(const NarrowBand& band, const int extent[6], vtkImageData* po
   distances->SetNumberOfTuples(potential->GetNumberOfPoints());
   WriteDistances(band, extent, distances->GetPointer(0));
   potential->GetPointData()->SetScalars(distances);
+}
+
+void FillHistory(const std::vector<HistoryRow>& rows, vtkTable* table)
+{
+  table->Initialize();
+  AddColumn<vtkDoubleArray>(table, "Time", rows, &HistoryRow::Time);
+  AddColumn<vtkIdTypeArray>(table, "Substeps", rows, &HistoryRow::Substeps);
+  AddColumn<vtkDoubleArray>(table, "MaxSpeed", rows, &HistoryRow::MaxSpeed);
+  AddColumn<vtkDoubleArray>(table, "Area", rows, &HistoryRow::Area);
+  AddColumn<vtkDoubleArray>(table, "Volume", rows, &HistoryRow::Volume);
+  AddColumn<vtkIdTypeArray>(table, "ActiveVoxels", rows, &HistoryRow::ActiveVoxels);
+  AddColumn<vtkIdTypeArray>(table, "Components", rows, &HistoryRow::Components);
+  AddColumn<vtkIdTypeArray>(table, "Voids", rows, &HistoryRow::Voids);
+  AddColumn<vtkIdTypeArray>(table, "EulerCharacteristic", rows, &HistoryRow::EulerCharacteristic);
+  AddColumn<vtkStringArray>(table, "Event", rows, &HistoryRow::Event);
 }
 
 }

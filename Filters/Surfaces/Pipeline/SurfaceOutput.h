@@ -10,11 +10,13 @@
 class vtkFloatArray;
 class vtkImageData;
 class vtkPolyData;
+class vtkTable;
 
 namespace activesurface
 {
 
 class NarrowBand;
+struct HistoryRow;
 
 // Which point arrays the skin has besides.
 struct SkinArrays
@@ -31,6 +33,9 @@ vtkSmartPointer<vtkFloatArray> FillSkin(
 
 // The distances on an extent of the lattice, as scalars "Potential".
 void FillPotential(const NarrowBand& band, const int extent[6], vtkImageData* potential);
+
+// One row each, one column for each member, by its name.
+void FillHistory(const std::vector<HistoryRow>& rows, vtkTable* table);
 
 }
 

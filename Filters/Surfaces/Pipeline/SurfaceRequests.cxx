@@ -1,21 +1,16 @@
 #include "Pipeline/SurfaceRequests.h"
 
 #include "Pipeline/Compatibility.h"
-#include "Pipeline/FilterProperties.h"
 #include "Pipeline/PublishedInformation.h"
-#include "Pipeline/SkinPort.h"
-#include "Pipeline/SurfaceOutput.h"
-#include "vtkActiveImplicitSurface.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationExecutivePortVectorKey.h"
 #include "vtkInformationVector.h"
-#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
@@ -26,13 +21,6 @@ namespace activesurface
 namespace
 {
 
-// Another piece of the skin or of the history than the first, which is all of it.
-bool IsNothing(vtkInformation* request, vtkInformationVector* output)
-{
-  const int port = AskedPort(request);
-  return port != SurfaceRequests::PotentialPort && IsOtherPiece(output->GetInformationObject(port));
-}
-
 // Null if nothing is connected.
 vtkInformation* Get(vtkInformationVector** input, SurfaceInput::Ports port)
 {
@@ -41,51 +29,69 @@ vtkInformation* Get(vtkInformationVector** input, SurfaceInput::Ports port)
 
 }
 
-SurfaceRequests::SurfaceRequests(vtkActiveImplicitSurface* filter)
+SurfaceRequests::SurfaceRequests(vtkAlgorithm* filter)
   : Filter(filter)
   , Target(filter, SurfaceInput::Target)
   , Initial(filter, SurfaceInput::Initial)
 {
 }
 
-SurfaceSettings SurfaceRequests::GatherSettings() const
+SurfaceSettings SurfaceRequests::FindSettings(const SurfaceProperties& properties) const
 {
-  SurfaceSettings settings = ReadProperties(this->Filter);
-  if (!settings.TargetFunction)
+  SurfaceSettings settings = properties.Settings;
+  SurfaceInputs& inputs = settings.Inputs;
+  if (!inputs.TargetFunction)
   {
-    settings.TargetStamp = this->Target.GetStamp();
+    inputs.TargetMTime = this->Target.GetPipelineMTime();
   }
-  settings.Arrays = this->Target.DescribeArrays();
-  settings.HasInitialInput = this->Initial.IsConnected();
-  if (!settings.InitialFunction)
+  if (!inputs.InitialFunction)
   {
-    settings.InitialStamp = this->Initial.GetStamp();
+    inputs.InitialMTime = this->Initial.GetPipelineMTime();
   }
-  this->Clock.WriteTo(settings);
+  inputs.Arrays = this->Target.DescribeArrays();
+  inputs.HasInitialInput = this->Initial.IsConnected();
+  this->Clock.WriteTo(inputs);
   return settings;
 }
 
-void SurfaceRequests::PublishInformation(vtkInformationVector** input, vtkInformationVector* output)
+RequestedArrays SurfaceRequests::FindArrays(const SurfaceProperties& properties) const
 {
-  this->Clock.Read(this->Filter, Get(input, SurfaceInput::Target));
-  const bool settles = this->Filter->GetEvolutionMode() == vtkActiveMotionAlgorithm::EQUILIBRIUM;
-  for (int port = SkinPort; port <= HistoryPort; ++port)
+  RequestedArrays arrays;
+  arrays.Speeds = properties.Velocity;
+  arrays.TangentialVelocity = properties.Velocity && properties.TangentialVelocity;
+  arrays.ParticleArrays = properties.PassTargetArrays;
+  if (arrays.NeedParticles())
   {
-    PublishTimes(output->GetInformationObject(port), this->Clock.GetPublishedSteps(), settles);
+    arrays.Description =
+      this->Target.DescribeExtras(arrays.ParticleArrays, arrays.TangentialVelocity);
   }
-  vtkInformation* image = output->GetInformationObject(PotentialPort);
+  return arrays;
+}
+
+void SurfaceRequests::PublishInformation(
+  const SurfaceProperties& properties, vtkInformationVector** input, vtkInformationVector* output)
+{
+  const bool isEquilibrium = properties.Settings.IsEquilibrium();
+  this->Clock.Read(properties.Clock, isEquilibrium, Get(input, SurfaceInput::Target));
+  for (int port = 0; port < OutputPorts::NumberOfPorts; ++port)
+  {
+    PublishTimes(
+      output->GetInformationObject(port), this->Clock.GetPublishedSteps(), isEquilibrium);
+  }
+  vtkInformation* image = output->GetInformationObject(OutputPorts::Potential);
   const bool isConnected = vtkExecutive::CONSUMERS()->Length(image) > 0;
-  PublishExtent(image, this->FindDomain(input, isConnected));
+  PublishExtent(image, this->FindDomain(properties, input, isConnected));
   vtkDataObject::SetPointDataActiveScalarInfo(image, VTK_FLOAT, 1);
   image->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
 }
 
-// Null if it is not known. Errors are not told here but when data are asked for.
-const SurfaceDomain* SurfaceRequests::FindDomain(vtkInformationVector** input, bool isWanted)
+// Null if it is not known. Errors are not told here but when data are requested.
+const SurfaceDomain* SurfaceRequests::FindDomain(
+  const SurfaceProperties& properties, vtkInformationVector** input, bool isWanted)
 {
   try
   {
-    this->Simulation.Configure(this->GatherSettings());
+    this->Simulation.Configure(this->FindSettings(properties));
     const SurfaceDomain* domain = this->Simulation.FindDomain();
     if (!domain && isWanted)
     {
@@ -105,10 +111,10 @@ void SurfaceRequests::ReadFirst(vtkInformationVector** input)
 {
   vtkInformation* target = Get(input, SurfaceInput::Target);
   vtkInformation* initial = Get(input, SurfaceInput::Initial);
-  if (target && this->Simulation.GetStepWanted() == 0 &&
-    this->Target.Update(target, this->Simulation.GetSettings().Steps.front()))
+  if (target && this->Simulation.FindMissingStep() == 0 &&
+    this->Target.Update(target, this->Simulation.GetSettings().GetStep(0).Value))
   {
-    this->AddFrame(0, target);
+    this->Simulation.AddFrame(0, this->ReadTarget(target));
   }
   if (initial && this->Simulation.WantsInitial() && this->Initial.UpdateFirst(initial))
   {
@@ -116,71 +122,75 @@ void SurfaceRequests::ReadFirst(vtkInformationVector** input)
   }
 }
 
-double SurfaceRequests::GetAskedTime(vtkInformation* output) const
+PipelineTime SurfaceRequests::FindRequestedTime(vtkInformation* output) const
 {
   const std::vector<double>& steps = this->Clock.GetPublishedSteps();
-  return output->Has(SDDP::UPDATE_TIME_STEP()) ? output->Get(SDDP::UPDATE_TIME_STEP())
-    : steps.empty()                            ? 0.0
-                                               : steps.front();
+  if (output->Has(SDDP::UPDATE_TIME_STEP()))
+  {
+    return { output->Get(SDDP::UPDATE_TIME_STEP()) };
+  }
+  return { steps.empty() ? 0.0 : steps.front() };
 }
 
-void SurfaceRequests::AskInputs(
-  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInformation* request,
+  vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (IsNothing(request, output))
+  if (OutputPorts::IsForNothing(request, output))
   {
     return;
   }
   vtkInformation* target = Get(input, SurfaceInput::Target);
-  const double time = this->GetAskedTime(output->GetInformationObject(AskedPort(request)));
-  if (this->Clock.Ask(target, time))
+  const PipelineTime time =
+    this->FindRequestedTime(output->GetInformationObject(RequestedPort(request)));
+  if (this->Clock.Request(target, time.Value))
   {
-    this->Simulation.Drop();
+    this->Simulation.Reset();
   }
-  this->Simulation.Configure(this->GatherSettings());
-  this->Simulation.SetWishes(ReadWishes(this->Filter, this->Target));
-  this->Simulation.SetGoal(time);
+  this->Simulation.Configure(this->FindSettings(properties));
+  this->Simulation.Request(time, this->FindArrays(properties));
   if (target)
   {
-    this->AskTarget(target);
+    this->RequestTarget(target);
   }
   vtkInformation* initial = Get(input, SurfaceInput::Initial);
   if (initial && SurfaceInput::IsComposite(initial))
   {
-    this->CompositeInitial = this->Initial.GetStamp();
+    this->CompositeInitial = this->Initial.GetPipelineMTime();
   }
   // One source at both ports is at the target's time, which is the first one when the start needs
   // it.
   if (initial && initial != target)
   {
-    SurfaceInput::AskForFirst(initial);
+    SurfaceInput::RequestFirst(initial);
   }
 }
 
-void SurfaceRequests::AskTarget(vtkInformation* target)
+void SurfaceRequests::RequestTarget(vtkInformation* target)
 {
   if (SurfaceInput::IsComposite(target))
   {
-    this->CompositeTarget = this->Target.GetStamp();
+    this->CompositeTarget = this->Target.GetPipelineMTime();
   }
-  // An algorithm that has failed to make a time is taken by VTK to have made it: only after another
-  // time it is asked again.
-  const SurfaceSettings& settings = this->Simulation.GetSettings();
-  const int wanted = this->Simulation.GetStepWanted();
-  const bool isNewest = wanted + 1 == static_cast<int>(settings.Steps.size());
-  const bool isReady = wanted >= 0 && (settings.OnlyForward ? isNewest : !this->AskedInVain);
-  this->AskedStep = isReady ? wanted : this->Simulation.GetLastStepAdded();
-  this->AskedInVain = true;
-  SurfaceInput::AskForFirst(target);
-  if (settings.InputMoves)
+  // VTK takes an algorithm that has failed to make a time to have made it: only after a request for
+  // another time it executes again.
+  const SurfaceInputs& inputs = this->Simulation.GetSettings().Inputs;
+  const int missing = this->Simulation.FindMissingStep();
+  const bool isNewest = missing + 1 == static_cast<int>(inputs.Steps.size());
+  const bool isReady =
+    missing >= 0 && (inputs.OnlyForward ? isNewest : !this->LastTargetUpdateFailed);
+  this->RequestedStep = isReady ? missing : this->Simulation.GetLastStepAdded();
+  this->LastTargetUpdateFailed = true;
+  SurfaceInput::RequestFirst(target);
+  if (inputs.TargetMoves)
   {
-    target->Set(SDDP::UPDATE_TIME_STEP(), settings.Steps[this->AskedStep]);
+    target->Set(SDDP::UPDATE_TIME_STEP(), inputs.Steps[this->RequestedStep]);
   }
 }
 
 void SurfaceRequests::CheckInputs() const
 {
-  const bool isFunction = this->Filter->GetTargetFunction() != nullptr;
+  const SurfaceInputs& inputs = this->Simulation.GetSettings().Inputs;
+  const bool isFunction = inputs.TargetFunction != nullptr;
   if (isFunction && this->Target.IsConnected())
   {
     throw std::invalid_argument("There are two targets, TargetFunction and the input of port 0; "
@@ -192,17 +202,17 @@ void SurfaceRequests::CheckInputs() const
       "There is no target; set TargetFunction, or connect particles, a skeleton of lines, a closed "
       "mesh or an image to input port 0.");
   }
-  if (this->Filter->GetInitialFunction() && this->Initial.IsConnected())
+  if (inputs.InitialFunction && this->Initial.IsConnected())
   {
     throw std::invalid_argument("There are two initial shapes, InitialFunction and the input of "
                                 "port 1; set InitialFunction to none or disconnect the input.");
   }
-  if (this->Target.IsConnected() && this->CompositeTarget == this->Target.GetStamp())
+  if (this->Target.IsConnected() && this->CompositeTarget == this->Target.GetPipelineMTime())
   {
     throw std::invalid_argument("The input is a composite data set, which cannot be a target; "
                                 "extract or merge its blocks to one point set or image.");
   }
-  if (this->Initial.IsConnected() && this->CompositeInitial == this->Initial.GetStamp())
+  if (this->Initial.IsConnected() && this->CompositeInitial == this->Initial.GetPipelineMTime())
   {
     throw std::invalid_argument("The input of port 1 is a composite data set, which is no initial "
                                 "shape; extract or merge its blocks to one mesh or image.");
@@ -211,25 +221,25 @@ void SurfaceRequests::CheckInputs() const
 
 // Some algorithms modify themselves while they execute, which is no reason to start anew; nor if
 // they fail.
-class SurfaceRequests::StampsAfterwards
+class SurfaceRequests::MTimesAfterwards
 {
 public:
-  explicit StampsAfterwards(SurfaceRequests& requests)
+  explicit MTimesAfterwards(SurfaceRequests& requests)
     : Requests(requests)
   {
   }
-  StampsAfterwards(const StampsAfterwards&) = delete;
-  void operator=(const StampsAfterwards&) = delete;
-  ~StampsAfterwards()
+  MTimesAfterwards(const MTimesAfterwards&) = delete;
+  void operator=(const MTimesAfterwards&) = delete;
+  ~MTimesAfterwards()
   {
     SurfaceRequests& own = this->Requests;
     if (own.Target.IsConnected())
     {
-      own.Simulation.SetTargetStamp(own.Target.GetStamp());
+      own.Simulation.SetTargetMTime(own.Target.GetPipelineMTime());
     }
     if (own.Initial.IsConnected())
     {
-      own.Simulation.SetInitialStamp(own.Initial.GetStamp());
+      own.Simulation.SetInitialMTime(own.Initial.GetPipelineMTime());
     }
   }
 
@@ -237,88 +247,81 @@ private:
   SurfaceRequests& Requests;
 };
 
-void SurfaceRequests::AddFrame(int step, vtkInformation* target)
+TargetFrame SurfaceRequests::ReadTarget(vtkInformation* target) const
 {
-  this->Simulation.AddFrame(step, this->Target.Read(target, this->Simulation.GetWishes().Extras));
+  return this->Target.Read(target, this->Simulation.GetRequestedArrays().Description);
 }
 
-// From within, at another time than the one for which it was asked before.
-void SurfaceRequests::UpdateTarget(vtkInformation* target, double time)
+// From within, at another time than the one that was requested before.
+void SurfaceRequests::UpdateTarget(vtkInformation* target, PipelineTime time)
 {
-  if (this->Simulation.GetSettings().OnlyForward)
+  if (this->Simulation.GetSettings().Inputs.OnlyForward)
   {
-    throw std::runtime_error("The input's time " + std::to_string(time) +
+    throw std::runtime_error("The input's time " + std::to_string(time.Value) +
       " is needed, but it cannot be had again (NO_PRIOR_TEMPORAL_ACCESS). Ask for times in their "
       "order; a CheckpointInterval of 1 keeps the skins of earlier ones.");
   }
-  this->AskedInVain = true;
-  if (!this->Target.Update(target, time))
+  this->LastTargetUpdateFailed = true;
+  if (!this->Target.Update(target, time.Value))
   {
     throw std::runtime_error(
-      "The input has failed to make its time step " + std::to_string(time) + ".");
+      "The input has failed to make its time step " + std::to_string(time.Value) + ".");
   }
-  this->AskedInVain = false;
+  this->LastTargetUpdateFailed = false;
 }
 
-// Takes what the inputs were asked for, then as many more steps of the target as the goal needs.
-SurfaceSimulation::Outcome SurfaceRequests::Advance(vtkInformationVector** input)
+// With what the inputs were asked for, then as many more steps of the target as are needed.
+bool SurfaceRequests::Advance(vtkInformationVector** input)
 {
-  const StampsAfterwards stamps(*this);
+  const MTimesAfterwards afterwards(*this);
   vtkInformation* initial = Get(input, SurfaceInput::Initial);
   if (initial && this->Simulation.WantsInitial())
   {
     this->Simulation.SetInitial(this->Initial.Read(initial));
   }
   vtkInformation* target = Get(input, SurfaceInput::Target);
-  this->AskedInVain = false;
-  if (target && this->Simulation.GetStepWanted() == this->AskedStep)
+  this->LastTargetUpdateFailed = false;
+  if (target && this->Simulation.FindMissingStep() == this->RequestedStep)
   {
-    this->AddFrame(this->AskedStep, target);
+    this->Simulation.AddFrame(this->RequestedStep, this->ReadTarget(target));
   }
-  const auto report = [this](double fraction)
-  {
-    this->Filter->UpdateProgress(fraction);
-    return !IsAborted(this->Filter);
-  };
-  SurfaceSimulation::Outcome outcome = this->Simulation.Advance(report);
-  while (outcome == SurfaceSimulation::Outcome::NeedsFrame)
-  {
-    const int step = this->Simulation.GetStepWanted();
-    this->UpdateTarget(target, this->Simulation.GetSettings().Steps[step]);
-    this->AddFrame(step, target);
-    outcome = this->Simulation.Advance(report);
-  }
-  return outcome;
+  return this->Simulation.Advance(
+    [this, target](int step)
+    {
+      this->UpdateTarget(target, this->Simulation.GetSettings().GetStep(step));
+      return this->ReadTarget(target);
+    },
+    [this](double fraction)
+    {
+      this->Filter->UpdateProgress(fraction);
+      return !IsAborted(this->Filter);
+    });
 }
 
-void SurfaceRequests::Make(
-  vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
+void SurfaceRequests::RequestData(const SurfaceProperties& properties, vtkInformation* request,
+  vtkInformationVector** input, vtkInformationVector* output)
 {
   this->CheckInputs();
-  if (IsNothing(request, output))
+  if (OutputPorts::IsForNothing(request, output))
   {
     return;
   }
   this->Simulation.GetSettings().Check();
-  this->Simulation.SetNumberOfThreads(this->Filter->GetNumberOfThreads());
-  this->Simulation.SetMaximumNumberOfActiveVoxels(
-    static_cast<std::size_t>(this->Filter->GetMaximumNumberOfActiveVoxels()));
-  this->Simulation.SetCheckpoints(this->Filter->GetCheckpointInterval(),
-    static_cast<std::size_t>(this->Filter->GetCheckpointMemory()) << 20);
-  if (this->Advance(input) == SurfaceSimulation::Outcome::AtGoal)
+  this->Simulation.SetLimits(properties.Limits);
+  if (this->Advance(input))
   {
-    this->FillOutputs(request, output);
+    this->Outputs.Fill(properties, this->Simulation, request, output);
   }
   else
   {
-    this->GiveUp(output);
+    this->ClearOutputs(output);
   }
 }
 
 void SurfaceRequests::SaveState(const std::string& file) const
 {
   const SavedState state = this->Simulation.GetState();
-  if (!state.Band || this->Simulation.GetSettings().Settles)
+  if (!state.Band || this->Simulation.GetSettings().IsEquilibrium())
   {
     throw std::runtime_error(
       "There is no state of a time step to save; update the filter first, with "

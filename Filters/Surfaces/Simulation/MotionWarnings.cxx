@@ -5,20 +5,21 @@
 namespace activesurface
 {
 
-void WarnOfMotion(const AdvanceReport& report, double time, Warnings& messages)
+void WarnOfMotion(const AdvanceReport& report, MotionTime time, Warnings& messages)
 {
   if (report.Vanished && !report.Aborted)
   {
     std::ostringstream text;
-    text << "The skin has vanished before the motion time " << time
+    text << "The skin has vanished before the motion time " << time.Value
          << "; it does not come back. Does the target meet the initial shape?";
     messages.Say("vanished", text.str());
   }
   if (report.DroppedSamples > 0)
   {
     std::ostringstream text;
-    text << "On the way to the motion time " << time << " the target was not a finite number at "
-         << report.DroppedSamples << " of " << report.TargetEvaluations
+    text << "On the way to the motion time " << time.Value
+         << " the target was not a finite number at " << report.DroppedSamples << " of "
+         << report.TargetEvaluations
          << " points of the skin; they were left out. This is told once.";
     messages.Say("not finite", text.str());
   }

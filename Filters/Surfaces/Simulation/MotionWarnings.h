@@ -4,13 +4,14 @@
 #define MotionWarnings_h
 
 #include "Motion.h"
+#include "Simulation/Times.h"
 #include "Simulation/Warnings.h"
 
 namespace activesurface
 {
 
-// That the skin has vanished, and that the target was not finite; time: the motion's.
-void WarnOfMotion(const AdvanceReport& report, double time, Warnings& messages);
+// That the skin has vanished, and that the target was not finite.
+void WarnOfMotion(const AdvanceReport& report, MotionTime time, Warnings& messages);
 
 // That the substeps were used up before the skin was at rest; speed: the last one.
 void WarnOfNoRest(const RestCriterion& rest, double speed, Warnings& messages);

@@ -3,40 +3,35 @@
 #include "NarrowBand.h"
 #include "SkinEvents.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
-#include "vtkStringArray.h"
-#include "vtkTable.h"
-
+#include <algorithm>
 #include <utility>
 
 namespace activesurface
 {
 
-namespace
+void HistoryRecorder::Clear()
 {
-
-template <class Array, class Value>
-void AddColumn(
-  vtkTable* table, const char* name, const std::vector<HistoryRow>& rows, Value HistoryRow::*member)
-{
-  vtkNew<Array> column;
-  column->SetName(name);
-  for (const HistoryRow& row : rows)
-  {
-    column->InsertNextValue(row.*member);
-  }
-  table->AddColumn(column);
+  this->Rows.clear();
+  this->Interrupt();
 }
 
+void HistoryRecorder::Interrupt()
+{
+  this->Parts.clear();
+  this->HasParts = false;
 }
 
-HistoryRow HistoryWriter::MakeRow(const NarrowBand& band, double time)
+void HistoryRecorder::ContinueFrom(const NarrowBand& band)
+{
+  this->Parts = FindSkinParts(band);
+  this->HasParts = true;
+}
+
+HistoryRow HistoryRecorder::MakeRow(const NarrowBand& band, PipelineTime time)
 {
   std::vector<SkinPart> parts = FindSkinParts(band);
   HistoryRow row;
-  row.Time = time;
+  row.Time = time.Value;
   row.Substeps = band.GetWork().Substeps;
   row.MaxSpeed = band.GetWork().MaxSpeed;
   row.ActiveVoxels = band.GetNumberOfActiveNodes();
@@ -53,25 +48,37 @@ HistoryRow HistoryWriter::MakeRow(const NarrowBand& band, double time)
   return row;
 }
 
-void HistoryWriter::Restart(const NarrowBand& band)
+void HistoryRecorder::Record(
+  std::size_t row, const NarrowBand& band, PipelineTime time, const std::string& event)
 {
-  this->Parts = FindSkinParts(band);
-  this->HasParts = true;
+  this->Rows.resize(std::max(this->Rows.size(), row + 1));
+  this->Rows[row] = this->MakeRow(band, time);
+  if (!event.empty())
+  {
+    this->Rows[row].Event = event;
+  }
 }
 
-void FillHistory(const std::vector<HistoryRow>& rows, vtkTable* table)
+void HistoryRecorder::Restore(const std::vector<HistoryRow>& rows)
 {
-  table->Initialize();
-  AddColumn<vtkDoubleArray>(table, "Time", rows, &HistoryRow::Time);
-  AddColumn<vtkIdTypeArray>(table, "Substeps", rows, &HistoryRow::Substeps);
-  AddColumn<vtkDoubleArray>(table, "MaxSpeed", rows, &HistoryRow::MaxSpeed);
-  AddColumn<vtkDoubleArray>(table, "Area", rows, &HistoryRow::Area);
-  AddColumn<vtkDoubleArray>(table, "Volume", rows, &HistoryRow::Volume);
-  AddColumn<vtkIdTypeArray>(table, "ActiveVoxels", rows, &HistoryRow::ActiveVoxels);
-  AddColumn<vtkIdTypeArray>(table, "Components", rows, &HistoryRow::Components);
-  AddColumn<vtkIdTypeArray>(table, "Voids", rows, &HistoryRow::Voids);
-  AddColumn<vtkIdTypeArray>(table, "EulerCharacteristic", rows, &HistoryRow::EulerCharacteristic);
-  AddColumn<vtkStringArray>(table, "Event", rows, &HistoryRow::Event);
+  if (this->Rows.size() < rows.size())
+  {
+    this->Rows = rows;
+  }
+}
+
+void HistoryRecorder::SetFirstTime(PipelineTime time)
+{
+  if (!this->Rows.empty())
+  {
+    this->Rows.front().Time = time.Value;
+  }
+}
+
+std::vector<HistoryRow> HistoryRecorder::GetRows(std::size_t most) const
+{
+  const auto end = this->Rows.begin() + std::min(most, this->Rows.size());
+  return std::vector<HistoryRow>(this->Rows.begin(), end);
 }
 
 }

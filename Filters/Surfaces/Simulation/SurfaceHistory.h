@@ -3,13 +3,12 @@
 #ifndef SurfaceHistory_h
 #define SurfaceHistory_h
 
+#include "Simulation/Times.h"
 #include "SkinParts.h"
 
 #include <cstddef>
 #include <string>
 #include <vector>
-
-class vtkTable;
 
 namespace activesurface
 {
@@ -30,24 +29,38 @@ struct HistoryRow
   std::string Event;
 };
 
-// Makes the rows of a surface on its way. It remembers the parts of the skin at the row before, to
-// tell what has happened to them.
-class HistoryWriter
+// The rows of a surface on its way, of the farthest way so far. It remembers the parts of the skin
+// at the row before, to tell what has happened to them.
+class HistoryRecorder
 {
 public:
-  // Of a surface that has just arrived at a time; its work is that since the row before.
-  HistoryRow MakeRow(const NarrowBand& band, double time);
+  void Clear();
 
-  // The surface is at another place: this is the one of the row before, from now on.
-  void Restart(const NarrowBand& band);
+  // The surface is not there any more, or at another place: rows stay, the next one tells no event;
+  // or what has happened since this place.
+  void Interrupt();
+  void ContinueFrom(const NarrowBand& band);
+
+  // Of a surface that has just arrived at a time; its work is that since the row before. An event
+  // that is not empty replaces the one that is found.
+  void Record(std::size_t row, const NarrowBand& band, PipelineTime time, const std::string& event);
+
+  // All rows of a state that was loaded, unless more are known.
+  void Restore(const std::vector<HistoryRow>& rows);
+
+  // The input has gone on before its first time.
+  void SetFirstTime(PipelineTime time);
+
+  // The first rows, so many at most.
+  std::vector<HistoryRow> GetRows(std::size_t most) const;
 
 private:
+  HistoryRow MakeRow(const NarrowBand& band, PipelineTime time);
+
+  std::vector<HistoryRow> Rows;
   std::vector<SkinPart> Parts;
   bool HasParts = false;
 };
-
-// One row each, one column for each member, by its name.
-void FillHistory(const std::vector<HistoryRow>& rows, vtkTable* table);
 
 }
 

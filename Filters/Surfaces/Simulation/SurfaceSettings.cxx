@@ -1,18 +1,37 @@
 #include "Simulation/SurfaceSettings.h"
 
-#include "vtkBoundingBox.h"
+#include "Simulation/PropertyList.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
-#include <tuple>
 
 namespace activesurface
 {
 
 namespace
 {
+
+template <class Value>
+void AppendNumbers(const Value& value, std::vector<double>& numbers)
+{
+  numbers.push_back(static_cast<double>(value));
+}
+
+void AppendNumbers(const std::array<double, 6>& values, std::vector<double>& numbers)
+{
+  numbers.insert(numbers.end(), values.begin(), values.end());
+}
+
+// All properties.
+std::vector<double> ListNumbers(const SurfaceSettings& settings)
+{
+  std::vector<double> numbers;
+  ForEachProperty(settings,
+    [&numbers](const Property&, const auto& value, auto&&) { AppendNumbers(value, numbers); });
+  return numbers;
+}
 
 void Require(bool condition, const char* sentence)
 {
@@ -22,26 +41,18 @@ void Require(bool condition, const char* sentence)
   }
 }
 
-bool IsPositive(double value)
+template <class Value>
+void CheckProperty(const Property& property, const Value& value)
 {
-  return std::isfinite(value) && value > 0.0;
+  if (!property.Range.Includes(static_cast<double>(value)))
+  {
+    throw std::invalid_argument(
+      std::string(property.Name) + " has to be " + property.Range.Words + ".");
+  }
 }
 
-bool IsZeroOrPositive(double value)
-{
-  return std::isfinite(value) && value >= 0.0;
-}
-
-// Speeds are kept in single precision.
-constexpr double ShortestLength = 1e-30;
-constexpr double LongestLength = 1e30;
-
-bool IsLength(double value)
-{
-  return value >= ShortestLength && value <= LongestLength;
-}
-
-void CheckBounds(const std::array<double, 6>& bounds)
+// Of ModelBounds, where they are given.
+void CheckProperty(const Property& property, const std::array<double, 6>& bounds)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -50,8 +61,9 @@ void CheckBounds(const std::array<double, 6>& bounds)
     if (!std::isfinite(low) || !std::isfinite(high) || !(low < high))
     {
       std::ostringstream text;
-      text << "ModelBounds has to be (xmin, xmax, ymin, ymax, zmin, zmax) with finite min < max on "
-              "each axis; on axis "
+      text << property.Name
+           << " has to be (xmin, xmax, ymin, ymax, zmin, zmax) with finite min < max on each axis; "
+              "on axis "
            << "xyz"[axis] << " it is " << low << ", " << high << ".";
       throw std::invalid_argument(text.str());
     }
@@ -69,153 +81,78 @@ void CheckSteps(const std::vector<double>& steps)
     "be > 0, and not lost in rounding beside StartTime) or the time steps of the input.");
 }
 
-void CheckStrategy(const Motion& motion)
-{
-  Require(IsZeroOrPositive(motion.Attraction), "Attraction has to be a finite number >= 0.");
-  Require(IsZeroOrPositive(motion.Tension),
-    "Tension has to be a finite number >= 0: a negative one would be unstable.");
-  constexpr double leastCFL = 1e-6; // below, what a substep moves is lost in rounding
-  Require(motion.CFL >= leastCFL && motion.CFL <= 1.0, "CFL has to be between 1e-6 and 1.");
-  Require(IsZeroOrPositive(motion.AreaStiffness), "AreaStiffness has to be a finite number >= 0.");
-  Require(
-    IsZeroOrPositive(motion.VolumeStiffness), "VolumeStiffness has to be a finite number >= 0.");
-  Require(IsZeroOrPositive(motion.TargetArea),
-    "TargetArea has to be a finite number > 0, or 0 for the area at the start.");
-  Require(IsZeroOrPositive(motion.TargetVolume),
-    "TargetVolume has to be a finite number > 0, or 0 for the volume at the start.");
-  Require(motion.AreaControl != Control::Exact || motion.VolumeControl != Control::Exact,
-    "AreaControl and VolumeControl cannot both be EXACT, as one displacement cannot restore two "
-    "numbers; make one of them PENALTY.");
 }
 
-SurfaceDomain MakeDomainOf(const SurfaceSettings& settings, const double bounds[6])
+bool SurfaceInputs::operator==(const SurfaceInputs& other) const
 {
-  SurfaceDomain domain;
-  std::copy(bounds, bounds + 6, domain.Bounds);
-  double longest = 0.0;
-  double square = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
+  // A member that is missing here does not compile.
+  const auto compare = [](const SurfaceInputs& a, const SurfaceInputs& b)
   {
-    const double side = bounds[2 * axis + 1] - bounds[2 * axis];
-    longest = std::max(longest, side);
-    square += side * side;
-  }
-  domain.VoxelSize = settings.VoxelSize > 0.0 ? settings.VoxelSize : longest / 64.0;
-  if (domain.VoxelSize != 0.0 && !IsLength(domain.VoxelSize))
-  {
-    std::ostringstream text;
-    text << "VoxelSize, which is not set, would be " << domain.VoxelSize
-         << ", a 64th of the longest side of ModelBounds, or of the target; it has to be between "
-         << ShortestLength << " and " << LongestLength << ".";
-    throw std::invalid_argument(text.str());
-  }
-  domain.Reach = settings.Reach > 0.0 ? settings.Reach : std::sqrt(square) / 8.0;
-  return domain;
-}
-
+    const auto& [function, moves, time, initial, hasInitial, initialTime, arrays, steps, inputSteps,
+      forward] = a;
+    const auto& [function2, moves2, time2, initial2, hasInitial2, initialTime2, arrays2, steps2,
+      inputSteps2, forward2] = b;
+    return function == function2 && moves == moves2 && time == time2 && initial == initial2 &&
+      hasInitial == hasInitial2 && initialTime == initialTime2 && arrays == arrays2 &&
+      steps == steps2 && inputSteps == inputSteps2 && forward == forward2;
+  };
+  return compare(*this, other);
 }
 
 bool SurfaceSettings::operator==(const SurfaceSettings& other) const
 {
-  const auto all = [](const SurfaceSettings& s)
-  {
-    const Motion& m = s.Strategy;
-    return std::tie(s.TargetFunction, s.InputMoves, s.TargetStamp, s.Particles.Radius,
-      s.Particles.Threshold, s.Particles.Kernel, s.MeshThickness, s.Arrays, s.IsoValue, s.Invert,
-      s.Normalize, s.Reach, s.InitialFunction, s.HasInitialInput, s.InitialStamp, s.VoxelSize,
-      s.BoundsGiven, s.Bounds, s.Bounded, m.Attraction, m.Tension, m.CFL, m.AreaControl,
-      m.VolumeControl, m.AreaStiffness, m.VolumeStiffness, m.TargetArea, m.TargetVolume,
-      m.Evaluation, m.Gradient, m.Paper, s.Settles, s.Rest.Tolerance, s.Rest.MaximumSubsteps,
-      s.Steps, s.InputSteps, s.OnlyForward, s.TimeScale);
-  };
-  return all(*this) == all(other);
+  return this->Inputs == other.Inputs && ListNumbers(*this) == ListNumbers(other);
 }
 
 bool SurfaceSettings::AreContinuedBy(const SurfaceSettings& others) const
 {
-  const std::size_t known = this->InputSteps.size();
+  const std::vector<double>& known = this->Inputs.InputSteps;
+  const std::vector<double>& all = others.Inputs.InputSteps;
   SurfaceSettings same = others;
-  same.InputMoves = this->InputMoves;
-  same.TargetStamp = this->TargetStamp;
-  same.Steps = this->Steps;
-  same.InputSteps = this->InputSteps;
-  return this->UsesInput() && !this->Settles && known > 0 && others.InputSteps.size() > known &&
-    std::equal(this->InputSteps.begin(), this->InputSteps.end(), others.InputSteps.begin()) &&
+  same.Inputs.TargetMoves = this->Inputs.TargetMoves;
+  same.Inputs.TargetMTime = this->Inputs.TargetMTime;
+  same.Inputs.Steps = this->Inputs.Steps;
+  same.Inputs.InputSteps = known;
+  return this->UsesInput() && !this->IsEquilibrium() && !known.empty() &&
+    all.size() > known.size() && std::equal(known.begin(), known.end(), all.begin()) &&
     same == *this;
 }
 
-double SurfaceSettings::GetMotionTime(double pipelineTime) const
+std::vector<std::pair<std::string, double>> SurfaceSettings::ListForFiles() const
 {
-  return this->TimeScale * (pipelineTime - this->Steps.front());
+  std::vector<std::pair<std::string, double>> list;
+  ForEachProperty(*this,
+    [&list](const Property& property, const auto& value, auto&&)
+    {
+      std::vector<double> numbers;
+      AppendNumbers(value, numbers);
+      if (property.IsRecorded)
+      {
+        list.emplace_back(property.Name, numbers.front());
+      }
+    });
+  return list;
 }
 
 void SurfaceSettings::Check() const
 {
-  Require(this->VoxelSize == 0.0 || IsLength(this->VoxelSize),
-    "VoxelSize has to be between 1e-30 and 1e30, or 0 for a 64th of the bounds' longest side.");
-  Require(IsZeroOrPositive(this->Reach),
-    "TargetReach has to be a finite number > 0, or 0 for an eighth of the bounds' diagonal.");
-  Require(std::isfinite(this->IsoValue), "TargetIsoValue has to be a finite number.");
-  CheckStrategy(this->Strategy);
-  Require(IsZeroOrPositive(this->Rest.Tolerance), "RestTolerance has to be a finite number >= 0.");
-  Require(IsPositive(this->TimeScale), "TimeScale has to be a finite number > 0.");
-  Require(this->Particles.Radius == 0.0 || IsLength(this->Particles.Radius),
-    "ParticleRadius has to be between 1e-30 and 1e30, or 0 for one that is estimated.");
-  Require(std::isfinite(this->Particles.Threshold), "ParticleThreshold has to be a finite number.");
-  Require(this->MeshThickness >= 0.0 && this->MeshThickness <= LongestLength,
-    "MeshThickness has to be between 0 and 1e30.");
-  CheckSteps(this->Steps);
-  Require(std::isfinite(this->GetMotionTime(this->Steps.back())),
+  ForEachProperty(*this,
+    [this](const Property& property, const auto& value, auto&&)
+    {
+      const bool isUnset = static_cast<const void*>(&value) == &this->Bounds && !this->HasBounds();
+      if (!isUnset)
+      {
+        CheckProperty(property, value);
+      }
+    });
+  Require(this->Law.AreaControl != Control::Exact || this->Law.VolumeControl != Control::Exact,
+    "AreaControl and VolumeControl cannot both be EXACT, as one displacement cannot restore two "
+    "numbers; make one of them PENALTY.");
+  CheckSteps(this->Inputs.Steps);
+  Require(std::isfinite(this->GetMotionTimeOf(this->GetNumberOfSteps() - 1).Value),
     "The motion time of the last step, TimeScale * (its time - that of the first step), has to be "
     "finite; check TimeScale, StartTime, TimeStepSize and NumberOfTimeSteps, or the time steps of "
     "the input.");
-  if (this->BoundsGiven)
-  {
-    CheckBounds(this->Bounds);
-  }
-}
-
-bool SurfaceDomain::GetExtent(int extent[6]) const
-{
-  constexpr double rounding = 1e-6; // a bound on a node, but for rounding, is that node
-  constexpr double farthest = 1e9;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double low = std::floor(this->Bounds[2 * axis] / this->VoxelSize + rounding);
-    const double high = std::ceil(this->Bounds[2 * axis + 1] / this->VoxelSize - rounding);
-    if (!(low > -farthest && high < farthest))
-    {
-      return false;
-    }
-    extent[2 * axis] = static_cast<int>(low);
-    extent[2 * axis + 1] = static_cast<int>(high);
-  }
-  return true;
-}
-
-SurfaceDomain MakeDomain(const SurfaceSettings& settings)
-{
-  return MakeDomainOf(settings, settings.Bounds.data());
-}
-
-SurfaceDomain MakeDomain(
-  const SurfaceSettings& settings, vtkBoundingBox shapes, const vtkBoundingBox& images)
-{
-  if (shapes.IsValid())
-  {
-    shapes.Inflate(shapes.GetMaxLength() / 8.0);
-  }
-  shapes.AddBox(images);
-  if (images.IsValid())
-  {
-    // The longest side then is 64 voxels.
-    const double voxel =
-      settings.VoxelSize > 0.0 ? settings.VoxelSize : shapes.GetMaxLength() / 60.0;
-    shapes.Inflate(2.0 * voxel);
-  }
-  double bounds[6];
-  shapes.GetBounds(bounds);
-  return MakeDomainOf(settings, bounds);
 }
 
 }

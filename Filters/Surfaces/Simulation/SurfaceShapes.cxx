@@ -104,7 +104,7 @@ void SurfaceShapes::Add(int step, TargetFrame frame)
   {
     std::ostringstream text;
     text << frame.Particles.Ignored << " particles are left out at the time step "
-         << this->Settings.Steps.at(step)
+         << this->Settings.Inputs.Steps.at(step)
          << ": coordinates, radius or strength are not finite, or the radius is not > 0.";
     this->Messages.Say("ignored particles", text.str());
   }
@@ -139,7 +139,7 @@ void SurfaceShapes::CheckKind(int step, TargetFrame& frame)
   {
     std::ostringstream text;
     text << "The target is " << GetName(frame.Kind) << " at the time step "
-         << this->Settings.Steps.at(step) << ", but " << GetName(this->Kind)
+         << this->Settings.Inputs.Steps.at(step) << ", but " << GetName(this->Kind)
          << " before; all time steps of the input have to be of one kind.";
     throw std::invalid_argument(text.str());
   }
@@ -183,7 +183,7 @@ void SurfaceShapes::MakeFunction(int step, TargetFrame& frame)
   }
   std::ostringstream where;
   where << "The target, " << GetName(frame.Kind) << ", at the time step "
-        << this->Settings.Steps.at(step) << ": ";
+        << this->Settings.Inputs.Steps.at(step) << ": ";
   try
   {
     // Distances to a level of a mesh have to be known around that level.
@@ -208,7 +208,7 @@ void SurfaceShapes::MakeFunction(int step, TargetFrame& frame)
 
 bool SurfaceShapes::WantsInitial() const
 {
-  return this->Settings.HasInitialInput && !this->HasInitial;
+  return this->Settings.Inputs.HasInitialInput && !this->HasInitial;
 }
 
 void SurfaceShapes::SetInitial(TargetFrame frame)
@@ -237,7 +237,7 @@ const SurfaceDomain* SurfaceShapes::FindDomain()
   this->Settings.Check();
   vtkBoundingBox shapes;
   vtkBoundingBox images;
-  if (this->Settings.BoundsGiven)
+  if (this->Settings.HasBounds())
   {
     this->Domain = MakeDomain(this->Settings);
     this->DomainKnown = true;
@@ -262,15 +262,15 @@ bool SurfaceShapes::AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& image
     AddFrame(this->Frames.Get(0), this->Settings.MeshThickness, shapes, images);
   }
   AddFrame(this->Initial, this->Settings.MeshThickness, shapes, images);
-  AddFunction(this->Settings.TargetFunction, shapes);
-  AddFunction(this->Settings.InitialFunction, shapes);
+  AddFunction(this->Settings.Inputs.TargetFunction, shapes);
+  AddFunction(this->Settings.Inputs.InitialFunction, shapes);
   return true;
 }
 
 bool SurfaceShapes::StartsOnNothing() const
 {
   return this->Settings.UsesInput() && this->Frames.Get(0).IsEmpty() &&
-    !this->Settings.InitialFunction && !this->HasInitial;
+    !this->Settings.Inputs.InitialFunction && !this->HasInitial;
 }
 
 PotentialTarget& SurfaceShapes::GetTarget()
@@ -298,7 +298,8 @@ void SurfaceShapes::MakeTarget()
   this->Moving = nullptr;
   if (!settings.UsesInput())
   {
-    this->Target = std::make_unique<ImplicitTarget>(settings.TargetFunction, differences, options);
+    this->Target =
+      std::make_unique<ImplicitTarget>(settings.Inputs.TargetFunction, differences, options);
     return;
   }
   std::unique_ptr<MovingTarget> moving;
@@ -335,7 +336,7 @@ void SurfaceShapes::StartTarget()
 
 std::unique_ptr<PotentialTarget> SurfaceShapes::MakeStart()
 {
-  vtkSmartPointer<vtkImplicitFunction> function = this->Settings.InitialFunction;
+  vtkSmartPointer<vtkImplicitFunction> function = this->Settings.Inputs.InitialFunction;
   if (this->HasInitial)
   {
     if (!this->Initial.Function)

@@ -4,6 +4,7 @@
 #ifndef SurfaceShapes_h
 #define SurfaceShapes_h
 
+#include "Simulation/SurfaceDomain.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/Warnings.h"
 #include "Targets/MovingTarget.h"
@@ -34,6 +35,7 @@ public:
 
   // The frames that are held, and of what kind they are: Nothing, as long as none is.
   TargetFrames& GetFrames() { return this->Frames; }
+  const TargetFrames& GetFrames() const { return this->Frames; }
   TargetKind GetKind() const { return this->Kind; }
 
   // The frame that is the initial shape, if the settings have one. Throws as Add.

@@ -1,12 +1,10 @@
 #include "Simulation/SurfaceSimulation.h"
 
-#include "Simulation/MotionWarnings.h"
-#include "Simulation/SurfaceStart.h"
+#include "TimeSteps.h"
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <limits>
 #include <stdexcept>
 
 namespace activesurface
@@ -15,10 +13,19 @@ namespace activesurface
 namespace
 {
 
-// Least number of substeps from one step to the next while the target moves: so many times it is
-// looked at on its way, however slow the surface is.
-constexpr double SubstepsOfMovingTarget = 4.0;
+RequestedTime FindRequested(const SurfaceSettings& settings, PipelineTime time)
+{
+  const StepOfTime found = FindStep(settings.Inputs.Steps, time.Value);
+  return { found.Step, { found.Time }, found.Between };
+}
 
+}
+
+void SurfaceSimulation::SetLimits(const SimulationLimits& limits)
+{
+  this->Driver.SetNumberOfThreads(limits.Threads);
+  this->Driver.SetMaximumNumberOfActiveVoxels(limits.MaximumVoxels);
+  this->Saved.SetLimits(limits.CheckpointInterval, limits.CheckpointMemory);
 }
 
 void SurfaceSimulation::Configure(const SurfaceSettings& settings)
@@ -26,15 +33,12 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
   if (this->Settings.AreContinuedBy(settings) && this->IsOnStepsOf(settings))
   {
     this->Settings = settings;
-    if (!this->History.empty())
-    {
-      this->History.front().Time = settings.Steps.front();
-    }
+    this->History.SetFirstTime(settings.GetStep(0));
   }
   if (this->Settings != settings)
   {
     this->Loaded = this->LoadedIsNew ? this->Loaded : SavedState();
-    this->Drop();
+    this->Reset();
     this->Messages.Forget();
     this->Settings = settings;
   }
@@ -45,111 +49,119 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
 // filter has its own clock as long as it does.
 bool SurfaceSimulation::IsOnStepsOf(const SurfaceSettings& settings) const
 {
-  return this->Settings.InputMoves ? settings.InputMoves
-                                   : this->Step <= 0 && !this->IsUnderWay() && !this->Branch;
+  return this->Settings.Inputs.TargetMoves
+    ? settings.Inputs.TargetMoves
+    : this->Way.GetStep() <= 0 && !this->Way.IsUnderWay() && !this->Way.HasBranch();
 }
 
-void SurfaceSimulation::Drop()
+void SurfaceSimulation::Reset()
 {
   this->Shapes.Clear();
   this->LastStepAdded = 0;
   this->Saved.Clear();
-  this->History.clear();
-  this->ForgetWay();
+  this->ResetTrajectory();
+  this->History.Clear();
 }
 
-void SurfaceSimulation::ForgetWay()
+void SurfaceSimulation::ResetTrajectory()
 {
-  this->Band.reset();
-  this->Branch.reset();
-  this->Step = -1;
-  this->Settled = false;
-  this->Historian = HistoryWriter();
+  this->Way.Reset();
+  this->History.Interrupt();
 }
 
 // Takes the surface to the last checkpoint up to a step, if that is nearer.
 void SurfaceSimulation::Rewind(int step)
 {
   const int saved = this->Saved.FindUpTo(step);
-  if (saved > this->Step)
+  if (saved > this->Way.GetStep())
   {
-    this->ForgetWay();
+    this->ResetTrajectory();
     try
     {
-      this->Band = this->Saved.Restore(saved);
-      this->Historian.Restart(*this->Band);
-      this->Step = saved;
+      this->Way.Begin(saved, this->Saved.Restore(saved));
+      this->History.ContinueFrom(this->Way.GetBand());
     }
     catch (const std::exception&)
     {
-      this->ForgetWay(); // no memory for it: the long way may do with less
+      this->ResetTrajectory(); // no memory for it: the long way may do with less
     }
   }
 }
 
-void SurfaceSimulation::SetGoal(double pipelineTime)
+void SurfaceSimulation::Request(PipelineTime time, const RequestedArrays& arrays)
 {
-  if (this->Settings.Steps.empty())
+  this->Arrays = arrays;
+  if (this->Settings.Inputs.Steps.empty())
   {
     return;
   }
-  const GoalTime goal = FindGoal(this->Settings.Steps, pipelineTime);
-  if (goal.Step < this->Step || (goal.Step == this->Step && this->IsUnderWay()))
+  const RequestedTime requested = FindRequested(this->Settings, time);
+  const int step = this->Way.GetStep();
+  if (requested.Step < step || (requested.Step == step && this->Way.IsUnderWay()))
   {
-    if (this->Settings.OnlyForward && !this->IsUnderWay())
+    if (this->Settings.Inputs.OnlyForward && !this->Way.IsUnderWay())
     {
-      this->Saved.Keep(this->Step, *this->Band); // it cannot be reached again
+      this->Saved.Keep(step, this->Way.GetBand()); // it cannot be reached again
     }
-    this->ForgetWay();
+    this->ResetTrajectory();
   }
-  this->Rewind(goal.Step);
-  if (goal.Time != this->Goal.Time || this->Step < 0)
+  this->Rewind(requested.Step);
+  if (requested.Time != this->Requested.Time || !this->Way.HasBegun())
   {
-    this->FirstStep = this->Step;
+    this->FirstStep = this->Way.GetStep();
   }
-  this->Goal = goal;
-}
-
-// A surface that has vanished stays at the time at which it did.
-bool SurfaceSimulation::IsUnderWay() const
-{
-  return this->Band && !this->Settings.Settles &&
-    this->Band->GetTime() > this->Settings.GetMotionTime(this->Settings.Steps[this->Step]);
+  this->Requested = requested;
 }
 
 bool SurfaceSimulation::HasFramesFrom(int step) const
 {
   return !this->Settings.UsesInput() ||
-    (this->Settings.InputMoves ? this->Shapes.Has(step) && this->Shapes.Has(step + 1)
-                               : this->Shapes.Has(0));
+    (this->Settings.Inputs.TargetMoves ? this->Shapes.Has(step) && this->Shapes.Has(step + 1)
+                                       : this->Shapes.Has(0));
 }
 
-bool SurfaceSimulation::BranchIsAtGoal() const
+int SurfaceSimulation::FindMissingStep() const
 {
-  return this->Branch && this->BranchTime == this->Goal.Time && !this->BranchIsUnderWay;
-}
-
-int SurfaceSimulation::GetStepWanted() const
-{
+  const bool moves = this->Settings.Inputs.TargetMoves;
+  const int step = this->Way.GetStep();
   if (!this->Settings.UsesInput())
   {
     return -1;
   }
-  if ((this->Step < 0 || !this->Settings.InputMoves) && !this->Shapes.Has(0))
+  if ((step < 0 || !moves) && !this->Shapes.Has(0))
   {
     return 0;
   }
-  const bool onTheWay = this->Step < 0 || this->Step < this->Goal.Step ||
-    (this->Goal.Between && !this->BranchIsAtGoal());
-  if (!onTheWay)
+  const bool hasArrived =
+    step == this->Requested.Step && (!this->Requested.Between || this->Way.IsAt(this->Requested));
+  if (hasArrived)
   {
-    return this->GetStepWantedAtGoal();
+    return this->FindMissingStepOfArrays();
   }
-  if (this->Step < 0 || this->HasFramesFrom(this->Step))
+  if (step < 0 || this->HasFramesFrom(step))
   {
     return -1;
   }
-  return this->Shapes.Has(this->Step) ? this->Step + 1 : this->Step;
+  return this->Shapes.Has(step) ? step + 1 : step;
+}
+
+// After a return to a checkpoint the frames that tell the arrays may not be there.
+int SurfaceSimulation::FindMissingStepOfArrays() const
+{
+  if (!this->Arrays.Speeds && !this->Arrays.NeedParticles())
+  {
+    return -1;
+  }
+  const TargetFrames& frames = this->Shapes.GetFrames();
+  const ArrayFrames needed = FindArrayFrames(this->Settings, this->Requested, this->Arrays, frames);
+  for (int step = needed.First; step <= needed.Last; ++step)
+  {
+    if (!HasArrays(frames, step, this->Arrays))
+    {
+      return step;
+    }
+  }
+  return -1;
 }
 
 void SurfaceSimulation::AddFrame(int step, TargetFrame frame)
@@ -158,44 +170,47 @@ void SurfaceSimulation::AddFrame(int step, TargetFrame frame)
   this->LastStepAdded = step;
 }
 
-SurfaceSimulation::Outcome SurfaceSimulation::Advance(const ProgressFunction& progress)
+bool SurfaceSimulation::Advance(const FrameSource& frames, const ProgressFunction& progress)
 {
   this->Settings.Check();
-  bool finished = true;
-  while (finished && this->GetStepWanted() < 0)
+  while (true)
   {
-    const ProgressFunction part = this->GetPartOf(progress);
-    if (this->Step < 0)
+    for (int step = this->FindMissingStep(); step >= 0; step = this->FindMissingStep())
     {
-      finished = this->Start(part);
+      this->AddFrame(step, frames(step));
     }
-    else if (this->Settings.Settles && !this->Settled)
+    if (this->Way.IsAt(this->Requested))
     {
-      finished = this->Settle(part);
+      return true;
     }
-    else if (this->Step < this->Goal.Step)
+    if (!this->AdvanceLeg(this->GetPartOf(progress)))
     {
-      finished = this->AdvanceStep(part);
-    }
-    else if (this->Goal.Between && !this->BranchIsAtGoal())
-    {
-      finished = this->AdvanceBranch(part);
-    }
-    else
-    {
-      return Outcome::AtGoal;
+      return false;
     }
   }
-  return finished ? Outcome::NeedsFrame : Outcome::Aborted;
 }
 
-// Of the way to the goal, from the start or the step where it began, the next step.
+// Of the way to the requested time, from the start or the step where it began, the next step.
 ProgressFunction SurfaceSimulation::GetPartOf(const ProgressFunction& progress) const
 {
-  const double parts = this->Goal.Step - this->FirstStep + (this->Goal.Between ? 1 : 0);
-  const double done = this->Step - this->FirstStep;
+  const double parts = this->Requested.Step - this->FirstStep + (this->Requested.Between ? 1 : 0);
+  const double done = this->Way.GetStep() - this->FirstStep;
   return [progress, parts, done](double fraction)
   { return !progress || progress(std::min((done + fraction) / std::max(parts, 1.0), 1.0)); };
+}
+
+bool SurfaceSimulation::AdvanceLeg(const ProgressFunction& progress)
+{
+  if (!this->Way.HasBegun())
+  {
+    return this->Start(progress);
+  }
+  if (this->Settings.IsEquilibrium())
+  {
+    return this->AdvanceToSteadyState(progress);
+  }
+  return this->Way.GetStep() < this->Requested.Step ? this->AdvanceStep(progress)
+                                                    : this->AdvanceBranch(progress);
 }
 
 bool SurfaceSimulation::Start(const ProgressFunction& progress)
@@ -203,8 +218,7 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
   try
   {
     const SurfaceDomain* domain = this->FindDomain();
-    const bool isEmpty = this->Shapes.StartsOnNothing();
-    if (!domain && !isEmpty)
+    if (!domain && !this->Shapes.StartsOnNothing())
     {
       throw std::invalid_argument("The bounds of the target are not known; set ModelBounds to a "
                                   "box around the shape that the skin starts with.");
@@ -212,175 +226,144 @@ bool SurfaceSimulation::Start(const ProgressFunction& progress)
     if (this->Loaded.Band && domain)
     {
       this->Shapes.StartTarget();
-      this->TakeLoaded();
-      this->Rewind(this->Goal.Step);
-      if (this->Step >= 0)
+      this->RestoreLoaded();
+      this->Rewind(this->Requested.Step);
+      if (this->Way.HasBegun())
       {
         return true;
       }
     }
-    this->Band = std::make_unique<NarrowBand>(domain ? domain->VoxelSize : 1.0);
-    const bool finished = isEmpty || this->StartBand(*domain, progress);
-    if (isEmpty)
-    {
-      this->Messages.Say("empty",
-        "There are no particles, and nothing else, at the first time step, so there is no skin, "
-        "now or later: it does not grow out of nothing. Set an initial shape, or begin with a step "
-        "that is not empty.");
-    }
-    if (finished)
-    {
-      this->Step = 0;
-      this->AddToHistory(this->Settings.Steps.front(), "");
-    }
-    return finished;
+    return this->StartBand(progress);
   }
   catch (...)
   {
-    this->Drop();
+    this->Reset();
     throw;
   }
 }
 
-bool SurfaceSimulation::StartBand(const SurfaceDomain& domain, const ProgressFunction& progress)
+bool SurfaceSimulation::StartBand(const ProgressFunction& progress)
 {
-  this->Shapes.StartTarget();
-  const std::unique_ptr<PotentialTarget> initial = this->Shapes.MakeStart();
-  const PotentialTarget& shape = initial ? *initial : this->Shapes.GetTarget();
-  this->Band->SetNumberOfThreads(this->Threads);
-  this->Band->SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);
-  return StartOn(*this->Band, { domain, this->GetMotion().Box, shape }, this->Messages, progress);
-}
-
-// The band goes on as a copy while an output, at another port or elsewhere, holds it.
-void SurfaceSimulation::KeepWhatIsShared()
-{
-  if (this->Band.use_count() > 1)
+  const SurfaceDomain* domain = this->FindDomain();
+  auto band = std::make_unique<NarrowBand>(domain ? domain->VoxelSize : 1.0);
+  if (this->Shapes.StartsOnNothing())
   {
-    this->Band = this->Band->Clone();
+    this->Messages.Say("empty",
+      "There are no particles, and nothing else, at the first time step, so there is no skin, "
+      "now or later: it does not grow out of nothing. Set an initial shape, or begin with a step "
+      "that is not empty.");
   }
+  else if (!this->Driver.Start(*band, *domain, progress))
+  {
+    return false;
+  }
+  this->Way.Begin(0, std::move(band));
+  this->Record(0, this->Settings.GetStep(0), "");
+  return true;
 }
 
 bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
 {
-  const double end = this->Settings.GetMotionTime(this->Settings.Steps[this->Step + 1]);
-  this->Branch.reset();
-  this->KeepWhatIsShared();
-  if (!this->AdvanceBand(*this->Band, end, progress))
+  const int step = this->Way.GetStep();
+  NarrowBand& band = this->Way.GetBandToMove();
+  const MotionTime end = this->Settings.GetMotionTimeOf(step + 1);
+  if (!this->Driver.AdvanceTo(band, step, end, progress))
   {
     return false;
   }
-  ++this->Step;
-  this->AddToHistory(this->Settings.Steps[this->Step], "");
+  this->Way.FinishStep();
+  this->Record(static_cast<std::size_t>(step) + 1, this->Settings.GetStep(step + 1), "");
   return true;
 }
 
-bool SurfaceSimulation::Settle(const ProgressFunction& progress)
+bool SurfaceSimulation::AdvanceToSteadyState(const ProgressFunction& progress)
 {
-  this->KeepWhatIsShared();
-  const double never = std::numeric_limits<double>::infinity();
-  const AdvanceReport report = this->AdvanceCounting(*this->Band, never, progress);
-  WarnOfMotion(report, this->Band->GetTime(), this->Messages);
-  if (report.Aborted)
+  bool isSteady = false;
+  NarrowBand& band = this->Way.GetBandToMove();
+  if (!this->Driver.AdvanceToSteadyState(band, progress, isSteady))
   {
     return false;
   }
-  this->Settled = true;
-  const bool rests = report.AtRest || report.Vanished;
-  if (!rests)
-  {
-    WarnOfNoRest(this->Settings.Rest, report.RestSpeed, this->Messages);
-  }
-  const double time =
-    this->Settings.Steps.front() + this->Band->GetTime() / this->Settings.TimeScale;
-  this->AddToHistory(time, rests ? "at rest" : "not at rest");
+  this->Way.FinishSteadyState();
+  this->Record(
+    1, this->Settings.ToPipelineTime({ band.GetTime() }), isSteady ? "at rest" : "not at rest");
   return true;
-}
-
-Motion SurfaceSimulation::GetMotion()
-{
-  Motion motion = this->Settings.Strategy;
-  const SurfaceDomain* domain = this->FindDomain();
-  motion.Box.Present = this->Settings.Bounded && domain;
-  if (domain)
-  {
-    std::copy_n(domain->Bounds, 6, motion.Box.Bounds);
-  }
-  if (this->Settings.InputMoves && this->Step >= 0 &&
-    this->Step + 1 < static_cast<int>(this->Settings.Steps.size()))
-  {
-    const double* steps = this->Settings.Steps.data() + this->Step;
-    motion.LongestStep = this->Settings.TimeScale * (steps[1] - steps[0]) / SubstepsOfMovingTarget;
-  }
-  return motion;
 }
 
 bool SurfaceSimulation::AdvanceBranch(const ProgressFunction& progress)
 {
-  if (!this->Branch || this->BranchTime != this->Goal.Time)
+  const PipelineTime end = this->Requested.Time;
+  const bool isThere = this->Driver.AdvanceTo(
+    this->Way.GetBranchTo(end), this->Way.GetStep(), this->Settings.ToMotionTime(end), progress);
+  if (isThere)
   {
-    this->Branch = this->Band->Clone();
-    this->BranchTime = this->Goal.Time;
-    this->BranchIsUnderWay = true;
+    this->Way.FinishBranch();
   }
-  const double end = this->Settings.GetMotionTime(this->Goal.Time);
-  this->BranchIsUnderWay = !this->AdvanceBand(*this->Branch, end, progress);
-  return !this->BranchIsUnderWay;
+  return isThere;
 }
 
-// On its way to the next step, if that is known.
-void SurfaceSimulation::PlaceTargetFrom(int step)
+void SurfaceSimulation::Record(std::size_t row, PipelineTime time, const std::string& event)
 {
-  MovingTarget* moving = this->Shapes.GetMovingTarget();
-  if (moving && this->Settings.InputMoves)
-  {
-    const int next = this->Shapes.Has(step + 1) ? step + 1 : step;
-    moving->MoveAlong(step, this->Settings.GetMotionTime(this->Settings.Steps[step]),
-      this->Settings.GetMotionTime(this->Settings.Steps[next]));
-  }
+  NarrowBand& band = this->Way.GetBandToMove();
+  this->History.Record(row, band, time, event);
+  band.ForgetWork();
+  this->Saved.Add(this->Way.GetStep(), band);
 }
 
-// From the step, or from where it was interrupted, to a motion time that is not after the next one.
-bool SurfaceSimulation::AdvanceBand(NarrowBand& band, double time, const ProgressFunction& progress)
+SavedState SurfaceSimulation::GetState() const
 {
-  if (band.IsEmpty())
+  SavedState state;
+  if (this->Way.HasBegun() && !this->Way.IsUnderWay())
   {
-    return true;
+    const int step = this->Way.GetStep();
+    state.Band = this->Way.Share({ step, this->Settings.GetStep(step), false });
+    state.Time = this->Settings.GetStep(step).Value;
+    state.History = this->History.GetRows(static_cast<std::size_t>(step) + 1);
   }
-  this->PlaceTargetFrom(this->Step);
-  band.SetNumberOfThreads(this->Threads);
-  band.SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);
-  const AdvanceReport report = this->AdvanceCounting(band, time, progress);
-  WarnOfMotion(report, time, this->Messages);
-  return !report.Aborted;
+  return state;
 }
 
-// To a motion time, or to rest if that is infinite. Counts what was done before an exception too.
-AdvanceReport SurfaceSimulation::AdvanceCounting(
-  NarrowBand& band, double time, const ProgressFunction& progress)
+void SurfaceSimulation::SetState(const SavedState& state)
 {
-  const AdvanceReport before = band.GetWork();
-  const auto count = [this, &band, &before]
+  this->Reset();
+  this->Loaded = state;
+  this->LoadedIsNew = true;
+}
+
+// When the target is at its start, as always: the voxels and the radius of the particles come from
+// there.
+void SurfaceSimulation::RestoreLoaded()
+{
+  const RequestedTime time = FindRequested(this->Settings, { this->Loaded.Time });
+  const NarrowBand& band = *this->Loaded.Band;
+  const double motionTime = this->Settings.ToMotionTime(time.Time).Value;
+  if (time.Between || std::fabs(band.GetTime() - motionTime) > 1e-9 * std::fabs(motionTime) ||
+    band.GetVoxelSize() != this->FindDomain()->VoxelSize)
   {
-    this->Substeps += band.GetWork().Substeps - before.Substeps;
-    this->TargetEvaluations += band.GetWork().TargetEvaluations - before.TargetEvaluations;
-  };
-  try
-  {
-    const Motion motion = this->GetMotion();
-    RestCriterion rest = this->Settings.Rest;
-    rest.MaximumSubsteps -= std::min(before.Substeps, rest.MaximumSubsteps);
-    PotentialTarget& target = this->Shapes.GetTarget();
-    const AdvanceReport report = std::isfinite(time) ? band.Advance(time, motion, target, progress)
-                                                     : band.Settle(motion, rest, target, progress);
-    count();
-    return report;
+    throw std::invalid_argument(
+      "The state that was loaded is not one of this surface: its time is no "
+      "time step, or its VoxelSize another one. The properties have to be "
+      "those that it was saved with.");
   }
-  catch (...)
-  {
-    count();
-    throw;
-  }
+  this->Saved.Keep(time.Step, band);
+  // Each checkpoint has its rows: what is known of later steps stays.
+  this->History.Restore(this->Loaded.History);
+}
+
+const NarrowBand* SurfaceSimulation::FindSkin() const
+{
+  return this->Way.IsAt(this->Requested) ? &this->GetBand() : nullptr;
+}
+
+SkinAttributes SurfaceSimulation::FindAttributes()
+{
+  return { this->Settings, this->Shapes, this->Messages, this->Requested, this->Arrays };
+}
+
+std::vector<HistoryRow> SurfaceSimulation::GetHistory() const
+{
+  return this->History.GetRows(
+    this->Settings.IsEquilibrium() ? 2 : static_cast<std::size_t>(this->Requested.Step) + 1);
 }
 
 }

@@ -1,37 +1,31 @@
-// The state of a surface and its way through time, whatever the order in which times are asked for.
-//
-// The surface goes from one step to the next, so that the states at the steps, the trajectory, do
-// not depend on which times between the steps were asked for. A time between two steps is reached
-// by a branch, a copy of the earlier step's state, which leaves the trajectory as it is.
-//
-// A way that was interrupted, by the user or by an error, is taken up again where it was left, at a
-// substep. What is between two steps then is no state to branch off: a goal before the next step
-// takes the surface back to a checkpoint.
-//
-// Frames of the target come in from outside, one step after the other:
+// A surface through time, whatever the order in which times are requested.
 //
 //   simulation.Configure(settings);
-//   simulation.SetGoal(time);
+//   simulation.Request(time, arrays);
 //   if (simulation.WantsInitial())
 //     simulation.SetInitial(the initial shape);
-//   while (simulation.Advance(progress) == SurfaceSimulation::Outcome::NeedsFrame)
-//     simulation.AddFrame(step = simulation.GetStepWanted(), the input at that step);
+//   simulation.Advance(frames, progress); // asks frames(step) for the target at the steps it needs
 //   simulation.GetBand() is the surface at that time
+//
+// A motion that was interrupted, by the user or by an error, is taken up again by the next Advance.
+// A request for an earlier time takes the surface back to a checkpoint.
 
 #ifndef SurfaceSimulation_h
 #define SurfaceSimulation_h
 
-#include "NarrowBand.h"
+#include "Simulation/ArrayFrames.h"
 #include "Simulation/Checkpoints.h"
-#include "Simulation/GoalTime.h"
-#include "Simulation/PassedArrays.h"
+#include "Simulation/MotionDriver.h"
+#include "Simulation/SkinAttributes.h"
 #include "Simulation/StateFile.h"
 #include "Simulation/SurfaceHistory.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/SurfaceShapes.h"
+#include "Simulation/Trajectory.h"
 #include "Simulation/Warnings.h"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -40,52 +34,40 @@
 namespace activesurface
 {
 
-// What the skin shall have besides its shape.
-struct SkinWishes
+// None of them changes the motion.
+struct SimulationLimits
 {
-  bool Speeds = false;
-  bool Arrays = false; // of the particles
-  bool Drift = false;  // their velocities
-  std::string Extras;  // with which their frames are to be read for that
+  int Threads = 0;
+  std::size_t MaximumVoxels = 0;
+  int CheckpointInterval = 10;
+  std::size_t CheckpointMemory = 0; // bytes
 };
 
 class SurfaceSimulation
 {
 public:
-  enum class Outcome
-  {
-    AtGoal,
-    NeedsFrame, // of the step GetStepWanted
-    Aborted     // by the progress function; the next Advance goes on from there
-  };
+  using FrameSource = std::function<TargetFrame(int step)>;
 
   // Told, once for each reason and as long as the settings stay the same, what a user should know.
   void SetWarning(const Warnings::Listener& warning) { this->Messages.SetListener(warning); }
+  void SetLimits(const SimulationLimits& limits);
 
-  // None of them changes the motion.
-  void SetNumberOfThreads(int threads) { this->Threads = threads; }
-  void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumVoxels = maximum; }
-
-  // Going back then starts from the last of them.
-  void SetCheckpoints(int interval, std::size_t memory) { this->Saved.SetLimits(interval, memory); }
-
-  // Drops everything if these are other settings, unless only further steps have come.
+  // Resets everything if these are other settings, unless only further steps have come.
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
 
-  // What makes the inputs has changed its stamp, but not them.
-  void SetTargetStamp(std::uint64_t stamp) { this->Settings.TargetStamp = stamp; }
-  void SetInitialStamp(std::uint64_t stamp) { this->Settings.InitialStamp = stamp; }
+  // What makes the inputs has changed its MTime, but not them.
+  void SetTargetMTime(std::uint64_t time) { this->Settings.Inputs.TargetMTime = time; }
+  void SetInitialMTime(std::uint64_t time) { this->Settings.Inputs.InitialMTime = time; }
 
-  // The pipeline time to go to, see FindGoal. One before the state that is held takes the surface
-  // back to the nearest checkpoint, or to the start.
-  void SetGoal(double pipelineTime);
-  double GetGoalTime() const { return this->Goal.Time; }
-  int GetGoalStep() const { return this->Goal.Step; } // or the step before
+  // The time to go to, and what the skin shall have there.
+  void Request(PipelineTime time, const RequestedArrays& arrays);
+  const RequestedTime& GetRequestedTime() const { return this->Requested; }
+  const RequestedArrays& GetRequestedArrays() const { return this->Arrays; }
 
-  // The step whose frame has to come next, or -1 if none is needed to reach the goal; and the step
-  // that came last, or 0.
-  int GetStepWanted() const;
+  // The step whose frame is needed first to get there, or -1 if none is; and the step that came
+  // last, or 0.
+  int FindMissingStep() const;
   int GetLastStepAdded() const { return this->LastStepAdded; }
   void AddFrame(int step, TargetFrame frame);
 
@@ -93,97 +75,75 @@ public:
   bool WantsInitial() const { return this->Shapes.WantsInitial(); }
   void SetInitial(TargetFrame frame) { this->Shapes.SetInitial(std::move(frame)); }
 
-  // Goes as far as the frames allow. Throws std::invalid_argument for settings that cannot be, and
-  // what NarrowBand throws: at the start everything then is dropped, later the state is that of the
-  // last finished substep.
-  Outcome Advance(const ProgressFunction& progress);
+  // To the requested time; false if `progress` has stopped it. Throws std::invalid_argument for
+  // settings that cannot be, and what NarrowBand and `frames` throw: at the start everything then
+  // is reset, later the state is that of the last finished substep.
+  bool Advance(const FrameSource& frames, const ProgressFunction& progress);
 
-  // Forget the state, and the frames.
-  void Drop();
+  // Forgets the state, and the frames.
+  void Reset();
 
-  // At the goal, when Advance has reached it.
+  // The surface, when Advance has reached the requested time.
   const NarrowBand& GetBand() const { return *this->ShareBand(); }
   // To keep: it does not change any more.
-  std::shared_ptr<const NarrowBand> ShareBand() const;
+  std::shared_ptr<const NarrowBand> ShareBand() const { return this->Way.Share(this->Requested); }
   // Whether it is the state at a step, to go on from.
-  bool IsAtStep() const { return !this->Goal.Between && !this->Settings.Settles; }
-
-  // What will be asked for at the goal, which needs the target there.
-  void SetWishes(const SkinWishes& wishes) { this->Wishes = wishes; }
-  const SkinWishes& GetWishes() const { return this->Wishes; }
-  // Normal speeds of the skin at the goal, at its vertices.
-  std::vector<float> GetSpeeds();
-  // As wished; refers to the frames.
-  PassedArrays GetPassedArrays();
-
-  // The same, or null when the surface is not at the goal.
+  bool IsAtStep() const { return !this->Requested.Between && !this->Settings.IsEquilibrium(); }
+  // Null when the surface is not at the requested time.
   const NarrowBand* FindSkin() const;
 
-  // The state at the last step that is not after the goal; its band is null if there is none.
-  SavedState GetState() const;
+  // What the skin has there besides its shape: its motion, and what FindAttributes tells.
+  SkinAttributes FindAttributes();
+  Motion GetMotion() { return this->Driver.GetMotion(this->Way.GetStep()); }
 
+  // The state at the last step that is not after the requested time; its band is null if there is
+  // none.
+  SavedState GetState() const;
   // From now on, and as long as the settings stay the same after the next Configure, the surface
   // starts with this state.
   void SetState(const SavedState& state);
 
-  // Of the steps up to the goal.
+  // Of the steps up to the requested time.
   std::vector<HistoryRow> GetHistory() const;
 
   // Null as long as the bounds are not known, see SurfaceShapes.
   const SurfaceDomain* FindDomain() { return this->Shapes.FindDomain(); }
 
-  std::size_t GetSubsteps() const { return this->Substeps; }
-  std::size_t GetTargetEvaluations() const { return this->TargetEvaluations; }
-  void ResetCounters() { this->Substeps = this->TargetEvaluations = 0; }
+  const MotionDriver& GetDriver() const { return this->Driver; }
+  void ResetCounters() { this->Driver.ResetCounters(); }
 
 private:
   bool IsOnStepsOf(const SurfaceSettings& settings) const;
-  void ForgetWay();
+  void ResetTrajectory();
   void Rewind(int step);
-  void TakeLoaded();
+  void RestoreLoaded();
   bool HasFramesFrom(int step) const;
-  int GetStepWantedAtGoal() const;
-  bool LooksBack() const;
-  void PlaceTargetFrom(int step);
-  bool IsUnderWay() const;
-  bool BranchIsAtGoal() const;
+  int FindMissingStepOfArrays() const;
   ProgressFunction GetPartOf(const ProgressFunction& progress) const;
 
+  bool AdvanceLeg(const ProgressFunction& progress);
   bool Start(const ProgressFunction& progress);
-  bool StartBand(const SurfaceDomain& domain, const ProgressFunction& progress);
-  void KeepWhatIsShared();
+  bool StartBand(const ProgressFunction& progress);
   bool AdvanceStep(const ProgressFunction& progress);
+  bool AdvanceToSteadyState(const ProgressFunction& progress);
   bool AdvanceBranch(const ProgressFunction& progress);
-  bool Settle(const ProgressFunction& progress);
-  bool AdvanceBand(NarrowBand& band, double time, const ProgressFunction& progress);
-  AdvanceReport AdvanceCounting(NarrowBand& band, double time, const ProgressFunction& progress);
-  Motion GetMotion();
-  void AddToHistory(double pipelineTime, const std::string& event);
+  void Record(std::size_t row, PipelineTime time, const std::string& event);
 
   SurfaceSettings Settings;
-  int Threads = 0;
-  std::size_t MaximumVoxels = 0;
-  SkinWishes Wishes;
   Warnings Messages;
   SurfaceShapes Shapes{ this->Settings, this->Messages };
+  MotionDriver Driver{ this->Settings, this->Shapes, this->Messages };
   int LastStepAdded = 0;
 
-  GoalTime Goal;
-  int FirstStep = -1;                 // where the way to the goal began, for the progress
-  std::shared_ptr<NarrowBand> Band;   // at the step, or under way to the next one
-  int Step = -1;                      // -1: not started
-  std::shared_ptr<NarrowBand> Branch; // from the step to BranchTime
-  double BranchTime = 0.0;            // pipeline time
-  bool BranchIsUnderWay = false;      // has not got there
-  bool Settled = false;               // has come to rest, or used up its substeps
-  std::vector<HistoryRow> History;    // of the farthest way so far
-  HistoryWriter Historian;
-  Checkpoints Saved;
-  SavedState Loaded;
-  bool LoadedIsNew = false; // it has been set since the settings were last looked at
+  RequestedTime Requested;
+  RequestedArrays Arrays;
+  int FirstStep = -1; // where the way to the requested time began, for the progress
 
-  std::size_t Substeps = 0;
-  std::size_t TargetEvaluations = 0;
+  Trajectory Way{ this->Settings };
+  Checkpoints Saved;
+  HistoryRecorder History;
+  SavedState Loaded;
+  bool LoadedIsNew = false; // it has been set since the last Configure
 };
 
 }

@@ -4,6 +4,7 @@
 #define SurfaceStart_h
 
 #include "NarrowBand.h"
+#include "Simulation/SurfaceDomain.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/Warnings.h"
 #include "Targets/PotentialTarget.h"

@@ -1,0 +1,41 @@
+#include "TimeSteps.h"
+
+#include <algorithm>
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** A time that is so near a step, in units of the distance to the next one, is that step. */
+constexpr double RoundingOfTimes = 1e-6;
+
+}
+
+StepOfTime FindStep(const std::vector<double>& steps, double requested)
+{
+  const double time = requested > steps.front() ? requested : steps.front();
+  const auto after = std::upper_bound(steps.begin(), steps.end(), time);
+  StepOfTime found;
+  found.Step = std::max(0, static_cast<int>(after - steps.begin()) - 1);
+  found.Time = steps[found.Step];
+  if (after == steps.end())
+  {
+    return found;
+  }
+  const double tolerance = RoundingOfTimes * (*after - found.Time);
+  if (*after - time <= tolerance)
+  {
+    ++found.Step;
+    found.Time = *after;
+  }
+  else if (time - found.Time > tolerance)
+  {
+    found.Time = time;
+    found.Between = true;
+  }
+  return found;
+}
+
+}

@@ -1,0 +1,54 @@
+// The filter's output ports: which of them a request fills, and with what.
+
+#ifndef OutputPorts_h
+#define OutputPorts_h
+
+#include "Pipeline/SkinFunction.h"
+#include "Pipeline/SurfaceProperties.h"
+
+class vtkInformation;
+class vtkInformationVector;
+class vtkPolyData;
+
+namespace activesurface
+{
+
+class OutputPorts
+{
+public:
+  enum Ports
+  {
+    Skin = 0,
+    Potential = 1,
+    History = 2,
+    NumberOfPorts = 3
+  };
+
+  // Whether the request is for nothing: another piece of the skin or of the history than the
+  // first, which is all of it.
+  static bool IsForNothing(vtkInformation* request, vtkInformationVector* output);
+
+  // Marks the ports that this request leaves unfilled with DATA_NOT_GENERATED.
+  static void MarkUnfilled(
+    const SurfaceProperties& properties, vtkInformation* request, vtkInformationVector* output);
+
+  // From a simulation at the requested time.
+  void Fill(const SurfaceProperties& properties, SurfaceSimulation& simulation,
+    vtkInformation* request, vtkInformationVector* output);
+
+  // Empties all of them, and the skin function; they do not count as made.
+  void Clear(vtkInformationVector* output);
+
+  // Of the skin that was made last; the same object always.
+  vtkGridPotential* GetSkinFunction(const SurfaceSimulation& simulation)
+  {
+    return this->Function.Get(simulation.FindSkin());
+  }
+
+private:
+  SkinFunction Function;
+};
+
+}
+
+#endif

@@ -1,0 +1,133 @@
+#include "Simulation/MotionDriver.h"
+
+#include "Simulation/MotionWarnings.h"
+#include "Simulation/SurfaceStart.h"
+
+#include <algorithm>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// Least number of substeps from one step to the next while the target moves: so many times it is
+// evaluated on its way, however slow the surface is.
+constexpr double SubstepsOfMovingTarget = 4.0;
+
+}
+
+MotionDriver::MotionDriver(
+  const SurfaceSettings& settings, SurfaceShapes& shapes, Warnings& messages)
+  : Settings(settings)
+  , Shapes(shapes)
+  , Messages(messages)
+{
+}
+
+void MotionDriver::Prepare(NarrowBand& band) const
+{
+  band.SetNumberOfThreads(this->Threads);
+  band.SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);
+}
+
+bool MotionDriver::Start(
+  NarrowBand& band, const SurfaceDomain& domain, const ProgressFunction& progress)
+{
+  this->Shapes.StartTarget();
+  const std::unique_ptr<PotentialTarget> initial = this->Shapes.MakeStart();
+  const PotentialTarget& shape = initial ? *initial : this->Shapes.GetTarget();
+  this->Prepare(band);
+  return StartOn(band, { domain, this->GetMotion(-1).Box, shape }, this->Messages, progress);
+}
+
+Motion MotionDriver::GetMotion(int step)
+{
+  Motion motion = this->Settings.Law;
+  const SurfaceDomain* domain = this->Shapes.FindDomain();
+  motion.Box.Present = this->Settings.Bounded && domain;
+  if (domain)
+  {
+    std::copy_n(domain->Bounds, 6, motion.Box.Bounds);
+  }
+  if (this->Settings.Inputs.TargetMoves && step >= 0 &&
+    step + 1 < this->Settings.GetNumberOfSteps())
+  {
+    const double* steps = this->Settings.Inputs.Steps.data() + step;
+    motion.LongestStep = this->Settings.TimeScale * (steps[1] - steps[0]) / SubstepsOfMovingTarget;
+  }
+  return motion;
+}
+
+// On its way to the next step, if that is known.
+void MotionDriver::PlaceTargetFrom(int step)
+{
+  MovingTarget* moving = this->Shapes.GetMovingTarget();
+  if (moving && this->Settings.Inputs.TargetMoves)
+  {
+    const int next = this->Shapes.Has(step + 1) ? step + 1 : step;
+    moving->MoveAlong(
+      step, this->Settings.GetMotionTimeOf(step).Value, this->Settings.GetMotionTimeOf(next).Value);
+  }
+}
+
+// Counts what was done before an exception too.
+template <class Advance>
+AdvanceReport MotionDriver::Count(const NarrowBand& band, Advance&& advance)
+{
+  const AdvanceReport before = band.GetWork();
+  const auto count = [this, &band, &before]
+  {
+    this->Substeps += band.GetWork().Substeps - before.Substeps;
+    this->TargetEvaluations += band.GetWork().TargetEvaluations - before.TargetEvaluations;
+  };
+  try
+  {
+    const AdvanceReport report = advance();
+    count();
+    return report;
+  }
+  catch (...)
+  {
+    count();
+    throw;
+  }
+}
+
+bool MotionDriver::AdvanceTo(
+  NarrowBand& band, int step, MotionTime time, const ProgressFunction& progress)
+{
+  if (band.IsEmpty())
+  {
+    return true;
+  }
+  this->PlaceTargetFrom(step);
+  this->Prepare(band);
+  const Motion motion = this->GetMotion(step);
+  PotentialTarget& target = this->Shapes.GetTarget();
+  const AdvanceReport report =
+    this->Count(band, [&] { return band.Advance(time.Value, motion, target, progress); });
+  WarnOfMotion(report, time, this->Messages);
+  return !report.Aborted;
+}
+
+bool MotionDriver::AdvanceToSteadyState(
+  NarrowBand& band, const ProgressFunction& progress, bool& isSteady)
+{
+  this->Prepare(band);
+  RestCriterion criterion = this->Settings.SteadyState;
+  criterion.MaximumSubsteps -= std::min(band.GetWork().Substeps, criterion.MaximumSubsteps);
+  const Motion motion = this->GetMotion(0);
+  PotentialTarget& target = this->Shapes.GetTarget();
+  const AdvanceReport report =
+    this->Count(band, [&] { return band.Settle(motion, criterion, target, progress); });
+  WarnOfMotion(report, { band.GetTime() }, this->Messages);
+  isSteady = report.AtRest || report.Vanished;
+  if (!isSteady && !report.Aborted)
+  {
+    WarnOfNoRest(this->Settings.SteadyState, report.RestSpeed, this->Messages);
+  }
+  return !report.Aborted;
+}
+
+}

@@ -1,0 +1,65 @@
+// Moves a band by the law of motion, with the target where it is at that time.
+
+#ifndef MotionDriver_h
+#define MotionDriver_h
+
+#include "NarrowBand.h"
+#include "Simulation/SurfaceDomain.h"
+#include "Simulation/SurfaceSettings.h"
+#include "Simulation/SurfaceShapes.h"
+#include "Simulation/Warnings.h"
+
+#include <cstddef>
+
+namespace activesurface
+{
+
+class MotionDriver
+{
+public:
+  // All three are the caller's.
+  MotionDriver(const SurfaceSettings& settings, SurfaceShapes& shapes, Warnings& messages);
+  MotionDriver(const MotionDriver&) = delete;
+  void operator=(const MotionDriver&) = delete;
+
+  // Neither changes the motion.
+  void SetNumberOfThreads(int threads) { this->Threads = threads; }
+  void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumVoxels = maximum; }
+
+  // Puts the band on the shape that it starts with. All return false if `progress` has stopped
+  // them, and throw what NarrowBand throws.
+  bool Start(NarrowBand& band, const SurfaceDomain& domain, const ProgressFunction& progress);
+
+  // From a step, or from where it was interrupted after it, to a time that is not after the next
+  // step.
+  bool AdvanceTo(NarrowBand& band, int step, MotionTime time, const ProgressFunction& progress);
+
+  // Also true when the substeps are used up, with a warning; isSteady tells.
+  bool AdvanceToSteadyState(NarrowBand& band, const ProgressFunction& progress, bool& isSteady);
+
+  // On the way from a step to the next one; before the first step: -1.
+  Motion GetMotion(int step);
+
+  // Since ResetCounters, also of motions that ended in an exception.
+  std::size_t GetSubsteps() const { return this->Substeps; }
+  std::size_t GetTargetEvaluations() const { return this->TargetEvaluations; }
+  void ResetCounters() { this->Substeps = this->TargetEvaluations = 0; }
+
+private:
+  void Prepare(NarrowBand& band) const;
+  void PlaceTargetFrom(int step);
+  template <class Advance>
+  AdvanceReport Count(const NarrowBand& band, Advance&& advance);
+
+  const SurfaceSettings& Settings;
+  SurfaceShapes& Shapes;
+  Warnings& Messages;
+  int Threads = 0;
+  std::size_t MaximumVoxels = 0;
+  std::size_t Substeps = 0;
+  std::size_t TargetEvaluations = 0;
+};
+
+}
+
+#endif

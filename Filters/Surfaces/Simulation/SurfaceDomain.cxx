@@ -1,0 +1,90 @@
+#include "Simulation/SurfaceDomain.h"
+
+#include "Simulation/PropertyList.h"
+
+#include "vtkBoundingBox.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace activesurface
+{
+
+namespace
+{
+
+SurfaceDomain MakeDomainOf(const SurfaceSettings& settings, const double bounds[6])
+{
+  SurfaceDomain domain;
+  std::copy(bounds, bounds + 6, domain.Bounds);
+  double longest = 0.0;
+  double square = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double side = bounds[2 * axis + 1] - bounds[2 * axis];
+    longest = std::max(longest, side);
+    square += side * side;
+  }
+  domain.VoxelSize = settings.VoxelSize > 0.0 ? settings.VoxelSize : longest / 64.0;
+  const bool isLength =
+    domain.VoxelSize >= ranges::ShortestLength && domain.VoxelSize <= ranges::LongestLength;
+  if (domain.VoxelSize != 0.0 && !isLength)
+  {
+    std::ostringstream text;
+    text << "VoxelSize, which is not set, would be " << domain.VoxelSize
+         << ", a 64th of the longest side of ModelBounds, or of the target; it has to be between "
+         << ranges::ShortestLength << " and " << ranges::LongestLength << ".";
+    throw std::invalid_argument(text.str());
+  }
+  domain.Reach = settings.Reach > 0.0 ? settings.Reach : std::sqrt(square) / 8.0;
+  return domain;
+}
+
+}
+
+bool SurfaceDomain::GetExtent(int extent[6]) const
+{
+  constexpr double rounding = 1e-6; // a bound on a node, but for rounding, is that node
+  constexpr double farthest = 1e9;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = std::floor(this->Bounds[2 * axis] / this->VoxelSize + rounding);
+    const double high = std::ceil(this->Bounds[2 * axis + 1] / this->VoxelSize - rounding);
+    if (!(low > -farthest && high < farthest))
+    {
+      return false;
+    }
+    extent[2 * axis] = static_cast<int>(low);
+    extent[2 * axis + 1] = static_cast<int>(high);
+  }
+  return true;
+}
+
+SurfaceDomain MakeDomain(const SurfaceSettings& settings)
+{
+  return MakeDomainOf(settings, settings.Bounds.data());
+}
+
+SurfaceDomain MakeDomain(
+  const SurfaceSettings& settings, vtkBoundingBox shapes, const vtkBoundingBox& images)
+{
+  if (shapes.IsValid())
+  {
+    shapes.Inflate(shapes.GetMaxLength() / 8.0);
+  }
+  shapes.AddBox(images);
+  if (images.IsValid())
+  {
+    // The longest side then is 64 voxels.
+    const double voxel =
+      settings.VoxelSize > 0.0 ? settings.VoxelSize : shapes.GetMaxLength() / 60.0;
+    shapes.Inflate(2.0 * voxel);
+  }
+  double bounds[6];
+  shapes.GetBounds(bounds);
+  return MakeDomainOf(settings, bounds);
+}
+
+}

@@ -1,0 +1,33 @@
+// Where a surface starts and at which resolution: known from the bounds.
+
+#ifndef SurfaceDomain_h
+#define SurfaceDomain_h
+
+class vtkBoundingBox;
+
+namespace activesurface
+{
+
+struct SurfaceSettings;
+
+struct SurfaceDomain
+{
+  double Bounds[6];
+  double VoxelSize;
+  double Reach;
+
+  // Lattice nodes within the bounds, first and last of each axis; false if there are too many.
+  bool GetExtent(int extent[6]) const;
+};
+
+// With the bounds given by the settings.
+SurfaceDomain MakeDomain(const SurfaceSettings& settings);
+
+// With the box of the target and the initial shape: shapes enlarged by a quarter of their longest
+// side, half of it at each end, and with images by two voxels at each end.
+SurfaceDomain MakeDomain(
+  const SurfaceSettings& settings, vtkBoundingBox shapes, const vtkBoundingBox& images);
+
+}
+
+#endif
