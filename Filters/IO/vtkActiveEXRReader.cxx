@@ -3,6 +3,7 @@
 #include "EXR/EXRHeaderScan.h"
 #include "EXR/EXRSeries.h"
 #include "FileError.h"
+#include "TimeSteps.h"
 
 #include "vtkImageData.h"
 #include "vtkImageReader2Factory.h"
@@ -282,11 +283,10 @@ void vtkActiveEXRReader::ReadStep(vtkInformation* information)
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   const Series& files = *this->Files;
   std::size_t step = 0;
-  if (information->Has(Pipeline::UPDATE_TIME_STEP()))
+  if (information->Has(Pipeline::UPDATE_TIME_STEP()) && !files.Times.empty())
   {
     const double time = information->Get(Pipeline::UPDATE_TIME_STEP());
-    const auto later = std::upper_bound(files.Times.begin(), files.Times.end(), time);
-    step = static_cast<std::size_t>(std::max<std::ptrdiff_t>(later - files.Times.begin() - 1, 0));
+    step = static_cast<std::size_t>(activesurface::FindStep(files.Times, time).Step);
   }
   vtkImageData* output = vtkImageData::GetData(information);
   output->Initialize();

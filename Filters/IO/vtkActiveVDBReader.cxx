@@ -1,77 +1,47 @@
 #include "vtkActiveVDBReader.h"
 
-#include "CarriedData.h"
 #include "Grids/GridChoice.h"
+#include "Grids/GridFacts.h"
 #include "Grids/ImageArrays.h"
+#include "Grids/ImageReading.h"
 #include "Grids/PointArrays.h"
-#include "Grids/VDBReaderState.h"
+#include "Grids/VDBSeries.h"
 
-#include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 
-#include <algorithm>
-#include <cmath>
 #include <exception>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
 using activesurface::ImagePlace;
-using activesurface::VDBFile;
 using activesurface::VDBGrid;
 
 vtkStandardNewMacro(vtkActiveVDBReader);
 
+struct vtkActiveVDBReader::Internals
+{
+  activesurface::VDBSeries Series;
+  vtkNew<vtkStringArray> Names; // of all grids, for who asks for a list
+
+  // In voxels, of what Region says.
+  openvdb::CoordBBox FindBox(const vtkActiveVDBReader* reader) const;
+};
+
 namespace
 {
-
-// NaN if it is not there, or no number.
-double GetTime(const openvdb::MetaMap& metadata)
-{
-  if (const auto number = metadata.getMetadata<openvdb::DoubleMetadata>("time"))
-  {
-    return number->value();
-  }
-  const auto number = metadata.getMetadata<openvdb::FloatMetadata>("time");
-  return number ? number->value() : std::nan("");
-}
-
-double GetTime(const VDBFile& file)
-{
-  const double time = GetTime(*file.Metadata);
-  return std::isnan(time) && !file.Grids.empty() ? GetTime(*file.Grids.front().Metadata) : time;
-}
-
-openvdb::FloatGrid::ConstPtr AsLevelSet(const openvdb::GridBase::Ptr& grid)
-{
-  if (grid->getGridClass() != openvdb::GRID_LEVEL_SET)
-  {
-    return nullptr;
-  }
-  const auto wide = openvdb::gridPtrCast<openvdb::DoubleGrid>(grid);
-  return wide ? std::make_shared<openvdb::FloatGrid>(*wide)
-              : openvdb::gridPtrCast<openvdb::FloatGrid>(grid);
-}
 
 bool IsOtherPiece(vtkInformation* output)
 {
   return output->Has(SDDP::UPDATE_PIECE_NUMBER()) && output->Get(SDDP::UPDATE_PIECE_NUMBER()) > 0;
-}
-
-void Place(const ImagePlace& place, vtkImageData* image)
-{
-  image->SetExtent(const_cast<int*>(place.Extent));
-  image->SetOrigin(place.Origin);
-  image->SetSpacing(place.Spacing);
-  image->SetDirectionMatrix(place.Direction);
 }
 
 }
@@ -139,60 +109,28 @@ int vtkActiveVDBReader::FillOutputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-void vtkActiveVDBReader::LookAt(int file)
+void vtkActiveVDBReader::OpenFile(vtkInformation* output)
 {
-  Internals& own = *this->Internal;
-  if (own.LookedAt == this->GetMTime() && own.FileNumber == file)
-  {
-    return;
-  }
-  own.LookedAt = 0;
-  own.File = VDBFile();
-  own.Chosen.clear();
-  if (this->FileNames.empty())
-  {
-    throw std::invalid_argument("There is no FileName to read.");
-  }
-  own.File = activesurface::LookThroughVDB(this->FileNames[file]);
-  own.Chosen = activesurface::ChooseGrids(own.File, this->GridNames);
-  own.LookedAt = this->GetMTime();
-  own.FileNumber = file;
+  activesurface::VDBSeries& series = this->Internal->Series;
+  series.FindTimes(this->FileNames, this->GetMTime());
+  const int file = output->Has(SDDP::UPDATE_TIME_STEP())
+    ? series.FindFile(output->Get(SDDP::UPDATE_TIME_STEP()))
+    : 0;
+  series.Open(this->FileNames, this->GridNames, file, this->GetMTime());
 }
 
-void vtkActiveVDBReader::FindTimes()
+openvdb::CoordBBox vtkActiveVDBReader::Internals::FindBox(const vtkActiveVDBReader* reader) const
 {
-  Internals& own = *this->Internal;
-  if (own.TimesOf == this->GetMTime())
+  if (reader->Region == INDEX)
   {
-    return;
+    return activesurface::FindVoxels(reader->IndexRegion);
   }
-  own.Times.clear();
-  bool areKnown = true;
-  for (const std::string& name : this->FileNames)
+  if (reader->Region == WORLD)
   {
-    const double time = GetTime(activesurface::LookThroughVDB(name, false));
-    areKnown = areKnown && std::isfinite(time) && (own.Times.empty() || time > own.Times.back());
-    own.Times.push_back(time);
+    return activesurface::FindVoxels(
+      *this->Series.GetChosen().front().Transform, reader->WorldRegion);
   }
-  for (std::size_t i = 0; !areKnown && i < own.Times.size(); ++i)
-  {
-    own.Times[i] = static_cast<double>(i);
-  }
-  own.TimesOf = this->GetMTime();
-}
-
-int vtkActiveVDBReader::FindFile(vtkInformation* output) const
-{
-  const std::vector<double>& times = this->Internal->Times;
-  if (!output->Has(SDDP::UPDATE_TIME_STEP()) || times.size() < 2)
-  {
-    return 0;
-  }
-  constexpr double rounding = 1e-9;
-  const double time = output->Get(SDDP::UPDATE_TIME_STEP());
-  const auto after =
-    std::upper_bound(times.begin(), times.end(), time + rounding * std::fabs(time));
-  return std::max(0, static_cast<int>(after - times.begin()) - 1);
+  return this->Series.FindActiveBox();
 }
 
 // Errors are told by RequestInformation, which comes next.
@@ -202,15 +140,14 @@ int vtkActiveVDBReader::RequestDataObject(
   vtkInformation* out = output->GetInformationObject(0);
   try
   {
-    this->FindTimes();
-    this->LookAt(this->FindFile(out));
+    this->OpenFile(out);
   }
   catch (const std::exception&)
   {
-    this->Internal->Chosen.clear();
+    this->Internal->Series.Close();
   }
   vtkDataObject* data = vtkDataObject::GetData(out);
-  const bool isOfPoints = this->Internal->IsOfPoints();
+  const bool isOfPoints = this->Internal->Series.IsOfPoints();
   if (!data || !data->IsA(isOfPoints ? "vtkPolyData" : "vtkImageData"))
   {
     vtkSmartPointer<vtkDataObject> made;
@@ -234,10 +171,10 @@ void vtkActiveVDBReader::PublishExtent(vtkInformation* output) const
 {
   const Internals& own = *this->Internal;
   output->Remove(SDDP::WHOLE_EXTENT());
-  if (!own.IsOfPoints())
+  if (!own.Series.IsOfPoints())
   {
     const ImagePlace place = activesurface::MakeImagePlace(
-      *own.Chosen.front().Transform, own.FindBox(this), this->DownsamplingFactor);
+      *own.Series.GetChosen().front().Transform, own.FindBox(this), this->DownsamplingFactor);
     output->Set(SDDP::WHOLE_EXTENT(), place.Extent, 6);
   }
 }
@@ -249,15 +186,14 @@ int vtkActiveVDBReader::RequestInformation(
   vtkInformation* out = output->GetInformationObject(0);
   try
   {
-    this->FindTimes();
-    this->LookAt(this->FindFile(out));
+    this->OpenFile(out);
     this->PublishExtent(out);
   }
   catch (const std::exception& error)
   {
     return this->Fail(output, error.what());
   }
-  const std::vector<double>& times = this->Internal->Times;
+  const std::vector<double>& times = this->Internal->Series.GetTimes();
   out->Remove(SDDP::TIME_STEPS());
   out->Remove(SDDP::TIME_RANGE());
   if (times.size() > 1)
@@ -275,23 +211,24 @@ int vtkActiveVDBReader::RequestData(
   vtkInformation* out = output->GetInformationObject(0);
   try
   {
-    const int file = this->FindFile(out);
-    this->LookAt(file);
+    this->OpenFile(out);
+    const activesurface::VDBSeries& series = this->Internal->Series;
     vtkDataObject* data = vtkDataObject::GetData(out);
     data->Initialize();
     auto image = vtkImageData::SafeDownCast(data);
-    if (this->Internal->IsOfPoints() == (image != nullptr))
+    if (series.IsOfPoints() == (image != nullptr))
     {
       throw std::runtime_error("The files of the series have grids of different kinds, points and "
                                "volumes; choose one by GridName.");
     }
     if (!IsOtherPiece(out))
     {
-      image ? this->MakeImage(image) : this->MakePoints(vtkPolyData::SafeDownCast(data));
+      this->FillOutput(data);
     }
-    if (this->Internal->Times.size() > 1)
+    if (series.GetTimes().size() > 1)
     {
-      data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), this->Internal->Times[file]);
+      data->GetInformation()->Set(
+        vtkDataObject::DATA_TIME_STEP(), series.GetTimes()[series.GetFileNumber()]);
     }
     if (image)
     {
@@ -312,56 +249,34 @@ int vtkActiveVDBReader::RequestData(
   }
 }
 
+void vtkActiveVDBReader::FillOutput(vtkDataObject* data)
+{
+  if (auto image = vtkImageData::SafeDownCast(data))
+  {
+    this->MakeImage(image);
+  }
+  else
+  {
+    this->MakePoints(vtkPolyData::SafeDownCast(data));
+  }
+}
+
 void vtkActiveVDBReader::MakeImage(vtkImageData* image)
 {
-  const Internals& own = *this->Internal;
-  const openvdb::math::Transform& transform = *own.Chosen.front().Transform;
-  openvdb::CoordBBox box = own.FindBox(this);
-  const ImagePlace place = activesurface::MakeImagePlace(transform, box, this->DownsamplingFactor);
-  if (this->OutputDense && place.CountPoints() > static_cast<double>(this->MaximumNumberOfPoints))
-  {
-    std::ostringstream text;
-    text << "The dense image would have " << place.CountPoints() << " points, more than "
-         << "MaximumNumberOfPoints; choose a smaller Region, a DownsamplingFactor, or OutputDense "
-         << "off, or raise the maximum.";
-    throw std::runtime_error(text.str());
-  }
-  const bool isPart = this->Region != ACTIVE && !box.empty();
-  openvdb::BBoxd part;
-  if (isPart)
-  {
-    box.expand(this->DownsamplingFactor);
-    part = transform.indexToWorld(box);
-  }
-  Place(place, image);
-  for (const VDBGrid& chosen : own.Chosen)
-  {
-    const openvdb::GridBase::Ptr grid =
-      activesurface::ReadVDBGrid(this->FileNames[own.FileNumber], chosen, isPart ? &part : nullptr);
-    if (this->OutputDense && image->GetNumberOfPoints() > 0)
-    {
-      const auto array =
-        activesurface::MakeImageArray(*grid, place.Extent, this->DownsamplingFactor);
-      array->SetName(chosen.Name.c_str());
-      image->GetPointData()->AddArray(array);
-    }
-    if (&chosen == &own.Chosen.front())
-    {
-      activesurface::Carry(image->GetInformation(), AsLevelSet(grid));
-    }
-  }
-  if (vtkDataArray* first = image->GetPointData()->GetArray(0))
-  {
-    first->GetNumberOfComponents() == 3 ? image->GetPointData()->SetVectors(first)
-                                        : image->GetPointData()->SetScalars(first);
-  }
+  activesurface::ImageRequest request;
+  request.Box = this->Internal->FindBox(this);
+  request.IsPart = this->Region != ACTIVE && !request.Box.empty();
+  request.DownsamplingFactor = this->DownsamplingFactor;
+  request.IsDense = this->OutputDense != 0;
+  request.MaximumNumberOfPoints = this->MaximumNumberOfPoints;
+  activesurface::ReadImage(this->Internal->Series, request, image);
 }
 
 void vtkActiveVDBReader::MakePoints(vtkPolyData* points)
 {
   const Internals& own = *this->Internal;
   const openvdb::GridBase::Ptr grid =
-    activesurface::ReadVDBGrid(this->FileNames[own.FileNumber], own.Chosen.front());
+    activesurface::ReadVDBGrid(own.Series.GetFileName(), own.Series.GetChosen().front());
   activesurface::ReadPoints(*grid, this->MaximumNumberOfPoints, points);
 }
 
@@ -373,6 +288,89 @@ vtkImageData* vtkActiveVDBReader::GetImageOutput()
 vtkPolyData* vtkActiveVDBReader::GetPolyDataOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+int vtkActiveVDBReader::GetNumberOfGrids()
+{
+  return static_cast<int>(this->Internal->Series.GetFile().Grids.size());
+}
+
+vtkStringArray* vtkActiveVDBReader::GetGridNames()
+{
+  vtkStringArray* names = this->Internal->Names;
+  names->SetNumberOfValues(0);
+  for (const VDBGrid& grid : this->Internal->Series.GetFile().Grids)
+  {
+    names->InsertNextValue(grid.Name);
+  }
+  return names;
+}
+
+const char* vtkActiveVDBReader::GetGridName(int i)
+{
+  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  return grid ? grid->Name.c_str() : "";
+}
+
+const char* vtkActiveVDBReader::GetGridType(int i)
+{
+  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  return grid ? grid->GetValueType() : "";
+}
+
+const char* vtkActiveVDBReader::GetGridClass(int i)
+{
+  return activesurface::GetGridClass(this->Internal->Series.FindGrid(i));
+}
+
+bool vtkActiveVDBReader::GetGridIsHalfFloat(int i)
+{
+  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  return grid && grid->IsHalf;
+}
+
+bool vtkActiveVDBReader::GetGridIsInstance(int i)
+{
+  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  return grid && !grid->Parent.empty();
+}
+
+vtkIdType vtkActiveVDBReader::GetGridActiveVoxels(int i)
+{
+  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  return grid ? static_cast<vtkIdType>(grid->ActiveVoxels) : 0;
+}
+
+void vtkActiveVDBReader::GetGridBox(int i, int box[6])
+{
+  activesurface::GetActiveBox(this->Internal->Series.FindGrid(i), box);
+}
+
+void vtkActiveVDBReader::GetGridVoxelSize(int i, double size[3])
+{
+  activesurface::GetVoxelSize(this->Internal->Series.FindGrid(i), size);
+}
+
+std::string vtkActiveVDBReader::GetMetadata(const std::string& name)
+{
+  return activesurface::GetMetadata(this->Internal->Series.GetFile().Metadata.get(), name);
+}
+
+std::string vtkActiveVDBReader::GetAllMetadata()
+{
+  return activesurface::GetAllMetadata(this->Internal->Series.GetFile().Metadata.get());
+}
+
+std::string vtkActiveVDBReader::GetGridMetadata(int i, const std::string& name)
+{
+  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  return activesurface::GetMetadata(grid ? grid->Metadata.get() : nullptr, name);
+}
+
+std::string vtkActiveVDBReader::GetAllGridMetadata(int i)
+{
+  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  return activesurface::GetAllMetadata(grid ? grid->Metadata.get() : nullptr);
 }
 
 void vtkActiveVDBReader::PrintSelf(ostream& os, vtkIndent indent)

@@ -188,10 +188,9 @@ private:
   struct Internals;
 
   int Fail(vtkInformationVector* output, const char* sentence);
-  void LookAt(int file);
-  void FindTimes();
-  int FindFile(vtkInformation* output) const;
+  void OpenFile(vtkInformation* output);
   void PublishExtent(vtkInformation* output) const;
+  void FillOutput(vtkDataObject* data);
   void MakeImage(vtkImageData* image);
   void MakePoints(vtkPolyData* points);
 

@@ -5,6 +5,7 @@
 #include "FrameName.h"
 #include "Grids/VDBContent.h"
 #include "Grids/VDBOutput.h"
+#include "TimeSteps.h"
 #include "WholeInput.h"
 
 #include "vtkDataObject.h"
@@ -79,11 +80,9 @@ struct Source
     this->Update();
   }
 
-  // The last step that is not after a time.
   int FindStep(double time) const
   {
-    const auto after = std::upper_bound(this->Steps.begin(), this->Steps.end(), time);
-    return std::max(0, static_cast<int>(after - this->Steps.begin()) - 1);
+    return this->Steps.empty() ? 0 : activesurface::FindStep(this->Steps, time).Step;
   }
 
   SDDP* Pipeline = nullptr;

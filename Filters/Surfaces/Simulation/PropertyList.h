@@ -8,7 +8,6 @@
 #ifndef PropertyList_h
 #define PropertyList_h
 
-#include "Simulation/SurfaceSettings.h"
 
 #include <cmath>
 #include <limits>

@@ -4,6 +4,7 @@
 #define PropertyValues_h
 
 #include "Simulation/PropertyList.h"
+#include "Simulation/SurfaceSettings.h"
 
 #include <algorithm>
 #include <array>
