@@ -1,3 +1,4 @@
+# ctest: WITHOUT_PACKAGE LABELS contract
 """Who may include whom: Surfaces -> NarrowBand <- IO, and the examples see only what is installed.
 
 Each rule is first shown to find a file that breaks it, in a tree made up for that.

@@ -1,3 +1,4 @@
+# ctest: LABELS contract
 """What is computed stays the same to the bit: many runs have the hashes of Baselines/hashes.json.
 
 With one thread and two, and with every instruction set.
