@@ -25,6 +25,7 @@ from same_bytes_shapes import (
     scattered,
     strip,
     two_balls,
+    union,
 )
 
 BEFORE, THEN, LATER = 0.2, 0.4, 0.6
@@ -33,6 +34,25 @@ COARSE = 0.1
 
 def morph(**properties):
     return make(two_balls(0.3, 0.4), ball(0.5), VoxelSize=COARSE, **properties)
+
+
+# A function and one that holds it are as old as each other when the inner one has changed last.
+INNER = ball(0.6)
+OUTER = union(INNER, ball(0.4, (0.4, 0, 0)))
+
+
+def inner_target():
+    INNER.Modified()
+    return make(INNER, ball(0.5), VoxelSize=COARSE)
+
+
+def inner_initial():
+    INNER.Modified()
+    return make(ball(0.5), INNER, VoxelSize=COARSE)
+
+
+def one_step():
+    return morph(NumberOfTimeSteps=1)
 
 
 def volume_penalty():
@@ -94,7 +114,7 @@ RESTARTS = {
     "Attraction": [(morph, 3.0)],
     "BoundedDomain": [(walls, 0)],
     "CFL": [(morph, 0.5)],
-    "EvolutionMode": [(morph, 1)],
+    "EvolutionMode": [(morph, 1), (one_step, 1)],
     "GradientScheme": [(morph, 0)],
     "InitialFunction": [(morph, ball(0.6)), (morph, None)],
     "InvertTarget": [(samples, 1)],
@@ -166,6 +186,11 @@ OTHER_CHANGES = {
     "the target function itself": (
         morph,
         lambda surface: surface.GetTargetFunction().SetOperationTypeToIntersection(),
+    ),
+    "a target function as old": (inner_target, lambda surface: surface.SetTargetFunction(OUTER)),
+    "an initial function as old": (
+        inner_initial,
+        lambda surface: surface.SetInitialFunction(OUTER),
     ),
     "the initial function itself": (
         morph,
