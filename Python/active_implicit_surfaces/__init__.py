@@ -19,6 +19,10 @@ except ImportError as error:
         f"(Debian: python3-vtk9, then run /usr/bin/python3). The cause was: {error}"
     ) from error
 
+from . import vtk_build
+
+vtk_build.check()
+
 try:
     from .vtkActiveIO import *
     from .vtkActiveIO import vtkActiveEXRReader

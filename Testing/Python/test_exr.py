@@ -1,3 +1,4 @@
+# ctest: LABELS contract
 """EXR files that other programs make and read, and the two classes as Python sees them.
 
 The programs are those of Debian's package openexr; the module OpenEXR of PyPI is used if it is

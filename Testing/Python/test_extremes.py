@@ -1,3 +1,4 @@
+# ctest: LABELS contract
 """Absurd values of every property of the three classes, before the first update and after one.
 
 Each is refused by one error that names the property, or clamped as its comment says, or it works:

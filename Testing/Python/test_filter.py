@@ -1,3 +1,4 @@
+# ctest: LABELS contract
 """vtkActiveImplicitSurface as a Python user has it: defaults, time, garbage, and what is let go.
 
 Run: python3 test_filter.py

@@ -1,3 +1,4 @@
+# ctest: LABELS contract
 """help() tells unit, range and default of every property of the classes, and truly."""
 
 import pydoc

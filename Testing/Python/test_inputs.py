@@ -1,3 +1,4 @@
+# ctest: LABELS contract
 """Meshes and images as the target and the start of vtkActiveImplicitSurface.
 
 Run: python3 test_inputs.py

@@ -1,3 +1,4 @@
+# ctest: WITHOUT_PACKAGE LABELS contract
 """Who may include whom: each module of Filters, and each room of it, is a floor of one stack.
 
 A module's own folder holds what others include, its sub-folders ("rooms") are private, and an include names

@@ -1,3 +1,4 @@
+# ctest: LABELS contract
 """Points, area, volume and Euler number of three skins in time are those of Baselines/numbers.json.
 
 Run: python3 test_numbers.py. A change that is meant to move them: python3 test_numbers.py --update,

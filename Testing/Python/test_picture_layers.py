@@ -1,3 +1,4 @@
+# ctest: PICTURE
 """Depth, normals and motion of a skin look as they did, which 8 bits could not tell.
 
 A cube is on its way to a ball, seen along its diagonal. The baseline is an .exr. Per pixel: depth

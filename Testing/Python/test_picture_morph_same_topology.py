@@ -1,3 +1,4 @@
+# ctest: PICTURE
 """The tube on its way to a box, half-way, looks as it did.
 
 Run: python3 test_picture_morph_same_topology.py -V <baseline.png> -T <folder>

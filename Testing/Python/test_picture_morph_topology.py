@@ -1,3 +1,4 @@
+# ctest: PICTURE
 """The star on its way to two balls, drawn out to a thread, looks as it did.
 
 Run: python3 test_picture_morph_topology.py -V <baseline.png> -T <folder>

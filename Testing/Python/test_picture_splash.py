@@ -1,3 +1,4 @@
+# ctest: PICTURE
 """The skin of the splash at step 25, when drops fly, looks as it did.
 
 Run: python3 test_picture_splash.py -V <baseline.png> -T <folder>

@@ -1,3 +1,4 @@
+# ctest: WITHOUT_PACKAGE LABELS contract
 """README's first Python snippet is part of an example, line by line, so that it is known to run."""
 
 import re

@@ -1,3 +1,4 @@
+# ctest: DISPLAY LABELS exact
 """The layers of a render window against what a camera and a ball must give, in both projections.
 
 The camera of the test is made of its own vectors: nothing of VTK's matrices is used to check them.

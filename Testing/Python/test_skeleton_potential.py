@@ -1,3 +1,4 @@
+# ctest: LABELS contract
 """vtkSkeletonPotential as Python sees it: properties, errors, and a contour of its samples."""
 
 import math

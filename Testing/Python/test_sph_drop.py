@@ -1,3 +1,4 @@
+# ctest: WITHOUT_PACKAGE LABELS contract
 """Holds Testing/Data/sph_drop.vtp against what it claims to be: a drop of particles, over time.
 
 Run: python3 test_sph_drop.py

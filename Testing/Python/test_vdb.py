@@ -1,3 +1,4 @@
+# ctest: LABELS acceptance
 """Our .vdb files as OpenVDB's own tools see them, and theirs as vtkActiveVDBReader does."""
 
 import subprocess

@@ -1,0 +1,171 @@
+"""What data objects and files hold, as one hash: names, types and raw bytes in a fixed order.
+
+Left out is what may differ though the content is the same: MTimes, how a file is packed, random
+ids, and the version of this package.
+"""
+
+import hashlib
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy
+from active_implicit_surfaces import vtkActiveEXRReader, vtkActiveVDBReader
+from listener import Listener
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+
+# Metadata of .vdb files and attributes of .exr files that name versions or ways of packing.
+OF_THE_WRITER = ("creator", "software", "file_", "compression", "compressionLevel", "zipLevel")
+
+
+@contextmanager
+def no_errors(*algorithms):
+    """Errors of the algorithms, which VTK only prints, are exceptions."""
+    listeners = [Listener(algorithm) for algorithm in algorithms]
+    yield
+    errors = [error for listener in listeners for error in listener.errors]
+    if errors:
+        raise RuntimeError(errors[0])
+
+
+class Contents:
+    """Takes data objects one after another; hash() tells all that it was given.
+
+    A skin, an image or a table without content is an error, unless may_be_empty says that this is
+    the point: a hash of nothing proves nothing.
+    """
+
+    def __init__(self):
+        self.sum = hashlib.sha256()
+
+    def hash(self):
+        return self.sum.hexdigest()
+
+    def text(self, *words):
+        self.sum.update(("\0".join(map(str, words)) + "\n").encode())
+
+    def numbers(self, name, numbers):
+        numbers = numpy.ascontiguousarray(numbers)
+        self.text(name, numbers.dtype.str, *numbers.shape)
+        self.sum.update(numbers.tobytes())
+
+    def array(self, array):
+        """A vtkAbstractArray with its name, its type and the names of its components."""
+        count = array.GetNumberOfComponents()
+        self.text(array.GetName(), array.GetDataTypeAsString(), count)
+        self.text(*(array.GetComponentName(i) for i in range(count)))
+        if array.GetDataTypeAsString() == "string":
+            self.text(*(array.GetValue(i) for i in range(array.GetNumberOfValues())))
+        else:
+            self.numbers("values", vtk_to_numpy(array))
+
+    def arrays(self, data, left_out=()):
+        """All arrays of point, cell, field or row data, in their order."""
+        for i in range(data.GetNumberOfArrays()):
+            array = data.GetAbstractArray(i)
+            if array.GetName() not in left_out:
+                self.array(array)
+
+    def all_data(self, data):
+        for kind in (vtkDataObject.POINT, vtkDataObject.CELL, vtkDataObject.FIELD):
+            self.text("attributes", kind)
+            self.arrays(data.GetAttributesAsFieldData(kind), OF_THE_WRITER)
+        scalars = data.GetPointData().GetScalars()
+        normals = data.GetPointData().GetNormals()
+        self.text(scalars and scalars.GetName(), normals and normals.GetName())
+        key = vtkDataObject.DATA_TIME_STEP()
+        if data.GetInformation().Has(key):
+            self.numbers("time", [data.GetInformation().Get(key)])
+
+    def skin(self, data, may_be_empty=False):
+        """A vtkPolyData of polygons."""
+        if not may_be_empty:
+            assert data.GetNumberOfPoints() > 0 and data.GetNumberOfPolys() > 0, "no skin"
+        assert data.GetNumberOfCells() == data.GetNumberOfPolys()
+        self.points(data)
+        polys = data.GetPolys()
+        for name, ids in (
+            ("offsets", polys.GetOffsetsArray()),
+            ("connectivity", polys.GetConnectivityArray()),
+        ):
+            self.numbers(name, vtk_to_numpy(ids).astype(numpy.int64))
+
+    def points(self, data):
+        if data.GetPoints():
+            self.array(data.GetPoints().GetData())
+        self.all_data(data)
+
+    def image(self, image, may_be_empty=False):
+        if not may_be_empty:
+            assert image.GetPointData().GetNumberOfArrays() > 0, "no array"
+            assert image.GetNumberOfPoints() > 0, "no points"
+        self.numbers("extent", numpy.array(image.GetExtent(), numpy.int64))
+        self.numbers("origin", image.GetOrigin())
+        self.numbers("spacing", image.GetSpacing())
+        turned = image.GetDirectionMatrix()
+        self.numbers("direction", [turned.GetElement(i, j) for i in range(3) for j in range(3)])
+        self.all_data(image)
+
+    def table(self, table):
+        assert table.GetNumberOfRows() > 0, "no rows"
+        self.arrays(table.GetRowData())
+
+    def outputs(self, surface, may_be_empty=False):
+        """Skin and history of a filter."""
+        self.skin(surface.GetOutput(), may_be_empty)
+        self.table(surface.GetHistory())
+
+    def function(self, function, lattice):
+        """Values and gradients of an implicit function at these points."""
+        values = [function.FunctionValue(*point) for point in lattice]
+        assert min(values) < 0.0 < max(values), "the same side everywhere"
+        self.numbers("values", values)
+        slopes = numpy.zeros((len(lattice), 3))
+        for slope, point in zip(slopes, lattice):
+            slope[:] = function.FunctionGradient(*point)
+        self.numbers("slopes", slopes)
+
+    def vdb(self, path):
+        """Every grid of a .vdb file, dense and one by one, and all metadata."""
+        reader = vtkActiveVDBReader()
+        reader.SetFileName(str(path))
+        with no_errors(reader):
+            reader.UpdateInformation()
+            assert reader.GetNumberOfGrids() > 0, "no grids"
+            self.metadata(reader.GetAllMetadata())
+            for i in range(reader.GetNumberOfGrids()):
+                self.vdb_grid(reader, i)
+
+    def vdb_grid(self, reader, i):
+        name = reader.GetGridName(i)
+        self.text(name, reader.GetGridType(i), reader.GetGridClass(i), reader.GetGridIsHalfFloat(i))
+        self.text(reader.GetGridActiveVoxels(i))
+        self.metadata(reader.GetAllGridMetadata(i))
+        box = [0] * 6
+        reader.GetGridBox(i, box)
+        self.text(*box)
+        reader.SetGridName(name)
+        reader.Update()
+        self.image(reader.GetImageOutput())
+
+    def metadata(self, text):
+        self.text(*sorted(line for line in text.splitlines() if not line.startswith(OF_THE_WRITER)))
+
+    def exr(self, path):
+        """Channels, as arrays, and attributes, as field data, of an .exr file."""
+        reader = vtkActiveEXRReader()
+        reader.SetFileName(str(path))
+        with no_errors(reader):
+            reader.Update()
+        for i in range(reader.GetNumberOfChannels()):
+            self.text(reader.GetChannelName(i), reader.GetChannelType(i))
+        self.image(reader.GetOutput())
+
+    @contextmanager
+    def file(self, name, decode):
+        """The path of a file to write, which decode, vdb or exr of this object, then takes up."""
+        with TemporaryDirectory() as folder:
+            path = Path(folder) / name
+            yield str(path)
+            decode(path)

@@ -1,0 +1,71 @@
+"""The table of runs whose bytes are to stay, and what all of them use."""
+
+from active_implicit_surfaces import vtkActiveImplicitSurface
+from contents import Contents, no_errors
+from same_bytes_shapes import BOX
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImplicitFunction
+
+RUNS = {}  # by name: (group, function of a Contents)
+THREADS = {"number": 0}  # of every surface; 0: all that there are
+VOXEL = 0.06
+POINTS = vtkDataObject.FIELD_ASSOCIATION_POINTS
+
+
+def run(group):
+    """Makes a function a run: it gives what it has made to the Contents that it is called with."""
+
+    def add(function):
+        assert function.__name__ not in RUNS, function.__name__
+        RUNS[function.__name__] = (group, function)
+        return function
+
+    return add
+
+
+def hash_of(name):
+    contents = Contents()
+    RUNS[name][1](contents)
+    return contents.hash()
+
+
+def make(target=None, initial=None, arrays=None, **properties):
+    """A surface: what attracts it and what it starts on (functions, data or algorithms), names of
+    arrays by their numbers, and properties by their names."""
+    surface = vtkActiveImplicitSurface()
+    surface.SetVoxelSize(VOXEL)
+    surface.SetAttraction(4)
+    surface.SetNumberOfThreads(THREADS["number"])
+    connect(surface, 0, surface.SetTargetFunction, target)
+    connect(surface, 1, surface.SetInitialFunction, initial)
+    if isinstance(target, vtkImplicitFunction):
+        surface.SetModelBounds(BOX)
+    for number, name in (arrays or {}).items():
+        surface.SetInputArrayToProcess(number, int(number == 4), 0, POINTS, name)
+    for name, value in properties.items():
+        getattr(surface, "Set" + name)(value)
+    return surface
+
+
+def connect(surface, port, set_function, shape):
+    if isinstance(shape, vtkDataObject):
+        surface.SetInputDataObject(port, shape)
+    elif isinstance(shape, vtkImplicitFunction):
+        set_function(shape)
+    elif shape is not None:
+        surface.SetInputConnection(port, shape.GetOutputPort())
+
+
+def follow(contents, surface, *times, may_be_empty=False):
+    """Skin and history at these times."""
+    for time in times:
+        with no_errors(surface):
+            surface.UpdateTimeStep(time)
+        contents.outputs(surface, may_be_empty)
+
+
+def rest(contents, surface):
+    """Skin and history of a surface that goes to rest."""
+    surface.SetEvolutionModeToEquilibrium()
+    with no_errors(surface):
+        surface.Update()
+    contents.outputs(surface)

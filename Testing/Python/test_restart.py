@@ -1,0 +1,298 @@
+# ctest: LABELS contract
+"""Each property of the surface starts the skin anew when it changes, or is listed as one that
+does not.
+
+A changed property whose skin went on would show the skin of the old value, so the old and the new
+value have to give different skins in the scene in which a property is tried.
+
+Run: python3 test_restart.py
+"""
+
+import unittest
+
+from active_implicit_surfaces import vtkActiveImplicitSurface
+from contents import Contents, no_errors
+from properties import own_properties, put
+from same_bytes import POINTS, make
+from same_bytes_shapes import (
+    Steps,
+    ball,
+    block,
+    brick,
+    cloud,
+    image,
+    quadric,
+    scattered,
+    strip,
+    two_balls,
+    union,
+)
+
+BEFORE, THEN, LATER = 0.2, 0.4, 0.6
+COARSE = 0.1
+
+
+def morph(**properties):
+    return make(two_balls(0.3, 0.4), ball(0.5), VoxelSize=COARSE, **properties)
+
+
+# A function and one that holds it are as old as each other when the inner one has changed last.
+INNER = ball(0.6)
+OUTER = union(INNER, ball(0.4, (0.4, 0, 0)))
+
+
+def inner_target():
+    INNER.Modified()
+    return make(INNER, ball(0.5), VoxelSize=COARSE)
+
+
+def inner_initial():
+    INNER.Modified()
+    return make(ball(0.5), INNER, VoxelSize=COARSE)
+
+
+def one_step():
+    return morph(NumberOfTimeSteps=1)
+
+
+def volume_penalty():
+    return morph(VolumeControl=1)
+
+
+def volume_exact():
+    return morph(VolumeControl=2)
+
+
+def area_penalty():
+    return morph(AreaControl=1)
+
+
+def to_rest():
+    return morph(EvolutionMode=1, RestTolerance=0.02)
+
+
+def walls():
+    return make(ball(0.8), ball(0.4), VoxelSize=COARSE, BoundedDomain=1, ModelBounds=half_box(0.55))
+
+
+def half_box(side):
+    return (-side, side, -0.6, 0.6, -0.6, 0.6)
+
+
+def particles():
+    weights = [1 - i / 40 for i in range(20)]
+    target = cloud(scattered(20), size=[0.3 + i / 99 for i in range(20)], weight=weights)
+    return make(target, VoxelSize=COARSE, ParticleRadius=0.4)
+
+
+def crossing_particles(**properties):
+    """By their numbers they go straight, by their names to and fro."""
+    steps = {}
+    for i in range(5):
+        names = [i % 2, 1 - i % 2]
+        steps[i * BEFORE] = cloud([(-0.3, i / 10, 0), (0.3, i / 10, 0)], name=names)
+    return make(Steps(steps), VoxelSize=COARSE, ParticleRadius=0.6, **properties)
+
+
+def particles_with_velocity():
+    return crossing_particles(ComputeVelocity=1)
+
+
+def shell():
+    return make(strip(), VoxelSize=COARSE, MeshThickness=0.35)
+
+
+def samples():
+    target = image(quadric(1, 2, 1), G=quadric(2, 1, 1))
+    return make(target, image(quadric(1, 1, 1), G=quadric(3, 1, 2)), VoxelSize=COARSE)
+
+
+# (scene, another value of the property), one or more for each that starts the skin anew.
+RESTARTS = {
+    "AreaControl": [(morph, 1), (morph, 2)],
+    "AreaStiffness": [(area_penalty, 2.0)],
+    "Attraction": [(morph, 3.0)],
+    "BoundedDomain": [(walls, 0)],
+    "CFL": [(morph, 0.5)],
+    "EvolutionMode": [(morph, 1), (one_step, 1)],
+    "GradientScheme": [(morph, 0)],
+    "InitialFunction": [(morph, ball(0.6)), (morph, None)],
+    "InvertTarget": [(samples, 1)],
+    "MaximumNumberOfSubsteps": [(to_rest, 3)],
+    "MeshThickness": [(shell, 0.45)],
+    "ModelBounds": [(walls, half_box(0.65))],
+    "NormalizeTarget": [(morph, 0)],
+    "NumberOfTimeSteps": [(morph, 3)],
+    "PaperScheme": [(morph, 1)],
+    "ParticleKernel": [(particles, 1), (particles, 2)],
+    "ParticleRadius": [(particles, 0.5), (particles, 0.0)],
+    "ParticleThreshold": [(particles, 0.4)],
+    "RestTolerance": [(to_rest, 0.5)],
+    "StartTime": [(morph, 0.05)],
+    "TargetArea": [(area_penalty, 4.0)],
+    "TargetEvaluation": [(morph, 1), (morph, 2)],
+    "TargetFunction": [(morph, block(-0.5, 0.5, -0.4, 0.4, -0.3, 0.3))],
+    "TargetIsoValue": [(morph, -0.03), (samples, 0.1)],
+    "TargetReach": [(morph, 0.05)],
+    "TargetVolume": [(volume_penalty, 0.6), (volume_exact, 0.6)],
+    "Tension": [(morph, 0.02)],
+    "TimeScale": [(morph, 1.5)],
+    "TimeStepSize": [(morph, 0.15)],
+    "VolumeControl": [(morph, 1), (morph, 2)],
+    "VolumeStiffness": [(volume_penalty, 2.0)],
+    "VoxelSize": [(morph, 0.12)],
+}
+# What is made of the skin, and what of the machine may be used: (scene, another value).
+ARRAYS = {
+    "ComputeCurvature": (morph, 1),
+    "ComputeNormals": (morph, 0),
+    "ComputeVelocity": (morph, 1),
+    "PassTargetArrays": (crossing_particles, 1),
+    "TangentialVelocity": (particles_with_velocity, 1),
+}
+DOES_NOT_RESTART = {
+    **ARRAYS,
+    "CheckpointInterval": (morph, 1),
+    "CheckpointMemory": (morph, 0),
+    "MaximumNumberOfActiveVoxels": (morph, 1000000),
+    "NumberOfThreads": (morph, 1),
+    "OutputPotential": (morph, 1),
+}
+
+
+def change_of(name, value):
+    return lambda surface: put(surface, name, value)
+
+
+def choose_array(number, name):
+    port = int(number == 4)
+    return lambda surface: surface.SetInputArrayToProcess(number, port, 0, POINTS, name)
+
+
+def move_a_particle(surface):
+    data = surface.GetInputDataObject(0, 0)
+    data.GetPoints().SetPoint(0, 0.7, 0, 0)
+    data.GetPoints().Modified()
+    data.Modified()
+
+
+# What is no property, but starts the skin anew when it changes: (scene, change).
+OTHER_CHANGES = {
+    "array of radii": (particles, choose_array(0, "size")),
+    "array of ids": (crossing_particles, choose_array(1, "name")),
+    "array of strengths": (particles, choose_array(2, "weight")),
+    "array of values": (samples, choose_array(3, "G")),
+    "array of values at the start": (samples, choose_array(4, "G")),
+    "the target function itself": (
+        morph,
+        lambda surface: surface.GetTargetFunction().SetOperationTypeToIntersection(),
+    ),
+    "a target function as old": (inner_target, lambda surface: surface.SetTargetFunction(OUTER)),
+    "an initial function as old": (
+        inner_initial,
+        lambda surface: surface.SetInitialFunction(OUTER),
+    ),
+    "the initial function itself": (
+        morph,
+        lambda surface: surface.GetInitialFunction().SetRadius(0.55),
+    ),
+    "the target data": (particles, move_a_particle),
+    "other target data": (particles, lambda surface: surface.SetInputDataObject(0, brick())),
+    "an initial shape": (particles, lambda surface: surface.SetInputDataObject(1, brick())),
+    "no initial shape": (samples, lambda surface: surface.RemoveAllInputConnections(1)),
+    "other initial data": (samples, lambda surface: surface.SetInputDataObject(1, brick())),
+}
+
+
+def update(surface, time):
+    with no_errors(surface):
+        surface.UpdateTimeStep(time)
+
+
+def content(surface):
+    found = Contents()
+    found.outputs(surface)
+    return found.hash()
+
+
+def shape(surface):
+    """Points and triangles, without the arrays that outputs are about."""
+    skin, bare = surface.GetOutput(), Contents()
+    copied = type(skin)()
+    copied.SetPoints(skin.GetPoints())
+    copied.SetPolys(skin.GetPolys())
+    bare.skin(copied)
+    return bare.hash()
+
+
+class Restart(unittest.TestCase):
+    def assert_restarts(self, scene, change):
+        old, fresh, surface = scene(), scene(), scene()
+        change(fresh)
+        update(old, THEN)
+        update(fresh, THEN)
+        self.assertNotEqual(content(old), content(fresh), "the scene does not tell the change")
+
+        update(surface, BEFORE)
+        change(surface)
+        surface.ResetCounters()
+        update(surface, THEN)
+        self.assertEqual(surface.GetSubsteps(), fresh.GetSubsteps(), "substeps since the start")
+        self.assertEqual(content(surface), content(fresh), "what a new surface shows")
+
+    def test_every_property_is_on_one_list(self):
+        listed = sorted([*RESTARTS, *DOES_NOT_RESTART])
+        self.assertEqual(listed, own_properties(vtkActiveImplicitSurface))
+
+    def test_what_shapes_the_motion_restarts_it(self):
+        for name, cases in RESTARTS.items():
+            for scene, value in cases:
+                with self.subTest(name, scene=scene.__name__, value=value):
+                    self.assert_restarts(scene, change_of(name, value))
+
+    def test_other_changes_restart_it(self):
+        for name, (scene, change) in OTHER_CHANGES.items():
+            with self.subTest(name):
+                self.assert_restarts(scene, change)
+
+    def assert_goes_on(self, name, scene, value):
+        surface, fresh = scene(), scene()
+        update(surface, THEN)
+        bare, whole = shape(surface), content(surface)
+        put(surface, name, value)
+        surface.ResetCounters()
+        update(surface, THEN)
+        self.assertEqual(surface.GetSubsteps(), 0)
+        self.assertEqual(shape(surface), bare)
+        self.assertEqual(content(surface) != whole, name in ARRAYS, "what is made of the skin")
+
+        put(fresh, name, value)
+        update(fresh, THEN)
+        fresh.ResetCounters()
+        for either in (surface, fresh):
+            update(either, LATER)
+        self.assertGreater(surface.GetSubsteps(), 0)
+        self.assertEqual(surface.GetSubsteps(), fresh.GetSubsteps(), "substeps from then on")
+        self.assertEqual(content(surface), content(fresh))
+
+    def test_what_does_not_shape_the_motion_does_not_restart_it(self):
+        for name, (scene, value) in DOES_NOT_RESTART.items():
+            with self.subTest(name):
+                self.assert_goes_on(name, scene, value)
+
+    def test_a_change_taken_back_does_not_restart_it(self):
+        for name, cases in RESTARTS.items():
+            scene, value = cases[0]
+            with self.subTest(name):
+                surface = scene()
+                update(surface, THEN)
+                old = getattr(surface, "Get" + name)()
+                put(surface, name, value)
+                put(surface, name, old)
+                surface.ResetCounters()
+                update(surface, THEN)
+                self.assertEqual(surface.GetSubsteps(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
