@@ -3,11 +3,13 @@
 #ifndef GridSamples_h
 #define GridSamples_h
 
+#include "vtkActivePotentialsModule.h"
+
 namespace activesurface
 {
 
 // Immutable. Any of the methods may be called by several threads at once, and allocates nothing.
-class GridSamples
+class VTKACTIVEPOTENTIALS_EXPORT GridSamples
 {
 public:
   virtual ~GridSamples() = default;

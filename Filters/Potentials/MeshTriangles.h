@@ -4,6 +4,8 @@
 #ifndef MeshTriangles_h
 #define MeshTriangles_h
 
+#include "vtkActivePotentialsModule.h"
+
 #include "vtkType.h"
 
 #include <array>
@@ -16,7 +18,7 @@ class vtkPolyData;
 namespace activesurface
 {
 
-struct MeshDefects
+struct VTKACTIVEPOTENTIALS_EXPORT MeshDefects
 {
   std::size_t OpenEdges = 0;      // of one polygon only
   std::size_t CrowdedEdges = 0;   // of more than two polygons
@@ -29,7 +31,7 @@ struct MeshDefects
   std::string Describe() const;
 };
 
-struct MeshTriangles
+struct VTKACTIVEPOTENTIALS_EXPORT MeshTriangles
 {
   using Point = std::array<double, 3>;
   using Triangle = std::array<vtkIdType, 3>;
@@ -44,7 +46,7 @@ struct MeshTriangles
 
 // Points of equal coordinates become one, so that a soup of triangles is closed where it seems to
 // be. Lines and vertices are passed over.
-MeshTriangles ReadTriangles(vtkPolyData* mesh);
+VTKACTIVEPOTENTIALS_EXPORT MeshTriangles ReadTriangles(vtkPolyData* mesh);
 
 }
 

@@ -8,11 +8,12 @@
 
 #include "SkeletonCells.h"
 #include "SkeletonKernel.h"
+#include "vtkActivePotentialsModule.h"
 
 namespace activesurface
 {
 
-struct SkeletonVertex
+struct VTKACTIVEPOTENTIALS_EXPORT SkeletonVertex
 {
   double Position[3];
   double Radius;
@@ -29,7 +30,7 @@ struct SkeletonWeight
   double Weight;
 };
 
-class Skeleton
+class VTKACTIVEPOTENTIALS_EXPORT Skeleton
 {
 public:
   // Forgets all elements, keeps the memory.

@@ -3,13 +3,15 @@
 #ifndef WholeInput_h
 #define WholeInput_h
 
+#include "vtkActivePotentialsModule.h"
+
 class vtkInformation;
 
 namespace activesurface
 {
 
 // Piece 0 of 1 without ghosts and, of an image, its whole extent.
-void RequestWhole(vtkInformation* input);
+VTKACTIVEPOTENTIALS_EXPORT void RequestWhole(vtkInformation* input);
 
 }
 

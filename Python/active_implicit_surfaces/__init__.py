@@ -23,11 +23,16 @@ from . import vtk_build
 
 vtk_build.check()
 
+# Readers and writers are an option of the build.
+_HAS_IO = "@ACTIVE_BUILD_IO@".upper() in ("1", "ON", "TRUE", "YES")
+
 try:
-    from .vtkActiveIO import *
-    from .vtkActiveIO import vtkActiveEXRReader
     from .vtkActivePotentials import *
     from .vtkActiveSurfaces import *
+
+    if _HAS_IO:
+        from .vtkActiveIO import *
+        from .vtkActiveIO import vtkActiveEXRReader
 except ImportError as error:
     raise ImportError(
         "active_implicit_surfaces found VTK, but its own compiled library does not load. Build and "
@@ -35,4 +40,5 @@ except ImportError as error:
         f"installed package, not the source folder. The cause was: {error}"
     ) from error
 
-vtkActiveEXRReader.RegisterWithFactory()  # so that vtkImageReader2Factory knows .exr
+if _HAS_IO:
+    vtkActiveEXRReader.RegisterWithFactory()  # so that vtkImageReader2Factory knows .exr

@@ -41,7 +41,13 @@ from vtkmodules.vtkRenderingOpenGL2 import (
     vtkValuePass,
 )
 
-from .vtkActiveIO import vtkActiveEXRWriter
+try:
+    from .vtkActiveIO import vtkActiveEXRWriter
+except ImportError as error:
+    raise ImportError(
+        "active_implicit_surfaces.render writes .exr files, which this build leaves out "
+        "(ACTIVE_BUILD_IO is off); build the package with ACTIVE_BUILD_IO on."
+    ) from error
 
 FAR = 1e10  # what Blender writes where nothing is; finite, so that filters of pictures make no NaN
 _POINT_FIELD = 3  # VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, which vtkValuePass takes

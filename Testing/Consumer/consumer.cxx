@@ -1,7 +1,7 @@
 // Uses the installed package as a stranger would: both libraries, their headers, no source tree.
 // The argument is the version that find_package should have found.
 
-#include <NarrowBand.h>
+#include <activesurface/NarrowBand.h>
 #include <vtkActiveImplicitSurface.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>

@@ -2,9 +2,11 @@
 
 #include "EXR/EXRAttributes.h"
 #include "EXR/EXRStreams.h"
-#include "EXR/EXRZip.h"
 #include "FileError.h"
 #include "FileReplacement.h"
+#ifdef ACTIVE_PACKS_ZIP
+#include "EXR/EXRZip.h"
+#endif
 
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
@@ -153,6 +155,22 @@ void WriteByOpenEXR(
   file.writePixels(window.max.y - window.min.y + 1);
 }
 
+// By OpenEXR from 3.2 on, which packs with libdeflate and by several threads.
+void WriteChannels(EXROutput& output, Imf::Header header, const std::vector<EXRSamples>& channels,
+  int level)
+{
+#ifdef ACTIVE_PACKS_ZIP
+  if (IsZipped(header))
+  {
+    WriteZipped(output, header, channels, level);
+    return;
+  }
+#else
+  header.zipCompressionLevel() = level;
+#endif
+  WriteByOpenEXR(output, header, channels);
+}
+
 void WritePixels(
   EXROutput& output, const EXRHeaderSettings& settings, const std::vector<EXRSource>& sources)
 {
@@ -163,12 +181,7 @@ void WritePixels(
   {
     channels.push_back(MakeSamples(source));
   }
-  if (IsZipped(header))
-  {
-    WriteZipped(output, header, channels, settings.Level);
-    return;
-  }
-  WriteByOpenEXR(output, header, channels);
+  WriteChannels(output, header, channels, settings.Level);
 }
 
 // Calls what touches the file's name, and tells its errors as ours.

@@ -3,7 +3,6 @@
 #ifndef PropertyValues_h
 #define PropertyValues_h
 
-#include "Simulation/PropertyList.h"
 #include "Simulation/SurfaceSettings.h"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include "Simulation/SurfaceDomain.h"
 
-#include "Simulation/PropertyList.h"
 #include "Simulation/SurfaceSettings.h"
 
 #include "vtkBoundingBox.h"

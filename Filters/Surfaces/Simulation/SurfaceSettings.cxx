@@ -1,7 +1,5 @@
 #include "Simulation/SurfaceSettings.h"
 
-#include "Simulation/PropertyList.h"
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>

@@ -9,7 +9,9 @@
 #include "SkeletonKernel.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,7 +55,8 @@ struct SurfaceInputs
   bool operator==(const SurfaceInputs& other) const;
 };
 
-// Properties come first, each a line of PropertyList.h.
+// Each property is a field here or in Motion, and a line of ForEachMotionProperty or
+// ForEachShapeProperty below.
 struct SurfaceSettings
 {
   Motion Law;
@@ -102,6 +105,145 @@ struct SurfaceSettings
   // Throws std::invalid_argument, saying which property cannot be as it is.
   void Check() const;
 };
+
+// The list of all properties that the motion depends on. A property is declared by its macro in the
+// filter's header, and stands here once: settings are gathered, compared and checked, metadata of
+// files and PrintSelf are made by this list.
+//
+// Each line gives a visitor the property's name and range, its field, and how the filter is asked
+// for it: visit(property, field, [](auto& filter) { return filter.GetX(); }).
+
+// Which numbers a property may be. Words: "<Name> has to be <Words>."
+struct PropertyRange
+{
+  double Low;
+  double High;
+  bool ZeroToo;
+  const char* Words;
+
+  bool Includes(double value) const
+  {
+    return std::isfinite(value) &&
+      ((value >= this->Low && value <= this->High) || (this->ZeroToo && value == 0.0));
+  }
+};
+
+struct Property
+{
+  const char* Name;
+  PropertyRange Range;
+  bool IsRecorded; // in the metadata of files
+};
+
+namespace ranges
+{
+
+constexpr double Largest = std::numeric_limits<double>::max();
+constexpr double Smallest = std::numeric_limits<double>::denorm_min();
+// Speeds are kept in single precision.
+constexpr double ShortestLength = 1e-30;
+constexpr double LongestLength = 1e30;
+
+constexpr PropertyRange Any{ -Largest, Largest, true, "a finite number" };
+constexpr PropertyRange AtLeastZero{ 0.0, Largest, true, "a finite number >= 0" };
+constexpr PropertyRange Positive{ Smallest, Largest, false, "a finite number > 0" };
+
+constexpr PropertyRange OrZero(const char* words)
+{
+  return { Smallest, Largest, true, words };
+}
+
+constexpr PropertyRange Length(const char* words)
+{
+  return { ShortestLength, LongestLength, true, words };
+}
+
+}
+
+// Those of vtkActiveMotionAlgorithm.
+template <class Settings, class Visitor>
+void ForEachMotionProperty(Settings& settings, Visitor&& visit)
+{
+  using namespace ranges;
+  auto& motion = settings.Law;
+  auto& steady = settings.SteadyState;
+  visit(Property{ "Attraction", AtLeastZero, true }, motion.Attraction,
+    [](auto& filter) { return filter.GetAttraction(); });
+  visit(Property{ "Tension",
+          { 0.0, Largest, true, "a finite number >= 0: a negative one would be unstable" }, true },
+    motion.Tension, [](auto& filter) { return filter.GetTension(); });
+  // Below 1e-6, what a substep moves is lost in rounding.
+  visit(Property{ "CFL", { 1e-6, 1.0, false, "between 1e-6 and 1" }, true }, motion.CFL,
+    [](auto& filter) { return filter.GetCFL(); });
+  visit(Property{ "VolumeControl", Any, true }, motion.VolumeControl,
+    [](auto& filter) { return filter.GetVolumeControl(); });
+  visit(Property{ "AreaControl", Any, true }, motion.AreaControl,
+    [](auto& filter) { return filter.GetAreaControl(); });
+  visit(Property{ "VolumeStiffness", AtLeastZero, true }, motion.VolumeStiffness,
+    [](auto& filter) { return filter.GetVolumeStiffness(); });
+  visit(Property{ "AreaStiffness", AtLeastZero, true }, motion.AreaStiffness,
+    [](auto& filter) { return filter.GetAreaStiffness(); });
+  visit(Property{ "TargetVolume", OrZero("a finite number > 0, or 0 for the volume at the start"),
+          true },
+    motion.TargetVolume, [](auto& filter) { return filter.GetTargetVolume(); });
+  visit(
+    Property{ "TargetArea", OrZero("a finite number > 0, or 0 for the area at the start"), true },
+    motion.TargetArea, [](auto& filter) { return filter.GetTargetArea(); });
+  visit(Property{ "TimeScale", Positive, true }, settings.TimeScale,
+    [](auto& filter) { return filter.GetTimeScale(); });
+  visit(Property{ "EvolutionMode", Any, true }, settings.Evolution,
+    [](auto& filter) { return filter.GetEvolutionMode(); });
+  visit(Property{ "RestTolerance", AtLeastZero, true }, steady.Tolerance,
+    [](auto& filter) { return filter.GetRestTolerance(); });
+  visit(Property{ "MaximumNumberOfSubsteps", Any, true }, steady.MaximumSubsteps,
+    [](auto& filter) { return filter.GetMaximumNumberOfSubsteps(); });
+  visit(Property{ "TargetEvaluation", Any, true }, motion.Evaluation,
+    [](auto& filter) { return filter.GetTargetEvaluation(); });
+  visit(Property{ "GradientScheme", Any, true }, motion.Gradient,
+    [](auto& filter) { return filter.GetGradientScheme(); });
+  visit(Property{ "PaperScheme", Any, true }, motion.Paper,
+    [](auto& filter) { return filter.GetPaperScheme(); });
+}
+
+// Those of vtkActiveImplicitSurface itself.
+template <class Settings, class Visitor>
+void ForEachShapeProperty(Settings& settings, Visitor&& visit)
+{
+  using namespace ranges;
+  auto& particles = settings.Particles;
+  visit(Property{ "TargetIsoValue", Any, true }, settings.IsoValue,
+    [](auto& filter) { return filter.GetTargetIsoValue(); });
+  visit(Property{ "InvertTarget", Any, true }, settings.Invert,
+    [](auto& filter) { return filter.GetInvertTarget(); });
+  visit(Property{ "NormalizeTarget", Any, true }, settings.Normalize,
+    [](auto& filter) { return filter.GetNormalizeTarget(); });
+  visit(Property{ "TargetReach",
+          OrZero("a finite number > 0, or 0 for an eighth of the bounds' diagonal"), true },
+    settings.Reach, [](auto& filter) { return filter.GetTargetReach(); });
+  visit(Property{ "VoxelSize",
+          Length("between 1e-30 and 1e30, or 0 for a 64th of the bounds' longest side"), false },
+    settings.VoxelSize, [](auto& filter) { return filter.GetVoxelSize(); });
+  visit(Property{ "ModelBounds", Any, false }, settings.Bounds,
+    [](auto& filter) { return filter.GetModelBounds(); });
+  visit(Property{ "BoundedDomain", Any, true }, settings.Bounded,
+    [](auto& filter) { return filter.GetBoundedDomain(); });
+  visit(Property{ "ParticleRadius",
+          Length("between 1e-30 and 1e30, or 0 for one that is estimated"), true },
+    particles.Radius, [](auto& filter) { return filter.GetParticleRadius(); });
+  visit(Property{ "ParticleKernel", Any, true }, particles.Kernel,
+    [](auto& filter) { return filter.GetParticleKernel(); });
+  visit(Property{ "ParticleThreshold", Any, true }, particles.Threshold,
+    [](auto& filter) { return filter.GetParticleThreshold(); });
+  visit(Property{ "MeshThickness", { 0.0, LongestLength, true, "between 0 and 1e30" }, true },
+    settings.MeshThickness, [](auto& filter) { return filter.GetMeshThickness(); });
+}
+
+template <class Settings, class Visitor>
+void ForEachProperty(Settings& settings, Visitor&& visit)
+{
+  ForEachMotionProperty(settings, visit);
+  ForEachShapeProperty(settings, visit);
+}
 
 }
 
