@@ -51,9 +51,12 @@ class Contents:
         self.sum.update(numbers.tobytes())
 
     def array(self, array):
-        """A vtkAbstractArray with its name, its type and the names of its components."""
+        """A vtkAbstractArray with its name, its type and the names of its components.
+
+        The type is numpy's: VTK has several names for whole numbers of 64 bits.
+        """
         count = array.GetNumberOfComponents()
-        self.text(array.GetName(), array.GetDataTypeAsString(), count)
+        self.text(array.GetName(), count)
         self.text(*(array.GetComponentName(i) for i in range(count)))
         if array.GetDataTypeAsString() == "string":
             self.text(*(array.GetValue(i) for i in range(array.GetNumberOfValues())))
