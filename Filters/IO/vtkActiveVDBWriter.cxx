@@ -1,6 +1,6 @@
 #include "vtkActiveVDBWriter.h"
 
-#include "CarriedData.h"
+#include "AttachedData.h"
 #include "FileError.h"
 #include "FrameName.h"
 #include "Grids/VDBContent.h"
@@ -116,9 +116,9 @@ openvdb::MetaMap MakeMetadata(vtkDataObject* data, int frame, const std::string&
   metadata.insertMeta("time", openvdb::DoubleMetadata(GetTime(data)));
   metadata.insertMeta("frame", openvdb::Int32Metadata(frame));
   metadata.insertMeta("units", openvdb::StringMetadata(units));
-  if (const auto carried = activesurface::GetCarriedState(data->GetInformation()))
+  if (const auto attached = activesurface::GetAttachedState(data->GetInformation()))
   {
-    for (const auto& [name, value] : carried->Motion)
+    for (const auto& [name, value] : attached->Motion)
     {
       metadata.insertMeta("motion_" + name, openvdb::DoubleMetadata(value));
     }

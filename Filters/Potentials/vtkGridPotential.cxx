@@ -1,7 +1,7 @@
 #include "vtkGridPotential.h"
 
 #include "BatchEvaluation.h"
-#include "CarriedData.h"
+#include "AttachedData.h"
 #include "FunctionInput.h"
 #include "Grid/ImageSamples.h"
 #include "Grid/LevelSetSamples.h"
@@ -160,7 +160,7 @@ std::shared_ptr<const activesurface::GridSamples> vtkGridPotential::MakeSamples(
   {
     const activesurface::ImageLevel level{ this->ScalarArrayName, this->IsoValue,
       this->InvertInside != 0 };
-    const auto grid = activesurface::GetCarriedGrid(image->GetInformation());
+    const auto grid = activesurface::GetAttachedGrid(image->GetInformation());
     if (grid && image->GetPointData()->GetNumberOfArrays() == 0)
     {
       return std::make_shared<activesurface::LevelSetSamples>(grid, level);

@@ -62,10 +62,10 @@ struct Places
   std::uint64_t Grid = 0, End = 0;
 };
 
-class Look
+class FileValidator
 {
 public:
-  Look(const std::string& file, bool trees)
+  FileValidator(const std::string& file, bool trees)
     : Source(file)
     , Trees(trees)
   {
@@ -78,7 +78,7 @@ private:
   Places ReadDescriptor(VDBGrid& grid);
   void ReadGrid(VDBGrid& grid);
   void ReadTransform(VDBGrid& grid);
-  void WalkTree(VDBGrid& grid, const VDBMetadata& metadata);
+  void ValidateTree(VDBGrid& grid, const VDBMetadata& metadata);
   void FindParents(VDBFile& file) const;
 
   ByteSource Source;
@@ -88,7 +88,7 @@ private:
   bool HasPlaces = false;
 };
 
-VDBFile Look::Run()
+VDBFile FileValidator::Run()
 {
   this->ReadHeader();
   VDBFile file;
@@ -117,7 +117,7 @@ VDBFile Look::Run()
   return file;
 }
 
-void Look::ReadHeader()
+void FileValidator::ReadHeader()
 {
   if (this->Source.GetSize() == 0)
   {
@@ -140,7 +140,7 @@ void Look::ReadHeader()
   this->Source.Skip(identifier);
 }
 
-Places Look::ReadDescriptor(VDBGrid& grid)
+Places FileValidator::ReadDescriptor(VDBGrid& grid)
 {
   grid.UniqueName = this->Source.ReadText();
   grid.Name = openvdb::io::GridDescriptor::nameAsString(grid.UniqueName);
@@ -163,7 +163,7 @@ Places Look::ReadDescriptor(VDBGrid& grid)
   return places;
 }
 
-void Look::ReadGrid(VDBGrid& grid)
+void FileValidator::ReadGrid(VDBGrid& grid)
 {
   using namespace openvdb::io;
   this->Compression = this->Source.Read<std::uint32_t>();
@@ -194,10 +194,10 @@ void Look::ReadGrid(VDBGrid& grid)
     throw std::runtime_error("its grid " + grid.Name + " is of the unknown type " + grid.Type +
       ", or not placed by a linear transform, and cannot be skipped");
   }
-  this->WalkTree(grid, metadata);
+  this->ValidateTree(grid, metadata);
 }
 
-void Look::ReadTransform(VDBGrid& grid)
+void FileValidator::ReadTransform(VDBGrid& grid)
 {
   static const std::map<std::string, std::uint64_t> sizes = { { "AffineMap", 128 },
     { "UnitaryMap", 128 }, { "ScaleMap", 120 }, { "UniformScaleMap", 120 },
@@ -244,19 +244,19 @@ bool HasTheSizes(const VDBMetadata& metadata, const VDBTree& tree, bool arePacke
   return isSo;
 }
 
-void Look::WalkTree(VDBGrid& grid, const VDBMetadata& metadata)
+void FileValidator::ValidateTree(VDBGrid& grid, const VDBMetadata& metadata)
 {
   const KnownType& type = *FindType(grid.Type);
   const VDBFormat format = { type.Kind, type.Size, grid.IsHalf ? type.HalfSize : type.Size,
     this->Compression };
-  VDBTree tree = WalkTopology(this->Source, format);
+  VDBTree tree = ValidateTopology(this->Source, format);
   if (type.Kind == VDBFormat::Points)
   {
-    WalkPoints(this->Source, tree);
+    ValidatePoints(this->Source, tree);
   }
   else
   {
-    WalkBuffers(this->Source, format, tree);
+    ValidateBuffers(this->Source, format, tree);
   }
   const bool arePacked =
     this->Compression & (openvdb::io::COMPRESS_BLOSC | openvdb::io::COMPRESS_ZIP);
@@ -266,7 +266,7 @@ void Look::WalkTree(VDBGrid& grid, const VDBMetadata& metadata)
   grid.ActiveBox = tree.ActiveBox;
 }
 
-void Look::FindParents(VDBFile& file) const
+void FileValidator::FindParents(VDBFile& file) const
 {
   for (VDBGrid& grid : file.Grids)
   {
@@ -297,12 +297,12 @@ const char* VDBGrid::GetValueType() const
   return !known ? this->Type.c_str() : known->Kind == VDBFormat::Points ? "points" : known->Name;
 }
 
-VDBFile LookThroughVDB(const std::string& file, bool trees)
+VDBFile ValidateVDB(const std::string& file, bool trees)
 {
   openvdb::initialize();
   try
   {
-    return Look(file, trees).Run();
+    return FileValidator(file, trees).Run();
   }
   catch (const std::exception& error)
   {

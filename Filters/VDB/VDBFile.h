@@ -1,11 +1,10 @@
 /**
- * A .vdb file, looked through before OpenVDB reads it.
+ * Validates a .vdb file before OpenVDB reads it.
  *
- * OpenVDB's reader believes a file: a bit that is flipped may make it ask for any amount of memory,
- * loop for hours or read beyond its arrays. So each size in the file is compared with what is there
- * first, down to the last leaf, in a walk that builds nothing; it reads all masks, and passes over
- * the values. A file that passes is read without fault, though its values may be any. Memory then
- * is within a few hundred times the size of the file.
+ * OpenVDB's reader trusts the file: a flipped bit may make it allocate any amount of memory, loop
+ * for hours or read beyond its arrays. Validation checks every size field first, down to the last
+ * leaf, without building a tree: it reads all masks and skips the values. A valid file is read
+ * without fault, whatever its values. Memory then stays within a few hundred times the file size.
  */
 #ifndef VDBFile_h
 #define VDBFile_h
@@ -35,7 +34,7 @@ struct VDBGrid
   bool CanBeClipped = false;               //< whether leaves may be left out
 
   ///@{
-  /** 0, and empty, if it is not known, or the trees were not walked through. */
+  /** 0, and empty, if the grid is not known or its tree was not validated. */
   std::uint64_t ActiveVoxels = 0;
   std::uint64_t NumberOfLeaves = 0;
   openvdb::CoordBBox ActiveBox;
@@ -52,15 +51,15 @@ struct VDBFile
 };
 
 /**
- * What is in a file; without the trees it is known from its first bytes alone, where it was written
- * with OpenVDB's io::File. Throws std::runtime_error, with a sentence that names the file, for one
- * that is missing, damaged, or of before OpenVDB 2 (version 222 of the format).
+ * Validates a file and lists its grids. Without trees only the first bytes are read, where
+ * OpenVDB's io::File has written the file. Throws std::runtime_error, with a sentence that names
+ * the file, for one that is missing, damaged, or of before OpenVDB 2 (version 222 of the format).
  */
-VTKACTIVEVDB_EXPORT VDBFile LookThroughVDB(const std::string& file, bool trees = true);
+VTKACTIVEVDB_EXPORT VDBFile ValidateVDB(const std::string& file, bool trees = true);
 
 /**
- * A grid of a file that was looked through with its trees, in memory as a whole or, where it can be
- * clipped, with the leaves that meet a box [world] alone. Throws std::runtime_error.
+ * Reads a grid of a file that was validated with its trees: all of it or, where it can be clipped,
+ * only the leaves that meet a box [world]. Throws std::runtime_error.
  */
 VTKACTIVEVDB_EXPORT openvdb::GridBase::Ptr ReadVDBGrid(
   const std::string& file, const VDBGrid& grid, const openvdb::BBoxd* box = nullptr);

@@ -1,6 +1,6 @@
 #include "Grids/ImageReading.h"
 
-#include "CarriedData.h"
+#include "AttachedData.h"
 #include "Grids/GridChoice.h"
 #include "Grids/ImageArrays.h"
 
@@ -91,7 +91,7 @@ void ReadImage(const VDBSeries& series, const ImageRequest& request, vtkImageDat
     }
     if (&chosen == &series.GetChosen().front())
     {
-      Carry(image->GetInformation(), AsLevelSet(grid));
+      Attach(image->GetInformation(), AsLevelSet(grid));
     }
   }
   ActivateFirstArray(image->GetPointData());

@@ -22,16 +22,16 @@ void VDBContent::Add(vtkDataObject* data)
 {
   auto mesh = vtkPolyData::SafeDownCast(data);
   auto image = vtkImageData::SafeDownCast(data);
-  const auto carried = data ? GetCarriedState(data->GetInformation()) : nullptr;
-  if (this->Choice.State && !carried)
+  const auto attached = data ? GetAttachedState(data->GetInformation()) : nullptr;
+  if (this->Choice.State && !attached)
   {
     throw std::invalid_argument("WriteState needs an output of a vtkActiveImplicitSurface, from "
                                 "the filter itself; the input carries no state.");
   }
-  if (carried)
+  if (attached)
   {
-    this->AddSkin(*carried->State.Band, mesh ? mesh->GetPointData() : nullptr);
-    this->AddState(*carried);
+    this->AddSkin(*attached->State.Band, mesh ? mesh->GetPointData() : nullptr);
+    this->AddState(*attached);
   }
   else if (mesh)
   {
@@ -53,9 +53,9 @@ void VDBContent::Add(const openvdb::GridBase::Ptr& grid)
   this->Grids.push_back(grid);
 }
 
-void VDBContent::AddState(const CarriedState& carried)
+void VDBContent::AddState(const AttachedState& attached)
 {
-  if (this->Choice.State && !carried.IsAtStep)
+  if (this->Choice.State && !attached.IsAtStep)
   {
     throw std::invalid_argument(
       "WriteState needs the skin at one of its time steps, with EvolutionMode TRANSIENT: between "
@@ -63,7 +63,7 @@ void VDBContent::AddState(const CarriedState& carried)
   }
   if (this->Choice.State)
   {
-    this->Grids.push_back(MakeSavedGrid(carried.State));
+    this->Grids.push_back(MakeSavedGrid(attached.State));
   }
 }
 

@@ -3,7 +3,7 @@
 #ifndef VDBContent_h
 #define VDBContent_h
 
-#include "CarriedData.h"
+#include "AttachedData.h"
 
 #include <openvdb/openvdb.h>
 
@@ -45,7 +45,7 @@ public:
   const openvdb::GridPtrVec& GetGrids() const { return this->Grids; }
 
 private:
-  void AddState(const CarriedState& carried);
+  void AddState(const AttachedState& attached);
   void AddSkin(const NarrowBand& band, vtkPointData* arrays);
   void AddMesh(vtkPolyData* mesh);
   void AddSurface(

@@ -61,7 +61,7 @@ void WriteVDB(const std::string& file, const openvdb::GridPtrVec& grids,
     out.setCompression(compression);
     out.write(grids, metadata);
     out.close();
-    LookThroughVDB(replacement.GetTemporaryName()); // OpenVDB does not tell of a full disk
+    ValidateVDB(replacement.GetTemporaryName()); // OpenVDB does not tell of a full disk
     replacement.Finish();
   }
   catch (const std::exception& error)

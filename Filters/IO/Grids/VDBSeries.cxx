@@ -46,7 +46,7 @@ void VDBSeries::Open(const std::vector<std::string>& files,
     throw std::invalid_argument("There is no FileName to read.");
   }
   this->FileName = files[number];
-  this->File = LookThroughVDB(this->FileName);
+  this->File = ValidateVDB(this->FileName);
   this->Chosen = ChooseGrids(this->File, gridNames);
   this->FileVersion = version;
   this->FileNumber = number;
@@ -67,7 +67,7 @@ void VDBSeries::FindTimes(const std::vector<std::string>& files, Version version
   bool areKnown = true;
   for (const std::string& name : files)
   {
-    const double time = GetTime(LookThroughVDB(name, false));
+    const double time = GetTime(ValidateVDB(name, false));
     areKnown =
       areKnown && std::isfinite(time) && (this->Times.empty() || time > this->Times.back());
     this->Times.push_back(time);

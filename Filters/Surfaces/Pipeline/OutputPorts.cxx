@@ -1,7 +1,7 @@
 #include "Pipeline/OutputPorts.h"
 
-#include "Pipeline/AttachedState.h"
 #include "Pipeline/PublishedInformation.h"
+#include "Pipeline/StateAttachment.h"
 #include "Pipeline/SurfaceOutput.h"
 #include "SkinMotion.h"
 

@@ -3,25 +3,12 @@
 #ifndef StateFile_h
 #define StateFile_h
 
-#include "NarrowBand.h"
-#include "Simulation/SurfaceHistory.h"
+#include "SavedState.h"
 
-#include <memory>
 #include <string>
-#include <vector>
 
 namespace activesurface
 {
-
-struct SavedState
-{
-  std::shared_ptr<const NarrowBand> Band;
-  double Time = 0.0;               // pipeline time, of a step
-  std::vector<HistoryRow> History; // up to it
-};
-
-// Rows as the text that is in a state.
-std::string WriteHistory(const std::vector<HistoryRow>& rows);
 
 // Throws std::runtime_error if the file cannot be written; then there is none, or the one before.
 void WriteState(const std::string& file, const SavedState& state);

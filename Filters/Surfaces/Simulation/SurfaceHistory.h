@@ -3,6 +3,7 @@
 #ifndef SurfaceHistory_h
 #define SurfaceHistory_h
 
+#include "HistoryRow.h"
 #include "Simulation/Times.h"
 #include "SkinParts.h"
 
@@ -14,20 +15,6 @@ namespace activesurface
 {
 
 class NarrowBand;
-
-struct HistoryRow
-{
-  double Time = 0.0;        // pipeline time
-  std::size_t Substeps = 0; // since the row before, as MaxSpeed
-  double MaxSpeed = 0.0;    // largest speed of attraction
-  double Area = 0.0;        // of the skin, as the rest
-  double Volume = 0.0;
-  std::size_t ActiveVoxels = 0;
-  int Components = 0;
-  int Voids = 0;
-  long long EulerCharacteristic = 0;
-  std::string Event;
-};
 
 // The rows of a surface on its way, of the farthest way so far. It remembers the parts of the skin
 // at the row before, to tell what has happened to them.

@@ -1,6 +1,6 @@
 #include "Targets/TargetFrame.h"
 
-#include "CarriedData.h"
+#include "AttachedData.h"
 
 #include "vtkCellTypes.h"
 #include "vtkDataArray.h"
@@ -151,7 +151,7 @@ TargetFrame MakeImage(vtkDataSet* image, vtkAbstractArray* values)
   frame.Data->CopyStructure(image);
   if (!values)
   {
-    Carry(frame.Data->GetInformation(), GetCarriedGrid(image->GetInformation()));
+    Attach(frame.Data->GetInformation(), GetAttachedGrid(image->GetInformation()));
     return frame;
   }
   vtkDataArray* numbers = vtkDataArray::SafeDownCast(values);

@@ -20,7 +20,7 @@ constexpr const char* LeafSizesType = "__delayedload";
 }
 
 /** What io::DelayedLoadMetadata::readValue reads. */
-void WalkLeafSizes(ByteSource& source, VDBMetadata& metadata)
+void ValidateLeafSizes(ByteSource& source, VDBMetadata& metadata)
 {
   constexpr std::uint32_t none = 0xffffffff;
   constexpr std::uint64_t leastLeaf = 64; // bytes in a file
@@ -51,13 +51,13 @@ void WalkLeafSizes(ByteSource& source, VDBMetadata& metadata)
   metadata.NumberOfLeaves = count;
 }
 
-void WalkValue(ByteSource& source, const std::string& type, VDBMetadata& metadata)
+void ValidateValue(ByteSource& source, const std::string& type, VDBMetadata& metadata)
 {
   const auto size = source.Read<std::uint32_t>();
   const std::uint64_t begin = source.GetPosition();
   if (type == LeafSizesType && size > 0)
   {
-    WalkLeafSizes(source, metadata);
+    ValidateLeafSizes(source, metadata);
     if (source.GetPosition() - begin != size)
     {
       Refuse("its sizes of leaves have another length");
@@ -90,7 +90,7 @@ VDBMetadata ReadMetadata(ByteSource& source)
   {
     source.ReadText();
     const std::string type = source.ReadText();
-    WalkValue(source, type, metadata);
+    ValidateValue(source, type, metadata);
   }
   const std::uint64_t end = source.GetPosition();
   source.Seek(begin);

@@ -1,5 +1,5 @@
 /**
- * Metadata in a .vdb file, read after their sizes were looked at, which OpenVDB's reader believes.
+ * Reads metadata of a .vdb file after validating their sizes, which OpenVDB's reader trusts.
  */
 #ifndef VDBMetadata_h
 #define VDBMetadata_h

@@ -84,10 +84,10 @@ private:
   std::uint64_t Left = 0;
 };
 
-class Walk
+class PointsValidator
 {
 public:
-  Walk(ByteSource& source, const VDBTree& tree)
+  PointsValidator(ByteSource& source, const VDBTree& tree)
     : Source(source)
     , Tree(tree)
   {
@@ -114,7 +114,7 @@ private:
 };
 
 /** The passes over all leaves in the order in which PointDataLeafNode::readBuffers makes them. */
-void Walk::Run()
+void PointsValidator::Run()
 {
   const auto passes = this->Source.Read<std::uint16_t>();
   if (passes < 6 || passes % 2 != 0)
@@ -136,7 +136,7 @@ void Walk::Run()
   this->SkipAttributes();
 }
 
-Types Walk::ReadTypes()
+Types PointsValidator::ReadTypes()
 {
   if (!this->Shared.empty())
   {
@@ -159,7 +159,7 @@ Types Walk::ReadTypes()
   return types;
 }
 
-Types Walk::ReadDescriptor()
+Types PointsValidator::ReadDescriptor()
 {
   Types types(this->ReadCount(2 * sizeof(std::uint32_t)));
   if (types.size() != this->Count)
@@ -183,7 +183,7 @@ Types Walk::ReadDescriptor()
   return types;
 }
 
-void Walk::ReadNames(std::uint64_t count, std::uint64_t positions)
+void PointsValidator::ReadNames(std::uint64_t count, std::uint64_t positions)
 {
   for (std::uint64_t i = 0; i < count; ++i)
   {
@@ -196,7 +196,7 @@ void Walk::ReadNames(std::uint64_t count, std::uint64_t positions)
 }
 
 /** Of what takes `least` bytes at least, each. */
-std::uint64_t Walk::ReadCount(std::uint64_t least)
+std::uint64_t PointsValidator::ReadCount(std::uint64_t least)
 {
   const auto count = this->Source.Read<std::uint64_t>();
   if (count > this->Source.GetRest() / least)
@@ -207,7 +207,7 @@ std::uint64_t Walk::ReadCount(std::uint64_t least)
 }
 
 /** What TypedAttributeArray::readMetadata reads. */
-Attribute Walk::ReadAttribute(const openvdb::NamePair& type)
+Attribute PointsValidator::ReadAttribute(const openvdb::NamePair& type)
 {
   constexpr std::uint64_t head = 6; // bytes that count as stored
   enum
@@ -245,7 +245,7 @@ Attribute Walk::ReadAttribute(const openvdb::NamePair& type)
   return attribute;
 }
 
-void Walk::ReadSizes()
+void PointsValidator::ReadSizes()
 {
   this->PerAttribute.resize(this->Count);
   for (std::size_t i = 0; i < this->Count; ++i)
@@ -261,7 +261,7 @@ void Walk::ReadSizes()
 }
 
 /** For each voxel the number of its last point. */
-void Walk::SkipVoxels()
+void PointsValidator::SkipVoxels()
 {
   constexpr std::uint64_t bytes = 512 * sizeof(std::uint32_t);
   constexpr std::uint16_t notPacked = 0xffff;
@@ -269,7 +269,7 @@ void Walk::SkipVoxels()
   {
     if (this->Source.Read<std::array<std::uint64_t, 8>>() != leaf.Active)
     {
-      Refuse("a leaf has two masks");
+      Refuse("the two masks of a leaf differ");
     }
     const auto stored = this->Source.Read<std::uint16_t>();
     if (stored == notPacked)
@@ -283,7 +283,7 @@ void Walk::SkipVoxels()
   }
 }
 
-void Walk::SkipAttributes()
+void PointsValidator::SkipAttributes()
 {
   for (std::size_t i = 0; i < this->Count; ++i)
   {
@@ -314,13 +314,13 @@ void Walk::SkipAttributes()
 
 }
 
-void WalkPoints(ByteSource& source, const VDBTree& tree)
+void ValidatePoints(ByteSource& source, const VDBTree& tree)
 {
   if (tree.ActiveTiles > 0)
   {
     Refuse("points have tiles");
   }
-  Walk(source, tree).Run();
+  PointsValidator(source, tree).Run();
 }
 
 }

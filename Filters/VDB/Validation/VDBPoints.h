@@ -1,5 +1,5 @@
 /**
- * The points in the leaves of a .vdb file, walked through without being built, as VDBTree.h.
+ * Validates the points in the leaves of a .vdb file without building them, see VDBTree.h.
  */
 #ifndef VDBPoints_h
 #define VDBPoints_h
@@ -10,7 +10,7 @@ namespace activesurface
 {
 
 /** From the end of the topology. Throws std::runtime_error for points that are damaged. */
-void WalkPoints(ByteSource& source, const VDBTree& tree);
+void ValidatePoints(ByteSource& source, const VDBTree& tree);
 
 }
 

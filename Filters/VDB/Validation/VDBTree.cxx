@@ -37,10 +37,30 @@ int CountBits(const std::uint64_t* words, int count)
 constexpr int Log2Width[] = { 3, 4, 5 };
 constexpr int Log2Reach[] = { 3, 7, 12 };
 
-class Walk
+/** Calls visit(origin) for each entry of a node, of this level and at this origin, whose bit is
+ * set. */
+template <class Visitor>
+void ForEachEntry(
+  int level, const openvdb::Coord& origin, const std::vector<std::uint64_t>& bits, Visitor&& visit)
+{
+  const int width = Log2Width[level];
+  const int reach = Log2Reach[level - 1];
+  const int last = (1 << width) - 1;
+  for (std::size_t i = 0; i < bits.size(); ++i)
+  {
+    for (std::uint64_t rest = bits[i]; rest != 0; rest &= rest - 1)
+    {
+      const int n = 64 * static_cast<int>(i) + __builtin_ctzll(rest);
+      visit(origin.offsetBy(
+        (n >> 2 * width) << reach, ((n >> width) & last) << reach, (n & last) << reach));
+    }
+  }
+}
+
+class TopologyValidator
 {
 public:
-  Walk(ByteSource& source, const VDBFormat& format, VDBTree& tree)
+  TopologyValidator(ByteSource& source, const VDBFormat& format, VDBTree& tree)
     : Source(source)
     , Format(format)
     , Tree(tree)
@@ -55,7 +75,7 @@ private:
   openvdb::Coord Origin();
   bool IsActive();
   void Node(int level, const openvdb::Coord& origin);
-  void Children(int level, const openvdb::Coord& origin, const std::uint64_t* words, int count);
+  void Child(int level, const openvdb::Coord& origin);
   void Tile(const openvdb::Coord& origin, int level);
   void Leaf(const openvdb::Coord& origin);
   std::int64_t Data(std::uint64_t bytes);
@@ -65,11 +85,11 @@ private:
   VDBTree& Tree;
 };
 
-void Walk::Root()
+void TopologyValidator::Root()
 {
   if (this->Source.Read<std::int32_t>() != 1)
   {
-    Refuse("a tree has not one buffer");
+    Refuse("a tree does not have exactly one buffer");
   }
   this->Background();
   const auto tiles = this->Source.Read<std::uint32_t>();
@@ -80,7 +100,7 @@ void Walk::Root()
     const openvdb::Coord origin = this->Origin();
     if (!taken.emplace(origin.x(), origin.y(), origin.z()).second)
     {
-      Refuse("two nodes are in one place");
+      Refuse("two nodes have the same origin");
     }
     if (i >= tiles)
     {
@@ -95,7 +115,7 @@ void Walk::Root()
   }
 }
 
-void Walk::Background()
+void TopologyValidator::Background()
 {
   const std::string value = this->Source.ReadBytes(this->Format.ValueSize);
   const bool isZero = value.find_first_not_of('\0') == std::string::npos;
@@ -105,7 +125,7 @@ void Walk::Background()
   }
 }
 
-openvdb::Coord Walk::Origin()
+openvdb::Coord TopologyValidator::Origin()
 {
   std::int32_t x[3];
   this->Source.Read(x, sizeof x);
@@ -119,17 +139,17 @@ openvdb::Coord Walk::Origin()
   return { x[0], x[1], x[2] };
 }
 
-bool Walk::IsActive()
+bool TopologyValidator::IsActive()
 {
   const auto byte = this->Source.Read<std::uint8_t>();
   if (byte > 1)
   {
-    Refuse("a tile is neither active nor not");
+    Refuse("the active flag of a tile is neither 0 nor 1");
   }
   return byte == 1;
 }
 
-void Walk::Node(int level, const openvdb::Coord& origin)
+void TopologyValidator::Node(int level, const openvdb::Coord& origin)
 {
   const int words = 1 << (3 * Log2Width[level] - 6);
   std::vector<std::uint64_t> children(words), active(words);
@@ -143,40 +163,25 @@ void Walk::Node(int level, const openvdb::Coord& origin)
     }
   }
   this->Values(active.data(), words);
-  this->Children(level, origin, active.data(), -words);
-  this->Children(level, origin, children.data(), words);
+  ForEachEntry(level, origin, active,
+    [this, level](const openvdb::Coord& place) { this->Tile(place, level - 1); });
+  ForEachEntry(level, origin, children,
+    [this, level](const openvdb::Coord& place) { this->Child(level - 1, place); });
 }
 
-/** Of tiles in place of children: as many words, negative. */
-void Walk::Children(int level, const openvdb::Coord& origin, const std::uint64_t* words, int count)
+void TopologyValidator::Child(int level, const openvdb::Coord& origin)
 {
-  const int width = Log2Width[level];
-  const int reach = Log2Reach[level - 1];
-  for (int i = 0; i < std::abs(count); ++i)
+  if (level == 0)
   {
-    for (std::uint64_t rest = words[i]; rest != 0; rest &= rest - 1)
-    {
-      const int n = 64 * i + __builtin_ctzll(rest);
-      const int last = (1 << width) - 1;
-      const openvdb::Coord place = origin.offsetBy(
-        (n >> 2 * width) << reach, ((n >> width) & last) << reach, (n & last) << reach);
-      if (count < 0)
-      {
-        this->Tile(place, level - 1);
-      }
-      else if (level == 1)
-      {
-        this->Leaf(place);
-      }
-      else
-      {
-        this->Node(level - 1, place);
-      }
-    }
+    this->Leaf(origin);
+  }
+  else
+  {
+    this->Node(level, origin);
   }
 }
 
-void Walk::Tile(const openvdb::Coord& origin, int level)
+void TopologyValidator::Tile(const openvdb::Coord& origin, int level)
 {
   const int last = (1 << Log2Reach[level]) - 1;
   this->Tree.ActiveVoxels += std::uint64_t(1) << 3 * Log2Reach[level];
@@ -184,7 +189,7 @@ void Walk::Tile(const openvdb::Coord& origin, int level)
   this->Tree.ActiveBox.expand(openvdb::CoordBBox(origin, origin.offsetBy(last, last, last)));
 }
 
-void Walk::Leaf(const openvdb::Coord& origin)
+void TopologyValidator::Leaf(const openvdb::Coord& origin)
 {
   VDBTree::Leaf leaf;
   leaf.Origin = origin;
@@ -203,7 +208,7 @@ void Walk::Leaf(const openvdb::Coord& origin)
 }
 
 /** What io::readCompressedValues reads. */
-VDBLeafSize Walk::Values(const std::uint64_t* active, int words)
+VDBLeafSize TopologyValidator::Values(const std::uint64_t* active, int words)
 {
   using namespace openvdb::io;
   const auto scheme = this->Source.Read<std::int8_t>();
@@ -225,7 +230,7 @@ VDBLeafSize Walk::Values(const std::uint64_t* active, int words)
   return { scheme, isHalf && count == 0 ? 0 : this->Data(count * this->Format.StoredSize) };
 }
 
-std::int64_t Walk::Data(std::uint64_t bytes)
+std::int64_t TopologyValidator::Data(std::uint64_t bytes)
 {
   using namespace openvdb::io;
   if ((this->Format.Compression & (COMPRESS_BLOSC | COMPRESS_ZIP)) == 0)
@@ -252,31 +257,31 @@ std::int64_t Walk::Data(std::uint64_t bytes)
 
 }
 
-VDBTree WalkTopology(ByteSource& source, const VDBFormat& format)
+VDBTree ValidateTopology(ByteSource& source, const VDBFormat& format)
 {
   VDBTree tree;
-  Walk(source, format, tree).Root();
+  TopologyValidator(source, format, tree).Root();
   return tree;
 }
 
-void WalkBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree)
+void ValidateBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree)
 {
-  Walk walk(source, format, tree);
+  TopologyValidator validator(source, format, tree);
   for (const VDBTree::Leaf& leaf : tree.Leaves)
   {
     if (source.Read<std::array<std::uint64_t, 8>>() != leaf.Active)
     {
-      Refuse("a leaf has two masks");
+      Refuse("the two masks of a leaf differ");
     }
     if (format.Kind == VDBFormat::Values)
     {
-      tree.Sizes.push_back(walk.Values(leaf.Active.data(), 8));
+      tree.Sizes.push_back(validator.Values(leaf.Active.data(), 8));
       continue;
     }
     const auto origin = source.Read<std::array<std::int32_t, 3>>();
     if (openvdb::Coord(origin[0], origin[1], origin[2]) != leaf.Origin)
     {
-      Refuse("a leaf is at two places");
+      Refuse("the two origins of a leaf differ");
     }
     source.Skip(format.Kind == VDBFormat::Bools ? 64 : 0);
   }

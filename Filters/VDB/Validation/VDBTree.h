@@ -1,6 +1,6 @@
 /**
- * A tree in a .vdb file, walked through without being built: whether all that it says of its sizes
- * is so, since OpenVDB's own reader believes it, and where it is active.
+ * Validates the topology of a .vdb tree without building it: every size field is checked against
+ * the file, because OpenVDB's reader trusts them. Also collects the active bounding box.
  */
 #ifndef VDBTree_h
 #define VDBTree_h
@@ -55,15 +55,16 @@ struct VDBTree
   std::vector<VDBLeafSize> Sizes; //< of leaves of values
 };
 
-/** From the beginning of the topology. Throws std::runtime_error for a tree that is damaged. */
-VDBTree WalkTopology(ByteSource& source, const VDBFormat& format);
+/** Reads on from the beginning of the topology. Throws std::runtime_error for a tree that is
+ * damaged. */
+VDBTree ValidateTopology(ByteSource& source, const VDBFormat& format);
 
-/** The buffers that follow it, but those of points. */
-void WalkBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree);
+/** Validates the buffers that follow the topology, except those of points. */
+void ValidateBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree);
 
 /**
- * What Blosc has packed: `stored` bytes, from here on, which have to unpack to `unpacked` bytes, or
- * with padding to the least size that OpenVDB packs.
+ * Skips `stored` bytes that Blosc has packed. They have to unpack to `unpacked` bytes, or with
+ * padding to the least size that OpenVDB packs.
  */
 void SkipBlosc(ByteSource& source, std::uint64_t stored, std::uint64_t unpacked);
 

@@ -1,7 +1,7 @@
 // The time of an output, and the state of the surface that is attached to it: for writers of files.
 
-#ifndef AttachedState_h
-#define AttachedState_h
+#ifndef StateAttachment_h
+#define StateAttachment_h
 
 class vtkDataObject;
 

@@ -1,0 +1,29 @@
+#include "Pipeline/StateAttachment.h"
+
+#include "AttachedData.h"
+#include "Pipeline/PublishedInformation.h"
+#include "Simulation/SurfaceSimulation.h"
+
+#include "vtkDataObject.h"
+
+#include <memory>
+
+namespace activesurface
+{
+
+void AttachState(const SurfaceSimulation& simulation, vtkDataObject* data)
+{
+  const SurfaceSettings& settings = simulation.GetSettings();
+  const RequestedTime& time = simulation.GetRequestedTime();
+  PublishTime(data, time.Time, settings.IsEquilibrium());
+  auto attached = std::make_shared<AttachedState>();
+  attached->State.Band = simulation.ShareBand();
+  attached->State.Time = time.Time.Value;
+  attached->State.History = simulation.GetHistory();
+  attached->IsAtStep = simulation.IsAtStep();
+  attached->Step = time.Step;
+  attached->Motion = settings.ListForFiles();
+  Attach(data->GetInformation(), attached);
+}
+
+}

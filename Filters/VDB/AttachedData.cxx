@@ -1,0 +1,86 @@
+#include "AttachedData.h"
+
+#include "ProgramEnd.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkObjectBase.h"
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** What an information object can hold. */
+template <class Content>
+class Attachment : public vtkObjectBase
+{
+public:
+  vtkBaseTypeMacro(Attachment, vtkObjectBase);
+
+  static void Attach(vtkInformation* information, vtkInformationObjectBaseKey* key,
+    const std::shared_ptr<const Content>& content)
+  {
+    if (!content)
+    {
+      information->Remove(key);
+      return;
+    }
+    auto attachment = new Attachment;
+    attachment->InitializeObjectBase();
+    attachment->Held = content;
+    information->Set(key, attachment);
+    attachment->Delete();
+  }
+
+  static std::shared_ptr<const Content> Get(
+    vtkInformation* information, vtkInformationObjectBaseKey* key)
+  {
+    auto attachment = dynamic_cast<Attachment*>(information->Get(key));
+    return attachment ? attachment->Held : nullptr;
+  }
+
+protected:
+  ~Attachment() override { LetGo(std::move(this->Held)); }
+
+private:
+  std::shared_ptr<const Content> Held;
+};
+
+/** They live as long as VTK's table of keys, as all keys do. */
+vtkInformationObjectBaseKey* StateKey()
+{
+  static auto key = vtkInformationObjectBaseKey::MakeKey("STATE", "activesurface");
+  return key;
+}
+
+vtkInformationObjectBaseKey* GridKey()
+{
+  static auto key = vtkInformationObjectBaseKey::MakeKey("GRID", "activesurface");
+  return key;
+}
+
+}
+
+void Attach(vtkInformation* information, const std::shared_ptr<const AttachedState>& state)
+{
+  Attachment<AttachedState>::Attach(information, StateKey(), state);
+}
+
+std::shared_ptr<const AttachedState> GetAttachedState(vtkInformation* information)
+{
+  return Attachment<AttachedState>::Get(information, StateKey());
+}
+
+void Attach(vtkInformation* information, const openvdb::FloatGrid::ConstPtr& grid)
+{
+  Attachment<openvdb::FloatGrid>::Attach(information, GridKey(), grid);
+}
+
+openvdb::FloatGrid::ConstPtr GetAttachedGrid(vtkInformation* information)
+{
+  return Attachment<openvdb::FloatGrid>::Get(information, GridKey());
+}
+
+}

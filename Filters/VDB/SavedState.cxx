@@ -1,0 +1,83 @@
+#include "SavedState.h"
+
+#include <cstdio>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace activesurface
+{
+
+namespace
+{
+
+constexpr const char* TimeName = "active_pipeline_time";
+constexpr const char* HistoryName = "active_history";
+
+template <class Value>
+Value ReadMetadata(const openvdb::GridBase& grid, const char* name)
+{
+  const auto metadata = grid.getMetadata<openvdb::TypedMetadata<Value>>(name);
+  if (!metadata)
+  {
+    throw std::runtime_error(std::string("it has no ") + name);
+  }
+  return metadata->value();
+}
+
+std::string WriteHistory(const std::vector<HistoryRow>& rows)
+{
+  std::string text;
+  for (const HistoryRow& row : rows)
+  {
+    char line[256];
+    std::snprintf(line, sizeof line, "%a %zu %a %a %a %zu %d %d %lld ", row.Time, row.Substeps,
+      row.MaxSpeed, row.Area, row.Volume, row.ActiveVoxels, row.Components, row.Voids,
+      row.EulerCharacteristic);
+    text += line + row.Event + "\n";
+  }
+  return text;
+}
+
+std::vector<HistoryRow> ReadHistory(const std::string& text)
+{
+  std::vector<HistoryRow> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    HistoryRow row;
+    int end = 0;
+    const int read = std::sscanf(line.c_str(), "%la %zu %la %la %la %zu %d %d %lld %n", &row.Time,
+      &row.Substeps, &row.MaxSpeed, &row.Area, &row.Volume, &row.ActiveVoxels, &row.Components,
+      &row.Voids, &row.EulerCharacteristic, &end);
+    if (read != 9)
+    {
+      throw std::runtime_error("its history is damaged");
+    }
+    row.Event = line.substr(static_cast<std::size_t>(end));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}
+
+openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state)
+{
+  openvdb::FloatGrid::Ptr grid = state.Band->ToGrid();
+  grid->setName(SavedGridName);
+  grid->insertMeta(TimeName, openvdb::DoubleMetadata(state.Time));
+  grid->insertMeta(HistoryName, openvdb::StringMetadata(WriteHistory(state.History)));
+  return grid;
+}
+
+SavedState ReadSavedGrid(const openvdb::FloatGrid& grid)
+{
+  SavedState state;
+  state.Band = NarrowBand::FromGrid(grid);
+  state.Time = ReadMetadata<double>(grid, TimeName);
+  state.History = ReadHistory(ReadMetadata<std::string>(grid, HistoryName));
+  return state;
+}
+
+}
