@@ -19,7 +19,7 @@ SkinWishes ReadWishes(vtkActiveImplicitSurface* filter, const SurfaceInput& targ
   wishes.Arrays = filter->GetPassTargetArrays() != 0;
   if (wishes.Arrays || wishes.Drift)
   {
-    wishes.Extras = target.DescribeExtras(wishes.Arrays, wishes.Drift);
+    wishes.Kept = target.DescribeParticleArrays(wishes.Arrays, wishes.Drift);
   }
   return wishes;
 }

@@ -239,7 +239,7 @@ private:
 
 void SurfaceRequests::AddFrame(int step, vtkInformation* target)
 {
-  this->Simulation.AddFrame(step, this->Target.Read(target, this->Simulation.GetWishes().Extras));
+  this->Simulation.AddFrame(step, this->Target.Read(target, this->Simulation.GetWishes().Kept));
 }
 
 // From within, at another time than the one for which it was asked before.

@@ -62,10 +62,18 @@ std::vector<float> SurfaceSimulation::GetSpeeds()
   {
     return {};
   }
-  this->PlaceTargetFrom(this->Goal.Step);
+  const std::unique_ptr<PotentialTarget> target = this->MakeTargetAtGoal();
   const Motion motion = this->GetMotion();
-  return FindSpeeds(
-    band, { motion, this->Shapes.GetTarget(), band.GetStartArea(), band.GetStartVolume() });
+  return FindSpeeds(band, { motion, *target, band.GetStartArea(), band.GetStartVolume() });
+}
+
+// On its way from the step before the goal, apart from the target that the motion uses.
+std::unique_ptr<PotentialTarget> SurfaceSimulation::MakeTargetAtGoal() const
+{
+  const int step = this->Settings.InputMoves ? this->Goal.Step : 0;
+  const int next = this->Settings.InputMoves && this->Shapes.Has(step + 1) ? step + 1 : step;
+  return this->Shapes.MakeTargetAt(step, this->Settings.GetMotionTime(this->Settings.Steps[step]),
+    this->Settings.GetMotionTime(this->Settings.Steps[next]));
 }
 
 // Whether the velocities of the particles are those on the way to the goal, from the step before.
@@ -73,7 +81,7 @@ bool SurfaceSimulation::LooksBack() const
 {
   const int before = this->Goal.Step - 1;
   return this->Wishes.Drift && this->Settings.InputMoves && !this->Goal.Between && before >= 0 &&
-    (!this->Settings.OnlyForward || this->Shapes.HasExtras(before, this->Wishes.Extras));
+    (!this->Settings.OnlyForward || this->Shapes.HasParticleArrays(before, this->Wishes.Kept));
 }
 
 // Frames that tell what is wished at the goal: after a return to a checkpoint they may not be
@@ -92,7 +100,8 @@ int SurfaceSimulation::GetStepWantedAtGoal() const
   }
   for (int step = from; step <= to && (wishes.Speeds || wantsParticles); ++step)
   {
-    if (!this->Shapes.Has(step) || (wantsParticles && !this->Shapes.HasExtras(step, wishes.Extras)))
+    if (!this->Shapes.Has(step) ||
+      (wantsParticles && !this->Shapes.HasParticleArrays(step, wishes.Kept)))
     {
       return step;
     }
@@ -104,7 +113,7 @@ PassedArrays SurfaceSimulation::GetPassedArrays()
 {
   PassedArrays passed;
   const bool isWished = this->Wishes.Arrays || this->Wishes.Drift;
-  if (isWished && this->Shapes.GetKind() != TargetKind::Particles)
+  if (isWished && !this->Shapes.HasParticles())
   {
     this->Messages.Say("no particles",
       "PassTargetArrays and TangentialVelocity do nothing here: the target has no particles.");

@@ -152,9 +152,9 @@ int SurfaceSimulation::GetStepWanted() const
   return this->Shapes.Has(this->Step) ? this->Step + 1 : this->Step;
 }
 
-void SurfaceSimulation::AddFrame(int step, TargetFrame frame)
+void SurfaceSimulation::AddFrame(int step, std::shared_ptr<InputShape> shape)
 {
-  this->Shapes.Add(step, std::move(frame));
+  this->Shapes.Add(step, std::move(shape));
   this->LastStepAdded = step;
 }
 

@@ -28,8 +28,9 @@
 #include "Simulation/StateFile.h"
 #include "Simulation/SurfaceHistory.h"
 #include "Simulation/SurfaceSettings.h"
-#include "Simulation/SurfaceShapes.h"
+#include "Simulation/TargetBuilder.h"
 #include "Simulation/Warnings.h"
+#include "Targets/InputData.h"
 
 #include <cstddef>
 #include <memory>
@@ -46,7 +47,7 @@ struct SkinWishes
   bool Speeds = false;
   bool Arrays = false; // of the particles
   bool Drift = false;  // their velocities
-  std::string Extras;  // with which their frames are to be read for that
+  ParticleArrays Kept; // of the particles, when their frames are read
 };
 
 class SurfaceSimulation
@@ -87,11 +88,11 @@ public:
   // that came last, or 0.
   int GetStepWanted() const;
   int GetLastStepAdded() const { return this->LastStepAdded; }
-  void AddFrame(int step, TargetFrame frame);
+  void AddFrame(int step, std::shared_ptr<InputShape> shape);
 
   // Whether the initial shape has to come in before the surface can start.
   bool WantsInitial() const { return this->Shapes.WantsInitial(); }
-  void SetInitial(TargetFrame frame) { this->Shapes.SetInitial(std::move(frame)); }
+  void SetInitial(std::shared_ptr<InputShape> shape) { this->Shapes.SetInitial(std::move(shape)); }
 
   // Goes as far as the frames allow. Throws std::invalid_argument for settings that cannot be, and
   // what NarrowBand throws: at the start everything then is dropped, later the state is that of the
@@ -129,7 +130,7 @@ public:
   // Of the steps up to the goal.
   std::vector<HistoryRow> GetHistory() const;
 
-  // Null as long as the bounds are not known, see SurfaceShapes.
+  // Null as long as the bounds are not known, see TargetBuilder.
   const SurfaceDomain* FindDomain() { return this->Shapes.FindDomain(); }
 
   std::size_t GetSubsteps() const { return this->Substeps; }
@@ -145,6 +146,7 @@ private:
   int GetStepWantedAtGoal() const;
   bool LooksBack() const;
   void PlaceTargetFrom(int step);
+  std::unique_ptr<PotentialTarget> MakeTargetAtGoal() const;
   bool IsUnderWay() const;
   bool BranchIsAtGoal() const;
   ProgressFunction GetPartOf(const ProgressFunction& progress) const;
@@ -165,7 +167,7 @@ private:
   std::size_t MaximumVoxels = 0;
   SkinWishes Wishes;
   Warnings Messages;
-  SurfaceShapes Shapes{ this->Settings, this->Messages };
+  TargetBuilder Shapes{ this->Settings, this->Messages };
   int LastStepAdded = 0;
 
   GoalTime Goal;
