@@ -2,9 +2,12 @@
 // continuous in time. What the skin does is a matter of TestDroplet and TestLevelOfDetail.
 
 #include "Check.h"
-#include "Targets/ParticleTarget.h"
 #include "SkeletonShapes.h"
+#include "Targets/NoShape.h"
+#include "Targets/ParticleShape.h"
+#include "Targets/ParticleTarget.h"
 
+#include <memory>
 #include <utility>
 
 using namespace activesurface;
@@ -23,24 +26,27 @@ struct Numbered
   int Id;
 };
 
-TargetFrame MakeFrame(const std::vector<Numbered>& particles, bool hasIds = true)
+std::shared_ptr<InputShape> MakeFrame(const std::vector<Numbered>& cloud, bool hasIds = true)
 {
-  TargetFrame frame;
-  frame.Kind = particles.empty() ? TargetKind::Nothing : TargetKind::Particles;
-  frame.Particles.HasIds = hasIds && !particles.empty();
-  frame.Particles.HasRadii = true;
-  for (const Numbered& particle : particles)
+  if (cloud.empty())
   {
-    frame.Particles.Ids.push_back(hasIds ? particle.Id : frame.Particles.Ids.size());
-    frame.Particles.Particles.push_back(particle.Vertex);
+    return std::make_shared<NoShape>();
   }
-  return frame;
+  ParticleFrame particles;
+  particles.HasIds = hasIds;
+  particles.HasRadii = true;
+  for (const Numbered& particle : cloud)
+  {
+    particles.Ids.push_back(hasIds ? particle.Id : particles.Ids.size());
+    particles.Particles.push_back(particle.Vertex);
+  }
+  return std::make_shared<ParticleShape>(std::move(particles));
 }
 
 // Two frames, the steps 0 and 1, and their particles in between as a target.
 struct Way
 {
-  Way(TargetFrame earlier, TargetFrame later)
+  Way(std::shared_ptr<InputShape> earlier, std::shared_ptr<InputShape> later)
   {
     this->Frames.Add(0, std::move(earlier));
     this->Frames.Add(1, std::move(later));

@@ -1,17 +1,18 @@
 #include "Pipeline/SurfaceInput.h"
 
 #include "AttachedData.h"
+#include "Targets/InputKinds.h"
 #include "WholeInput.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
-#include "vtkPointSet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <sstream>
@@ -35,11 +36,30 @@ enum ArrayIndices
   VelocityArray = 5
 };
 
-// What the description of extras begins with.
-constexpr char WithArrays = 'A';
-constexpr char WithoutArrays = '-';
-
 }
+
+// The arrays of one data set.
+class SurfaceInput::ArraysOf : public ChosenArrays
+{
+public:
+  ArraysOf(const SurfaceInput& input, vtkDataSet* data)
+    : Input(input)
+    , Data(data)
+  {
+  }
+
+  vtkAbstractArray* FindRadii() const override { return this->Find(RadiusArray); }
+  vtkAbstractArray* FindIds() const override { return this->Find(IdArray); }
+  vtkAbstractArray* FindStrengths() const override { return this->Find(StrengthArray); }
+  vtkAbstractArray* FindVelocities() const override { return this->Find(VelocityArray); }
+  vtkAbstractArray* FindValues() const override { return this->Input.FindValues(this->Data); }
+
+private:
+  vtkAbstractArray* Find(int index) const { return this->Input.FindArray(index, this->Data); }
+
+  const SurfaceInput& Input;
+  vtkDataSet* Data;
+};
 
 SurfaceInput::SurfaceInput(vtkAlgorithm* filter, Ports port)
   : Filter(filter)
@@ -124,10 +144,9 @@ std::array<std::string, 5> SurfaceInput::DescribeArrays() const
   return arrays;
 }
 
-std::string SurfaceInput::DescribeExtras(bool arrays, bool velocities) const
+ParticleArrays SurfaceInput::DescribeParticleArrays(bool all, bool velocities) const
 {
-  return (arrays ? WithArrays : WithoutArrays) +
-    (velocities ? this->DescribeArray(VelocityArray) : "");
+  return { all, velocities ? this->DescribeArray(VelocityArray) : "" };
 }
 
 bool SurfaceInput::IsComposite(vtkInformation* information)
@@ -135,37 +154,11 @@ bool SurfaceInput::IsComposite(vtkInformation* information)
   return vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(information)) != nullptr;
 }
 
-TargetFrame SurfaceInput::ReadParticles(vtkDataSet* points, const std::string& extras) const
-{
-  ParticleArrays arrays;
-  arrays.Radii = this->FindArray(RadiusArray, points);
-  arrays.Ids = this->FindArray(IdArray, points);
-  arrays.Strengths = this->FindArray(StrengthArray, points);
-  arrays.Velocities = extras.size() > 1 ? this->FindArray(VelocityArray, points) : nullptr;
-  arrays.Passed =
-    !extras.empty() && extras.front() == WithArrays ? points->GetPointData() : nullptr;
-  TargetFrame frame = MakeParticles(vtkPointSet::SafeDownCast(points), arrays);
-  frame.Extras = extras;
-  return frame;
-}
-
-TargetFrame SurfaceInput::Read(vtkInformation* information, const std::string& extras) const
+std::unique_ptr<InputShape> SurfaceInput::Read(
+  vtkInformation* information, const ParticleArrays& kept) const
 {
   vtkDataSet* data = vtkDataSet::GetData(information);
-  switch (FindKind(data))
-  {
-    case TargetKind::Particles:
-      return this->ReadParticles(data, extras);
-    case TargetKind::Skeleton:
-      return MakeSkeleton(vtkPointSet::SafeDownCast(data), this->FindArray(RadiusArray, data),
-        this->FindArray(StrengthArray, data));
-    case TargetKind::Mesh:
-      return MakeMesh(data);
-    case TargetKind::Image:
-      return MakeImage(data, this->FindValues(data));
-    default:
-      return TargetFrame();
-  }
+  return MakeInputShape({ data, ArraysOf(*this, data), kept });
 }
 
 vtkAbstractArray* SurfaceInput::FindValues(vtkDataSet* image) const

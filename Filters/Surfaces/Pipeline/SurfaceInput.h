@@ -3,10 +3,12 @@
 #ifndef SurfaceInput_h
 #define SurfaceInput_h
 
-#include "Targets/TargetFrame.h"
+#include "Targets/InputData.h"
+#include "Targets/InputShape.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -47,13 +49,13 @@ public:
   // if each were the input.
   static bool IsComposite(vtkInformation* information);
 
-  // What else to read of particles: copies of all their arrays, and the array of velocities, if one
-  // was chosen. As text, which is different for different data.
-  std::string DescribeExtras(bool arrays, bool velocities) const;
+  // What to keep of particles: all their arrays, and the array of velocities, if one was chosen.
+  ParticleArrays DescribeParticleArrays(bool all, bool velocities) const;
 
-  // With the extras of a description. Throws std::invalid_argument for data that cannot be a
-  // target, and for arrays that are missing or unfit.
-  TargetFrame Read(vtkInformation* information, const std::string& extras = "") const;
+  // Throws std::invalid_argument for data that cannot be a target, and for arrays that are missing
+  // or unfit.
+  std::unique_ptr<InputShape> Read(
+    vtkInformation* information, const ParticleArrays& kept = ParticleArrays()) const;
 
   // All of it, at its first time step or time, if it has any.
   static void RequestFirst(vtkInformation* information);
@@ -63,9 +65,10 @@ public:
   bool UpdateFirst(vtkInformation* information) const;
 
 private:
+  class ArraysOf;
+
   bool IsArrayChosen(int index) const;
   std::string DescribeArray(int index) const;
-  TargetFrame ReadParticles(vtkDataSet* points, const std::string& extras) const;
   vtkAbstractArray* FindArray(int index, vtkDataSet* data) const;
   vtkAbstractArray* FindValues(vtkDataSet* image) const;
   bool UpdateProducer() const;

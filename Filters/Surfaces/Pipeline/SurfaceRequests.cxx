@@ -59,11 +59,10 @@ RequestedArrays SurfaceRequests::FindArrays(const SurfaceProperties& properties)
   RequestedArrays arrays;
   arrays.Speeds = properties.Velocity;
   arrays.TangentialVelocity = properties.Velocity && properties.TangentialVelocity;
-  arrays.ParticleArrays = properties.PassTargetArrays;
+  arrays.Passed = properties.PassTargetArrays;
   if (arrays.NeedParticles())
   {
-    arrays.Description =
-      this->Target.DescribeExtras(arrays.ParticleArrays, arrays.TangentialVelocity);
+    arrays.Kept = this->Target.DescribeParticleArrays(arrays.Passed, arrays.TangentialVelocity);
   }
   return arrays;
 }
@@ -247,9 +246,9 @@ private:
   SurfaceRequests& Requests;
 };
 
-TargetFrame SurfaceRequests::ReadTarget(vtkInformation* target) const
+std::unique_ptr<InputShape> SurfaceRequests::ReadTarget(vtkInformation* target) const
 {
-  return this->Target.Read(target, this->Simulation.GetRequestedArrays().Description);
+  return this->Target.Read(target, this->Simulation.GetRequestedArrays().Kept);
 }
 
 // From within, at another time than the one that was requested before.

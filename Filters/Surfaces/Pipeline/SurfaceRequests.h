@@ -13,6 +13,7 @@
 #include "Pipeline/SurfaceProperties.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 class vtkAlgorithm;
@@ -62,7 +63,7 @@ private:
   void RequestTarget(vtkInformation* target);
   void CheckInputs() const;
   void ReadFirst(vtkInformationVector** input);
-  TargetFrame ReadTarget(vtkInformation* target) const;
+  std::unique_ptr<InputShape> ReadTarget(vtkInformation* target) const;
   void UpdateTarget(vtkInformation* target, PipelineTime time);
   bool Advance(vtkInformationVector** input);
 

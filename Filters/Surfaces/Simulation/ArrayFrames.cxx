@@ -22,9 +22,8 @@ bool LooksBack(const SurfaceSettings& settings, const RequestedTime& time,
 
 bool HasArrays(const TargetFrames& frames, int step, const RequestedArrays& arrays)
 {
-  return frames.Has(step) &&
-    (!arrays.NeedParticles() || frames.Get(step).Kind != TargetKind::Particles ||
-      frames.Get(step).Extras == arrays.Description);
+  const InputShape* shape = frames.Find(step);
+  return shape && (!arrays.NeedParticles() || shape->HasArrays(arrays.Kept));
 }
 
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,

@@ -4,9 +4,8 @@
 #define ArrayFrames_h
 
 #include "Simulation/SurfaceSettings.h"
+#include "Targets/InputData.h"
 #include "Targets/TargetFrames.h"
-
-#include <string>
 
 namespace activesurface
 {
@@ -15,11 +14,11 @@ namespace activesurface
 struct RequestedArrays
 {
   bool Speeds = false;
-  bool ParticleArrays = false;
+  bool Passed = false;             // those of the particles
   bool TangentialVelocity = false; // of the particles
-  std::string Description;         // with which their frames are to be read for that
+  ParticleArrays Kept;             // of the particles, when their frames are read
 
-  bool NeedParticles() const { return this->ParticleArrays || this->TangentialVelocity; }
+  bool NeedParticles() const { return this->Passed || this->TangentialVelocity; }
 };
 
 // A moment between two frames: at Fraction of the way from the step First to the next one.

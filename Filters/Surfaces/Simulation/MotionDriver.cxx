@@ -18,7 +18,7 @@ constexpr double SubstepsOfMovingTarget = 4.0;
 }
 
 MotionDriver::MotionDriver(
-  const SurfaceSettings& settings, SurfaceShapes& shapes, Warnings& messages)
+  const SurfaceSettings& settings, TargetBuilder& shapes, Warnings& messages)
   : Settings(settings)
   , Shapes(shapes)
   , Messages(messages)

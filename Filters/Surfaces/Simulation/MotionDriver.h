@@ -6,7 +6,7 @@
 #include "NarrowBand.h"
 #include "Simulation/SurfaceDomain.h"
 #include "Simulation/SurfaceSettings.h"
-#include "Simulation/SurfaceShapes.h"
+#include "Simulation/TargetBuilder.h"
 #include "Simulation/Warnings.h"
 
 #include <cstddef>
@@ -18,7 +18,7 @@ class MotionDriver
 {
 public:
   // All three are the caller's.
-  MotionDriver(const SurfaceSettings& settings, SurfaceShapes& shapes, Warnings& messages);
+  MotionDriver(const SurfaceSettings& settings, TargetBuilder& shapes, Warnings& messages);
   MotionDriver(const MotionDriver&) = delete;
   void operator=(const MotionDriver&) = delete;
 
@@ -52,7 +52,7 @@ private:
   AdvanceReport Count(const NarrowBand& band, Advance&& advance);
 
   const SurfaceSettings& Settings;
-  SurfaceShapes& Shapes;
+  TargetBuilder& Shapes;
   Warnings& Messages;
   int Threads = 0;
   std::size_t MaximumVoxels = 0;

@@ -38,9 +38,9 @@ std::vector<ParticleOrigin> FindOriginsOfEarlier(std::size_t count, const Partic
   return origins;
 }
 
-const ParticleFrame* Find(TargetFrames& frames, int step)
+const ParticleFrame* Find(const TargetFrames& frames, int step)
 {
-  return frames.Has(step) ? &frames.Get(step).Particles : nullptr;
+  return frames.Has(step) ? &frames.GetParticles(step) : nullptr;
 }
 
 double GetVelocity(const ParticleFrame* frame, std::size_t particle, std::size_t axis)
@@ -52,7 +52,7 @@ double GetVelocity(const ParticleFrame* frame, std::size_t particle, std::size_t
 
 }
 
-ParticleMoment FindMoment(TargetFrames& frames, int step, double fraction)
+ParticleMoment FindMoment(const TargetFrames& frames, int step, double fraction)
 {
   ParticleMoment moment;
   moment.Earlier = Find(frames, step);

@@ -25,7 +25,7 @@ struct ParticleMoment
 
 // At a fraction of the way from a step to the next one; at 0 and 1 exactly the particles of that
 // step. The moment refers to the frames, which have to hold the step where it is.
-ParticleMoment FindMoment(TargetFrames& frames, int step, double fraction);
+ParticleMoment FindMoment(const TargetFrames& frames, int step, double fraction);
 
 // An array's tuple, or another quantity, between the two steps.
 double Mix(double earlier, double later, const ParticleOrigin& origin, double fraction);

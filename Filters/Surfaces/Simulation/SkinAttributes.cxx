@@ -3,11 +3,13 @@
 #include "NarrowBand.h"
 #include "SkinMotion.h"
 
+#include <memory>
+
 namespace activesurface
 {
 
-SkinAttributes::SkinAttributes(const SurfaceSettings& settings, SurfaceShapes& shapes,
-  Warnings& messages, const RequestedTime& time, const RequestedArrays& arrays)
+SkinAttributes::SkinAttributes(const SurfaceSettings& settings, const TargetBuilder& shapes,
+  const Warnings& messages, const RequestedTime& time, const RequestedArrays& arrays)
   : Settings(settings)
   , Shapes(shapes)
   , Messages(messages)
@@ -22,16 +24,13 @@ std::vector<float> SkinAttributes::FindSpeeds(const NarrowBand& band, const Moti
   {
     return {};
   }
-  MovingTarget* moving = this->Shapes.GetMovingTarget();
-  if (moving && this->Settings.Inputs.TargetMoves)
-  {
-    const int step = this->Time.Step;
-    const int next = this->Shapes.Has(step + 1) ? step + 1 : step;
-    moving->MoveAlong(
-      step, this->Settings.GetMotionTimeOf(step).Value, this->Settings.GetMotionTimeOf(next).Value);
-  }
+  const bool moves = this->Settings.Inputs.TargetMoves;
+  const int step = moves ? this->Time.Step : 0;
+  const int next = moves && this->Shapes.Has(step + 1) ? step + 1 : step;
+  const std::unique_ptr<PotentialTarget> target = this->Shapes.MakeTargetAt(
+    step, this->Settings.GetMotionTimeOf(step).Value, this->Settings.GetMotionTimeOf(next).Value);
   return activesurface::FindSpeeds(
-    band, { motion, this->Shapes.GetTarget(), band.GetStartArea(), band.GetStartVolume() });
+    band, { motion, *target, band.GetStartArea(), band.GetStartVolume() });
 }
 
 PassedArrays SkinAttributes::FindPassedArrays() const
@@ -41,17 +40,17 @@ PassedArrays SkinAttributes::FindPassedArrays() const
   {
     return passed;
   }
-  if (this->Shapes.GetKind() != TargetKind::Particles)
+  if (!this->Shapes.HasParticles())
   {
     this->Messages.Say("no particles",
       "PassTargetArrays and TangentialVelocity do nothing here: the target has no particles.");
     return passed;
   }
-  TargetFrames& frames = this->Shapes.GetFrames();
+  const TargetFrames& frames = this->Shapes.GetFrames();
   const ArrayFrames found = FindArrayFrames(this->Settings, this->Time, this->Arrays, frames);
   passed.Moment = FindMoment(frames, found.First, found.Fraction);
   passed.Kernel = this->Settings.Particles.Kernel;
-  passed.Arrays = this->Arrays.ParticleArrays;
+  passed.Arrays = this->Arrays.Passed;
   if (this->Arrays.TangentialVelocity)
   {
     passed.Velocities = passed.Moment.FindVelocities(found.Duration);

@@ -5,7 +5,7 @@
 
 #include "Simulation/ArrayFrames.h"
 #include "Simulation/PassedArrays.h"
-#include "Simulation/SurfaceShapes.h"
+#include "Simulation/TargetBuilder.h"
 #include "Simulation/Warnings.h"
 
 #include <vector>
@@ -20,8 +20,8 @@ class SkinAttributes
 {
 public:
   // All are the caller's; the frames that FindArrayFrames names have to be there.
-  SkinAttributes(const SurfaceSettings& settings, SurfaceShapes& shapes, Warnings& messages,
-    const RequestedTime& time, const RequestedArrays& arrays);
+  SkinAttributes(const SurfaceSettings& settings, const TargetBuilder& shapes,
+    const Warnings& messages, const RequestedTime& time, const RequestedArrays& arrays);
 
   // Normal speeds at the vertices of the skin, by the law of motion; none for an empty skin.
   std::vector<float> FindSpeeds(const NarrowBand& band, const Motion& motion) const;
@@ -31,8 +31,8 @@ public:
 
 private:
   const SurfaceSettings& Settings;
-  SurfaceShapes& Shapes;
-  Warnings& Messages;
+  const TargetBuilder& Shapes;
+  const Warnings& Messages;
   const RequestedTime& Time;
   const RequestedArrays& Arrays;
 };

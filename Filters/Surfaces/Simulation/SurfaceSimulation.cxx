@@ -164,9 +164,9 @@ int SurfaceSimulation::FindMissingStepOfArrays() const
   return -1;
 }
 
-void SurfaceSimulation::AddFrame(int step, TargetFrame frame)
+void SurfaceSimulation::AddFrame(int step, std::shared_ptr<InputShape> shape)
 {
-  this->Shapes.Add(step, std::move(frame));
+  this->Shapes.Add(step, std::move(shape));
   this->LastStepAdded = step;
 }
 
@@ -355,7 +355,7 @@ const NarrowBand* SurfaceSimulation::FindSkin() const
   return this->Way.IsAt(this->Requested) ? &this->GetBand() : nullptr;
 }
 
-SkinAttributes SurfaceSimulation::FindAttributes()
+SkinAttributes SurfaceSimulation::FindAttributes() const
 {
   return { this->Settings, this->Shapes, this->Messages, this->Requested, this->Arrays };
 }

@@ -20,7 +20,7 @@
 #include "Simulation/StateFile.h"
 #include "Simulation/SurfaceHistory.h"
 #include "Simulation/SurfaceSettings.h"
-#include "Simulation/SurfaceShapes.h"
+#include "Simulation/TargetBuilder.h"
 #include "Simulation/Trajectory.h"
 #include "Simulation/Warnings.h"
 
@@ -46,7 +46,7 @@ struct SimulationLimits
 class SurfaceSimulation
 {
 public:
-  using FrameSource = std::function<TargetFrame(int step)>;
+  using FrameSource = std::function<std::shared_ptr<InputShape>(int step)>;
 
   // Told, once for each reason and as long as the settings stay the same, what a user should know.
   void SetWarning(const Warnings::Listener& warning) { this->Messages.SetListener(warning); }
@@ -69,11 +69,11 @@ public:
   // last, or 0.
   int FindMissingStep() const;
   int GetLastStepAdded() const { return this->LastStepAdded; }
-  void AddFrame(int step, TargetFrame frame);
+  void AddFrame(int step, std::shared_ptr<InputShape> shape);
 
   // Whether the initial shape has to come in before the surface can start.
   bool WantsInitial() const { return this->Shapes.WantsInitial(); }
-  void SetInitial(TargetFrame frame) { this->Shapes.SetInitial(std::move(frame)); }
+  void SetInitial(std::shared_ptr<InputShape> shape) { this->Shapes.SetInitial(std::move(shape)); }
 
   // To the requested time; false if `progress` has stopped it. Throws std::invalid_argument for
   // settings that cannot be, and what NarrowBand and `frames` throw: at the start everything then
@@ -93,7 +93,7 @@ public:
   const NarrowBand* FindSkin() const;
 
   // What the skin has there besides its shape: its motion, and what FindAttributes tells.
-  SkinAttributes FindAttributes();
+  SkinAttributes FindAttributes() const;
   Motion GetMotion() { return this->Driver.GetMotion(this->Way.GetStep()); }
 
   // The state at the last step that is not after the requested time; its band is null if there is
@@ -106,7 +106,7 @@ public:
   // Of the steps up to the requested time.
   std::vector<HistoryRow> GetHistory() const;
 
-  // Null as long as the bounds are not known, see SurfaceShapes.
+  // Null as long as the bounds are not known, see TargetBuilder.
   const SurfaceDomain* FindDomain() { return this->Shapes.FindDomain(); }
 
   const MotionDriver& GetDriver() const { return this->Driver; }
@@ -131,7 +131,7 @@ private:
 
   SurfaceSettings Settings;
   Warnings Messages;
-  SurfaceShapes Shapes{ this->Settings, this->Messages };
+  TargetBuilder Shapes{ this->Settings, this->Messages };
   MotionDriver Driver{ this->Settings, this->Shapes, this->Messages };
   int LastStepAdded = 0;
 

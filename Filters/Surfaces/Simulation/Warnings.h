@@ -16,7 +16,7 @@ public:
   using Listener = std::function<void(const std::string& sentence)>;
   void SetListener(const Listener& listener) { this->Tell = listener; }
 
-  void Say(const std::string& reason, const std::string& sentence)
+  void Say(const std::string& reason, const std::string& sentence) const
   {
     if (this->Told.insert(reason).second && this->Tell)
     {
@@ -29,7 +29,7 @@ public:
 
 private:
   Listener Tell;
-  std::set<std::string> Told;
+  mutable std::set<std::string> Told;
 };
 
 }

@@ -49,7 +49,7 @@ void BlendedTarget::Take(int step, Shape& shape) const
 {
   if (step != shape.Step)
   {
-    vtkImplicitFunction* function = this->Frames.Get(step).Function;
+    vtkImplicitFunction* function = this->Frames.GetFunction(step);
     shape.Function =
       function ? std::make_unique<FunctionSampler>(function, this->Differences) : nullptr;
     shape.Step = step;

@@ -148,7 +148,7 @@ double ParticleFrame::GetSpacing() const
   return distances.empty() ? 0.0 : *middle;
 }
 
-ParticleFrame ReadParticles(vtkPointSet* points, const ParticleArrays& arrays)
+ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
 {
   const vtkIdType count = points->GetNumberOfPoints();
   vtkDataArray* radii = AsNumbers(arrays.Radii, count, "radii");

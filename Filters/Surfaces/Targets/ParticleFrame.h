@@ -19,7 +19,7 @@ namespace activesurface
 {
 
 // What is known of the particles besides their positions; may be null.
-struct ParticleArrays
+struct PointArrays
 {
   vtkAbstractArray* Radii = nullptr;
   vtkAbstractArray* Ids = nullptr;
@@ -50,7 +50,7 @@ struct ParticleFrame
 };
 
 // Throws std::invalid_argument for arrays that cannot be radii, ids or strengths of the points.
-ParticleFrame ReadParticles(vtkPointSet* points, const ParticleArrays& arrays);
+ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays);
 
 }
 

@@ -28,7 +28,7 @@ ChangedRegion::Box SupportOf(const SkeletonVertex& particle)
 }
 
 ParticleTarget::ParticleTarget(
-  TargetFrames& frames, SkeletonKernel kernel, double threshold, const TargetOptions& options)
+  const TargetFrames& frames, SkeletonKernel kernel, double threshold, const TargetOptions& options)
   : MovingTarget(options)
   , Frames(frames)
   , Kernel(kernel)

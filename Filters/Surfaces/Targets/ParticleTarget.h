@@ -20,8 +20,8 @@ class ParticleTarget : public MovingTarget
 {
 public:
   // The frames are the caller's, and have to hold what MoveAlong asks for.
-  ParticleTarget(
-    TargetFrames& frames, SkeletonKernel kernel, double threshold, const TargetOptions& options);
+  ParticleTarget(const TargetFrames& frames, SkeletonKernel kernel, double threshold,
+    const TargetOptions& options);
 
 protected:
   void Place(int step, double fraction) override;
@@ -32,7 +32,7 @@ protected:
 private:
   void FindChanged();
 
-  TargetFrames& Frames;
+  const TargetFrames& Frames;
   const SkeletonKernel Kernel;
   const double Threshold;
   std::vector<SkeletonVertex> Particles;

@@ -5,67 +5,82 @@
 namespace activesurface
 {
 
+namespace
+{
+
+const ParticleFrame& ParticlesOf(const InputShape* shape)
+{
+  static const ParticleFrame none;
+  const ParticleFrame* particles = shape ? shape->GetParticles() : nullptr;
+  return particles ? *particles : none;
+}
+
+}
+
 void TargetFrames::Clear()
 {
   *this = TargetFrames();
 }
 
-void TargetFrames::Add(int step, TargetFrame frame)
+void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape)
 {
-  this->Matched = false;
+  Held earlier = this->Earlier, later = this->Later;
   if (this->Has(step))
   {
-    this->Get(step) = std::move(frame);
-    return;
+    (later.Step == step ? later : earlier).Shape = std::move(shape);
   }
-  this->Earlier = std::move(this->Later);
-  this->Later.Step = step;
-  this->Later.Frame = std::move(frame);
-  if (this->Earlier.Step == step + 1)
+  else
   {
-    std::swap(this->Earlier, this->Later);
+    earlier = std::exchange(later, { step, std::move(shape) });
   }
-}
-
-bool TargetFrames::Has(int step) const
-{
-  return step >= 0 && (this->Earlier.Step == step || this->Later.Step == step);
-}
-
-const TargetFrame& TargetFrames::Get(int step) const
-{
-  return this->Later.Step == step ? this->Later.Frame : this->Earlier.Frame;
-}
-
-TargetFrame& TargetFrames::Get(int step)
-{
-  return this->Later.Step == step ? this->Later.Frame : this->Earlier.Frame;
-}
-
-const ParticleMatches* TargetFrames::FindMatches(int step)
-{
-  if (this->Earlier.Step != step || this->Later.Step != step + 1)
+  if (earlier.Step == later.Step + 1)
   {
-    return nullptr;
+    std::swap(earlier, later);
   }
-  if (!this->Matched)
+  ParticleMatches matches;
+  if (earlier.Shape && earlier.Step + 1 == later.Step)
   {
-    this->Matches = MatchParticles(this->Earlier.Frame.Particles, this->Later.Frame.Particles);
-    this->Matched = true;
+    matches = MatchParticles(ParticlesOf(earlier.Shape.get()), ParticlesOf(later.Shape.get()));
   }
-  return &this->Matches;
+  this->Earlier = std::move(earlier);
+  this->Later = std::move(later);
+  this->Matches = std::move(matches);
 }
 
-void TargetFrames::PlaceParticles(int step, double fraction, std::vector<SkeletonVertex>& particles)
+InputShape* TargetFrames::Find(int step) const
+{
+  return this->Later.Step == step ? this->Later.Shape.get()
+    : this->Earlier.Step == step  ? this->Earlier.Shape.get()
+                                  : nullptr;
+}
+
+const ParticleFrame& TargetFrames::GetParticles(int step) const
+{
+  return ParticlesOf(this->Find(step));
+}
+
+vtkImplicitFunction* TargetFrames::GetFunction(int step) const
+{
+  const InputShape* shape = this->Find(step);
+  return shape ? shape->GetFunction() : nullptr;
+}
+
+const ParticleMatches* TargetFrames::FindMatches(int step) const
+{
+  return this->Has(step) && this->Has(step + 1) ? &this->Matches : nullptr;
+}
+
+void TargetFrames::PlaceParticles(
+  int step, double fraction, std::vector<SkeletonVertex>& particles) const
 {
   const ParticleMatches* matches = fraction == 0.0 ? nullptr : this->FindMatches(step);
   if (!matches)
   {
-    particles = this->Get(step).Particles.Particles;
+    particles = this->GetParticles(step).Particles;
     return;
   }
   InterpolateParticles(
-    this->Earlier.Frame.Particles, this->Later.Frame.Particles, *matches, fraction, particles);
+    this->GetParticles(step), this->GetParticles(step + 1), *matches, fraction, particles);
 }
 
 }

@@ -1,0 +1,317 @@
+#include "Simulation/TargetBuilder.h"
+
+#include "Targets/ImplicitTarget.h"
+#include "Targets/NoShape.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkGridPotential.h"
+#include "vtkSkeletonPotential.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// How far the initial shape has to be known around its surface [voxels]: the band and its ghosts.
+constexpr double InitialReach = 8.0;
+
+void AddFunction(vtkImplicitFunction* function, vtkBoundingBox& box)
+{
+  double bounds[6];
+  auto skeleton = vtkSkeletonPotential::SafeDownCast(function);
+  auto grid = vtkGridPotential::SafeDownCast(function);
+  if (function && !function->GetTransform() &&
+    ((skeleton && skeleton->GetSkeletonBounds(bounds)) || (grid && grid->GetGridBounds(bounds))))
+  {
+    box.AddBounds(bounds);
+  }
+}
+
+// Returns what is wrong with the shape, and throws why it cannot be used, in a sentence that begins
+// with where it is from.
+std::string PrepareAt(InputShape& shape, ShapePreparation& preparation, const std::string& where)
+{
+  try
+  {
+    const std::string flaw = shape.Prepare(preparation);
+    return flaw.empty() ? "" : where + flaw;
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(where + error.what());
+  }
+}
+
+}
+
+TargetBuilder::TargetBuilder(const SurfaceSettings& settings, Warnings& warnings)
+  : Settings(settings)
+  , Messages(warnings)
+  , Kind(std::make_shared<NoShape>())
+{
+}
+
+void TargetBuilder::Clear()
+{
+  this->Moving = nullptr;
+  this->Target.reset();
+  this->Frames.Clear();
+  this->Kind = std::make_shared<NoShape>();
+  this->EstimatedRadius = 0.0;
+  this->Initial.reset();
+  this->DomainKnown = false;
+}
+
+void TargetBuilder::Add(int step, std::shared_ptr<InputShape> shape)
+{
+  if (this->Kind->IsEmptyAs(*shape))
+  {
+    shape = std::make_shared<NoShape>();
+  }
+  this->CheckKind(step, *shape);
+  this->Prepare(step, *shape);
+  if (shape->HasPoints())
+  {
+    if (!this->Kind->IsOfKindOf(*shape))
+    {
+      this->Moving = nullptr;
+      this->Target.reset();
+    }
+    this->Kind = shape;
+  }
+  this->Frames.Add(step, std::move(shape));
+}
+
+bool TargetBuilder::HasParticleArrays(int step, const ParticleArrays& arrays) const
+{
+  const InputShape* shape = this->Frames.Find(step);
+  return shape && shape->HasArrays(arrays);
+}
+
+void TargetBuilder::CheckKind(int step, const InputShape& shape) const
+{
+  if (shape.HasPoints() && this->Kind->HasPoints() && !this->Kind->IsOfKindOf(shape))
+  {
+    throw std::invalid_argument(std::string("The target is ") + shape.GetName() + " " +
+      this->DescribeStep(step) + ", but " + this->Kind->GetName() +
+      " before; all time steps of the input have to be of one kind.");
+  }
+}
+
+std::string TargetBuilder::DescribeStep(int step) const
+{
+  std::ostringstream text;
+  text << "at the time step " << this->Settings.Inputs.Steps.at(step);
+  return text.str();
+}
+
+ShapeOptions TargetBuilder::GetOptions() const
+{
+  const SurfaceSettings& settings = this->Settings;
+  ShapeOptions options;
+  options.ParticleRadius = settings.Particles.Radius;
+  options.Threshold = settings.Particles.Threshold;
+  options.Kernel = settings.Particles.Kernel;
+  options.MeshThickness = settings.MeshThickness;
+  options.Level.IsoValue = settings.IsoValue;
+  options.Level.Invert = settings.Invert;
+  options.Level.Normalize = settings.Normalize;
+  if (this->DomainKnown)
+  {
+    options.Level.Reach = this->Domain.Reach;
+    options.VoxelSize = this->Domain.VoxelSize;
+  }
+  return options;
+}
+
+ShapePreparation TargetBuilder::GetPreparation()
+{
+  ShapePreparation preparation(this->GetOptions(), this->EstimatedRadius);
+  preparation.IsDomainKnown = this->DomainKnown;
+  preparation.Report = [this](const std::string& reason, const std::string& sentence)
+  { this->Messages.Say(reason, sentence); };
+  return preparation;
+}
+
+void TargetBuilder::Prepare(int step, InputShape& shape)
+{
+  ShapePreparation preparation = this->GetPreparation();
+  preparation.When = this->DescribeStep(step);
+  // Distances to a level of a mesh have to be known around that level.
+  preparation.Reach = preparation.Options.Level.Reach + std::fabs(this->Settings.IsoValue);
+  preparation.ReachHint = " (Its Reach is TargetReach and the size of TargetIsoValue together.)";
+  const std::string where =
+    std::string("The target, ") + shape.GetName() + ", " + preparation.When + ": ";
+  const std::string flaw = PrepareAt(shape, preparation, where);
+  if (!flaw.empty())
+  {
+    this->Messages.Say("flaw of the target", flaw);
+  }
+}
+
+void TargetBuilder::PrepareInitial()
+{
+  ShapePreparation preparation = this->GetPreparation();
+  preparation.Reach = InitialReach * this->Domain.VoxelSize;
+  const std::string flaw = PrepareAt(*this->Initial, preparation, "The input of port 1, Initial: ");
+  if (!flaw.empty())
+  {
+    this->Messages.Say("flaw of the initial shape", flaw);
+  }
+}
+
+bool TargetBuilder::WantsInitial() const
+{
+  return this->Settings.Inputs.HasInitialInput && !this->Initial;
+}
+
+void TargetBuilder::SetInitial(std::shared_ptr<InputShape> shape)
+{
+  if (!shape->HasPoints())
+  {
+    throw std::invalid_argument("The input of port 1, Initial, is empty: there are no points to "
+                                "start on. Disconnect it, or connect a closed mesh or an image.");
+  }
+  if (!shape->CanStart())
+  {
+    throw std::invalid_argument(std::string("The input of port 1, Initial, is ") +
+      shape->GetName() +
+      ", which is no initial shape: connect a closed mesh of polygons or an image.");
+  }
+  this->Initial = std::move(shape);
+}
+
+const SurfaceDomain* TargetBuilder::FindDomain()
+{
+  if (this->DomainKnown)
+  {
+    return &this->Domain;
+  }
+  this->Settings.Check();
+  vtkBoundingBox shapes;
+  vtkBoundingBox images;
+  if (this->Settings.HasBounds())
+  {
+    this->Domain = MakeDomain(this->Settings);
+    this->DomainKnown = true;
+  }
+  else if (this->AddFirstBounds(shapes, images) && (shapes.IsValid() || images.IsValid()))
+  {
+    this->Domain = MakeDomain(this->Settings, shapes, images);
+    this->DomainKnown = true;
+  }
+  return this->DomainKnown ? &this->Domain : nullptr;
+}
+
+// Of the first target and the initial shape, as far as they have any; false if more will be known.
+bool TargetBuilder::AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const
+{
+  if (this->WantsInitial() || (this->Settings.UsesInput() && !this->Frames.Has(0)))
+  {
+    return false;
+  }
+  const ShapeOptions options = this->GetOptions();
+  if (this->Settings.UsesInput())
+  {
+    this->Frames.Find(0)->AddBounds(options, shapes, images);
+  }
+  if (this->Initial)
+  {
+    this->Initial->AddBounds(options, shapes, images);
+  }
+  AddFunction(this->Settings.Inputs.TargetFunction, shapes);
+  AddFunction(this->Settings.Inputs.InitialFunction, shapes);
+  return true;
+}
+
+bool TargetBuilder::StartsOnNothing() const
+{
+  const InputShape* first = this->Frames.Find(0);
+  return this->Settings.UsesInput() && (!first || first->IsEmpty()) &&
+    !this->Settings.Inputs.InitialFunction && !this->Initial;
+}
+
+PotentialTarget& TargetBuilder::GetTarget()
+{
+  if (!this->Target)
+  {
+    this->MakeTarget();
+  }
+  return *this->Target;
+}
+
+MovingTarget* TargetBuilder::GetMovingTarget()
+{
+  this->GetTarget();
+  return this->Moving;
+}
+
+std::unique_ptr<MovingTarget> TargetBuilder::MakeMovingTarget() const
+{
+  return this->Kind->MakeTarget(this->Frames, this->GetOptions());
+}
+
+std::unique_ptr<PotentialTarget> TargetBuilder::MakeFunctionTarget() const
+{
+  const ShapeOptions options = this->GetOptions();
+  return std::make_unique<ImplicitTarget>(
+    this->Settings.Inputs.TargetFunction, options.GetDifferenceStep(), options.Level);
+}
+
+void TargetBuilder::MakeTarget()
+{
+  this->Moving = nullptr;
+  if (this->Settings.UsesInput())
+  {
+    std::unique_ptr<MovingTarget> moving = this->MakeMovingTarget();
+    this->Moving = moving.get();
+    this->Target = std::move(moving);
+  }
+  else
+  {
+    this->Target = this->MakeFunctionTarget();
+  }
+}
+
+void TargetBuilder::StartTarget()
+{
+  this->MakeTarget();
+  if (this->Moving)
+  {
+    this->Prepare(0, *this->Frames.Find(0));
+    this->Moving->MoveAlong(0, 0.0, 0.0);
+  }
+}
+
+std::unique_ptr<PotentialTarget> TargetBuilder::MakeTargetAt(
+  int step, double begin, double end) const
+{
+  if (!this->Settings.UsesInput())
+  {
+    return this->MakeFunctionTarget();
+  }
+  std::unique_ptr<MovingTarget> target = this->MakeMovingTarget();
+  target->MoveAlong(step, begin, end);
+  return target;
+}
+
+std::unique_ptr<PotentialTarget> TargetBuilder::MakeStart()
+{
+  vtkImplicitFunction* function = this->Settings.Inputs.InitialFunction;
+  if (this->Initial)
+  {
+    this->PrepareInitial();
+    function = this->Initial->GetFunction();
+  }
+  return function ? std::make_unique<ImplicitTarget>(
+                      function, this->GetOptions().GetDifferenceStep(), TargetOptions())
+                  : nullptr;
+}
+
+}

@@ -1,0 +1,96 @@
+// The shapes that a surface is attracted by and starts on: from the functions of the settings, or
+// from the frames of the inputs, as these come in.
+
+#ifndef TargetBuilder_h
+#define TargetBuilder_h
+
+#include "Simulation/SurfaceDomain.h"
+#include "Simulation/SurfaceSettings.h"
+#include "Simulation/Warnings.h"
+#include "Targets/MovingTarget.h"
+#include "Targets/ShapePreparation.h"
+#include "Targets/TargetFrames.h"
+
+#include <memory>
+#include <string>
+
+namespace activesurface
+{
+
+class TargetBuilder
+{
+public:
+  // The settings are the caller's; after a change of them comes Clear.
+  TargetBuilder(const SurfaceSettings& settings, Warnings& warnings);
+  TargetBuilder(const TargetBuilder&) = delete;
+  void operator=(const TargetBuilder&) = delete;
+
+  void Clear();
+
+  // The target at a step; the two that were added last are held. Throws std::invalid_argument for
+  // one that does not fit those before or cannot be used; it then is not held.
+  void Add(int step, std::shared_ptr<InputShape> shape);
+  bool Has(int step) const { return this->Frames.Has(step); }
+
+  // Whether a step was read with these arrays, or has no use for them.
+  bool HasParticleArrays(int step, const ParticleArrays& arrays) const;
+
+  // The frames that are held, and whether they are of particles.
+  const TargetFrames& GetFrames() const { return this->Frames; }
+  bool HasParticles() const { return this->Kind->GetParticles() != nullptr; }
+
+  // The initial shape, if the settings have one as input. Throws as Add.
+  void SetInitial(std::shared_ptr<InputShape> shape);
+  bool WantsInitial() const;
+
+  // Null as long as the bounds are not known: before the first frames came in, or for functions
+  // that have none. Throws for settings that cannot be.
+  const SurfaceDomain* FindDomain();
+
+  // Whether the surface would start on an empty frame.
+  bool StartsOnNothing() const;
+
+  // Puts the target to the first frame, anew. Comes when the domain is known, before GetTarget.
+  void StartTarget();
+
+  // What attracts. It may be another one after Add, and goes with Clear.
+  PotentialTarget& GetTarget();
+  // The same, where it goes from step to step; else null.
+  MovingTarget* GetMovingTarget();
+
+  // Another one that attracts alike, on its way from a step that is held to the next between two
+  // motion times. It uses the frames that are held, until the next Add or Clear.
+  std::unique_ptr<PotentialTarget> MakeTargetAt(int step, double begin, double end) const;
+
+  // What the surface starts on; null: on the target.
+  std::unique_ptr<PotentialTarget> MakeStart();
+
+private:
+  void CheckKind(int step, const InputShape& shape) const;
+  std::string DescribeStep(int step) const;
+  ShapeOptions GetOptions() const;
+  ShapePreparation GetPreparation();
+  void Prepare(int step, InputShape& shape);
+  void PrepareInitial();
+  bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;
+  std::unique_ptr<MovingTarget> MakeMovingTarget() const;
+  std::unique_ptr<PotentialTarget> MakeFunctionTarget() const;
+  void MakeTarget();
+
+  const SurfaceSettings& Settings;
+  Warnings& Messages;
+
+  TargetFrames Frames;
+  std::shared_ptr<const InputShape> Kind; // the last shape that has one
+  double EstimatedRadius = 0.0;
+  std::shared_ptr<InputShape> Initial;
+  bool DomainKnown = false;
+  SurfaceDomain Domain;
+
+  std::unique_ptr<PotentialTarget> Target; // null: to be made, of the kind that is known
+  MovingTarget* Moving = nullptr;          // the same, if it is one
+};
+
+}
+
+#endif

@@ -1,0 +1,96 @@
+#include "Targets/ImageShape.h"
+
+#include "AttachedData.h"
+#include "Targets/GridFunction.h"
+#include "Targets/MovingTarget.h"
+#include "Targets/ShapePreparation.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkDataArray.h"
+#include "vtkGridPotential.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <stdexcept>
+
+namespace activesurface
+{
+
+namespace
+{
+
+vtkDataArray* AsSamples(vtkAbstractArray* values, vtkDataSet* image)
+{
+  vtkDataArray* numbers = vtkDataArray::SafeDownCast(values);
+  if (!numbers || numbers->GetNumberOfComponents() != 1 ||
+    numbers->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    const std::string name = values->GetName() ? values->GetName() : "";
+    throw std::invalid_argument("The array \"" + name +
+      "\" cannot give an image's values: it has to hold one number for each point.");
+  }
+  return numbers;
+}
+
+// The lattice with the samples alone, or with the grid that is attached.
+vtkSmartPointer<vtkDataSet> ReadImage(const InputData& input)
+{
+  vtkAbstractArray* values = input.Chosen.FindValues();
+  vtkSmartPointer<vtkDataSet> image;
+  image.TakeReference(input.Data->NewInstance());
+  image->CopyStructure(input.Data);
+  if (values)
+  {
+    // Not a copy. A VTK image makes a new array where another object holds the one that it had.
+    image->GetPointData()->SetScalars(AsSamples(values, input.Data));
+  }
+  else
+  {
+    Attach(image->GetInformation(), GetAttachedGrid(input.Data->GetInformation()));
+  }
+  return image;
+}
+
+}
+
+bool ImageShape::Fits(vtkDataSet* data)
+{
+  return vtkImageData::SafeDownCast(data) != nullptr;
+}
+
+ImageShape::ImageShape(const InputData& input)
+  : FunctionShape(ReadImage(input))
+{
+}
+
+std::string ImageShape::Prepare(ShapePreparation& preparation)
+{
+  if (!this->Function && preparation.IsDomainKnown)
+  {
+    vtkNew<vtkGridPotential> grid;
+    grid->SetIsoValue(preparation.Options.Level.IsoValue);
+    grid->SetInvertInside(preparation.Options.Level.Invert);
+    ReadGrid(grid, this->Data);
+    this->Function = grid;
+  }
+  return "";
+}
+
+void ImageShape::AddBounds(const ShapeOptions&, vtkBoundingBox&, vtkBoundingBox& images) const
+{
+  double bounds[6];
+  this->Data->GetBounds(bounds);
+  images.AddBounds(bounds);
+}
+
+std::unique_ptr<MovingTarget> ImageShape::MakeTarget(
+  const TargetFrames& frames, const ShapeOptions& options) const
+{
+  TargetOptions level = options.Level;
+  level.IsoValue = 0.0; // the function has them already
+  level.Invert = false;
+  return MakeBlend(frames, options, level.Reach, level);
+}
+
+}

@@ -1,0 +1,34 @@
+/**
+ * An image: its samples, or the grid that is attached to it, see vtkGridPotential.
+ */
+#ifndef ImageShape_h
+#define ImageShape_h
+
+#include "Targets/FunctionShape.h"
+#include "Targets/InputData.h"
+
+namespace activesurface
+{
+
+class ImageShape : public FunctionShape
+{
+public:
+  static bool Fits(vtkDataSet* data);
+
+  /** Throws std::invalid_argument for unfit values. */
+  explicit ImageShape(const InputData& input);
+
+  const char* GetName() const override { return "an image"; }
+  bool CanStart() const override { return true; }
+
+  /** The function has the level and the side of the options. */
+  std::string Prepare(ShapePreparation& preparation) override;
+  void AddBounds(
+    const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
+  std::unique_ptr<MovingTarget> MakeTarget(
+    const TargetFrames& frames, const ShapeOptions& options) const override;
+};
+
+}
+
+#endif

@@ -1,0 +1,56 @@
+#include "Targets/InputKinds.h"
+
+#include "Targets/ImageShape.h"
+#include "Targets/MeshShape.h"
+#include "Targets/NoShape.h"
+#include "Targets/ParticleShape.h"
+#include "Targets/SkeletonShape.h"
+
+#include <stdexcept>
+
+namespace activesurface
+{
+
+namespace
+{
+
+struct InputKind
+{
+  bool (*Fits)(vtkDataSet* data); // not null
+  std::unique_ptr<InputShape> (*Make)(const InputData& input);
+};
+
+template <class Shape>
+constexpr InputKind KindOf()
+{
+  return { Shape::Fits, [](const InputData& input) -> std::unique_ptr<InputShape> {
+            return std::make_unique<Shape>(input);
+          } };
+}
+
+// The first one that fits is taken.
+constexpr InputKind Kinds[] = {
+  KindOf<NoShape>(),
+  KindOf<ImageShape>(),
+  KindOf<MeshShape>(),
+  KindOf<SkeletonShape>(),
+  KindOf<ParticleShape>(),
+};
+
+}
+
+std::unique_ptr<InputShape> MakeInputShape(const InputData& input)
+{
+  for (const InputKind& kind : Kinds)
+  {
+    if (input.Data && kind.Fits(input.Data))
+    {
+      return kind.Make(input);
+    }
+  }
+  throw std::invalid_argument(
+    "An input that is neither points nor an image cannot be a target: connect a vtkPointSet or a "
+    "vtkImageData.");
+}
+
+}

@@ -1,0 +1,24 @@
+/**
+ * The kinds of input, and which of them a data set is.
+ */
+#ifndef InputKinds_h
+#define InputKinds_h
+
+#include "Targets/InputData.h"
+
+#include <memory>
+
+namespace activesurface
+{
+
+class InputShape;
+
+/**
+ * Throws std::invalid_argument for data that cannot be a target, and for arrays that are missing or
+ * unfit.
+ */
+std::unique_ptr<InputShape> MakeInputShape(const InputData& input);
+
+}
+
+#endif

@@ -1,0 +1,86 @@
+#include "Targets/MeshShape.h"
+
+#include "Targets/GridFunction.h"
+#include "Targets/MovingTarget.h"
+#include "Targets/ShapePreparation.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkGridPotential.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <stdexcept>
+
+namespace activesurface
+{
+
+namespace
+{
+
+vtkDataSet* CheckHasNoLines(vtkDataSet* data)
+{
+  if (vtkPolyData::SafeDownCast(data)->GetNumberOfLines() > 0)
+  {
+    throw std::invalid_argument(
+      "A vtkPolyData with both polygons and lines cannot be a target: polygons are a mesh, lines a "
+      "skeleton. Leave one of them out.");
+  }
+  return data;
+}
+
+}
+
+bool MeshShape::Fits(vtkDataSet* data)
+{
+  auto polyData = vtkPolyData::SafeDownCast(data);
+  return polyData && (polyData->GetNumberOfPolys() > 0 || polyData->GetNumberOfStrips() > 0);
+}
+
+MeshShape::MeshShape(const InputData& input)
+  : FunctionShape(CopyPointsAndCells(CheckHasNoLines(input.Data)))
+{
+}
+
+std::string MeshShape::Prepare(ShapePreparation& preparation)
+{
+  if (this->Function || !preparation.IsDomainKnown)
+  {
+    return "";
+  }
+  const double thickness = preparation.Options.MeshThickness;
+  vtkNew<vtkGridPotential> grid;
+  grid->SetVoxelSize(preparation.Options.VoxelSize);
+  grid->SetReach(preparation.Reach);
+  grid->SetMeshThickness(thickness);
+  try
+  {
+    ReadGrid(grid, this->Data);
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(error.what() + preparation.ReachHint);
+  }
+  this->Function = grid;
+  const std::string defects = grid->GetDefects();
+  return defects.empty() || thickness != 0.0
+    ? defects
+    : defects + " Where it is open it has no inside; a MeshThickness > 0 makes a shell of it.";
+}
+
+void MeshShape::AddBounds(
+  const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox&) const
+{
+  double bounds[6];
+  vtkPolyData::SafeDownCast(this->Data)->GetCellsBounds(bounds);
+  vtkBoundingBox shell(bounds);
+  shell.Inflate(0.5 * options.MeshThickness);
+  shapes.AddBox(shell);
+}
+
+std::unique_ptr<MovingTarget> MeshShape::MakeTarget(
+  const TargetFrames& frames, const ShapeOptions& options) const
+{
+  return MakeBlend(frames, options, options.Level.IsoValue + options.Level.Reach, options.Level);
+}
+
+}

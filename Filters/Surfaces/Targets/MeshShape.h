@@ -1,0 +1,37 @@
+/**
+ * Polygons: the distance to a closed mesh, or to the shell that MeshThickness makes of an open one,
+ * see vtkGridPotential.
+ */
+#ifndef MeshShape_h
+#define MeshShape_h
+
+#include "Targets/FunctionShape.h"
+#include "Targets/InputData.h"
+
+namespace activesurface
+{
+
+class MeshShape : public FunctionShape
+{
+public:
+  static bool Fits(vtkDataSet* data);
+
+  /** Throws std::invalid_argument if there are lines too. */
+  explicit MeshShape(const InputData& input);
+
+  const char* GetName() const override { return "a mesh"; }
+  bool CanStart() const override { return true; }
+
+  /** The points of a mesh that has lost its polygons. */
+  bool IsEmptyAs(const InputShape& other) const override { return !other.HasCells(); }
+
+  std::string Prepare(ShapePreparation& preparation) override;
+  void AddBounds(
+    const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
+  std::unique_ptr<MovingTarget> MakeTarget(
+    const TargetFrames& frames, const ShapeOptions& options) const override;
+};
+
+}
+
+#endif

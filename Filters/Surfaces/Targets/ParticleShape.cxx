@@ -1,0 +1,99 @@
+#include "Targets/ParticleShape.h"
+
+#include "Targets/ParticleTarget.h"
+#include "Targets/ShapePreparation.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellTypes.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// A vtkPolyData of another kind has been taken for that.
+void CheckHasVerticesOnly(vtkDataSet* data)
+{
+  vtkNew<vtkCellTypes> types;
+  if (!vtkPolyData::SafeDownCast(data))
+  {
+    data->GetCellTypes(types);
+  }
+  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  {
+    const int type = types->GetCellType(i);
+    if (type != VTK_EMPTY_CELL && type != VTK_VERTEX && type != VTK_POLY_VERTEX)
+    {
+      throw std::invalid_argument(std::string("A ") + data->GetClassName() +
+        " with other cells than vertices cannot be a target. Take its points alone as particles, "
+        "or its closed surface as a vtkPolyData (vtkDataSetSurfaceFilter).");
+    }
+  }
+}
+
+ParticleFrame ReadPoints(const InputData& input)
+{
+  CheckHasVerticesOnly(input.Data);
+  PointArrays arrays;
+  arrays.Radii = input.Chosen.FindRadii();
+  arrays.Ids = input.Chosen.FindIds();
+  arrays.Strengths = input.Chosen.FindStrengths();
+  arrays.Velocities = input.Kept.Velocities.empty() ? nullptr : input.Chosen.FindVelocities();
+  arrays.Passed = input.Kept.All ? input.Data->GetPointData() : nullptr;
+  return ReadParticles(vtkPointSet::SafeDownCast(input.Data), arrays);
+}
+
+}
+
+bool ParticleShape::Fits(vtkDataSet* data)
+{
+  return vtkPointSet::SafeDownCast(data) != nullptr;
+}
+
+ParticleShape::ParticleShape(const InputData& input)
+  : Particles(ReadPoints(input))
+  , Kept(input.Kept)
+  , HasVertices(input.Data->GetNumberOfCells() > 0)
+{
+}
+
+ParticleShape::ParticleShape(ParticleFrame particles)
+  : Particles(std::move(particles))
+{
+}
+
+std::string ParticleShape::Prepare(ShapePreparation& preparation)
+{
+  if (this->Particles.Ignored > 0)
+  {
+    preparation.Report("ignored particles",
+      std::to_string(this->Particles.Ignored) + " particles are left out " + preparation.When +
+        ": coordinates, radius or strength are not finite, or the radius is not > 0.");
+  }
+  preparation.GiveRadius(this->Particles);
+  return "";
+}
+
+void ParticleShape::AddBounds(const ShapeOptions&, vtkBoundingBox& shapes, vtkBoundingBox&) const
+{
+  double bounds[6];
+  if (this->Particles.GetBounds(bounds))
+  {
+    shapes.AddBounds(bounds);
+  }
+}
+
+std::unique_ptr<MovingTarget> ParticleShape::MakeTarget(
+  const TargetFrames& frames, const ShapeOptions& options) const
+{
+  return std::make_unique<ParticleTarget>(frames, options.Kernel, options.Threshold, options.Level);
+}
+
+}

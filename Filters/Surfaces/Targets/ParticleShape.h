@@ -1,0 +1,44 @@
+/**
+ * Points alone: particles, see ParticleTarget.
+ */
+#ifndef ParticleShape_h
+#define ParticleShape_h
+
+#include "Targets/InputData.h"
+#include "Targets/InputShape.h"
+#include "Targets/ParticleFrame.h"
+
+namespace activesurface
+{
+
+class ParticleShape : public InputShape
+{
+public:
+  static bool Fits(vtkDataSet* data);
+
+  /** Throws std::invalid_argument for cells that are no vertices, and for unfit arrays. */
+  explicit ParticleShape(const InputData& input);
+  explicit ParticleShape(ParticleFrame particles);
+
+  const char* GetName() const override { return "particles"; }
+  bool IsEmpty() const override { return this->Particles.Particles.empty(); }
+  bool HasCells() const override { return this->HasVertices; }
+
+  std::string Prepare(ShapePreparation& preparation) override;
+  void AddBounds(
+    const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
+  std::unique_ptr<MovingTarget> MakeTarget(
+    const TargetFrames& frames, const ShapeOptions& options) const override;
+
+  const ParticleFrame* GetParticles() const override { return &this->Particles; }
+  bool HasArrays(const ParticleArrays& arrays) const override { return this->Kept == arrays; }
+
+private:
+  ParticleFrame Particles;
+  ParticleArrays Kept;
+  bool HasVertices = false;
+};
+
+}
+
+#endif

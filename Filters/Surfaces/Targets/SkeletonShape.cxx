@@ -1,0 +1,130 @@
+#include "Targets/SkeletonShape.h"
+
+#include "Targets/MovingTarget.h"
+#include "Targets/ShapePreparation.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSkeletonPotential.h"
+
+#include <stdexcept>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// What the point arrays of the copy are called.
+constexpr const char* RadiusName = "Radius";
+constexpr const char* StrengthName = "Strength";
+
+// Keeps what an object reports, in place of the output window.
+class LastReport
+{
+public:
+  LastReport(vtkObject* object, unsigned long event)
+  {
+    vtkNew<vtkCallbackCommand> note;
+    note->SetClientData(&this->Text);
+    note->SetCallback([](vtkObject*, unsigned long, void* kept, void* text)
+      { *static_cast<std::string*>(kept) = static_cast<const char*>(text); });
+    this->Object = object;
+    this->Tag = object->AddObserver(event, note);
+  }
+  ~LastReport() { this->Object->RemoveObserver(this->Tag); }
+  LastReport(const LastReport&) = delete;
+  void operator=(const LastReport&) = delete;
+
+  std::string Text;
+
+private:
+  vtkObject* Object;
+  unsigned long Tag;
+};
+
+// A copy, by another name.
+void AddArray(vtkDataSet* data, vtkAbstractArray* array, const char* name)
+{
+  if (array)
+  {
+    vtkSmartPointer<vtkAbstractArray> copy;
+    copy.TakeReference(array->NewInstance());
+    copy->DeepCopy(array);
+    copy->SetName(name);
+    data->GetPointData()->AddArray(copy);
+  }
+}
+
+const char* FindName(vtkDataSet* data, const char* name)
+{
+  return data->GetPointData()->HasArray(name) ? name : "";
+}
+
+}
+
+bool SkeletonShape::Fits(vtkDataSet* data)
+{
+  auto polyData = vtkPolyData::SafeDownCast(data);
+  return polyData && polyData->GetNumberOfLines() > 0;
+}
+
+SkeletonShape::SkeletonShape(const InputData& input)
+  : FunctionShape(CopyPointsAndCells(input.Data))
+{
+  PointArrays arrays;
+  arrays.Radii = input.Chosen.FindRadii();
+  arrays.Strengths = input.Chosen.FindStrengths();
+  this->Points = ReadParticles(vtkPointSet::SafeDownCast(input.Data), arrays);
+  AddArray(this->Data, arrays.Radii, RadiusName);
+  AddArray(this->Data, arrays.Strengths, StrengthName);
+}
+
+std::string SkeletonShape::Prepare(ShapePreparation& preparation)
+{
+  if (this->Function)
+  {
+    return "";
+  }
+  preparation.GiveRadius(this->Points);
+  vtkNew<vtkSkeletonPotential> skeleton;
+  skeleton->SetInput(vtkPointSet::SafeDownCast(this->Data));
+  skeleton->SetRadius(preparation.GetRadius());
+  skeleton->SetRadiusArrayName(FindName(this->Data, RadiusName));
+  skeleton->SetStrengthArrayName(FindName(this->Data, StrengthName));
+  skeleton->SetKernel(static_cast<int>(preparation.Options.Kernel));
+  skeleton->SetThreshold(preparation.Options.Threshold);
+  const LastReport errors(skeleton, vtkCommand::ErrorEvent);
+  const LastReport warnings(skeleton, vtkCommand::WarningEvent);
+  const vtkIdType ignored = skeleton->GetNumberOfIgnoredElements();
+  if (!errors.Text.empty())
+  {
+    throw std::runtime_error(errors.Text);
+  }
+  this->Function = skeleton;
+  return ignored == 0 ? ""
+                      : std::to_string(ignored) +
+      " points or segments are left out: a coordinate, radius or strength is not finite, the "
+      "radius is not > 0, or the point does not exist.";
+}
+
+void SkeletonShape::AddBounds(const ShapeOptions&, vtkBoundingBox& shapes, vtkBoundingBox&) const
+{
+  double bounds[6];
+  auto skeleton = vtkSkeletonPotential::SafeDownCast(this->Function);
+  if (skeleton && skeleton->GetSkeletonBounds(bounds))
+  {
+    shapes.AddBounds(bounds);
+  }
+}
+
+std::unique_ptr<MovingTarget> SkeletonShape::MakeTarget(
+  const TargetFrames& frames, const ShapeOptions& options) const
+{
+  return MakeBlend(frames, options, options.Threshold, options.Level);
+}
+
+}

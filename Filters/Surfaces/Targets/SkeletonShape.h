@@ -1,0 +1,38 @@
+/**
+ * Lines: a skeleton of segments, see vtkSkeletonPotential.
+ */
+#ifndef SkeletonShape_h
+#define SkeletonShape_h
+
+#include "Targets/FunctionShape.h"
+#include "Targets/InputData.h"
+#include "Targets/ParticleFrame.h"
+
+namespace activesurface
+{
+
+class SkeletonShape : public FunctionShape
+{
+public:
+  static bool Fits(vtkDataSet* data);
+
+  /** Throws std::invalid_argument for unfit arrays. */
+  explicit SkeletonShape(const InputData& input);
+
+  const char* GetName() const override { return "a skeleton of lines"; }
+  bool IsEmpty() const override { return this->Points.Particles.empty(); }
+
+  /** The function needs no voxels: it is made at once. */
+  std::string Prepare(ShapePreparation& preparation) override;
+  void AddBounds(
+    const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
+  std::unique_ptr<MovingTarget> MakeTarget(
+    const TargetFrames& frames, const ShapeOptions& options) const override;
+
+private:
+  ParticleFrame Points;
+};
+
+}
+
+#endif
