@@ -152,6 +152,21 @@ void NarrowBand::State::CheckSize() const
   }
 }
 
+// Comes before the next potential is taken, so that the last one stays. One check is enough: what
+// is measured and written of a bounded potential is finite, a displacement of it too, and the
+// paper's scheme clamps.
+void NarrowBand::State::RefuseUnbounded(bool isUnbounded) const
+{
+  if (isUnbounded)
+  {
+    std::ostringstream text;
+    text << "The potential would not be finite after the substep that begins at the motion time "
+         << this->Time << ", where the skin stays; lower CFL, to 1 at most, set GradientScheme to "
+         << "UPWIND, and Tension to a number >= 0.";
+    throw std::runtime_error(text.str());
+  }
+}
+
 SkinMeasure NarrowBand::State::Measure() const
 {
   const SkinMeasure skin = MeasureSkin(this->Leaves);
@@ -237,6 +252,7 @@ void NarrowBand::State::MakeDefaultStep(
   const double speed = limits.Speed + std::fabs(move.Force.Speed);
   coefficients.Relaxation = static_cast<float>(RelaxationFor(step * tracking, step * speed / size));
   const SlopeCounts slopes = StepForward(this->Leaves, coefficients, this->Buffers);
+  this->RefuseUnbounded(slopes.Unbounded);
   if (motion.Box.Present)
   {
     ClampToWalls(this->Leaves, motion.Box, size, this->Buffers);
