@@ -137,6 +137,21 @@ void BandState::CheckSize() const
   }
 }
 
+// Comes before the next potential is taken, so that the last one stays. One check is enough: what
+// is measured and written of a bounded potential is finite, a displacement of it too, and the
+// paper's scheme clamps.
+void BandState::RefuseUnbounded(bool isUnbounded) const
+{
+  if (isUnbounded)
+  {
+    std::ostringstream text;
+    text << "The potential would not be finite after the substep that begins at the motion time "
+         << this->Time << ", where the skin stays; lower CFL, to 1 at most, set GradientScheme to "
+         << "UPWIND, and Tension to a number >= 0.";
+    throw std::runtime_error(text.str());
+  }
+}
+
 SkinMeasure BandState::Measure() const
 {
   const SkinMeasure skin = MeasureSkin(this->Leaves);
@@ -207,8 +222,7 @@ PenaltyForce BandState::FindForce(const Motion& motion) const
   return isForced ? FindPenalty(motion, this->Measure(), this->StartMeasure) : PenaltyForce();
 }
 
-void BandState::MakeDefaultStep(
-  const Motion& motion, const TargetLimits& limits, Move& move)
+void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move)
 {
   const double size = this->VoxelSize;
   const double tracking = TrackingRate(motion, size, limits);
@@ -222,6 +236,7 @@ void BandState::MakeDefaultStep(
   const double speed = limits.Speed + std::fabs(move.Force.Speed);
   coefficients.Relaxation = static_cast<float>(RelaxationFor(step * tracking, step * speed / size));
   const SlopeCounts slopes = StepForward(this->Leaves, coefficients, this->Buffers);
+  this->RefuseUnbounded(slopes.Unbounded);
   if (motion.Box.Present)
   {
     ClampToWalls(this->Leaves, motion.Box, size, this->Buffers);
@@ -263,8 +278,7 @@ void BandState::RestoreControlled(const Motion& motion)
   }
 }
 
-void BandState::MakeStep(
-  const Motion& motion, Target& target, AdvanceReport& report, Move& move)
+void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
   WalledTarget walled(target, motion.Box);
   const TargetLimits limits =
@@ -298,8 +312,7 @@ void BandState::MakeStep(
   ++report.Substeps;
 }
 
-void BandState::Step(
-  double end, const Motion& motion, Target& target, AdvanceReport& report)
+void BandState::Step(double end, const Motion& motion, Target& target, AdvanceReport& report)
 {
   Move move;
   move.MostTime = end - this->Time;

@@ -72,6 +72,7 @@ private:
   void MakePaperStep(const Motion& motion, Move& move);
   void RestoreControlled(const Motion& motion);
   void CheckSize() const;
+  void RefuseUnbounded(bool isUnbounded) const;
 };
 
 }

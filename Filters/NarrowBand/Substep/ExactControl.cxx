@@ -1,5 +1,6 @@
 #include "Substep/ExactControl.h"
 
+#include "Leaves/LeafKernels.h"
 #include "Substep/RowKernels.h"
 #include "Substep/SkinMeasure.h"
 #include "Substep/StepForward.h"
@@ -18,36 +19,61 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double Precision = 1e-9; // relative
 
-double Clamp(double value, double most)
+// Lengths in voxels.
+constexpr double Farthest = 2.0 / (3.0 * 1.7320508075688772); // at a time, as a substep may go
+constexpr double FarthestInAll = 1.5;
+constexpr double Noticeable = 1e-5; // below, rounding of the potential spoils a measured rate
+
+/** |grad u| of a row: by central differences, which balance those of tension, but no farther than a
+ * tenth from upwind ones. Central ones alone amplify what noise there is, and a steep fold beside a
+ * crease grows without bound. */
+ACTIVE_ALWAYS_INLINE void DisplacedSlopes(const float* u, float direction, float* slopes)
 {
-  return std::min(std::max(value, -most), most);
+  constexpr RowMask unrelaxed{};
+  constexpr float least = 0.9f, most = 1.1f;
+  float directions[8], upwind[8] = {}, squares[8];
+  std::fill_n(directions, 8, direction);
+  AddTransport(u, directions, -direction, unrelaxed, upwind);
+  CentralSlopes(u, squares);
+  for (int z = 0; z < 8; ++z)
+  {
+    slopes[z] = std::min(std::max(std::sqrt(squares[z]), least * upwind[z]), most * upwind[z]);
+  }
 }
 
 /** u -= distance * |grad u| at the active nodes. */
+struct DisplaceLeaf
+{
+  const LeafTable& Table;
+  SubstepBuffers& Buffers;
+  const float Distance;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    const BandLeaf& leaf = this->Table[i];
+    LeafBlock block;
+    block.Gather(this->Table, leaf);
+    for (int row = 0; row < 64; ++row)
+    {
+      const float* u = block.Row(row / 8, row % 8);
+      const unsigned active = leaf.Active.Row(row / 8, row % 8);
+      float slopes[8];
+      DisplacedSlopes(u, this->Distance > 0.f ? 1.f : -1.f, slopes);
+      float* result = this->Buffers.NextOf(i) + 8 * row;
+      for (int z = 0; z < 8; ++z)
+      {
+        result[z] = (active >> z) & 1u ? u[z] - this->Distance * slopes[z] : u[z];
+      }
+    }
+  }
+};
+
 void Displace(const ControlledBand& band, double distance)
 {
   LeafTable& table = band.Leaves;
   table.MoveAll();
   band.Buffers.MakeRoomForNodes(table.Size());
-  const float shift = static_cast<float>(distance);
-  table.ForEach(
-    [&](std::size_t i)
-    {
-      LeafBlock block;
-      block.Gather(table, table[i]);
-      for (int row = 0; row < 64; ++row)
-      {
-        const float* u = block.Row(row / 8, row % 8);
-        const unsigned active = table[i].Active.Row(row / 8, row % 8);
-        float* next = band.Buffers.NextOf(i) + 8 * row;
-        float squares[8];
-        CentralSlopes(u, squares);
-        for (int z = 0; z < 8; ++z)
-        {
-          next[z] = (active >> z) & 1u ? u[z] - shift * std::sqrt(squares[z]) : u[z];
-        }
-      }
-    });
+  ForEachLeaf(table, DisplaceLeaf{ table, band.Buffers, static_cast<float>(distance) });
   if (band.Box.Present)
   {
     ClampToWalls(table, band.Box, band.VoxelSize, band.Buffers);
@@ -56,43 +82,45 @@ void Displace(const ControlledBand& band, double distance)
   band.Rebuild();
 }
 
+/** Restores a number of the skin by the secant method; gain: what it gains per displacement, as far
+ * as is known. */
+void Restore(const ControlledBand& band, double SkinMeasure::*number, double wanted,
+  SkinMeasure skin, double gain)
+{
+  constexpr int mostSteps = 8;
+  constexpr double least = 1e-3; // gain below which there is no way
+  double left = FarthestInAll;
+  for (int step = 0; step < mostSteps && skin.Area > 0.0 && left > 0.0; ++step)
+  {
+    const double missing = wanted - skin.*number;
+    if (std::fabs(missing) <= Precision * wanted || std::fabs(gain) < least)
+    {
+      break;
+    }
+    const double most = std::min(Farthest, left);
+    const double distance = std::min(std::max(missing / gain, -most), most);
+    Displace(band, distance);
+    left -= std::fabs(distance);
+    const double before = skin.*number;
+    skin = MeasureSkin(band.Leaves);
+    const double gained = skin.*number - before;
+    gain = std::fabs(distance) > Noticeable && gained != 0.0 ? gained / distance : gain;
+  }
+}
+
 }
 
 void RestoreVolume(const ControlledBand& band, double volume)
 {
-  constexpr int mostSteps = 3;
-  constexpr double farthest = 0.5; // what upwinding allows the surface to go at a time
-  for (int step = 0; step < mostSteps; ++step)
-  {
-    const SkinMeasure skin = MeasureSkin(band.Leaves);
-    if (!(skin.Area > 0.0) || std::fabs(skin.Volume - volume) <= Precision * volume)
-    {
-      break;
-    }
-    const double distance = Clamp((volume - skin.Volume) / skin.Area, farthest);
-    Displace(band, distance);
-  }
+  const SkinMeasure skin = MeasureSkin(band.Leaves);
+  Restore(band, &SkinMeasure::Volume, volume, skin, skin.Area);
 }
 
 void RestoreArea(const ControlledBand& band, double area)
 {
-  constexpr int mostSteps = 6;
-  constexpr double farthest = 0.25;
-  constexpr double least = 1e-3; // gain of area per displacement below which there is no way
-  SkinMeasure skin = MeasureSkin(band.Leaves);
-  double gain = std::sqrt(16.0 * Pi * skin.Area); // of a sphere
-  for (int step = 0; step < mostSteps && skin.Area > 0.0; ++step)
-  {
-    if (std::fabs(skin.Area - area) <= Precision * area || std::fabs(gain) < least)
-    {
-      break;
-    }
-    const double distance = Clamp((area - skin.Area) / gain, farthest);
-    Displace(band, distance);
-    const SkinMeasure after = MeasureSkin(band.Leaves);
-    gain = distance != 0.0 && after.Area != skin.Area ? (after.Area - skin.Area) / distance : gain;
-    skin = after;
-  }
+  const SkinMeasure skin = MeasureSkin(band.Leaves);
+  const double ofASphere = std::sqrt(16.0 * Pi * skin.Area);
+  Restore(band, &SkinMeasure::Area, area, skin, ofASphere);
 }
 
 }

@@ -25,7 +25,7 @@ struct ControlledBand
   double VoxelSize;
 };
 
-/** Moves the surface outward until the volume is restored, or by a voxel and a half. */
+/** Moves the surface until the volume is restored to 1e-9, or by a voxel and a half. */
 void RestoreVolume(const ControlledBand& band, double volume);
 
 /** The same for the area; what area gains per displacement is found from one step to the next, as

@@ -25,6 +25,11 @@ ACTIVE_ALWAYS_INLINE void CountSlopes(const float* u, unsigned bits, int& flat, 
   }
 }
 
+ACTIVE_ALWAYS_INLINE unsigned IsUnbounded(float u)
+{
+  return !(std::fabs(u) < UnboundedPotential); // nor is NaN below it
+}
+
 /** Adds all terms to a row; speeds: the target's, or null. */
 ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* speeds, unsigned relaxed,
   const StepCoefficients& coefficients, float* next)
@@ -129,6 +134,7 @@ struct StepLeaf
       : LeafMask();
     const float* speeds = this->Coefficients.Attracted ? this->Buffers.SpeedOf(i) : nullptr;
     int flat = 0, steep = 0;
+    unsigned unbounded = 0;
     for (int row = 0; row < 64; ++row)
     {
       const int x = row / 8, y = row % 8;
@@ -145,7 +151,9 @@ struct StepLeaf
       AddTerms(u, speeds ? speeds + 8 * row : nullptr, relaxed.Row(x, y), this->Coefficients, next);
       for (int z = 0; z < 8; ++z)
       {
-        result[z] = (active >> z) & 1u ? next[z] : u[z];
+        const unsigned isActive = (active >> z) & 1u;
+        result[z] = isActive ? next[z] : u[z];
+        unbounded |= isActive & IsUnbounded(next[z]);
       }
       if (const unsigned zero = leaf.Upto[0].Row(x, y))
       {
@@ -154,6 +162,7 @@ struct StepLeaf
     }
     this->Buffers.FlatNodes[i] = flat;
     this->Buffers.SteepNodes[i] = steep;
+    this->Buffers.Unbounded[i] = static_cast<std::uint8_t>(unbounded);
   }
 };
 
@@ -172,6 +181,7 @@ SlopeCounts StepForward(
   buffers.MakeRoomForNodes(size); // which it is where there are speeds
   buffers.FlatNodes.resize(size);
   buffers.SteepNodes.resize(size);
+  buffers.Unbounded.resize(size);
   ForEachLeaf(table, table.GetMoving(), StepLeaf{ table, coefficients, buffers });
   SlopeCounts counts;
   counts.Nodes = table.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
@@ -179,6 +189,7 @@ SlopeCounts StepForward(
   {
     counts.Flat += buffers.FlatNodes[i];
     counts.Steep += buffers.SteepNodes[i];
+    counts.Unbounded = counts.Unbounded || buffers.Unbounded[i] != 0;
   }
   return counts;
 }

@@ -32,12 +32,16 @@ struct StepCoefficients
   bool Moves() const { return this->Attracted || this->Uniform != 0.f; }
 };
 
+/** |u| [voxels] that nothing sound reaches, and from which no single operation overflows. */
+constexpr float UnboundedPotential = 1e12f;
+
 /** Slopes of the nodes of layer 0, counted on the potential before the step. */
 struct SlopeCounts
 {
-  std::size_t Nodes = 0; //< of all leaves
-  std::size_t Flat = 0;  //< slope below 1/sqrt 2, in leaves that move
-  std::size_t Steep = 0; //< slope above sqrt 2, in leaves that move
+  std::size_t Nodes = 0;  //< of all leaves
+  std::size_t Flat = 0;   //< slope below 1/sqrt 2, in leaves that move
+  std::size_t Steep = 0;  //< slope above sqrt 2, in leaves that move
+  bool Unbounded = false; //< Next is not finite somewhere, or not below UnboundedPotential
 };
 
 /** How fast the surface moves at the nodes of crossed edges, whose target speeds have to be known:

@@ -63,10 +63,11 @@ struct SubstepBuffers
   std::vector<LeafMask> NextKnown;
 
   // Per leaf.
-  std::vector<double> LargestSlope; //< of the target, |dF/dn|
-  std::vector<float> LargestSpeed;  //< at the nodes with samples
-  std::vector<int> FlatNodes;       //< layer 0 nodes of slope below 1/sqrt 2
-  std::vector<int> SteepNodes;      //< layer 0 nodes of slope above sqrt 2
+  std::vector<double> LargestSlope;    //< of the target, |dF/dn|
+  std::vector<float> LargestSpeed;     //< at the nodes with samples
+  std::vector<int> FlatNodes;          //< layer 0 nodes of slope below 1/sqrt 2
+  std::vector<int> SteepNodes;         //< layer 0 nodes of slope above sqrt 2
+  std::vector<std::uint8_t> Unbounded; //< whether the next potential is, see SlopeCounts
 
   void MakeRoomForNodes(std::size_t leaves) { this->Nodes.MakeRoom(leaves); }
   float* SpeedOf(std::size_t leaf) { return this->Nodes.Of(leaf); }
