@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace activesurface
@@ -184,10 +185,10 @@ private:
 };
 
 /** Nodes of a layer whose value is not the last substep's: ghosts, and those that entered, which
- * only leaves near what moves can have. */
-ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, bool isNear, int layer)
+ * only affected leaves can have. */
+ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, bool isAffected, int layer)
 {
-  const LeafMask valid = isNear ? leaf.Active & leaf.Advanced : leaf.Active;
+  const LeafMask valid = isAffected ? leaf.Active & leaf.Advanced : leaf.Active;
   return leaf.Upto[layer].Without(leaf.Upto[layer - 1]).Without(valid);
 }
 
@@ -195,11 +196,12 @@ struct FillLayer
 {
   LeafTable& Table;
   int Layer;
+  bool IsAffected; //< whether the leaves are
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     BandLeaf& leaf = this->Table[i];
-    const LeafMask nodes = NodesToFill(leaf, this->Table.SummaryOf(i).IsNear, this->Layer);
+    const LeafMask nodes = NodesToFill(leaf, this->IsAffected, this->Layer);
     if (!nodes.Any())
     {
       return;
@@ -213,14 +215,18 @@ struct FillLayer
 
 }
 
-void FillGhosts(LeafTable& table)
+void FillGhosts(LeafTable& table, const ActiveSet& set)
 {
-  for (int layer = 1; layer < LastLayer; ++layer)
+  for (int layer = 1; layer <= LastLayer; ++layer)
   {
-    ForEachLeaf(table, table.GetNear(), FillLayer{ table, layer });
+    ForEachLeaf(table, set.Affected, FillLayer{ table, layer, true });
   }
   // Three-point rays over three layers end up to nine nodes from what has moved.
-  ForEachLeaf(table, table.FindAround(table.GetNear()), FillLayer{ table, LastLayer });
+  const LeafList around = table.FindAround(set.Affected);
+  LeafList beyond;
+  std::set_difference(around.begin(), around.end(), set.Affected.begin(), set.Affected.end(),
+    std::back_inserter(beyond));
+  ForEachLeaf(table, beyond, FillLayer{ table, LastLayer, false });
 }
 
 }

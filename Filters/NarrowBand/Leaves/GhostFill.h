@@ -13,13 +13,13 @@
 #ifndef GhostFill_h
 #define GhostFill_h
 
-#include "Leaves/LeafTable.h"
+#include "Leaves/ActiveSet.h"
 
 namespace activesurface
 {
 
-/** Where they may have changed: around what moves. */
-void FillGhosts(LeafTable& table);
+/** Fills them where they may have changed: in the affected leaves and next to them. */
+void FillGhosts(LeafTable& table, const ActiveSet& set);
 
 }
 

@@ -163,9 +163,9 @@ struct UseLayers
 };
 
 /** New leaves change the layers around them, as far as the leaves next to them. */
-void GrowLayers(LeafTable& table, PotentialTree& tree)
+void GrowLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree)
 {
-  LeafList leaves = table.GetNear();
+  LeafList leaves = set.Affected;
   while (!leaves.empty())
   {
     FindLayerZero(table, leaves);
@@ -173,22 +173,24 @@ void GrowLayers(LeafTable& table, PotentialTree& tree)
     {
       ForEachLeaf(table, leaves, AddLayer{ table, layer });
     }
-    leaves = table.FindAround(AddWantedLeaves(table, tree, leaves));
+    const LeafList created = AddWantedLeaves(table, tree, leaves);
+    set.AddCreated(created);
+    leaves = table.FindAround(created);
   }
 }
 
 }
 
-void FindLayers(LeafTable& table, PotentialTree& tree)
+void FindLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree)
 {
-  GrowLayers(table, tree);
-  table.ForEach(table.GetNear(), [&](std::size_t i) { FindCrossedEdges(table, i); });
+  GrowLayers(table, set, tree);
+  table.ForEach(set.Affected, [&](std::size_t i) { FindCrossedEdges(table, i); });
 }
 
-void RebuildLayers(LeafTable& table, PotentialTree& tree)
+void RebuildLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree)
 {
-  GrowLayers(table, tree);
-  ForEachLeaf(table, table.GetNear(), UseLayers{ table });
+  GrowLayers(table, set, tree);
+  ForEachLeaf(table, set.Affected, UseLayers{ table });
 }
 
 void DropEmptyLeaves(LeafTable& table, PotentialTree& tree)

@@ -75,7 +75,6 @@ struct LeafSummary
   std::int32_t ZeroNodes = 0; //< of layer 0
   std::int32_t Crossings = 0;
   bool IsUsed = false; //< whether a node of the leaf means more than its sign
-  bool IsNear = true;  //< in LeafTable's list of those
 };
 
 struct BandLeaf
@@ -116,22 +115,13 @@ public:
   void Rebuild(PotentialTree& tree);
 
   /** Adds these leaves to the tree and to the table, where they are not there yet; the numbers of
-   * the others stay. Returns the numbers of the new ones, which are near what moves. */
+   * the others stay. Returns the numbers of the new ones, ascending. */
   LeafList Add(const std::vector<openvdb::Coord>& origins, PotentialTree& tree);
 
   ///@{
   /** Whether all leaves are in the order of the tree; what their order there is. */
   bool IsSorted() const { return this->Sorted == this->Leaves.size(); }
   LeafList FindTreeOrder() const;
-  ///@}
-
-  ///@{
-  /** The leaves that the next substep changes, until Rebuild; and those that see it: they and
-   * their neighbours, and leaves that are new. */
-  void Move(LeafList leaves);
-  void MoveAll();
-  const LeafList& GetMoving() const { return this->Moving; }
-  const LeafList& GetNear() const { return this->Near; }
   ///@}
 
   /** These leaves and their neighbours. */
@@ -258,10 +248,8 @@ private:
 
   std::vector<BandLeaf> Leaves;
   std::vector<LeafSummary> Summaries; // of each
-  LeafList Moving;
-  LeafList Near;
-  std::size_t Sorted = 0;          // how many there were at Rebuild
-  std::vector<std::int32_t> Index; // open-addressing hash of the origins
+  std::size_t Sorted = 0;             // how many there were at Rebuild
+  std::vector<std::int32_t> Index;    // open-addressing hash of the origins
   std::array<std::array<float, 8>, 2> Background{};
   LeafMask Nothing;
   LeafMask Everything = LeafMask::All();

@@ -68,13 +68,14 @@ void BandState::TakeTree(const openvdb::FloatTree::Ptr& tree)
   this->Leaves.SetBackground(this->GetBackground());
   this->Leaves.Rebuild(*tree);
   ReadActiveMasks(this->Leaves);
+  this->Set.ChooseAll(this->Leaves);
   if (this->Paper)
   {
-    RebuildPaperBand(this->Leaves, *tree);
+    RebuildPaperBand(this->Leaves, this->Set, *tree);
   }
   else
   {
-    RebuildLayers(this->Leaves, *tree);
+    RebuildLayers(this->Leaves, this->Set, *tree);
   }
   this->Crossings = NumberCrossings(this->Leaves);
 }
@@ -88,7 +89,8 @@ void BandState::Restore(const openvdb::FloatTree::Ptr& tree)
   }
   if (!this->Paper)
   {
-    FillGhosts(this->Leaves);
+    this->Set.ChooseAll(this->Leaves);
+    FillGhosts(this->Leaves, this->Set);
   }
   this->FinishFrame();
 }
@@ -106,7 +108,7 @@ void BandState::TakeScheme(const Motion& motion)
     return;
   }
   this->Paper = motion.Paper;
-  this->Leaves.MoveAll();
+  this->Set.ChooseAll(this->Leaves);
   this->Leaves.SetBackground(this->GetBackground());
   for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
   {
@@ -116,7 +118,7 @@ void BandState::TakeScheme(const Motion& motion)
     leaf.Active = this->Paper ? leaf.Upto[LastLayer] : leaf.Active;
     leaf.Unretired = LeafMask::All();
   }
-  this->RebuildBand();
+  this->RebuildBand(this->Set);
 }
 
 std::size_t BandState::CountActive() const
@@ -162,7 +164,7 @@ TargetLimits BandState::FollowTarget(
   LeafTable& leaves = this->Leaves;
   if (!(motion.Attraction > 0.0))
   {
-    leaves.MoveAll();
+    this->Set.ChooseAll(leaves);
     return {};
   }
   const bool mayRest = move.MaySleep && ComesToRest(motion);
@@ -184,19 +186,19 @@ TargetLimits BandState::FollowTarget(
   if (mayRest)
   {
     const RestRule rule{ motion, this->VoxelSize, limits.Slope };
-    leaves.Move(leaves.FindAround(FindUnrest(leaves, unknown, rule, this->Buffers)));
-    if (!std::includes(
-          sampled.begin(), sampled.end(), leaves.GetNear().begin(), leaves.GetNear().end()))
+    this->Set.Choose(leaves, leaves.FindAround(FindUnrest(leaves, unknown, rule, this->Buffers)));
+    const LeafList& affected = this->Set.Affected;
+    if (!std::includes(sampled.begin(), sampled.end(), affected.begin(), affected.end()))
     {
-      this->SampleTarget(leaves.GetNear(), true, motion, target, report);
+      this->SampleTarget(affected, true, motion, target, report);
     }
   }
   else
   {
-    leaves.MoveAll();
+    this->Set.ChooseAll(leaves);
   }
-  ExtendSpeed(leaves, motion, this->Buffers);
-  move.Sleeps = leaves.GetMoving().empty();
+  ExtendSpeed(leaves, this->Set, motion, this->Buffers);
+  move.Sleeps = this->Set.Active.empty();
   return limits;
 }
 
@@ -207,8 +209,7 @@ PenaltyForce BandState::FindForce(const Motion& motion) const
   return isForced ? FindPenalty(motion, this->Measure(), this->StartMeasure) : PenaltyForce();
 }
 
-void BandState::MakeDefaultStep(
-  const Motion& motion, const TargetLimits& limits, Move& move)
+void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move)
 {
   const double size = this->VoxelSize;
   const double tracking = TrackingRate(motion, size, limits);
@@ -221,13 +222,13 @@ void BandState::MakeDefaultStep(
   coefficients.Tension = static_cast<float>(step * motion.Tension / (size * size));
   const double speed = limits.Speed + std::fabs(move.Force.Speed);
   coefficients.Relaxation = static_cast<float>(RelaxationFor(step * tracking, step * speed / size));
-  const SlopeCounts slopes = StepForward(this->Leaves, coefficients, this->Buffers);
+  const SlopeCounts slopes = StepForward(this->Leaves, this->Set, coefficients, this->Buffers);
   if (motion.Box.Present)
   {
-    ClampToWalls(this->Leaves, motion.Box, size, this->Buffers);
+    ClampToWalls(this->Leaves, this->Set, motion.Box, size, this->Buffers);
   }
-  TakeNext(this->Leaves, this->Buffers);
-  this->RebuildBand();
+  TakeNext(this->Leaves, this->Set, this->Buffers);
+  this->RebuildBand(this->Set);
   const float scale = ScaleFor(slopes);
   if (scale != 1.f)
   {
@@ -241,18 +242,18 @@ void BandState::MakePaperStep(const Motion& motion, Move& move)
   StepPaper(this->Leaves, AdvectionFactor(move.Step, this->VoxelSize), this->Buffers);
   if (motion.Box.Present)
   {
-    ClampToWalls(this->Leaves, motion.Box, this->VoxelSize, this->Buffers);
+    ClampToWalls(this->Leaves, this->Set, motion.Box, this->VoxelSize, this->Buffers);
   }
-  TakeNext(this->Leaves, this->Buffers);
-  this->RebuildBand();
+  TakeNext(this->Leaves, this->Set, this->Buffers);
+  this->RebuildBand(this->Set);
   this->RestoreControlled(motion);
 }
 
 void BandState::RestoreControlled(const Motion& motion)
 {
   const double square = this->VoxelSize * this->VoxelSize;
-  const ControlledBand band{ this->Leaves, this->Buffers, [this] { this->RebuildBand(); },
-    motion.Box, this->VoxelSize };
+  const ControlledBand band{ this->Leaves, this->Set, this->Buffers,
+    [this](ActiveSet& set) { this->RebuildBand(set); }, motion.Box, this->VoxelSize };
   if (motion.VolumeControl == Control::Exact)
   {
     RestoreVolume(band, HeldVolume(motion, this->StartMeasure) / (square * this->VoxelSize));
@@ -263,8 +264,7 @@ void BandState::RestoreControlled(const Motion& motion)
   }
 }
 
-void BandState::MakeStep(
-  const Motion& motion, Target& target, AdvanceReport& report, Move& move)
+void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
   WalledTarget walled(target, motion.Box);
   const TargetLimits limits =
@@ -298,8 +298,7 @@ void BandState::MakeStep(
   ++report.Substeps;
 }
 
-void BandState::Step(
-  double end, const Motion& motion, Target& target, AdvanceReport& report)
+void BandState::Step(double end, const Motion& motion, Target& target, AdvanceReport& report)
 {
   Move move;
   move.MostTime = end - this->Time;
@@ -321,27 +320,27 @@ void BandState::StepAndTrace(const Motion& motion, Target& target, AdvanceReport
 
 void BandState::Confine(const Walls& walls)
 {
-  this->Leaves.MoveAll();
+  this->Set.ChooseAll(this->Leaves);
   this->Buffers.MakeRoomForNodes(this->Leaves.Size());
   this->Leaves.ForEach(
     [&](std::size_t i) { std::copy_n(this->Leaves[i].Value, 512, this->Buffers.NextOf(i)); });
-  ClampToWalls(this->Leaves, walls, this->VoxelSize, this->Buffers);
-  TakeNext(this->Leaves, this->Buffers);
-  this->RebuildBand();
+  ClampToWalls(this->Leaves, this->Set, walls, this->VoxelSize, this->Buffers);
+  TakeNext(this->Leaves, this->Set, this->Buffers);
+  this->RebuildBand(this->Set);
   this->FinishFrame();
   this->StartMeasure = this->Measure();
 }
 
-void BandState::RebuildBand()
+void BandState::RebuildBand(ActiveSet& set)
 {
   if (this->Paper)
   {
-    RebuildPaperBand(this->Leaves, this->Potential->tree());
+    RebuildPaperBand(this->Leaves, set, this->Potential->tree());
   }
   else
   {
-    RebuildLayers(this->Leaves, this->Potential->tree());
-    FillGhosts(this->Leaves);
+    RebuildLayers(this->Leaves, set, this->Potential->tree());
+    FillGhosts(this->Leaves, set);
   }
   const std::size_t empty =
     this->Leaves.Count([](const LeafSummary& leaf) { return !leaf.IsUsed; });

@@ -4,13 +4,13 @@
 #ifndef BandState_h
 #define BandState_h
 
-#include "Leaves/LeafTable.h"
+#include "Leaves/ActiveSet.h"
 #include "Motion.h"
-#include "Target.h"
 #include "Substep/Displacement.h"
 #include "Substep/SkinMeasure.h"
 #include "Substep/SubstepBuffers.h"
 #include "Substep/TimeStep.h"
+#include "Target.h"
 
 #include <limits>
 
@@ -30,6 +30,7 @@ struct BandState
   double BoxSize = 1.0;     // longest side of the bounds at the start
   bool Paper = false;       // the band is the paper's: see PaperStep.h
   AdvanceReport Work;       // since ForgetWork
+  ActiveSet Set;            // of the substep under way, which sets it first; kept for its memory
   SubstepBuffers Buffers;
   Displacement Trace;
 
@@ -49,7 +50,6 @@ struct BandState
   /** To be called between motions: the surface counts as just started. */
   void Confine(const Walls& walls);
 
-  void RebuildBand();
   void FinishFrame();
   std::size_t CountActive() const;
   /** Area and volume in world units. */
@@ -58,6 +58,8 @@ struct BandState
 private:
   struct Move;
 
+  /** Layers and ghosts, from the potential. */
+  void RebuildBand(ActiveSet& set);
   /** Makes the band the one that this motion needs. */
   void TakeScheme(const Motion& motion);
 

@@ -27,7 +27,7 @@ double Clamp(double value, double most)
 void Displace(const ControlledBand& band, double distance)
 {
   LeafTable& table = band.Leaves;
-  table.MoveAll();
+  band.Set.ChooseAll(table);
   band.Buffers.MakeRoomForNodes(table.Size());
   const float shift = static_cast<float>(distance);
   table.ForEach(
@@ -50,10 +50,10 @@ void Displace(const ControlledBand& band, double distance)
     });
   if (band.Box.Present)
   {
-    ClampToWalls(table, band.Box, band.VoxelSize, band.Buffers);
+    ClampToWalls(table, band.Set, band.Box, band.VoxelSize, band.Buffers);
   }
-  TakeNext(table, band.Buffers);
-  band.Rebuild();
+  TakeNext(table, band.Set, band.Buffers);
+  band.Rebuild(band.Set);
 }
 
 }

@@ -5,7 +5,7 @@
 #ifndef ExactControl_h
 #define ExactControl_h
 
-#include "Leaves/LeafTable.h"
+#include "Leaves/ActiveSet.h"
 #include "Motion.h"
 
 #include <functional>
@@ -19,8 +19,9 @@ struct SubstepBuffers;
 struct ControlledBand
 {
   LeafTable& Leaves;
+  ActiveSet& Set; //< room for the leaves of each displacement: all of them
   SubstepBuffers& Buffers;
-  std::function<void()> Rebuild; //< layers and ghosts, from the potential
+  std::function<void(ActiveSet&)> Rebuild; //< layers and ghosts, from the potential
   const Walls& Box;
   double VoxelSize;
 };

@@ -107,9 +107,9 @@ void StepPaper(const LeafTable& table, double advection, SubstepBuffers& buffers
     });
 }
 
-void RebuildPaperBand(LeafTable& table, PotentialTree& tree)
+void RebuildPaperBand(LeafTable& table, ActiveSet& set, PotentialTree& tree)
 {
-  FindLayers(table, tree);
+  FindLayers(table, set, tree);
   table.ForEach(
     [&](std::size_t i)
     {

@@ -13,7 +13,7 @@
 #ifndef PaperStep_h
 #define PaperStep_h
 
-#include "Leaves/LeafTable.h"
+#include "Leaves/ActiveSet.h"
 
 namespace activesurface
 {
@@ -43,7 +43,7 @@ double PaperTimeStep(const PaperLimits& limits, double tension, double voxelSize
 void StepPaper(const LeafTable& table, double advection, SubstepBuffers& buffers);
 
 /** Layers, then wakes and retires nodes; Active holds those of before. */
-void RebuildPaperBand(LeafTable& table, PotentialTree& tree);
+void RebuildPaperBand(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
 }
 

@@ -165,17 +165,17 @@ void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients&
   ForEachLeaf(table, leaves, FindRate{ table, coefficients, enough, buffers });
 }
 
-SlopeCounts StepForward(
-  const LeafTable& table, const StepCoefficients& coefficients, SubstepBuffers& buffers)
+SlopeCounts StepForward(const LeafTable& table, const ActiveSet& set,
+  const StepCoefficients& coefficients, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
   buffers.MakeRoomForNodes(size); // which it is where there are speeds
   buffers.FlatNodes.resize(size);
   buffers.SteepNodes.resize(size);
-  ForEachLeaf(table, table.GetMoving(), StepLeaf{ table, coefficients, buffers });
+  ForEachLeaf(table, set.Active, StepLeaf{ table, coefficients, buffers });
   SlopeCounts counts;
   counts.Nodes = table.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
-  for (const std::int32_t i : table.GetMoving())
+  for (const std::int32_t i : set.Active)
   {
     counts.Flat += buffers.FlatNodes[i];
     counts.Steep += buffers.SteepNodes[i];
@@ -183,15 +183,15 @@ SlopeCounts StepForward(
   return counts;
 }
 
-void TakeNext(LeafTable& table, const SubstepBuffers& buffers)
+void TakeNext(LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers)
 {
-  table.ForEach(table.GetMoving(),
+  table.ForEach(set.Active,
     [&](std::size_t i)
     {
       std::copy_n(buffers.NextOf(i), 512, table[i].Value);
       table[i].Inside = InsideNodes(table[i].Value);
     });
-  table.ForEach(table.GetNear(),
+  table.ForEach(set.Affected,
     [&](std::size_t i)
     {
       table[i].Advanced = table[i].Active;

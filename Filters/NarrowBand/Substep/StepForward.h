@@ -12,7 +12,7 @@
 #ifndef StepForward_h
 #define StepForward_h
 
-#include "Leaves/LeafTable.h"
+#include "Leaves/ActiveSet.h"
 
 namespace activesurface
 {
@@ -36,8 +36,8 @@ struct StepCoefficients
 struct SlopeCounts
 {
   std::size_t Nodes = 0; //< of all leaves
-  std::size_t Flat = 0;  //< slope below 1/sqrt 2, in leaves that move
-  std::size_t Steep = 0; //< slope above sqrt 2, in leaves that move
+  std::size_t Flat = 0;  //< slope below 1/sqrt 2, in active leaves
+  std::size_t Steep = 0; //< slope above sqrt 2, in active leaves
 };
 
 /** How fast the surface moves at the nodes of crossed edges, whose target speeds have to be known:
@@ -46,13 +46,13 @@ struct SlopeCounts
 void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients& coefficients,
   double enough, const SubstepBuffers& buffers);
 
-/** Next of the leaves that move, from the values of all active nodes (Jacobi). */
-SlopeCounts StepForward(
-  const LeafTable& table, const StepCoefficients& coefficients, SubstepBuffers& buffers);
+/** Next of the active leaves, from the values of all active nodes (Jacobi). */
+SlopeCounts StepForward(const LeafTable& table, const ActiveSet& set,
+  const StepCoefficients& coefficients, SubstepBuffers& buffers);
 
-/** Makes Next the potential of the leaves that move, with its signs; the active nodes count as
- * advanced, also those that have stayed. */
-void TakeNext(LeafTable& table, const SubstepBuffers& buffers);
+/** Makes Next the potential of the active leaves, with its signs; the active nodes of the affected
+ * leaves count as advanced, also those that have stayed. */
+void TakeNext(LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers);
 
 /** Multiplies the potential by a power of two: exact, and the surface stays where it is. */
 void ScalePotential(LeafTable& table, float factor);

@@ -225,10 +225,10 @@ struct ExtendLeaf
 };
 
 /** One round; false when no active node is left to reach. */
-bool ExtendOnce(const LeafTable& table, SubstepBuffers& buffers)
+bool ExtendOnce(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
 {
   std::atomic<bool> reached{ false }, left{ false };
-  ForEachLeaf(table, table.GetNear(), ExtendLeaf{ table, buffers, reached, left });
+  ForEachLeaf(table, set.Affected, ExtendLeaf{ table, buffers, reached, left });
   std::swap(buffers.Known, buffers.NextKnown);
   return reached.load() && left.load();
 }
@@ -247,9 +247,10 @@ void TakeSamples(
 }
 
 // What is extended is a mean of what is known: no larger.
-void ExtendSpeed(const LeafTable& table, const Motion& motion, SubstepBuffers& buffers)
+void ExtendSpeed(
+  const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers)
 {
-  while (SamplesCrossings(motion) && !motion.Paper && ExtendOnce(table, buffers))
+  while (SamplesCrossings(motion) && !motion.Paper && ExtendOnce(table, set, buffers))
   {
   }
 }

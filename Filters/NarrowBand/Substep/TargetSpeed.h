@@ -9,7 +9,7 @@
 #ifndef TargetSpeed_h
 #define TargetSpeed_h
 
-#include "Leaves/LeafTable.h"
+#include "Leaves/ActiveSet.h"
 #include "Motion.h"
 
 namespace activesurface
@@ -25,8 +25,9 @@ struct SubstepBuffers;
 void TakeSamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers);
 
-/** From there to the active nodes of the leaves near what moves. */
-void ExtendSpeed(const LeafTable& table, const Motion& motion, SubstepBuffers& buffers);
+/** Extends the speed from there to the active nodes of the affected leaves. */
+void ExtendSpeed(
+  const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers);
 
 /** The largest |speed| at the crossings of a leaf, interpolated between the nodes. */
 float LargestSpeedAtSurface(const LeafTable& table, std::size_t i, const SubstepBuffers& buffers);

@@ -9,7 +9,7 @@
 #ifndef WalledTarget_h
 #define WalledTarget_h
 
-#include "Leaves/LeafTable.h"
+#include "Leaves/ActiveSet.h"
 #include "Target.h"
 #include "Walls.h"
 
@@ -43,10 +43,10 @@ private:
   const Walls& Box;
 };
 
-/** Next is no less than the distance to the walls [voxels] at any active node of the leaves that
- * move. */
-void ClampToWalls(
-  const LeafTable& table, const Walls& walls, double voxelSize, SubstepBuffers& buffers);
+/** Next is no less than the distance to the walls [voxels] at any active node of the active leaves.
+ */
+void ClampToWalls(const LeafTable& table, const ActiveSet& set, const Walls& walls,
+  double voxelSize, SubstepBuffers& buffers);
 
 }
 
