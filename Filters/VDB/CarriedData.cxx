@@ -1,6 +1,6 @@
 #include "CarriedData.h"
 
-#include "ProgramEnd.h"
+#include "StaticShutdown.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
@@ -42,7 +42,7 @@ public:
   }
 
 protected:
-  ~Parcel() override { LetGo(std::move(this->Inside)); }
+  ~Parcel() override { ReleaseUnlessExiting(std::move(this->Inside)); }
 
 private:
   std::shared_ptr<const Content> Inside;

@@ -19,7 +19,7 @@
 #include "Measuring.h"
 #include "Scenes.h"
 #include "Skin.h"
-#include "Substep/RestingLeaves.h"
+#include "Substep/ConvergedLeaves.h"
 #include "Substep/SamplePoints.h"
 #include "Substep/StepForward.h"
 #include "Substep/SubstepBuffers.h"
@@ -93,16 +93,16 @@ struct OpenBand
     this->Clock("speed at the surface",
       [&]
       {
-        TakeSamples(this->Leaves, all, motion, this->Buffers);
+        ApplySamples(this->Leaves, all, motion, this->Buffers);
         RememberSpeeds(this->Leaves, all, this->Buffers);
         limits = FindLimits(this->Leaves);
       });
     this->Clock("rest",
       [&]
       {
-        const RestRule rule{ motion, this->VoxelSize, limits.Slope };
+        const ConvergenceRule rule{ motion, this->VoxelSize, limits.TargetSlope };
         this->Set.Choose(this->Leaves,
-          this->Leaves.FindAround(FindUnrest(this->Leaves, all, rule, this->Buffers)));
+          this->Leaves.FindAround(FindActiveLeaves(this->Leaves, all, rule, this->Buffers)));
       });
     this->Clock("extension", [&] { ExtendSpeed(this->Leaves, this->Set, motion, this->Buffers); });
     return limits;
@@ -132,7 +132,7 @@ struct OpenBand
     const double share = seconds() - without;
     this->Seconds["relaxation"] += share;
     this->Seconds["update"] += whole - share;
-    this->Clock("update", [&] { TakeNext(this->Leaves, this->Set, this->Buffers); });
+    this->Clock("update", [&] { CommitStep(this->Leaves, this->Set, this->Buffers); });
   }
 
   void RebuildBand()

@@ -3,7 +3,7 @@
 
 #include "Check.h"
 #include "Leaves/Layers.h"
-#include "Substep/RestingLeaves.h"
+#include "Substep/ConvergedLeaves.h"
 #include "Substep/SamplePoints.h"
 #include "Substep/StepForward.h"
 #include "Substep/SubstepBuffers.h"
@@ -140,7 +140,7 @@ std::vector<float> FindSurfaceSpeeds(OpenLeaves& leaves)
   ActiveSet all;
   all.ChooseAll(table);
   SampleLeaves({ table, leaves.Tree, VoxelSize }, all.Active, motion, target, buffers);
-  TakeSamples(table, all.Active, motion, buffers);
+  ApplySamples(table, all.Active, motion, buffers);
   FindRates(table, all.Active, coefficients, 1e30, buffers);
   std::vector<float> speeds;
   for (std::size_t i = 0; i < table.Size(); ++i)

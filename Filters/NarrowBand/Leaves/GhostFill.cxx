@@ -79,9 +79,9 @@ private:
   {
     const LeafLine<Axis> line(
       this->Table, this->Leaf, [this](std::int32_t n) { return this->Table[n].Value; });
-    const LeafMask& inner = this->Table[this->Leaf].Upto[this->Inner];
-    const LeafMask& next =
-      this->Table.UptoOf(this->Table[this->Leaf].Neighbour[FaceNumber(Axis, Sign)], this->Inner);
+    const LeafMask& inner = this->Table[this->Leaf].UpToLayer[this->Inner];
+    const LeafMask& next = this->Table.UpToLayerOf(
+      this->Table[this->Leaf].Neighbour[FaceNumber(Axis, Sign)], this->Inner);
     const LeafMask first = nodes & Seen<Axis, Sign>(inner, next);
     const LeafMask second = first & Seen<Axis, 2 * Sign>(inner, next);
     const LeafMask third = second & Seen<Axis, 3 * Sign>(inner, next);
@@ -153,7 +153,7 @@ private:
   float At(const LeafTable::Place& place) const
   {
     const bool isInner =
-      place.Leaf >= 0 && this->Table[place.Leaf].Upto[this->Inner].Has(place.Node);
+      place.Leaf >= 0 && this->Table[place.Leaf].UpToLayer[this->Inner].Has(place.Node);
     return isInner ? std::fabs(this->Table[place.Leaf].Value[place.Node]) : -1.f;
   }
   float AtOffset(int node, const int offset[3]) const
@@ -188,8 +188,8 @@ private:
  * only affected leaves can have. */
 ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, bool isAffected, int layer)
 {
-  const LeafMask valid = isAffected ? leaf.Active & leaf.Advanced : leaf.Active;
-  return leaf.Upto[layer].Without(leaf.Upto[layer - 1]).Without(valid);
+  const LeafMask valid = isAffected ? leaf.Active & leaf.Updated : leaf.Active;
+  return leaf.UpToLayer[layer].Without(leaf.UpToLayer[layer - 1]).Without(valid);
 }
 
 struct FillLayer

@@ -16,17 +16,17 @@ namespace activesurface
  */
 void FindLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
-/** FindLayers, then the active nodes (band and pockets), and + or - the background for the nodes
- * outside all layers. */
+/** FindLayers, then finds the active nodes (band and pockets) and sets the nodes outside all layers
+ * to + or - the background. */
 void RebuildLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
-/** Replaces the leaves that no layer and no active node touches by tiles of their sign. */
+/** Replaces leaves without nodes of a layer and without active nodes by tiles of their sign. */
 void DropEmptyLeaves(LeafTable& table, PotentialTree& tree);
 
 /** Numbers the crossed edges leaf by leaf, axis by axis, node by node; returns how many. */
 std::size_t NumberCrossings(LeafTable& table);
 
-/** Takes the active masks from the tree's own leaves, or writes them there. */
+/** Reads the active masks from the leaves of the tree, or writes them there. */
 void ReadActiveMasks(LeafTable& table);
 void WriteActiveMasks(const LeafTable& table);
 

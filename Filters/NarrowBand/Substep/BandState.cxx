@@ -2,10 +2,10 @@
 
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
+#include "Substep/ConvergedLeaves.h"
 #include "Substep/ExactControl.h"
 #include "Substep/NodePoints.h"
 #include "Substep/PaperStep.h"
-#include "Substep/RestingLeaves.h"
 #include "Substep/SamplePoints.h"
 #include "Substep/StepForward.h"
 #include "Substep/TargetSpeed.h"
@@ -19,28 +19,28 @@
 namespace activesurface
 {
 
-/** One substep: what is asked for, and what comes of it. */
+/** One substep: its limits and its result. */
 struct BandState::Move
 {
   double MostTime = std::numeric_limits<double>::infinity();
-  bool MaySleep = true;
+  bool MaySkip = true;
 
   PenaltyForce Force;
   double Step = 0.0; // time
-  bool Sleeps = false;
+  bool IsSkipped = false;
 };
 
 namespace
 {
 
-/** The potential is doubled or halved when most of its slopes have left 1/sqrt 2 .. sqrt 2. */
-float ScaleFor(const SlopeCounts& counts)
+/** The potential is doubled or halved when most gradient norms have left 1/sqrt 2 .. sqrt 2. */
+float ScaleFor(const GradientCounts& counts)
 {
   return 2 * counts.Flat > counts.Nodes ? 2.f : 2 * counts.Steep > counts.Nodes ? .5f : 1.f;
 }
 
-/** Whether this motion ends, and does so by itself: controls never rest. */
-bool ComesToRest(const Motion& motion)
+/** Whether leaves may converge under this motion: not under controls, nor in the paper's scheme. */
+bool CanConverge(const Motion& motion)
 {
   return motion.Attraction > 0.0 && motion.AreaControl == Control::None &&
     motion.VolumeControl == Control::None && SamplesCrossings(motion) && !motion.Paper;
@@ -62,7 +62,7 @@ float BandState::GetBackground() const
   return this->Paper ? PaperThreshold : Far;
 }
 
-void BandState::TakeTree(const openvdb::FloatTree::Ptr& tree)
+void BandState::AdoptTree(const openvdb::FloatTree::Ptr& tree)
 {
   this->Potential->setTree(tree);
   this->Leaves.SetBackground(this->GetBackground());
@@ -82,10 +82,10 @@ void BandState::TakeTree(const openvdb::FloatTree::Ptr& tree)
 
 void BandState::Restore(const openvdb::FloatTree::Ptr& tree)
 {
-  this->TakeTree(tree);
+  this->AdoptTree(tree);
   for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
   {
-    this->Leaves[i].Advanced = LeafMask::All();
+    this->Leaves[i].Updated = LeafMask::All();
   }
   if (!this->Paper)
   {
@@ -97,11 +97,11 @@ void BandState::Restore(const openvdb::FloatTree::Ptr& tree)
 
 void BandState::Begin(const Motion& motion)
 {
-  this->TakeScheme(motion);
+  this->SwitchScheme(motion);
   ForgetSpeeds(this->Leaves); // the target may be another one
 }
 
-void BandState::TakeScheme(const Motion& motion)
+void BandState::SwitchScheme(const Motion& motion)
 {
   if (motion.Paper == this->Paper)
   {
@@ -114,9 +114,9 @@ void BandState::TakeScheme(const Motion& motion)
   {
     // The paper's band begins with all that is known; ghosts begin with none.
     BandLeaf& leaf = this->Leaves[i];
-    leaf.Advanced = leaf.Active;
-    leaf.Active = this->Paper ? leaf.Upto[LastLayer] : leaf.Active;
-    leaf.Unretired = LeafMask::All();
+    leaf.Updated = leaf.Active;
+    leaf.Active = this->Paper ? leaf.UpToLayer[LastLayer] : leaf.Active;
+    leaf.HoldsStaleValue = LeafMask::All();
   }
   this->RebuildBand(this->Set);
 }
@@ -152,12 +152,12 @@ void BandState::SampleTarget(const LeafList& leaves, bool isMore, const Motion& 
   const auto sample = isMore ? SampleMore : SampleLeaves;
   const TargetSamples samples = sample({ this->Leaves, this->Potential->tree(), this->VoxelSize },
     leaves, motion, target, this->Buffers);
-  TakeSamples(this->Leaves, leaves, motion, this->Buffers);
+  ApplySamples(this->Leaves, leaves, motion, this->Buffers);
   report.TargetEvaluations += samples.Count;
   report.DroppedSamples += samples.Dropped;
 }
 
-// The target's speed wherever something moves, and where that is.
+// The target's speed in the affected leaves, and which these are.
 TargetLimits BandState::FollowTarget(
   const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
@@ -167,9 +167,9 @@ TargetLimits BandState::FollowTarget(
     this->Set.ChooseAll(leaves);
     return {};
   }
-  const bool mayRest = move.MaySleep && ComesToRest(motion);
+  const bool mayConverge = move.MaySkip && CanConverge(motion);
   target.MoveTo(this->Time);
-  if (mayRest)
+  if (mayConverge)
   {
     ForgetChanged(leaves, this->VoxelSize, target);
   }
@@ -183,10 +183,11 @@ TargetLimits BandState::FollowTarget(
   RememberSpeeds(leaves, unknown, this->Buffers);
   const TargetLimits limits = FindLimits(leaves);
   report.MaxSpeed = std::max(report.MaxSpeed, limits.Speed);
-  if (mayRest)
+  if (mayConverge)
   {
-    const RestRule rule{ motion, this->VoxelSize, limits.Slope };
-    this->Set.Choose(leaves, leaves.FindAround(FindUnrest(leaves, unknown, rule, this->Buffers)));
+    const ConvergenceRule rule{ motion, this->VoxelSize, limits.TargetSlope };
+    this->Set.Choose(
+      leaves, leaves.FindAround(FindActiveLeaves(leaves, unknown, rule, this->Buffers)));
     const LeafList& affected = this->Set.Affected;
     if (!std::includes(sampled.begin(), sampled.end(), affected.begin(), affected.end()))
     {
@@ -198,7 +199,7 @@ TargetLimits BandState::FollowTarget(
     this->Set.ChooseAll(leaves);
   }
   ExtendSpeed(leaves, this->Set, motion, this->Buffers);
-  move.Sleeps = this->Set.Active.empty();
+  move.IsSkipped = this->Set.Active.empty();
   return limits;
 }
 
@@ -222,14 +223,15 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
   coefficients.Tension = static_cast<float>(step * motion.Tension / (size * size));
   const double speed = limits.Speed + std::fabs(move.Force.Speed);
   coefficients.Relaxation = static_cast<float>(RelaxationFor(step * tracking, step * speed / size));
-  const SlopeCounts slopes = StepForward(this->Leaves, this->Set, coefficients, this->Buffers);
+  const GradientCounts gradients =
+    StepForward(this->Leaves, this->Set, coefficients, this->Buffers);
   if (motion.Box.Present)
   {
     ClampToWalls(this->Leaves, this->Set, motion.Box, size, this->Buffers);
   }
-  TakeNext(this->Leaves, this->Set, this->Buffers);
+  CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
-  const float scale = ScaleFor(slopes);
+  const float scale = ScaleFor(gradients);
   if (scale != 1.f)
   {
     ScalePotential(this->Leaves, scale);
@@ -244,7 +246,7 @@ void BandState::MakePaperStep(const Motion& motion, Move& move)
   {
     ClampToWalls(this->Leaves, this->Set, motion.Box, this->VoxelSize, this->Buffers);
   }
-  TakeNext(this->Leaves, this->Set, this->Buffers);
+  CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
   this->RestoreControlled(motion);
 }
@@ -271,20 +273,20 @@ void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& re
     this->FollowTarget(motion, motion.Box.Present ? walled : target, report, move);
   move.Force = this->FindForce(motion);
   double stable = StableStep(motion, this->VoxelSize, limits, move.Force);
-  move.Sleeps = move.Sleeps || !std::isfinite(stable);
+  move.IsSkipped = move.IsSkipped || !std::isfinite(stable);
   if (motion.Paper)
   {
     const PaperLimits whole = FindPaperSpeed(this->Leaves, motion.Attraction > 0.0,
       move.Force.Speed, motion.Tension / this->VoxelSize, this->Buffers);
     stable = motion.CFL * PaperTimeStep(whole, motion.Tension, this->VoxelSize, this->BoxSize);
-    move.Sleeps = !std::isfinite(stable);
+    move.IsSkipped = !std::isfinite(stable);
   }
   stable = std::min(stable, motion.LongestStep);
   CheckStep(stable, this->VoxelSize, move.MostTime);
   move.Step = std::min(stable, move.MostTime);
-  if (move.Sleeps)
+  if (move.IsSkipped)
   {
-    ++report.Sleeps;
+    ++report.SkippedSubsteps;
     return;
   }
   if (motion.Paper)
@@ -310,11 +312,11 @@ void BandState::Step(double end, const Motion& motion, Target& target, AdvanceRe
 void BandState::StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report)
 {
   Move move;
-  move.MaySleep = false;
+  move.MaySkip = false;
   this->Trace.Begin(this->Leaves);
   this->MakeStep(motion, target, report, move);
-  report.RestSpeed = move.Sleeps ? 0.0 : this->Trace.GetLargest(this->Leaves) / move.Step;
-  this->Time += move.Sleeps ? 0.0 : move.Step;
+  report.SurfaceSpeed = move.IsSkipped ? 0.0 : this->Trace.GetLargest(this->Leaves) / move.Step;
+  this->Time += move.IsSkipped ? 0.0 : move.Step;
   this->CheckSize();
 }
 
@@ -325,7 +327,7 @@ void BandState::Confine(const Walls& walls)
   this->Leaves.ForEach(
     [&](std::size_t i) { std::copy_n(this->Leaves[i].Value, 512, this->Buffers.NextOf(i)); });
   ClampToWalls(this->Leaves, this->Set, walls, this->VoxelSize, this->Buffers);
-  TakeNext(this->Leaves, this->Set, this->Buffers);
+  CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
   this->FinishFrame();
   this->StartMeasure = this->Measure();

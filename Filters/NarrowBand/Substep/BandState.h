@@ -1,5 +1,5 @@
 /**
- * What a NarrowBand holds, and one substep of it.
+ * The state of a NarrowBand, and its substep.
  */
 #ifndef BandState_h
 #define BandState_h
@@ -35,16 +35,17 @@ struct BandState
   Displacement Trace;
 
   void MakeEmpty();
-  /** From the signs, or for the paper's band the active masks, of a tree. */
-  void TakeTree(const openvdb::FloatTree::Ptr& tree);
-  /** The same, and all that follows from the active nodes. */
+  /** Replaces the potential; the layers follow from the signs, in the paper's band from the active
+   * masks. */
+  void AdoptTree(const openvdb::FloatTree::Ptr& tree);
+  /** The same; the ghosts too follow from the active nodes. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
   float GetBackground() const;
-  /** Comes before the first substep of a motion. */
+  /** To be called before the first substep of a motion. */
   void Begin(const Motion& motion);
 
   void Step(double end, const Motion& motion, Target& target, AdvanceReport& report);
-  /** One substep of any length; the speed is the report's RestSpeed. */
+  /** One substep of any length; the report's SurfaceSpeed is its measured speed. */
   void StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report);
 
   /** To be called between motions: the surface counts as just started. */
@@ -60,8 +61,8 @@ private:
 
   /** Layers and ghosts, from the potential. */
   void RebuildBand(ActiveSet& set);
-  /** Makes the band the one that this motion needs. */
-  void TakeScheme(const Motion& motion);
+  /** Converts the band to the scheme of this motion: this library's or the paper's. */
+  void SwitchScheme(const Motion& motion);
 
   TargetLimits FollowTarget(
     const Motion& motion, Target& target, AdvanceReport& report, Move& move);

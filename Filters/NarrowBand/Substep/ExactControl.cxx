@@ -15,7 +15,6 @@ namespace activesurface
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Precision = 1e-9; // relative
 
 double Clamp(double value, double most)
@@ -41,7 +40,7 @@ void Displace(const ControlledBand& band, double distance)
         const unsigned active = table[i].Active.Row(row / 8, row % 8);
         float* next = band.Buffers.NextOf(i) + 8 * row;
         float squares[8];
-        CentralSlopes(u, squares);
+        CentralGradientSquares(u, squares);
         for (int z = 0; z < 8; ++z)
         {
           next[z] = (active >> z) & 1u ? u[z] - shift * std::sqrt(squares[z]) : u[z];
@@ -52,7 +51,7 @@ void Displace(const ControlledBand& band, double distance)
   {
     ClampToWalls(table, band.Set, band.Box, band.VoxelSize, band.Buffers);
   }
-  TakeNext(table, band.Set, band.Buffers);
+  CommitStep(table, band.Set, band.Buffers);
   band.Rebuild(band.Set);
 }
 
@@ -80,7 +79,7 @@ void RestoreArea(const ControlledBand& band, double area)
   constexpr double farthest = 0.25;
   constexpr double least = 1e-3; // gain of area per displacement below which there is no way
   SkinMeasure skin = MeasureSkin(band.Leaves);
-  double gain = std::sqrt(16.0 * Pi * skin.Area); // of a sphere
+  double gain = AreaGainOfSphere(skin.Area);
   for (int step = 0; step < mostSteps && skin.Area > 0.0; ++step)
   {
     if (std::fabs(skin.Area - area) <= Precision * area || std::fabs(gain) < least)

@@ -1,6 +1,7 @@
 /**
- * Area or volume restored by one uniform displacement along the normal after each substep, as a
- * projection: no stiffness, no offset. (An averaged speed in the equation of motion drifts by 7 %.)
+ * Area or volume restored after each substep by a uniform displacement along the normal. This is a
+ * projection, without stiffness or offset. (An averaged speed in the equation of motion drifts by
+ * 7 %.)
  */
 #ifndef ExactControl_h
 #define ExactControl_h
@@ -15,7 +16,7 @@ namespace activesurface
 
 struct SubstepBuffers;
 
-/** What the control works on; lengths in voxels. */
+/** The band that is controlled; lengths in voxels. */
 struct ControlledBand
 {
   LeafTable& Leaves;
@@ -26,11 +27,11 @@ struct ControlledBand
   double VoxelSize;
 };
 
-/** Moves the surface outward until the volume is restored, or by a voxel and a half. */
+/** Displaces the surface until the volume is restored, by a voxel and a half at most. */
 void RestoreVolume(const ControlledBand& band, double volume);
 
-/** The same for the area; what area gains per displacement is found from one step to the next, as
- * it may have either sign. */
+/** The same for the area, by the secant method: the gain of area per displacement may have either
+ * sign. */
 void RestoreArea(const ControlledBand& band, double area);
 
 }

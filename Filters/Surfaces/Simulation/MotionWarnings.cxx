@@ -24,7 +24,7 @@ void WarnOfMotion(const AdvanceReport& report, double time, Warnings& messages)
   }
 }
 
-void WarnOfNoRest(const RestCriterion& rest, double speed, Warnings& messages)
+void WarnOfNoRest(const SteadyStateCriterion& rest, double speed, Warnings& messages)
 {
   std::ostringstream text;
   text << "The skin is not at rest after " << rest.MaximumSubsteps << " substeps: its speed is "

@@ -53,7 +53,7 @@ struct SurfaceSettings
 
   Motion Strategy;
   bool Settles = false; // goes to rest from the first step, which is the only one
-  RestCriterion Rest;
+  SteadyStateCriterion Rest;
   std::vector<double> Steps;      // pipeline times; the first one is motion time 0
   std::vector<double> InputSteps; // of the input; or empty
   bool OnlyForward = false;       // no step of the input can be had again

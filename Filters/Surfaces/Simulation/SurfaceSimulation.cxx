@@ -286,10 +286,10 @@ bool SurfaceSimulation::Settle(const ProgressFunction& progress)
     return false;
   }
   this->Settled = true;
-  const bool rests = report.AtRest || report.Vanished;
+  const bool rests = report.IsSteady || report.Vanished;
   if (!rests)
   {
-    WarnOfNoRest(this->Settings.Rest, report.RestSpeed, this->Messages);
+    WarnOfNoRest(this->Settings.Rest, report.SurfaceSpeed, this->Messages);
   }
   const double time =
     this->Settings.Steps.front() + this->Band->GetTime() / this->Settings.TimeScale;
@@ -368,11 +368,12 @@ AdvanceReport SurfaceSimulation::AdvanceCounting(
   try
   {
     const Motion motion = this->GetMotion();
-    RestCriterion rest = this->Settings.Rest;
+    SteadyStateCriterion rest = this->Settings.Rest;
     rest.MaximumSubsteps -= std::min(before.Substeps, rest.MaximumSubsteps);
     PotentialTarget& target = this->Shapes.GetTarget();
-    const AdvanceReport report = std::isfinite(time) ? band.Advance(time, motion, target, progress)
-                                                     : band.Settle(motion, rest, target, progress);
+    const AdvanceReport report = std::isfinite(time)
+      ? band.Advance(time, motion, target, progress)
+      : band.AdvanceToSteadyState(motion, rest, target, progress);
     count();
     return report;
   }
