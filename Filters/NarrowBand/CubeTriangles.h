@@ -7,8 +7,8 @@
  * - each mesh edge belongs to exactly two triangles, which run through it in opposite directions,
  * - the triangles around a vertex form one closed fan,
  * - triangles are counter-clockwise seen from outside (normals point from inside to outside).
- * This holds for ambiguous faces (two diagonally opposite inside corners) too: there the two inside
- * corners are always separated, a rule that needs the face's own signs only, so that both voxels of
+ * This also holds for ambiguous faces (two diagonally opposite inside corners): the two inside
+ * corners are always separated. The rule depends on the signs of the face alone, so both voxels of
  * a face cut it alike.
  *
  * Numbering. Corner c = 4 x + 2 y + z, the order of an OpenVDB leaf. Edge e = 4 axis + 2 u + v,
@@ -57,8 +57,8 @@ struct VoxelTriangles
 
 /**
  * The triangles of a voxel whose corner c is inside (negative) where bit c of insideBits is set.
- * Range: 0 to 255; higher bits are ignored. Thread-safe; the table is made at the first call. All
- * 256 lie one after the other, from that of 0 on.
+ * Range: 0 to 255; higher bits are ignored. Thread-safe; the first call builds the table. Its 256
+ * entries are contiguous and begin with that of 0.
  */
 VTKACTIVENARROWBAND_EXPORT const VoxelTriangles& TrianglesOfVoxel(unsigned insideBits);
 }

@@ -1,5 +1,5 @@
 /**
- * The shape that a surface starts on.
+ * The shape of the surface at its start.
  */
 #ifndef InitialFunction_h
 #define InitialFunction_h

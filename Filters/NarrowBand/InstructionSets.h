@@ -2,9 +2,9 @@
  * Which instruction sets the kernels (of rows, of leaves, of skeletons) are compiled for, and which
  * one runs.
  *
- * The best one that the processor has is taken when the library loads, or the one that the
- * environment variable ACTIVE_INSTRUCTION_SET names: sse2, avx2 or avx512; one that the processor
- * lacks falls back to the best below it. Results do not depend on the choice: rows are vectorised
+ * At its first use the library chooses the best set of the processor, or the one named by the
+ * environment variable ACTIVE_INSTRUCTION_SET: sse2, avx2 or avx512. A set that the processor lacks
+ * is replaced by the best one below it. Results do not depend on the choice: rows are vectorised
  * lane by lane, nothing is summed across lanes, and contraction to fused multiply-add is off.
  */
 #ifndef InstructionSets_h
@@ -21,8 +21,8 @@
 #define ACTIVE_FOR_AVX512
 #endif
 
-// Of functions, and of lambdas behind their parameters: what is called from a kernel is compiled
-// with its instructions only when it becomes a part of it.
+// For functions, and for lambdas after their parameter list. A function called from a kernel is
+// compiled with the kernel's instruction set only if it is inlined there.
 #if defined(__GNUC__)
 #define ACTIVE_ALWAYS_INLINE inline __attribute__((always_inline))
 #define ACTIVE_INLINED __attribute__((always_inline))
@@ -41,11 +41,11 @@ enum class InstructionSet
   Avx512
 };
 
-/** The one that kernels run with. */
+/** The set that kernels run with. */
 VTKACTIVENARROWBAND_EXPORT InstructionSet GetInstructionSet();
 
-/** Takes another one, or the best below it that the processor has; returns which. For the whole
- * program, and not while any of its bands, skins or skeletons is at work. */
+/** Chooses another set, or the best one below it that the processor has; returns the choice. It
+ * holds for the whole program; do not call it while a band, skin or skeleton is working. */
 VTKACTIVENARROWBAND_EXPORT InstructionSet SetInstructionSet(InstructionSet wanted);
 
 /** A function object compiled for each instruction set. Its operator() must be

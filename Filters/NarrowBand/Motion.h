@@ -20,8 +20,8 @@
 namespace activesurface
 {
 
-/** How area or volume is held: not, by a force in proportion to what is missing (the paper's), or
- * by a uniform displacement after each substep that restores it. */
+/** How area or volume is controlled: not at all; by a penalty speed proportional to the deficit
+ * (the paper); or exactly, by a uniform displacement after each substep. */
 enum class Control
 {
   None,
@@ -29,8 +29,8 @@ enum class Control
   Exact
 };
 
-/** Where the target is evaluated for the speed of a node: at the crossings of its edges and
- * extended from there, at the node itself, or at the point of the surface that is closest to it. */
+/** Where the target is evaluated for the speed of a node: at the crossed edges, from which speeds
+ * are extended; at the node itself; or at the closest point of the surface. */
 enum class TargetEvaluation
 {
   Shifted,
@@ -38,7 +38,7 @@ enum class TargetEvaluation
   ClosestPoint
 };
 
-/** Differences of the advective part: central, or one-sided from where the surface comes. */
+/** Differences of the advective term: central, or one-sided (upwind). */
 enum class GradientScheme
 {
   Central,
@@ -47,8 +47,7 @@ enum class GradientScheme
 
 struct Motion
 {
-  /** Rate [1/time for a distance-like target] at which the surface closes in on the target. >= 0.
-   */
+  /** Rate at which the surface approaches the target [1/time for a distance-like target]. >= 0. */
   double Attraction = 1.0;
 
   /** Weight of the curvature [length^2/time]. Negative values are backward diffusion and blow up.
@@ -56,12 +55,13 @@ struct Motion
   double Tension = 0.0;
 
   /**
-   * Fraction of the stable time step 1 / (2.6 Vmax/h + Attraction L + 4 Tension/h^2 + those of the
-   * stiffnesses). 1 is the largest stable value: 1.08 lets noise grow, 1.2 destroys the surface.
+   * Fraction of the stable time step 1 / (2.6 Vmax/h + Attraction L + 4 Tension/h^2 + the rates
+   * of the penalties). 1 is the largest stable value: 1.08 lets noise grow, 1.2 destroys the
+   * surface.
    */
   double CFL = 1.0;
 
-  /** No substep is longer: the target is looked at once in each of them, at its beginning. > 0. */
+  /** Upper bound of a substep. The target is evaluated once per substep, at its beginning. > 0. */
   double LongestStep = std::numeric_limits<double>::infinity();
 
   ///@{
@@ -71,7 +71,7 @@ struct Motion
   ///@}
 
   ///@{
-  /** Speed [length/time] per missing share, of Penalty. >= 0. A sphere under tension keeps the
+  /** Speed of a penalty [length/time] per relative deficit. >= 0. A sphere under tension keeps the
    * offset e = 1 - V/V0 with e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0), and collapses if
    * VolumeStiffness r0 < 4.233 Tension; for the area e (1 - e)^(1/2) and 5.196. */
   double AreaStiffness = 1.0;
@@ -79,7 +79,7 @@ struct Motion
   ///@}
 
   ///@{
-  /** What is held; 0: the value at the start. >= 0. */
+  /** The value to be held; 0: the value at the start. >= 0. */
   double TargetArea = 0.0;
   double TargetVolume = 0.0;
   ///@}
@@ -93,28 +93,30 @@ struct Motion
   Walls Box;
 };
 
-/** When Settle ends. */
-struct RestCriterion
+/** When NarrowBand::AdvanceToSteadyState ends. */
+struct SteadyStateCriterion
 {
   double Tolerance = 1e-3; //< largest normal speed at the sample points [voxels/time]
   std::size_t MaximumSubsteps = 10000;
 };
 
-/** What NarrowBand::Advance or Settle did. */
+/** What NarrowBand::Advance or AdvanceToSteadyState did. */
 struct AdvanceReport
 {
   std::size_t Substeps = 0;
-  std::size_t Sleeps = 0;            //< substeps skipped, as the surface was at rest
+  std::size_t SkippedSubsteps = 0;   //< substeps skipped, as all leaves had converged
   std::size_t TargetEvaluations = 0; //< points at which the target was evaluated
   std::size_t DroppedSamples = 0;    //< points whose target value was not finite
-  double MaxSpeed = 0.0;             //< largest |Attraction (iso - F)| met [length/time]
+  double MaxSpeed = 0.0;             //< largest |Attraction (iso - F)| [length/time]
   bool Vanished = false;             //< the surface is empty at the end
-  bool Aborted = false;              //< the progress function said stop; time is where it stopped
-  bool AtRest = false;               //< Settle ended by its tolerance
-  double RestSpeed = std::numeric_limits<double>::infinity(); //< at Settle's last substep
+  bool Aborted = false;              //< the progress function stopped it; the time is that reached
+  bool IsSteady = false;             //< AdvanceToSteadyState met its tolerance
+  /** Largest normal speed at the sample points in the last substep of AdvanceToSteadyState
+   * [voxels/time]. */
+  double SurfaceSpeed = std::numeric_limits<double>::infinity();
 };
 
-/** Told the fraction done, in [0,1], before each substep; returns false to stop there. */
+/** Receives the fraction done, in [0,1], before each substep; returns false to stop there. */
 using ProgressFunction = std::function<bool(double)>;
 
 }

@@ -1,9 +1,9 @@
 #include "NarrowBand.h"
 
-#include "ProgramEnd.h"
 #include "State/InitialShape.h"
 #include "State/PackedBand.h"
 #include "State/StateGrid.h"
+#include "StaticShutdown.h"
 #include "Substep/BandState.h"
 
 #include <tbb/task_arena.h>
@@ -58,7 +58,7 @@ NarrowBand::NarrowBand(double voxelSize)
 
 NarrowBand::~NarrowBand()
 {
-  LetGo(std::move(this->State->Potential));
+  ReleaseUnlessExiting(std::move(this->State->Potential));
 }
 
 std::unique_ptr<NarrowBand> NarrowBand::Clone() const
@@ -70,7 +70,7 @@ std::unique_ptr<NarrowBand> NarrowBand::Clone() const
   members.Maximum = this->State->Maximum;
   members.Work = this->State->Work;
   copy->Run([&]
-    { members.TakeTree(std::make_shared<openvdb::FloatTree>(this->State->Potential->tree())); });
+    { members.AdoptTree(std::make_shared<openvdb::FloatTree>(this->State->Potential->tree())); });
   return copy;
 }
 
@@ -172,7 +172,7 @@ namespace
 void AddWork(AdvanceReport& sum, const AdvanceReport& report)
 {
   sum.Substeps += report.Substeps;
-  sum.Sleeps += report.Sleeps;
+  sum.SkippedSubsteps += report.SkippedSubsteps;
   sum.TargetEvaluations += report.TargetEvaluations;
   sum.DroppedSamples += report.DroppedSamples;
   sum.MaxSpeed = std::max(sum.MaxSpeed, report.MaxSpeed);
@@ -241,8 +241,8 @@ AdvanceReport NarrowBand::Advance(
   return report;
 }
 
-AdvanceReport NarrowBand::Settle(const Motion& motion, const RestCriterion& criterion,
-  Target& target, const ProgressFunction& progress)
+AdvanceReport NarrowBand::AdvanceToSteadyState(const Motion& motion,
+  const SteadyStateCriterion& criterion, Target& target, const ProgressFunction& progress)
 {
   BandState& members = *this->State;
   CheckMotion(motion);
@@ -263,8 +263,8 @@ AdvanceReport NarrowBand::Settle(const Motion& motion, const RestCriterion& crit
         return false;
       }
       members.StepAndTrace(motion, target, report);
-      report.AtRest = report.RestSpeed <= criterion.Tolerance;
-      return !report.AtRest;
+      report.IsSteady = report.SurfaceSpeed <= criterion.Tolerance;
+      return !report.IsSteady;
     });
   report.Vanished = members.Crossings == 0;
   return report;
@@ -338,7 +338,7 @@ std::size_t NarrowBand::GetNumberOfGhosts() const
   std::size_t count = 0;
   for (std::size_t i = 0; i < this->State->Leaves.Size(); ++i)
   {
-    count += this->State->Leaves[i].Upto[LastLayer].Count();
+    count += this->State->Leaves[i].UpToLayer[LastLayer].Count();
   }
   return count - this->GetNumberOfActiveNodes();
 }

@@ -15,13 +15,13 @@
  * transform is the identity: OpenVDB's refuses voxels below about 1e-5, whatever the unit.) Layer 0
  * are the corners of the voxels that the surface crosses, layer m the 6-neighbours of layer m - 1.
  * Layers 0..2 are active in the grid; layers 3 and 4 are ghosts, inactive values in the same
- * leaves, extrapolated from inside after every substep (a ring node all of whose stencil lies in
- * the layers, at a medial axis, is a "pocket" and active too). Everything else is + or - Far, of
- * which only the sign means anything. Inside the layers u keeps its own slope (about .5 to 1.5);
- * where a distance is wanted, it is divided by that slope on the way out.
+ * leaves, extrapolated from inside after every substep. (A ghost whose whole stencil lies in the
+ * layers, at a medial axis, is a "pocket" and active too.) All other nodes are + or - Far, of which
+ * only the sign has a meaning. Inside the layers the gradient norm of u is about .5 to 1.5; output
+ * distances are u divided by it.
  *
- * REPRODUCIBILITY: the potential after Advance depends on the times and the motion alone, bitwise,
- * not on the number of threads nor on the history of the memory.
+ * REPRODUCIBILITY: the potential after Advance depends, bitwise, on the times and the motion alone:
+ * not on the number of threads, nor on what the memory held before.
  */
 #ifndef NarrowBand_h
 #define NarrowBand_h
@@ -53,14 +53,14 @@ public:
   explicit NarrowBand(double voxelSize);
   ~NarrowBand();
 
-  /** A copy with its own potential: a branch that leaves this trajectory untouched. */
+  /** A copy with its own potential: a branch that does not change this trajectory. */
   std::unique_ptr<NarrowBand> Clone() const;
 
   ///@{
   /**
-   * The state as bytes, without loss, and the band made of them, which goes on to the same bytes:
-   * less than 4 per active voxel. For this process, not for files. The work done (GetWork) is not
-   * in them.
+   * The state as bytes, without loss, less than 4 per active voxel; and the band restored from
+   * them, whose further motion gives the same bytes. For this process, not for files. Without the
+   * work done (GetWork).
    */
   std::string Pack() const;
   static std::unique_ptr<NarrowBand> Unpack(const std::string& bytes);
@@ -69,8 +69,8 @@ public:
   ///@{
   /**
    * The state as a grid for files, without loss: the potential at the active nodes, + or - the
-   * background elsewhere, and as metadata all else (but GetWork). FromGrid throws
-   * std::runtime_error for a grid that is no such state.
+   * background elsewhere, and the other members as metadata (except GetWork). FromGrid throws
+   * std::runtime_error for any other grid.
    */
   openvdb::FloatGrid::Ptr ToGrid() const;
   static std::unique_ptr<NarrowBand> FromGrid(const openvdb::FloatGrid& grid);
@@ -80,9 +80,9 @@ public:
   void SetNumberOfThreads(int threads);
 
   /**
-   * Guard: Start throws std::runtime_error, and leaves an empty surface, when the band would hold
-   * more active nodes than this, or the bounds so many voxels that a shape which fills them would.
-   * Advance throws after the substep in which the band has grown beyond it.
+   * Limit of the memory. Start throws std::runtime_error and leaves an empty surface if the band
+   * would have more active nodes, or if a shape that fills the bounds would. Advance throws after
+   * the substep in which the band exceeds it.
    */
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum);
 
@@ -97,7 +97,7 @@ public:
   bool Start(double time, const double bounds[6], const InitialFunction& function,
     const ProgressFunction& progress = {});
 
-  /** Takes the surface back within walls, where it is beyond them. */
+  /** Clips the surface at the walls. */
   void Confine(const Walls& walls);
 
   /**
@@ -109,22 +109,22 @@ public:
     double time, const Motion& motion, Target& target, const ProgressFunction& progress = {});
 
   /**
-   * Moves the surface until it rests: until its normal speed at the sample points, everything
-   * included, is within the tolerance, or the substeps are used up; the report says which. Time
-   * goes on meanwhile. Errors as with Advance.
+   * Moves the surface until it is steady: until its normal speed at the sample points, from all
+   * terms, is within the tolerance, or the maximum of substeps is reached; the report says which.
+   * Time advances too. Errors as with Advance.
    */
-  AdvanceReport Settle(const Motion& motion, const RestCriterion& criterion, Target& target,
-    const ProgressFunction& progress = {});
+  AdvanceReport AdvanceToSteadyState(const Motion& motion, const SteadyStateCriterion& criterion,
+    Target& target, const ProgressFunction& progress = {});
 
   ///@{
-  /** What was done since the start or the last ForgetWork, also by calls that ended in an
-   * exception: the numbers, and the largest speed. A clone has it too. */
+  /** The sums of the reports since the start or the last ForgetWork, including calls that ended in
+   * an exception, and the largest speed. Copied by Clone. */
   const AdvanceReport& GetWork() const;
   void ForgetWork();
   ///@}
 
   ///@{
-  /** Of the skin now, and at the start [length^2, length^3]; voids are taken off. */
+  /** Area and volume of the skin, now and at the start [length^2, length^3], without voids. */
   double GetArea() const;
   double GetVolume() const;
   double GetStartArea() const;
@@ -137,7 +137,7 @@ public:
   std::size_t GetNumberOfActiveNodes() const;
   std::size_t GetNumberOfGhosts() const;
 
-  /** Runs a function where TBB uses no more threads than SetNumberOfThreads allows. */
+  /** Runs a function with the threads that SetNumberOfThreads allows. */
   void Run(const std::function<void()>& function) const;
 
   /** u = phi / VoxelSize; active mask = band, the ghosts are inactive values in the same leaves. */

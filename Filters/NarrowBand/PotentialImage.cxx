@@ -1,7 +1,9 @@
 #include "PotentialImage.h"
 
+#include "Leaves/CentralGradient.h"
 #include "Leaves/LeafTable.h"
 #include "NarrowBand.h"
+#include "SkinDistance.h"
 
 #include <openvdb/tree/ValueAccessor.h>
 
@@ -14,9 +16,8 @@ namespace activesurface
 namespace
 {
 
-constexpr float HalfWidth = 3.f; // voxels
-
-/** u over its own central slope: a distance in voxels to second order near the surface. */
+/** u divided by its central gradient norm: a distance in voxels to second order near the surface.
+ */
 float DistanceAt(
   const openvdb::tree::ValueAccessor<const PotentialTree>& potential, const openvdb::Coord& node)
 {
@@ -25,15 +26,8 @@ float DistanceAt(
   {
     return value < 0.f ? -HalfWidth : HalfWidth;
   }
-  float square = 0.f;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    openvdb::Coord low = node, high = node;
-    --low[axis];
-    ++high[axis];
-    const float difference = .5f * (potential.getValue(high) - potential.getValue(low));
-    square += difference * difference;
-  }
+  const float square = CentralGradientSquare<float>(
+    node, [&potential](const openvdb::Coord& next) { return potential.getValue(next); });
   // A flat spot on a medial axis must not throw the node out of the clamp's sign or to infinity.
   const float distance = square > 0.f ? value / std::sqrt(square) : value;
   return std::min(std::max(distance, -HalfWidth), HalfWidth);

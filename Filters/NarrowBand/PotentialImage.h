@@ -13,9 +13,9 @@ class NarrowBand;
 
 /**
  * Signed distance to the surface [world units], negative inside, at the lattice nodes
- * extent[0]..extent[1], extent[2]..extent[3], extent[4]..extent[5], x fastest: the potential over
- * its own slope, which is a distance to first order: exact at the surface, good within about 1.5
- * voxels. Clamped to +-3 voxels, the value everywhere beyond the band.
+ * extent[0]..extent[1], extent[2]..extent[3], extent[4]..extent[5], x fastest: the potential
+ * divided by its gradient norm. That is a distance to first order: exact at the surface, good
+ * within about 1.5 voxels. Clamped to +-HalfWidth voxels, which is the value beyond the band.
  */
 VTKACTIVENARROWBAND_EXPORT void WriteDistances(
   const NarrowBand& band, const int extent[6], float* distances);

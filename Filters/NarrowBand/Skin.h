@@ -1,9 +1,9 @@
 /**
  * The surface as triangles: outward, closed, each edge in exactly two of them.
  *
- * One vertex per crossed lattice edge, at the linear crossing; triangles voxel by voxel (see
- * CubeTriangles.h). Only the band is visited. Vertices and triangles come in the order of the
- * leaves, so the same potential gives the same bytes.
+ * One vertex per crossed lattice edge, where the linear interpolation is zero; triangles voxel by
+ * voxel (see CubeTriangles.h). Only the band is visited. Vertices and triangles are written in the
+ * order of the leaves, so the same potential gives the same bytes.
  */
 #ifndef Skin_h
 #define Skin_h
@@ -22,14 +22,14 @@ class NarrowBand;
 class VTKACTIVENARROWBAND_EXPORT Skin
 {
 public:
-  /** Counts; the band must not change before Write. */
+  /** Counts vertices and triangles; the band must not change before Write. */
   explicit Skin(const NarrowBand& band);
 
   std::size_t GetNumberOfPoints() const { return this->NumberOfPoints; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
 
-  /** Whether single precision is too coarse for the points: so far from the origin, in voxels, that
-   * it would move them by a hundredth of a voxel. */
+  /** Whether points in single precision would be off by a hundredth of a voxel, because the surface
+   * is that far from the origin. */
   bool NeedsDoublePrecision() const { return this->FarthestNode > (1 << 17); }
 
   ///@{

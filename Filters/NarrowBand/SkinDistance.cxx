@@ -17,8 +17,7 @@ namespace activesurface
 namespace
 {
 
-constexpr float HalfWidth = 3.f; // voxels
-constexpr float LeastSlope = .05f;
+constexpr float LeastGradientNorm = .05f;
 
 // Not registered with the tree: cheap to make for each call, from any thread.
 using Reader = openvdb::tree::ValueAccessor<const PotentialTree, false>;
@@ -28,7 +27,7 @@ void LookAlong(const LeafTable& table, const LeafTable::Place& node, int axis, i
   float& value)
 {
   const LeafTable::Place place = table.Step(node.Leaf, node.Node, axis, side);
-  if (place.Leaf >= 0 && table[place.Leaf].Upto[LastLayer].Has(place.Node))
+  if (place.Leaf >= 0 && table[place.Leaf].UpToLayer[LastLayer].Has(place.Node))
   {
     value = table[place.Leaf].Value[place.Node];
     ++steps;
@@ -36,7 +35,7 @@ void LookAlong(const LeafTable& table, const LeafTable::Place& node, int axis, i
 }
 
 /** |grad u| at a node of the layers, from those of its neighbours that are in the layers. */
-float SlopeAt(const LeafTable& table, const LeafTable::Place& node)
+float GradientNormAt(const LeafTable& table, const LeafTable::Place& node)
 {
   const float own = table[node.Leaf].Value[node.Node];
   float square = 0.f;
@@ -51,7 +50,7 @@ float SlopeAt(const LeafTable& table, const LeafTable::Place& node)
     square += difference * difference;
     isKnown = isKnown || steps > 0;
   }
-  return isKnown ? std::max(std::sqrt(square), LeastSlope) : 1.f;
+  return isKnown ? std::max(std::sqrt(square), LeastGradientNorm) : 1.f;
 }
 
 openvdb::CoordBBox CrossedNodes(const LeafTable& table)
@@ -59,7 +58,7 @@ openvdb::CoordBBox CrossedNodes(const LeafTable& table)
   openvdb::CoordBBox box;
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
-    table[i].Upto[0].ForEach([&](int node)
+    table[i].UpToLayer[0].ForEach([&](int node)
       { box.expand(table[i].Origin.offsetBy(node >> 6, (node >> 3) & 7, node & 7)); });
   }
   return box;
@@ -73,51 +72,52 @@ struct SkinDistance::State
   explicit State(const NarrowBand& band)
     : VoxelSize(band.GetVoxelSize())
     , Potential(band.GetPotential()->tree())
-    , Slopes(band.GetPotential()->tree())
+    , GradientNorms(band.GetPotential()->tree())
     , Crossed(CrossedNodes(band.GetLeaves()))
   {
     this->Potential.evalLeafBoundingBox(this->Leaves);
   }
 
-  void TakeLeaves(const LeafTable& table);
+  void ReadLeaves(const LeafTable& table);
   void ReadNode(
-    Reader& potential, Reader& slopes, const openvdb::Coord& node, double& u, double& slope) const;
+    Reader& potential, Reader& norms, const openvdb::Coord& node, double& u, double& norm) const;
   bool IsFarOutside(const double place[3]) const;
 
   const double VoxelSize;
   PotentialTree Potential;
-  PotentialTree Slopes;
+  PotentialTree GradientNorms;
   openvdb::CoordBBox Crossed; //< corners of the crossed voxels
   openvdb::CoordBBox Leaves;  //< holds all that is inside
 };
 
-void SkinDistance::State::TakeLeaves(const LeafTable& table)
+void SkinDistance::State::ReadLeaves(const LeafTable& table)
 {
   // Copies of one tree: their leaves come in the order of the table.
-  std::vector<PotentialLeaf*> potential, slopes;
+  std::vector<PotentialLeaf*> potential, norms;
   this->Potential.getNodes(potential);
-  this->Slopes.getNodes(slopes);
+  this->GradientNorms.getNodes(norms);
   table.ForEach(
     [&](std::size_t i)
     {
       const BandLeaf& leaf = table[i];
       float* u = potential[i]->buffer().data();
-      float* slope = slopes[i]->buffer().data();
+      float* norm = norms[i]->buffer().data();
       for (int node = 0; node < static_cast<int>(PotentialLeaf::SIZE); ++node)
       {
-        const bool isInLayers = leaf.Upto[LastLayer].Has(node);
-        slope[node] = isInLayers ? SlopeAt(table, { static_cast<std::int32_t>(i), node }) : 1.f;
+        const bool isInLayers = leaf.UpToLayer[LastLayer].Has(node);
+        norm[node] =
+          isInLayers ? GradientNormAt(table, { static_cast<std::int32_t>(i), node }) : 1.f;
         u[node] = isInLayers ? u[node] : leaf.Inside.Has(node) ? -HalfWidth : HalfWidth;
       }
     });
 }
 
 void SkinDistance::State::ReadNode(
-  Reader& potential, Reader& slopes, const openvdb::Coord& node, double& u, double& slope) const
+  Reader& potential, Reader& norms, const openvdb::Coord& node, double& u, double& norm) const
 {
   const PotentialLeaf* leaf = potential.probeConstLeaf(node);
   u = leaf ? leaf->getValue(node) : std::copysign(HalfWidth, potential.getValue(node));
-  slope = leaf ? slopes.getValue(node) : 1.f;
+  norm = leaf ? norms.getValue(node) : 1.f;
 }
 
 /** Also what would not fit into lattice coordinates; place in voxels. */
@@ -135,7 +135,7 @@ bool SkinDistance::State::IsFarOutside(const double place[3]) const
 SkinDistance::SkinDistance(const NarrowBand& band)
   : Members(std::make_unique<State>(band))
 {
-  band.Run([&] { this->Members->TakeLeaves(band.GetLeaves()); });
+  band.Run([&] { this->Members->ReadLeaves(band.GetLeaves()); });
 }
 
 SkinDistance::~SkinDistance() = default;
@@ -155,19 +155,19 @@ double SkinDistance::Evaluate(const double x[3], double* gradient) const
     return far;
   }
   openvdb::Coord lower;
-  double t[3], u[CornersOfCell], slope[CornersOfCell];
+  double t[3], u[CornersOfCell], norm[CornersOfCell];
   for (int axis = 0; axis < 3; ++axis)
   {
     lower[axis] = static_cast<int>(std::floor(place[axis]));
     t[axis] = place[axis] - lower[axis];
   }
-  Reader potential(own.Potential), slopes(own.Slopes);
+  Reader potential(own.Potential), norms(own.GradientNorms);
   for (int c = 0; c < CornersOfCell; ++c)
   {
-    own.ReadNode(potential, slopes, lower.offsetBy(c >> 2, c >> 1 & 1, c & 1), u[c], slope[c]);
+    own.ReadNode(potential, norms, lower.offsetBy(c >> 2, c >> 1 & 1, c & 1), u[c], norm[c]);
   }
   double rise[3], bend[3];
-  const double level = Trilinear(u, t, rise), steepness = Trilinear(slope, t, bend);
+  const double level = Trilinear(u, t, rise), steepness = Trilinear(norm, t, bend);
   const double distance = level / steepness;
   if (std::fabs(distance) >= HalfWidth)
   {

@@ -1,5 +1,5 @@
 /**
- * What has happened to the parts of a skin from one moment to another.
+ * Topological events: what has happened to the parts of a skin between two moments.
  */
 #ifndef SkinEvents_h
 #define SkinEvents_h
@@ -12,13 +12,13 @@ namespace activesurface
 {
 
 /**
- * "merge", "split", "vanish", "birth", "void opens", "void closes", "hole opens", "hole closes":
- * those that have happened, in this order, separated by ", "; empty if none.
+ * Those of "merge", "split", "vanish", "birth", "void opens", "void closes", "hole opens", "hole
+ * closes" that have happened, in this order, separated by ", "; empty if none.
  *
- * Parts of two moments are taken for the same body where they touch blocks that are neighbours:
- * they have to move less than 4 voxels in between. Where several bodies are so near each other, one
- * that is missing afterwards has merged if the others have grown by half of its volume at least,
- * else it has vanished. Events that undo each other among such neighbours are not seen.
+ * Parts of two moments count as the same body if they touch neighbouring blocks: a part must move
+ * less than 4 voxels in between. If several bodies are that near each other and one is missing
+ * afterwards, it has merged if the others have grown by at least half of its volume; otherwise it
+ * has vanished. Opposite events among such neighbours cancel and are not reported.
  */
 VTKACTIVENARROWBAND_EXPORT std::string FindEvents(
   const std::vector<SkinPart>& before, const std::vector<SkinPart>& after);

@@ -28,7 +28,7 @@ void FindNodeCurvatures(const LeafTable& table, std::size_t i, float* curvatures
   {
     const float* u = block.Row(row / 8, row % 8);
     float squares[8], rates[8] = {}; // curvature * slope
-    CentralSlopes(u, squares);
+    CentralGradientSquares(u, squares);
     AddTension(u, 1.f, rates);
     for (int z = 0; z < 8; ++z)
     {

@@ -15,21 +15,21 @@ namespace activesurface
 
 class NarrowBand;
 
-/** Cubes of four voxels, by their coordinates: roughly where a part is. */
+/** A cube of four voxels a side, by its coordinates. Tells roughly where a part is. */
 using PartBlock = std::array<std::int32_t, 3>;
 constexpr int VoxelsOfBlock = 4;
 
 struct SkinPart
 {
   double Area = 0.0;                    //< world units
-  double Volume = 0.0;                  //< enclosed; negative: of a void
+  double Volume = 0.0;                  //< enclosed; negative for a void
   std::int64_t EulerCharacteristic = 0; //< 2 - 2 * handles
-  std::vector<PartBlock> Blocks;        //< that it touches, ascending
+  std::vector<PartBlock> Blocks;        //< the blocks that it touches, ascending
 
   bool IsVoid() const { return !(this->Volume > 0.0); }
 };
 
-/** In the order of their first vertices; the same bytes for the same potential. */
+/** The parts in the order of their first vertices; the same potential gives the same bytes. */
 VTKACTIVENARROWBAND_EXPORT std::vector<SkinPart> FindSkinParts(const NarrowBand& band);
 
 }

@@ -1,5 +1,5 @@
 /**
- * What the surface is attracted by.
+ * The target: the function whose level set attracts the surface.
  */
 #ifndef Target_h
 #define Target_h
@@ -15,14 +15,14 @@ public:
   virtual ~Target() = default;
 
   /**
-   * The motion time at which the next evaluations are wanted. Called by one thread, at the
-   * beginning of each substep.
+   * Sets the motion time of the next evaluations. Called by one thread, at the beginning of each
+   * substep.
    */
   virtual void MoveTo(double time) { static_cast<void>(time); }
 
   /**
    * Whether values or slopes in this box (xmin xmax ymin ymax zmin zmax) may differ from those
-   * before the last MoveTo. What does not change is evaluated once where the surface rests.
+   * before the last MoveTo. Where they do not, converged leaves are not evaluated again.
    */
   virtual bool MayHaveChanged(const double bounds[6]) const
   {
@@ -32,14 +32,14 @@ public:
 
   /**
    * At `count` points (x y z each, world coordinates): values = F - iso, negative inside the
-   * target; slopes = an upper bound of |dF/dn| there, the stiffness that limits the time step
+   * target; slopes = upper bounds of the target slope |dF/dn| there, which limits the time step
    * (1 for a distance, 0 where F is constant). A value that is not finite drops its sample point.
-   * Must give the same bytes for a point whatever the batch it comes in.
+   * A point must give the same bytes in any batch.
    */
   virtual void Evaluate(
     std::size_t count, const double* points, double* values, double* slopes) const = 0;
 
-  /** Whether Evaluate may be called by several threads at once. */
+  /** Whether several threads may call Evaluate at once. */
   virtual bool IsThreadSafe() const { return true; }
 };
 

@@ -1,5 +1,5 @@
 /**
- * Trilinear interpolation within one voxel: what all samples on a lattice share.
+ * Trilinear interpolation within one voxel, shared by all samples on a lattice.
  */
 #ifndef Trilinear_h
 #define Trilinear_h
@@ -10,7 +10,7 @@ namespace activesurface
 /** Corner c = 4 i + 2 j + k of a voxel, i j k in {0,1}: the layout of the eight values. */
 constexpr int CornersOfCell = 8;
 
-/** Between a and b; of the sign of both, and exact at the ends. */
+/** Interpolates from a (t = 0) to b (t = 1): exact at both ends; has their sign if they agree. */
 inline double Between(double a, double b, double t)
 {
   return (1.0 - t) * a + t * b;
@@ -18,7 +18,7 @@ inline double Between(double a, double b, double t)
 
 /**
  * The value at the fractions t in [0,1] of a voxel, and its derivatives by t unless gradient is
- * null. Where all corners have one sign, so has the value, whatever the rounding.
+ * null. If all corners have one sign, the value has it too, whatever the rounding.
  */
 inline double Trilinear(const double corner[CornersOfCell], const double t[3], double* gradient)
 {

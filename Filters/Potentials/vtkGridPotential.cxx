@@ -1,7 +1,7 @@
 #include "vtkGridPotential.h"
 
-#include "BatchEvaluation.h"
 #include "AttachedData.h"
+#include "BatchEvaluation.h"
 #include "FunctionInput.h"
 #include "Grid/ImageSamples.h"
 #include "Grid/LevelSetSamples.h"

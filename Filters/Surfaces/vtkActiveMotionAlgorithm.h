@@ -69,8 +69,8 @@ public:
    * proportion to what is missing; a ball of radius r0 under tension alone keeps missing a share e
    * of it, e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0), and collapses where VolumeStiffness
    * * r0 < 4.233 Tension. EXACT (2): a uniform displacement after each substep restores it, to 1e-6
-   * and through splits to 1e-5, without stiffness; a substep then takes three times as long. Default:
-   * NONE.
+   * and through splits to 1e-5, without stiffness; a substep then takes three times as long.
+   * Default: NONE.
    */
   vtkSetClampMacro(VolumeControl, int, NONE, EXACT);
   vtkGetMacro(VolumeControl, int);

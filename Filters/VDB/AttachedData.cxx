@@ -1,6 +1,6 @@
 #include "AttachedData.h"
 
-#include "ProgramEnd.h"
+#include "StaticShutdown.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
@@ -42,7 +42,7 @@ public:
   }
 
 protected:
-  ~Attachment() override { LetGo(std::move(this->Held)); }
+  ~Attachment() override { ReleaseUnlessExiting(std::move(this->Held)); }
 
 private:
   std::shared_ptr<const Content> Held;

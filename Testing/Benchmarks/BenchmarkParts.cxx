@@ -17,10 +17,10 @@
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
 #include "Measuring.h"
-#include "Substep/RestingLeaves.h"
-#include "Substep/SamplePoints.h"
 #include "Scenes.h"
 #include "Skin.h"
+#include "Substep/ConvergedLeaves.h"
+#include "Substep/SamplePoints.h"
 #include "Substep/StepForward.h"
 #include "Substep/SubstepBuffers.h"
 #include "Substep/TargetSpeed.h"
@@ -46,6 +46,7 @@ struct OpenBand
   double Time = 0.0;
   openvdb::FloatGrid::Ptr Potential;
   LeafTable Leaves;
+  ActiveSet Set;
   SubstepBuffers Buffers;
   std::map<std::string, double> Seconds; //< per part, since it was cleared
 
@@ -57,7 +58,8 @@ struct OpenBand
     this->Leaves.SetBackground(Far);
     this->Leaves.Rebuild(this->Potential->tree());
     ReadActiveMasks(this->Leaves);
-    RebuildLayers(this->Leaves, this->Potential->tree());
+    this->Set.ChooseAll(this->Leaves);
+    RebuildLayers(this->Leaves, this->Set, this->Potential->tree());
   }
 
   template <class Pass>
@@ -78,30 +80,31 @@ struct OpenBand
 
   TargetLimits FollowTarget(const Motion& motion, Target& target)
   {
-    this->Leaves.MoveAll();
+    this->Set.ChooseAll(this->Leaves);
+    const LeafList all = this->Set.Active;
     target.MoveTo(this->Time);
     this->Clock("target",
       [&]
       {
-        SampleLeaves({ this->Leaves, this->Potential->tree(), this->VoxelSize },
-          this->Leaves.GetNear(), motion, target, this->Buffers);
+        SampleLeaves({ this->Leaves, this->Potential->tree(), this->VoxelSize }, all, motion,
+          target, this->Buffers);
       });
     TargetLimits limits;
     this->Clock("speed at the surface",
       [&]
       {
-        TakeSamples(this->Leaves, this->Leaves.GetNear(), motion, this->Buffers);
-        RememberSpeeds(this->Leaves, this->Leaves.GetNear(), this->Buffers);
+        ApplySamples(this->Leaves, all, motion, this->Buffers);
+        RememberSpeeds(this->Leaves, all, this->Buffers);
         limits = FindLimits(this->Leaves);
       });
     this->Clock("rest",
       [&]
       {
-        const RestRule rule{ motion, this->VoxelSize, limits.Slope };
-        this->Leaves.Move(this->Leaves.FindAround(
-          FindUnrest(this->Leaves, this->Leaves.GetNear(), rule, this->Buffers)));
+        const ConvergenceRule rule{ motion, this->VoxelSize, limits.TargetSlope };
+        this->Set.Choose(this->Leaves,
+          this->Leaves.FindAround(FindActiveLeaves(this->Leaves, all, rule, this->Buffers)));
       });
-    this->Clock("extension", [&] { ExtendSpeed(this->Leaves, motion, this->Buffers); });
+    this->Clock("extension", [&] { ExtendSpeed(this->Leaves, this->Set, motion, this->Buffers); });
     return limits;
   }
 
@@ -118,7 +121,7 @@ struct OpenBand
       {
         std::copy_n(speeds.data() + 512 * i, 512, this->Buffers.SpeedOf(i));
       }
-      return SecondsOf([&] { StepForward(this->Leaves, coefficients, this->Buffers); });
+      return SecondsOf([&] { StepForward(this->Leaves, this->Set, coefficients, this->Buffers); });
     };
     const double whole = seconds();
     // Both once more, with the caches alike; the last one leaves what the step is to be.
@@ -129,13 +132,13 @@ struct OpenBand
     const double share = seconds() - without;
     this->Seconds["relaxation"] += share;
     this->Seconds["update"] += whole - share;
-    this->Clock("update", [&] { TakeNext(this->Leaves, this->Buffers); });
+    this->Clock("update", [&] { CommitStep(this->Leaves, this->Set, this->Buffers); });
   }
 
   void RebuildBand()
   {
-    this->Clock("layers", [&] { RebuildLayers(this->Leaves, this->Potential->tree()); });
-    this->Clock("ghosts", [&] { FillGhosts(this->Leaves); });
+    this->Clock("layers", [&] { RebuildLayers(this->Leaves, this->Set, this->Potential->tree()); });
+    this->Clock("ghosts", [&] { FillGhosts(this->Leaves, this->Set); });
     this->Clock("layers",
       [&]
       {

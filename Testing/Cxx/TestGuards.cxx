@@ -81,7 +81,7 @@ void TargetThatIsNowhereFiniteMovesNothing(Check& check)
   const Mesh before = Polygonise(band);
   ShapeTarget target(MakeConstant(NaN));
   const AdvanceReport report = band.Advance(1.0, Motion(), target);
-  const std::size_t samples = before.GetNumberOfPoints() * (report.Substeps + report.Sleeps);
+  const std::size_t samples = before.GetNumberOfPoints() * (report.Substeps + report.SkippedSubsteps);
   check.True(Polygonise(band).Points == before.Points, "no vertex has moved");
   check.Equal(report.TargetEvaluations, samples, "every sample point is evaluated");
   check.Equal(report.DroppedSamples, samples, "and dropped, in every substep");

@@ -28,7 +28,7 @@ ACTIVE_ALWAYS_INLINE void StepRow(const Scene& scene, Row& next)
   AddTransport(u, scene.Speed.data(), .37f, scene.Relaxation, next.data());
   AddTension(u, .21f, next.data());
   Row slopes;
-  CentralSlopes(u, slopes.data());
+  CentralGradientSquares(u, slopes.data());
   for (int z = 0; z < 8; ++z)
   {
     next[z] += slopes[z];

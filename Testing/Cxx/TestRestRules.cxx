@@ -3,12 +3,12 @@
 
 #include "Check.h"
 #include "Leaves/Layers.h"
-#include "Substep/RestingLeaves.h"
+#include "Substep/ConvergedLeaves.h"
 #include "Substep/SamplePoints.h"
 #include "Substep/StepForward.h"
 #include "Substep/SubstepBuffers.h"
-#include "SurfaceMeasures.h"
 #include "Substep/TargetSpeed.h"
+#include "SurfaceMeasures.h"
 
 #include <cmath>
 #include <string>
@@ -39,7 +39,9 @@ struct OpenLeaves
   {
     this->Table.SetBackground(Far);
     this->Table.Rebuild(this->Tree);
-    RebuildLayers(this->Table, this->Tree);
+    ActiveSet all;
+    all.ChooseAll(this->Table);
+    RebuildLayers(this->Table, all, this->Tree);
   }
 };
 
@@ -135,9 +137,11 @@ std::vector<float> FindSurfaceSpeeds(OpenLeaves& leaves)
   coefficients.Attracted = true;
   coefficients.Advection = 1.f;
   coefficients.Tension = static_cast<float>(motion.Tension / VoxelSize);
-  SampleLeaves({ table, leaves.Tree, VoxelSize }, table.GetNear(), motion, target, buffers);
-  TakeSamples(table, table.GetNear(), motion, buffers);
-  FindRates(table, table.GetNear(), coefficients, 1e30, buffers);
+  ActiveSet all;
+  all.ChooseAll(table);
+  SampleLeaves({ table, leaves.Tree, VoxelSize }, all.Active, motion, target, buffers);
+  ApplySamples(table, all.Active, motion, buffers);
+  FindRates(table, all.Active, coefficients, 1e30, buffers);
   std::vector<float> speeds;
   for (std::size_t i = 0; i < table.Size(); ++i)
   {

@@ -102,7 +102,7 @@ void Rest(Check& check, NarrowBand& band, double tension, Target& target)
 {
   StartOn(band, MakePair(Left, Right));
   const AdvanceReport report = band.Advance(2.0, MakeMotion(tension), target);
-  check.Less(0, report.Sleeps, "substeps that were skipped before time 2");
+  check.Less(0, report.SkippedSubsteps, "substeps that were skipped before time 2");
 }
 
 // The potential at the active nodes left of 0.
@@ -132,8 +132,8 @@ void WhatRestsStaysToTheBitWhileTheOtherPartMoves(Check& check)
     check.Less(1000, before.size(), "active nodes left of 0");
     const AdvanceReport report = band.Advance(2.5, MakeMotion(tension), target);
     check.True(GetLeftHalf(band) == before, "the left ball is the same to the bit");
-    check.Less(
-      report.Sleeps, 2, "substeps in which nothing moved: the first, until the target does");
+    check.Less(report.SkippedSubsteps, 2,
+      "substeps in which nothing moved: the first, until the target does");
 
     // The right one follows with the lag U / Attraction, within what Tension takes: 2 / r of it
     // over Attraction.
@@ -152,13 +152,14 @@ void RestUnderTensionIsTheBalance(Check& check)
   PairTarget one(Stay, true), other(Stay, true);
   Rest(check, resting, Tensions[1], one);
   StartOn(settled, MakePair(Left, Right));
-  settled.Settle(MakeMotion(Tensions[1]), { 1e-6, 2000 }, other);
+  settled.AdvanceToSteadyState(MakeMotion(Tensions[1]), { 1e-6, 2000 }, other);
   const double volume = settled.GetVolume();
   const double voxels = (resting.GetVolume() - volume) / (settled.GetArea() * VoxelSize);
   check.Near(voxels, 0.0, 1e-3, "mean distance between both [h]");
   // Nowhere does it move by more than the rule says: a thousandth of a voxel times Attraction.
-  const AdvanceReport next = resting.Clone()->Settle(MakeMotion(Tensions[1]), { 0.0, 1 }, one);
-  check.Less(next.RestSpeed, 1e-3 * 5.0, "largest speed of the surface at rest [h/time]");
+  const AdvanceReport next =
+    resting.Clone()->AdvanceToSteadyState(MakeMotion(Tensions[1]), { 0.0, 1 }, one);
+  check.Less(next.SurfaceSpeed, 1e-3 * 5.0, "largest speed of the surface at rest [h/time]");
   const AdvanceReport report = resting.Advance(40.0, MakeMotion(Tensions[1]), one);
   check.Equal(report.Substeps, std::size_t(0), "substeps that are not skipped, from then on");
 }
@@ -274,7 +275,7 @@ void WhatRestsCostsNoEvaluations(Check& check)
     Rest(check, band, tension, target);
     const std::size_t points = Polygonise(band).GetNumberOfPoints();
     const AdvanceReport report = band.Advance(4.0, MakeMotion(tension), target);
-    check.Less(10, report.Sleeps, "substeps at rest");
+    check.Less(10, report.SkippedSubsteps, "substeps at rest");
     check.Equal(report.Substeps, std::size_t(0), "other substeps");
     check.Equal(report.TargetEvaluations, points, "evaluations: each sample point once");
   }

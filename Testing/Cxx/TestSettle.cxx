@@ -30,12 +30,13 @@ void SettledBallHasTheExactRadius(Check& check)
     NarrowBand band(h);
     StartOn(band, MakeBall(CentreA, 0.5));
     ShapeTarget target(MakeBall(CentreA, radius));
-    const AdvanceReport report = band.Settle(WithTension(tension), RestCriterion(), target);
+    const AdvanceReport report =
+      band.AdvanceToSteadyState(WithTension(tension), SteadyStateCriterion(), target);
     const double exact = 0.5 * (radius + std::sqrt(radius * radius - 8.0 * tension));
     const Range radii = GetRadii(Polygonise(band), CentreA);
     const std::string name = ", tension " + std::to_string(tension);
-    check.True(report.AtRest, "it says that it rests" + name);
-    check.Less(report.RestSpeed, 1e-3, "speed [h/time]" + name);
+    check.True(report.IsSteady, "it says that it rests" + name);
+    check.Less(report.SurfaceSpeed, 1e-3, "speed [h/time]" + name);
     check.Near((radii.Mean - exact) / h, 0.0, 0.04, "error of the radius [h]" + name);
     check.Less(radii.GetSpread() / h, 0.08, "spread of the radii [h]" + name);
   }
@@ -51,9 +52,9 @@ void HeldBallIsAtRest(Check& check)
   motion.Attraction = 0.0;
   motion.VolumeControl = Control::Exact;
   // Of a tension's speed 2 / r = 80 h; half of the largest trembling, 1e-7 h in h^2 / 4 of time.
-  const AdvanceReport report = band.Settle(motion, { 1e-3, 5000 }, none);
+  const AdvanceReport report = band.AdvanceToSteadyState(motion, { 1e-3, 5000 }, none);
   const double radius = std::cbrt(3.0 * band.GetVolume() / (4.0 * Pi));
-  check.True(report.AtRest, "it says that it rests");
+  check.True(report.IsSteady, "it says that it rests");
   check.Less(GetRadii(Polygonise(band), Origin).GetSpread() / radius, 0.01, "relative spread");
 }
 
@@ -62,15 +63,15 @@ void SettlingEndsWithItsSubsteps(Check& check)
   NarrowBand band(VoxelSizeOf(40));
   StartOn(band, MakeBall(Origin, 0.3));
   ShapeTarget target(MakeBall(Origin, 0.6));
-  const AdvanceReport report = band.Settle(Motion(), { 1e-3, 5 }, target);
-  check.True(!report.AtRest, "it says that it does not rest");
+  const AdvanceReport report = band.AdvanceToSteadyState(Motion(), { 1e-3, 5 }, target);
+  check.True(!report.IsSteady, "it says that it does not rest");
   check.Equal(report.Substeps, std::size_t(5), "substeps");
-  check.Less(1e-3, report.RestSpeed, "speed [h/time]");
-  const AdvanceReport none = band.Settle(Motion(), { 1e-3, 0 }, target);
+  check.Less(1e-3, report.SurfaceSpeed, "speed [h/time]");
+  const AdvanceReport none = band.AdvanceToSteadyState(Motion(), { 1e-3, 0 }, target);
   check.Equal(none.Substeps, std::size_t(0), "substeps of none");
   check.Throws<std::invalid_argument>(
     [&] {
-      band.Settle(Motion(), { std::nan(""), 5 }, target);
+      band.AdvanceToSteadyState(Motion(), { std::nan(""), 5 }, target);
     },
     "RestTolerance", "NaN");
 }
@@ -81,9 +82,9 @@ void SettlingReportsProgressAndStops(Check& check)
   StartOn(band, MakeBall(Origin, 0.3));
   ShapeTarget target(MakeBall(Origin, 0.6));
   int calls = 0;
-  const AdvanceReport report =
-    band.Settle(Motion(), RestCriterion(), target, [&calls](double) { return ++calls <= 3; });
-  check.True(report.Aborted && !report.AtRest, "it says that it was stopped");
+  const AdvanceReport report = band.AdvanceToSteadyState(
+    Motion(), SteadyStateCriterion(), target, [&calls](double) { return ++calls <= 3; });
+  check.True(report.Aborted && !report.IsSteady, "it says that it was stopped");
   check.Equal(report.Substeps, std::size_t(3), "substeps");
 }
 
@@ -102,7 +103,7 @@ void SurfaceSleepsAtRestAndWakes(Check& check)
   const AdvanceReport asleep = band.Advance(50.0, Motion(), target);
   check.True(AreIdentical(*before, band), "twenty units of time later: the same potential");
   check.Equal(asleep.Substeps, std::size_t(0), "substeps asleep");
-  check.Less(0, asleep.Sleeps, "substeps slept");
+  check.Less(0, asleep.SkippedSubsteps, "substeps slept");
   const AdvanceReport awake = band.Advance(80.0, Motion(), target);
   check.Less(0, awake.Substeps, "substeps after the target has moved");
   const Shape moved = MakeTorus({ 0.01, 0.02, 0.113 }, 0.55, 0.22);

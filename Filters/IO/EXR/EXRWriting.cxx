@@ -156,8 +156,8 @@ void WriteByOpenEXR(
 }
 
 // By OpenEXR from 3.2 on, which packs with libdeflate and by several threads.
-void WriteChannels(EXROutput& output, Imf::Header header, const std::vector<EXRSamples>& channels,
-  int level)
+void WriteChannels(
+  EXROutput& output, Imf::Header header, const std::vector<EXRSamples>& channels, int level)
 {
 #ifdef ACTIVE_PACKS_ZIP
   if (IsZipped(header))

@@ -3,6 +3,8 @@
 #ifndef LatticeMesh_h
 #define LatticeMesh_h
 
+#include "SkinDistance.h"
+
 #include <openvdb/openvdb.h>
 
 #include <array>
@@ -18,9 +20,7 @@ struct LatticeMesh
   std::vector<std::array<std::int64_t, 3>> Triangles;
 };
 
-// How far the distances go on either side [voxels]; also the background.
-constexpr float HalfWidth = 3.f;
-
+// Up to HalfWidth on either side, which is the background too.
 struct MeshBand
 {
   openvdb::FloatGrid::Ptr Distances; // [voxels]; the transform is the identity

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace activesurface
@@ -78,9 +79,9 @@ private:
   {
     const LeafLine<Axis> line(
       this->Table, this->Leaf, [this](std::int32_t n) { return this->Table[n].Value; });
-    const LeafMask& inner = this->Table[this->Leaf].Upto[this->Inner];
-    const LeafMask& next =
-      this->Table.UptoOf(this->Table[this->Leaf].Neighbour[FaceNumber(Axis, Sign)], this->Inner);
+    const LeafMask& inner = this->Table[this->Leaf].UpToLayer[this->Inner];
+    const LeafMask& next = this->Table.UpToLayerOf(
+      this->Table[this->Leaf].Neighbour[FaceNumber(Axis, Sign)], this->Inner);
     const LeafMask first = nodes & Seen<Axis, Sign>(inner, next);
     const LeafMask second = first & Seen<Axis, 2 * Sign>(inner, next);
     const LeafMask third = second & Seen<Axis, 3 * Sign>(inner, next);
@@ -152,7 +153,7 @@ private:
   float At(const LeafTable::Place& place) const
   {
     const bool isInner =
-      place.Leaf >= 0 && this->Table[place.Leaf].Upto[this->Inner].Has(place.Node);
+      place.Leaf >= 0 && this->Table[place.Leaf].UpToLayer[this->Inner].Has(place.Node);
     return isInner ? std::fabs(this->Table[place.Leaf].Value[place.Node]) : -1.f;
   }
   float AtOffset(int node, const int offset[3]) const
@@ -184,22 +185,23 @@ private:
 };
 
 /** Nodes of a layer whose value is not the last substep's: ghosts, and those that entered, which
- * only leaves near what moves can have. */
-ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, bool isNear, int layer)
+ * only affected leaves can have. */
+ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, bool isAffected, int layer)
 {
-  const LeafMask valid = isNear ? leaf.Active & leaf.Advanced : leaf.Active;
-  return leaf.Upto[layer].Without(leaf.Upto[layer - 1]).Without(valid);
+  const LeafMask valid = isAffected ? leaf.Active & leaf.Updated : leaf.Active;
+  return leaf.UpToLayer[layer].Without(leaf.UpToLayer[layer - 1]).Without(valid);
 }
 
 struct FillLayer
 {
   LeafTable& Table;
   int Layer;
+  bool IsAffected; //< whether the leaves are
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     BandLeaf& leaf = this->Table[i];
-    const LeafMask nodes = NodesToFill(leaf, this->Table.SummaryOf(i).IsNear, this->Layer);
+    const LeafMask nodes = NodesToFill(leaf, this->IsAffected, this->Layer);
     if (!nodes.Any())
     {
       return;
@@ -213,14 +215,18 @@ struct FillLayer
 
 }
 
-void FillGhosts(LeafTable& table)
+void FillGhosts(LeafTable& table, const ActiveSet& set)
 {
-  for (int layer = 1; layer < LastLayer; ++layer)
+  for (int layer = 1; layer <= LastLayer; ++layer)
   {
-    ForEachLeaf(table, table.GetNear(), FillLayer{ table, layer });
+    ForEachLeaf(table, set.Affected, FillLayer{ table, layer, true });
   }
   // Three-point rays over three layers end up to nine nodes from what has moved.
-  ForEachLeaf(table, table.FindAround(table.GetNear()), FillLayer{ table, LastLayer });
+  const LeafList around = table.FindAround(set.Affected);
+  LeafList beyond;
+  std::set_difference(around.begin(), around.end(), set.Affected.begin(), set.Affected.end(),
+    std::back_inserter(beyond));
+  ForEachLeaf(table, beyond, FillLayer{ table, LastLayer, false });
 }
 
 }

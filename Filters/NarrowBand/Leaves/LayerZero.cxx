@@ -51,13 +51,13 @@ struct SignBlock
           ? leaf.Inside
           : table.InsideOf(leaf.Neighbour[NeighbourNumber(nx, ny, 0)]);
         const LeafMask& after = table.InsideOf(leaf.Neighbour[NeighbourNumber(nx, ny, 1)]);
-        this->Take(nx, ny, before, middle, after);
+        this->SetRows(nx, ny, before, middle, after);
       }
     }
   }
 
 private:
-  ACTIVE_ALWAYS_INLINE void Take(
+  ACTIVE_ALWAYS_INLINE void SetRows(
     int nx, int ny, const LeafMask& before, const LeafMask& middle, const LeafMask& after)
   {
     const int x0 = nx < 0 ? 7 : 0, x1 = nx > 0 ? 0 : 7;
@@ -159,8 +159,8 @@ std::uint32_t NeighboursTouched(const CrossedVoxels::Shadows& shadows)
   return touched;
 }
 
-/** Bits of the neighbours that are no leaves. */
-std::uint32_t NeighboursMissing(const BandLeaf& leaf)
+/** Bits of the neighbours without a leaf. */
+std::uint32_t NeighboursWithoutLeaf(const BandLeaf& leaf)
 {
   std::uint32_t missing = 0;
   for (int n = 0; n < 27; ++n)
@@ -178,11 +178,11 @@ struct FindInLeaf
   {
     BandLeaf& leaf = this->Table[i];
     const CrossedVoxels crossed{ SignBlock(this->Table, leaf) };
-    leaf.Upto[0] = crossed.Corners();
-    leaf.Wanted = 0;
-    if (const std::uint32_t missing = NeighboursMissing(leaf))
+    leaf.UpToLayer[0] = crossed.Corners();
+    leaf.MissingNeighbours = 0;
+    if (const std::uint32_t missing = NeighboursWithoutLeaf(leaf))
     {
-      leaf.Wanted = missing & NeighboursTouched(crossed.FindShadows());
+      leaf.MissingNeighbours = missing & NeighboursTouched(crossed.FindShadows());
     }
   }
 };

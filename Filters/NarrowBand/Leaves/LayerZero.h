@@ -9,16 +9,16 @@
 namespace activesurface
 {
 
-/** Bits of the voxels that the surface crosses, from the signs of four rows of corners, which lie
- * side by side along x and y; a voxel's corners are at its own bit and the next. */
+/** The crossed voxels of a row, one bit each, from the sign bits of the four rows of corners around
+ * it. The corners of a voxel are at its own bit and at the next. */
 ACTIVE_ALWAYS_INLINE unsigned CrossedInRow(unsigned a, unsigned b, unsigned c, unsigned d)
 {
   const unsigned any = a | b | c | d, all = a & b & c & d;
   return (any | any >> 1) & ~(all & all >> 1);
 }
 
-/** Upto[0] of these leaves from the signs, and in Wanted the missing neighbours that have a corner.
- */
+/** Finds UpToLayer[0] of these leaves from the signs. MissingNeighbours becomes the set of
+ * neighbours without a leaf that have a node of layer 0. */
 void FindLayerZero(LeafTable& table, const LeafList& leaves);
 
 }

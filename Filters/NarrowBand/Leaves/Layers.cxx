@@ -36,53 +36,53 @@ struct AddLayer
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     BandLeaf& leaf = this->Table[i];
-    LeafMask grown = leaf.Upto[this->Layer - 1];
+    LeafMask grown = leaf.UpToLayer[this->Layer - 1];
     this->Grow<0, -1>(leaf, grown);
     this->Grow<0, 1>(leaf, grown);
     this->Grow<1, -1>(leaf, grown);
     this->Grow<1, 1>(leaf, grown);
     this->Grow<2, -1>(leaf, grown);
     this->Grow<2, 1>(leaf, grown);
-    leaf.Upto[this->Layer] = grown;
+    leaf.UpToLayer[this->Layer] = grown;
   }
 
 private:
   template <int Axis, int Sign>
   ACTIVE_ALWAYS_INLINE void Grow(BandLeaf& leaf, LeafMask& grown) const
   {
-    const LeafMask& inner = leaf.Upto[this->Layer - 1];
+    const LeafMask& inner = leaf.UpToLayer[this->Layer - 1];
     const std::int32_t next = leaf.Neighbour[FaceNumber(Axis, Sign)];
-    grown = grown | Seen<Axis, Sign>(inner, this->Table.UptoOf(next, this->Layer - 1));
+    grown = grown | Seen<Axis, Sign>(inner, this->Table.UpToLayerOf(next, this->Layer - 1));
     if (next < 0 && TouchesFace(inner, Axis, Sign))
     {
-      leaf.Wanted |= 1u << FaceNumber(Axis, Sign);
+      leaf.MissingNeighbours |= 1u << FaceNumber(Axis, Sign);
     }
   }
 };
 
-/** Creates the leaves that these ones want. */
-LeafList AddWantedLeaves(LeafTable& table, PotentialTree& tree, const LeafList& leaves)
+/** Creates the missing neighbours of these leaves. */
+LeafList AddMissingLeaves(LeafTable& table, PotentialTree& tree, const LeafList& leaves)
 {
-  std::vector<openvdb::Coord> wanted;
+  std::vector<openvdb::Coord> missing;
   for (const std::int32_t i : leaves)
   {
-    for (std::uint32_t left = table[i].Wanted; left != 0; left &= left - 1)
+    for (std::uint32_t left = table[i].MissingNeighbours; left != 0; left &= left - 1)
     {
-      wanted.push_back(table[i].OriginOf(__builtin_ctz(left)));
+      missing.push_back(table[i].OriginOf(__builtin_ctz(left)));
     }
   }
-  return table.Add(wanted, tree);
+  return table.Add(missing, tree);
 }
 
 /** Nodes whose neighbours one and two steps away on the axes are all in the layers. */
 ACTIVE_ALWAYS_INLINE LeafMask HaveAxisStencil(const LeafTable& table, const BandLeaf& leaf)
 {
-  const LeafMask& all = leaf.Upto[LastLayer];
+  const LeafMask& all = leaf.UpToLayer[LastLayer];
   LeafMask complete = all;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const LeafMask& next = table.UptoOf(leaf.Neighbour[FaceNumber(axis, 1)], LastLayer);
-    const LeafMask& previous = table.UptoOf(leaf.Neighbour[FaceNumber(axis, -1)], LastLayer);
+    const LeafMask& next = table.UpToLayerOf(leaf.Neighbour[FaceNumber(axis, 1)], LastLayer);
+    const LeafMask& previous = table.UpToLayerOf(leaf.Neighbour[FaceNumber(axis, -1)], LastLayer);
     complete = complete & SeenAhead(all, next, axis, 1) & SeenAhead(all, next, axis, 2) &
       SeenBehind(all, previous, axis, 1) & SeenBehind(all, previous, axis, 2);
   }
@@ -99,7 +99,7 @@ bool HasDiagonalStencil(const LeafTable& table, std::int32_t i, int node)
       continue;
     }
     const LeafTable::Place place = table.Offset(i, node, dx, dy, dz);
-    if (place.Leaf < 0 || !table[place.Leaf].Upto[LastLayer].Has(place.Node))
+    if (place.Leaf < 0 || !table[place.Leaf].UpToLayer[LastLayer].Has(place.Node))
     {
       return false;
     }
@@ -111,9 +111,9 @@ bool HasDiagonalStencil(const LeafTable& table, std::int32_t i, int node)
 ACTIVE_ALWAYS_INLINE void FindActiveNodes(LeafTable& table, std::size_t i)
 {
   BandLeaf& leaf = table[i];
-  leaf.Active = leaf.Upto[LastBandLayer];
+  leaf.Active = leaf.UpToLayer[LastBandLayer];
   HaveAxisStencil(table, leaf)
-    .Without(leaf.Upto[LastBandLayer])
+    .Without(leaf.UpToLayer[LastBandLayer])
     .ForEach(
       [&](int node) ACTIVE_INLINED
       {
@@ -137,15 +137,16 @@ ACTIVE_ALWAYS_INLINE void FindCrossedEdges(LeafTable& table, std::size_t i)
   }
 }
 
-/** Nodes that have left the layers take the background; the others outside have it already. */
-ACTIVE_ALWAYS_INLINE void RetireNodes(const LeafTable& table, BandLeaf& leaf)
+/** Sets nodes that have left the layers to the background. The other nodes outside have it already.
+ */
+ACTIVE_ALWAYS_INLINE void DeactivateNodes(const LeafTable& table, BandLeaf& leaf)
 {
-  leaf.Unretired.Without(leaf.Upto[LastLayer])
+  leaf.HoldsStaleValue.Without(leaf.UpToLayer[LastLayer])
     .ForEach(
       [&](int node) ACTIVE_INLINED {
         leaf.Value[node] = table.BackgroundOf(leaf.Inside.Has(node) ? NoLeafInside : NoLeafOutside);
       });
-  leaf.Unretired = leaf.Upto[LastLayer];
+  leaf.HoldsStaleValue = leaf.UpToLayer[LastLayer];
 }
 
 /** What follows from the layers: no leaf needs what is found in another one. */
@@ -157,15 +158,15 @@ struct UseLayers
   {
     FindCrossedEdges(this->Table, i);
     FindActiveNodes(this->Table, i);
-    RetireNodes(this->Table, this->Table[i]);
+    DeactivateNodes(this->Table, this->Table[i]);
     this->Table.Summarise(i);
   }
 };
 
 /** New leaves change the layers around them, as far as the leaves next to them. */
-void GrowLayers(LeafTable& table, PotentialTree& tree)
+void GrowLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree)
 {
-  LeafList leaves = table.GetNear();
+  LeafList leaves = set.Affected;
   while (!leaves.empty())
   {
     FindLayerZero(table, leaves);
@@ -173,22 +174,24 @@ void GrowLayers(LeafTable& table, PotentialTree& tree)
     {
       ForEachLeaf(table, leaves, AddLayer{ table, layer });
     }
-    leaves = table.FindAround(AddWantedLeaves(table, tree, leaves));
+    const LeafList created = AddMissingLeaves(table, tree, leaves);
+    set.AddCreated(created);
+    leaves = table.FindAround(created);
   }
 }
 
 }
 
-void FindLayers(LeafTable& table, PotentialTree& tree)
+void FindLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree)
 {
-  GrowLayers(table, tree);
-  table.ForEach(table.GetNear(), [&](std::size_t i) { FindCrossedEdges(table, i); });
+  GrowLayers(table, set, tree);
+  table.ForEach(set.Affected, [&](std::size_t i) { FindCrossedEdges(table, i); });
 }
 
-void RebuildLayers(LeafTable& table, PotentialTree& tree)
+void RebuildLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree)
 {
-  GrowLayers(table, tree);
-  ForEachLeaf(table, table.GetNear(), UseLayers{ table });
+  GrowLayers(table, set, tree);
+  ForEachLeaf(table, set.Affected, UseLayers{ table });
 }
 
 void DropEmptyLeaves(LeafTable& table, PotentialTree& tree)

@@ -1,32 +1,32 @@
 /**
- * The layers of the band, found from the signs of the potential, around what moves: elsewhere they
- * are what they were.
+ * The layers of the band, found from the signs of the potential, in the affected leaves of a
+ * substep: elsewhere they stay as they are.
  */
 #ifndef Layers_h
 #define Layers_h
 
-#include "Leaves/LeafTable.h"
+#include "Leaves/ActiveSet.h"
 
 namespace activesurface
 {
 
 /**
- * From Inside of every leaf: the layers and the crossed edges of the leaves near what moves. Adds
- * the leaves that a layer has reached, in the table and in the tree.
+ * From Inside of every leaf: the layers and the crossed edges of the affected leaves. Creates the
+ * leaves that a layer has reached, in the table, in the tree and as affected ones in the set.
  */
-void FindLayers(LeafTable& table, PotentialTree& tree);
+void FindLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
-/** FindLayers, then the active nodes (band and pockets), and + or - the background for the nodes
- * outside all layers. */
-void RebuildLayers(LeafTable& table, PotentialTree& tree);
+/** FindLayers, then finds the active nodes (band and pockets) and sets the nodes outside all layers
+ * to + or - the background. */
+void RebuildLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
-/** Replaces the leaves that no layer and no active node touches by tiles of their sign. */
+/** Replaces leaves without nodes of a layer and without active nodes by tiles of their sign. */
 void DropEmptyLeaves(LeafTable& table, PotentialTree& tree);
 
 /** Numbers the crossed edges leaf by leaf, axis by axis, node by node; returns how many. */
 std::size_t NumberCrossings(LeafTable& table);
 
-/** Takes the active masks from the tree's own leaves, or writes them there. */
+/** Reads the active masks from the leaves of the tree, or writes them there. */
 void ReadActiveMasks(LeafTable& table);
 void WriteActiveMasks(const LeafTable& table);
 

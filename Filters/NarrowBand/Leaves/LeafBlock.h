@@ -1,6 +1,6 @@
 /**
- * The values of a leaf with those around it that stencils read, in one piece of memory: two nodes
- * along the axes, one along the diagonals of two axes. All else in the block is not set.
+ * The values of a leaf and the halo that stencils read, in contiguous memory: two nodes along the
+ * axes, one along the diagonals of two axes. The rest of the block is not set.
  */
 #ifndef LeafBlock_h
 #define LeafBlock_h
@@ -17,7 +17,7 @@ struct LeafBlock
 {
   static constexpr int Halo = 2;
   static constexpr int Side = 8 + 2 * Halo;
-  static constexpr int X = Side * Side; //< distance of neighbours along x
+  static constexpr int X = Side * Side; //< distance in memory of neighbours along x
   static constexpr int Y = Side;
   static constexpr int Z = 1;
 
@@ -36,7 +36,7 @@ struct LeafBlock
     this->GatherRows<1, 1, 0>(table, leaf);
   }
 
-  /** Only what the stencils of the row (x, y) of the leaf read. */
+  /** Gathers only what the stencils of the row (x, y) of the leaf read. */
   ACTIVE_ALWAYS_INLINE void GatherAround(const LeafTable& table, const BandLeaf& leaf, int x, int y)
   {
     constexpr int steps[][2] = { { 0, 0 }, { -2, 0 }, { -1, 0 }, { 1, 0 }, { 2, 0 }, { 0, -2 },
@@ -53,10 +53,10 @@ struct LeafBlock
   const float* Row(int x, int y) const { return this->Value + PlaceOf(x, y); }
 
 private:
-  /** Of a row in the block; x and y are counted from the leaf's own. */
+  /** Where a row begins in the block; x and y are relative to the leaf. */
   static constexpr int PlaceOf(int x, int y) { return (x + Halo) * X + (y + Halo) * Y + Halo; }
 
-  /** Where the rows of a leaf lie; where there is none, one row stands for all. */
+  /** The rows of a leaf; without a leaf, the background row stands for all of them. */
   struct Rows
   {
     const float* First;
@@ -95,7 +95,7 @@ private:
     }
   };
 
-  /** The rows that lie in the leaf's neighbour (nx, ny), with so many nodes before and after. */
+  /** Copies the rows in the leaf's neighbour (nx, ny), with `Around` nodes before and after. */
   template <int nx, int ny, int Around>
   ACTIVE_ALWAYS_INLINE void GatherRows(const LeafTable& table, const BandLeaf& leaf)
   {

@@ -10,8 +10,8 @@
 namespace activesurface
 {
 
-/** Asks for a leaf's 512 numbers, which the leaf that comes next will want: processors do not guess
- * it where rows are read out of order, as each leaf lies in a page of its own. */
+/** Prefetches the 512 numbers of the leaf that comes next. Processors do not predict these reads:
+ * rows are read out of order, and each leaf lies in a page of its own. */
 ACTIVE_ALWAYS_INLINE void FetchAhead(const float* numbers)
 {
   constexpr int inALine = 16;
@@ -21,8 +21,8 @@ ACTIVE_ALWAYS_INLINE void FetchAhead(const float* numbers)
   }
 }
 
-/** Calls kernel(i) for every leaf, in parallel, with the best instructions that the processor has;
- * see CompiledKernel. */
+/** Calls kernel(i) for every leaf, in parallel, compiled for the chosen instruction set; see
+ * CompiledKernel. */
 template <class Kernel>
 void ForEachLeaf(const LeafTable& table, const Kernel& kernel)
 {
@@ -30,7 +30,7 @@ void ForEachLeaf(const LeafTable& table, const Kernel& kernel)
   table.ForEach([&kernel, run](std::size_t i) { run(kernel, i); });
 }
 
-/** The same for those of a list. */
+/** The same for the leaves of a list. */
 template <class Kernel>
 void ForEachLeaf(const LeafTable& table, const LeafList& leaves, const Kernel& kernel)
 {
@@ -38,7 +38,7 @@ void ForEachLeaf(const LeafTable& table, const LeafList& leaves, const Kernel& k
   table.ForEach(leaves, [&kernel, run](std::size_t i) { run(kernel, i); });
 }
 
-/** The same by this thread alone, in the order of the list. */
+/** The same in this thread, in the order of the list. */
 template <class Kernel>
 void ForEachLeafInTurn(const LeafList& leaves, const Kernel& kernel)
 {

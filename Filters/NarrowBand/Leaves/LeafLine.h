@@ -1,6 +1,6 @@
 /**
- * What lies some steps along an axis from the nodes of a leaf, within it or in the leaves before
- * and after it: numbers, and bits.
+ * Numbers and bits some steps along an axis from the nodes of a leaf, in it or in the leaves before
+ * and after it.
  */
 #ifndef LeafLine_h
 #define LeafLine_h
@@ -33,8 +33,9 @@ public:
   }
 
   /**
-   * The number so many steps along the axis. Where there is no leaf, that of another node: callers
-   * mask it away. So do they with a number that another thread writes meanwhile.
+   * The number `steps` along the axis. Without a neighbour leaf the value is arbitrary, and a value
+   * may be concurrently written by another thread; callers must mask out both (relaxed atomic
+   * load).
    */
   ACTIVE_ALWAYS_INLINE float At(int node, int steps) const
   {
@@ -48,17 +49,17 @@ private:
   static constexpr int Planes = 8 + 2 * Farthest;
   static constexpr int Step = Stride(Axis);
 
-  const float* Plane[Planes]; //< its first node, by its place along the axis
+  const float* Plane[Planes]; //< first node of each plane, by its place along the axis
 };
 
-/** For numbers that other threads read with LeafLine::At meanwhile. */
+/** Writes a number that other threads may concurrently read by LeafLine::At. */
 ACTIVE_ALWAYS_INLINE void WriteShared(float number, float* to)
 {
   __atomic_store(to, &number, __ATOMIC_RELAXED);
 }
 
-/** The mask whose node n is set where `mask` has n + Steps along an axis; next: the mask of the
- * leaf in that direction. Steps: -7 to 7. */
+/** The mask whose node n is set if `mask` has n + Steps along an axis; next: the mask of the leaf
+ * in that direction. Steps: -7 to 7. */
 template <int Axis, int Steps>
 ACTIVE_ALWAYS_INLINE LeafMask Seen(const LeafMask& mask, const LeafMask& next)
 {

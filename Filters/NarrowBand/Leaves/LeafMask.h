@@ -1,9 +1,9 @@
 /**
- * One bit per node of a leaf, and what its 6-neighbours look like as bits.
+ * One bit per node of a leaf, and the bits of its 6-neighbours.
  *
- * A leaf has 8 x 8 x 8 nodes; node (x,y,z) is bit 8 y + z of word x, OpenVDB's own order. Shifting
- * a mask by one node takes the missing plane from the mask of the neighbour leaf, so that a whole
- * leaf is dilated, compared or counted with a few dozen word operations.
+ * A leaf has 8 x 8 x 8 nodes; node (x,y,z) is bit 8 y + z of word x, as in OpenVDB. A mask is
+ * shifted by one node together with the mask of the neighbour leaf, which supplies the missing
+ * plane. So a whole leaf is dilated, compared or counted with a few dozen word operations.
  */
 #ifndef LeafMask_h
 #define LeafMask_h
@@ -16,7 +16,7 @@
 namespace activesurface
 {
 
-/** Number of bits set, by halves; the baseline instruction set has no instruction for it. */
+/** Number of bits set. The baseline instruction set has no instruction for it. */
 inline int CountBits(std::uint64_t word)
 {
   word -= (word >> 1) & 0x5555555555555555ull;
@@ -104,8 +104,8 @@ struct LeafMask
   }
 };
 
-/** The mask whose node n is set where `mask` has n + steps along x, y or z (axis 0, 1, 2);
- * `next` is the mask of the neighbour leaf in that direction. steps: 1 to 7. */
+/** The mask whose node n is set if `mask` has n + steps along x, y or z (axis 0, 1, 2); `next` is
+ * the mask of the neighbour leaf in that direction. steps: 1 to 7. */
 ACTIVE_ALWAYS_INLINE LeafMask SeenAhead(
   const LeafMask& mask, const LeafMask& next, int axis, int steps)
 {
@@ -121,7 +121,7 @@ ACTIVE_ALWAYS_INLINE LeafMask SeenAhead(
   return seen;
 }
 
-/** The same looking back: node n is set where `mask` has n - steps. */
+/** The same backwards: node n is set if `mask` has n - steps. */
 ACTIVE_ALWAYS_INLINE LeafMask SeenBehind(
   const LeafMask& mask, const LeafMask& previous, int axis, int steps)
 {

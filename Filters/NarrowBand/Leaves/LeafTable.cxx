@@ -101,8 +101,6 @@ void LeafTable::Rebuild(PotentialTree& tree)
   this->Sorted = this->Leaves.size();
   this->BuildIndex();
   this->ForEach([&](std::size_t i) { this->FindNeighbours(i, tree); });
-  this->Moving.clear();
-  this->Near = this->FindAll([this](std::size_t i) { return this->Summaries[i].IsNear; });
 }
 
 LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTree& tree)
@@ -129,7 +127,6 @@ LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTre
       }
     }
   }
-  this->Near.insert(this->Near.end(), added.begin(), added.end());
   return added;
 }
 
@@ -143,31 +140,6 @@ LeafList LeafTable::FindTreeOrder() const
   std::sort(added, order.end(), isBefore);
   std::inplace_merge(order.begin(), added, order.end(), isBefore);
   return order;
-}
-
-void LeafTable::Move(LeafList leaves)
-{
-  for (const std::int32_t i : this->Near)
-  {
-    this->Summaries[i].IsNear = false;
-  }
-  this->Moving = std::move(leaves);
-  this->Near = this->FindAround(this->Moving);
-  for (const std::int32_t i : this->Near)
-  {
-    this->Summaries[i].IsNear = true;
-  }
-}
-
-void LeafTable::MoveAll()
-{
-  if (this->Moving.size() == this->Leaves.size())
-  {
-    return;
-  }
-  LeafList all(this->Leaves.size());
-  std::iota(all.begin(), all.end(), 0);
-  this->Move(std::move(all));
 }
 
 LeafList LeafTable::FindAround(const LeafList& leaves) const

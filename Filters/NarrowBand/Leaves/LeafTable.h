@@ -1,10 +1,10 @@
 /**
- * The leaves of the potential, each with its masks and its 26 neighbours; in the order of the tree,
- * but for those that have been added since Rebuild, which are the last.
+ * The leaves of the potential, each with its masks and its 26 neighbours. They are in the order of
+ * the tree, except leaves added since Rebuild, which are the last.
  *
- * Everything that is derived from the signs of the potential lives here: layers, active nodes,
- * crossed edges. All passes over the band run over this table, one leaf at a time, in parallel;
- * a pass writes only the leaf it is called for.
+ * All that is derived from the signs of the potential is here: layers, active nodes, crossed edges.
+ * All passes over the band run over this table, one leaf at a time, in parallel; a pass writes only
+ * the leaf it is called for.
  */
 #ifndef LeafTable_h
 #define LeafTable_h
@@ -25,11 +25,12 @@ namespace activesurface
 using PotentialTree = openvdb::FloatTree;
 using PotentialLeaf = PotentialTree::LeafNodeType;
 
-/** In place of a neighbour's number: no leaf there, all nodes on one side of the surface. */
+/** In place of a neighbour's number: it has no leaf, all its nodes are on one side of the surface.
+ */
 constexpr std::int32_t NoLeafOutside = -1;
 constexpr std::int32_t NoLeafInside = -2;
 
-/** Magnitude of u beyond the layers [voxels]; only its sign means anything. */
+/** Magnitude of u beyond the layers [voxels]; only the sign has a meaning. */
 constexpr float Far = 1000.f;
 
 /** Numbers of leaves, ascending. */
@@ -57,25 +58,24 @@ constexpr int Stride(int axis)
   return axis == 0 ? 64 : axis == 1 ? 8 : 1;
 }
 
-/** What is remembered of the speed in a leaf as long as nothing changes it: neither the leaf nor a
- * neighbour has moved, nor the target there. */
+/** The speed in a leaf, kept as long as it is valid: until the leaf or a neighbour is updated, or
+ * the target changes there. */
 struct LeafSpeed
 {
   bool IsKnown = false;
-  float AtNodes = 0.f;   //< largest |target speed| at the nodes that have samples
-  float AtSurface = 0.f; //< of the surface itself, see RestingLeaves.h
-  double Slope = 0.0;    //< largest |dF/dn|
+  float AtNodes = 0.f;      //< largest |target speed| at the nodes with samples
+  float AtSurface = 0.f;    //< of the surface, see ConvergedLeaves.h
+  double TargetSlope = 0.0; //< largest |dF/dn|
 };
 
-/** What every substep asks of all leaves, those that rest too: small, so that it costs little. */
+/** What every substep reads of all leaves, converged ones too: small, so that it costs little. */
 struct LeafSummary
 {
   LeafSpeed Speed;
   std::int32_t ActiveNodes = 0;
-  std::int32_t ZeroNodes = 0; //< of layer 0
+  std::int32_t ZeroNodes = 0; //< nodes of layer 0
   std::int32_t Crossings = 0;
-  bool IsUsed = false; //< whether a node of the leaf means more than its sign
-  bool IsNear = true;  //< in LeafTable's list of those
+  bool IsUsed = false; //< whether a node is in a layer or active
 };
 
 struct BandLeaf
@@ -83,7 +83,7 @@ struct BandLeaf
   BandLeaf() = default;
   explicit BandLeaf(PotentialLeaf& leaf);
 
-  /** Of a neighbour, by its number. */
+  /** Origin of a neighbour, by its number. */
   openvdb::Coord OriginOf(int n) const
   {
     return this->Origin.offsetBy(8 * (n / 9 - 1), 8 * (n / 3 % 3 - 1), 8 * (n % 3 - 1));
@@ -93,17 +93,17 @@ struct BandLeaf
   PotentialLeaf* Leaf = nullptr;
   openvdb::Coord Origin;
   std::array<std::int32_t, 27> Neighbour{};
-  std::uint32_t Wanted = 0; //< neighbours without a leaf that a layer has reached, one bit each
+  std::uint32_t MissingNeighbours = 0; //< without a leaf, reached by a layer; one bit each
 
-  LeafMask Inside;                           //< u < 0
-  std::array<LeafMask, NumberOfLayers> Upto; //< nodes of the layers 0..m
-  LeafMask Active;                           //< band and pockets: advanced by the next substep
-  LeafMask Advanced;                         //< nodes whose value the last substep advanced
-  LeafMask Unretired = LeafMask::All();      //< nodes that may hold more than the background
-  std::array<LeafMask, 3> Edge;              //< crossed edges, by axis, at their lower node
-  std::size_t FirstCrossing = 0;             //< number of the first crossed edge
-  std::array<int, 3> CrossingsBefore{};      //< crossed edges of this leaf on earlier axes
-  int Crossings = 0;                         //< crossed edges of this leaf
+  LeafMask Inside;                                //< u < 0
+  std::array<LeafMask, NumberOfLayers> UpToLayer; //< nodes of the layers 0..m
+  LeafMask Active;                                //< band and pockets: updated by the next substep
+  LeafMask Updated;                               //< nodes whose value the last substep has updated
+  LeafMask HoldsStaleValue = LeafMask::All();     //< nodes whose value may not be the background
+  std::array<LeafMask, 3> Edge;                   //< crossed edges, by axis, at their lower node
+  std::size_t FirstCrossing = 0;                  //< number of the first crossed edge
+  std::array<int, 3> CrossingsBefore{};           //< crossed edges of this leaf on earlier axes
+  int Crossings = 0;                              //< crossed edges of this leaf
 };
 
 /** Which of the 512 values of a leaf are negative. */
@@ -112,26 +112,17 @@ LeafMask InsideNodes(const float* values);
 class LeafTable
 {
 public:
-  /** Takes the leaves of the tree as they are now, keeping what is known of those it had. */
+  /** Reads the leaves of the tree anew; keeps what is known of those that the table had. */
   void Rebuild(PotentialTree& tree);
 
-  /** Adds these leaves to the tree and to the table, where they are not there yet; the numbers of
-   * the others stay. Returns the numbers of the new ones, which are near what moves. */
+  /** Adds these leaves to the tree and to the table, unless they are there; the numbers of the
+   * others do not change. Returns the numbers of the new leaves, ascending. */
   LeafList Add(const std::vector<openvdb::Coord>& origins, PotentialTree& tree);
 
   ///@{
-  /** Whether all leaves are in the order of the tree; what their order there is. */
+  /** Whether all leaves are in the order of the tree; and their numbers in that order. */
   bool IsSorted() const { return this->Sorted == this->Leaves.size(); }
   LeafList FindTreeOrder() const;
-  ///@}
-
-  ///@{
-  /** The leaves that the next substep changes, until Rebuild; and those that see it: they and
-   * their neighbours, and leaves that are new. */
-  void Move(LeafList leaves);
-  void MoveAll();
-  const LeafList& GetMoving() const { return this->Moving; }
-  const LeafList& GetNear() const { return this->Near; }
   ///@}
 
   /** These leaves and their neighbours. */
@@ -158,14 +149,14 @@ public:
 
   LeafSummary& SummaryOf(std::size_t i) { return this->Summaries[i]; }
   const LeafSummary& SummaryOf(std::size_t i) const { return this->Summaries[i]; }
-  /** Of a leaf whose nodes have changed; not of its Speed. */
+  /** Updates the summary of a leaf whose nodes have changed, except its Speed. */
   ACTIVE_ALWAYS_INLINE void Summarise(std::size_t i);
 
   ///@{
-  /** Mask of a neighbour; where there is no leaf: none, or for Inside the side it lies on. */
-  const LeafMask& UptoOf(std::int32_t number, int layer) const
+  /** Mask of a neighbour. Without a leaf it is empty, but Inside is full on the inner side. */
+  const LeafMask& UpToLayerOf(std::int32_t number, int layer) const
   {
-    return number >= 0 ? this->Leaves[number].Upto[layer] : this->Nothing;
+    return number >= 0 ? this->Leaves[number].UpToLayer[layer] : this->Nothing;
   }
   const LeafMask& InsideOf(std::int32_t number) const
   {
@@ -199,7 +190,7 @@ public:
     ForRange(this->Leaves.size(), function);
   }
 
-  /** The same for those of a list. */
+  /** The same for the leaves of a list. */
   template <class Function>
   void ForEach(const LeafList& leaves, Function&& function) const
   {
@@ -207,7 +198,7 @@ public:
       leaves.size(), [&](std::size_t place) { function(static_cast<std::size_t>(leaves[place])); });
   }
 
-  /** The sum of function(summary), a whole number, over all leaves. */
+  /** The sum of function(summary), an integer, over all leaves. */
   template <class Function>
   std::size_t Count(Function&& function) const
   {
@@ -219,7 +210,7 @@ public:
     return count;
   }
 
-  /** Value that stands for all nodes beyond the layers, and minus it inside. */
+  /** The value of all nodes beyond the layers; with a minus sign inside. */
   void SetBackground(float value)
   {
     this->Background[0].fill(value);
@@ -227,7 +218,7 @@ public:
   }
   float GetBackground() const { return this->Background[0][0]; }
   float BackgroundOf(std::int32_t number) const { return *this->BackgroundRowOf(number); }
-  /** Eight times the same. */
+  /** Eight copies of it. */
   const float* BackgroundRowOf(std::int32_t number) const
   {
     return this->Background[number == NoLeafInside ? 1 : 0].data();
@@ -258,10 +249,8 @@ private:
 
   std::vector<BandLeaf> Leaves;
   std::vector<LeafSummary> Summaries; // of each
-  LeafList Moving;
-  LeafList Near;
-  std::size_t Sorted = 0;          // how many there were at Rebuild
-  std::vector<std::int32_t> Index; // open-addressing hash of the origins
+  std::size_t Sorted = 0;             // how many there were at Rebuild
+  std::vector<std::int32_t> Index;    // open-addressing hash of the origins
   std::array<std::array<float, 8>, 2> Background{};
   LeafMask Nothing;
   LeafMask Everything = LeafMask::All();
@@ -272,9 +261,9 @@ ACTIVE_ALWAYS_INLINE void LeafTable::Summarise(std::size_t i)
   const BandLeaf& leaf = this->Leaves[i];
   LeafSummary& summary = this->Summaries[i];
   summary.ActiveNodes = leaf.Active.Count();
-  summary.ZeroNodes = leaf.Upto[0].Count();
+  summary.ZeroNodes = leaf.UpToLayer[0].Count();
   summary.Crossings = leaf.Crossings;
-  summary.IsUsed = leaf.Upto[LastLayer].Any() || leaf.Active.Any();
+  summary.IsUsed = leaf.UpToLayer[LastLayer].Any() || leaf.Active.Any();
 }
 
 /** Nodes at either end of a crossed edge. */

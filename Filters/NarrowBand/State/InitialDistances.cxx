@@ -1,5 +1,6 @@
 #include "State/InitialDistances.h"
 
+#include "Leaves/CentralGradient.h"
 #include "Leaves/LeafTable.h"
 
 #include <openvdb/tools/FastSweeping.h>
@@ -48,8 +49,7 @@ openvdb::FloatTree::Ptr SampleNearby(CrossedNodes& crossed, const NodeFunction& 
   // One node more than the layers, so that every layer has central differences.
   openvdb::tools::dilateActiveValues(
     crossed.Nodes, NumberOfLayers, openvdb::tools::NN_FACE, openvdb::tools::IGNORE_TILES);
-  auto tree =
-    std::make_shared<openvdb::FloatTree>(crossed.Nodes, Far, openvdb::TopologyCopy());
+  auto tree = std::make_shared<openvdb::FloatTree>(crossed.Nodes, Far, openvdb::TopologyCopy());
   crossed.Nodes.clear();
   const double scale = crossed.Largest > 0.0 ? std::ldexp(1.0, -std::ilogb(crossed.Largest)) : 1.0;
   Leaves leaves(*tree);
@@ -58,25 +58,20 @@ openvdb::FloatTree::Ptr SampleNearby(CrossedNodes& crossed, const NodeFunction& 
   return tree;
 }
 
-/** |F| / |grad F| by central differences, or a negative number where that means nothing. */
+/** |F| / |grad F| by central differences; negative where a neighbour is missing or F is flat. */
 float FirstOrderDistance(const openvdb::tree::ValueAccessor<const openvdb::FloatTree>& function,
   const openvdb::Coord& node)
 {
-  double square = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    openvdb::Coord low = node, high = node;
-    --low[axis];
-    ++high[axis];
-    if (!function.isValueOn(low) || !function.isValueOn(high))
+  bool isKnown = true;
+  const double square = CentralGradientSquare<double>(node,
+    [&](const openvdb::Coord& next)
     {
-      return -1.f;
-    }
-    const double difference = .5 * (double(function.getValue(high)) - function.getValue(low));
-    square += difference * difference;
-  }
-  return square > 0.0 ? static_cast<float>(std::fabs(function.getValue(node)) / std::sqrt(square))
-                      : -1.f;
+      isKnown = isKnown && function.isValueOn(next);
+      return function.getValue(next);
+    });
+  return isKnown && square > 0.0
+    ? static_cast<float>(std::fabs(function.getValue(node)) / std::sqrt(square))
+    : -1.f;
 }
 
 /** Sets the active nodes of `potential`, distances from fast sweeping, to the smoother first-order

@@ -1,5 +1,5 @@
 /**
- * A function's zero set as distances near it.
+ * Distances near the zero set of a function.
  */
 #ifndef InitialDistances_h
 #define InitialDistances_h
@@ -28,12 +28,12 @@ struct NodeFunction
 };
 
 /**
- * The nodes near the crossed ones get OpenVDB's fast-sweeping distance, and within half of it
- * either way the function's own first-order distance F/|grad F|, which is smoother where F is
- * smooth. Sweeping takes several times the memory of what it sweeps, and goes slab by slab.
+ * The nodes near the crossed ones get the function's first-order distance F/|grad F|, which is
+ * smooth where F is, clamped to within half of OpenVDB's fast-sweeping distance around it. Sweeping
+ * needs several times the memory of its input, so it is done slab by slab.
  *
- * Returns a tree of distances in voxels with background Far, inside tiles -Far; null if there is
- * nothing inside. The crossed nodes are gone then: their room is needed.
+ * Returns a tree of distances in voxels with background Far, inside tiles -Far; null if nothing is
+ * inside. Clears the crossed nodes, because their memory is needed.
  */
 openvdb::FloatTree::Ptr MakeNearbyDistances(CrossedNodes& crossed, const NodeFunction& function);
 

@@ -1,5 +1,5 @@
 /**
- * The starting potential: a function's zero set, as distances near it.
+ * The initial potential: distances near the zero set of a function.
  */
 #ifndef InitialShape_h
 #define InitialShape_h
@@ -13,13 +13,12 @@ namespace activesurface
 {
 
 /**
- * The lattice within the bounds is visited plane by plane, of which two are held; the nodes near
- * sign changes get distances (InitialDistances.h).
- * Where the function is negative at the faces of the bounds, the shape is closed half a voxel
- * inside them. A value that is not a number counts as outside.
+ * The lattice within the bounds is sampled plane by plane; two planes are kept. The nodes near sign
+ * changes get distances (InitialDistances.h). If the function is negative at a face of the bounds,
+ * the shape is closed half a voxel inside it. A value that is not a number counts as outside.
  *
- * Returns a tree of u with background Far, inside tiles -Far, or null when `progress` stopped it.
- * Throws as NarrowBand::Start says.
+ * Returns a tree of u with background Far, inside tiles -Far; null if `progress` stopped it. Throws
+ * as NarrowBand::Start does.
  */
 openvdb::FloatTree::Ptr MakeInitialPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,

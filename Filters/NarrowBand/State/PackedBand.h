@@ -1,10 +1,10 @@
 /**
- * The state of a surface as few bytes: what cannot be recomputed, without loss.
+ * The state of a surface in few bytes: what cannot be recomputed, without loss.
  *
  * Stored are the signs and the active nodes as bits, and the magnitudes of the potential at the
- * active nodes. Layers follow from the signs, ghosts from the active nodes, to the bit. Compressed
- * (zip; of the magnitudes only the two upper bytes, as the lower ones are noise) that is less than
- * 4 bytes per active voxel.
+ * active nodes. The layers follow from the signs and the ghosts from the active nodes, bitwise. The
+ * bytes are zipped, except the two lower bytes of the magnitudes, which are noise. The result is
+ * less than 4 bytes per active voxel.
  */
 #ifndef PackedBand_h
 #define PackedBand_h
@@ -16,11 +16,11 @@
 namespace activesurface
 {
 
-/** Bytes for this process: their order and layout are the machine's own. */
+/** Bytes for this process: byte order and layout are those of the machine. */
 std::string PackBand(const LeafTable& table);
 
 /** The tree with its active nodes, and + or - the background elsewhere. Throws std::runtime_error
- * for bytes that PackBand has not made. */
+ * for bytes that PackBand did not write. */
 openvdb::FloatTree::Ptr UnpackBand(const std::string& bytes, float background);
 
 }

@@ -1,6 +1,5 @@
 #include "State/StateGrid.h"
 
-
 #include <openvdb/math/Transform.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 /**
- * A state as a grid, for files.
+ * The state of a surface as a grid, for files.
  */
 #ifndef StateGrid_h
 #define StateGrid_h
@@ -9,7 +9,7 @@
 namespace activesurface
 {
 
-/** What a state is besides its potential. */
+/** The state without its potential. */
 struct StateNumbers
 {
   double VoxelSize = 1.0;
@@ -21,11 +21,12 @@ struct StateNumbers
   float Background = 0.f; //< not stored: it follows from Paper
 };
 
-/** A copy of the potential, + or - the background where it is not active, with the numbers. */
+/** A copy of the potential, + or - the background at inactive nodes, with the numbers as metadata.
+ */
 openvdb::FloatGrid::Ptr MakeStateGrid(
   const openvdb::FloatTree& potential, const StateNumbers& numbers);
 
-/** Throws std::runtime_error for a grid that has not all of them, or values that are not finite. */
+/** Throws std::runtime_error if a number is missing or a value is not finite. */
 StateNumbers ReadStateGrid(const openvdb::FloatGrid& grid);
 
 }

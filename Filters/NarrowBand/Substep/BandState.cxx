@@ -2,10 +2,10 @@
 
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
+#include "Substep/ConvergedLeaves.h"
 #include "Substep/ExactControl.h"
 #include "Substep/NodePoints.h"
 #include "Substep/PaperStep.h"
-#include "Substep/RestingLeaves.h"
 #include "Substep/SamplePoints.h"
 #include "Substep/StepForward.h"
 #include "Substep/TargetSpeed.h"
@@ -19,28 +19,28 @@
 namespace activesurface
 {
 
-/** One substep: what is asked for, and what comes of it. */
+/** One substep: its limits and its result. */
 struct BandState::Move
 {
   double MostTime = std::numeric_limits<double>::infinity();
-  bool MaySleep = true;
+  bool MaySkip = true;
 
   PenaltyForce Force;
   double Step = 0.0; // time
-  bool Sleeps = false;
+  bool IsSkipped = false;
 };
 
 namespace
 {
 
-/** The potential is doubled or halved when most of its slopes have left 1/sqrt 2 .. sqrt 2. */
-float ScaleFor(const SlopeCounts& counts)
+/** The potential is doubled or halved when most gradient norms have left 1/sqrt 2 .. sqrt 2. */
+float ScaleFor(const GradientCounts& counts)
 {
   return 2 * counts.Flat > counts.Nodes ? 2.f : 2 * counts.Steep > counts.Nodes ? .5f : 1.f;
 }
 
-/** Whether this motion ends, and does so by itself: controls never rest. */
-bool ComesToRest(const Motion& motion)
+/** Whether leaves may converge under this motion: not under controls, nor in the paper's scheme. */
+bool CanConverge(const Motion& motion)
 {
   return motion.Attraction > 0.0 && motion.AreaControl == Control::None &&
     motion.VolumeControl == Control::None && SamplesCrossings(motion) && !motion.Paper;
@@ -62,61 +62,63 @@ float BandState::GetBackground() const
   return this->Paper ? PaperThreshold : Far;
 }
 
-void BandState::TakeTree(const openvdb::FloatTree::Ptr& tree)
+void BandState::AdoptTree(const openvdb::FloatTree::Ptr& tree)
 {
   this->Potential->setTree(tree);
   this->Leaves.SetBackground(this->GetBackground());
   this->Leaves.Rebuild(*tree);
   ReadActiveMasks(this->Leaves);
+  this->Set.ChooseAll(this->Leaves);
   if (this->Paper)
   {
-    RebuildPaperBand(this->Leaves, *tree);
+    RebuildPaperBand(this->Leaves, this->Set, *tree);
   }
   else
   {
-    RebuildLayers(this->Leaves, *tree);
+    RebuildLayers(this->Leaves, this->Set, *tree);
   }
   this->Crossings = NumberCrossings(this->Leaves);
 }
 
 void BandState::Restore(const openvdb::FloatTree::Ptr& tree)
 {
-  this->TakeTree(tree);
+  this->AdoptTree(tree);
   for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
   {
-    this->Leaves[i].Advanced = LeafMask::All();
+    this->Leaves[i].Updated = LeafMask::All();
   }
   if (!this->Paper)
   {
-    FillGhosts(this->Leaves);
+    this->Set.ChooseAll(this->Leaves);
+    FillGhosts(this->Leaves, this->Set);
   }
   this->FinishFrame();
 }
 
 void BandState::Begin(const Motion& motion)
 {
-  this->TakeScheme(motion);
+  this->SwitchScheme(motion);
   ForgetSpeeds(this->Leaves); // the target may be another one
 }
 
-void BandState::TakeScheme(const Motion& motion)
+void BandState::SwitchScheme(const Motion& motion)
 {
   if (motion.Paper == this->Paper)
   {
     return;
   }
   this->Paper = motion.Paper;
-  this->Leaves.MoveAll();
+  this->Set.ChooseAll(this->Leaves);
   this->Leaves.SetBackground(this->GetBackground());
   for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
   {
     // The paper's band begins with all that is known; ghosts begin with none.
     BandLeaf& leaf = this->Leaves[i];
-    leaf.Advanced = leaf.Active;
-    leaf.Active = this->Paper ? leaf.Upto[LastLayer] : leaf.Active;
-    leaf.Unretired = LeafMask::All();
+    leaf.Updated = leaf.Active;
+    leaf.Active = this->Paper ? leaf.UpToLayer[LastLayer] : leaf.Active;
+    leaf.HoldsStaleValue = LeafMask::All();
   }
-  this->RebuildBand();
+  this->RebuildBand(this->Set);
 }
 
 std::size_t BandState::CountActive() const
@@ -165,24 +167,24 @@ void BandState::SampleTarget(const LeafList& leaves, bool isMore, const Motion& 
   const auto sample = isMore ? SampleMore : SampleLeaves;
   const TargetSamples samples = sample({ this->Leaves, this->Potential->tree(), this->VoxelSize },
     leaves, motion, target, this->Buffers);
-  TakeSamples(this->Leaves, leaves, motion, this->Buffers);
+  ApplySamples(this->Leaves, leaves, motion, this->Buffers);
   report.TargetEvaluations += samples.Count;
   report.DroppedSamples += samples.Dropped;
 }
 
-// The target's speed wherever something moves, and where that is.
+// The target's speed in the affected leaves, and which these are.
 TargetLimits BandState::FollowTarget(
   const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
   LeafTable& leaves = this->Leaves;
   if (!(motion.Attraction > 0.0))
   {
-    leaves.MoveAll();
+    this->Set.ChooseAll(leaves);
     return {};
   }
-  const bool mayRest = move.MaySleep && ComesToRest(motion);
+  const bool mayConverge = move.MaySkip && CanConverge(motion);
   target.MoveTo(this->Time);
-  if (mayRest)
+  if (mayConverge)
   {
     ForgetChanged(leaves, this->VoxelSize, target);
   }
@@ -196,22 +198,23 @@ TargetLimits BandState::FollowTarget(
   RememberSpeeds(leaves, unknown, this->Buffers);
   const TargetLimits limits = FindLimits(leaves);
   report.MaxSpeed = std::max(report.MaxSpeed, limits.Speed);
-  if (mayRest)
+  if (mayConverge)
   {
-    const RestRule rule{ motion, this->VoxelSize, limits.Slope };
-    leaves.Move(leaves.FindAround(FindUnrest(leaves, unknown, rule, this->Buffers)));
-    if (!std::includes(
-          sampled.begin(), sampled.end(), leaves.GetNear().begin(), leaves.GetNear().end()))
+    const ConvergenceRule rule{ motion, this->VoxelSize, limits.TargetSlope };
+    this->Set.Choose(
+      leaves, leaves.FindAround(FindActiveLeaves(leaves, unknown, rule, this->Buffers)));
+    const LeafList& affected = this->Set.Affected;
+    if (!std::includes(sampled.begin(), sampled.end(), affected.begin(), affected.end()))
     {
-      this->SampleTarget(leaves.GetNear(), true, motion, target, report);
+      this->SampleTarget(affected, true, motion, target, report);
     }
   }
   else
   {
-    leaves.MoveAll();
+    this->Set.ChooseAll(leaves);
   }
-  ExtendSpeed(leaves, motion, this->Buffers);
-  move.Sleeps = leaves.GetMoving().empty();
+  ExtendSpeed(leaves, this->Set, motion, this->Buffers);
+  move.IsSkipped = this->Set.Active.empty();
   return limits;
 }
 
@@ -235,15 +238,16 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
   coefficients.Tension = static_cast<float>(step * motion.Tension / (size * size));
   const double speed = limits.Speed + std::fabs(move.Force.Speed);
   coefficients.Relaxation = static_cast<float>(RelaxationFor(step * tracking, step * speed / size));
-  const SlopeCounts slopes = StepForward(this->Leaves, coefficients, this->Buffers);
-  this->RefuseUnbounded(slopes.Unbounded);
+  const GradientCounts gradients =
+    StepForward(this->Leaves, this->Set, coefficients, this->Buffers);
+  this->RefuseUnbounded(gradients.Unbounded);
   if (motion.Box.Present)
   {
-    ClampToWalls(this->Leaves, motion.Box, size, this->Buffers);
+    ClampToWalls(this->Leaves, this->Set, motion.Box, size, this->Buffers);
   }
-  TakeNext(this->Leaves, this->Buffers);
-  this->RebuildBand();
-  const float scale = ScaleFor(slopes);
+  CommitStep(this->Leaves, this->Set, this->Buffers);
+  this->RebuildBand(this->Set);
+  const float scale = ScaleFor(gradients);
   if (scale != 1.f)
   {
     ScalePotential(this->Leaves, scale);
@@ -256,18 +260,18 @@ void BandState::MakePaperStep(const Motion& motion, Move& move)
   StepPaper(this->Leaves, AdvectionFactor(move.Step, this->VoxelSize), this->Buffers);
   if (motion.Box.Present)
   {
-    ClampToWalls(this->Leaves, motion.Box, this->VoxelSize, this->Buffers);
+    ClampToWalls(this->Leaves, this->Set, motion.Box, this->VoxelSize, this->Buffers);
   }
-  TakeNext(this->Leaves, this->Buffers);
-  this->RebuildBand();
+  CommitStep(this->Leaves, this->Set, this->Buffers);
+  this->RebuildBand(this->Set);
   this->RestoreControlled(motion);
 }
 
 void BandState::RestoreControlled(const Motion& motion)
 {
   const double square = this->VoxelSize * this->VoxelSize;
-  const ControlledBand band{ this->Leaves, this->Buffers, [this] { this->RebuildBand(); },
-    motion.Box, this->VoxelSize };
+  const ControlledBand band{ this->Leaves, this->Set, this->Buffers,
+    [this](ActiveSet& set) { this->RebuildBand(set); }, motion.Box, this->VoxelSize };
   if (motion.VolumeControl == Control::Exact)
   {
     RestoreVolume(band, HeldVolume(motion, this->StartMeasure) / (square * this->VoxelSize));
@@ -285,20 +289,20 @@ void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& re
     this->FollowTarget(motion, motion.Box.Present ? walled : target, report, move);
   move.Force = this->FindForce(motion);
   double stable = StableStep(motion, this->VoxelSize, limits, move.Force);
-  move.Sleeps = move.Sleeps || !std::isfinite(stable);
+  move.IsSkipped = move.IsSkipped || !std::isfinite(stable);
   if (motion.Paper)
   {
     const PaperLimits whole = FindPaperSpeed(this->Leaves, motion.Attraction > 0.0,
       move.Force.Speed, motion.Tension / this->VoxelSize, this->Buffers);
     stable = motion.CFL * PaperTimeStep(whole, motion.Tension, this->VoxelSize, this->BoxSize);
-    move.Sleeps = !std::isfinite(stable);
+    move.IsSkipped = !std::isfinite(stable);
   }
   stable = std::min(stable, motion.LongestStep);
   CheckStep(stable, this->VoxelSize, move.MostTime);
   move.Step = std::min(stable, move.MostTime);
-  if (move.Sleeps)
+  if (move.IsSkipped)
   {
-    ++report.Sleeps;
+    ++report.SkippedSubsteps;
     return;
   }
   if (motion.Paper)
@@ -324,37 +328,37 @@ void BandState::Step(double end, const Motion& motion, Target& target, AdvanceRe
 void BandState::StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report)
 {
   Move move;
-  move.MaySleep = false;
+  move.MaySkip = false;
   this->Trace.Begin(this->Leaves);
   this->MakeStep(motion, target, report, move);
-  report.RestSpeed = move.Sleeps ? 0.0 : this->Trace.GetLargest(this->Leaves) / move.Step;
-  this->Time += move.Sleeps ? 0.0 : move.Step;
+  report.SurfaceSpeed = move.IsSkipped ? 0.0 : this->Trace.GetLargest(this->Leaves) / move.Step;
+  this->Time += move.IsSkipped ? 0.0 : move.Step;
   this->CheckSize();
 }
 
 void BandState::Confine(const Walls& walls)
 {
-  this->Leaves.MoveAll();
+  this->Set.ChooseAll(this->Leaves);
   this->Buffers.MakeRoomForNodes(this->Leaves.Size());
   this->Leaves.ForEach(
     [&](std::size_t i) { std::copy_n(this->Leaves[i].Value, 512, this->Buffers.NextOf(i)); });
-  ClampToWalls(this->Leaves, walls, this->VoxelSize, this->Buffers);
-  TakeNext(this->Leaves, this->Buffers);
-  this->RebuildBand();
+  ClampToWalls(this->Leaves, this->Set, walls, this->VoxelSize, this->Buffers);
+  CommitStep(this->Leaves, this->Set, this->Buffers);
+  this->RebuildBand(this->Set);
   this->FinishFrame();
   this->StartMeasure = this->Measure();
 }
 
-void BandState::RebuildBand()
+void BandState::RebuildBand(ActiveSet& set)
 {
   if (this->Paper)
   {
-    RebuildPaperBand(this->Leaves, this->Potential->tree());
+    RebuildPaperBand(this->Leaves, set, this->Potential->tree());
   }
   else
   {
-    RebuildLayers(this->Leaves, this->Potential->tree());
-    FillGhosts(this->Leaves);
+    RebuildLayers(this->Leaves, set, this->Potential->tree());
+    FillGhosts(this->Leaves, set);
   }
   const std::size_t empty =
     this->Leaves.Count([](const LeafSummary& leaf) { return !leaf.IsUsed; });

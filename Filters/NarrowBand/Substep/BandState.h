@@ -1,16 +1,16 @@
 /**
- * What a NarrowBand holds, and one substep of it.
+ * The state of a NarrowBand, and its substep.
  */
 #ifndef BandState_h
 #define BandState_h
 
-#include "Leaves/LeafTable.h"
+#include "Leaves/ActiveSet.h"
 #include "Motion.h"
-#include "Target.h"
 #include "Substep/Displacement.h"
 #include "Substep/SkinMeasure.h"
 #include "Substep/SubstepBuffers.h"
 #include "Substep/TimeStep.h"
+#include "Target.h"
 
 #include <limits>
 
@@ -30,26 +30,27 @@ struct BandState
   double BoxSize = 1.0;     // longest side of the bounds at the start
   bool Paper = false;       // the band is the paper's: see PaperStep.h
   AdvanceReport Work;       // since ForgetWork
+  ActiveSet Set;            // of the substep under way, which sets it first; kept for its memory
   SubstepBuffers Buffers;
   Displacement Trace;
 
   void MakeEmpty();
-  /** From the signs, or for the paper's band the active masks, of a tree. */
-  void TakeTree(const openvdb::FloatTree::Ptr& tree);
-  /** The same, and all that follows from the active nodes. */
+  /** Replaces the potential; the layers follow from the signs, in the paper's band from the active
+   * masks. */
+  void AdoptTree(const openvdb::FloatTree::Ptr& tree);
+  /** The same; the ghosts too follow from the active nodes. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
   float GetBackground() const;
-  /** Comes before the first substep of a motion. */
+  /** To be called before the first substep of a motion. */
   void Begin(const Motion& motion);
 
   void Step(double end, const Motion& motion, Target& target, AdvanceReport& report);
-  /** One substep of any length; the speed is the report's RestSpeed. */
+  /** One substep of any length; the report's SurfaceSpeed is its measured speed. */
   void StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report);
 
   /** To be called between motions: the surface counts as just started. */
   void Confine(const Walls& walls);
 
-  void RebuildBand();
   void FinishFrame();
   std::size_t CountActive() const;
   /** Area and volume in world units. */
@@ -58,8 +59,10 @@ struct BandState
 private:
   struct Move;
 
-  /** Makes the band the one that this motion needs. */
-  void TakeScheme(const Motion& motion);
+  /** Layers and ghosts, from the potential. */
+  void RebuildBand(ActiveSet& set);
+  /** Converts the band to the scheme of this motion: this library's or the paper's. */
+  void SwitchScheme(const Motion& motion);
 
   TargetLimits FollowTarget(
     const Motion& motion, Target& target, AdvanceReport& report, Move& move);

@@ -1,6 +1,6 @@
 /**
- * How far the surface has moved: tells rest, where speeds at the nodes cannot, as those off the
- * surface go on moving under tension while the surface itself stands still.
+ * How far the surface has moved. It tells whether the surface is steady; speeds at the nodes do
+ * not, because nodes off the surface go on changing under tension while the surface stands still.
  */
 #ifndef Displacement_h
 #define Displacement_h
@@ -14,15 +14,15 @@
 namespace activesurface
 {
 
-/** The sample points of a moment, to be compared with those of another one. */
+/** The sample points at one moment, to be compared with those at a later one. */
 class Displacement
 {
 public:
-  /** Remembers the potential as it is. */
+  /** Copies the potential. */
   void Begin(const LeafTable& table);
 
-  /** The largest distance along the normal [voxels] by which a sample point has moved since, of
-   * the edges that are still crossed. Stored in single precision, they tremble by about 1e-7. */
+  /** The largest distance along the normal [voxels] by which a sample point has moved since, on
+   * edges that are still crossed. Single precision adds noise of about 1e-7. */
   double GetLargest(const LeafTable& table) const;
 
 private:

@@ -16,7 +16,6 @@ namespace activesurface
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Precision = 1e-9; // relative
 
 // Lengths in voxels.
@@ -34,7 +33,7 @@ ACTIVE_ALWAYS_INLINE void DisplacedSlopes(const float* u, float direction, float
   float directions[8], upwind[8] = {}, squares[8];
   std::fill_n(directions, 8, direction);
   AddTransport(u, directions, -direction, unrelaxed, upwind);
-  CentralSlopes(u, squares);
+  CentralGradientSquares(u, squares);
   for (int z = 0; z < 8; ++z)
   {
     slopes[z] = std::min(std::max(std::sqrt(squares[z]), least * upwind[z]), most * upwind[z]);
@@ -71,15 +70,15 @@ struct DisplaceLeaf
 void Displace(const ControlledBand& band, double distance)
 {
   LeafTable& table = band.Leaves;
-  table.MoveAll();
+  band.Set.ChooseAll(table);
   band.Buffers.MakeRoomForNodes(table.Size());
   ForEachLeaf(table, DisplaceLeaf{ table, band.Buffers, static_cast<float>(distance) });
   if (band.Box.Present)
   {
-    ClampToWalls(table, band.Box, band.VoxelSize, band.Buffers);
+    ClampToWalls(table, band.Set, band.Box, band.VoxelSize, band.Buffers);
   }
-  TakeNext(table, band.Buffers);
-  band.Rebuild();
+  CommitStep(table, band.Set, band.Buffers);
+  band.Rebuild(band.Set);
 }
 
 /** Restores a number of the skin by the secant method; gain: what it gains per displacement, as far
@@ -119,7 +118,7 @@ void RestoreVolume(const ControlledBand& band, double volume)
 void RestoreArea(const ControlledBand& band, double area)
 {
   const SkinMeasure skin = MeasureSkin(band.Leaves);
-  const double ofASphere = std::sqrt(16.0 * Pi * skin.Area);
+  const double ofASphere = AreaGainOfSphere(skin.Area);
   Restore(band, &SkinMeasure::Area, area, skin, ofASphere);
 }
 

@@ -1,11 +1,12 @@
 /**
- * Area or volume restored by one uniform displacement along the normal after each substep, as a
- * projection: no stiffness, no offset. (An averaged speed in the equation of motion drifts by 7 %.)
+ * Area or volume restored after each substep by a uniform displacement along the normal. This is a
+ * projection, without stiffness or offset. (An averaged speed in the equation of motion drifts by
+ * 7 %.)
  */
 #ifndef ExactControl_h
 #define ExactControl_h
 
-#include "Leaves/LeafTable.h"
+#include "Leaves/ActiveSet.h"
 #include "Motion.h"
 
 #include <functional>
@@ -15,12 +16,13 @@ namespace activesurface
 
 struct SubstepBuffers;
 
-/** What the control works on; lengths in voxels. */
+/** The band that is controlled; lengths in voxels. */
 struct ControlledBand
 {
   LeafTable& Leaves;
+  ActiveSet& Set; //< room for the leaves of each displacement: all of them
   SubstepBuffers& Buffers;
-  std::function<void()> Rebuild; //< layers and ghosts, from the potential
+  std::function<void(ActiveSet&)> Rebuild; //< layers and ghosts, from the potential
   const Walls& Box;
   double VoxelSize;
 };
@@ -28,8 +30,8 @@ struct ControlledBand
 /** Moves the surface until the volume is restored to 1e-9, or by a voxel and a half. */
 void RestoreVolume(const ControlledBand& band, double volume);
 
-/** The same for the area; what area gains per displacement is found from one step to the next, as
- * it may have either sign. */
+/** The same for the area, by the secant method: the gain of area per displacement may have either
+ * sign. */
 void RestoreArea(const ControlledBand& band, double area);
 
 }

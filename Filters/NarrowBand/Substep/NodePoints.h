@@ -1,5 +1,6 @@
 /**
- * Points at which the target is evaluated for single nodes, beside or instead of the sample points.
+ * Points at which the target is evaluated for single nodes, besides or instead of the sample
+ * points.
  */
 #ifndef NodePoints_h
 #define NodePoints_h
@@ -12,7 +13,7 @@
 namespace activesurface
 {
 
-/** The lattice whose leaves these are. */
+/** A lattice at whose points the target is evaluated. */
 struct SampledLattice
 {
   const LeafTable& Leaves;
@@ -20,7 +21,7 @@ struct SampledLattice
   double VoxelSize;
 };
 
-/** Whether the crossings of the edges are sample points. */
+/** Whether the crossed edges have sample points. */
 inline bool SamplesCrossings(const Motion& motion)
 {
   return motion.Evaluation == TargetEvaluation::Shifted;
@@ -32,11 +33,11 @@ inline bool HasNodePoints(const Motion& motion)
   return motion.Paper || !SamplesCrossings(motion);
 }
 
-/** Which they are: with Node and ClosestPoint all active nodes, with Shifted none, or in the
- * paper's scheme those without a crossed edge (its F(X) beyond the surface). */
+/** The nodes with points of their own: all active nodes with Node and ClosestPoint; none with
+ * Shifted, but in the paper's scheme those without a crossed edge (its F(X) beyond the surface). */
 LeafMask NodesWithOwnPoint(const LeafTable& table, const BandLeaf& leaf, const Motion& motion);
 
-/** Their points (x y z, world units), node by node; returns their end. */
+/** Writes their points (x y z, world units), node by node; returns the end. */
 double* WriteNodePoints(
   const SampledLattice& lattice, std::size_t leaf, const Motion& motion, double* point);
 

@@ -32,8 +32,8 @@ PaperLimits FindLeafSpeed(const LeafTable& table, std::size_t i, bool attracted,
   {
     const float* u = block.Row(row / 8, row % 8);
     float* speed = buffers.SpeedOf(i) + 8 * row;
-    float squares[8], rates[8] = {}; // curvature * slope
-    CentralSlopes(u, squares);
+    float squares[8], rates[8] = {}; // curvature * gradient norm
+    CentralGradientSquares(u, squares);
     AddTension(u, 1.f, rates);
     for (int z = 0; z < 8; ++z)
     {
@@ -41,11 +41,11 @@ PaperLimits FindLeafSpeed(const LeafTable& table, std::size_t i, bool attracted,
       {
         continue;
       }
-      const float slope = std::sqrt(squares[z]);
-      const float curvature = slope > 1e-6f ? Clamp(rates[z] / slope, sharpest) : 0.f;
+      const float norm = std::sqrt(squares[z]);
+      const float curvature = norm > 1e-6f ? Clamp(rates[z] / norm, sharpest) : 0.f;
       speed[z] = (attracted ? speed[z] : 0.f) + uniform - tension * curvature;
       limits.Speed = std::max(limits.Speed, double(std::fabs(speed[z])));
-      limits.Slope = std::max(limits.Slope, double(slope));
+      limits.GradientNorm = std::max(limits.GradientNorm, double(norm));
     }
   }
   return limits;
@@ -68,7 +68,7 @@ PaperLimits FindPaperSpeed(
   for (const PaperLimits& part : parts)
   {
     limits.Speed = std::max(limits.Speed, part.Speed);
-    limits.Slope = std::max(limits.Slope, part.Slope);
+    limits.GradientNorm = std::max(limits.GradientNorm, part.GradientNorm);
   }
   return limits;
 }
@@ -78,7 +78,7 @@ double PaperTimeStep(const PaperLimits& limits, double tension, double voxelSize
   constexpr double none = std::numeric_limits<double>::infinity();
   const double advection = limits.Speed > 0.0 ? voxelSize / limits.Speed : none;
   const double square = voxelSize * voxelSize;
-  const double steepest = limits.Slope / (PaperThreshold * voxelSize / boxSize); // |grad f|
+  const double steepest = limits.GradientNorm / (PaperThreshold * voxelSize / boxSize); // |grad f|
   const double diffusion =
     tension != 0.0 && steepest > 0.0 ? square / (2.0 * std::fabs(tension) * steepest) : none;
   return std::min(advection, diffusion);
@@ -107,9 +107,9 @@ void StepPaper(const LeafTable& table, double advection, SubstepBuffers& buffers
     });
 }
 
-void RebuildPaperBand(LeafTable& table, PotentialTree& tree)
+void RebuildPaperBand(LeafTable& table, ActiveSet& set, PotentialTree& tree)
 {
-  FindLayers(table, tree);
+  FindLayers(table, set, tree);
   table.ForEach(
     [&](std::size_t i)
     {
@@ -118,7 +118,7 @@ void RebuildPaperBand(LeafTable& table, PotentialTree& tree)
       {
         float& value = leaf.Value[node];
         value = Clamp(value, PaperThreshold);
-        if (leaf.Upto[LastBandLayer].Has(node))
+        if (leaf.UpToLayer[LastBandLayer].Has(node))
         {
           leaf.Active.Add(node);
         }

@@ -1,19 +1,19 @@
 /**
- * The paper's own scheme, for comparison; what it differs in is worse, see README.md.
+ * The paper's own scheme, for comparison. Where it differs it is worse, see README.md.
  *
- * - The potential is clamped to +- 3 voxels, the thresholds (section 3.2): a node is woken when the
- *   surface comes near, keeps its value, and is retired when the value reaches a threshold.
- * - A node with crossed edges takes the plain mean of the target at their crossings (4.3), one
- *   without the target at itself.
+ * - The potential is clamped to +- 3 voxels, the thresholds (section 3.2): a node is activated when
+ *   the surface comes near, keeps its value, and is deactivated when its value reaches a threshold.
+ * - The target at a node with crossed edges is the plain mean at their crossings (4.3); at other
+ *   nodes it is evaluated at the node itself.
  * - Curvature (5) and gradient by central differences, the curvature at most 4 per voxel.
  * - Time steps (6) and (7): V dt <= h, and dt <= h^2 / (2 Tension |grad f|) where f = phi / 3 h is
  *   the paper's potential. (7) has no consistent unit; it is taken in a box of unit size.
- * - No slope maintenance.
+ * - The gradient norm is not maintained.
  */
 #ifndef PaperStep_h
 #define PaperStep_h
 
-#include "Leaves/LeafTable.h"
+#include "Leaves/ActiveSet.h"
 
 namespace activesurface
 {
@@ -25,25 +25,26 @@ constexpr float PaperThreshold = 3.f;
 
 struct PaperLimits
 {
-  double Speed = 0.0; //< largest |V| [length/time]
-  double Slope = 0.0; //< largest |grad phi|
+  double Speed = 0.0;        //< largest |V| [length/time]
+  double GradientNorm = 0.0; //< largest |grad phi|
 };
 
 /**
- * Makes the speed in the buffers, the target's if it attracts, else anything, the whole of it:
- * adds `uniform` and takes off tension * curvature. tension: Tension / h [length/time].
+ * Completes the speed in the buffers, which is the target's if attracted and undefined otherwise:
+ * adds `uniform` and subtracts tension * curvature. tension: Tension / h [length/time].
  */
 PaperLimits FindPaperSpeed(
   const LeafTable& table, bool attracted, double uniform, double tension, SubstepBuffers& buffers);
 
-/** Equations (6) and (7); boxSize: longest side of the box that counts as the unit. */
+/** Equations (6) and (7); boxSize: longest side of the box of unit size. */
 double PaperTimeStep(const PaperLimits& limits, double tension, double voxelSize, double boxSize);
 
-/** Next, from the whole speed. advection: dt / h. */
+/** Next, from the complete speed. advection: dt / h. */
 void StepPaper(const LeafTable& table, double advection, SubstepBuffers& buffers);
 
-/** Layers, then wakes and retires nodes; Active holds those of before. */
-void RebuildPaperBand(LeafTable& table, PotentialTree& tree);
+/** Finds the layers, then activates and deactivates nodes; Active holds those before the substep.
+ */
+void RebuildPaperBand(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
 }
 

@@ -1,9 +1,9 @@
 /**
  * The terms of the evolution equation on a row of eight nodes.
  *
- * Plain loops without branches, which the compiler turns into vector code. u points at the row in a
- * LeafBlock; differences are per voxel. No reduction runs across the row and contraction to fused
- * multiply-add is off, so any vector width gives the same bytes.
+ * Plain loops without branches, which the compiler vectorises. u points at the row in a LeafBlock;
+ * differences are per voxel. Nothing is reduced across a row and contraction to fused multiply-add
+ * is off, so any vector width gives the same bytes.
  */
 #ifndef RowKernels_h
 #define RowKernels_h
@@ -35,7 +35,7 @@ constexpr std::array<RowMask, 256> MakeRowMasks()
 
 inline constexpr std::array<RowMask, 256> RowMasks = MakeRowMasks();
 
-/** The eight bits of a row as numbers. */
+/** The eight bits of a row as numbers 0 or 1. */
 ACTIVE_ALWAYS_INLINE const RowMask& MaskOfBits(unsigned bits)
 {
   return RowMasks[bits];
@@ -80,14 +80,14 @@ ACTIVE_ALWAYS_INLINE void AddTransport(
     const UpwindSquares w = UpwindDifferences(u + z, LeafBlock::Z);
     const float outward = std::sqrt(x.Outward + y.Outward + w.Outward);
     const float inward = std::sqrt(x.Inward + y.Inward + w.Inward);
-    const float slope = speed[z] > 0.f ? outward : inward;
+    const float norm = speed[z] > 0.f ? outward : inward;
     const float excess = u[z] < 0.f ? 1.f - inward : outward - 1.f;
-    next[z] -= advection * speed[z] * slope + relaxation[z] * excess;
+    next[z] -= advection * speed[z] * norm + relaxation[z] * excess;
   }
 }
 
-/** Squares of the central slope. */
-ACTIVE_ALWAYS_INLINE void CentralSlopes(const float* u, float* squares)
+/** Squares of the gradient norm, central differences. */
+ACTIVE_ALWAYS_INLINE void CentralGradientSquares(const float* u, float* squares)
 {
   constexpr int X = LeafBlock::X, Y = LeafBlock::Y, Z = LeafBlock::Z;
   for (int z = 0; z < 8; ++z)
@@ -103,7 +103,7 @@ ACTIVE_ALWAYS_INLINE void AddCentralTransport(
   const float* u, const float* speed, float advection, float* next)
 {
   float squares[8];
-  CentralSlopes(u, squares);
+  CentralGradientSquares(u, squares);
   for (int z = 0; z < 8; ++z)
   {
     next[z] -= advection * speed[z] * std::sqrt(squares[z]);

@@ -62,8 +62,8 @@ private:
 struct SampleLeaf
 {
   const SampledLattice& Lattice;
-  const struct Motion& Motion;
-  const struct Target& Target;
+  const Motion& Parameters;
+  const Target& Source;
   SubstepBuffers& Buffers;
   std::atomic<std::size_t>& Dropped;
 
@@ -72,25 +72,25 @@ struct SampleLeaf
     constexpr int most = 4 * 512; // three edges a node, and the node itself
     double points[3 * most], values[most], slopes[most];
     const double* end = points;
-    if (SamplesCrossings(this->Motion))
+    if (SamplesCrossings(this->Parameters))
     {
       end = CrossingPoints(this->Lattice.Leaves, i, this->Lattice.VoxelSize).Write(points);
     }
-    if (HasNodePoints(this->Motion))
+    if (HasNodePoints(this->Parameters))
     {
-      end = WriteNodePoints(this->Lattice, i, this->Motion, points + (end - points));
+      end = WriteNodePoints(this->Lattice, i, this->Parameters, points + (end - points));
     }
     const std::size_t count = static_cast<std::size_t>(end - points) / 3;
-    this->Buffers.LargestSlope[i] = 0.0;
+    this->Buffers.LargestTargetSlope[i] = 0.0;
     if (count > 0)
     {
-      this->Target.Evaluate(count, points, values, slopes);
-      this->Take(i, count, values, slopes);
+      this->Source.Evaluate(count, points, values, slopes);
+      this->Store(i, count, values, slopes);
     }
   }
 
 private:
-  ACTIVE_ALWAYS_INLINE void Take(
+  ACTIVE_ALWAYS_INLINE void Store(
     std::size_t i, std::size_t count, const double* values, const double* slopes) const
   {
     float* sample = this->Buffers.Samples.data() + this->Buffers.FirstSample[i];
@@ -103,7 +103,7 @@ private:
       dropped += !counts;
       largest = counts && slopes[n] > largest ? slopes[n] : largest;
     }
-    this->Buffers.LargestSlope[i] = largest;
+    this->Buffers.LargestTargetSlope[i] = largest;
     if (dropped > 0)
     {
       this->Dropped.fetch_add(dropped, std::memory_order_relaxed);
@@ -161,7 +161,7 @@ TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves
 {
   buffers.Samples.clear();
   buffers.FirstSample.assign(lattice.Leaves.Size(), SubstepBuffers::NoSamples);
-  buffers.LargestSlope.resize(lattice.Leaves.Size());
+  buffers.LargestTargetSlope.resize(lattice.Leaves.Size());
   return AddSamples(lattice, leaves, motion, target, buffers);
 }
 

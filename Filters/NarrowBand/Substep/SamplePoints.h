@@ -1,6 +1,6 @@
 /**
- * The points at which the target is evaluated: where the surface crosses the edges of the lattice
- * (paper, section 4.3), and those of single nodes (NodePoints.h).
+ * The points at which the target is evaluated: where the surface crosses lattice edges (paper,
+ * section 4.3), and the points of single nodes (NodePoints.h).
  */
 #ifndef SamplePoints_h
 #define SamplePoints_h
@@ -23,14 +23,14 @@ struct TargetSamples
 };
 
 /**
- * The target's value at each point of these leaves, once each, leaf by leaf: crossings, linear on
- * the edges, each from its edge's lower node, axis by axis, node by node; then those of single
- * nodes. Fills Samples and LargestSlope.
+ * Evaluates the target once at each point of these leaves, leaf by leaf: first at the crossings,
+ * which are linear on the edges, axis by axis, by the lower node of the edge; then at the points of
+ * single nodes. Fills Samples and LargestTargetSlope.
  */
 TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves,
   const Motion& motion, const Target& target, SubstepBuffers& buffers);
 
-/** The same for those of these leaves that have not been sampled, besides those that have. */
+/** The same for those of these leaves that have not been sampled yet; keeps the other samples. */
 TargetSamples SampleMore(const SampledLattice& lattice, const LeafList& leaves,
   const Motion& motion, const Target& target, SubstepBuffers& buffers);
 

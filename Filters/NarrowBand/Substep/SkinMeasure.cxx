@@ -86,7 +86,7 @@ struct MeasureLeaf
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     SkinMeasure sum;
-    if (this->Table[i].Upto[0].Any())
+    if (this->Table[i].UpToLayer[0].Any())
     {
       const CrossingsOfLeaf crossings(this->Table, i, this->Reference);
       const VoxelTriangles* all = &TrianglesOfVoxel(0);
@@ -115,7 +115,7 @@ SkinMeasure MeasureSkin(const LeafTable& table)
   // do not count: whether they are still there depends on what was asked for before.
   const LeafList order = table.FindTreeOrder();
   const auto first = std::find_if(
-    order.begin(), order.end(), [&](std::int32_t i) { return table[i].Upto[0].Any(); });
+    order.begin(), order.end(), [&](std::int32_t i) { return table[i].UpToLayer[0].Any(); });
   SkinMeasure total;
   if (first == order.end())
   {

@@ -6,17 +6,26 @@
 
 #include "Leaves/LeafTable.h"
 
+#include <cmath>
+
 namespace activesurface
 {
 
 struct SkinMeasure
 {
   double Area = 0.0;
-  double Volume = 0.0; //< that of the voids is taken off
+  double Volume = 0.0; //< enclosed, without the voids
 };
 
-/** In voxels. Summed leaf by leaf in the order of the tree, so that the number of threads leaves no
- * trace. */
+/** What the area of a sphere gains per outward displacement: dA/dr = sqrt(16 pi A). */
+inline double AreaGainOfSphere(double area)
+{
+  constexpr double pi = 3.14159265358979323846;
+  return std::sqrt(16.0 * pi * area);
+}
+
+/** In voxels. Summed leaf by leaf in the order of the tree: the result does not depend on the
+ * number of threads. */
 SkinMeasure MeasureSkin(const LeafTable& table);
 
 }

@@ -1,8 +1,8 @@
 /**
  * The voxels that the surface crosses, leaf by leaf, and their crossed edges.
  *
- * The voxels of a leaf are those whose lower corner is in it; their corners are the nodes 0..8
- * along each axis, of which the last ones belong to the next leaves.
+ * The voxels of a leaf are those whose lower corner is in it. Their corners are the nodes 0..8
+ * along each axis; the last ones belong to the next leaves.
  */
 #ifndef SkinVoxels_h
 #define SkinVoxels_h
@@ -29,13 +29,13 @@ inline int CornerPlace(int node)
   return CornerPlace(node >> 6, (node >> 3) & 7, node & 7);
 }
 
-/** Where what belongs to an edge is kept, by its axis and its lower corner. */
+/** Index of an edge in arrays, by its axis and its lower corner. */
 constexpr int EdgePlace(int axis, int corner)
 {
   return axis * CornersOfLeaf + corner;
 }
 
-/** EdgePlace of each edge of a voxel, less the place of its lower corner. */
+/** EdgePlace of each edge of a voxel, minus the CornerPlace of the voxel. */
 constexpr std::array<int, EdgesOfVoxel> MakePlacesOfEdges()
 {
   std::array<int, EdgesOfVoxel> places{};
@@ -61,7 +61,7 @@ public:
       const int nx = n >> 1, ny = n & 1;
       const LeafMask& own = table.InsideOf(leaf.Neighbour[NeighbourNumber(nx, ny, 0)]);
       const LeafMask& next = table.InsideOf(leaf.Neighbour[NeighbourNumber(nx, ny, 1)]);
-      this->Take(nx, ny, n == 0 ? leaf.Inside : own, next);
+      this->SetRows(nx, ny, n == 0 ? leaf.Inside : own, next);
     }
   }
 
@@ -92,7 +92,7 @@ public:
   }
 
 private:
-  ACTIVE_ALWAYS_INLINE void Take(int nx, int ny, const LeafMask& own, const LeafMask& next)
+  ACTIVE_ALWAYS_INLINE void SetRows(int nx, int ny, const LeafMask& own, const LeafMask& next)
   {
     for (int x = 0; x < (nx ? 1 : 8); ++x)
     {
@@ -116,7 +116,7 @@ ACTIVE_ALWAYS_INLINE void ForEachCrossedVoxel(
   const LeafTable& table, std::size_t i, Function&& function)
 {
   const BandLeaf& leaf = table[i];
-  if (!leaf.Upto[0].Any())
+  if (!leaf.UpToLayer[0].Any())
   {
     return;
   }

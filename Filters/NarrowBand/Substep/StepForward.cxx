@@ -13,10 +13,10 @@ namespace activesurface
 namespace
 {
 
-ACTIVE_ALWAYS_INLINE void CountSlopes(const float* u, unsigned bits, int& flat, int& steep)
+ACTIVE_ALWAYS_INLINE void CountGradients(const float* u, unsigned bits, int& flat, int& steep)
 {
   float squares[8];
-  CentralSlopes(u, squares);
+  CentralGradientSquares(u, squares);
   for (int z = 0; z < 8; ++z)
   {
     const bool counts = (bits >> z) & 1u;
@@ -59,8 +59,8 @@ ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* speeds, unsigned
   }
 }
 
-/** How fast the surface moves where edges are crossed. Most leaves of a surface that moves are
- * known by their first row to be fast enough. */
+/** Speed of the surface at the nodes of crossed edges. In most leaves of a moving surface the first
+ * row is fast enough to decide. */
 struct FindRate
 {
   LeafTable& Table;
@@ -106,7 +106,7 @@ private:
       const float* u = block.Row(row / 8, row % 8);
       float rates[8] = {}, squares[8];
       AddTerms(u, this->Buffers.SpeedOf(i) + 8 * row, 0, this->Coefficients, rates);
-      CentralSlopes(u, squares);
+      CentralGradientSquares(u, squares);
       for (int z = 0; z < 8; ++z)
       {
         const float speed = std::fabs(rates[z]) / std::sqrt(squares[z]);
@@ -155,9 +155,9 @@ struct StepLeaf
         result[z] = isActive ? next[z] : u[z];
         unbounded |= isActive & IsUnbounded(next[z]);
       }
-      if (const unsigned zero = leaf.Upto[0].Row(x, y))
+      if (const unsigned zero = leaf.UpToLayer[0].Row(x, y))
       {
-        CountSlopes(u, zero, flat, steep);
+        CountGradients(u, zero, flat, steep);
       }
     }
     this->Buffers.FlatNodes[i] = flat;
@@ -174,18 +174,18 @@ void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients&
   ForEachLeaf(table, leaves, FindRate{ table, coefficients, enough, buffers });
 }
 
-SlopeCounts StepForward(
-  const LeafTable& table, const StepCoefficients& coefficients, SubstepBuffers& buffers)
+GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
+  const StepCoefficients& coefficients, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
   buffers.MakeRoomForNodes(size); // which it is where there are speeds
   buffers.FlatNodes.resize(size);
   buffers.SteepNodes.resize(size);
   buffers.Unbounded.resize(size);
-  ForEachLeaf(table, table.GetMoving(), StepLeaf{ table, coefficients, buffers });
-  SlopeCounts counts;
+  ForEachLeaf(table, set.Active, StepLeaf{ table, coefficients, buffers });
+  GradientCounts counts;
   counts.Nodes = table.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
-  for (const std::int32_t i : table.GetMoving())
+  for (const std::int32_t i : set.Active)
   {
     counts.Flat += buffers.FlatNodes[i];
     counts.Steep += buffers.SteepNodes[i];
@@ -194,18 +194,18 @@ SlopeCounts StepForward(
   return counts;
 }
 
-void TakeNext(LeafTable& table, const SubstepBuffers& buffers)
+void CommitStep(LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers)
 {
-  table.ForEach(table.GetMoving(),
+  table.ForEach(set.Active,
     [&](std::size_t i)
     {
       std::copy_n(buffers.NextOf(i), 512, table[i].Value);
       table[i].Inside = InsideNodes(table[i].Value);
     });
-  table.ForEach(table.GetNear(),
+  table.ForEach(set.Affected,
     [&](std::size_t i)
     {
-      table[i].Advanced = table[i].Active;
+      table[i].Updated = table[i].Active;
       table.SummaryOf(i).Speed.IsKnown = false;
     });
 }
@@ -216,7 +216,7 @@ void ScalePotential(LeafTable& table, float factor)
     [&](std::size_t i)
     {
       BandLeaf& leaf = table[i];
-      leaf.Upto[LastLayer].ForEach([&](int node) { leaf.Value[node] *= factor; });
+      leaf.UpToLayer[LastLayer].ForEach([&](int node) { leaf.Value[node] *= factor; });
     });
 }
 

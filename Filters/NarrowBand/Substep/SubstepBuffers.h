@@ -1,5 +1,5 @@
 /**
- * What one substep passes from hand to hand; kept from substep to substep for its memory.
+ * What the passes of a substep hand to each other; kept between substeps for its memory.
  */
 #ifndef SubstepBuffers_h
 #define SubstepBuffers_h
@@ -14,8 +14,7 @@
 namespace activesurface
 {
 
-/** Makes a vector so long. Where it has to grow, what it holds is lost, so that memory is never
- * needed twice. */
+/** Resizes a vector. If it has to grow its contents are lost, so that both never exist at once. */
 template <class Value>
 void MakeRoom(std::vector<Value>& room, std::size_t size)
 {
@@ -27,7 +26,7 @@ void MakeRoom(std::vector<Value>& room, std::size_t size)
   room.resize(size);
 }
 
-/** 512 numbers per leaf, in blocks small enough to come out of what the heap has free. */
+/** 512 numbers per leaf, in blocks that are small enough for free memory of the heap. */
 class NodeArrays
 {
 public:
@@ -56,18 +55,18 @@ struct SubstepBuffers
   static constexpr std::int64_t NoSamples = -1; //< of a leaf that has not been sampled
   std::vector<std::int64_t> FirstSample;        //< number of a leaf's first point
 
-  // Per leaf, 512 nodes each: extended target speed, valid where Known, then the potential after
-  // the substep, which takes its room row by row.
+  // Per leaf, 512 nodes each: the extended target speed, valid where Known; then the potential
+  // after the substep, which overwrites it row by row.
   NodeArrays Nodes;
   std::vector<LeafMask> Known;
   std::vector<LeafMask> NextKnown;
 
   // Per leaf.
-  std::vector<double> LargestSlope;    //< of the target, |dF/dn|
-  std::vector<float> LargestSpeed;     //< at the nodes with samples
-  std::vector<int> FlatNodes;          //< layer 0 nodes of slope below 1/sqrt 2
-  std::vector<int> SteepNodes;         //< layer 0 nodes of slope above sqrt 2
-  std::vector<std::uint8_t> Unbounded; //< whether the next potential is, see SlopeCounts
+  std::vector<double> LargestTargetSlope; //< |dF/dn|
+  std::vector<float> LargestSpeed;        //< at the nodes with samples
+  std::vector<int> FlatNodes;             //< layer 0 nodes of gradient norm below 1/sqrt 2
+  std::vector<int> SteepNodes;            //< layer 0 nodes of gradient norm above sqrt 2
+  std::vector<std::uint8_t> Unbounded;    //< whether the next potential is, see GradientCounts
 
   void MakeRoomForNodes(std::size_t leaves) { this->Nodes.MakeRoom(leaves); }
   float* SpeedOf(std::size_t leaf) { return this->Nodes.Of(leaf); }

@@ -17,7 +17,7 @@ namespace
 {
 
 /** Speed at the nodes with crossed edges. */
-ACTIVE_ALWAYS_INLINE void TakeCrossings(
+ACTIVE_ALWAYS_INLINE void ApplyCrossings(
   const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
   WeightedSamples samples(motion.Paper);
@@ -30,7 +30,7 @@ ACTIVE_ALWAYS_INLINE void TakeCrossings(
 }
 
 /** Speed at the nodes with points of their own. */
-void TakeOwnPoints(
+void ApplyNodePoints(
   const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
   const float* value = buffers.Samples.data() + buffers.FirstSample[i] +
@@ -53,11 +53,11 @@ float LargestOf(const float* speed, const LeafMask& nodes)
   return largest;
 }
 
-/** All that the samples themselves say; the largest speeds of each leaf with it. */
-struct TakeTarget
+/** The speeds that follow from the samples of a leaf, and the largest of them. */
+struct ApplyLeafSamples
 {
   const LeafTable& Table;
-  const struct Motion& Motion;
+  const Motion& Parameters;
   SubstepBuffers& Buffers;
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
@@ -65,15 +65,15 @@ struct TakeTarget
     float* speed = this->Buffers.SpeedOf(i);
     std::fill_n(speed, 512, 0.f); // what the extension does not reach stands still
     LeafMask nodes;
-    if (SamplesCrossings(this->Motion))
+    if (SamplesCrossings(this->Parameters))
     {
-      TakeCrossings(this->Table, i, this->Motion, this->Buffers);
+      ApplyCrossings(this->Table, i, this->Parameters, this->Buffers);
       nodes = this->Buffers.Known[i];
     }
-    if (HasNodePoints(this->Motion))
+    if (HasNodePoints(this->Parameters))
     {
-      TakeOwnPoints(this->Table, i, this->Motion, this->Buffers);
-      nodes = nodes | NodesWithOwnPoint(this->Table, this->Table[i], this->Motion);
+      ApplyNodePoints(this->Table, i, this->Parameters, this->Buffers);
+      nodes = nodes | NodesWithOwnPoint(this->Table, this->Table[i], this->Parameters);
     }
     this->Buffers.LargestSpeed[i] = LargestOf(speed, nodes);
   }
@@ -225,17 +225,17 @@ struct ExtendLeaf
 };
 
 /** One round; false when no active node is left to reach. */
-bool ExtendOnce(const LeafTable& table, SubstepBuffers& buffers)
+bool ExtendOnce(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
 {
   std::atomic<bool> reached{ false }, left{ false };
-  ForEachLeaf(table, table.GetNear(), ExtendLeaf{ table, buffers, reached, left });
+  ForEachLeaf(table, set.Affected, ExtendLeaf{ table, buffers, reached, left });
   std::swap(buffers.Known, buffers.NextKnown);
   return reached.load() && left.load();
 }
 
 }
 
-void TakeSamples(
+void ApplySamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
@@ -243,13 +243,14 @@ void TakeSamples(
   buffers.Known.assign(size, LeafMask());
   buffers.NextKnown.assign(size, LeafMask());
   buffers.LargestSpeed.resize(size);
-  ForEachLeaf(table, leaves, TakeTarget{ table, motion, buffers });
+  ForEachLeaf(table, leaves, ApplyLeafSamples{ table, motion, buffers });
 }
 
-// What is extended is a mean of what is known: no larger.
-void ExtendSpeed(const LeafTable& table, const Motion& motion, SubstepBuffers& buffers)
+// Extended speeds are means of known ones, so they are no larger.
+void ExtendSpeed(
+  const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers)
 {
-  while (SamplesCrossings(motion) && !motion.Paper && ExtendOnce(table, buffers))
+  while (SamplesCrossings(motion) && !motion.Paper && ExtendOnce(table, set, buffers))
   {
   }
 }

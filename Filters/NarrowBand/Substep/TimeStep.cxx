@@ -12,8 +12,6 @@ namespace activesurface
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
 /** Advection by minmod-limited differences is stable (total variation does not grow) up to 2/3 of a
  * voxel in the 1-norm, which is at most sqrt 3 times the speed. */
 double AdvectionRate(double speed, double voxelSize)
@@ -64,7 +62,7 @@ PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const Ski
   {
     const double held = HeldArea(motion, start);
     penalty.Speed += motion.AreaStiffness * (held - now.Area) / held;
-    penalty.Rate += motion.AreaStiffness * std::sqrt(16.0 * Pi * now.Area) / held;
+    penalty.Rate += motion.AreaStiffness * AreaGainOfSphere(now.Area) / held;
   }
   if (motion.VolumeControl == Control::Penalty)
   {
@@ -77,11 +75,10 @@ PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const Ski
 
 double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& limits)
 {
-  return AdvectionRate(limits.Speed, voxelSize) + motion.Attraction * limits.Slope;
+  return AdvectionRate(limits.Speed, voxelSize) + motion.Attraction * limits.TargetSlope;
 }
 
-// The rates of all that limits the time step add up; taking the largest alone lets the skin tremble
-// at rest.
+// The rates of all terms add up; with the largest alone the skin would tremble at a steady state.
 double StableStep(
   const Motion& motion, double voxelSize, const TargetLimits& limits, const PenaltyForce& penalty)
 {
@@ -91,9 +88,9 @@ double StableStep(
   return rate > 0.0 ? motion.CFL / rate : std::numeric_limits<double>::infinity();
 }
 
-// Relaxation is paid by tracking alone: at a fixed rate it would bias tension. It uses the same
-// one-sided differences as advection (voxels per step), and unless both together stay below 1/2
-// they amplify each other.
+// The rate of relaxation follows that of tracking: a fixed rate would bias tension. It uses the
+// same one-sided differences as advection (voxels per step), and unless both together stay below
+// 1/2 they amplify each other.
 double RelaxationFor(double tracking, double advection)
 {
   return std::max(0.0, std::min(0.3 * std::min(1.0, tracking), 0.5 - advection));

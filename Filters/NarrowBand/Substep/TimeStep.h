@@ -1,5 +1,5 @@
 /**
- * How long a substep may be, and how much slope relaxation it may do.
+ * The stable length of a substep, and its coefficient of reinitialisation.
  */
 #ifndef TimeStep_h
 #define TimeStep_h
@@ -13,21 +13,21 @@ namespace activesurface
 /** How the target limits the step. */
 struct TargetLimits
 {
-  double Speed = 0.0; //< largest |target speed| [length/time]
-  double Slope = 0.0; //< largest |dF/dn| met
+  double Speed = 0.0;       //< largest |target speed| [length/time]
+  double TargetSlope = 0.0; //< largest |dF/dn|
 };
 
-/** What penalties do. */
+/** The effect of the penalties. */
 struct PenaltyForce
 {
   double Speed = 0.0; //< uniform, outward [length/time]
-  double Rate = 0.0;  //< at which they limit the time step [1/time]
+  double Rate = 0.0;  //< added to the rate that limits the time step [1/time]
 };
 
-/** measure: of the skin now; start: when it started; both in world units. */
+/** now, start: measures of the skin, in world units. */
 PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const SkinMeasure& start);
 
-/** What is to be held: the property, or the value at the start. Throws std::invalid_argument if
+/** The value to be held: the property, or the value at the start. Throws std::invalid_argument if
  * there is none. */
 double HeldArea(const Motion& motion, const SkinMeasure& start);
 double HeldVolume(const Motion& motion, const SkinMeasure& start);
@@ -39,17 +39,17 @@ double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& 
 double StableStep(
   const Motion& motion, double voxelSize, const TargetLimits& limits, const PenaltyForce& penalty);
 
-/** The relaxation coefficient q for a step. */
+/** The coefficient q of the reinitialisation term. */
 double RelaxationFor(double tracking, double advection);
 
-/** Throws std::invalid_argument for a motion that cannot be. */
+/** Throws std::invalid_argument for invalid parameters. */
 void CheckMotion(const Motion& motion);
 
-/** Throws std::runtime_error for a stable step that would take more than a million for the rest, or
- * whose speeds single precision does not hold. */
+/** Throws std::runtime_error if the remaining time needs more than a million of these steps, or if
+ * the step is too small for single precision. */
 void CheckStep(double step, double voxelSize, double remaining);
 
-/** What a speed is multiplied by to give voxels per step. */
+/** The factor from a speed to voxels per step. */
 float AdvectionFactor(double step, double voxelSize);
 
 }

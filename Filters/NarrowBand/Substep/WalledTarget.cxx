@@ -24,10 +24,10 @@ void WalledTarget::Evaluate(
   }
 }
 
-void ClampToWalls(
-  const LeafTable& table, const Walls& walls, double voxelSize, SubstepBuffers& buffers)
+void ClampToWalls(const LeafTable& table, const ActiveSet& set, const Walls& walls,
+  double voxelSize, SubstepBuffers& buffers)
 {
-  table.ForEach(table.GetMoving(),
+  table.ForEach(set.Active,
     [&](std::size_t i)
     {
       const BandLeaf& leaf = table[i];

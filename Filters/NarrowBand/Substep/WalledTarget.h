@@ -1,15 +1,15 @@
 /**
- * Walls: a box that the surface does not leave.
+ * Walls: the surface does not leave their box.
  *
- * The target is cut off at the walls, so that the surface comes to rest there by itself. Other
- * motions (Tension, controls) are stopped by clamping the potential at the distance to the walls.
- * The clamp alone would do, and ends in the same place; but a surface that is pressed on a wall
- * goes on at full speed as far as the time step knows, which costs 3 to 15 times as many substeps.
+ * The target is cut off at the walls, so the surface stops there by itself. Other motions (Tension,
+ * controls) are stopped by clamping the potential at the distance to the walls. The clamp alone
+ * ends in the same place. But then the speed of a surface pressed on a wall stays large and limits
+ * the time step, which costs 3 to 15 times as many substeps.
  */
 #ifndef WalledTarget_h
 #define WalledTarget_h
 
-#include "Leaves/LeafTable.h"
+#include "Leaves/ActiveSet.h"
 #include "Target.h"
 #include "Walls.h"
 
@@ -22,7 +22,7 @@ struct SubstepBuffers;
 class WalledTarget : public Target
 {
 public:
-  /** Both are the caller's. */
+  /** The caller owns both. */
   WalledTarget(Target& target, const Walls& walls)
     : Within(target)
     , Box(walls)
@@ -43,10 +43,10 @@ private:
   const Walls& Box;
 };
 
-/** Next is no less than the distance to the walls [voxels] at any active node of the leaves that
- * move. */
-void ClampToWalls(
-  const LeafTable& table, const Walls& walls, double voxelSize, SubstepBuffers& buffers);
+/** Next is no less than the distance to the walls [voxels] at any active node of the active leaves.
+ */
+void ClampToWalls(const LeafTable& table, const ActiveSet& set, const Walls& walls,
+  double voxelSize, SubstepBuffers& buffers);
 
 }
 

@@ -1,8 +1,8 @@
 /**
  * Means of the target's values on the crossed edges around each node of a leaf (the paper, 4.3).
  *
- * Each sample is weighted by 1/t^2, t = the fraction of its edge from the node to the crossing:
- * the value at the surface's closest point where the surface is a plane.
+ * Each sample is weighted by 1/t^2, t = the fraction of its edge from the node to the crossing. If
+ * the surface is a plane, the mean is the value at its closest point.
  */
 #ifndef WeightedSamples_h
 #define WeightedSamples_h
@@ -27,7 +27,7 @@ public:
   {
   }
 
-  /** Those of a leaf that has been sampled, and of the leaves before it that have. */
+  /** Adds the samples of a leaf that has been sampled, and of those leaves before it that have. */
   ACTIVE_ALWAYS_INLINE void Add(
     const LeafTable& table, std::size_t i, const SubstepBuffers& buffers)
   {
@@ -36,7 +36,7 @@ public:
     this->AddEdges<2>(table, i, buffers);
   }
 
-  /** rate times the mean; 0 where all samples were dropped. */
+  /** rate times the mean; 0 if all samples were dropped. */
   ACTIVE_ALWAYS_INLINE float GetSpeed(int node, float rate) const
   {
     return this->Weight[node] > 0.f ? rate * (this->Sum[node] / this->Weight[node]) : 0.f;

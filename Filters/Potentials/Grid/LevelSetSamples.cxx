@@ -1,6 +1,6 @@
 #include "Grid/LevelSetSamples.h"
 
-#include "ProgramEnd.h"
+#include "StaticShutdown.h"
 #include "Trilinear.h"
 
 #include <openvdb/tree/ValueAccessor.h>
@@ -33,7 +33,7 @@ LevelSetSamples::LevelSetSamples(const openvdb::FloatGrid::ConstPtr& grid, const
 
 LevelSetSamples::~LevelSetSamples()
 {
-  LetGo(std::move(this->Grid));
+  ReleaseUnlessExiting(std::move(this->Grid));
 }
 
 double LevelSetSamples::Evaluate(const double x[3], double* gradient) const

@@ -1,7 +1,7 @@
 #include "Grid/MeshSamples.h"
 
 #include "Grid/MeshDistance.h"
-#include "ProgramEnd.h"
+#include "StaticShutdown.h"
 #include "Trilinear.h"
 
 #include <openvdb/tree/ValueAccessor.h>
@@ -119,7 +119,7 @@ MeshSamples::MeshSamples(const MeshTriangles& mesh, const MeshMeasure& measure)
 
 MeshSamples::~MeshSamples()
 {
-  LetGo(std::move(this->Distance));
+  ReleaseUnlessExiting(std::move(this->Distance));
 }
 
 void MeshSamples::Measure(const MeshMeasure& measure)

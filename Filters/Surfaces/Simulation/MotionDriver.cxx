@@ -115,17 +115,17 @@ bool MotionDriver::AdvanceToSteadyState(
   NarrowBand& band, const ProgressFunction& progress, bool& isSteady)
 {
   this->Prepare(band);
-  RestCriterion criterion = this->Settings.SteadyState;
+  SteadyStateCriterion criterion = this->Settings.SteadyState;
   criterion.MaximumSubsteps -= std::min(band.GetWork().Substeps, criterion.MaximumSubsteps);
   const Motion motion = this->GetMotion(0);
   PotentialTarget& target = this->Shapes.GetTarget();
-  const AdvanceReport report =
-    this->Count(band, [&] { return band.Settle(motion, criterion, target, progress); });
+  const AdvanceReport report = this->Count(
+    band, [&] { return band.AdvanceToSteadyState(motion, criterion, target, progress); });
   WarnOfMotion(report, { band.GetTime() }, this->Messages);
-  isSteady = report.AtRest || report.Vanished;
+  isSteady = report.IsSteady || report.Vanished;
   if (!isSteady && !report.Aborted)
   {
-    WarnOfNoRest(this->Settings.SteadyState, report.RestSpeed, this->Messages);
+    WarnOfNoRest(this->Settings.SteadyState, report.SurfaceSpeed, this->Messages);
   }
   return !report.Aborted;
 }

@@ -25,7 +25,7 @@ void WarnOfMotion(const AdvanceReport& report, MotionTime time, Warnings& messag
   }
 }
 
-void WarnOfNoRest(const RestCriterion& rest, double speed, Warnings& messages)
+void WarnOfNoRest(const SteadyStateCriterion& rest, double speed, Warnings& messages)
 {
   std::ostringstream text;
   text << "The skin is not at rest after " << rest.MaximumSubsteps << " substeps: its speed is "

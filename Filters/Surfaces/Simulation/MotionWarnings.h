@@ -14,7 +14,7 @@ namespace activesurface
 void WarnOfMotion(const AdvanceReport& report, MotionTime time, Warnings& messages);
 
 // That the substeps were used up before the skin was at rest; speed: the last one.
-void WarnOfNoRest(const RestCriterion& rest, double speed, Warnings& messages);
+void WarnOfNoRest(const SteadyStateCriterion& rest, double speed, Warnings& messages);
 
 }
 

@@ -61,7 +61,7 @@ struct SurfaceSettings
 {
   Motion Law;
   EvolutionMode Evolution = EvolutionMode::Transient;
-  RestCriterion SteadyState;
+  SteadyStateCriterion SteadyState;
   double TimeScale = 1.0; // motion time per pipeline time
 
   double IsoValue = 0.0;

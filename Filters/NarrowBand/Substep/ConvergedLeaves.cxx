@@ -1,4 +1,4 @@
-#include "Substep/RestingLeaves.h"
+#include "Substep/ConvergedLeaves.h"
 
 #include "Substep/StepForward.h"
 #include "Substep/SubstepBuffers.h"
@@ -17,24 +17,24 @@ constexpr double Nearest = 1e-3; // voxels
 constexpr double NodesNearest = 1.0;
 
 /** Of a step that moves the surface by its speed. */
-StepCoefficients CoefficientsOf(const RestRule& rule)
+StepCoefficients CoefficientsOf(const ConvergenceRule& rule)
 {
   StepCoefficients coefficients;
   coefficients.Attracted = true;
-  coefficients.Central = rule.Motion.Gradient == GradientScheme::Central;
+  coefficients.Central = rule.Parameters.Gradient == GradientScheme::Central;
   coefficients.Advection = 1.f;
-  coefficients.Tension = static_cast<float>(rule.Motion.Tension / rule.VoxelSize);
+  coefficients.Tension = static_cast<float>(rule.Parameters.Tension / rule.VoxelSize);
   return coefficients;
 }
 
-/** What a voxel from the target means. */
-double SpeedOfVoxel(const RestRule& rule)
+/** Target speed at a voxel's distance from the target. */
+double SpeedOfVoxel(const ConvergenceRule& rule)
 {
-  return rule.VoxelSize * rule.Motion.Attraction * rule.Slope;
+  return rule.VoxelSize * rule.Parameters.Attraction * rule.TargetSlope;
 }
 
-/** Where a leaf's speeds depend on the target: its edges end in the next leaves, and the nodes
- * there have edges of their own. */
+/** In the box on which the speeds of a leaf depend: its edges end in the next leaves, whose nodes
+ * have edges too. */
 bool MayHaveChanged(const Target& target, const openvdb::Coord& origin, double voxelSize)
 {
   double bounds[6];
@@ -80,7 +80,7 @@ void RememberSpeeds(LeafTable& table, const LeafList& leaves, const SubstepBuffe
     {
       LeafSpeed& speed = table.SummaryOf(i).Speed;
       speed.AtNodes = buffers.LargestSpeed[i];
-      speed.Slope = buffers.LargestSlope[i];
+      speed.TargetSlope = buffers.LargestTargetSlope[i];
       speed.IsKnown = true;
     });
 }
@@ -91,35 +91,36 @@ TargetLimits FindLimits(const LeafTable& table)
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
     limits.Speed = std::max(limits.Speed, static_cast<double>(table.SummaryOf(i).Speed.AtNodes));
-    limits.Slope = std::max(limits.Slope, table.SummaryOf(i).Speed.Slope);
+    limits.TargetSlope = std::max(limits.TargetSlope, table.SummaryOf(i).Speed.TargetSlope);
   }
   return limits;
 }
 
-LeafList FindUnrest(
-  LeafTable& table, const LeafList& measured, const RestRule& rule, const SubstepBuffers& buffers)
+LeafList FindActiveLeaves(LeafTable& table, const LeafList& measured, const ConvergenceRule& rule,
+  const SubstepBuffers& buffers)
 {
   const double slow = Nearest * SpeedOfVoxel(rule);
-  if (rule.Motion.Tension != 0.0)
+  if (rule.Parameters.Tension != 0.0)
   {
     FindRates(table, measured, CoefficientsOf(rule), slow, buffers);
     return table.FindAll(
       [&](std::size_t i) { return !(table.SummaryOf(i).Speed.AtSurface <= slow); });
   }
-  // A leaf that is too fast at its nodes moves, and is measured anew: it needs no more.
-  const auto mayRest = [fastest = NodesNearest * SpeedOfVoxel(rule)](const LeafSpeed& speed)
+  // A leaf that is too fast at its nodes is active and measured anew: no need to interpolate.
+  const auto mayConverge = [fastest = NodesNearest * SpeedOfVoxel(rule)](const LeafSpeed& speed)
   { return speed.AtNodes <= fastest; };
   table.ForEach(measured,
     [&](std::size_t i)
     {
       LeafSpeed& speed = table.SummaryOf(i).Speed;
-      speed.AtSurface = mayRest(speed) ? LargestSpeedAtSurface(table, i, buffers) : speed.AtNodes;
+      speed.AtSurface =
+        mayConverge(speed) ? LargestSpeedAtSurface(table, i, buffers) : speed.AtNodes;
     });
   return table.FindAll(
     [&](std::size_t i)
     {
       const LeafSpeed& speed = table.SummaryOf(i).Speed;
-      return !mayRest(speed) || !(speed.AtSurface <= slow);
+      return !mayConverge(speed) || !(speed.AtSurface <= slow);
     });
 }
 
