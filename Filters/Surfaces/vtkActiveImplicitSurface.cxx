@@ -255,28 +255,20 @@ SurfaceProperties vtkActiveImplicitSurface::FindProperties()
     static_cast<std::size_t>(this->GetMaximumNumberOfActiveVoxels());
   properties.Limits.CheckpointInterval = this->GetCheckpointInterval();
   properties.Limits.CheckpointMemory = static_cast<std::size_t>(this->GetCheckpointMemory()) << 20;
-  properties.Normals = this->ComputeNormals != 0;
-  properties.Curvature = this->ComputeCurvature != 0;
-  properties.Velocity = this->ComputeVelocity != 0;
-  properties.TangentialVelocity = this->TangentialVelocity != 0;
-  properties.PassTargetArrays = this->PassTargetArrays != 0;
-  properties.OutputPotential = this->OutputPotential != 0;
+  activesurface::ForEachOutputProperty(properties.Outputs,
+    [this](const activesurface::Property&, auto& field, auto&& get)
+    { activesurface::AssignProperty(get(*this), field); });
   return properties;
 }
 
 void vtkActiveImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  activesurface::SurfaceSettings unused;
-  activesurface::ForEachShapeProperty(unused,
-    [&](const activesurface::Property& property, auto&, auto&& get)
-    { activesurface::PrintProperty(os << indent, property, get(*this)); });
+  SurfaceProperties unused;
+  const auto print = [&](const activesurface::Property& property, auto&, auto&& get)
+  { activesurface::PrintProperty(os << indent, property, get(*this)); };
+  activesurface::ForEachShapeProperty(unused.Settings, print);
+  activesurface::ForEachOutputProperty(unused.Outputs, print);
   os << indent << "TargetFunction: " << this->TargetFunction << "\n"
-     << indent << "InitialFunction: " << this->InitialFunction << "\n"
-     << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
-     << indent << "ComputeVelocity: " << this->ComputeVelocity << "\n"
-     << indent << "TangentialVelocity: " << this->TangentialVelocity << "\n"
-     << indent << "PassTargetArrays: " << this->PassTargetArrays << "\n"
-     << indent << "ComputeCurvature: " << this->ComputeCurvature << "\n"
-     << indent << "OutputPotential: " << this->OutputPotential << "\n";
+     << indent << "InitialFunction: " << this->InitialFunction << "\n";
 }

@@ -1,9 +1,9 @@
 #include "Pipeline/OutputPorts.h"
 
 #include "Pipeline/PublishedInformation.h"
+#include "Pipeline/SkinArrays.h"
 #include "Pipeline/StateAttachment.h"
 #include "Pipeline/SurfaceOutput.h"
-#include "SkinMotion.h"
 
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -11,6 +11,8 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
@@ -28,39 +30,30 @@ bool IsFilled(int port, const SurfaceProperties& properties, vtkInformation* req
   const int requested = RequestedPort(request);
   return port == requested ||
     (port == OutputPorts::History && !IsOtherPiece(output->GetInformationObject(requested))) ||
-    (port == OutputPorts::Potential && properties.OutputPotential);
+    (port == OutputPorts::Potential && properties.Outputs.Potential);
 }
 
 void FillSkinPort(
-  const SurfaceProperties& properties, SurfaceSimulation& simulation, vtkPolyData* skin)
+  const OutputProperties& properties, const SurfaceSimulation& simulation, vtkPolyData* skin)
 {
-  const NarrowBand& band = simulation.GetBand();
-  const SkinAttributes attributes = simulation.FindAttributes();
-  SkinArrays arrays;
-  arrays.Normals = properties.Normals;
-  std::vector<float> curvatures, speeds;
-  if (properties.Curvature)
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  const bool areNeeded = properties.Normals || NeedNormals(properties);
+  FillSkin(simulation.GetBand(), areNeeded ? normals.Get() : nullptr, skin);
+  if (properties.Normals)
   {
-    curvatures = FindCurvatures(band);
-    arrays.Curvatures = &curvatures;
+    skin->GetPointData()->SetNormals(normals);
   }
-  if (properties.Velocity)
-  {
-    speeds = attributes.FindSpeeds(band, simulation.GetMotion());
-    arrays.Speeds = &speeds;
-  }
-  const vtkSmartPointer<vtkFloatArray> directions = FillSkin(band, arrays, skin);
-  const PassedArrays passed = attributes.FindPassedArrays();
-  band.Run([&passed, &directions, skin] { PassArrays(passed, directions, skin); });
+  AddSkinArrays(properties, simulation, normals, skin);
 }
 
-void FillPort(int port, const SurfaceProperties& properties, SurfaceSimulation& simulation,
+void FillPort(int port, const SurfaceProperties& properties, const SurfaceSimulation& simulation,
   vtkInformation* output, vtkDataObject* data)
 {
   switch (port)
   {
     case OutputPorts::Skin:
-      FillSkinPort(properties, simulation, vtkPolyData::SafeDownCast(data));
+      FillSkinPort(properties.Outputs, simulation, vtkPolyData::SafeDownCast(data));
       break;
     case OutputPorts::Potential:
       RequestSomeExtent(output);

@@ -19,8 +19,6 @@
 #include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
 
-#include <algorithm>
-
 namespace activesurface
 {
 
@@ -52,29 +50,6 @@ vtkSmartPointer<vtkCellArray> MakeCells(vtkTypeInt64Array* corners)
   return cells;
 }
 
-// Speeds times normals.
-vtkSmartPointer<vtkFloatArray> MakeVelocity(const std::vector<float>& speeds, const float* normals)
-{
-  auto velocity = vtkSmartPointer<vtkFloatArray>::New();
-  velocity->SetName("Velocity");
-  velocity->SetNumberOfComponents(3);
-  velocity->SetNumberOfTuples(static_cast<vtkIdType>(speeds.size()));
-  for (std::size_t i = 0; i < 3 * speeds.size(); ++i)
-  {
-    velocity->SetValue(static_cast<vtkIdType>(i), speeds[i / 3] * normals[i]);
-  }
-  return velocity;
-}
-
-vtkSmartPointer<vtkFloatArray> MakeCurvature(const std::vector<float>& curvatures)
-{
-  auto array = vtkSmartPointer<vtkFloatArray>::New();
-  array->SetName("MeanCurvature");
-  array->SetNumberOfTuples(static_cast<vtkIdType>(curvatures.size()));
-  std::copy(curvatures.begin(), curvatures.end(), array->GetPointer(0));
-  return array;
-}
-
 template <class Array, class Value>
 void AddColumn(
   vtkTable* table, const char* name, const std::vector<HistoryRow>& rows, Value HistoryRow::*member)
@@ -90,47 +65,33 @@ void AddColumn(
 
 }
 
-vtkSmartPointer<vtkFloatArray> FillSkin(
-  const NarrowBand& band, const SkinArrays& arrays, vtkPolyData* skin)
+void FillSkin(const NarrowBand& band, vtkFloatArray* normals, vtkPolyData* skin)
 {
   const Skin triangles(band);
-  const bool directed = arrays.Normals || arrays.Speeds;
-  auto directions = vtkSmartPointer<vtkFloatArray>::New();
-  directions->SetName("Normals");
-  directions->SetNumberOfComponents(3);
-  directions->SetNumberOfTuples(
-    directed ? static_cast<vtkIdType>(triangles.GetNumberOfPoints()) : 0);
   vtkNew<vtkTypeInt64Array> corners;
   corners->SetNumberOfValues(3 * static_cast<vtkIdType>(triangles.GetNumberOfTriangles()));
-
-  float* direction = directed ? directions->GetPointer(0) : nullptr;
   auto* corner = reinterpret_cast<std::int64_t*>(corners->GetPointer(0));
+  float* normal = nullptr;
+  if (normals)
+  {
+    normals->SetName("Normals");
+    normals->SetNumberOfComponents(3);
+    normals->SetNumberOfTuples(static_cast<vtkIdType>(triangles.GetNumberOfPoints()));
+    normal = normals->GetPointer(0);
+  }
   vtkSmartPointer<vtkDataArray> coordinates;
   if (triangles.NeedsDoublePrecision())
   {
-    coordinates = WriteTriangles<vtkDoubleArray>(triangles, direction, corner);
+    coordinates = WriteTriangles<vtkDoubleArray>(triangles, normal, corner);
   }
   else
   {
-    coordinates = WriteTriangles<vtkFloatArray>(triangles, direction, corner);
+    coordinates = WriteTriangles<vtkFloatArray>(triangles, normal, corner);
   }
   vtkNew<vtkPoints> vertices;
   vertices->SetData(coordinates);
   skin->SetPoints(vertices);
   skin->SetPolys(MakeCells(corners));
-  if (arrays.Normals)
-  {
-    skin->GetPointData()->SetNormals(directions);
-  }
-  if (arrays.Speeds)
-  {
-    skin->GetPointData()->AddArray(MakeVelocity(*arrays.Speeds, direction));
-  }
-  if (arrays.Curvatures)
-  {
-    skin->GetPointData()->AddArray(MakeCurvature(*arrays.Curvatures));
-  }
-  return directions;
 }
 
 void FillPotential(const NarrowBand& band, const int extent[6], vtkImageData* potential)

@@ -9,19 +9,47 @@
 namespace activesurface
 {
 
-struct SurfaceProperties
+// What the outputs have besides the shape of the skin. None of it restarts the motion.
+struct OutputProperties
 {
-  SurfaceSettings Settings; // but for the inputs, of which it has the functions alone
-  ClockProperties Clock;
-  SimulationLimits Limits;
-
   bool Normals = true;
-  bool Curvature = false;
   bool Velocity = false;
   bool TangentialVelocity = false;
+  double MaximumVelocity = 0.0; // 0: the speed of the fastest particle
+  bool Curvature = false;
   bool PassTargetArrays = false;
-  bool OutputPotential = false;
+  bool Potential = false;
 };
+
+struct SurfaceProperties
+{
+  SurfaceSettings Settings; // of the inputs only the functions are known
+  ClockProperties Clock;
+  SimulationLimits Limits;
+  OutputProperties Outputs;
+};
+
+// Calls visit as ForEachMotionProperty does, for each of OutputProperties.
+template <class Properties, class Visitor>
+void ForEachOutputProperty(Properties& outputs, Visitor&& visit)
+{
+  using namespace ranges;
+  visit(Property{ "ComputeNormals", Any, false }, outputs.Normals,
+    [](auto& filter) { return filter.GetComputeNormals(); });
+  visit(Property{ "ComputeVelocity", Any, false }, outputs.Velocity,
+    [](auto& filter) { return filter.GetComputeVelocity(); });
+  visit(Property{ "TangentialVelocity", Any, false }, outputs.TangentialVelocity,
+    [](auto& filter) { return filter.GetTangentialVelocity(); });
+  visit(Property{ "MaximumVelocity",
+          OrZero("a finite number > 0, or 0 for the speed of the fastest particle"), false },
+    outputs.MaximumVelocity, [](auto& filter) { return filter.GetMaximumVelocity(); });
+  visit(Property{ "ComputeCurvature", Any, false }, outputs.Curvature,
+    [](auto& filter) { return filter.GetComputeCurvature(); });
+  visit(Property{ "PassTargetArrays", Any, false }, outputs.PassTargetArrays,
+    [](auto& filter) { return filter.GetPassTargetArrays(); });
+  visit(Property{ "OutputPotential", Any, false }, outputs.Potential,
+    [](auto& filter) { return filter.GetOutputPotential(); });
+}
 
 }
 

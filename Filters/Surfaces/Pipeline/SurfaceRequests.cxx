@@ -54,11 +54,12 @@ SurfaceSettings SurfaceRequests::FindSettings(const SurfaceProperties& propertie
   return settings;
 }
 
-RequestedArrays SurfaceRequests::FindArrays(const SurfaceProperties& properties) const
+RequestedArrays SurfaceRequests::FindArrays(const OutputProperties& properties) const
 {
   RequestedArrays arrays;
   arrays.Speeds = properties.Velocity;
   arrays.TangentialVelocity = properties.Velocity && properties.TangentialVelocity;
+  arrays.FastestParticle = properties.Velocity && properties.MaximumVelocity == 0.0;
   arrays.Passed = properties.PassTargetArrays;
   if (arrays.NeedParticles())
   {
@@ -146,7 +147,7 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
     this->Simulation.Reset();
   }
   this->Simulation.Configure(this->FindSettings(properties));
-  this->Simulation.Request(time, this->FindArrays(properties));
+  this->Simulation.Request(time, this->FindArrays(properties.Outputs));
   if (target)
   {
     this->RequestTarget(target);
@@ -306,6 +307,8 @@ void SurfaceRequests::RequestData(const SurfaceProperties& properties, vtkInform
     return;
   }
   this->Simulation.GetSettings().Check();
+  ForEachOutputProperty(properties.Outputs,
+    [](const Property& property, const auto& value, auto&&) { CheckProperty(property, value); });
   this->Simulation.SetLimits(properties.Limits);
   if (this->Advance(input))
   {

@@ -56,7 +56,7 @@ private:
   class MTimesAfterwards;
 
   SurfaceSettings FindSettings(const SurfaceProperties& properties) const;
-  RequestedArrays FindArrays(const SurfaceProperties& properties) const;
+  RequestedArrays FindArrays(const OutputProperties& properties) const;
   const SurfaceDomain* FindDomain(
     const SurfaceProperties& properties, vtkInformationVector** input, bool isWanted);
   PipelineTime FindRequestedTime(vtkInformation* output) const;

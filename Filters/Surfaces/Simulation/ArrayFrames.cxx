@@ -8,26 +8,30 @@ namespace activesurface
 namespace
 {
 
-// Whether the velocities of particles are those on the way to the requested step, from the step
-// before.
+// Whether the way is the one to the requested step, from the step before.
 bool LooksBack(const SurfaceSettings& settings, const RequestedTime& time,
-  const RequestedArrays& arrays, const TargetFrames& frames)
+  const RequestedArrays& arrays, const TargetBuilder& target)
 {
   const int before = time.Step - 1;
-  return arrays.TangentialVelocity && !time.Between && before >= 0 &&
-    (!settings.Inputs.OnlyForward || HasArrays(frames, before, arrays));
+  return !time.Between && before >= 0 &&
+    (!settings.Inputs.OnlyForward || HasArrays(target, before, arrays));
 }
 
 }
 
-bool HasArrays(const TargetFrames& frames, int step, const RequestedArrays& arrays)
+bool HasArrays(const TargetBuilder& target, int step, const RequestedArrays& arrays)
 {
-  const InputShape* shape = frames.Find(step);
+  const InputShape* shape = target.GetFrames().Find(step);
   return shape && (!arrays.NeedParticles() || shape->HasArrays(arrays.Kept));
 }
 
+bool WantWay(const RequestedArrays& arrays, const TargetBuilder& target)
+{
+  return arrays.TangentialVelocity || (arrays.FastestParticle && target.HasParticles());
+}
+
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
-  const RequestedArrays& arrays, const TargetFrames& frames)
+  const RequestedArrays& arrays, const TargetBuilder& target, bool wantsWay)
 {
   ArrayFrames found;
   if (!settings.Inputs.TargetMoves)
@@ -35,8 +39,8 @@ ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime
     return found;
   }
   const int last = settings.GetNumberOfSteps() - 1;
-  const bool looksBack = LooksBack(settings, time, arrays, frames);
-  const bool looksAhead = time.Between || (arrays.TangentialVelocity && time.Step == 0);
+  const bool looksBack = wantsWay && LooksBack(settings, time, arrays, target);
+  const bool looksAhead = time.Between || (wantsWay && time.Step == 0);
   found.First = time.Step - (looksBack ? 1 : 0);
   found.Last = std::min(time.Step + (looksAhead ? 1 : 0), last);
   const double begin = settings.GetMotionTimeOf(found.First).Value;

@@ -4,8 +4,8 @@
 #define ArrayFrames_h
 
 #include "Simulation/SurfaceSettings.h"
+#include "Simulation/TargetBuilder.h"
 #include "Targets/InputData.h"
-#include "Targets/TargetFrames.h"
 
 namespace activesurface
 {
@@ -16,6 +16,7 @@ struct RequestedArrays
   bool Speeds = false;
   bool Passed = false;             // those of the particles
   bool TangentialVelocity = false; // of the particles
+  bool FastestParticle = false;    // its speed, where there are particles
   ParticleArrays Kept;             // of the particles, when their frames are read
 
   bool NeedParticles() const { return this->Passed || this->TangentialVelocity; }
@@ -30,11 +31,16 @@ struct ArrayFrames
   double Duration = 0.0; // motion time from First to the next step; 0 if there is none
 };
 
+// wantsWay: whether the way of particles to the requested time is wanted, or at the first step from
+// there; else the particles there.
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
-  const RequestedArrays& arrays, const TargetFrames& frames);
+  const RequestedArrays& arrays, const TargetBuilder& target, bool wantsWay);
+
+// Whether the arrays want the way of particles.
+bool WantWay(const RequestedArrays& arrays, const TargetBuilder& target);
 
 // Whether the frame of a step is there, and was read with all that the arrays need of particles.
-bool HasArrays(const TargetFrames& frames, int step, const RequestedArrays& arrays);
+bool HasArrays(const TargetBuilder& target, int step, const RequestedArrays& arrays);
 
 }
 

@@ -41,7 +41,7 @@ bool MotionDriver::Start(
   return StartOn(band, { domain, this->GetMotion(-1).Box, shape }, this->Messages, progress);
 }
 
-Motion MotionDriver::GetMotion(int step)
+Motion MotionDriver::GetMotion(int step) const
 {
   Motion motion = this->Settings.Law;
   const SurfaceDomain* domain = this->Shapes.FindDomain();

@@ -38,7 +38,7 @@ public:
   bool AdvanceToSteadyState(NarrowBand& band, const ProgressFunction& progress, bool& isSteady);
 
   // On the way from a step to the next one; before the first step: -1.
-  Motion GetMotion(int step);
+  Motion GetMotion(int step) const;
 
   // Since ResetCounters, also of motions that ended in an exception.
   std::size_t GetSubsteps() const { return this->Substeps; }

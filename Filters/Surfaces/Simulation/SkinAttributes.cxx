@@ -3,6 +3,7 @@
 #include "NarrowBand.h"
 #include "SkinMotion.h"
 
+#include <cmath>
 #include <memory>
 
 namespace activesurface
@@ -47,7 +48,8 @@ PassedArrays SkinAttributes::FindPassedArrays() const
     return passed;
   }
   const TargetFrames& frames = this->Shapes.GetFrames();
-  const ArrayFrames found = FindArrayFrames(this->Settings, this->Time, this->Arrays, frames);
+  const ArrayFrames found = FindArrayFrames(
+    this->Settings, this->Time, this->Arrays, this->Shapes, this->Arrays.TangentialVelocity);
   passed.Moment = FindMoment(frames, found.First, found.Fraction);
   passed.Kernel = this->Settings.Particles.Kernel;
   passed.Arrays = this->Arrays.Passed;
@@ -56,6 +58,29 @@ PassedArrays SkinAttributes::FindPassedArrays() const
     passed.Velocities = passed.Moment.FindVelocities(found.Duration);
   }
   return passed;
+}
+
+double SkinAttributes::FindFastestParticle(const PassedArrays& passed) const
+{
+  const TargetFrames& frames = this->Shapes.GetFrames();
+  const ArrayFrames way =
+    FindArrayFrames(this->Settings, this->Time, this->Arrays, this->Shapes, true);
+  const bool moves = this->Settings.Inputs.TargetMoves && this->Shapes.HasParticles();
+  const ParticleMatches* matches = moves ? frames.FindMatches(way.First) : nullptr;
+  if (!matches)
+  {
+    return 0.0;
+  }
+  double fastest =
+    FindLongestWay(frames.GetParticles(way.First), frames.GetParticles(way.First + 1), *matches) /
+    way.Duration;
+  const std::vector<double>& velocities = passed.Velocities;
+  for (std::size_t i = 0; fastest > 0.0 && i < velocities.size(); i += 3)
+  {
+    const double speed = std::hypot(velocities[i], velocities[i + 1], velocities[i + 2]);
+    fastest = speed > fastest ? speed : fastest; // false for one that is not known
+  }
+  return fastest;
 }
 
 }

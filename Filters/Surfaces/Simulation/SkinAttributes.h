@@ -29,6 +29,11 @@ public:
   // What the skin takes of particles, as requested; refers to the frames.
   PassedArrays FindPassedArrays() const;
 
+  // The speed of the fastest particle on the way to the requested time (at the first step, from
+  // there), of those that are at both of its ends, and of the passed velocities. 0 where none
+  // moves, and for other targets.
+  double FindFastestParticle(const PassedArrays& passed) const;
+
 private:
   const SurfaceSettings& Settings;
   const TargetBuilder& Shapes;

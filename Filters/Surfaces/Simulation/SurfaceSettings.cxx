@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <type_traits>
 
 namespace activesurface
 {
@@ -39,18 +40,7 @@ void Require(bool condition, const char* sentence)
   }
 }
 
-template <class Value>
-void CheckProperty(const Property& property, const Value& value)
-{
-  if (!property.Range.Includes(static_cast<double>(value)))
-  {
-    throw std::invalid_argument(
-      std::string(property.Name) + " has to be " + property.Range.Words + ".");
-  }
-}
-
-// Of ModelBounds, where they are given.
-void CheckProperty(const Property& property, const std::array<double, 6>& bounds)
+void CheckBox(const Property& property, const std::array<double, 6>& bounds)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -132,15 +122,27 @@ std::vector<std::pair<std::string, double>> SurfaceSettings::ListForFiles() cons
   return list;
 }
 
+void CheckProperty(const Property& property, double value)
+{
+  if (!property.Range.Includes(value))
+  {
+    throw std::invalid_argument(
+      std::string(property.Name) + " has to be " + property.Range.Words + ".");
+  }
+}
+
 void SurfaceSettings::Check() const
 {
   ForEachProperty(*this,
     [this](const Property& property, const auto& value, auto&&)
     {
-      const bool isUnset = static_cast<const void*>(&value) == &this->Bounds && !this->HasBounds();
-      if (!isUnset)
+      if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::array<double, 6>>)
       {
-        CheckProperty(property, value);
+        CheckProperty(property, static_cast<double>(value));
+      }
+      else if (this->HasBounds())
+      {
+        CheckBox(property, value);
       }
     });
   Require(this->Law.AreaControl != Control::Exact || this->Law.VolumeControl != Control::Exact,

@@ -135,6 +135,9 @@ struct Property
   bool IsRecorded; // in the metadata of files
 };
 
+// Throws std::invalid_argument for a value out of range.
+void CheckProperty(const Property& property, double value);
+
 namespace ranges
 {
 

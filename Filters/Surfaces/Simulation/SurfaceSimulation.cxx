@@ -152,11 +152,11 @@ int SurfaceSimulation::FindMissingStepOfArrays() const
   {
     return -1;
   }
-  const TargetFrames& frames = this->Shapes.GetFrames();
-  const ArrayFrames needed = FindArrayFrames(this->Settings, this->Requested, this->Arrays, frames);
+  const ArrayFrames needed = FindArrayFrames(this->Settings, this->Requested, this->Arrays,
+    this->Shapes, WantWay(this->Arrays, this->Shapes));
   for (int step = needed.First; step <= needed.Last; ++step)
   {
-    if (!HasArrays(frames, step, this->Arrays))
+    if (!HasArrays(this->Shapes, step, this->Arrays))
     {
       return step;
     }

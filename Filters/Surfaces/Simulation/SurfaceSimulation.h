@@ -94,7 +94,7 @@ public:
 
   // What the skin has there besides its shape: its motion, and what FindAttributes tells.
   SkinAttributes FindAttributes() const;
-  Motion GetMotion() { return this->Driver.GetMotion(this->Way.GetStep()); }
+  Motion GetMotion() const { return this->Driver.GetMotion(this->Way.GetStep()); }
 
   // The state at the last step that is not after the requested time; its band is null if there is
   // none.

@@ -1,0 +1,120 @@
+#include "Pipeline/SkinArrays.h"
+
+#include "NarrowBand.h"
+#include "SkinMotion.h"
+
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace activesurface
+{
+
+namespace
+{
+
+struct SkinContext
+{
+  const SurfaceSimulation& Simulation;
+  const SkinAttributes& Attributes;
+  const vtkFloatArray* Normals;
+};
+
+using FloatArray = vtkSmartPointer<vtkFloatArray>;
+
+// The normal velocity; what is along the skin comes with the passed arrays.
+FloatArray MakeVelocity(const SkinContext& skin)
+{
+  const std::vector<float> speeds =
+    skin.Attributes.FindSpeeds(skin.Simulation.GetBand(), skin.Simulation.GetMotion());
+  auto velocity = FloatArray::New();
+  velocity->SetName("Velocity");
+  velocity->SetNumberOfComponents(3);
+  velocity->SetNumberOfTuples(static_cast<vtkIdType>(speeds.size()));
+  for (std::size_t i = 0; i < 3 * speeds.size(); ++i)
+  {
+    const auto place = static_cast<vtkIdType>(i);
+    velocity->SetValue(place, speeds[i / 3] * skin.Normals->GetValue(place));
+  }
+  return velocity;
+}
+
+FloatArray MakeCurvature(const SkinContext& skin)
+{
+  const std::vector<float> curvatures = FindCurvatures(skin.Simulation.GetBand());
+  auto array = FloatArray::New();
+  array->SetName("MeanCurvature");
+  array->SetNumberOfTuples(static_cast<vtkIdType>(curvatures.size()));
+  std::copy(curvatures.begin(), curvatures.end(), array->GetPointer(0));
+  return array;
+}
+
+// A point array, and the property that asks for it.
+struct SkinArray
+{
+  bool OutputProperties::*IsRequested;
+  bool NeedsNormals;
+  FloatArray (*Make)(const SkinContext& skin);
+};
+
+constexpr SkinArray Arrays[] = {
+  { &OutputProperties::Velocity, true, MakeVelocity },
+  { &OutputProperties::Curvature, false, MakeCurvature },
+};
+
+// To a length, in their direction.
+void ShortenVectors(double longest, vtkFloatArray* vectors)
+{
+  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+  {
+    float* vector = vectors->GetPointer(3 * i);
+    const double length = std::hypot(vector[0], vector[1], vector[2]);
+    for (int axis = 0; length > longest && axis < 3; ++axis)
+    {
+      vector[axis] = static_cast<float>(vector[axis] * (longest / length));
+    }
+  }
+}
+
+}
+
+bool NeedNormals(const OutputProperties& properties)
+{
+  return std::any_of(std::begin(Arrays), std::end(Arrays),
+    [&properties](const SkinArray& array)
+    { return array.NeedsNormals && properties.*array.IsRequested; });
+}
+
+void AddSkinArrays(const OutputProperties& properties, const SurfaceSimulation& simulation,
+  const vtkFloatArray* normals, vtkPolyData* skin)
+{
+  const SkinAttributes attributes = simulation.FindAttributes();
+  const SkinContext context{ simulation, attributes, normals };
+  for (const SkinArray& array : Arrays)
+  {
+    if (properties.*array.IsRequested)
+    {
+      skin->GetPointData()->AddArray(array.Make(context));
+    }
+  }
+  const PassedArrays passed = attributes.FindPassedArrays();
+  simulation.GetBand().Run([&passed, normals, skin] { PassArrays(passed, normals, skin); });
+  if (properties.Velocity)
+  {
+    const double longest = properties.MaximumVelocity > 0.0
+      ? properties.MaximumVelocity
+      : attributes.FindFastestParticle(passed);
+    if (longest > 0.0)
+    {
+      ShortenVectors(
+        longest, vtkFloatArray::SafeDownCast(skin->GetPointData()->GetArray("Velocity")));
+    }
+  }
+}
+
+}
