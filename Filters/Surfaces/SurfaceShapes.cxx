@@ -2,6 +2,7 @@
 
 #include "BlendedTarget.h"
 #include "ImplicitTarget.h"
+#include "MeshTriangles.h"
 #include "ParticleTarget.h"
 #include "TargetFunctions.h"
 
@@ -46,9 +47,12 @@ void AddFunction(vtkImplicitFunction* function, vtkBoundingBox& box)
 
 void AddMesh(vtkPolyData* mesh, double thickness, vtkBoundingBox& box)
 {
-  double bounds[6];
-  mesh->GetCellsBounds(bounds);
-  vtkBoundingBox shell(bounds);
+  const std::array<double, 6> bounds = FindBounds(mesh);
+  if (bounds[0] > bounds[1])
+  {
+    return; // no polygon of use: there will be an error when the mesh is read
+  }
+  vtkBoundingBox shell(bounds.data());
   shell.Inflate(0.5 * thickness);
   box.AddBox(shell);
 }
