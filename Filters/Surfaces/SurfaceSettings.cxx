@@ -161,10 +161,11 @@ void SurfaceSettings::Check() const
   Require(IsPositive(this->TimeScale), "TimeScale has to be a finite number > 0.");
   Require(this->Particles.Radius == 0.0 || IsLength(this->Particles.Radius),
     "ParticleRadius has to be between 1e-30 and 1e30, or 0 for one that is estimated.");
-  Require(std::isfinite(this->Particles.Threshold), "ParticleThreshold has to be a finite number.");
+  Require(IsPositive(this->Particles.Threshold),
+    "ParticleThreshold has to be a finite number > 0: at 0 or below, all space is inside.");
   Require(this->MeshThickness >= 0.0 && this->MeshThickness <= LongestLength,
     "MeshThickness has to be between 0 and 1e30.");
-  CheckSteps(this->Steps);
+  CheckSteps(this->Steps, this->HasStepsOfInput());
   Require(std::isfinite(this->GetMotionTime(this->Steps.back())),
     "The motion time of the last step, TimeScale * (its time - that of the first step), has to be "
     "finite; check TimeScale, StartTime, TimeStepSize and NumberOfTimeSteps, or the time steps of "

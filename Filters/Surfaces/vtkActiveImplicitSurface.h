@@ -214,7 +214,7 @@ public:
   ///@{
   /**
    * Level of the particles' summed influence, 1 at the centre of a single one, at which their
-   * surface is: lower is thicker. Range: > 0 for a surface. Default: 0.5.
+   * surface is: lower is thicker. Range: > 0; else all space would be inside. Default: 0.5.
    */
   vtkSetMacro(ParticleThreshold, double);
   vtkGetMacro(ParticleThreshold, double);

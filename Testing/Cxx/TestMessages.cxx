@@ -105,6 +105,8 @@ void NumbersThatCannotBeAreErrors(Check& check)
     { "TimeScale has to be", [](Filter f) { f->SetTimeScale(-1.0); } },
     { "ParticleRadius has to be", [](Filter f) { f->SetParticleRadius(NaN); } },
     { "ParticleThreshold has to be", [](Filter f) { f->SetParticleThreshold(NaN); } },
+    { "ParticleThreshold has to be", [](Filter f) { f->SetParticleThreshold(0.0); } },
+    { "ParticleThreshold has to be", [](Filter f) { f->SetParticleThreshold(-0.5); } },
     { "check StartTime and TimeStepSize", [](Filter f) { f->SetTimeStepSize(0.0); } },
     { "check StartTime and TimeStepSize", [](Filter f) { f->SetTimeStepSize(-0.1); } },
     { "check StartTime and TimeStepSize", [](Filter f) { f->SetStartTime(NaN); } },
