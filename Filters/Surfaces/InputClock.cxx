@@ -22,13 +22,20 @@ std::vector<double> MakeOwnSteps(vtkActiveImplicitSurface* filter, int count)
   return steps;
 }
 
+// vtkForceTime lists the time that it holds on to as often as its own input has steps.
+std::vector<double> MergeEqualNeighbours(std::vector<double> steps)
+{
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  return steps;
+}
+
 }
 
 void InputClock::Read(vtkActiveImplicitSurface* filter, vtkInformation* target)
 {
   const bool settles = filter->GetEvolutionMode() == vtkActiveMotionAlgorithm::EQUILIBRIUM;
   this->OnlyForward = !settles && target && GetPriorAccess(target) != PriorAccess::Free;
-  this->InputSteps = SurfaceInput::GetTimeSteps(target);
+  this->InputSteps = MergeEqualNeighbours(SurfaceInput::GetTimeSteps(target));
   this->Published = this->InputSteps;
   if (this->OnlyForward)
   {

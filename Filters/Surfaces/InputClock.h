@@ -1,4 +1,5 @@
-// The time steps of a filter: those of its target, or its own.
+// The time steps of a filter: those of its target, of which equal neighbours count as one, or its
+// own, where the target has one at most.
 //
 // In situ the target's steps are not all known. Either its list of time steps grows, or it says
 // that no time can be had twice (VTK 9.4 and later); then the steps are the times that were asked

@@ -55,7 +55,7 @@ struct SurfaceSettings
   bool Settles = false; // goes to rest from the first step, which is the only one
   RestCriterion Rest;
   std::vector<double> Steps;      // pipeline times; the first one is motion time 0
-  std::vector<double> InputSteps; // of the input; or empty
+  std::vector<double> InputSteps; // of the input, equal neighbours merged; or empty
   bool OnlyForward = false;       // no step of the input can be had again
   double TimeScale = 1.0;
 
@@ -67,6 +67,9 @@ struct SurfaceSettings
   bool AreContinuedBy(const SurfaceSettings& others) const;
 
   bool UsesInput() const { return !this->TargetFunction; }
+
+  // Whether Steps are the input's, not the filter's own.
+  bool HasStepsOfInput() const;
 
   double GetMotionTime(double pipelineTime) const;
 
