@@ -3,10 +3,13 @@
 #ifndef GridSamples_h
 #define GridSamples_h
 
+#include "ThinParts.h"
+
 namespace activesurface
 {
 
-// Immutable. Any of the methods may be called by several threads at once, and allocates nothing.
+// Immutable. Any of the methods may be called by several threads at once; evaluation allocates
+// nothing.
 class GridSamples
 {
 public:
@@ -17,6 +20,9 @@ public:
 
   // Box outside which it is not negative; false, and untouched, where it never is.
   virtual bool GetBounds(double bounds[6]) const = 0;
+
+  // Points of its surface; none where they are not known.
+  virtual SurfaceSample SampleSurface() const { return {}; }
 
 protected:
   GridSamples() = default;

@@ -96,6 +96,7 @@ void SurfaceShapes::Clear()
   this->Frames.Clear();
   this->Kind = TargetKind::Nothing;
   this->EstimatedRadius = 0.0;
+  this->ThinPartsKnown = false;
   this->HasInitial = false;
   this->Initial = TargetFrame();
   this->DomainKnown = false;
@@ -200,6 +201,7 @@ void SurfaceShapes::MakeFunction(int step, TargetFrame& frame)
     {
       this->Messages.Say("flaw of the target", where.str() + made.Flaw);
     }
+    this->WarnOfThinParts(frame, where.str());
   }
   catch (const std::runtime_error& error)
   {
@@ -207,6 +209,23 @@ void SurfaceShapes::MakeFunction(int step, TargetFrame& frame)
       ? " (Its Reach is TargetReach and the size of TargetIsoValue together.)"
       : "";
     throw std::runtime_error(where.str() + error.what() + hint);
+  }
+}
+
+// Of the first mesh or image that there is: to look at each one of a motion would cost too much. At
+// another level of a mesh its parts are thicker, or thinner.
+void SurfaceShapes::WarnOfThinParts(const TargetFrame& frame, const std::string& where)
+{
+  const bool isOwnLevel = frame.Kind == TargetKind::Image || this->Settings.IsoValue == 0.0;
+  if (this->ThinPartsKnown || frame.Kind == TargetKind::Skeleton || !isOwnLevel)
+  {
+    return;
+  }
+  this->ThinPartsKnown = true;
+  const std::string told = DescribeThinParts(frame.Function, this->Domain.VoxelSize);
+  if (!told.empty())
+  {
+    this->Messages.Say("thin parts", where + told);
   }
 }
 

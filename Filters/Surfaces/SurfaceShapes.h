@@ -63,6 +63,7 @@ private:
   void GiveRadii(ParticleFrame& frame);
   double GetRadius() const;
   void MakeFunction(int step, TargetFrame& frame);
+  void WarnOfThinParts(const TargetFrame& frame, const std::string& where);
   void MakeInitialFunction();
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;
   void MakeTarget();
@@ -73,6 +74,7 @@ private:
   TargetFrames Frames;
   TargetKind Kind = TargetKind::Nothing; // of the frames, as soon as one was not empty
   double EstimatedRadius = 0.0;
+  bool ThinPartsKnown = false; // of the first grid
   bool HasInitial = false;
   TargetFrame Initial;
   bool DomainKnown = false;

@@ -27,6 +27,10 @@ FrameFunction MakeSkeletonFunction(
 FrameFunction MakeGridFunction(
   const TargetFrame& frame, const SurfaceSettings& settings, double voxelSize, double reach);
 
+// What a user should know of the parts of a function that MakeGridFunction has made which are
+// thinner than two voxels, as a sentence; empty if they are a negligible share of its surface.
+std::string DescribeThinParts(vtkImplicitFunction* function, double voxelSize);
+
 }
 
 #endif

@@ -199,6 +199,14 @@ const char* vtkGridPotential::GetError()
   return this->Internal->Error.c_str();
 }
 
+double vtkGridPotential::FindThinShare(double thickness)
+{
+  this->Build();
+  const activesurface::GridSamples* samples = this->Internal->Samples.get();
+  return samples ? activesurface::FindThinShare(*samples, samples->SampleSurface(), thickness)
+                 : 0.0;
+}
+
 void vtkGridPotential::EvaluateBatch(
   vtkIdType count, const double* points, double* values, double* gradients) const
 {

@@ -202,6 +202,13 @@ public:
    */
   VTK_WRAPEXCLUDE void SetSamples(std::shared_ptr<const activesurface::GridSamples> samples);
 
+  /**
+   * Share of the surface's area, 0 to 1, of parts that are thinner than a length, from some
+   * thousand points of it; 0 where that is not known: without input, of an open mesh that is no
+   * shell, and of a level set that an image carries. Reads the input.
+   */
+  VTK_WRAPEXCLUDE double FindThinShare(double thickness);
+
   ///@{
   /**
    * Whether defects of the mesh are a warning, and bad input an error, or are only told by
