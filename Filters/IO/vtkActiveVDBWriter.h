@@ -9,8 +9,9 @@
  * triangles [length], negative inside, within 3 voxels on either side and +-3 voxels beyond. Its
  * transform is exact: voxels of the skin's VoxelSize, with nodes at multiples of it. Besides, as
  * the properties below say, the state to go on from, a fog, the velocity and the point arrays. A
- * mesh that does not come from a vtkActiveImplicitSurface has to be closed, and is converted by
- * OpenVDB's own meshToVolume with voxels of VoxelSize.
+ * mesh that does not come from a vtkActiveImplicitSurface has to be closed (each edge belongs to an
+ * even number of polygons; its points have to exist and be finite), and is converted by OpenVDB's
+ * own meshToVolume with voxels of VoxelSize.
  *
  * Of an image the file has a grid for its active scalars (else its first point array), named after
  * the array or "density", with active values where they are not 0; see GridClass.

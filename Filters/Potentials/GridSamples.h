@@ -3,12 +3,14 @@
 #ifndef GridSamples_h
 #define GridSamples_h
 
+#include "SurfaceSample.h"
 #include "vtkActivePotentialsModule.h"
 
 namespace activesurface
 {
 
-// Immutable. Any of the methods may be called by several threads at once, and allocates nothing.
+// Immutable. Any of the methods may be called by several threads at once; evaluation allocates
+// nothing.
 class VTKACTIVEPOTENTIALS_EXPORT GridSamples
 {
 public:
@@ -19,6 +21,9 @@ public:
 
   // Box outside which it is not negative; false, and untouched, where it never is.
   virtual bool GetBounds(double bounds[6]) const = 0;
+
+  // Points of its surface; none where they are not known.
+  virtual SurfaceSample SampleSurface() const { return {}; }
 
 protected:
   GridSamples() = default;

@@ -47,6 +47,17 @@ bool IsUsable(const Point& point)
   return std::all_of(point.begin(), point.end(), [](double c) { return std::fabs(c) <= largest; });
 }
 
+// False if it is of no use.
+bool FindPoint(vtkPolyData* mesh, vtkIdType id, Point& point)
+{
+  const bool exists = id >= 0 && id < mesh->GetNumberOfPoints();
+  if (exists)
+  {
+    mesh->GetPoint(id, point.data());
+  }
+  return exists && IsUsable(point);
+}
+
 class Reader
 {
 public:
@@ -62,11 +73,13 @@ private:
   bool Take(vtkIdList* ids);
   vtkIdType Merge(vtkIdType id);
   void Cut();
+  void AddTriangle(std::size_t a, std::size_t b, std::size_t c);
   void AddEdges();
 
   vtkPolyData* Mesh;
   std::unordered_map<Point, vtkIdType, HashOfPoint> Known;
   Polygon Corners; // of the polygon being read
+  Polygon Origins; // of the corners, in the mesh
   std::vector<Edge> Edges;
   vtkNew<vtkPolygon> Cutter;
   vtkNew<vtkIdList> Pieces;
@@ -83,13 +96,8 @@ Reader::Reader(vtkPolyData* mesh)
 // The number of the point with these coordinates, or -1 if it is of no use.
 vtkIdType Reader::Merge(vtkIdType id)
 {
-  if (id < 0 || id >= this->Mesh->GetNumberOfPoints())
-  {
-    return -1;
-  }
   Point point;
-  this->Mesh->GetPoint(id, point.data());
-  if (!IsUsable(point))
+  if (!FindPoint(this->Mesh, id, point))
   {
     return -1;
   }
@@ -110,6 +118,7 @@ vtkIdType Reader::Merge(vtkIdType id)
 bool Reader::Take(vtkIdList* ids)
 {
   this->Corners.clear();
+  this->Origins.clear();
   for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
   {
     const vtkIdType corner = this->Merge(ids->GetId(i));
@@ -121,11 +130,13 @@ bool Reader::Take(vtkIdList* ids)
     if (this->Corners.empty() || this->Corners.back() != corner)
     {
       this->Corners.push_back(corner);
+      this->Origins.push_back(ids->GetId(i));
     }
   }
   while (this->Corners.size() > 1 && this->Corners.back() == this->Corners.front())
   {
     this->Corners.pop_back();
+    this->Origins.pop_back();
   }
   return this->Corners.size() > 2;
 }
@@ -186,23 +197,30 @@ void Reader::Cut()
     {
       const Point& corner = this->Result.Points[this->Corners[i]];
       points->SetPoint(i, corner[0] - origin[0], corner[1] - origin[1], corner[2] - origin[2]);
-      this->Cutter->GetPointIds()->SetId(i, this->Corners[i]);
+      this->Cutter->GetPointIds()->SetId(i, i);
     }
     if (this->Cutter->Triangulate(0, this->Pieces, this->PiecePoints) &&
       this->Pieces->GetNumberOfIds() == 3 * (count - 2))
     {
       for (vtkIdType i = 0; i < 3 * (count - 2); i += 3)
       {
-        this->Result.Triangles.push_back(
-          { this->Pieces->GetId(i), this->Pieces->GetId(i + 1), this->Pieces->GetId(i + 2) });
+        this->AddTriangle(
+          this->Pieces->GetId(i), this->Pieces->GetId(i + 1), this->Pieces->GetId(i + 2));
       }
       return;
     }
   }
   for (vtkIdType i = 2; i < count; ++i)
   {
-    this->Result.Triangles.push_back({ this->Corners[0], this->Corners[i - 1], this->Corners[i] });
+    this->AddTriangle(0, i - 1, i);
   }
+}
+
+// Of three corners of the polygon.
+void Reader::AddTriangle(std::size_t a, std::size_t b, std::size_t c)
+{
+  this->Result.Triangles.push_back({ this->Corners[a], this->Corners[b], this->Corners[c] });
+  this->Result.Origins.push_back({ this->Origins[a], this->Origins[b], this->Origins[c] });
 }
 
 void Reader::CountEdges()
@@ -216,6 +234,7 @@ void Reader::CountEdges()
     }
     this->Result.Defects.OpenEdges += next - first == 1 ? 1 : 0;
     this->Result.Defects.CrowdedEdges += next - first > 2 ? 1 : 0;
+    this->Result.Defects.OddEdges += (next - first) % 2;
   }
 }
 
@@ -237,6 +256,21 @@ void RemoveUnused(MeshTriangles& mesh)
     }
   }
   mesh.Points.swap(used);
+}
+
+constexpr double Huge = std::numeric_limits<double>::max();
+constexpr std::array<double, 6> NoBounds = { Huge, -Huge, Huge, -Huge, Huge, -Huge };
+
+void Extend(std::array<double, 6>& bounds, const std::vector<Point>& points)
+{
+  for (const Point& point : points)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds[2 * axis] = std::min(bounds[2 * axis], point[axis]);
+      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], point[axis]);
+    }
+  }
 }
 
 template <class Visit>
@@ -276,16 +310,8 @@ std::string MeshDefects::Describe() const
 
 std::array<double, 6> MeshTriangles::GetBounds() const
 {
-  constexpr double huge = std::numeric_limits<double>::max();
-  std::array<double, 6> bounds = { huge, -huge, huge, -huge, huge, -huge };
-  for (const Point& point : this->Points)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      bounds[2 * axis] = std::min(bounds[2 * axis], point[axis]);
-      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], point[axis]);
-    }
-  }
+  std::array<double, 6> bounds = NoBounds;
+  Extend(bounds, this->Points);
   return bounds;
 }
 
@@ -297,6 +323,28 @@ MeshTriangles ReadTriangles(vtkPolyData* mesh)
   reader.CountEdges();
   RemoveUnused(reader.Result);
   return std::move(reader.Result);
+}
+
+std::array<double, 6> FindBounds(vtkPolyData* mesh)
+{
+  std::array<double, 6> bounds = NoBounds;
+  std::vector<Point> corners;
+  const auto add = [&](vtkIdList* ids)
+  {
+    corners.resize(static_cast<std::size_t>(ids->GetNumberOfIds()));
+    bool isUsable = true;
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      isUsable = isUsable && FindPoint(mesh, ids->GetId(i), corners[i]);
+    }
+    if (isUsable)
+    {
+      Extend(bounds, corners);
+    }
+  };
+  ForEachCell(mesh->GetPolys(), add);
+  ForEachCell(mesh->GetStrips(), add);
+  return bounds;
 }
 
 }

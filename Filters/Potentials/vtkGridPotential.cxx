@@ -6,6 +6,7 @@
 #include "Grid/ImageSamples.h"
 #include "Grid/LevelSetSamples.h"
 #include "Grid/MeshSamples.h"
+#include "Grid/ThinParts.h"
 #include "GridSamples.h"
 #include "MeshTriangles.h"
 
@@ -197,6 +198,14 @@ const char* vtkGridPotential::GetError()
 {
   this->Build();
   return this->Internal->Error.c_str();
+}
+
+double vtkGridPotential::FindThinShare(double thickness)
+{
+  this->Build();
+  const activesurface::GridSamples* samples = this->Internal->Samples.get();
+  return samples ? activesurface::FindThinShare(*samples, samples->SampleSurface(), thickness)
+                 : 0.0;
 }
 
 void vtkGridPotential::EvaluateBatch(

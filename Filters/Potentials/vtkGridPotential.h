@@ -19,10 +19,11 @@
  *
  * Meshes with defects. Points of equal coordinates count as one. GetDefects() tells the edges of
  * one polygon only (the mesh is open), those of more than two polygons, and the polygons that are
- * left out as a point of theirs is not finite or they have no area at all. There is one warning
- * when the mesh is read. A mesh with such edges becomes a shell if MeshThickness > 0: F is the
- * unsigned distance - MeshThickness / 2. Else it is taken for a solid, which is right for closed
- * bodies that touch along an edge; an open mesh then has no inside, or a wrong one.
+ * left out as a point of theirs is not finite or does not exist, or they have no area at all. There
+ * is one warning when the mesh is read. A mesh is closed if each edge belongs to an even number of
+ * polygons: closed bodies may touch along an edge. One that is not closed becomes a shell if
+ * MeshThickness > 0: F is the unsigned distance - MeshThickness / 2. Else it is taken for a solid,
+ * and has no inside, or a wrong one.
  *
  * Bad input is an error with a sentence, once when it is read, and GetError(). F is then 1
  * everywhere (outside) with gradient 0, as it is without input. Of no use are: other data sets,
@@ -127,8 +128,9 @@ public:
 
   ///@{
   /**
-   * Mesh: thickness [length] of the shell that is made of a mesh whose edges do not all belong to
-   * two polygons; a closed one is a solid all the same. Below about two voxels the shell has holes.
+   * Mesh: thickness [length] of the shell that is made of a mesh that is not closed, as an edge
+   * belongs to an odd number of polygons; a closed one is a solid all the same. Below about two
+   * voxels the shell has holes.
    * Range: >= 0. Default: 0, no shell.
    */
   vtkSetClampMacro(MeshThickness, double, 0.0, VTK_DOUBLE_MAX);
@@ -199,6 +201,13 @@ public:
    * Samples in place of an input, which is let go. None of the properties applies to them.
    */
   VTK_WRAPEXCLUDE void SetSamples(std::shared_ptr<const activesurface::GridSamples> samples);
+
+  /**
+   * Share of the surface's area, 0 to 1, of parts that are thinner than a length, from some
+   * thousand points of it; 0 where that is not known: without input, of an open mesh that is no
+   * shell, and of a level set that an image carries. Reads the input.
+   */
+  VTK_WRAPEXCLUDE double FindThinShare(double thickness);
 
   ///@{
   /**

@@ -141,9 +141,10 @@ void vtkSkeletonPotential::ReadElements()
   own.Skeleton.Clear();
   try
   {
-    if (!std::isfinite(this->Threshold))
+    if (!std::isfinite(this->Threshold) || this->Threshold <= 0.0)
     {
-      throw std::invalid_argument("Threshold has to be a finite number.");
+      throw std::invalid_argument(
+        "Threshold has to be a finite number > 0: at 0 or below, all space is inside.");
     }
     own.Input.Update();
     if (own.Input.GetData() && !this->GetInput())

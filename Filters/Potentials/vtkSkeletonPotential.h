@@ -130,7 +130,7 @@ public:
   ///@{
   /**
    * Sum of influences [1] on the surface F = 0, and the value of F away from all elements: lower is
-   * thicker. Range: finite, > 0 for a bounded inside. Default: 0.5.
+   * thicker. Range: > 0; else all space would be inside, which is an error. Default: 0.5.
    */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);

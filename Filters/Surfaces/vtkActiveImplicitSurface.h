@@ -215,7 +215,7 @@ public:
   ///@{
   /**
    * Level of the particles' summed influence, 1 at the centre of a single one, at which their
-   * surface is: lower is thicker. Range: > 0 for a surface. Default: 0.5.
+   * surface is: lower is thicker. Range: > 0; else all space would be inside. Default: 0.5.
    */
   vtkSetMacro(ParticleThreshold, double);
   vtkGetMacro(ParticleThreshold, double);
@@ -283,11 +283,13 @@ public:
 
   ///@{
   /**
-   * Whether the skin has the point arrays of the particles under it: floating-point ones averaged
-   * with the kernels' weights, others, such as ids and names, from the particle with the largest
-   * weight; where no kernel reaches, from the nearest particle. Between two steps the values go
-   * evenly from one to the other. Left out are ghost levels, arrays called like one of the skin's
-   * own, and those that are not alike at both steps. Does not restart the motion. Default: off.
+   * Whether the skin has the point arrays of the particles under it: floating-point ones and
+   * colours (unsigned char, 3 or 4 components: rounded to the nearest, halves upwards; alpha by
+   * itself) averaged with the kernels' weights, others, such as ids, labels and names, from the
+   * particle with the largest weight; where no kernel reaches, from the nearest particle. Between
+   * two steps the values go evenly from one to the other. Left out are ghost levels, arrays called
+   * like one of the skin's own, and those that are not alike at both steps. Does not restart the
+   * motion. Default: off.
    */
   vtkSetMacro(PassTargetArrays, vtkTypeBool);
   vtkGetMacro(PassTargetArrays, vtkTypeBool);

@@ -131,8 +131,8 @@ public:
 
   ///@{
   /**
-   * First time step [pipeline time] that is published where the input has no time steps.
-   * Range: finite. Default: 0.
+   * First time step [pipeline time] that is published where the input has no time steps, or
+   * one; equal neighbours among them count as one. Range: finite. Default: 0.
    */
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);

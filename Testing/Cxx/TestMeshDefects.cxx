@@ -51,6 +51,8 @@ void CubesThatShareAnEdgeAreASolid(Check& check)
   check.Near(ValueAt(potential, { -0.8, -0.5, 0.5 }), -0.2, 1e-6, "in one cube");
   check.Near(ValueAt(potential, { 0.8, 0.5, 0.5 }), -0.2, 1e-6, "in the other");
   check.Near(ValueAt(potential, { 0.8, -0.2, 0.5 }), 0.2, 1e-6, "beside them");
+  potential->SetMeshThickness(0.1);
+  check.Near(ValueAt(potential, { -0.8, -0.5, 0.5 }), -0.2, 1e-6, "closed: no shell");
 }
 
 // A point in five triangles or six is lost: they are left out, and leave a hole of as many edges.

@@ -105,6 +105,8 @@ void NumbersThatCannotBeAreErrors(Check& check)
     { "TimeScale has to be", [](Filter f) { f->SetTimeScale(-1.0); } },
     { "ParticleRadius has to be", [](Filter f) { f->SetParticleRadius(NaN); } },
     { "ParticleThreshold has to be", [](Filter f) { f->SetParticleThreshold(NaN); } },
+    { "ParticleThreshold has to be", [](Filter f) { f->SetParticleThreshold(0.0); } },
+    { "ParticleThreshold has to be", [](Filter f) { f->SetParticleThreshold(-0.5); } },
     { "check StartTime and TimeStepSize", [](Filter f) { f->SetTimeStepSize(0.0); } },
     { "check StartTime and TimeStepSize", [](Filter f) { f->SetTimeStepSize(-0.1); } },
     { "check StartTime and TimeStepSize", [](Filter f) { f->SetStartTime(NaN); } },
@@ -260,8 +262,11 @@ void StepsOfTheInputHaveToAscend(Check& check)
 {
   vtkNew<ParticleSource> source;
   source->SetCloud(MovingBall);
-  source->SetSteps({ 0.0, 1.0, 1.0 });
-  Refuses(check, MakeSkinOver(source), "time steps have to be finite and ascending");
+  const std::string words = "The time steps of the input have to be finite and ascending, but ";
+  source->SetSteps({ 0.0, 1.0, 0.5 });
+  Refuses(check, MakeSkinOver(source), words + "number 2 is 0.5, after 1; check what is upstream");
+  source->SetSteps({ NaN, 1.0 });
+  Refuses(check, MakeSkinOver(source), words + "number 0 is nan; check what is upstream");
 }
 
 void InputThatFailsIsAnError(Check& check)

@@ -74,6 +74,8 @@ REFUSED = [
     ("TimeScale", 0.0),
     ("ParticleRadius", math.nan),
     ("ParticleThreshold", math.inf),
+    ("ParticleThreshold", 0.0),
+    ("ParticleThreshold", -0.5),
     ("MeshThickness", math.nan),
 ]
 

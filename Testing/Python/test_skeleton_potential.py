@@ -6,6 +6,7 @@ import re
 import unittest
 
 from active_implicit_surfaces import vtkSkeletonPotential
+from listener import Listener
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkContourFilter
@@ -132,6 +133,16 @@ class SkeletonPotential(unittest.TestCase):
         self.assertEqual(potential.FunctionValue(0, 0, 0), 0.5)
         self.assertEqual(heard[1][0], "ErrorEvent")
         self.assertIn('The radius array "absent" is not among', heard[1][1])
+
+    def test_thresholds_without_a_surface_are_errors(self):
+        for threshold in (0.0, -0.5, math.inf, math.nan):
+            potential = vtkSkeletonPotential()
+            potential.SetInput(make_points([(0, 0, 0)]))
+            potential.SetThreshold(threshold)
+            messages = Listener(potential)
+            self.assertEqual(potential.FunctionGradient(0.1, 0, 0), (0, 0, 0))
+            self.assertEqual(len(messages.errors), 1)
+            self.assertIn("Threshold has to be a finite number > 0", messages.errors[0])
 
     def test_prints_itself(self):
         self.assertIn("Kernel: Wyvill", str(vtkSkeletonPotential()))

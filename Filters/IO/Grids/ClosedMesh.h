@@ -10,9 +10,9 @@ class vtkPolyData;
 namespace activesurface
 {
 
-// Polygons and strips; the points keep their numbers. Voxels of size 0 become a 64th of the longest
-// side of the bounds. Throws std::invalid_argument for a mesh that is not closed: points of equal
-// coordinates count as one, and each edge has to be in two triangles, or an even number of them.
+// The triangles of ReadTriangles; the points keep their numbers. Voxels of size 0 become a 64th of
+// the longest side of the mesh's bounds. Throws std::invalid_argument for a mesh that is not closed
+// (see MeshTriangles.h), without polygons, or with points that are not finite or do not exist.
 LatticeMesh ReadClosedMesh(vtkPolyData* data, double& voxelSize);
 
 }

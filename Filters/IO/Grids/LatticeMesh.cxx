@@ -34,9 +34,10 @@ MeshBand MakeMeshBand(const LatticeMesh& mesh)
 {
   MeshBand band;
   band.Triangles = openvdb::Int32Grid::create(-1);
+  // Renormalisation moves the surface at concave edges, by up to a voxel.
   const auto identity = openvdb::math::Transform::createLinearTransform(1.0);
-  band.Distances = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
-    Adapter(mesh), *identity, HalfWidth, HalfWidth, 0, band.Triangles.get());
+  band.Distances = openvdb::tools::meshToVolume<openvdb::FloatGrid>(Adapter(mesh), *identity,
+    HalfWidth, HalfWidth, openvdb::tools::DISABLE_RENORMALIZATION, band.Triangles.get());
   return band;
 }
 

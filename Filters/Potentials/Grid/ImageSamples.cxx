@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace activesurface
 {
@@ -226,6 +227,78 @@ double ImageSamples::Interpolate(const double place[3], double* gradient) const
       rise[0] * this->Inverse[0][d] + rise[1] * this->Inverse[1][d] + rise[2] * this->Inverse[2][d];
   }
   return value;
+}
+
+double ImageSamples::GetSample(const int pixel[3]) const
+{
+  vtkIdType id = 0;
+  for (int axis = 2; axis >= 0; --axis)
+  {
+    const vtkIdType first = this->Extent[2 * axis], last = this->Extent[2 * axis + 1];
+    id = id * (last - first + 1) + (pixel[axis] - first);
+  }
+  return this->Sign * (this->Pixels->GetComponent(id, 0) - this->IsoValue);
+}
+
+// Of each axis all lines, or each third ..., so that a large image takes no longer than one of 4
+// million pixels. A crossing stands for the area that the lines beside it leave to its own, where
+// it is seen along the line. The three axes together see each piece once: n_x^2 + n_y^2 + n_z^2
+// = 1.
+SurfaceSample ImageSamples::SampleSurface() const
+{
+  constexpr double mostPixels = 4e6;
+  double pixels = 3.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    pixels *= double(this->Extent[2 * axis + 1]) - this->Extent[2 * axis] + 1.0;
+  }
+  const int skip = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / mostPixels))));
+  SurfaceGatherer surface;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+    const double area = this->Spacing[b] * this->Spacing[c];
+    int pixel[3];
+    for (pixel[b] = this->Extent[2 * b]; pixel[b] <= this->Extent[2 * b + 1]; pixel[b] += skip)
+    {
+      for (pixel[c] = this->Extent[2 * c]; pixel[c] <= this->Extent[2 * c + 1]; pixel[c] += skip)
+      {
+        this->SampleLine(axis, pixel, area, surface);
+      }
+    }
+  }
+  SurfaceSample sample;
+  sample.Points = std::move(surface.Points);
+  sample.Detail = std::min({ this->Spacing[0], this->Spacing[1], this->Spacing[2] });
+  return sample;
+}
+
+void ImageSamples::SampleLine(int axis, int pixel[3], double area, SurfaceGatherer& surface) const
+{
+  pixel[axis] = this->Extent[2 * axis];
+  double before = this->GetSample(pixel);
+  while (++pixel[axis] <= this->Extent[2 * axis + 1])
+  {
+    const double value = this->GetSample(pixel);
+    const bool crosses = std::isfinite(before - value) && (before < 0.0) != (value < 0.0);
+    if (crosses && surface.WantsNext())
+    {
+      double place[3] = { double(pixel[0]), double(pixel[1]), double(pixel[2]) };
+      place[axis] -= value / (value - before);
+      SurfacePoint point;
+      this->Interpolate(place, point.Normal.data());
+      vtkMath::Normalize(point.Normal.data());
+      for (int d = 0; d < 3; ++d)
+      {
+        point.Place[d] = this->Origin[d] + place[0] * this->Axis[0][d] +
+          place[1] * this->Axis[1][d] + place[2] * this->Axis[2][d];
+      }
+      point.Area =
+        area * std::fabs(vtkMath::Dot(point.Normal.data(), this->Axis[axis])) / this->Spacing[axis];
+      surface.Add(point);
+    }
+    before = value;
+  }
 }
 
 bool ImageSamples::GetBounds(double bounds[6]) const

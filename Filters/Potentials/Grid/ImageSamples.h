@@ -34,9 +34,13 @@ public:
 
   double Evaluate(const double x[3], double* gradient) const override;
   bool GetBounds(double bounds[6]) const override;
+  // Where lines of pixels cross it.
+  SurfaceSample SampleSurface() const override;
 
 private:
   void ReadAxes(vtkImageData* image);
+  void SampleLine(int axis, int pixel[3], double area, SurfaceGatherer& surface) const;
+  double GetSample(const int pixel[3]) const;
   void Locate(const double x[3], double place[3]) const;
   double DistanceToBox(const double excess[3], double* gradient) const;
   double Interpolate(const double place[3], double* gradient) const;

@@ -115,6 +115,11 @@ MeshSamples::MeshSamples(const MeshTriangles& mesh, const MeshMeasure& measure)
   CheckSize(mesh, this->VoxelSize, band, measure.MaximumNumberOfVoxels);
   this->Distance = MakeMeshDistance(mesh, { this->VoxelSize, band, !isShell });
   this->Distance->tree().evalLeafBoundingBox(this->Leaves);
+  if (isShell || mesh.Defects.IsClosed())
+  {
+    this->Surface = activesurface::SampleSurface(mesh);
+    this->Surface.IsMiddle = isShell;
+  }
 }
 
 MeshSamples::~MeshSamples()

@@ -29,6 +29,7 @@ public:
 
   double Evaluate(const double x[3], double* gradient) const override;
   bool GetBounds(double bounds[6]) const override;
+  SurfaceSample SampleSurface() const override { return this->Surface; }
 
 private:
   void Measure(const MeshMeasure& measure);
@@ -40,6 +41,7 @@ private:
   openvdb::FloatGrid::ConstPtr Distance; // of MakeMeshDistance
   openvdb::CoordBBox Leaves;             // holds all that is nearer than Reach, and all inside
   std::array<double, 6> Bounds;
+  SurfaceSample Surface; // none of an open mesh that is no shell
 };
 
 }

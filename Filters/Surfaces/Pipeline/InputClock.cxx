@@ -21,12 +21,19 @@ std::vector<double> MakeOwnSteps(const ClockProperties& properties, int count)
   return steps;
 }
 
+// vtkForceTime lists the time that it holds on to as often as its own input has steps.
+std::vector<double> MergeEqualNeighbours(std::vector<double> steps)
+{
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  return steps;
+}
+
 }
 
 void InputClock::Read(const ClockProperties& properties, bool isEquilibrium, vtkInformation* target)
 {
   this->OnlyForward = !isEquilibrium && target && GetPriorAccess(target) != PriorAccess::Free;
-  this->InputSteps = SurfaceInput::GetTimeSteps(target);
+  this->InputSteps = MergeEqualNeighbours(SurfaceInput::GetTimeSteps(target));
   this->Published = this->InputSteps;
   if (this->OnlyForward)
   {

@@ -35,9 +35,16 @@ struct Column
 
 using Columns = std::vector<Column>;
 
-bool IsReal(vtkAbstractArray* array)
+// As VTK keeps colours, RGB or RGBA.
+bool IsColor(vtkAbstractArray* array)
 {
-  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+  const int components = array->GetNumberOfComponents();
+  return array->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
+}
+
+bool IsAveraged(vtkAbstractArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE || IsColor(array);
 }
 
 vtkPointData* FindArrays(const ParticleFrame* frame)
@@ -175,11 +182,26 @@ std::vector<vtkIdType> Average(const PassedArrays& passed, vtkPolyData* skin, Co
   return nearest;
 }
 
-void AddAverages(const Column& column, vtkPolyData* skin)
+// To the nearest whole number, halves upwards; VTK would cut off. Sums of weights are 1 but for
+// rounding.
+void RoundColors(std::vector<double>& averages)
+{
+  constexpr double largest = 255.0;
+  for (double& average : averages)
+  {
+    average = std::clamp(std::floor(average + 0.5), 0.0, largest);
+  }
+}
+
+void AddAverages(Column& column, vtkPolyData* skin)
 {
   vtkDataArray* array = column.Name;
   array->SetNumberOfComponents(static_cast<int>(column.Components));
   array->SetNumberOfTuples(skin->GetNumberOfPoints());
+  if (IsColor(array))
+  {
+    RoundColors(column.Averages);
+  }
   for (vtkIdType v = 0; v < skin->GetNumberOfPoints(); ++v)
   {
     array->SetTuple(v, column.Averages.data() + v * column.Components);
@@ -274,7 +296,7 @@ void PassArrays(const PassedArrays& passed, const vtkFloatArray* directions, vtk
   Columns columns;
   for (const Pair& pair : pairs)
   {
-    if (IsReal(pair.Get()))
+    if (IsAveraged(pair.Get()))
     {
       columns.push_back(MakeColumn(passed.Moment, pair));
     }
@@ -284,11 +306,11 @@ void PassArrays(const PassedArrays& passed, const vtkFloatArray* directions, vtk
     columns.push_back(MakeVelocityColumn(passed.Velocities));
   }
   const std::vector<vtkIdType> nearest = Average(passed, skin, columns);
-  auto column = columns.cbegin();
+  auto column = columns.begin();
   for (const Pair& pair : pairs)
   {
-    IsReal(pair.Get()) ? AddAverages(*column++, skin)
-                       : AddNearest(passed.Moment, pair, nearest, skin);
+    IsAveraged(pair.Get()) ? AddAverages(*column++, skin)
+                           : AddNearest(passed.Moment, pair, nearest, skin);
   }
   if (!passed.Velocities.empty())
   {

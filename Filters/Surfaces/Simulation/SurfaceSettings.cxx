@@ -58,15 +58,39 @@ void CheckBox(const Property& property, const std::array<double, 6>& bounds)
   }
 }
 
-void CheckSteps(const std::vector<double>& steps)
+// The first step that is not finite, or not after the one before; as many as there are, if none is.
+std::size_t FindBadStep(const std::vector<double>& steps)
 {
-  const auto ascends = [](double a, double b) { return !(a < b); };
-  Require(!steps.empty() &&
-      std::all_of(steps.begin(), steps.end(), [](double time) { return std::isfinite(time); }) &&
-      std::adjacent_find(steps.begin(), steps.end(), ascends) == steps.end(),
-    "The time steps have to be finite and ascending; check StartTime and TimeStepSize (which has "
-    "to "
-    "be > 0, and not lost in rounding beside StartTime) or the time steps of the input.");
+  std::size_t i = 0;
+  while (i < steps.size() && std::isfinite(steps[i]) && (i == 0 || steps[i - 1] < steps[i]))
+  {
+    ++i;
+  }
+  return i;
+}
+
+void CheckSteps(const std::vector<double>& steps, bool areOfInput)
+{
+  const std::size_t bad = FindBadStep(steps);
+  if (!steps.empty() && bad == steps.size())
+  {
+    return;
+  }
+  std::ostringstream text;
+  text << (areOfInput ? "The time steps of the input" : "The filter's own time steps")
+       << " have to be finite and ascending";
+  if (!steps.empty())
+  {
+    text << ", but number " << bad << " is " << steps[bad];
+  }
+  if (bad > 0)
+  {
+    text << ", after " << steps[bad - 1];
+  }
+  text << (areOfInput ? "; check what is upstream (TIME_STEPS)."
+                      : "; check StartTime and TimeStepSize (which has to be > 0, and not lost in "
+                        "rounding beside StartTime).");
+  throw std::invalid_argument(text.str());
 }
 
 }
@@ -148,7 +172,7 @@ void SurfaceSettings::Check() const
   Require(this->Law.AreaControl != Control::Exact || this->Law.VolumeControl != Control::Exact,
     "AreaControl and VolumeControl cannot both be EXACT, as one displacement cannot restore two "
     "numbers; make one of them PENALTY.");
-  CheckSteps(this->Inputs.Steps);
+  CheckSteps(this->Inputs.Steps, this->Inputs.HaveOwnSteps());
   Require(std::isfinite(this->GetMotionTimeOf(this->GetNumberOfSteps() - 1).Value),
     "The motion time of the last step, TimeScale * (its time - that of the first step), has to be "
     "finite; check TimeScale, StartTime, TimeStepSize and NumberOfTimeSteps, or the time steps of "

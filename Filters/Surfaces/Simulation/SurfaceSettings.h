@@ -49,8 +49,11 @@ struct SurfaceInputs
 
   std::array<std::string, 5> Arrays; // that were chosen
   std::vector<double> Steps;         // pipeline times; the first one is motion time 0
-  std::vector<double> InputSteps;    // of the input; or empty
+  std::vector<double> InputSteps;    // of the input, equal neighbours merged; or empty
   bool OnlyForward = false;          // no step of the input can be had again
+
+  // Whether Steps are the input's, not the filter's own.
+  bool HaveOwnSteps() const { return this->OnlyForward || this->InputSteps.size() > 1; }
 
   bool operator==(const SurfaceInputs& other) const;
 };
@@ -235,8 +238,10 @@ void ForEachShapeProperty(Settings& settings, Visitor&& visit)
     particles.Radius, [](auto& filter) { return filter.GetParticleRadius(); });
   visit(Property{ "ParticleKernel", Any, true }, particles.Kernel,
     [](auto& filter) { return filter.GetParticleKernel(); });
-  visit(Property{ "ParticleThreshold", Any, true }, particles.Threshold,
-    [](auto& filter) { return filter.GetParticleThreshold(); });
+  visit(Property{ "ParticleThreshold",
+          { Smallest, Largest, false, "a finite number > 0: at 0 or below, all space is inside" },
+          true },
+    particles.Threshold, [](auto& filter) { return filter.GetParticleThreshold(); });
   visit(Property{ "MeshThickness", { 0.0, LongestLength, true, "between 0 and 1e30" }, true },
     settings.MeshThickness, [](auto& filter) { return filter.GetMeshThickness(); });
 }

@@ -64,6 +64,7 @@ void TargetBuilder::Clear()
   this->Frames.Clear();
   this->Kind = std::make_shared<NoShape>();
   this->EstimatedRadius = 0.0;
+  this->ThinPartsKnown = false;
   this->Initial.reset();
   this->DomainKnown = false;
 }
@@ -86,12 +87,6 @@ void TargetBuilder::Add(int step, std::shared_ptr<InputShape> shape)
     this->Kind = shape;
   }
   this->Frames.Add(step, std::move(shape));
-}
-
-bool TargetBuilder::HasParticleArrays(int step, const ParticleArrays& arrays) const
-{
-  const InputShape* shape = this->Frames.Find(step);
-  return shape && shape->HasArrays(arrays);
 }
 
 void TargetBuilder::CheckKind(int step, const InputShape& shape) const
@@ -152,6 +147,22 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
   if (!flaw.empty())
   {
     this->Messages.Say("flaw of the target", flaw);
+  }
+  this->WarnOfThinParts(shape, where);
+}
+
+// Of the first shape that there is: to look at each one of a motion would cost too much.
+void TargetBuilder::WarnOfThinParts(const InputShape& shape, const std::string& where)
+{
+  if (this->ThinPartsKnown || !this->DomainKnown || !shape.HasPoints())
+  {
+    return;
+  }
+  this->ThinPartsKnown = true;
+  const std::string thin = shape.DescribeThinParts(this->GetOptions());
+  if (!thin.empty())
+  {
+    this->Messages.Say("thin parts", where + thin);
   }
 }
 

@@ -32,9 +32,6 @@ public:
   void Add(int step, std::shared_ptr<InputShape> shape);
   bool Has(int step) const { return this->Frames.Has(step); }
 
-  // Whether a step was read with these arrays, or has no use for them.
-  bool HasParticleArrays(int step, const ParticleArrays& arrays) const;
-
   // The frames that are held, and whether they are of particles.
   const TargetFrames& GetFrames() const { return this->Frames; }
   bool HasParticles() const { return this->Kind->GetParticles() != nullptr; }
@@ -71,6 +68,7 @@ private:
   ShapeOptions GetOptions() const;
   ShapePreparation GetPreparation();
   void Prepare(int step, InputShape& shape);
+  void WarnOfThinParts(const InputShape& shape, const std::string& where);
   void PrepareInitial();
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;
   std::unique_ptr<MovingTarget> MakeMovingTarget() const;
@@ -83,6 +81,7 @@ private:
   TargetFrames Frames;
   std::shared_ptr<const InputShape> Kind; // the last shape that has one
   double EstimatedRadius = 0.0;
+  bool ThinPartsKnown = false; // and told
   std::shared_ptr<InputShape> Initial;
   bool DomainKnown = false;
   SurfaceDomain Domain;

@@ -4,8 +4,11 @@
 #ifndef GridFunction_h
 #define GridFunction_h
 
+#include <string>
+
 class vtkDataSet;
 class vtkGridPotential;
+class vtkImplicitFunction;
 
 namespace activesurface
 {
@@ -15,6 +18,10 @@ namespace activesurface
  * std::runtime_error for data that cannot be used; defects are left to the caller.
  */
 void ReadGrid(vtkGridPotential* grid, vtkDataSet* data);
+
+/** What a user should know of its parts that are thinner than two voxels, as a sentence; empty if
+ * they are a negligible share of its surface. */
+std::string DescribeThinParts(vtkImplicitFunction* function, double voxelSize);
 
 }
 

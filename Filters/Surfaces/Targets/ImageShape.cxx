@@ -77,6 +77,11 @@ std::string ImageShape::Prepare(ShapePreparation& preparation)
   return "";
 }
 
+std::string ImageShape::DescribeThinParts(const ShapeOptions& options) const
+{
+  return activesurface::DescribeThinParts(this->Function, options.VoxelSize);
+}
+
 void ImageShape::AddBounds(const ShapeOptions&, vtkBoundingBox&, vtkBoundingBox& images) const
 {
   double bounds[6];

@@ -23,6 +23,7 @@ public:
 
   /** The function has the level and the side of the options. */
   std::string Prepare(ShapePreparation& preparation) override;
+  std::string DescribeThinParts(const ShapeOptions& options) const override;
   void AddBounds(
     const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
   std::unique_ptr<MovingTarget> MakeTarget(

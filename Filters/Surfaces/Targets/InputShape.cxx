@@ -22,6 +22,11 @@ std::string InputShape::Prepare(ShapePreparation&)
   return "";
 }
 
+std::string InputShape::DescribeThinParts(const ShapeOptions&) const
+{
+  return "";
+}
+
 void InputShape::AddBounds(const ShapeOptions&, vtkBoundingBox&, vtkBoundingBox&) const {}
 
 bool InputShape::HasArrays(const ParticleArrays&) const

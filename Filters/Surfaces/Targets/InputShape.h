@@ -55,6 +55,10 @@ public:
    */
   virtual std::string Prepare(ShapePreparation& preparation);
 
+  /** What a user should know of parts that are too thin for the voxels, a sentence; or nothing.
+   * Comes after Prepare, when the domain is known. */
+  virtual std::string DescribeThinParts(const ShapeOptions& options) const;
+
   /** The box of a shape, which the domain is to be larger than, or of an image, which it is. */
   virtual void AddBounds(
     const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const;

@@ -1,5 +1,6 @@
 #include "Targets/MeshShape.h"
 
+#include "MeshTriangles.h"
 #include "Targets/GridFunction.h"
 #include "Targets/MovingTarget.h"
 #include "Targets/ShapePreparation.h"
@@ -67,12 +68,23 @@ std::string MeshShape::Prepare(ShapePreparation& preparation)
     : defects + " Where it is open it has no inside; a MeshThickness > 0 makes a shell of it.";
 }
 
+// At another level its parts are thicker, or thinner.
+std::string MeshShape::DescribeThinParts(const ShapeOptions& options) const
+{
+  return options.Level.IsoValue == 0.0
+    ? activesurface::DescribeThinParts(this->Function, options.VoxelSize)
+    : "";
+}
+
 void MeshShape::AddBounds(
   const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox&) const
 {
-  double bounds[6];
-  vtkPolyData::SafeDownCast(this->Data)->GetCellsBounds(bounds);
-  vtkBoundingBox shell(bounds);
+  const std::array<double, 6> bounds = FindBounds(vtkPolyData::SafeDownCast(this->Data));
+  if (bounds[0] > bounds[1])
+  {
+    return; // no polygon of use: there will be an error when the mesh is read
+  }
+  vtkBoundingBox shell(bounds.data());
   shell.Inflate(0.5 * options.MeshThickness);
   shapes.AddBox(shell);
 }

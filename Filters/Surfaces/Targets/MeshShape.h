@@ -26,6 +26,7 @@ public:
   bool IsEmptyAs(const InputShape& other) const override { return !other.HasCells(); }
 
   std::string Prepare(ShapePreparation& preparation) override;
+  std::string DescribeThinParts(const ShapeOptions& options) const override;
   void AddBounds(
     const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
   std::unique_ptr<MovingTarget> MakeTarget(
