@@ -107,6 +107,7 @@ struct AdvanceReport
   std::size_t Sleeps = 0;            //< substeps skipped, as the surface was at rest
   std::size_t TargetEvaluations = 0; //< points at which the target was evaluated
   std::size_t DroppedSamples = 0;    //< points whose target value was not finite
+  std::size_t UniformPulls = 0;      //< substeps in which a control EXACT undid all attraction
   double MaxSpeed = 0.0;             //< largest |Attraction (iso - F)| met [length/time]
   bool Vanished = false;             //< the surface is empty at the end
   bool Aborted = false;              //< the progress function said stop; time is where it stopped

@@ -160,6 +160,7 @@ void AddWork(AdvanceReport& sum, const AdvanceReport& report)
   sum.Sleeps += report.Sleeps;
   sum.TargetEvaluations += report.TargetEvaluations;
   sum.DroppedSamples += report.DroppedSamples;
+  sum.UniformPulls += report.UniformPulls;
   sum.MaxSpeed = std::max(sum.MaxSpeed, report.MaxSpeed);
 }
 

@@ -9,7 +9,8 @@
 namespace activesurface
 {
 
-// That the skin has vanished, and that the target was not finite; time: the motion's.
+// That the skin has vanished, that the target was out of reach of one that EXACT holds, and that
+// the target was not finite; time: the motion's.
 void WarnOfMotion(const AdvanceReport& report, double time, Warnings& messages);
 
 // That the substeps were used up before the skin was at rest; speed: the last one.
