@@ -40,8 +40,10 @@ public:
   /**
    * Weight of surface tension [length^2/time]: adds -Tension * (sum of the principal curvatures) to
    * the speed. It smooths, and shrinks what the target does not hold: a ball under tension alone
-   * has radius sqrt(r0^2 - 4 * Tension * t). Substeps are 4 * Tension * time / VoxelSize^2 at
-   * least. Range: >= 0. Default: 0, no smoothing.
+   * has radius sqrt(r0^2 - 4 * Tension * t). A target's ball of radius R holds one of radius R/2 +
+   * sqrt(R^2/4 - 2 * Tension / Attraction), or none where R < 2.83 sqrt(Tension / Attraction);
+   * particles, whose F / |grad F| is larger within, hold one down to about 2.4. Substeps are 4 *
+   * Tension * time / VoxelSize^2 at least. Range: >= 0. Default: 0, no smoothing.
    */
   vtkSetClampMacro(Tension, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);
@@ -69,8 +71,8 @@ public:
    * proportion to what is missing; a ball of radius r0 under tension alone keeps missing a share e
    * of it, e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0), and collapses where VolumeStiffness
    * * r0 < 4.233 Tension. EXACT (2): a uniform displacement after each substep restores it, to 1e-6
-   * and through splits to 1e-5, without stiffness; a substep then takes three times as long. Default:
-   * NONE.
+   * and through splits to 1e-5, without stiffness; a substep then takes three times as long.
+   * Default: NONE.
    */
   vtkSetClampMacro(VolumeControl, int, NONE, EXACT);
   vtkGetMacro(VolumeControl, int);
