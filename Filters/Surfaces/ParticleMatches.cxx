@@ -1,6 +1,7 @@
 #include "ParticleMatches.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace activesurface
@@ -115,6 +116,24 @@ ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame
   }
   matches.Births = FindBirths(matches.Partners, later.Particles.size());
   return matches;
+}
+
+double FindLongestWay(
+  const ParticleFrame& earlier, const ParticleFrame& later, const ParticleMatches& matches)
+{
+  double longest = 0.0;
+  for (std::size_t i = 0; i < earlier.Particles.size(); ++i)
+  {
+    if (matches.Partners[i] != NoPartner)
+    {
+      const SkeletonVertex& from = earlier.Particles[i];
+      const SkeletonVertex& to = later.Particles[matches.Partners[i]];
+      const double way = std::hypot(to.Position[0] - from.Position[0],
+        to.Position[1] - from.Position[1], to.Position[2] - from.Position[2]);
+      longest = std::max(longest, way + std::fabs(to.Radius - from.Radius));
+    }
+  }
+  return longest;
 }
 
 void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& later,

@@ -24,6 +24,11 @@ struct ParticleMatches
 
 ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later);
 
+// How far the fastest of the particles goes that are in both steps, its way and the change of its
+// radius together; 0 if none is.
+double FindLongestWay(
+  const ParticleFrame& earlier, const ParticleFrame& later, const ParticleMatches& matches);
+
 // A particle's places in the two steps; NoPartner where it is not in the step.
 struct ParticleOrigin
 {

@@ -68,11 +68,18 @@ std::vector<float> SurfaceSimulation::GetSpeeds()
     band, { motion, this->Shapes.GetTarget(), band.GetStartArea(), band.GetStartVolume() });
 }
 
-// Whether the velocities of the particles are those on the way to the goal, from the step before.
-bool SurfaceSimulation::LooksBack() const
+// Whether the particles' way is wanted, from which their velocities follow.
+bool SurfaceSimulation::WantsWay() const
+{
+  return this->Wishes.Drift ||
+    (this->Wishes.Bound && this->Shapes.GetKind() == TargetKind::Particles);
+}
+
+// Whether it is the way to the goal, from the step before.
+bool SurfaceSimulation::LooksBack(bool wantsWay) const
 {
   const int before = this->Goal.Step - 1;
-  return this->Wishes.Drift && this->Settings.InputMoves && !this->Goal.Between && before >= 0 &&
+  return wantsWay && this->Settings.InputMoves && !this->Goal.Between && before >= 0 &&
     (!this->Settings.OnlyForward || this->Shapes.HasExtras(before, this->Wishes.Extras));
 }
 
@@ -83,8 +90,8 @@ int SurfaceSimulation::GetStepWantedAtGoal() const
   const SkinWishes& wishes = this->Wishes;
   const bool wantsParticles = wishes.Arrays || wishes.Drift;
   const int last = static_cast<int>(this->Settings.Steps.size()) - 1;
-  const bool looksAhead = this->Goal.Between || (wishes.Drift && this->Goal.Step == 0);
-  int from = this->Goal.Step - (this->LooksBack() ? 1 : 0);
+  const bool looksAhead = this->Goal.Between || (this->WantsWay() && this->Goal.Step == 0);
+  int from = this->Goal.Step - (this->LooksBack(this->WantsWay()) ? 1 : 0);
   int to = std::min(this->Goal.Step + (looksAhead ? 1 : 0), last);
   if (!this->Settings.InputMoves)
   {
@@ -100,6 +107,22 @@ int SurfaceSimulation::GetStepWantedAtGoal() const
   return -1;
 }
 
+double SurfaceSimulation::GetFastestParticle()
+{
+  const int first = this->Goal.Step - (this->LooksBack(this->WantsWay()) ? 1 : 0);
+  TargetFrames& frames = this->Shapes.GetFrames();
+  const bool moves = this->Settings.InputMoves && this->Shapes.GetKind() == TargetKind::Particles;
+  const ParticleMatches* matches = moves ? frames.FindMatches(first) : nullptr;
+  if (!matches)
+  {
+    return 0.0;
+  }
+  const double* steps = this->Settings.Steps.data() + first;
+  const double duration = this->Settings.TimeScale * (steps[1] - steps[0]);
+  return FindLongestWay(frames.Get(first).Particles, frames.Get(first + 1).Particles, *matches) /
+    duration;
+}
+
 PassedArrays SurfaceSimulation::GetPassedArrays()
 {
   PassedArrays passed;
@@ -111,12 +134,13 @@ PassedArrays SurfaceSimulation::GetPassedArrays()
   }
   else if (isWished)
   {
-    const int first = this->Settings.InputMoves ? this->Goal.Step - (this->LooksBack() ? 1 : 0) : 0;
+    const bool looksBack = this->LooksBack(this->Wishes.Drift);
+    const int first = this->Settings.InputMoves ? this->Goal.Step - (looksBack ? 1 : 0) : 0;
     const int second = std::min(first + 1, static_cast<int>(this->Settings.Steps.size()) - 1);
     const double begin = this->Settings.GetMotionTime(this->Settings.Steps[first]);
     const double duration = this->Settings.GetMotionTime(this->Settings.Steps[second]) - begin;
     const double goal = this->Settings.GetMotionTime(this->Goal.Time);
-    const double fraction = this->LooksBack()           ? 1.0
+    const double fraction = looksBack                   ? 1.0
       : this->Goal.Between && this->Settings.InputMoves ? (goal - begin) / duration
                                                         : 0.0;
     passed.Moment = FindMoment(this->Shapes.GetFrames(), first, fraction);

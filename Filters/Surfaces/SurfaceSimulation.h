@@ -46,6 +46,7 @@ struct SkinWishes
   bool Speeds = false;
   bool Arrays = false; // of the particles
   bool Drift = false;  // their velocities
+  bool Bound = false;  // the speed of the fastest of them
   std::string Extras;  // with which their frames are to be read for that
 };
 
@@ -113,6 +114,9 @@ public:
   const SkinWishes& GetWishes() const { return this->Wishes; }
   // Normal speeds of the skin at the goal, at its vertices.
   std::vector<float> GetSpeeds();
+  // The speed of the fastest particle on the way to the goal, see FindLongestWay; 0 where none
+  // moves, and for other targets.
+  double GetFastestParticle();
   // As wished; refers to the frames.
   PassedArrays GetPassedArrays();
 
@@ -143,7 +147,8 @@ private:
   void TakeLoaded();
   bool HasFramesFrom(int step) const;
   int GetStepWantedAtGoal() const;
-  bool LooksBack() const;
+  bool LooksBack(bool wantsWay) const;
+  bool WantsWay() const;
   void PlaceTargetFrom(int step);
   bool IsUnderWay() const;
   bool BranchIsAtGoal() const;

@@ -255,6 +255,7 @@ void vtkActiveImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
      << indent << "ComputeVelocity: " << this->ComputeVelocity << "\n"
      << indent << "TangentialVelocity: " << this->TangentialVelocity << "\n"
+     << indent << "MaximumVelocity: " << this->MaximumVelocity << "\n"
      << indent << "PassTargetArrays: " << this->PassTargetArrays << "\n"
      << indent << "ComputeCurvature: " << this->ComputeCurvature << "\n"
      << indent << "OutputPotential: " << this->OutputPotential << "\n";

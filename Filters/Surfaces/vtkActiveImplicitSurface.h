@@ -268,6 +268,20 @@ public:
 
   ///@{
   /**
+   * Length [length/time] to which the vectors of "Velocity" are shortened where they are longer, by
+   * their component along the normal: where the skin catches up, as in the notch of two parts that
+   * have just merged, it may go at Attraction * TargetReach, which blurs into streaks.
+   * Range: >= 0; 0 is the speed of the fastest particle (its way and the change of its radius, or
+   * what SetInputArrayToProcess(5, ...) gives with TangentialVelocity) on the way from the step
+   * before (at the first step, to the next one), of those that are in both steps; where none moves,
+   * and for other targets, no bound. Does not restart the motion. Default: 0.
+   */
+  vtkSetClampMacro(MaximumVelocity, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumVelocity, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether the skin has the point arrays of the particles under it: floating-point ones averaged
    * with the kernels' weights, others, such as ids and names, from the particle with the largest
    * weight; where no kernel reaches, from the nearest particle. Between two steps the values go
@@ -388,6 +402,7 @@ private:
   vtkTypeBool ComputeNormals = 1;
   vtkTypeBool ComputeVelocity = 0;
   vtkTypeBool TangentialVelocity = 0;
+  double MaximumVelocity = 0.0;
   vtkTypeBool PassTargetArrays = 0;
   vtkTypeBool ComputeCurvature = 0;
   vtkTypeBool OutputPotential = 0;
