@@ -107,6 +107,7 @@ struct AdvanceReport
   std::size_t SkippedSubsteps = 0;   //< substeps skipped, as all leaves had converged
   std::size_t TargetEvaluations = 0; //< points at which the target was evaluated
   std::size_t DroppedSamples = 0;    //< points whose target value was not finite
+  std::size_t UniformPulls = 0;      //< substeps in which a control EXACT undid all attraction
   double MaxSpeed = 0.0;             //< largest |Attraction (iso - F)| [length/time]
   bool Vanished = false;             //< the surface is empty at the end
   bool Aborted = false;              //< the progress function stopped it; the time is that reached

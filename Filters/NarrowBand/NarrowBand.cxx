@@ -175,6 +175,7 @@ void AddWork(AdvanceReport& sum, const AdvanceReport& report)
   sum.SkippedSubsteps += report.SkippedSubsteps;
   sum.TargetEvaluations += report.TargetEvaluations;
   sum.DroppedSamples += report.DroppedSamples;
+  sum.UniformPulls += report.UniformPulls;
   sum.MaxSpeed = std::max(sum.MaxSpeed, report.MaxSpeed);
 }
 

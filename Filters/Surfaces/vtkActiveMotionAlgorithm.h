@@ -40,8 +40,10 @@ public:
   /**
    * Weight of surface tension [length^2/time]: adds -Tension * (sum of the principal curvatures) to
    * the speed. It smooths, and shrinks what the target does not hold: a ball under tension alone
-   * has radius sqrt(r0^2 - 4 * Tension * t). Substeps are 4 * Tension * time / VoxelSize^2 at
-   * least. Range: >= 0. Default: 0, no smoothing.
+   * has radius sqrt(r0^2 - 4 * Tension * t). A target's ball of radius R holds one of radius R/2 +
+   * sqrt(R^2/4 - 2 * Tension / Attraction), or none where R < 2.83 sqrt(Tension / Attraction);
+   * particles, whose F / |grad F| is larger within, hold one down to about 2.4. Substeps are 4 *
+   * Tension * time / VoxelSize^2 at least. Range: >= 0. Default: 0, no smoothing.
    */
   vtkSetClampMacro(Tension, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);

@@ -135,6 +135,7 @@ void VelocityOfASplittingSkinIsItsDifference(Check& check)
       const double d = 0.06 + 0.1 * time;
       return std::vector<Grain>{ { -d, 0.0, 0.0, 1, 0.0 }, { d, 0.0, 0.0, 2, 0.0 } };
     });
+  filter->SetMaximumVelocity(1e30); // the ends of a torn neck outrun the particles
   check.Equal(CountParts(filter, 1.0), 1, "parts at first");
   check.Equal(CountParts(filter, 2.0), 2, "parts in the end");
   for (const double time : { 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 3.25 })

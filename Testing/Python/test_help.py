@@ -25,6 +25,7 @@ NUMBERS = {
         VolumeStiffness AreaStiffness TargetVolume TargetArea RestTolerance
         MaximumNumberOfSubsteps StartTime TimeStepSize NumberOfTimeSteps TimeScale ParticleRadius
         ParticleThreshold MeshThickness NumberOfThreads CheckpointInterval CheckpointMemory
+        MaximumVelocity
     """.split(),
     vtkSkeletonPotential: "Radius Threshold".split(),
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness MaximumNumberOfVoxels".split(),
@@ -71,7 +72,7 @@ WITH_UNIT = {
     vtkActiveImplicitSurface: """
         TargetIsoValue TargetReach VoxelSize ModelBounds Attraction Tension VolumeStiffness
         AreaStiffness TargetVolume TargetArea RestTolerance StartTime TimeStepSize TimeScale
-        ParticleRadius MeshThickness CheckpointMemory
+        ParticleRadius MeshThickness CheckpointMemory MaximumVelocity
     """.split(),
     vtkSkeletonPotential: "Radius RadiusArrayName StrengthArrayName Threshold".split(),
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness".split(),

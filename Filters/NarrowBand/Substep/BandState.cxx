@@ -46,6 +46,14 @@ bool CanConverge(const Motion& motion)
     motion.VolumeControl == Control::None && SamplesCrossings(motion) && !motion.Paper;
 }
 
+/** Whether the target pulls inward, and everywhere alike to the bit, as one out of reach does. */
+bool PullsUniformly(const std::vector<float>& samples)
+{
+  return !samples.empty() && samples.front() > 0.f &&
+    std::all_of(samples.begin(), samples.end(),
+      [&samples](float sample) { return sample == samples.front(); });
+}
+
 }
 
 void BandState::MakeEmpty()
@@ -287,6 +295,10 @@ void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& re
   WalledTarget walled(target, motion.Box);
   const TargetLimits limits =
     this->FollowTarget(motion, motion.Box.Present ? walled : target, report, move);
+  const bool isHeld =
+    motion.AreaControl == Control::Exact || motion.VolumeControl == Control::Exact;
+  const bool pullsInVain =
+    isHeld && motion.Attraction > 0.0 && PullsUniformly(this->Buffers.Samples);
   move.Force = this->FindForce(motion);
   double stable = StableStep(motion, this->VoxelSize, limits, move.Force);
   move.IsSkipped = move.IsSkipped || !std::isfinite(stable);
@@ -314,6 +326,7 @@ void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& re
     this->MakeDefaultStep(motion, limits, move);
   }
   ++report.Substeps;
+  report.UniformPulls += pullsInVain ? 1 : 0;
 }
 
 void BandState::Step(double end, const Motion& motion, Target& target, AdvanceReport& report)

@@ -67,17 +67,37 @@ constexpr SkinArray Arrays[] = {
   { &OutputProperties::Curvature, false, MakeCurvature },
 };
 
-// To a length, in their direction.
-void ShortenVectors(double longest, vtkFloatArray* vectors)
+// Shortens what is along the normal: the particles' own velocity along the skin is no error.
+void ShortenVector(double longest, const double normal[3], float* vector)
+{
+  double along = 0.0, square = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    along += double(vector[axis]) * normal[axis];
+    square += double(vector[axis]) * vector[axis];
+  }
+  if (square <= longest * longest)
+  {
+    return;
+  }
+  const double across = std::sqrt(std::max(square - along * along, 0.0));
+  const double share = across > longest ? longest / across : 1.0;
+  const double most = std::sqrt(std::max(longest * longest - across * across, 0.0));
+  const double kept = std::min(std::max(along, -most), most);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vector[axis] =
+      static_cast<float>(share * (vector[axis] - along * normal[axis]) + kept * normal[axis]);
+  }
+}
+
+void ShortenVectors(double longest, const vtkFloatArray* normals, vtkFloatArray* vectors)
 {
   for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
   {
-    float* vector = vectors->GetPointer(3 * i);
-    const double length = std::hypot(vector[0], vector[1], vector[2]);
-    for (int axis = 0; length > longest && axis < 3; ++axis)
-    {
-      vector[axis] = static_cast<float>(vector[axis] * (longest / length));
-    }
+    const double normal[3] = { normals->GetTypedComponent(i, 0), normals->GetTypedComponent(i, 1),
+      normals->GetTypedComponent(i, 2) };
+    ShortenVector(longest, normal, vectors->GetPointer(3 * i));
   }
 }
 
@@ -112,7 +132,7 @@ void AddSkinArrays(const OutputProperties& properties, const SurfaceSimulation& 
     if (longest > 0.0)
     {
       ShortenVectors(
-        longest, vtkFloatArray::SafeDownCast(skin->GetPointData()->GetArray("Velocity")));
+        longest, normals, vtkFloatArray::SafeDownCast(skin->GetPointData()->GetArray("Velocity")));
     }
   }
 }

@@ -14,6 +14,16 @@ void WarnOfMotion(const AdvanceReport& report, MotionTime time, Warnings& messag
          << "; it does not come back. Does the target meet the initial shape?";
     messages.Say("vanished", text.str());
   }
+  if (report.Substeps > 0 && report.UniformPulls == report.Substeps)
+  {
+    std::ostringstream text;
+    text
+      << "On the way to the motion time " << time.Value
+      << " the target pulled the skin inward with the same speed everywhere, which EXACT undoes, "
+      << "so the skin did not move towards it: the target lies outside of the skin, or farther "
+      << "inside than TargetReach. Does the target meet the initial shape? This is told once.";
+    messages.Say("pulled in vain", text.str());
+  }
   if (report.DroppedSamples > 0)
   {
     std::ostringstream text;

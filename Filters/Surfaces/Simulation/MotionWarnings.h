@@ -10,7 +10,8 @@
 namespace activesurface
 {
 
-// That the skin has vanished, and that the target was not finite.
+// That the skin has vanished, that the target was out of reach of one that EXACT holds, and that
+// the target was not finite.
 void WarnOfMotion(const AdvanceReport& report, MotionTime time, Warnings& messages);
 
 // That the substeps were used up before the skin was at rest; speed: the last one.
