@@ -60,6 +60,18 @@ def reached_includes(root, header):
     return sorted(reached)
 
 
+def reached_by_test(root, test):
+    """What a C++ test includes, and what the tests' own headers that it includes do."""
+    tests = root / "Testing" / "Cxx"
+    reached, waiting = set(), [test]
+    while waiting:
+        for include in set(includes_of(waiting.pop())) - reached:
+            reached.add(include)
+            if (tests / include).is_file():
+                waiting.append(tests / include)
+    return sorted(reached)
+
+
 def find_broken_arrows(root):
     """One sentence for each include that breaks a rule."""
     broken = []
@@ -80,6 +92,11 @@ def find_broken_arrows(root):
                 for include in reached_includes(root, path):
                     if NOT_FOR_WRAPPED_HEADERS.match(include):
                         complain(path, include, "a wrapped header shows no OpenVDB, TBB or OpenEXR")
+
+    for path in sources_in(root / "Testing" / "Cxx" / "NarrowBand"):
+        for include in reached_by_test(root, path):
+            if PIPELINE_HEADER.match(include):
+                complain(path, include, "the numerics are tested without VTK")
 
     for path in sources_in(root / "Examples"):
         for include in includes_of(path):
@@ -148,6 +165,12 @@ class RulesFindWhatBreaksThem(unittest.TestCase):
         (self.root / "Filters/Surfaces/Bad.cxx").unlink()
         self.assert_found("Filters/IO/Bad.cxx", '#include "vtkSkin.h"', "vtkSkin.h")
 
+    def test_vtk_in_a_test_of_the_numerics(self):
+        bad = "Testing/Cxx/NarrowBand/TestBad.cxx"
+        self.assert_found(bad, '#include "vtkPoints.h"', "vtkPoints.h")
+        self.write("Testing/Cxx/Support/Scene.h", "#include <vtkSphere.h>")
+        self.assert_found(bad, '#include "Support/Scene.h"', "vtkSphere.h")
+
     def test_source_tree_in_an_example(self):
         bad = "../../Filters/Surfaces/vtkSkin.h"
         self.assert_found("Examples/Cxx/bad.cxx", f'#include "{bad}"', bad)
@@ -157,8 +180,8 @@ class RulesFindWhatBreaksThem(unittest.TestCase):
 
 class ThisTree(unittest.TestCase):
     def test_no_arrow_is_broken(self):
-        for folder in ("NarrowBand", "Surfaces"):
-            self.assertTrue(sources_in(ROOT / "Filters" / folder), f"no sources in {folder}")
+        for folder in ("Filters/NarrowBand", "Filters/Surfaces", "Testing/Cxx/NarrowBand"):
+            self.assertTrue(sources_in(ROOT / folder), f"no sources in {folder}")
         broken = find_broken_arrows(ROOT)
         self.assertEqual(broken, [], "\n".join(broken))
 
