@@ -21,7 +21,7 @@ namespace activesurface
 {
 
 /** A grid of a file. */
-struct VDBGrid
+struct VTKACTIVEVDB_EXPORT VDBGrid
 {
   std::string Name;       //< several of one name have their number behind it: name[1]
   std::string UniqueName; //< as OpenVDB has it

@@ -4,10 +4,10 @@
  *
  *   BenchmarkVDB [voxel size, 0.01] [threads, 0: all]
  */
-#include "NarrowBand.h"
 #include "Grids/SkinBand.h"
 #include "Grids/SkinGrids.h"
 #include "Grids/VDBOutput.h"
+#include "NarrowBand.h"
 
 #include <openvdb/io/Compression.h>
 

@@ -4,6 +4,8 @@
 #ifndef Scenes_h
 #define Scenes_h
 
+#include "Support/UnitBox.h"
+
 #include "NarrowBand.h"
 
 #include <algorithm>
@@ -12,14 +14,6 @@
 
 namespace activesurface
 {
-
-constexpr double Box[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
-
-/** n nodes along each side of Box. */
-constexpr double VoxelSizeOf(int n)
-{
-  return 2.0 / (n - 1);
-}
 
 struct BallDistance
 {
@@ -112,14 +106,6 @@ public:
   }
   void MoveTo(double time) override { this->Form.X = 0.1 * std::sin(3.0 * time); }
 };
-
-inline Motion MakeMotion(double attraction, double tension)
-{
-  Motion motion;
-  motion.Attraction = attraction;
-  motion.Tension = tension;
-  return motion;
-}
 
 /** That many substeps, however long they are. */
 inline AdvanceReport AdvanceSubsteps(

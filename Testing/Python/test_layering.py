@@ -122,6 +122,18 @@ def reached_includes(root, header):
     return sorted(reached)
 
 
+def reached_by_test(root, test):
+    """What a C++ test includes, and what the tests' own headers that it includes do."""
+    tests = root / "Testing" / "Cxx"
+    reached, waiting = set(), [test]
+    while waiting:
+        for include in set(includes_of(waiting.pop())) - reached:
+            reached.add(include)
+            if (tests / include).is_file():
+                waiting.append(tests / include)
+    return sorted(reached)
+
+
 def find_arrows(root):
     """Unit: the units that it includes."""
     arrows = defaultdict(set)
@@ -195,6 +207,13 @@ def find_broken_arrows(root):
         for path in sources_in(root / "Filters")
         for include, why in find_broken_includes(root, path)
     ]
+    for path in sources_in(root / "Testing" / "Cxx" / "NarrowBand"):
+        for include in reached_by_test(root, path):
+            if VTK_HEADER.match(include):
+                broken.append(
+                    f"{path.relative_to(root)} includes {include}: "
+                    "the numerics are tested without VTK"
+                )
     for path in sources_in(root / "Examples"):
         for include in includes_of(path):
             if "Filters/" in include or ".." in include:

@@ -1,0 +1,53 @@
+// Images and EXR files for the tests of vtkActiveEXRReader and vtkActiveEXRWriter: the files are
+// written by OpenEXR itself, of kinds that the writer does not make.
+#ifndef EXRFiles_h
+#define EXRFiles_h
+
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+
+// An array with numbers that look random, of which the bits are.
+vtkSmartPointer<vtkDataArray> MakeNumbers(
+  const std::string& name, int type, int components, vtkIdType tuples, unsigned seed);
+
+// width x height x 1 with RGBA, Z, N, P, forward (float) and id (unsigned int).
+vtkSmartPointer<vtkImageData> MakeLayers(int width, int height);
+
+// Whether two arrays have the same bytes.
+bool HaveSameBytes(vtkDataArray* a, vtkDataArray* b);
+
+std::vector<char> ReadBytes(const std::string& name);
+void WriteBytes(const std::string& name, const std::vector<char>& bytes);
+
+// The value of the pixels below, of a channel: unlike for each pixel and each channel, whole.
+float ValueAt(int channel, int x, int y);
+
+// Files with channels R, G, B (HALF), Z (FLOAT) and id (UINT) that hold ValueAt(0 to 4, x, y) at
+// the file's pixel (x, y), y downwards, over the data window (left, top) to (left + 18, top + 12).
+struct KindOfFile
+{
+  bool Tiled = false;
+  bool MipMaps = false;
+  bool Downwards = true; // order of lines
+  int Compression = 3;   // ZIP
+  int Left = 0, Top = 0;
+};
+constexpr int FileWidth = 19, FileHeight = 13;
+void WriteKind(const std::string& name, const KindOfFile& kind);
+
+// Two parts, "left" and "right", as above; the second one's values are greater by 1000.
+void WriteTwoParts(const std::string& name);
+
+// Y at each pixel, RY and BY at each second one in both directions.
+void WriteLuminanceChroma(const std::string& name);
+
+// Deep scanlines with two samples in each pixel.
+void WriteDeep(const std::string& name);
+
+#endif

@@ -1,0 +1,305 @@
+// A surface of which a part is at rest: that part stays as it is and costs little, and leaves no
+// trace of having been left out.
+
+#include "Support/SurfaceMeasures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace activesurface;
+
+namespace
+{
+constexpr double Support = 0.45;
+constexpr double Threshold = 0.5;
+constexpr Point Left = { -0.637, 0.011, 0.023 };
+constexpr Point Right = { 0.641, -0.017, 0.009 };
+const double VoxelSize = VoxelSizeOf(64);
+
+using Way = std::function<Point(double)>;
+
+Shape MakePair(const Point& left, const Point& right)
+{
+  return MakeMetaballs({ left, right }, Support, Threshold);
+}
+
+// Two metaballs, of which the right one goes its way. Values change within its support alone.
+class PairTarget : public ShapeTarget
+{
+public:
+  PairTarget(Way path, bool tells)
+    : ShapeTarget([path](double time) { return MakePair(Left, path(time)); })
+    , Path(std::move(path))
+    , Tells(tells)
+  {
+  }
+
+  void MoveTo(double time) override
+  {
+    this->Before = this->Now;
+    this->Now = this->Path(time);
+    ShapeTarget::MoveTo(time);
+  }
+
+  bool MayHaveChanged(const double bounds[6]) const override
+  {
+    return !this->Tells ||
+      (this->Before != this->Now && (Touches(this->Before, bounds) || Touches(this->Now, bounds)));
+  }
+
+private:
+  static bool Touches(const Point& centre, const double bounds[6])
+  {
+    bool touches = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      touches = touches && centre[axis] + Support >= bounds[2 * axis] &&
+        centre[axis] - Support <= bounds[2 * axis + 1];
+    }
+    return touches;
+  }
+
+  Way Path;
+  bool Tells;
+  Point Before{}, Now{};
+};
+
+// Under the larger one the balls rest .4 voxels within their target.
+constexpr double Tensions[] = { 0.0, 0.01 };
+
+Motion MakeMotion(double tension)
+{
+  Motion motion;
+  motion.Attraction = 5.0;
+  motion.Tension = tension;
+  return motion;
+}
+
+Point Stay(double)
+{
+  return Right;
+}
+
+// Stays until 2, then goes up and down.
+Point Swing(double time)
+{
+  return { Right[0], Right[1] + (time < 2.0 ? 0.0 : 0.2 * std::sin(3.0 * (time - 2.0))), Right[2] };
+}
+
+// Stays until 2, then comes over to the left.
+Point Approach(double time)
+{
+  return { Right[0] - 0.8 * std::min(std::max(time - 2.0, 0.0), 1.0), Right[1], Right[2] };
+}
+
+// At time 2, at rest.
+void Rest(NarrowBand& band, double tension, Target& target)
+{
+  StartOn(band, MakePair(Left, Right));
+  const AdvanceReport report = band.Advance(2.0, MakeMotion(tension), target);
+  EXPECT_GT(report.SkippedSubsteps, 0) << "substeps that were skipped before time 2";
+}
+
+// The potential at the active nodes left of 0.
+std::vector<float> GetLeftHalf(const NarrowBand& band)
+{
+  std::vector<float> values;
+  for (auto node = band.GetPotential()->cbeginValueOn(); node; ++node)
+  {
+    if (node.getCoord()[0] < 0)
+    {
+      values.push_back(*node);
+    }
+  }
+  return values;
+}
+
+}
+
+TEST(TestConvergedLeaves, WhatRestsStaysToTheBitWhileTheOtherPartMoves)
+{
+  for (const double tension : Tensions)
+  {
+    NarrowBand band(VoxelSize);
+    PairTarget target(Swing, true);
+    Rest(band, tension, target);
+    const std::vector<float> before = GetLeftHalf(band);
+    EXPECT_GT(before.size(), 1000u) << "active nodes left of 0";
+    const AdvanceReport report = band.Advance(2.5, MakeMotion(tension), target);
+    EXPECT_TRUE(GetLeftHalf(band) == before) << "the left ball is the same to the bit";
+    EXPECT_LT(report.SkippedSubsteps, 2)
+      << "substeps in which nothing moved: the first, until the target does";
+
+    // The right one follows with the lag U / Attraction, within what Tension takes: 2 / r of it
+    // over Attraction.
+    const double lag = 0.2 * 3.0 * std::cos(1.5) / 5.0 / VoxelSize;
+    const double within = 2.0 * tension / (Support * 0.5) / 5.0 / VoxelSize;
+    const double off =
+      GetDeviation(Polygonise(band), MakePair(Left, Swing(2.5)), VoxelSize).LargestDistance;
+    EXPECT_LT(off, 2.0 * (lag + within)) << "farthest from the target [h]";
+  }
+}
+
+// The surface at rest is where it would be if none of it were ever left out.
+TEST(TestConvergedLeaves, RestUnderTensionIsTheBalance)
+{
+  NarrowBand resting(VoxelSize), settled(VoxelSize);
+  PairTarget one(Stay, true), other(Stay, true);
+  Rest(resting, Tensions[1], one);
+  StartOn(settled, MakePair(Left, Right));
+  settled.AdvanceToSteadyState(MakeMotion(Tensions[1]), { 1e-6, 2000 }, other);
+  const double volume = settled.GetVolume();
+  const double voxels = (resting.GetVolume() - volume) / (settled.GetArea() * VoxelSize);
+  EXPECT_NEAR(voxels, 0.0, 1e-3) << "mean distance between both [h]";
+  // Nowhere does it move by more than the rule says: a thousandth of a voxel times Attraction.
+  const AdvanceReport next =
+    resting.Clone()->AdvanceToSteadyState(MakeMotion(Tensions[1]), { 0.0, 1 }, one);
+  EXPECT_LT(next.SurfaceSpeed, 1e-3 * 5.0) << "largest speed of the surface at rest [h/time]";
+  const AdvanceReport report = resting.Advance(40.0, MakeMotion(Tensions[1]), one);
+  EXPECT_EQ(report.Substeps, 0u) << "substeps that are not skipped, from then on";
+}
+
+// A dent of the target, half a voxel deep and smaller than a leaf, wakes the surface wherever in a
+// leaf it lies: its volume comes, but for what Tension takes of it.
+TEST(TestConvergedLeaves, ADentWakesTheSurfaceAnywhere)
+{
+  const Ball ball = { { 0.013, -0.007, 0.021 }, 0.6 };
+  const double width = 1.5 * VoxelSize, depth = 0.5 * VoxelSize;
+  const double volume = depth * 2.0 * std::acos(-1.0) * width * width;
+  NarrowBand whole(VoxelSize);
+  const Shape sphere = MakeBall(ball.Centre, ball.Radius);
+  ShapeTarget still(sphere);
+  const Motion motion = MakeMotion(1e-4);
+  StartOn(whole, sphere);
+  whole.Advance(4.0, motion, still);
+  constexpr int places = 40;
+  for (int i = 0; i < places; ++i)
+  {
+    const double z = 1.0 - (2.0 * i + 1.0) / places, angle = 2.4 * i;
+    const double across = ball.Radius * std::sqrt(1.0 - z * z);
+    const Point middle = { ball.Centre[0] + across * std::cos(angle),
+      ball.Centre[1] + across * std::sin(angle), ball.Centre[2] + ball.Radius * z };
+    ShapeTarget dented(Shape{ [&](const Point& x)
+      {
+        const double distance =
+          std::hypot(x[0] - middle[0], x[1] - middle[1], x[2] - middle[2]) / width;
+        return sphere.Value(x) + depth * std::exp(-0.5 * distance * distance);
+      },
+      {} });
+    const auto band = whole.Clone();
+    band->Advance(5.5, motion, dented);
+    const double lost = (whole.GetVolume() - band->GetVolume()) / volume;
+    EXPECT_NEAR(lost, 0.9, 0.15) << "share of the dent that is there, place " << i;
+  }
+}
+
+struct Course
+{
+  std::string Name;
+  Way Path;
+  double Tension;
+};
+
+std::vector<Course> MakeCourses()
+{
+  std::vector<Course> courses;
+  for (const double tension : Tensions)
+  {
+    const std::string name = ", tension " + std::to_string(tension);
+    courses.push_back({ "swinging" + name, Swing, tension });
+    courses.push_back({ "approaching" + name, Approach, tension });
+  }
+  return courses;
+}
+
+// The same bytes whether speeds are remembered or found anew, by any number of threads.
+TEST(TestConvergedLeaves, RememberedSpeedsLeaveNoTrace)
+{
+  for (const auto& [name, path, tension] : MakeCourses())
+  {
+    NarrowBand anew(VoxelSize), remembered(VoxelSize), threaded(VoxelSize);
+    threaded.SetNumberOfThreads(3);
+    PairTarget changes(path, false), tells(path, true), tellsAll(path, true);
+    Rest(anew, tension, changes);
+    Rest(remembered, tension, tells);
+    Rest(threaded, tension, tellsAll);
+    std::size_t spared = 0;
+    for (const double time : { 2.3, 2.9, 3.5 })
+    {
+      const AdvanceReport all = anew.Advance(time, MakeMotion(tension), changes);
+      const AdvanceReport few = remembered.Advance(time, MakeMotion(tension), tells);
+      threaded.Advance(time, MakeMotion(tension), tellsAll);
+      const std::string when = name + ", at " + std::to_string(time);
+      EXPECT_EQ(few.Substeps, all.Substeps) << "substeps, " << when;
+      EXPECT_TRUE(AreIdentical(anew, remembered)) << "the same to the bit, " << when;
+      EXPECT_TRUE(AreIdentical(anew, threaded)) << "the same by three threads, " << when;
+      EXPECT_TRUE(few.TargetEvaluations <= all.TargetEvaluations)
+        << "no more evaluations, " << when;
+      spared += all.TargetEvaluations - few.TargetEvaluations;
+    }
+    EXPECT_GT(spared, 10000) << "evaluations that are spared, " << name;
+  }
+}
+
+// Taken up again from a checkpoint before each step, of which a part rests.
+TEST(TestConvergedLeaves, RestartsLeaveNoTrace)
+{
+  for (const auto& [name, path, tension] : MakeCourses())
+  {
+    auto kept = std::make_unique<NarrowBand>(VoxelSize);
+    NarrowBand straight(VoxelSize);
+    PairTarget one(path, true), other(path, true);
+    Rest(straight, tension, one);
+    Rest(*kept, tension, other);
+    for (double time = 2.05; time < 3.5; time += 0.05)
+    {
+      straight.Advance(time, MakeMotion(tension), one);
+      kept = NarrowBand::Unpack(kept->Pack());
+      kept->Advance(time, MakeMotion(tension), other);
+      EXPECT_TRUE(AreIdentical(straight, *kept)) << name << ", the same to the bit at " << time;
+    }
+  }
+}
+
+TEST(TestConvergedLeaves, WhatRestsCostsNoEvaluations)
+{
+  for (const double tension : Tensions)
+  {
+    NarrowBand band(VoxelSize);
+    PairTarget target(Stay, true);
+    Rest(band, tension, target);
+    const std::size_t points = Polygonise(band).GetNumberOfPoints();
+    const AdvanceReport report = band.Advance(4.0, MakeMotion(tension), target);
+    EXPECT_GT(report.SkippedSubsteps, 10) << "substeps at rest";
+    EXPECT_EQ(report.Substeps, 0u) << "other substeps";
+    EXPECT_EQ(report.TargetEvaluations, points) << "evaluations: each sample point once";
+  }
+}
+
+// The right ball comes and merges with the left one, which was at rest.
+TEST(TestConvergedLeaves, WhatRestsWakesWhenItsTargetChanges)
+{
+  for (const double tension : Tensions)
+  {
+    NarrowBand band(VoxelSize);
+    PairTarget target(Approach, true);
+    Rest(band, tension, target);
+    EXPECT_EQ(GetTopology(Polygonise(band)).Components, 2) << "bodies before";
+    band.Advance(6.0, MakeMotion(tension), target);
+    const Mesh mesh = Polygonise(band);
+    EXPECT_EQ(GetTopology(mesh).Components, 1) << "bodies after";
+    if (tension == 0.0)
+    {
+      const Deviation deviation = GetDeviation(mesh, MakePair(Left, Approach(6.0)), VoxelSize);
+      EXPECT_LT(deviation.MeanDistance, 0.02) << "mean distance to the target [h]";
+      EXPECT_LT(deviation.LargestDistance, 0.1) << "largest distance to the target [h]";
+    }
+  }
+}

@@ -1,0 +1,185 @@
+// Exact controls where the surface is no smooth one: creases, parts that meet, thin sheets. And
+// what happens when a potential is lost all the same.
+
+#include "Support/SurfaceMeasures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+using namespace activesurface;
+
+namespace
+{
+
+// A box of these half sides; distances, the nearest corner's outside.
+Shape MakeBlock(const Point& centre, const Point& halfSides)
+{
+  return { [=](const Point& p)
+    {
+      double inside = -std::numeric_limits<double>::max(), outside = 0.0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double beyond = std::fabs(p[axis] - centre[axis]) - halfSides[axis];
+        inside = std::max(inside, beyond);
+        outside += beyond > 0.0 ? beyond * beyond : 0.0;
+      }
+      return outside > 0.0 ? std::sqrt(outside) : inside;
+    },
+    {} };
+}
+
+Shape MakeCube()
+{
+  return MakeBlock({ 0.0, 0.0, 0.0 }, { 0.5, 0.5, 0.5 });
+}
+
+Shape MakePlate()
+{
+  return MakeBlock({ 0.0, 0.0, 0.0 }, { 0.7, 0.7, 0.06 });
+}
+
+Shape MakeTwoBlocks()
+{
+  const Shape left = MakeBlock({ -0.5, 0.0, 0.0 }, { 0.3, 0.3, 0.3 });
+  const Shape right = MakeBlock({ 0.5, 0.0, 0.0 }, { 0.3, 0.3, 0.3 });
+  return { [=](const Point& p) { return std::min(left.Value(p), right.Value(p)); }, {} };
+}
+
+// One substep, however long it is.
+void StepOnce(NarrowBand& band, const Motion& motion, Target& target)
+{
+  bool first = true;
+  band.Advance(band.GetTime() + 10.0, motion, target,
+    [&first](double) { return std::exchange(first, false); });
+}
+
+struct Scene
+{
+  std::string Name;
+  Shape Start;
+  Shape End;
+  double Reach;
+  double VoxelSize;
+  int Parts; //< at most, at any time
+};
+
+struct Way
+{
+  bool IsSound = true; //< all numbers finite, and the skin closed
+  int MostParts = 0;
+  int LastParts = 0;
+  double WorstError = 0.0; //< relative, of what is held
+};
+
+Way Follow(const Scene& scene, Control area, double cfl)
+{
+  constexpr double bounds[6] = { -1.5, 1.5, -1.5, 1.5, -1.5, 1.5 };
+  NarrowBand band(scene.VoxelSize);
+  band.SetMaximumNumberOfActiveVoxels(500000); // four times what a sound one has
+  band.Start(0.0, bounds, MakeInitialFunction(scene.Start));
+  ShapeTarget target(Normalise(scene.End, scene.Reach));
+  Motion motion;
+  motion.Attraction = 20.0;
+  motion.CFL = cfl;
+  (area == Control::Exact ? motion.AreaControl : motion.VolumeControl) = Control::Exact;
+  const auto measure = area == Control::Exact ? &NarrowBand::GetArea : &NarrowBand::GetVolume;
+  const double held = (band.*measure)();
+  Way way;
+  while (band.GetTime() < 0.6)
+  {
+    StepOnce(band, motion, target);
+    const double error = std::fabs((band.*measure)() / held - 1.0);
+    const Mesh skin = Polygonise(band);
+    const MeshDefects defects = FindDefects(skin);
+    way.IsSound = way.IsSound && std::isfinite(error) && defects.Edges == 0 &&
+      std::all_of(skin.Points.begin(), skin.Points.end(), [](float x) { return std::isfinite(x); });
+    way.WorstError = std::max(way.WorstError, error);
+    way.LastParts = GetTopology(skin).Components;
+    way.MostParts = std::max(way.MostParts, way.LastParts);
+  }
+  return way;
+}
+
+// At the largest stable time step, a bit below, and well below.
+void CheckScene(const Scene& scene, Control area, double tolerance)
+{
+  for (const double cfl : { 1.0, 0.9, 0.5 })
+  {
+    const std::string name = scene.Name + ", CFL " + std::to_string(cfl);
+    const Way way = Follow(scene, area, cfl);
+    EXPECT_TRUE(way.IsSound) << "finite and closed: " << name;
+    EXPECT_LT(way.MostParts, scene.Parts + 1) << "most parts on the way: " << name;
+    EXPECT_EQ(way.LastParts, 1) << "parts at last: " << name;
+    EXPECT_LT(way.WorstError, tolerance) << "largest relative error on the way: " << name;
+  }
+}
+
+// What is held is restored to 1e-9, where the eight displacements suffice; 1e-6 is documented.
+TEST(TestExactControl, ACubeKeepsItsVolumeOnItsWayToABall)
+{
+  const Shape ball = MakeBall({ 0.6, 0.2, 0.1 }, 0.3);
+  CheckScene({ "cube", MakeCube(), ball, 0.03, 0.03, 1 }, Control::None, 1e-6);
+}
+
+TEST(TestExactControl, ACubeKeepsItsAreaOnItsWayToABall)
+{
+  const Shape ball = MakeBall({ 0.6, 0.2, 0.1 }, 0.3);
+  CheckScene({ "cube", MakeCube(), ball, 0.03, 0.03, 1 }, Control::Exact, 1e-6);
+}
+
+TEST(TestExactControl, AThinPlateKeepsItsVolume)
+{
+  const Shape ball = MakeBall(CentreA, 0.4);
+  CheckScene({ "plate", MakePlate(), ball, 0.05, 0.03, 1 }, Control::None, 1e-6);
+}
+
+// They merge at once along a rim: 1e-5, as through any change of topology.
+TEST(TestExactControl, TwoBlocksKeepTheirVolumeWhileTheyMerge)
+{
+  const Shape ball = MakeBall(CentreB, 0.5);
+  CheckScene({ "two blocks", MakeTwoBlocks(), ball, 0.1, 0.04, 2 }, Control::None, 1e-5);
+}
+
+// A time step of thirty times the stable one loses every potential.
+TEST(TestExactControl, ALostPotentialIsAnErrorAndIsNotTaken)
+{
+  NarrowBand band(VoxelSizeOf(40));
+  StartOn(band, MakeCube());
+  ShapeTarget target(Normalise(MakeBall({ 0.5, 0.2, 0.1 }, 0.3), 0.03));
+  Motion motion;
+  motion.Attraction = 20.0;
+  motion.CFL = 30.0;
+  std::unique_ptr<NarrowBand> before;
+  std::string said;
+  for (int substep = 0; substep < 100 && said.empty(); ++substep)
+  {
+    before = band.Clone();
+    try
+    {
+      StepOnce(band, motion, target);
+      EXPECT_TRUE(std::isfinite(band.GetVolume())) << "finite after every substep that is taken";
+    }
+    catch (const std::runtime_error& error)
+    {
+      said = error.what();
+    }
+  }
+  EXPECT_TRUE(said.find("would not be finite") != std::string::npos) << "an error: " << said;
+  EXPECT_TRUE(said.find("lower CFL") != std::string::npos) << "which says what to do";
+  EXPECT_EQ(band.GetTime(), before->GetTime()) << "the time stays";
+  EXPECT_TRUE(AreIdentical(band, *before)) << "and so does the potential";
+  motion.CFL = 0.5;
+  const double end = band.GetTime() + 0.1;
+  band.Advance(end, motion, target);
+  before->Advance(end, motion, target);
+  EXPECT_TRUE(AreIdentical(band, *before)) << "with a smaller CFL it goes on from there";
+}
+
+}

@@ -1,0 +1,114 @@
+/**
+ * Shapes with a formula, as starts and as targets of the exact tests. All NEGATIVE INSIDE.
+ */
+#ifndef AnalyticShapes_h
+#define AnalyticShapes_h
+
+#include "Support/Point.h"
+#include "Support/UnitBox.h"
+
+#include "NarrowBand.h"
+#include "Target.h"
+
+#include <functional>
+#include <vector>
+
+namespace activesurface
+{
+struct Shape
+{
+  std::function<double(const Point&)> Value;
+  /** |gradient| of Value; left empty: 1, Value is a distance. */
+  std::function<double(const Point&)> Slope;
+};
+
+struct Ball
+{
+  Point Centre;
+  double Radius;
+};
+
+/** The distance to the nearest of several balls. */
+Shape MakeBalls(const std::vector<Ball>& balls);
+Shape MakeBall(const Point& centre, double radius);
+
+/** Around an axis parallel to z. */
+Shape MakeTorus(const Point& centre, double ringRadius, double tubeRadius);
+
+/** Threshold - sum of (1 - r^2/radius^2)^3: no distance, and flat far away. */
+Shape MakeMetaballs(const std::vector<Point>& centres, double radius, double threshold);
+
+/** Six metaballs on the axes, merged into one body. */
+Shape MakeSixMetaballs();
+
+/** Two balls joined by a capsule. */
+struct Dumbbell
+{
+  Point Centre;
+  Point Direction; //< unit length
+  double HalfLength;
+  double BallRadius;
+  double NeckRadius;
+};
+Shape MakeDumbbell(const Dumbbell& dumbbell);
+
+/** A ball at the origin with a concentric void. */
+Shape MakeShell(double outerRadius, double innerRadius);
+Shape MakeBallInShell(double outerRadius, double innerRadius, double ballRadius);
+
+/** (|x - c|^2 - r^2) / 2 r: a sphere whose slope is 1 only at the surface. */
+Shape MakeAlgebraicBall(const Point& centre, double radius);
+
+/** At the origin; no distance: its slope is 1 or less, depending on the direction. */
+Shape MakeEllipsoid(const Point& semiAxes);
+
+/** A disk around the z axis, its middle plane at a height. */
+Shape MakeSlab(double height, double thickness, double radius);
+
+/** The same everywhere: a target of this value moves the surface with a uniform speed. */
+Shape MakeConstant(double value);
+
+/** Value / slope, clamped to +-reach: the first-order distance to a shape that is no distance. */
+Shape Normalise(const Shape& shape, double reach);
+
+/** Grows a shape about the origin. */
+Shape Scale(const Shape& shape, double factor);
+
+/** Takes what is at the origin to a point. */
+Shape Move(const Shape& shape, const Point& to);
+
+/** By central differences, for shapes of size 1. */
+Point GetGradient(const Shape& shape, const Point& point);
+
+InitialFunction MakeInitialFunction(const Shape& shape);
+
+/** A shape that stands still or follows a trajectory. */
+class ShapeTarget : public Target
+{
+public:
+  using Trajectory = std::function<Shape(double)>;
+
+  explicit ShapeTarget(const Shape& shape);
+  explicit ShapeTarget(const Trajectory& trajectory);
+
+  void MoveTo(double time) override;
+  void Evaluate(
+    std::size_t count, const double* points, double* values, double* slopes) const override;
+
+private:
+  Shape Current;
+  Trajectory Path;
+};
+
+/**
+ * Starts the surface on a shape within Box, at time 0. Sets a maximum of active voxels that no
+ * sound surface reaches: noise throws instead of filling the memory.
+ */
+void StartOn(NarrowBand& band, const Shape& shape);
+
+/** Centres that no symmetry of the lattice favours. */
+constexpr Point CentreA = { 0.013, 0.007, -0.021 };
+constexpr Point CentreB = { -0.027, 0.041, 0.009 };
+}
+
+#endif

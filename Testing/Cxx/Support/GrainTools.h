@@ -1,0 +1,50 @@
+/**
+ * Particles with arrays, for the tests of what the skin takes of them.
+ */
+#ifndef GrainTools_h
+#define GrainTools_h
+
+#include "Support/ShapeSource.h"
+
+#include "vtkActiveImplicitSurface.h"
+#include "vtkImplicitFunction.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+namespace activesurface
+{
+
+struct Grain
+{
+  double X, Y, Z;
+  int Id;
+  double Temperature;
+};
+
+/** 60 grains at random in a ball of radius .4 around (x, 0, 0). */
+std::vector<Grain> MakeBlob(double x);
+
+/** Points without cells; arrays "id" (int), "temperature" (double, active), "constant"
+ * (float, 7.25) and "name" (text, "grain <id>"). */
+vtkSmartPointer<vtkPolyData> MakeCloud(const std::vector<Grain>& grains);
+
+/** Gives all points the same numbers. */
+void AddFloats(vtkPolyData* points, const char* name, int components, double value);
+
+/** What the skin has to have at x, by the formula of the kernel WYVILL. */
+struct Expected
+{
+  double Temperature;
+  int Id;
+};
+Expected FindExpected(const std::vector<Grain>& grains, const double x[3]);
+
+/** All point arrays of the skin, one after the other. */
+std::string GetArrayBytes(vtkActiveImplicitSurface* filter);
+
+}
+
+#endif

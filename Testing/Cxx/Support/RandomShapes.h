@@ -1,0 +1,44 @@
+/**
+ * Centres and lengths drawn at random near given ones: places at which no constant of the scheme
+ * was chosen.
+ *
+ * The same numbers in every run and on every platform: the bits are those of std::mt19937, which
+ * the C++ standard fixes; its distributions, which differ between libraries, are not used.
+ *
+ * Each fact has a generator with a seed of its own, so that it draws the same whatever runs before.
+ * Draw into variables or within braces, in the order of the text: the order in which a call's
+ * arguments are evaluated is the compiler's.
+ */
+#ifndef RandomShapes_h
+#define RandomShapes_h
+
+#include "Support/AnalyticShapes.h"
+
+#include <cstdint>
+#include <random>
+
+namespace activesurface
+{
+class RandomShapes
+{
+public:
+  explicit RandomShapes(std::uint32_t seed);
+
+  /** least + (most - least) * bits / 2^32: uniform, without `most`. */
+  double DrawBetween(double least, double most);
+
+  /** Within .05 along each axis. */
+  Point DrawPointNear(const Point& point);
+
+  /** Within 10 %. */
+  double DrawLengthNear(double length);
+
+  /** A ball whose centre and radius are drawn as above. */
+  Ball DrawBallNear(const Ball& ball);
+
+private:
+  std::mt19937 Generator;
+};
+}
+
+#endif

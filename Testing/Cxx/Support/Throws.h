@@ -1,0 +1,35 @@
+/**
+ * Whether an action throws the exception that it should, with the message that it should.
+ */
+#ifndef Throws_h
+#define Throws_h
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+/**
+ * Success when action() throws an Exception whose message contains the words. Any other exception
+ * passes through, and fails the test.
+ */
+template <class Exception, class Action>
+testing::AssertionResult Throws(Action action, const std::string& words)
+{
+  try
+  {
+    action();
+  }
+  catch (const Exception& error)
+  {
+    const std::string message = error.what();
+    if (message.find(words) != std::string::npos)
+    {
+      return testing::AssertionSuccess() << "thrown: \"" << message << "\"";
+    }
+    return testing::AssertionFailure()
+      << "thrown: \"" << message << "\", expected \"" << words << "\"";
+  }
+  return testing::AssertionFailure() << "nothing thrown, expected \"" << words << "\"";
+}
+
+#endif

@@ -1,0 +1,165 @@
+// A simulation that is still running: its time steps come one by one, and none comes again.
+
+#include "Support/GrainTools.h"
+#include "Support/MessageCapture.h"
+#include "Support/PipelineTools.h"
+#include "Support/PriorAccess.h"
+
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+using namespace activesurface;
+
+namespace
+{
+
+const std::vector<double> AllSteps = { 0.5, 1.0, 2.0, 2.5, 4.0, 4.25 };
+
+// Two balls that part, and a third that is born at 2.
+std::vector<Particle> Part(double time)
+{
+  std::vector<Particle> particles = { { 0.1 * time, 0.0, 0.0, 1 }, { -0.1 * time, 0.0, 0.0, 2 } };
+  if (time >= 2.0)
+  {
+    particles.push_back({ 0.0, 0.2, 0.0, 3 });
+  }
+  return particles;
+}
+
+vtkSmartPointer<ParticleSource> MakeRunning(const std::vector<double>& steps)
+{
+  auto source = vtkSmartPointer<ParticleSource>::New();
+  source->SetCloud(Part);
+  source->SetSteps(steps);
+  return source;
+}
+
+vtkSmartPointer<vtkActiveImplicitSurface> MakeWatcher(ParticleSource* source)
+{
+  auto filter = MakeSkinOver(source);
+  filter->SetStartTime(AllSteps.front());
+  filter->ComputeVelocityOn();
+  return filter;
+}
+
+std::string GetAllBytes(vtkActiveImplicitSurface* filter)
+{
+  return GetBytes(filter) + GetArrayBytes(filter);
+}
+
+// What a run over a finished simulation gives at each step.
+std::vector<std::string> RunAfterwards()
+{
+  auto source = MakeRunning(AllSteps);
+  auto filter = MakeWatcher(source);
+  std::vector<std::string> skins;
+  for (const double time : AllSteps)
+  {
+    filter->UpdateTimeStep(time);
+    skins.push_back(GetAllBytes(filter));
+  }
+  return skins;
+}
+
+// The list of time steps grows, and with it the source is modified; the newest step is asked for.
+TEST(TestInSitu, GrowingStepsGiveTheSameSkins)
+{
+  const std::vector<std::string> expected = RunAfterwards();
+  auto source = MakeRunning({ AllSteps.front() });
+  auto filter = MakeWatcher(source);
+  for (std::size_t i = 0; i < AllSteps.size(); ++i)
+  {
+    source->SetSteps({ AllSteps.begin(), AllSteps.begin() + i + 1 });
+    filter->UpdateTimeStep(AllSteps[i]);
+    EXPECT_TRUE(GetAllBytes(filter) == expected[i]) << "at " << AllSteps[i];
+  }
+  EXPECT_EQ(source->GetExecutions(), std::string("0.5 1 2 2.5 4 4.25 ")) << "times asked for";
+  EXPECT_EQ(filter->GetHistory()->GetNumberOfRows(), vtkIdType(AllSteps.size())) << "rows";
+  EXPECT_EQ(filter->GetHistory()->GetValueByName(0, "Time").ToDouble(), 0.5) << "first of them";
+}
+
+// What has been there before is as it was, also between steps.
+TEST(TestInSitu, GrowingStepsKeepThePast)
+{
+  auto finished = MakeRunning(AllSteps);
+  auto afterwards = MakeWatcher(finished);
+  afterwards->UpdateTimeStep(1.5);
+  const std::string expected = GetAllBytes(afterwards);
+  auto source = MakeRunning({ 0.5, 1.0, 2.0 });
+  auto filter = MakeWatcher(source);
+  filter->SetCheckpointInterval(1);
+  filter->UpdateTimeStep(2.0);
+  source->SetSteps(AllSteps);
+  filter->ResetCounters();
+  filter->UpdateTimeStep(2.0);
+  EXPECT_EQ(filter->GetSubsteps(), vtkIdType(0)) << "substeps because of new steps";
+  filter->UpdateTimeStep(1.5);
+  EXPECT_TRUE(GetAllBytes(filter) == expected) << "between two old steps";
+}
+
+// Not grown at its end alone: that is another input.
+TEST(TestInSitu, OtherStepsStartAnew)
+{
+  auto source = MakeRunning({ 0.5, 1.0, 2.0 });
+  auto filter = MakeWatcher(source);
+  filter->UpdateTimeStep(2.0);
+  filter->ResetCounters();
+  source->SetSteps({ 0.5, 1.5, 2.0, 2.5 });
+  filter->UpdateTimeStep(2.0);
+  auto fresh = MakeWatcher(MakeRunning({ 0.5, 1.5, 2.0, 2.5 }));
+  fresh->UpdateTimeStep(2.0);
+  EXPECT_GT(double(filter->GetSubsteps()), 0.0) << "substeps of the new start";
+  EXPECT_TRUE(GetAllBytes(filter) == GetAllBytes(fresh)) << "the same as a new filter";
+}
+
+// A single step stands still, on the filter's own clock; when it has gone on along that, the next
+// step of the input is a new start.
+TEST(TestInSitu, AStillInputThatBeginsToMoveStartsAnewIfTheSkinHasMoved)
+{
+  auto source = MakeRunning({ 0.5 });
+  auto filter = MakeWatcher(source);
+  filter->UpdateTimeStep(0.9);
+  source->SetSteps({ 0.5, 1.0 });
+  filter->UpdateTimeStep(1.0);
+  EXPECT_TRUE(GetAllBytes(filter) == RunAfterwards()[1]) << "the skin of a finished simulation";
+}
+
+// The other way, of VTK 9.4 and later. No time is asked for twice, whatever the user does.
+TEST(TestInSitu, NoPriorAccessIsObeyed)
+{
+  auto source = MakeRunning({});
+  source->SetContinuous(true);
+  if (!ForbidPriorAccess(source))
+  {
+    EXPECT_FALSE(IsPriorAccessKnown()) << "skipped: this VTK knows no NO_PRIOR_TEMPORAL_ACCESS";
+    return;
+  }
+  const std::vector<std::string> expected = RunAfterwards();
+  auto filter = MakeWatcher(source);
+  filter->SetCheckpointInterval(2);
+  MessageCapture messages(filter);
+  for (std::size_t i = 0; i < AllSteps.size(); ++i)
+  {
+    filter->UpdateTimeStep(AllSteps[i]);
+    EXPECT_TRUE(GetAllBytes(filter) == expected[i]) << "at " << AllSteps[i];
+    if (i == 3)
+    {
+      filter->UpdateTimeStep(AllSteps[2]);
+      EXPECT_TRUE(GetAllBytes(filter) == expected[2]) << "back to a checkpoint";
+      filter->UpdateTimeStep(AllSteps[1]);
+      EXPECT_EQ(MessageCapture::Count(messages.Errors, "cannot be had again"), 1) << "errors";
+      EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(0)) << "points then";
+    }
+  }
+  EXPECT_EQ(source->GetExecutions(), std::string("0.5 1 2 2.5 4 4.25 ")) << "times asked for";
+  ForbidPriorAccess(source);
+  filter->UpdateTimeStep(AllSteps[0]);
+  EXPECT_TRUE(GetAllBytes(filter) == expected[0]) << "begun again";
+}
+
+}

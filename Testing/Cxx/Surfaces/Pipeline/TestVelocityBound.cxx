@@ -1,0 +1,206 @@
+// How long the vectors of "Velocity" may be: MaximumVelocity, and what it is by itself.
+
+#include "Support/GrainTools.h"
+#include "Support/PipelineTools.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+using namespace activesurface;
+
+namespace
+{
+
+constexpr double Voxel = 0.03;
+constexpr double Unbounded = 1e30;
+
+using Cloud = std::function<std::vector<Grain>(double time)>;
+
+vtkSmartPointer<vtkActiveImplicitSurface> MakeMovingSkin(const Cloud& cloud, double maximum)
+{
+  auto filter = MakeSkinOver(MakeSource(
+    [cloud](double time) { return MakeCloud(cloud(time)); }, { 0.0, 1.0, 2.0, 3.0, 4.0 }));
+  filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
+  filter->SetVoxelSize(Voxel);
+  filter->ComputeVelocityOn();
+  filter->SetMaximumVelocity(maximum);
+  return filter;
+}
+
+// Two grains of which the first stands still and the other comes from the right at .1. They touch
+// at time 2 or so.
+std::vector<Grain> Meeting(double time)
+{
+  return { { -0.2, 0.0, 0.0, 1, 0.0 }, { 0.25 - 0.1 * time, 0.0, 0.0, 2, 0.0 } };
+}
+constexpr double MeetingSpeed = 0.1;
+
+std::vector<Grain> Translation(double time)
+{
+  return { { 0.2 * time - 0.4, 0.0, 0.0, 1, 0.0 } };
+}
+
+double GetLength(const double v[3])
+{
+  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+vtkDataArray* GetVelocity(vtkActiveImplicitSurface* filter)
+{
+  return filter->GetOutput()->GetPointData()->GetArray("Velocity");
+}
+
+double FindLargest(vtkActiveImplicitSurface* filter, double time)
+{
+  filter->UpdateTimeStep(time);
+  double largest = 0.0;
+  for (vtkIdType v = 0; v < GetVelocity(filter)->GetNumberOfTuples(); ++v)
+  {
+    largest = std::max(largest, GetLength(GetVelocity(filter)->GetTuple3(v)));
+  }
+  return largest;
+}
+
+// Vectors in single precision.
+constexpr double Rounding = 1e-6;
+
+TEST(TestVelocityBound, PartsThatMergeGoNoFasterThanTheirParticles)
+{
+  auto bounded = MakeMovingSkin(Meeting, 0.0);
+  auto unbounded = MakeMovingSkin(Meeting, Unbounded);
+  double largest = 0.0;
+  for (double time = 0.25; time <= 4.0; time += 0.25)
+  {
+    EXPECT_LT(FindLargest(bounded, time), MeetingSpeed * (1.0 + Rounding))
+      << "largest velocity at " << time;
+    largest = std::max(largest, FindLargest(unbounded, time));
+  }
+  EXPECT_LT(2.0 * MeetingSpeed, largest) << "largest one without a bound, on the way";
+}
+
+// In their direction; shorter ones are what they were, to the bit.
+TEST(TestVelocityBound, OnlyLongVectorsAreShortened)
+{
+  auto bounded = MakeMovingSkin(Meeting, 0.5 * MeetingSpeed);
+  auto unbounded = MakeMovingSkin(Meeting, Unbounded);
+  EXPECT_LT(FindLargest(bounded, 2.5), 0.5 * MeetingSpeed * (1.0 + Rounding)) << "largest velocity";
+  unbounded->UpdateTimeStep(2.5);
+  int shortened = 0, kept = 0;
+  for (vtkIdType v = 0; v < GetVelocity(bounded)->GetNumberOfTuples(); ++v)
+  {
+    double now[3], before[3];
+    GetVelocity(bounded)->GetTuple(v, now);
+    GetVelocity(unbounded)->GetTuple(v, before);
+    const bool isLong = GetLength(before) > 0.5 * MeetingSpeed;
+    const double scale = isLong ? 0.5 * MeetingSpeed / GetLength(before) : 1.0;
+    double off = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      off = std::max(off, std::fabs(now[axis] - scale * before[axis]));
+    }
+    EXPECT_LT(off, isLong ? Rounding : 1e-300) << "difference from the vector, shortened";
+    ++(isLong ? shortened : kept);
+  }
+  EXPECT_LT(10, shortened) << "vectors that are too long";
+  EXPECT_LT(10, kept) << "others";
+}
+
+// A skin follows a ball with a lag that is right to .12 voxel (README of NarrowBand), and so its
+// speed to that times Attraction: by so much it may be over the bound at its front.
+TEST(TestVelocityBound, ATranslationIsNotShortened)
+{
+  constexpr double attraction = 10.0;
+  for (const bool tangential : { false, true })
+  {
+    auto bounded = MakeMovingSkin(Translation, 0.0);
+    auto unbounded = MakeMovingSkin(Translation, Unbounded);
+    bounded->SetTangentialVelocity(tangential);
+    unbounded->SetTangentialVelocity(tangential);
+    bounded->UpdateTimeStep(2.5);
+    unbounded->UpdateTimeStep(2.5);
+    double off = 0.0;
+    for (vtkIdType v = 0; v < GetVelocity(bounded)->GetNumberOfTuples(); ++v)
+    {
+      double difference[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        difference[axis] = GetVelocity(bounded)->GetComponent(v, axis) -
+          GetVelocity(unbounded)->GetComponent(v, axis);
+      }
+      off = std::max(off, GetLength(difference));
+    }
+    EXPECT_LT(off, 0.12 * Voxel * attraction) << "largest difference";
+    EXPECT_LT(0.19, FindLargest(bounded, 2.5)) << "largest velocity, .2";
+  }
+}
+
+TEST(TestVelocityBound, TheBoundIsPerMotionTime)
+{
+  auto filter = MakeMovingSkin(Meeting, 0.0);
+  filter->SetTimeScale(0.1);
+  double largest = 0.0;
+  for (double time = 1.0; time <= 4.0; time += 0.5)
+  {
+    largest = std::max(largest, FindLargest(filter, time));
+  }
+  EXPECT_NEAR(largest / MeetingSpeed, 10.0, 10.0 * Rounding)
+    << "largest velocity, ten times as fast";
+}
+
+// Particles that grow, or stand still, and functions.
+TEST(TestVelocityBound, WhatGrowsOrStandsStillIsNotBoundToStand)
+{
+  const Cloud still = [](double) { return Meeting(2.5); };
+  auto standing = MakeMovingSkin(still, 0.0);
+  standing->SetInitialFunction(MakeBallFunction(0.9));
+  EXPECT_LT(MeetingSpeed, FindLargest(standing, 0.25))
+    << "a skin on its way to particles that stand still";
+  auto direct = MakeMovingSkin(still, Unbounded);
+  direct->SetInitialFunction(MakeBallFunction(0.9));
+  direct->UpdateTimeStep(0.25);
+  EXPECT_TRUE(GetArrayBytes(standing) == GetArrayBytes(direct))
+    << "its bytes are those without a bound";
+  auto ball = MakeShrinkingBall();
+  ball->ComputeVelocityOn();
+  const double largest = FindLargest(ball, 0.2);
+  EXPECT_LT(0.05, largest) << "a skin on its way to a function";
+  ball->ResetCounters();
+  ball->SetMaximumVelocity(0.5 * largest);
+  EXPECT_NEAR(FindLargest(ball, 0.2), 0.5 * largest, Rounding) << "with a bound";
+  EXPECT_EQ(ball->GetSubsteps(), vtkIdType(0)) << "substeps for it";
+}
+
+TEST(TestVelocityBound, TheBoundDoesNotDependOnTheOrderOfRequests)
+{
+  auto straight = MakeMovingSkin(Meeting, 0.0);
+  auto back = MakeMovingSkin(Meeting, 0.0);
+  back->SetCheckpointInterval(1);
+  back->UpdateTimeStep(4.0);
+  for (const double time : { 3.0, 2.5, 2.0, 1.0, 0.0, 2.0 })
+  {
+    straight = MakeMovingSkin(Meeting, 0.0);
+    straight->UpdateTimeStep(time);
+    back->UpdateTimeStep(time);
+    EXPECT_TRUE(GetArrayBytes(straight) == GetArrayBytes(back)) << "bytes at " << time;
+  }
+}
+
+TEST(TestVelocityBound, ABoundThatIsNoNumberIsRefused)
+{
+  auto filter = MakeMovingSkin(Meeting, std::nan(""));
+  Messages messages(filter);
+  filter->UpdateTimeStep(1.0);
+  EXPECT_EQ(Messages::Count(messages.Errors, "MaximumVelocity has to be"), 1) << "errors";
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(0)) << "points";
+}
+
+}

@@ -1,0 +1,84 @@
+// What an exact control tells of a target that it cannot follow, and that it tells it of no other.
+
+#include "Support/PipelineTools.h"
+
+#include "vtkNew.h"
+#include "vtkSphere.h"
+
+#include <gtest/gtest.h>
+
+using namespace activesurface;
+
+namespace
+{
+
+constexpr const char* Words = "Does the target meet the initial shape?";
+
+vtkSmartPointer<vtkSphere> MakeSphere(double x, double radius)
+{
+  auto sphere = vtkSmartPointer<vtkSphere>::New();
+  sphere->SetCenter(x, 0.0, 0.0);
+  sphere->SetRadius(radius);
+  return sphere;
+}
+
+vtkSmartPointer<vtkActiveImplicitSurface> MakeHeld(vtkSphere* start, vtkSphere* target)
+{
+  auto filter = MakeShrinkingBall();
+  filter->SetInitialFunction(start);
+  filter->SetTargetFunction(target);
+  filter->SetTargetReach(0.2);
+  filter->SetAttraction(5.0);
+  filter->SetVolumeControlToExact();
+  return filter;
+}
+
+int CountWarnings(vtkActiveImplicitSurface* filter)
+{
+  Messages messages(filter);
+  for (const double time : { 0.1, 0.2, 0.5, 1.0 })
+  {
+    filter->UpdateTimeStep(time);
+  }
+  return Messages::Count(messages.Warnings, Words);
+}
+
+}
+
+TEST(TestExactWarnings, ATargetOutsideIsAWarning)
+{
+  const auto start = MakeSphere(-0.5, 0.3), away = MakeSphere(0.6, 0.3);
+  auto volume = MakeHeld(start, away);
+  EXPECT_EQ(CountWarnings(volume), 1) << "warnings in all, with the volume held";
+  EXPECT_LT(GetSkinBounds(volume)[1], 0.0) << "where the skin still is";
+  auto area = MakeHeld(start, away);
+  area->SetVolumeControlToNone();
+  area->SetAreaControlToExact();
+  EXPECT_EQ(CountWarnings(area), 1) << "warnings in all, with the area held";
+}
+
+// What is met, or only just within reach at one side, is followed; a skin at rest rests.
+TEST(TestExactWarnings, ATargetThatIsMetIsNoWarning)
+{
+  const auto ball = MakeSphere(0.0, 0.4);
+  EXPECT_EQ(CountWarnings(MakeHeld(ball, ball)), 0) << "warnings, at rest on the target";
+  EXPECT_EQ(CountWarnings(MakeHeld(ball, MakeSphere(0.0, 0.3))), 0) << "inside, within reach";
+  EXPECT_EQ(CountWarnings(MakeHeld(ball, MakeSphere(0.0, 0.7))), 0) << "inside the target";
+  EXPECT_EQ(CountWarnings(MakeHeld(ball, MakeSphere(0.2, 0.4))), 0) << "on the way aside";
+  EXPECT_EQ(CountWarnings(MakeHeld(MakeSphere(-0.4, 0.3), MakeSphere(0.3, 0.3))), 0)
+    << "nearly in touch";
+}
+
+TEST(TestExactWarnings, ATranslationIsNoWarning)
+{
+  auto source = MakeMovingBall();
+  auto filter = MakeSkinOver(source);
+  filter->SetVolumeControlToExact();
+  Messages messages(filter);
+  for (const double time : { 1.0, 2.0, 3.0, 4.0 })
+  {
+    filter->UpdateTimeStep(time);
+  }
+  EXPECT_EQ(Messages::Count(messages.Warnings, Words), 0) << "warnings";
+  EXPECT_LT(0.6, GetSkinBounds(filter)[0]) << "where the skin has got to, .8 at its middle";
+}

@@ -1,0 +1,199 @@
+// The shape that the skin starts with, from input port 1.
+
+#include "Support/MessageCapture.h"
+#include "Support/PipelineTools.h"
+#include "Support/ShapeSource.h"
+
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSphere.h"
+#include "vtkSphereSource.h"
+#include "vtkTrivialProducer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+using namespace activesurface;
+
+namespace
+{
+
+constexpr double VoxelSize = 0.0625;
+
+// The mesh is .0016 r inside the ball, .02 h; interpolation is off by .04 h, chords by .01 h.
+constexpr double Tolerance = 0.08 * VoxelSize;
+
+// As MakeShrinkingBall, but that the start comes through port 1.
+vtkSmartPointer<vtkActiveImplicitSurface> MakeShrinking(vtkAlgorithm* start)
+{
+  auto filter = MakeShrinkingBall();
+  filter->SetInitialFunction(nullptr);
+  filter->SetInputConnection(1, start->GetOutputPort());
+  return filter;
+}
+
+vtkSmartPointer<ShapeSource> MakeMeshSource(double radius)
+{
+  return MakeSource([radius](double) { return MakeBallMesh(radius); });
+}
+
+void Refuses(vtkAlgorithm* start, const std::string& words)
+{
+  auto filter = MakeShrinking(start);
+  MessageCapture messages(filter);
+  filter->UpdateTimeStep(0.2);
+  EXPECT_EQ(MessageCapture::Count(messages.Errors, words), 1) << "errors with \"" << words << "\"";
+  vtkPolyData* skin = filter->GetOutput(); // none where an input is composite
+  EXPECT_EQ(skin ? skin->GetNumberOfPoints() : 0, 0) << "points";
+}
+
+}
+
+TEST(TestInitial, MeshIsLikeTheFunction)
+{
+  auto function = MakeShrinkingBall();
+  auto filter = MakeShrinking(MakeMeshSource(0.6));
+  MessageCapture messages(filter);
+  filter->UpdateTimeStep(0.0);
+  CheckBall(filter, 0.6, Tolerance, "at the start");
+  filter->UpdateTimeStep(0.5);
+  function->UpdateTimeStep(0.5);
+  CheckBall(filter, GetRadii(function).Least, Tolerance, "later");
+  EXPECT_EQ(messages.CountAll(), 0u) << "messages";
+}
+
+// Inside is where TargetIsoValue and InvertTarget say, for an image; they are the target's too.
+TEST(TestInitial, ImageIsLikeTheFunction)
+{
+  auto filter = MakeShrinking(MakeSource([](double) { return MakeBallImage(0.6); }));
+  filter->UpdateTimeStep(0.0);
+  CheckBall(filter, 0.6, Tolerance, "at the start");
+  filter->SetTargetIsoValue(0.13);
+  filter->UpdateTimeStep(0.0);
+  CheckBall(filter, 0.7, Tolerance, "at a level");
+  const auto negative = [](double)
+  {
+    vtkSmartPointer<vtkImageData> image = MakeBallImage(0.6);
+    vtkDataArray* values = image->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      values->SetTuple1(i, -values->GetTuple1(i));
+    }
+    return image;
+  };
+  filter = MakeShrinking(MakeSource(negative));
+  filter->InvertTargetOn();
+  filter->UpdateTimeStep(0.0);
+  CheckBall(filter, 0.6, Tolerance, "inverted");
+}
+
+TEST(TestInitial, OpenMeshIsAWarningOrAShell)
+{
+  vtkNew<vtkSphereSource> bowl;
+  bowl->SetThetaResolution(64);
+  bowl->SetPhiResolution(32);
+  bowl->SetEndPhi(90.0);
+  auto filter = MakeShrinking(bowl);
+  MessageCapture messages(filter);
+  filter->UpdateTimeStep(0.0);
+  filter->UpdateTimeStep(0.2);
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "port 1, Initial: The mesh"), 1) << "warnings";
+  filter->SetMeshThickness(0.2);
+  filter->UpdateTimeStep(0.0);
+  EXPECT_NEAR(GetRadii(filter).Largest, 0.6, Tolerance) << "outer radius of the shell";
+}
+
+TEST(TestInitial, BothAreAnError)
+{
+  auto filter = MakeShrinkingBall();
+  filter->SetInputConnection(1, MakeMeshSource(0.6)->GetOutputPort());
+  MessageCapture messages(filter);
+  filter->Update();
+  EXPECT_EQ(MessageCapture::Count(messages.Errors, "There are two initial shapes"), 1) << "errors";
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << "points";
+  filter->SetInitialFunction(nullptr);
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPolys(), 0) << "triangles with one";
+}
+
+TEST(TestInitial, WhatIsNoShapeIsAnError)
+{
+  Refuses(MakeSource([](double) { return vtkSmartPointer<vtkPolyData>::New(); }),
+    "port 1, Initial, is empty");
+  Refuses(MakeSource([](double) { return MakeLines(); }),
+    "port 1, Initial, is a skeleton of lines, which is no initial shape");
+  Refuses(MakeSource(
+            [](double)
+            {
+              vtkNew<vtkImageData> image;
+              image->SetDimensions(4, 4, 4);
+              return vtkSmartPointer<vtkDataSet>(image);
+            }),
+    "image of input port 1 has no active point scalars");
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeBallMesh(0.6));
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(blocks);
+  Refuses(producer, "port 1 is a composite data set");
+}
+
+TEST(TestInitial, ChangeOfTheInputRestarts)
+{
+  auto source = MakeMeshSource(0.6);
+  auto filter = MakeShrinking(source);
+  filter->UpdateTimeStep(0.3);
+  filter->ResetCounters();
+  filter->UpdateTimeStep(0.4);
+  const auto oneStep = filter->GetTargetEvaluations();
+  EXPECT_GT(oneStep, 0) << "evaluations";
+  EXPECT_EQ(source->Executions.size(), 1u) << "executions";
+  source->SetShape([](double) { return MakeBallMesh(0.7); });
+  filter->ResetCounters();
+  filter->UpdateTimeStep(0.5);
+  EXPECT_LT(2 * oneStep, filter->GetTargetEvaluations()) << "evaluations from the start again";
+  EXPECT_TRUE(AreSameSkins(GetBytes(filter), GetBytesAt(MakeShrinking(MakeMeshSource(0.7)), 0.5)))
+    << "the same bytes";
+}
+
+// An earlier time starts anew on the shape that is held.
+TEST(TestInitial, InputIsAskedForItsFirstStepOnly)
+{
+  auto source = MakeSource([](double t) { return MakeBallMesh(0.6 + 0.01 * t); }, { 3, 4, 5 });
+  auto filter = MakeShrinking(source);
+  filter->UpdateTimeStep(0.4);
+  filter->UpdateTimeStep(0.0);
+  CheckBall(filter, 0.63, Tolerance, "at the start");
+  EXPECT_EQ(source->GetExecutions(), "3 ") << "times asked for";
+}
+
+TEST(TestInitial, OneSourceMayBeBoth)
+{
+  auto source = MakeSource([](double t) { return MakeBallMesh(0.5, 0.1 * t); }, { 0, 1, 2 });
+  auto both = MakeShrinking(source);
+  both->SetTargetFunction(nullptr);
+  both->SetInputConnection(0, source->GetOutputPort());
+  both->UpdateTimeStep(1.0);
+  both->UpdateTimeStep(2.0);
+  EXPECT_EQ(source->GetExecutions(), "0 1 2 ") << "times asked for";
+  // It goes .1 per unit of time and lags behind by .1 (1 - e^-2).
+  const auto bounds = GetSkinBounds(both);
+  const double centre = 0.5 * (bounds[0] + bounds[1]);
+  EXPECT_NEAR(centre, 0.2 - 0.1 * (1.0 - std::exp(-2.0)), 0.5 * VoxelSize) << "centre";
+}
+
+// Of a mesh with .6 and a quarter of its width more: 1.5 * .6.
+TEST(TestInitial, BoundsComeFromTheInput)
+{
+  auto filter = MakeShrinking(MakeMeshSource(0.6));
+  filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
+  filter->SetVoxelSize(0.0);
+  filter->OutputPotentialOn();
+  filter->Update();
+  EXPECT_NEAR(filter->GetPotential()->GetSpacing()[0], 1.5 / 64.0, 1e-9) << "voxel size";
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPolys(), 0) << "triangles";
+}

@@ -1,0 +1,251 @@
+// The velocity of the skin through the filter: along its normal against finite differences of the
+// skin itself, along the surface against that of the particles.
+
+#include "Support/GrainTools.h"
+#include "Support/MessageCapture.h"
+#include "Support/PipelineTools.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkImplicitPolyDataDistance.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+using namespace activesurface;
+
+namespace
+{
+
+using Cloud = std::function<std::vector<Grain>(double time)>;
+constexpr double Voxel = 0.02;
+
+vtkSmartPointer<vtkActiveImplicitSurface> MakeMovingSkin(const Cloud& cloud)
+{
+  auto filter = MakeSkinOver(MakeSource(
+    [cloud](double time) { return MakeCloud(cloud(time)); }, { 0.0, 1.0, 2.0, 3.0, 4.0 }));
+  filter->SetVoxelSize(Voxel);
+  filter->SetModelBounds(-1.5, 1.5, -1.0, 1.0, -1.0, 1.0);
+  filter->ComputeVelocityOn();
+  return filter;
+}
+
+struct Comparison
+{
+  double Error = 0.0; // mean of |emitted - difference|, over the mean speed
+  double Speed = 0.0; // mean
+  std::size_t Points = 0;
+};
+
+// The central difference over +-interval of the distance to the skin, a function of place, at the
+// points of the skin. Where two surfaces meet there is none: points within two voxels of the plane
+// x = 0 are left out if the skin is torn there.
+Comparison Compare(vtkActiveImplicitSurface* filter, double time, double interval, bool tears)
+{
+  filter->UpdateTimeStep(time);
+  vtkNew<vtkPolyData> skin;
+  skin->DeepCopy(filter->GetOutput());
+  vtkDataArray* velocity = skin->GetPointData()->GetArray("Velocity");
+  vtkDataArray* normals = skin->GetPointData()->GetArray("Normals");
+  const auto distancesAt = [&](double t)
+  {
+    filter->UpdateTimeStep(t);
+    vtkNew<vtkImplicitPolyDataDistance> distance;
+    distance->SetInput(filter->GetOutput());
+    std::vector<double> distances;
+    for (vtkIdType v = 0; v < skin->GetNumberOfPoints(); ++v)
+    {
+      distances.push_back(distance->FunctionValue(skin->GetPoint(v)));
+    }
+    return distances;
+  };
+  const std::vector<double> before = distancesAt(time - interval);
+  const std::vector<double> after = distancesAt(time + interval);
+  Comparison comparison;
+  for (vtkIdType v = 0; v < skin->GetNumberOfPoints(); ++v)
+  {
+    if (tears && std::fabs(skin->GetPoint(v)[0]) < 2.0 * Voxel)
+    {
+      continue;
+    }
+    double speed = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      speed += velocity->GetComponent(v, axis) * normals->GetComponent(v, axis);
+    }
+    const double difference = (before[v] - after[v]) / (2.0 * interval);
+    comparison.Error += std::fabs(speed - difference);
+    comparison.Speed += std::fabs(difference);
+    ++comparison.Points;
+  }
+  comparison.Error /= comparison.Speed;
+  comparison.Speed /= double(comparison.Points);
+  return comparison;
+}
+
+int CountParts(vtkActiveImplicitSurface* filter, double time)
+{
+  filter->UpdateTimeStep(time);
+  const vtkIdType last = filter->GetHistory()->GetNumberOfRows() - 1;
+  return filter->GetHistory()->GetValueByName(last, "Components").ToInt();
+}
+
+// Chords of the skin's triangles are off by h^2 / (8 r), .0003 here, and the skin goes .01 to .02
+// over the interval: so much of a difference is the measurement's.
+TEST(TestVelocity, VelocityOfATranslatingSkinIsItsDifference)
+{
+  auto filter = MakeMovingSkin(
+    [](double time) {
+      return std::vector<Grain>{ { 0.2 * time - 0.4, 0.0, 0.0, 1, 0.0 } };
+    });
+  const Comparison comparison = Compare(filter, 2.5, 0.1, false);
+  EXPECT_GT(comparison.Speed, 0.05) << "mean speed, .1 on a ball that goes at .2";
+  EXPECT_LT(comparison.Error, 0.05) << "mean error of it";
+}
+
+TEST(TestVelocity, VelocityOfAGrowingSkinIsItsDifference)
+{
+  // Six grains that part while they are one body.
+  auto filter = MakeMovingSkin(
+    [](double time)
+    {
+      const double d = 0.1 * time;
+      return std::vector<Grain>{ { -d, 0.0, 0.0, 1, 0.0 }, { d, 0.0, 0.0, 2, 0.0 },
+        { 0.0, -d, 0.0, 3, 0.0 }, { 0.0, d, 0.0, 4, 0.0 }, { 0.0, 0.0, -d, 5, 0.0 },
+        { 0.0, 0.0, d, 6, 0.0 } };
+    });
+  filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
+  filter->SetParticleRadius(0.6);
+  const Comparison comparison = Compare(filter, 2.5, 0.5, false);
+  EXPECT_GT(comparison.Speed, 0.005) << "mean speed";
+  EXPECT_LT(comparison.Error, 0.05) << "mean error of it";
+}
+
+// Before, and after the split.
+TEST(TestVelocity, VelocityOfASplittingSkinIsItsDifference)
+{
+  auto filter = MakeMovingSkin(
+    [](double time)
+    {
+      const double d = 0.06 + 0.1 * time;
+      return std::vector<Grain>{ { -d, 0.0, 0.0, 1, 0.0 }, { d, 0.0, 0.0, 2, 0.0 } };
+    });
+  filter->SetMaximumVelocity(1e30); // the ends of a torn neck outrun the particles
+  EXPECT_EQ(CountParts(filter, 1.0), 1) << "parts at first";
+  EXPECT_EQ(CountParts(filter, 2.0), 2) << "parts in the end";
+  for (const double time : { 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 3.25 })
+  {
+    const Comparison comparison = Compare(filter, time, 0.2, true);
+    EXPECT_GT(comparison.Speed, 0.01) << "mean speed at " << time;
+    EXPECT_LT(comparison.Error, 0.05) << "mean error of it";
+  }
+}
+
+// Largest difference between the velocity, but for what is along the normal, and a vector's.
+double CompareDrift(vtkActiveImplicitSurface* filter, const std::array<double, 3>& expected)
+{
+  vtkPointData* arrays = filter->GetOutput()->GetPointData();
+  double worst = 0.0;
+  for (vtkIdType v = 0; v < filter->GetOutput()->GetNumberOfPoints(); ++v)
+  {
+    double difference[3], along = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      difference[axis] = arrays->GetArray("Velocity")->GetComponent(v, axis) - expected[axis];
+      along += difference[axis] * arrays->GetArray("Normals")->GetComponent(v, axis);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double normal = arrays->GetArray("Normals")->GetComponent(v, axis);
+      worst = std::max(worst, std::fabs(difference[axis] - along * normal));
+    }
+  }
+  return worst;
+}
+
+// All particles go alike, so does their average; floats of size .2 are good to 2e-8, their products
+// with unit normals to a few times that.
+TEST(TestVelocity, DriftIsThatOfTheParticles)
+{
+  auto filter = MakeMovingSkin([](double time) { return MakeBlob(0.2 * time - 0.4); });
+  filter->TangentialVelocityOn();
+  for (const double time : { 0.0, 0.5, 1.0, 3.5, 4.0 })
+  {
+    filter->UpdateTimeStep(time);
+    EXPECT_LT(CompareDrift(filter, { 0.2, 0.0, 0.0 }), 2e-7) << "drift at " << time;
+  }
+  filter->TangentialVelocityOff();
+  filter->UpdateTimeStep(3.5);
+  EXPECT_LT(CompareDrift(filter, { 0.0, 0.0, 0.0 }), 1e-7) << "none when it is not wanted";
+}
+
+// In a unit of motion time, as the velocity along the normal.
+TEST(TestVelocity, DriftIsPerMotionTime)
+{
+  auto filter = MakeMovingSkin([](double time) { return MakeBlob(0.2 * time - 0.4); });
+  filter->TangentialVelocityOn();
+  filter->SetTimeScale(0.1);
+  filter->UpdateTimeStep(2.0);
+  EXPECT_LT(CompareDrift(filter, { 2.0, 0.0, 0.0 }), 2e-6) << "ten times as fast";
+}
+
+// The particles stand still, but their array tells of a flow; those deep inside know nothing of it.
+TEST(TestVelocity, DriftComesFromTheChosenArray)
+{
+  auto source = MakeSource(
+    [](double)
+    {
+      auto cloud = MakeCloud(MakeBlob(0.0));
+      vtkNew<vtkDoubleArray> flow;
+      flow->SetName("flow");
+      flow->SetNumberOfComponents(3);
+      for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+      {
+        const double* x = cloud->GetPoint(i);
+        const bool isDeep = std::hypot(x[0], x[1], x[2]) < 0.2;
+        flow->InsertNextTuple3(isDeep ? std::nan("") : 0.0, 0.5, 0.25);
+      }
+      cloud->GetPointData()->AddArray(flow);
+      return cloud;
+    });
+  auto filter = MakeSkinOver(source);
+  filter->ComputeVelocityOn();
+  filter->TangentialVelocityOn();
+  filter->Update();
+  EXPECT_LT(CompareDrift(filter, { 0.0, 0.0, 0.0 }), 1e-7) << "without the array";
+  filter->ResetCounters();
+  filter->SetInputArrayToProcess(5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "flow");
+  filter->Update();
+  EXPECT_LT(CompareDrift(filter, { 0.0, 0.5, 0.25 }), 1e-6) << "with it";
+  EXPECT_EQ(filter->GetSubsteps(), vtkIdType(0)) << "substeps for it";
+}
+
+TEST(TestVelocity, AnArrayThatIsNoVelocityIsRefused)
+{
+  auto filter = MakeMovingSkin([](double time) { return MakeBlob(0.1 * time); });
+  MessageCapture messages(filter);
+  filter->TangentialVelocityOn();
+  filter->SetInputArrayToProcess(5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "temperature");
+  filter->UpdateTimeStep(1.0);
+  EXPECT_EQ(MessageCapture::Count(messages.Errors, "three numbers"), 1)
+    << "errors of one component";
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(0)) << "points";
+  messages.Errors.clear();
+  filter->SetInputArrayToProcess(5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "none such");
+  filter->UpdateTimeStep(1.0);
+  EXPECT_EQ(MessageCapture::Count(messages.Errors, "none such"), 1) << "errors of a missing one";
+  filter->TangentialVelocityOff();
+  filter->UpdateTimeStep(1.0);
+  EXPECT_GT(double(filter->GetOutput()->GetNumberOfPoints()), 100.0) << "points without the wish";
+}
+
+}

@@ -1,4 +1,0 @@
-#include "TestFolders.h"
-
-const char* const TestDataFolder = ACTIVE_TEST_DATA;
-const char* const TestOutputFolder = ACTIVE_TEST_OUTPUT;

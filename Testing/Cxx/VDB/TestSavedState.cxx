@@ -1,0 +1,37 @@
+// The state of a surface as a grid.
+
+#include "Support/AnalyticShapes.h"
+#include "Support/SurfaceMeasures.h"
+#include "Support/Throws.h"
+
+#include "SavedState.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <stdexcept>
+
+using namespace activesurface;
+
+TEST(TestSavedState, StateComesBackAndGoesOnToTheSameBits)
+{
+  const auto band = std::make_shared<NarrowBand>(VoxelSizeOf(32));
+  StartOn(*band, MakeBall(CentreA, 0.4));
+  ShapeTarget target(MakeBall(CentreB, 0.6));
+  band->Advance(0.1, MakeMotion(1.0, 0.01), target);
+  const SavedState saved = ReadSavedGrid(*MakeSavedGrid({ band, 2.5, "a history" }));
+  EXPECT_EQ(saved.Time, 2.5) << "pipeline time";
+  EXPECT_EQ(saved.History, "a history");
+  EXPECT_EQ(saved.Band->GetTime(), band->GetTime()) << "time of the band";
+  EXPECT_TRUE(AreIdentical(*saved.Band, *band));
+
+  const std::unique_ptr<NarrowBand> copy = NarrowBand::FromGrid(*saved.Band->ToGrid());
+  band->Advance(0.3, MakeMotion(1.0, 0.01), target);
+  copy->Advance(0.3, MakeMotion(1.0, 0.01), target);
+  EXPECT_TRUE(AreIdentical(*copy, *band)) << "later";
+}
+
+TEST(TestSavedState, AnyOtherGridIsRefused)
+{
+  EXPECT_TRUE(Throws<std::runtime_error>([] { ReadSavedGrid(*openvdb::FloatGrid::create()); }, ""));
+}
