@@ -5,6 +5,7 @@
 #include "FrameName.h"
 #include "Grids/VDBContent.h"
 #include "Grids/VDBOutput.h"
+#include "OpenVDB.h"
 #include "TimeSteps.h"
 #include "WholeInput.h"
 

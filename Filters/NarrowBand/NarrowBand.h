@@ -28,10 +28,9 @@
 
 #include "InitialFunction.h"
 #include "Motion.h"
+#include "OpenVDB.h"
 #include "Target.h"
 #include "vtkActiveNarrowBandModule.h"
-
-#include <openvdb/openvdb.h>
 
 #include <cstddef>
 #include <functional>

@@ -3,6 +3,7 @@
 #include "Leaves/CentralGradient.h"
 #include "Leaves/LeafTable.h"
 #include "NarrowBand.h"
+#include "OpenVDB.h"
 #include "SkinDistance.h"
 
 #include <openvdb/tree/ValueAccessor.h>

@@ -2,6 +2,7 @@
 
 #include "Leaves/LeafTable.h"
 #include "NarrowBand.h"
+#include "OpenVDB.h"
 #include "Trilinear.h"
 
 #include <openvdb/tree/ValueAccessor.h>

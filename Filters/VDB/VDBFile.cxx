@@ -1,5 +1,6 @@
 #include "VDBFile.h"
 
+#include "OpenVDB.h"
 #include "Validation/ByteSource.h"
 #include "Validation/OpenVDBCompatibility.h"
 #include "Validation/VDBMetadata.h"

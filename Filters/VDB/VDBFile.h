@@ -9,9 +9,8 @@
 #ifndef VDBFile_h
 #define VDBFile_h
 
+#include "OpenVDB.h"
 #include "vtkActiveVDBModule.h"
-
-#include <openvdb/openvdb.h>
 
 #include <cstdint>
 #include <string>

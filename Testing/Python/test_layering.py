@@ -25,9 +25,9 @@ SOURCES = (".h", ".cxx", ".txx", ".cpp", ".hpp")
 
 # Room: the rooms, and the single files of other rooms, that it may include besides its own. A module's
 # own folder, "NarrowBand" say, is a room as well.
-NUMERICS = ["NarrowBand/InstructionSets", "NarrowBand/Motion", "NarrowBand/Target"]
+NUMERICS = ["NarrowBand/OpenVDB", "NarrowBand/InstructionSets", "NarrowBand/Motion", "NarrowBand/Target"]
 MAY_INCLUDE = {
-    "NarrowBand/Leaves": ["NarrowBand/InstructionSets"],
+    "NarrowBand/Leaves": ["NarrowBand/OpenVDB", "NarrowBand/InstructionSets"],
     "NarrowBand/Substep": [
         *NUMERICS,
         "NarrowBand/Leaves",
@@ -35,9 +35,13 @@ MAY_INCLUDE = {
         "NarrowBand/Trilinear",
         "NarrowBand/Walls",
     ],
-    "NarrowBand/State": ["NarrowBand/Leaves", "NarrowBand/InitialFunction", "NarrowBand/Motion"],
+    "NarrowBand/State": [
+        *NUMERICS,
+        "NarrowBand/Leaves",
+        "NarrowBand/InitialFunction",
+    ],
     "NarrowBand": ["NarrowBand/Leaves", "NarrowBand/Substep", "NarrowBand/State"],
-    "VDB/Validation": [],
+    "VDB/Validation": ["NarrowBand/OpenVDB"],
     "VDB": ["VDB/Validation", "NarrowBand"],
     "Potentials/Skeleton": [
         "Potentials/Skeleton",
@@ -191,6 +195,10 @@ def find_broken_includes(root, path):
             yield include, f"{room_of(unit)} may not include {unit_of(root, own)}"
         elif own and not names_its_room(root, own, include):
             yield include, f"the room is not named: {own.relative_to(root / 'Filters')}"
+        is_wrapped = path.name.startswith("vtk") and path.suffix == ".h"
+        if include.startswith("openvdb/") and unit != "NarrowBand/OpenVDB" and not is_wrapped:
+            if include == "openvdb/openvdb.h" or "OpenVDB.h" not in includes_of(path):
+                yield include, "OpenVDB is included by OpenVDB.h, which makes its templates visible"
         is_vtk = VTK_HEADER.match(include) and not EXPORT_HEADER.search(include)
         if module_of(unit) == "NarrowBand" and is_vtk and not own:
             yield include, "the numerics know no VTK"
@@ -239,10 +247,11 @@ class RulesFindWhatBreaksThem(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
-        self.write("Filters/NarrowBand/NarrowBand.h", "#include <openvdb/openvdb.h>")
+        self.write("Filters/NarrowBand/OpenVDB.h", "#include <openvdb/openvdb.h>")
+        self.write("Filters/NarrowBand/NarrowBand.h", '#include "OpenVDB.h"')
         self.write("Filters/NarrowBand/NarrowBand.cxx", '#include "Leaves/LeafTable.h"')
         self.write("Filters/NarrowBand/Motion.h", '#include "vtkActiveNarrowBandModule.h"')
-        self.write("Filters/NarrowBand/Leaves/LeafTable.h", "#include <openvdb/openvdb.h>")
+        self.write("Filters/NarrowBand/Leaves/LeafTable.h", '#include "OpenVDB.h"')
         self.write("Filters/Potentials/vtkBall.h", '#include "vtkObject.h"')
         self.write("Filters/Surfaces/vtkSkin.h", '#include "vtkObject.h"')
         self.write("Filters/Surfaces/vtkSkin.cxx", '#include "vtkSkin.h"\n#include "vtkBall.h"')
@@ -314,6 +323,10 @@ class RulesFindWhatBreaksThem(unittest.TestCase):
         self.assert_found(
             "Filters/IO/vtkBad.h", '#include "NarrowBand.h"', "openvdb/openvdb.h"
         )
+
+    def test_openvdb_past_the_header_that_makes_it_visible(self):
+        for header in ("openvdb/openvdb.h", "openvdb/tools/Dense.h"):
+            self.assert_found("Filters/NarrowBand/Bad.cxx", f"#include <{header}>", header)
 
     def test_source_tree_in_an_example(self):
         bad = "../../Filters/Surfaces/vtkSkin.h"

@@ -3,6 +3,7 @@
 #ifndef ArrayValues_h
 #define ArrayValues_h
 
+#include "OpenVDB.h"
 #include "vtkDataArray.h"
 
 #include <openvdb/Types.h>

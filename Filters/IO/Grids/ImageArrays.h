@@ -3,9 +3,8 @@
 #ifndef ImageArrays_h
 #define ImageArrays_h
 
+#include "OpenVDB.h"
 #include "vtkSmartPointer.h"
-
-#include <openvdb/openvdb.h>
 
 class vtkDataArray;
 

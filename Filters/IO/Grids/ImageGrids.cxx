@@ -2,6 +2,7 @@
 
 #include "Grids/ArrayValues.h"
 #include "Grids/LatticeMesh.h"
+#include "OpenVDB.h"
 
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"

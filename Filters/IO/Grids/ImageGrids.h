@@ -3,7 +3,7 @@
 #ifndef ImageGrids_h
 #define ImageGrids_h
 
-#include <openvdb/openvdb.h>
+#include "OpenVDB.h"
 
 class vtkDataArray;
 class vtkImageData;

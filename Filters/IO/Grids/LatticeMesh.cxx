@@ -1,5 +1,7 @@
 #include "Grids/LatticeMesh.h"
 
+#include "OpenVDB.h"
+
 #include <openvdb/tools/MeshToVolume.h>
 
 namespace activesurface

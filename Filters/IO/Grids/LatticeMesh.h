@@ -3,9 +3,8 @@
 #ifndef LatticeMesh_h
 #define LatticeMesh_h
 
+#include "OpenVDB.h"
 #include "SkinDistance.h"
-
-#include <openvdb/openvdb.h>
 
 #include <array>
 #include <cstdint>

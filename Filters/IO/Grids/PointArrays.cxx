@@ -1,5 +1,7 @@
 #include "Grids/PointArrays.h"
 
+#include "OpenVDB.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"

@@ -3,7 +3,7 @@
 #ifndef PointArrays_h
 #define PointArrays_h
 
-#include <openvdb/openvdb.h>
+#include "OpenVDB.h"
 
 #include <cstdint>
 

@@ -1,6 +1,7 @@
 #include "Grids/SkinBand.h"
 
 #include "NarrowBand.h"
+#include "OpenVDB.h"
 #include "Skin.h"
 
 #include <openvdb/math/Proximity.h>

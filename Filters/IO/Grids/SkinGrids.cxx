@@ -1,6 +1,7 @@
 #include "Grids/SkinGrids.h"
 
 #include "Grids/ArrayValues.h"
+#include "OpenVDB.h"
 
 #include "vtkDataArray.h"
 

@@ -4,8 +4,7 @@
 #define VDBContent_h
 
 #include "AttachedData.h"
-
-#include <openvdb/openvdb.h>
+#include "OpenVDB.h"
 
 #include <memory>
 

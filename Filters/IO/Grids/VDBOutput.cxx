@@ -2,6 +2,7 @@
 
 #include "FileError.h"
 #include "FileReplacement.h"
+#include "OpenVDB.h"
 #include "VDBFile.h"
 
 #include "vtkErrorCode.h"

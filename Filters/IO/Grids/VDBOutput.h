@@ -3,7 +3,7 @@
 #ifndef VDBOutput_h
 #define VDBOutput_h
 
-#include <openvdb/openvdb.h>
+#include "OpenVDB.h"
 
 #include <string>
 

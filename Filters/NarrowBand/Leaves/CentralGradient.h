@@ -4,6 +4,8 @@
 #ifndef CentralGradient_h
 #define CentralGradient_h
 
+#include "OpenVDB.h"
+
 #include <openvdb/Types.h>
 
 namespace activesurface

@@ -10,8 +10,8 @@
 #define LeafTable_h
 
 #include "Leaves/LeafMask.h"
+#include "OpenVDB.h"
 
-#include <openvdb/openvdb.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 

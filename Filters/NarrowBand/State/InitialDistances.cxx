@@ -2,6 +2,7 @@
 
 #include "Leaves/CentralGradient.h"
 #include "Leaves/LeafTable.h"
+#include "OpenVDB.h"
 
 #include <openvdb/tools/FastSweeping.h>
 #include <openvdb/tools/Morphology.h>

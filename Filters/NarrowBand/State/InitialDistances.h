@@ -4,7 +4,7 @@
 #ifndef InitialDistances_h
 #define InitialDistances_h
 
-#include <openvdb/openvdb.h>
+#include "OpenVDB.h"
 
 #include <functional>
 #include <vector>

@@ -6,8 +6,7 @@
 
 #include "InitialFunction.h"
 #include "Motion.h"
-
-#include <openvdb/openvdb.h>
+#include "OpenVDB.h"
 
 namespace activesurface
 {

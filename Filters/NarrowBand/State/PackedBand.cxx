@@ -1,5 +1,7 @@
 #include "State/PackedBand.h"
 
+#include "OpenVDB.h"
+
 #include <openvdb/io/Compression.h>
 #include <openvdb/tools/SignedFloodFill.h>
 

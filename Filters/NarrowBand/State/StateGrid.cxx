@@ -1,5 +1,7 @@
 #include "State/StateGrid.h"
 
+#include "OpenVDB.h"
+
 #include <openvdb/math/Transform.h>
 
 #include <cmath>

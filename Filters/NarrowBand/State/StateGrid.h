@@ -4,7 +4,7 @@
 #ifndef StateGrid_h
 #define StateGrid_h
 
-#include <openvdb/openvdb.h>
+#include "OpenVDB.h"
 
 namespace activesurface
 {

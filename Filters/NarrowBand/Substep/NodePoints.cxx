@@ -1,5 +1,6 @@
 #include "Substep/NodePoints.h"
 
+#include "OpenVDB.h"
 #include "Trilinear.h"
 
 #include <openvdb/tree/ValueAccessor.h>

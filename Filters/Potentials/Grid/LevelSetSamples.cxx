@@ -1,5 +1,6 @@
 #include "Grid/LevelSetSamples.h"
 
+#include "OpenVDB.h"
 #include "StaticShutdown.h"
 #include "Trilinear.h"
 

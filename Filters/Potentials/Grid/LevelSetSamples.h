@@ -6,8 +6,7 @@
 
 #include "Grid/ImageSamples.h"
 #include "GridSamples.h"
-
-#include <openvdb/openvdb.h>
+#include "OpenVDB.h"
 
 namespace activesurface
 {

@@ -1,6 +1,7 @@
 #include "Grid/MeshDistance.h"
 
 #include "MeshTriangles.h"
+#include "OpenVDB.h"
 
 #include <openvdb/math/Proximity.h>
 #include <openvdb/tools/MeshToVolume.h>

@@ -3,7 +3,7 @@
 #ifndef MeshDistance_h
 #define MeshDistance_h
 
-#include <openvdb/openvdb.h>
+#include "OpenVDB.h"
 
 namespace activesurface
 {

@@ -1,6 +1,7 @@
 #include "Grid/MeshSamples.h"
 
 #include "Grid/MeshDistance.h"
+#include "OpenVDB.h"
 #include "StaticShutdown.h"
 #include "Trilinear.h"
 

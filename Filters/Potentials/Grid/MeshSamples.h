@@ -5,8 +5,7 @@
 
 #include "GridSamples.h"
 #include "MeshTriangles.h"
-
-#include <openvdb/openvdb.h>
+#include "OpenVDB.h"
 
 namespace activesurface
 {

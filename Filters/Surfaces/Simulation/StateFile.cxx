@@ -1,6 +1,7 @@
 #include "Simulation/StateFile.h"
 
 #include "FileReplacement.h"
+#include "OpenVDB.h"
 #include "VDBFile.h"
 
 #include <openvdb/io/File.h>

@@ -4,7 +4,7 @@
 #ifndef VDBMetadata_h
 #define VDBMetadata_h
 
-#include <openvdb/openvdb.h>
+#include "OpenVDB.h"
 
 #include <cstdint>
 

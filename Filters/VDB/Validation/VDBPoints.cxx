@@ -1,5 +1,6 @@
 #include "Validation/VDBPoints.h"
 
+#include "OpenVDB.h"
 #include "Validation/ByteSource.h"
 #include "Validation/VDBMetadata.h"
 

@@ -1,5 +1,6 @@
 #include "Validation/VDBTree.h"
 
+#include "OpenVDB.h"
 #include "Validation/ByteSource.h"
 
 #include <openvdb/io/Compression.h>

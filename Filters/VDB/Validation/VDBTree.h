@@ -5,7 +5,7 @@
 #ifndef VDBTree_h
 #define VDBTree_h
 
-#include <openvdb/openvdb.h>
+#include "OpenVDB.h"
 
 #include <array>
 #include <cstdint>
