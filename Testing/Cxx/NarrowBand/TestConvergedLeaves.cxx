@@ -104,7 +104,7 @@ void Rest(NarrowBand& band, double tension, Target& target)
 {
   StartOn(band, MakePair(Left, Right));
   const AdvanceReport report = band.Advance(2.0, MakeMotion(tension), target);
-  EXPECT_GT(report.SkippedSubsteps, 0) << "substeps that were skipped before time 2";
+  EXPECT_GT(report.SkippedSubsteps, 0u) << "substeps that were skipped before time 2";
 }
 
 // The potential at the active nodes left of 0.
@@ -134,7 +134,7 @@ TEST(TestConvergedLeaves, WhatRestsStaysToTheBitWhileTheOtherPartMoves)
     EXPECT_GT(before.size(), 1000u) << "active nodes left of 0";
     const AdvanceReport report = band.Advance(2.5, MakeMotion(tension), target);
     EXPECT_TRUE(GetLeftHalf(band) == before) << "the left ball is the same to the bit";
-    EXPECT_LT(report.SkippedSubsteps, 2)
+    EXPECT_LT(report.SkippedSubsteps, 2u)
       << "substeps in which nothing moved: the first, until the target does";
 
     // The right one follows with the lag U / Attraction, within what Tension takes: 2 / r of it

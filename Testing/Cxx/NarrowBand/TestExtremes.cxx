@@ -96,7 +96,7 @@ TEST(TestExtremes, AbsurdNumberOfThreadsIsCapped)
   {
     StartOn(*band, MakeBall(CentreA, 0.5));
     ShapeTarget target(MakeBall(CentreA, 0.6));
-    EXPECT_GT(band->Advance(0.5, Motion(), target).Substeps, 0) << "substeps";
+    EXPECT_GT(band->Advance(0.5, Motion(), target).Substeps, 0u) << "substeps";
   }
   EXPECT_TRUE(AreIdentical(few, many)) << "the same to the bit";
 }

@@ -115,7 +115,7 @@ TEST(TestRestRules, MoreSamplesAreAsThoseOfAll)
   const TargetSamples whole = SampleLeaves(lattice, all, MakeMotion(), target, once);
   const TargetSamples first = SampleLeaves(lattice, low, MakeMotion(), target, twice);
   const TargetSamples more = SampleMore(lattice, all, MakeMotion(), target, twice);
-  EXPECT_GT(first.Count, 0) << "samples below 0";
+  EXPECT_GT(first.Count, 0u) << "samples below 0";
   EXPECT_EQ(first.Count + more.Count, whole.Count) << "samples, one after the other";
   int different = 0;
   for (std::size_t i = 0; i < table.Size(); ++i)

@@ -107,7 +107,7 @@ TEST(TestSettle, SurfaceSleepsAtRestAndWakes)
   const AdvanceReport asleep = band.Advance(50.0, Motion(), target);
   EXPECT_TRUE(AreIdentical(*before, band)) << "twenty units of time later: the same potential";
   EXPECT_EQ(asleep.Substeps, 0u) << "substeps asleep";
-  EXPECT_GT(asleep.SkippedSubsteps, 0) << "substeps slept";
+  EXPECT_GT(asleep.SkippedSubsteps, 0u) << "substeps slept";
   const AdvanceReport awake = band.Advance(80.0, Motion(), target);
   EXPECT_GT(awake.Substeps, 0) << "substeps after the target has moved";
   const Shape moved = MakeTorus({ 0.01, 0.02, 0.113 }, 0.55, 0.22);

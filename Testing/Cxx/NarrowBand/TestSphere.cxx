@@ -134,7 +134,7 @@ TEST(TestSphere, DistancesHaveNoSeams)
   const double h = VoxelSizeOf(256);
   NarrowBand band(h);
   StartOn(band, MakeBall(CentreA, Radius));
-  EXPECT_GT(band.GetNumberOfActiveNodes(), 400000) << "active nodes";
+  EXPECT_GT(band.GetNumberOfActiveNodes(), 400000u) << "active nodes";
   EXPECT_LT(GetLargestError(band, MakeBall(CentreA, Radius)), 0.001) << "error of a distance [h]";
 }
 

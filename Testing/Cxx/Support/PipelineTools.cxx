@@ -145,20 +145,6 @@ std::string GetBytesAt(vtkActiveImplicitSurface* filter, double time)
   return GetBytes(filter);
 }
 
-testing::AssertionResult AreSameSkins(const std::string& first, const std::string& second)
-{
-  if (first != second)
-  {
-    return testing::AssertionFailure()
-      << "other bytes: " << first.size() << " and " << second.size() << " of them";
-  }
-  if (first.empty())
-  {
-    return testing::AssertionFailure() << "both skins are empty";
-  }
-  return testing::AssertionSuccess() << "the same " << first.size() << " bytes";
-}
-
 std::array<double, 6> GetSkinBounds(vtkActiveImplicitSurface* filter)
 {
   std::array<double, 6> bounds;

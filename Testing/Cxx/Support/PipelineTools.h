@@ -4,14 +4,14 @@
 #ifndef PipelineTools_h
 #define PipelineTools_h
 
+#include "Support/SameSkins.h"
+
 #include "vtkActiveImplicitSurface.h"
 
 #include "vtkImplicitFunction.h"
 #include "vtkNew.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"
-
-#include <gtest/gtest.h>
 
 #include <array>
 #include <functional>
@@ -74,10 +74,6 @@ std::string GetBytes(vtkActiveImplicitSurface* filter);
 
 /** GetBytes after an update for that time. */
 std::string GetBytesAt(vtkActiveImplicitSurface* filter, double time);
-
-/** Success when the bytes of two skins, or of their arrays, are equal. Failure when both are empty:
- * two skins that failed to appear are no proof. */
-testing::AssertionResult AreSameSkins(const std::string& first, const std::string& second);
 
 /** Box of the skin; empty skins have x min > x max. */
 std::array<double, 6> GetSkinBounds(vtkActiveImplicitSurface* filter);

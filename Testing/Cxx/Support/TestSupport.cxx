@@ -1,6 +1,8 @@
 // What the other tests rely on: each helper passes when it should and fails when it should.
 
 #include "Support/OutputFiles.h"
+#include "Support/SameSkins.h"
+#include "Support/SurfaceMeasures.h"
 #include "Support/Throws.h"
 
 #include <gtest/gtest.h>
@@ -25,4 +27,27 @@ TEST(TestSupport, EachTestHasAFolderOfItsOwn)
   EXPECT_EQ(file.parent_path().filename(), "EachTestHasAFolderOfItsOwn");
   EXPECT_EQ(file.parent_path().parent_path().filename(), "TestSupport");
   EXPECT_EQ(CountFiles(EmptyFolder("empty")), 0u);
+}
+
+TEST(TestSupport, EmptySkinsAreNotTheSame)
+{
+  using activesurface::AreSameSkins;
+  EXPECT_TRUE(AreSameSkins("bytes", "bytes"));
+  EXPECT_FALSE(AreSameSkins("bytes", "other"));
+  EXPECT_FALSE(AreSameSkins("bytes", ""));
+  EXPECT_FALSE(AreSameSkins("", ""));
+}
+
+TEST(TestSupport, EmptyBandsCannotBeCompared)
+{
+  using namespace activesurface;
+  const NarrowBand empty(0.1);
+  NarrowBand ball(VoxelSizeOf(32)), other(VoxelSizeOf(32));
+  StartOn(ball, MakeBall(CentreA, 0.5));
+  StartOn(other, MakeBall(CentreA, 0.5));
+  EXPECT_TRUE(AreIdentical(ball, other));
+  StartOn(other, MakeBall(CentreB, 0.5));
+  EXPECT_FALSE(AreIdentical(ball, other));
+  EXPECT_FALSE(AreIdentical(ball, empty));
+  EXPECT_TRUE(Throws<std::logic_error>([&] { AreIdentical(empty, empty); }, "empty"));
 }

@@ -197,7 +197,7 @@ TEST(TestCheckpoints, AbortsLeaveNoTrace)
     filter->AbortExecuteOff();
     wrong += GetAllAt(filter, times[2 * i + 1]) != GetFresh(times[2 * i + 1]);
   }
-  EXPECT_GT(stopped, 15) << "updates that were stopped";
+  EXPECT_GT(stopped, 15u) << "updates that were stopped";
   EXPECT_EQ(wrong, 0u) << "later skins that differ from a fresh run's";
 }
 
