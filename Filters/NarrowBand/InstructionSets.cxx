@@ -12,21 +12,14 @@ namespace
 
 InstructionSet FindBest()
 {
-#if defined(__x86_64__) && defined(__GNUC__)
-  __builtin_cpu_init();
-  const bool hasBits = __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
-    __builtin_cpu_supports("popcnt");
-  const bool hasAvx2 = hasBits && __builtin_cpu_supports("avx2");
-  if (hasAvx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+  if (HasAvx512())
   {
     return InstructionSet::Avx512;
   }
-  if (hasAvx2)
+  if (HasAvx2())
   {
     return InstructionSet::Avx2;
   }
-#endif
   return InstructionSet::Baseline;
 }
 

@@ -10,26 +10,8 @@
 #ifndef InstructionSets_h
 #define InstructionSets_h
 
+#include "CompilerBuiltins.h"
 #include "vtkActiveNarrowBandModule.h"
-
-#if defined(__x86_64__) && defined(__GNUC__)
-#define ACTIVE_FOR_AVX2 __attribute__((target("avx2,bmi,bmi2,popcnt")))
-#define ACTIVE_FOR_AVX512                                                                          \
-  __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,bmi,bmi2,popcnt")))
-#else
-#define ACTIVE_FOR_AVX2
-#define ACTIVE_FOR_AVX512
-#endif
-
-// For functions, and for lambdas after their parameter list. A function called from a kernel is
-// compiled with the kernel's instruction set only if it is inlined there.
-#if defined(__GNUC__)
-#define ACTIVE_ALWAYS_INLINE inline __attribute__((always_inline))
-#define ACTIVE_INLINED __attribute__((always_inline))
-#else
-#define ACTIVE_ALWAYS_INLINE inline
-#define ACTIVE_INLINED
-#endif
 
 namespace activesurface
 {

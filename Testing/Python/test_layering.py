@@ -25,9 +25,9 @@ SOURCES = (".h", ".cxx", ".txx", ".cpp", ".hpp")
 
 # Room: the rooms, and the single files of other rooms, that it may include besides its own. A module's
 # own folder, "NarrowBand" say, is a room as well.
-NUMERICS = ["NarrowBand/OpenVDB", "NarrowBand/InstructionSets", "NarrowBand/Motion", "NarrowBand/Target"]
+NUMERICS = ["NarrowBand/OpenVDB", "NarrowBand/CompilerBuiltins", "NarrowBand/InstructionSets", "NarrowBand/Motion", "NarrowBand/Target"]
 MAY_INCLUDE = {
-    "NarrowBand/Leaves": ["NarrowBand/OpenVDB", "NarrowBand/InstructionSets"],
+    "NarrowBand/Leaves": ["NarrowBand/OpenVDB", "NarrowBand/CompilerBuiltins", "NarrowBand/InstructionSets"],
     "NarrowBand/Substep": [
         *NUMERICS,
         "NarrowBand/Leaves",
@@ -41,7 +41,7 @@ MAY_INCLUDE = {
         "NarrowBand/InitialFunction",
     ],
     "NarrowBand": ["NarrowBand/Leaves", "NarrowBand/Substep", "NarrowBand/State"],
-    "VDB/Validation": ["NarrowBand/OpenVDB"],
+    "VDB/Validation": ["NarrowBand/OpenVDB", "NarrowBand/CompilerBuiltins"],
     "VDB": ["VDB/Validation", "NarrowBand"],
     "Potentials/Skeleton": [
         "Potentials/Skeleton",

@@ -68,7 +68,7 @@ LeafList AddMissingLeaves(LeafTable& table, PotentialTree& tree, const LeafList&
   {
     for (std::uint32_t left = table[i].MissingNeighbours; left != 0; left &= left - 1)
     {
-      missing.push_back(table[i].OriginOf(__builtin_ctz(left)));
+      missing.push_back(table[i].OriginOf(LowestBit(left)));
     }
   }
   return table.Add(missing, tree);

@@ -17,7 +17,7 @@ ACTIVE_ALWAYS_INLINE void FetchAhead(const float* numbers)
   constexpr int inALine = 16;
   for (int k = 0; k < 512; k += inALine)
   {
-    __builtin_prefetch(numbers + k);
+    Prefetch(numbers + k);
   }
 }
 

@@ -40,9 +40,7 @@ public:
   ACTIVE_ALWAYS_INLINE float At(int node, int steps) const
   {
     const float* from = this->Plane[((node / Step) & 7) + steps + Farthest] + (node & ~(7 * Step));
-    float number;
-    __atomic_load(from, &number, __ATOMIC_RELAXED);
-    return number;
+    return LoadRelaxed(from);
   }
 
 private:
@@ -51,12 +49,6 @@ private:
 
   const float* Plane[Planes]; //< first node of each plane, by its place along the axis
 };
-
-/** Writes a number that other threads may concurrently read by LeafLine::At. */
-ACTIVE_ALWAYS_INLINE void WriteShared(float number, float* to)
-{
-  __atomic_store(to, &number, __ATOMIC_RELAXED);
-}
 
 /** The mask whose node n is set if `mask` has n + Steps along an axis; next: the mask of the leaf
  * in that direction. Steps: -7 to 7. */

@@ -16,15 +16,6 @@
 namespace activesurface
 {
 
-/** Number of bits set. The baseline instruction set has no instruction for it. */
-inline int CountBits(std::uint64_t word)
-{
-  word -= (word >> 1) & 0x5555555555555555ull;
-  word = (word & 0x3333333333333333ull) + ((word >> 2) & 0x3333333333333333ull);
-  word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0full;
-  return static_cast<int>((word * 0x0101010101010101ull) >> 56);
-}
-
 struct LeafMask
 {
   std::array<std::uint64_t, 8> Word{};
@@ -98,7 +89,7 @@ struct LeafMask
     {
       for (std::uint64_t word = this->Word[x]; word != 0; word &= word - 1)
       {
-        function(64 * x + __builtin_ctzll(word));
+        function(64 * x + LowestBit(word));
       }
     }
   }

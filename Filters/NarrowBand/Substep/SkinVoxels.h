@@ -151,7 +151,7 @@ ACTIVE_ALWAYS_INLINE void ForEachEdgeOfOwner(
     std::int64_t number = before;
     for (std::uint64_t left = word & region; left != 0; left &= left - 1)
     {
-      const int bit = __builtin_ctzll(left);
+      const int bit = LowestBit(left);
       const int place = first + CornerPlace(x, bit >> 3, bit & 7);
       if (region != ~0ull)
       {

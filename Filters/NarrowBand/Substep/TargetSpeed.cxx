@@ -107,7 +107,7 @@ public:
         alongX.Add(node, distance, sums);
         alongY.Add(node, distance, sums);
         alongZ.Add(node, distance, sums);
-        WriteShared(
+        StoreRelaxed(
           sums.Weight > 0.f ? sums.Weighted / sums.Weight : this->FindMean(node), speed + node);
       });
     return front;

@@ -92,7 +92,7 @@ private:
                                            : 0x8080808080808080ull;
       for (std::uint64_t left = word & last; left != 0; left &= left - 1)
       {
-        const int bit = __builtin_ctzll(left);
+        const int bit = LowestBit(left);
         const int lower = 64 * x + bit, node = lower - 7 * Stride(Axis);
         edges.Add(before.Value[lower], leaf.Value[node],
           value[CountBits(word & ((std::uint64_t(1) << bit) - 1))], Elsewhere, node);

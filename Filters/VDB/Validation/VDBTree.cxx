@@ -1,5 +1,6 @@
 #include "Validation/VDBTree.h"
 
+#include "CompilerBuiltins.h"
 #include "OpenVDB.h"
 #include "Validation/ByteSource.h"
 
@@ -29,7 +30,7 @@ int CountBits(const std::uint64_t* words, int count)
   int bits = 0;
   for (int i = 0; i < count; ++i)
   {
-    bits += __builtin_popcountll(words[i]);
+    bits += CountBits(words[i]);
   }
   return bits;
 }
@@ -51,7 +52,7 @@ void ForEachEntry(
   {
     for (std::uint64_t rest = bits[i]; rest != 0; rest &= rest - 1)
     {
-      const int n = 64 * static_cast<int>(i) + __builtin_ctzll(rest);
+      const int n = 64 * static_cast<int>(i) + LowestBit(rest);
       visit(origin.offsetBy(
         (n >> 2 * width) << reach, ((n >> width) & last) << reach, (n & last) << reach));
     }
@@ -199,10 +200,10 @@ void TopologyValidator::Leaf(const openvdb::Coord& origin)
   this->Tree.NumberOfLeaves += 1;
   for (int x = 0; x < 8; ++x)
   {
-    this->Tree.ActiveVoxels += CountBits(&leaf.Active[x], 1);
+    this->Tree.ActiveVoxels += CountBits(leaf.Active[x]);
     for (std::uint64_t rest = leaf.Active[x]; rest != 0; rest &= rest - 1)
     {
-      const int n = __builtin_ctzll(rest);
+      const int n = LowestBit(rest);
       this->Tree.ActiveBox.expand(origin.offsetBy(x, n >> 3, n & 7));
     }
   }
