@@ -25,7 +25,7 @@ constexpr int Farthest = 1 << 30;
   throw std::runtime_error(std::string("it is damaged: ") + what);
 }
 
-int CountBits(const std::uint64_t* words, int count)
+int CountBitsOf(const std::uint64_t* words, int count)
 {
   int bits = 0;
   for (int i = 0; i < count; ++i)
@@ -227,7 +227,7 @@ VDBLeafSize TopologyValidator::Values(const std::uint64_t* active, int words)
   }
   const bool isPacked =
     (this->Format.Compression & COMPRESS_ACTIVE_MASK) != 0 && scheme != NO_MASK_AND_ALL_VALS;
-  const std::uint64_t count = isPacked ? CountBits(active, words) : 64 * words;
+  const std::uint64_t count = isPacked ? CountBitsOf(active, words) : 64 * words;
   const bool isHalf = this->Format.StoredSize != this->Format.ValueSize;
   return { scheme, isHalf && count == 0 ? 0 : this->Data(count * this->Format.StoredSize) };
 }

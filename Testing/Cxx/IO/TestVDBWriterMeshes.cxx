@@ -3,6 +3,7 @@
 
 #include "IO/GridFiles.h"
 #include "Potentials/MeshShapes.h"
+#include "Support/MessageCapture.h"
 #include "Support/OutputFiles.h"
 
 #include "vtkCubeSource.h"
@@ -62,11 +63,11 @@ int Write(vtkPolyData* mesh, const std::string& file, std::string* error = nullp
   writer->SetFileName(file.c_str());
   writer->SetVoxelSize(VoxelSize);
   writer->WritePointArraysOn();
-  const ErrorsOf errors(writer);
+  const MessageCapture messages(writer);
   const int done = writer->Write();
   if (error)
   {
-    *error = errors.Last();
+    *error = messages.GetLastError();
   }
   return done;
 }

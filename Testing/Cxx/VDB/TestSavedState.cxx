@@ -19,9 +19,18 @@ TEST(TestSavedState, StateComesBackAndGoesOnToTheSameBits)
   StartOn(*band, MakeBall(CentreA, 0.4));
   ShapeTarget target(MakeBall(CentreB, 0.6));
   band->Advance(0.1, MakeMotion(1.0, 0.01), target);
-  const SavedState saved = ReadSavedGrid(*MakeSavedGrid({ band, 2.5, "a history" }));
+  HistoryRow row;
+  row.Time = 1.0 / 3.0;
+  row.Area = 1e-300;
+  row.EulerCharacteristic = -4;
+  row.Event = "2 parts merge";
+  const SavedState saved = ReadSavedGrid(*MakeSavedGrid({ band, 2.5, { HistoryRow(), row } }));
   EXPECT_EQ(saved.Time, 2.5) << "pipeline time";
-  EXPECT_EQ(saved.History, "a history");
+  ASSERT_EQ(saved.History.size(), 2u);
+  EXPECT_EQ(saved.History[1].Time, row.Time) << "not rounded";
+  EXPECT_EQ(saved.History[1].Area, row.Area) << "not rounded";
+  EXPECT_EQ(saved.History[1].EulerCharacteristic, -4);
+  EXPECT_EQ(saved.History[1].Event, row.Event);
   EXPECT_EQ(saved.Band->GetTime(), band->GetTime()) << "time of the band";
   EXPECT_TRUE(AreIdentical(*saved.Band, *band));
 

@@ -1,5 +1,6 @@
 // Time steps of the input that occur twice.
 
+#include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
 
 #include "vtkExecutive.h"
@@ -36,7 +37,7 @@ TEST(TestInputSteps, EqualNeighboursCountAsOne)
   twice->SetSteps({ 0.0, 0.0, 1.0, 1.0, 1.0, 2.0 });
   auto filter = MakeSkinOver(twice);
   EXPECT_TRUE((GetPublishedSteps(filter) == std::vector<double>{ 0.0, 1.0, 2.0 })) << "steps";
-  Messages messages(filter);
+  MessageCapture messages(filter);
   const std::string bytes = GetBytesAt(filter, 1.5);
   EXPECT_EQ(messages.Errors.size(), std::size_t(0)) << "errors";
   vtkNew<ParticleSource> once;
@@ -56,7 +57,7 @@ TEST(TestInputSteps, OneTimeManyTimesIsAStaticTarget)
   filter->SetTimeStepSize(0.5);
   filter->SetNumberOfTimeSteps(3);
   EXPECT_TRUE((GetPublishedSteps(filter) == std::vector<double>{ 3.0, 3.5, 4.0 })) << "steps";
-  Messages messages(filter);
+  MessageCapture messages(filter);
   GetBytesAt(filter, 4.0);
   EXPECT_EQ(messages.Errors.size(), std::size_t(0)) << "errors";
   EXPECT_EQ(source->GetExecutions(), std::string("0.25 ")) << "executions";

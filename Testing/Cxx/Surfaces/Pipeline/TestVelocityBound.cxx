@@ -1,6 +1,7 @@
 // How long the vectors of "Velocity" may be: MaximumVelocity, and what it is by itself.
 
 #include "Support/GrainTools.h"
+#include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
 
 #include "vtkDataArray.h"
@@ -197,9 +198,9 @@ TEST(TestVelocityBound, TheBoundDoesNotDependOnTheOrderOfRequests)
 TEST(TestVelocityBound, ABoundThatIsNoNumberIsRefused)
 {
   auto filter = MakeMovingSkin(Meeting, std::nan(""));
-  Messages messages(filter);
+  MessageCapture messages(filter);
   filter->UpdateTimeStep(1.0);
-  EXPECT_EQ(Messages::Count(messages.Errors, "MaximumVelocity has to be"), 1) << "errors";
+  EXPECT_EQ(MessageCapture::Count(messages.Errors, "MaximumVelocity has to be"), 1) << "errors";
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(0)) << "points";
 }
 

@@ -1,5 +1,6 @@
 // What an exact control tells of a target that it cannot follow, and that it tells it of no other.
 
+#include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
 
 #include "vtkNew.h"
@@ -35,12 +36,12 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeHeld(vtkSphere* start, vtkSphere* 
 
 int CountWarnings(vtkActiveImplicitSurface* filter)
 {
-  Messages messages(filter);
+  MessageCapture messages(filter);
   for (const double time : { 0.1, 0.2, 0.5, 1.0 })
   {
     filter->UpdateTimeStep(time);
   }
-  return Messages::Count(messages.Warnings, Words);
+  return MessageCapture::Count(messages.Warnings, Words);
 }
 
 }
@@ -74,11 +75,11 @@ TEST(TestExactWarnings, ATranslationIsNoWarning)
   auto source = MakeMovingBall();
   auto filter = MakeSkinOver(source);
   filter->SetVolumeControlToExact();
-  Messages messages(filter);
+  MessageCapture messages(filter);
   for (const double time : { 1.0, 2.0, 3.0, 4.0 })
   {
     filter->UpdateTimeStep(time);
   }
-  EXPECT_EQ(Messages::Count(messages.Warnings, Words), 0) << "warnings";
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, Words), 0) << "warnings";
   EXPECT_LT(0.6, GetSkinBounds(filter)[0]) << "where the skin has got to, .8 at its middle";
 }

@@ -89,11 +89,10 @@ struct Steps
 {
   Steps(vtkDataSet* first, vtkDataSet* second)
   {
-    this->Settings.InputMoves = true;
-    this->Settings.Steps = { 0.0, 1.0 };
+    this->Settings.Inputs.TargetMoves = true;
+    this->Settings.Inputs.Steps = { 0.0, 1.0 };
     this->Settings.IsoValue = 0.125;
     this->Settings.VoxelSize = 0.0625;
-    this->Settings.BoundsGiven = true;
     this->Settings.Bounds = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
     this->Builder.FindDomain();
     this->Builder.Add(0, Read(first));

@@ -2,6 +2,7 @@
 // polygons that cannot be.
 
 #include "Potentials/MeshShapes.h"
+#include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
 #include "Support/ShapeSource.h"
 
@@ -19,8 +20,7 @@
 #include <functional>
 #include <string>
 
-using activesurface::MakeSource;
-using activesurface::Messages;
+using namespace activesurface;
 
 namespace
 {
@@ -244,12 +244,12 @@ const char* const Thin = "parts thinner than two voxels";
 int CountWarnings(vtkAlgorithm* source, const std::string& words)
 {
   auto filter = MakeFilter(source);
-  Messages messages(filter);
+  MessageCapture messages(filter);
   for (const double time : { 0.0, 1.0, 0.5, 2.0, 0.0, 1.5 })
   {
     filter->UpdateTimeStep(time);
   }
-  return Messages::Count(messages.Warnings, words);
+  return MessageCapture::Count(messages.Warnings, words);
 }
 }
 
@@ -278,12 +278,12 @@ TEST(TestMeshTargets, TheWarningIsOfTheVoxels)
 {
   auto source = MakeSource([](double) { return MakeBox(1.0, 1.0, 3.0 * Voxel); });
   auto filter = MakeFilter(source);
-  Messages messages(filter);
+  MessageCapture messages(filter);
   filter->Update();
-  EXPECT_EQ(Messages::Count(messages.Warnings, Thin), 0) << "three voxels";
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, Thin), 0) << "three voxels";
   filter->SetVoxelSize(2.0 * Voxel);
   filter->Update();
-  EXPECT_EQ(Messages::Count(messages.Warnings, Thin), 1) << "one and a half";
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, Thin), 1) << "one and a half";
 }
 
 // It used to end the program.
@@ -299,9 +299,9 @@ TEST(TestMeshTargets, PolygonsWithMissingPointsAreLeftOut)
   const auto source = MakeSource(broken);
   auto filter = MakeFilter(source);
   filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0); // from the mesh
-  Messages messages(filter);
+  MessageCapture messages(filter);
   filter->Update();
-  EXPECT_EQ(Messages::Count(
+  EXPECT_EQ(MessageCapture::Count(
               messages.Warnings, "2 polygons with a point that is not finite or does not exist"),
     1)
     << "warnings";
