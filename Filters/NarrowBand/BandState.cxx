@@ -46,14 +46,6 @@ bool ComesToRest(const Motion& motion)
     motion.VolumeControl == Control::None && SamplesCrossings(motion) && !motion.Paper;
 }
 
-/** Whether the target pulls inward, and everywhere alike to the bit, as one out of reach does. */
-bool PullsUniformly(const std::vector<float>& samples)
-{
-  return !samples.empty() && samples.front() > 0.f &&
-    std::all_of(samples.begin(), samples.end(),
-      [&samples](float sample) { return sample == samples.front(); });
-}
-
 }
 
 void NarrowBand::State::MakeEmpty()
@@ -308,10 +300,7 @@ void NarrowBand::State::MakeStep(
   WalledTarget walled(target, motion.Box);
   const TargetLimits limits =
     this->FollowTarget(motion, motion.Box.Present ? walled : target, report, move);
-  const bool isHeld =
-    motion.AreaControl == Control::Exact || motion.VolumeControl == Control::Exact;
-  const bool pullsInVain =
-    isHeld && motion.Attraction > 0.0 && PullsUniformly(this->Buffers.Samples);
+  const bool pullsInVain = PullsInVain(motion, this->Buffers);
   move.Force = this->FindForce(motion);
   double stable = StableStep(motion, this->VoxelSize, limits, move.Force);
   move.Sleeps = move.Sleeps || !std::isfinite(stable);
