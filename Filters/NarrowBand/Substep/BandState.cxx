@@ -46,14 +46,6 @@ bool CanConverge(const Motion& motion)
     motion.VolumeControl == Control::None && SamplesCrossings(motion) && !motion.Paper;
 }
 
-/** Whether the target pulls inward, and everywhere alike to the bit, as one out of reach does. */
-bool PullsUniformly(const std::vector<float>& samples)
-{
-  return !samples.empty() && samples.front() > 0.f &&
-    std::all_of(samples.begin(), samples.end(),
-      [&samples](float sample) { return sample == samples.front(); });
-}
-
 }
 
 void BandState::MakeEmpty()
@@ -295,10 +287,7 @@ void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& re
   WalledTarget walled(target, motion.Box);
   const TargetLimits limits =
     this->FollowTarget(motion, motion.Box.Present ? walled : target, report, move);
-  const bool isHeld =
-    motion.AreaControl == Control::Exact || motion.VolumeControl == Control::Exact;
-  const bool pullsInVain =
-    isHeld && motion.Attraction > 0.0 && PullsUniformly(this->Buffers.Samples);
+  const bool pullsInVain = PullsInVain(motion, this->Buffers);
   move.Force = this->FindForce(motion);
   double stable = StableStep(motion, this->VoxelSize, limits, move.Force);
   move.IsSkipped = move.IsSkipped || !std::isfinite(stable);

@@ -255,6 +255,16 @@ void ExtendSpeed(
   }
 }
 
+bool PullsInVain(const Motion& motion, const SubstepBuffers& buffers)
+{
+  const bool isHeld =
+    motion.AreaControl == Control::Exact || motion.VolumeControl == Control::Exact;
+  const std::vector<float>& samples = buffers.Samples;
+  return isHeld && motion.Attraction > 0.0 && !samples.empty() && samples.front() > 0.f &&
+    std::all_of(samples.begin(), samples.end(),
+      [&samples](float sample) { return sample == samples.front(); });
+}
+
 float LargestSpeedAtSurface(const LeafTable& table, std::size_t i, const SubstepBuffers& buffers)
 {
   const auto speedAt = [&](const LeafTable::Place& place)

@@ -29,6 +29,10 @@ void ApplySamples(
 void ExtendSpeed(
   const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers);
 
+/** Whether the target pulls inward everywhere alike, to the bit, as one out of reach does, and an
+ * exact control will undo it. All leaves have to be sampled. */
+bool PullsInVain(const Motion& motion, const SubstepBuffers& buffers);
+
 /** The largest |speed| at the crossings of a leaf, interpolated between the nodes. */
 float LargestSpeedAtSurface(const LeafTable& table, std::size_t i, const SubstepBuffers& buffers);
 
