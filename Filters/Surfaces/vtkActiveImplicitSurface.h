@@ -1,67 +1,59 @@
 /**
  * @class   vtkActiveImplicitSurface
- * @brief   a living skin: a surface that follows a target through time and remembers its way
+ * @brief   a living skin: a surface that follows a target through time and keeps its state
  *
- * The surface is the zero set of a potential phi, negative inside, that is stored on the lattice
- * nodes near it. It moves along its normal: attracted by a target, resisting curvature, and holding
- * its area or volume, see vtkActiveMotionAlgorithm for the speed and its properties. It splits and
- * merges by itself. See M. Desbrun, M.-P. Cani-Gascuel, Active Implicit Surface for Animation,
- * Graphics Interface 1998.
+ * The surface is the zero set of a potential phi, negative inside, stored on the lattice nodes near
+ * it. It moves along its normal: attracted by a target, resisting curvature, holding its area or
+ * volume; vtkActiveMotionAlgorithm has the speed and its properties. It splits and merges.
+ * See Desbrun and Cani-Gascuel, Active Implicit Surface for Animation, Graphics Interface 1998.
  *
- * Input, port 0 (optional): the target, by what it is, or else TargetFunction.
- * - Particles: a vtkPointSet without cells or with vertices; all its points count. They act like a
- *   vtkSkeletonPotential of points. SetInputArrayToProcess(0, ...) chooses an array of radii, (1,
- *   ...) of ids, (2, ...) of strengths; without them ParticleRadius, the point numbers and 1 hold.
+ * Input, port 0 (optional): the target; else TargetFunction.
+ * - Particles: a vtkPointSet without cells or with vertices; all its points count, as points of a
+ *   vtkSkeletonPotential. SetInputArrayToProcess(0, ...) chooses an array of radii, (1, ...) of
+ * ids, (2, ...) of strengths; without them ParticleRadius, the point numbers and 1 hold.
  * - Skeleton: a vtkPolyData with lines, as vtkSkeletonPotential takes it, with the same arrays.
- * - Mesh: a vtkPolyData with polygons or strips, closed, else see MeshThickness: the distance to
- * it, as vtkGridPotential gives it. Not together with lines.
- * - Image: a vtkImageData, whose values are F; inside is below TargetIsoValue (InvertTarget:
- * above), and not beyond its box. Its active point scalars, or the array chosen by (3, ...).
+ * - Mesh: a closed vtkPolyData of polygons or strips without lines (open ones: see MeshThickness).
+ *   F is the distance to it, as vtkGridPotential gives it.
+ * - Image: a vtkImageData, whose values are F: its active point scalars, or the array chosen by
+ *   (3, ...). Inside is below TargetIsoValue (InvertTarget: above), and within the image's box.
  *
- * With time steps, all of one kind, the target moves. Particles go in straight lines from one step
- * to the next, matched by ids (equal ones in their order), or by number if both steps have equally
- * many, else not at all. One that is missing in the next step fades out on the way to it, its
- * strength falling evenly to 0; one that is new fades in. Another level of detail, where all ids
- * change, so fades from one to the other. Skeletons, meshes and images are blended, F = (1 - f) F0
- * + f F1 at a fraction f of the way: shapes that do not overlap from step to step vanish on the
- * way. A step without points, or a mesh without cells, is no target: the skin shrinks towards it,
- * and vanishes.
+ * With time steps, all of one kind, the target moves. Particles go in straight lines from step to
+ * step, matched by ids (equal ones in their order), else by number if both steps have equally many,
+ * else not at all. One that is missing in the next step fades out on the way, its strength falling
+ * evenly to 0; a new one fades in. Skeletons, meshes and images are blended, F = (1 - f) F0 + f F1
+ * at a fraction f of the way: shapes that do not overlap from step to step vanish. A step without
+ * points, or a mesh without cells, is no target: the skin shrinks towards it, and vanishes.
  *
- * Input, port 1 (optional): Initial, the shape at the first time, in place of InitialFunction: a
- * mesh or an image as above, where (4, ...) chooses the image's array; at its first time step.
+ * Input, port 1 (optional): Initial, the shape at the first time, instead of InitialFunction: a
+ * mesh or an image as above, at its first time step; (4, ...) chooses the image's array.
  *
  * Output, port 0: the skin, a vtkPolyData of triangles, closed, outward, with Normals. Port 1: the
  * potential as a vtkImageData with the scalars "Potential", a signed distance [length], negative
  * inside, good within about 1.5 voxels, clamped to +-3 voxels. Its extent covers ModelBounds, in
- * lattice nodes; what is outside is cropped from the image, never from the skin. Without
- * ModelBounds it covers the first target, enlarged by a quarter: this is known beforehand if port 1
- * is connected (the input then is updated for the first time step when information is asked for),
- * else after the first update. Port 2: the history, a vtkTable with a row for each time step so
- * far: Time [pipeline time], Substeps and MaxSpeed (of attraction [length/time]) since the row
- * before, Area, Volume, ActiveVoxels, Components, Voids and EulerCharacteristic of the skin, and
- * Event, what has happened to its parts since: "merge", "split", "vanish", "birth", "void opens",
- * "void closes", "hole opens", "hole closes", several with ", " in between; with EvolutionMode
- * EQUILIBRIUM instead "at rest" or "not at rest". Where pieces are asked for, as by the ranks of a
- * parallel program, all of the skin and of the history is the first piece, and the others are empty
- * and cost nothing; of the image each piece is a part. The inputs are asked for all that they have.
+ * lattice nodes; the image is cropped there, the skin never. Without ModelBounds it covers the
+ * first target, enlarged by a quarter: known before the first update only if port 1 is connected.
+ * Port 2: the history, a vtkTable with a row for each time step so far: Time [pipeline time],
+ * Substeps and MaxSpeed (of attraction [length/time]) since the row before, Area, Volume,
+ * ActiveVoxels, Components, Voids and EulerCharacteristic of the skin, and Event, what has happened
+ * to its parts since: "merge", "split", "vanish", "birth", "void opens", "void closes", "hole
+ * opens", "hole closes", joined by ", "; with EvolutionMode EQUILIBRIUM instead "at rest" or "not
+ * at rest". The first of several pieces holds all of the skin and the history; the image is split.
  *
  * Time: the time steps of the input are passed on. If it has fewer than two (TargetFunction, static
  * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them.
- * A request for a later one continues from the state that is held, and the input is asked once for
+ * A request for a later time continues from the state that is held, and the input is asked once for
  * each step in between; the same time again costs nothing; an earlier one continues from the
  * nearest checkpoint before it (CheckpointInterval). A time between two steps branches off the
- * earlier one. A time before the first step or after the last, or that differs by rounding from a
- * step, is that step. So the result depends on the time and the
- * properties only, bit by bit: not on the order of requests, nor on the number of threads. The
- * state is made anew when the target, the initial shape or a property that shapes the motion
- * changes. In situ it goes on: an input whose list of time steps has grown at its end is the same
- * input, and is asked for its new steps only; and where no time can be had twice
- * (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are the times asked for, from the first one on.
+ * earlier one. A time before the first step or after the last, or within rounding of a step, is
+ * that step. The result depends on the time and the properties only, bit by bit, not on the order
+ * of requests or the number of threads. The motion restarts when the target, the initial shape or a
+ * property that shapes it changes. In situ it continues: an input whose list of time steps has
+ * grown at its end is the same input, and is asked for the new steps only; where no time can be had
+ * twice (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are the times asked for.
  *
- * A vanished skin is legal: empty output and one warning. What cannot be done is one error with a
- * sentence that says why, and empty outputs. What was reached before it, or before an abort, is
- * kept: with the cause gone (as by a larger MaximumNumberOfActiveVoxels) the next update goes on
- * from the last finished substep, to the same bytes.
+ * A vanished skin is legal: empty output and one warning. What cannot be done is one error, a
+ * sentence that says why, and empty outputs. What was reached before an error or an abort is kept:
+ * with the cause gone the next update continues from the last finished substep, to the same bytes.
  */
 
 #ifndef vtkActiveImplicitSurface_h
@@ -93,11 +85,10 @@ public:
 
   ///@{
   /**
-   * What the skin is attracted by, negative inside: any implicit function, instead of an input.
-   * Functions of VTK that only read themselves (vtkSphere, vtkBox, vtkPlane, vtkPlanes,
-   * vtkCylinder, vtkCone, vtkQuadric, vtkSuperquadric, vtkSkeletonPotential, vtkGridPotential;
-   * vtkImplicitBoolean of such), without a transform, are evaluated by all threads, others by one.
-   * Changing it starts the skin anew. Default: none.
+   * Target, negative inside, instead of an input: any implicit function. Those of VTK that only
+   * read themselves (vtkSphere, vtkBox, vtkPlane, vtkPlanes, vtkCylinder, vtkCone, vtkQuadric,
+   * vtkSuperquadric, vtkSkeletonPotential, vtkGridPotential; vtkImplicitBoolean of such), without a
+   * transform, are evaluated by all threads, others by one. Restarts the motion. Default: none.
    */
   virtual void SetTargetFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetTargetFunction();
@@ -105,9 +96,9 @@ public:
 
   ///@{
   /**
-   * The shape that the skin has at the first time, negative inside, within ModelBounds, where it is
-   * closed. Changing it starts the skin anew. Not together with input port 1. Default: none, the
-   * skin starts on the input of port 1, or else on the target itself, as it is at the first time.
+   * Shape of the skin at the first time, negative inside, closed at ModelBounds; not together with
+   * input port 1. Restarts the motion. Default: none, the skin starts on the input of port 1, or
+   * else on the target, as it is at the first time.
    */
   virtual void SetInitialFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetInitialFunction();
@@ -116,8 +107,7 @@ public:
   ///@{
   /**
    * Level of the target that attracts the skin [unit of the target's values]; of images at port 1
-   * too.
-   * Range: finite. Default: 0.
+   * too. Range: finite. Default: 0.
    */
   vtkSetMacro(TargetIsoValue, double);
   vtkGetMacro(TargetIsoValue, double);
@@ -159,8 +149,7 @@ public:
   /**
    * Distance of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
    * at its multiples. Halving it takes 4 times the memory, 8 (with Tension 16) times the time.
-   * Range: >= 0; 1e-30 to 1e30, or 0, which is a 64th of the longest side of the bounds.
-   * Default: 0.
+   * Range: 1e-30 to 1e30, or 0, which is a 64th of the bounds' longest side. Default: 0.
    */
   vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
@@ -168,12 +157,11 @@ public:
 
   ///@{
   /**
-   * Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled, and
-   * which the potential's image covers; the skin may leave it later. Sampling costs one evaluation
-   * for each lattice node in the box. Range: finite, min < max on each axis, or unset. Default:
-   * unset (1, -1, 1, -1, 1, -1), that is the box of the first target and of the initial shape
-   * (inputs, vtkSkeletonPotential and vtkGridPotential have one), enlarged by an eighth of its
-   * longest side at each face, but with an image by two voxels only.
+   * Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled, one
+   * evaluation for each lattice node, and which the potential's image covers; the skin may leave it
+   * later. Range: finite, min < max on each axis, or unset. Default: unset (1, -1, 1, -1, 1, -1),
+   * the box of the first target and the initial shape (inputs, vtkSkeletonPotential and
+   * vtkGridPotential have one), enlarged by an eighth of its longest side, with images two voxels.
    */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
@@ -223,10 +211,9 @@ public:
 
   ///@{
   /**
-   * Thickness [length] of the shell that an input mesh with open edges becomes; a closed one is a
-   * solid all the same. Below about two voxels the shell has holes.
-   * Range: >= 0, at most 1e30. Default: 0, no shell: an open mesh has no inside, or a wrong one,
-   * with a warning.
+   * Thickness [length] of the shell that an input mesh with open edges becomes; a closed one stays
+   * a solid. Below about two voxels the shell has holes. Range: 0 to 1e30. Default: 0, no shell: an
+   * open mesh has no inside, or a wrong one, with a warning.
    */
   vtkSetClampMacro(MeshThickness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshThickness, double);
@@ -244,10 +231,10 @@ public:
 
   ///@{
   /**
-   * Whether the skin has the point array "Velocity": its normal velocity [length/time] at that
-   * moment, by the equation of motion, to which TangentialVelocity adds. As it belongs to points of
-   * the skin, and not to points that are followed through time, it is right through splits and
-   * merges. Costs an evaluation of the target. Does not restart the motion. Default: off.
+   * Whether the skin has the point array "Velocity": its normal velocity [length/time] by the
+   * equation of motion, to which TangentialVelocity adds; right through splits and merges, as no
+   * points are followed. Costs an evaluation of the target. Does not restart the motion. Default:
+   * off.
    */
   vtkSetMacro(ComputeVelocity, vtkTypeBool);
   vtkGetMacro(ComputeVelocity, vtkTypeBool);
@@ -269,13 +256,13 @@ public:
 
   ///@{
   /**
-   * Length [length/time] to which the vectors of "Velocity" are shortened where they are longer, by
-   * their component along the normal: where the skin catches up, as in the notch of two parts that
-   * have just merged, it may go at Attraction * TargetReach, which blurs into streaks.
-   * Range: >= 0; 0 is the speed of the fastest particle (its way and the change of its radius, or
-   * what SetInputArrayToProcess(5, ...) gives with TangentialVelocity) on the way from the step
-   * before (at the first step, to the next one), of those that are in both steps; where none moves,
-   * and for other targets, no bound. Does not restart the motion. Default: 0.
+   * Largest length [length/time] of the vectors of "Velocity"; longer ones lose of their component
+   * along the normal. Where the skin catches up, as in the notch of two parts that have just
+   * merged, its own speed is up to Attraction * TargetReach, which blurs into streaks. Range: >= 0;
+   * 0 is the speed of the fastest particle that is in both steps, its radius' change included (or
+   * by SetInputArrayToProcess(5, ...) with TangentialVelocity), on the way from the step before (at
+   * the first step, to the next one); no bound if none moves, or for other targets. Does not
+   * restart the motion. Default: 0.
    */
   vtkSetClampMacro(MaximumVelocity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVelocity, double);
@@ -284,12 +271,11 @@ public:
   ///@{
   /**
    * Whether the skin has the point arrays of the particles under it: floating-point ones and
-   * colours (unsigned char, 3 or 4 components: rounded to the nearest, halves upwards; alpha by
-   * itself) averaged with the kernels' weights, others, such as ids, labels and names, from the
-   * particle with the largest weight; where no kernel reaches, from the nearest particle. Between
-   * two steps the values go evenly from one to the other. Left out are ghost levels, arrays called
-   * like one of the skin's own, and those that are not alike at both steps. Does not restart the
-   * motion. Default: off.
+   * colours (unsigned char, 3 or 4 components, rounded, halves up) averaged with the kernels'
+   * weights, others, such as ids and names, from the particle of the largest weight; where no
+   * kernel reaches, from the nearest particle. Between two steps values go evenly from one to the
+   * other. Left out: ghost levels, arrays called like one of the skin's own, and those not alike at
+   * both steps. Does not restart the motion. Default: off.
    */
   vtkSetMacro(PassTargetArrays, vtkTypeBool);
   vtkGetMacro(PassTargetArrays, vtkTypeBool);
@@ -310,8 +296,8 @@ public:
   ///@{
   /**
    * Whether the potential's image, output port 1, is made with each skin, so that GetPotential()
-   * has it after Update(). It is made on request of its port, Update(1), in any case. Its memory is
-   * 4 bytes for each lattice node in the bounds. Does not restart the motion. Default: off.
+   * has it after Update(); Update(1) makes it in any case. It takes 4 bytes for each lattice node
+   * in the bounds. Does not restart the motion. Default: off.
    */
   vtkSetMacro(OutputPotential, vtkTypeBool);
   vtkGetMacro(OutputPotential, vtkTypeBool);
@@ -320,27 +306,21 @@ public:
 
   ///@{
   /**
-   * The state of the skin at the last time step that is not after the time of the last update, in a
-   * file, a .vdb with metadata; and taking it up again, in this or another filter whose properties
-   * and inputs are the same: later times, and earlier ones down to that of the state, cost no more
-   * than the way from there, and give the same bytes. False, and an error, if the file cannot be
-   * written or read, or there is no state; SaveState leaves no half file.
+   * Saves the state of the skin at the last time step up to the time of the last update, as a .vdb
+   * with metadata; and loads it into this or another filter with the same properties and inputs:
+   * then any time from that of the state on continues from there, to the same bytes. False, and an
+   * error, if the file cannot be written or read, or there is no state. No half-written file is
+   * left.
    */
   bool SaveState(const char* file);
   bool LoadState(const char* file);
   ///@}
 
-  /**
-   * The paper's own choices, for comparison: PaperScheme on, TargetEvaluation SHIFTED,
-   * GradientScheme CENTRAL, NormalizeTarget off.
-   */
+  /** The paper's choices: PaperScheme on, SHIFTED, CENTRAL, NormalizeTarget off. */
   void PaperFaithful();
 
   ///@{
-  /**
-   * Points at which the target was evaluated, and substeps that were taken, since the filter was
-   * made or the counters were reset.
-   */
+  /** Points at which the target was evaluated, and substeps, since the start or ResetCounters. */
   vtkIdType GetTargetEvaluations();
   vtkIdType GetSubsteps();
   void ResetCounters();
@@ -358,10 +338,10 @@ public:
   /**
    * The skin as an implicit function: a vtkGridPotential, which any thread may evaluate in a time
    * that does not depend on the size of the skin. Trilinear, of the right side everywhere, a
-   * first-order distance [length] within about 1.5 voxels of the skin, clamped to +-3 voxels. It is
-   * the same object always, and after each update that of the new skin; before the first, and after
-   * an error, it is outside everywhere. It may be the target of another surface, which starts anew
-   * when it changes: to follow a moving skin, connect its output port instead.
+   * first-order distance [length] within about 1.5 voxels of the skin, clamped to +-3 voxels.
+   * Always the same object, after each update that of the new skin; outside everywhere before the
+   * first and after an error. As the target of another surface it restarts that one with each
+   * change: to follow a moving skin, connect its output port instead.
    */
   vtkImplicitFunction* GetSkinFunction();
 

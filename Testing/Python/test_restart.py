@@ -148,6 +148,7 @@ ARRAYS = {
     "ComputeNormals": (morph, 0),
     "ComputeVelocity": (morph, 1),
     "PassTargetArrays": (crossing_particles, 1),
+    "MaximumVelocity": (particles_with_velocity, 0.1),
     "TangentialVelocity": (particles_with_velocity, 1),
 }
 DOES_NOT_RESTART = {
