@@ -3,8 +3,8 @@
     python3 Testing/Mutation/mutate.py --count 300 --seed 1
 
 Copies the tree to build/mutants, draws mutants at random, and compiles all of them at once: each is
-asleep unless the environment variable ACTIVE_MUTANT is its number. Every test runs once to find which
-mutants it reaches; then each mutant runs the tests that reach it, quickest first, until one fails.
+asleep unless the environment variable ACTIVE_MUTANT is its number. Every test runs once to find
+which mutants it reaches; then each mutant runs the tests that reach it, quickest first, until one fails.
 Prints the survivors. Needs what Testing/run has installed, and an hour or so.
 """
 
@@ -91,7 +91,8 @@ def draw(count, seed):
     sources = [
         path
         for path in sorted((ROOT / "Filters").rglob("*"))
-        if path.suffix in (".h", ".cxx") and path.name not in LEFT_OUT
+        if path.suffix in (".h", ".cxx")
+        and path.name not in LEFT_OUT
         # A wrapped header's inline setters are VTK's; a wrapper would not understand more.
         and not (path.name.startswith("vtk") and path.suffix == ".h")
     ]
@@ -115,7 +116,9 @@ def write_tree(mutants, dropped):
         ):
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(source, target)
-    (TREE / "Filters/NarrowBand/ActiveMutant.h").write_text(HEADER.replace("COUNT", str(len(mutants))))
+    (TREE / "Filters/NarrowBand/ActiveMutant.h").write_text(
+        HEADER.replace("COUNT", str(len(mutants)))
+    )
     by_file = defaultdict(list)
     for number, mutant in enumerate(mutants):
         if number not in dropped:
@@ -155,9 +158,7 @@ def build(mutants):
 
 def list_tests():
     """name: (command, environment), of the tests that need nothing installed or displayed."""
-    text = subprocess.check_output(
-        ["ctest", "--test-dir", BUILD, "--show-only=json-v1"], text=True
-    )
+    text = subprocess.check_output(["ctest", "--test-dir", BUILD, "--show-only=json-v1"], text=True)
     tests = {}
     for test in json.loads(text)["tests"]:
         properties = {p["name"]: p["value"] for p in test["properties"]}

@@ -1,9 +1,9 @@
 # ctest: WITHOUT_PACKAGE LABELS contract
 """Who may include whom: each module of Filters, and each room of it, is a floor of one stack.
 
-A module's own folder holds what others include, its sub-folders ("rooms") are private, and an include names
-its room: `#include "Leaves/LeafTable.h"`. Prints the floors of the tree as it is. Each rule is first
-shown to find a file that breaks it, in a tree made up for that.
+A module's own folder holds what others include, its sub-folders ("rooms") are private, and an
+include names its room: `#include "Leaves/LeafTable.h"`. Prints the floors of the tree as it is.
+Each rule is first shown to find a file that breaks it, in a tree made up for that.
 """
 
 import re
@@ -23,11 +23,21 @@ NOT_FOR_WRAPPED_HEADERS = re.compile(
 )
 SOURCES = (".h", ".cxx", ".txx", ".cpp", ".hpp")
 
-# Room: the rooms, and the single files of other rooms, that it may include besides its own. A module's
-# own folder, "NarrowBand" say, is a room as well.
-NUMERICS = ["NarrowBand/OpenVDB", "NarrowBand/CompilerBuiltins", "NarrowBand/InstructionSets", "NarrowBand/Motion", "NarrowBand/Target"]
+# Room: the rooms, and the single files of other rooms, that it may include besides its own. A
+# module's own folder, "NarrowBand" say, is a room as well.
+NUMERICS = [
+    "NarrowBand/OpenVDB",
+    "NarrowBand/CompilerBuiltins",
+    "NarrowBand/InstructionSets",
+    "NarrowBand/Motion",
+    "NarrowBand/Target",
+]
 MAY_INCLUDE = {
-    "NarrowBand/Leaves": ["NarrowBand/OpenVDB", "NarrowBand/CompilerBuiltins", "NarrowBand/InstructionSets"],
+    "NarrowBand/Leaves": [
+        "NarrowBand/OpenVDB",
+        "NarrowBand/CompilerBuiltins",
+        "NarrowBand/InstructionSets",
+    ],
     "NarrowBand/Substep": [
         *NUMERICS,
         "NarrowBand/Leaves",
@@ -109,9 +119,7 @@ def is_allowed(unit, other):
     room = room_of(unit)
     allowed = MAY_INCLUDE.get(room, [])
     private = "/" in room_of(other) and module_of(other) != module_of(unit)
-    return not private and (
-        room_of(other) == room or room_of(other) in allowed or other in allowed
-    )
+    return not private and (room_of(other) == room or room_of(other) in allowed or other in allowed)
 
 
 def reached_includes(root, header):
@@ -152,7 +160,7 @@ def find_arrows(root):
 
 
 def find_floors(arrows):
-    """Unit: its floor, one above the highest unit that it includes. Raises ValueError for a circle."""
+    """Unit: its floor, above all units that it includes. Raises ValueError for a circle."""
     floors, open_units = {}, []
 
     def floor(unit):
@@ -196,9 +204,10 @@ def find_broken_includes(root, path):
         elif own and not names_its_room(root, own, include):
             yield include, f"the room is not named: {own.relative_to(root / 'Filters')}"
         is_wrapped = path.name.startswith("vtk") and path.suffix == ".h"
-        if include.startswith("openvdb/") and unit != "NarrowBand/OpenVDB" and not is_wrapped:
-            if include == "openvdb/openvdb.h" or "OpenVDB.h" not in includes_of(path):
-                yield include, "OpenVDB is included by OpenVDB.h, which makes its templates visible"
+        is_openvdb = include.startswith("openvdb/") and unit != "NarrowBand/OpenVDB"
+        is_first = include == "openvdb/openvdb.h" or "OpenVDB.h" not in includes_of(path)
+        if is_openvdb and is_first and not is_wrapped:
+            yield include, "OpenVDB is included by OpenVDB.h, which makes its templates visible"
         is_vtk = VTK_HEADER.match(include) and not EXPORT_HEADER.search(include)
         if module_of(unit) == "NarrowBand" and is_vtk and not own:
             yield include, "the numerics know no VTK"
@@ -320,9 +329,7 @@ class RulesFindWhatBreaksThem(unittest.TestCase):
         )
 
     def test_openvdb_in_a_wrapped_header_by_way_of_another(self):
-        self.assert_found(
-            "Filters/IO/vtkBad.h", '#include "NarrowBand.h"', "openvdb/openvdb.h"
-        )
+        self.assert_found("Filters/IO/vtkBad.h", '#include "NarrowBand.h"', "openvdb/openvdb.h")
 
     def test_openvdb_past_the_header_that_makes_it_visible(self):
         for header in ("openvdb/openvdb.h", "openvdb/tools/Dense.h"):
