@@ -4,7 +4,8 @@
 
 Copies the tree to build/mutants, draws mutants at random, and compiles all of them at once: each is
 asleep unless the environment variable ACTIVE_MUTANT is its number. Every test runs once to find
-which mutants it reaches; then each mutant runs the tests that reach it, quickest first, until one fails.
+which mutants it reaches; then each mutant runs the tests that reach it, quickest first, until one
+fails.
 Prints the survivors. Needs what Testing/run has installed, and an hour or so.
 """
 

@@ -38,6 +38,7 @@ OTHER_VALUES = {
     "InvertTarget": 1,
     "MaximumNumberOfActiveVoxels": 1000000,
     "MaximumNumberOfSubsteps": 10,
+    "MaximumVelocity": 0.1,
     "MeshThickness": 1,
     "ModelBounds": [-1, 2, -1, 3, -1, 2],
     "NormalizeTarget": 0,
@@ -167,6 +168,7 @@ class ChangesInMidAnimation(unittest.TestCase):
             "MaximumNumberOfSubsteps": {"EvolutionMode": 1, "MaximumNumberOfSubsteps": 20},
             "EvolutionMode": {"MaximumNumberOfSubsteps": 20},
             "PaperScheme": {"Attraction": 1},
+            "MaximumVelocity": {"ComputeVelocity": 1},
             "TangentialVelocity": {"ComputeVelocity": 1},
             "NormalizeTarget": {"Attraction": 1},
         }.get(name, {})

@@ -1,0 +1,25 @@
+# The modules with all their symbols: tests and benchmarks reach what the libraries hide. They link
+# these and never the libraries, which would be second copies.
+#
+# active_add_inside(<module> <target>...): Inside<module>, and what it links.
+function (active_add_inside module)
+  if (TARGET Inside${module})
+    return()
+  endif ()
+  add_library(Inside${module} STATIC $<TARGET_OBJECTS:ActiveImplicitSurfaces::Active${module}>)
+  set_target_properties(Inside${module} PROPERTIES LINKER_LANGUAGE CXX)
+  target_include_directories(Inside${module} INTERFACE
+    "${PROJECT_SOURCE_DIR}/Filters/${module}" "${PROJECT_BINARY_DIR}/Filters/${module}")
+  target_link_libraries(Inside${module} INTERFACE ${ARGN})
+endfunction ()
+
+active_add_inside(NarrowBand OpenVDB::openvdb TBB::tbb)
+active_add_inside(VDB InsideNarrowBand VTK::CommonCore)
+active_add_inside(Potentials InsideVDB VTK::CommonDataModel VTK::CommonExecutionModel)
+active_add_inside(Surfaces InsidePotentials VTK::CommonMath)
+active_add_inside(IO InsidePotentials VTK::CommonMath VTK::IOImage OpenEXR::OpenEXR
+  $<$<BOOL:${LIBDEFLATE_LIBRARY}>:${LIBDEFLATE_LIBRARY}>)
+
+# They include OpenVDB themselves, whose templates have to be visible (see OpenVDB.h).
+set(CMAKE_CXX_VISIBILITY_PRESET default)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN OFF)
