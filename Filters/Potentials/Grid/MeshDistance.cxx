@@ -158,7 +158,7 @@ openvdb::FloatGrid::Ptr MakeMeshDistance(const MeshTriangles& mesh, const MeshLa
   const int flags = openvdb::tools::DISABLE_RENORMALIZATION |
     (lattice.IsSigned ? 0 : openvdb::tools::UNSIGNED_DISTANCE_FIELD);
   const auto band = static_cast<float>(lattice.Band);
-  openvdb::Int32Grid nearest(openvdb::Int32(openvdb::util::INVALID_IDX));
+  openvdb::Int32Grid nearest(static_cast<openvdb::Int32>(openvdb::util::INVALID_IDX));
   openvdb::FloatGrid::Ptr distance = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
     voxels, openvdb::math::Transform(), band, band, flags, &nearest);
 

@@ -201,14 +201,14 @@ private:
   {
     const double* x = this->Points + 3 * i;
     SkeletonPlace place{ { x[0], x[1], x[2] } };
-    this->Elements.AddAll<Kernel>(PlaceAt(x), place);
+    this->Elements.template AddAll<Kernel>(PlaceAt(x), place);
     this->Write(i, place.Terms);
   }
 
   ACTIVE_ALWAYS_INLINE void EvaluateTogether(const std::size_t* members, int count) const
   {
     SkeletonLanes lanes = TakePlaces(this->Points, members, count);
-    this->Elements.AddAll<Kernel>(FindBox(lanes), lanes);
+    this->Elements.template AddAll<Kernel>(FindBox(lanes), lanes);
     for (int i = 0; i < count; ++i)
     {
       const double terms[4] = { lanes.Terms[0][i], lanes.Terms[1][i], lanes.Terms[2][i],
