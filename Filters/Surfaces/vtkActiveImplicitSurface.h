@@ -149,7 +149,7 @@ public:
   /**
    * Distance of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
    * at its multiples. Halving it takes 4 times the memory, 8 (with Tension 16) times the time.
-   * Range: 1e-30 to 1e30, or 0, which is a 64th of the bounds' longest side. Default: 0.
+   * Range: >= 0; 1e-30 to 1e30, or 0, a 64th of the bounds' longest side. Default: 0.
    */
   vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
@@ -212,8 +212,8 @@ public:
   ///@{
   /**
    * Thickness [length] of the shell that an input mesh with open edges becomes; a closed one stays
-   * a solid. Below about two voxels the shell has holes. Range: 0 to 1e30. Default: 0, no shell: an
-   * open mesh has no inside, or a wrong one, with a warning.
+   * a solid. Below about two voxels the shell has holes. Range: >= 0, at most 1e30. Default: 0, no
+   * shell: an open mesh has no inside, or a wrong one, with a warning.
    */
   vtkSetClampMacro(MeshThickness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshThickness, double);
