@@ -100,6 +100,7 @@ std::vector<Family> FindFamilies(
     }
   }
   std::vector<Family> all;
+  all.reserve(families.size());
   for (const auto& [first, family] : families)
   {
     all.push_back(family);

@@ -144,7 +144,7 @@ Imf::Slice MakeSlice(const EXRSamples& samples, const Imath::Box2i& window)
 void WriteByOpenEXR(
   EXROutput& output, const Imf::Header& header, const std::vector<EXRSamples>& channels)
 {
-  const Imath::Box2i window = header.dataWindow();
+  const Imath::Box2i& window = header.dataWindow();
   Imf::FrameBuffer frame;
   for (const EXRSamples& channel : channels)
   {
@@ -155,9 +155,9 @@ void WriteByOpenEXR(
   file.writePixels(window.max.y - window.min.y + 1);
 }
 
-// By OpenEXR from 3.2 on, which packs with libdeflate and by several threads.
+// OpenEXR from 3.2 on packs with libdeflate and by several threads itself.
 void WriteChannels(
-  EXROutput& output, Imf::Header header, const std::vector<EXRSamples>& channels, int level)
+  EXROutput& output, const Imf::Header& header, const std::vector<EXRSamples>& channels, int level)
 {
 #ifdef ACTIVE_PACKS_ZIP
   if (IsZipped(header))
@@ -165,10 +165,12 @@ void WriteChannels(
     WriteZipped(output, header, channels, level);
     return;
   }
-#else
-  header.zipCompressionLevel() = level;
-#endif
   WriteByOpenEXR(output, header, channels);
+#else
+  Imf::Header leveled = header;
+  leveled.zipCompressionLevel() = level;
+  WriteByOpenEXR(output, leveled, channels);
+#endif
 }
 
 void WritePixels(

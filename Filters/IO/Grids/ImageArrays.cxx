@@ -78,8 +78,8 @@ vtkSmartPointer<vtkDataArray> MakeImageArray(
   const openvdb::GridBase& grid, const int extent[6], int factor)
 {
   using namespace openvdb;
-  const auto array = Dispatch<FloatGrid, DoubleGrid, Int32Grid, Int64Grid, BoolGrid, MaskGrid,
-    Vec3SGrid, Vec3DGrid, Vec3IGrid>(grid, extent, factor);
+  auto array = Dispatch<FloatGrid, DoubleGrid, Int32Grid, Int64Grid, BoolGrid, MaskGrid, Vec3SGrid,
+    Vec3DGrid, Vec3IGrid>(grid, extent, factor);
   array->SetName(grid.getName().c_str());
   return array;
 }

@@ -18,6 +18,7 @@ public:
     : Mesh(mesh)
   {
   }
+  // NOLINTBEGIN(readability-identifier-naming)
   std::size_t polygonCount() const { return this->Mesh.Triangles.size(); }
   std::size_t pointCount() const { return this->Mesh.Points.size(); }
   std::size_t vertexCount(std::size_t) const { return 3; }
@@ -25,6 +26,7 @@ public:
   {
     point = this->Mesh.Points[this->Mesh.Triangles[triangle][corner]];
   }
+  // NOLINTEND(readability-identifier-naming)
 
 private:
   const LatticeMesh& Mesh;

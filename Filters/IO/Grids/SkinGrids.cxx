@@ -109,7 +109,7 @@ openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize)
 
 openvdb::FloatGrid::Ptr MakeDensityGrid(const openvdb::FloatGrid& surface)
 {
-  const openvdb::FloatGrid::Ptr grid = surface.deepCopy();
+  openvdb::FloatGrid::Ptr grid = surface.deepCopy();
   openvdb::tools::sdfToFogVolume(*grid);
   grid->setName("density");
   return grid;

@@ -234,7 +234,7 @@ private:
 
 openvdb::FloatTree::Ptr MakeNearbyDistances(CrossedNodes& crossed, const NodeFunction& function)
 {
-  const openvdb::FloatTree::Ptr tree = SampleNearby(crossed, function);
+  openvdb::FloatTree::Ptr tree = SampleNearby(crossed, function);
   if (!HasInside(*tree, 1.f))
   {
     return nullptr;

@@ -14,6 +14,7 @@ namespace
 std::vector<double> MakeOwnSteps(const ClockProperties& properties, int count)
 {
   std::vector<double> steps;
+  steps.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
   {
     steps.push_back(properties.StartTime + i * properties.TimeStepSize);

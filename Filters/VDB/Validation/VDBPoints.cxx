@@ -144,7 +144,7 @@ Types PointsValidator::ReadTypes()
     return this->Shared;
   }
   const auto flags = this->Source.Read<std::uint8_t>();
-  const Types types = this->ReadDescriptor();
+  Types types = this->ReadDescriptor();
   if (flags > 3)
   {
     Refuse("points have unknown flags");
