@@ -13,7 +13,7 @@
  * vtkGridPotential, as it is, without a dense image, with OutputDense off: the output then has an
  * extent, but no array, and carries the grid.
  *
- * Before anything is read, a file is looked through down to its last leaf, so that a damaged one is
+ * Before anything is read, a file is validated down to its last leaf, so that a damaged one is
  * an error with a sentence, and ErrorCode, and empty outputs. Then only the chosen grids are read,
  * and of them, if Region is a box and the file allows it, only the leaves that meet the box. Files
  * of before OpenVDB 2 are refused.

@@ -8,7 +8,6 @@
 
 class vtkInformation;
 class vtkInformationVector;
-class vtkPolyData;
 
 namespace activesurface
 {

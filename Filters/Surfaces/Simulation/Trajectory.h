@@ -48,7 +48,6 @@ public:
   void FinishStep() { ++this->Step; }
   // It has come to rest, or used up its substeps.
   void FinishSteadyState() { this->IsSteady = true; }
-  bool IsFinishedSteadyState() const { return this->IsSteady; }
 
   // The band to be moved to a time between this step and the next; begun anew for another time.
   NarrowBand& GetBranchTo(PipelineTime time);
