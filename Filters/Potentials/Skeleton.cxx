@@ -7,9 +7,6 @@ namespace activesurface
 {
 namespace
 {
-// Of the radius: more means more that is looked at in vain, less means more builds.
-constexpr double MarginOfMoving = 0.1;
-
 constexpr double SmallestSize = 1e-100;
 constexpr double LargestSize = 1e100;
 }
@@ -78,57 +75,16 @@ void Skeleton::AddCapsule(const SkeletonVertex& start, const SkeletonVertex& end
   this->Capsules.push_back(capsule);
 }
 
-// Whether each element lies within what the cells list for it.
-bool Skeleton::AreWithinCells() const
+std::vector<SkeletonVertex> Skeleton::ListPoints() const
 {
-  constexpr double largest = 1.0 + 2.0 * MarginOfMoving; // then cells list too much
-  const auto isWithin = [](const double at[3], double radius, const double centre[3], double reach)
+  std::vector<SkeletonVertex> vertices(this->Points.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    const double x = at[0] - centre[0], y = at[1] - centre[1], z = at[2] - centre[2];
-    const double room = reach - radius;
-    return room >= 0.0 && reach <= largest * radius && x * x + y * y + z * z <= room * room;
-  };
-  // What holds at both ends of a segment holds between them: all runs linearly.
-  return this->Listed.size() == this->Capsules.size() &&
-    std::equal(this->Capsules.begin(), this->Capsules.end(), this->Listed.begin(),
-      [&](const Capsule& now, const Capsule& then)
-      {
-        return isWithin(now.Start, now.StartRadius, then.Start, then.StartRadius) &&
-          isWithin(now.End, now.EndRadius, then.End, then.EndRadius);
-      });
-}
-
-void Skeleton::Build()
-{
-  if (this->AreWithinCells())
-  {
-    return;
+    std::copy_n(this->Points[i].Position, 3, vertices[i].Position);
+    vertices[i].Radius = this->Capsules[i].StartRadius;
+    vertices[i].Strength = this->Points[i].Strength;
   }
-  const bool moves = this->Listed.size() == this->Capsules.size();
-  const double factor = moves ? 1.0 + MarginOfMoving : 1.0;
-  double largest = 0.0;
-  this->Listed = this->Capsules;
-  for (Capsule& capsule : this->Listed)
-  {
-    largest = std::max({ largest, capsule.StartRadius, capsule.EndRadius });
-    capsule.StartRadius *= factor;
-    capsule.EndRadius *= factor;
-  }
-  double bounds[6];
-  for (int side = 0; side < 6; ++side)
-  {
-    bounds[side] = this->Bounds[side] + (side % 2 ? 1.0 : -1.0) * (factor - 1.0) * largest;
-  }
-  try
-  {
-    this->Cells.Build(this->Listed, bounds);
-  }
-  catch (...)
-  {
-    this->Listed.clear();
-    this->Cells = SkeletonCells(); // what is half built lists elements that are not there
-    throw;
-  }
+  return vertices;
 }
 
 }

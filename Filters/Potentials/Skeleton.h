@@ -6,7 +6,7 @@
 #ifndef Skeleton_h
 #define Skeleton_h
 
-#include "SkeletonCells.h"
+#include "ElementIndex.h"
 #include "SkeletonKernel.h"
 #include "vtkActivePotentialsModule.h"
 
@@ -40,10 +40,8 @@ public:
   void AddPoint(const SkeletonVertex& vertex);
   void AddSegment(const SkeletonVertex& start, const SkeletonVertex& end);
 
-  // Comes after the last element and before the first evaluation. Throws as SkeletonCells does.
-  // Elements that move by little between two builds keep their cells, which then list them with a
-  // margin: sums do not change by it, as what is out of reach adds nothing.
-  void Build();
+  // Comes after the last element and before the first evaluation. Throws as ElementIndex does.
+  void Build() { this->Near.Build(this->Capsules, this->Bounds); }
 
   // Values: threshold - sum, at points (x y z each); gradients, unless null: those of the values.
   // A point that is not finite gets NaN. Thread-safe.
@@ -56,25 +54,23 @@ public:
     SkeletonKernel kernel, const double x[3], std::vector<SkeletonWeight>& weights) const;
 
   std::size_t GetNumberOfElements() const { return this->Capsules.size(); }
+  bool HasSegments() const { return !this->Segments.empty(); }
+
+  // The points, as they were added.
+  std::vector<SkeletonVertex> ListPoints() const;
 
   // The box of all supports: xmin xmax ymin ... Meaningless without elements.
   const double* GetBounds() const { return this->Bounds; }
 
 private:
   using Index = SkeletonCells::Index;
-  struct Stream;
 
   void AddCapsule(const SkeletonVertex& start, const SkeletonVertex& end);
-  bool AreWithinCells() const;
 
   template <class Kernel>
   struct Evaluation;
   template <class Kernel>
   void AddWeights(const double x[3], std::vector<SkeletonWeight>& weights) const;
-  template <class Visitor>
-  ACTIVE_ALWAYS_INLINE void VisitHits(const SkeletonCells::Place& place, Visitor visit) const;
-  template <class Visitor>
-  ACTIVE_ALWAYS_INLINE void VisitMerged(const SkeletonCells::Place& place, Visitor visit) const;
   template <class Kernel, class Sums>
   ACTIVE_ALWAYS_INLINE void AddAll(const SkeletonCells::Place& place, Sums& sums) const;
   template <class Kernel, class Sums>
@@ -83,9 +79,8 @@ private:
   std::vector<SkeletonPoint> Points;
   std::vector<SkeletonSegment> Segments;
   std::vector<Capsule> Capsules; // of the points, then of the segments
-  std::vector<Capsule> Listed;   // what the cells were built for
   double Bounds[6];
-  SkeletonCells Cells;
+  ElementIndex Near;
 };
 
 }

@@ -2,6 +2,8 @@
 
 #include "BatchEvaluation.h"
 #include "FunctionInput.h"
+#include "ParticleFit.h"
+#include "ParticlePotential.h"
 #include "Skeleton.h"
 #include "Skeleton/SkeletonInput.h"
 
@@ -31,6 +33,7 @@ struct vtkSkeletonPotential::Internals
 
   // What Build makes.
   activesurface::Skeleton Skeleton;
+  activesurface::ParticlePotential Body; // in its place, unless ParticleModel is SUM
   vtkIdType IgnoredElements = 0;
   std::mutex Building;
   std::atomic<vtkMTimeType> BuildTime{ 0 };
@@ -162,11 +165,14 @@ void vtkSkeletonPotential::ReadElements()
         { this->RadiusArrayName, this->StrengthArrayName, this->Radius }, own.Skeleton));
     }
     own.Skeleton.Build();
+    this->FitBody();
   }
   catch (const std::exception& error)
   {
     own.Skeleton.Clear();
     own.Skeleton.Build();
+    own.Body.Clear(activesurface::ParticleModel::AveragedCentre);
+    own.Body.Build();
     vtkErrorMacro(<< error.what() << " The function is Threshold everywhere.");
   }
   if (own.IgnoredElements > 0 && !own.HasOwnElements)
@@ -176,6 +182,32 @@ void vtkSkeletonPotential::ReadElements()
       << " points or segments are ignored: a coordinate, radius or strength of theirs "
          "is not finite, a radius is not positive, or a point does not exist.");
   }
+}
+
+void vtkSkeletonPotential::FitBody()
+{
+  Internals& own = *this->Internal;
+  if (this->ParticleModel == SUM)
+  {
+    return;
+  }
+  if (own.Skeleton.HasSegments())
+  {
+    throw std::invalid_argument("Lines can only be a SUM, but ParticleModel is another; set it to "
+                                "SUM, or connect points alone.");
+  }
+  activesurface::FitOptions options;
+  options.Model = static_cast<activesurface::ParticleModel>(this->ParticleModel);
+  options.OwnRadius = 0.5 * this->ParticleSpacing;
+  options.Anisotropy = this->Anisotropy;
+  const std::vector<activesurface::SkeletonVertex> points = own.Skeleton.ListPoints();
+  const std::vector<activesurface::ParticleFit> fits = FitParticles(options, points);
+  own.Body.Clear(options.Model);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    own.Body.Add(points[i], fits[i]);
+  }
+  own.Body.Build();
 }
 
 vtkIdType vtkSkeletonPotential::AddOwnElements()
@@ -205,7 +237,9 @@ bool vtkSkeletonPotential::GetSkeletonBounds(double bounds[6])
     vtkMath::UninitializeBounds(bounds);
     return false;
   }
-  std::copy_n(this->Internal->Skeleton.GetBounds(), 6, bounds);
+  const Internals& own = *this->Internal;
+  std::copy_n(
+    this->ParticleModel == SUM ? own.Skeleton.GetBounds() : own.Body.GetBounds(), 6, bounds);
   return true;
 }
 
@@ -218,9 +252,17 @@ vtkIdType vtkSkeletonPotential::GetNumberOfIgnoredElements()
 void vtkSkeletonPotential::EvaluateBatch(
   vtkIdType count, const double* points, double* values, double* gradients) const
 {
-  this->Internal->Skeleton.Evaluate(static_cast<activesurface::SkeletonKernel>(this->Kernel),
-    this->Threshold, static_cast<std::size_t>(std::max<vtkIdType>(count, 0)), points, values,
-    gradients);
+  const Internals& own = *this->Internal;
+  const auto size = static_cast<std::size_t>(std::max<vtkIdType>(count, 0));
+  if (this->ParticleModel == SUM)
+  {
+    own.Skeleton.Evaluate(static_cast<activesurface::SkeletonKernel>(this->Kernel), this->Threshold,
+      size, points, values, gradients);
+  }
+  else
+  {
+    own.Body.Evaluate(size, points, values, gradients);
+  }
 }
 
 double vtkSkeletonPotential::EvaluateFunction(double x[3])
@@ -261,4 +303,8 @@ void vtkSkeletonPotential::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StrengthArrayName: " << this->StrengthArrayName << "\n";
   os << indent << "Kernel: " << kernels[this->Kernel] << "\n";
   os << indent << "Threshold: " << this->Threshold << "\n";
+  const char* models[] = { "Sum", "AveragedCentre", "Anisotropic" };
+  os << indent << "ParticleModel: " << models[this->ParticleModel] << "\n";
+  os << indent << "ParticleSpacing: " << this->ParticleSpacing << "\n";
+  os << indent << "Anisotropy: " << this->Anisotropy << "\n";
 }

@@ -30,6 +30,21 @@
  * segment elsewhere. Only a shared point id makes a joint, not equal coordinates. To thicken a
  * joint, give its point a vertex cell.
  *
+ * Particles as a body of fluid. ParticleModel AVERAGED_CENTRE and ANISOTROPIC look at what is
+ * around each point, and fit it so that a lone point is a ball of its own radius r, half of
+ * ParticleSpacing, and the surface of a body passes r outside of its outermost points: a layer is a
+ * plane, N points in a box have a volume of about N (2 r)^3. Points alone, as lines are sums; those
+ * of strength <= 0 are left out. Kernel and Threshold are those of SUM; F is 0 on the surface and,
+ * with AVERAGED_CENTRE, a length. With x_i the points around x and c, r' the means of their
+ * positions and fitted radii, weighted by (1 - q^2)^2:
+ *
+ *     AVERAGED_CENTRE  F(x) = |x - c| - g r'
+ *     ANISOTROPIC      F(x) = 1/2 - sum of s_i (1 - q_i^2)^3, q_i = |G_i (x - c_i)|
+ *
+ * g goes from 1 to -1 far from all points, where c would make bridges between parts (a remedy for
+ * the fault that Solenthaler, Schlaefli and Pajarola 2007 describe). Sources: Zhu, Bridson 2005;
+ * Yu, Turk 2013.
+ *
  * Bad input. Elements with a coordinate, radius or strength that is not finite (or above 1e100), or
  * with a radius <= 0 (or below 1e-100), are ignored: GetNumberOfIgnoredElements(), and one warning
  * when the input is read. A named array that is missing or has not one number per point is an
@@ -66,6 +81,13 @@ public:
     WYVILL = 0,
     CUBIC_SPLINE = 1,
     METABALL = 2
+  };
+
+  enum ParticleModelType
+  {
+    SUM = 0,
+    AVERAGED_CENTRE = 1,
+    ANISOTROPIC = 2
   };
 
   ///@{
@@ -136,6 +158,38 @@ public:
   vtkGetMacro(Threshold, double);
   ///@}
 
+  ///@{
+  /**
+   * How points make a surface: SUM (0), of Kernel; AVERAGED_CENTRE (1), flat where the points are a
+   * body of fluid, a ball of its own radius where one is alone; ANISOTROPIC (2), kernels that are
+   * stretched along their neighbourhood, which keeps thin sheets and edges sharp, at a higher cost.
+   * With lines only SUM is possible, else an error. Default: SUM.
+   */
+  vtkSetClampMacro(ParticleModel, int, SUM, ANISOTROPIC);
+  vtkGetMacro(ParticleModel, int);
+  void SetParticleModelToSum() { this->SetParticleModel(SUM); }
+  void SetParticleModelToAveragedCentre() { this->SetParticleModel(AVERAGED_CENTRE); }
+  void SetParticleModelToAnisotropic() { this->SetParticleModel(ANISOTROPIC); }
+  ///@}
+
+  ///@{
+  /**
+   * Usual distance of neighbours [length], twice a point's own radius; of no use to SUM.
+   * Range: >= 0; 1e-100 to 1e100, or 0 for 1 / 3 (AVERAGED_CENTRE) or 1 / 2.25 (ANISOTROPIC) of a
+   * point's Radius. Default: 0.
+   */
+  vtkSetClampMacro(ParticleSpacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ParticleSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Largest ratio of a kernel's axes [1], of ANISOTROPIC: 1 for balls. Range: 1 to 100. Default: 4.
+   */
+  vtkSetClampMacro(Anisotropy, double, 1.0, 100.0);
+  vtkGetMacro(Anisotropy, double);
+  ///@}
+
   /**
    * Box of all influence [length]: points and ends of segments, enlarged by their radii. F is
    * Threshold outside. False, and uninitialized bounds, without elements. Reads the input.
@@ -198,11 +252,15 @@ private:
 
   void SetName(std::string& member, const char* name);
   void ReadElements();
+  void FitBody();
   vtkIdType AddOwnElements();
 
   double Radius = 1.0;
   double Threshold = 0.5;
   int Kernel = WYVILL;
+  int ParticleModel = SUM;
+  double ParticleSpacing = 0.0;
+  double Anisotropy = 4.0;
   std::string RadiusArrayName;
   std::string StrengthArrayName;
 

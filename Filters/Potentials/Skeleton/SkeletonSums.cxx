@@ -2,19 +2,16 @@
 // one after the other where not, to the same bits.
 
 #include "Skeleton.h"
+#include "Skeleton/HitVisits.h"
 #include "Skeleton/SkeletonBatch.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace activesurface
 {
 namespace
 {
-// Enough to look at several lattices without leaving the first cache.
-constexpr std::size_t HitsOfStream = 32;
-
 // Fewer places are faster one by one.
 constexpr int FewestLanes = 3;
 
@@ -58,86 +55,6 @@ ACTIVE_ALWAYS_INLINE SkeletonCells::Place FindBox(const SkeletonLanes& lanes)
 }
 }
 
-// Calls visit(hits, count) for all that may reach the place, ascending.
-template <class Visitor>
-ACTIVE_ALWAYS_INLINE void Skeleton::VisitHits(
-  const SkeletonCells::Place& place, Visitor visit) const
-{
-  if (this->Cells.GetNumberOfLattices() > 1)
-  {
-    this->VisitMerged(place, visit);
-  }
-  else if (this->Cells.GetNumberOfLattices() == 1)
-  {
-    Index hits[SkeletonCells::HitsAtOnce];
-    SkeletonCells::Search search = this->Cells.StartSearch(0, place);
-    while (!search.IsOver())
-    {
-      const std::size_t count = this->Cells.TakeHits(search, hits, SkeletonCells::HitsAtOnce);
-      visit(hits, count);
-    }
-  }
-}
-
-// The hits of one lattice.
-struct Skeleton::Stream
-{
-  SkeletonCells::Search Search;
-  std::size_t Head;
-  std::size_t Count;
-  Index Hits[HitsOfStream];
-
-  // Whether there is a hit at Head.
-  bool Refill(const SkeletonCells& cells)
-  {
-    while (this->Head == this->Count && !this->Search.IsOver())
-    {
-      this->Head = 0;
-      this->Count = cells.TakeHits(this->Search, this->Hits, HitsOfStream);
-    }
-    return this->Head < this->Count;
-  }
-};
-
-template <class Visitor>
-ACTIVE_ALWAYS_INLINE void Skeleton::VisitMerged(
-  const SkeletonCells::Place& place, Visitor visit) const
-{
-  std::array<Stream, SkeletonCells::MaximumLattices> streams;
-  std::array<Stream*, SkeletonCells::MaximumLattices> open;
-  auto end = open.begin();
-  for (std::size_t lattice = 0; lattice < this->Cells.GetNumberOfLattices(); ++lattice)
-  {
-    Stream& stream = streams[lattice];
-    stream.Search = this->Cells.StartSearch(lattice, place);
-    stream.Head = stream.Count = 0;
-    *end = &stream;
-    end += stream.Refill(this->Cells) ? 1 : 0;
-  }
-  const auto isEarlier = [](const Stream* a, const Stream* b)
-  { return a->Hits[a->Head] < b->Hits[b->Head]; };
-  Index merged[SkeletonCells::HitsAtOnce];
-  std::size_t count = 0;
-  while (end != open.begin())
-  {
-    const auto first = std::min_element(open.begin(), end, isEarlier);
-    Stream& stream = **first;
-    merged[count] = stream.Hits[stream.Head];
-    ++stream.Head;
-    ++count;
-    if (!stream.Refill(this->Cells))
-    {
-      --end;
-      *first = *end;
-    }
-    if (count == SkeletonCells::HitsAtOnce || end == open.begin())
-    {
-      visit(merged, count);
-      count = 0;
-    }
-  }
-}
-
 template <class Kernel, class Sums>
 ACTIVE_ALWAYS_INLINE void Skeleton::AddHits(
   const Index* hits, std::size_t count, Sums& result) const
@@ -160,7 +77,7 @@ ACTIVE_ALWAYS_INLINE void Skeleton::AddHits(
 template <class Kernel, class Sums>
 ACTIVE_ALWAYS_INLINE void Skeleton::AddAll(const SkeletonCells::Place& place, Sums& sums) const
 {
-  this->VisitHits(place,
+  VisitHits(this->Near.GetCells(), place,
     [this, &sums](const Index* hits, std::size_t count) ACTIVE_INLINED
     { this->AddHits<Kernel>(hits, count, sums); });
 }
@@ -176,7 +93,7 @@ struct Skeleton::Evaluation
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t count) const
   {
-    const SkeletonBatch batch(this->Elements.Cells, count, this->Points);
+    const SkeletonBatch batch(this->Elements.Near.GetCells(), count, this->Points);
     batch.ForEachGroup(
       [this](const std::size_t* members, int size) ACTIVE_INLINED
       {
@@ -276,7 +193,7 @@ void Skeleton::FindWeights(
 template <class Kernel>
 void Skeleton::AddWeights(const double x[3], std::vector<SkeletonWeight>& weights) const
 {
-  this->VisitHits(PlaceAt(x),
+  VisitHits(this->Near.GetCells(), PlaceAt(x),
     [this, &weights, x](const Index* hits, std::size_t count)
     {
       for (std::size_t i = 0; i < count && hits[i] < this->Points.size(); ++i)

@@ -1,0 +1,220 @@
+#include "ParticleFit.h"
+
+#include "ParticlePotential.h"
+#include "Skeleton/Ellipsoid.h"
+#include "Skeleton/NeighbourSums.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+namespace
+{
+
+constexpr vtkIdType ParticlesPerTask = 256;
+
+// Neighbours are looked for within so many own radii, by usual proportions.
+constexpr double NeighbourhoodPerOwnRadius = 6.0;
+
+// A particle counts as one of the surface by how far it is from the mean of its neighbourhood, in
+// reaches of that: .24 in a flat layer of a deep body, below .1 inside.
+constexpr double LeastDepth = 0.1;
+constexpr double FullDepth = 0.22;
+
+// Of the fitted surface from the outermost particles, in own radii: a little more than 1, for the
+// edges that are lost.
+constexpr double SurfaceOffset = 1.04;
+
+// Sum of weights of the neighbours, in that of a half space with one particle in each (2 r)^3, from
+// which on there is a body.
+constexpr double LeastBody = 0.3;
+constexpr double FullBody = 0.8;
+
+double SmoothStep(double from, double to, double x)
+{
+  const double t = std::min(std::max((x - from) / (to - from), 0.0), 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+class Fitting
+{
+public:
+  Fitting(const FitOptions& options, const std::vector<SkeletonVertex>& particles)
+    : Options(options)
+    , Particles(particles)
+    , Fits(particles.size())
+    , Surface(particles.size())
+    , Outside(particles.size())
+    , NeighbourhoodFactor(NeighbourhoodPerOwnRadius / (2.0 * GetReachPerSpacing(options.Model)))
+    , Neighbours(particles, this->NeighbourhoodFactor)
+  {
+  }
+
+  std::vector<ParticleFit> Find()
+  {
+    this->ForEach([this](std::size_t i) { this->FindNeighbourhood(i); });
+    if (this->Options.Model != ParticleModel::Sum)
+    {
+      this->FindLack();
+      this->ForEach([this](std::size_t i) { this->GiveShare(i); });
+    }
+    return std::move(this->Fits);
+  }
+
+private:
+  template <class Function>
+  void ForEach(Function function) const
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Particles.size()), ParticlesPerTask,
+      [&function](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          function(static_cast<std::size_t>(i));
+        }
+      });
+  }
+
+  double GetOwnRadius(std::size_t i) const
+  {
+    return this->Options.OwnRadius > 0.0
+      ? this->Options.OwnRadius
+      : this->Particles[i].Radius / (2.0 * GetReachPerSpacing(this->Options.Model));
+  }
+
+  bool IsAnisotropic() const { return this->Options.Model == ParticleModel::Anisotropic; }
+
+  // What a lone particle has: the surface is at its own radius.
+  double GetLoneValue(std::size_t i) const
+  {
+    if (!this->IsAnisotropic())
+    {
+      return this->GetOwnRadius(i);
+    }
+    const double q = std::min(this->GetOwnRadius(i) / this->Particles[i].Radius, 0.999);
+    return (1.0 - q * q) * (1.0 - q * q) * (1.0 - q * q);
+  }
+
+  void FindNeighbourhood(std::size_t i)
+  {
+    const SkeletonVertex& particle = this->Particles[i];
+    const double reach = this->NeighbourhoodFactor * particle.Radius;
+    const NeighbourMoments sums = this->Neighbours.FindMoments(particle.Position);
+    const double own = this->GetOwnRadius(i);
+    // Of (1 - d^2/R^2)^2 over a half space, 64 pi R^3 / 105 / (2 (2 r)^3).
+    const double halfSpace = 32.0 * 3.14159265358979 / 105.0 * std::pow(reach / (2.0 * own), 3.0);
+    const double others = sums.Weight - std::max(particle.Strength, 0.0);
+    ParticleFit& fit = this->Fits[i];
+    fit.Bulk = SmoothStep(LeastBody, FullBody, others / halfSpace);
+    fit.OwnRadius = own;
+
+    const NeighbourhoodShape shape(sums);
+    const double depth = std::hypot(shape.Mean[0], shape.Mean[1], shape.Mean[2]);
+    SurfacePlaces& places = this->Outside[i];
+    places.Deep = SmoothStep(LeastDepth, FullDepth, depth / reach);
+    places.Thin = shape.GetThinness();
+    const double inward = shape.Frame[0][2] * shape.Mean[0] + shape.Frame[1][2] * shape.Mean[1] +
+      shape.Frame[2][2] * shape.Mean[2];
+    const double offset = SurfaceOffset * own;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double away = depth > 0.0 ? -shape.Mean[axis] / depth : 0.0;
+      const double across = inward > 0.0 ? -shape.Frame[axis][2] : shape.Frame[axis][2];
+      places.Away[axis] = particle.Position[axis] + offset * away;
+      places.Across[axis] = particle.Position[axis] + offset * across;
+    }
+    if (this->IsAnisotropic())
+    {
+      FitEllipsoid(shape, { particle.Radius, this->Options.Anisotropy, sums.Weight }, fit);
+    }
+  }
+
+  // At the place where the surface should be: the distance from the averaged centre, or the sum of
+  // kernels, over what a lone particle has.
+  void FindLack()
+  {
+    ParticlePotential body;
+    if (this->IsAnisotropic())
+    {
+      body.Clear(ParticleModel::Anisotropic);
+      for (std::size_t i = 0; i < this->Particles.size(); ++i)
+      {
+        this->Fits[i].Strength = 1.0;
+        body.Add(this->Particles[i], this->Fits[i]);
+      }
+      body.Build();
+    }
+    this->ForEach(
+      [this, &body](std::size_t i)
+      {
+        const SurfacePlaces& places = this->Outside[i];
+        const double both = places.Deep + places.Thin;
+        const double away = places.Deep > 0.0 ? this->FindValue(i, body, places.Away) : 0.0;
+        const double across = places.Thin > 0.0 ? this->FindValue(i, body, places.Across) : 0.0;
+        const double value =
+          both > 0.0 ? (places.Deep * away + places.Thin * across) / both : this->GetLoneValue(i);
+        this->Surface[i] = { 1.0 - (1.0 - places.Deep) * (1.0 - places.Thin),
+          value - this->GetLoneValue(i) };
+      });
+  }
+
+  double FindValue(std::size_t i, const ParticlePotential& body, const double x[3]) const
+  {
+    if (this->IsAnisotropic())
+    {
+      double value;
+      body.Evaluate(1, x, &value, nullptr);
+      return 0.5 - value;
+    }
+    const NeighbourMoments sums = this->Neighbours.FindMoments(x);
+    return sums.Weight > 0.0 ? std::hypot(sums.First[0], sums.First[1], sums.First[2]) / sums.Weight
+                             : this->GetOwnRadius(i);
+  }
+
+  void GiveShare(std::size_t i)
+  {
+    const NeighbourSums::Shares sums =
+      this->Neighbours.FindShares(this->Particles[i].Position, this->Surface);
+    const double mean = sums.Share > 0.0 ? sums.Value / sums.Share : 0.0;
+    const double value = this->GetLoneValue(i) + mean * std::min(sums.Share, 1.0);
+    ParticleFit& fit = this->Fits[i];
+    if (this->IsAnisotropic())
+    {
+      fit.Strength = 0.5 / value;
+    }
+    else
+    {
+      fit.OwnRadius = value;
+    }
+  }
+
+  // Where the surface should be, and how much each place counts.
+  struct SurfacePlaces
+  {
+    double Away[3]; // from the mean of the neighbours, which counts at the edge of a body
+    double Deep;
+    double Across[3]; // of a sheet or a thread
+    double Thin;
+  };
+
+  const FitOptions Options;
+  const std::vector<SkeletonVertex>& Particles;
+  std::vector<ParticleFit> Fits;
+  std::vector<NeighbourSums::Shares> Surface;
+  std::vector<SurfacePlaces> Outside;
+  const double NeighbourhoodFactor;
+  const NeighbourSums Neighbours;
+};
+
+}
+
+std::vector<ParticleFit> FitParticles(
+  const FitOptions& options, const std::vector<SkeletonVertex>& particles)
+{
+  return Fitting(options, particles).Find();
+}
+
+}

@@ -1,0 +1,314 @@
+#include "ParticlePotential.h"
+
+#include "Skeleton/LaneEvaluation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+namespace
+{
+// The kernel of presence ends there, in reaches. A lone particle's is .77 on its surface, that of
+// a layer .7 or more up to a spacing of 3 r; halfway between two layers 5 r apart it is .32.
+constexpr double NearPerReach = 3.5 / 6.0;
+constexpr double LeastPresence = 0.1;
+constexpr double FullPresence = 0.5;
+}
+
+// One lane after the other, all with the same operations.
+struct ParticlePotential::CentreField
+{
+  static constexpr int Terms = 4; // gradient, value
+
+  const ParticlePotential& Body;
+  double* Values;
+  double* Gradients; // or null
+
+  template <int Width>
+  ACTIVE_ALWAYS_INLINE void Evaluate(
+    const PlaceLanes<Width>& lanes, const HitList& hits, double (&terms)[Terms][Width]) const
+  {
+    Sums<Width> sums;
+    hits.Visit([this, &lanes, &sums](const SkeletonCells::Index* list, std::size_t count)
+                 ACTIVE_INLINED { this->Add(lanes, list, count, sums); });
+    Slopes<Width> slopes;
+    for (int i = 0; i < Width; ++i)
+    {
+      terms[3][i] = this->FindValue(sums, i, slopes);
+      terms[0][i] = terms[1][i] = terms[2][i] = 0.0;
+    }
+    if (!this->Gradients)
+    {
+      return;
+    }
+    hits.Visit([this, &lanes, &slopes](const SkeletonCells::Index* list, std::size_t count)
+                 ACTIVE_INLINED { this->Add(lanes, list, count, slopes); });
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int i = 0; i < Width; ++i)
+      {
+        terms[axis][i] = slopes.Gradient[axis][i];
+      }
+    }
+  }
+
+  ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
+  {
+    this->Values[i] = terms[3];
+    if (this->Gradients)
+    {
+      std::copy_n(terms, 3, this->Gradients + 3 * i);
+    }
+  }
+
+private:
+  template <int Width>
+  struct Sums
+  {
+    double Weight[Width] = {};
+    double Offset[3][Width] = {}; // to the particles
+    double Radius[Width] = {};
+    double Presence[Width] = {};
+  };
+
+  // The gradient is a sum too, of offsets times a factor that the first sums tell:
+  // OfWeight (offset . ToCentre - Level - Step * own radius) for the change of a particle's weight,
+  // OfPresence for that of its presence.
+  template <int Width>
+  struct Slopes
+  {
+    double ToCentre[3][Width];
+    double OfWeight[Width];
+    double Level[Width];
+    double Step[Width];
+    double OfPresence[Width];
+    double Gradient[3][Width];
+  };
+
+  template <int Width>
+  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
+    std::size_t count, Sums<Width>& result) const
+  {
+    Sums<Width> sums = result; // a copy, so that it stays in registers
+    for (std::size_t hit = 0; hit < count; ++hit)
+    {
+      const CentreElement& element = this->Body.Centres[hits[hit]];
+      for (int i = 0; i < Width; ++i)
+      {
+        const double x = element.Position[0] - lanes.X[0][i];
+        const double y = element.Position[1] - lanes.X[1][i];
+        const double z = element.Position[2] - lanes.X[2][i];
+        const double d2 = x * x + y * y + z * z;
+        const double u = 1.0 - std::min(d2 * element.InverseReach2, 1.0);
+        const double p = 1.0 - std::min(d2 * element.InverseNear2, 1.0);
+        const double weight = element.Weight * (u * u);
+        sums.Weight[i] += weight;
+        sums.Offset[0][i] += weight * x;
+        sums.Offset[1][i] += weight * y;
+        sums.Offset[2][i] += weight * z;
+        sums.Radius[i] += weight * element.OwnRadius;
+        sums.Presence[i] += element.Presence * (p * p * p);
+      }
+    }
+    result = sums;
+  }
+
+  template <int Width>
+  ACTIVE_ALWAYS_INLINE double FindValue(const Sums<Width>& sums, int i, Slopes<Width>& slopes) const
+  {
+    const double weight = sums.Weight[i];
+    const bool isReached = weight > 0.0;
+    const double inverse = isReached ? 1.0 / weight : 0.0;
+    const double* offset[3] = { sums.Offset[0], sums.Offset[1], sums.Offset[2] };
+    double square = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      square += (offset[axis][i] * inverse) * (offset[axis][i] * inverse);
+    }
+    const double distance = std::sqrt(square);
+    const double radius = sums.Radius[i] * inverse;
+    constexpr double width = FullPresence - LeastPresence;
+    const double t = std::min(std::max((sums.Presence[i] - LeastPresence) / width, 0.0), 1.0);
+    const double step = 2.0 * (t * t * (3.0 - 2.0 * t)) - 1.0;
+    const double toUnit = distance > 0.0 ? inverse / distance : 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      slopes.ToCentre[axis][i] = offset[axis][i] * toUnit;
+      slopes.Gradient[axis][i] = -slopes.ToCentre[axis][i];
+    }
+    slopes.OfWeight[i] = inverse;
+    slopes.Level[i] = distance - step * radius;
+    slopes.Step[i] = step;
+    slopes.OfPresence[i] = -radius * (12.0 * t * (1.0 - t) / width);
+    return isReached ? slopes.Level[i] : this->Body.GetOutside();
+  }
+
+  template <int Width>
+  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
+    std::size_t count, Slopes<Width>& result) const
+  {
+    Slopes<Width> slopes = result;
+    for (std::size_t hit = 0; hit < count; ++hit)
+    {
+      const CentreElement& element = this->Body.Centres[hits[hit]];
+      const double ofWeight = 4.0 * element.Weight * element.InverseReach2;
+      const double ofPresence = 6.0 * element.Presence * element.InverseNear2;
+      for (int i = 0; i < Width; ++i)
+      {
+        const double x = element.Position[0] - lanes.X[0][i];
+        const double y = element.Position[1] - lanes.X[1][i];
+        const double z = element.Position[2] - lanes.X[2][i];
+        const double d2 = x * x + y * y + z * z;
+        const double u = 1.0 - std::min(d2 * element.InverseReach2, 1.0);
+        const double p = 1.0 - std::min(d2 * element.InverseNear2, 1.0);
+        const double along =
+          x * slopes.ToCentre[0][i] + y * slopes.ToCentre[1][i] + z * slopes.ToCentre[2][i];
+        const double factor = slopes.OfWeight[i] * (ofWeight * u) *
+            (along - slopes.Level[i] - slopes.Step[i] * element.OwnRadius) +
+          slopes.OfPresence[i] * (ofPresence * (p * p));
+        slopes.Gradient[0][i] += factor * x;
+        slopes.Gradient[1][i] += factor * y;
+        slopes.Gradient[2][i] += factor * z;
+      }
+    }
+    result = slopes;
+  }
+};
+
+struct ParticlePotential::AnisotropicField
+{
+  static constexpr int Terms = 4; // gradient, value
+
+  const ParticlePotential& Body;
+  double* Values;
+  double* Gradients; // or null
+
+  template <int Width>
+  ACTIVE_ALWAYS_INLINE void Evaluate(
+    const PlaceLanes<Width>& lanes, const HitList& hits, double (&terms)[Terms][Width]) const
+  {
+    Sums<Width> sums;
+    hits.Visit([this, &lanes, &sums](const SkeletonCells::Index* list, std::size_t count)
+                 ACTIVE_INLINED { this->Add(lanes, list, count, sums); });
+    for (int term = 0; term < Terms; ++term)
+    {
+      for (int i = 0; i < Width; ++i)
+      {
+        terms[term][i] = sums.Terms[term][i];
+      }
+    }
+  }
+
+  ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
+  {
+    this->Values[i] = 0.5 - terms[3];
+    if (this->Gradients)
+    {
+      std::copy_n(terms, 3, this->Gradients + 3 * i);
+    }
+  }
+
+private:
+  template <int Width>
+  struct Sums
+  {
+    double Terms[4][Width] = {};
+  };
+
+  template <int Width>
+  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
+    std::size_t count, Sums<Width>& result) const
+  {
+    Sums<Width> sums = result;
+    for (std::size_t hit = 0; hit < count; ++hit)
+    {
+      const AnisotropicElement& element = this->Body.Ellipsoids[hits[hit]];
+      const double* m = element.Metric;
+      for (int i = 0; i < Width; ++i)
+      {
+        const double x = lanes.X[0][i] - element.Position[0];
+        const double y = lanes.X[1][i] - element.Position[1];
+        const double z = lanes.X[2][i] - element.Position[2];
+        const double mx = m[0] * x + m[1] * y + m[2] * z;
+        const double my = m[1] * x + m[3] * y + m[4] * z;
+        const double mz = m[2] * x + m[4] * y + m[5] * z;
+        const double u = 1.0 - std::min(x * mx + y * my + z * mz, 1.0);
+        const double rate = element.Strength * (u * u);
+        sums.Terms[0][i] += 6.0 * rate * mx;
+        sums.Terms[1][i] += 6.0 * rate * my;
+        sums.Terms[2][i] += 6.0 * rate * mz;
+        sums.Terms[3][i] += rate * u;
+      }
+    }
+    result = sums;
+  }
+};
+
+void ParticlePotential::Clear(ParticleModel model)
+{
+  this->Model = model;
+  this->Centres.clear();
+  this->Ellipsoids.clear();
+  this->Balls.clear();
+  this->LargestReach = 0.0;
+}
+
+void ParticlePotential::Add(const SkeletonVertex& particle, const ParticleFit& fit)
+{
+  if (!(particle.Strength > 0.0))
+  {
+    return;
+  }
+  const bool isAnisotropic = this->Model == ParticleModel::Anisotropic;
+  const double reach = isAnisotropic ? fit.Reach : particle.Radius;
+  double at[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    at[axis] = particle.Position[axis] + (isAnisotropic ? fit.Offset[axis] : 0.0);
+    const double low = at[axis] - reach, high = at[axis] + reach;
+    double* bounds = this->Bounds + 2 * axis;
+    bounds[0] = this->Balls.empty() ? low : std::min(bounds[0], low);
+    bounds[1] = this->Balls.empty() ? high : std::max(bounds[1], high);
+  }
+  this->Balls.push_back({ { at[0], at[1], at[2] }, { at[0], at[1], at[2] }, reach, reach });
+  this->LargestReach = std::max(this->LargestReach, reach);
+  if (isAnisotropic)
+  {
+    AnisotropicElement element{ { at[0], at[1], at[2] }, particle.Strength * fit.Strength, {} };
+    std::copy_n(fit.Metric, 6, element.Metric);
+    this->Ellipsoids.push_back(element);
+  }
+  else
+  {
+    const double near = NearPerReach * reach;
+    this->Centres.push_back({ { at[0], at[1], at[2] }, particle.Strength, 1.0 / (reach * reach),
+      fit.OwnRadius, std::min(particle.Strength, 1.0), 1.0 / (near * near) });
+  }
+}
+
+void ParticlePotential::Build()
+{
+  this->Near.Build(this->Balls, this->Bounds);
+}
+
+void ParticlePotential::Evaluate(
+  std::size_t count, const double* points, double* values, double* gradients) const
+{
+  const auto evaluate = [&](auto makeField)
+  {
+    EvaluateInLanes(this->Near.GetCells(), count, points,
+      [&](std::size_t first)
+      { return makeField(values + first, gradients ? gradients + 3 * first : nullptr); });
+  };
+  if (this->Model == ParticleModel::Anisotropic)
+  {
+    evaluate([this](double* v, double* g) { return AnisotropicField{ *this, v, g }; });
+  }
+  else
+  {
+    evaluate([this](double* v, double* g) { return CentreField{ *this, v, g }; });
+  }
+}
+
+}

@@ -1,0 +1,81 @@
+// The potential of particles by one of the models that look at a particle's neighbours, negative
+// inside.
+//
+// AveragedCentre: F(x) = |x - c| - g(P) r, with c and r the means of the particles' positions and
+// fitted radii around x, weighted by (1 - d^2/R^2)^2. (Two is the least power with a continuous
+// gradient, and the flattest for a reach.) Between separate or around concave parts c jumps, and
+// pieces appear far from all particles. So g, a smooth step from 1 to -1, falls where the presence
+// P, a sum of narrow kernels, falls below that at the surface of a lone particle.
+//
+// Anisotropic: F(x) = 1/2 - sum of strength (1 - dT Metric d)^3, d from the fitted centre.
+//
+// Outside all reaches F is constant: the largest reach, or 1/2 (without particles, too). Sums are
+// in the order of the particles, so they have the same bits for any batch, thread and instruction
+// set.
+
+#ifndef ParticlePotential_h
+#define ParticlePotential_h
+
+#include "ElementIndex.h"
+#include "ParticleModel.h"
+#include "Skeleton.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace activesurface
+{
+
+class VTKACTIVEPOTENTIALS_EXPORT ParticlePotential
+{
+public:
+  // Forgets the particles, keeps the memory. Not for ParticleModel::Sum.
+  void Clear(ParticleModel model);
+
+  // A particle with a strength <= 0 adds nothing. Vertices have to be usable.
+  void Add(const SkeletonVertex& particle, const ParticleFit& fit);
+
+  // Comes after the last particle and before the first evaluation. Throws as ElementIndex does.
+  void Build();
+
+  // At points (x y z each); gradients may be null. A point that is not finite gets NaN.
+  // Thread-safe.
+  void Evaluate(std::size_t count, const double* points, double* values, double* gradients) const;
+
+  // The box of all reaches: xmin xmax ymin ... Meaningless without particles.
+  const double* GetBounds() const { return this->Bounds; }
+
+private:
+  // The value of AveragedCentre where no particle reaches.
+  double GetOutside() const { return this->Balls.empty() ? 0.5 : this->LargestReach; }
+
+  struct CentreElement
+  {
+    double Position[3];
+    double Weight;
+    double InverseReach2;
+    double OwnRadius;
+    double Presence;
+    double InverseNear2;
+  };
+  struct AnisotropicElement
+  {
+    double Position[3];
+    double Strength;
+    double Metric[6];
+  };
+  struct CentreField;
+  struct AnisotropicField;
+
+  ParticleModel Model = ParticleModel::AveragedCentre;
+  std::vector<CentreElement> Centres;
+  std::vector<AnisotropicElement> Ellipsoids;
+  std::vector<Capsule> Balls;
+  double Bounds[6];
+  double LargestReach = 0.0;
+  ElementIndex Near;
+};
+
+}
+
+#endif

@@ -1,0 +1,115 @@
+#include "Skeleton/Ellipsoid.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+namespace
+{
+
+// How far a centre moves to the mean of its neighbours, of the way there: nearly all smooths most,
+// all would let clusters collapse.
+constexpr double ShareOfMean = 0.9;
+
+// Sum of the neighbours' weights, the particle's own (1) included, from which on there is a shape:
+// two neighbours at most make none.
+constexpr double FewestNeighbours = 2.0;
+constexpr double EnoughNeighbours = 6.0;
+
+// Of the shortest half-axis to the middle one: a sheet of one layer has 0, a body about 1.
+constexpr double ThinRatio = 0.25;
+constexpr double ThickRatio = 0.6;
+
+constexpr int Places[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
+
+double SmoothStep(double t)
+{
+  const double within = std::min(std::max(t, 0.0), 1.0);
+  return within * within * (3.0 - 2.0 * within);
+}
+
+// Half-axes in the proportions of the shape, the volume of a ball of radius 1, largest first.
+void FindAxes(const NeighbourhoodShape& shape, double anisotropy, double axes[3])
+{
+  double volume = 1.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    axes[i] = std::max(shape.Axes[i], shape.Axes[0] / anisotropy);
+    volume *= axes[i];
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    axes[i] /= std::cbrt(volume);
+  }
+}
+}
+
+NeighbourhoodShape::NeighbourhoodShape(const NeighbourMoments& sums)
+{
+  if (!(sums.Weight > 0.0))
+  {
+    return;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Mean[i] = sums.First[i] / sums.Weight;
+  }
+  double rows[3][3];
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      rows[i][k] = sums.Second[Places[i][k]] / sums.Weight - this->Mean[i] * this->Mean[k];
+    }
+  }
+  double* matrix[3] = { rows[0], rows[1], rows[2] };
+  double* frame[3] = { this->Frame[0], this->Frame[1], this->Frame[2] };
+  double squares[3];
+  vtkMath::Jacobi(matrix, squares, frame);
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Axes[i] = std::sqrt(std::max(squares[i], 0.0));
+  }
+}
+
+double NeighbourhoodShape::GetThinness() const
+{
+  // A thread's two shorter axes are as good as 0 alike.
+  const double middle = std::max(this->Axes[1], ThinRatio * this->Axes[0]);
+  return this->Axes[0] > 0.0
+    ? SmoothStep((ThickRatio - this->Axes[2] / middle) / (ThickRatio - ThinRatio))
+    : 0.0;
+}
+
+void FitEllipsoid(
+  const NeighbourhoodShape& shape, const EllipsoidOptions& options, ParticleFit& fit)
+{
+  const double enough = (options.Weight - FewestNeighbours) / (EnoughNeighbours - FewestNeighbours);
+  const double share = shape.Axes[0] > 0.0 ? SmoothStep(enough) : 0.0;
+  double axes[3] = { 1.0, 1.0, 1.0 };
+  if (share > 0.0)
+  {
+    FindAxes(shape, options.Anisotropy, axes);
+  }
+  const double round = 1.0 / (options.Reach * options.Reach);
+  std::fill_n(fit.Metric, 6, 0.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    fit.Offset[i] = ShareOfMean * share * shape.Mean[i];
+    fit.Metric[Places[i][i]] += (1.0 - share) * round;
+    for (int k = i; k < 3; ++k)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        fit.Metric[Places[i][k]] +=
+          share * round * shape.Frame[i][axis] * shape.Frame[k][axis] / (axes[axis] * axes[axis]);
+      }
+    }
+  }
+  fit.Reach = options.Reach * std::max(axes[0], 1.0);
+}
+
+}

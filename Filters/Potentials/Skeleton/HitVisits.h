@@ -1,0 +1,140 @@
+// The elements that may reach a place, looked up in the cells of one lattice or of several.
+
+#ifndef HitVisits_h
+#define HitVisits_h
+
+#include "SkeletonCells.h"
+
+#include <algorithm>
+#include <array>
+
+namespace activesurface
+{
+
+// The hits of one lattice.
+struct HitStream
+{
+  // Enough to look at several lattices without leaving the first cache.
+  static constexpr std::size_t Capacity = 32;
+
+  SkeletonCells::Search Search;
+  std::size_t Head;
+  std::size_t Count;
+  SkeletonCells::Index Hits[Capacity];
+
+  // Whether there is a hit at Head.
+  bool Refill(const SkeletonCells& cells)
+  {
+    while (this->Head == this->Count && !this->Search.IsOver())
+    {
+      this->Head = 0;
+      this->Count = cells.TakeHits(this->Search, this->Hits, Capacity);
+    }
+    return this->Head < this->Count;
+  }
+};
+
+template <class Visitor>
+ACTIVE_ALWAYS_INLINE void VisitMergedHits(
+  const SkeletonCells& cells, const SkeletonCells::Place& place, Visitor visit)
+{
+  std::array<HitStream, SkeletonCells::MaximumLattices> streams;
+  std::array<HitStream*, SkeletonCells::MaximumLattices> open;
+  auto end = open.begin();
+  for (std::size_t lattice = 0; lattice < cells.GetNumberOfLattices(); ++lattice)
+  {
+    HitStream& stream = streams[lattice];
+    stream.Search = cells.StartSearch(lattice, place);
+    stream.Head = stream.Count = 0;
+    *end = &stream;
+    end += stream.Refill(cells) ? 1 : 0;
+  }
+  const auto isEarlier = [](const HitStream* a, const HitStream* b)
+  { return a->Hits[a->Head] < b->Hits[b->Head]; };
+  SkeletonCells::Index merged[SkeletonCells::HitsAtOnce];
+  std::size_t count = 0;
+  while (end != open.begin())
+  {
+    const auto first = std::min_element(open.begin(), end, isEarlier);
+    HitStream& stream = **first;
+    merged[count] = stream.Hits[stream.Head];
+    ++stream.Head;
+    ++count;
+    if (!stream.Refill(cells))
+    {
+      --end;
+      *first = *end;
+    }
+    if (count == SkeletonCells::HitsAtOnce || end == open.begin())
+    {
+      visit(merged, count);
+      count = 0;
+    }
+  }
+}
+
+// Calls visit(hits, count) for all that may reach the place, ascending.
+template <class Visitor>
+ACTIVE_ALWAYS_INLINE void VisitHits(
+  const SkeletonCells& cells, const SkeletonCells::Place& place, Visitor visit)
+{
+  if (cells.GetNumberOfLattices() > 1)
+  {
+    VisitMergedHits(cells, place, visit);
+  }
+  else if (cells.GetNumberOfLattices() == 1)
+  {
+    SkeletonCells::Index hits[SkeletonCells::HitsAtOnce];
+    SkeletonCells::Search search = cells.StartSearch(0, place);
+    while (!search.IsOver())
+    {
+      const std::size_t count = cells.TakeHits(search, hits, SkeletonCells::HitsAtOnce);
+      visit(hits, count);
+    }
+  }
+}
+
+// All of them, for several visits: looked up once if there are not too many.
+class HitList
+{
+public:
+  ACTIVE_ALWAYS_INLINE HitList(const SkeletonCells& cells, const SkeletonCells::Place& place)
+    : Cells(cells)
+    , Place(place)
+  {
+    VisitHits(cells, place,
+      [this](const SkeletonCells::Index* hits, std::size_t count) ACTIVE_INLINED
+      {
+        if (this->Count + count <= Capacity)
+        {
+          std::copy_n(hits, count, this->Hits + this->Count);
+        }
+        this->Count += count;
+      });
+  }
+
+  template <class Visitor>
+  ACTIVE_ALWAYS_INLINE void Visit(Visitor visit) const
+  {
+    if (this->Count <= Capacity)
+    {
+      visit(this->Hits, this->Count);
+    }
+    else
+    {
+      VisitHits(this->Cells, this->Place, visit);
+    }
+  }
+
+private:
+  static constexpr std::size_t Capacity = 1024;
+
+  const SkeletonCells& Cells;
+  const SkeletonCells::Place& Place;
+  std::size_t Count = 0;
+  SkeletonCells::Index Hits[Capacity];
+};
+
+}
+
+#endif

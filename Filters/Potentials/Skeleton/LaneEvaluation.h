@@ -1,0 +1,125 @@
+// A field of sums over elements, at places side by side where several share their cells, at one
+// after the other where not, to the same bits: all lanes add all hits in their order, and what is
+// out of reach of a place adds zeros there.
+
+#ifndef LaneEvaluation_h
+#define LaneEvaluation_h
+
+#include "Skeleton/HitVisits.h"
+#include "Skeleton/SkeletonBatch.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace activesurface
+{
+
+template <int Width>
+struct PlaceLanes
+{
+  double X[3][Width];
+
+  // Lanes that are left over are where the last member is.
+  ACTIVE_ALWAYS_INLINE PlaceLanes(const double* points, const std::size_t* members, int count)
+  {
+    for (int i = 0; i < Width; ++i)
+    {
+      const double* x = points + 3 * members[std::min(i, count - 1)];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->X[axis][i] = x[axis];
+      }
+    }
+  }
+
+  ACTIVE_ALWAYS_INLINE SkeletonCells::Place FindBox() const
+  {
+    SkeletonCells::Place box;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double* x = this->X[axis];
+      box.Low[axis] = box.High[axis] = x[0];
+      for (int i = 1; i < Width; ++i)
+      {
+        box.Low[axis] = std::min(box.Low[axis], x[i]);
+        box.High[axis] = std::max(box.High[axis], x[i]);
+      }
+    }
+    return box;
+  }
+};
+
+// A field has a number of Terms at each place, and
+//   Evaluate(PlaceLanes<Width>, HitList, double (&terms)[Terms][Width]), always inline;
+//   Write(number of the point, const double* terms).
+template <class Field>
+struct LaneEvaluation
+{
+  const SkeletonCells& Cells;
+  const Field& Elements;
+  const double* Points;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t count) const
+  {
+    const SkeletonBatch batch(this->Cells, count, this->Points);
+    batch.ForEachGroup(
+      [this](const std::size_t* members, int size) ACTIVE_INLINED
+      {
+        if (size >= FewestLanes)
+        {
+          this->EvaluateTogether<SkeletonLanes::Width>(members, size);
+          return;
+        }
+        for (int i = 0; i < size; ++i)
+        {
+          this->EvaluateTogether<1>(members + i, 1);
+        }
+      });
+    double nowhere[Field::Terms];
+    std::fill_n(nowhere, Field::Terms, std::numeric_limits<double>::quiet_NaN());
+    batch.ForEachUnusable(
+      [this, &nowhere](std::size_t i) ACTIVE_INLINED { this->Elements.Write(i, nowhere); });
+  }
+
+private:
+  static constexpr int FewestLanes = 3; // fewer places are faster one by one
+
+  template <int Width>
+  ACTIVE_ALWAYS_INLINE void EvaluateTogether(const std::size_t* members, int count) const
+  {
+    const PlaceLanes<Width> lanes(this->Points, members, count);
+    const SkeletonCells::Place box = lanes.FindBox();
+    const HitList hits(this->Cells, box);
+    double terms[Field::Terms][Width];
+    this->Elements.Evaluate(lanes, hits, terms);
+    for (int i = 0; i < count; ++i)
+    {
+      double own[Field::Terms];
+      for (int term = 0; term < Field::Terms; ++term)
+      {
+        own[term] = terms[term][i];
+      }
+      this->Elements.Write(members[i], own);
+    }
+  }
+};
+
+// Evaluates a field, made by makeField(number of the first point), at any number of points.
+template <class MakeField>
+void EvaluateInLanes(
+  const SkeletonCells& cells, std::size_t count, const double* points, MakeField makeField)
+{
+  using Field = decltype(makeField(std::size_t(0)));
+  using Evaluation = LaneEvaluation<Field>;
+  const auto run = CompiledKernel<Evaluation, std::size_t>::GetBest();
+  for (std::size_t first = 0; first < count; first += SkeletonBatch::Capacity)
+  {
+    const Field field = makeField(first);
+    run(Evaluation{ cells, field, points + 3 * first },
+      std::min(count - first, SkeletonBatch::Capacity));
+  }
+}
+
+}
+
+#endif
