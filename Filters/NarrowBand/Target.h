@@ -4,10 +4,40 @@
 #ifndef Target_h
 #define Target_h
 
+#include <algorithm>
 #include <cstddef>
 
 namespace activesurface
 {
+
+/** What is wanted of a target at each of some points. */
+struct TargetResults
+{
+  /** F - iso, negative inside the target. A value that is not finite drops its sample point. */
+  double* Values = nullptr;
+  /** Upper bounds of the target slope |dF/dn|, which limits the time step: 1 for a distance, 0
+   * where F is constant. */
+  double* Slopes = nullptr;
+  /** Velocity of the target (x y z each, world length / motion time), or null if it is not wanted.
+   * One that is not finite counts as 0. */
+  double* Velocities = nullptr;
+  /** What Tension is multiplied by, in [0,1], or null if it is not wanted. One that is not a number
+   * counts as 1. */
+  double* TensionWeights = nullptr;
+};
+
+/** Velocity 0 and weight 1, where they are wanted. */
+inline void SetStill(std::size_t count, const TargetResults& results)
+{
+  if (results.Velocities)
+  {
+    std::fill_n(results.Velocities, 3 * count, 0.0);
+  }
+  if (results.TensionWeights)
+  {
+    std::fill_n(results.TensionWeights, count, 1.0);
+  }
+}
 
 class Target
 {
@@ -21,8 +51,8 @@ public:
   virtual void MoveTo(double time) { static_cast<void>(time); }
 
   /**
-   * Whether values or slopes in this box (xmin xmax ymin ymax zmin zmax) may differ from those
-   * before the last MoveTo. Where they do not, converged leaves are not evaluated again.
+   * Whether results in this box (xmin xmax ymin ymax zmin zmax) may differ from those before the
+   * last MoveTo. Where they do not, converged leaves are not evaluated again.
    */
   virtual bool MayHaveChanged(const double bounds[6]) const
   {
@@ -31,13 +61,11 @@ public:
   }
 
   /**
-   * At `count` points (x y z each, world coordinates): values = F - iso, negative inside the
-   * target; slopes = upper bounds of the target slope |dF/dn| there, which limits the time step
-   * (1 for a distance, 0 where F is constant). A value that is not finite drops its sample point.
-   * A point must give the same bytes in any batch.
+   * Writes all results that are not null at `count` points (x y z each, world coordinates). A point
+   * must give the same bytes in any batch, whatever else is wanted.
    */
   virtual void Evaluate(
-    std::size_t count, const double* points, double* values, double* slopes) const = 0;
+    std::size_t count, const double* points, const TargetResults& results) const = 0;
 
   /** Whether several threads may call Evaluate at once. */
   virtual bool IsThreadSafe() const { return true; }

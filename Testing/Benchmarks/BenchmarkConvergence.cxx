@@ -41,10 +41,11 @@ class NoTarget : public Target
 public:
   void MoveTo(double) override {}
 
-  void Evaluate(std::size_t count, const double*, double* values, double* slopes) const override
+  void Evaluate(std::size_t count, const double*, const TargetResults& results) const override
   {
-    std::fill(values, values + count, 0.0);
-    std::fill(slopes, slopes + count, 0.0);
+    std::fill_n(results.Values, count, 0.0);
+    std::fill_n(results.Slopes, count, 0.0);
+    SetStill(count, results);
   }
 };
 

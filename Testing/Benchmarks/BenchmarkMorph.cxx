@@ -43,7 +43,7 @@ double ErrorOf(const openvdb::FloatGrid& grid, const Target& target)
   const std::size_t count = points.size() / 3;
   std::vector<double> values(count);
   std::vector<double> slopes(count);
-  target.Evaluate(count, points.data(), values.data(), slopes.data());
+  target.Evaluate(count, points.data(), { values.data(), slopes.data() });
   double sum = 0.0;
   for (const double value : values)
   {

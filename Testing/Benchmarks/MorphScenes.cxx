@@ -57,13 +57,14 @@ public:
   }
 
   void Evaluate(
-    std::size_t count, const double* points, double* values, double* slopes) const override
+    std::size_t count, const double* points, const TargetResults& results) const override
   {
+    SetStill(count, results);
     const openvdb::FloatGrid::ConstAccessor samples = this->Grid->getConstAccessor();
     for (std::size_t i = 0; i < count; ++i)
     {
-      values[i] = SampleGrid(samples, points + 3 * i);
-      slopes[i] = 1.0;
+      results.Values[i] = SampleGrid(samples, points + 3 * i);
+      results.Slopes[i] = 1.0;
     }
   }
 

@@ -82,12 +82,13 @@ public:
   }
 
   void Evaluate(
-    std::size_t count, const double* points, double* values, double* slopes) const override
+    std::size_t count, const double* points, const TargetResults& results) const override
   {
+    SetStill(count, results);
     for (std::size_t i = 0; i < count; ++i)
     {
-      values[i] = this->Form(points + 3 * i);
-      slopes[i] = 1.0;
+      results.Values[i] = this->Form(points + 3 * i);
+      results.Slopes[i] = 1.0;
     }
   }
 

@@ -84,7 +84,7 @@ struct SampleLeaf
     this->Buffers.LargestTargetSlope[i] = 0.0;
     if (count > 0)
     {
-      this->Source.Evaluate(count, points, values, slopes);
+      this->Source.Evaluate(count, points, { values, slopes });
       this->Store(i, count, values, slopes);
     }
   }

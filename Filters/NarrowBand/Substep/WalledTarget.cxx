@@ -8,9 +8,10 @@ namespace activesurface
 {
 
 void WalledTarget::Evaluate(
-  std::size_t count, const double* points, double* values, double* slopes) const
+  std::size_t count, const double* points, const TargetResults& results) const
 {
-  this->Within.Evaluate(count, points, values, slopes);
+  this->Within.Evaluate(count, points, results);
+  double *values = results.Values, *slopes = results.Slopes;
   for (std::size_t i = 0; i < count; ++i)
   {
     // In the target's own unit; where it is flat, as far from a distance, as a distance.
@@ -20,6 +21,10 @@ void WalledTarget::Evaluate(
     {
       values[i] = wall;
       slopes[i] = slope;
+      if (results.Velocities)
+      {
+        std::fill_n(results.Velocities + 3 * i, 3, 0.0); // the wall stands still
+      }
     }
   }
 }

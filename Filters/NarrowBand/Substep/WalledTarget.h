@@ -35,7 +35,7 @@ public:
     return this->Within.MayHaveChanged(bounds);
   }
   void Evaluate(
-    std::size_t count, const double* points, double* values, double* slopes) const override;
+    std::size_t count, const double* points, const TargetResults& results) const override;
   bool IsThreadSafe() const override { return this->Within.IsThreadSafe(); }
 
 private:

@@ -31,20 +31,37 @@ void PotentialTarget::TurnIntoDistance(double length, double& value, double& slo
   slope = 0.0;
 }
 
+void PotentialTarget::SampleMoving(std::size_t count, const double* points, double* values,
+  double* gradients, double* velocities, double* weights) const
+{
+  this->Sample(count, points, values, gradients);
+  SetStill(count, { nullptr, nullptr, velocities, weights });
+}
+
 void PotentialTarget::Evaluate(
-  std::size_t count, const double* points, double* values, double* slopes) const
+  std::size_t count, const double* points, const TargetResults& results) const
 {
   constexpr std::size_t batch = 128;
   double gradients[3 * batch];
   for (std::size_t first = 0; first < count; first += batch)
   {
     const std::size_t size = std::min(batch, count - first);
-    this->Sample(size, points + 3 * first, values + first, gradients);
+    double* velocities = results.Velocities ? results.Velocities + 3 * first : nullptr;
+    double* weights = results.TensionWeights ? results.TensionWeights + first : nullptr;
+    double* firstValue = results.Values + first;
+    if (velocities || weights)
+    {
+      this->SampleMoving(size, points + 3 * first, firstValue, gradients, velocities, weights);
+    }
+    else
+    {
+      this->Sample(size, points + 3 * first, firstValue, gradients);
+    }
     for (std::size_t i = 0; i < size; ++i)
     {
       const double* g = gradients + 3 * i;
-      double& value = values[first + i];
-      double& slope = slopes[first + i];
+      double& value = results.Values[first + i];
+      double& slope = results.Slopes[first + i];
       value = this->Side(value);
       slope = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
       if (this->Options.Normalize)

@@ -28,7 +28,7 @@ public:
   explicit PotentialTarget(const TargetOptions& options);
 
   void Evaluate(
-    std::size_t count, const double* points, double* values, double* slopes) const override;
+    std::size_t count, const double* points, const TargetResults& results) const override;
 
   // F - iso, negative inside, never normalized: for its zero set alone.
   void EvaluateLevel(std::size_t count, const double* points, double* values) const;
@@ -37,6 +37,11 @@ protected:
   // F at points (x y z each), and its gradient unless gradients is null.
   virtual void Sample(
     std::size_t count, const double* points, double* values, double* gradients) const = 0;
+
+  // The same, for a target that moves: its velocities and weights too (see TargetResults), those of
+  // them that are not null. Here it stands still.
+  virtual void SampleMoving(std::size_t count, const double* points, double* values,
+    double* gradients, double* velocities, double* weights) const;
 
 private:
   double Side(double value) const;

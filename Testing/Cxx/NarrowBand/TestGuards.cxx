@@ -244,13 +244,13 @@ public:
   void MoveTo(double time) override { this->Fails = time > this->FailureTime; }
 
   void Evaluate(
-    std::size_t count, const double* points, double* values, double* slopes) const override
+    std::size_t count, const double* points, const TargetResults& results) const override
   {
     if (this->Fails)
     {
       throw std::runtime_error("The target is out of order.");
     }
-    this->ShapeTarget::Evaluate(count, points, values, slopes);
+    this->ShapeTarget::Evaluate(count, points, results);
   }
 
 private:
@@ -285,12 +285,12 @@ public:
   bool IsThreadSafe() const override { return this->ThreadSafe; }
 
   void Evaluate(
-    std::size_t count, const double* points, double* values, double* slopes) const override
+    std::size_t count, const double* points, const TargetResults& results) const override
   {
     const bool alone = ++this->Inside == 1;
     this->Crowded = this->Crowded || !alone;
     this->Points += count;
-    this->ShapeTarget::Evaluate(count, points, values, slopes);
+    this->ShapeTarget::Evaluate(count, points, results);
     for (int wait = 0; wait < this->LongestWait && !this->Crowded; ++wait)
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -62,7 +62,7 @@ public:
     return bounds[0] <= this->High && bounds[1] >= this->Low;
   }
 
-  void Evaluate(std::size_t, const double*, double*, double*) const override {}
+  void Evaluate(std::size_t, const double*, const TargetResults&) const override {}
 
 private:
   double Low;

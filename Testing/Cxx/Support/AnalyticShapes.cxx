@@ -253,13 +253,14 @@ void ShapeTarget::MoveTo(double time)
 }
 
 void ShapeTarget::Evaluate(
-  std::size_t count, const double* points, double* values, double* slopes) const
+  std::size_t count, const double* points, const TargetResults& results) const
 {
+  SetStill(count, results);
   for (std::size_t i = 0; i < count; ++i)
   {
     const Point point = { points[3 * i], points[3 * i + 1], points[3 * i + 2] };
-    values[i] = this->Current.Value(point);
-    slopes[i] = SlopeAt(this->Current, point);
+    results.Values[i] = this->Current.Value(point);
+    results.Slopes[i] = SlopeAt(this->Current, point);
   }
 }
 

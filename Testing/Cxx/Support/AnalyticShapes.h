@@ -93,7 +93,7 @@ public:
 
   void MoveTo(double time) override;
   void Evaluate(
-    std::size_t count, const double* points, double* values, double* slopes) const override;
+    std::size_t count, const double* points, const TargetResults& results) const override;
 
 private:
   Shape Current;

@@ -117,7 +117,7 @@ std::vector<double> Sample(const PotentialTarget& target)
     points.insert(points.end(), x.begin(), x.end());
   }
   std::vector<double> samples(2 * count);
-  target.Evaluate(count, points.data(), samples.data(), samples.data() + count);
+  target.Evaluate(count, points.data(), { samples.data(), samples.data() + count });
   return samples;
 }
 

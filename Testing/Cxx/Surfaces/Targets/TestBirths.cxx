@@ -70,7 +70,7 @@ struct Way
   {
     double value;
     double slope;
-    this->Target.Evaluate(1, x.data(), &value, &slope);
+    this->Target.Evaluate(1, x.data(), { &value, &slope });
     return value;
   }
 
