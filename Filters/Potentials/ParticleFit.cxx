@@ -16,17 +16,21 @@ namespace
 
 constexpr vtkIdType ParticlesPerTask = 256;
 
-// Neighbours are looked for within so many own radii, by usual proportions.
-constexpr double NeighbourhoodPerOwnRadius = 6.0;
+// Neighbours are looked for within so many own radii, by usual proportions. For AveragedCentre it
+// has to be the reach. For the others wider is flatter, and dearer.
+double GetNeighbourhoodPerOwnRadius(ParticleModel model)
+{
+  return model == ParticleModel::AveragedCentre ? 6.0 : 7.25;
+}
 
 // A particle counts as one of the surface by how far it is from the mean of its neighbourhood, in
 // reaches of that: .24 in a flat layer of a deep body, below .1 inside.
 constexpr double LeastDepth = 0.1;
 constexpr double FullDepth = 0.22;
 
-// Of the fitted surface from the outermost particles, in own radii: a little more than 1, for the
-// edges that are lost.
-constexpr double SurfaceOffset = 1.04;
+// How much farther than its own radius the surface is from a particle of a body, for what the edges
+// of the body lose.
+constexpr double OffsetOfBody = 0.1;
 
 // Sum of weights of the neighbours, in that of a half space with one particle in each (2 r)^3, from
 // which on there is a body.
@@ -48,7 +52,8 @@ public:
     , Fits(particles.size())
     , Surface(particles.size())
     , Outside(particles.size())
-    , NeighbourhoodFactor(NeighbourhoodPerOwnRadius / (2.0 * GetReachPerSpacing(options.Model)))
+    , NeighbourhoodFactor(
+        GetNeighbourhoodPerOwnRadius(options.Model) / (2.0 * GetReachPerSpacing(options.Model)))
     , Neighbours(particles, this->NeighbourhoodFactor)
   {
   }
@@ -115,10 +120,10 @@ private:
     const double depth = std::hypot(shape.Mean[0], shape.Mean[1], shape.Mean[2]);
     SurfacePlaces& places = this->Outside[i];
     places.Deep = SmoothStep(LeastDepth, FullDepth, depth / reach);
-    places.Thin = shape.GetThinness();
+    places.Thin = shape.GetThinness(reach);
     const double inward = shape.Frame[0][2] * shape.Mean[0] + shape.Frame[1][2] * shape.Mean[1] +
       shape.Frame[2][2] * shape.Mean[2];
-    const double offset = SurfaceOffset * own;
+    const double offset = own * (1.0 + OffsetOfBody * fit.Bulk);
     for (int axis = 0; axis < 3; ++axis)
     {
       const double away = depth > 0.0 ? -shape.Mean[axis] / depth : 0.0;

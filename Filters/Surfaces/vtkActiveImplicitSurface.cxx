@@ -67,21 +67,6 @@ vtkImplicitFunction* vtkActiveImplicitSurface::GetInitialFunction()
   return this->InitialFunction;
 }
 
-void vtkActiveImplicitSurface::SetParticleKernelToWyvill()
-{
-  this->SetParticleKernel(vtkSkeletonPotential::WYVILL);
-}
-
-void vtkActiveImplicitSurface::SetParticleKernelToCubicSpline()
-{
-  this->SetParticleKernel(vtkSkeletonPotential::CUBIC_SPLINE);
-}
-
-void vtkActiveImplicitSurface::SetParticleKernelToMetaball()
-{
-  this->SetParticleKernel(vtkSkeletonPotential::METABALL);
-}
-
 vtkIdType vtkActiveImplicitSurface::GetTargetEvaluations()
 {
   return static_cast<vtkIdType>(this->Requests->GetSimulation().GetDriver().GetTargetEvaluations());
@@ -152,6 +137,7 @@ void vtkActiveImplicitSurface::PaperFaithful()
   this->SetTargetEvaluation(SHIFTED);
   this->SetGradientScheme(CENTRAL);
   this->SetNormalizeTarget(false);
+  this->SetParticleModel(SUM);
 }
 
 vtkMTimeType vtkActiveImplicitSurface::GetMTime()

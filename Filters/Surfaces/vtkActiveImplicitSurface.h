@@ -59,7 +59,7 @@
 #ifndef vtkActiveImplicitSurface_h
 #define vtkActiveImplicitSurface_h
 
-#include "vtkActiveMotionAlgorithm.h"
+#include "vtkActiveParticleAlgorithm.h"
 #include "vtkActiveSurfacesModule.h" // for the export macro
 #include "vtkSmartPointer.h"         // for the functions
 
@@ -76,11 +76,11 @@ class SurfaceRequests;
 struct SurfaceProperties;
 }
 
-class VTKACTIVESURFACES_EXPORT vtkActiveImplicitSurface : public vtkActiveMotionAlgorithm
+class VTKACTIVESURFACES_EXPORT vtkActiveImplicitSurface : public vtkActiveParticleAlgorithm
 {
 public:
   static vtkActiveImplicitSurface* New();
-  vtkTypeMacro(vtkActiveImplicitSurface, vtkActiveMotionAlgorithm);
+  vtkTypeMacro(vtkActiveImplicitSurface, vtkActiveParticleAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -175,38 +175,6 @@ public:
   vtkSetMacro(BoundedDomain, vtkTypeBool);
   vtkGetMacro(BoundedDomain, vtkTypeBool);
   vtkBooleanMacro(BoundedDomain, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
-   * Distance [length] at which the influence of a particle, or of a line of a skeleton, ends, where
-   * no array of radii is chosen. The skin of a single particle is smaller: .45 of it for the kernel
-   * WYVILL and the threshold .5. Range: >= 0; 1e-30 to 1e30, or 0, which is twice the usual
-   * distance of neighbours at the first time step, with a warning that says the value. Default: 0.
-   */
-  vtkSetClampMacro(ParticleRadius, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(ParticleRadius, double);
-  ///@}
-
-  ///@{
-  /**
-   * How a particle's influence falls off, from vtkSkeletonPotential: WYVILL (0), smooth;
-   * CUBIC_SPLINE (1), narrower, the one of SPH; METABALL (2). Default: WYVILL.
-   */
-  vtkSetClampMacro(ParticleKernel, int, 0, 2);
-  vtkGetMacro(ParticleKernel, int);
-  void SetParticleKernelToWyvill();
-  void SetParticleKernelToCubicSpline();
-  void SetParticleKernelToMetaball();
-  ///@}
-
-  ///@{
-  /**
-   * Level of the particles' summed influence, 1 at the centre of a single one, at which their
-   * surface is: lower is thicker. Range: > 0; else all space would be inside. Default: 0.5.
-   */
-  vtkSetMacro(ParticleThreshold, double);
-  vtkGetMacro(ParticleThreshold, double);
   ///@}
 
   ///@{
@@ -316,7 +284,7 @@ public:
   bool LoadState(const char* file);
   ///@}
 
-  /** The paper's choices: PaperScheme on, SHIFTED, CENTRAL, NormalizeTarget off. */
+  /** The paper's choices: PaperScheme on, SHIFTED, CENTRAL, NormalizeTarget off, SUM. */
   void PaperFaithful();
 
   ///@{
@@ -380,9 +348,6 @@ private:
   double VoxelSize = 0.0;
   vtkTypeBool BoundedDomain = 0;
   double ModelBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  double ParticleRadius = 0.0;
-  int ParticleKernel = 0;
-  double ParticleThreshold = 0.5;
   double MeshThickness = 0.0;
   vtkTypeBool ComputeNormals = 1;
   vtkTypeBool ComputeVelocity = 0;

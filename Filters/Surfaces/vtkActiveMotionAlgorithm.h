@@ -30,10 +30,22 @@ public:
   /**
    * Rate [1/time] at which the skin closes in on the target: the distance falls by a factor e in a
    * time of 1 / Attraction. With NormalizeTarget off its unit is [length/time] per unit of the
-   * target. Substeps are as many as Attraction * time at least. Range: >= 0. Default: 1.
+   * target. Substeps are as many as Attraction * time at least. Range: >= 0. Default: 1, or see
+   * AutomaticAttraction.
    */
   vtkSetClampMacro(Attraction, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Attraction, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether an Attraction of 1, the default, stands for one that follows an input with time steps:
+   * 12 over the time from a step to the next one, so that 6e-6 of a distance is left. Any other
+   * Attraction holds as it is, and so does 1 over other targets and with PaperScheme. Default: on.
+   */
+  vtkSetMacro(AutomaticAttraction, vtkTypeBool);
+  vtkGetMacro(AutomaticAttraction, vtkTypeBool);
+  vtkBooleanMacro(AutomaticAttraction, vtkTypeBool);
   ///@}
 
   ///@{
@@ -302,6 +314,7 @@ private:
   void operator=(const vtkActiveMotionAlgorithm&) = delete;
 
   double Attraction = 1.0;
+  vtkTypeBool AutomaticAttraction = 1;
   double Tension = 0.0;
   double CFL = 1.0;
   int VolumeControl = NONE;

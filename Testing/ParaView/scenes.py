@@ -18,8 +18,7 @@ def splash(**properties):
 COARSE = {
     "TimeScale": 1 / 25,
     "VoxelSize": 0.12,
-    "ParticleRadius": 0.17,
-    "ParticleThreshold": 0.7,
+    "ParticleSpacing": 0.085,
     "Attraction": 100,
 }
 

@@ -20,9 +20,11 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 # Another value of each property; those that the skin over particles does not depend on, too.
 OTHER_VALUES = {
+    "Anisotropy": 1,
     "AreaControl": 1,
     "AreaStiffness": 3,
     "Attraction": 40,
+    "AutomaticAttraction": 0,
     "BoundedDomain": 1,
     "CFL": 0.5,
     "CheckpointInterval": 1,
@@ -47,7 +49,9 @@ OTHER_VALUES = {
     "OutputPotential": 1,
     "PaperScheme": 1,
     "ParticleKernel": 2,
+    "ParticleModel": 0,
     "ParticleRadius": 0.2,
+    "ParticleSpacing": 0.07,
     "ParticleThreshold": 0.5,
     "PassTargetArrays": 1,
     "RadiusArray": ["POINTS", "id"],
@@ -74,8 +78,8 @@ NOT_CHANGED = {"Target", "Initial", "TimestepValues"}
 # What does not show in the second step: other times are published, or the input's hold.
 WITHOUT_EFFECT = set(
     """
-    CheckpointInterval CheckpointMemory IdArray MaximumNumberOfActiveVoxels MeshThickness
-    ModelBounds NumberOfThreads NumberOfTimeSteps OutputPotential StartTime TimeStepSize
+    AutomaticAttraction CheckpointInterval CheckpointMemory IdArray MaximumNumberOfActiveVoxels MeshThickness
+    ModelBounds NumberOfThreads NumberOfTimeSteps OutputPotential ParticleKernel ParticleThreshold StartTime TimeStepSize
     VelocityArray
 """.split()
 )

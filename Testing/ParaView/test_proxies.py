@@ -35,7 +35,10 @@ CLASSES = {
 ELSEWHERE = {
     SURFACE: {"TargetFunction"},  # its target is the input
     FUNCTIONS: {
+        "Anisotropy",
+        "ParticleModel",
         "ParticleRadius",
+        "ParticleSpacing",
         "ParticleKernel",
         "ParticleThreshold",
         "MeshThickness",

@@ -174,7 +174,7 @@ SCENES = {
     raw: "Attraction TargetIsoValue",
     at_nodes: "Attraction TargetIsoValue TargetReach",
     in_a_box: "Attraction TargetIsoValue VoxelSize",
-    particles: "ParticleRadius ParticleThreshold ParticleKernel VoxelSize TargetIsoValue",
+    particles: "ParticleRadius ParticleSpacing Anisotropy VoxelSize TargetIsoValue",
     skeleton: "ParticleRadius ParticleThreshold ParticleKernel VoxelSize TargetIsoValue",
     mesh: "MeshThickness TargetReach TargetIsoValue",
     open_mesh: "MeshThickness TargetReach TargetIsoValue VoxelSize",

@@ -34,6 +34,7 @@ def make(target=None, initial=None, arrays=None, **properties):
     surface = vtkActiveImplicitSurface()
     surface.SetVoxelSize(VOXEL)
     surface.SetAttraction(4)
+    surface.SetParticleModelToSum()  # whose bytes are older
     surface.SetNumberOfThreads(THREADS["number"])
     connect(surface, 0, surface.SetTargetFunction, target)
     connect(surface, 1, surface.SetInitialFunction, initial)

@@ -1,12 +1,13 @@
 """Runs: every kind of target, and every kind of start."""
 
 from active_implicit_surfaces import (
+    vtkActiveImplicitSurface,
     vtkActiveVDBReader,
     vtkActiveVDBWriter,
     vtkGridPotential,
     vtkSkeletonPotential,
 )
-from same_bytes import follow, make, run
+from same_bytes import POINTS, THREADS, follow, make, run
 from same_bytes_shapes import (
     BOX,
     Steps,
@@ -77,6 +78,30 @@ def births_and_deaths():
 def particles_are_born_and_die(contents):
     surface = make(births_and_deaths(), arrays={1: "name"}, ParticleRadius=0.35)
     follow(contents, surface, 0.0, 0.5, 1.0, 1.75, 2.0)
+
+
+@run("targets")
+def particles_of_averaged_centres(contents):
+    surface = make(births_and_deaths(), arrays={1: "name"}, ParticleModel=1, ParticleSpacing=0.2)
+    follow(contents, surface, 0.0, 0.5, 1.0, 1.75, 2.0)
+
+
+@run("targets")
+def particles_of_anisotropic_kernels(contents):
+    surface = make(births_and_deaths(), arrays={1: "name"}, ParticleModel=2, ParticleSpacing=0.2)
+    follow(contents, surface, 0.0, 0.5, 1.0, 1.75, 2.0)
+
+
+@run("targets")
+def particles_with_nothing_set(contents):
+    """Spacing, reach, voxel and attraction are found."""
+    surface = vtkActiveImplicitSurface()
+    surface.SetNumberOfThreads(THREADS["number"])
+    target = births_and_deaths()
+    surface.SetInputConnection(target.GetOutputPort())
+    surface.SetInputArrayToProcess(1, 0, 0, POINTS, "name")
+    surface.UpdateTimeStep(0.5)
+    contents.outputs(surface)
 
 
 @run("targets")

@@ -17,8 +17,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 DATA = Path(__file__).resolve().parents[1] / "Data"
 STEPS = 41
 VOXEL = 0.03
-PARTICLE_RADIUS = 0.17
-PARTICLE_THRESHOLD = 0.7
+PARTICLE_SPACING = 0.085
 
 
 def splash():
@@ -29,8 +28,7 @@ def splash():
     surface.SetInputConnection(particles.GetOutputPort())
     surface.SetTimeScale(1 / 25)
     surface.SetVoxelSize(VOXEL)
-    surface.SetParticleRadius(PARTICLE_RADIUS)
-    surface.SetParticleThreshold(PARTICLE_THRESHOLD)
+    surface.SetParticleSpacing(PARTICLE_SPACING)
     surface.SetAttraction(100)
     return particles, surface
 

@@ -24,10 +24,10 @@ NUMBERS = {
         TargetIsoValue TargetReach VoxelSize MaximumNumberOfActiveVoxels Attraction Tension CFL
         VolumeStiffness AreaStiffness TargetVolume TargetArea RestTolerance
         MaximumNumberOfSubsteps StartTime TimeStepSize NumberOfTimeSteps TimeScale ParticleRadius
-        ParticleThreshold MeshThickness NumberOfThreads CheckpointInterval CheckpointMemory
+        ParticleSpacing Anisotropy ParticleThreshold MeshThickness NumberOfThreads CheckpointInterval CheckpointMemory
         MaximumVelocity
     """.split(),
-    vtkSkeletonPotential: "Radius Threshold".split(),
+    vtkSkeletonPotential: "Radius Threshold ParticleSpacing Anisotropy".split(),
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness MaximumNumberOfVoxels".split(),
     vtkActiveEXRReader: "Part MaximumMemory".split(),
     vtkActiveEXRWriter: "CompressionLevel PixelAspectRatio FramesPerSecond FrameNumber".split(),
@@ -37,7 +37,7 @@ NUMBERS = {
 SWITCHES = {
     vtkActiveImplicitSurface: """
         InvertTarget NormalizeTarget BoundedDomain ComputeNormals ComputeVelocity TangentialVelocity
-        PassTargetArrays ComputeCurvature OutputPotential PaperScheme
+        PassTargetArrays ComputeCurvature OutputPotential PaperScheme AutomaticAttraction
     """.split(),
     vtkSkeletonPotential: [],
     vtkGridPotential: ["InvertInside"],
@@ -51,8 +51,9 @@ SWITCHES = {
 CHOICES = {
     vtkActiveImplicitSurface: """
         VolumeControl AreaControl EvolutionMode TargetEvaluation GradientScheme ParticleKernel
+        ParticleModel
     """.split(),
-    vtkSkeletonPotential: ["Kernel"],
+    vtkSkeletonPotential: ["Kernel", "ParticleModel"],
     vtkGridPotential: [],
     vtkActiveEXRReader: ["Window"],
     vtkActiveEXRWriter: "Compression ColorEncoding".split(),
@@ -72,9 +73,9 @@ WITH_UNIT = {
     vtkActiveImplicitSurface: """
         TargetIsoValue TargetReach VoxelSize ModelBounds Attraction Tension VolumeStiffness
         AreaStiffness TargetVolume TargetArea RestTolerance StartTime TimeStepSize TimeScale
-        ParticleRadius MeshThickness CheckpointMemory MaximumVelocity
+        ParticleRadius ParticleSpacing MeshThickness CheckpointMemory MaximumVelocity
     """.split(),
-    vtkSkeletonPotential: "Radius RadiusArrayName StrengthArrayName Threshold".split(),
+    vtkSkeletonPotential: "Radius RadiusArrayName StrengthArrayName Threshold ParticleSpacing".split(),
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness".split(),
     vtkActiveEXRReader: ["MaximumMemory"],
     vtkActiveEXRWriter: "DisplaySize FramesPerSecond".split(),

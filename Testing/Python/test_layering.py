@@ -57,6 +57,8 @@ MAY_INCLUDE = {
         "Potentials/Skeleton",
         "Potentials/SkeletonCells",
         "Potentials/SkeletonKernel",
+        "Potentials/ElementIndex",
+        "Potentials/ParticleModel",
     ],
     "Potentials/Grid": [
         "Potentials/GridSamples",

@@ -85,6 +85,15 @@ def particles():
     return make(target, VoxelSize=COARSE, ParticleRadius=0.4)
 
 
+def body_of_particles():
+    target = cloud(scattered(60))
+    return make(target, VoxelSize=COARSE, ParticleModel=2, ParticleSpacing=0.3)
+
+
+def followed_particles():
+    return crossing_particles(Attraction=1)
+
+
 def crossing_particles(**properties):
     """By their numbers they go straight, by their names to and fro."""
     steps = {}
@@ -111,7 +120,9 @@ def samples():
 RESTARTS = {
     "AreaControl": [(morph, 1), (morph, 2)],
     "AreaStiffness": [(area_penalty, 2.0)],
+    "Anisotropy": [(body_of_particles, 1.0)],
     "Attraction": [(morph, 3.0)],
+    "AutomaticAttraction": [(followed_particles, 0)],
     "BoundedDomain": [(walls, 0)],
     "CFL": [(morph, 0.5)],
     "EvolutionMode": [(morph, 1), (one_step, 1)],
@@ -125,7 +136,9 @@ RESTARTS = {
     "NumberOfTimeSteps": [(morph, 3)],
     "PaperScheme": [(morph, 1)],
     "ParticleKernel": [(particles, 1), (particles, 2)],
+    "ParticleModel": [(particles, 1), (particles, 2), (body_of_particles, 1)],
     "ParticleRadius": [(particles, 0.5), (particles, 0.0)],
+    "ParticleSpacing": [(body_of_particles, 0.2), (body_of_particles, 0.0)],
     "ParticleThreshold": [(particles, 0.4)],
     "RestTolerance": [(to_rest, 0.5)],
     "StartTime": [(morph, 0.05)],

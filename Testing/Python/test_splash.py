@@ -8,7 +8,7 @@ import unittest
 
 import numpy
 from active_implicit_surfaces import vtkSkeletonPotential
-from scenes import PARTICLE_RADIUS, PARTICLE_THRESHOLD, STEPS, VOXEL, splash
+from scenes import PARTICLE_SPACING, STEPS, VOXEL, splash
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkFiltersCore import (
@@ -41,8 +41,9 @@ def surface_of(particles):
     """The surface that the particles have now, on the lattice of the skin."""
     potential = vtkSkeletonPotential()
     potential.SetInput(particles)
-    potential.SetRadius(PARTICLE_RADIUS)
-    potential.SetThreshold(PARTICLE_THRESHOLD)
+    potential.SetParticleModelToAnisotropic()
+    potential.SetParticleSpacing(PARTICLE_SPACING)
+    potential.SetRadius(2.25 * PARTICLE_SPACING)
     bounds = [0.0] * 6
     potential.GetSkeletonBounds(bounds)
     low = [int(numpy.floor(bound / VOXEL)) for bound in bounds[::2]]

@@ -18,8 +18,9 @@ struct NeighbourhoodShape
   double Axes[3] = { 0.0, 0.0, 0.0 }; // standard deviations, largest first
   double Frame[3][3] = {};            // their directions, in columns
 
-  // In [0,1]: 1 for a sheet or a thread of one layer, 0 for a body and a lone particle.
-  double GetThinness() const;
+  // In [0,1]: 1 for a sheet or a thread of one layer and for a single place, 0 for a body. reach:
+  // of the neighbourhood.
+  double GetThinness(double reach) const;
 };
 
 struct EllipsoidOptions

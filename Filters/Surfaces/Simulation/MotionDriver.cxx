@@ -15,6 +15,9 @@ namespace
 // evaluated on its way, however slow the surface is.
 constexpr double SubstepsOfMovingTarget = 4.0;
 
+// Automatic attraction: distances fall by so many factors e from one step to the next.
+constexpr double FactorsPerStep = 12.0;
+
 }
 
 MotionDriver::MotionDriver(
@@ -54,7 +57,12 @@ Motion MotionDriver::GetMotion(int step) const
     step + 1 < this->Settings.GetNumberOfSteps())
   {
     const double* steps = this->Settings.Inputs.Steps.data() + step;
-    motion.LongestStep = this->Settings.TimeScale * (steps[1] - steps[0]) / SubstepsOfMovingTarget;
+    const double length = this->Settings.TimeScale * (steps[1] - steps[0]);
+    motion.LongestStep = length / SubstepsOfMovingTarget;
+    if (this->Settings.HasAutomaticAttraction())
+    {
+      motion.Attraction = FactorsPerStep / length;
+    }
   }
   return motion;
 }

@@ -2,8 +2,6 @@
 
 #include "Simulation/SurfaceSettings.h"
 
-#include "vtkBoundingBox.h"
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -15,7 +13,11 @@ namespace activesurface
 namespace
 {
 
-SurfaceDomain MakeDomainOf(const SurfaceSettings& settings, const double bounds[6])
+constexpr double VoxelsPerSpacing = 2.0;
+constexpr double ReachPerSpacing = 3.0;
+
+SurfaceDomain MakeDomainOf(
+  const SurfaceSettings& settings, const double bounds[6], double particleSpacing)
 {
   SurfaceDomain domain;
   std::copy(bounds, bounds + 6, domain.Bounds);
@@ -27,7 +29,9 @@ SurfaceDomain MakeDomainOf(const SurfaceSettings& settings, const double bounds[
     longest = std::max(longest, side);
     square += side * side;
   }
-  domain.VoxelSize = settings.VoxelSize > 0.0 ? settings.VoxelSize : longest / 64.0;
+  domain.VoxelSize = settings.VoxelSize > 0.0 ? settings.VoxelSize
+    : particleSpacing > 0.0                   ? particleSpacing / VoxelsPerSpacing
+                                              : longest / 64.0;
   const bool isLength =
     domain.VoxelSize >= ranges::ShortestLength && domain.VoxelSize <= ranges::LongestLength;
   if (domain.VoxelSize != 0.0 && !isLength)
@@ -38,7 +42,9 @@ SurfaceDomain MakeDomainOf(const SurfaceSettings& settings, const double bounds[
          << ranges::ShortestLength << " and " << ranges::LongestLength << ".";
     throw std::invalid_argument(text.str());
   }
-  domain.Reach = settings.Reach > 0.0 ? settings.Reach : std::sqrt(square) / 8.0;
+  domain.Reach = settings.Reach > 0.0 ? settings.Reach
+    : particleSpacing > 0.0           ? ReachPerSpacing * particleSpacing
+                                      : std::sqrt(square) / 8.0;
   return domain;
 }
 
@@ -64,18 +70,19 @@ bool SurfaceDomain::GetExtent(int extent[6]) const
 
 SurfaceDomain MakeDomain(const SurfaceSettings& settings)
 {
-  return MakeDomainOf(settings, settings.Bounds.data());
+  const double spacing = settings.UsesInput() ? settings.Particles.Spacing : 0.0;
+  return MakeDomainOf(settings, settings.Bounds.data(), spacing);
 }
 
-SurfaceDomain MakeDomain(
-  const SurfaceSettings& settings, vtkBoundingBox shapes, const vtkBoundingBox& images)
+SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& first)
 {
+  vtkBoundingBox shapes = first.Shapes;
   if (shapes.IsValid())
   {
     shapes.Inflate(shapes.GetMaxLength() / 8.0);
   }
-  shapes.AddBox(images);
-  if (images.IsValid())
+  shapes.AddBox(first.Images);
+  if (first.Images.IsValid())
   {
     // The longest side then is 64 voxels.
     const double voxel =
@@ -84,7 +91,7 @@ SurfaceDomain MakeDomain(
   }
   double bounds[6];
   shapes.GetBounds(bounds);
-  return MakeDomainOf(settings, bounds);
+  return MakeDomainOf(settings, bounds, first.ParticleSpacing);
 }
 
 }

@@ -3,7 +3,7 @@
 #ifndef SurfaceDomain_h
 #define SurfaceDomain_h
 
-class vtkBoundingBox;
+#include "vtkBoundingBox.h"
 
 namespace activesurface
 {
@@ -20,13 +20,20 @@ struct SurfaceDomain
   bool GetExtent(int extent[6]) const;
 };
 
+// What the targets and the initial shape tell.
+struct FirstShapes
+{
+  vtkBoundingBox Shapes;
+  vtkBoundingBox Images;
+  double ParticleSpacing; // 0: there are no particles, or it is not known
+};
+
 // With the bounds given by the settings.
 SurfaceDomain MakeDomain(const SurfaceSettings& settings);
 
 // With the box of the target and the initial shape: shapes enlarged by a quarter of their longest
 // side, half of it at each end, and with images by two voxels at each end.
-SurfaceDomain MakeDomain(
-  const SurfaceSettings& settings, vtkBoundingBox shapes, const vtkBoundingBox& images);
+SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& first);
 
 }
 

@@ -5,6 +5,7 @@
 #define SurfaceSettings_h
 
 #include "Motion.h"
+#include "ParticleModel.h"
 #include "Simulation/Times.h"
 #include "SkeletonKernel.h"
 
@@ -29,7 +30,10 @@ enum class EvolutionMode
 
 struct ParticleSettings
 {
-  double Radius = 0.0; // 0: estimated
+  ParticleModel Model = ParticleModel::Anisotropic;
+  double Spacing = 0.0; // 0: estimated
+  double Radius = 0.0;  // 0: by the spacing
+  double Anisotropy = 4.0;
   double Threshold = 0.5;
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
 };
@@ -66,6 +70,7 @@ struct SurfaceSettings
   EvolutionMode Evolution = EvolutionMode::Transient;
   SteadyStateCriterion SteadyState;
   double TimeScale = 1.0; // motion time per pipeline time
+  bool AutomaticAttraction = true;
 
   double IsoValue = 0.0;
   bool Invert = false;
@@ -88,6 +93,11 @@ struct SurfaceSettings
 
   bool UsesInput() const { return !this->Inputs.TargetFunction; }
   bool IsEquilibrium() const { return this->Evolution == EvolutionMode::Equilibrium; }
+  bool HasAutomaticAttraction() const
+  {
+    return this->AutomaticAttraction && this->Law.Attraction == Motion().Attraction &&
+      !this->Law.Paper && !this->IsEquilibrium();
+  }
   bool HasBounds() const { return this->Bounds != SurfaceSettings().Bounds; }
 
   int GetNumberOfSteps() const { return static_cast<int>(this->Inputs.Steps.size()); }
@@ -175,6 +185,8 @@ void ForEachMotionProperty(Settings& settings, Visitor&& visit)
   auto& steady = settings.SteadyState;
   visit(Property{ "Attraction", AtLeastZero, true }, motion.Attraction,
     [](auto& filter) { return filter.GetAttraction(); });
+  visit(Property{ "AutomaticAttraction", Any, true }, settings.AutomaticAttraction,
+    [](auto& filter) { return filter.GetAutomaticAttraction(); });
   visit(Property{ "Tension",
           { 0.0, Largest, true, "a finite number >= 0: a negative one would be unstable" }, true },
     motion.Tension, [](auto& filter) { return filter.GetTension(); });
@@ -211,12 +223,36 @@ void ForEachMotionProperty(Settings& settings, Visitor&& visit)
     [](auto& filter) { return filter.GetPaperScheme(); });
 }
 
+// Those of vtkActiveParticleAlgorithm.
+template <class Settings, class Visitor>
+void ForEachParticleProperty(Settings& settings, Visitor&& visit)
+{
+  using namespace ranges;
+  auto& particles = settings.Particles;
+  visit(Property{ "ParticleModel", Any, true }, particles.Model,
+    [](auto& filter) { return filter.GetParticleModel(); });
+  visit(Property{ "ParticleSpacing",
+          Length("between 1e-30 and 1e30, or 0 for one that is estimated"), true },
+    particles.Spacing, [](auto& filter) { return filter.GetParticleSpacing(); });
+  visit(
+    Property{ "ParticleRadius",
+      Length("between 1e-30 and 1e30, or 0 for the one that belongs to ParticleSpacing"), true },
+    particles.Radius, [](auto& filter) { return filter.GetParticleRadius(); });
+  visit(Property{ "Anisotropy", { 1.0, 100.0, false, "between 1 and 100" }, true },
+    particles.Anisotropy, [](auto& filter) { return filter.GetAnisotropy(); });
+  visit(Property{ "ParticleKernel", Any, true }, particles.Kernel,
+    [](auto& filter) { return filter.GetParticleKernel(); });
+  visit(Property{ "ParticleThreshold",
+          { Smallest, Largest, false, "a finite number > 0: at 0 or below, all space is inside" },
+          true },
+    particles.Threshold, [](auto& filter) { return filter.GetParticleThreshold(); });
+}
+
 // Those of vtkActiveImplicitSurface itself.
 template <class Settings, class Visitor>
 void ForEachShapeProperty(Settings& settings, Visitor&& visit)
 {
   using namespace ranges;
-  auto& particles = settings.Particles;
   visit(Property{ "TargetIsoValue", Any, true }, settings.IsoValue,
     [](auto& filter) { return filter.GetTargetIsoValue(); });
   visit(Property{ "InvertTarget", Any, true }, settings.Invert,
@@ -233,15 +269,6 @@ void ForEachShapeProperty(Settings& settings, Visitor&& visit)
     [](auto& filter) { return filter.GetModelBounds(); });
   visit(Property{ "BoundedDomain", Any, true }, settings.Bounded,
     [](auto& filter) { return filter.GetBoundedDomain(); });
-  visit(Property{ "ParticleRadius",
-          Length("between 1e-30 and 1e30, or 0 for one that is estimated"), true },
-    particles.Radius, [](auto& filter) { return filter.GetParticleRadius(); });
-  visit(Property{ "ParticleKernel", Any, true }, particles.Kernel,
-    [](auto& filter) { return filter.GetParticleKernel(); });
-  visit(Property{ "ParticleThreshold",
-          { Smallest, Largest, false, "a finite number > 0: at 0 or below, all space is inside" },
-          true },
-    particles.Threshold, [](auto& filter) { return filter.GetParticleThreshold(); });
   visit(Property{ "MeshThickness", { 0.0, LongestLength, true, "between 0 and 1e30" }, true },
     settings.MeshThickness, [](auto& filter) { return filter.GetMeshThickness(); });
 }
@@ -250,6 +277,7 @@ template <class Settings, class Visitor>
 void ForEachProperty(Settings& settings, Visitor&& visit)
 {
   ForEachMotionProperty(settings, visit);
+  ForEachParticleProperty(settings, visit);
   ForEachShapeProperty(settings, visit);
 }
 

@@ -63,7 +63,7 @@ void TargetBuilder::Clear()
   this->Target.reset();
   this->Frames.Clear();
   this->Kind = std::make_shared<NoShape>();
-  this->EstimatedRadius = 0.0;
+  this->EstimatedSpacing = 0.0;
   this->ThinPartsKnown = false;
   this->Initial.reset();
   this->DomainKnown = false;
@@ -110,7 +110,10 @@ ShapeOptions TargetBuilder::GetOptions() const
 {
   const SurfaceSettings& settings = this->Settings;
   ShapeOptions options;
+  options.Model = settings.Particles.Model;
+  options.ParticleSpacing = settings.Particles.Spacing;
   options.ParticleRadius = settings.Particles.Radius;
+  options.Anisotropy = settings.Particles.Anisotropy;
   options.Threshold = settings.Particles.Threshold;
   options.Kernel = settings.Particles.Kernel;
   options.MeshThickness = settings.MeshThickness;
@@ -127,7 +130,7 @@ ShapeOptions TargetBuilder::GetOptions() const
 
 ShapePreparation TargetBuilder::GetPreparation()
 {
-  ShapePreparation preparation(this->GetOptions(), this->EstimatedRadius);
+  ShapePreparation preparation(this->GetOptions(), this->EstimatedSpacing);
   preparation.IsDomainKnown = this->DomainKnown;
   preparation.Report = [this](const std::string& reason, const std::string& sentence)
   { this->Messages.Say(reason, sentence); };
@@ -214,7 +217,7 @@ const SurfaceDomain* TargetBuilder::FindDomain()
   }
   else if (this->AddFirstBounds(shapes, images) && (shapes.IsValid() || images.IsValid()))
   {
-    this->Domain = MakeDomain(this->Settings, shapes, images);
+    this->Domain = MakeDomain(this->Settings, { shapes, images, this->GetSpacing() });
     this->DomainKnown = true;
   }
   return this->DomainKnown ? &this->Domain : nullptr;
@@ -239,6 +242,15 @@ bool TargetBuilder::AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& image
   AddFunction(this->Settings.Inputs.TargetFunction, shapes);
   AddFunction(this->Settings.Inputs.InitialFunction, shapes);
   return true;
+}
+
+// Of particles that look at their neighbours; 0: not known.
+double TargetBuilder::GetSpacing() const
+{
+  const ParticleSettings& particles = this->Settings.Particles;
+  return particles.Spacing > 0.0            ? particles.Spacing
+    : particles.Model != ParticleModel::Sum ? this->EstimatedSpacing
+                                            : 0.0;
 }
 
 bool TargetBuilder::StartsOnNothing() const

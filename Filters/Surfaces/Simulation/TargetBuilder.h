@@ -70,6 +70,7 @@ private:
   void Prepare(int step, InputShape& shape);
   void WarnOfThinParts(const InputShape& shape, const std::string& where);
   void PrepareInitial();
+  double GetSpacing() const;
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;
   std::unique_ptr<MovingTarget> MakeMovingTarget() const;
   std::unique_ptr<PotentialTarget> MakeFunctionTarget() const;
@@ -80,7 +81,7 @@ private:
 
   TargetFrames Frames;
   std::shared_ptr<const InputShape> Kind; // the last shape that has one
-  double EstimatedRadius = 0.0;
+  double EstimatedSpacing = 0.0;
   bool ThinPartsKnown = false; // and told
   std::shared_ptr<InputShape> Initial;
   bool DomainKnown = false;

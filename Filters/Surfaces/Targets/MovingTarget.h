@@ -24,6 +24,9 @@ protected:
   // At a fraction in [0,1] of the way from this step to the next.
   virtual void Place(int step, double fraction) = 0;
 
+  // From the step to the next one [motion time]; 0 where it stays.
+  double GetDuration() const { return this->End - this->Begin; }
+
   // Whether the last Place may have changed values in a box.
   virtual bool HasChangedIn(const double bounds[6]) const;
 

@@ -18,7 +18,7 @@ NoShape::NoShape(const InputData&) {}
 std::unique_ptr<MovingTarget> NoShape::MakeTarget(
   const TargetFrames& frames, const ShapeOptions& options) const
 {
-  return std::make_unique<ParticleTarget>(frames, options.Kernel, options.Threshold, options.Level);
+  return std::make_unique<ParticleTarget>(frames, options);
 }
 
 }

@@ -157,7 +157,7 @@ ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
   const std::vector<std::int64_t> allIds = ids ? ReadIds(ids) : std::vector<std::int64_t>();
 
   ParticleFrame frame;
-  frame.HasRadii = radii != nullptr;
+  frame.HasRadii = frame.HasOwnRadii = radii != nullptr;
   frame.HasIds = ids != nullptr;
   frame.Particles.reserve(count);
   frame.Ids.reserve(count);

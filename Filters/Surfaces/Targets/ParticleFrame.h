@@ -3,6 +3,7 @@
 #ifndef ParticleFrame_h
 #define ParticleFrame_h
 
+#include "ParticleFit.h"
 #include "Skeleton.h"
 
 #include "vtkPointData.h"
@@ -34,8 +35,10 @@ struct ParticleFrame
   std::vector<std::int64_t> Ids;  // of the particles: from the array, else their point numbers
   bool HasIds = false;            // from the array
   bool HasRadii = false;          // else to be given by GiveRadius
+  bool HasOwnRadii = false;       // from the array
   std::size_t Ignored = 0;        // points left out: not finite, or without a size
   std::vector<vtkIdType> Points;  // of the input, which the particles are
+  std::vector<ParticleFit> Fits;  // of the particles; empty until they are asked for
   std::vector<double> Velocities; // of the particles, x y z each; empty without an array
   vtkSmartPointer<vtkPointData> Passed; // of the input's points, a copy; null if not wanted
 

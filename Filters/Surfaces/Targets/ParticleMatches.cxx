@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace activesurface
@@ -64,6 +65,30 @@ std::vector<std::size_t> FindBirths(const std::vector<std::size_t>& partners, st
 double Between(double a, double b, double fraction)
 {
   return a + fraction * (b - a);
+}
+
+ParticleFit Between(const ParticleFit& a, const ParticleFit& b, double fraction)
+{
+  ParticleFit fit;
+  fit.Bulk = Between(a.Bulk, b.Bulk, fraction);
+  fit.OwnRadius = Between(a.OwnRadius, b.OwnRadius, fraction);
+  fit.Strength = Between(a.Strength, b.Strength, fraction);
+  fit.Reach = std::max(a.Reach, b.Reach); // an ellipsoid between two is within the larger reach
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    fit.Offset[axis] = Between(a.Offset[axis], b.Offset[axis], fraction);
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    fit.Metric[i] = Between(a.Metric[i], b.Metric[i], fraction);
+  }
+  return fit;
+}
+
+ParticleFit Shrunk(ParticleFit fit, double share)
+{
+  fit.OwnRadius *= std::cbrt(share);
+  return fit;
 }
 
 void MoveTowards(SkeletonVertex& particle, const SkeletonVertex& partner, double fraction)
@@ -157,6 +182,44 @@ void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& lat
   for (const std::size_t birth : matches.Births)
   {
     crowd.AddFaded(later.Particles[birth], fraction, { NoPartner, birth });
+  }
+}
+
+void InterpolateFits(const ParticleFrame& earlier, const ParticleFrame& later, double fraction,
+  const std::vector<ParticleOrigin>& origins, std::vector<ParticleFit>& fits)
+{
+  fits.clear();
+  for (const ParticleOrigin& origin : origins)
+  {
+    if (origin.Later == NoPartner)
+    {
+      fits.push_back(Shrunk(earlier.Fits[origin.Earlier], 1.0 - fraction));
+    }
+    else if (origin.Earlier == NoPartner)
+    {
+      fits.push_back(Shrunk(later.Fits[origin.Later], fraction));
+    }
+    else
+    {
+      fits.push_back(Between(earlier.Fits[origin.Earlier], later.Fits[origin.Later], fraction));
+    }
+  }
+}
+
+void FindMotion(const ParticleFrame& earlier, const ParticleFrame& later, double duration,
+  const std::vector<ParticleOrigin>& origins, std::vector<double>& velocities)
+{
+  velocities.clear();
+  for (const ParticleOrigin& origin : origins)
+  {
+    const bool isKnown = origin.Earlier != NoPartner && origin.Later != NoPartner && duration > 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      velocities.push_back(isKnown ? (later.Particles[origin.Later].Position[axis] -
+                                       earlier.Particles[origin.Earlier].Position[axis]) /
+            duration
+                                   : std::numeric_limits<double>::quiet_NaN());
+    }
   }
 }
 

@@ -43,6 +43,16 @@ void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& lat
   const ParticleMatches& matches, double fraction, std::vector<SkeletonVertex>& particles,
   std::vector<ParticleOrigin>* origins = nullptr);
 
+// What the particles at such origins are among their neighbours. One that fades shrinks with its
+// volume: a lone particle grows from nothing.
+void InterpolateFits(const ParticleFrame& earlier, const ParticleFrame& later, double fraction,
+  const std::vector<ParticleOrigin>& origins, std::vector<ParticleFit>& fits);
+
+// How the particles at such origins move in the interpolation, which takes so long: x y z each, NaN
+// for those that are in one of the steps only.
+void FindMotion(const ParticleFrame& earlier, const ParticleFrame& later, double duration,
+  const std::vector<ParticleOrigin>& origins, std::vector<double>& velocities);
+
 }
 
 #endif

@@ -77,7 +77,16 @@ std::string ParticleShape::Prepare(ShapePreparation& preparation)
       std::to_string(this->Particles.Ignored) + " particles are left out " + preparation.When +
         ": coordinates, radius or strength are not finite, or the radius is not > 0.");
   }
-  preparation.GiveRadius(this->Particles);
+  const ShapeOptions& options = preparation.Options;
+  preparation.GiveRadius(options.Model, this->Particles);
+  if (options.WantsFits() && this->Particles.Fits.empty())
+  {
+    FitOptions fit;
+    fit.Model = options.Model;
+    fit.OwnRadius = this->Particles.HasOwnRadii ? 0.0 : 0.5 * preparation.GetSpacing();
+    fit.Anisotropy = options.Anisotropy;
+    this->Particles.Fits = FitParticles(fit, this->Particles.Particles);
+  }
   return "";
 }
 
@@ -93,7 +102,7 @@ void ParticleShape::AddBounds(const ShapeOptions&, vtkBoundingBox& shapes, vtkBo
 std::unique_ptr<MovingTarget> ParticleShape::MakeTarget(
   const TargetFrames& frames, const ShapeOptions& options) const
 {
-  return std::make_unique<ParticleTarget>(frames, options.Kernel, options.Threshold, options.Level);
+  return std::make_unique<ParticleTarget>(frames, options);
 }
 
 }

@@ -1,6 +1,7 @@
 #include "Targets/ParticleTarget.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace activesurface
 {
@@ -8,66 +9,130 @@ namespace activesurface
 namespace
 {
 
-bool IsSame(const SkeletonVertex& a, const SkeletonVertex& b)
+bool IsSameVertex(const SkeletonVertex& a, const SkeletonVertex& b)
 {
   return std::equal(a.Position, a.Position + 3, b.Position) && a.Radius == b.Radius &&
     a.Strength == b.Strength;
 }
 
-ChangedRegion::Box SupportOf(const SkeletonVertex& particle)
+bool IsSameFit(const ParticleFit& a, const ParticleFit& b)
 {
+  return a.Bulk == b.Bulk && a.OwnRadius == b.OwnRadius && a.Strength == b.Strength &&
+    a.Reach == b.Reach && std::equal(a.Offset, a.Offset + 3, b.Offset) &&
+    std::equal(a.Metric, a.Metric + 6, b.Metric);
+}
+
+// Unknown ones are alike.
+bool IsSameVelocity(const double* a, const double* b)
+{
+  return std::equal(a, a + 3, b, [](double u, double v) { return u == v || (u != u && v != v); });
+}
+
+ChangedRegion::Box SupportOf(const PlacedParticles& placed, std::size_t i)
+{
+  const SkeletonVertex& particle = placed.Particles[i];
+  const bool hasFit = !placed.Fits.empty();
+  const double reach = hasFit ? std::max(particle.Radius, placed.Fits[i].Reach) : particle.Radius;
   ChangedRegion::Box box;
   for (int axis = 0; axis < 3; ++axis)
   {
-    box[2 * axis] = particle.Position[axis] - particle.Radius;
-    box[2 * axis + 1] = particle.Position[axis] + particle.Radius;
+    const double offset = hasFit ? placed.Fits[i].Offset[axis] : 0.0;
+    box[2 * axis] = particle.Position[axis] + std::min(offset, 0.0) - reach;
+    box[2 * axis + 1] = particle.Position[axis] + std::max(offset, 0.0) + reach;
   }
   return box;
 }
 
 }
 
-ParticleTarget::ParticleTarget(
-  const TargetFrames& frames, SkeletonKernel kernel, double threshold, const TargetOptions& options)
-  : MovingTarget(options)
+ParticleTarget::ParticleTarget(const TargetFrames& frames, const ShapeOptions& options)
+  : MovingTarget(options.Level)
   , Frames(frames)
-  , Kernel(kernel)
-  , Threshold(threshold)
+  , Options(options)
 {
 }
 
 void ParticleTarget::Place(int step, double fraction)
 {
-  std::swap(this->Previous, this->Particles);
-  this->Frames.PlaceParticles(step, fraction, this->Particles);
+  PlacedNeeds needs;
+  needs.Fits = this->Options.WantsFits();
+  needs.Velocities = this->Options.Carries;
+  needs.Duration = this->GetDuration();
+  std::swap(this->Previous, this->Now);
+  this->Frames.PlaceParticles(step, fraction, needs, this->Now);
   this->FindChanged();
-  this->Elements.Clear();
-  for (const SkeletonVertex& particle : this->Particles)
+  if (this->IsSum())
   {
-    this->Elements.AddPoint(particle);
+    this->Elements.Clear();
+    for (const SkeletonVertex& particle : this->Now.Particles)
+    {
+      this->Elements.AddPoint(particle);
+    }
+    this->Elements.Build();
   }
-  this->Elements.Build();
+  else
+  {
+    this->BuildBody();
+  }
+  if (this->Options.Carries || this->Options.WeighsTension)
+  {
+    this->BuildMeans();
+  }
+}
+
+void ParticleTarget::BuildBody()
+{
+  this->Body.Clear(this->Options.Model);
+  for (std::size_t i = 0; i < this->Now.Particles.size(); ++i)
+  {
+    this->Body.Add(this->Now.Particles[i], this->Now.Fits[i]);
+  }
+  this->Body.Build();
+}
+
+void ParticleTarget::BuildMeans()
+{
+  this->Means.Clear();
+  for (std::size_t i = 0; i < this->Now.Particles.size(); ++i)
+  {
+    const double* velocity =
+      this->Now.Velocities.empty() ? nullptr : this->Now.Velocities.data() + 3 * i;
+    const double bulk = this->Now.Fits.empty() ? 1.0 : this->Now.Fits[i].Bulk;
+    this->Means.Add(this->Now.Particles[i], velocity, bulk);
+  }
+  this->Means.Build();
+}
+
+bool ParticleTarget::IsSame(std::size_t i) const
+{
+  const PlacedParticles& then = this->Previous;
+  const PlacedParticles& now = this->Now;
+  return i < then.Particles.size() && i < now.Particles.size() &&
+    IsSameVertex(then.Particles[i], now.Particles[i]) &&
+    (now.Fits.empty() || IsSameFit(then.Fits[i], now.Fits[i])) &&
+    (now.Velocities.empty() ||
+      IsSameVelocity(then.Velocities.data() + 3 * i, now.Velocities.data() + 3 * i));
 }
 
 // Sums go by the order of the particles: without those that are the same, they are the same.
 void ParticleTarget::FindChanged()
 {
-  const std::size_t before = this->Previous.size(), now = this->Particles.size();
+  const std::size_t before = this->Previous.Particles.size(), now = this->Now.Particles.size();
   const std::size_t most = std::max(before, now) / 2;
   this->ChangedSupports.clear();
   for (std::size_t i = 0; i < std::max(before, now) && this->ChangedSupports.size() <= most; ++i)
   {
-    if (i < before && i < now && IsSame(this->Previous[i], this->Particles[i]))
+    if (this->IsSame(i))
     {
       continue;
     }
     if (i < before)
     {
-      this->ChangedSupports.push_back(SupportOf(this->Previous[i]));
+      this->ChangedSupports.push_back(SupportOf(this->Previous, i));
     }
     if (i < now)
     {
-      this->ChangedSupports.push_back(SupportOf(this->Particles[i]));
+      this->ChangedSupports.push_back(SupportOf(this->Now, i));
     }
   }
   if (this->ChangedSupports.size() > most)
@@ -88,7 +153,22 @@ bool ParticleTarget::HasChangedIn(const double bounds[6]) const
 void ParticleTarget::Sample(
   std::size_t count, const double* points, double* values, double* gradients) const
 {
-  this->Elements.Evaluate(this->Kernel, this->Threshold, count, points, values, gradients);
+  if (this->IsSum())
+  {
+    this->Elements.Evaluate(
+      this->Options.Kernel, this->Options.Threshold, count, points, values, gradients);
+  }
+  else
+  {
+    this->Body.Evaluate(count, points, values, gradients);
+  }
+}
+
+void ParticleTarget::SampleMoving(std::size_t count, const double* points, double* values,
+  double* gradients, double* velocities, double* weights) const
+{
+  this->Sample(count, points, values, gradients);
+  this->Means.Evaluate(count, points, velocities, weights);
 }
 
 }

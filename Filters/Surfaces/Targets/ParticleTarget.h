@@ -1,14 +1,18 @@
-// Moving particles as a target: F = threshold - sum of strength * kernel(distance / radius).
+// Moving particles as a target, by a sum of kernels, F = threshold - sum of strength *
+// kernel(distance / radius), or by a model that looks at their neighbours, see ParticlePotential.h.
 //
-// Outside all supports F is the threshold, without a gradient: a skin out there is attracted with
-// the constant speed that belongs to the target's reach.
+// Outside all reaches F is constant, without a gradient: a skin out there is attracted with the
+// constant speed that belongs to the target's reach.
 
 #ifndef ParticleTarget_h
 #define ParticleTarget_h
 
+#include "ParticleMeans.h"
+#include "ParticlePotential.h"
 #include "Skeleton.h"
 #include "Targets/ChangedRegion.h"
 #include "Targets/MovingTarget.h"
+#include "Targets/ShapeOptions.h"
 #include "Targets/TargetFrames.h"
 
 #include <vector>
@@ -19,27 +23,34 @@ namespace activesurface
 class ParticleTarget : public MovingTarget
 {
 public:
-  // The frames are the caller's, and have to hold what MoveAlong asks for.
-  ParticleTarget(const TargetFrames& frames, SkeletonKernel kernel, double threshold,
-    const TargetOptions& options);
+  // The frames are the caller's, and have to hold what MoveAlong asks for, with fits if the options
+  // want them.
+  ParticleTarget(const TargetFrames& frames, const ShapeOptions& options);
 
 protected:
   void Place(int step, double fraction) override;
   bool HasChangedIn(const double bounds[6]) const override;
   void Sample(
     std::size_t count, const double* points, double* values, double* gradients) const override;
+  void SampleMoving(std::size_t count, const double* points, double* values, double* gradients,
+    double* velocities, double* weights) const override;
 
 private:
+  bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
   void FindChanged();
+  bool IsSame(std::size_t i) const;
+  void BuildBody();
+  void BuildMeans();
 
   const TargetFrames& Frames;
-  const SkeletonKernel Kernel;
-  const double Threshold;
-  std::vector<SkeletonVertex> Particles;
-  std::vector<SkeletonVertex> Previous;
+  const ShapeOptions Options;
+  PlacedParticles Now;
+  PlacedParticles Previous;
   std::vector<ChangedRegion::Box> ChangedSupports;
-  ChangedRegion Changed; // from Previous to Particles
-  Skeleton Elements;
+  ChangedRegion Changed;  // from Previous to Now
+  Skeleton Elements;      // of a sum
+  ParticlePotential Body; // of the other models
+  ParticleMeans Means;    // if the target tells its velocity, or weighs tension
 };
 
 }

@@ -4,6 +4,7 @@
 #ifndef ShapeOptions_h
 #define ShapeOptions_h
 
+#include "ParticleModel.h"
 #include "SkeletonKernel.h"
 #include "Targets/PotentialTarget.h"
 
@@ -12,14 +13,24 @@ namespace activesurface
 
 struct ShapeOptions
 {
-  double ParticleRadius = 0.0; //< of particles and skeletons [length]; 0: estimated
-  double Threshold = 0.5;      //< of particles and skeletons
+  ParticleModel Model = ParticleModel::Sum; //< of particles; skeletons are sums
+  double ParticleSpacing = 0.0;             //< [length]; 0: estimated
+  double ParticleRadius = 0.0; //< reach of particles and skeletons [length]; 0: by the spacing
+  double Anisotropy = 4.0;     //< of particles, largest ratio of axes
+  double Threshold = 0.5;      //< of sums
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
   double MeshThickness = 0.0; //< [length]; 0: closed meshes
 
   /** Its Reach counts as soon as the bounds are known, and so does VoxelSize [length]. */
   TargetOptions Level;
   double VoxelSize = 0.0;
+
+  /** Whether the target tells its velocity, and where tension is to act. */
+  bool Carries = false;
+  bool WeighsTension = false;
+
+  /** Whether particles have to be looked at among their neighbours. */
+  bool WantsFits() const { return this->Model != ParticleModel::Sum || this->WeighsTension; }
 
   /** Spacing of the samples that stand in for gradients that a function does not give [length]. */
   double GetDifferenceStep() const { return 0.125 * this->VoxelSize; }

@@ -8,41 +8,59 @@
 namespace activesurface
 {
 
-namespace
+double ShapePreparation::GetSpacing() const
 {
-
-// Reach of the particles in units of their distance, when it is not given: balls of neighbours
-// overlap enough to be one body.
-constexpr double RadiusPerSpacing = 2.0;
-
+  return this->Options.ParticleSpacing > 0.0 ? this->Options.ParticleSpacing
+                                             : this->EstimatedSpacing;
 }
 
-double ShapePreparation::GetRadius() const
+double ShapePreparation::GetRadius(ParticleModel model) const
 {
-  return this->EstimatedRadius > 0.0 ? this->EstimatedRadius : this->Options.ParticleRadius;
+  return this->Options.ParticleRadius > 0.0 ? this->Options.ParticleRadius
+                                            : GetReachPerSpacing(model) * this->GetSpacing();
 }
 
-void ShapePreparation::GiveRadius(ParticleFrame& frame)
+void ShapePreparation::GiveRadius(ParticleModel model, ParticleFrame& frame)
 {
-  if (frame.HasRadii || frame.Particles.empty())
+  if (frame.Particles.empty())
   {
     return;
   }
-  if (this->Options.ParticleRadius == 0.0 && this->EstimatedRadius == 0.0)
+  const bool hasReach = frame.HasRadii || this->Options.ParticleRadius > 0.0;
+  if (this->GetSpacing() == 0.0 && (model != ParticleModel::Sum || !hasReach))
   {
-    this->EstimatedRadius = RadiusPerSpacing * frame.GetSpacing();
-    if (this->EstimatedRadius == 0.0)
-    {
-      throw std::invalid_argument(
-        "The particles' radius cannot be estimated, as no two of them are "
-        "apart; set ParticleRadius or choose a radius array.");
-    }
-    std::ostringstream text;
-    text << "ParticleRadius is not set; " << this->EstimatedRadius << " is used, "
-         << RadiusPerSpacing << " times the usual distance of neighbours. Set it to silence this.";
-    this->Report("radius", text.str());
+    this->EstimateSpacing(model, frame);
   }
-  frame.GiveRadius(this->GetRadius());
+  if (!frame.HasRadii)
+  {
+    frame.GiveRadius(this->GetRadius(model));
+  }
+}
+
+void ShapePreparation::EstimateSpacing(ParticleModel model, const ParticleFrame& frame)
+{
+  const bool hasReach = frame.HasRadii || this->Options.ParticleRadius > 0.0;
+  this->EstimatedSpacing = frame.GetSpacing();
+  if (this->EstimatedSpacing == 0.0 && hasReach)
+  {
+    const double reach =
+      frame.HasRadii ? frame.Particles.front().Radius : this->Options.ParticleRadius;
+    this->EstimatedSpacing = reach / GetReachPerSpacing(model);
+  }
+  if (this->EstimatedSpacing == 0.0)
+  {
+    throw std::invalid_argument("The particles' spacing cannot be estimated, as no two of them are "
+                                "apart; set ParticleSpacing or ParticleRadius, or choose a radius "
+                                "array.");
+  }
+  if (!hasReach)
+  {
+    std::ostringstream text;
+    text << "Neither ParticleSpacing nor ParticleRadius is set; a ParticleSpacing of "
+         << this->EstimatedSpacing << " is used, the usual distance of neighbours. Set it to "
+         << "silence this.";
+    this->Report("spacing", text.str());
+  }
 }
 
 }

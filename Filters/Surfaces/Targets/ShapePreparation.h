@@ -16,15 +16,15 @@ struct ParticleFrame;
 
 struct ShapePreparation
 {
-  ShapePreparation(const ShapeOptions& options, double& estimatedRadius)
+  ShapePreparation(const ShapeOptions& options, double& estimatedSpacing)
     : Options(options)
-    , EstimatedRadius(estimatedRadius)
+    , EstimatedSpacing(estimatedSpacing)
   {
   }
 
   ShapeOptions Options;
-  double& EstimatedRadius; //< of all time steps [length]; 0: there is no estimate yet
-  std::string When;        //< "at the time step 2", for messages
+  double& EstimatedSpacing; //< of all time steps [length]; 0: there is no estimate yet
+  std::string When;         //< "at the time step 2", for messages
 
   bool IsDomainKnown = false; //< else voxel size and reach are not
   double Reach = 0.0;         //< how far around its surface a mesh has to be known [length]
@@ -33,14 +33,21 @@ struct ShapePreparation
   /** Tells a user something, once for each reason. */
   std::function<void(const std::string& reason, const std::string& sentence)> Report;
 
-  /** Of points without a radius of their own. */
-  double GetRadius() const;
+  /** Usual distance of the particles; 0: not known, and of no use. */
+  double GetSpacing() const;
+
+  /** Reach of points without a radius of their own. */
+  double GetRadius(ParticleModel model) const;
 
   /**
-   * Gives that radius to a frame's particles, unless they have radii. Estimates it from the first
-   * frame that needs it; throws std::invalid_argument if no two particles are apart.
+   * Gives that reach to a frame's particles, unless they have radii. Estimates the spacing from the
+   * first frame that needs it; throws std::invalid_argument if no two particles are apart and there
+   * is no radius either.
    */
-  void GiveRadius(ParticleFrame& frame);
+  void GiveRadius(ParticleModel model, ParticleFrame& frame);
+
+private:
+  void EstimateSpacing(ParticleModel model, const ParticleFrame& frame);
 };
 
 }

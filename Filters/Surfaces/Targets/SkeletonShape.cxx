@@ -89,10 +89,10 @@ std::string SkeletonShape::Prepare(ShapePreparation& preparation)
   {
     return "";
   }
-  preparation.GiveRadius(this->Points);
+  preparation.GiveRadius(ParticleModel::Sum, this->Points);
   vtkNew<vtkSkeletonPotential> skeleton;
   skeleton->SetInput(vtkPointSet::SafeDownCast(this->Data));
-  skeleton->SetRadius(preparation.GetRadius());
+  skeleton->SetRadius(preparation.GetRadius(ParticleModel::Sum));
   skeleton->SetRadiusArrayName(FindName(this->Data, RadiusName));
   skeleton->SetStrengthArrayName(FindName(this->Data, StrengthName));
   skeleton->SetKernel(static_cast<int>(preparation.Options.Kernel));

@@ -71,16 +71,39 @@ const ParticleMatches* TargetFrames::FindMatches(int step) const
 }
 
 void TargetFrames::PlaceParticles(
-  int step, double fraction, std::vector<SkeletonVertex>& particles) const
+  int step, double fraction, const PlacedNeeds& needs, PlacedParticles& placed) const
 {
-  const ParticleMatches* matches = fraction == 0.0 ? nullptr : this->FindMatches(step);
-  if (!matches)
+  const ParticleFrame& earlier = this->GetParticles(step);
+  const ParticleMatches* matches = this->FindMatches(step);
+  placed.Origins.clear();
+  placed.Fits.clear();
+  placed.Velocities.clear();
+  if (fraction == 0.0 || !matches)
   {
-    particles = this->GetParticles(step).Particles;
-    return;
+    placed.Particles = earlier.Particles;
+    for (std::size_t i = 0; i < placed.Particles.size(); ++i)
+    {
+      placed.Origins.push_back({ i, matches ? matches->Partners[i] : NoPartner });
+    }
+    if (needs.Fits)
+    {
+      placed.Fits = earlier.Fits;
+    }
   }
-  InterpolateParticles(
-    this->GetParticles(step), this->GetParticles(step + 1), *matches, fraction, particles);
+  else
+  {
+    const ParticleFrame& later = this->GetParticles(step + 1);
+    InterpolateParticles(earlier, later, *matches, fraction, placed.Particles, &placed.Origins);
+    if (needs.Fits)
+    {
+      InterpolateFits(earlier, later, fraction, placed.Origins, placed.Fits);
+    }
+  }
+  if (needs.Velocities)
+  {
+    const ParticleFrame& later = matches ? this->GetParticles(step + 1) : earlier;
+    FindMotion(earlier, later, needs.Duration, placed.Origins, placed.Velocities);
+  }
 }
 
 }

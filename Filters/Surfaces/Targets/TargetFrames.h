@@ -12,6 +12,23 @@
 namespace activesurface
 {
 
+// What is to be known of particles besides where they are.
+struct PlacedNeeds
+{
+  bool Fits = false;
+  bool Velocities = false;
+  double Duration = 0.0; // of the way from the step to the next one [motion time]; 0: none
+};
+
+struct PlacedParticles
+{
+  std::vector<SkeletonVertex> Particles;
+  std::vector<ParticleFit> Fits;  // of each, or empty
+  std::vector<double> Velocities; // of each, x y z, NaN for unknown; or empty
+
+  std::vector<ParticleOrigin> Origins; // kept for its memory
+};
+
 class TargetFrames
 {
 public:
@@ -32,7 +49,8 @@ public:
   // The particles at a fraction in [0,1] of the way from a step to the next one, see
   // ParticleMatches.h; those of the step itself, in their order, at 0 and as long as the next one
   // is not held.
-  void PlaceParticles(int step, double fraction, std::vector<SkeletonVertex>& particles) const;
+  void PlaceParticles(
+    int step, double fraction, const PlacedNeeds& needs, PlacedParticles& placed) const;
 
   // Of the particles of a step and those of the next one; null if not both are held.
   const ParticleMatches* FindMatches(int step) const;

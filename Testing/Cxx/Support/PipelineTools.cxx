@@ -169,6 +169,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeShrinkingBall()
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSkin()
 {
   auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
+  filter->SetParticleModelToSum();
   filter->SetParticleRadius(0.3);
   filter->SetAttraction(10.0);
   filter->SetVoxelSize(0.05);

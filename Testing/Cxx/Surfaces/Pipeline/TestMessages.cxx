@@ -255,7 +255,7 @@ TEST(TestMessages, OneParticleHasNoSpacing)
   data->GetPoints()->SetPoint(1, 0.0, 0.0, 0.0);
   vtkNew<vtkActiveImplicitSurface> filter;
   filter->SetInputData(data);
-  Refuses(filter, "The particles' radius cannot be estimated");
+  Refuses(filter, "The particles' spacing cannot be estimated");
   filter->SetParticleRadius(0.5);
   Works(filter, "with a radius");
 }

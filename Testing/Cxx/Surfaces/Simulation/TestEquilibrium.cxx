@@ -231,6 +231,7 @@ TEST(TestEquilibrium, FirstStepOfTheInputIsTheTarget)
   auto source = MakeMovingBall();
   source->SetSteps({ 1.0, 2.0, 3.0, 4.0 });
   auto filter = MakeSkinOver(source);
+  filter->SetParticleModelToSum();
   filter->SetParticleRadius(0.8);
   filter->SetEvolutionModeToEquilibrium();
   for (const double time : { 1.0, 3.0 })

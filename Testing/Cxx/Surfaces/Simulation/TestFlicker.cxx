@@ -142,6 +142,8 @@ double GetFlickerOfSkin(double rate)
   const vtkSmartPointer<ShapeSource> source =
     MakeSource([](double t) { return MakePool(static_cast<int>(t)); }, steps);
   filter->SetInputConnection(source->GetOutputPort());
+  filter->SetParticleModelToSum();
+  filter->AutomaticAttractionOff();
   filter->SetParticleRadius(Radius);
   filter->SetParticleThreshold(Threshold);
   filter->SetVoxelSize(Voxel);

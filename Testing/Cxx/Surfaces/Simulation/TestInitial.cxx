@@ -176,6 +176,7 @@ TEST(TestInitial, OneSourceMayBeBoth)
   auto source = MakeSource([](double t) { return MakeBallMesh(0.5, 0.1 * t); }, { 0, 1, 2 });
   auto both = MakeShrinking(source);
   both->SetTargetFunction(nullptr);
+  both->AutomaticAttractionOff();
   both->SetInputConnection(0, source->GetOutputPort());
   both->UpdateTimeStep(1.0);
   both->UpdateTimeStep(2.0);

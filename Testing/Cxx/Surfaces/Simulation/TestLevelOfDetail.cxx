@@ -163,6 +163,8 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkin(const std::vector<double>& st
   auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
   filter->SetInputConnection(source->GetOutputPort());
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "size");
+  filter->SetParticleModelToSum();
+  filter->AutomaticAttractionOff();
   filter->SetParticleThreshold(Threshold);
   filter->SetVoxelSize(Voxel);
   filter->SetCFL(CFL);

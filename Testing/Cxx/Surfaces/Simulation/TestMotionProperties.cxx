@@ -217,7 +217,7 @@ std::set<std::string> Print(Filter filter)
 
 }
 
-TEST(TestMotionProperties, PaperFaithfulSetsFourProperties)
+TEST(TestMotionProperties, PaperFaithfulSetsFiveProperties)
 {
   vtkNew<vtkActiveImplicitSurface> filter;
   filter->SetTargetEvaluationToNode();
@@ -231,7 +231,8 @@ TEST(TestMotionProperties, PaperFaithfulSetsFourProperties)
       changed += line;
     }
   }
-  EXPECT_EQ(changed, "  GradientScheme: 0  NormalizeTarget: 0  PaperScheme: 1  TargetEvaluation: 0")
+  EXPECT_EQ(changed, "  GradientScheme: 0  NormalizeTarget: 0  PaperScheme: 1  ParticleModel: 0  "
+                     "TargetEvaluation: 0")
     << "changed lines";
 }
 

@@ -124,6 +124,7 @@ TEST(TestVelocity, VelocityOfAGrowingSkinIsItsDifference)
         { 0.0, 0.0, d, 6, 0.0 } };
     });
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
+  filter->SetParticleModelToSum();
   filter->SetParticleRadius(0.6);
   const Comparison comparison = Compare(filter, 2.5, 0.5, false);
   EXPECT_GT(comparison.Speed, 0.005) << "mean speed";

@@ -61,9 +61,9 @@ struct Way
 
   std::vector<SkeletonVertex> PlaceAt(double fraction)
   {
-    std::vector<SkeletonVertex> particles;
-    this->Frames.PlaceParticles(0, fraction, particles);
-    return particles;
+    PlacedParticles placed;
+    this->Frames.PlaceParticles(0, fraction, {}, placed);
+    return placed.Particles;
   }
 
   double ValueAt(const Point& x) const
@@ -75,8 +75,14 @@ struct Way
   }
 
   TargetFrames Frames;
-  ParticleTarget Target{ this->Frames, SkeletonKernel::Wyvill, Threshold,
-    TargetOptions{ 0.0, false, false } };
+  static ShapeOptions MakeOptions()
+  {
+    ShapeOptions options;
+    options.Threshold = Threshold;
+    options.Level.Normalize = false;
+    return options;
+  }
+  ParticleTarget Target{ this->Frames, MakeOptions() };
 };
 
 // Of a set by hand, with the strengths multiplied by a share.
@@ -317,12 +323,12 @@ TEST(TestBirths, PlacingKeepsItsMemory)
 {
   Random random(9);
   Way way(MakeFrame(MakeCloud(random, 100, 0)), MakeFrame(MakeCloud(random, 100, 50)));
-  std::vector<SkeletonVertex> particles;
-  way.Frames.PlaceParticles(0, 0.5, particles);
-  const SkeletonVertex* memory = particles.data();
+  PlacedParticles placed;
+  way.Frames.PlaceParticles(0, 0.5, {}, placed);
+  const SkeletonVertex* memory = placed.Particles.data();
   for (const double f : Fractions)
   {
-    way.Frames.PlaceParticles(0, f, particles);
-    EXPECT_TRUE(particles.data() == memory) << "the same memory";
+    way.Frames.PlaceParticles(0, f, {}, placed);
+    EXPECT_TRUE(placed.Particles.data() == memory) << "the same memory";
   }
 }

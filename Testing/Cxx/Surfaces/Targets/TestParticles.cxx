@@ -88,6 +88,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOverData(vtkPointSet* points)
 {
   auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
   filter->SetInputData(points);
+  filter->SetParticleModelToSum();
   filter->SetParticleRadius(0.3);
   filter->SetVoxelSize(VoxelSize);
   filter->SetModelBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
@@ -256,6 +257,7 @@ TEST(TestParticles, ScalarsAloneAreNoRadii)
 TEST(TestParticles, KernelAndThresholdShapeTheSkin)
 {
   auto filter = MakeSkinOverData(MakePoints({ { 0.0, 0.0, 0.0 } }));
+  filter->SetParticleModelToSum();
   filter->SetParticleRadius(0.6);
   const auto radius = [filter]
   {
@@ -289,7 +291,7 @@ TEST(TestParticles, ParticlesActLikeASkeletonPotential)
 }
 
 // Neighbours on a lattice of distance .1, of which the boundary is no exception.
-TEST(TestParticles, RadiusIsEstimatedFromTheSpacing)
+TEST(TestParticles, SpacingIsEstimated)
 {
   std::vector<std::array<double, 3>> lattice;
   for (int i = 0; i < 1000; ++i)
@@ -304,7 +306,7 @@ TEST(TestParticles, RadiusIsEstimatedFromTheSpacing)
   const std::string bytes = GetBytesAt(estimated, 0.1);
   estimated->UpdateTimeStep(0.2);
   estimated->UpdateTimeStep(0.1);
-  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "ParticleRadius is not set; 0.2 is used"), 1)
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "a ParticleSpacing of 0.1 is used"), 1)
     << "warnings that say the value";
   auto given = MakeSkinOverData(MakePoints(lattice));
   given->SetParticleRadius(0.2);
@@ -360,6 +362,7 @@ TEST(TestParticles, TheSplashIsReadOnceAndStaysClosed)
   vtkNew<vtkActiveImplicitSurface> filter;
   filter->SetInputConnection(reader->GetOutputPort());
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
+  filter->SetParticleModelToSum();
   filter->SetParticleRadius(0.2);
   filter->SetVoxelSize(0.06);
   filter->SetAttraction(50.0);

@@ -1,0 +1,116 @@
+/**
+ * @class   vtkActiveParticleAlgorithm
+ * @brief   how particles make the target of a vtkActiveImplicitSurface, as properties
+ *
+ * ParticleSpacing is the one number to know: it gives each particle its own radius r, half of it,
+ * its reach, and, where they are not set, VoxelSize (r) and TargetReach (6 r). Changing a property
+ * starts the skin anew.
+ */
+
+#ifndef vtkActiveParticleAlgorithm_h
+#define vtkActiveParticleAlgorithm_h
+
+#include "vtkActiveMotionAlgorithm.h"
+#include "vtkActiveSurfacesModule.h" // for the export macro
+
+class VTKACTIVESURFACES_EXPORT vtkActiveParticleAlgorithm : public vtkActiveMotionAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkActiveParticleAlgorithm, vtkActiveMotionAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * How particles make a surface, as in vtkSkeletonPotential. SUM (0): a sum of ParticleKernel at
+   * ParticleThreshold, the paper's, bumpy and 1.3 r too wide at the defaults. AVERAGED_CENTRE (1)
+   * and ANISOTROPIC (2) are flat where there is a body of particles, a ball of radius r where one
+   * is alone, and have the particles' volume: ANISOTROPIC keeps sheets, threads and narrow gaps
+   * sharper, at fewer particles in reach. Lines of a skeleton are always a SUM. PaperFaithful() in
+   * Python chooses SUM. Default: ANISOTROPIC.
+   */
+  vtkSetClampMacro(ParticleModel, int, SUM, ANISOTROPIC);
+  vtkGetMacro(ParticleModel, int);
+  void SetParticleModelToSum() { this->SetParticleModel(SUM); }
+  void SetParticleModelToAveragedCentre() { this->SetParticleModel(AVERAGED_CENTRE); }
+  void SetParticleModelToAnisotropic() { this->SetParticleModel(ANISOTROPIC); }
+  ///@}
+
+  ///@{
+  /**
+   * Usual distance of neighbouring particles [length], 2 r: the side of the cube that a particle
+   * fills. Range: >= 0; 1e-30 to 1e30, or 0, which is the median distance of nearest neighbours at
+   * the first time step with particles, with a warning that says the value (or, where
+   * ParticleRadius or an array of radii is given, the spacing that belongs to that reach). Default:
+   * 0.
+   */
+  vtkSetClampMacro(ParticleSpacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ParticleSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Reach of a particle, or of a line of a skeleton [length]: the distance at which its influence
+   * ends, where no array of radii is chosen. Wider is smoother and slower. Range: >= 0; 1e-30 to
+   * 1e30, or 0, which is 2 (SUM, and lines), 3 (AVERAGED_CENTRE) or 2.25 (ANISOTROPIC) times
+   * ParticleSpacing. Default: 0.
+   */
+  vtkSetClampMacro(ParticleRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ParticleRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Largest ratio of the axes of a particle's influence [1], with ANISOTROPIC: 1 for balls.
+   * Range: 1 to 100. Default: 4.
+   */
+  vtkSetClampMacro(Anisotropy, double, 1.0, 100.0);
+  vtkGetMacro(Anisotropy, double);
+  ///@}
+
+  ///@{
+  /**
+   * How a particle's influence falls off with SUM, from vtkSkeletonPotential: WYVILL (0), smooth;
+   * CUBIC_SPLINE (1), narrower, the one of SPH; METABALL (2). It also weighs the arrays that the
+   * skin takes from the particles. Default: WYVILL.
+   */
+  vtkSetClampMacro(ParticleKernel, int, 0, 2);
+  vtkGetMacro(ParticleKernel, int);
+  void SetParticleKernelToWyvill();
+  void SetParticleKernelToCubicSpline();
+  void SetParticleKernelToMetaball();
+  ///@}
+
+  ///@{
+  /**
+   * Level of the particles' summed influence, 1 at the centre of a single one, at which their
+   * surface is with SUM: lower is thicker. Range: > 0; else all space would be inside.
+   * Default: 0.5.
+   */
+  vtkSetMacro(ParticleThreshold, double);
+  vtkGetMacro(ParticleThreshold, double);
+  ///@}
+
+  enum ParticleModelType
+  {
+    SUM = 0,
+    AVERAGED_CENTRE = 1,
+    ANISOTROPIC = 2
+  };
+
+protected:
+  vtkActiveParticleAlgorithm() = default;
+  ~vtkActiveParticleAlgorithm() override = default;
+
+private:
+  vtkActiveParticleAlgorithm(const vtkActiveParticleAlgorithm&) = delete;
+  void operator=(const vtkActiveParticleAlgorithm&) = delete;
+
+  int ParticleModel = ANISOTROPIC;
+  double ParticleSpacing = 0.0;
+  double ParticleRadius = 0.0;
+  double Anisotropy = 4.0;
+  int ParticleKernel = 0;
+  double ParticleThreshold = 0.5;
+};
+
+#endif
