@@ -1,5 +1,6 @@
 #include "NarrowBand.h"
 
+#include "Parts/SparseStart.h"
 #include "State/InitialShape.h"
 #include "State/PackedBand.h"
 #include "State/StateGrid.h"
@@ -141,8 +142,9 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   this->Run(
     [&]
     {
+      const auto make = function.ForEachRegion ? MakeSparsePotential : MakeInitialPotential;
       openvdb::FloatTree::Ptr tree =
-        MakeInitialPotential(members.VoxelSize, bounds, function, members.Maximum, progress);
+        make(members.VoxelSize, bounds, function, members.Maximum, progress);
       if (!tree)
       {
         return;
