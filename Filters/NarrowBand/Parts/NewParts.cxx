@@ -134,15 +134,20 @@ void NewParts::AddSeeds(const Search& search, const ForEachRegion& forEachRegion
     [&](const TargetRegion& region)
     {
       openvdb::Coord node;
-      if (!region.SeededAtCentre)
+      if (region.Seeds == RegionSeeds::AllNodes)
       {
         this->Nodes.AddRegion(
           region, search.VoxelSize, nullptr, search.MaximumNumberOfActiveVoxels);
       }
-      else if (FindCentre(region, search.VoxelSize, node) &&
-        !SkinLeaf(search, OriginOf(node)).LayerZero->Has(NumberOf(node)))
+      else if (FindCentre(region, search.VoxelSize, node))
       {
-        centres.push_back(node);
+        const SkinLeaf skin(search, OriginOf(node));
+        const bool isCovered =
+          region.Seeds == RegionSeeds::PartAtCentre && skin.Inside->Has(NumberOf(node));
+        if (!isCovered && !skin.LayerZero->Has(NumberOf(node)))
+        {
+          centres.push_back(node);
+        }
       }
     });
   std::vector<double> values;

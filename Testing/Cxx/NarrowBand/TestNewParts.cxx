@@ -1,8 +1,7 @@
 // Parts of the target that no skin reaches, and hollows deep inside the skin, get a skin.
 
 #include "Support/RandomShapes.h"
-#include "Support/SurfaceMeasures.h"
-#include "Support/Throws.h"
+#include "Support/RegionTargets.h"
 
 #include "SkinEvents.h"
 #include "SkinParts.h"
@@ -16,7 +15,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -26,84 +24,9 @@ namespace
 {
 constexpr int Nodes = 48;
 constexpr double H = VoxelSizeOf(Nodes);
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 constexpr Ball Left = { { -0.45, 0.013, 0.007 }, 0.3 };
 constexpr Ball Right = { { 0.45, 0.021, -0.013 }, 0.25 };
-
-TargetRegion RegionAround(const Ball& ball, bool isSeeded)
-{
-  TargetRegion region;
-  region.SeededAtCentre = isSeeded;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    region.Bounds[2 * axis] = ball.Centre[axis] - ball.Radius;
-    region.Bounds[2 * axis + 1] = ball.Centre[axis] + ball.Radius;
-  }
-  return region;
-}
-
-/** A shape with regions, both of a time. */
-class RegionTarget : public ShapeTarget
-{
-public:
-  using Regions = std::function<std::vector<TargetRegion>(double)>;
-
-  RegionTarget(const Trajectory& shape, const Regions& regions)
-    : ShapeTarget(shape)
-    , RegionsOf(regions)
-  {
-  }
-
-  void MoveTo(double time) override
-  {
-    ShapeTarget::MoveTo(time);
-    this->Current = this->RegionsOf(time);
-  }
-  bool HasRegions() const override { return true; }
-  void ForEachRegion(const RegionVisitor& visit) const override
-  {
-    std::for_each(this->Current.begin(), this->Current.end(), visit);
-  }
-
-private:
-  Regions RegionsOf;
-  std::vector<TargetRegion> Current;
-};
-
-RegionTarget MakeStanding(const Shape& shape, const std::vector<TargetRegion>& regions)
-{
-  return { [shape](double) { return shape; }, [regions](double) { return regions; } };
-}
-
-/** Balls of a time, each with its region. */
-RegionTarget MakeMovingBalls(
-  const std::function<std::vector<Ball>(double)>& balls, bool areSeeded = true)
-{
-  return { [balls](double time) { return MakeBalls(balls(time)); },
-    [balls, areSeeded](double time)
-    {
-      std::vector<TargetRegion> regions;
-      for (const Ball& ball : balls(time))
-      {
-        regions.push_back(RegionAround(ball, areSeeded));
-      }
-      return regions;
-    } };
-}
-
-RegionTarget MakeStandingBalls(const std::vector<Ball>& balls)
-{
-  return MakeMovingBalls([balls](double) { return balls; });
-}
-
-Motion MakeCreating(double attraction = 1.0)
-{
-  Motion motion;
-  motion.Attraction = attraction;
-  motion.CreateParts = true;
-  return motion;
-}
 
 std::unique_ptr<NarrowBand> StartWith(const Shape& shape, int threads = 0)
 {
@@ -125,17 +48,6 @@ Mesh VerticesBeyond(const Mesh& mesh, double x)
     }
   }
   return half;
-}
-
-void CheckSound(const NarrowBand& band, const Topology& expected)
-{
-  const Mesh mesh = Polygonise(band);
-  const MeshDefects defects = FindDefects(mesh);
-  EXPECT_EQ(defects.Edges + defects.Vertices + defects.Unused, 0u);
-  const Topology topology = GetTopology(mesh);
-  EXPECT_EQ(topology.Components, expected.Components) << "bodies";
-  EXPECT_EQ(topology.Voids, expected.Voids) << "voids";
-  EXPECT_EQ(topology.EulerCharacteristic, expected.EulerCharacteristic) << "Euler number";
 }
 
 /** Leaves of the first band that are not the same in the second one. */
@@ -229,7 +141,8 @@ TEST(TestNewParts, LagOfTheSkinIsNoPart)
 {
   // Four voxels, which the skin gets to by itself.
   const Ball larger = { Left.Centre, Left.Radius + 4.0 * H };
-  RegionTarget target = MakeStanding(MakeBalls({ larger }), { RegionAround(larger, false) });
+  RegionTarget target =
+    MakeStanding(MakeBalls({ larger }), { RegionAround(larger, RegionSeeds::AllNodes) });
   const auto band = StartWith(MakeBalls({ Left }));
   EXPECT_EQ(band->Advance(0.5, MakeCreating(), target).CreatedParts, 0u);
   CheckSound(*band, { 1, 0, 2 });
@@ -237,11 +150,11 @@ TEST(TestNewParts, LagOfTheSkinIsNoPart)
 
 TEST(TestNewParts, HollowOpensDeepInside)
 {
-  for (const bool isSeeded : { true, false })
+  for (const RegionSeeds seeds : { RegionSeeds::AllNodes, RegionSeeds::Centre })
   {
     constexpr double outer = 0.7, inner = 0.3;
     const Shape shell = Move(MakeShell(outer, inner), CentreA);
-    RegionTarget target = MakeStanding(shell, { RegionAround({ CentreA, inner }, isSeeded) });
+    RegionTarget target = MakeStanding(shell, { RegionAround({ CentreA, inner }, seeds) });
     const auto band = StartWith(MakeBalls({ { CentreA, outer } }));
     EXPECT_EQ(band->Advance(1e-3, MakeCreating(), target).CreatedParts, 1u);
     CheckSound(*band, { 1, 1, 4 });
@@ -366,13 +279,34 @@ TEST(TestNewParts, CrowdOfBallsHasAsManyPartsAsUnions)
   EXPECT_TRUE(AreIdentical(*band, *FollowCrowd(crowd, true, 2))) << "order";
 }
 
+// Of 16 voxels: leaves within 11 voxels of its centre have no layer, and become tiles.
+TEST(TestNewParts, LargePartIsInsideThroughout)
+{
+  const Ball large = { { 0.4, 0.0, 0.0 }, 16.0 * H / 2.0 };
+  NarrowBand band(H / 2.0);
+  StartOn(band, MakeBall({ -0.6, 0.0, 0.0 }, 0.2));
+  RegionTarget target = MakeStandingBalls({ { { -0.6, 0.0, 0.0 }, 0.2 }, large });
+  EXPECT_EQ(band.Advance(1e-3, MakeCreating(), target).CreatedParts, 1u);
+  CheckSound(band, { 2, 0, 4 });
+  const openvdb::FloatTree& tree = band.GetPotential()->tree();
+  EXPECT_EQ(
+    tree.probeConstLeaf(openvdb::Coord(static_cast<int>(large.Centre[0] / (H / 2.0)), 0, 0)),
+    nullptr)
+    << "a tile";
+  for (int step = -14; step <= 14; ++step)
+  {
+    const int x = static_cast<int>(large.Centre[0] / (H / 2.0)) + step;
+    EXPECT_LT(tree.getValue(openvdb::Coord(x, 0, 0)), 0.f) << step << " voxels from the centre";
+  }
+}
+
 // A box that holds parts at other places than its centre is sampled at all nodes.
 TEST(TestNewParts, OneBoxFindsAllParts)
 {
   const std::vector<Ball> balls = { Left, Right, { { 0.0, 0.7, 0.7 }, 0.1 },
     { { 0.7, -0.7, 0.1 }, 1.5 * H } };
-  RegionTarget target =
-    MakeStanding(MakeBalls(balls), { RegionAround({ { 0.0, 0.0, 0.0 }, 0.95 }, false) });
+  RegionTarget target = MakeStanding(
+    MakeBalls(balls), { RegionAround({ { 0.0, 0.0, 0.0 }, 0.95 }, RegionSeeds::AllNodes) });
   const auto band = StartWith(MakeBalls({ Left }));
   EXPECT_EQ(band->Advance(1e-3, MakeCreating(), target).CreatedParts, 3u);
   CheckSound(*band, { 4, 0, 8 });
@@ -381,130 +315,12 @@ TEST(TestNewParts, OneBoxFindsAllParts)
 // A region that meets a part is enough: the rest of it is found from there.
 TEST(TestNewParts, PartOutgrowsItsRegion)
 {
-  RegionTarget target =
-    MakeStanding(MakeBalls({ Left, Right }), { RegionAround({ Right.Centre, H }, true) });
+  RegionTarget target = MakeStanding(
+    MakeBalls({ Left, Right }), { RegionAround({ Right.Centre, H }, RegionSeeds::PartAtCentre) });
   const auto band = StartWith(MakeBalls({ Left }));
   EXPECT_EQ(band->Advance(1e-3, MakeCreating(), target).CreatedParts, 1u);
   const Range radii = GetRadii(VerticesBeyond(Polygonise(*band), 0.0), Right.Centre);
   EXPECT_NEAR((radii.Minimum - Right.Radius) / H, 0.0, 0.04);
   EXPECT_NEAR((radii.Maximum - Right.Radius) / H, 0.0, 0.04);
-}
-
-TEST(TestNewParts, EmptySurfaceBegins)
-{
-  RegionTarget target = MakeStandingBalls({ Right });
-  const auto band = StartWith(MakeConstant(1.0));
-  ASSERT_TRUE(band->IsEmpty());
-  Motion motion = MakeCreating();
-  motion.Tension = 0.001;
-  const AdvanceReport report = band->Advance(0.1, motion, target);
-  EXPECT_EQ(report.CreatedParts, 1u);
-  EXPECT_FALSE(report.Vanished);
-  CheckSound(*band, { 1, 0, 2 });
-  RegionTarget nothing = MakeStandingBalls({});
-  const auto empty = StartWith(MakeConstant(1.0));
-  EXPECT_TRUE(empty->Advance(0.1, motion, nothing).Vanished);
-  EXPECT_EQ(empty->GetTime(), 0.1);
-}
-
-TEST(TestNewParts, RestartGivesTheSameBytes)
-{
-  RegionTarget target = MakeMovingBalls(
-    [](double time) {
-      return std::vector<Ball>{ Left, { Right.Centre, 0.01 + 0.3 * time } };
-    });
-  const auto whole = StartWith(MakeBalls({ Left }));
-  Motion motion = MakeCreating(10.0);
-  motion.LongestStep = 0.01;
-  whole->Advance(0.2, motion, target);
-  const auto again = NarrowBand::Unpack(whole->Pack());
-  const auto fromGrid = NarrowBand::FromGrid(*whole->ToGrid());
-  EXPECT_TRUE(AreIdentical(*whole, *again));
-  for (NarrowBand* band : { whole.get(), again.get(), fromGrid.get() })
-  {
-    band->Advance(0.4, motion, target);
-  }
-  CheckSound(*whole, { 2, 0, 4 });
-  EXPECT_TRUE(AreIdentical(*whole, *again));
-  EXPECT_TRUE(AreIdentical(*whole, *fromGrid));
-}
-
-TEST(TestNewParts, WallsCutThem)
-{
-  const Ball beyond = { { 0.5, 0.7, 0.0 }, 0.1 };
-  RegionTarget target = MakeStandingBalls({ Left, Right, beyond });
-  Motion motion = MakeCreating();
-  motion.Box = { true, { -0.9, 0.6, -0.5, 0.5, -0.9, 0.9 } };
-  const auto band = StartWith(MakeBalls({ Left }));
-  EXPECT_EQ(band->Advance(1e-3, motion, target).CreatedParts, 1u);
-  CheckSound(*band, { 2, 0, 4 });
-  const Mesh mesh = Polygonise(*band);
-  double most = -1.0;
-  for (std::size_t v = 0; v < mesh.GetNumberOfPoints(); ++v)
-  {
-    most = std::max(most, mesh.GetPoint(v)[0]);
-  }
-  // As Walls in the README: the rim is right to .14 voxel.
-  EXPECT_LE((most - 0.6) / H, 0.14);
-}
-
-TEST(TestNewParts, SteadyStateHasThem)
-{
-  RegionTarget target = MakeStandingBalls({ Left, Right });
-  const auto band = StartWith(MakeBalls({ Left }));
-  const AdvanceReport report = band->AdvanceToSteadyState(MakeCreating(), {}, target);
-  EXPECT_TRUE(report.IsSteady);
-  EXPECT_EQ(report.CreatedParts, 1u);
-  CheckSound(*band, { 2, 0, 4 });
-}
-
-TEST(TestNewParts, NothingFiniteCreatesNothing)
-{
-  Shape spoilt = {
-    [](const Point& point) { return point[0] > 0.0 ? NaN : MakeBalls({ Left }).Value(point); }, {}
-  };
-  TargetRegion wrong = RegionAround(Right, false);
-  wrong.Bounds[3] = NaN;
-  TargetRegion turned = RegionAround(Right, true);
-  std::swap(turned.Bounds[0], turned.Bounds[1]);
-  const std::vector<std::pair<Shape, std::vector<TargetRegion>>> cases = {
-    { spoilt, { RegionAround(Right, false), RegionAround(Right, true) } },
-    { MakeBalls({ Left, Right }), {} }, { MakeBalls({ Left, Right }), { wrong, turned } }
-  };
-  for (const auto& [shape, regions] : cases)
-  {
-    RegionTarget target = MakeStanding(shape, regions);
-    const auto band = StartWith(MakeBalls({ Left }));
-    EXPECT_EQ(band->Advance(0.1, MakeCreating(), target).CreatedParts, 0u);
-    CheckSound(*band, { 1, 0, 2 });
-  }
-}
-
-TEST(TestNewParts, MoreThanTheMaximumIsRefused)
-{
-  const Ball large = { Right.Centre, 0.4 };
-  RegionTarget bounded = MakeStandingBalls({ { Left.Centre, 0.2 }, large });
-  RegionTarget unbounded =
-    MakeStanding({ [](const Point& point) { return point[0] > 0.1 ? -1.0 : 0.2; }, {} },
-      { RegionAround(Right, true) });
-  for (RegionTarget* target : { &bounded, &unbounded })
-  {
-    const auto band = StartWith(MakeBalls({ { Left.Centre, 0.2 } }));
-    band->SetMaximumNumberOfActiveVoxels(band->GetNumberOfActiveNodes() + 1000);
-    const auto before = band->Clone();
-    EXPECT_TRUE(Throws<std::runtime_error>(
-      [&] { band->Advance(1e-3, MakeCreating(), *target); }, "MaximumNumberOfActiveVoxels"));
-    EXPECT_TRUE(AreIdentical(*band, *before));
-  }
-}
-
-TEST(TestNewParts, PaperHasNone)
-{
-  RegionTarget target = MakeStandingBalls({ Left, Right });
-  const auto band = StartWith(MakeBalls({ Left }));
-  Motion motion = MakeCreating();
-  motion.Paper = true;
-  EXPECT_TRUE(
-    Throws<std::invalid_argument>([&] { band->Advance(0.1, motion, target); }, "CreateParts"));
 }
 }

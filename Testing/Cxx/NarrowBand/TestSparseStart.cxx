@@ -185,6 +185,29 @@ TEST(TestSparseStart, RandomBallsAreThoseOfTheDenseStart)
   EXPECT_LE(difference.LargestAtEdges, Rounding);
 }
 
+// The surface lies between leaves: none of them has nodes on both sides.
+TEST(TestSparseStart, CubeOfWholeLeavesIsClosed)
+{
+  const double h = VoxelSizeOf(Nodes), centre = 7.5 * h, half = 8.0 * h;
+  const Shape cube = { [centre, half](const Point& point)
+    {
+      double most = -half;
+      for (const double x : point)
+      {
+        most = std::max(most, std::fabs(x - centre) - half);
+      }
+      return most;
+    },
+    {} };
+  const auto sparse =
+    StartIn(Box, MakeSparse(cube, { RegionAround({ { centre, centre, centre }, half }) }));
+  const Difference difference = Compare(*StartIn(Box, MakeInitialFunction(cube)), *sparse);
+  EXPECT_GT(difference.Nodes, 1000u);
+  EXPECT_EQ(difference.Signs, 0u);
+  EXPECT_LE(difference.LargestAtEdges, Rounding);
+  EXPECT_EQ(FindDefects(Polygonise(*sparse)).Edges, 0u);
+}
+
 TEST(TestSparseStart, SolidIsClosedAtTheBounds)
 {
   const Ball ball = { { 0.3, 0.2, 0.1 }, 1.2 };
