@@ -4,6 +4,8 @@
 #ifndef InitialFunction_h
 #define InitialFunction_h
 
+#include "TargetRegion.h"
+
 #include <cstddef>
 #include <functional>
 
@@ -15,6 +17,13 @@ struct InitialFunction
 {
   std::function<void(std::size_t count, const double* points, double* values)> Evaluate;
   bool ThreadSafe = true;
+
+  /**
+   * Visits boxes that together hold the zero set: the start then costs what they hold, whatever the
+   * bounds. Elsewhere the function keeps its sign, and is not evaluated. Empty: not known; the
+   * function is sampled everywhere within the bounds.
+   */
+  std::function<void(const RegionVisitor& visit)> ForEachRegion;
 };
 
 }

@@ -91,6 +91,10 @@ struct Motion
   bool Paper = false;
 
   Walls Box;
+
+  /** Whether parts of the target that no skin reaches, and hollows of it deep inside the skin, get
+   * a skin, where the target has regions. Not in the paper's scheme. */
+  bool CreateParts = false;
 };
 
 /** When NarrowBand::AdvanceToSteadyState ends. */
@@ -108,6 +112,7 @@ struct AdvanceReport
   std::size_t TargetEvaluations = 0; //< points at which the target was evaluated
   std::size_t DroppedSamples = 0;    //< points whose target value was not finite
   std::size_t UniformPulls = 0;      //< substeps in which a control EXACT undid all attraction
+  std::size_t CreatedParts = 0;      //< parts and hollows, see Motion::CreateParts
   double MaxSpeed = 0.0;             //< largest |Attraction (iso - F)| [length/time]
   bool Vanished = false;             //< the surface is empty at the end
   bool Aborted = false;              //< the progress function stopped it; the time is that reached

@@ -1,5 +1,6 @@
 #include "NarrowBand.h"
 
+#include "Parts/SparseStart.h"
 #include "State/InitialShape.h"
 #include "State/PackedBand.h"
 #include "State/StateGrid.h"
@@ -141,8 +142,9 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   this->Run(
     [&]
     {
+      const auto make = function.ForEachRegion ? MakeSparsePotential : MakeInitialPotential;
       openvdb::FloatTree::Ptr tree =
-        MakeInitialPotential(members.VoxelSize, bounds, function, members.Maximum, progress);
+        make(members.VoxelSize, bounds, function, members.Maximum, progress);
       if (!tree)
       {
         return;
@@ -176,13 +178,21 @@ void AddWork(AdvanceReport& sum, const AdvanceReport& report)
   sum.TargetEvaluations += report.TargetEvaluations;
   sum.DroppedSamples += report.DroppedSamples;
   sum.UniformPulls += report.UniformPulls;
+  sum.CreatedParts += report.CreatedParts;
   sum.MaxSpeed = std::max(sum.MaxSpeed, report.MaxSpeed);
 }
 
-/** Calls substep() until it returns false; leaves the band as after the last one that finished. */
+/** Whether an empty surface may become one that is not. */
+bool MayBegin(const Motion& motion, const Target& target)
+{
+  return motion.CreateParts && target.HasRegions() && motion.Attraction > 0.0;
+}
+
+/** Calls substep() until it returns false, or the surface has vanished for good; leaves the band as
+ * after the last one that finished. */
 template <class Substep>
-void GoOn(
-  const NarrowBand& band, BandState& members, const AdvanceReport& report, Substep&& substep)
+void GoOn(const NarrowBand& band, BandState& members, bool mayBegin, const AdvanceReport& report,
+  Substep&& substep)
 {
   const auto finish = [&]
   {
@@ -194,7 +204,7 @@ void GoOn(
     {
       try
       {
-        while (members.Crossings > 0 && substep())
+        while ((mayBegin || members.Crossings > 0) && substep())
         {
         }
       }
@@ -223,7 +233,7 @@ AdvanceReport NarrowBand::Advance(
   AdvanceReport report;
   const double begin = members.Time;
   this->Run([&] { members.Begin(motion); });
-  GoOn(*this, members, report,
+  GoOn(*this, members, MayBegin(motion, target), report,
     [&]
     {
       if (!(members.Time < time))
@@ -253,7 +263,7 @@ AdvanceReport NarrowBand::AdvanceToSteadyState(const Motion& motion,
   }
   AdvanceReport report;
   this->Run([&] { members.Begin(motion); });
-  GoOn(*this, members, report,
+  GoOn(*this, members, MayBegin(motion, target), report,
     [&]
     {
       const double done =
@@ -263,8 +273,10 @@ AdvanceReport NarrowBand::AdvanceToSteadyState(const Motion& motion,
       {
         return false;
       }
+      const std::size_t created = report.CreatedParts;
       members.StepAndTrace(motion, target, report);
-      report.IsSteady = report.SurfaceSpeed <= criterion.Tolerance;
+      report.IsSteady =
+        report.SurfaceSpeed <= criterion.Tolerance && report.CreatedParts == created;
       return !report.IsSteady;
     });
   report.Vanished = members.Crossings == 0;

@@ -4,6 +4,8 @@
 #ifndef Target_h
 #define Target_h
 
+#include "TargetRegion.h"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -66,6 +68,20 @@ public:
    */
   virtual void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const = 0;
+
+  /**
+   * Whether ForEachRegion knows where the surface of the target can be.
+   */
+  virtual bool HasRegions() const { return false; }
+
+  /**
+   * Visits the boxes in which new parts of the target, or new hollows, can be at the time of the
+   * last MoveTo; one that meets a part is enough. In any order, but the boxes have to depend on the
+   * time alone, else so does what a restart creates. What they cost is said in TargetRegion.h. A
+   * part that touches the skin is not created, as the skin gets there by itself: as long as that
+   * may end, its boxes have to come again.
+   */
+  virtual void ForEachRegion(const RegionVisitor& visit) const { static_cast<void>(visit); }
 
   /** Whether several threads may call Evaluate at once. */
   virtual bool IsThreadSafe() const { return true; }

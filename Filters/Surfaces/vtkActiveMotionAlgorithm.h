@@ -70,6 +70,18 @@ public:
   vtkGetMacro(CFL, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether parts of a target of particles that no skin reaches get one, with the size that they
+   * have in the substep in which they appear: emitters, rain, spray. Hollows that only the target
+   * has, deep inside the skin, open likewise. Off: a skin is only where the skin before has been. Of
+   * no use to other targets and the PaperScheme. Default: on.
+   */
+  vtkSetMacro(CreateParts, vtkTypeBool);
+  vtkGetMacro(CreateParts, vtkTypeBool);
+  vtkBooleanMacro(CreateParts, vtkTypeBool);
+  ///@}
+
   enum ControlType
   {
     NONE = 0,
@@ -316,6 +328,7 @@ private:
   double Attraction = 1.0;
   vtkTypeBool AutomaticAttraction = 1;
   double Tension = 0.0;
+  vtkTypeBool CreateParts = 1;
   double CFL = 1.0;
   int VolumeControl = NONE;
   int AreaControl = NONE;

@@ -32,6 +32,7 @@ OTHER_VALUES = {
     "ComputeCurvature": 1,
     "ComputeNormals": 0,
     "ComputeVelocity": 1,
+    "CreateParts": 0,
     "EvolutionMode": 1,
     "GradientScheme": 0,
     "IdArray": ["POINTS", "id"],
@@ -78,7 +79,7 @@ NOT_CHANGED = {"Target", "Initial", "TimestepValues"}
 # What does not show in the second step: other times are published, or the input's hold.
 WITHOUT_EFFECT = set(
     """
-    AutomaticAttraction CheckpointInterval CheckpointMemory IdArray MaximumNumberOfActiveVoxels MeshThickness
+    AutomaticAttraction CheckpointInterval CheckpointMemory CreateParts IdArray MaximumNumberOfActiveVoxels MeshThickness
     ModelBounds NumberOfThreads NumberOfTimeSteps OutputPotential ParticleKernel ParticleThreshold StartTime TimeStepSize
     VelocityArray
 """.split()

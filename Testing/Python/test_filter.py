@@ -35,6 +35,7 @@ DEFAULTS = {
     "NumberOfTimeSteps": 11,
     "TimeScale": 1.0,
     "AutomaticAttraction": 1,
+    "CreateParts": 1,
     "ParticleModel": 2,  # vtkSkeletonPotential.ANISOTROPIC
     "ParticleSpacing": 0.0,
     "ParticleRadius": 0.0,

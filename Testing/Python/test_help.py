@@ -38,6 +38,7 @@ SWITCHES = {
     vtkActiveImplicitSurface: """
         InvertTarget NormalizeTarget BoundedDomain ComputeNormals ComputeVelocity TangentialVelocity
         PassTargetArrays ComputeCurvature OutputPotential PaperScheme AutomaticAttraction
+        CreateParts
     """.split(),
     vtkSkeletonPotential: [],
     vtkGridPotential: ["InvertInside"],

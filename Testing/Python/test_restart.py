@@ -94,6 +94,12 @@ def followed_particles():
     return crossing_particles(Attraction=1)
 
 
+def appearing_particles():
+    here = [(0, 0, 0), (0.3, 0, 0)]
+    steps = {i * BEFORE: cloud(here + [(2 + i, 0, 0)] * (i > 0)) for i in range(5)}
+    return make(Steps(steps), VoxelSize=COARSE, ParticleRadius=0.6)
+
+
 def crossing_particles(**properties):
     """By their numbers they go straight, by their names to and fro."""
     steps = {}
@@ -125,6 +131,7 @@ RESTARTS = {
     "AutomaticAttraction": [(followed_particles, 0)],
     "BoundedDomain": [(walls, 0)],
     "CFL": [(morph, 0.5)],
+    "CreateParts": [(appearing_particles, 0)],
     "EvolutionMode": [(morph, 1), (one_step, 1)],
     "GradientScheme": [(morph, 0)],
     "InitialFunction": [(morph, ball(0.6)), (morph, None)],

@@ -1,6 +1,7 @@
 #include "Leaves/Layers.h"
 
 #include "Leaves/LayerZero.h"
+#include "Leaves/LeafFaces.h"
 #include "Leaves/LeafKernels.h"
 #include "Leaves/LeafLine.h"
 
@@ -9,23 +10,6 @@ namespace activesurface
 
 namespace
 {
-
-/** Bits on the face of a mask that looks in the direction of an axis and a sign. */
-bool TouchesFace(const LeafMask& mask, int axis, int sign)
-{
-  if (axis == 0)
-  {
-    return mask.Word[sign < 0 ? 0 : 7] != 0;
-  }
-  const std::uint64_t face = axis == 1 ? (sign < 0 ? 0xffull : 0xffull << 56)
-                                       : (sign < 0 ? 1ull : 0x80ull) * 0x0101010101010101ull;
-  std::uint64_t any = 0;
-  for (std::uint64_t word : mask.Word)
-  {
-    any |= word & face;
-  }
-  return any != 0;
-}
 
 /** Layers 0..m: layers 0..m-1 and their 6-neighbours. */
 struct AddLayer

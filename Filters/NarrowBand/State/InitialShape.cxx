@@ -2,6 +2,7 @@
 
 #include "Leaves/LeafTable.h"
 #include "State/InitialDistances.h"
+#include "State/LatticeBox.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -19,68 +20,10 @@ namespace activesurface
 namespace
 {
 
-/** Lattice nodes first..last of the three axes; the outermost ones lie on or beyond the bounds. */
-struct Box
-{
-  openvdb::Coord First;
-  openvdb::Coord Last;
-
-  int Size(int axis) const { return this->Last[axis] - this->First[axis] + 1; }
-  bool Closes(const openvdb::Coord& node) const
-  {
-    bool closes = false;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      closes = closes || node[axis] <= this->First[axis] || node[axis] >= this->Last[axis];
-    }
-    return closes;
-  }
-};
-
-[[noreturn]] void RefuseBounds(const double bounds[6], const char* why)
-{
-  std::ostringstream text;
-  text << "The bounds (" << bounds[0] << ", " << bounds[1] << ", " << bounds[2] << ", " << bounds[3]
-       << ", " << bounds[4] << ", " << bounds[5] << ") " << why;
-  throw std::invalid_argument(text.str());
-}
-
-Box LatticeBox(double voxelSize, const double bounds[6])
-{
-  constexpr double farthest = 1e9; // node numbers are 32-bit integers
-  constexpr double rounding = 1e-6;
-  Box box;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double low = bounds[2 * axis] / voxelSize, high = bounds[2 * axis + 1] / voxelSize;
-    if (!(high > low) || !std::isfinite(bounds[2 * axis]) || !std::isfinite(bounds[2 * axis + 1]))
-    {
-      RefuseBounds(bounds, "are empty or not finite; set ModelBounds around the shape.");
-    }
-    if (!(std::fabs(low) < farthest && std::fabs(high) < farthest))
-    {
-      RefuseBounds(bounds,
-        "hold more than 10^9 voxels along an axis; enlarge VoxelSize or shrink "
-        "ModelBounds (without them: is there a particle far from the others?).");
-    }
-    box.First[axis] = static_cast<int>(std::floor(low + rounding));
-    box.Last[axis] = static_cast<int>(std::ceil(high - rounding));
-  }
-  return box;
-}
-
-[[noreturn]] void RefuseSize(std::size_t maximum)
-{
-  std::ostringstream text;
-  text << "The band would hold more than MaximumNumberOfActiveVoxels = " << maximum
-       << " active voxels; enlarge VoxelSize, shrink ModelBounds or raise the maximum.";
-  throw std::runtime_error(text.str());
-}
-
 /** A ball of .6 of the diameter of a box of n^3 voxels needs about 7 n^2 active ones, one that
  * fills it 20 n^2: a box for 7 n^2 too many is refused before sampling. So is one with so many
  * nodes that sampling them would take minutes, as for a stray particle far from the others. */
-void CheckSize(const Box& box, std::size_t maximum)
+void CheckSize(const LatticeBox& box, std::size_t maximum)
 {
   constexpr double nodesPerActiveVoxel = 40.0;
   const double x = box.Size(0), y = box.Size(1), z = box.Size(2);
@@ -100,7 +43,7 @@ void CheckSize(const Box& box, std::size_t maximum)
 class Sampler
 {
 public:
-  Sampler(double voxelSize, const Box& box, const InitialFunction& function)
+  Sampler(double voxelSize, const LatticeBox& box, const InitialFunction& function)
     : VoxelSize(voxelSize)
     , Limits(box)
     , Function(function)
@@ -145,7 +88,7 @@ private:
   }
 
   const double VoxelSize;
-  const Box Limits;
+  const LatticeBox Limits;
   const InitialFunction& Function;
 };
 
@@ -156,8 +99,8 @@ struct Plane
   std::vector<unsigned char> Signs; //< 1 inside, 0 outside
 };
 
-void SamplePlane(
-  const Sampler& sampler, const Box& box, int x, std::vector<openvdb::Coord>& nodes, Plane& plane)
+void SamplePlane(const Sampler& sampler, const LatticeBox& box, int x,
+  std::vector<openvdb::Coord>& nodes, Plane& plane)
 {
   nodes.clear();
   for (int y = box.First[1]; y <= box.Last[1]; ++y)
@@ -175,7 +118,7 @@ void SamplePlane(
 
 /** Adds the corners of the voxels between two planes whose corners differ in sign. */
 void AddCrossedVoxels(
-  const Box& box, int x, const Plane& before, const Plane& after, CrossedNodes& crossed)
+  const LatticeBox& box, int x, const Plane& before, const Plane& after, CrossedNodes& crossed)
 {
   openvdb::tree::ValueAccessor<openvdb::BoolTree> accessor(crossed.Nodes);
   const int rows = box.Size(1), columns = box.Size(2);
@@ -203,7 +146,7 @@ void AddCrossedVoxels(
 }
 
 /** The corners of all crossed voxels; false when `progress` stopped it. */
-bool FindCrossedNodes(const Sampler& sampler, const Box& box, std::size_t maximum,
+bool FindCrossedNodes(const Sampler& sampler, const LatticeBox& box, std::size_t maximum,
   const ProgressFunction& progress, CrossedNodes& crossed)
 {
   std::vector<openvdb::Coord> nodes;
@@ -234,7 +177,7 @@ openvdb::FloatTree::Ptr MakeInitialPotential(double voxelSize, const double boun
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
   const ProgressFunction& progress)
 {
-  const Box box = LatticeBox(voxelSize, bounds);
+  const LatticeBox box = FindLatticeBox(voxelSize, bounds);
   CheckSize(box, maximumNumberOfActiveVoxels);
   const Sampler sampler(voxelSize, box, function);
   CrossedNodes crossed;
@@ -249,6 +192,15 @@ openvdb::FloatTree::Ptr MakeInitialPotential(double voxelSize, const double boun
   const openvdb::FloatTree::Ptr potential =
     crossed.Nodes.empty() ? nullptr : MakeNearbyDistances(crossed, values);
   return potential ? potential : std::make_shared<openvdb::FloatTree>(Far);
+}
+
+void RefuseSize(std::size_t maximumNumberOfActiveVoxels)
+{
+  std::ostringstream text;
+  text << "The band would hold more than MaximumNumberOfActiveVoxels = "
+       << maximumNumberOfActiveVoxels
+       << " active voxels; enlarge VoxelSize, shrink ModelBounds or raise the maximum.";
+  throw std::runtime_error(text.str());
 }
 
 }

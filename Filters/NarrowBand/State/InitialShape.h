@@ -8,6 +8,8 @@
 #include "Motion.h"
 #include "OpenVDB.h"
 
+#include <cstddef>
+
 namespace activesurface
 {
 
@@ -22,6 +24,9 @@ namespace activesurface
 openvdb::FloatTree::Ptr MakeInitialPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
   const ProgressFunction& progress);
+
+/** Throws std::runtime_error: the band needs more than so many active voxels. */
+[[noreturn]] void RefuseSize(std::size_t maximumNumberOfActiveVoxels);
 
 }
 

@@ -2,6 +2,7 @@
 
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
+#include "Parts/CreateParts.h"
 #include "Substep/ConvergedLeaves.h"
 #include "Substep/ExactControl.h"
 #include "Substep/NodePoints.h"
@@ -172,6 +173,17 @@ void BandState::SampleTarget(const LeafList& leaves, bool isMore, const Motion& 
   report.DroppedSamples += samples.Dropped;
 }
 
+void BandState::MoveTarget(const Motion& motion, Target& target, AdvanceReport& report)
+{
+  target.MoveTo(this->Time);
+  const GrowingBand band{ this->Leaves, this->Set, this->Potential->tree(), this->VoxelSize,
+    this->Maximum };
+  if (motion.CreateParts && target.HasRegions() && CreateParts(band, target, report))
+  {
+    this->RebuildBand(this->Set);
+  }
+}
+
 // The target's speed in the affected leaves, and which these are.
 TargetLimits BandState::FollowTarget(
   const Motion& motion, Target& target, AdvanceReport& report, Move& move)
@@ -183,7 +195,7 @@ TargetLimits BandState::FollowTarget(
     return {};
   }
   const bool mayConverge = move.MaySkip && CanConverge(motion);
-  target.MoveTo(this->Time);
+  this->MoveTarget(motion, target, report);
   if (mayConverge)
   {
     ForgetChanged(leaves, this->VoxelSize, target);
@@ -222,7 +234,8 @@ PenaltyForce BandState::FindForce(const Motion& motion) const
 {
   const bool isForced =
     motion.AreaControl == Control::Penalty || motion.VolumeControl == Control::Penalty;
-  return isForced ? FindPenalty(motion, this->Measure(), this->StartMeasure) : PenaltyForce();
+  return isForced && this->Crossings > 0 ? FindPenalty(motion, this->Measure(), this->StartMeasure)
+                                         : PenaltyForce();
 }
 
 void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move)
@@ -289,7 +302,8 @@ void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& re
     this->FollowTarget(motion, motion.Box.Present ? walled : target, report, move);
   const bool pullsInVain = PullsInVain(motion, this->Buffers);
   move.Force = this->FindForce(motion);
-  double stable = StableStep(motion, this->VoxelSize, limits, move.Force);
+  double stable = this->Crossings > 0 ? StableStep(motion, this->VoxelSize, limits, move.Force)
+                                      : std::numeric_limits<double>::infinity();
   move.IsSkipped = move.IsSkipped || !std::isfinite(stable);
   if (motion.Paper)
   {

@@ -66,6 +66,8 @@ private:
 
   TargetLimits FollowTarget(
     const Motion& motion, Target& target, AdvanceReport& report, Move& move);
+  /** To the time; parts of it that no skin reaches get a skin. */
+  void MoveTarget(const Motion& motion, Target& target, AdvanceReport& report);
   /** isMore: besides those that have been sampled. */
   void SampleTarget(const LeafList& leaves, bool isMore, const Motion& motion, const Target& target,
     AdvanceReport& report);

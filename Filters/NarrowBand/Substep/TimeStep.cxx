@@ -109,6 +109,8 @@ void CheckMotion(const Motion& motion)
   Require(motion.AreaControl != Control::Exact || motion.VolumeControl != Control::Exact,
     "AreaControl and VolumeControl cannot both be EXACT, as one displacement cannot restore two "
     "numbers; make one of them PENALTY.");
+  Require(!motion.CreateParts || !motion.Paper,
+    "CreateParts is no part of the paper's scheme; set one of them to false.");
 }
 
 void CheckStep(double step, double voxelSize, double remaining)

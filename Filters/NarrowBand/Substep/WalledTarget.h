@@ -36,6 +36,11 @@ public:
   }
   void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const override;
+  bool HasRegions() const override { return this->Within.HasRegions(); }
+  void ForEachRegion(const RegionVisitor& visit) const override
+  {
+    this->Within.ForEachRegion(visit);
+  }
   bool IsThreadSafe() const override { return this->Within.IsThreadSafe(); }
 
 private:

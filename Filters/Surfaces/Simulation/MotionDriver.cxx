@@ -47,6 +47,7 @@ bool MotionDriver::Start(
 Motion MotionDriver::GetMotion(int step) const
 {
   Motion motion = this->Settings.Law;
+  motion.CreateParts = motion.CreateParts && !motion.Paper;
   const SurfaceDomain* domain = this->Shapes.FindDomain();
   motion.Box.Present = this->Settings.Bounded && domain;
   if (domain)
@@ -105,18 +106,23 @@ AdvanceReport MotionDriver::Count(const NarrowBand& band, Advance&& advance)
 bool MotionDriver::AdvanceTo(
   NarrowBand& band, int step, MotionTime time, const ProgressFunction& progress)
 {
-  if (band.IsEmpty())
+  const Motion motion = this->GetMotion(step);
+  if (band.IsEmpty() && !this->MayCreateParts(motion))
   {
     return true;
   }
   this->PlaceTargetFrom(step);
   this->Prepare(band);
-  const Motion motion = this->GetMotion(step);
   PotentialTarget& target = this->Shapes.GetTarget();
   const AdvanceReport report =
     this->Count(band, [&] { return band.Advance(time.Value, motion, target, progress); });
-  WarnOfMotion(report, time, this->Messages);
+  WarnOfMotion(report, { time, this->MayCreateParts(motion) }, this->Messages);
   return !report.Aborted;
+}
+
+bool MotionDriver::MayCreateParts(const Motion& motion) const
+{
+  return motion.CreateParts && this->Shapes.GetTarget().HasRegions();
 }
 
 bool MotionDriver::AdvanceToSteadyState(
@@ -129,7 +135,7 @@ bool MotionDriver::AdvanceToSteadyState(
   PotentialTarget& target = this->Shapes.GetTarget();
   const AdvanceReport report = this->Count(
     band, [&] { return band.AdvanceToSteadyState(motion, criterion, target, progress); });
-  WarnOfMotion(report, { band.GetTime() }, this->Messages);
+  WarnOfMotion(report, { { band.GetTime() }, this->MayCreateParts(motion) }, this->Messages);
   isSteady = report.IsSteady || report.Vanished;
   if (!isSteady && !report.Aborted)
   {

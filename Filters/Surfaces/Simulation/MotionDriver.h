@@ -48,6 +48,7 @@ public:
 private:
   void Prepare(NarrowBand& band) const;
   void PlaceTargetFrom(int step);
+  bool MayCreateParts(const Motion& motion) const;
   template <class Advance>
   AdvanceReport Count(const NarrowBand& band, Advance&& advance);
 

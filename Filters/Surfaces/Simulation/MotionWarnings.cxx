@@ -5,13 +5,15 @@
 namespace activesurface
 {
 
-void WarnOfMotion(const AdvanceReport& report, MotionTime time, Warnings& messages)
+void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& messages)
 {
+  const MotionTime time = end.Time;
   if (report.Vanished && !report.Aborted)
   {
     std::ostringstream text;
     text << "The skin has vanished before the motion time " << time.Value
-         << "; it does not come back. Does the target meet the initial shape?";
+         << (end.MayComeBack ? "; it comes back where particles do."
+                             : "; it does not come back. Does the target meet the initial shape?");
     messages.Say("vanished", text.str());
   }
   if (report.Substeps > 0 && report.UniformPulls == report.Substeps)

@@ -10,9 +10,15 @@
 namespace activesurface
 {
 
+struct MotionEnd
+{
+  MotionTime Time;
+  bool MayComeBack; // a skin that has vanished
+};
+
 // That the skin has vanished, that the target was out of reach of one that EXACT holds, and that
 // the target was not finite.
-void WarnOfMotion(const AdvanceReport& report, MotionTime time, Warnings& messages);
+void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& messages);
 
 // That the substeps were used up before the skin was at rest; speed: the last one.
 void WarnOfNoRest(const SteadyStateCriterion& rest, double speed, Warnings& messages);

@@ -74,6 +74,12 @@ SurfaceDomain MakeDomain(const SurfaceSettings& settings)
   return MakeDomainOf(settings, settings.Bounds.data(), spacing);
 }
 
+SurfaceDomain MakeDomainOfNothing(const SurfaceSettings& settings)
+{
+  const double nowhere[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  return MakeDomainOf(settings, nowhere, settings.Particles.Spacing);
+}
+
 SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& first)
 {
   vtkBoundingBox shapes = first.Shapes;

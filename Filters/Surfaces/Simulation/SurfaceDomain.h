@@ -35,6 +35,9 @@ SurfaceDomain MakeDomain(const SurfaceSettings& settings);
 // side, half of it at each end, and with images by two voxels at each end.
 SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& first);
 
+// Before anything is there: without an extent. The settings have their own sizes.
+SurfaceDomain MakeDomainOfNothing(const SurfaceSettings& settings);
+
 }
 
 #endif

@@ -98,6 +98,11 @@ struct SurfaceSettings
     return this->AutomaticAttraction && this->Law.Attraction == Motion().Attraction &&
       !this->Law.Paper && !this->IsEquilibrium();
   }
+  // Whether the voxel size and the reach of the target are known without a target.
+  bool HasOwnSizes() const
+  {
+    return this->Particles.Spacing > 0.0 || (this->VoxelSize > 0.0 && this->Reach > 0.0);
+  }
   bool HasBounds() const { return this->Bounds != SurfaceSettings().Bounds; }
 
   int GetNumberOfSteps() const { return static_cast<int>(this->Inputs.Steps.size()); }
@@ -207,6 +212,8 @@ void ForEachMotionProperty(Settings& settings, Visitor&& visit)
   visit(
     Property{ "TargetArea", OrZero("a finite number > 0, or 0 for the area at the start"), true },
     motion.TargetArea, [](auto& filter) { return filter.GetTargetArea(); });
+  visit(Property{ "CreateParts", Any, true }, motion.CreateParts,
+    [](auto& filter) { return filter.GetCreateParts(); });
   visit(Property{ "TimeScale", Positive, true }, settings.TimeScale,
     [](auto& filter) { return filter.GetTimeScale(); });
   visit(Property{ "EvolutionMode", Any, true }, settings.Evolution,

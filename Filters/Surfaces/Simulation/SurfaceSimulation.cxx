@@ -248,10 +248,7 @@ bool SurfaceSimulation::StartBand(const ProgressFunction& progress)
   auto band = std::make_unique<NarrowBand>(domain ? domain->VoxelSize : 1.0);
   if (this->Shapes.StartsOnNothing())
   {
-    this->Messages.Say("empty",
-      "There are no particles, and nothing else, at the first time step, so there is no skin, "
-      "now or later: it does not grow out of nothing. Set an initial shape, or begin with a step "
-      "that is not empty.");
+    this->WarnOfNothing(domain != nullptr && this->Settings.Law.CreateParts);
   }
   else if (!this->Driver.Start(*band, *domain, progress))
   {
@@ -260,6 +257,17 @@ bool SurfaceSimulation::StartBand(const ProgressFunction& progress)
   this->Way.Begin(0, std::move(band));
   this->Record(0, this->Settings.GetStep(0), "");
   return true;
+}
+
+void SurfaceSimulation::WarnOfNothing(bool mayBegin)
+{
+  if (!mayBegin)
+  {
+    this->Messages.Say("empty",
+      "There are no particles, and nothing else, at the first time step, so there is no skin, now "
+      "or later. For a skin that begins when particles come, set ModelBounds or ParticleSpacing, "
+      "with CreateParts on; or set an initial shape.");
+  }
 }
 
 bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)

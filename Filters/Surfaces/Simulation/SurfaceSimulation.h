@@ -124,6 +124,7 @@ private:
   bool AdvanceLeg(const ProgressFunction& progress);
   bool Start(const ProgressFunction& progress);
   bool StartBand(const ProgressFunction& progress);
+  void WarnOfNothing(bool mayBegin);
   bool AdvanceStep(const ProgressFunction& progress);
   bool AdvanceToSteadyState(const ProgressFunction& progress);
   bool AdvanceBranch(const ProgressFunction& progress);

@@ -47,6 +47,11 @@ bool StartOn(
     }
     CutAtWalls(start.Box, count, points, values);
   };
+  if (start.Shape.HasRegions())
+  {
+    function.ForEachRegion = [&start](const RegionVisitor& visit)
+    { start.Shape.ForEachRegion(visit); };
+  }
   double bounds[6];
   FindBounds(start, bounds);
   if (!band.Start(0.0, bounds, function, progress))

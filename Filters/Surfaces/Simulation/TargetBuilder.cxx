@@ -220,6 +220,11 @@ const SurfaceDomain* TargetBuilder::FindDomain()
     this->Domain = MakeDomain(this->Settings, { shapes, images, this->GetSpacing() });
     this->DomainKnown = true;
   }
+  else if (this->Frames.Has(0) && this->StartsOnNothing() && this->Settings.HasOwnSizes())
+  {
+    this->Domain = MakeDomainOfNothing(this->Settings);
+    this->DomainKnown = true;
+  }
   return this->DomainKnown ? &this->Domain : nullptr;
 }
 

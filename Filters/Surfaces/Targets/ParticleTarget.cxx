@@ -145,6 +145,21 @@ void ParticleTarget::FindChanged()
   }
 }
 
+void ParticleTarget::ForEachRegion(const RegionVisitor& visit) const
+{
+  TargetRegion region;
+  region.Seeds = RegionSeeds::PartAtCentre;
+  for (std::size_t i = 0; i < this->Now.Particles.size(); ++i)
+  {
+    if (this->Now.Particles[i].Strength > 0.0)
+    {
+      const ChangedRegion::Box box = SupportOf(this->Now, i);
+      std::copy(box.begin(), box.end(), region.Bounds);
+      visit(region);
+    }
+  }
+}
+
 bool ParticleTarget::HasChangedIn(const double bounds[6]) const
 {
   return this->Changed.Touches(bounds);

@@ -27,6 +27,10 @@ public:
   // want them.
   ParticleTarget(const TargetFrames& frames, const ShapeOptions& options);
 
+  // The reach of each particle; a part that no skin reaches has one inside.
+  bool HasRegions() const override { return true; }
+  void ForEachRegion(const RegionVisitor& visit) const override;
+
 protected:
   void Place(int step, double fraction) override;
   bool HasChangedIn(const double bounds[6]) const override;

@@ -1,0 +1,69 @@
+/**
+ * A function at the nodes of a leaf.
+ */
+#ifndef LatticeFunction_h
+#define LatticeFunction_h
+
+#include "InitialFunction.h"
+#include "Leaves/LeafMask.h"
+#include "State/LatticeBox.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+namespace activesurface
+{
+
+class LatticeFunction
+{
+public:
+  /** The caller owns the function and the limits. At the faces of the limits and beyond, the
+   * function is not negative; without limits it is as it is. */
+  LatticeFunction(
+    double voxelSize, const InitialFunction& function, const LatticeBox* limits = nullptr)
+    : VoxelSize(voxelSize)
+    , Function(function)
+    , Limits(limits)
+  {
+  }
+
+  /** The function at these nodes of the leaf at an origin; of the 512 values others stay. */
+  void Evaluate(const openvdb::Coord& origin, const LeafMask& nodes, double* values) const;
+
+  /** At single nodes. */
+  void Evaluate(const std::vector<openvdb::Coord>& nodes, std::vector<double>& values) const;
+
+  /** Calls function(i) for i = begin..end - 1, in parallel if the function may be evaluated so. */
+  template <class Function>
+  void ForEach(std::size_t begin, std::size_t end, Function&& function) const
+  {
+    if (!this->Function.ThreadSafe)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        function(i);
+      }
+      return;
+    }
+    tbb::parallel_for(begin, end, [&function](std::size_t i) { function(i); });
+  }
+
+  /** Nodes at which the function has been evaluated. */
+  std::size_t CountEvaluations() const { return this->Evaluations.load(); }
+
+private:
+  void EvaluateNodes(std::size_t count, const openvdb::Coord* nodes, double* values) const;
+
+  const double VoxelSize;
+  const InitialFunction& Function;
+  const LatticeBox* const Limits;
+  mutable std::atomic<std::size_t> Evaluations{ 0 };
+};
+
+}
+
+#endif

@@ -1,0 +1,70 @@
+/**
+ * Nodes of the lattice, some in each leaf: those on one side of a function, for instance.
+ */
+#ifndef LeafSigns_h
+#define LeafSigns_h
+
+#include "Leaves/LeafMask.h"
+#include "OpenVDB.h"
+#include "TargetRegion.h"
+
+#include <openvdb/tree/ValueAccessor.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace activesurface
+{
+
+struct LatticeBox;
+
+/** Leaves, numbered as they are added, each with a mask of its nodes. What is read of them does not
+ * depend on the order. */
+class LeafSigns
+{
+public:
+  static constexpr std::int32_t None = -1;
+
+  struct Leaf
+  {
+    openvdb::Coord Origin;
+    LeafMask Nodes;
+  };
+
+  LeafSigns() = default;
+  LeafSigns(const LeafSigns&) = delete; // the accessor is of this tree
+  void operator=(const LeafSigns&) = delete;
+
+  std::size_t Size() const { return this->Leaves.size(); }
+  Leaf& operator[](std::size_t i) { return this->Leaves[i]; }
+  const Leaf& operator[](std::size_t i) const { return this->Leaves[i]; }
+
+  /** The number of a leaf, or None. */
+  std::int32_t Find(const openvdb::Coord& origin) const;
+
+  /** Adds a leaf without nodes, unless it is there. Returns its number. */
+  std::int32_t Add(const openvdb::Coord& origin);
+
+  /** Adds the leaves of all nodes in a region and of the nodes next to it, within the limits.
+   * Throws as RefuseManyLeaves does. */
+  void AddRegion(const TargetRegion& region, double voxelSize, const LatticeBox* limits,
+    std::size_t maximumNumberOfActiveVoxels);
+
+  /** The leaf across a face. */
+  std::int32_t FindNext(std::size_t i, int axis, int sign) const;
+  openvdb::Coord OriginOfNext(std::size_t i, int axis, int sign) const;
+
+private:
+  std::vector<Leaf> Leaves;
+  openvdb::Int32Tree Numbers{ None }; // at coordinates of leaves
+  openvdb::tree::ValueAccessor<openvdb::Int32Tree> Recent{ this->Numbers };
+};
+
+/** Throws std::runtime_error if so many leaves are too many to look at, for a band of this size: a
+ * function that is negative everywhere has no end. */
+void RefuseManyLeaves(double leaves, std::size_t maximumNumberOfActiveVoxels);
+
+}
+
+#endif

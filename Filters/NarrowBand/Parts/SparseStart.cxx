@@ -1,0 +1,105 @@
+#include "Parts/SparseStart.h"
+
+#include "Leaves/LeafFaces.h"
+#include "Parts/LatticeFunction.h"
+#include "Parts/LeafSigns.h"
+#include "Parts/PartBand.h"
+#include "State/InitialShape.h"
+#include "State/LatticeBox.h"
+
+#include <algorithm>
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** False when `progress` stopped it. A value that is not a number is outside. */
+bool SampleInside(
+  const LatticeFunction& function, const ProgressFunction& progress, LeafSigns& leaves)
+{
+  constexpr std::size_t atOnce = 1024;
+  for (std::size_t first = 0; first < leaves.Size(); first += atOnce)
+  {
+    if (progress && !progress(double(first) / double(leaves.Size())))
+    {
+      return false;
+    }
+    function.ForEach(first, std::min(first + atOnce, leaves.Size()),
+      [&](std::size_t i)
+      {
+        double values[512];
+        function.Evaluate(leaves[i].Origin, LeafMask::All(), values);
+        for (int node = 0; node < 512; ++node)
+        {
+          if (values[node] < 0.0)
+          {
+            leaves[i].Nodes.Add(node);
+          }
+        }
+      });
+  }
+  return true;
+}
+
+/** The nodes of a leaf that the box does not close. */
+LeafMask FindNodesWithin(const LatticeBox& box, const openvdb::Coord& origin)
+{
+  LeafMask within;
+  for (int node = 0; node < 512; ++node)
+  {
+    if (!box.Closes(origin.offsetBy(node >> 6, (node >> 3) & 7, node & 7)))
+    {
+      within.Add(node);
+    }
+  }
+  return within;
+}
+
+/** Leaves that were not sampled are inside if an inside node is across one of their faces: no
+ * surface is in them. */
+void FillInside(const LatticeBox& box, std::size_t maximum, LeafSigns& leaves)
+{
+  for (std::size_t i = 0; i < leaves.Size(); ++i)
+  {
+    for (int face = 0; face < 6; ++face)
+    {
+      const int axis = face / 2, sign = face % 2 ? 1 : -1;
+      if (TouchesFace(leaves[i].Nodes, axis, sign) &&
+        leaves.FindNext(i, axis, sign) == LeafSigns::None)
+      {
+        const openvdb::Coord origin = leaves.OriginOfNext(i, axis, sign);
+        leaves[leaves.Add(origin)].Nodes = FindNodesWithin(box, origin);
+      }
+    }
+    RefuseManyLeaves(static_cast<double>(leaves.Size()), maximum);
+  }
+}
+
+}
+
+openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bounds[6],
+  const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
+  const ProgressFunction& progress)
+{
+  const LatticeBox box = FindLatticeBox(voxelSize, bounds);
+  const LatticeFunction values(voxelSize, function, &box);
+  LeafSigns inside;
+  function.ForEachRegion([&](const TargetRegion& region)
+    { inside.AddRegion(region, voxelSize, &box, maximumNumberOfActiveVoxels); });
+  if (!SampleInside(values, progress, inside))
+  {
+    return nullptr;
+  }
+  FillInside(box, maximumNumberOfActiveVoxels, inside);
+  PartBand band(inside);
+  if (band.CountActive() > maximumNumberOfActiveVoxels)
+  {
+    RefuseSize(maximumNumberOfActiveVoxels);
+  }
+  band.FindDistances(values);
+  return band.GetTree();
+}
+
+}
