@@ -189,7 +189,7 @@ def _gather(first, second, values, count, sign=1):
 
 
 def _lattice(spacing, support):
-    """Density within a cubic lattice, kernel (1 - q)^3 of height 1, and a constraint's stiffness."""
+    """Density within a cubic lattice, for a kernel (1 - q)^3, and the stiffness of a constraint."""
     steps = np.arange(-2.0, 3.0)
     x, y, z = np.meshgrid(steps, steps, steps)
     w = np.maximum(1.0 - spacing * np.sqrt(x * x + y * y + z * z).ravel() / support, 0.0)
