@@ -1,0 +1,274 @@
+"""Scenes of particles to coat, made by fluid_solver.py: 25 frames a second, y up, g = 9.81.
+
+    scene = load_scene("fountain", "folder")      # made once, then read from folder/fountain.npz
+    for positions, velocities, ids in scene.frames:
+
+All particles are scene.spacing = 2 r apart at rest, so that N of them fill N (2 r)^3; the box has
+its corner at the origin, the size scene.size, and is open above. The scenes:
+
+    pool      at rest, ten layers deep; scene.drops are the ids of twelve drops above it, single
+              particles and pairs, of which half stand still and half fall
+    jitter    the pool without drops, each particle a tenth of r off in each direction, anew in
+              each frame
+    slosh     the pool in a box that is shaken
+    splash    a ball falls into a pool; scene.size_of is a number of particles, 20,000 if not given
+    fountain  a jet from a nozzle, new particles in each frame, falls into a basin, which drains
+    rain      drops of 3 to 30 particles appear in the air and fall into a shallow pool
+    sheet     a single layer, stretched until it tears; not by the solver
+    ball      a ball that stands, then moves by 2 r in each frame; not by the solver
+
+Run: python3 fluid_scenes.py FOLDER [scene ...]
+"""
+
+import math
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from fluid_solver import Fluid
+
+RATE = 25
+SPACING = 0.05
+ACROSS = 24  # particles, of the smaller boxes
+COHESION = 15.0  # acceleration of neighbours 1.3 spacings apart
+
+
+@dataclass
+class Scene:
+    name: str
+    spacing: float
+    size: tuple  # of the box
+    frames: list  # of (positions, velocities, ids)
+    drops: np.ndarray = field(default_factory=lambda: np.empty(0, np.int64))
+
+
+def lattice(low, high, spacing):
+    axes = [np.arange(a + 0.5 * spacing, b - 0.25 * spacing, spacing) for a, b in zip(low, high)]
+    return np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, len(low))
+
+
+def shaken(places, amount, seed):
+    """Each coordinate moved by up to the amount."""
+    return places + amount * (2.0 * np.random.default_rng(seed).random(places.shape) - 1.0)
+
+
+def ball(radius, spacing, seed=1):
+    """A lattice cut to a ball about the origin."""
+    half = spacing * np.ceil(radius / spacing)
+    places = lattice((-half,) * 3, (half,) * 3, spacing)
+    inside = (places * places).sum(axis=1) < radius * radius
+    return shaken(places[inside], 0.05 * spacing, seed)
+
+
+def record(name, fluid, count, before=lambda frame: None, **motion):
+    """That many frames; what is called before each may add and take particles."""
+    frames = []
+    for frame in range(count):
+        before(frame)
+        if frame:
+            fluid.advance(1.0 / RATE, **motion)
+        frames.append(fluid.frame())
+        places = len(frames[-1][0])
+        print(f"\r{name}: frame {frame + 1} of {count}, {places} particles ", end="", flush=True)
+    print()
+    return frames
+
+
+def settled(across, deep, spacing, height, settling=40, cohesion=COHESION):
+    """A box with a pool that was stirred a little and came to rest."""
+    fluid = Fluid(spacing, (across * spacing, height, across * spacing), cohesion)
+    places = lattice((0, 0, 0), (across * spacing, deep * spacing, across * spacing), spacing)
+    fluid.add(shaken(places, 0.15 * spacing, 2), (0.1, 0.0, 0.07))
+    for frame in range(settling):
+        print(f"\rsettling {len(places)} particles: {frame + 1} of {settling} ", end="", flush=True)
+        fluid.advance(1.0 / RATE, damping=0.02 if frame < settling // 2 else 0.1)
+    fluid.velocities[:] = 0.0
+    return fluid
+
+
+def still_pool():
+    return settled(ACROSS, 10, SPACING, 40 * SPACING)
+
+
+def pool(count=12):
+    fluid = still_pool()
+    drops, falling = _drops()
+    places, _, ids = fluid.frame()
+    ids = np.concatenate([ids, fluid.next_id + np.arange(len(drops))])
+    frames = []
+    for frame in range(count):
+        time = frame / RATE
+        there, speed = drops.copy(), np.zeros_like(drops)
+        there[falling, 1] -= 0.5 * 9.81 * time * time
+        speed[falling, 1] -= 9.81 * time
+        moving = np.concatenate([np.zeros_like(places), speed])
+        frames.append((np.concatenate([places, there]), moving, ids))
+    return Scene("pool", SPACING, tuple(fluid.size), frames, ids[-len(drops) :])
+
+
+def _drops():
+    """Six drops that stand three to eight spacings above the pool, six that fall from forty."""
+    places, falling = [], []
+    for number in range(12):
+        column, row = number % 4, number // 4
+        falls = number >= 6
+        height = (45 if falls else 14 + number) * SPACING
+        center = [(5 + 4.5 * column) * SPACING, height, (6 + 6 * row) * SPACING]
+        for side in (-0.5, 0.5) if number % 2 else (0.0,):
+            places.append([center[0] + side * SPACING, *center[1:]])
+            falling.append(falls)
+    return np.array(places), np.array(falling)
+
+
+def jitter(count=16):
+    fluid = still_pool()
+    places, velocities, ids = fluid.frame()
+    frames = [(shaken(places, 0.05 * SPACING, seed), velocities, ids) for seed in range(count)]
+    return Scene("jitter", SPACING, tuple(fluid.size), frames)
+
+
+def slosh(count=30):
+    fluid, time = still_pool(), 0.0
+
+    def pull(since):
+        return (1.2 * math.sin(6.0 * (time + since)), -9.81, 0.0)
+
+    def before(frame):
+        nonlocal time
+        time = max(frame - 1, 0) / RATE
+
+    return Scene(
+        "slosh", SPACING, tuple(fluid.size), record("slosh", fluid, count, before, gravity=pull)
+    )
+
+
+def splash(size_of=20000, count=26):
+    width, deep, radius = 2.4, 0.24, 0.32
+    spacing = ((width * width * deep + 4.189 * radius**3) / size_of) ** (1 / 3)
+    across, layers = round(width / spacing), round(deep / spacing)
+    fluid = settled(across, layers, spacing, 3.0, settling=12, cohesion=3.0)
+    middle = (0.5 * across + 0.3) * spacing  # off the lattice's symmetry
+    drop = ball(radius, spacing) + (middle, layers * spacing + radius + 1.5 * spacing, middle)
+    fluid.add(drop, (0.0, -6.0, 0.0))
+    return Scene("splash", spacing, tuple(fluid.size), record("splash", fluid, count))
+
+
+def fountain(count=40):
+    speed, layers = 4.0, 3
+    fluid = settled(ACROSS, 4, SPACING, 40 * SPACING, settling=16)
+    disc = lattice((-3 * SPACING,) * 2, (3 * SPACING,) * 2, SPACING)
+    disc = disc[(disc * disc).sum(axis=1) < (2.3 * SPACING) ** 2]
+
+    def before(frame):
+        drain = (fluid.places[::2] < 3 * SPACING).all(axis=0) & (fluid.places[1] < 2 * SPACING)
+        fluid.keep(~drain)
+        for layer in range(layers):
+            height = 7 * SPACING - layer * speed / RATE / layers
+            places = np.insert(disc + fluid.size[0] / 2, 1, height, axis=1)
+            fluid.add(shaken(places, 0.05 * SPACING, layers * frame + layer), (0.1, speed, 0.05))
+
+    return Scene("fountain", SPACING, tuple(fluid.size), record("fountain", fluid, count, before))
+
+
+def rain(count=40):
+    fluid = settled(ACROSS, 3, SPACING, 40 * SPACING, settling=12)
+    random = np.random.default_rng(5)
+    cells = random.permutation(36)  # drops of one time are apart
+
+    def before(frame):
+        for cell in cells[2 * frame % 36 :][:2] if frame % 2 else ():
+            particles = 3 + int(28 * random.random())
+            drop = ball(2.2 * SPACING, SPACING, seed=int(cell)) * 0.98
+            nearest = np.argsort((drop * drop).sum(axis=1), kind="stable")[:particles]
+            place = np.array(
+                [3 + 3.6 * (cell % 6), 20 + 4 * random.random(), 3 + 3.6 * (cell // 6)]
+            )
+            fluid.add(drop[nearest] + place * SPACING, (0.0, -1.0, 0.0))
+
+    return Scene("rain", SPACING, tuple(fluid.size), record("rain", fluid, count, before))
+
+
+def sheet(count=20, across=32):
+    """Stretched along x by 4 % of its length in each frame, some gaps more than others."""
+    weights = 0.6 + 0.8 * np.random.default_rng(3).random(across - 1)
+    flat = lattice((0, 0, 0), (across * SPACING, SPACING, across * SPACING), SPACING)
+    ids, offsets = np.arange(len(flat)), shaken(flat, 0.03 * SPACING, 4) - flat
+    reach = np.concatenate([[0.0], np.cumsum(weights)]) * SPACING
+    speeds = np.zeros(flat.shape)
+    speeds[:, 0] = 0.04 * RATE * np.repeat(reach - reach.mean(), across)
+    frames = [
+        tuple(
+            array.astype(np.float32) for array in (flat + offsets + frame / RATE * speeds, speeds)
+        )
+        + (ids,)
+        for frame in range(count)
+    ]
+    return Scene("sheet", SPACING, (across * SPACING, SPACING, across * SPACING), frames)
+
+
+def moving_ball(count=20, standing=3):
+    places = ball(6.0 * SPACING, SPACING)
+    ids, frames = np.arange(len(places)), []
+    for frame in range(count):
+        moved = places + [max(frame - standing, 0) * SPACING, 0.0, 0.0]
+        speed = np.zeros(places.shape, np.float32)
+        speed[:, 0] = SPACING * RATE * (frame >= standing)
+        frames.append((moved.astype(np.float32), speed, ids))
+    return Scene("ball", SPACING, (12 * SPACING,) * 3, frames)
+
+
+SCENES = {
+    "pool": pool,
+    "jitter": jitter,
+    "slosh": slosh,
+    "splash": splash,
+    "fountain": fountain,
+    "rain": rain,
+    "sheet": sheet,
+    "ball": moving_ball,
+}
+
+
+def load_scene(name, folder, **options):
+    """From the folder; what is not there is made and put there."""
+    said = "".join(f"_{value}" for value in options.values())
+    path = Path(folder) / f"{name}{said}.npz"
+    if not path.exists():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        _write(path, SCENES[name](**options))
+    return _read(path)
+
+
+def _write(path, scene):
+    places, velocities, ids = (np.concatenate(arrays) for arrays in zip(*scene.frames))
+    np.savez_compressed(
+        path,
+        name=scene.name,
+        spacing=scene.spacing,
+        size=scene.size,
+        counts=[len(frame[0]) for frame in scene.frames],
+        places=places.astype(np.float32),
+        velocities=velocities.astype(np.float32),
+        ids=ids.astype(np.int64),
+        drops=scene.drops,
+    )
+
+
+def _read(path):
+    with np.load(path) as file:
+        ends = np.cumsum(file["counts"])[:-1]
+        arrays = (np.split(file[key], ends) for key in ("places", "velocities", "ids"))
+        return Scene(
+            str(file["name"]),
+            float(file["spacing"]),
+            tuple(file["size"].tolist()),
+            list(zip(*arrays)),
+            file["drops"],
+        )
+
+
+if __name__ == "__main__":
+    for chosen in sys.argv[2:] or SCENES:
+        made = load_scene(chosen, sys.argv[1])
+        print(f"{chosen}: {len(made.frames)} frames, {len(made.frames[-1][0])} particles")

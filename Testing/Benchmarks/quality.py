@@ -1,0 +1,135 @@
+"""How good a skin over particles is: size, flatness, drops, sheets, lag, flicker, births; a table.
+
+Run: python3 quality.py [--scenes pool,splash,...] [--voxel 1.0] [--size 8000]
+         [--config "name: Property=value ..."] ... [--label name] [--set Property=value ...]
+         [--scene-folder FOLDER] [--pictures FOLDER]
+
+Each --config is a column: the filter with Set<Property>(value) called, the voxel size and the ids
+given, times in seconds. A value is a number, of particle radii if it ends in r (3.4r), of their
+squares if in r2. --set and --label are one more column. Without any, the columns are the filter's
+defaults and the values of Examples/Python/coat_particles.py. The last column is splashsurf's, at
+the same voxel, with its recommended smoothing, if pysplashsurf is there.
+
+The scenes are those of Examples/Python/fluid_scenes.py; r is half of the particles' spacing, "rest"
+the volume N (2 r)^3 and the height that it has in the box:
+
+- flatness (pool): angle of the top's triangles to the mean normal of those within 3 r, by area,
+  more than 4 r from the walls; height over rest of the top;
+- drops kept (pool): share of the single and paired particles above the pool that are inside;
+  isolated (splash): those with at most two neighbours within 3.2 r;
+- sheet: share of the layer's cells, by area, whose middle is inside, where they are whole (sides up
+  to 2.6 r) and where they are torn (beyond 4 r, which should be 0);
+- lag (ball): how far the centre of the skin's volume is behind that of the particles;
+- flicker: second difference in time of the top's height over fixed columns; slosh's has the water's
+  own acceleration in it, which is the same for all columns;
+- births (fountain, rain): frames until a new particle is inside; volume of a new drop's skin in its
+  first frame against that four frames later.
+
+--pictures renders a frame of each scene, columns side by side (needs a display, as of
+`bash Testing/with_display`). Scenes are made when first asked for, which takes minutes.
+"""
+
+import argparse
+import statistics
+import sys
+import tempfile
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Examples" / "Python"))
+from fluid_scenes import load_scene  # noqa: E402
+from skin_geometry import Skin  # noqa: E402
+from skin_makers import LivingSkin, SplashSurf, pysplashsurf  # noqa: E402
+from skin_measures import MEASURES  # noqa: E402
+from vtkmodules.vtkCommonCore import vtkLogger  # noqa: E402
+
+PICTURED = {"pool": 11, "splash": 10, "fountain": 32, "rain": 24, "sheet": 15}
+VIEW = (0.4, 0.5, 1.0)
+COMMON = [
+    "defaults:",
+    "coat_particles: ParticleRadius=3.4r ParticleThreshold=0.7 Attraction=100",
+]
+
+
+def arguments():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--scenes", default=",".join(MEASURES))
+    parser.add_argument("--voxel", type=float, default=1.0, help="in particle radii")
+    parser.add_argument("--size", type=int, default=8000, help="particles of the splash")
+    parser.add_argument("--config", action="append", default=[])
+    parser.add_argument("--label", default="set")
+    parser.add_argument("--set", action="extend", nargs="+", default=[])
+    parser.add_argument("--scene-folder", type=Path)
+    parser.add_argument("--pictures", type=Path)
+    chosen = parser.parse_args()
+    chosen.scenes = chosen.scenes.split(",")
+    if unknown := [name for name in chosen.scenes if name not in MEASURES]:
+        parser.error(f"no scene {', '.join(unknown)}; there are {', '.join(MEASURES)}")
+    if chosen.set:
+        chosen.config.append(f"{chosen.label}: {' '.join(chosen.set)}")
+    return chosen
+
+
+def makers(configs):
+    result = []
+    for config in configs or COMMON:
+        name, colon, settings = config.partition(":")
+        pairs = [tuple(setting.split("=", 1)) for setting in settings.split()]
+        if not colon or any(len(pair) != 2 for pair in pairs):
+            sys.exit(f'--config "{config}" is not of the form "name: Property=value ..."')
+        result.append(LivingSkin(name.strip(), pairs))
+    if pysplashsurf:
+        return [*result, SplashSurf()]
+    print("splashsurf: left out, as it is not installed (pip install pysplashsurf)")
+    return result
+
+
+def measure(name, scene, maker, voxel):
+    """The figures of one column, and the skin for the picture."""
+    results = list(maker.make(scene, voxel))
+    skins = [Skin(data) for data, _ in results]
+    figures = MEASURES[name](scene, skins, voxel)
+    seconds = [seconds for _, seconds in results]
+    figures["seconds per frame"] = statistics.median(seconds[1:])
+    pictured = results[min(PICTURED.get(name, -1), len(results) - 1)][0]
+    return figures, pictured
+
+
+def tell(name, columns):
+    for figure in columns[0]:
+        values = "".join(f"{column[figure]:15.3f}" for column in columns)
+        print(f"{name:9} {figure:38}{values}", flush=True)
+
+
+def write_picture(folder, name, skins):
+    from film_strip import skin_actor, write_film_strip
+
+    folder.mkdir(parents=True, exist_ok=True)
+    shown = [[skin_actor(skin)] for skin in skins if skin.GetNumberOfPolys()]
+    if shown:
+        write_film_strip(folder / f"{name}.png", shown, view=VIEW, width=1000 * len(shown))
+
+
+def main():
+    chosen = arguments()
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # warnings would tear the table
+    columns = makers(chosen.config)
+    folder = chosen.scene_folder or Path(tempfile.gettempdir()) / "fluid_scenes"
+    scenes = {}
+    for name in chosen.scenes:
+        options = {"size_of": chosen.size} if name == "splash" else {}
+        scenes[name] = load_scene(name, folder, **options)
+    print(f"{f'voxel {chosen.voxel:g} r':48}" + "".join(f"{c.name[:14]:>15}" for c in columns))
+    for name, scene in scenes.items():
+        voxel = chosen.voxel * 0.5 * scene.spacing
+        results = [measure(name, scene, maker, voxel) for maker in columns]
+        tell(name, [figures for figures, _ in results])
+        if chosen.pictures and name in PICTURED:
+            write_picture(chosen.pictures, name, [skin for _, skin in results])
+    if chosen.pictures:
+        print(f"pictures, in the columns' order without empty skins: {chosen.pictures}")
+
+
+if __name__ == "__main__":
+    main()
