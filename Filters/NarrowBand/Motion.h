@@ -3,9 +3,10 @@
  *
  * Normal speed, outward positive (eq. (2) to (4) and section 5 of the paper, sign of the tension
  * corrected):
- *   V = Attraction * (iso - F(x)) - Tension * kappa
+ *   V = Attraction * (iso - F(x)) + Transport * (v . n) - w * Tension * kappa
  *       + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
- * with kappa = div n, the SUM of the principal curvatures (2/r on a sphere), so that a sphere under
+ * with v the target's own velocity, n the outward normal, w the target's weight of tension or 1;
+ * kappa = div n, the SUM of the principal curvatures (2/r on a sphere), so that a sphere under
  * tension alone obeys r^2 = r0^2 - 4 Tension t; A and V the area and the volume of the skin.
  */
 #ifndef Motion_h
@@ -55,6 +56,15 @@ struct Motion
   double Tension = 0.0;
 
   /**
+   * Share of the target's own velocity that carries the surface along, in [0,1]. With 1 it follows
+   * without a lag whatever moves as the target says, at any Attraction. Not in the paper's scheme.
+   */
+  double Transport = 0.0;
+
+  /** Whether the target's weights multiply Tension. Not in the paper's scheme. */
+  bool WeightedTension = false;
+
+  /**
    * Fraction of the stable time step 1 / (2.6 Vmax/h + Attraction L + 4 Tension/h^2 + the rates
    * of the penalties). 1 is the largest stable value: 1.08 lets noise grow, 1.2 destroys the
    * surface.
@@ -97,6 +107,18 @@ struct Motion
   bool CreateParts = false;
 };
 
+/** Whether the target gives the surface a speed. */
+inline bool HasTargetSpeed(const Motion& motion)
+{
+  return motion.Attraction > 0.0 || motion.Transport > 0.0;
+}
+
+/** Whether the target gives weights that matter. */
+inline bool HasTensionWeights(const Motion& motion)
+{
+  return motion.WeightedTension && motion.Tension != 0.0;
+}
+
 /** When NarrowBand::AdvanceToSteadyState ends. */
 struct SteadyStateCriterion
 {
@@ -113,7 +135,7 @@ struct AdvanceReport
   std::size_t DroppedSamples = 0;    //< points whose target value was not finite
   std::size_t UniformPulls = 0;      //< substeps in which a control EXACT undid all attraction
   std::size_t CreatedParts = 0;      //< parts and hollows, see Motion::CreateParts
-  double MaxSpeed = 0.0;             //< largest |Attraction (iso - F)| [length/time]
+  double MaxSpeed = 0.0;             //< largest |target speed| [length/time]
   bool Vanished = false;             //< the surface is empty at the end
   bool Aborted = false;              //< the progress function stopped it; the time is that reached
   bool IsSteady = false;             //< AdvanceToSteadyState met its tolerance

@@ -7,11 +7,12 @@
  * Cani-Gascuel 1998, the sign of the tension corrected):
  *
  *   V = Attraction * (TargetIsoValue - F) - Tension * kappa
- *       + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
+ *       + Transport * (v . n) + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
  *
- * F is the target, or the distance to it; kappa the sum of the principal curvatures; the last two
- * terms belong to AreaControl and VolumeControl PENALTY. Changing any of these properties starts
- * the skin anew, but those of the clock's checkpoints and of what may be used of the machine.
+ * F is the target, or the distance to it; kappa the sum of the principal curvatures; v the velocity
+ * of the target's particles; the last two terms belong to AreaControl and VolumeControl PENALTY.
+ * Changing any of these properties starts the skin anew, but those of the clock's checkpoints and
+ * of what may be used of the machine.
  */
 
 #ifndef vtkActiveMotionAlgorithm_h
@@ -72,10 +73,33 @@ public:
 
   ///@{
   /**
+   * Whether Tension acts where particles are a body of fluid, and fades to none where one is alone
+   * or in a thread of few: drops keep their size. A particle's neighbours within 3.6 spacings are
+   * counted, and averaged as its influence is. Of no use to other targets and with PaperScheme.
+   * Default: on.
+   */
+  vtkSetMacro(TensionWeighting, vtkTypeBool);
+  vtkGetMacro(TensionWeighting, vtkTypeBool);
+  vtkBooleanMacro(TensionWeighting, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Share [1] of the particles' own velocity that carries the skin: adds Transport * (v . n), v the
+   * mean velocity of the particles around, from their way to the next time step, to the speed. With
+   * 1 the skin does not lag behind particles that move, whatever the Attraction. Of no use to other
+   * targets and with PaperScheme. Range: 0 to 1. Default: 1.
+   */
+  vtkSetClampMacro(Transport, double, 0.0, 1.0);
+  vtkGetMacro(Transport, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether parts of a target of particles that no skin reaches get one, with the size that they
    * have in the substep in which they appear: emitters, rain, spray. Hollows that only the target
-   * has, deep inside the skin, open likewise. Off: a skin is only where the skin before has been. Of
-   * no use to other targets and the PaperScheme. Default: on.
+   * has, deep inside the skin, open likewise. Off: a skin is only where the skin before has been.
+   * Of no use to other targets and the PaperScheme. Default: on.
    */
   vtkSetMacro(CreateParts, vtkTypeBool);
   vtkGetMacro(CreateParts, vtkTypeBool);
@@ -328,6 +352,8 @@ private:
   double Attraction = 1.0;
   vtkTypeBool AutomaticAttraction = 1;
   double Tension = 0.0;
+  vtkTypeBool TensionWeighting = 1;
+  double Transport = 1.0;
   vtkTypeBool CreateParts = 1;
   double CFL = 1.0;
   int VolumeControl = NONE;

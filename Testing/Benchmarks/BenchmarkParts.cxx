@@ -157,7 +157,7 @@ struct OpenBand
     const double size = this->VoxelSize;
     const double step = StableStep(motion, size, limits, PenaltyForce());
     StepCoefficients coefficients;
-    coefficients.Attracted = true;
+    coefficients.HasTargetSpeed = true;
     coefficients.Advection = AdvectionFactor(step, size);
     coefficients.Tension = static_cast<float>(step * motion.Tension / (size * size));
     coefficients.Relaxation = static_cast<float>(

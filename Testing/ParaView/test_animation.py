@@ -67,8 +67,10 @@ OTHER_VALUES = {
     "TargetReach": 0.01,
     "TargetVolume": 2,
     "Tension": 0.02,
+    "TensionWeighting": 0,
     "TimeScale": 1 / 50,
     "TimeStepSize": 0.2,
+    "Transport": 0,
     "VelocityArray": ["POINTS", "id"],
     "VolumeControl": 2,
     "VolumeStiffness": 3,
@@ -80,7 +82,7 @@ NOT_CHANGED = {"Target", "Initial", "TimestepValues"}
 WITHOUT_EFFECT = set(
     """
     AutomaticAttraction CheckpointInterval CheckpointMemory CreateParts IdArray MaximumNumberOfActiveVoxels MeshThickness
-    ModelBounds NumberOfThreads NumberOfTimeSteps OutputPotential ParticleKernel ParticleThreshold StartTime TimeStepSize
+    ModelBounds NumberOfThreads NumberOfTimeSteps OutputPotential ParticleKernel ParticleThreshold StartTime TensionWeighting TimeStepSize
     VelocityArray
 """.split()
 )

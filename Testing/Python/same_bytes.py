@@ -34,7 +34,10 @@ def make(target=None, initial=None, arrays=None, **properties):
     surface = vtkActiveImplicitSurface()
     surface.SetVoxelSize(VOXEL)
     surface.SetAttraction(4)
-    surface.SetParticleModelToSum()  # whose bytes are older
+    surface.SetParticleModelToSum()  # whose bytes are older, as are those without these:
+    surface.SetTransport(0)
+    surface.TensionWeightingOff()
+    surface.CreatePartsOff()
     surface.SetNumberOfThreads(THREADS["number"])
     connect(surface, 0, surface.SetTargetFunction, target)
     connect(surface, 1, surface.SetInitialFunction, initial)

@@ -24,7 +24,7 @@ NUMBERS = {
         TargetIsoValue TargetReach VoxelSize MaximumNumberOfActiveVoxels Attraction Tension CFL
         VolumeStiffness AreaStiffness TargetVolume TargetArea RestTolerance
         MaximumNumberOfSubsteps StartTime TimeStepSize NumberOfTimeSteps TimeScale ParticleRadius
-        ParticleSpacing Anisotropy ParticleThreshold MeshThickness NumberOfThreads CheckpointInterval CheckpointMemory
+        ParticleSpacing Anisotropy Transport ParticleThreshold MeshThickness NumberOfThreads CheckpointInterval CheckpointMemory
         MaximumVelocity
     """.split(),
     vtkSkeletonPotential: "Radius Threshold ParticleSpacing Anisotropy".split(),
@@ -38,7 +38,7 @@ SWITCHES = {
     vtkActiveImplicitSurface: """
         InvertTarget NormalizeTarget BoundedDomain ComputeNormals ComputeVelocity TangentialVelocity
         PassTargetArrays ComputeCurvature OutputPotential PaperScheme AutomaticAttraction
-        CreateParts
+        CreateParts TensionWeighting
     """.split(),
     vtkSkeletonPotential: [],
     vtkGridPotential: ["InvertInside"],

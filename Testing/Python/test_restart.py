@@ -94,10 +94,20 @@ def followed_particles():
     return crossing_particles(Attraction=1)
 
 
+def tense_particles():
+    return make(
+        cloud(scattered(20)),
+        VoxelSize=COARSE,
+        ParticleSpacing=0.3,
+        Tension=0.01,
+        TensionWeighting=1,
+    )
+
+
 def appearing_particles():
     here = [(0, 0, 0), (0.3, 0, 0)]
     steps = {i * BEFORE: cloud(here + [(2 + i, 0, 0)] * (i > 0)) for i in range(5)}
-    return make(Steps(steps), VoxelSize=COARSE, ParticleRadius=0.6)
+    return make(Steps(steps), VoxelSize=COARSE, ParticleRadius=0.6, CreateParts=1)
 
 
 def crossing_particles(**properties):
@@ -156,8 +166,10 @@ RESTARTS = {
     "TargetReach": [(morph, 0.05)],
     "TargetVolume": [(volume_penalty, 0.6), (volume_exact, 0.6)],
     "Tension": [(morph, 0.02)],
+    "TensionWeighting": [(tense_particles, 0)],
     "TimeScale": [(morph, 1.5)],
     "TimeStepSize": [(morph, 0.15)],
+    "Transport": [(crossing_particles, 0.5)],
     "VolumeControl": [(morph, 1), (morph, 2)],
     "VolumeStiffness": [(volume_penalty, 2.0)],
     "VoxelSize": [(morph, 0.12)],

@@ -13,6 +13,16 @@
 namespace activesurface
 {
 
+/** The 512 values of a leaf. */
+struct PotentialOf
+{
+  const LeafTable& Table;
+  ACTIVE_ALWAYS_INLINE const float* operator()(std::int32_t leaf) const
+  {
+    return this->Table[leaf].Value;
+  }
+};
+
 struct LeafBlock
 {
   static constexpr int Halo = 2;
@@ -23,17 +33,26 @@ struct LeafBlock
 
   alignas(64) float Value[Side * Side * Side];
 
+  /** The potential. */
   ACTIVE_ALWAYS_INLINE void Gather(const LeafTable& table, const BandLeaf& leaf)
   {
-    this->GatherRows<0, 0, 2>(table, leaf);
-    this->GatherRows<-1, 0, 1>(table, leaf);
-    this->GatherRows<1, 0, 1>(table, leaf);
-    this->GatherRows<0, -1, 1>(table, leaf);
-    this->GatherRows<0, 1, 1>(table, leaf);
-    this->GatherRows<-1, -1, 0>(table, leaf);
-    this->GatherRows<-1, 1, 0>(table, leaf);
-    this->GatherRows<1, -1, 0>(table, leaf);
-    this->GatherRows<1, 1, 0>(table, leaf);
+    this->Gather(table, leaf, PotentialOf{ table });
+  }
+
+  /** Another field; arrayOf(leaf): the 512 numbers of a leaf. */
+  template <class ArrayOf>
+  ACTIVE_ALWAYS_INLINE void Gather(
+    const LeafTable& table, const BandLeaf& leaf, const ArrayOf& arrayOf)
+  {
+    this->GatherRows<0, 0, 2>(table, leaf, arrayOf);
+    this->GatherRows<-1, 0, 1>(table, leaf, arrayOf);
+    this->GatherRows<1, 0, 1>(table, leaf, arrayOf);
+    this->GatherRows<0, -1, 1>(table, leaf, arrayOf);
+    this->GatherRows<0, 1, 1>(table, leaf, arrayOf);
+    this->GatherRows<-1, -1, 0>(table, leaf, arrayOf);
+    this->GatherRows<-1, 1, 0>(table, leaf, arrayOf);
+    this->GatherRows<1, -1, 0>(table, leaf, arrayOf);
+    this->GatherRows<1, 1, 0>(table, leaf, arrayOf);
   }
 
   /** Gathers only what the stencils of the row (x, y) of the leaf read. */
@@ -44,7 +63,7 @@ struct LeafBlock
     for (const auto& step : steps)
     {
       const int atX = x + step[0], atY = y + step[1];
-      RowSource(table, leaf, atX >> 3, atY >> 3)
+      RowSource(table, leaf, PotentialOf{ table }, atX >> 3, atY >> 3)
         .Copy<Halo>(8 * (atX & 7) + (atY & 7), this->Value + PlaceOf(atX, atY));
     }
   }
@@ -62,8 +81,9 @@ private:
     const float* First;
     int Stride;
 
-    ACTIVE_ALWAYS_INLINE Rows(const LeafTable& table, std::int32_t number)
-      : First(number >= 0 ? table[number].Value : table.BackgroundRowOf(number))
+    template <class ArrayOf>
+    ACTIVE_ALWAYS_INLINE Rows(const LeafTable& table, std::int32_t number, const ArrayOf& arrayOf)
+      : First(number >= 0 ? arrayOf(number) : table.BackgroundRowOf(number))
       , Stride(number >= 0 ? 8 : 0)
     {
     }
@@ -79,10 +99,12 @@ private:
   {
     Rows Before, Middle, After;
 
-    ACTIVE_ALWAYS_INLINE RowSource(const LeafTable& table, const BandLeaf& leaf, int nx, int ny)
-      : Before(table, leaf.Neighbour[NeighbourNumber(nx, ny, -1)])
-      , Middle(table, leaf.Neighbour[NeighbourNumber(nx, ny, 0)])
-      , After(table, leaf.Neighbour[NeighbourNumber(nx, ny, 1)])
+    template <class ArrayOf>
+    ACTIVE_ALWAYS_INLINE RowSource(
+      const LeafTable& table, const BandLeaf& leaf, const ArrayOf& arrayOf, int nx, int ny)
+      : Before(table, leaf.Neighbour[NeighbourNumber(nx, ny, -1)], arrayOf)
+      , Middle(table, leaf.Neighbour[NeighbourNumber(nx, ny, 0)], arrayOf)
+      , After(table, leaf.Neighbour[NeighbourNumber(nx, ny, 1)], arrayOf)
     {
     }
 
@@ -96,13 +118,14 @@ private:
   };
 
   /** Copies the rows in the leaf's neighbour (nx, ny), with `Around` nodes before and after. */
-  template <int nx, int ny, int Around>
-  ACTIVE_ALWAYS_INLINE void GatherRows(const LeafTable& table, const BandLeaf& leaf)
+  template <int nx, int ny, int Around, class ArrayOf>
+  ACTIVE_ALWAYS_INLINE void GatherRows(
+    const LeafTable& table, const BandLeaf& leaf, const ArrayOf& arrayOf)
   {
     constexpr int thick = nx != 0 && ny != 0 ? 1 : Halo;
     constexpr int x0 = nx < 0 ? 8 - thick : 0, x1 = nx > 0 ? thick : 8;
     constexpr int y0 = ny < 0 ? 8 - thick : 0, y1 = ny > 0 ? thick : 8;
-    const RowSource source(table, leaf, nx, ny);
+    const RowSource source(table, leaf, arrayOf, nx, ny);
     for (int x = x0; x < x1; ++x)
     {
       for (int y = y0; y < y1; ++y)

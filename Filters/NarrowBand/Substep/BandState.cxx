@@ -10,6 +10,7 @@
 #include "Substep/SamplePoints.h"
 #include "Substep/StepForward.h"
 #include "Substep/TargetSpeed.h"
+#include "Substep/UpstreamSpeed.h"
 #include "Substep/WalledTarget.h"
 
 #include <algorithm>
@@ -184,12 +185,12 @@ void BandState::MoveTarget(const Motion& motion, Target& target, AdvanceReport& 
   }
 }
 
-// The target's speed in the affected leaves, and which these are.
+// The target's speed at the nodes with samples in the affected leaves, and which these are.
 TargetLimits BandState::FollowTarget(
   const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
   LeafTable& leaves = this->Leaves;
-  if (!(motion.Attraction > 0.0))
+  if (!HasTargetSpeed(motion) && !HasTensionWeights(motion))
   {
     this->Set.ChooseAll(leaves);
     return {};
@@ -225,9 +226,20 @@ TargetLimits BandState::FollowTarget(
   {
     this->Set.ChooseAll(leaves);
   }
-  ExtendSpeed(leaves, this->Set, motion, this->Buffers);
   move.IsSkipped = this->Set.Active.empty();
   return limits;
+}
+
+void BandState::ExtendSpeeds(const Motion& motion, float advection)
+{
+  if (motion.Transport > 0.0)
+  {
+    TakeSpeedUpstream(this->Leaves, this->Set, motion, advection, this->Buffers);
+  }
+  if (HasTargetSpeed(motion) || HasTensionWeights(motion))
+  {
+    ExtendSpeed(this->Leaves, this->Set, motion, this->Buffers);
+  }
 }
 
 PenaltyForce BandState::FindForce(const Motion& motion) const
@@ -244,13 +256,15 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
   const double tracking = TrackingRate(motion, size, limits);
   const double step = move.Step;
   StepCoefficients coefficients;
-  coefficients.Attracted = motion.Attraction > 0.0;
+  coefficients.HasTargetSpeed = HasTargetSpeed(motion);
+  coefficients.IsWeighted = HasTensionWeights(motion);
   coefficients.Central = motion.Gradient == GradientScheme::Central;
   coefficients.Uniform = static_cast<float>(move.Force.Speed);
   coefficients.Advection = AdvectionFactor(step, size);
   coefficients.Tension = static_cast<float>(step * motion.Tension / (size * size));
   const double speed = limits.Speed + std::fabs(move.Force.Speed);
   coefficients.Relaxation = static_cast<float>(RelaxationFor(step * tracking, step * speed / size));
+  this->ExtendSpeeds(motion, coefficients.Advection);
   const GradientCounts gradients =
     StepForward(this->Leaves, this->Set, coefficients, this->Buffers);
   this->RefuseUnbounded(gradients.Unbounded);

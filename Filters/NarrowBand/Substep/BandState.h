@@ -71,6 +71,8 @@ private:
   /** isMore: besides those that have been sampled. */
   void SampleTarget(const LeafList& leaves, bool isMore, const Motion& motion, const Target& target,
     AdvanceReport& report);
+  /** To all active nodes of the affected leaves; advection: dt / h. */
+  void ExtendSpeeds(const Motion& motion, float advection);
   PenaltyForce FindForce(const Motion& motion) const;
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);

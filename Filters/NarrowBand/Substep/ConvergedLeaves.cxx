@@ -20,7 +20,8 @@ constexpr double NodesNearest = 1.0;
 StepCoefficients CoefficientsOf(const ConvergenceRule& rule)
 {
   StepCoefficients coefficients;
-  coefficients.Attracted = true;
+  coefficients.HasTargetSpeed = true;
+  coefficients.IsWeighted = HasTensionWeights(rule.Parameters);
   coefficients.Central = rule.Parameters.Gradient == GradientScheme::Central;
   coefficients.Advection = 1.f;
   coefficients.Tension = static_cast<float>(rule.Parameters.Tension / rule.VoxelSize);
@@ -80,6 +81,7 @@ void RememberSpeeds(LeafTable& table, const LeafList& leaves, const SubstepBuffe
     {
       LeafSpeed& speed = table.SummaryOf(i).Speed;
       speed.AtNodes = buffers.LargestSpeed[i];
+      speed.AtSamples = buffers.LargestVelocity.empty() ? 0.f : buffers.LargestVelocity[i];
       speed.TargetSlope = buffers.LargestTargetSlope[i];
       speed.IsKnown = true;
     });
@@ -90,8 +92,10 @@ TargetLimits FindLimits(const LeafTable& table)
   TargetLimits limits;
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
-    limits.Speed = std::max(limits.Speed, static_cast<double>(table.SummaryOf(i).Speed.AtNodes));
-    limits.TargetSlope = std::max(limits.TargetSlope, table.SummaryOf(i).Speed.TargetSlope);
+    const LeafSpeed& speed = table.SummaryOf(i).Speed;
+    limits.Speed = std::max(limits.Speed, static_cast<double>(speed.AtNodes));
+    limits.Velocity = std::max(limits.Velocity, static_cast<double>(speed.AtSamples));
+    limits.TargetSlope = std::max(limits.TargetSlope, speed.TargetSlope);
   }
   return limits;
 }

@@ -110,8 +110,10 @@ ACTIVE_ALWAYS_INLINE void AddCentralTransport(
   }
 }
 
-/** next += tension * kappa * |grad u|, kappa the sum of the principal curvatures, in voxels. */
-ACTIVE_ALWAYS_INLINE void AddTension(const float* u, float tension, float* next)
+/** next += tensionAt(z) * kappa * |grad u|, kappa the sum of the principal curvatures, in voxels.
+ */
+template <class TensionAt>
+ACTIVE_ALWAYS_INLINE void AddTensionAt(const float* u, const TensionAt& tensionAt, float* next)
 {
   constexpr int X = LeafBlock::X, Y = LeafBlock::Y, Z = LeafBlock::Z;
   for (int z = 0; z < 8; ++z)
@@ -131,8 +133,22 @@ ACTIVE_ALWAYS_INLINE void AddTension(const float* u, float tension, float* next)
     const float size = std::fabs(hxx) + std::fabs(hyy) + std::fabs(hzz);
     const bool regular = square > 1e-12f * size * size;
     const float rate = regular ? product / square : (2.f / 3.f) * (hxx + hyy + hzz);
-    next[z] += tension * rate;
+    next[z] += tensionAt(z) * rate;
   }
+}
+
+ACTIVE_ALWAYS_INLINE void AddTension(const float* u, float tension, float* next)
+{
+  AddTensionAt(
+    u, [tension](int) ACTIVE_INLINED { return tension; }, next);
+}
+
+/** The same where each node has its weight. */
+ACTIVE_ALWAYS_INLINE void AddWeightedTension(
+  const float* u, float tension, const float* weights, float* next)
+{
+  AddTensionAt(
+    u, [tension, weights](int z) ACTIVE_INLINED { return tension * weights[z]; }, next);
 }
 
 }

@@ -30,8 +30,22 @@ ACTIVE_ALWAYS_INLINE unsigned IsUnbounded(float u)
   return !(std::fabs(u) < UnboundedPotential); // nor is NaN below it
 }
 
-/** Adds all terms to a row; speeds: the target's, or null. */
-ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* speeds, unsigned relaxed,
+/** What the target gives a leaf, or a row of it; null if it does not. */
+struct TargetFields
+{
+  const float* Speeds;
+  const float* Weights; //< of tension
+
+  ACTIVE_ALWAYS_INLINE TargetFields OfRow(int row) const
+  {
+    return { this->Speeds ? this->Speeds + 8 * row : nullptr,
+      this->Weights ? this->Weights + 8 * row : nullptr };
+  }
+};
+
+/** Adds all terms to a row. */
+template <bool IsWeighted>
+ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const TargetFields& target, unsigned relaxed,
   const StepCoefficients& coefficients, float* next)
 {
   if (coefficients.Moves())
@@ -41,7 +55,7 @@ ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* speeds, unsigned
     for (int z = 0; z < 8; ++z)
     {
       relaxation[z] *= coefficients.Relaxation;
-      speed[z] = (speeds ? speeds[z] : 0.f) + coefficients.Uniform;
+      speed[z] = (target.Speeds ? target.Speeds[z] : 0.f) + coefficients.Uniform;
     }
     if (coefficients.Central)
     {
@@ -55,12 +69,20 @@ ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* speeds, unsigned
   }
   if (coefficients.Tension != 0.f)
   {
-    AddTension(u, coefficients.Tension, next);
+    if constexpr (IsWeighted)
+    {
+      AddWeightedTension(u, coefficients.Tension, target.Weights, next);
+    }
+    else
+    {
+      AddTension(u, coefficients.Tension, next);
+    }
   }
 }
 
 /** Speed of the surface at the nodes of crossed edges. In most leaves of a moving surface the first
  * row is fast enough to decide. */
+template <bool IsWeighted>
 struct FindRate
 {
   LeafTable& Table;
@@ -105,7 +127,9 @@ private:
     {
       const float* u = block.Row(row / 8, row % 8);
       float rates[8] = {}, squares[8];
-      AddTerms(u, this->Buffers.SpeedOf(i) + 8 * row, 0, this->Coefficients, rates);
+      const TargetFields target{ this->Buffers.SpeedOf(i),
+        IsWeighted ? this->Buffers.WeightOf(i) : nullptr };
+      AddTerms<IsWeighted>(u, target.OfRow(row), 0, this->Coefficients, rates);
       CentralGradientSquares(u, squares);
       for (int z = 0; z < 8; ++z)
       {
@@ -117,6 +141,7 @@ private:
   }
 };
 
+template <bool IsWeighted>
 struct StepLeaf
 {
   const LeafTable& Table;
@@ -132,7 +157,9 @@ struct StepLeaf
     const LeafMask relaxed = this->Coefficients.Relaxation > 0.f
       ? LeafMask::All().Without(NodesWithCrossing(this->Table, leaf))
       : LeafMask();
-    const float* speeds = this->Coefficients.Attracted ? this->Buffers.SpeedOf(i) : nullptr;
+    const TargetFields target{ this->Coefficients.HasTargetSpeed ? this->Buffers.SpeedOf(i)
+                                                                 : nullptr,
+      IsWeighted ? this->Buffers.WeightOf(i) : nullptr };
     int flat = 0, steep = 0;
     unsigned unbounded = 0;
     for (int row = 0; row < 64; ++row)
@@ -148,7 +175,7 @@ struct StepLeaf
       }
       float next[8];
       std::copy_n(u, 8, next);
-      AddTerms(u, speeds ? speeds + 8 * row : nullptr, relaxed.Row(x, y), this->Coefficients, next);
+      AddTerms<IsWeighted>(u, target.OfRow(row), relaxed.Row(x, y), this->Coefficients, next);
       for (int z = 0; z < 8; ++z)
       {
         const unsigned isActive = (active >> z) & 1u;
@@ -171,7 +198,14 @@ struct StepLeaf
 void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients& coefficients,
   double enough, const SubstepBuffers& buffers)
 {
-  ForEachLeaf(table, leaves, FindRate{ table, coefficients, enough, buffers });
+  if (coefficients.IsWeighted)
+  {
+    ForEachLeaf(table, leaves, FindRate<true>{ table, coefficients, enough, buffers });
+  }
+  else
+  {
+    ForEachLeaf(table, leaves, FindRate<false>{ table, coefficients, enough, buffers });
+  }
 }
 
 GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
@@ -182,7 +216,14 @@ GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
   buffers.FlatNodes.resize(size);
   buffers.SteepNodes.resize(size);
   buffers.Unbounded.resize(size);
-  ForEachLeaf(table, set.Active, StepLeaf{ table, coefficients, buffers });
+  if (coefficients.IsWeighted)
+  {
+    ForEachLeaf(table, set.Active, StepLeaf<true>{ table, coefficients, buffers });
+  }
+  else
+  {
+    ForEachLeaf(table, set.Active, StepLeaf<false>{ table, coefficients, buffers });
+  }
   GradientCounts counts;
   counts.Nodes = table.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
   for (const std::int32_t i : set.Active)

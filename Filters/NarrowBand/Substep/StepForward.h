@@ -3,7 +3,7 @@
  *
  *   u' = u - dt V/h |grad u|                  advection: ENO2 one-sided differences, Godunov's
  *                                             choice; or central differences
- *          + dt Tension kappa |grad u| / h^2  central differences
+ *          + dt w Tension kappa |grad u| / h^2  central differences; w: weight of tension, or 1
  *          - q sign(u) (|grad u| - 1)         reinitialisation, at nodes without a crossed edge
  *
  * kappa |grad u| is computed as one product, which is bounded: it needs no clamp, so the last voxel
@@ -26,10 +26,11 @@ struct StepCoefficients
   float Tension = 0.f;    //< dt Tension / h^2
   float Relaxation = 0.f; //< q
   float Uniform = 0.f;    //< speed of all nodes, added to the target's
-  bool Attracted = false; //< whether there are target speeds
-  bool Central = false;   //< central differences in the advective term
+  bool HasTargetSpeed = false;
+  bool IsWeighted = false; //< whether the buffers' weights multiply Tension
+  bool Central = false;    //< central differences in the advective term
 
-  bool Moves() const { return this->Attracted || this->Uniform != 0.f; }
+  bool Moves() const { return this->HasTargetSpeed || this->Uniform != 0.f; }
 };
 
 /** |u| [voxels] that nothing sound reaches, and from which no single operation overflows. */

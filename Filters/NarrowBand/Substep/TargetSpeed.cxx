@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace activesurface
@@ -16,33 +17,51 @@ namespace activesurface
 namespace
 {
 
-/** Speed at the nodes with crossed edges. */
+/** From a sample to the speed: with Transport the samples are speeds already. */
+float RateOfSamples(const Motion& motion)
+{
+  return static_cast<float>(motion.Transport > 0.0 ? -1.0 : -motion.Attraction);
+}
+
+/** Speed, and weight of tension, at the nodes with crossed edges. */
+template <bool IsWeighted>
 ACTIVE_ALWAYS_INLINE void ApplyCrossings(
   const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
-  WeightedSamples samples(motion.Paper);
+  WeightedSamples<IsWeighted ? 2 : 1> samples(motion.Paper);
   samples.Add(table, i, buffers);
   float* speed = buffers.SpeedOf(i);
-  const float rate = static_cast<float>(-motion.Attraction);
+  const float rate = RateOfSamples(motion);
   const LeafMask known = NodesWithCrossing(table, table[i]);
   known.ForEach([&](int node) ACTIVE_INLINED { speed[node] = samples.GetSpeed(node, rate); });
+  if constexpr (IsWeighted)
+  {
+    float* weight = buffers.WeightOf(i);
+    known.ForEach([&](int node) ACTIVE_INLINED { weight[node] = samples.GetTensionWeight(node); });
+  }
   buffers.Known[i] = buffers.NextKnown[i] = known;
 }
 
-/** Speed at the nodes with points of their own. */
+/** Speed, and weight of tension, at the nodes with points of their own. */
+template <bool IsWeighted>
 void ApplyNodePoints(
   const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
-  const float* value = buffers.Samples.data() + buffers.FirstSample[i] +
+  std::size_t sample = static_cast<std::size_t>(buffers.FirstSample[i]) +
     (SamplesCrossings(motion) ? table[i].Crossings : 0);
   float* speed = buffers.SpeedOf(i);
-  const float rate = static_cast<float>(-motion.Attraction);
+  const float rate = RateOfSamples(motion);
   NodesWithOwnPoint(table, table[i], motion)
     .ForEach(
       [&](int node)
       {
-        const float sample = *value++;
-        speed[node] = std::isfinite(sample) ? rate * sample : 0.f;
+        const float value = buffers.Samples[sample];
+        speed[node] = std::isfinite(value) ? rate * value : 0.f;
+        if constexpr (IsWeighted)
+        {
+          buffers.WeightOf(i)[node] = std::isfinite(value) ? buffers.WeightSamples[sample] : 1.f;
+        }
+        ++sample;
       });
 }
 
@@ -54,6 +73,7 @@ float LargestOf(const float* speed, const LeafMask& nodes)
 }
 
 /** The speeds that follow from the samples of a leaf, and the largest of them. */
+template <bool IsWeighted>
 struct ApplyLeafSamples
 {
   const LeafTable& Table;
@@ -64,22 +84,36 @@ struct ApplyLeafSamples
   {
     float* speed = this->Buffers.SpeedOf(i);
     std::fill_n(speed, 512, 0.f); // what the extension does not reach stands still
+    if constexpr (IsWeighted)
+    {
+      std::fill_n(this->Buffers.WeightOf(i), 512, 1.f);
+    }
     LeafMask nodes;
     if (SamplesCrossings(this->Parameters))
     {
-      ApplyCrossings(this->Table, i, this->Parameters, this->Buffers);
+      ApplyCrossings<IsWeighted>(this->Table, i, this->Parameters, this->Buffers);
       nodes = this->Buffers.Known[i];
     }
     if (HasNodePoints(this->Parameters))
     {
-      ApplyNodePoints(this->Table, i, this->Parameters, this->Buffers);
+      ApplyNodePoints<IsWeighted>(this->Table, i, this->Parameters, this->Buffers);
       nodes = nodes | NodesWithOwnPoint(this->Table, this->Table[i], this->Parameters);
     }
     this->Buffers.LargestSpeed[i] = LargestOf(speed, nodes);
   }
 };
 
+/** In place of the numbers of a line that are not wanted. */
+struct NoLine
+{
+  template <class ArrayOf>
+  ACTIVE_ALWAYS_INLINE NoLine(const LeafTable&, std::int32_t, ArrayOf&&)
+  {
+  }
+};
+
 /** One round of the extension in one leaf: nodes that have a known neighbour become known. */
+template <bool IsWeighted>
 class LeafExtension
 {
 public:
@@ -91,8 +125,9 @@ public:
   {
   }
 
-  /** Speeds of those of the missing nodes that are reached; returns which. */
-  ACTIVE_ALWAYS_INLINE LeafMask Extend(const LeafMask& missing, float* speed) const
+  /** Speeds of those of the missing nodes that are reached, and weights unless they are null;
+   * returns which. */
+  ACTIVE_ALWAYS_INLINE LeafMask Extend(const LeafMask& missing, float* speed, float* weight) const
   {
     const Neighbours<0> alongX(*this, missing);
     const Neighbours<1> alongY(*this, missing);
@@ -103,21 +138,29 @@ public:
       [&](int node) ACTIVE_INLINED
       {
         const float distance = std::fabs(own[node]);
-        KnownSpeeds sums;
+        KnownSums sums;
         alongX.Add(node, distance, sums);
         alongY.Add(node, distance, sums);
         alongZ.Add(node, distance, sums);
         StoreRelaxed(
-          sums.Weight > 0.f ? sums.Weighted / sums.Weight : this->FindMean(node), speed + node);
+          sums.Weight > 0.f ? sums.Speed / sums.Weight : this->FindMean(node, this->Buffers.Nodes),
+          speed + node);
+        if constexpr (IsWeighted)
+        {
+          StoreRelaxed(sums.Weight > 0.f ? sums.TensionWeight / sums.Weight
+                                         : this->FindMean(node, this->Buffers.Weights),
+            weight + node);
+        }
       });
     return front;
   }
 
 private:
-  struct KnownSpeeds
+  struct KnownSums
   {
     float Weight = 0.f;
-    float Weighted = 0.f;
+    float Speed = 0.f;
+    float TensionWeight = 0.f;
   };
 
   /** The two neighbours on an axis of the missing nodes, where they are known. */
@@ -128,6 +171,7 @@ private:
     ACTIVE_ALWAYS_INLINE Neighbours(const LeafExtension& leaf, const LeafMask& missing)
       : Values(leaf.Table, leaf.Leaf, [&leaf](std::int32_t n) { return leaf.Table[n].Value; })
       , Speeds(leaf.Table, leaf.Leaf, [&leaf](std::int32_t n) { return leaf.Buffers.SpeedOf(n); })
+      , Weights(leaf.Table, leaf.Leaf, [&leaf](std::int32_t n) { return leaf.Buffers.WeightOf(n); })
       , Before(missing & leaf.SeeKnown<Axis, -1>())
       , After(missing & leaf.SeeKnown<Axis, 1>())
     {
@@ -135,7 +179,7 @@ private:
 
     ACTIVE_ALWAYS_INLINE LeafMask GetReached() const { return this->Before | this->After; }
 
-    ACTIVE_ALWAYS_INLINE void Add(int node, float distance, KnownSpeeds& sums) const
+    ACTIVE_ALWAYS_INLINE void Add(int node, float distance, KnownSums& sums) const
     {
       this->Add(node, -1, this->Before.Has(node), distance, sums);
       this->Add(node, 1, this->After.Has(node), distance, sums);
@@ -144,22 +188,27 @@ private:
   private:
     /** Without a branch: what is not known counts for nothing. */
     ACTIVE_ALWAYS_INLINE void Add(
-      int node, int sign, bool known, float distance, KnownSpeeds& sums) const
+      int node, int sign, bool known, float distance, KnownSums& sums) const
     {
       const float nearer = distance - std::fabs(this->Values.At(node, sign));
       const float weight = static_cast<float>(known) * std::max(nearer, 0.f);
       sums.Weight += weight;
-      sums.Weighted += weight * (known ? this->Speeds.At(node, sign) : 0.f);
+      sums.Speed += weight * (known ? this->Speeds.At(node, sign) : 0.f);
+      if constexpr (IsWeighted)
+      {
+        sums.TensionWeight += weight * (known ? this->Weights.At(node, sign) : 0.f);
+      }
     }
 
     const LeafLine<Axis> Values;
     const LeafLine<Axis> Speeds;
+    const std::conditional_t<IsWeighted, LeafLine<Axis>, NoLine> Weights; //< of tension
     const LeafMask Before;
     const LeafMask After;
   };
 
   /** The plain mean of the known neighbours, where none is nearer to the surface. */
-  float FindMean(int node) const
+  float FindMean(int node, const NodeArrays& numbers) const
   {
     float sum = 0.f, count = 0.f;
     for (int face = 0; face < 6; ++face)
@@ -167,7 +216,7 @@ private:
       const LeafTable::Place next = this->Table.Step(this->Leaf, node, face / 2, face % 2 ? 1 : -1);
       if (next.Leaf >= 0 && this->Buffers.Known[next.Leaf].Has(next.Node))
       {
-        sum += this->Buffers.SpeedOf(next.Leaf)[next.Node];
+        sum += numbers.Of(next.Leaf)[next.Node];
         count += 1.f;
       }
     }
@@ -189,6 +238,7 @@ private:
   const SubstepBuffers& Buffers;
 };
 
+template <bool IsWeighted>
 struct ExtendLeaf
 {
   const LeafTable& Table;
@@ -210,8 +260,9 @@ struct ExtendLeaf
     {
       return;
     }
-    const LeafMask front =
-      LeafExtension(this->Table, i, this->Buffers).Extend(missing, this->Buffers.SpeedOf(i));
+    const LeafExtension<IsWeighted> extension(this->Table, i, this->Buffers);
+    const LeafMask front = extension.Extend(
+      missing, this->Buffers.SpeedOf(i), IsWeighted ? this->Buffers.WeightOf(i) : nullptr);
     this->Buffers.NextKnown[i] = known | front;
     if (front.Any())
     {
@@ -224,11 +275,11 @@ struct ExtendLeaf
   }
 };
 
-/** One round; false when no active node is left to reach. */
+template <bool IsWeighted>
 bool ExtendOnce(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
 {
   std::atomic<bool> reached{ false }, left{ false };
-  ForEachLeaf(table, set.Affected, ExtendLeaf{ table, buffers, reached, left });
+  ForEachLeaf(table, set.Affected, ExtendLeaf<IsWeighted>{ table, buffers, reached, left });
   std::swap(buffers.Known, buffers.NextKnown);
   return reached.load() && left.load();
 }
@@ -243,14 +294,29 @@ void ApplySamples(
   buffers.Known.assign(size, LeafMask());
   buffers.NextKnown.assign(size, LeafMask());
   buffers.LargestSpeed.resize(size);
-  ForEachLeaf(table, leaves, ApplyLeafSamples{ table, motion, buffers });
+  if (HasTensionWeights(motion))
+  {
+    buffers.Weights.MakeRoom(size);
+    ForEachLeaf(table, leaves, ApplyLeafSamples<true>{ table, motion, buffers });
+  }
+  else
+  {
+    ForEachLeaf(table, leaves, ApplyLeafSamples<false>{ table, motion, buffers });
+  }
+}
+
+bool ExtendSpeedOnce(
+  const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers)
+{
+  return HasTensionWeights(motion) ? ExtendOnce<true>(table, set, buffers)
+                                   : ExtendOnce<false>(table, set, buffers);
 }
 
 // Extended speeds are means of known ones, so they are no larger.
 void ExtendSpeed(
   const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers)
 {
-  while (SamplesCrossings(motion) && !motion.Paper && ExtendOnce(table, set, buffers))
+  while (SamplesCrossings(motion) && !motion.Paper && ExtendSpeedOnce(table, set, motion, buffers))
   {
   }
 }

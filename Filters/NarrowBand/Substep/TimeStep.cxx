@@ -75,7 +75,8 @@ PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const Ski
 
 double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& limits)
 {
-  return AdvectionRate(limits.Speed, voxelSize) + motion.Attraction * limits.TargetSlope;
+  const double fastest = std::max(limits.Speed, limits.Velocity);
+  return AdvectionRate(fastest, voxelSize) + motion.Attraction * limits.TargetSlope;
 }
 
 // The rates of all terms add up; with the largest alone the skin would tremble at a steady state.
@@ -100,6 +101,11 @@ void CheckMotion(const Motion& motion)
 {
   Require(IsZeroOrPositive(motion.Attraction), "Attraction must be a finite number >= 0.");
   Require(std::isfinite(motion.Tension), "Tension must be a finite number.");
+  Require(
+    motion.Transport >= 0.0 && motion.Transport <= 1.0, "Transport must be a number in [0,1].");
+  Require(!motion.Paper || (motion.Transport == 0.0 && !motion.WeightedTension),
+    "The paper's scheme has neither Transport nor WeightedTension; set Transport to 0 and "
+    "WeightedTension to false, or Paper to false.");
   Require(motion.CFL > 0.0 && std::isfinite(motion.CFL), "CFL must be a finite number > 0.");
   Require(motion.LongestStep > 0.0, "LongestStep must be a number > 0.");
   Require(IsZeroOrPositive(motion.AreaStiffness) && IsZeroOrPositive(motion.VolumeStiffness),

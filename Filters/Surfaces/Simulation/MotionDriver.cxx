@@ -48,6 +48,8 @@ Motion MotionDriver::GetMotion(int step) const
 {
   Motion motion = this->Settings.Law;
   motion.CreateParts = motion.CreateParts && !motion.Paper;
+  motion.WeightedTension = motion.WeightedTension && !motion.Paper && this->Shapes.HasParticles();
+  motion.Transport = 0.0;
   const SurfaceDomain* domain = this->Shapes.FindDomain();
   motion.Box.Present = this->Settings.Bounded && domain;
   if (domain)
@@ -60,6 +62,8 @@ Motion MotionDriver::GetMotion(int step) const
     const double* steps = this->Settings.Inputs.Steps.data() + step;
     const double length = this->Settings.TimeScale * (steps[1] - steps[0]);
     motion.LongestStep = length / SubstepsOfMovingTarget;
+    motion.Transport =
+      motion.Paper || !this->Shapes.HasParticles() ? 0.0 : this->Settings.Law.Transport;
     if (this->Settings.HasAutomaticAttraction())
     {
       motion.Attraction = FactorsPerStep / length;

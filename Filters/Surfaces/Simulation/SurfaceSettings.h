@@ -212,6 +212,10 @@ void ForEachMotionProperty(Settings& settings, Visitor&& visit)
   visit(
     Property{ "TargetArea", OrZero("a finite number > 0, or 0 for the area at the start"), true },
     motion.TargetArea, [](auto& filter) { return filter.GetTargetArea(); });
+  visit(Property{ "TensionWeighting", Any, true }, motion.WeightedTension,
+    [](auto& filter) { return filter.GetTensionWeighting(); });
+  visit(Property{ "Transport", { 0.0, 1.0, false, "between 0 and 1" }, true }, motion.Transport,
+    [](auto& filter) { return filter.GetTransport(); });
   visit(Property{ "CreateParts", Any, true }, motion.CreateParts,
     [](auto& filter) { return filter.GetCreateParts(); });
   visit(Property{ "TimeScale", Positive, true }, settings.TimeScale,

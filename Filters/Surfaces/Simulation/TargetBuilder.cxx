@@ -115,6 +115,8 @@ ShapeOptions TargetBuilder::GetOptions() const
   options.ParticleRadius = settings.Particles.Radius;
   options.Anisotropy = settings.Particles.Anisotropy;
   options.Threshold = settings.Particles.Threshold;
+  options.Carries = settings.Law.Transport > 0.0 && settings.Inputs.TargetMoves;
+  options.WeighsTension = settings.Law.WeightedTension && settings.Law.Tension > 0.0;
   options.Kernel = settings.Particles.Kernel;
   options.MeshThickness = settings.MeshThickness;
   options.Level.IsoValue = settings.IsoValue;

@@ -136,7 +136,7 @@ std::vector<float> FindSurfaceSpeeds(OpenLeaves& leaves)
   ShapeTarget target(MakeBall({ 0.013, -0.007, 0.021 }, 0.61));
   SubstepBuffers buffers;
   StepCoefficients coefficients;
-  coefficients.Attracted = true;
+  coefficients.HasTargetSpeed = true;
   coefficients.Advection = 1.f;
   coefficients.Tension = static_cast<float>(motion.Tension / VoxelSize);
   ActiveSet all;

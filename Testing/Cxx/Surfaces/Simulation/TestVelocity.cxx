@@ -125,6 +125,7 @@ TEST(TestVelocity, VelocityOfAGrowingSkinIsItsDifference)
     });
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
   filter->SetParticleModelToSum();
+  filter->SetTransport(0.0);
   filter->SetParticleRadius(0.6);
   const Comparison comparison = Compare(filter, 2.5, 0.5, false);
   EXPECT_GT(comparison.Speed, 0.005) << "mean speed";
