@@ -9,13 +9,17 @@
 namespace activesurface
 {
 
-/** What tells whether a region has a part of the target that no skin reaches, or a hollow. */
+/**
+ * What tells whether a region has a part of the target that no skin reaches, or a hollow: the
+ * values at all nodes of the leaves that the box touches; or the value at its centre, which the
+ * part or the hollow holds; or the same for parts alone. The last is for a particle's support: it
+ * costs no value where the skin is around the particle.
+ */
 enum class RegionSeeds
 {
-  AllNodes,    //< the values at all nodes of the leaves that the box touches
-  Centre,      //< the value at its centre: the part, or the hollow, holds it
-  PartAtCentre //< the same for parts alone, as the box is a particle's support: costs no value
-               //where < the skin is around the particle
+  AllNodes,
+  Centre,
+  PartAtCentre
 };
 
 /** A box, in world units. One that is empty or not finite holds nothing. */

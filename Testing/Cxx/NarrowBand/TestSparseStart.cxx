@@ -264,6 +264,41 @@ TEST(TestSparseStart, StrayBallCostsItselfAlone)
   EXPECT_GT(evaluations, before);
 }
 
+/** Boxes along the surface of a ball alone. */
+std::vector<TargetRegion> RegionsAlong(const Ball& ball)
+{
+  constexpr double pi = 3.14159265358979323846;
+  constexpr int pieces = 80;
+  std::vector<TargetRegion> regions;
+  for (int i = 0; i < pieces * pieces; ++i)
+  {
+    const double a = 2.0 * pi * (i / pieces) / pieces, b = pi * (i % pieces + 0.5) / pieces;
+    // Points are 2 pi r / 80 apart at most: boxes of half that size meet.
+    regions.push_back(RegionAround({ { ball.Centre[0] + ball.Radius * std::cos(a) * std::sin(b),
+                                       ball.Centre[1] + ball.Radius * std::sin(a) * std::sin(b),
+                                       ball.Centre[2] + ball.Radius * std::cos(b) },
+      pi * ball.Radius / pieces }));
+  }
+  return regions;
+}
+
+// What is in no region is not evaluated: it is inside where the leaves next to it are, up to the
+// bounds.
+TEST(TestSparseStart, InsideIsFilledFromRegionsAlongTheSurface)
+{
+  const Ball within = { CentreA, 0.9 }, cut = { { 0.3, 0.2, 0.1 }, 1.2 };
+  for (const Ball& ball : { within, cut })
+  {
+    const Shape shape = MakeBalls({ ball });
+    const auto sparse = StartIn(Box, MakeSparse(shape, RegionsAlong(ball)));
+    const Difference difference = Compare(*StartIn(Box, MakeInitialFunction(shape)), *sparse);
+    EXPECT_GT(difference.Nodes, 1000u);
+    EXPECT_EQ(difference.Signs, 0u) << "radius " << ball.Radius;
+    EXPECT_EQ(FindDefects(Polygonise(*sparse)).Edges, 0u) << "radius " << ball.Radius;
+    EXPECT_EQ(GetTopology(Polygonise(*sparse)).Voids, 0) << "radius " << ball.Radius;
+  }
+}
+
 TEST(TestSparseStart, RegionsWithoutSurfaceStartEmpty)
 {
   const Shape shape = MakeConstant(1.0);
