@@ -62,11 +62,11 @@ def ball(radius, spacing, seed=1):
 
 
 def record(name, fluid, count, before=lambda frame: None, **motion):
-    """That many frames; what is called before each may add and take particles."""
+    """That many frames; what is called before each but the first may add and take particles."""
     frames = []
     for frame in range(count):
-        before(frame)
         if frame:
+            before(frame)
             fluid.advance(1.0 / RATE, **motion)
         frames.append(fluid.frame())
         places = len(frames[-1][0])
@@ -136,7 +136,7 @@ def slosh(count=30):
 
     def before(frame):
         nonlocal time
-        time = max(frame - 1, 0) / RATE
+        time = (frame - 1) / RATE
 
     return Scene(
         "slosh", SPACING, tuple(fluid.size), record("slosh", fluid, count, before, gravity=pull)
@@ -154,21 +154,32 @@ def splash(size_of=20000, count=26):
     return Scene("splash", spacing, tuple(fluid.size), record("splash", fluid, count))
 
 
-def fountain(count=40):
-    speed, layers = 4.0, 3
-    fluid = settled(ACROSS, 4, SPACING, 40 * SPACING, settling=16)
+def fountain(count=40, across=ACROSS):
+    """An arc from a nozzle above one side; the drain is in the corners: what flows in flows out."""
+    speed, layers = 4.4, 3
+    fluid = settled(across, 3, SPACING, 40 * SPACING, settling=12)
     disc = lattice((-3 * SPACING,) * 2, (3 * SPACING,) * 2, SPACING)
-    disc = disc[(disc * disc).sum(axis=1) < (2.3 * SPACING) ** 2]
+    disc = 1.06 * disc[(disc * disc).sum(axis=1) < (2.3 * SPACING) ** 2]
 
     def before(frame):
-        drain = (fluid.places[::2] < 3 * SPACING).all(axis=0) & (fluid.places[1] < 2 * SPACING)
-        fluid.keep(~drain)
+        sides = np.minimum(fluid.places[::2], fluid.size[0] - fluid.places[::2])
+        corner = (sides < 4 * SPACING).all(axis=0) & (fluid.places[1] < 4 * SPACING)
+        leaving = np.flatnonzero(corner)[:: max(corner.sum() // (layers * len(disc)), 1)]
+        fluid.keep(np.delete(np.arange(len(fluid.ids)), leaving))
         for layer in range(layers):
-            height = 7 * SPACING - layer * speed / RATE / layers
-            places = np.insert(disc + fluid.size[0] / 2, 1, height, axis=1)
-            fluid.add(shaken(places, 0.05 * SPACING, layers * frame + layer), (0.1, speed, 0.05))
+            lag = layer / RATE / layers
+            middle = (0.22 * fluid.size[0] - lag * 0.8, 0.5 * fluid.size[2])
+            places = np.insert(disc + middle, 1, 9 * SPACING - lag * speed, axis=1)
+            places = shaken(places, 0.03 * SPACING, layers * frame + layer)
+            fluid.add(places[_free(places, fluid)], (0.8, speed, 0.05))
 
     return Scene("fountain", SPACING, tuple(fluid.size), record("fountain", fluid, count, before))
+
+
+def _free(places, fluid):
+    """Which places are not taken by a particle of the fluid."""
+    apart = places.T[:, :, None] - fluid.places[:, None, :]
+    return (apart * apart).sum(axis=0).min(axis=1) > (0.8 * SPACING) ** 2
 
 
 def rain(count=40):

@@ -120,6 +120,7 @@ private:
     const double depth = std::hypot(shape.Mean[0], shape.Mean[1], shape.Mean[2]);
     SurfacePlaces& places = this->Outside[i];
     places.Deep = SmoothStep(LeastDepth, FullDepth, depth / reach);
+    places.ShapeShare = GetShapeShare(sums.Near);
     places.Thin = shape.GetThinness(reach);
     const double inward = shape.Frame[0][2] * shape.Mean[0] + shape.Frame[1][2] * shape.Mean[1] +
       shape.Frame[2][2] * shape.Mean[2];
@@ -133,7 +134,7 @@ private:
     }
     if (this->IsAnisotropic())
     {
-      FitEllipsoid(shape, { particle.Radius, this->Options.Anisotropy, sums.Weight }, fit);
+      FitEllipsoid(shape, { particle.Radius, this->Options.Anisotropy, places.ShapeShare }, fit);
     }
   }
 
@@ -184,7 +185,10 @@ private:
     const NeighbourSums::Shares sums =
       this->Neighbours.FindShares(this->Particles[i].Position, this->Surface);
     const double mean = sums.Share > 0.0 ? sums.Value / sums.Share : 0.0;
-    const double value = this->GetLoneValue(i) + mean * std::min(sums.Share, 1.0);
+    const double shape = this->Outside[i].ShapeShare;
+    const double own = this->Surface[i].Share * this->Surface[i].Value;
+    const double value =
+      this->GetLoneValue(i) + shape * mean * std::min(sums.Share, 1.0) + (1.0 - shape) * own;
     ParticleFit& fit = this->Fits[i];
     if (this->IsAnisotropic())
     {
@@ -203,6 +207,7 @@ private:
     double Deep;
     double Across[3]; // of a sheet or a thread
     double Thin;
+    double ShapeShare; // of what the neighbours lack, in place of the particle's own lack
   };
 
   const FitOptions Options;

@@ -14,10 +14,11 @@ namespace
 // all would let clusters collapse.
 constexpr double ShareOfMean = 0.9;
 
-// Sum of the neighbours' weights, the particle's own (1) included, from which on there is a shape:
-// two neighbours at most make none.
-constexpr double FewestNeighbours = 2.0;
-constexpr double EnoughNeighbours = 6.0;
+// Sum of the near neighbours' weights, the particle's own (1) included, from which on there is a
+// shape: two neighbours make 2.1, a sheet of one layer 4.2, a body's surface 5.8. Far ones make
+// none, or they would draw a drop's centre out of it.
+constexpr double FewestNeighbours = 2.2;
+constexpr double EnoughNeighbours = 4.2;
 
 // Of the shortest half-axis to the middle one: a sheet of one layer has 0, a body about 1.
 constexpr double ThinRatio = 0.25;
@@ -90,11 +91,15 @@ double NeighbourhoodShape::GetThinness(double reach) const
   return std::max(small, SmoothStep((ThickRatio - ratio) / (ThickRatio - ThinRatio)));
 }
 
+double GetShapeShare(double near)
+{
+  return SmoothStep((near - FewestNeighbours) / (EnoughNeighbours - FewestNeighbours));
+}
+
 void FitEllipsoid(
   const NeighbourhoodShape& shape, const EllipsoidOptions& options, ParticleFit& fit)
 {
-  const double enough = (options.Weight - FewestNeighbours) / (EnoughNeighbours - FewestNeighbours);
-  const double share = shape.Axes[0] > 0.0 ? SmoothStep(enough) : 0.0;
+  const double share = shape.Axes[0] > 0.0 ? options.ShapeShare : 0.0;
   double axes[3] = { 1.0, 1.0, 1.0 };
   if (share > 0.0)
   {

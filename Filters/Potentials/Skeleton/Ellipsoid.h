@@ -23,11 +23,15 @@ struct NeighbourhoodShape
   double GetThinness(double reach) const;
 };
 
+// In [0,1]: whether near neighbours make a shape of it, more than a drop; near: the sum of their
+// weights.
+double GetShapeShare(double near);
+
 struct EllipsoidOptions
 {
   double Reach;      // radius of the ball of the same volume
   double Anisotropy; // largest ratio of axes
-  double Weight;     // sum of the neighbours' weights
+  double ShapeShare;
 };
 
 // Offset, Metric and Reach of the fit: the centre moves to the mean of the neighbours, the axes are

@@ -55,10 +55,14 @@ void NeighbourSums::Visit(const double x[3], Visitor visit) const
 
 NeighbourMoments NeighbourSums::FindMoments(const double x[3]) const
 {
+  constexpr double nearPerReach = 0.55;
   NeighbourMoments sums;
   this->Visit(x,
-    [&sums](SkeletonCells::Index, double weight, const double offset[3])
+    [this, &sums](SkeletonCells::Index particle, double weight, const double offset[3])
     {
+      const double d2 = offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2];
+      const double u = 1.0 - d2 * this->InverseReach2[particle] / (nearPerReach * nearPerReach);
+      sums.Near += u > 0.0 ? this->Particles[particle].Strength * (u * u) : 0.0;
       sums.Weight += weight;
       for (int axis = 0; axis < 3; ++axis)
       {

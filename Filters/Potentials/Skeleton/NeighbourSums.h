@@ -17,6 +17,7 @@ namespace activesurface
 struct NeighbourMoments
 {
   double Weight = 0.0;
+  double Near = 0.0; // the same of those within .55 reaches, with the weight (1 - (d/.55R)^2)^2
   double First[3] = { 0.0, 0.0, 0.0 };
   double Second[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; // xx xy xz yy yz zz
 };

@@ -1,0 +1,8 @@
+"""A fountain: particles appear at a nozzle in each frame and leave by a drain; so does their skin.
+
+Run: python3 fountain.py [--output FOLDER]
+"""
+
+from coat_scene import coat_scene
+
+coat_scene("fountain", __doc__, pictured=(4, 12, 20, 32))
