@@ -44,7 +44,7 @@ TEST(TestBandStates, AStartForgetsTheWorkBefore)
   EXPECT_EQ(band.GetWork().TargetEvaluations, 0u) << "evaluations";
 }
 
-// A ball that is cut half a voxel beyond the wall: what is left within can be looked at, saved and
+// A ball that is cut a voxel beyond the wall: what is left within can be looked at, saved and
 // taken up again at once.
 TEST(TestBandStates, AConfinedBandIsWholeAtOnce)
 {
@@ -52,8 +52,7 @@ TEST(TestBandStates, AConfinedBandIsWholeAtOnce)
   const double wall = -0.1;
   const Shape ball = MakeBall(Origin, 0.6);
   NarrowBand band(h);
-  StartOn(
-    band, { [&](const Point& x) { return std::max(ball.Value(x), x[0] - wall - 0.5 * h); }, {} });
+  StartOn(band, { [&](const Point& x) { return std::max(ball.Value(x), x[0] - wall - h); }, {} });
   band.Confine({ true, { -0.9, wall, -0.9, 0.9, -0.9, 0.9 } });
   const std::unique_ptr<NarrowBand> again = NarrowBand::Unpack(band.Pack());
   EXPECT_TRUE(AreIdentical(band, *again)) << "the same to the bit";
