@@ -18,6 +18,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -84,6 +85,7 @@ TEST(TestEXRPipeline, TheWholeImageIsWritten)
   writer->SetFileName(name.c_str());
   const auto countWritten = [&](const std::function<void()>& write)
   {
+    std::filesystem::remove(name);
     source->Modified();
     source->UpdateExtent(corner);
     EXPECT_EQ(static_cast<int>(source->GetOutput()->GetNumberOfPoints()), 4) << "pixels before";
