@@ -7,8 +7,11 @@
 
 #include <gtest/gtest.h>
 #include <openvdb/io/File.h>
+#include <openvdb/points/PointAttribute.h>
 #include <openvdb/points/PointConversion.h>
+#include <openvdb/points/PointCount.h>
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -43,20 +46,29 @@ std::string WriteTwoGrids(std::uint32_t compression = openvdb::io::COMPRESS_BLOS
 
 constexpr int NumberOfPoints = 1000;
 
-// Points along a line, in one leaf, which pack well.
-std::string WritePoints()
+// Points along a line, in one leaf, which pack well, with numbers. Their first byte is 1: where one
+// tells whether what follows is packed, it does not stand for that.
+std::string WritePoints(std::uint32_t compression = openvdb::io::COMPRESS_BLOSC)
 {
   using namespace openvdb::points;
   openvdb::initialize();
   std::vector<openvdb::Vec3s> positions;
   for (int i = 0; i < NumberOfPoints; ++i)
   {
-    positions.emplace_back(0.25f, 0.25f, static_cast<float>(i % 7));
+    positions.emplace_back(std::nextafter(0.25f, 1.f), 0.25f, static_cast<float>(i % 7));
   }
   const auto transform = openvdb::math::Transform::createLinearTransform(1.0);
+  const auto grid = createPointDataGrid<NullCodec, PointDataGrid>(positions, *transform);
+  appendAttribute<int>(grid->tree(), "number");
+  AttributeWriteHandle<int> numbers(grid->tree().beginLeaf()->attributeArray("number"));
+  for (int i = 0; i < NumberOfPoints; ++i)
+  {
+    numbers.set(i, i);
+  }
   const std::string name = OutputName("points.vdb");
-  openvdb::io::File(name).write(
-    { createPointDataGrid<NullCodec, PointDataGrid>(positions, *transform) });
+  openvdb::io::File file(name);
+  file.setCompression(compression | openvdb::io::COMPRESS_ACTIVE_MASK);
+  file.write({ grid });
   return name;
 }
 
@@ -144,6 +156,17 @@ TEST(TestVDBFile, PagesOfPointsThatTellTwoSizesAreRefused)
   const std::string stored = bytes.substr(unpacked - sizeof(std::int32_t), sizeof(std::int32_t));
   ++bytes[bytes.rfind(stored)];
   CheckRefused(bytes, "packed values are of another size");
+}
+
+// Which are in no page, unlike those of other files.
+TEST(TestVDBFile, PointsThatAreNotPackedAreRead)
+{
+  const std::string name = WritePoints(openvdb::io::COMPRESS_NONE);
+  const VDBFile file = ValidateVDB(name);
+  using openvdb::points::PointDataGrid;
+  const auto grid = openvdb::gridPtrCast<PointDataGrid>(ReadVDBGrid(name, file.Grids.at(0)));
+  ASSERT_TRUE(grid);
+  EXPECT_EQ(openvdb::points::pointCount(grid->tree()), openvdb::Index64(NumberOfPoints));
 }
 
 TEST(TestVDBFile, MissingFilesAreErrorsThatNameThem)
