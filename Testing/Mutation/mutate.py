@@ -9,8 +9,8 @@ which mutants it reaches; then each mutant runs the tests that reach it, quickes
 fails.
 Prints the survivors, and those that nothing but a time-out notices. Needs what Testing/run has
 installed, and an hour or so.
-With --again it tries only the mutants that an earlier output lists, as far as the sources still have
-their statements: when tests have been added, this takes little more than all tests once.
+With --again it tries only the mutants that an earlier output lists, as far as the sources still
+have their statements: when tests have been added, this takes little more than all tests once.
 """
 
 import argparse
