@@ -157,19 +157,11 @@ int vtkActiveEXRWriter::RequestInformation(
 int vtkActiveEXRWriter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* information = inputs[0]->GetInformationObject(0);
-  if (information->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    int whole[6];
-    information->Get(Pipeline::WHOLE_EXTENT(), whole);
-    information->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
-  }
   const Settings& chosen = *this->Chosen;
   if (this->WriteAllTimeSteps && !chosen.Times.empty())
   {
-    information->Set(
-      Pipeline::UPDATE_TIME_STEP(), chosen.Times[static_cast<std::size_t>(chosen.Step)]);
+    inputs[0]->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(),
+      chosen.Times[static_cast<std::size_t>(chosen.Step)]);
   }
   return 1;
 }

@@ -45,8 +45,6 @@ bool FunctionInput::Connect(vtkAlgorithmOutput* output)
   this->Data = nullptr;
   this->Producer = output ? output->GetProducer() : nullptr;
   this->Port = output ? output->GetIndex() : 0;
-  this->Changed = 0;
-  this->PipelineTime = this->DataTime = 0;
   return true;
 }
 

@@ -19,7 +19,7 @@ namespace activesurface
 class FunctionInput
 {
 public:
-  // Each lets the other go; true if that is a change.
+  // Each lets the other go; true if that is a change, later than any that FindMTime has found.
   bool SetData(vtkDataObject* data);
   bool Connect(vtkAlgorithmOutput* output);
 

@@ -1,12 +1,16 @@
 """Which deleted statements and flipped conditions of Filters no test notices.
 
-    python3 Testing/Mutation/mutate.py --count 300 --seed 1
+    python3 Testing/Mutation/mutate.py --count 300 --seed 1 | tee survivors.txt
+    python3 Testing/Mutation/mutate.py --again survivors.txt
 
 Copies the tree to build/mutants, draws mutants at random, and compiles all of them at once: each is
 asleep unless the environment variable ACTIVE_MUTANT is its number. Every test runs once to find
 which mutants it reaches; then each mutant runs the tests that reach it, quickest first, until one
 fails.
-Prints the survivors. Needs what Testing/run has installed, and an hour or so.
+Prints the survivors, and those that nothing but a time-out notices. Needs what Testing/run has
+installed, and an hour or so.
+With --again it tries only the mutants that an earlier output lists, as far as the sources still
+have their statements: when tests have been added, this takes little more than all tests once.
 """
 
 import argparse
@@ -67,6 +71,15 @@ NOT_A_STATEMENT = re.compile(
 )
 ENDS_A_STATEMENT = re.compile(r"([;{}]|^\s*//.*|:)$")
 
+UNNOTICED = "no test notices"
+UNREACHED = "no test reaches it"
+TIMED_OUT = "only a time-out"
+KILLED = "killed"
+LISTED = re.compile(rf"^(Filters/\S+):(\d+): (?:{UNNOTICED}|{UNREACHED}|{TIMED_OUT}): (.*)$", re.M)
+# A mutant that hangs would hang in each test that reaches it.
+MOST_TIME_OUTS = 3
+TIME_OUT = "timed out"  # in place of an exit status
+
 
 def find_candidates(path):
     """(line number, line with @ for the mutant's number)."""
@@ -88,7 +101,8 @@ def find_candidates(path):
             yield i, f"{statement[1]}if (!ActiveMutant(@)) {{ {statement[2]} }}"
 
 
-def draw(count, seed):
+def find_all_candidates():
+    """(file, line number, text), of all sources."""
     sources = [
         path
         for path in sorted((ROOT / "Filters").rglob("*"))
@@ -97,19 +111,42 @@ def draw(count, seed):
         # A wrapped header's inline setters are VTK's; a wrapper would not understand more.
         and not (path.name.startswith("vtk") and path.suffix == ".h")
     ]
-    candidates = [
+    return [
         (path.relative_to(ROOT), line, text)
         for path in sources
         for line, text in find_candidates(path)
     ]
+
+
+def as_mutants(candidates):
+    return [{"file": str(f), "line": n, "text": t} for f, n, t in sorted(candidates)]
+
+
+def draw(count, seed):
+    candidates = find_all_candidates()
     chosen = random.Random(seed).sample(candidates, min(count, len(candidates)))
     print(f"{len(candidates)} candidates, {len(chosen)} drawn with seed {seed}", flush=True)
-    return [{"file": str(f), "line": n, "text": t} for f, n, t in sorted(chosen)]
+    return as_mutants(chosen)
+
+
+def find_again(listing):
+    """The mutants of an earlier output; of equal statements of a file, the nearest to the line."""
+    candidates = find_all_candidates()
+    chosen = set()
+    for file, line, text in LISTED.findall(Path(listing).read_text(encoding="utf-8")):
+        same = [c for c in candidates if str(c[0]) == file and c[2].strip() == text]
+        if same:
+            chosen.add(min(same, key=lambda c: abs(c[1] + 1 - int(line))))
+        else:
+            print(f"{file}:{line}: gone: {text}", flush=True)
+    return as_mutants(chosen)
 
 
 def write_tree(mutants, dropped):
     """The copy with all mutants but those that do not compile."""
-    names = subprocess.check_output(["git", "-C", ROOT, "ls-files"], text=True).split("\n")
+    # New files too, which are in no commit yet.
+    listing = ["git", "-C", ROOT, "ls-files", "--cached", "--others", "--exclude-standard"]
+    names = subprocess.check_output(listing, text=True).split("\n")
     for name in filter(None, names):
         source, target = ROOT / name, TREE / name
         if source.is_file() and not (
@@ -172,7 +209,7 @@ def list_tests():
 
 
 def run(test, more, limit):
-    """(exit status, seconds); 124 after the limit."""
+    """(exit status, seconds)."""
     command, environment = test
     begin = time.monotonic()
     try:
@@ -186,7 +223,7 @@ def run(test, more, limit):
         )
         return done.returncode, time.monotonic() - begin
     except subprocess.TimeoutExpired:
-        return 124, time.monotonic() - begin
+        return TIME_OUT, time.monotonic() - begin
 
 
 def find_reach(tests, pool):
@@ -210,34 +247,43 @@ def find_reach(tests, pool):
 
 
 def try_mutant(number, tests, reached):
-    """The test that notices, or None."""
+    """Whether a test notices."""
+    time_outs = 0
     for seconds, name in sorted(reached[number]):
         status, _ = run(tests[name], {"ACTIVE_MUTANT": str(number)}, 10 + 5 * seconds)
-        if status != 0:
-            return name
-    return None
+        if status not in (0, TIME_OUT):
+            return KILLED
+        time_outs += status == TIME_OUT
+        if time_outs == MOST_TIME_OUTS:
+            break
+    if time_outs:
+        return TIMED_OUT
+    return UNNOTICED if reached[number] else UNREACHED
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--count", type=int, default=300, help="mutants (default: %(default)s)")
     parser.add_argument("--seed", type=int, default=1, help="of the draw (default: %(default)s)")
+    parser.add_argument("--again", metavar="FILE", help="only those that an earlier output lists")
     options = parser.parse_args()
-    mutants = draw(options.count, options.seed)
+    mutants = find_again(options.again) if options.again else draw(options.count, options.seed)
     dropped = build(mutants)
     tests = list_tests()
     print(f"{len(dropped)} do not compile; {len(tests)} tests", flush=True)
     alive = [number for number in range(len(mutants)) if number not in dropped]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         reached = find_reach(tests, pool)
-        killers = list(pool.map(lambda n: try_mutant(n, tests, reached), alive))
-    survivors = [number for number, killer in zip(alive, killers) if killer is None]
-    for number in survivors:
-        mutant = mutants[number]
-        why = "no test notices" if reached[number] else "no test reaches it"
-        print(f"{mutant['file']}:{mutant['line'] + 1}: {why}: {mutant['text'].strip()}")
-    share = 100.0 * len(survivors) / max(len(alive), 1)
-    print(f"{len(survivors)} of {len(alive)} mutants survive ({share:.1f} %), seed {options.seed}")
+        verdicts = list(pool.map(lambda n: try_mutant(n, tests, reached), alive))
+    for number, verdict in zip(alive, verdicts):
+        if verdict != KILLED:
+            mutant = mutants[number]
+            print(f"{mutant['file']}:{mutant['line'] + 1}: {verdict}: {mutant['text'].strip()}")
+    survivors = sum(verdict in (UNNOTICED, UNREACHED) for verdict in verdicts)
+    share = 100.0 * survivors / max(len(alive), 1)
+    source = f"of {options.again}" if options.again else f"seed {options.seed}"
+    print(f"{survivors} of {len(alive)} mutants survive ({share:.1f} %), {source}")
+    print(f"{verdicts.count(TIMED_OUT)} more are noticed by nothing but a time-out")
 
 
 if __name__ == "__main__":

@@ -31,6 +31,7 @@ NUMERICS = [
     "NarrowBand/InstructionSets",
     "NarrowBand/Motion",
     "NarrowBand/Target",
+    "NarrowBand/TargetRegion",
 ]
 MAY_INCLUDE = {
     "NarrowBand/Leaves": [
@@ -38,9 +39,16 @@ MAY_INCLUDE = {
         "NarrowBand/CompilerBuiltins",
         "NarrowBand/InstructionSets",
     ],
+    "NarrowBand/Parts": [
+        *NUMERICS,
+        "NarrowBand/Leaves",
+        "NarrowBand/State",
+        "NarrowBand/InitialFunction",
+    ],
     "NarrowBand/Substep": [
         *NUMERICS,
         "NarrowBand/Leaves",
+        "NarrowBand/Parts",
         "NarrowBand/CubeTriangles",
         "NarrowBand/Trilinear",
         "NarrowBand/Walls",
@@ -50,7 +58,12 @@ MAY_INCLUDE = {
         "NarrowBand/Leaves",
         "NarrowBand/InitialFunction",
     ],
-    "NarrowBand": ["NarrowBand/Leaves", "NarrowBand/Substep", "NarrowBand/State"],
+    "NarrowBand": [
+        "NarrowBand/Leaves",
+        "NarrowBand/Substep",
+        "NarrowBand/State",
+        "NarrowBand/Parts",
+    ],
     "VDB/Validation": ["NarrowBand/OpenVDB", "NarrowBand/CompilerBuiltins"],
     "VDB": ["VDB/Validation", "NarrowBand"],
     "Potentials/Skeleton": [

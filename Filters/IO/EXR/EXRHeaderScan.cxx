@@ -164,12 +164,6 @@ private:
       part.TileWidth = this->Number();
       part.TileHeight = this->Number();
     }
-    else if (name == "type" && type == "string")
-    {
-      std::string kind(std::min<std::uint64_t>(size, LongestName), '\0');
-      this->Input.read(kind.data(), static_cast<int>(kind.size()));
-      part.Deep = part.Deep || kind.compare(0, 4, "deep") == 0;
-    }
     else if (type == "preview" && size >= 8)
     {
       const std::uint64_t width = this->Number(), height = this->Number();

@@ -91,7 +91,6 @@ void BandState::Restore(const openvdb::FloatTree::Ptr& tree)
   }
   if (!this->Paper)
   {
-    this->Set.ChooseAll(this->Leaves);
     FillGhosts(this->Leaves, this->Set);
   }
   this->FinishFrame();

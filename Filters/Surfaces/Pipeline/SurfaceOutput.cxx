@@ -109,7 +109,6 @@ void FillPotential(const NarrowBand& band, const int extent[6], vtkImageData* po
 
 void FillHistory(const std::vector<HistoryRow>& rows, vtkTable* table)
 {
-  table->Initialize();
   AddColumn<vtkDoubleArray>(table, "Time", rows, &HistoryRow::Time);
   AddColumn<vtkIdTypeArray>(table, "Substeps", rows, &HistoryRow::Substeps);
   AddColumn<vtkDoubleArray>(table, "MaxSpeed", rows, &HistoryRow::MaxSpeed);

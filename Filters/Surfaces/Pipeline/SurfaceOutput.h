@@ -23,7 +23,7 @@ void FillSkin(const NarrowBand& band, vtkFloatArray* normals, vtkPolyData* skin)
 // The distances on an extent of the lattice, as scalars "Potential".
 void FillPotential(const NarrowBand& band, const int extent[6], vtkImageData* potential);
 
-// One row each, one column for each member, by its name.
+// One row each, one column for each member, by its name. Of a table that is empty.
 void FillHistory(const std::vector<HistoryRow>& rows, vtkTable* table);
 
 }

@@ -111,7 +111,8 @@ bool MotionDriver::AdvanceTo(
   NarrowBand& band, int step, MotionTime time, const ProgressFunction& progress)
 {
   const Motion motion = this->GetMotion(step);
-  if (band.IsEmpty() && !this->MayCreateParts(motion))
+  const bool wasEmpty = band.IsEmpty();
+  if (wasEmpty && !this->MayCreateParts(motion))
   {
     return true;
   }
@@ -120,7 +121,7 @@ bool MotionDriver::AdvanceTo(
   PotentialTarget& target = this->Shapes.GetTarget();
   const AdvanceReport report =
     this->Count(band, [&] { return band.Advance(time.Value, motion, target, progress); });
-  WarnOfMotion(report, { time, this->MayCreateParts(motion) }, this->Messages);
+  WarnOfMotion(report, { time, wasEmpty, this->MayCreateParts(motion) }, this->Messages);
   return !report.Aborted;
 }
 
@@ -133,13 +134,15 @@ bool MotionDriver::AdvanceToSteadyState(
   NarrowBand& band, const ProgressFunction& progress, bool& isSteady)
 {
   this->Prepare(band);
+  const bool wasEmpty = band.IsEmpty();
   SteadyStateCriterion criterion = this->Settings.SteadyState;
   criterion.MaximumSubsteps -= std::min(band.GetWork().Substeps, criterion.MaximumSubsteps);
   const Motion motion = this->GetMotion(0);
   PotentialTarget& target = this->Shapes.GetTarget();
   const AdvanceReport report = this->Count(
     band, [&] { return band.AdvanceToSteadyState(motion, criterion, target, progress); });
-  WarnOfMotion(report, { { band.GetTime() }, this->MayCreateParts(motion) }, this->Messages);
+  WarnOfMotion(
+    report, { { band.GetTime() }, wasEmpty, this->MayCreateParts(motion) }, this->Messages);
   isSteady = report.IsSteady || report.Vanished;
   if (!isSteady && !report.Aborted)
   {

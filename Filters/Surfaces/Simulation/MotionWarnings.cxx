@@ -8,7 +8,7 @@ namespace activesurface
 void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& messages)
 {
   const MotionTime time = end.Time;
-  if (report.Vanished && !report.Aborted)
+  if (report.Vanished && !end.WasEmpty && !report.Aborted)
   {
     std::ostringstream text;
     text << "The skin has vanished before the motion time " << time.Value

@@ -13,6 +13,7 @@ namespace activesurface
 struct MotionEnd
 {
   MotionTime Time;
+  bool WasEmpty;    // already before
   bool MayComeBack; // a skin that has vanished
 };
 

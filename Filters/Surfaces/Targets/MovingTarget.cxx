@@ -36,10 +36,12 @@ bool MovingTarget::HasChangedIn(const double[6]) const
 
 bool MovingTarget::PlaceOnce(int step, double fraction)
 {
-  if (step == this->Step && fraction == this->Fraction)
+  const bool hasSameWay = !this->DependsOnDuration() || this->PlacedDuration == this->GetDuration();
+  if (step == this->Step && fraction == this->Fraction && hasSameWay)
   {
     return false;
   }
+  this->PlacedDuration = this->GetDuration();
   this->Step = step;
   this->Fraction = fraction;
   this->Place(step, fraction);

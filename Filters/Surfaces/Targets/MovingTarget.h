@@ -27,6 +27,9 @@ protected:
   // From the step to the next one [motion time]; 0 where it stays.
   double GetDuration() const { return this->End - this->Begin; }
 
+  // Whether what it tells at a place depends on how long the way is.
+  virtual bool DependsOnDuration() const { return false; }
+
   // Whether the last Place may have changed values in a box.
   virtual bool HasChangedIn(const double bounds[6]) const;
 
@@ -44,6 +47,7 @@ private:
   double Begin = 0.0;
   double End = 0.0;
   double Fraction = 0.0;
+  double PlacedDuration = 0.0;        // when it was placed
   bool HasJumped = true;              // other than by MoveTo
   Change Recent = Change::Everything; // with the last MoveTo
 };

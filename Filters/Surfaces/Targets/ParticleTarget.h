@@ -33,6 +33,7 @@ public:
 
 protected:
   void Place(int step, double fraction) override;
+  bool DependsOnDuration() const override { return this->Options.Carries; }
   bool HasChangedIn(const double bounds[6]) const override;
   void Sample(
     std::size_t count, const double* points, double* values, double* gradients) const override;

@@ -22,6 +22,7 @@
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -260,6 +261,15 @@ TEST(TestEXRErrors, FilesThatAreNoneAreRefused)
   refuse(bad, vtkErrorCode::PrematureEndOfFileError, "ends too early");
   WriteDeep(bad);
   refuse(bad, vtkErrorCode::FileFormatError, "deep data");
+  std::vector<char> changed = bytes;
+  changed[4] = 3;
+  WriteBytes(bad, changed);
+  refuse(bad, vtkErrorCode::FileFormatError, "a version of the format");
+  changed = bytes;
+  const std::string type = "box2i";
+  *std::search(changed.begin(), changed.end(), type.begin(), type.end()) = 'B';
+  WriteBytes(bad, changed);
+  refuse(bad, vtkErrorCode::FileFormatError, "is no window");
 }
 
 // The data window's last column and row become 2^28.

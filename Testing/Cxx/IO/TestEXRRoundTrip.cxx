@@ -97,6 +97,19 @@ TEST(TestEXRRoundTrip, FloatsAndIdsComeBackBitForBit)
 
 // A half has 11 bits: numbers from 2^-14 on are off by 2^-11 of themselves at most, lesser ones by
 // 2^-25, half of the least step.
+TEST(TestEXRRoundTrip, WholeNumbersOfSeveralComponentsComeBackBitForBit)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(5, 4, 1);
+  image->GetPointData()->AddArray(MakeNumbers("pair", VTK_UNSIGNED_INT, 2, 20, 1));
+  vtkNew<vtkActiveEXRWriter> writer;
+  const std::string name = OutputName("pairs.exr");
+  Write(writer, image, name);
+  EXPECT_TRUE(HaveSameBytes(
+    Read(name)->GetPointData()->GetArray("pair"), image->GetPointData()->GetArray("pair")))
+    << "type, components and bytes";
+}
+
 TEST(TestEXRRoundTrip, HalvesAreWithinHalfAStep)
 {
   vtkNew<vtkImageData> image;

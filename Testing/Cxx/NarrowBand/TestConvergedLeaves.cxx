@@ -166,6 +166,20 @@ TEST(TestConvergedLeaves, RestUnderTensionIsTheBalance)
   EXPECT_EQ(report.Substeps, 0u) << "substeps that are not skipped, from then on";
 }
 
+// The rate that decides is that of the scheme in use.
+TEST(TestConvergedLeaves, CentralDifferencesComeToRestToo)
+{
+  NarrowBand band(VoxelSize);
+  PairTarget target(Stay, true);
+  StartOn(band, MakePair(Left, Right));
+  Motion motion = MakeMotion(Tensions[1]);
+  motion.Gradient = GradientScheme::Central;
+  band.Advance(4.0, motion, target);
+  const AdvanceReport report = band.Advance(6.0, motion, target);
+  EXPECT_GT(report.SkippedSubsteps, 0u) << "substeps at rest";
+  EXPECT_EQ(report.Substeps, 0u) << "other substeps";
+}
+
 // A dent of the target, half a voxel deep and smaller than a leaf, wakes the surface wherever in a
 // leaf it lies: its volume comes, but for what Tension takes of it.
 TEST(TestConvergedLeaves, ADentWakesTheSurfaceAnywhere)
@@ -246,6 +260,59 @@ TEST(TestConvergedLeaves, RememberedSpeedsLeaveNoTrace)
     }
     EXPECT_GT(spared, 10000) << "evaluations that are spared, " << name;
   }
+}
+
+// Two balls, of which the values of the right one are so many times a distance: from time 2 on,
+// once. What counts as rest is smaller then for the left one too, of which nothing has changed.
+class SofterTarget : public ShapeTarget
+{
+public:
+  explicit SofterTarget(bool tells)
+    : ShapeTarget([](double time) { return MakeBoth(time < 2.0 ? 20.0 : 1.0); })
+    , Tells(tells)
+  {
+  }
+
+  void MoveTo(double time) override
+  {
+    this->Softens = this->Time < 2.0 && time >= 2.0;
+    this->Time = time;
+    ShapeTarget::MoveTo(time);
+  }
+
+  bool MayHaveChanged(const double bounds[6]) const override
+  {
+    return !this->Tells || (this->Softens && bounds[1] > 0.0);
+  }
+
+  static Shape MakeBoth(double times)
+  {
+    const Shape left = MakeBall(Left, 0.3), right = MakeBall(Right, 0.3);
+    return { [=](const Point& x) { return x[0] < 0.0 ? left.Value(x) : times * right.Value(x); },
+      [=](const Point& x) { return x[0] < 0.0 ? 1.0 : times; } };
+  }
+
+private:
+  bool Tells;
+  bool Softens = false;
+  double Time = 0.0;
+};
+
+TEST(TestConvergedLeaves, ATargetThatSoftensElsewhereLeavesNoTrace)
+{
+  NarrowBand anew(VoxelSize), remembered(VoxelSize);
+  SofterTarget changes(false), tells(true);
+  for (const auto& [band, target] : { std::pair{ &anew, &changes }, { &remembered, &tells } })
+  {
+    StartOn(*band, MakeBalls({ { Left, 0.32 }, { Right, 0.32 } }));
+    band->Advance(1.5, MakeMotion(0.0), *target);
+  }
+  const std::vector<float> before = GetLeftHalf(remembered);
+  anew.Advance(2.5, MakeMotion(0.0), changes);
+  const AdvanceReport report = remembered.Advance(2.5, MakeMotion(0.0), tells);
+  EXPECT_TRUE(AreIdentical(anew, remembered)) << "the same to the bit";
+  EXPECT_TRUE(GetLeftHalf(remembered) != before) << "the left ball goes on";
+  EXPECT_GT(report.Substeps, 0u) << "substeps";
 }
 
 // Taken up again from a checkpoint before each step, of which a part rests.

@@ -63,6 +63,24 @@ TEST(TestGridInput, InputOfNoUseIsOneError)
   expectNoPlace([](vtkImageData* i) { i->SetDirectionMatrix(1, 1, 0, 0, 1, 0, 0, 0, 1); });
 }
 
+TEST(TestGridInput, WithoutActiveScalarsTheFirstArrayOfOneComponentCounts)
+{
+  auto image = MakeSmallImage(4, 4, 4, 3);
+  image->GetPointData()->GetScalars()->SetName("vectors");
+  image->GetPointData()->SetActiveScalars(nullptr);
+  for (const double value : { -2.0, 3.0 })
+  {
+    vtkNew<vtkFloatArray> numbers;
+    numbers->SetName(value < 0.0 ? "first" : "second");
+    numbers->SetNumberOfTuples(64);
+    numbers->Fill(value);
+    image->GetPointData()->AddArray(numbers);
+  }
+  vtkNew<vtkGridPotential> potential;
+  potential->SetInput(image);
+  EXPECT_EQ(ValueAt(potential, { 1.0, 1.0, 1.0 }), -2.0) << potential->GetError();
+}
+
 TEST(TestGridInput, ErrorsCanBeKeptQuiet)
 {
   vtkNew<vtkGridPotential> potential;

@@ -129,6 +129,24 @@ TEST(TestSkeletonBatch, PlacesThatAreNotFiniteLeaveTheirCrowdAlone)
   EXPECT_EQ(CountDifferent(empty, places), 0) << "places that differ, without elements";
 }
 
+TEST(TestSkeletonBatch, ValuesHaveOneComponentWhateverTheirArrayHadBefore)
+{
+  SkeletonBuilder shape;
+  shape.Add({ 0.0, 0.0, 0.0 });
+  vtkNew<vtkSkeletonPotential> potential;
+  shape.GiveTo(potential);
+  vtkNew<vtkDoubleArray> places, values;
+  places->SetNumberOfComponents(3);
+  places->InsertNextTuple3(0.0, 0.0, 0.0);
+  places->InsertNextTuple3(2.0, 0.0, 0.0);
+  values->SetNumberOfComponents(3);
+  potential->FunctionValue(places, values);
+  ASSERT_EQ(values->GetNumberOfComponents(), 1) << "components";
+  ASSERT_EQ(values->GetNumberOfTuples(), 2) << "values";
+  EXPECT_EQ(values->GetValue(0), -0.5) << "inside";
+  EXPECT_EQ(values->GetValue(1), 0.5) << "outside";
+}
+
 // All that lies beyond 2^31 of the finest cells is in the last one, but not in one of the coarse.
 TEST(TestSkeletonBatch, PlacesBeyondTheFinestCellsAreNotTakenTogether)
 {

@@ -6,6 +6,7 @@
 
 #include "vtkImplicitBoolean.h"
 #include "vtkTransform.h"
+#include "vtkTrivialProducer.h"
 
 #include <gtest/gtest.h>
 
@@ -307,6 +308,34 @@ TEST(TestSkeletonInput, OwnElementsAreAsThoseOfAnInput)
   ofArrays->SetRadiusArrayName("r");
   ofArrays->SetStrengthArrayName("s");
   EXPECT_EQ(ValueAt(ofArrays, x), ValueAt(ofInput, x)) << "an input takes their place";
+}
+
+TEST(TestSkeletonInput, AnAlgorithmTakesThePlaceOfOwnElements)
+{
+  SkeletonBuilder shape;
+  shape.Add({ 0.0, 0.0, 0.0 });
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(shape.Data);
+  const Point own = { 5.0, 0.0, 0.0 };
+  vtkNew<vtkSkeletonPotential> potential;
+  potential->SetElements(1, own.data(), nullptr, nullptr);
+  EXPECT_EQ(ValueAt(potential, own), -0.5) << "own elements";
+  potential->SetInputConnection(producer->GetOutputPort());
+  EXPECT_EQ(ValueAt(potential, own), 0.5) << "they have gone";
+  EXPECT_EQ(ValueAt(potential, { 0.0, 0.0, 0.0 }), -0.5) << "those of the algorithm";
+}
+
+TEST(TestSkeletonInput, AnErrorLeavesNoElements)
+{
+  SkeletonBuilder shape;
+  shape.Join({ shape.Add({ 0.0, 0.0, 0.0 }), shape.Add({ 5.0, 0.0, 0.0 }) });
+  vtkNew<vtkSkeletonPotential> potential;
+  shape.GiveTo(potential);
+  potential->SetParticleModel(vtkSkeletonPotential::AVERAGED_CENTRE);
+  const MessageCapture messages(potential);
+  double bounds[6];
+  EXPECT_FALSE(potential->GetSkeletonBounds(bounds)) << "bounds";
+  EXPECT_TRUE(messages.Has("Lines can only be a SUM")) << messages.GetLastError();
 }
 
 TEST(TestSkeletonInput, MovingElementsNeedNoMemory)

@@ -7,11 +7,18 @@
 
 #include <gtest/gtest.h>
 #include <openvdb/io/File.h>
+#include <openvdb/points/PointAttribute.h>
+#include <openvdb/points/PointConversion.h>
+#include <openvdb/points/PointCount.h>
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 using namespace activesurface;
 
@@ -19,7 +26,7 @@ namespace
 {
 
 // Three voxels in two leaves, and a box of vectors.
-std::string WriteTwoGrids()
+std::string WriteTwoGrids(std::uint32_t compression = openvdb::io::COMPRESS_BLOSC)
 {
   openvdb::initialize();
   auto floats = openvdb::FloatGrid::create(3.f);
@@ -31,8 +38,59 @@ std::string WriteTwoGrids()
   vectors->setName("vectors");
   vectors->denseFill({ { 0, 0, 0 }, { 3, 3, 3 } }, openvdb::Vec3s(1.f));
   const std::string name = OutputName("two.vdb");
-  openvdb::io::File(name).write({ floats, vectors });
+  openvdb::io::File file(name);
+  file.setCompression(compression | openvdb::io::COMPRESS_ACTIVE_MASK);
+  file.write({ floats, vectors });
   return name;
+}
+
+constexpr int NumberOfPoints = 1000;
+
+// Points along a line, in one leaf, which pack well, with numbers. Their first byte is 1: where one
+// tells whether what follows is packed, it does not stand for that.
+std::string WritePoints(std::uint32_t compression = openvdb::io::COMPRESS_BLOSC)
+{
+  using namespace openvdb::points;
+  openvdb::initialize();
+  std::vector<openvdb::Vec3s> positions;
+  for (int i = 0; i < NumberOfPoints; ++i)
+  {
+    positions.emplace_back(std::nextafter(0.25f, 1.f), 0.25f, static_cast<float>(i % 7));
+  }
+  const auto transform = openvdb::math::Transform::createLinearTransform(1.0);
+  const auto grid = createPointDataGrid<NullCodec, PointDataGrid>(positions, *transform);
+  appendAttribute<int>(grid->tree(), "number");
+  AttributeWriteHandle<int> numbers(grid->tree().beginLeaf()->attributeArray("number"));
+  for (int i = 0; i < NumberOfPoints; ++i)
+  {
+    numbers.set(i, i);
+  }
+  const std::string name = OutputName("points.vdb");
+  openvdb::io::File file(name);
+  file.setCompression(compression | openvdb::io::COMPRESS_ACTIVE_MASK);
+  file.write({ grid });
+  return name;
+}
+
+std::string ReadBytes(const std::string& name)
+{
+  std::ostringstream bytes;
+  bytes << std::ifstream(name, std::ios::binary).rdbuf();
+  return bytes.str();
+}
+
+template <class Number>
+std::string BytesOf(Number number)
+{
+  return std::string(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+// That a file with these bytes is refused with these words.
+void CheckRefused(const std::string& bytes, const std::string& words)
+{
+  const std::string name = OutputName("damaged.vdb");
+  std::ofstream(name, std::ios::binary) << bytes;
+  EXPECT_TRUE(Throws<std::runtime_error>([&] { ValidateVDB(name); }, words)) << words;
 }
 
 }
@@ -77,6 +135,38 @@ TEST(TestVDBFile, FilesThatAreCutShortAreRefused)
     EXPECT_TRUE(Throws<std::runtime_error>([&] { ValidateVDB(cut); }, "cut.vdb"))
       << length << " of " << size << " bytes";
   }
+}
+
+// A leaf's one value of 4 bytes, too few to pack, says that it is 3 bytes long.
+TEST(TestVDBFile, ValuesThatAreTooFewAreRefused)
+{
+  std::string bytes = ReadBytes(WriteTwoGrids(openvdb::io::COMPRESS_ZIP));
+  const auto place = bytes.find(BytesOf(std::int64_t(-4)) + BytesOf(-3.f));
+  ASSERT_NE(place, std::string::npos);
+  bytes.replace(place, sizeof(std::int64_t), BytesOf(std::int64_t(-3)));
+  CheckRefused(bytes, "values are missing");
+}
+
+// The packed positions tell their size twice, before all pages and in their own head.
+TEST(TestVDBFile, PagesOfPointsThatTellTwoSizesAreRefused)
+{
+  std::string bytes = ReadBytes(WritePoints());
+  const auto unpacked = bytes.find(BytesOf(std::int32_t(3 * sizeof(float) * NumberOfPoints)));
+  ASSERT_NE(unpacked, std::string::npos);
+  const std::string stored = bytes.substr(unpacked - sizeof(std::int32_t), sizeof(std::int32_t));
+  ++bytes[bytes.rfind(stored)];
+  CheckRefused(bytes, "packed values are of another size");
+}
+
+// Which are in no page, unlike those of other files.
+TEST(TestVDBFile, PointsThatAreNotPackedAreRead)
+{
+  const std::string name = WritePoints(openvdb::io::COMPRESS_NONE);
+  const VDBFile file = ValidateVDB(name);
+  using openvdb::points::PointDataGrid;
+  const auto grid = openvdb::gridPtrCast<PointDataGrid>(ReadVDBGrid(name, file.Grids.at(0)));
+  ASSERT_TRUE(grid);
+  EXPECT_EQ(openvdb::points::pointCount(grid->tree()), openvdb::Index64(NumberOfPoints));
 }
 
 TEST(TestVDBFile, MissingFilesAreErrorsThatNameThem)

@@ -2,9 +2,11 @@
 
 #include "Support/PipelineTools.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSphere.h"
+#include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
 
@@ -113,6 +115,25 @@ TEST(TestRestart, InputsThatModifyThemselvesDoNotRestart)
   filter->UpdateTimeStep(2.0);
   filter->UpdateTimeStep(3.0);
   EXPECT_EQ(source->GetExecutions(), "0 1 2 3 ") << "times asked for";
+}
+
+TEST(TestRestart, AnInitialShapeThatModifiesItselfDoesNotRestart)
+{
+  vtkNew<vtkSphereSource> ball;
+  vtkNew<vtkCallbackCommand> modify;
+  modify->SetCallback([](vtkObject* caller, unsigned long, void*, void*) { caller->Modified(); });
+  ball->AddObserver(vtkCommand::EndEvent, modify);
+  auto source = MakeMovingBall();
+  auto filter = MakeSkinOver(source);
+  filter->SetInputConnection(1, ball->GetOutputPort());
+  filter->UpdateTimeStep(2.0);
+  filter->ResetCounters();
+  filter->UpdateTimeStep(3.0);
+  const auto oneStep = filter->GetTargetEvaluations();
+  filter->ResetCounters();
+  filter->UpdateTimeStep(4.0);
+  EXPECT_LT(filter->GetTargetEvaluations(), 2 * oneStep) << "evaluations of another step";
+  EXPECT_EQ(source->GetExecutions(), "0 1 2 3 4 ") << "times asked for";
 }
 
 // Another consumer of the input takes it to another time; the steps that are held stay valid.

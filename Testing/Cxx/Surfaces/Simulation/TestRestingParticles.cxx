@@ -51,7 +51,9 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkin(const ParticleSource::Cloud& 
   vtkNew<ParticleSource> source;
   source->SetCloud(cloud);
   source->SetSteps({ 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0 });
-  return MakeSkinOver(source);
+  auto skin = MakeSkinOver(source);
+  skin->CreatePartsOff();
+  return skin;
 }
 
 }

@@ -8,6 +8,7 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkGridPotential.h"
 #include "vtkImageCast.h"
+#include "vtkImageData.h"
 #include "vtkLineSource.h"
 #include "vtkRTAnalyticSource.h"
 #include "vtkSphereSource.h"
@@ -125,6 +126,21 @@ TEST(TestConnectedFunctions, AllOfTheOutputIsRead)
     << "somebody has asked for a piece of it";
   EXPECT_TRUE(potential->FunctionValue(0.0, 0.0, 0.0) < 0.0) << "the centre is inside";
   EXPECT_EQ(std::string(potential->GetDefects()), "") << "defects of the mesh";
+}
+
+TEST(TestConnectedFunctions, AllOfAnImageIsRead)
+{
+  vtkNew<vtkRTAnalyticSource> source;
+  source->SetWholeExtent(-4, 4, -4, 4, -4, 4);
+  vtkNew<vtkGridPotential> potential;
+  potential->SetInputConnection(source->GetOutputPort());
+  const int corner[6] = { -1, 1, -1, 1, -1, 1 };
+  source->UpdateExtent(corner);
+  EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 27) << "somebody has asked for a part of it";
+  double bounds[6];
+  EXPECT_TRUE(potential->GetGridBounds(bounds)) << potential->GetError();
+  EXPECT_EQ(bounds[0], -4.0) << "x min of all of it";
+  EXPECT_EQ(bounds[1], 4.0) << "x max of all of it";
 }
 
 TEST(TestConnectedFunctions, AnAlgorithmOfTheWrongKindIsOneError)

@@ -1,0 +1,100 @@
+// What vtkActiveEXRReader tells the pipeline, and vtkActiveEXRWriter asks of it.
+
+#include "IO/EXRFiles.h"
+#include "Support/OutputFiles.h"
+
+#include "vtkActiveEXRReader.h"
+#include "vtkActiveEXRWriter.h"
+
+#include <gtest/gtest.h>
+#include <vtkDataArray.h>
+#include <vtkImageAlgorithm.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+constexpr int Whole[6] = { 0, 6, 0, 4, 0, 0 };
+
+// Makes the part of an image of zeros that is asked for.
+class Part : public vtkImageAlgorithm
+{
+public:
+  static Part* New();
+  vtkTypeMacro(Part, vtkImageAlgorithm);
+
+protected:
+  Part() { this->SetNumberOfInputPorts(0); }
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    outputs->GetInformationObject(0)->Set(Pipeline::WHOLE_EXTENT(), Whole, 6);
+    return 1;
+  }
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkInformation* information = outputs->GetInformationObject(0);
+    vtkImageData* image = vtkImageData::GetData(information);
+    image->SetExtent(information->Get(Pipeline::UPDATE_EXTENT()));
+    image->AllocateScalars(VTK_FLOAT, 1);
+    image->GetPointData()->GetScalars()->SetName("Z");
+    image->GetPointData()->GetScalars()->Fill(0.0);
+    return 1;
+  }
+};
+vtkStandardNewMacro(Part);
+
+}
+
+TEST(TestEXRPipeline, SpacingIsThatOfTheReader)
+{
+  const std::string name = OutputName("a.exr");
+  WriteKind(name, {});
+  const double spacing[3] = { 0.5, 0.25, 2.0 };
+  vtkNew<vtkActiveEXRReader> reader;
+  reader->SetFileName(name.c_str());
+  reader->SetDataSpacing(spacing);
+  reader->UpdateInformation();
+  const double* told = reader->GetOutputInformation(0)->Get(vtkDataObject::SPACING());
+  EXPECT_TRUE(told && std::equal(spacing, spacing + 3, told)) << "before it is read";
+  reader->Update();
+  EXPECT_TRUE(std::equal(spacing, spacing + 3, reader->GetOutput()->GetSpacing())) << "when read";
+}
+
+// Another consumer of the same image may have asked for a part of it before.
+TEST(TestEXRPipeline, TheWholeImageIsWritten)
+{
+  const std::string name = OutputName("whole.exr");
+  const int corner[6] = { 1, 2, 1, 2, 0, 0 };
+  vtkNew<Part> source;
+  vtkNew<vtkActiveEXRWriter> writer;
+  writer->SetInputConnection(source->GetOutputPort());
+  writer->SetFileName(name.c_str());
+  const auto countWritten = [&](const std::function<void()>& write)
+  {
+    std::filesystem::remove(name);
+    source->Modified();
+    source->UpdateExtent(corner);
+    EXPECT_EQ(static_cast<int>(source->GetOutput()->GetNumberOfPoints()), 4) << "pixels before";
+    write();
+    vtkNew<vtkActiveEXRReader> reader;
+    reader->SetFileName(name.c_str());
+    reader->Update();
+    return static_cast<int>(reader->GetOutput()->GetNumberOfPoints());
+  };
+  EXPECT_EQ(countWritten([&] { writer->Write(); }), 35) << "pixels written";
+  EXPECT_EQ(countWritten([&] { writer->Update(); }), 35) << "pixels written by an update";
+}

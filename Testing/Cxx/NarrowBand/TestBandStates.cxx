@@ -1,0 +1,66 @@
+// A band that is copied, started again or confined is as good as one that has just begun.
+
+#include "Support/SurfaceMeasures.h"
+#include "Support/Throws.h"
+
+#include "Walls.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+using namespace activesurface;
+
+namespace
+{
+
+constexpr Point Origin = { 0.0, 0.0, 0.0 };
+
+}
+
+TEST(TestBandStates, ACopyHasTheSameMaximum)
+{
+  NarrowBand band(VoxelSizeOf(32));
+  StartOn(band, MakeBall(Origin, 0.3));
+  band.SetMaximumNumberOfActiveVoxels(2 * band.GetNumberOfActiveNodes());
+  const std::unique_ptr<NarrowBand> copy = band.Clone();
+  ShapeTarget target(MakeBall(Origin, 0.7));
+  EXPECT_TRUE(Throws<std::runtime_error>(
+    [&] { copy->Advance(8.0, Motion(), target); }, "MaximumNumberOfActiveVoxels"))
+    << "a ball of twice the radius has four times the nodes";
+}
+
+TEST(TestBandStates, AStartForgetsTheWorkBefore)
+{
+  NarrowBand band(VoxelSizeOf(32));
+  StartOn(band, MakeBall(Origin, 0.3));
+  ShapeTarget target(MakeBall(Origin, 0.4));
+  band.Advance(1.0, Motion(), target);
+  EXPECT_GT(band.GetWork().Substeps, 0u) << "substeps before";
+  StartOn(band, MakeBall(Origin, 0.3));
+  EXPECT_EQ(band.GetWork().Substeps, 0u) << "substeps";
+  EXPECT_EQ(band.GetWork().TargetEvaluations, 0u) << "evaluations";
+}
+
+// A ball that is cut a voxel beyond the wall: what is left within can be looked at, saved and
+// taken up again at once.
+TEST(TestBandStates, AConfinedBandIsWholeAtOnce)
+{
+  const double h = VoxelSizeOf(32);
+  const double wall = -0.1;
+  const Shape ball = MakeBall(Origin, 0.6);
+  NarrowBand band(h);
+  StartOn(band, { [&](const Point& x) { return std::max(ball.Value(x), x[0] - wall - h); }, {} });
+  band.Confine({ true, { -0.9, wall, -0.9, 0.9, -0.9, 0.9 } });
+  const std::unique_ptr<NarrowBand> again = NarrowBand::Unpack(band.Pack());
+  EXPECT_TRUE(AreIdentical(band, *again)) << "the same to the bit";
+  const Mesh mesh = Polygonise(band);
+  EXPECT_EQ(FindDefects(mesh).Edges, 0u) << "edges that are not in two triangles";
+  EXPECT_TRUE(Polygonise(*again).Points == mesh.Points) << "the same skin";
+  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
+  {
+    ASSERT_LT(mesh.Points[i], wall + 1e-6) << "beyond the wall, but for single precision";
+  }
+}

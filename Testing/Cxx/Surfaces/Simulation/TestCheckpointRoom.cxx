@@ -1,0 +1,31 @@
+// Which states are let go when there is no memory for all.
+
+#include "Support/AnalyticShapes.h"
+
+#include "NarrowBand.h"
+#include "Simulation/Checkpoints.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using namespace activesurface;
+
+// The start stays; of the others goes the first of those that leave the smallest gap.
+TEST(TestCheckpointRoom, TheStepsThatAreLeftAreFarApart)
+{
+  NarrowBand band(VoxelSizeOf(16));
+  StartOn(band, MakeBall(CentreA, 0.5));
+  Checkpoints states;
+  states.SetLimits(1, 3 * band.Pack().size());
+  for (int step = 0; step < 5; ++step)
+  {
+    states.Add(step, band);
+  }
+  std::vector<int> found;
+  for (int step = 0; step < 5; ++step)
+  {
+    found.push_back(states.FindUpTo(step));
+  }
+  EXPECT_EQ(found, std::vector<int>({ 0, 0, 2, 2, 4 }));
+}
