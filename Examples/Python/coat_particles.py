@@ -22,10 +22,8 @@ particles.SetFileName(str(DATA))
 surface = vtkActiveImplicitSurface()
 surface.SetInputConnection(particles.GetOutputPort())
 surface.SetTimeScale(SECONDS_PER_STEP)  # the file's time steps are numbered 0, 1, 2 ...
+surface.SetParticleSpacing(0.085)
 surface.SetVoxelSize(0.03)
-surface.SetParticleRadius(0.17)  # two spacings: as far as a particle's influence reaches
-surface.SetParticleThreshold(0.7)
-surface.SetAttraction(100)  # per second: the skin is a hundredth of a second behind
 
 components = vtkPolyDataConnectivityFilter()
 components.SetExtractionModeToAllRegions()

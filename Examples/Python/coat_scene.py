@@ -19,10 +19,7 @@ def coat_scene(name, description, pictured, width=2000, **options):
     series, surface = ParticleSeries(scene.frames, RATE), vtkActiveImplicitSurface()
     surface.SetInputConnection(series.GetOutputPort())
     surface.SetInputArrayToProcess(1, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "id")
-    surface.SetVoxelSize(radius)
-    surface.SetParticleRadius(3.4 * radius)
-    surface.SetParticleThreshold(0.7)
-    surface.SetAttraction(100)  # per second: the skin is a hundredth of a second behind
+    surface.SetParticleSpacing(scene.spacing)
 
     writer = vtkXMLPolyDataWriter()
     writer.SetDataModeToBinary()  # which VTK 9.1 can read with any libexpat

@@ -41,7 +41,7 @@ public:
   ///@{
   /**
    * Whether an Attraction of 1, the default, stands for one that follows an input with time steps:
-   * 12 over the time from a step to the next one, so that 6e-6 of a distance is left. Any other
+   * 6 over the time from a step to the next one, so that 1/400 of a distance is left. Any other
    * Attraction holds as it is, and so does 1 over other targets and with PaperScheme. Default: on.
    */
   vtkSetMacro(AutomaticAttraction, vtkTypeBool);

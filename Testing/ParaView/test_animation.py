@@ -81,8 +81,9 @@ NOT_CHANGED = {"Target", "Initial", "TimestepValues"}
 # What does not show in the second step: other times are published, or the input's hold.
 WITHOUT_EFFECT = set(
     """
-    AutomaticAttraction CheckpointInterval CheckpointMemory CreateParts IdArray MaximumNumberOfActiveVoxels MeshThickness
-    ModelBounds NumberOfThreads NumberOfTimeSteps OutputPotential ParticleKernel ParticleThreshold StartTime TensionWeighting TimeStepSize
+    AutomaticAttraction CheckpointInterval CheckpointMemory CreateParts IdArray
+    MaximumNumberOfActiveVoxels MeshThickness ModelBounds NumberOfThreads NumberOfTimeSteps
+    OutputPotential ParticleKernel ParticleThreshold StartTime TensionWeighting TimeStepSize
     VelocityArray
 """.split()
 )

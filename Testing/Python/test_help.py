@@ -24,7 +24,8 @@ NUMBERS = {
         TargetIsoValue TargetReach VoxelSize MaximumNumberOfActiveVoxels Attraction Tension CFL
         VolumeStiffness AreaStiffness TargetVolume TargetArea RestTolerance
         MaximumNumberOfSubsteps StartTime TimeStepSize NumberOfTimeSteps TimeScale ParticleRadius
-        ParticleSpacing Anisotropy Transport ParticleThreshold MeshThickness NumberOfThreads CheckpointInterval CheckpointMemory
+        ParticleSpacing Anisotropy Transport ParticleThreshold MeshThickness NumberOfThreads
+        CheckpointInterval CheckpointMemory
         MaximumVelocity
     """.split(),
     vtkSkeletonPotential: "Radius Threshold ParticleSpacing Anisotropy".split(),
@@ -76,7 +77,9 @@ WITH_UNIT = {
         AreaStiffness TargetVolume TargetArea RestTolerance StartTime TimeStepSize TimeScale
         ParticleRadius ParticleSpacing MeshThickness CheckpointMemory MaximumVelocity
     """.split(),
-    vtkSkeletonPotential: "Radius RadiusArrayName StrengthArrayName Threshold ParticleSpacing".split(),
+    vtkSkeletonPotential: """
+        Radius RadiusArrayName StrengthArrayName Threshold ParticleSpacing
+    """.split(),
     vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness".split(),
     vtkActiveEXRReader: ["MaximumMemory"],
     vtkActiveEXRWriter: "DisplaySize FramesPerSecond".split(),

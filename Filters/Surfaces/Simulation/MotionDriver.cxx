@@ -16,7 +16,7 @@ namespace
 constexpr double SubstepsOfMovingTarget = 4.0;
 
 // Automatic attraction: distances fall by so many factors e from one step to the next.
-constexpr double FactorsPerStep = 12.0;
+constexpr double FactorsPerStep = 6.0;
 
 }
 

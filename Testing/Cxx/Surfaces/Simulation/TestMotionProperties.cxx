@@ -231,8 +231,9 @@ TEST(TestMotionProperties, PaperFaithfulSetsFiveProperties)
       changed += line;
     }
   }
-  EXPECT_EQ(changed, "  GradientScheme: 0  NormalizeTarget: 0  PaperScheme: 1  ParticleModel: 0  "
-                     "TargetEvaluation: 0")
+  EXPECT_EQ(changed,
+    "  GradientScheme: 0  NormalizeTarget: 0  PaperScheme: 1  ParticleModel: 0  "
+    "TargetEvaluation: 0")
     << "changed lines";
 }
 
