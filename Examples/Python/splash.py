@@ -1,4 +1,4 @@
-"""A ball of fluid falls into a pool: 21,350 particles, with a crown, sheets and drops, and their skin.
+"""A ball of fluid falls into a pool: 21,350 particles, a crown, sheets and drops, and their skin.
 
 Run: python3 splash.py [--output FOLDER]. The particles are made first, which takes minutes.
 """
