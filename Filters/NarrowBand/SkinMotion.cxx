@@ -101,25 +101,43 @@ double FindHoldingSpeed(const Skin& skin, const Motion& motion,
   return whole != 0.0 ? -change / whole : 0.0;
 }
 
-/** Adds -Attraction * (F - iso) at each vertex. */
-void AddAttraction(const NarrowBand& band, const SkinForces& forces, std::vector<float>& speeds)
+/** What the law of motion takes at the crossings, which are the vertices. */
+Motion SampledMotion(const Motion& motion)
 {
-  const Motion& motion = forces.Strategy;
-  if (!(motion.Attraction > 0.0))
-  {
-    return;
-  }
+  Motion sampled;
+  sampled.Attraction = motion.Attraction;
+  sampled.Transport = motion.Transport;
+  sampled.Tension = motion.Tension;
+  sampled.WeightedTension = motion.WeightedTension;
+  return sampled;
+}
+
+/** The target's speed and the tension at each vertex. */
+void AddTargetSpeed(const NarrowBand& band, const SkinForces& forces,
+  const std::vector<float>& curvatures, std::vector<float>& speeds)
+{
+  const Motion motion = SampledMotion(forces.Strategy);
+  const bool isCarried = motion.Transport > 0.0, isWeighted = HasTensionWeights(motion);
   SubstepBuffers buffers;
-  forces.Attractor.MoveTo(band.GetTime());
-  WalledTarget walled(forces.Attractor, motion.Box);
-  const LeafTable& table = band.GetLeaves();
-  const LeafList all = table.FindAll([](std::size_t) { return true; });
-  SampleLeaves({ table, band.GetPotential()->tree(), band.GetVoxelSize() }, all, Motion(),
-    motion.Box.Present ? walled : forces.Attractor, buffers);
+  if (HasTargetSpeed(motion) || isWeighted)
+  {
+    forces.Attractor.MoveTo(band.GetTime());
+    WalledTarget walled(forces.Attractor, forces.Strategy.Box);
+    const LeafTable& table = band.GetLeaves();
+    const LeafList all = table.FindAll([](std::size_t) { return true; });
+    SampleLeaves({ table, band.GetPotential()->tree(), band.GetVoxelSize() }, all, motion,
+      forces.Strategy.Box.Present ? walled : forces.Attractor, buffers);
+  }
   for (std::size_t v = 0; v < speeds.size(); ++v)
   {
-    const double pull = -motion.Attraction * buffers.Samples[v];
-    speeds[v] += std::isfinite(pull) ? static_cast<float>(pull) : 0.f;
+    if (HasTargetSpeed(motion))
+    {
+      // With Transport the samples are speeds already.
+      const double pull = -(isCarried ? 1.0 : motion.Attraction) * buffers.Samples[v];
+      speeds[v] += std::isfinite(pull) ? static_cast<float>(pull) : 0.f;
+    }
+    const double weight = isWeighted ? buffers.WeightSamples[v] : 1.0;
+    speeds[v] -= static_cast<float>(weight * motion.Tension * curvatures[v]);
   }
 }
 
@@ -146,12 +164,12 @@ std::vector<float> FindSpeeds(const NarrowBand& band, const SkinForces& forces)
   const Motion& motion = forces.Strategy;
   const std::vector<float> curvatures = FindCurvatures(band);
   std::vector<float> speeds(curvatures.size());
-  band.Run([&] { AddAttraction(band, forces, speeds); });
+  band.Run([&] { AddTargetSpeed(band, forces, curvatures, speeds); });
   const PenaltyForce penalty = FindPenalty(
     motion, { band.GetArea(), band.GetVolume() }, { forces.StartArea, forces.StartVolume });
   for (std::size_t v = 0; v < speeds.size(); ++v)
   {
-    speeds[v] += static_cast<float>(penalty.Speed - motion.Tension * curvatures[v]);
+    speeds[v] += static_cast<float>(penalty.Speed);
   }
   if (motion.VolumeControl == Control::Exact || motion.AreaControl == Control::Exact)
   {

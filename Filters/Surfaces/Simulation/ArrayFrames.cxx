@@ -27,7 +27,8 @@ bool HasArrays(const TargetBuilder& target, int step, const RequestedArrays& arr
 
 bool WantWay(const RequestedArrays& arrays, const TargetBuilder& target)
 {
-  return arrays.TangentialVelocity || (arrays.FastestParticle && target.HasParticles());
+  return arrays.TangentialVelocity || (arrays.FastestParticle && target.HasParticles()) ||
+    (arrays.Speeds && target.Carries());
 }
 
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,

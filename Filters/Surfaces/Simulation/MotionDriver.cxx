@@ -56,10 +56,11 @@ Motion MotionDriver::GetMotion(int step) const
   {
     std::copy_n(domain->Bounds, 6, motion.Box.Bounds);
   }
-  if (this->Settings.Inputs.TargetMoves && step >= 0 &&
-    step + 1 < this->Settings.GetNumberOfSteps())
+  const int last = this->Settings.GetNumberOfSteps() - 1;
+  if (this->Settings.Inputs.TargetMoves && step >= 0 && last > 0)
   {
-    const double* steps = this->Settings.Inputs.Steps.data() + step;
+    // At the last step it is that of the way there.
+    const double* steps = this->Settings.Inputs.Steps.data() + std::min(step, last - 1);
     const double length = this->Settings.TimeScale * (steps[1] - steps[0]);
     motion.LongestStep = length / SubstepsOfMovingTarget;
     motion.Transport =

@@ -35,6 +35,8 @@ public:
   // The frames that are held, and whether they are of particles.
   const TargetFrames& GetFrames() const { return this->Frames; }
   bool HasParticles() const { return this->Kind->GetParticles() != nullptr; }
+  // Whether the particles' velocity carries the surface.
+  bool Carries() const { return this->HasParticles() && this->GetOptions().Carries; }
 
   // The initial shape, if the settings have one as input. Throws as Add.
   void SetInitial(std::shared_ptr<InputShape> shape);

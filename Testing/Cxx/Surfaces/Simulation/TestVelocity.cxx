@@ -112,6 +112,29 @@ TEST(TestVelocity, VelocityOfATranslatingSkinIsItsDifference)
   EXPECT_LT(comparison.Error, 0.05) << "mean error of it";
 }
 
+// The skin is on its target: without Transport's part there would be no velocity left. Between two
+// steps, at a step, and at the last one, where the way to it counts.
+TEST(TestVelocity, VelocityOfACarriedSkinIsItsDifference)
+{
+  auto filter = MakeMovingSkin(
+    [](double time) {
+      return std::vector<Grain>{ { 0.2 * time - 0.4, 0.0, 0.0, 1, 0.0 } };
+    });
+  filter->AutomaticAttractionOff();
+  filter->SetAttraction(1.0);
+  filter->SetTransport(1.0);
+  for (const double time : { 2.5, 3.0 })
+  {
+    const Comparison comparison = Compare(filter, time, 0.1, false);
+    EXPECT_GT(comparison.Speed, 0.05) << "mean speed, .1 on a ball that goes at .2";
+    EXPECT_LT(comparison.Error, 0.05) << "mean error of it at " << time;
+  }
+  filter->UpdateTimeStep(4.0);
+  double range[2];
+  filter->GetOutput()->GetPointData()->GetArray("Velocity")->GetRange(range, 0);
+  EXPECT_NEAR(range[1], 0.2, 0.01) << "along the way, at its end";
+}
+
 TEST(TestVelocity, VelocityOfAGrowingSkinIsItsDifference)
 {
   // Six grains that part while they are one body.
