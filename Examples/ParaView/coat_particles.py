@@ -30,9 +30,7 @@ skin = ActiveImplicitSurface(
     Target=particles,
     TimeScale=1 / 25,  # the file's time steps are numbered 0, 1, 2 ...
     VoxelSize=0.03,
-    ParticleRadius=0.17,  # two spacings: as far as a particle's influence reaches
-    ParticleThreshold=0.7,
-    Attraction=100,  # per second: the skin is a hundredth of a second behind
+    ParticleSpacing=0.085,
 )
 SaveData(
     str(folder / "pv_skin.vtp"),

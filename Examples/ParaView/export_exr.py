@@ -27,9 +27,7 @@ skin = ActiveImplicitSurface(
     Target=XMLPolyDataReader(FileName=str(DATA)),
     TimeScale=1 / 25,
     VoxelSize=0.05,
-    ParticleRadius=0.17,
-    ParticleThreshold=0.7,
-    Attraction=100,
+    ParticleSpacing=0.085,
     ComputeVelocity=1,  # [length/time], for the layer forward
 )
 

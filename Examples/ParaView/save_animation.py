@@ -28,9 +28,7 @@ skin = ActiveImplicitSurface(
     Target=particles,
     TimeScale=1 / 25,
     VoxelSize=0.05,
-    ParticleRadius=0.17,
-    ParticleThreshold=0.7,
-    Attraction=100,
+    ParticleSpacing=0.085,
     ComputeVelocity=1,  # [length/time], in the files, for motion blur elsewhere
 )
 

@@ -9,8 +9,9 @@
  *
  * Input, port 0 (optional): the target; else TargetFunction.
  * - Particles: a vtkPointSet without cells or with vertices; all its points count, as points of a
- *   vtkSkeletonPotential. SetInputArrayToProcess(0, ...) chooses an array of radii, (1, ...) of
- * ids, (2, ...) of strengths; without them ParticleRadius, the point numbers and 1 hold.
+ *   vtkSkeletonPotential. vtkActiveParticleAlgorithm has what they make. SetInputArrayToProcess(0,
+ *   ...) chooses an array of radii (reaches), (1, ...) of ids, (2, ...) of strengths; without them
+ *   ParticleRadius, the point numbers and 1 hold.
  * - Skeleton: a vtkPolyData with lines, as vtkSkeletonPotential takes it, with the same arrays.
  * - Mesh: a closed vtkPolyData of polygons or strips without lines (open ones: see MeshThickness).
  *   F is the distance to it, as vtkGridPotential gives it.
