@@ -10,8 +10,30 @@ namespace
 constexpr double MarginOfMoving = 0.1;
 }
 
+void ElementIndex::AddBall(const double centre[3], double radius)
+{
+  this->Add(
+    { { centre[0], centre[1], centre[2] }, { centre[0], centre[1], centre[2] }, radius, radius });
+}
+
+void ElementIndex::Add(const Capsule& support)
+{
+  const bool isFirst = this->Supports.empty();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low =
+      std::min(support.Start[axis] - support.StartRadius, support.End[axis] - support.EndRadius);
+    const double high =
+      std::max(support.Start[axis] + support.StartRadius, support.End[axis] + support.EndRadius);
+    double* bounds = this->Bounds + 2 * axis;
+    bounds[0] = isFirst ? low : std::min(bounds[0], low);
+    bounds[1] = isFirst ? high : std::max(bounds[1], high);
+  }
+  this->Supports.push_back(support);
+}
+
 // Whether each element lies within what the cells list for it.
-bool ElementIndex::Includes(const std::vector<Capsule>& capsules) const
+bool ElementIndex::AreListed() const
 {
   constexpr double largest = 1.0 + 2.0 * MarginOfMoving; // then cells list too much
   const auto isWithin = [](const double at[3], double radius, const double centre[3], double reach)
@@ -21,8 +43,8 @@ bool ElementIndex::Includes(const std::vector<Capsule>& capsules) const
     return room >= 0.0 && reach <= largest * radius && x * x + y * y + z * z <= room * room;
   };
   // What holds at both ends of a segment holds between them: all runs linearly.
-  return this->Listed.size() == capsules.size() &&
-    std::equal(capsules.begin(), capsules.end(), this->Listed.begin(),
+  return this->Listed.size() == this->Supports.size() &&
+    std::equal(this->Supports.begin(), this->Supports.end(), this->Listed.begin(),
       [&](const Capsule& now, const Capsule& then)
       {
         return isWithin(now.Start, now.StartRadius, then.Start, then.StartRadius) &&
@@ -30,16 +52,16 @@ bool ElementIndex::Includes(const std::vector<Capsule>& capsules) const
       });
 }
 
-void ElementIndex::Build(const std::vector<Capsule>& capsules, const double bounds[6])
+void ElementIndex::Build()
 {
-  if (this->Includes(capsules))
+  if (this->AreListed())
   {
     return;
   }
-  const bool moves = this->Listed.size() == capsules.size();
+  const bool moves = this->Listed.size() == this->Supports.size();
   const double factor = moves ? 1.0 + MarginOfMoving : 1.0;
   double largest = 0.0;
-  this->Listed = capsules;
+  this->Listed = this->Supports;
   for (Capsule& capsule : this->Listed)
   {
     largest = std::max({ largest, capsule.StartRadius, capsule.EndRadius });
@@ -49,7 +71,7 @@ void ElementIndex::Build(const std::vector<Capsule>& capsules, const double boun
   double wide[6];
   for (int side = 0; side < 6; ++side)
   {
-    wide[side] = bounds[side] + (side % 2 ? 1.0 : -1.0) * (factor - 1.0) * largest;
+    wide[side] = this->Bounds[side] + (side % 2 ? 1.0 : -1.0) * (factor - 1.0) * largest;
   }
   try
   {

@@ -66,10 +66,8 @@ private:
       const Element& element = this->Means.Elements[hits[hit]];
       for (int i = 0; i < Width; ++i)
       {
-        const double x = element.Position[0] - lanes.X[0][i];
-        const double y = element.Position[1] - lanes.X[1][i];
-        const double z = element.Position[2] - lanes.X[2][i];
-        const double u = 1.0 - std::min((x * x + y * y + z * z) * element.InverseReach2, 1.0);
+        const double d2 = lanes.GetOffset(i, element.Position).Square;
+        const double u = 1.0 - std::min(d2 * element.InverseReach2, 1.0);
         const double weight = element.Weight * (u * u);
         const double known = element.KnownWeight * (u * u);
         sums.Weight[i] += weight;
@@ -87,7 +85,7 @@ private:
 void ParticleMeans::Clear()
 {
   this->Elements.clear();
-  this->Balls.clear();
+  this->Near.Clear();
 }
 
 void ParticleMeans::Add(const SkeletonVertex& particle, const double velocity[3], double bulk)
@@ -98,13 +96,7 @@ void ParticleMeans::Add(const SkeletonVertex& particle, const double velocity[3]
   }
   const double* p = particle.Position;
   const double reach = particle.Radius;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    double* bounds = this->Bounds + 2 * axis;
-    bounds[0] = this->Balls.empty() ? p[axis] - reach : std::min(bounds[0], p[axis] - reach);
-    bounds[1] = this->Balls.empty() ? p[axis] + reach : std::max(bounds[1], p[axis] + reach);
-  }
-  this->Balls.push_back({ { p[0], p[1], p[2] }, { p[0], p[1], p[2] }, reach, reach });
+  this->Near.AddBall(p, reach);
   Element element{ { p[0], p[1], p[2] }, particle.Strength, 1.0 / (reach * reach), 0.0,
     { 0.0, 0.0, 0.0 }, bulk };
   if (velocity && std::isfinite(velocity[0]) && std::isfinite(velocity[1]) &&
@@ -118,7 +110,7 @@ void ParticleMeans::Add(const SkeletonVertex& particle, const double velocity[3]
 
 void ParticleMeans::Build()
 {
-  this->Near.Build(this->Balls, this->Bounds);
+  this->Near.Build();
 }
 
 void ParticleMeans::Evaluate(

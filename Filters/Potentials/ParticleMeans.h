@@ -43,8 +43,6 @@ private:
   struct Field;
 
   std::vector<Element> Elements;
-  std::vector<Capsule> Balls;
-  double Bounds[6];
   ElementIndex Near;
 };
 

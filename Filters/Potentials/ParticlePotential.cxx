@@ -16,14 +16,28 @@ constexpr double LeastPresence = 0.1;
 constexpr double FullPresence = 0.5;
 }
 
-// One lane after the other, all with the same operations.
-struct ParticlePotential::CentreField
+// Where values and gradients go.
+struct ParticlePotential::Results
 {
   static constexpr int Terms = 4; // gradient, value
 
-  const ParticlePotential& Body;
   double* Values;
   double* Gradients; // or null
+
+  ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
+  {
+    this->Values[i] = terms[3];
+    if (this->Gradients)
+    {
+      std::copy_n(terms, 3, this->Gradients + 3 * i);
+    }
+  }
+};
+
+// One lane after the other, all with the same operations.
+struct ParticlePotential::CentreField : ParticlePotential::Results
+{
+  const ParticlePotential& Body;
 
   template <int Width>
   ACTIVE_ALWAYS_INLINE void Evaluate(
@@ -50,15 +64,6 @@ struct ParticlePotential::CentreField
       {
         terms[axis][i] = slopes.Gradient[axis][i];
       }
-    }
-  }
-
-  ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
-  {
-    this->Values[i] = terms[3];
-    if (this->Gradients)
-    {
-      std::copy_n(terms, 3, this->Gradients + 3 * i);
     }
   }
 
@@ -96,10 +101,7 @@ private:
       const CentreElement& element = this->Body.Centres[hits[hit]];
       for (int i = 0; i < Width; ++i)
       {
-        const double x = element.Position[0] - lanes.X[0][i];
-        const double y = element.Position[1] - lanes.X[1][i];
-        const double z = element.Position[2] - lanes.X[2][i];
-        const double d2 = x * x + y * y + z * z;
+        const auto [x, y, z, d2] = lanes.GetOffset(i, element.Position);
         const double u = 1.0 - std::min(d2 * element.InverseReach2, 1.0);
         const double p = 1.0 - std::min(d2 * element.InverseNear2, 1.0);
         const double weight = element.Weight * (u * u);
@@ -156,10 +158,7 @@ private:
       const double ofPresence = 6.0 * element.Presence * element.InverseNear2;
       for (int i = 0; i < Width; ++i)
       {
-        const double x = element.Position[0] - lanes.X[0][i];
-        const double y = element.Position[1] - lanes.X[1][i];
-        const double z = element.Position[2] - lanes.X[2][i];
-        const double d2 = x * x + y * y + z * z;
+        const auto [x, y, z, d2] = lanes.GetOffset(i, element.Position);
         const double u = 1.0 - std::min(d2 * element.InverseReach2, 1.0);
         const double p = 1.0 - std::min(d2 * element.InverseNear2, 1.0);
         const double along =
@@ -176,13 +175,9 @@ private:
   }
 };
 
-struct ParticlePotential::AnisotropicField
+struct ParticlePotential::AnisotropicField : ParticlePotential::Results
 {
-  static constexpr int Terms = 4; // gradient, value
-
   const ParticlePotential& Body;
-  double* Values;
-  double* Gradients; // or null
 
   template <int Width>
   ACTIVE_ALWAYS_INLINE void Evaluate(
@@ -198,14 +193,9 @@ struct ParticlePotential::AnisotropicField
         terms[term][i] = sums.Terms[term][i];
       }
     }
-  }
-
-  ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
-  {
-    this->Values[i] = 0.5 - terms[3];
-    if (this->Gradients)
+    for (int i = 0; i < Width; ++i)
     {
-      std::copy_n(terms, 3, this->Gradients + 3 * i);
+      terms[3][i] = 0.5 - terms[3][i];
     }
   }
 
@@ -250,7 +240,7 @@ void ParticlePotential::Clear(ParticleModel model)
   this->Model = model;
   this->Centres.clear();
   this->Ellipsoids.clear();
-  this->Balls.clear();
+  this->Near.Clear();
   this->LargestReach = 0.0;
 }
 
@@ -266,12 +256,8 @@ void ParticlePotential::Add(const SkeletonVertex& particle, const ParticleFit& f
   for (int axis = 0; axis < 3; ++axis)
   {
     at[axis] = particle.Position[axis] + (isAnisotropic ? fit.Offset[axis] : 0.0);
-    const double low = at[axis] - reach, high = at[axis] + reach;
-    double* bounds = this->Bounds + 2 * axis;
-    bounds[0] = this->Balls.empty() ? low : std::min(bounds[0], low);
-    bounds[1] = this->Balls.empty() ? high : std::max(bounds[1], high);
   }
-  this->Balls.push_back({ { at[0], at[1], at[2] }, { at[0], at[1], at[2] }, reach, reach });
+  this->Near.AddBall(at, reach);
   this->LargestReach = std::max(this->LargestReach, reach);
   if (isAnisotropic)
   {
@@ -289,25 +275,29 @@ void ParticlePotential::Add(const SkeletonVertex& particle, const ParticleFit& f
 
 void ParticlePotential::Build()
 {
-  this->Near.Build(this->Balls, this->Bounds);
+  this->Near.Build();
+}
+
+template <class Field>
+void ParticlePotential::EvaluateField(
+  std::size_t count, const double* points, double* values, double* gradients) const
+{
+  EvaluateInLanes(this->Near.GetCells(), count, points,
+    [&](std::size_t first) {
+      return Field{ { values + first, gradients ? gradients + 3 * first : nullptr }, *this };
+    });
 }
 
 void ParticlePotential::Evaluate(
   std::size_t count, const double* points, double* values, double* gradients) const
 {
-  const auto evaluate = [&](auto makeField)
-  {
-    EvaluateInLanes(this->Near.GetCells(), count, points,
-      [&](std::size_t first)
-      { return makeField(values + first, gradients ? gradients + 3 * first : nullptr); });
-  };
   if (this->Model == ParticleModel::Anisotropic)
   {
-    evaluate([this](double* v, double* g) { return AnisotropicField{ *this, v, g }; });
+    this->EvaluateField<AnisotropicField>(count, points, values, gradients);
   }
   else
   {
-    evaluate([this](double* v, double* g) { return CentreField{ *this, v, g }; });
+    this->EvaluateField<CentreField>(count, points, values, gradients);
   }
 }
 

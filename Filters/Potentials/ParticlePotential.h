@@ -43,11 +43,11 @@ public:
   void Evaluate(std::size_t count, const double* points, double* values, double* gradients) const;
 
   // The box of all reaches: xmin xmax ymin ... Meaningless without particles.
-  const double* GetBounds() const { return this->Bounds; }
+  const double* GetBounds() const { return this->Near.GetBounds(); }
 
 private:
   // The value of AveragedCentre where no particle reaches.
-  double GetOutside() const { return this->Balls.empty() ? 0.5 : this->LargestReach; }
+  double GetOutside() const { return this->Near.Size() == 0 ? 0.5 : this->LargestReach; }
 
   struct CentreElement
   {
@@ -64,14 +64,16 @@ private:
     double Strength;
     double Metric[6];
   };
+  struct Results;
   struct CentreField;
   struct AnisotropicField;
+  template <class Field>
+  void EvaluateField(
+    std::size_t count, const double* points, double* values, double* gradients) const;
 
   ParticleModel Model = ParticleModel::AveragedCentre;
   std::vector<CentreElement> Centres;
   std::vector<AnisotropicElement> Ellipsoids;
-  std::vector<Capsule> Balls;
-  double Bounds[6];
   double LargestReach = 0.0;
   ElementIndex Near;
 };

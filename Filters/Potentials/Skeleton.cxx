@@ -23,7 +23,7 @@ void Skeleton::Clear()
 {
   this->Points.clear();
   this->Segments.clear();
-  this->Capsules.clear();
+  this->Near.Clear();
 }
 
 void Skeleton::AddPoint(const SkeletonVertex& vertex)
@@ -31,7 +31,7 @@ void Skeleton::AddPoint(const SkeletonVertex& vertex)
   const double* p = vertex.Position;
   this->Points.push_back(
     { { p[0], p[1], p[2] }, vertex.Strength, 1.0 / (vertex.Radius * vertex.Radius) });
-  this->AddCapsule(vertex, vertex);
+  this->Near.AddBall(p, vertex.Radius);
 }
 
 void Skeleton::AddSegment(const SkeletonVertex& start, const SkeletonVertex& end)
@@ -51,28 +51,8 @@ void Skeleton::AddSegment(const SkeletonVertex& start, const SkeletonVertex& end
   segment.Strength = start.Strength;
   segment.StrengthChange = end.Strength - start.Strength;
   this->Segments.push_back(segment);
-  this->AddCapsule(start, end);
-}
-
-void Skeleton::AddCapsule(const SkeletonVertex& start, const SkeletonVertex& end)
-{
-  const bool isFirst = this->Capsules.empty();
-  Capsule capsule;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    capsule.Start[axis] = start.Position[axis];
-    capsule.End[axis] = end.Position[axis];
-    const double low =
-      std::min(start.Position[axis] - start.Radius, end.Position[axis] - end.Radius);
-    const double high =
-      std::max(start.Position[axis] + start.Radius, end.Position[axis] + end.Radius);
-    double* bounds = this->Bounds + 2 * axis;
-    bounds[0] = isFirst ? low : std::min(bounds[0], low);
-    bounds[1] = isFirst ? high : std::max(bounds[1], high);
-  }
-  capsule.StartRadius = start.Radius;
-  capsule.EndRadius = end.Radius;
-  this->Capsules.push_back(capsule);
+  const double *a = start.Position, *b = end.Position;
+  this->Near.Add({ { a[0], a[1], a[2] }, { b[0], b[1], b[2] }, start.Radius, end.Radius });
 }
 
 std::vector<SkeletonVertex> Skeleton::ListPoints() const
@@ -81,7 +61,7 @@ std::vector<SkeletonVertex> Skeleton::ListPoints() const
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
     std::copy_n(this->Points[i].Position, 3, vertices[i].Position);
-    vertices[i].Radius = this->Capsules[i].StartRadius;
+    vertices[i].Radius = this->Near[i].StartRadius;
     vertices[i].Strength = this->Points[i].Strength;
   }
   return vertices;

@@ -41,7 +41,7 @@ public:
   void AddSegment(const SkeletonVertex& start, const SkeletonVertex& end);
 
   // Comes after the last element and before the first evaluation. Throws as ElementIndex does.
-  void Build() { this->Near.Build(this->Capsules, this->Bounds); }
+  void Build() { this->Near.Build(); }
 
   // Values: threshold - sum, at points (x y z each); gradients, unless null: those of the values.
   // A point that is not finite gets NaN. Thread-safe.
@@ -53,19 +53,17 @@ public:
   void FindWeights(
     SkeletonKernel kernel, const double x[3], std::vector<SkeletonWeight>& weights) const;
 
-  std::size_t GetNumberOfElements() const { return this->Capsules.size(); }
+  std::size_t GetNumberOfElements() const { return this->Near.Size(); }
   bool HasSegments() const { return !this->Segments.empty(); }
 
   // The points, as they were added.
   std::vector<SkeletonVertex> ListPoints() const;
 
   // The box of all supports: xmin xmax ymin ... Meaningless without elements.
-  const double* GetBounds() const { return this->Bounds; }
+  const double* GetBounds() const { return this->Near.GetBounds(); }
 
 private:
   using Index = SkeletonCells::Index;
-
-  void AddCapsule(const SkeletonVertex& start, const SkeletonVertex& end);
 
   template <class Kernel>
   struct Evaluation;
@@ -78,9 +76,7 @@ private:
 
   std::vector<SkeletonPoint> Points;
   std::vector<SkeletonSegment> Segments;
-  std::vector<Capsule> Capsules; // of the points, then of the segments
-  double Bounds[6];
-  ElementIndex Near;
+  ElementIndex Near; // the points, then the segments
 };
 
 }

@@ -34,7 +34,7 @@
  * lattice nodes; the image is cropped there, the skin never. Without ModelBounds it covers the
  * first target, enlarged by a quarter: known before the first update only if port 1 is connected.
  * Port 2: the history, a vtkTable with a row for each time step so far: Time [pipeline time],
- * Substeps and MaxSpeed (of attraction [length/time]) since the row before, Area, Volume,
+ * Substeps and MaxSpeed (that the target gives [length/time]) since the row before, Area, Volume,
  * ActiveVoxels, Components, Voids and EulerCharacteristic of the skin, and Event, what has happened
  * to its parts since: "merge", "split", "vanish", "birth", "void opens", "void closes", "hole
  * opens", "hole closes", joined by ", "; with EvolutionMode EQUILIBRIUM instead "at rest" or "not
@@ -140,7 +140,8 @@ public:
   /**
    * Distance [length] from the target beyond which it attracts no faster: the largest speed is
    * Attraction * TargetReach. A larger one brings far skins sooner, for more substeps.
-   * Range: >= 0; 0 is an eighth of the bounds' diagonal. Default: 0.
+   * Range: >= 0; 0 is 3 ParticleSpacing over particles whose spacing is known, else an eighth of
+   * the bounds' diagonal. Default: 0.
    */
   vtkSetClampMacro(TargetReach, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetReach, double);
@@ -150,7 +151,9 @@ public:
   /**
    * Distance of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
    * at its multiples. Halving it takes 4 times the memory, 8 (with Tension 16) times the time.
-   * Range: >= 0; 1e-30 to 1e30, or 0, a 64th of the bounds' longest side. Default: 0.
+   * Range: >= 0; 1e-30 to 1e30, or 0, which is half of ParticleSpacing over particles whose spacing
+   * is known, else a 64th of the bounds' longest side. Known: it is set, or it is estimated, which
+   * takes another ParticleModel than SUM and no ModelBounds. Default: 0.
    */
   vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);

@@ -74,9 +74,9 @@ public:
   ///@{
   /**
    * Whether Tension acts where particles are a body of fluid, and fades to none where one is alone
-   * or in a thread of few: drops keep their size. A particle's neighbours within 3.6 spacings are
-   * counted, and averaged as its influence is. Of no use to other targets and with PaperScheme.
-   * Default: on.
+   * or in a thread of few: drops keep their size. A particle's neighbours within 3
+   * (AVERAGED_CENTRE) or 3.6 spacings decide: the top layer of a deep body has three quarters of
+   * Tension, the next one all. Of no use to other targets and with PaperScheme. Default: on.
    */
   vtkSetMacro(TensionWeighting, vtkTypeBool);
   vtkGetMacro(TensionWeighting, vtkTypeBool);

@@ -5,8 +5,9 @@ a viewer should see is a level that does not move. Measured is the flicker, the 
 difference in time of the surface's height over fixed columns, for
 - frame by frame: the iso-surface of each frame's particles, vtkFlyingEdges3D over
   vtkSkeletonPotential;
-- the living skin, vtkActiveImplicitSurface, for several Attractions [1/frame], Tensions [square of
-  the particles' spacing / frame] and CFLs; the first is what to begin with;
+- the living skin, vtkActiveImplicitSurface with ParticleModel SUM and without Transport, for
+  several Attractions [1/frame], Tensions [square of the particles' spacing / frame] and CFLs; the
+  first is what to begin with;
 - splashsurf, if the Python package pysplashsurf is there, with its weighted smoothing.
 
 "lag" is that of a pool that rises steadily without a jitter, in frames: what a low Attraction
@@ -17,10 +18,12 @@ looks at the particles at the begin of each: a small CFL makes it see their mean
 Run: python3 flicker.py, with active_implicit_surfaces on PYTHONPATH. Takes about a minute.
 """
 
+import sys
+from pathlib import Path
+
 import numpy
 from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotential
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import mutable, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
@@ -28,9 +31,11 @@ from vtkmodules.vtkCommonDataModel import (
     vtkPolyData,
     vtkStaticCellLocator,
 )
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Examples" / "Python"))
+from particle_series import ParticleSeries, make_particles  # noqa: E402
 
 FRAMES = 40
 FIRST = 10  # the skin has forgotten how it began
@@ -77,35 +82,8 @@ def rising(frame):
     return rest() + [0, 0, RISE * frame]
 
 
-def cloud(places):
-    particles, points = vtkPolyData(), vtkPoints()
-    points.SetData(numpy_to_vtk(places, deep=True))
-    particles.SetPoints(points)
-    ids = numpy_to_vtkIdTypeArray(numpy.arange(len(places)), deep=True)
-    ids.SetName("id")
-    particles.GetPointData().AddArray(ids)
-    return particles
-
-
-class Pool(VTKPythonAlgorithmBase):
-    """The particles, one time step for each frame."""
-
-    def __init__(self, places):
-        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
-        self.places = places
-
-    def RequestInformation(self, request, inputs, outputs):
-        steps = list(range(FRAMES))
-        info = outputs.GetInformationObject(0)
-        info.Set(vtkStreamingDemandDrivenPipeline.TIME_STEPS(), steps, FRAMES)
-        info.Set(vtkStreamingDemandDrivenPipeline.TIME_RANGE(), [0, FRAMES - 1], 2)
-        return 1
-
-    def RequestData(self, request, inputs, outputs):
-        info = outputs.GetInformationObject(0)
-        time = info.Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
-        vtkPolyData.GetData(outputs, 0).ShallowCopy(cloud(self.places(int(time))))
-        return 1
+def frame_of(places):
+    return places, None, numpy.arange(len(places))
 
 
 def heights(surface):
@@ -125,9 +103,14 @@ def heights(surface):
 
 
 def skin(places, attraction, tension, cfl):
-    pool, surface = Pool(places), vtkActiveImplicitSurface()
+    pool = ParticleSeries([frame_of(places(frame)) for frame in range(FRAMES)], rate=1)
+    surface = vtkActiveImplicitSurface()
     surface.SetInputConnection(pool.GetOutputPort())
     surface.SetInputArrayToProcess(1, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "id")
+    surface.SetParticleModelToSum()
+    surface.SetTransport(0)
+    surface.TensionWeightingOff()
+    surface.AutomaticAttractionOff()
     surface.SetParticleRadius(RADIUS)
     surface.SetParticleThreshold(THRESHOLD)
     surface.SetModelBounds(BOUNDS)
@@ -143,7 +126,7 @@ def skin(places, attraction, tension, cfl):
 def frame_by_frame(places):
     for frame in range(FRAMES):
         potential = vtkSkeletonPotential()
-        potential.SetInput(cloud(places(frame)))
+        potential.SetInput(make_particles(*frame_of(places(frame))))
         potential.SetRadius(RADIUS)
         potential.SetThreshold(THRESHOLD)
         samples = vtkSampleFunction()

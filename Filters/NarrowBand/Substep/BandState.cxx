@@ -5,12 +5,10 @@
 #include "Parts/CreateParts.h"
 #include "Substep/ConvergedLeaves.h"
 #include "Substep/ExactControl.h"
-#include "Substep/NodePoints.h"
+#include "Substep/FollowTarget.h"
 #include "Substep/PaperStep.h"
-#include "Substep/SamplePoints.h"
 #include "Substep/StepForward.h"
 #include "Substep/TargetSpeed.h"
-#include "Substep/UpstreamSpeed.h"
 #include "Substep/WalledTarget.h"
 
 #include <algorithm>
@@ -39,13 +37,6 @@ namespace
 float ScaleFor(const GradientCounts& counts)
 {
   return 2 * counts.Flat > counts.Nodes ? 2.f : 2 * counts.Steep > counts.Nodes ? .5f : 1.f;
-}
-
-/** Whether leaves may converge under this motion: not under controls, nor in the paper's scheme. */
-bool CanConverge(const Motion& motion)
-{
-  return motion.Attraction > 0.0 && motion.AreaControl == Control::None &&
-    motion.VolumeControl == Control::None && SamplesCrossings(motion) && !motion.Paper;
 }
 
 }
@@ -162,17 +153,6 @@ SkinMeasure BandState::Measure() const
   return { skin.Area * square, skin.Volume * square * this->VoxelSize };
 }
 
-void BandState::SampleTarget(const LeafList& leaves, bool isMore, const Motion& motion,
-  const Target& target, AdvanceReport& report)
-{
-  const auto sample = isMore ? SampleMore : SampleLeaves;
-  const TargetSamples samples = sample({ this->Leaves, this->Potential->tree(), this->VoxelSize },
-    leaves, motion, target, this->Buffers);
-  ApplySamples(this->Leaves, leaves, motion, this->Buffers);
-  report.TargetEvaluations += samples.Count;
-  report.DroppedSamples += samples.Dropped;
-}
-
 void BandState::MoveTarget(const Motion& motion, Target& target, AdvanceReport& report)
 {
   target.MoveTo(this->Time);
@@ -184,61 +164,24 @@ void BandState::MoveTarget(const Motion& motion, Target& target, AdvanceReport& 
   }
 }
 
-// The target's speed at the nodes with samples in the affected leaves, and which these are.
 TargetLimits BandState::FollowTarget(
   const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
-  LeafTable& leaves = this->Leaves;
   if (!HasTargetSpeed(motion) && !HasTensionWeights(motion))
   {
-    this->Set.ChooseAll(leaves);
+    this->Set.ChooseAll(this->Leaves);
     return {};
   }
-  const bool mayConverge = move.MaySkip && CanConverge(motion);
   this->MoveTarget(motion, target, report);
-  if (mayConverge)
-  {
-    ForgetChanged(leaves, this->VoxelSize, target);
-  }
-  else
-  {
-    ForgetSpeeds(leaves);
-  }
-  const LeafList unknown = FindUnknown(leaves);
-  const LeafList sampled = leaves.FindAround(unknown);
-  this->SampleTarget(sampled, false, motion, target, report);
-  RememberSpeeds(leaves, unknown, this->Buffers);
-  const TargetLimits limits = FindLimits(leaves);
-  report.MaxSpeed = std::max(report.MaxSpeed, limits.Speed);
-  if (mayConverge)
-  {
-    const ConvergenceRule rule{ motion, this->VoxelSize, limits.TargetSlope };
-    this->Set.Choose(
-      leaves, leaves.FindAround(FindActiveLeaves(leaves, unknown, rule, this->Buffers)));
-    const LeafList& affected = this->Set.Affected;
-    if (!std::includes(sampled.begin(), sampled.end(), affected.begin(), affected.end()))
-    {
-      this->SampleTarget(affected, true, motion, target, report);
-    }
-  }
-  else
-  {
-    this->Set.ChooseAll(leaves);
-  }
+  const TargetLimits limits =
+    activesurface::FollowTarget(this->GetFollower(), motion, move.MaySkip, target, report);
   move.IsSkipped = this->Set.Active.empty();
   return limits;
 }
 
-void BandState::ExtendSpeeds(const Motion& motion, float advection)
+FollowingBand BandState::GetFollower()
 {
-  if (motion.Transport > 0.0)
-  {
-    TakeSpeedUpstream(this->Leaves, this->Set, motion, advection, this->Buffers);
-  }
-  if (HasTargetSpeed(motion) || HasTensionWeights(motion))
-  {
-    ExtendSpeed(this->Leaves, this->Set, motion, this->Buffers);
-  }
+  return { this->Leaves, this->Potential->tree(), this->VoxelSize, this->Set, this->Buffers };
 }
 
 PenaltyForce BandState::FindForce(const Motion& motion) const
@@ -263,7 +206,7 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
   coefficients.Tension = static_cast<float>(step * motion.Tension / (size * size));
   const double speed = limits.Speed + std::fabs(move.Force.Speed);
   coefficients.Relaxation = static_cast<float>(RelaxationFor(step * tracking, step * speed / size));
-  this->ExtendSpeeds(motion, coefficients.Advection);
+  ExtendToActiveNodes(this->GetFollower(), motion, coefficients.Advection);
   const GradientCounts gradients =
     StepForward(this->Leaves, this->Set, coefficients, this->Buffers);
   this->RefuseUnbounded(gradients.Unbounded);

@@ -17,6 +17,8 @@
 namespace activesurface
 {
 
+struct FollowingBand;
+
 struct BandState
 {
   double VoxelSize = 1.0;
@@ -68,11 +70,7 @@ private:
     const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   /** To the time; parts of it that no skin reaches get a skin. */
   void MoveTarget(const Motion& motion, Target& target, AdvanceReport& report);
-  /** isMore: besides those that have been sampled. */
-  void SampleTarget(const LeafList& leaves, bool isMore, const Motion& motion, const Target& target,
-    AdvanceReport& report);
-  /** To all active nodes of the affected leaves; advection: dt / h. */
-  void ExtendSpeeds(const Motion& motion, float advection);
+  FollowingBand GetFollower();
   PenaltyForce FindForce(const Motion& motion) const;
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);

@@ -1,5 +1,7 @@
 #include "Skeleton/Ellipsoid.h"
 
+#include "Skeleton/SmoothStep.h"
+
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -30,12 +32,6 @@ constexpr double TinySize = 0.05;
 constexpr double SmallSize = 0.12;
 
 constexpr int Places[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
-
-double SmoothStep(double t)
-{
-  const double within = std::min(std::max(t, 0.0), 1.0);
-  return within * within * (3.0 - 2.0 * within);
-}
 
 // Half-axes in the proportions of the shape, the volume of a ball of radius 1, largest first.
 void FindAxes(const NeighbourhoodShape& shape, double anisotropy, double axes[3])
@@ -84,16 +80,16 @@ NeighbourhoodShape::NeighbourhoodShape(const NeighbourMoments& sums)
 double NeighbourhoodShape::GetThinness(double reach) const
 {
   const double size = this->Axes[0] / reach;
-  const double small = SmoothStep((SmallSize - size) / (SmallSize - TinySize));
+  const double small = SmoothStep(SmallSize, TinySize, size);
   // A thread's two shorter axes are as good as 0 alike.
   const double middle = std::max(this->Axes[1], ThinRatio * this->Axes[0]);
   const double ratio = middle > 0.0 ? this->Axes[2] / middle : 0.0;
-  return std::max(small, SmoothStep((ThickRatio - ratio) / (ThickRatio - ThinRatio)));
+  return std::max(small, SmoothStep(ThickRatio, ThinRatio, ratio));
 }
 
 double GetShapeShare(double near)
 {
-  return SmoothStep((near - FewestNeighbours) / (EnoughNeighbours - FewestNeighbours));
+  return SmoothStep(FewestNeighbours, EnoughNeighbours, near);
 }
 
 void FitEllipsoid(

@@ -8,24 +8,14 @@ namespace activesurface
 NeighbourSums::NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor)
   : Particles(particles)
 {
-  std::vector<Capsule> balls;
-  balls.reserve(particles.size());
   this->InverseReach2.reserve(particles.size());
-  double bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   for (const SkeletonVertex& particle : particles)
   {
     const double reach = factor * particle.Radius;
-    const double* p = particle.Position;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double low = p[axis] - reach, high = p[axis] + reach;
-      bounds[2 * axis] = balls.empty() ? low : std::min(bounds[2 * axis], low);
-      bounds[2 * axis + 1] = balls.empty() ? high : std::max(bounds[2 * axis + 1], high);
-    }
-    balls.push_back({ { p[0], p[1], p[2] }, { p[0], p[1], p[2] }, reach, reach });
+    this->Near.AddBall(particle.Position, reach);
     this->InverseReach2.push_back(1.0 / (reach * reach));
   }
-  this->Near.Build(balls, bounds);
+  this->Near.Build();
 }
 
 template <class Visitor>

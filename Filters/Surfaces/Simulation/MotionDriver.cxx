@@ -47,9 +47,10 @@ bool MotionDriver::Start(
 Motion MotionDriver::GetMotion(int step) const
 {
   Motion motion = this->Settings.Law;
+  const bool hasFluid = this->Shapes.HasParticles() && !motion.Paper;
   motion.CreateParts = motion.CreateParts && !motion.Paper;
-  motion.WeightedTension = motion.WeightedTension && !motion.Paper && this->Shapes.HasParticles();
-  motion.Transport = 0.0;
+  motion.WeightedTension = motion.WeightedTension && hasFluid;
+  motion.Transport = 0.0; // of what stands still
   const SurfaceDomain* domain = this->Shapes.FindDomain();
   motion.Box.Present = this->Settings.Bounded && domain;
   if (domain)
@@ -63,8 +64,7 @@ Motion MotionDriver::GetMotion(int step) const
     const double* steps = this->Settings.Inputs.Steps.data() + std::min(step, last - 1);
     const double length = this->Settings.TimeScale * (steps[1] - steps[0]);
     motion.LongestStep = length / SubstepsOfMovingTarget;
-    motion.Transport =
-      motion.Paper || !this->Shapes.HasParticles() ? 0.0 : this->Settings.Law.Transport;
+    motion.Transport = hasFluid ? this->Settings.Law.Transport : 0.0;
     if (this->Settings.HasAutomaticAttraction())
     {
       motion.Attraction = FactorsPerStep / length;

@@ -28,16 +28,6 @@ std::vector<ParticleOrigin> FindOriginsOfLater(std::size_t count, const Particle
   return origins;
 }
 
-std::vector<ParticleOrigin> FindOriginsOfEarlier(std::size_t count, const ParticleMatches* matches)
-{
-  std::vector<ParticleOrigin> origins(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    origins[i] = { i, matches ? matches->Partners[i] : NoPartner };
-  }
-  return origins;
-}
-
 const ParticleFrame* Find(const TargetFrames& frames, int step)
 {
   return frames.Has(step) ? &frames.GetParticles(step) : nullptr;
@@ -62,7 +52,7 @@ ParticleMoment FindMoment(const TargetFrames& frames, int step, double fraction)
   if (fraction == 0.0)
   {
     moment.Particles = moment.Earlier->Particles;
-    moment.Origins = FindOriginsOfEarlier(moment.Particles.size(), matches);
+    FindOriginsOfEarlier(moment.Particles.size(), matches, moment.Origins);
   }
   else if (fraction == 1.0)
   {
@@ -89,28 +79,20 @@ double Mix(double earlier, double later, const ParticleOrigin& origin, double fr
 
 std::vector<double> ParticleMoment::FindVelocities(double duration) const
 {
-  std::vector<double> velocities(
-    3 * this->Particles.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> velocities;
   const bool given = (this->Earlier && !this->Earlier->Velocities.empty()) ||
     (this->Later && !this->Later->Velocities.empty());
-  for (std::size_t i = 0; i < this->Particles.size(); ++i)
+  if (!given)
   {
-    const ParticleOrigin& origin = this->Origins[i];
-    const bool hasBoth = origin.Earlier != NoPartner && origin.Later != NoPartner;
+    FindMotion(this->Earlier, this->Later, duration, this->Origins, velocities);
+    return velocities;
+  }
+  for (const ParticleOrigin& origin : this->Origins)
+  {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      double& velocity = velocities[3 * i + axis];
-      if (given)
-      {
-        velocity = Mix(GetVelocity(this->Earlier, origin.Earlier, axis),
-          GetVelocity(this->Later, origin.Later, axis), origin, this->Fraction);
-      }
-      else if (hasBoth && duration > 0.0)
-      {
-        velocity = (this->Later->Particles[origin.Later].Position[axis] -
-                     this->Earlier->Particles[origin.Earlier].Position[axis]) /
-          duration;
-      }
+      velocities.push_back(Mix(GetVelocity(this->Earlier, origin.Earlier, axis),
+        GetVelocity(this->Later, origin.Later, axis), origin, this->Fraction));
     }
   }
   return velocities;

@@ -26,11 +26,12 @@ std::vector<float> SkinAttributes::FindSpeeds(const NarrowBand& band, const Moti
     return {};
   }
   const bool moves = this->Settings.Inputs.TargetMoves;
-  // Velocities are those of the way that is looked at for all arrays, whatever else is held.
-  const int step = this->Shapes.Carries()
-    ? FindArrayFrames(this->Settings, this->Time, this->Arrays, this->Shapes, true).First
-    : moves ? this->Time.Step
-            : 0;
+  int step = moves ? this->Time.Step : 0;
+  if (this->Shapes.Carries())
+  {
+    // Velocities are those of the way that is looked at for all arrays, whatever else is held.
+    step = FindArrayFrames(this->Settings, this->Time, this->Arrays, this->Shapes, true).First;
+  }
   const int next = moves && this->Shapes.Has(step + 1) ? step + 1 : step;
   const std::unique_ptr<PotentialTarget> target = this->Shapes.MakeTargetAt(
     step, this->Settings.GetMotionTimeOf(step).Value, this->Settings.GetMotionTimeOf(next).Value);

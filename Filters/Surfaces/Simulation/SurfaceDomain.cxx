@@ -38,8 +38,9 @@ SurfaceDomain MakeDomainOf(
   {
     std::ostringstream text;
     text << "VoxelSize, which is not set, would be " << domain.VoxelSize
-         << ", a 64th of the longest side of ModelBounds, or of the target; it has to be between "
-         << ranges::ShortestLength << " and " << ranges::LongestLength << ".";
+         << ", half of the particles' spacing, or a 64th of the longest side of ModelBounds or of "
+         << "the target; it has to be between " << ranges::ShortestLength << " and "
+         << ranges::LongestLength << ".";
     throw std::invalid_argument(text.str());
   }
   domain.Reach = settings.Reach > 0.0 ? settings.Reach

@@ -75,11 +75,11 @@ struct SurfaceSettings
   double IsoValue = 0.0;
   bool Invert = false;
   bool Normalize = true;
-  double Reach = 0.0; // 0: an eighth of the diagonal of the bounds
+  double Reach = 0.0; // 0: see SurfaceDomain
   ParticleSettings Particles;
   double MeshThickness = 0.0; // 0: closed meshes
 
-  double VoxelSize = 0.0; // 0: a 64th of the longest side of the bounds
+  double VoxelSize = 0.0; // 0: see SurfaceDomain
   std::array<double, 6> Bounds = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   bool Bounded = false; // by walls at the bounds
 
@@ -271,10 +271,10 @@ void ForEachShapeProperty(Settings& settings, Visitor&& visit)
   visit(Property{ "NormalizeTarget", Any, true }, settings.Normalize,
     [](auto& filter) { return filter.GetNormalizeTarget(); });
   visit(Property{ "TargetReach",
-          OrZero("a finite number > 0, or 0 for an eighth of the bounds' diagonal"), true },
+          OrZero("a finite number > 0, or 0 for one by the particles or the bounds"), true },
     settings.Reach, [](auto& filter) { return filter.GetTargetReach(); });
   visit(Property{ "VoxelSize",
-          Length("between 1e-30 and 1e30, or 0 for a 64th of the bounds' longest side"), false },
+          Length("between 1e-30 and 1e30, or 0 for one by the particles or the bounds"), false },
     settings.VoxelSize, [](auto& filter) { return filter.GetVoxelSize(); });
   visit(Property{ "ModelBounds", Any, false }, settings.Bounds,
     [](auto& filter) { return filter.GetModelBounds(); });

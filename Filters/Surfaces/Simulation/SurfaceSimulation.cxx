@@ -13,6 +13,11 @@ namespace activesurface
 namespace
 {
 
+constexpr const char* NothingToStartOn =
+  "There are no particles, and nothing else, at the first time step, so there is no skin, now or "
+  "later. For a skin that begins when particles come, set ModelBounds or ParticleSpacing, with "
+  "CreateParts on; or set an initial shape.";
+
 RequestedTime FindRequested(const SurfaceSettings& settings, PipelineTime time)
 {
   const StepOfTime found = FindStep(settings.Inputs.Steps, time.Value);
@@ -248,7 +253,10 @@ bool SurfaceSimulation::StartBand(const ProgressFunction& progress)
   auto band = std::make_unique<NarrowBand>(domain ? domain->VoxelSize : 1.0);
   if (this->Shapes.StartsOnNothing())
   {
-    this->WarnOfNothing(domain != nullptr && this->Settings.Law.CreateParts);
+    if (!domain || !this->Settings.Law.CreateParts)
+    {
+      this->Messages.Say("empty", NothingToStartOn);
+    }
   }
   else if (!this->Driver.Start(*band, *domain, progress))
   {
@@ -257,17 +265,6 @@ bool SurfaceSimulation::StartBand(const ProgressFunction& progress)
   this->Way.Begin(0, std::move(band));
   this->Record(0, this->Settings.GetStep(0), "");
   return true;
-}
-
-void SurfaceSimulation::WarnOfNothing(bool mayBegin)
-{
-  if (!mayBegin)
-  {
-    this->Messages.Say("empty",
-      "There are no particles, and nothing else, at the first time step, so there is no skin, now "
-      "or later. For a skin that begins when particles come, set ModelBounds or ParticleSpacing, "
-      "with CreateParts on; or set an initial shape.");
-  }
 }
 
 bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)

@@ -124,7 +124,6 @@ private:
   bool AdvanceLeg(const ProgressFunction& progress);
   bool Start(const ProgressFunction& progress);
   bool StartBand(const ProgressFunction& progress);
-  void WarnOfNothing(bool mayBegin);
   bool AdvanceStep(const ProgressFunction& progress);
   bool AdvanceToSteadyState(const ProgressFunction& progress);
   bool AdvanceBranch(const ProgressFunction& progress);

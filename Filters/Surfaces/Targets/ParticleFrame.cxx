@@ -91,7 +91,6 @@ void ParticleFrame::GiveRadius(double radius)
   {
     particle.Radius = radius;
   }
-  this->HasRadii = true;
 }
 
 bool ParticleFrame::GetBounds(double bounds[6]) const
@@ -157,7 +156,7 @@ ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
   const std::vector<std::int64_t> allIds = ids ? ReadIds(ids) : std::vector<std::int64_t>();
 
   ParticleFrame frame;
-  frame.HasRadii = frame.HasOwnRadii = radii != nullptr;
+  frame.HasRadii = radii != nullptr;
   frame.HasIds = ids != nullptr;
   frame.Particles.reserve(count);
   frame.Ids.reserve(count);

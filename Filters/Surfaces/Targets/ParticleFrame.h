@@ -34,8 +34,7 @@ struct ParticleFrame
   std::vector<SkeletonVertex> Particles;
   std::vector<std::int64_t> Ids;  // of the particles: from the array, else their point numbers
   bool HasIds = false;            // from the array
-  bool HasRadii = false;          // else to be given by GiveRadius
-  bool HasOwnRadii = false;       // from the array
+  bool HasRadii = false;          // from the array, else to be given by GiveRadius
   std::size_t Ignored = 0;        // points left out: not finite, or without a size
   std::vector<vtkIdType> Points;  // of the input, which the particles are
   std::vector<ParticleFit> Fits;  // of the particles; empty until they are asked for

@@ -108,6 +108,15 @@ struct Crowd
   std::vector<SkeletonVertex>& Particles;
   std::vector<ParticleOrigin>* Origins;
 
+  void Clear()
+  {
+    this->Particles.clear();
+    if (this->Origins)
+    {
+      this->Origins->clear();
+    }
+  }
+
   void Add(const SkeletonVertex& particle, const ParticleOrigin& origin)
   {
     this->Particles.push_back(particle);
@@ -166,7 +175,7 @@ void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& lat
   std::vector<ParticleOrigin>* origins)
 {
   Crowd crowd{ particles, origins };
-  particles.clear();
+  crowd.Clear();
   for (std::size_t i = 0; i < earlier.Particles.size(); ++i)
   {
     const std::size_t partner = matches.Partners[i];
@@ -206,7 +215,17 @@ void InterpolateFits(const ParticleFrame& earlier, const ParticleFrame& later, d
   }
 }
 
-void FindMotion(const ParticleFrame& earlier, const ParticleFrame& later, double duration,
+void FindOriginsOfEarlier(
+  std::size_t count, const ParticleMatches* matches, std::vector<ParticleOrigin>& origins)
+{
+  origins.clear();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    origins.push_back({ i, matches ? matches->Partners[i] : NoPartner });
+  }
+}
+
+void FindMotion(const ParticleFrame* earlier, const ParticleFrame* later, double duration,
   const std::vector<ParticleOrigin>& origins, std::vector<double>& velocities)
 {
   velocities.clear();
@@ -215,8 +234,8 @@ void FindMotion(const ParticleFrame& earlier, const ParticleFrame& later, double
     const bool isKnown = origin.Earlier != NoPartner && origin.Later != NoPartner && duration > 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      velocities.push_back(isKnown ? (later.Particles[origin.Later].Position[axis] -
-                                       earlier.Particles[origin.Earlier].Position[axis]) /
+      velocities.push_back(isKnown ? (later->Particles[origin.Later].Position[axis] -
+                                       earlier->Particles[origin.Earlier].Position[axis]) /
             duration
                                    : std::numeric_limits<double>::quiet_NaN());
     }

@@ -48,9 +48,14 @@ void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& lat
 void InterpolateFits(const ParticleFrame& earlier, const ParticleFrame& later, double fraction,
   const std::vector<ParticleOrigin>& origins, std::vector<ParticleFit>& fits);
 
+// The origins of a step's particles, with their partners in the next one; matches: null without
+// one.
+void FindOriginsOfEarlier(
+  std::size_t count, const ParticleMatches* matches, std::vector<ParticleOrigin>& origins);
+
 // How the particles at such origins move in the interpolation, which takes so long: x y z each, NaN
-// for those that are in one of the steps only.
-void FindMotion(const ParticleFrame& earlier, const ParticleFrame& later, double duration,
+// for those that are in one of the steps only. A frame may be null where no origin is in it.
+void FindMotion(const ParticleFrame* earlier, const ParticleFrame* later, double duration,
   const std::vector<ParticleOrigin>& origins, std::vector<double>& velocities);
 
 }

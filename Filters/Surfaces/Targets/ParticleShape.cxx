@@ -83,7 +83,7 @@ std::string ParticleShape::Prepare(ShapePreparation& preparation)
   {
     FitOptions fit;
     fit.Model = options.Model;
-    fit.OwnRadius = this->Particles.HasOwnRadii ? 0.0 : 0.5 * preparation.GetSpacing();
+    fit.OwnRadius = this->Particles.HasRadii ? 0.0 : 0.5 * preparation.GetSpacing();
     fit.Anisotropy = options.Anisotropy;
     this->Particles.Fits = FitParticles(fit, this->Particles.Particles);
   }

@@ -75,16 +75,12 @@ void TargetFrames::PlaceParticles(
 {
   const ParticleFrame& earlier = this->GetParticles(step);
   const ParticleMatches* matches = this->FindMatches(step);
-  placed.Origins.clear();
   placed.Fits.clear();
   placed.Velocities.clear();
   if (fraction == 0.0 || !matches)
   {
     placed.Particles = earlier.Particles;
-    for (std::size_t i = 0; i < placed.Particles.size(); ++i)
-    {
-      placed.Origins.push_back({ i, matches ? matches->Partners[i] : NoPartner });
-    }
+    FindOriginsOfEarlier(placed.Particles.size(), matches, placed.Origins);
     if (needs.Fits)
     {
       placed.Fits = earlier.Fits;
@@ -101,8 +97,8 @@ void TargetFrames::PlaceParticles(
   }
   if (needs.Velocities)
   {
-    const ParticleFrame& later = matches ? this->GetParticles(step + 1) : earlier;
-    FindMotion(earlier, later, needs.Duration, placed.Origins, placed.Velocities);
+    const ParticleFrame* later = matches ? &this->GetParticles(step + 1) : nullptr;
+    FindMotion(&earlier, later, needs.Duration, placed.Origins, placed.Velocities);
   }
 }
 

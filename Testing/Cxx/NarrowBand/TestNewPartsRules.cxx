@@ -15,23 +15,11 @@
 #include <vector>
 
 using namespace activesurface;
+using namespace activesurface::twoballs;
 
 namespace
 {
-constexpr int Nodes = 48;
-constexpr double H = VoxelSizeOf(Nodes);
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
-constexpr Ball Left = { { -0.45, 0.013, 0.007 }, 0.3 };
-constexpr Ball Right = { { 0.45, 0.021, -0.013 }, 0.25 };
-
-std::unique_ptr<NarrowBand> StartWith(const Shape& shape, int threads = 0)
-{
-  auto band = std::make_unique<NarrowBand>(H);
-  band->SetNumberOfThreads(threads);
-  StartOn(*band, shape);
-  return band;
-}
 
 TEST(TestNewPartsRules, EmptySurfaceBegins)
 {

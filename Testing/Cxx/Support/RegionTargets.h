@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace activesurface
@@ -98,6 +99,25 @@ inline void CheckSound(const NarrowBand& band, const Topology& expected)
   EXPECT_EQ(topology.Voids, expected.Voids) << "voids";
   EXPECT_EQ(topology.EulerCharacteristic, expected.EulerCharacteristic) << "Euler number";
 }
+
+/** What the tests of new parts start with. */
+namespace twoballs
+{
+constexpr int Nodes = 48;
+constexpr double H = VoxelSizeOf(Nodes);
+
+constexpr Ball Left = { { -0.45, 0.013, 0.007 }, 0.3 };
+constexpr Ball Right = { { 0.45, 0.021, -0.013 }, 0.25 };
+
+inline std::unique_ptr<NarrowBand> StartWith(const Shape& shape, int threads = 0)
+{
+  auto band = std::make_unique<NarrowBand>(H);
+  band->SetNumberOfThreads(threads);
+  StartOn(*band, shape);
+  return band;
+}
+}
+
 }
 
 #endif

@@ -1,0 +1,185 @@
+// What the filter does of itself over particles: sizes and attraction that are found, Transport,
+// parts that are created, tension that spares drops, and what it says.
+
+#include "Support/MessageCapture.h"
+#include "Support/PipelineTools.h"
+#include "Support/SameSkins.h"
+
+#include "vtkActiveImplicitSurface.h"
+#include "vtkDataObject.h"
+#include "vtkTable.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace activesurface;
+
+namespace
+{
+
+constexpr double Spacing = 0.2;
+constexpr double R = 0.5 * Spacing;
+
+vtkSmartPointer<ParticleSource> MakeSource(const ParticleSource::Cloud& cloud)
+{
+  auto source = vtkSmartPointer<ParticleSource>::New();
+  source->SetCloud(cloud);
+  source->SetSteps({ 0.0, 1.0, 2.0, 3.0 });
+  return source;
+}
+
+// Nothing is set but the ids, and the spacing.
+vtkSmartPointer<vtkActiveImplicitSurface> MakePlainSkin(const ParticleSource::Cloud& cloud)
+{
+  auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
+  filter->SetInputConnection(MakeSource(cloud)->GetOutputPort());
+  filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
+  filter->SetParticleSpacing(Spacing);
+  return filter;
+}
+
+// A block of 4 x 4 x 4, from x on.
+std::vector<Particle> MakeBlock(double x)
+{
+  std::vector<Particle> particles;
+  for (int i = 0; i < 64; ++i)
+  {
+    particles.push_back({ x + Spacing * (i % 4), Spacing * (i / 4 % 4), Spacing * (i / 16), i });
+  }
+  return particles;
+}
+
+std::vector<Particle> MakeMovingBlock(double time)
+{
+  return MakeBlock(0.3 * time);
+}
+
+int CountParts(vtkActiveImplicitSurface* filter, double time)
+{
+  filter->UpdateTimeStep(time);
+  vtkTable* history = filter->GetHistory();
+  return history->GetValueByName(history->GetNumberOfRows() - 1, "Components").ToInt();
+}
+
+}
+
+TEST(TestLivingParticles, SpacingGivesVoxelAndReach)
+{
+  auto plain = MakePlainSkin(MakeMovingBlock);
+  auto set = MakePlainSkin(MakeMovingBlock);
+  set->SetVoxelSize(R);
+  set->SetTargetReach(6.0 * R);
+  set->SetParticleRadius(2.25 * Spacing);
+  EXPECT_TRUE(AreSameSkins(GetBytesAt(plain, 1.0), GetBytesAt(set, 1.0)));
+}
+
+TEST(TestLivingParticles, AutomaticAttractionIsSixFromStepToStep)
+{
+  auto plain = MakePlainSkin(MakeMovingBlock);
+  auto set = MakePlainSkin(MakeMovingBlock);
+  set->AutomaticAttractionOff();
+  set->SetAttraction(6.0); // of steps that are 1 apart
+  EXPECT_TRUE(AreSameSkins(GetBytesAt(plain, 2.0), GetBytesAt(set, 2.0)));
+  set->SetAttraction(1.0);
+  EXPECT_FALSE(AreSameSkins(GetBytesAt(plain, 2.0), GetBytesAt(set, 2.0))) << "1 is 1 without it";
+}
+
+// Without Transport a distance would be followed at .3 (1 - e^-3), three voxels; F / |grad F| of
+// kernels is larger than the distance so far from the surface, and the skin nearer, by up to a
+// half.
+TEST(TestLivingParticles, TransportTakesTheLagAway)
+{
+  auto filter = MakePlainSkin(MakeMovingBlock);
+  filter->AutomaticAttractionOff();
+  const auto lagAt = [&](double time)
+  {
+    filter->UpdateTimeStep(time);
+    const auto bounds = GetSkinBounds(filter);
+    return 0.3 * time + 1.5 * Spacing - 0.5 * (bounds[0] + bounds[1]);
+  };
+  EXPECT_LT(std::fabs(lagAt(3.0)), 0.05 * R) << "in voxels .05";
+  filter->SetTransport(0.0);
+  EXPECT_GT(lagAt(3.0), 0.5 * 0.3 * (1.0 - std::exp(-3.0)));
+}
+
+TEST(TestLivingParticles, ParticleThatAppearsAwayGetsASkinOfItsOwn)
+{
+  const auto appearing = [](double time)
+  {
+    std::vector<Particle> particles = MakeBlock(0.0);
+    if (time > 0.5)
+    {
+      particles.push_back({ 30.0, 0.0, 0.0, 100 });
+    }
+    return particles;
+  };
+  auto filter = MakePlainSkin(appearing);
+  EXPECT_EQ(CountParts(filter, 0.0), 1);
+  EXPECT_EQ(CountParts(filter, 1.0), 2) << "in the step in which it comes";
+  EXPECT_NEAR(GetSkinBounds(filter)[1], 30.0 + R, 0.15 * R) << "of its own radius";
+  filter->CreatePartsOff();
+  EXPECT_EQ(CountParts(filter, 1.0), 1) << "without CreateParts";
+}
+
+TEST(TestLivingParticles, FirstStepMayBeEmpty)
+{
+  const auto coming = [](double time)
+  { return time > 0.5 ? MakeBlock(0.0) : std::vector<Particle>(); };
+  auto filter = MakePlainSkin(coming);
+  MessageCapture messages(filter);
+  EXPECT_EQ(CountParts(filter, 0.0), 0);
+  EXPECT_EQ(CountParts(filter, 1.0), 1);
+  EXPECT_EQ(messages.CountAll(), 0u) << "nothing to be told";
+  auto whole = MakePlainSkin([](double) { return MakeBlock(0.0); });
+  whole->UpdateTimeStep(2.0);
+  filter->UpdateTimeStep(2.0);
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_NEAR(GetSkinBounds(filter)[i], GetSkinBounds(whole)[i], 0.05 * R) << "side " << i;
+  }
+}
+
+TEST(TestLivingParticles, EmptyFirstStepWithoutASizeIsTold)
+{
+  const auto coming = [](double time)
+  { return time > 0.5 ? MakeBlock(0.0) : std::vector<Particle>(); };
+  auto filter = MakePlainSkin(coming);
+  filter->SetParticleSpacing(0.0);
+  MessageCapture messages(filter);
+  EXPECT_EQ(CountParts(filter, 0.0), 0);
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "set ModelBounds or ParticleSpacing"), 1);
+  EXPECT_EQ(messages.CountAll(), 1u);
+}
+
+TEST(TestLivingParticles, SkinThatHasVanishedComesBackWithParticles)
+{
+  const auto leaving = [](double time)
+  { return time > 0.5 && time < 2.5 ? std::vector<Particle>() : MakeBlock(0.0); };
+  auto filter = MakePlainSkin(leaving);
+  MessageCapture messages(filter);
+  EXPECT_EQ(CountParts(filter, 2.0), 0);
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "it comes back where particles do"), 1);
+  EXPECT_EQ(CountParts(filter, 3.0), 1);
+  EXPECT_EQ(messages.CountAll(), 1u);
+}
+
+// Tension / Attraction = r^2 takes balls up to 2.4 r; the ball of a lone particle has r.
+TEST(TestLivingParticles, TensionSparesDrops)
+{
+  const auto withDrop = [](double)
+  {
+    std::vector<Particle> particles = MakeBlock(0.0);
+    particles.push_back({ 2.0, 0.0, 0.0, 100 });
+    return particles;
+  };
+  auto filter = MakePlainSkin(withDrop);
+  filter->CreatePartsOff(); // which would bring it back again and again
+  filter->SetAttraction(6.0);
+  filter->SetTension(6.0 * R * R);
+  EXPECT_EQ(CountParts(filter, 3.0), 2);
+  filter->TensionWeightingOff();
+  EXPECT_EQ(CountParts(filter, 3.0), 1);
+}
