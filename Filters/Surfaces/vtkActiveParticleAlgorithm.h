@@ -22,9 +22,9 @@ public:
   ///@{
   /**
    * How particles make a surface, as in vtkSkeletonPotential. SUM (0): a sum of ParticleKernel at
-   * ParticleThreshold, the paper's, bumpy and 1.3 r too wide at the defaults. AVERAGED_CENTRE (1)
-   * and ANISOTROPIC (2) are flat where there is a body of particles, a ball of radius r where one
-   * is alone, and have the particles' volume: ANISOTROPIC keeps sheets, threads and narrow gaps
+   * ParticleThreshold, the paper's, bumpy and more than r too wide at the defaults. AVERAGED_CENTRE
+   * (1) and ANISOTROPIC (2) are flat where there is a body of particles, a ball of radius r where
+   * one is alone, and have the particles' volume: ANISOTROPIC keeps sheets, threads and narrow gaps
    * sharper, at fewer particles in reach. Lines of a skeleton are always a SUM. PaperFaithful() in
    * Python chooses SUM. Default: ANISOTROPIC.
    */
