@@ -39,6 +39,14 @@ enum class TargetEvaluation
   ClosestPoint
 };
 
+/** How a substep is made: forward Euler within the stable step of the fastest part; or of nearly any
+ * length, by exponentials for the attraction and stages for the tension (see README.md). */
+enum class TimeIntegration
+{
+  Explicit,
+  Implicit
+};
+
 /** Differences of the advective term: central, or one-sided (upwind). */
 enum class GradientScheme
 {
@@ -96,6 +104,9 @@ struct Motion
 
   TargetEvaluation Evaluation = TargetEvaluation::Shifted;
   GradientScheme Gradient = GradientScheme::Upwind;
+
+  /** Implicit needs the evaluation Shifted and the gradient Upwind, and is not the paper's. */
+  TimeIntegration Integration = TimeIntegration::Explicit;
 
   /** The paper's own scheme instead of this library's, for comparison: see PaperStep.h. */
   bool Paper = false;

@@ -135,6 +135,7 @@ void vtkActiveImplicitSurface::PaperFaithful()
 {
   this->SetPaperScheme(true);
   this->SetTargetEvaluation(SHIFTED);
+  this->SetTimeIntegration(EXPLICIT);
   this->SetGradientScheme(CENTRAL);
   this->SetNormalizeTarget(false);
   this->SetParticleModel(SUM);

@@ -312,6 +312,25 @@ public:
   void SetTargetEvaluationToClosestPoint() { this->SetTargetEvaluation(CLOSEST_POINT); }
   ///@}
 
+  enum TimeIntegrationType
+  {
+    EXPLICIT = 0,
+    IMPLICIT = 1
+  };
+
+  ///@{
+  /**
+   * How time is integrated. EXPLICIT (0): many short substeps, as the fastest part of the skin
+   * allows. IMPLICIT (1): few long ones, by exponentials for the attraction, stages for the tension,
+   * and a semi-Lagrangian Transport; fast parts alone make more. It needs TargetEvaluation SHIFTED
+   * and GradientScheme UPWIND. Default: EXPLICIT.
+   */
+  vtkSetClampMacro(TimeIntegration, int, EXPLICIT, IMPLICIT);
+  vtkGetMacro(TimeIntegration, int);
+  void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
+  void SetTimeIntegrationToImplicit() { this->SetTimeIntegration(IMPLICIT); }
+  ///@}
+
   enum GradientSchemeType
   {
     CENTRAL = 0,
@@ -374,6 +393,7 @@ private:
   double RestTolerance = 1e-3;
   int MaximumNumberOfSubsteps = 10000;
   int TargetEvaluation = SHIFTED;
+  int TimeIntegration = EXPLICIT;
   int GradientScheme = UPWIND;
   vtkTypeBool PaperScheme = 0;
 };

@@ -68,6 +68,7 @@ OTHER_VALUES = {
     "TargetVolume": 2,
     "Tension": 0.02,
     "TensionWeighting": 0,
+    "TimeIntegration": 1,
     "TimeScale": 1 / 50,
     "TimeStepSize": 0.2,
     "Transport": 0,

@@ -52,7 +52,8 @@ SWITCHES = {
 }
 CHOICES = {
     vtkActiveImplicitSurface: """
-        VolumeControl AreaControl EvolutionMode TargetEvaluation GradientScheme ParticleKernel
+        VolumeControl AreaControl EvolutionMode TargetEvaluation TimeIntegration GradientScheme
+        ParticleKernel
         ParticleModel
     """.split(),
     vtkSkeletonPotential: ["Kernel", "ParticleModel"],

@@ -167,6 +167,7 @@ RESTARTS = {
     "TargetVolume": [(volume_penalty, 0.6), (volume_exact, 0.6)],
     "Tension": [(morph, 0.02)],
     "TensionWeighting": [(tense_particles, 0)],
+    "TimeIntegration": [(morph, 1)],
     "TimeScale": [(morph, 1.5)],
     "TimeStepSize": [(morph, 0.15)],
     "Transport": [(crossing_particles, 0.5)],

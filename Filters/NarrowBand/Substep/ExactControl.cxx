@@ -88,8 +88,8 @@ void Restore(const ControlledBand& band, double SkinMeasure::*number, double wan
 {
   constexpr int mostSteps = 8;
   constexpr double least = 1e-3; // gain below which there is no way
-  double left = FarthestInAll;
-  for (int step = 0; step < mostSteps && skin.Area > 0.0 && left > 0.0; ++step)
+  double left = FarthestInAll * band.Rounds;
+  for (int step = 0; step < mostSteps * band.Rounds && skin.Area > 0.0 && left > 0.0; ++step)
   {
     const double missing = wanted - skin.*number;
     if (std::fabs(missing) <= Precision * wanted || std::fabs(gain) < least)

@@ -36,6 +36,11 @@ public:
   }
   void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const override;
+  void EvaluateVelocities(
+    std::size_t count, const double* points, double* velocities) const override
+  {
+    this->Within.EvaluateVelocities(count, points, velocities);
+  }
   bool HasRegions() const override { return this->Within.HasRegions(); }
   void ForEachRegion(const RegionVisitor& visit) const override
   {

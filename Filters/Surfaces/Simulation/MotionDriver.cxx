@@ -14,6 +14,8 @@ namespace
 // Least number of substeps from one step to the next while the target moves: so many times it is
 // evaluated on its way, however slow the surface is.
 constexpr double SubstepsOfMovingTarget = 4.0;
+// The same where the surface is carried along in one semi-Lagrangian step.
+constexpr double SubstepsOfCarriedSurface = 2.0;
 
 // Automatic attraction: distances fall by so many factors e from one step to the next.
 constexpr double FactorsPerStep = 6.0;
@@ -63,8 +65,10 @@ Motion MotionDriver::GetMotion(int step) const
     // At the last step it is that of the way there.
     const double* steps = this->Settings.Inputs.Steps.data() + std::min(step, last - 1);
     const double length = this->Settings.TimeScale * (steps[1] - steps[0]);
-    motion.LongestStep = length / SubstepsOfMovingTarget;
     motion.Transport = hasFluid ? this->Settings.Law.Transport : 0.0;
+    const bool isCarried =
+      motion.Transport > 0.0 && motion.Integration == TimeIntegration::Implicit;
+    motion.LongestStep = length / (isCarried ? SubstepsOfCarriedSurface : SubstepsOfMovingTarget);
     if (this->Settings.HasAutomaticAttraction())
     {
       motion.Attraction = FactorsPerStep / length;

@@ -230,6 +230,8 @@ void ForEachMotionProperty(Settings& settings, Visitor&& visit)
     [](auto& filter) { return filter.GetTargetEvaluation(); });
   visit(Property{ "GradientScheme", Any, true }, motion.Gradient,
     [](auto& filter) { return filter.GetGradientScheme(); });
+  visit(Property{ "TimeIntegration", Any, true }, motion.Integration,
+    [](auto& filter) { return filter.GetTimeIntegration(); });
   visit(Property{ "PaperScheme", Any, true }, motion.Paper,
     [](auto& filter) { return filter.GetPaperScheme(); });
 }
