@@ -71,10 +71,10 @@ def skin(
     >>> ball = active.skin(grid, particle_spacing=1)
     >>> ball.GetNumberOfPolys() > 1000
     True
-    >>> active.skin(grid, particle_spcing=1)
+    >>> active.skin(grid, particle_spcing=1)  # doctest: +ELLIPSIS
     Traceback (most recent call last):
     ...
-    TypeError: vtkActiveImplicitSurface has no property 'particle_spcing'; did you mean 'particle_spacing'?
+    TypeError: ... no property 'particle_spcing'; did you mean 'particle_spacing'?
     """
     chosen, given = _sort_arrays({"radii": radii, "strengths": strengths})
     cloud = as_particles(particles, **given, **(arrays or {}))

@@ -12,7 +12,7 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .file_names import has_number, numbered, replacing, suffix_of
-from .particle_files import quiet
+from .messages import quiet
 from .scene import Scene, check_display
 
 FILM_SUFFIXES = (".mp4", ".ogv", ".png", ".exr")

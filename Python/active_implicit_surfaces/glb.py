@@ -15,7 +15,9 @@ _FLOAT, _UINT = 5126, 5125
 _VERTICES, _INDICES = 34962, 34963
 
 
-def write_glb(path: Path, mesh: Any, color: tuple[float, float, float] = (0.36, 0.66, 0.86)) -> None:
+def write_glb(
+    path: Path, mesh: Any, color: tuple[float, float, float] = (0.36, 0.66, 0.86)
+) -> None:
     """Writes the triangles of a vtkPolyData with their points and normals."""
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype("<f4")
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).astype("<u4")

@@ -8,6 +8,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+
 
 class ActiveSurfaceWarning(UserWarning):
     """What the filter warns of, as its sentence."""
@@ -28,7 +30,7 @@ class Messages:
 
 def plain(text: str) -> str:
     """The sentence of a message, without the place in the code and the object's address."""
-    text = re.sub(r"^(ERROR|Warning): In .*?, line \d+\n", "", text)
+    text = re.sub(r"^\s*(ERROR|Warning|Generic Warning): In .*?, line \d+\n", "", text)
     return " ".join(re.sub(r"^\S+ \((0x)?[0-9a-fA-F]+\): ", "", text).split())
 
 
@@ -50,6 +52,31 @@ def listening(*algorithms: Any) -> Iterator[Messages]:
             thing.RemoveObserver(observer)
 
 
+class quiet:
+    """What VTK's readers, their parsers and writers print is kept in place of being shown."""
+
+    def __enter__(self) -> quiet:
+        self._shown = vtkOutputWindow.GetInstance()
+        self._verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+        self._window = vtkStringOutputWindow()
+        vtkOutputWindow.SetInstance(self._window)
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        vtkOutputWindow.SetInstance(self._shown)
+        vtkLogger.SetStderrVerbosity(self._verbosity)
+
+    @property
+    def errors(self) -> list[str]:
+        """What was said of errors so far, the warnings of the PLY reader included."""
+        parts = re.split(
+            r"\n(?=ERROR: |Warning: |Generic Warning: )", self._window.GetOutput() or ""
+        )
+        bad = (part for part in parts if part.startswith("ERROR: ") or "PLY error" in part)
+        return [plain(part) for part in bad]
+
+
 def warn_all(messages: list[str]) -> None:
     """Passes warnings of the filter on to Python's."""
     for text in messages:
@@ -57,8 +84,9 @@ def warn_all(messages: list[str]) -> None:
 
 
 def _collector(said: list[str]) -> Callable[..., None]:
-    def collect(caller: Any, event: str, text: str) -> None:
-        said.append(plain(text))
+    def collect(caller: Any, event: str, text: str | None) -> None:
+        if text:  # readers that pass on what another one has said do so without text
+            said.append(plain(text))
 
     collect.CallDataType = "string0"  # type: ignore[attr-defined]
     return collect

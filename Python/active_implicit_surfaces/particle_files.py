@@ -9,14 +9,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from . import text_particles
 from .data_objects import as_particles
 from .file_names import expand, suffix_of
-from .messages import listening
+from .messages import listening, quiet
 from .series import check_times, times_at
 
 # Extension: module and class of the reader.
@@ -106,7 +105,7 @@ def read_vtk(path: Path, time: float | None = None, **settings: Any) -> Any:
 
 
 def check_readable(path: Path) -> None:
-    """Raises OSError with a sentence if there is no such file, or it cannot be opened or is empty."""
+    """Raises OSError if there is no such file, or it cannot be opened or is empty."""
     try:
         with path.open("rb") as file:
             if not file.read(1):
@@ -171,7 +170,9 @@ def _read_text(path: Path) -> text_particles.Frames:
 def _maker(path: Path, frame: text_particles.Frame) -> Any:
     def make() -> Any:
         try:
-            return as_particles(frame["positions"], **{k: v for k, v in frame.items() if k != "positions"})
+            return as_particles(
+                frame["positions"], **{k: v for k, v in frame.items() if k != "positions"}
+            )
         except (TypeError, ValueError) as error:
             raise OSError(f"{path} cannot be read as particles: {error}") from error
 
@@ -180,6 +181,8 @@ def _maker(path: Path, frame: text_particles.Frame) -> Any:
 
 def _vtk_reader(path: Path, **settings: Any) -> Any:
     check_readable(path)
+    if suffix_of(path) == ".ply":
+        _check_ply(path)
     module, name = _VTK_READERS[suffix_of(path)]
     try:
         reader = getattr(importlib.import_module(module), name)()
@@ -191,19 +194,26 @@ def _vtk_reader(path: Path, **settings: Any) -> Any:
     return reader
 
 
+def _check_ply(path: Path) -> None:
+    """Raises OSError where VTK would find no points, and say nothing."""
+    with path.open("rb") as file:
+        if file.read(3) != b"ply":
+            raise OSError(f"{path} cannot be read: it is damaged, or not what its extension says.")
+
+
 def _time_steps(reader: Any) -> list[float]:
     info = reader.GetOutputInformation(0)
     return list(info.Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ())
 
 
 def _update(reader: Any, path: Path, time: float | None = None) -> Any:
-    with quiet(), listening(reader) as heard:
+    with quiet() as said, listening(reader) as heard:
         if time is None:
             reader.Update()
         else:
             reader.UpdateTimeStep(time)
     failed = hasattr(reader, "GetErrorCode") and reader.GetErrorCode() != 0
-    _check(path, heard.errors, failed)
+    _check(path, heard.errors or said.errors, failed)
     data = reader.GetOutputDataObject(0)
     if data is None:
         raise OSError(f"{path} cannot be read: it is damaged, or not what its extension says.")
@@ -263,14 +273,3 @@ def _time_of_vdb(path: Path) -> float | None:
     _check(path, heard.errors)
     text = reader.GetMetadata("time")
     return float(text) if text else None
-
-
-class quiet:
-    """What VTK's readers and parsers print is not shown: their errors become exceptions."""
-
-    def __enter__(self) -> None:
-        self.before = vtkOutputWindow.GetInstance()
-        vtkOutputWindow.SetInstance(vtkStringOutputWindow())
-
-    def __exit__(self, *_: Any) -> None:
-        vtkOutputWindow.SetInstance(self.before)

@@ -43,14 +43,18 @@ LIGHTS = (
 )
 
 
+def vtk_version() -> tuple[int, ...]:
+    """(9, 1) of 9.1.0."""
+    return tuple(int(part) for part in vtkVersion.GetVTKVersion().split(".")[:2])
+
+
 def check_display() -> None:
     """Raises OSError where VTK would end the program, as it has no display."""
-    version = tuple(int(part) for part in vtkVersion.GetVTKVersion().split(".")[:2])
-    needs = version < (9, 4) and "vtkXOpenGL" in vtkRenderWindow().GetClassName()
+    needs = vtk_version() < (9, 4) and "vtkXOpenGL" in vtkRenderWindow().GetClassName()
     if needs and not os.environ.get("DISPLAY"):
         raise OSError(
-            "Pictures need an X display, and DISPLAY is not set; run the command with `xvfb-run -a` "
-            "before it."
+            "Pictures need an X display, and DISPLAY is not set; run the command with "
+            "`xvfb-run -a` before it."
         )
 
 
@@ -195,7 +199,7 @@ def _shade_in_corners(seen: float) -> Any:
     shade = vtkSSAOPass()
     shade.SetRadius(0.2 * seen)
     shade.SetBias(0.008 * seen)
-    shade.SetKernelSize(48)
+    shade.SetKernelSize(32)
     shade.BlurOn()
     shade.SetDelegatePass(vtkRenderStepsPass())
     return shade

@@ -196,4 +196,5 @@ def _loader(
 
 
 def _are_paths(frames: Any) -> bool:
-    return isinstance(frames, (list, tuple)) and all(isinstance(f, (str, Path)) for f in frames)
+    is_list = isinstance(frames, (list, tuple)) and len(frames) > 0
+    return is_list and all(isinstance(frame, (str, Path)) for frame in frames)

@@ -15,8 +15,8 @@ from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 from .data_objects import as_shape
 from .file_names import replacing, suffix_of
 from .glb import write_glb
-from .messages import listening
-from .particle_files import quiet, read_vtk
+from .messages import listening, quiet
+from .particle_files import check_readable, read_vtk
 
 MESH_WRITERS = {
     ".vtp": ("vtkmodules.vtkIOXML", "vtkXMLPolyDataWriter"),
@@ -79,7 +79,7 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, **settings: Any) -> None
 
 
 def read_shape(path: Path, level: float | None = None) -> Any:
-    """A closed mesh, or an image, to morph or to convert; a level set as a mesh if `level` is given.
+    """A mesh or an image; the image's surface at a level if that is given.
 
     Raises
     ------
@@ -89,6 +89,8 @@ def read_shape(path: Path, level: float | None = None) -> Any:
     suffix = suffix_of(path)
     if suffix not in MESH_SUFFIXES:
         raise OSError(f"{path}: meshes and images are read from {', '.join(MESH_SUFFIXES)}.")
+    if suffix == ".stl":
+        _check_stl(path)
     data = _read_glb(path) if suffix == ".glb" else read_vtk(path)
     if data.IsA("vtkImageData"):
         return data if level is None else contour(data, level)
@@ -147,7 +149,7 @@ def _prepare_writer(writer: Any, suffix: str, mesh: Any) -> None:
 
 def _triangles(mesh: Any) -> Any:
     """The mesh as triangles alone."""
-    if mesh.GetNumberOfPoints() and not mesh.GetPolys().IsHomogeneous() == 3:
+    if mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3:
         cut = vtkTriangleFilter()
         cut.SetInputData(mesh)
         cut.PassLinesOff()
@@ -155,6 +157,19 @@ def _triangles(mesh: Any) -> Any:
         cut.Update()
         return cut.GetOutput()
     return mesh
+
+
+def _check_stl(path: Path) -> None:
+    """Raises OSError unless a binary file has as many triangles as it says: VTK takes any."""
+    check_readable(path)
+    with path.open("rb") as file:
+        head = file.read(84)
+    size, count = path.stat().st_size, int.from_bytes(head[80:84], "little")
+    if not head.lstrip().startswith(b"solid") and size < 84 + 50 * count:
+        raise OSError(
+            f"{path} cannot be read: it is damaged; it has {size} bytes, and its {count} triangles "
+            f"take {84 + 50 * count}."
+        )
 
 
 def _read_glb(path: Path) -> Any:

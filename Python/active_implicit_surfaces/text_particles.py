@@ -70,10 +70,11 @@ def read_json(path: Path) -> Frames:
 
 def read_numpy(path: Path) -> Frames:
     """An array (n, 3) or (frames, n, 3), by itself or with others, "fps" or "times"."""
-    found = numpy.load(path, allow_pickle=False)
-    if isinstance(found, numpy.ndarray):
-        return _from_arrays({"positions": found})
-    return _from_arrays({name: found[name] for name in found.files})
+    with path.open("rb") as file:
+        found = numpy.load(file, allow_pickle=False)
+        if isinstance(found, numpy.ndarray):
+            return _from_arrays({"positions": found})
+        return _from_arrays({name: found[name] for name in found.files})
 
 
 def _split(line: str, delimiter: str | None) -> list[str]:
@@ -170,7 +171,11 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
         arrays = {**arrays, "positions": numpy.stack([arrays[names[n]] for n in "xyz"], axis=-1)}
         found = "positions"
     positions = arrays[found]
-    if positions.ndim not in (2, 3) or positions.shape[-1] != 3 or positions.dtype.kind not in "iuf":
+    if (
+        positions.ndim not in (2, 3)
+        or positions.shape[-1] != 3
+        or positions.dtype.kind not in "iuf"
+    ):
         raise ValueError(
             f'its array "{found}" has the shape {positions.shape}, where positions are n rows (or '
             "frames of n rows) of 3 numbers"

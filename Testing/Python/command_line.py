@@ -39,7 +39,11 @@ class CommandTest(unittest.TestCase):
         """The one sentence that a failing command says."""
         outcome = Outcome(*arguments)
         self.assertEqual(outcome.code, code, outcome.err)
-        lines = [line for line in outcome.err.splitlines() if ": note: " not in line]
+        lines = [
+            line
+            for line in outcome.err.splitlines()
+            if ": note: " not in line and " frames/s" not in line
+        ]
         self.assertEqual(len(lines), 1, outcome.err)
         self.assertRegex(lines[0], r"^active-surface( \w+)?: .*[.]$")
         return lines[0]

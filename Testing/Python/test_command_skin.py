@@ -183,7 +183,9 @@ class GoingOn(CommandTest):
 class Program(unittest.TestCase):
     def test_the_module_and_the_launcher_run(self):
         package = Path(active_implicit_surfaces.__file__).parents[1]
-        launcher = next(p / "bin" / "active-surface" for p in package.parents if (p / "bin").is_dir())
+        launcher = next(
+            p / "bin" / "active-surface" for p in package.parents if (p / "bin").is_dir()
+        )
         for command in ([sys.executable, "-m", "active_implicit_surfaces"], [str(launcher)]):
             environment = {**os.environ, "PYTHONPATH": str(package)}
             if command[0] == str(launcher):

@@ -10,8 +10,8 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ..file_names import expand, suffix_of
-from ..messages import listening
-from ..particle_files import PARTICLE_SUFFIXES, check_readable, open_particles, quiet, read_vtk
+from ..messages import listening, quiet
+from ..particle_files import PARTICLE_SUFFIXES, check_readable, open_particles, read_vtk
 from ..presets import estimate_spacing
 from ..skin_files import MESH_SUFFIXES, read_shape
 from .options import Parser, add_help_all
@@ -33,8 +33,8 @@ def make_parser() -> Parser:
     parser = Parser(
         "active-surface info",
         "FILE ... [--json]",
-        "What is in a file or a series: points, bounds, estimated spacing, arrays, times; the grids\n"
-        "of a .vdb, and what of it the filter can go on from; the layers of an .exr.",
+        "What is in a file or a series: points, bounds, estimated spacing, arrays, times; the\n"
+        "grids of a .vdb, and what of it the filter can go on from; the layers of an .exr.",
     )
     add_help_all(parser)
     parser.add_argument("files", nargs="+", metavar="FILE")

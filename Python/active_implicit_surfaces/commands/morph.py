@@ -61,7 +61,9 @@ def run(arguments: list[str]) -> int:
     if output:
         plain = without_number(output)
         is_vtp = plain.suffix == ".vtp"
-        write_index(plain.with_suffix(".pvd") if is_vtp else Path(f"{plain}.series"), names, way.times)
+        write_index(
+            plain.with_suffix(".pvd") if is_vtp else Path(f"{plain}.series"), names, way.times
+        )
     progress.finish()
     return 0
 
@@ -90,7 +92,11 @@ def make_parser() -> Parser:
         "--duration", type=positive, default=1.0, metavar="X", help="time of the way (default: 1)"
     )
     parser.add_argument(
-        "--frames", type=int, default=25, metavar="N", help="skins, both ends included (default: 25)"
+        "--frames",
+        type=int,
+        default=25,
+        metavar="N",
+        help="skins, both ends included (default: 25)",
     )
     parser.add_argument("--quiet", action="store_true", help="no progress")
     add_film_options(parser)

@@ -150,7 +150,9 @@ def add_film_options(parser: Parser) -> None:
         metavar="FILM",
         help="film.mp4, film.ogv, frame.####.png or frame.####.exr (with depth, normals, motion)",
     )
-    films.add_argument("--size", type=picture_size, default=(1280, 720), metavar="WxH", help="1280x720")
+    films.add_argument(
+        "--size", type=picture_size, default=(1280, 720), metavar="WxH", help="1280x720"
+    )
     films.add_argument("--up", choices=("x", "y", "z"), help="axis that points up (default: found)")
 
 

@@ -32,7 +32,7 @@ class Resumption:
         self._saved = time.monotonic()
 
     def load(self, surface: Any, times: list[float]) -> int:
-        """Gives the filter the state, and returns the number of frames that are done; 0 without one.
+        """Gives the filter the state; returns the number of frames that are done, 0 without one.
 
         Raises
         ------

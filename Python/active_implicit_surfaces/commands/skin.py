@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import argparse
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from .. import vtkActiveImplicitSurface
 from ..api import configure, update
 from ..file_names import (
     INDEX_SUFFIXES,
@@ -24,7 +25,6 @@ from ..particle_files import PARTICLE_SUFFIXES, open_particles
 from ..presets import PRESETS
 from ..series import TemporalSource
 from ..skin_files import SKIN_SUFFIXES, check_suffix, write_mesh
-from .. import vtkActiveImplicitSurface
 from .options import (
     Parser,
     add_film_options,
@@ -175,10 +175,8 @@ class _Job:
     def _keep_state(self, done: int, first: int) -> None:
         # After an error the filter is still at the last frame that it has finished.
         if self.resumption and done > first:
-            try:
+            with suppress(OSError):  # the first error is the one to tell
                 self.resumption.save(self.surface, self.times, done, now=True)
-            except OSError:
-                pass  # the first error is the one to tell
 
     def _finish(self, done: int) -> None:
         if not (self.output and self.resumption):
