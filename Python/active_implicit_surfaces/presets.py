@@ -20,6 +20,9 @@ PRESETS = {
     "molecule": "atoms as balls that melt together; radii from the elements of an .xyz",
     "paper": "the paper's own scheme, to compare with",
 }
+# The kernel WYVILL, (1 - q^2)^3, is that at q = .7947: reaches little beyond their surface let atoms
+# melt together where they touch, and no further.
+ATOM_LEVEL, REACH_OF_ATOM = 0.05, 1.0 / 0.7947
 _SAMPLED = 2000  # particles whose nearest neighbour is looked for
 _STEPS = 6.0  # factors e that the filter itself takes from a step to the next
 
@@ -30,12 +33,17 @@ def apply_preset(
     """Sets the properties of a preset; `options` are those that will be set after it."""
     if name not in PRESETS:
         raise ValueError(f"There is no preset {name!r}; there are {', '.join(PRESETS)}.")
+    if name == "molecule":
+        _melt_atoms(surface, source, options)
+        return
+    spacing = options.get("particle_spacing") or estimate_spacing(source.frame(0))
+    step = (interval or _interval(source.times)) * options.get("time_scale", 1.0)
     if name == "paper":
         surface.PaperFaithful()
-    elif name == "molecule":
-        _melt_atoms(surface, source, options)
+        # The speed is in proportion to a sum of kernels, which falls by about 1 over a radius.
+        surface.SetAttraction(_STEPS / step * 0.5 * spacing)
     else:
-        _smooth(surface, source, name, interval, options)
+        _smooth(surface, name, spacing, options.get("attraction"), step)
 
 
 def estimate_spacing(cloud: Any) -> float:
@@ -58,14 +66,10 @@ def estimate_spacing(cloud: Any) -> float:
 
 
 def _smooth(
-    surface: Any, source: Any, name: str, interval: float | None, options: Mapping[str, Any]
+    surface: Any, name: str, spacing: float, attraction: float | None, step: float
 ) -> None:
-    spacing = options.get("particle_spacing") or estimate_spacing(source.frame(0))
-    step = interval or _interval(source.times)
-    step *= options.get("time_scale", 1.0)
-    rate = (_STEPS if name == "water" else 0.5 * _STEPS) / step
-    share = 1.0 if name == "water" else 4.0
-    attraction = options.get("attraction", rate)
+    steps, share = (_STEPS, 1.0) if name == "water" else (0.5 * _STEPS, 4.0)
+    attraction = steps / step if attraction is None else attraction
     surface.SetParticleModelToAnisotropic()
     surface.SetAttraction(attraction)
     surface.SetTension(share * attraction * (0.5 * spacing) ** 2)
@@ -80,9 +84,10 @@ def _melt_atoms(surface: Any, source: Any, options: Mapping[str, Any]) -> None:
     first = source.frame(0)
     spacing = estimate_spacing(first)
     surface.SetParticleModelToSum()
+    surface.SetParticleThreshold(ATOM_LEVEL)
     surface.SetVoxelSize(spacing / 3.0)
     if first.GetPointData().GetArray("reach") is not None:
         points = vtkDataObject.FIELD_ASSOCIATION_POINTS
         surface.SetInputArrayToProcess(0, 0, 0, points, "reach")
     elif not {"particle_radius", "particle_spacing"} & set(options):
-        surface.SetParticleRadius(2.4 * spacing)
+        surface.SetParticleRadius(1.3 * REACH_OF_ATOM * spacing)  # atoms overlap

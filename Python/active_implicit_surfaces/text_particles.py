@@ -20,8 +20,6 @@ Frame = dict[str, Any]
 Frames = tuple[list[Frame], "list[float] | None"]
 
 _POSITIONS = ("positions", "position", "points", "point", "vertices", "coordinates", "pos", "x")
-# (1 - q^2)^3, the kernel WYVILL, is 1/2, the default ParticleThreshold, at q = .4542.
-_REACH_OF_A_RADIUS = 1.0 / 0.4542
 _AXES = {"x": 0, "y": 1, "z": 2, "0": 0, "1": 1, "2": 2}
 
 
@@ -69,7 +67,10 @@ def read_json(path: Path) -> Frames:
 
 
 def read_numpy(path: Path) -> Frames:
-    """An array (n, 3) or (frames, n, 3), by itself or with others, "fps" or "times"."""
+    """An array (n, 3) or (frames, n, 3), by itself or with others, "fps" or "times".
+
+    With "counts", the particles of each frame, the rows of the frames follow each other.
+    """
     with path.open("rb") as file:
         found = numpy.load(file, allow_pickle=False)
         if isinstance(found, numpy.ndarray):
@@ -147,12 +148,14 @@ def _elements(rows: list[list[str]]) -> tuple[Any, Any]:
     """Atomic numbers, and the reaches with which a lone atom has its van der Waals radius."""
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
 
+    from .presets import REACH_OF_ATOM
+
     table = vtkPeriodicTable()
     found = {row[0]: (0, 0.0) for row in rows}
     for symbol in found:
         name = symbol.strip("0123456789")
         number = int(symbol) if symbol.isdigit() else table.GetAtomicNumber(name)
-        found[symbol] = number, _REACH_OF_A_RADIUS * table.GetVDWRadius(number)
+        found[symbol] = number, REACH_OF_ATOM * table.GetVDWRadius(number)
     numbers, reaches = zip(*(found[row[0]] for row in rows)) if rows else ((), ())
     return numpy.array(numbers, dtype="u1"), numpy.array(reaches, dtype="f4")
 
@@ -180,12 +183,30 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
             f'its array "{found}" has the shape {positions.shape}, where positions are n rows (or '
             "frames of n rows) of 3 numbers"
         )
+    counts = arrays.get("counts")
+    if counts is not None and positions.ndim == 2 and int(counts.sum()) == len(positions):
+        return _cut(arrays, found, counts)
     moving = positions if positions.ndim == 3 else positions[None]
     frames = [{"positions": frame} for frame in moving]
     for name, values in arrays.items():
         if name != found:
             _share(frames, name, values, positions)
     return frames, _times(arrays, len(frames)) if positions.ndim == 3 else None
+
+
+def _cut(arrays: Mapping[str, Any], found: str, counts: Any) -> Frames:
+    """The frames of arrays whose rows follow each other."""
+    ends = numpy.cumsum(counts)
+    rows = {
+        "positions" if name == found else name: values
+        for name, values in arrays.items()
+        if values.shape[:1] == (ends[-1],) and values.dtype.kind in "biuf" and values.ndim < 3
+    }
+    frames = [
+        {name: values[end - count : end] for name, values in rows.items()}
+        for count, end in zip(counts, ends)
+    ]
+    return frames, _times(arrays, len(frames))
 
 
 def _share(frames: list[Frame], name: str, values: Any, positions: Any) -> None:

@@ -172,9 +172,11 @@ class View(CommandTest):
         moving[50, 3] = numpy.nan
         numpy.savez(self.folder / "a.npz", positions=moving)
         held, _ = skin.find_view(open_particles(self.folder / "a.npz"))
-        # The first and the last frame are looked at, and the margin is 2 % of the longest side.
+        # The first and the last frame are looked at, and the margin is 2 % of the longest side, or
+        # 1.2 times the spacing, .1.
         self.assertTrue(numpy.isfinite(held).all())
         length = 199 * 0.05 + 0.4
+        self.assertGreater(0.02 * length, 1.2 * 0.1)
         self.assertAlmostEqual(held[:, 0].max(), length * 1.02, places=6)
         self.assertAlmostEqual(held[:, 0].min(), -0.02 * length, places=6)
 

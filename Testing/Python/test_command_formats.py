@@ -147,6 +147,15 @@ class Particles(CommandTest):
             self.assertEqual(arrays.GetArray("mass").GetNumberOfTuples(), 125)
             self.assertEqual(arrays.GetArray("v").GetTuple(5), tuple(moving[2][5]))
 
+    def test_npz_with_counts(self):
+        path = self.folder / "a.npz"
+        numpy.savez(path, positions=grid(), id=numpy.arange(125), counts=[100, 0, 25])
+        series = open_particles(path)
+        clouds = [series.load(step) for step in range(3)]
+        self.assertEqual([cloud.GetNumberOfPoints() for cloud in clouds], [100, 0, 25])
+        self.assertEqual(positions_of(clouds[2]).tobytes(), grid()[100:].tobytes())
+        self.assertEqual(clouds[2].GetPointData().GetArray("id").GetValue(0), 100)
+
     def test_vdb_points(self):
         """Of a file that OpenVDB 10 has written: the same lattice, in its own order."""
         cloud = open_particles(DROP.with_name("lattice_points.vdb")).load(0)

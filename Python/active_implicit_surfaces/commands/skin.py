@@ -22,7 +22,7 @@ from ..file_names import (
     write_index,
 )
 from ..particle_files import PARTICLE_SUFFIXES, open_particles
-from ..presets import PRESETS
+from ..presets import PRESETS, estimate_spacing
 from ..series import TemporalSource
 from ..skin_files import SKIN_SUFFIXES, check_suffix, write_mesh
 from .options import (
@@ -195,7 +195,8 @@ class _Job:
 
         path = Path(self.options.render)
         check_film(path, len(self.times))
-        held, up = find_view(self.files)
+        reaches = "reach" if self.options.preset == "molecule" else self.options.radii
+        held, up = find_view(self.files, reaches)
         scene = Scene(
             held,
             self.options.size,
@@ -207,7 +208,7 @@ class _Job:
         return Film(path, scene, fps, len(self.times))
 
 
-def find_view(files: Any) -> tuple[Any, str]:
+def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
     """Points around all particles, and the axis, y or z, along which they lie lowest.
 
     Of each frame those count that are farthest in 26 directions.
@@ -228,11 +229,19 @@ def find_view(files: Any) -> tuple[Any, str]:
         return numpy.array([[-0.5] * 3, [0.5] * 3]), "y"
     held = numpy.concatenate(outermost)
     low, high = held.min(axis=0), held.max(axis=0)
-    margin = 0.02 * max(float((high - low).max()), 1e-30)
+    margin = max(0.02 * float((high - low).max()), _own_size(files.load(0), reaches), 1e-30)
     low, high = low - margin, high + margin
     place = (numpy.mean(means, axis=0) - low) / (high - low)
     held = numpy.concatenate([held - margin, held + margin])
     return held, "z" if place[2] < place[1] - 0.02 else "y"
+
+
+def _own_size(cloud: Any, reaches: str | None) -> float:
+    """How far the skin is from the particles, at most about."""
+    array = cloud.GetPointData().GetArray(reaches) if reaches else None
+    if array is not None and array.GetNumberOfTuples():
+        return float(array.GetRange()[1])
+    return 1.2 * estimate_spacing(cloud)
 
 
 def _output_name(options: Any) -> Path | None:
