@@ -79,8 +79,9 @@ class Films(CommandTest):
         brightness = picture.sum(axis=2)
         self.assertGreater(brightness[water].max(), 1.3 * brightness[water].min(), "no shading")
         paper = numpy.rint(255 * numpy.array(scene.PAPER)).sum()
-        # The shade in corners is noise of a percent or two where the ground is open.
-        self.assertAlmostEqual(brightness[0, 0], paper, delta=0.03 * paper, msg="the background")
+        # At the left the ground is open; what shades corners leaves noise of a percent or two there.
+        background = numpy.median(brightness[:, 0])
+        self.assertAlmostEqual(background, paper, delta=0.03 * paper, msg="the background")
         below = numpy.nonzero(water)[0].max() + 2
         middle = int(numpy.nonzero(water)[1].mean())
         self.assertLess(brightness[below, middle], 0.94 * paper, "no shade on the ground")
