@@ -20,8 +20,8 @@ PRESETS = {
     "molecule": "atoms as balls that melt together; radii from the elements of an .xyz",
     "paper": "the paper's own scheme, to compare with",
 }
-# The kernel WYVILL, (1 - q^2)^3, is that at q = .7947: reaches little beyond their surface let atoms
-# melt together where they touch, and no further.
+# The kernel WYVILL, (1 - q^2)^3, is that at q = .7947: reaches little beyond their surface let
+# atoms melt together where they touch, and no further.
 ATOM_LEVEL, REACH_OF_ATOM = 0.05, 1.0 / 0.7947
 _SAMPLED = 2000  # particles whose nearest neighbour is looked for
 _STEPS = 6.0  # factors e that the filter itself takes from a step to the next
@@ -65,9 +65,7 @@ def estimate_spacing(cloud: Any) -> float:
     return float(numpy.median(distances))
 
 
-def _smooth(
-    surface: Any, name: str, spacing: float, attraction: float | None, step: float
-) -> None:
+def _smooth(surface: Any, name: str, spacing: float, attraction: float | None, step: float) -> None:
     steps, share = (_STEPS, 1.0) if name == "water" else (0.5 * _STEPS, 4.0)
     attraction = steps / step if attraction is None else attraction
     surface.SetParticleModelToAnisotropic()

@@ -79,7 +79,7 @@ class Films(CommandTest):
         brightness = picture.sum(axis=2)
         self.assertGreater(brightness[water].max(), 1.3 * brightness[water].min(), "no shading")
         paper = numpy.rint(255 * numpy.array(scene.PAPER)).sum()
-        # At the left the ground is open; what shades corners leaves noise of a percent or two there.
+        # At the left the ground is open: what shades corners leaves a percent or two there.
         background = numpy.median(brightness[:, 0])
         self.assertAlmostEqual(background, paper, delta=0.03 * paper, msg="the background")
         below = numpy.nonzero(water)[0].max() + 2

@@ -156,6 +156,13 @@ class Particles(CommandTest):
         self.assertEqual(positions_of(clouds[2]).tobytes(), grid()[100:].tobytes())
         self.assertEqual(clouds[2].GetPointData().GetArray("id").GetValue(0), 100)
 
+    def test_frames_of_one_file_stay_as_they_were(self):
+        series = open_particles(DROP)
+        first = series.load(0)
+        before = positions_of(first).tobytes()
+        self.assertNotEqual(positions_of(series.load(20)).tobytes(), before)
+        self.assertEqual(positions_of(first).tobytes(), before)
+
     def test_vdb_points(self):
         """Of a file that OpenVDB 10 has written: the same lattice, in its own order."""
         cloud = open_particles(DROP.with_name("lattice_points.vdb")).load(0)
@@ -249,10 +256,12 @@ class Meshes(CommandTest):
         self.assertIn("meshes are written as", said)
 
     def test_a_glb_is_one(self):
-        self.succeed("convert", self.cube, "-o", self.folder / "a.glb")
-        content = (self.folder / "a.glb").read_bytes()
-        magic, version, size, length, kind = struct.unpack_from("<4sIII4s", content)
-        self.assertEqual((magic, version, size, kind), (b"glTF", 2, len(content), b"JSON"))
+        for mesh in (self.ball, self.cube):
+            self.succeed("convert", mesh, "-o", self.folder / "a.glb")
+            content = (self.folder / "a.glb").read_bytes()
+            magic, version, size, length, kind = struct.unpack_from("<4sIII4s", content)
+            self.assertEqual((magic, version, size, kind), (b"glTF", 2, len(content), b"JSON"))
+            self.assertEqual(length % 4, 0)
         described = json.loads(content[20 : 20 + length])
         size, kind = struct.unpack_from("<I4s", content, 20 + length)
         self.assertEqual((size, kind), (described["buffers"][0]["byteLength"], b"BIN\0"))

@@ -1,6 +1,8 @@
 # ctest: LABELS contract
 """active-surface skin: what it makes of the data in the repository, and how a run goes on."""
 
+import io
+import itertools
 import json
 import os
 import subprocess
@@ -13,7 +15,7 @@ from unittest import mock
 import active_implicit_surfaces
 import numpy
 from active_implicit_surfaces import api
-from active_implicit_surfaces.commands import resume, skin
+from active_implicit_surfaces.commands import progress, resume, skin
 from active_implicit_surfaces.particle_files import read_vtk
 from active_implicit_surfaces.skin_files import read_shape
 from command_line import DROP, CommandTest, grid, moving_grid
@@ -178,6 +180,38 @@ class GoingOn(CommandTest):
         with mock.patch.object(resume, "_SECONDS_BETWEEN_STATES", 0.0):
             self.succeed(*self.command)
         self.assertEqual(self.hidden(self.folder / "a"), [], "a finished run leaves none")
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+class Progress(unittest.TestCase):
+    def tell(self, stream, between=0.0):
+        with (
+            mock.patch.object(
+                progress.time, "monotonic", side_effect=itertools.count(0, 2).__next__
+            ),
+            mock.patch.object(progress, "_SECONDS_BETWEEN_LINES", between),
+        ):
+            told = progress.Progress(100, 40, stream=stream)  # each look at the clock takes 2 s
+            told(41)
+            told(60)
+        return stream.getvalue()
+
+    def test_a_bar_on_a_terminal(self):
+        text = self.tell(Terminal())
+        self.assertEqual(text.count("\r"), 2)
+        self.assertNotIn("\n", text)
+        # 20 frames in 4 s, and 40 to come.
+        self.assertIn("[" + 18 * "#" + 12 * "-" + "] 60 of 100 frames, 5 frames/s, 0:08 left", text)
+
+    def test_lines_elsewhere(self):
+        text = self.tell(io.StringIO())
+        self.assertEqual(text.splitlines()[-1], "60 of 100 frames, 5 frames/s, 0:08 left")
+        self.assertNotIn("\r", text)
+        self.assertEqual(self.tell(io.StringIO(), between=100.0), "", "not at every frame")
 
 
 class Program(unittest.TestCase):
