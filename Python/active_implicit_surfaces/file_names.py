@@ -14,7 +14,7 @@ import json
 import os
 import re
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -131,6 +131,14 @@ def numbered(name: str | Path, number: int) -> Path:
     text = mark[0]
     digits = len(text) if text[0] == "#" else int(re.sub(r"\D", "", text) or 1)
     return path.with_name(f"{path.name[: mark.start()]}{number:0{digits}}{path.name[mark.end() :]}")
+
+
+def check_distinct(inputs: Iterable[Path], outputs: Iterable[Path]) -> None:
+    """Raises OSError if a file would be written over one that is read."""
+    read = {file.resolve() for file in inputs}
+    for name in outputs:
+        if name.resolve() in read:
+            raise OSError(f"{name} is one of the files that are read; choose another --output.")
 
 
 def without_number(name: str | Path) -> Path:

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
@@ -41,6 +42,12 @@ _TEXT_READERS = {
 }
 PARTICLE_SUFFIXES = tuple(
     suffix for suffix in (*_VTK_READERS, *_TEXT_READERS) if suffix not in (".vti", ".stl", ".obj")
+)
+
+
+_ABOUT_APPENDED_DATA = (
+    " If it is whole: VTK 9.1 cannot read appended data with libexpat 2.5.0-1+deb12u2; write it "
+    "with SetDataModeToBinary (in ParaView: Data Mode Binary)."
 )
 
 
@@ -223,7 +230,17 @@ def _update(reader: Any, path: Path, time: float | None = None) -> Any:
 def _check(path: Path, errors: list[str], failed: bool = False) -> None:
     if errors or failed:
         said = errors[0].rstrip(".") if errors else "it is damaged, or not what its extension says"
-        raise OSError(f"{path} cannot be read: {said}.")
+        raise OSError(f"{path} cannot be read: {said}.{_hint(path)}")
+
+
+def _hint(path: Path) -> str:
+    """What may be wrong with a whole file: Debian 12's VTK 9.1 beside its newer libexpat."""
+    is_old = vtkVersion.GetVTKVersion().startswith("9.1.")
+    if not is_old or suffix_of(path) not in (".vtp", ".vtu", ".vti", ".pvtp", ".pvtu"):
+        return ""
+    with path.open("rb") as file:
+        is_appended = b"<AppendedData" in file.read(1 << 20)
+    return _ABOUT_APPENDED_DATA if is_appended else ""
 
 
 def _points_of(path: Path, data: Any) -> Any:

@@ -11,6 +11,8 @@ from active_implicit_surfaces.commands import skin
 from active_implicit_surfaces.data_objects import as_particles
 from active_implicit_surfaces.skin_files import write_particles
 from command_line import DROP, CommandTest, Outcome, grid
+from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 HELP_LINES = 50  # of a screen
 
@@ -107,6 +109,16 @@ class Data(CommandTest):
                 cut = self.put(f"cut{suffix}", content[: len(content) // 2])
                 self.assert_skin_fails("cut", cut)
 
+    def test_appended_data_have_a_hint(self):
+        writer = vtkXMLPolyDataWriter()
+        writer.SetInputData(as_particles(grid()))
+        writer.SetFileName(str(self.folder / "a.vtp"))
+        writer.Write()
+        content = (self.folder / "a.vtp").read_bytes()
+        cut = self.put("cut.vtp", content[: content.index(b"<AppendedData") + 40])
+        is_old = vtkVersion.GetVTKVersion().startswith("9.1.")
+        self.assert_skin_fails("SetDataModeToBinary" if is_old else "cannot be read", cut)
+
     def test_wrong_columns(self):
         self.assert_skin_fails("no columns x, y and z", self.put("a.csv", "x,y\n1,2\n"))
         self.assert_skin_fails("no columns x, y and z", self.put("a.csv", "x,y,z\n1,2,a\n"))
@@ -185,6 +197,25 @@ class Data(CommandTest):
                 said = self.fail_with(1, "skin", self.folder / "a.npy", "-o", name)
                 self.assertIn("cannot be written", said)
                 self.assertEqual(self.hidden(), [])
+
+    def test_no_input_is_written_over(self):
+        for step in range(2):
+            numpy.savez(self.folder / f"p_{step}.npz", positions=grid())
+        before = (self.folder / "p_1.npz").read_bytes()
+        for command in (
+            ["skin", "p_1.npz", "-o", self.folder / "." / "p_1.npz"],
+            ["convert", "p_*.npz", "-o", "p_#.npz"],
+        ):
+            said = Outcome(*command).err
+            self.assertRegex(said, "is one of the files that are read|skins are written as")
+        self.succeed("convert", "p_*.npz", "-o", "q_#.ply")
+        self.assertIn("is one of the files", self.fail_with(1, "skin", "q_*.ply", "-o", "q_#.ply"))
+        self.succeed("skin", "p_0.npz", "-o", "cube_0.ply")
+        command = ["morph", "cube_0.ply", "cube_0.ply", "-o", "cube_#.ply"]
+        self.assertIn("is one of the files", self.fail_with(1, *command))
+        command = ["convert", "cube_0.ply", "-o", "cube_#.ply"]
+        self.assertIn("is one of the files", self.fail_with(1, *command))
+        self.assertEqual((self.folder / "p_1.npz").read_bytes(), before)
 
     def test_meshes_that_are_none(self):
         numpy.savez(self.folder / "a.npz", positions=grid())

@@ -88,6 +88,18 @@ class Skins(CommandTest):
         info = json.loads(self.succeed("info", self.folder / "a_1.vdb", "--json").out)
         self.assertEqual((info["time"], info["frame"]), ("0.25", "1"))
 
+    def test_the_index_is_a_choice(self):
+        moving = self.save_moving(2)
+        for index, names in (
+            ("none", []),
+            ("a.series", ["a.series"]),
+            ("a.pvd", ["a.pvd", "a.series"]),
+        ):
+            self.succeed("skin", moving, "-o", "s_#.vtp", "--index", index)
+            found = [p.name for p in self.folder.iterdir() if p.suffix in (".pvd", ".series")]
+            self.assertEqual(sorted(found), names)
+        self.assertIn('file="s_1.vtp"', (self.folder / "a.pvd").read_text())
+
     def save_moving(self, frames=4):
         numpy.savez(self.folder / "moving.npz", positions=moving_grid(frames))
         return self.folder / "moving.npz"

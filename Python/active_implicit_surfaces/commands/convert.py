@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from ..file_names import expand, has_number, make_folder_of, numbered, suffix_of
+from ..file_names import check_distinct, expand, has_number, make_folder_of, numbered, suffix_of
 from ..particle_files import PARTICLE_SUFFIXES, open_particles, read_vtk
 from ..skin_files import (
     MESH_SUFFIXES,
@@ -39,8 +39,9 @@ def run(arguments: list[str]) -> int:
         return _convert_particles(options, output)
     progress = Progress(len(files), quiet=options.quiet or len(files) == 1)
     is_series = len(files) > 1 or has_number(output)
-    for step, file in enumerate(files):
-        name = numbered(output, step) if is_series else output
+    names = [numbered(output, step) if is_series else output for step in range(len(files))]
+    check_distinct(files, names)
+    for step, (file, name) in enumerate(zip(files, names)):
         _convert_shape(file, name, options)
         progress(step + 1)
     progress.finish()
@@ -98,8 +99,10 @@ def _convert_particles(options: Any, output: Path) -> int:
     series = open_particles(options.files)
     progress = Progress(len(series), quiet=options.quiet or len(series) == 1)
     is_series = len(series) > 1 or has_number(output)
-    for step in range(len(series)):
-        write_particles(numbered(output, step) if is_series else output, series.load(step))
+    names = [numbered(output, step) if is_series else output for step in range(len(series))]
+    check_distinct(series.names, names)
+    for step, name in enumerate(names):
+        write_particles(name, series.load(step))
         progress(step + 1)
     progress.finish()
     return 0

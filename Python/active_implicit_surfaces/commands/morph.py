@@ -9,7 +9,14 @@ from typing import Any
 
 import numpy
 
-from ..file_names import make_folder_of, numbered, suffix_of, without_number, write_index
+from ..file_names import (
+    check_distinct,
+    make_folder_of,
+    numbered,
+    suffix_of,
+    without_number,
+    write_index,
+)
 from ..morphing import morph
 from ..skin_files import MESH_SUFFIXES, SKIN_SUFFIXES, check_suffix, read_shape, write_mesh
 from .options import (
@@ -40,6 +47,9 @@ def run(arguments: list[str]) -> int:
     except ValueError as error:
         parser.error(str(error))
     shapes = [read_shape(Path(name)) for name in (options.first, options.last)]
+    if output:
+        names = (numbered(output, step) for step in range(options.frames))
+        check_distinct([Path(options.first), Path(options.last)], names)
     for name in (output, options.render and Path(options.render)):
         if name:
             make_folder_of(name)

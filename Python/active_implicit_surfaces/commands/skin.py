@@ -14,6 +14,7 @@ from .. import vtkActiveImplicitSurface
 from ..api import configure, update
 from ..file_names import (
     INDEX_SUFFIXES,
+    check_distinct,
     has_number,
     make_folder_of,
     numbered,
@@ -111,6 +112,8 @@ class _Job:
         self.options, self.files = options, files
         self.times = files.times
         self.output = _output_name(options)
+        if self.output:
+            check_distinct(files.names, map(self.name_of, range(len(self.times))))
         for name in (self.output, options.render and Path(options.render)):
             if name:
                 make_folder_of(name)
