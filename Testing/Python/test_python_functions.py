@@ -329,6 +329,28 @@ class Morphs(unittest.TestCase):
             radii = numpy.linalg.norm(vtk_to_numpy(way[5].skin.GetPoints().GetData()), axis=1)
             self.assertGreater(radii.max(), 0.6 + 0.25 * 0.05)
 
+    def test_limbs_grow_to_their_ends_at_an_even_speed(self):
+        bar = vtkCubeSource()
+        bar.SetXLength(2)
+        bar.SetYLength(0.2)
+        bar.SetZLength(0.2)
+        way = active.morph(ball(0.3), output_of(bar), 3.0, frames=7, voxel_size=0.02)
+        reached = numpy.array([frame.skin.GetBounds()[1] for frame in way])
+        # From .3 to 1 evenly: 35 voxels. The last of them takes ln 4 times as long, as it ends at a
+        # quarter of a voxel, and the whole is known to the time of a voxel. And half a voxel.
+        expected = 0.3 + 0.7 * numpy.arange(7) / 6
+        late = 0.7 * (math.log(4) + 1) / 35
+        self.assertLess(numpy.abs(reached - expected).max(), late + 0.01)
+        self.assertLess(abs(reached[-1] - 1.0), 0.01)
+
+    def test_each_warning_comes_once(self):
+        apart = vtkSphereSource()
+        apart.SetCenter(3, 0, 0)
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            list(active.morph(cube(), output_of(apart), frames=3, voxel_size=0.1))
+        self.assertEqual(sum("vanished" in str(one.message) for one in told), 1)
+
     def test_every_kind_of_shape(self):
         faces = numpy.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4]])
         faces = numpy.vstack([faces, [[1, 5, 7, 3]]])
