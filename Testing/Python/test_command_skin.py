@@ -39,7 +39,7 @@ class Skins(CommandTest):
             self.assert_has_volume_of_particles(files[step], step)
 
     def assert_has_volume_of_particles(self, file, step):
-        """N particles fill N cubes of their spacing, .1. Edges, of the pool 13 long at the start and
+        """N particles fill N cubes of their spacing, .1. Edges, 13 of the pool at the start and
         longer in the splash, are rounded with at most the reach, .225: each unit of them loses
         (1 - pi/4) .225^2 = .011, a fifth of the volume with those of the crown."""
         from vtkmodules.vtkFiltersCore import vtkMassProperties
