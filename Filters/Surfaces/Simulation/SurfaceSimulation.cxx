@@ -37,6 +37,10 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
 {
   if (this->Settings.AreContinuedBy(settings) && this->IsOnStepsOf(settings))
   {
+    if (settings.Inputs.TargetMoves != this->Settings.Inputs.TargetMoves)
+    {
+      this->Shapes.ForgetTarget(); // it was made to stand still, and carries nothing
+    }
     this->Settings = settings;
     this->History.SetFirstTime(settings.GetStep(0));
   }

@@ -81,8 +81,7 @@ void TargetBuilder::Add(int step, std::shared_ptr<InputShape> shape)
   {
     if (!this->Kind->IsOfKindOf(*shape))
     {
-      this->Moving = nullptr;
-      this->Target.reset();
+      this->ForgetTarget();
     }
     this->Kind = shape;
   }
@@ -265,6 +264,12 @@ bool TargetBuilder::StartsOnNothing() const
   const InputShape* first = this->Frames.Find(0);
   return this->Settings.UsesInput() && (!first || first->IsEmpty()) &&
     !this->Settings.Inputs.InitialFunction && !this->Initial;
+}
+
+void TargetBuilder::ForgetTarget()
+{
+  this->Moving = nullptr;
+  this->Target.reset();
 }
 
 PotentialTarget& TargetBuilder::GetTarget()

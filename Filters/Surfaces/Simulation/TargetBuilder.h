@@ -52,8 +52,10 @@ public:
   // Puts the target to the first frame, anew. Comes when the domain is known, before GetTarget.
   void StartTarget();
 
-  // What attracts. It may be another one after Add, and goes with Clear.
+  // What attracts. It may be another one after Add, and goes with Clear and ForgetTarget.
   PotentialTarget& GetTarget();
+  // The next one is made with the settings as they are then.
+  void ForgetTarget();
   // The same, where it goes from step to step; else null.
   MovingTarget* GetMovingTarget();
 
