@@ -92,6 +92,10 @@ struct SurfaceSettings
   bool AreContinuedBy(const SurfaceSettings& others) const;
 
   bool UsesInput() const { return !this->Inputs.TargetFunction; }
+  bool StartsElsewhere() const // than on the target
+  {
+    return this->Inputs.InitialFunction || this->Inputs.HasInitialInput;
+  }
   bool IsEquilibrium() const { return this->Evolution == EvolutionMode::Equilibrium; }
   bool HasAutomaticAttraction() const
   {
