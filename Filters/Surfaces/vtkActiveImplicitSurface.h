@@ -113,6 +113,19 @@ public:
 
   ///@{
   /**
+   * What the skin may not enter, negative inside: a rock (a vtkSphere as it is), a container's wall
+   * (the function of its inside with the sign turned round, as by a vtkImplicitBoolean). The skin
+   * ends on it, closed, whatever moves it. It is known at the lattice's nodes from F / |grad F|,
+   * sampled once where the skin comes within 8 voxels; thinner than two voxels it leaks. It stands
+   * still: a change, of its transform too, restarts the motion. It is no part of a saved state, so
+   * set it again. Threads as for TargetFunction. Default: none.
+   */
+  virtual void SetObstacleFunction(vtkImplicitFunction* function);
+  vtkImplicitFunction* GetObstacleFunction();
+  ///@}
+
+  ///@{
+  /**
    * Level of the target that attracts the skin [unit of the target's values]; of images at port 1
    * too. Range: finite. Default: 0.
    */
@@ -351,6 +364,7 @@ private:
 
   vtkSmartPointer<vtkImplicitFunction> TargetFunction;
   vtkSmartPointer<vtkImplicitFunction> InitialFunction;
+  vtkSmartPointer<vtkImplicitFunction> ObstacleFunction;
   double TargetIsoValue = 0.0;
   vtkTypeBool InvertTarget = 0;
   vtkTypeBool NormalizeTarget = 1;

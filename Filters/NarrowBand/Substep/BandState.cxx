@@ -214,6 +214,7 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
   {
     ClampToWalls(this->Leaves, this->Set, motion.Box, size, this->Buffers);
   }
+  ClampToObstacle(this->Leaves, this->Set, motion.Solid, this->Buffers);
   CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
   const float scale = ScaleFor(gradients);
@@ -231,6 +232,7 @@ void BandState::MakePaperStep(const Motion& motion, Move& move)
   {
     ClampToWalls(this->Leaves, this->Set, motion.Box, this->VoxelSize, this->Buffers);
   }
+  ClampToObstacle(this->Leaves, this->Set, motion.Solid, this->Buffers);
   CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
   this->RestoreControlled(motion);
@@ -240,7 +242,7 @@ void BandState::RestoreControlled(const Motion& motion)
 {
   const double square = this->VoxelSize * this->VoxelSize;
   const ControlledBand band{ this->Leaves, this->Set, this->Buffers,
-    [this](ActiveSet& set) { this->RebuildBand(set); }, motion.Box, this->VoxelSize };
+    [this](ActiveSet& set) { this->RebuildBand(set); }, motion.Box, motion.Solid, this->VoxelSize };
   if (motion.VolumeControl == Control::Exact)
   {
     RestoreVolume(band, HeldVolume(motion, this->StartMeasure) / (square * this->VoxelSize));
@@ -253,9 +255,10 @@ void BandState::RestoreControlled(const Motion& motion)
 
 void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
-  WalledTarget walled(target, motion.Box);
+  CheckObstacle(this->Leaves, motion.Solid);
+  WalledTarget walled(target, motion.Box, motion.Solid);
   const TargetLimits limits =
-    this->FollowTarget(motion, motion.Box.Present ? walled : target, report, move);
+    this->FollowTarget(motion, walled.IsCut() ? walled : target, report, move);
   const bool pullsInVain = PullsInVain(motion, this->Buffers);
   move.Force = this->FindForce(motion);
   double stable = this->Crossings > 0 ? StableStep(motion, this->VoxelSize, limits, move.Force)
@@ -308,13 +311,18 @@ void BandState::StepAndTrace(const Motion& motion, Target& target, AdvanceReport
   this->CheckSize();
 }
 
-void BandState::Confine(const Walls& walls)
+void BandState::Confine(const Walls& walls, Obstacle* obstacle)
 {
   this->Set.ChooseAll(this->Leaves);
   this->Buffers.MakeRoomForNodes(this->Leaves.Size());
   this->Leaves.ForEach(
     [&](std::size_t i) { std::copy_n(this->Leaves[i].Value, 512, this->Buffers.NextOf(i)); });
-  ClampToWalls(this->Leaves, this->Set, walls, this->VoxelSize, this->Buffers);
+  if (walls.Present)
+  {
+    ClampToWalls(this->Leaves, this->Set, walls, this->VoxelSize, this->Buffers);
+  }
+  ClampToObstacle(this->Leaves, this->Set, obstacle, this->Buffers);
+  CheckObstacle(this->Leaves, obstacle);
   CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
   this->FinishFrame();

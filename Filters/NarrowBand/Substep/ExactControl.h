@@ -24,6 +24,7 @@ struct ControlledBand
   SubstepBuffers& Buffers;
   std::function<void(ActiveSet&)> Rebuild; //< layers and ghosts, from the potential
   const Walls& Box;
+  Obstacle* Solid; //< or null
   double VoxelSize;
 };
 

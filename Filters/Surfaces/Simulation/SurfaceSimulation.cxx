@@ -66,6 +66,7 @@ void SurfaceSimulation::Reset()
 {
   this->Shapes.Clear();
   this->Coverage.Clear();
+  this->Driver.Clear();
   this->LastStepAdded = 0;
   this->Saved.Clear();
   this->ResetTrajectory();
@@ -316,7 +317,7 @@ void SurfaceSimulation::Record(std::size_t row, PipelineTime time, const std::st
   NarrowBand& band = this->Way.GetBandToMove();
   const int step = this->Way.GetStep();
   const Motion motion = this->Driver.GetMotion(step);
-  const double outside = this->Coverage.FindOutside(band, motion.Box, step);
+  const double outside = this->Coverage.FindOutside(band, motion, step);
   if (HasTargetSpeed(motion) && !band.IsEmpty() && event != NotAtRest && this->Loses(row, outside))
   {
     WarnOfOutside({ time, outside, motion, this->Shapes.HasParticles() }, this->Messages);

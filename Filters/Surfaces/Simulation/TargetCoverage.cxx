@@ -1,6 +1,7 @@
 #include "Simulation/TargetCoverage.h"
 
 #include "NarrowBand.h"
+#include "Obstacle.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/TargetBuilder.h"
 
@@ -60,13 +61,16 @@ bool TargetCoverage::IsStatic() const
   return !this->Settings.UsesInput() || !this->Settings.Inputs.TargetMoves;
 }
 
-double TargetCoverage::FindOutside(const NarrowBand& band, const Walls& box, int step)
+double TargetCoverage::FindOutside(const NarrowBand& band, const Motion& motion, int step)
 {
   if (!this->ArePointsKnown)
   {
     this->Points = this->FindPoints(this->IsStatic() ? 0 : step, band.GetVoxelSize());
-    const auto isBeyond = [&box](const PointWithMargin& point)
-    { return box.Present && DistanceToWalls(box, point.Position) > 0.0; };
+    const auto isBeyond = [&motion](const PointWithMargin& point)
+    {
+      return (motion.Box.Present && DistanceToWalls(motion.Box, point.Position) > 0.0) ||
+        (motion.Solid && motion.Solid->DepthAt(point.Position) > 0.0);
+    };
     this->Points.erase(
       std::remove_if(this->Points.begin(), this->Points.end(), isBeyond), this->Points.end());
   }

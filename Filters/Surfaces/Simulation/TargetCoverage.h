@@ -4,14 +4,14 @@
 // own radius (ParticleModel.h). Of other targets the inside is told by points that are spread
 // evenly in its box (a low-discrepancy sequence, 4096 points inside at least where they are a
 // sixteenth of the box): those count that are outside by more than a voxel. A share of 1 % is so
-// known to .16 %, the standard deviation of as many points at random. What is beyond walls does not
-// count.
+// known to .16 %, the standard deviation of as many points at random. What is beyond walls or in
+// the obstacle does not count.
 
 #ifndef TargetCoverage_h
 #define TargetCoverage_h
 
+#include "Motion.h"
 #include "PointsOutside.h"
-#include "Walls.h"
 
 #include <vector>
 
@@ -33,7 +33,7 @@ public:
   void Clear();
 
   // The share, in [0,1], of the target at a step that is held; 0 where there is no target.
-  double FindOutside(const NarrowBand& band, const Walls& box, int step);
+  double FindOutside(const NarrowBand& band, const Motion& motion, int step);
 
 private:
   bool IsStatic() const;
