@@ -170,8 +170,8 @@ class TheSkinEndsOnIt(unittest.TestCase):
             self.assertLess(points_of(surface)[:, 0].max(), 0.3 + 1e-5)
             self.assertLess(last(surface, "Volume"), 0.95 * cap_volume(RADIUS, HEIGHT))
 
-    def test_a_saved_sign_of_a_boolean(self):
-        """Union of two obstacles: neither is entered."""
+    def test_neither_of_two_is_entered(self):
+        """The ground and a ceiling, as a union."""
         both = vtkImplicitBoolean()
         both.SetOperationTypeToUnion()
         both.AddFunction(ground())
