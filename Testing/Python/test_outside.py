@@ -22,7 +22,7 @@ ROUNDING = 1e-4 * VOXEL  # of the mesh's points, in single precision, and more
 
 
 def measure(attraction):
-    """For each of the first time steps: Outside, that share by quality.py, and the share that is a tie."""
+    """For each of the first steps: Outside, that share by quality.py, and that of ties."""
     particles, surface = splash()
     surface.SetAttraction(attraction)
     surface.CreatePartsOff()
