@@ -2,9 +2,9 @@
 
 #include "Support/HistoryTools.h"
 #include "Support/MessageCapture.h"
+#include "Support/OutputFiles.h"
 #include "Support/PipelineTools.h"
 #include "Support/ShapeSource.h"
-#include "Support/OutputFiles.h"
 
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
