@@ -21,6 +21,8 @@
 namespace activesurface
 {
 
+class Obstacle;
+
 /** How area or volume is controlled: not at all; by a penalty speed proportional to the deficit
  * (the paper); or exactly, by a uniform displacement after each substep. */
 enum class Control
@@ -112,6 +114,10 @@ struct Motion
   bool Paper = false;
 
   Walls Box;
+
+  /** What the surface may not enter, the caller's; null: nothing. It learns the leaves where the
+   * surface comes. */
+  Obstacle* Solid = nullptr;
 
   /** Whether parts of the target that no skin reaches, and hollows of it deep inside the skin, get
    * a skin, where the target has regions. Not in the paper's scheme. */

@@ -163,9 +163,9 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   return finished;
 }
 
-void NarrowBand::Confine(const Walls& walls)
+void NarrowBand::Confine(const Walls& walls, Obstacle* obstacle)
 {
-  this->Run([&] { this->State->Confine(walls); });
+  this->Run([&] { this->State->Confine(walls, obstacle); });
 }
 
 namespace

@@ -35,10 +35,16 @@
  * first target, enlarged by a quarter: known before the first update only if port 1 is connected.
  * Port 2: the history, a vtkTable with a row for each time step so far: Time [pipeline time],
  * Substeps and MaxSpeed (that the target gives [length/time]) since the row before, Area, Volume,
- * ActiveVoxels, Components, Voids and EulerCharacteristic of the skin, and Event, what has happened
- * to its parts since: "merge", "split", "vanish", "birth", "void opens", "void closes", "hole
- * opens", "hole closes", joined by ", "; with EvolutionMode EQUILIBRIUM instead "at rest" or "not
- * at rest". The first of several pieces holds all of the skin and the history; the image is split.
+ * ActiveVoxels, Components, Voids and EulerCharacteristic of the skin, Outside, and Event, what has
+ * happened to its parts since: "merge", "split", "vanish", "birth", "void opens", "void closes",
+ * "hole opens", "hole closes", joined by ", "; with EvolutionMode EQUILIBRIUM instead "at rest" or
+ * "not at rest". The first of several pieces holds all of the skin and the history; the image is
+ * split. Outside is the share of the target that the skin has lost, in [0,1]: of particles, and
+ * points of a skeleton, by number, those that are outside by more than their own radius; of other
+ * targets by volume, what is outside by more than a voxel, of the inside in the target's box (a
+ * function's: ModelBounds), to .16 % at 1 %. Beyond walls nothing counts. Above 1 %, unless it
+ * falls from step to step, one warning says so. NaN in rows of a state that was saved before there
+ * was an Outside.
  *
  * Time: the time steps of the input are passed on. If it has fewer than two (TargetFunction, static
  * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them.
@@ -103,6 +109,19 @@ public:
    */
   virtual void SetInitialFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetInitialFunction();
+  ///@}
+
+  ///@{
+  /**
+   * What the skin may not enter, negative inside: a rock (a vtkSphere as it is), a container's wall
+   * (the function of its inside with the sign turned round, as by a vtkImplicitBoolean). The skin
+   * ends on it, closed, whatever moves it. It is known at the lattice's nodes from F / |grad F|,
+   * sampled once where the skin comes within 8 voxels; thinner than two voxels it leaks. It stands
+   * still: a change, of its transform too, restarts the motion. It is no part of a saved state, so
+   * set it again. Threads as for TargetFunction. Default: none.
+   */
+  virtual void SetObstacleFunction(vtkImplicitFunction* function);
+  vtkImplicitFunction* GetObstacleFunction();
   ///@}
 
   ///@{
@@ -345,6 +364,7 @@ private:
 
   vtkSmartPointer<vtkImplicitFunction> TargetFunction;
   vtkSmartPointer<vtkImplicitFunction> InitialFunction;
+  vtkSmartPointer<vtkImplicitFunction> ObstacleFunction;
   double TargetIsoValue = 0.0;
   vtkTypeBool InvertTarget = 0;
   vtkTypeBool NormalizeTarget = 1;

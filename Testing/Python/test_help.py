@@ -64,7 +64,7 @@ CHOICES = {
     vtkActiveVDBWriter: "GridClass Compression".split(),
 }
 OTHERS = {
-    vtkActiveImplicitSurface: "TargetFunction InitialFunction ModelBounds".split(),
+    vtkActiveImplicitSurface: "TargetFunction InitialFunction ObstacleFunction ModelBounds".split(),
     vtkSkeletonPotential: "Input InputConnection RadiusArrayName StrengthArrayName".split(),
     vtkGridPotential: "Input InputConnection ScalarArrayName".split(),
     vtkActiveEXRReader: [],

@@ -6,7 +6,9 @@
 #include "Leaves/Layers.h"
 #include "Leaves/LeafKernels.h"
 #include "Substep/ConvergedLeaves.h"
+#include "Substep/StepForward.h"
 #include "Substep/SubstepBuffers.h"
+#include "Substep/WalledTarget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,8 +99,6 @@ public:
     const CarriedLeaves& carried, const TargetDisplacements& displacements, CarriedValues& result)
     : Table(table)
     , Tree(tree)
-    , Box(walls)
-    , VoxelSize(voxelSize)
     , Carried(carried)
     , Displacements(displacements)
     , Result(result)
@@ -138,10 +138,9 @@ private:
     LeafMask known;
     for (int node = 0; node < 512; ++node)
     {
-      float value = left.Has(node) ? Far : old.Interpolate(feet + 3 * node);
+      const float value = left.Has(node) ? Far : old.Interpolate(feet + 3 * node);
       if (std::fabs(value) < .5f * Far)
       {
-        value = this->Clamp(origin, node, value);
         known.Add(node);
       }
       values[node] = value;
@@ -152,23 +151,8 @@ private:
       std::any_of(values, values + 512, [before](float v) { return (v < 0.f) != (before < 0.f); });
   }
 
-  /** At the walls. */
-  float Clamp(const openvdb::Coord& origin, int node, float value) const
-  {
-    if (!this->Box.Present)
-    {
-      return value;
-    }
-    const double point[3] = { this->VoxelSize * (origin[0] + (node >> 6)),
-      this->VoxelSize * (origin[1] + ((node >> 3) & 7)),
-      this->VoxelSize * (origin[2] + (node & 7)) };
-    return std::max(value, static_cast<float>(DistanceToWalls(this->Box, point) / this->VoxelSize));
-  }
-
   const LeafTable& Table;
   const PotentialTree& Tree;
-  const Walls& Box;
-  double VoxelSize;
   const CarriedLeaves& Carried;
   const TargetDisplacements& Displacements;
   CarriedValues& Result;
@@ -239,6 +223,27 @@ void FillLayerZero(const FollowingBand& band)
     });
 }
 
+/** No carried node is beyond walls or in the obstacle. */
+void Confine(const FollowingBand& band, const Motion& motion)
+{
+  if (!motion.Box.Present && !motion.Solid)
+  {
+    return;
+  }
+  band.Buffers.MakeRoomForNodes(band.Leaves.Size());
+  band.Leaves.ForEach(band.Set.Active,
+    [&band](std::size_t i)
+    { std::copy_n(band.Leaves[i].Value, 512, band.Buffers.NextOf(i)); });
+  if (motion.Box.Present)
+  {
+    ClampToWalls(band.Leaves, band.Set, motion.Box, band.VoxelSize, band.Buffers);
+  }
+  ClampToObstacle(band.Leaves, band.Set, motion.Solid, band.Buffers);
+  CommitStep(band.Leaves, band.Set, band.Buffers);
+  RebuildLayers(band.Leaves, band.Set, band.Potential);
+  FillGhostsAndEntered(band.Leaves, band.Set, band.Buffers.Nodes);
+}
+
 void ForEachOrigin(
   const FollowingBand& band, const CarriedValues& carried, bool isParallel, const CarryLeaf& carry)
 {
@@ -282,6 +287,7 @@ bool CarrySurface(
   RebuildLayers(band.Leaves, band.Set, band.Potential);
   FillLayerZero(band);
   FillGhostsAndEntered(band.Leaves, band.Set, band.Buffers.Nodes);
+  Confine(band, motion);
   return true;
 }
 

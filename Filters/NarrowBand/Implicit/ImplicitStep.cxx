@@ -402,6 +402,7 @@ private:
       ClampToWalls(
         this->Leaves, this->Set, this->Law.Box, this->Where.Band.VoxelSize, this->Buffers);
     }
+    ClampToObstacle(this->Leaves, this->Set, this->Law.Solid, this->Buffers);
     CommitStep(this->Leaves, this->Set, this->Buffers);
     RebuildLayers(this->Leaves, this->Set, this->Where.Band.Potential);
     if (this->HasTarget())

@@ -222,6 +222,7 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
   {
     ClampToWalls(this->Leaves, this->Set, motion.Box, size, this->Buffers);
   }
+  ClampToObstacle(this->Leaves, this->Set, motion.Solid, this->Buffers);
   CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
   const float scale = ScaleFor(gradients);
@@ -239,6 +240,7 @@ void BandState::MakePaperStep(const Motion& motion, Move& move)
   {
     ClampToWalls(this->Leaves, this->Set, motion.Box, this->VoxelSize, this->Buffers);
   }
+  ClampToObstacle(this->Leaves, this->Set, motion.Solid, this->Buffers);
   CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
   this->RestoreControlled(motion);
@@ -248,7 +250,7 @@ void BandState::RestoreControlled(const Motion& motion)
 {
   const double square = this->VoxelSize * this->VoxelSize;
   const ControlledBand band{ this->Leaves, this->Set, this->Buffers,
-    [this](ActiveSet& set) { this->RebuildBand(set); }, motion.Box, this->VoxelSize,
+    [this](ActiveSet& set) { this->RebuildBand(set); }, motion.Box, motion.Solid, this->VoxelSize,
     motion.Integration == TimeIntegration::Implicit ? RoundsOfLongSteps : 1 };
   if (motion.VolumeControl == Control::Exact)
   {
@@ -300,15 +302,15 @@ void BandState::MakeImplicitStep(
 
 void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
+  CheckObstacle(this->Leaves, motion.Solid);
+  WalledTarget walled(target, motion.Box, motion.Solid);
   if (motion.Integration == TimeIntegration::Implicit)
   {
-    WalledTarget within(target, motion.Box);
-    this->MakeImplicitStep(motion, motion.Box.Present ? within : target, report, move);
+    this->MakeImplicitStep(motion, walled.IsCut() ? walled : target, report, move);
     return;
   }
-  WalledTarget walled(target, motion.Box);
   const TargetLimits limits =
-    this->FollowTarget(motion, motion.Box.Present ? walled : target, report, move);
+    this->FollowTarget(motion, walled.IsCut() ? walled : target, report, move);
   const bool pullsInVain = PullsInVain(motion, this->Buffers);
   move.Force = this->FindForce(motion);
   double stable = this->Crossings > 0 ? StableStep(motion, this->VoxelSize, limits, move.Force)
@@ -362,13 +364,18 @@ void BandState::StepAndTrace(const Motion& motion, Target& target, AdvanceReport
   this->CheckSize();
 }
 
-void BandState::Confine(const Walls& walls)
+void BandState::Confine(const Walls& walls, Obstacle* obstacle)
 {
   this->Set.ChooseAll(this->Leaves);
   this->Buffers.MakeRoomForNodes(this->Leaves.Size());
   this->Leaves.ForEach(
     [&](std::size_t i) { std::copy_n(this->Leaves[i].Value, 512, this->Buffers.NextOf(i)); });
-  ClampToWalls(this->Leaves, this->Set, walls, this->VoxelSize, this->Buffers);
+  if (walls.Present)
+  {
+    ClampToWalls(this->Leaves, this->Set, walls, this->VoxelSize, this->Buffers);
+  }
+  ClampToObstacle(this->Leaves, this->Set, obstacle, this->Buffers);
+  CheckObstacle(this->Leaves, obstacle);
   CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
   this->FinishFrame();

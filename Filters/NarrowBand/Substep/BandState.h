@@ -53,7 +53,7 @@ struct BandState
   void StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report);
 
   /** To be called between motions: the surface counts as just started. */
-  void Confine(const Walls& walls);
+  void Confine(const Walls& walls, Obstacle* obstacle);
 
   void FinishFrame();
   std::size_t CountActive() const;

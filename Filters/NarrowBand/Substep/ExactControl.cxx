@@ -77,6 +77,7 @@ void Displace(const ControlledBand& band, double distance)
   {
     ClampToWalls(table, band.Set, band.Box, band.VoxelSize, band.Buffers);
   }
+  ClampToObstacle(table, band.Set, band.Solid, band.Buffers);
   CommitStep(table, band.Set, band.Buffers);
   band.Rebuild(band.Set);
 }

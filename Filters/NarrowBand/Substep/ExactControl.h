@@ -24,6 +24,7 @@ struct ControlledBand
   SubstepBuffers& Buffers;
   std::function<void(ActiveSet&)> Rebuild; //< layers and ghosts, from the potential
   const Walls& Box;
+  Obstacle* Solid; //< or null
   double VoxelSize;
   int Rounds = 1; //< of a voxel and a half, where a substep is as long as many
 };

@@ -2,6 +2,7 @@
 
 #include "Simulation/MotionWarnings.h"
 #include "Simulation/SurfaceStart.h"
+#include "Targets/FunctionObstacle.h"
 
 #include <algorithm>
 
@@ -43,7 +44,20 @@ bool MotionDriver::Start(
   const std::unique_ptr<PotentialTarget> initial = this->Shapes.MakeStart();
   const PotentialTarget& shape = initial ? *initial : this->Shapes.GetTarget();
   this->Prepare(band);
-  return StartOn(band, { domain, this->GetMotion(-1).Box, shape }, this->Messages, progress);
+  const Motion motion = this->GetMotion(-1);
+  return StartOn(band, { domain, motion.Box, motion.Solid, shape }, this->Messages, progress);
+}
+
+// Once the voxels are known.
+Obstacle* MotionDriver::FindObstacle() const
+{
+  vtkImplicitFunction* function = this->Settings.Inputs.ObstacleFunction;
+  const SurfaceDomain* domain = this->Shapes.FindDomain();
+  if (!this->Solid && function && domain)
+  {
+    this->Solid = MakeObstacle(function, domain->VoxelSize);
+  }
+  return this->Solid.get();
 }
 
 Motion MotionDriver::GetMotion(int step) const
@@ -54,6 +68,7 @@ Motion MotionDriver::GetMotion(int step) const
   motion.WeightedTension = motion.WeightedTension && hasFluid;
   motion.Transport = 0.0; // of what stands still
   const SurfaceDomain* domain = this->Shapes.FindDomain();
+  motion.Solid = this->FindObstacle();
   motion.Box.Present = this->Settings.Bounded && domain;
   if (domain)
   {

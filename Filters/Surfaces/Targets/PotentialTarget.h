@@ -33,6 +33,9 @@ public:
   // F - iso, negative inside, never normalized: for its zero set alone.
   void EvaluateLevel(std::size_t count, const double* points, double* values) const;
 
+  // The same, and |grad F|, 1 where it is 0 or not finite.
+  void EvaluateLevel(std::size_t count, const double* points, double* values, double* slopes) const;
+
 protected:
   // F at points (x y z each), and its gradient unless gradients is null.
   virtual void Sample(

@@ -21,6 +21,7 @@ public:
 
   const char* GetName() const override { return "a skeleton of lines"; }
   bool IsEmpty() const override { return this->Points.Particles.empty(); }
+  const ParticleFrame* GetPoints() const override { return &this->Points; }
 
   /** The function needs no voxels: it is made at once. */
   std::string Prepare(ShapePreparation& preparation) override;
