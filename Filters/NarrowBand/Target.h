@@ -70,7 +70,7 @@ public:
     std::size_t count, const double* points, const TargetResults& results) const = 0;
 
   /**
-   * Whether ForEachRegion knows where the surface of the target can be.
+   * Whether ForEachRegion and ForEachPart together know where new parts can be.
    */
   virtual bool HasRegions() const { return false; }
 
@@ -82,6 +82,13 @@ public:
    * may end, its boxes have to come again.
    */
   virtual void ForEachRegion(const RegionVisitor& visit) const { static_cast<void>(visit); }
+
+  /**
+   * Visits the parts of the shapes that the target is on its way between, and their hollows: those
+   * that the skin does not meet are created when the target is there. In any order, but it has to
+   * depend on the time alone.
+   */
+  virtual void ForEachPart(const PartVisitor& visit) const { static_cast<void>(visit); }
 
   /** Whether several threads may call Evaluate at once. */
   virtual bool IsThreadSafe() const { return true; }

@@ -10,10 +10,15 @@ namespace activesurface
 namespace
 {
 
+double FindMargin(const SurfaceStart& start)
+{
+  return start.Box.Present ? 2.0 * start.Domain.VoxelSize : 0.0;
+}
+
 // The box to sample: within walls so wide that the surface can close on them.
 void FindBounds(const SurfaceStart& start, double bounds[6])
 {
-  const double margin = start.Box.Present ? 2.0 * start.Domain.VoxelSize : 0.0;
+  const double margin = FindMargin(start);
   for (int axis = 0; axis < 3; ++axis)
   {
     bounds[2 * axis] = start.Domain.Bounds[2 * axis] - margin;
@@ -26,6 +31,19 @@ void CutAtWalls(const Walls& box, std::size_t count, const double* points, doubl
   for (std::size_t i = 0; box.Present && i < count; ++i)
   {
     values[i] = std::max(values[i], DistanceToWalls(box, points + 3 * i));
+  }
+}
+
+void EvaluateAtCorners(const InitialFunction& function, const double bounds[6])
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double point[3], value;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      point[axis] = bounds[2 * axis + (corner >> axis & 1)];
+    }
+    function.Evaluate(1, point, &value);
   }
 }
 
@@ -47,11 +65,13 @@ bool StartOn(
     }
     CutAtWalls(start.Box, count, points, values);
   };
-  if (start.Shape.HasRegions())
+  if (start.Shape.IsWithinRegions())
   {
     function.ForEachRegion = [&start](const RegionVisitor& visit)
     { start.Shape.ForEachRegion(visit); };
   }
+  function.Surface = start.Shape.FindSurface();
+  function.Surface.DepthOfWalls = FindMargin(start);
   double bounds[6];
   FindBounds(start, bounds);
   if (!band.Start(0.0, bounds, function, progress))
@@ -66,6 +86,7 @@ bool StartOn(
   }
   if (band.IsEmpty())
   {
+    EvaluateAtCorners(function, bounds); // where nothing was, as there is no surface
     messages.Say("empty",
       isFinite ? "The initial shape has no surface within the bounds, so there is no skin; check "
                  "ModelBounds, TargetIsoValue and whether VoxelSize is small enough."

@@ -29,6 +29,7 @@ public:
 
   // The reach of each particle; a part that no skin reaches has one inside.
   bool HasRegions() const override { return true; }
+  bool IsWithinRegions() const override { return true; }
   void ForEachRegion(const RegionVisitor& visit) const override;
 
 protected:

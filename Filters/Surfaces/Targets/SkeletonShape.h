@@ -29,6 +29,9 @@ public:
   std::unique_ptr<MovingTarget> MakeTarget(
     const TargetFrames& frames, const ShapeOptions& options) const override;
 
+protected:
+  bool KnowsParts() const override { return false; }
+
 private:
   ParticleFrame Points;
 };
