@@ -2,6 +2,7 @@
 
 #include "LatticeShape.h"
 #include "Leaves/LeafFaces.h"
+#include "OpenVDB.h"
 
 #include <openvdb/tree/ValueAccessor.h>
 

@@ -1,6 +1,7 @@
 #include "Parts/NearbyStart.h"
 
 #include "Leaves/LeafTable.h"
+#include "OpenVDB.h"
 #include "Parts/LatticeFunction.h"
 #include "Parts/LeafSigns.h"
 #include "State/InitialDistances.h"
