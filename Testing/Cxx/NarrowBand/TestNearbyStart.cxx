@@ -148,8 +148,9 @@ std::size_t CountEvaluations(InitialFunction function, const double bounds[6], s
   return evaluations;
 }
 
-// The box does not count, nor does how far away a ball of three voxels is. It adds (3 / 19)^2 = 2.5 %
-// to the surface. Layers are up to twice as large around so small a ball: (3 + 4)^2 / (19 + 4)^2, 9 %.
+// The box does not count, nor does how far away a ball of three voxels is. It adds (3 / 19)^2 = 2.5
+// % to the surface. Layers are up to twice as large around so small a ball: (3 + 4)^2 / (19 + 4)^2,
+// 9 %.
 TEST(TestNearbyStart, CostIsThatOfTheSurface)
 {
   std::vector<Ball> balls = { { CentreA, 0.8 } };
