@@ -87,7 +87,7 @@ public:
   }
 
   /**
-   * Whether ForEachRegion knows where the surface of the target can be.
+   * Whether ForEachRegion and ForEachPart together know where new parts can be.
    */
   virtual bool HasRegions() const { return false; }
 
@@ -99,6 +99,13 @@ public:
    * may end, its boxes have to come again.
    */
   virtual void ForEachRegion(const RegionVisitor& visit) const { static_cast<void>(visit); }
+
+  /**
+   * Visits the parts of the shapes that the target is on its way between, and their hollows: those
+   * that the skin does not meet are created when the target is there. In any order, but it has to
+   * depend on the time alone.
+   */
+  virtual void ForEachPart(const PartVisitor& visit) const { static_cast<void>(visit); }
 
   /** Whether several threads may call Evaluate at once. */
   virtual bool IsThreadSafe() const { return true; }

@@ -22,8 +22,9 @@
  * step, matched by ids (equal ones in their order), else by number if both steps have equally many,
  * else not at all. One that is missing in the next step fades out on the way, its strength falling
  * evenly to 0; a new one fades in. Skeletons, meshes and images are blended, F = (1 - f) F0 + f F1
- * at a fraction f of the way: shapes that do not overlap from step to step vanish. A step without
- * points, or a mesh without cells, is no target: the skin shrinks towards it, and vanishes.
+ * at a fraction f of the way: what does not overlap from step to step shrinks here and grows there
+ * (see CreateParts; skeletons vanish). A step without points, or a mesh without cells, is no
+ * target: the skin shrinks towards it, and vanishes.
  *
  * Input, port 1 (optional): Initial, the shape at the first time, instead of InitialFunction: a
  * mesh or an image as above, at its first time step; (4, ...) chooses the image's array.

@@ -166,7 +166,7 @@ void BandState::MoveTarget(const Motion& motion, Target& target, AdvanceReport& 
   target.MoveTo(this->Time);
   const GrowingBand band{ this->Leaves, this->Set, this->Potential->tree(), this->VoxelSize,
     this->Maximum };
-  if (motion.CreateParts && target.HasRegions() && CreateParts(band, target, report))
+  if (motion.CreateParts && target.HasRegions() && CreateParts(band, motion, target, report))
   {
     this->RebuildBand(this->Set);
   }

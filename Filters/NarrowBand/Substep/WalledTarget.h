@@ -52,6 +52,7 @@ public:
   {
     this->Within.ForEachRegion(visit);
   }
+  void ForEachPart(const PartVisitor& visit) const override { this->Within.ForEachPart(visit); }
   bool IsThreadSafe() const override
   {
     return this->Within.IsThreadSafe() && (!this->Solid || this->Solid->IsThreadSafe());

@@ -13,7 +13,7 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
   {
     std::ostringstream text;
     text << "The skin has vanished before the motion time " << time.Value
-         << (end.MayComeBack ? "; it comes back where particles do."
+         << (end.MayComeBack ? "; it comes back where the target does."
                              : "; it does not come back. Does the target meet the initial shape?");
     messages.Say("vanished", text.str());
   }

@@ -13,10 +13,15 @@ namespace activesurface
 namespace
 {
 
+double FindMargin(const SurfaceStart& start)
+{
+  return start.Box.Present ? 2.0 * start.Domain.VoxelSize : 0.0;
+}
+
 // The box to sample: within walls so wide that the surface can close on them.
 void FindBounds(const SurfaceStart& start, double bounds[6])
 {
-  const double margin = start.Box.Present ? 2.0 * start.Domain.VoxelSize : 0.0;
+  const double margin = FindMargin(start);
   for (int axis = 0; axis < 3; ++axis)
   {
     bounds[2 * axis] = start.Domain.Bounds[2 * axis] - margin;
@@ -56,6 +61,19 @@ void CutAtObstacle(
   }
 }
 
+void EvaluateAtCorners(const InitialFunction& function, const double bounds[6])
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double point[3], value;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      point[axis] = bounds[2 * axis + (corner >> axis & 1)];
+    }
+    function.Evaluate(1, point, &value);
+  }
+}
+
 }
 
 bool StartOn(
@@ -80,10 +98,15 @@ bool StartOn(
     }
     CutAtObstacle(start, count, points, values);
   };
-  if (start.Shape.HasRegions())
+  if (start.Shape.IsWithinRegions())
   {
     function.ForEachRegion = [&start](const RegionVisitor& visit)
     { start.Shape.ForEachRegion(visit); };
+  }
+  if (!start.Solid) // it cuts faces into the shape, where the shape has no surface
+  {
+    function.Surface = start.Shape.FindSurface();
+    function.Surface.DepthOfWalls = FindMargin(start);
   }
   double bounds[6];
   FindBounds(start, bounds);
@@ -105,6 +128,7 @@ bool StartOn(
   }
   else if (band.IsEmpty())
   {
+    EvaluateAtCorners(function, bounds); // where nothing was, as there is no surface
     messages.Say("empty",
       isFinite ? "The initial shape has no surface within the bounds, so there is no skin; check "
                  "ModelBounds, TargetIsoValue and whether VoxelSize is small enough."

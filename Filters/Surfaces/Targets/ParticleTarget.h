@@ -31,6 +31,7 @@ public:
   void EvaluateVelocities(
     std::size_t count, const double* points, double* velocities) const override;
   bool HasRegions() const override { return true; }
+  bool IsWithinRegions() const override { return true; }
   void ForEachRegion(const RegionVisitor& visit) const override;
 
 protected:

@@ -30,6 +30,9 @@ public:
   std::unique_ptr<MovingTarget> MakeTarget(
     const TargetFrames& frames, const ShapeOptions& options) const override;
 
+protected:
+  bool KnowsParts() const override { return false; }
+
 private:
   ParticleFrame Points;
 };
