@@ -6,7 +6,7 @@
 #include "State/PackedBand.h"
 #include "State/StateGrid.h"
 #include "StaticShutdown.h"
-#include "Substep/BandState.h"
+#include "BandState.h"
 
 #include <tbb/task_arena.h>
 

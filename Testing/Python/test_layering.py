@@ -54,6 +54,12 @@ MAY_INCLUDE = {
         "NarrowBand/Trilinear",
         "NarrowBand/Walls",
     ],
+    "NarrowBand/Implicit": [
+        *NUMERICS,
+        "NarrowBand/Leaves",
+        "NarrowBand/Parts",
+        "NarrowBand/Substep",
+    ],
     "NarrowBand/State": [
         *NUMERICS,
         "NarrowBand/Leaves",
@@ -62,6 +68,7 @@ MAY_INCLUDE = {
     "NarrowBand": [
         "NarrowBand/Leaves",
         "NarrowBand/Substep",
+        "NarrowBand/Implicit",
         "NarrowBand/State",
         "NarrowBand/Parts",
     ],

@@ -95,8 +95,8 @@ struct CarriedValues
 class CarryLeaf
 {
 public:
-  CarryLeaf(const LeafTable& table, const PotentialTree& tree, const Walls& walls, double voxelSize,
-    const CarriedLeaves& carried, const TargetDisplacements& displacements, CarriedValues& result)
+  CarryLeaf(const LeafTable& table, const PotentialTree& tree, const CarriedLeaves& carried,
+    const TargetDisplacements& displacements, CarriedValues& result)
     : Table(table)
     , Tree(tree)
     , Carried(carried)
@@ -232,8 +232,7 @@ void Confine(const FollowingBand& band, const Motion& motion)
   }
   band.Buffers.MakeRoomForNodes(band.Leaves.Size());
   band.Leaves.ForEach(band.Set.Active,
-    [&band](std::size_t i)
-    { std::copy_n(band.Leaves[i].Value, 512, band.Buffers.NextOf(i)); });
+    [&band](std::size_t i) { std::copy_n(band.Leaves[i].Value, 512, band.Buffers.NextOf(i)); });
   if (motion.Box.Present)
   {
     ClampToWalls(band.Leaves, band.Set, motion.Box, band.VoxelSize, band.Buffers);
@@ -280,8 +279,7 @@ bool CarrySurface(
   CarriedValues carried{ leaves.GetOrigins(), band.Buffers.StageFirst, std::vector<LeafMask>(count),
     std::vector<char>(count) };
   ForEachOrigin(band, carried, target.IsThreadSafe(),
-    CarryLeaf(
-      band.Leaves, band.Potential, motion.Box, band.VoxelSize, leaves, displacements, carried));
+    CarryLeaf(band.Leaves, band.Potential, leaves, displacements, carried));
   band.Set.Choose(band.Leaves, TakeValues(band, carried));
   MarkUpdated(band, carried);
   RebuildLayers(band.Leaves, band.Set, band.Potential);

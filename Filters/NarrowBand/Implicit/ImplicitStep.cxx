@@ -152,7 +152,7 @@ private:
     const GrowingBand band{ this->Leaves, this->Set, this->Where.Band.Potential,
       this->Where.Band.VoxelSize, this->Where.MaximumNumberOfActiveVoxels };
     if (this->Law.CreateParts && this->Source.HasRegions() &&
-      CreateParts(band, this->Source, this->Report))
+      CreateParts(band, this->Law, this->Source, this->Report))
     {
       RebuildLayers(this->Leaves, this->Set, this->Where.Band.Potential);
       FillGhosts(this->Leaves, this->Set);

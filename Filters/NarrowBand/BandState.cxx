@@ -1,4 +1,4 @@
-#include "Substep/BandState.h"
+#include "BandState.h"
 
 #include "Implicit/ImplicitStep.h"
 #include "Leaves/GhostFill.h"
