@@ -142,6 +142,17 @@ void CarriedLeaves::AddWay(const BandLeaf& leaf, const double* displacements)
   }
 }
 
+double CarriedLeaves::GetLongest() const
+{
+  double longest = 0.0;
+  for (std::size_t n = 0; n < this->Displacements.size(); n += 3)
+  {
+    const double* way = this->Displacements.data() + n;
+    longest = IsKnown(way) ? std::max(longest, std::hypot(way[0], way[1], way[2])) : longest;
+  }
+  return longest;
+}
+
 bool CarriedLeaves::HasLeft(std::int32_t leaf, int node) const
 {
   const int eighth = 4 * (node >> 8) + 2 * ((node >> 5) & 1) + ((node >> 2) & 1);

@@ -46,6 +46,9 @@ public:
   /** Origins of all leaves, of the table or not, in which values may change; ascending. */
   const std::vector<openvdb::Coord>& GetOrigins() const { return this->Origins; }
 
+  /** The longest displacement [voxels]. */
+  double GetLongest() const;
+
   /** Whether what was near a node of a leaf of the table has gone, as the target said. */
   bool HasLeft(std::int32_t leaf, int node) const;
 

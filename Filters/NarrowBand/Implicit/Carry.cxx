@@ -260,8 +260,8 @@ void ForEachOrigin(
 
 }
 
-bool CarrySurface(
-  const FollowingBand& band, const Motion& motion, double begin, double end, Target& target)
+bool CarrySurface(const FollowingBand& band, const Motion& motion, double begin, double end,
+  Target& target, AdvanceReport& report)
 {
   const double factor = motion.Transport * (end - begin) / band.VoxelSize;
   const TargetDisplacements displacements(target, band.VoxelSize, factor);
@@ -269,6 +269,8 @@ bool CarrySurface(
   ForgetChanged(band.Leaves, band.VoxelSize, target);
   const CarriedLeaves leaves(band.Leaves, displacements);
   const std::size_t count = leaves.GetOrigins().size();
+  report.MaxSpeed =
+    std::max(report.MaxSpeed, leaves.GetLongest() * band.VoxelSize / (end - begin));
   target.MoveTo(end);
   ForgetChanged(band.Leaves, band.VoxelSize, target);
   if (count == 0)

@@ -17,8 +17,8 @@ namespace activesurface
 
 /** From one time to another; layers and ghosts follow. Moves the target to both times. False if
  * nothing moves. */
-bool CarrySurface(
-  const FollowingBand& band, const Motion& motion, double begin, double end, Target& target);
+bool CarrySurface(const FollowingBand& band, const Motion& motion, double begin, double end,
+  Target& target, AdvanceReport& report);
 
 }
 

@@ -115,8 +115,8 @@ private:
   void FollowCarried()
   {
     const double length = this->Plan.GetLength();
-    this->IsCarried = CarrySurface(
-      this->Where.Band, this->Whole, this->Where.Time, this->Where.Time + length, this->Source);
+    this->IsCarried = CarrySurface(this->Where.Band, this->Whole, this->Where.Time,
+      this->Where.Time + length, this->Source, this->Report);
     if (!this->HasTarget() && !this->IsWeighted())
     {
       this->Set.ChooseAll(this->Leaves);

@@ -19,7 +19,7 @@ constexpr double Pi = 3.14159265358979323846;
 
 Motion TensionWith(Control area, Control volume, double stiffness = 1.0)
 {
-  Motion motion;
+  Motion motion = MakeMotion(1.0, 0.0);
   motion.Attraction = 0.0;
   motion.Tension = 1.0;
   motion.AreaControl = area;

@@ -85,7 +85,7 @@ Way Follow(const Scene& scene, Control area, double cfl)
   band.SetMaximumNumberOfActiveVoxels(500000); // four times what a sound one has
   band.Start(0.0, bounds, MakeInitialFunction(scene.Start));
   ShapeTarget target(Normalise(scene.End, scene.Reach));
-  Motion motion;
+  Motion motion = MakeMotion(1.0, 0.0);
   motion.Attraction = 20.0;
   motion.CFL = cfl;
   (area == Control::Exact ? motion.AreaControl : motion.VolumeControl) = Control::Exact;
@@ -153,7 +153,7 @@ TEST(TestExactControl, ALostPotentialIsAnErrorAndIsNotTaken)
   NarrowBand band(VoxelSizeOf(40));
   StartOn(band, MakeCube());
   ShapeTarget target(Normalise(MakeBall({ 0.5, 0.2, 0.1 }, 0.3), 0.03));
-  Motion motion;
+  Motion motion = MakeMotion(1.0, 0.0);
   motion.Attraction = 20.0;
   motion.CFL = 30.0;
   std::unique_ptr<NarrowBand> before;

@@ -249,7 +249,7 @@ void CheckUnits(const Ball& from, const Ball& to)
     auto band = std::make_unique<NarrowBand>(VoxelSizeOf(32) * unit);
     const double box[6] = { -unit, unit, -unit, unit, -unit, unit };
     band->Start(0.0, box, MakeInitialFunction(Scale(MakeBall(from.Centre, from.Radius), unit)));
-    Motion motion;
+    Motion motion = MakeMotion(1.0, 0.0);
     motion.Tension = 0.02 * unit * unit;
     ShapeTarget target(Scale(MakeBall(to.Centre, to.Radius), unit));
     band->Advance(2.5, motion, target);
@@ -325,7 +325,7 @@ std::unique_ptr<NarrowBand> Shrink(const Ball& ball)
   const double h = VoxelSizeOf(32);
   auto band = std::make_unique<NarrowBand>(h);
   StartOn(*band, MakeBall(ball.Centre, ball.Radius));
-  Motion motion;
+  Motion motion = MakeMotion(1.0, 0.0);
   motion.Attraction = 0.0;
   motion.Tension = 1.0;
   motion.CFL = 0.8;

@@ -18,7 +18,7 @@ constexpr Point Origin = { 0.0, 0.0, 0.0 };
 
 Motion WithTension(double tension)
 {
-  Motion motion;
+  Motion motion = MakeMotion(1.0, 0.0);
   motion.Tension = tension;
   return motion;
 }
@@ -146,7 +146,7 @@ TEST(TestSettle, SurfaceRestsOnTheWall)
   {
     const double h = VoxelSizeOf(n);
     const Shape end = MakeBall({ 0.5, 0.01, -0.02 }, 0.7);
-    Motion motion;
+    Motion motion = MakeMotion(1.0, 0.0);
     motion.Box = { true, { -0.93, 0.93, -0.93, 0.93, -0.93, 0.93 } };
     NarrowBand band(h);
     StartOn(band, MakeBall(Origin, 0.5));

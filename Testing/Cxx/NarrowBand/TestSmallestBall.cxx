@@ -22,7 +22,7 @@ void Settle(NarrowBand& band, double radius)
   constexpr double bounds[6] = { -0.6, 0.6, -0.6, 0.6, -0.6, 0.6 };
   band.Start(0.0, bounds, MakeInitialFunction(MakeBall(CentreA, radius)));
   ShapeTarget target(MakeBall(CentreA, radius));
-  Motion motion;
+  Motion motion = MakeMotion(1.0, 0.0);
   motion.Tension = LengthOfTension * LengthOfTension;
   band.Advance(40.0, motion, target);
 }

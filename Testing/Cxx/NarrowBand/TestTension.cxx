@@ -19,7 +19,7 @@ namespace
 // The substep is factor * h^2 / Tension: a CFL of 1 is a factor of 1/4.
 Motion TensionAlone(double factor)
 {
-  Motion motion;
+  Motion motion = MakeMotion(1.0, 0.0);
   motion.Attraction = 0.0;
   motion.Tension = 1.0;
   motion.CFL = 4.0 * factor;

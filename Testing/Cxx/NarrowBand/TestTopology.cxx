@@ -59,7 +59,7 @@ void CheckTopology(const Shape& start, const Shape& end, const Topology& expecte
     NarrowBand band(VoxelSizeOf(n));
     StartOn(band, start);
     ShapeTarget target(end);
-    Motion motion;
+    Motion motion = MakeMotion(1.0, 0.0);
     motion.Tension = tension;
     const AdvanceReport report = band.Advance(12.0, motion, target);
     const Mesh mesh = Polygonise(band);

@@ -205,7 +205,11 @@ Shape Normalise(const Shape& shape, double reach)
       const double slope = std::max(SlopeAt(shape, point), 1e-30);
       return std::clamp(shape.Value(point) / slope, -reach, reach);
     },
-    {} };
+    [shape, reach](const Point& point)
+    {
+      const double slope = std::max(SlopeAt(shape, point), 1e-30);
+      return std::fabs(shape.Value(point)) / slope < reach ? 1.0 : 0.0;
+    } };
 }
 
 Shape Scale(const Shape& shape, double factor)

@@ -1,0 +1,287 @@
+// What is said of the implicit integration alone; the exact tests run with it too, as
+// Implicit/TestX.
+
+#include "Support/AnalyticShapes.h"
+#include "Support/PriorAccess.h"
+#include "Support/SurfaceMeasures.h"
+#include "Support/Throws.h"
+
+#include "Implicit/LegendreStages.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace activesurface;
+
+namespace
+{
+const double H = VoxelSizeOf(64);
+
+Motion MakeImplicit(double attraction, double tension)
+{
+  Motion motion = MakeMotion(attraction, tension);
+  motion.Integration = TimeIntegration::Implicit;
+  return motion;
+}
+
+// y' = -y over one step: of order p the error falls by 2^(p+1) where the step is halved; a tenth is
+// left for the next order.
+TEST(TestImplicit, StagesHaveTheirOrder)
+{
+  for (const auto& [order, power] : { std::pair(StageOrder::First, 1), { StageOrder::Second, 2 } })
+  {
+    for (int count = 3; count <= 6; ++count)
+    {
+      const LegendreStages stages(order, count);
+      const double step = .02;
+      const auto error = [&](double decay) { return stages.Amplify(decay) - std::exp(-decay); };
+      const double ratio = error(step) / error(.5 * step);
+      EXPECT_NEAR(ratio / std::pow(2.0, power + 1), 1.0, .1) << count << " stages, order " << power;
+    }
+  }
+}
+
+// Forward Euler is stable to a decay of 2; and no stages reach farther than they say.
+TEST(TestImplicit, StagesAreStableAsFarAsTheyReach)
+{
+  for (const StageOrder order : { StageOrder::First, StageOrder::Second })
+  {
+    for (int count = 3; count <= 8; ++count)
+    {
+      const LegendreStages stages(order, count);
+      const double reach = LegendreStages::Reach(order, count);
+      double largest = 0.0;
+      for (double decay = 0.0; decay <= 2.0 * reach; decay += .01)
+      {
+        largest = std::max(largest, std::fabs(stages.Amplify(decay)));
+      }
+      EXPECT_LE(largest, 1.0 + 1e-12) << count << " stages";
+      EXPECT_GT(std::fabs(stages.Amplify(2.2 * reach)), 1.0) << count << " stages, a tenth farther";
+      EXPECT_EQ(LegendreStages::FindCount(order, reach), count) << "stages that reach so far";
+    }
+  }
+}
+
+// A uniform speed of a target out of reach, twelve voxels in one substep: no clamp is a speed limit.
+// Tolerances of TestTracking.
+TEST(TestImplicit, OneSubstepGoesAsFarAsTheTargetSays)
+{
+  for (const double way : { .4, -.4 })
+  {
+    NarrowBand band(H);
+    StartOn(band, MakeBall(CentreA, .5 - .5 * way));
+    ShapeTarget target(MakeConstant(-way));
+    const AdvanceReport report = band.Advance(1.0, MakeImplicit(1.0, 0.0), target);
+    const Range radii = GetRadii(Polygonise(band), CentreA);
+    EXPECT_EQ(report.Substeps, 1u) << "substeps";
+    EXPECT_NEAR((radii.Mean - .5 - .5 * way) / H, 0.0, .15) << "error of the mean radius [h]";
+    EXPECT_LT(radii.GetSpread() / H, .25) << "spread of the radii [h]";
+  }
+}
+
+// The radius of a ball under attraction and tension, r' = -(r - R) - 2 Tension / r, by small steps.
+double FindRadius(double from, double to, double tension, double time)
+{
+  const int steps = 100000;
+  double radius = from;
+  for (int i = 0; i < steps; ++i)
+  {
+    const auto rate = [&](double r) { return to - r - 2.0 * tension / r; };
+    const double middle = radius + .5 * time / steps * rate(radius);
+    radius += time / steps * rate(middle);
+  }
+  return radius;
+}
+
+// Under tension the scheme is of first order in time: with a quarter of the step the error is a
+// quarter, and with any less than that of the lattice (.04 voxel, as at rest).
+TEST(TestImplicit, CFLBuysExactnessUnderTension)
+{
+  const double exact = FindRadius(.3, .6, .01, 1.0);
+  const auto error = [&](double cfl)
+  {
+    NarrowBand band(H);
+    StartOn(band, MakeBall(CentreA, .3));
+    ShapeTarget target(MakeBall(CentreA, .6));
+    Motion motion = MakeImplicit(1.0, .01);
+    motion.CFL = cfl;
+    band.Advance(1.0, motion, target);
+    return std::fabs(GetRadii(Polygonise(band), CentreA).Mean - exact) / H;
+  };
+  const double whole = error(1.0), quarter = error(.25);
+  EXPECT_LT(quarter, .25 * whole + .04) << "error [h] at CFL 1 is " << whole;
+}
+
+// From a ball to two: an explicit scheme makes six times as many substeps.
+TEST(TestImplicit, SubstepsAreFew)
+{
+  const Shape two = MakeBalls({ { { -.43, .01, .02 }, .3 }, { { .45, .03, -.01 }, .33 } });
+  std::size_t substeps[2];
+  for (const bool isImplicit : { false, true })
+  {
+    NarrowBand band(H);
+    StartOn(band, MakeBall(CentreA, .5));
+    ShapeTarget target(two);
+    Motion motion = MakeImplicit(1.0, 0.0);
+    motion.Integration = isImplicit ? TimeIntegration::Implicit : TimeIntegration::Explicit;
+    substeps[isImplicit] = band.Advance(8.0, motion, target).Substeps;
+    EXPECT_EQ(GetTopology(Polygonise(band)).Components, 2) << "balls";
+  }
+  EXPECT_LT(6 * substeps[1], substeps[0]) << "substeps: " << substeps[1] << ", " << substeps[0];
+}
+
+/** Fails at the n-th evaluation. */
+class FailingTarget : public ShapeTarget
+{
+public:
+  FailingTarget(const Shape& shape, int evaluations)
+    : ShapeTarget(shape)
+    , Left(evaluations)
+  {
+  }
+
+  bool IsThreadSafe() const override { return false; }
+  void Evaluate(
+    std::size_t count, const double* points, const TargetResults& results) const override
+  {
+    if (--this->Left < 0)
+    {
+      throw std::runtime_error("The target is out of order.");
+    }
+    this->ShapeTarget::Evaluate(count, points, results);
+  }
+
+private:
+  mutable int Left;
+};
+
+// Within a substep, after some of its passes: the potential is the one before the substep.
+TEST(TestImplicit, AnErrorHalfWayKeepsTheLastSubstep)
+{
+  for (const double tension : { 0.0, .001 })
+  {
+    int failures = 0;
+    for (int evaluations = 0; evaluations < 4000; evaluations += 150)
+    {
+      NarrowBand band(H);
+      StartOn(band, MakeBall(CentreA, .3));
+      const auto before = band.Clone();
+      FailingTarget target(MakeBall(CentreA, .7), evaluations);
+      try
+      {
+        Motion motion = MakeImplicit(1.0, tension);
+        band.Advance(.5, motion, target);
+      }
+      catch (const std::runtime_error&)
+      {
+        ++failures;
+        if (band.GetTime() == 0.0)
+        {
+          EXPECT_TRUE(AreIdentical(*before, band)) << evaluations << " evaluations";
+        }
+      }
+    }
+    EXPECT_GT(failures, 3) << "targets that failed, tension " << tension;
+  }
+}
+
+/** Two balls: what is beyond x = 0 has the velocity, the rest has none. */
+ShapeTarget FollowOneOfTwo(const Point& velocity)
+{
+  return ShapeTarget(
+    [velocity](double time)
+    {
+      const Point centre = { .3 + time * velocity[0], time * velocity[1], time * velocity[2] };
+      Shape shape = MakeBalls({ { { -.5, 0.0, 0.0 }, .2 }, { centre, .2 } });
+      shape.Velocity = [velocity, centre](const Point& point)
+      {
+        const double far = std::numeric_limits<double>::quiet_NaN();
+        const double distance =
+          std::hypot(point[0] - centre[0], point[1] - centre[1], point[2] - centre[2]);
+        return distance < .35 ? velocity : Point{ far, far, far };
+      };
+      return shape;
+    });
+}
+
+// Sixteen voxels in one step, more than the ball's diameter: it arrives whole, nothing is left
+// behind, and the other one keeps its bytes. The cubic of a ball of six voxels is right to .02 h.
+TEST(TestImplicit, TransportTakesAPartAwayAndLeavesTheOther)
+{
+  const Point velocity = { .1, .35, -.35 };
+  NarrowBand band(H);
+  ShapeTarget target = FollowOneOfTwo(velocity);
+  StartOn(band, MakeBalls({ { { -.5, 0.0, 0.0 }, .2 }, { { .3, 0.0, 0.0 }, .2 } }));
+  const double volume = band.GetVolume();
+  const auto before = band.Clone();
+  Motion motion = MakeImplicit(0.0, 0.0);
+  motion.Transport = 1.0;
+  band.Advance(1.0, motion, target);
+  const Mesh mesh = Polygonise(band);
+  EXPECT_EQ(GetTopology(mesh).Components, 2) << "balls";
+  EXPECT_NEAR(band.GetVolume() / volume, 1.0, .01) << "volume";
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < mesh.GetNumberOfPoints(); ++i)
+  {
+    const Point p = mesh.GetPoint(i);
+    if (p[0] > 0.0)
+    {
+      const double r = std::hypot(p[0] - .4, p[1] - .35, p[2] + .35);
+      farthest = std::max(farthest, std::fabs(r - .2) / H);
+    }
+  }
+  EXPECT_LT(farthest, .1) << "largest distance of the ball that moved [h]";
+  const openvdb::Coord inside(-20, 0, 0);
+  EXPECT_EQ(band.GetPotential()->tree().getValue(inside),
+    before->GetPotential()->tree().getValue(inside))
+    << "u of the ball that stays";
+}
+
+TEST(TestImplicit, NothingIsCarriedThroughAWall)
+{
+  NarrowBand band(H);
+  StartOn(band, MakeBall({ .3, 0.0, 0.0 }, .2));
+  ShapeTarget target(
+    [](double time)
+    {
+      Shape shape = MakeBall({ .3 + .3 * time, 0.0, 0.0 }, .2);
+      shape.Velocity = [](const Point&) { return Point{ .3, 0.0, 0.0 }; };
+      return shape;
+    });
+  Motion motion = MakeImplicit(0.0, 0.0);
+  motion.Transport = 1.0;
+  motion.Box = { true, { -.6, .6, -.6, .6, -.6, .6 } };
+  band.Advance(1.0, motion, target);
+  double farthest = -1.0;
+  const Mesh mesh = Polygonise(band);
+  for (std::size_t i = 0; i < mesh.GetNumberOfPoints(); ++i)
+  {
+    farthest = std::max(farthest, mesh.GetPoint(i)[0]);
+  }
+  EXPECT_LT(farthest, .6 + 1e-6) << "largest x";
+  EXPECT_GT(farthest, .6 - .1 * H) << "largest x, at the wall";
+}
+
+TEST(TestImplicit, WhatDoesNotGoWithItIsRefused)
+{
+  NarrowBand band(H);
+  StartOn(band, MakeBall(CentreA, .3));
+  ShapeTarget target(MakeBall(CentreA, .3));
+  Motion paper = MakeImplicit(1.0, 0.0), node = paper, central = paper;
+  paper.Paper = true;
+  node.Evaluation = TargetEvaluation::Node;
+  central.Gradient = GradientScheme::Central;
+  for (const Motion& motion : { paper, node, central })
+  {
+    EXPECT_TRUE(Throws<std::invalid_argument>(
+      [&] { band.Advance(1.0, motion, target); }, "set TimeIntegration to EXPLICIT"));
+  }
+  EXPECT_TRUE(Throws<std::invalid_argument>(
+    [&] { band.Advance(1.0, MakeImplicit(1.0, -1.0), target); }, "Tension >= 0"));
+}
+}
