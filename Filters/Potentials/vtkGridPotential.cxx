@@ -19,9 +19,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <atomic>
 #include <exception>
-#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -41,8 +39,6 @@ struct vtkGridPotential::Internals
   std::shared_ptr<const activesurface::GridSamples> Samples;
   std::string Defects;
   std::string Error;
-  std::mutex Building;
-  std::atomic<vtkMTimeType> BuildTime{ 0 };
 };
 
 vtkGridPotential::vtkGridPotential()
@@ -106,20 +102,9 @@ vtkMTimeType vtkGridPotential::GetMTime()
 
 void vtkGridPotential::Build()
 {
-  Internals& own = *this->Internal;
   // Not GetMTime(): a change of the transform leaves the samples as they are.
-  const vtkMTimeType changed = // NOLINTNEXTLINE(bugprone-parent-virtual-call)
-    std::max(this->vtkObject::GetMTime(), own.Input.GetMTime());
-  if (own.BuildTime.load(std::memory_order_acquire) == changed)
-  {
-    return;
-  }
-  const std::lock_guard<std::mutex> lock(own.Building);
-  if (own.BuildTime.load(std::memory_order_relaxed) != changed)
-  {
-    this->ReadSamples();
-    own.BuildTime.store(changed, std::memory_order_release);
-  }
+  const vtkMTimeType changed = this->vtkObject::GetMTime(); // NOLINT(bugprone-parent-virtual-call)
+  this->Internal->Input.ReadIfChanged(changed, [this] { this->ReadSamples(); });
 }
 
 void vtkGridPotential::ReadSamples()
