@@ -12,6 +12,23 @@
 namespace activesurface
 {
 
+/** Places near the zero set of a function. */
+struct SurfacePoints
+{
+  /** Visits them (x y z). Empty: not known. */
+  std::function<void(const std::function<void(const double x[3])>& visit)> ForEach;
+
+  /** Wherever the function changes sign, but at walls, one of them is so near along each axis
+   * [length]. */
+  double Reach = 0.0;
+
+  /** Box outside which the function is not negative. */
+  double Bounds[6] = {};
+
+  /** Walls so deep within the bounds of the start may cut the shape off [length]. */
+  double DepthOfWalls = 0.0;
+};
+
 /** A function of space, negative inside: values at `count` points (x y z each). */
 struct InitialFunction
 {
@@ -24,6 +41,12 @@ struct InitialFunction
    * function is sampled everywhere within the bounds.
    */
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
+
+  /**
+   * The same, for a function whose surface is known by points: the start is, bitwise, the one
+   * without them, but costs what is near them.
+   */
+  SurfacePoints Surface;
 };
 
 }

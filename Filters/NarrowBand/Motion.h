@@ -21,6 +21,8 @@
 namespace activesurface
 {
 
+class Obstacle;
+
 /** How area or volume is controlled: not at all; by a penalty speed proportional to the deficit
  * (the paper); or exactly, by a uniform displacement after each substep. */
 enum class Control
@@ -37,6 +39,14 @@ enum class TargetEvaluation
   Shifted,
   Node,
   ClosestPoint
+};
+
+/** How a substep is made: forward Euler within the stable step of the fastest part; or of nearly any
+ * length, by exponentials for the attraction and stages for the tension (see README.md). */
+enum class TimeIntegration
+{
+  Explicit,
+  Implicit
 };
 
 /** Differences of the advective term: central, or one-sided (upwind). */
@@ -97,10 +107,17 @@ struct Motion
   TargetEvaluation Evaluation = TargetEvaluation::Shifted;
   GradientScheme Gradient = GradientScheme::Upwind;
 
+  /** Implicit needs the evaluation Shifted and the gradient Upwind, and is not the paper's. */
+  TimeIntegration Integration = TimeIntegration::Explicit;
+
   /** The paper's own scheme instead of this library's, for comparison: see PaperStep.h. */
   bool Paper = false;
 
   Walls Box;
+
+  /** What the surface may not enter, the caller's; null: nothing. It learns the leaves where the
+   * surface comes. */
+  Obstacle* Solid = nullptr;
 
   /** Whether parts of the target that no skin reaches, and hollows of it deep inside the skin, get
    * a skin, where the target has regions. Not in the paper's scheme. */

@@ -1,5 +1,6 @@
 #include "NarrowBand.h"
 
+#include "Parts/NearbyStart.h"
 #include "Parts/SparseStart.h"
 #include "State/InitialShape.h"
 #include "State/PackedBand.h"
@@ -142,7 +143,9 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   this->Run(
     [&]
     {
-      const auto make = function.ForEachRegion ? MakeSparsePotential : MakeInitialPotential;
+      const auto make = function.Surface.ForEach ? MakeNearbyPotential
+        : function.ForEachRegion                 ? MakeSparsePotential
+                                                 : MakeInitialPotential;
       openvdb::FloatTree::Ptr tree =
         make(members.VoxelSize, bounds, function, members.Maximum, progress);
       if (!tree)
@@ -163,9 +166,9 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   return finished;
 }
 
-void NarrowBand::Confine(const Walls& walls)
+void NarrowBand::Confine(const Walls& walls, Obstacle* obstacle)
 {
-  this->Run([&] { this->State->Confine(walls); });
+  this->Run([&] { this->State->Confine(walls, obstacle); });
 }
 
 namespace

@@ -96,8 +96,9 @@ public:
   bool Start(double time, const double bounds[6], const InitialFunction& function,
     const ProgressFunction& progress = {});
 
-  /** Clips the surface at the walls. */
-  void Confine(const Walls& walls);
+  /** Clips the surface at the walls, if they are present, and at the obstacle, unless it is null.
+   * Throws std::runtime_error where the obstacle is not a number. */
+  void Confine(const Walls& walls, Obstacle* obstacle = nullptr);
 
   /**
    * Moves the surface to the motion time `time` (not before the current one, else

@@ -122,11 +122,11 @@ void AddTargetSpeed(const NarrowBand& band, const SkinForces& forces,
   if (HasTargetSpeed(motion) || isWeighted)
   {
     forces.Attractor.MoveTo(band.GetTime());
-    WalledTarget walled(forces.Attractor, forces.Strategy.Box);
+    WalledTarget walled(forces.Attractor, forces.Strategy.Box, forces.Strategy.Solid);
     const LeafTable& table = band.GetLeaves();
     const LeafList all = table.FindAll([](std::size_t) { return true; });
     SampleLeaves({ table, band.GetPotential()->tree(), band.GetVoxelSize() }, all, motion,
-      forces.Strategy.Box.Present ? walled : forces.Attractor, buffers);
+      walled.IsCut() ? walled : forces.Attractor, buffers);
   }
   for (std::size_t v = 0; v < speeds.size(); ++v)
   {

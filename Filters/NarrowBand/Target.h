@@ -69,8 +69,25 @@ public:
   virtual void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const = 0;
 
+  /** The velocities alone, as by Evaluate (x y z each); not a number where the target knows none, as
+   * nothing is there that moves. */
+  virtual void EvaluateVelocities(
+    std::size_t count, const double* points, double* velocities) const
+  {
+    constexpr std::size_t batch = 128;
+    double values[batch], slopes[batch];
+    for (std::size_t first = 0; first < count; first += batch)
+    {
+      TargetResults results;
+      results.Values = values;
+      results.Slopes = slopes;
+      results.Velocities = velocities + 3 * first;
+      this->Evaluate(std::min(batch, count - first), points + 3 * first, results);
+    }
+  }
+
   /**
-   * Whether ForEachRegion knows where the surface of the target can be.
+   * Whether ForEachRegion and ForEachPart together know where new parts can be.
    */
   virtual bool HasRegions() const { return false; }
 
@@ -82,6 +99,13 @@ public:
    * may end, its boxes have to come again.
    */
   virtual void ForEachRegion(const RegionVisitor& visit) const { static_cast<void>(visit); }
+
+  /**
+   * Visits the parts of the shapes that the target is on its way between, and their hollows: those
+   * that the skin does not meet are created when the target is there. In any order, but it has to
+   * depend on the time alone.
+   */
+  virtual void ForEachPart(const PartVisitor& visit) const { static_cast<void>(visit); }
 
   /** Whether several threads may call Evaluate at once. */
   virtual bool IsThreadSafe() const { return true; }

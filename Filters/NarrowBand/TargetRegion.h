@@ -1,5 +1,5 @@
 /**
- * Where the surface of a function can be: boxes.
+ * Where the surface of a function can be: boxes, or the connected parts of a shape.
  */
 #ifndef TargetRegion_h
 #define TargetRegion_h
@@ -30,6 +30,29 @@ struct TargetRegion
 };
 
 using RegionVisitor = std::function<void(const TargetRegion&)>;
+
+/** Called for points (x y z) until it returns false. */
+using PointVisitor = std::function<bool(const double x[3])>;
+
+/**
+ * A connected part of the inside of a shape that the target is, or goes to; or a hollow of it, a
+ * part of its outside that is enclosed.
+ */
+class TargetPart
+{
+public:
+  virtual ~TargetPart() = default;
+
+  virtual bool IsHollow() const = 0;
+
+  /** Some points of it, the deepest ones first: some in each piece of a few voxels. */
+  virtual void ForEachSample(const PointVisitor& visit) const = 0;
+
+  /** All that are known; a skin that holds none of them does not meet the part. */
+  virtual void ForEachPoint(const PointVisitor& visit) const = 0;
+};
+
+using PartVisitor = std::function<void(const TargetPart&)>;
 
 }
 

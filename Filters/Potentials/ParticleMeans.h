@@ -27,7 +27,8 @@ public:
   void Build();
 
   // At points (x y z each): velocities (x y z each) and bulks; either may be null. Out of reach of
-  // all particles both are 0. Thread-safe.
+  // all particles whose velocity is known that is not a number; of all particles the bulk is 0.
+  // Thread-safe.
   void Evaluate(std::size_t count, const double* points, double* velocities, double* bulks) const;
 
 private:

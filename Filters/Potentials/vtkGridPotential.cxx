@@ -8,6 +8,9 @@
 #include "Grid/MeshSamples.h"
 #include "Grid/ThinParts.h"
 #include "GridSamples.h"
+#include "LatticeParts.h"
+#include "LatticeShape.h"
+#include "LatticeSurface.h"
 #include "MeshTriangles.h"
 
 #include "vtkDataArray.h"
@@ -39,6 +42,10 @@ struct vtkGridPotential::Internals
   std::shared_ptr<const activesurface::GridSamples> Samples;
   std::string Defects;
   std::string Error;
+
+  // What FindParts has found of the samples.
+  std::shared_ptr<const activesurface::LatticeParts> Parts;
+  double LevelOfParts = 0.0;
 };
 
 vtkGridPotential::vtkGridPotential()
@@ -111,6 +118,7 @@ void vtkGridPotential::ReadSamples()
 {
   Internals& own = *this->Internal;
   own.Samples = nullptr;
+  own.Parts = nullptr;
   own.Defects.clear();
   own.Error.clear();
   try
@@ -191,6 +199,31 @@ double vtkGridPotential::FindThinShare(double thickness)
   const activesurface::GridSamples* samples = this->Internal->Samples.get();
   return samples ? activesurface::FindThinShare(*samples, samples->SampleSurface(), thickness)
                  : 0.0;
+}
+
+std::shared_ptr<const activesurface::LatticeParts> vtkGridPotential::FindParts(double level)
+{
+  this->Build();
+  Internals& own = *this->Internal;
+  const std::lock_guard<std::mutex> lock(own.Building);
+  if (!own.Parts || own.LevelOfParts != level)
+  {
+    activesurface::LatticeShape shape;
+    own.Parts = own.Samples && own.Samples->FindShape(level, shape)
+      ? std::make_shared<activesurface::LatticeParts>(shape)
+      : nullptr;
+    own.LevelOfParts = level;
+  }
+  return own.Parts;
+}
+
+activesurface::SurfacePoints vtkGridPotential::FindSurface(double level)
+{
+  this->Build();
+  activesurface::LatticeShape shape;
+  const activesurface::GridSamples* samples = this->Internal->Samples.get();
+  return samples && samples->FindShape(level, shape) ? activesurface::FindSurfacePoints(shape)
+                                                     : activesurface::SurfacePoints();
 }
 
 void vtkGridPotential::EvaluateBatch(

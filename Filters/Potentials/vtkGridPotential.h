@@ -50,6 +50,8 @@ class vtkDataSet;
 namespace activesurface
 {
 class GridSamples;
+class LatticeParts;
+struct SurfacePoints;
 }
 
 class VTKACTIVEPOTENTIALS_EXPORT vtkGridPotential : public vtkImplicitFunction
@@ -208,6 +210,18 @@ public:
    * shell, and of a level set that an image carries. Reads the input.
    */
   VTK_WRAPEXCLUDE double FindThinShare(double thickness);
+
+  /**
+   * The connected parts of what is below a level, and its hollows, without the transform; null if
+   * they are not known. They are found once. Reads the input.
+   */
+  VTK_WRAPEXCLUDE std::shared_ptr<const activesurface::LatticeParts> FindParts(double level);
+
+  /**
+   * Places near the surface of that level, without the transform; none if they are not known. Reads
+   * the input.
+   */
+  VTK_WRAPEXCLUDE activesurface::SurfacePoints FindSurface(double level);
 
   ///@{
   /**

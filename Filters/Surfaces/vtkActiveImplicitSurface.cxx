@@ -67,6 +67,20 @@ vtkImplicitFunction* vtkActiveImplicitSurface::GetInitialFunction()
   return this->InitialFunction;
 }
 
+void vtkActiveImplicitSurface::SetObstacleFunction(vtkImplicitFunction* function)
+{
+  if (this->ObstacleFunction != function)
+  {
+    this->ObstacleFunction = function;
+    this->Modified();
+  }
+}
+
+vtkImplicitFunction* vtkActiveImplicitSurface::GetObstacleFunction()
+{
+  return this->ObstacleFunction;
+}
+
 vtkIdType vtkActiveImplicitSurface::GetTargetEvaluations()
 {
   return static_cast<vtkIdType>(this->Requests->GetSimulation().GetDriver().GetTargetEvaluations());
@@ -135,6 +149,7 @@ void vtkActiveImplicitSurface::PaperFaithful()
 {
   this->SetPaperScheme(true);
   this->SetTargetEvaluation(SHIFTED);
+  this->SetTimeIntegration(EXPLICIT);
   this->SetGradientScheme(CENTRAL);
   this->SetNormalizeTarget(false);
   this->SetParticleModel(SUM);
@@ -143,7 +158,8 @@ void vtkActiveImplicitSurface::PaperFaithful()
 vtkMTimeType vtkActiveImplicitSurface::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
-  for (vtkImplicitFunction* function : { this->GetTargetFunction(), this->GetInitialFunction() })
+  for (vtkImplicitFunction* function :
+    { this->GetTargetFunction(), this->GetInitialFunction(), this->GetObstacleFunction() })
   {
     time = function ? std::max(time, function->GetMTime()) : time;
   }
@@ -155,6 +171,7 @@ void vtkActiveImplicitSurface::ReportReferences(vtkGarbageCollector* collector)
   this->Superclass::ReportReferences(collector);
   vtkGarbageCollectorReport(collector, this->TargetFunction, "TargetFunction");
   vtkGarbageCollectorReport(collector, this->InitialFunction, "InitialFunction");
+  vtkGarbageCollectorReport(collector, this->ObstacleFunction, "ObstacleFunction");
 }
 
 int vtkActiveImplicitSurface::FillInputPortInformation(int, vtkInformation* info)
@@ -232,6 +249,8 @@ SurfaceProperties vtkActiveImplicitSurface::FindProperties()
   settings.Inputs.TargetMTime = this->TargetFunction ? this->TargetFunction->GetMTime() : 0;
   settings.Inputs.InitialFunction = this->InitialFunction;
   settings.Inputs.InitialMTime = this->InitialFunction ? this->InitialFunction->GetMTime() : 0;
+  settings.Inputs.ObstacleFunction = this->ObstacleFunction;
+  settings.Inputs.ObstacleMTime = this->ObstacleFunction ? this->ObstacleFunction->GetMTime() : 0;
   properties.Clock = { this->GetStartTime(), this->GetTimeStepSize(),
     this->GetNumberOfTimeSteps() };
   properties.Limits.Threads = this->GetNumberOfThreads();
@@ -254,5 +273,6 @@ void vtkActiveImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
   activesurface::ForEachShapeProperty(unused.Settings, print);
   activesurface::ForEachOutputProperty(unused.Outputs, print);
   os << indent << "TargetFunction: " << this->TargetFunction << "\n"
-     << indent << "InitialFunction: " << this->InitialFunction << "\n";
+     << indent << "InitialFunction: " << this->InitialFunction << "\n"
+     << indent << "ObstacleFunction: " << this->ObstacleFunction << "\n";
 }

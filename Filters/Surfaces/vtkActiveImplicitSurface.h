@@ -22,8 +22,9 @@
  * step, matched by ids (equal ones in their order), else by number if both steps have equally many,
  * else not at all. One that is missing in the next step fades out on the way, its strength falling
  * evenly to 0; a new one fades in. Skeletons, meshes and images are blended, F = (1 - f) F0 + f F1
- * at a fraction f of the way: shapes that do not overlap from step to step vanish. A step without
- * points, or a mesh without cells, is no target: the skin shrinks towards it, and vanishes.
+ * at a fraction f of the way: what does not overlap from step to step shrinks here and grows there
+ * (see CreateParts; skeletons vanish). A step without points, or a mesh without cells, is no
+ * target: the skin shrinks towards it, and vanishes.
  *
  * Input, port 1 (optional): Initial, the shape at the first time, instead of InitialFunction: a
  * mesh or an image as above, at its first time step; (4, ...) chooses the image's array.
@@ -35,10 +36,16 @@
  * first target, enlarged by a quarter: known before the first update only if port 1 is connected.
  * Port 2: the history, a vtkTable with a row for each time step so far: Time [pipeline time],
  * Substeps and MaxSpeed (that the target gives [length/time]) since the row before, Area, Volume,
- * ActiveVoxels, Components, Voids and EulerCharacteristic of the skin, and Event, what has happened
- * to its parts since: "merge", "split", "vanish", "birth", "void opens", "void closes", "hole
- * opens", "hole closes", joined by ", "; with EvolutionMode EQUILIBRIUM instead "at rest" or "not
- * at rest". The first of several pieces holds all of the skin and the history; the image is split.
+ * ActiveVoxels, Components, Voids and EulerCharacteristic of the skin, Outside, and Event, what has
+ * happened to its parts since: "merge", "split", "vanish", "birth", "void opens", "void closes",
+ * "hole opens", "hole closes", joined by ", "; with EvolutionMode EQUILIBRIUM instead "at rest" or
+ * "not at rest". The first of several pieces holds all of the skin and the history; the image is
+ * split. Outside is the share of the target that the skin has lost, in [0,1]: of particles, and
+ * points of a skeleton, by number, those that are outside by more than their own radius; of other
+ * targets by volume, what is outside by more than a voxel, of the inside in the target's box (a
+ * function's: ModelBounds), to .16 % at 1 %. Beyond walls nothing counts. Above 1 %, unless it
+ * falls from step to step, one warning says so. NaN in rows of a state that was saved before there
+ * was an Outside.
  *
  * Time: the time steps of the input are passed on. If it has fewer than two (TargetFunction, static
  * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them.
@@ -103,6 +110,19 @@ public:
    */
   virtual void SetInitialFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetInitialFunction();
+  ///@}
+
+  ///@{
+  /**
+   * What the skin may not enter, negative inside: a rock (a vtkSphere as it is), a container's wall
+   * (the function of its inside with the sign turned round, as by a vtkImplicitBoolean). The skin
+   * ends on it, closed, whatever moves it. It is known at the lattice's nodes from F / |grad F|,
+   * sampled once where the skin comes within 8 voxels; thinner than two voxels it leaks. It stands
+   * still: a change, of its transform too, restarts the motion. It is no part of a saved state, so
+   * set it again. Threads as for TargetFunction. Default: none.
+   */
+  virtual void SetObstacleFunction(vtkImplicitFunction* function);
+  vtkImplicitFunction* GetObstacleFunction();
   ///@}
 
   ///@{
@@ -345,6 +365,7 @@ private:
 
   vtkSmartPointer<vtkImplicitFunction> TargetFunction;
   vtkSmartPointer<vtkImplicitFunction> InitialFunction;
+  vtkSmartPointer<vtkImplicitFunction> ObstacleFunction;
   double TargetIsoValue = 0.0;
   vtkTypeBool InvertTarget = 0;
   vtkTypeBool NormalizeTarget = 1;

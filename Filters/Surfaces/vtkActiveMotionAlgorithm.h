@@ -96,10 +96,13 @@ public:
 
   ///@{
   /**
-   * Whether parts of a target of particles that no skin reaches get one, with the size that they
-   * have in the substep in which they appear: emitters, rain, spray. Hollows that only the target
-   * has, deep inside the skin, open likewise. Off: a skin is only where the skin before has been.
-   * Of no use to other targets and the PaperScheme. Default: on.
+   * Whether parts of the target that no skin reaches get one, with the size that they have in the
+   * substep in which they appear: emitters, rain, spray, morphs between shapes that do not overlap.
+   * Hollows that only the target has, deep inside the skin, open likewise. Of a mesh or an image,
+   * or a vtkGridPotential as a function, that is a connected part, or a hollow, that the skin does
+   * not meet at all; of particles, one that the skin does not get to by itself. What Tension would
+   * take away is not created. Off: a skin is only where the skin before has been. Of no use to
+   * skeletons of lines, to other functions and to the PaperScheme. Default: on.
    */
   vtkSetMacro(CreateParts, vtkTypeBool);
   vtkGetMacro(CreateParts, vtkTypeBool);
@@ -312,6 +315,25 @@ public:
   void SetTargetEvaluationToClosestPoint() { this->SetTargetEvaluation(CLOSEST_POINT); }
   ///@}
 
+  enum TimeIntegrationType
+  {
+    EXPLICIT = 0,
+    IMPLICIT = 1
+  };
+
+  ///@{
+  /**
+   * How time is integrated. EXPLICIT (0): many short substeps, as the fastest part of the skin
+   * allows. IMPLICIT (1): few long ones, by exponentials for the attraction, stages for the tension,
+   * and a semi-Lagrangian Transport; fast parts alone make more. It needs TargetEvaluation SHIFTED
+   * and GradientScheme UPWIND. Default: EXPLICIT.
+   */
+  vtkSetClampMacro(TimeIntegration, int, EXPLICIT, IMPLICIT);
+  vtkGetMacro(TimeIntegration, int);
+  void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
+  void SetTimeIntegrationToImplicit() { this->SetTimeIntegration(IMPLICIT); }
+  ///@}
+
   enum GradientSchemeType
   {
     CENTRAL = 0,
@@ -374,6 +396,7 @@ private:
   double RestTolerance = 1e-3;
   int MaximumNumberOfSubsteps = 10000;
   int TargetEvaluation = SHIFTED;
+  int TimeIntegration = EXPLICIT;
   int GradientScheme = UPWIND;
   vtkTypeBool PaperScheme = 0;
 };

@@ -21,6 +21,7 @@ struct HistoryRow
   int Components = 0;
   int Voids = 0;
   long long EulerCharacteristic = 0;
+  double Outside = 0.0; //< share of the target outside the skin, in [0,1]; NaN: not known
   std::string Event;
 };
 

@@ -1,5 +1,6 @@
 #include "SavedState.h"
 
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 #include <stdexcept>
@@ -13,6 +14,7 @@ namespace
 
 constexpr const char* TimeName = "active_pipeline_time";
 constexpr const char* HistoryName = "active_history";
+constexpr const char* OutsideName = "active_history_outside"; // not in files before there was one
 
 template <class Value>
 Value ReadMetadata(const openvdb::GridBase& grid, const char* name)
@@ -60,6 +62,33 @@ std::vector<HistoryRow> ReadHistory(const std::string& text)
   return rows;
 }
 
+std::string WriteOutside(const std::vector<HistoryRow>& rows)
+{
+  std::string text;
+  for (const HistoryRow& row : rows)
+  {
+    char line[32];
+    std::snprintf(line, sizeof line, "%a\n", row.Outside);
+    text += line;
+  }
+  return text;
+}
+
+void ReadOutside(const openvdb::GridBase& grid, std::vector<HistoryRow>& rows)
+{
+  const auto text = grid.getMetadata<openvdb::StringMetadata>(OutsideName);
+  std::istringstream lines(text ? text->value() : "");
+  for (HistoryRow& row : rows)
+  {
+    std::string line;
+    row.Outside = std::nan("");
+    if (text && (!std::getline(lines, line) || std::sscanf(line.c_str(), "%la", &row.Outside) != 1))
+    {
+      throw std::runtime_error("its history is damaged");
+    }
+  }
+}
+
 }
 
 openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state)
@@ -68,6 +97,7 @@ openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state)
   grid->setName(SavedGridName);
   grid->insertMeta(TimeName, openvdb::DoubleMetadata(state.Time));
   grid->insertMeta(HistoryName, openvdb::StringMetadata(WriteHistory(state.History)));
+  grid->insertMeta(OutsideName, openvdb::StringMetadata(WriteOutside(state.History)));
   return grid;
 }
 
@@ -77,6 +107,7 @@ SavedState ReadSavedGrid(const openvdb::FloatGrid& grid)
   state.Band = NarrowBand::FromGrid(grid);
   state.Time = ReadMetadata<double>(grid, TimeName);
   state.History = ReadHistory(ReadMetadata<std::string>(grid, HistoryName));
+  ReadOutside(grid, state.History);
   return state;
 }
 

@@ -2,8 +2,16 @@
 
 >>> from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotential
 
-`help(vtkActiveImplicitSurface)` shows every property with its unit, range and default.
+`help(vtkActiveImplicitSurface)` shows every property with its unit, range and default. In one call:
+
+skin(particles)          the skin over particles, as they are
+frames(series)           the skins over a series of particles, one after the other
+morph(a, b, duration)    one shape becomes another
+LiveSurface              a skin that follows a simulation as it runs
+ParticleSeries, temporal_source, plot_history
 """
+
+import importlib
 
 # Written by CMake when it copies this file into the build folder.
 __version__ = "@PROJECT_VERSION@"
@@ -42,3 +50,26 @@ except ImportError as error:
 
 if _HAS_IO:
     vtkActiveEXRReader.RegisterWithFactory()  # so that vtkImageReader2Factory knows .exr
+
+# Where the functions are; they need numpy, which the classes do not.
+_FUNCTIONS = {
+    "ActiveSurfaceWarning": "messages",
+    "Frame": "api",
+    "LiveSurface": "api",
+    "ParticleSeries": "series",
+    "frames": "api",
+    "morph": "morphing",
+    "plot_history": "history",
+    "skin": "api",
+    "temporal_source": "series",
+}
+
+
+def __getattr__(name):
+    if name not in _FUNCTIONS:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module("." + _FUNCTIONS[name], __name__), name)
+
+
+def __dir__():
+    return sorted([*globals(), *_FUNCTIONS])

@@ -47,6 +47,7 @@ OTHER_VALUES = {
     "NormalizeTarget": 0,
     "NumberOfThreads": 1,
     "NumberOfTimeSteps": 5,
+    "ObstacleFunction": "Plane",
     "OutputPotential": 1,
     "PaperScheme": 1,
     "ParticleKernel": 2,
@@ -68,6 +69,7 @@ OTHER_VALUES = {
     "TargetVolume": 2,
     "Tension": 0.02,
     "TensionWeighting": 0,
+    "TimeIntegration": 1,
     "TimeScale": 1 / 50,
     "TimeStepSize": 0.2,
     "Transport": 0,
@@ -224,7 +226,7 @@ class ChangesInMidAnimation(unittest.TestCase):
 def plain_value(surface, name):
     """As it can be set again."""
     value = getattr(surface, name)
-    if name == "InitialFunction":
+    if name in ("InitialFunction", "ObstacleFunction"):
         return "None"
     return value if isinstance(value, (int, float, str)) else list(value)
 

@@ -21,6 +21,7 @@ UNSET_BOUNDS = (1.0, -1.0, 1.0, -1.0, 1.0, -1.0)
 DEFAULTS = {
     "TargetFunction": None,
     "InitialFunction": None,
+    "ObstacleFunction": None,
     "TargetIsoValue": 0.0,
     "InvertTarget": 0,
     "NormalizeTarget": 1,

@@ -52,7 +52,8 @@ SWITCHES = {
 }
 CHOICES = {
     vtkActiveImplicitSurface: """
-        VolumeControl AreaControl EvolutionMode TargetEvaluation GradientScheme ParticleKernel
+        VolumeControl AreaControl EvolutionMode TargetEvaluation TimeIntegration GradientScheme
+        ParticleKernel
         ParticleModel
     """.split(),
     vtkSkeletonPotential: ["Kernel", "ParticleModel"],
@@ -63,7 +64,7 @@ CHOICES = {
     vtkActiveVDBWriter: "GridClass Compression".split(),
 }
 OTHERS = {
-    vtkActiveImplicitSurface: "TargetFunction InitialFunction ModelBounds".split(),
+    vtkActiveImplicitSurface: "TargetFunction InitialFunction ObstacleFunction ModelBounds".split(),
     vtkSkeletonPotential: "Input InputConnection RadiusArrayName StrengthArrayName".split(),
     vtkGridPotential: "Input InputConnection ScalarArrayName".split(),
     vtkActiveEXRReader: [],

@@ -30,6 +30,7 @@ NUMERICS = [
     "NarrowBand/CompilerBuiltins",
     "NarrowBand/InstructionSets",
     "NarrowBand/Motion",
+    "NarrowBand/Obstacle",
     "NarrowBand/Target",
     "NarrowBand/TargetRegion",
 ]

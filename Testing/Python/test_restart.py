@@ -51,6 +51,10 @@ def inner_initial():
     return make(ball(0.5), INNER, VoxelSize=COARSE)
 
 
+def round_obstacle():
+    return morph(ObstacleFunction=ball(0.3, (0, 0.3, 0)))
+
+
 def one_step():
     return morph(NumberOfTimeSteps=1)
 
@@ -151,6 +155,7 @@ RESTARTS = {
     "ModelBounds": [(walls, half_box(0.65))],
     "NormalizeTarget": [(morph, 0)],
     "NumberOfTimeSteps": [(morph, 3)],
+    "ObstacleFunction": [(morph, ball(0.3, (0, 0.3, 0))), (round_obstacle, None)],
     "PaperScheme": [(morph, 1)],
     "ParticleKernel": [(particles, 1), (particles, 2)],
     "ParticleModel": [(particles, 1), (particles, 2), (body_of_particles, 1)],
@@ -167,6 +172,7 @@ RESTARTS = {
     "TargetVolume": [(volume_penalty, 0.6), (volume_exact, 0.6)],
     "Tension": [(morph, 0.02)],
     "TensionWeighting": [(tense_particles, 0)],
+    "TimeIntegration": [(morph, 1)],
     "TimeScale": [(morph, 1.5)],
     "TimeStepSize": [(morph, 0.15)],
     "Transport": [(crossing_particles, 0.5)],
@@ -228,6 +234,10 @@ OTHER_CHANGES = {
     "the initial function itself": (
         morph,
         lambda surface: surface.GetInitialFunction().SetRadius(0.55),
+    ),
+    "the obstacle itself": (
+        round_obstacle,
+        lambda surface: surface.GetObstacleFunction().SetRadius(0.35),
     ),
     "the target data": (particles, move_a_particle),
     "other target data": (particles, lambda surface: surface.SetInputDataObject(0, brick())),

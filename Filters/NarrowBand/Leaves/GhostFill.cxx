@@ -1,5 +1,6 @@
 #include "Leaves/GhostFill.h"
 
+#include "Leaves/EikonalUpdate.h"
 #include "Leaves/LeafKernels.h"
 #include "Leaves/LeafLine.h"
 
@@ -39,14 +40,22 @@ ACTIVE_ALWAYS_INLINE float Increase(float first, float second)
   return std::max(first - second, 0.f);
 }
 
-/** The extrapolated |u| of the nodes of one layer in one leaf. */
+/** In place of the value of a node that may not be used. */
+constexpr float Missing = -std::numeric_limits<float>::infinity();
+
+/** The extrapolated |u| of the nodes of one layer in one leaf. IsSigned: the surface may have left
+ * its layers; values are negative beyond it, seen from the node that is filled. */
+template <bool IsSigned>
 class LayerFill
 {
 public:
-  ACTIVE_ALWAYS_INLINE LayerFill(const LeafTable& table, std::size_t leaf, int layer)
+  /** mostGrowth: from a node to the next one. */
+  ACTIVE_ALWAYS_INLINE LayerFill(
+    const LeafTable& table, std::size_t leaf, int layer, float mostGrowth)
     : Table(table)
     , Leaf(static_cast<std::int32_t>(leaf))
     , Inner(layer - 1)
+    , MostGrowth(mostGrowth)
   {
   }
 
@@ -72,6 +81,32 @@ public:
       });
   }
 
+  /** |u| of a node by the eikonal update. */
+  ACTIVE_ALWAYS_INLINE float FindEikonal(int node) const
+  {
+    std::array<UpwindTerm, 3> terms;
+    int count = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      int nearer = 0;
+      float a1 = Missing;
+      for (const int sign : { -1, 1 })
+      {
+        const float a = this->AtSteps(node, axis, sign);
+        nearer = a > Missing && (nearer == 0 || a < a1) ? sign : nearer;
+        a1 = nearer == sign ? a : a1;
+      }
+      if (nearer != 0)
+      {
+        const LeafTable::Place next = this->Table.Step(this->Leaf, node, axis, 2 * nearer);
+        const float a2 = this->At(next, this->SideOf(node));
+        terms[count++] = a2 > Missing ? SecondOrderTerm(a1, this->IsBeyond(node, next) ? -a2 : a2)
+                                      : FirstOrderTerm(a1);
+      }
+    }
+    return static_cast<float>(SolveEikonal(terms, count));
+  }
+
 private:
   /** Rays are as long as the nodes of smaller layers go, up to three. */
   template <int Axis, int Sign>
@@ -88,16 +123,19 @@ private:
     second.Without(third).ForEach(
       [&](int node) ACTIVE_INLINED
       {
+        const float side = this->SideOf(node);
         const float step =
-          Increase(std::fabs(line.At(node, Sign)), std::fabs(line.At(node, 2 * Sign)));
+          Increase(Read(line.At(node, Sign), side), Read(line.At(node, 2 * Sign), side));
         this->LargestStep[node] = std::max(this->LargestStep[node], step);
       });
     third.ForEach(
       [&](int node) ACTIVE_INLINED
       {
-        const float a1 = std::fabs(line.At(node, Sign)), a2 = std::fabs(line.At(node, 2 * Sign));
-        const float a3 = std::fabs(line.At(node, 3 * Sign));
-        const float step = Increase(a1, a2), growth = LimitedGrowth(step, a2, a3);
+        const float side = this->SideOf(node);
+        const float a1 = Read(line.At(node, Sign), side), a2 = Read(line.At(node, 2 * Sign), side);
+        const float a3 = Read(line.At(node, 3 * Sign), side);
+        const float step = Increase(a1, a2),
+                    growth = std::min(LimitedGrowth(step, a2, a3), this->MostGrowth);
         this->LargestStep[node] = std::max(this->LargestStep[node], step);
         this->Sum[node] += growth * growth * (a1 + growth);
         this->Weight[node] += growth * growth;
@@ -111,16 +149,17 @@ private:
     float smallest = std::numeric_limits<float>::max();
     for (int face = 0; face < 6; ++face)
     {
-      float ray[3]; // negative beyond its end
+      float ray[3];
       for (int steps = 1; steps <= 3; ++steps)
       {
-        const bool goesOn = steps == 1 || ray[steps - 2] >= 0.f;
-        ray[steps - 1] = goesOn ? this->AtSteps(node, face / 2, face % 2 ? steps : -steps) : -1.f;
+        const bool goesOn = steps == 1 || ray[steps - 2] > Missing;
+        ray[steps - 1] =
+          goesOn ? this->AtSteps(node, face / 2, face % 2 ? steps : -steps) : Missing;
       }
-      smallest = ray[0] >= 0.f ? std::min(smallest, ray[0]) : smallest;
-      if (ray[1] >= 0.f && ray[2] < 0.f)
+      smallest = ray[0] > Missing ? std::min(smallest, ray[0]) : smallest;
+      if (ray[1] > Missing && !(ray[2] > Missing))
       {
-        const float step = Increase(ray[0], ray[1]);
+        const float step = std::min(Increase(ray[0], ray[1]), this->MostGrowth);
         other.Add(ray[0] + step, step * step);
       }
     }
@@ -149,26 +188,44 @@ private:
     }
   }
 
-  /** |u| of a node of a smaller layer, else a negative number. */
-  float At(const LeafTable::Place& place) const
+  ///@{
+  /** |u| of a place, seen from a node. */
+  ACTIVE_ALWAYS_INLINE float SideOf(int node) const
+  {
+    return IsSigned && this->Table[this->Leaf].Inside.Has(node) ? -1.f : 1.f;
+  }
+  static ACTIVE_ALWAYS_INLINE float Read(float value, float side)
+  {
+    return IsSigned ? side * value : std::fabs(value);
+  }
+  /** Of a node of a smaller layer, else Missing. */
+  float At(const LeafTable::Place& place, float side) const
   {
     const bool isInner =
       place.Leaf >= 0 && this->Table[place.Leaf].UpToLayer[this->Inner].Has(place.Node);
-    return isInner ? std::fabs(this->Table[place.Leaf].Value[place.Node]) : -1.f;
+    return isInner ? Read(this->Table[place.Leaf].Value[place.Node], side) : Missing;
+  }
+  /** Whether it is on the other side of the surface. */
+  bool IsBeyond(int node, const LeafTable::Place& place) const
+  {
+    return this->Table[place.Leaf].Inside.Has(place.Node) !=
+      this->Table[this->Leaf].Inside.Has(node);
   }
   float AtOffset(int node, const int offset[3]) const
   {
-    return this->At(this->Table.Offset(this->Leaf, node, offset[0], offset[1], offset[2]));
+    return this->At(
+      this->Table.Offset(this->Leaf, node, offset[0], offset[1], offset[2]), this->SideOf(node));
   }
   float AtSteps(int node, int axis, int steps) const
   {
-    return this->At(this->Table.Step(this->Leaf, node, axis, steps));
+    return this->At(this->Table.Step(this->Leaf, node, axis, steps), this->SideOf(node));
   }
+  ///@}
 
   static void AddCorner(float p, float q, float r, float smallest, Candidates& other)
   {
     const float growthFirst = q - r, growthSecond = p - r;
-    if (p >= 0.f && q >= 0.f && r >= 0.f && growthFirst > 0.f && growthSecond > 0.f &&
+    if (p > Missing && q > Missing && r > Missing && growthFirst > 0.f && growthSecond > 0.f &&
       p + growthFirst >= smallest)
     {
       other.Add(p + growthFirst, growthFirst * growthFirst + growthSecond * growthSecond);
@@ -178,6 +235,7 @@ private:
   const LeafTable& Table;
   const std::int32_t Leaf;
   const int Inner; //< last layer whose values may be used
+  const float MostGrowth;
   // Of the layer's nodes; all else is not set. Three-point rays alone count in the sums.
   float Sum[512];
   float Weight[512];
@@ -190,6 +248,14 @@ ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, bool isAffected,
 {
   const LeafMask valid = isAffected ? leaf.Active & leaf.Updated : leaf.Active;
   return leaf.UpToLayer[layer].Without(leaf.UpToLayer[layer - 1]).Without(valid);
+}
+
+/** Where substeps are long, ghosts at medial axes that grew faster would drive each other on. */
+constexpr float MostGrowthOfLongSteps = 2.f;
+
+ACTIVE_ALWAYS_INLINE void SetMagnitude(BandLeaf& leaf, int node, float magnitude)
+{
+  leaf.Value[node] = leaf.Inside.Has(node) ? -magnitude : magnitude;
 }
 
 struct FillLayer
@@ -206,12 +272,99 @@ struct FillLayer
     {
       return;
     }
-    LayerFill(this->Table, i, this->Layer)
+    LayerFill<false>(this->Table, i, this->Layer, std::numeric_limits<float>::infinity())
       .ForEach(nodes,
-        [&leaf](int node, float magnitude) ACTIVE_INLINED
-        { leaf.Value[node] = leaf.Inside.Has(node) ? -magnitude : magnitude; });
+        [&leaf](int node, float magnitude) ACTIVE_INLINED { SetMagnitude(leaf, node, magnitude); });
   }
 };
+
+struct FillOldLayer
+{
+  LeafTable& Table;
+  int Layer;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    BandLeaf& leaf = this->Table[i];
+    const LeafMask nodes = NodesToFill(leaf, false, this->Layer);
+    if (!nodes.Any())
+    {
+      return;
+    }
+    LayerFill<true>(this->Table, i, this->Layer, MostGrowthOfLongSteps)
+      .ForEach(nodes,
+        [&leaf](int node, float magnitude) ACTIVE_INLINED { SetMagnitude(leaf, node, magnitude); });
+  }
+};
+
+/** The nodes of a layer that have entered the band. */
+ACTIVE_ALWAYS_INLINE LeafMask EnteredNodes(const BandLeaf& leaf, int layer)
+{
+  return NodesToFill(leaf, true, layer) & leaf.Active;
+}
+
+/** The first sweep, and the ghosts. */
+struct FillAndSolveLayer
+{
+  LeafTable& Table;
+  int Layer;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    BandLeaf& leaf = this->Table[i];
+    const LeafMask nodes = NodesToFill(leaf, true, this->Layer);
+    if (!nodes.Any())
+    {
+      return;
+    }
+    const LeafMask entered = EnteredNodes(leaf, this->Layer);
+    LayerFill<false> fill(this->Table, i, this->Layer, std::numeric_limits<float>::infinity());
+    const auto set = [&leaf](int node, float magnitude) ACTIVE_INLINED
+    { SetMagnitude(leaf, node, magnitude); };
+    fill.ForEach(nodes.Without(entered), set);
+    entered.ForEach([&](int node) ACTIVE_INLINED { set(node, fill.FindEikonal(node)); });
+  }
+};
+
+/** The second sweep, which leaves its values in the room. */
+struct SolveLayerAgain
+{
+  const LeafTable& Table;
+  int Layer;
+  const NodeArrays& Room;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    const LayerFill<false> fill(
+      this->Table, i, this->Layer + 1, std::numeric_limits<float>::infinity());
+    EnteredNodes(this->Table[i], this->Layer)
+      .ForEach([&](int node) ACTIVE_INLINED { this->Room.Of(i)[node] = fill.FindEikonal(node); });
+  }
+};
+
+struct TakeLayer
+{
+  LeafTable& Table;
+  int Layer;
+  const NodeArrays& Room;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    BandLeaf& leaf = this->Table[i];
+    EnteredNodes(leaf, this->Layer)
+      .ForEach([&](int node) ACTIVE_INLINED { SetMagnitude(leaf, node, this->Room.Of(i)[node]); });
+  }
+};
+
+// Three-point rays over three layers end up to nine nodes from what has moved.
+void FillBesideAffected(LeafTable& table, const ActiveSet& set)
+{
+  const LeafList around = table.FindAround(set.Affected);
+  LeafList beyond;
+  std::set_difference(around.begin(), around.end(), set.Affected.begin(), set.Affected.end(),
+    std::back_inserter(beyond));
+  ForEachLeaf(table, beyond, FillLayer{ table, LastLayer, false });
+}
 
 }
 
@@ -221,12 +374,32 @@ void FillGhosts(LeafTable& table, const ActiveSet& set)
   {
     ForEachLeaf(table, set.Affected, FillLayer{ table, layer, true });
   }
-  // Three-point rays over three layers end up to nine nodes from what has moved.
+  FillBesideAffected(table, set);
+}
+
+void FillGhostsAndEntered(LeafTable& table, const ActiveSet& set, NodeArrays& room)
+{
+  room.MakeRoom(table.Size());
+  for (int layer = 1; layer <= LastLayer; ++layer)
+  {
+    ForEachLeaf(table, set.Affected, FillAndSolveLayer{ table, layer });
+    ForEachLeaf(table, set.Affected, SolveLayerAgain{ table, layer, room });
+    ForEachLeaf(table, set.Affected, TakeLayer{ table, layer, room });
+  }
+  FillBesideAffected(table, set);
+}
+
+void FillGhostsOfOldLayers(LeafTable& table, const ActiveSet& set)
+{
+  for (int layer = LastBandLayer + 1; layer <= LastLayer; ++layer)
+  {
+    ForEachLeaf(table, set.Affected, FillOldLayer{ table, layer });
+  }
   const LeafList around = table.FindAround(set.Affected);
   LeafList beyond;
   std::set_difference(around.begin(), around.end(), set.Affected.begin(), set.Affected.end(),
     std::back_inserter(beyond));
-  ForEachLeaf(table, beyond, FillLayer{ table, LastLayer, false });
+  ForEachLeaf(table, beyond, FillOldLayer{ table, LastLayer });
 }
 
 }

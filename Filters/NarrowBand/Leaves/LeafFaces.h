@@ -1,5 +1,5 @@
 /**
- * The faces of a leaf.
+ * The faces of a leaf, and what is connected within it and across them.
  */
 #ifndef LeafFaces_h
 #define LeafFaces_h
@@ -24,6 +24,30 @@ inline bool TouchesFace(const LeafMask& mask, int axis, int sign)
     any |= word & face;
   }
   return any != 0;
+}
+
+/** The nodes of the next leaf, in the direction of an axis and a sign, that are next to these. */
+inline LeafMask SeenAcross(const LeafMask& mask, int axis, int sign)
+{
+  return sign > 0 ? SeenBehind(LeafMask(), mask, axis, 1) : SeenAhead(LeafMask(), mask, axis, 1);
+}
+
+/** Adds what is connected with these nodes, along edges, within the nodes of their leaf. */
+inline LeafMask GrowInLeaf(const LeafMask& from, const LeafMask& nodes)
+{
+  const LeafMask nothing;
+  LeafMask grown = from, before;
+  do
+  {
+    before = grown;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const LeafMask next =
+        SeenAhead(grown, nothing, axis, 1) | SeenBehind(grown, nothing, axis, 1);
+      grown = grown | (next & nodes);
+    }
+  } while (!(grown == before));
+  return grown;
 }
 
 }

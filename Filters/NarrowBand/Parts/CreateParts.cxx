@@ -27,6 +27,13 @@ InitialFunction ValuesOf(const Target& target)
   return function;
 }
 
+/** Smaller balls of a target Tension makes vanish: R = 2 sqrt 2 sqrt(Tension / Attraction), see the
+ * README. */
+double FindLeastRadius(const Motion& motion)
+{
+  return motion.Tension > 0.0 ? std::sqrt(8.0 * motion.Tension / motion.Attraction) : 0.0;
+}
+
 /** New parts, or new hollows, alone. */
 struct NewBand
 {
@@ -154,13 +161,14 @@ void Create(const NewParts& found, const LatticeFunction& function, const Growin
 
 }
 
-bool CreateParts(const GrowingBand& band, const Target& target, AdvanceReport& report)
+bool CreateParts(
+  const GrowingBand& band, const Motion& motion, const Target& target, AdvanceReport& report)
 {
   const InitialFunction values = ValuesOf(target);
   const LatticeFunction function(band.VoxelSize, values);
-  const NewParts found(
-    { band.Leaves, band.Tree, band.VoxelSize, function, band.MaximumNumberOfActiveVoxels },
-    [&target](const RegionVisitor& visit) { target.ForEachRegion(visit); });
+  const NewParts found({ band.Leaves, band.Tree, band.VoxelSize, function,
+                         band.MaximumNumberOfActiveVoxels, FindLeastRadius(motion) },
+    target);
   const std::size_t count = found.Count();
   if (count > 0)
   {

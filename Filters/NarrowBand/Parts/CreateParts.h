@@ -24,13 +24,14 @@ struct GrowingBand
 };
 
 /**
- * Creates the new parts and hollows in the target's regions: beside them u becomes the union's, or
+ * Creates the new parts and hollows that the target tells of: beside them u becomes the union's, or
  * the difference's, the smaller magnitude of the two. If there are any, the set is that of the
  * leaves that have changed, whose layers and ghosts are left to the caller. Adds to the report what
  * it has created and evaluated; true if it has created any. Throws
  * std::runtime_error and changes nothing if the band would exceed its maximum.
  */
-bool CreateParts(const GrowingBand& band, const Target& target, AdvanceReport& report);
+bool CreateParts(
+  const GrowingBand& band, const Motion& motion, const Target& target, AdvanceReport& report);
 
 }
 

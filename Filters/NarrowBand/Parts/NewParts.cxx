@@ -2,79 +2,11 @@
 
 #include "Leaves/LeafFaces.h"
 
-#include <cmath>
-
 namespace activesurface
 {
 
 namespace
 {
-
-const LeafMask Nothing;
-
-/** The potential in a leaf of the lattice, of the band's or not. */
-struct SkinLeaf
-{
-  const LeafMask* Inside;
-  const LeafMask* LayerZero;
-
-  SkinLeaf(const NewParts::Search& search, const openvdb::Coord& origin)
-  {
-    static const LeafMask everything = LeafMask::All();
-    const std::int32_t leaf = search.Skin.Find(origin);
-    this->LayerZero = leaf >= 0 ? &search.Skin[leaf].UpToLayer[0] : &Nothing;
-    this->Inside = leaf >= 0                    ? &search.Skin[leaf].Inside
-      : search.Potential.getValue(origin) < 0.f ? &everything
-                                                : &Nothing;
-  }
-};
-
-bool Differs(double target, bool isInside)
-{
-  return !std::isnan(target) && (target < 0.0) != isInside;
-}
-
-openvdb::Coord OriginOf(const openvdb::Coord& node)
-{
-  return openvdb::Coord(node[0] & ~7, node[1] & ~7, node[2] & ~7);
-}
-
-int NumberOf(const openvdb::Coord& node)
-{
-  return (node[0] & 7) << 6 | (node[1] & 7) << 3 | (node[2] & 7);
-}
-
-/** The node nearest to the centre of a region; false if there is none. */
-bool FindCentre(const TargetRegion& region, double voxelSize, openvdb::Coord& node)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double low = region.Bounds[2 * axis], high = region.Bounds[2 * axis + 1];
-    const double centre = (.5 * low + .5 * high) / voxelSize;
-    if (!(low <= high) || !(std::fabs(centre) < FarthestNode))
-    {
-      return false;
-    }
-    node[axis] = static_cast<int>(std::floor(centre + .5));
-  }
-  return true;
-}
-
-/** Adds the nodes next to these, within the nodes of their leaf. */
-LeafMask GrowInLeaf(const LeafMask& from, const LeafMask& nodes)
-{
-  LeafMask grown = from, before;
-  do
-  {
-    before = grown;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      grown = grown | SeenAhead(grown, Nothing, axis, 1) | SeenBehind(grown, Nothing, axis, 1);
-    }
-    grown = grown & nodes;
-  } while (!(grown == before));
-  return grown;
-}
 
 /** Adds to `grown` what is connected with it within the nodes, along edges. waiting: the leaves of
  * what is to be added to. */
@@ -93,9 +25,8 @@ void Grow(const LeafSigns& nodes, LeafList waiting, std::vector<LeafMask>& grown
       {
         continue;
       }
-      const LeafMask across =
-        sign > 0 ? SeenBehind(Nothing, grown[i], axis, 1) : SeenAhead(Nothing, grown[i], axis, 1);
-      const LeafMask added = (across & nodes[next].Nodes).Without(grown[next]);
+      const LeafMask added =
+        (SeenAcross(grown[i], axis, sign) & nodes[next].Nodes).Without(grown[next]);
       if (added.Any())
       {
         grown[next] = grown[next] | added;
@@ -107,9 +38,12 @@ void Grow(const LeafSigns& nodes, LeafList waiting, std::vector<LeafMask>& grown
 
 }
 
-NewParts::NewParts(const Search& search, const ForEachRegion& forEachRegion)
+NewParts::NewParts(const PartSearch& search, const Target& target)
 {
-  this->AddSeeds(search, forEachRegion);
+  PartSeeds seeds(search, this->Nodes);
+  target.ForEachRegion([&](const TargetRegion& region) { seeds.AddRegion(region); });
+  seeds.AddCentres();
+  target.ForEachPart([&](const TargetPart& part) { seeds.AddPart(part); });
   for (std::size_t begin = 0; begin < this->Nodes.Size();)
   {
     const std::size_t end = this->Nodes.Size();
@@ -127,42 +61,7 @@ NewParts::NewParts(const Search& search, const ForEachRegion& forEachRegion)
   }
 }
 
-void NewParts::AddSeeds(const Search& search, const ForEachRegion& forEachRegion)
-{
-  std::vector<openvdb::Coord> centres;
-  forEachRegion(
-    [&](const TargetRegion& region)
-    {
-      openvdb::Coord node;
-      if (region.Seeds == RegionSeeds::AllNodes)
-      {
-        this->Nodes.AddRegion(
-          region, search.VoxelSize, nullptr, search.MaximumNumberOfActiveVoxels);
-      }
-      else if (FindCentre(region, search.VoxelSize, node))
-      {
-        const SkinLeaf skin(search, OriginOf(node));
-        const bool isCovered =
-          region.Seeds == RegionSeeds::PartAtCentre && skin.Inside->Has(NumberOf(node));
-        if (!isCovered && !skin.LayerZero->Has(NumberOf(node)))
-        {
-          centres.push_back(node);
-        }
-      }
-    });
-  std::vector<double> values;
-  search.Target.Evaluate(centres, values);
-  for (std::size_t i = 0; i < centres.size(); ++i)
-  {
-    const openvdb::Coord origin = OriginOf(centres[i]);
-    if (Differs(values[i], SkinLeaf(search, origin).Inside->Has(NumberOf(centres[i]))))
-    {
-      this->Nodes.Add(origin);
-    }
-  }
-}
-
-void NewParts::SampleLeaf(const Search& search, std::size_t i)
+void NewParts::SampleLeaf(const PartSearch& search, std::size_t i)
 {
   LeafSigns::Leaf& leaf = this->Nodes[i];
   const SkinLeaf skin(search, leaf.Origin);

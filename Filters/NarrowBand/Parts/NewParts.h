@@ -5,18 +5,17 @@
  * it goes. Those that are connected, along edges, with a node of layer 0 it reaches by itself: its
  * sample points are there. The others it never reaches: between them and the skin is a gap in which
  * the target moves the skin away. These are new parts, and new hollows. They are searched for from
- * the regions on, as far as they are connected.
+ * the regions on, as far as they are connected; and from the parts of the shapes that the target
+ * goes between which the skin does not meet at all: of those that it meets it holds some already.
  */
 #ifndef NewParts_h
 #define NewParts_h
 
-#include "Leaves/LeafTable.h"
-#include "Parts/LatticeFunction.h"
 #include "Parts/LeafSigns.h"
-#include "TargetRegion.h"
+#include "Parts/PartSeeds.h"
+#include "Target.h"
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace activesurface
@@ -25,20 +24,9 @@ namespace activesurface
 class NewParts
 {
 public:
-  /** What the search runs on: a band with its layers, and its target. */
-  struct Search
-  {
-    const LeafTable& Skin;
-    const PotentialTree& Potential;
-    double VoxelSize;
-    const LatticeFunction& Target;
-    std::size_t MaximumNumberOfActiveVoxels;
-  };
-  using ForEachRegion = std::function<void(const RegionVisitor&)>;
-
-  /** The regions' parts. A value of the target that is not a number has the sign of the potential.
-   * Throws as RefuseManyLeaves does. */
-  NewParts(const Search& search, const ForEachRegion& forEachRegion);
+  /** The target's parts where it tells of them. A value of the target that is not a number has the
+   * sign of the potential. Throws as RefuseManyLeaves does. */
+  NewParts(const PartSearch& search, const Target& target);
 
   /** Adds the nodes that change sides: those that are outside the skin now, or inside it. */
   void CopyNodes(bool areInside, LeafSigns& nodes) const;
@@ -47,8 +35,7 @@ public:
   std::size_t Count() const;
 
 private:
-  void AddSeeds(const Search& search, const ForEachRegion& forEachRegion);
-  void SampleLeaf(const Search& search, std::size_t i);
+  void SampleLeaf(const PartSearch& search, std::size_t i);
   /** Of leaves from `first` on and those next to them. */
   void FindReached(std::size_t first);
   void AddNext(std::size_t begin, std::size_t end);

@@ -1,5 +1,7 @@
 #include "Parts/PartDistances.h"
 
+#include "Leaves/EikonalUpdate.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,45 +9,6 @@
 
 namespace activesurface
 {
-
-namespace
-{
-
-/** One axis of the eikonal equation: weight * (a - known). */
-struct UpwindTerm
-{
-  double Known;
-  double Weight;
-};
-
-/** The a that is larger than all terms used, the smallest ones first. */
-double SolveEikonalOf(std::array<UpwindTerm, 3>& terms, int count)
-{
-  for (int i = 1; i < count; ++i)
-  {
-    for (int j = i; j > 0 && terms[j].Known < terms[j - 1].Known; --j)
-    {
-      std::swap(terms[j], terms[j - 1]);
-    }
-  }
-  double solution = 0.0, squares = 0.0, linear = 0.0, constant = -1.0;
-  for (int i = 0; i < count; ++i)
-  {
-    const auto [known, weight] = terms[i];
-    if (i > 0 && !(known < solution))
-    {
-      break;
-    }
-    squares += weight * weight;
-    linear += weight * weight * known;
-    constant += weight * weight * known * known;
-    const double root = std::max(linear * linear - squares * constant, 0.0);
-    solution = (linear + std::sqrt(root)) / squares;
-  }
-  return solution;
-}
-
-}
 
 PartDistances::PartDistances(LeafTable& table)
   : Table(table)
@@ -177,14 +140,14 @@ float PartDistances::SolveEikonal(std::size_t i, int node) const
         continue;
       }
       const double a1 = nearest = this->MagnitudeAt(first);
-      best = { a1, 1.0 };
+      best = FirstOrderTerm(a1);
       const LeafTable::Place second = this->Table.Step(number, node, axis, 2 * sign);
       if (this->IsKnown(second))
       {
         const double magnitude = this->MagnitudeAt(second);
         const bool isBeyond = this->Table[second.Leaf].Inside.Has(second.Node) != isInside;
         const double a2 = isBeyond ? -magnitude : magnitude;
-        best = a2 <= a1 ? UpwindTerm{ (4.0 * a1 - a2) / 3.0, 1.5 } : best;
+        best = SecondOrderTerm(a1, a2);
       }
     }
     if (best.Weight > 0.0)
@@ -192,7 +155,7 @@ float PartDistances::SolveEikonal(std::size_t i, int node) const
       terms[count++] = best;
     }
   }
-  return static_cast<float>(SolveEikonalOf(terms, count));
+  return static_cast<float>(activesurface::SolveEikonal(terms, count));
 }
 
 void PartDistances::UseFunction(std::size_t i)

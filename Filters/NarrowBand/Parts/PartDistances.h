@@ -3,14 +3,8 @@
  *
  * They are the function's first-order distances |F| / |grad F|, by central differences: exact for
  * distances, smooth where F is smooth. Where F is neither, within half of the distances to its
- * crossings on the edges, which an eikonal update takes from node to node: along each axis from the
- * nearer side, a_i = |u_i| one and two steps that way, negative beyond the surface,
- *
- *   sum of w^2 (a - t)^2 = 1,   t = (4 a1 - a2) / 3, w = 3/2 if a2 <= a1 is known,
- *                               else t = a1, w = 1
- *
- * over those axes that the wave comes from, t < a. Only nodes of earlier rounds are used, so the
- * order within a round does not matter.
+ * crossings on the edges, which an eikonal update (EikonalUpdate.h) takes from node to node. Only
+ * nodes of earlier rounds are used, so the order within a round does not matter.
  */
 #ifndef PartDistances_h
 #define PartDistances_h

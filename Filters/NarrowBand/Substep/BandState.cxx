@@ -1,5 +1,6 @@
 #include "Substep/BandState.h"
 
+#include "Implicit/ImplicitStep.h"
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
 #include "Parts/CreateParts.h"
@@ -28,10 +29,17 @@ struct BandState::Move
   PenaltyForce Force;
   double Step = 0.0; // time
   bool IsSkipped = false;
+  double LostWay = 0.0; //< that is too long to be traced [voxels]
 };
 
 namespace
 {
+
+/** Of exact controls: a substep may be as long as so many explicit ones. */
+constexpr int RoundsOfLongSteps = 8;
+
+/** Crossings that go farther [voxels] may leave their edges, and are not seen. */
+constexpr double LongestTrace = 0.5;
 
 /** The potential is doubled or halved when most gradient norms have left 1/sqrt 2 .. sqrt 2. */
 float ScaleFor(const GradientCounts& counts)
@@ -158,7 +166,7 @@ void BandState::MoveTarget(const Motion& motion, Target& target, AdvanceReport& 
   target.MoveTo(this->Time);
   const GrowingBand band{ this->Leaves, this->Set, this->Potential->tree(), this->VoxelSize,
     this->Maximum };
-  if (motion.CreateParts && target.HasRegions() && CreateParts(band, target, report))
+  if (motion.CreateParts && target.HasRegions() && CreateParts(band, motion, target, report))
   {
     this->RebuildBand(this->Set);
   }
@@ -214,6 +222,7 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
   {
     ClampToWalls(this->Leaves, this->Set, motion.Box, size, this->Buffers);
   }
+  ClampToObstacle(this->Leaves, this->Set, motion.Solid, this->Buffers);
   CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
   const float scale = ScaleFor(gradients);
@@ -231,6 +240,7 @@ void BandState::MakePaperStep(const Motion& motion, Move& move)
   {
     ClampToWalls(this->Leaves, this->Set, motion.Box, this->VoxelSize, this->Buffers);
   }
+  ClampToObstacle(this->Leaves, this->Set, motion.Solid, this->Buffers);
   CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
   this->RestoreControlled(motion);
@@ -240,7 +250,8 @@ void BandState::RestoreControlled(const Motion& motion)
 {
   const double square = this->VoxelSize * this->VoxelSize;
   const ControlledBand band{ this->Leaves, this->Set, this->Buffers,
-    [this](ActiveSet& set) { this->RebuildBand(set); }, motion.Box, this->VoxelSize };
+    [this](ActiveSet& set) { this->RebuildBand(set); }, motion.Box, motion.Solid, this->VoxelSize,
+    motion.Integration == TimeIntegration::Implicit ? RoundsOfLongSteps : 1 };
   if (motion.VolumeControl == Control::Exact)
   {
     RestoreVolume(band, HeldVolume(motion, this->StartMeasure) / (square * this->VoxelSize));
@@ -251,11 +262,55 @@ void BandState::RestoreControlled(const Motion& motion)
   }
 }
 
+void BandState::MakeImplicitStep(
+  const Motion& motion, Target& target, AdvanceReport& report, Move& move)
+{
+  const ImplicitBand band{ this->GetFollower(), this->Time, move.MostTime, move.MaySkip,
+    this->Maximum };
+  const PenaltyForce force = this->FindForce(motion);
+  this->Backup.Save(this->Leaves);
+  ImplicitResult result;
+  try
+  {
+    result = activesurface::MakeImplicitStep(band, motion, force, target, report);
+    this->RefuseUnbounded(result.Gradients.Unbounded);
+  }
+  catch (...)
+  {
+    this->Backup.Restore(this->Leaves, this->Potential->tree());
+    this->Restore(this->Potential->treePtr());
+    throw;
+  }
+  move.Step = result.Length;
+  move.IsSkipped = result.IsSkipped;
+  move.LostWay = result.LargestWay > LongestTrace ? result.LargestWay : 0.0;
+  if (result.IsSkipped)
+  {
+    ++report.SkippedSubsteps;
+    return;
+  }
+  this->DropEmptyLeaves();
+  const float scale = ScaleFor(result.Gradients);
+  if (scale != 1.f)
+  {
+    ScalePotential(this->Leaves, scale);
+  }
+  this->RestoreControlled(motion);
+  ++report.Substeps;
+  report.UniformPulls += result.PullsInVain ? 1 : 0;
+}
+
 void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
-  WalledTarget walled(target, motion.Box);
+  CheckObstacle(this->Leaves, motion.Solid);
+  WalledTarget walled(target, motion.Box, motion.Solid);
+  if (motion.Integration == TimeIntegration::Implicit)
+  {
+    this->MakeImplicitStep(motion, walled.IsCut() ? walled : target, report, move);
+    return;
+  }
   const TargetLimits limits =
-    this->FollowTarget(motion, motion.Box.Present ? walled : target, report, move);
+    this->FollowTarget(motion, walled.IsCut() ? walled : target, report, move);
   const bool pullsInVain = PullsInVain(motion, this->Buffers);
   move.Force = this->FindForce(motion);
   double stable = this->Crossings > 0 ? StableStep(motion, this->VoxelSize, limits, move.Force)
@@ -303,18 +358,24 @@ void BandState::StepAndTrace(const Motion& motion, Target& target, AdvanceReport
   move.MaySkip = false;
   this->Trace.Begin(this->Leaves);
   this->MakeStep(motion, target, report, move);
-  report.SurfaceSpeed = move.IsSkipped ? 0.0 : this->Trace.GetLargest(this->Leaves) / move.Step;
+  report.SurfaceSpeed =
+    move.IsSkipped ? 0.0 : std::max(this->Trace.GetLargest(this->Leaves), move.LostWay) / move.Step;
   this->Time += move.IsSkipped ? 0.0 : move.Step;
   this->CheckSize();
 }
 
-void BandState::Confine(const Walls& walls)
+void BandState::Confine(const Walls& walls, Obstacle* obstacle)
 {
   this->Set.ChooseAll(this->Leaves);
   this->Buffers.MakeRoomForNodes(this->Leaves.Size());
   this->Leaves.ForEach(
     [&](std::size_t i) { std::copy_n(this->Leaves[i].Value, 512, this->Buffers.NextOf(i)); });
-  ClampToWalls(this->Leaves, this->Set, walls, this->VoxelSize, this->Buffers);
+  if (walls.Present)
+  {
+    ClampToWalls(this->Leaves, this->Set, walls, this->VoxelSize, this->Buffers);
+  }
+  ClampToObstacle(this->Leaves, this->Set, obstacle, this->Buffers);
+  CheckObstacle(this->Leaves, obstacle);
   CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
   this->FinishFrame();
@@ -332,18 +393,23 @@ void BandState::RebuildBand(ActiveSet& set)
     RebuildLayers(this->Leaves, set, this->Potential->tree());
     FillGhosts(this->Leaves, set);
   }
+  this->DropEmptyLeaves();
+}
+
+void BandState::DropEmptyLeaves()
+{
   const std::size_t empty =
     this->Leaves.Count([](const LeafSummary& leaf) { return !leaf.IsUsed; });
   if (8 * empty > this->Leaves.Size())
   {
-    DropEmptyLeaves(this->Leaves, this->Potential->tree());
+    activesurface::DropEmptyLeaves(this->Leaves, this->Potential->tree());
   }
   this->Crossings = this->Leaves.Count([](const LeafSummary& leaf) { return leaf.Crossings; });
 }
 
 void BandState::FinishFrame()
 {
-  DropEmptyLeaves(this->Leaves, this->Potential->tree());
+  activesurface::DropEmptyLeaves(this->Leaves, this->Potential->tree());
   if (!this->Leaves.IsSorted())
   {
     this->Leaves.Rebuild(this->Potential->tree());

@@ -4,6 +4,7 @@
 #ifndef BandState_h
 #define BandState_h
 
+#include "Implicit/BandBackup.h"
 #include "Leaves/ActiveSet.h"
 #include "Motion.h"
 #include "Substep/Displacement.h"
@@ -35,6 +36,7 @@ struct BandState
   ActiveSet Set;            // of the substep under way, which sets it first; kept for its memory
   SubstepBuffers Buffers;
   Displacement Trace;
+  BandBackup Backup; // of an implicit substep
 
   void MakeEmpty();
   /** Replaces the potential; the layers follow from the signs, in the paper's band from the active
@@ -51,7 +53,7 @@ struct BandState
   void StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report);
 
   /** To be called between motions: the surface counts as just started. */
-  void Confine(const Walls& walls);
+  void Confine(const Walls& walls, Obstacle* obstacle);
 
   void FinishFrame();
   std::size_t CountActive() const;
@@ -63,6 +65,8 @@ private:
 
   /** Layers and ghosts, from the potential. */
   void RebuildBand(ActiveSet& set);
+  /** Once they are many; counts the crossings. */
+  void DropEmptyLeaves();
   /** Converts the band to the scheme of this motion: this library's or the paper's. */
   void SwitchScheme(const Motion& motion);
 
@@ -72,6 +76,7 @@ private:
   void MoveTarget(const Motion& motion, Target& target, AdvanceReport& report);
   FollowingBand GetFollower();
   PenaltyForce FindForce(const Motion& motion) const;
+  void MakeImplicitStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);
   void MakePaperStep(const Motion& motion, Move& move);

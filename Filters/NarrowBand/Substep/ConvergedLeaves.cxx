@@ -22,7 +22,9 @@ StepCoefficients CoefficientsOf(const ConvergenceRule& rule)
   StepCoefficients coefficients;
   coefficients.HasTargetSpeed = true;
   coefficients.IsWeighted = HasTensionWeights(rule.Parameters);
-  coefficients.Central = rule.Parameters.Gradient == GradientScheme::Central;
+  // As the scheme does at the nodes of crossed edges.
+  coefficients.Central = rule.Parameters.Gradient == GradientScheme::Central ||
+    rule.Parameters.Integration == TimeIntegration::Implicit;
   coefficients.Advection = 1.f;
   coefficients.Tension = static_cast<float>(rule.Parameters.Tension / rule.VoxelSize);
   return coefficients;

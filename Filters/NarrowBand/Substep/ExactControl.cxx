@@ -77,6 +77,7 @@ void Displace(const ControlledBand& band, double distance)
   {
     ClampToWalls(table, band.Set, band.Box, band.VoxelSize, band.Buffers);
   }
+  ClampToObstacle(table, band.Set, band.Solid, band.Buffers);
   CommitStep(table, band.Set, band.Buffers);
   band.Rebuild(band.Set);
 }
@@ -88,8 +89,8 @@ void Restore(const ControlledBand& band, double SkinMeasure::*number, double wan
 {
   constexpr int mostSteps = 8;
   constexpr double least = 1e-3; // gain below which there is no way
-  double left = FarthestInAll;
-  for (int step = 0; step < mostSteps && skin.Area > 0.0 && left > 0.0; ++step)
+  double left = FarthestInAll * band.Rounds;
+  for (int step = 0; step < mostSteps * band.Rounds && skin.Area > 0.0 && left > 0.0; ++step)
   {
     const double missing = wanted - skin.*number;
     if (std::fabs(missing) <= Precision * wanted || std::fabs(gain) < least)

@@ -24,10 +24,12 @@ struct ControlledBand
   SubstepBuffers& Buffers;
   std::function<void(ActiveSet&)> Rebuild; //< layers and ghosts, from the potential
   const Walls& Box;
+  Obstacle* Solid; //< or null
   double VoxelSize;
+  int Rounds = 1; //< of a voxel and a half, where a substep is as long as many
 };
 
-/** Moves the surface until the volume is restored to 1e-9, or by a voxel and a half. */
+/** Moves the surface until the volume is restored to 1e-9, or by a voxel and a half each round. */
 void RestoreVolume(const ControlledBand& band, double volume);
 
 /** The same for the area, by the secant method: the gain of area per displacement may have either

@@ -98,6 +98,19 @@ ACTIVE_ALWAYS_INLINE void CentralGradientSquares(const float* u, float* squares)
   }
 }
 
+/** Counts gradient norms below 1/sqrt 2 and above sqrt 2, at the nodes of these bits. */
+ACTIVE_ALWAYS_INLINE void CountGradients(const float* u, unsigned bits, int& flat, int& steep)
+{
+  float squares[8];
+  CentralGradientSquares(u, squares);
+  for (int z = 0; z < 8; ++z)
+  {
+    const bool counts = (bits >> z) & 1u;
+    flat += counts && squares[z] < .5f;
+    steep += counts && squares[z] > 2.f;
+  }
+}
+
 /** next -= advection * V * |grad u|, central differences: for comparison with the paper. */
 ACTIVE_ALWAYS_INLINE void AddCentralTransport(
   const float* u, const float* speed, float advection, float* next)

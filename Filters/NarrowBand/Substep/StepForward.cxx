@@ -13,23 +13,6 @@ namespace activesurface
 namespace
 {
 
-ACTIVE_ALWAYS_INLINE void CountGradients(const float* u, unsigned bits, int& flat, int& steep)
-{
-  float squares[8];
-  CentralGradientSquares(u, squares);
-  for (int z = 0; z < 8; ++z)
-  {
-    const bool counts = (bits >> z) & 1u;
-    flat += counts && squares[z] < .5f;
-    steep += counts && squares[z] > 2.f;
-  }
-}
-
-ACTIVE_ALWAYS_INLINE unsigned IsUnbounded(float u)
-{
-  return !(std::fabs(u) < UnboundedPotential); // nor is NaN below it
-}
-
 /** What the target gives a leaf, or a row of it; null if it does not. */
 struct TargetFields
 {
@@ -213,9 +196,7 @@ GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
 {
   const std::size_t size = table.Size();
   buffers.MakeRoomForNodes(size); // which it is where there are speeds
-  buffers.FlatNodes.resize(size);
-  buffers.SteepNodes.resize(size);
-  buffers.Unbounded.resize(size);
+  buffers.MakeRoomForCounts(size);
   if (coefficients.IsWeighted)
   {
     ForEachLeaf(table, set.Active, StepLeaf<true>{ table, coefficients, buffers });
@@ -224,6 +205,12 @@ GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
   {
     ForEachLeaf(table, set.Active, StepLeaf<false>{ table, coefficients, buffers });
   }
+  return SumOfCounts(table, set, buffers);
+}
+
+GradientCounts SumOfCounts(
+  const LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers)
+{
   GradientCounts counts;
   counts.Nodes = table.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
   for (const std::int32_t i : set.Active)

@@ -14,6 +14,8 @@
 
 #include "Leaves/ActiveSet.h"
 
+#include <cmath>
+
 namespace activesurface
 {
 
@@ -36,6 +38,11 @@ struct StepCoefficients
 /** |u| [voxels] that nothing sound reaches, and from which no single operation overflows. */
 constexpr float UnboundedPotential = 1e12f;
 
+ACTIVE_ALWAYS_INLINE unsigned IsUnbounded(float u)
+{
+  return !(std::fabs(u) < UnboundedPotential); // nor is NaN below it
+}
+
 /** Gradient norms at the nodes of layer 0, counted on the potential before the step. */
 struct GradientCounts
 {
@@ -54,6 +61,10 @@ void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients&
 /** Next of the active leaves, from the values of all active nodes (Jacobi). */
 GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
   const StepCoefficients& coefficients, SubstepBuffers& buffers);
+
+/** The counts of the active leaves, which a pass has left in the buffers. */
+GradientCounts SumOfCounts(
+  const LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers);
 
 /** Copies Next to the potential of the active leaves and finds its signs. All active nodes of the
  * affected leaves count as updated. */

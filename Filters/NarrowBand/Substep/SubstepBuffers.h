@@ -5,10 +5,10 @@
 #define SubstepBuffers_h
 
 #include "Leaves/LeafMask.h"
+#include "Leaves/NodeArrays.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace activesurface
@@ -26,33 +26,12 @@ void MakeRoom(std::vector<Value>& room, std::size_t size)
   room.resize(size);
 }
 
-/** 512 numbers per leaf, in blocks that are small enough for free memory of the heap. */
-class NodeArrays
-{
-public:
-  void MakeRoom(std::size_t leaves)
-  {
-    while (LeavesAtOnce * this->Blocks.size() < leaves)
-    {
-      this->Blocks.emplace_back(new float[512 * LeavesAtOnce]);
-    }
-  }
-
-  float* Of(std::size_t leaf) const
-  {
-    return this->Blocks[leaf / LeavesAtOnce].get() + 512 * (leaf % LeavesAtOnce);
-  }
-
-private:
-  static constexpr std::size_t LeavesAtOnce = 32;
-  std::vector<std::unique_ptr<float[]>> Blocks;
-};
-
 struct SubstepBuffers
 {
   // F - iso at the points of evaluation, leaf by leaf; with Transport the inward target speed.
   std::vector<float> Samples;
   std::vector<float> WeightSamples;             //< of tension, if it is weighted
+  std::vector<float> SlopeSamples;              //< |dF/dn|, of the implicit integration
   std::vector<float> Drifts;                    //< velocity along the surface, with Transport
   static constexpr std::int64_t NoSamples = -1; //< of a leaf that has not been sampled
   std::vector<std::int64_t> FirstSample;        //< number of a leaf's first point
@@ -61,6 +40,8 @@ struct SubstepBuffers
   // after the substep, which overwrites it row by row.
   NodeArrays Nodes;
   NodeArrays Weights; //< of tension, extended as the speed is, if it is weighted
+  NodeArrays StageFirst, StageBefore, StageRate,
+    StageSource; //< of the stages of the implicit integration
   std::vector<LeafMask> Known;
   std::vector<LeafMask> NextKnown;
 
@@ -68,10 +49,18 @@ struct SubstepBuffers
   std::vector<double> LargestTargetSlope; //< |dF/dn|
   std::vector<float> LargestSpeed;        //< at the nodes with samples
   std::vector<float> LargestVelocity;     //< of a sample point, tangential too; with Transport
-  std::vector<int> FlatNodes;             //< layer 0 nodes of gradient norm below 1/sqrt 2
-  std::vector<int> SteepNodes;            //< layer 0 nodes of gradient norm above sqrt 2
-  std::vector<std::uint8_t> Unbounded;    //< whether the next potential is, see GradientCounts
+  std::vector<float> LargestTensionWay;   //< of the implicit integration, see SurfaceMove.h
+  std::vector<float> LargestNetWay;
+  std::vector<int> FlatNodes;          //< layer 0 nodes of gradient norm below 1/sqrt 2
+  std::vector<int> SteepNodes;         //< layer 0 nodes of gradient norm above sqrt 2
+  std::vector<std::uint8_t> Unbounded; //< whether the next potential is, see GradientCounts
 
+  void MakeRoomForCounts(std::size_t leaves)
+  {
+    this->FlatNodes.resize(leaves);
+    this->SteepNodes.resize(leaves);
+    this->Unbounded.resize(leaves);
+  }
   void MakeRoomForNodes(std::size_t leaves) { this->Nodes.MakeRoom(leaves); }
   float* SpeedOf(std::size_t leaf) { return this->Nodes.Of(leaf); }
   const float* SpeedOf(std::size_t leaf) const { return this->Nodes.Of(leaf); }

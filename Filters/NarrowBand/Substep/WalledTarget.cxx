@@ -3,9 +3,18 @@
 #include "Substep/SubstepBuffers.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace activesurface
 {
+
+/** Positive beyond the walls or in the obstacle; -infinity where neither counts. */
+double WalledTarget::DistanceBeyond(const double x[3]) const
+{
+  const double walls = this->Box.Present ? DistanceToWalls(this->Box, x) : -HUGE_VAL;
+  return this->Solid ? std::max(walls, this->Solid->DepthAt(x)) : walls;
+}
 
 void WalledTarget::Evaluate(
   std::size_t count, const double* points, const TargetResults& results) const
@@ -16,14 +25,14 @@ void WalledTarget::Evaluate(
   {
     // In the target's own unit; where it is flat, as far from a distance, as a distance.
     const double slope = slopes[i] > 0.0 ? slopes[i] : 1.0;
-    const double wall = slope * DistanceToWalls(this->Box, points + 3 * i);
+    const double wall = slope * this->DistanceBeyond(points + 3 * i);
     if (wall > values[i])
     {
       values[i] = wall;
       slopes[i] = slope;
       if (results.Velocities)
       {
-        std::fill_n(results.Velocities + 3 * i, 3, 0.0); // the wall stands still
+        std::fill_n(results.Velocities + 3 * i, 3, 0.0); // what stops it stands still
       }
     }
   }
@@ -47,6 +56,54 @@ void ClampToWalls(const LeafTable& table, const ActiveSet& set, const Walls& wal
           next[node] = std::max(next[node], static_cast<float>(wall));
         });
     });
+}
+
+namespace
+{
+
+std::vector<openvdb::Coord> FindUnknown(
+  const LeafTable& table, const LeafList& leaves, const Obstacle& obstacle)
+{
+  std::vector<openvdb::Coord> unknown;
+  for (const std::int32_t i : leaves)
+  {
+    if (!obstacle.IsKnown(table[i].Origin))
+    {
+      unknown.push_back(table[i].Origin);
+    }
+  }
+  return unknown;
+}
+
+}
+
+void ClampToObstacle(
+  const LeafTable& table, const ActiveSet& set, Obstacle* obstacle, SubstepBuffers& buffers)
+{
+  if (!obstacle)
+  {
+    return;
+  }
+  obstacle->SampleLeaves(FindUnknown(table, set.Active, *obstacle));
+  table.ForEach(set.Active,
+    [&](std::size_t i)
+    {
+      if (const float* depths = obstacle->FindDepths(table[i].Origin))
+      {
+        float* next = buffers.NextOf(i);
+        table[i].Active.ForEach([&](int node) { next[node] = std::max(next[node], depths[node]); });
+      }
+    });
+}
+
+void CheckObstacle(const LeafTable& table, Obstacle* obstacle)
+{
+  if (obstacle)
+  {
+    const LeafList all = table.FindAll([](std::size_t) { return true; });
+    obstacle->SampleLeaves(FindUnknown(table, all, *obstacle));
+    obstacle->Check();
+  }
 }
 
 }

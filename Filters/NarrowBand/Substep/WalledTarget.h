@@ -1,8 +1,9 @@
 /**
- * Walls: the surface does not leave their box.
+ * Walls and obstacle: the surface does not leave the box of the one, nor enter the other.
  *
- * The target is cut off at the walls, so the surface stops there by itself. Other motions (Tension,
- * controls) are stopped by clamping the potential at the distance to the walls. The clamp alone
+ * The target is cut off there, so the surface stops by itself. Other motions (Tension,
+ * controls) are stopped by clamping the potential at the distance to the walls, or at the
+ * obstacle's depth: both lie at the same nodes, so that what is at rest stays. The clamp alone
  * ends in the same place. But then the speed of a surface pressed on a wall stays large and limits
  * the time step, which costs 3 to 15 times as many substeps.
  */
@@ -10,6 +11,7 @@
 #define WalledTarget_h
 
 #include "Leaves/ActiveSet.h"
+#include "Obstacle.h"
 #include "Target.h"
 #include "Walls.h"
 
@@ -18,16 +20,20 @@ namespace activesurface
 
 struct SubstepBuffers;
 
-/** A target within walls. */
+/** A target within walls and outside an obstacle. */
 class WalledTarget : public Target
 {
 public:
-  /** The caller owns both. */
-  WalledTarget(Target& target, const Walls& walls)
+  /** The caller owns all; obstacle: or null. */
+  WalledTarget(Target& target, const Walls& walls, const Obstacle* obstacle = nullptr)
     : Within(target)
     , Box(walls)
+    , Solid(obstacle)
   {
   }
+
+  /** Whether there is anything to cut it off. */
+  bool IsCut() const { return this->Box.Present || this->Solid; }
 
   void MoveTo(double time) override { this->Within.MoveTo(time); }
   bool MayHaveChanged(const double bounds[6]) const override
@@ -36,22 +42,45 @@ public:
   }
   void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const override;
+  void EvaluateVelocities(
+    std::size_t count, const double* points, double* velocities) const override
+  {
+    this->Within.EvaluateVelocities(count, points, velocities);
+  }
   bool HasRegions() const override { return this->Within.HasRegions(); }
   void ForEachRegion(const RegionVisitor& visit) const override
   {
     this->Within.ForEachRegion(visit);
   }
-  bool IsThreadSafe() const override { return this->Within.IsThreadSafe(); }
+  void ForEachPart(const PartVisitor& visit) const override { this->Within.ForEachPart(visit); }
+  bool IsThreadSafe() const override
+  {
+    return this->Within.IsThreadSafe() && (!this->Solid || this->Solid->IsThreadSafe());
+  }
 
 private:
+  double DistanceBeyond(const double x[3]) const;
+
   Target& Within;
   const Walls& Box;
+  const Obstacle* Solid;
 };
 
 /** Next is no less than the distance to the walls [voxels] at any active node of the active leaves.
  */
 void ClampToWalls(const LeafTable& table, const ActiveSet& set, const Walls& walls,
   double voxelSize, SubstepBuffers& buffers);
+
+/** Next is no less than the depth in the obstacle [voxels] at any active node of the active leaves;
+ * nothing happens without an obstacle (null). To be called wherever Next has been written, before
+ * CommitStep, after ClampToWalls. Leaves that the obstacle does not know yet are sampled; the
+ * others cost a look, if it is farther away than its Reach. */
+void ClampToObstacle(
+  const LeafTable& table, const ActiveSet& set, Obstacle* obstacle, SubstepBuffers& buffers);
+
+/** Has the obstacle (or null) know all leaves, and throws std::runtime_error if it is not a number
+ * in one of them: before a substep changes anything. */
+void CheckObstacle(const LeafTable& table, Obstacle* obstacle);
 
 }
 

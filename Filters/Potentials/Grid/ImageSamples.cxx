@@ -1,5 +1,6 @@
 #include "Grid/ImageSamples.h"
 
+#include "LatticeShape.h"
 #include "Trilinear.h"
 
 #include "vtkDataArray.h"
@@ -8,11 +9,15 @@
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace activesurface
 {
@@ -313,6 +318,70 @@ bool ImageSamples::GetBounds(double bounds[6]) const
       bounds[2 * d] += std::min(first, last);
       bounds[2 * d + 1] += std::max(first, last);
     }
+  }
+  return true;
+}
+
+// False if none is.
+bool ImageSamples::FillBlock(double level, const openvdb::Coord& origin, PixelMask& inside) const
+{
+  bool isAny = false;
+  int first[3], last[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    first[axis] = std::max(origin[axis], this->Extent[2 * axis]);
+    last[axis] = std::min(origin[axis] + 7, this->Extent[2 * axis + 1]);
+  }
+  int pixel[3];
+  for (pixel[0] = first[0]; pixel[0] <= last[0]; ++pixel[0])
+  {
+    for (pixel[1] = first[1]; pixel[1] <= last[1]; ++pixel[1])
+    {
+      for (pixel[2] = first[2]; pixel[2] <= last[2]; ++pixel[2])
+      {
+        if (this->GetSample(pixel) < level)
+        {
+          inside.setOn((pixel[0] & 7) << 6 | (pixel[1] & 7) << 3 | (pixel[2] & 7));
+          isAny = true;
+        }
+      }
+    }
+  }
+  return isAny;
+}
+
+// Beyond the image is outside. Blocks that are inside throughout are leaves too.
+bool ImageSamples::FindShape(double level, LatticeShape& shape) const
+{
+  using Leaf = openvdb::MaskTree::LeafNodeType;
+  std::vector<openvdb::Coord> origins;
+  for (int x = this->Extent[0] & ~7; x <= this->Extent[1]; x += 8)
+  {
+    for (int y = this->Extent[2] & ~7; y <= this->Extent[3]; y += 8)
+    {
+      for (int z = this->Extent[4] & ~7; z <= this->Extent[5]; z += 8)
+      {
+        origins.emplace_back(x, y, z);
+      }
+    }
+  }
+  std::vector<PixelMask> masks(origins.size());
+  std::vector<char> isUsed(origins.size());
+  tbb::parallel_for(std::size_t(0), origins.size(),
+    [&](std::size_t i) { isUsed[i] = this->FillBlock(level, origins[i], masks[i]); });
+  for (std::size_t i = 0; i < origins.size(); ++i)
+  {
+    if (isUsed[i])
+    {
+      auto leaf = new Leaf(origins[i]); // the tree's from then on
+      leaf->setValueMask(masks[i]);
+      shape.Inside.addLeaf(leaf);
+    }
+  }
+  shape.Origin = openvdb::Vec3d(this->Origin);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    shape.Axis[axis] = openvdb::Vec3d(this->Axis[axis]);
   }
   return true;
 }

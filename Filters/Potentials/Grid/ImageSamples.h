@@ -5,6 +5,7 @@
 #define ImageSamples_h
 
 #include "GridSamples.h"
+#include "OpenVDB.h"
 
 #include "vtkSmartPointer.h"
 
@@ -23,6 +24,9 @@ struct ImageLevel
   bool InvertInside = false;
 };
 
+// Of 8 x 8 x 8 pixels.
+using PixelMask = openvdb::MaskTree::LeafNodeType::NodeMaskType;
+
 class ImageSamples : public GridSamples
 {
 public:
@@ -34,6 +38,7 @@ public:
 
   double Evaluate(const double x[3], double* gradient) const override;
   bool GetBounds(double bounds[6]) const override;
+  bool FindShape(double level, LatticeShape& shape) const override;
   // Where lines of pixels cross it.
   SurfaceSample SampleSurface() const override;
 
@@ -41,6 +46,7 @@ private:
   void ReadAxes(vtkImageData* image);
   void SampleLine(int axis, int pixel[3], double area, SurfaceGatherer& surface) const;
   double GetSample(const int pixel[3]) const;
+  bool FillBlock(double level, const openvdb::Coord& origin, PixelMask& inside) const;
   void Locate(const double x[3], double place[3]) const;
   double DistanceToBox(const double excess[3], double* gradient) const;
   double Interpolate(const double place[3], double* gradient) const;

@@ -1,6 +1,8 @@
 #include "Grid/LevelSetSamples.h"
 
+#include "Grid/InsideMask.h"
 #include "LatticeCell.h"
+#include "LatticeShape.h"
 #include "OpenVDB.h"
 #include "StaticShutdown.h"
 #include "Trilinear.h"
@@ -80,6 +82,26 @@ bool LevelSetSamples::GetBounds(double bounds[6]) const
   {
     bounds[2 * axis] = box.min()[axis];
     bounds[2 * axis + 1] = box.max()[axis];
+  }
+  return true;
+}
+
+bool LevelSetSamples::FindShape(double level, LatticeShape& shape) const
+{
+  const auto isInside = [this, level](float value)
+  { return this->Sign * (value - this->IsoValue) < level; };
+  if (isInside(this->Grid->background()))
+  {
+    return false;
+  }
+  FindInside(this->Grid->tree(), isInside, shape.Inside);
+  const openvdb::math::Mat4d toWorld = this->ToIndex.inverse();
+  shape.Origin = toWorld.transform(openvdb::Vec3d(0.0));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    openvdb::Vec3d unit(0.0);
+    unit[axis] = 1.0;
+    shape.Axis[axis] = toWorld.transform(unit) - shape.Origin;
   }
   return true;
 }

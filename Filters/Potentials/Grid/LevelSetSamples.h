@@ -21,6 +21,7 @@ public:
 
   double Evaluate(const double x[3], double* gradient) const override;
   bool GetBounds(double bounds[6]) const override;
+  bool FindShape(double level, LatticeShape& shape) const override;
 
 private:
   openvdb::FloatGrid::ConstPtr Grid;

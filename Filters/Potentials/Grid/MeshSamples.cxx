@@ -1,7 +1,9 @@
 #include "Grid/MeshSamples.h"
 
+#include "Grid/InsideMask.h"
 #include "Grid/MeshDistance.h"
 #include "LatticeCell.h"
+#include "LatticeShape.h"
 #include "OpenVDB.h"
 #include "StaticShutdown.h"
 #include "Trilinear.h"
@@ -185,6 +187,23 @@ double MeshSamples::Evaluate(const double x[3], double* gradient) const
 bool MeshSamples::GetBounds(double bounds[6]) const
 {
   std::copy(this->Bounds.begin(), this->Bounds.end(), bounds);
+  return true;
+}
+
+bool MeshSamples::FindShape(double level, LatticeShape& shape) const
+{
+  const double voxels = level / this->VoxelSize;
+  if (!(std::fabs(voxels) < this->Reach))
+  {
+    return false;
+  }
+  const double most = voxels + this->HalfShell;
+  FindInside(
+    this->Distance->tree(), [most](float distance) { return distance < most; }, shape.Inside);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    shape.Axis[axis] *= this->VoxelSize;
+  }
   return true;
 }
 

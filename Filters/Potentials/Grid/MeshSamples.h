@@ -28,6 +28,7 @@ public:
 
   double Evaluate(const double x[3], double* gradient) const override;
   bool GetBounds(double bounds[6]) const override;
+  bool FindShape(double level, LatticeShape& shape) const override;
   SurfaceSample SampleSurface() const override { return this->Surface; }
 
 private:

@@ -118,6 +118,7 @@ void FillHistory(const std::vector<HistoryRow>& rows, vtkTable* table)
   AddColumn<vtkIdTypeArray>(table, "Components", rows, &HistoryRow::Components);
   AddColumn<vtkIdTypeArray>(table, "Voids", rows, &HistoryRow::Voids);
   AddColumn<vtkIdTypeArray>(table, "EulerCharacteristic", rows, &HistoryRow::EulerCharacteristic);
+  AddColumn<vtkDoubleArray>(table, "Outside", rows, &HistoryRow::Outside);
   AddColumn<vtkStringArray>(table, "Event", rows, &HistoryRow::Event);
 }
 

@@ -2,6 +2,7 @@
 
 #include "Simulation/MotionWarnings.h"
 #include "Simulation/SurfaceStart.h"
+#include "Targets/FunctionObstacle.h"
 
 #include <algorithm>
 
@@ -14,6 +15,8 @@ namespace
 // Least number of substeps from one step to the next while the target moves: so many times it is
 // evaluated on its way, however slow the surface is.
 constexpr double SubstepsOfMovingTarget = 4.0;
+// The same where the surface is carried along in one semi-Lagrangian step.
+constexpr double SubstepsOfCarriedSurface = 2.0;
 
 // Automatic attraction: distances fall by so many factors e from one step to the next.
 constexpr double FactorsPerStep = 6.0;
@@ -41,7 +44,20 @@ bool MotionDriver::Start(
   const std::unique_ptr<PotentialTarget> initial = this->Shapes.MakeStart();
   const PotentialTarget& shape = initial ? *initial : this->Shapes.GetTarget();
   this->Prepare(band);
-  return StartOn(band, { domain, this->GetMotion(-1).Box, shape }, this->Messages, progress);
+  const Motion motion = this->GetMotion(-1);
+  return StartOn(band, { domain, motion.Box, motion.Solid, shape }, this->Messages, progress);
+}
+
+// Once the voxels are known.
+Obstacle* MotionDriver::FindObstacle() const
+{
+  vtkImplicitFunction* function = this->Settings.Inputs.ObstacleFunction;
+  const SurfaceDomain* domain = this->Shapes.FindDomain();
+  if (!this->Solid && function && domain)
+  {
+    this->Solid = MakeObstacle(function, domain->VoxelSize);
+  }
+  return this->Solid.get();
 }
 
 Motion MotionDriver::GetMotion(int step) const
@@ -52,6 +68,7 @@ Motion MotionDriver::GetMotion(int step) const
   motion.WeightedTension = motion.WeightedTension && hasFluid;
   motion.Transport = 0.0; // of what stands still
   const SurfaceDomain* domain = this->Shapes.FindDomain();
+  motion.Solid = this->FindObstacle();
   motion.Box.Present = this->Settings.Bounded && domain;
   if (domain)
   {
@@ -63,8 +80,10 @@ Motion MotionDriver::GetMotion(int step) const
     // At the last step it is that of the way there.
     const double* steps = this->Settings.Inputs.Steps.data() + std::min(step, last - 1);
     const double length = this->Settings.TimeScale * (steps[1] - steps[0]);
-    motion.LongestStep = length / SubstepsOfMovingTarget;
     motion.Transport = hasFluid ? this->Settings.Law.Transport : 0.0;
+    const bool isCarried =
+      motion.Transport > 0.0 && motion.Integration == TimeIntegration::Implicit;
+    motion.LongestStep = length / (isCarried ? SubstepsOfCarriedSurface : SubstepsOfMovingTarget);
     if (this->Settings.HasAutomaticAttraction())
     {
       motion.Attraction = FactorsPerStep / length;

@@ -4,12 +4,14 @@
 #define MotionDriver_h
 
 #include "NarrowBand.h"
+#include "Obstacle.h"
 #include "Simulation/SurfaceDomain.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/TargetBuilder.h"
 #include "Simulation/Warnings.h"
 
 #include <cstddef>
+#include <memory>
 
 namespace activesurface
 {
@@ -21,6 +23,9 @@ public:
   MotionDriver(const SurfaceSettings& settings, TargetBuilder& shapes, Warnings& messages);
   MotionDriver(const MotionDriver&) = delete;
   void operator=(const MotionDriver&) = delete;
+
+  // Comes when the settings have changed.
+  void Clear() { this->Solid.reset(); }
 
   // Neither changes the motion.
   void SetNumberOfThreads(int threads) { this->Threads = threads; }
@@ -47,6 +52,7 @@ public:
 
 private:
   void Prepare(NarrowBand& band) const;
+  Obstacle* FindObstacle() const;
   void PlaceTargetFrom(int step);
   bool MayCreateParts(const Motion& motion) const;
   template <class Advance>
@@ -59,6 +65,7 @@ private:
   std::size_t MaximumVoxels = 0;
   std::size_t Substeps = 0;
   std::size_t TargetEvaluations = 0;
+  mutable std::unique_ptr<Obstacle> Solid; // null until it is asked for
 };
 
 }

@@ -1,5 +1,6 @@
 #include "Simulation/MotionWarnings.h"
 
+#include <iomanip>
 #include <sstream>
 
 namespace activesurface
@@ -12,7 +13,7 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
   {
     std::ostringstream text;
     text << "The skin has vanished before the motion time " << time.Value
-         << (end.MayComeBack ? "; it comes back where particles do."
+         << (end.MayComeBack ? "; it comes back where the target does."
                              : "; it does not come back. Does the target meet the initial shape?");
     messages.Say("vanished", text.str());
   }
@@ -35,6 +36,28 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
          << " points of the skin; they were left out. This is told once.";
     messages.Say("not finite", text.str());
   }
+}
+
+void WarnOfOutside(const Outside& outside, Warnings& messages)
+{
+  constexpr double most = 0.01;
+  if (!(outside.Share > most))
+  {
+    return;
+  }
+  const bool particles = outside.ParticlesAreLost;
+  std::ostringstream text;
+  text << "At the time step " << outside.Time.Value << ", " << std::setprecision(2)
+       << 100.0 * outside.Share << " % of the "
+       << (particles ? "particles are outside the skin by more than their own radius"
+                     : "target's inside is outside the skin by more than a voxel")
+       << "; the column Outside of the history tells it of each time step. To keep up, raise "
+          "Attraction"
+       << (particles && outside.Law.Transport < 1.0 ? ", set Transport to 1" : "")
+       << (outside.Law.CreateParts ? "" : ", turn CreateParts on")
+       << (outside.Law.Tension > 0.0 ? ", lower Tension" : "")
+       << ", make VoxelSize smaller, or the time from step to step shorter.";
+  messages.Say("outside", text.str());
 }
 
 void WarnOfNoRest(const SteadyStateCriterion& rest, double speed, Warnings& messages)

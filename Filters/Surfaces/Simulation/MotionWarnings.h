@@ -21,6 +21,17 @@ struct MotionEnd
 // the target was not finite.
 void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& messages);
 
+struct Outside
+{
+  PipelineTime Time;
+  double Share;          // of the target
+  const Motion& Law;     // that the skin moved by
+  bool ParticlesAreLost; // else parts of a volume
+};
+
+// That more than a hundredth of the target is outside the skin.
+void WarnOfOutside(const Outside& outside, Warnings& messages);
+
 // That the substeps were used up before the skin was at rest; speed: the last one.
 void WarnOfNoRest(const SteadyStateCriterion& rest, double speed, Warnings& messages);
 

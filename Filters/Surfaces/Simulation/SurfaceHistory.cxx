@@ -4,6 +4,7 @@
 #include "SkinEvents.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace activesurface
@@ -27,15 +28,18 @@ void HistoryRecorder::ContinueFrom(const NarrowBand& band)
   this->HasParts = true;
 }
 
-HistoryRow HistoryRecorder::MakeRow(const NarrowBand& band, PipelineTime time)
+HistoryRow HistoryRecorder::MakeRow(const NarrowBand& band, const RecordedMoment& moment)
 {
   std::vector<SkinPart> parts = FindSkinParts(band);
   HistoryRow row;
-  row.Time = time.Value;
+  row.Time = moment.Time.Value;
+  row.Outside = moment.Outside;
   row.Substeps = band.GetWork().Substeps;
   row.MaxSpeed = band.GetWork().MaxSpeed;
   row.ActiveVoxels = band.GetNumberOfActiveNodes();
-  row.Event = this->HasParts ? FindEvents(this->Parts, parts) : "";
+  row.Event = !moment.Event.empty() ? moment.Event
+    : this->HasParts                ? FindEvents(this->Parts, parts)
+                                    : "";
   for (const SkinPart& part : parts)
   {
     row.Area += part.Area;
@@ -48,15 +52,15 @@ HistoryRow HistoryRecorder::MakeRow(const NarrowBand& band, PipelineTime time)
   return row;
 }
 
-void HistoryRecorder::Record(
-  std::size_t row, const NarrowBand& band, PipelineTime time, const std::string& event)
+void HistoryRecorder::Record(std::size_t row, const NarrowBand& band, const RecordedMoment& moment)
 {
   this->Rows.resize(std::max(this->Rows.size(), row + 1));
-  this->Rows[row] = this->MakeRow(band, time);
-  if (!event.empty())
-  {
-    this->Rows[row].Event = event;
-  }
+  this->Rows[row] = this->MakeRow(band, moment);
+}
+
+double HistoryRecorder::GetOutside(std::size_t row) const
+{
+  return row < this->Rows.size() ? this->Rows[row].Outside : std::nan("");
 }
 
 void HistoryRecorder::Restore(const std::vector<HistoryRow>& rows)

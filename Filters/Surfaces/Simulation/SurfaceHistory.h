@@ -16,6 +16,13 @@ namespace activesurface
 
 class NarrowBand;
 
+struct RecordedMoment
+{
+  PipelineTime Time;
+  double Outside;    // share of the target outside the skin
+  std::string Event; // replaces the one that is found, unless it is empty
+};
+
 // The rows of a surface on its way, of the farthest way so far. It remembers the parts of the skin
 // at the row before, to tell what has happened to them.
 class HistoryRecorder
@@ -28,9 +35,11 @@ public:
   void Interrupt();
   void ContinueFrom(const NarrowBand& band);
 
-  // Of a surface that has just arrived at a time; its work is that since the row before. An event
-  // that is not empty replaces the one that is found.
-  void Record(std::size_t row, const NarrowBand& band, PipelineTime time, const std::string& event);
+  // Of a surface that has just arrived at a time; its work is that since the row before.
+  void Record(std::size_t row, const NarrowBand& band, const RecordedMoment& moment);
+
+  // The share outside of a row; NaN for one that is not known.
+  double GetOutside(std::size_t row) const;
 
   // All rows of a state that was loaded, unless more are known.
   void Restore(const std::vector<HistoryRow>& rows);
@@ -42,7 +51,7 @@ public:
   std::vector<HistoryRow> GetRows(std::size_t most) const;
 
 private:
-  HistoryRow MakeRow(const NarrowBand& band, PipelineTime time);
+  HistoryRow MakeRow(const NarrowBand& band, const RecordedMoment& moment);
 
   std::vector<HistoryRow> Rows;
   std::vector<SkinPart> Parts;

@@ -100,13 +100,14 @@ bool SurfaceInputs::operator==(const SurfaceInputs& other) const
   // A member that is missing here does not compile.
   const auto compare = [](const SurfaceInputs& a, const SurfaceInputs& b)
   {
-    const auto& [function, moves, time, initial, hasInitial, initialTime, arrays, steps, inputSteps,
-      forward] = a;
-    const auto& [function2, moves2, time2, initial2, hasInitial2, initialTime2, arrays2, steps2,
-      inputSteps2, forward2] = b;
+    const auto& [function, moves, time, initial, hasInitial, initialTime, obstacle, obstacleTime,
+      arrays, steps, inputSteps, forward] = a;
+    const auto& [function2, moves2, time2, initial2, hasInitial2, initialTime2, obstacle2,
+      obstacleTime2, arrays2, steps2, inputSteps2, forward2] = b;
     return function == function2 && moves == moves2 && time == time2 && initial == initial2 &&
-      hasInitial == hasInitial2 && initialTime == initialTime2 && arrays == arrays2 &&
-      steps == steps2 && inputSteps == inputSteps2 && forward == forward2;
+      hasInitial == hasInitial2 && initialTime == initialTime2 && obstacle == obstacle2 &&
+      obstacleTime == obstacleTime2 && arrays == arrays2 && steps == steps2 &&
+      inputSteps == inputSteps2 && forward == forward2;
   };
   return compare(*this, other);
 }

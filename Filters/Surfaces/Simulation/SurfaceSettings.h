@@ -51,6 +51,10 @@ struct SurfaceInputs
   bool HasInitialInput = false;
   std::uint64_t InitialMTime = 0; // of the function, or of all that makes the input
 
+  // What the surface may not enter; null: nothing.
+  vtkImplicitFunction* ObstacleFunction = nullptr;
+  std::uint64_t ObstacleMTime = 0;
+
   std::array<std::string, 5> Arrays; // that were chosen
   std::vector<double> Steps;         // pipeline times; the first one is motion time 0
   std::vector<double> InputSteps;    // of the input, equal neighbours merged; or empty
@@ -92,6 +96,10 @@ struct SurfaceSettings
   bool AreContinuedBy(const SurfaceSettings& others) const;
 
   bool UsesInput() const { return !this->Inputs.TargetFunction; }
+  bool StartsElsewhere() const // than on the target
+  {
+    return this->Inputs.InitialFunction || this->Inputs.HasInitialInput;
+  }
   bool IsEquilibrium() const { return this->Evolution == EvolutionMode::Equilibrium; }
   bool HasAutomaticAttraction() const
   {
@@ -230,6 +238,8 @@ void ForEachMotionProperty(Settings& settings, Visitor&& visit)
     [](auto& filter) { return filter.GetTargetEvaluation(); });
   visit(Property{ "GradientScheme", Any, true }, motion.Gradient,
     [](auto& filter) { return filter.GetGradientScheme(); });
+  visit(Property{ "TimeIntegration", Any, true }, motion.Integration,
+    [](auto& filter) { return filter.GetTimeIntegration(); });
   visit(Property{ "PaperScheme", Any, true }, motion.Paper,
     [](auto& filter) { return filter.GetPaperScheme(); });
 }

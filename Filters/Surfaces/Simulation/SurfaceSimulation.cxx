@@ -1,5 +1,6 @@
 #include "Simulation/SurfaceSimulation.h"
 
+#include "Simulation/MotionWarnings.h"
 #include "TimeSteps.h"
 
 #include <algorithm>
@@ -17,6 +18,8 @@ constexpr const char* NothingToStartOn =
   "There are no particles, and nothing else, at the first time step, so there is no skin, now or "
   "later. For a skin that begins when particles come, set ModelBounds or ParticleSpacing, with "
   "CreateParts on; or set an initial shape.";
+
+constexpr const char* NotAtRest = "not at rest"; // event
 
 RequestedTime FindRequested(const SurfaceSettings& settings, PipelineTime time)
 {
@@ -37,6 +40,10 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
 {
   if (this->Settings.AreContinuedBy(settings) && this->IsOnStepsOf(settings))
   {
+    if (settings.Inputs.TargetMoves != this->Settings.Inputs.TargetMoves)
+    {
+      this->Shapes.ForgetTarget(); // it was made to stand still, and carries nothing
+    }
     this->Settings = settings;
     this->History.SetFirstTime(settings.GetStep(0));
   }
@@ -62,6 +69,8 @@ bool SurfaceSimulation::IsOnStepsOf(const SurfaceSettings& settings) const
 void SurfaceSimulation::Reset()
 {
   this->Shapes.Clear();
+  this->Coverage.Clear();
+  this->Driver.Clear();
   this->LastStepAdded = 0;
   this->Saved.Clear();
   this->ResetTrajectory();
@@ -291,7 +300,7 @@ bool SurfaceSimulation::AdvanceToSteadyState(const ProgressFunction& progress)
   }
   this->Way.FinishSteadyState();
   this->Record(
-    1, this->Settings.ToPipelineTime({ band.GetTime() }), isSteady ? "at rest" : "not at rest");
+    1, this->Settings.ToPipelineTime({ band.GetTime() }), isSteady ? "at rest" : NotAtRest);
   return true;
 }
 
@@ -310,9 +319,24 @@ bool SurfaceSimulation::AdvanceBranch(const ProgressFunction& progress)
 void SurfaceSimulation::Record(std::size_t row, PipelineTime time, const std::string& event)
 {
   NarrowBand& band = this->Way.GetBandToMove();
-  this->History.Record(row, band, time, event);
+  const int step = this->Way.GetStep();
+  const Motion motion = this->Driver.GetMotion(step);
+  const double outside = this->Coverage.FindOutside(band, motion, step);
+  if (HasTargetSpeed(motion) && !band.IsEmpty() && event != NotAtRest && this->Loses(row, outside))
+  {
+    WarnOfOutside({ time, outside, motion, this->Shapes.HasParticles() }, this->Messages);
+  }
+  this->History.Record(row, band, { time, outside, event });
   band.ForgetWork();
-  this->Saved.Add(this->Way.GetStep(), band);
+  this->Saved.Add(step, band);
+}
+
+// A skin that starts elsewhere is on its way to the target as long as the share falls.
+bool SurfaceSimulation::Loses(std::size_t row, double outside) const
+{
+  const double atStart = this->Settings.StartsElsewhere() ? 1.0 : 0.0;
+  const bool isFalling = outside < (row > 0 ? this->History.GetOutside(row - 1) : atStart);
+  return !isFalling;
 }
 
 SavedState SurfaceSimulation::GetState() const

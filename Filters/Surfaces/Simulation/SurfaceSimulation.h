@@ -21,6 +21,7 @@
 #include "Simulation/SurfaceHistory.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/TargetBuilder.h"
+#include "Simulation/TargetCoverage.h"
 #include "Simulation/Trajectory.h"
 #include "Simulation/Warnings.h"
 
@@ -128,6 +129,7 @@ private:
   bool AdvanceToSteadyState(const ProgressFunction& progress);
   bool AdvanceBranch(const ProgressFunction& progress);
   void Record(std::size_t row, PipelineTime time, const std::string& event);
+  bool Loses(std::size_t row, double outside) const;
 
   SurfaceSettings Settings;
   Warnings Messages;
@@ -142,6 +144,7 @@ private:
   Trajectory Way{ this->Settings };
   Checkpoints Saved;
   HistoryRecorder History;
+  TargetCoverage Coverage{ this->Settings, this->Shapes };
   SavedState Loaded;
   bool LoadedIsNew = false; // it has been set since the last Configure
 };

@@ -1,8 +1,11 @@
 #include "Simulation/SurfaceStart.h"
 
+#include "Obstacle.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <vector>
 
 namespace activesurface
 {
@@ -10,10 +13,15 @@ namespace activesurface
 namespace
 {
 
+double FindMargin(const SurfaceStart& start)
+{
+  return start.Box.Present ? 2.0 * start.Domain.VoxelSize : 0.0;
+}
+
 // The box to sample: within walls so wide that the surface can close on them.
 void FindBounds(const SurfaceStart& start, double bounds[6])
 {
-  const double margin = start.Box.Present ? 2.0 * start.Domain.VoxelSize : 0.0;
+  const double margin = FindMargin(start);
   for (int axis = 0; axis < 3; ++axis)
   {
     bounds[2 * axis] = start.Domain.Bounds[2 * axis] - margin;
@@ -29,15 +37,53 @@ void CutAtWalls(const Walls& box, std::size_t count, const double* points, doubl
   }
 }
 
+// In the shape's own unit, so that the surface is where it should be on the edges that it crosses.
+void CutAtObstacle(
+  const SurfaceStart& start, std::size_t count, const double* points, double* values)
+{
+  std::vector<double> depths, near;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; start.Solid && i < count; ++i)
+  {
+    const double depth = start.Solid->DepthAt(points + 3 * i);
+    if (depth > -HUGE_VAL)
+    {
+      depths.push_back(depth);
+      places.push_back(i);
+      near.insert(near.end(), points + 3 * i, points + 3 * i + 3);
+    }
+  }
+  std::vector<double> levels(places.size()), slopes(places.size());
+  start.Shape.EvaluateLevel(places.size(), near.data(), levels.data(), slopes.data());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    values[places[i]] = std::max(values[places[i]], slopes[i] * depths[i]);
+  }
+}
+
+void EvaluateAtCorners(const InitialFunction& function, const double bounds[6])
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double point[3], value;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      point[axis] = bounds[2 * axis + (corner >> axis & 1)];
+    }
+    function.Evaluate(1, point, &value);
+  }
+}
+
 }
 
 bool StartOn(
   NarrowBand& band, const SurfaceStart& start, Warnings& messages, const ProgressFunction& progress)
 {
-  std::atomic<bool> isFinite{ false }; // anywhere
+  std::atomic<bool> isFinite{ false };  // anywhere
+  std::atomic<bool> hasInside{ false }; // but for the obstacle
   InitialFunction function;
-  function.ThreadSafe = start.Shape.IsThreadSafe();
-  function.Evaluate = [&start, &isFinite](std::size_t count, const double* points, double* values)
+  function.ThreadSafe = start.Shape.IsThreadSafe() && (!start.Solid || start.Solid->IsThreadSafe());
+  function.Evaluate = [&](std::size_t count, const double* points, double* values)
   {
     start.Shape.EvaluateLevel(count, points, values);
     if (!isFinite.load(std::memory_order_relaxed) &&
@@ -46,11 +92,21 @@ bool StartOn(
       isFinite.store(true, std::memory_order_relaxed);
     }
     CutAtWalls(start.Box, count, points, values);
+    if (std::any_of(values, values + count, [](double value) { return value < 0.0; }))
+    {
+      hasInside.store(true, std::memory_order_relaxed);
+    }
+    CutAtObstacle(start, count, points, values);
   };
-  if (start.Shape.HasRegions())
+  if (start.Shape.IsWithinRegions())
   {
     function.ForEachRegion = [&start](const RegionVisitor& visit)
     { start.Shape.ForEachRegion(visit); };
+  }
+  if (!start.Solid) // it cuts faces into the shape, where the shape has no surface
+  {
+    function.Surface = start.Shape.FindSurface();
+    function.Surface.DepthOfWalls = FindMargin(start);
   }
   double bounds[6];
   FindBounds(start, bounds);
@@ -60,12 +116,19 @@ bool StartOn(
   }
   // The rim of shape and wall is round in the distances of the start, by a few hundredths of a
   // voxel.
-  if (start.Box.Present)
+  if (start.Box.Present || start.Solid)
   {
-    band.Confine(start.Box);
+    band.Confine(start.Box, start.Solid);
   }
-  if (band.IsEmpty())
+  if (band.IsEmpty() && start.Solid && hasInside)
   {
+    messages.Say("empty",
+      "The obstacle covers the initial shape, so there is no skin; check that ObstacleFunction is "
+      "negative inside the obstacle alone.");
+  }
+  else if (band.IsEmpty())
+  {
+    EvaluateAtCorners(function, bounds); // where nothing was, as there is no surface
     messages.Say("empty",
       isFinite ? "The initial shape has no surface within the bounds, so there is no skin; check "
                  "ModelBounds, TargetIsoValue and whether VoxelSize is small enough."

@@ -16,6 +16,7 @@ struct SurfaceStart
 {
   const SurfaceDomain& Domain;
   const Walls& Box;
+  Obstacle* Solid; // or null
   const PotentialTarget& Shape;
 };
 

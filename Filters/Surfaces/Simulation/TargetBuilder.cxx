@@ -81,8 +81,7 @@ void TargetBuilder::Add(int step, std::shared_ptr<InputShape> shape)
   {
     if (!this->Kind->IsOfKindOf(*shape))
     {
-      this->Moving = nullptr;
-      this->Target.reset();
+      this->ForgetTarget();
     }
     this->Kind = shape;
   }
@@ -260,11 +259,44 @@ double TargetBuilder::GetSpacing() const
                                             : 0.0;
 }
 
+double TargetBuilder::FindSpacing() const
+{
+  const double known = this->Settings.Particles.Spacing;
+  return known > 0.0 ? known : this->EstimatedSpacing;
+}
+
+vtkBoundingBox TargetBuilder::FindBoundsOfInside(int step) const
+{
+  vtkBoundingBox shapes;
+  vtkBoundingBox images;
+  const InputShape* shape = this->Frames.Find(step);
+  if (this->Settings.UsesInput() && shape && !this->Settings.Invert)
+  {
+    shape->AddBounds(this->GetOptions(), shapes, images);
+    if (shapes.IsValid())
+    {
+      shapes.Inflate(std::fabs(this->Settings.IsoValue)); // a level of the distance
+    }
+    shapes.AddBox(images);
+  }
+  else if (this->DomainKnown && (shape || !this->Settings.UsesInput()))
+  {
+    shapes.AddBounds(this->Domain.Bounds);
+  }
+  return shapes;
+}
+
 bool TargetBuilder::StartsOnNothing() const
 {
   const InputShape* first = this->Frames.Find(0);
   return this->Settings.UsesInput() && (!first || first->IsEmpty()) &&
     !this->Settings.Inputs.InitialFunction && !this->Initial;
+}
+
+void TargetBuilder::ForgetTarget()
+{
+  this->Moving = nullptr;
+  this->Target.reset();
 }
 
 PotentialTarget& TargetBuilder::GetTarget()

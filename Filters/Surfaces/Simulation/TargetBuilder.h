@@ -38,6 +38,13 @@ public:
   // Whether the particles' velocity carries the surface.
   bool Carries() const { return this->HasParticles() && this->GetOptions().Carries; }
 
+  // Usual distance of the particles; 0: not known.
+  double FindSpacing() const;
+
+  // A box that holds the inside of the target at a step that is held, if it is no particles; within
+  // the domain's for a function, or one that is inverted. Not valid where there is no target.
+  vtkBoundingBox FindBoundsOfInside(int step) const;
+
   // The initial shape, if the settings have one as input. Throws as Add.
   void SetInitial(std::shared_ptr<InputShape> shape);
   bool WantsInitial() const;
@@ -52,8 +59,10 @@ public:
   // Puts the target to the first frame, anew. Comes when the domain is known, before GetTarget.
   void StartTarget();
 
-  // What attracts. It may be another one after Add, and goes with Clear.
+  // What attracts. It may be another one after Add, and goes with Clear and ForgetTarget.
   PotentialTarget& GetTarget();
+  // The next one is made with the settings as they are then.
+  void ForgetTarget();
   // The same, where it goes from step to step; else null.
   MovingTarget* GetMovingTarget();
 

@@ -1,5 +1,7 @@
 #include "Targets/BlendedTarget.h"
 
+#include "Targets/GridParts.h"
+
 #include <algorithm>
 
 namespace activesurface
@@ -19,12 +21,13 @@ void AddWeighted(
 
 }
 
-BlendedTarget::BlendedTarget(
-  const TargetFrames& frames, double differences, double outside, const TargetOptions& options)
+BlendedTarget::BlendedTarget(const TargetFrames& frames, double differences, double outside,
+  bool knowsParts, const TargetOptions& options)
   : MovingTarget(options)
   , Frames(frames)
   , Differences(differences)
   , Outside(outside)
+  , KnowsParts(knowsParts)
 {
 }
 
@@ -50,10 +53,26 @@ void BlendedTarget::Take(int step, Shape& shape) const
   if (step != shape.Step)
   {
     vtkImplicitFunction* function = this->Frames.GetFunction(step);
+    shape.Source = function;
     shape.Function =
       function ? std::make_unique<FunctionSampler>(function, this->Differences) : nullptr;
     shape.Step = step;
   }
+}
+
+void BlendedTarget::ForEachPart(const PartVisitor& visit) const
+{
+  if (this->KnowsParts)
+  {
+    ForEachPartOf(this->Earlier.Source, this->GetOptions(), visit);
+    ForEachPartOf(this->Blend > 0.0 ? this->Later.Source : nullptr, this->GetOptions(), visit);
+  }
+}
+
+SurfacePoints BlendedTarget::FindSurface() const
+{
+  return this->Blend == 0.0 ? FindSurfaceOf(this->Earlier.Source, this->GetOptions())
+                            : SurfacePoints();
 }
 
 void BlendedTarget::SampleShape(const Shape& shape, std::size_t count, const double* points,

@@ -8,6 +8,9 @@
 #include "Targets/MovingTarget.h"
 #include "Targets/TargetFrames.h"
 
+#include "vtkImplicitFunction.h"
+#include "vtkSmartPointer.h"
+
 #include <memory>
 
 namespace activesurface
@@ -19,10 +22,15 @@ public:
   // The frames are the caller's, have to hold what MoveAlong asks for, and functions where they are
   // not empty. differences: the step of FunctionSampler. outside: the value of a frame without a
   // function, an empty one.
-  BlendedTarget(
-    const TargetFrames& frames, double differences, double outside, const TargetOptions& options);
+  // knowsParts: whether the functions tell of their parts, see GridParts.h.
+  BlendedTarget(const TargetFrames& frames, double differences, double outside, bool knowsParts,
+    const TargetOptions& options);
 
   bool IsThreadSafe() const override;
+  bool HasRegions() const override { return this->KnowsParts; }
+  // The parts of both steps.
+  void ForEachPart(const PartVisitor& visit) const override;
+  SurfacePoints FindSurface() const override;
 
 protected:
   void Place(int step, double fraction) override;
@@ -34,6 +42,7 @@ private:
   {
     int Step = -1;
     std::unique_ptr<FunctionSampler> Function; // null: nothing is there
+    vtkSmartPointer<vtkImplicitFunction> Source;
   };
 
   void Take(int step, Shape& shape) const;
@@ -43,6 +52,7 @@ private:
   const TargetFrames& Frames;
   const double Differences;
   const double Outside;
+  const bool KnowsParts;
   double Blend = 0.0; // of the later shape
   Shape Earlier, Later;
 };

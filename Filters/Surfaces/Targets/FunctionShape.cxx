@@ -25,9 +25,10 @@ vtkSmartPointer<vtkDataSet> FunctionShape::CopyPointsAndCells(vtkDataSet* data)
 }
 
 std::unique_ptr<MovingTarget> FunctionShape::MakeBlend(const TargetFrames& frames,
-  const ShapeOptions& options, double outside, const TargetOptions& level)
+  const ShapeOptions& options, double outside, const TargetOptions& level) const
 {
-  return std::make_unique<BlendedTarget>(frames, options.GetDifferenceStep(), outside, level);
+  return std::make_unique<BlendedTarget>(
+    frames, options.GetDifferenceStep(), outside, this->KnowsParts(), level);
 }
 
 }

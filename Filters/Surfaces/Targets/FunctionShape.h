@@ -30,8 +30,11 @@ protected:
   static vtkSmartPointer<vtkDataSet> CopyPointsAndCells(vtkDataSet* data);
 
   /** Between the functions of the frames; outside: the value of an empty frame. */
-  static std::unique_ptr<MovingTarget> MakeBlend(const TargetFrames& frames,
-    const ShapeOptions& options, double outside, const TargetOptions& level);
+  std::unique_ptr<MovingTarget> MakeBlend(const TargetFrames& frames, const ShapeOptions& options,
+    double outside, const TargetOptions& level) const;
+
+  /** Whether the functions tell of their parts, see GridParts.h. */
+  virtual bool KnowsParts() const { return true; }
 
   vtkSmartPointer<vtkDataSet> Data;
   vtkSmartPointer<vtkImplicitFunction> Function; //< null until it is prepared

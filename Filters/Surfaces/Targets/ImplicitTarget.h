@@ -4,7 +4,11 @@
 #define ImplicitTarget_h
 
 #include "Targets/FunctionSampler.h"
+#include "Targets/GridParts.h"
 #include "Targets/PotentialTarget.h"
+
+#include "vtkImplicitFunction.h"
+#include "vtkSmartPointer.h"
 
 namespace activesurface
 {
@@ -15,6 +19,7 @@ public:
   // As of FunctionSampler.
   ImplicitTarget(vtkImplicitFunction* function, double step, const TargetOptions& options)
     : PotentialTarget(options)
+    , Source(function)
     , Function(function, step)
   {
   }
@@ -22,6 +27,16 @@ public:
   bool IsThreadSafe() const override { return this->Function.IsThreadSafe(); }
   // The function does not change while the surface advances: see FunctionSampler.
   bool MayHaveChanged(const double[6]) const override { return false; }
+
+  bool HasRegions() const override { return KnowsParts(this->Source, this->GetOptions()); }
+  void ForEachPart(const PartVisitor& visit) const override
+  {
+    ForEachPartOf(this->Source, this->GetOptions(), visit);
+  }
+  SurfacePoints FindSurface() const override
+  {
+    return FindSurfaceOf(this->Source, this->GetOptions());
+  }
 
 protected:
   void Sample(
@@ -31,6 +46,7 @@ protected:
   }
 
 private:
+  vtkSmartPointer<vtkImplicitFunction> Source;
   FunctionSampler Function;
 };
 

@@ -76,6 +76,9 @@ public:
   /** Null unless the kind is particles. */
   virtual const ParticleFrame* GetParticles() const { return nullptr; }
 
+  /** The points that it is made of, particles or those of a skeleton; null for other kinds. */
+  virtual const ParticleFrame* GetPoints() const { return this->GetParticles(); }
+
   /** Whether it was read with these, or has no use for them. */
   virtual bool HasArrays(const ParticleArrays& arrays) const;
 };

@@ -179,6 +179,12 @@ void ParticleTarget::Sample(
   }
 }
 
+void ParticleTarget::EvaluateVelocities(
+  std::size_t count, const double* points, double* velocities) const
+{
+  this->Means.Evaluate(count, points, velocities, nullptr);
+}
+
 void ParticleTarget::SampleMoving(std::size_t count, const double* points, double* values,
   double* gradients, double* velocities, double* weights) const
 {

@@ -28,7 +28,10 @@ public:
   ParticleTarget(const TargetFrames& frames, const ShapeOptions& options);
 
   // The reach of each particle; a part that no skin reaches has one inside.
+  void EvaluateVelocities(
+    std::size_t count, const double* points, double* velocities) const override;
   bool HasRegions() const override { return true; }
+  bool IsWithinRegions() const override { return true; }
   void ForEachRegion(const RegionVisitor& visit) const override;
 
 protected:

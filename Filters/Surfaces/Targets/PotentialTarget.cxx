@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace activesurface
 {
@@ -81,6 +82,20 @@ void PotentialTarget::EvaluateLevel(std::size_t count, const double* points, dou
   this->Sample(count, points, values, nullptr);
   std::transform(
     values, values + count, values, [this](double value) { return this->Side(value); });
+}
+
+void PotentialTarget::EvaluateLevel(
+  std::size_t count, const double* points, double* values, double* slopes) const
+{
+  std::vector<double> gradients(3 * count);
+  this->Sample(count, points, values, gradients.data());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double* g = gradients.data() + 3 * i;
+    const double slope = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    slopes[i] = std::isfinite(slope) && slope > 0.0 ? slope : 1.0;
+    values[i] = this->Side(values[i]);
+  }
 }
 
 }

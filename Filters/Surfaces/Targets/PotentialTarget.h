@@ -4,6 +4,7 @@
 #ifndef PotentialTarget_h
 #define PotentialTarget_h
 
+#include "InitialFunction.h"
 #include "Target.h"
 
 #include <limits>
@@ -33,7 +34,17 @@ public:
   // F - iso, negative inside, never normalized: for its zero set alone.
   void EvaluateLevel(std::size_t count, const double* points, double* values) const;
 
+  // The same, and |grad F|, 1 where it is 0 or not finite.
+  void EvaluateLevel(std::size_t count, const double* points, double* values, double* slopes) const;
+  // Whether its regions together hold its zero set.
+  virtual bool IsWithinRegions() const { return false; }
+
+  // Places near its zero set, for the start; none where they are not known.
+  virtual SurfacePoints FindSurface() const { return {}; }
+
 protected:
+  const TargetOptions& GetOptions() const { return this->Options; }
+
   // F at points (x y z each), and its gradient unless gradients is null.
   virtual void Sample(
     std::size_t count, const double* points, double* values, double* gradients) const = 0;

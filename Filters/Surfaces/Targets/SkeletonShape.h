@@ -21,6 +21,7 @@ public:
 
   const char* GetName() const override { return "a skeleton of lines"; }
   bool IsEmpty() const override { return this->Points.Particles.empty(); }
+  const ParticleFrame* GetPoints() const override { return &this->Points; }
 
   /** The function needs no voxels: it is made at once. */
   std::string Prepare(ShapePreparation& preparation) override;
@@ -28,6 +29,9 @@ public:
     const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
   std::unique_ptr<MovingTarget> MakeTarget(
     const TargetFrames& frames, const ShapeOptions& options) const override;
+
+protected:
+  bool KnowsParts() const override { return false; }
 
 private:
   ParticleFrame Points;

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -23,6 +24,7 @@ TEST(TestSavedState, StateComesBackAndGoesOnToTheSameBits)
   row.Time = 1.0 / 3.0;
   row.Area = 1e-300;
   row.EulerCharacteristic = -4;
+  row.Outside = 1.0 / 7.0;
   row.Event = "2 parts merge";
   const SavedState saved = ReadSavedGrid(*MakeSavedGrid({ band, 2.5, { HistoryRow(), row } }));
   EXPECT_EQ(saved.Time, 2.5) << "pipeline time";
@@ -30,6 +32,7 @@ TEST(TestSavedState, StateComesBackAndGoesOnToTheSameBits)
   EXPECT_EQ(saved.History[1].Time, row.Time) << "not rounded";
   EXPECT_EQ(saved.History[1].Area, row.Area) << "not rounded";
   EXPECT_EQ(saved.History[1].EulerCharacteristic, -4);
+  EXPECT_EQ(saved.History[1].Outside, row.Outside) << "not rounded";
   EXPECT_EQ(saved.History[1].Event, row.Event);
   EXPECT_EQ(saved.Band->GetTime(), band->GetTime()) << "time of the band";
   EXPECT_TRUE(AreIdentical(*saved.Band, *band));
@@ -38,6 +41,27 @@ TEST(TestSavedState, StateComesBackAndGoesOnToTheSameBits)
   band->Advance(0.3, MakeMotion(1.0, 0.01), target);
   copy->Advance(0.3, MakeMotion(1.0, 0.01), target);
   EXPECT_TRUE(AreIdentical(*copy, *band)) << "later";
+}
+
+// As files were written before there was one.
+TEST(TestSavedState, AFileWithoutTheShareOutsideIsRead)
+{
+  const auto band = std::make_shared<NarrowBand>(VoxelSizeOf(32));
+  StartOn(*band, MakeBall(CentreA, 0.4));
+  HistoryRow row;
+  row.Event = "split";
+  const openvdb::FloatGrid::Ptr grid = MakeSavedGrid({ band, 0.0, { HistoryRow(), row } });
+  grid->removeMeta("active_history_outside");
+  const SavedState saved = ReadSavedGrid(*grid);
+  ASSERT_EQ(saved.History.size(), 2u);
+  EXPECT_TRUE(std::isnan(saved.History[0].Outside)) << saved.History[0].Outside;
+  EXPECT_TRUE(std::isnan(saved.History[1].Outside)) << saved.History[1].Outside;
+  EXPECT_EQ(saved.History[1].Event, "split");
+
+  const SavedState again = ReadSavedGrid(*MakeSavedGrid(saved));
+  EXPECT_TRUE(std::isnan(again.History[1].Outside)) << "written once more";
+  grid->insertMeta("active_history_outside", openvdb::StringMetadata("0x1p-3\n"));
+  EXPECT_TRUE(Throws<std::runtime_error>([&] { ReadSavedGrid(*grid); }, "damaged")) << "a row less";
 }
 
 TEST(TestSavedState, AnyOtherGridIsRefused)

@@ -76,7 +76,8 @@ TEST(TestHistory, EachStepHasARow)
     names += std::string(history->GetColumnName(column)) + " ";
   }
   EXPECT_EQ(names,
-    "Time Substeps MaxSpeed Area Volume ActiveVoxels Components Voids EulerCharacteristic Event ")
+    "Time Substeps MaxSpeed Area Volume ActiveVoxels Components Voids EulerCharacteristic Outside "
+    "Event ")
     << "columns";
   EXPECT_EQ(CountRows(filter), 6) << "rows";
   for (int row = 0; row < CountRows(filter); ++row)

@@ -139,7 +139,8 @@ TEST(TestMovingTargets, EmptyStepIsNoTarget)
   EXPECT_LT(least, 0.3) << "radius half the way back";
   filter->UpdateTimeStep(3.0);
   EXPECT_LT(least, GetRadii(filter).Least) << "radius when it is back";
-  EXPECT_EQ(messages.CountAll(), 0u) << "messages";
+  EXPECT_EQ(messages.CountAll(), 1u) << "messages";
+  EXPECT_TRUE(messages.Has("is outside the skin")) << "as it lags";
 
   const auto losing = [](double t)
   {

@@ -1,0 +1,45 @@
+/**
+ * One implicit substep: the surface is displaced towards its target, by exponentials; then stages
+ * make the tension (StepPlan.h).
+ *
+ * Leaves whose surface goes farther than the layers bear in one pass are fast: they and their
+ * neighbours are left out of the pass, and make two passes of half the substep each, in which fast
+ * leaves are treated likewise.
+ */
+#ifndef ImplicitStep_h
+#define ImplicitStep_h
+
+#include "Substep/FollowTarget.h"
+#include "Substep/StepForward.h"
+
+#include <cstddef>
+
+namespace activesurface
+{
+
+struct ImplicitBand
+{
+  FollowingBand Band;
+  double Time;
+  double MostTime; //< the substep is no longer
+  bool MaySkip;    //< whether converged leaves may be left out
+  std::size_t MaximumNumberOfActiveVoxels;
+};
+
+struct ImplicitResult
+{
+  double Length = 0.0;
+  bool IsSkipped = false; //< as all leaves have converged
+  bool PullsInVain = false;
+  double LargestWay = 0.0;  //< of the surface, by all terms but exact controls and walls [voxels]
+  GradientCounts Gradients; //< before the substep
+};
+
+/** Makes the substep, layers and ghosts included. Where the gradients say Unbounded the band is as
+ * before the pass that would have been so. */
+ImplicitResult MakeImplicitStep(const ImplicitBand& band, const Motion& motion,
+  const PenaltyForce& force, Target& target, AdvanceReport& report);
+
+}
+
+#endif

@@ -1,0 +1,145 @@
+#include "Implicit/StepPlan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// Attraction L dt at CFL 1. With Tension the stages stand for the exponential.
+constexpr double MostDecay = 2.0, MostDecayOfStages = 1.0;
+constexpr int MostStages = 4;       // at CFL 1
+constexpr double MostPenalty = 1.0; // the rate of the penalties times dt at CFL 1
+
+StageOrder OrderFor(const Motion& motion)
+{
+  return motion.Attraction > 0.0 ? StageOrder::First : StageOrder::Second;
+}
+
+/** In units of the longest stable forward Euler step: the damping is milder than tension. */
+double StageRate(const Motion& motion, double voxelSize, double decayRate)
+{
+  return 4.0 * std::fabs(motion.Tension) / (voxelSize * voxelSize) + .5 * decayRate;
+}
+
+/** (1 - exp(-x)) / x. */
+double MeanOfDecay(double x)
+{
+  return x > 1e-9 ? -std::expm1(-x) / x : 1.0;
+}
+
+double LongestLength(
+  const Motion& motion, double voxelSize, double slope, const PenaltyForce& force)
+{
+  const double decayRate = motion.Attraction * slope;
+  const double stageRate = motion.Tension != 0.0 ? StageRate(motion, voxelSize, decayRate) : 0.0;
+  const StageOrder order = OrderFor(motion);
+  const double longest = std::min(
+    { (motion.Tension != 0.0 ? MostDecayOfStages : MostDecay) / decayRate, MostPenalty / force.Rate,
+      LegendreStages::Reach(order, MostStages) / stageRate }); // x / 0 is infinite
+  return std::min(motion.CFL * longest, motion.LongestStep);
+}
+
+}
+
+StepPlan::StepPlan(
+  const Motion& motion, double voxelSize, double slope, const PenaltyForce& force, double mostTime)
+  : Law(motion)
+  , VoxelSize(voxelSize)
+  , Slope(slope)
+  , Force(force)
+{
+  const double longest = LongestLength(motion, voxelSize, slope, force);
+  constexpr double rounding = 1e-9;
+  this->Length = std::isfinite(mostTime)
+    ? mostTime / std::max(1.0, std::ceil(mostTime / longest - rounding))
+    : longest;
+  this->Derive();
+}
+
+StepPlan StepPlan::Halve(int halvings) const
+{
+  StepPlan plan = *this;
+  plan.Length = std::ldexp(this->Length, -halvings);
+  plan.Derive();
+  return plan;
+}
+
+StepPlan StepPlan::ForSlope(double slope) const
+{
+  StepPlan plan = *this;
+  plan.Slope = slope;
+  plan.Derive();
+  return plan;
+}
+
+StepPlan StepPlan::HalveWay() const
+{
+  StepPlan half = *this;
+  half.Length *= .5;
+  half.Decay *= .5;
+  half.Remaining = std::sqrt(this->Remaining);
+  half.Stages.reset();
+  return half;
+}
+
+void StepPlan::Derive()
+{
+  const double decayRate = this->Law.Attraction * this->Slope;
+  this->Decay = decayRate * this->Length;
+  this->Tension = this->Law.Tension * this->Length / (this->VoxelSize * this->VoxelSize);
+  this->Stages.reset();
+  this->Remaining = std::exp(-this->Decay);
+  if (this->Law.Tension != 0.0)
+  {
+    const StageOrder order = OrderFor(this->Law);
+    const double rate = StageRate(this->Law, this->VoxelSize, decayRate);
+    this->Stages.emplace(order,
+      std::max(
+        order == StageOrder::First ? 2 : 3, LegendreStages::FindCount(order, rate * this->Length)));
+    this->Remaining = this->Stages->Amplify(this->Decay);
+  }
+}
+
+double StepPlan::GetSampleTime() const
+{
+  const double transport = this->Law.Transport;
+  const double lagging =
+    this->Decay > 1e-6 ? 1.0 / (1.0 - this->Remaining) - 1.0 / this->Decay : .5;
+  return transport + (1.0 - transport) * lagging;
+}
+
+double StepPlan::GetFactor() const
+{
+  return this->Length / (this->VoxelSize * this->GetSourcePerWay());
+}
+
+double StepPlan::GetRatio(double slope) const
+{
+  const bool isOwn = !this->Stages || !(slope > 0.0);
+  return isOwn ? MeanOfDecay(this->Law.Attraction * slope * this->Length) * this->GetSourcePerWay()
+               : 1.0;
+}
+
+double StepPlan::GetUniformWay() const
+{
+  return this->Force.Speed * this->GetFactor();
+}
+
+double StepPlan::GetSourcePerWay() const
+{
+  return this->Decay > 1e-9 ? this->Decay / (1.0 - this->Remaining) : 1.0;
+}
+
+double StepPlan::GetRelaxation(double way) const
+{
+  const double most = this->Stages ? 1.5 : 1.0; // stages move the gradient norm too
+  const double strain = this->Law.Transport > 0.0 ? .5 : 0.0;
+  return .3 * std::min(most, this->Decay + 1.5 * std::sqrt(3.0) * way + strain);
+}
+
+}

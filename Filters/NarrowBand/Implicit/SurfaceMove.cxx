@@ -1,0 +1,293 @@
+#include "Implicit/SurfaceMove.h"
+
+#include "Leaves/LeafKernels.h"
+#include "Substep/RowKernels.h"
+#include "Substep/SubstepBuffers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** |grad u|^2 at a node, upwind for a surface that goes this way. */
+ACTIVE_ALWAYS_INLINE float UpwindSquare(const float* u, float way)
+{
+  const UpwindSquares x = UpwindDifferences(u, LeafBlock::X);
+  const UpwindSquares y = UpwindDifferences(u, LeafBlock::Y);
+  const UpwindSquares z = UpwindDifferences(u, LeafBlock::Z);
+  return way > 0.f ? x.Outward + y.Outward + z.Outward : x.Inward + y.Inward + z.Inward;
+}
+
+struct FindLeafWays
+{
+  const LeafTable& Table;
+  const WayCoefficients& Coefficients;
+  SubstepBuffers& Buffers;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    const BandLeaf& leaf = this->Table[i];
+    const LeafMask crossed = NodesWithCrossing(this->Table, leaf);
+    float* ways = this->Buffers.SpeedOf(i);
+    if (!this->Coefficients.HasTargetSpeed)
+    {
+      std::fill_n(ways, 512, 0.f);
+      this->Buffers.Known[i] = this->Buffers.NextKnown[i] = crossed;
+    }
+    if (!crossed.Any())
+    {
+      return;
+    }
+    LeafBlock block;
+    block.Gather(this->Table, leaf);
+    for (int row = 0; row < 64; ++row)
+    {
+      if (const unsigned nodes = crossed.Row(row / 8, row % 8))
+      {
+        this->FindRow(block.Row(row / 8, row % 8), nodes, ways + 8 * row);
+      }
+    }
+  }
+
+private:
+  ACTIVE_ALWAYS_INLINE void FindRow(const float* u, unsigned nodes, float* ways) const
+  {
+    constexpr float flat = .25f; // of |grad u|^2
+    const float longest = this->Coefficients.Longest;
+    float squares[8];
+    CentralGradientSquares(u, squares);
+    for (int z = 0; z < 8; ++z)
+    {
+      const float whole = this->Coefficients.Factor * ways[z] + this->Coefficients.Uniform;
+      const float way = std::min(std::max(whole, -longest), longest);
+      const float square =
+        squares[z] < flat ? std::max(squares[z], UpwindSquare(u + z, way)) : squares[z];
+      ways[z] = (nodes >> z) & 1u ? way * std::sqrt(square) : ways[z];
+    }
+  }
+};
+
+/** The longest way of a leaf by Tension, or by all terms if that is less. */
+template <bool IsWeighted>
+struct FindTensionWay
+{
+  const LeafTable& Table;
+  const WayCoefficients& Coefficients;
+  SubstepBuffers& Buffers;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    const BandLeaf& leaf = this->Table[i];
+    const LeafMask crossed = NodesWithCrossing(this->Table, leaf);
+    this->Buffers.LargestTensionWay[i] = this->Buffers.LargestNetWay[i] = 0.f;
+    if (crossed.Any())
+    {
+      LeafBlock block;
+      block.Gather(this->Table, leaf);
+      for (int row = 0; row < 64; ++row)
+      {
+        if (const unsigned nodes = crossed.Row(row / 8, row % 8))
+        {
+          this->AddRow(block.Row(row / 8, row % 8), i, row, nodes);
+        }
+      }
+    }
+  }
+
+private:
+  ACTIVE_ALWAYS_INLINE void AddRow(const float* u, std::size_t i, int row, unsigned nodes) const
+  {
+    float rates[8] = {}, squares[8];
+    float largest = this->Buffers.LargestTensionWay[i], net = this->Buffers.LargestNetWay[i];
+    if constexpr (IsWeighted)
+    {
+      AddWeightedTension(u, this->Coefficients.Tension, this->Buffers.WeightOf(i) + 8 * row, rates);
+    }
+    else
+    {
+      AddTension(u, this->Coefficients.Tension, rates);
+    }
+    CentralGradientSquares(u, squares);
+    const float* speeds = this->Buffers.SpeedOf(i) + 8 * row;
+    for (int z = 0; z < 8; ++z)
+    {
+      const float tension = -rates[z] / std::sqrt(std::max(squares[z], .25f));
+      const float tracked = this->Coefficients.Uniform +
+        (this->Coefficients.HasTargetSpeed ? this->Coefficients.Factor * speeds[z] : 0.f);
+      const float isNode = (nodes >> z) & 1u ? 1.f : 0.f;
+      const float whole = isNode * std::fabs(tension + tracked);
+      largest = std::max(largest, std::min(isNode * std::fabs(tension), whole));
+      net = std::max(net, whole);
+    }
+    this->Buffers.LargestTensionWay[i] = largest;
+    this->Buffers.LargestNetWay[i] = net;
+  }
+};
+
+/** IsSource: for stages that follow. */
+template <bool IsSource>
+struct MoveLeaf
+{
+  const LeafTable& Table;
+  const WayCoefficients& Coefficients;
+  SubstepBuffers& Buffers;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    const BandLeaf& leaf = this->Table[i];
+    LeafBlock block;
+    block.Gather(this->Table, leaf);
+    // Relaxing the ends of a crossed edge would move the surface.
+    const LeafMask relaxed = leaf.Active.Without(NodesWithCrossing(this->Table, leaf));
+    float* next = this->Buffers.NextOf(i); // holds the ways
+    if constexpr (IsSource)
+    {
+      std::fill_n(this->Buffers.StageSource.Of(i), 512, 0.f);
+    }
+    unsigned unbounded = 0;
+    int flat = 0, steep = 0;
+    for (int row = 0; row < 64; ++row)
+    {
+      const int x = row / 8, y = row % 8;
+      const unsigned active = leaf.Active.Row(x, y);
+      const float* u = block.Row(x, y);
+      if (active == 0)
+      {
+        if constexpr (!IsSource)
+        {
+          std::copy_n(u, 8, next + 8 * row);
+        }
+        continue;
+      }
+      if constexpr (IsSource)
+      {
+        this->FindSource(
+          u, active, relaxed.Row(x, y), next + 8 * row, this->Buffers.StageSource.Of(i) + 8 * row);
+      }
+      else
+      {
+        this->MoveRow(u, active, relaxed.Row(x, y), next + 8 * row, unbounded);
+      }
+      if (const unsigned zero = leaf.UpToLayer[0].Row(x, y))
+      {
+        CountGradients(u, zero, flat, steep);
+      }
+    }
+    this->Buffers.FlatNodes[i] = flat;
+    this->Buffers.SteepNodes[i] = steep;
+    this->Buffers.Unbounded[i] = static_cast<std::uint8_t>(unbounded);
+  }
+
+private:
+  /** Relaxes a row. */
+  ACTIVE_ALWAYS_INLINE void Relax(const float* u, unsigned nodes, float* next) const
+  {
+    RowMask relaxation = MaskOfBits(nodes);
+    constexpr float still[8] = {};
+    for (int z = 0; z < 8; ++z)
+    {
+      relaxation[z] *= this->Coefficients.Relaxation;
+    }
+    AddTransport(u, still, 0.f, relaxation, next);
+  }
+
+  ACTIVE_ALWAYS_INLINE void FindSource(
+    const float* u, unsigned active, unsigned relaxed, const float* ways, float* source) const
+  {
+    float change[8] = {};
+    this->Relax(u, relaxed, change);
+    const RowMask& moves = MaskOfBits(active);
+    for (int z = 0; z < 8; ++z)
+    {
+      source[z] = moves[z] * this->Coefficients.SourcePerWay * (ways[z] - change[z]);
+    }
+  }
+
+  ACTIVE_ALWAYS_INLINE void MoveRow(
+    const float* u, unsigned active, unsigned relaxed, float* next, unsigned& unbounded) const
+  {
+    float to[8];
+    for (int z = 0; z < 8; ++z)
+    {
+      to[z] = u[z] - next[z];
+    }
+    this->Relax(u, relaxed, to);
+    for (int z = 0; z < 8; ++z)
+    {
+      const unsigned isActive = (active >> z) & 1u;
+      next[z] = isActive ? to[z] : u[z];
+      unbounded |= isActive & IsUnbounded(to[z]);
+    }
+  }
+};
+
+}
+
+float WayOf(std::size_t leaf, const WayCoefficients& coefficients, const SubstepBuffers& buffers)
+{
+  const float tracked =
+    coefficients.HasTargetSpeed ? coefficients.Factor * buffers.LargestSpeed[leaf] : 0.f;
+  return tracked + std::fabs(coefficients.Uniform);
+}
+
+float LargestWay(
+  const LeafList& leaves, const WayCoefficients& coefficients, const SubstepBuffers& buffers)
+{
+  float largest = 0.f;
+  for (const std::int32_t i : leaves)
+  {
+    largest = std::max(largest, WayOf(i, coefficients, buffers));
+  }
+  return std::min(largest, coefficients.Longest);
+}
+
+void FindTensionWays(const LeafTable& table, const LeafList& leaves,
+  const WayCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers)
+{
+  buffers.MakeRoomForNodes(table.Size());
+  buffers.LargestTensionWay.resize(table.Size());
+  buffers.LargestNetWay.resize(table.Size());
+  if (isWeighted)
+  {
+    ForEachLeaf(table, leaves, FindTensionWay<true>{ table, coefficients, buffers });
+  }
+  else
+  {
+    ForEachLeaf(table, leaves, FindTensionWay<false>{ table, coefficients, buffers });
+  }
+}
+
+void FindWays(const LeafTable& table, const ActiveSet& set, const WayCoefficients& coefficients,
+  SubstepBuffers& buffers)
+{
+  if (!coefficients.HasTargetSpeed)
+  {
+    buffers.MakeRoomForNodes(table.Size());
+    buffers.Known.assign(table.Size(), LeafMask());
+    buffers.NextKnown.assign(table.Size(), LeafMask());
+  }
+  ForEachLeaf(table, set.Affected, FindLeafWays{ table, coefficients, buffers });
+}
+
+GradientCounts FindSources(const LeafTable& table, const ActiveSet& set,
+  const WayCoefficients& coefficients, SubstepBuffers& buffers)
+{
+  buffers.MakeRoomForCounts(table.Size());
+  buffers.StageSource.MakeRoom(table.Size());
+  ForEachLeaf(table, set.Active, MoveLeaf<true>{ table, coefficients, buffers });
+  return SumOfCounts(table, set, buffers);
+}
+
+GradientCounts MoveSurface(const LeafTable& table, const ActiveSet& set,
+  const WayCoefficients& coefficients, SubstepBuffers& buffers)
+{
+  buffers.MakeRoomForCounts(table.Size());
+  ForEachLeaf(table, set.Active, MoveLeaf<false>{ table, coefficients, buffers });
+  return SumOfCounts(table, set, buffers);
+}
+
+}

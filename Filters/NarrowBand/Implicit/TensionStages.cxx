@@ -1,0 +1,191 @@
+#include "Implicit/TensionStages.h"
+
+#include "Implicit/StepPlan.h"
+#include "Leaves/GhostFill.h"
+#include "Leaves/LeafKernels.h"
+#include "Substep/RowKernels.h"
+#include "Substep/StepForward.h"
+#include "Substep/SubstepBuffers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** A stage, and the rates times dt. */
+struct StageFactors
+{
+  float Now, Before;     //< of the potential after the last stage and the one before it
+  float Rate, FirstRate; //< of the rate now, at first
+  float Tension, Damping;
+  float MostTension; //< that no source balances
+};
+
+StageFactors FactorsOf(const LegendreStage& stage, const StepPlan& plan)
+{
+  return { static_cast<float>(stage.Mu), static_cast<float>(stage.Nu),
+    static_cast<float>(stage.Rate), static_cast<float>(stage.FirstRate),
+    static_cast<float>(plan.GetTension()), static_cast<float>(plan.GetDamping()),
+    static_cast<float>(LongestWayByTension * plan.GetSourcePerWay()) };
+}
+
+/** What the stages keep: the potential at first and before the last stage, the rate at first. */
+struct StageRoom
+{
+  float* First;
+  float* Before;
+  float* FirstRate;
+  const float* Source;
+};
+
+template <bool IsWeighted>
+ACTIVE_ALWAYS_INLINE void AddRate(const float* u, const float* weights, float* rate)
+{
+  if constexpr (IsWeighted)
+  {
+    AddWeightedTension(u, 1.f, weights, rate);
+  }
+  else
+  {
+    AddTension(u, 1.f, rate);
+  }
+}
+
+template <bool IsWeighted>
+struct MakeStage
+{
+  const LeafTable& Table;
+  StageFactors Factors;
+  bool IsFirst;
+  bool KeepsFirstRate;
+  SubstepBuffers& Buffers;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    const BandLeaf& leaf = this->Table[i];
+    LeafBlock block;
+    block.Gather(this->Table, leaf);
+    const StageRoom room = { this->Buffers.StageFirst.Of(i), this->Buffers.StageBefore.Of(i),
+      this->KeepsFirstRate ? this->Buffers.StageRate.Of(i) : nullptr,
+      this->Buffers.StageSource.Of(i) };
+    float* next = this->Buffers.NextOf(i);
+    unsigned unbounded = 0;
+    for (int row = 0; row < 64; ++row)
+    {
+      const float* u = block.Row(row / 8, row % 8);
+      const unsigned active = leaf.Active.Row(row / 8, row % 8);
+      if (active == 0)
+      {
+        std::copy_n(u, 8, next + 8 * row);
+        continue;
+      }
+      float result[8];
+      this->MakeRow(
+        u, IsWeighted ? this->Buffers.WeightOf(i) + 8 * row : nullptr, room, row, result);
+      for (int z = 0; z < 8; ++z)
+      {
+        const unsigned isActive = (active >> z) & 1u;
+        next[8 * row + z] = isActive ? result[z] : u[z];
+        unbounded |= isActive & IsUnbounded(result[z]);
+      }
+    }
+    this->Buffers.Unbounded[i] = static_cast<std::uint8_t>(unbounded);
+  }
+
+private:
+  ACTIVE_ALWAYS_INLINE void MakeRow(
+    const float* u, const float* weights, const StageRoom& room, int row, float* result) const
+  {
+    float rate[8] = {};
+    AddRate<IsWeighted>(u, weights, rate);
+    float *first = room.First + 8 * row, *before = room.Before + 8 * row;
+    if (this->IsFirst)
+    {
+      std::copy_n(u, 8, first);
+      std::copy_n(u, 8, before);
+    }
+    const StageFactors& f = this->Factors;
+    for (int z = 0; z < 8; ++z)
+    {
+      const float pull = -room.Source[8 * row + z];
+      const float whole = f.Tension * rate[z] + f.Damping * (first[z] - u[z]) + pull;
+      rate[z] = std::min(
+        std::max(whole, std::min(pull, 0.f) - f.MostTension), std::max(pull, 0.f) + f.MostTension);
+    }
+    if (this->KeepsFirstRate && this->IsFirst)
+    {
+      std::copy_n(rate, 8, room.FirstRate + 8 * row);
+    }
+    for (int z = 0; z < 8; ++z)
+    {
+      const float firstRate = this->KeepsFirstRate ? room.FirstRate[8 * row + z] : 0.f;
+      // By differences, so that what does not change keeps its bits.
+      result[z] = this->IsFirst ? u[z] + f.Rate * rate[z]
+                                : first[z] + f.Now * (u[z] - first[z]) +
+          f.Before * (before[z] - first[z]) + (f.Rate * rate[z] + f.FirstRate * firstRate);
+    }
+    std::copy_n(u, 8, before);
+  }
+};
+
+template <bool IsWeighted>
+void RunStage(const LeafTable& table, const ActiveSet& set, const StepPlan& plan, int number,
+  SubstepBuffers& buffers)
+{
+  const LegendreStages& stages = *plan.GetStages();
+  ForEachLeaf(table, set.Active,
+    MakeStage<IsWeighted>{ table, FactorsOf(stages[number], plan), number == 1,
+      stages.GetOrder() == StageOrder::Second, buffers });
+}
+
+void TakeValues(LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers)
+{
+  table.ForEach(set.Active,
+    [&](std::size_t i)
+    {
+      const LeafMask& active = table[i].Active;
+      for (int row = 0; row < 64; ++row)
+      {
+        if (active.Row(row / 8, row % 8) != 0)
+        {
+          std::copy_n(buffers.NextOf(i) + 8 * row, 8, table[i].Value + 8 * row);
+        }
+      }
+    });
+}
+
+}
+
+bool MakeTensionStages(LeafTable& table, const ActiveSet& set, const StepPlan& plan,
+  bool isWeighted, SubstepBuffers& buffers)
+{
+  const int last = plan.GetStages()->GetNumberOfStages();
+  buffers.MakeRoomForNodes(table.Size());
+  buffers.MakeRoomForCounts(table.Size());
+  buffers.StageFirst.MakeRoom(table.Size());
+  buffers.StageBefore.MakeRoom(table.Size());
+  if (plan.GetStages()->GetOrder() == StageOrder::Second)
+  {
+    buffers.StageRate.MakeRoom(table.Size());
+  }
+  bool isBounded = true;
+  for (int number = 1; number <= last && isBounded; ++number)
+  {
+    isWeighted ? RunStage<true>(table, set, plan, number, buffers)
+               : RunStage<false>(table, set, plan, number, buffers);
+    isBounded = std::none_of(set.Active.begin(), set.Active.end(),
+      [&buffers](std::int32_t i) { return buffers.Unbounded[i] != 0; });
+    if (isBounded && number < last)
+    {
+      TakeValues(table, set, buffers);
+      FillGhostsOfOldLayers(table, set);
+    }
+  }
+  return isBounded;
+}
+
+}

@@ -1,0 +1,172 @@
+#include "Parts/PartSeeds.h"
+
+#include "State/LatticeBox.h"
+
+#include <algorithm>
+
+namespace activesurface
+{
+
+namespace
+{
+
+openvdb::Coord OriginOf(const openvdb::Coord& node)
+{
+  return openvdb::Coord(node[0] & ~7, node[1] & ~7, node[2] & ~7);
+}
+
+int NumberOf(const openvdb::Coord& node)
+{
+  return (node[0] & 7) << 6 | (node[1] & 7) << 3 | (node[2] & 7);
+}
+
+/** The node nearest to a place; false if there is none. */
+bool FindNode(const double x[3], double voxelSize, openvdb::Coord& node)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double place = x[axis] / voxelSize;
+    if (!(std::fabs(place) < FarthestNode))
+    {
+      return false;
+    }
+    node[axis] = static_cast<int>(std::floor(place + .5));
+  }
+  return true;
+}
+
+/** The node nearest to the centre of a region; false if there is none. */
+bool FindCentre(const TargetRegion& region, double voxelSize, openvdb::Coord& node)
+{
+  double centre[3];
+  bool isThere = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = region.Bounds[2 * axis], high = region.Bounds[2 * axis + 1];
+    centre[axis] = .5 * low + .5 * high;
+    isThere = isThere && low <= high;
+  }
+  return isThere && FindNode(centre, voxelSize, node);
+}
+
+}
+
+SkinLeaf::SkinLeaf(const PartSearch& search, const openvdb::Coord& origin)
+{
+  static const LeafMask nothing, everything = LeafMask::All();
+  const std::int32_t leaf = search.Skin.Find(origin);
+  this->LayerZero = leaf >= 0 ? &search.Skin[leaf].UpToLayer[0] : &nothing;
+  this->Inside = leaf >= 0                    ? &search.Skin[leaf].Inside
+    : search.Potential.getValue(origin) < 0.f ? &everything
+                                              : &nothing;
+}
+
+void PartSeeds::AddRegion(const TargetRegion& region)
+{
+  openvdb::Coord node;
+  if (region.Seeds == RegionSeeds::AllNodes)
+  {
+    this->Leaves.AddRegion(
+      region, this->Search.VoxelSize, nullptr, this->Search.MaximumNumberOfActiveVoxels);
+  }
+  else if (FindCentre(region, this->Search.VoxelSize, node))
+  {
+    const SkinLeaf skin(this->Search, OriginOf(node));
+    const bool isCovered =
+      region.Seeds == RegionSeeds::PartAtCentre && skin.Inside->Has(NumberOf(node));
+    if (!isCovered && !skin.LayerZero->Has(NumberOf(node)))
+    {
+      this->Centres.push_back(node);
+    }
+  }
+}
+
+void PartSeeds::AddCentres()
+{
+  std::vector<double> values;
+  this->Search.Target.Evaluate(this->Centres, values);
+  for (std::size_t i = 0; i < this->Centres.size(); ++i)
+  {
+    if (Differs(values[i], this->IsInside(this->Centres[i])))
+    {
+      this->Leaves.Add(OriginOf(this->Centres[i]));
+    }
+  }
+}
+
+bool PartSeeds::IsInside(const openvdb::Coord& node) const
+{
+  return SkinLeaf(this->Search, OriginOf(node)).Inside->Has(NumberOf(node));
+}
+
+void PartSeeds::AddPart(const TargetPart& part)
+{
+  Nodes nodes;
+  bool isMet = false;
+  const PointVisitor meet = [&](const double x[3])
+  {
+    openvdb::Coord node;
+    if (FindNode(x, this->Search.VoxelSize, node))
+    {
+      nodes.push_back(node);
+      isMet = this->IsInside(node) != part.IsHollow();
+    }
+    return !isMet;
+  };
+  part.ForEachSample(meet);
+  if (isMet)
+  {
+    return;
+  }
+  const Nodes seeds = this->FindMissing(nodes, part.IsHollow());
+  if (!seeds.empty())
+  {
+    nodes.clear();
+    part.ForEachPoint(meet);
+  }
+  for (std::size_t i = 0; !isMet && i < seeds.size(); ++i)
+  {
+    this->Leaves.Add(OriginOf(seeds[i]));
+  }
+}
+
+/** Those at which the target has the part now, wide enough. */
+PartSeeds::Nodes PartSeeds::FindMissing(const Nodes& nodes, bool areHollow) const
+{
+  std::vector<double> values;
+  this->Search.Target.Evaluate(nodes, values);
+  Nodes missing;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    if (Differs(values[i], areHollow) && this->IsWide(nodes[i], areHollow))
+    {
+      missing.push_back(nodes[i]);
+    }
+  }
+  return missing;
+}
+
+/** Whether the target has it at six nodes around, too, which neither the lattice nor Tension takes
+ * away. */
+bool PartSeeds::IsWide(const openvdb::Coord& node, bool isHollow) const
+{
+  constexpr double most = 1e6;
+  const double radius = this->Search.LeastRadius / this->Search.VoxelSize;
+  const int steps = static_cast<int>(std::ceil(std::min(std::max(radius, 1.0), most)));
+  Nodes around;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const int sign : { -1, 1 })
+    {
+      openvdb::Coord next = node;
+      next[axis] += sign * steps;
+      around.push_back(next);
+    }
+  }
+  std::vector<double> values;
+  this->Search.Target.Evaluate(around, values);
+  return std::all_of(
+    values.begin(), values.end(), [isHollow](double value) { return Differs(value, isHollow); });
+}
+
+}

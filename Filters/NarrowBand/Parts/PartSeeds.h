@@ -1,0 +1,75 @@
+/**
+ * Where the search for new parts begins: the leaves that hold a node of one.
+ */
+#ifndef PartSeeds_h
+#define PartSeeds_h
+
+#include "Leaves/LeafTable.h"
+#include "Parts/LatticeFunction.h"
+#include "Parts/LeafSigns.h"
+#include "TargetRegion.h"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace activesurface
+{
+
+/** What the search runs on: a band with its layers, and its target. */
+struct PartSearch
+{
+  const LeafTable& Skin;
+  const PotentialTree& Potential;
+  double VoxelSize;
+  const LatticeFunction& Target;
+  std::size_t MaximumNumberOfActiveVoxels;
+  double LeastRadius; //< of the parts of shapes, what Tension leaves alive [length]
+};
+
+/** The potential in a leaf of the lattice, of the band's or not. */
+struct SkinLeaf
+{
+  const LeafMask* Inside;
+  const LeafMask* LayerZero;
+
+  SkinLeaf(const PartSearch& search, const openvdb::Coord& origin);
+};
+
+/** Whether the target and the skin are on different sides; not if the target is not a number. */
+inline bool Differs(double target, bool isInside)
+{
+  return !std::isnan(target) && (target < 0.0) != isInside;
+}
+
+/** Adds leaves without nodes; what regions and parts of shapes add is told in NewParts.h. */
+class PartSeeds
+{
+public:
+  PartSeeds(const PartSearch& search, LeafSigns& leaves)
+    : Search(search)
+    , Leaves(leaves)
+  {
+  }
+
+  void AddRegion(const TargetRegion& region);
+  /** Those of the centres of all regions that were added. */
+  void AddCentres();
+
+  void AddPart(const TargetPart& part);
+
+private:
+  using Nodes = std::vector<openvdb::Coord>;
+
+  bool IsInside(const openvdb::Coord& node) const;
+  Nodes FindMissing(const Nodes& nodes, bool areHollow) const;
+  bool IsWide(const openvdb::Coord& node, bool isHollow) const;
+
+  const PartSearch& Search;
+  LeafSigns& Leaves;
+  Nodes Centres;
+};
+
+}
+
+#endif

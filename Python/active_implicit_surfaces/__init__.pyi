@@ -1,0 +1,24 @@
+# What the package holds, for type checkers. VTK's own classes have no complete annotations.
+from typing import Any
+
+from .api import Frame as Frame
+from .api import LiveSurface as LiveSurface
+from .api import frames as frames
+from .api import skin as skin
+from .history import plot_history as plot_history
+from .messages import ActiveSurfaceWarning as ActiveSurfaceWarning
+from .morphing import morph as morph
+from .series import ParticleSeries as ParticleSeries
+from .series import temporal_source as temporal_source
+
+__version__: str
+
+vtkActiveEXRReader: Any
+vtkActiveEXRWriter: Any
+vtkActiveImplicitSurface: Any
+vtkActiveMotionAlgorithm: Any
+vtkActiveParticleAlgorithm: Any
+vtkActiveVDBReader: Any
+vtkActiveVDBWriter: Any
+vtkGridPotential: Any
+vtkSkeletonPotential: Any

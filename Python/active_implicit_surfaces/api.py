@@ -1,0 +1,325 @@
+"""Skins over particles as Python functions: one frame, a series, a simulation that still runs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+
+from . import properties, vtkActiveImplicitSurface
+from .data_objects import STANDARD_NAMES, as_particles, like
+from .messages import listening, warn_all
+from .presets import apply_preset
+from .series import ParticleSeries, TemporalSource
+
+# Numbers of SetInputArrayToProcess, and the keywords that give such an array.
+_ARRAYS = {"radii": 0, "ids": 1, "strengths": 2, "velocities": 5}
+_USUAL_IDS = ("id", "ids", "particle_id", "particleid", "pid")
+
+
+class Frame(NamedTuple):
+    """A skin, and its time."""
+
+    time: float
+    skin: Any
+
+
+def skin(
+    particles: Any,
+    *,
+    radii: Any = None,
+    strengths: Any = None,
+    preset: str | None = None,
+    arrays: dict[str, Any] | None = None,
+    **options: Any,
+) -> Any:
+    """The skin over particles, as they are.
+
+    Parameters
+    ----------
+    particles : array (n, 3), vtkPointSet, or an object with `points` or `vertices`
+        PyVista's and meshio's, and trimesh's; all points count, cells do not.
+    radii : array (n,) or str, optional
+        How far each particle reaches [length], or the name of an array that tells it.
+    strengths : array (n,) or str, optional
+        Weight of each particle, or the name of an array; 0 is no particle.
+    preset : {"water", "viscous", "molecule", "paper"}, optional
+        A choice of properties; those that are given besides hold.
+    arrays : dict of arrays, optional
+        More point arrays; with ``pass_target_arrays=True`` the skin has them.
+    **options
+        Properties of vtkActiveImplicitSurface in snake case, such as ``particle_spacing=0.1``.
+
+    Returns
+    -------
+    vtkPolyData
+        Closed triangles with normals; a pyvista.PolyData if the particles are PyVista's.
+
+    Raises
+    ------
+    ValueError
+        The filter's own sentence where it cannot make a skin.
+    TypeError
+        An unknown keyword, with the nearest one, or particles of an unknown kind.
+
+    Examples
+    --------
+    >>> import numpy
+    >>> import active_implicit_surfaces as active
+    >>> grid = numpy.stack(numpy.meshgrid(*3 * [numpy.arange(8.0)]), -1).reshape(-1, 3)
+    >>> ball = active.skin(grid, particle_spacing=1)
+    >>> ball.GetNumberOfPolys() > 1000
+    True
+    >>> active.skin(grid, particle_spcing=1)  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    ...
+    TypeError: ... no property 'particle_spcing'; did you mean 'particle_spacing'?
+    """
+    chosen, given = _sort_arrays({"radii": radii, "strengths": strengths})
+    cloud = as_particles(particles, **given, **(arrays or {}))
+    surface = vtkActiveImplicitSurface()
+    source = TemporalSource(lambda step: cloud, [0.0])
+    surface.SetInputConnection(source.GetOutputPort())
+    configure(surface, source, preset=preset, arrays=chosen, **options)
+    update(surface, 0.0, source)
+    return like(particles, copy_of(surface.GetOutput()))
+
+
+class frames:
+    """The skins over a series of particles, one after the other, each going on from the last.
+
+    Parameters
+    ----------
+    particles : iterable of particles, ParticleSeries, pattern or list of files, or callable(time)
+        See ParticleSeries.
+    times, fps : optional
+        See ParticleSeries.
+    preset : {"water", "viscous", "molecule", "paper"}, optional
+        A choice of properties; those that are given besides hold.
+    arrays : dict of str, optional
+        Names of the particles' arrays of ``radii`` (reaches), ``ids``, ``strengths``,
+        ``velocities``. Default: ids from an array of whole numbers that is called so.
+    progress : callable(int, int), optional
+        Called after each frame with the number of those done and of all.
+    **options
+        Properties of vtkActiveImplicitSurface in snake case.
+
+    Yields
+    ------
+    Frame
+        `time` and `skin`, a vtkPolyData (a pyvista.PolyData if the particles are PyVista's).
+
+    Attributes
+    ----------
+    surface : vtkActiveImplicitSurface
+        The filter, for its history and more.
+    source : TemporalSource
+
+    Examples
+    --------
+    >>> import numpy
+    >>> import active_implicit_surfaces as active
+    >>> grid = numpy.stack(numpy.meshgrid(*3 * [numpy.arange(6.0)]), -1).reshape(-1, 3)
+    >>> rising = [grid + [0, 0.5 * step, 0] for step in range(3)]
+    >>> for time, skin in active.frames(rising, fps=10, particle_spacing=1):
+    ...     print(f"at {time} s its centre is at {skin.GetCenter()[1]:.1f}")
+    at 0.0 s its centre is at 2.5
+    at 0.1 s its centre is at 3.0
+    at 0.2 s its centre is at 3.5
+    """
+
+    def __init__(
+        self,
+        particles: Any,
+        *,
+        times: Sequence[float] | None = None,
+        fps: float | None = None,
+        preset: str | None = None,
+        arrays: dict[str, str] | None = None,
+        progress: Callable[[int, int], None] | None = None,
+        **options: Any,
+    ) -> None:
+        is_source = isinstance(particles, TemporalSource)
+        self.source = particles if is_source else ParticleSeries(particles, times=times, fps=fps)
+        self.surface = vtkActiveImplicitSurface()
+        self.surface.SetInputConnection(self.source.GetOutputPort())
+        configure(self.surface, self.source, preset=preset, arrays=arrays, **options)
+        self._progress = progress
+        self._example = None if is_source else _first_of(particles)
+
+    def __len__(self) -> int:
+        return len(self.source.times)
+
+    def __iter__(self) -> Iterator[Frame]:
+        for step, time in enumerate(self.source.times):
+            update(self.surface, time, self.source)
+            if self._progress:
+                self._progress(step + 1, len(self))
+            yield Frame(time, like(self._example, copy_of(self.surface.GetOutput())))
+
+
+class LiveSurface:
+    """A skin that follows a simulation as it runs: push particles, get the skin.
+
+    A push costs one frame, however many there have been; the skins are the same, byte for byte, as
+    those that `frames` makes of the finished series.
+
+    Parameters
+    ----------
+    start : float
+        Time of the first push.
+    preset, arrays, **options
+        As for `frames`.
+
+    Attributes
+    ----------
+    surface : vtkActiveImplicitSurface
+    time : float or None
+        Of the last push.
+
+    Examples
+    --------
+    >>> import numpy
+    >>> import active_implicit_surfaces as active
+    >>> grid = numpy.stack(numpy.meshgrid(*3 * [numpy.arange(6.0)]), -1).reshape(-1, 3)
+    >>> surface = active.LiveSurface(particle_spacing=1)
+    >>> for step in range(3):
+    ...     skin = surface.advance(grid + [0, 0.5 * step, 0], 0.1)
+    >>> f"at {surface.time:.1f} its centre is at {skin.GetCenter()[1]:.1f}"
+    'at 0.2 its centre is at 3.5'
+    """
+
+    def __init__(
+        self,
+        *,
+        start: float = 0.0,
+        preset: str | None = None,
+        arrays: dict[str, str] | None = None,
+        **options: Any,
+    ) -> None:
+        for keyword in options:
+            properties.find(keyword)
+        self.surface = vtkActiveImplicitSurface()
+        self.time: float | None = None
+        self._start, self._frames = float(start), {}  # type: ignore[var-annotated]
+        self._options = {"preset": preset, "arrays": arrays, **options}
+        self._source: TemporalSource | None = None
+
+    def advance(self, particles: Any, dt: float, **arrays: Any) -> Any:
+        """The skin a time `dt` after the last push, over these particles.
+
+        Parameters
+        ----------
+        particles
+            As for `skin`. They are read until the next push; change no array in the meantime.
+        dt : float
+            Time since the last push; of no meaning at the first one, which is at `start`.
+        **arrays
+            Point arrays: ``ids=``, ``velocities=``, or any name.
+
+        Returns
+        -------
+        vtkPolyData
+        """
+        if not 0 < dt < float("inf"):
+            raise ValueError(f"dt has to be more than 0 and finite, not {dt}.")
+        cloud = as_particles(particles, **arrays)
+        if self._source is None:
+            self._begin(cloud, dt)
+        else:
+            self._append(cloud, self._source.times[-1] + dt)
+        assert self._source is not None
+        update(self.surface, self._source.times[-1], self._source)
+        self.time = self._source.times[-1]
+        return like(particles, copy_of(self.surface.GetOutput()))
+
+    def _begin(self, cloud: Any, dt: float) -> None:
+        self._frames[0] = cloud
+        source = TemporalSource(self._frames.__getitem__, [self._start])
+        self.surface.SetInputConnection(source.GetOutputPort())
+        self.surface.SetStartTime(self._start)
+        configure(self.surface, source, interval=dt, **self._options)
+        self._source = source
+
+    def _append(self, cloud: Any, time: float) -> None:
+        source = self._source
+        assert source is not None
+        step = len(source.times)
+        self._frames[step] = cloud
+        self._frames.pop(step - 2, None)
+        source.times.append(time)
+        source.Modified()  # its list of time steps has grown at its end: the motion continues
+
+
+def configure(
+    surface: Any,
+    source: TemporalSource,
+    *,
+    preset: str | None = None,
+    arrays: dict[str, str] | None = None,
+    interval: float | None = None,
+    **options: Any,
+) -> None:
+    """Sets arrays and properties of a filter over a source of particles."""
+    for keyword in options:
+        properties.find(keyword)
+    chosen = dict(arrays or {})
+    unknown = set(chosen) - set(_ARRAYS)
+    if unknown:
+        raise TypeError(f"arrays are of {', '.join(_ARRAYS)}, not of {unknown.pop()!r}.")
+    first = source.frame(0)
+    if "ids" not in chosen and (found := _usual_ids(first)):
+        chosen["ids"] = found
+    for role, name in chosen.items():
+        if name:
+            points = vtkDataObject.FIELD_ASSOCIATION_POINTS
+            surface.SetInputArrayToProcess(_ARRAYS[role], 0, 0, points, name)
+    if preset is not None:
+        apply_preset(surface, source, preset, interval, options)
+    properties.put(surface, options)
+
+
+def update(surface: Any, time: float, source: TemporalSource) -> None:
+    """Takes a filter to a time; its errors are ValueError, those of the source what they are."""
+    with listening(surface, source) as heard:
+        surface.UpdateTimeStep(time)
+    if source.failure is not None:
+        raise source.failure
+    heard.raise_error(ValueError)
+    warn_all(heard.warnings)
+
+
+def copy_of(data: Any) -> Any:
+    """A data object of the same arrays that the next update leaves alone."""
+    copy = data.NewInstance()
+    copy.ShallowCopy(data)
+    return copy
+
+
+def _sort_arrays(given: dict[str, Any]) -> tuple[dict[str, str], dict[str, Any]]:
+    """The names of arrays, and the arrays themselves, of keywords that may be either."""
+    names, values = {}, {}
+    for role, array in given.items():
+        if isinstance(array, str):
+            names[role] = array
+        elif array is not None:
+            names[role], values[role] = STANDARD_NAMES[role], array
+    return names, values
+
+
+def _usual_ids(cloud: Any) -> str:
+    """The name of an array of ids that is called so; empty if there is none."""
+    if not hasattr(cloud, "GetPointData"):
+        return ""
+    arrays = cloud.GetPointData()
+    for i in range(arrays.GetNumberOfArrays()):
+        array = arrays.GetAbstractArray(i)
+        name = array.GetName() or ""
+        if name.lower() in _USUAL_IDS and array.GetNumberOfComponents() == 1:
+            return str(name)
+    return ""
+
+
+def _first_of(particles: Any) -> Any:
+    return particles[0] if isinstance(particles, (list, tuple)) and particles else None

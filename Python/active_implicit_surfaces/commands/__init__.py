@@ -1,0 +1,73 @@
+"""The command line: `active-surface`, or `python3 -m active_implicit_surfaces`.
+
+Exit codes: 0, done; 1, something is wrong with the data or the machine; 2, with the command line.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import sys
+import warnings
+from collections.abc import Sequence
+
+from .. import __version__
+from ..messages import ActiveSurfaceWarning
+from .options import Parser
+
+COMMANDS = {
+    "skin": "skins over particles, a file for each frame, and films of them",
+    "morph": "one shape becomes another",
+    "info": "what is in files: points, bounds, spacing, arrays, times",
+    "convert": "skins, meshes, images and particles from one format to another",
+}
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs a command line and returns its exit code."""
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    try:
+        return _run(given)
+    except SystemExit as end:  # of argparse
+        return int(end.code or 0)
+    except KeyboardInterrupt:
+        print("\nactive-surface: interrupted.", file=sys.stderr)
+        return 130
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    except (OSError, ValueError, TypeError, ImportError, MemoryError) as error:
+        print(f"active-surface: {_sentence(error)}", file=sys.stderr)
+        return 1
+
+
+def _run(given: list[str]) -> int:
+    listed = "\n".join(f"  {name:<9}{text}" for name, text in COMMANDS.items())
+    parser = Parser(
+        "active-surface",
+        "COMMAND ...",
+        "Living skins over particles, and metamorphosis.\n\ncommands:\n" + listed,
+        epilog="active-surface COMMAND --help tells the options of a command.",
+    )
+    parser.add_argument("--version", action="version", version=f"active-surface {__version__}")
+    parser.add_argument("command", nargs="?", choices=COMMANDS, metavar="COMMAND")
+    if not given:
+        parser.print_help()
+        return 2
+    command = parser.parse_args(given[:1]).command
+    module = importlib.import_module("." + command, __name__)
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", ActiveSurfaceWarning)
+        warnings.showwarning = _show_warning
+        return int(module.run(given[1:]))
+
+
+def _show_warning(message: object, *_: object) -> None:
+    print(f"active-surface: note: {message}", file=sys.stderr)
+
+
+def _sentence(error: BaseException) -> str:
+    text = " ".join(str(error).split()) or type(error).__name__
+    if isinstance(error, MemoryError):
+        text = f"There is not enough memory ({text})."
+    return text if text.endswith((".", "?", "!")) else text + "."

@@ -1,0 +1,136 @@
+"""active-surface convert: from one format to another."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from ..file_names import check_distinct, expand, has_number, make_folder_of, numbered, suffix_of
+from ..particle_files import PARTICLE_SUFFIXES, open_particles, read_vtk
+from ..skin_files import (
+    MESH_SUFFIXES,
+    MESH_WRITERS,
+    PARTICLE_OUT_SUFFIXES,
+    check_suffix,
+    contour,
+    read_shape,
+    write_mesh,
+    write_particles,
+)
+from .options import Parser, add_help_all, positive
+from .progress import Progress
+
+_FOG_LEVEL = 0.5
+
+
+def run(arguments: list[str]) -> int:
+    """Runs the command; returns its exit code."""
+    parser = make_parser()
+    options = parser.parse_args(arguments)
+    output = Path(options.output)
+    known = tuple(dict.fromkeys((*MESH_WRITERS, *PARTICLE_OUT_SUFFIXES)))
+    try:
+        check_suffix(output, known, "files")
+    except ValueError as error:
+        parser.error(str(error))
+    files, _ = expand(options.files)
+    make_folder_of(output)
+    if _holds_particles(files[0]):
+        return _convert_particles(options, output)
+    progress = Progress(len(files), quiet=options.quiet or len(files) == 1)
+    is_series = len(files) > 1 or has_number(output)
+    names = [numbered(output, step) if is_series else output for step in range(len(files))]
+    check_distinct(files, names)
+    for step, (file, name) in enumerate(zip(files, names)):
+        _convert_shape(file, name, options)
+        progress(step + 1)
+    progress.finish()
+    return 0
+
+
+def make_parser() -> Parser:
+    parser = Parser(
+        "active-surface convert",
+        "FILE ... -o NAME [options]",
+        "Meshes, level sets and images to meshes and .vdb; particles to particles.\n"
+        f"Meshes from {', '.join(MESH_SUFFIXES)}\n"
+        f"to {', '.join(MESH_WRITERS)}; particles from\n{', '.join(PARTICLE_SUFFIXES)}\n"
+        f"to {', '.join(PARTICLE_OUT_SUFFIXES)}.",
+    )
+    add_help_all(parser)
+    parser.add_argument("files", nargs="+", metavar="FILE")
+    parser.add_argument("-o", "--output", required=True, metavar="NAME", help="#### for the number")
+    parser.add_argument(
+        "--voxel-size", type=positive, metavar="X", help="of a mesh in a .vdb (default: 64th of it)"
+    )
+    parser.add_argument(
+        "--level", type=float, metavar="X", help="of an image's surface (default: 0; of a fog: 0.5)"
+    )
+    parser.add_argument("--quiet", action="store_true", help="no progress")
+    return parser
+
+
+def _holds_particles(path: Path) -> bool:
+    suffix = suffix_of(path)
+    if suffix not in PARTICLE_SUFFIXES or suffix not in MESH_SUFFIXES:
+        if suffix not in (*PARTICLE_SUFFIXES, *MESH_SUFFIXES):
+            known = sorted({*PARTICLE_SUFFIXES, *MESH_SUFFIXES})
+            raise OSError(f"{path}: files are read from {', '.join(known)}.")
+        return suffix in PARTICLE_SUFFIXES
+    data = read_vtk(path)
+    if suffix == ".vdb" or not data.IsA("vtkPolyData"):
+        return bool(data.IsA("vtkPointSet") and data.GetNumberOfCells() <= _vertices(data))
+    return bool(data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0)
+
+
+def _vertices(data: Any) -> int:
+    """Cells that are points."""
+    kinds = (data.GetCellType(i) for i in range(data.GetNumberOfCells()))
+    return sum(1 for kind in kinds if kind in (1, 2))
+
+
+def _convert_particles(options: Any, output: Path) -> int:
+    check = (*PARTICLE_OUT_SUFFIXES,)
+    if suffix_of(output) not in check:
+        raise OSError(
+            f"{output}: particles are written as {', '.join(check)}; `active-surface skin` makes a "
+            "skin over them."
+        )
+    series = open_particles(options.files)
+    progress = Progress(len(series), quiet=options.quiet or len(series) == 1)
+    is_series = len(series) > 1 or has_number(output)
+    names = [numbered(output, step) if is_series else output for step in range(len(series))]
+    check_distinct(series.names, names)
+    for step, name in enumerate(names):
+        write_particles(name, series.load(step))
+        progress(step + 1)
+    progress.finish()
+    return 0
+
+
+def _convert_shape(file: Path, name: Path, options: Any) -> None:
+    shape, is_vdb = read_shape(file), suffix_of(name) == ".vdb"
+    if suffix_of(name) not in MESH_WRITERS:
+        raise OSError(f"{name}: meshes are written as {', '.join(MESH_WRITERS)}.")
+    if shape.IsA("vtkImageData") and not is_vdb:
+        level = _level_of(file) if options.level is None else options.level
+        shape = contour(shape, level)
+        if shape.GetNumberOfPoints() == 0:
+            raise OSError(f"{file} has no surface at the level {level:g}; choose another --level.")
+    settings: dict[str, Any] = {}
+    if is_vdb and options.voxel_size and shape.IsA("vtkPolyData"):
+        settings["SetVoxelSize"] = options.voxel_size
+    write_mesh(name, shape, **settings)
+
+
+def _level_of(file: Path) -> float:
+    """0, or what the outside of a fog is."""
+    if suffix_of(file) != ".vdb":
+        return 0.0
+    from .. import vtkActiveVDBReader
+
+    reader = vtkActiveVDBReader()
+    reader.SetFileName(str(file))
+    reader.UpdateInformation()
+    classes = [reader.GetGridClass(i) for i in range(reader.GetNumberOfGrids())]
+    return 0.0 if "level set" in classes else _FOG_LEVEL

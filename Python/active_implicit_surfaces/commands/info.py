@@ -1,0 +1,227 @@
+"""active-surface info: what is in files."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from ..file_names import expand, suffix_of
+from ..messages import listening, quiet
+from ..particle_files import PARTICLE_SUFFIXES, check_readable, open_particles, read_vtk
+from ..presets import estimate_spacing
+from ..skin_files import MESH_SUFFIXES, read_shape
+from .options import Parser, add_help_all
+
+
+def run(arguments: list[str]) -> int:
+    """Runs the command; returns its exit code."""
+    parser = make_parser()
+    options = parser.parse_args(arguments)
+    found = describe(options.files)
+    if options.json:
+        print(json.dumps(found, indent=1))
+    else:
+        print("\n".join(_lines(found)))
+    return 0
+
+
+def make_parser() -> Parser:
+    parser = Parser(
+        "active-surface info",
+        "FILE ... [--json]",
+        "What is in a file or a series: points, bounds, estimated spacing, arrays, times; the\n"
+        "grids of a .vdb, and what of it the filter can go on from; the layers of an .exr.",
+    )
+    add_help_all(parser)
+    parser.add_argument("files", nargs="+", metavar="FILE")
+    parser.add_argument("--json", action="store_true", help="as JSON")
+    return parser
+
+
+def describe(names: list[str]) -> dict[str, Any]:
+    """What is in files, as a dictionary of JSON."""
+    files, _ = expand(names)
+    suffix = suffix_of(files[0])
+    if suffix == ".exr":
+        return _describe_exr(files)
+    if suffix == ".vdb":
+        grids = _describe_vdb(files)
+        if all(grid["type"] != "points" for grid in grids["grids"]):
+            return grids
+    if suffix in MESH_SUFFIXES and (shape := _shape_in(files[0])) is not None:
+        return {"files": len(files), "file": str(files[0]), **_describe_shape(shape)}
+    if suffix not in PARTICLE_SUFFIXES:
+        known = sorted({*PARTICLE_SUFFIXES, *MESH_SUFFIXES, ".exr"})
+        raise OSError(f"{files[0]}: info knows {', '.join(known)}.")
+    return _describe_particles(names, files)
+
+
+def _describe_particles(names: list[str], files: list[Path]) -> dict[str, Any]:
+    series = open_particles(names)
+    first = series.load(0)
+    found = {
+        "files": len(files),
+        "file": str(files[0]),
+        "holds": "particles",
+        "frames": len(series),
+        "times": [series.times[0], series.times[-1]],
+        **_points(first),
+        "spacing": estimate_spacing(first),
+        "arrays": _arrays(first),
+    }
+    if len(series) > 1:
+        last = series.load(len(series) - 1)
+        found["last frame"] = {**_points(last), "arrays": _arrays(last)}
+    return found
+
+
+def _points(data: Any) -> dict[str, Any]:
+    count = data.GetNumberOfPoints()
+    found: dict[str, Any] = {"points": count}
+    if count:
+        numbers = vtk_to_numpy(data.GetPoints().GetData())
+        bad = int(count - numpy.isfinite(numbers).all(axis=1).sum())
+        found["bounds"] = [round(value, 9) for value in data.GetBounds()]
+        if bad:
+            found["points that are not finite"] = bad
+    return found
+
+
+def _arrays(data: Any) -> dict[str, str]:
+    arrays, found = data.GetPointData(), {}
+    for i in range(arrays.GetNumberOfArrays()):
+        array = arrays.GetAbstractArray(i)
+        text = f"{array.GetDataTypeAsString()}"
+        if array.GetNumberOfComponents() > 1:
+            text += f" x {array.GetNumberOfComponents()}"
+        if array.IsA("vtkDataArray") and array.GetNumberOfTuples():
+            low, high = array.GetRange(-1 if array.GetNumberOfComponents() > 1 else 0)
+            text += f", {'length ' * (array.GetNumberOfComponents() > 1)}{low:g} to {high:g}"
+        found[array.GetName() or f"array {i}"] = text
+    return found
+
+
+def _shape_in(path: Path) -> Any:
+    """The mesh or image of a file; none if it holds particles."""
+    if suffix_of(path) == ".vdb":
+        return None
+    try:
+        return read_shape(path)
+    except OSError:
+        data = read_vtk(path) if suffix_of(path) != ".glb" else None
+        if data is not None and data.IsA("vtkPointSet"):
+            return None
+        raise
+
+
+def _describe_shape(shape: Any) -> dict[str, Any]:
+    if shape.IsA("vtkImageData"):
+        return {
+            "holds": "an image",
+            "points": list(shape.GetDimensions()),
+            "spacing": list(shape.GetSpacing()),
+            "bounds": list(shape.GetBounds()),
+            "arrays": _arrays(shape),
+        }
+    open_edges = _count_open_edges(shape)
+    return {
+        "holds": "a mesh",
+        **_points(shape),
+        "polygons": shape.GetNumberOfPolys() + shape.GetNumberOfStrips(),
+        "closed": "yes" if open_edges == 0 else f"no, {open_edges} open edges",
+        "arrays": _arrays(shape),
+    }
+
+
+def _count_open_edges(mesh: Any) -> int:
+    from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+
+    edges = vtkFeatureEdges()
+    edges.SetInputData(mesh)
+    edges.BoundaryEdgesOn()
+    edges.FeatureEdgesOff()
+    edges.ManifoldEdgesOff()
+    edges.NonManifoldEdgesOff()
+    edges.Update()
+    return int(edges.GetOutput().GetNumberOfLines())
+
+
+def _describe_vdb(files: list[Path]) -> dict[str, Any]:
+    from .. import vtkActiveVDBReader
+
+    check_readable(files[0])
+    reader = vtkActiveVDBReader()
+    reader.SetFileName(str(files[0]))
+    with quiet(), listening(reader) as heard:
+        reader.UpdateInformation()
+    heard.raise_error(OSError)
+    grids = [_describe_grid(reader, i) for i in range(reader.GetNumberOfGrids())]
+    found: dict[str, Any] = {"files": len(files), "file": str(files[0]), "grids": grids}
+    if any(grid["name"] == "potential" for grid in grids):
+        found["state"] = "yes: the filter's LoadState goes on from it"
+    for name in ("creator", "time", "frame", "units"):
+        if text := reader.GetMetadata(name):
+            found[name] = text
+    return found
+
+
+def _describe_grid(reader: Any, i: int) -> dict[str, Any]:
+    box, size = [0] * 6, [0.0] * 3
+    reader.GetGridBox(i, box)
+    reader.GetGridVoxelSize(i, size)
+    return {
+        "name": reader.GetGridName(i),
+        "type": reader.GetGridType(i) + (" (half)" if reader.GetGridIsHalfFloat(i) else ""),
+        "class": reader.GetGridClass(i),
+        "active voxels": reader.GetGridActiveVoxels(i),
+        "voxel size": size,
+        "box": box,
+    }
+
+
+def _describe_exr(files: list[Path]) -> dict[str, Any]:
+    from .. import vtkActiveEXRReader
+
+    check_readable(files[0])
+    reader = vtkActiveEXRReader()
+    reader.SetFileName(str(files[0]))
+    with quiet(), listening(reader) as heard:
+        reader.Update()
+    heard.raise_error(OSError)
+    image = reader.GetOutput()
+    return {
+        "files": len(files),
+        "file": str(files[0]),
+        "holds": "a picture",
+        "pixels": list(image.GetDimensions()[:2]),
+        "layers": _arrays(image),
+    }
+
+
+def _lines(found: dict[str, Any], indent: str = "") -> list[str]:
+    lines = []
+    for name, value in found.items():
+        if isinstance(value, dict):
+            lines.append(f"{indent}{name}:" + ("" if value else " none"))
+            lines += _lines(value, indent + "  ")
+        elif isinstance(value, list) and value and isinstance(value[0], dict):
+            lines.append(f"{indent}{name}:")
+            for one in value:
+                lines += [f"{indent}  {_one_line(one)}"]
+        else:
+            lines.append(f"{indent}{name}: {_text(value)}")
+    return lines
+
+
+def _one_line(found: dict[str, Any]) -> str:
+    return ", ".join(f"{name} {_text(value)}" for name, value in found.items())
+
+
+def _text(value: Any) -> str:
+    if isinstance(value, list):
+        return " ".join(_text(one) for one in value) or "none"
+    return f"{value:g}" if isinstance(value, float) else str(value)

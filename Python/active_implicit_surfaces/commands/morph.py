@@ -1,0 +1,128 @@
+"""active-surface morph: one shape becomes another."""
+
+from __future__ import annotations
+
+import argparse
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+import numpy
+
+from ..file_names import (
+    check_distinct,
+    make_folder_of,
+    numbered,
+    suffix_of,
+    without_number,
+    write_index,
+)
+from ..morphing import morph
+from ..skin_files import MESH_SUFFIXES, SKIN_SUFFIXES, check_suffix, read_shape, write_mesh
+from .options import (
+    Parser,
+    add_film_options,
+    add_help_all,
+    add_property_options,
+    positive,
+    properties_of,
+)
+from .progress import Progress
+
+DEFAULT = "morph_####.vtp"
+_CORNERS = [(i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+
+
+def run(arguments: list[str]) -> int:
+    """Runs the command; returns its exit code."""
+    parser = make_parser()
+    options = parser.parse_args(arguments)
+    chosen = properties_of(options, parser)
+    output = None if options.render and not options.output else Path(options.output or DEFAULT)
+    try:
+        if output:
+            check_suffix(output, SKIN_SUFFIXES, "skins")
+        if options.frames < 2:
+            parser.error("frames are 2 at least, the first shape and the last")
+    except ValueError as error:
+        parser.error(str(error))
+    shapes = [read_shape(Path(name)) for name in (options.first, options.last)]
+    if output:
+        names = (numbered(output, step) for step in range(options.frames))
+        check_distinct([Path(options.first), Path(options.last)], names)
+    for name in (output, options.render and Path(options.render)):
+        if name:
+            make_folder_of(name)
+    count = options.frames
+    way = morph(*shapes, options.duration, frames=count, **chosen)
+    if options.render and suffix_of(options.render) == ".exr":
+        way.surface.ComputeVelocityOn()
+    progress, names = Progress(count, quiet=options.quiet), []
+    with ExitStack() as stack:
+        film = stack.enter_context(_film(options, shapes)) if options.render else None
+        for step, frame in enumerate(way):
+            if output:
+                names.append(numbered(output, step))
+                # The filter's own output, whose grid a .vdb has.
+                write_mesh(names[-1], way.surface.GetOutput(), way.surface.GetOutputPort())
+            if film:
+                film.add(step, frame.skin)
+            progress(step + 1)
+    if output:
+        plain = without_number(output)
+        is_vtp = plain.suffix == ".vtp"
+        write_index(
+            plain.with_suffix(".pvd") if is_vtp else Path(f"{plain}.series"), names, way.times
+        )
+    progress.finish()
+    return 0
+
+
+def make_parser() -> Parser:
+    parser = Parser(
+        "active-surface morph",
+        "FIRST LAST [-o morph_####.vtp] [options]",
+        "One shape becomes another: it moves along its normal, splits and merges, and arrives at\n"
+        "the end of the duration. The shapes have to overlap: what lies apart does not grow.\n"
+        f"Closed meshes and images: {', '.join(MESH_SUFFIXES)}.",
+        epilog="Every property of the filter is an option too, as --voxel-size 0.02:\n"
+        "--help-properties, or --help all.",
+    )
+    add_help_all(parser)
+    parser.add_argument("first", metavar="FIRST", help=argparse.SUPPRESS)
+    parser.add_argument("last", metavar="LAST", help=argparse.SUPPRESS)
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="NAME",
+        help=f"name of the skins, #### for the number: {', '.join(SKIN_SUFFIXES)} "
+        "(default: morph_####.vtp, and none with --render alone)",
+    )
+    parser.add_argument(
+        "--duration", type=positive, default=1.0, metavar="X", help="time of the way (default: 1)"
+    )
+    parser.add_argument(
+        "--frames",
+        type=int,
+        default=25,
+        metavar="N",
+        help="skins, both ends included (default: 25)",
+    )
+    parser.add_argument("--quiet", action="store_true", help="no progress")
+    add_film_options(parser)
+    add_property_options(parser)
+    return parser
+
+
+def _film(options: Any, shapes: list[Any]) -> Any:
+    from ..film import Film, check_film
+    from ..scene import COLORS, Scene
+
+    path = Path(options.render)
+    check_film(path, options.frames)
+    boxes = [shape.GetBounds() for shape in shapes]
+    held = numpy.array([[box[i], box[2 + j], box[4 + k]] for box in boxes for i, j, k in _CORNERS])
+    is_soft = suffix_of(path) != ".exr"
+    scene = Scene(held, options.size, options.up or "y", COLORS["paper"], is_soft)
+    rate = (options.frames - 1) / options.duration
+    return Film(path, scene, rate if 1.0 <= rate <= 240.0 else 25.0, options.frames)

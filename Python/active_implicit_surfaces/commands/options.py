@@ -1,0 +1,194 @@
+"""Options that commands share: the filter's properties, times, pictures."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import textwrap
+from collections.abc import Sequence
+from typing import Any, NoReturn
+
+from .. import properties, vtkActiveImplicitSurface
+from ..presets import PRESETS
+
+WIDTH = 100
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser whose help fits a screen, and whose errors are a sentence."""
+
+    def __init__(self, name: str, usage: str, description: str, epilog: str = "") -> None:
+        super().__init__(
+            prog=name,
+            usage=f"{name} {usage}",
+            description=description,
+            epilog=epilog,
+            formatter_class=lambda prog: argparse.RawDescriptionHelpFormatter(
+                prog, max_help_position=30, width=WIDTH
+            ),
+            allow_abbrev=False,
+        )
+
+    def error(self, message: str) -> NoReturn:
+        text = message.rstrip(".")
+        print(f"{self.prog}: {text}; {self.prog} --help tells what there is.", file=sys.stderr)
+        raise SystemExit(2)
+
+    def parse_args(self, args: Any = None, namespace: Any = None) -> Any:  # type: ignore[override]
+        known, rest = self.parse_known_args(args, namespace)
+        if rest:
+            self.error(_about_unknown(rest[0], self))
+        return known
+
+
+def _about_unknown(word: str, parser: argparse.ArgumentParser) -> str:
+    import difflib
+
+    names = [name for action in parser._actions for name in action.option_strings]
+    near = difflib.get_close_matches(word.partition("=")[0], names, 1, 0.5)
+    hint = f", did you mean {near[0]}?" if near else ""
+    return f"there is no option {word}{hint}".rstrip("?")
+
+
+class _Help(argparse.Action):
+    """--help tells the common options, --help all the properties too."""
+
+    def __call__(self, parser: Any, namespace: Any, values: Any, option: Any = None) -> None:
+        if values not in (None, "all"):
+            parser.error(f"--help is alone, or followed by all, not by {values}")
+        parser.print_help()
+        if values == "all":
+            print("\n" + properties_help())
+        parser.exit()
+
+
+class _HelpProperties(argparse.Action):
+    def __call__(self, parser: Any, namespace: Any, values: Any, option: Any = None) -> None:
+        print(properties_help())
+        parser.exit()
+
+
+def add_property_options(parser: Parser) -> None:
+    """An option for each property of the filter; they are told by --help-properties alone."""
+    for own in properties.every():
+        if own.kind == "function":
+            continue
+        settings: dict[str, Any] = {"dest": "property_" + own.keyword, "help": argparse.SUPPRESS}
+        if own.kind == "switch":
+            settings["action"] = argparse.BooleanOptionalAction
+        elif own.kind == "choice":
+            settings["choices"] = [word.replace("_", "-") for word in own.choices]
+        elif own.kind == "numbers":
+            settings |= {"type": float, "nargs": len(own.default)}
+        else:
+            settings["type"] = int if own.kind == "integer" else float
+        parser.add_argument(own.option, default=None, **settings)
+    parser.add_argument(
+        "--help-properties", nargs=0, action=_HelpProperties, help="tell the filter's properties"
+    )
+
+
+def add_help_all(parser: Parser) -> None:
+    """Makes --help take the word all."""
+    parser._option_string_actions.pop("-h", None)
+    parser._option_string_actions.pop("--help", None)
+    parser._actions[:] = [a for a in parser._actions if a.dest != "help"]
+    for group in parser._action_groups:
+        group._group_actions[:] = [a for a in group._group_actions if a.dest != "help"]
+    parser.add_argument(
+        "-h", "--help", nargs="?", metavar="all", action=_Help, help="tell this, or everything"
+    )
+
+
+def properties_of(options: argparse.Namespace, parser: Parser) -> dict[str, Any]:
+    """The properties that were given, checked against their ranges."""
+    start = "property_"
+    given = {
+        name[len(start) :]: value
+        for name, value in vars(options).items()
+        if name.startswith(start) and value is not None
+    }
+    try:
+        properties.put(vtkActiveImplicitSurface(), given)
+    except (TypeError, ValueError) as error:
+        parser.error(str(error))
+    return given
+
+
+def properties_help() -> str:
+    """All properties as options, with kind, range and default."""
+    lines = ["properties of the filter (help(vtkActiveImplicitSurface) tells more):"]
+    for own in properties.every():
+        if own.kind == "function":
+            continue
+        lines.append(f"  {_form(own)}")
+        text = own.summary + (f"; range: {own.range}" if own.range else "")
+        lines += textwrap.wrap(text, WIDTH - 8, initial_indent=8 * " ", subsequent_indent=8 * " ")
+    return "\n".join(lines)
+
+
+def _form(own: properties.Property) -> str:
+    if own.kind == "switch":
+        return f"{own.option}, --no-{own.option[2:]}"
+    if own.kind == "choice":
+        return f"{own.option} {{{','.join(word.replace('_', '-') for word in own.choices)}}}"
+    if own.kind == "numbers":
+        return f"{own.option} {' '.join(['X'] * len(own.default))}"
+    return f"{own.option} {'N' if own.kind == 'integer' else 'X'}"
+
+
+def preset_help() -> str:
+    """What the presets are for."""
+    return "\n".join(f"  {name:<10}{text}" for name, text in PRESETS.items())
+
+
+def add_film_options(parser: Parser) -> None:
+    """Options of pictures."""
+    films = parser.add_argument_group("pictures")
+    films.add_argument(
+        "--render",
+        metavar="FILM",
+        help="film.mp4, film.ogv, frame.####.png or frame.####.exr (with depth, normals, motion)",
+    )
+    films.add_argument(
+        "--size", type=picture_size, default=(1280, 720), metavar="WxH", help="1280x720"
+    )
+    films.add_argument("--up", choices=("x", "y", "z"), help="axis that points up (default: found)")
+
+
+def picture_size(text: str) -> tuple[int, int]:
+    """Of 640x360."""
+    parts = text.lower().split("x")
+    if len(parts) != 2 or not all(part.isdigit() and 16 <= int(part) <= 16384 for part in parts):
+        raise argparse.ArgumentTypeError(f"{text} is no size; say it as 1280x720")
+    return int(parts[0]), int(parts[1])
+
+
+def times_list(text: str) -> list[float]:
+    """Of 0,0.1,0.2 or FIRST:LAST:COUNT."""
+    try:
+        if text.count(":") == 2:
+            first, last, count = text.split(":")
+            return _even(float(first), float(last), int(count))
+        return [float(part) for part in text.split(",")]
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            f"{text} are no times; say them as 0,0.1,0.2 or as FIRST:LAST:COUNT"
+        ) from None
+
+
+def _even(first: float, last: float, count: int) -> Sequence[float]:
+    if count < 1:
+        raise ValueError
+    return [first + (last - first) * i / max(1, count - 1) for i in range(count)]
+
+
+def positive(text: str) -> float:
+    """A number above 0."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1.0
+    if not 0 < value < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text} is not a number above 0")
+    return value

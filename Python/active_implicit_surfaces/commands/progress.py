@@ -1,0 +1,56 @@
+"""How far a series is: a bar on a terminal, a line now and then elsewhere."""
+
+from __future__ import annotations
+
+import sys
+import time
+from typing import Any
+
+_BAR, _SECONDS_BETWEEN_LINES = 30, 10.0
+
+
+class Progress:
+    """Tells on standard error how many frames are done, how fast, and how long it takes yet."""
+
+    def __init__(self, total: int, done: int = 0, quiet: bool = False, stream: Any = None) -> None:
+        self.stream = stream or sys.stderr
+        self.total, self.first, self.done, self.quiet = total, done, done, quiet
+        self.is_terminal = hasattr(self.stream, "isatty") and self.stream.isatty()
+        self.start = self.said = time.monotonic()
+
+    def __call__(self, done: int, total: int | None = None) -> None:
+        """So many frames are done."""
+        self.done = done
+        now = time.monotonic()
+        if self.quiet:
+            return
+        if self.is_terminal:
+            filled = _BAR * done // max(1, self.total)
+            bar = "#" * filled + "-" * (_BAR - filled)
+            self.stream.write(f"\r[{bar}] {self.text(now)}\x1b[K")
+        elif now - self.said >= _SECONDS_BETWEEN_LINES:
+            self.stream.write(self.text(now) + "\n")
+            self.said = now
+        self.stream.flush()
+
+    def text(self, now: float) -> str:
+        """12 of 41 frames, 3.2 frames/s, 0:09 left."""
+        count = self.done - self.first
+        rate = count / max(now - self.start, 1e-9)
+        words = f"{self.done} of {self.total} frames, {rate:.3g} frames/s"
+        if self.done < self.total and count:
+            words += f", {_clock((self.total - self.done) / rate)} left"
+        return words
+
+    def finish(self) -> None:
+        """The last word."""
+        if not self.quiet:
+            text = self.text(time.monotonic())
+            self.stream.write(f"\r{text}\x1b[K\n" if self.is_terminal else text + "\n")
+            self.stream.flush()
+
+
+def _clock(seconds: float) -> str:
+    minutes, left = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02}:{left:02}" if hours else f"{minutes}:{left:02}"

@@ -1,0 +1,86 @@
+"""A run that was cut off goes on: the filter's state beside the skins, and what it belongs to."""
+
+from __future__ import annotations
+
+import json
+import time
+from pathlib import Path
+from typing import Any
+
+from ..file_names import replacing, without_number
+from ..messages import listening
+
+_SECONDS_BETWEEN_STATES = 20.0
+
+
+class Resumption:
+    """The state of the last frames done.
+
+    Parameters
+    ----------
+    output : Path
+        Name of the series of skins; the state is hidden beside it.
+    description : dict
+        What the skins depend on: the options. Another one is another run.
+    """
+
+    def __init__(self, output: Path, description: dict[str, Any]) -> None:
+        stem = without_number(output).stem
+        self.state = output.with_name(f".{stem}.state.vdb")
+        self.notes = output.with_name(f".{stem}.state.json")
+        self.description = json.loads(json.dumps(description))
+        self._saved = time.monotonic()
+
+    def load(self, surface: Any, times: list[float]) -> int:
+        """Gives the filter the state; returns the number of frames that are done, 0 without one.
+
+        Raises
+        ------
+        OSError
+            The state cannot be read.
+        ValueError
+            It is of another run.
+        """
+        if not self.state.exists() or not self.notes.exists():
+            return 0
+        try:
+            notes = json.loads(self.notes.read_text(encoding="utf-8"))
+            done, past, then = int(notes["done"]), notes["times"], notes["options"]
+        except (ValueError, KeyError, TypeError) as error:
+            raise OSError(f"{self.notes} is damaged; remove it to begin anew.") from error
+        self._compare(then, past, times[:done])
+        with listening(surface) as heard:
+            surface.LoadState(str(self.state))
+        heard.raise_error(OSError)
+        return done
+
+    def save(self, surface: Any, times: list[float], done: int, now: bool = False) -> None:
+        """Keeps the state after a frame, if the last one is old enough."""
+        if not now and time.monotonic() - self._saved < _SECONDS_BETWEEN_STATES:
+            return
+        self.notes.unlink(missing_ok=True)  # a state without notes is none
+        with listening(surface) as heard:
+            surface.SaveState(str(self.state))
+        heard.raise_error(OSError)
+        notes = {"done": done, "times": times[:done], "options": self.description}
+        with replacing(self.notes) as temporary:
+            temporary.write_text(json.dumps(notes), encoding="utf-8")
+        self._saved = time.monotonic()
+
+    def forget(self) -> None:
+        """Removes the state."""
+        self.notes.unlink(missing_ok=True)
+        self.state.unlink(missing_ok=True)
+
+    def _compare(self, then: dict[str, Any], past: list[float], times: list[float]) -> None:
+        for name in sorted({*then, *self.description}):
+            before, now = then.get(name), self.description.get(name)
+            if before != now:
+                raise ValueError(
+                    f"The skins so far were made with another {name} ({before}, now {now}); run "
+                    "without --resume to make them all anew."
+                )
+        if past != times:
+            raise ValueError(
+                "The frames so far had other times; run without --resume to make them all anew."
+            )

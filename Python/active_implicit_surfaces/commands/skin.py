@@ -1,0 +1,268 @@
+"""active-surface skin: skins over a series of particle files."""
+
+from __future__ import annotations
+
+import argparse
+from contextlib import ExitStack, suppress
+from pathlib import Path
+from typing import Any
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from .. import vtkActiveImplicitSurface
+from ..api import configure, update
+from ..file_names import (
+    INDEX_SUFFIXES,
+    check_distinct,
+    has_number,
+    make_folder_of,
+    numbered,
+    suffix_of,
+    without_number,
+    write_index,
+)
+from ..particle_files import PARTICLE_SUFFIXES, open_particles
+from ..presets import PRESETS, estimate_spacing
+from ..series import TemporalSource
+from ..skin_files import SKIN_SUFFIXES, check_suffix, write_mesh
+from .options import (
+    Parser,
+    add_film_options,
+    add_help_all,
+    add_property_options,
+    positive,
+    preset_help,
+    properties_of,
+    times_list,
+)
+from .progress import Progress
+from .resume import Resumption
+
+_BOUNDS_SAMPLED = 64  # frames that are looked at for the camera
+_ARRAYS = ("ids", "radii", "strengths", "velocities")
+
+
+def run(arguments: list[str]) -> int:
+    """Runs the command; returns its exit code."""
+    parser = make_parser()
+    options = parser.parse_args(arguments)
+    chosen = properties_of(options, parser)
+    _check_names(options, parser)
+    files = open_particles(options.files, fps=options.fps, times=options.times)
+    _Job(options, files, chosen).run()
+    return 0
+
+
+def make_parser() -> Parser:
+    parser = Parser(
+        "active-surface skin",
+        "FILE ... [-o skin_####.vtp] [options]",
+        "Skins over particles: one for each frame, each going on from the last.\n"
+        f"Files: {', '.join(PARTICLE_SUFFIXES)};\n"
+        "several, a pattern ('splash_*.vtp', splash_####.vtp), a .series or a .pvd are a series.",
+        epilog="presets:\n" + preset_help() + "\n\nEvery property of the filter is an option "
+        "too, as --particle-spacing 0.1:\n--help-properties, or --help all.",
+    )
+    add_help_all(parser)
+    parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="NAME",
+        help=f"name of the skins, #### for the number: {', '.join(SKIN_SUFFIXES)} "
+        "(default: skin_####.vtp, and none with --render alone)",
+    )
+    parser.add_argument("--index", metavar="NAME", help="the .pvd or .series beside them, or none")
+    parser.add_argument("--preset", choices=PRESETS, help="what the particles are (see below)")
+    parser.add_argument("--fps", type=positive, metavar="X", help="frames per second of the files")
+    parser.add_argument("--times", type=times_list, metavar="T,T...", help="or FIRST:LAST:COUNT")
+    for role, text in zip(_ARRAYS, ("ids (default: found)", "reaches", "strengths", "velocities")):
+        parser.add_argument(f"--{role}", metavar="NAME", help=f"point array of {text}")
+    parser.add_argument("--resume", action="store_true", help="go on where a run was cut off")
+    parser.add_argument("--quiet", action="store_true", help="no progress")
+    add_film_options(parser)
+    add_property_options(parser)
+    return parser
+
+
+def _check_names(options: Any, parser: Parser) -> None:
+    try:
+        if options.output:
+            check_suffix(Path(options.output), SKIN_SUFFIXES, "skins")
+        if options.render:
+            from ..film import FILM_SUFFIXES
+
+            check_suffix(Path(options.render), FILM_SUFFIXES, "films")
+    except ValueError as error:
+        parser.error(str(error))
+    is_index = not options.index or suffix_of(options.index) in INDEX_SUFFIXES
+    if not is_index and options.index != "none":
+        parser.error(f"an index is a .pvd or a .series, or none, not {options.index}")
+    if options.resume and options.render and suffix_of(options.render) in (".mp4", ".ogv"):
+        parser.error("a film cannot go on where it was cut off; render to frame.####.png")
+    if options.resume and options.render and not options.output:
+        parser.error("--resume goes on with skins; say their name, -o skin_####.vtp")
+
+
+class _Job:
+    """One run over a series."""
+
+    def __init__(self, options: Any, files: Any, chosen: dict[str, Any]) -> None:
+        self.options, self.files = options, files
+        self.times = files.times
+        self.output = _output_name(options)
+        if self.output:
+            check_distinct(files.names, map(self.name_of, range(len(self.times))))
+        for name in (self.output, options.render and Path(options.render)):
+            if name:
+                make_folder_of(name)
+        self.source = TemporalSource(files.load, self.times)
+        self.surface = vtkActiveImplicitSurface()
+        self.surface.SetInputConnection(self.source.GetOutputPort())
+        arrays = {role: getattr(options, role) for role in _ARRAYS if getattr(options, role)}
+        configure(self.surface, self.source, preset=options.preset, arrays=arrays, **chosen)
+        if options.render and suffix_of(options.render) == ".exr":
+            self.surface.ComputeVelocityOn()
+        described = {"files": str(options.files), "preset": options.preset, **arrays, **chosen}
+        self.resumption = Resumption(self.output, described) if self.output else None
+
+    def run(self) -> None:
+        first = 0
+        if self.resumption and self.options.resume:
+            first = self._find_first()
+        elif self.resumption:
+            self.resumption.forget()
+        progress = Progress(len(self.times), first, self.options.quiet)
+        with ExitStack() as stack:
+            film = stack.enter_context(self._film()) if self.options.render else None
+            done = first
+            try:
+                for step in range(first, len(self.times)):
+                    self._make(step, film)
+                    done = step + 1
+                    progress(done)
+            except BaseException:
+                self._keep_state(done, first)
+                raise
+        self._finish(done)
+        progress.finish()
+
+    def _find_first(self) -> int:
+        """The first frame that is to be made; the filter has the state before it."""
+        assert self.resumption is not None
+        first = self.resumption.load(self.surface, self.times)
+        missing = [step for step in range(first) if not self.name_of(step).exists()]
+        if missing:
+            raise OSError(
+                f"{self.name_of(missing[0])} is no longer there; run without --resume to make all "
+                "skins anew."
+            )
+        return first
+
+    def name_of(self, step: int) -> Path:
+        assert self.output is not None
+        is_series = len(self.times) > 1 or has_number(self.output)
+        return numbered(self.output, step) if is_series else self.output
+
+    def _make(self, step: int, film: Any) -> None:
+        update(self.surface, self.times[step], self.source)
+        skin = self.surface.GetOutput()
+        if self.output:
+            write_mesh(self.name_of(step), skin, self.surface.GetOutputPort())
+        if film:
+            film.add(step, skin)
+        if self.resumption:
+            self.resumption.save(self.surface, self.times, step + 1)
+
+    def _keep_state(self, done: int, first: int) -> None:
+        # After an error the filter is still at the last frame that it has finished.
+        if self.resumption and done > first:
+            with suppress(OSError):  # the first error is the one to tell
+                self.resumption.save(self.surface, self.times, done, now=True)
+
+    def _finish(self, done: int) -> None:
+        if not (self.output and self.resumption):
+            return
+        if self.options.resume and done:
+            self.resumption.save(self.surface, self.times, done, now=True)
+        else:
+            self.resumption.forget()
+        if len(self.times) > 1 and self.options.index != "none":
+            names = [self.name_of(step) for step in range(len(self.times))]
+            write_index(_index_name(self.options.index, self.output), names, self.times)
+
+    def _film(self) -> Any:
+        from ..film import Film, check_film
+        from ..scene import COLORS, Scene
+
+        path = Path(self.options.render)
+        check_film(path, len(self.times))
+        reaches = "reach" if self.options.preset == "molecule" else self.options.radii
+        held, up = find_view(self.files, reaches)
+        scene = Scene(
+            held,
+            self.options.size,
+            self.options.up or up,
+            COLORS[self.options.preset or "water"],
+            soft=suffix_of(path) != ".exr",
+        )
+        fps = self.options.fps or _rate(self.times)
+        return Film(path, scene, fps, len(self.times))
+
+
+def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
+    """Points around all particles, and the axis, y or z, along which they lie lowest.
+
+    Of each frame those count that are farthest in 26 directions.
+    """
+    axis = numpy.array([-1.0, 0.0, 1.0])
+    ways = numpy.stack(numpy.meshgrid(axis, axis, axis), -1).reshape(-1, 3).T
+    outermost, means, count = [], [], len(files)
+    for step in sorted(set(numpy.linspace(0, count - 1, min(count, _BOUNDS_SAMPLED)).astype(int))):
+        cloud = files.load(int(step))
+        if cloud.GetNumberOfPoints() == 0:
+            continue
+        points = vtk_to_numpy(cloud.GetPoints().GetData())
+        points = points[numpy.isfinite(points).all(axis=1)]
+        if len(points):
+            outermost.append(points[(points @ ways).argmax(axis=0)])
+            means.append(points.mean(0))
+    if not means:
+        return numpy.array([[-0.5] * 3, [0.5] * 3]), "y"
+    held = numpy.concatenate(outermost)
+    low, high = held.min(axis=0), held.max(axis=0)
+    margin = max(0.02 * float((high - low).max()), _own_size(files.load(0), reaches), 1e-30)
+    low, high = low - margin, high + margin
+    place = (numpy.mean(means, axis=0) - low) / (high - low)
+    held = numpy.concatenate([held - margin, held + margin])
+    return held, "z" if place[2] < place[1] - 0.02 else "y"
+
+
+def _own_size(cloud: Any, reaches: str | None) -> float:
+    """How far the skin is from the particles, at most about."""
+    array = cloud.GetPointData().GetArray(reaches) if reaches else None
+    if array is not None and array.GetNumberOfTuples():
+        return float(array.GetRange()[1])
+    return 1.2 * estimate_spacing(cloud)
+
+
+def _output_name(options: Any) -> Path | None:
+    if options.output:
+        return Path(options.output)
+    return None if options.render else Path("skin_####.vtp")
+
+
+def _index_name(given: str | None, output: Path) -> Path:
+    if given:
+        return Path(given)
+    plain = without_number(output)
+    return plain.with_suffix(".pvd") if plain.suffix == ".vtp" else Path(f"{plain}.series")
+
+
+def _rate(times: list[float]) -> float:
+    """Frames per second at which the film is as long as the series."""
+    if len(times) < 2:
+        return 25.0
+    rate = (len(times) - 1) / (times[-1] - times[0])
+    return rate if 1.0 <= rate <= 240.0 else 25.0

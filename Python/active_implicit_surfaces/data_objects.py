@@ -1,0 +1,187 @@
+"""Particles and meshes of Python's libraries as VTK's data objects, without a copy where it goes.
+
+>>> import numpy
+>>> from active_implicit_surfaces import data_objects
+>>> points = data_objects.as_particles(numpy.zeros((4, 3)), ids=[7, 8, 9, 10])
+>>> points.GetNumberOfPoints(), points.GetPointData().GetArray("id").GetValue(0)
+(4, 7)
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from typing import Any
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+
+# Cells of meshio that are faces of a surface.
+_FACES = ("triangle", "quad", "polygon")
+
+
+def as_particles(particles: Any, **arrays: Any) -> Any:
+    """Points and their arrays as a vtkPolyData, whose memory is the particles' own where it can be.
+
+    Parameters
+    ----------
+    particles : array (n, 3), vtkPointSet, or an object with `points` or `vertices`
+        Cells are left out: all points count.
+    **arrays : array (n,) or (n, k), optional
+        Point arrays to add: ``velocities`` becomes "Velocity", ``ids`` "id", ``radii`` "radius",
+        ``strengths`` "strength"; any other keeps its name.
+
+    Returns
+    -------
+    vtkPolyData
+    """
+    points, own = _points_of(particles)
+    cloud = vtkPolyData()
+    cloud.SetPoints(points)
+    if own is not None:
+        cloud.GetPointData().ShallowCopy(own)
+    for name, values in {**_point_data(particles), **arrays}.items():
+        if values is not None:
+            _add_array(cloud, STANDARD_NAMES.get(name, name), values)
+    return cloud
+
+
+# Keywords, and the names of the arrays that they become.
+STANDARD_NAMES = {
+    "velocities": "Velocity",
+    "ids": "id",
+    "radii": "radius",
+    "strengths": "strength",
+}
+
+
+def as_shape(shape: Any) -> Any:
+    """A mesh or an image as what the filter takes: a vtkPolyData with polygons, or a vtkImageData.
+
+    Parameters
+    ----------
+    shape : vtkPolyData, vtkImageData, vtkUnstructuredGrid, or an object with `vertices` and `faces`
+        (as trimesh's), or with `points` and `cells` (as meshio's)
+    """
+    if _is_vtk(shape, "vtkImageData"):
+        return shape
+    if _is_vtk(shape, "vtkPolyData"):
+        if shape.GetNumberOfPolys() + shape.GetNumberOfStrips() + shape.GetNumberOfLines() == 0:
+            raise ValueError("The mesh has no polygons; for a skin over points use skin().")
+        return shape
+    if _is_vtk(shape, "vtkPointSet"):
+        outside = vtkGeometryFilter()
+        outside.SetInputData(shape)
+        outside.Update()
+        return as_shape(outside.GetOutput())
+    if hasattr(shape, "vertices") and hasattr(shape, "faces"):
+        return _mesh(shape.vertices, [shape.faces])
+    if hasattr(shape, "points") and hasattr(shape, "cells"):
+        return _mesh(shape.points, [c.data for c in shape.cells if c.type in _FACES])
+    raise TypeError(
+        f"A {type(shape).__name__} is no mesh and no image; give a vtkPolyData, a vtkImageData, or "
+        "an object with vertices and faces or with points and cells."
+    )
+
+
+def like(example: Any, skin: Any) -> Any:
+    """The skin as the library of the example would have it: PyVista's if that is PyVista's."""
+    if type(example).__module__.partition(".")[0] == "pyvista":
+        return sys.modules["pyvista"].wrap(skin)
+    return skin
+
+
+def is_vtk(thing: Any) -> bool:
+    """Whether this is an object of VTK, or of a class derived from one."""
+    return hasattr(thing, "IsA") and hasattr(thing, "GetClassName")
+
+
+def _is_vtk(thing: Any, name: str) -> bool:
+    return is_vtk(thing) and bool(thing.IsA(name))
+
+
+def _points_of(particles: Any) -> tuple[Any, Any]:
+    """The particles' vtkPoints, and their point arrays if they are VTK's."""
+    if is_vtk(particles):
+        if not particles.IsA("vtkPointSet"):
+            raise TypeError(
+                f"A {particles.GetClassName()} is no set of particles; give a vtkPointSet, such as "
+                "a vtkPolyData, or an array of n rows and 3 columns."
+            )
+        return particles.GetPoints() or vtkPoints(), particles.GetPointData()
+    for name in ("points", "vertices"):
+        if hasattr(particles, name):
+            return _vtk_points(getattr(particles, name)), None
+    return _vtk_points(particles), None
+
+
+def _vtk_points(positions: Any) -> Any:
+    try:
+        numbers = numpy.asarray(positions)
+        numbers = numbers if numbers.dtype in ("f4", "f8") else numbers.astype(float)
+    except (TypeError, ValueError) as error:
+        raise TypeError(
+            f"A {type(positions).__name__} is no set of particles; give an array of n rows and 3 "
+            "columns, a vtkPointSet, or an object with points or vertices."
+        ) from error
+    if numbers.size == 0:
+        numbers = numbers.reshape(0, 3)
+    if numbers.ndim != 2 or numbers.shape[1] != 3:
+        raise ValueError(
+            f"Positions are an array of n rows and 3 columns, not one of the shape {numbers.shape}."
+        )
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(numpy.ascontiguousarray(numbers)))
+    return points
+
+
+def _point_data(particles: Any) -> Mapping[str, Any]:
+    """Point arrays of an object like meshio's."""
+    if is_vtk(particles):
+        return {}
+    data = getattr(particles, "point_data", {})
+    return data if isinstance(data, Mapping) else {}
+
+
+def _add_array(cloud: Any, name: str, values: Any) -> None:
+    numbers = numpy.ascontiguousarray(values)
+    if numbers.dtype == bool:
+        numbers = numbers.astype("u1")
+    if numbers.dtype.kind not in "iuf":
+        raise TypeError(f'The array "{name}" is not one of numbers.')
+    if numbers.dtype.itemsize == 2 and numbers.dtype.kind == "f":
+        numbers = numbers.astype("f4")
+    if len(numbers.shape) not in (1, 2) or len(numbers) != cloud.GetNumberOfPoints():
+        raise ValueError(
+            f'The array "{name}" has the shape {numbers.shape}; there are '
+            f"{cloud.GetNumberOfPoints()} particles, and each needs one row."
+        )
+    array = numpy_to_vtk(numbers)
+    array.SetName(name)
+    cloud.GetPointData().AddArray(array)
+
+
+def _mesh(vertices: Any, kinds: list[Any]) -> Any:
+    """Polygons of the rows of these arrays of point numbers."""
+    mesh, cells = vtkPolyData(), vtkCellArray()
+    mesh.SetPoints(_vtk_points(vertices))
+    offsets, numbers = [numpy.zeros(1, dtype=numpy.int64)], []
+    for rows in kinds:
+        faces = numpy.ascontiguousarray(rows, dtype=numpy.int64)
+        if faces.ndim != 2:
+            raise ValueError(f"Faces are rows of point numbers, not an array of {faces.shape}.")
+        start = offsets[-1][-1]
+        offsets.append(start + faces.shape[1] * numpy.arange(1, len(faces) + 1))
+        numbers.append(faces.ravel())
+    if not numbers:
+        raise ValueError("The mesh has no triangles, quads or polygons.")
+    ids = numpy.concatenate(numbers)
+    cells.SetData(
+        numpy_to_vtkIdTypeArray(numpy.concatenate(offsets), deep=True),
+        numpy_to_vtkIdTypeArray(ids, deep=True),
+    )
+    mesh.SetPolys(cells)
+    return mesh

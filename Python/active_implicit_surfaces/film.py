@@ -1,0 +1,159 @@
+"""Films of skins: numbered pictures (.png, .exr with layers), .mp4 through ffmpeg, .ogv."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from .file_names import has_number, numbered, replacing, suffix_of
+from .messages import quiet
+from .scene import Scene, check_display
+
+FILM_SUFFIXES = (".mp4", ".ogv", ".png", ".exr")
+
+
+def check_film(path: Path, count: int) -> None:
+    """Raises ValueError or OSError if such a film cannot be made here."""
+    suffix = suffix_of(path)
+    if suffix not in FILM_SUFFIXES:
+        raise ValueError(f"{path}: films are {', '.join(FILM_SUFFIXES)}.")
+    if suffix == ".mp4" and shutil.which("ffmpeg") is None:
+        raise OSError(
+            f"{path} needs the program ffmpeg, which is not on PATH; install it (Debian: ffmpeg), "
+            f"or write {path.with_suffix('.ogv')} or {path.with_suffix('')}.####.png."
+        )
+    check_display()
+
+
+class Film:
+    """Pictures of one skin after the other; a context manager, which finishes the file.
+
+    Parameters
+    ----------
+    path : Path
+        film.mp4, film.ogv, picture.####.png or picture.####.exr.
+    scene : Scene
+    fps : float
+    count : int
+        Number of pictures; one alone needs no number in its name.
+    """
+
+    def __init__(self, path: Path, scene: Scene, fps: float, count: int) -> None:
+        self.path, self.scene, self.fps = path, scene, fps
+        self.is_numbered = count > 1 or has_number(path)
+        self._stream: Any = None
+
+    def __enter__(self) -> Film:
+        kinds = {".mp4": _Ffmpeg, ".ogv": _Ogg}
+        kind = kinds.get(suffix_of(self.path))
+        if kind is not None:
+            self._stream = kind(self.path, self.scene.size, self.fps)
+        return self
+
+    def __exit__(self, kind: Any, *_: Any) -> None:
+        if self._stream is not None:
+            self._stream.close(kind is None)
+
+    def name_of(self, step: int) -> Path:
+        """The file of a picture."""
+        return numbered(self.path, step) if self.is_numbered else self.path
+
+    def add(self, step: int, skin: Any) -> None:
+        """Renders a skin as the picture of this number."""
+        self.scene.show(skin)
+        if self._stream is not None:
+            self._stream.write(self.scene.picture())
+        elif suffix_of(self.path) == ".png":
+            _write_png(self.name_of(step), self.scene.picture())
+        else:
+            self._write_exr(self.name_of(step))
+
+    def _write_exr(self, path: Path) -> None:
+        from . import render
+
+        with replacing(path) as temporary:
+            render.write_exr(self.scene.window, temporary, frame_duration=1.0 / self.fps)
+
+
+def _write_png(path: Path, image: Any) -> None:
+    from vtkmodules.vtkIOImage import vtkPNGWriter
+
+    writer = vtkPNGWriter()
+    writer.SetInputData(image)
+    with replacing(path) as temporary, quiet():
+        writer.SetFileName(str(temporary))
+        writer.Write()
+        if writer.GetErrorCode() or not temporary.exists():
+            raise OSError(f"{path} cannot be written; check the folder, and that it has room.")
+
+
+class _Ffmpeg:
+    """Raw pictures into the program ffmpeg."""
+
+    def __init__(self, path: Path, size: tuple[int, int], fps: float) -> None:
+        self.path, self.temporary = path, path.with_name(f".{os.getpid()}.{path.name}")
+        source = f"-f rawvideo -pix_fmt rgb24 -s {size[0]}x{size[1]} -r {fps:g} -i -"
+        coded = "-vf vflip,pad=ceil(iw/2)*2:ceil(ih/2)*2 -c:v libx264 -crf 18 -pix_fmt yuv420p"
+        command = f"ffmpeg -y -loglevel error {source} {coded} -movflags +faststart".split()
+        self.process = subprocess.Popen(
+            [*command, str(self.temporary)], stdin=subprocess.PIPE, stderr=subprocess.PIPE
+        )
+
+    def write(self, image: Any) -> None:
+        assert self.process.stdin is not None
+        try:
+            pixels = vtk_to_numpy(image.GetPointData().GetScalars())
+            self.process.stdin.write(numpy.ascontiguousarray(pixels[:, :3]).tobytes())
+        except BrokenPipeError:
+            pass  # close() tells why
+
+    def close(self, is_whole: bool) -> None:
+        try:
+            _, said = self.process.communicate()
+        except BrokenPipeError:
+            said = b""
+        if self.process.returncode == 0 and is_whole:
+            os.replace(self.temporary, self.path)
+            return
+        self.temporary.unlink(missing_ok=True)
+        if is_whole:
+            words = " ".join(said.decode(errors="replace").split())
+            raise OSError(f"{self.path} cannot be written: ffmpeg says: {words or 'nothing'}.")
+
+
+class _Ogg:
+    """An Ogg Theora film, which VTK writes itself."""
+
+    def __init__(self, path: Path, size: tuple[int, int], fps: float) -> None:
+        try:
+            from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
+        except ImportError as error:
+            raise OSError(f"{path}: this VTK has no writer of .ogv films.") from error
+        self.path, self.temporary = path, path.with_name(f".{os.getpid()}.{path.name}")
+        self.writer, self.started = vtkOggTheoraWriter(), False
+        self.writer.SetFileName(str(self.temporary))
+        self.writer.SetRate(max(1, round(fps)))
+        self.writer.SetQuality(2)
+
+    def write(self, image: Any) -> None:
+        self.writer.SetInputData(image)
+        if not self.started:
+            self.writer.Start()
+            self.started = True
+        self.writer.Write()
+
+    def close(self, is_whole: bool) -> None:
+        if self.started:
+            self.writer.End()
+        if is_whole and self.started and self.writer.GetErrorCode() == 0:
+            os.replace(self.temporary, self.path)
+            return
+        self.temporary.unlink(missing_ok=True)
+        if is_whole:
+            raise OSError(f"{self.path} cannot be written; check the folder, and that it has room.")

@@ -1,0 +1,92 @@
+"""What VTK's objects say, as exceptions and warnings of Python."""
+
+from __future__ import annotations
+
+import re
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+
+
+class ActiveSurfaceWarning(UserWarning):
+    """What the filter warns of, as its sentence."""
+
+
+class Messages:
+    """The sentences that an algorithm says while it is listened to."""
+
+    def __init__(self) -> None:
+        self.errors: list[str] = []
+        self.warnings: list[str] = []
+
+    def raise_error(self, kind: type[Exception]) -> None:
+        """Raises the first error, if there was one."""
+        if self.errors:
+            raise kind(self.errors[0])
+
+
+def plain(text: str) -> str:
+    """The sentence of a message, without the place in the code and the object's address."""
+    text = re.sub(r"^\s*(ERROR|Warning|Generic Warning): In .*?, line \d+\n", "", text)
+    return " ".join(re.sub(r"^\S+ \((0x)?[0-9a-fA-F]+\): ", "", text).split())
+
+
+@contextmanager
+def listening(*algorithms: Any) -> Iterator[Messages]:
+    """Collects the errors and warnings of algorithms, which then are not printed."""
+    heard, observers = Messages(), []
+    for algorithm in algorithms:
+        for event, said in (("ErrorEvent", heard.errors), ("WarningEvent", heard.warnings)):
+            observers.append((algorithm, algorithm.AddObserver(event, _collector(said))))
+        if hasattr(algorithm, "GetExecutive"):
+            # What the pipeline adds to an error does not say more.
+            executive = algorithm.GetExecutive()
+            observers.append((executive, executive.AddObserver("ErrorEvent", lambda *_: None)))
+    try:
+        yield heard
+    finally:
+        for thing, observer in observers:
+            thing.RemoveObserver(observer)
+
+
+class quiet:
+    """What VTK's readers, their parsers and writers print is kept in place of being shown."""
+
+    def __enter__(self) -> quiet:
+        self._shown = vtkOutputWindow.GetInstance()
+        self._verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+        self._window = vtkStringOutputWindow()
+        vtkOutputWindow.SetInstance(self._window)
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        vtkOutputWindow.SetInstance(self._shown)
+        vtkLogger.SetStderrVerbosity(self._verbosity)
+
+    @property
+    def errors(self) -> list[str]:
+        """What was said of errors so far, the warnings of the PLY reader included."""
+        parts = re.split(
+            r"\n(?=ERROR: |Warning: |Generic Warning: )", self._window.GetOutput() or ""
+        )
+        bad = (part for part in parts if part.startswith("ERROR: ") or "PLY error" in part)
+        return [plain(part) for part in bad]
+
+
+def warn_all(messages: list[str]) -> None:
+    """Passes warnings of the filter on to Python's."""
+    for text in messages:
+        warnings.warn(text, ActiveSurfaceWarning, stacklevel=3)
+
+
+def _collector(said: list[str]) -> Callable[..., None]:
+    def collect(caller: Any, event: str, text: str | None) -> None:
+        if text:  # readers that pass on what another one has said do so without text
+            said.append(plain(text))
+
+    collect.CallDataType = "string0"  # type: ignore[attr-defined]
+    return collect

@@ -1,0 +1,205 @@
+"""A studio for skins: light, ground, and a camera that holds a box."""
+
+from __future__ import annotations
+
+import math
+import os
+from typing import Any
+
+import numpy
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  draws
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
+from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkSSAOPass
+
+PAPER = (0.96, 0.96, 0.95)
+COLORS = {
+    "water": (0.36, 0.66, 0.86),
+    "viscous": (0.93, 0.68, 0.25),
+    "molecule": (0.62, 0.78, 0.55),
+    "paper": (0.95, 0.66, 0.46),
+}
+VIEW_ANGLE = 20.0
+FINENESS = 2  # a picture is rendered this many times larger, then averaged
+BORDER = 8  # pixels that are left out, as the shade in corners ends before the picture does
+# From the scene to the camera, with y up.
+VIEW = numpy.array([0.45, 0.5, 1.0])
+
+# Key, fill and rim, placed as the camera sees them: direction, color, intensity.
+LIGHTS = (
+    ((-1.0, 1.4, 1.2), (1.00, 0.97, 0.92), 0.80),
+    ((1.3, 0.1, 0.8), (0.85, 0.92, 1.00), 0.45),
+    ((0.2, 1.0, -0.8), (1.00, 1.00, 1.00), 0.30),
+)
+
+
+def vtk_version() -> tuple[int, ...]:
+    """(9, 1) of 9.1.0."""
+    return tuple(int(part) for part in vtkVersion.GetVTKVersion().split(".")[:2])
+
+
+def check_display() -> None:
+    """Raises OSError where VTK would end the program, as it has no display."""
+    needs = vtk_version() < (9, 4) and "vtkXOpenGL" in vtkRenderWindow().GetClassName()
+    if needs and not os.environ.get("DISPLAY"):
+        raise OSError(
+            "Pictures need an X display, and DISPLAY is not set; run the command with "
+            "`xvfb-run -a` before it."
+        )
+
+
+class Scene:
+    """Renders one skin after the other, seen by one camera.
+
+    Parameters
+    ----------
+    held : array (n, 3)
+        Points that the camera holds; the ground is below them all.
+    size : (int, int)
+        Of the pictures, in pixels.
+    up : {"x", "y", "z"}
+    color : (float, float, float)
+    soft : bool
+        Whether corners are shaded (not for layers, whose depth this takes).
+    """
+
+    def __init__(
+        self,
+        held: Any,
+        size: tuple[int, int],
+        up: str = "y",
+        color: tuple[float, float, float] = COLORS["water"],
+        soft: bool = True,
+    ) -> None:
+        self.size, self.soft = size, soft
+        self.fineness, self.border = (FINENESS, BORDER) if soft else (1, 0)
+        self.renderer, self.window = vtkRenderer(), vtkRenderWindow()
+        self.mapper, self.actor = vtkPolyDataMapper(), vtkActor()
+        self.mapper.ScalarVisibilityOff()
+        self.actor.SetMapper(self.mapper)
+        _set_look(self.actor.GetProperty(), color)
+        self.renderer.AddActor(self.actor)
+        self.renderer.SetBackground(PAPER)
+        self._add_lights()
+        points = numpy.asarray(held, dtype=float)
+        self._place_camera(points, "xyz".index(up))
+        self._add_ground(points.min(axis=0), points.max(axis=0), "xyz".index(up))
+        self.window.SetOffScreenRendering(True)
+        self.window.SetMultiSamples(0 if soft else 8)
+        self.window.SetSize(*(self.fineness * (side + 2 * self.border) for side in size))
+        self.window.AddRenderer(self.renderer)
+
+    def show(self, skin: Any) -> None:
+        """Puts this skin into the scene."""
+        self.mapper.SetInputData(skin)
+        self.actor.SetVisibility(skin.GetNumberOfPoints() > 0)
+
+    def picture(self) -> Any:
+        """What the camera sees, as a vtkImageData of RGB."""
+        taken = vtkWindowToImageFilter()
+        self.window.Render()
+        taken.SetInput(self.window)
+        taken.ReadFrontBufferOff()
+        taken.Update()
+        return self._inner_part(vtk_to_numpy(taken.GetOutput().GetPointData().GetScalars()))
+
+    def _inner_part(self, pixels: Any) -> Any:
+        """The mean of each fineness x fineness pixels, without the border, as an image."""
+        fineness, (width, height) = self.fineness, self.size
+        start = fineness * self.border
+        rows = pixels.reshape(-1, fineness * (width + 2 * self.border), 3)
+        rows = rows[start : start + fineness * height, start : start + fineness * width]
+        blocks = rows.reshape(height, fineness, width, fineness, 3).astype(numpy.uint16)
+        means = numpy.rint(blocks.sum(axis=(1, 3)) / fineness**2).astype(numpy.uint8)
+        image = vtkImageData()
+        image.SetDimensions(width, height, 1)
+        image.GetPointData().SetScalars(numpy_to_vtk(means.reshape(-1, 3), deep=True))
+        return image
+
+    def _add_lights(self) -> None:
+        self.renderer.AutomaticLightCreationOff()
+        for direction, color, intensity in LIGHTS:
+            light = vtkLight()
+            light.SetLightTypeToCameraLight()
+            light.SetPosition(direction)
+            light.SetFocalPoint(0.0, 0.0, 0.0)
+            light.SetColor(color)
+            light.SetIntensity(intensity)
+            self.renderer.AddLight(light)
+
+    def _place_camera(self, points: Any, up: int) -> None:
+        """So near that all points are just within the picture."""
+        to_camera, upward = _turned(VIEW, up), numpy.eye(3)[up]
+        to_camera = to_camera / numpy.linalg.norm(to_camera)
+        right = numpy.cross(upward, to_camera)
+        right = right / numpy.linalg.norm(right)
+        axes = numpy.stack([right, numpy.cross(to_camera, right), to_camera])
+        seen = points @ axes.T
+        middle = 0.5 * (seen.min(axis=0) + seen.max(axis=0))
+        seen = seen - middle
+        half = math.tan(math.radians(VIEW_ANGLE / 2.0))
+        across = numpy.abs(seen[:, 0]) / (half * self.size[0] / self.size[1])
+        distance = float((seen[:, 2] + 1.08 * numpy.maximum(across, abs(seen[:, 1]) / half)).max())
+        focus = middle @ axes
+        camera = self.renderer.GetActiveCamera()
+        camera.SetFocalPoint(focus)
+        camera.SetPosition(focus + distance * to_camera)
+        camera.SetViewUp(upward)
+        larger = 1.0 + 2.0 * self.border / self.size[1]
+        camera.SetViewAngle(2.0 * math.degrees(math.atan(half * larger)))
+        if self.soft:
+            self.renderer.SetPass(_shade_in_corners(2.0 * half * distance))
+
+    def _add_ground(self, low: Any, high: Any, up: int) -> None:
+        """A ground in the color of the background, which shows by the shade upon it."""
+        reach, height = 4.0 * float(numpy.linalg.norm(high - low)), float(low[up])
+        first, second = numpy.eye(3)[(up + 1) % 3], numpy.eye(3)[(up + 2) % 3]
+        middle = 0.5 * (low + high)
+        middle[up] = height - 1e-3 * float((high - low).max())
+        plane, mapper, actor = vtkPlaneSource(), vtkPolyDataMapper(), vtkActor()
+        plane.SetOrigin(middle - reach * (first + second))
+        plane.SetPoint1(middle + reach * (first - second))
+        plane.SetPoint2(middle + reach * (second - first))
+        mapper.SetInputConnection(plane.GetOutputPort())
+        actor.SetMapper(mapper)
+        look = actor.GetProperty()
+        look.SetColor(PAPER)
+        look.SetAmbient(1.0)
+        look.SetDiffuse(0.0)
+        look.SetSpecular(0.0)
+        self.renderer.AddActor(actor)
+        self.renderer.ResetCameraClippingRange()
+
+
+def _set_look(look: Any, color: tuple[float, float, float]) -> None:
+    look.SetColor(color)
+    look.SetAmbient(0.32)
+    look.SetDiffuse(0.72)
+    look.SetSpecular(0.35)
+    look.SetSpecularPower(40)
+
+
+def _turned(direction: Any, up: int) -> Any:
+    """A direction of a world with y up in one whose axis number `up` is."""
+    return numpy.roll(direction, up - 1)
+
+
+def _shade_in_corners(seen: float) -> Any:
+    """Ambient occlusion, in proportion to what the camera sees."""
+    shade = vtkSSAOPass()
+    shade.SetRadius(0.2 * seen)
+    shade.SetBias(0.008 * seen)
+    shade.SetKernelSize(32)
+    shade.BlurOn()
+    shade.SetDelegatePass(vtkRenderStepsPass())
+    return shade

@@ -1,0 +1,200 @@
+"""Particles over time as sources of a VTK pipeline.
+
+>>> import numpy
+>>> from active_implicit_surfaces import temporal_source, vtkActiveImplicitSurface
+>>> grid = numpy.stack(numpy.meshgrid(*3 * [numpy.arange(6.0)]), -1).reshape(-1, 3)
+>>> source = temporal_source(lambda time: grid + [time, 0, 0], times=[0, 0.5, 1])
+>>> surface = vtkActiveImplicitSurface()
+>>> surface.SetInputConnection(source.GetOutputPort())
+>>> surface.SetParticleSpacing(1)
+>>> surface.UpdateTimeStep(1)
+1
+>>> numpy.round(surface.GetOutput().GetCenter(), 1)[0]
+3.5
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+
+from .data_objects import as_particles, is_vtk
+
+FRAMES_PER_SECOND = 25.0  # where nothing tells the times
+
+
+class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
+    """A source whose output at the i-th of its time steps is what a function makes of i.
+
+    Parameters
+    ----------
+    load : callable(int)
+        Gives the data of a step: a vtkDataObject of `output_type`, or particles as `as_particles`
+        takes them. The last two are kept.
+    times : sequence of float
+        Increasing.
+    output_type : str
+        The VTK class of the data.
+
+    Attributes
+    ----------
+    failure : Exception or None
+        What `load` has raised in the last update; the output then is empty.
+    """
+
+    def __init__(
+        self,
+        load: Callable[[int], Any],
+        times: Sequence[float],
+        output_type: str = "vtkPolyData",
+    ) -> None:
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType=output_type)
+        self.times = check_times(times)
+        self.failure: Exception | None = None
+        self._load = load
+        self._kept: dict[int, Any] = {}
+        self._output_type = output_type
+
+    def frame(self, step: int) -> Any:
+        """The data of a step, as a vtkDataObject."""
+        if step not in self._kept:
+            data = self._load(step)
+            if not (is_vtk(data) and data.IsA(self._output_type)):
+                data = as_particles(data)
+            for old in sorted(self._kept)[:-1]:
+                del self._kept[old]
+            self._kept[step] = data
+        return self._kept[step]
+
+    def step_of(self, time: float) -> int:
+        """The last step up to a time; the first one before it."""
+        return max(0, bisect_right(self.times, time) - 1)
+
+    def RequestInformation(self, request: Any, inputs: Any, outputs: Any) -> int:
+        info, key = outputs.GetInformationObject(0), vtkStreamingDemandDrivenPipeline
+        info.Set(key.TIME_STEPS(), self.times, len(self.times))
+        info.Set(key.TIME_RANGE(), [self.times[0], self.times[-1]], 2)
+        return 1
+
+    def RequestData(self, request: Any, inputs: Any, outputs: Any) -> int:
+        info = outputs.GetInformationObject(0)
+        time = info.Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
+        self.failure = None
+        try:
+            data = self.frame(self.step_of(self.times[0] if time is None else time))
+        except Exception as error:  # an exception may not cross the pipeline
+            self.failure = error
+            return 0
+        self.GetOutputData(outputs, 0).ShallowCopy(data)
+        return 1
+
+
+class ParticleSeries(TemporalSource):
+    """Particles over time: a source with time steps, of arrays, files or a function.
+
+    Parameters
+    ----------
+    frames : iterable of particles, pattern or list of files, or callable(time)
+        Particles as `as_particles` takes them; files as `active-surface` reads them.
+    times : sequence of float, optional
+        A time for each frame; a callable needs them.
+    fps : float, optional
+        Frames per second, where there are no times: 0, 1/fps, 2/fps ... Default: the times that the
+        files tell, else 25.
+
+    Examples
+    --------
+    >>> import numpy
+    >>> from active_implicit_surfaces import ParticleSeries
+    >>> series = ParticleSeries(numpy.zeros((3, 5, 3)), fps=10)
+    >>> len(series), series.times, series.frame(2).GetNumberOfPoints()
+    (3, [0.0, 0.1, 0.2], 5)
+    """
+
+    def __init__(
+        self,
+        frames: Any,
+        *,
+        times: Sequence[float] | None = None,
+        fps: float | None = None,
+    ) -> None:
+        load, found = _loader(frames, times, fps)
+        super().__init__(load, found)
+
+    def __len__(self) -> int:
+        return len(self.times)
+
+
+def temporal_source(function: Callable[[float], Any], times: Sequence[float]) -> TemporalSource:
+    """A source whose output at each of the times is what a function makes of it.
+
+    Parameters
+    ----------
+    function : callable(float)
+        Gives particles as `as_particles` takes them, or a vtkPolyData or vtkImageData; all of one
+        kind.
+    times : sequence of float
+        Increasing.
+
+    Returns
+    -------
+    TemporalSource
+        A VTKPythonAlgorithmBase, for any filter's SetInputConnection.
+    """
+    own = check_times(times)
+    first = function(own[0])
+    kind = "vtkImageData" if is_vtk(first) and first.IsA("vtkImageData") else "vtkPolyData"
+    return TemporalSource(lambda step: function(own[step]) if step else first, own, kind)
+
+
+def check_times(times: Iterable[float]) -> list[float]:
+    """The times as a list.
+
+    Raises
+    ------
+    ValueError
+        There is none, or they do not increase.
+    """
+    own = [float(time) for time in times]
+    if not own:
+        raise ValueError("There are no time steps, as there are no frames.")
+    if any(not after > before for before, after in zip(own, own[1:])) or own[0] != own[0]:
+        raise ValueError("Times have to increase from frame to frame.")
+    return own
+
+
+def times_at(count: int, fps: float | None) -> list[float]:
+    """The times 0, 1/fps, 2/fps ..."""
+    rate = FRAMES_PER_SECOND if fps is None else fps
+    if not 0 < rate < float("inf"):
+        raise ValueError(f"Frames per second have to be more than 0, not {rate:g}.")
+    return [step / rate for step in range(count)]
+
+
+def _loader(
+    frames: Any, times: Sequence[float] | None, fps: float | None
+) -> tuple[Callable[[int], Any], Sequence[float]]:
+    if callable(frames):
+        if times is None:
+            raise TypeError("A function of time needs `times`.")
+        own = list(times)
+        return lambda step: frames(own[step]), own
+    if isinstance(frames, (str, Path)) or _are_paths(frames):
+        from .particle_files import open_particles
+
+        files = open_particles(frames, fps=fps, times=times)
+        return files.load, files.times
+    held = frames if isinstance(frames, Sequence) or hasattr(frames, "shape") else list(frames)
+    if times is not None and len(times) != len(held):
+        raise ValueError(f"There are {len(times)} times for {len(held)} frames.")
+    return held.__getitem__, times_at(len(held), fps) if times is None else times
+
+
+def _are_paths(frames: Any) -> bool:
+    is_list = isinstance(frames, (list, tuple)) and len(frames) > 0
+    return is_list and all(isinstance(frame, (str, Path)) for frame in frames)

@@ -1,0 +1,221 @@
+"""Skins and other meshes to and from files; particles to files."""
+
+from __future__ import annotations
+
+import importlib
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkTriangleFilter
+from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
+
+from .data_objects import as_shape
+from .file_names import replacing, suffix_of
+from .glb import write_glb
+from .messages import listening, quiet
+from .particle_files import check_readable, read_vtk
+
+MESH_WRITERS = {
+    ".vtp": ("vtkmodules.vtkIOXML", "vtkXMLPolyDataWriter"),
+    ".ply": ("vtkmodules.vtkIOPLY", "vtkPLYWriter"),
+    ".obj": ("vtkmodules.vtkIOGeometry", "vtkOBJWriter"),
+    ".stl": ("vtkmodules.vtkIOGeometry", "vtkSTLWriter"),
+    ".vtk": ("vtkmodules.vtkIOLegacy", "vtkPolyDataWriter"),
+    ".glb": ("", ""),
+    ".vdb": ("active_implicit_surfaces.vtkActiveIO", "vtkActiveVDBWriter"),
+}
+SKIN_SUFFIXES = (".vtp", ".ply", ".obj", ".stl", ".glb", ".vdb")
+MESH_SUFFIXES = (".vtp", ".stl", ".obj", ".ply", ".vtk", ".vtu", ".vti", ".vdb", ".glb")
+PARTICLE_OUT_SUFFIXES = (".vtp", ".ply", ".vtk", ".csv", ".xyz", ".json", ".npz")
+
+
+def check_suffix(path: Path, known: tuple[str, ...], what: str) -> None:
+    """Raises ValueError if a file of that extension cannot be written."""
+    if suffix_of(path) not in known:
+        raise ValueError(f"{path}: {what} are written as {', '.join(known)}.")
+
+
+def write_mesh(path: Path, mesh: Any, port: Any = None, **settings: Any) -> None:
+    """Writes a mesh in the format of the extension, as a whole or not at all.
+
+    Parameters
+    ----------
+    path : Path
+    mesh : vtkPolyData or vtkImageData
+        A skin for .vdb: the filter's own output, whose grid then is written.
+    port : vtkAlgorithmOutput, optional
+        Where the mesh comes from, for the number of its frame in a .vdb.
+    **settings
+        Calls of the writer: ``SetVoxelSize=0.1``.
+
+    Raises
+    ------
+    OSError
+        With the writer's sentence.
+    """
+    suffix = suffix_of(path)
+    with replacing(path) as temporary:
+        if suffix == ".glb":
+            write_glb(temporary, _triangles(mesh))
+            return
+        module, name = MESH_WRITERS[suffix]
+        writer = getattr(importlib.import_module(module), name)()
+        _prepare_writer(writer, suffix, mesh)
+        for setting, value in settings.items():
+            getattr(writer, setting)(value)
+        writer.SetFileName(str(temporary))
+        if suffix == ".vdb" and port is not None:
+            writer.SetInputConnection(port)
+        else:
+            writer.SetInputData(_triangles(mesh) if suffix == ".stl" else mesh)
+        with quiet(), listening(writer) as heard:
+            writer.Write()
+        if heard.errors or writer.GetErrorCode() or not temporary.exists():
+            said = heard.errors[0] if heard.errors else "check the folder, and that it has room."
+            raise OSError(f"{path} cannot be written: {said}".replace(str(temporary), str(path)))
+
+
+def read_shape(path: Path, level: float | None = None) -> Any:
+    """A mesh or an image; the image's surface at a level if that is given.
+
+    Raises
+    ------
+    OSError
+        It cannot be read.
+    """
+    suffix = suffix_of(path)
+    if suffix not in MESH_SUFFIXES:
+        raise OSError(f"{path}: meshes and images are read from {', '.join(MESH_SUFFIXES)}.")
+    if suffix == ".stl":
+        _check_stl(path)
+    data = _read_glb(path) if suffix == ".glb" else read_vtk(path)
+    if data.IsA("vtkImageData"):
+        return data if level is None else contour(data, level)
+    if not data.IsA("vtkPointSet"):
+        raise OSError(f"{path} has no mesh: it holds a {data.GetClassName()}.")
+    try:
+        return as_shape(data)
+    except ValueError as error:
+        raise OSError(f"{path} is no mesh: {error}") from error
+
+
+def contour(image: Any, level: float) -> Any:
+    """The surface of an image at a level, with normals away from what is below it."""
+    edges = vtkFlyingEdges3D()
+    edges.SetInputData(image)
+    edges.SetValue(0, level)
+    edges.ComputeNormalsOn()
+    edges.ComputeScalarsOff()
+    edges.Update()
+    return edges.GetOutput()
+
+
+def write_particles(path: Path, cloud: Any) -> None:
+    """Writes points and their arrays in the format of the extension, as a whole or not at all."""
+    suffix = suffix_of(path)
+    if suffix in (".vtp", ".ply", ".vtk"):
+        write_mesh(path, _with_vertices(cloud))
+        return
+    points = cloud.GetPoints().GetData() if cloud.GetNumberOfPoints() else None
+    positions = numpy.zeros((0, 3)) if points is None else vtk_to_numpy(points)
+    arrays = _arrays_of(cloud)
+    with replacing(path) as temporary:
+        if suffix == ".npz":
+            with temporary.open("wb") as file:
+                numpy.savez(file, positions=positions, **arrays)
+        elif suffix == ".xyz":
+            numpy.savetxt(temporary, positions, fmt="%.9g")
+        elif suffix == ".csv":
+            _write_csv(temporary, positions, arrays)
+        else:
+            listed = {name: values.tolist() for name, values in arrays.items()}
+            text = json.dumps({"positions": positions.tolist(), **listed})
+            temporary.write_text(text, encoding="utf-8")
+
+
+def _prepare_writer(writer: Any, suffix: str, mesh: Any) -> None:
+    if suffix == ".vtp":
+        writer.SetDataModeToBinary()  # which VTK 9.1 can read with any libexpat
+    if suffix in (".stl", ".ply", ".vtk"):
+        writer.SetFileTypeToBinary()
+    if suffix == ".vdb" and mesh.IsA("vtkPolyData"):
+        names = _names(mesh)
+        writer.SetWriteVelocity("Velocity" in names)
+        writer.SetWritePointArrays(bool(set(names) - {"Normals", "Velocity"}))
+
+
+def _triangles(mesh: Any) -> Any:
+    """The mesh as triangles alone."""
+    if mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3:
+        cut = vtkTriangleFilter()
+        cut.SetInputData(mesh)
+        cut.PassLinesOff()
+        cut.PassVertsOff()
+        cut.Update()
+        return cut.GetOutput()
+    return mesh
+
+
+def _check_stl(path: Path) -> None:
+    """Raises OSError unless a binary file has as many triangles as it says: VTK takes any."""
+    check_readable(path)
+    with path.open("rb") as file:
+        head = file.read(84)
+    size, count = path.stat().st_size, int.from_bytes(head[80:84], "little")
+    if not head.lstrip().startswith(b"solid") and size < 84 + 50 * count:
+        raise OSError(
+            f"{path} cannot be read: it is damaged; it has {size} bytes, and its {count} triangles "
+            f"take {84 + 50 * count}."
+        )
+
+
+def _read_glb(path: Path) -> Any:
+    from vtkmodules.vtkIOGeometry import vtkGLTFReader
+
+    reader, surface = vtkGLTFReader(), vtkCompositeDataGeometryFilter()
+    reader.SetFileName(str(path))
+    surface.SetInputConnection(reader.GetOutputPort())
+    with quiet(), listening(reader, surface) as heard:
+        surface.Update()
+    if heard.errors or surface.GetOutput().GetNumberOfPoints() == 0:
+        said = heard.errors[0] if heard.errors else "it holds no mesh, or is damaged."
+        raise OSError(f"{path} cannot be read: {said}")
+    return surface.GetOutput()
+
+
+def _with_vertices(cloud: Any) -> Any:
+    """Points as cells, which some programs want to see them."""
+    from vtkmodules.vtkFiltersCore import vtkMaskPoints  # here: not in all installations
+
+    vertices = vtkMaskPoints()
+    vertices.SetInputData(cloud)
+    vertices.SetOnRatio(1)
+    vertices.SetMaximumNumberOfPoints(max(1, cloud.GetNumberOfPoints()))
+    vertices.GenerateVerticesOn()
+    vertices.SingleVertexPerCellOn()
+    vertices.Update()
+    return vertices.GetOutput()
+
+
+def _names(data: Any) -> list[str]:
+    arrays = data.GetPointData()
+    return [arrays.GetArrayName(i) or "" for i in range(arrays.GetNumberOfArrays())]
+
+
+def _arrays_of(cloud: Any) -> dict[str, Any]:
+    found = {name: cloud.GetPointData().GetArray(name) for name in _names(cloud)}
+    return {name: vtk_to_numpy(array) for name, array in found.items() if array is not None}
+
+
+def _write_csv(path: Path, positions: Any, arrays: dict[str, Any]) -> None:
+    names, columns = ["x", "y", "z"], [positions]
+    for name, values in arrays.items():
+        table = values.reshape(len(positions), -1)
+        wide = table.shape[1]
+        names += [name] if wide == 1 else [f"{name}:{i}" for i in range(wide)]
+        columns.append(table)
+    table = numpy.hstack(columns)
+    numpy.savetxt(path, table, "%.9g", delimiter=",", header=",".join(names), comments="")

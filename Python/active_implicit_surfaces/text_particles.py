@@ -1,0 +1,230 @@
+"""Particles of .csv, .xyz, .json, .npy and .npz files as arrays of numpy.
+
+Each reader gives a list of frames, dictionaries of arrays with the positions as "positions", and
+the times of the frames if the file tells them.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+import warnings
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy
+
+Frame = dict[str, Any]
+Frames = tuple[list[Frame], "list[float] | None"]
+
+_POSITIONS = ("positions", "position", "points", "point", "vertices", "coordinates", "pos", "x")
+_AXES = {"x": 0, "y": 1, "z": 2, "0": 0, "1": 1, "2": 2}
+
+
+def read_csv(path: Path) -> Frames:
+    """Columns x, y, z by their names (Points:0, pos_x ... too), or the first three."""
+    with path.open(newline="", encoding="utf-8-sig") as file:
+        lines = [file.readline() for _ in range(2)]
+    if not lines[0].strip():
+        raise ValueError("it is empty")
+    delimiter = next((mark for mark in ",;\t" if mark in lines[0]), None)
+    first = _split(lines[0], delimiter)
+    names = [] if all(_is_number(cell) for cell in first) else first
+    example = _split(lines[1], delimiter) if names and lines[1].strip() else first
+    usable = [i for i, cell in enumerate(example) if _is_number(cell)] if lines[1].strip() else None
+    columns = list(range(len(first))) if usable is None else usable
+    table = _load_table(path, delimiter, 1 if names else 0, columns)
+    if not names:
+        return [_headless(table)], None
+    return [_group({names[i]: table[:, place] for place, i in enumerate(columns)})], None
+
+
+def read_xyz(path: Path) -> Frames:
+    """Columns x y z; frames of a molecule, with count and elements; or raw 32-bit floats."""
+    content = path.read_bytes()
+    if not content.strip():
+        raise ValueError("it is empty")
+    if b"\0" in content[:4096]:
+        if len(content) % 12:
+            raise ValueError("it is no text, and its size is not a multiple of three 32-bit floats")
+        return [{"positions": numpy.frombuffer(content, "<f4").reshape(-1, 3)}], None
+    lines = content.decode("utf-8").splitlines()
+    if re.fullmatch(r"\s*\d+\s*", lines[0]):
+        return _read_molecule(lines), None
+    return [_headless(_load_table(path, None, 0, None))], None
+
+
+def read_json(path: Path) -> Frames:
+    """A list of positions, or an object of arrays with "positions"."""
+    data = json.loads(path.read_text(encoding="utf-8"))
+    if isinstance(data, list):
+        return [{"positions": numpy.array(data, dtype=float).reshape(len(data), -1)}], None
+    if not isinstance(data, dict):
+        raise ValueError("it is neither a list of positions nor an object of arrays")
+    return _from_arrays({name: numpy.array(values) for name, values in data.items()})
+
+
+def read_numpy(path: Path) -> Frames:
+    """An array (n, 3) or (frames, n, 3), by itself or with others, "fps" or "times".
+
+    With "counts", the particles of each frame, the rows of the frames follow each other.
+    """
+    with path.open("rb") as file:
+        found = numpy.load(file, allow_pickle=False)
+        if isinstance(found, numpy.ndarray):
+            return _from_arrays({"positions": found})
+        return _from_arrays({name: found[name] for name in found.files})
+
+
+def _split(line: str, delimiter: str | None) -> list[str]:
+    if delimiter is None:
+        return line.split()
+    return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter))]
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return True
+
+
+def _load_table(path: Path, delimiter: str | None, skip: int, columns: Any) -> Any:
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message=".*no data")
+        table = numpy.loadtxt(
+            path, delimiter=delimiter, skiprows=skip, usecols=columns, ndmin=2, encoding="utf-8-sig"
+        )
+    return table.reshape(0, len(columns)) if table.size == 0 and columns else table
+
+
+def _headless(table: Any) -> Frame:
+    if table.shape[1] < 3:
+        raise ValueError(f"it has {table.shape[1]} column(s) of numbers, not x, y and z")
+    more = {f"column {i}": table[:, i] for i in range(3, table.shape[1])}
+    return {"positions": table[:, :3], **more}
+
+
+def _group(columns: Mapping[str, Any]) -> Frame:
+    """Columns a:0 a:1 a:2, a_x a_y a_z, ax ay az as vectors a; x y z as positions."""
+    vectors: dict[str, dict[int, Any]] = {}
+    for name, values in columns.items():
+        plain = re.sub(r"\s*[\[(][^])]*[\])]\s*$", "", name.strip().strip('"'))
+        parts = re.fullmatch(r"(.*?)[:_. ]?([xyzXYZ]|(?<=[:_])[012])", plain)
+        base, axis = (parts[1], _AXES[parts[2].lower()]) if parts else (plain, -1)
+        vectors.setdefault(base, {})[axis] = values
+    frame: Frame = {}
+    for base, parts_of in vectors.items():
+        is_vector = sorted(parts_of) == [0, 1, 2]
+        name = "positions" if is_vector and base.lower() in ("", *_POSITIONS, "p") else base
+        if is_vector:
+            frame[name] = numpy.stack([parts_of[axis] for axis in range(3)], axis=1)
+            continue
+        for axis, values in parts_of.items():
+            frame[base if axis < 0 else f"{base}{'xyz'[axis]}"] = values
+    if "positions" not in frame:
+        raise ValueError(f"it has no columns x, y and z of numbers; it has {', '.join(columns)}")
+    return frame
+
+
+def _read_molecule(lines: list[str]) -> list[Frame]:
+    frames, place = [], 0
+    while place < len(lines) and lines[place].strip():
+        count = int(lines[place])
+        rows = [line.split() for line in lines[place + 2 : place + 2 + count]]
+        if len(rows) < count or any(len(row) < 4 for row in rows):
+            raise ValueError(f"it has fewer atoms than the {count} that line {place + 1} says")
+        positions = numpy.array([row[1:4] for row in rows], dtype=float).reshape(-1, 3)
+        numbers, reaches = _elements(rows)
+        frames.append({"positions": positions, "atomic_number": numbers, "reach": reaches})
+        place += 2 + count
+    return frames
+
+
+def _elements(rows: list[list[str]]) -> tuple[Any, Any]:
+    """Atomic numbers, and the reaches with which a lone atom has its van der Waals radius."""
+    from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
+
+    from .presets import REACH_OF_ATOM
+
+    table = vtkPeriodicTable()
+    found = {row[0]: (0, 0.0) for row in rows}
+    for symbol in found:
+        name = symbol.strip("0123456789")
+        number = int(symbol) if symbol.isdigit() else table.GetAtomicNumber(name)
+        found[symbol] = number, REACH_OF_ATOM * table.GetVDWRadius(number)
+    numbers, reaches = zip(*(found[row[0]] for row in rows)) if rows else ((), ())
+    return numpy.array(numbers, dtype="u1"), numpy.array(reaches, dtype="f4")
+
+
+def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
+    names = {name.lower(): name for name in arrays}
+    found = next((names[name] for name in _POSITIONS if name in names), None)
+    if found is None and all(name in names for name in "xyz"):
+        arrays = {**arrays, "positions": numpy.stack([arrays[names[n]] for n in "xyz"], axis=-1)}
+        found = "positions"
+    if found is None and len(arrays) == 1:
+        found = next(iter(arrays))
+    if found is None or (found.lower() == "x" and "y" in names and "z" not in names):
+        raise ValueError(f"it has no array of positions; it has {', '.join(arrays) or 'nothing'}")
+    if found.lower() == "x" and "y" in names:
+        arrays = {**arrays, "positions": numpy.stack([arrays[names[n]] for n in "xyz"], axis=-1)}
+        found = "positions"
+    positions = arrays[found]
+    if (
+        positions.ndim not in (2, 3)
+        or positions.shape[-1] != 3
+        or positions.dtype.kind not in "iuf"
+    ):
+        raise ValueError(
+            f'its array "{found}" has the shape {positions.shape}, where positions are n rows (or '
+            "frames of n rows) of 3 numbers"
+        )
+    counts = arrays.get("counts")
+    if counts is not None and positions.ndim == 2 and int(counts.sum()) == len(positions):
+        return _cut(arrays, found, counts)
+    moving = positions if positions.ndim == 3 else positions[None]
+    frames = [{"positions": frame} for frame in moving]
+    for name, values in arrays.items():
+        if name != found:
+            _share(frames, name, values, positions)
+    return frames, _times(arrays, len(frames)) if positions.ndim == 3 else None
+
+
+def _cut(arrays: Mapping[str, Any], found: str, counts: Any) -> Frames:
+    """The frames of arrays whose rows follow each other."""
+    ends = numpy.cumsum(counts)
+    rows = {
+        "positions" if name == found else name: values
+        for name, values in arrays.items()
+        if values.shape[:1] == (ends[-1],) and values.dtype.kind in "biuf" and values.ndim < 3
+    }
+    frames = [
+        {name: values[end - count : end] for name, values in rows.items()}
+        for count, end in zip(counts, ends)
+    ]
+    return frames, _times(arrays, len(frames))
+
+
+def _share(frames: list[Frame], name: str, values: Any, positions: Any) -> None:
+    """Gives an array to the frames, if its shape is that of the particles'."""
+    if values.dtype.kind not in "biuf":
+        return
+    if values.shape[: positions.ndim - 1] == positions.shape[:-1]:
+        for frame, own in zip(frames, values if positions.ndim == 3 else values[None]):
+            frame[name] = own
+    elif positions.ndim == 3 and values.shape[:1] == positions.shape[1:2]:
+        for frame in frames:
+            frame[name] = values
+
+
+def _times(arrays: Mapping[str, Any], count: int) -> list[float] | None:
+    for name in ("times", "time"):
+        if name in arrays and arrays[name].shape == (count,):
+            return [float(time) for time in arrays[name]]
+    if "fps" in arrays and arrays["fps"].size == 1 and float(arrays["fps"].ravel()[0]) > 0:
+        return [step / float(arrays["fps"].ravel()[0]) for step in range(count)]
+    return None

@@ -1,0 +1,268 @@
+// Parts of meshes and images that the skin does not meet get a skin, and hollows open; what it
+// meets changes by no bit.
+
+#include "Support/HistoryTools.h"
+#include "Support/MessageCapture.h"
+#include "Support/PipelineTools.h"
+#include "Support/ShapeSource.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkGridPotential.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace activesurface;
+
+namespace
+{
+
+constexpr double VoxelSize = 0.05; // MakeSkin's
+
+// As derived in TestTargets.cxx.
+constexpr double GridError = 0.06 * VoxelSize;
+
+vtkSmartPointer<vtkPolyData> Append(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes)
+{
+  vtkNew<vtkAppendPolyData> both;
+  for (const auto& mesh : meshes)
+  {
+    both->AddInputData(mesh);
+  }
+  both->Update();
+  return both->GetOutput();
+}
+
+/** In the box +-1, in pixels of .05. */
+vtkSmartPointer<vtkImageData> MakeImage(
+  const std::function<double(double x, double y, double z)>& function)
+{
+  vtkSmartPointer<vtkImageData> image = MakeBallImage(0.5);
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double* x = image->GetPoint(i);
+    values->SetComponent(i, 0, function(x[0], x[1], x[2]));
+  }
+  return image;
+}
+
+double TorusAt(double x, double y, double z)
+{
+  return std::hypot(std::hypot(x, y) - 0.5, z) - 0.2;
+}
+
+double ShellAt(double x, double y, double z)
+{
+  const double r = std::hypot(x, y, z);
+  return std::max(r - 0.7, 0.35 - r);
+}
+
+using MakeBallOf = std::function<vtkSmartPointer<vtkDataSet>(double radius, double x)>;
+const std::vector<MakeBallOf> Kinds = {
+  [](double radius, double x) { return MakeBallMesh(radius, x); },
+  [](double radius, double x) { return MakeBallImage(radius, x); },
+};
+
+}
+
+TEST(TestGridParts, MorphBetweenShapesThatDoNotMeet)
+{
+  for (const MakeBallOf& make : Kinds)
+  {
+    const auto morph = [&make](double t) { return make(0.3, t == 0.0 ? -0.5 : 0.5); };
+    auto filter = MakeSkinOver(MakeSource(morph, { 0, 1, 2 }));
+    MessageCapture messages(filter);
+    filter->UpdateTimeStep(2.0);
+    EXPECT_EQ(DescribeTopology(filter, 0), "1 0 2");
+    EXPECT_EQ(DescribeTopology(filter, 2), "1 0 2");
+    EXPECT_NEAR(GetRadii(filter, 0.5).Least, 0.3, GridError);
+    EXPECT_NEAR(GetRadii(filter, 0.5).Largest, 0.3, GridError);
+    EXPECT_EQ(messages.CountAll(), 0u);
+    filter->CreatePartsOff();
+    filter->UpdateTimeStep(2.0);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << "without CreateParts";
+  }
+}
+
+TEST(TestGridParts, InitialFunctionGoesToAMeshElsewhere)
+{
+  auto filter = MakeSkinOver(Append({ MakeBallMesh(0.3, 0.5), MakeBallMesh(0.15, -0.2) }));
+  filter->SetInitialFunction(MakeBallFunction(0.2, -0.7));
+  filter->SetNumberOfTimeSteps(3);
+  filter->SetTimeStepSize(1.0);
+  filter->UpdateTimeStep(2.0);
+  EXPECT_EQ(DescribeTopology(filter, 2), "2 0 4");
+  EXPECT_NEAR(GetSkinBounds(filter)[1], 0.8, GridError);
+  EXPECT_NEAR(GetSkinBounds(filter)[0], -0.35, GridError);
+}
+
+TEST(TestGridParts, FunctionOfAMeshTellsItsParts)
+{
+  vtkNew<vtkGridPotential> function;
+  function->SetInput(MakeBallMesh(0.3, 0.5));
+  function->SetVoxelSize(VoxelSize);
+  auto filter = MakeSkin();
+  filter->SetTargetFunction(function);
+  filter->SetInitialFunction(MakeBallFunction(0.2, -0.7));
+  filter->SetEvolutionModeToEquilibrium();
+  filter->Update();
+  EXPECT_NEAR(GetRadii(filter, 0.5).Largest, 0.3, GridError);
+}
+
+TEST(TestGridParts, BubbleOpensDeepInside)
+{
+  const auto morph = [](double t) { return t == 0.0 ? MakeBallImage(0.7) : MakeImage(ShellAt); };
+  auto filter = MakeSkinOver(MakeSource(morph, { 0, 1, 2 }));
+  filter->UpdateTimeStep(2.0);
+  EXPECT_EQ(DescribeTopology(filter, 0), "1 0 2");
+  EXPECT_EQ(DescribeTopology(filter, 2), "1 1 4");
+  EXPECT_NEAR(GetRadii(filter).Least, 0.35, GridError);
+  EXPECT_NEAR(GetRadii(filter).Largest, 0.7, GridError);
+}
+
+// The other way round: a body without end around a ball, which is a hollow.
+TEST(TestGridParts, InvertedPartIsAHollow)
+{
+  auto filter = MakeSkinOver(MakeBallMesh(0.3));
+  filter->InvertTargetOn();
+  filter->SetInitialFunction(MakeBallFunction(0.8));
+  filter->BoundedDomainOn();
+  filter->SetNumberOfTimeSteps(2);
+  filter->SetTimeStepSize(1.0);
+  filter->UpdateTimeStep(1.0);
+  EXPECT_EQ(GetNumber(filter, 1, "Voids"), 1.0);
+  EXPECT_NEAR(GetRadii(filter).Least, 0.3, GridError);
+}
+
+// A part that one step has more than the one before: it grows on the way there.
+TEST(TestGridParts, PartOfASeriesAppearsOnTheWayToItsStep)
+{
+  for (const MakeBallOf& make : Kinds)
+  {
+    const bool isMesh = vtkPolyData::SafeDownCast(make(0.3, 0.0)) != nullptr;
+    const auto series = [isMesh](double t) -> vtkSmartPointer<vtkDataSet>
+    {
+      if (isMesh)
+      {
+        return t < 2.0 ? MakeBallMesh(0.3, -0.5)
+                       : Append({ MakeBallMesh(0.3, -0.5), MakeBallMesh(0.2, 0.5) });
+      }
+      return MakeImage(
+        [t](double x, double y, double z)
+        {
+          const double left = std::hypot(x + 0.5, y, z) - 0.3;
+          return t < 2.0 ? left : std::min(left, std::hypot(x - 0.5, y, z) - 0.2);
+        });
+    };
+    auto filter = MakeSkinOver(MakeSource(series, { 0, 1, 2, 3 }));
+    const std::string there = GetBytesAt(filter, 3.0);
+    EXPECT_EQ(DescribeTopology(filter, 1), "1 0 2");
+    EXPECT_EQ(DescribeTopology(filter, 2), "2 0 4");
+    EXPECT_EQ(DescribeTopology(filter, 3), "2 0 4");
+    EXPECT_NEAR(GetSkinBounds(filter)[1], 0.7, GridError);
+    filter->UpdateTimeStep(0.0);
+    filter->SetNumberOfThreads(1);
+    filter->UpdateTimeStep(1.5);
+    EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 3.0), there)) << "any way, any threads";
+  }
+}
+
+// Two balls that share a lens of a voxel, shapes of another topology: the skin meets them. Where F
+// is .1 at most, the blend of the balls has a piece of its own at .3 of the way: at the centre it
+// is .7 * .1 - .3 * .3 < 0, and between there and the lens .7 * .1 - .3 * .15 > 0.
+TEST(TestGridParts, ShapesThatMeetChangeByNoBit)
+{
+  using Morph = std::function<vtkSmartPointer<vtkDataSet>(double t)>;
+  const std::vector<Morph> morphs = {
+    [](double t)
+    {
+      const double centre = t == 0.0 ? -0.275 : 0.275;
+      return MakeImage([centre](double x, double y, double z)
+        { return std::min(std::hypot(x - centre, y, z) - 0.3, 0.1); });
+    },
+    [](double t) { return MakeBallMesh(0.3, t == 0.0 ? -0.275 : 0.275); },
+    [](double t) { return MakeBallImage(0.3, t == 0.0 ? -0.275 : 0.275); },
+    [](double t) { return t == 0.0 ? MakeBallImage(0.35) : MakeImage(TorusAt); },
+    [](double t) { return t == 0.0 ? MakeImage(TorusAt) : MakeBallImage(0.35); },
+    [](double t) { return t == 0.0 ? MakeImage(ShellAt) : MakeBallImage(0.5); },
+  };
+  for (std::size_t i = 0; i < morphs.size(); ++i)
+  {
+    auto filter = MakeSkinOver(MakeSource(morphs[i], { 0, 1, 2 }));
+    filter->UpdateTimeStep(1.0);
+    const std::string with = GetBytes(filter);
+    const std::string later = GetBytesAt(filter, 2.0);
+    filter->CreatePartsOff();
+    EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 1.0), with)) << i;
+    EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 2.0), later)) << i;
+  }
+}
+
+// Tension takes balls below 2.83 sqrt(Tension / Attraction), here .28: they are not created again
+// and again.
+TEST(TestGridParts, WhatTensionTakesIsNotCreated)
+{
+  for (const double radius : { 0.2, 0.4 })
+  {
+    auto filter = MakeSkinOver(Append({ MakeBallMesh(0.4, -0.5), MakeBallMesh(radius, 0.5) }));
+    filter->SetInitialFunction(MakeBallFunction(0.4, -0.5));
+    filter->SetTension(0.1);
+    filter->SetNumberOfTimeSteps(3);
+    filter->SetTimeStepSize(0.05);
+    const std::string with = GetBytesAt(filter, 0.1);
+    EXPECT_EQ(DescribeTopology(filter, 2), radius > 0.3 ? "2 0 4" : "1 0 2");
+    filter->CreatePartsOff();
+    EXPECT_EQ(GetBytesAt(filter, 0.1) == with, radius < 0.3);
+  }
+}
+
+TEST(TestGridParts, PaperCreatesNone)
+{
+  auto filter = MakeSkinOver(Append({ MakeBallMesh(0.3, 0.5), MakeBallMesh(0.3, -0.5) }));
+  filter->SetInitialFunction(MakeBallFunction(0.3, -0.5));
+  filter->PaperFaithful();
+  filter->SetNumberOfTimeSteps(2);
+  filter->SetTimeStepSize(0.1);
+  filter->UpdateTimeStep(0.1);
+  EXPECT_EQ(GetNumber(filter, 1, "Components"), 1.0);
+}
+
+// A triangle a million voxels away, which has no inside, costs itself: a start from all nodes of
+// the box was refused.
+TEST(TestGridParts, StrayTriangleCostsItself)
+{
+  vtkNew<vtkPoints> points;
+  const double far = 1e6 * VoxelSize;
+  points->InsertNextPoint(far, far, far);
+  points->InsertNextPoint(far + 0.1, far, far);
+  points->InsertNextPoint(far, far + 0.1, far);
+  vtkNew<vtkCellArray> triangle;
+  triangle->InsertNextCell({ 0, 1, 2 });
+  vtkNew<vtkPolyData> stray;
+  stray->SetPoints(points);
+  stray->SetPolys(triangle);
+  const auto bytesOver = [](vtkPolyData* mesh)
+  {
+    auto filter = MakeSkinOver(mesh);
+    filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0); // those of the mesh
+    filter->SetTargetReach(0.3);
+    MessageCapture messages(filter);
+    filter->UpdateTimeStep(1.0);
+    EXPECT_EQ(messages.Errors.size(), 0u);
+    return GetBytes(filter);
+  };
+  EXPECT_TRUE(
+    AreSameSkins(bytesOver(Append({ MakeBallMesh(0.5), stray })), bytesOver(MakeBallMesh(0.5))));
+}

@@ -1,0 +1,190 @@
+# ctest: DISPLAY LABELS contract
+"""Films: every kind of file, light and ground, a camera that holds the whole series."""
+
+import os
+import stat
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import numpy
+from active_implicit_surfaces import film, scene, vtkActiveEXRReader
+from active_implicit_surfaces.commands import skin
+from active_implicit_surfaces.particle_files import open_particles
+from command_line import CommandTest, grid, moving_grid
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+SIZE = (160, 90)
+SMALL = ("--size", "160x90")
+# Stands in for ffmpeg: keeps its command line, and what it gets.
+FFMPEG = """#!/bin/sh
+for last; do :; done
+echo "$@" > "$last.command"
+{body}
+"""
+
+
+def pixels_of(path):
+    """Rows from the top, of R G B."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    rows = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)
+    return rows[::-1].astype(int)
+
+
+def is_skin(pixels):
+    """Where the water is: blue by far more than the paper and its shade."""
+    return pixels[..., 2] - pixels[..., 0] > 40
+
+
+class Films(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.data = self.folder / "far.npz"
+        numpy.savez(self.data, positions=[grid() + [1.0 * i, 0, 0] for i in range(3)])
+
+    def render(self, name, *more):
+        size = f"{SIZE[0]}x{SIZE[1]}"
+        self.succeed("skin", self.data, "--render", self.folder / name, "--size", size, *more)
+
+    def test_pictures_hold_the_whole_series(self):
+        self.render("f_##.png")
+        pictures = [pixels_of(self.folder / f"f_{i:02}.png") for i in range(3)]
+        middles = []
+        for picture in pictures:
+            self.assertEqual(picture.shape, (SIZE[1], SIZE[0], 3))
+            water = is_skin(picture)
+            self.assertGreater(water.sum(), 100)
+            edge = numpy.concatenate([water[0], water[-1], water[:, 0], water[:, -1]])
+            self.assertFalse(edge.any(), "the skin leaves the picture")
+            middles.append(numpy.nonzero(water)[1].mean())
+        self.assertEqual(middles, sorted(middles), "x goes to the right")
+        # What goes along x by 2 lengths of the lattice, 4 times its side, fills most of the width.
+        self.assertGreater(middles[2] - middles[0], 0.4 * SIZE[0])
+        self.assertEqual(self.hidden(), [])
+
+    def test_without_the_name_of_skins_there_are_none(self):
+        self.render("f_##.png")
+        self.assertEqual(sorted(self.folder.glob("*.vtp")), [])
+
+    def test_light_and_ground(self):
+        numpy.savez(self.data, positions=grid())
+        self.render("one.png")
+        picture = pixels_of(self.folder / "one.png")
+        water = is_skin(picture)
+        brightness = picture.sum(axis=2)
+        self.assertGreater(brightness[water].max(), 1.3 * brightness[water].min(), "no shading")
+        paper = numpy.rint(255 * numpy.array(scene.PAPER)).sum()
+        # At the left the ground is open: what shades corners leaves a percent or two there.
+        background = numpy.median(brightness[:, 0])
+        self.assertAlmostEqual(background, paper, delta=0.03 * paper, msg="the background")
+        below = numpy.nonzero(water)[0].max() + 2
+        middle = int(numpy.nonzero(water)[1].mean())
+        self.assertLess(brightness[below, middle], 0.94 * paper, "no shade on the ground")
+
+    def test_layers(self):
+        self.render("f_##.exr")
+        reader = vtkActiveEXRReader()
+        reader.SetFileName(str(self.folder / "f_01.exr"))
+        reader.Update()
+        arrays = reader.GetOutput().GetPointData()
+        names = {arrays.GetArrayName(i) for i in range(arrays.GetNumberOfArrays())}
+        self.assertLessEqual({"RGBA", "Z", "P", "N", "forward", "id"}, names)
+        moved = vtk_to_numpy(arrays.GetArray("forward"))
+        self.assertGreater(moved[:, 0].max(), 5.0, "the skin moves to the right")
+
+    def test_an_ogg_film(self):
+        self.render("film.ogv")
+        self.assertEqual((self.folder / "film.ogv").read_bytes()[:4], b"OggS")
+        self.assertEqual(self.hidden(), [])
+
+    def put_ffmpeg(self, body):
+        program = self.folder / "bin" / "ffmpeg"
+        program.parent.mkdir()
+        program.write_text(FFMPEG.format(body=body))
+        program.chmod(program.stat().st_mode | stat.S_IXUSR)
+        path = f"{program.parent}{os.pathsep}{os.environ['PATH']}"
+        return mock.patch.dict(os.environ, {"PATH": path})
+
+    def test_an_mp4_through_ffmpeg(self):
+        with self.put_ffmpeg('cat > "$last"'):
+            self.render("film.mp4", "--fps", 10)
+        raw = (self.folder / "film.mp4").read_bytes()
+        self.assertEqual(len(raw), 3 * 3 * SIZE[0] * SIZE[1])
+        command = next(self.folder.glob(".*.command")).read_text()
+        self.assertIn("-s 160x90 -r 10 ", command)
+
+    def test_ffmpeg_that_fails(self):
+        with self.put_ffmpeg('echo "no such coder" >&2; exit 3'):
+            said = self.fail_with(1, "skin", self.data, "--render", self.folder / "a.mp4", *SMALL)
+        self.assertIn("ffmpeg says: no such coder", said)
+        self.assertFalse((self.folder / "a.mp4").exists())
+
+    def test_no_ffmpeg(self):
+        with mock.patch.object(film.shutil, "which", return_value=None):
+            said = self.fail_with(1, "skin", self.data, "--render", self.folder / "a.mp4")
+        self.assertIn("needs the program ffmpeg", said)
+
+    def test_no_display(self):
+        without = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        with mock.patch.dict(os.environ, without, clear=True):
+            if scene.vtk_version() >= (9, 4):
+                scene.check_display()
+                return
+            said = self.fail_with(1, "skin", self.data, "--render", self.folder / "a.png")
+        self.assertIn("xvfb-run", said)
+
+    def test_a_folder_that_cannot_be_written(self):
+        (self.folder / "a.png").mkdir()
+        numpy.savez(self.data, positions=grid())
+        said = self.fail_with(1, "skin", self.data, "--render", self.folder / "a.png", *SMALL)
+        self.assertIn("cannot be written", said)
+
+    def test_a_morph(self):
+        from active_implicit_surfaces.skin_files import write_mesh
+        from vtkmodules.vtkFiltersSources import vtkCubeSource
+
+        cube = vtkCubeSource()
+        cube.Update()
+        path = Path(self.folder / "cube.stl")
+        write_mesh(path, cube.GetOutput())
+        output = self.folder / "m.##.png"
+        size = ["--size", "160x90", "--frames", 2]
+        self.succeed("morph", path, path, "--render", output, *size)
+        self.assertEqual(len(list(self.folder.glob("m.??.png"))), 2)
+
+
+class View(CommandTest):
+    def test_up_is_where_the_particles_are_low_along(self):
+        for axis in (1, 2):
+            heap = grid() * numpy.roll([3.0, 1.0, 3.0], axis - 1)
+            drop = numpy.array([[0.6, 0.6, 0.6]])
+            drop[0, axis] = 3.0
+            numpy.savez(self.folder / "a.npz", positions=numpy.concatenate([heap, drop]))
+            _, up = skin.find_view(open_particles(self.folder / "a.npz"))
+            self.assertEqual(up, "xyz"[axis])
+
+    def test_it_holds_all_frames_and_no_nan(self):
+        moving = moving_grid(200)
+        moving[50, 3] = numpy.nan
+        numpy.savez(self.folder / "a.npz", positions=moving)
+        held, _ = skin.find_view(open_particles(self.folder / "a.npz"))
+        # The first and the last frame are looked at, and the margin is 2 % of the longest side, or
+        # 1.2 times the spacing, .1.
+        self.assertTrue(numpy.isfinite(held).all())
+        length = 199 * 0.05 + 0.4
+        self.assertGreater(0.02 * length, 1.2 * 0.1)
+        self.assertAlmostEqual(held[:, 0].max(), length * 1.02, places=6)
+        self.assertAlmostEqual(held[:, 0].min(), -0.02 * length, places=6)
+
+    def test_no_particles_at_all(self):
+        numpy.savez(self.folder / "a.npz", positions=numpy.zeros((0, 3)))
+        self.assertEqual(skin.find_view(open_particles(self.folder / "a.npz"))[1], "y")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,301 @@
+# ctest: LABELS contract
+"""active-surface skin, morph, convert and info with every format, there and back."""
+
+import json
+import math
+import struct
+import unittest
+
+import numpy
+from active_implicit_surfaces import data_objects, skin_files
+from active_implicit_surfaces.particle_files import open_particles, read_vtk
+from active_implicit_surfaces.skin_files import read_shape
+from command_line import DROP, CommandTest, grid, moving_grid
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkSphere, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkMassProperties
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
+from vtkmodules.vtkImagingHybrid import vtkSampleFunction
+from vtkmodules.vtkIOParallelXML import vtkXMLPPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLUnstructuredGridWriter
+
+# Digits that a text file of 9 digits, or a float, keeps of coordinates below 1.
+FLOAT = 6e-8
+VOXEL = 0.05
+# Volume of a ball of radius .6: between nodes distances are off by voxel^2 / 8 / radius, and as
+# much again is cut off by flat triangles; times its area.
+LEVEL_SET_ERROR = 2 * VOXEL**2 / 8 / 0.6 * 4 * math.pi * 0.36
+
+
+def positions_of(cloud):
+    return vtk_to_numpy(cloud.GetPoints().GetData())
+
+
+def volume_of(mesh):
+    measure = vtkMassProperties()
+    measure.SetInputData(mesh)
+    return measure.GetVolume()
+
+
+class Particles(CommandTest):
+    def assert_reads(self, path, arrays=(), tolerance=FLOAT):
+        cloud = open_particles(path).load(0)
+        difference = numpy.abs(positions_of(cloud) - grid()).max()
+        self.assertLessEqual(difference, tolerance, path)
+        for name in arrays:
+            values = cloud.GetPointData().GetArray(name)
+            self.assertIsNotNone(values, f"{path}: {name}")
+            self.assertEqual(values.GetTuple(7)[0], 7.0)
+        return cloud
+
+    def test_every_format_out_and_in_again(self):
+        source = self.folder / "a.npz"
+        speeds = numpy.stack(3 * [numpy.arange(125.0)], 1)
+        numpy.savez(source, positions=grid(), id=numpy.arange(125), speed=speeds)
+        for suffix in skin_files.PARTICLE_OUT_SUFFIXES:
+            with self.subTest(suffix):
+                made = self.folder / f"b{suffix}"
+                self.succeed("convert", source, "-o", made)
+                kept = () if suffix in (".ply", ".xyz") else ("id", "speed")
+                self.assert_reads(made, kept)
+                info = json.loads(self.succeed("info", made, "--json").out)
+                self.assertEqual((info["points"], info["holds"]), (125, "particles"))
+                # The lattice's spacing.
+                self.assertAlmostEqual(info["spacing"], 0.1, delta=4 * FLOAT)
+                self.succeed("skin", made, "-o", self.folder / f"skin{suffix}.vtp")
+        self.assertEqual(self.hidden(), [])
+
+    def test_other_formats_in(self):
+        cloud = data_objects.as_particles(grid(), id=numpy.arange(125))
+        parallel = vtkXMLPPolyDataWriter()
+        parallel.SetInputData(cloud)
+        parallel.SetDataModeToBinary()
+        parallel.SetFileName(str(self.folder / "a.pvtp"))
+        parallel.Write()
+        points = vtkAppendFilter()
+        points.AddInputData(cloud)
+        points.Update()
+        self.assertIsInstance(points.GetOutput(), vtkUnstructuredGrid)
+        unstructured = vtkXMLUnstructuredGridWriter()
+        unstructured.SetInputData(points.GetOutput())
+        unstructured.SetDataModeToBinary()
+        unstructured.SetFileName(str(self.folder / "a.vtu"))
+        unstructured.Write()
+        for name in ("a.pvtp", "a.vtu"):
+            self.assert_reads(self.folder / name, ["id"])
+
+    def test_texts_of_others(self):
+        rows = [" ".join(f"{value:.9g}" for value in row) for row in grid()]
+        texts = {
+            "a.csv": ["Points:0,Points:1,Points:2", *(row.replace(" ", ",") for row in rows)],
+            "b.csv": ["X [m];Y [m];Z [m]", *(row.replace(" ", ";") for row in rows)],
+            "c.csv": ["pos_x\tpos_y\tpos_z", *(row.replace(" ", "\t") for row in rows)],
+            "d.csv": [row.replace(" ", ",") for row in rows],
+            "e.csv": ["name,z,y,x", *("a," + ",".join(r.split()[::-1]) for r in rows)],
+            "f.xyz": rows,
+            "g.xyz": ["# x y z", *rows],
+            "h.json": [json.dumps(grid().tolist())],
+            "i.json": [
+                json.dumps(
+                    {"x": list(grid()[:, 0]), "y": list(grid()[:, 1]), "z": list(grid()[:, 2])}
+                )
+            ],
+        }
+        for name, lines in texts.items():
+            with self.subTest(name):
+                (self.folder / name).write_text("\n".join(lines) + "\n")
+                self.assert_reads(self.folder / name)
+
+    def test_columns_become_vectors(self):
+        (self.folder / "a.csv").write_text("x,y,z,vx,vy,vz,T,n:0,n:1,n:2\n1,2,3,4,5,6,7,8,9,10\n")
+        cloud = open_particles(self.folder / "a.csv").load(0)
+        arrays = cloud.GetPointData()
+        self.assertEqual(positions_of(cloud).tolist(), [[1, 2, 3]])
+        self.assertEqual(arrays.GetArray("v").GetTuple(0), (4, 5, 6))
+        self.assertEqual(arrays.GetArray("T").GetTuple(0), (7,))
+        self.assertEqual(arrays.GetArray("n").GetTuple(0), (8, 9, 10))
+
+    def test_raw_floats(self):
+        (self.folder / "a.xyz").write_bytes(grid().astype("<f4").tobytes())
+        self.assert_reads(self.folder / "a.xyz")
+
+    def test_a_molecule(self):
+        path = self.folder / "water.xyz"
+        path.write_text("3\nwater\nO 0 0 0\nH 0.76 0.59 0\nH -0.76 0.59 0\n" * 2)
+        series = open_particles(path)
+        self.assertEqual(len(series), 2)
+        numbers = series.load(1).GetPointData().GetArray("atomic_number")
+        self.assertEqual([numbers.GetValue(i) for i in range(3)], [8, 1, 1])
+        self.succeed("skin", path, "--preset", "molecule", "-o", self.folder / "w_#.vtp")
+        bounds = read_vtk(self.folder / "w_0.vtp").GetBounds()
+        # Oxygen's van der Waals radius is 1.52; the hydrogens' influence is on the other side
+        # (y > 0), and adds a little; a voxel is .32.
+        self.assertAlmostEqual(bounds[2], -1.52, delta=0.16)
+
+    def test_npz_with_frames_and_times(self):
+        path = self.folder / "a.npz"
+        moving = moving_grid(3)
+        for more, times in (
+            ({}, [0, 0.04, 0.08]),
+            ({"fps": 10.0}, [0, 0.1, 0.2]),
+            ({"times": [1.0, 2.0, 4.0]}, [1, 2, 4]),
+        ):
+            numpy.savez(path, positions=moving, mass=numpy.ones(125), v=moving, **more)
+            series = open_particles(path)
+            self.assertEqual(series.times, times)
+            arrays = series.load(2).GetPointData()
+            self.assertEqual(arrays.GetArray("mass").GetNumberOfTuples(), 125)
+            self.assertEqual(arrays.GetArray("v").GetTuple(5), tuple(moving[2][5]))
+
+    def test_npz_with_counts(self):
+        path = self.folder / "a.npz"
+        numpy.savez(path, positions=grid(), id=numpy.arange(125), counts=[100, 0, 25])
+        series = open_particles(path)
+        clouds = [series.load(step) for step in range(3)]
+        self.assertEqual([cloud.GetNumberOfPoints() for cloud in clouds], [100, 0, 25])
+        self.assertEqual(positions_of(clouds[2]).tobytes(), grid()[100:].tobytes())
+        self.assertEqual(clouds[2].GetPointData().GetArray("id").GetValue(0), 100)
+
+    def test_frames_of_one_file_stay_as_they_were(self):
+        series = open_particles(DROP)
+        first = series.load(0)
+        before = positions_of(first).tobytes()
+        self.assertNotEqual(positions_of(series.load(20)).tobytes(), before)
+        self.assertEqual(positions_of(first).tobytes(), before)
+
+    def test_vdb_points(self):
+        """Of a file that OpenVDB 10 has written: the same lattice, in its own order."""
+        cloud = open_particles(DROP.with_name("lattice_points.vdb")).load(0)
+        made = numpy.array(sorted(positions_of(cloud).round(6).tolist()))
+        wanted = numpy.array(sorted(grid().round(6).tolist()))
+        self.assertLessEqual(numpy.abs(made - wanted).max(), 2e-6)
+        info = json.loads(self.succeed("info", DROP.with_name("lattice_points.vdb"), "--json").out)
+        self.assertEqual((info["holds"], info["points"]), ("particles", 125))
+
+
+class Meshes(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.cube, self.ball = self.folder / "cube.stl", self.folder / "ball.vtp"
+        cube, ball = vtkCubeSource(), vtkSphereSource()
+        ball.SetRadius(0.6)
+        ball.SetThetaResolution(48)
+        ball.SetPhiResolution(48)
+        for source, path in ((cube, self.cube), (ball, self.ball)):
+            source.Update()
+            skin_files.write_mesh(path, source.GetOutput())
+
+    def assert_same(self, made, wanted, tolerance):
+        self.assertAlmostEqual(volume_of(made), volume_of(wanted), delta=tolerance)
+        for value, other in zip(made.GetBounds(), wanted.GetBounds()):
+            self.assertAlmostEqual(value, other, delta=tolerance)
+
+    def test_morph_writes_and_reads_every_format(self):
+        wanted = None
+        for suffix in skin_files.SKIN_SUFFIXES:
+            with self.subTest(suffix):
+                name = self.folder / f"m_#{suffix}"
+                command = ["--frames", 3, "--voxel-size", VOXEL]
+                self.succeed("morph", self.cube, self.ball, "-o", name, *command)
+                level = 0.0 if suffix == ".vdb" else None
+                made = read_shape(self.folder / f"m_2{suffix}", level)
+                wanted = wanted or made
+                error = LEVEL_SET_ERROR if suffix == ".vdb" else 40 * FLOAT
+                self.assert_same(made, wanted, error)
+        self.assertEqual(self.hidden(), [])
+
+    def test_convert_between_all(self):
+        ball = read_shape(self.ball)
+        for suffix in (*skin_files.SKIN_SUFFIXES, ".vtk"):
+            with self.subTest(suffix):
+                made, back = self.folder / f"b{suffix}", self.folder / "back.ply"
+                self.succeed("convert", self.ball, "-o", made, "--voxel-size", VOXEL)
+                self.succeed("convert", made, "-o", back)
+                error = LEVEL_SET_ERROR if suffix == ".vdb" else 40 * FLOAT
+                self.assert_same(read_shape(back), ball, error)
+                info = json.loads(self.succeed("info", made, "--json").out)
+                if suffix == ".vdb":
+                    self.assertEqual(info["grids"][0]["class"], "level set")
+                else:
+                    self.assertEqual((info["holds"], info["closed"]), ("a mesh", "yes"))
+
+    def test_images(self):
+        function, sample, writer = vtkSphere(), vtkSampleFunction(), vtkXMLImageDataWriter()
+        function.SetRadius(0.6)
+        sample.SetImplicitFunction(function)
+        sample.SetModelBounds(-1, 1, -1, 1, -1, 1)
+        sample.SetSampleDimensions(41, 41, 41)
+        sample.ComputeNormalsOff()
+        writer.SetDataModeToBinary()
+        writer.SetInputConnection(sample.GetOutputPort())
+        writer.SetFileName(str(self.folder / "a.vti"))
+        writer.Write()
+        image = self.folder / "a.vti"
+        self.succeed("convert", image, "-o", self.folder / "a.ply")
+        # The function is quadratic: a cut between nodes is off by voxel^2 / 8 / .6 at most.
+        self.assertAlmostEqual(
+            read_shape(self.folder / "a.ply").GetBounds()[1], 0.6, delta=VOXEL**2 / 8 / 0.6
+        )
+        self.succeed("convert", image, "-o", self.folder / "b.ply", "--level", 0.64 - 0.36)
+        self.assertAlmostEqual(
+            read_shape(self.folder / "b.ply").GetBounds()[1], 0.8, delta=VOXEL**2 / 8 / 0.8
+        )
+        said = self.fail_with(1, "convert", image, "-o", self.folder / "c.ply", "--level", 9)
+        self.assertIn("no surface at the level 9", said)
+        self.succeed("convert", image, "-o", self.folder / "a.vdb")
+        self.assertEqual(json.loads(self.succeed("info", image, "--json").out)["holds"], "an image")
+        self.succeed("morph", image, self.cube, "-o", self.folder / "m_#.vtp", "--frames", 2)
+        made = read_shape(self.folder / "m_1.vtp")
+        self.assertAlmostEqual(made.GetBounds()[1], 0.5, delta=0.0125)
+
+    def test_particles_are_no_mesh_and_a_mesh_is_no_particles(self):
+        numpy.savez(self.folder / "a.npz", positions=grid())
+        said = self.fail_with(1, "convert", self.folder / "a.npz", "-o", self.folder / "a.stl")
+        self.assertIn("active-surface skin", said)
+        said = self.fail_with(1, "convert", self.cube, "-o", self.folder / "a.csv")
+        self.assertIn("meshes are written as", said)
+
+    def test_a_glb_is_one(self):
+        for mesh in (self.ball, self.cube):
+            self.succeed("convert", mesh, "-o", self.folder / "a.glb")
+            content = (self.folder / "a.glb").read_bytes()
+            magic, version, size, length, kind = struct.unpack_from("<4sIII4s", content)
+            self.assertEqual((magic, version, size, kind), (b"glTF", 2, len(content), b"JSON"))
+            self.assertEqual(length % 4, 0)
+        described = json.loads(content[20 : 20 + length])
+        size, kind = struct.unpack_from("<I4s", content, 20 + length)
+        self.assertEqual((size, kind), (described["buffers"][0]["byteLength"], b"BIN\0"))
+        self.assertEqual(described["accessors"][0]["max"], [0.5, 0.5, 0.5])
+
+    def test_a_series_becomes_a_series(self):
+        for step in range(2):
+            skin_files.write_mesh(self.folder / f"s_{step}.stl", read_shape(self.cube))
+        self.succeed("convert", self.folder / "s_*.stl", "-o", self.folder / "t_##.obj")
+        self.assertEqual(
+            [p.name for p in sorted(self.folder.glob("t_*"))], ["t_00.obj", "t_01.obj"]
+        )
+
+    def test_info_of_states_and_pictures(self):
+        from active_implicit_surfaces import vtkActiveEXRWriter, vtkActiveImplicitSurface
+        from vtkmodules.vtkImagingSources import vtkImageSinusoidSource
+
+        surface = vtkActiveImplicitSurface()
+        surface.SetInputData(data_objects.as_particles(grid()))
+        surface.SetParticleSpacing(0.1)
+        surface.Update()
+        self.assertTrue(surface.SaveState(str(self.folder / "s.vdb")))
+        told = self.succeed("info", self.folder / "s.vdb").out
+        self.assertIn("state: yes", told)
+        self.assertIn("name potential", told)
+        image, writer = vtkImageSinusoidSource(), vtkActiveEXRWriter()
+        image.SetWholeExtent(0, 31, 0, 15, 0, 0)
+        writer.SetInputConnection(image.GetOutputPort())
+        writer.SetFileName(str(self.folder / "p.exr"))
+        writer.Write()
+        info = json.loads(self.succeed("info", self.folder / "p.exr", "--json").out)
+        self.assertEqual((info["pixels"], info["holds"]), ([32, 16], "a picture"))
+        self.assertEqual(len(info["layers"]), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,249 @@
+# ctest: LABELS contract
+"""active-surface skin: what it makes of the data in the repository, and how a run goes on."""
+
+import io
+import itertools
+import json
+import os
+import subprocess
+import sys
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+from unittest import mock
+
+import active_implicit_surfaces
+import numpy
+from active_implicit_surfaces import api
+from active_implicit_surfaces.commands import progress, resume, skin
+from active_implicit_surfaces.particle_files import read_vtk
+from active_implicit_surfaces.skin_files import read_shape
+from command_line import DROP, CommandTest, grid, moving_grid
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def bytes_of(path):
+    return vtk_to_numpy(read_shape(path).GetPoints().GetData()).tobytes()
+
+
+class Skins(CommandTest):
+    def test_the_splash_needs_no_options(self):
+        self.succeed("skin", DROP, "-o", self.folder / "skin_####.vtp")
+        files = sorted(self.folder.glob("skin_*.vtp"))
+        self.assertEqual(len(files), 41)
+        listed = ElementTree.parse(self.folder / "skin.pvd").iter("DataSet")
+        entries = [(one.attrib["file"], float(one.attrib["timestep"])) for one in listed]
+        self.assertEqual(entries, [(file.name, i / 25) for i, file in enumerate(files)])
+        self.assertEqual(self.hidden(), [])
+        for step in (0, 20, 40):
+            self.assert_has_volume_of_particles(files[step], step)
+
+    def assert_has_volume_of_particles(self, file, step):
+        """N particles fill N cubes of their spacing, .1. Edges, 13 of the pool at the start and
+        longer in the splash, are rounded with at most the reach, .225: each unit of them loses
+        (1 - pi/4) .225^2 = .011, a fifth of the volume with those of the crown."""
+        from vtkmodules.vtkFiltersCore import vtkMassProperties
+
+        measure = vtkMassProperties()
+        measure.SetInputData(read_shape(file))
+        share = measure.GetVolume() / (992 * 0.1**3)
+        self.assertTrue(0.8 < share < 1.2, f"at {step} the volume is {share} of the particles'")
+
+    def test_the_same_skins_as_the_functions(self):
+        self.succeed("skin", DROP, "-o", self.folder / "s_#.vtp", "--times", "0:1:41")
+        frames = iter(api.frames(str(DROP), times=numpy.linspace(0, 1, 41)))
+        for step in range(3):
+            points = next(frames).skin.GetPoints().GetData()
+            self.assertEqual(
+                bytes_of(self.folder / f"s_{step}.vtp"), vtk_to_numpy(points).tobytes()
+            )
+
+    def test_one_frame_is_one_file(self):
+        numpy.savez(self.folder / "one.npz", positions=grid())
+        self.succeed("skin", self.folder / "one.npz", "-o", self.folder / "new" / "one.ply")
+        self.assertEqual([path.name for path in (self.folder / "new").iterdir()], ["one.ply"])
+
+    def test_patterns_are_series_in_the_natural_order(self):
+        for step, frame in enumerate(moving_grid(12)):
+            numpy.save(self.folder / f"p{step}.npy", frame)
+        for name in ("p*.npy", "p#.npy", "p%d.npy", "p{}.npy", "p$F.npy"):
+            with self.subTest(name):
+                output = self.folder / "s.####.vtp"
+                self.succeed("skin", self.folder / name, "-o", output, "--fps", 10)
+                last = read_shape(self.folder / "s.0011.vtp").GetCenter()[0]
+                # The lattice's middle is .2; it goes .05 a frame. A voxel is .05.
+                self.assertAlmostEqual(last, 0.2 + 11 * 0.05, delta=0.025)
+
+    def test_times_of_a_series_file_hold(self):
+        for step, frame in enumerate(moving_grid(3)):
+            numpy.save(self.folder / f"p{step}.npy", frame)
+        files = [{"name": f"p{step}.npy", "time": 2.0 + step} for step in range(3)]
+        index = self.folder / "p.npy.series"
+        index.write_text(json.dumps({"file-series-version": "1.0", "files": files}))
+        self.succeed("skin", index, "-o", self.folder / "s_#.ply")
+        made = json.loads((self.folder / "s.ply.series").read_text())["files"]
+        self.assertEqual([one["time"] for one in made], [2.0, 3.0, 4.0])
+
+    def test_times_inside_the_files_hold(self):
+        self.succeed("skin", self.save_moving(), "-o", self.folder / "a_#.vdb", "--fps", 4)
+        info = json.loads(self.succeed("info", self.folder / "a_1.vdb", "--json").out)
+        self.assertEqual((info["time"], info["frame"]), ("0.25", "1"))
+
+    def test_the_index_is_a_choice(self):
+        moving = self.save_moving(2)
+        for index, names in (
+            ("none", []),
+            ("a.series", ["a.series"]),
+            ("a.pvd", ["a.pvd", "a.series"]),
+        ):
+            self.succeed("skin", moving, "-o", "s_#.vtp", "--index", index)
+            found = [p.name for p in self.folder.iterdir() if p.suffix in (".pvd", ".series")]
+            self.assertEqual(sorted(found), names)
+        self.assertIn('file="s_1.vtp"', (self.folder / "a.pvd").read_text())
+
+    def save_moving(self, frames=4):
+        numpy.savez(self.folder / "moving.npz", positions=moving_grid(frames))
+        return self.folder / "moving.npz"
+
+    def test_every_property_is_an_option(self):
+        properties = active_implicit_surfaces.properties.every()
+        options = {name for action in skin.make_parser()._actions for name in action.option_strings}
+        for own in properties:
+            if own.kind != "function":
+                self.assertIn(own.option, options)
+        self.assertGreater(len(properties), 40)
+
+    def test_properties_reach_the_filter(self):
+        moving = self.save_moving(2)
+        chosen = "--voxel-size .04 --compute-curvature --particle-model averaged-centre".split()
+        self.succeed("skin", moving, "-o", self.folder / "a_#.vtp", *chosen)
+        made = read_vtk(self.folder / "a_1.vtp")
+        self.assertTrue(made.GetPointData().HasArray("MeanCurvature"))
+        spacing = {"voxel_size": 0.04, "particle_model": "averaged_centre"}
+        points = [frame.skin for frame in api.frames(moving_grid(2), **spacing)][1].GetPoints()
+        self.assertEqual(
+            bytes_of(self.folder / "a_1.vtp"), vtk_to_numpy(points.GetData()).tobytes()
+        )
+
+    def test_every_preset_makes_a_skin(self):
+        moving, made = self.save_moving(2), {}
+        for name in active_implicit_surfaces.presets.PRESETS:
+            with self.subTest(name):
+                self.succeed("skin", moving, "-o", self.folder / f"{name}_#.vtp", "--preset", name)
+                made[name] = bytes_of(self.folder / f"{name}_1.vtp")
+                self.assertGreater(len(made[name]), 0)
+        self.assertEqual(len(set(made.values())), len(made), "two presets give the same")
+
+
+class GoingOn(CommandTest):
+    """A run of six frames that fails at its fourth, and goes on."""
+
+    def setUp(self):
+        super().setUp()
+        for step, frame in enumerate(moving_grid(6)):
+            numpy.save(self.folder / f"p{step}.npy", frame)
+        self.command = ["skin", self.folder / "p*.npy", "-o", self.folder / "a" / "s_#.vtp"]
+        self.succeed("skin", self.folder / "p*.npy", "-o", self.folder / "b" / "s_#.vtp")
+        self.fourth = (self.folder / "p3.npy").read_bytes()
+        (self.folder / "p3.npy").write_bytes(self.fourth[:200])
+
+    def test_it_gives_the_same_bytes_and_makes_no_skin_twice(self):
+        self.fail_with(1, *self.command)
+        before = {path: path.stat().st_mtime_ns for path in (self.folder / "a").glob("s_?.vtp")}
+        self.assertEqual(len(before), 3)
+        (self.folder / "p3.npy").write_bytes(self.fourth)
+        self.succeed(*self.command, "--resume")
+        for step in range(6):
+            pair = [self.folder / name / f"s_{step}.vtp" for name in "ab"]
+            self.assertEqual(bytes_of(pair[0]), bytes_of(pair[1]), f"frame {step}")
+        for path, time in before.items():
+            self.assertEqual(path.stat().st_mtime_ns, time, f"{path} was made twice")
+
+    def test_a_series_that_has_grown_goes_on(self):
+        (self.folder / "p3.npy").write_bytes(self.fourth)
+        last = (self.folder / "p5.npy").rename(self.folder / "later")
+        self.succeed(*self.command, "--resume")
+        last.rename(self.folder / "p5.npy")
+        self.succeed(*self.command, "--resume")
+        pair = [bytes_of(self.folder / name / "s_5.vtp") for name in "ab"]
+        self.assertEqual(*pair)
+
+    def test_other_options_are_another_run(self):
+        self.fail_with(1, *self.command)
+        said = self.fail_with(1, *self.command, "--resume", "--voxel-size", ".04")
+        self.assertIn("another voxel_size (None, now 0.04)", said)
+
+    def test_a_missing_skin_is_told(self):
+        self.fail_with(1, *self.command)
+        (self.folder / "a" / "s_1.vtp").unlink()
+        self.assertIn("s_1.vtp is no longer there", self.fail_with(1, *self.command, "--resume"))
+
+    def test_damaged_notes_are_told(self):
+        self.fail_with(1, *self.command)
+        (self.folder / "a" / ".s.state.json").write_text("{")
+        self.assertIn("is damaged", self.fail_with(1, *self.command, "--resume"))
+
+    def test_a_damaged_state_is_told(self):
+        self.fail_with(1, *self.command)
+        (self.folder / "a" / ".s.state.vdb").write_bytes(b"no grid")
+        self.assertIn("holds no state", self.fail_with(1, *self.command, "--resume"))
+
+    def test_states_are_kept_while_it_runs(self):
+        (self.folder / "p3.npy").write_bytes(self.fourth)
+        with mock.patch.object(resume, "_SECONDS_BETWEEN_STATES", 0.0):
+            self.succeed(*self.command)
+        self.assertEqual(self.hidden(self.folder / "a"), [], "a finished run leaves none")
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+class Progress(unittest.TestCase):
+    def tell(self, stream, between=0.0):
+        with (
+            mock.patch.object(
+                progress.time, "monotonic", side_effect=itertools.count(0, 2).__next__
+            ),
+            mock.patch.object(progress, "_SECONDS_BETWEEN_LINES", between),
+        ):
+            told = progress.Progress(100, 40, stream=stream)  # each look at the clock takes 2 s
+            told(41)
+            told(60)
+        return stream.getvalue()
+
+    def test_a_bar_on_a_terminal(self):
+        text = self.tell(Terminal())
+        self.assertEqual(text.count("\r"), 2)
+        self.assertNotIn("\n", text)
+        # 20 frames in 4 s, and 40 to come.
+        self.assertIn("[" + 18 * "#" + 12 * "-" + "] 60 of 100 frames, 5 frames/s, 0:08 left", text)
+
+    def test_lines_elsewhere(self):
+        text = self.tell(io.StringIO())
+        self.assertEqual(text.splitlines()[-1], "60 of 100 frames, 5 frames/s, 0:08 left")
+        self.assertNotIn("\r", text)
+        self.assertEqual(self.tell(io.StringIO(), between=100.0), "", "not at every frame")
+
+
+class Program(unittest.TestCase):
+    def test_the_module_and_the_launcher_run(self):
+        package = Path(active_implicit_surfaces.__file__).parents[1]
+        launcher = next(
+            p / "bin" / "active-surface" for p in package.parents if (p / "bin").is_dir()
+        )
+        for command in ([sys.executable, "-m", "active_implicit_surfaces"], [str(launcher)]):
+            environment = {**os.environ, "PYTHONPATH": str(package)}
+            if command[0] == str(launcher):
+                del environment["PYTHONPATH"]  # it finds the package by itself
+            with self.subTest(command[-1]):
+                for arguments, code in (["--version"], 0), (["skin"], 2), (["info", "none.vtp"], 1):
+                    done = subprocess.run(
+                        [*command, *arguments], capture_output=True, text=True, env=environment
+                    )
+                    self.assertEqual(done.returncode, code, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

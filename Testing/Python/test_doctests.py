@@ -1,0 +1,31 @@
+# ctest: LABELS contract
+"""The examples in the docstrings run, and give what they say."""
+
+import doctest
+import importlib
+import pkgutil
+import unittest
+
+import active_implicit_surfaces
+
+# Need a display or files, or begin a program.
+LEFT_OUT = {"render", "__main__"}
+WITH_EXAMPLES = {"api", "data_objects", "file_names", "morphing", "properties", "series"}
+
+
+class Examples(unittest.TestCase):
+    def test_all_of_them(self):
+        seen = set()
+        for module in pkgutil.iter_modules(active_implicit_surfaces.__path__):
+            if module.name in LEFT_OUT or module.name.startswith("vtk"):
+                continue
+            with self.subTest(module.name):
+                found = importlib.import_module(f"active_implicit_surfaces.{module.name}")
+                result = doctest.testmod(found)
+                self.assertEqual(result.failed, 0)
+                seen |= {module.name} if result.attempted else set()
+        self.assertEqual(WITH_EXAMPLES - seen, set(), "have no examples")
+
+
+if __name__ == "__main__":
+    unittest.main()

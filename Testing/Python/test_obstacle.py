@@ -1,0 +1,297 @@
+# ctest: LABELS exact
+"""ObstacleFunction: the skin ends on it, closed, whatever makes it move.
+
+Run: python3 test_obstacle.py
+"""
+
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy
+from active_implicit_surfaces import vtkActiveImplicitSurface
+from listener import Listener
+from scenes import splash
+from test_splash import is_closed_manifold
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    vtkImplicitBoolean,
+    vtkPlane,
+    vtkPolyData,
+    vtkQuadric,
+    vtkSphere,
+)
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingHybrid import vtkSampleFunction
+
+VOXEL = 0.05
+RADIUS = 0.6
+HEIGHT = -0.22  # of the ground, below which the obstacle is
+
+
+def ball(radius, center=(0.0, 0.0, 0.0)):
+    sphere = vtkSphere()
+    sphere.SetRadius(radius)
+    sphere.SetCenter(center)
+    return sphere
+
+
+def ground(height=HEIGHT, normal=(0.0, 1.0, 0.0)):
+    """Negative below."""
+    plane = vtkPlane()
+    plane.SetOrigin(0.0, height, 0.0)
+    plane.SetNormal(normal)
+    return plane
+
+
+def make_surface(obstacle, **properties):
+    surface = vtkActiveImplicitSurface()
+    surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
+    surface.SetVoxelSize(VOXEL)
+    surface.SetObstacleFunction(obstacle)
+    for name, value in properties.items():
+        getattr(surface, f"Set{name}")(value)
+    return surface
+
+
+def points_of(surface):
+    return vtk_to_numpy(surface.GetOutput().GetPoints().GetData()).astype(float)
+
+
+def last(surface, column):
+    history = surface.GetHistory()
+    return history.GetValueByName(history.GetNumberOfRows() - 1, column).ToDouble()
+
+
+def content(surface):
+    return points_of(surface).tobytes()
+
+
+def cap_volume(radius, cut):
+    """Of a ball about the origin, above a plane at this height."""
+    height = radius - cut
+    return math.pi * height * height * (3 * radius - height) / 3
+
+
+def particles(places):
+    points, data = vtkPoints(), vtkPolyData()
+    points.SetData(numpy_to_vtk(numpy.array(places, float), deep=True))
+    data.SetPoints(points)
+    return data
+
+
+class TheSkinEndsOnIt(unittest.TestCase):
+    def assert_sound(self, surface, depth):
+        """Closed, and no deeper in the ground than that."""
+        self.assertTrue(is_closed_manifold(surface.GetOutput()))
+        self.assertGreaterEqual(points_of(surface)[:, 1].min(), HEIGHT - depth)
+
+    def assert_is_cap(self, surface):
+        """A plane is known exactly at the nodes and from node to node, so that only rounding, 1e-6,
+        is beyond it. Chords of the lattice take h^2 / 8R of the ball's radius, .2 % of the volume,
+        those of a mesh as much; all along the rim, of length 3.5, a triangle with two sides of a
+        voxel at most is cut off, h^2 / 2: .6 %."""
+        self.assert_sound(surface, 1e-5)
+        expected = cap_volume(RADIUS, HEIGHT)
+        self.assertAlmostEqual(last(surface, "Volume") / expected, 1.0, delta=0.01)
+
+    def test_a_ball_grows_to_a_cap(self):
+        surface = make_surface(ground(), Attraction=4, TimeStepSize=1)
+        surface.SetInitialFunction(ball(0.2, (0, 0.2, 0)))
+        surface.SetTargetFunction(ball(RADIUS))
+        surface.UpdateTimeStep(6.0)
+        self.assert_is_cap(surface)
+        # It is not pressed on the ground, by Attraction * .38: what is left is at the rim, which is
+        # within a voxel of its place.
+        self.assertLess(last(surface, "MaxSpeed"), 4 * VOXEL)
+
+    def test_every_kind_of_input_starts_as_a_cap(self):
+        source, samples, mesh = vtkSphereSource(), vtkSampleFunction(), vtkTriangleFilter()
+        source.SetRadius(RADIUS)
+        source.SetThetaResolution(96)
+        source.SetPhiResolution(96)
+        mesh.SetInputConnection(source.GetOutputPort())
+        samples.SetImplicitFunction(ball(RADIUS))
+        samples.SetModelBounds(-1, 1, -1, 1, -1, 1)
+        for port in (mesh.GetOutputPort(), samples.GetOutputPort(), None):
+            surface = make_surface(ground(), Attraction=4, TimeStepSize=1)
+            if port:
+                surface.SetInputConnection(port)
+            else:
+                surface.SetTargetFunction(ball(RADIUS))
+            for time in (0.0, 3.0):
+                surface.UpdateTimeStep(time)
+                self.assert_is_cap(surface)
+
+    def test_a_round_one_is_entered_by_a_chord_at_most(self):
+        """Distances F / |grad F| = (r^2 - R^2) / 2r have second derivatives of up to 2 / R beside
+        the surface, so that from node to node they are linear to h^2 / 4R."""
+        radius = 0.4
+        surface = make_surface(ball(radius, (0.013, -0.4, 0.02)), Attraction=4, TimeStepSize=1)
+        surface.SetInitialFunction(ball(0.2, (0, 0.5, 0)))
+        surface.SetTargetFunction(ball(0.8))
+        surface.UpdateTimeStep(4.0)
+        self.assertTrue(is_closed_manifold(surface.GetOutput()))
+        distances = numpy.linalg.norm(points_of(surface) - (0.013, -0.4, 0.02), axis=1)
+        self.assertGreater(distances.min(), radius - VOXEL * VOXEL / (4 * radius) - 1e-5)
+        self.assertLess(distances.min(), radius + VOXEL, "it touches it")
+
+    def test_tension_does_not_creep_through(self):
+        """A drop on the ground, drawn flat against it from both sides, in all models of motion."""
+        for properties in ({}, {"PaperScheme": 1}, {"VolumeControl": 1}, {"AreaControl": 1}):
+            with self.subTest(**properties):
+                surface = make_surface(ground(), Attraction=0, Tension=0.05, **properties)
+                surface.SetInitialFunction(ball(RADIUS))
+                surface.SetTargetFunction(ball(RADIUS))
+                for step in range(11):
+                    surface.UpdateTimeStep(0.1 * step)
+                    self.assert_sound(surface, 1e-5)
+
+    def test_the_volume_is_exact(self):
+        """That of the triangles, to 1e-9 in most substeps."""
+        surface = make_surface(ground(), Attraction=0, Tension=0.02, VolumeControl=2)
+        surface.SetInitialFunction(ball(RADIUS))
+        surface.SetTargetFunction(ball(RADIUS))
+        surface.UpdateTimeStep(0.0)
+        volume = last(surface, "Volume")
+        for step in range(1, 11):
+            surface.UpdateTimeStep(0.1 * step)
+            self.assertAlmostEqual(last(surface, "Volume") / volume, 1.0, delta=1e-6)
+            self.assert_sound(surface, 1e-5)
+
+    def test_walls_hold_too(self):
+        surface = make_surface(ground(), Attraction=4, TimeStepSize=1, BoundedDomain=1)
+        surface.SetModelBounds(-1, 0.3, -1, 1, -1, 1)
+        surface.SetTargetFunction(ball(RADIUS))
+        for time in (0.0, 3.0):
+            surface.UpdateTimeStep(time)
+            self.assert_sound(surface, 1e-5)
+            self.assertLess(points_of(surface)[:, 0].max(), 0.3 + 1e-5)
+            self.assertLess(last(surface, "Volume"), 0.95 * cap_volume(RADIUS, HEIGHT))
+
+    def test_neither_of_two_is_entered(self):
+        """The ground and a ceiling, as a union."""
+        both = vtkImplicitBoolean()
+        both.SetOperationTypeToUnion()
+        both.AddFunction(ground())
+        both.AddFunction(ground(-0.3, (0.0, -1.0, 0.0)))
+        both.GetFunction().GetItemAsObject(1).SetOrigin(0.0, 0.3, 0.0)
+        surface = make_surface(both, Attraction=4)
+        surface.SetTargetFunction(ball(RADIUS))
+        surface.UpdateTimeStep(1.0)
+        self.assert_sound(surface, 1e-5)
+        self.assertLess(points_of(surface)[:, 1].max(), 0.3 + 1e-5)
+
+
+class OverParticles(unittest.TestCase):
+    def test_the_start_and_new_parts_are_outside_of_it(self):
+        """The rock lies where the drop of the splash falls; the sparse start, new parts, and the way
+        of the particles: nothing is inside. Chords as above."""
+        rock, radius = ball(0.25, (0.0, 0.05, 0.0)), 0.25
+        _, surface = splash()
+        surface.SetObstacleFunction(rock)
+        for step in range(0, 41, 4):
+            surface.UpdateTimeStep(step)
+            self.assertTrue(is_closed_manifold(surface.GetOutput()))
+            distances = numpy.linalg.norm(points_of(surface) - (0.0, 0.05, 0.0), axis=1)
+            self.assertGreater(distances.min(), radius - 0.03 * 0.03 / (4 * radius) - 1e-5)
+
+    def test_a_particle_inside_has_no_part_and_is_not_lost(self):
+        places = [(0.2 * i, 0.2 * j, 0.2 * k) for i in range(4) for j in range(4) for k in range(4)]
+        surface = make_surface(ball(0.5, (3.0, 0.0, 0.0)), ParticleSpacing=0.2)
+        surface.SetModelBounds(-1, 5, -1, 1, -1, 1)
+        surface.SetInputDataObject(particles([*places, (3.0, 0.0, 0.0), (3.1, 0.1, 0.0)]))
+        surface.SetInitialFunction(ball(0.3, (0.3, 0.3, 0.3)))
+        surface.SetTimeStepSize(1.0)
+        surface.SetAttraction(4.0)
+        surface.UpdateTimeStep(3.0)
+        self.assertEqual(last(surface, "Components"), 1)
+        self.assertLess(points_of(surface)[:, 0].max(), 1.0)
+        self.assertEqual(last(surface, "Outside"), 0.0)
+
+
+class ItIsPartOfTheMotion(unittest.TestCase):
+    def make(self, obstacle):
+        surface = make_surface(obstacle, Attraction=4, Tension=0.01, CheckpointInterval=3)
+        surface.SetInitialFunction(ball(0.3, (0, 0.2, 0)))
+        surface.SetTargetFunction(ball(RADIUS))
+        return surface
+
+    def at(self, time, obstacle=None, **properties):
+        surface = self.make(obstacle or ground())
+        for name, value in properties.items():
+            getattr(surface, f"Set{name}")(value)
+        surface.UpdateTimeStep(time)
+        return content(surface)
+
+    def test_threads_and_order_leave_no_trace(self):
+        expected = self.at(0.7, NumberOfThreads=1)
+        self.assertEqual(self.at(0.7, NumberOfThreads=2), expected)
+        turned = ground()  # functions with a transform are evaluated by one thread
+        turned.SetTransform(vtkTransform())
+        self.assertEqual(self.at(0.7, turned), expected)
+        surface = self.make(ground())
+        for time in (1.0, 0.25, 0.7, 0.4, 0.7):
+            surface.UpdateTimeStep(time)
+        self.assertEqual(content(surface), expected)
+
+    def test_a_state_goes_on(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = str(Path(folder) / "state.vdb")
+            first, second = self.make(ground()), self.make(ground())
+            first.UpdateTimeStep(0.4)
+            self.assertTrue(first.SaveState(file))
+            second.LoadState(file)
+            second.UpdateTimeStep(0.7)
+            self.assertEqual(content(second), self.at(0.7))
+
+    def test_a_change_restarts(self):
+        plane = ground()
+        surface = self.make(plane)
+        surface.UpdateTimeStep(0.7)
+        plane.SetOrigin(0.0, -0.1, 0.0)
+        surface.UpdateTimeStep(0.7)
+        self.assertEqual(content(surface), self.at(0.7, ground(-0.1)))
+        lifted, transform = ground(), vtkTransform()
+        lifted.SetTransform(transform)
+        surface.SetObstacleFunction(lifted)
+        surface.UpdateTimeStep(0.7)
+        transform.Translate(0.0, -0.12, 0.0)  # of the point that is looked at
+        surface.UpdateTimeStep(0.7)
+        self.assertGreater(points_of(surface)[:, 1].min(), -0.1 - 1e-5)
+        surface.SetObstacleFunction(None)
+        surface.UpdateTimeStep(0.7)
+        self.assertLess(points_of(surface)[:, 1].min(), -0.4)
+
+
+class WhatCannotBe(unittest.TestCase):
+    def test_one_that_covers_all_leaves_nothing(self):
+        surface = make_surface(ground(2.0))
+        surface.SetTargetFunction(ball(RADIUS))
+        messages = Listener(surface)
+        surface.UpdateTimeStep(0.5)
+        self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
+        self.assertEqual(len(messages.warnings), 1)
+        self.assertIn("The obstacle covers the initial shape", messages.warnings[0])
+        self.assertEqual(messages.errors, [])
+
+    def test_one_that_is_not_a_number_is_an_error(self):
+        nowhere = vtkQuadric()
+        nowhere.SetCoefficients([math.nan] * 10)
+        surface = make_surface(nowhere)
+        surface.SetTargetFunction(ball(RADIUS))
+        messages = Listener(surface)
+        surface.UpdateTimeStep(0.5)
+        self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
+        self.assertIn("ObstacleFunction is not a number within", messages.errors[0])
+        surface.SetObstacleFunction(ground())
+        surface.UpdateTimeStep(0.5)
+        self.assertGreater(surface.GetOutput().GetNumberOfPoints(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,294 @@
+# ctest: LABELS contract
+"""skin, frames, morph, LiveSurface ...: what goes in, what comes out, what is refused."""
+
+import gc
+import math
+import sys
+import types
+import unittest
+import warnings
+from pathlib import Path
+
+import active_implicit_surfaces as active
+import numpy
+from active_implicit_surfaces import data_objects, properties
+from command_line import DROP, grid, moving_grid
+from python_data import Library, as_array, make_points, volume_of
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkSphere, vtkTable, vtkUnstructuredGrid
+
+SPACING = {"particle_spacing": 0.1}
+
+
+def bytes_of(skin):
+    return vtk_to_numpy(skin.GetPoints().GetData()).tobytes()
+
+
+class Particles(unittest.TestCase):
+    def test_every_kind_gives_the_same_skin(self):
+        wanted = bytes_of(active.skin(grid(), **SPACING))
+        kinds = {
+            "list": grid().tolist(),
+            "vtkPolyData": make_points(grid()),
+            "vtkUnstructuredGrid": make_points(grid(), vtkUnstructuredGrid),
+            "meshio": Library(points=grid(), cells=[], point_data={"a": numpy.ones(125)}),
+            "trimesh": Library(vertices=grid(), faces=numpy.zeros((0, 3), int)),
+            "strided": numpy.hstack([grid(), grid()])[:, 3:],
+        }
+        for name, particles in kinds.items():
+            with self.subTest(name):
+                self.assertEqual(bytes_of(active.skin(particles, **SPACING)), wanted)
+
+    def test_the_skin_has_the_volume_of_the_particles(self):
+        # A cube of side 1, whose 12 edges are rounded with at most the reach, 2.25 spacings: each
+        # loses (1 - pi/4) of the reach squared.
+        skin = active.skin(grid(10), **SPACING)
+        lost = 12 * (1 - math.pi / 4) * 0.225**2
+        self.assertAlmostEqual(volume_of(skin), 1.0, delta=lost)
+
+    def test_memory_is_shared(self):
+        for numbers in (grid(), grid().astype("f4")):
+            cloud = data_objects.as_particles(numbers, weight=numbers[:, 0].copy())
+            self.assertTrue(numpy.shares_memory(vtk_to_numpy(cloud.GetPoints().GetData()), numbers))
+
+    def test_shared_memory_outlives_the_array(self):
+        cloud = data_objects.as_particles(grid())
+        gc.collect()
+        filler = [numpy.full((125, 3), numpy.nan) for _ in range(100)]
+        self.assertEqual(vtk_to_numpy(cloud.GetPoints().GetData()).tobytes(), grid().tobytes())
+        del filler
+
+    def test_reaches_may_be_an_array_or_its_name(self):
+        reaches = numpy.full(125, 0.3)
+        cloud = make_points(grid())
+        array = as_array(reaches)
+        array.SetName("size")
+        cloud.GetPointData().AddArray(array)
+        by_name = active.skin(cloud, radii="size", particle_model="sum", voxel_size=0.05)
+        by_array = active.skin(grid(), radii=reaches, particle_model="sum", voxel_size=0.05)
+        other = active.skin(grid(), radii=reaches / 2, particle_model="sum", voxel_size=0.05)
+        self.assertEqual(bytes_of(by_name), bytes_of(by_array))
+        self.assertNotEqual(bytes_of(by_name), bytes_of(other))
+
+    def test_arrays_come_out_again(self):
+        heights = {"height": grid()[:, 1].astype("f4")}
+        skin = active.skin(grid(), arrays=heights, pass_target_arrays=True, **SPACING)
+        self.assertTrue(skin.GetPointData().HasArray("height"))
+
+    def test_pyvista_comes_out_where_pyvista_went_in(self):
+        pyvista = types.ModuleType("pyvista")
+        pyvista.wrap = lambda skin: ("wrapped", skin)
+        kind = type("PolyData", (vtkPolyData,), {"__module__": "pyvista.core.pointset"})
+        cloud = kind()
+        cloud.ShallowCopy(make_points(grid()))
+        sys.modules["pyvista"] = pyvista
+        self.addCleanup(sys.modules.pop, "pyvista")
+        self.assertEqual(active.skin(cloud, **SPACING)[0], "wrapped")
+        self.assertEqual(next(iter(active.frames([cloud, cloud], **SPACING))).skin[0], "wrapped")
+
+    def test_what_is_no_set_of_particles(self):
+        cases = {
+            "no set of particles": ["text", vtkTable(), {"a": 1}, vtkSphere()],
+            "n rows and 3 columns": [numpy.zeros((4, 2)), numpy.zeros(3), numpy.zeros((2, 4, 3))],
+        }
+        for words, things in cases.items():
+            for thing in things:
+                refused = self.assertRaisesRegex((TypeError, ValueError), words)
+                with self.subTest(type(thing).__name__), refused:
+                    active.skin(thing)
+        with self.assertRaisesRegex(ValueError, "each needs one row"):
+            active.skin(grid(), radii=numpy.ones(3))
+
+
+class Properties(unittest.TestCase):
+    def test_every_property_is_a_keyword(self):
+        surface = active.vtkActiveImplicitSurface()
+        for own in properties.every():
+            with self.subTest(own.name):
+                properties.put(surface, {own.keyword: own.default})
+                if own.kind == "switch":
+                    properties.put(surface, {own.keyword: not own.default})
+                    self.assertEqual(getattr(surface, "Get" + own.name)(), not own.default)
+                for number, word in enumerate(own.choices):
+                    properties.put(surface, {own.keyword: word})
+                    self.assertEqual(getattr(surface, "Get" + own.name)(), number)
+
+    def test_choices_are_the_classes_own(self):
+        surface = active.vtkActiveImplicitSurface()
+        for own in properties.every():
+            if own.kind == "choice":
+                self.assertEqual(len(own.choices), getattr(surface, f"Get{own.name}MaxValue")() + 1)
+
+    def test_unknown_ones_name_the_nearest(self):
+        for call in (active.skin, active.frames, active.morph, active.LiveSurface):
+            arguments = {active.morph: [vtkSphere(), vtkSphere()], active.LiveSurface: []}.get(
+                call, [moving_grid(2) if call is active.frames else grid()]
+            )
+            with self.subTest(call.__name__), self.assertRaisesRegex(TypeError, "'voxel_size'"):
+                call(*arguments, voxelsize=1)
+
+    def test_values_out_of_range(self):
+        for keyword, value, words in (
+            ("anisotropy", 300, "1 to 100"),
+            ("tension", -1, ">= 0"),
+            ("particle_model", "round", "sum, averaged_centre, anisotropic"),
+            ("particle_model", 7, "range"),
+        ):
+            with self.subTest(keyword), self.assertRaisesRegex(ValueError, words):
+                active.skin(grid(), **{keyword: value})
+        for keyword, value in ("tension", "much"), ("model_bounds", 3), ("number_of_threads", 1.5):
+            with self.subTest(keyword), self.assertRaisesRegex(TypeError, keyword):
+                active.skin(grid(), **{keyword: value})
+        with self.assertRaisesRegex(ValueError, "no preset 'oil'"):
+            active.skin(grid(), preset="oil")
+
+
+class Errors(unittest.TestCase):
+    def test_the_filters_error_is_a_ValueError_with_its_sentence(self):
+        with self.assertRaises(ValueError) as caught:
+            active.skin(grid(), voxel_size=0.001, maximum_number_of_active_voxels=10)
+        self.assertRegex(str(caught.exception), r"^[A-Z].*MaximumNumberOfActiveVoxels.*\.$")
+        self.assertNotIn("0x", str(caught.exception))
+
+    def test_the_filters_warning_is_a_warning(self):
+        with self.assertWarnsRegex(active.ActiveSurfaceWarning, "ParticleSpacing of 0.1 is used"):
+            active.skin(grid())
+
+    def test_files_are_an_OSError(self):
+        with self.assertRaisesRegex(OSError, "no file"):
+            active.frames("none.vtp")
+
+    def test_an_exception_of_a_function_of_time_comes_through(self):
+        def fail(time):
+            if time:
+                raise KeyError("mine")
+            return grid()
+
+        skins = iter(active.frames(fail, times=[0, 1], **SPACING))
+        next(skins)
+        with self.assertRaisesRegex(KeyError, "mine"):
+            next(skins)
+
+
+class Series(unittest.TestCase):
+    def centres(self, *arguments, **options):
+        return [f.skin.GetCenter()[0] for f in active.frames(*arguments, **SPACING, **options)]
+
+    def test_every_kind_of_series_gives_the_same_skins(self):
+        moving = moving_grid()
+        wanted = self.centres(moving, fps=10)
+        # The lattice's middle is .2, and goes .05 a frame; a voxel is .05.
+        for step, centre in enumerate(wanted):
+            self.assertAlmostEqual(centre, 0.2 + 0.05 * step, delta=0.0125)
+        times = [0, 0.1, 0.2, 3 / 10]
+        kinds = {
+            "list": [list(moving)],
+            "generator": [frame for frame in moving],
+            "series": active.ParticleSeries(moving, fps=10),
+            "source": active.temporal_source(lambda time: moving[round(10 * time)], times),
+        }
+        self.assertEqual(self.centres(list(moving), times=times), wanted)
+        self.assertEqual(self.centres((frame for frame in moving), fps=10), wanted)
+        self.assertEqual(self.centres(kinds["series"]), wanted)
+        self.assertEqual(self.centres(kinds["source"]), wanted)
+        self.assertEqual(self.centres(lambda t: moving[round(10 * t)], times=times), wanted)
+
+    def test_files(self):
+        skins = active.frames(DROP)
+        self.assertEqual(len(skins), 41)
+        self.assertEqual(active.ParticleSeries(Path(DROP), fps=10).times[-1], 4.0)
+
+    def test_progress(self):
+        told = []
+        list(active.frames(moving_grid(), progress=lambda *n: told.append(n), **SPACING))
+        self.assertEqual(told, [(1, 4), (2, 4), (3, 4), (4, 4)])
+
+    def test_skins_stay_as_they_were(self):
+        skins = [frame.skin for frame in active.frames(moving_grid(), **SPACING)]
+        self.assertEqual(len({bytes_of(skin) for skin in skins}), 4)
+
+    def test_ids_are_found(self):
+        shuffled = [
+            data_objects.as_particles(frame[::order], ids=numpy.arange(125)[::order])
+            for frame, order in zip(moving_grid(2), (1, -1))
+        ]
+        self.assertEqual(self.centres(shuffled), self.centres(moving_grid(2)))
+        lost = self.centres(shuffled, arrays={"ids": ""})
+        self.assertNotEqual(lost, self.centres(moving_grid(2)))
+
+    def test_what_is_no_series(self):
+        with self.assertRaisesRegex(ValueError, "no frames"):
+            active.ParticleSeries([])
+        with self.assertRaisesRegex(ValueError, "2 times for 4 frames"):
+            active.ParticleSeries(moving_grid(), times=[0, 1])
+        with self.assertRaisesRegex(ValueError, "increase"):
+            active.ParticleSeries(moving_grid(2), times=[1, 1])
+        with self.assertRaisesRegex(ValueError, "more than 0"):
+            active.ParticleSeries(moving_grid(2), fps=0)
+        with self.assertRaisesRegex(TypeError, "needs `times`"):
+            active.frames(lambda time: grid())
+        with self.assertRaisesRegex(TypeError, "not of 'colors'"):
+            active.frames(moving_grid(2), arrays={"colors": "c"})
+
+
+class Live(unittest.TestCase):
+    def test_pushed_frames_give_the_same_bytes_as_the_finished_series(self):
+        moving = moving_grid(6)
+        times = list(numpy.cumsum([0.0, 0.1, 0.1, 0.2, 0.1, 0.1]))
+        for options in ({}, SPACING, {"preset": "water"}, {"transport": 0.0}):
+            with self.subTest(options):
+                if "preset" in options:
+                    # A preset knows the usual interval of a series: of the live one, the first dt.
+                    self.assertEqual(numpy.median(numpy.diff(times)).round(9), 0.1)
+                wanted = [bytes_of(f.skin) for f in active.frames(moving, times=times, **options)]
+                live = active.LiveSurface(**options)
+                steps = [0.1, *numpy.diff(times)]
+                made = [bytes_of(live.advance(f, dt)) for f, dt in zip(moving, steps)]
+                self.assertEqual(made, wanted)
+
+    def test_a_push_costs_the_substeps_of_one_frame(self):
+        live, counts = active.LiveSurface(**SPACING), []
+        for step in range(20):
+            live.surface.ResetCounters()
+            live.advance(grid() + [0.05 * step, 0, 0], 0.1)
+            counts.append(live.surface.GetSubsteps())
+        self.assertLessEqual(max(counts[1:]), 2 * min(counts[1:]))
+        self.assertEqual(live.surface.GetHistory().GetNumberOfRows(), 20)
+        self.assertEqual(len(live._frames), 2)
+
+    def test_time_and_errors(self):
+        live = active.LiveSurface(start=3.0, **SPACING)
+        live.advance(grid(), 0.5)
+        self.assertEqual(live.time, 3.0)
+        live.advance(grid(), 0.5)
+        self.assertEqual(live.time, 3.5)
+        for dt in (0, -1, math.nan, math.inf):
+            with self.assertRaisesRegex(ValueError, "dt has to be"):
+                live.advance(grid(), dt)
+        with self.assertRaisesRegex(ValueError, "3 columns"):
+            live.advance(numpy.zeros((3, 2)), 0.5)
+        self.assertGreater(live.advance(grid(), 0.5).GetNumberOfPoints(), 0)
+        self.assertEqual(live.time, 4.0)
+
+
+class Annotations(unittest.TestCase):
+    def test_the_stub_names_what_the_package_has(self):
+        folder = Path(active.__file__).parent
+        self.assertTrue((folder / "py.typed").exists())
+        text = (folder / "__init__.pyi").read_text()
+        for name in active._FUNCTIONS:
+            self.assertIn(f" as {name}\n", text)
+            self.assertTrue(callable(getattr(active, name)))
+            self.assertIn(name, dir(active))
+        for name in (n for n in vars(active) if n.startswith("vtkActive") and n[9:10].isupper()):
+            if isinstance(getattr(active, name), type):
+                self.assertIn(f"{name}: Any", text)
+
+    def test_no_other_attribute(self):
+        with self.assertRaisesRegex(AttributeError, "'skins'"):
+            _ = active.skins
+
+
+if __name__ == "__main__":
+    warnings.simplefilter("ignore", active.ActiveSurfaceWarning)
+    unittest.main(warnings=None)

@@ -1,0 +1,156 @@
+# ctest: LABELS contract
+"""morph and plot_history: shapes in, arrival on time; what a plot shows, what is refused."""
+
+import math
+import sys
+import types
+import unittest
+import warnings
+
+import active_implicit_surfaces as active
+import numpy
+from active_implicit_surfaces import history
+from command_line import grid, moving_grid
+from python_data import Library, make_points, volume_of
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkSphere
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
+
+SPACING = {"particle_spacing": 0.1}
+
+
+def output_of(source):
+    source.Update()
+    return source.GetOutput()
+
+
+def ball(radius=0.6, resolution=64):
+    source = vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
+    return output_of(source)
+
+
+def cube():
+    return output_of(vtkCubeSource())
+
+
+class Morphs(unittest.TestCase):
+    def test_it_arrives_at_the_end(self):
+        for duration in (1.0, 20.0):
+            way = list(active.morph(cube(), ball(), duration, frames=11, voxel_size=0.05))
+            self.assertEqual([frame.time for frame in way], [duration * i / 10 for i in range(11)])
+            # At the end within half a voxel of the ball, everywhere.
+            last = numpy.linalg.norm(vtk_to_numpy(way[-1].skin.GetPoints().GetData()), axis=1)
+            self.assertLess(numpy.abs(last - 0.6).max(), 0.5 * 0.05)
+            self.assertAlmostEqual(volume_of(way[0].skin), 1.0, delta=0.025 * 6)
+            # And not at half of the time: where the corners were, it is farther than the quarter
+            # of a voxel that is taken for arrived.
+            radii = numpy.linalg.norm(vtk_to_numpy(way[5].skin.GetPoints().GetData()), axis=1)
+            self.assertGreater(radii.max(), 0.6 + 0.25 * 0.05)
+
+    def test_limbs_grow_to_their_ends_at_an_even_speed(self):
+        bar = vtkCubeSource()
+        bar.SetXLength(2)
+        bar.SetYLength(0.2)
+        bar.SetZLength(0.2)
+        way = active.morph(ball(0.3), output_of(bar), 3.0, frames=7, voxel_size=0.02)
+        reached = numpy.array([frame.skin.GetBounds()[1] for frame in way])
+        # From .3 to 1 evenly: 35 voxels. The last of them takes ln 4 times as long, as it ends at a
+        # quarter of a voxel, and the whole is known to the time of a voxel. And half a voxel.
+        expected = 0.3 + 0.7 * numpy.arange(7) / 6
+        late = 0.7 * (math.log(4) + 1) / 35
+        self.assertLess(numpy.abs(reached - expected).max(), late + 0.01)
+        self.assertLess(abs(reached[-1] - 1.0), 0.01)
+
+    def test_each_warning_comes_once(self):
+        apart = vtkSphereSource()
+        apart.SetCenter(3, 0, 0)
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            list(active.morph(cube(), output_of(apart), frames=3, voxel_size=0.1))
+        self.assertEqual(sum("vanished" in str(one.message) for one in told), 1)
+
+    def test_every_kind_of_shape(self):
+        faces = numpy.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4]])
+        faces = numpy.vstack([faces, [[1, 5, 7, 3]]])
+        corners = numpy.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) / 2
+        split = numpy.vstack([faces[:, [0, 1, 2]], faces[:, [0, 2, 3]]])
+        blocks = [types.SimpleNamespace(type="quad", data=faces)]
+        function = vtkSphere()
+        function.SetRadius(0.6)
+        kinds = {
+            "trimesh": Library(vertices=corners, faces=split),
+            "meshio": Library(points=corners, cells=blocks),
+        }
+        wanted = [volume_of(f.skin) for f in active.morph(cube(), ball(), frames=3, voxel_size=0.1)]
+        for name, shape in kinds.items():
+            with self.subTest(name):
+                way = active.morph(shape, ball(), frames=3, voxel_size=0.1)
+                for frame, volume in zip(way, wanted):
+                    self.assertAlmostEqual(volume_of(frame.skin), volume, delta=0.02)
+        way = active.morph(cube(), function, frames=3, voxel_size=0.1)
+        self.assertAlmostEqual(volume_of(list(way)[-1].skin), wanted[-1], delta=0.02)
+
+    def test_what_is_no_morph(self):
+        for arguments, words in (
+            (dict(duration=0), "duration"),
+            (dict(duration=1, frames=1), "frames"),
+        ):
+            with self.assertRaisesRegex(ValueError, words):
+                active.morph(cube(), ball(), **arguments)
+        with self.assertRaisesRegex(TypeError, "no mesh"):
+            active.morph("cube", ball())
+        with self.assertRaisesRegex(ValueError, "no polygons"):
+            active.morph(make_points(grid()), ball())
+
+
+class Axes:
+    """What plot_history uses of matplotlib's axes."""
+
+    def __init__(self):
+        self.calls = []
+
+    def get_ylim(self):
+        return 0.0, 1.0
+
+    def __getattr__(self, name):
+        return lambda *arguments, **options: self.calls.append((name, arguments))
+
+
+class Plots(unittest.TestCase):
+    def setUp(self):
+        self.skins = active.frames(moving_grid(), **SPACING)
+        self.times = [frame.time for frame in self.skins]
+
+    def test_columns_over_time(self):
+        axes = [Axes(), Axes()]
+        active.plot_history(self.skins, ("Volume", "Components"), axes=axes)
+        (name, (times, values)) = axes[1].calls[0]
+        self.assertEqual((name, times, values), ("plot", self.times, [1, 1, 1, 1]))
+        self.assertIn(("set_xlabel", ("Time",)), axes[1].calls)
+
+    def test_what_cannot_be_plotted(self):
+        with self.assertRaisesRegex(ValueError, "no column 'Weight'; it has Time"):
+            active.plot_history(self.skins, ["Weight"], axes=[Axes()])
+        with self.assertRaisesRegex(ValueError, "1 axes for 2 columns"):
+            active.plot_history(self.skins, ["Volume", "Area"], axes=[Axes()])
+        with self.assertRaisesRegex(ValueError, "no history yet"):
+            active.plot_history(active.vtkActiveImplicitSurface(), axes=[Axes()])
+
+    def test_without_matplotlib(self):
+        hidden = {name: sys.modules.get(name) for name in ("matplotlib", "matplotlib.pyplot")}
+        sys.modules.update(dict.fromkeys(hidden))
+        try:
+            with self.assertRaisesRegex(ImportError, "matplotlib, which is not installed"):
+                history.plot_history(self.skins)
+        finally:
+            for name, module in hidden.items():
+                sys.modules.pop(name)
+                if module is not None:
+                    sys.modules[name] = module
+
+
+if __name__ == "__main__":
+    unittest.main()
