@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -46,6 +47,7 @@ struct vtkGridPotential::Internals
   // What FindParts has found of the samples.
   std::shared_ptr<const activesurface::LatticeParts> Parts;
   double LevelOfParts = 0.0;
+  std::mutex Finding;
 };
 
 vtkGridPotential::vtkGridPotential()
@@ -205,7 +207,7 @@ std::shared_ptr<const activesurface::LatticeParts> vtkGridPotential::FindParts(d
 {
   this->Build();
   Internals& own = *this->Internal;
-  const std::lock_guard<std::mutex> lock(own.Building);
+  const std::lock_guard<std::mutex> lock(own.Finding);
   if (!own.Parts || own.LevelOfParts != level)
   {
     activesurface::LatticeShape shape;
