@@ -13,4 +13,24 @@
 #include <openvdb/openvdb.h>
 #pragma GCC visibility pop
 
+/** Calls X with the name of each type of tree whose grids sources here make. */
+#define OpenVDB_ForEachTree(X)                                                                     \
+  X(BoolTree)                                                                                      \
+  X(MaskTree)                                                                                      \
+  X(FloatTree)                                                                                     \
+  X(DoubleTree)                                                                                    \
+  X(Int32Tree)                                                                                     \
+  X(Int64Tree)                                                                                     \
+  X(Vec3STree)                                                                                     \
+  X(Vec3DTree)                                                                                     \
+  X(Vec3ITree)
+
+// The virtual functions of a grid take ten seconds to compile. OpenVDB.cxx compiles them, once for
+// each type, and not each source that makes a grid.
+#define OpenVDB_Declare(Name)                                                                      \
+  extern template class openvdb::tree::Tree<openvdb::Name::RootNodeType>;                          \
+  extern template class openvdb::Grid<openvdb::Name>;
+OpenVDB_ForEachTree(OpenVDB_Declare)
+#undef OpenVDB_Declare
+
 #endif

@@ -1,5 +1,6 @@
 #include "SkinDistance.h"
 
+#include "LatticeCell.h"
 #include "Leaves/LeafTable.h"
 #include "NarrowBand.h"
 #include "OpenVDB.h"
@@ -82,7 +83,6 @@ struct SkinDistance::State
   void ReadLeaves(const LeafTable& table);
   void ReadNode(
     Reader& potential, Reader& norms, const openvdb::Coord& node, double& u, double& norm) const;
-  bool IsFarOutside(const double place[3]) const;
 
   const double VoxelSize;
   PotentialTree Potential;
@@ -121,18 +121,6 @@ void SkinDistance::State::ReadNode(
   norm = leaf ? norms.getValue(node) : 1.f;
 }
 
-/** Also what would not fit into lattice coordinates; place in voxels. */
-bool SkinDistance::State::IsFarOutside(const double place[3]) const
-{
-  bool isOutside = this->Leaves.empty();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    isOutside = isOutside || place[axis] < this->Leaves.min()[axis] - 1.0 ||
-      place[axis] > this->Leaves.max()[axis] + 1.0;
-  }
-  return isOutside;
-}
-
 SkinDistance::SkinDistance(const NarrowBand& band)
   : Members(std::make_unique<State>(band))
 {
@@ -151,24 +139,20 @@ double SkinDistance::Evaluate(const double x[3], double* gradient) const
   {
     std::fill_n(gradient, 3, isFinite ? 0.0 : far);
   }
-  if (!isFinite || own.IsFarOutside(place))
+  if (!isFinite || IsBeyond(own.Leaves, place))
   {
     return far;
   }
-  openvdb::Coord lower;
-  double t[3], u[CornersOfCell], norm[CornersOfCell];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    lower[axis] = static_cast<int>(std::floor(place[axis]));
-    t[axis] = place[axis] - lower[axis];
-  }
+  const LatticeCell cell(place);
+  double u[CornersOfCell], norm[CornersOfCell];
   Reader potential(own.Potential), norms(own.GradientNorms);
   for (int c = 0; c < CornersOfCell; ++c)
   {
-    own.ReadNode(potential, norms, lower.offsetBy(c >> 2, c >> 1 & 1, c & 1), u[c], norm[c]);
+    own.ReadNode(potential, norms, cell.Corner(c), u[c], norm[c]);
   }
   double rise[3], bend[3];
-  const double level = Trilinear(u, t, rise), steepness = Trilinear(norm, t, bend);
+  const double level = Trilinear(u, cell.Fraction, rise);
+  const double steepness = Trilinear(norm, cell.Fraction, bend);
   const double distance = level / steepness;
   if (std::fabs(distance) >= HalfWidth)
   {

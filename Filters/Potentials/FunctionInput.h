@@ -9,7 +9,9 @@
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <atomic>
+#include <mutex>
 
 class vtkAlgorithmOutput;
 
@@ -31,6 +33,11 @@ public:
   // The same as of the last FindMTime, cheap and for threads.
   vtkMTimeType GetMTime() const;
 
+  // Calls read() by one thread, unless nothing has changed since the last call: neither the input,
+  // as GetMTime has it, nor the function, as of changed. Others wait.
+  template <class Read>
+  void ReadIfChanged(vtkMTimeType changed, Read&& read);
+
   // Brings all of the algorithm's output up to date, at the time that it was last asked for. By one
   // thread.
   void Update();
@@ -46,7 +53,26 @@ private:
   vtkMTimeType PipelineTime = 0;
   vtkMTimeType DataTime = 0;
   std::atomic<vtkMTimeType> Changed{ 0 };
+
+  std::mutex Reading;
+  std::atomic<vtkMTimeType> ReadTime{ 0 };
 };
+
+template <class Read>
+void FunctionInput::ReadIfChanged(vtkMTimeType changed, Read&& read)
+{
+  const vtkMTimeType latest = std::max(changed, this->GetMTime());
+  if (this->ReadTime.load(std::memory_order_acquire) == latest)
+  {
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(this->Reading);
+  if (this->ReadTime.load(std::memory_order_relaxed) != latest)
+  {
+    read();
+    this->ReadTime.store(latest, std::memory_order_release);
+  }
+}
 
 }
 

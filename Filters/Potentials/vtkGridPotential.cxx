@@ -22,7 +22,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <mutex>
 #include <stdexcept>
@@ -44,12 +43,11 @@ struct vtkGridPotential::Internals
   std::shared_ptr<const activesurface::GridSamples> Samples;
   std::string Defects;
   std::string Error;
-  std::mutex Building;
-  std::atomic<vtkMTimeType> BuildTime{ 0 };
 
   // What FindParts has found of the samples.
   std::shared_ptr<const activesurface::LatticeParts> Parts;
   double LevelOfParts = 0.0;
+  std::mutex Finding;
 };
 
 vtkGridPotential::vtkGridPotential()
@@ -113,20 +111,9 @@ vtkMTimeType vtkGridPotential::GetMTime()
 
 void vtkGridPotential::Build()
 {
-  Internals& own = *this->Internal;
   // Not GetMTime(): a change of the transform leaves the samples as they are.
-  const vtkMTimeType changed = // NOLINTNEXTLINE(bugprone-parent-virtual-call)
-    std::max(this->vtkObject::GetMTime(), own.Input.GetMTime());
-  if (own.BuildTime.load(std::memory_order_acquire) == changed)
-  {
-    return;
-  }
-  const std::lock_guard<std::mutex> lock(own.Building);
-  if (own.BuildTime.load(std::memory_order_relaxed) != changed)
-  {
-    this->ReadSamples();
-    own.BuildTime.store(changed, std::memory_order_release);
-  }
+  const vtkMTimeType changed = this->vtkObject::GetMTime(); // NOLINT(bugprone-parent-virtual-call)
+  this->Internal->Input.ReadIfChanged(changed, [this] { this->ReadSamples(); });
 }
 
 void vtkGridPotential::ReadSamples()
@@ -220,7 +207,7 @@ std::shared_ptr<const activesurface::LatticeParts> vtkGridPotential::FindParts(d
 {
   this->Build();
   Internals& own = *this->Internal;
-  const std::lock_guard<std::mutex> lock(own.Building);
+  const std::lock_guard<std::mutex> lock(own.Finding);
   if (!own.Parts || own.LevelOfParts != level)
   {
     activesurface::LatticeShape shape;

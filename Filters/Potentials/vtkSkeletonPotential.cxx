@@ -13,10 +13,8 @@
 #include "vtkPointSet.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <exception>
-#include <mutex>
 #include <stdexcept>
 #include <vector>
 
@@ -35,8 +33,6 @@ struct vtkSkeletonPotential::Internals
   activesurface::Skeleton Skeleton;
   activesurface::ParticlePotential Body; // in its place, unless ParticleModel is SUM
   vtkIdType IgnoredElements = 0;
-  std::mutex Building;
-  std::atomic<vtkMTimeType> BuildTime{ 0 };
 };
 
 vtkSkeletonPotential::vtkSkeletonPotential()
@@ -121,20 +117,9 @@ vtkMTimeType vtkSkeletonPotential::GetMTime()
 
 void vtkSkeletonPotential::Build()
 {
-  Internals& own = *this->Internal;
   // Not GetMTime(): a change of the transform leaves the elements as they are.
-  const vtkMTimeType changed = // NOLINTNEXTLINE(bugprone-parent-virtual-call)
-    std::max(this->vtkObject::GetMTime(), own.Input.GetMTime());
-  if (own.BuildTime.load(std::memory_order_acquire) == changed)
-  {
-    return;
-  }
-  const std::lock_guard<std::mutex> lock(own.Building);
-  if (own.BuildTime.load(std::memory_order_relaxed) != changed)
-  {
-    this->ReadElements();
-    own.BuildTime.store(changed, std::memory_order_release);
-  }
+  const vtkMTimeType changed = this->vtkObject::GetMTime(); // NOLINT(bugprone-parent-virtual-call)
+  this->Internal->Input.ReadIfChanged(changed, [this] { this->ReadElements(); });
 }
 
 void vtkSkeletonPotential::ReadElements()

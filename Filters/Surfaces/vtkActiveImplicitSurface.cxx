@@ -176,9 +176,7 @@ void vtkActiveImplicitSurface::ReportReferences(vtkGarbageCollector* collector)
 
 int vtkActiveImplicitSurface::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  activesurface::SurfaceInput::DescribePort(info);
   return 1;
 }
 

@@ -1,6 +1,7 @@
 #include "Grid/LevelSetSamples.h"
 
 #include "Grid/InsideMask.h"
+#include "LatticeCell.h"
 #include "LatticeShape.h"
 #include "OpenVDB.h"
 #include "StaticShutdown.h"
@@ -51,31 +52,19 @@ double LevelSetSamples::Evaluate(const double x[3], double* gradient) const
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  bool isOutside = false;
-  openvdb::Coord lower;
-  double t[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    // Not what would not fit into lattice coordinates.
-    const double nearest =
-      std::min(std::max(place[axis], this->Box.min()[axis] - 1.0), this->Box.max()[axis] + 1.0);
-    isOutside = isOutside || nearest != place[axis];
-    lower[axis] = static_cast<int>(std::floor(nearest));
-    t[axis] = nearest - lower[axis];
-  }
-  // Not registered with the tree: cheap to make for each call, from any thread.
-  const openvdb::tree::ValueAccessor<const openvdb::FloatTree, false> grid(this->Grid->tree());
-  if (isOutside)
+  if (IsBeyond(this->Box, place.asPointer()))
   {
     return this->Sign * (this->Grid->background() - this->IsoValue);
   }
+  const LatticeCell cell(place.asPointer());
+  // Not registered with the tree: cheap to make for each call, from any thread.
+  const openvdb::tree::ValueAccessor<const openvdb::FloatTree, false> grid(this->Grid->tree());
   double corner[CornersOfCell], rise[3];
   for (int c = 0; c < CornersOfCell; ++c)
   {
-    corner[c] =
-      this->Sign * (grid.getValue(lower.offsetBy(c >> 2, c >> 1 & 1, c & 1)) - this->IsoValue);
+    corner[c] = this->Sign * (grid.getValue(cell.Corner(c)) - this->IsoValue);
   }
-  const double value = Trilinear(corner, t, rise);
+  const double value = Trilinear(corner, cell.Fraction, rise);
   for (int d = 0; gradient && d < 3; ++d)
   {
     for (int axis = 0; axis < 3; ++axis)

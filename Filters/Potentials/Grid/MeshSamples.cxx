@@ -2,6 +2,7 @@
 
 #include "Grid/InsideMask.h"
 #include "Grid/MeshDistance.h"
+#include "LatticeCell.h"
 #include "LatticeShape.h"
 #include "OpenVDB.h"
 #include "StaticShutdown.h"
@@ -159,29 +160,22 @@ double MeshSamples::Evaluate(const double x[3], double* gradient) const
   {
     std::fill_n(gradient, 3, isFinite ? 0.0 : far);
   }
-  double t[3];
-  openvdb::Coord lower;
-  bool isFar = !isFinite || this->Leaves.empty();
-  for (int axis = 0; axis < 3 && !isFar; ++axis)
-  {
-    const double place = x[axis] / this->VoxelSize;
-    isFar = place < this->Leaves.min()[axis] - 1.0 || place > this->Leaves.max()[axis] + 1.0;
-    lower[axis] = isFar ? 0 : static_cast<int>(std::floor(place));
-    t[axis] = place - lower[axis];
-  }
-  if (isFar)
+  const double place[3] = { x[0] / this->VoxelSize, x[1] / this->VoxelSize,
+    x[2] / this->VoxelSize };
+  if (!isFinite || IsBeyond(this->Leaves, place))
   {
     return far;
   }
+  const LatticeCell cell(place);
   // Not registered with the tree: cheap to make, from any thread.
   openvdb::tree::ValueAccessor<const openvdb::FloatTree, false> distance(this->Distance->tree());
   double corner[CornersOfCell];
   for (int c = 0; c < CornersOfCell; ++c)
   {
-    corner[c] = distance.getValue(lower.offsetBy(c >> 2, c >> 1 & 1, c & 1));
+    corner[c] = distance.getValue(cell.Corner(c));
   }
   double rise[3];
-  const double value = Trilinear(corner, t, rise) - this->HalfShell;
+  const double value = Trilinear(corner, cell.Fraction, rise) - this->HalfShell;
   if (std::fabs(value) >= this->Reach)
   {
     return std::copysign(far, value);

@@ -55,18 +55,26 @@ FloatArray MakeCurvature(const SkinContext& skin)
   return array;
 }
 
-// A point array, and the property that asks for it.
+// A point array, the property that asks for it, and what it is made of besides the band.
 struct SkinArray
 {
   bool OutputProperties::*IsRequested;
   bool NeedsNormals;
+  bool NeedsSpeeds;
   FloatArray (*Make)(const SkinContext& skin);
 };
 
 constexpr SkinArray Arrays[] = {
-  { &OutputProperties::Velocity, true, MakeVelocity },
-  { &OutputProperties::Curvature, false, MakeCurvature },
+  { &OutputProperties::Velocity, true, true, MakeVelocity },
+  { &OutputProperties::Curvature, false, false, MakeCurvature },
 };
+
+bool HasRequested(const OutputProperties& properties, bool SkinArray::*need)
+{
+  return std::any_of(std::begin(Arrays), std::end(Arrays),
+    [&properties, need](const SkinArray& array)
+    { return array.*need && properties.*array.IsRequested; });
+}
 
 // Shortens what is along the normal: the particles' own velocity along the skin is no error.
 void ShortenVector(double longest, const double normal[3], float* vector)
@@ -106,9 +114,12 @@ void ShortenVectors(double longest, const vtkFloatArray* normals, vtkFloatArray*
 
 bool NeedNormals(const OutputProperties& properties)
 {
-  return std::any_of(std::begin(Arrays), std::end(Arrays),
-    [&properties](const SkinArray& array)
-    { return array.NeedsNormals && properties.*array.IsRequested; });
+  return HasRequested(properties, &SkinArray::NeedsNormals);
+}
+
+bool NeedSpeeds(const OutputProperties& properties)
+{
+  return HasRequested(properties, &SkinArray::NeedsSpeeds);
 }
 
 void AddSkinArrays(const OutputProperties& properties, const SurfaceSimulation& simulation,

@@ -11,8 +11,9 @@ class vtkPolyData;
 namespace activesurface
 {
 
-// Whether one of them needs the outward normals.
+// Whether one of them needs the outward normals, or the speeds of the skin's vertices.
 bool NeedNormals(const OutputProperties& properties);
+bool NeedSpeeds(const OutputProperties& properties);
 
 // From a simulation at the requested time, whose skin has its points. normals: at these points;
 // empty if nothing needs them.

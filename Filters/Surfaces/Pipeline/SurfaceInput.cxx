@@ -67,6 +67,15 @@ SurfaceInput::SurfaceInput(vtkAlgorithm* filter, Ports port)
 {
 }
 
+void SurfaceInput::DescribePort(vtkInformation* port)
+{
+  for (const char* type : InputTypes)
+  {
+    port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+  }
+  port->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+}
+
 bool SurfaceInput::IsConnected() const
 {
   return this->Filter->GetNumberOfInputConnections(this->Port) > 0;

@@ -31,6 +31,9 @@ public:
 
   SurfaceInput(vtkAlgorithm* filter, Ports port);
 
+  // What a port takes; it may be left empty.
+  static void DescribePort(vtkInformation* port);
+
   bool IsConnected() const;
 
   // Changes whenever an algorithm or data upstream is modified, not when another time is read.

@@ -2,6 +2,7 @@
 
 #include "Pipeline/Compatibility.h"
 #include "Pipeline/PublishedInformation.h"
+#include "Pipeline/SkinArrays.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
@@ -57,7 +58,7 @@ SurfaceSettings SurfaceRequests::FindSettings(const SurfaceProperties& propertie
 RequestedArrays SurfaceRequests::FindArrays(const OutputProperties& properties) const
 {
   RequestedArrays arrays;
-  arrays.Speeds = properties.Velocity;
+  arrays.Speeds = NeedSpeeds(properties);
   arrays.TangentialVelocity = properties.Velocity && properties.TangentialVelocity;
   arrays.FastestParticle = properties.Velocity && properties.MaximumVelocity == 0.0;
   arrays.Passed = properties.PassTargetArrays;

@@ -13,6 +13,9 @@ namespace activesurface
 
 class InputShape;
 
+/** The VTK classes of data that have a kind, and that the input ports take. */
+constexpr const char* InputTypes[] = { "vtkPointSet", "vtkImageData" };
+
 /**
  * Throws std::invalid_argument for data that cannot be a target, and for arrays that are missing or
  * unfit.

@@ -1,0 +1,48 @@
+/**
+ * Places among the nodes of a lattice, for all that interpolates between them.
+ */
+#ifndef LatticeCell_h
+#define LatticeCell_h
+
+#include "OpenVDB.h"
+
+#include <cmath>
+
+namespace activesurface
+{
+
+/** The voxel that holds a place [voxels], and where in it the place is, as Trilinear.h has it. */
+struct LatticeCell
+{
+  /** The place has to fit into lattice coordinates. */
+  explicit LatticeCell(const double place[3])
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Lowest[axis] = static_cast<int>(std::floor(place[axis]));
+      this->Fraction[axis] = place[axis] - this->Lowest[axis];
+    }
+  }
+
+  openvdb::Coord Corner(int c) const { return this->Lowest.offsetBy(c >> 2, c >> 1 & 1, c & 1); }
+
+  openvdb::Coord Lowest; //< corner 0
+  double Fraction[3];
+};
+
+/** Whether a place [voxels] is more than a voxel beyond a box of nodes, or the box is empty. So
+ * is what is not a number, or would not fit into lattice coordinates. */
+inline bool IsBeyond(const openvdb::CoordBBox& nodes, const double place[3])
+{
+  bool isBeyond = nodes.empty();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    isBeyond = isBeyond ||
+      !(place[axis] >= nodes.min()[axis] - 1.0 && place[axis] <= nodes.max()[axis] + 1.0);
+  }
+  return isBeyond;
+}
+
+}
+
+#endif
