@@ -278,6 +278,7 @@ void BandState::MakeImplicitStep(
   catch (...)
   {
     this->Backup.Restore(this->Leaves, this->Potential->tree());
+    this->Leaves = LeafTable(); // what it knows is of the substep that has failed
     this->Restore(this->Potential->treePtr());
     throw;
   }

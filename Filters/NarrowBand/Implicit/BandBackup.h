@@ -21,6 +21,8 @@ public:
   void Restore(const LeafTable& table, PotentialTree& tree) const;
 
 private:
+  void RemoveAdded(const LeafTable& table, PotentialTree& tree) const;
+
   NodeArrays Values;
   std::size_t Size = 0;
 };

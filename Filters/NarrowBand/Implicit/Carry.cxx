@@ -269,8 +269,7 @@ bool CarrySurface(const FollowingBand& band, const Motion& motion, double begin,
   ForgetChanged(band.Leaves, band.VoxelSize, target);
   const CarriedLeaves leaves(band.Leaves, displacements);
   const std::size_t count = leaves.GetOrigins().size();
-  report.MaxSpeed =
-    std::max(report.MaxSpeed, leaves.GetLongest() * band.VoxelSize / (end - begin));
+  report.MaxSpeed = std::max(report.MaxSpeed, leaves.GetLongest() * band.VoxelSize / (end - begin));
   target.MoveTo(end);
   ForgetChanged(band.Leaves, band.VoxelSize, target);
   if (count == 0)

@@ -119,7 +119,7 @@ private:
       this->Where.Time + length, this->Source, this->Report);
     if (!this->HasTarget() && !this->IsWeighted())
     {
-      this->Set.ChooseAll(this->Leaves);
+      this->ChooseWithoutTarget();
       return;
     }
     const TargetLimits limits = this->SampleTarget();
@@ -128,6 +128,19 @@ private:
     {
       FindTensionWays(this->Leaves, this->Set.Active, this->FindCoefficients(this->Plan),
         this->IsWeighted(), this->Buffers);
+    }
+  }
+
+  /** What Transport has carried, unless something else moves all. */
+  void ChooseWithoutTarget()
+  {
+    if (this->Plan.GetStages() || this->Force.Speed != 0.0)
+    {
+      this->Set.ChooseAll(this->Leaves);
+    }
+    else if (!this->IsCarried)
+    {
+      this->Set.Choose(this->Leaves, {});
     }
   }
 

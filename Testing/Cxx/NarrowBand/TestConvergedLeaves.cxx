@@ -76,7 +76,7 @@ constexpr double Tensions[] = { 0.0, 0.01 };
 
 Motion MakeMotion(double tension)
 {
-  Motion motion = MakeMotion(1.0, 0.0);
+  Motion motion = activesurface::MakeMotion(1.0, 0.0);
   motion.Attraction = 5.0;
   motion.Tension = tension;
   return motion;

@@ -24,7 +24,7 @@ const double VoxelSize = VoxelSizeOf(64);
 
 Motion MakeMotion()
 {
-  Motion motion = MakeMotion(1.0, 0.0);
+  Motion motion = activesurface::MakeMotion(1.0, 0.0);
   motion.Attraction = 5.0;
   motion.Tension = 0.01;
   return motion;

@@ -64,6 +64,8 @@ TEST(TestWeightedTension, AWeightOfOneIsNone)
     {
       Motion weighted = MakeWeighted(attraction, 0.05);
       weighted.Evaluation = evaluation;
+      weighted.Integration =
+        evaluation == TargetEvaluation::Shifted ? weighted.Integration : TimeIntegration::Explicit;
       Motion plain = weighted;
       plain.WeightedTension = false;
       const auto one = Play(MakeBumpyBall(nullptr), plain, 0.05);

@@ -310,7 +310,6 @@ TEST(TestMotionProperties, StrategyStartsTheMotionAnew)
     { "RestTolerance", [](Filter f) { f->SetRestTolerance(0.01); } },
     { "MaximumNumberOfSubsteps", [](Filter f) { f->SetMaximumNumberOfSubsteps(100); } },
     { "TargetEvaluation", [](Filter f) { f->SetTargetEvaluationToNode(); } },
-    { "TimeIntegration", [](Filter f) { f->SetTimeIntegrationToImplicit(); } },
     { "GradientScheme", [](Filter f) { f->SetGradientSchemeToCentral(); } },
     { "PaperScheme", [](Filter f) { f->PaperSchemeOn(); } },
     { "BoundedDomain", [](Filter f) { f->BoundedDomainOn(); } },
