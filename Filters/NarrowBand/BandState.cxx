@@ -14,8 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
 namespace activesurface
 {
@@ -126,34 +124,6 @@ std::size_t BandState::CountActive() const
   return this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ActiveNodes; });
 }
 
-void BandState::CheckSize() const
-{
-  const std::size_t count = this->CountActive();
-  if (count > this->Maximum)
-  {
-    std::ostringstream text;
-    text << "The band has grown to " << count << " active voxels, more than "
-         << "MaximumNumberOfActiveVoxels = " << this->Maximum
-         << "; enlarge VoxelSize, check that the target is bounded, or raise the maximum.";
-    throw std::runtime_error(text.str());
-  }
-}
-
-// Comes before the next potential is taken, so that the last one stays. One check is enough: what
-// is measured and written of a bounded potential is finite, a displacement of it too, and the
-// paper's scheme clamps.
-void BandState::RefuseUnbounded(bool isUnbounded) const
-{
-  if (isUnbounded)
-  {
-    std::ostringstream text;
-    text << "The potential would not be finite after the substep that begins at the motion time "
-         << this->Time << ", where the skin stays; lower CFL, to 1 at most, set GradientScheme to "
-         << "UPWIND, and Tension to a number >= 0.";
-    throw std::runtime_error(text.str());
-  }
-}
-
 SkinMeasure BandState::Measure() const
 {
   const SkinMeasure skin = MeasureSkin(this->Leaves);
@@ -217,7 +187,7 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
   ExtendToActiveNodes(this->GetFollower(), motion, coefficients.Advection);
   const GradientCounts gradients =
     StepForward(this->Leaves, this->Set, coefficients, this->Buffers);
-  this->RefuseUnbounded(gradients.Unbounded);
+  CheckBounded(gradients.Unbounded, this->Time);
   if (motion.Box.Present)
   {
     ClampToWalls(this->Leaves, this->Set, motion.Box, size, this->Buffers);
@@ -273,7 +243,7 @@ void BandState::MakeImplicitStep(
   try
   {
     result = activesurface::MakeImplicitStep(band, motion, force, target, report);
-    this->RefuseUnbounded(result.Gradients.Unbounded);
+    CheckBounded(result.Gradients.Unbounded, this->Time);
   }
   catch (...)
   {
@@ -350,7 +320,7 @@ void BandState::Step(double end, const Motion& motion, Target& target, AdvanceRe
   move.MostTime = end - this->Time;
   this->MakeStep(motion, target, report, move);
   this->Time = move.Step < move.MostTime ? this->Time + move.Step : end;
-  this->CheckSize();
+  CheckSize(this->CountActive(), this->Maximum);
 }
 
 void BandState::StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report)
@@ -362,7 +332,7 @@ void BandState::StepAndTrace(const Motion& motion, Target& target, AdvanceReport
   report.SurfaceSpeed =
     move.IsSkipped ? 0.0 : std::max(this->Trace.GetLargest(this->Leaves), move.LostWay) / move.Step;
   this->Time += move.IsSkipped ? 0.0 : move.Step;
-  this->CheckSize();
+  CheckSize(this->CountActive(), this->Maximum);
 }
 
 void BandState::Confine(const Walls& walls, Obstacle* obstacle)

@@ -81,8 +81,6 @@ private:
   void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);
   void MakePaperStep(const Motion& motion, Move& move);
   void RestoreControlled(const Motion& motion);
-  void CheckSize() const;
-  void RefuseUnbounded(bool isUnbounded) const;
 };
 
 }

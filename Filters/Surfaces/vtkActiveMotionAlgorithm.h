@@ -31,8 +31,7 @@ public:
   /**
    * Rate [1/time] at which the skin closes in on the target: the distance falls by a factor e in a
    * time of 1 / Attraction. With NormalizeTarget off its unit is [length/time] per unit of the
-   * target. Substeps are as many as Attraction * time at least. Range: >= 0. Default: 1, or see
-   * AutomaticAttraction.
+   * target. Range: >= 0. Default: 1, or see AutomaticAttraction.
    */
   vtkSetClampMacro(Attraction, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Attraction, double);
@@ -323,10 +322,8 @@ public:
 
   ///@{
   /**
-   * How time is integrated. EXPLICIT (0): many short substeps, as the fastest part of the skin
-   * allows. IMPLICIT (1): few long ones, by exponentials for the attraction, stages for the tension,
-   * and a semi-Lagrangian Transport; fast parts alone make more. It needs TargetEvaluation SHIFTED
-   * and GradientScheme UPWIND. Default: EXPLICIT.
+   * How time is integrated. EXPLICIT (0): short substeps, as the fastest part of the skin allows.
+   * IMPLICIT (1): few long ones; for SHIFTED evaluation and UPWIND gradients. Default: EXPLICIT.
    */
   vtkSetClampMacro(TimeIntegration, int, EXPLICIT, IMPLICIT);
   vtkGetMacro(TimeIntegration, int);
@@ -355,8 +352,7 @@ public:
   /**
    * Whether the paper's own scheme moves the skin: thresholds at 3 voxels, plain means of the
    * samples (or TargetEvaluation) and F at the nodes beyond, central differences, its time steps
-   * (6) and (7) in a box of unit size, no care for the slope. For comparison: it is slower, and
-   * worse. Default: off.
+   * (6) and (7) in a box of unit size. For comparison: it is slower, and worse. Default: off.
    */
   vtkSetMacro(PaperScheme, vtkTypeBool);
   vtkGetMacro(PaperScheme, vtkTypeBool);

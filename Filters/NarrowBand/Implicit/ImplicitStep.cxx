@@ -1,11 +1,13 @@
 #include "Implicit/ImplicitStep.h"
 
 #include "Implicit/Carry.h"
+#include "Implicit/StageWeights.h"
 #include "Implicit/StepPlan.h"
 #include "Implicit/SurfaceMove.h"
 #include "Implicit/TensionStages.h"
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
+#include "Leaves/LeafLists.h"
 #include "Parts/CreateParts.h"
 #include "Substep/ConvergedLeaves.h"
 #include "Substep/SamplePoints.h"
@@ -26,30 +28,6 @@ namespace
 constexpr double LongestWayBeforeControl = 0.385; // [voxels], as of an explicit substep
 
 constexpr int MostHalvings = 10; // of a substep, and again of a pass
-
-LeafList Without(const LeafList& leaves, const LeafList& others)
-{
-  LeafList rest;
-  std::set_difference(
-    leaves.begin(), leaves.end(), others.begin(), others.end(), std::back_inserter(rest));
-  return rest;
-}
-
-LeafList Union(const LeafList& leaves, const LeafList& others)
-{
-  LeafList all;
-  std::set_union(
-    leaves.begin(), leaves.end(), others.begin(), others.end(), std::back_inserter(all));
-  return all;
-}
-
-LeafList Intersection(const LeafList& leaves, const LeafList& others)
-{
-  LeafList common;
-  std::set_intersection(
-    leaves.begin(), leaves.end(), others.begin(), others.end(), std::back_inserter(common));
-  return common;
-}
 
 Motion WithoutTransport(Motion motion)
 {
@@ -302,16 +280,13 @@ private:
     {
       const double ratio = plan.GetRatio(this->Buffers.SlopeSamples[n]);
       this->Buffers.Samples[n] *= static_cast<float>(ratio);
-      differs = differs || std::fabs(ratio - 1.0) > 1e-6;
+      differs = differs || ratio != 1.0;
     }
     if (differs)
     {
-      const LeafList sampled = this->Leaves.FindAll(
-        [this](std::size_t i)
-        {
-          return i < this->Buffers.FirstSample.size() &&
-            this->Buffers.FirstSample[i] != SubstepBuffers::NoSamples;
-        });
+      const auto& first = this->Buffers.FirstSample;
+      const LeafList sampled = this->Leaves.FindAll([&first](std::size_t i)
+        { return i < first.size() && first[i] != SubstepBuffers::NoSamples; });
       ApplySamples(this->Leaves, sampled, this->Law, this->Buffers);
     }
   }
@@ -328,7 +303,10 @@ private:
     this->Set.Choose(this->Leaves, leaves);
     FindWays(this->Leaves, this->Set, coefficients, this->Buffers);
     ExtendSpeed(this->Leaves, this->Set, this->Law, this->Buffers);
-    this->RememberWeights();
+    if (this->IsWeighted())
+    {
+      this->Weights.Remember(this->Set, this->Buffers);
+    }
     if (plan.GetStages())
     {
       this->Sourced = leaves;
@@ -349,41 +327,6 @@ private:
     this->Result.Gradients.Unbounded = counts.Unbounded;
   }
 
-  void RememberWeights()
-  {
-    if (this->IsWeighted())
-    {
-      this->Weighted.resize(this->Leaves.Size());
-      for (const std::int32_t i : this->Set.Active)
-      {
-        this->Weighted[i] = this->Buffers.Known[i];
-      }
-    }
-  }
-
-  /** The nodes that have entered the band get their weights from those that were there. */
-  void ExtendWeights()
-  {
-    const std::size_t size = this->Leaves.Size();
-    this->Weighted.resize(size);
-    this->Buffers.MakeRoomForNodes(size);
-    this->Buffers.Weights.MakeRoom(size);
-    this->Buffers.Known = this->Buffers.NextKnown = this->Weighted;
-    this->Leaves.ForEach(this->Set.Active,
-      [this](std::size_t i)
-      {
-        LeafMask::All()
-          .Without(this->Weighted[i])
-          .ForEach(
-            [&](int node)
-            {
-              this->Buffers.WeightOf(i)[node] = 1.f;
-              this->Buffers.SpeedOf(i)[node] = 0.f;
-            });
-      });
-    ExtendSpeed(this->Leaves, this->Set, this->Law, this->Buffers);
-  }
-
   void MakeTension()
   {
     if (!this->Plan.GetStages() || this->Result.Gradients.Unbounded)
@@ -393,7 +336,7 @@ private:
     this->Set.Choose(this->Leaves, this->Moved);
     if (this->IsWeighted())
     {
-      this->ExtendWeights();
+      this->Weights.ExtendToEntered(this->Leaves, this->Set, this->Law, this->Buffers);
     }
     this->Buffers.StageSource.MakeRoom(this->Leaves.Size());
     this->Leaves.ForEach(Without(this->Moved, this->Sourced),
@@ -440,9 +383,9 @@ private:
   StepPlan Plan;
   ImplicitResult Result;
   bool IsCarried = false;
-  LeafList Moved;                 //< by this substep, or created by that
-  LeafList Sourced;               //< those of them whose displacement is left to the stages
-  std::vector<LeafMask> Weighted; //< nodes whose weights of tension are known
+  LeafList Moved;   //< by this substep, or created by that
+  LeafList Sourced; //< those of them whose displacement is left to the stages
+  StageWeights Weights;
 };
 
 }

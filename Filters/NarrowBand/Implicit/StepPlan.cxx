@@ -120,7 +120,7 @@ double StepPlan::GetFactor() const
 
 double StepPlan::GetRatio(double slope) const
 {
-  const bool isOwn = !this->Stages || !(slope > 0.0);
+  const bool isOwn = slope != this->Slope && (!this->Stages || !(slope > 0.0));
   return isOwn ? MeanOfDecay(this->Law.Attraction * slope * this->Length) * this->GetSourcePerWay()
                : 1.0;
 }

@@ -3,6 +3,7 @@
 #include "Leaves/EikonalUpdate.h"
 #include "Leaves/LeafKernels.h"
 #include "Leaves/LeafLine.h"
+#include "Leaves/LeafLists.h"
 
 #include <algorithm>
 #include <cmath>
@@ -359,10 +360,7 @@ struct TakeLayer
 // Three-point rays over three layers end up to nine nodes from what has moved.
 void FillBesideAffected(LeafTable& table, const ActiveSet& set)
 {
-  const LeafList around = table.FindAround(set.Affected);
-  LeafList beyond;
-  std::set_difference(around.begin(), around.end(), set.Affected.begin(), set.Affected.end(),
-    std::back_inserter(beyond));
+  const LeafList beyond = Without(table.FindAround(set.Affected), set.Affected);
   ForEachLeaf(table, beyond, FillLayer{ table, LastLayer, false });
 }
 
@@ -395,10 +393,7 @@ void FillGhostsOfOldLayers(LeafTable& table, const ActiveSet& set)
   {
     ForEachLeaf(table, set.Affected, FillOldLayer{ table, layer });
   }
-  const LeafList around = table.FindAround(set.Affected);
-  LeafList beyond;
-  std::set_difference(around.begin(), around.end(), set.Affected.begin(), set.Affected.end(),
-    std::back_inserter(beyond));
+  const LeafList beyond = Without(table.FindAround(set.Affected), set.Affected);
   ForEachLeaf(table, beyond, FillOldLayer{ table, LastLayer });
 }
 

@@ -151,6 +151,30 @@ void CheckStep(double step, double voxelSize, double remaining)
   }
 }
 
+void CheckSize(std::size_t count, std::size_t maximum)
+{
+  if (count > maximum)
+  {
+    std::ostringstream text;
+    text << "The band has grown to " << count << " active voxels, more than "
+         << "MaximumNumberOfActiveVoxels = " << maximum
+         << "; enlarge VoxelSize, check that the target is bounded, or raise the maximum.";
+    throw std::runtime_error(text.str());
+  }
+}
+
+void CheckBounded(bool isUnbounded, double time)
+{
+  if (isUnbounded)
+  {
+    std::ostringstream text;
+    text << "The potential would not be finite after the substep that begins at the motion time "
+         << time << ", where the skin stays; lower CFL, to 1 at most, set GradientScheme to "
+         << "UPWIND, and Tension to a number >= 0.";
+    throw std::runtime_error(text.str());
+  }
+}
+
 // A step may be long beyond single precision, where the speed is 0 in it.
 float AdvectionFactor(double step, double voxelSize)
 {

@@ -50,6 +50,15 @@ void CheckMotion(const Motion& motion);
  * the step is too small for single precision. */
 void CheckStep(double step, double voxelSize, double remaining);
 
+/** Throws std::runtime_error if a band has too many active nodes. */
+void CheckSize(std::size_t count, std::size_t maximum);
+
+/** Throws std::runtime_error if the potential would be unbounded after the substep that begins at
+ * the time. Comes before the next potential is taken, so that the last one stays. One check is
+ * enough: what is measured and written of a bounded potential is finite, a displacement of it too,
+ * and the paper's scheme clamps. */
+void CheckBounded(bool isUnbounded, double time);
+
 /** The factor from a speed to voxels per step. */
 float AdvectionFactor(double step, double voxelSize);
 

@@ -1,0 +1,41 @@
+#include "Implicit/StageWeights.h"
+
+#include "Substep/SubstepBuffers.h"
+#include "Substep/TargetSpeed.h"
+
+namespace activesurface
+{
+
+void StageWeights::Remember(const ActiveSet& set, const SubstepBuffers& buffers)
+{
+  this->Known.resize(buffers.Known.size());
+  for (const std::int32_t i : set.Active)
+  {
+    this->Known[i] = buffers.Known[i];
+  }
+}
+
+void StageWeights::ExtendToEntered(
+  const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers)
+{
+  const std::size_t size = table.Size();
+  this->Known.resize(size);
+  buffers.MakeRoomForNodes(size);
+  buffers.Weights.MakeRoom(size);
+  buffers.Known = buffers.NextKnown = this->Known;
+  table.ForEach(set.Active,
+    [&](std::size_t i)
+    {
+      LeafMask::All()
+        .Without(this->Known[i])
+        .ForEach(
+          [&](int node)
+          {
+            buffers.WeightOf(i)[node] = 1.f;
+            buffers.SpeedOf(i)[node] = 0.f; // extended as well, to no use
+          });
+    });
+  ExtendSpeed(table, set, motion, buffers);
+}
+
+}
