@@ -29,7 +29,7 @@ class FluidRoundPillar(Fluid):
 folder = output_folder(__doc__)
 fluid, frames = FluidRoundPillar(SPACING, SIZE, cohesion=3.0), []
 fluid.add(shaken(lattice((0, 0, 0), (0.7, 0.8, SIZE[2]), SPACING), 0.005, 1), (0, 0, 0))
-for frame in range(24):
+for _ in range(24):
     frames.append(fluid.frame())
     fluid.advance(1 / RATE)
 

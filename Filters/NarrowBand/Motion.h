@@ -41,8 +41,8 @@ enum class TargetEvaluation
   ClosestPoint
 };
 
-/** How a substep is made: forward Euler within the stable step of the fastest part; or of nearly any
- * length, by exponentials for the attraction and stages for the tension (see README.md). */
+/** How a substep is made: forward Euler within the stable step of the fastest part; or of nearly
+ * any length, by exponentials for the attraction and stages for the tension (see README.md). */
 enum class TimeIntegration
 {
   Explicit,

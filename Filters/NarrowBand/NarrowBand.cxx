@@ -1,12 +1,12 @@
 #include "NarrowBand.h"
 
+#include "BandState.h"
 #include "Parts/NearbyStart.h"
 #include "Parts/SparseStart.h"
 #include "State/InitialShape.h"
 #include "State/PackedBand.h"
 #include "State/StateGrid.h"
 #include "StaticShutdown.h"
-#include "BandState.h"
 
 #include <tbb/task_arena.h>
 

@@ -69,10 +69,9 @@ public:
   virtual void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const = 0;
 
-  /** The velocities alone, as by Evaluate (x y z each); not a number where the target knows none, as
-   * nothing is there that moves. */
-  virtual void EvaluateVelocities(
-    std::size_t count, const double* points, double* velocities) const
+  /** The velocities alone, as by Evaluate (x y z each); not a number where the target knows none,
+   * as nothing is there that moves. */
+  virtual void EvaluateVelocities(std::size_t count, const double* points, double* velocities) const
   {
     constexpr std::size_t batch = 128;
     double values[batch], slopes[batch];

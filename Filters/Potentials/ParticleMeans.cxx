@@ -25,8 +25,7 @@ struct ParticleMeans::Field
                  ACTIVE_INLINED { this->Add(lanes, list, count, sums); });
     for (int i = 0; i < Width; ++i)
     {
-      const double ofKnown =
-        sums.KnownWeight[i] > 0.0 ? 1.0 / sums.KnownWeight[i] : std::nan("");
+      const double ofKnown = sums.KnownWeight[i] > 0.0 ? 1.0 / sums.KnownWeight[i] : std::nan("");
       for (int axis = 0; axis < 3; ++axis)
       {
         terms[axis][i] = sums.Velocity[axis][i] * ofKnown;

@@ -189,7 +189,7 @@ class TheSkinEndsOnIt(unittest.TestCase):
 
 class OverParticles(unittest.TestCase):
     def test_the_start_and_new_parts_are_outside_of_it(self):
-        """The rock lies where the drop of the splash falls; the sparse start, new parts, and the way
+        """The rock lies where the drop of the splash falls; start, new parts, and the way
         of the particles: nothing is inside. Chords as above."""
         rock, radius = ball(0.25, (0.0, 0.05, 0.0)), 0.25
         _, surface = splash()

@@ -70,9 +70,7 @@ class Morphs(unittest.TestCase):
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always")
             list(
-                active.morph(
-                    cube(), output_of(apart), frames=3, voxel_size=0.1, create_parts=False
-                )
+                active.morph(cube(), output_of(apart), frames=3, voxel_size=0.1, create_parts=False)
             )
         self.assertEqual(sum("vanished" in str(one.message) for one in told), 1)
 
