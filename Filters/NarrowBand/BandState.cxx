@@ -188,11 +188,7 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
   const GradientCounts gradients =
     StepForward(this->Leaves, this->Set, coefficients, this->Buffers);
   CheckBounded(gradients.Unbounded, this->Time);
-  if (motion.Box.Present)
-  {
-    ClampToWalls(this->Leaves, this->Set, motion.Box, size, this->Buffers);
-  }
-  ClampToObstacle(this->Leaves, this->Set, motion.Solid, this->Buffers);
+  ClampToBounds({ motion.Box, motion.Solid, size }, this->Leaves, this->Set, this->Buffers);
   CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
   const float scale = ScaleFor(gradients);
@@ -206,11 +202,8 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
 void BandState::MakePaperStep(const Motion& motion, Move& move)
 {
   StepPaper(this->Leaves, AdvectionFactor(move.Step, this->VoxelSize), this->Buffers);
-  if (motion.Box.Present)
-  {
-    ClampToWalls(this->Leaves, this->Set, motion.Box, this->VoxelSize, this->Buffers);
-  }
-  ClampToObstacle(this->Leaves, this->Set, motion.Solid, this->Buffers);
+  ClampToBounds(
+    { motion.Box, motion.Solid, this->VoxelSize }, this->Leaves, this->Set, this->Buffers);
   CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);
   this->RestoreControlled(motion);
@@ -341,11 +334,7 @@ void BandState::Confine(const Walls& walls, Obstacle* obstacle)
   this->Buffers.MakeRoomForNodes(this->Leaves.Size());
   this->Leaves.ForEach(
     [&](std::size_t i) { std::copy_n(this->Leaves[i].Value, 512, this->Buffers.NextOf(i)); });
-  if (walls.Present)
-  {
-    ClampToWalls(this->Leaves, this->Set, walls, this->VoxelSize, this->Buffers);
-  }
-  ClampToObstacle(this->Leaves, this->Set, obstacle, this->Buffers);
+  ClampToBounds({ walls, obstacle, this->VoxelSize }, this->Leaves, this->Set, this->Buffers);
   CheckObstacle(this->Leaves, obstacle);
   CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set);

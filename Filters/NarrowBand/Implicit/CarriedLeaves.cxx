@@ -51,10 +51,10 @@ int OriginBelow(double voxel)
 void TargetDisplacements::Evaluate(
   std::size_t count, const double* points, double* displacements) const
 {
-  std::vector<double> places(3 * count);
-  std::transform(points, points + 3 * count, places.begin(),
-    [this](double voxel) { return this->VoxelSize * voxel; });
-  this->Source.EvaluateVelocities(count, places.data(), displacements);
+  double places[3 * Most];
+  std::transform(
+    points, points + 3 * count, places, [this](double voxel) { return this->VoxelSize * voxel; });
+  this->Source.EvaluateVelocities(count, places, displacements);
   for (std::size_t n = 0; n < 3 * count; ++n)
   {
     const double way = this->Factor * displacements[n];

@@ -26,7 +26,9 @@ public:
   {
   }
 
-  /** At count points (x y z each, in voxels). */
+  static constexpr std::size_t Most = 27; //< points at once
+
+  /** At count points (x y z each, in voxels), Most at most. */
   void Evaluate(std::size_t count, const double* points, double* displacements) const;
 
   bool IsThreadSafe() const { return this->Source.IsThreadSafe(); }

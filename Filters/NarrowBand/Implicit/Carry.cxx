@@ -24,7 +24,7 @@ namespace
 class LeafDisplacements
 {
 public:
-  static constexpr int Points = 27;
+  static constexpr int Points = TargetDisplacements::Most;
 
   LeafDisplacements(const openvdb::Coord& origin, const TargetDisplacements& displacements)
   {
@@ -233,11 +233,7 @@ void Confine(const FollowingBand& band, const Motion& motion)
   band.Buffers.MakeRoomForNodes(band.Leaves.Size());
   band.Leaves.ForEach(band.Set.Active,
     [&band](std::size_t i) { std::copy_n(band.Leaves[i].Value, 512, band.Buffers.NextOf(i)); });
-  if (motion.Box.Present)
-  {
-    ClampToWalls(band.Leaves, band.Set, motion.Box, band.VoxelSize, band.Buffers);
-  }
-  ClampToObstacle(band.Leaves, band.Set, motion.Solid, band.Buffers);
+  ClampToBounds({ motion.Box, motion.Solid, band.VoxelSize }, band.Leaves, band.Set, band.Buffers);
   CommitStep(band.Leaves, band.Set, band.Buffers);
   RebuildLayers(band.Leaves, band.Set, band.Potential);
   FillGhostsAndEntered(band.Leaves, band.Set, band.Buffers.Nodes);

@@ -75,7 +75,7 @@ public:
     this->Result.IsSkipped = !moves && !this->IsCarried;
     if (moves)
     {
-      this->Result.LargestWay = this->FindLargestWay();
+      this->Result.LargestWay = this->Where.MaySkip ? 0.0 : this->FindLargestWay();
       this->Result.Gradients.Nodes =
         this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
       this->Moved = this->Set.Active;
@@ -102,11 +102,6 @@ private:
     }
     const TargetLimits limits = this->SampleTarget();
     this->Plan = this->Plan.ForSlope(SlopeOf(limits));
-    if (this->Plan.GetStages())
-    {
-      FindTensionWays(this->Leaves, this->Set.Active, this->FindCoefficients(this->Plan),
-        this->IsWeighted(), this->Buffers);
-    }
   }
 
   /** What Transport has carried, unless something else moves all. */
@@ -210,6 +205,10 @@ private:
   double FindLargestWay() const
   {
     const WayCoefficients ways = this->FindCoefficients(this->Plan);
+    if (this->Plan.GetStages())
+    {
+      FindTensionWays(this->Leaves, this->Set.Active, ways, this->IsWeighted(), this->Buffers);
+    }
     float largest = 0.f;
     for (const std::int32_t i : this->Set.Active)
     {
@@ -353,12 +352,8 @@ private:
   /** Takes the next potential; layers and ghosts follow. */
   void Commit()
   {
-    if (this->Law.Box.Present)
-    {
-      ClampToWalls(
-        this->Leaves, this->Set, this->Law.Box, this->Where.Band.VoxelSize, this->Buffers);
-    }
-    ClampToObstacle(this->Leaves, this->Set, this->Law.Solid, this->Buffers);
+    ClampToBounds({ this->Law.Box, this->Law.Solid, this->Where.Band.VoxelSize }, this->Leaves,
+      this->Set, this->Buffers);
     CommitStep(this->Leaves, this->Set, this->Buffers);
     RebuildLayers(this->Leaves, this->Set, this->Where.Band.Potential);
     if (this->HasTarget())

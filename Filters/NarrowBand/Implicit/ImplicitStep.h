@@ -31,7 +31,9 @@ struct ImplicitResult
   double Length = 0.0;
   bool IsSkipped = false; //< as all leaves have converged
   bool PullsInVain = false;
-  double LargestWay = 0.0;  //< of the surface, by all terms but exact controls and walls [voxels]
+  /** Of the surface, by all terms but exact controls and walls [voxels]; 0 where converged leaves
+   * may be left out, as only AdvanceToSteadyState wants it. */
+  double LargestWay = 0.0;
   GradientCounts Gradients; //< before the substep
 };
 

@@ -73,11 +73,7 @@ void Displace(const ControlledBand& band, double distance)
   band.Set.ChooseAll(table);
   band.Buffers.MakeRoomForNodes(table.Size());
   ForEachLeaf(table, DisplaceLeaf{ table, band.Buffers, static_cast<float>(distance) });
-  if (band.Box.Present)
-  {
-    ClampToWalls(table, band.Set, band.Box, band.VoxelSize, band.Buffers);
-  }
-  ClampToObstacle(table, band.Set, band.Solid, band.Buffers);
+  ClampToBounds({ band.Box, band.Solid, band.VoxelSize }, table, band.Set, band.Buffers);
   CommitStep(table, band.Set, band.Buffers);
   band.Rebuild(band.Set);
 }

@@ -38,6 +38,9 @@ void WalledTarget::Evaluate(
   }
 }
 
+namespace
+{
+
 void ClampToWalls(const LeafTable& table, const ActiveSet& set, const Walls& walls,
   double voxelSize, SubstepBuffers& buffers)
 {
@@ -58,9 +61,6 @@ void ClampToWalls(const LeafTable& table, const ActiveSet& set, const Walls& wal
     });
 }
 
-namespace
-{
-
 std::vector<openvdb::Coord> FindUnknown(
   const LeafTable& table, const LeafList& leaves, const Obstacle& obstacle)
 {
@@ -75,15 +75,9 @@ std::vector<openvdb::Coord> FindUnknown(
   return unknown;
 }
 
-}
-
 void ClampToObstacle(
   const LeafTable& table, const ActiveSet& set, Obstacle* obstacle, SubstepBuffers& buffers)
 {
-  if (!obstacle)
-  {
-    return;
-  }
   obstacle->SampleLeaves(FindUnknown(table, set.Active, *obstacle));
   table.ForEach(set.Active,
     [&](std::size_t i)
@@ -94,6 +88,21 @@ void ClampToObstacle(
         table[i].Active.ForEach([&](int node) { next[node] = std::max(next[node], depths[node]); });
       }
     });
+}
+
+}
+
+void ClampToBounds(const SurfaceBounds& bounds, const LeafTable& table, const ActiveSet& set,
+  SubstepBuffers& buffers)
+{
+  if (bounds.Box.Present)
+  {
+    ClampToWalls(table, set, bounds.Box, bounds.VoxelSize, buffers);
+  }
+  if (bounds.Solid)
+  {
+    ClampToObstacle(table, set, bounds.Solid, buffers);
+  }
 }
 
 void CheckObstacle(const LeafTable& table, Obstacle* obstacle)

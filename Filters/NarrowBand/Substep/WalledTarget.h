@@ -66,17 +66,20 @@ private:
   const Obstacle* Solid;
 };
 
-/** Next is no less than the distance to the walls [voxels] at any active node of the active leaves.
- */
-void ClampToWalls(const LeafTable& table, const ActiveSet& set, const Walls& walls,
-  double voxelSize, SubstepBuffers& buffers);
+/** What the surface does not leave, and does not enter. */
+struct SurfaceBounds
+{
+  const Walls& Box;
+  Obstacle* Solid; //< null: none
+  double VoxelSize;
+};
 
-/** Next is no less than the depth in the obstacle [voxels] at any active node of the active leaves;
- * nothing happens without an obstacle (null). To be called wherever Next has been written, before
- * CommitStep, after ClampToWalls. Leaves that the obstacle does not know yet are sampled; the
- * others cost a look, if it is farther away than its Reach. */
-void ClampToObstacle(
-  const LeafTable& table, const ActiveSet& set, Obstacle* obstacle, SubstepBuffers& buffers);
+/** Next is no less than the distance to the walls, nor than the depth in the obstacle [voxels], at
+ * any active node of the active leaves. To be called wherever Next has been written, before
+ * CommitStep. Leaves that the obstacle does not know yet are sampled; the others cost a look, if it
+ * is farther away than its Reach. */
+void ClampToBounds(const SurfaceBounds& bounds, const LeafTable& table, const ActiveSet& set,
+  SubstepBuffers& buffers);
 
 /** Has the obstacle (or null) know all leaves, and throws std::runtime_error if it is not a number
  * in one of them: before a substep changes anything. */

@@ -245,6 +245,26 @@ TEST(TestImplicit, TransportTakesAPartAwayAndLeavesTheOther)
     << "u of the ball that stays";
 }
 
+// Without Attraction or weights the target is not sampled; a carried ball shrinks by tension alone,
+// r^2 = r0^2 - 4 Tension t, to .35 % as at rest on its place (TestTension).
+TEST(TestImplicit, WhatIsCarriedFeelsTension)
+{
+  NarrowBand band(H);
+  StartOn(band, MakeBall({ -.2, 0.0, 0.0 }, .4));
+  ShapeTarget target(
+    [](double time)
+    {
+      Shape shape = MakeBall({ -.2 + .4 * time, 0.0, 0.0 }, .4);
+      shape.Velocity = [](const Point&) { return Point{ .4, 0.0, 0.0 }; };
+      return shape;
+    });
+  Motion motion = MakeImplicit(0.0, .01);
+  motion.Transport = 1.0;
+  band.Advance(1.0, motion, target);
+  const double radius = std::sqrt(.16 - .04);
+  EXPECT_NEAR(GetRadii(Polygonise(band), { .2, 0.0, 0.0 }).Mean / radius, 1.0, .0035) << "radius";
+}
+
 TEST(TestImplicit, NothingIsCarriedThroughAWall)
 {
   NarrowBand band(H);
