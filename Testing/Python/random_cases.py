@@ -6,12 +6,11 @@
 `draw_case` draws one, `random_checks.check` tries it.
 """
 
+from active_implicit_surfaces import vtkActiveImplicitSurface
 from properties import own_properties
-from random_shapes import FUNCTIONS, INITIALS, OBSTACLES, PARTICLES, TARGETS
+from random_shapes import FUNCTIONS, INITIALS, OBSTACLES, OTHERS, PARTICLES, TARGETS
 from test_restart import DOES_NOT_RESTART, RESTARTS, half_box
 from vtkmodules.vtkCommonDataModel import vtkImplicitFunction
-
-from active_implicit_surfaces import vtkActiveImplicitSurface
 
 # Coarse, so that a case takes a fraction of a second.
 BASE = {
@@ -37,7 +36,7 @@ REFUSED = (
     ("VoxelSize", "nan"),
     ("TargetIsoValue", "inf"),
     ("ModelBounds", (0.0, 1.0, 2.0, -2.0, 0.0, 1.0)),
-    ("Attraction", "inf"),
+    ("Attraction", "nan"),
     ("Tension", "nan"),
     ("CFL", 0.0),
     ("TimeScale", 0.0),
@@ -79,11 +78,8 @@ def draw_shape(random, shapes, share=1.0):
 
 
 def draw_target(random):
-    kinds = random.choice((PARTICLES, PARTICLES, FUNCTIONS, tuple(TARGETS.values())))
-    names = [name for name, kind in TARGETS.items() if kind in kinds or kinds is FUNCTIONS]
-    if kinds is FUNCTIONS:
-        names = [kind.__name__ for kind in FUNCTIONS]
-    return draw_shape(random, names)
+    kinds = random.choice((PARTICLES, PARTICLES, FUNCTIONS, OTHERS, None))
+    return draw_shape(random, [kind.__name__ for kind in kinds] if kinds else TARGETS)
 
 
 def draw_change(random):

@@ -1,7 +1,7 @@
 """Tries the cases on its standard input, one to a line, and tells of each what was found.
 
-It has two gigabytes, and for each case 20 seconds of the processor's time, whatever the machine does
-meanwhile.
+It has two gigabytes, and for each case 20 seconds of the processor's time, whatever the machine
+does meanwhile.
 """
 
 import resource

@@ -1,5 +1,5 @@
-"""Shapes for random cases, each made by its name and the seed of a generator: targets of every kind,
-standing and moving, shapes to start on, obstacles.
+"""Shapes for random cases, each made by its name and the seed of a generator: targets of every
+kind, standing and moving, shapes to start on, obstacles.
 
 A target is made of what attracts (a function, data or an algorithm) and the names of its arrays by
 the numbers of SetInputArrayToProcess.
@@ -218,8 +218,9 @@ def a_potential(random):
     """An implicit function of this package."""
     if random.random() < 0.5:
         function = vtkSkeletonPotential()
-        function.SetInput(random.choice((particles, skeleton))(random)[0])
-        function.SetParticleModel(random.randint(0, 2))
+        kind = random.choice((particles, skeleton))
+        function.SetInput(kind(random)[0])
+        function.SetParticleModel(random.randint(0, 2) if kind is particles else 0)
         function.SetRadius(random.uniform(0.3, 0.6))
         return function
     function = vtkGridPotential()
