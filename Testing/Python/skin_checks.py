@@ -63,7 +63,7 @@ def check_normals(skin, points, triangles):
     worst = numpy.abs(lengths - 1).max(initial=0.0)
     assert worst <= UNIT, f"a normal has length 1 + {worst}"
     # Areas weigh the triangles: slivers may be turned, the skin as a whole may not.
-    corners = points[triangles]
+    corners = points.astype(float)[triangles]
     sides = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     outward = numpy.einsum("ij,ij->", sides, normals[triangles].sum(axis=1))
     assert outward > 0, "normals and triangles disagree on the outside"
