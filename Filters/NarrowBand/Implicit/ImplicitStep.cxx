@@ -75,7 +75,9 @@ public:
     this->Result.IsSkipped = !moves && !this->IsCarried;
     if (moves)
     {
-      this->Result.LargestWay = this->Where.MaySkip ? 0.0 : this->FindLargestWay();
+      this->Result.LargestWay = this->Where.MaySkip
+        ? 0.0
+        : this->FindLargestWay(this->Set.Active, this->FindCoefficients(this->Plan), this->Plan);
       this->Result.Gradients.Nodes =
         this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
       this->Moved = this->Set.Active;
@@ -202,20 +204,12 @@ private:
   }
 
   /** Of all terms but the controls. */
-  double FindLargestWay() const
+  float FindLargestWay(
+    const LeafList& leaves, const WayCoefficients& coefficients, const StepPlan& plan) const
   {
-    const WayCoefficients ways = this->FindCoefficients(this->Plan);
-    if (this->Plan.GetStages())
-    {
-      FindTensionWays(this->Leaves, this->Set.Active, ways, this->IsWeighted(), this->Buffers);
-    }
-    float largest = 0.f;
-    for (const std::int32_t i : this->Set.Active)
-    {
-      largest = std::max(largest,
-        this->Plan.GetStages() ? this->Buffers.LargestNetWay[i] : WayOf(i, ways, this->Buffers));
-    }
-    return largest;
+    return plan.GetStages()
+      ? LargestNetWay(this->Leaves, leaves, coefficients, this->IsWeighted(), this->Buffers)
+      : LargestWay(leaves, coefficients, this->Buffers);
   }
 
   WayCoefficients FindCoefficients(const StepPlan& plan) const
@@ -298,7 +292,7 @@ private:
       return;
     }
     coefficients.Relaxation =
-      static_cast<float>(plan.GetRelaxation(LargestWay(leaves, coefficients, this->Buffers)));
+      static_cast<float>(plan.GetRelaxation(this->FindStrain(leaves, coefficients, plan)));
     this->Set.Choose(this->Leaves, leaves);
     FindWays(this->Leaves, this->Set, coefficients, this->Buffers);
     ExtendSpeed(this->Leaves, this->Set, this->Law, this->Buffers);
@@ -317,6 +311,17 @@ private:
     {
       this->Commit();
     }
+  }
+
+  /** The longest way. One that tension goes back strains nothing; but attraction's does, as it
+   * differs from place to place. */
+  float FindStrain(
+    const LeafList& leaves, const WayCoefficients& coefficients, const StepPlan& plan) const
+  {
+    const float way = LargestWay(leaves, coefficients, this->Buffers);
+    return this->HasTarget() || way == 0.f
+      ? way
+      : std::min(way, this->FindLargestWay(leaves, coefficients, plan));
   }
 
   void Count(const GradientCounts& counts)
