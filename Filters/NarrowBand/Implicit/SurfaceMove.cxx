@@ -64,8 +64,9 @@ private:
     {
       const float whole = this->Coefficients.Factor * ways[z] + this->Coefficients.Uniform;
       const float way = std::min(std::max(whole, -longest), longest);
-      const float square =
-        squares[z] < flat ? std::max(squares[z], UpwindSquare(u + z, way)) : squares[z];
+      const float upwind = UpwindSquare(u + z, way);
+      const float balanced = squares[z] < flat ? std::max(squares[z], upwind) : squares[z];
+      const float square = this->Coefficients.IsUpwind ? upwind : balanced;
       ways[z] = (nodes >> z) & 1u ? way * std::sqrt(square) : ways[z];
     }
   }

@@ -20,6 +20,9 @@ WayCoefficients CoefficientsOf(const Motion& law, const StepPlan& plan)
   const bool hasTarget = law.Attraction > 0.0;
   WayCoefficients coefficients;
   coefficients.HasTargetSpeed = hasTarget;
+  // Details of a target that the lattice cannot hold make a surface rougher for ever by central
+  // gradients, where tension is too weak to smooth them: its length is below a quarter of a voxel.
+  coefficients.IsUpwind = hasTarget && 16.0 * plan.GetTension() < plan.GetDamping();
   coefficients.Factor = hasTarget ? static_cast<float>(plan.GetFactor()) : 0.f;
   coefficients.Uniform = static_cast<float>(plan.GetUniformWay());
   coefficients.Longest = LongestWay;
