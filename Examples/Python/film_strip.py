@@ -67,6 +67,16 @@ def ball_actor(points, radius, color=CLAY):
     return _actor(mapper, color)
 
 
+def colored(actor, array):
+    """The actor in the colors of a point array of bytes, R G B."""
+    mapper = actor.GetMapper()
+    mapper.ScalarVisibilityOn()
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SetColorModeToDirectScalars()
+    mapper.SelectColorArray(array)
+    return actor
+
+
 def write_film_strip(file_name, *rows, view=(0.45, 0.45, 1.0), width=1920, floor=None):
     """Writes rows of frames, a frame being a list of actors, seen by one camera that fits all.
 
