@@ -11,7 +11,7 @@ from particle_series import make_particles
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 
-RATE, FRAMES, GRAIN, SPACING, SUBSTEPS = 25, 40, 0.012, 0.08, 4
+RATE, FRAMES, GRAIN, SPACING, SUBSTEPS = 25, 34, 0.016, 0.08, 4
 LUMPS = np.array([[-0.55, 0.22, 0.1], [0.0, 0.3, -0.15], [0.5, 0.2, 0.2]])
 RADII, PHASES = (0.3, 0.36, 0.26), np.array([0.0, 2.1, 4.2])
 
@@ -38,11 +38,11 @@ def bounce(function, places, velocities):
     normals /= np.linalg.norm(normals, axis=1, keepdims=True) + 1e-9
     places[hits] += normals * (GRAIN - distance(function, near))[:, None]
     speeds = np.minimum((velocities[hits] * normals).sum(axis=1), 0)
-    velocities[hits] -= 1.35 * normals * speeds[:, None]
+    velocities[hits] -= 1.15 * normals * speeds[:, None]
 
 
 random = np.random.default_rng(1)
-grains = random.uniform((-0.9, 0.8, -0.4), (0.8, 3.2, 0.4), (2500, 3))
+grains = random.uniform((-0.8, 0.8, -0.4), (0.7, 2.6, 0.4), (3000, 3))
 velocities, moments, live = np.zeros_like(grains), [], LiveSurface(particle_spacing=SPACING)
 folder, dt = output_folder(__doc__), 1 / RATE / SUBSTEPS
 for frame in range(FRAMES):
@@ -52,7 +52,7 @@ for frame in range(FRAMES):
         grains += dt * velocities
         bounce(live.surface.GetSkinFunction(), grains, velocities)
         velocities[grains[:, 1] < GRAIN] *= 0.6
-        np.maximum(grains[:, 1], GRAIN, out=grains[:, 1])
-    if frame in (12, 20, 36):
+        np.clip(grains, (-1.25, GRAIN, -0.9), (1.2, 9, 0.9), out=grains)
+    if frame in (14, 22, 33):
         moments.append([skin_actor(skin), ball_actor(make_particles(grains), GRAIN, CLAY)])
 write_film_strip(folder / "collisions.png", moments, view=(0.3, 0.5, 1), width=2000, floor=0)

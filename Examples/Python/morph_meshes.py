@@ -27,7 +27,7 @@ def solid(word):
 
 
 folder = output_folder(__doc__)
-way = active.morph(solid("1998"), solid("2026"), DURATION, frames=FRAMES, voxel_size=0.03)
+way = active.morph(solid("1998"), solid("2026"), DURATION, frames=FRAMES, voxel_size=0.02)
 pictures = []
 for time, skin in way:
     if round(time / DURATION * (FRAMES - 1)) in (0, 4, 8, 20):

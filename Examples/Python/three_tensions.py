@@ -10,8 +10,8 @@ from film_strip import ball_actor, output_folder, skin_actor, write_film_strip
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 DATA = Path(__file__).resolve().parents[2] / "Testing" / "Data" / "sph_drop.vtp"
-STEP, RADIUS = 12, 0.05
-TENSIONS = (0, 4, 30)  # times Attraction * RADIUS ** 2
+STEP, RADIUS = 24, 0.05
+TENSIONS = (0, 1, 4)  # times Attraction * RADIUS ** 2
 
 folder = output_folder(__doc__)
 particles = vtkXMLPolyDataReader()
@@ -21,12 +21,14 @@ pictures = [[ball_actor(particles.GetOutput(), RADIUS)]]
 for tension in TENSIONS:
     surface = vtkActiveImplicitSurface()
     surface.SetInputData(particles.GetOutput())
-    surface.SetParticleSpacing(2 * RADIUS)
+    surface.SetParticleModelToSum()
+    surface.SetParticleRadius(3 * RADIUS)
+    surface.SetTensionWeighting(False)  # tension everywhere, as in the paper
     surface.SetVoxelSize(RADIUS / 2)
     surface.SetTension(tension * RADIUS**2)  # Attraction is 1
-    surface.SetEvolutionModeToEquilibrium()
-    surface.SetRestTolerance(0.02)
-    surface.Update()
+    surface.SetCreateParts(False)  # drops that tension takes away stay away
+    surface.SetTimeIntegrationToImplicit()
+    surface.UpdateTimeStep(1.0)
     skin = surface.GetOutput()
     print(f"tension {tension} r^2: {skin.GetNumberOfPolys()} triangles", flush=True)
     pictures.append([skin_actor(skin)])

@@ -23,9 +23,11 @@ from unittest import mock
 
 import documents
 import numpy
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  draws
 from active_implicit_surfaces import data_objects, skin, vtkActiveVDBWriter
 from command_line import CommandTest, grid, moving_grid
 from documents import ROOT
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
@@ -100,8 +102,6 @@ class Blocks(CommandTest):
         (self.folder / "splash.pvd").write_text(text)
 
     def as_grid(self, cloud):
-        from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
-
         points = vtkUnstructuredGrid()
         points.SetPoints(cloud.GetPoints())
         return points
@@ -163,7 +163,7 @@ class Blocks(CommandTest):
 
 
 def fake_axes(rows):
-    axes = numpy.array([[mock.MagicMock()] for _ in range(rows)])
+    axes = numpy.array([[mock.Mock()] for _ in range(rows)])
     for place in axes[:, 0]:
         place.get_ylim.return_value = (0.0, 1.0)
     return axes
