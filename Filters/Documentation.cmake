@@ -2,7 +2,6 @@
 # itself stands in its header; sub-folders of a module are private and left out.
 
 set(DOXYGEN_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/documentation")
-set(DOXYGEN_USE_MDFILE_AS_MAINPAGE "${PROJECT_SOURCE_DIR}/Filters/HOW_IT_WORKS.md")
 set(DOXYGEN_STRIP_FROM_PATH "${PROJECT_SOURCE_DIR}")
 set(DOXYGEN_FILE_PATTERNS "*.h")
 set(DOXYGEN_RECURSIVE NO)

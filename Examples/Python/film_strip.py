@@ -94,7 +94,8 @@ def write_film_strip(file_name, *rows, view=(0.45, 0.45, 1.0), width=1920, floor
     size = (frame_width, round(frame_width / aspect))
     window.SetSize(*(FINENESS * (side + 2 * BORDER) for side in size))
     larger = 1.0 + 2.0 * BORDER / size[1]
-    camera.SetViewAngle(2 * math.degrees(math.atan(larger * math.tan(math.radians(VIEW_ANGLE / 2)))))
+    half = math.atan(larger * math.tan(math.radians(VIEW_ANGLE / 2)))
+    camera.SetViewAngle(math.degrees(2 * half))
     lines = [[_shoot(window, frame + ground, camera) for frame in row] for row in rows]
     _write_png(file_name, _append([_append(line, 0) for line in reversed(lines)], 1))
 

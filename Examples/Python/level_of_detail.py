@@ -44,6 +44,7 @@ for frame, (_, skin) in enumerate(frames):
 table = frames.surface.GetHistory()
 volumes = [table.GetValueByName(row, "Volume").ToDouble() for row in range(FRAMES)]
 steps = np.abs(np.diff(volumes)) / volumes[0]
-print(f"from {FINE} to {COARSE} particles the volume changes by {abs(volumes[BACK - 1] / volumes[0] - 1):.1%},")
+change = abs(volumes[BACK - 1] / volumes[0] - 1)
+print(f"from {FINE} to {COARSE} particles the volume changes by {change:.1%},")
 print(f"from one frame to the next by {steps.max():.1%} at most")
 write_film_strip(folder / "level_of_detail.png", balls, skins, view=(0.4, 0.4, 1))

@@ -29,8 +29,7 @@ STRIPS = {
 
 def skin_of(series, **options):
     """The skin of the last frame."""
-    for _, skin in active.frames(series, fps=RATE, **{**USUAL, **options}):
-        pass
+    *_, (_, skin) = active.frames(series, fps=RATE, **{**USUAL, **options})
     return skin
 
 

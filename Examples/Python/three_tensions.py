@@ -11,7 +11,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 DATA = Path(__file__).resolve().parents[2] / "Testing" / "Data" / "sph_drop.vtp"
 STEP, RADIUS = 24, 0.05
-TENSIONS = (0, 1, 4)  # times Attraction * RADIUS ** 2
+TENSIONS = (0, 0.5, 2)  # times Attraction * RADIUS ** 2
 
 folder = output_folder(__doc__)
 particles = vtkXMLPolyDataReader()

@@ -1,7 +1,7 @@
 # ctest: DISPLAY LABELS contract TIMEOUT 600
 """Every code block of every page does what it says.
 
-- python: part of an example, line by line, else it is run here, with data of the names that it uses.
+- python: part of an example, line by line; else it is run here, with data of the names it uses.
 - bash: `active-surface` is run here; other commands are ones that the tests run elsewhere, and name
   scripts, presets and targets that there are.
 - cmake: what the project Testing/Consumer says.
@@ -98,7 +98,9 @@ class Blocks(CommandTest):
                 f"splash_{step:04}.csv", places, delimiter=",", header="x,y,z", comments=""
             )
             entries += f'<DataSet timestep="{0.04 * step}" file="splash_{step:04}.vtp"/>'
-        text = f'<VTKFile type="Collection" version="0.1"><Collection>{entries}</Collection></VTKFile>'
+        text = (
+            f'<VTKFile type="Collection" version="0.1"><Collection>{entries}</Collection></VTKFile>'
+        )
         (self.folder / "splash.pvd").write_text(text)
 
     def as_grid(self, cloud):
