@@ -242,7 +242,19 @@ float LargestWay(
   {
     largest = std::max(largest, WayOf(i, coefficients, buffers));
   }
-  return std::min(largest, coefficients.Longest);
+  return largest;
+}
+
+float LargestNetWay(const LeafTable& table, const LeafList& leaves,
+  const WayCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers)
+{
+  FindTensionWays(table, leaves, coefficients, isWeighted, buffers);
+  float largest = 0.f;
+  for (const std::int32_t i : leaves)
+  {
+    largest = std::max(largest, buffers.LargestNetWay[i]);
+  }
+  return largest;
 }
 
 void FindTensionWays(const LeafTable& table, const LeafList& leaves,

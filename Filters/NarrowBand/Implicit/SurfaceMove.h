@@ -29,9 +29,13 @@ struct WayCoefficients
 /** The longest way of a leaf by the target and the penalties. */
 float WayOf(std::size_t leaf, const WayCoefficients& coefficients, const SubstepBuffers& buffers);
 
-/** The longest way in these leaves, at most coefficients.Longest. */
+/** The longest way in these leaves. */
 float LargestWay(
   const LeafList& leaves, const WayCoefficients& coefficients, const SubstepBuffers& buffers);
+
+/** The same by all terms, with Tension. */
+float LargestNetWay(const LeafTable& table, const LeafList& leaves,
+  const WayCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers);
 
 /** LargestTensionWay of these leaves, by Tension, or by all terms if that is less; and
  * LargestNetWay, by all terms. */
