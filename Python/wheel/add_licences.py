@@ -10,7 +10,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-CHANGED_NAME = re.compile(r"-[0-9a-f]{8}(?=\.so)")  # auditwheel puts a hash there
+CHANGED_NAME = re.compile(r"-[0-9a-f]{8}(?=\.)")  # auditwheel puts a hash there
 
 
 def output_of(*command):
@@ -18,14 +18,15 @@ def output_of(*command):
 
 
 def installed_libraries():
-    """Paths of this machine's libraries by their names."""
-    found = re.findall(r"^\s*(\S+) \(.*=> (\S+)$", output_of("ldconfig", "-p"), re.MULTILINE)
-    return {name: Path(path) for name, path in reversed(found)}  # the first of a name counts
+    """This machine's libraries by the names of their files, as auditwheel follows links."""
+    found = re.findall(r"=> (\S+)$", output_of("/sbin/ldconfig", "-p"), re.MULTILINE)
+    paths = [Path(path).resolve() for path in reversed(found)]  # the first of a name counts
+    return {path.name: path for path in paths}
 
 
 def package_of(path):
     """The Debian package of a file, and its version."""
-    for name in (str(path), str(path.resolve()), str(path.resolve()).removeprefix("/usr")):
+    for name in (str(path), str(path).removeprefix("/usr")):  # as Debian has merged these folders
         try:
             package = output_of("dpkg-query", "-S", name).partition(":")[0]
         except subprocess.CalledProcessError:
