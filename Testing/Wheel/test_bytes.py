@@ -1,4 +1,4 @@
-"""A wheel makes the same bytes as Debian's VTK: Testing/Baselines/hashes.json, but for what VTK does.
+"""A wheel makes the bytes of Testing/Baselines/hashes.json, as the build with Debian's VTK does.
 
 Run by Testing/Wheel/run, in an environment with the wheel.
 """
