@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace activesurface
 {
@@ -39,6 +41,12 @@ constexpr double OffsetOfBody = 0.1;
 constexpr double LeastBody = 0.3;
 constexpr double FullBody = 0.8;
 
+// Of fewer particles each may have all as neighbours; else so many on the average, a hundred times
+// what is usual, are refused: each is visited for each, so that it would take hours.
+constexpr std::size_t FewParticles = 30000;
+constexpr std::size_t MostNeighbours = 20000;
+constexpr std::size_t ParticlesOfSample = 256;
+
 class Fitting
 {
 public:
@@ -56,6 +64,7 @@ public:
 
   std::vector<ParticleFit> Find()
   {
+    this->RefuseCrowds();
     this->ForEach([this](std::size_t i) { this->FindNeighbourhood(i); });
     if (this->Options.Model != ParticleModel::Sum)
     {
@@ -66,6 +75,26 @@ public:
   }
 
 private:
+  // By a sample that is spread over the list.
+  void RefuseCrowds() const
+  {
+    const std::size_t count = this->Particles.size();
+    std::size_t neighbours = 0;
+    for (std::size_t i = 0; i < ParticlesOfSample && count > FewParticles; ++i)
+    {
+      const SkeletonVertex& particle = this->Particles[i * count / ParticlesOfSample];
+      neighbours += this->Neighbours.CountNear(particle.Position);
+      if (neighbours > MostNeighbours * ParticlesOfSample)
+      {
+        throw std::invalid_argument("The " + std::to_string(count) + " particles have more than " +
+          std::to_string(MostNeighbours) +
+          " neighbours in reach on the average, where some 200 are usual; check whether many are "
+          "in the same place, and whether ParticleSpacing and ParticleRadius (or the array of "
+          "radii) are in the particles' own units, or set ParticleModel to SUM.");
+      }
+    }
+  }
+
   template <class Function>
   void ForEach(Function function) const
   {

@@ -26,7 +26,8 @@ struct FitOptions
   double Anisotropy = 4.0; // largest ratio of an ellipsoid's axes
 };
 
-// One fit for each particle. Thread-count independent. Throws as ElementIndex does.
+// One fit for each particle. Thread-count independent. Throws as ElementIndex does, and
+// std::invalid_argument for so many in one place that it would take hours.
 VTKACTIVEPOTENTIALS_EXPORT std::vector<ParticleFit> FitParticles(
   const FitOptions& options, const std::vector<SkeletonVertex>& particles);
 

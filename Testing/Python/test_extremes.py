@@ -12,6 +12,7 @@ import faulthandler
 import math
 import re
 import resource
+import signal
 import time
 import unittest
 
@@ -38,8 +39,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
 
 MEMORY = 4 << 30  # bytes of address space
-LONGEST = 2.0  # seconds that a case may take
-HANGS = 30  # seconds after which the test ends itself
+LONGEST = 2.0  # seconds of the processor that a case may take
+HANGS = 30  # such seconds after which the test ends itself
 
 INT_MAX = 2**31 - 1
 NUMBERS = (0.0, -0.0, -1.0, 1e-300, -1e-300, 1e300, -1e300, math.nan, math.inf, -math.inf)
@@ -96,16 +97,20 @@ def is_closed(skin):
     )
 
 
+def end_if_it_hangs():
+    """However busy the machine is: the kernel counts the processor's time of this program."""
+    end = int(time.process_time()) + HANGS
+    resource.setrlimit(resource.RLIMIT_CPU, (end, resource.RLIM_INFINITY))
+
+
 class Case(unittest.TestCase):
     def setUp(self):
-        faulthandler.dump_traceback_later(HANGS, exit=True)
-
-    def tearDown(self):
-        faulthandler.cancel_dump_traceback_later()
+        faulthandler.register(signal.SIGXCPU, chain=True)
+        end_if_it_hangs()
 
     def begin(self, *words):
         print(*words, flush=True)
-        faulthandler.dump_traceback_later(HANGS, exit=True)
+        end_if_it_hangs()
         return self.subTest(" ".join(str(word) for word in words))
 
     def assert_is_clamped(self, thing, name, value):
@@ -149,9 +154,9 @@ class Case(unittest.TestCase):
 
     def update(self, surface, listener, pipeline_time):
         listener.forget()
-        began = time.monotonic()
+        began = time.process_time()
         surface.UpdateTimeStep(pipeline_time)
-        self.assertLess(time.monotonic() - began, LONGEST)
+        self.assertLess(time.process_time() - began, LONGEST)
 
     def check(self, surface, listener, name, pipeline_time=LATER):
         """Updates, and returns whether that is refused."""
@@ -209,14 +214,14 @@ class OfThePotentials(Case):
     PLACES = ((0, 0, 0), (0.3, 0.1, 0.2), (0.5, 0, 0), (7, 0, 0))
 
     def evaluate(self, function):
-        began = time.monotonic()
+        began = time.process_time()
         numbers = []
         for place in self.PLACES:
             gradient = [0.0, 0.0, 0.0]
             numbers.append(function.EvaluateFunction(place))
             function.EvaluateGradient(place, gradient)
             numbers.extend(gradient)
-        self.assertLess(time.monotonic() - began, LONGEST)
+        self.assertLess(time.process_time() - began, LONGEST)
         return numbers
 
     def go_through(self, kind, data):

@@ -43,6 +43,17 @@ void NeighbourSums::Visit(const double x[3], Visitor visit) const
     });
 }
 
+std::size_t NeighbourSums::CountNear(const double x[3]) const
+{
+  SkeletonCells::Place place;
+  std::copy_n(x, 3, place.Low);
+  std::copy_n(x, 3, place.High);
+  std::size_t near = 0;
+  VisitHits(this->Near.GetCells(), place,
+    [&near](const SkeletonCells::Index*, std::size_t count) { near += count; });
+  return near;
+}
+
 NeighbourMoments NeighbourSums::FindMoments(const double x[3]) const
 {
   constexpr double nearPerReach = 0.55;

@@ -8,6 +8,7 @@
 #include "Skeleton.h"
 #include "Skeleton/HitVisits.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace activesurface
@@ -29,6 +30,9 @@ public:
   NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor);
 
   NeighbourMoments FindMoments(const double x[3]) const;
+
+  // How many are near a place, or a few more.
+  std::size_t CountNear(const double x[3]) const;
 
   // Of the amount times two numbers of each particle, Share and Value: sum w Share, and
   // sum w Share Value.

@@ -3,6 +3,7 @@
 #include "Pipeline/Compatibility.h"
 #include "Pipeline/PublishedInformation.h"
 #include "Pipeline/SkinArrays.h"
+#include "TimeSteps.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
@@ -12,6 +13,7 @@
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
@@ -166,20 +168,32 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
   }
 }
 
+// VTK takes an algorithm that has failed to make a time to have made it: only after a request for
+// another time it executes again. The last step that it has made costs least.
+int SurfaceRequests::FindStepBeside(int missing) const
+{
+  const int made = this->Simulation.GetLastStepAdded();
+  const SurfaceInputs& inputs = this->Simulation.GetSettings().Inputs;
+  if (made != missing || inputs.OnlyForward)
+  {
+    return made;
+  }
+  const int last = static_cast<int>(inputs.Steps.size()) - 1;
+  return missing < last ? missing + 1 : std::max(missing - 1, 0);
+}
+
 void SurfaceRequests::RequestTarget(vtkInformation* target)
 {
   if (SurfaceInput::IsComposite(target))
   {
     this->CompositeTarget = this->Target.GetPipelineMTime();
   }
-  // VTK takes an algorithm that has failed to make a time to have made it: only after a request for
-  // another time it executes again.
   const SurfaceInputs& inputs = this->Simulation.GetSettings().Inputs;
   const int missing = this->Simulation.FindMissingStep();
   const bool isNewest = missing + 1 == static_cast<int>(inputs.Steps.size());
   const bool isReady =
     missing >= 0 && (inputs.OnlyForward ? isNewest : !this->LastTargetUpdateFailed);
-  this->RequestedStep = isReady ? missing : this->Simulation.GetLastStepAdded();
+  this->RequestedStep = isReady ? missing : this->FindStepBeside(missing);
   this->LastTargetUpdateFailed = true;
   SurfaceInput::RequestFirst(target);
   if (inputs.TargetMoves)
@@ -299,12 +313,25 @@ bool SurfaceRequests::Advance(vtkInformationVector** input)
     });
 }
 
+// A piece without content has the time of the one with it.
+void SurfaceRequests::PublishTimeOfNothing(
+  const SurfaceProperties& properties, vtkInformation* request, vtkInformationVector* output) const
+{
+  const int port = RequestedPort(request);
+  const PipelineTime asked = this->FindRequestedTime(output->GetInformationObject(port));
+  const std::vector<double>& steps = this->Clock.GetPublishedSteps();
+  const bool isEquilibrium = properties.Settings.IsEquilibrium();
+  PublishTime(vtkDataObject::GetData(output, port),
+    steps.empty() ? asked : PipelineTime{ FindStep(steps, asked.Value).Time }, isEquilibrium);
+}
+
 void SurfaceRequests::RequestData(const SurfaceProperties& properties, vtkInformation* request,
   vtkInformationVector** input, vtkInformationVector* output)
 {
   this->CheckInputs();
   if (OutputPorts::IsForNothing(request, output))
   {
+    this->PublishTimeOfNothing(properties, request, output);
     return;
   }
   this->Simulation.GetSettings().Check();

@@ -60,12 +60,15 @@ private:
   const SurfaceDomain* FindDomain(
     const SurfaceProperties& properties, vtkInformationVector** input, bool isWanted);
   PipelineTime FindRequestedTime(vtkInformation* output) const;
+  int FindStepBeside(int missing) const;
   void RequestTarget(vtkInformation* target);
   void CheckInputs() const;
   void ReadFirst(vtkInformationVector** input);
   std::unique_ptr<InputShape> ReadTarget(vtkInformation* target) const;
   void UpdateTarget(vtkInformation* target, PipelineTime time);
   bool Advance(vtkInformationVector** input);
+  void PublishTimeOfNothing(const SurfaceProperties& properties, vtkInformation* request,
+    vtkInformationVector* output) const;
 
   vtkAlgorithm* Filter;
   SurfaceInput Target;

@@ -64,10 +64,10 @@ Motion MotionDriver::GetMotion(int step) const
 {
   Motion motion = this->Settings.Law;
   const bool hasFluid = this->Shapes.HasParticles() && !motion.Paper;
-  motion.CreateParts = motion.CreateParts && !motion.Paper;
+  const SurfaceDomain* domain = this->Shapes.FindDomain();
+  motion.CreateParts = motion.CreateParts && !motion.Paper && domain; // which tells the voxels
   motion.WeightedTension = motion.WeightedTension && hasFluid;
   motion.Transport = 0.0; // of what stands still
-  const SurfaceDomain* domain = this->Shapes.FindDomain();
   motion.Solid = this->FindObstacle();
   motion.Box.Present = this->Settings.Bounded && domain;
   if (domain)

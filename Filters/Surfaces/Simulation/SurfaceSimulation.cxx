@@ -363,8 +363,10 @@ void SurfaceSimulation::RestoreLoaded()
   const RequestedTime time = FindRequested(this->Settings, { this->Loaded.Time });
   const NarrowBand& band = *this->Loaded.Band;
   const double motionTime = this->Settings.ToMotionTime(time.Time).Value;
-  if (time.Between || std::fabs(band.GetTime() - motionTime) > 1e-9 * std::fabs(motionTime) ||
-    band.GetVoxelSize() != this->FindDomain()->VoxelSize)
+  // A skin that has vanished keeps the time at which it did.
+  const bool isOfAnotherTime =
+    !band.IsEmpty() && std::fabs(band.GetTime() - motionTime) > 1e-9 * std::fabs(motionTime);
+  if (time.Between || isOfAnotherTime || band.GetVoxelSize() != this->FindDomain()->VoxelSize)
   {
     throw std::invalid_argument(
       "The state that was loaded is not one of this surface: its time is no "

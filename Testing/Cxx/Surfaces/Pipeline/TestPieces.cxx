@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace activesurface;
@@ -62,6 +63,23 @@ TEST(TestPieces, OtherPiecesAreEmptyAndCostNothing)
   auto other = MakeSkinOver(MakeMovingBall());
   EXPECT_TRUE(AreSameSkins(GetBytes(filter), GetBytesAt(other, 3.0)))
     << "then the first piece, as ever";
+}
+
+// The input is at a step after the first update, and VTK would give its time to the piece.
+TEST(TestPieces, OtherPiecesHaveTheTimeOfTheFirst)
+{
+  auto filter = MakeSkinOver(MakeMovingBall());
+  UpdatePieceAt(filter, 0, 0, 1.0);
+  for (const auto& [asked, told] :
+    { std::pair(2.5, 2.5), std::pair(3.0, 3.0), std::pair(-1.0, 0.0), std::pair(99.0, 4.0) })
+  {
+    for (const int port : { 0, 2 })
+    {
+      UpdatePieceAt(filter, port, 1, asked);
+      vtkInformation* data = filter->GetOutputDataObject(port)->GetInformation();
+      EXPECT_EQ(data->Get(vtkDataObject::DATA_TIME_STEP()), told) << "of port " << port;
+    }
+  }
 }
 
 // Particles have no bounds before they are read, and nobody was connected who needed them.

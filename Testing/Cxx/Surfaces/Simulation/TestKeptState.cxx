@@ -205,6 +205,26 @@ TEST(TestKeptState, NextStepThatFailsKeepsTheOneBefore)
   EXPECT_EQ(filter->GetSubsteps(), direct->GetSubsteps()) << "substeps in all";
 }
 
+// The same, where nothing has been made before: VTK would give the empty data of the failure for
+// it.
+TEST(TestKeptState, FirstStepThatFailsIsMadeAgain)
+{
+  for (const double time : { 0.0, 3.0 })
+  {
+    auto source = MakeMovingBall();
+    auto filter = MakeSkinOver(source);
+    source->SetFailingExecution(0);
+    MessageCapture messages(filter);
+    filter->UpdateTimeStep(time);
+    EXPECT_EQ(source->GetExecutions(), "0 ") << "times asked for";
+    source->SetFailingExecution(-1);
+    const std::string bytes = GetBytesAt(filter, time);
+    EXPECT_EQ(source->GetExecutions().substr(0, 6), "0 1 0 ") << "times asked for then";
+    auto direct = MakeSkinOver(MakeMovingBall());
+    EXPECT_TRUE(AreSameSkins(bytes, GetBytesAt(direct, time))) << "as without an error at " << time;
+  }
+}
+
 TEST(TestKeptState, ChangedPropertyStartsAnewAfterAnError)
 {
   auto filter = MakeInterrupted();

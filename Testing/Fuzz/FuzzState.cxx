@@ -1,0 +1,28 @@
+// Any bytes as a saved state; one that is read goes on, and is packed and unpacked.
+
+#include "FuzzInput.h"
+
+#include "Simulation/StateFile.h"
+#include "Skin.h"
+
+#include <stdexcept>
+
+using namespace activesurface;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  const FuzzFile file(".vdb", data, size);
+  try
+  {
+    const SavedState state = ReadState(file.GetName());
+    const Skin skin(*state.Band);
+    std::vector<double> points(3 * skin.GetNumberOfPoints());
+    std::vector<std::int64_t> corners(3 * skin.GetNumberOfTriangles());
+    skin.Write(points.data(), nullptr, corners.data());
+    NarrowBand::Unpack(state.Band->Pack());
+  }
+  catch (const std::runtime_error&)
+  {
+  }
+  return 0;
+}

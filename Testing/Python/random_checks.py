@@ -1,0 +1,282 @@
+"""Tries a random case (random_cases.py): after each request the skin is sound, each error is a
+sentence, and at the end a fresh filter gives the same bytes."""
+
+import math
+import re
+import tempfile
+from pathlib import Path
+
+from active_implicit_surfaces import vtkActiveImplicitSurface
+from contents import Contents
+from listener import Listener
+from random_cases import BASE
+from random_shapes import Source, make_shape
+from same_bytes import POINTS, connect
+from skin_checks import check_parts, check_skin, points_of, triangles_of
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+
+PORTS = {"target": 0, "initial": 1}
+
+
+def sentence_of(text):
+    """What a message says, without where it says it from."""
+    return re.sub(r"^(ERROR|Warning): In .*?\n.*?\): ", "", text, flags=re.S).strip()
+
+
+class Case:
+    """One filter through the operations of a case."""
+
+    def __init__(self, case):
+        self.shapes = {role: case[role] for role in ("target", "initial", "obstacle")}
+        self.properties = {**BASE, **case["properties"]}
+        self.made = {}
+        self.surface, self.listener = self.make(self.made)
+        self.guards = [self.properties["MaximumNumberOfActiveVoxels"]]
+        self.time = None
+        self.counts = {"requests": 0, "skins": 0, "refused": 0, "stopped": 0, "failed": 0}
+
+    def make(self, made):
+        surface = vtkActiveImplicitSurface()
+        listener = Listener(surface)
+        for name, value in self.properties.items():
+            getattr(surface, "Set" + name)(value)
+        for role in self.shapes:
+            self.put_shape(surface, made, role)
+        return surface, listener
+
+    def put_shape(self, surface, made, role):
+        made[role], arrays = make_shape(role, self.shapes[role])
+        if role == "obstacle":
+            surface.SetObstacleFunction(made[role])
+            return
+        port = PORTS[role]
+        set_function = (surface.SetTargetFunction, surface.SetInitialFunction)[port]
+        set_function(None)
+        surface.RemoveAllInputConnections(port)
+        connect(surface, port, set_function, made[role])
+        if isinstance(made[role], Source):
+            made["listener"] = Listener(made[role])
+        for number, name in arrays.items():
+            surface.SetInputArrayToProcess(number, port, 0, POINTS, name)
+
+    def do(self, name, *arguments):
+        getattr(self, "do_" + name.replace(" ", "_"))(*arguments)
+
+    def do_time(self, time):
+        self.request(time)
+
+    def do_potential(self, time):
+        """The potential's image: its port has a clock of its own, but history and skin function
+        are of what was made last."""
+        self.listener.forget()
+        self.surface.UpdateInformation()
+        key = Pipeline.UPDATE_TIME_STEP()
+        self.surface.GetOutputInformation(1).Set(key, time)
+        self.surface.Update(1)
+        self.check_messages()
+        values = self.surface.GetPotential().GetPointData().GetScalars()
+        if values:
+            assert all(map(math.isfinite, vtk_to_numpy(values))), "the potential is not finite"
+        self.surface.Modified()
+
+    def do_piece(self, time, piece, pieces):
+        """The first of several pieces has all of the skin."""
+        self.update(time, piece, pieces)
+        self.check_messages()
+        if not self.listener.errors:
+            self.check_time(time)
+        if piece > 0:
+            assert self.surface.GetOutput().GetNumberOfPoints() == 0, "another piece has points"
+
+    def update(self, time, piece=0, pieces=1):
+        self.listener.forget()
+        self.surface.UpdateTimeStep(time, piece, pieces, 0)
+
+    def do_put(self, name, value):
+        self.properties[name] = value
+        getattr(self.surface, "Set" + name)(value)
+        self.guards.append(self.properties["MaximumNumberOfActiveVoxels"])
+
+    def do_initial(self, shape):
+        self.shapes["initial"] = shape
+        self.put_shape(self.surface, self.made, "initial")
+
+    def do_obstacle(self, shape):
+        self.shapes["obstacle"] = shape
+        self.put_shape(self.surface, self.made, "obstacle")
+
+    def do_save_and_load(self):
+        """Of what is there with the properties of now."""
+        self.update(self.time or 0.0)
+        with tempfile.TemporaryDirectory() as folder:
+            file = str(Path(folder) / "state.vdb")
+            self.listener.forget()
+            if self.surface.SaveState(file):
+                assert self.surface.LoadState(file), "what was saved cannot be loaded"
+            self.check_messages()
+        self.update(self.time or 0.0)
+
+    def do_abort(self, count, time):
+        """Stopped at the count-th time that it tells its progress."""
+        left = [count]
+
+        def on_progress(surface, event):
+            left[0] -= 1
+            if left[0] == 0:
+                surface.AbortExecuteOn()
+
+        observer = self.surface.AddObserver("ProgressEvent", on_progress)
+        self.update(time)
+        self.surface.RemoveObserver(observer)
+        self.surface.AbortExecuteOff()
+        self.check_messages()
+        if left[0] <= 0:
+            self.counts["stopped"] += 1
+
+    def do_fail(self, time):
+        """The input fails, if it is asked for anything. Where one time is all that it is asked for,
+        VTK takes the failure for its data until it is modified."""
+        source = self.made["target"]
+        if isinstance(source, Source) and self.surface.GetEvolutionMode() == 0:
+            source.fails = True
+            self.update(time)
+            source.fails = False
+            self.check_messages()
+            self.counts["failed"] += self.surface.GetOutput().GetNumberOfPoints() == 0
+
+    def do_refuse(self, name, value, time):
+        self.do_put(name, float(value) if isinstance(value, str) else value)
+        self.request(time)
+        left = {**BASE, **self.properties}
+        left[name] = BASE.get(name, getattr(vtkActiveImplicitSurface(), "Get" + name)())
+        self.do_put(name, left[name])
+
+    def do_no_target(self, time):
+        self.surface.SetTargetFunction(None)
+        self.surface.RemoveAllInputConnections(0)
+        self.update(time)
+        self.check_is_refused()
+        self.put_shape(self.surface, self.made, "target")
+
+    def do_no_file(self, time):
+        self.listener.forget()
+        assert not self.surface.LoadState("/absent/state.vdb")
+        self.check_messages(1)
+
+    def do_no_folder(self, time):
+        self.listener.forget()
+        assert not self.surface.SaveState("/absent/state.vdb")
+        self.check_messages(1)
+
+    def do_damage(self, time):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "state.vdb"
+            self.listener.forget()
+            if self.surface.SaveState(str(file)):
+                file.write_bytes(file.read_bytes()[:-7])
+            else:
+                file.write_bytes(b"no state")
+            self.listener.forget()
+            assert not self.surface.LoadState(str(file))
+            self.check_messages(1)
+
+    def set_back(self, scene):
+        """The properties and shapes of a scene, as when it was made."""
+        defaults = vtkActiveImplicitSurface()
+        wanted = {**BASE, **scene["properties"]}
+        for name in self.properties:
+            self.do_put(name, wanted.get(name, getattr(defaults, "Get" + name)()))
+        self.do_initial(scene.get("initial"))
+        self.do_obstacle(scene.get("obstacle"))
+
+    def request(self, time):
+        self.time = time
+        self.counts["requests"] += 1
+        self.update(time)
+        self.check_messages()
+        if self.listener.errors:
+            self.check_is_refused()
+            return
+        self.check_time(time)
+        check_skin(self.surface, self.find_voxel())
+        self.check_limits()
+        self.check_last_row()
+        self.counts["skins"] += self.surface.GetOutput().GetNumberOfPoints() > 0
+
+    def find_voxel(self):
+        return self.properties["VoxelSize"] or self.properties.get("ParticleSpacing", 0.0) / 2
+
+    def check_messages(self, least=0):
+        listener = self.listener
+        assert least <= len(listener.errors) <= 1, f"{len(listener.errors)} errors"
+        for text in (*listener.errors, *listener.warnings):
+            said = sentence_of(text)
+            assert re.match(r"[A-Z].*[.?)]$", said, re.S), f"not a sentence: {said!r}"
+            assert "memory" not in said, said
+
+    def check_is_refused(self):
+        self.counts["refused"] += 1
+        self.check_messages(1)
+        assert self.surface.GetOutput().GetNumberOfPoints() == 0, "an error, and a skin"
+        assert self.surface.GetHistory().GetNumberOfRows() == 0, "an error, and a history"
+
+    def check_time(self, time):
+        """The time asked for, or the step that is within rounding of it."""
+        information = self.surface.GetOutput().GetInformation()
+        key = self.surface.GetOutput().DATA_TIME_STEP()
+        steps = self.surface.GetOutputInformation(0).Get(Pipeline.TIME_STEPS())
+        if not steps:
+            assert not information.Has(key), "a time of what has none"
+            return
+        wanted = min(max(time, steps[0]), steps[-1])
+        near = [step for step in steps if math.isclose(step, wanted, rel_tol=1e-12, abs_tol=1e-12)]
+        expected = near[0] if near else wanted
+        told = information.Get(key)
+        assert told == expected, f"DATA_TIME_STEP is {told}, asked {time}, steps {steps}"
+
+    def check_limits(self):
+        """No more active voxels than were allowed while the skin moved."""
+        voxels = vtk_to_numpy(self.surface.GetHistory().GetColumnByName("ActiveVoxels"))
+        assert voxels.max() <= max(self.guards), f"{voxels.max()} active voxels"
+
+    def check_last_row(self):
+        """At a time step the last row is of this skin."""
+        history, skin = self.surface.GetHistory(), self.surface.GetOutput()
+        information = skin.GetInformation()
+        last = history.GetValueByName(history.GetNumberOfRows() - 1, "Time").ToDouble()
+        if information.Has(skin.DATA_TIME_STEP()) and last != information.Get(
+            skin.DATA_TIME_STEP()
+        ):
+            return
+        check_parts(history, points_of(skin), triangles_of(skin))
+
+    def result(self):
+        """What the outputs hold, or the error."""
+        if self.listener.errors:
+            return sentence_of(self.listener.errors[0])
+        contents = Contents()
+        contents.outputs(self.surface, may_be_empty=True)
+        return contents.hash()
+
+    def fresh(self):
+        """Another filter, asked for nothing but the last time, by other threads."""
+        other = Case({**self.shapes, "properties": self.properties})
+        other.surface.SetNumberOfThreads(self.surface.GetNumberOfThreads() % 3 + 1)
+        other.request(self.time)
+        return other.result()
+
+    def check_fresh(self):
+        own, fresh = self.result(), self.fresh()
+        # A smaller limit refuses the way, but keeps what is there.
+        if "MaximumNumberOfActiveVoxels" not in own + fresh:
+            assert own == fresh, f"a fresh filter gives {fresh}, this one {own}"
+
+
+def check(case):
+    """Tries a case; what was counted, or an AssertionError."""
+    tried = Case(case)
+    for operation in case["operations"]:
+        tried.do(*operation)
+    tried.check_fresh()
+    return tried.counts

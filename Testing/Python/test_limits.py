@@ -1,0 +1,329 @@
+# ctest: LABELS contract TIMEOUT 900
+"""What comes from outside, at its limits: crowds, numbers at the ends of their range, frames that
+change or vanish, a source that fails again and again, no memory, names that are no files.
+
+Absurd properties are in test_extremes.py.
+
+Run: python3 test_limits.py
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from ast import literal_eval
+from pathlib import Path
+
+import numpy
+from active_implicit_surfaces import (
+    vtkActiveEXRWriter,
+    vtkActiveImplicitSurface,
+    vtkActiveVDBWriter,
+)
+from contents import Contents
+from listener import Listener
+from random_checks import sentence_of
+from random_shapes import Source
+from same_bytes import POINTS
+from same_bytes_shapes import (
+    ball,
+    brick,
+    cloud,
+    globe,
+    image,
+    lines,
+    quadric,
+    scattered,
+)
+from skin_checks import check_skin
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+
+SPACING = 0.25
+NAN = float("nan")
+
+
+def points_at(places):
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(numpy.ascontiguousarray(places), deep=True))
+    data = vtkPolyData()
+    data.SetPoints(points)
+    return data
+
+
+def surface_over(data, arrays=(), **properties):
+    surface = vtkActiveImplicitSurface()
+    surface.SetMaximumNumberOfActiveVoxels(100000)
+    for name, value in properties.items():
+        getattr(surface, "Set" + name)(value)
+    if isinstance(data, Source):
+        surface.SetInputConnection(data.GetOutputPort())
+    else:
+        surface.SetInputDataObject(0, data)
+    for number, name in arrays:
+        surface.SetInputArrayToProcess(number, 0, 0, POINTS, name)
+    return surface
+
+
+def said_at(surface, time=0.1):
+    """The errors of an update, as sentences; without any the skin is sound."""
+    listener = Listener(surface)
+    surface.UpdateTimeStep(time)
+    if not listener.errors:
+        check_skin(surface)
+    return [sentence_of(error) for error in listener.errors]
+
+
+def hash_of(surface):
+    contents = Contents()
+    contents.outputs(surface, may_be_empty=True)
+    return contents.hash()
+
+
+class Crowds(unittest.TestCase):
+    def test_many_particles_in_one_place_are_refused(self):
+        """Each would be visited for each: 10^10 visits here, 10^14 for 10^7 particles."""
+        here = points_at(numpy.zeros((100000, 3)))
+        for model in (1, 2):
+            surface = surface_over(here, ParticleModel=model, ParticleSpacing=SPACING)
+            (said,) = said_at(surface)
+            self.assertIn("neighbours in reach on the average", said)
+            self.assertIn("ParticleSpacing", said)
+
+    def test_a_sum_takes_them(self):
+        here = points_at(numpy.zeros((100000, 3)))
+        surface = surface_over(here, ParticleModel=0, ParticleSpacing=SPACING)
+        self.assertEqual(said_at(surface), [])
+        self.assertGreater(surface.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_doubled_particles_are_usual(self):
+        """Of as many as are looked at for crowds, each particle is there twice."""
+        ticks = numpy.arange(26) * SPACING
+        grid = numpy.stack(numpy.meshgrid(ticks, ticks, ticks), axis=-1).reshape(-1, 3)
+        surface = surface_over(
+            points_at(numpy.repeat(grid, 2, axis=0)), ParticleModel=1, ParticleSpacing=SPACING
+        )
+        self.assertEqual(said_at(surface, 0.0), [])
+
+
+class Numbers(unittest.TestCase):
+    def test_radii_and_strengths(self):
+        places = scattered(30)
+        for values in (
+            [0.0] * 30,
+            [0.0, 0.3] * 15,
+            [-1.0, NAN, 0.3] * 10,
+            [1e300, 0.3, 1e-300] * 10,
+        ):
+            for number in (0, 2):
+                for model in (0, 1, 2):
+                    with self.subTest(values=values[:3], number=number, model=model):
+                        data = cloud(places, values=values)
+                        surface = surface_over(
+                            data, [(number, "values")], ParticleModel=model, ParticleSpacing=SPACING
+                        )
+                        for said in said_at(surface):
+                            self.assertRegex(said, "ParticleSpacing|VoxelSize|ModelBounds")
+
+    def test_scales_and_places(self):
+        """A skin at any scale that the voxels may have, else an error that names what to set."""
+        at_origin = numpy.array(scattered(30))
+        for scale in (1e-300, 1e-40, 1e-30, 1e-20, 1e20, 1e30, 1e300):
+            for data in (points_at(at_origin * scale), globe(scale)):
+                with self.subTest("scale", scale=scale):
+                    surface = surface_over(data)
+                    errors = said_at(surface)
+                    self.assertLessEqual(len(errors), 1)
+                    for said in errors:
+                        self.assertRegex(said, "ParticleSpacing|VoxelSize|ModelBounds")
+                    if 1e-29 < scale < 1e29:
+                        self.assertGreater(surface.GetOutput().GetNumberOfPoints(), 0)
+        for far in (1e9, 1e30):
+            with self.subTest("offset", far=far):
+                surface = surface_over(points_at(at_origin + far), ParticleSpacing=SPACING)
+                self.assertRegex(said_at(surface)[0], "ModelBounds")
+
+    def test_images(self):
+        for spacing in (0.0, 1e-300, 1e-30, 1e30, 1e300):
+            with self.subTest(spacing=spacing):
+                data = image(quadric(1, 1, 1))
+                data.SetSpacing(spacing, spacing, spacing)
+                for said in said_at(surface_over(data)):
+                    self.assertIn("VoxelSize", said)
+
+    def test_more_cells_than_there_are_values(self):
+        """2^31 cells and more, of which no memory is asked for."""
+        for count in (1291, 50000, 2**21):
+            with self.subTest(count=count):
+                data = vtkImageData()
+                data.SetDimensions(count, count, count)
+                data.GetPointData().SetScalars(image(quadric(1, 1, 1)).GetPointData().GetScalars())
+                self.assertIn("one number for each point", said_at(surface_over(data))[0])
+
+    def test_more_voxels_than_may_be(self):
+        surface = vtkActiveImplicitSurface()
+        surface.SetTargetFunction(ball(0.5))
+        surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
+        surface.SetVoxelSize(2 / 1291)
+        surface.SetMaximumNumberOfActiveVoxels(10**7)
+        self.assertIn("1293 x 1293 x 1293 voxels", said_at(surface)[0])
+
+
+FRAMES = {
+    "particles": lambda: cloud(scattered(30), name=list(range(30)), size=[0.4] * 30),
+    "others": lambda: cloud(scattered(20, seed=2), name=list(range(20)), size=[0.4] * 20),
+    "without arrays": lambda: cloud(scattered(30)),
+    "other types": lambda: cloud(scattered(30), name=[0.5] * 30, size=[0.4] * 30),
+    "nothing": lambda: cloud([]),
+    "mesh": brick,
+    "lines": lambda: lines(scattered(30), (0, 1, 2), name=list(range(30)), size=[0.4] * 30),
+}
+ARRAYS = [(0, "size"), (1, "name")]
+
+
+class Frames(unittest.TestCase):
+    def over(self, *names, kind=Source, **properties):
+        steps = {0.25 * i: FRAMES[name]() for i, name in enumerate(names)}
+        return surface_over(kind(steps), ARRAYS, ParticleSpacing=SPACING, **properties)
+
+    def test_they_change_their_kind_or_arrays(self):
+        for other, words in (
+            ("mesh", "all time steps of the input have to be of one kind"),
+            ("lines", "all time steps of the input have to be of one kind"),
+            ("without arrays", "SetInputArrayToProcess(0"),
+            ("other types", "have to be integers"),
+        ):
+            with self.subTest(other):
+                surface = self.over("particles", "others", other, "particles")
+                self.assertEqual(said_at(surface, 0.25), [])
+                before = hash_of(surface)
+                for _ in range(2):
+                    self.assertIn(words, said_at(surface, 0.75)[0])
+                self.assertEqual(said_at(surface, 0.25), [])
+                self.assertEqual(hash_of(surface), before)
+
+    def test_they_vanish_and_come_back(self):
+        names = ("nothing", "particles", "nothing", "nothing", "others")
+        for integration in (0, 1):
+            surface = self.over(*names, TimeIntegration=integration)
+            counts = []
+            for i in range(len(names)):
+                self.assertEqual(said_at(surface, 0.25 * i), [])
+                counts.append(surface.GetOutput().GetNumberOfPoints() > 0)
+            self.assertEqual(counts, [False, True, False, False, True])
+
+    def test_a_source_fails_every_third_time(self):
+        class Unreliable(Source):
+            asked = 0
+
+            def RequestData(self, request, inputs, outputs):
+                self.asked += 1
+                return 0 if self.asked % 3 == 0 else super().RequestData(request, inputs, outputs)
+
+        names = ("particles", "others", "nothing", "others", "particles")
+        surface = self.over(*names, kind=Unreliable)
+        failures = 0
+        # Each time two steps are made at least, of which one is new.
+        while said_at(surface, 1.0):
+            failures += 1
+            self.assertLessEqual(failures, len(names))
+        self.assertGreater(failures, 1)
+        whole = self.over(*names)
+        self.assertEqual(said_at(whole, 1.0), [])
+        self.assertEqual(hash_of(surface), hash_of(whole))
+
+
+class Memory(unittest.TestCase):
+    def test_whatever_there_is(self):
+        """One sentence, and the skin of a run with enough once there is."""
+        told, hashes = [], set()
+        for more in (0.5, 2, 4, 7, 11, 16, 24, 48, 1000):
+            ran = subprocess.run(
+                [sys.executable, str(Path(__file__).with_name("memory_program.py")), str(more)],
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+            self.assertEqual(ran.returncode, 0, f"{more} MiB: {ran.stderr[-500:]}")
+            said, afterwards, found = literal_eval(ran.stdout)
+            self.assertEqual(afterwards, [], f"{more} MiB")
+            self.assertLessEqual(len(said), 1)
+            told += said
+            hashes.add(found)
+        self.assertEqual(len(hashes), 1, "the same skin in the end")
+        self.assertGreater(len(told), 2, "some were refused")
+        for sentence in told:
+            self.assertRegex(sentence, "not enough memory|pthread_create has failed")
+
+
+class Names(unittest.TestCase):
+    """Names that are no files, for everything that writes one."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.surface = vtkActiveImplicitSurface()
+        self.surface.SetTargetFunction(ball(0.5))
+        self.surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
+        self.surface.SetVoxelSize(0.1)
+        self.surface.Update()
+
+    def writers(self):
+        """(object that tells errors, function of a name)."""
+        grids = vtkActiveVDBWriter()
+        grids.SetInputConnection(self.surface.GetOutputPort())
+        picture = vtkActiveEXRWriter()
+        data = vtkImageData()
+        data.SetDimensions(4, 4, 1)
+        data.AllocateScalars(10, 1)  # float
+        picture.SetInputDataObject(data)
+
+        def write(writer):
+            return lambda name: (writer.SetFileName(name), writer.Write())
+
+        return {
+            "state": (self.surface, self.surface.SaveState),
+            "grids": (grids, write(grids)),
+            "picture": (picture, write(picture)),
+        }
+
+    def test_what_cannot_be_written_to(self):
+        os.mkfifo(self.folder / "pipe")
+        (self.folder / "folder").mkdir()
+        (self.folder / "file").write_text("here before")
+        os.symlink(self.folder / "folder", self.folder / "link")
+        names = [
+            self.folder / name for name in ("pipe", "folder", "link", "gone/x", "file/x", "n" * 300)
+        ]
+        before = sorted(os.listdir(self.folder))
+        for name in (*names, "/proc/read_only", "/dev/full", "/dev/null/x", ""):
+            for kind, (teller, write) in self.writers().items():
+                with self.subTest(kind, name=str(name)):
+                    listener = Listener(teller)
+                    write(str(name))
+                    self.assertEqual(len(listener.errors), 1)
+                    self.assertRegex(sentence_of(listener.errors[0]), r"cannot|Cannot|no FileName")
+        self.assertEqual(sorted(os.listdir(self.folder)), before, "nothing is left")
+        self.assertEqual((self.folder / "file").read_text(), "here before")
+
+    def test_links_are_replaced_not_followed(self):
+        real = self.folder / "real"
+        real.write_text("here before")
+        for kind, (teller, write) in self.writers().items():
+            for target in ("real", "gone", "link"):  # the last one is the link itself
+                with self.subTest(kind, target=target):
+                    link = self.folder / "link"
+                    link.unlink(missing_ok=True)
+                    os.symlink(self.folder / target, link)
+                    listener = Listener(teller)
+                    write(str(link))
+                    self.assertEqual(listener.errors, [])
+                    self.assertFalse(link.is_symlink())
+                    self.assertEqual(real.read_text(), "here before")
+
+
+if __name__ == "__main__":
+    unittest.main()
