@@ -11,8 +11,10 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 
-def coat_scene(name, description, pictured, width=2000, **options):
-    """Makes the scene, its skins <name>_0000.vtp ... with a .series, and the picture <name>.png."""
+def coat_scene(name, description, pictured, width=2000, solids=(), floor=0, **options):
+    """Makes the scene, its skins <name>_0000.vtp ... with a .series, and the picture <name>.png.
+
+    solids: actors that are in the picture too."""
     folder = output_folder(description)
     scene = load_scene(name, folder / "scenes", **options)
     radius = 0.5 * scene.spacing
@@ -33,10 +35,10 @@ def coat_scene(name, description, pictured, width=2000, **options):
         writer.SetFileName(str(folder / files[-1]["name"]))
         writer.Write()
         if step in pictured:
-            balls.append([ball_actor(make_particles(*frame), radius)])
-            skins.append([skin_actor(surface.GetOutput())])
+            balls.append([ball_actor(make_particles(*frame), radius), *solids])
+            skins.append([skin_actor(surface.GetOutput()), *solids])
     text = json.dumps({"file-series-version": "1.0", "files": files})
     (folder / f"{name}.vtp.series").write_text(text)  # for ParaView
     picture = folder / f"{name}.png"
-    write_film_strip(picture, balls, skins, view=(0.4, 0.5, 1), width=width, floor=0)
+    write_film_strip(picture, balls, skins, view=(0.4, 0.5, 1), width=width, floor=floor)
     print(f"{len(files) / seconds:.1f} frames/s; wrote {folder / name}.vtp.series and {picture}")

@@ -4,13 +4,14 @@ import argparse
 import math
 from pathlib import Path
 
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkMath
-from vtkmodules.vtkCommonDataModel import vtkBoundingBox
+from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkImageData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersCore import vtkImageAppend
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkImagingCore import vtkImageShrink3D
+from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkImageShrink3D
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -29,6 +30,7 @@ WATER = (0.36, 0.66, 0.86)
 CLAY = (0.95, 0.66, 0.46)
 VIEW_ANGLE = 14.0
 FINENESS = 2  # a frame is rendered this many times larger, then averaged
+BORDER = 12  # pixels that are left out, as the shade in corners ends before the picture does
 
 # Key, fill and rim, placed as the camera sees them: direction, color, intensity.
 LIGHTS = (
@@ -67,6 +69,16 @@ def ball_actor(points, radius, color=CLAY):
     return _actor(mapper, color)
 
 
+def colored(actor, array):
+    """The actor in the colors of a point array of bytes, R G B."""
+    mapper = actor.GetMapper()
+    mapper.ScalarVisibilityOn()
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SetColorModeToDirectScalars()
+    mapper.SelectColorArray(array)
+    return actor
+
+
 def write_film_strip(file_name, *rows, view=(0.45, 0.45, 1.0), width=1920, floor=None):
     """Writes rows of frames, a frame being a list of actors, seen by one camera that fits all.
 
@@ -79,11 +91,27 @@ def write_film_strip(file_name, *rows, view=(0.45, 0.45, 1.0), width=1920, floor
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
-    window.SetSize(FINENESS * frame_width, FINENESS * round(frame_width / aspect))
+    size = (frame_width, round(frame_width / aspect))
+    window.SetSize(*(FINENESS * (side + 2 * BORDER) for side in size))
+    larger = 1.0 + 2.0 * BORDER / size[1]
+    half = math.atan(larger * math.tan(math.radians(VIEW_ANGLE / 2)))
+    camera.SetViewAngle(math.degrees(2 * half))
     lines = [[_shoot(window, frame + ground, camera) for frame in row] for row in rows]
+    _write_png(file_name, _append([_append(line, 0) for line in reversed(lines)], 1))
+
+
+def write_pixels(file_name, pixels):
+    """Writes an array of bytes [row from below, column, R G B] as a PNG."""
+    image = vtkImageData()
+    image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(pixels.reshape(-1, 3)))
+    _write_png(file_name, image)
+
+
+def _write_png(file_name, image):
     writer = vtkPNGWriter()
     writer.SetFileName(str(file_name))
-    writer.SetInputData(_append([_append(line, 0) for line in reversed(lines)], 1))
+    writer.SetInputData(image)
     writer.Write()
 
 
@@ -184,8 +212,13 @@ def _shoot(window, actors, camera):
     smaller.SetShrinkFactors(FINENESS, FINENESS, 1)
     smaller.MeanOn()
     smaller.Update()
+    inner = vtkExtractVOI()
+    inner.SetInputData(smaller.GetOutput())
+    width, height = (side // FINENESS - BORDER - 1 for side in window.GetSize())
+    inner.SetVOI(BORDER, width, BORDER, height, 0, 0)
+    inner.Update()
     window.RemoveRenderer(renderer)
-    return smaller.GetOutput()
+    return inner.GetOutput()
 
 
 def _shade_in_corners(camera):

@@ -43,7 +43,7 @@ for step in range(FIRST, LAST + 1):
     renderer.AddActor(skin_actor(surface.GetOutput()))
     if step == FIRST:
         renderer.ResetCamera()
-        camera.Zoom(1.7)
+        camera.Zoom(1.45)
     renderer.ResetCameraClippingRange()
     writer.AddAttribute("time", step * SECONDS_PER_STEP)
     path = folder / f"splash.{step:04}.exr"

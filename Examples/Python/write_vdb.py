@@ -55,5 +55,5 @@ contour.SetValue(0, 0.0)
 contour.Update()
 picture = folder / "write_vdb.png"
 skins = [[skin_actor(surface.GetOutput())], [skin_actor(contour.GetOutput())]]
-write_film_strip(picture, [skins[0]], [skins[1]], view=(0.4, 0.5, 1), width=600, floor=0)
-print(f"wrote {picture}: the skin, and below it what was read back")
+write_film_strip(picture, skins, view=(0.4, 0.5, 1), width=1200, floor=0)
+print(f"wrote {picture}: the skin, and to the right what was read back")

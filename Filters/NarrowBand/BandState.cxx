@@ -260,7 +260,7 @@ void BandState::MakeImplicitStep(
     ScalePotential(this->Leaves, scale);
   }
   this->RestoreControlled(motion);
-  ++report.Substeps;
+  report.Substeps += result.Rounds;
   report.UniformPulls += result.PullsInVain ? 1 : 0;
 }
 

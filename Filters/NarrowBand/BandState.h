@@ -8,6 +8,7 @@
 #include "Leaves/ActiveSet.h"
 #include "Motion.h"
 #include "Substep/Displacement.h"
+#include "Substep/SteadyWindow.h"
 #include "Substep/SkinMeasure.h"
 #include "Substep/SubstepBuffers.h"
 #include "Substep/TimeStep.h"
@@ -36,6 +37,7 @@ struct BandState
   ActiveSet Set;            // of the substep under way, which sets it first; kept for its memory
   SubstepBuffers Buffers;
   Displacement Trace;
+  SteadyWindow Window;
   BandBackup Backup; // of an implicit substep
 
   void MakeEmpty();

@@ -139,7 +139,9 @@ inline bool HasTensionWeights(const Motion& motion)
 /** When NarrowBand::AdvanceToSteadyState ends. */
 struct SteadyStateCriterion
 {
-  double Tolerance = 1e-3; //< largest normal speed at the sample points [voxels/time]
+  /** Largest normal speed at the sample points [voxels/time]. More than 0: the surface is steady
+   * too where all but a share of it is, which moves to and fro without end; see SteadyWindow.h. */
+  double Tolerance = 1e-3;
   std::size_t MaximumSubsteps = 10000;
 };
 
@@ -155,10 +157,13 @@ struct AdvanceReport
   double MaxSpeed = 0.0;             //< largest |target speed| [length/time]
   bool Vanished = false;             //< the surface is empty at the end
   bool Aborted = false;              //< the progress function stopped it; the time is that reached
-  bool IsSteady = false;             //< AdvanceToSteadyState met its tolerance
+  bool IsSteady = false;             //< AdvanceToSteadyState came to rest
   /** Largest normal speed at the sample points in the last substep of AdvanceToSteadyState
    * [voxels/time]. */
   double SurfaceSpeed = std::numeric_limits<double>::infinity();
+  /** Of AdvanceToSteadyState: 0 where the speed has met the tolerance, else the share of the surface
+   * that moved in the second half of the substeps, see SteadyWindow.h. */
+  double MovingShare = 0.0;
 };
 
 /** Receives the fraction done, in [0,1], before each substep; returns false to stop there. */

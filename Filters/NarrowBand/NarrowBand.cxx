@@ -290,8 +290,11 @@ AdvanceReport NarrowBand::AdvanceToSteadyState(const Motion& motion,
       }
       const std::size_t created = report.CreatedParts;
       members.StepAndTrace(motion, target, report);
-      report.IsSteady =
-        report.SurfaceSpeed <= criterion.Tolerance && report.CreatedParts == created;
+      const bool isStill = report.SurfaceSpeed <= criterion.Tolerance;
+      members.Window.Observe(members.Leaves, members.Time, motion.Attraction);
+      report.MovingShare = isStill ? 0.0 : members.Window.GetShare();
+      report.IsSteady = report.CreatedParts == created &&
+        (isStill || (criterion.Tolerance > 0.0 && members.Window.IsSteady()));
       return !report.IsSteady;
     });
   report.Vanished = members.Crossings == 0;

@@ -277,8 +277,8 @@ public:
 
   ///@{
   /**
-   * Largest normal speed [voxels/time] of a skin at rest, with EvolutionMode EQUILIBRIUM. Below
-   * about 1e-7 voxels per substep's time single precision has no rest. Range: >= 0. Default: 0.001.
+   * Largest normal speed [voxels/time] of a skin at rest, with EvolutionMode EQUILIBRIUM; but up to
+   * 5 % of it may move to and fro, unless it is 0 (below 1e-7, noise). Range: >= 0. Default: 0.001.
    */
   vtkSetClampMacro(RestTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RestTolerance, double);

@@ -16,6 +16,10 @@ import importlib
 # Written by CMake when it copies this file into the build folder.
 __version__ = "@PROJECT_VERSION@"
 
+from . import vtk_build
+
+vtk_build.refuse_another()
+
 try:
     # The base classes must be known before the classes derived from them.
     import vtkmodules.vtkCommonDataModel
@@ -23,11 +27,10 @@ try:
     import vtkmodules.vtkIOImage  # noqa: F401
 except ImportError as error:
     raise ImportError(
-        "active_implicit_surfaces needs VTK's Python modules for this Python; install them "
-        f"(Debian: python3-vtk9, then run /usr/bin/python3). The cause was: {error}"
+        "active_implicit_surfaces needs VTK's Python modules, vtkmodules, for this Python; install "
+        "them (Debian: python3-vtk9, then run /usr/bin/python3; with PyVista: pip install "
+        f"pyvista[cvista]). The cause was: {error}"
     ) from error
-
-from . import vtk_build
 
 vtk_build.check()
 

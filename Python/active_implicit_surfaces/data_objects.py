@@ -15,9 +15,11 @@ from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkObjectBase, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+
+from . import vtk_build
 
 # Cells of meshio that are faces of a surface.
 _FACES = ("triangle", "quad", "polygon")
@@ -96,7 +98,15 @@ def like(example: Any, skin: Any) -> Any:
 
 def is_vtk(thing: Any) -> bool:
     """Whether this is an object of VTK, or of a class derived from one."""
-    return hasattr(thing, "IsA") and hasattr(thing, "GetClassName")
+    if isinstance(thing, vtkObjectBase):
+        return True
+    if hasattr(thing, "IsA") and hasattr(thing, "GetClassName"):
+        raise TypeError(
+            f"This {thing.GetClassName()} is of another VTK than that of active_implicit_surfaces, "
+            f"which is the package {vtk_build.PACKAGE}. PyVista takes the one that the environment "
+            "variable PYVISTA_VTK_BACKEND names (vtk or cvista) when it is imported."
+        )
+    return False
 
 
 def _is_vtk(thing: Any, name: str) -> bool:

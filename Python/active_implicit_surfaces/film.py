@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import os
 import shutil
 import subprocess
@@ -28,6 +29,8 @@ def check_film(path: Path, count: int) -> None:
             f"{path} needs the program ffmpeg, which is not on PATH; install it (Debian: ffmpeg), "
             f"or write {path.with_suffix('.ogv')} or {path.with_suffix('')}.####.png."
         )
+    if suffix == ".exr":
+        importlib.import_module(".render", __package__)  # an ImportError if this VTK cannot
     check_display()
 
 

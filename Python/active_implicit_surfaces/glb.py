@@ -36,7 +36,9 @@ def write_glb(
 def _describe(
     parts: list[Any], attributes: dict[str, int], indices: int, color: tuple[float, float, float]
 ) -> dict[str, Any]:
-    views, accessors, start = [], [], 0
+    views: list[dict[str, Any]] = []
+    accessors: list[dict[str, Any]] = []
+    start = 0
     for numbers, kind, component, target in parts:
         size = numbers.nbytes
         views.append({"buffer": 0, "byteOffset": start, "byteLength": size, "target": target})

@@ -56,7 +56,7 @@ class morph:
     >>> ball.SetThetaResolution(32)
     >>> ball.SetPhiResolution(32)
     >>> for source in (cube, ball):
-    ...     source.Update()
+    ...     _ = source.Update()
     >>> way = active.morph(cube.GetOutput(), ball.GetOutput(), duration=2, frames=3, voxel_size=0.1)
     >>> for time, skin in way:
     ...     print(f"at {time}: {skin.GetBounds()[1]:.1f}")

@@ -265,7 +265,7 @@ def _times_inside(files: list[Path]) -> list[float] | None:
     """The times that all files of VTK's XML kind tell in their heads, if they increase."""
     if any(suffix_of(file) not in (".vtp", ".vtu", ".vdb") for file in files):
         return None
-    times = []
+    times: list[float] = []
     for file in files:
         time = _time_of_vdb(file) if suffix_of(file) == ".vdb" else _time_of_xml(file)
         if time is None or (times and time <= times[-1]):

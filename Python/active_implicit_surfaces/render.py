@@ -24,6 +24,11 @@ antialiased. It has the 8 bits of the window, alpha is the window's too (0 on a 
 BackgroundAlpha is 0, if the window has AlphaBitPlanes).
 """
 
+from __future__ import annotations
+
+import os
+from typing import Any
+
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkUnsignedCharArray
@@ -38,9 +43,15 @@ from vtkmodules.vtkRenderingOpenGL2 import (
     vtkCameraPass,
     vtkRenderPassCollection,
     vtkSequencePass,
-    vtkValuePass,
 )
 
+try:
+    from vtkmodules.vtkRenderingOpenGL2 import vtkValuePass
+except ImportError as error:
+    raise ImportError(
+        "active_implicit_surfaces.render needs vtkValuePass, which the VTK of vtkmodules "
+        "does not have; write pictures as .png, or use the package with Debian's VTK or VTK's own."
+    ) from error
 try:
     from .vtkActiveIO import vtkActiveEXRWriter
 except ImportError as error:
@@ -56,7 +67,14 @@ _POINT_FIELD = 3  # VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, which vtkValuePass tak
 _SAME_DEPTH = 1e-4
 
 
-def write_exr(window, file_name, *, frame_duration=1.0, writer=None, **options):
+def write_exr(
+    window: Any,
+    file_name: str | os.PathLike[str],
+    *,
+    frame_duration: float = 1.0,
+    writer: Any = None,
+    **options: Any,
+) -> Any:
     """Writes what the window shows; returns the image that capture() made of it.
 
     frame_duration [time of the velocities] and the options are those of capture(). `writer`: a
@@ -74,7 +92,7 @@ def write_exr(window, file_name, *, frame_duration=1.0, writer=None, **options):
     writer.SetColorEncodingToSRGB()
     if options.get("encoding", "srgb") == "linear":
         writer.SetColorEncodingToLinear()
-    said = []
+    said: list[str] = []
     observer = writer.AddObserver("ErrorEvent", _note(said))
     executive_observer = writer.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
     writer.SetFileName(str(file_name))
@@ -88,15 +106,15 @@ def write_exr(window, file_name, *, frame_duration=1.0, writer=None, **options):
 
 
 def capture(
-    window,
+    window: Any,
     *,
-    renderer=None,
-    velocity="Velocity",
-    frame_duration=1.0,
-    camera_after=None,
-    encoding="srgb",
-    far=FAR,
-):
+    renderer: Any = None,
+    velocity: str = "Velocity",
+    frame_duration: float = 1.0,
+    camera_after: Any = None,
+    encoding: str = "srgb",
+    far: float = FAR,
+) -> Any:
     """Renders the window, and returns its layers as the point arrays of a vtkImageData.
 
     renderer: the one whose layers are wanted, which has to fill the window; at first its first.
@@ -134,7 +152,7 @@ def capture(
     return _image(size, picture, layers)
 
 
-def camera_matrices(renderer):
+def camera_matrices(renderer: Any) -> Any:
     """World to camera (x right, y up, z ahead) and to the picture ((0, 0) upper left, (1, 1) lower
     right), as OpenEXR's attributes worldToCamera and worldToNDC want them."""
     camera = renderer.GetActiveCamera()
@@ -143,44 +161,44 @@ def camera_matrices(renderer):
     return _matrix(to_camera), _matrix(to_unit @ _projection(renderer, camera))
 
 
-def _renderer_of(window):
+def _renderer_of(window: Any) -> Any:
     renderer = window.GetRenderers().GetFirstRenderer()
     if renderer is None:
         raise ValueError("The window has no renderer.")
     return renderer
 
 
-def _note(said):
-    def note(caller, event, text):
+def _note(said: list[str]) -> Any:
+    def note(caller: Any, event: str, text: str) -> None:
         said.append(text.strip())
 
-    note.CallDataType = "string0"
+    note.CallDataType = "string0"  # type: ignore[attr-defined]
     return note
 
 
-def _numbers(matrix):
+def _numbers(matrix: Any) -> Any:
     return numpy.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
 
 
-def _matrix(numbers):
+def _matrix(numbers: Any) -> Any:
     matrix = vtkMatrix4x4()
     matrix.DeepCopy(numbers.ravel())
     return matrix
 
 
-def _projection(renderer, camera):
+def _projection(renderer: Any, camera: Any) -> Any:
     """World to the cube from -1 to 1."""
     aspect = renderer.GetTiledAspectRatio()
     return _numbers(camera.GetCompositeProjectionTransformMatrix(aspect, -1, 1))
 
 
-def _picture(window, size):
+def _picture(window: Any, size: tuple[int, int]) -> Any:
     colors = vtkUnsignedCharArray()
     window.GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, colors)
     return vtk_to_numpy(colors).reshape(-1, 4).copy()
 
 
-def _surface_values(window, renderer, velocity):
+def _surface_values(window: Any, renderer: Any, velocity: Any) -> Any:
     """The depth buffer, and the values of the nearest surface in each pixel."""
     samples = window.GetMultiSamples()
     window.SetMultiSamples(0)
@@ -195,7 +213,7 @@ def _surface_values(window, renderer, velocity):
     return vtk_to_numpy(depth).astype(float), values
 
 
-def _stand_in(renderer, velocity):
+def _stand_in(renderer: Any, velocity: Any) -> Any:
     """All opaque surfaces in one, in world coordinates, with their values as point arrays."""
     together = vtkAppendPolyData()
     camera = renderer.GetActiveCamera()
@@ -212,7 +230,7 @@ def _stand_in(renderer, velocity):
     return together.GetOutput()
 
 
-def _surface_of(actor):
+def _surface_of(actor: Any) -> Any:
     """An actor's opaque surface in world coordinates, or None."""
     mapper = actor.GetMapper()
     if not actor.GetVisibility() or mapper is None or actor.HasTranslucentPolygonalGeometry():
@@ -243,7 +261,7 @@ def _surface_of(actor):
     return turned.GetOutput()
 
 
-def _with_values(surface, velocity, index, camera):
+def _with_values(surface: Any, velocity: Any, index: int, camera: Any) -> Any:
     """The surface with the arrays that are rendered, and no other."""
     only = surface.NewInstance()
     only.CopyStructure(surface)
@@ -268,7 +286,7 @@ def _with_values(surface, velocity, index, camera):
     return only
 
 
-def _render_values(window, renderer, surface):
+def _render_values(window: Any, renderer: Any, surface: Any) -> Any:
     """The arrays of the surface, as vtkValuePass draws them into a buffer of floats."""
     shape = {"normal": 3, "velocity": 3, "id": 1, "distance": 1}
     pixels = window.GetSize()[0] * window.GetSize()[1]
@@ -304,7 +322,7 @@ def _render_values(window, renderer, surface):
             window.AddRenderer(other)
 
 
-def _draw(window, renderer, values, name, count):
+def _draw(window: Any, renderer: Any, values: Any, name: str, count: int) -> Any:
     values.SetInputArrayToProcess(_POINT_FIELD, name)
     drawn = []
     for component in range(count):
@@ -316,11 +334,11 @@ def _draw(window, renderer, values, name, count):
     return numpy.where(numpy.isnan(numbers), numpy.inf, numbers)
 
 
-def _distances(points, camera):
+def _distances(points: Any, camera: Any) -> Any:
     return (points - camera.GetPosition()) @ numpy.array(camera.GetDirectionOfProjection())
 
 
-def _places(depth, size, projection, camera):
+def _places(depth: Any, size: tuple[int, int], projection: Any, camera: Any) -> Any:
     """Where in the world the pixels' centers are, at these depths, and how far along the axis."""
     x = (numpy.arange(size[0]) + 0.5) / size[0] * 2.0 - 1.0
     y = (numpy.arange(size[1]) + 0.5) / size[1] * 2.0 - 1.0
@@ -334,19 +352,19 @@ def _places(depth, size, projection, camera):
     return places, _distances(places, camera)
 
 
-def _pixels(places, projection, size):
+def _pixels(places: Any, projection: Any, size: tuple[int, int]) -> Any:
     """Where in the picture places are, in pixels from the lower left."""
     clip = places @ projection[:, :3].T + projection[:, 3]
     return (clip[:, :2] / clip[:, 3:] + 1.0) * 0.5 * numpy.array(size)
 
 
-def _unit(vectors):
+def _unit(vectors: Any) -> Any:
     finite = numpy.where(numpy.isfinite(vectors), vectors, 0.0)
     lengths = numpy.linalg.norm(finite, axis=1, keepdims=True)
     return finite / numpy.where(lengths > 0.0, lengths, 1.0)
 
 
-def _image(size, picture, layers):
+def _image(size: tuple[int, int], picture: Any, layers: dict[str, Any]) -> Any:
     image = vtkImageData()
     image.SetDimensions(size[0], size[1], 1)
     data = image.GetPointData()

@@ -9,7 +9,7 @@
 >>> surface.SetParticleSpacing(1)
 >>> surface.UpdateTimeStep(1)
 1
->>> numpy.round(surface.GetOutput().GetCenter(), 1)[0]
+>>> round(surface.GetOutput().GetCenter()[0], 1)
 3.5
 """
 

@@ -5,17 +5,18 @@ libraries load.
 """
 
 import ctypes
+import importlib
 import os
-
-from vtkmodules import vtkCommonCore
+import sys
 
 # Written by CMake when it copies this file into the build folder.
 VERSION = "@VTK_VERSION@"
 LIBRARY = "@vtk_library@"  # the name by which the compiled libraries ask for it; or empty
-PYTHON = "@Python3_EXECUTABLE@"
+PACKAGE = "@vtk_package@"  # vtkmodules, or cvista: a build of VTK that PyVista can use
+BUILT_FOR = "@built_for@"
 
 
-def is_loaded(library):
+def is_loaded(library: str) -> bool:
     """Whether the process has a library of this name, in the ELF sense: then it is used again."""
     if not library or not hasattr(os, "RTLD_NOLOAD"):
         return True  # a static VTK, or a system without such names: the version has to do
@@ -26,16 +27,37 @@ def is_loaded(library):
     return True
 
 
-def check():
-    """An ImportError unless vtkmodules is of the VTK that the package was built with."""
+def refuse_another() -> None:
+    """An ImportError if the process has loaded a VTK of another name, as PyVista does."""
+    for name in tuple(sys.modules):
+        root, _, rest = name.partition(".")
+        if rest == "vtkCommonCore" and root != PACKAGE and not PACKAGE.startswith("@"):
+            raise ImportError(
+                f"active_implicit_surfaces was built with the VTK of the package {PACKAGE}, but "
+                f"this program has loaded that of {root}; it cannot have both. If PyVista has "
+                f"loaded it, set the environment variable PYVISTA_VTK_BACKEND to {_short(PACKAGE)} "
+                f"(it is {os.environ.get('PYVISTA_VTK_BACKEND', 'not set')}) before PyVista is "
+                "imported."
+            )
+
+
+def check() -> None:
+    """An ImportError unless Python finds the VTK that the package was built with."""
     if VERSION.startswith("@"):
         return  # this is the source folder, where no library is: what is said of that holds
-    found = vtkCommonCore.vtkVersion.GetVTKVersion()
+    core = importlib.import_module(f"{PACKAGE}.vtkCommonCore")
+    found: str = core.vtkVersion.GetVTKVersion()
     if found.split(".")[:2] == VERSION.split(".")[:2] and is_loaded(LIBRARY):
         return
     raise ImportError(
-        f"active_implicit_surfaces was built with VTK {VERSION}, for {PYTHON}, but this Python "
-        f"finds another VTK, {found}, in {os.path.dirname(vtkCommonCore.__file__)}; one program "
+        f"active_implicit_surfaces was built with VTK {VERSION}, for {BUILT_FOR}, but this Python "
+        f"finds another VTK, {found}, in {os.path.dirname(core.__file__ or '')}; one program "
         "cannot have both. Remove that VTK from the environment (if it is from PyPI: pip uninstall "
-        "vtk), so that the one of the build is found, or build active_implicit_surfaces with it."
+        f"{_short(PACKAGE)}), so that the one of the build is found, or build "
+        "active_implicit_surfaces with it."
     )
+
+
+def _short(package: str) -> str:
+    """PyVista's name of the backend, and PyPI's of the distribution."""
+    return package.removesuffix("modules")

@@ -74,9 +74,9 @@ class Contents:
         for kind in (vtkDataObject.POINT, vtkDataObject.CELL, vtkDataObject.FIELD):
             self.text("attributes", kind)
             self.arrays(data.GetAttributesAsFieldData(kind), OF_THE_WRITER)
-        scalars = data.GetPointData().GetScalars()
-        normals = data.GetPointData().GetNormals()
-        self.text(scalars and scalars.GetName(), normals and normals.GetName())
+        active = (data.GetPointData().GetScalars(), data.GetPointData().GetNormals())
+        # Not by their truth: an array without values is false with VTK 9.7.
+        self.text(*(None if array is None else array.GetName() for array in active))
         key = vtkDataObject.DATA_TIME_STEP()
         if data.GetInformation().Has(key):
             self.numbers("time", [data.GetInformation().Get(key)])

@@ -5,12 +5,7 @@ from pathlib import Path
 
 from active_implicit_surfaces import vtkActiveImplicitSurface, vtkSkeletonPotential
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import (
-    vtkImplicitBoolean,
-    vtkPolyData,
-    vtkSphere,
-    vtkSuperquadric,
-)
+from vtkmodules.vtkCommonDataModel import vtkImplicitBoolean, vtkPolyData, vtkSphere
 from vtkmodules.vtkFiltersSources import vtkLineSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
@@ -45,6 +40,8 @@ def tube_to_box():
     tube = vtkSkeletonPotential()
     tube.SetInput(line.GetOutput())
     tube.SetRadius(0.45)
+    from vtkmodules.vtkCommonDataModel import vtkSuperquadric  # here: not in every build of VTK
+
     box = vtkSuperquadric()
     box.SetSize(1.0)
     box.SetScale(0.75, 0.5, 0.5)

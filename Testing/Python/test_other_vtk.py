@@ -49,7 +49,7 @@ class OtherVTK(unittest.TestCase):
         self.assertTrue(last.startswith("ImportError: active_implicit_surfaces was built"), last)
         self.assertIn(f"with VTK {vtk_build.VERSION}, for", last)
         self.assertIn(f"another VTK, {version}, in {folder};", last)
-        self.assertIn("pip uninstall vtk", last)
+        self.assertIn(f"pip uninstall {vtk_build.PACKAGE.removesuffix('modules')})", last)
 
     def test_another_version_is_refused(self):
         self.assert_refuses("99.7.2")
@@ -57,6 +57,17 @@ class OtherVTK(unittest.TestCase):
     @unittest.skipUnless(vtk_build.LIBRARY, "VTK is static")
     def test_another_copy_of_the_same_version_is_refused(self):
         self.assert_refuses(vtk_build.VERSION)
+
+    def test_a_loaded_vtk_of_another_name_is_refused(self):
+        code = (
+            "import sys; sys.modules['other.vtkCommonCore'] = sys; import active_implicit_surfaces"
+        )
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        last = done.stderr.splitlines()[-1]
+        self.assertTrue(last.startswith("ImportError: active_implicit_surfaces was built"), last)
+        self.assertIn(f"the VTK of the package {vtk_build.PACKAGE}, but", last)
+        self.assertIn("has loaded that of other; it cannot have both", last)
 
     def test_the_vtk_of_the_build_is_there(self):
         self.assertTrue(vtk_build.is_loaded(vtk_build.LIBRARY))

@@ -96,6 +96,9 @@ class Particles(unittest.TestCase):
                 refused = self.assertRaisesRegex((TypeError, ValueError), words)
                 with self.subTest(type(thing).__name__), refused:
                     active.skin(thing)
+        names = {"IsA": lambda self, name: True, "GetClassName": lambda self: "vtkPolyData"}
+        with self.assertRaisesRegex(TypeError, "This vtkPolyData is of another VTK than that of"):
+            active.skin(type("OfAnotherVTK", (), names)())
         with self.assertRaisesRegex(ValueError, "each needs one row"):
             active.skin(grid(), radii=numpy.ones(3))
 

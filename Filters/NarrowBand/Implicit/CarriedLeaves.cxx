@@ -13,9 +13,6 @@ namespace
 /** Displacements below it [voxels] are none: leaves at rest are left as they are. */
 constexpr double Still = 1e-4;
 
-/** Displacements beyond it [voxels] are no motion: they count as unknown. */
-constexpr double Longest = 500.0;
-
 /** By so much the surface of a leaf may go beside what its points say [voxels]. */
 constexpr int Margin = 2;
 
@@ -41,6 +38,40 @@ struct Ways
   }
 };
 
+/** Which coordinates the nodes of a mask have within their leaf. */
+struct NodeBox
+{
+  int First[3] = { 8, 8, 8 };
+  int Last[3] = { -1, -1, -1 };
+
+  explicit NodeBox(const LeafMask& nodes)
+  {
+    std::uint64_t all = 0; // of the planes
+    for (int x = 0; x < 8; ++x)
+    {
+      all |= nodes.Word[x];
+      this->Add(0, x, nodes.Word[x] != 0);
+    }
+    for (int n = 0; n < 8; ++n)
+    {
+      this->Add(1, n, (all & (0xffull << (8 * n))) != 0);
+      this->Add(2, n, (all & (0x0101010101010101ull << n)) != 0);
+    }
+  }
+
+  bool IsEmpty() const { return this->Last[0] < 0; }
+
+private:
+  void Add(int axis, int coordinate, bool hasNodes)
+  {
+    if (hasNodes)
+    {
+      this->First[axis] = std::min(this->First[axis], coordinate);
+      this->Last[axis] = coordinate;
+    }
+  }
+};
+
 int OriginBelow(double voxel)
 {
   return 8 * static_cast<int>(std::floor(voxel / 8.0));
@@ -48,41 +79,12 @@ int OriginBelow(double voxel)
 
 }
 
-void TargetDisplacements::Evaluate(
-  std::size_t count, const double* points, double* displacements) const
-{
-  double places[3 * Most];
-  std::transform(
-    points, points + 3 * count, places, [this](double voxel) { return this->VoxelSize * voxel; });
-  this->Source.EvaluateVelocities(count, places, displacements);
-  for (std::size_t n = 0; n < 3 * count; ++n)
-  {
-    const double way = this->Factor * displacements[n];
-    displacements[n] = std::fabs(way) <= Longest ? way : std::numeric_limits<double>::quiet_NaN();
-  }
-}
-
 CarriedLeaves::CarriedLeaves(const LeafTable& table, const TargetDisplacements& displacements)
   : Displacements(3 * PointsPerLeaf * table.Size(), std::numeric_limits<double>::quiet_NaN())
 {
-  const auto sample = [&](std::size_t i) { this->Sample(table, displacements, i); };
-  if (displacements.IsThreadSafe())
-  {
-    table.ForEach(sample);
-  }
-  else
-  {
-    for (std::size_t i = 0; i < table.Size(); ++i)
-    {
-      sample(i);
-    }
-  }
-  for (std::size_t i = 0; i < table.Size(); ++i)
-  {
-    this->AddWay(table[i], this->Displacements.data() + 3 * PointsPerLeaf * i);
-  }
-  std::sort(this->Origins.begin(), this->Origins.end());
-  this->Origins.erase(std::unique(this->Origins.begin(), this->Origins.end()), this->Origins.end());
+  displacements.ForEach(
+    table.Size(), [&](std::size_t i) { this->Sample(table, displacements, i); });
+  this->FindOrigins(table);
 }
 
 void CarriedLeaves::Sample(
@@ -104,30 +106,53 @@ void CarriedLeaves::Sample(
   displacements.Evaluate(PointsPerLeaf, points, this->Displacements.data() + 3 * PointsPerLeaf * i);
 }
 
-/** The leaves on the way, in strides of half a leaf. */
-void CarriedLeaves::AddWay(const BandLeaf& leaf, const double* displacements)
+void CarriedLeaves::FindOrigins(const LeafTable& table)
+{
+  std::vector<char> isCarried(table.Size());
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    this->AddWay(table, i, isCarried);
+  }
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    if (isCarried[i])
+    {
+      this->Origins.push_back(table[i].Origin);
+    }
+  }
+  std::sort(this->Origins.begin(), this->Origins.end());
+  this->Origins.erase(std::unique(this->Origins.begin(), this->Origins.end()), this->Origins.end());
+}
+
+/** The leaf, which its surface may leave, and those that its band comes to, in strides of half a
+ * leaf: leaves of the table are marked, others become origins. */
+void CarriedLeaves::AddWay(const LeafTable& table, std::size_t i, std::vector<char>& isCarried)
 {
   Ways ways;
   for (int n = 0; n < PointsPerLeaf; ++n)
   {
-    if (IsKnown(displacements + 3 * n))
+    const double* displacement = this->Displacements.data() + 3 * (PointsPerLeaf * i + n);
+    if (IsKnown(displacement))
     {
-      ways.Add(displacements + 3 * n);
+      ways.Add(displacement);
     }
   }
   if (!(ways.Largest > Still))
   {
     return;
   }
+  isCarried[i] = 1;
+  const NodeBox band(table[i].UpToLayer[LastBandLayer]);
   const int strides = std::max(1, static_cast<int>(std::ceil(ways.Largest / 4.0)));
-  for (int stride = 0; stride <= strides; ++stride)
+  for (int stride = 0; stride <= strides && !band.IsEmpty(); ++stride)
   {
     const double done = static_cast<double>(stride) / strides;
     int first[3], last[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      first[axis] = OriginBelow(leaf.Origin[axis] + done * ways.Least[axis] - Margin);
-      last[axis] = OriginBelow(leaf.Origin[axis] + 7 + done * ways.Most[axis] + Margin);
+      const int origin = table[i].Origin[axis];
+      first[axis] = OriginBelow(origin + band.First[axis] + done * ways.Least[axis] - Margin);
+      last[axis] = OriginBelow(origin + band.Last[axis] + done * ways.Most[axis] + Margin);
     }
     for (int x = first[0]; x <= last[0]; x += 8)
     {
@@ -135,7 +160,9 @@ void CarriedLeaves::AddWay(const BandLeaf& leaf, const double* displacements)
       {
         for (int z = first[2]; z <= last[2]; z += 8)
         {
-          this->Origins.emplace_back(x, y, z);
+          const openvdb::Coord origin(x, y, z);
+          const std::int32_t number = table.Find(origin);
+          number >= 0 ? void(isCarried[number] = 1) : this->Origins.push_back(origin);
         }
       }
     }

@@ -5,39 +5,13 @@
 #ifndef CarriedLeaves_h
 #define CarriedLeaves_h
 
+#include "Implicit/WayLattice.h"
 #include "Leaves/LeafTable.h"
-#include "Target.h"
 
 #include <vector>
 
 namespace activesurface
 {
-
-/** Displacements of the target [voxels] at some points. A displacement that is not finite is
- * unknown: the target has no velocity there. */
-class TargetDisplacements
-{
-public:
-  /** factor: from a velocity to voxels. */
-  TargetDisplacements(const Target& target, double voxelSize, double factor)
-    : Source(target)
-    , VoxelSize(voxelSize)
-    , Factor(factor)
-  {
-  }
-
-  static constexpr std::size_t Most = 27; //< points at once
-
-  /** At count points (x y z each, in voxels), Most at most. */
-  void Evaluate(std::size_t count, const double* points, double* displacements) const;
-
-  bool IsThreadSafe() const { return this->Source.IsThreadSafe(); }
-
-private:
-  const Target& Source;
-  double VoxelSize;
-  double Factor;
-};
 
 class CarriedLeaves
 {
@@ -58,7 +32,8 @@ private:
   static constexpr int PointsPerLeaf = 8; //< at the centres of its eighths
 
   void Sample(const LeafTable& table, const TargetDisplacements& displacements, std::size_t i);
-  void AddWay(const BandLeaf& leaf, const double* displacements);
+  void FindOrigins(const LeafTable& table);
+  void AddWay(const LeafTable& table, std::size_t i, std::vector<char>& isCarried);
 
   std::vector<double> Displacements;
   std::vector<openvdb::Coord> Origins;

@@ -2,6 +2,7 @@
 
 #include "Implicit/CarriedLeaves.h"
 #include "Implicit/OldValues.h"
+#include "Implicit/WayLattice.h"
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
 #include "Leaves/LeafKernels.h"
@@ -12,75 +13,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace activesurface
 {
 
 namespace
 {
-
-/** The displacement at each node of a leaf, from 27 points. */
-class LeafDisplacements
-{
-public:
-  static constexpr int Points = TargetDisplacements::Most;
-
-  LeafDisplacements(const openvdb::Coord& origin, const TargetDisplacements& displacements)
-  {
-    double points[3 * Points];
-    for (int n = 0; n < Points; ++n)
-    {
-      const int at[3] = { n / 9, n / 3 % 3, n % 3 };
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        points[3 * n + axis] = origin[axis] + 4 * at[axis];
-      }
-    }
-    displacements.Evaluate(Points, points, this->Values);
-    for (int n = 0; n < Points; ++n)
-    {
-      const double* value = this->Values + 3 * n;
-      this->IsKnown[n] = std::isfinite(value[0] + value[1] + value[2]);
-    }
-  }
-
-  /** The mean of the known ones of the eight points around a node, weighted as in linear
-   * interpolation; false if there are none. */
-  bool Find(int node, double displacement[3]) const
-  {
-    const int at[3] = { node >> 6, (node >> 3) & 7, node & 7 };
-    double sum[3] = { 0.0, 0.0, 0.0 }, weights = 0.0;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      const int upper[3] = { corner >> 2, (corner >> 1) & 1, corner & 1 };
-      double weight = 1.0;
-      int point = 0;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const double t = .25 * (at[axis] & 3);
-        weight *= upper[axis] ? t : 1.0 - t;
-        point = 3 * point + (at[axis] >> 2) + upper[axis];
-      }
-      // A known point without weight is better than none.
-      weight = this->IsKnown[point] ? std::max(weight, 1e-9) : 0.0;
-      for (int axis = 0; axis < 3 && weight > 0.0; ++axis)
-      {
-        sum[axis] += weight * this->Values[3 * point + axis];
-      }
-      weights += weight;
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      displacement[axis] = weights > 0.0 ? sum[axis] / weights : 0.0;
-    }
-    return weights > 0.0;
-  }
-
-private:
-  double Values[3 * Points];
-  bool IsKnown[Points];
-};
 
 /** The values of the carried leaves, not yet in the potential. */
 struct CarriedValues
@@ -96,11 +34,11 @@ class CarryLeaf
 {
 public:
   CarryLeaf(const LeafTable& table, const PotentialTree& tree, const CarriedLeaves& carried,
-    const TargetDisplacements& displacements, CarriedValues& result)
+    const WayLattice& lattice, CarriedValues& result)
     : Table(table)
     , Tree(tree)
     , Carried(carried)
-    , Displacements(displacements)
+    , Lattice(lattice)
     , Result(result)
   {
   }
@@ -108,45 +46,57 @@ public:
   void operator()(std::size_t n) const
   {
     const openvdb::Coord origin = this->Result.Origins[n];
-    const std::int32_t number = this->Table.Find(origin);
-    const LeafDisplacements ways(origin, this->Displacements);
-    double feet[3 * 512];
-    LeafMask left;
+    LeafWays ways;
+    this->Lattice.Interpolate(origin, ways);
+    LeafFeet feet;
     for (int node = 0; node < 512; ++node)
     {
-      double way[3];
-      const bool isKnown = ways.Find(node, way);
-      if (!isKnown && number >= 0 && this->Carried.HasLeft(number, node))
-      {
-        left.Add(node);
-      }
       const int at[3] = { node >> 6, (node >> 3) & 7, node & 7 };
       for (int axis = 0; axis < 3; ++axis)
       {
-        feet[3 * node + axis] = origin[axis] + at[axis] - way[axis];
+        feet.At[axis][node] = origin[axis] + at[axis] - ways.Of[axis][node];
       }
     }
-    this->Interpolate(n, origin, feet, left);
+    this->Interpolate(n, feet, this->FindLeft(origin, ways.Known));
   }
 
 private:
-  void Interpolate(
-    std::size_t n, const openvdb::Coord& origin, const double* feet, const LeafMask& left) const
+  /** Where nothing is any more. */
+  LeafMask FindLeft(const openvdb::Coord& origin, const LeafMask& known) const
+  {
+    LeafMask left;
+    const std::int32_t number = this->Table.Find(origin);
+    if (number >= 0)
+    {
+      LeafMask::All().Without(known).ForEach(
+        [&](int node)
+        {
+          if (this->Carried.HasLeft(number, node))
+          {
+            left.Add(node);
+          }
+        });
+    }
+    return left;
+  }
+
+  void Interpolate(std::size_t n, const LeafFeet& feet, const LeafMask& left) const
   {
     const OldValues old(this->Table, this->Tree, feet);
+    const bool isUniform = old.IsUniform();
+    const float uniform = isUniform ? old.Interpolate(0) : 0.f;
     float* values = this->Result.Values.Of(n);
     LeafMask known;
     for (int node = 0; node < 512; ++node)
     {
-      const float value = left.Has(node) ? Far : old.Interpolate(feet + 3 * node);
-      if (std::fabs(value) < .5f * Far)
+      values[node] = left.Has(node) ? Far : isUniform ? uniform : old.Interpolate(node);
+      if (std::fabs(values[node]) < .5f * Far)
       {
         known.Add(node);
       }
-      values[node] = value;
     }
     this->Result.Known[n] = known;
-    const float before = this->Tree.getValue(origin);
+    const float before = this->Tree.getValue(this->Result.Origins[n]);
     this->Result.Differs[n] = known.Any() ||
       std::any_of(values, values + 512, [before](float v) { return (v < 0.f) != (before < 0.f); });
   }
@@ -154,7 +104,7 @@ private:
   const LeafTable& Table;
   const PotentialTree& Tree;
   const CarriedLeaves& Carried;
-  const TargetDisplacements& Displacements;
+  const WayLattice& Lattice;
   CarriedValues& Result;
 };
 
@@ -239,21 +189,6 @@ void Confine(const FollowingBand& band, const Motion& motion)
   FillGhostsAndEntered(band.Leaves, band.Set, band.Buffers.Nodes);
 }
 
-void ForEachOrigin(
-  const FollowingBand& band, const CarriedValues& carried, bool isParallel, const CarryLeaf& carry)
-{
-  LeafList places(carried.Origins.size());
-  std::iota(places.begin(), places.end(), 0);
-  if (isParallel)
-  {
-    band.Leaves.ForEach(places, carry);
-  }
-  else
-  {
-    std::for_each(places.begin(), places.end(), carry);
-  }
-}
-
 }
 
 bool CarrySurface(const FollowingBand& band, const Motion& motion, double begin, double end,
@@ -275,8 +210,9 @@ bool CarrySurface(const FollowingBand& band, const Motion& motion, double begin,
   band.Buffers.StageFirst.MakeRoom(count);
   CarriedValues carried{ leaves.GetOrigins(), band.Buffers.StageFirst, std::vector<LeafMask>(count),
     std::vector<char>(count) };
-  ForEachOrigin(band, carried, target.IsThreadSafe(),
-    CarryLeaf(band.Leaves, band.Potential, leaves, displacements, carried));
+  const WayLattice lattice(leaves.GetOrigins(), displacements);
+  tbb::parallel_for(
+    std::size_t(0), count, CarryLeaf(band.Leaves, band.Potential, leaves, lattice, carried));
   band.Set.Choose(band.Leaves, TakeValues(band, carried));
   MarkUpdated(band, carried);
   RebuildLayers(band.Leaves, band.Set, band.Potential);

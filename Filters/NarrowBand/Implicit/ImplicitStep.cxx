@@ -1,19 +1,15 @@
 #include "Implicit/ImplicitStep.h"
 
 #include "Implicit/Carry.h"
-#include "Implicit/StageWeights.h"
 #include "Implicit/StepPlan.h"
 #include "Implicit/SurfaceMove.h"
-#include "Implicit/TensionStages.h"
+#include "Implicit/SurfacePasses.h"
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
-#include "Leaves/LeafLists.h"
 #include "Parts/CreateParts.h"
 #include "Substep/ConvergedLeaves.h"
-#include "Substep/SamplePoints.h"
 #include "Substep/SubstepBuffers.h"
 #include "Substep/TargetSpeed.h"
-#include "Substep/WalledTarget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +22,6 @@ namespace
 {
 
 constexpr double LongestWayBeforeControl = 0.385; // [voxels], as of an explicit substep
-
-constexpr int MostHalvings = 10; // of a substep, and again of a pass
 
 Motion WithoutTransport(Motion motion)
 {
@@ -54,6 +48,7 @@ public:
     , Force(force)
     , Source(target)
     , Report(report)
+    , Passes(band.Band, this->Law, target, report)
     , Plan(motion, band.Band.VoxelSize, 1.0, force, band.MostTime)
   {
   }
@@ -70,17 +65,17 @@ public:
       this->Set.ChooseAll(this->Leaves);
       this->Plan = this->PlanFor({});
     }
-    this->Result.Length = this->Plan.GetLength();
+    this->Result.Length = this->Rounds * this->Plan.GetLength();
+    this->Result.Rounds = this->Rounds;
     const bool moves = !this->Set.Active.empty() && std::isfinite(this->Result.Length);
     this->Result.IsSkipped = !moves && !this->IsCarried;
     if (moves)
     {
-      this->Result.LargestWay = this->Where.MaySkip ? 0.0 : this->FindLargestWay();
+      this->Result.LargestWay =
+        this->Where.MaySkip ? 0.0 : this->Passes.FindLargestWay(this->Set.Active, this->Plan);
       this->Result.Gradients.Nodes =
         this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
-      this->Moved = this->Set.Active;
-      this->Displace(LeafList(this->Moved), this->Plan, true);
-      this->MakeTension();
+      this->MakeRounds();
     }
     return this->Result;
   }
@@ -89,10 +84,20 @@ private:
   bool HasTarget() const { return this->Law.Attraction > 0.0; }
   bool IsWeighted() const { return HasTensionWeights(this->Law); }
 
+  /** Where the target moves the surface as it moves itself, nothing but its own change is left to
+   * follow after the whole way: then there is one way for all rounds. */
+  bool MayCarryFar() const
+  {
+    const bool isControlled =
+      this->Law.AreaControl != Control::None || this->Law.VolumeControl != Control::None;
+    return this->Whole.Transport == 1.0 && std::isfinite(this->Where.MostTime) && !isControlled;
+  }
+
   /** Carries the surface along first: so the length of the substep has to be right already. */
   void FollowCarried()
   {
-    const double length = this->Plan.GetLength();
+    const double length = this->MayCarryFar() ? this->Where.MostTime : this->Plan.GetLength();
+    this->Rounds = static_cast<int>(std::lround(length / this->Plan.GetLength()));
     this->IsCarried = CarrySurface(this->Where.Band, this->Whole, this->Where.Time,
       this->Where.Time + length, this->Source, this->Report);
     if (!this->HasTarget() && !this->IsWeighted())
@@ -102,6 +107,49 @@ private:
     }
     const TargetLimits limits = this->SampleTarget();
     this->Plan = this->Plan.ForSlope(SlopeOf(limits));
+    if (this->Rounds > 1)
+    {
+      this->ChooseRounds(length, SlopeOf(limits));
+    }
+  }
+
+  /** One round is enough where nearly all ways are so short that the target is linear along them.
+   */
+  void ChooseRounds(double length, double slope)
+  {
+    constexpr double few = .05;
+    const double shortWay = .25 * this->Law.CFL;
+    const StepPlan plan(this->Whole, this->Where.Band.VoxelSize, slope, this->Force, length);
+    const StepPlan one = plan.PartOf(length, 1);
+    const WayCoefficients ways = CoefficientsOf(this->Law, one);
+    const LeafList surface = this->FindSurface();
+    const auto far = std::count_if(surface.begin(), surface.end(),
+      [&](std::int32_t i) { return WayOf(i, ways, this->Buffers) > shortWay; });
+    const bool isOne = !plan.GetStages() && static_cast<double>(far) <= few * surface.size();
+    this->Rounds = isOne ? 1 : static_cast<int>(std::lround(length / plan.GetLength()));
+    this->Plan = isOne ? one : plan;
+  }
+
+  void MakeRounds()
+  {
+    for (int round = 0; round < this->Rounds && !this->Result.Gradients.Unbounded; ++round)
+    {
+      if (round > 0 && (this->HasTarget() || this->IsWeighted()))
+      {
+        this->SampleTarget();
+      }
+      else if (round > 0)
+      {
+        this->ChooseWithoutTarget();
+      }
+      if (!this->Set.Active.empty())
+      {
+        const GradientCounts counts = this->Passes.Run(this->Plan);
+        this->Result.Gradients.Flat += counts.Flat;
+        this->Result.Gradients.Steep += counts.Steep;
+        this->Result.Gradients.Unbounded = counts.Unbounded;
+      }
+    }
   }
 
   /** What Transport has carried, unless something else moves all. */
@@ -132,7 +180,7 @@ private:
 
   TargetLimits SampleTarget()
   {
-    const double length = this->Plan.GetLength();
+    const double length = this->Rounds * this->Plan.GetLength();
     this->Source.MoveTo(
       this->Where.Time + (std::isfinite(length) ? this->Plan.GetSampleTime() * length : 0.0));
     const GrowingBand band{ this->Leaves, this->Set, this->Where.Band.Potential,
@@ -159,16 +207,14 @@ private:
   int FindHalvings(const StepPlan& plan) const
   {
     constexpr double few = .05;
-    const WayCoefficients ways = this->FindCoefficients(plan);
+    const WayCoefficients ways = CoefficientsOf(this->Law, plan);
     if (plan.GetStages())
     {
       FindTensionWays(this->Leaves, this->Set.Active, ways, this->IsWeighted(), this->Buffers);
     }
     const bool isControlled =
       this->Law.AreaControl == Control::Exact || this->Law.VolumeControl == Control::Exact;
-    LeafList surface;
-    std::copy_if(this->Set.Active.begin(), this->Set.Active.end(), std::back_inserter(surface),
-      [this](std::int32_t i) { return this->Leaves[i].Crossings > 0; });
+    const LeafList surface = this->FindSurface();
     int halvings = 0;
     for (; halvings < MostHalvings; ++halvings)
     {
@@ -192,6 +238,14 @@ private:
     return halvings;
   }
 
+  LeafList FindSurface() const
+  {
+    LeafList surface;
+    std::copy_if(this->Set.Active.begin(), this->Set.Active.end(), std::back_inserter(surface),
+      [this](std::int32_t i) { return this->Leaves[i].Crossings > 0; });
+    return surface;
+  }
+
   bool TargetChangesBy(const StepPlan& plan) const
   {
     this->Source.MoveTo(this->Where.Time + plan.GetSampleTime() * plan.GetLength());
@@ -199,171 +253,6 @@ private:
     constexpr double everywhere[6] = { -HUGE_VAL, HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL,
       HUGE_VAL };
     return this->Source.MayHaveChanged(everywhere);
-  }
-
-  /** Of all terms but the controls. */
-  double FindLargestWay() const
-  {
-    const WayCoefficients ways = this->FindCoefficients(this->Plan);
-    if (this->Plan.GetStages())
-    {
-      FindTensionWays(this->Leaves, this->Set.Active, ways, this->IsWeighted(), this->Buffers);
-    }
-    float largest = 0.f;
-    for (const std::int32_t i : this->Set.Active)
-    {
-      largest = std::max(largest,
-        this->Plan.GetStages() ? this->Buffers.LargestNetWay[i] : WayOf(i, ways, this->Buffers));
-    }
-    return largest;
-  }
-
-  WayCoefficients FindCoefficients(const StepPlan& plan) const
-  {
-    WayCoefficients coefficients;
-    coefficients.HasTargetSpeed = this->HasTarget();
-    coefficients.Factor = this->HasTarget() ? static_cast<float>(plan.GetFactor()) : 0.f;
-    coefficients.Uniform = static_cast<float>(plan.GetUniformWay());
-    coefficients.Longest = LongestWay;
-    coefficients.SourcePerWay = static_cast<float>(plan.GetSourcePerWay());
-    coefficients.Tension = static_cast<float>(plan.GetTension() / plan.GetSourcePerWay());
-    return coefficients;
-  }
-
-  /** leaves: whose target speeds are known. plan: of the substep, or a part of its way. */
-  void Displace(const LeafList& leaves, const StepPlan& plan, bool isFirst)
-  {
-    const WayCoefficients coefficients = this->FindCoefficients(plan);
-    this->TakeSlopesIntoAccount(plan);
-    LeafList fast;
-    const bool maySplit = plan.GetLength() > std::ldexp(this->Plan.GetLength(), -MostHalvings);
-    std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(fast),
-      [&](std::int32_t i)
-      { return maySplit && WayOf(i, coefficients, this->Buffers) > coefficients.Longest; });
-    LeafList region = this->Leaves.FindAround(fast);
-    region = isFirst ? region : Intersection(region, leaves);
-    this->MakePass(Without(leaves, region), coefficients, plan);
-    for (int half = 0; half < 2 && !region.empty() && !this->Result.Gradients.Unbounded; ++half)
-    {
-      const std::size_t before = this->Leaves.Size();
-      this->SampleAgain(region);
-      this->Displace(region, plan.HalveWay(), false);
-      region = Union(region, this->Leaves.FindAll([before](std::size_t i) { return i >= before; }));
-    }
-    this->Moved = Union(this->Moved, region);
-  }
-
-  void SampleAgain(const LeafList& leaves)
-  {
-    if (this->HasTarget() || this->IsWeighted())
-    {
-      const FollowingBand& band = this->Where.Band;
-      const LeafList sampled = this->Leaves.FindAround(leaves);
-      const TargetSamples samples = SampleLeaves({ band.Leaves, band.Potential, band.VoxelSize },
-        sampled, this->Law, this->Source, this->Buffers);
-      ApplySamples(this->Leaves, sampled, this->Law, this->Buffers);
-      this->Report.TargetEvaluations += samples.Count;
-      this->Report.DroppedSamples += samples.Dropped;
-    }
-  }
-
-  /** Samples of another slope go farther, or less far, than those of the largest. */
-  void TakeSlopesIntoAccount(const StepPlan& plan)
-  {
-    if (!this->HasTarget())
-    {
-      return;
-    }
-    bool differs = false;
-    for (std::size_t n = 0; n < this->Buffers.Samples.size(); ++n)
-    {
-      const double ratio = plan.GetRatio(this->Buffers.SlopeSamples[n]);
-      this->Buffers.Samples[n] *= static_cast<float>(ratio);
-      differs = differs || ratio != 1.0;
-    }
-    if (differs)
-    {
-      const auto& first = this->Buffers.FirstSample;
-      const LeafList sampled = this->Leaves.FindAll([&first](std::size_t i)
-        { return i < first.size() && first[i] != SubstepBuffers::NoSamples; });
-      ApplySamples(this->Leaves, sampled, this->Law, this->Buffers);
-    }
-  }
-
-  /** Displaces these leaves, or leaves that to the stages of the plan. */
-  void MakePass(const LeafList& leaves, WayCoefficients coefficients, const StepPlan& plan)
-  {
-    if (leaves.empty())
-    {
-      return;
-    }
-    coefficients.Relaxation =
-      static_cast<float>(plan.GetRelaxation(LargestWay(leaves, coefficients, this->Buffers)));
-    this->Set.Choose(this->Leaves, leaves);
-    FindWays(this->Leaves, this->Set, coefficients, this->Buffers);
-    ExtendSpeed(this->Leaves, this->Set, this->Law, this->Buffers);
-    if (this->IsWeighted())
-    {
-      this->Weights.Remember(this->Set, this->Buffers);
-    }
-    if (plan.GetStages())
-    {
-      this->Sourced = leaves;
-      this->Count(FindSources(this->Leaves, this->Set, coefficients, this->Buffers));
-      return;
-    }
-    this->Count(MoveSurface(this->Leaves, this->Set, coefficients, this->Buffers));
-    if (!this->Result.Gradients.Unbounded)
-    {
-      this->Commit();
-    }
-  }
-
-  void Count(const GradientCounts& counts)
-  {
-    this->Result.Gradients.Flat += counts.Flat;
-    this->Result.Gradients.Steep += counts.Steep;
-    this->Result.Gradients.Unbounded = counts.Unbounded;
-  }
-
-  void MakeTension()
-  {
-    if (!this->Plan.GetStages() || this->Result.Gradients.Unbounded)
-    {
-      return;
-    }
-    this->Set.Choose(this->Leaves, this->Moved);
-    if (this->IsWeighted())
-    {
-      this->Weights.ExtendToEntered(this->Leaves, this->Set, this->Law, this->Buffers);
-    }
-    this->Buffers.StageSource.MakeRoom(this->Leaves.Size());
-    this->Leaves.ForEach(Without(this->Moved, this->Sourced),
-      [this](std::size_t i) { std::fill_n(this->Buffers.StageSource.Of(i), 512, 0.f); });
-    const bool isBounded =
-      MakeTensionStages(this->Leaves, this->Set, this->Plan, this->IsWeighted(), this->Buffers);
-    this->Result.Gradients.Unbounded = !isBounded;
-    if (isBounded)
-    {
-      this->Commit();
-    }
-  }
-
-  /** Takes the next potential; layers and ghosts follow. */
-  void Commit()
-  {
-    ClampToBounds({ this->Law.Box, this->Law.Solid, this->Where.Band.VoxelSize }, this->Leaves,
-      this->Set, this->Buffers);
-    CommitStep(this->Leaves, this->Set, this->Buffers);
-    RebuildLayers(this->Leaves, this->Set, this->Where.Band.Potential);
-    if (this->HasTarget())
-    {
-      FillGhostsAndEntered(this->Leaves, this->Set, this->Buffers.Nodes);
-    }
-    else
-    {
-      FillGhosts(this->Leaves, this->Set); // more exact for tension alone
-    }
   }
 
   const ImplicitBand& Where;
@@ -375,12 +264,11 @@ private:
   const PenaltyForce& Force;
   Target& Source;
   AdvanceReport& Report;
+  SurfacePasses Passes;
   StepPlan Plan;
   ImplicitResult Result;
+  int Rounds = 1; //< of displacement and tension, after one carry
   bool IsCarried = false;
-  LeafList Moved;   //< by this substep, or created by that
-  LeafList Sourced; //< those of them whose displacement is left to the stages
-  StageWeights Weights;
 };
 
 }

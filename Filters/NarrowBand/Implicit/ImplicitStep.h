@@ -2,9 +2,8 @@
  * One implicit substep: the surface is displaced towards its target, by exponentials; then stages
  * make the tension (StepPlan.h).
  *
- * Leaves whose surface goes farther than the layers bear in one pass are fast: they and their
- * neighbours are left out of the pass, and make two passes of half the substep each, in which fast
- * leaves are treated likewise.
+ * A target that carries the surface along does so once for all of the interval; rounds of
+ * displacement and tension follow, in each of which the target is where it is at the end.
  */
 #ifndef ImplicitStep_h
 #define ImplicitStep_h
@@ -29,6 +28,7 @@ struct ImplicitBand
 struct ImplicitResult
 {
   double Length = 0.0;
+  int Rounds = 0;
   bool IsSkipped = false; //< as all leaves have converged
   bool PullsInVain = false;
   /** Of the surface, by all terms but exact controls and walls [voxels]; 0 where converged leaves

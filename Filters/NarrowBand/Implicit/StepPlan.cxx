@@ -69,6 +69,14 @@ StepPlan StepPlan::Halve(int halvings) const
   return plan;
 }
 
+StepPlan StepPlan::PartOf(double time, int parts) const
+{
+  StepPlan plan = *this;
+  plan.Length = time / parts;
+  plan.Derive();
+  return plan;
+}
+
 StepPlan StepPlan::ForSlope(double slope) const
 {
   StepPlan plan = *this;

@@ -32,6 +32,8 @@ public:
   ///@{
   /** A substep that is 2^halvings times shorter. */
   StepPlan Halve(int halvings) const;
+  /** One of this many equal parts of a time. */
+  StepPlan PartOf(double time, int parts) const;
   /** A substep of the same length, for another largest slope. */
   StepPlan ForSlope(double slope) const;
   /** One half of the way of this substep, without its tension: two of them go the whole way. */

@@ -64,8 +64,9 @@ private:
     {
       const float whole = this->Coefficients.Factor * ways[z] + this->Coefficients.Uniform;
       const float way = std::min(std::max(whole, -longest), longest);
-      const float square =
-        squares[z] < flat ? std::max(squares[z], UpwindSquare(u + z, way)) : squares[z];
+      const float upwind = UpwindSquare(u + z, way);
+      const float balanced = squares[z] < flat ? std::max(squares[z], upwind) : squares[z];
+      const float square = this->Coefficients.IsUpwind ? upwind : balanced;
       ways[z] = (nodes >> z) & 1u ? way * std::sqrt(square) : ways[z];
     }
   }
@@ -242,7 +243,19 @@ float LargestWay(
   {
     largest = std::max(largest, WayOf(i, coefficients, buffers));
   }
-  return std::min(largest, coefficients.Longest);
+  return largest;
+}
+
+float LargestNetWay(const LeafTable& table, const LeafList& leaves,
+  const WayCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers)
+{
+  FindTensionWays(table, leaves, coefficients, isWeighted, buffers);
+  float largest = 0.f;
+  for (const std::int32_t i : leaves)
+  {
+    largest = std::max(largest, buffers.LargestNetWay[i]);
+  }
+  return largest;
 }
 
 void FindTensionWays(const LeafTable& table, const LeafList& leaves,

@@ -22,6 +22,7 @@ struct WayCoefficients
   float Longest = 0.f;    //< a way beyond it is clamped; its leaf has to be left out of the move
   float Relaxation = 0.f; //< q
   bool HasTargetSpeed = false;
+  bool IsUpwind = false;    //< |grad u| is Godunov's
   float SourcePerWay = 1.f; //< see FindSources
   float Tension = 0.f;      //< way per curvature
 };
@@ -29,9 +30,13 @@ struct WayCoefficients
 /** The longest way of a leaf by the target and the penalties. */
 float WayOf(std::size_t leaf, const WayCoefficients& coefficients, const SubstepBuffers& buffers);
 
-/** The longest way in these leaves, at most coefficients.Longest. */
+/** The longest way in these leaves. */
 float LargestWay(
   const LeafList& leaves, const WayCoefficients& coefficients, const SubstepBuffers& buffers);
+
+/** The same by all terms, with Tension. */
+float LargestNetWay(const LeafTable& table, const LeafList& leaves,
+  const WayCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers);
 
 /** LargestTensionWay of these leaves, by Tension, or by all terms if that is less; and
  * LargestNetWay, by all terms. */
@@ -39,8 +44,8 @@ void FindTensionWays(const LeafTable& table, const LeafList& leaves,
   const WayCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers);
 
 /** Replaces the speeds at the nodes of crossed edges, in the affected leaves, by d |grad u|. |grad
- * u| is central; where that is below a half the larger of it and of Godunov's, without which a
- * single node inside stays for ever. */
+ * u| is Godunov's, if IsUpwind; else it is central, as tension's is, and where that is below a half
+ * the larger of both, without which a single node inside stays for ever. */
 void FindWays(const LeafTable& table, const ActiveSet& set, const WayCoefficients& coefficients,
   SubstepBuffers& buffers);
 

@@ -55,26 +55,12 @@ void Displacement::Begin(const LeafTable& table)
     });
 }
 
-double Displacement::GetLargest(const LeafTable& table) const
-{
-  return tbb::parallel_reduce(
-    tbb::blocked_range<std::size_t>(0, this->Leaves.size(), 16), 0.0,
-    [&](const tbb::blocked_range<std::size_t>& leaves, double largest)
-    {
-      for (std::size_t i = leaves.begin(); i != leaves.end(); ++i)
-      {
-        largest = std::max(largest, this->LargestOfLeaf(table, i));
-      }
-      return largest;
-    },
-    [](double a, double b) { return std::max(a, b); });
-}
-
-double Displacement::LargestOfLeaf(const LeafTable& table, std::size_t i) const
+/** Calls function with the distance [voxels] of each sample point that is still there. */
+template <class Function>
+void Displacement::ForEachPoint(const LeafTable& table, std::size_t i, Function&& function) const
 {
   const Leaf& before = this->Leaves[i];
   const std::int32_t now = table.Find(before.Origin);
-  double largest = 0.0;
   for (int axis = 0; now >= 0 && axis < 3; ++axis)
   {
     const int stride = Stride(axis);
@@ -96,10 +82,40 @@ double Displacement::LargestOfLeaf(const LeafTable& table, std::size_t i) const
           const double lowNow = ValueAt(table, lower), highNow = ValueAt(table, upper);
           const double t = lowNow / (lowNow - highNow);
           const double moved = t - low / (low - high);
-          largest = std::max(largest, std::fabs(moved * NormalAlong(table, lower, upper, axis, t)));
+          function(std::fabs(moved * NormalAlong(table, lower, upper, axis, t)));
         });
   }
-  return largest;
+}
+
+double Displacement::GetLargest(const LeafTable& table) const
+{
+  return tbb::parallel_reduce(
+    tbb::blocked_range<std::size_t>(0, this->Leaves.size(), 16), 0.0,
+    [&](const tbb::blocked_range<std::size_t>& leaves, double largest)
+    {
+      for (std::size_t i = leaves.begin(); i != leaves.end(); ++i)
+      {
+        this->ForEachPoint(
+          table, i, [&largest](double distance) { largest = std::max(largest, distance); });
+      }
+      return largest;
+    },
+    [](double a, double b) { return std::max(a, b); });
+}
+
+double Displacement::GetShareBeyond(const LeafTable& table, double distance) const
+{
+  std::size_t all = 0, near = 0;
+  for (std::size_t i = 0; i < this->Leaves.size(); ++i)
+  {
+    for (const LeafMask& edges : this->Leaves[i].Edge)
+    {
+      all += edges.Count();
+    }
+    this->ForEachPoint(
+      table, i, [&near, distance](double moved) { near += moved <= distance ? 1 : 0; });
+  }
+  return all > 0 ? static_cast<double>(all - near) / all : 0.0;
 }
 
 }

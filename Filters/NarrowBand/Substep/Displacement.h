@@ -25,6 +25,10 @@ public:
    * edges that are still crossed. Single precision adds noise of about 1e-7. */
   double GetLargest(const LeafTable& table) const;
 
+  /** The share of the edges that were crossed at Begin whose sample point has moved farther than a
+   * distance [voxels], or that are no longer crossed. 0 without edges. */
+  double GetShareBeyond(const LeafTable& table, double distance) const;
+
 private:
   struct Leaf
   {
@@ -34,7 +38,8 @@ private:
     std::array<std::int32_t, 3> Next; // leaf after it, by axis
   };
 
-  double LargestOfLeaf(const LeafTable& table, std::size_t i) const;
+  template <class Function>
+  void ForEachPoint(const LeafTable& table, std::size_t i, Function&& function) const;
 
   std::vector<Leaf> Leaves;
   std::vector<float> Values; // 512 per leaf

@@ -151,7 +151,7 @@ bool MotionDriver::MayCreateParts(const Motion& motion) const
 }
 
 bool MotionDriver::AdvanceToSteadyState(
-  NarrowBand& band, const ProgressFunction& progress, bool& isSteady)
+  NarrowBand& band, const ProgressFunction& progress, AdvanceReport& report)
 {
   this->Prepare(band);
   const bool wasEmpty = band.IsEmpty();
@@ -159,14 +159,14 @@ bool MotionDriver::AdvanceToSteadyState(
   criterion.MaximumSubsteps -= std::min(band.GetWork().Substeps, criterion.MaximumSubsteps);
   const Motion motion = this->GetMotion(0);
   PotentialTarget& target = this->Shapes.GetTarget();
-  const AdvanceReport report = this->Count(
+  report = this->Count(
     band, [&] { return band.AdvanceToSteadyState(motion, criterion, target, progress); });
   WarnOfMotion(
     report, { { band.GetTime() }, wasEmpty, this->MayCreateParts(motion) }, this->Messages);
-  isSteady = report.IsSteady || report.Vanished;
-  if (!isSteady && !report.Aborted)
+  report.IsSteady = report.IsSteady || report.Vanished;
+  if (!report.IsSteady && !report.Aborted)
   {
-    WarnOfNoRest(this->Settings.SteadyState, report.SurfaceSpeed, this->Messages);
+    WarnOfNoRest(this->Settings.SteadyState, report, this->Messages);
   }
   return !report.Aborted;
 }

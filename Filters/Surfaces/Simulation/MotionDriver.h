@@ -39,8 +39,8 @@ public:
   // step.
   bool AdvanceTo(NarrowBand& band, int step, MotionTime time, const ProgressFunction& progress);
 
-  // Also true when the substeps are used up, with a warning; isSteady tells.
-  bool AdvanceToSteadyState(NarrowBand& band, const ProgressFunction& progress, bool& isSteady);
+  // Also true when the substeps are used up, with a warning; the report tells.
+  bool AdvanceToSteadyState(NarrowBand& band, const ProgressFunction& progress, AdvanceReport& report);
 
   // On the way from a step to the next one; before the first step: -1.
   Motion GetMotion(int step) const;

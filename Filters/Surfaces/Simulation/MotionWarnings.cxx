@@ -60,11 +60,25 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
   messages.Say("outside", text.str());
 }
 
-void WarnOfNoRest(const SteadyStateCriterion& rest, double speed, Warnings& messages)
+std::string DescribeRest(const AdvanceReport& report)
+{
+  if (!report.IsSteady || report.MovingShare == 0.0)
+  {
+    return report.IsSteady ? "at rest" : NotAtRest;
+  }
+  std::ostringstream text;
+  text << "at rest but for " << std::setprecision(2) << 100.0 * report.MovingShare << " %";
+  return text.str();
+}
+
+void WarnOfNoRest(
+  const SteadyStateCriterion& rest, const AdvanceReport& report, Warnings& messages)
 {
   std::ostringstream text;
   text << "The skin is not at rest after " << rest.MaximumSubsteps << " substeps: its speed is "
-       << speed << " voxels per time, RestTolerance " << rest.Tolerance
+       << report.SurfaceSpeed << " voxels per time, RestTolerance " << rest.Tolerance
+       << ", and " << std::setprecision(2) << 100.0 * report.MovingShare
+       << " % of it moved by more than 0.02 voxels in the last half of them"
        << "; raise MaximumNumberOfSubsteps, or RestTolerance.";
   messages.Say("no rest", text.str());
 }

@@ -33,7 +33,14 @@ struct Outside
 void WarnOfOutside(const Outside& outside, Warnings& messages);
 
 // That the substeps were used up before the skin was at rest; speed: the last one.
-void WarnOfNoRest(const SteadyStateCriterion& rest, double speed, Warnings& messages);
+/** Event of the history, where the way to rest has ended before. */
+constexpr const char* NotAtRest = "not at rest";
+
+/** NotAtRest, or "at rest", or what share of the skin still moves to and fro. */
+std::string DescribeRest(const AdvanceReport& report);
+
+void WarnOfNoRest(
+  const SteadyStateCriterion& rest, const AdvanceReport& report, Warnings& messages);
 
 }
 

@@ -19,8 +19,6 @@ constexpr const char* NothingToStartOn =
   "later. For a skin that begins when particles come, set ModelBounds or ParticleSpacing, with "
   "CreateParts on; or set an initial shape.";
 
-constexpr const char* NotAtRest = "not at rest"; // event
-
 RequestedTime FindRequested(const SurfaceSettings& settings, PipelineTime time)
 {
   const StepOfTime found = FindStep(settings.Inputs.Steps, time.Value);
@@ -292,15 +290,14 @@ bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
 
 bool SurfaceSimulation::AdvanceToSteadyState(const ProgressFunction& progress)
 {
-  bool isSteady = false;
+  AdvanceReport report;
   NarrowBand& band = this->Way.GetBandToMove();
-  if (!this->Driver.AdvanceToSteadyState(band, progress, isSteady))
+  if (!this->Driver.AdvanceToSteadyState(band, progress, report))
   {
     return false;
   }
   this->Way.FinishSteadyState();
-  this->Record(
-    1, this->Settings.ToPipelineTime({ band.GetTime() }), isSteady ? "at rest" : NotAtRest);
+  this->Record(1, this->Settings.ToPipelineTime({ band.GetTime() }), DescribeRest(report));
   return true;
 }
 

@@ -62,7 +62,7 @@ def _run(given: list[str]) -> int:
         return int(module.run(given[1:]))
 
 
-def _show_warning(message: object, *_: object) -> None:
+def _show_warning(message: object, *_: object, **__: object) -> None:
     print(f"active-surface: note: {message}", file=sys.stderr)
 
 

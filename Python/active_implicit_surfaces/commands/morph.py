@@ -48,16 +48,17 @@ def run(arguments: list[str]) -> int:
         parser.error(str(error))
     shapes = [read_shape(Path(name)) for name in (options.first, options.last)]
     if output:
-        names = (numbered(output, step) for step in range(options.frames))
-        check_distinct([Path(options.first), Path(options.last)], names)
+        planned = (numbered(output, step) for step in range(options.frames))
+        check_distinct([Path(options.first), Path(options.last)], planned)
     for name in (output, options.render and Path(options.render)):
         if name:
             make_folder_of(name)
     count = options.frames
-    way = morph(*shapes, options.duration, frames=count, **chosen)
+    way = morph(shapes[0], shapes[1], options.duration, frames=count, **chosen)
     if options.render and suffix_of(options.render) == ".exr":
         way.surface.ComputeVelocityOn()
-    progress, names = Progress(count, quiet=options.quiet), []
+    progress = Progress(count, quiet=options.quiet)
+    names: list[Path] = []
     with ExitStack() as stack:
         film = stack.enter_context(_film(options, shapes)) if options.render else None
         for step, frame in enumerate(way):

@@ -34,7 +34,7 @@ class Parser(argparse.ArgumentParser):
         print(f"{self.prog}: {text}; {self.prog} --help tells what there is.", file=sys.stderr)
         raise SystemExit(2)
 
-    def parse_args(self, args: Any = None, namespace: Any = None) -> Any:  # type: ignore[override]
+    def parse_args(self, args: Any = None, namespace: Any = None) -> Any:
         known, rest = self.parse_known_args(args, namespace)
         if rest:
             self.error(_about_unknown(rest[0], self))
@@ -169,7 +169,7 @@ def times_list(text: str) -> list[float]:
     try:
         if text.count(":") == 2:
             first, last, count = text.split(":")
-            return _even(float(first), float(last), int(count))
+            return list(_even(float(first), float(last), int(count)))
         return [float(part) for part in text.split(",")]
     except ValueError:
         raise argparse.ArgumentTypeError(

@@ -265,6 +265,32 @@ TEST(TestImplicit, WhatIsCarriedFeelsTension)
   EXPECT_NEAR(GetRadii(Polygonise(band), { .2, 0.0, 0.0 }).Mean / radius, 1.0, .0035) << "radius";
 }
 
+// A = 8 takes four rounds of decay 2. A target that keeps its shape needs one; so does one that is
+// an eighth of a voxel larger at the end, but not one that is two voxels larger. exp(-8) of that
+// remains.
+TEST(TestImplicit, OneCarryIsFollowedByAsManyRoundsAsTheWaysNeed)
+{
+  for (const auto& [growth, rounds] : { std::pair(0.0, 1), std::pair(.125, 1), std::pair(2.0, 4) })
+  {
+    NarrowBand band(H);
+    StartOn(band, MakeBall({ -.25, 0.0, 0.0 }, .3));
+    ShapeTarget target(
+      [growth = growth](double time)
+      {
+        Shape shape = MakeBall({ -.25 + .5 * time, 0.0, 0.0 }, .3 + growth * H * time);
+        shape.Velocity = [](const Point&) { return Point{ .5, 0.0, 0.0 }; };
+        return shape;
+      });
+    Motion motion = MakeImplicit(8.0, 0.0);
+    motion.Transport = 1.0;
+    const AdvanceReport report = band.Advance(1.0, motion, target);
+    EXPECT_EQ(report.Substeps, rounds) << "growth " << growth;
+    const auto radii = GetRadii(Polygonise(band), { .25, 0.0, 0.0 });
+    EXPECT_NEAR((radii.Mean - .3) / H - growth, 0.0, .03) << "growth " << growth;
+    EXPECT_LT(radii.GetSpread() / H, .1) << "growth " << growth;
+  }
+}
+
 TEST(TestImplicit, NothingIsCarriedThroughAWall)
 {
   NarrowBand band(H);

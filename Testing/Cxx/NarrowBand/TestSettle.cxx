@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 using namespace activesurface;
@@ -90,6 +91,45 @@ TEST(TestSettle, SettlingReportsProgressAndStops)
     Motion(), SteadyStateCriterion(), target, [&calls](double) { return ++calls <= 3; });
   EXPECT_TRUE(report.Aborted && !report.IsSteady) << "it says that it was stopped";
   EXPECT_EQ(report.Substeps, 3u) << "substeps";
+}
+
+// Noise in cells of half a voxel: the lattice cannot hold it, so that some of the surface moves to
+// and fro for ever, by more than the tolerance.
+Shape MakeNoisyBall(double radius, double cell, double noise)
+{
+  Shape ball = MakeBall(Origin, radius);
+  const auto smooth = ball.Value;
+  ball.Value = [smooth, cell, noise](const Point& x)
+  {
+    std::uint64_t bits = 1;
+    for (const double coordinate : x)
+    {
+      bits = (bits + static_cast<std::uint64_t>(std::llround(coordinate / cell))) *
+        6364136223846793005ull;
+      bits ^= bits >> 29;
+    }
+    return smooth(x) + noise * (static_cast<double>(bits >> 11) / double(1ull << 53) - .5);
+  };
+  return ball;
+}
+
+TEST(TestSettle, WhatMovesToAndFroIsNotWaitedFor)
+{
+  const double h = VoxelSizeOf(40);
+  const Shape noisy = MakeNoisyBall(.6, .5 * h, .2 * h);
+  for (const double tolerance : { 1e-3, 0.0 })
+  {
+    NarrowBand band(h);
+    StartOn(band, MakeBall(Origin, .5));
+    ShapeTarget target(noisy);
+    const AdvanceReport report =
+      band.AdvanceToSteadyState(MakeMotion(1.0, 0.0), { tolerance, 1000 }, target);
+    EXPECT_EQ(report.IsSteady, tolerance > 0.0) << "tolerance " << tolerance;
+    EXPECT_GT(report.SurfaceSpeed, 1e-3) << "it does not stand still";
+    EXPECT_GT(report.MovingShare, 0.0);
+    EXPECT_LE(report.MovingShare, .05);
+    EXPECT_NEAR(GetRadii(Polygonise(band), Origin).Mean / h, .6 / h, .25) << "radius";
+  }
 }
 
 // At rest on its target it stays as it is, to the bit, and still follows when the target moves on.

@@ -10,7 +10,9 @@
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
+#include "vtkImplicitSum.h"
 #include "vtkInformation.h"
+#include "vtkPerlinNoise.h"
 #include "vtkPolyData.h"
 #include "vtkSphere.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -113,6 +115,26 @@ TEST(TestEquilibrium, OneUpdateGivesTheExactRadius)
     EXPECT_GT(GetNumber(filter, 1, "Time"), 0.0) << "time that it took" << name;
     EXPECT_EQ(messages.CountAll(), 0u) << "messages" << name;
   }
+}
+
+// Waves of half a voxel keep some of the skin moving.
+TEST(TestEquilibrium, TheEventTellsWhatStillMoves)
+{
+  vtkNew<vtkSphere> ball;
+  ball->SetRadius(Goal);
+  vtkNew<vtkPerlinNoise> noise;
+  noise->SetFrequency(2.0 / VoxelSize, 2.0 / VoxelSize, 2.0 / VoxelSize);
+  noise->SetAmplitude(VoxelSize);
+  vtkNew<vtkImplicitSum> target;
+  target->AddFunction(ball);
+  target->AddFunction(noise);
+  auto filter = MakeSettlingBall();
+  filter->SetTargetFunction(target);
+  MessageCapture messages(filter);
+  filter->Update();
+  const std::string event = GetLastEvent(filter);
+  EXPECT_EQ(event.rfind("at rest but for ", 0), 0u) << event;
+  EXPECT_EQ(messages.CountAll(), 0u) << "messages";
 }
 
 TEST(TestEquilibrium, TooFewSubstepsAreAWarning)

@@ -1,0 +1,68 @@
+/**
+ * The passes of an implicit substep over the leaves: the displacement, then the stages for tension.
+ *
+ * Leaves whose surface goes farther than the layers bear in one pass are fast: they and their
+ * neighbours are left out of the pass, and make two passes of half the substep each, in which fast
+ * leaves are treated likewise.
+ */
+#ifndef SurfacePasses_h
+#define SurfacePasses_h
+
+#include "Implicit/StageWeights.h"
+#include "Implicit/StepPlan.h"
+#include "Implicit/SurfaceMove.h"
+#include "Motion.h"
+#include "Substep/FollowTarget.h"
+
+namespace activesurface
+{
+
+constexpr int MostHalvings = 10; //< of a substep, and again of a pass
+
+WayCoefficients CoefficientsOf(const Motion& law, const StepPlan& plan);
+
+class SurfacePasses
+{
+public:
+  /** law: without Transport, whose share is done. */
+  SurfacePasses(
+    const FollowingBand& band, const Motion& law, Target& target, AdvanceReport& report);
+
+  /** Moves the active leaves, whose target speeds are known; layers and ghosts follow. Returns the
+   * gradients before. Where they say Unbounded the band is as before the pass that would have been
+   * so. */
+  GradientCounts Run(const StepPlan& plan);
+
+  /** The longest way of these leaves, by all terms but the controls. */
+  float FindLargestWay(const LeafList& leaves, const StepPlan& plan) const;
+
+private:
+  bool HasTarget() const { return this->Law.Attraction > 0.0; }
+  bool IsWeighted() const { return HasTensionWeights(this->Law); }
+
+  void Displace(const LeafList& leaves, const StepPlan& plan, int halvings);
+  void SampleAgain(const LeafList& leaves);
+  void TakeSlopesIntoAccount(const StepPlan& plan);
+  void MakePass(const LeafList& leaves, const StepPlan& plan);
+  float FindStrain(const LeafList& leaves, const StepPlan& plan) const;
+  void Count(const GradientCounts& counts);
+  void MakeTension(const StepPlan& plan);
+  void Commit();
+
+  const FollowingBand Band;
+  LeafTable& Leaves;
+  SubstepBuffers& Buffers;
+  ActiveSet& Set;
+  const Motion& Law;
+  Target& Source;
+  AdvanceReport& Report;
+
+  GradientCounts Gradients;
+  LeafList Moved;   //< by this run, or created by that
+  LeafList Sourced; //< those of them whose displacement is left to the stages
+  StageWeights Weights;
+};
+
+}
+
+#endif

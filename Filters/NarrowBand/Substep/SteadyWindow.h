@@ -1,0 +1,46 @@
+/**
+ * Whether a surface is at rest but for places that move to and fro, as noise that the lattice
+ * cannot hold does without end. It is judged by how far what share of the surface has come in a
+ * window of substeps; each window is as long as all before it.
+ */
+#ifndef SteadyWindow_h
+#define SteadyWindow_h
+
+#include "Substep/Displacement.h"
+
+#include <cstddef>
+
+namespace activesurface
+{
+
+class SteadyWindow
+{
+public:
+  /** A sample point that has come farther in a window moves [voxels]. */
+  static constexpr double Still = .02;
+
+  /** After each substep. attraction: in the time of a window, exp(-8) of a distance to a target
+   * has to remain at most; without attraction nothing says how long a window has to be. */
+  void Observe(const LeafTable& table, double time, double attraction);
+
+  /** Whether no more than a twentieth moved in the last window, and no less than half of that in
+   * the one before: so what moves does not come to rest. */
+  bool IsSteady() const { return this->Steady; }
+
+  /** The share that moved in the last window. */
+  double GetShare() const { return this->Share; }
+
+private:
+  void Begin(const LeafTable& table, double time);
+
+  Displacement Since;
+  double BeganAt = 0.0;
+  std::size_t Substeps = 0; //< observed
+  std::size_t End = 0;      //< of the window [substeps]
+  double Share = 1.0;
+  bool Steady = false;
+};
+
+}
+
+#endif

@@ -1,0 +1,90 @@
+"""Skins as methods of PyVista's data sets, which PyVista (from 0.48) loads by itself from a wheel.
+
+cloud.active_surface.skin(...)               the skin over the points
+mesh.active_surface.morph_to(other, 2.0)     the mesh becomes another one
+
+Elsewhere `import active_implicit_surfaces.pyvista_accessor` makes them known.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pyvista
+
+from .api import skin
+from .morphing import morph
+
+if not hasattr(pyvista, "register_dataset_accessor"):
+    raise ImportError(
+        "active_implicit_surfaces.pyvista_accessor needs PyVista 0.48 or later, and this is "
+        f"{pyvista.__version__}; install a newer one, or call active_implicit_surfaces.skin(cloud)."
+    )
+
+
+@pyvista.register_dataset_accessor("active_surface", pyvista.DataSet)
+class ActiveSurfaceAccessor:
+    """The functions of active_implicit_surfaces for one data set."""
+
+    def __init__(self, dataset: Any) -> None:
+        self._dataset = dataset
+
+    def skin(self, **options: Any) -> Any:
+        """The skin over the points of this data set, as particles; its cells do not count.
+
+        Parameters
+        ----------
+        **options
+            ``radii``, ``strengths``, ``preset``, ``arrays`` and the properties of
+            vtkActiveImplicitSurface, as of active_implicit_surfaces.skin.
+
+        Returns
+        -------
+        pyvista.PolyData
+            Closed triangles with normals.
+
+        Raises
+        ------
+        ValueError
+            The filter's own sentence where it cannot make a skin.
+        TypeError
+            An unknown keyword, with the nearest one, or a data set whose points are a grid.
+
+        Examples
+        --------
+        >>> import numpy, pyvista
+        >>> grid = numpy.stack(numpy.meshgrid(*3 * [numpy.arange(8.0)]), -1).reshape(-1, 3)
+        >>> ball = pyvista.PolyData(grid).active_surface.skin(particle_spacing=1)
+        >>> ball.is_manifold
+        True
+        """
+        return skin(self._dataset, **options)
+
+    def morph_to(self, other: Any, duration: float = 1.0, **options: Any) -> morph:
+        """The skins on the way from this closed mesh, or image, to another one.
+
+        Parameters
+        ----------
+        other : pyvista.PolyData, pyvista.ImageData, or what active_implicit_surfaces.morph takes
+        duration : float
+            The time at which `other` is reached.
+        **options
+            ``frames``, ``progress`` and the properties of vtkActiveImplicitSurface, as of
+            active_implicit_surfaces.morph.
+
+        Returns
+        -------
+        morph
+            Yields a Frame, `time` and `skin` (a pyvista.PolyData), for each of the frames.
+
+        Examples
+        --------
+        >>> import pyvista
+        >>> way = pyvista.Cube().active_surface.morph_to(pyvista.Sphere(radius=1), 2, frames=3)
+        >>> for time, skin in way:
+        ...     print(f"at {time}: {skin.bounds.x_max:.1f}")
+        at 0.0: 0.5
+        at 1.0: 0.8
+        at 2.0: 1.0
+        """
+        return morph(self._dataset, other, duration, **options)

@@ -1,0 +1,79 @@
+"""Puts the licences of the libraries that a wheel bundles beside its own.
+
+Run: python3 add_licences.py WHEEL FOLDER. WHEEL is what auditwheel has repaired, FOLDER takes the
+new one. The licences are those of the Debian packages that the libraries are from.
+"""
+
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+CHANGED_NAME = re.compile(r"-[0-9a-f]{8}(?=\.)")  # auditwheel puts a hash there
+
+
+def output_of(*command):
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def installed_libraries():
+    """This machine's libraries by the names of their files, as auditwheel follows links."""
+    found = re.findall(r"=> (\S+)$", output_of("/sbin/ldconfig", "-p"), re.MULTILINE)
+    paths = [Path(path).resolve() for path in reversed(found)]  # the first of a name counts
+    return {path.name: path for path in paths}
+
+
+def package_of(path):
+    """The Debian package of a file, and its version."""
+    for name in (str(path), str(path).removeprefix("/usr")):  # as Debian has merged these folders
+        try:
+            package = output_of("dpkg-query", "-S", name).partition(":")[0]
+        except subprocess.CalledProcessError:
+            continue
+        version, source = output_of(
+            "dpkg-query", "-W", "-f", "${Version}\t${source:Package} ${source:Version}", package
+        ).split("\t")
+        return package, version, source
+    sys.exit(f"{path} is of no Debian package, so that its licence is not known.")
+
+
+def copy_licences(libraries, folder):
+    """One file for each package, and a list of libraries; returns the names of the files."""
+    installed, lines, names = installed_libraries(), [], set()
+    for library in sorted(libraries):
+        original = CHANGED_NAME.sub("", library)
+        if original not in installed:
+            sys.exit(f"{library} is not one of this machine's libraries ({original}).")
+        package, version, source = package_of(installed[original])
+        text = Path("/usr/share/doc", package, "copyright").read_bytes()
+        (folder / f"{package}.txt").write_bytes(text)
+        names.add(f"{package}.txt")
+        lines.append(f"{library}: Debian package {package} {version}, source package {source}")
+    head = "Libraries in this wheel, as Debian has them but for their names (snapshot.debian.org):"
+    (folder / "BUNDLED.txt").write_text("\n".join([head, *lines]) + "\n")
+    return sorted({*names, "BUNDLED.txt"})
+
+
+def main(wheel, output):
+    with tempfile.TemporaryDirectory() as temporary:
+        tool = (sys.executable, "-m", "wheel")
+        subprocess.run([*tool, "unpack", "-d", temporary, wheel], check=True)
+        (root,) = Path(temporary).iterdir()
+        (information,) = root.glob("*.dist-info")
+        (bundled,) = root.glob("*.libs")
+        folder = information / "licenses" / "bundled"
+        folder.mkdir(parents=True)
+        names = copy_licences([path.name for path in bundled.iterdir()], folder)
+        metadata = information / "METADATA"
+        lines = "".join(f"License-File: bundled/{name}\n" for name in names)
+        first = "License-File: LICENSE\n"
+        text = metadata.read_text()
+        assert first in text
+        metadata.write_text(text.replace(first, first + lines))
+        Path(output).mkdir(parents=True, exist_ok=True)
+        subprocess.run([*tool, "pack", "-d", output, str(root)], check=True)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

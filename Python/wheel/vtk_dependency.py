@@ -1,0 +1,20 @@
+"""The dependency of a wheel on the VTK that it is built with, as ACTIVE_VTK of pyproject.toml says.
+
+Called by scikit-build-core when it writes the wheel's metadata.
+"""
+
+import os
+from importlib.metadata import version
+
+# ACTIVE_VTK: the distribution with the SDK, and that of the libraries.
+SDKS = {"cvista": ("cvista-sdk", "cvista[all]"), "sdk": ("vtk-sdk", "vtk")}
+
+
+def dynamic_metadata(settings, project):
+    choice = os.environ.get("ACTIVE_VTK", "cvista")
+    if choice == "system":
+        return {}
+    if choice not in SDKS:
+        raise ValueError(f"ACTIVE_VTK is cvista, sdk or system, not {choice!r}.")
+    sdk, libraries = SDKS[choice]
+    return {"dependencies": [f"{libraries}=={version(sdk)}"]}  # C++ libraries fit one version only
