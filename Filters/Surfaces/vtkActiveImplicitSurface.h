@@ -266,8 +266,8 @@ public:
    * colours (unsigned char, 3 or 4 components, rounded, halves up) averaged with the kernels'
    * weights, others, such as ids and names, from the particle of the largest weight; where no
    * kernel reaches, from the nearest particle. Between two steps values go evenly from one to the
-   * other. Left out: ghost levels, arrays called like one of the skin's own, and those not alike at
-   * both steps. Does not restart the motion. Default: off.
+   * other. Left out: ghost levels, arrays called like one of the skin's own, without a value for
+   * each point, or not alike at both steps. Does not restart the motion. Default: off.
    */
   vtkSetMacro(PassTargetArrays, vtkTypeBool);
   vtkGetMacro(PassTargetArrays, vtkTypeBool);

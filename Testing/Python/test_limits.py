@@ -183,6 +183,20 @@ FRAMES = {
 ARRAYS = [(0, "size"), (1, "name")]
 
 
+class Arrays(unittest.TestCase):
+    def test_without_a_value_for_each_particle(self):
+        """They are not passed on, and cannot be chosen; in place of a crash."""
+        data = cloud(scattered(30), short=[0.5] * 7, long=[0.5] * 31, whole=[0.5] * 30)
+        surface = surface_over(data, ParticleSpacing=SPACING, PassTargetArrays=1)
+        self.assertEqual(said_at(surface), [])
+        arrays = surface.GetOutput().GetPointData()
+        self.assertTrue(arrays.HasArray("whole"))
+        self.assertFalse(arrays.HasArray("short") or arrays.HasArray("long"))
+        for number in (0, 2):
+            for name in ("short", "long"):
+                self.assertIn(name, said_at(surface_over(data, [(number, name)]))[0])
+
+
 class Frames(unittest.TestCase):
     def over(self, *names, kind=Source, **properties):
         steps = {0.25 * i: FRAMES[name]() for i, name in enumerate(names)}

@@ -73,13 +73,22 @@ void KeepVelocities(vtkDataArray* velocities, ParticleFrame& frame)
   }
 }
 
-// Copies: what comes through the input may be written over by the next step.
-void KeepArrays(vtkPointData* arrays, ParticleFrame& frame)
+// Copies: what comes through the input may be written over by the next step. Arrays without a value
+// for each point are left out.
+void KeepArrays(vtkPointData* arrays, vtkIdType count, ParticleFrame& frame)
 {
-  if (arrays)
+  if (!arrays)
   {
-    frame.Passed = vtkSmartPointer<vtkPointData>::New();
-    frame.Passed->DeepCopy(arrays);
+    return;
+  }
+  frame.Passed = vtkSmartPointer<vtkPointData>::New();
+  frame.Passed->DeepCopy(arrays);
+  for (int i = frame.Passed->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (frame.Passed->GetAbstractArray(i)->GetNumberOfTuples() != count)
+    {
+      frame.Passed->RemoveArray(i);
+    }
   }
 }
 
@@ -176,7 +185,7 @@ ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
     frame.Points.push_back(i);
   }
   KeepVelocities(AsNumbers(arrays.Velocities, count, "velocities", 3), frame);
-  KeepArrays(arrays.Passed, frame);
+  KeepArrays(arrays.Passed, count, frame);
   return frame;
 }
 
