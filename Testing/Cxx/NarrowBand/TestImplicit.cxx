@@ -169,16 +169,16 @@ private:
 // with one that smooths a seventh of a voxel.
 TEST(TestImplicit, NoiseMakesASurfaceRoughButNoRougherInTime)
 {
-  const double h = VoxelSizeOf(40);
+  const double h = VoxelSizeOf(20);
   for (const double tension : { 0.0, .02 * h * h })
   {
     NarrowBand band(h);
     StartOn(band, MakeBall({ 0.0, 0.0, 0.0 }, .6));
     ShapeTarget target(MakeNoisy(MakeBall({ 0.0, 0.0, 0.0 }, .6), .5 * h, 1.5 * h));
-    band.Advance(100.0, MakeImplicit(1.0, tension), target);
+    band.Advance(60.0, MakeImplicit(1.0, tension), target);
     const double before = band.GetArea();
     const Topology early = GetTopology(Polygonise(band));
-    band.Advance(1500.0, MakeImplicit(1.0, tension), target);
+    band.Advance(1000.0, MakeImplicit(1.0, tension), target);
     EXPECT_NEAR(band.GetArea() / before, 1.0, .02) << "area, tension " << tension;
     EXPECT_LE(GetTopology(Polygonise(band)).Components, early.Components + 2);
   }
