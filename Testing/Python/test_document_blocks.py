@@ -1,7 +1,8 @@
 # ctest: DISPLAY LABELS contract TIMEOUT 600
 """Every code block of every page does what it says.
 
-- python: part of an example, line by line; else it is run here, with data of the names it uses.
+- python: part of an example, or of test_pyvista.py, line by line; else it is run here, with data of
+  the names it uses.
 - bash: `active-surface` is run here; other commands are ones that the tests run elsewhere, and name
   scripts, presets and targets that there are.
 - cmake: what the project Testing/Consumer says.
@@ -35,11 +36,18 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWrit
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 EXAMPLES = sorted((ROOT / "Examples" / "Python").glob("*.py"))
+WITH_PYVISTA = ROOT / "Testing" / "Python" / "test_pyvista.py"
 PRESETS = {
     preset["name"]
     for preset in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]
 }
 TARGETS = {"documentation"}
+# Testing/Wheel/run does the same; ParaView's tests set the same path of plugins.
+OTHERS = {
+    "pip install 'pyvista[cvista]' build/wheel/dist/*.whl",
+    "ACTIVE_VTK=system pip install .",
+    "PV_PLUGIN_PATH=P/lib/paraview-5.11/plugins paraview",
+}
 FFMPEG = '#!/bin/sh\nfor last; do :; done\ncat > "$last"\n'
 
 
@@ -64,7 +72,7 @@ def is_known(command):
         targets = re.findall(r"--target (\S+)", command)
         names = {name for pair in presets for name in pair if name}
         return bool(names) and names <= PRESETS and set(targets) <= TARGETS
-    return command == "PV_PLUGIN_PATH=P/lib/paraview-5.11/plugins paraview"
+    return command in OTHERS
 
 
 def written(writer, data, path):
@@ -138,7 +146,8 @@ class Blocks(CommandTest):
 
     def check(self, language, body):
         if language == "python":
-            if not any(contains(path.read_text(), tidy(body)) for path in EXAMPLES):
+            shown = [*EXAMPLES, WITH_PYVISTA]
+            if not any(contains(path.read_text(), tidy(body)) for path in shown):
                 self.run_python(body)
         elif language == "bash":
             for command in documents.commands(body):

@@ -27,6 +27,16 @@ def arrays_of(skin):
     return skin.points.tobytes() + skin.faces.tobytes() + skin.point_data["Normals"].tobytes()
 
 
+def as_a_page_shows_it(points):
+    import pyvista
+
+    cloud = pyvista.PolyData(points)
+    cloud.active_surface.skin(particle_spacing=0.1).plot()
+    for time, skin in pyvista.Cube().active_surface.morph_to(pyvista.Sphere(), 2.0):
+        print(time, skin.volume)
+    return time, skin
+
+
 @unittest.skipUnless(hasattr(pyvista, "register_dataset_accessor"), NEEDED)
 class Accessor(unittest.TestCase):
     @classmethod
@@ -86,6 +96,13 @@ class Accessor(unittest.TestCase):
         result = doctest.testmod(self.module)
         self.assertEqual(result.failed, 0)
         self.assertGreater(result.attempted, 0)
+
+    def test_what_a_page_shows(self):
+        self.addCleanup(setattr, pyvista, "OFF_SCREEN", pyvista.OFF_SCREEN)
+        pyvista.OFF_SCREEN = True
+        time, skin = as_a_page_shows_it(0.1 * grid())
+        self.assertEqual(time, 2.0)
+        self.assertTrue(skin.is_manifold)
 
     def test_a_skin_is_plotted(self):
         skin = pyvista.PolyData(grid()).active_surface.skin(**SPACING)

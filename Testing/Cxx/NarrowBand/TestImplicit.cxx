@@ -2,6 +2,7 @@
 // Implicit/TestX.
 
 #include "Support/AnalyticShapes.h"
+#include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
 #include "Support/Throws.h"
 
@@ -164,6 +165,25 @@ private:
 };
 
 // Within a substep, after some of its passes: the potential is the one before the substep.
+// The explicit scheme stays as rough as the noise makes it; so does this one, with no tension or
+// with one that smooths a seventh of a voxel.
+TEST(TestImplicit, NoiseMakesASurfaceRoughButNoRougherInTime)
+{
+  const double h = VoxelSizeOf(20);
+  for (const double tension : { 0.0, .02 * h * h })
+  {
+    NarrowBand band(h);
+    StartOn(band, MakeBall({ 0.0, 0.0, 0.0 }, .6));
+    ShapeTarget target(MakeNoisy(MakeBall({ 0.0, 0.0, 0.0 }, .6), .5 * h, 1.5 * h));
+    band.Advance(60.0, MakeImplicit(1.0, tension), target);
+    const double before = band.GetArea();
+    const Topology early = GetTopology(Polygonise(band));
+    band.Advance(1000.0, MakeImplicit(1.0, tension), target);
+    EXPECT_NEAR(band.GetArea() / before, 1.0, .02) << "area, tension " << tension;
+    EXPECT_LE(GetTopology(Polygonise(band)).Components, early.Components + 2);
+  }
+}
+
 TEST(TestImplicit, AnErrorHalfWayKeepsTheLastSubstep)
 {
   for (const double tension : { 0.0, .001 })

@@ -1,5 +1,6 @@
 // The surface comes to rest, knows it, and then sleeps; and the walls that it may rest on.
 
+#include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
 #include "Support/Throws.h"
 
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <string>
 
 using namespace activesurface;
@@ -93,30 +93,12 @@ TEST(TestSettle, SettlingReportsProgressAndStops)
   EXPECT_EQ(report.Substeps, 3u) << "substeps";
 }
 
-// Noise in cells of half a voxel: the lattice cannot hold it, so that some of the surface moves to
-// and fro for ever, by more than the tolerance.
-Shape MakeNoisyBall(double radius, double cell, double noise)
-{
-  Shape ball = MakeBall(Origin, radius);
-  const auto smooth = ball.Value;
-  ball.Value = [smooth, cell, noise](const Point& x)
-  {
-    std::uint64_t bits = 1;
-    for (const double coordinate : x)
-    {
-      bits = (bits + static_cast<std::uint64_t>(std::llround(coordinate / cell))) *
-        6364136223846793005ull;
-      bits ^= bits >> 29;
-    }
-    return smooth(x) + noise * (static_cast<double>(bits >> 11) / double(1ull << 53) - .5);
-  };
-  return ball;
-}
-
+// The lattice cannot hold noise of half a voxel's length: some of the surface moves to and fro for
+// ever, by more than the tolerance.
 TEST(TestSettle, WhatMovesToAndFroIsNotWaitedFor)
 {
   const double h = VoxelSizeOf(40);
-  const Shape noisy = MakeNoisyBall(.6, .5 * h, .2 * h);
+  const Shape noisy = MakeNoisy(MakeBall(Origin, .6), .5 * h, .5 * h);
   for (const double tolerance : { 1e-3, 0.0 })
   {
     NarrowBand band(h);

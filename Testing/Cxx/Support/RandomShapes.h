@@ -39,6 +39,10 @@ public:
 private:
   std::mt19937 Generator;
 };
+
+/** The shape plus noise in [-amplitude, amplitude], drawn at the corners of cells and trilinear in
+ * between: what an image of this spacing has. */
+Shape MakeNoisy(const Shape& shape, double cell, double amplitude);
 }
 
 #endif
