@@ -17,6 +17,7 @@ from pathlib import Path
 
 import numpy
 from active_implicit_surfaces import (
+    vtkActiveEXRReader,
     vtkActiveEXRWriter,
     vtkActiveImplicitSurface,
     vtkActiveVDBWriter,
@@ -195,6 +196,19 @@ class Arrays(unittest.TestCase):
         for number in (0, 2):
             for name in ("short", "long"):
                 self.assertIn(name, said_at(surface_over(data, [(number, name)]))[0])
+
+
+class Files(unittest.TestCase):
+    def test_an_attribute_that_is_longer_than_it_says(self):
+        """OpenEXR read past it, took a number there for the size of the next one, and allocated
+        1.7 GB for a file of 622 bytes. Found by Testing/Fuzz."""
+        reader = vtkActiveEXRReader()
+        name = "Fuzz/Corpus/FuzzEXR/attribute_longer_than_it_says.exr"
+        reader.SetFileName(str(Path(__file__).resolve().parents[1] / name))
+        listener = Listener(reader)
+        reader.Update()
+        self.assertEqual(len(listener.errors), 1)
+        self.assertRegex(sentence_of(listener.errors[0]), "header")
 
 
 class Frames(unittest.TestCase):

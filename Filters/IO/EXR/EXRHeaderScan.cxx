@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <vector>
 
 namespace activesurface
@@ -30,6 +31,26 @@ constexpr Compression Compressions[] = { { 1, 1 }, { 1, 64 }, { 1, 1032 }, { 16,
   { 32, 1032 }, { 16, 1032 }, { 32, 11 }, { 32, 11 }, { 32, 66048 }, { 256, 66048 } };
 // Newer than this code.
 constexpr Compression OtherCompression = { 256, 66048 };
+
+// OpenEXR reads so many bytes for an attribute of these types, whatever size it tells, and takes
+// what follows for the next attribute.
+struct FixedSize
+{
+  const char* Type;
+  std::uint64_t Bytes;
+};
+constexpr FixedSize FixedSizes[] = { { "box2f", 16 }, { "box2i", 16 }, { "chromaticities", 32 },
+  { "compression", 1 }, { "deepImageState", 1 }, { "double", 8 }, { "envmap", 1 }, { "float", 4 },
+  { "int", 4 }, { "keycode", 28 }, { "lineOrder", 1 }, { "m33d", 72 }, { "m33f", 36 },
+  { "m44d", 128 }, { "m44f", 64 }, { "rational", 8 }, { "tiledesc", 9 }, { "timecode", 8 },
+  { "v2d", 16 }, { "v2f", 8 }, { "v2i", 8 }, { "v3d", 24 }, { "v3f", 12 }, { "v3i", 12 } };
+
+bool HasOwnSize(const std::string& type, std::uint64_t size)
+{
+  const auto found = std::find_if(std::begin(FixedSizes), std::end(FixedSizes),
+    [&type](const FixedSize& fixed) { return type == fixed.Type; });
+  return found == std::end(FixedSizes) || found->Bytes == size;
+}
 
 [[noreturn]] void Refuse(const std::string& sentence)
 {
@@ -133,6 +154,10 @@ private:
       }
       hasWindow = hasWindow || name == "dataWindow";
       hasTiles = hasTiles || name == "tiles";
+      if (!HasOwnSize(type, size))
+      {
+        Refuse("attribute " + name + " of its header is not as large as a " + type);
+      }
       this->Attribute(name, type, size, part);
       this->Input.seekg(begin + size);
     }
@@ -150,9 +175,15 @@ private:
     {
       this->Window(name, type, size, part);
     }
-    else if (name == "channels" && type == "chlist")
+    else if (type == "chlist")
     {
-      this->Channels(this->Input.tellg() + size, part);
+      const std::uint64_t end = this->Input.tellg() + size;
+      PartClaims other;
+      this->Channels(end, name == "channels" ? part : other);
+      if (this->Input.tellg() != end)
+      {
+        Refuse("the list of channels in its header is not as long as it says");
+      }
     }
     else if (name == "compression" && size == 1)
     {
