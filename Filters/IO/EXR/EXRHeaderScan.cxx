@@ -179,8 +179,7 @@ private:
     {
       const std::uint64_t end = this->Input.tellg() + size;
       PartClaims other;
-      this->Channels(end, name == "channels" ? part : other);
-      if (this->Input.tellg() != end)
+      if (!this->Channels(end, name == "channels" ? part : other))
       {
         Refuse("the list of channels in its header is not as long as it says");
       }
@@ -228,10 +227,15 @@ private:
     }
   }
 
-  void Channels(std::uint64_t end, PartClaims& part)
+  // Whether the empty name that ends the list is where it should be.
+  bool Channels(std::uint64_t end, PartClaims& part)
   {
-    while (this->Input.tellg() < end && !this->Name().empty())
+    while (this->Input.tellg() < end)
     {
+      if (this->Name().empty())
+      {
+        return this->Input.tellg() == end;
+      }
       const std::uint32_t type = this->Number();
       this->Number(); // whether it is linear, and nothing
       const std::int64_t x = this->SignedNumber(), y = this->SignedNumber();
@@ -242,6 +246,7 @@ private:
       // Of subsampled channels: not more than this.
       part.PixelBytes += x * y > 1 ? 0 : (type == 1 ? 2 : 4);
     }
+    return false;
   }
 
   void Check(const std::vector<PartClaims>& parts) const
