@@ -161,8 +161,8 @@ struct AdvanceReport
   /** Largest normal speed at the sample points in the last substep of AdvanceToSteadyState
    * [voxels/time]. */
   double SurfaceSpeed = std::numeric_limits<double>::infinity();
-  /** Of AdvanceToSteadyState: 0 where the speed has met the tolerance, else the share of the surface
-   * that moved in the second half of the substeps, see SteadyWindow.h. */
+  /** Of AdvanceToSteadyState: 0 where the speed has met the tolerance, else the share of the
+   * surface that moved in the second half of the substeps, see SteadyWindow.h. */
   double MovingShare = 0.0;
 };
 

@@ -39,13 +39,13 @@
  * ActiveVoxels, Components, Voids and EulerCharacteristic of the skin, Outside, and Event, what has
  * happened to its parts since: "merge", "split", "vanish", "birth", "void opens", "void closes",
  * "hole opens", "hole closes", joined by ", "; with EvolutionMode EQUILIBRIUM instead "at rest",
- * "at rest but for x %" (of the skin, which move to and fro), or "not at rest". The first of several
- * pieces holds all of the skin and the history; the image is split. Outside is the share of the
- * target that the skin has lost, in [0,1]: of particles, and points of a skeleton, by number, those
- * that are outside by more than their own radius; of other targets by volume, what is outside by
- * more than a voxel, of the inside in the target's box (a function's: ModelBounds), to .16 % at 1 %.
- * Beyond walls nothing counts. Above 1 %, unless it falls from step to step, one warning says so.
- * NaN in rows of a state that was saved before there was an Outside.
+ * "at rest but for x %" (of the skin, which move to and fro), or "not at rest". The first of
+ * several pieces holds all of the skin and the history; the image is split. Outside is the share of
+ * the target that the skin has lost, in [0,1]: of particles, and points of a skeleton, by number,
+ * those that are outside by more than their own radius; of other targets by volume, what is outside
+ * by more than a voxel, of the inside in the target's box (a function's: ModelBounds), to .16 % at
+ * 1 %. Beyond walls nothing counts. Above 1 %, unless it falls from step to step, one warning says
+ * so. NaN in rows of a state that was saved before there was an Outside.
  *
  * Time: the time steps of the input are passed on. If it has fewer than two (TargetFunction, static
  * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them.

@@ -40,7 +40,8 @@ public:
   bool AdvanceTo(NarrowBand& band, int step, MotionTime time, const ProgressFunction& progress);
 
   // Also true when the substeps are used up, with a warning; the report tells.
-  bool AdvanceToSteadyState(NarrowBand& band, const ProgressFunction& progress, AdvanceReport& report);
+  bool AdvanceToSteadyState(
+    NarrowBand& band, const ProgressFunction& progress, AdvanceReport& report);
 
   // On the way from a step to the next one; before the first step: -1.
   Motion GetMotion(int step) const;

@@ -71,13 +71,12 @@ std::string DescribeRest(const AdvanceReport& report)
   return text.str();
 }
 
-void WarnOfNoRest(
-  const SteadyStateCriterion& rest, const AdvanceReport& report, Warnings& messages)
+void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report, Warnings& messages)
 {
   std::ostringstream text;
   text << "The skin is not at rest after " << rest.MaximumSubsteps << " substeps: its speed is "
-       << report.SurfaceSpeed << " voxels per time, RestTolerance " << rest.Tolerance
-       << ", and " << std::setprecision(2) << 100.0 * report.MovingShare
+       << report.SurfaceSpeed << " voxels per time, RestTolerance " << rest.Tolerance << ", and "
+       << std::setprecision(2) << 100.0 * report.MovingShare
        << " % of it moved by more than 0.02 voxels in the last half of them"
        << "; raise MaximumNumberOfSubsteps, or RestTolerance.";
   messages.Say("no rest", text.str());
