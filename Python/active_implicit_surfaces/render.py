@@ -127,6 +127,11 @@ def capture(
     """
     if encoding not in ("srgb", "linear"):
         raise ValueError(f'encoding is "srgb" or "linear", not {encoding!r}.')
+    if window.GetClassName() == "vtkRenderWindow":
+        raise ValueError(
+            "The window cannot draw: it was made before VTK's OpenGL was there; import "
+            "vtkmodules.vtkRenderingOpenGL2, or this module, before the window is made."
+        )
     renderer = renderer or _renderer_of(window)
     if tuple(renderer.GetViewport()) != (0.0, 0.0, 1.0, 1.0):
         raise ValueError("The renderer does not fill the window (SetViewport), so no layer would.")

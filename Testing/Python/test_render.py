@@ -9,6 +9,8 @@ Run: python3 test_render.py
 """
 
 import math
+import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -304,6 +306,21 @@ class Layers(unittest.TestCase):
         layers = layers_of(render.capture(window_with()))
         self.assertTrue((layers["Z"] == numpy.float32(render.FAR)).all())
         self.assertFalse(layers["id"].any())
+
+    def test_a_window_of_before_opengl_is_refused(self):
+        program = (
+            "from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderer\n"
+            "window = vtkRenderWindow()\n"
+            "window.AddRenderer(vtkRenderer())\n"
+            "from active_implicit_surfaces import render\n"
+            "try:\n"
+            "    render.capture(window)\n"
+            "except ValueError as error:\n"
+            "    print(error)\n"
+        )
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("before the window is made", done.stdout)
 
     def test_what_cannot_be_is_told(self):
         with self.assertRaisesRegex(ValueError, "no renderer"):

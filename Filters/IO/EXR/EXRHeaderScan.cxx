@@ -156,7 +156,9 @@ private:
       hasTiles = hasTiles || name == "tiles";
       if (!HasOwnSize(type, size))
       {
-        Refuse("attribute " + name + " of its header is not as large as a " + type);
+        std::string told = "attribute ";
+        told.append(name).append(" of its header is not as large as a ").append(type);
+        Refuse(told);
       }
       this->Attribute(name, type, size, part);
       this->Input.seekg(begin + size);
