@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace activesurface
 {
@@ -55,6 +56,7 @@ public:
 
   ImplicitResult Make()
   {
+    this->CheckLength(this->Plan, std::numeric_limits<double>::infinity());
     if (HasTargetSpeed(this->Whole) || this->IsWeighted())
     {
       this->Whole.Transport > 0.0 ? this->FollowCarried() : this->Follow();
@@ -65,6 +67,7 @@ public:
       this->Set.ChooseAll(this->Leaves);
       this->Plan = this->PlanFor({});
     }
+    this->CheckLength(this->Plan, this->Where.MostTime);
     this->Result.Length = this->Rounds * this->Plan.GetLength();
     this->Result.Rounds = this->Rounds;
     const bool moves = !this->Set.Active.empty() && std::isfinite(this->Result.Length);
@@ -84,6 +87,11 @@ private:
   bool HasTarget() const { return this->Law.Attraction > 0.0; }
   bool IsWeighted() const { return HasTensionWeights(this->Law); }
 
+  void CheckLength(const StepPlan& plan, double mostTime) const
+  {
+    CheckStep(plan.GetLength(), this->Where.Band.VoxelSize, mostTime);
+  }
+
   /** Where the target moves the surface as it moves itself, nothing but its own change is left to
    * follow after the whole way: then there is one way for all rounds. */
   bool MayCarryFar() const
@@ -97,6 +105,7 @@ private:
   void FollowCarried()
   {
     const double length = this->MayCarryFar() ? this->Where.MostTime : this->Plan.GetLength();
+    this->CheckLength(this->Plan, length);
     this->Rounds = static_cast<int>(std::lround(length / this->Plan.GetLength()));
     this->IsCarried = CarrySurface(this->Where.Band, this->Whole, this->Where.Time,
       this->Where.Time + length, this->Source, this->Report);
@@ -120,6 +129,7 @@ private:
     constexpr double few = .05;
     const double shortWay = .25 * this->Law.CFL;
     const StepPlan plan(this->Whole, this->Where.Band.VoxelSize, slope, this->Force, length);
+    this->CheckLength(plan, length);
     const StepPlan one = plan.PartOf(length, 1);
     const WayCoefficients ways = CoefficientsOf(this->Law, one);
     const LeafList surface = this->FindSurface();

@@ -336,6 +336,30 @@ TEST(TestImplicit, NothingIsCarriedThroughAWall)
   EXPECT_GT(farthest, .6 - .1 * H) << "largest x, at the wall";
 }
 
+// As by explicit substeps: more than a million of them, or too short ones, are not begun.
+TEST(TestImplicit, AbsurdRatesAreRefused)
+{
+  NarrowBand band(H);
+  StartOn(band, MakeBall(CentreA, .3));
+  Shape moving = MakeBall(CentreA, .3);
+  moving.Velocity = [](const Point&) { return Point{ .4, 0.0, 0.0 }; };
+  ShapeTarget target(moving);
+  for (const double rate : { 1e10, 1e30, 1e308 })
+  {
+    Motion carried = MakeImplicit(rate, 0.0), pressed = MakeImplicit(1.0, .01);
+    carried.Transport = 1.0;
+    pressed.VolumeControl = Control::Penalty;
+    pressed.VolumeStiffness = rate;
+    for (const Motion& motion : { MakeImplicit(rate, 0.0), MakeImplicit(rate, .01),
+           MakeImplicit(1.0, rate), carried, pressed })
+    {
+      EXPECT_TRUE(Throws<std::runtime_error>(
+        [&] { band.Advance(1.0, motion, target); }, "The stable time step is"))
+        << "rate " << rate;
+    }
+  }
+}
+
 TEST(TestImplicit, WhatDoesNotGoWithItIsRefused)
 {
   NarrowBand band(H);
