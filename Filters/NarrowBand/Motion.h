@@ -142,6 +142,8 @@ struct SteadyStateCriterion
   /** Largest normal speed at the sample points [voxels/time]. More than 0: the surface is steady
    * too where all but a share of it is, which moves to and fro without end; see SteadyWindow.h. */
   double Tolerance = 1e-3;
+  /** A sample point that has come farther in a window of substeps moves [voxels]. */
+  static constexpr double Still = .02;
   std::size_t MaximumSubsteps = 10000;
 };
 
@@ -162,7 +164,8 @@ struct AdvanceReport
    * [voxels/time]. */
   double SurfaceSpeed = std::numeric_limits<double>::infinity();
   /** Of AdvanceToSteadyState: 0 where the speed has met the tolerance, else the share of the
-   * surface that moved in the second half of the substeps, see SteadyWindow.h. */
+   * surface that moved in the last window, see SteadyWindow.h; not a number before the first has
+   * ended. */
   double MovingShare = 0.0;
 };
 

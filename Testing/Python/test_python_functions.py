@@ -234,6 +234,13 @@ class Series(unittest.TestCase):
             active.frames(moving_grid(2), arrays={"colors": "c"})
 
 
+class Presets(unittest.TestCase):
+    def test_those_with_tension_take_implicit_substeps(self):
+        for name, expected in (("water", 1), ("viscous", 1), ("paper", 0), ("molecule", 0)):
+            frames = active.frames(moving_grid(2), fps=10, preset=name)
+            self.assertEqual(frames.surface.GetTimeIntegration(), expected, name)
+
+
 class Live(unittest.TestCase):
     def test_pushed_frames_give_the_same_bytes_as_the_finished_series(self):
         moving = moving_grid(6)

@@ -16,11 +16,6 @@ constexpr double Still = 1e-4;
 /** By so much the surface of a leaf may go beside what its points say [voxels]. */
 constexpr int Margin = 2;
 
-bool IsKnown(const double* displacement)
-{
-  return std::isfinite(displacement[0] + displacement[1] + displacement[2]);
-}
-
 struct Ways
 {
   double Least[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };

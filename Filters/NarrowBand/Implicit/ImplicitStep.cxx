@@ -22,6 +22,8 @@ namespace activesurface
 namespace
 {
 
+constexpr double FewLeaves = .05; // of those that the surface crosses: they may go farther
+
 constexpr double LongestWayBeforeControl = 0.385; // [voxels], as of an explicit substep
 
 Motion WithoutTransport(Motion motion)
@@ -76,8 +78,6 @@ public:
     {
       this->Result.LargestWay =
         this->Where.MaySkip ? 0.0 : this->Passes.FindLargestWay(this->Set.Active, this->Plan);
-      this->Result.Gradients.Nodes =
-        this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
       this->MakeRounds();
     }
     return this->Result;
@@ -114,11 +114,14 @@ private:
       this->ChooseWithoutTarget();
       return;
     }
-    const TargetLimits limits = this->SampleTarget();
-    this->Plan = this->Plan.ForSlope(SlopeOf(limits));
+    const double slope = SlopeOf(this->SampleTarget());
     if (this->Rounds > 1)
     {
-      this->ChooseRounds(length, SlopeOf(limits));
+      this->ChooseRounds(length, slope);
+    }
+    else
+    {
+      this->Plan = this->Plan.ForSlope(slope);
     }
   }
 
@@ -126,7 +129,6 @@ private:
    */
   void ChooseRounds(double length, double slope)
   {
-    constexpr double few = .05;
     const double shortWay = .25 * this->Law.CFL;
     const StepPlan plan(this->Whole, this->Where.Band.VoxelSize, slope, this->Force, length);
     this->CheckLength(plan, length);
@@ -135,7 +137,7 @@ private:
     const LeafList surface = this->FindSurface();
     const auto far = std::count_if(surface.begin(), surface.end(),
       [&](std::int32_t i) { return WayOf(i, ways, this->Buffers) > shortWay; });
-    const bool isOne = !plan.GetStages() && static_cast<double>(far) <= few * surface.size();
+    const bool isOne = !plan.GetStages() && static_cast<double>(far) <= FewLeaves * surface.size();
     this->Rounds = isOne ? 1 : static_cast<int>(std::lround(length / plan.GetLength()));
     this->Plan = isOne ? one : plan;
   }
@@ -154,10 +156,10 @@ private:
       }
       if (!this->Set.Active.empty())
       {
-        const GradientCounts counts = this->Passes.Run(this->Plan);
-        this->Result.Gradients.Flat += counts.Flat;
-        this->Result.Gradients.Steep += counts.Steep;
-        this->Result.Gradients.Unbounded = counts.Unbounded;
+        const std::size_t nodes =
+          this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
+        this->Result.Gradients = this->Passes.Run(this->Plan);
+        this->Result.Gradients.Nodes = nodes;
       }
     }
   }
@@ -216,7 +218,6 @@ private:
    * in all, where a control follows each substep. */
   int FindHalvings(const StepPlan& plan) const
   {
-    constexpr double few = .05;
     const WayCoefficients ways = CoefficientsOf(this->Law, plan);
     if (plan.GetStages())
     {
@@ -236,7 +237,7 @@ private:
       const bool isTense = plan.GetStages() &&
         count(LongestWayByTension,
           [this](std::int32_t i)
-          { return this->Buffers.LargestTensionWay[i]; }) > few * surface.size();
+          { return this->Buffers.LargestTensionWay[i]; }) > FewLeaves * surface.size();
       const bool isFar = isControlled &&
         count(LongestWayBeforeControl,
           [&](std::int32_t i) { return WayOf(i, ways, this->Buffers); }) > 0.0;

@@ -34,7 +34,7 @@ struct ImplicitResult
   /** Of the surface, by all terms but exact controls and walls [voxels]; 0 where converged leaves
    * may be left out, as only AdvanceToSteadyState wants it. */
   double LargestWay = 0.0;
-  GradientCounts Gradients; //< before the substep
+  GradientCounts Gradients; //< before the last round
 };
 
 /** Makes the substep, layers and ghosts included. Where the gradients say Unbounded the band is as

@@ -1,5 +1,6 @@
 #include "Implicit/SurfaceMove.h"
 
+#include "Implicit/StepPlan.h"
 #include "Leaves/LeafKernels.h"
 #include "Substep/RowKernels.h"
 #include "Substep/SubstepBuffers.h"
@@ -57,13 +58,12 @@ private:
   ACTIVE_ALWAYS_INLINE void FindRow(const float* u, unsigned nodes, float* ways) const
   {
     constexpr float flat = .25f; // of |grad u|^2
-    const float longest = this->Coefficients.Longest;
     float squares[8];
     CentralGradientSquares(u, squares);
     for (int z = 0; z < 8; ++z)
     {
       const float whole = this->Coefficients.Factor * ways[z] + this->Coefficients.Uniform;
-      const float way = std::min(std::max(whole, -longest), longest);
+      const float way = std::min(std::max(whole, -LongestWay), LongestWay);
       const float upwind = UpwindSquare(u + z, way);
       const float balanced = squares[z] < flat ? std::max(squares[z], upwind) : squares[z];
       const float square = this->Coefficients.IsUpwind ? upwind : balanced;

@@ -14,12 +14,12 @@ namespace activesurface
 
 struct SubstepBuffers;
 
-/** From target speeds to ways; lengths in voxels. */
+/** From target speeds to ways; lengths in voxels. A way beyond LongestWay is clamped: its leaf has
+ * to be left out of the move. */
 struct WayCoefficients
 {
   float Factor = 0.f;     //< way per target speed
   float Uniform = 0.f;    //< way of all nodes, added to the target's
-  float Longest = 0.f;    //< a way beyond it is clamped; its leaf has to be left out of the move
   float Relaxation = 0.f; //< q
   bool HasTargetSpeed = false;
   bool IsUpwind = false;    //< |grad u| is Godunov's

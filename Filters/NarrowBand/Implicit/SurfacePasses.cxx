@@ -25,7 +25,6 @@ WayCoefficients CoefficientsOf(const Motion& law, const StepPlan& plan)
   coefficients.IsUpwind = hasTarget && 16.0 * plan.GetTension() < plan.GetDamping();
   coefficients.Factor = hasTarget ? static_cast<float>(plan.GetFactor()) : 0.f;
   coefficients.Uniform = static_cast<float>(plan.GetUniformWay());
-  coefficients.Longest = LongestWay;
   coefficients.SourcePerWay = static_cast<float>(plan.GetSourcePerWay());
   coefficients.Tension = static_cast<float>(plan.GetTension() / plan.GetSourcePerWay());
   return coefficients;
@@ -69,10 +68,7 @@ void SurfacePasses::Displace(const LeafList& leaves, const StepPlan& plan, int h
   LeafList fast;
   std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(fast),
     [&](std::int32_t i)
-    {
-      return halvings < MostHalvings &&
-        WayOf(i, coefficients, this->Buffers) > coefficients.Longest;
-    });
+    { return halvings < MostHalvings && WayOf(i, coefficients, this->Buffers) > LongestWay; });
   LeafList region = this->Leaves.FindAround(fast);
   region = halvings == 0 ? region : Intersection(region, leaves);
   this->MakePass(Without(leaves, region), plan);

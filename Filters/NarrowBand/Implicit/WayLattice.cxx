@@ -77,11 +77,6 @@ openvdb::Coord Corner(const openvdb::Coord& leaf, int eighth)
   return leaf.offsetBy(8 * (eighth >> 2), 8 * ((eighth >> 1) & 1), 8 * (eighth & 1));
 }
 
-bool IsKnown(const double* way)
-{
-  return std::isfinite(way[0] + way[1] + way[2]);
-}
-
 }
 
 void TargetDisplacements::Evaluate(

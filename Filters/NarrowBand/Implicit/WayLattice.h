@@ -9,6 +9,7 @@
 #include "Leaves/LeafTable.h"
 #include "Target.h"
 
+#include <cmath>
 #include <vector>
 
 namespace activesurface
@@ -16,6 +17,11 @@ namespace activesurface
 
 /** Displacements of the target [voxels] at some points. A displacement that is not finite is
  * unknown: the target has no velocity there. */
+inline bool IsKnown(const double* displacement)
+{
+  return std::isfinite(displacement[0] + displacement[1] + displacement[2]);
+}
+
 class TargetDisplacements
 {
 public:

@@ -35,8 +35,9 @@ void SteadyWindow::Observe(const LeafTable& table, double time, double attractio
     return;
   }
   const double before = this->Share;
-  this->Share = this->Since.GetShareBeyond(table, Still);
+  this->Share = this->Since.GetShareBeyond(table, SteadyStateCriterion::Still);
   const bool isLong = attraction * (time - this->BeganAt) >= LeastDecay;
+  // Never after the first window, as nothing is known of one before.
   this->Steady = isLong && this->Share <= MostShare && this->Share >= .5 * before;
   this->Begin(table, time);
 }

@@ -6,9 +6,11 @@
 #ifndef SteadyWindow_h
 #define SteadyWindow_h
 
+#include "Motion.h"
 #include "Substep/Displacement.h"
 
 #include <cstddef>
+#include <limits>
 
 namespace activesurface
 {
@@ -16,9 +18,6 @@ namespace activesurface
 class SteadyWindow
 {
 public:
-  /** A sample point that has come farther in a window moves [voxels]. */
-  static constexpr double Still = .02;
-
   /** After each substep. attraction: in the time of a window, exp(-8) of a distance to a target
    * has to remain at most; without attraction nothing says how long a window has to be. */
   void Observe(const LeafTable& table, double time, double attraction);
@@ -27,7 +26,7 @@ public:
    * the one before: so what moves does not come to rest. */
   bool IsSteady() const { return this->Steady; }
 
-  /** The share that moved in the last window. */
+  /** The share that moved in the last window; not a number before the first one has ended. */
   double GetShare() const { return this->Share; }
 
 private:
@@ -37,7 +36,7 @@ private:
   double BeganAt = 0.0;
   std::size_t Substeps = 0; //< observed
   std::size_t End = 0;      //< of the window [substeps]
-  double Share = 1.0;
+  double Share = std::numeric_limits<double>::quiet_NaN();
   bool Steady = false;
 };
 

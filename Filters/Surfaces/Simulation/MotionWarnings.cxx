@@ -75,10 +75,13 @@ void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report,
 {
   std::ostringstream text;
   text << "The skin is not at rest after " << rest.MaximumSubsteps << " substeps: its speed is "
-       << report.SurfaceSpeed << " voxels per time, RestTolerance " << rest.Tolerance << ", and "
-       << std::setprecision(2) << 100.0 * report.MovingShare
-       << " % of it moved by more than 0.02 voxels in the last half of them"
-       << "; raise MaximumNumberOfSubsteps, or RestTolerance.";
+       << report.SurfaceSpeed << " voxels per time, RestTolerance " << rest.Tolerance;
+  if (report.MovingShare > 0.0)
+  {
+    text << ", and " << std::setprecision(2) << 100.0 * report.MovingShare
+         << " % of it last moved by more than " << SteadyStateCriterion::Still << " voxels";
+  }
+  text << "; raise MaximumNumberOfSubsteps, or RestTolerance.";
   messages.Say("no rest", text.str());
 }
 

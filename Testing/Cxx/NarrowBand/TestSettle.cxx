@@ -71,6 +71,7 @@ TEST(TestSettle, SettlingEndsWithItsSubsteps)
   EXPECT_FALSE(report.IsSteady) << "it says that it does not rest";
   EXPECT_EQ(report.Substeps, 5u) << "substeps";
   EXPECT_GT(report.SurfaceSpeed, 1e-3) << "speed [h/time]";
+  EXPECT_TRUE(std::isnan(report.MovingShare)) << "no window has ended";
   const AdvanceReport none = band.AdvanceToSteadyState(Motion(), { 1e-3, 0 }, target);
   EXPECT_EQ(none.Substeps, 0u) << "substeps of none";
   EXPECT_TRUE(Throws<std::invalid_argument>(

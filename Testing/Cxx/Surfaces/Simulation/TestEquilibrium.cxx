@@ -151,6 +151,7 @@ TEST(TestEquilibrium, TooFewSubstepsAreAWarning)
     EXPECT_EQ(MessageCapture::Count(messages.Warnings, words), 1) << "warnings, " << words;
     EXPECT_EQ(MessageCapture::Count(messages.Warnings, "RestTolerance 0.001"), 1)
       << "its tolerance";
+    EXPECT_EQ(MessageCapture::Count(messages.Warnings, " % of it"), 0) << "no window has ended";
     EXPECT_EQ(messages.CountAll(), 1u) << "messages";
     EXPECT_EQ(GetLastEvent(filter), "not at rest") << "event";
     EXPECT_EQ(GetNumber(filter, 1, "Substeps"), double(substeps)) << "substeps";
