@@ -109,6 +109,20 @@ class Crowds(unittest.TestCase):
         self.assertEqual(said_at(surface, 0.0), [])
 
 
+class FarAway(unittest.TestCase):
+    def test_a_mesh_with_a_point_far_away_is_refused(self):
+        """Its distances would take 1.6 GB for the first one, whose skin takes 1 MB at most."""
+        for far in (300.0, 1e4, 1e8):
+            with self.subTest(far=far):
+                mesh = globe(1.0)
+                mesh.GetPoints().SetPoint(0, 0.0, 0.0, far)
+                surface = surface_over(mesh, VoxelSize=0.25, MaximumNumberOfActiveVoxels=20000)
+                (said,) = said_at(surface)
+                self.assertIn("points that are far away", said)
+                self.assertIn("VoxelSize, which is 0.25", said)
+                self.assertIn("ten times MaximumNumberOfActiveVoxels", said)
+
+
 class Numbers(unittest.TestCase):
     def test_radii_and_strengths(self):
         places = scattered(30)
