@@ -37,6 +37,7 @@ from same_bytes_shapes import (
     quadric,
     scattered,
 )
+from sanitized import IS_SANITIZED
 from skin_checks import check_skin
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -280,6 +281,7 @@ class Frames(unittest.TestCase):
         self.assertEqual(hash_of(surface), hash_of(whole))
 
 
+@unittest.skipIf(IS_SANITIZED, "the sanitizer uses terabytes of addresses")
 class Memory(unittest.TestCase):
     def test_whatever_there_is(self):
         """One sentence, and the skin of a run with enough once there is."""

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 using namespace activesurface;
 
@@ -63,4 +64,39 @@ TEST(TestBandStates, AConfinedBandIsWholeAtOnce)
   {
     ASSERT_LT(mesh.Points[i], wall + 1e-6) << "beyond the wall, but for single precision";
   }
+}
+
+// OpenVDB has errors of its own for bytes that it cannot unzip, and allocates what they tell.
+TEST(TestBandStates, DamagedBytesAreReadOrRefused)
+{
+  NarrowBand band(VoxelSizeOf(16));
+  StartOn(band, MakeBall(Origin, 0.3));
+  const std::string whole = band.Pack();
+  constexpr std::size_t numbers = 6 * sizeof(double); // any number is one
+  int refused = 0;
+  const auto unpack = [&refused](const std::string& bytes)
+  {
+    try
+    {
+      NarrowBand::Unpack(bytes);
+    }
+    catch (const std::runtime_error&)
+    {
+      ++refused;
+    }
+  };
+  for (std::size_t i = numbers; i < whole.size(); i += 3)
+  {
+    std::string bytes = whole;
+    bytes[i] = static_cast<char>(bytes[i] ^ 0x5a);
+    unpack(bytes);
+  }
+  EXPECT_GT(refused, 0) << "of those with another byte";
+  refused = 0;
+  int tried = 0;
+  for (std::size_t size = 0; size < whole.size(); size += 7, ++tried)
+  {
+    unpack(whole.substr(0, size));
+  }
+  EXPECT_EQ(refused, tried) << "those that are too short";
 }
