@@ -100,14 +100,15 @@ std::string PackBand(const LeafTable& table)
 namespace
 {
 
-// OpenVDB allocates as many bytes as the stream tells before it reads them, and has errors of its
-// own.
+// OpenVDB allocates as many bytes as the stream tells before it reads them, has errors of its own,
+// and where the number is negative, as of bytes that zip to more, reads as many, whatever fits.
 void Unzip(std::istream& in, char* data, std::size_t count)
 {
   const std::istream::pos_type begin = in.tellg();
   openvdb::Int64 zipped = 0;
   in.read(reinterpret_cast<char*>(&zipped), sizeof zipped);
-  if (!in || zipped > in.rdbuf()->in_avail())
+  const bool isAsItIs = zipped == -static_cast<openvdb::Int64>(count);
+  if (!in || zipped > in.rdbuf()->in_avail() || (zipped <= 0 && !isAsItIs))
   {
     Refuse();
   }

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -99,4 +101,21 @@ TEST(TestBandStates, DamagedBytesAreReadOrRefused)
     unpack(whole.substr(0, size));
   }
   EXPECT_EQ(refused, tried) << "those that are too short";
+}
+
+// OpenVDB reads bytes that did not become fewer by zipping as they are, as many as the length
+// before them says, where there is room for less.
+TEST(TestBandStates, MoreBytesThanThereIsRoomForAreRefused)
+{
+  NarrowBand band(VoxelSizeOf(16));
+  StartOn(band, MakeBall(Origin, 0.3));
+  std::string bytes = band.Pack();
+  const std::size_t place = (6 + 2) * sizeof(double); // after two counts
+  const std::int64_t length = -static_cast<std::int64_t>(bytes.size());
+  std::memcpy(&bytes[place], &length, sizeof length);
+  bytes.append(bytes.size(), 'x');
+  EXPECT_TRUE(Throws<std::runtime_error>([&] { NarrowBand::Unpack(bytes); }, "damaged"));
+  const std::int64_t none = 0;
+  std::memcpy(&bytes[place], &none, sizeof none);
+  EXPECT_TRUE(Throws<std::runtime_error>([&] { NarrowBand::Unpack(bytes); }, "damaged"));
 }
