@@ -117,6 +117,11 @@ bool Push(vtkActiveImplicitSurface* filter, std::size_t i)
   return filter->Advance(MakeFrame(AllTimes[i]), dt);
 }
 
+double GetTime(vtkActiveImplicitSurface* filter)
+{
+  return filter->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
+}
+
 // The rest of the way, and its skins.
 void GoesOn(vtkActiveImplicitSurface* filter, std::size_t first,
   const std::vector<std::string>& expected, const std::string& sentence)
@@ -125,6 +130,7 @@ void GoesOn(vtkActiveImplicitSurface* filter, std::size_t first,
   {
     EXPECT_TRUE(Push(filter, i)) << "at " << AllTimes[i] << ", " << sentence;
     EXPECT_TRUE(GetAllBytes(filter) == expected[i]) << "at " << AllTimes[i] << ", " << sentence;
+    EXPECT_EQ(GetTime(filter), AllTimes[i]) << sentence;
   }
 }
 
@@ -168,9 +174,7 @@ TEST(TestAdvance, TakesOneObjectThatIsWrittenOver)
     Write(Part(AllTimes[i]), frame);
     EXPECT_TRUE(filter->Advance(frame, i > 0 ? AllTimes[i] - AllTimes[i - 1] : 1.0));
     EXPECT_TRUE(GetAllBytes(filter) == expected[i]) << "at " << AllTimes[i];
-    EXPECT_EQ(
-      filter->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), AllTimes[i])
-      << "time of the skin";
+    EXPECT_EQ(GetTime(filter), AllTimes[i]) << "time of the skin";
   }
 }
 
