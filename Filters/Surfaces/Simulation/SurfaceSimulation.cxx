@@ -56,16 +56,6 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
   this->LoadedIsNew = false;
 }
 
-// Whether further steps have come, and the way so far is one along these. An input of one step
-// stands still, and the filter has its own clock as long as it does.
-bool SurfaceSimulation::IsLengthenedBy(const SurfaceSettings& settings) const
-{
-  const bool isOnSteps = this->Settings.Inputs.TargetMoves
-    ? settings.Inputs.TargetMoves
-    : this->Way.GetStep() <= 0 && !this->Way.IsUnderWay() && !this->Way.HasBranch();
-  return isOnSteps && this->Settings.AreContinuedBy(settings);
-}
-
 void SurfaceSimulation::Reset()
 {
   this->Shapes.Clear();

@@ -129,7 +129,14 @@ public:
   void ResetCounters() { this->Driver.ResetCounters(); }
 
 private:
-  bool IsLengthenedBy(const SurfaceSettings& settings) const;
+  // Whether further steps have come, and the way so far is one along these. An input of one step
+  // stands still, and the filter has its own clock as long as it does.
+  bool IsLengthenedBy(const SurfaceSettings& settings) const
+  {
+    const bool isOnSteps =
+      this->Settings.Inputs.TargetMoves ? settings.Inputs.TargetMoves : this->Way.IsAtStart();
+    return isOnSteps && this->Settings.AreContinuedBy(settings);
+  }
   void ResetTrajectory();
   void Rewind(int step);
   void RestoreLoaded();
