@@ -65,7 +65,12 @@ MAY_INCLUDE = {
         "NarrowBand/Leaves",
         "NarrowBand/InitialFunction",
     ],
+    "NarrowBand/Arrival": [
+        *NUMERICS,
+        "NarrowBand/Leaves",
+    ],
     "NarrowBand": [
+        "NarrowBand/Arrival",
         "NarrowBand/Leaves",
         "NarrowBand/Substep",
         "NarrowBand/Implicit",
