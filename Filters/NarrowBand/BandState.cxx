@@ -27,7 +27,7 @@ struct BandState::Move
   PenaltyForce Force;
   double Step = 0.0; // time
   bool IsSkipped = false;
-  double LostWay = 0.0; //< that is too long to be traced [voxels]
+  double LostDisplacement = 0.0; //< that is too long to be traced [voxels]
 };
 
 namespace
@@ -255,7 +255,8 @@ void BandState::MakeImplicitStep(
   }
   move.Step = result.Length;
   move.IsSkipped = result.IsSkipped;
-  move.LostWay = result.LargestWay > LongestTrace ? result.LargestWay : 0.0;
+  move.LostDisplacement =
+    result.LargestDisplacement > LongestTrace ? result.LargestDisplacement : 0.0;
   if (result.IsSkipped)
   {
     ++report.SkippedSubsteps;
@@ -330,8 +331,9 @@ void BandState::StepAndTrace(const Motion& motion, Target& target, AdvanceReport
   move.MaySkip = false;
   this->Trace.Begin(this->Leaves);
   this->MakeStep(motion, target, report, move);
-  report.SurfaceSpeed =
-    move.IsSkipped ? 0.0 : std::max(this->Trace.GetLargest(this->Leaves), move.LostWay) / move.Step;
+  report.SurfaceSpeed = move.IsSkipped
+    ? 0.0
+    : std::max(this->Trace.GetLargest(this->Leaves), move.LostDisplacement) / move.Step;
   this->Time += move.IsSkipped ? 0.0 : move.Step;
   CheckSize(this->CountActive(), this->Maximum);
 }

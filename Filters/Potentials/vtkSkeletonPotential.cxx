@@ -2,6 +2,7 @@
 
 #include "BatchEvaluation.h"
 #include "FunctionInput.h"
+#include "ParticleData.h"
 #include "ParticleFit.h"
 #include "ParticlePotential.h"
 #include "Skeleton.h"
@@ -135,10 +136,12 @@ void vtkSkeletonPotential::ReadElements()
         "Threshold has to be a finite number > 0: at 0 or below, all space is inside.");
     }
     own.Input.Update();
-    if (own.Input.GetData() && !this->GetInput())
+    const vtkSmartPointer<vtkDataSet> data = activesurface::AsDataSet(own.Input.GetData());
+    vtkPointSet* points = vtkPointSet::SafeDownCast(data);
+    if (own.Input.GetData() && !points)
     {
       throw std::invalid_argument(std::string("A ") + own.Input.GetData()->GetClassName() +
-        " is no skeleton; connect points or lines, a vtkPointSet.");
+        " is no skeleton; connect points or lines: a vtkPointSet, a vtkTable or blocks of these.");
     }
     if (own.HasOwnElements)
     {
@@ -146,8 +149,8 @@ void vtkSkeletonPotential::ReadElements()
     }
     else
     {
-      own.IgnoredElements = static_cast<vtkIdType>(activesurface::AddElements(this->GetInput(),
-        { this->RadiusArrayName, this->StrengthArrayName, this->Radius }, own.Skeleton));
+      own.IgnoredElements = static_cast<vtkIdType>(activesurface::AddElements(
+        points, { this->RadiusArrayName, this->StrengthArrayName, this->Radius }, own.Skeleton));
     }
     own.Skeleton.Build();
     this->FitBody();

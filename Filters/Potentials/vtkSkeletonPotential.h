@@ -24,6 +24,9 @@
  * - points: every point that is the end of no segment, and every point of a vertex cell. Without
  *   lines, and in any other vtkPointSet, these are all points, whatever the cells.
  *
+ * A vtkTable and composite data sets are points too, through SetInputConnection, as
+ * vtkActiveImplicitSurface takes them.
+ *
  * Joints do not bulge. Where m segments share a point, its own contribution, which each of them
  * includes, is taken off m - 1 times. A straight line thus has the same potential however it is
  * cut; a bent one, or a branching, is rounded on the inner side of the bend and equal to a single

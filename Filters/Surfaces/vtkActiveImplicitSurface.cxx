@@ -5,6 +5,7 @@
 
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkExecutive.h"
 #include "vtkGarbageCollector.h"
 #include "vtkGridPotential.h"
 #include "vtkImageData.h"
@@ -145,6 +146,34 @@ bool vtkActiveImplicitSurface::LoadState(const char* file)
   }
 }
 
+bool vtkActiveImplicitSurface::Advance(vtkDataObject* frame, double dt)
+{
+  try
+  {
+    this->Requests->Push(this->FindProperties(), frame, dt);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return false;
+  }
+  if (this->GetExecutive()->Update(OutputPorts::Skin) && this->Requests->IsAtNewestFrame())
+  {
+    return true;
+  }
+  if (this->Requests->WithdrawFrame())
+  {
+    this->Update(OutputPorts::Skin);
+  }
+  return false;
+}
+
+void vtkActiveImplicitSurface::ResetTrajectory()
+{
+  this->Requests->Restart();
+  this->Modified();
+}
+
 void vtkActiveImplicitSurface::PaperFaithful()
 {
   this->SetPaperScheme(true);
@@ -174,9 +203,9 @@ void vtkActiveImplicitSurface::ReportReferences(vtkGarbageCollector* collector)
   vtkGarbageCollectorReport(collector, this->ObstacleFunction, "ObstacleFunction");
 }
 
-int vtkActiveImplicitSurface::FillInputPortInformation(int, vtkInformation* info)
+int vtkActiveImplicitSurface::FillInputPortInformation(int port, vtkInformation* info)
 {
-  activesurface::SurfaceInput::DescribePort(info);
+  activesurface::SurfaceInput::DescribePort(port, info);
   return 1;
 }
 

@@ -11,7 +11,10 @@
  * - Particles: a vtkPointSet without cells or with vertices; all its points count, as points of a
  *   vtkSkeletonPotential. vtkActiveParticleAlgorithm has what they make. SetInputArrayToProcess(0,
  *   ...) chooses an array of radii (reaches), (1, ...) of ids, (2, ...) of strengths; without them
- *   ParticleRadius, the point numbers and 1 hold.
+ *   ParticleRadius, the point numbers and 1 hold. Or a vtkTable with the columns x, y, z (Points:0,
+ *   Points:1, Points:2; pos_x ...), whose other columns are its arrays. Or blocks of particles
+ *   (vtkMultiBlockDataSet, vtkPartitionedDataSet, ...): all points in the order of the blocks, with
+ *   the arrays that all blocks with points have. One block alone with points may be of any kind.
  * - Skeleton: a vtkPolyData with lines, as vtkSkeletonPotential takes it, with the same arrays.
  * - Mesh: a closed vtkPolyData of polygons or strips without lines (open ones: see MeshThickness).
  *   F is the distance to it, as vtkGridPotential gives it.
@@ -57,7 +60,9 @@
  * of requests or the number of threads. The motion restarts when the target, the initial shape or a
  * property that shapes it changes. In situ it continues: an input whose list of time steps has
  * grown at its end is the same input, and is asked for the new steps only; where no time can be had
- * twice (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are the times asked for.
+ * twice (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are the times asked for; Advance takes
+ * frames one by one. Data without time steps that replace others start the motion anew: one warning
+ * says so where a later time is asked for.
  *
  * A vanished skin is legal: empty output and one warning. What cannot be done is one error, a
  * sentence that says why, and empty outputs. What was reached before an error or an abort is kept:
@@ -235,19 +240,6 @@ public:
 
   ///@{
   /**
-   * Whether "Velocity" has a component along the skin too: that of the particles' own velocity,
-   * averaged with their kernels' weights. It comes from the array that SetInputArrayToProcess(5,
-   * ...) chooses, else from the particles' way since the step before (at the first step, to the
-   * next one). Particles without either do not count; without any, and for other targets, it is 0.
-   * Does not restart the motion. Default: off.
-   */
-  vtkSetMacro(TangentialVelocity, vtkTypeBool);
-  vtkGetMacro(TangentialVelocity, vtkTypeBool);
-  vtkBooleanMacro(TangentialVelocity, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
    * Largest length [length/time] of the vectors of "Velocity"; longer ones lose of their component
    * along the normal. Where the skin catches up, as in the notch of two parts that have just
    * merged, its own speed is up to Attraction * TargetReach, which blurs into streaks. Range: >= 0;
@@ -258,20 +250,6 @@ public:
    */
   vtkSetClampMacro(MaximumVelocity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVelocity, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether the skin has the point arrays of the particles under it: floating-point ones and
-   * colours (unsigned char, 3 or 4 components, rounded, halves up) averaged with the kernels'
-   * weights, others, such as ids and names, from the particle of the largest weight; where no
-   * kernel reaches, from the nearest particle. Between two steps values go evenly from one to the
-   * other. Left out: ghost levels, arrays called like one of the skin's own, without a value for
-   * each point, or not alike at both steps. Does not restart the motion. Default: off.
-   */
-  vtkSetMacro(PassTargetArrays, vtkTypeBool);
-  vtkGetMacro(PassTargetArrays, vtkTypeBool);
-  vtkBooleanMacro(PassTargetArrays, vtkTypeBool);
   ///@}
 
   ///@{
@@ -307,6 +285,21 @@ public:
   bool SaveState(const char* file);
   bool LoadState(const char* file);
   ///@}
+
+  /**
+   * In a simulation's own loop: takes the skin to the next frame, dt [pipeline time] after the last
+   * one; to the same bytes as over the finished series. The frame is what input port 0 takes, and
+   * is its input from then on; it may be the same object, written over, each time. The first one is
+   * at StartTime, whatever its dt. GetOutput() is at the newest frame, whatever time is asked for.
+   * A property that restarts the motion restarts it there. Velocities do not know the frame to
+   * come. False, and an error, if there is no skin. A frame that is refused is as if it had not
+   * been; one to which the motion got only half-way (an abort, MaximumNumberOfActiveVoxels) counts:
+   * Update() or the next frame goes on. Range of dt: > 0, finite.
+   */
+  bool Advance(vtkDataObject* frame, double dt);
+
+  /** Forgets the motion so far: the next update starts anew, and the next Advance at StartTime. */
+  void ResetTrajectory();
 
   /** The paper's choices: PaperScheme on, SHIFTED, CENTRAL, NormalizeTarget off, SUM. */
   void PaperFaithful();
@@ -376,9 +369,7 @@ private:
   double MeshThickness = 0.0;
   vtkTypeBool ComputeNormals = 1;
   vtkTypeBool ComputeVelocity = 0;
-  vtkTypeBool TangentialVelocity = 0;
   double MaximumVelocity = 0.0;
-  vtkTypeBool PassTargetArrays = 0;
   vtkTypeBool ComputeCurvature = 0;
   vtkTypeBool OutputPotential = 0;
 

@@ -4,7 +4,7 @@
  *
  * ParticleSpacing is the one number to know: it gives each particle its own radius r, half of it,
  * its reach, and, where they are not set, VoxelSize (r) and TargetReach (6 r). Changing a property
- * starts the skin anew.
+ * starts the skin anew, unless it says another thing.
  */
 
 #ifndef vtkActiveParticleAlgorithm_h
@@ -90,6 +90,33 @@ public:
   vtkGetMacro(ParticleThreshold, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether "Velocity" has a component along the skin too: that of the particles' own velocity,
+   * averaged with their kernels' weights. It comes from the array that SetInputArrayToProcess(5,
+   * ...) chooses, else from the particles' way since the step before (at the first step, to the
+   * next one). Particles without either do not count; without any, and for other targets, it is 0.
+   * Does not restart the motion. Default: off.
+   */
+  vtkSetMacro(TangentialVelocity, vtkTypeBool);
+  vtkGetMacro(TangentialVelocity, vtkTypeBool);
+  vtkBooleanMacro(TangentialVelocity, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the skin has the point arrays of the particles under it: floating-point ones and
+   * colours (unsigned char, 3 or 4 components, rounded, halves up) averaged with the kernels'
+   * weights, others, such as ids and names, from the particle of the largest weight; where no
+   * kernel reaches, from the nearest particle. Between two steps values go evenly from one to the
+   * other. Left out: ghost levels, arrays called like one of the skin's own, without a value for
+   * each point, or not alike at both steps. Does not restart the motion. Default: off.
+   */
+  vtkSetMacro(PassTargetArrays, vtkTypeBool);
+  vtkGetMacro(PassTargetArrays, vtkTypeBool);
+  vtkBooleanMacro(PassTargetArrays, vtkTypeBool);
+  ///@}
+
   enum ParticleModelType
   {
     SUM = 0,
@@ -111,6 +138,8 @@ private:
   double Anisotropy = 4.0;
   int ParticleKernel = 0;
   double ParticleThreshold = 0.5;
+  vtkTypeBool TangentialVelocity = 0;
+  vtkTypeBool PassTargetArrays = 0;
 };
 
 #endif

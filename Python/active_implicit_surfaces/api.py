@@ -212,10 +212,9 @@ class LiveSurface:
         for keyword in options:
             properties.find(keyword)
         self.surface = vtkActiveImplicitSurface()
+        self.surface.SetStartTime(float(start))
         self.time: float | None = None
-        self._start, self._frames = float(start), {}  # type: ignore[var-annotated]
         self._options = {"preset": preset, "arrays": arrays, **options}
-        self._source: TemporalSource | None = None
 
     def advance(self, particles: Any, dt: float, **arrays: Any) -> Any:
         """The skin a time `dt` after the last push, over these particles.
@@ -232,35 +231,25 @@ class LiveSurface:
         Returns
         -------
         vtkPolyData
+
+        Raises
+        ------
+        ValueError
+            The filter's own sentence; the skin is as it was, and goes on with the next push.
         """
         if not 0 < dt < float("inf"):
             raise ValueError(f"dt has to be more than 0 and finite, not {dt}.")
         cloud = as_particles(particles, **arrays)
-        if self._source is None:
-            self._begin(cloud, dt)
-        else:
-            self._append(cloud, self._source.times[-1] + dt)
-        assert self._source is not None
-        update(self.surface, self._source.times[-1], self._source)
-        self.time = self._source.times[-1]
-        return like(particles, copy_of(self.surface.GetOutput()))
-
-    def _begin(self, cloud: Any, dt: float) -> None:
-        self._frames[0] = cloud
-        source = TemporalSource(self._frames.__getitem__, [self._start])
-        self.surface.SetInputConnection(source.GetOutputPort())
-        self.surface.SetStartTime(self._start)
-        configure(self.surface, source, interval=dt, **self._options)
-        self._source = source
-
-    def _append(self, cloud: Any, time: float) -> None:
-        source = self._source
-        assert source is not None
-        step = len(source.times)
-        self._frames[step] = cloud
-        self._frames.pop(step - 2, None)
-        source.times.append(time)
-        source.Modified()  # its list of time steps has grown at its end: the motion continues
+        if self.time is None:
+            first = TemporalSource(lambda step: cloud, [self.surface.GetStartTime()])
+            configure(self.surface, first, interval=dt, **self._options)
+        with listening(self.surface) as heard:
+            self.surface.Advance(cloud, dt)
+        heard.raise_error(ValueError)
+        warn_all(heard.warnings)
+        skin = copy_of(self.surface.GetOutput())
+        self.time = skin.GetInformation().Get(vtkDataObject.DATA_TIME_STEP())
+        return like(particles, skin)
 
 
 def configure(

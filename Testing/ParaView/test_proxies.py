@@ -8,6 +8,7 @@ from pathlib import Path
 
 import active_implicit_surfaces
 from paraview import servermanager
+from paraview.modules.vtkRemotingServerManager import vtkSMOrderedPropertyIterator
 from paraview.simple import Clip, ExtractCellsByRegion, Slice, Wavelet
 from vtkmodules.vtkCommonDataModel import vtkSuperquadric
 
@@ -66,6 +67,12 @@ OTHER_DEFAULTS = {
     (FUNCTIONS, "ModelBounds"): [-1, 1, -1, 1, -1, 1],  # functions have no bounds
     (SCREENSHOT, "ColorEncoding"): [1],  # what a view shows is for a display
 }
+DECORATOR = "PropertyWidgetDecorator"  # shows a property in some cases only
+# By the filter's panel, besides ParticleModel and ParticleSpacing, which images do not have.
+ALWAYS_SHOWN = """
+    Attraction Tension EvolutionMode VolumeControl InitialFunction ObstacleFunction TimeScale
+    VoxelSize Input ComputeNormals ComputeVelocity ComputeCurvature Initial
+""".split()
 KERNELS = active_implicit_surfaces.vtkSkeletonPotential
 
 
@@ -199,6 +206,23 @@ class Proxies(unittest.TestCase):
             self.assertEqual(len(grouped), len(set(grouped)))
             own = set(own_properties(CLASSES[key])) - ELSEWHERE[key]
             self.assertEqual(own - set(grouped), set())
+
+    def test_the_panel_begins_with_what_most_need(self):
+        proxy = new_proxy(SURFACE)
+        order, shown = vtkSMOrderedPropertyIterator(), []
+        order.SetProxy(proxy)
+        order.Begin()
+        while not order.IsAtEnd():
+            prop = order.GetProperty()
+            hints = prop.GetHints()
+            decorated = hints is not None and hints.FindNestedElementByName(DECORATOR) is not None
+            if prop.GetPanelVisibility() == "default" and not decorated:
+                shown.append(order.GetKey())
+            order.Next()
+        self.assertEqual(shown, ALWAYS_SHOWN)
+        for name in ("TargetIsoValue", "InvertTarget", "TargetArray"):
+            hint = proxy.GetProperty(name).GetHints().FindNestedElementByName(DECORATOR)
+            self.assertEqual(hint.GetAttribute("name"), "vtkImageData", name)
 
     def test_filters_of_paraview_offer_the_functions(self):
         wavelet = Wavelet()

@@ -3,6 +3,7 @@
 
 - python: part of an example, or of test_pyvista.py, line by line; else it is run here, with data of
   the names it uses.
+- cpp: part of an example, line by line.
 - bash: `active-surface` is run here; other commands are ones that the tests run elsewhere, and name
   scripts, presets and targets that there are.
 - cmake: what the project Testing/Consumer says.
@@ -36,6 +37,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWrit
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 EXAMPLES = sorted((ROOT / "Examples" / "Python").glob("*.py"))
+PROGRAMS = sorted((ROOT / "Examples" / "Cxx").glob("*.cxx"))
 WITH_PYVISTA = ROOT / "Testing" / "Python" / "test_pyvista.py"
 PRESETS = {
     preset["name"]
@@ -149,6 +151,9 @@ class Blocks(CommandTest):
             shown = [*EXAMPLES, WITH_PYVISTA]
             if not any(contains(path.read_text(), tidy(body)) for path in shown):
                 self.run_python(body)
+        elif language == "cpp":
+            shown = any(contains(path.read_text(), tidy(body)) for path in PROGRAMS)
+            self.assertTrue(shown, "no example has these lines")
         elif language == "bash":
             for command in documents.commands(body):
                 if command.startswith("active-surface "):
@@ -160,7 +165,7 @@ class Blocks(CommandTest):
             for name in re.findall(r"find_package\(.*?\)|\w+::\w+", body):
                 self.assertIn(name, consumer)
         else:
-            self.assertEqual(language, "", "blocks are python, bash, cmake, or drawings")
+            self.assertEqual(language, "", "blocks are python, cpp, bash, cmake, or drawings")
             self.assertNotRegex(body, r"^(\$|import |active-surface )", "say what language it is")
 
     def test_all_of_them(self):

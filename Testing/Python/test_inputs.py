@@ -8,12 +8,15 @@ import unittest
 
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from listener import Listener
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkSphere
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkSphere
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersHybrid import vtkForceTime
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
+from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
 
 
 def make_ball(radius):
@@ -73,6 +76,42 @@ class Inputs(unittest.TestCase):
         self.surface.SetInputConnection(self.image.GetOutputPort())
         self.assert_is_the_ball(0.0)
         self.assert_is_the_ball(1.0)
+
+    def test_a_csv_of_paraview_is_particles(self):
+        rows = [(0.1 * i, 0.1 * j, 0.0, 10 * i + j) for i in range(8) for j in range(8)]
+        text = "\n".join(
+            ["id,Points:0,Points:1,Points:2"] + [f"{n},{x},{y},{z}" for x, y, z, n in rows]
+        )
+        table, cloud, points, ids = (
+            vtkDelimitedTextReader(),
+            vtkPolyData(),
+            vtkPoints(),
+            vtkIntArray(),
+        )
+        table.SetReadFromInputString(True)
+        table.SetInputString(text)
+        table.SetHaveHeaders(True)
+        points.SetDataTypeToDouble()
+        ids.SetName("id")
+        for *place, number in rows:
+            points.InsertNextPoint(place)
+            ids.InsertNextValue(number)
+        cloud.SetPoints(points)
+        cloud.GetPointData().AddArray(ids)
+        self.surface.SetInputArrayToProcess(1, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "id")
+        self.surface.SetInputData(cloud)
+        self.surface.Update()
+        expected = vtk_to_numpy(self.surface.GetOutput().GetPoints().GetData()).tobytes()
+        self.surface.SetInputConnection(table.GetOutputPort())
+        messages = Listener(self.surface)
+        self.surface.Update()
+        self.assertIn("DetectNumericColumns", messages.errors[0])
+        table.DetectNumericColumnsOn()
+        self.surface.Update()
+        made = vtk_to_numpy(self.surface.GetOutput().GetPoints().GetData()).tobytes()
+        self.assertTrue(expected)
+        self.assertEqual(made, expected)
+        self.assertEqual(len(messages.errors), 1)
 
     def test_a_mesh_is_an_initial_shape(self):
         self.surface.SetTargetFunction(make_ball(0.4))

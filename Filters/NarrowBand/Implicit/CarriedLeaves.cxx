@@ -16,7 +16,7 @@ constexpr double Still = 1e-4;
 /** By so much the surface of a leaf may go beside what its points say [voxels]. */
 constexpr int Margin = 2;
 
-struct Ways
+struct DisplacementExtent
 {
   double Least[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
   double Most[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
@@ -106,7 +106,7 @@ void CarriedLeaves::FindOrigins(const LeafTable& table)
   std::vector<char> isCarried(table.Size());
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
-    this->AddWay(table, i, isCarried);
+    this->AddDisplacement(table, i, isCarried);
   }
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
@@ -121,24 +121,25 @@ void CarriedLeaves::FindOrigins(const LeafTable& table)
 
 /** The leaf, which its surface may leave, and those that its band comes to, in strides of half a
  * leaf: leaves of the table are marked, others become origins. */
-void CarriedLeaves::AddWay(const LeafTable& table, std::size_t i, std::vector<char>& isCarried)
+void CarriedLeaves::AddDisplacement(
+  const LeafTable& table, std::size_t i, std::vector<char>& isCarried)
 {
-  Ways ways;
+  DisplacementExtent extent;
   for (int n = 0; n < PointsPerLeaf; ++n)
   {
     const double* displacement = this->Displacements.data() + 3 * (PointsPerLeaf * i + n);
     if (IsKnown(displacement))
     {
-      ways.Add(displacement);
+      extent.Add(displacement);
     }
   }
-  if (!(ways.Largest > Still))
+  if (!(extent.Largest > Still))
   {
     return;
   }
   isCarried[i] = 1;
   const NodeBox band(table[i].UpToLayer[LastBandLayer]);
-  const int strides = std::max(1, static_cast<int>(std::ceil(ways.Largest / 4.0)));
+  const int strides = std::max(1, static_cast<int>(std::ceil(extent.Largest / 4.0)));
   for (int stride = 0; stride <= strides && !band.IsEmpty(); ++stride)
   {
     const double done = static_cast<double>(stride) / strides;
@@ -146,8 +147,8 @@ void CarriedLeaves::AddWay(const LeafTable& table, std::size_t i, std::vector<ch
     for (int axis = 0; axis < 3; ++axis)
     {
       const int origin = table[i].Origin[axis];
-      first[axis] = OriginBelow(origin + band.First[axis] + done * ways.Least[axis] - Margin);
-      last[axis] = OriginBelow(origin + band.Last[axis] + done * ways.Most[axis] + Margin);
+      first[axis] = OriginBelow(origin + band.First[axis] + done * extent.Least[axis] - Margin);
+      last[axis] = OriginBelow(origin + band.Last[axis] + done * extent.Most[axis] + Margin);
     }
     for (int x = first[0]; x <= last[0]; x += 8)
     {
@@ -169,8 +170,8 @@ double CarriedLeaves::GetLongest() const
   double longest = 0.0;
   for (std::size_t n = 0; n < this->Displacements.size(); n += 3)
   {
-    const double* way = this->Displacements.data() + n;
-    longest = IsKnown(way) ? std::max(longest, std::hypot(way[0], way[1], way[2])) : longest;
+    const double* d = this->Displacements.data() + n;
+    longest = IsKnown(d) ? std::max(longest, std::hypot(d[0], d[1], d[2])) : longest;
   }
   return longest;
 }

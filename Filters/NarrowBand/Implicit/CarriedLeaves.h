@@ -5,7 +5,7 @@
 #ifndef CarriedLeaves_h
 #define CarriedLeaves_h
 
-#include "Implicit/WayLattice.h"
+#include "Implicit/DisplacementLattice.h"
 #include "Leaves/LeafTable.h"
 
 #include <vector>
@@ -33,7 +33,7 @@ private:
 
   void Sample(const LeafTable& table, const TargetDisplacements& displacements, std::size_t i);
   void FindOrigins(const LeafTable& table);
-  void AddWay(const LeafTable& table, std::size_t i, std::vector<char>& isCarried);
+  void AddDisplacement(const LeafTable& table, std::size_t i, std::vector<char>& isCarried);
 
   std::vector<double> Displacements;
   std::vector<openvdb::Coord> Origins;

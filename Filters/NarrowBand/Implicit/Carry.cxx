@@ -1,8 +1,8 @@
 #include "Implicit/Carry.h"
 
 #include "Implicit/CarriedLeaves.h"
+#include "Implicit/DisplacementLattice.h"
 #include "Implicit/OldValues.h"
-#include "Implicit/WayLattice.h"
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
 #include "Leaves/LeafKernels.h"
@@ -34,7 +34,7 @@ class CarryLeaf
 {
 public:
   CarryLeaf(const LeafTable& table, const PotentialTree& tree, const CarriedLeaves& carried,
-    const WayLattice& lattice, CarriedValues& result)
+    const DisplacementLattice& lattice, CarriedValues& result)
     : Table(table)
     , Tree(tree)
     , Carried(carried)
@@ -46,18 +46,18 @@ public:
   void operator()(std::size_t n) const
   {
     const openvdb::Coord origin = this->Result.Origins[n];
-    LeafWays ways;
-    this->Lattice.Interpolate(origin, ways);
+    LeafDisplacements displacements;
+    this->Lattice.Interpolate(origin, displacements);
     LeafFeet feet;
     for (int node = 0; node < 512; ++node)
     {
       const int at[3] = { node >> 6, (node >> 3) & 7, node & 7 };
       for (int axis = 0; axis < 3; ++axis)
       {
-        feet.At[axis][node] = origin[axis] + at[axis] - ways.Of[axis][node];
+        feet.At[axis][node] = origin[axis] + at[axis] - displacements.Of[axis][node];
       }
     }
-    this->Interpolate(n, feet, this->FindLeft(origin, ways.Known));
+    this->Interpolate(n, feet, this->FindLeft(origin, displacements.Known));
   }
 
 private:
@@ -104,7 +104,7 @@ private:
   const LeafTable& Table;
   const PotentialTree& Tree;
   const CarriedLeaves& Carried;
-  const WayLattice& Lattice;
+  const DisplacementLattice& Lattice;
   CarriedValues& Result;
 };
 
@@ -210,7 +210,7 @@ bool CarrySurface(const FollowingBand& band, const Motion& motion, double begin,
   band.Buffers.StageFirst.MakeRoom(count);
   CarriedValues carried{ leaves.GetOrigins(), band.Buffers.StageFirst, std::vector<LeafMask>(count),
     std::vector<char>(count) };
-  const WayLattice lattice(leaves.GetOrigins(), displacements);
+  const DisplacementLattice lattice(leaves.GetOrigins(), displacements);
   tbb::parallel_for(
     std::size_t(0), count, CarryLeaf(band.Leaves, band.Potential, leaves, lattice, carried));
   band.Set.Choose(band.Leaves, TakeValues(band, carried));

@@ -24,7 +24,7 @@ namespace
 
 constexpr double FewLeaves = .05; // of those that the surface crosses: they may go farther
 
-constexpr double LongestWayBeforeControl = 0.385; // [voxels], as of an explicit substep
+constexpr double LongestDisplacementBeforeControl = 0.385; // [voxels], as of an explicit substep
 
 Motion WithoutTransport(Motion motion)
 {
@@ -76,8 +76,9 @@ public:
     this->Result.IsSkipped = !moves && !this->IsCarried;
     if (moves)
     {
-      this->Result.LargestWay =
-        this->Where.MaySkip ? 0.0 : this->Passes.FindLargestWay(this->Set.Active, this->Plan);
+      this->Result.LargestDisplacement = this->Where.MaySkip
+        ? 0.0
+        : this->Passes.FindLargestDisplacement(this->Set.Active, this->Plan);
       this->MakeRounds();
     }
     return this->Result;
@@ -93,7 +94,7 @@ private:
   }
 
   /** Where the target moves the surface as it moves itself, nothing but its own change is left to
-   * follow after the whole way: then there is one way for all rounds. */
+   * follow after the whole displacement: then there is one for all rounds. */
   bool MayCarryFar() const
   {
     const bool isControlled =
@@ -125,18 +126,20 @@ private:
     }
   }
 
-  /** One round is enough where nearly all ways are so short that the target is linear along them.
+  /** One round is enough where nearly all displacements are so short that the target is linear
+   * along them.
    */
   void ChooseRounds(double length, double slope)
   {
-    const double shortWay = .25 * this->Law.CFL;
+    const double shortDisplacement = .25 * this->Law.CFL;
     const StepPlan plan(this->Whole, this->Where.Band.VoxelSize, slope, this->Force, length);
     this->CheckLength(plan, length);
     const StepPlan one = plan.PartOf(length, 1);
-    const WayCoefficients ways = CoefficientsOf(this->Law, one);
+    const MoveCoefficients coefficients = CoefficientsOf(this->Law, one);
     const LeafList surface = this->FindSurface();
     const auto far = std::count_if(surface.begin(), surface.end(),
-      [&](std::int32_t i) { return WayOf(i, ways, this->Buffers) > shortWay; });
+      [&](std::int32_t i)
+      { return DisplacementOf(i, coefficients, this->Buffers) > shortDisplacement; });
     const bool isOne = !plan.GetStages() && static_cast<double>(far) <= FewLeaves * surface.size();
     this->Rounds = isOne ? 1 : static_cast<int>(std::lround(length / plan.GetLength()));
     this->Plan = isOne ? one : plan;
@@ -218,10 +221,11 @@ private:
    * in all, where a control follows each substep. */
   int FindHalvings(const StepPlan& plan) const
   {
-    const WayCoefficients ways = CoefficientsOf(this->Law, plan);
+    const MoveCoefficients coefficients = CoefficientsOf(this->Law, plan);
     if (plan.GetStages())
     {
-      FindTensionWays(this->Leaves, this->Set.Active, ways, this->IsWeighted(), this->Buffers);
+      FindTensionDisplacements(
+        this->Leaves, this->Set.Active, coefficients, this->IsWeighted(), this->Buffers);
     }
     const bool isControlled =
       this->Law.AreaControl == Control::Exact || this->Law.VolumeControl == Control::Exact;
@@ -229,18 +233,18 @@ private:
     int halvings = 0;
     for (; halvings < MostHalvings; ++halvings)
     {
-      const auto count = [&](double longest, auto&& wayOf)
+      const auto count = [&](double longest, auto&& displacementOf)
       {
         return static_cast<double>(std::count_if(surface.begin(), surface.end(),
-          [&](std::int32_t i) { return wayOf(i) > std::ldexp(longest, halvings); }));
+          [&](std::int32_t i) { return displacementOf(i) > std::ldexp(longest, halvings); }));
       };
       const bool isTense = plan.GetStages() &&
-        count(LongestWayByTension,
+        count(LongestDisplacementByTension,
           [this](std::int32_t i)
-          { return this->Buffers.LargestTensionWay[i]; }) > FewLeaves * surface.size();
+          { return this->Buffers.LargestTensionDisplacement[i]; }) > FewLeaves * surface.size();
       const bool isFar = isControlled &&
-        count(LongestWayBeforeControl,
-          [&](std::int32_t i) { return WayOf(i, ways, this->Buffers); }) > 0.0;
+        count(LongestDisplacementBeforeControl,
+          [&](std::int32_t i) { return DisplacementOf(i, coefficients, this->Buffers); }) > 0.0;
       if (!isTense && !isFar)
       {
         break;

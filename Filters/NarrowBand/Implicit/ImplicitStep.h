@@ -33,7 +33,7 @@ struct ImplicitResult
   bool PullsInVain = false;
   /** Of the surface, by all terms but exact controls and walls [voxels]; 0 where converged leaves
    * may be left out, as only AdvanceToSteadyState wants it. */
-  double LargestWay = 0.0;
+  double LargestDisplacement = 0.0;
   GradientCounts Gradients; //< before the last round
 };
 

@@ -85,7 +85,7 @@ StepPlan StepPlan::ForSlope(double slope) const
   return plan;
 }
 
-StepPlan StepPlan::HalveWay() const
+StepPlan StepPlan::HalveDisplacement() const
 {
   StepPlan half = *this;
   half.Length *= .5;
@@ -123,31 +123,32 @@ double StepPlan::GetSampleTime() const
 
 double StepPlan::GetFactor() const
 {
-  return this->Length / (this->VoxelSize * this->GetSourcePerWay());
+  return this->Length / (this->VoxelSize * this->GetSourcePerDisplacement());
 }
 
 double StepPlan::GetRatio(double slope) const
 {
   const bool isOwn = slope != this->Slope && (!this->Stages || !(slope > 0.0));
-  return isOwn ? MeanOfDecay(this->Law.Attraction * slope * this->Length) * this->GetSourcePerWay()
-               : 1.0;
+  return isOwn
+    ? MeanOfDecay(this->Law.Attraction * slope * this->Length) * this->GetSourcePerDisplacement()
+    : 1.0;
 }
 
-double StepPlan::GetUniformWay() const
+double StepPlan::GetUniformDisplacement() const
 {
   return this->Force.Speed * this->GetFactor();
 }
 
-double StepPlan::GetSourcePerWay() const
+double StepPlan::GetSourcePerDisplacement() const
 {
   return this->Decay > 1e-9 ? this->Decay / (1.0 - this->Remaining) : 1.0;
 }
 
-double StepPlan::GetRelaxation(double way) const
+double StepPlan::GetRelaxation(double displacement) const
 {
   const double most = this->Stages ? 1.5 : 1.0; // stages move the gradient norm too
   const double strain = this->Law.Transport > 0.0 ? .5 : 0.0;
-  return .3 * std::min(most, this->Decay + 1.5 * std::sqrt(3.0) * way + strain);
+  return .3 * std::min(most, this->Decay + 1.5 * std::sqrt(3.0) * displacement + strain);
 }
 
 }

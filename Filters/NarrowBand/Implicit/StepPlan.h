@@ -1,7 +1,7 @@
 /**
  * The length of an implicit substep, and what follows from it.
  *
- * A substep of length dt goes the way d = F (1 - R) / L to a target of slope L, as the equation
+ * A substep of length dt is displaced by d = F (1 - R) / L to a target of slope L, as the equation
  * u' = -Attraction F does exactly with R = exp(-a), a = Attraction L dt. With Tension, stages of
  *
  *   w' = Tension kappa |grad w| - a (w - u*) / dt,    w = u* at first, the displaced potential,
@@ -36,8 +36,9 @@ public:
   StepPlan PartOf(double time, int parts) const;
   /** A substep of the same length, for another largest slope. */
   StepPlan ForSlope(double slope) const;
-  /** One half of the way of this substep, without its tension: two of them go the whole way. */
-  StepPlan HalveWay() const;
+  /** One half of the displacement of this substep, without its tension: two of them make the whole.
+   */
+  StepPlan HalveDisplacement() const;
   ///@}
 
   double GetLength() const { return this->Length; }
@@ -54,20 +55,21 @@ public:
   double GetDamping() const { return this->Decay; }
 
   ///@{
-  /** The factor from a target speed to its way in voxels where the slope is the largest; and how
-   * many times as far a sample of another slope goes. */
+  /** The factor from a target speed to its displacement in voxels where the slope is the largest;
+   * and how many times as far a sample of another slope goes. */
   double GetFactor() const;
   double GetRatio(double slope) const;
   ///@}
 
-  /** The way of the penalties [voxels]. */
-  double GetUniformWay() const;
+  /** The displacement of the penalties [voxels]. */
+  double GetUniformDisplacement() const;
 
-  /** What stages have to subtract in all so that they go a way of 1, against their damping. */
-  double GetSourcePerWay() const;
+  /** What stages have to subtract in all so that they displace by 1, against their damping. */
+  double GetSourcePerDisplacement() const;
 
-  /** q of the relaxation where the largest way is this [voxels]; Transport strains u too. */
-  double GetRelaxation(double way) const;
+  /** q of the relaxation where the largest displacement is this [voxels]; Transport strains u too.
+   */
+  double GetRelaxation(double displacement) const;
 
 private:
   void Derive();
@@ -85,10 +87,10 @@ private:
 
 /** How far a part of the surface may go in one pass [voxels], so that the layers hold what it comes
  * to. */
-constexpr float LongestWay = 1.f;
+constexpr float LongestDisplacement = 1.f;
 
 /** The same for tension where nothing balances it. */
-constexpr float LongestWayByTension = .5f;
+constexpr float LongestDisplacementByTension = .5f;
 
 }
 

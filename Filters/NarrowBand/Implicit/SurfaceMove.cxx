@@ -15,28 +15,28 @@ namespace
 {
 
 /** |grad u|^2 at a node, upwind for a surface that goes this way. */
-ACTIVE_ALWAYS_INLINE float UpwindSquare(const float* u, float way)
+ACTIVE_ALWAYS_INLINE float UpwindSquare(const float* u, float displacement)
 {
   const UpwindSquares x = UpwindDifferences(u, LeafBlock::X);
   const UpwindSquares y = UpwindDifferences(u, LeafBlock::Y);
   const UpwindSquares z = UpwindDifferences(u, LeafBlock::Z);
-  return way > 0.f ? x.Outward + y.Outward + z.Outward : x.Inward + y.Inward + z.Inward;
+  return displacement > 0.f ? x.Outward + y.Outward + z.Outward : x.Inward + y.Inward + z.Inward;
 }
 
-struct FindLeafWays
+struct FindLeafDisplacements
 {
   const LeafTable& Table;
-  const WayCoefficients& Coefficients;
+  const MoveCoefficients& Coefficients;
   SubstepBuffers& Buffers;
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     const BandLeaf& leaf = this->Table[i];
     const LeafMask crossed = NodesWithCrossing(this->Table, leaf);
-    float* ways = this->Buffers.SpeedOf(i);
+    float* displacements = this->Buffers.SpeedOf(i);
     if (!this->Coefficients.HasTargetSpeed)
     {
-      std::fill_n(ways, 512, 0.f);
+      std::fill_n(displacements, 512, 0.f);
       this->Buffers.Known[i] = this->Buffers.NextKnown[i] = crossed;
     }
     if (!crossed.Any())
@@ -49,42 +49,43 @@ struct FindLeafWays
     {
       if (const unsigned nodes = crossed.Row(row / 8, row % 8))
       {
-        this->FindRow(block.Row(row / 8, row % 8), nodes, ways + 8 * row);
+        this->FindRow(block.Row(row / 8, row % 8), nodes, displacements + 8 * row);
       }
     }
   }
 
 private:
-  ACTIVE_ALWAYS_INLINE void FindRow(const float* u, unsigned nodes, float* ways) const
+  ACTIVE_ALWAYS_INLINE void FindRow(const float* u, unsigned nodes, float* displacements) const
   {
     constexpr float flat = .25f; // of |grad u|^2
     float squares[8];
     CentralGradientSquares(u, squares);
     for (int z = 0; z < 8; ++z)
     {
-      const float whole = this->Coefficients.Factor * ways[z] + this->Coefficients.Uniform;
-      const float way = std::min(std::max(whole, -LongestWay), LongestWay);
-      const float upwind = UpwindSquare(u + z, way);
+      const float whole = this->Coefficients.Factor * displacements[z] + this->Coefficients.Uniform;
+      const float displacement =
+        std::min(std::max(whole, -LongestDisplacement), LongestDisplacement);
+      const float upwind = UpwindSquare(u + z, displacement);
       const float balanced = squares[z] < flat ? std::max(squares[z], upwind) : squares[z];
       const float square = this->Coefficients.IsUpwind ? upwind : balanced;
-      ways[z] = (nodes >> z) & 1u ? way * std::sqrt(square) : ways[z];
+      displacements[z] = (nodes >> z) & 1u ? displacement * std::sqrt(square) : displacements[z];
     }
   }
 };
 
-/** The longest way of a leaf by Tension, or by all terms if that is less. */
+/** The longest displacement of a leaf by Tension, or by all terms if that is less. */
 template <bool IsWeighted>
-struct FindTensionWay
+struct FindTensionDisplacement
 {
   const LeafTable& Table;
-  const WayCoefficients& Coefficients;
+  const MoveCoefficients& Coefficients;
   SubstepBuffers& Buffers;
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     const BandLeaf& leaf = this->Table[i];
     const LeafMask crossed = NodesWithCrossing(this->Table, leaf);
-    this->Buffers.LargestTensionWay[i] = this->Buffers.LargestNetWay[i] = 0.f;
+    this->Buffers.LargestTensionDisplacement[i] = this->Buffers.LargestNetDisplacement[i] = 0.f;
     if (crossed.Any())
     {
       LeafBlock block;
@@ -103,7 +104,8 @@ private:
   ACTIVE_ALWAYS_INLINE void AddRow(const float* u, std::size_t i, int row, unsigned nodes) const
   {
     float rates[8] = {}, squares[8];
-    float largest = this->Buffers.LargestTensionWay[i], net = this->Buffers.LargestNetWay[i];
+    float largest = this->Buffers.LargestTensionDisplacement[i],
+          net = this->Buffers.LargestNetDisplacement[i];
     if constexpr (IsWeighted)
     {
       AddWeightedTension(u, this->Coefficients.Tension, this->Buffers.WeightOf(i) + 8 * row, rates);
@@ -124,8 +126,8 @@ private:
       largest = std::max(largest, std::min(isNode * std::fabs(tension), whole));
       net = std::max(net, whole);
     }
-    this->Buffers.LargestTensionWay[i] = largest;
-    this->Buffers.LargestNetWay[i] = net;
+    this->Buffers.LargestTensionDisplacement[i] = largest;
+    this->Buffers.LargestNetDisplacement[i] = net;
   }
 };
 
@@ -134,7 +136,7 @@ template <bool IsSource>
 struct MoveLeaf
 {
   const LeafTable& Table;
-  const WayCoefficients& Coefficients;
+  const MoveCoefficients& Coefficients;
   SubstepBuffers& Buffers;
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
@@ -144,7 +146,7 @@ struct MoveLeaf
     block.Gather(this->Table, leaf);
     // Relaxing the ends of a crossed edge would move the surface.
     const LeafMask relaxed = leaf.Active.Without(NodesWithCrossing(this->Table, leaf));
-    float* next = this->Buffers.NextOf(i); // holds the ways
+    float* next = this->Buffers.NextOf(i); // holds the displacements
     if constexpr (IsSource)
     {
       std::fill_n(this->Buffers.StageSource.Of(i), 512, 0.f);
@@ -196,15 +198,16 @@ private:
     AddTransport(u, still, 0.f, relaxation, next);
   }
 
-  ACTIVE_ALWAYS_INLINE void FindSource(
-    const float* u, unsigned active, unsigned relaxed, const float* ways, float* source) const
+  ACTIVE_ALWAYS_INLINE void FindSource(const float* u, unsigned active, unsigned relaxed,
+    const float* displacements, float* source) const
   {
     float change[8] = {};
     this->Relax(u, relaxed, change);
     const RowMask& moves = MaskOfBits(active);
     for (int z = 0; z < 8; ++z)
     {
-      source[z] = moves[z] * this->Coefficients.SourcePerWay * (ways[z] - change[z]);
+      source[z] =
+        moves[z] * this->Coefficients.SourcePerDisplacement * (displacements[z] - change[z]);
     }
   }
 
@@ -228,54 +231,55 @@ private:
 
 }
 
-float WayOf(std::size_t leaf, const WayCoefficients& coefficients, const SubstepBuffers& buffers)
+float DisplacementOf(
+  std::size_t leaf, const MoveCoefficients& coefficients, const SubstepBuffers& buffers)
 {
   const float tracked =
     coefficients.HasTargetSpeed ? coefficients.Factor * buffers.LargestSpeed[leaf] : 0.f;
   return tracked + std::fabs(coefficients.Uniform);
 }
 
-float LargestWay(
-  const LeafList& leaves, const WayCoefficients& coefficients, const SubstepBuffers& buffers)
+float LargestDisplacement(
+  const LeafList& leaves, const MoveCoefficients& coefficients, const SubstepBuffers& buffers)
 {
   float largest = 0.f;
   for (const std::int32_t i : leaves)
   {
-    largest = std::max(largest, WayOf(i, coefficients, buffers));
+    largest = std::max(largest, DisplacementOf(i, coefficients, buffers));
   }
   return largest;
 }
 
-float LargestNetWay(const LeafTable& table, const LeafList& leaves,
-  const WayCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers)
+float LargestNetDisplacement(const LeafTable& table, const LeafList& leaves,
+  const MoveCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers)
 {
-  FindTensionWays(table, leaves, coefficients, isWeighted, buffers);
+  FindTensionDisplacements(table, leaves, coefficients, isWeighted, buffers);
   float largest = 0.f;
   for (const std::int32_t i : leaves)
   {
-    largest = std::max(largest, buffers.LargestNetWay[i]);
+    largest = std::max(largest, buffers.LargestNetDisplacement[i]);
   }
   return largest;
 }
 
-void FindTensionWays(const LeafTable& table, const LeafList& leaves,
-  const WayCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers)
+void FindTensionDisplacements(const LeafTable& table, const LeafList& leaves,
+  const MoveCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers)
 {
   buffers.MakeRoomForNodes(table.Size());
-  buffers.LargestTensionWay.resize(table.Size());
-  buffers.LargestNetWay.resize(table.Size());
+  buffers.LargestTensionDisplacement.resize(table.Size());
+  buffers.LargestNetDisplacement.resize(table.Size());
   if (isWeighted)
   {
-    ForEachLeaf(table, leaves, FindTensionWay<true>{ table, coefficients, buffers });
+    ForEachLeaf(table, leaves, FindTensionDisplacement<true>{ table, coefficients, buffers });
   }
   else
   {
-    ForEachLeaf(table, leaves, FindTensionWay<false>{ table, coefficients, buffers });
+    ForEachLeaf(table, leaves, FindTensionDisplacement<false>{ table, coefficients, buffers });
   }
 }
 
-void FindWays(const LeafTable& table, const ActiveSet& set, const WayCoefficients& coefficients,
-  SubstepBuffers& buffers)
+void FindDisplacements(const LeafTable& table, const ActiveSet& set,
+  const MoveCoefficients& coefficients, SubstepBuffers& buffers)
 {
   if (!coefficients.HasTargetSpeed)
   {
@@ -283,11 +287,17 @@ void FindWays(const LeafTable& table, const ActiveSet& set, const WayCoefficient
     buffers.Known.assign(table.Size(), LeafMask());
     buffers.NextKnown.assign(table.Size(), LeafMask());
   }
-  ForEachLeaf(table, set.Affected, FindLeafWays{ table, coefficients, buffers });
+  ForEachLeaf(table, set.Affected, FindLeafDisplacements{ table, coefficients, buffers });
+}
+
+void ClearDisplacements(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
+{
+  buffers.MakeRoomForNodes(table.Size());
+  table.ForEach(set.Active, [&](std::size_t i) { std::fill_n(buffers.SpeedOf(i), 512, 0.f); });
 }
 
 GradientCounts FindSources(const LeafTable& table, const ActiveSet& set,
-  const WayCoefficients& coefficients, SubstepBuffers& buffers)
+  const MoveCoefficients& coefficients, SubstepBuffers& buffers)
 {
   buffers.MakeRoomForCounts(table.Size());
   buffers.StageSource.MakeRoom(table.Size());
@@ -296,7 +306,7 @@ GradientCounts FindSources(const LeafTable& table, const ActiveSet& set,
 }
 
 GradientCounts MoveSurface(const LeafTable& table, const ActiveSet& set,
-  const WayCoefficients& coefficients, SubstepBuffers& buffers)
+  const MoveCoefficients& coefficients, SubstepBuffers& buffers)
 {
   buffers.MakeRoomForCounts(table.Size());
   ForEachLeaf(table, set.Active, MoveLeaf<false>{ table, coefficients, buffers });

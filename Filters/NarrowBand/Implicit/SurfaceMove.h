@@ -1,7 +1,7 @@
 /**
- * The displacement of an implicit substep: u* = u - d |grad u|, d the way of the nearest part of
- * the surface. The product is taken at the nodes of crossed edges and extended from there, so that
- * no gradient off the surface limits the way.
+ * The displacement of an implicit substep: u* = u - d |grad u|, d the displacement of the nearest
+ * part of the surface. The product is taken at the nodes of crossed edges and extended from there,
+ * so that no gradient off the surface limits the displacement.
  */
 #ifndef SurfaceMove_h
 #define SurfaceMove_h
@@ -14,49 +14,54 @@ namespace activesurface
 
 struct SubstepBuffers;
 
-/** From target speeds to ways; lengths in voxels. A way beyond LongestWay is clamped: its leaf has
- * to be left out of the move. */
-struct WayCoefficients
+/** From target speeds to displacements; lengths in voxels. A displacement beyond
+ * LongestDisplacement is clamped: its leaf has to be left out of the move. */
+struct MoveCoefficients
 {
-  float Factor = 0.f;     //< way per target speed
-  float Uniform = 0.f;    //< way of all nodes, added to the target's
+  float Factor = 0.f;     //< displacement per target speed
+  float Uniform = 0.f;    //< displacement of all nodes, added to the target's
   float Relaxation = 0.f; //< q
   bool HasTargetSpeed = false;
-  bool IsUpwind = false;    //< |grad u| is Godunov's
-  float SourcePerWay = 1.f; //< see FindSources
-  float Tension = 0.f;      //< way per curvature
+  bool IsUpwind = false;             //< |grad u| is Godunov's
+  float SourcePerDisplacement = 1.f; //< see FindSources
+  float Tension = 0.f;               //< displacement per curvature
 };
 
-/** The longest way of a leaf by the target and the penalties. */
-float WayOf(std::size_t leaf, const WayCoefficients& coefficients, const SubstepBuffers& buffers);
+/** The longest displacement of a leaf by the target and the penalties. */
+float DisplacementOf(
+  std::size_t leaf, const MoveCoefficients& coefficients, const SubstepBuffers& buffers);
 
-/** The longest way in these leaves. */
-float LargestWay(
-  const LeafList& leaves, const WayCoefficients& coefficients, const SubstepBuffers& buffers);
+/** The longest displacement in these leaves. */
+float LargestDisplacement(
+  const LeafList& leaves, const MoveCoefficients& coefficients, const SubstepBuffers& buffers);
 
 /** The same by all terms, with Tension. */
-float LargestNetWay(const LeafTable& table, const LeafList& leaves,
-  const WayCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers);
+float LargestNetDisplacement(const LeafTable& table, const LeafList& leaves,
+  const MoveCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers);
 
-/** LargestTensionWay of these leaves, by Tension, or by all terms if that is less; and
- * LargestNetWay, by all terms. */
-void FindTensionWays(const LeafTable& table, const LeafList& leaves,
-  const WayCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers);
+/** LargestTensionDisplacement of these leaves, by Tension, or by all terms if that is less; and
+ * LargestNetDisplacement, by all terms. */
+void FindTensionDisplacements(const LeafTable& table, const LeafList& leaves,
+  const MoveCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers);
 
 /** Replaces the speeds at the nodes of crossed edges, in the affected leaves, by d |grad u|. |grad
  * u| is Godunov's, if IsUpwind; else it is central, as tension's is, and where that is below a half
  * the larger of both, without which a single node inside stays for ever. */
-void FindWays(const LeafTable& table, const ActiveSet& set, const WayCoefficients& coefficients,
-  SubstepBuffers& buffers);
+void FindDisplacements(const LeafTable& table, const ActiveSet& set,
+  const MoveCoefficients& coefficients, SubstepBuffers& buffers);
+
+/** In place of FindDisplacements, where there are none: no displacement of the active leaves. */
+void ClearDisplacements(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers);
 
 /** In place of MoveSurface, where stages follow: what they subtract (StageSource), the change by
- * MoveSurface times SourcePerWay. */
+ * MoveSurface times SourcePerDisplacement. */
 GradientCounts FindSources(const LeafTable& table, const ActiveSet& set,
-  const WayCoefficients& coefficients, SubstepBuffers& buffers);
+  const MoveCoefficients& coefficients, SubstepBuffers& buffers);
 
-/** Next of the active leaves, from extended ways; relaxes all nodes but those of crossed edges. */
+/** Next of the active leaves, from extended displacements; relaxes all nodes but those of crossed
+ * edges. */
 GradientCounts MoveSurface(const LeafTable& table, const ActiveSet& set,
-  const WayCoefficients& coefficients, SubstepBuffers& buffers);
+  const MoveCoefficients& coefficients, SubstepBuffers& buffers);
 
 }
 

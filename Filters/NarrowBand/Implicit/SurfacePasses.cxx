@@ -15,18 +15,18 @@
 namespace activesurface
 {
 
-WayCoefficients CoefficientsOf(const Motion& law, const StepPlan& plan)
+MoveCoefficients CoefficientsOf(const Motion& law, const StepPlan& plan)
 {
   const bool hasTarget = law.Attraction > 0.0;
-  WayCoefficients coefficients;
+  MoveCoefficients coefficients;
   coefficients.HasTargetSpeed = hasTarget;
   // Details of a target that the lattice cannot hold make a surface rougher for ever by central
   // gradients, where tension is too weak to smooth them: its length is below a quarter of a voxel.
   coefficients.IsUpwind = hasTarget && 16.0 * plan.GetTension() < plan.GetDamping();
   coefficients.Factor = hasTarget ? static_cast<float>(plan.GetFactor()) : 0.f;
-  coefficients.Uniform = static_cast<float>(plan.GetUniformWay());
-  coefficients.SourcePerWay = static_cast<float>(plan.GetSourcePerWay());
-  coefficients.Tension = static_cast<float>(plan.GetTension() / plan.GetSourcePerWay());
+  coefficients.Uniform = static_cast<float>(plan.GetUniformDisplacement());
+  coefficients.SourcePerDisplacement = static_cast<float>(plan.GetSourcePerDisplacement());
+  coefficients.Tension = static_cast<float>(plan.GetTension() / plan.GetSourcePerDisplacement());
   return coefficients;
 }
 
@@ -42,12 +42,12 @@ SurfacePasses::SurfacePasses(
 {
 }
 
-float SurfacePasses::FindLargestWay(const LeafList& leaves, const StepPlan& plan) const
+float SurfacePasses::FindLargestDisplacement(const LeafList& leaves, const StepPlan& plan) const
 {
-  const WayCoefficients coefficients = CoefficientsOf(this->Law, plan);
+  const MoveCoefficients coefficients = CoefficientsOf(this->Law, plan);
   return plan.GetStages()
-    ? LargestNetWay(this->Leaves, leaves, coefficients, this->IsWeighted(), this->Buffers)
-    : LargestWay(leaves, coefficients, this->Buffers);
+    ? LargestNetDisplacement(this->Leaves, leaves, coefficients, this->IsWeighted(), this->Buffers)
+    : LargestDisplacement(leaves, coefficients, this->Buffers);
 }
 
 GradientCounts SurfacePasses::Run(const StepPlan& plan)
@@ -60,15 +60,18 @@ GradientCounts SurfacePasses::Run(const StepPlan& plan)
   return this->Gradients;
 }
 
-/** plan: of the substep, or of its way halved so often. */
+/** plan: of the substep, or of its displacement halved so often. */
 void SurfacePasses::Displace(const LeafList& leaves, const StepPlan& plan, int halvings)
 {
-  const WayCoefficients coefficients = CoefficientsOf(this->Law, plan);
+  const MoveCoefficients coefficients = CoefficientsOf(this->Law, plan);
   this->TakeSlopesIntoAccount(plan);
   LeafList fast;
   std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(fast),
     [&](std::int32_t i)
-    { return halvings < MostHalvings && WayOf(i, coefficients, this->Buffers) > LongestWay; });
+    {
+      return halvings < MostHalvings &&
+        DisplacementOf(i, coefficients, this->Buffers) > LongestDisplacement;
+    });
   LeafList region = this->Leaves.FindAround(fast);
   region = halvings == 0 ? region : Intersection(region, leaves);
   this->MakePass(Without(leaves, region), plan);
@@ -76,7 +79,7 @@ void SurfacePasses::Displace(const LeafList& leaves, const StepPlan& plan, int h
   {
     const std::size_t before = this->Leaves.Size();
     this->SampleAgain(region);
-    this->Displace(region, plan.HalveWay(), halvings + 1);
+    this->Displace(region, plan.HalveDisplacement(), halvings + 1);
     region = Union(region, this->Leaves.FindAll([before](std::size_t i) { return i >= before; }));
   }
   this->Moved = Union(this->Moved, region);
@@ -126,11 +129,18 @@ void SurfacePasses::MakePass(const LeafList& leaves, const StepPlan& plan)
   {
     return;
   }
-  WayCoefficients coefficients = CoefficientsOf(this->Law, plan);
+  MoveCoefficients coefficients = CoefficientsOf(this->Law, plan);
   coefficients.Relaxation = static_cast<float>(plan.GetRelaxation(this->FindStrain(leaves, plan)));
   this->Set.Choose(this->Leaves, leaves);
-  FindWays(this->Leaves, this->Set, coefficients, this->Buffers);
-  ExtendSpeed(this->Leaves, this->Set, this->Law, this->Buffers);
+  if (coefficients.HasTargetSpeed || coefficients.Uniform != 0.f || this->IsWeighted())
+  {
+    FindDisplacements(this->Leaves, this->Set, coefficients, this->Buffers);
+    ExtendSpeed(this->Leaves, this->Set, this->Law, this->Buffers);
+  }
+  else
+  {
+    ClearDisplacements(this->Leaves, this->Set, this->Buffers);
+  }
   if (this->IsWeighted())
   {
     this->Weights.Remember(this->Set, this->Buffers);
@@ -148,12 +158,15 @@ void SurfacePasses::MakePass(const LeafList& leaves, const StepPlan& plan)
   }
 }
 
-/** The longest way. One that tension goes back strains nothing; but attraction's does, as it
- * differs from place to place. */
+/** The longest displacement. One that tension goes back strains nothing; but attraction's does, as
+ * it differs from place to place. */
 float SurfacePasses::FindStrain(const LeafList& leaves, const StepPlan& plan) const
 {
-  const float way = LargestWay(leaves, CoefficientsOf(this->Law, plan), this->Buffers);
-  return this->HasTarget() || way == 0.f ? way : std::min(way, this->FindLargestWay(leaves, plan));
+  const float displacement =
+    LargestDisplacement(leaves, CoefficientsOf(this->Law, plan), this->Buffers);
+  return this->HasTarget() || displacement == 0.f
+    ? displacement
+    : std::min(displacement, this->FindLargestDisplacement(leaves, plan));
 }
 
 void SurfacePasses::Count(const GradientCounts& counts)

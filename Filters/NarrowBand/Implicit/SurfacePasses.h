@@ -19,7 +19,7 @@ namespace activesurface
 
 constexpr int MostHalvings = 10; //< of a substep, and again of a pass
 
-WayCoefficients CoefficientsOf(const Motion& law, const StepPlan& plan);
+MoveCoefficients CoefficientsOf(const Motion& law, const StepPlan& plan);
 
 class SurfacePasses
 {
@@ -33,8 +33,8 @@ public:
    * so. */
   GradientCounts Run(const StepPlan& plan);
 
-  /** The longest way of these leaves, by all terms but the controls. */
-  float FindLargestWay(const LeafList& leaves, const StepPlan& plan) const;
+  /** The longest displacement of these leaves, by all terms but the controls. */
+  float FindLargestDisplacement(const LeafList& leaves, const StepPlan& plan) const;
 
 private:
   bool HasTarget() const { return this->Law.Attraction > 0.0; }

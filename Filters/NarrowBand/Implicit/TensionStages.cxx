@@ -30,7 +30,7 @@ StageFactors FactorsOf(const LegendreStage& stage, const StepPlan& plan)
   return { static_cast<float>(stage.Mu), static_cast<float>(stage.Nu),
     static_cast<float>(stage.Rate), static_cast<float>(stage.FirstRate),
     static_cast<float>(plan.GetTension()), static_cast<float>(plan.GetDamping()),
-    static_cast<float>(LongestWayByTension * plan.GetSourcePerWay()) };
+    static_cast<float>(LongestDisplacementByTension * plan.GetSourcePerDisplacement()) };
 }
 
 /** What the stages keep: the potential at first and before the last stage, the rate at first. */

@@ -49,8 +49,8 @@ struct SubstepBuffers
   std::vector<double> LargestTargetSlope; //< |dF/dn|
   std::vector<float> LargestSpeed;        //< at the nodes with samples
   std::vector<float> LargestVelocity;     //< of a sample point, tangential too; with Transport
-  std::vector<float> LargestTensionWay;   //< of the implicit integration, see SurfaceMove.h
-  std::vector<float> LargestNetWay;
+  std::vector<float> LargestTensionDisplacement;   //< of the implicit integration, see SurfaceMove.h
+  std::vector<float> LargestNetDisplacement;
   std::vector<int> FlatNodes;          //< layer 0 nodes of gradient norm below 1/sqrt 2
   std::vector<int> SteepNodes;         //< layer 0 nodes of gradient norm above sqrt 2
   std::vector<std::uint8_t> Unbounded; //< whether the next potential is, see GradientCounts

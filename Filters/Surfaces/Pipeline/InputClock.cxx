@@ -33,6 +33,10 @@ std::vector<double> MergeEqualNeighbours(std::vector<double> steps)
 
 void InputClock::Read(const ClockProperties& properties, bool isEquilibrium, vtkInformation* target)
 {
+  if (this->IsPushed)
+  {
+    *this = InputClock();
+  }
   this->OnlyForward = !isEquilibrium && target && GetPriorAccess(target) != PriorAccess::Free;
   this->InputSteps = MergeEqualNeighbours(SurfaceInput::GetTimeSteps(target));
   this->Published = this->InputSteps;
@@ -55,9 +59,16 @@ void InputClock::Read(const ClockProperties& properties, bool isEquilibrium, vtk
   this->Published = this->Steps;
 }
 
+void InputClock::Read(const std::vector<double>& pushed)
+{
+  *this = InputClock();
+  this->IsPushed = this->OnlyForward = this->TargetMoves = true;
+  this->Requested = this->Steps = pushed;
+}
+
 bool InputClock::Request(vtkInformation* target, double time)
 {
-  if (!this->OnlyForward)
+  if (!this->OnlyForward || this->IsPushed)
   {
     return false;
   }

@@ -38,14 +38,14 @@ int RequestedPort(vtkInformation* request)
   return std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
 }
 
-void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool isEquilibrium)
+void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool hasNone)
 {
-  if (isEquilibrium)
+  if (hasNone)
   {
     output->Remove(SDDP::TIME_STEPS());
     output->Remove(SDDP::TIME_RANGE());
   }
-  if (isEquilibrium || steps.empty())
+  if (hasNone || steps.empty())
   {
     return;
   }

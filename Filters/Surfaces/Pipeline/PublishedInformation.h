@@ -18,8 +18,9 @@ struct SurfaceDomain;
 // The output port that a request is for.
 int RequestedPort(vtkInformation* request);
 
-// None for a surface in equilibrium: it is at no time. Without steps, those of the input.
-void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool isEquilibrium);
+// None for a surface in equilibrium, which is at no time, and over pushed frames, of which the
+// newest can be had. Without steps, those of the input.
+void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool hasNone);
 void PublishTime(vtkDataObject* data, PipelineTime time, bool isEquilibrium);
 
 // Of the potential's image; empty without a domain.

@@ -1,6 +1,7 @@
 #include "Pipeline/SurfaceInput.h"
 
 #include "AttachedData.h"
+#include "ParticleData.h"
 #include "Targets/InputKinds.h"
 #include "WholeInput.h"
 
@@ -15,6 +16,8 @@
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -67,13 +70,30 @@ SurfaceInput::SurfaceInput(vtkAlgorithm* filter, Ports port)
 {
 }
 
-void SurfaceInput::DescribePort(vtkInformation* port)
+std::vector<const char*> SurfaceInput::ListTypes(int port)
 {
-  for (const char* type : InputTypes)
+  std::vector<const char*> types(std::begin(InputTypes), std::end(InputTypes));
+  if (port == Target)
   {
-    port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+    types.insert(types.end(), std::begin(MoreTargetTypes), std::end(MoreTargetTypes));
   }
-  port->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return types;
+}
+
+void SurfaceInput::DescribePort(int port, vtkInformation* information)
+{
+  for (const char* type : ListTypes(port))
+  {
+    information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+  }
+  information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+}
+
+bool SurfaceInput::Takes(int port, vtkDataObject* data)
+{
+  const std::vector<const char*> types = ListTypes(port);
+  return std::any_of(
+    types.begin(), types.end(), [data](const char* type) { return data->IsA(type); });
 }
 
 bool SurfaceInput::IsConnected() const
@@ -158,15 +178,16 @@ ParticleArrays SurfaceInput::DescribeParticleArrays(bool all, bool velocities) c
   return { all, velocities ? this->DescribeArray(VelocityArray) : "" };
 }
 
-bool SurfaceInput::IsComposite(vtkInformation* information)
+bool SurfaceInput::IsSplit(vtkInformation* information) const
 {
-  return vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(information)) != nullptr;
+  vtkDataObject* data = vtkDataObject::GetData(information);
+  return vtkCompositeDataSet::SafeDownCast(data) && !Takes(this->Port, data);
 }
 
 std::unique_ptr<InputShape> SurfaceInput::Read(
   vtkInformation* information, const ParticleArrays& kept) const
 {
-  vtkDataSet* data = vtkDataSet::GetData(information);
+  const vtkSmartPointer<vtkDataSet> data = AsDataSet(vtkDataObject::GetData(information));
   return MakeInputShape({ data, ArraysOf(*this, data), kept });
 }
 
@@ -199,7 +220,8 @@ vtkAbstractArray* SurfaceInput::FindArray(int index, vtkDataSet* data) const
     ? arrays->GetAbstractArray(name)
     : arrays->GetAbstractAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
   const bool isOfPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
-    association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
+    association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS ||
+    association == vtkDataObject::FIELD_ASSOCIATION_ROWS;
   if (!array || !isOfPoints)
   {
     throw std::invalid_argument(

@@ -14,6 +14,7 @@
 
 class vtkAbstractArray;
 class vtkAlgorithm;
+class vtkDataObject;
 class vtkDataSet;
 class vtkInformation;
 
@@ -32,7 +33,8 @@ public:
   SurfaceInput(vtkAlgorithm* filter, Ports port);
 
   // What a port takes; it may be left empty.
-  static void DescribePort(vtkInformation* port);
+  static void DescribePort(int port, vtkInformation* information);
+  static bool Takes(int port, vtkDataObject* data);
 
   bool IsConnected() const;
 
@@ -48,9 +50,9 @@ public:
   // initial image; empty where none was.
   std::array<std::string, 5> DescribeArrays() const;
 
-  // True before a request for data only: then the pipeline hands over one block after the other, as
-  // if each were the input.
-  static bool IsComposite(vtkInformation* information);
+  // Whether the data are of blocks that the pipeline hands over one after the other, as if each
+  // were the input. True before a request for data only.
+  bool IsSplit(vtkInformation* information) const;
 
   // What to keep of particles: all their arrays, and the array of velocities, if one was chosen.
   ParticleArrays DescribeParticleArrays(bool all, bool velocities) const;
@@ -70,6 +72,7 @@ public:
 private:
   class ArraysOf;
 
+  static std::vector<const char*> ListTypes(int port);
   bool IsArrayChosen(int index) const;
   std::string DescribeArray(int index) const;
   vtkAbstractArray* FindArray(int index, vtkDataSet* data) const;

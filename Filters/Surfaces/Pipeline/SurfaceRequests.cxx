@@ -36,6 +36,7 @@ SurfaceRequests::SurfaceRequests(vtkAlgorithm* filter)
   : Filter(filter)
   , Target(filter, SurfaceInput::Target)
   , Initial(filter, SurfaceInput::Initial)
+  , Pushed(filter)
 {
 }
 
@@ -71,15 +72,32 @@ RequestedArrays SurfaceRequests::FindArrays(const OutputProperties& properties) 
   return arrays;
 }
 
+// Whether there are times to publish.
+bool SurfaceRequests::ReadClock(const SurfaceProperties& properties, vtkInformation* target)
+{
+  const bool isEquilibrium = properties.Settings.IsEquilibrium();
+  if (isEquilibrium || this->Pushed.GetTimes().empty())
+  {
+    this->Pushed.Stop();
+    this->Clock.Read(properties.Clock, isEquilibrium, target);
+    return !isEquilibrium;
+  }
+  this->Clock.Read(this->Pushed.GetTimes());
+  if (!this->Simulation.IsContinuedBy(this->FindSettings(properties)))
+  {
+    this->Pushed.ForgetPast(); // it cannot be had again
+    this->Clock.Read(this->Pushed.GetTimes());
+  }
+  return false;
+}
+
 void SurfaceRequests::PublishInformation(
   const SurfaceProperties& properties, vtkInformationVector** input, vtkInformationVector* output)
 {
-  const bool isEquilibrium = properties.Settings.IsEquilibrium();
-  this->Clock.Read(properties.Clock, isEquilibrium, Get(input, SurfaceInput::Target));
+  const bool hasTimes = this->ReadClock(properties, Get(input, SurfaceInput::Target));
   for (int port = 0; port < OutputPorts::NumberOfPorts; ++port)
   {
-    PublishTimes(
-      output->GetInformationObject(port), this->Clock.GetPublishedSteps(), isEquilibrium);
+    PublishTimes(output->GetInformationObject(port), this->Clock.GetPublishedSteps(), !hasTimes);
   }
   vtkInformation* image = output->GetInformationObject(OutputPorts::Potential);
   const bool isConnected = vtkExecutive::CONSUMERS()->Length(image) > 0;
@@ -127,6 +145,10 @@ void SurfaceRequests::ReadFirst(vtkInformationVector** input)
 
 PipelineTime SurfaceRequests::FindRequestedTime(vtkInformation* output) const
 {
+  if (this->Clock.ArePushed())
+  {
+    return this->Clock.GetNewest();
+  }
   const std::vector<double>& steps = this->Clock.GetPublishedSteps();
   if (output->Has(SDDP::UPDATE_TIME_STEP()))
   {
@@ -156,7 +178,7 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
     this->RequestTarget(target);
   }
   vtkInformation* initial = Get(input, SurfaceInput::Initial);
-  if (initial && SurfaceInput::IsComposite(initial))
+  if (initial && this->Initial.IsSplit(initial))
   {
     this->CompositeInitial = this->Initial.GetPipelineMTime();
   }
@@ -184,7 +206,7 @@ int SurfaceRequests::FindStepBeside(int missing) const
 
 void SurfaceRequests::RequestTarget(vtkInformation* target)
 {
-  if (SurfaceInput::IsComposite(target))
+  if (this->Target.IsSplit(target))
   {
     this->CompositeTarget = this->Target.GetPipelineMTime();
   }
@@ -224,8 +246,8 @@ void SurfaceRequests::CheckInputs() const
   }
   if (this->Target.IsConnected() && this->CompositeTarget == this->Target.GetPipelineMTime())
   {
-    throw std::invalid_argument("The input is a composite data set, which cannot be a target; "
-                                "extract or merge its blocks to one point set or image.");
+    throw std::invalid_argument("The input is a composite data set of levels, which cannot be a "
+                                "target; make one image of it (vtkResampleToImage).");
   }
   if (this->Initial.IsConnected() && this->CompositeInitial == this->Initial.GetPipelineMTime())
   {
@@ -270,7 +292,7 @@ std::unique_ptr<InputShape> SurfaceRequests::ReadTarget(vtkInformation* target) 
 // From within, at another time than the one that was requested before.
 void SurfaceRequests::UpdateTarget(vtkInformation* target, PipelineTime time)
 {
-  if (this->Simulation.GetSettings().Inputs.OnlyForward)
+  if (this->Simulation.GetSettings().Inputs.OnlyForward && !this->Clock.ArePushed())
   {
     throw std::runtime_error("The input's time " + std::to_string(time.Value) +
       " is needed, but it cannot be had again (NO_PRIOR_TEMPORAL_ACCESS). Ask for times in their "
@@ -346,6 +368,17 @@ void SurfaceRequests::RequestData(const SurfaceProperties& properties, vtkInform
   {
     this->ClearOutputs(output);
   }
+}
+
+bool SurfaceRequests::WithdrawFrame()
+{
+  if (!this->Simulation.WithdrawLastStep())
+  {
+    return false;
+  }
+  this->Pushed.Withdraw();
+  this->Simulation.SetTargetMTime(this->Target.GetPipelineMTime());
+  return true;
 }
 
 void SurfaceRequests::SaveState(const std::string& file) const

@@ -9,6 +9,7 @@
 
 #include "Pipeline/InputClock.h"
 #include "Pipeline/OutputPorts.h"
+#include "Pipeline/PushedFrames.h"
 #include "Pipeline/SurfaceInput.h"
 #include "Pipeline/SurfaceProperties.h"
 
@@ -42,6 +43,27 @@ public:
   void RequestData(const SurfaceProperties& properties, vtkInformation* request,
     vtkInformationVector** input, vtkInformationVector* output);
 
+  // A frame, which the next update goes to. Throws as PushedFrames does.
+  void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt)
+  {
+    if (!this->Simulation.HasBegun()) // a first frame was refused
+    {
+      this->Pushed.Stop();
+    }
+    this->Pushed.Push(properties, data, dt);
+  }
+  // Whether an update has got to the newest frame.
+  bool IsAtNewestFrame() const { return this->Simulation.FindSkin() != nullptr; }
+  // After an update that has not: whether the frame was refused, and the one before is the newest
+  // again.
+  bool WithdrawFrame();
+  // The next update, or the next frame, is a new start.
+  void Restart()
+  {
+    this->Simulation.Reset();
+    this->Pushed.Stop();
+  }
+
   // Leaves empty outputs that do not count as made.
   void ClearOutputs(vtkInformationVector* output) { this->Outputs.Clear(output); }
 
@@ -56,6 +78,7 @@ private:
   class MTimesAfterwards;
 
   SurfaceSettings FindSettings(const SurfaceProperties& properties) const;
+  bool ReadClock(const SurfaceProperties& properties, vtkInformation* target);
   RequestedArrays FindArrays(const OutputProperties& properties) const;
   const SurfaceDomain* FindDomain(
     const SurfaceProperties& properties, vtkInformationVector** input, bool isWanted);
@@ -73,6 +96,7 @@ private:
   vtkAlgorithm* Filter;
   SurfaceInput Target;
   SurfaceInput Initial;
+  PushedFrames Pushed;
   InputClock Clock;
   SurfaceSimulation Simulation;
   OutputPorts Outputs;

@@ -63,6 +63,13 @@ struct SurfaceInputs
   // Whether Steps are the input's, not the filter's own.
   bool HaveOwnSteps() const { return this->OnlyForward || this->InputSteps.size() > 1; }
 
+  bool WithdrawStep() // the last one, of an input that goes only forward
+  {
+    this->Steps.pop_back();
+    this->InputSteps.pop_back();
+    return true;
+  }
+
   bool operator==(const SurfaceInputs& other) const;
 };
 

@@ -36,7 +36,7 @@ void SurfaceSimulation::SetLimits(const SimulationLimits& limits)
 
 void SurfaceSimulation::Configure(const SurfaceSettings& settings)
 {
-  if (this->Settings.AreContinuedBy(settings) && this->IsOnStepsOf(settings))
+  if (this->IsLengthenedBy(settings))
   {
     if (settings.Inputs.TargetMoves != this->Settings.Inputs.TargetMoves)
     {
@@ -47,21 +47,13 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
   }
   if (this->Settings != settings)
   {
+    this->Restarts.Note(this->Settings, settings, this->Way.HasBegun(), this->Requested.Time);
     this->Loaded = this->LoadedIsNew ? this->Loaded : SavedState();
     this->Reset();
     this->Messages.Forget();
     this->Settings = settings;
   }
   this->LoadedIsNew = false;
-}
-
-// Whether the way so far is one along these steps. An input of one step stands still, and the
-// filter has its own clock as long as it does.
-bool SurfaceSimulation::IsOnStepsOf(const SurfaceSettings& settings) const
-{
-  return this->Settings.Inputs.TargetMoves
-    ? settings.Inputs.TargetMoves
-    : this->Way.GetStep() <= 0 && !this->Way.IsUnderWay() && !this->Way.HasBranch();
 }
 
 void SurfaceSimulation::Reset()
@@ -108,6 +100,7 @@ void SurfaceSimulation::Request(PipelineTime time, const RequestedArrays& arrays
     return;
   }
   const RequestedTime requested = FindRequested(this->Settings, time);
+  this->Restarts.Tell(requested.Time, this->Messages);
   const int step = this->Way.GetStep();
   if (requested.Step < step || (requested.Step == step && this->Way.IsUnderWay()))
   {

@@ -16,6 +16,7 @@
 #include "Simulation/ArrayFrames.h"
 #include "Simulation/Checkpoints.h"
 #include "Simulation/MotionDriver.h"
+#include "Simulation/RestartWarning.h"
 #include "Simulation/SkinAttributes.h"
 #include "Simulation/StateFile.h"
 #include "Simulation/SurfaceHistory.h"
@@ -56,6 +57,20 @@ public:
   // Resets everything if these are other settings, unless only further steps have come.
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
+  // Whether a motion that has begun goes on with them.
+  bool HasBegun() const { return this->Way.HasBegun(); }
+  bool IsContinuedBy(const SurfaceSettings& settings) const
+  {
+    return this->HasBegun() && (this->Settings == settings || this->IsLengthenedBy(settings));
+  }
+
+  // Withdraws the last step, unless its frame has come in; false: it stays.
+  bool WithdrawLastStep()
+  {
+    const int last = this->Settings.GetNumberOfSteps() - 1;
+    const bool isNext = last > 0 && this->Way.GetStep() == last - 1 && !this->Shapes.Has(last);
+    return isNext && this->Settings.Inputs.WithdrawStep();
+  }
 
   // What makes the inputs has changed its MTime, but not them.
   void SetTargetMTime(std::uint64_t time) { this->Settings.Inputs.TargetMTime = time; }
@@ -114,7 +129,14 @@ public:
   void ResetCounters() { this->Driver.ResetCounters(); }
 
 private:
-  bool IsOnStepsOf(const SurfaceSettings& settings) const;
+  // Whether further steps have come, and the way so far is one along these. An input of one step
+  // stands still, and the filter has its own clock as long as it does.
+  bool IsLengthenedBy(const SurfaceSettings& settings) const
+  {
+    const bool isOnSteps =
+      this->Settings.Inputs.TargetMoves ? settings.Inputs.TargetMoves : this->Way.IsAtStart();
+    return isOnSteps && this->Settings.AreContinuedBy(settings);
+  }
   void ResetTrajectory();
   void Rewind(int step);
   void RestoreLoaded();
@@ -133,6 +155,7 @@ private:
 
   SurfaceSettings Settings;
   Warnings Messages;
+  RestartWarning Restarts;
   TargetBuilder Shapes{ this->Settings, this->Messages };
   MotionDriver Driver{ this->Settings, this->Shapes, this->Messages };
   int LastStepAdded = 0;

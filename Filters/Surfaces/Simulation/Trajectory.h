@@ -32,6 +32,9 @@ public:
   // The step, or the one before where it is under way; -1: not started.
   int GetStep() const { return this->Step; }
 
+  // Whether it has gone nowhere yet.
+  bool IsAtStart() const { return this->Step <= 0 && !this->IsUnderWay() && !this->HasBranch(); }
+
   // Whether it has been interrupted on its way to the next step. A surface that has vanished stays
   // at the time at which it did.
   bool IsUnderWay() const;

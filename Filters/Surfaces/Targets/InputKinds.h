@@ -13,8 +13,10 @@ namespace activesurface
 
 class InputShape;
 
-/** The VTK classes of data that have a kind, and that the input ports take. */
+/** The VTK classes of data that have a kind, and that the input ports take; of the others that
+ * port 0 takes, AsDataSet makes one of these. */
 constexpr const char* InputTypes[] = { "vtkPointSet", "vtkImageData" };
+constexpr const char* MoreTargetTypes[] = { "vtkTable", "vtkDataObjectTree" };
 
 /**
  * Throws std::invalid_argument for data that cannot be a target, and for arrays that are missing or

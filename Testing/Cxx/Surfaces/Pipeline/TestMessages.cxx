@@ -4,18 +4,20 @@
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
 
+#include "vtkAMRBox.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
-#include "vtkMultiBlockDataSet.h"
+#include "vtkMolecule.h"
+#include "vtkOverlappingAMR.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSphere.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
-#include "vtkTrivialProducer.h"
+#include "vtkUniformGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
@@ -186,26 +188,40 @@ TEST(TestMessages, ImagesWithoutFittingValuesAreNoTarget)
   Refuses(filter, "cannot give an image's values: it has to hold one number for each point");
 }
 
-TEST(TestMessages, CompositeDataAreNoTarget)
+TEST(TestMessages, LevelsAreNoTarget)
 {
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, MakeTwoPoints());
-  vtkNew<vtkTrivialProducer> producer;
-  producer->SetOutput(blocks);
+  vtkNew<vtkOverlappingAMR> levels;
+  const int count[] = { 1 };
+  const double zero[] = { 0.0, 0.0, 0.0 }, one[] = { 1.0, 1.0, 1.0 };
+  const int low[] = { 0, 0, 0 }, high[] = { 3, 3, 3 };
+  levels->Initialize(1, count);
+  levels->SetGridDescription(VTK_XYZ_GRID);
+  levels->SetOrigin(zero);
+  levels->SetSpacing(0, one);
+  levels->SetAMRBox(0, 0, vtkAMRBox(low, high));
+  vtkNew<vtkUniformGrid> grid;
+  grid->SetDimensions(5, 5, 5);
+  levels->SetDataSet(0, 0, grid);
   vtkNew<vtkActiveImplicitSurface> filter;
-  filter->SetInputConnection(producer->GetOutputPort());
+  filter->SetInputDataObject(levels);
   MessageCapture messages(filter);
   filter->Update();
-  EXPECT_EQ(MessageCapture::Count(messages.Errors, "The input is a composite data set"), 1)
+  EXPECT_EQ(
+    MessageCapture::Count(messages.Errors, "The input is a composite data set of levels"), 1)
     << "errors";
 }
 
 TEST(TestMessages, OtherDataAreRefusedByThePipeline)
 {
-  vtkNew<vtkTable> table;
+  vtkNew<vtkMolecule> molecule;
   vtkNew<vtkActiveImplicitSurface> filter;
-  filter->SetInputDataObject(table);
+  filter->SetInputDataObject(molecule);
   MessageCapture messages(filter);
+  filter->Update();
+  EXPECT_GT(MessageCapture::Count(messages.PipelineErrors, "is of type vtkMolecule"), 0)
+    << "errors";
+  filter->SetInputConnection(nullptr);
+  filter->SetInputDataObject(1, vtkNew<vtkTable>());
   filter->Update();
   EXPECT_GT(MessageCapture::Count(messages.PipelineErrors, "is of type vtkTable"), 0) << "errors";
 }

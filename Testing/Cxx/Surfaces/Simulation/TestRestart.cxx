@@ -1,8 +1,11 @@
 // What starts the motion anew, and what does not.
 
+#include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSphere.h"
@@ -170,4 +173,106 @@ TEST(TestRestart, StaticDataThatChangeRestart)
   filter->UpdateTimeStep(0.6);
   EXPECT_LT(4 * oneStep, filter->GetTargetEvaluations()) << "evaluations from the start again";
   EXPECT_NEAR(GetSkinBounds(filter)[0] + GetSkinBounds(filter)[1], 0.5, 0.01) << "moved";
+}
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> MakePoint(double x)
+{
+  auto frame = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(x, 0.0, 0.0);
+  frame->SetPoints(points);
+  return frame;
+}
+
+constexpr const char* Replaced = "data that replace each other are no time steps";
+
+}
+
+// The loop that one writes first: new data and a later time, each time.
+TEST(TestRestart, DataThatAreReplacedFromTimeToTimeAreOneWarning)
+{
+  auto filter = MakeSkinOver(MakePoint(0.0));
+  MessageCapture messages(filter);
+  for (int step = 0; step < 4; ++step)
+  {
+    filter->SetInputData(MakePoint(0.1 * step));
+    filter->UpdateTimeStep(0.1 * step);
+  }
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, Replaced), 1) << "warnings";
+  EXPECT_EQ(messages.CountAll(), 1u) << "messages";
+  filter->SetTension(0.001);
+  filter->UpdateTimeStep(0.0);
+  filter->SetInputData(MakePoint(0.0));
+  filter->UpdateTimeStep(0.1);
+  EXPECT_EQ(messages.CountAll(), 1u) << "messages, once for each filter";
+}
+
+TEST(TestRestart, OneObjectThatIsWrittenOverIsThatWarningToo)
+{
+  vtkSmartPointer<vtkPolyData> frame = MakePoint(0.0);
+  auto filter = MakeSkinOver(frame);
+  MessageCapture messages(filter);
+  for (int step = 0; step < 3; ++step)
+  {
+    frame->GetPoints()->SetPoint(0, 0.1 * step, 0.0, 0.0);
+    frame->GetPoints()->Modified();
+    filter->UpdateTimeStep(0.1 * step);
+  }
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, Replaced), 1) << "warnings";
+}
+
+// Who changes the data and looks at the same time again, or at an earlier one, or changes
+// something else, or has time steps, knows what he does.
+TEST(TestRestart, OtherRestartsAreNoWarning)
+{
+  auto filter = MakeSkinOver(MakePoint(0.0));
+  MessageCapture messages(filter);
+  filter->UpdateTimeStep(0.3);
+  filter->SetInputData(MakePoint(0.1));
+  filter->UpdateTimeStep(0.3);
+  filter->SetInputData(MakePoint(0.2));
+  filter->UpdateTimeStep(0.1);
+  filter->UpdateTimeStep(0.2);
+  filter->SetTension(0.001);
+  filter->UpdateTimeStep(0.3);
+  filter->SetInputData(MakePoint(0.1));
+  filter->SetTension(0.002);
+  filter->UpdateTimeStep(0.4);
+  filter->UpdateTimeStep(7.0); // which is that of the last step
+  filter->SetInputData(MakePoint(0.0));
+  filter->UpdateTimeStep(8.0);
+  filter->SetInputConnection(MakeMovingBall()->GetOutputPort());
+  filter->UpdateTimeStep(1.0);
+  filter->SetInputConnection(MakeMovingBall()->GetOutputPort());
+  filter->UpdateTimeStep(2.0);
+  filter->SetInputData(MakePoint(0.0));
+  filter->UpdateTimeStep(3.0);
+  filter->Advance(MakePoint(0.0), 1.0);
+  filter->Advance(MakePoint(0.1), 1.0);
+  filter->SetEvolutionMode(vtkActiveMotionAlgorithm::EQUILIBRIUM);
+  filter->Update();
+  filter->SetInputData(MakePoint(0.1));
+  filter->UpdateTimeStep(9.0);
+  EXPECT_EQ(messages.CountAll(), 0u) << "messages";
+}
+
+// Nor is it one of a motion that has never begun.
+TEST(TestRestart, AnErrorThatIsMendedIsNoWarning)
+{
+  auto filter = MakeSkinOver(MakePoint(0.0));
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "mass");
+  MessageCapture messages(filter);
+  filter->UpdateTimeStep(0.0);
+  vtkSmartPointer<vtkPolyData> better = MakePoint(0.0);
+  vtkNew<vtkDoubleArray> mass;
+  mass->SetName("mass");
+  mass->InsertNextValue(0.3);
+  better->GetPointData()->AddArray(mass);
+  filter->SetInputData(better);
+  filter->UpdateTimeStep(0.1);
+  EXPECT_EQ(messages.Warnings.size(), 0u) << "warnings";
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0) << "points";
 }

@@ -2,8 +2,8 @@
  * The target's displacements at the points of a lattice of four voxels, each found once, and at the
  * nodes of a leaf, by linear interpolation.
  */
-#ifndef WayLattice_h
-#define WayLattice_h
+#ifndef DisplacementLattice_h
+#define DisplacementLattice_h
 
 #include "Leaves/LeafMask.h"
 #include "Leaves/LeafTable.h"
@@ -61,20 +61,21 @@ private:
 
 /** The displacement at each node of a leaf, by axis: the mean of the known ones of the eight points
  * around the node, weighted as in linear interpolation; 0 where none is known. */
-struct LeafWays
+struct LeafDisplacements
 {
   double Of[3][512];
   LeafMask Known;
 };
 
-class WayLattice
+class DisplacementLattice
 {
 public:
   /** The points in and at these leaves (origins, ascending). */
-  WayLattice(const std::vector<openvdb::Coord>& leaves, const TargetDisplacements& displacements);
+  DisplacementLattice(
+    const std::vector<openvdb::Coord>& leaves, const TargetDisplacements& displacements);
 
   /** One of the leaves. */
-  void Interpolate(const openvdb::Coord& leaf, LeafWays& ways) const;
+  void Interpolate(const openvdb::Coord& leaf, LeafDisplacements& values) const;
 
 private:
   /** The eight points within a leaf. */
@@ -82,7 +83,7 @@ private:
   {
     openvdb::Coord Leaf;
     unsigned Wanted; //< one bit each
-    double Ways[8][3];
+    double Displacements[8][3];
   };
 
   void AddPoints(const std::vector<openvdb::Coord>& leaves);

@@ -1,4 +1,4 @@
-#include "Implicit/WayLattice.h"
+#include "Implicit/DisplacementLattice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,13 +88,13 @@ void TargetDisplacements::Evaluate(
   this->Source.EvaluateVelocities(count, places, displacements);
   for (std::size_t n = 0; n < 3 * count; ++n)
   {
-    const double way = this->Factor * displacements[n];
+    const double value = this->Factor * displacements[n];
     displacements[n] =
-      std::fabs(way) <= LongestDisplacement ? way : std::numeric_limits<double>::quiet_NaN();
+      std::fabs(value) <= LongestDisplacement ? value : std::numeric_limits<double>::quiet_NaN();
   }
 }
 
-WayLattice::WayLattice(
+DisplacementLattice::DisplacementLattice(
   const std::vector<openvdb::Coord>& leaves, const TargetDisplacements& displacements)
 {
   this->AddPoints(leaves);
@@ -103,7 +103,7 @@ WayLattice::WayLattice(
 }
 
 /** A leaf wants its own points, and those on its upper sides, which are its neighbours' own. */
-void WayLattice::AddPoints(const std::vector<openvdb::Coord>& leaves)
+void DisplacementLattice::AddPoints(const std::vector<openvdb::Coord>& leaves)
 {
   constexpr unsigned lowerOf[3] = { 0x0f, 0x33, 0x55 };
   std::vector<std::pair<openvdb::Coord, unsigned>> wanted;
@@ -128,9 +128,9 @@ void WayLattice::AddPoints(const std::vector<openvdb::Coord>& leaves)
   }
 }
 
-void WayLattice::Evaluate(Points& points, const TargetDisplacements& displacements) const
+void DisplacementLattice::Evaluate(Points& points, const TargetDisplacements& displacements) const
 {
-  double places[3 * 8], ways[3 * 8];
+  double places[3 * 8], values[3 * 8];
   std::size_t count = 0;
   for (int n = 0; n < 8; ++n)
   {
@@ -144,25 +144,25 @@ void WayLattice::Evaluate(Points& points, const TargetDisplacements& displacemen
       ++count;
     }
   }
-  displacements.Evaluate(count, places, ways);
-  const double* way = ways;
+  displacements.Evaluate(count, places, values);
+  const double* value = values;
   for (int n = 0; n < 8; ++n)
   {
     if ((points.Wanted >> n) & 1u)
     {
-      std::copy_n(way, 3, points.Ways[n]);
-      way += 3;
+      std::copy_n(value, 3, points.Displacements[n]);
+      value += 3;
     }
   }
 }
 
-const WayLattice::Points& WayLattice::PointsOf(const openvdb::Coord& leaf) const
+const DisplacementLattice::Points& DisplacementLattice::PointsOf(const openvdb::Coord& leaf) const
 {
   return *std::lower_bound(this->Leaves.begin(), this->Leaves.end(), leaf,
     [](const Points& points, const openvdb::Coord& origin) { return points.Leaf < origin; });
 }
 
-void WayLattice::Interpolate(const openvdb::Coord& leaf, LeafWays& ways) const
+void DisplacementLattice::Interpolate(const openvdb::Coord& leaf, LeafDisplacements& values) const
 {
   LeafPoints points;
   const Points* owners[8];
@@ -176,27 +176,27 @@ void WayLattice::Interpolate(const openvdb::Coord& leaf, LeafWays& ways) const
     const int at[3] = { n / 9, n / 3 % 3, n % 3 };
     const int corner = 4 * (at[0] >> 1) + 2 * (at[1] >> 1) + (at[2] >> 1);
     const int eighth = 4 * (at[0] & 1) + 2 * (at[1] & 1) + (at[2] & 1);
-    const double* way = owners[corner]->Ways[eighth];
-    const bool isKnown = IsKnown(way);
+    const double* value = owners[corner]->Displacements[eighth];
+    const bool isKnown = IsKnown(value);
     known += isKnown;
     points.Of[3][n] = isKnown ? 1.0 : 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      points.Of[axis][n] = isKnown ? way[axis] : 0.0;
+      points.Of[axis][n] = isKnown ? value[axis] : 0.0;
     }
   }
   if (known == 0)
   {
-    ways = {};
+    values = {};
     return;
   }
   const bool all = known == 27;
   const NodeWeights weights(all ? 0.0 : 1e-6);
   for (int axis = 0; axis < 3; ++axis)
   {
-    Expand(points.Of[axis], weights, ways.Of[axis]);
+    Expand(points.Of[axis], weights, values.Of[axis]);
   }
-  ways.Known = LeafMask::All();
+  values.Known = LeafMask::All();
   if (!all)
   {
     double sums[512];
@@ -205,14 +205,14 @@ void WayLattice::Interpolate(const openvdb::Coord& leaf, LeafWays& ways) const
     {
       if (!(sums[node] > 0.0))
       {
-        ways.Known.Remove(node);
+        values.Known.Remove(node);
         sums[node] = 1.0;
       }
     }
-    for (auto& way : ways.Of)
+    for (auto& value : values.Of)
     {
       std::transform(
-        way, way + 512, sums, way, [](double sum, double weight) { return sum / weight; });
+        value, value + 512, sums, value, [](double sum, double weight) { return sum / weight; });
     }
   }
 }

@@ -1,0 +1,182 @@
+#include "ParticleData.h"
+
+#include "TableColumns.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkCellTypes.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkDataObjectTree.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace activesurface
+{
+
+namespace
+{
+
+struct Block
+{
+  unsigned int Index; // as VTK counts, the flat one
+  vtkSmartPointer<vtkDataSet> Data;
+};
+
+// Those with points.
+std::vector<Block> ListBlocks(vtkDataObjectTree* tree)
+{
+  std::vector<Block> blocks;
+  const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    vtkDataObject* held = leaf->GetCurrentDataObject();
+    Block block{ leaf->GetCurrentFlatIndex(), AsDataSet(held) };
+    if (!block.Data)
+    {
+      throw std::invalid_argument("The block " + std::to_string(block.Index) +
+        " of the input is a " + held->GetClassName() + ", which has no particles.");
+    }
+    if (block.Data->GetNumberOfPoints() > 0)
+    {
+      blocks.push_back(block);
+    }
+  }
+  return blocks;
+}
+
+bool HasVerticesOnly(vtkPointSet* points)
+{
+  if (auto polyData = vtkPolyData::SafeDownCast(points)) // whose types of cells may have to be made
+  {
+    return polyData->GetNumberOfCells() == polyData->GetNumberOfVerts();
+  }
+  vtkNew<vtkCellTypes> types;
+  points->GetCellTypes(types);
+  bool hasOthers = false;
+  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  {
+    const int type = types->GetCellType(i);
+    hasOthers =
+      hasOthers || (type != VTK_EMPTY_CELL && type != VTK_VERTEX && type != VTK_POLY_VERTEX);
+  }
+  return !hasOthers;
+}
+
+vtkPointSet* AsParticles(const Block& block)
+{
+  vtkPointSet* points = vtkPointSet::SafeDownCast(block.Data);
+  if (!points || !HasVerticesOnly(points))
+  {
+    throw std::invalid_argument("The block " + std::to_string(block.Index) +
+      " of the input is no set of particles, but a " + block.Data->GetClassName() +
+      (points ? " with other cells than vertices" : "") +
+      "; where several blocks have points, all have to be particles. Extract one block, or merge "
+      "them.");
+  }
+  return points;
+}
+
+vtkSmartPointer<vtkPoints> JoinPoints(const std::vector<Block>& blocks)
+{
+  vtkIdType count = 0;
+  bool isDouble = false;
+  for (const Block& block : blocks)
+  {
+    count += block.Data->GetNumberOfPoints();
+    isDouble = isDouble || AsParticles(block)->GetPoints()->GetDataType() != VTK_FLOAT;
+  }
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataType(isDouble ? VTK_DOUBLE : VTK_FLOAT);
+  points->SetNumberOfPoints(count);
+  vtkIdType first = 0;
+  for (const Block& block : blocks)
+  {
+    const vtkIdType own = block.Data->GetNumberOfPoints();
+    points->InsertPoints(first, own, 0, AsParticles(block)->GetPoints());
+    first += own;
+  }
+  return points;
+}
+
+bool IsAlike(vtkAbstractArray* array, vtkAbstractArray* other)
+{
+  return other && other->GetDataType() == array->GetDataType() &&
+    other->GetNumberOfComponents() == array->GetNumberOfComponents();
+}
+
+// Null unless all blocks have it.
+vtkSmartPointer<vtkAbstractArray> JoinArray(
+  const std::vector<Block>& blocks, vtkAbstractArray* example)
+{
+  auto joined = vtkSmartPointer<vtkAbstractArray>::Take(example->NewInstance());
+  joined->SetName(example->GetName());
+  joined->SetNumberOfComponents(example->GetNumberOfComponents());
+  joined->CopyComponentNames(example);
+  for (const Block& block : blocks)
+  {
+    vtkAbstractArray* own = block.Data->GetPointData()->GetAbstractArray(example->GetName());
+    if (!IsAlike(example, own) || own->GetNumberOfTuples() != block.Data->GetNumberOfPoints())
+    {
+      return nullptr;
+    }
+    joined->InsertTuples(joined->GetNumberOfTuples(), own->GetNumberOfTuples(), 0, own);
+  }
+  return joined;
+}
+
+vtkSmartPointer<vtkPolyData> JoinBlocks(const std::vector<Block>& blocks)
+{
+  auto joined = vtkSmartPointer<vtkPolyData>::New();
+  joined->SetPoints(JoinPoints(blocks));
+  vtkPointData* first = blocks.front().Data->GetPointData();
+  for (int i = 0; i < first->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* example = first->GetAbstractArray(i);
+    const vtkSmartPointer<vtkAbstractArray> array =
+      example->GetName() ? JoinArray(blocks, example) : nullptr;
+    if (array)
+    {
+      const int index = joined->GetPointData()->AddArray(array);
+      const int attribute = first->IsArrayAnAttribute(i);
+      if (attribute >= 0)
+      {
+        joined->GetPointData()->SetActiveAttribute(index, attribute);
+      }
+    }
+  }
+  return joined;
+}
+
+vtkSmartPointer<vtkDataSet> JoinTree(vtkDataObjectTree* tree)
+{
+  const std::vector<Block> blocks = ListBlocks(tree);
+  if (blocks.size() == 1)
+  {
+    return blocks.front().Data;
+  }
+  return blocks.empty() ? vtkSmartPointer<vtkPolyData>::New() : JoinBlocks(blocks);
+}
+
+}
+
+vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* data)
+{
+  if (auto table = vtkTable::SafeDownCast(data))
+  {
+    return MakePoints(table);
+  }
+  if (auto tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    return JoinTree(tree);
+  }
+  return vtkDataSet::SafeDownCast(data);
+}
+
+}

@@ -1,0 +1,120 @@
+#include "Pipeline/PushedFrames.h"
+
+#include "Pipeline/SurfaceInput.h"
+#include "Pipeline/SurfaceProperties.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkTrivialProducer.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace activesurface
+{
+
+namespace
+{
+
+void Check(const SurfaceProperties& properties, vtkDataObject* data, double dt)
+{
+  if (!std::isfinite(dt) || dt <= 0.0)
+  {
+    std::ostringstream text;
+    text << "dt has to be a finite number > 0, the time since the last frame; it is " << dt << ".";
+    throw std::invalid_argument(text.str());
+  }
+  if (!data)
+  {
+    throw std::invalid_argument("There is no frame to advance to; where a simulation has no "
+                                "particles, push a vtkPolyData without points.");
+  }
+  if (!SurfaceInput::Takes(SurfaceInput::Target, data))
+  {
+    throw std::invalid_argument(std::string("A ") + data->GetClassName() +
+      " cannot be a frame; push particles, a skeleton of lines, a closed mesh or an image.");
+  }
+  if (properties.Settings.IsEquilibrium())
+  {
+    throw std::invalid_argument("There is no time to advance in with EvolutionMode EQUILIBRIUM; "
+                                "set it to TRANSIENT, or connect the data as an input.");
+  }
+}
+
+vtkSmartPointer<vtkDataObject> Share(vtkDataObject* data)
+{
+  auto frame = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+  frame->ShallowCopy(data);
+  return frame;
+}
+
+}
+
+PushedFrames::PushedFrames(vtkAlgorithm* filter)
+  : Filter(filter)
+{
+}
+
+PushedFrames::~PushedFrames() = default;
+
+bool PushedFrames::AreConnected() const
+{
+  return this->Filter->GetNumberOfInputConnections(SurfaceInput::Target) == 1 &&
+    this->Filter->GetInputAlgorithm(SurfaceInput::Target, 0) == this->Producer;
+}
+
+const std::vector<double>& PushedFrames::GetTimes()
+{
+  if (!this->AreConnected())
+  {
+    this->Stop();
+  }
+  return this->Times;
+}
+
+double PushedFrames::FindNextTime(const SurfaceProperties& properties, double dt)
+{
+  if (this->GetTimes().empty())
+  {
+    return properties.Clock.StartTime;
+  }
+  const double last = this->Times.back(), next = last + dt;
+  if (!std::isfinite(next) || next <= last)
+  {
+    std::ostringstream text;
+    text << "dt is " << dt << ", which does not lead on from the time of the last frame, " << last
+         << ".";
+    throw std::invalid_argument(text.str());
+  }
+  return next;
+}
+
+void PushedFrames::Push(const SurfaceProperties& properties, vtkDataObject* data, double dt)
+{
+  Check(properties, data, dt);
+  this->Times.push_back(this->FindNextTime(properties, dt));
+  this->Before = std::move(this->Newest);
+  this->Newest = Share(data);
+  this->Show(this->Newest);
+  if (!this->AreConnected())
+  {
+    this->Filter->SetInputConnection(SurfaceInput::Target, this->Producer->GetOutputPort());
+  }
+}
+
+void PushedFrames::Withdraw()
+{
+  this->Times.pop_back();
+  this->Newest = std::move(this->Before);
+  this->Show(this->Newest);
+}
+
+void PushedFrames::Show(vtkDataObject* frame)
+{
+  this->Producer->SetOutput(frame);
+  this->Producer->Modified();
+}
+
+}

@@ -1,0 +1,94 @@
+"""The presets of `active-surface --preset` for the filter in ParaView, for its Python and macros.
+
+>>> from active_implicit_surfaces.presets import PRESETS
+>>> sorted(PRESETS)
+['molecule', 'paper', 'viscous', 'water']
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+
+from . import properties, vtkActiveImplicitSurface
+from .presets import PRESETS, apply_preset
+from .series import TemporalSource
+
+_RADIUS = 0  # of SetInputArrayToProcess
+# What presets set, but users too, for themselves: it stays when another preset is chosen.
+_LENGTHS = {"VoxelSize", "ParticleRadius", "RadiusArray"}
+
+
+def apply(name: str, surface: Any = None) -> dict[str, Any]:
+    """Sets the properties of a preset on a filter Active Implicit Surface of a ParaView session.
+
+    The values are seen in the panel, where they can be changed, and saved in states. They come
+    from the spacing of the particles at the first time step, which is brought to the client for
+    that, and from the time between two steps. A Particle Spacing that was set before is kept; what
+    only other presets set goes back to its default, but for lengths.
+
+    Parameters
+    ----------
+    name : {"water", "viscous", "molecule", "paper"}
+    surface : proxy, optional
+        As paraview.simple.ActiveImplicitSurface gives it. Default: the active source.
+
+    Returns
+    -------
+    dict
+        The properties that were set, by their names in ParaView.
+
+    Raises
+    ------
+    ValueError
+        No such preset, or the source is no Active Implicit Surface over particles.
+    """
+    from paraview import servermanager, simple
+
+    proxy = simple.GetActiveSource() if surface is None else surface
+    if proxy is None or proxy.GetXMLName() != "ActiveImplicitSurface":
+        raise ValueError(
+            "Select an Active Implicit Surface over particles in the Pipeline Browser."
+        )
+    target = proxy.Target
+    times = [float(time) for time in proxy.TimestepValues] or [0.0]
+    target.UpdatePipeline(times[0])
+    particles = servermanager.Fetch(target)
+    if not particles.IsA("vtkPointSet"):
+        raise ValueError(f"A preset needs particles as points, not a {particles.GetClassName()}.")
+    given = {"particle_spacing": proxy.ParticleSpacing, "time_scale": proxy.TimeScale}
+    if not given["particle_spacing"]:
+        del given["particle_spacing"]
+    frames = Frames(particles, times)
+    chosen = _changes(name, frames, given)
+    for other in PRESETS:
+        for key in set(_changes(other, frames, given)) - set(chosen) - _LENGTHS:
+            setattr(proxy, key, getattr(vtkActiveImplicitSurface(), "Get" + key)())
+    for key, value in chosen.items():
+        setattr(proxy, key, value)
+    proxy.UpdateVTKObjects()
+    return chosen
+
+
+class Frames(TemporalSource):
+    """The first frame of a series, and the times of all."""
+
+    def __init__(self, first: Any, times: list[float]) -> None:
+        super().__init__(lambda step: first, times)
+
+    def frame(self, step: int) -> Any:
+        return self._load(step)
+
+
+def _changes(name: str, frames: Frames, given: dict[str, Any]) -> dict[str, Any]:
+    """What a preset sets on a new filter, by ParaView's names."""
+    plain = vtkActiveImplicitSurface()
+    apply_preset(plain, frames, name, None, given)
+    found = {
+        one.name: value
+        for one in properties.every()
+        if (value := getattr(plain, "Get" + one.name)()) != one.default
+    }
+    radii = plain.GetInputArrayInformation(_RADIUS).Get(vtkDataObject.FIELD_NAME())
+    return {**found, "RadiusArray": ["POINTS", radii]} if radii else found
