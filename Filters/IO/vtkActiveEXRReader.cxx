@@ -1,3 +1,4 @@
+#define VTK_DEPRECATION_LEVEL 0 // MemoryBuffer, which VTK 9.6 deprecates
 #include "vtkActiveEXRReader.h"
 
 #include "EXR/EXRHeaderScan.h"

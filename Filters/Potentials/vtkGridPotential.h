@@ -142,7 +142,7 @@ public:
   ///@{
   /**
    * Mesh: guard; the distances are refused, with an error, if they would need more voxels than this
-   * by an estimate from the mesh's area and Reach. A voxel takes about 10 bytes while reading.
+   * by an estimate from where the mesh is and Reach. A voxel takes about 10 bytes while reading.
    * Range: >= 1. Default: 500000000.
    */
   vtkSetClampMacro(MaximumNumberOfVoxels, vtkIdType, 1, VTK_ID_MAX);

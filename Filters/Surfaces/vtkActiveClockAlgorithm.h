@@ -128,7 +128,8 @@ public:
   ///@{
   /**
    * Guard of the memory: a band of more active voxels is an error instead. A ball of diameter d has
-   * about 20 * (d / VoxelSize)^2 of them. Does not restart the motion.
+   * about 20 * (d / VoxelSize)^2 of them. So are distances to a mesh that take ten times as many.
+   * Does not restart the motion.
    * Range: >= 1. Default: 50000000.
    */
   vtkSetClampMacro(MaximumNumberOfActiveVoxels, vtkIdType, 1, VTK_ID_MAX);

@@ -12,6 +12,7 @@ the reader (VTK 9.1) appends a temporal file's cells to those of the step read b
 particles, use a glyph mapper or vtkVertexGlyphFilter.
 """
 
+import re
 import sys
 from pathlib import Path
 
@@ -52,6 +53,7 @@ def write_frames(path, particles, frames, fps):
         writer.WriteNextTime(index / fps)
     writer.Stop()
     say_encoding_by_default(path)
+    say_ids_once(path)
 
 
 def say_encoding_by_default(path):
@@ -59,6 +61,16 @@ def say_encoding_by_default(path):
     2.5.0-1+deb12u2, it puts off what comes in pieces, unless the tag is short."""
     text = Path(path).read_text()
     Path(path).write_text(text.replace('<AppendedData encoding="base64">', "<AppendedData>"))
+
+
+def say_ids_once(path):
+    """They are the same at each time step, and written once, but named each time: VTK 9.6 warns of
+    each name but the first."""
+    text = Path(path).read_text()
+    tag = re.compile(r'[ \t]*<DataArray[^>]*Name="id"[^>]*/>\n')
+    once = re.sub(r' TimeStep="\d+"', "", tag.search(text)[0])
+    head, *rest = tag.split(text)
+    Path(path).write_text(head + once + "".join(rest))
 
 
 def main():

@@ -56,5 +56,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   catch (const std::runtime_error&)
   {
   }
+  catch (const std::invalid_argument&)
+  {
+    // A voxel size that none can have.
+  }
   return 0;
 }

@@ -97,7 +97,7 @@ class OtherPrograms(unittest.TestCase):
         told = self.run_program("exrheader", self.path)
         for channel, kind in CHANNELS.items():
             self.assertIn(f"    {channel}, {kind}, sampling 1 1\n", told)
-        self.assertIn("compression (type compression): zip, multi-scanline blocks", told)
+        self.assertIn("compression (type compression): zip", told)  # more words as versions go
         self.assertIn(f"dataWindow (type box2i): (0 0) - ({WIDTH - 1} {HEIGHT - 1})", told)
         self.assertIn("time 01:02:03:04", told)
         self.assertIn("framesPerSecond (type rational): 25/1", told)

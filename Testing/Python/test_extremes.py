@@ -35,12 +35,13 @@ from extreme_scenes import (
 )
 from listener import Listener
 from properties import comment_of, get, own_properties, put
+from sanitized import SLOWNESS, limit_memory
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
 
 MEMORY = 4 << 30  # bytes of address space
-LONGEST = 2.0  # seconds of the processor that a case may take
-HANGS = 30  # such seconds after which the test ends itself
+LONGEST = 2.0 * SLOWNESS  # seconds of the processor that a case may take
+HANGS = 30 * SLOWNESS  # such seconds after which the test ends itself
 
 INT_MAX = 2**31 - 1
 NUMBERS = (0.0, -0.0, -1.0, 1e-300, -1e-300, 1e300, -1e300, math.nan, math.inf, -math.inf)
@@ -368,5 +369,5 @@ class Together(Case):
 
 
 if __name__ == "__main__":
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    limit_memory(MEMORY)
     unittest.main()

@@ -37,6 +37,7 @@ from same_bytes_shapes import (
     quadric,
     scattered,
 )
+from sanitized import IS_SANITIZED
 from skin_checks import check_skin
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -107,6 +108,20 @@ class Crowds(unittest.TestCase):
             points_at(numpy.repeat(grid, 2, axis=0)), ParticleModel=1, ParticleSpacing=SPACING
         )
         self.assertEqual(said_at(surface, 0.0), [])
+
+
+class FarAway(unittest.TestCase):
+    def test_a_mesh_with_a_point_far_away_is_refused(self):
+        """Its distances would take 1.6 GB for the first one, whose skin takes 1 MB at most."""
+        for far in (300.0, 1e4, 1e8):
+            with self.subTest(far=far):
+                mesh = globe(1.0)
+                mesh.GetPoints().SetPoint(0, 0.0, 0.0, far)
+                surface = surface_over(mesh, VoxelSize=0.25, MaximumNumberOfActiveVoxels=20000)
+                (said,) = said_at(surface)
+                self.assertIn("points that are far away", said)
+                self.assertIn("VoxelSize, which is 0.25", said)
+                self.assertIn("ten times MaximumNumberOfActiveVoxels", said)
 
 
 class Numbers(unittest.TestCase):
@@ -266,6 +281,7 @@ class Frames(unittest.TestCase):
         self.assertEqual(hash_of(surface), hash_of(whole))
 
 
+@unittest.skipIf(IS_SANITIZED, "the sanitizer uses terabytes of addresses")
 class Memory(unittest.TestCase):
     def test_whatever_there_is(self):
         """One sentence, and the skin of a run with enough once there is."""

@@ -36,7 +36,8 @@ struct EXRPart
   std::vector<EXRChannel> Channels;
   EXRExtent Data{}, Display{};
   bool HasTime = false;
-  double Time = 0.0; // the attribute "time"
+  double Time = 0.0;       // the attribute "time"
+  double ChunkBytes = 0.0; // of the lines, or of the tile, that OpenEXR unpacks at a time
 };
 
 // Where the pixels of a channel go: as float, or as unsigned int where the channel is UINT.

@@ -32,6 +32,11 @@ constexpr Compression Compressions[] = { { 1, 1 }, { 1, 64 }, { 1, 1032 }, { 16,
 // Newer than this code.
 constexpr Compression OtherCompression = { 256, 66048 };
 
+Compression FindCompression(unsigned number)
+{
+  return number < std::size(Compressions) ? Compressions[number] : OtherCompression;
+}
+
 // OpenEXR reads so many bytes for an attribute of these types, whatever size it tells, and takes
 // what follows for the next attribute.
 struct FixedSize
@@ -188,8 +193,7 @@ private:
     }
     else if (name == "compression" && size == 1)
     {
-      const auto number = static_cast<unsigned char>(this->Byte());
-      part.Packed = number < std::size(Compressions) ? Compressions[number] : OtherCompression;
+      part.Packed = FindCompression(static_cast<unsigned char>(this->Byte()));
     }
     else if (name == "tiles" && size == 9)
     {
@@ -296,6 +300,11 @@ private:
 void CheckEXRHeaders(EXRInput& input)
 {
   HeaderScan(input).Run();
+}
+
+int CountLinesOfChunk(unsigned compression)
+{
+  return FindCompression(compression).Lines;
 }
 
 bool IsEXR(std::istream& stream)

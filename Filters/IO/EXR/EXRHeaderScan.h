@@ -14,6 +14,10 @@ namespace activesurface
 // beginning.
 void CheckEXRHeaders(EXRInput& input);
 
+// In how many lines at a time OpenEXR packs an image of scan lines: one chunk. By the number that
+// the header has for the compression.
+int CountLinesOfChunk(unsigned compression);
+
 // Whether these are the first bytes of an EXR file.
 bool IsEXR(std::istream& stream);
 

@@ -77,6 +77,24 @@ double CountPixels(const EXRExtent& extent)
     (static_cast<double>(extent[3]) - extent[2] + 1);
 }
 
+// What reading takes: the pixels, the samples of channels that have fewer, and a chunk as it is
+// packed, unpacked and in between.
+double CountBytes(const EXRPart& part, const std::vector<EXRLayer>& layers, const EXRExtent& extent)
+{
+  constexpr double bytesOfPixel = 4.0;
+  double channels = 0.0;
+  for (const EXRLayer& layer : layers)
+  {
+    channels += static_cast<double>(layer.Channels.size());
+  }
+  for (const EXRChannel& channel : part.Channels)
+  {
+    const double sampling = double(channel.XSampling) * channel.YSampling;
+    channels += sampling > 1.0 ? 1.0 / sampling : 0.0;
+  }
+  return bytesOfPixel * channels * CountPixels(extent) + 3.0 * part.ChunkBytes;
+}
+
 bool Covers(const EXRExtent& whole, const EXRExtent& piece)
 {
   return UniteExtents(whole, piece) == whole;
@@ -207,16 +225,11 @@ void ReadEXRImage(EXRFile& file, std::size_t part, const EXRSelection& selection
   const EXRPart& description = FindEXRPart(file, part);
   const std::vector<EXRLayer> layers = FindEXRLayers(description, selection);
   const EXRExtent decoded = UniteExtents(extent, description.Data);
-  double channels = 0;
-  for (const EXRLayer& layer : layers)
-  {
-    channels += static_cast<double>(layer.Channels.size());
-  }
-  const double bytes = 4 * channels * CountPixels(decoded);
+  const double bytes = CountBytes(description, layers, decoded);
   if (bytes > limit)
   {
     throw FileError(vtkErrorCode::UserError,
-      "its pixels take " + std::to_string(static_cast<long long>(bytes / (1 << 20)) + 1) +
+      "reading it takes " + std::to_string(static_cast<long long>(bytes / (1 << 20)) + 1) +
         " MiB, more than MaximumMemory allows");
   }
   SetExtent(image, decoded);

@@ -100,6 +100,29 @@ std::string PackBand(const LeafTable& table)
 namespace
 {
 
+// OpenVDB allocates as many bytes as the stream tells before it reads them, has errors of its own,
+// and where the number is negative, as of bytes that zip to more, reads as many, whatever fits.
+void Unzip(std::istream& in, char* data, std::size_t count)
+{
+  const std::istream::pos_type begin = in.tellg();
+  openvdb::Int64 zipped = 0;
+  in.read(reinterpret_cast<char*>(&zipped), sizeof zipped);
+  const bool isAsItIs = zipped == -static_cast<openvdb::Int64>(count);
+  if (!in || zipped > in.rdbuf()->in_avail() || (zipped <= 0 && !isAsItIs))
+  {
+    Refuse();
+  }
+  in.seekg(begin);
+  try
+  {
+    openvdb::io::unzipFromStream(in, data, count);
+  }
+  catch (const openvdb::Exception&)
+  {
+    Refuse();
+  }
+}
+
 std::vector<float> ReadMagnitudes(std::istream& in, std::size_t count)
 {
   std::vector<float> magnitudes(count);
@@ -113,7 +136,7 @@ std::vector<float> ReadMagnitudes(std::istream& in, std::size_t count)
     }
     else
     {
-      openvdb::io::unzipFromStream(in, &plane[0], count);
+      Unzip(in, &plane[0], count);
     }
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -147,8 +170,7 @@ void SetActive(const LeafBits& bits, PotentialLeaf& leaf)
 std::vector<LeafBits> ReadLeaves(std::istream& in, std::size_t leafCount, std::size_t nodeCount)
 {
   std::vector<LeafBits> leaves(leafCount);
-  openvdb::io::unzipFromStream(
-    in, reinterpret_cast<char*>(leaves.data()), leafCount * sizeof(LeafBits));
+  Unzip(in, reinterpret_cast<char*>(leaves.data()), leafCount * sizeof(LeafBits));
   std::size_t active = 0;
   for (const LeafBits& leaf : leaves)
   {

@@ -2,6 +2,7 @@
 
 #include "Grid/InsideMask.h"
 #include "Grid/MeshDistance.h"
+#include "Grid/MeshVoxels.h"
 #include "LatticeCell.h"
 #include "LatticeShape.h"
 #include "OpenVDB.h"
@@ -68,34 +69,17 @@ void CheckPlace(const std::array<double, 6>& bounds, double voxelSize)
   }
 }
 
-// About the volume within reach of the mesh, in voxels. A sliver counts like a strip one voxel
-// wide, as voxels along it are visited.
-double EstimateVoxels(const MeshTriangles& mesh, double voxelSize, double reach)
+void CheckSize(const MeshTriangles& mesh, double voxelSize, double band, double maximum)
 {
-  double area = 0.0;
-  for (const MeshTriangles::Triangle& triangle : mesh.Triangles)
+  if (!(EstimateVoxelsNear(mesh, voxelSize, band, maximum) <= maximum))
   {
-    const openvdb::Vec3d a(mesh.Points[triangle[0]].data());
-    const openvdb::Vec3d b(mesh.Points[triangle[1]].data());
-    const openvdb::Vec3d c(mesh.Points[triangle[2]].data());
-    const openvdb::Vec3d ab = (b - a) / voxelSize, ac = (c - a) / voxelSize;
-    const double longest = std::max({ ab.length(), ac.length(), (ac - ab).length() });
-    const double own = 0.5 * ab.cross(ac).length();
-    area += longest > 1.0 ? std::max(own, longest) : own;
-  }
-  constexpr double ball = 4.0; // 4/3 pi: around a mesh that is small for its reach
-  return 2.0 * reach * area + ball * reach * reach * reach;
-}
-
-void CheckSize(const MeshTriangles& mesh, double voxelSize, double reach, double maximum)
-{
-  const double voxels = EstimateVoxels(mesh, voxelSize, reach);
-  if (!(voxels <= maximum))
-  {
+    const std::array<double, 6> bounds = mesh.GetBounds();
     std::ostringstream text;
-    text << "The distances to the mesh would need about " << voxels
-         << " voxels, more than MaximumNumberOfVoxels = " << maximum
-         << "; enlarge VoxelSize, lessen Reach or MeshThickness, or raise the maximum.";
+    text << "The distances to the mesh, whose box is " << bounds[1] - bounds[0] << " x "
+         << bounds[3] - bounds[2] << " x " << bounds[5] - bounds[4]
+         << ", would need more voxels than MaximumNumberOfVoxels = " << maximum
+         << "; move or remove points that are far away, enlarge VoxelSize, which is " << voxelSize
+         << ", lessen Reach or MeshThickness, or raise the maximum.";
     throw std::runtime_error(text.str());
   }
 }

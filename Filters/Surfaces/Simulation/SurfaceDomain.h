@@ -12,9 +12,9 @@ struct SurfaceSettings;
 
 struct SurfaceDomain
 {
-  double Bounds[6];
-  double VoxelSize;
-  double Reach;
+  double Bounds[6] = {};
+  double VoxelSize = 0.0;
+  double Reach = 0.0;
 
   // Lattice nodes within the bounds, first and last of each axis; false if there are too many.
   bool GetExtent(int extent[6]) const;

@@ -21,6 +21,9 @@ namespace
 // How far the initial shape has to be known around its surface [voxels]: the band and its ghosts.
 constexpr double InitialReach = 8.0;
 
+// The distances to a mesh are known in a wider band than the skin's, in fewer bytes per voxel.
+constexpr double MeshVoxelsPerActive = 10.0;
+
 void AddFunction(vtkImplicitFunction* function, vtkBoundingBox& box)
 {
   double bounds[6];
@@ -133,6 +136,7 @@ ShapePreparation TargetBuilder::GetPreparation()
 {
   ShapePreparation preparation(this->GetOptions(), this->EstimatedSpacing);
   preparation.IsDomainKnown = this->DomainKnown;
+  preparation.MaximumVoxels = MeshVoxelsPerActive * static_cast<double>(this->MaximumActiveVoxels);
   preparation.Report = [this](const std::string& reason, const std::string& sentence)
   { this->Messages.Say(reason, sentence); };
   return preparation;
@@ -144,7 +148,8 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
   preparation.When = this->DescribeStep(step);
   // Distances to a level of a mesh have to be known around that level.
   preparation.Reach = preparation.Options.Level.Reach + std::fabs(this->Settings.IsoValue);
-  preparation.ReachHint = " (Its Reach is TargetReach and the size of TargetIsoValue together.)";
+  preparation.MeshHint = " (Its Reach is TargetReach and the size of TargetIsoValue together, its "
+                         "maximum ten times MaximumNumberOfActiveVoxels.)";
   const std::string where =
     std::string("The target, ") + shape.GetName() + ", " + preparation.When + ": ";
   const std::string flaw = PrepareAt(shape, preparation, where);
@@ -174,6 +179,7 @@ void TargetBuilder::PrepareInitial()
 {
   ShapePreparation preparation = this->GetPreparation();
   preparation.Reach = InitialReach * this->Domain.VoxelSize;
+  preparation.MeshHint = " (Its maximum is ten times MaximumNumberOfActiveVoxels.)";
   const std::string flaw = PrepareAt(*this->Initial, preparation, "The input of port 1, Initial: ");
   if (!flaw.empty())
   {

@@ -11,6 +11,7 @@
 #include "Targets/ShapePreparation.h"
 #include "Targets/TargetFrames.h"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -26,6 +27,9 @@ public:
   void operator=(const TargetBuilder&) = delete;
 
   void Clear();
+
+  // Guard of the distances to the meshes that come: ten times as many voxels.
+  void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumActiveVoxels = maximum; }
 
   // The target at a step; the two that were added last are held. Throws std::invalid_argument for
   // one that does not fit those before or cannot be used; it then is not held.
@@ -91,6 +95,7 @@ private:
 
   const SurfaceSettings& Settings;
   Warnings& Messages;
+  std::size_t MaximumActiveVoxels = 50000000;
 
   TargetFrames Frames;
   std::shared_ptr<const InputShape> Kind; // the last shape that has one

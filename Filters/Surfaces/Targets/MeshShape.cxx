@@ -29,6 +29,11 @@ vtkDataSet* CheckHasNoLines(vtkDataSet* data)
   return data;
 }
 
+vtkIdType ToCount(double voxels)
+{
+  return voxels < double(VTK_ID_MAX) ? static_cast<vtkIdType>(voxels) : VTK_ID_MAX;
+}
+
 }
 
 bool MeshShape::Fits(vtkDataSet* data)
@@ -53,13 +58,14 @@ std::string MeshShape::Prepare(ShapePreparation& preparation)
   grid->SetVoxelSize(preparation.Options.VoxelSize);
   grid->SetReach(preparation.Reach);
   grid->SetMeshThickness(thickness);
+  grid->SetMaximumNumberOfVoxels(ToCount(preparation.MaximumVoxels));
   try
   {
     ReadGrid(grid, this->Data);
   }
   catch (const std::runtime_error& error)
   {
-    throw std::runtime_error(error.what() + preparation.ReachHint);
+    throw std::runtime_error(error.what() + preparation.MeshHint);
   }
   this->Function = grid;
   const std::string defects = grid->GetDefects();

@@ -151,9 +151,13 @@ double ParticleFrame::GetSpacing() const
       distances.push_back(distance);
     }
   }
+  if (distances.empty())
+  {
+    return 0.0;
+  }
   const auto middle = distances.begin() + distances.size() / 2;
   std::nth_element(distances.begin(), middle, distances.end());
-  return distances.empty() ? 0.0 : *middle;
+  return *middle;
 }
 
 ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)

@@ -28,7 +28,8 @@ struct ShapePreparation
 
   bool IsDomainKnown = false; //< else voxel size and reach are not
   double Reach = 0.0;         //< how far around its surface a mesh has to be known [length]
-  std::string ReachHint;      //< what the error of a mesh that cannot be known so far adds
+  double MaximumVoxels = 0.0; //< that the distances to a mesh may take
+  std::string MeshHint;       //< what the error of a mesh that would take more adds
 
   /** Tells a user something, once for each reason. */
   std::function<void(const std::string& reason, const std::string& sentence)> Report;

@@ -292,7 +292,7 @@ TEST(TestEXRErrors, AbsurdSizesAreRefusedBeforeTheyAreAllocated)
   EXPECT_LT((after.ru_maxrss - before.ru_maxrss) / 1024.0, 16.0) << "MiB";
 }
 
-// 600 x 600 pixels of 14 channels are 20 MB.
+// 600 x 600 pixels of 14 channels are 19.2 MiB, and 16 lines of them .5.
 TEST(TestEXRErrors, MoreThanMaximumMemoryIsRefused)
 {
   const std::string name = OutputName("large.exr");
@@ -304,9 +304,31 @@ TEST(TestEXRErrors, MoreThanMaximumMemoryIsRefused)
   reader->SetFileName(name.c_str());
   reader->SetMaximumMemory(19);
   CheckReadRefused(reader, vtkErrorCode::UserError, "MaximumMemory", "a small limit");
-  reader->SetMaximumMemory(20);
+  reader->SetMaximumMemory(21); // the lines three times
   reader->Update();
   EXPECT_EQ(reader->GetErrorCode(), 0ul) << "a larger one";
+}
+
+// OpenEXR unpacks 32 lines at a time by PIZ, 49 MiB here, if there is but one of 1.5 MiB.
+TEST(TestEXRErrors, LinesBeyondMaximumMemoryAreRefused)
+{
+  const std::string name = OutputName("wide.exr");
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(100000, 1, 1);
+  image->GetPointData()->AddArray(MakeNumbers("RGBA", VTK_FLOAT, 4, 100000, 1));
+  vtkNew<vtkActiveEXRWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(name.c_str());
+  writer->SetCompressionToPIZ();
+  writer->Write();
+  EXPECT_EQ(writer->GetErrorCode(), 0ul) << "written";
+  vtkNew<vtkActiveEXRReader> reader;
+  reader->SetFileName(name.c_str());
+  reader->SetMaximumMemory(40);
+  CheckReadRefused(reader, vtkErrorCode::UserError, "MaximumMemory", "less than its lines");
+  reader->SetMaximumMemory(150); // the lines three times, and the pixels
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), 0ul) << "enough";
 }
 
 // An image that has time steps, and is not there at the third.

@@ -8,8 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 using namespace activesurface;
 
@@ -63,4 +66,56 @@ TEST(TestBandStates, AConfinedBandIsWholeAtOnce)
   {
     ASSERT_LT(mesh.Points[i], wall + 1e-6) << "beyond the wall, but for single precision";
   }
+}
+
+// OpenVDB has errors of its own for bytes that it cannot unzip, and allocates what they tell.
+TEST(TestBandStates, DamagedBytesAreReadOrRefused)
+{
+  NarrowBand band(VoxelSizeOf(16));
+  StartOn(band, MakeBall(Origin, 0.3));
+  const std::string whole = band.Pack();
+  constexpr std::size_t numbers = 6 * sizeof(double); // any number is one
+  int refused = 0;
+  const auto unpack = [&refused](const std::string& bytes)
+  {
+    try
+    {
+      NarrowBand::Unpack(bytes);
+    }
+    catch (const std::runtime_error&)
+    {
+      ++refused;
+    }
+  };
+  for (std::size_t i = numbers; i < whole.size(); i += 3)
+  {
+    std::string bytes = whole;
+    bytes[i] = static_cast<char>(bytes[i] ^ 0x5a);
+    unpack(bytes);
+  }
+  EXPECT_GT(refused, 0) << "of those with another byte";
+  refused = 0;
+  int tried = 0;
+  for (std::size_t size = 0; size < whole.size(); size += 7, ++tried)
+  {
+    unpack(whole.substr(0, size));
+  }
+  EXPECT_EQ(refused, tried) << "those that are too short";
+}
+
+// OpenVDB reads bytes that did not become fewer by zipping as they are, as many as the length
+// before them says, where there is room for less.
+TEST(TestBandStates, MoreBytesThanThereIsRoomForAreRefused)
+{
+  NarrowBand band(VoxelSizeOf(16));
+  StartOn(band, MakeBall(Origin, 0.3));
+  std::string bytes = band.Pack();
+  const std::size_t place = (6 + 2) * sizeof(double); // after two counts
+  const std::int64_t length = -static_cast<std::int64_t>(bytes.size());
+  std::memcpy(&bytes[place], &length, sizeof length);
+  bytes.append(bytes.size(), 'x');
+  EXPECT_TRUE(Throws<std::runtime_error>([&] { NarrowBand::Unpack(bytes); }, "damaged"));
+  const std::int64_t none = 0;
+  std::memcpy(&bytes[place], &none, sizeof none);
+  EXPECT_TRUE(Throws<std::runtime_error>([&] { NarrowBand::Unpack(bytes); }, "damaged"));
 }
