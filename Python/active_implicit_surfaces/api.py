@@ -93,8 +93,10 @@ class frames:
     ----------
     particles : iterable of particles, ParticleSeries, pattern or list of files, or callable(time)
         See ParticleSeries.
-    times, fps : optional
-        See ParticleSeries.
+    times : sequence of float, optional
+        See ParticleSeries [time].
+    fps : float, optional
+        See ParticleSeries [1/time].
     preset : {"water", "viscous", "molecule", "paper"}, optional
         A choice of properties; those that are given besides hold.
     arrays : dict of str, optional
@@ -109,6 +111,15 @@ class frames:
     ------
     Frame
         `time` and `skin`, a vtkPolyData (a pyvista.PolyData if the particles are PyVista's).
+
+    Raises
+    ------
+    ValueError
+        The filter's own sentence where it cannot make a skin, or times that do not increase.
+    TypeError
+        An unknown keyword, with the nearest one, or particles of an unknown kind.
+    OSError
+        A file that cannot be read.
 
     Attributes
     ----------

@@ -19,7 +19,7 @@ def plot_history(
         What has a history so far.
     columns : sequence of str
         Columns of the history: Substeps, MaxSpeed, Area, Volume, ActiveVoxels, Components, Voids,
-        EulerCharacteristic.
+        EulerCharacteristic, Outside. Default: Volume, Area, Components.
     axes : matplotlib axes, optional
         One for each column. Default: a new figure of matplotlib.
 

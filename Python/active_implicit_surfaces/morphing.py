@@ -25,9 +25,10 @@ class morph:
         Closed meshes, or images (inside is below `target_iso_value`). PyVista's, trimesh's and
         meshio's objects are taken too.
     duration : float
-        The time at which `b` is reached (ArrivalTime), to a tenth of a voxel.
+        The time at which `b` is reached (ArrivalTime) [time], to a tenth of a voxel; more than 0.
+        Default: 1.
     frames : int
-        Number of skins, the first and the last included.
+        Number of skins, the first and the last included; 2 or more. Default: 25.
     progress : callable(int, int), optional
         Called after each skin with the number of those done and of all.
     **options
@@ -38,6 +39,14 @@ class morph:
     ------
     Frame
         `time` and `skin`, a vtkPolyData (a pyvista.PolyData if `a` is PyVista's).
+
+    Raises
+    ------
+    ValueError
+        The filter's own sentence where it cannot make a skin, or a duration or number of frames out
+        of its range.
+    TypeError
+        An unknown keyword, with the nearest one, or a shape of an unknown kind.
 
     Attributes
     ----------

@@ -3,18 +3,18 @@
 >>> from active_implicit_surfaces import render
 >>> render.write_exr(window, "picture.exr", frame_duration=1 / 24)
 
-Layers, as point arrays of the image that capture() returns, and their channels in the file:
+Layers, as point arrays of the image that capture() returns, and their channels in the file::
 
-RGBA     R G B A, HALF      the picture, as linear light; see `encoding`
-Z        Z, FLOAT           distance from the camera along its axis [world units], with perspective
-                            and without; `far` where nothing is
-P        P.X P.Y P.Z, FLOAT place in the world; 0 where nothing is
-N        N.X N.Y N.Z, HALF  unit normal along the world's axes, as the data has it (outward on a
-                            closed skin), not turned to the camera; 0 where nothing is
-forward  forward.u .v, HALF motion until the next frame [pixels], u to the right, v up; 0 where
-                            nothing is, or nothing moves
-id       id, UINT           1 for the renderer's first actor, 2 for its second and so on; 0 where
-                            nothing is
+    RGBA     R G B A, HALF      the picture, as linear light; see `encoding`
+    Z        Z, FLOAT           distance from the camera along its axis [world units], with
+                                perspective and without; `far` where nothing is
+    P        P.X P.Y P.Z, FLOAT place in the world; 0 where nothing is
+    N        N.X N.Y N.Z, HALF  unit normal along the world's axes, as the data has it (outward on a
+                                closed skin), not turned to the camera; 0 where nothing is
+    forward  forward.u .v, HALF motion until the next frame [pixels], u to the right, v up; 0 where
+                                nothing is, or nothing moves
+    id       id, UINT           1 for the renderer's first actor, 2 for its second and so on; 0
+                                where nothing is
 
 Z and P are of the depth buffer, so of everything opaque. N, forward and id are of the surfaces of
 actors whose mapper has a data set (vtkPolyDataMapper, vtkDataSetMapper) or blocks of them, as those
@@ -75,11 +75,31 @@ def write_exr(
     writer: Any = None,
     **options: Any,
 ) -> Any:
-    """Writes what the window shows; returns the image that capture() made of it.
+    """Writes what the window shows as an .exr file with layers.
 
-    frame_duration [time of the velocities] and the options are those of capture(). `writer`: a
-    vtkActiveEXRWriter with settings of your own (compression, attributes); it gets input, file
-    name, types, matrices. Raises OSError with a sentence if the file cannot be written.
+    Parameters
+    ----------
+    window : vtkRenderWindow
+    file_name : str or path
+    frame_duration : float
+        Time until the next frame [time of the velocities], more than 0. Default: 1.
+    writer : vtkActiveEXRWriter, optional
+        One with settings of your own (compression, attributes); it gets input, file name, types,
+        matrices.
+    **options
+        Those of capture().
+
+    Returns
+    -------
+    vtkImageData
+        What capture() made of the window.
+
+    Raises
+    ------
+    OSError
+        The file cannot be written.
+    ValueError
+        As of capture().
     """
     image = capture(window, frame_duration=frame_duration, **options)
     writer = writer or vtkActiveEXRWriter()
@@ -115,15 +135,35 @@ def capture(
     encoding: str = "srgb",
     far: float = FAR,
 ) -> Any:
-    """Renders the window, and returns its layers as the point arrays of a vtkImageData.
+    """Renders the window, and returns its layers as the point arrays of an image.
 
-    renderer: the one whose layers are wanted, which has to fill the window; at first its first.
-    velocity: name of a point array of 3 components, in the data's own coordinates; surfaces without
-    it stand still. frame_duration: time until the next frame, in the velocities' unit of time.
-    camera_after: the camera of the next frame, if it moves. encoding: "srgb" if the window's colors
-    look right on a display (what VTK's shading is made for), "linear" if they are light already;
-    here the array RGBA holds the window's 8 bits as they are, write_exr decodes them. far: Z where
-    nothing is.
+    Parameters
+    ----------
+    window : vtkRenderWindow
+    renderer : vtkRenderer, optional
+        The one whose layers are wanted, which has to fill the window. Default: the window's first.
+    velocity : str
+        Name of a point array of 3 components, in the data's own coordinates; surfaces without it
+        stand still. Default: "Velocity".
+    frame_duration : float
+        Time until the next frame [time of the velocities]. Default: 1.
+    camera_after : vtkCamera, optional
+        The camera of the next frame, if it moves.
+    encoding : {"srgb", "linear"}
+        "srgb" if the window's colors look right on a display (what VTK's shading is made for),
+        "linear" if they are light already; here the array RGBA holds the window's 8 bits as they
+        are, write_exr decodes them. Default: "srgb".
+    far : float
+        Z where nothing is [length]. Default: 1e10.
+
+    Returns
+    -------
+    vtkImageData
+
+    Raises
+    ------
+    ValueError
+        Another encoding, a window that cannot draw, or a renderer that does not fill it.
     """
     if encoding not in ("srgb", "linear"):
         raise ValueError(f'encoding is "srgb" or "linear", not {encoding!r}.')
@@ -158,8 +198,18 @@ def capture(
 
 
 def camera_matrices(renderer: Any) -> Any:
-    """World to camera (x right, y up, z ahead) and to the picture ((0, 0) upper left, (1, 1) lower
-    right), as OpenEXR's attributes worldToCamera and worldToNDC want them."""
+    """Where a renderer's camera is, as OpenEXR's worldToCamera and worldToNDC want it.
+
+    Parameters
+    ----------
+    renderer : vtkRenderer
+
+    Returns
+    -------
+    (vtkMatrix4x4, vtkMatrix4x4)
+        World to camera (x right, y up, z ahead), and to the picture ((0, 0) upper left, (1, 1)
+        lower right).
+    """
     camera = renderer.GetActiveCamera()
     to_camera = numpy.diag([1.0, 1.0, -1.0, 1.0]) @ _numbers(camera.GetViewTransformMatrix())
     to_unit = numpy.array([[0.5, 0, 0, 0.5], [0, -0.5, 0, 0.5], [0, 0, 1, 0], [0, 0, 0, 1]])

@@ -31,7 +31,7 @@ COLORS = {
 }
 VIEW_ANGLE = 20.0
 FINENESS = 2  # a picture is rendered this many times larger, then averaged
-BORDER = 8  # pixels that are left out, as the shade in corners ends before the picture does
+BORDER = 12  # pixels that are left out, as the shade in corners ends before the picture does
 # From the scene to the camera, with y up.
 VIEW = numpy.array([0.45, 0.5, 1.0])
 

@@ -37,9 +37,9 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         Gives the data of a step: a vtkDataObject of `output_type`, or particles as `as_particles`
         takes them. The last two are kept.
     times : sequence of float
-        Increasing.
+        Increasing [time].
     output_type : str
-        The VTK class of the data.
+        The VTK class of the data. Default: "vtkPolyData".
 
     Attributes
     ----------
@@ -102,10 +102,17 @@ class ParticleSeries(TemporalSource):
     frames : iterable of particles, pattern or list of files, or callable(time)
         Particles as `as_particles` takes them; files as `active-surface` reads them.
     times : sequence of float, optional
-        A time for each frame; a callable needs them.
+        A time for each frame [time], increasing; a callable needs them.
     fps : float, optional
-        Frames per second, where there are no times: 0, 1/fps, 2/fps ... Default: the times that the
-        files tell, else 25.
+        Frames per second [1/time], more than 0, where there are no times: 0, 1/fps, 2/fps ...
+        Default: the times that the files tell, else 25.
+
+    Raises
+    ------
+    ValueError
+        Times that do not increase or are not as many as the frames, or no frames.
+    OSError
+        No such file, or one that cannot be read.
 
     Examples
     --------
@@ -139,12 +146,17 @@ def temporal_source(function: Callable[[float], Any], times: Sequence[float]) ->
         Gives particles as `as_particles` takes them, or a vtkPolyData or vtkImageData; all of one
         kind.
     times : sequence of float
-        Increasing.
+        Increasing [time].
 
     Returns
     -------
     TemporalSource
         A VTKPythonAlgorithmBase, for any filter's SetInputConnection.
+
+    Raises
+    ------
+    ValueError
+        Times that do not increase, or none.
     """
     own = check_times(times)
     first = function(own[0])

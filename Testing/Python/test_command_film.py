@@ -181,6 +181,24 @@ class View(CommandTest):
         self.assertAlmostEqual(held[:, 0].max(), length * 1.02, places=6)
         self.assertAlmostEqual(held[:, 0].min(), -0.02 * length, places=6)
 
+    def test_strays_do_not_make_all_else_small(self):
+        heap = grid()
+        strays = numpy.array([[9.0, 0.2, 0.2], [0.2, 0.2, -9.0]])
+        positions = numpy.concatenate([*[heap] * 5, strays])  # 2 of 627: less than .5 % at a side
+        numpy.savez(self.folder / "a.npz", positions=positions)
+        held, _ = skin.find_view(open_particles(self.folder / "a.npz"))
+        # The heap's .4, a quarter of it, and the margin, which is 2 % or 1.2 times the spacing: of
+        # particles in the same place, 0.
+        self.assertAlmostEqual(held[:, 0].max(), 0.4 * 1.25 + 0.02 * 0.5, places=6)
+        self.assertAlmostEqual(held[:, 2].min(), -0.4 * 0.25 - 0.02 * 0.5, places=6)
+
+    def test_a_drop_that_is_not_far_is_held(self):
+        heap = grid()
+        drop = numpy.array([[0.2, 0.49, 0.2]])
+        numpy.savez(self.folder / "a.npz", positions=numpy.concatenate([*[heap] * 5, drop]))
+        held, _ = skin.find_view(open_particles(self.folder / "a.npz"))
+        self.assertAlmostEqual(held[:, 1].max(), 0.49 + 0.02 * 0.49, places=6)
+
     def test_no_particles_at_all(self):
         numpy.savez(self.folder / "a.npz", positions=numpy.zeros((0, 3)))
         self.assertEqual(skin.find_view(open_particles(self.folder / "a.npz"))[1], "y")

@@ -40,6 +40,8 @@ from .progress import Progress
 from .resume import Resumption
 
 _BOUNDS_SAMPLED = 64  # frames that are looked at for the camera
+_STRAYS, _ROOM = 0.005, 0.25  # share of particles at each side; by how much they may make it larger
+_SAMPLED = 2000  # particles of a frame among which it is looked for strays
 _ARRAYS = ("ids", "radii", "strengths", "velocities")
 
 
@@ -214,11 +216,12 @@ class _Job:
 def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
     """Points around all particles, and the axis, y or z, along which they lie lowest.
 
-    Of each frame those count that are farthest in 26 directions.
+    Of each frame those count that are farthest in 26 directions. Strays, as drops that fly off, are
+    held only as far as the rest does not become small.
     """
     axis = numpy.array([-1.0, 0.0, 1.0])
     ways = numpy.stack(numpy.meshgrid(axis, axis, axis), -1).reshape(-1, 3).T
-    outermost, means, count = [], [], len(files)
+    outermost, sampled, means, count = [], [], [], len(files)
     for step in sorted(set(numpy.linspace(0, count - 1, min(count, _BOUNDS_SAMPLED)).astype(int))):
         cloud = files.load(int(step))
         if cloud.GetNumberOfPoints() == 0:
@@ -227,16 +230,24 @@ def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
         points = points[numpy.isfinite(points).all(axis=1)]
         if len(points):
             outermost.append(points[(points @ ways).argmax(axis=0)])
+            sampled.append(points[:: 1 + len(points) // _SAMPLED])
             means.append(points.mean(0))
     if not means:
         return numpy.array([[-0.5] * 3, [0.5] * 3]), "y"
-    held = numpy.concatenate(outermost)
+    held = _without_strays(numpy.concatenate(outermost), numpy.concatenate(sampled))
     low, high = held.min(axis=0), held.max(axis=0)
     margin = max(0.02 * float((high - low).max()), _own_size(files.load(0), reaches), 1e-30)
     low, high = low - margin, high + margin
     place = (numpy.mean(means, axis=0) - low) / (high - low)
     held = numpy.concatenate([held - margin, held + margin])
     return held, "z" if place[2] < place[1] - 0.02 else "y"
+
+
+def _without_strays(outermost: Any, sampled: Any) -> Any:
+    """The outermost points, drawn towards the others where these are few and far off."""
+    low, high = numpy.quantile(sampled, [_STRAYS, 1.0 - _STRAYS], axis=0)
+    room = _ROOM * float((high - low).max())
+    return numpy.clip(outermost, low - room, high + room)
 
 
 def _own_size(cloud: Any, reaches: str | None) -> float:
