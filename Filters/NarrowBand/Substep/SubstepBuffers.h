@@ -49,7 +49,7 @@ struct SubstepBuffers
   std::vector<double> LargestTargetSlope; //< |dF/dn|
   std::vector<float> LargestSpeed;        //< at the nodes with samples
   std::vector<float> LargestVelocity;     //< of a sample point, tangential too; with Transport
-  std::vector<float> LargestTensionDisplacement;   //< of the implicit integration, see SurfaceMove.h
+  std::vector<float> LargestTensionDisplacement; //< of the implicit integration, see SurfaceMove.h
   std::vector<float> LargestNetDisplacement;
   std::vector<int> FlatNodes;          //< layer 0 nodes of gradient norm below 1/sqrt 2
   std::vector<int> SteepNodes;         //< layer 0 nodes of gradient norm above sqrt 2
