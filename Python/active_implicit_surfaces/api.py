@@ -236,7 +236,7 @@ class LiveSurface:
 
     def _begin(self, cloud: Any, dt: float) -> None:
         self._frames[0] = cloud
-        source = TemporalSource(self._frames.__getitem__, [self._start])
+        source = TemporalSource(self._frames.__getitem__, [self._start], in_pieces=True)
         self.surface.SetInputConnection(source.GetOutputPort())
         self.surface.SetStartTime(self._start)
         configure(self.surface, source, interval=dt, **self._options)

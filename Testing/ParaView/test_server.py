@@ -1,5 +1,7 @@
 """The same bytes with a server, of one rank or more, as within one program; and nothing twice.
 
+Each rank has a part of a skin: skins are compared as sets of triangles.
+
 Run: pvpython test_server.py <pvserver> <number of ranks>
 """
 
@@ -22,7 +24,7 @@ from paraview.simple import (
     SaveData,
     Wavelet,
 )
-from scenes import skin_bytes, splash
+from scenes import splash, triangles_at
 from vtkmodules.vtkIOXML import vtkXMLPImageDataReader
 
 PVSERVER, RANKS = sys.argv.pop(1), int(sys.argv.pop(1))
@@ -49,12 +51,12 @@ def write_files():
 def results():
     """Skins, sizes of the image and of the history, of a filter and of a source; what is read."""
     surface, _ = splash()
-    found = [skin_bytes(surface, 3), skin_bytes(surface, 1), skin_bytes(surface, 3)]
+    found = [triangles_at(surface, time) for time in (3, 1, 3)]
     found.append(surface.GetDataInformation(0).GetNumberOfCells())
     found.append(servermanager.Fetch(surface, idx=2).GetNumberOfRows())
     tube = ActiveImplicitSurfaceFunctions(TargetFunction="Skeleton Potential", VoxelSize=0.1)
     tube.TargetFunction.Input = PolyLineSource(Points=[-0.5, 0, 0, 0.5, 0, 0])
-    found.append(skin_bytes(tube, 0.3))
+    found.append(triangles_at(tube, 0.3))
     for name in FILES:
         reader = OpenDataFile(str(FOLDER / name))
         reader.UpdatePipeline()
