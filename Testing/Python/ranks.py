@@ -114,6 +114,7 @@ class Keeper:
             name,
             triangles=triangles_of(surface.GetOutput()),
             history=history_of(surface.GetHistory()),
+            **points_of(surface.GetOutput()),
             **image_of(surface.GetPotential()),
         )
 
@@ -139,6 +140,16 @@ def triangles_of(skin):
         [numpy.ascontiguousarray(c).view(numpy.uint8).reshape(len(c), -1) for c in columns], axis=1
     )
     return bytes_of_points[corners].reshape(len(corners), -1)
+
+
+def points_of(skin):
+    """Of a part of a skin with their numbers in the whole."""
+    ids = skin.GetPointData().GetGlobalIds()
+    points = skin.GetPoints()
+    return {
+        "points": vtk_to_numpy(points.GetData()) if points else [],
+        "ids": vtk_to_numpy(ids) if ids else [],
+    }
 
 
 def image_of(image):

@@ -7,6 +7,7 @@ import os
 import sys
 
 import numpy
+from active_implicit_surfaces import LiveSurface, vtkActiveVDBWriter
 from python_data import as_array
 from ranks import (
     POINTS,
@@ -169,6 +170,39 @@ def morph(ranks, keeper, folder):
     surface.SetVolumeControlToExact()
     surface.OutputPotentialOn()
     keeper.update("morph_1", surface, 1)
+
+
+@run
+def live(ranks, keeper, folder):
+    """Each rank pushes its own particles, one of them none at first."""
+    surface = LiveSurface(particle_spacing=0.085, voxel_size=0.1, number_of_threads=1)
+    particles = splash_particles()
+    for step in range(3):
+        arrays = particles(step)
+        owners = at_random(step, len(arrays["id"]), ranks.size)
+        owners[(owners == 1) & (step == 0)] = 0
+        own = owners == ranks.rank
+        surface.advance(arrays["position"][own], 0.2, ids=arrays["id"][own])
+    keeper.keep("live.errors", errors=numpy.array([], dtype=str))
+    keeper.outputs("live", surface.surface)
+
+
+@run
+def written(ranks, keeper, folder):
+    """A .vdb with all that is on the skin; and one that the first rank cannot write."""
+    _, surface = make_splash(VoxelSize=0.1)
+    surface.UpdateTimeStep(1)
+    writer = vtkActiveVDBWriter()
+    writer.SetInputConnection(surface.GetOutputPort())
+    writer.WriteStateOn()
+    writer.WriteVelocityOn()
+    writer.WritePointArraysOn()
+    writer.SetFileName(os.path.join(folder, "written.vdb"))
+    done = [writer.Write()]
+    writer.SetFileName(os.path.join(folder, "nowhere", "written.vdb"))
+    writer.AddObserver("ErrorEvent", lambda caller, event: None)
+    done.append(writer.Write())
+    keeper.keep("writes", done=done)
 
 
 class Failing(Particles):

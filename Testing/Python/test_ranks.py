@@ -18,7 +18,7 @@ PROGRAM = Path(__file__).with_name("ranks_program.py")
 WITH_RANKS = PROGRAM.parents[1] / "with_ranks"
 NO_MPI = 77  # by with_ranks
 SIZES = (1, 2, 3, 4)
-SAME = ("splash", "emitter", "meshes", "image", "morph")
+SAME = ("splash", "emitter", "meshes", "image", "morph", "live")
 # A run takes seconds. A rank that waits for another one waits for ever.
 LONGEST = 120
 
@@ -26,16 +26,21 @@ LONGEST = 120
 def start(size, run, folder):
     """The run on so many ranks, which share the cores; 0: without MPI."""
     program = [sys.executable, str(PROGRAM), run, str(folder)]
-    done = subprocess.run(
+    with subprocess.Popen(
         ["bash", str(WITH_RANKS), str(size), *program] if size else [*program, "--alone"],
-        capture_output=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
         text=True,
-        timeout=LONGEST,
-    )
-    if done.returncode == NO_MPI:
-        raise unittest.SkipTest(done.stdout)
-    if done.returncode != 0:
-        raise RuntimeError(f"{run} on {size} ranks: {done.stdout[-2000:]} {done.stderr[-4000:]}")
+    ) as started:
+        try:
+            said, _ = started.communicate(timeout=LONGEST)
+        except subprocess.TimeoutExpired:
+            started.terminate()  # by which mpiexec ends its ranks; it would not, if it were killed
+            raise
+    if started.returncode == NO_MPI:
+        raise unittest.SkipTest(said)
+    if started.returncode != 0:
+        raise RuntimeError(f"{run} on {size} ranks: {said[-4000:]}")
 
 
 def state_in(file):
@@ -122,6 +127,24 @@ class Ranks(unittest.TestCase):
         # The costs of a leaf, at most 8 * 8 * 8 voxels of at most 5 triangles, at either end; here
         # a leaf of the skin holds far less.
         self.assertLess(max(counts) - min(counts), 600, counts)
+
+    def test_points_at_borders_are_the_same_points(self):
+        folder = self.folder()
+        start(3, "splash", folder)
+        whole = load(self.alone, "splash_2", 1)[0]["points"]
+        parts = load(folder, "splash_2", 3)
+        self.assertGreater(sum(len(part["ids"]) for part in parts), len(whole), "borders")
+        for part in parts:
+            numpy.testing.assert_array_equal(part["points"], whole[part["ids"]])
+
+    def test_a_file_is_written_once_and_whole(self):
+        expected = self.folder()
+        start(0, "written", expected)
+        folder = self.folder()
+        start(3, "written", folder)
+        self.assertEqual(state_in(folder / "written.vdb"), state_in(expected / "written.vdb"))
+        for part in load(folder, "writes", 3):
+            self.assertEqual(list(part["done"]), [1, 0])
 
     def test_restart_on_another_number_of_ranks(self):
         saved = self.folder()
