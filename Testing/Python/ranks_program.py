@@ -7,7 +7,7 @@ import os
 import sys
 
 import numpy
-from active_implicit_surfaces import LiveSurface, vtkActiveVDBWriter
+from active_implicit_surfaces import LiveSurface, vtkActiveVDBReader, vtkActiveVDBWriter
 from python_data import as_array
 from ranks import (
     POINTS,
@@ -159,6 +159,37 @@ def image(ranks, keeper, folder):
     surface = make_surface(voxel=0.08, Attraction=4)
     surface.SetInputDataObject(0, part_of_image(ranks))
     keeper.update("image_0.2", surface, 0.2)
+
+
+@run
+def skeleton(ranks, keeper, folder):
+    """Segments end to end, of which each rank has some."""
+    points, lines = vtkPoints(), vtkCellArray()
+    for i in numpy.flatnonzero(in_blocks(0, 8, ranks.size) == ranks.rank):
+        ends = [points.InsertNextPoint(0.1 * k, 0.05 * (k % 2), 0) for k in (i, i + 1)]
+        lines.InsertNextCell(2, ends)
+    segments = vtkPolyData()
+    segments.SetPoints(points)
+    segments.SetLines(lines)
+    surface = make_surface(voxel=0.05, ParticleRadius=0.3)
+    surface.SetInputDataObject(0, segments)
+    keeper.update("skeleton_0.2", surface, 0.2)
+
+
+@run
+def grid(ranks, keeper, folder):
+    """A level set of a .vdb, which the first rank writes and reads."""
+    ball = vtkSphereSource()
+    ball.SetRadius(0.6)
+    writer = vtkActiveVDBWriter()
+    writer.SetInputConnection(ball.GetOutputPort())
+    writer.SetVoxelSize(0.05)
+    writer.SetFileName(os.path.join(folder, "ball.vdb"))
+    assert writer.Write() == 1
+    reader = vtkActiveVDBReader()
+    reader.SetFileName(writer.GetFileName())
+    reader.OutputDenseOff()
+    keeper.update("grid_0.2", make_surface(reader, 0.08, Attraction=4), 0.2)
 
 
 @run

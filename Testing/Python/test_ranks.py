@@ -18,7 +18,7 @@ PROGRAM = Path(__file__).with_name("ranks_program.py")
 WITH_RANKS = PROGRAM.parents[1] / "with_ranks"
 NO_MPI = 77  # by with_ranks
 SIZES = (1, 2, 3, 4)
-SAME = ("splash", "emitter", "meshes", "image", "morph", "live")
+SAME = ("splash", "emitter", "meshes", "image", "skeleton", "grid", "morph", "live")
 # A run takes seconds. A rank that waits for another one waits for ever.
 LONGEST = 120
 

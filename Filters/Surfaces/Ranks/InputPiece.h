@@ -31,7 +31,7 @@ enum class PieceKind : char
   Particles = 'p',
   Cells = 'c', // a mesh or a skeleton
   Image = 'i',
-  GridImage = 'g' // an image that has a grid attached, which is whole on each rank
+  GridImage = 'g' // an image that has a grid attached, which is whole on each rank that has one
 };
 
 struct InputPiece

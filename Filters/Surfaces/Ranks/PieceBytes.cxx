@@ -1,5 +1,7 @@
 #include "Ranks/PieceBytes.h"
 
+#include "AttachedData.h"
+#include "OpenVDB.h"
 #include "Ranks/InputPiece.h"
 
 #include "vtkImageData.h"
@@ -10,6 +12,11 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <openvdb/io/Stream.h>
+
+#include <cstdint>
+#include <cstring>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -55,17 +62,46 @@ bool IsImage(PieceKind kind)
   return kind == PieceKind::Image || kind == PieceKind::GridImage;
 }
 
+// The attached grid; nothing if there is none.
+std::string WriteGrid(vtkDataSet* data)
+{
+  const openvdb::FloatGrid::ConstPtr grid = GetAttachedGrid(data->GetInformation());
+  if (!grid)
+  {
+    return "";
+  }
+  openvdb::initialize();
+  std::ostringstream text(std::ios::binary);
+  openvdb::io::Stream(text).write(openvdb::GridCPtrVec{ grid });
+  return text.str();
 }
 
+void ReadGrid(const std::string& text, vtkDataSet* data)
+{
+  openvdb::initialize();
+  std::istringstream stream(text, std::ios::binary);
+  const openvdb::GridPtrVecPtr grids = openvdb::io::Stream(stream).getGrids();
+  Attach(data->GetInformation(), openvdb::gridPtrCast<openvdb::FloatGrid>(grids->at(0)));
+}
+
+}
+
+// The kind, the length of the data, the data, the grid.
 Bytes PackPiece(const InputPiece& piece)
 {
   Bytes bytes(1, static_cast<char>(piece.Kind));
-  if (piece.Kind != PieceKind::Nothing)
+  if (piece.Kind == PieceKind::Nothing)
   {
-    const std::string text = IsImage(piece.Kind) ? Write<vtkXMLImageDataWriter>(piece.Data)
-                                                 : Write<vtkXMLPolyDataWriter>(piece.Data);
-    bytes.insert(bytes.end(), text.begin(), text.end());
+    return bytes;
   }
+  const std::string data = IsImage(piece.Kind) ? Write<vtkXMLImageDataWriter>(piece.Data)
+                                               : Write<vtkXMLPolyDataWriter>(piece.Data);
+  const std::string grid = WriteGrid(piece.Data);
+  const std::uint64_t length = data.size();
+  const char* first = reinterpret_cast<const char*>(&length);
+  bytes.insert(bytes.end(), first, first + sizeof length);
+  bytes.insert(bytes.end(), data.begin(), data.end());
+  bytes.insert(bytes.end(), grid.begin(), grid.end());
   return bytes;
 }
 
@@ -75,10 +111,15 @@ InputPiece UnpackPiece(const Bytes& bytes)
   piece.Kind = static_cast<PieceKind>(bytes.at(0));
   if (piece.Kind != PieceKind::Nothing)
   {
-    const char* first = bytes.data() + 1;
-    const std::size_t length = bytes.size() - 1;
+    std::uint64_t length = 0;
+    std::memcpy(&length, bytes.data() + 1, sizeof length);
+    const char* first = bytes.data() + 1 + sizeof length;
     piece.Data = IsImage(piece.Kind) ? Read<vtkXMLImageDataReader>(first, length)
                                      : Read<vtkXMLPolyDataReader>(first, length);
+    if (piece.Kind == PieceKind::GridImage)
+    {
+      ReadGrid({ first + length, bytes.data() + bytes.size() }, piece.Data);
+    }
   }
   return piece;
 }

@@ -8,6 +8,7 @@
 #include "vtkInformation.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace activesurface
@@ -65,8 +66,9 @@ vtkSmartPointer<vtkDataSet> GatherWhole(
     case PieceKind::GridImage:
     {
       const vtkSmartPointer<vtkDataSet> whole = AssembleImage(parts, what);
-      Attach(whole->GetInformation(),
-        own.Data ? GetAttachedGrid(own.Data->GetInformation()) : openvdb::FloatGrid::ConstPtr());
+      const auto first =
+        std::find_if(parts.begin(), parts.end(), [](vtkDataSet* part) { return part; });
+      Attach(whole->GetInformation(), GetAttachedGrid((*first)->GetInformation()));
       return whole;
     }
     default:

@@ -1,5 +1,7 @@
 // Pieces of an input, put together on each rank.
 
+#include "AttachedData.h"
+#include "OpenVDB.h"
 #include "Ranks/PieceGather.h"
 #include "Support/ThreadRanks.h"
 
@@ -253,6 +255,29 @@ TEST(TestInputPiece, SlicesMakeUpAnImage)
         EXPECT_EQ(whole->GetPointData()->GetScalars()->GetTuple1(i),
           expected->GetPointData()->GetScalars()->GetTuple1(i));
       }
+    });
+}
+
+TEST(TestInputPiece, AGridThatOneRankHasIsOnAll)
+{
+  openvdb::initialize();
+  Gather(
+    3,
+    [](int rank)
+    {
+      const auto image = MakeSlices(0, 5);
+      const auto grid = openvdb::FloatGrid::create(3.f);
+      grid->tree().setValue(openvdb::Coord(1, 2, 3), 0.1f);
+      Attach(image->GetInformation(), openvdb::FloatGrid::ConstPtr(grid));
+      return rank == 1 ? MakeImagePiece(image, nullptr) : InputPiece();
+    },
+    [](vtkDataSet* whole)
+    {
+      const auto grid = GetAttachedGrid(whole->GetInformation());
+      ASSERT_TRUE(grid);
+      EXPECT_EQ(grid->tree().getValue(openvdb::Coord(1, 2, 3)), 0.1f);
+      EXPECT_EQ(grid->background(), 3.f);
+      EXPECT_EQ(whole->GetNumberOfPoints(), MakeSlices(0, 5)->GetNumberOfPoints());
     });
 }
 
