@@ -30,7 +30,7 @@ folder = output_folder(__doc__)
 way = active.morph(solid("1998"), solid("2026"), DURATION, frames=FRAMES, voxel_size=0.02)
 pictures = []
 for time, skin in way:
-    if round(time / DURATION * (FRAMES - 1)) in (0, 4, 8, 20):
+    if round(time / DURATION * (FRAMES - 1)) in (0, 7, 14, 20):
         print(f"at {time:.1f} s: {skin.GetNumberOfPolys()} triangles", flush=True)
         pictures.append([skin_actor(skin, CLAY)])
 picture = folder / "morph_meshes.png"

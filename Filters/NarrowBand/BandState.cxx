@@ -134,9 +134,17 @@ SkinMeasure BandState::Measure() const
 void BandState::MoveTarget(const Motion& motion, Target& target, AdvanceReport& report)
 {
   target.MoveTo(this->Time);
+  if (motion.CreateParts && target.HasRegions())
+  {
+    this->CreateParts(motion, target, report);
+  }
+}
+
+void BandState::CreateParts(const Motion& motion, const Target& target, AdvanceReport& report)
+{
   const GrowingBand band{ this->Leaves, this->Set, this->Potential->tree(), this->VoxelSize,
     this->Maximum };
-  if (motion.CreateParts && target.HasRegions() && CreateParts(band, motion, target, report))
+  if (activesurface::CreateParts(band, motion, target, report))
   {
     this->RebuildBand(this->Set);
   }

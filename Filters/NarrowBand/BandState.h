@@ -50,6 +50,7 @@ struct BandState
   /** To be called before the first substep of a motion. */
   void Begin(const Motion& motion);
 
+  void CreateParts(const Motion& motion, const Target& target, AdvanceReport& report);
   void Step(double end, const Motion& motion, Target& target, AdvanceReport& report);
   /** One substep of any length; the report's SurfaceSpeed is its measured speed. */
   void StepAndTrace(const Motion& motion, Target& target, AdvanceReport& report);

@@ -21,6 +21,13 @@
 #define ACTIVE_ALWAYS_INLINE inline __attribute__((always_inline))
 #define ACTIVE_INLINED __attribute__((always_inline))
 
+// Before a loop over a few lanes: GCC unrolls it before it looks for vectors, and then finds none.
+#ifdef __clang__
+#define ACTIVE_LANES _Pragma("clang loop unroll(disable)")
+#else
+#define ACTIVE_LANES _Pragma("GCC unroll 1")
+#endif
+
 namespace activesurface
 {
 

@@ -40,6 +40,17 @@ void SetNumbers(const StateNumbers& numbers, BandState& state)
   state.Paper = numbers.Paper;
 }
 
+void AddWork(AdvanceReport& sum, const AdvanceReport& report)
+{
+  sum.Substeps += report.Substeps;
+  sum.SkippedSubsteps += report.SkippedSubsteps;
+  sum.TargetEvaluations += report.TargetEvaluations;
+  sum.DroppedSamples += report.DroppedSamples;
+  sum.UniformPulls += report.UniformPulls;
+  sum.CreatedParts += report.CreatedParts;
+  sum.MaxSpeed = std::max(sum.MaxSpeed, report.MaxSpeed);
+}
+
 /** StateNumbers as they lie in packed bytes. */
 using PackedNumbers = std::array<double, 6>;
 
@@ -178,6 +189,21 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   return finished;
 }
 
+std::size_t NarrowBand::CreateParts(const Motion& motion, const Target& target)
+{
+  BandState& members = *this->State;
+  AdvanceReport report;
+  this->Run(
+    [&]
+    {
+      members.Begin(motion);
+      members.CreateParts(motion, target, report);
+      members.FinishFrame();
+    });
+  AddWork(members.Work, report);
+  return report.CreatedParts;
+}
+
 void NarrowBand::Confine(const Walls& walls, Obstacle* obstacle)
 {
   this->Run([&] { this->State->Confine(walls, obstacle); });
@@ -185,17 +211,6 @@ void NarrowBand::Confine(const Walls& walls, Obstacle* obstacle)
 
 namespace
 {
-
-void AddWork(AdvanceReport& sum, const AdvanceReport& report)
-{
-  sum.Substeps += report.Substeps;
-  sum.SkippedSubsteps += report.SkippedSubsteps;
-  sum.TargetEvaluations += report.TargetEvaluations;
-  sum.DroppedSamples += report.DroppedSamples;
-  sum.UniformPulls += report.UniformPulls;
-  sum.CreatedParts += report.CreatedParts;
-  sum.MaxSpeed = std::max(sum.MaxSpeed, report.MaxSpeed);
-}
 
 /** Whether an empty surface may become one that is not. */
 bool MayBegin(const Motion& motion, const Target& target)

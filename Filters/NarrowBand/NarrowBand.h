@@ -96,6 +96,10 @@ public:
   bool Start(double time, const double bounds[6], const InitialFunction& function,
     const ProgressFunction& progress = {});
 
+  /** Creates the parts and hollows that the target tells of, where the surface does not reach them;
+   * see Motion::CreateParts. Returns how many. Errors as with Advance. */
+  std::size_t CreateParts(const Motion& motion, const Target& target);
+
   /** Clips the surface at the walls, if they are present, and at the obstacle, unless it is null.
    * Throws std::runtime_error where the obstacle is not a number. */
   void Confine(const Walls& walls, Obstacle* obstacle = nullptr);

@@ -17,7 +17,7 @@ namespace activesurface
 namespace
 {
 
-constexpr vtkIdType ParticlesPerTask = 256;
+constexpr std::size_t ParticlesPerTask = 256;
 
 // Neighbours are looked for within so many own radii, by usual proportions. For AveragedCentre it
 // has to be the reach. For the others wider is flatter, and dearer.
@@ -59,22 +59,33 @@ public:
     , NeighbourhoodFactor(
         GetNeighbourhoodPerOwnRadius(options.Model) / (2.0 * GetReachPerSpacing(options.Model)))
     , Neighbours(particles, this->NeighbourhoodFactor)
+    , Order(this->Neighbours.SortByPlace())
   {
   }
 
   std::vector<ParticleFit> Find()
   {
     this->RefuseCrowds();
-    this->ForEach([this](std::size_t i) { this->FindNeighbourhood(i); });
+    this->ForEachBatch([this](const Batch& batch) { this->FindNeighbourhoods(batch); });
     if (this->Options.Model != ParticleModel::Sum)
     {
       this->FindLack();
-      this->ForEach([this](std::size_t i) { this->GiveShare(i); });
+      this->ForEachBatch([this](const Batch& batch) { this->GiveShares(batch); });
     }
     return std::move(this->Fits);
   }
 
 private:
+  // Where the surface should be, and how much each place counts.
+  struct SurfacePlaces
+  {
+    double Away[3]; // from the mean of the neighbours, which counts at the edge of a body
+    double Deep;
+    double Across[3]; // of a sheet or a thread
+    double Thin;
+    double ShapeShare; // of what the neighbours lack, in place of the particle's own lack
+  };
+
   // By a sample that is spread over the list.
   void RefuseCrowds() const
   {
@@ -95,17 +106,37 @@ private:
     }
   }
 
-  template <class Function>
-  void ForEach(Function function) const
+  // Some particles, near one another.
+  struct Batch
   {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Particles.size()), ParticlesPerTask,
-      [&function](vtkIdType begin, vtkIdType end)
+    const std::size_t* Members;
+    std::size_t Count;
+  };
+
+  template <class Function>
+  void ForEachBatch(Function function) const
+  {
+    const std::size_t size = this->Order.size();
+    const std::size_t batches = (size + ParticlesPerTask - 1) / ParticlesPerTask;
+    vtkSMPTools::For(0, static_cast<vtkIdType>(batches), 1,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        for (vtkIdType i = begin; i < end; ++i)
+        for (vtkIdType k = begin; k < end; ++k)
         {
-          function(static_cast<std::size_t>(i));
+          const std::size_t first = ParticlesPerTask * static_cast<std::size_t>(k);
+          function(Batch{ &this->Order[first], std::min(ParticlesPerTask, size - first) });
         }
       });
+  }
+
+  std::vector<double> GetPositions(const Batch& batch) const
+  {
+    std::vector<double> positions(3 * batch.Count);
+    for (std::size_t k = 0; k < batch.Count; ++k)
+    {
+      std::copy_n(this->Particles[batch.Members[k]].Position, 3, &positions[3 * k]);
+    }
+    return positions;
   }
 
   double GetOwnRadius(std::size_t i) const
@@ -128,11 +159,20 @@ private:
     return (1.0 - q * q) * (1.0 - q * q) * (1.0 - q * q);
   }
 
-  void FindNeighbourhood(std::size_t i)
+  void FindNeighbourhoods(const Batch& batch)
+  {
+    std::vector<NeighbourMoments> sums(batch.Count);
+    this->Neighbours.FindMoments(batch.Count, this->GetPositions(batch).data(), sums.data());
+    for (std::size_t k = 0; k < batch.Count; ++k)
+    {
+      this->FindNeighbourhood(batch.Members[k], sums[k]);
+    }
+  }
+
+  void FindNeighbourhood(std::size_t i, const NeighbourMoments& sums)
   {
     const SkeletonVertex& particle = this->Particles[i];
     const double reach = this->NeighbourhoodFactor * particle.Radius;
-    const NeighbourMoments sums = this->Neighbours.FindMoments(particle.Position);
     const double own = this->GetOwnRadius(i);
     // The integral of (1 - d^2/R^2)^2 over the ball of radius R, over (2 r)^3.
     const double whole = 32.0 * 3.14159265358979 / 105.0 * std::pow(reach / (2.0 * own), 3.0);
@@ -178,37 +218,87 @@ private:
       }
       body.Build();
     }
-    this->ForEach(
-      [this, &body](std::size_t i)
-      {
-        const SurfacePlaces& places = this->Outside[i];
-        const double both = places.Deep + places.Thin;
-        const double away = places.Deep > 0.0 ? this->FindValue(i, body, places.Away) : 0.0;
-        const double across = places.Thin > 0.0 ? this->FindValue(i, body, places.Across) : 0.0;
-        const double value =
-          both > 0.0 ? (places.Deep * away + places.Thin * across) / both : this->GetLoneValue(i);
-        this->Surface[i] = { 1.0 - (1.0 - places.Deep) * (1.0 - places.Thin),
-          value - this->GetLoneValue(i) };
-      });
+    this->ForEachBatch([this, &body](const Batch& batch) { this->FindLacks(batch, body); });
   }
 
-  double FindValue(std::size_t i, const ParticlePotential& body, const double x[3]) const
+  void FindLacks(const Batch& batch, const ParticlePotential& body)
   {
+    const std::vector<double> away =
+      this->FindValues(batch, body, &SurfacePlaces::Deep, &SurfacePlaces::Away);
+    const std::vector<double> across =
+      this->FindValues(batch, body, &SurfacePlaces::Thin, &SurfacePlaces::Across);
+    for (std::size_t k = 0; k < batch.Count; ++k)
+    {
+      const std::size_t i = batch.Members[k];
+      const SurfacePlaces& places = this->Outside[i];
+      const double both = places.Deep + places.Thin;
+      const double value = both > 0.0 ? (places.Deep * away[k] + places.Thin * across[k]) / both
+                                      : this->GetLoneValue(i);
+      this->Surface[i] = { 1.0 - (1.0 - places.Deep) * (1.0 - places.Thin),
+        value - this->GetLoneValue(i) };
+    }
+  }
+
+  // At one of the places of each particle, if it counts; else 0.
+  std::vector<double> FindValues(const Batch& batch, const ParticlePotential& body,
+    double SurfacePlaces::*share, double (SurfacePlaces::*place)[3]) const
+  {
+    std::vector<std::size_t> counting;
+    std::vector<double> points;
+    for (std::size_t k = 0; k < batch.Count; ++k)
+    {
+      const SurfacePlaces& places = this->Outside[batch.Members[k]];
+      if (places.*share > 0.0)
+      {
+        counting.push_back(k);
+        points.insert(points.end(), places.*place, places.*place + 3);
+      }
+    }
+    std::vector<double> found(counting.size()), values(batch.Count, 0.0);
+    this->FindValuesAt(points, body, found.data());
+    for (std::size_t n = 0; n < counting.size(); ++n)
+    {
+      const bool isNowhere = std::isnan(found[n]);
+      values[counting[n]] = isNowhere ? this->GetOwnRadius(batch.Members[counting[n]]) : found[n];
+    }
+    return values;
+  }
+
+  // Not a number where the centre is not known, as nothing is near.
+  void FindValuesAt(
+    const std::vector<double>& points, const ParticlePotential& body, double* values) const
+  {
+    const std::size_t count = points.size() / 3;
     if (this->IsAnisotropic())
     {
-      double value;
-      body.Evaluate(1, x, &value, nullptr);
-      return 0.5 - value;
+      body.Evaluate(count, points.data(), values, nullptr);
+      std::transform(values, values + count, values, [](double value) { return 0.5 - value; });
+      return;
     }
-    const NeighbourMoments sums = this->Neighbours.FindMoments(x);
-    return sums.Weight > 0.0 ? std::hypot(sums.First[0], sums.First[1], sums.First[2]) / sums.Weight
-                             : this->GetOwnRadius(i);
+    std::vector<NeighbourMoments> moments(count);
+    this->Neighbours.FindMoments(count, points.data(), moments.data());
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      const NeighbourMoments& sums = moments[n];
+      values[n] = sums.Weight > 0.0
+        ? std::hypot(sums.First[0], sums.First[1], sums.First[2]) / sums.Weight
+        : std::nan("");
+    }
   }
 
-  void GiveShare(std::size_t i)
+  void GiveShares(const Batch& batch)
   {
-    const NeighbourSums::Shares sums =
-      this->Neighbours.FindShares(this->Particles[i].Position, this->Surface);
+    std::vector<NeighbourSums::Shares> sums(batch.Count);
+    this->Neighbours.FindShares(
+      batch.Count, this->GetPositions(batch).data(), this->Surface, sums.data());
+    for (std::size_t k = 0; k < batch.Count; ++k)
+    {
+      this->GiveShare(batch.Members[k], sums[k]);
+    }
+  }
+
+  void GiveShare(std::size_t i, const NeighbourSums::Shares& sums)
+  {
     const double mean = sums.Share > 0.0 ? sums.Value / sums.Share : 0.0;
     const double shape = this->Outside[i].ShapeShare;
     const double own = this->Surface[i].Share * this->Surface[i].Value;
@@ -225,16 +315,6 @@ private:
     }
   }
 
-  // Where the surface should be, and how much each place counts.
-  struct SurfacePlaces
-  {
-    double Away[3]; // from the mean of the neighbours, which counts at the edge of a body
-    double Deep;
-    double Across[3]; // of a sheet or a thread
-    double Thin;
-    double ShapeShare; // of what the neighbours lack, in place of the particle's own lack
-  };
-
   const FitOptions Options;
   const std::vector<SkeletonVertex>& Particles;
   std::vector<ParticleFit> Fits;
@@ -242,6 +322,7 @@ private:
   std::vector<SurfacePlaces> Outside;
   const double NeighbourhoodFactor;
   const NeighbourSums Neighbours;
+  const std::vector<std::size_t> Order; // of the particles, by places
 };
 
 }

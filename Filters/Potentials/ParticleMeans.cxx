@@ -64,6 +64,7 @@ private:
     for (std::size_t hit = 0; hit < count; ++hit)
     {
       const Element& element = this->Means.Elements[hits[hit]];
+      ACTIVE_LANES
       for (int i = 0; i < Width; ++i)
       {
         const double d2 = lanes.GetOffset(i, element.Position).Square;

@@ -60,6 +60,7 @@ struct ParticlePotential::CentreField : ParticlePotential::Results
                  ACTIVE_INLINED { this->Add(lanes, list, count, slopes); });
     for (int axis = 0; axis < 3; ++axis)
     {
+      ACTIVE_LANES
       for (int i = 0; i < Width; ++i)
       {
         terms[axis][i] = slopes.Gradient[axis][i];
@@ -99,6 +100,7 @@ private:
     for (std::size_t hit = 0; hit < count; ++hit)
     {
       const CentreElement& element = this->Body.Centres[hits[hit]];
+      ACTIVE_LANES
       for (int i = 0; i < Width; ++i)
       {
         const auto [x, y, z, d2] = lanes.GetOffset(i, element.Position);
@@ -156,6 +158,7 @@ private:
       const CentreElement& element = this->Body.Centres[hits[hit]];
       const double ofWeight = 4.0 * element.Weight * element.InverseReach2;
       const double ofPresence = 6.0 * element.Presence * element.InverseNear2;
+      ACTIVE_LANES
       for (int i = 0; i < Width; ++i)
       {
         const auto [x, y, z, d2] = lanes.GetOffset(i, element.Position);
@@ -215,6 +218,7 @@ private:
     {
       const AnisotropicElement& element = this->Body.Ellipsoids[hits[hit]];
       const double* m = element.Metric;
+      ACTIVE_LANES
       for (int i = 0; i < Width; ++i)
       {
         const double x = lanes.X[0][i] - element.Position[0];

@@ -13,6 +13,7 @@ from .series import temporal_source as temporal_source
 
 __version__: str
 
+vtkActiveClockAlgorithm: Any
 vtkActiveEXRReader: Any
 vtkActiveEXRWriter: Any
 vtkActiveImplicitSurface: Any

@@ -12,16 +12,12 @@ from .api import Frame, copy_of
 from .data_objects import as_shape, is_vtk, like
 from .messages import listening, warn_all
 
-_LEGS = 4000  # of a voxel, at most, in which the way is looked for
-_NEAR = 0.25  # voxels from the target: arrived
-_STILL = 20  # legs in which the volume is the same to five digits: what is off the target stays
-
 
 class morph:
     """The skins on the way from one shape to another, which it reaches at the end.
 
-    No points correspond: the surface moves along its normal, splits and merges. What the other
-    shape has apart from the first one does not grow: let the shapes overlap.
+    No points correspond: the surface moves along its normal, splits and merges. Each part goes with
+    an even speed, and arrives at the end; parts that only one of the shapes has grow or shrink.
 
     Parameters
     ----------
@@ -29,7 +25,7 @@ class morph:
         Closed meshes, or images (inside is below `target_iso_value`). PyVista's, trimesh's and
         meshio's objects are taken too.
     duration : float
-        The time at which `b` is reached, to half a voxel.
+        The time at which `b` is reached (ArrivalTime), to a tenth of a voxel.
     frames : int
         Number of skins, the first and the last included.
     progress : callable(int, int), optional
@@ -61,7 +57,7 @@ class morph:
     >>> for time, skin in way:
     ...     print(f"at {time}: {skin.GetBounds()[1]:.1f}")
     at 0.0: 0.5
-    at 1.0: 0.8
+    at 1.0: 0.7
     at 2.0: 1.0
     """
 
@@ -85,8 +81,8 @@ class morph:
         self._producers: list[Any] = []
         self._connect(a, b)
         properties.put(self.surface, options)
-        if "attraction" not in options:
-            self._arrive(duration, options)
+        if "attraction" not in options and "arrival_time" not in options:
+            self.surface.SetArrivalTime(duration)
         self.surface.SetNumberOfTimeSteps(frames)
         self.surface.SetTimeStepSize(duration / (frames - 1))
 
@@ -116,62 +112,13 @@ class morph:
         self._producers.append(producer)
         return producer.GetOutputPort()
 
-    def _arrive(self, duration: float, options: dict[str, Any]) -> None:
-        """Chooses the Attraction that takes the skin to the target in the duration.
-
-        With a TargetReach of a voxel the skin goes at one speed, Attraction * TargetReach, and the
-        way depends on Attraction * time alone: so it is gone once, to see how long it is.
-        """
-        surface = self.surface
-        voxel = surface.GetVoxelSize() or _find_voxel(surface)
-        surface.SetVoxelSize(voxel)
-        if "target_reach" not in options:
-            surface.SetTargetReach(voxel)
-        reach = surface.GetTargetReach()
-        surface.SetAttraction(1.0)
-        surface.SetTimeStepSize(voxel / reach)
-        surface.SetNumberOfTimeSteps(_LEGS + 1)
-        tension = surface.GetTension()
-        surface.SetTension(0.0)  # its rate belongs to the duration
-        legs = _count_legs(surface, reach, voxel)
-        surface.SetTension(tension)
-        surface.SetAttraction(legs * voxel / reach / duration)
-
-
-def _count_legs(surface: Any, reach: float, voxel: float) -> int:
-    """Legs until the skin is on the target everywhere, or does not come nearer.
-
-    The history tells the largest speed of a leg, which is the distance from the target, up to
-    TargetReach, at the place that is farthest from it.
-    """
-    volumes: list[float] = []
-    for leg in range(1, _LEGS + 1):
-        _update(surface, leg * surface.GetTimeStepSize(), warns=False)
-        if surface.GetOutput().GetNumberOfPoints() == 0:
-            return leg
-        history = surface.GetHistory()
-        if history.GetValueByName(leg, "MaxSpeed").ToDouble() < min(_NEAR * voxel, 0.5 * reach):
-            return max(1, leg - 1)
-        volumes = [*volumes[1 - _STILL :], history.GetValueByName(leg, "Volume").ToDouble()]
-        if len(volumes) == _STILL and max(volumes) - min(volumes) < 1e-5 * max(volumes):
-            return max(1, leg - _STILL)
-    return _LEGS
-
-
-def _find_voxel(surface: Any) -> float:
-    """The VoxelSize that the filter chooses."""
-    _update(surface, 0.0, warns=False)
-    surface.Update(1)
-    return float(surface.GetPotential().GetSpacing()[0])
-
 
 def _is_function(shape: Any) -> bool:
     return is_vtk(shape) and bool(shape.IsA("vtkImplicitFunction"))
 
 
-def _update(surface: Any, time: float, warns: bool = True) -> None:
+def _update(surface: Any, time: float) -> None:
     with listening(surface) as heard:
         surface.UpdateTimeStep(time)
     heard.raise_error(ValueError)
-    if warns:  # the way that is gone to know its length says the same as the one after it
-        warn_all(heard.warnings)
+    warn_all(heard.warnings)

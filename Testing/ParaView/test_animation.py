@@ -79,7 +79,7 @@ OTHER_VALUES = {
     "VoxelSize": 0.1,
 }
 # Inputs, what is only read, and what would be an error or no skin at all over these particles.
-NOT_CHANGED = {"Target", "Initial", "TimestepValues"}
+NOT_CHANGED = {"Target", "Initial", "TimestepValues", "ArrivalTime"}
 # What does not show in the second step: other times are published, or the input's hold.
 WITHOUT_EFFECT = set(
     """

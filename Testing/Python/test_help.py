@@ -7,6 +7,7 @@ import unittest
 
 import active_implicit_surfaces
 from active_implicit_surfaces import (
+    vtkActiveClockAlgorithm,
     vtkActiveEXRReader,
     vtkActiveEXRWriter,
     vtkActiveImplicitSurface,
@@ -23,7 +24,8 @@ NUMBERS = {
     vtkActiveImplicitSurface: """
         TargetIsoValue TargetReach VoxelSize MaximumNumberOfActiveVoxels Attraction Tension CFL
         VolumeStiffness AreaStiffness TargetVolume TargetArea RestTolerance
-        MaximumNumberOfSubsteps StartTime TimeStepSize NumberOfTimeSteps TimeScale ParticleRadius
+        MaximumNumberOfSubsteps StartTime TimeStepSize NumberOfTimeSteps TimeScale ArrivalTime
+        ParticleRadius
         ParticleSpacing Anisotropy Transport ParticleThreshold MeshThickness NumberOfThreads
         CheckpointInterval CheckpointMemory
         MaximumVelocity
@@ -78,7 +80,7 @@ WITH_UNIT = {
     vtkActiveImplicitSurface: """
         TargetIsoValue TargetReach VoxelSize ModelBounds Attraction Tension VolumeStiffness
         AreaStiffness TargetVolume TargetArea RestTolerance StartTime TimeStepSize TimeScale
-        ParticleRadius ParticleSpacing MeshThickness CheckpointMemory MaximumVelocity
+        ArrivalTime ParticleRadius ParticleSpacing MeshThickness CheckpointMemory MaximumVelocity
     """.split(),
     vtkSkeletonPotential: """
         Radius RadiusArrayName StrengthArrayName Threshold ParticleSpacing
@@ -107,8 +109,11 @@ class HelpTellsEverything(unittest.TestCase):
                 self.assertEqual(sorted(listed), own_properties(kind))
 
     def test_the_motion_is_among_the_properties_of_the_surface(self):
+        clock = own_properties(vtkActiveClockAlgorithm)
         motion = own_properties(vtkActiveMotionAlgorithm)
+        self.assertIn("ArrivalTime", clock)
         self.assertIn("Tension", motion)
+        self.assertLess(set(clock), set(motion))
         self.assertLess(set(motion), set(own_properties(vtkActiveImplicitSurface)))
 
     def test_every_property_tells_its_default(self):
@@ -168,7 +173,7 @@ class HelpTellsEverything(unittest.TestCase):
                 self.assertTrue("Set" + name in shown[kind], "help() does not show it")
 
     def test_the_classes_and_the_package_say_what_they_are(self):
-        for kind in (*NUMBERS, vtkActiveMotionAlgorithm):
+        for kind in (*NUMBERS, vtkActiveClockAlgorithm, vtkActiveMotionAlgorithm):
             self.assertTrue(kind.__doc__)
         self.assertRegex(active_implicit_surfaces.__version__, r"^\d+\.\d+\.\d+$")
 

@@ -66,7 +66,12 @@ MAY_INCLUDE = {
         "NarrowBand/InitialFunction",
     ],
     "NarrowBand/Ranks": [],
+    "NarrowBand/Arrival": [
+        *NUMERICS,
+        "NarrowBand/Leaves",
+    ],
     "NarrowBand": [
+        "NarrowBand/Arrival",
         "NarrowBand/Leaves",
         "NarrowBand/Ranks",
         "NarrowBand/Substep",

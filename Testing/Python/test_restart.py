@@ -142,6 +142,7 @@ RESTARTS = {
     "AreaControl": [(morph, 1), (morph, 2)],
     "AreaStiffness": [(area_penalty, 2.0)],
     "Anisotropy": [(body_of_particles, 1.0)],
+    "ArrivalTime": [(morph, 0.3)],
     "Attraction": [(morph, 3.0)],
     "AutomaticAttraction": [(followed_particles, 0)],
     "BoundedDomain": [(walls, 0)],

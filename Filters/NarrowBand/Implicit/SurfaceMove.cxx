@@ -286,6 +286,12 @@ void FindWays(const LeafTable& table, const ActiveSet& set, const WayCoefficient
   ForEachLeaf(table, set.Affected, FindLeafWays{ table, coefficients, buffers });
 }
 
+void ClearWays(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
+{
+  buffers.MakeRoomForNodes(table.Size());
+  table.ForEach(set.Active, [&](std::size_t i) { std::fill_n(buffers.SpeedOf(i), 512, 0.f); });
+}
+
 GradientCounts FindSources(const LeafTable& table, const ActiveSet& set,
   const WayCoefficients& coefficients, SubstepBuffers& buffers)
 {

@@ -49,6 +49,9 @@ void FindTensionWays(const LeafTable& table, const LeafList& leaves,
 void FindWays(const LeafTable& table, const ActiveSet& set, const WayCoefficients& coefficients,
   SubstepBuffers& buffers);
 
+/** In place of FindWays, where there are none: no way of the active leaves. */
+void ClearWays(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers);
+
 /** In place of MoveSurface, where stages follow: what they subtract (StageSource), the change by
  * MoveSurface times SourcePerWay. */
 GradientCounts FindSources(const LeafTable& table, const ActiveSet& set,

@@ -129,8 +129,15 @@ void SurfacePasses::MakePass(const LeafList& leaves, const StepPlan& plan)
   WayCoefficients coefficients = CoefficientsOf(this->Law, plan);
   coefficients.Relaxation = static_cast<float>(plan.GetRelaxation(this->FindStrain(leaves, plan)));
   this->Set.Choose(this->Leaves, leaves);
-  FindWays(this->Leaves, this->Set, coefficients, this->Buffers);
-  ExtendSpeed(this->Leaves, this->Set, this->Law, this->Buffers);
+  if (coefficients.HasTargetSpeed || coefficients.Uniform != 0.f || this->IsWeighted())
+  {
+    FindWays(this->Leaves, this->Set, coefficients, this->Buffers);
+    ExtendSpeed(this->Leaves, this->Set, this->Law, this->Buffers);
+  }
+  else
+  {
+    ClearWays(this->Leaves, this->Set, this->Buffers);
+  }
   if (this->IsWeighted())
   {
     this->Weights.Remember(this->Set, this->Buffers);

@@ -144,7 +144,7 @@ void CheckStep(double step, double voxelSize, double remaining)
       text << "too small for single precision";
     }
     text << "; lower Attraction, Tension, AreaStiffness, VolumeStiffness, TimeScale or "
-         << "TimeStepSize, raise CFL, "
+         << "TimeStepSize, raise CFL, ArrivalTime, "
          << "VoxelSize, TargetArea or TargetVolume, or check the scale of the target function "
          << "(NormalizeTarget).";
     throw std::runtime_error(text.str());

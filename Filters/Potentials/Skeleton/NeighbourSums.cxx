@@ -1,46 +1,198 @@
 #include "Skeleton/NeighbourSums.h"
 
+#include "Skeleton/LaneEvaluation.h"
+
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 namespace activesurface
 {
 
-NeighbourSums::NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor)
-  : Particles(particles)
+namespace
 {
-  this->InverseReach2.reserve(particles.size());
+
+constexpr double NearPerReach = 0.55;
+// Of a Morton code.
+constexpr double MostOnAxis = (1 << 20) - 1;
+
+// Two zeros between each of the lower 21 bits and the next.
+std::uint64_t SpreadBits(std::uint64_t bits)
+{
+  bits = (bits | bits << 32) & 0x1f00000000ffffu;
+  bits = (bits | bits << 16) & 0x1f0000ff0000ffu;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
+  return (bits | bits << 2) & 0x1249249249249249u;
+}
+
+template <int Count, int Width>
+struct LaneSums
+{
+  double Terms[Count][Width] = {};
+
+  ACTIVE_ALWAYS_INLINE void CopyTo(double (&terms)[Count][Width]) const
+  {
+    for (int term = 0; term < Count; ++term)
+    {
+      std::copy_n(this->Terms[term], Width, terms[term]);
+    }
+  }
+};
+
+}
+
+// What is out of reach adds zeros. Loops over lanes are written for the vectoriser: plain
+// statements on a copy of the sums, which stays in registers.
+
+struct NeighbourSums::MomentField
+{
+  static constexpr int Terms = 11; // as in NeighbourMoments
+
+  const NeighbourSums& Neighbours;
+  NeighbourMoments* Moments;
+
+  template <int Width>
+  ACTIVE_ALWAYS_INLINE void Evaluate(
+    const PlaceLanes<Width>& lanes, const HitList& hits, double (&terms)[Terms][Width]) const
+  {
+    LaneSums<Terms, Width> sums;
+    hits.Visit([this, &lanes, &sums](const SkeletonCells::Index* list, std::size_t count)
+                 ACTIVE_INLINED { this->Add(lanes, list, count, sums); });
+    sums.CopyTo(terms);
+  }
+
+  ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
+  {
+    NeighbourMoments& moments = this->Moments[i];
+    moments.Weight = terms[0];
+    moments.Near = terms[1];
+    std::copy_n(terms + 2, 3, moments.First);
+    std::copy_n(terms + 5, 6, moments.Second);
+  }
+
+private:
+  template <int Width>
+  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
+    std::size_t count, LaneSums<Terms, Width>& result) const
+  {
+    LaneSums<Terms, Width> sums = result;
+    for (std::size_t hit = 0; hit < count; ++hit)
+    {
+      const Element& element = this->Neighbours.Elements[hits[hit]];
+      ACTIVE_LANES
+      for (int i = 0; i < Width; ++i)
+      {
+        const double x = element.Position[0] - lanes.X[0][i];
+        const double y = element.Position[1] - lanes.X[1][i];
+        const double z = element.Position[2] - lanes.X[2][i];
+        const double q2 = (x * x + y * y + z * z) * element.InverseReach2;
+        const double u = 1.0 - std::min(q2, 1.0);
+        const double near = 1.0 - std::min(q2 / (NearPerReach * NearPerReach), 1.0);
+        const double weight = element.Strength * (u * u);
+        sums.Terms[0][i] += weight;
+        sums.Terms[1][i] += element.Strength * (near * near);
+        sums.Terms[2][i] += weight * x;
+        sums.Terms[3][i] += weight * y;
+        sums.Terms[4][i] += weight * z;
+        sums.Terms[5][i] += weight * x * x;
+        sums.Terms[6][i] += weight * x * y;
+        sums.Terms[7][i] += weight * x * z;
+        sums.Terms[8][i] += weight * y * y;
+        sums.Terms[9][i] += weight * y * z;
+        sums.Terms[10][i] += weight * z * z;
+      }
+    }
+    result = sums;
+  }
+};
+
+struct NeighbourSums::ShareField
+{
+  static constexpr int Terms = 2;
+
+  const NeighbourSums& Neighbours;
+  const std::vector<Shares>& OfParticles;
+  Shares* Found;
+
+  template <int Width>
+  ACTIVE_ALWAYS_INLINE void Evaluate(
+    const PlaceLanes<Width>& lanes, const HitList& hits, double (&terms)[Terms][Width]) const
+  {
+    LaneSums<Terms, Width> sums;
+    hits.Visit([this, &lanes, &sums](const SkeletonCells::Index* list, std::size_t count)
+                 ACTIVE_INLINED { this->Add(lanes, list, count, sums); });
+    sums.CopyTo(terms);
+  }
+
+  ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
+  {
+    this->Found[i] = { terms[0], terms[1] };
+  }
+
+private:
+  template <int Width>
+  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
+    std::size_t count, LaneSums<Terms, Width>& result) const
+  {
+    LaneSums<Terms, Width> sums = result;
+    for (std::size_t hit = 0; hit < count; ++hit)
+    {
+      const Element& element = this->Neighbours.Elements[hits[hit]];
+      const Shares own = this->OfParticles[hits[hit]];
+      ACTIVE_LANES
+      for (int i = 0; i < Width; ++i)
+      {
+        const double x = element.Position[0] - lanes.X[0][i];
+        const double y = element.Position[1] - lanes.X[1][i];
+        const double z = element.Position[2] - lanes.X[2][i];
+        const double u = 1.0 - std::min((x * x + y * y + z * z) * element.InverseReach2, 1.0);
+        const double share = element.Strength * (u * u) * own.Share;
+        sums.Terms[0][i] += share;
+        sums.Terms[1][i] += share * own.Value;
+      }
+    }
+    result = sums;
+  }
+};
+
+NeighbourSums::NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor)
+{
+  this->Elements.reserve(particles.size());
   for (const SkeletonVertex& particle : particles)
   {
+    const double* p = particle.Position;
     const double reach = factor * particle.Radius;
-    this->Near.AddBall(particle.Position, reach);
-    this->InverseReach2.push_back(1.0 / (reach * reach));
+    this->Near.AddBall(p, reach);
+    this->Elements.push_back(
+      { { p[0], p[1], p[2] }, std::max(particle.Strength, 0.0), 1.0 / (reach * reach) });
   }
   this->Near.Build();
 }
 
-template <class Visitor>
-void NeighbourSums::Visit(const double x[3], Visitor visit) const
+std::vector<std::size_t> NeighbourSums::SortByPlace() const
 {
-  SkeletonCells::Place place;
-  std::copy_n(x, 3, place.Low);
-  std::copy_n(x, 3, place.High);
-  VisitHits(this->Near.GetCells(), place,
-    [&](const SkeletonCells::Index* hits, std::size_t count)
+  const double* bounds = this->Near.GetBounds();
+  double longest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    longest = std::max(longest, bounds[2 * axis + 1] - bounds[2 * axis]);
+  }
+  std::vector<std::pair<std::uint64_t, std::size_t>> keys(this->Elements.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    keys[i] = { 0, i };
+    for (int axis = 0; axis < 3; ++axis)
     {
-      for (std::size_t hit = 0; hit < count; ++hit)
-      {
-        const SkeletonVertex& particle = this->Particles[hits[hit]];
-        const double offset[3] = { particle.Position[0] - x[0], particle.Position[1] - x[1],
-          particle.Position[2] - x[2] };
-        const double u = 1.0 -
-          (offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]) *
-            this->InverseReach2[hits[hit]];
-        if (u > 0.0 && particle.Strength > 0.0)
-        {
-          visit(hits[hit], particle.Strength * (u * u), offset);
-        }
-      }
-    });
+      const double share = (this->Elements[i].Position[axis] - bounds[2 * axis]) / longest;
+      keys[i].first |= SpreadBits(static_cast<std::uint64_t>(share * MostOnAxis)) << axis;
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::size_t> order(keys.size());
+  std::transform(
+    keys.begin(), keys.end(), order.begin(), [](const auto& key) { return key.second; });
+  return order;
 }
 
 std::size_t NeighbourSums::CountNear(const double x[3]) const
@@ -54,42 +206,22 @@ std::size_t NeighbourSums::CountNear(const double x[3]) const
   return near;
 }
 
-NeighbourMoments NeighbourSums::FindMoments(const double x[3]) const
+void NeighbourSums::FindMoments(
+  std::size_t count, const double* places, NeighbourMoments* moments) const
 {
-  constexpr double nearPerReach = 0.55;
-  NeighbourMoments sums;
-  this->Visit(x,
-    [this, &sums](SkeletonCells::Index particle, double weight, const double offset[3])
-    {
-      const double d2 = offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2];
-      const double u = 1.0 - d2 * this->InverseReach2[particle] / (nearPerReach * nearPerReach);
-      sums.Near += u > 0.0 ? this->Particles[particle].Strength * (u * u) : 0.0;
-      sums.Weight += weight;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        sums.First[axis] += weight * offset[axis];
-      }
-      constexpr int axes[6][2] = { { 0, 0 }, { 0, 1 }, { 0, 2 }, { 1, 1 }, { 1, 2 }, { 2, 2 } };
-      for (int i = 0; i < 6; ++i)
-      {
-        sums.Second[i] += weight * offset[axes[i][0]] * offset[axes[i][1]];
-      }
+  EvaluateInLanes(this->Near.GetCells(), count, places,
+    [&](std::size_t first) {
+      return MomentField{ *this, moments + first };
     });
-  return sums;
 }
 
-NeighbourSums::Shares NeighbourSums::FindShares(
-  const double x[3], const std::vector<Shares>& ofParticles) const
+void NeighbourSums::FindShares(std::size_t count, const double* places,
+  const std::vector<Shares>& ofParticles, Shares* shares) const
 {
-  Shares sums;
-  this->Visit(x,
-    [&](SkeletonCells::Index particle, double weight, const double*)
-    {
-      const double share = weight * ofParticles[particle].Share;
-      sums.Share += share;
-      sums.Value += share * ofParticles[particle].Value;
+  EvaluateInLanes(this->Near.GetCells(), count, places,
+    [&](std::size_t first) {
+      return ShareField{ *this, ofParticles, shares + first };
     });
-  return sums;
 }
 
 }

@@ -1,12 +1,11 @@
-// Sums over the neighbours of single places, with the weight (1 - d^2/R^2)^2 of a particle in reach
-// R: what fits are made of.
+// Sums over the neighbours of places, with the weight (1 - d^2/R^2)^2 of a particle in reach R:
+// what fits are made of.
 
 #ifndef NeighbourSums_h
 #define NeighbourSums_h
 
 #include "ElementIndex.h"
 #include "Skeleton.h"
-#include "Skeleton/HitVisits.h"
 
 #include <cstddef>
 #include <vector>
@@ -29,7 +28,11 @@ public:
   // Reaches are those of the particles times a factor. Those of strength <= 0 are no neighbours.
   NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor);
 
-  NeighbourMoments FindMoments(const double x[3]) const;
+  // All particles, in Morton order: places near one another are evaluated faster together.
+  std::vector<std::size_t> SortByPlace() const;
+
+  // At places (x y z each).
+  void FindMoments(std::size_t count, const double* places, NeighbourMoments* moments) const;
 
   // How many are near a place, or a few more.
   std::size_t CountNear(const double x[3]) const;
@@ -41,15 +44,20 @@ public:
     double Share = 0.0;
     double Value = 0.0;
   };
-  Shares FindShares(const double x[3], const std::vector<Shares>& ofParticles) const;
+  void FindShares(std::size_t count, const double* places, const std::vector<Shares>& ofParticles,
+    Shares* shares) const;
 
 private:
-  // Calls visit(particle, weight, offset).
-  template <class Visitor>
-  void Visit(const double x[3], Visitor visit) const;
+  struct Element
+  {
+    double Position[3];
+    double Strength; // 0 for one that is no neighbour
+    double InverseReach2;
+  };
+  struct MomentField;
+  struct ShareField;
 
-  const std::vector<SkeletonVertex>& Particles;
-  std::vector<double> InverseReach2;
+  std::vector<Element> Elements;
   ElementIndex Near;
 };
 

@@ -138,16 +138,46 @@ bool MotionDriver::AdvanceTo(
   }
   this->PlaceTargetFrom(step);
   this->Prepare(band);
-  PotentialTarget& target = this->Shapes.GetTarget();
   const AdvanceReport report =
-    this->Count(band, [&] { return band.Advance(time.Value, motion, target, progress); });
+    this->Count(band, [&] { return this->AdvanceOrArrive(band, step, time, motion, progress); });
   WarnOfMotion(report, { time, wasEmpty, this->MayCreateParts(motion) }, this->Messages);
   return !report.Aborted;
 }
 
 bool MotionDriver::MayCreateParts(const Motion& motion) const
 {
-  return motion.CreateParts && this->Shapes.GetTarget().HasRegions();
+  const bool knowsParts =
+    this->Settings.ArrivesAfter({ 0.0 }) || this->Shapes.GetTarget().HasRegions();
+  return motion.CreateParts && knowsParts;
+}
+
+AdvanceReport MotionDriver::AdvanceOrArrive(NarrowBand& band, int step, MotionTime time,
+  const Motion& motion, const ProgressFunction& progress)
+{
+  if (!this->Settings.ArrivesAfter({ band.GetTime() }) || !this->Shapes.FindDomain())
+  {
+    return band.Advance(time.Value, motion, this->Shapes.GetTarget(), progress);
+  }
+  this->PrepareArrival(band, step, motion);
+  return this->Arriving->Advance(
+    band, time.Value, this->Settings.GetArrival().Value, motion, progress);
+}
+
+// What is left to go is found once for each step: so an interruption, or a request between two
+// steps, does not change the way to the next one.
+void MotionDriver::PrepareArrival(NarrowBand& band, int step, const Motion& motion)
+{
+  PotentialTarget& target = this->Shapes.GetTarget();
+  const double* bounds = this->Shapes.FindDomain()->Bounds;
+  if (motion.CreateParts && band.GetTime() == 0.0)
+  {
+    CreateCores(band, motion, target, bounds);
+  }
+  if (!this->Arriving || this->ArrivingFrom != step)
+  {
+    this->Arriving = std::make_unique<Arrival>(band, target, bounds);
+    this->ArrivingFrom = step;
+  }
 }
 
 bool MotionDriver::AdvanceToSteadyState(

@@ -3,6 +3,7 @@
 #ifndef MotionDriver_h
 #define MotionDriver_h
 
+#include "Arrival.h"
 #include "NarrowBand.h"
 #include "Obstacle.h"
 #include "Simulation/SurfaceDomain.h"
@@ -25,7 +26,11 @@ public:
   void operator=(const MotionDriver&) = delete;
 
   // Comes when the settings have changed.
-  void Clear() { this->Solid.reset(); }
+  void Clear()
+  {
+    this->Solid.reset();
+    this->Arriving.reset();
+  }
 
   // Neither changes the motion.
   void SetNumberOfThreads(int threads) { this->Threads = threads; }
@@ -56,6 +61,9 @@ private:
   Obstacle* FindObstacle() const;
   void PlaceTargetFrom(int step);
   bool MayCreateParts(const Motion& motion) const;
+  AdvanceReport AdvanceOrArrive(NarrowBand& band, int step, MotionTime time, const Motion& motion,
+    const ProgressFunction& progress);
+  void PrepareArrival(NarrowBand& band, int step, const Motion& motion);
   template <class Advance>
   AdvanceReport Count(const NarrowBand& band, Advance&& advance);
 
@@ -67,6 +75,8 @@ private:
   std::size_t Substeps = 0;
   std::size_t TargetEvaluations = 0;
   mutable std::unique_ptr<Obstacle> Solid; // null until it is asked for
+  std::unique_ptr<Arrival> Arriving;       // from a step on; kept as a motion may be interrupted
+  int ArrivingFrom = -1;                   // that step
 };
 
 }

@@ -47,8 +47,8 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
   }
   const bool particles = outside.ParticlesAreLost;
   std::ostringstream text;
-  text << "At the time step " << outside.Time.Value << ", " << std::setprecision(2)
-       << 100.0 * outside.Share << " % of the "
+  text << "At the time step " << outside.Time.Value << ", "
+       << std::setprecision(outside.Share < .1 ? 2 : 3) << 100.0 * outside.Share << " % of the "
        << (particles ? "particles are outside the skin by more than their own radius"
                      : "target's inside is outside the skin by more than a voxel")
        << "; the column Outside of the history tells it of each time step. To keep up, raise "

@@ -1,5 +1,6 @@
 #include "Simulation/SkinAttributes.h"
 
+#include "Arrival.h"
 #include "NarrowBand.h"
 #include "SkinMotion.h"
 
@@ -35,8 +36,14 @@ std::vector<float> SkinAttributes::FindSpeeds(const NarrowBand& band, const Moti
   const int next = moves && this->Shapes.Has(step + 1) ? step + 1 : step;
   const std::unique_ptr<PotentialTarget> target = this->Shapes.MakeTargetAt(
     step, this->Settings.GetMotionTimeOf(step).Value, this->Settings.GetMotionTimeOf(next).Value);
-  return activesurface::FindSpeeds(
-    band, { motion, *target, band.GetStartArea(), band.GetStartVolume() });
+  const SkinForces forces{ motion, *target, band.GetStartArea(), band.GetStartVolume() };
+  const SurfaceDomain* domain = this->Shapes.GetDomain();
+  if (domain && this->Settings.ArrivesAfter({ band.GetTime() }))
+  {
+    const Arrival arriving(band, *target, domain->Bounds);
+    return arriving.FindSpeeds(band, this->Settings.GetArrival().Value, forces);
+  }
+  return activesurface::FindSpeeds(band, forces);
 }
 
 PassedArrays SkinAttributes::FindPassedArrays() const

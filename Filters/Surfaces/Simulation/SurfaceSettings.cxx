@@ -173,11 +173,19 @@ void SurfaceSettings::Check() const
   Require(this->Law.AreaControl != Control::Exact || this->Law.VolumeControl != Control::Exact,
     "AreaControl and VolumeControl cannot both be EXACT, as one displacement cannot restore two "
     "numbers; make one of them PENALTY.");
+  Require(this->ArrivalTime == 0.0 || !this->Inputs.TargetMoves || this->IsEquilibrium(),
+    "ArrivalTime needs a target that stands still, but the input has time steps; set ArrivalTime "
+    "to 0, or give one time step of the input.");
+  Require(this->ArrivalTime == 0.0 || (this->Normalize && !this->Law.Paper),
+    "ArrivalTime needs distances, and is no part of the paper's scheme; turn NormalizeTarget on "
+    "and PaperScheme off, or set ArrivalTime to 0.");
   CheckSteps(this->Inputs.Steps, this->Inputs.HaveOwnSteps());
   Require(std::isfinite(this->GetMotionTimeOf(this->GetNumberOfSteps() - 1).Value),
     "The motion time of the last step, TimeScale * (its time - that of the first step), has to be "
     "finite; check TimeScale, StartTime, TimeStepSize and NumberOfTimeSteps, or the time steps of "
     "the input.");
+  Require(std::isfinite(this->GetArrival().Value),
+    "The motion time of the arrival, TimeScale * ArrivalTime, has to be finite.");
 }
 
 }

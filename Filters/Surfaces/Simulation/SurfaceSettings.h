@@ -75,6 +75,7 @@ struct SurfaceSettings
   SteadyStateCriterion SteadyState;
   double TimeScale = 1.0; // motion time per pipeline time
   bool AutomaticAttraction = true;
+  double ArrivalTime = 0.0; // pipeline time after the first step; 0: never said
 
   double IsoValue = 0.0;
   bool Invert = false;
@@ -105,6 +106,12 @@ struct SurfaceSettings
   {
     return this->AutomaticAttraction && this->Law.Attraction == Motion().Attraction &&
       !this->Law.Paper && !this->IsEquilibrium();
+  }
+  // When the surface reaches its target; 0: never said.
+  MotionTime GetArrival() const { return { this->TimeScale * this->ArrivalTime }; }
+  bool ArrivesAfter(MotionTime time) const
+  {
+    return !this->IsEquilibrium() && time.Value < this->GetArrival().Value;
   }
   // Whether the voxel size and the reach of the target are known without a target.
   bool HasOwnSizes() const
@@ -189,13 +196,31 @@ constexpr PropertyRange Length(const char* words)
 
 }
 
+// Those of vtkActiveClockAlgorithm.
+template <class Settings, class Visitor>
+void ForEachClockProperty(Settings& settings, Visitor&& visit)
+{
+  using namespace ranges;
+  auto& steady = settings.SteadyState;
+  visit(Property{ "ArrivalTime", OrZero("a finite number > 0, or 0 for a skin that may be late"),
+          true },
+    settings.ArrivalTime, [](auto& filter) { return filter.GetArrivalTime(); });
+  visit(Property{ "TimeScale", Positive, true }, settings.TimeScale,
+    [](auto& filter) { return filter.GetTimeScale(); });
+  visit(Property{ "EvolutionMode", Any, true }, settings.Evolution,
+    [](auto& filter) { return filter.GetEvolutionMode(); });
+  visit(Property{ "RestTolerance", AtLeastZero, true }, steady.Tolerance,
+    [](auto& filter) { return filter.GetRestTolerance(); });
+  visit(Property{ "MaximumNumberOfSubsteps", Any, true }, steady.MaximumSubsteps,
+    [](auto& filter) { return filter.GetMaximumNumberOfSubsteps(); });
+}
+
 // Those of vtkActiveMotionAlgorithm.
 template <class Settings, class Visitor>
 void ForEachMotionProperty(Settings& settings, Visitor&& visit)
 {
   using namespace ranges;
   auto& motion = settings.Law;
-  auto& steady = settings.SteadyState;
   visit(Property{ "Attraction", AtLeastZero, true }, motion.Attraction,
     [](auto& filter) { return filter.GetAttraction(); });
   visit(Property{ "AutomaticAttraction", Any, true }, settings.AutomaticAttraction,
@@ -226,14 +251,6 @@ void ForEachMotionProperty(Settings& settings, Visitor&& visit)
     [](auto& filter) { return filter.GetTransport(); });
   visit(Property{ "CreateParts", Any, true }, motion.CreateParts,
     [](auto& filter) { return filter.GetCreateParts(); });
-  visit(Property{ "TimeScale", Positive, true }, settings.TimeScale,
-    [](auto& filter) { return filter.GetTimeScale(); });
-  visit(Property{ "EvolutionMode", Any, true }, settings.Evolution,
-    [](auto& filter) { return filter.GetEvolutionMode(); });
-  visit(Property{ "RestTolerance", AtLeastZero, true }, steady.Tolerance,
-    [](auto& filter) { return filter.GetRestTolerance(); });
-  visit(Property{ "MaximumNumberOfSubsteps", Any, true }, steady.MaximumSubsteps,
-    [](auto& filter) { return filter.GetMaximumNumberOfSubsteps(); });
   visit(Property{ "TargetEvaluation", Any, true }, motion.Evaluation,
     [](auto& filter) { return filter.GetTargetEvaluation(); });
   visit(Property{ "GradientScheme", Any, true }, motion.Gradient,
@@ -298,6 +315,7 @@ template <class Settings, class Visitor>
 void ForEachProperty(Settings& settings, Visitor&& visit)
 {
   ForEachMotionProperty(settings, visit);
+  ForEachClockProperty(settings, visit);
   ForEachParticleProperty(settings, visit);
   ForEachShapeProperty(settings, visit);
 }

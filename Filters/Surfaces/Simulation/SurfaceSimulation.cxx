@@ -319,7 +319,9 @@ void SurfaceSimulation::Record(std::size_t row, PipelineTime time, const std::st
   const int step = this->Way.GetStep();
   const Motion motion = this->Driver.GetMotion(step);
   const double outside = this->Coverage.FindOutside(band, motion, step);
-  if (HasTargetSpeed(motion) && !band.IsEmpty() && event != NotAtRest && this->Loses(row, outside))
+  const bool isOnTime = this->Settings.ArrivesAfter({ band.GetTime() });
+  const bool hasTarget = HasTargetSpeed(motion) && !band.IsEmpty();
+  if (hasTarget && !isOnTime && event != NotAtRest && this->Loses(row, outside))
   {
     WarnOfOutside({ time, outside, motion, this->Shapes.HasParticles() }, this->Messages);
   }

@@ -52,6 +52,8 @@ public:
   // Null as long as the bounds are not known: before the first frames came in, or for functions
   // that have none. Throws for settings that cannot be.
   const SurfaceDomain* FindDomain();
+  // Null too where it was not asked for.
+  const SurfaceDomain* GetDomain() const { return this->DomainKnown ? &this->Domain : nullptr; }
 
   // Whether the surface would start on an empty frame.
   bool StartsOnNothing() const;

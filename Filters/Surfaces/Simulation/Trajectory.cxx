@@ -28,8 +28,13 @@ void Trajectory::Begin(int step, std::unique_ptr<NarrowBand> band)
 
 bool Trajectory::IsUnderWay() const
 {
-  return this->HasBegun() && !this->Settings.IsEquilibrium() &&
-    this->Band->GetTime() > this->Settings.GetMotionTimeOf(this->Step).Value;
+  if (!this->HasBegun() || this->Settings.IsEquilibrium())
+  {
+    return false;
+  }
+  // Parts are created before a substep, which may then fail.
+  return this->Band->GetTime() > this->Settings.GetMotionTimeOf(this->Step).Value ||
+    this->Band->GetWork().CreatedParts > 0;
 }
 
 bool Trajectory::BranchIsAt(PipelineTime time) const

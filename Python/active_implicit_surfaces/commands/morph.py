@@ -84,7 +84,7 @@ def make_parser() -> Parser:
         "active-surface morph",
         "FIRST LAST [-o morph_####.vtp] [options]",
         "One shape becomes another: it moves along its normal, splits and merges, and arrives at\n"
-        "the end of the duration. The shapes have to overlap: what lies apart does not grow.\n"
+        "the end of the duration. What only one of the shapes has grows, or shrinks.\n"
         f"Closed meshes and images: {', '.join(MESH_SUFFIXES)}.",
         epilog="Every property of the filter is an option too, as --voxel-size 0.02:\n"
         "--help-properties, or --help all.",

@@ -1,0 +1,140 @@
+#include "Arrival.h"
+
+#include "Arrival/ArrivingTarget.h"
+#include "Arrival/PartCores.h"
+#include "NarrowBand.h"
+#include "SkinMotion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** By how many factors e the time that is left falls along a piece, from the first one on:
+ * distances fall as much. At the end of the last one 1/22000 of them would be left. */
+constexpr std::array<double, 24> Decays = { .25, .25, .25, .25, .25, .25, .25, .25, .25, .25, .25,
+  .25, .25, .25, .25, .25, .5, .5, .5, .5, 1., 1., 1., 1. };
+
+struct Piece
+{
+  double End;
+  double Attraction;
+};
+
+/** The piece that a time before the end is in. They do not depend on what is asked for, or on where
+ * a motion was interrupted. */
+Piece FindPiece(double time, double end)
+{
+  double begin = 0.0, decay = 0.0;
+  for (std::size_t i = 0; i < Decays.size(); ++i)
+  {
+    decay += Decays[i];
+    const double last = i + 1 < Decays.size() ? -end * std::expm1(-decay) : end;
+    if (time < last || i + 1 == Decays.size())
+    {
+      return { last, Decays[i] / (last - begin) };
+    }
+    begin = last;
+  }
+  return { end, 0.0 };
+}
+
+ArrivalSearch MakeSearch(const NarrowBand& band, const Target& target, const double bounds[6])
+{
+  ArrivalSearch search{ band.GetLeaves(), band.GetPotential()->tree(), band.GetVoxelSize(), target,
+    {} };
+  std::copy_n(bounds, 6, search.Bounds.begin());
+  return search;
+}
+
+void Add(AdvanceReport& sum, const AdvanceReport& report)
+{
+  sum.Substeps += report.Substeps;
+  sum.SkippedSubsteps += report.SkippedSubsteps;
+  sum.TargetEvaluations += report.TargetEvaluations;
+  sum.DroppedSamples += report.DroppedSamples;
+  sum.UniformPulls += report.UniformPulls;
+  sum.MaxSpeed = std::max(sum.MaxSpeed, report.MaxSpeed);
+  sum.Vanished = report.Vanished;
+  sum.Aborted = report.Aborted;
+}
+
+}
+
+std::size_t CreateCores(
+  NarrowBand& band, const Motion& motion, Target& target, const double bounds[6])
+{
+  target.MoveTo(band.GetTime());
+  std::vector<PartCore> cores;
+  band.Run([&] { cores = FindPartCores(MakeSearch(band, target, bounds)); });
+  return cores.empty() ? 0 : band.CreateParts(motion, CoreTarget(cores));
+}
+
+struct Arrival::Members
+{
+  Target& Goal;
+  RemainingDistance Remaining;
+};
+
+Arrival::Arrival(const NarrowBand& band, Target& target, const double bounds[6])
+  : State(
+      [&]
+      {
+        target.MoveTo(band.GetTime());
+        std::unique_ptr<Members> members;
+        band.Run(
+          [&] {
+            members.reset(
+              new Members{ target, RemainingDistance(MakeSearch(band, target, bounds)) });
+          });
+        return members;
+      }())
+{
+}
+
+Arrival::~Arrival() = default;
+
+AdvanceReport Arrival::Advance(NarrowBand& band, double time, double end, const Motion& motion,
+  const ProgressFunction& progress) const
+{
+  ArrivingTarget target(this->State->Goal, this->State->Remaining, band.GetVoxelSize());
+  AdvanceReport sum;
+  Motion law = motion;
+  law.CreateParts = false;
+  const double begin = band.GetTime();
+  double from = begin, to = begin;
+  const ProgressFunction inPart = [&](double done)
+  { return !progress || progress((from - begin + done * (to - from)) / (time - begin)); };
+  while (from < std::min(time, end) && !sum.Aborted)
+  {
+    const Piece piece = FindPiece(from, end);
+    law.Attraction = piece.Attraction;
+    target.Wake();
+    to = std::min(piece.End, time);
+    Add(sum, band.Advance(to, law, target, inPart));
+    from = band.GetTime();
+  }
+  if (from < time && !sum.Aborted)
+  {
+    to = time;
+    Add(sum, band.Advance(to, motion, this->State->Goal, inPart));
+  }
+  sum.Vanished = band.IsEmpty();
+  return sum;
+}
+
+std::vector<float> Arrival::FindSpeeds(
+  const NarrowBand& band, double end, const SkinForces& forces) const
+{
+  ArrivingTarget target(this->State->Goal, this->State->Remaining, band.GetVoxelSize());
+  Motion law = forces.Strategy;
+  law.Attraction = 1.0 / (end - band.GetTime());
+  return activesurface::FindSpeeds(band, { law, target, forces.StartArea, forces.StartVolume });
+}
+
+}

@@ -1,0 +1,225 @@
+#include "Arrival/RemainingDistance.h"
+
+#include "Leaves/EikonalUpdate.h"
+
+#include "OpenVDB.h"
+
+#include <openvdb/tree/ValueAccessor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** Fast marching on the nodes: a(x) = min over y of given(y) + distance(x,y). */
+class Marching
+{
+public:
+  explicit Marching(DifferingNodes& nodes)
+    : Spacing(nodes.GetSpacing())
+    , Neighbours(nodes.Size())
+  {
+    for (std::size_t i = 0; i < nodes.Size(); ++i)
+    {
+      for (int face = 0; face < 6; ++face)
+      {
+        this->Neighbours[i][face] = nodes.FindNext(i, face / 2, face % 2 ? 1 : -1);
+      }
+    }
+  }
+
+  void Run(std::vector<double>& values) const
+  {
+    Queue front;
+    std::vector<char> isKnown(values.size(), 0);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      if (std::isfinite(values[i]))
+      {
+        front.push({ values[i], static_cast<std::int32_t>(i) });
+      }
+    }
+    while (!front.empty())
+    {
+      const std::int32_t i = front.top().second;
+      front.pop();
+      if (isKnown[i])
+      {
+        continue;
+      }
+      isKnown[i] = 1;
+      for (const std::int32_t next : this->Neighbours[i])
+      {
+        const double better = next == DifferingNodes::None || isKnown[next]
+          ? std::numeric_limits<double>::infinity()
+          : this->Solve(next, values, isKnown);
+        if (std::isfinite(better) && better < values[next])
+        {
+          values[next] = better;
+          front.push({ better, next });
+        }
+      }
+    }
+  }
+
+private:
+  using Entry = std::pair<double, std::int32_t>; // ties: by the number
+  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
+
+  double Solve(
+    std::int32_t i, const std::vector<double>& values, const std::vector<char>& isKnown) const
+  {
+    const auto isOf = [&](std::int32_t node)
+    { return node != DifferingNodes::None && isKnown[node]; };
+    std::array<UpwindTerm, 3> terms;
+    int count = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (int face = 2 * axis; face < 2 * axis + 2; ++face)
+      {
+        const std::int32_t next = this->Neighbours[i][face];
+        if (!isOf(next) || !(values[next] < nearest))
+        {
+          continue;
+        }
+        nearest = values[next];
+        const std::int32_t beyond = this->Neighbours[next][face];
+        const double a1 = nearest / this->Spacing;
+        terms[count] =
+          isOf(beyond) ? SecondOrderTerm(a1, values[beyond] / this->Spacing) : FirstOrderTerm(a1);
+      }
+      count += std::isfinite(nearest) ? 1 : 0;
+    }
+    return this->Spacing * SolveEikonal(terms, count);
+  }
+
+  const double Spacing;
+  std::vector<std::array<std::int32_t, 6>> Neighbours;
+};
+
+/** Of the nodes with a neighbour across the surface. */
+std::vector<double> FindDistancesBesideSurface(const DifferingNodes& nodes, double voxelSize)
+{
+  std::vector<double> distances(nodes.Size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < nodes.Size(); ++i)
+  {
+    for (int face = 0; face < 6; ++face)
+    {
+      openvdb::Coord beside = nodes[i].Place;
+      beside[face / 2] += face % 2 ? 1 : -1;
+      if (nodes.IsInside(beside) != nodes[i].IsInside)
+      {
+        distances[i] = voxelSize * std::fabs(nodes.PotentialAt(nodes[i].Place));
+      }
+    }
+  }
+  return distances;
+}
+
+double InterpolateKnown(
+  const openvdb::tree::ValueAccessor<const openvdb::FloatTree>& values, const double point[3])
+{
+  openvdb::Coord low;
+  double fraction[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    low[axis] = static_cast<int>(std::floor(point[axis]));
+    fraction[axis] = point[axis] - low[axis];
+  }
+  double sum = 0.0, weights = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int x = corner & 1, y = (corner >> 1) & 1, z = corner >> 2;
+    const double value = values.getValue(low.offsetBy(x, y, z));
+    const double weight = (x ? fraction[0] : 1.0 - fraction[0]) *
+      (y ? fraction[1] : 1.0 - fraction[1]) * (z ? fraction[2] : 1.0 - fraction[2]);
+    sum += value >= 0.0 ? weight * value : 0.0;
+    weights += value >= 0.0 ? weight : 0.0;
+  }
+  return weights > 0.0 ? sum / weights : -1.0;
+}
+
+}
+
+RemainingDistance::RemainingDistance(const ArrivalSearch& search)
+{
+  for (int stride = 1; stride <= LargestStride; stride *= 2)
+  {
+    DifferingNodes nodes(search, stride, MostDifferingNodes);
+    if (!nodes.IsCut())
+    {
+      this->Keep(nodes);
+      return;
+    }
+  }
+}
+
+void RemainingDistance::Keep(DifferingNodes& nodes)
+{
+  this->Spacing = nodes.GetSpacing();
+  const Marching marching(nodes);
+  std::vector<double> reached =
+    FindDistancesBesideSurface(nodes, this->Spacing / nodes.GetStride());
+  marching.Run(reached);
+  std::vector<double> farthest(reached.size());
+  for (std::size_t i = 0; i < reached.size(); ++i)
+  {
+    const bool isReached = std::isfinite(reached[i]);
+    farthest[i] = isReached ? -2.0 * reached[i] : std::numeric_limits<double>::infinity();
+  }
+  marching.Run(farthest);
+  for (std::size_t i = 0; i < reached.size(); ++i)
+  {
+    if (std::isfinite(reached[i]))
+    {
+      openvdb::FloatTree& side = nodes[i].IsInside ? this->Shrinking : this->Growing;
+      const double distance = -farthest[i] - 2.0 * reached[i];
+      side.setValue(nodes[i].Place, static_cast<float>(distance));
+      this->ExtendBehindSurface(nodes, i, distance);
+    }
+  }
+}
+
+/** To the next nodes across the surface, from which the way is longer: so that what is found at the
+ * surface lies between. */
+void RemainingDistance::ExtendBehindSurface(
+  const DifferingNodes& nodes, std::size_t i, double distance)
+{
+  openvdb::FloatTree& side = nodes[i].IsInside ? this->Shrinking : this->Growing;
+  const double here = nodes.PotentialAt(nodes[i].Place);
+  for (int face = 0; face < 6; ++face)
+  {
+    openvdb::Coord beside = nodes[i].Place;
+    beside[face / 2] += face % 2 ? 1 : -1;
+    if (nodes.IsInside(beside) != nodes[i].IsInside)
+    {
+      const double voxel = this->Spacing / nodes.GetStride();
+      const double longer = distance + voxel * std::fabs(here - nodes.PotentialAt(beside));
+      side.setValue(beside, std::max(side.getValue(beside), static_cast<float>(longer)));
+    }
+  }
+}
+
+void RemainingDistance::Find(
+  std::size_t count, const double* points, const bool* grow, double* distances) const
+{
+  const openvdb::tree::ValueAccessor<const openvdb::FloatTree> growing(this->Growing);
+  const openvdb::tree::ValueAccessor<const openvdb::FloatTree> shrinking(this->Shrinking);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double point[3] = { points[3 * i] / this->Spacing, points[3 * i + 1] / this->Spacing,
+      points[3 * i + 2] / this->Spacing };
+    distances[i] = InterpolateKnown(grow[i] ? growing : shrinking, point);
+  }
+}
+
+}

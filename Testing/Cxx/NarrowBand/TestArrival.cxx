@@ -1,0 +1,274 @@
+// A surface reaches a target that stands still at a given time, evenly, from any start.
+
+#include "Support/AnalyticShapes.h"
+#include "Support/SurfaceMeasures.h"
+
+#include "Arrival.h"
+#include "SkinMotion.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+using namespace activesurface;
+
+namespace
+{
+constexpr double H = VoxelSizeOf(64);
+constexpr double End = 2.0;
+constexpr double CoreRadius = 2.5 * H;
+
+// Distances are marched through nodes: the surface passes between them, and the last node of a way
+// is up to .87 voxel from its end, which counts in what is left.
+constexpr double OnTheWay = 1.0; // [voxels]
+constexpr double AtTheEnd = .1;
+
+/** A metamorphosis from one shape to another. */
+class Morph
+{
+public:
+  Morph(const Shape& from, const Shape& to, const Motion& law = MakeMotion(1.0, 0.0))
+    : Band(H)
+    , Goal(to)
+    , Law(law)
+  {
+    StartOn(this->Band, from);
+    this->Cores = CreateCores(this->Band, this->Law, this->Goal, Box);
+  }
+
+  /** In so many equal frames. */
+  void Advance(double time, int frames = 1)
+  {
+    const double begin = this->Band.GetTime();
+    for (int i = 1; i <= frames; ++i)
+    {
+      const Arrival way(this->Band, this->Goal, Box);
+      way.Advance(this->Band, begin + (time - begin) * i / frames, End, this->Law);
+    }
+  }
+
+  void CheckArrived(const Shape& goal)
+  {
+    this->Advance(End);
+    const Mesh mesh = Polygonise(this->Band);
+    EXPECT_LE(GetDeviation(mesh, goal, H).LargestDistance, AtTheEnd);
+  }
+
+  NarrowBand Band;
+  ShapeTarget Goal;
+  Motion Law;
+  std::size_t Cores = 0;
+};
+
+/** Along x. */
+Range GetExtent(const Mesh& mesh)
+{
+  Range extent{ 0.0, mesh.GetPoint(0)[0], mesh.GetPoint(0)[0] };
+  for (std::size_t i = 0; i < mesh.GetNumberOfPoints(); ++i)
+  {
+    extent.Minimum = std::min(extent.Minimum, mesh.GetPoint(i)[0]);
+    extent.Maximum = std::max(extent.Maximum, mesh.GetPoint(i)[0]);
+  }
+  return extent;
+}
+
+/** The vertices on the side of a plane through the origin to which a point belongs. */
+Mesh HalfOf(const Mesh& mesh, const Point& point)
+{
+  Mesh half;
+  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
+  {
+    if (mesh.Points[i] * point[0] > 0.0)
+    {
+      half.Points.insert(half.Points.end(), &mesh.Points[i], &mesh.Points[i] + 3);
+    }
+  }
+  return half;
+}
+
+void CheckRadius(const Mesh& mesh, const Point& centre, double radius)
+{
+  const Range radii = GetRadii(mesh, centre);
+  EXPECT_NEAR((radii.Minimum - radius) / H, 0.0, OnTheWay);
+  EXPECT_NEAR((radii.Maximum - radius) / H, 0.0, OnTheWay);
+}
+
+TEST(TestArrival, BallGrowsEvenly)
+{
+  Morph morph(MakeBall(CentreA, .3), MakeBall(CentreA, .7));
+  EXPECT_EQ(morph.Cores, 0u);
+  for (int quarter = 1; quarter < 4; ++quarter)
+  {
+    morph.Advance(quarter * End / 4.0, 3);
+    CheckRadius(Polygonise(morph.Band), CentreA, .3 + .1 * quarter);
+  }
+  morph.CheckArrived(MakeBall(CentreA, .7));
+}
+
+TEST(TestArrival, BallShrinksEvenly)
+{
+  Morph morph(MakeBall(CentreA, .7), MakeBall(CentreA, .3));
+  for (int quarter = 1; quarter < 4; ++quarter)
+  {
+    morph.Advance(quarter * End / 4.0);
+    CheckRadius(Polygonise(morph.Band), CentreA, .7 - .1 * quarter);
+  }
+  morph.CheckArrived(MakeBall(CentreA, .3));
+}
+
+// By distances alone it would be late by ten times its thickness. Whether its front is flat or a
+// cap is left to it: so the tip is as exact as the limb is thick.
+TEST(TestArrival, ThinLimbGrowsAsFastAsAThickOne)
+{
+  const double y = .02, z = -.013, half = .6, radius = .15;
+  for (const double neck : { 2.0 * H, 3.0 * H })
+  {
+    const Shape goal = MakeDumbbell({ { .01, y, z }, { 1.0, 0.0, 0.0 }, half, radius, neck });
+    Morph morph(MakeBall({ .01 - half, y, z }, radius), goal);
+    const double begin = .01 - half + radius, end = .01 + half + radius;
+    for (int quarter = 1; quarter < 4; ++quarter)
+    {
+      morph.Advance(quarter * End / 4.0, 3);
+      const double tip = GetExtent(Polygonise(morph.Band)).Maximum;
+      EXPECT_NEAR(tip, begin + (end - begin) * quarter / 4.0, neck) << neck / H;
+    }
+    morph.CheckArrived(goal);
+  }
+}
+
+// The last node of what shrinks to nothing is .87 voxel from its centre, and counts twice.
+TEST(TestArrival, PartsGrowAndShrinkEvenly)
+{
+  const Ball left = { { -.5, .013, -.021 }, .35 }, right = { { .5, .03, .01 }, .4 };
+  Morph morph(MakeBalls({ left }), MakeBalls({ right }));
+  EXPECT_EQ(morph.Cores, 1u);
+  for (int quarter = 1; quarter < 4; ++quarter)
+  {
+    morph.Advance(quarter * End / 4.0);
+    const Mesh mesh = Polygonise(morph.Band);
+    const double share = quarter / 4.0;
+    CheckRadius(
+      HalfOf(mesh, right.Centre), right.Centre, CoreRadius + (right.Radius - CoreRadius) * share);
+    const Range shrinking = GetRadii(HalfOf(mesh, left.Centre), left.Centre);
+    EXPECT_NEAR((shrinking.Mean - left.Radius * (1.0 - share)) / H, 0.0, 2.0 * .87);
+  }
+  morph.CheckArrived(MakeBalls({ right }));
+}
+
+TEST(TestArrival, HollowOpensEvenly)
+{
+  const Shape goal = MakeShell(.7, .4);
+  Morph morph(MakeBall({ 0.0, 0.0, 0.0 }, .7), goal);
+  EXPECT_EQ(morph.Cores, 1u);
+  morph.Advance(End / 2.0);
+  const Topology topology = GetTopology(Polygonise(morph.Band));
+  EXPECT_EQ(topology.Voids, 1);
+  EXPECT_NEAR(GetRadii(Polygonise(morph.Band), { 0.0, 0.0, 0.0 }).Minimum / H,
+    (CoreRadius + .4) / 2.0 / H, OnTheWay);
+  morph.CheckArrived(goal);
+}
+
+// F / |grad F| is up to a third off where the surface starts.
+TEST(TestArrival, TargetNeedNotBeADistance)
+{
+  const Shape goal = Normalise(MakeAlgebraicBall(CentreA, .6), .3);
+  Morph morph(MakeBall(CentreB, .2), goal);
+  morph.Advance(End / 2.0);
+  const Range radii = GetRadii(Polygonise(morph.Band), CentreA);
+  EXPECT_NEAR(radii.Mean / H, .4 / H, OnTheWay);
+  morph.CheckArrived(goal);
+}
+
+// As with metamorphoses by Attraction: within .02 voxel of the target's curvature at rest.
+TEST(TestArrival, TensionDoesNotMakeItLate)
+{
+  const Shape goal = MakeTorus(CentreA, .5, .2);
+  Morph morph(MakeBall({ .5, 0.0, 0.0 }, .25), goal, MakeMotion(1.0, 1e-4));
+  morph.Advance(End, 10);
+  EXPECT_EQ(GetTopology(Polygonise(morph.Band)).EulerCharacteristic, 0);
+  morph.CheckArrived(goal);
+}
+
+TEST(TestArrival, AfterItTheAttractionOfTheMotionHolds)
+{
+  Morph morph(MakeBall(CentreA, .3), MakeBall(CentreA, .6));
+  const Arrival way(morph.Band, morph.Goal, Box);
+  way.Advance(morph.Band, 2.0 * End, End, morph.Law);
+  EXPECT_EQ(morph.Band.GetTime(), 2.0 * End);
+  morph.CheckArrived(MakeBall(CentreA, .6));
+}
+
+// Aborted before every other substep, and taken up again.
+TEST(TestArrival, InterruptionDoesNotChangeIt)
+{
+  const Shape from = MakeBall(CentreA, .3), to = MakeSixMetaballs();
+  Morph whole(from, to), parts(from, to);
+  const Arrival way(whole.Band, whole.Goal, Box), other(parts.Band, parts.Goal, Box);
+  way.Advance(whole.Band, 1.7, End, whole.Law);
+  int calls = 0;
+  bool isDone = false;
+  while (!isDone && calls < 1000)
+  {
+    const auto everyOther = [&](double) { return ++calls % 2 != 0; };
+    isDone = !other.Advance(parts.Band, 1.7, End, parts.Law, everyOther).Aborted;
+  }
+  EXPECT_GT(calls, 6);
+  EXPECT_TRUE(AreIdentical(whole.Band, parts.Band));
+}
+
+TEST(TestArrival, ProgressGoesOn)
+{
+  Morph morph(MakeBall(CentreA, .3), MakeBall(CentreA, .6));
+  std::vector<double> told;
+  const Arrival way(morph.Band, morph.Goal, Box);
+  way.Advance(morph.Band, End, End, morph.Law,
+    [&](double done)
+    {
+      told.push_back(done);
+      return true;
+    });
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_EQ(told.front(), 0.0);
+  EXPECT_LT(told.back(), 1.0);
+  EXPECT_GT(told.back(), .99);
+}
+
+TEST(TestArrival, ThreadsDoNotChangeIt)
+{
+  const Shape from = MakeBalls({ { CentreA, .3 } }), to = MakeTorus(CentreB, .5, .15);
+  Morph one(from, to), many(from, to);
+  one.Band.SetNumberOfThreads(1);
+  many.Band.SetNumberOfThreads(3);
+  one.Advance(1.5, 2);
+  many.Advance(1.5, 2);
+  EXPECT_TRUE(AreIdentical(one.Band, many.Band));
+}
+
+// What is left to go, 0.4 from the start, over the time that is left.
+TEST(TestArrival, SpeedIsWhatIsLeftOverTheTimeThatIsLeft)
+{
+  Morph morph(MakeBall(CentreA, .3), MakeBall(CentreA, .7));
+  const Arrival way(morph.Band, morph.Goal, Box);
+  const std::vector<float> speeds =
+    way.FindSpeeds(morph.Band, End, { morph.Law, morph.Goal, 0.0, 0.0 });
+  for (const float speed : speeds)
+  {
+    EXPECT_NEAR(speed * End / H, .4 / H, OnTheWay);
+  }
+}
+
+// A target without an end: it is not filled beyond the bounds.
+TEST(TestArrival, HalfSpaceIsReachedWithinTheBounds)
+{
+  const Shape goal = { [](const Point& p) { return p[0]; }, {} };
+  Morph morph(MakeBall({ .2, 0.0, 0.0 }, .4), goal);
+  morph.Law.Box = { true, { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 } };
+  morph.Advance(End, 4);
+  const Range extent = GetExtent(Polygonise(morph.Band));
+  EXPECT_NEAR(extent.Minimum, -1.0, H * AtTheEnd);
+  EXPECT_NEAR(extent.Maximum, 0.0, H * AtTheEnd);
+}
+}
