@@ -29,8 +29,7 @@ namespace activesurface
 namespace
 {
 
-// Null if nothing is connected.
-vtkInformation* Get(vtkInformationVector** input, SurfaceInput::Ports port)
+vtkInformation* Get(vtkInformationVector** input, SurfaceInput::Ports port) // null: not connected
 {
   return input[port]->GetInformationObject(0);
 }
