@@ -14,10 +14,11 @@ function (active_add_inside module)
 endfunction ()
 
 active_add_inside(NarrowBand OpenVDB::openvdb TBB::tbb)
-active_add_inside(VDB InsideNarrowBand VTK::CommonCore)
-active_add_inside(Potentials InsideVDB VTK::CommonDataModel VTK::CommonExecutionModel)
-active_add_inside(Surfaces InsidePotentials VTK::CommonMath)
-active_add_inside(IO InsidePotentials VTK::CommonMath VTK::IOImage OpenEXR::OpenEXR
+active_add_inside(VDB InsideNarrowBand VTK::CommonCore VTK::CommonDataModel)
+active_add_inside(Potentials InsideVDB VTK::CommonExecutionModel)
+active_add_inside(Surfaces InsidePotentials VTK::CommonMath VTK::IOXML VTK::ParallelCore)
+active_add_inside(IO InsidePotentials VTK::CommonMath VTK::IOImage VTK::ParallelCore
+  OpenEXR::OpenEXR
   $<$<BOOL:${LIBDEFLATE_LIBRARY}>:${LIBDEFLATE_LIBRARY}>)
 
 # They include OpenVDB themselves, whose templates have to be visible (see OpenVDB.h).

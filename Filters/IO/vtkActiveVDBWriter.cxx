@@ -6,12 +6,14 @@
 #include "Grids/VDBContent.h"
 #include "Grids/VDBOutput.h"
 #include "OpenVDB.h"
+#include "RankedWriting.h"
 #include "TimeSteps.h"
 #include "WholeInput.h"
 
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -22,6 +24,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -133,6 +136,7 @@ vtkActiveVDBWriter::vtkActiveVDBWriter()
 {
   this->SetNumberOfInputPorts(1);
   this->SetNumberOfOutputPorts(0);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 vtkActiveVDBWriter::~vtkActiveVDBWriter() = default;
@@ -145,6 +149,20 @@ void vtkActiveVDBWriter::SetFileName(const char* name)
     this->FileName = wanted;
     this->Modified();
   }
+}
+
+void vtkActiveVDBWriter::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkActiveVDBWriter::GetController()
+{
+  return this->Controller;
 }
 
 void vtkActiveVDBWriter::SetUnits(const char* units)
@@ -204,34 +222,48 @@ int vtkActiveVDBWriter::Write()
 void vtkActiveVDBWriter::WriteSteps()
 {
   using activesurface::MakeFrameName;
-  const Source source(this);
+  std::optional<Source> source;
+  activesurface::RunOnAllRanks(this->Controller, [&] { source.emplace(this); });
   if (!this->WriteAllTimeSteps)
   {
-    source.Update();
-    vtkDataObject* data = FindData(this);
-    const int frame = data ? source.FindStep(GetTime(data)) : 0;
-    this->WriteData(MakeFrameName(this->FileName, frame, false), data, frame);
+    activesurface::RunOnAllRanks(this->Controller,
+      [&]
+      {
+        source->Update();
+        vtkDataObject* data = FindData(this);
+        const int frame = data ? source->FindStep(GetTime(data)) : 0;
+        this->WriteData(MakeFrameName(this->FileName, frame, false), data, frame);
+      });
     return;
   }
   const std::vector<double> steps =
-    source.Steps.empty() ? std::vector<double>{ 0.0 } : source.Steps;
+    source->Steps.empty() ? std::vector<double>{ 0.0 } : source->Steps;
   this->UpdateProgress(0.0);
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
-    if (this->GetAbortExecute())
-    {
-      throw std::runtime_error("Writing was stopped before the time step " + std::to_string(i) +
-        "; the files of those before it are there.");
-    }
-    const int frame = static_cast<int>(i);
-    source.Update(steps[i]);
-    this->WriteData(MakeFrameName(this->FileName, frame, true), FindData(this), frame);
+    activesurface::RunOnAllRanks(this->Controller,
+      [&]
+      {
+        if (this->GetAbortExecute())
+        {
+          throw std::runtime_error("Writing was stopped before the time step " + std::to_string(i) +
+            "; the files of those before it are there.");
+        }
+        const int frame = static_cast<int>(i);
+        source->Update(steps[i]);
+        this->WriteData(MakeFrameName(this->FileName, frame, true), FindData(this), frame);
+      });
     this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(steps.size()));
   }
 }
 
+// The first rank has all that goes into the file.
 void vtkActiveVDBWriter::WriteData(const std::string& file, vtkDataObject* data, int frame)
 {
+  if (!activesurface::IsFirstRank(this->Controller))
+  {
+    return;
+  }
   activesurface::VDBChoice choice;
   choice.State = this->WriteState != 0;
   choice.Density = this->WriteDensity != 0;
@@ -261,5 +293,6 @@ void vtkActiveVDBWriter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "VoxelSize: " << this->VoxelSize << "\n"
      << indent << "HalfFloat: " << this->HalfFloat << "\n"
      << indent << "Compression: " << this->Compression << "\n"
-     << indent << "Units: " << this->Units << "\n";
+     << indent << "Units: " << this->Units << "\n"
+     << indent << "Controller: " << this->Controller << "\n";
 }

@@ -28,10 +28,12 @@
 
 #include "vtkActiveIOModule.h" // for the export macro
 #include "vtkAlgorithm.h"
+#include "vtkSmartPointer.h" // for the controller
 
 #include <string> // for names
 
 class vtkDataObject;
+class vtkMultiProcessController;
 
 class VTKACTIVEIO_EXPORT vtkActiveVDBWriter : public vtkAlgorithm
 {
@@ -179,6 +181,16 @@ public:
   const char* GetUnits() const { return this->Units.c_str(); }
   ///@}
 
+  ///@{
+  /**
+   * The ranks of a parallel program, which call Write together: all update the input, the first one
+   * writes what it has; that is all of it, from a vtkActiveImplicitSurface on these ranks. None, or
+   * one of a single process: this process writes. Default: VTK's global controller.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   /**
    * Updates the input and writes. 0, with an error and ErrorCode, if that fails or AbortExecute was
    * set; the files of earlier time steps then are there.
@@ -209,6 +221,7 @@ private:
   double VoxelSize = 0.0;
   vtkTypeBool HalfFloat = 0;
   int Compression = BLOSC;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 };
 
 #endif

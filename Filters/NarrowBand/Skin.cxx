@@ -3,6 +3,7 @@
 #include "Leaves/LeafBlock.h"
 #include "Leaves/LeafKernels.h"
 #include "NarrowBand.h"
+#include "Ranks/LeafRanges.h"
 #include "Substep/SkinVoxels.h"
 
 #include <algorithm>
@@ -220,6 +221,16 @@ Skin::Skin(const NarrowBand& band)
     }
   }
   this->NumberOfTriangles = this->FirstTriangle.back();
+}
+
+std::vector<std::size_t> Skin::ShareTriangles(int ranks) const
+{
+  std::vector<std::size_t> shares = ShareLeaves(this->FirstTriangle, ranks);
+  for (std::size_t& leaf : shares)
+  {
+    leaf = this->FirstTriangle[leaf];
+  }
+  return shares;
 }
 
 template <class Number>

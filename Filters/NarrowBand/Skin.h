@@ -28,6 +28,10 @@ public:
   std::size_t GetNumberOfPoints() const { return this->NumberOfPoints; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
 
+  /** Shares the triangles out to ranks, by ranges of leaves: the first triangle of each rank, and
+   * at the end the number of triangles. It depends on the surface and the number of ranks only. */
+  std::vector<std::size_t> ShareTriangles(int ranks) const;
+
   /** Whether points in single precision would be off by a hundredth of a voxel, because the surface
    * is that far from the origin. */
   bool NeedsDoublePrecision() const { return this->FarthestNode > (1 << 17); }

@@ -1,6 +1,7 @@
 #include "vtkActiveImplicitSurface.h"
 
 #include "Pipeline/SurfaceRequests.h"
+#include "Ranks/RankedPipeline.h"
 #include "Simulation/PropertyValues.h"
 
 #include "vtkDataObject.h"
@@ -12,6 +13,7 @@
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSkeletonPotential.h"
@@ -19,7 +21,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <new>
 
 using activesurface::OutputPorts;
 using activesurface::SurfaceProperties;
@@ -35,7 +36,14 @@ vtkActiveImplicitSurface::vtkActiveImplicitSurface()
   // No radii; the base class has chosen the active scalars.
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
   this->Requests->GetSimulation().SetWarning(
-    [this](const std::string& sentence) { vtkWarningMacro(<< sentence); });
+    [this](const std::string& sentence)
+    {
+      if (this->Requests->GetShare().Rank == 0)
+      {
+        vtkWarningMacro(<< sentence);
+      }
+    });
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 vtkActiveImplicitSurface::~vtkActiveImplicitSurface() = default;
@@ -80,6 +88,26 @@ void vtkActiveImplicitSurface::SetObstacleFunction(vtkImplicitFunction* function
 vtkImplicitFunction* vtkActiveImplicitSurface::GetObstacleFunction()
 {
   return this->ObstacleFunction;
+}
+
+void vtkActiveImplicitSurface::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Requests->SetController(controller);
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkActiveImplicitSurface::GetController()
+{
+  return this->Controller;
+}
+
+vtkExecutive* vtkActiveImplicitSurface::CreateDefaultExecutive()
+{
+  return activesurface::RankedPipeline::New();
 }
 
 vtkIdType vtkActiveImplicitSurface::GetTargetEvaluations()
@@ -251,14 +279,6 @@ int vtkActiveImplicitSurface::RequestData(
     this->Requests->RequestData(this->FindProperties(), request, input, output);
     return 1;
   }
-  catch (const std::bad_alloc&)
-  {
-    this->Requests->GetSimulation().Reset();
-    this->Requests->ClearOutputs(output);
-    vtkErrorMacro(<< "There is not enough memory for the skin, or for the potential's image, whose "
-                     "size is that of ModelBounds; enlarge VoxelSize or shrink ModelBounds.");
-    return 0;
-  }
   catch (const std::exception& error)
   {
     this->Requests->ClearOutputs(output);
@@ -290,6 +310,7 @@ SurfaceProperties vtkActiveImplicitSurface::FindProperties()
   activesurface::ForEachOutputProperty(properties.Outputs,
     [this](const activesurface::Property&, auto& field, auto&& get)
     { activesurface::AssignProperty(get(*this), field); });
+  properties.Share = this->Requests->GetShare();
   return properties;
 }
 
@@ -303,5 +324,6 @@ void vtkActiveImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
   activesurface::ForEachOutputProperty(unused.Outputs, print);
   os << indent << "TargetFunction: " << this->TargetFunction << "\n"
      << indent << "InitialFunction: " << this->InitialFunction << "\n"
-     << indent << "ObstacleFunction: " << this->ObstacleFunction << "\n";
+     << indent << "ObstacleFunction: " << this->ObstacleFunction << "\n"
+     << indent << "Controller: " << this->Controller << "\n";
 }

@@ -22,7 +22,7 @@
  *   (3, ...). Inside is below TargetIsoValue (InvertTarget: above), and within the image's box.
  *
  * With time steps, all of one kind, the target moves. Particles go in straight lines from step to
- * step, matched by ids (equal ones in their order), else by number if both steps have equally many,
+ * step, matched by ids (equal ones by place), else by number if both steps have equally many,
  * else not at all. One that is missing in the next step fades out on the way, its strength falling
  * evenly to 0; a new one fades in. Skeletons, meshes and images are blended, F = (1 - f) F0 + f F1
  * at a fraction f of the way: what does not overlap from step to step shrinks here and grows there
@@ -57,12 +57,12 @@
  * nearest checkpoint before it (CheckpointInterval). A time between two steps branches off the
  * earlier one. A time before the first step or after the last, or within rounding of a step, is
  * that step. The result depends on the time and the properties only, bit by bit, not on the order
- * of requests or the number of threads. The motion restarts when the target, the initial shape or a
- * property that shapes it changes. In situ it continues: an input whose list of time steps has
- * grown at its end is the same input, and is asked for the new steps only; where no time can be had
- * twice (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are the times asked for; Advance takes
- * frames one by one. Data without time steps that replace others start the motion anew: one warning
- * says so where a later time is asked for.
+ * of requests, the number of threads or of ranks. The motion restarts when the target, the initial
+ * shape or a property that shapes it changes. In situ it continues: an input whose list of time
+ * steps has grown at its end is the same input, and is asked for the new steps only; where no time
+ * can be had twice (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are the times asked for; Advance
+ * takes frames one by one. Data without time steps that replace others start the motion anew: one
+ * warning says so where a later time is asked for.
  *
  * A vanished skin is legal: empty output and one warning. What cannot be done is one error, a
  * sentence that says why, and empty outputs. What was reached before an error or an abort is kept:
@@ -80,6 +80,7 @@
 
 class vtkImageData;
 class vtkImplicitFunction;
+class vtkMultiProcessController;
 class vtkPolyData;
 class vtkTable;
 
@@ -276,6 +277,15 @@ public:
 
   ///@{
   /**
+   * The ranks that make one skin, and update, save and load together: each brings its piece of the
+   * inputs and has its part of the skin. Restarts the motion. Default: VTK's global controller.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
+  ///@{
+  /**
    * Saves the state of the skin at the last time step up to the time of the last update, as a .vdb
    * with metadata; and loads it into this or another filter with the same properties and inputs:
    * then any time from that of the state on continues from there, to the same bytes. False, and an
@@ -340,6 +350,7 @@ protected:
   vtkActiveImplicitSurface();
   ~vtkActiveImplicitSurface() override;
 
+  vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
@@ -359,6 +370,7 @@ private:
   vtkSmartPointer<vtkImplicitFunction> TargetFunction;
   vtkSmartPointer<vtkImplicitFunction> InitialFunction;
   vtkSmartPointer<vtkImplicitFunction> ObstacleFunction;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   double TargetIsoValue = 0.0;
   vtkTypeBool InvertTarget = 0;
   vtkTypeBool NormalizeTarget = 1;

@@ -9,6 +9,9 @@
 #include "SavedState.h"
 #include "vtkActiveVDBModule.h"
 
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+
 #include <memory>
 #include <string>
 #include <utility>
@@ -25,6 +28,8 @@ struct AttachedState
   SavedState State;      //< at the time of the output, which need not be a step's
   bool IsAtStep = false; //< whether the motion can go on from it
   int Step = 0;          //< number of the time step, or of the one before
+  /** Of all of the skin, where the output is one rank's part of it, on rank 0; else null. */
+  vtkSmartPointer<vtkPointData> WholeArrays;
   std::vector<std::pair<std::string, double>> Motion; //< properties that shape the motion
 };
 

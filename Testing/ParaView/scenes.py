@@ -29,6 +29,17 @@ def skin_bytes(surface, time):
     return bytes_of(servermanager.Fetch(surface, idx=0))
 
 
+def triangles_at(surface, time):
+    """The bytes of each triangle's corners, points and normals, sorted."""
+    surface.UpdatePipeline(time)
+    skin = servermanager.Fetch(surface, idx=0)
+    assert skin.GetNumberOfPolys() > 100, "there is next to no skin"
+    corners = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    points = vtk_to_numpy(skin.GetPoints().GetData())[corners]
+    normals = vtk_to_numpy(skin.GetPointData().GetNormals())[corners]
+    return sorted(a.tobytes() + b.tobytes() for a, b in zip(points, normals))
+
+
 def bytes_of(skin):
     arrays = [skin.GetPoints().GetData(), skin.GetPolys().GetConnectivityArray()]
     arrays += [

@@ -1,5 +1,7 @@
 """The same bytes with a server, of one rank or more, as within one program; and nothing twice.
 
+Each rank has a part of a skin: skins are compared as sets of triangles.
+
 Run: pvpython test_server.py <pvserver> <number of ranks>
 """
 
@@ -12,6 +14,7 @@ from pathlib import Path
 
 from paraview import servermanager
 from paraview.simple import (
+    ActiveImplicitSurface,
     ActiveImplicitSurfaceFunctions,
     Connect,
     Disconnect,
@@ -22,8 +25,14 @@ from paraview.simple import (
     SaveData,
     Wavelet,
 )
-from scenes import skin_bytes, splash
-from vtkmodules.vtkIOXML import vtkXMLPImageDataReader
+from scenes import COARSE, DATA, splash, triangles_at
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import (
+    vtkXMLPImageDataReader,
+    vtkXMLPolyDataReader,
+    vtkXMLPolyDataWriter,
+)
 
 PVSERVER, RANKS = sys.argv.pop(1), int(sys.argv.pop(1))
 FOLDER = Path(os.environ.get("ACTIVE_TEST_OUTPUT", ".")) / f"server_{RANKS}"
@@ -46,15 +55,48 @@ def write_files():
         SaveData(str(FOLDER / name), proxy=wavelet)
 
 
+def write_partitioned():
+    """The splash at step 20 as a .pvtp of three pieces."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(DATA))
+    reader.UpdateTimeStep(20)
+    points = reader.GetOutput().GetPoints()
+    count = points.GetNumberOfPoints()
+    pieces = ""
+    for piece in range(3):
+        part, places = vtkPolyData(), vtkPoints()
+        for i in range(count * piece // 3, count * (piece + 1) // 3):
+            places.InsertNextPoint(points.GetPoint(i))
+        part.SetPoints(places)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetInputData(part)
+        writer.SetFileName(str(FOLDER / f"piece_{piece}.vtp"))
+        writer.Write()
+        pieces += f'<Piece Source="piece_{piece}.vtp"/>'
+    array = '<PDataArray type="Float32" Name="Points" NumberOfComponents="3"/>'
+    (FOLDER / "splash.pvtp").write_text(
+        '<VTKFile type="PPolyData" version="0.1" byte_order="LittleEndian">'
+        f'<PPolyData GhostLevel="0"><PPoints>{array}</PPoints>{pieces}</PPolyData></VTKFile>'
+    )
+
+
+def partitioned():
+    """The skin over particles of which each rank reads its pieces."""
+    particles = OpenDataFile(str(FOLDER / "splash.pvtp"))
+    return ActiveImplicitSurface(Target=particles, **COARSE)
+
+
 def results():
     """Skins, sizes of the image and of the history, of a filter and of a source; what is read."""
+    write_partitioned()
     surface, _ = splash()
-    found = [skin_bytes(surface, 3), skin_bytes(surface, 1), skin_bytes(surface, 3)]
+    found = [triangles_at(surface, time) for time in (3, 1, 3)]
     found.append(surface.GetDataInformation(0).GetNumberOfCells())
     found.append(servermanager.Fetch(surface, idx=2).GetNumberOfRows())
     tube = ActiveImplicitSurfaceFunctions(TargetFunction="Skeleton Potential", VoxelSize=0.1)
     tube.TargetFunction.Input = PolyLineSource(Points=[-0.5, 0, 0, 0.5, 0, 0])
-    found.append(skin_bytes(tube, 0.3))
+    found.append(triangles_at(tube, 0.3))
+    found.append(triangles_at(partitioned(), 0.3))
     for name in FILES:
         reader = OpenDataFile(str(FOLDER / name))
         reader.UpdatePipeline()

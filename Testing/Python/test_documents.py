@@ -88,7 +88,7 @@ class TheGallery(unittest.TestCase):
                 self.assertLess(len(lines), 200 if name in PAGES else 60)
                 self.assertIn(f"Run: python3 {name}.py", "\n".join(lines))
                 if name not in TOO_LONG | PAGES:
-                    self.assertIn(f"active_add_python_example({name})", tests)
+                    self.assertRegex(tests, rf"active_add_python_example\({name}( ON_RANKS \d)?\)")
 
     def test_pictures_are_small_and_shown(self):
         shown = {

@@ -66,13 +66,15 @@ CHOICES = {
     vtkActiveVDBWriter: "GridClass Compression".split(),
 }
 OTHERS = {
-    vtkActiveImplicitSurface: "TargetFunction InitialFunction ObstacleFunction ModelBounds".split(),
+    vtkActiveImplicitSurface: """
+        TargetFunction InitialFunction ObstacleFunction ModelBounds Controller
+    """.split(),
     vtkSkeletonPotential: "Input InputConnection RadiusArrayName StrengthArrayName".split(),
     vtkGridPotential: "Input InputConnection ScalarArrayName".split(),
     vtkActiveEXRReader: [],
     vtkActiveEXRWriter: "DisplaySize TimeCode WorldToCamera WorldToNDC".split(),
     vtkActiveVDBReader: "FileName GridName IndexRegion WorldRegion".split(),
-    vtkActiveVDBWriter: "FileName InputData Units".split(),
+    vtkActiveVDBWriter: "FileName InputData Units Controller".split(),
 }
 WITH_UNIT = {
     vtkActiveImplicitSurface: """

@@ -65,6 +65,7 @@ MAY_INCLUDE = {
         "NarrowBand/Leaves",
         "NarrowBand/InitialFunction",
     ],
+    "NarrowBand/Ranks": [],
     "NarrowBand/Arrival": [
         *NUMERICS,
         "NarrowBand/Leaves",
@@ -72,6 +73,7 @@ MAY_INCLUDE = {
     "NarrowBand": [
         "NarrowBand/Arrival",
         "NarrowBand/Leaves",
+        "NarrowBand/Ranks",
         "NarrowBand/Substep",
         "NarrowBand/Implicit",
         "NarrowBand/State",
@@ -96,14 +98,16 @@ MAY_INCLUDE = {
     "Potentials": ["Potentials/Skeleton", "Potentials/Grid", "VDB", "NarrowBand"],
     "Surfaces/Targets": ["Potentials", "VDB", "NarrowBand"],
     "Surfaces/Simulation": ["Surfaces/Targets", "Potentials", "VDB", "NarrowBand"],
+    "Surfaces/Ranks": ["VDB", "NarrowBand"],
     "Surfaces/Pipeline": [
+        "Surfaces/Ranks",
         "Surfaces/Simulation",
         "Surfaces/Targets",
         "Potentials",
         "VDB",
         "NarrowBand",
     ],
-    "Surfaces": ["Surfaces/Pipeline", "Surfaces/Simulation", "Potentials"],
+    "Surfaces": ["Surfaces/Pipeline", "Surfaces/Ranks", "Surfaces/Simulation", "Potentials"],
     "IO/EXR": ["IO/FileError", "VDB"],
     "IO/Grids": ["IO/FileError", "Potentials", "VDB", "NarrowBand"],
     "IO": ["IO/EXR", "IO/Grids", "Potentials", "VDB", "NarrowBand"],

@@ -27,6 +27,7 @@ from same_bytes_shapes import (
     two_balls,
     union,
 )
+from vtkmodules.vtkParallelCore import vtkDummyController
 
 BEFORE, THEN, LATER = 0.2, 0.4, 0.6
 COARSE = 0.1
@@ -194,6 +195,7 @@ DOES_NOT_RESTART = {
     **ARRAYS,
     "CheckpointInterval": (morph, 1),
     "CheckpointMemory": (morph, 0),
+    "Controller": (morph, vtkDummyController()),  # of one process
     "MaximumNumberOfActiveVoxels": (morph, 1000000),
     "NumberOfThreads": (morph, 1),
     "OutputPotential": (morph, 1),

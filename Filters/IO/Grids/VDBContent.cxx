@@ -30,7 +30,8 @@ void VDBContent::Add(vtkDataObject* data)
   }
   if (attached)
   {
-    this->AddSkin(*attached->State.Band, mesh ? mesh->GetPointData() : nullptr);
+    vtkPointData* own = mesh ? mesh->GetPointData() : nullptr;
+    this->AddSkin(*attached->State.Band, attached->WholeArrays ? attached->WholeArrays.Get() : own);
     this->AddState(*attached);
   }
   else if (mesh)

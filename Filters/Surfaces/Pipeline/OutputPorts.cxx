@@ -2,6 +2,7 @@
 
 #include "Pipeline/PublishedInformation.h"
 #include "Pipeline/SkinArrays.h"
+#include "Pipeline/SkinShare.h"
 #include "Pipeline/StateAttachment.h"
 #include "Pipeline/SurfaceOutput.h"
 
@@ -14,6 +15,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
@@ -28,8 +30,9 @@ bool IsFilled(int port, const SurfaceProperties& properties, vtkInformation* req
   vtkInformationVector* output)
 {
   const int requested = RequestedPort(request);
-  return port == requested ||
-    (port == OutputPorts::History && !IsOtherPiece(output->GetInformationObject(requested))) ||
+  const bool isWithHistory =
+    !properties.Share.IsAll() || !IsOtherPiece(output->GetInformationObject(requested));
+  return port == requested || (port == OutputPorts::History && isWithHistory) ||
     (port == OutputPorts::Potential && properties.Outputs.Potential);
 }
 
@@ -56,22 +59,24 @@ void FillPort(int port, const SurfaceProperties& properties, const SurfaceSimula
       FillSkinPort(properties.Outputs, simulation, vtkPolyData::SafeDownCast(data));
       break;
     case OutputPorts::Potential:
-      RequestSomeExtent(output);
+      RequestSomeExtent(output, properties.Share);
       FillPotential(simulation.GetBand(),
         output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()),
         vtkImageData::SafeDownCast(data));
       break;
     default:
-      FillHistory(simulation.GetHistory(), vtkTable::SafeDownCast(data));
+      FillHistory(properties.Share.Rank == 0 ? simulation.GetHistory() : std::vector<HistoryRow>(),
+        vtkTable::SafeDownCast(data));
   }
 }
 
 }
 
-bool OutputPorts::IsForNothing(vtkInformation* request, vtkInformationVector* output)
+bool OutputPorts::IsForNothing(
+  const OutputShare& share, vtkInformation* request, vtkInformationVector* output)
 {
   const int port = RequestedPort(request);
-  return port != Potential && IsOtherPiece(output->GetInformationObject(port));
+  return share.IsAll() && port != Potential && IsOtherPiece(output->GetInformationObject(port));
 }
 
 void OutputPorts::MarkUnfilled(
@@ -97,7 +102,10 @@ void OutputPorts::Fill(const SurfaceProperties& properties, SurfaceSimulation& s
     {
       vtkDataObject* data = vtkDataObject::GetData(output, port);
       FillPort(port, properties, simulation, output->GetInformationObject(port), data);
-      AttachState(simulation, data);
+      AttachState(simulation, data,
+        port == Skin
+          ? KeepShare(simulation.GetBand(), properties.Share, vtkPolyData::SafeDownCast(data))
+          : nullptr);
     }
   }
   this->Function.Renew(&simulation.GetBand());

@@ -12,6 +12,10 @@ class vtkInformationVector;
 namespace activesurface
 {
 
+constexpr const char* NoMemoryForOutputs =
+  "There is not enough memory for the skin, or for the potential's image, whose size is that of "
+  "ModelBounds; enlarge VoxelSize or shrink ModelBounds.";
+
 class OutputPorts
 {
 public:
@@ -24,8 +28,9 @@ public:
   };
 
   // Whether the request is for nothing: another piece of the skin or of the history than the
-  // first, which is all of it.
-  static bool IsForNothing(vtkInformation* request, vtkInformationVector* output);
+  // first, which is all of it. Ranks that work together have something each.
+  static bool IsForNothing(
+    const OutputShare& share, vtkInformation* request, vtkInformationVector* output);
 
   // Marks the ports that this request leaves unfilled with DATA_NOT_GENERATED.
   static void MarkUnfilled(

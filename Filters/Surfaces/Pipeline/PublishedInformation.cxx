@@ -31,6 +31,14 @@ bool IsPartOf(const int extent[6], const int whole[6])
   return isPart;
 }
 
+OutputShare FindPiece(vtkInformation* output)
+{
+  return output->Has(SDDP::UPDATE_NUMBER_OF_PIECES())
+    ? OutputShare{ output->Get(SDDP::UPDATE_PIECE_NUMBER()),
+        output->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) }
+    : OutputShare();
+}
+
 }
 
 int RequestedPort(vtkInformation* request)
@@ -69,20 +77,22 @@ bool IsOtherPiece(vtkInformation* output)
   return output->Has(SDDP::UPDATE_PIECE_NUMBER()) && output->Get(SDDP::UPDATE_PIECE_NUMBER()) > 0;
 }
 
-void RequestSomeExtent(vtkInformation* output)
+void RequestSomeExtent(vtkInformation* output, const OutputShare& share)
 {
   const int* whole = output->Get(SDDP::WHOLE_EXTENT());
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
   output->Get(SDDP::UPDATE_EXTENT(), extent);
-  if (IsPartOf(extent, whole))
+  const OutputShare asked = FindPiece(output);
+  const bool isOfRank = asked.IsAll() && !share.IsAll();
+  const bool isWhole = std::equal(extent, extent + 6, whole);
+  if (IsPartOf(extent, whole) && !(isOfRank && isWhole))
   {
     return;
   }
-  const bool hasPieces = output->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) != 0;
+  const OutputShare piece = isOfRank ? share : asked;
   vtkNew<vtkExtentTranslator> translator;
-  translator->PieceToExtentThreadSafe(hasPieces ? output->Get(SDDP::UPDATE_PIECE_NUMBER()) : 0,
-    hasPieces ? output->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) : 1, 0, const_cast<int*>(whole),
-    extent, vtkExtentTranslator::BLOCK_MODE, 0);
+  translator->PieceToExtentThreadSafe(
+    piece.Rank, piece.Size, 0, const_cast<int*>(whole), extent, vtkExtentTranslator::BLOCK_MODE, 0);
   output->Set(SDDP::UPDATE_EXTENT(), extent, 6);
 }
 

@@ -3,6 +3,7 @@
 #ifndef PublishedInformation_h
 #define PublishedInformation_h
 
+#include "Pipeline/OutputShare.h"
 #include "Simulation/Times.h"
 
 #include <vector>
@@ -26,8 +27,9 @@ void PublishTime(vtkDataObject* data, PipelineTime time, bool isEquilibrium);
 // Of the potential's image; empty without a domain.
 void PublishExtent(vtkInformation* output, const SurfaceDomain* domain);
 
-// If UPDATE_EXTENT is empty or outside the image, requests the extent of this piece.
-void RequestSomeExtent(vtkInformation* output);
+// If UPDATE_EXTENT is empty or outside the image, requests the extent of the requested piece; of
+// this rank's piece, if no rank has asked for less than the image.
+void RequestSomeExtent(vtkInformation* output, const OutputShare& share);
 
 // Whether another piece than the first is requested. Outputs are shared out in pieces to the ranks
 // of a parallel program: all of a skin or a history is its first piece, while of the image each

@@ -5,13 +5,14 @@
 #include "Simulation/SurfaceSimulation.h"
 
 #include "vtkDataObject.h"
+#include "vtkPointData.h"
 
 #include <memory>
 
 namespace activesurface
 {
 
-void AttachState(const SurfaceSimulation& simulation, vtkDataObject* data)
+void AttachState(const SurfaceSimulation& simulation, vtkDataObject* data, vtkPointData* arrays)
 {
   const SurfaceSettings& settings = simulation.GetSettings();
   const RequestedTime& time = simulation.GetRequestedTime();
@@ -20,6 +21,7 @@ void AttachState(const SurfaceSimulation& simulation, vtkDataObject* data)
   attached->State.Band = simulation.ShareBand();
   attached->State.Time = time.Time.Value;
   attached->State.History = simulation.GetHistory();
+  attached->WholeArrays = arrays;
   attached->IsAtStep = simulation.IsAtStep();
   attached->Step = time.Step;
   attached->Motion = settings.ListForFiles();

@@ -4,14 +4,16 @@
 #define StateAttachment_h
 
 class vtkDataObject;
+class vtkPointData;
 
 namespace activesurface
 {
 
 class SurfaceSimulation;
 
-// Of a simulation at the requested time.
-void AttachState(const SurfaceSimulation& simulation, vtkDataObject* data);
+// Of a simulation at the requested time. arrays: those of all of the skin, where the data are a
+// part; else null.
+void AttachState(const SurfaceSimulation& simulation, vtkDataObject* data, vtkPointData* arrays);
 
 }
 

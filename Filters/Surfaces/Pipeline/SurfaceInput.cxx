@@ -2,6 +2,7 @@
 
 #include "AttachedData.h"
 #include "ParticleData.h"
+#include "Ranks/PieceGather.h"
 #include "Targets/InputKinds.h"
 #include "WholeInput.h"
 
@@ -12,8 +13,11 @@
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -64,9 +68,10 @@ private:
   vtkDataSet* Data;
 };
 
-SurfaceInput::SurfaceInput(vtkAlgorithm* filter, Ports port)
+SurfaceInput::SurfaceInput(vtkAlgorithm* filter, Ports port, Agreement& ranks)
   : Filter(filter)
   , Port(port)
+  , Ranks(ranks)
 {
 }
 
@@ -188,7 +193,43 @@ std::unique_ptr<InputShape> SurfaceInput::Read(
   vtkInformation* information, const ParticleArrays& kept) const
 {
   const vtkSmartPointer<vtkDataSet> data = AsDataSet(vtkDataObject::GetData(information));
-  return MakeInputShape({ data, ArraysOf(*this, data), kept });
+  if (this->Ranks.IsAlone())
+  {
+    return MakeInputShape({ data, ArraysOf(*this, data), kept });
+  }
+  const vtkSmartPointer<vtkDataSet> whole = GatherWhole(
+    this->Ranks, this->MakePiece(data, kept), "The input of port " + std::to_string(this->Port));
+  return MakeInputShape({ whole, ArraysOf(*this, whole), kept });
+}
+
+// What is wrong with this rank's own part is found here, where the rank can be told.
+InputPiece SurfaceInput::MakePiece(vtkDataSet* data, const ParticleArrays& kept) const
+{
+  const ArraysOf chosen(*this, data);
+  MakeInputShape({ data, chosen, kept });
+  auto polyData = vtkPolyData::SafeDownCast(data);
+  if (data->GetNumberOfPoints() == 0)
+  {
+    return {};
+  }
+  if (auto image = vtkImageData::SafeDownCast(data))
+  {
+    return MakeImagePiece(image, chosen.FindValues());
+  }
+  if (polyData && polyData->GetNumberOfPolys() + polyData->GetNumberOfStrips() > 0)
+  {
+    return MakeCellPiece(polyData, {});
+  }
+  if (polyData && polyData->GetNumberOfLines() > 0)
+  {
+    return MakeCellPiece(polyData, { false, { chosen.FindRadii(), chosen.FindStrengths() } });
+  }
+  PieceArrays arrays{ kept.All, { chosen.FindRadii(), chosen.FindIds(), chosen.FindStrengths() } };
+  if (!kept.Velocities.empty())
+  {
+    arrays.Chosen.push_back(chosen.FindVelocities());
+  }
+  return MakeParticlePiece(vtkPointSet::SafeDownCast(data), arrays);
 }
 
 vtkAbstractArray* SurfaceInput::FindValues(vtkDataSet* image) const
@@ -231,9 +272,19 @@ vtkAbstractArray* SurfaceInput::FindArray(int index, vtkDataSet* data) const
   return array;
 }
 
-void SurfaceInput::RequestFirst(vtkInformation* information)
+void SurfaceInput::Request(vtkInformation* information) const
 {
-  RequestWhole(information);
+  if (this->Ranks.IsAlone())
+  {
+    RequestWhole(information);
+    return;
+  }
+  RequestPiece(information, this->Ranks.GetRank(), this->Ranks.GetSize());
+}
+
+void SurfaceInput::RequestFirst(vtkInformation* information) const
+{
+  this->Request(information);
   if (information->Has(SDDP::TIME_STEPS()) && information->Length(SDDP::TIME_STEPS()) > 0)
   {
     information->Set(SDDP::UPDATE_TIME_STEP(), information->Get(SDDP::TIME_STEPS())[0]);
@@ -246,14 +297,14 @@ void SurfaceInput::RequestFirst(vtkInformation* information)
 
 bool SurfaceInput::Update(vtkInformation* information, double time) const
 {
-  RequestWhole(information);
+  this->Request(information);
   information->Set(SDDP::UPDATE_TIME_STEP(), time);
   return this->UpdateProducer();
 }
 
 bool SurfaceInput::UpdateFirst(vtkInformation* information) const
 {
-  RequestFirst(information);
+  this->RequestFirst(information);
   return this->UpdateProducer();
 }
 

@@ -3,6 +3,8 @@
 #ifndef SurfaceInput_h
 #define SurfaceInput_h
 
+#include "Agreement.h"
+#include "Ranks/InputPiece.h"
 #include "Targets/InputData.h"
 #include "Targets/InputShape.h"
 
@@ -30,7 +32,8 @@ public:
     Initial = 1
   };
 
-  SurfaceInput(vtkAlgorithm* filter, Ports port);
+  // The ranks are the caller's. Read is a round of theirs; the rest is a matter of each one.
+  SurfaceInput(vtkAlgorithm* filter, Ports port, Agreement& ranks);
 
   // What a port takes; it may be left empty.
   static void DescribePort(int port, vtkInformation* information);
@@ -40,6 +43,12 @@ public:
 
   // Changes whenever an algorithm or data upstream is modified, not when another time is read.
   std::uint64_t GetPipelineMTime() const;
+
+  // Whether nothing has changed since it was such an MTime.
+  bool IsStillAt(std::uint64_t time) const
+  {
+    return this->IsConnected() && this->GetPipelineMTime() == time;
+  }
 
   // The time steps that the input offers; none without an input.
   static std::vector<double> GetTimeSteps(vtkInformation* information);
@@ -57,13 +66,13 @@ public:
   // What to keep of particles: all their arrays, and the array of velocities, if one was chosen.
   ParticleArrays DescribeParticleArrays(bool all, bool velocities) const;
 
-  // Throws std::invalid_argument for data that cannot be a target, and for arrays that are missing
-  // or unfit.
+  // Of the pieces of all ranks. Throws std::invalid_argument for data that cannot be a target, and
+  // for arrays that are missing or unfit.
   std::unique_ptr<InputShape> Read(
     vtkInformation* information, const ParticleArrays& kept = ParticleArrays()) const;
 
-  // All of it, at its first time step or time, if it has any.
-  static void RequestFirst(vtkInformation* information);
+  // All of it, or this rank's piece, at its first time step or time, if it has any.
+  void RequestFirst(vtkInformation* information) const;
 
   // Brings the input up to date, at a time or the first one; false if it fails.
   bool Update(vtkInformation* information, double time) const;
@@ -77,10 +86,13 @@ private:
   std::string DescribeArray(int index) const;
   vtkAbstractArray* FindArray(int index, vtkDataSet* data) const;
   vtkAbstractArray* FindValues(vtkDataSet* image) const;
+  InputPiece MakePiece(vtkDataSet* data, const ParticleArrays& kept) const;
+  void Request(vtkInformation* information) const;
   bool UpdateProducer() const;
 
   vtkAlgorithm* Filter;
   Ports Port;
+  Agreement& Ranks;
 };
 
 }

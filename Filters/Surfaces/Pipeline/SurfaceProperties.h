@@ -4,6 +4,7 @@
 #define SurfaceProperties_h
 
 #include "Pipeline/InputClock.h"
+#include "Pipeline/OutputShare.h"
 #include "Simulation/SurfaceSimulation.h"
 
 namespace activesurface
@@ -27,6 +28,7 @@ struct SurfaceProperties
   ClockProperties Clock;
   SimulationLimits Limits;
   OutputProperties Outputs;
+  OutputShare Share;
 };
 
 // Calls visit as ForEachMotionProperty does, for each of OutputProperties.

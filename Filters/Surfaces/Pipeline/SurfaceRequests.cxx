@@ -1,8 +1,12 @@
 #include "Pipeline/SurfaceRequests.h"
 
 #include "Pipeline/Compatibility.h"
+#include "Pipeline/GivenShapes.h"
 #include "Pipeline/PublishedInformation.h"
+#include "Pipeline/RankedRequest.h"
 #include "Pipeline/SkinArrays.h"
+#include "Ranks/ControllerCommunicator.h"
+#include "Ranks/RankedPipeline.h"
 #include "TimeSteps.h"
 
 #include "vtkAlgorithm.h"
@@ -14,6 +18,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
@@ -24,8 +29,7 @@ namespace activesurface
 namespace
 {
 
-// Null if nothing is connected.
-vtkInformation* Get(vtkInformationVector** input, SurfaceInput::Ports port)
+vtkInformation* Get(vtkInformationVector** input, SurfaceInput::Ports port) // null: not connected
 {
   return input[port]->GetInformationObject(0);
 }
@@ -34,10 +38,21 @@ vtkInformation* Get(vtkInformationVector** input, SurfaceInput::Ports port)
 
 SurfaceRequests::SurfaceRequests(vtkAlgorithm* filter)
   : Filter(filter)
-  , Target(filter, SurfaceInput::Target)
-  , Initial(filter, SurfaceInput::Initial)
+  , Target(filter, SurfaceInput::Target, this->Ranks)
+  , Initial(filter, SurfaceInput::Initial, this->Ranks)
   , Pushed(filter)
 {
+}
+
+void SurfaceRequests::SetController(vtkMultiProcessController* controller)
+{
+  const bool wasAlone = this->Ranks.IsAlone();
+  this->Ranks = MakeAgreement(controller);
+  if (!wasAlone || !this->Ranks.IsAlone())
+  {
+    this->Simulation.Reset();
+  }
+  RankedPipeline::SetIsOneOfMany(this->Filter, !this->Ranks.IsAlone());
 }
 
 SurfaceSettings SurfaceRequests::FindSettings(const SurfaceProperties& properties) const
@@ -113,8 +128,8 @@ const SurfaceDomain* SurfaceRequests::FindDomain(
   try
   {
     this->Simulation.Configure(this->FindSettings(properties));
-    const SurfaceDomain* domain = this->Simulation.FindDomain();
-    if (!domain && isWanted)
+    const SurfaceDomain* domain = this->Simulation.FindDomain(); // ranks read together, not here
+    if (!domain && isWanted && this->Ranks.IsAlone())
     {
       this->ReadFirst(input);
       domain = this->Simulation.FindDomain();
@@ -160,7 +175,7 @@ PipelineTime SurfaceRequests::FindRequestedTime(vtkInformation* output) const
 void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInformation* request,
   vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (OutputPorts::IsForNothing(request, output))
+  if (OutputPorts::IsForNothing(this->GetShare(), request, output))
   {
     return;
   }
@@ -186,7 +201,7 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
   // it.
   if (initial && initial != target)
   {
-    SurfaceInput::RequestFirst(initial);
+    this->Initial.RequestFirst(initial);
   }
 }
 
@@ -217,7 +232,7 @@ void SurfaceRequests::RequestTarget(vtkInformation* target)
     missing >= 0 && (inputs.OnlyForward ? isNewest : !this->LastTargetUpdateFailed);
   this->RequestedStep = isReady ? missing : this->FindStepBeside(missing);
   this->LastTargetUpdateFailed = true;
-  SurfaceInput::RequestFirst(target);
+  this->Target.RequestFirst(target);
   if (inputs.TargetMoves)
   {
     target->Set(SDDP::UPDATE_TIME_STEP(), inputs.Steps[this->RequestedStep]);
@@ -226,34 +241,10 @@ void SurfaceRequests::RequestTarget(vtkInformation* target)
 
 void SurfaceRequests::CheckInputs() const
 {
-  const SurfaceInputs& inputs = this->Simulation.GetSettings().Inputs;
-  const bool isFunction = inputs.TargetFunction != nullptr;
-  if (isFunction && this->Target.IsConnected())
-  {
-    throw std::invalid_argument("There are two targets, TargetFunction and the input of port 0; "
-                                "set TargetFunction to none or disconnect the input.");
-  }
-  if (!isFunction && !this->Target.IsConnected())
-  {
-    throw std::invalid_argument(
-      "There is no target; set TargetFunction, or connect particles, a skeleton of lines, a closed "
-      "mesh or an image to input port 0.");
-  }
-  if (inputs.InitialFunction && this->Initial.IsConnected())
-  {
-    throw std::invalid_argument("There are two initial shapes, InitialFunction and the input of "
-                                "port 1; set InitialFunction to none or disconnect the input.");
-  }
-  if (this->Target.IsConnected() && this->CompositeTarget == this->Target.GetPipelineMTime())
-  {
-    throw std::invalid_argument("The input is a composite data set of levels, which cannot be a "
-                                "target; make one image of it (vtkResampleToImage).");
-  }
-  if (this->Initial.IsConnected() && this->CompositeInitial == this->Initial.GetPipelineMTime())
-  {
-    throw std::invalid_argument("The input of port 1 is a composite data set, which is no initial "
-                                "shape; extract or merge its blocks to one mesh or image.");
-  }
+  CheckShapes(this->Simulation.GetSettings().Inputs,
+    { this->Target.IsConnected(), this->Initial.IsConnected(),
+      this->Target.IsStillAt(this->CompositeTarget),
+      this->Initial.IsStillAt(this->CompositeInitial) });
 }
 
 // Some algorithms modify themselves while they execute, which is no reason to start anew; nor if
@@ -331,7 +322,7 @@ bool SurfaceRequests::Advance(vtkInformationVector** input)
     [this](double fraction)
     {
       this->Filter->UpdateProgress(fraction);
-      return !IsAborted(this->Filter);
+      return this->Ranks.GoOn(!IsAborted(this->Filter));
     });
 }
 
@@ -347,14 +338,53 @@ void SurfaceRequests::PublishTimeOfNothing(
     steps.empty() ? asked : PipelineTime{ FindStep(steps, asked.Value).Time }, isEquilibrium);
 }
 
+// Some ranks may have started anew, as something upstream has changed there or failed.
+void SurfaceRequests::AgreeOnRequest(
+  const SurfaceProperties& properties, vtkInformation* request, vtkInformationVector* output)
+{
+  if (RankedPipeline::HaveInputsFailed(this->Filter))
+  {
+    throw std::runtime_error("The input has failed to make its data.");
+  }
+  const int port = RequestedPort(request);
+  const PipelineTime time = this->FindRequestedTime(output->GetInformationObject(port));
+  if (!activesurface::AgreeOnRequest(this->Ranks, properties, this->Simulation, port, time))
+  {
+    this->Simulation.Reset();
+    this->Simulation.Request(time, this->FindArrays(properties.Outputs));
+  }
+}
+
 void SurfaceRequests::RequestData(const SurfaceProperties& properties, vtkInformation* request,
   vtkInformationVector** input, vtkInformationVector* output)
 {
+  const auto fill = [&]
+  {
+    try
+    {
+      this->FillOutputs(properties, request, input, output);
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->Simulation.Reset();
+      throw std::runtime_error(NoMemoryForOutputs);
+    }
+  };
+  RunTogether(this->Ranks, fill);
+}
+
+void SurfaceRequests::FillOutputs(const SurfaceProperties& properties, vtkInformation* request,
+  vtkInformationVector** input, vtkInformationVector* output)
+{
   this->CheckInputs();
-  if (OutputPorts::IsForNothing(request, output))
+  if (OutputPorts::IsForNothing(this->GetShare(), request, output))
   {
     this->PublishTimeOfNothing(properties, request, output);
     return;
+  }
+  if (!this->Ranks.IsAlone())
+  {
+    this->AgreeOnRequest(properties, request, output);
   }
   this->Simulation.GetSettings().Check();
   ForEachOutputProperty(properties.Outputs,
@@ -381,16 +411,23 @@ bool SurfaceRequests::WithdrawFrame()
   return true;
 }
 
-void SurfaceRequests::SaveState(const std::string& file) const
+void SurfaceRequests::SaveState(const std::string& file)
 {
-  const SavedState state = this->Simulation.GetState();
-  if (!state.Band || this->Simulation.GetSettings().IsEquilibrium())
+  const auto write = [&]
   {
-    throw std::runtime_error(
-      "There is no state of a time step to save; update the filter first, with "
-      "EvolutionMode TRANSIENT.");
-  }
-  WriteState(file, state);
+    if (this->Ranks.GetRank() == 0)
+    {
+      WriteState(file, this->Simulation.GetState());
+    }
+  };
+  RunTogether(this->Ranks, write);
+}
+
+void SurfaceRequests::LoadState(const std::string& file)
+{
+  SavedState state;
+  RunTogether(this->Ranks, [&] { state = ReadState(file); });
+  this->Simulation.SetState(state);
 }
 
 }

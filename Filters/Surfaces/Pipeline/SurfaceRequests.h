@@ -7,6 +7,7 @@
 #ifndef SurfaceRequests_h
 #define SurfaceRequests_h
 
+#include "Agreement.h"
 #include "Pipeline/InputClock.h"
 #include "Pipeline/OutputPorts.h"
 #include "Pipeline/PushedFrames.h"
@@ -21,6 +22,7 @@ class vtkAlgorithm;
 class vtkGridPotential;
 class vtkInformation;
 class vtkInformationVector;
+class vtkMultiProcessController;
 
 namespace activesurface
 {
@@ -29,6 +31,10 @@ class SurfaceRequests
 {
 public:
   explicit SurfaceRequests(vtkAlgorithm* filter);
+
+  // The ranks that make one skin together; null: this process alone. Starts anew.
+  void SetController(vtkMultiProcessController* controller);
+  OutputShare GetShare() const { return { this->Ranks.GetRank(), this->Ranks.GetSize() }; }
 
   SurfaceSimulation& GetSimulation() { return this->Simulation; }
 
@@ -39,7 +45,8 @@ public:
   void RequestInputs(const SurfaceProperties& properties, vtkInformation* request,
     vtkInformationVector** input, vtkInformationVector* output);
 
-  // Fills the outputs; throws std::exception whose message is shown to the user.
+  // Fills the outputs; throws std::exception whose message is shown to the user. All ranks take
+  // part.
   void RequestData(const SurfaceProperties& properties, vtkInformation* request,
     vtkInformationVector** input, vtkInformationVector* output);
 
@@ -67,9 +74,10 @@ public:
   // Leaves empty outputs that do not count as made.
   void ClearOutputs(vtkInformationVector* output) { this->Outputs.Clear(output); }
 
-  // Throw std::exception whose message is shown to the user.
-  void SaveState(const std::string& file) const;
-  void LoadState(const std::string& file) { this->Simulation.SetState(ReadState(file)); }
+  // Throw std::exception whose message is shown to the user. All ranks take part: the first one
+  // writes, each one reads.
+  void SaveState(const std::string& file);
+  void LoadState(const std::string& file);
 
   // Of the skin that was made last; the same object always.
   vtkGridPotential* GetSkinFunction() { return this->Outputs.GetSkinFunction(this->Simulation); }
@@ -90,10 +98,15 @@ private:
   std::unique_ptr<InputShape> ReadTarget(vtkInformation* target) const;
   void UpdateTarget(vtkInformation* target, PipelineTime time);
   bool Advance(vtkInformationVector** input);
+  void AgreeOnRequest(
+    const SurfaceProperties& properties, vtkInformation* request, vtkInformationVector* output);
+  void FillOutputs(const SurfaceProperties& properties, vtkInformation* request,
+    vtkInformationVector** input, vtkInformationVector* output);
   void PublishTimeOfNothing(const SurfaceProperties& properties, vtkInformation* request,
     vtkInformationVector* output) const;
 
   vtkAlgorithm* Filter;
+  Agreement Ranks;
   SurfaceInput Target;
   SurfaceInput Initial;
   PushedFrames Pushed;

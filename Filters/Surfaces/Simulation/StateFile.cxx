@@ -31,6 +31,11 @@ openvdb::GridBase::Ptr FindSavedGrid(const std::string& file)
 
 void WriteState(const std::string& file, const SavedState& state)
 {
+  if (!state.Band)
+  {
+    throw std::runtime_error("There is no state of a time step to save; update the filter first, "
+                             "with EvolutionMode TRANSIENT.");
+  }
   try
   {
     FileReplacement replacement(file);

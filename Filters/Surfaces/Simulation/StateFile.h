@@ -10,7 +10,8 @@
 namespace activesurface
 {
 
-// Throws std::runtime_error if the file cannot be written; then there is none, or the one before.
+// Throws std::runtime_error if there is no state, or the file cannot be written; then there is
+// none, or the one before.
 void WriteState(const std::string& file, const SavedState& state);
 
 // Throws std::runtime_error for a file that cannot be read or holds no state.

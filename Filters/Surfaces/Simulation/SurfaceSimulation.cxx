@@ -335,7 +335,7 @@ bool SurfaceSimulation::Loses(std::size_t row, double outside) const
 SavedState SurfaceSimulation::GetState() const
 {
   SavedState state;
-  if (this->Way.HasBegun() && !this->Way.IsUnderWay())
+  if (this->Way.HasBegun() && !this->Way.IsUnderWay() && !this->Settings.IsEquilibrium())
   {
     const int step = this->Way.GetStep();
     state.Band = this->Way.Share({ step, this->Settings.GetStep(step), false });

@@ -87,6 +87,15 @@ public:
   int GetLastStepAdded() const { return this->LastStepAdded; }
   void AddFrame(int step, std::shared_ptr<InputShape> shape);
 
+  // Where the surface is and which frames it will ask for: the same text on all ranks of a parallel
+  // program as long as they keep step.
+  std::string DescribeState() const
+  {
+    return this->Way.Describe() + ", needs " + std::to_string(this->FindMissingStep()) +
+      ", after " + std::to_string(this->LastStepAdded) + (this->WantsInitial() ? ", initial" : "") +
+      (this->Loaded.Band ? ", loaded" : "");
+  }
+
   // Whether the initial shape has to come in before the surface can start.
   bool WantsInitial() const { return this->Shapes.WantsInitial(); }
   void SetInitial(std::shared_ptr<InputShape> shape) { this->Shapes.SetInitial(std::move(shape)); }
@@ -113,7 +122,7 @@ public:
   Motion GetMotion() const { return this->Driver.GetMotion(this->Way.GetStep()); }
 
   // The state at the last step that is not after the requested time; its band is null if there is
-  // none.
+  // none, as with EvolutionMode EQUILIBRIUM.
   SavedState GetState() const;
   // From now on, and as long as the settings stay the same after the next Configure, the surface
   // starts with this state.

@@ -1,5 +1,6 @@
 #include "Simulation/Trajectory.h"
 
+#include <sstream>
 #include <utility>
 
 namespace activesurface
@@ -46,6 +47,18 @@ bool Trajectory::IsAt(const RequestedTime& time) const
   return this->HasBegun() && this->Step == time.Step && !this->IsUnderWay() &&
     (!time.Between || this->BranchIsAt(time.Time)) &&
     (!this->Settings.IsEquilibrium() || this->IsSteady);
+}
+
+std::string Trajectory::Describe() const
+{
+  std::ostringstream text;
+  text << std::hexfloat << "step " << this->Step;
+  if (this->HasBegun())
+  {
+    text << " at " << this->Band->GetTime() << ", " << this->Band->GetNumberOfActiveNodes()
+         << " nodes" << (this->Branch ? ", branch" : "");
+  }
+  return text.str();
 }
 
 NarrowBand& Trajectory::GetBandToMove()

@@ -12,6 +12,7 @@
 #include "Simulation/SurfaceSettings.h"
 
 #include <memory>
+#include <string>
 
 namespace activesurface
 {
@@ -55,6 +56,9 @@ public:
   // The band to be moved to a time between this step and the next; begun anew for another time.
   NarrowBand& GetBranchTo(PipelineTime time);
   void FinishBranch() { this->BranchIsUnderWay = false; }
+
+  // Where it is, to the last bit of the time.
+  std::string Describe() const;
 
   const NarrowBand& GetBand() const { return *this->Band; }
   // To keep, at a time where it is: it does not change any more. Null before the first step.

@@ -1,5 +1,7 @@
 #include "Targets/ParticleFrame.h"
 
+#include "Targets/ParticleOrder.h"
+
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -58,6 +60,31 @@ std::vector<std::int64_t> ReadIds(vtkDataArray* array)
   vtkNew<vtkTypeInt64Array> ids;
   ids->DeepCopy(array);
   return { ids->GetPointer(0), ids->GetPointer(0) + count };
+}
+
+template <class Value>
+void Permute(const std::vector<std::size_t>& order, std::vector<Value>& values)
+{
+  std::vector<Value> sorted;
+  sorted.reserve(values.size());
+  for (const std::size_t place : order)
+  {
+    sorted.push_back(values[place]);
+  }
+  values.swap(sorted);
+}
+
+// Ids and points go with the particles.
+void Sort(ParticleFrame& frame)
+{
+  const std::vector<std::size_t> order =
+    FindParticleOrder(frame.Particles, frame.HasIds ? &frame.Ids : nullptr);
+  if (!order.empty())
+  {
+    Permute(order, frame.Particles);
+    Permute(order, frame.Ids);
+    Permute(order, frame.Points);
+  }
 }
 
 // One that is not finite counts as unknown, NaN.
@@ -188,6 +215,7 @@ ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
     frame.Ids.push_back(ids ? allIds[i] : i);
     frame.Points.push_back(i);
   }
+  Sort(frame);
   KeepVelocities(AsNumbers(arrays.Velocities, count, "velocities", 3), frame);
   KeepArrays(arrays.Passed, count, frame);
   return frame;

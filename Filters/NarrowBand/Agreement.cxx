@@ -1,0 +1,73 @@
+#include "Agreement.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** What a rank says at the beginning of a round; the largest counts. */
+enum State : std::int64_t
+{
+  Fine = 0,
+  Stopping = 1,
+  Failed = 2
+};
+
+}
+
+Agreement::Agreement()
+  : Agreement(std::make_unique<SerialCommunicator>())
+{
+}
+
+Agreement::Agreement(std::unique_ptr<Communicator> ranks)
+  : Ranks(std::move(ranks))
+{
+}
+
+std::vector<Bytes> Agreement::Exchange(const Bytes& own)
+{
+  if (this->Ranks->Max(Fine) == Failed)
+  {
+    this->ThrowTogether("");
+  }
+  return this->Ranks->AllGather(own);
+}
+
+bool Agreement::GoOn(bool own)
+{
+  const std::int64_t state = this->Ranks->Max(own ? Fine : Stopping);
+  if (state == Failed)
+  {
+    this->ThrowTogether("");
+  }
+  return state == Fine;
+}
+
+void Agreement::Fail(const std::string& sentence)
+{
+  this->Ranks->Max(Failed);
+  this->ThrowTogether(sentence);
+}
+
+/** Empty: this rank has not failed. */
+void Agreement::ThrowTogether(const std::string& sentence)
+{
+  const std::vector<Bytes> all = this->Ranks->AllGather({ sentence.begin(), sentence.end() });
+  const auto isSame = [&all](const Bytes& other) { return other == all.front(); };
+  const auto first =
+    std::find_if(all.begin(), all.end(), [](const Bytes& other) { return !other.empty(); });
+  const std::string text(first->begin(), first->end());
+  if (std::all_of(all.begin(), all.end(), isSame))
+  {
+    throw RankError(text);
+  }
+  throw RankError("On rank " + std::to_string(first - all.begin()) + " of " +
+    std::to_string(all.size()) + ": " + text);
+}
+
+}

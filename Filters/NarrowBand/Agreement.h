@@ -1,0 +1,81 @@
+/**
+ * Rounds in which ranks tell each other something, fail together, or stop together.
+ *
+ * Every rank takes part in the same rounds in the same order. A rank that has failed takes part in
+ * the next one by Fail, whatever round it is: then the round ends with a RankError on all of them,
+ * which has the same sentence everywhere. So no rank waits for one that has gone. A rank whose
+ * process has ended takes no part; that is for MPI to notice.
+ */
+#ifndef Agreement_h
+#define Agreement_h
+
+#include "Communicator.h"
+#include "vtkActiveNarrowBandModule.h"
+
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace activesurface
+{
+
+/** What all ranks have agreed upon to fail with. */
+class RankError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class VTKACTIVENARROWBAND_EXPORT Agreement
+{
+public:
+  /** Of a program of one process. */
+  Agreement();
+  explicit Agreement(std::unique_ptr<Communicator> ranks);
+
+  int GetRank() const { return this->Ranks->GetRank(); }
+  int GetSize() const { return this->Ranks->GetSize(); }
+  bool IsAlone() const { return this->GetSize() < 2; }
+
+  /** A round: the bytes of each rank, by rank. Throws RankError if one has failed. */
+  std::vector<Bytes> Exchange(const Bytes& own);
+
+  /** A round: whether every rank wants to go on. Throws RankError if one has failed. */
+  bool GoOn(bool own);
+
+  /** In place of whatever round the others are in. The sentence of the first rank that has failed,
+   * after the rank's number, unless all have failed with the same sentence. */
+  [[noreturn]] void Fail(const std::string& sentence);
+
+private:
+  [[noreturn]] void ThrowTogether(const std::string& sentence);
+
+  std::unique_ptr<Communicator> Ranks;
+};
+
+/** Runs a task on every rank, which may have rounds of its own: what goes wrong on one rank goes
+ * wrong on all. Each waits for the others at the end, or a late error of one would find them gone.
+ */
+template <class Task>
+void RunTogether(Agreement& ranks, Task&& task)
+{
+  try
+  {
+    task();
+    ranks.GoOn(true);
+  }
+  catch (const RankError&)
+  {
+    throw;
+  }
+  catch (const std::exception& error)
+  {
+    ranks.Fail(error.what());
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,49 @@
+/**
+ * The ranks of a parallel program, as the numerics see them: who they are, and two ways to tell
+ * each other something. What carries the bytes is another's, see Surfaces/Ranks.
+ *
+ * Calls of Max and AllGather are collective: every rank makes the same ones in the same order.
+ */
+#ifndef Communicator_h
+#define Communicator_h
+
+#include <cstdint>
+#include <vector>
+
+namespace activesurface
+{
+
+using Bytes = std::vector<char>;
+
+class Communicator
+{
+public:
+  Communicator() = default;
+  Communicator(const Communicator&) = delete;
+  void operator=(const Communicator&) = delete;
+  virtual ~Communicator() = default;
+
+  /** In [0, GetSize()). */
+  virtual int GetRank() const = 0;
+  virtual int GetSize() const = 0;
+
+  /** The largest of the ranks' numbers. */
+  virtual std::int64_t Max(std::int64_t own) = 0;
+
+  /** The bytes of each rank, by rank. */
+  virtual std::vector<Bytes> AllGather(const Bytes& own) = 0;
+};
+
+/** A program of one process. */
+class SerialCommunicator final : public Communicator
+{
+public:
+  int GetRank() const override { return 0; }
+  int GetSize() const override { return 1; }
+  std::int64_t Max(std::int64_t own) override { return own; }
+  std::vector<Bytes> AllGather(const Bytes& own) override { return { own }; }
+};
+
+}
+
+#endif

@@ -1,0 +1,97 @@
+#include "Pipeline/RankedRequest.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace activesurface
+{
+
+namespace
+{
+
+template <class Value>
+void Tell(std::ostream& text, const Property& property, const Value& value)
+{
+  text << property.Name << ": " << static_cast<double>(value) << "\n";
+}
+
+void Tell(std::ostream& text, const Property& property, const std::array<double, 6>& values)
+{
+  text << property.Name << ":";
+  std::for_each(values.begin(), values.end(), [&text](double value) { text << " " << value; });
+  text << "\n";
+}
+
+// A line each, numbers to the last bit: what has to be the same for the ranks to keep step.
+std::string DescribeRequest(
+  const SurfaceProperties& properties, const SurfaceSettings& settings, int port, PipelineTime time)
+{
+  std::ostringstream text;
+  text << std::hexfloat << "the time: " << time.Value << "\nthe output port: " << port << "\n";
+  const auto tell = [&text](const Property& property, const auto& value, auto&&)
+  { Tell(text, property, value); };
+  ForEachProperty(settings, tell);
+  ForEachOutputProperty(properties.Outputs, tell);
+  text << "MaximumNumberOfActiveVoxels: " << properties.Limits.MaximumVoxels
+       << "\nCheckpointInterval: " << properties.Limits.CheckpointInterval
+       << "\nCheckpointMemory: " << properties.Limits.CheckpointMemory << "\n";
+  const SurfaceInputs& inputs = settings.Inputs;
+  text << "the time steps of the input: " << inputs.TargetMoves << inputs.OnlyForward;
+  std::for_each(
+    inputs.Steps.begin(), inputs.Steps.end(), [&text](double step) { text << " " << step; });
+  text << "\nwhat inputs and functions there are: " << !inputs.TargetFunction
+       << !inputs.InitialFunction << !inputs.ObstacleFunction << inputs.HasInitialInput << "\n";
+  for (const std::string& array : inputs.Arrays)
+  {
+    text << "the chosen arrays: " << array << "\n";
+  }
+  return text.str();
+}
+
+// What the first line is about that is not the same in both.
+std::string FindDifference(const std::string& one, const std::string& other)
+{
+  std::istringstream lines(one), others(other);
+  std::string line, match;
+  while (std::getline(lines, line) && std::getline(others, match) && line == match)
+  {
+  }
+  return line.substr(0, line.find(':'));
+}
+
+std::string ToString(const Bytes& bytes)
+{
+  return { bytes.begin(), bytes.end() };
+}
+
+}
+
+bool AgreeOnRequest(Agreement& ranks, const SurfaceProperties& properties,
+  const SurfaceSimulation& simulation, int port, PipelineTime time)
+{
+  const std::string request = DescribeRequest(properties, simulation.GetSettings(), port, time);
+  const std::string own = request + '\0' + simulation.DescribeState();
+  const std::vector<Bytes> all = ranks.Exchange({ own.begin(), own.end() });
+  const std::string first = ToString(all.front());
+  bool areAtOnePlace = true;
+  for (std::size_t rank = 1; rank < all.size(); ++rank)
+  {
+    const std::string other = ToString(all[rank]);
+    areAtOnePlace = areAtOnePlace && other == first;
+    const std::string requests[2] = { first.substr(0, first.find('\0')),
+      other.substr(0, other.find('\0')) };
+    if (requests[0] != requests[1])
+    {
+      throw std::invalid_argument("The ranks make one skin together, but rank " +
+        std::to_string(rank) + " has another value than rank 0 for " +
+        FindDifference(requests[0], requests[1]) +
+        "; set the same on all ranks, or give each its own filter without a Controller.");
+    }
+  }
+  return areAtOnePlace;
+}
+
+}

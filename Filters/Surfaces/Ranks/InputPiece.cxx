@@ -1,0 +1,173 @@
+#include "Ranks/InputPiece.h"
+
+#include "AttachedData.h"
+#include "Ranks/WholeOfPieces.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkExtentTranslator.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <string>
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+namespace activesurface
+{
+
+namespace
+{
+
+bool IsDuplicate(unsigned char ghost)
+{
+  return (ghost & vtkDataSetAttributes::DUPLICATEPOINT) != 0;
+}
+
+// One of another length than the points cannot go with them.
+bool IsSent(vtkAbstractArray* array, const PieceArrays& arrays, vtkIdType points)
+{
+  const auto& chosen = arrays.Chosen;
+  const std::string name = array->GetName() ? array->GetName() : "";
+  const bool isWanted =
+    arrays.All || std::find(chosen.begin(), chosen.end(), array) != chosen.end();
+  return isWanted && !name.empty() && name != vtkDataSetAttributes::GhostArrayName() &&
+    array->GetNumberOfTuples() == points;
+}
+
+void RemoveUnsent(const PieceArrays& arrays, vtkPointData* data, vtkIdType points)
+{
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (!IsSent(data->GetAbstractArray(i), arrays, points))
+    {
+      data->RemoveArray(i);
+    }
+  }
+}
+
+void CopyPoints(vtkPoints* from, vtkIdList* kept, vtkPoints* to)
+{
+  to->SetDataType(from->GetDataType());
+  to->SetNumberOfPoints(kept->GetNumberOfIds());
+  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
+  {
+    to->SetPoint(i, from->GetPoint(kept->GetId(i)));
+  }
+}
+
+// Without the duplicates of what is another rank's.
+void RemoveDuplicates(vtkUnsignedCharArray* ghosts, vtkPolyData* points)
+{
+  vtkNew<vtkIdList> kept;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    if (!IsDuplicate(ghosts->GetValue(i)))
+    {
+      kept->InsertNextId(i);
+    }
+  }
+  if (kept->GetNumberOfIds() == points->GetNumberOfPoints())
+  {
+    return;
+  }
+  vtkNew<vtkPoints> places;
+  CopyPoints(points->GetPoints(), kept, places);
+  vtkNew<vtkPointData> arrays;
+  arrays->CopyAllOn();
+  arrays->CopyAllocate(points->GetPointData(), kept->GetNumberOfIds());
+  vtkNew<vtkIdList> order;
+  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
+  {
+    order->InsertNextId(i);
+  }
+  arrays->CopyData(points->GetPointData(), kept, order);
+  points->SetPoints(places);
+  points->GetPointData()->ShallowCopy(arrays);
+}
+
+}
+
+void RequestPiece(vtkInformation* input, int rank, int size)
+{
+  input->Set(SDDP::UPDATE_PIECE_NUMBER(), rank);
+  input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), size);
+  input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (input->Has(SDDP::WHOLE_EXTENT()))
+  {
+    int extent[6];
+    vtkNew<vtkExtentTranslator> translator;
+    translator->PieceToExtentThreadSafe(
+      rank, size, 0, input->Get(SDDP::WHOLE_EXTENT()), extent, vtkExtentTranslator::BLOCK_MODE, 0);
+    input->Set(SDDP::UPDATE_EXTENT(), extent, 6);
+  }
+}
+
+InputPiece MakeParticlePiece(vtkPointSet* points, const PieceArrays& arrays)
+{
+  auto piece = vtkSmartPointer<vtkPolyData>::New();
+  piece->SetPoints(points->GetPoints());
+  piece->GetPointData()->ShallowCopy(points->GetPointData());
+  RemoveUnsent(arrays, piece->GetPointData(), points->GetNumberOfPoints());
+  if (auto ghosts = points->GetPointGhostArray())
+  {
+    RemoveDuplicates(ghosts, piece);
+  }
+  if (points->GetNumberOfCells() > 0)
+  {
+    MakeOneCell(piece);
+  }
+  return piece->GetNumberOfPoints() > 0 ? InputPiece{ PieceKind::Particles, piece } : InputPiece();
+}
+
+InputPiece MakeCellPiece(vtkPolyData* cells, const PieceArrays& arrays)
+{
+  auto piece = vtkSmartPointer<vtkPolyData>::New();
+  if (cells->GetCellGhostArray())
+  {
+    piece->DeepCopy(cells); // whose cells it removes
+    piece->RemoveGhostCells();
+  }
+  else
+  {
+    piece->ShallowCopy(cells);
+  }
+  PieceArrays copies{ arrays.All, {} };
+  for (vtkAbstractArray* array : arrays.Chosen)
+  {
+    const char* name = array ? array->GetName() : nullptr;
+    copies.Chosen.push_back(name ? piece->GetPointData()->GetAbstractArray(name) : nullptr);
+  }
+  RemoveUnsent(copies, piece->GetPointData(), piece->GetNumberOfPoints());
+  piece->GetCellData()->Initialize();
+  piece->SetVerts(nullptr);
+  return { PieceKind::Cells, piece };
+}
+
+InputPiece MakeImagePiece(vtkImageData* image, vtkAbstractArray* values)
+{
+  auto piece = vtkSmartPointer<vtkImageData>::New();
+  piece->CopyStructure(image);
+  if (!values)
+  {
+    Attach(piece->GetInformation(), GetAttachedGrid(image->GetInformation()));
+    return { PieceKind::GridImage, piece };
+  }
+  piece->GetPointData()->AddArray(values);
+  if (values->GetName() && values == image->GetPointData()->GetScalars())
+  {
+    piece->GetPointData()->SetActiveScalars(values->GetName());
+  }
+  return { PieceKind::Image, piece };
+}
+
+}

@@ -1,0 +1,219 @@
+# ctest: LABELS contract TIMEOUT 900
+"""Ranks of MPI make one skin, with the bytes of a program without MPI, and fail together.
+
+Run: python3 test_ranks.py. Skipped where there is no MPI, see with_ranks.
+"""
+
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy
+from ranks import load, sorted_triangles, whole_image
+
+PROGRAM = Path(__file__).with_name("ranks_program.py")
+WITH_RANKS = PROGRAM.parents[1] / "with_ranks"
+NO_MPI = 77  # by with_ranks
+SIZES = (1, 2, 3, 4)
+SAME = ("splash", "emitter", "meshes", "image", "skeleton", "grid", "morph", "live")
+# A run takes seconds. A rank that waits for another one waits for ever.
+LONGEST = 120
+
+
+def start(size, run, folder):
+    """The run on so many ranks, which share the cores; 0: without MPI."""
+    program = [sys.executable, str(PROGRAM), run, str(folder)]
+    with subprocess.Popen(
+        ["bash", str(WITH_RANKS), str(size), *program] if size else [*program, "--alone"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    ) as started:
+        try:
+            said, _ = started.communicate(timeout=LONGEST)
+        except subprocess.TimeoutExpired:
+            started.terminate()  # by which mpiexec ends its ranks; it would not, if it were killed
+            raise
+    if started.returncode == NO_MPI:
+        raise unittest.SkipTest(said)
+    if started.returncode != 0:
+        raise RuntimeError(f"{run} on {size} ranks: {said[-4000:]}")
+
+
+def state_in(file):
+    """The bytes of a .vdb but for its random number, which is 36 bytes from the 21st on."""
+    content = file.read_bytes()
+    return content[:21] + content[57:]
+
+
+class Ranks(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.alone = Path(cls.enterClassFolder())
+        start(1, "nothing", cls.alone)  # or all are skipped
+        start(0, ",".join(SAME), cls.alone)
+
+    @classmethod
+    def enterClassFolder(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        return folder.name
+
+    def folder(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        return Path(folder.name)
+
+    def names_in(self, folder):
+        return sorted(
+            path.name[: -len(".0.npz")]
+            for path in folder.glob("*.0.npz")
+            if not path.name.endswith(".errors.0.npz")
+        )
+
+    def assert_same(self, folder, size, alone, expected_folder=None):
+        """The outputs of the ranks are those of the program without MPI, nothing twice."""
+        expected = load(expected_folder or self.alone, alone, 1)
+        kept = load(folder, alone, size)
+        self.assert_no_errors(folder, alone, size)
+        triangles = sorted_triangles(expected)
+        self.assertGreater(len(triangles), 100, "a skin of nothing proves nothing")
+        self.assertTrue(sorted_triangles(kept) == triangles, f"triangles of {alone}, {size} ranks")
+        self.assertEqual(
+            list(kept[0]["history"]), list(expected[0]["history"]), f"history of {alone}"
+        )
+        for other in kept[1:]:
+            self.assertEqual(len(other["history"]), 0, "the first rank has the rows")
+        if expected[0]["potential"].size:
+            extent = expected[0]["extent"]
+            numpy.testing.assert_array_equal(
+                whole_image(kept, extent), whole_image(expected, extent), f"image of {alone}"
+            )
+
+    def assert_no_errors(self, folder, name, size):
+        for part in load(folder, name + ".errors", size):
+            self.assertEqual(list(part["errors"]), [])
+
+    def assert_failed(self, folder, name, size, *words):
+        """All ranks have the same error, with these words in it, and no skin."""
+        errors = [part["errors"] for part in load(folder, name + ".errors", size)]
+        for own in errors:
+            self.assertEqual(len(own), 1, errors)
+            self.assertEqual(own[0].splitlines()[-1], errors[0][0].splitlines()[-1])
+            for word in words:
+                self.assertIn(word, own[0])
+        for part in load(folder, name, size):
+            self.assertEqual(len(part["triangles"]), 0)
+
+    def test_same_bytes_on_any_number_of_ranks(self):
+        for size in SIZES:
+            with self.subTest(ranks=size):
+                folder = self.folder()
+                start(size, ",".join(SAME), folder)
+                self.assertEqual(self.names_in(folder), self.names_in(self.alone))
+                for name in self.names_in(folder):
+                    self.assert_same(folder, size, name)
+                self.assertEqual(
+                    state_in(folder / "splash.vdb"), state_in(self.alone / "splash.vdb")
+                )
+
+    def test_shares_are_even_and_none_is_empty(self):
+        folder = self.folder()
+        start(3, "splash", folder)
+        counts = [len(part["triangles"]) for part in load(folder, "splash_2", 3)]
+        # The costs of a leaf, at most 8 * 8 * 8 voxels of at most 5 triangles, at either end; here
+        # a leaf of the skin holds far less.
+        self.assertLess(max(counts) - min(counts), 600, counts)
+
+    def test_points_at_borders_are_the_same_points(self):
+        folder = self.folder()
+        start(3, "splash", folder)
+        whole = load(self.alone, "splash_2", 1)[0]["points"]
+        parts = load(folder, "splash_2", 3)
+        self.assertGreater(sum(len(part["ids"]) for part in parts), len(whole), "borders")
+        for part in parts:
+            numpy.testing.assert_array_equal(part["points"], whole[part["ids"]])
+
+    def test_a_file_is_written_once_and_whole(self):
+        expected = self.folder()
+        start(0, "written", expected)
+        folder = self.folder()
+        start(3, "written", folder)
+        self.assertEqual(state_in(folder / "written.vdb"), state_in(expected / "written.vdb"))
+        for part in load(folder, "writes", 3):
+            self.assertEqual(list(part["done"]), [1, 0])
+
+    def test_restart_on_another_number_of_ranks(self):
+        saved = self.folder()
+        start(3, "splash", saved)
+        expected = self.folder()
+        (saved / "splash.vdb").rename(saved / "saved.vdb")
+        shutil.copy(saved / "saved.vdb", expected)
+        start(0, "restart", expected)
+        for size in (1, 2, 4):
+            with self.subTest(ranks=size):
+                folder = self.folder()
+                shutil.copy(saved / "saved.vdb", folder)
+                start(size, "restart", folder)
+                self.assert_same(folder, size, "restart_4", expected)
+
+    def test_a_step_that_fails_on_one_rank(self):
+        expected = self.folder()
+        start(0, "failing_step", expected)  # the only rank is not rank 1
+        for size in (2, 3):
+            with self.subTest(ranks=size):
+                folder = self.folder()
+                start(size, "failing_step", folder)
+                words = (f"On rank 1 of {size}: ", "input has failed")
+                self.assert_failed(folder, "failed_4", size, *words)
+                self.assert_failed(folder, "failed_3", size, *words)
+                self.assert_same(folder, size, "before_2", expected)
+                self.assert_same(folder, size, "mended_4", expected)
+                self.assert_same(folder, size, "mended_3", expected)
+
+    def test_a_file_that_one_rank_does_not_find(self):
+        folder = self.folder()
+        start(2, "missing_file", folder)
+        self.assert_failed(folder, "no_file", 2, "On rank 0 of 2: ", "input has failed")
+        self.assert_no_errors(folder, "a_file", 2)
+        self.assertGreater(len(sorted_triangles(load(folder, "a_file", 2))), 100)
+
+    def test_an_array_that_one_rank_does_not_have(self):
+        folder = self.folder()
+        start(3, "missing_array", folder)
+        self.assert_failed(folder, "no_array", 3, "On rank 2 of 3: ", "no point array as chosen")
+
+    def test_ranks_that_ask_for_different_things(self):
+        folder = self.folder()
+        start(3, "other_properties", folder)
+        self.assert_failed(folder, "other_voxels", 3, "rank 2 has another value", "VoxelSize")
+        self.assert_failed(folder, "other_times", 3, "rank 1 has another value", "the time")
+
+    def test_a_state_that_one_rank_does_not_find(self):
+        folder = self.folder()
+        shutil.copy(self.alone / "splash.vdb", folder / "saved.vdb")
+        start(2, "bad_state", folder)
+        self.assertEqual([bool(part["loaded"]) for part in load(folder, "loaded", 2)], [False] * 2)
+
+    def test_what_one_rank_stops_all_stop(self):
+        expected = self.folder()
+        start(0, "aborted", expected)
+        folder = self.folder()
+        start(3, "aborted", folder)
+        for part in load(folder, "aborted_2", 3):
+            self.assertEqual(len(part["triangles"]), 0)
+        self.assert_same(folder, 3, "resumed_2", expected)
+
+    def test_a_change_upstream_of_one_rank(self):
+        expected = self.folder()
+        start(0, "changed_upstream", expected)
+        folder = self.folder()
+        start(2, "changed_upstream", folder)
+        self.assert_same(folder, 2, "changed_2", expected)
+
+
+if __name__ == "__main__":
+    unittest.main()
