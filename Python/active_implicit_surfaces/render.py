@@ -31,27 +31,12 @@ from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkFloatArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals
-from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
-from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
-from vtkmodules.vtkRenderingOpenGL2 import (
-    vtkCameraPass,
-    vtkRenderPassCollection,
-    vtkSequencePass,
-)
 
-try:
-    from vtkmodules.vtkRenderingOpenGL2 import vtkValuePass
-except ImportError as error:
-    raise ImportError(
-        "active_implicit_surfaces.render needs vtkValuePass, which the VTK of vtkmodules "
-        "does not have; write pictures as .png, or use the package with Debian's VTK or VTK's own."
-    ) from error
+from .surface_values import distances_along_axis, surface_values
+
 try:
     from .vtkActiveIO import vtkActiveEXRWriter
 except ImportError as error:
@@ -61,7 +46,6 @@ except ImportError as error:
     ) from error
 
 FAR = 1e10  # what Blender writes where nothing is; finite, so that filters of pictures make no NaN
-_POINT_FIELD = 3  # VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, which vtkValuePass takes
 # Of depth, by which a value and the depth buffer may differ and be of the same surface: the buffer
 # has 24 bits, of which perspective leaves about 14 far away.
 _SAME_DEPTH = 1e-4
@@ -178,7 +162,7 @@ def capture(
     window.Render()
     size = window.GetSize()
     picture = _picture(window, size)
-    depth, values = _surface_values(window, renderer, velocity)
+    depth, values = surface_values(window, renderer, velocity)
     camera = renderer.GetActiveCamera()
     projection = _projection(renderer, camera)
     places, distances = _places(depth, size, projection, camera)
@@ -253,146 +237,6 @@ def _picture(window: Any, size: tuple[int, int]) -> Any:
     return vtk_to_numpy(colors).reshape(-1, 4).copy()
 
 
-def _surface_values(window: Any, renderer: Any, velocity: Any) -> Any:
-    """The depth buffer, and the values of the nearest surface in each pixel."""
-    samples = window.GetMultiSamples()
-    window.SetMultiSamples(0)
-    try:
-        window.Render()
-        size = window.GetSize()
-        depth = vtkFloatArray()
-        window.GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depth)
-        values = _render_values(window, renderer, _stand_in(renderer, velocity))
-    finally:
-        window.SetMultiSamples(samples)
-    return vtk_to_numpy(depth).astype(float), values
-
-
-def _stand_in(renderer: Any, velocity: Any) -> Any:
-    """All opaque surfaces in one, in world coordinates, with their values as point arrays."""
-    together = vtkAppendPolyData()
-    camera = renderer.GetActiveCamera()
-    actors, index = renderer.GetActors(), 0
-    actors.InitTraversal()
-    while (actor := actors.GetNextActor()) is not None:
-        index += 1
-        surface = _surface_of(actor)
-        if surface is not None:
-            together.AddInputData(_with_values(surface, velocity, index, camera))
-    if together.GetNumberOfInputConnections(0) == 0:
-        return None
-    together.Update()
-    return together.GetOutput()
-
-
-def _surface_of(actor: Any) -> Any:
-    """An actor's opaque surface in world coordinates, or None."""
-    mapper = actor.GetMapper()
-    if not actor.GetVisibility() or mapper is None or actor.HasTranslucentPolygonalGeometry():
-        return None
-    data = mapper.GetInputDataObject(0, 0)
-    if data is None or mapper.IsA("vtkGlyph3DMapper"):
-        return None
-    has_blocks = data.IsA("vtkCompositeDataSet")
-    if not has_blocks and not data.IsA("vtkDataSet"):
-        return None
-    outside = vtkCompositeDataGeometryFilter() if has_blocks else vtkGeometryFilter()
-    outside.SetInputData(data)
-    outside.Update()
-    surface = outside.GetOutput()
-    if surface.GetNumberOfCells() == 0:
-        return None
-    source = outside
-    if surface.GetPointData().GetNormals() is None:
-        source = vtkPolyDataNormals()
-        source.SetInputConnection(outside.GetOutputPort())
-        source.SplittingOff()
-    to_world = vtkTransform()
-    to_world.SetMatrix(actor.GetMatrix())
-    turned = vtkTransformFilter()
-    turned.SetTransform(to_world)
-    turned.SetInputConnection(source.GetOutputPort())
-    turned.Update()
-    return turned.GetOutput()
-
-
-def _with_values(surface: Any, velocity: Any, index: int, camera: Any) -> Any:
-    """The surface with the arrays that are rendered, and no other."""
-    only = surface.NewInstance()
-    only.CopyStructure(surface)
-    count = surface.GetNumberOfPoints()
-    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
-    source = surface.GetPointData()
-    speeds = source.GetArray(velocity)
-    if speeds is None or speeds.GetNumberOfComponents() != 3:
-        speeds = numpy.zeros((count, 3))
-    else:
-        speeds = vtk_to_numpy(speeds)
-    values = {
-        "normal": vtk_to_numpy(source.GetNormals()),
-        "velocity": speeds,
-        "id": numpy.full(count, index),
-        "distance": _distances(points, camera),
-    }
-    for name, numbers in values.items():
-        array = numpy_to_vtk(numpy.ascontiguousarray(numbers, dtype=numpy.float32), deep=True)
-        array.SetName(name)
-        only.GetPointData().AddArray(array)
-    return only
-
-
-def _render_values(window: Any, renderer: Any, surface: Any) -> Any:
-    """The arrays of the surface, as vtkValuePass draws them into a buffer of floats."""
-    shape = {"normal": 3, "velocity": 3, "id": 1, "distance": 1}
-    pixels = window.GetSize()[0] * window.GetSize()[1]
-    if surface is None:
-        return {
-            name: numpy.full((pixels, count) if count > 1 else pixels, numpy.inf)
-            for name, count in shape.items()
-        }
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(surface)
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    drawn = vtkRenderer()
-    drawn.AddActor(actor)
-    drawn.SetActiveCamera(renderer.GetActiveCamera())
-    values, passes = vtkValuePass(), vtkRenderPassCollection()
-    passes.AddItem(values)
-    sequence, camera_pass = vtkSequencePass(), vtkCameraPass()
-    sequence.SetPasses(passes)
-    camera_pass.SetDelegatePass(sequence)
-    drawn.SetPass(camera_pass)
-    others = list(window.GetRenderers())
-    for other in others:
-        window.RemoveRenderer(other)
-    window.AddRenderer(drawn)
-    try:
-        _draw(window, drawn, values, "id", 1)  # VTK 9.1 draws the first without depth
-        return {name: _draw(window, drawn, values, name, shape[name]) for name in shape}
-    finally:
-        values.ReleaseGraphicsResources(window)
-        window.RemoveRenderer(drawn)
-        for other in others:
-            window.AddRenderer(other)
-
-
-def _draw(window: Any, renderer: Any, values: Any, name: str, count: int) -> Any:
-    values.SetInputArrayToProcess(_POINT_FIELD, name)
-    drawn = []
-    for component in range(count):
-        values.SetInputComponentToProcess(component)
-        window.Render()
-        drawn.append(vtk_to_numpy(values.GetFloatImageDataArray(renderer)).astype(float))
-    # NaN where nothing is drawn, which no comparison likes.
-    numbers = numpy.stack(drawn, axis=1) if count > 1 else drawn[0]
-    return numpy.where(numpy.isnan(numbers), numpy.inf, numbers)
-
-
-def _distances(points: Any, camera: Any) -> Any:
-    return (points - camera.GetPosition()) @ numpy.array(camera.GetDirectionOfProjection())
-
-
 def _places(depth: Any, size: tuple[int, int], projection: Any, camera: Any) -> Any:
     """Where in the world the pixels' centers are, at these depths, and how far along the axis."""
     x = (numpy.arange(size[0]) + 0.5) / size[0] * 2.0 - 1.0
@@ -404,7 +248,7 @@ def _places(depth: Any, size: tuple[int, int], projection: Any, camera: Any) -> 
     cube[:, 3] = 1.0
     world = cube @ numpy.linalg.inv(projection).T
     places = world[:, :3] / world[:, 3:]
-    return places, _distances(places, camera)
+    return places, distances_along_axis(places, camera)
 
 
 def _pixels(places: Any, projection: Any, size: tuple[int, int]) -> Any:

@@ -55,7 +55,7 @@ def values_of_properties():
     tried |= {name: [value] for name, (_, value) in DOES_NOT_RESTART.items()}
     found = {}
     for name in own_properties(vtkActiveImplicitSurface):
-        if name in SHAPES_OF:
+        if name in SHAPES_OF or name == "Controller":  # objects
             continue
         default = getattr(defaults, "Get" + name)()
         values = [default]

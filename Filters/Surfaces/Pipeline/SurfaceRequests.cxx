@@ -41,6 +41,7 @@ SurfaceRequests::SurfaceRequests(vtkAlgorithm* filter)
   , Target(filter, SurfaceInput::Target, this->Ranks)
   , Initial(filter, SurfaceInput::Initial, this->Ranks)
   , Pushed(filter)
+  , Steps(this->Target, this->Simulation)
 {
 }
 
@@ -150,7 +151,7 @@ void SurfaceRequests::ReadFirst(vtkInformationVector** input)
   if (target && this->Simulation.FindMissingStep() == 0 &&
     this->Target.Update(target, this->Simulation.GetSettings().GetStep(0).Value))
   {
-    this->Simulation.AddFrame(0, this->ReadTarget(target));
+    this->Simulation.AddFrame(0, this->Steps.Read(target));
   }
   if (initial && this->Simulation.WantsInitial() && this->Initial.UpdateFirst(initial))
   {
@@ -190,7 +191,9 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
   this->Simulation.Request(time, this->FindArrays(properties.Outputs));
   if (target)
   {
-    this->RequestTarget(target);
+    this->CompositeTarget =
+      this->Target.IsSplit(target) ? this->Target.GetPipelineMTime() : this->CompositeTarget;
+    this->Steps.Request(target);
   }
   vtkInformation* initial = Get(input, SurfaceInput::Initial);
   if (initial && this->Initial.IsSplit(initial))
@@ -202,40 +205,6 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
   if (initial && initial != target)
   {
     this->Initial.RequestFirst(initial);
-  }
-}
-
-// VTK takes an algorithm that has failed to make a time to have made it: only after a request for
-// another time it executes again. The last step that it has made costs least.
-int SurfaceRequests::FindStepBeside(int missing) const
-{
-  const int made = this->Simulation.GetLastStepAdded();
-  const SurfaceInputs& inputs = this->Simulation.GetSettings().Inputs;
-  if (made != missing || inputs.OnlyForward)
-  {
-    return made;
-  }
-  const int last = static_cast<int>(inputs.Steps.size()) - 1;
-  return missing < last ? missing + 1 : std::max(missing - 1, 0);
-}
-
-void SurfaceRequests::RequestTarget(vtkInformation* target)
-{
-  if (this->Target.IsSplit(target))
-  {
-    this->CompositeTarget = this->Target.GetPipelineMTime();
-  }
-  const SurfaceInputs& inputs = this->Simulation.GetSettings().Inputs;
-  const int missing = this->Simulation.FindMissingStep();
-  const bool isNewest = missing + 1 == static_cast<int>(inputs.Steps.size());
-  const bool isReady =
-    missing >= 0 && (inputs.OnlyForward ? isNewest : !this->LastTargetUpdateFailed);
-  this->RequestedStep = isReady ? missing : this->FindStepBeside(missing);
-  this->LastTargetUpdateFailed = true;
-  this->Target.RequestFirst(target);
-  if (inputs.TargetMoves)
-  {
-    target->Set(SDDP::UPDATE_TIME_STEP(), inputs.Steps[this->RequestedStep]);
   }
 }
 
@@ -275,29 +244,6 @@ private:
   SurfaceRequests& Requests;
 };
 
-std::unique_ptr<InputShape> SurfaceRequests::ReadTarget(vtkInformation* target) const
-{
-  return this->Target.Read(target, this->Simulation.GetRequestedArrays().Kept);
-}
-
-// From within, at another time than the one that was requested before.
-void SurfaceRequests::UpdateTarget(vtkInformation* target, PipelineTime time)
-{
-  if (this->Simulation.GetSettings().Inputs.OnlyForward && !this->Clock.ArePushed())
-  {
-    throw std::runtime_error("The input's time " + std::to_string(time.Value) +
-      " is needed, but it cannot be had again (NO_PRIOR_TEMPORAL_ACCESS). Ask for times in their "
-      "order; a CheckpointInterval of 1 keeps the skins of earlier ones.");
-  }
-  this->LastTargetUpdateFailed = true;
-  if (!this->Target.Update(target, time.Value))
-  {
-    throw std::runtime_error(
-      "The input has failed to make its time step " + std::to_string(time.Value) + ".");
-  }
-  this->LastTargetUpdateFailed = false;
-}
-
 // With what the inputs were asked for, then as many more steps of the target as are needed.
 bool SurfaceRequests::Advance(vtkInformationVector** input)
 {
@@ -308,17 +254,11 @@ bool SurfaceRequests::Advance(vtkInformationVector** input)
     this->Simulation.SetInitial(this->Initial.Read(initial));
   }
   vtkInformation* target = Get(input, SurfaceInput::Target);
-  this->LastTargetUpdateFailed = false;
-  if (target && this->Simulation.FindMissingStep() == this->RequestedStep)
-  {
-    this->Simulation.AddFrame(this->RequestedStep, this->ReadTarget(target));
-  }
-  return this->Simulation.Advance(
-    [this, target](int step)
-    {
-      this->UpdateTarget(target, this->Simulation.GetSettings().GetStep(step));
-      return this->ReadTarget(target);
-    },
+  this->Steps.TakeRequested(target);
+  const bool mayGoBack =
+    !this->Simulation.GetSettings().Inputs.OnlyForward || this->Clock.ArePushed();
+  return this->Simulation.Advance([this, target, mayGoBack](int step)
+    { return this->Steps.Make(target, step, mayGoBack); },
     [this](double fraction)
     {
       this->Filter->UpdateProgress(fraction);

@@ -13,9 +13,9 @@
 #include "Pipeline/PushedFrames.h"
 #include "Pipeline/SurfaceInput.h"
 #include "Pipeline/SurfaceProperties.h"
+#include "Pipeline/TargetSteps.h"
 
 #include <cstdint>
-#include <memory>
 #include <string>
 
 class vtkAlgorithm;
@@ -91,12 +91,8 @@ private:
   const SurfaceDomain* FindDomain(
     const SurfaceProperties& properties, vtkInformationVector** input, bool isWanted);
   PipelineTime FindRequestedTime(vtkInformation* output) const;
-  int FindStepBeside(int missing) const;
-  void RequestTarget(vtkInformation* target);
   void CheckInputs() const;
   void ReadFirst(vtkInformationVector** input);
-  std::unique_ptr<InputShape> ReadTarget(vtkInformation* target) const;
-  void UpdateTarget(vtkInformation* target, PipelineTime time);
   bool Advance(vtkInformationVector** input);
   void AgreeOnRequest(
     const SurfaceProperties& properties, vtkInformation* request, vtkInformationVector* output);
@@ -112,13 +108,12 @@ private:
   PushedFrames Pushed;
   InputClock Clock;
   SurfaceSimulation Simulation;
+  TargetSteps Steps;
   OutputPorts Outputs;
 
   // Of the last inputs that were composite data sets.
   std::uint64_t CompositeTarget = 0;
   std::uint64_t CompositeInitial = 0;
-  int RequestedStep = 0;               // of the target, as usual
-  bool LastTargetUpdateFailed = false; // or has not come back yet
 };
 
 }

@@ -134,8 +134,9 @@ TEST(TestInputPiece, DuplicatesOfOtherRanksAreLeftOut)
       ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
       for (int i = 0; i < 4; ++i)
       {
-        ghosts->InsertNextValue(rank == 0 && i == 3 ? vtkDataSetAttributes::DUPLICATEPOINT
-                                                    : static_cast<unsigned char>(0));
+        ghosts->InsertNextValue(rank == 0 && i == 3
+            ? static_cast<unsigned char>(vtkDataSetAttributes::DUPLICATEPOINT)
+            : static_cast<unsigned char>(0));
       }
       row->GetPointData()->AddArray(ghosts);
       return MakeParticlePiece(row, AllArrays);
@@ -220,8 +221,9 @@ TEST(TestInputPiece, CellsKeepTheirCornersAndLoseTheirGhosts)
       {
         const vtkIdType corners[3] = { i, i + 1, i + 2 };
         polys->InsertNextCell(3, corners);
-        ghosts->InsertNextValue(i == 1 && rank == 1 ? vtkDataSetAttributes::DUPLICATECELL
-                                                    : static_cast<unsigned char>(0));
+        ghosts->InsertNextValue(i == 1 && rank == 1
+            ? static_cast<unsigned char>(vtkDataSetAttributes::DUPLICATECELL)
+            : static_cast<unsigned char>(0));
       }
       row->SetPolys(polys);
       row->GetCellData()->AddArray(ghosts);

@@ -1,0 +1,76 @@
+#include "Pipeline/TargetSteps.h"
+
+#include "vtkInformation.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace activesurface
+{
+
+// VTK takes an algorithm that has failed to make a time to have made it: only after a request for
+// another time it executes again. The last step that it has made costs least.
+int TargetSteps::FindStepBeside(int missing) const
+{
+  const int made = this->Simulation.GetLastStepAdded();
+  const SurfaceInputs& inputs = this->Simulation.GetSettings().Inputs;
+  if (made != missing || inputs.OnlyForward)
+  {
+    return made;
+  }
+  const int last = static_cast<int>(inputs.Steps.size()) - 1;
+  return missing < last ? missing + 1 : std::max(missing - 1, 0);
+}
+
+void TargetSteps::Request(vtkInformation* target)
+{
+  const SurfaceInputs& inputs = this->Simulation.GetSettings().Inputs;
+  const int missing = this->Simulation.FindMissingStep();
+  const bool isNewest = missing + 1 == static_cast<int>(inputs.Steps.size());
+  const bool isReady = missing >= 0 && (inputs.OnlyForward ? isNewest : !this->LastUpdateFailed);
+  this->Requested = isReady ? missing : this->FindStepBeside(missing);
+  this->LastUpdateFailed = true;
+  this->Target.RequestFirst(target);
+  if (inputs.TargetMoves)
+  {
+    target->Set(
+      vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), inputs.Steps[this->Requested]);
+  }
+}
+
+void TargetSteps::TakeRequested(vtkInformation* target)
+{
+  this->LastUpdateFailed = false;
+  if (target && this->Simulation.FindMissingStep() == this->Requested)
+  {
+    this->Simulation.AddFrame(this->Requested, this->Read(target));
+  }
+}
+
+std::unique_ptr<InputShape> TargetSteps::Make(vtkInformation* target, int step, bool mayGoBack)
+{
+  const double time = this->Simulation.GetSettings().GetStep(step).Value;
+  if (!mayGoBack)
+  {
+    throw std::runtime_error("The input's time " + std::to_string(time) +
+      " is needed, but it cannot be had again (NO_PRIOR_TEMPORAL_ACCESS). Ask for times in their "
+      "order; a CheckpointInterval of 1 keeps the skins of earlier ones.");
+  }
+  this->LastUpdateFailed = true;
+  if (!this->Target.Update(target, time))
+  {
+    throw std::runtime_error(
+      "The input has failed to make its time step " + std::to_string(time) + ".");
+  }
+  this->LastUpdateFailed = false;
+  return this->Read(target);
+}
+
+std::unique_ptr<InputShape> TargetSteps::Read(vtkInformation* target) const
+{
+  return this->Target.Read(target, this->Simulation.GetRequestedArrays().Kept);
+}
+
+}
