@@ -32,10 +32,11 @@ CLASSES = {
     ("writers", "ActiveEXRWriter"): active_implicit_surfaces.vtkActiveEXRWriter,
     SCREENSHOT: active_implicit_surfaces.vtkActiveEXRWriter,
 }
-# What a proxy has in another way, or not at all, and why.
+# What a proxy has in another way, or not at all, and why. Controller: ParaView sets the global one.
 ELSEWHERE = {
-    SURFACE: {"TargetFunction"},  # its target is the input
+    SURFACE: {"Controller", "TargetFunction"},  # its target is the input
     FUNCTIONS: {
+        "Controller",
         "Anisotropy",
         "ParticleModel",
         "ParticleRadius",
@@ -50,7 +51,7 @@ ELSEWHERE = {
     ("implicit_functions", "GridPotential"): {"InputConnection"},
     # What an image without arrays carries is lost in the filter that ParaView puts after each.
     ("sources", "ActiveVDBReader"): {"OutputDense"},
-    ("writers", "ActiveVDBWriter"): {"InputData"},  # by Input
+    ("writers", "ActiveVDBWriter"): {"Controller", "InputData"},  # by Input
     ("sources", "ActiveEXRReader"): set(),
     ("writers", "ActiveEXRWriter"): {"WorldToCamera", "WorldToNDC"},  # no matrices in the panel
     SCREENSHOT: {  # a picture at a time, of all that is seen
