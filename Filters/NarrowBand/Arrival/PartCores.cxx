@@ -108,7 +108,7 @@ std::vector<PartCore> FindPartCores(const ArrivalSearch& search)
   for (int stride = 1; stride <= LargestStride; stride *= 2)
   {
     DifferingNodes nodes(search, stride, MostDifferingNodes);
-    const std::vector<PartCore> cores = CoreSearch(search, nodes).Find();
+    std::vector<PartCore> cores = CoreSearch(search, nodes).Find();
     if (!nodes.IsCut())
     {
       return cores;
