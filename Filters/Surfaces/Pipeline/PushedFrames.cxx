@@ -10,7 +10,6 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 namespace activesurface
 {
@@ -95,7 +94,7 @@ void PushedFrames::Push(const SurfaceProperties& properties, vtkDataObject* data
 {
   Check(properties, data, dt);
   this->Times.push_back(this->FindNextTime(properties, dt));
-  this->Before = std::move(this->Newest);
+  this->Before = this->Newest;
   this->Newest = Share(data);
   this->Show(this->Newest);
   if (!this->AreConnected())
@@ -107,7 +106,8 @@ void PushedFrames::Push(const SurfaceProperties& properties, vtkDataObject* data
 void PushedFrames::Withdraw()
 {
   this->Times.pop_back();
-  this->Newest = std::move(this->Before);
+  this->Newest = this->Before;
+  this->Before = nullptr;
   this->Show(this->Newest);
 }
 

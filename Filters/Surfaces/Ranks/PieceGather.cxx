@@ -51,11 +51,9 @@ vtkSmartPointer<vtkDataSet> GatherWhole(
     pieces.push_back(UnpackPiece(bytes));
   }
   const PieceKind kind = FindKind(pieces, what);
-  std::vector<vtkDataSet*> parts;
-  for (const InputPiece& piece : pieces)
-  {
-    parts.push_back(piece.Data);
-  }
+  std::vector<vtkDataSet*> parts(pieces.size());
+  std::transform(pieces.begin(), pieces.end(), parts.begin(),
+    [](const InputPiece& piece) { return piece.Data.Get(); });
   switch (kind)
   {
     case PieceKind::Particles:
@@ -65,7 +63,7 @@ vtkSmartPointer<vtkDataSet> GatherWhole(
       return AssembleImage(parts, what);
     case PieceKind::GridImage:
     {
-      const vtkSmartPointer<vtkDataSet> whole = AssembleImage(parts, what);
+      vtkSmartPointer<vtkDataSet> whole = AssembleImage(parts, what);
       const auto first =
         std::find_if(parts.begin(), parts.end(), [](vtkDataSet* part) { return part; });
       Attach(whole->GetInformation(), GetAttachedGrid((*first)->GetInformation()));
