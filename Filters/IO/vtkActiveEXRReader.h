@@ -97,8 +97,8 @@ public:
 
   ///@{
   /**
-   * Most that the pixels of an image may take [MiB], with what OpenEXR needs to unpack some of its
-   * lines, or a tile; a file that wants more is refused.
+   * Most that the pixels of an image may take [MiB], with what unpacking some of its lines, or a
+   * tile, takes; a file that wants more is refused.
    * Range: >= 1. Default: 4096.
    */
   vtkSetClampMacro(MaximumMemory, int, 1, VTK_INT_MAX);

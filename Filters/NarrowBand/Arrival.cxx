@@ -3,6 +3,7 @@
 #include "Arrival/ArrivingTarget.h"
 #include "Arrival/PartCores.h"
 #include "NarrowBand.h"
+#include "ReportSum.h"
 #include "SkinMotion.h"
 
 #include <algorithm>
@@ -30,18 +31,16 @@ struct Piece
  * a motion was interrupted. */
 Piece FindPiece(double time, double end)
 {
-  double begin = 0.0, decay = 0.0;
-  for (std::size_t i = 0; i < Decays.size(); ++i)
+  Piece piece{ 0.0, 0.0 };
+  double left = 0.0; // its logarithm
+  for (std::size_t i = 0; i < Decays.size() && !(time < piece.End); ++i)
   {
-    decay += Decays[i];
-    const double last = i + 1 < Decays.size() ? -end * std::expm1(-decay) : end;
-    if (time < last || i + 1 == Decays.size())
-    {
-      return { last, Decays[i] / (last - begin) };
-    }
-    begin = last;
+    left -= Decays[i];
+    const double begin = piece.End;
+    piece.End = i + 1 < Decays.size() ? -end * std::expm1(left) : end;
+    piece.Attraction = Decays[i] / (piece.End - begin);
   }
-  return { end, 0.0 };
+  return piece;
 }
 
 ArrivalSearch MakeSearch(const NarrowBand& band, const Target& target, const double bounds[6])
@@ -50,18 +49,6 @@ ArrivalSearch MakeSearch(const NarrowBand& band, const Target& target, const dou
     {} };
   std::copy_n(bounds, 6, search.Bounds.begin());
   return search;
-}
-
-void Add(AdvanceReport& sum, const AdvanceReport& report)
-{
-  sum.Substeps += report.Substeps;
-  sum.SkippedSubsteps += report.SkippedSubsteps;
-  sum.TargetEvaluations += report.TargetEvaluations;
-  sum.DroppedSamples += report.DroppedSamples;
-  sum.UniformPulls += report.UniformPulls;
-  sum.MaxSpeed = std::max(sum.MaxSpeed, report.MaxSpeed);
-  sum.Vanished = report.Vanished;
-  sum.Aborted = report.Aborted;
 }
 
 }
@@ -116,13 +103,17 @@ AdvanceReport Arrival::Advance(NarrowBand& band, double time, double end, const 
     law.Attraction = piece.Attraction;
     target.Wake();
     to = std::min(piece.End, time);
-    Add(sum, band.Advance(to, law, target, inPart));
+    const AdvanceReport report = band.Advance(to, law, target, inPart);
+    AddWork(sum, report);
+    sum.Aborted = report.Aborted;
     from = band.GetTime();
   }
   if (from < time && !sum.Aborted)
   {
     to = time;
-    Add(sum, band.Advance(to, motion, this->State->Goal, inPart));
+    const AdvanceReport report = band.Advance(to, motion, this->State->Goal, inPart);
+    AddWork(sum, report);
+    sum.Aborted = report.Aborted;
   }
   sum.Vanished = band.IsEmpty();
   return sum;

@@ -3,6 +3,7 @@
 #include "BandState.h"
 #include "Parts/NearbyStart.h"
 #include "Parts/SparseStart.h"
+#include "ReportSum.h"
 #include "State/InitialShape.h"
 #include "State/PackedBand.h"
 #include "State/StateGrid.h"
@@ -38,17 +39,6 @@ void SetNumbers(const StateNumbers& numbers, BandState& state)
   state.StartMeasure = { numbers.StartArea, numbers.StartVolume };
   state.BoxSize = numbers.BoxSize;
   state.Paper = numbers.Paper;
-}
-
-void AddWork(AdvanceReport& sum, const AdvanceReport& report)
-{
-  sum.Substeps += report.Substeps;
-  sum.SkippedSubsteps += report.SkippedSubsteps;
-  sum.TargetEvaluations += report.TargetEvaluations;
-  sum.DroppedSamples += report.DroppedSamples;
-  sum.UniformPulls += report.UniformPulls;
-  sum.CreatedParts += report.CreatedParts;
-  sum.MaxSpeed = std::max(sum.MaxSpeed, report.MaxSpeed);
 }
 
 /** StateNumbers as they lie in packed bytes. */

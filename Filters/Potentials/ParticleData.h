@@ -19,8 +19,7 @@ namespace activesurface
 //   upper or lower case. Other columns become point arrays, three that belong together one of
 //   vectors.
 // - of a vtkDataObjectTree (multi-block, partitioned), the points of all blocks in their order,
-// with
-//   the point arrays that all blocks with points have, of one type; where one block alone has
+//   with the point arrays that all blocks with points have, of one type; where one block alone has
 //   points, that block as it is.
 // Null for any other class. Throws std::invalid_argument for what is none of these.
 VTKACTIVEPOTENTIALS_EXPORT vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* data);

@@ -1,7 +1,5 @@
 #include "Arrival/PartCores.h"
 
-#include "Arrival/RemainingDistance.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

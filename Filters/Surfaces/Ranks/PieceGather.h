@@ -1,9 +1,4 @@
-// What all ranks have of an input together.
-//
-// A rank asks for its own piece, and sends what is needed of it to all others; each rank puts the
-// pieces together to the same whole. What two pieces share at their border is in the whole once:
-// ghosts are left out, equal points of meshes are merged later (see MeshTriangles.h), and nodes of
-// images have one place.
+// What all ranks have of an input together; see InputPiece.h.
 
 #ifndef PieceGather_h
 #define PieceGather_h

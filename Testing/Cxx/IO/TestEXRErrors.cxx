@@ -2,6 +2,7 @@
 // no output stale.
 
 #include "IO/EXRFiles.h"
+#include "IO/ReadRefused.h"
 #include "Support/MessageCapture.h"
 #include "Support/OutputFiles.h"
 #include "Support/SmallDisk.h"
@@ -46,20 +47,6 @@ void CheckWriteRefused(
   EXPECT_EQ(messages.Errors.size(), 1u) << "errors of " << what;
   const std::string sentence = messages.Errors.empty() ? "" : messages.Errors[0];
   EXPECT_TRUE(sentence.find(words) != std::string::npos) << what << ": " << sentence;
-}
-
-void CheckReadRefused(
-  vtkActiveEXRReader* reader, unsigned long code, const std::string& words, const std::string& what)
-{
-  MessageCapture messages(reader);
-  reader->Modified();
-  reader->Update();
-  EXPECT_EQ(reader->GetErrorCode(), code) << "ErrorCode of " << what;
-  EXPECT_EQ(messages.Errors.size(), 1u) << "errors of " << what;
-  const std::string sentence = messages.Errors.empty() ? "" : messages.Errors[0];
-  EXPECT_TRUE(sentence.find(words) != std::string::npos) << what << ": " << sentence;
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), vtkIdType(0)) << "points after " << what;
-  EXPECT_EQ(reader->GetOutput()->GetPointData()->GetNumberOfArrays(), 0) << "arrays after " << what;
 }
 
 vtkSmartPointer<vtkImageData> MakeImageOf(int type, double value)
@@ -270,65 +257,6 @@ TEST(TestEXRErrors, FilesThatAreNoneAreRefused)
   *std::search(changed.begin(), changed.end(), type.begin(), type.end()) = 'B';
   WriteBytes(bad, changed);
   refuse(bad, vtkErrorCode::FileFormatError, "is no window");
-}
-
-// The data window's last column and row become 2^28.
-TEST(TestEXRErrors, AbsurdSizesAreRefusedBeforeTheyAreAllocated)
-{
-  const std::string name = OutputName("absurd.exr");
-  WriteKind(name, {});
-  std::vector<char> bytes = ReadBytes(name);
-  const std::string window = "dataWindow";
-  const auto found = std::search(bytes.begin(), bytes.end(), window.begin(), window.end());
-  const auto numbers = found + 10 + 1 + 6 + 4; // its name, its type's, its size
-  numbers[11] = numbers[15] = 0x10;
-  WriteBytes(name, bytes);
-  vtkNew<vtkActiveEXRReader> reader;
-  reader->SetFileName(name.c_str());
-  rusage before{}, after{};
-  getrusage(RUSAGE_SELF, &before);
-  CheckReadRefused(reader, vtkErrorCode::FileFormatError, "no file of", "a huge window");
-  getrusage(RUSAGE_SELF, &after);
-  EXPECT_LT((after.ru_maxrss - before.ru_maxrss) / 1024.0, 16.0) << "MiB";
-}
-
-// 600 x 600 pixels of 14 channels are 19.2 MiB, and 16 lines of them .5.
-TEST(TestEXRErrors, MoreThanMaximumMemoryIsRefused)
-{
-  const std::string name = OutputName("large.exr");
-  vtkNew<vtkActiveEXRWriter> writer;
-  writer->SetInputData(MakeLayers(600, 600));
-  writer->SetFileName(name.c_str());
-  writer->Write();
-  vtkNew<vtkActiveEXRReader> reader;
-  reader->SetFileName(name.c_str());
-  reader->SetMaximumMemory(19);
-  CheckReadRefused(reader, vtkErrorCode::UserError, "MaximumMemory", "a small limit");
-  reader->SetMaximumMemory(21); // the lines three times
-  reader->Update();
-  EXPECT_EQ(reader->GetErrorCode(), 0ul) << "a larger one";
-}
-
-// OpenEXR unpacks 32 lines at a time by PIZ, 49 MiB here, if there is but one of 1.5 MiB.
-TEST(TestEXRErrors, LinesBeyondMaximumMemoryAreRefused)
-{
-  const std::string name = OutputName("wide.exr");
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(100000, 1, 1);
-  image->GetPointData()->AddArray(MakeNumbers("RGBA", VTK_FLOAT, 4, 100000, 1));
-  vtkNew<vtkActiveEXRWriter> writer;
-  writer->SetInputData(image);
-  writer->SetFileName(name.c_str());
-  writer->SetCompressionToPIZ();
-  writer->Write();
-  EXPECT_EQ(writer->GetErrorCode(), 0ul) << "written";
-  vtkNew<vtkActiveEXRReader> reader;
-  reader->SetFileName(name.c_str());
-  reader->SetMaximumMemory(40);
-  CheckReadRefused(reader, vtkErrorCode::UserError, "MaximumMemory", "less than its lines");
-  reader->SetMaximumMemory(150); // the lines three times, and the pixels
-  reader->Update();
-  EXPECT_EQ(reader->GetErrorCode(), 0ul) << "enough";
 }
 
 // An image that has time steps, and is not there at the third.
