@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from .data_objects import as_particles, is_vtk
 
@@ -40,9 +40,6 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         Increasing [time].
     output_type : str
         The VTK class of the data. Default: "vtkPolyData".
-    in_pieces : bool
-        Whether `load` gives each rank of a parallel program a part of its own; else the first rank
-        alone has the data. Default: False.
 
     Attributes
     ----------
@@ -55,7 +52,6 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         load: Callable[[int], Any],
         times: Sequence[float],
         output_type: str = "vtkPolyData",
-        in_pieces: bool = False,
     ) -> None:
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType=output_type)
         self.times = check_times(times)
@@ -63,7 +59,6 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         self._load = load
         self._kept: dict[int, Any] = {}
         self._output_type = output_type
-        self._in_pieces = in_pieces
 
     def frame(self, step: int) -> Any:
         """The data of a step, as a vtkDataObject."""
@@ -84,8 +79,6 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         info, key = outputs.GetInformationObject(0), vtkStreamingDemandDrivenPipeline
         info.Set(key.TIME_STEPS(), self.times, len(self.times))
         info.Set(key.TIME_RANGE(), [self.times[0], self.times[-1]], 2)
-        if self._in_pieces:
-            info.Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)
         return 1
 
     def RequestData(self, request: Any, inputs: Any, outputs: Any) -> int:
