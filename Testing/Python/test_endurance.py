@@ -15,6 +15,7 @@ from contents import Contents, no_errors
 from random_cases import draw_operation, draw_time, draw_trouble
 from random_checks import Case
 from scenes import STEPS, splash
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 COUNT = int(os.environ.get("ACTIVE_RANDOM_CASES", "300"))
 SEED = 20261122
@@ -37,6 +38,12 @@ def make_case(scene):
 def resident_pages():
     with open("/proc/self/statm", encoding="ascii") as numbers:
         return int(numbers.read().split()[1])
+
+
+def coarse_splash():
+    particles, surface = splash()
+    surface.SetVoxelSize(0.07)
+    return particles, surface
 
 
 class Endurance(unittest.TestCase):
@@ -74,17 +81,36 @@ class Endurance(unittest.TestCase):
             self.assertGreater(case.counts["skins"], case.counts["requests"] // 3)
 
     def test_a_film_in_a_loop(self):
+        surface = coarse_splash()[1]
+        self.go_round(surface, surface.UpdateTimeStep)
+
+    def test_a_film_that_is_pushed_in_a_loop(self):
+        """Each loop is a trajectory of its own."""
+        particles, surface = coarse_splash()
+        frames = []
+        for step in range(STEPS):
+            particles.UpdateTimeStep(step)
+            frames.append(vtkPolyData())
+            frames[-1].DeepCopy(particles.GetOutput())
+        surface.RemoveAllInputConnections(0)
+
+        def push(step):
+            if step == 0:
+                surface.ResetTrajectory()
+            self.assertTrue(surface.Advance(frames[step], 1.0))
+
+        self.go_round(surface, push)
+
+    def go_round(self, surface, show):
         """The same bytes in each loop, and flat memory. The allocators give back pages, or not, as
         threads happen to run: the least of the last three loops may be 1 % above the most of the
         third to the fifth."""
-        surface = splash()[1]
-        surface.SetVoxelSize(0.07)
         first, pages = [], []
         loops = max(9, COUNT // STEPS)
         for loop in range(loops):
             for step in range(STEPS):
                 with no_errors(surface):
-                    surface.UpdateTimeStep(step)
+                    show(step)
                 if loop in (0, loops - 1):
                     contents = Contents()
                     contents.outputs(surface)
