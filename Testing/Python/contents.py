@@ -23,7 +23,11 @@ OF_THE_WRITER = ("creator", "software", "file_", "compression", "compressionLeve
 def no_errors(*algorithms):
     """Errors of the algorithms, which VTK only prints, are exceptions."""
     listeners = [Listener(algorithm) for algorithm in algorithms]
-    yield
+    try:
+        yield
+    finally:
+        for listener in listeners:
+            listener.stop()
     errors = [error for listener in listeners for error in listener.errors]
     if errors:
         raise RuntimeError(errors[0])

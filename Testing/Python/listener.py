@@ -19,11 +19,19 @@ class Listener:
         def on_warning(caller, event, text):
             self.warnings.append(text)
 
-        thing.AddObserver("ErrorEvent", on_error)
-        thing.AddObserver("WarningEvent", on_warning)
+        self.observers = []
+        self.observe(thing, "ErrorEvent", on_error)
+        self.observe(thing, "WarningEvent", on_warning)
         if hasattr(thing, "GetExecutive"):
             # What the pipeline adds to an error is not of interest, but would be printed.
-            thing.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
+            self.observe(thing.GetExecutive(), "ErrorEvent", lambda caller, event: None)
+
+    def observe(self, thing, event, function):
+        self.observers.append((thing, thing.AddObserver(event, function)))
+
+    def stop(self):
+        for thing, observer in self.observers:
+            thing.RemoveObserver(observer)
 
     def forget(self):
         self.errors.clear()
