@@ -88,6 +88,7 @@ private:
   void WarnOfThinParts(const InputShape& shape, const std::string& where);
   void PrepareInitial();
   double GetSpacing() const;
+  double GetNoise() const;
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;
   std::unique_ptr<MovingTarget> MakeMovingTarget() const;
   std::unique_ptr<PotentialTarget> MakeFunctionTarget() const;
