@@ -16,7 +16,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import numpy
-from active_implicit_surfaces.commands.skin import find_view
+from active_implicit_surfaces.commands.view import find_view
 from active_implicit_surfaces.scene import Scene, check_display
 from active_implicit_surfaces.skin_files import write_mesh
 from viewer_motion import SLIDERS, Motion

@@ -153,7 +153,12 @@ def add_film_options(parser: Parser) -> None:
     films.add_argument(
         "--size", type=picture_size, default=(1280, 720), metavar="WxH", help="1280x720"
     )
-    films.add_argument("--up", choices=("x", "y", "z"), help="axis that points up (default: found)")
+    films.add_argument(
+        "--up",
+        choices=("x", "y", "z", "-x", "-y", "-z"),
+        metavar="AXIS",
+        help="axis that points up: x, y, z, or --up=-y (default: found)",
+    )
 
 
 def picture_size(text: str) -> tuple[int, int]:
