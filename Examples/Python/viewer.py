@@ -17,7 +17,8 @@ from pathlib import Path
 
 import numpy
 from active_implicit_surfaces.commands.view import find_view
-from active_implicit_surfaces.scene import Scene, check_display
+from active_implicit_surfaces.display import find_display
+from active_implicit_surfaces.scene import Scene
 from active_implicit_surfaces.skin_files import write_mesh
 from viewer_motion import SLIDERS, Motion
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -188,7 +189,7 @@ def main():
     server.cli.description = __doc__
     server.cli.add_argument("files", nargs="*", default=[DATA])
     try:
-        check_display()
+        find_display()
         Viewer(server, Motion(server.cli.parse_known_args()[0].files))
     except (OSError, ValueError) as error:
         sys.exit(str(error))

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import math
-import os
 from typing import Any
 
 import numpy
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  draws
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import (
@@ -41,21 +39,6 @@ LIGHTS = (
     ((1.3, 0.1, 0.8), (0.85, 0.92, 1.00), 0.45),
     ((0.2, 1.0, -0.8), (1.00, 1.00, 1.00), 0.30),
 )
-
-
-def vtk_version() -> tuple[int, ...]:
-    """(9, 1) of 9.1.0."""
-    return tuple(int(part) for part in vtkVersion.GetVTKVersion().split(".")[:2])
-
-
-def check_display() -> None:
-    """Raises OSError where VTK would end the program, as it has no display."""
-    needs = vtk_version() < (9, 4) and "vtkXOpenGL" in vtkRenderWindow().GetClassName()
-    if needs and not os.environ.get("DISPLAY"):
-        raise OSError(
-            "Pictures need an X display, and DISPLAY is not set; run the command with "
-            "`xvfb-run -a` before it."
-        )
 
 
 class Scene:

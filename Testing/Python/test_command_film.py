@@ -3,12 +3,15 @@
 
 import os
 import stat
+import subprocess
+import sys
+import time
 import unittest
 from pathlib import Path
 from unittest import mock
 
 import numpy
-from active_implicit_surfaces import film, scene, vtkActiveEXRReader
+from active_implicit_surfaces import display, film, scene, vtkActiveEXRReader
 from command_line import CommandTest, grid
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -145,14 +148,35 @@ class Films(CommandTest):
             said = self.fail_with(1, "skin", self.data, "--render", self.folder / "a.mp4")
         self.assertIn("needs the program ffmpeg", said)
 
-    def test_no_display(self):
+    @unittest.skipIf(display.vtk_version() >= (9, 4), "this VTK draws without a display")
+    def test_no_display_and_none_to_start(self):
         without = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
-        with mock.patch.dict(os.environ, without, clear=True):
-            if scene.vtk_version() >= (9, 4):
-                scene.check_display()
-                return
+        with (
+            mock.patch.dict(os.environ, without, clear=True),
+            mock.patch.object(display.shutil, "which", return_value=None),
+        ):
             said = self.fail_with(1, "skin", self.data, "--render", self.folder / "a.png")
-        self.assertIn("xvfb-run", said)
+        self.assertIn("Xvfb", said)
+
+    @unittest.skipIf(display.vtk_version() >= (9, 4), "this VTK draws without a display")
+    def test_a_display_of_its_own(self):
+        without = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        program = (
+            "import os, sys; from active_implicit_surfaces.commands import main; "
+            "code = main(sys.argv[1:]); print(os.environ['DISPLAY']); sys.exit(code)"
+        )
+        command = ("skin", str(self.data), "--render", str(self.folder / "a_#.png"), *SMALL)
+        done = subprocess.run(
+            [sys.executable, "-c", program, *command], env=without, capture_output=True, text=True
+        )
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(is_skin(pixels_of(self.folder / "a_2.png")).any())
+        lock = Path(f"/tmp/.X{done.stdout.strip().lstrip(':')}-lock")
+        for _ in range(100):  # it ends soon after the program
+            if not lock.exists():
+                break
+            time.sleep(0.1)
+        self.assertFalse(lock.exists(), "the display is still there")
 
     def test_a_folder_that_cannot_be_written(self):
         (self.folder / "a.png").mkdir()
