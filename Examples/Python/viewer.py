@@ -77,13 +77,11 @@ class Viewer:
             above = math.degrees(math.asin(-upward))
             camera.Azimuth(-0.4 * across)
             camera.Elevation(min(max(0.4 * down, LOWEST - above), HIGHEST - above))
-            scene.renderer.ResetCameraClippingRange()
         self.redraw()
 
     def zoom(self, wheel):
         for scene in (self.quick, self.soft):
             scene.renderer.GetActiveCamera().Dolly(1.1 if wheel < 0 else 1 / 1.1)
-            scene.renderer.ResetCameraClippingRange()
         self.redraw()
 
     def save(self, suffix):
@@ -162,6 +160,7 @@ class Viewer:
         step, self.state.drawn = self.state.step, "soft" if scene is self.soft else "quick"
         skin = self.motion.skins[step] if self.has(step) else self.motion.preview(step)
         scene.show(skin)
+        scene.renderer.ResetCameraClippingRange()
         self.state.picture = "data:image/jpeg;base64," + base64.b64encode(jpeg(scene)).decode()
         self.tell()
 
