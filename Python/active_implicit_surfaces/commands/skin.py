@@ -24,9 +24,11 @@ from ..presets import PRESETS
 from ..series import TemporalSource
 from ..skin_files import SKIN_SUFFIXES, check_suffix, write_mesh
 from .options import (
+    MAIN_PROPERTIES,
     Parser,
-    add_film_options,
-    add_help_all,
+    add_film_option,
+    add_help,
+    add_picture_options,
     add_property_options,
     positive,
     preset_help,
@@ -54,14 +56,13 @@ def run(arguments: list[str]) -> int:
 def make_parser() -> Parser:
     parser = Parser(
         "active-surface skin",
-        "FILE ... [-o skin_####.vtp] [options]",
+        "FILE ... [-o skin_####.vtp] [--render film.mp4] [options]",
         "Skins over particles: one for each frame, each going on from the last.\n"
         f"Files: {', '.join(PARTICLE_SUFFIXES)};\n"
         "several, a pattern ('splash_*.vtp', splash_####.vtp), a .series or a .pvd are a series.",
         epilog="presets:\n" + preset_help() + "\n\nEvery property of the filter is an option "
-        "too, as --particle-spacing 0.1:\n--help-properties, or --help all.",
+        "too, as --particle-model sum:\n--help-properties, or --help all.",
     )
-    add_help_all(parser)
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     parser.add_argument(
         "-o",
@@ -70,17 +71,27 @@ def make_parser() -> Parser:
         help=f"name of the skins, #### for the number: {', '.join(SKIN_SUFFIXES)} "
         "(default: skin_####.vtp, and none with --render alone)",
     )
-    parser.add_argument("--index", metavar="NAME", help="the .pvd or .series beside them, or none")
+    add_film_option(parser)
     parser.add_argument("--preset", choices=PRESETS, help="what the particles are (see below)")
-    parser.add_argument("--fps", type=positive, metavar="X", help="frames per second of the files")
-    parser.add_argument("--times", type=times_list, metavar="T,T...", help="or FIRST:LAST:COUNT")
-    for role, text in zip(_ARRAYS, ("ids (default: found)", "reaches", "strengths", "velocities")):
-        parser.add_argument(f"--{role}", metavar="NAME", help=f"point array of {text}")
-    parser.add_argument("--resume", action="store_true", help="go on where a run was cut off")
-    parser.add_argument("--quiet", action="store_true", help="no progress")
-    add_film_options(parser)
-    add_property_options(parser)
+    add_property_options(parser, tuple(MAIN_PROPERTIES))
+    _add_input_options(parser)
+    add_picture_options(parser, "found")
+    more = parser.add_argument_group("more")
+    more.add_argument("--resume", action="store_true", help="go on where a run was cut off")
+    more.add_argument("--index", metavar="NAME", help="the .pvd or .series of the skins, or none")
+    more.add_argument("--quiet", action="store_true", help="no progress")
+    add_help(more, properties=True)
     return parser
+
+
+def _add_input_options(parser: Parser) -> None:
+    files = parser.add_argument_group("of the files")
+    files.add_argument(
+        "--fps", type=positive, metavar="X", help="frames per second (default: as files say, or 25)"
+    )
+    files.add_argument("--times", type=times_list, metavar="T,T...", help="or FIRST:LAST:COUNT")
+    for role, text in zip(_ARRAYS, ("ids (default: found)", "reaches", "strengths", "velocities")):
+        files.add_argument(f"--{role}", metavar="NAME", help=f"point array of {text}")
 
 
 def _check_names(options: Any, parser: Parser) -> None:
