@@ -16,8 +16,9 @@ from contextlib import suppress
 from pathlib import Path
 
 import numpy
-from active_implicit_surfaces.commands.skin import find_view
-from active_implicit_surfaces.scene import Scene, check_display
+from active_implicit_surfaces.commands.view import find_view
+from active_implicit_surfaces.display import find_display
+from active_implicit_surfaces.scene import Scene
 from active_implicit_surfaces.skin_files import write_mesh
 from viewer_motion import SLIDERS, Motion
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -76,13 +77,11 @@ class Viewer:
             above = math.degrees(math.asin(-upward))
             camera.Azimuth(-0.4 * across)
             camera.Elevation(min(max(0.4 * down, LOWEST - above), HIGHEST - above))
-            scene.renderer.ResetCameraClippingRange()
         self.redraw()
 
     def zoom(self, wheel):
         for scene in (self.quick, self.soft):
             scene.renderer.GetActiveCamera().Dolly(1.1 if wheel < 0 else 1 / 1.1)
-            scene.renderer.ResetCameraClippingRange()
         self.redraw()
 
     def save(self, suffix):
@@ -161,6 +160,7 @@ class Viewer:
         step, self.state.drawn = self.state.step, "soft" if scene is self.soft else "quick"
         skin = self.motion.skins[step] if self.has(step) else self.motion.preview(step)
         scene.show(skin)
+        scene.renderer.ResetCameraClippingRange()
         self.state.picture = "data:image/jpeg;base64," + base64.b64encode(jpeg(scene)).decode()
         self.tell()
 
@@ -188,7 +188,7 @@ def main():
     server.cli.description = __doc__
     server.cli.add_argument("files", nargs="*", default=[DATA])
     try:
-        check_display()
+        find_display()
         Viewer(server, Motion(server.cli.parse_known_args()[0].files))
     except (OSError, ValueError) as error:
         sys.exit(str(error))

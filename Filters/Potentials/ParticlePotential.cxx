@@ -16,13 +16,15 @@ constexpr double LeastPresence = 0.1;
 constexpr double FullPresence = 0.5;
 }
 
-// Where values and gradients go.
+// Where values, gradients and bulks go.
+template <bool HasBulk>
 struct ParticlePotential::Results
 {
-  static constexpr int Terms = 4; // gradient, value
+  static constexpr int Terms = HasBulk ? 5 : 4; // gradient, value, bulk
 
   double* Values;
   double* Gradients; // or null
+  double* Bulks;     // if HasBulk
 
   ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
   {
@@ -31,12 +33,18 @@ struct ParticlePotential::Results
     {
       std::copy_n(terms, 3, this->Gradients + 3 * i);
     }
+    if constexpr (HasBulk)
+    {
+      this->Bulks[i] = terms[4];
+    }
   }
 };
 
 // One lane after the other, all with the same operations.
-struct ParticlePotential::CentreField : ParticlePotential::Results
+template <bool HasBulk>
+struct ParticlePotential::CentreField : ParticlePotential::Results<HasBulk>
 {
+  using Results<HasBulk>::Terms;
   const ParticlePotential& Body;
 
   template <int Width>
@@ -51,6 +59,10 @@ struct ParticlePotential::CentreField : ParticlePotential::Results
     {
       terms[3][i] = this->FindValue(sums, i, slopes);
       terms[0][i] = terms[1][i] = terms[2][i] = 0.0;
+      if constexpr (HasBulk)
+      {
+        terms[4][i] = sums.Weight[i] > 0.0 ? sums.Bulk[i] / sums.Weight[i] : 0.0;
+      }
     }
     if (!this->Gradients)
     {
@@ -76,6 +88,7 @@ private:
     double Offset[3][Width] = {}; // to the particles
     double Radius[Width] = {};
     double Presence[Width] = {};
+    double Bulk[Width] = {};
   };
 
   // The gradient is a sum too, of offsets times a factor that the first sums tell:
@@ -113,6 +126,10 @@ private:
         sums.Offset[2][i] += weight * z;
         sums.Radius[i] += weight * element.OwnRadius;
         sums.Presence[i] += element.Presence * (p * p * p);
+        if constexpr (HasBulk)
+        {
+          sums.Bulk[i] += weight * element.Bulk;
+        }
       }
     }
     result = sums;
@@ -178,8 +195,10 @@ private:
   }
 };
 
-struct ParticlePotential::AnisotropicField : ParticlePotential::Results
+template <bool HasBulk>
+struct ParticlePotential::AnisotropicField : ParticlePotential::Results<HasBulk>
 {
+  using Results<HasBulk>::Terms;
   const ParticlePotential& Body;
 
   template <int Width>
@@ -198,6 +217,10 @@ struct ParticlePotential::AnisotropicField : ParticlePotential::Results
     }
     for (int i = 0; i < Width; ++i)
     {
+      if constexpr (HasBulk)
+      {
+        terms[4][i] = terms[3][i] > 0.0 ? terms[4][i] / terms[3][i] : 0.0;
+      }
       terms[3][i] = 0.5 - terms[3][i];
     }
   }
@@ -206,7 +229,7 @@ private:
   template <int Width>
   struct Sums
   {
-    double Terms[4][Width] = {};
+    double Terms[HasBulk ? 5 : 4][Width] = {};
   };
 
   template <int Width>
@@ -233,6 +256,10 @@ private:
         sums.Terms[1][i] += 6.0 * rate * my;
         sums.Terms[2][i] += 6.0 * rate * mz;
         sums.Terms[3][i] += rate * u;
+        if constexpr (HasBulk)
+        {
+          sums.Terms[4][i] += rate * u * element.Bulk;
+        }
       }
     }
     result = sums;
@@ -265,7 +292,8 @@ void ParticlePotential::Add(const SkeletonVertex& particle, const ParticleFit& f
   this->LargestReach = std::max(this->LargestReach, reach);
   if (isAnisotropic)
   {
-    AnisotropicElement element{ { at[0], at[1], at[2] }, particle.Strength * fit.Strength, {} };
+    AnisotropicElement element{ { at[0], at[1], at[2] }, particle.Strength * fit.Strength, {},
+      fit.Bulk };
     std::copy_n(fit.Metric, 6, element.Metric);
     this->Ellipsoids.push_back(element);
   }
@@ -273,7 +301,7 @@ void ParticlePotential::Add(const SkeletonVertex& particle, const ParticleFit& f
   {
     const double near = NearPerReach * reach;
     this->Centres.push_back({ { at[0], at[1], at[2] }, particle.Strength, 1.0 / (reach * reach),
-      fit.OwnRadius, std::min(particle.Strength, 1.0), 1.0 / (near * near) });
+      fit.OwnRadius, std::min(particle.Strength, 1.0), 1.0 / (near * near), fit.Bulk });
   }
 }
 
@@ -282,13 +310,16 @@ void ParticlePotential::Build()
   this->Near.Build();
 }
 
-template <class Field>
+template <template <bool> class Field, bool HasBulk>
 void ParticlePotential::EvaluateField(
-  std::size_t count, const double* points, double* values, double* gradients) const
+  std::size_t count, const double* points, double* values, double* gradients, double* bulks) const
 {
   EvaluateInLanes(this->Near.GetCells(), count, points,
-    [&](std::size_t first) {
-      return Field{ { values + first, gradients ? gradients + 3 * first : nullptr }, *this };
+    [&](std::size_t first)
+    {
+      return Field<HasBulk>{ { values + first, gradients ? gradients + 3 * first : nullptr,
+                               HasBulk ? bulks + first : nullptr },
+        *this };
     });
 }
 
@@ -297,11 +328,24 @@ void ParticlePotential::Evaluate(
 {
   if (this->Model == ParticleModel::Anisotropic)
   {
-    this->EvaluateField<AnisotropicField>(count, points, values, gradients);
+    this->EvaluateField<AnisotropicField, false>(count, points, values, gradients, nullptr);
   }
   else
   {
-    this->EvaluateField<CentreField>(count, points, values, gradients);
+    this->EvaluateField<CentreField, false>(count, points, values, gradients, nullptr);
+  }
+}
+
+void ParticlePotential::EvaluateWithBulk(
+  std::size_t count, const double* points, double* values, double* gradients, double* bulks) const
+{
+  if (this->Model == ParticleModel::Anisotropic)
+  {
+    this->EvaluateField<AnisotropicField, true>(count, points, values, gradients, bulks);
+  }
+  else
+  {
+    this->EvaluateField<CentreField, true>(count, points, values, gradients, bulks);
   }
 }
 

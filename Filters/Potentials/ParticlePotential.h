@@ -42,6 +42,11 @@ public:
   // Thread-safe.
   void Evaluate(std::size_t count, const double* points, double* values, double* gradients) const;
 
+  // The same, and the means of the fits' bulks, by the particles' shares of the potential; 0 where
+  // none reaches.
+  void EvaluateWithBulk(std::size_t count, const double* points, double* values, double* gradients,
+    double* bulks) const;
+
   // The box of all reaches: xmin xmax ymin ... Meaningless without particles.
   const double* GetBounds() const { return this->Near.GetBounds(); }
 
@@ -57,19 +62,24 @@ private:
     double OwnRadius;
     double Presence;
     double InverseNear2;
+    double Bulk;
   };
   struct AnisotropicElement
   {
     double Position[3];
     double Strength;
     double Metric[6];
+    double Bulk;
   };
+  template <bool HasBulk>
   struct Results;
+  template <bool HasBulk>
   struct CentreField;
+  template <bool HasBulk>
   struct AnisotropicField;
-  template <class Field>
-  void EvaluateField(
-    std::size_t count, const double* points, double* values, double* gradients) const;
+  template <template <bool> class Field, bool HasBulk>
+  void EvaluateField(std::size_t count, const double* points, double* values, double* gradients,
+    double* bulks) const;
 
   ParticleModel Model = ParticleModel::AveragedCentre;
   std::vector<CentreElement> Centres;

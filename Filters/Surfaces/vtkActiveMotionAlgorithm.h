@@ -53,10 +53,36 @@ public:
    * has radius sqrt(r0^2 - 4 * Tension * t). A target's ball of radius R holds one of radius R/2 +
    * sqrt(R^2/4 - 2 * Tension / Attraction), or none where R < 2.83 sqrt(Tension / Attraction);
    * particles, whose F / |grad F| is larger within, hold one down to about 2.4. Substeps are 4 *
-   * Tension * time / VoxelSize^2 at least. Range: >= 0. Default: 0, no smoothing.
+   * Tension * time / VoxelSize^2 at least. Range: >= 0. Default: 0, no smoothing, or see
+   * AutomaticSmoothing.
    */
   vtkSetClampMacro(Tension, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far [length] the target's surface may be off by noise. Where the skin is nearer to it, it
+   * follows slowly, at 3 % of Attraction; beyond, soon at all of it. Particles move the skin of a
+   * body, as by Transport, only if they do so together: what the error of the mean of their
+   * velocities explains is left out. Drops and threads follow as before. So the skin of a fluid at
+   * rest is smooth and stands still, and is no more than this from the target. With
+   * NormalizeTarget. Range: >= 0. Default: 0, none, or see AutomaticSmoothing.
+   */
+  vtkSetClampMacro(TargetNoise, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TargetNoise, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a Tension and a TargetNoise of 0, the defaults, stand for values by the spacing 2 r of
+   * particles with time steps: Attraction * r^2 / 6, where TensionWeighting is on, and r / 2. Any
+   * other value holds as it is, and so does 0 over other targets, with ParticleModel SUM, without
+   * NormalizeTarget and with PaperScheme. Default: on.
+   */
+  vtkSetMacro(AutomaticSmoothing, vtkTypeBool);
+  vtkGetMacro(AutomaticSmoothing, vtkTypeBool);
+  vtkBooleanMacro(AutomaticSmoothing, vtkTypeBool);
   ///@}
 
   ///@{
@@ -203,18 +229,22 @@ public:
   enum TimeIntegrationType
   {
     EXPLICIT = 0,
-    IMPLICIT = 1
+    IMPLICIT = 1,
+    AUTOMATIC = 2
   };
 
   ///@{
   /**
    * How time is integrated. EXPLICIT (0): short substeps, as the fastest part of the skin allows.
-   * IMPLICIT (1): few long ones; for SHIFTED evaluation and UPWIND gradients. Default: EXPLICIT.
+   * IMPLICIT (1): few long ones; for SHIFTED evaluation and UPWIND gradients. AUTOMATIC (2):
+   * IMPLICIT over particles with time steps and Transport, where it can be, else EXPLICIT. Default:
+   * AUTOMATIC.
    */
-  vtkSetClampMacro(TimeIntegration, int, EXPLICIT, IMPLICIT);
+  vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
   vtkGetMacro(TimeIntegration, int);
   void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
   void SetTimeIntegrationToImplicit() { this->SetTimeIntegration(IMPLICIT); }
+  void SetTimeIntegrationToAutomatic() { this->SetTimeIntegration(AUTOMATIC); }
   ///@}
 
   enum GradientSchemeType
@@ -256,6 +286,8 @@ private:
   double Attraction = 1.0;
   vtkTypeBool AutomaticAttraction = 1;
   double Tension = 0.0;
+  double TargetNoise = 0.0;
+  vtkTypeBool AutomaticSmoothing = 1;
   vtkTypeBool TensionWeighting = 1;
   double Transport = 1.0;
   vtkTypeBool CreateParts = 1;
@@ -267,7 +299,7 @@ private:
   double TargetVolume = 0.0;
   double TargetArea = 0.0;
   int TargetEvaluation = SHIFTED;
-  int TimeIntegration = EXPLICIT;
+  int TimeIntegration = AUTOMATIC;
   int GradientScheme = UPWIND;
   vtkTypeBool PaperScheme = 0;
 };

@@ -38,10 +38,10 @@ public:
   ///@{
   /**
    * Usual distance of neighbouring particles [length], 2 r: the side of the cube that a particle
-   * fills. Range: >= 0; 1e-30 to 1e30, or 0, which is the median distance of nearest neighbours at
-   * the first time step with particles, with a warning that says the value (or, where
-   * ParticleRadius or an array of radii is given, the spacing that belongs to that reach). Default:
-   * 0.
+   * fills. Range: >= 0; 1e-30 to 1e30, or 0, which is the median distance of a particle to its
+   * third nearest at the first time step with particles, with a warning that says the value (or,
+   * where ParticleRadius or an array of radii is given, the spacing that belongs to that reach).
+   * Default: 0.
    */
   vtkSetClampMacro(ParticleSpacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);

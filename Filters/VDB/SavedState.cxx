@@ -15,6 +15,7 @@ namespace
 constexpr const char* TimeName = "active_pipeline_time";
 constexpr const char* HistoryName = "active_history";
 constexpr const char* OutsideName = "active_history_outside"; // not in files before there was one
+constexpr const char* SpacingName = "active_spacing";         // only where it was estimated
 
 template <class Value>
 Value ReadMetadata(const openvdb::GridBase& grid, const char* name)
@@ -89,6 +90,16 @@ void ReadOutside(const openvdb::GridBase& grid, std::vector<HistoryRow>& rows)
   }
 }
 
+double ReadSpacing(const openvdb::GridBase& grid)
+{
+  const auto spacing = grid.getMetadata<openvdb::DoubleMetadata>(SpacingName);
+  if (spacing && !(spacing->value() > 0.0 && std::isfinite(spacing->value())))
+  {
+    throw std::runtime_error("its spacing is damaged");
+  }
+  return spacing ? spacing->value() : 0.0;
+}
+
 }
 
 openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state)
@@ -98,6 +109,10 @@ openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state)
   grid->insertMeta(TimeName, openvdb::DoubleMetadata(state.Time));
   grid->insertMeta(HistoryName, openvdb::StringMetadata(WriteHistory(state.History)));
   grid->insertMeta(OutsideName, openvdb::StringMetadata(WriteOutside(state.History)));
+  if (state.Spacing > 0.0)
+  {
+    grid->insertMeta(SpacingName, openvdb::DoubleMetadata(state.Spacing));
+  }
   return grid;
 }
 
@@ -108,6 +123,7 @@ SavedState ReadSavedGrid(const openvdb::FloatGrid& grid)
   state.Time = ReadMetadata<double>(grid, TimeName);
   state.History = ReadHistory(ReadMetadata<std::string>(grid, HistoryName));
   ReadOutside(grid, state.History);
+  state.Spacing = ReadSpacing(grid);
   return state;
 }
 

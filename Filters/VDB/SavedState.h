@@ -19,6 +19,7 @@ struct SavedState
   std::shared_ptr<const NarrowBand> Band;
   double Time = 0.0;               //< pipeline time, of a step
   std::vector<HistoryRow> History; //< up to it
+  double Spacing = 0.0;            //< of particles, as it was estimated [length]; 0: it was not
 };
 
 /** Name of the grid. */

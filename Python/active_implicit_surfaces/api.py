@@ -269,7 +269,7 @@ def configure(
     if unknown:
         raise TypeError(f"arrays are of {', '.join(_ARRAYS)}, not of {unknown.pop()!r}.")
     first = source.frame(0)
-    if "ids" not in chosen and (found := _usual_ids(first)):
+    if "ids" not in chosen and (found := usual_ids(first)):
         chosen["ids"] = found
     for role, name in chosen.items():
         if name:
@@ -308,7 +308,7 @@ def _sort_arrays(given: dict[str, Any]) -> tuple[dict[str, str], dict[str, Any]]
     return names, values
 
 
-def _usual_ids(cloud: Any) -> str:
+def usual_ids(cloud: Any) -> str:
     """The name of an array of ids that is called so; empty if there is none."""
     if not hasattr(cloud, "GetPointData"):
         return ""

@@ -12,9 +12,10 @@ from typing import Any
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from .display import find_display
 from .file_names import has_number, numbered, replacing, suffix_of
 from .messages import quiet
-from .scene import Scene, check_display
+from .scene import Scene
 
 FILM_SUFFIXES = (".mp4", ".ogv", ".png", ".exr")
 
@@ -31,7 +32,7 @@ def check_film(path: Path, count: int) -> None:
         )
     if suffix == ".exr":
         importlib.import_module(".render", __package__)  # an ImportError if this VTK cannot
-    check_display()
+    find_display()
 
 
 class Film:

@@ -23,7 +23,8 @@ PRESETS = {
 # The kernel WYVILL, (1 - q^2)^3, is that at q = .7947: reaches little beyond their surface let
 # atoms melt together where they touch, and no further.
 ATOM_LEVEL, REACH_OF_ATOM = 0.05, 1.0 / 0.7947
-_SAMPLED = 2000  # particles whose nearest neighbour is looked for
+_SAMPLED = 2000  # particles whose neighbours are looked for
+_NEIGHBOURS = 3
 _STEPS = 6.0  # factors e that the filter itself takes from a step to the next
 
 
@@ -47,7 +48,10 @@ def apply_preset(
 
 
 def estimate_spacing(cloud: Any) -> float:
-    """The median distance of nearest neighbours; 0 if there are none."""
+    """The median distance of a particle to its third nearest, as the filter estimates it.
+
+    0 if there is one particle alone.
+    """
     count = cloud.GetNumberOfPoints()
     if count < 2:
         return 0.0
@@ -57,19 +61,17 @@ def estimate_spacing(cloud: Any) -> float:
     points = vtk_to_numpy(cloud.GetPoints().GetData())
     distances = []
     for i in numpy.linspace(0, count - 1, min(count, _SAMPLED)).astype(int):
-        locator.FindClosestNPoints(2, points[i], nearest)
-        other = max(nearest.GetId(j) for j in range(nearest.GetNumberOfIds()))
-        if other == i:
-            other = min(nearest.GetId(j) for j in range(nearest.GetNumberOfIds()))
-        distances.append(float(numpy.linalg.norm(points[other] - points[i])))
+        locator.FindClosestNPoints(_NEIGHBOURS + 1, points[i], nearest)
+        others = [nearest.GetId(j) for j in range(nearest.GetNumberOfIds())]
+        distances.append(float(numpy.linalg.norm(points[others] - points[i], axis=1).max()))
     return float(numpy.median(distances))
 
 
 def _smooth(surface: Any, name: str, spacing: float, attraction: float | None, step: float) -> None:
-    steps, share = (_STEPS, 1.0) if name == "water" else (0.5 * _STEPS, 4.0)
+    steps, share = (_STEPS, 1.0 / 3.0) if name == "water" else (0.5 * _STEPS, 2.0)
     attraction = steps / step if attraction is None else attraction
     surface.SetParticleModelToAnisotropic()
-    surface.SetTimeIntegrationToImplicit()  # under this tension three times as fast
+    surface.SetTimeIntegrationToImplicit()  # under this tension many times as fast
     surface.SetAttraction(attraction)
     surface.SetTension(share * attraction * (0.5 * spacing) ** 2)
 

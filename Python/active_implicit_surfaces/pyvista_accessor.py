@@ -82,9 +82,9 @@ class ActiveSurfaceAccessor:
         >>> import pyvista
         >>> way = pyvista.Cube().active_surface.morph_to(pyvista.Sphere(radius=1), 2, frames=3)
         >>> for time, skin in way:
-        ...     print(f"at {time}: {skin.bounds.x_max:.1f}")
-        at 0.0: 0.5
-        at 1.0: 0.8
-        at 2.0: 1.0
+        ...     print(f"at {time}: {skin.bounds.x_max:.2f}")
+        at 0.0: 0.50
+        at 1.0: 0.74
+        at 2.0: 1.00
         """
         return morph(self._dataset, other, duration, **options)

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import math
-import os
 from typing import Any
 
 import numpy
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  draws
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import (
@@ -32,8 +30,8 @@ COLORS = {
 VIEW_ANGLE = 20.0
 FINENESS = 2  # a picture is rendered this many times larger, then averaged
 BORDER = 12  # pixels that are left out, as the shade in corners ends before the picture does
-# From the scene to the camera, with y up.
-VIEW = numpy.array([0.45, 0.5, 1.0])
+# From the scene to the camera; with y or z up, x goes to the right.
+VIEWS = {"x": (0.5, 1.0, 0.45), "y": (0.45, 0.5, 1.0), "z": (0.45, -1.0, 0.5)}
 
 # Key, fill and rim, placed as the camera sees them: direction, color, intensity.
 LIGHTS = (
@@ -41,21 +39,6 @@ LIGHTS = (
     ((1.3, 0.1, 0.8), (0.85, 0.92, 1.00), 0.45),
     ((0.2, 1.0, -0.8), (1.00, 1.00, 1.00), 0.30),
 )
-
-
-def vtk_version() -> tuple[int, ...]:
-    """(9, 1) of 9.1.0."""
-    return tuple(int(part) for part in vtkVersion.GetVTKVersion().split(".")[:2])
-
-
-def check_display() -> None:
-    """Raises OSError where VTK would end the program, as it has no display."""
-    needs = vtk_version() < (9, 4) and "vtkXOpenGL" in vtkRenderWindow().GetClassName()
-    if needs and not os.environ.get("DISPLAY"):
-        raise OSError(
-            "Pictures need an X display, and DISPLAY is not set; run the command with "
-            "`xvfb-run -a` before it."
-        )
 
 
 class Scene:
@@ -67,7 +50,7 @@ class Scene:
         Points that the camera holds; the ground is below them all.
     size : (int, int)
         Of the pictures, in pixels.
-    up : {"x", "y", "z"}
+    up : {"x", "y", "z", "-x", "-y", "-z"}
     color : (float, float, float)
     soft : bool
         Whether corners are shaded (not for layers, whose depth this takes).
@@ -92,8 +75,9 @@ class Scene:
         self.renderer.SetBackground(PAPER)
         self._add_lights()
         points = numpy.asarray(held, dtype=float)
-        self._place_camera(points, "xyz".index(up))
-        self._add_ground(points.min(axis=0), points.max(axis=0), "xyz".index(up))
+        axis, sign = "xyz".index(up[-1]), -1.0 if up[0] == "-" else 1.0
+        self._place_camera(points, axis, sign)
+        self._add_ground(points.min(axis=0), points.max(axis=0), axis, sign)
         self.window.SetOffScreenRendering(True)
         self.window.SetMultiSamples(0 if soft else 8)
         self.window.SetSize(*(self.fineness * (side + 2 * self.border) for side in size))
@@ -137,9 +121,10 @@ class Scene:
             light.SetIntensity(intensity)
             self.renderer.AddLight(light)
 
-    def _place_camera(self, points: Any, up: int) -> None:
+    def _place_camera(self, points: Any, up: int, sign: float) -> None:
         """So near that all points are just within the picture."""
-        to_camera, upward = _turned(VIEW, up), numpy.eye(3)[up]
+        to_camera, upward = numpy.array(VIEWS["xyz"[up]]), sign * numpy.eye(3)[up]
+        to_camera[up] *= sign
         to_camera = to_camera / numpy.linalg.norm(to_camera)
         right = numpy.cross(upward, to_camera)
         right = right / numpy.linalg.norm(right)
@@ -160,12 +145,15 @@ class Scene:
         if self.soft:
             self.renderer.SetPass(_shade_in_corners(2.0 * half * distance))
 
-    def _add_ground(self, low: Any, high: Any, up: int) -> None:
+    def _add_ground(self, low: Any, high: Any, up: int, sign: float) -> None:
         """A ground in the color of the background, which shows by the shade upon it."""
-        reach, height = 4.0 * float(numpy.linalg.norm(high - low)), float(low[up])
+        reach, height = (
+            4.0 * float(numpy.linalg.norm(high - low)),
+            min(sign * low[up], sign * high[up]),
+        )
         first, second = numpy.eye(3)[(up + 1) % 3], numpy.eye(3)[(up + 2) % 3]
         middle = 0.5 * (low + high)
-        middle[up] = height - 1e-3 * float((high - low).max())
+        middle[up] = sign * (height - 1e-3 * float((high - low).max()))
         plane, mapper, actor = vtkPlaneSource(), vtkPolyDataMapper(), vtkActor()
         plane.SetOrigin(middle - reach * (first + second))
         plane.SetPoint1(middle + reach * (first - second))
@@ -187,11 +175,6 @@ def _set_look(look: Any, color: tuple[float, float, float]) -> None:
     look.SetDiffuse(0.72)
     look.SetSpecular(0.35)
     look.SetSpecularPower(40)
-
-
-def _turned(direction: Any, up: int) -> Any:
-    """A direction of a world with y up in one whose axis number `up` is."""
-    return numpy.roll(direction, up - 1)
 
 
 def _shade_in_corners(seen: float) -> Any:

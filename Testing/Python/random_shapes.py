@@ -7,6 +7,7 @@ the numbers of SetInputArrayToProcess.
 
 from random import Random
 
+import numpy
 from active_implicit_surfaces import vtkGridPotential, vtkSkeletonPotential
 from same_bytes_shapes import (
     Steps,
@@ -22,11 +23,16 @@ from same_bytes_shapes import (
     two_balls,
     union,
 )
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkImplicitBoolean,
+    vtkMultiBlockDataSet,
     vtkPlane,
+    vtkPolyData,
     vtkQuadric,
     vtkSuperquadric,
+    vtkTable,
 )
 
 STEP = 0.25  # from one time step of a moving target to the next
@@ -105,6 +111,67 @@ def emitter(random):
 
 def unmatched_particles(random):
     return moving(lambda i: cloud(places(random, 20)), random), {}
+
+
+def as_table(points):
+    """The same particles as a table: a column for each axis, in any order, and their arrays."""
+    table = vtkTable()
+    positions = numpy.array([points.GetPoint(i) for i in range(points.GetNumberOfPoints())])
+    for axis, values in zip("xyz", positions.reshape(-1, 3).T):
+        column = numpy_to_vtk(values, deep=True)
+        column.SetName(axis)
+        table.AddColumn(column)
+    for i in range(points.GetPointData().GetNumberOfArrays()):
+        table.AddColumn(points.GetPointData().GetArray(i))
+    return table
+
+
+def as_blocks(points, random):
+    """The same particles, cut into blocks, of which some have none, and some are within others."""
+    count = points.GetNumberOfPoints()
+    cuts = sorted(random.randint(0, count) for _ in range(random.randint(0, 3)))
+    blocks = vtkMultiBlockDataSet()
+    for low, high in zip([0, *cuts], [*cuts, count]):
+        block, inner = rows_of(points, low, high), vtkMultiBlockDataSet()
+        if random.random() < 0.3:
+            inner.SetBlock(random.randint(0, 2), block)
+            block = inner
+        blocks.SetBlock(blocks.GetNumberOfBlocks() + random.randint(0, 1), block)
+    return blocks
+
+
+def rows_of(points, low, high):
+    part = vtkPolyData()
+    part.SetPoints(vtkPoints())
+    part.GetPoints().SetDataType(points.GetPoints().GetDataType())
+    part.GetPointData().CopyAllocate(points.GetPointData())
+    for i in range(low, high):
+        part.GetPoints().InsertNextPoint(points.GetPoint(i))
+        part.GetPointData().CopyData(points.GetPointData(), i, i - low)
+    return part
+
+
+def in_another_form(kind, change):
+    """Particles, standing or moving, each step of which is changed."""
+
+    def make(random):
+        target, numbers = kind(random)
+        if isinstance(target, Source):
+            return Source({t: change(d, random) for t, d in target.steps.items()}), numbers
+        return change(target, random), numbers
+
+    return make
+
+
+def table(random):
+    kind = random.choice((particles, births_and_deaths, emitter))
+    return in_another_form(kind, lambda points, _: as_table(points))(random)
+
+
+def blocks(random):
+    return in_another_form(random.choice((particles, births_and_deaths, emitter)), as_blocks)(
+        random
+    )
 
 
 def a_skeleton(random):
@@ -240,7 +307,15 @@ FUNCTIONS = (
     a_half_space,
     a_potential,
 )
-PARTICLES = (particles, births_and_deaths, births_and_deaths, emitter, unmatched_particles)
+PARTICLES = (
+    particles,
+    births_and_deaths,
+    births_and_deaths,
+    emitter,
+    unmatched_particles,
+    table,
+    blocks,
+)
 OTHERS = (
     skeleton,
     moving_skeleton,

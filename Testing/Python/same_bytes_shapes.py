@@ -10,6 +10,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkBox,
     vtkCellArray,
+    vtkDataObject,
     vtkImageData,
     vtkImplicitBoolean,
     vtkPolyData,
@@ -168,7 +169,7 @@ class Steps(VTKPythonAlgorithmBase):
         self.steps = steps
 
     def FillOutputPortInformation(self, port, info):
-        info.Set(vtkPolyData.DATA_TYPE_NAME(), self.OutputType)
+        info.Set(vtkDataObject.DATA_TYPE_NAME(), self.OutputType)
         return 1
 
     def RequestInformation(self, request, inputs, outputs):
@@ -186,7 +187,7 @@ class Steps(VTKPythonAlgorithmBase):
         key = Pipeline.UPDATE_TIME_STEP()
         wanted = information.Get(key) if information.Has(key) else next(iter(self.steps))
         time = max((step for step in self.steps if step <= wanted), default=next(iter(self.steps)))
-        output = vtkPolyData.GetData(outputs, 0) or vtkImageData.GetData(outputs, 0)
+        output = vtkDataObject.GetData(outputs, 0)
         output.ShallowCopy(self.steps[time])
         output.GetInformation().Set(output.DATA_TIME_STEP(), time)
         return 1

@@ -3,15 +3,16 @@
 
 import os
 import stat
+import subprocess
+import sys
+import time
 import unittest
 from pathlib import Path
 from unittest import mock
 
 import numpy
-from active_implicit_surfaces import film, scene, vtkActiveEXRReader
-from active_implicit_surfaces.commands import skin
-from active_implicit_surfaces.particle_files import open_particles
-from command_line import CommandTest, grid, moving_grid
+from active_implicit_surfaces import display, film, scene, vtkActiveEXRReader
+from command_line import CommandTest, grid
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
@@ -86,6 +87,24 @@ class Films(CommandTest):
         middle = int(numpy.nonzero(water)[1].mean())
         self.assertLess(brightness[below, middle], 0.94 * paper, "no shade on the ground")
 
+    def test_x_goes_to_the_right(self):
+        for up in ("y", "z"):
+            self.render("f_##.png", "--up", up)
+            waters = [is_skin(pixels_of(self.folder / f"f_{i:02}.png")) for i in range(3)]
+            middles = [numpy.nonzero(water)[1].mean() for water in waters]
+            self.assertEqual(middles, sorted(middles), up)
+
+    def test_the_axis_that_points_up(self):
+        wide = grid() * [1.0, 0.3, 1.0]  # below, along y
+        narrow = grid(2) + [0.15, 0.3, 0.15]
+        numpy.savez(self.data, positions=numpy.concatenate([wide, narrow]))
+        for up, is_narrow_above in ("--up=y", True), ("--up=-y", False):
+            self.render("one.png", up)
+            rows = is_skin(pixels_of(self.folder / "one.png")).sum(axis=1)
+            rows = rows[rows > 0]
+            fourth = len(rows) // 4
+            self.assertEqual(rows[:fourth].mean() < rows[-fourth:].mean(), is_narrow_above, up)
+
     def test_layers(self):
         self.render("f_##.exr")
         reader = vtkActiveEXRReader()
@@ -129,14 +148,35 @@ class Films(CommandTest):
             said = self.fail_with(1, "skin", self.data, "--render", self.folder / "a.mp4")
         self.assertIn("needs the program ffmpeg", said)
 
-    def test_no_display(self):
+    @unittest.skipIf(display.vtk_version() >= (9, 4), "this VTK draws without a display")
+    def test_no_display_and_none_to_start(self):
         without = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
-        with mock.patch.dict(os.environ, without, clear=True):
-            if scene.vtk_version() >= (9, 4):
-                scene.check_display()
-                return
+        with (
+            mock.patch.dict(os.environ, without, clear=True),
+            mock.patch.object(display.shutil, "which", return_value=None),
+        ):
             said = self.fail_with(1, "skin", self.data, "--render", self.folder / "a.png")
-        self.assertIn("xvfb-run", said)
+        self.assertIn("Xvfb", said)
+
+    @unittest.skipIf(display.vtk_version() >= (9, 4), "this VTK draws without a display")
+    def test_a_display_of_its_own(self):
+        without = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        program = (
+            "import os, sys; from active_implicit_surfaces.commands import main; "
+            "code = main(sys.argv[1:]); print(os.environ['DISPLAY']); sys.exit(code)"
+        )
+        command = ("skin", str(self.data), "--render", str(self.folder / "a_#.png"), *SMALL)
+        done = subprocess.run(
+            [sys.executable, "-c", program, *command], env=without, capture_output=True, text=True
+        )
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(is_skin(pixels_of(self.folder / "a_2.png")).any())
+        lock = Path(f"/tmp/.X{done.stdout.strip().lstrip(':')}-lock")
+        for _ in range(100):  # it ends soon after the program
+            if not lock.exists():
+                break
+            time.sleep(0.1)
+        self.assertFalse(lock.exists(), "the display is still there")
 
     def test_a_folder_that_cannot_be_written(self):
         (self.folder / "a.png").mkdir()
@@ -156,52 +196,6 @@ class Films(CommandTest):
         size = ["--size", "160x90", "--frames", 2]
         self.succeed("morph", path, path, "--render", output, *size)
         self.assertEqual(len(list(self.folder.glob("m.??.png"))), 2)
-
-
-class View(CommandTest):
-    def test_up_is_where_the_particles_are_low_along(self):
-        for axis in (1, 2):
-            heap = grid() * numpy.roll([3.0, 1.0, 3.0], axis - 1)
-            drop = numpy.array([[0.6, 0.6, 0.6]])
-            drop[0, axis] = 3.0
-            numpy.savez(self.folder / "a.npz", positions=numpy.concatenate([heap, drop]))
-            _, up = skin.find_view(open_particles(self.folder / "a.npz"))
-            self.assertEqual(up, "xyz"[axis])
-
-    def test_it_holds_all_frames_and_no_nan(self):
-        moving = moving_grid(200)
-        moving[50, 3] = numpy.nan
-        numpy.savez(self.folder / "a.npz", positions=moving)
-        held, _ = skin.find_view(open_particles(self.folder / "a.npz"))
-        # The first and the last frame are looked at, and the margin is 2 % of the longest side, or
-        # 1.2 times the spacing, .1.
-        self.assertTrue(numpy.isfinite(held).all())
-        length = 199 * 0.05 + 0.4
-        self.assertGreater(0.02 * length, 1.2 * 0.1)
-        self.assertAlmostEqual(held[:, 0].max(), length * 1.02, places=6)
-        self.assertAlmostEqual(held[:, 0].min(), -0.02 * length, places=6)
-
-    def test_strays_do_not_make_all_else_small(self):
-        heap = grid()
-        strays = numpy.array([[9.0, 0.2, 0.2], [0.2, 0.2, -9.0]])
-        positions = numpy.concatenate([*[heap] * 5, strays])  # 2 of 627: less than .5 % at a side
-        numpy.savez(self.folder / "a.npz", positions=positions)
-        held, _ = skin.find_view(open_particles(self.folder / "a.npz"))
-        # The heap's .4, a quarter of it, and the margin, which is 2 % or 1.2 times the spacing: of
-        # particles in the same place, 0.
-        self.assertAlmostEqual(held[:, 0].max(), 0.4 * 1.25 + 0.02 * 0.5, places=6)
-        self.assertAlmostEqual(held[:, 2].min(), -0.4 * 0.25 - 0.02 * 0.5, places=6)
-
-    def test_a_drop_that_is_not_far_is_held(self):
-        heap = grid()
-        drop = numpy.array([[0.2, 0.49, 0.2]])
-        numpy.savez(self.folder / "a.npz", positions=numpy.concatenate([*[heap] * 5, drop]))
-        held, _ = skin.find_view(open_particles(self.folder / "a.npz"))
-        self.assertAlmostEqual(held[:, 1].max(), 0.49 + 0.02 * 0.49, places=6)
-
-    def test_no_particles_at_all(self):
-        numpy.savez(self.folder / "a.npz", positions=numpy.zeros((0, 3)))
-        self.assertEqual(skin.find_view(open_particles(self.folder / "a.npz"))[1], "y")
 
 
 if __name__ == "__main__":

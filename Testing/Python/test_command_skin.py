@@ -188,6 +188,17 @@ class GoingOn(CommandTest):
         (self.folder / "a" / ".s.state.vdb").write_bytes(b"no grid")
         self.assertIn("holds no state", self.fail_with(1, *self.command, "--resume"))
 
+    def test_a_state_that_cannot_be_saved_leaves_the_one_before(self):
+        kept = resume.Resumption(self.folder / "s_#.vtp", {})
+        frames = api.frames(moving_grid(6), fps=25)
+        next(iter(frames))
+        kept.save(frames.surface, frames.source.times, 1, now=True)
+        without_state = active_implicit_surfaces.vtkActiveImplicitSurface()
+        with self.assertRaisesRegex(OSError, "no state"):
+            kept.save(without_state, frames.source.times, 2, now=True)
+        again = api.frames(moving_grid(6), fps=25)
+        self.assertEqual(kept.load(again.surface, again.source.times), 1)
+
     def test_states_are_kept_while_it_runs(self):
         (self.folder / "p3.npy").write_bytes(self.fourth)
         with mock.patch.object(resume, "_SECONDS_BETWEEN_STATES", 0.0):

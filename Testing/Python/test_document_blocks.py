@@ -50,6 +50,7 @@ OTHERS = {
     "ACTIVE_VTK=system pip install .",
     "PV_PLUGIN_PATH=P/lib/paraview-5.11/plugins paraview",
 }
+PROGRAM = re.compile(r"(build/release/install/bin/)?active-surface ")
 FFMPEG = '#!/bin/sh\nfor last; do :; done\ncat > "$last"\n'
 
 
@@ -156,7 +157,7 @@ class Blocks(CommandTest):
             self.assertTrue(shown, "no example has these lines")
         elif language == "bash":
             for command in documents.commands(body):
-                if command.startswith("active-surface "):
+                if PROGRAM.match(command):
                     self.succeed(*shlex.split(command)[1:])
                 else:
                     self.assertTrue(is_known(command), f"nobody runs `{command}`")

@@ -25,7 +25,7 @@ NUMBERS = {
         TargetIsoValue TargetReach VoxelSize MaximumNumberOfActiveVoxels Attraction Tension CFL
         VolumeStiffness AreaStiffness TargetVolume TargetArea RestTolerance
         MaximumNumberOfSubsteps StartTime TimeStepSize NumberOfTimeSteps TimeScale ArrivalTime
-        ParticleRadius
+        ParticleRadius TargetNoise
         ParticleSpacing Anisotropy Transport ParticleThreshold MeshThickness NumberOfThreads
         CheckpointInterval CheckpointMemory
         MaximumVelocity
@@ -41,7 +41,7 @@ SWITCHES = {
     vtkActiveImplicitSurface: """
         InvertTarget NormalizeTarget BoundedDomain ComputeNormals ComputeVelocity TangentialVelocity
         PassTargetArrays ComputeCurvature OutputPotential PaperScheme AutomaticAttraction
-        CreateParts TensionWeighting
+        AutomaticSmoothing CreateParts TensionWeighting
     """.split(),
     vtkSkeletonPotential: [],
     vtkGridPotential: ["InvertInside"],
@@ -81,6 +81,7 @@ WITH_UNIT = {
         TargetIsoValue TargetReach VoxelSize ModelBounds Attraction Tension VolumeStiffness
         AreaStiffness TargetVolume TargetArea RestTolerance StartTime TimeStepSize TimeScale
         ArrivalTime ParticleRadius ParticleSpacing MeshThickness CheckpointMemory MaximumVelocity
+        TargetNoise
     """.split(),
     vtkSkeletonPotential: """
         Radius RadiusArrayName StrengthArrayName Threshold ParticleSpacing

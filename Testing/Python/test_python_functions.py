@@ -236,7 +236,7 @@ class Series(unittest.TestCase):
 
 class Presets(unittest.TestCase):
     def test_those_with_tension_take_implicit_substeps(self):
-        for name, expected in (("water", 1), ("viscous", 1), ("paper", 0), ("molecule", 0)):
+        for name, expected in (("water", 1), ("viscous", 1), ("paper", 0), ("molecule", 2)):
             frames = active.frames(moving_grid(2), fps=10, preset=name)
             self.assertEqual(frames.surface.GetTimeIntegration(), expected, name)
 

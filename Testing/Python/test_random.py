@@ -50,6 +50,12 @@ FOUND = (
         "properties": {"ParticleModel": 0},
         "operations": [("time", 0.1)],
     },
+    # A state loaded beyond an empty first step took the spacing of another step than the run had.
+    {
+        "target": ("blocks", 518),
+        "properties": {"ModelBounds": (-1.0, 1.0, -1.0, 1.0, -1.0, 1.0)},
+        "operations": [("time", 0.6832981095362682), ("save and load",), ("time", 0.25)],
+    },
     # The state of a skin that has vanished could be saved, but not loaded.
     {
         "target": ("a_ball", 281445),

@@ -99,6 +99,13 @@ def followed_particles():
     return crossing_particles(Attraction=1)
 
 
+def smoothed_particles():
+    steps = {
+        i * BEFORE: cloud([(x + 0.1 * i, y, z) for x, y, z in scattered(60)]) for i in range(5)
+    }
+    return make(Steps(steps), VoxelSize=COARSE, ParticleModel=2, ParticleSpacing=0.3)
+
+
 def tense_particles():
     return make(
         cloud(scattered(20)),
@@ -145,6 +152,7 @@ RESTARTS = {
     "ArrivalTime": [(morph, 0.3)],
     "Attraction": [(morph, 3.0)],
     "AutomaticAttraction": [(followed_particles, 0)],
+    "AutomaticSmoothing": [(smoothed_particles, 0)],
     "BoundedDomain": [(walls, 0)],
     "CFL": [(morph, 0.5)],
     "CreateParts": [(appearing_particles, 0)],
@@ -170,6 +178,7 @@ RESTARTS = {
     "TargetEvaluation": [(morph, 1), (morph, 2)],
     "TargetFunction": [(morph, block(-0.5, 0.5, -0.4, 0.4, -0.3, 0.3))],
     "TargetIsoValue": [(morph, -0.03), (samples, 0.1)],
+    "TargetNoise": [(morph, 0.05)],
     "TargetReach": [(morph, 0.05)],
     "TargetVolume": [(volume_penalty, 0.6), (volume_exact, 0.6)],
     "Tension": [(morph, 0.02)],

@@ -79,7 +79,11 @@ public:
       this->Result.LargestDisplacement = this->Where.MaySkip
         ? 0.0
         : this->Passes.FindLargestDisplacement(this->Set.Active, this->Plan);
-      this->MakeRounds();
+      const std::size_t nodes =
+        this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
+      this->Result.Gradients = this->Passes.Run(this->Plan, this->Rounds);
+      this->Result.Gradients.Nodes = nodes;
+      this->Result.Rounds = this->Passes.GetNumberOfSubsteps();
     }
     return this->Result;
   }
@@ -118,52 +122,13 @@ private:
     const double slope = SlopeOf(this->SampleTarget());
     if (this->Rounds > 1)
     {
-      this->ChooseRounds(length, slope);
+      this->Plan = StepPlan(this->Whole, this->Where.Band.VoxelSize, slope, this->Force, length);
+      this->CheckLength(this->Plan, length);
+      this->Rounds = static_cast<int>(std::lround(length / this->Plan.GetLength()));
     }
     else
     {
       this->Plan = this->Plan.ForSlope(slope);
-    }
-  }
-
-  /** One round is enough where nearly all displacements are so short that the target is linear
-   * along them.
-   */
-  void ChooseRounds(double length, double slope)
-  {
-    const double shortDisplacement = .25 * this->Law.CFL;
-    const StepPlan plan(this->Whole, this->Where.Band.VoxelSize, slope, this->Force, length);
-    this->CheckLength(plan, length);
-    const StepPlan one = plan.PartOf(length, 1);
-    const MoveCoefficients coefficients = CoefficientsOf(this->Law, one);
-    const LeafList surface = this->FindSurface();
-    const auto far = std::count_if(surface.begin(), surface.end(),
-      [&](std::int32_t i)
-      { return DisplacementOf(i, coefficients, this->Buffers) > shortDisplacement; });
-    const bool isOne = !plan.GetStages() && static_cast<double>(far) <= FewLeaves * surface.size();
-    this->Rounds = isOne ? 1 : static_cast<int>(std::lround(length / plan.GetLength()));
-    this->Plan = isOne ? one : plan;
-  }
-
-  void MakeRounds()
-  {
-    for (int round = 0; round < this->Rounds && !this->Result.Gradients.Unbounded; ++round)
-    {
-      if (round > 0 && (this->HasTarget() || this->IsWeighted()))
-      {
-        this->SampleTarget();
-      }
-      else if (round > 0)
-      {
-        this->ChooseWithoutTarget();
-      }
-      if (!this->Set.Active.empty())
-      {
-        const std::size_t nodes =
-          this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
-        this->Result.Gradients = this->Passes.Run(this->Plan);
-        this->Result.Gradients.Nodes = nodes;
-      }
     }
   }
 

@@ -10,7 +10,7 @@ namespace activesurface
 namespace
 {
 
-// Attraction L dt at CFL 1. With Tension the stages stand for the exponential.
+// Attraction L dt at CFL 1; and with Tension, where the stages stand for the exponential.
 constexpr double MostDecay = 2.0, MostDecayOfStages = 1.0;
 constexpr int MostStages = 4;       // at CFL 1
 constexpr double MostPenalty = 1.0; // the rate of the penalties times dt at CFL 1
@@ -20,10 +20,17 @@ StageOrder OrderFor(const Motion& motion)
   return motion.Attraction > 0.0 ? StageOrder::First : StageOrder::Second;
 }
 
-/** In units of the longest stable forward Euler step: the damping is milder than tension. */
+/** In units of the longest stable forward Euler step. With fewer stages than the damping would ask
+ * for by itself, nothing comes to rest. */
 double StageRate(const Motion& motion, double voxelSize, double decayRate)
 {
   return 4.0 * std::fabs(motion.Tension) / (voxelSize * voxelSize) + .5 * decayRate;
+}
+
+/** Three bring the damping of 1 to within a hundredth of the exponential, two of a quarter. */
+int LeastStages(StageOrder order, double decay)
+{
+  return order == StageOrder::First && decay <= .25 ? 2 : 3;
 }
 
 /** (1 - exp(-x)) / x. */
@@ -38,9 +45,9 @@ double LongestLength(
   const double decayRate = motion.Attraction * slope;
   const double stageRate = motion.Tension != 0.0 ? StageRate(motion, voxelSize, decayRate) : 0.0;
   const StageOrder order = OrderFor(motion);
-  const double longest = std::min(
-    { (motion.Tension != 0.0 ? MostDecayOfStages : MostDecay) / decayRate, MostPenalty / force.Rate,
-      LegendreStages::Reach(order, MostStages) / stageRate }); // x / 0 is infinite
+  const double decay = motion.Tension != 0.0 ? MostDecayOfStages : MostDecay;
+  const double longest = std::min({ decay / decayRate, MostPenalty / force.Rate,
+    LegendreStages::Reach(order, MostStages) / stageRate }); // x / 0 is infinite
   return std::min(motion.CFL * longest, motion.LongestStep);
 }
 
@@ -69,12 +76,19 @@ StepPlan StepPlan::Halve(int halvings) const
   return plan;
 }
 
-StepPlan StepPlan::PartOf(double time, int parts) const
+StepPlan StepPlan::Join(int substeps) const
 {
   StepPlan plan = *this;
-  plan.Length = time / parts;
+  plan.Length = substeps * this->Length;
   plan.Derive();
   return plan;
+}
+
+StepPlan StepPlan::JoinGently(int substeps) const
+{
+  const StepPlan plan = this->Join(substeps);
+  const bool isGentle = !plan.Stages || plan.Decay <= MostDecayOfStages;
+  return isGentle ? plan : plan.ForSlope(plan.Slope * MostDecayOfStages / plan.Decay);
 }
 
 StepPlan StepPlan::ForSlope(double slope) const
@@ -108,8 +122,8 @@ void StepPlan::Derive()
     const double rate = StageRate(this->Law, this->VoxelSize, decayRate);
     this->Stages.emplace(order,
       std::max(
-        order == StageOrder::First ? 2 : 3, LegendreStages::FindCount(order, rate * this->Length)));
-    this->Remaining = this->Stages->Amplify(this->Decay);
+        LeastStages(order, this->Decay), LegendreStages::FindCount(order, rate * this->Length)));
+    this->Remaining = this->Stages->Damp(this->Decay);
   }
 }
 

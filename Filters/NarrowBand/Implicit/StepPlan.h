@@ -32,8 +32,9 @@ public:
   ///@{
   /** A substep that is 2^halvings times shorter. */
   StepPlan Halve(int halvings) const;
-  /** One of this many equal parts of a time. */
-  StepPlan PartOf(double time, int parts) const;
+  /** This many substeps in one; and the same for slopes so small that the stages hardly damp. */
+  StepPlan Join(int substeps) const;
+  StepPlan JoinGently(int substeps) const;
   /** A substep of the same length, for another largest slope. */
   StepPlan ForSlope(double slope) const;
   /** One half of the displacement of this substep, without its tension: two of them make the whole.
@@ -42,6 +43,9 @@ public:
   ///@}
 
   double GetLength() const { return this->Length; }
+
+  /** Whether the stages damp enough where the target has this slope. */
+  bool Bears(double slope) const { return !this->Stages || slope <= this->Slope; }
 
   /** When the target has to be evaluated, as a share of the substep: so that a target that moves
    * evenly, of whose motion Transport has done its share already, is followed with the lag that the

@@ -10,10 +10,21 @@
 #include "Substep/WalledTarget.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <iterator>
+#include <vector>
 
 namespace activesurface
 {
+
+namespace
+{
+
+// [voxels] at CFL 1: the target is linear along it, and so is its balance with tension.
+constexpr double ShortDisplacement = .25, ShortDisplacementOfStages = .08;
+
+}
 
 MoveCoefficients CoefficientsOf(const Motion& law, const StepPlan& plan)
 {
@@ -50,21 +61,118 @@ float SurfacePasses::FindLargestDisplacement(const LeafList& leaves, const StepP
     : LargestDisplacement(leaves, coefficients, this->Buffers);
 }
 
-GradientCounts SurfacePasses::Run(const StepPlan& plan)
+GradientCounts SurfacePasses::Run(const StepPlan& plan, int substeps)
 {
   this->Gradients = {};
-  this->Moved = this->Set.Active;
-  this->Sourced.clear();
-  this->Displace(LeafList(this->Moved), plan, 0);
-  this->MakeTension(plan);
+  this->Substeps = 0;
+  LeafList left = this->Set.Active;
+  for (; substeps > 0 && !left.empty() && !this->Gradients.Unbounded; --substeps)
+  {
+    const std::size_t before = this->Leaves.Size();
+    const std::vector<LeafShare> shares = this->Divide(left, plan, substeps);
+    this->MakeSubstep(left, shares);
+    ++this->Substeps;
+    const LeafList& restless = shares.back().Leaves;
+    left.clear();
+    if (substeps > 1 && !restless.empty())
+    {
+      left = Union(restless,
+        Intersection(this->Leaves.FindAround(restless),
+          this->Leaves.FindAll([before](std::size_t i) { return i >= before; })));
+      this->SampleAgain(left);
+    }
+  }
   return this->Gradients;
+}
+
+/** The leaves that are done at once with the substeps that are left: those of which the stages'
+ * damping asks little, and others; and those that make a single substep. */
+std::vector<SurfacePasses::LeafShare> SurfacePasses::Divide(
+  const LeafList& leaves, const StepPlan& plan, int substeps)
+{
+  if (substeps == 1)
+  {
+    return { { leaves, plan } };
+  }
+  std::vector<LeafShare> shares = { { {}, plan.JoinGently(substeps) }, { {}, plan.Join(substeps) },
+    { {}, plan } };
+  if (plan.GetStages())
+  {
+    FindTensionDisplacements(this->Leaves, leaves, CoefficientsOf(this->Law, shares[0].Plan),
+      this->IsWeighted(), this->Buffers);
+  }
+  LeafList restless;
+  std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(restless),
+    [&](std::int32_t i) { return !this->IsCalm(i, shares[1].Plan); });
+  shares[2].Leaves = Intersection(this->Leaves.FindAround(restless), leaves);
+  const LeafList calm = Without(leaves, shares[2].Leaves);
+  std::partition_copy(calm.begin(), calm.end(), std::back_inserter(shares[0].Leaves),
+    std::back_inserter(shares[1].Leaves),
+    [&](std::int32_t i)
+    { return shares[0].Plan.Bears(this->Leaves.SummaryOf(i).Speed.TargetSlope); });
+  return shares;
+}
+
+/** Whether the target is linear along the displacement, and tension balanced by it. */
+bool SurfacePasses::IsCalm(std::int32_t leaf, const StepPlan& plan) const
+{
+  const double most =
+    this->Law.CFL * (plan.GetStages() ? ShortDisplacementOfStages : ShortDisplacement);
+  const bool isTense = plan.GetStages() && this->Buffers.LargestTensionDisplacement[leaf] > most;
+  // Nodes beside a neighbour's samples are as far from the target as these.
+  if (isTense || DisplacementOf(leaf, CoefficientsOf(this->Law, plan), this->Buffers) > most)
+  {
+    return false;
+  }
+  const std::int64_t first = this->HasTarget() ? this->Buffers.FirstSample[leaf] : 0;
+  const std::int64_t end = first + (this->HasTarget() ? this->Leaves[leaf].Crossings : 0);
+  const double factor = this->Law.Attraction * plan.GetFactor();
+  for (std::int64_t n = first; n < end; ++n)
+  {
+    const double ratio = plan.GetRatio(this->Buffers.SlopeSamples[n]);
+    if (std::fabs(factor * ratio * this->Buffers.Samples[n]) > most)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** The last of the shares may go far. */
+void SurfacePasses::MakeSubstep(const LeafList& leaves, const std::vector<LeafShare>& shares)
+{
+  const StepPlan& plan = shares.back().Plan;
+  this->Moved = leaves;
+  this->Sourced.clear();
+  this->TakeSlopesIntoAccount(shares);
+  this->Displace(leaves, plan, 0);
+  if (!plan.GetStages())
+  {
+    return;
+  }
+  LeafList others = this->Moved;
+  for (std::size_t n = 0; n + 1 < shares.size(); ++n)
+  {
+    const LeafShare& share = shares[n];
+    const auto scale =
+      static_cast<float>(share.Plan.GetSourcePerDisplacement() / plan.GetSourcePerDisplacement());
+    this->Leaves.ForEach(share.Leaves,
+      [&](std::size_t i)
+      {
+        float* source = this->Buffers.StageSource.Of(i);
+        std::transform(
+          source, source + 512, source, [scale](float change) { return scale * change; });
+      });
+    this->MakeTension(share.Leaves, share.Plan);
+    others = Without(others, share.Leaves);
+  }
+  this->MakeTension(others, plan);
 }
 
 /** plan: of the substep, or of its displacement halved so often. */
 void SurfacePasses::Displace(const LeafList& leaves, const StepPlan& plan, int halvings)
 {
   const MoveCoefficients coefficients = CoefficientsOf(this->Law, plan);
-  this->TakeSlopesIntoAccount(plan);
   LeafList fast;
   std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(fast),
     [&](std::int32_t i)
@@ -78,8 +186,10 @@ void SurfacePasses::Displace(const LeafList& leaves, const StepPlan& plan, int h
   for (int half = 0; half < 2 && !region.empty() && !this->Gradients.Unbounded; ++half)
   {
     const std::size_t before = this->Leaves.Size();
+    const StepPlan halved = plan.HalveDisplacement();
     this->SampleAgain(region);
-    this->Displace(region, plan.HalveDisplacement(), halvings + 1);
+    this->TakeSlopesIntoAccount({ { {}, halved } });
+    this->Displace(region, halved, halvings + 1);
     region = Union(region, this->Leaves.FindAll([before](std::size_t i) { return i >= before; }));
   }
   this->Moved = Union(this->Moved, region);
@@ -100,24 +210,49 @@ void SurfacePasses::SampleAgain(const LeafList& leaves)
 }
 
 /** Samples of another slope go farther, or less far, than those of the largest. */
-void SurfacePasses::TakeSlopesIntoAccount(const StepPlan& plan)
+bool SurfacePasses::TakeSlopesIntoAccount(std::size_t leaf, const StepPlan& plan, double scale)
+{
+  bool differs = false;
+  const auto first = static_cast<std::size_t>(this->Buffers.FirstSample[leaf]);
+  for (std::size_t n = first; n < first + this->Leaves[leaf].Crossings; ++n)
+  {
+    const double ratio = scale * plan.GetRatio(this->Buffers.SlopeSamples[n]);
+    this->Buffers.Samples[n] *= static_cast<float>(ratio);
+    differs = differs || ratio != 1.0;
+  }
+  return differs;
+}
+
+/** All that are in no share go by the last plan. */
+void SurfacePasses::TakeSlopesIntoAccount(const std::vector<LeafShare>& shares)
 {
   if (!this->HasTarget())
   {
     return;
   }
-  bool differs = false;
-  for (std::size_t n = 0; n < this->Buffers.Samples.size(); ++n)
+  const auto& first = this->Buffers.FirstSample;
+  const LeafList sampled = this->Leaves.FindAll(
+    [&first](std::size_t i) { return i < first.size() && first[i] != SubstepBuffers::NoSamples; });
+  const StepPlan& plan = shares.back().Plan;
+  std::vector<const StepPlan*> plans(this->Leaves.Size(), &plan);
+  for (const LeafShare& share : shares)
   {
-    const double ratio = plan.GetRatio(this->Buffers.SlopeSamples[n]);
-    this->Buffers.Samples[n] *= static_cast<float>(ratio);
-    differs = differs || ratio != 1.0;
+    for (const std::int32_t i : share.Leaves)
+    {
+      plans[i] = &share.Plan;
+    }
   }
+  std::atomic<bool> differs{ false };
+  this->Leaves.ForEach(sampled,
+    [&](std::size_t i)
+    {
+      if (this->TakeSlopesIntoAccount(i, *plans[i], plans[i]->GetFactor() / plan.GetFactor()))
+      {
+        differs.store(true, std::memory_order_relaxed);
+      }
+    });
   if (differs)
   {
-    const auto& first = this->Buffers.FirstSample;
-    const LeafList sampled = this->Leaves.FindAll([&first](std::size_t i)
-      { return i < first.size() && first[i] != SubstepBuffers::NoSamples; });
     ApplySamples(this->Leaves, sampled, this->Law, this->Buffers);
   }
 }
@@ -176,19 +311,19 @@ void SurfacePasses::Count(const GradientCounts& counts)
   this->Gradients.Unbounded = counts.Unbounded;
 }
 
-void SurfacePasses::MakeTension(const StepPlan& plan)
+void SurfacePasses::MakeTension(const LeafList& leaves, const StepPlan& plan)
 {
-  if (!plan.GetStages() || this->Gradients.Unbounded)
+  if (leaves.empty() || this->Gradients.Unbounded)
   {
     return;
   }
-  this->Set.Choose(this->Leaves, this->Moved);
+  this->Set.Choose(this->Leaves, leaves);
   if (this->IsWeighted())
   {
     this->Weights.ExtendToEntered(this->Leaves, this->Set, this->Law, this->Buffers);
   }
   this->Buffers.StageSource.MakeRoom(this->Leaves.Size());
-  this->Leaves.ForEach(Without(this->Moved, this->Sourced),
+  this->Leaves.ForEach(Without(leaves, this->Sourced),
     [this](std::size_t i) { std::fill_n(this->Buffers.StageSource.Of(i), 512, 0.f); });
   const bool isBounded =
     MakeTensionStages(this->Leaves, this->Set, plan, this->IsWeighted(), this->Buffers);

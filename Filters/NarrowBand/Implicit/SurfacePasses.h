@@ -14,6 +14,8 @@
 #include "Motion.h"
 #include "Substep/FollowTarget.h"
 
+#include <vector>
+
 namespace activesurface
 {
 
@@ -28,10 +30,14 @@ public:
   SurfacePasses(
     const FollowingBand& band, const Motion& law, Target& target, AdvanceReport& report);
 
-  /** Moves the active leaves, whose target speeds are known; layers and ghosts follow. Returns the
-   * gradients before. Where they say Unbounded the band is as before the pass that would have been
-   * so. */
-  GradientCounts Run(const StepPlan& plan);
+  /** Moves the active leaves, whose target speeds are known, by so many substeps in a row; layers
+   * and ghosts follow. Where the target is linear along what a leaf has left to go, the leaf goes
+   * it in one. Returns the gradients before. Where they say Unbounded the band is as before the
+   * pass that would have been so. */
+  GradientCounts Run(const StepPlan& plan, int substeps);
+
+  /** How many of them the last run has made. */
+  int GetNumberOfSubsteps() const { return this->Substeps; }
 
   /** The longest displacement of these leaves, by all terms but the controls. */
   float FindLargestDisplacement(const LeafList& leaves, const StepPlan& plan) const;
@@ -40,13 +46,24 @@ private:
   bool HasTarget() const { return this->Law.Attraction > 0.0; }
   bool IsWeighted() const { return HasTensionWeights(this->Law); }
 
+  /** Leaves that go by the same plan. */
+  struct LeafShare
+  {
+    LeafList Leaves;
+    StepPlan Plan;
+  };
+
+  std::vector<LeafShare> Divide(const LeafList& leaves, const StepPlan& plan, int substeps);
+  bool IsCalm(std::int32_t leaf, const StepPlan& plan) const;
+  void MakeSubstep(const LeafList& leaves, const std::vector<LeafShare>& shares);
   void Displace(const LeafList& leaves, const StepPlan& plan, int halvings);
   void SampleAgain(const LeafList& leaves);
-  void TakeSlopesIntoAccount(const StepPlan& plan);
+  bool TakeSlopesIntoAccount(std::size_t leaf, const StepPlan& plan, double scale);
+  void TakeSlopesIntoAccount(const std::vector<LeafShare>& shares);
   void MakePass(const LeafList& leaves, const StepPlan& plan);
   float FindStrain(const LeafList& leaves, const StepPlan& plan) const;
   void Count(const GradientCounts& counts);
-  void MakeTension(const StepPlan& plan);
+  void MakeTension(const LeafList& leaves, const StepPlan& plan);
   void Commit();
 
   const FollowingBand Band;
@@ -58,6 +75,7 @@ private:
   AdvanceReport& Report;
 
   GradientCounts Gradients;
+  int Substeps = 0;
   LeafList Moved;   //< by this run, or created by that
   LeafList Sourced; //< those of them whose displacement is left to the stages
   StageWeights Weights;

@@ -115,7 +115,9 @@ private:
       const float whole = f.Tension * rate[z] + f.Damping * (first[z] - u[z]) + pull;
       rate[z] = std::min(
         std::max(whole, std::min(pull, 0.f) - f.MostTension), std::max(pull, 0.f) + f.MostTension);
+      rate[z] += f.Damping * (u[z] - first[z]);
     }
+    const float damped = 1.f / (1.f + f.Rate * f.Damping);
     if (this->KeepsFirstRate && this->IsFirst)
     {
       std::copy_n(rate, 8, room.FirstRate + 8 * row);
@@ -124,9 +126,10 @@ private:
     {
       const float firstRate = this->KeepsFirstRate ? room.FirstRate[8 * row + z] : 0.f;
       // By differences, so that what does not change keeps its bits.
-      result[z] = this->IsFirst ? u[z] + f.Rate * rate[z]
-                                : first[z] + f.Now * (u[z] - first[z]) +
+      const float change = this->IsFirst ? f.Rate * rate[z]
+                                         : f.Now * (u[z] - first[z]) +
           f.Before * (before[z] - first[z]) + (f.Rate * rate[z] + f.FirstRate * firstRate);
+      result[z] = first[z] + damped * change;
     }
     std::copy_n(u, 8, before);
   }

@@ -20,6 +20,8 @@ constexpr double SubstepsOfCarriedSurface = 2.0;
 
 // Automatic attraction: distances fall by so many factors e from one step to the next.
 constexpr double FactorsPerStep = 6.0;
+// Automatic tension, in units of Attraction * (half of the particles' spacing)^2.
+constexpr double TensionOfSpacing = 1.0 / 6.0;
 
 }
 
@@ -68,6 +70,7 @@ Motion MotionDriver::GetMotion(int step) const
   motion.CreateParts = motion.CreateParts && !motion.Paper && domain; // which tells the voxels
   motion.WeightedTension = motion.WeightedTension && hasFluid;
   motion.Transport = 0.0; // of what stands still
+  motion.Integration = this->ChooseIntegration(false);
   motion.Solid = this->FindObstacle();
   motion.Box.Present = this->Settings.Bounded && domain;
   if (domain)
@@ -81,6 +84,7 @@ Motion MotionDriver::GetMotion(int step) const
     const double* steps = this->Settings.Inputs.Steps.data() + std::min(step, last - 1);
     const double length = this->Settings.TimeScale * (steps[1] - steps[0]);
     motion.Transport = hasFluid ? this->Settings.Law.Transport : 0.0;
+    motion.Integration = this->ChooseIntegration(motion.Transport > 0.0);
     const bool isCarried =
       motion.Transport > 0.0 && motion.Integration == TimeIntegration::Implicit;
     motion.LongestStep = length / (isCarried ? SubstepsOfCarriedSurface : SubstepsOfMovingTarget);
@@ -88,8 +92,25 @@ Motion MotionDriver::GetMotion(int step) const
     {
       motion.Attraction = FactorsPerStep / length;
     }
+    if (hasFluid && this->Settings.HasAutomaticTension())
+    {
+      const double r = 0.5 * this->Shapes.FindSpacing();
+      motion.Tension = TensionOfSpacing * motion.Attraction * r * r;
+    }
   }
   return motion;
+}
+
+// Few long substeps suit what is carried, and are no part of the paper's scheme.
+TimeIntegration MotionDriver::ChooseIntegration(bool isCarried) const
+{
+  const Motion& law = this->Settings.Law;
+  const bool isPossible = law.Evaluation == TargetEvaluation::Shifted &&
+    law.Gradient == GradientScheme::Upwind && !law.Paper;
+  const IntegrationChoice choice = this->Settings.Integration;
+  const bool isImplicit = choice == IntegrationChoice::Implicit ||
+    (choice == IntegrationChoice::Automatic && isCarried && isPossible);
+  return isImplicit ? TimeIntegration::Implicit : TimeIntegration::Explicit;
 }
 
 // On its way to the next step, if that is known.

@@ -50,6 +50,7 @@ public:
 
   // On the way from a step to the next one; before the first step: -1.
   Motion GetMotion(int step) const;
+  TimeIntegration ChooseIntegration(bool isCarried) const;
 
   // Since ResetCounters, also of motions that ended in an exception.
   std::size_t GetSubsteps() const { return this->Substeps; }

@@ -28,6 +28,14 @@ enum class EvolutionMode
   Equilibrium // to its steady state from the first step, which is the only one
 };
 
+// Automatic: Implicit where particles carry the surface, else Explicit.
+enum class IntegrationChoice
+{
+  Explicit,
+  Implicit,
+  Automatic
+};
+
 struct ParticleSettings
 {
   ParticleModel Model = ParticleModel::Anisotropic;
@@ -82,6 +90,9 @@ struct SurfaceSettings
   SteadyStateCriterion SteadyState;
   double TimeScale = 1.0; // motion time per pipeline time
   bool AutomaticAttraction = true;
+  bool AutomaticSmoothing = true;
+  double Noise = 0.0; // of the target; 0: none, or see HasAutomaticSmoothing
+  IntegrationChoice Integration = IntegrationChoice::Automatic;
   double ArrivalTime = 0.0; // pipeline time after the first step; 0: never said
 
   double IsoValue = 0.0;
@@ -113,6 +124,17 @@ struct SurfaceSettings
   {
     return this->AutomaticAttraction && this->Law.Attraction == Motion().Attraction &&
       !this->Law.Paper && !this->IsEquilibrium();
+  }
+  // Whether tension and noise, where they are 0, follow from the spacing of particles that move.
+  bool HasAutomaticSmoothing() const
+  {
+    return this->AutomaticSmoothing && this->UsesInput() && this->Inputs.TargetMoves &&
+      this->Particles.Model != ParticleModel::Sum && this->Normalize && !this->Law.Paper &&
+      !this->IsEquilibrium();
+  }
+  bool HasAutomaticTension() const
+  {
+    return this->HasAutomaticSmoothing() && this->Law.WeightedTension && this->Law.Tension == 0.0;
   }
   // When the surface reaches its target; 0: never said.
   MotionTime GetArrival() const { return { this->TimeScale * this->ArrivalTime }; }
@@ -235,6 +257,10 @@ void ForEachMotionProperty(Settings& settings, Visitor&& visit)
   visit(Property{ "Tension",
           { 0.0, Largest, true, "a finite number >= 0: a negative one would be unstable" }, true },
     motion.Tension, [](auto& filter) { return filter.GetTension(); });
+  visit(Property{ "AutomaticSmoothing", Any, true }, settings.AutomaticSmoothing,
+    [](auto& filter) { return filter.GetAutomaticSmoothing(); });
+  visit(Property{ "TargetNoise", Length("between 1e-30 and 1e30, or 0 for none"), true },
+    settings.Noise, [](auto& filter) { return filter.GetTargetNoise(); });
   // Below 1e-6, what a substep moves is lost in rounding.
   visit(Property{ "CFL", { 1e-6, 1.0, false, "between 1e-6 and 1" }, true }, motion.CFL,
     [](auto& filter) { return filter.GetCFL(); });
@@ -262,7 +288,7 @@ void ForEachMotionProperty(Settings& settings, Visitor&& visit)
     [](auto& filter) { return filter.GetTargetEvaluation(); });
   visit(Property{ "GradientScheme", Any, true }, motion.Gradient,
     [](auto& filter) { return filter.GetGradientScheme(); });
-  visit(Property{ "TimeIntegration", Any, true }, motion.Integration,
+  visit(Property{ "TimeIntegration", Any, true }, settings.Integration,
     [](auto& filter) { return filter.GetTimeIntegration(); });
   visit(Property{ "PaperScheme", Any, true }, motion.Paper,
     [](auto& filter) { return filter.GetPaperScheme(); });

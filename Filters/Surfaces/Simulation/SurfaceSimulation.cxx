@@ -341,6 +341,7 @@ SavedState SurfaceSimulation::GetState() const
     state.Band = this->Way.Share({ step, this->Settings.GetStep(step), false });
     state.Time = this->Settings.GetStep(step).Value;
     state.History = this->History.GetRows(static_cast<std::size_t>(step) + 1);
+    state.Spacing = this->Shapes.GetEstimatedSpacing();
   }
   return state;
 }
@@ -369,6 +370,7 @@ void SurfaceSimulation::RestoreLoaded()
       "time step, or its VoxelSize another one. The properties have to be "
       "those that it was saved with.");
   }
+  this->Shapes.KeepEstimatedSpacing(this->Loaded.Spacing);
   this->Saved.Keep(time.Step, band);
   // Each checkpoint has its rows: what is known of later steps stays.
   this->History.Restore(this->Loaded.History);

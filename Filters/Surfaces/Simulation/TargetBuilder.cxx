@@ -24,6 +24,9 @@ constexpr double InitialReach = 8.0;
 // The distances to a mesh are known in a wider band than the skin's, in fewer bytes per voxel.
 constexpr double MeshVoxelsPerActive = 10.0;
 
+// The surface of particles at rest is off by up to a quarter of their spacing.
+constexpr double NoiseOfSpacing = 0.25;
+
 void AddFunction(vtkImplicitFunction* function, vtkBoundingBox& box)
 {
   double bounds[6];
@@ -118,12 +121,14 @@ ShapeOptions TargetBuilder::GetOptions() const
   options.Anisotropy = settings.Particles.Anisotropy;
   options.Threshold = settings.Particles.Threshold;
   options.Carries = settings.Law.Transport > 0.0 && settings.Inputs.TargetMoves;
-  options.WeighsTension = settings.Law.WeightedTension && settings.Law.Tension > 0.0;
+  options.WeighsTension =
+    settings.Law.WeightedTension && (settings.Law.Tension > 0.0 || settings.HasAutomaticTension());
   options.Kernel = settings.Particles.Kernel;
   options.MeshThickness = settings.MeshThickness;
   options.Level.IsoValue = settings.IsoValue;
   options.Level.Invert = settings.Invert;
   options.Level.Normalize = settings.Normalize;
+  options.Level.Noise = this->GetNoise();
   if (this->DomainKnown)
   {
     options.Level.Reach = this->Domain.Reach;
@@ -263,6 +268,14 @@ double TargetBuilder::GetSpacing() const
   return particles.Spacing > 0.0            ? particles.Spacing
     : particles.Model != ParticleModel::Sum ? this->EstimatedSpacing
                                             : 0.0;
+}
+
+// Of particles, in a body of which the surface trembles about so far.
+double TargetBuilder::GetNoise() const
+{
+  return this->Settings.Noise > 0.0          ? this->Settings.Noise
+    : this->Settings.HasAutomaticSmoothing() ? NoiseOfSpacing * this->FindSpacing()
+                                             : 0.0;
 }
 
 double TargetBuilder::FindSpacing() const

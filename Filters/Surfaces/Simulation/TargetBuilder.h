@@ -45,6 +45,14 @@ public:
   // Usual distance of the particles; 0: not known.
   double FindSpacing() const;
 
+  // The particles' spacing [length]; 0 where none was estimated. One that is kept is that of a
+  // state whose first steps, not read again, have particles.
+  double GetEstimatedSpacing() const { return this->EstimatedSpacing; }
+  void KeepEstimatedSpacing(double spacing)
+  {
+    this->EstimatedSpacing = this->EstimatedSpacing > 0.0 ? this->EstimatedSpacing : spacing;
+  }
+
   // A box that holds the inside of the target at a step that is held, if it is no particles; within
   // the domain's for a function, or one that is inverted. Not valid where there is no target.
   vtkBoundingBox FindBoundsOfInside(int step) const;
@@ -88,6 +96,7 @@ private:
   void WarnOfThinParts(const InputShape& shape, const std::string& where);
   void PrepareInitial();
   double GetSpacing() const;
+  double GetNoise() const;
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;
   std::unique_ptr<MovingTarget> MakeMovingTarget() const;
   std::unique_ptr<PotentialTarget> MakeFunctionTarget() const;

@@ -148,6 +148,7 @@ bool ParticleFrame::GetBounds(double bounds[6]) const
 double ParticleFrame::GetSpacing() const
 {
   constexpr std::size_t samples = 1000;
+  constexpr int neighbours = 3;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const SkeletonVertex& particle : this->Particles)
@@ -166,7 +167,7 @@ double ParticleFrame::GetSpacing() const
   for (std::size_t i = 0; i < this->Particles.size() && this->Particles.size() > 1; i += stride)
   {
     const double* x = this->Particles[i].Position;
-    locator->FindClosestNPoints(2, x, nearest);
+    locator->FindClosestNPoints(neighbours + 1, x, nearest);
     double distance = 0.0;
     for (vtkIdType k = 0; k < nearest->GetNumberOfIds(); ++k)
     {

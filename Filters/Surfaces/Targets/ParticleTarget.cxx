@@ -74,7 +74,7 @@ void ParticleTarget::Place(int step, double fraction)
   {
     this->BuildBody();
   }
-  if (this->Options.Carries || this->Options.WeighsTension)
+  if (this->Options.Carries || (this->IsSum() && this->Options.WantsBulks()))
   {
     this->BuildMeans();
   }
@@ -92,7 +92,7 @@ void ParticleTarget::BuildBody()
 
 void ParticleTarget::BuildMeans()
 {
-  this->Means.Clear();
+  this->Means.Clear(this->Options.Level.Noise > 0.0);
   for (std::size_t i = 0; i < this->Now.Particles.size(); ++i)
   {
     const double* velocity =
@@ -188,8 +188,19 @@ void ParticleTarget::EvaluateVelocities(
 void ParticleTarget::SampleMoving(std::size_t count, const double* points, double* values,
   double* gradients, double* velocities, double* weights) const
 {
-  this->Sample(count, points, values, gradients);
-  this->Means.Evaluate(count, points, velocities, weights);
+  if (weights && !this->IsSum())
+  {
+    this->Body.EvaluateWithBulk(count, points, values, gradients, weights);
+    weights = nullptr;
+  }
+  else
+  {
+    this->Sample(count, points, values, gradients);
+  }
+  if (velocities || weights)
+  {
+    this->Means.Evaluate(count, points, velocities, weights);
+  }
 }
 
 }

@@ -7,6 +7,16 @@
 namespace activesurface
 {
 
+namespace
+{
+
+// Noise is followed by this share of Attraction: at the automatic one by a sixth in a time step.
+constexpr double SlowShare = 0.03;
+// The outermost layer of a body has .73 of its weight of tension, and all of its noise.
+constexpr double BodyPerBulk = 2.0;
+
+}
+
 PotentialTarget::PotentialTarget(const TargetOptions& options)
   : Options(options)
 {
@@ -32,6 +42,20 @@ void PotentialTarget::TurnIntoDistance(double length, double& value, double& slo
   slope = 0.0;
 }
 
+// F s(F / Noise), s a smooth step from SlowShare to 1, in a body; F elsewhere.
+void PotentialTarget::FollowNoiseSlowly(double bulk, double& value, double& slope) const
+{
+  if (slope == 0.0)
+  {
+    return;
+  }
+  const double slow = 1.0 - std::min(BodyPerBulk * bulk, 1.0) * (1.0 - SlowShare);
+  const double square = (value / this->Options.Noise) * (value / this->Options.Noise);
+  const double step = square * square / (1.0 + square * square);
+  value *= slow + (1.0 - slow) * step;
+  slope = slow + (1.0 - slow) * (step + 4.0 * step / (1.0 + square * square));
+}
+
 void PotentialTarget::SampleMoving(std::size_t count, const double* points, double* values,
   double* gradients, double* velocities, double* weights) const
 {
@@ -43,12 +67,15 @@ void PotentialTarget::Evaluate(
   std::size_t count, const double* points, const TargetResults& results) const
 {
   constexpr std::size_t batch = 128;
-  double gradients[3 * batch];
+  double gradients[3 * batch], bulks[batch];
+  const bool hasNoise = this->Options.Normalize && this->Options.Noise > 0.0;
   for (std::size_t first = 0; first < count; first += batch)
   {
     const std::size_t size = std::min(batch, count - first);
     double* velocities = results.Velocities ? results.Velocities + 3 * first : nullptr;
-    double* weights = results.TensionWeights ? results.TensionWeights + first : nullptr;
+    double* weights = results.TensionWeights ? results.TensionWeights + first
+      : hasNoise                             ? bulks
+                                             : nullptr;
     double* firstValue = results.Values + first;
     if (velocities || weights)
     {
@@ -68,6 +95,10 @@ void PotentialTarget::Evaluate(
       if (this->Options.Normalize)
       {
         this->TurnIntoDistance(slope, value, slope);
+        if (hasNoise)
+        {
+          this->FollowNoiseSlowly(weights[i], value, slope);
+        }
       }
       else if (!std::isfinite(slope))
       {

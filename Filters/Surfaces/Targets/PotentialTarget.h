@@ -21,6 +21,10 @@ struct TargetOptions
   // the gradient vanishes or is not finite there is no distance: +-Reach by the sign of F - iso.
   bool Normalize = true;
   double Reach = std::numeric_limits<double>::infinity();
+
+  // Where the surface of a body of particles is off by less than this, that may be noise, and
+  // attracts by a small share [length]. 0: none. With Normalize only.
+  double Noise = 0.0;
 };
 
 class PotentialTarget : public Target
@@ -56,6 +60,7 @@ protected:
 
 private:
   double Side(double value) const;
+  void FollowNoiseSlowly(double bulk, double& value, double& slope) const;
   void TurnIntoDistance(double length, double& value, double& slope) const;
 
   TargetOptions Options;

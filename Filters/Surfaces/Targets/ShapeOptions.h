@@ -32,6 +32,9 @@ struct ShapeOptions
   /** Whether particles have to be looked at among their neighbours. */
   bool WantsFits() const { return this->Model != ParticleModel::Sum || this->WeighsTension; }
 
+  /** Whether what is a body of particles matters. */
+  bool WantsBulks() const { return this->WeighsTension || this->Level.Noise > 0.0; }
+
   /** Spacing of the samples that stand in for gradients that a function does not give [length]. */
   double GetDifferenceStep() const { return 0.125 * this->VoxelSize; }
 };

@@ -9,11 +9,12 @@ import importlib
 import os
 import sys
 import warnings
+from argparse import SUPPRESS
 from collections.abc import Sequence
 
 from .. import __version__
 from ..messages import ActiveSurfaceWarning
-from .options import Parser
+from .options import Parser, add_help
 
 COMMANDS = {
     "skin": "skins over particles, a file for each frame, and films of them",
@@ -49,8 +50,9 @@ def _run(given: list[str]) -> int:
         "Living skins over particles, and metamorphosis.\n\ncommands:\n" + listed,
         epilog="active-surface COMMAND --help tells the options of a command.",
     )
+    add_help(parser)
     parser.add_argument("--version", action="version", version=f"active-surface {__version__}")
-    parser.add_argument("command", nargs="?", choices=COMMANDS, metavar="COMMAND")
+    parser.add_argument("command", nargs="?", choices=COMMANDS, metavar="COMMAND", help=SUPPRESS)
     if not given:
         parser.print_help()
         return 2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ from ..skin_files import (
     write_mesh,
     write_particles,
 )
-from .options import Parser, add_help_all, positive
+from .options import Parser, add_help, positive
 from .progress import Progress
 
 _FOG_LEVEL = 0.5
@@ -57,8 +58,7 @@ def make_parser() -> Parser:
         f"to {', '.join(MESH_WRITERS)}; particles from\n{', '.join(PARTICLE_SUFFIXES)}\n"
         f"to {', '.join(PARTICLE_OUT_SUFFIXES)}.",
     )
-    add_help_all(parser)
-    parser.add_argument("files", nargs="+", metavar="FILE")
+    parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     parser.add_argument("-o", "--output", required=True, metavar="NAME", help="#### for the number")
     parser.add_argument(
         "--voxel-size", type=positive, metavar="X", help="of a mesh in a .vdb (default: 64th of it)"
@@ -67,6 +67,7 @@ def make_parser() -> Parser:
         "--level", type=float, metavar="X", help="of an image's surface (default: 0; of a fog: 0.5)"
     )
     parser.add_argument("--quiet", action="store_true", help="no progress")
+    add_help(parser)
     return parser
 
 

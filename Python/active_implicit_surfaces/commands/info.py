@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 from pathlib import Path
 from typing import Any
@@ -14,7 +15,7 @@ from ..messages import listening, quiet
 from ..particle_files import PARTICLE_SUFFIXES, check_readable, open_particles, read_vtk
 from ..presets import estimate_spacing
 from ..skin_files import MESH_SUFFIXES, read_shape
-from .options import Parser, add_help_all
+from .options import Parser, add_help
 
 
 def run(arguments: list[str]) -> int:
@@ -36,9 +37,9 @@ def make_parser() -> Parser:
         "What is in a file or a series: points, bounds, estimated spacing, arrays, times; the\n"
         "grids of a .vdb, and what of it the filter can go on from; the layers of an .exr.",
     )
-    add_help_all(parser)
-    parser.add_argument("files", nargs="+", metavar="FILE")
+    parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     parser.add_argument("--json", action="store_true", help="as JSON")
+    add_help(parser)
     return parser
 
 

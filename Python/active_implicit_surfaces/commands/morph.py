@@ -21,8 +21,9 @@ from ..morphing import morph
 from ..skin_files import MESH_SUFFIXES, SKIN_SUFFIXES, check_suffix, read_shape, write_mesh
 from .options import (
     Parser,
-    add_film_options,
-    add_help_all,
+    add_film_option,
+    add_help,
+    add_picture_options,
     add_property_options,
     positive,
     properties_of,
@@ -82,14 +83,13 @@ def run(arguments: list[str]) -> int:
 def make_parser() -> Parser:
     parser = Parser(
         "active-surface morph",
-        "FIRST LAST [-o morph_####.vtp] [options]",
+        "FIRST LAST [-o morph_####.vtp] [--render film.mp4] [options]",
         "One shape becomes another: it moves along its normal, splits and merges, and arrives at\n"
         "the end of the duration. What only one of the shapes has grows, or shrinks.\n"
         f"Closed meshes and images: {', '.join(MESH_SUFFIXES)}.",
-        epilog="Every property of the filter is an option too, as --voxel-size 0.02:\n"
+        epilog="Every property of the filter is an option too, as --number-of-threads 1:\n"
         "--help-properties, or --help all.",
     )
-    add_help_all(parser)
     parser.add_argument("first", metavar="FIRST", help=argparse.SUPPRESS)
     parser.add_argument("last", metavar="LAST", help=argparse.SUPPRESS)
     parser.add_argument(
@@ -99,6 +99,7 @@ def make_parser() -> Parser:
         help=f"name of the skins, #### for the number: {', '.join(SKIN_SUFFIXES)} "
         "(default: morph_####.vtp, and none with --render alone)",
     )
+    add_film_option(parser)
     parser.add_argument(
         "--duration", type=positive, default=1.0, metavar="X", help="time of the way (default: 1)"
     )
@@ -109,9 +110,11 @@ def make_parser() -> Parser:
         metavar="N",
         help="skins, both ends included (default: 25)",
     )
-    parser.add_argument("--quiet", action="store_true", help="no progress")
-    add_film_options(parser)
-    add_property_options(parser)
+    add_property_options(parser, ("voxel_size", "tension"))
+    add_picture_options(parser, "y")
+    more = parser.add_argument_group("more")
+    more.add_argument("--quiet", action="store_true", help="no progress")
+    add_help(more, properties=True)
     return parser
 
 

@@ -12,6 +12,13 @@ from .. import properties, vtkActiveImplicitSurface
 from ..presets import PRESETS
 
 WIDTH = 100
+# Properties that --help tells, as most want to set them.
+MAIN_PROPERTIES = {
+    "particle_spacing": "distance of neighbouring particles (default: estimated)",
+    "voxel_size": "resolution (default: found)",
+    "tension": "smooths the skin [length^2/time]",
+    "attraction": "how fast the skin closes in [1/time] (default: found)",
+}
 
 
 class Parser(argparse.ArgumentParser):
@@ -27,6 +34,7 @@ class Parser(argparse.ArgumentParser):
                 prog, max_help_position=30, width=WIDTH
             ),
             allow_abbrev=False,
+            add_help=False,  # add_help() puts it where it is wanted
         )
 
     def error(self, message: str) -> NoReturn:
@@ -68,12 +76,14 @@ class _HelpProperties(argparse.Action):
         parser.exit()
 
 
-def add_property_options(parser: Parser) -> None:
-    """An option for each property of the filter; they are told by --help-properties alone."""
-    for own in properties.every():
-        if own.kind == "function":
-            continue
-        settings: dict[str, Any] = {"dest": "property_" + own.keyword, "help": argparse.SUPPRESS}
+def add_property_options(parser: Parser, shown: Sequence[str] = ()) -> None:
+    """An option for each property of the filter; --help tells those that are shown."""
+    every = {own.keyword: own for own in properties.every() if own.kind != "function"}
+    for keyword in dict.fromkeys([*shown, *every]):
+        own = every[keyword]
+        settings: dict[str, Any] = {"dest": "property_" + keyword, "help": argparse.SUPPRESS}
+        if keyword in shown:
+            settings |= {"help": MAIN_PROPERTIES[keyword], "metavar": "X"}
         if own.kind == "switch":
             settings["action"] = argparse.BooleanOptionalAction
         elif own.kind == "choice":
@@ -83,21 +93,17 @@ def add_property_options(parser: Parser) -> None:
         else:
             settings["type"] = int if own.kind == "integer" else float
         parser.add_argument(own.option, default=None, **settings)
-    parser.add_argument(
-        "--help-properties", nargs=0, action=_HelpProperties, help="tell the filter's properties"
-    )
 
 
-def add_help_all(parser: Parser) -> None:
-    """Makes --help take the word all."""
-    parser._option_string_actions.pop("-h", None)
-    parser._option_string_actions.pop("--help", None)
-    parser._actions[:] = [a for a in parser._actions if a.dest != "help"]
-    for group in parser._action_groups:
-        group._group_actions[:] = [a for a in group._group_actions if a.dest != "help"]
-    parser.add_argument(
+def add_help(group: Any, properties: bool = False) -> None:
+    """--help, which takes the word all, and --help-properties."""
+    group.add_argument(
         "-h", "--help", nargs="?", metavar="all", action=_Help, help="tell this, or everything"
     )
+    if properties:
+        group.add_argument(
+            "--help-properties", nargs=0, action=_HelpProperties, help="tell all properties"
+        )
 
 
 def properties_of(options: argparse.Namespace, parser: Parser) -> dict[str, Any]:
@@ -142,18 +148,31 @@ def preset_help() -> str:
     return "\n".join(f"  {name:<10}{text}" for name, text in PRESETS.items())
 
 
-def add_film_options(parser: Parser) -> None:
-    """Options of pictures."""
-    films = parser.add_argument_group("pictures")
-    films.add_argument(
+def add_film_option(parser: Parser) -> None:
+    """--render."""
+    parser.add_argument(
         "--render",
         metavar="FILM",
         help="film.mp4, film.ogv, frame.####.png or frame.####.exr (with depth, normals, motion)",
     )
-    films.add_argument(
-        "--size", type=picture_size, default=(1280, 720), metavar="WxH", help="1280x720"
+
+
+def add_picture_options(parser: Parser, up: str) -> None:
+    """How pictures are; `up` is what --up is by default."""
+    pictures = parser.add_argument_group("pictures")
+    pictures.add_argument(
+        "--size",
+        type=picture_size,
+        default=(1280, 720),
+        metavar="WxH",
+        help="in pixels (default: 1280x720)",
     )
-    films.add_argument("--up", choices=("x", "y", "z"), help="axis that points up (default: found)")
+    pictures.add_argument(
+        "--up",
+        choices=("x", "y", "z", "-x", "-y", "-z"),
+        metavar="AXIS",
+        help=f"axis that points up: x, y, z, or --up=-y (default: {up})",
+    )
 
 
 def picture_size(text: str) -> tuple[int, int]:

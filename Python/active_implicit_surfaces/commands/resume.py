@@ -58,9 +58,12 @@ class Resumption:
         """Keeps the state after a frame, if the last one is old enough."""
         if not now and time.monotonic() - self._saved < _SECONDS_BETWEEN_STATES:
             return
+        before = self.notes.read_bytes() if self.notes.exists() else None
         self.notes.unlink(missing_ok=True)  # a state without notes is none
         with listening(surface) as heard:
             surface.SaveState(str(self.state))
+        if heard.errors and before is not None:  # the state before is still there
+            self.notes.write_bytes(before)
         heard.raise_error(OSError)
         notes = {"done": done, "times": times[:done], "options": self.description}
         with replacing(self.notes) as temporary:

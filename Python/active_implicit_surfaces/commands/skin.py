@@ -7,9 +7,6 @@ from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import Any
 
-import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
-
 from .. import vtkActiveImplicitSurface
 from ..api import configure, update
 from ..file_names import (
@@ -23,13 +20,15 @@ from ..file_names import (
     write_index,
 )
 from ..particle_files import PARTICLE_SUFFIXES, open_particles
-from ..presets import PRESETS, estimate_spacing
+from ..presets import PRESETS
 from ..series import TemporalSource
 from ..skin_files import SKIN_SUFFIXES, check_suffix, write_mesh
 from .options import (
+    MAIN_PROPERTIES,
     Parser,
-    add_film_options,
-    add_help_all,
+    add_film_option,
+    add_help,
+    add_picture_options,
     add_property_options,
     positive,
     preset_help,
@@ -38,10 +37,8 @@ from .options import (
 )
 from .progress import Progress
 from .resume import Resumption
+from .view import find_view
 
-_BOUNDS_SAMPLED = 64  # frames that are looked at for the camera
-_STRAYS, _ROOM = 0.005, 0.25  # share of particles at each side; by how much they may make it larger
-_SAMPLED = 2000  # particles of a frame among which it is looked for strays
 _ARRAYS = ("ids", "radii", "strengths", "velocities")
 
 
@@ -59,14 +56,13 @@ def run(arguments: list[str]) -> int:
 def make_parser() -> Parser:
     parser = Parser(
         "active-surface skin",
-        "FILE ... [-o skin_####.vtp] [options]",
+        "FILE ... [-o skin_####.vtp] [--render film.mp4] [options]",
         "Skins over particles: one for each frame, each going on from the last.\n"
         f"Files: {', '.join(PARTICLE_SUFFIXES)};\n"
         "several, a pattern ('splash_*.vtp', splash_####.vtp), a .series or a .pvd are a series.",
         epilog="presets:\n" + preset_help() + "\n\nEvery property of the filter is an option "
-        "too, as --particle-spacing 0.1:\n--help-properties, or --help all.",
+        "too, as --particle-model sum:\n--help-properties, or --help all.",
     )
-    add_help_all(parser)
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     parser.add_argument(
         "-o",
@@ -75,17 +71,27 @@ def make_parser() -> Parser:
         help=f"name of the skins, #### for the number: {', '.join(SKIN_SUFFIXES)} "
         "(default: skin_####.vtp, and none with --render alone)",
     )
-    parser.add_argument("--index", metavar="NAME", help="the .pvd or .series beside them, or none")
+    add_film_option(parser)
     parser.add_argument("--preset", choices=PRESETS, help="what the particles are (see below)")
-    parser.add_argument("--fps", type=positive, metavar="X", help="frames per second of the files")
-    parser.add_argument("--times", type=times_list, metavar="T,T...", help="or FIRST:LAST:COUNT")
-    for role, text in zip(_ARRAYS, ("ids (default: found)", "reaches", "strengths", "velocities")):
-        parser.add_argument(f"--{role}", metavar="NAME", help=f"point array of {text}")
-    parser.add_argument("--resume", action="store_true", help="go on where a run was cut off")
-    parser.add_argument("--quiet", action="store_true", help="no progress")
-    add_film_options(parser)
-    add_property_options(parser)
+    add_property_options(parser, tuple(MAIN_PROPERTIES))
+    _add_input_options(parser)
+    add_picture_options(parser, "found")
+    more = parser.add_argument_group("more")
+    more.add_argument("--resume", action="store_true", help="go on where a run was cut off")
+    more.add_argument("--index", metavar="NAME", help="the .pvd or .series of the skins, or none")
+    more.add_argument("--quiet", action="store_true", help="no progress")
+    add_help(more, properties=True)
     return parser
+
+
+def _add_input_options(parser: Parser) -> None:
+    files = parser.add_argument_group("of the files")
+    files.add_argument(
+        "--fps", type=positive, metavar="X", help="frames per second (default: as files say, or 25)"
+    )
+    files.add_argument("--times", type=times_list, metavar="T,T...", help="or FIRST:LAST:COUNT")
+    for role, text in zip(_ARRAYS, ("ids (default: found)", "reaches", "strengths", "velocities")):
+        files.add_argument(f"--{role}", metavar="NAME", help=f"point array of {text}")
 
 
 def _check_names(options: Any, parser: Parser) -> None:
@@ -201,7 +207,7 @@ class _Job:
         path = Path(self.options.render)
         check_film(path, len(self.times))
         reaches = "reach" if self.options.preset == "molecule" else self.options.radii
-        held, up = find_view(self.files, reaches)
+        held, up = find_view(self.files, reaches, self.options.ids, self.options.velocities)
         scene = Scene(
             held,
             self.options.size,
@@ -211,51 +217,6 @@ class _Job:
         )
         fps = self.options.fps or _rate(self.times)
         return Film(path, scene, fps, len(self.times))
-
-
-def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
-    """Points around all particles, and the axis, y or z, along which they lie lowest.
-
-    Of each frame those count that are farthest in 26 directions. Strays, as drops that fly off, are
-    held only as far as the rest does not become small.
-    """
-    axis = numpy.array([-1.0, 0.0, 1.0])
-    ways = numpy.stack(numpy.meshgrid(axis, axis, axis), -1).reshape(-1, 3).T
-    outermost, sampled, means, count = [], [], [], len(files)
-    for step in sorted(set(numpy.linspace(0, count - 1, min(count, _BOUNDS_SAMPLED)).astype(int))):
-        cloud = files.load(int(step))
-        if cloud.GetNumberOfPoints() == 0:
-            continue
-        points = vtk_to_numpy(cloud.GetPoints().GetData())
-        points = points[numpy.isfinite(points).all(axis=1)]
-        if len(points):
-            outermost.append(points[(points @ ways).argmax(axis=0)])
-            sampled.append(points[:: 1 + len(points) // _SAMPLED])
-            means.append(points.mean(0))
-    if not means:
-        return numpy.array([[-0.5] * 3, [0.5] * 3]), "y"
-    held = _without_strays(numpy.concatenate(outermost), numpy.concatenate(sampled))
-    low, high = held.min(axis=0), held.max(axis=0)
-    margin = max(0.02 * float((high - low).max()), _own_size(files.load(0), reaches), 1e-30)
-    low, high = low - margin, high + margin
-    place = (numpy.mean(means, axis=0) - low) / (high - low)
-    held = numpy.concatenate([held - margin, held + margin])
-    return held, "z" if place[2] < place[1] - 0.02 else "y"
-
-
-def _without_strays(outermost: Any, sampled: Any) -> Any:
-    """The outermost points, drawn towards the others where these are few and far off."""
-    low, high = numpy.quantile(sampled, [_STRAYS, 1.0 - _STRAYS], axis=0)
-    room = _ROOM * float((high - low).max())
-    return numpy.clip(outermost, low - room, high + room)
-
-
-def _own_size(cloud: Any, reaches: str | None) -> float:
-    """How far the skin is from the particles, at most about."""
-    array = cloud.GetPointData().GetArray(reaches) if reaches else None
-    if array is not None and array.GetNumberOfTuples():
-        return float(array.GetRange()[1])
-    return 1.2 * estimate_spacing(cloud)
 
 
 def _output_name(options: Any) -> Path | None:

@@ -64,6 +64,17 @@ TEST(TestSavedState, AFileWithoutTheShareOutsideIsRead)
   EXPECT_TRUE(Throws<std::runtime_error>([&] { ReadSavedGrid(*grid); }, "damaged")) << "a row less";
 }
 
+TEST(TestSavedState, AnEstimatedSpacingComesBack)
+{
+  const auto band = std::make_shared<NarrowBand>(VoxelSizeOf(32));
+  StartOn(*band, MakeBall(CentreA, 0.4));
+  const openvdb::FloatGrid::Ptr grid = MakeSavedGrid({ band, 0.0, {}, 1.0 / 3.0 });
+  EXPECT_EQ(ReadSavedGrid(*grid).Spacing, 1.0 / 3.0) << "not rounded";
+  EXPECT_EQ(ReadSavedGrid(*MakeSavedGrid({ band, 0.0, {} })).Spacing, 0.0) << "none";
+  grid->insertMeta("active_spacing", openvdb::DoubleMetadata(-1.0));
+  EXPECT_TRUE(Throws<std::runtime_error>([&] { ReadSavedGrid(*grid); }, "damaged"));
+}
+
 TEST(TestSavedState, AnyOtherGridIsRefused)
 {
   EXPECT_TRUE(Throws<std::runtime_error>([] { ReadSavedGrid(*openvdb::FloatGrid::create()); }, ""));

@@ -217,7 +217,7 @@ std::set<std::string> Print(Filter filter)
 
 }
 
-TEST(TestMotionProperties, PaperFaithfulSetsFiveProperties)
+TEST(TestMotionProperties, PaperFaithfulSetsSixProperties)
 {
   vtkNew<vtkActiveImplicitSurface> filter;
   filter->SetTargetEvaluationToNode();
@@ -233,7 +233,7 @@ TEST(TestMotionProperties, PaperFaithfulSetsFiveProperties)
   }
   EXPECT_EQ(changed,
     "  GradientScheme: 0  NormalizeTarget: 0  PaperScheme: 1  ParticleModel: 0  "
-    "TargetEvaluation: 0")
+    "TargetEvaluation: 0  TimeIntegration: 0")
     << "changed lines";
 }
 

@@ -1,0 +1,78 @@
+"""What the camera of a film holds, and which axis points up: the same for a whole series."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from ..presets import estimate_spacing
+from .upward import Fall, lie
+
+_FRAMES, _RUNS = 64, 8  # frames that are looked at, and places where those after them are too
+_STRAYS, _ROOM = 0.005, 0.25  # share of particles at each side; by how much they may make it larger
+_SAMPLED = 2000  # particles of a frame among which it is looked for strays
+
+
+def find_view(
+    files: Any,
+    reaches: str | None = None,
+    ids: str | None = None,
+    velocities: str | None = None,
+) -> tuple[Any, str]:
+    """Points around all particles of a series, and the axis that points up, as "y" or "-z".
+
+    Of each frame those points count that are farthest in 26 directions. Strays, as drops that fly
+    off, are held only as far as the rest does not become small.
+
+    Up is against the acceleration of what falls freely (`Fall`). Where nothing does, it is the one
+    of y and z along which the particles lie low in their box, on the average of the series; else
+    the one along which the box is flat; else z.
+    """
+    axis = numpy.array([-1.0, 0.0, 1.0])
+    ways = numpy.stack(numpy.meshgrid(axis, axis, axis), -1).reshape(-1, 3).T
+    outermost, sampled, means, fall = [], [], [], Fall(ids, velocities)
+    for step in _steps(len(files)):
+        cloud = files.load(step)
+        if cloud.GetNumberOfPoints() == 0:
+            continue
+        fall.add(step, files.times[step], cloud)
+        points = vtk_to_numpy(cloud.GetPoints().GetData())
+        points = points[numpy.isfinite(points).all(axis=1)]
+        if len(points):
+            outermost.append(points[(points @ ways).argmax(axis=0)])
+            sampled.append(points[:: 1 + len(points) // _SAMPLED])
+            means.append(points.mean(0))
+    if not means:
+        return numpy.array([[-0.5] * 3, [0.5] * 3]), "z"
+    held = _without_strays(numpy.concatenate(outermost), numpy.concatenate(sampled))
+    low, high = held.min(axis=0), held.max(axis=0)
+    margin = max(0.02 * float((high - low).max()), _own_size(files.load(0), reaches), 1e-30)
+    up = fall.up() or lie(low - margin, high + margin, numpy.mean(means, axis=0))
+    return numpy.concatenate([held - margin, held + margin]), up
+
+
+def _steps(count: int) -> list[int]:
+    """The steps that are looked at."""
+    if count <= _FRAMES:
+        return list(range(count))
+    steps = set(numpy.linspace(0, count - 1, _FRAMES).astype(int).tolist())
+    for first in numpy.linspace(0, count - 3, _RUNS).astype(int).tolist():
+        steps.update(range(first, first + 3))
+    return sorted(steps)
+
+
+def _without_strays(outermost: Any, sampled: Any) -> Any:
+    """The outermost points, drawn towards the others where these are few and far off."""
+    low, high = numpy.quantile(sampled, [_STRAYS, 1.0 - _STRAYS], axis=0)
+    room = _ROOM * float((high - low).max())
+    return numpy.clip(outermost, low - room, high + room)
+
+
+def _own_size(cloud: Any, reaches: str | None) -> float:
+    """How far the skin is from the particles, at most about."""
+    array = cloud.GetPointData().GetArray(reaches) if reaches else None
+    if array is not None and array.GetNumberOfTuples():
+        return float(array.GetRange()[1])
+    return 1.2 * estimate_spacing(cloud)

@@ -1,0 +1,65 @@
+"""An X display for pictures, where VTK needs one: that of the user, else one of its own."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import shutil
+import signal
+import subprocess
+
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  makes the windows that draw
+from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
+
+_PR_SET_PDEATHSIG = 1  # of Linux's prctl
+
+
+def vtk_version() -> tuple[int, ...]:
+    """(9, 1) of 9.1.0."""
+    return tuple(int(part) for part in vtkVersion.GetVTKVersion().split(".")[:2])
+
+
+def find_display() -> None:
+    """Starts a virtual display where there is none and VTK would end the program without.
+
+    It ends with the thread that calls this, which has to be one that stays.
+
+    Raises
+    ------
+    OSError
+        The program Xvfb is missing, or does not start.
+    """
+    needs = vtk_version() < (9, 4) and "vtkXOpenGL" in vtkRenderWindow().GetClassName()
+    if not needs or os.environ.get("DISPLAY"):
+        return
+    if shutil.which("Xvfb") is None:
+        raise OSError(
+            "Pictures need an X display: DISPLAY is not set, and the program Xvfb, which stands in "
+            "for one, is not on PATH; install it (Debian: xvfb)."
+        )
+    os.environ["DISPLAY"] = ":" + _start_server()
+
+
+def _start_server() -> str:
+    """Starts Xvfb; returns the number of its display, which it finds itself."""
+    # Without -noreset it drops its state when its last window closes, and the next one fails.
+    command = "Xvfb -displayfd 1 -screen 0 1280x1024x24 -noreset -nolisten tcp"
+    server = subprocess.Popen(
+        command.split(),
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,  # Ctrl+C is for the program, which may have to finish a file
+        preexec_fn=_end_with_parent,
+    )
+    assert server.stdout is not None
+    number = server.stdout.readline().decode().strip()
+    if not number.isdigit():
+        server.terminate()
+        raise OSError("Pictures need an X display: DISPLAY is not set, and Xvfb does not start.")
+    return number
+
+
+def _end_with_parent() -> None:
+    ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)
