@@ -79,11 +79,7 @@ public:
       this->Result.LargestDisplacement = this->Where.MaySkip
         ? 0.0
         : this->Passes.FindLargestDisplacement(this->Set.Active, this->Plan);
-      const std::size_t nodes =
-        this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
-      this->Result.Gradients = this->Passes.Run(this->Plan, this->Rounds);
-      this->Result.Gradients.Nodes = nodes;
-      this->Result.Rounds = this->Passes.GetNumberOfSubsteps();
+      this->MakeRounds();
     }
     return this->Result;
   }
@@ -129,6 +125,46 @@ private:
     else
     {
       this->Plan = this->Plan.ForSlope(slope);
+    }
+  }
+
+  /** As soon as the surface is calm, one for all that are left. */
+  void MakeRounds()
+  {
+    const int rounds = this->Rounds;
+    this->Result.Rounds = 0;
+    for (int left = rounds; left > 0 && !this->Result.Gradients.Unbounded; --left)
+    {
+      if (left < rounds)
+      {
+        this->FindSpeedsAgain();
+      }
+      ++this->Result.Rounds;
+      const bool isJoined = left > 1 && this->Passes.IsCalm(this->Plan, left);
+      if (!this->Set.Active.empty())
+      {
+        const std::size_t nodes =
+          this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
+        this->Result.Gradients =
+          isJoined ? this->Passes.RunJoined(this->Plan, left) : this->Passes.Run(this->Plan);
+        this->Result.Gradients.Nodes = nodes;
+      }
+      if (isJoined)
+      {
+        return;
+      }
+    }
+  }
+
+  void FindSpeedsAgain()
+  {
+    if (this->HasTarget() || this->IsWeighted())
+    {
+      this->SampleTarget();
+    }
+    else
+    {
+      this->ChooseWithoutTarget();
     }
   }
 

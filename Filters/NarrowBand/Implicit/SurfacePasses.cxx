@@ -24,6 +24,8 @@ namespace
 // [voxels] at CFL 1: the target is linear along it, and so is its balance with tension.
 constexpr double ShortDisplacement = .25, ShortDisplacementOfStages = .08;
 
+constexpr double FewLeaves = .05; // of those that the surface crosses: they may go farther
+
 }
 
 MoveCoefficients CoefficientsOf(const Motion& law, const StepPlan& plan)
@@ -61,56 +63,42 @@ float SurfacePasses::FindLargestDisplacement(const LeafList& leaves, const StepP
     : LargestDisplacement(leaves, coefficients, this->Buffers);
 }
 
-GradientCounts SurfacePasses::Run(const StepPlan& plan, int substeps)
+GradientCounts SurfacePasses::Run(const StepPlan& plan)
 {
   this->Gradients = {};
-  this->Substeps = 0;
-  LeafList left = this->Set.Active;
-  for (; substeps > 0 && !left.empty() && !this->Gradients.Unbounded; --substeps)
-  {
-    const std::size_t before = this->Leaves.Size();
-    const std::vector<LeafShare> shares = this->Divide(left, plan, substeps);
-    this->MakeSubstep(left, shares);
-    ++this->Substeps;
-    const LeafList& restless = shares.back().Leaves;
-    left.clear();
-    if (substeps > 1 && !restless.empty())
-    {
-      left = Union(restless,
-        Intersection(this->Leaves.FindAround(restless),
-          this->Leaves.FindAll([before](std::size_t i) { return i >= before; })));
-      this->SampleAgain(left);
-    }
-  }
+  this->MakeSubstep({ { this->Set.Active, plan } });
   return this->Gradients;
 }
 
-/** The leaves that are done at once with the substeps that are left: those of which the stages'
- * damping asks little, and others; and those that make a single substep. */
-std::vector<SurfacePasses::LeafShare> SurfacePasses::Divide(
-  const LeafList& leaves, const StepPlan& plan, int substeps)
+GradientCounts SurfacePasses::RunJoined(const StepPlan& plan, int substeps)
 {
-  if (substeps == 1)
-  {
-    return { { leaves, plan } };
-  }
-  std::vector<LeafShare> shares = { { {}, plan.JoinGently(substeps) }, { {}, plan.Join(substeps) },
-    { {}, plan } };
-  if (plan.GetStages())
-  {
-    FindTensionDisplacements(this->Leaves, leaves, CoefficientsOf(this->Law, shares[0].Plan),
-      this->IsWeighted(), this->Buffers);
-  }
-  LeafList restless;
-  std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(restless),
-    [&](std::int32_t i) { return !this->IsCalm(i, shares[1].Plan); });
-  shares[2].Leaves = Intersection(this->Leaves.FindAround(restless), leaves);
-  const LeafList calm = Without(leaves, shares[2].Leaves);
-  std::partition_copy(calm.begin(), calm.end(), std::back_inserter(shares[0].Leaves),
+  std::vector<LeafShare> shares = { { {}, plan.JoinGently(substeps) },
+    { {}, plan.Join(substeps) } };
+  const LeafList& active = this->Set.Active;
+  std::partition_copy(active.begin(), active.end(), std::back_inserter(shares[0].Leaves),
     std::back_inserter(shares[1].Leaves),
     [&](std::int32_t i)
     { return shares[0].Plan.Bears(this->Leaves.SummaryOf(i).Speed.TargetSlope); });
-  return shares;
+  this->Gradients = {};
+  this->MakeSubstep(shares);
+  return this->Gradients;
+}
+
+bool SurfacePasses::IsCalm(const StepPlan& plan, int substeps) const
+{
+  const LeafList& active = this->Set.Active;
+  const StepPlan joined = plan.Join(substeps);
+  if (plan.GetStages())
+  {
+    FindTensionDisplacements(this->Leaves, active,
+      CoefficientsOf(this->Law, plan.JoinGently(substeps)), this->IsWeighted(), this->Buffers);
+  }
+  const auto surface = std::count_if(
+    active.begin(), active.end(), [this](std::int32_t i) { return this->Leaves[i].Crossings > 0; });
+  const auto restless = std::count_if(active.begin(), active.end(),
+    [&](std::int32_t i) { return this->Leaves[i].Crossings > 0 && !this->IsCalm(i, joined); });
+  const double few = plan.GetStages() ? 0.0 : FewLeaves;
+  return static_cast<double>(restless) <= few * static_cast<double>(surface);
 }
 
 /** Whether the target is linear along the displacement, and tension balanced by it. */
@@ -118,9 +106,7 @@ bool SurfacePasses::IsCalm(std::int32_t leaf, const StepPlan& plan) const
 {
   const double most =
     this->Law.CFL * (plan.GetStages() ? ShortDisplacementOfStages : ShortDisplacement);
-  const bool isTense = plan.GetStages() && this->Buffers.LargestTensionDisplacement[leaf] > most;
-  // Nodes beside a neighbour's samples are as far from the target as these.
-  if (isTense || DisplacementOf(leaf, CoefficientsOf(this->Law, plan), this->Buffers) > most)
+  if (plan.GetStages() && this->Buffers.LargestTensionDisplacement[leaf] > most)
   {
     return false;
   }
@@ -139,9 +125,14 @@ bool SurfacePasses::IsCalm(std::int32_t leaf, const StepPlan& plan) const
 }
 
 /** The last of the shares may go far. */
-void SurfacePasses::MakeSubstep(const LeafList& leaves, const std::vector<LeafShare>& shares)
+void SurfacePasses::MakeSubstep(const std::vector<LeafShare>& shares)
 {
   const StepPlan& plan = shares.back().Plan;
+  LeafList leaves;
+  for (const LeafShare& share : shares)
+  {
+    leaves = Union(leaves, share.Leaves);
+  }
   this->Moved = leaves;
   this->Sourced.clear();
   this->TakeSlopesIntoAccount(shares);
@@ -156,7 +147,7 @@ void SurfacePasses::MakeSubstep(const LeafList& leaves, const std::vector<LeafSh
     const LeafShare& share = shares[n];
     const auto scale =
       static_cast<float>(share.Plan.GetSourcePerDisplacement() / plan.GetSourcePerDisplacement());
-    this->Leaves.ForEach(share.Leaves,
+    this->Leaves.ForEach(Intersection(share.Leaves, this->Sourced),
       [&](std::size_t i)
       {
         float* source = this->Buffers.StageSource.Of(i);

@@ -30,14 +30,17 @@ public:
   SurfacePasses(
     const FollowingBand& band, const Motion& law, Target& target, AdvanceReport& report);
 
-  /** Moves the active leaves, whose target speeds are known, by so many substeps in a row; layers
-   * and ghosts follow. Where the target is linear along what a leaf has left to go, the leaf goes
-   * it in one. Returns the gradients before. Where they say Unbounded the band is as before the
-   * pass that would have been so. */
-  GradientCounts Run(const StepPlan& plan, int substeps);
+  ///@{
+  /** Moves the active leaves, whose target speeds are known; layers and ghosts follow: by one
+   * substep; or by so many at once, of a surface that is calm. Returns the gradients before. Where
+   * they say Unbounded the band is as before the pass that would have been so. */
+  GradientCounts Run(const StepPlan& plan);
+  GradientCounts RunJoined(const StepPlan& plan, int substeps);
+  ///@}
 
-  /** How many of them the last run has made. */
-  int GetNumberOfSubsteps() const { return this->Substeps; }
+  /** Whether the target is linear along what so many substeps displace the active leaves, in all
+   * or without Tension in nearly all of them. */
+  bool IsCalm(const StepPlan& plan, int substeps) const;
 
   /** The longest displacement of these leaves, by all terms but the controls. */
   float FindLargestDisplacement(const LeafList& leaves, const StepPlan& plan) const;
@@ -53,9 +56,8 @@ private:
     StepPlan Plan;
   };
 
-  std::vector<LeafShare> Divide(const LeafList& leaves, const StepPlan& plan, int substeps);
   bool IsCalm(std::int32_t leaf, const StepPlan& plan) const;
-  void MakeSubstep(const LeafList& leaves, const std::vector<LeafShare>& shares);
+  void MakeSubstep(const std::vector<LeafShare>& shares);
   void Displace(const LeafList& leaves, const StepPlan& plan, int halvings);
   void SampleAgain(const LeafList& leaves);
   bool TakeSlopesIntoAccount(std::size_t leaf, const StepPlan& plan, double scale);
@@ -75,7 +77,6 @@ private:
   AdvanceReport& Report;
 
   GradientCounts Gradients;
-  int Substeps = 0;
   LeafList Moved;   //< by this run, or created by that
   LeafList Sourced; //< those of them whose displacement is left to the stages
   StageWeights Weights;
