@@ -71,7 +71,7 @@ OTHER_VALUES = {
     "TargetVolume": 2,
     "Tension": 0.02,
     "TensionWeighting": 0,
-    "TimeIntegration": 1,
+    "TimeIntegration": 0,
     "TimeScale": 1 / 50,
     "TimeStepSize": 0.2,
     "Transport": 0,
@@ -87,7 +87,7 @@ WITHOUT_EFFECT = set(
     """
     AutomaticAttraction CheckpointInterval CheckpointMemory CreateParts IdArray
     MaximumNumberOfActiveVoxels MeshThickness ModelBounds NumberOfThreads NumberOfTimeSteps
-    OutputPotential ParticleKernel ParticleThreshold StartTime TensionWeighting TimeStepSize
+    OutputPotential ParticleKernel ParticleThreshold StartTime TimeStepSize
     VelocityArray
 """.split()
 )
