@@ -31,7 +31,8 @@ SPECIAL = {
     "CFL": (0.3, 0.5, 1.0),
     "Anisotropy": (1.0, 2.0, 4.0, 9.0),
 }
-# What is refused (test_filter.py has all of it); words are numbers that Python has no literals for.
+# What is refused (test_property_values.py has all of it); words are numbers that Python has no
+# literals for.
 REFUSED = (
     ("VoxelSize", "nan"),
     ("TargetIsoValue", "inf"),
