@@ -1,5 +1,6 @@
 #include "ParticleMeans.h"
 
+#include "ParticleModel.h"
 #include "Skeleton/LaneEvaluation.h"
 
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace
 // A mean whose square is less than so many times that of its standard error is noise: of random
 // velocities that holds for all but one in 2000.
 constexpr double NoiseOfError = 6.0;
-constexpr double BodyPerBulk = 2.0; // as of the noise of the surface
 
 }
 
@@ -70,7 +70,7 @@ private:
   ACTIVE_ALWAYS_INLINE double ShareOfMotion(double square, double error, double bulk) const
   {
     const double share = square > 0.0 ? std::max(0.0, 1.0 - NoiseOfError * error / square) : 1.0;
-    return this->Means.LeavesNoise ? 1.0 - std::min(BodyPerBulk * bulk, 1.0) * (1.0 - share) : 1.0;
+    return this->Means.LeavesNoise ? 1.0 - GetShareOfNoise(bulk) * (1.0 - share) : 1.0;
   }
 
   template <int Width>

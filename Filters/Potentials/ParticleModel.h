@@ -6,6 +6,8 @@
 #ifndef ParticleModel_h
 #define ParticleModel_h
 
+#include <algorithm>
+
 namespace activesurface
 {
 
@@ -22,6 +24,13 @@ inline double GetReachPerSpacing(ParticleModel model)
   return model == ParticleModel::AveragedCentre ? 3.0
     : model == ParticleModel::Anisotropic       ? 2.25
                                                 : 2.0;
+}
+
+// Of a bulk: the share of noise that is not followed. The outermost layer of a body has .73 of its
+// tension, and all of its noise.
+inline double GetShareOfNoise(double bulk)
+{
+  return std::min(2.0 * bulk, 1.0);
 }
 
 // What a particle is among its neighbours: found once for each time step of the input, and in

@@ -8,8 +8,9 @@
  *   V = Attraction * (TargetIsoValue - F) - Tension * kappa
  *       + Transport * (v . n) + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
  *
- * F is the target, or the distance to it; kappa the sum of the principal curvatures; v the velocity
- * of the target's particles; the last two terms belong to AreaControl and VolumeControl PENALTY.
+ * F is the target, or the distance to it, less within TargetNoise; kappa the sum of the principal
+ * curvatures; v the velocity of the target's particles; the last two terms belong to AreaControl
+ * and VolumeControl PENALTY.
  * Changing any of these properties starts the skin anew.
  */
 

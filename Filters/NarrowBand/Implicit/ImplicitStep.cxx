@@ -22,8 +22,6 @@ namespace activesurface
 namespace
 {
 
-constexpr double FewLeaves = .05; // of those that the surface crosses: they may go farther
-
 constexpr double LongestDisplacementBeforeControl = 0.385; // [voxels], as of an explicit substep
 
 Motion WithoutTransport(Motion motion)
@@ -131,11 +129,10 @@ private:
   /** As soon as the surface is calm, one for all that are left. */
   void MakeRounds()
   {
-    const int rounds = this->Rounds;
     this->Result.Rounds = 0;
-    for (int left = rounds; left > 0 && !this->Result.Gradients.Unbounded; --left)
+    for (int left = this->Rounds; left > 0 && !this->Result.Gradients.Unbounded; --left)
     {
-      if (left < rounds)
+      if (left < this->Rounds)
       {
         this->FindSpeedsAgain();
       }

@@ -44,28 +44,13 @@ LegendreStages::LegendreStages(StageOrder order, int count)
   }
 }
 
-double LegendreStages::Amplify(double decay) const
-{
-  double before = 1.0, now = 1.0 - this->Stages[0].Rate * decay;
-  for (int j = 2; j <= this->GetNumberOfStages(); ++j)
-  {
-    const LegendreStage& stage = (*this)[j];
-    const double next = stage.Mu * now + stage.Nu * before + (1.0 - stage.Mu - stage.Nu) -
-      decay * (stage.Rate * now + stage.FirstRate);
-    before = now;
-    now = next;
-  }
-  return now;
-}
-
 double LegendreStages::Damp(double decay) const
 {
   double before = 1.0, now = 1.0 / (1.0 + this->Stages[0].Rate * decay);
   for (int j = 2; j <= this->GetNumberOfStages(); ++j)
   {
     const LegendreStage& stage = (*this)[j];
-    const double next =
-      (stage.Mu * now + stage.Nu * before + (1.0 - stage.Mu - stage.Nu) - decay * stage.FirstRate) /
+    const double next = (stage.Mu * now + stage.Nu * before + (1.0 - stage.Mu - stage.Nu)) /
       (1.0 + decay * stage.Rate);
     before = now;
     now = next;

@@ -43,12 +43,9 @@ public:
   /** The stage j, 1 to the number of stages. */
   const LegendreStage& operator[](int j) const { return this->Stages[j - 1]; }
 
-  ///@{
-  /** y after all stages of y' = -decay y / dt, from 1: with L as above; and with y at the end of
-   * the stage in place of y_(j-1) in L, which damps however large the decay. */
-  double Amplify(double decay) const;
+  /** y after all stages of first order of y' = -decay y / dt, from 1, with y at the end of the
+   * stage in place of y_(j-1) in L, which damps however large the decay. */
   double Damp(double decay) const;
-  ///@}
 
   /** How many of the longest stable forward Euler steps the stages are as long as. */
   static double Reach(StageOrder order, int count);

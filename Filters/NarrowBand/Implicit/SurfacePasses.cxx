@@ -24,8 +24,6 @@ namespace
 // [voxels] at CFL 1: the target is linear along it, and so is its balance with tension.
 constexpr double ShortDisplacement = .25, ShortDisplacementOfStages = .08;
 
-constexpr double FewLeaves = .05; // of those that the surface crosses: they may go farther
-
 }
 
 MoveCoefficients CoefficientsOf(const Motion& law, const StepPlan& plan)

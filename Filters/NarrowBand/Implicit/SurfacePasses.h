@@ -19,7 +19,8 @@
 namespace activesurface
 {
 
-constexpr int MostHalvings = 10; //< of a substep, and again of a pass
+constexpr int MostHalvings = 10;  //< of a substep, and again of a pass
+constexpr double FewLeaves = .05; //< of those that the surface crosses: they may go farther
 
 MoveCoefficients CoefficientsOf(const Motion& law, const StepPlan& plan);
 

@@ -50,7 +50,6 @@ public:
 
   // On the way from a step to the next one; before the first step: -1.
   Motion GetMotion(int step) const;
-  TimeIntegration ChooseIntegration(bool isCarried) const;
 
   // Since ResetCounters, also of motions that ended in an exception.
   std::size_t GetSubsteps() const { return this->Substeps; }
@@ -60,6 +59,7 @@ public:
 private:
   void Prepare(NarrowBand& band) const;
   Obstacle* FindObstacle() const;
+  TimeIntegration ChooseIntegration(bool isCarried) const;
   void PlaceTargetFrom(int step);
   bool MayCreateParts(const Motion& motion) const;
   AdvanceReport AdvanceOrArrive(NarrowBand& band, int step, MotionTime time, const Motion& motion,

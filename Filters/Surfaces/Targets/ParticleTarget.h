@@ -58,7 +58,7 @@ private:
   ChangedRegion Changed;  // from Previous to Now
   Skeleton Elements;      // of a sum
   ParticlePotential Body; // of the other models
-  ParticleMeans Means;    // if the target tells its velocity, or weighs tension
+  ParticleMeans Means;    // if the target tells its velocity, or a sum its bulk
 };
 
 }

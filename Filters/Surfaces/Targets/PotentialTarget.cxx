@@ -1,5 +1,7 @@
 #include "Targets/PotentialTarget.h"
 
+#include "ParticleModel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -12,8 +14,6 @@ namespace
 
 // Noise is followed by this share of Attraction: at the automatic one by a sixth in a time step.
 constexpr double SlowShare = 0.03;
-// The outermost layer of a body has .73 of its weight of tension, and all of its noise.
-constexpr double BodyPerBulk = 2.0;
 
 }
 
@@ -49,7 +49,7 @@ void PotentialTarget::FollowNoiseSlowly(double bulk, double& value, double& slop
   {
     return;
   }
-  const double slow = 1.0 - std::min(BodyPerBulk * bulk, 1.0) * (1.0 - SlowShare);
+  const double slow = 1.0 - GetShareOfNoise(bulk) * (1.0 - SlowShare);
   const double square = (value / this->Options.Noise) * (value / this->Options.Noise);
   const double step = square * square / (1.0 + square * square);
   value *= slow + (1.0 - slow) * step;

@@ -29,6 +29,21 @@ Motion MakeImplicit(double attraction, double tension)
   return motion;
 }
 
+// y after all stages of y' = -decay y / dt, from 1.
+double Amplify(const LegendreStages& stages, double decay)
+{
+  double before = 1.0, now = 1.0 - stages[1].Rate * decay;
+  for (int j = 2; j <= stages.GetNumberOfStages(); ++j)
+  {
+    const LegendreStage& stage = stages[j];
+    const double next = stage.Mu * now + stage.Nu * before + (1.0 - stage.Mu - stage.Nu) -
+      decay * (stage.Rate * now + stage.FirstRate);
+    before = now;
+    now = next;
+  }
+  return now;
+}
+
 // y' = -y over one step: of order p the error falls by 2^(p+1) where the step is halved; a tenth is
 // left for the next order.
 TEST(TestImplicit, StagesHaveTheirOrder)
@@ -39,7 +54,7 @@ TEST(TestImplicit, StagesHaveTheirOrder)
     {
       const LegendreStages stages(order, count);
       const double step = .02;
-      const auto error = [&](double decay) { return stages.Amplify(decay) - std::exp(-decay); };
+      const auto error = [&](double decay) { return Amplify(stages, decay) - std::exp(-decay); };
       const double ratio = error(step) / error(.5 * step);
       EXPECT_NEAR(ratio / std::pow(2.0, power + 1), 1.0, .1) << count << " stages, order " << power;
     }
@@ -77,12 +92,12 @@ TEST(TestImplicit, StagesAreStableAsFarAsTheyReach)
       double largest = 0.0;
       for (double decay = 0.0; decay <= 2.0 * reach; decay += .01)
       {
-        largest = std::max(largest, std::fabs(stages.Amplify(decay)));
+        largest = std::max(largest, std::fabs(Amplify(stages, decay)));
       }
       EXPECT_LE(largest, 1.0 + 1e-12) << count << " stages";
       if (order == StageOrder::First) // the second order leaves more room
       {
-        EXPECT_GT(std::fabs(stages.Amplify(2.2 * reach)), 1.0) << count << ", a tenth farther";
+        EXPECT_GT(std::fabs(Amplify(stages, 2.2 * reach)), 1.0) << count << ", a tenth farther";
       }
       EXPECT_EQ(LegendreStages::FindCount(order, reach), count) << "stages that reach so far";
     }
