@@ -1,6 +1,5 @@
 #include "ParticleMeans.h"
 
-#include "ParticleModel.h"
 #include "Skeleton/LaneEvaluation.h"
 
 #include <algorithm>
@@ -8,15 +7,6 @@
 
 namespace activesurface
 {
-
-namespace
-{
-
-// A mean whose square is less than so many times that of its standard error is noise: of random
-// velocities that holds for all but one in 2000.
-constexpr double NoiseOfError = 6.0;
-
-}
 
 struct ParticleMeans::Field
 {
@@ -36,20 +26,11 @@ struct ParticleMeans::Field
     for (int i = 0; i < Width; ++i)
     {
       const double ofKnown = sums.KnownWeight[i] > 0.0 ? 1.0 / sums.KnownWeight[i] : std::nan("");
-      double square = 0.0;
       for (int axis = 0; axis < 3; ++axis)
       {
         terms[axis][i] = sums.Velocity[axis][i] * ofKnown;
-        square += terms[axis][i] * terms[axis][i];
       }
       terms[3][i] = sums.Weight[i] > 0.0 ? sums.Bulk[i] / sums.Weight[i] : 0.0;
-      const double spread = std::max(sums.Square[i] * ofKnown - square, 0.0);
-      const double error = spread * (sums.WeightSquare[i] * ofKnown * ofKnown);
-      const double share = this->ShareOfMotion(square, error, terms[3][i]);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        terms[axis][i] *= share;
-      }
     }
   }
 
@@ -66,13 +47,6 @@ struct ParticleMeans::Field
   }
 
 private:
-  // The share of a mean velocity that its standard error leaves, in a body.
-  ACTIVE_ALWAYS_INLINE double ShareOfMotion(double square, double error, double bulk) const
-  {
-    const double share = square > 0.0 ? std::max(0.0, 1.0 - NoiseOfError * error / square) : 1.0;
-    return this->Means.LeavesNoise ? 1.0 - GetShareOfNoise(bulk) * (1.0 - share) : 1.0;
-  }
-
   template <int Width>
   struct Sums
   {
@@ -80,8 +54,6 @@ private:
     double KnownWeight[Width] = {};
     double Velocity[3][Width] = {};
     double Bulk[Width] = {};
-    double Square[Width] = {};       // of the velocities
-    double WeightSquare[Width] = {}; // of the known ones
   };
 
   template <int Width>
@@ -105,17 +77,14 @@ private:
         sums.Velocity[1][i] += known * element.Velocity[1];
         sums.Velocity[2][i] += known * element.Velocity[2];
         sums.Bulk[i] += weight * element.Bulk;
-        sums.Square[i] += known * element.Square;
-        sums.WeightSquare[i] += known * known;
       }
     }
     result = sums;
   }
 };
 
-void ParticleMeans::Clear(bool leavesNoise)
+void ParticleMeans::Clear()
 {
-  this->LeavesNoise = leavesNoise;
   this->Elements.clear();
   this->Near.Clear();
 }
@@ -130,14 +99,12 @@ void ParticleMeans::Add(const SkeletonVertex& particle, const double velocity[3]
   const double reach = particle.Radius;
   this->Near.AddBall(p, reach);
   Element element{ { p[0], p[1], p[2] }, particle.Strength, 1.0 / (reach * reach), 0.0,
-    { 0.0, 0.0, 0.0 }, 0.0, bulk };
+    { 0.0, 0.0, 0.0 }, bulk };
   if (velocity && std::isfinite(velocity[0]) && std::isfinite(velocity[1]) &&
     std::isfinite(velocity[2]))
   {
     element.KnownWeight = particle.Strength;
     std::copy_n(velocity, 3, element.Velocity);
-    element.Square =
-      velocity[0] * velocity[0] + velocity[1] * velocity[1] + velocity[2] * velocity[2];
   }
   this->Elements.push_back(element);
 }

@@ -16,10 +16,8 @@ namespace activesurface
 class VTKACTIVEPOTENTIALS_EXPORT ParticleMeans
 {
 public:
-  // Forgets the particles, keeps the memory. leavesNoise: in a body, a mean velocity falls to 0 the
-  // less it is beside its standard error, the spread of the velocities over the root of how many
-  // there are (positive-part shrinkage, W. James and C. Stein, Berkeley Symposium 1961).
-  void Clear(bool leavesNoise = false);
+  // Forgets the particles, keeps the memory.
+  void Clear();
 
   // velocity: null, or with a number that is not finite: unknown, left out of that mean. Vertices
   // have to be usable; those of strength <= 0 add nothing.
@@ -41,12 +39,10 @@ private:
     double InverseReach2;
     double KnownWeight; // Weight, or 0 where the velocity is unknown
     double Velocity[3];
-    double Square; // of the velocity
     double Bulk;
   };
   struct Field;
 
-  bool LeavesNoise = false;
   std::vector<Element> Elements;
   ElementIndex Near;
 };

@@ -3,6 +3,7 @@
 #include "Skeleton/LaneEvaluation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -156,6 +157,71 @@ private:
   }
 };
 
+struct NeighbourSums::MotionField
+{
+  static constexpr int Terms = 7; // as in Motion
+
+  const NeighbourSums& Neighbours;
+  const std::vector<Moving>& OfParticles;
+  Motion* Motions;
+
+  template <int Width>
+  ACTIVE_ALWAYS_INLINE void Evaluate(
+    const PlaceLanes<Width>& lanes, const HitList& hits, double (&terms)[Terms][Width]) const
+  {
+    LaneSums<Terms, Width> sums;
+    hits.Visit([this, &lanes, &sums](const SkeletonCells::Index* list, std::size_t count)
+                 ACTIVE_INLINED { this->Add(lanes, list, count, sums); });
+    sums.CopyTo(terms);
+  }
+
+  ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
+  {
+    Motion& motion = this->Motions[i];
+    motion.Weight = terms[0];
+    motion.SquareOfWeights = terms[1];
+    std::copy_n(terms + 2, 3, motion.Velocity);
+    motion.Square = terms[5];
+    motion.Bulk = terms[6];
+  }
+
+private:
+  template <int Width>
+  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
+    std::size_t count, LaneSums<Terms, Width>& result) const
+  {
+    LaneSums<Terms, Width> sums = result;
+    for (std::size_t hit = 0; hit < count; ++hit)
+    {
+      const Element& element = this->Neighbours.Elements[hits[hit]];
+      const Moving own = this->OfParticles[hits[hit]];
+      const double* v = own.Velocity;
+      const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+      if (!std::isfinite(square))
+      {
+        continue;
+      }
+      ACTIVE_LANES
+      for (int i = 0; i < Width; ++i)
+      {
+        const double x = element.Position[0] - lanes.X[0][i];
+        const double y = element.Position[1] - lanes.X[1][i];
+        const double z = element.Position[2] - lanes.X[2][i];
+        const double u = 1.0 - std::min((x * x + y * y + z * z) * element.InverseReach2, 1.0);
+        const double weight = element.Strength * (u * u);
+        sums.Terms[0][i] += weight;
+        sums.Terms[1][i] += weight * weight;
+        sums.Terms[2][i] += weight * v[0];
+        sums.Terms[3][i] += weight * v[1];
+        sums.Terms[4][i] += weight * v[2];
+        sums.Terms[5][i] += weight * square;
+        sums.Terms[6][i] += weight * own.Bulk;
+      }
+    }
+    result = sums;
+  }
+};
+
 NeighbourSums::NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor)
 {
   this->Elements.reserve(particles.size());
@@ -221,6 +287,15 @@ void NeighbourSums::FindShares(std::size_t count, const double* places,
   EvaluateInLanes(this->Near.GetCells(), count, places,
     [&](std::size_t first) {
       return ShareField{ *this, ofParticles, shares + first };
+    });
+}
+
+void NeighbourSums::FindMotions(std::size_t count, const double* places,
+  const std::vector<Moving>& ofParticles, Motion* motions) const
+{
+  EvaluateInLanes(this->Near.GetCells(), count, places,
+    [&](std::size_t first) {
+      return MotionField{ *this, ofParticles, motions + first };
     });
 }
 

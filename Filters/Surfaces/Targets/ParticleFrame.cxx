@@ -5,10 +5,10 @@
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkOctreePointLocator.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStaticPointLocator.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
@@ -119,6 +119,61 @@ void KeepArrays(vtkPointData* arrays, vtkIdType count, ParticleFrame& frame)
   }
 }
 
+double FindMedian(std::vector<double>& values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// A tree, whose leaves stay small however far strays are. It calculates in single precision: so
+// around where most particles are.
+vtkSmartPointer<vtkOctreePointLocator> MakeLocator(const std::vector<SkeletonVertex>& particles)
+{
+  std::vector<double> values(particles.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(particles.size()));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::transform(particles.begin(), particles.end(), values.begin(),
+      [axis](const SkeletonVertex& particle) { return particle.Position[axis]; });
+    const double middle = FindMedian(values);
+    for (std::size_t i = 0; i < particles.size(); ++i)
+    {
+      points->GetData()->SetComponent(
+        static_cast<vtkIdType>(i), axis, particles[i].Position[axis] - middle);
+    }
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  auto locator = vtkSmartPointer<vtkOctreePointLocator>::New();
+  locator->SetDataSet(cloud);
+  locator->BuildLocator();
+  return locator;
+}
+
+// Distance of a particle to its third nearest. More are looked at, as the locator cannot tell which
+// of those of a lattice are nearest.
+double FindThirdNearest(
+  const std::vector<SkeletonVertex>& particles, vtkOctreePointLocator* locator, std::size_t i)
+{
+  constexpr std::size_t looked = 17, third = 3; // the particle itself is one
+  vtkNew<vtkIdList> nearest;
+  double x[3];
+  locator->GetDataSet()->GetPoint(static_cast<vtkIdType>(i), x);
+  locator->FindClosestNPoints(static_cast<int>(std::min(looked, particles.size())), x, nearest);
+  std::vector<double> distances;
+  for (vtkIdType k = 0; k < nearest->GetNumberOfIds(); ++k)
+  {
+    const double* from = particles[i].Position;
+    const double* to = particles[static_cast<std::size_t>(nearest->GetId(k))].Position;
+    distances.push_back(std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]));
+  }
+  std::sort(distances.begin(), distances.end());
+  return distances.empty() ? 0.0 : distances[std::min(third, distances.size() - 1)];
+}
+
 }
 
 void ParticleFrame::GiveRadius(double radius)
@@ -148,44 +203,22 @@ bool ParticleFrame::GetBounds(double bounds[6]) const
 double ParticleFrame::GetSpacing() const
 {
   constexpr std::size_t samples = 1000;
-  constexpr int neighbours = 3;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const SkeletonVertex& particle : this->Particles)
+  if (this->Particles.size() < 2)
   {
-    points->InsertNextPoint(particle.Position);
+    return 0.0;
   }
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(points);
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(cloud);
-  locator->BuildLocator();
-
+  const vtkSmartPointer<vtkOctreePointLocator> locator = MakeLocator(this->Particles);
   std::vector<double> distances;
-  vtkNew<vtkIdList> nearest;
   const std::size_t stride = std::max<std::size_t>(1, this->Particles.size() / samples);
-  for (std::size_t i = 0; i < this->Particles.size() && this->Particles.size() > 1; i += stride)
+  for (std::size_t i = 0; i < this->Particles.size(); i += stride)
   {
-    const double* x = this->Particles[i].Position;
-    locator->FindClosestNPoints(neighbours + 1, x, nearest);
-    double distance = 0.0;
-    for (vtkIdType k = 0; k < nearest->GetNumberOfIds(); ++k)
-    {
-      const double* other = this->Particles[nearest->GetId(k)].Position;
-      distance = std::max(distance, std::hypot(x[0] - other[0], x[1] - other[1], x[2] - other[2]));
-    }
+    const double distance = FindThirdNearest(this->Particles, locator, i);
     if (distance > 0.0)
     {
       distances.push_back(distance);
     }
   }
-  if (distances.empty())
-  {
-    return 0.0;
-  }
-  const auto middle = distances.begin() + distances.size() / 2;
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return distances.empty() ? 0.0 : FindMedian(distances);
 }
 
 ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)

@@ -47,7 +47,7 @@ struct ParticleFrame
   bool GetBounds(double bounds[6]) const;
 
   // Median distance of a particle to its third nearest, among about a thousand of them: the cube
-  // root of the volume per particle within 12 %, for lattices as for random points, where the
+  // root of the volume per particle within 14 %, for lattices as for random points, where the
   // nearest is at .55 of it, and for sheets. 0 if no two particles have different positions.
   double GetSpacing() const;
 };

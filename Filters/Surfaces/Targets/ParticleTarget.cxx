@@ -58,6 +58,7 @@ void ParticleTarget::Place(int step, double fraction)
   needs.Fits = this->Options.WantsFits();
   needs.Velocities = this->Options.Carries;
   needs.Duration = this->GetDuration();
+  needs.LeavesNoise = this->Options.Level.Noise > 0.0;
   std::swap(this->Previous, this->Now);
   this->Frames.PlaceParticles(step, fraction, needs, this->Now);
   this->FindChanged();
@@ -92,7 +93,7 @@ void ParticleTarget::BuildBody()
 
 void ParticleTarget::BuildMeans()
 {
-  this->Means.Clear(this->Options.Level.Noise > 0.0);
+  this->Means.Clear();
   for (std::size_t i = 0; i < this->Now.Particles.size(); ++i)
   {
     const double* velocity =

@@ -30,7 +30,7 @@ struct ShapeOptions
   bool WeighsTension = false;
 
   /** Whether particles have to be looked at among their neighbours. */
-  bool WantsFits() const { return this->Model != ParticleModel::Sum || this->WeighsTension; }
+  bool WantsFits() const { return this->Model != ParticleModel::Sum || this->WantsBulks(); }
 
   /** Whether what is a body of particles matters. */
   bool WantsBulks() const { return this->WeighsTension || this->Level.Noise > 0.0; }

@@ -1,5 +1,7 @@
 #include "Targets/TargetFrames.h"
 
+#include "MotionNoise.h"
+
 #include <utility>
 
 namespace activesurface
@@ -13,6 +15,19 @@ const ParticleFrame& ParticlesOf(const InputShape* shape)
   static const ParticleFrame none;
   const ParticleFrame* particles = shape ? shape->GetParticles() : nullptr;
   return particles ? *particles : none;
+}
+
+// Births have no velocity.
+void LeaveNoise(const std::vector<double>& shares, PlacedParticles& placed)
+{
+  for (std::size_t i = 0; i < placed.Origins.size(); ++i)
+  {
+    const std::size_t earlier = placed.Origins[i].Earlier;
+    for (int axis = 0; axis < 3 && earlier != NoPartner; ++axis)
+    {
+      placed.Velocities[3 * i + axis] *= shares[earlier];
+    }
+  }
 }
 
 }
@@ -45,6 +60,7 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape)
   this->Earlier = std::move(earlier);
   this->Later = std::move(later);
   this->Matches = std::move(matches);
+  this->SharesOfMotion.clear();
 }
 
 InputShape* TargetFrames::Find(int step) const
@@ -99,7 +115,26 @@ void TargetFrames::PlaceParticles(
   {
     const ParticleFrame* later = matches ? &this->GetParticles(step + 1) : nullptr;
     FindMotion(&earlier, later, needs.Duration, placed.Origins, placed.Velocities);
+    if (later && needs.LeavesNoise)
+    {
+      LeaveNoise(this->GetSharesOfMotion(), placed);
+    }
   }
+}
+
+// They have no unit: a motion that takes twice as long has the same ones.
+const std::vector<double>& TargetFrames::GetSharesOfMotion() const
+{
+  const ParticleFrame& earlier = ParticlesOf(this->Earlier.Shape.get());
+  if (this->SharesOfMotion.empty() && !earlier.Particles.empty())
+  {
+    std::vector<ParticleOrigin> origins;
+    FindOriginsOfEarlier(earlier.Particles.size(), &this->Matches, origins);
+    std::vector<double> velocities;
+    FindMotion(&earlier, &ParticlesOf(this->Later.Shape.get()), 1.0, origins, velocities);
+    this->SharesOfMotion = FindSharesOfMotion(earlier.Particles, earlier.Fits, velocities);
+  }
+  return this->SharesOfMotion;
 }
 
 }

@@ -17,7 +17,8 @@ struct PlacedNeeds
 {
   bool Fits = false;
   bool Velocities = false;
-  double Duration = 0.0; // of the way from the step to the next one [motion time]; 0: none
+  double Duration = 0.0;    // of the way from the step to the next one [motion time]; 0: none
+  bool LeavesNoise = false; // velocities without their noise, see MotionNoise.h; needs fits
 };
 
 struct PlacedParticles
@@ -62,8 +63,12 @@ private:
     std::shared_ptr<InputShape> Shape;
   };
 
+  const std::vector<double>& GetSharesOfMotion() const;
+
   Held Earlier, Later;
   ParticleMatches Matches; // of Earlier and Later, if these are consecutive
+
+  mutable std::vector<double> SharesOfMotion; // of the particles of Earlier; empty until asked for
 };
 
 }

@@ -1,0 +1,69 @@
+#include "MotionNoise.h"
+
+#include "ParticleModel.h"
+#include "Skeleton/NeighbourSums.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// A mean whose square is less than so many times that of its standard error is noise: of random
+// velocities that holds for all but one in 2000.
+constexpr double NoiseOfError = 6.0;
+constexpr std::size_t ParticlesPerTask = 256;
+
+double GetShare(const NeighbourSums::Motion& motion)
+{
+  double square = 0.0;
+  for (const double sum : motion.Velocity)
+  {
+    square += (sum / motion.Weight) * (sum / motion.Weight);
+  }
+  const double spread = std::max(motion.Square / motion.Weight - square, 0.0);
+  const double error = spread * motion.SquareOfWeights / (motion.Weight * motion.Weight);
+  const double noise = square > 0.0 ? std::min(NoiseOfError * error / square, 1.0) : 0.0;
+  return 1.0 - GetShareOfNoise(motion.Bulk / motion.Weight) * noise;
+}
+
+}
+
+std::vector<double> FindSharesOfMotion(const std::vector<SkeletonVertex>& particles,
+  const std::vector<ParticleFit>& fits, const std::vector<double>& velocities)
+{
+  std::vector<NeighbourSums::Moving> moving;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    const double* v = &velocities[3 * i];
+    moving.push_back({ { v[0], v[1], v[2] }, fits[i].Bulk });
+  }
+  const NeighbourSums neighbours(particles, 1.0);
+  const std::vector<std::size_t> order = neighbours.SortByPlace();
+  std::vector<double> shares(particles.size(), 1.0);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(order.size()), ParticlesPerTask,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      const std::size_t* members = &order[static_cast<std::size_t>(begin)];
+      const std::size_t count = static_cast<std::size_t>(end - begin);
+      std::vector<double> places(3 * count);
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        std::copy_n(particles[members[k]].Position, 3, &places[3 * k]);
+      }
+      std::vector<NeighbourSums::Motion> motions(count);
+      neighbours.FindMotions(count, places.data(), moving, motions.data());
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        shares[members[k]] = motions[k].Weight > 0.0 ? GetShare(motions[k]) : 1.0;
+      }
+    });
+  return shares;
+}
+
+}

@@ -1,0 +1,103 @@
+// The estimate of the particles' spacing, and what it costs.
+
+#include "Targets/ParticleFrame.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ctime>
+#include <random>
+#include <vector>
+
+using namespace activesurface;
+
+namespace
+{
+
+constexpr double Spacing = 0.1;
+
+void Add(ParticleFrame& frame, double x, double y, double z)
+{
+  frame.Particles.push_back({ { x, y, z }, 1.0, 1.0 });
+}
+
+// A cubic lattice with a corner at (x, 0, 0).
+ParticleFrame MakeLattice(int across, double x = 0.0)
+{
+  ParticleFrame frame;
+  for (int i = 0; i < across * across * across; ++i)
+  {
+    Add(frame, x + Spacing * (i % across), Spacing * (i / across % across),
+      Spacing * (i / across / across));
+  }
+  return frame;
+}
+
+double GetSeconds(const ParticleFrame& frame)
+{
+  const std::clock_t begin = std::clock();
+  EXPECT_NEAR(frame.GetSpacing(), Spacing, 1e-6 * Spacing);
+  return double(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+}
+
+TEST(TestParticleSpacing, IsTheDistanceOfALatticesNeighbours)
+{
+  EXPECT_NEAR(MakeLattice(10).GetSpacing(), Spacing, 1e-12);
+  ParticleFrame sheet;
+  for (int i = 0; i < 900; ++i)
+  {
+    Add(sheet, Spacing * (i % 30), Spacing * (i / 30), 0.0);
+  }
+  EXPECT_NEAR(sheet.GetSpacing(), Spacing, 1e-12);
+}
+
+// The ball to the third nearest of random points holds 2.674 of them as often as not.
+TEST(TestParticleSpacing, OfRandomPointsIsNearlyTheRootOfTheirVolume)
+{
+  std::mt19937_64 generator(3);
+  std::uniform_real_distribution<double> place(0.0, 20.0 * Spacing);
+  ParticleFrame frame;
+  for (int i = 0; i < 8000; ++i)
+  {
+    const double x = place(generator), y = place(generator);
+    Add(frame, x, y, place(generator));
+  }
+  EXPECT_NEAR(frame.GetSpacing(), 0.861 * Spacing, 0.03 * Spacing);
+}
+
+TEST(TestParticleSpacing, IsNoneWithoutTwoPlaces)
+{
+  ParticleFrame frame;
+  EXPECT_EQ(frame.GetSpacing(), 0.0);
+  for (int i = 0; i < 5; ++i)
+  {
+    Add(frame, 1.0, 2.0, 3.0);
+    EXPECT_EQ(frame.GetSpacing(), 0.0) << i + 1 << " in one place";
+  }
+  ParticleFrame pair = MakeLattice(1);
+  Add(pair, 0.0, Spacing, 0.0);
+  EXPECT_NEAR(pair.GetSpacing(), Spacing, 1e-12);
+}
+
+// Single precision would see 16 places at a coordinate of 10^6 instead of 20.
+TEST(TestParticleSpacing, IsExactFarFromTheOrigin)
+{
+  EXPECT_NEAR(MakeLattice(20, 1e6).GetSpacing(), Spacing, 1e-8);
+  ParticleFrame stray = MakeLattice(20, 1e6);
+  Add(stray, -1e6, 1e6, 0.0);
+  EXPECT_NEAR(stray.GetSpacing(), Spacing, 1e-8);
+}
+
+// Bins of one size would have all but the stray in one of them: each sample would look at all
+// particles, a hundred times as long.
+TEST(TestParticleSpacing, AStrayCostsNothing)
+{
+  const ParticleFrame frame = MakeLattice(40);
+  ParticleFrame stray = frame;
+  Add(stray, 1e6 * Spacing, 0.0, 0.0);
+  GetSeconds(frame); // what is loaded and allocated once
+  const double without = GetSeconds(frame);
+  EXPECT_LT(GetSeconds(stray), 10.0 * without);
+}
