@@ -1,9 +1,8 @@
 #include "MotionNoise.h"
 
+#include "ParallelTasks.h"
 #include "ParticleModel.h"
 #include "Skeleton/NeighbourSums.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,11 +45,11 @@ std::vector<double> FindSharesOfMotion(const std::vector<SkeletonVertex>& partic
   const NeighbourSums neighbours(particles, 1.0);
   const std::vector<std::size_t> order = neighbours.SortByPlace();
   std::vector<double> shares(particles.size(), 1.0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(order.size()), ParticlesPerTask,
-    [&](vtkIdType begin, vtkIdType end)
+  RunTasks((order.size() + ParticlesPerTask - 1) / ParticlesPerTask,
+    [&](std::size_t task)
     {
-      const std::size_t* members = &order[static_cast<std::size_t>(begin)];
-      const std::size_t count = static_cast<std::size_t>(end - begin);
+      const std::size_t* members = &order[ParticlesPerTask * task];
+      const std::size_t count = std::min(ParticlesPerTask, order.size() - ParticlesPerTask * task);
       std::vector<double> places(3 * count);
       for (std::size_t k = 0; k < count; ++k)
       {

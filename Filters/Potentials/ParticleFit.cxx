@@ -1,11 +1,10 @@
 #include "ParticleFit.h"
 
+#include "ParallelTasks.h"
 #include "ParticlePotential.h"
 #include "Skeleton/Ellipsoid.h"
 #include "Skeleton/NeighbourSums.h"
 #include "Skeleton/SmoothStep.h"
-
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,14 +117,11 @@ private:
   {
     const std::size_t size = this->Order.size();
     const std::size_t batches = (size + ParticlesPerTask - 1) / ParticlesPerTask;
-    vtkSMPTools::For(0, static_cast<vtkIdType>(batches), 1,
-      [&](vtkIdType begin, vtkIdType end)
+    RunTasks(batches,
+      [&](std::size_t k)
       {
-        for (vtkIdType k = begin; k < end; ++k)
-        {
-          const std::size_t first = ParticlesPerTask * static_cast<std::size_t>(k);
-          function(Batch{ &this->Order[first], std::min(ParticlesPerTask, size - first) });
-        }
+        const std::size_t first = ParticlesPerTask * k;
+        function(Batch{ &this->Order[first], std::min(ParticlesPerTask, size - first) });
       });
   }
 

@@ -1,11 +1,13 @@
 #include "SkeletonCells.h"
 
+#include "ParallelTasks.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace activesurface
 {
@@ -21,6 +23,11 @@ constexpr double HalfCellDiagonal = 0.8660255;
 constexpr std::size_t MaximumElements = std::size_t(1) << 28;
 // Balls are stored as floats, less than 4 cells from where they are used: errors are below 1e-6.
 constexpr double FloatMargin = 1e-5;
+// A range of slots stays in the caches while it is filled.
+constexpr int LeastBitsOfRange = 14;
+constexpr std::size_t MostRanges = 64;
+constexpr std::size_t LeastElementsOfChunk = 4096;
+constexpr std::size_t MostChunks = 256;
 constexpr float Everywhere = std::numeric_limits<float>::infinity();
 
 double GetLength(const Capsule& capsule)
@@ -44,14 +51,7 @@ void SkeletonCells::Build(const std::vector<Capsule>& capsules, const double bou
   this->Measure(capsules, bounds);
   this->ChooseLattices(capsules);
   this->MakeSlots();
-  this->Registrations.clear();
-  this->RegistrationCounts.resize(capsules.size());
-  for (std::size_t element = 0; element < capsules.size(); ++element)
-  {
-    const std::size_t before = this->Registrations.size();
-    this->Register(static_cast<Index>(element), capsules[element]);
-    this->RegistrationCounts[element] = static_cast<Index>(this->Registrations.size() - before);
-  }
+  this->RegisterAll(capsules);
   this->FillLists();
 }
 
@@ -134,18 +134,44 @@ void SkeletonCells::MakeSlots()
     lattice.FirstSlot = slots;
     slots += std::size_t(1) << bits;
   }
-  this->LastElements.assign(slots, 0);
-  this->ListStarts.assign(slots + 1, 0);
+  this->ListStarts.resize(slots + 1);
+  this->BitsOfRange = LeastBitsOfRange;
+  while (slots >> this->BitsOfRange > MostRanges)
+  {
+    ++this->BitsOfRange;
+  }
 }
 
-void SkeletonCells::Register(Index element, const Capsule& capsule)
+void SkeletonCells::RegisterAll(const std::vector<Capsule>& capsules)
+{
+  const std::size_t elements = capsules.size();
+  const std::size_t perChunk = std::max(LeastElementsOfChunk, elements / MostChunks + 1);
+  const std::size_t ranges = ((this->ListStarts.size() - 2) >> this->BitsOfRange) + 1;
+  this->Chunks.resize((elements + perChunk - 1) / perChunk);
+  RunTasks(this->Chunks.size(),
+    [&](std::size_t n)
+    {
+      Chunk& chunk = this->Chunks[n];
+      chunk.resize(ranges);
+      for (std::vector<Registration>& registrations : chunk)
+      {
+        registrations.clear();
+      }
+      for (std::size_t i = n * perChunk; i < std::min((n + 1) * perChunk, elements); ++i)
+      {
+        this->Register(static_cast<Index>(i), capsules[i], chunk);
+      }
+    });
+}
+
+void SkeletonCells::Register(Index element, const Capsule& capsule, Chunk& chunk) const
 {
   const SkeletonLattice& lattice = this->Lattices[this->LatticeOf[element]];
   const double length = GetLength(capsule);
   if (length == 0.0)
   {
     const double radius = std::max(capsule.StartRadius, capsule.EndRadius);
-    this->RegisterBall(element, capsule.Start, radius + this->Slack, lattice);
+    this->RegisterBall(element, capsule.Start, radius + this->Slack, lattice, chunk);
     return;
   }
   const double pieceLength = CellsPerPiece * lattice.CellSize;
@@ -154,7 +180,7 @@ void SkeletonCells::Register(Index element, const Capsule& capsule)
   {
     const double from = static_cast<double>(i) / pieces;
     const double to = static_cast<double>(i + 1) / pieces;
-    this->RegisterPiece(element, this->GetPiece(capsule, from, to), lattice);
+    this->RegisterPiece(element, this->GetPiece(capsule, from, to), lattice, chunk);
   }
 }
 
@@ -193,8 +219,8 @@ SkeletonCells::Span SkeletonCells::GetSpan(
   return span;
 }
 
-void SkeletonCells::RegisterBall(
-  Index element, const double centre[3], double radius, const SkeletonLattice& lattice)
+void SkeletonCells::RegisterBall(Index element, const double centre[3], double radius,
+  const SkeletonLattice& lattice, Chunk& chunk) const
 {
   const Span xs = this->GetSpan(lattice, 0, centre[0], radius);
   const Span ys = this->GetSpan(lattice, 1, centre[1], radius);
@@ -213,23 +239,29 @@ void SkeletonCells::RegisterBall(
           const bool isFar = xs.IsLast[i] || ys.IsLast[j] || zs.IsLast[k];
           const float ball[4] = { xs.Place[i], ys.Place[j], zs.Place[k],
             isFar ? Everywhere : static_cast<float>(radius2) };
-          this->AddTo(lattice.GetSlot(xs.Hash[i] + ys.Hash[j] + zs.Hash[k],
-                        xs.InBlock[i] | ys.InBlock[j] | zs.InBlock[k]),
-            element, ball);
+          const std::size_t slot = lattice.GetSlot(
+            xs.Hash[i] + ys.Hash[j] + zs.Hash[k], xs.InBlock[i] | ys.InBlock[j] | zs.InBlock[k]);
+          this->AddTo(chunk, slot, element, ball);
         }
       }
     }
   }
 }
 
-void SkeletonCells::AddTo(std::size_t slot, Index element, const float ball[4])
+// Each element once in each slot.
+void SkeletonCells::AddTo(Chunk& chunk, std::size_t slot, Index element, const float ball[4]) const
 {
-  if (this->LastElements[slot] != element + 1)
+  std::vector<Registration>& registrations = chunk[slot >> this->BitsOfRange];
+  for (auto own = registrations.rbegin(); own != registrations.rend() && own->Element == element;
+       ++own)
   {
-    this->LastElements[slot] = element + 1;
-    this->Registrations.push_back(
-      { static_cast<Index>(slot), { ball[0], ball[1], ball[2], ball[3] } });
+    if (own->Slot == slot)
+    {
+      return;
+    }
   }
+  registrations.push_back(
+    { static_cast<Index>(slot), element, { ball[0], ball[1], ball[2], ball[3] } });
 }
 
 SkeletonCells::Piece SkeletonCells::GetPiece(const Capsule& capsule, double from, double to) const
@@ -246,7 +278,8 @@ SkeletonCells::Piece SkeletonCells::GetPiece(const Capsule& capsule, double from
   return piece;
 }
 
-void SkeletonCells::RegisterPiece(Index element, const Piece& piece, const SkeletonLattice& lattice)
+void SkeletonCells::RegisterPiece(
+  Index element, const Piece& piece, const SkeletonLattice& lattice, Chunk& chunk) const
 {
   Index low[3];
   Index high[3];
@@ -267,7 +300,7 @@ void SkeletonCells::RegisterPiece(Index element, const Piece& piece, const Skele
       {
         if (this->Touches(piece, lattice, cell))
         {
-          this->AddTo(lattice.GetSlot(cell), element, ball);
+          this->AddTo(chunk, lattice.GetSlot(cell), element, ball);
         }
       }
     }
@@ -301,35 +334,63 @@ bool SkeletonCells::Touches(const Piece& piece, const SkeletonLattice& lattice, 
   return distance2 <= reach * reach;
 }
 
-// A counting sort by slot. Elements come in ascending order, so lists are ascending.
+// A counting sort by slot, range by range.
 void SkeletonCells::FillLists()
 {
-  if (this->Registrations.size() > std::numeric_limits<Index>::max())
+  this->RangeStarts.assign(1, 0);
+  for (std::size_t range = 0; range < this->Chunks.front().size(); ++range)
+  {
+    std::size_t end = this->RangeStarts.back();
+    for (const Chunk& chunk : this->Chunks)
+    {
+      end += chunk[range].size();
+    }
+    this->RangeStarts.push_back(end);
+  }
+  const std::size_t size = this->RangeStarts.back();
+  if (size > std::numeric_limits<Index>::max())
   {
     throw std::length_error("A skeleton of so many elements is not supported.");
   }
-  for (const Registration& registration : this->Registrations)
+  this->Lists.resize(size);
+  this->Balls.resize(4 * size);
+  this->ListStarts.back() = static_cast<Index>(size);
+  this->Filled.resize(this->ListStarts.size() - 1);
+  RunTasks(this->RangeStarts.size() - 1, [this](std::size_t range) { this->FillRange(range); });
+}
+
+// Elements come in ascending order, so lists are ascending.
+void SkeletonCells::FillRange(std::size_t range)
+{
+  const std::size_t first = range << this->BitsOfRange;
+  const std::size_t end =
+    std::min(first + (std::size_t(1) << this->BitsOfRange), this->Filled.size());
+  std::fill(this->Filled.begin() + first, this->Filled.begin() + end, 0);
+  for (const Chunk& chunk : this->Chunks)
   {
-    ++this->ListStarts[registration.Slot + 1];
-  }
-  std::partial_sum(this->ListStarts.begin(), this->ListStarts.end(), this->ListStarts.begin());
-  this->Lists.resize(this->Registrations.size());
-  this->Balls.resize(4 * this->Registrations.size());
-  std::vector<Index>& filled = this->LastElements;
-  std::fill(filled.begin(), filled.end(), 0);
-  const Registration* registration = this->Registrations.data();
-  for (std::size_t element = 0; element < this->RegistrationCounts.size(); ++element)
-  {
-    const Registration* end = registration + this->RegistrationCounts[element];
-    for (; registration != end; ++registration)
+    for (const Registration& registration : chunk[range])
     {
-      const std::size_t start = this->ListStarts[registration->Slot];
-      const std::size_t length = this->ListStarts[registration->Slot + 1] - start;
-      const std::size_t place = filled[registration->Slot]++;
-      this->Lists[start + place] = static_cast<Index>(element);
+      ++this->Filled[registration.Slot];
+    }
+  }
+  std::size_t start = this->RangeStarts[range];
+  for (std::size_t slot = first; slot < end; ++slot)
+  {
+    this->ListStarts[slot] = static_cast<Index>(start);
+    start += std::exchange(this->Filled[slot], 0);
+  }
+  for (const Chunk& chunk : this->Chunks)
+  {
+    for (const Registration& registration : chunk[range])
+    {
+      const std::size_t slot = registration.Slot;
+      const std::size_t list = this->ListStarts[slot];
+      const std::size_t length = (slot + 1 < end ? this->ListStarts[slot + 1] : start) - list;
+      const std::size_t place = this->Filled[slot]++;
+      this->Lists[list + place] = registration.Element;
       for (std::size_t column = 0; column < 4; ++column)
       {
-        this->Balls[4 * start + column * length + place] = registration->Ball[column];
+        this->Balls[4 * list + column * length + place] = registration.Ball[column];
       }
     }
   }

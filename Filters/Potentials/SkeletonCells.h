@@ -91,8 +91,12 @@ private:
   struct Registration
   {
     Index Slot;
+    Index Element;
     float Ball[4]; // x y z radius^2
   };
+
+  // Those of consecutive elements, for each range of slots: ranges are filled in parallel.
+  using Chunk = std::vector<std::vector<Registration>>;
 
   // The cells of a lattice that a ball may touch, along one axis.
   struct Span;
@@ -101,15 +105,18 @@ private:
   void ChooseLattices(const std::vector<Capsule>& capsules);
   int ChooseLevel(const Capsule& capsule) const;
   void MakeSlots();
-  void Register(Index element, const Capsule& capsule);
-  void RegisterBall(
-    Index element, const double centre[3], double radius, const SkeletonLattice& lattice);
+  void RegisterAll(const std::vector<Capsule>& capsules);
+  void Register(Index element, const Capsule& capsule, Chunk& chunk) const;
+  void RegisterBall(Index element, const double centre[3], double radius,
+    const SkeletonLattice& lattice, Chunk& chunk) const;
   static Span GetSpan(const SkeletonLattice& lattice, int axis, double centre, double radius);
   Piece GetPiece(const Capsule& capsule, double from, double to) const;
-  void RegisterPiece(Index element, const Piece& piece, const SkeletonLattice& lattice);
+  void RegisterPiece(
+    Index element, const Piece& piece, const SkeletonLattice& lattice, Chunk& chunk) const;
   static bool Touches(const Piece& piece, const SkeletonLattice& lattice, const Index cell[3]);
-  void AddTo(std::size_t slot, Index element, const float ball[4]);
+  void AddTo(Chunk& chunk, std::size_t slot, Index element, const float ball[4]) const;
   void FillLists();
+  void FillRange(std::size_t range);
 
   double Origin[3];     // of all lattices
   double Slack;         // bounds the rounding of a coordinate
@@ -121,10 +128,11 @@ private:
   std::vector<float> Balls; // 4 per entry of Lists: all x of a list, then all y, z, and radius^2
 
   // Of Build, kept for their memory.
-  std::vector<int> LatticeOf;      // per element
-  std::vector<Index> LastElements; // per slot: the last one registered, plus one; then a count
-  std::vector<Registration> Registrations;
-  std::vector<Index> RegistrationCounts; // per element
+  std::vector<int> LatticeOf; // per element
+  std::vector<Chunk> Chunks;
+  int BitsOfRange = 0;                  // of slots
+  std::vector<std::size_t> RangeStarts; // of their lists, and the end of the last
+  std::vector<Index> Filled;            // per slot
 };
 
 ACTIVE_ALWAYS_INLINE void SkeletonCells::FindCell(const double x[3], Index cell[3]) const

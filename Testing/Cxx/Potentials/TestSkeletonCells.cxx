@@ -99,6 +99,15 @@ TEST(TestSkeletonCells, CellsGiveTheSumOverAllElements)
   }
 }
 
+// So many that they are listed by several tasks.
+TEST(TestSkeletonCells, CellsOfManyElementsGiveTheSumOverAll)
+{
+  Random random(11);
+  SkeletonBuilder shape;
+  Fill(shape, random, 6500, 2500, 0.5, 1.0);
+  CheckAgainstParts(shape, 6500, 0, PlacesNear(shape, random, 60), "9000 elements");
+}
+
 // One size of cells, huge empty space, coordinates that leave few digits to the radius, many
 // elements in one place, a flat cloud.
 TEST(TestSkeletonCells, CellsAreRightForAnyLayout)

@@ -1,0 +1,51 @@
+// Tasks on all of VTK's threads, whose exceptions reach the caller: with some of VTK's backends one
+// that leaves a thread ends the program.
+
+#ifndef ParallelTasks_h
+#define ParallelTasks_h
+
+#include "vtkSMPTools.h"
+
+#include <cstddef>
+#include <exception>
+#include <mutex>
+
+namespace activesurface
+{
+
+// Calls task(0) to task(count - 1), each once; throws what one of them has thrown.
+template <class Task>
+void RunTasks(std::size_t count, Task task)
+{
+  if (count == 1)
+  {
+    task(std::size_t(0));
+    return;
+  }
+  std::exception_ptr error;
+  std::mutex ofError;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      try
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          task(static_cast<std::size_t>(i));
+        }
+      }
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> lock(ofError);
+        error = std::current_exception();
+      }
+    });
+  if (error)
+  {
+    std::rethrow_exception(error);
+  }
+}
+
+}
+
+#endif
