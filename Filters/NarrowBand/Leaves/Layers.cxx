@@ -73,22 +73,29 @@ ACTIVE_ALWAYS_INLINE LeafMask HaveAxisStencil(const LeafTable& table, const Band
   return complete;
 }
 
-bool HasDiagonalStencil(const LeafTable& table, std::int32_t i, int node)
+/** Nodes whose four neighbours on the diagonals between two axes are all in the layers. */
+template <int A, int B>
+ACTIVE_ALWAYS_INLINE LeafMask HaveDiagonals(const LeafTable& table, const BandLeaf& leaf)
 {
-  for (int n = 0; n < 27; ++n)
+  const auto inLayers = [&](int number) ACTIVE_INLINED -> const LeafMask&
+  { return table.UpToLayerOf(leaf.Neighbour[number], LastLayer); };
+  const LeafMask& own = leaf.UpToLayer[LastLayer];
+  const LeafMask ahead = Seen<B, 1>(own, inLayers(FaceNumber(B, 1)));
+  const LeafMask behind = Seen<B, -1>(own, inLayers(FaceNumber(B, -1)));
+  LeafMask complete = LeafMask::All();
+  for (const int sign : { -1, 1 })
   {
-    const int dx = n / 9 - 1, dy = n / 3 % 3 - 1, dz = n % 3 - 1;
-    if (dx * dx + dy * dy + dz * dz != 2)
-    {
-      continue;
-    }
-    const LeafTable::Place place = table.Offset(i, node, dx, dy, dz);
-    if (place.Leaf < 0 || !table[place.Leaf].UpToLayer[LastLayer].Has(place.Node))
-    {
-      return false;
-    }
+    const int next = FaceNumber(A, sign);
+    const LeafMask& nextMask = inLayers(next);
+    const LeafMask nextAhead =
+      Seen<B, 1>(nextMask, inLayers(next + FaceNumber(B, 1) - NeighbourNumber(0, 0, 0)));
+    const LeafMask nextBehind =
+      Seen<B, -1>(nextMask, inLayers(next + FaceNumber(B, -1) - NeighbourNumber(0, 0, 0)));
+    complete = complete &
+      (sign > 0 ? Seen<A, 1>(ahead, nextAhead) & Seen<A, 1>(behind, nextBehind)
+                : Seen<A, -1>(ahead, nextAhead) & Seen<A, -1>(behind, nextBehind));
   }
-  return true;
+  return complete;
 }
 
 /** The band, and the pockets beyond it. */
@@ -96,16 +103,13 @@ ACTIVE_ALWAYS_INLINE void FindActiveNodes(LeafTable& table, std::size_t i)
 {
   BandLeaf& leaf = table[i];
   leaf.Active = leaf.UpToLayer[LastBandLayer];
-  HaveAxisStencil(table, leaf)
-    .Without(leaf.UpToLayer[LastBandLayer])
-    .ForEach(
-      [&](int node) ACTIVE_INLINED
-      {
-        if (HasDiagonalStencil(table, static_cast<std::int32_t>(i), node))
-        {
-          leaf.Active.Add(node);
-        }
-      });
+  const LeafMask beyond = HaveAxisStencil(table, leaf).Without(leaf.UpToLayer[LastBandLayer]);
+  if (beyond.Any())
+  {
+    leaf.Active = leaf.Active |
+      (beyond & HaveDiagonals<0, 1>(table, leaf) & HaveDiagonals<1, 2>(table, leaf) &
+        HaveDiagonals<0, 2>(table, leaf));
+  }
 }
 
 ACTIVE_ALWAYS_INLINE void FindCrossedEdges(LeafTable& table, std::size_t i)
