@@ -3,6 +3,8 @@
 #include "Substep/SubstepBuffers.h"
 #include "Substep/TargetSpeed.h"
 
+#include <algorithm>
+
 namespace activesurface
 {
 
@@ -20,6 +22,12 @@ void StageWeights::ExtendToEntered(
 {
   const std::size_t size = table.Size();
   this->Known.resize(size);
+  const bool hasEntered = std::any_of(set.Active.begin(), set.Active.end(),
+    [&](std::int32_t i) { return table[i].Active.Without(this->Known[i]).Any(); });
+  if (!hasEntered)
+  {
+    return;
+  }
   buffers.MakeRoomForNodes(size);
   buffers.Weights.MakeRoom(size);
   buffers.Known = buffers.NextKnown = this->Known;

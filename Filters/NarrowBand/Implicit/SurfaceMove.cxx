@@ -60,15 +60,38 @@ private:
     constexpr float flat = .25f; // of |grad u|^2
     float squares[8];
     CentralGradientSquares(u, squares);
+    bool isSteep = !this->Coefficients.IsUpwind;
     for (int z = 0; z < 8; ++z)
     {
-      const float whole = this->Coefficients.Factor * displacements[z] + this->Coefficients.Uniform;
-      const float displacement =
-        std::min(std::max(whole, -LongestDisplacement), LongestDisplacement);
-      const float upwind = UpwindSquare(u + z, displacement);
+      isSteep = isSteep && (squares[z] >= flat || ((nodes >> z) & 1u) == 0);
+    }
+    if (isSteep)
+    {
+      this->Displace(squares, nodes, displacements);
+      return;
+    }
+    for (int z = 0; z < 8; ++z)
+    {
+      const float upwind = UpwindSquare(u + z, this->Clamp(displacements[z]));
       const float balanced = squares[z] < flat ? std::max(squares[z], upwind) : squares[z];
-      const float square = this->Coefficients.IsUpwind ? upwind : balanced;
-      displacements[z] = (nodes >> z) & 1u ? displacement * std::sqrt(square) : displacements[z];
+      squares[z] = this->Coefficients.IsUpwind ? upwind : balanced;
+    }
+    this->Displace(squares, nodes, displacements);
+  }
+
+  ACTIVE_ALWAYS_INLINE float Clamp(float speed) const
+  {
+    const float whole = this->Coefficients.Factor * speed + this->Coefficients.Uniform;
+    return std::min(std::max(whole, -LongestDisplacement), LongestDisplacement);
+  }
+
+  ACTIVE_ALWAYS_INLINE void Displace(
+    const float* squares, unsigned nodes, float* displacements) const
+  {
+    for (int z = 0; z < 8; ++z)
+    {
+      const float product = this->Clamp(displacements[z]) * std::sqrt(squares[z]);
+      displacements[z] = (nodes >> z) & 1u ? product : displacements[z];
     }
   }
 };
