@@ -39,6 +39,11 @@ constexpr int RoundsOfLongSteps = 8;
 /** Crossings that go farther [voxels] may leave their edges, and are not seen. */
 constexpr double LongestTrace = 0.5;
 
+/** |u| [voxels], and its growth from a node to the next, that a sound surface does not come to.
+ * Where velocities meet that the lattice cannot hold apart, Transport makes u steeper for as long
+ * as they do, and ghosts drive each other on. */
+constexpr float MostOfTransport = 32.f;
+
 /** The potential is doubled or halved when most gradient norms have left 1/sqrt 2 .. sqrt 2. */
 float ScaleFor(const GradientCounts& counts)
 {
@@ -192,13 +197,15 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
   coefficients.Tension = static_cast<float>(step * motion.Tension / (size * size));
   const double speed = limits.Speed + std::fabs(move.Force.Speed);
   coefficients.Relaxation = static_cast<float>(RelaxationFor(step * tracking, step * speed / size));
+  const bool isSound = !coefficients.Central && motion.Tension >= 0.0;
+  coefficients.Most = motion.Transport > 0.0 && isSound ? MostOfTransport : HUGE_VALF;
   ExtendToActiveNodes(this->GetFollower(), motion, coefficients.Advection);
   const GradientCounts gradients =
     StepForward(this->Leaves, this->Set, coefficients, this->Buffers);
   CheckBounded(gradients.Unbounded, this->Time);
   ClampToBounds({ motion.Box, motion.Solid, size }, this->Leaves, this->Set, this->Buffers);
   CommitStep(this->Leaves, this->Set, this->Buffers);
-  this->RebuildBand(this->Set);
+  this->RebuildBand(this->Set, coefficients.Most);
   const float scale = ScaleFor(gradients);
   if (scale != 1.f)
   {
@@ -352,7 +359,7 @@ void BandState::Confine(const Walls& walls, Obstacle* obstacle)
   this->StartMeasure = this->Measure();
 }
 
-void BandState::RebuildBand(ActiveSet& set)
+void BandState::RebuildBand(ActiveSet& set, float mostGrowth)
 {
   if (this->Paper)
   {
@@ -361,7 +368,7 @@ void BandState::RebuildBand(ActiveSet& set)
   else
   {
     RebuildLayers(this->Leaves, set, this->Potential->tree());
-    FillGhosts(this->Leaves, set);
+    FillGhosts(this->Leaves, set, mostGrowth);
   }
   this->DropEmptyLeaves();
 }

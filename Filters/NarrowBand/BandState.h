@@ -67,7 +67,7 @@ private:
   struct Move;
 
   /** Layers and ghosts, from the potential. */
-  void RebuildBand(ActiveSet& set);
+  void RebuildBand(ActiveSet& set, float mostGrowth = HUGE_VALF);
   /** Once they are many; counts the crossings. */
   void DropEmptyLeaves();
   /** Converts the band to the scheme of this motion: this library's or the paper's. */

@@ -264,6 +264,7 @@ struct FillLayer
   LeafTable& Table;
   int Layer;
   bool IsAffected; //< whether the leaves are
+  float MostGrowth;
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
@@ -273,7 +274,7 @@ struct FillLayer
     {
       return;
     }
-    LayerFill<false>(this->Table, i, this->Layer, std::numeric_limits<float>::infinity())
+    LayerFill<false>(this->Table, i, this->Layer, this->MostGrowth)
       .ForEach(nodes,
         [&leaf](int node, float magnitude) ACTIVE_INLINED { SetMagnitude(leaf, node, magnitude); });
   }
@@ -319,7 +320,7 @@ struct FillAndSolveLayer
       return;
     }
     const LeafMask entered = EnteredNodes(leaf, this->Layer);
-    LayerFill<false> fill(this->Table, i, this->Layer, std::numeric_limits<float>::infinity());
+    LayerFill<false> fill(this->Table, i, this->Layer, HUGE_VALF);
     const auto set = [&leaf](int node, float magnitude) ACTIVE_INLINED
     { SetMagnitude(leaf, node, magnitude); };
     fill.ForEach(nodes.Without(entered), set);
@@ -336,8 +337,7 @@ struct SolveLayerAgain
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
-    const LayerFill<false> fill(
-      this->Table, i, this->Layer + 1, std::numeric_limits<float>::infinity());
+    const LayerFill<false> fill(this->Table, i, this->Layer + 1, HUGE_VALF);
     EnteredNodes(this->Table[i], this->Layer)
       .ForEach([&](int node) ACTIVE_INLINED { this->Room.Of(i)[node] = fill.FindEikonal(node); });
   }
@@ -358,21 +358,21 @@ struct TakeLayer
 };
 
 // Three-point rays over three layers end up to nine nodes from what has moved.
-void FillBesideAffected(LeafTable& table, const ActiveSet& set)
+void FillBesideAffected(LeafTable& table, const ActiveSet& set, float mostGrowth)
 {
   const LeafList beyond = Without(table.FindAround(set.Affected), set.Affected);
-  ForEachLeaf(table, beyond, FillLayer{ table, LastLayer, false });
+  ForEachLeaf(table, beyond, FillLayer{ table, LastLayer, false, mostGrowth });
 }
 
 }
 
-void FillGhosts(LeafTable& table, const ActiveSet& set)
+void FillGhosts(LeafTable& table, const ActiveSet& set, float mostGrowth)
 {
   for (int layer = 1; layer <= LastLayer; ++layer)
   {
-    ForEachLeaf(table, set.Affected, FillLayer{ table, layer, true });
+    ForEachLeaf(table, set.Affected, FillLayer{ table, layer, true, mostGrowth });
   }
-  FillBesideAffected(table, set);
+  FillBesideAffected(table, set, mostGrowth);
 }
 
 void FillGhostsAndEntered(LeafTable& table, const ActiveSet& set, NodeArrays& room)
@@ -384,7 +384,7 @@ void FillGhostsAndEntered(LeafTable& table, const ActiveSet& set, NodeArrays& ro
     ForEachLeaf(table, set.Affected, SolveLayerAgain{ table, layer, room });
     ForEachLeaf(table, set.Affected, TakeLayer{ table, layer, room });
   }
-  FillBesideAffected(table, set);
+  FillBesideAffected(table, set, HUGE_VALF);
 }
 
 void FillGhostsOfOldLayers(LeafTable& table, const ActiveSet& set)

@@ -145,6 +145,7 @@ struct StepLeaf
       IsWeighted ? this->Buffers.WeightOf(i) : nullptr };
     int flat = 0, steep = 0;
     unsigned unbounded = 0;
+    const float most = this->Coefficients.Most;
     for (int row = 0; row < 64; ++row)
     {
       const int x = row / 8, y = row % 8;
@@ -162,7 +163,8 @@ struct StepLeaf
       for (int z = 0; z < 8; ++z)
       {
         const unsigned isActive = (active >> z) & 1u;
-        result[z] = isActive ? next[z] : u[z];
+        const float bounded = std::min(std::max(next[z], -most), most); // NaN stays
+        result[z] = isActive ? bounded : u[z];
         unbounded |= isActive & IsUnbounded(next[z]);
       }
       if (const unsigned zero = leaf.UpToLayer[0].Row(x, y))

@@ -31,6 +31,7 @@ struct StepCoefficients
   bool HasTargetSpeed = false;
   bool IsWeighted = false; //< whether the buffers' weights multiply Tension
   bool Central = false;    //< central differences in the advective term
+  float Most = HUGE_VALF;  //< |u| that Next has at most [voxels]
 
   bool Moves() const { return this->HasTargetSpeed || this->Uniform != 0.f; }
 };

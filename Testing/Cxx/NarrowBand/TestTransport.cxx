@@ -194,6 +194,45 @@ TEST(TestTransport, WhatIsCarriedHasNotConverged)
   EXPECT_NEAR(report.MaxSpeed, 0.1, 0.01) << "largest speed";
 }
 
+// Velocities that meet and part within a voxel or two, as of drops that the lattice cannot hold
+// apart: where they meet, u gets steeper by a factor in each explicit substep, beyond all bounds.
+TEST(TestTransport, VelocitiesThatMeetEndInNoError)
+{
+  const Shape zero{ [](const Point&) { return 0.0; }, {}, {} };
+  const Shape ball = MakeBall(CentreA, 0.3);
+  for (const double cell : { 1.4, 1.5, 1.8 })
+  {
+    const Shape x = MakeNoisy(zero, cell * H, 6.0), y = MakeNoisy(zero, 1.2 * cell * H, 6.0);
+    ShapeTarget target(
+      [&](double time)
+      {
+        Shape shape = ball;
+        const double jump = std::floor(10.0 * time); // to other velocities, eight times
+        shape.Velocity = [&, jump](const Point& at)
+        {
+          const Point from = { at[0] + jump, at[1], at[2] };
+          return Point{ x.Value(from), y.Value(from), 0.0 };
+        };
+        return shape;
+      });
+    NarrowBand band(H);
+    StartOn(band, ball);
+    for (int i = 1; i <= 8; ++i)
+    {
+      band.Advance(0.1 * i, MakeCarried(0.0, 1.0), target);
+    }
+    float largest = 0.f;
+    for (auto node = band.GetPotential()->cbeginValueOn(); node; ++node)
+    {
+      largest = std::max(largest, std::fabs(*node));
+    }
+    if (IntegrationUnderTest() != TimeIntegration::Implicit) // whose substeps are few
+    {
+      EXPECT_LE(largest, 128.f) << "of the potential [h], noise of " << cell << " h";
+    }
+  }
+}
+
 // The wall stands still, whatever goes through it.
 TEST(TestTransport, AWallHasNoVelocity)
 {
