@@ -67,8 +67,10 @@ private:
       ACTIVE_LANES
       for (int i = 0; i < Width; ++i)
       {
-        const double d2 = lanes.GetOffset(i, element.Position).Square;
-        const double u = 1.0 - std::min(d2 * element.InverseReach2, 1.0);
+        const double x = element.Position[0] - lanes.X[0][i];
+        const double y = element.Position[1] - lanes.X[1][i];
+        const double z = element.Position[2] - lanes.X[2][i];
+        const double u = 1.0 - std::min((x * x + y * y + z * z) * element.InverseReach2, 1.0);
         const double weight = element.Weight * (u * u);
         const double known = element.KnownWeight * (u * u);
         sums.Weight[i] += weight;

@@ -116,7 +116,10 @@ private:
       ACTIVE_LANES
       for (int i = 0; i < Width; ++i)
       {
-        const auto [x, y, z, d2] = lanes.GetOffset(i, element.Position);
+        const double x = element.Position[0] - lanes.X[0][i];
+        const double y = element.Position[1] - lanes.X[1][i];
+        const double z = element.Position[2] - lanes.X[2][i];
+        const double d2 = x * x + y * y + z * z;
         const double u = 1.0 - std::min(d2 * element.InverseReach2, 1.0);
         const double p = 1.0 - std::min(d2 * element.InverseNear2, 1.0);
         const double weight = element.Weight * (u * u);
@@ -178,7 +181,10 @@ private:
       ACTIVE_LANES
       for (int i = 0; i < Width; ++i)
       {
-        const auto [x, y, z, d2] = lanes.GetOffset(i, element.Position);
+        const double x = element.Position[0] - lanes.X[0][i];
+        const double y = element.Position[1] - lanes.X[1][i];
+        const double z = element.Position[2] - lanes.X[2][i];
+        const double d2 = x * x + y * y + z * z;
         const double u = 1.0 - std::min(d2 * element.InverseReach2, 1.0);
         const double p = 1.0 - std::min(d2 * element.InverseNear2, 1.0);
         const double along =

@@ -14,12 +14,6 @@
 namespace activesurface
 {
 
-// From a place to an element, and the square of its length.
-struct LaneOffset
-{
-  double X, Y, Z, Square;
-};
-
 template <int Width>
 struct PlaceLanes
 {
@@ -36,14 +30,6 @@ struct PlaceLanes
         this->X[axis][i] = x[axis];
       }
     }
-  }
-
-  ACTIVE_ALWAYS_INLINE LaneOffset GetOffset(int i, const double position[3]) const
-  {
-    const double x = position[0] - this->X[0][i];
-    const double y = position[1] - this->X[1][i];
-    const double z = position[2] - this->X[2][i];
-    return { x, y, z, x * x + y * y + z * z };
   }
 
   ACTIVE_ALWAYS_INLINE SkeletonCells::Place FindBox() const
