@@ -9,6 +9,8 @@
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <atomic>
 #include <mutex>
@@ -69,7 +71,8 @@ void FunctionInput::ReadIfChanged(vtkMTimeType changed, Read&& read)
   const std::lock_guard<std::mutex> lock(this->Reading);
   if (this->ReadTime.load(std::memory_order_relaxed) != latest)
   {
-    read();
+    // Tasks of its own: one of the evaluations that wait for it would wait for itself.
+    tbb::this_task_arena::isolate([&read] { read(); });
     this->ReadTime.store(latest, std::memory_order_release);
   }
 }
