@@ -56,7 +56,13 @@ PushedFrames::PushedFrames(vtkAlgorithm* filter)
 {
 }
 
-PushedFrames::~PushedFrames() = default;
+// A filter that is collected as garbage leaves its input to itself, and the executive of that holds
+// it for ever.
+PushedFrames::~PushedFrames()
+{
+  this->Producer->SetOutput(nullptr);
+  this->Producer->SetExecutive(nullptr);
+}
 
 bool PushedFrames::AreConnected() const
 {

@@ -12,6 +12,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
+#include "vtkWeakPointer.h"
 
 #include <gtest/gtest.h>
 
@@ -350,4 +351,19 @@ TEST(TestAdvance, ResetTrajectoryStartsAnySkinAnew)
   EXPECT_GT(filter->GetSubsteps(), 0) << "substeps from the start";
 }
 
+TEST(TestAdvance, NothingOutlivesTheFilter)
+{
+  vtkWeakPointer<vtkObject> filter, source, output;
+  {
+    const Filter own = MakePlain();
+    ASSERT_TRUE(own->Advance(MakeFrame(0.5), 0.5)) << "a frame";
+    ASSERT_TRUE(own->Advance(MakeFrame(1.0), 0.5)) << "the next one";
+    filter = own.Get();
+    source = own->GetInputAlgorithm(0, 0);
+    output = own->GetOutput();
+  }
+  EXPECT_FALSE(filter) << "the filter";
+  EXPECT_FALSE(source) << "its source of frames";
+  EXPECT_FALSE(output) << "its output";
+}
 }
