@@ -30,7 +30,8 @@ def block(step):
     """A block of 8 x 8 x 8 particles that falls and spreads."""
     places = SPACING * numpy.stack(numpy.meshgrid(*3 * [numpy.arange(8.0)]), -1).reshape(-1, 3)
     wider = 1 + 0.02 * step
-    return (places - 3.5 * SPACING) * [wider, 1, wider] - [0, 0.1 * step, 0]
+    fallen = 0.7 * (step / (FRAMES - 1)) ** 2
+    return (places - 3.5 * SPACING) * [wider, 1, wider] - [0, fallen, 0]
 
 
 def free_port():
