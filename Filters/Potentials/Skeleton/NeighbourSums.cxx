@@ -238,19 +238,23 @@ NeighbourSums::NeighbourSums(const std::vector<SkeletonVertex>& particles, doubl
 
 std::vector<std::size_t> NeighbourSums::SortByPlace() const
 {
-  const double* bounds = this->Near.GetBounds();
-  double longest = 0.0;
+  double low[3], longest = 0.0; // half of it, as all of it may overflow
   for (int axis = 0; axis < 3; ++axis)
   {
-    longest = std::max(longest, bounds[2 * axis + 1] - bounds[2 * axis]);
+    const auto [least, most] = std::minmax_element(this->Elements.begin(), this->Elements.end(),
+      [axis](const Element& a, const Element& b) { return a.Position[axis] < b.Position[axis]; });
+    low[axis] = least != this->Elements.end() ? 0.5 * least->Position[axis] : 0.0;
+    longest = least != this->Elements.end()
+      ? std::max(longest, 0.5 * most->Position[axis] - low[axis])
+      : 0.0;
   }
   std::vector<std::pair<std::uint64_t, std::size_t>> keys(this->Elements.size());
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
     keys[i] = { 0, i };
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3 && longest > 0.0; ++axis)
     {
-      const double share = (this->Elements[i].Position[axis] - bounds[2 * axis]) / longest;
+      const double share = (0.5 * this->Elements[i].Position[axis] - low[axis]) / longest;
       keys[i].first |= SpreadBits(static_cast<std::uint64_t>(share * MostOnAxis)) << axis;
     }
   }

@@ -126,24 +126,52 @@ double FindMedian(std::vector<double>& values)
   return *middle;
 }
 
+// Where most particles are, and half of how far from there; halves, as whole differences overflow.
+struct Middle
+{
+  double At[3];
+  double HalfSize = 0.0;
+};
+
+Middle FindMiddle(const std::vector<SkeletonVertex>& particles)
+{
+  Middle middle;
+  double farthest = 0.0;
+  std::vector<double> values(particles.size());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double& at = middle.At[axis];
+    std::transform(particles.begin(), particles.end(), values.begin(),
+      [axis](const SkeletonVertex& particle) { return particle.Position[axis]; });
+    at = FindMedian(values);
+    std::transform(values.begin(), values.end(), values.begin(),
+      [at](double x) { return std::fabs(0.5 * x - 0.5 * at); });
+    farthest = std::max(farthest, *std::max_element(values.begin(), values.end()));
+    middle.HalfSize = std::max(middle.HalfSize, FindMedian(values));
+  }
+  const double inOnePlace = farthest > 0.0 ? farthest : 1.0;
+  middle.HalfSize = middle.HalfSize > 0.0 ? middle.HalfSize : inOnePlace;
+  return middle;
+}
+
 // A tree, whose leaves stay small however far strays are. It calculates in single precision: so
-// around where most particles are.
+// around where most particles are, and in units of how far they are from there.
 vtkSmartPointer<vtkOctreePointLocator> MakeLocator(const std::vector<SkeletonVertex>& particles)
 {
-  std::vector<double> values(particles.size());
+  constexpr double farAway = 1e15; // the square of which is finite
+  const Middle middle = FindMiddle(particles);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(particles.size()));
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    std::transform(particles.begin(), particles.end(), values.begin(),
-      [axis](const SkeletonVertex& particle) { return particle.Position[axis]; });
-    const double middle = FindMedian(values);
-    for (std::size_t i = 0; i < particles.size(); ++i)
+    double x[3];
+    for (int axis = 0; axis < 3; ++axis)
     {
-      points->GetData()->SetComponent(
-        static_cast<vtkIdType>(i), axis, particles[i].Position[axis] - middle);
+      const double from = 0.5 * particles[i].Position[axis] - 0.5 * middle.At[axis];
+      x[axis] = std::min(std::max(from / middle.HalfSize, -farAway), farAway);
     }
+    points->SetPoint(static_cast<vtkIdType>(i), x);
   }
   vtkNew<vtkPolyData> cloud;
   cloud->SetPoints(points);

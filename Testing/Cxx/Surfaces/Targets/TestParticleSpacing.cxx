@@ -90,6 +90,26 @@ TEST(TestParticleSpacing, IsExactFarFromTheOrigin)
   EXPECT_NEAR(stray.GetSpacing(), Spacing, 1e-8);
 }
 
+// Whatever the unit, and whatever else there is.
+TEST(TestParticleSpacing, HasNoUnitOfItsOwn)
+{
+  for (const double unit : { 1e-100, 1e-25, 1e25, 1e100 })
+  {
+    ParticleFrame frame = MakeLattice(12);
+    for (SkeletonVertex& particle : frame.Particles)
+    {
+      for (double& coordinate : particle.Position)
+      {
+        coordinate *= unit;
+      }
+    }
+    EXPECT_NEAR(frame.GetSpacing() / unit, Spacing, 1e-6) << unit;
+    Add(frame, 1.7e308, -1.7e308, 1.7e308);
+    Add(frame, -1.7e308, 1.7e308, 0.0);
+    EXPECT_NEAR(frame.GetSpacing() / unit, Spacing, 1e-6) << unit << ", with strays";
+  }
+}
+
 // Bins of one size would have all but the stray in one of them: each sample would look at all
 // particles, a hundred times as long.
 TEST(TestParticleSpacing, AStrayCostsNothing)
