@@ -50,11 +50,7 @@ std::vector<double> FindSharesOfMotion(const std::vector<SkeletonVertex>& partic
     {
       const std::size_t* members = &order[ParticlesPerTask * task];
       const std::size_t count = std::min(ParticlesPerTask, order.size() - ParticlesPerTask * task);
-      std::vector<double> places(3 * count);
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        std::copy_n(particles[members[k]].Position, 3, &places[3 * k]);
-      }
+      const std::vector<double> places = neighbours.ListPlaces(members, count);
       std::vector<NeighbourSums::Motion> motions(count);
       neighbours.FindMotions(count, places.data(), moving, motions.data());
       for (std::size_t k = 0; k < count; ++k)

@@ -127,12 +127,7 @@ private:
 
   std::vector<double> GetPositions(const Batch& batch) const
   {
-    std::vector<double> positions(3 * batch.Count);
-    for (std::size_t k = 0; k < batch.Count; ++k)
-    {
-      std::copy_n(this->Particles[batch.Members[k]].Position, 3, &positions[3 * k]);
-    }
-    return positions;
+    return this->Neighbours.ListPlaces(batch.Members, batch.Count);
   }
 
   double GetOwnRadius(std::size_t i) const

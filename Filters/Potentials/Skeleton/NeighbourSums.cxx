@@ -41,27 +41,34 @@ struct LaneSums
   }
 };
 
-}
-
-// What is out of reach adds zeros. Loops over lanes are written for the vectoriser: plain
-// statements on a copy of the sums, which stays in registers.
-
-struct NeighbourSums::MomentField
+// Adds up what Derived::Add does with each list of hits.
+template <class Derived, int Count>
+struct SumField
 {
-  static constexpr int Terms = 11; // as in NeighbourMoments
-
-  const NeighbourSums& Neighbours;
-  NeighbourMoments* Moments;
+  static constexpr int Terms = Count;
 
   template <int Width>
   ACTIVE_ALWAYS_INLINE void Evaluate(
     const PlaceLanes<Width>& lanes, const HitList& hits, double (&terms)[Terms][Width]) const
   {
     LaneSums<Terms, Width> sums;
-    hits.Visit([this, &lanes, &sums](const SkeletonCells::Index* list, std::size_t count)
-                 ACTIVE_INLINED { this->Add(lanes, list, count, sums); });
+    hits.Visit(
+      [this, &lanes, &sums](const SkeletonCells::Index* list, std::size_t count) ACTIVE_INLINED
+      { static_cast<const Derived&>(*this).Add(lanes, list, count, sums); });
     sums.CopyTo(terms);
   }
+};
+
+}
+
+// What is out of reach adds zeros. Loops over lanes are written for the vectoriser: plain
+// statements on a copy of the sums, which stays in registers.
+
+struct NeighbourSums::MomentField
+  : SumField<NeighbourSums::MomentField, 11> // as in NeighbourMoments
+{
+  const NeighbourSums& Neighbours;
+  NeighbourMoments* Moments;
 
   ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
   {
@@ -72,7 +79,6 @@ struct NeighbourSums::MomentField
     std::copy_n(terms + 5, 6, moments.Second);
   }
 
-private:
   template <int Width>
   ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
     std::size_t count, LaneSums<Terms, Width>& result) const
@@ -108,30 +114,17 @@ private:
   }
 };
 
-struct NeighbourSums::ShareField
+struct NeighbourSums::ShareField : SumField<NeighbourSums::ShareField, 2>
 {
-  static constexpr int Terms = 2;
-
   const NeighbourSums& Neighbours;
   const std::vector<Shares>& OfParticles;
   Shares* Found;
-
-  template <int Width>
-  ACTIVE_ALWAYS_INLINE void Evaluate(
-    const PlaceLanes<Width>& lanes, const HitList& hits, double (&terms)[Terms][Width]) const
-  {
-    LaneSums<Terms, Width> sums;
-    hits.Visit([this, &lanes, &sums](const SkeletonCells::Index* list, std::size_t count)
-                 ACTIVE_INLINED { this->Add(lanes, list, count, sums); });
-    sums.CopyTo(terms);
-  }
 
   ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
   {
     this->Found[i] = { terms[0], terms[1] };
   }
 
-private:
   template <int Width>
   ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
     std::size_t count, LaneSums<Terms, Width>& result) const
@@ -157,23 +150,11 @@ private:
   }
 };
 
-struct NeighbourSums::MotionField
+struct NeighbourSums::MotionField : SumField<NeighbourSums::MotionField, 7> // as in Motion
 {
-  static constexpr int Terms = 7; // as in Motion
-
   const NeighbourSums& Neighbours;
   const std::vector<Moving>& OfParticles;
   Motion* Motions;
-
-  template <int Width>
-  ACTIVE_ALWAYS_INLINE void Evaluate(
-    const PlaceLanes<Width>& lanes, const HitList& hits, double (&terms)[Terms][Width]) const
-  {
-    LaneSums<Terms, Width> sums;
-    hits.Visit([this, &lanes, &sums](const SkeletonCells::Index* list, std::size_t count)
-                 ACTIVE_INLINED { this->Add(lanes, list, count, sums); });
-    sums.CopyTo(terms);
-  }
 
   ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
   {
@@ -185,7 +166,6 @@ struct NeighbourSums::MotionField
     motion.Bulk = terms[6];
   }
 
-private:
   template <int Width>
   ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
     std::size_t count, LaneSums<Terms, Width>& result) const
@@ -265,6 +245,16 @@ std::vector<std::size_t> NeighbourSums::SortByPlace() const
   return order;
 }
 
+std::vector<double> NeighbourSums::ListPlaces(const std::size_t* members, std::size_t count) const
+{
+  std::vector<double> places(3 * count);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    std::copy_n(this->Elements[members[k]].Position, 3, &places[3 * k]);
+  }
+  return places;
+}
+
 std::size_t NeighbourSums::CountNear(const double x[3]) const
 {
   SkeletonCells::Place place;
@@ -281,7 +271,7 @@ void NeighbourSums::FindMoments(
 {
   EvaluateInLanes(this->Near.GetCells(), count, places,
     [&](std::size_t first) {
-      return MomentField{ *this, moments + first };
+      return MomentField{ {}, *this, moments + first };
     });
 }
 
@@ -290,7 +280,7 @@ void NeighbourSums::FindShares(std::size_t count, const double* places,
 {
   EvaluateInLanes(this->Near.GetCells(), count, places,
     [&](std::size_t first) {
-      return ShareField{ *this, ofParticles, shares + first };
+      return ShareField{ {}, *this, ofParticles, shares + first };
     });
 }
 
@@ -299,7 +289,7 @@ void NeighbourSums::FindMotions(std::size_t count, const double* places,
 {
   EvaluateInLanes(this->Near.GetCells(), count, places,
     [&](std::size_t first) {
-      return MotionField{ *this, ofParticles, motions + first };
+      return MotionField{ {}, *this, ofParticles, motions + first };
     });
 }
 

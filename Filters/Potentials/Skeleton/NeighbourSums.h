@@ -31,6 +31,9 @@ public:
   // All particles, in Morton order: places near one another are evaluated faster together.
   std::vector<std::size_t> SortByPlace() const;
 
+  // Where some of the particles are.
+  std::vector<double> ListPlaces(const std::size_t* members, std::size_t count) const;
+
   // At places (x y z each).
   void FindMoments(std::size_t count, const double* places, NeighbourMoments* moments) const;
 

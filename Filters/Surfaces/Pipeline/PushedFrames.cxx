@@ -56,8 +56,8 @@ PushedFrames::PushedFrames(vtkAlgorithm* filter)
 {
 }
 
-// A filter that is collected as garbage leaves its input to itself, and the executive of that holds
-// it for ever.
+// The producer and its executive refer to each other, and VTK's garbage collector does not look at
+// them when it deletes the filter.
 PushedFrames::~PushedFrames()
 {
   this->Producer->SetOutput(nullptr);
