@@ -12,14 +12,16 @@ namespace activesurface
 /**
  * What tells whether a region has a part of the target that no skin reaches, or a hollow: the
  * values at all nodes of the leaves that the box touches; or the value at its centre, which the
- * part or the hollow holds; or the same for parts alone. The last is for a particle's support: it
- * costs no value where the skin is around the particle.
+ * part or the hollow holds; or the same for parts alone, or for hollows alone. The last two are for
+ * particles: within one a part is looked for, beside it a hollow. Where the skin is around the one
+ * and not around the other, they cost no value.
  */
 enum class RegionSeeds
 {
   AllNodes,
   Centre,
-  PartAtCentre
+  PartAtCentre,
+  HollowAtCentre
 };
 
 /** A box, in world units. One that is empty or not finite holds nothing. */

@@ -36,26 +36,26 @@ double GetShare(const NeighbourSums::Motion& motion)
 std::vector<double> FindSharesOfMotion(const std::vector<SkeletonVertex>& particles,
   const std::vector<ParticleFit>& fits, const std::vector<double>& velocities)
 {
+  const NeighbourSums neighbours(particles, 1.0);
+  const std::vector<BallCells::Index>& order = neighbours.GetOrder();
   std::vector<NeighbourSums::Moving> moving;
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  moving.reserve(order.size());
+  for (const BallCells::Index i : order)
   {
-    const double* v = &velocities[3 * i];
+    const double* v = &velocities[3 * std::size_t(i)];
     moving.push_back({ { v[0], v[1], v[2] }, fits[i].Bulk });
   }
-  const NeighbourSums neighbours(particles, 1.0);
-  const std::vector<std::size_t> order = neighbours.SortByPlace();
   std::vector<double> shares(particles.size(), 1.0);
-  RunTasks((order.size() + ParticlesPerTask - 1) / ParticlesPerTask,
-    [&](std::size_t task)
+  RunPieces(order.size(), ParticlesPerTask,
+    [&](std::size_t first, std::size_t end)
     {
-      const std::size_t* members = &order[ParticlesPerTask * task];
-      const std::size_t count = std::min(ParticlesPerTask, order.size() - ParticlesPerTask * task);
-      const std::vector<double> places = neighbours.ListPlaces(members, count);
+      const std::size_t count = end - first;
+      const std::vector<double> places = neighbours.ListPlaces(first, count);
       std::vector<NeighbourSums::Motion> motions(count);
       neighbours.FindMotions(count, places.data(), moving, motions.data());
       for (std::size_t k = 0; k < count; ++k)
       {
-        shares[members[k]] = motions[k].Weight > 0.0 ? GetShare(motions[k]) : 1.0;
+        shares[order[first + k]] = motions[k].Weight > 0.0 ? GetShare(motions[k]) : 1.0;
       }
     });
   return shares;

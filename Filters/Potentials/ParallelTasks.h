@@ -6,6 +6,7 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <mutex>
@@ -44,6 +45,14 @@ void RunTasks(std::size_t count, Task task)
   {
     std::rethrow_exception(error);
   }
+}
+
+// Calls task(begin, end) for pieces of 0 to count - 1, each of so many but the last.
+template <class Task>
+void RunPieces(std::size_t count, std::size_t inPiece, Task task)
+{
+  RunTasks((count + inPiece - 1) / inPiece,
+    [&](std::size_t piece) { task(piece * inPiece, std::min((piece + 1) * inPiece, count)); });
 }
 
 }

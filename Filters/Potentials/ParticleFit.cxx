@@ -58,13 +58,20 @@ public:
     , NeighbourhoodFactor(
         GetNeighbourhoodPerOwnRadius(options.Model) / (2.0 * GetReachPerSpacing(options.Model)))
     , Neighbours(particles, this->NeighbourhoodFactor)
-    , Order(this->Neighbours.SortByPlace())
+    , Order(this->Neighbours.GetOrder())
   {
   }
 
   std::vector<ParticleFit> Find()
   {
-    this->RefuseCrowds();
+    if (this->IsCrowd())
+    {
+      if (!this->Options.SparesCrowds)
+      {
+        this->RefuseCrowd();
+      }
+      return std::move(this->Fits);
+    }
     this->ForEachBatch([this](const Batch& batch) { this->FindNeighbourhoods(batch); });
     if (this->Options.Model != ParticleModel::Sum)
     {
@@ -86,7 +93,7 @@ private:
   };
 
   // By a sample that is spread over the list.
-  void RefuseCrowds() const
+  bool IsCrowd() const
   {
     const std::size_t count = this->Particles.size();
     std::size_t neighbours = 0;
@@ -96,38 +103,41 @@ private:
       neighbours += this->Neighbours.CountNear(particle.Position);
       if (neighbours > MostNeighbours * ParticlesOfSample)
       {
-        throw std::invalid_argument("The " + std::to_string(count) + " particles have more than " +
-          std::to_string(MostNeighbours) +
-          " neighbours in reach on the average, where some 200 are usual; check whether many are "
-          "in the same place, and whether ParticleSpacing and ParticleRadius (or the array of "
-          "radii) are in the particles' own units, or set ParticleModel to SUM.");
+        return true;
       }
     }
+    return false;
+  }
+
+  [[noreturn]] void RefuseCrowd() const
+  {
+    throw std::invalid_argument("The " + std::to_string(this->Particles.size()) +
+      " particles have more than " + std::to_string(MostNeighbours) +
+      " neighbours in reach on the average, where some 200 are usual; check whether many are "
+      "in the same place, and whether ParticleSpacing and ParticleRadius (or the array of "
+      "radii) are in the particles' own units, or set ParticleModel to SUM.");
   }
 
   // Some particles, near one another.
   struct Batch
   {
-    const std::size_t* Members;
+    std::size_t First; // in their order
+    const BallCells::Index* Members;
     std::size_t Count;
   };
 
   template <class Function>
   void ForEachBatch(Function function) const
   {
-    const std::size_t size = this->Order.size();
-    const std::size_t batches = (size + ParticlesPerTask - 1) / ParticlesPerTask;
-    RunTasks(batches,
-      [&](std::size_t k)
-      {
-        const std::size_t first = ParticlesPerTask * k;
-        function(Batch{ &this->Order[first], std::min(ParticlesPerTask, size - first) });
+    RunPieces(this->Order.size(), ParticlesPerTask,
+      [&](std::size_t first, std::size_t end) {
+        function(Batch{ first, &this->Order[first], end - first });
       });
   }
 
   std::vector<double> GetPositions(const Batch& batch) const
   {
-    return this->Neighbours.ListPlaces(batch.Members, batch.Count);
+    return this->Neighbours.ListPlaces(batch.First, batch.Count);
   }
 
   double GetOwnRadius(std::size_t i) const
@@ -187,6 +197,7 @@ private:
       const double across = inward > 0.0 ? -shape.Frame[axis][2] : shape.Frame[axis][2];
       places.Away[axis] = particle.Position[axis] + offset * away;
       places.Across[axis] = particle.Position[axis] + offset * across;
+      fit.Outward[axis] = places.Deep > 0.0 ? 2.0 * own * away : 0.0;
     }
     if (this->IsAnisotropic())
     {
@@ -201,13 +212,11 @@ private:
     ParticlePotential body;
     if (this->IsAnisotropic())
     {
-      body.Clear(ParticleModel::Anisotropic);
-      for (std::size_t i = 0; i < this->Particles.size(); ++i)
+      for (ParticleFit& fit : this->Fits)
       {
-        this->Fits[i].Strength = 1.0;
-        body.Add(this->Particles[i], this->Fits[i]);
+        fit.Strength = 1.0;
       }
-      body.Build();
+      body.Build(ParticleModel::Anisotropic, this->Particles, this->Fits);
     }
     this->ForEachBatch([this, &body](const Batch& batch) { this->FindLacks(batch, body); });
   }
@@ -225,7 +234,7 @@ private:
       const double both = places.Deep + places.Thin;
       const double value = both > 0.0 ? (places.Deep * away[k] + places.Thin * across[k]) / both
                                       : this->GetLoneValue(i);
-      this->Surface[i] = { 1.0 - (1.0 - places.Deep) * (1.0 - places.Thin),
+      this->Surface[batch.First + k] = { 1.0 - (1.0 - places.Deep) * (1.0 - places.Thin),
         value - this->GetLoneValue(i) };
     }
   }
@@ -284,15 +293,16 @@ private:
       batch.Count, this->GetPositions(batch).data(), this->Surface, sums.data());
     for (std::size_t k = 0; k < batch.Count; ++k)
     {
-      this->GiveShare(batch.Members[k], sums[k]);
+      this->GiveShare(batch.Members[k], this->Surface[batch.First + k], sums[k]);
     }
   }
 
-  void GiveShare(std::size_t i, const NeighbourSums::Shares& sums)
+  void GiveShare(
+    std::size_t i, const NeighbourSums::Shares& surface, const NeighbourSums::Shares& sums)
   {
     const double mean = sums.Share > 0.0 ? sums.Value / sums.Share : 0.0;
     const double shape = this->Outside[i].ShapeShare;
-    const double own = this->Surface[i].Share * this->Surface[i].Value;
+    const double own = surface.Share * surface.Value;
     const double value =
       this->GetLoneValue(i) + shape * mean * std::min(sums.Share, 1.0) + (1.0 - shape) * own;
     ParticleFit& fit = this->Fits[i];
@@ -309,11 +319,11 @@ private:
   const FitOptions Options;
   const std::vector<SkeletonVertex>& Particles;
   std::vector<ParticleFit> Fits;
-  std::vector<NeighbourSums::Shares> Surface;
+  std::vector<NeighbourSums::Shares> Surface; // in their order
   std::vector<SurfacePlaces> Outside;
   const double NeighbourhoodFactor;
   const NeighbourSums Neighbours;
-  const std::vector<std::size_t> Order; // of the particles, by places
+  const std::vector<BallCells::Index>& Order; // of the particles
 };
 
 }

@@ -22,12 +22,14 @@ namespace activesurface
 struct FitOptions
 {
   ParticleModel Model = ParticleModel::AveragedCentre;
-  double OwnRadius = 0.0;  // r [length]; 0: the particle's reach over twice GetReachPerSpacing
-  double Anisotropy = 4.0; // largest ratio of an ellipsoid's axes
+  double OwnRadius = 0.0;    // r [length]; 0: the particle's reach over twice GetReachPerSpacing
+  double Anisotropy = 4.0;   // largest ratio of an ellipsoid's axes
+  bool SparesCrowds = false; // where there are too many in one place, all fits are as of none
 };
 
-// One fit for each particle. Thread-count independent. Throws as ElementIndex does, and
-// std::invalid_argument for so many in one place that it would take hours.
+// One fit for each particle. Thread-count independent. Throws as BallCells do, and
+// std::invalid_argument for so many in one place that it would take hours, unless crowds are
+// spared.
 VTKACTIVEPOTENTIALS_EXPORT std::vector<ParticleFit> FitParticles(
   const FitOptions& options, const std::vector<SkeletonVertex>& particles);
 

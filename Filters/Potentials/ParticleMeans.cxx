@@ -1,5 +1,6 @@
 #include "ParticleMeans.h"
 
+#include "ParallelTasks.h"
 #include "Skeleton/LaneEvaluation.h"
 
 #include <algorithm>
@@ -7,6 +8,11 @@
 
 namespace activesurface
 {
+
+namespace
+{
+constexpr std::size_t ElementsPerTask = 4096;
+}
 
 struct ParticleMeans::Field
 {
@@ -21,8 +27,8 @@ struct ParticleMeans::Field
     const PlaceLanes<Width>& lanes, const HitList& hits, double (&terms)[Terms][Width]) const
   {
     Sums<Width> sums;
-    hits.Visit([this, &lanes, &sums](const SkeletonCells::Index* list, std::size_t count)
-                 ACTIVE_INLINED { this->Add(lanes, list, count, sums); });
+    hits.Visit([this, &lanes, &sums](const BallCells::Index* list, std::size_t count) ACTIVE_INLINED
+      { this->Add(lanes, list, count, sums); });
     for (int i = 0; i < Width; ++i)
     {
       const double ofKnown = sums.KnownWeight[i] > 0.0 ? 1.0 / sums.KnownWeight[i] : std::nan("");
@@ -57,7 +63,7 @@ private:
   };
 
   template <int Width>
-  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
+  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const BallCells::Index* hits,
     std::size_t count, Sums<Width>& result) const
   {
     Sums<Width> sums = result; // a copy, so that it stays in registers
@@ -85,41 +91,56 @@ private:
   }
 };
 
-void ParticleMeans::Clear()
+void ParticleMeans::Build(const std::vector<SkeletonVertex>& particles, const Carried& carried)
 {
-  this->Elements.clear();
-  this->Near.Clear();
+  this->Balls.clear();
+  this->Numbers.clear();
+  this->CellSize = 0.0;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    if (particles[i].Strength > 0.0)
+    {
+      const double* p = particles[i].Position;
+      this->Numbers.push_back(i);
+      this->Balls.push_back({ { p[0], p[1], p[2] }, particles[i].Radius });
+      this->CellSize = std::max(this->CellSize, particles[i].Radius);
+    }
+  }
+  this->Near.Build(this->Balls, this->CellSize);
+  this->Elements.resize(this->Balls.size());
+  RunPieces(this->Elements.size(), ElementsPerTask,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const std::size_t i = this->Numbers[this->Near.GetOrder()[k]];
+        this->Elements[k] = MakeElement(particles[i], i, carried);
+      }
+    });
 }
 
-void ParticleMeans::Add(const SkeletonVertex& particle, const double velocity[3], double bulk)
+ParticleMeans::Element ParticleMeans::MakeElement(
+  const SkeletonVertex& particle, std::size_t i, const Carried& carried)
 {
-  if (!(particle.Strength > 0.0))
-  {
-    return;
-  }
   const double* p = particle.Position;
   const double reach = particle.Radius;
-  this->Near.AddBall(p, reach);
+  const double bulk = carried.Fits.empty() ? 1.0 : carried.Fits[i].Bulk;
   Element element{ { p[0], p[1], p[2] }, particle.Strength, 1.0 / (reach * reach), 0.0,
     { 0.0, 0.0, 0.0 }, bulk };
+  const double* velocity = carried.Velocities.empty() ? nullptr : &carried.Velocities[3 * i];
   if (velocity && std::isfinite(velocity[0]) && std::isfinite(velocity[1]) &&
     std::isfinite(velocity[2]))
   {
     element.KnownWeight = particle.Strength;
     std::copy_n(velocity, 3, element.Velocity);
   }
-  this->Elements.push_back(element);
-}
-
-void ParticleMeans::Build()
-{
-  this->Near.Build();
+  return element;
 }
 
 void ParticleMeans::Evaluate(
   std::size_t count, const double* points, double* velocities, double* bulks) const
 {
-  EvaluateInLanes(this->Near.GetCells(), count, points,
+  EvaluateInLanes(this->Near, count, points,
     [&](std::size_t first)
     {
       return Field{ *this, velocities ? velocities + 3 * first : nullptr,

@@ -4,7 +4,8 @@
 #ifndef ParticleMeans_h
 #define ParticleMeans_h
 
-#include "ElementIndex.h"
+#include "BallCells.h"
+#include "ParticleModel.h"
 #include "Skeleton.h"
 
 #include <cstddef>
@@ -16,15 +17,20 @@ namespace activesurface
 class VTKACTIVEPOTENTIALS_EXPORT ParticleMeans
 {
 public:
-  // Forgets the particles, keeps the memory.
-  void Clear();
+  // Of each particle: x y z, with a number that is not finite if it is unknown, to be left out of
+  // that mean; and the bulk. Either may be empty: all are unknown, all bulks 1.
+  struct Carried
+  {
+    const std::vector<double>& Velocities;
+    const std::vector<ParticleFit>& Fits;
+  };
 
-  // velocity: null, or with a number that is not finite: unknown, left out of that mean. Vertices
-  // have to be usable; those of strength <= 0 add nothing.
-  void Add(const SkeletonVertex& particle, const double velocity[3], double bulk);
+  // Comes before the first evaluation. Vertices have to be usable; those of strength <= 0 add
+  // nothing. Keeps its memory. Throws as BallCells do.
+  void Build(const std::vector<SkeletonVertex>& particles, const Carried& carried);
 
-  // Comes after the last particle and before the first evaluation. Throws as ElementIndex does.
-  void Build();
+  // What the order of the sums is for: with another one all values may be off by rounding.
+  double GetCellSize() const { return this->CellSize; }
 
   // At points (x y z each): velocities (x y z each) and bulks; either may be null. Out of reach of
   // all particles whose velocity is known that is not a number; of all particles the bulk is 0.
@@ -43,8 +49,15 @@ private:
   };
   struct Field;
 
-  std::vector<Element> Elements;
-  ElementIndex Near;
+  static Element MakeElement(const SkeletonVertex& particle, std::size_t i, const Carried& carried);
+
+  std::vector<Element> Elements; // in the order of the cells
+  double CellSize = 1.0;
+  BallCells Near;
+
+  // Of Build, kept for their memory: the particles that add something, and their numbers.
+  std::vector<BallCells::Ball> Balls;
+  std::vector<std::size_t> Numbers;
 };
 
 }

@@ -40,6 +40,9 @@ struct ParticleFit
   // In [0,1]: 0 for a lone particle or in a thread of few, 1 in a body of fluid.
   double Bulk = 0.0;
 
+  // At the edge of a body: the spacing, in the direction away from its neighbours; else 0.
+  double Outward[3] = { 0.0, 0.0, 0.0 };
+
   // How far from the averaged centre the surface is, where this particle's neighbourhood makes it.
   double OwnRadius = 0.0; // AveragedCentre
 
@@ -48,6 +51,11 @@ struct ParticleFit
   double Reach = 0.0; // the longest half-axis, or more
   double Offset[3] = { 0.0, 0.0, 0.0 };
   double Metric[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; // xx xy xz yy yz zz
+
+  bool IsAtEdge() const
+  {
+    return this->Outward[0] != 0.0 || this->Outward[1] != 0.0 || this->Outward[2] != 0.0;
+  }
 };
 
 }

@@ -1,5 +1,6 @@
 #include "ParticlePotential.h"
 
+#include "ParallelTasks.h"
 #include "Skeleton/LaneEvaluation.h"
 
 #include <algorithm>
@@ -14,6 +15,9 @@ namespace
 constexpr double NearPerReach = 3.5 / 6.0;
 constexpr double LeastPresence = 0.1;
 constexpr double FullPresence = 0.5;
+// An ellipsoid's longest half-axis over the particle's reach, where it is a body's.
+constexpr double UsualStretch = 1.3;
+constexpr std::size_t ElementsPerTask = 4096;
 }
 
 // Where values, gradients and bulks go.
@@ -52,8 +56,8 @@ struct ParticlePotential::CentreField : ParticlePotential::Results<HasBulk>
     const PlaceLanes<Width>& lanes, const HitList& hits, double (&terms)[Terms][Width]) const
   {
     Sums<Width> sums;
-    hits.Visit([this, &lanes, &sums](const SkeletonCells::Index* list, std::size_t count)
-                 ACTIVE_INLINED { this->Add(lanes, list, count, sums); });
+    hits.Visit([this, &lanes, &sums](const BallCells::Index* list, std::size_t count) ACTIVE_INLINED
+      { this->Add(lanes, list, count, sums); });
     Slopes<Width> slopes;
     for (int i = 0; i < Width; ++i)
     {
@@ -68,7 +72,7 @@ struct ParticlePotential::CentreField : ParticlePotential::Results<HasBulk>
     {
       return;
     }
-    hits.Visit([this, &lanes, &slopes](const SkeletonCells::Index* list, std::size_t count)
+    hits.Visit([this, &lanes, &slopes](const BallCells::Index* list, std::size_t count)
                  ACTIVE_INLINED { this->Add(lanes, list, count, slopes); });
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -106,7 +110,7 @@ private:
   };
 
   template <int Width>
-  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
+  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const BallCells::Index* hits,
     std::size_t count, Sums<Width>& result) const
   {
     Sums<Width> sums = result; // a copy, so that it stays in registers
@@ -169,7 +173,7 @@ private:
   }
 
   template <int Width>
-  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
+  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const BallCells::Index* hits,
     std::size_t count, Slopes<Width>& result) const
   {
     Slopes<Width> slopes = result;
@@ -212,8 +216,8 @@ struct ParticlePotential::AnisotropicField : ParticlePotential::Results<HasBulk>
     const PlaceLanes<Width>& lanes, const HitList& hits, double (&terms)[Terms][Width]) const
   {
     Sums<Width> sums;
-    hits.Visit([this, &lanes, &sums](const SkeletonCells::Index* list, std::size_t count)
-                 ACTIVE_INLINED { this->Add(lanes, list, count, sums); });
+    hits.Visit([this, &lanes, &sums](const BallCells::Index* list, std::size_t count) ACTIVE_INLINED
+      { this->Add(lanes, list, count, sums); });
     for (int term = 0; term < Terms; ++term)
     {
       for (int i = 0; i < Width; ++i)
@@ -239,7 +243,7 @@ private:
   };
 
   template <int Width>
-  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
+  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const BallCells::Index* hits,
     std::size_t count, Sums<Width>& result) const
   {
     Sums<Width> sums = result;
@@ -272,55 +276,84 @@ private:
   }
 };
 
-void ParticlePotential::Clear(ParticleModel model)
+void ParticlePotential::Build(ParticleModel model, const std::vector<SkeletonVertex>& particles,
+  const std::vector<ParticleFit>& fits)
 {
   this->Model = model;
-  this->Centres.clear();
-  this->Ellipsoids.clear();
-  this->Near.Clear();
+  this->Balls.clear();
+  this->Numbers.clear();
   this->LargestReach = 0.0;
+  double largestRadius = 0.0; // steadier than the reaches of ellipsoids
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    if (particles[i].Strength > 0.0)
+    {
+      this->Numbers.push_back(i);
+      this->AddBall(particles[i], fits[i]);
+      largestRadius = std::max(largestRadius, particles[i].Radius);
+    }
+  }
+  const bool isAnisotropic = model == ParticleModel::Anisotropic;
+  this->CellSize = (isAnisotropic ? UsualStretch : 1.0) * largestRadius;
+  this->Near.Build(this->Balls, this->CellSize);
+  this->Centres.resize(isAnisotropic ? 0 : this->Balls.size());
+  this->Ellipsoids.resize(isAnisotropic ? this->Balls.size() : 0);
+  RunPieces(this->Balls.size(), ElementsPerTask,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const std::size_t i = this->Numbers[this->Near.GetOrder()[k]];
+        if (isAnisotropic)
+        {
+          this->Ellipsoids[k] = MakeEllipsoid(particles[i], fits[i]);
+        }
+        else
+        {
+          this->Centres[k] = MakeCentre(particles[i], fits[i]);
+        }
+      }
+    });
 }
 
-void ParticlePotential::Add(const SkeletonVertex& particle, const ParticleFit& fit)
+void ParticlePotential::AddBall(const SkeletonVertex& particle, const ParticleFit& fit)
 {
-  if (!(particle.Strength > 0.0))
-  {
-    return;
-  }
   const bool isAnisotropic = this->Model == ParticleModel::Anisotropic;
-  const double reach = isAnisotropic ? fit.Reach : particle.Radius;
-  double at[3];
+  BallCells::Ball ball{ {}, isAnisotropic ? fit.Reach : particle.Radius };
   for (int axis = 0; axis < 3; ++axis)
   {
-    at[axis] = particle.Position[axis] + (isAnisotropic ? fit.Offset[axis] : 0.0);
+    ball.Centre[axis] = particle.Position[axis] + (isAnisotropic ? fit.Offset[axis] : 0.0);
   }
-  this->Near.AddBall(at, reach);
-  this->LargestReach = std::max(this->LargestReach, reach);
-  if (isAnisotropic)
-  {
-    AnisotropicElement element{ { at[0], at[1], at[2] }, particle.Strength * fit.Strength, {},
-      fit.Bulk };
-    std::copy_n(fit.Metric, 6, element.Metric);
-    this->Ellipsoids.push_back(element);
-  }
-  else
-  {
-    const double near = NearPerReach * reach;
-    this->Centres.push_back({ { at[0], at[1], at[2] }, particle.Strength, 1.0 / (reach * reach),
-      fit.OwnRadius, std::min(particle.Strength, 1.0), 1.0 / (near * near), fit.Bulk });
-  }
+  this->LargestReach = std::max(this->LargestReach, ball.Radius);
+  this->Balls.push_back(ball);
 }
 
-void ParticlePotential::Build()
+ParticlePotential::CentreElement ParticlePotential::MakeCentre(
+  const SkeletonVertex& particle, const ParticleFit& fit)
 {
-  this->Near.Build();
+  const double* p = particle.Position;
+  const double reach = particle.Radius, near = NearPerReach * reach;
+  return { { p[0], p[1], p[2] }, particle.Strength, 1.0 / (reach * reach), fit.OwnRadius,
+    std::min(particle.Strength, 1.0), 1.0 / (near * near), fit.Bulk };
+}
+
+ParticlePotential::AnisotropicElement ParticlePotential::MakeEllipsoid(
+  const SkeletonVertex& particle, const ParticleFit& fit)
+{
+  AnisotropicElement element{ {}, particle.Strength * fit.Strength, {}, fit.Bulk };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    element.Position[axis] = particle.Position[axis] + fit.Offset[axis];
+  }
+  std::copy_n(fit.Metric, 6, element.Metric);
+  return element;
 }
 
 template <template <bool> class Field, bool HasBulk>
 void ParticlePotential::EvaluateField(
   std::size_t count, const double* points, double* values, double* gradients, double* bulks) const
 {
-  EvaluateInLanes(this->Near.GetCells(), count, points,
+  EvaluateInLanes(this->Near, count, points,
     [&](std::size_t first)
     {
       return Field<HasBulk>{ { values + first, gradients ? gradients + 3 * first : nullptr,

@@ -10,13 +10,13 @@
 // Anisotropic: F(x) = 1/2 - sum of strength (1 - dT Metric d)^3, d from the fitted centre.
 //
 // Outside all reaches F is constant: the largest reach, or 1/2 (without particles, too). Sums are
-// in the order of the particles, so they have the same bits for any batch, thread and instruction
-// set.
+// by cells, in the order of the particles within a cell, so they have the same bits for any batch,
+// thread and instruction set, whatever other particles there are.
 
 #ifndef ParticlePotential_h
 #define ParticlePotential_h
 
-#include "ElementIndex.h"
+#include "BallCells.h"
 #include "ParticleModel.h"
 #include "Skeleton.h"
 
@@ -29,14 +29,17 @@ namespace activesurface
 class VTKACTIVEPOTENTIALS_EXPORT ParticlePotential
 {
 public:
-  // Forgets the particles, keeps the memory. Not for ParticleModel::Sum.
-  void Clear(ParticleModel model);
+  // Comes before the first evaluation; each particle has a fit. Those with a strength <= 0 add
+  // nothing. Vertices have to be usable. Not for ParticleModel::Sum. Keeps its memory. Throws as
+  // BallCells do.
+  void Build(ParticleModel model, const std::vector<SkeletonVertex>& particles,
+    const std::vector<ParticleFit>& fits);
 
-  // A particle with a strength <= 0 adds nothing. Vertices have to be usable.
-  void Add(const SkeletonVertex& particle, const ParticleFit& fit);
+  // No particles at all.
+  void Clear() { this->Build(ParticleModel::AveragedCentre, {}, {}); }
 
-  // Comes after the last particle and before the first evaluation. Throws as ElementIndex does.
-  void Build();
+  // What the order of the sums is for: with another one all values may be off by rounding.
+  double GetCellSize() const { return this->CellSize; }
 
   // At points (x y z each); gradients may be null. A point that is not finite gets NaN.
   // Thread-safe.
@@ -52,7 +55,7 @@ public:
 
 private:
   // The value of AveragedCentre where no particle reaches.
-  double GetOutside() const { return this->Near.Size() == 0 ? 0.5 : this->LargestReach; }
+  double GetOutside() const { return this->Balls.empty() ? 0.5 : this->LargestReach; }
 
   struct CentreElement
   {
@@ -81,11 +84,20 @@ private:
   void EvaluateField(std::size_t count, const double* points, double* values, double* gradients,
     double* bulks) const;
 
+  void AddBall(const SkeletonVertex& particle, const ParticleFit& fit);
+  static CentreElement MakeCentre(const SkeletonVertex& particle, const ParticleFit& fit);
+  static AnisotropicElement MakeEllipsoid(const SkeletonVertex& particle, const ParticleFit& fit);
+
   ParticleModel Model = ParticleModel::AveragedCentre;
-  std::vector<CentreElement> Centres;
+  std::vector<CentreElement> Centres; // in the order of the cells, and so are the ellipsoids
   std::vector<AnisotropicElement> Ellipsoids;
   double LargestReach = 0.0;
-  ElementIndex Near;
+  double CellSize = 1.0;
+  BallCells Near;
+
+  // Of Build, kept for their memory: the particles that add something, and their numbers.
+  std::vector<BallCells::Ball> Balls;
+  std::vector<std::size_t> Numbers;
 };
 
 }

@@ -159,8 +159,7 @@ void vtkSkeletonPotential::ReadElements()
   {
     own.Skeleton.Clear();
     own.Skeleton.Build();
-    own.Body.Clear(activesurface::ParticleModel::AveragedCentre);
-    own.Body.Build();
+    own.Body.Clear();
     vtkErrorMacro(<< error.what() << " The function is Threshold everywhere.");
   }
   if (own.IgnoredElements > 0 && !own.HasOwnElements)
@@ -189,13 +188,7 @@ void vtkSkeletonPotential::FitBody()
   options.OwnRadius = 0.5 * this->ParticleSpacing;
   options.Anisotropy = this->Anisotropy;
   const std::vector<activesurface::SkeletonVertex> points = own.Skeleton.ListPoints();
-  const std::vector<activesurface::ParticleFit> fits = FitParticles(options, points);
-  own.Body.Clear(options.Model);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    own.Body.Add(points[i], fits[i]);
-  }
-  own.Body.Build();
+  own.Body.Build(options.Model, points, FitParticles(options, points));
 }
 
 vtkIdType vtkSkeletonPotential::AddOwnElements()

@@ -84,6 +84,9 @@ MAY_INCLUDE = {
     "Potentials/Skeleton": [
         "Potentials/Skeleton",
         "Potentials/SkeletonCells",
+        "Potentials/BallCells",
+        "Potentials/PlaceGroups",
+        "Potentials/ParallelTasks",
         "Potentials/SkeletonKernel",
         "Potentials/ElementIndex",
         "Potentials/ParticleModel",

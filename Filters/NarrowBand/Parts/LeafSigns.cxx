@@ -49,6 +49,12 @@ std::int32_t LeafSigns::Find(const openvdb::Coord& origin) const
   return this->Recent.getValue(LeafCoordinates(origin));
 }
 
+bool LeafSigns::Has(const openvdb::Coord& node) const
+{
+  const std::int32_t leaf = this->Find(OriginOfLeaf(node));
+  return leaf != None && this->Leaves[leaf].Nodes.Has(NumberInLeaf(node));
+}
+
 std::int32_t LeafSigns::Add(const openvdb::Coord& origin)
 {
   const std::int32_t known = this->Find(origin);

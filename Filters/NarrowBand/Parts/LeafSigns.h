@@ -19,6 +19,16 @@ namespace activesurface
 
 struct LatticeBox;
 
+inline openvdb::Coord OriginOfLeaf(const openvdb::Coord& node)
+{
+  return openvdb::Coord(node[0] & ~7, node[1] & ~7, node[2] & ~7);
+}
+
+inline int NumberInLeaf(const openvdb::Coord& node)
+{
+  return (node[0] & 7) << 6 | (node[1] & 7) << 3 | (node[2] & 7);
+}
+
 /** Leaves, numbered as they are added, each with a mask of its nodes. What is read of them does not
  * depend on the order. */
 class LeafSigns
@@ -42,6 +52,8 @@ public:
 
   /** The number of a leaf, or None. */
   std::int32_t Find(const openvdb::Coord& origin) const;
+
+  bool Has(const openvdb::Coord& node) const;
 
   /** Adds a leaf without nodes, unless it is there. Returns its number. */
   std::int32_t Add(const openvdb::Coord& origin);

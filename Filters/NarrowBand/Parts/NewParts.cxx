@@ -59,6 +59,7 @@ NewParts::NewParts(const PartSearch& search, const Target& target)
   {
     this->Nodes[i].Nodes = this->Nodes[i].Nodes.Without(this->Reached[i]);
   }
+  this->RemoveNarrowHollows(search.GetLeastSteps());
 }
 
 void NewParts::SampleLeaf(const PartSearch& search, std::size_t i)
@@ -114,6 +115,51 @@ void NewParts::AddNext(std::size_t begin, std::size_t end)
       }
     }
   }
+}
+
+/** Those without a node that has six of theirs around it. */
+void NewParts::RemoveNarrowHollows(int steps)
+{
+  std::vector<LeafMask> kept(this->Nodes.Size());
+  LeafList withKept;
+  for (std::size_t i = 0; i < this->Nodes.Size(); ++i)
+  {
+    const LeafMask& nodes = this->Nodes[i].Nodes;
+    kept[i] = nodes.Without(this->Inside[i]);
+    (nodes & this->Inside[i])
+      .ForEach(
+        [&](int node)
+        {
+          if (this->IsWide(
+                this->Nodes[i].Origin.offsetBy(node >> 6, (node >> 3) & 7, node & 7), steps))
+          {
+            kept[i].Add(node);
+          }
+        });
+    if (kept[i].Any())
+    {
+      withKept.push_back(static_cast<std::int32_t>(i));
+    }
+  }
+  Grow(this->Nodes, withKept, kept);
+  for (std::size_t i = 0; i < this->Nodes.Size(); ++i)
+  {
+    this->Nodes[i].Nodes = kept[i];
+  }
+}
+
+bool NewParts::IsWide(const openvdb::Coord& node, int steps) const
+{
+  for (int face = 0; face < 6; ++face)
+  {
+    openvdb::Coord next = node;
+    next[face / 2] += face % 2 ? steps : -steps;
+    if (!this->Nodes.Has(next))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 void NewParts::CopyNodes(bool areInside, LeafSigns& nodes) const

@@ -7,6 +7,7 @@
  * the target moves the skin away. These are new parts, and new hollows. They are searched for from
  * the regions on, as far as they are connected; and from the parts of the shapes that the target
  * goes between which the skin does not meet at all: of those that it meets it holds some already.
+ * A hollow is one where it is wide: narrower ones Tension or the lattice closes, to be found again.
  */
 #ifndef NewParts_h
 #define NewParts_h
@@ -39,6 +40,8 @@ private:
   /** Of leaves from `first` on and those next to them. */
   void FindReached(std::size_t first);
   void AddNext(std::size_t begin, std::size_t end);
+  void RemoveNarrowHollows(int steps);
+  bool IsWide(const openvdb::Coord& node, int steps) const;
 
   LeafSigns Nodes;               // that differ; in the end, those of the parts
   std::vector<LeafMask> Inside;  // inside the skin

@@ -10,16 +10,6 @@ namespace activesurface
 namespace
 {
 
-openvdb::Coord OriginOf(const openvdb::Coord& node)
-{
-  return openvdb::Coord(node[0] & ~7, node[1] & ~7, node[2] & ~7);
-}
-
-int NumberOf(const openvdb::Coord& node)
-{
-  return (node[0] & 7) << 6 | (node[1] & 7) << 3 | (node[2] & 7);
-}
-
 /** The node nearest to a place; false if there is none. */
 bool FindNode(const double x[3], double voxelSize, openvdb::Coord& node)
 {
@@ -51,6 +41,13 @@ bool FindCentre(const TargetRegion& region, double voxelSize, openvdb::Coord& no
 
 }
 
+int PartSearch::GetLeastSteps() const
+{
+  constexpr double most = 1e6;
+  return static_cast<int>(
+    std::ceil(std::min(std::max(this->LeastRadius / this->VoxelSize, 1.0), most)));
+}
+
 SkinLeaf::SkinLeaf(const PartSearch& search, const openvdb::Coord& origin)
 {
   static const LeafMask nothing, everything = LeafMask::All();
@@ -71,10 +68,11 @@ void PartSeeds::AddRegion(const TargetRegion& region)
   }
   else if (FindCentre(region, this->Search.VoxelSize, node))
   {
-    const SkinLeaf skin(this->Search, OriginOf(node));
+    const SkinLeaf skin(this->Search, OriginOfLeaf(node));
+    const bool isInside = skin.Inside->Has(NumberInLeaf(node));
     const bool isCovered =
-      region.Seeds == RegionSeeds::PartAtCentre && skin.Inside->Has(NumberOf(node));
-    if (!isCovered && !skin.LayerZero->Has(NumberOf(node)))
+      region.Seeds == (isInside ? RegionSeeds::PartAtCentre : RegionSeeds::HollowAtCentre);
+    if (!isCovered && !skin.LayerZero->Has(NumberInLeaf(node)))
     {
       this->Centres.push_back(node);
     }
@@ -89,14 +87,14 @@ void PartSeeds::AddCentres()
   {
     if (Differs(values[i], this->IsInside(this->Centres[i])))
     {
-      this->Leaves.Add(OriginOf(this->Centres[i]));
+      this->Leaves.Add(OriginOfLeaf(this->Centres[i]));
     }
   }
 }
 
 bool PartSeeds::IsInside(const openvdb::Coord& node) const
 {
-  return SkinLeaf(this->Search, OriginOf(node)).Inside->Has(NumberOf(node));
+  return SkinLeaf(this->Search, OriginOfLeaf(node)).Inside->Has(NumberInLeaf(node));
 }
 
 void PartSeeds::AddPart(const TargetPart& part)
@@ -126,7 +124,7 @@ void PartSeeds::AddPart(const TargetPart& part)
   }
   for (std::size_t i = 0; !isMet && i < seeds.size(); ++i)
   {
-    this->Leaves.Add(OriginOf(seeds[i]));
+    this->Leaves.Add(OriginOfLeaf(seeds[i]));
   }
 }
 
@@ -150,9 +148,7 @@ PartSeeds::Nodes PartSeeds::FindMissing(const Nodes& nodes, bool areHollow) cons
  * away. */
 bool PartSeeds::IsWide(const openvdb::Coord& node, bool isHollow) const
 {
-  constexpr double most = 1e6;
-  const double radius = this->Search.LeastRadius / this->Search.VoxelSize;
-  const int steps = static_cast<int>(std::ceil(std::min(std::max(radius, 1.0), most)));
+  const int steps = this->Search.GetLeastSteps();
   Nodes around;
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -24,7 +24,10 @@ struct PartSearch
   double VoxelSize;
   const LatticeFunction& Target;
   std::size_t MaximumNumberOfActiveVoxels;
-  double LeastRadius; //< of the parts of shapes, what Tension leaves alive [length]
+  double LeastRadius; //< of hollows and of the parts of shapes, what Tension leaves alive [length]
+
+  /** The same in voxels, at least 1. */
+  int GetLeastSteps() const;
 };
 
 /** The potential in a leaf of the lattice, of the band's or not. */

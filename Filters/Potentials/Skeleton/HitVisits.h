@@ -94,47 +94,6 @@ ACTIVE_ALWAYS_INLINE void VisitHits(
   }
 }
 
-// All of them, for several visits: looked up once if there are not too many.
-class HitList
-{
-public:
-  ACTIVE_ALWAYS_INLINE HitList(const SkeletonCells& cells, const SkeletonCells::Place& place)
-    : Cells(cells)
-    , Place(place)
-  {
-    VisitHits(cells, place,
-      [this](const SkeletonCells::Index* hits, std::size_t count) ACTIVE_INLINED
-      {
-        if (this->Count + count <= Capacity)
-        {
-          std::copy_n(hits, count, this->Hits + this->Count);
-        }
-        this->Count += count;
-      });
-  }
-
-  template <class Visitor>
-  ACTIVE_ALWAYS_INLINE void Visit(Visitor visit) const
-  {
-    if (this->Count <= Capacity)
-    {
-      visit(this->Hits, this->Count);
-    }
-    else
-    {
-      VisitHits(this->Cells, this->Place, visit);
-    }
-  }
-
-private:
-  static constexpr std::size_t Capacity = 1024;
-
-  const SkeletonCells& Cells;
-  const SkeletonCells::Place& Place;
-  std::size_t Count = 0;
-  SkeletonCells::Index Hits[Capacity];
-};
-
 }
 
 #endif

@@ -1,18 +1,60 @@
-// A field of sums over elements, at places side by side where several share their cells, at one
+// A field of sums over elements, at places side by side where several are near one another, at one
 // after the other where not, to the same bits: all lanes add all hits in their order, and what is
 // out of reach of a place adds zeros there.
 
 #ifndef LaneEvaluation_h
 #define LaneEvaluation_h
 
-#include "Skeleton/HitVisits.h"
-#include "Skeleton/SkeletonBatch.h"
+#include "BallCells.h"
+#include "PlaceGroups.h"
+#include "SkeletonKernel.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace activesurface
 {
+
+// All hits of a place, for several visits: looked up once if there are not too many.
+class HitList
+{
+public:
+  ACTIVE_ALWAYS_INLINE HitList(const BallCells& cells, const BallCells::Place& place)
+    : Cells(cells)
+    , Place(place)
+  {
+    cells.VisitHits(place,
+      [this](const BallCells::Index* hits, std::size_t count) ACTIVE_INLINED
+      {
+        if (this->Count + count <= Capacity)
+        {
+          std::copy_n(hits, count, this->Hits + this->Count);
+        }
+        this->Count += count;
+      });
+  }
+
+  template <class Visitor>
+  ACTIVE_ALWAYS_INLINE void Visit(Visitor visit) const
+  {
+    if (this->Count <= Capacity)
+    {
+      visit(this->Hits, this->Count);
+    }
+    else
+    {
+      this->Cells.VisitHits(this->Place, visit);
+    }
+  }
+
+private:
+  static constexpr std::size_t Capacity = 1024;
+
+  const BallCells& Cells;
+  const BallCells::Place& Place;
+  std::size_t Count = 0;
+  BallCells::Index Hits[Capacity];
+};
 
 template <int Width>
 struct PlaceLanes
@@ -32,9 +74,9 @@ struct PlaceLanes
     }
   }
 
-  ACTIVE_ALWAYS_INLINE SkeletonCells::Place FindBox() const
+  ACTIVE_ALWAYS_INLINE BallCells::Place FindBox() const
   {
-    SkeletonCells::Place box;
+    BallCells::Place box;
     for (int axis = 0; axis < 3; ++axis)
     {
       const double* x = this->X[axis];
@@ -55,14 +97,14 @@ struct PlaceLanes
 template <class Field>
 struct LaneEvaluation
 {
-  const SkeletonCells& Cells;
+  const BallCells& Cells;
   const Field& Elements;
   const double* Points;
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t count) const
   {
-    const SkeletonBatch batch(this->Cells, count, this->Points);
-    batch.ForEachGroup(
+    const PlaceGroups groups(count, this->Points, this->Cells.GetGroupSize());
+    groups.ForEachGroup(SkeletonLanes::Width,
       [this](const std::size_t* members, int size) ACTIVE_INLINED
       {
         if (size >= FewestLanes)
@@ -77,7 +119,7 @@ struct LaneEvaluation
       });
     double nowhere[Field::Terms];
     std::fill_n(nowhere, Field::Terms, std::numeric_limits<double>::quiet_NaN());
-    batch.ForEachUnusable(
+    groups.ForEachUnusable(
       [this, &nowhere](std::size_t i) ACTIVE_INLINED { this->Elements.Write(i, nowhere); });
   }
 
@@ -88,7 +130,7 @@ private:
   ACTIVE_ALWAYS_INLINE void EvaluateTogether(const std::size_t* members, int count) const
   {
     const PlaceLanes<Width> lanes(this->Points, members, count);
-    const SkeletonCells::Place box = lanes.FindBox();
+    const BallCells::Place box = lanes.FindBox();
     const HitList hits(this->Cells, box);
     double terms[Field::Terms][Width];
     this->Elements.Evaluate(lanes, hits, terms);
@@ -107,16 +149,16 @@ private:
 // Evaluates a field, made by makeField(number of the first point), at any number of points.
 template <class MakeField>
 void EvaluateInLanes(
-  const SkeletonCells& cells, std::size_t count, const double* points, MakeField makeField)
+  const BallCells& cells, std::size_t count, const double* points, MakeField makeField)
 {
   using Field = decltype(makeField(std::size_t(0)));
   using Evaluation = LaneEvaluation<Field>;
   const auto run = CompiledKernel<Evaluation, std::size_t>::GetBest();
-  for (std::size_t first = 0; first < count; first += SkeletonBatch::Capacity)
+  for (std::size_t first = 0; first < count; first += PlaceGroups::Capacity)
   {
     const Field field = makeField(first);
     run(Evaluation{ cells, field, points + 3 * first },
-      std::min(count - first, SkeletonBatch::Capacity));
+      std::min(count - first, PlaceGroups::Capacity));
   }
 }
 

@@ -1,11 +1,10 @@
 #include "Skeleton/NeighbourSums.h"
 
+#include "ParallelTasks.h"
 #include "Skeleton/LaneEvaluation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <utility>
 
 namespace activesurface
 {
@@ -14,19 +13,7 @@ namespace
 {
 
 constexpr double NearPerReach = 0.55;
-// Of a Morton code.
-constexpr double MostOnAxis = (1 << 20) - 1;
-
-// Two zeros between each of the lower 21 bits and the next.
-std::uint64_t SpreadBits(std::uint64_t bits)
-{
-  bits = (bits | bits << 32) & 0x1f00000000ffffu;
-  bits = (bits | bits << 16) & 0x1f0000ff0000ffu;
-  bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
-  bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
-  return (bits | bits << 2) & 0x1249249249249249u;
-}
-
+constexpr std::size_t ElementsPerTask = 4096;
 template <int Count, int Width>
 struct LaneSums
 {
@@ -52,8 +39,7 @@ struct SumField
     const PlaceLanes<Width>& lanes, const HitList& hits, double (&terms)[Terms][Width]) const
   {
     LaneSums<Terms, Width> sums;
-    hits.Visit(
-      [this, &lanes, &sums](const SkeletonCells::Index* list, std::size_t count) ACTIVE_INLINED
+    hits.Visit([this, &lanes, &sums](const BallCells::Index* list, std::size_t count) ACTIVE_INLINED
       { static_cast<const Derived&>(*this).Add(lanes, list, count, sums); });
     sums.CopyTo(terms);
   }
@@ -80,7 +66,7 @@ struct NeighbourSums::MomentField
   }
 
   template <int Width>
-  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
+  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const BallCells::Index* hits,
     std::size_t count, LaneSums<Terms, Width>& result) const
   {
     LaneSums<Terms, Width> sums = result;
@@ -126,7 +112,7 @@ struct NeighbourSums::ShareField : SumField<NeighbourSums::ShareField, 2>
   }
 
   template <int Width>
-  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
+  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const BallCells::Index* hits,
     std::size_t count, LaneSums<Terms, Width>& result) const
   {
     LaneSums<Terms, Width> sums = result;
@@ -167,7 +153,7 @@ struct NeighbourSums::MotionField : SumField<NeighbourSums::MotionField, 7> // a
   }
 
   template <int Width>
-  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const SkeletonCells::Index* hits,
+  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const BallCells::Index* hits,
     std::size_t count, LaneSums<Terms, Width>& result) const
   {
     LaneSums<Terms, Width> sums = result;
@@ -204,72 +190,56 @@ struct NeighbourSums::MotionField : SumField<NeighbourSums::MotionField, 7> // a
 
 NeighbourSums::NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor)
 {
-  this->Elements.reserve(particles.size());
+  std::vector<BallCells::Ball> balls;
+  balls.reserve(particles.size());
+  double largest = 0.0;
   for (const SkeletonVertex& particle : particles)
   {
     const double* p = particle.Position;
-    const double reach = factor * particle.Radius;
-    this->Near.AddBall(p, reach);
-    this->Elements.push_back(
-      { { p[0], p[1], p[2] }, std::max(particle.Strength, 0.0), 1.0 / (reach * reach) });
+    balls.push_back({ { p[0], p[1], p[2] }, factor * particle.Radius });
+    largest = std::max(largest, balls.back().Radius);
   }
-  this->Near.Build();
-}
-
-std::vector<std::size_t> NeighbourSums::SortByPlace() const
-{
-  double low[3], longest = 0.0; // half of it, as all of it may overflow
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const auto [least, most] = std::minmax_element(this->Elements.begin(), this->Elements.end(),
-      [axis](const Element& a, const Element& b) { return a.Position[axis] < b.Position[axis]; });
-    low[axis] = least != this->Elements.end() ? 0.5 * least->Position[axis] : 0.0;
-    longest = least != this->Elements.end()
-      ? std::max(longest, 0.5 * most->Position[axis] - low[axis])
-      : 0.0;
-  }
-  std::vector<std::pair<std::uint64_t, std::size_t>> keys(this->Elements.size());
-  for (std::size_t i = 0; i < keys.size(); ++i)
-  {
-    keys[i] = { 0, i };
-    for (int axis = 0; axis < 3 && longest > 0.0; ++axis)
+  this->Near.Build(balls, largest);
+  this->Elements.resize(particles.size());
+  RunPieces(particles.size(), ElementsPerTask,
+    [&](std::size_t begin, std::size_t end)
     {
-      const double share = (0.5 * this->Elements[i].Position[axis] - low[axis]) / longest;
-      keys[i].first |= SpreadBits(static_cast<std::uint64_t>(share * MostOnAxis)) << axis;
-    }
-  }
-  std::sort(keys.begin(), keys.end());
-  std::vector<std::size_t> order(keys.size());
-  std::transform(
-    keys.begin(), keys.end(), order.begin(), [](const auto& key) { return key.second; });
-  return order;
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const BallCells::Index i = this->GetOrder()[k];
+        const double* p = balls[i].Centre;
+        const double reach = balls[i].Radius;
+        this->Elements[k] = { { p[0], p[1], p[2] }, std::max(particles[i].Strength, 0.0),
+          1.0 / (reach * reach) };
+      }
+    });
 }
 
-std::vector<double> NeighbourSums::ListPlaces(const std::size_t* members, std::size_t count) const
+std::vector<double> NeighbourSums::ListPlaces(std::size_t first, std::size_t count) const
 {
   std::vector<double> places(3 * count);
   for (std::size_t k = 0; k < count; ++k)
   {
-    std::copy_n(this->Elements[members[k]].Position, 3, &places[3 * k]);
+    std::copy_n(this->Elements[first + k].Position, 3, &places[3 * k]);
   }
   return places;
 }
 
 std::size_t NeighbourSums::CountNear(const double x[3]) const
 {
-  SkeletonCells::Place place;
+  BallCells::Place place;
   std::copy_n(x, 3, place.Low);
   std::copy_n(x, 3, place.High);
   std::size_t near = 0;
-  VisitHits(this->Near.GetCells(), place,
-    [&near](const SkeletonCells::Index*, std::size_t count) { near += count; });
+  this->Near.VisitHits(
+    place, [&near](const BallCells::Index*, std::size_t count) { near += count; });
   return near;
 }
 
 void NeighbourSums::FindMoments(
   std::size_t count, const double* places, NeighbourMoments* moments) const
 {
-  EvaluateInLanes(this->Near.GetCells(), count, places,
+  EvaluateInLanes(this->Near, count, places,
     [&](std::size_t first) {
       return MomentField{ {}, *this, moments + first };
     });
@@ -278,7 +248,7 @@ void NeighbourSums::FindMoments(
 void NeighbourSums::FindShares(std::size_t count, const double* places,
   const std::vector<Shares>& ofParticles, Shares* shares) const
 {
-  EvaluateInLanes(this->Near.GetCells(), count, places,
+  EvaluateInLanes(this->Near, count, places,
     [&](std::size_t first) {
       return ShareField{ {}, *this, ofParticles, shares + first };
     });
@@ -287,7 +257,7 @@ void NeighbourSums::FindShares(std::size_t count, const double* places,
 void NeighbourSums::FindMotions(std::size_t count, const double* places,
   const std::vector<Moving>& ofParticles, Motion* motions) const
 {
-  EvaluateInLanes(this->Near.GetCells(), count, places,
+  EvaluateInLanes(this->Near, count, places,
     [&](std::size_t first) {
       return MotionField{ {}, *this, ofParticles, motions + first };
     });

@@ -4,7 +4,7 @@
 #ifndef NeighbourSums_h
 #define NeighbourSums_h
 
-#include "ElementIndex.h"
+#include "BallCells.h"
 #include "Skeleton.h"
 
 #include <cstddef>
@@ -28,11 +28,11 @@ public:
   // Reaches are those of the particles times a factor. Those of strength <= 0 are no neighbours.
   NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor);
 
-  // All particles, in Morton order: places near one another are evaluated faster together.
-  std::vector<std::size_t> SortByPlace() const;
+  // The numbers of all particles, by cells: places near one another are evaluated faster together.
+  const std::vector<BallCells::Index>& GetOrder() const { return this->Near.GetOrder(); }
 
-  // Where some of the particles are.
-  std::vector<double> ListPlaces(const std::size_t* members, std::size_t count) const;
+  // Where some of the particles are, from the first one on in this order.
+  std::vector<double> ListPlaces(std::size_t first, std::size_t count) const;
 
   // At places (x y z each).
   void FindMoments(std::size_t count, const double* places, NeighbourMoments* moments) const;
@@ -40,8 +40,8 @@ public:
   // How many are near a place, or a few more.
   std::size_t CountNear(const double x[3]) const;
 
-  // Of the amount times two numbers of each particle, Share and Value: sum w Share, and
-  // sum w Share Value.
+  // Of the amount times two numbers of each particle, Share and Value, in this order: sum w Share,
+  // and sum w Share Value.
   struct Shares
   {
     double Share = 0.0;
@@ -50,7 +50,8 @@ public:
   void FindShares(std::size_t count, const double* places, const std::vector<Shares>& ofParticles,
     Shares* shares) const;
 
-  // Of the velocities of the particles, with weights w; those that are not a number are left out.
+  // Of the velocities of the particles, in this order, with weights w; those that are not a number
+  // are left out.
   struct Moving
   {
     double Velocity[3];
@@ -78,8 +79,8 @@ private:
   struct ShareField;
   struct MotionField;
 
-  std::vector<Element> Elements;
-  ElementIndex Near;
+  std::vector<Element> Elements; // in the order of the cells
+  BallCells Near;
 };
 
 }

@@ -123,6 +123,7 @@ ShapeOptions TargetBuilder::GetOptions() const
   options.Carries = settings.Law.Transport > 0.0 && settings.Inputs.TargetMoves;
   options.WeighsTension =
     settings.Law.WeightedTension && (settings.Law.Tension > 0.0 || settings.HasAutomaticTension());
+  options.OpensHollows = settings.Law.CreateParts && !settings.Law.Paper;
   options.Kernel = settings.Particles.Kernel;
   options.MeshThickness = settings.MeshThickness;
   options.Level.IsoValue = settings.IsoValue;

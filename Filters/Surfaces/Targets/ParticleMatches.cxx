@@ -77,6 +77,7 @@ ParticleFit Between(const ParticleFit& a, const ParticleFit& b, double fraction)
   for (int axis = 0; axis < 3; ++axis)
   {
     fit.Offset[axis] = Between(a.Offset[axis], b.Offset[axis], fraction);
+    fit.Outward[axis] = Between(a.Outward[axis], b.Outward[axis], fraction);
   }
   for (int i = 0; i < 6; ++i)
   {

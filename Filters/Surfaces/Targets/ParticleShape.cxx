@@ -85,6 +85,7 @@ std::string ParticleShape::Prepare(ShapePreparation& preparation)
     fit.Model = options.Model;
     fit.OwnRadius = this->Particles.HasRadii ? 0.0 : 0.5 * preparation.GetSpacing();
     fit.Anisotropy = options.Anisotropy;
+    fit.SparesCrowds = !options.NeedsFits();
     this->Particles.Fits = FitParticles(fit, this->Particles.Particles);
   }
   return "";

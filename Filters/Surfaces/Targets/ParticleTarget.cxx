@@ -43,6 +43,24 @@ ChangedRegion::Box SupportOf(const PlacedParticles& placed, std::size_t i)
   return box;
 }
 
+// Where a hollow is, if the particle is at the side of one: a spacing from it or, where its surface
+// is farther from it, one and a half.
+void VisitHollow(
+  const SkeletonVertex& particle, const double outward[3], const RegionVisitor& visit)
+{
+  TargetRegion region;
+  region.Seeds = RegionSeeds::HollowAtCentre;
+  for (const double far : { 1.0, 1.5 })
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double place = particle.Position[axis] + far * outward[axis];
+      region.Bounds[2 * axis] = region.Bounds[2 * axis + 1] = place;
+    }
+    visit(region);
+  }
+}
+
 }
 
 ParticleTarget::ParticleTarget(const TargetFrames& frames, const ShapeOptions& options)
@@ -62,6 +80,9 @@ void ParticleTarget::Place(int step, double fraction)
   std::swap(this->Previous, this->Now);
   this->Frames.PlaceParticles(step, fraction, needs, this->Now);
   this->FindChanged();
+  const auto getCells = [this]
+  { return std::make_pair(this->Body.GetCellSize(), this->Means.GetCellSize()); };
+  const auto before = getCells();
   if (this->IsSum())
   {
     this->Elements.Clear();
@@ -73,35 +94,16 @@ void ParticleTarget::Place(int step, double fraction)
   }
   else
   {
-    this->BuildBody();
+    this->Body.Build(this->Options.Model, this->Now.Particles, this->Now.Fits);
   }
   if (this->Options.Carries || (this->IsSum() && this->Options.WantsBulks()))
   {
-    this->BuildMeans();
+    this->Means.Build(this->Now.Particles, { this->Now.Velocities, this->Now.Fits });
   }
-}
-
-void ParticleTarget::BuildBody()
-{
-  this->Body.Clear(this->Options.Model);
-  for (std::size_t i = 0; i < this->Now.Particles.size(); ++i)
+  if (getCells() != before)
   {
-    this->Body.Add(this->Now.Particles[i], this->Now.Fits[i]);
+    this->Changed.SetEverywhere(); // by rounding
   }
-  this->Body.Build();
-}
-
-void ParticleTarget::BuildMeans()
-{
-  this->Means.Clear();
-  for (std::size_t i = 0; i < this->Now.Particles.size(); ++i)
-  {
-    const double* velocity =
-      this->Now.Velocities.empty() ? nullptr : this->Now.Velocities.data() + 3 * i;
-    const double bulk = this->Now.Fits.empty() ? 1.0 : this->Now.Fits[i].Bulk;
-    this->Means.Add(this->Now.Particles[i], velocity, bulk);
-  }
-  this->Means.Build();
 }
 
 bool ParticleTarget::IsSame(std::size_t i) const
@@ -148,15 +150,19 @@ void ParticleTarget::FindChanged()
 
 void ParticleTarget::ForEachRegion(const RegionVisitor& visit) const
 {
-  TargetRegion region;
-  region.Seeds = RegionSeeds::PartAtCentre;
+  TargetRegion part;
+  part.Seeds = RegionSeeds::PartAtCentre;
   for (std::size_t i = 0; i < this->Now.Particles.size(); ++i)
   {
     if (this->Now.Particles[i].Strength > 0.0)
     {
       const ChangedRegion::Box box = SupportOf(this->Now, i);
-      std::copy(box.begin(), box.end(), region.Bounds);
-      visit(region);
+      std::copy(box.begin(), box.end(), part.Bounds);
+      visit(part);
+      if (!this->Now.Fits.empty() && this->Now.Fits[i].IsAtEdge())
+      {
+        VisitHollow(this->Now.Particles[i], this->Now.Fits[i].Outward, visit);
+      }
     }
   }
 }

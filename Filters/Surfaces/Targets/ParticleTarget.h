@@ -27,11 +27,12 @@ public:
   // want them.
   ParticleTarget(const TargetFrames& frames, const ShapeOptions& options);
 
-  // The reach of each particle; a part that no skin reaches has one inside.
   void EvaluateVelocities(
     std::size_t count, const double* points, double* velocities) const override;
   bool HasRegions() const override { return true; }
   bool IsWithinRegions() const override { return true; }
+  // The reach of each particle, as a part that no skin reaches has one inside; and, if there are
+  // fits, a place beside each at the edge of a body, as hollows have such edges.
   void ForEachRegion(const RegionVisitor& visit) const override;
 
 protected:
@@ -47,8 +48,6 @@ private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
   void FindChanged();
   bool IsSame(std::size_t i) const;
-  void BuildBody();
-  void BuildMeans();
 
   const TargetFrames& Frames;
   const ShapeOptions Options;

@@ -25,12 +25,15 @@ struct ShapeOptions
   TargetOptions Level;
   double VoxelSize = 0.0;
 
-  /** Whether the target tells its velocity, and where tension is to act. */
+  /** Whether the target tells its velocity, where tension is to act, and where hollows can be. */
   bool Carries = false;
   bool WeighsTension = false;
+  bool OpensHollows = false;
 
-  /** Whether particles have to be looked at among their neighbours. */
-  bool WantsFits() const { return this->Model != ParticleModel::Sum || this->WantsBulks(); }
+  /** Whether particles have to be looked at among their neighbours; whether nothing goes without.
+   */
+  bool WantsFits() const { return this->NeedsFits() || this->OpensHollows; }
+  bool NeedsFits() const { return this->Model != ParticleModel::Sum || this->WantsBulks(); }
 
   /** Whether what is a body of particles matters. */
   bool WantsBulks() const { return this->WeighsTension || this->Level.Noise > 0.0; }

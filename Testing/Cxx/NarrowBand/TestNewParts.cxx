@@ -137,7 +137,8 @@ TEST(TestNewParts, LagOfTheSkinIsNoPart)
 
 TEST(TestNewParts, HollowOpensDeepInside)
 {
-  for (const RegionSeeds seeds : { RegionSeeds::AllNodes, RegionSeeds::Centre })
+  for (const RegionSeeds seeds :
+    { RegionSeeds::AllNodes, RegionSeeds::Centre, RegionSeeds::HollowAtCentre })
   {
     constexpr double outer = 0.7, inner = 0.3;
     const Shape shell = Move(MakeShell(outer, inner), CentreA);
@@ -158,6 +159,31 @@ TEST(TestNewParts, HollowOpensDeepInside)
     EXPECT_EQ(band->Advance(0.1, MakeCreating(), target).CreatedParts, 0u) << "once";
     CheckSound(*band, { 1, 1, 4 });
   }
+}
+
+// Balls of a target smaller than 2 sqrt 2 sqrt(Tension / Attraction) Tension closes.
+TEST(TestNewParts, NarrowHollowStaysClosed)
+{
+  constexpr double outer = 0.7;
+  Motion motion = MakeCreating();
+  motion.Tension = 0.005;
+  const double least = std::sqrt(8.0 * motion.Tension / motion.Attraction);
+  for (const double inner : { 2.0 * H, 0.9 * least, 1.1 * least + H })
+  {
+    RegionTarget target = MakeStanding(Move(MakeShell(outer, inner), CentreA),
+      { RegionAround({ CentreA, inner }, RegionSeeds::HollowAtCentre) });
+    const auto band = StartWith(MakeBalls({ { CentreA, outer } }));
+    EXPECT_EQ(band->Clone()->Advance(1e-3, motion, target).CreatedParts, inner > least ? 1u : 0u);
+    EXPECT_EQ(band->Advance(1e-3, MakeCreating(), target).CreatedParts, 1u) << "without Tension";
+  }
+}
+
+TEST(TestNewParts, PlaceOfAHollowMakesNoPart)
+{
+  RegionTarget target =
+    MakeStanding(MakeBalls({ Left, Right }), { RegionAround(Right, RegionSeeds::HollowAtCentre) });
+  const auto band = StartWith(MakeBalls({ Left }));
+  EXPECT_EQ(band->Advance(1e-3, MakeCreating(), target).CreatedParts, 0u);
 }
 
 TEST(TestNewParts, NeighbourAtTwoVoxelsIsCreatedAndMergesWithoutSpecks)

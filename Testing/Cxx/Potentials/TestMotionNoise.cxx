@@ -53,17 +53,15 @@ struct Block
   {
     const std::vector<double> shares = this->FindShares();
     ParticleMeans means;
-    means.Clear();
+    std::vector<double> carried;
     for (std::size_t i = 0; i < Count; ++i)
     {
-      double own[3];
       for (int axis = 0; axis < 3; ++axis)
       {
-        own[axis] = this->Velocities[3 * i + axis] * (leavesNoise ? shares[i] : 1.0);
+        carried.push_back(this->Velocities[3 * i + axis] * (leavesNoise ? shares[i] : 1.0));
       }
-      means.Add(this->Particles[i], own, this->Fits[i].Bulk);
     }
-    means.Build();
+    means.Build(this->Particles, { carried, this->Fits });
     std::vector<double> places;
     for (int i = 0; i < 400; ++i)
     {

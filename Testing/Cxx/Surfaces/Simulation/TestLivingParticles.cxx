@@ -57,11 +57,32 @@ std::vector<Particle> MakeMovingBlock(double time)
   return MakeBlock(0.3 * time);
 }
 
-int CountParts(vtkActiveImplicitSurface* filter, double time)
+int CountIn(vtkActiveImplicitSurface* filter, double time, const char* column)
 {
   filter->UpdateTimeStep(time);
   vtkTable* history = filter->GetHistory();
-  return history->GetValueByName(history->GetNumberOfRows() - 1, "Components").ToInt();
+  return history->GetValueByName(history->GetNumberOfRows() - 1, column).ToInt();
+}
+
+int CountParts(vtkActiveImplicitSurface* filter, double time)
+{
+  return CountIn(filter, time, "Components");
+}
+
+// A block of 14 x 14 x 14 around 0 that makes room for a ball in its middle, as water does.
+std::vector<Particle> MakeBlockAround(double radius)
+{
+  constexpr int side = 14;
+  std::vector<Particle> particles;
+  for (int i = 0; i < side * side * side; ++i)
+  {
+    const double x[3] = { Spacing * (i % side - 6.5), Spacing * (i / side % side - 6.5),
+      Spacing * (i / (side * side) - 6.5) };
+    const double distance = std::hypot(x[0], x[1], x[2]);
+    const double factor = std::cbrt(1.0 + std::pow(radius / distance, 3.0));
+    particles.push_back({ factor * x[0], factor * x[1], factor * x[2], i });
+  }
+  return particles;
 }
 
 }
@@ -122,6 +143,34 @@ TEST(TestLivingParticles, ParticleThatAppearsAwayGetsASkinOfItsOwn)
   EXPECT_NEAR(GetSkinBounds(filter)[1], 30.0 + R, 0.15 * R) << "of its own radius";
   filter->CreatePartsOff();
   EXPECT_EQ(CountParts(filter, 1.0), 1) << "without CreateParts";
+}
+
+// A bubble of 0, 6, 7 and 5 r.
+TEST(TestLivingParticles, HollowThatParticlesMakeOpens)
+{
+  const auto breathing = [](double time)
+  {
+    const double radii[] = { 0.0, 6.0, 7.0, 5.0 };
+    return MakeBlockAround(R * radii[static_cast<int>(time)]);
+  };
+  for (const int model : { vtkActiveImplicitSurface::SUM, vtkActiveImplicitSurface::AVERAGED_CENTRE,
+         vtkActiveImplicitSurface::ANISOTROPIC })
+  {
+    SCOPED_TRACE(model);
+    auto filter = MakePlainSkin(breathing);
+    filter->SetParticleModel(model);
+    EXPECT_EQ(CountIn(filter, 0.0, "Voids"), 0);
+    for (const double time : { 1.0, 2.0, 3.0 })
+    {
+      EXPECT_EQ(CountIn(filter, time, "Voids"), 1);
+      auto fresh = MakePlainSkin([&](double) { return breathing(time); });
+      fresh->SetParticleModel(model);
+      EXPECT_EQ(CountIn(fresh, 0.0, "Voids"), 1) << "which starts with it";
+      EXPECT_NEAR(GetRadii(filter).Least, GetRadii(fresh).Least, R) << "a voxel";
+    }
+    filter->CreatePartsOff();
+    EXPECT_EQ(CountIn(filter, 2.0, "Voids"), 0) << "without CreateParts";
+  }
 }
 
 TEST(TestLivingParticles, FirstStepMayBeEmpty)

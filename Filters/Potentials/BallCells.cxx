@@ -1,0 +1,198 @@
+#include "BallCells.h"
+
+#include "ParallelTasks.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+
+namespace activesurface
+{
+namespace
+{
+constexpr std::size_t MaximumBalls = std::size_t(1) << 28;
+// The smaller a group, the fewer balls are near all of it; the larger, the more places are in it.
+constexpr double GroupPerCell = 1.0;
+// Finer ones are put together.
+constexpr std::size_t MaximumLevels = 64;
+constexpr std::size_t BallsPerChunk = 16384;
+
+}
+
+void BallCells::Build(const std::vector<Ball>& balls, double cellSize)
+{
+  this->CellSize = cellSize;
+  this->Levels.clear();
+  this->Order.clear();
+  if (balls.empty())
+  {
+    return;
+  }
+  if (balls.size() > MaximumBalls)
+  {
+    throw std::length_error("More than 268 million particles are not supported.");
+  }
+  this->Measure(balls);
+  this->FindLevels(balls);
+  this->FindSlots(balls);
+  this->SortBySlots();
+  this->FillBalls(balls);
+}
+
+void BallCells::Measure(const std::vector<Ball>& balls)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Ball& ball : balls)
+    {
+      low = std::min(low, ball.Centre[axis] - ball.Radius);
+      high = std::max(high, ball.Centre[axis] + ball.Radius);
+    }
+    this->Bounds[2 * axis] = low;
+    this->Bounds[2 * axis + 1] = high;
+  }
+}
+
+// Of the least cells that hold the radius, by doublings of the size that was asked for.
+int BallCells::FindDoublings(double radius) const
+{
+  const int doublings = std::ilogb(radius / this->CellSize);
+  return std::ldexp(this->CellSize, doublings) < radius ? doublings + 1 : doublings;
+}
+
+void BallCells::FindLevels(const std::vector<Ball>& balls)
+{
+  std::map<int, double, std::greater<int>> largest; // radius, by doublings
+  double radius = 0.0;
+  for (const Ball& ball : balls)
+  {
+    if (ball.Radius != radius)
+    {
+      radius = ball.Radius;
+      double& most = largest[this->FindDoublings(radius)];
+      most = std::max(most, radius);
+    }
+  }
+  for (const auto& [doublings, most] : largest)
+  {
+    if (this->Levels.size() < MaximumLevels)
+    {
+      const double inverse = 1.0 / std::ldexp(this->CellSize, doublings);
+      this->Levels.push_back({ doublings, inverse, most });
+    }
+  }
+  this->GroupSize = GroupPerCell / this->Levels.back().InverseSize;
+}
+
+std::size_t BallCells::FindLevel(double radius) const
+{
+  const int doublings = this->FindDoublings(radius);
+  std::size_t level = 0;
+  while (level + 1 < this->Levels.size() && this->Levels[level].Doublings > doublings)
+  {
+    ++level;
+  }
+  return level;
+}
+
+// A slot is a cell of a block. Each chunk numbers the blocks as they come, then all of them are
+// numbered in the order of the chunks.
+void BallCells::FindSlots(const std::vector<Ball>& balls)
+{
+  const std::size_t chunks = (balls.size() + BallsPerChunk - 1) / BallsPerChunk;
+  this->Chunks.resize(chunks);
+  this->Slots.resize(balls.size());
+  RunPieces(balls.size(), BallsPerChunk,
+    [&](std::size_t begin, std::size_t end) { this->FindSlotsOf(balls, begin, end); });
+  this->Blocks.Clear();
+  std::vector<std::vector<Index>> numbers(chunks);
+  for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+  {
+    for (std::size_t block = 0; block < this->Chunks[chunk].Size(); ++block)
+    {
+      numbers[chunk].push_back(this->Blocks.Add(this->Chunks[chunk][block]));
+    }
+  }
+  RunPieces(balls.size(), BallsPerChunk,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const std::size_t slot = this->Slots[i], block = slot / CellsPerBlock;
+        this->Slots[i] = numbers[i / BallsPerChunk][block] * CellsPerBlock + slot % CellsPerBlock;
+      }
+    });
+}
+
+void BallCells::FindSlotsOf(const std::vector<Ball>& balls, std::size_t begin, std::size_t end)
+{
+  BlockTable& blocks = this->Chunks[begin / BallsPerChunk];
+  blocks.Clear();
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const std::size_t level = this->FindLevel(balls[i].Radius);
+    BlockTable::Block block{ {}, static_cast<int>(level) };
+    std::size_t inBlock = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Coordinate cell = GetCell(balls[i].Centre[axis] * this->Levels[level].InverseSize);
+      block.At[axis] = cell >> 2;
+      inBlock = 4 * inBlock + static_cast<std::size_t>(cell & 3);
+    }
+    this->Slots[i] = blocks.Add(block) * CellsPerBlock + inBlock;
+  }
+}
+
+// A counting sort: within a cell by numbers.
+void BallCells::SortBySlots()
+{
+  this->Starts.assign(CellsPerBlock * this->Blocks.Size() + 2, 0);
+  for (const std::size_t slot : this->Slots)
+  {
+    ++this->Starts[slot + 2];
+  }
+  std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
+  this->Order.resize(this->Slots.size());
+  for (std::size_t i = 0; i < this->Slots.size(); ++i)
+  {
+    this->Order[this->Starts[this->Slots[i] + 1]++] = static_cast<Index>(i);
+  }
+}
+
+void BallCells::FillBalls(const std::vector<Ball>& balls)
+{
+  for (std::vector<float>& column : this->Columns)
+  {
+    column.resize(balls.size());
+  }
+  RunPieces(balls.size(), BallsPerChunk,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const std::size_t block = this->Slots[this->Order[k]] / CellsPerBlock;
+        this->FillBall(k, balls[this->Order[k]], this->Blocks[block]);
+      }
+    });
+}
+
+void BallCells::FillBall(std::size_t k, const Ball& ball, const BlockTable::Block& block)
+{
+  const double inverse = this->Levels[block.Level].InverseSize;
+  bool isLast = false;
+  double farthest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double place = ball.Centre[axis] * inverse;
+    this->Columns[axis][k] = Clamp(place - static_cast<double>(4 * block.At[axis]));
+    isLast = isLast || IsLast(GetCell(place));
+    farthest = std::max(farthest, std::fabs(place));
+  }
+  this->Columns[3][k] = isLast ? Everywhere : GetSquare(ball.Radius * inverse + Slack * farthest);
+}
+
+}

@@ -1,0 +1,146 @@
+// Places in groups of near ones, so that what may reach them is looked up once for all of a group.
+
+#ifndef PlaceGroups_h
+#define PlaceGroups_h
+
+#include "CompilerBuiltins.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace activesurface
+{
+
+class PlaceGroups
+{
+public:
+  static constexpr std::size_t Capacity = 256;
+
+  // Sorts the finite ones of up to Capacity places (x y z each) along a Morton curve. size: what
+  // the box around a group is not to exceed.
+  PlaceGroups(std::size_t count, const double* places, double size)
+    : Size(count)
+    , Places(places)
+    , Limit(size)
+  {
+    double low[3];
+    std::fill_n(low, 3, std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double* x = places + 3 * i;
+      this->IsUsable[i] = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+      for (int axis = 0; axis < 3 && this->IsUsable[i]; ++axis)
+      {
+        low[axis] = std::min(low[axis], x[axis]);
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (this->IsUsable[i])
+      {
+        this->Order[this->Usable] =
+          GetKey(places + 3 * i, low, StepsPerSize / size) << BitsOfNumber | i;
+        ++this->Usable;
+      }
+    }
+    std::sort(this->Order.begin(), this->Order.begin() + this->Usable);
+  }
+
+  // Calls visit(members, count), count at most `most`, for each group; members are numbers of
+  // places.
+  template <class Visitor>
+  ACTIVE_ALWAYS_INLINE void ForEachGroup(int most, Visitor visit) const
+  {
+    std::size_t members[Capacity];
+    for (std::size_t k = 0; k < this->Usable; ++k)
+    {
+      members[k] = this->Order[k] % Capacity;
+    }
+    for (std::size_t first = 0; first < this->Usable;)
+    {
+      const int count =
+        this->CountGroup(members + first, std::min<std::size_t>(most, this->Usable - first));
+      visit(members + first, count);
+      first += count;
+    }
+  }
+
+  // Calls visit(number) for the places that are in no group, as they are not finite.
+  template <class Visitor>
+  ACTIVE_ALWAYS_INLINE void ForEachUnusable(Visitor visit) const
+  {
+    for (std::size_t i = 0; i < this->Size; ++i)
+    {
+      if (!this->IsUsable[i])
+      {
+        visit(i);
+      }
+    }
+  }
+
+private:
+  static constexpr int BitsOfNumber = 8;
+  static constexpr int BitsOnAxis = 18;
+  static constexpr double StepsPerSize = 4.0;
+
+  // Two zeros between each of the lower bits and the next.
+  static std::uint64_t SpreadBits(std::uint64_t bits)
+  {
+    bits = (bits | bits << 32) & 0x1f00000000ffffu;
+    bits = (bits | bits << 16) & 0x1f0000ff0000ffu;
+    bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
+    bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
+    return (bits | bits << 2) & 0x1249249249249249u;
+  }
+
+  // The Morton code; what is too far away is at the end.
+  static std::uint64_t GetKey(const double x[3], const double low[3], double stepsPerLength)
+  {
+    constexpr double last = (1 << BitsOnAxis) - 1;
+    std::uint64_t key = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double step = std::min((x[axis] - low[axis]) * stepsPerLength, last);
+      key |= SpreadBits(static_cast<std::uint64_t>(step)) << axis;
+    }
+    return key;
+  }
+
+  // How many of the next ones fit into the limit together, one at least.
+  int CountGroup(const std::size_t* members, std::size_t most) const
+  {
+    double low[3], high[3];
+    std::size_t count = 0;
+    for (; count < most; ++count)
+    {
+      const double* x = this->Places + 3 * members[count];
+      bool isNear = true;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = count > 0 ? std::min(low[axis], x[axis]) : x[axis];
+        high[axis] = count > 0 ? std::max(high[axis], x[axis]) : x[axis];
+        isNear = isNear && high[axis] - low[axis] <= this->Limit;
+      }
+      if (!isNear)
+      {
+        break;
+      }
+    }
+    return static_cast<int>(count);
+  }
+
+  const std::size_t Size;
+  const double* const Places;
+  const double Limit;
+  std::size_t Usable = 0;
+  std::array<bool, Capacity> IsUsable;
+  std::array<std::uint64_t, Capacity> Order; // keys, then numbers
+};
+
+}
+
+#endif
