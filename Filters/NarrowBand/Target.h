@@ -52,6 +52,9 @@ public:
    */
   virtual void MoveTo(double time) { static_cast<void>(time); }
 
+  /** The same for EvaluateVelocities alone: until the next MoveTo nothing else is asked for. */
+  virtual void MoveVelocitiesTo(double time) { this->MoveTo(time); }
+
   /**
    * Whether results in this box (xmin xmax ymin ymax zmin zmax) may differ from those before the
    * last MoveTo. Where they do not, converged leaves are not evaluated again.

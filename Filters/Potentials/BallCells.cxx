@@ -22,7 +22,7 @@ constexpr std::size_t BallsPerChunk = 16384;
 
 }
 
-void BallCells::Build(const std::vector<Ball>& balls, double cellSize)
+void BallCells::Build(const UnsetVector<Ball>& balls, double cellSize)
 {
   this->CellSize = cellSize;
   this->Levels.clear();
@@ -36,48 +36,56 @@ void BallCells::Build(const std::vector<Ball>& balls, double cellSize)
     throw std::length_error("More than 268 million particles are not supported.");
   }
   this->Measure(balls);
-  this->FindLevels(balls);
   this->FindSlots(balls);
   this->SortBySlots();
   this->FillBalls(balls);
 }
 
-void BallCells::Measure(const std::vector<Ball>& balls)
+// The box of some balls, and the largest radius of each size of cells, by doublings.
+struct BallCells::Sizes
 {
+  double Low[3];
+  double High[3];
+  std::map<int, double, std::greater<int>> Largest;
+
+  Sizes()
+  {
+    std::fill_n(this->Low, 3, std::numeric_limits<double>::infinity());
+    std::fill_n(this->High, 3, -std::numeric_limits<double>::infinity());
+  }
+
+  void Add(const Sizes& other)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = std::min(this->Low[axis], other.Low[axis]);
+      this->High[axis] = std::max(this->High[axis], other.High[axis]);
+    }
+    for (const auto& [doublings, most] : other.Largest)
+    {
+      double& known = this->Largest[doublings];
+      known = std::max(known, most);
+    }
+  }
+};
+
+void BallCells::Measure(const UnsetVector<Ball>& balls)
+{
+  std::vector<Sizes> ofPieces((balls.size() + BallsPerChunk - 1) / BallsPerChunk);
+  RunPieces(balls.size(), BallsPerChunk,
+    [&](std::size_t begin, std::size_t end)
+    { ofPieces[begin / BallsPerChunk] = this->MeasurePiece(balls, begin, end); });
+  Sizes all;
+  for (const Sizes& piece : ofPieces)
+  {
+    all.Add(piece);
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Ball& ball : balls)
-    {
-      low = std::min(low, ball.Centre[axis] - ball.Radius);
-      high = std::max(high, ball.Centre[axis] + ball.Radius);
-    }
-    this->Bounds[2 * axis] = low;
-    this->Bounds[2 * axis + 1] = high;
+    this->Bounds[2 * axis] = all.Low[axis];
+    this->Bounds[2 * axis + 1] = all.High[axis];
   }
-}
-
-// Of the least cells that hold the radius, by doublings of the size that was asked for.
-int BallCells::FindDoublings(double radius) const
-{
-  const int doublings = std::ilogb(radius / this->CellSize);
-  return std::ldexp(this->CellSize, doublings) < radius ? doublings + 1 : doublings;
-}
-
-void BallCells::FindLevels(const std::vector<Ball>& balls)
-{
-  std::map<int, double, std::greater<int>> largest; // radius, by doublings
-  double radius = 0.0;
-  for (const Ball& ball : balls)
-  {
-    if (ball.Radius != radius)
-    {
-      radius = ball.Radius;
-      double& most = largest[this->FindDoublings(radius)];
-      most = std::max(most, radius);
-    }
-  }
-  for (const auto& [doublings, most] : largest)
+  for (const auto& [doublings, most] : all.Largest)
   {
     if (this->Levels.size() < MaximumLevels)
     {
@@ -86,6 +94,42 @@ void BallCells::FindLevels(const std::vector<Ball>& balls)
     }
   }
   this->GroupSize = GroupPerCell / this->Levels.back().InverseSize;
+}
+
+BallCells::Sizes BallCells::MeasurePiece(
+  const UnsetVector<Ball>& balls, std::size_t begin, std::size_t end) const
+{
+  Sizes sizes;
+  int doublings = 0;
+  double* largest = nullptr;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const Ball& ball = balls[i];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sizes.Low[axis] = std::min(sizes.Low[axis], ball.Centre[axis] - ball.Radius);
+      sizes.High[axis] = std::max(sizes.High[axis], ball.Centre[axis] + ball.Radius);
+    }
+    const int own = this->FindDoublings(ball.Radius);
+    if (!largest || own != doublings)
+    {
+      doublings = own;
+      largest = &sizes.Largest[own];
+    }
+    *largest = std::max(*largest, ball.Radius);
+  }
+  return sizes;
+}
+
+// Of the least cells that hold the radius, by doublings of the size that was asked for.
+int BallCells::FindDoublings(double radius) const
+{
+  if (radius <= this->CellSize && 2.0 * radius > this->CellSize)
+  {
+    return 0; // nearly always
+  }
+  const int doublings = std::ilogb(radius / this->CellSize);
+  return std::ldexp(this->CellSize, doublings) < radius ? doublings + 1 : doublings;
 }
 
 std::size_t BallCells::FindLevel(double radius) const
@@ -101,7 +145,7 @@ std::size_t BallCells::FindLevel(double radius) const
 
 // A slot is a cell of a block. Each chunk numbers the blocks as they come, then all of them are
 // numbered in the order of the chunks.
-void BallCells::FindSlots(const std::vector<Ball>& balls)
+void BallCells::FindSlots(const UnsetVector<Ball>& balls)
 {
   const std::size_t chunks = (balls.size() + BallsPerChunk - 1) / BallsPerChunk;
   this->Chunks.resize(chunks);
@@ -128,7 +172,7 @@ void BallCells::FindSlots(const std::vector<Ball>& balls)
     });
 }
 
-void BallCells::FindSlotsOf(const std::vector<Ball>& balls, std::size_t begin, std::size_t end)
+void BallCells::FindSlotsOf(const UnsetVector<Ball>& balls, std::size_t begin, std::size_t end)
 {
   BlockTable& blocks = this->Chunks[begin / BallsPerChunk];
   blocks.Clear();
@@ -163,7 +207,7 @@ void BallCells::SortBySlots()
   }
 }
 
-void BallCells::FillBalls(const std::vector<Ball>& balls)
+void BallCells::FillBalls(const UnsetVector<Ball>& balls)
 {
   for (std::vector<float>& column : this->Columns)
   {

@@ -11,6 +11,7 @@
 
 #include "BlockTable.h"
 #include "InstructionSets.h"
+#include "UnsetVector.h"
 #include "vtkActivePotentialsModule.h"
 
 #include <algorithm>
@@ -44,10 +45,13 @@ public:
   };
 
   // Keeps its memory. Throws std::length_error for more balls than 32-bit lists can hold.
-  void Build(const std::vector<Ball>& balls, double cellSize);
+  void Build(const UnsetVector<Ball>& balls, double cellSize);
 
   // The numbers of the balls, by cells: hits are places in this list.
-  const std::vector<Index>& GetOrder() const { return this->Order; }
+  const UnsetVector<Index>& GetOrder() const { return this->Order; }
+
+  // 0 without balls.
+  double GetLargestRadius() const { return this->Levels.empty() ? 0.0 : this->Levels[0].Reach; }
 
   // The box of all balls: xmin xmax ymin ... Meaningless without balls.
   const double* GetBounds() const { return this->Bounds; }
@@ -111,14 +115,15 @@ private:
   template <class Visitor>
   ACTIVE_ALWAYS_INLINE void VisitRow(Index begin, Index end, const View& view, Visitor visit) const;
 
-  void Measure(const std::vector<Ball>& balls);
+  void Measure(const UnsetVector<Ball>& balls);
+  struct Sizes;
+  Sizes MeasurePiece(const UnsetVector<Ball>& balls, std::size_t begin, std::size_t end) const;
   int FindDoublings(double radius) const;
-  void FindLevels(const std::vector<Ball>& balls);
   std::size_t FindLevel(double radius) const;
-  void FindSlots(const std::vector<Ball>& balls);
-  void FindSlotsOf(const std::vector<Ball>& balls, std::size_t begin, std::size_t end);
+  void FindSlots(const UnsetVector<Ball>& balls);
+  void FindSlotsOf(const UnsetVector<Ball>& balls, std::size_t begin, std::size_t end);
   void SortBySlots();
-  void FillBalls(const std::vector<Ball>& balls);
+  void FillBalls(const UnsetVector<Ball>& balls);
   void FillBall(std::size_t k, const Ball& ball, const BlockTable::Block& block);
 
   double CellSize = 1.0;
@@ -127,12 +132,12 @@ private:
   std::vector<Level> Levels; // coarse to fine
   BlockTable Blocks;
   std::vector<Index> Starts; // of the balls of each cell of each block, z fastest, and the ends
-  std::vector<Index> Order;
+  UnsetVector<Index> Order;
   std::vector<float>
     Columns[4]; // of the balls in their order: x y z from the block's corner, radius^2
 
   // Of Build, kept for their memory.
-  std::vector<std::size_t> Slots; // of the balls
+  UnsetVector<std::size_t> Slots; // of the balls
   std::vector<BlockTable> Chunks;
 };
 

@@ -34,17 +34,20 @@ double GetShare(const NeighbourSums::Motion& motion)
 }
 
 std::vector<double> FindSharesOfMotion(const std::vector<SkeletonVertex>& particles,
-  const std::vector<ParticleFit>& fits, const std::vector<double>& velocities)
+  const ParticleFits& fits, const std::vector<double>& velocities)
 {
   const NeighbourSums neighbours(particles, 1.0);
-  const std::vector<BallCells::Index>& order = neighbours.GetOrder();
-  std::vector<NeighbourSums::Moving> moving;
-  moving.reserve(order.size());
-  for (const BallCells::Index i : order)
-  {
-    const double* v = &velocities[3 * std::size_t(i)];
-    moving.push_back({ { v[0], v[1], v[2] }, fits[i].Bulk });
-  }
+  const UnsetVector<BallCells::Index>& order = neighbours.GetOrder();
+  UnsetVector<NeighbourSums::Moving> moving(order.size());
+  RunPieces(order.size(), ParticlesPerTask,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const double* v = &velocities[3 * std::size_t(order[k])];
+        moving[k] = { { v[0], v[1], v[2] }, fits[order[k]].Bulk };
+      }
+    });
   std::vector<double> shares(particles.size(), 1.0);
   RunPieces(order.size(), ParticlesPerTask,
     [&](std::size_t first, std::size_t end)

@@ -20,7 +20,7 @@ namespace activesurface
 // For each particle, in [0,1]: 1 where no body is in reach. A velocity (x y z each) that is not a
 // number is left out of all means. Thread-count independent. Throws as BallCells do.
 VTKACTIVEPOTENTIALS_EXPORT std::vector<double> FindSharesOfMotion(
-  const std::vector<SkeletonVertex>& particles, const std::vector<ParticleFit>& fits,
+  const std::vector<SkeletonVertex>& particles, const ParticleFits& fits,
   const std::vector<double>& velocities);
 
 }

@@ -62,7 +62,7 @@ public:
   {
   }
 
-  std::vector<ParticleFit> Find()
+  ParticleFits Find()
   {
     if (this->IsCrowd())
     {
@@ -70,7 +70,7 @@ public:
       {
         this->RefuseCrowd();
       }
-      return std::move(this->Fits);
+      return ParticleFits(this->Particles.size(), ParticleFit());
     }
     this->ForEachBatch([this](const Batch& batch) { this->FindNeighbourhoods(batch); });
     if (this->Options.Model != ParticleModel::Sum)
@@ -178,9 +178,10 @@ private:
     // The integral of (1 - d^2/R^2)^2 over the ball of radius R, over (2 r)^3.
     const double whole = 32.0 * 3.14159265358979 / 105.0 * std::pow(reach / (2.0 * own), 3.0);
     const double others = sums.Weight - std::max(particle.Strength, 0.0);
-    ParticleFit& fit = this->Fits[i];
+    ParticleFit& fit = this->Fits[i] = ParticleFit();
     fit.Bulk = SmoothStep(LeastBody, FullBody, others / whole);
     fit.OwnRadius = own;
+    fit.Strength = 1.0; // until it is known
 
     const NeighbourhoodShape shape(sums);
     const double depth = std::hypot(shape.Mean[0], shape.Mean[1], shape.Mean[2]);
@@ -212,10 +213,6 @@ private:
     ParticlePotential body;
     if (this->IsAnisotropic())
     {
-      for (ParticleFit& fit : this->Fits)
-      {
-        fit.Strength = 1.0;
-      }
       body.Build(ParticleModel::Anisotropic, this->Particles, this->Fits);
     }
     this->ForEachBatch([this, &body](const Batch& batch) { this->FindLacks(batch, body); });
@@ -318,18 +315,17 @@ private:
 
   const FitOptions Options;
   const std::vector<SkeletonVertex>& Particles;
-  std::vector<ParticleFit> Fits;
-  std::vector<NeighbourSums::Shares> Surface; // in their order
-  std::vector<SurfacePlaces> Outside;
+  ParticleFits Fits;
+  UnsetVector<NeighbourSums::Shares> Surface; // in their order
+  UnsetVector<SurfacePlaces> Outside;
   const double NeighbourhoodFactor;
   const NeighbourSums Neighbours;
-  const std::vector<BallCells::Index>& Order; // of the particles
+  const UnsetVector<BallCells::Index>& Order; // of the particles
 };
 
 }
 
-std::vector<ParticleFit> FitParticles(
-  const FitOptions& options, const std::vector<SkeletonVertex>& particles)
+ParticleFits FitParticles(const FitOptions& options, const std::vector<SkeletonVertex>& particles)
 {
   return Fitting(options, particles).Find();
 }

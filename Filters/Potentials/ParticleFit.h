@@ -30,7 +30,7 @@ struct FitOptions
 // One fit for each particle. Thread-count independent. Throws as BallCells do, and
 // std::invalid_argument for so many in one place that it would take hours, unless crowds are
 // spared.
-VTKACTIVEPOTENTIALS_EXPORT std::vector<ParticleFit> FitParticles(
+VTKACTIVEPOTENTIALS_EXPORT ParticleFits FitParticles(
   const FitOptions& options, const std::vector<SkeletonVertex>& particles);
 
 }

@@ -22,7 +22,7 @@ public:
   struct Carried
   {
     const std::vector<double>& Velocities;
-    const std::vector<ParticleFit>& Fits;
+    const ParticleFits& Fits;
   };
 
   // Comes before the first evaluation. Vertices have to be usable; those of strength <= 0 add
@@ -51,12 +51,12 @@ private:
 
   static Element MakeElement(const SkeletonVertex& particle, std::size_t i, const Carried& carried);
 
-  std::vector<Element> Elements; // in the order of the cells
+  UnsetVector<Element> Elements; // in the order of the cells
   double CellSize = 1.0;
   BallCells Near;
 
   // Of Build, kept for their memory: the particles that add something, and their numbers.
-  std::vector<BallCells::Ball> Balls;
+  UnsetVector<BallCells::Ball> Balls;
   std::vector<std::size_t> Numbers;
 };
 

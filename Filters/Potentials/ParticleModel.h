@@ -6,6 +6,8 @@
 #ifndef ParticleModel_h
 #define ParticleModel_h
 
+#include "UnsetVector.h"
+
 #include <algorithm>
 
 namespace activesurface
@@ -34,29 +36,31 @@ inline double GetShareOfNoise(double bulk)
 }
 
 // What a particle is among its neighbours: found once for each time step of the input, and in
-// between as it changes evenly.
+// between as it changes evenly. ParticleFit() is one without neighbours, and without a size.
 struct ParticleFit
 {
   // In [0,1]: 0 for a lone particle or in a thread of few, 1 in a body of fluid.
-  double Bulk = 0.0;
+  double Bulk;
 
   // At the edge of a body: the spacing, in the direction away from its neighbours; else 0.
-  double Outward[3] = { 0.0, 0.0, 0.0 };
+  double Outward[3];
 
   // How far from the averaged centre the surface is, where this particle's neighbourhood makes it.
-  double OwnRadius = 0.0; // AveragedCentre
+  double OwnRadius; // AveragedCentre
 
   // Anisotropic: the ellipsoid of influence, dT Metric d = 1, around the position plus Offset.
-  double Strength = 0.0;
-  double Reach = 0.0; // the longest half-axis, or more
-  double Offset[3] = { 0.0, 0.0, 0.0 };
-  double Metric[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; // xx xy xz yy yz zz
+  double Strength;
+  double Reach; // the longest half-axis, or more
+  double Offset[3];
+  double Metric[6]; // xx xy xz yy yz zz
 
   bool IsAtEdge() const
   {
     return this->Outward[0] != 0.0 || this->Outward[1] != 0.0 || this->Outward[2] != 0.0;
   }
 };
+
+using ParticleFits = UnsetVector<ParticleFit>;
 
 }
 

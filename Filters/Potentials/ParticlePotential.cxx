@@ -276,47 +276,59 @@ private:
   }
 };
 
-void ParticlePotential::Build(ParticleModel model, const std::vector<SkeletonVertex>& particles,
-  const std::vector<ParticleFit>& fits)
+void ParticlePotential::Build(
+  ParticleModel model, const std::vector<SkeletonVertex>& particles, const ParticleFits& fits)
 {
   this->Model = model;
-  this->Balls.clear();
   this->Numbers.clear();
-  this->LargestReach = 0.0;
   double largestRadius = 0.0; // steadier than the reaches of ellipsoids
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     if (particles[i].Strength > 0.0)
     {
       this->Numbers.push_back(i);
-      this->AddBall(particles[i], fits[i]);
       largestRadius = std::max(largestRadius, particles[i].Radius);
     }
   }
   const bool isAnisotropic = model == ParticleModel::Anisotropic;
   this->CellSize = (isAnisotropic ? UsualStretch : 1.0) * largestRadius;
+  this->Balls.resize(this->Numbers.size());
+  ForEachElement([&](std::size_t k)
+    { this->Balls[k] = this->MakeBall(particles[this->Numbers[k]], fits[this->Numbers[k]]); });
   this->Near.Build(this->Balls, this->CellSize);
+  this->LargestReach = this->Near.GetLargestRadius();
   this->Centres.resize(isAnisotropic ? 0 : this->Balls.size());
   this->Ellipsoids.resize(isAnisotropic ? this->Balls.size() : 0);
+  ForEachElement(
+    [&](std::size_t k)
+    {
+      const std::size_t i = this->Numbers[this->Near.GetOrder()[k]];
+      if (isAnisotropic)
+      {
+        this->Ellipsoids[k] = MakeEllipsoid(particles[i], fits[i]);
+      }
+      else
+      {
+        this->Centres[k] = MakeCentre(particles[i], fits[i]);
+      }
+    });
+}
+
+template <class Function>
+void ParticlePotential::ForEachElement(Function function) const
+{
   RunPieces(this->Balls.size(), ElementsPerTask,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t k = begin; k < end; ++k)
       {
-        const std::size_t i = this->Numbers[this->Near.GetOrder()[k]];
-        if (isAnisotropic)
-        {
-          this->Ellipsoids[k] = MakeEllipsoid(particles[i], fits[i]);
-        }
-        else
-        {
-          this->Centres[k] = MakeCentre(particles[i], fits[i]);
-        }
+        function(k);
       }
     });
 }
 
-void ParticlePotential::AddBall(const SkeletonVertex& particle, const ParticleFit& fit)
+BallCells::Ball ParticlePotential::MakeBall(
+  const SkeletonVertex& particle, const ParticleFit& fit) const
 {
   const bool isAnisotropic = this->Model == ParticleModel::Anisotropic;
   BallCells::Ball ball{ {}, isAnisotropic ? fit.Reach : particle.Radius };
@@ -324,8 +336,7 @@ void ParticlePotential::AddBall(const SkeletonVertex& particle, const ParticleFi
   {
     ball.Centre[axis] = particle.Position[axis] + (isAnisotropic ? fit.Offset[axis] : 0.0);
   }
-  this->LargestReach = std::max(this->LargestReach, ball.Radius);
-  this->Balls.push_back(ball);
+  return ball;
 }
 
 ParticlePotential::CentreElement ParticlePotential::MakeCentre(

@@ -32,8 +32,8 @@ public:
   // Comes before the first evaluation; each particle has a fit. Those with a strength <= 0 add
   // nothing. Vertices have to be usable. Not for ParticleModel::Sum. Keeps its memory. Throws as
   // BallCells do.
-  void Build(ParticleModel model, const std::vector<SkeletonVertex>& particles,
-    const std::vector<ParticleFit>& fits);
+  void Build(
+    ParticleModel model, const std::vector<SkeletonVertex>& particles, const ParticleFits& fits);
 
   // No particles at all.
   void Clear() { this->Build(ParticleModel::AveragedCentre, {}, {}); }
@@ -84,19 +84,21 @@ private:
   void EvaluateField(std::size_t count, const double* points, double* values, double* gradients,
     double* bulks) const;
 
-  void AddBall(const SkeletonVertex& particle, const ParticleFit& fit);
+  template <class Function>
+  void ForEachElement(Function function) const;
+  BallCells::Ball MakeBall(const SkeletonVertex& particle, const ParticleFit& fit) const;
   static CentreElement MakeCentre(const SkeletonVertex& particle, const ParticleFit& fit);
   static AnisotropicElement MakeEllipsoid(const SkeletonVertex& particle, const ParticleFit& fit);
 
   ParticleModel Model = ParticleModel::AveragedCentre;
-  std::vector<CentreElement> Centres; // in the order of the cells, and so are the ellipsoids
-  std::vector<AnisotropicElement> Ellipsoids;
+  UnsetVector<CentreElement> Centres; // in the order of the cells, and so are the ellipsoids
+  UnsetVector<AnisotropicElement> Ellipsoids;
   double LargestReach = 0.0;
   double CellSize = 1.0;
   BallCells Near;
 
   // Of Build, kept for their memory: the particles that add something, and their numbers.
-  std::vector<BallCells::Ball> Balls;
+  UnsetVector<BallCells::Ball> Balls;
   std::vector<std::size_t> Numbers;
 };
 

@@ -102,30 +102,30 @@ bool CopyNumbers(const char* name, const Imf::Attribute& attribute, vtkFieldData
 {
   using Ints = std::vector<int>;
   using Floats = std::vector<float>;
-  if (const auto* found = Cast<Imf::IntAttribute>(attribute))
+  if (const auto* asInt = Cast<Imf::IntAttribute>(attribute))
   {
-    AddNumbers<vtkIntArray>(name, Ints{ found->value() }, data);
+    AddNumbers<vtkIntArray>(name, Ints{ asInt->value() }, data);
   }
-  else if (const auto* found = Cast<Imf::FloatAttribute>(attribute))
+  else if (const auto* asFloat = Cast<Imf::FloatAttribute>(attribute))
   {
-    AddNumbers<vtkFloatArray>(name, Floats{ found->value() }, data);
+    AddNumbers<vtkFloatArray>(name, Floats{ asFloat->value() }, data);
   }
-  else if (const auto* found = Cast<Imf::DoubleAttribute>(attribute))
+  else if (const auto* asDouble = Cast<Imf::DoubleAttribute>(attribute))
   {
-    AddNumbers<vtkDoubleArray>(name, std::vector<double>{ found->value() }, data);
+    AddNumbers<vtkDoubleArray>(name, std::vector<double>{ asDouble->value() }, data);
   }
-  else if (const auto* found = Cast<Imf::FloatVectorAttribute>(attribute))
+  else if (const auto* asFloats = Cast<Imf::FloatVectorAttribute>(attribute))
   {
-    AddNumbers<vtkFloatArray>(name, found->value(), data);
+    AddNumbers<vtkFloatArray>(name, asFloats->value(), data);
   }
-  else if (const auto* found = Cast<Imf::RationalAttribute>(attribute))
+  else if (const auto* asRational = Cast<Imf::RationalAttribute>(attribute))
   {
-    AddNumbers<vtkDoubleArray>(
-      name, std::vector<double>{ double(found->value().n), double(found->value().d) }, data);
+    AddNumbers<vtkDoubleArray>(name,
+      std::vector<double>{ double(asRational->value().n), double(asRational->value().d) }, data);
   }
-  else if (const auto* found = Cast<Imf::ChromaticitiesAttribute>(attribute))
+  else if (const auto* asColours = Cast<Imf::ChromaticitiesAttribute>(attribute))
   {
-    const Imf::Chromaticities& c = found->value();
+    const Imf::Chromaticities& c = asColours->value();
     AddNumbers<vtkFloatArray>(name,
       Floats{ c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y },
       data);
@@ -141,31 +141,31 @@ bool CopyVectors(const char* name, const Imf::Attribute& attribute, vtkFieldData
 {
   using Ints = std::vector<int>;
   using Floats = std::vector<float>;
-  if (const auto* found = Cast<Imf::Box2iAttribute>(attribute))
+  if (const auto* asBox = Cast<Imf::Box2iAttribute>(attribute))
   {
-    const Imath::Box2i& box = found->value();
+    const Imath::Box2i& box = asBox->value();
     AddNumbers<vtkIntArray>(name, Ints{ box.min.x, box.min.y, box.max.x, box.max.y }, data);
   }
-  else if (const auto* found = Cast<Imf::V2iAttribute>(attribute))
+  else if (const auto* asInts = Cast<Imf::V2iAttribute>(attribute))
   {
-    AddNumbers<vtkIntArray>(name, Ints{ found->value().x, found->value().y }, data);
+    AddNumbers<vtkIntArray>(name, Ints{ asInts->value().x, asInts->value().y }, data);
   }
-  else if (const auto* found = Cast<Imf::V2fAttribute>(attribute))
+  else if (const auto* asPair = Cast<Imf::V2fAttribute>(attribute))
   {
-    AddNumbers<vtkFloatArray>(name, Floats{ found->value().x, found->value().y }, data);
+    AddNumbers<vtkFloatArray>(name, Floats{ asPair->value().x, asPair->value().y }, data);
   }
-  else if (const auto* found = Cast<Imf::V3fAttribute>(attribute))
+  else if (const auto* asTriple = Cast<Imf::V3fAttribute>(attribute))
   {
-    const Imath::V3f& v = found->value();
+    const Imath::V3f& v = asTriple->value();
     AddNumbers<vtkFloatArray>(name, Floats{ v.x, v.y, v.z }, data);
   }
-  else if (const auto* found = Cast<Imf::M33fAttribute>(attribute))
+  else if (const auto* asMatrix3 = Cast<Imf::M33fAttribute>(attribute))
   {
-    AddNumbers<vtkDoubleArray>(name, Transpose<3>(found->value()), data);
+    AddNumbers<vtkDoubleArray>(name, Transpose<3>(asMatrix3->value()), data);
   }
-  else if (const auto* found = Cast<Imf::M44fAttribute>(attribute))
+  else if (const auto* asMatrix4 = Cast<Imf::M44fAttribute>(attribute))
   {
-    AddNumbers<vtkDoubleArray>(name, Transpose<4>(found->value()), data);
+    AddNumbers<vtkDoubleArray>(name, Transpose<4>(asMatrix4->value()), data);
   }
   else
   {
@@ -176,21 +176,21 @@ bool CopyVectors(const char* name, const Imf::Attribute& attribute, vtkFieldData
 
 void CopyTexts(const char* name, const Imf::Attribute& attribute, vtkFieldData* data)
 {
-  if (const auto* found = Cast<Imf::StringAttribute>(attribute))
+  if (const auto* asText = Cast<Imf::StringAttribute>(attribute))
   {
-    AddTexts(name, { found->value() }, data);
+    AddTexts(name, { asText->value() }, data);
   }
-  else if (const auto* found = Cast<Imf::StringVectorAttribute>(attribute))
+  else if (const auto* asTexts = Cast<Imf::StringVectorAttribute>(attribute))
   {
-    AddTexts(name, found->value(), data);
+    AddTexts(name, asTexts->value(), data);
   }
-  else if (const auto* found = Cast<Imf::TimeCodeAttribute>(attribute))
+  else if (const auto* asTime = Cast<Imf::TimeCodeAttribute>(attribute))
   {
-    AddTexts(name, { Write(found->value()) }, data);
+    AddTexts(name, { Write(asTime->value()) }, data);
   }
-  else if (const auto* found = Cast<Imf::CompressionAttribute>(attribute))
+  else if (const auto* asCompression = Cast<Imf::CompressionAttribute>(attribute))
   {
-    AddTexts(name, { Write(found->value()) }, data);
+    AddTexts(name, { Write(asCompression->value()) }, data);
   }
 }
 

@@ -269,7 +269,8 @@ private:
       const std::int64_t chunks = tiled
         ? Pieces(part.Width, part.TileWidth) * Pieces(part.Height, part.TileHeight)
         : Pieces(part.Height, part.Packed.Lines);
-      const double bytes = part.Deep ? 0.0 : static_cast<double>(area) * part.PixelBytes;
+      const double bytes =
+        part.Deep ? 0.0 : static_cast<double>(area) * static_cast<double>(part.PixelBytes);
       if (static_cast<std::uint64_t>(chunks) > size / 8 ||
         bytes > static_cast<double>(size) * part.Packed.Ratio)
       {

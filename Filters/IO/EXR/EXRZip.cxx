@@ -205,7 +205,8 @@ void WriteZipped(
   constexpr int linesOfZip = 16;
   const int lines = header.compression() == Imf::ZIP_COMPRESSION ? linesOfZip : 1;
   const Pixels pixels{ channels, header.dataWindow(), level };
-  if (16.0 * pixels.Width() * lines * channels.size() > std::numeric_limits<std::int32_t>::max())
+  if (16.0 * static_cast<double>(pixels.Width()) * lines * static_cast<double>(channels.size()) >
+    std::numeric_limits<std::int32_t>::max())
   {
     throw FileError(vtkErrorCode::UserError,
       "the image is too wide for the format: 16 rows of all channels have to be below 512 MiB");

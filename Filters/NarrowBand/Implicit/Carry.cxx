@@ -196,7 +196,7 @@ bool CarrySurface(const FollowingBand& band, const Motion& motion, double begin,
 {
   const double factor = motion.Transport * (end - begin) / band.VoxelSize;
   const TargetDisplacements displacements(target, band.VoxelSize, factor);
-  target.MoveTo(begin);
+  target.MoveVelocitiesTo(begin);
   ForgetChanged(band.Leaves, band.VoxelSize, target);
   const CarriedLeaves leaves(band.Leaves, displacements);
   const std::size_t count = leaves.GetOrigins().size();

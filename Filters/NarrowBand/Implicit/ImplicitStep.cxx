@@ -238,8 +238,8 @@ private:
       };
       const bool isTense = plan.GetStages() &&
         count(LongestDisplacementByTension,
-          [this](std::int32_t i)
-          { return this->Buffers.LargestTensionDisplacement[i]; }) > FewLeaves * surface.size();
+          [this](std::int32_t i) { return this->Buffers.LargestTensionDisplacement[i]; }) >
+          FewLeaves * static_cast<double>(surface.size());
       const bool isFar = isControlled &&
         count(LongestDisplacementBeforeControl,
           [&](std::int32_t i) { return DisplacementOf(i, coefficients, this->Buffers); }) > 0.0;

@@ -115,7 +115,7 @@ double Displacement::GetShareBeyond(const LeafTable& table, double distance) con
     this->ForEachPoint(
       table, i, [&near, distance](double moved) { near += moved <= distance ? 1 : 0; });
   }
-  return all > 0 ? static_cast<double>(all - near) / all : 0.0;
+  return all > 0 ? static_cast<double>(all - near) / static_cast<double>(all) : 0.0;
 }
 
 }

@@ -36,6 +36,7 @@ public:
   bool IsCut() const { return this->Box.Present || this->Solid; }
 
   void MoveTo(double time) override { this->Within.MoveTo(time); }
+  void MoveVelocitiesTo(double time) override { this->Within.MoveVelocitiesTo(time); }
   bool MayHaveChanged(const double bounds[6]) const override
   {
     return this->Within.MayHaveChanged(bounds);

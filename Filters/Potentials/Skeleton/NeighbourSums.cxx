@@ -103,7 +103,7 @@ struct NeighbourSums::MomentField
 struct NeighbourSums::ShareField : SumField<NeighbourSums::ShareField, 2>
 {
   const NeighbourSums& Neighbours;
-  const std::vector<Shares>& OfParticles;
+  const UnsetVector<Shares>& OfParticles;
   Shares* Found;
 
   ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
@@ -139,7 +139,7 @@ struct NeighbourSums::ShareField : SumField<NeighbourSums::ShareField, 2>
 struct NeighbourSums::MotionField : SumField<NeighbourSums::MotionField, 7> // as in Motion
 {
   const NeighbourSums& Neighbours;
-  const std::vector<Moving>& OfParticles;
+  const UnsetVector<Moving>& OfParticles;
   Motion* Motions;
 
   ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
@@ -190,15 +190,21 @@ struct NeighbourSums::MotionField : SumField<NeighbourSums::MotionField, 7> // a
 
 NeighbourSums::NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor)
 {
-  std::vector<BallCells::Ball> balls;
-  balls.reserve(particles.size());
   double largest = 0.0;
   for (const SkeletonVertex& particle : particles)
   {
-    const double* p = particle.Position;
-    balls.push_back({ { p[0], p[1], p[2] }, factor * particle.Radius });
-    largest = std::max(largest, balls.back().Radius);
+    largest = std::max(largest, factor * particle.Radius);
   }
+  UnsetVector<BallCells::Ball> balls(particles.size());
+  RunPieces(particles.size(), ElementsPerTask,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const double* p = particles[i].Position;
+        balls[i] = { { p[0], p[1], p[2] }, factor * particles[i].Radius };
+      }
+    });
   this->Near.Build(balls, largest);
   this->Elements.resize(particles.size());
   RunPieces(particles.size(), ElementsPerTask,
@@ -246,7 +252,7 @@ void NeighbourSums::FindMoments(
 }
 
 void NeighbourSums::FindShares(std::size_t count, const double* places,
-  const std::vector<Shares>& ofParticles, Shares* shares) const
+  const UnsetVector<Shares>& ofParticles, Shares* shares) const
 {
   EvaluateInLanes(this->Near, count, places,
     [&](std::size_t first) {
@@ -255,7 +261,7 @@ void NeighbourSums::FindShares(std::size_t count, const double* places,
 }
 
 void NeighbourSums::FindMotions(std::size_t count, const double* places,
-  const std::vector<Moving>& ofParticles, Motion* motions) const
+  const UnsetVector<Moving>& ofParticles, Motion* motions) const
 {
   EvaluateInLanes(this->Near, count, places,
     [&](std::size_t first) {

@@ -29,7 +29,7 @@ public:
   NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor);
 
   // The numbers of all particles, by cells: places near one another are evaluated faster together.
-  const std::vector<BallCells::Index>& GetOrder() const { return this->Near.GetOrder(); }
+  const UnsetVector<BallCells::Index>& GetOrder() const { return this->Near.GetOrder(); }
 
   // Where some of the particles are, from the first one on in this order.
   std::vector<double> ListPlaces(std::size_t first, std::size_t count) const;
@@ -44,10 +44,10 @@ public:
   // and sum w Share Value.
   struct Shares
   {
-    double Share = 0.0;
-    double Value = 0.0;
+    double Share;
+    double Value;
   };
-  void FindShares(std::size_t count, const double* places, const std::vector<Shares>& ofParticles,
+  void FindShares(std::size_t count, const double* places, const UnsetVector<Shares>& ofParticles,
     Shares* shares) const;
 
   // Of the velocities of the particles, in this order, with weights w; those that are not a number
@@ -65,7 +65,7 @@ public:
     double Square = 0.0;                    // sum w v^2
     double Bulk = 0.0;                      // sum w bulk
   };
-  void FindMotions(std::size_t count, const double* places, const std::vector<Moving>& ofParticles,
+  void FindMotions(std::size_t count, const double* places, const UnsetVector<Moving>& ofParticles,
     Motion* motions) const;
 
 private:
@@ -79,7 +79,7 @@ private:
   struct ShareField;
   struct MotionField;
 
-  std::vector<Element> Elements; // in the order of the cells
+  UnsetVector<Element> Elements; // in the order of the cells
   BallCells Near;
 };
 

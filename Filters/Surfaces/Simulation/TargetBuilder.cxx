@@ -349,16 +349,14 @@ std::unique_ptr<PotentialTarget> TargetBuilder::MakeFunctionTarget() const
 void TargetBuilder::MakeTarget()
 {
   this->Moving = nullptr;
-  if (this->Settings.UsesInput())
-  {
-    std::unique_ptr<MovingTarget> moving = this->MakeMovingTarget();
-    this->Moving = moving.get();
-    this->Target = std::move(moving);
-  }
-  else
+  if (!this->Settings.UsesInput())
   {
     this->Target = this->MakeFunctionTarget();
+    return;
   }
+  std::unique_ptr<MovingTarget> moving = this->MakeMovingTarget();
+  this->Moving = moving.get();
+  this->Target = std::move(moving);
 }
 
 void TargetBuilder::StartTarget()
@@ -368,6 +366,7 @@ void TargetBuilder::StartTarget()
   {
     this->Prepare(0, *this->Frames.Find(0));
     this->Moving->MoveAlong(0, 0.0, 0.0);
+    this->Moving->Complete();
   }
 }
 
@@ -380,6 +379,7 @@ std::unique_ptr<PotentialTarget> TargetBuilder::MakeTargetAt(
   }
   std::unique_ptr<MovingTarget> target = this->MakeMovingTarget();
   target->MoveAlong(step, begin, end);
+  target->Complete();
   return target;
 }
 

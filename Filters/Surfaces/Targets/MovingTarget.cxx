@@ -14,6 +14,21 @@ void MovingTarget::MoveAlong(int step, double begin, double end)
 
 void MovingTarget::MoveTo(double time)
 {
+  this->MoveVelocitiesTo(time);
+  this->Complete();
+}
+
+void MovingTarget::Complete()
+{
+  if (!this->IsFinished)
+  {
+    this->Finish();
+    this->IsFinished = true;
+  }
+}
+
+void MovingTarget::MoveVelocitiesTo(double time)
+{
   const double length = this->End - this->Begin;
   const double fraction = length > 0.0 ? (time - this->Begin) / length : 0.0;
   const bool placed = this->PlaceOnce(this->Step, std::min(std::max(fraction, 0.0), 1.0));
@@ -44,6 +59,7 @@ bool MovingTarget::PlaceOnce(int step, double fraction)
   this->PlacedDuration = this->GetDuration();
   this->Step = step;
   this->Fraction = fraction;
+  this->IsFinished = false;
   this->Place(step, fraction);
   return true;
 }

@@ -17,12 +17,19 @@ public:
   // Without a next step, or if end = begin, it stays.
   void MoveAlong(int step, double begin, double end);
 
+  // Comes between MoveAlong and an evaluation before the first MoveTo.
+  void Complete();
+
   void MoveTo(double time) override;
+  void MoveVelocitiesTo(double time) override;
   bool MayHaveChanged(const double bounds[6]) const override;
 
 protected:
-  // At a fraction in [0,1] of the way from this step to the next.
+  // At a fraction in [0,1] of the way from this step to the next. EvaluateVelocities may follow.
   virtual void Place(int step, double fraction) = 0;
+
+  // The rest of it, for all other evaluations: once after a Place, or not at all.
+  virtual void Finish() {}
 
   // From the step to the next one [motion time]; 0 where it stays.
   double GetDuration() const { return this->End - this->Begin; }
@@ -50,6 +57,7 @@ private:
   double PlacedDuration = 0.0;        // when it was placed
   bool HasJumped = true;              // other than by MoveTo
   Change Recent = Change::Everything; // with the last MoveTo
+  bool IsFinished = false;
 };
 
 }

@@ -37,7 +37,7 @@ struct ParticleFrame
   bool HasRadii = false;          // from the array, else to be given by GiveRadius
   std::size_t Ignored = 0;        // points left out: not finite, or without a size
   std::vector<vtkIdType> Points;  // of the input, which the particles are
-  std::vector<ParticleFit> Fits;  // of the particles; empty until they are asked for
+  ParticleFits Fits;              // of the particles; empty until they are asked for
   std::vector<double> Velocities; // of the particles, x y z each; empty without an array
   vtkSmartPointer<vtkPointData> Passed; // of the input's points, a copy; null if not wanted
 

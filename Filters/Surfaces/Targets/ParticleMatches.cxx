@@ -1,5 +1,7 @@
 #include "Targets/ParticleMatches.h"
 
+#include "ParallelTasks.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +12,8 @@ namespace activesurface
 
 namespace
 {
+
+constexpr std::size_t ParticlesPerTask = 4096;
 
 // Indices of the particles, by ascending id; equal ids stay in order.
 std::vector<std::size_t> SortByIds(const std::vector<std::int64_t>& ids)
@@ -69,7 +73,7 @@ double Between(double a, double b, double fraction)
 
 ParticleFit Between(const ParticleFit& a, const ParticleFit& b, double fraction)
 {
-  ParticleFit fit;
+  ParticleFit fit{};
   fit.Bulk = Between(a.Bulk, b.Bulk, fraction);
   fit.OwnRadius = Between(a.OwnRadius, b.OwnRadius, fraction);
   fit.Strength = Between(a.Strength, b.Strength, fraction);
@@ -90,6 +94,14 @@ ParticleFit Shrunk(ParticleFit fit, double share)
 {
   fit.OwnRadius *= std::cbrt(share);
   return fit;
+}
+
+ParticleFit FitOf(const ParticleOrigin& origin, const ParticleFits& earlier,
+  const ParticleFits& later, double fraction)
+{
+  return origin.Later == NoPartner ? Shrunk(earlier[origin.Earlier], 1.0 - fraction)
+    : origin.Earlier == NoPartner  ? Shrunk(later[origin.Later], fraction)
+                                  : Between(earlier[origin.Earlier], later[origin.Later], fraction);
 }
 
 void MoveTowards(SkeletonVertex& particle, const SkeletonVertex& partner, double fraction)
@@ -196,24 +208,17 @@ void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& lat
 }
 
 void InterpolateFits(const ParticleFrame& earlier, const ParticleFrame& later, double fraction,
-  const std::vector<ParticleOrigin>& origins, std::vector<ParticleFit>& fits)
+  const std::vector<ParticleOrigin>& origins, ParticleFits& fits)
 {
-  fits.clear();
-  for (const ParticleOrigin& origin : origins)
-  {
-    if (origin.Later == NoPartner)
+  fits.resize(origins.size());
+  RunPieces(origins.size(), ParticlesPerTask,
+    [&](std::size_t begin, std::size_t end)
     {
-      fits.push_back(Shrunk(earlier.Fits[origin.Earlier], 1.0 - fraction));
-    }
-    else if (origin.Earlier == NoPartner)
-    {
-      fits.push_back(Shrunk(later.Fits[origin.Later], fraction));
-    }
-    else
-    {
-      fits.push_back(Between(earlier.Fits[origin.Earlier], later.Fits[origin.Later], fraction));
-    }
-  }
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        fits[i] = FitOf(origins[i], earlier.Fits, later.Fits, fraction);
+      }
+    });
 }
 
 void FindOriginsOfEarlier(

@@ -46,7 +46,7 @@ void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& lat
 // What the particles at such origins are among their neighbours. One that fades shrinks with its
 // volume: a lone particle grows from nothing.
 void InterpolateFits(const ParticleFrame& earlier, const ParticleFrame& later, double fraction,
-  const std::vector<ParticleOrigin>& origins, std::vector<ParticleFit>& fits);
+  const std::vector<ParticleOrigin>& origins, ParticleFits& fits);
 
 // The origins of a step's particles, with their partners in the next one; matches: null without
 // one.

@@ -80,9 +80,16 @@ void ParticleTarget::Place(int step, double fraction)
   std::swap(this->Previous, this->Now);
   this->Frames.PlaceParticles(step, fraction, needs, this->Now);
   this->FindChanged();
-  const auto getCells = [this]
-  { return std::make_pair(this->Body.GetCellSize(), this->Means.GetCellSize()); };
-  const auto before = getCells();
+  if (this->Options.Carries || (this->IsSum() && this->Options.WantsBulks()))
+  {
+    const double before = this->Means.GetCellSize();
+    this->Means.Build(this->Now.Particles, { this->Now.Velocities, this->Now.Fits });
+    this->NoteCells(before, this->Means.GetCellSize());
+  }
+}
+
+void ParticleTarget::Finish()
+{
   if (this->IsSum())
   {
     this->Elements.Clear();
@@ -91,18 +98,19 @@ void ParticleTarget::Place(int step, double fraction)
       this->Elements.AddPoint(particle);
     }
     this->Elements.Build();
+    return;
   }
-  else
+  const double before = this->Body.GetCellSize();
+  this->Body.Build(this->Options.Model, this->Now.Particles, this->Now.Fits);
+  this->NoteCells(before, this->Body.GetCellSize());
+}
+
+// In cells of another size sums are in another order, so that all of them change by rounding.
+void ParticleTarget::NoteCells(double before, double now)
+{
+  if (now != before)
   {
-    this->Body.Build(this->Options.Model, this->Now.Particles, this->Now.Fits);
-  }
-  if (this->Options.Carries || (this->IsSum() && this->Options.WantsBulks()))
-  {
-    this->Means.Build(this->Now.Particles, { this->Now.Velocities, this->Now.Fits });
-  }
-  if (getCells() != before)
-  {
-    this->Changed.SetEverywhere(); // by rounding
+    this->Changed.SetEverywhere();
   }
 }
 

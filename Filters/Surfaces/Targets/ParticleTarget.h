@@ -37,6 +37,7 @@ public:
 
 protected:
   void Place(int step, double fraction) override;
+  void Finish() override;
   bool DependsOnDuration() const override { return this->Options.Carries; }
   bool HasChangedIn(const double bounds[6]) const override;
   void Sample(
@@ -47,6 +48,7 @@ protected:
 private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
   void FindChanged();
+  void NoteCells(double before, double now);
   bool IsSame(std::size_t i) const;
 
   const TargetFrames& Frames;

@@ -24,7 +24,7 @@ struct PlacedNeeds
 struct PlacedParticles
 {
   std::vector<SkeletonVertex> Particles;
-  std::vector<ParticleFit> Fits;  // of each, or empty
+  ParticleFits Fits;              // of each, or empty
   std::vector<double> Velocities; // of each, x y z, NaN for unknown; or empty
 
   std::vector<ParticleOrigin> Origins; // kept for its memory

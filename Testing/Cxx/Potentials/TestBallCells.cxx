@@ -18,7 +18,7 @@ using namespace activesurface;
 namespace
 {
 
-using Balls = std::vector<BallCells::Ball>;
+using Balls = UnsetVector<BallCells::Ball>;
 
 struct Cloud
 {

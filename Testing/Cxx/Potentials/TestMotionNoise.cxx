@@ -23,7 +23,7 @@ constexpr int Count = Side * Side * Side;
 struct Block
 {
   std::vector<SkeletonVertex> Particles;
-  std::vector<ParticleFit> Fits;
+  ParticleFits Fits;
   std::vector<double> Velocities;
 
   Block(const double velocity[3], double noise, double bulk)

@@ -1,0 +1,41 @@
+// Arrays that tasks fill: what resize adds is not set, so that the tasks are the first to touch the
+// memory, which is much of the work where there is a lot of it.
+
+#ifndef UnsetVector_h
+#define UnsetVector_h
+
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace activesurface
+{
+
+template <class T>
+struct UnsetAllocator : std::allocator<T>
+{
+  static_assert(std::is_trivially_default_constructible_v<T>, "or it would be set");
+
+  template <class U>
+  struct rebind
+  {
+    using other = UnsetAllocator<U>;
+  };
+
+  void construct(T* place) noexcept { ::new (static_cast<void*>(place)) T; }
+
+  template <class... Arguments>
+  void construct(T* place, Arguments&&... arguments)
+  {
+    ::new (static_cast<void*>(place)) T(std::forward<Arguments>(arguments)...);
+  }
+};
+
+template <class T>
+using UnsetVector = std::vector<T, UnsetAllocator<T>>;
+
+}
+
+#endif
