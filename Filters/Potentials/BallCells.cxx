@@ -209,7 +209,7 @@ void BallCells::SortBySlots()
 
 void BallCells::FillBalls(const UnsetVector<Ball>& balls)
 {
-  for (std::vector<float>& column : this->Columns)
+  for (UnsetVector<float>& column : this->Columns)
   {
     column.resize(balls.size());
   }

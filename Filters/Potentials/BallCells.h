@@ -115,8 +115,8 @@ private:
   template <class Visitor>
   ACTIVE_ALWAYS_INLINE void VisitRow(Index begin, Index end, const View& view, Visitor visit) const;
 
-  void Measure(const UnsetVector<Ball>& balls);
   struct Sizes;
+  void Measure(const UnsetVector<Ball>& balls);
   Sizes MeasurePiece(const UnsetVector<Ball>& balls, std::size_t begin, std::size_t end) const;
   int FindDoublings(double radius) const;
   std::size_t FindLevel(double radius) const;
@@ -133,8 +133,7 @@ private:
   BlockTable Blocks;
   std::vector<Index> Starts; // of the balls of each cell of each block, z fastest, and the ends
   UnsetVector<Index> Order;
-  std::vector<float>
-    Columns[4]; // of the balls in their order: x y z from the block's corner, radius^2
+  UnsetVector<float> Columns[4]; // of the balls in their order: x y z in the block, radius^2
 
   // Of Build, kept for their memory.
   UnsetVector<std::size_t> Slots; // of the balls
