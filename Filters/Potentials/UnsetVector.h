@@ -18,6 +18,7 @@ struct UnsetAllocator : std::allocator<T>
 {
   static_assert(std::is_trivially_default_constructible_v<T>, "or it would be set");
 
+  // NOLINTBEGIN(readability-identifier-naming): the names are the standard library's
   template <class U>
   struct rebind
   {
@@ -31,6 +32,7 @@ struct UnsetAllocator : std::allocator<T>
   {
     ::new (static_cast<void*>(place)) T(std::forward<Arguments>(arguments)...);
   }
+  // NOLINTEND(readability-identifier-naming)
 };
 
 template <class T>
