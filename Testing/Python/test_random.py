@@ -50,6 +50,29 @@ FOUND = (
         "properties": {"ParticleModel": 0},
         "operations": [("time", 0.1)],
     },
+    # A way to a target was gone on after the target had been made anew, as its kind became known.
+    {
+        "target": ("table", 548627),
+        "initial": ("an_ellipsoid", 407916),
+        "properties": {
+            "AutomaticAttraction": 0,
+            "PassTargetArrays": 1,
+            "ArrivalTime": 0.15,
+            "GradientScheme": 1,
+            "TimeIntegration": 0,
+            "ParticleModel": 1,
+            "ParticleSpacing": 0.2,
+        },
+        "operations": [
+            ("piece", 0.6900032225195295, 1, 3),
+            ("put", "TimeStepSize", 0.3),
+            ("put", "CheckpointMemory", 0),
+            ("time", 0.5),
+            ("no file", 0.30000000000000004),
+            ("time", 1.0),
+            ("time", 0.7769081287213302),
+        ],
+    },
     # A state loaded beyond an empty first step took the spacing of another step than the run had.
     {
         "target": ("blocks", 518),

@@ -194,10 +194,12 @@ void MotionDriver::PrepareArrival(NarrowBand& band, int step, const Motion& moti
   {
     CreateCores(band, motion, target, bounds);
   }
-  if (!this->Arriving || this->ArrivingFrom != step)
+  const std::size_t number = this->Shapes.GetTargetNumber();
+  if (!this->Arriving || this->ArrivingFrom != step || this->ArrivingAt != number)
   {
     this->Arriving = std::make_unique<Arrival>(band, target, bounds);
     this->ArrivingFrom = step;
+    this->ArrivingAt = number;
   }
 }
 

@@ -78,6 +78,7 @@ private:
   mutable std::unique_ptr<Obstacle> Solid; // null until it is asked for
   std::unique_ptr<Arrival> Arriving;       // from a step on; kept as a motion may be interrupted
   int ArrivingFrom = -1;                   // that step
+  std::size_t ArrivingAt = 0;              // the target's number
 };
 
 }

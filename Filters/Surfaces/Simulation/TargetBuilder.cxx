@@ -348,6 +348,7 @@ std::unique_ptr<PotentialTarget> TargetBuilder::MakeFunctionTarget() const
 
 void TargetBuilder::MakeTarget()
 {
+  ++this->TargetNumber;
   this->Moving = nullptr;
   if (!this->Settings.UsesInput())
   {

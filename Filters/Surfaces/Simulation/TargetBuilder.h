@@ -75,6 +75,8 @@ public:
 
   // What attracts. It may be another one after Add, and goes with Clear and ForgetTarget.
   PotentialTarget& GetTarget();
+  // Another number is another one.
+  std::size_t GetTargetNumber() const { return this->TargetNumber; }
   // The next one is made with the settings as they are then.
   void ForgetTarget();
   // The same, where it goes from step to step; else null.
@@ -116,6 +118,7 @@ private:
 
   std::unique_ptr<PotentialTarget> Target; // null: to be made, of the kind that is known
   MovingTarget* Moving = nullptr;          // the same, if it is one
+  std::size_t TargetNumber = 0;            // how many were made
 };
 
 }
