@@ -19,7 +19,6 @@ constexpr double GroupPerCell = 1.0;
 // Finer ones are put together.
 constexpr std::size_t MaximumLevels = 64;
 constexpr std::size_t BallsPerChunk = 16384;
-
 }
 
 void BallCells::Build(const UnsetVector<Ball>& balls, double cellSize)
@@ -161,14 +160,11 @@ void BallCells::FindSlots(const UnsetVector<Ball>& balls)
       numbers[chunk].push_back(this->Blocks.Add(this->Chunks[chunk][block]));
     }
   }
-  RunPieces(balls.size(), BallsPerChunk,
-    [&](std::size_t begin, std::size_t end)
+  RunEach(balls.size(),
+    [&](std::size_t i)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const std::size_t slot = this->Slots[i], block = slot / CellsPerBlock;
-        this->Slots[i] = numbers[i / BallsPerChunk][block] * CellsPerBlock + slot % CellsPerBlock;
-      }
+      const std::size_t slot = this->Slots[i], block = slot / CellsPerBlock;
+      this->Slots[i] = numbers[i / BallsPerChunk][block] * CellsPerBlock + slot % CellsPerBlock;
     });
 }
 
@@ -213,14 +209,11 @@ void BallCells::FillBalls(const UnsetVector<Ball>& balls)
   {
     column.resize(balls.size());
   }
-  RunPieces(balls.size(), BallsPerChunk,
-    [&](std::size_t begin, std::size_t end)
+  RunEach(balls.size(),
+    [&](std::size_t k)
     {
-      for (std::size_t k = begin; k < end; ++k)
-      {
-        const std::size_t block = this->Slots[this->Order[k]] / CellsPerBlock;
-        this->FillBall(k, balls[this->Order[k]], this->Blocks[block]);
-      }
+      const std::size_t block = this->Slots[this->Order[k]] / CellsPerBlock;
+      this->FillBall(k, balls[this->Order[k]], this->Blocks[block]);
     });
 }
 

@@ -53,6 +53,9 @@ public:
   // 0 without balls.
   double GetLargestRadius() const { return this->Levels.empty() ? 0.0 : this->Levels[0].Reach; }
 
+  // As it was asked for.
+  double GetCellSize() const { return this->CellSize; }
+
   // The box of all balls: xmin xmax ymin ... Meaningless without balls.
   const double* GetBounds() const { return this->Bounds; }
 

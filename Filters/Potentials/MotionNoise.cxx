@@ -39,14 +39,11 @@ std::vector<double> FindSharesOfMotion(const std::vector<SkeletonVertex>& partic
   const NeighbourSums neighbours(particles, 1.0);
   const UnsetVector<BallCells::Index>& order = neighbours.GetOrder();
   UnsetVector<NeighbourSums::Moving> moving(order.size());
-  RunPieces(order.size(), ParticlesPerTask,
-    [&](std::size_t begin, std::size_t end)
+  RunEach(order.size(),
+    [&](std::size_t k)
     {
-      for (std::size_t k = begin; k < end; ++k)
-      {
-        const double* v = &velocities[3 * std::size_t(order[k])];
-        moving[k] = { { v[0], v[1], v[2] }, fits[order[k]].Bulk };
-      }
+      const double* v = &velocities[3 * std::size_t(order[k])];
+      moving[k] = { { v[0], v[1], v[2] }, fits[order[k]].Bulk };
     });
   std::vector<double> shares(particles.size(), 1.0);
   RunPieces(order.size(), ParticlesPerTask,

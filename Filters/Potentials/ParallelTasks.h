@@ -55,6 +55,21 @@ void RunPieces(std::size_t count, std::size_t inPiece, Task task)
     [&](std::size_t piece) { task(piece * inPiece, std::min((piece + 1) * inPiece, count)); });
 }
 
+// Calls task(0) to task(count - 1), each of little work.
+template <class Task>
+void RunEach(std::size_t count, Task task)
+{
+  constexpr std::size_t inPiece = 4096;
+  RunPieces(count, inPiece,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        task(i);
+      }
+    });
+}
+
 }
 
 #endif

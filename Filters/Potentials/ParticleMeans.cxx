@@ -9,11 +9,6 @@
 namespace activesurface
 {
 
-namespace
-{
-constexpr std::size_t ElementsPerTask = 4096;
-}
-
 struct ParticleMeans::Field
 {
   static constexpr int Terms = 4; // velocity, bulk
@@ -95,7 +90,7 @@ void ParticleMeans::Build(const std::vector<SkeletonVertex>& particles, const Ca
 {
   this->Balls.clear();
   this->Numbers.clear();
-  this->CellSize = 0.0;
+  double largestRadius = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     if (particles[i].Strength > 0.0)
@@ -103,19 +98,16 @@ void ParticleMeans::Build(const std::vector<SkeletonVertex>& particles, const Ca
       const double* p = particles[i].Position;
       this->Numbers.push_back(i);
       this->Balls.push_back({ { p[0], p[1], p[2] }, particles[i].Radius });
-      this->CellSize = std::max(this->CellSize, particles[i].Radius);
+      largestRadius = std::max(largestRadius, particles[i].Radius);
     }
   }
-  this->Near.Build(this->Balls, this->CellSize);
+  this->Near.Build(this->Balls, largestRadius);
   this->Elements.resize(this->Balls.size());
-  RunPieces(this->Elements.size(), ElementsPerTask,
-    [&](std::size_t begin, std::size_t end)
+  RunEach(this->Elements.size(),
+    [&](std::size_t k)
     {
-      for (std::size_t k = begin; k < end; ++k)
-      {
-        const std::size_t i = this->Numbers[this->Near.GetOrder()[k]];
-        this->Elements[k] = MakeElement(particles[i], i, carried);
-      }
+      const std::size_t i = this->Numbers[this->Near.GetOrder()[k]];
+      this->Elements[k] = MakeElement(particles[i], i, carried);
     });
 }
 

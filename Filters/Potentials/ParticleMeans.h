@@ -30,7 +30,7 @@ public:
   void Build(const std::vector<SkeletonVertex>& particles, const Carried& carried);
 
   // What the order of the sums is for: with another one all values may be off by rounding.
-  double GetCellSize() const { return this->CellSize; }
+  double GetCellSize() const { return this->Near.GetCellSize(); }
 
   // At points (x y z each): velocities (x y z each) and bulks; either may be null. Out of reach of
   // all particles whose velocity is known that is not a number; of all particles the bulk is 0.
@@ -52,7 +52,6 @@ private:
   static Element MakeElement(const SkeletonVertex& particle, std::size_t i, const Carried& carried);
 
   UnsetVector<Element> Elements; // in the order of the cells
-  double CellSize = 1.0;
   BallCells Near;
 
   // Of Build, kept for their memory: the particles that add something, and their numbers.

@@ -17,7 +17,6 @@ constexpr double LeastPresence = 0.1;
 constexpr double FullPresence = 0.5;
 // An ellipsoid's longest half-axis over the particle's reach, where it is a body's.
 constexpr double UsualStretch = 1.3;
-constexpr std::size_t ElementsPerTask = 4096;
 }
 
 // Where values, gradients and bulks go.
@@ -291,15 +290,14 @@ void ParticlePotential::Build(
     }
   }
   const bool isAnisotropic = model == ParticleModel::Anisotropic;
-  this->CellSize = (isAnisotropic ? UsualStretch : 1.0) * largestRadius;
   this->Balls.resize(this->Numbers.size());
-  ForEachElement([&](std::size_t k)
+  RunEach(this->Balls.size(),
+    [&](std::size_t k)
     { this->Balls[k] = this->MakeBall(particles[this->Numbers[k]], fits[this->Numbers[k]]); });
-  this->Near.Build(this->Balls, this->CellSize);
-  this->LargestReach = this->Near.GetLargestRadius();
+  this->Near.Build(this->Balls, (isAnisotropic ? UsualStretch : 1.0) * largestRadius);
   this->Centres.resize(isAnisotropic ? 0 : this->Balls.size());
   this->Ellipsoids.resize(isAnisotropic ? this->Balls.size() : 0);
-  ForEachElement(
+  RunEach(this->Balls.size(),
     [&](std::size_t k)
     {
       const std::size_t i = this->Numbers[this->Near.GetOrder()[k]];
@@ -310,19 +308,6 @@ void ParticlePotential::Build(
       else
       {
         this->Centres[k] = MakeCentre(particles[i], fits[i]);
-      }
-    });
-}
-
-template <class Function>
-void ParticlePotential::ForEachElement(Function function) const
-{
-  RunPieces(this->Balls.size(), ElementsPerTask,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t k = begin; k < end; ++k)
-      {
-        function(k);
       }
     });
 }

@@ -39,7 +39,7 @@ public:
   void Clear() { this->Build(ParticleModel::AveragedCentre, {}, {}); }
 
   // What the order of the sums is for: with another one all values may be off by rounding.
-  double GetCellSize() const { return this->CellSize; }
+  double GetCellSize() const { return this->Near.GetCellSize(); }
 
   // At points (x y z each); gradients may be null. A point that is not finite gets NaN.
   // Thread-safe.
@@ -55,7 +55,7 @@ public:
 
 private:
   // The value of AveragedCentre where no particle reaches.
-  double GetOutside() const { return this->Balls.empty() ? 0.5 : this->LargestReach; }
+  double GetOutside() const { return this->Balls.empty() ? 0.5 : this->Near.GetLargestRadius(); }
 
   struct CentreElement
   {
@@ -84,8 +84,6 @@ private:
   void EvaluateField(std::size_t count, const double* points, double* values, double* gradients,
     double* bulks) const;
 
-  template <class Function>
-  void ForEachElement(Function function) const;
   BallCells::Ball MakeBall(const SkeletonVertex& particle, const ParticleFit& fit) const;
   static CentreElement MakeCentre(const SkeletonVertex& particle, const ParticleFit& fit);
   static AnisotropicElement MakeEllipsoid(const SkeletonVertex& particle, const ParticleFit& fit);
@@ -93,8 +91,6 @@ private:
   ParticleModel Model = ParticleModel::AveragedCentre;
   UnsetVector<CentreElement> Centres; // in the order of the cells, and so are the ellipsoids
   UnsetVector<AnisotropicElement> Ellipsoids;
-  double LargestReach = 0.0;
-  double CellSize = 1.0;
   BallCells Near;
 
   // Of Build, kept for their memory: the particles that add something, and their numbers.

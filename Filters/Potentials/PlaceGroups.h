@@ -4,10 +4,10 @@
 #define PlaceGroups_h
 
 #include "CompilerBuiltins.h"
+#include "FinitePlaces.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -23,7 +23,7 @@ public:
   // Sorts the finite ones of up to Capacity places (x y z each) along a Morton curve. size: what
   // the box around a group is not to exceed.
   PlaceGroups(std::size_t count, const double* places, double size)
-    : Size(count)
+    : Finite(count, places)
     , Places(places)
     , Limit(size)
   {
@@ -32,15 +32,14 @@ public:
     for (std::size_t i = 0; i < count; ++i)
     {
       const double* x = places + 3 * i;
-      this->IsUsable[i] = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-      for (int axis = 0; axis < 3 && this->IsUsable[i]; ++axis)
+      for (int axis = 0; axis < 3 && this->Finite[i]; ++axis)
       {
         low[axis] = std::min(low[axis], x[axis]);
       }
     }
     for (std::size_t i = 0; i < count; ++i)
     {
-      if (this->IsUsable[i])
+      if (this->Finite[i])
       {
         this->Order[this->Usable] =
           GetKey(places + 3 * i, low, StepsPerSize / size) << BitsOfNumber | i;
@@ -69,18 +68,8 @@ public:
     }
   }
 
-  // Calls visit(number) for the places that are in no group, as they are not finite.
-  template <class Visitor>
-  ACTIVE_ALWAYS_INLINE void ForEachUnusable(Visitor visit) const
-  {
-    for (std::size_t i = 0; i < this->Size; ++i)
-    {
-      if (!this->IsUsable[i])
-      {
-        visit(i);
-      }
-    }
-  }
+  // The others are in no group.
+  const FinitePlaces<Capacity>& GetFinite() const { return this->Finite; }
 
 private:
   static constexpr int BitsOfNumber = 8;
@@ -133,11 +122,10 @@ private:
     return static_cast<int>(count);
   }
 
-  const std::size_t Size;
+  const FinitePlaces<Capacity> Finite;
   const double* const Places;
   const double Limit;
   std::size_t Usable = 0;
-  std::array<bool, Capacity> IsUsable;
   std::array<std::uint64_t, Capacity> Order; // keys, then numbers
 };
 

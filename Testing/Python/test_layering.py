@@ -85,6 +85,7 @@ MAY_INCLUDE = {
         "Potentials/Skeleton",
         "Potentials/SkeletonCells",
         "Potentials/BallCells",
+        "Potentials/FinitePlaces",
         "Potentials/PlaceGroups",
         "Potentials/ParallelTasks",
         "Potentials/SkeletonKernel",

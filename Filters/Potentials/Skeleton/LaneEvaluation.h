@@ -119,7 +119,7 @@ struct LaneEvaluation
       });
     double nowhere[Field::Terms];
     std::fill_n(nowhere, Field::Terms, std::numeric_limits<double>::quiet_NaN());
-    groups.ForEachUnusable(
+    groups.GetFinite().ForEachOther(
       [this, &nowhere](std::size_t i) ACTIVE_INLINED { this->Elements.Write(i, nowhere); });
   }
 

@@ -13,7 +13,6 @@ namespace
 {
 
 constexpr double NearPerReach = 0.55;
-constexpr std::size_t ElementsPerTask = 4096;
 template <int Count, int Width>
 struct LaneSums
 {
@@ -196,28 +195,22 @@ NeighbourSums::NeighbourSums(const std::vector<SkeletonVertex>& particles, doubl
     largest = std::max(largest, factor * particle.Radius);
   }
   UnsetVector<BallCells::Ball> balls(particles.size());
-  RunPieces(particles.size(), ElementsPerTask,
-    [&](std::size_t begin, std::size_t end)
+  RunEach(particles.size(),
+    [&](std::size_t i)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const double* p = particles[i].Position;
-        balls[i] = { { p[0], p[1], p[2] }, factor * particles[i].Radius };
-      }
+      const double* p = particles[i].Position;
+      balls[i] = { { p[0], p[1], p[2] }, factor * particles[i].Radius };
     });
   this->Near.Build(balls, largest);
   this->Elements.resize(particles.size());
-  RunPieces(particles.size(), ElementsPerTask,
-    [&](std::size_t begin, std::size_t end)
+  RunEach(particles.size(),
+    [&](std::size_t k)
     {
-      for (std::size_t k = begin; k < end; ++k)
-      {
-        const BallCells::Index i = this->GetOrder()[k];
-        const double* p = balls[i].Centre;
-        const double reach = balls[i].Radius;
-        this->Elements[k] = { { p[0], p[1], p[2] }, std::max(particles[i].Strength, 0.0),
-          1.0 / (reach * reach) };
-      }
+      const BallCells::Index i = this->GetOrder()[k];
+      const double* p = balls[i].Centre;
+      const double reach = balls[i].Radius;
+      this->Elements[k] = { { p[0], p[1], p[2] }, std::max(particles[i].Strength, 0.0),
+        1.0 / (reach * reach) };
     });
 }
 

@@ -4,10 +4,9 @@
 #ifndef SkeletonBatch_h
 #define SkeletonBatch_h
 
+#include "FinitePlaces.h"
 #include "SkeletonCells.h"
 #include "SkeletonKernel.h"
-
-#include <cmath>
 
 namespace activesurface
 {
@@ -22,14 +21,13 @@ public:
   // Sorts the finite ones of up to Capacity points (x y z each).
   ACTIVE_ALWAYS_INLINE SkeletonBatch(
     const SkeletonCells& cells, std::size_t count, const double* points)
-    : Size(count)
+    : Finite(count, points)
   {
     std::size_t starts[Buckets + 1] = {};
     for (std::size_t i = 0; i < count; ++i)
     {
       const double* x = points + 3 * i;
-      this->IsUsable[i] = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-      if (this->IsUsable[i])
+      if (this->Finite[i])
       {
         cells.FindCell(x, this->Cells[i]);
         ++starts[this->BucketOf(i) + 1];
@@ -42,7 +40,7 @@ public:
     this->Usable = starts[Buckets];
     for (std::size_t i = 0; i < count; ++i)
     {
-      if (this->IsUsable[i])
+      if (this->Finite[i])
       {
         this->Order[starts[this->BucketOf(i)]++] = i;
       }
@@ -68,18 +66,8 @@ public:
     }
   }
 
-  // Calls visit(number) for the points that are in no group, as they are not finite.
-  template <class Visitor>
-  ACTIVE_ALWAYS_INLINE void ForEachUnusable(Visitor visit) const
-  {
-    for (std::size_t i = 0; i < this->Size; ++i)
-    {
-      if (!this->IsUsable[i])
-      {
-        visit(i);
-      }
-    }
-  }
+  // The others are in no group.
+  const FinitePlaces<Capacity>& GetFinite() const { return this->Finite; }
 
 private:
   // Cells of a block differ in it; those of a batch seldom lie in more than a block.
@@ -103,9 +91,8 @@ private:
     return share;
   }
 
-  const std::size_t Size;
+  const FinitePlaces<Capacity> Finite;
   std::size_t Usable;
-  bool IsUsable[Capacity];
   Index Cells[Capacity][3];
   std::size_t Order[Capacity];
 };

@@ -109,7 +109,7 @@ struct Skeleton::Evaluation
       });
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     constexpr double nowhere[4] = { nan, nan, nan, nan };
-    batch.ForEachUnusable(
+    batch.GetFinite().ForEachOther(
       [this, &nowhere](std::size_t i) ACTIVE_INLINED { this->Write(i, nowhere); });
   }
 

@@ -13,8 +13,6 @@ namespace activesurface
 namespace
 {
 
-constexpr std::size_t ParticlesPerTask = 4096;
-
 // Indices of the particles, by ascending id; equal ids stay in order.
 std::vector<std::size_t> SortByIds(const std::vector<std::int64_t>& ids)
 {
@@ -211,14 +209,8 @@ void InterpolateFits(const ParticleFrame& earlier, const ParticleFrame& later, d
   const std::vector<ParticleOrigin>& origins, ParticleFits& fits)
 {
   fits.resize(origins.size());
-  RunPieces(origins.size(), ParticlesPerTask,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        fits[i] = FitOf(origins[i], earlier.Fits, later.Fits, fraction);
-      }
-    });
+  RunEach(origins.size(),
+    [&](std::size_t i) { fits[i] = FitOf(origins[i], earlier.Fits, later.Fits, fraction); });
 }
 
 void FindOriginsOfEarlier(

@@ -125,7 +125,7 @@ bool ParticleTarget::IsSame(std::size_t i) const
       IsSameVelocity(then.Velocities.data() + 3 * i, now.Velocities.data() + 3 * i));
 }
 
-// Sums go by the order of the particles: without those that are the same, they are the same.
+// Sums depend on the particles in reach alone: where these are the same, so are the sums.
 void ParticleTarget::FindChanged()
 {
   const std::size_t before = this->Previous.Particles.size(), now = this->Now.Particles.size();

@@ -46,7 +46,7 @@ TEST(TestPlaceGroups, EachPlaceIsInOneSmallGroup)
     });
   EXPECT_EQ(largest, most);
   EXPECT_EQ(seen.count(1), 0u) << "not finite";
-  groups.ForEachUnusable([&](std::size_t i) { seen.insert(i); });
+  groups.GetFinite().ForEachOther([&](std::size_t i) { seen.insert(i); });
   for (std::size_t i = 0; i < PlaceGroups::Capacity; ++i)
   {
     EXPECT_EQ(seen.count(i), 1u);
