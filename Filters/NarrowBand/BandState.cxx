@@ -100,6 +100,7 @@ void BandState::Restore(const openvdb::FloatTree::Ptr& tree)
 
 void BandState::Begin(const Motion& motion)
 {
+  CheckSize(this->CountActive(), this->Maximum);
   this->SwitchScheme(motion);
   ForgetSpeeds(this->Leaves); // the target may be another one
 }

@@ -81,7 +81,7 @@ public:
   /**
    * Limit of the memory. Start throws std::runtime_error and leaves an empty surface if the band
    * would have more active nodes, or if a shape that fills the bounds would. Advance throws after
-   * the substep in which the band exceeds it.
+   * the substep in which the band exceeds it, and before any other one as long as it does.
    */
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum);
 

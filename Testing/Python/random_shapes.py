@@ -186,8 +186,12 @@ def skeleton(random):
     return a_skeleton(random), {}
 
 
+def now_and_then_nothing(make, random):
+    return vtkPolyData() if random.random() < 0.1 else make(random)
+
+
 def moving_skeleton(random):
-    return moving(lambda i: a_skeleton(random), random), {}
+    return moving(lambda i: now_and_then_nothing(a_skeleton, random), random), {}
 
 
 def a_mesh(random):
@@ -201,7 +205,7 @@ def mesh(random):
 
 
 def moving_mesh(random):
-    return moving(lambda i: a_mesh(random), random), {}
+    return moving(lambda i: now_and_then_nothing(a_mesh, random), random), {}
 
 
 def open_mesh(random):

@@ -85,6 +85,29 @@ FOUND = (
         "properties": {"TargetIsoValue": -1.0, "ModelBounds": (-1.0, 1.0, -1.0, 1.0, -1.0, 1.0)},
         "operations": [("time", 0.6), ("save and load",), ("time", 0.78)],
     },
+    # Where nothing was at two steps, the skin went another way once particles were known.
+    {
+        "target": ("births_and_deaths", 632483),
+        "initial": ("a_mesh", 830424),
+        "properties": {"TargetIsoValue": -0.03, "ParticleSpacing": 0.2},
+        "operations": [("time", 1.0), ("time", 0.25)],
+    },
+    # With EQUILIBRIUM a first time step that failed was taken for made, and empty.
+    {
+        "target": ("births_and_deaths", 786125),
+        "properties": {"TimeScale": 3.0},
+        "operations": [
+            ("fail", 0.25),
+            ("put", "EvolutionMode", 1),
+            ("time", 0.4844346128063809),
+        ],
+    },
+    # After an error for too many active voxels the same skin was given.
+    {
+        "target": ("unmatched_particles", 607979),
+        "properties": {"InvertTarget": 1},
+        "operations": [("time", 1.0), ("time", 0.9)],
+    },
 )
 
 PROGRAM = """

@@ -30,6 +30,8 @@ void TargetSteps::Request(vtkInformation* target)
   const int missing = this->Simulation.FindMissingStep();
   const bool isNewest = missing + 1 == static_cast<int>(inputs.Steps.size());
   const bool isReady = missing >= 0 && (inputs.OnlyForward ? isNewest : !this->LastUpdateFailed);
+  const bool isStillAndFailed =
+    this->LastUpdateFailed && !inputs.TargetMoves && inputs.InputSteps.size() > 1;
   this->Requested = isReady ? missing : this->FindStepBeside(missing);
   this->LastUpdateFailed = true;
   this->Target.RequestFirst(target);
@@ -38,12 +40,17 @@ void TargetSteps::Request(vtkInformation* target)
     target->Set(
       vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), inputs.Steps[this->Requested]);
   }
+  else if (isStillAndFailed)
+  {
+    target->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), inputs.InputSteps[1]);
+    this->Requested = NoStep;
+  }
 }
 
 void TargetSteps::TakeRequested(vtkInformation* target)
 {
   this->LastUpdateFailed = false;
-  if (target && this->Simulation.FindMissingStep() == this->Requested)
+  if (target && this->Requested != NoStep && this->Simulation.FindMissingStep() == this->Requested)
   {
     this->Simulation.AddFrame(this->Requested, this->Read(target));
   }

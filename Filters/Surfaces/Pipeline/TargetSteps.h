@@ -38,11 +38,16 @@ public:
   std::unique_ptr<InputShape> Read(vtkInformation* target) const;
 
 private:
+  enum
+  {
+    NoStep = -1
+  };
+
   int FindStepBeside(int missing) const;
 
   SurfaceInput& Target;
   SurfaceSimulation& Simulation;
-  int Requested = 0;             // as usual
+  int Requested = NoStep;        // of the simulation's
   bool LastUpdateFailed = false; // or has not come back yet
 };
 

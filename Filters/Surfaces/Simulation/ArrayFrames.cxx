@@ -27,8 +27,8 @@ bool HasArrays(const TargetBuilder& target, int step, const RequestedArrays& arr
 
 bool WantWay(const RequestedArrays& arrays, const TargetBuilder& target)
 {
-  return arrays.TangentialVelocity || (arrays.FastestParticle && target.HasParticles()) ||
-    (arrays.Speeds && target.Carries());
+  return arrays.TangentialVelocity || (arrays.FastestParticle && target.MayHaveParticles()) ||
+    (arrays.Speeds && target.MayCarry());
 }
 
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,

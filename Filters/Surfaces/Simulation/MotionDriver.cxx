@@ -62,10 +62,10 @@ Obstacle* MotionDriver::FindObstacle() const
   return this->Solid.get();
 }
 
-Motion MotionDriver::GetMotion(int step) const
+Motion MotionDriver::GetMotion(int step, bool hasParticles) const
 {
   Motion motion = this->Settings.Law;
-  const bool hasFluid = this->Shapes.HasParticles() && !motion.Paper;
+  const bool hasFluid = hasParticles && !motion.Paper;
   const SurfaceDomain* domain = this->Shapes.FindDomain();
   motion.CreateParts = motion.CreateParts && !motion.Paper && domain; // which tells the voxels
   motion.WeightedTension = motion.WeightedTension && hasFluid;
@@ -116,6 +116,7 @@ TimeIntegration MotionDriver::ChooseIntegration(bool isCarried) const
 // On its way to the next step, if that is known.
 void MotionDriver::PlaceTargetFrom(int step)
 {
+  this->Shapes.UseFramesFrom(step);
   MovingTarget* moving = this->Shapes.GetMovingTarget();
   if (moving && this->Settings.Inputs.TargetMoves)
   {
@@ -151,13 +152,13 @@ AdvanceReport MotionDriver::Count(const NarrowBand& band, Advance&& advance)
 bool MotionDriver::AdvanceTo(
   NarrowBand& band, int step, MotionTime time, const ProgressFunction& progress)
 {
+  this->PlaceTargetFrom(step);
   const Motion motion = this->GetMotion(step);
   const bool wasEmpty = band.IsEmpty();
   if (wasEmpty && !this->MayCreateParts(motion))
   {
     return true;
   }
-  this->PlaceTargetFrom(step);
   this->Prepare(band);
   const AdvanceReport report =
     this->Count(band, [&] { return this->AdvanceOrArrive(band, step, time, motion, progress); });

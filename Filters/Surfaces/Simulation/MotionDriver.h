@@ -48,8 +48,12 @@ public:
   bool AdvanceToSteadyState(
     NarrowBand& band, const ProgressFunction& progress, AdvanceReport& report);
 
-  // On the way from a step to the next one; before the first step: -1.
-  Motion GetMotion(int step) const;
+  // On the way from a step to the next one, over particles or not; before the first step: -1.
+  Motion GetMotion(int step, bool hasParticles) const;
+  Motion GetMotion(int step) const
+  {
+    return this->GetMotion(step, this->Shapes.HasParticles(step, step + 1));
+  }
 
   // Since ResetCounters, also of motions that ended in an exception.
   std::size_t GetSubsteps() const { return this->Substeps; }

@@ -28,7 +28,7 @@ std::vector<float> SkinAttributes::FindSpeeds(const NarrowBand& band, const Moti
   }
   const bool moves = this->Settings.Inputs.TargetMoves;
   int step = moves ? this->Time.Step : 0;
-  if (this->Shapes.Carries())
+  if (this->Shapes.MayCarry())
   {
     // Velocities are those of the way that is looked at for all arrays, whatever else is held.
     step = FindArrayFrames(this->Settings, this->Time, this->Arrays, this->Shapes, true).First;
@@ -53,7 +53,7 @@ PassedArrays SkinAttributes::FindPassedArrays() const
   {
     return passed;
   }
-  if (!this->Shapes.HasParticles())
+  if (!this->Shapes.MayHaveParticles())
   {
     this->Messages.Say("no particles",
       "PassTargetArrays and TangentialVelocity do nothing here: the target has no particles.");
@@ -77,9 +77,8 @@ double SkinAttributes::FindFastestParticle(const PassedArrays& passed) const
   const TargetFrames& frames = this->Shapes.GetFrames();
   const ArrayFrames way =
     FindArrayFrames(this->Settings, this->Time, this->Arrays, this->Shapes, true);
-  const bool moves = this->Settings.Inputs.TargetMoves && this->Shapes.HasParticles();
-  const ParticleMatches* matches = moves ? frames.FindMatches(way.First) : nullptr;
-  if (!matches)
+  const ParticleMatches* matches = frames.FindMatches(way.First);
+  if (!matches || !this->Settings.Inputs.TargetMoves)
   {
     return 0.0;
   }

@@ -8,6 +8,7 @@
 #include "ParticleModel.h"
 #include "Simulation/Times.h"
 #include "SkeletonKernel.h"
+#include "TimeSteps.h"
 
 #include <array>
 #include <cmath>
@@ -150,6 +151,11 @@ struct SurfaceSettings
   bool HasBounds() const { return this->Bounds != SurfaceSettings().Bounds; }
 
   int GetNumberOfSteps() const { return static_cast<int>(this->Inputs.Steps.size()); }
+  RequestedTime FindRequested(PipelineTime time) const
+  {
+    const StepOfTime found = FindStep(this->Inputs.Steps, time.Value);
+    return { found.Step, { found.Time }, found.Between };
+  }
   PipelineTime GetStep(int step) const { return { this->Inputs.Steps[step] }; }
   MotionTime ToMotionTime(PipelineTime time) const
   {

@@ -1,7 +1,6 @@
 #include "Simulation/SurfaceSimulation.h"
 
 #include "Simulation/MotionWarnings.h"
-#include "TimeSteps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +17,6 @@ constexpr const char* NothingToStartOn =
   "There are no particles, and nothing else, at the first time step, so there is no skin, now or "
   "later. For a skin that begins when particles come, set ModelBounds or ParticleSpacing, with "
   "CreateParts on; or set an initial shape.";
-
-RequestedTime FindRequested(const SurfaceSettings& settings, PipelineTime time)
-{
-  const StepOfTime found = FindStep(settings.Inputs.Steps, time.Value);
-  return { found.Step, { found.Time }, found.Between };
-}
 
 }
 
@@ -100,7 +93,7 @@ void SurfaceSimulation::Request(PipelineTime time, const RequestedArrays& arrays
   {
     return;
   }
-  const RequestedTime requested = FindRequested(this->Settings, time);
+  const RequestedTime requested = this->Settings.FindRequested(time);
   this->Restarts.Tell(requested.Time, this->Messages);
   const int step = this->Way.GetStep();
   if (requested.Step < step || (requested.Step == step && this->Way.IsUnderWay()))
@@ -151,6 +144,12 @@ int SurfaceSimulation::FindMissingStep() const
   return this->Shapes.Has(step) ? step + 1 : step;
 }
 
+ArrayFrames SurfaceSimulation::FindArrayFrames() const
+{
+  return activesurface::FindArrayFrames(this->Settings, this->Requested, this->Arrays, this->Shapes,
+    WantWay(this->Arrays, this->Shapes));
+}
+
 // After a return to a checkpoint the frames that tell the arrays may not be there.
 int SurfaceSimulation::FindMissingStepOfArrays() const
 {
@@ -158,8 +157,7 @@ int SurfaceSimulation::FindMissingStepOfArrays() const
   {
     return -1;
   }
-  const ArrayFrames needed = FindArrayFrames(this->Settings, this->Requested, this->Arrays,
-    this->Shapes, WantWay(this->Arrays, this->Shapes));
+  const ArrayFrames needed = this->FindArrayFrames();
   for (int step = needed.First; step <= needed.Last; ++step)
   {
     if (!HasArrays(this->Shapes, step, this->Arrays))
@@ -317,7 +315,7 @@ void SurfaceSimulation::Record(std::size_t row, PipelineTime time, const std::st
   const bool hasTarget = HasTargetSpeed(motion) && !band.IsEmpty();
   if (hasTarget && !isOnTime && event != NotAtRest && this->Loses(row, outside))
   {
-    WarnOfOutside({ time, outside, motion, this->Shapes.HasParticles() }, this->Messages);
+    WarnOfOutside({ time, outside, motion, this->Shapes.HasParticles(step, step) }, this->Messages);
   }
   this->History.Record(row, band, { time, outside, event });
   band.ForgetWork();
@@ -357,7 +355,7 @@ void SurfaceSimulation::SetState(const SavedState& state)
 // there.
 void SurfaceSimulation::RestoreLoaded()
 {
-  const RequestedTime time = FindRequested(this->Settings, { this->Loaded.Time });
+  const RequestedTime time = this->Settings.FindRequested({ this->Loaded.Time });
   const NarrowBand& band = *this->Loaded.Band;
   const double motionTime = this->Settings.ToMotionTime(time.Time).Value;
   // A skin that has vanished keeps the time at which it did.
@@ -379,6 +377,13 @@ void SurfaceSimulation::RestoreLoaded()
 const NarrowBand* SurfaceSimulation::FindSkin() const
 {
   return this->Way.IsAt(this->Requested) ? &this->GetBand() : nullptr;
+}
+
+Motion SurfaceSimulation::GetMotion() const
+{
+  const ArrayFrames frames = this->FindArrayFrames();
+  return this->Driver.GetMotion(
+    this->Way.GetStep(), this->Shapes.HasParticles(frames.First, frames.Last));
 }
 
 SkinAttributes SurfaceSimulation::FindAttributes() const

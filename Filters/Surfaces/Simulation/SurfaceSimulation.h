@@ -119,7 +119,8 @@ public:
 
   // What the skin has there besides its shape: its motion, and what FindAttributes tells.
   SkinAttributes FindAttributes() const;
-  Motion GetMotion() const { return this->Driver.GetMotion(this->Way.GetStep()); }
+  // Of the skin that was requested.
+  Motion GetMotion() const;
 
   // The state at the last step that is not after the requested time; its band is null if there is
   // none, as with EvolutionMode EQUILIBRIUM.
@@ -150,6 +151,7 @@ private:
   void Rewind(int step);
   void RestoreLoaded();
   bool HasFramesFrom(int step) const;
+  ArrayFrames FindArrayFrames() const;
   int FindMissingStepOfArrays() const;
   ProgressFunction GetPartOf(const ProgressFunction& progress) const;
 

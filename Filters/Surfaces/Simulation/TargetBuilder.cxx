@@ -39,34 +39,19 @@ void AddFunction(vtkImplicitFunction* function, vtkBoundingBox& box)
   }
 }
 
-// Returns what is wrong with the shape, and throws why it cannot be used, in a sentence that begins
-// with where it is from.
-std::string PrepareAt(InputShape& shape, ShapePreparation& preparation, const std::string& where)
-{
-  try
-  {
-    const std::string flaw = shape.Prepare(preparation);
-    return flaw.empty() ? "" : where + flaw;
-  }
-  catch (const std::runtime_error& error)
-  {
-    throw std::runtime_error(where + error.what());
-  }
-}
-
 }
 
 TargetBuilder::TargetBuilder(const SurfaceSettings& settings, Warnings& warnings)
   : Settings(settings)
   , Messages(warnings)
   , Kind(std::make_shared<NoShape>())
+  , KindOfTarget(this->Kind)
 {
 }
 
 void TargetBuilder::Clear()
 {
-  this->Moving = nullptr;
-  this->Target.reset();
+  this->ForgetTarget();
   this->Frames.Clear();
   this->Kind = std::make_shared<NoShape>();
   this->EstimatedSpacing = 0.0;
@@ -83,15 +68,22 @@ void TargetBuilder::Add(int step, std::shared_ptr<InputShape> shape)
   }
   this->CheckKind(step, *shape);
   this->Prepare(step, *shape);
-  if (shape->HasPoints())
-  {
-    if (!this->Kind->IsOfKindOf(*shape))
-    {
-      this->ForgetTarget();
-    }
-    this->Kind = shape;
-  }
+  this->Kind = shape->HasPoints() ? shape : this->Kind;
   this->Frames.Add(step, std::move(shape));
+}
+
+TargetBuilder::KindPointer TargetBuilder::FindKind(int first, int last) const
+{
+  static const KindPointer none = std::make_shared<NoShape>();
+  const bool moves = this->Settings.Inputs.TargetMoves;
+  for (int step = moves ? first : 0; step <= (moves ? last : 0); ++step)
+  {
+    if (const InputShape* shape = this->Frames.Find(step); shape && shape->HasPoints())
+    {
+      return this->Kind; // all frames are of one
+    }
+  }
+  return none;
 }
 
 void TargetBuilder::CheckKind(int step, const InputShape& shape) const
@@ -334,9 +326,14 @@ MovingTarget* TargetBuilder::GetMovingTarget()
   return this->Moving;
 }
 
-std::unique_ptr<MovingTarget> TargetBuilder::MakeMovingTarget() const
+void TargetBuilder::UseFramesFrom(int step)
 {
-  return this->Kind->MakeTarget(this->Frames, this->GetOptions());
+  const KindPointer kind = this->FindKind(step, step + 1);
+  if (!kind->IsOfKindOf(*this->KindOfTarget))
+  {
+    this->ForgetTarget();
+  }
+  this->KindOfTarget = kind;
 }
 
 std::unique_ptr<PotentialTarget> TargetBuilder::MakeFunctionTarget() const
@@ -355,13 +352,15 @@ void TargetBuilder::MakeTarget()
     this->Target = this->MakeFunctionTarget();
     return;
   }
-  std::unique_ptr<MovingTarget> moving = this->MakeMovingTarget();
+  std::unique_ptr<MovingTarget> moving =
+    this->KindOfTarget->MakeTarget(this->Frames, this->GetOptions());
   this->Moving = moving.get();
   this->Target = std::move(moving);
 }
 
 void TargetBuilder::StartTarget()
 {
+  this->UseFramesFrom(-1);
   this->MakeTarget();
   if (this->Moving)
   {
@@ -378,7 +377,8 @@ std::unique_ptr<PotentialTarget> TargetBuilder::MakeTargetAt(
   {
     return this->MakeFunctionTarget();
   }
-  std::unique_ptr<MovingTarget> target = this->MakeMovingTarget();
+  const KindPointer kind = this->FindKind(step, step + 1);
+  std::unique_ptr<MovingTarget> target = kind->MakeTarget(this->Frames, this->GetOptions());
   target->MoveAlong(step, begin, end);
   target->Complete();
   return target;

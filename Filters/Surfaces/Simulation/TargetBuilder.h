@@ -36,11 +36,21 @@ public:
   void Add(int step, std::shared_ptr<InputShape> shape);
   bool Has(int step) const { return this->Frames.Has(step); }
 
-  // The frames that are held, and whether they are of particles.
   const TargetFrames& GetFrames() const { return this->Frames; }
-  bool HasParticles() const { return this->Kind->GetParticles() != nullptr; }
-  // Whether the particles' velocity carries the surface.
-  bool Carries() const { return this->HasParticles() && this->GetOptions().Carries; }
+
+  // Whether there are particles in the frames that are held of the steps from one to another, or
+  // where the target stands still. Other steps are of no account: they need not be known yet.
+  bool HasParticles(int first, int last) const
+  {
+    return this->FindKind(first, last)->GetParticles() != nullptr;
+  }
+  // Whether particles may come, as nothing else has.
+  bool MayHaveParticles() const
+  {
+    return this->Settings.UsesInput() && (!this->Kind->HasPoints() || this->Kind->GetParticles());
+  }
+  // And whether their velocity carries the surface.
+  bool MayCarry() const { return this->MayHaveParticles() && this->GetOptions().Carries; }
 
   // Usual distance of the particles; 0: not known.
   double FindSpacing() const;
@@ -73,8 +83,10 @@ public:
   // Puts the target to the first frame, anew. Comes when the domain is known, before GetTarget.
   void StartTarget();
 
-  // What attracts. It may be another one after Add, and goes with Clear and ForgetTarget.
+  // What attracts. It may be another one after UseFramesFrom, and goes with Clear and ForgetTarget.
   PotentialTarget& GetTarget();
+  // The target is of the kind of a step and the next one.
+  void UseFramesFrom(int step);
   // Another number is another one.
   std::size_t GetTargetNumber() const { return this->TargetNumber; }
   // The next one is made with the settings as they are then.
@@ -90,7 +102,10 @@ public:
   std::unique_ptr<PotentialTarget> MakeStart();
 
 private:
+  using KindPointer = std::shared_ptr<const InputShape>;
+
   void CheckKind(int step, const InputShape& shape) const;
+  KindPointer FindKind(int first, int last) const;
   std::string DescribeStep(int step) const;
   ShapeOptions GetOptions() const;
   ShapePreparation GetPreparation();
@@ -100,7 +115,6 @@ private:
   double GetSpacing() const;
   double GetNoise() const;
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;
-  std::unique_ptr<MovingTarget> MakeMovingTarget() const;
   std::unique_ptr<PotentialTarget> MakeFunctionTarget() const;
   void MakeTarget();
 
@@ -109,16 +123,17 @@ private:
   std::size_t MaximumActiveVoxels = 50000000;
 
   TargetFrames Frames;
-  std::shared_ptr<const InputShape> Kind; // the last shape that has one
+  KindPointer Kind; // the last shape that has one
   double EstimatedSpacing = 0.0;
   bool ThinPartsKnown = false; // and told
   std::shared_ptr<InputShape> Initial;
   bool DomainKnown = false;
   SurfaceDomain Domain;
 
-  std::unique_ptr<PotentialTarget> Target; // null: to be made, of the kind that is known
-  MovingTarget* Moving = nullptr;          // the same, if it is one
-  std::size_t TargetNumber = 0;            // how many were made
+  std::unique_ptr<PotentialTarget> Target; // null: to be made
+  KindPointer KindOfTarget;
+  MovingTarget* Moving = nullptr; // the same, if it is one
+  std::size_t TargetNumber = 0;   // how many were made
 };
 
 }

@@ -1,5 +1,6 @@
 #include "Targets/ShapePreparation.h"
 
+#include "Targets/InputShape.h"
 #include "Targets/ParticleFrame.h"
 
 #include <sstream>
@@ -60,6 +61,19 @@ void ShapePreparation::EstimateSpacing(ParticleModel model, const ParticleFrame&
          << this->EstimatedSpacing << " is used, the usual distance of neighbours. Set it to "
          << "silence this.";
     this->Report("spacing", text.str());
+  }
+}
+
+std::string PrepareAt(InputShape& shape, ShapePreparation& preparation, const std::string& where)
+{
+  try
+  {
+    const std::string flaw = shape.Prepare(preparation);
+    return flaw.empty() ? "" : where + flaw;
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(where + error.what());
   }
 }
 

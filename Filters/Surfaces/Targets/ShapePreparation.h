@@ -12,6 +12,7 @@
 namespace activesurface
 {
 
+class InputShape;
 struct ParticleFrame;
 
 struct ShapePreparation
@@ -50,6 +51,10 @@ struct ShapePreparation
 private:
   void EstimateSpacing(ParticleModel model, const ParticleFrame& frame);
 };
+
+/** Returns what is wrong with the shape, and throws why it cannot be used (std::runtime_error), in
+ * a sentence that begins with where it is from. */
+std::string PrepareAt(InputShape& shape, ShapePreparation& preparation, const std::string& where);
 
 }
 

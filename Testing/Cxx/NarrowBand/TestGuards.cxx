@@ -141,6 +141,14 @@ TEST(TestGuards, GrowthBeyondTheMaximumKeepsTheLastSubstep)
   EXPECT_GT(band.GetTime(), 0.0) << "time of the last finished substep";
   EXPECT_LT(band.GetTime(), 8.0) << "time of the last finished substep";
   CheckClosed(band, "after the exception");
+  const double time = band.GetTime();
+  for (const double later : { time, 8.0 })
+  {
+    EXPECT_TRUE(Throws<std::runtime_error>(
+      [&] { band.Advance(later, Motion(), target); }, "MaximumNumberOfActiveVoxels"))
+      << "asked again for " << later;
+    EXPECT_EQ(band.GetTime(), time) << "it does not grow on";
+  }
   band.SetMaximumNumberOfActiveVoxels(100000);
   band.Advance(8.0, Motion(), target);
   // .4 e^-8 = .002 h is left of the way.

@@ -169,7 +169,8 @@ TEST(TestTargetBuilder, KindsDoNotMix)
   EXPECT_TRUE(!lost.Builder.GetFrames().Find(1)->HasPoints())
     << "a mesh without polygons is nothing";
   Steps born(vtkNew<vtkPolyData>(), MakeRow(3, 0.0, false));
-  EXPECT_TRUE(born.Builder.HasParticles()) << "particles after nothing";
+  EXPECT_TRUE(born.Builder.HasParticles(0, 1)) << "particles after nothing";
+  EXPECT_TRUE(!born.Builder.HasParticles(0, 0)) << "nothing, whatever comes later";
 }
 
 TEST(TestTargetBuilder, ATargetOfItsOwnAttractsAlike)
