@@ -95,12 +95,27 @@ public:
 
   /**
    * Visits the boxes in which new parts of the target, or new hollows, can be at the time of the
-   * last MoveTo; one that meets a part is enough. In any order, but the boxes have to depend on the
+   * last MoveTo; one that meets a part is enough. The boxes, and their order, have to depend on the
    * time alone, else so does what a restart creates. What they cost is said in TargetRegion.h. A
    * part that touches the skin is not created, as the skin gets there by itself: as long as that
    * may end, its boxes have to come again.
    */
-  virtual void ForEachRegion(const RegionVisitor& visit) const { static_cast<void>(visit); }
+  void ForEachRegion(const RegionVisitor& visit) const
+  {
+    this->VisitRegions(0, this->CountRegionSources(), visit);
+  }
+
+  ///@{
+  /** The same by sources, as particles are, each of any number of boxes: those of the sources from
+   * first to end - 1. Several threads may call it at once. */
+  virtual std::size_t CountRegionSources() const { return 0; }
+  virtual void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const
+  {
+    static_cast<void>(first);
+    static_cast<void>(end);
+    static_cast<void>(visit);
+  }
+  ///@}
 
   /**
    * Visits the parts of the shapes that the target is on its way between, and their hollows: those

@@ -76,7 +76,7 @@ public:
     if (this->Options.Model != ParticleModel::Sum)
     {
       this->FindLack();
-      this->ForEachBatch([this](const Batch& batch) { this->GiveShares(batch); });
+      this->ShareLack();
     }
     return std::move(this->Fits);
   }
@@ -231,7 +231,7 @@ private:
       const double both = places.Deep + places.Thin;
       const double value = both > 0.0 ? (places.Deep * away[k] + places.Thin * across[k]) / both
                                       : this->GetLoneValue(i);
-      this->Surface[batch.First + k] = { 1.0 - (1.0 - places.Deep) * (1.0 - places.Thin),
+      this->Surface[i] = { 1.0 - (1.0 - places.Deep) * (1.0 - places.Thin),
         value - this->GetLoneValue(i) };
     }
   }
@@ -283,20 +283,42 @@ private:
     }
   }
 
-  void GiveShares(const Batch& batch)
+  // Most particles are no surface, and share nothing.
+  void ShareLack()
+  {
+    std::vector<SkeletonVertex> particles;
+    std::vector<NeighbourSums::Shares> shares;
+    for (std::size_t i = 0; i < this->Particles.size(); ++i)
+    {
+      if (this->Surface[i].Share > 0.0)
+      {
+        particles.push_back(this->Particles[i]);
+        shares.push_back(this->Surface[i]);
+      }
+    }
+    const NeighbourSums surface(this->Neighbours, particles);
+    UnsetVector<NeighbourSums::Shares> ordered(shares.size());
+    for (std::size_t k = 0; k < shares.size(); ++k)
+    {
+      ordered[k] = shares[surface.GetOrder()[k]];
+    }
+    this->ForEachBatch([&](const Batch& batch) { this->GiveShares(batch, surface, ordered); });
+  }
+
+  void GiveShares(const Batch& batch, const NeighbourSums& surface,
+    const UnsetVector<NeighbourSums::Shares>& ofSurface)
   {
     std::vector<NeighbourSums::Shares> sums(batch.Count);
-    this->Neighbours.FindShares(
-      batch.Count, this->GetPositions(batch).data(), this->Surface, sums.data());
+    surface.FindShares(batch.Count, this->GetPositions(batch).data(), ofSurface, sums.data());
     for (std::size_t k = 0; k < batch.Count; ++k)
     {
-      this->GiveShare(batch.Members[k], this->Surface[batch.First + k], sums[k]);
+      this->GiveShare(batch.Members[k], sums[k]);
     }
   }
 
-  void GiveShare(
-    std::size_t i, const NeighbourSums::Shares& surface, const NeighbourSums::Shares& sums)
+  void GiveShare(std::size_t i, const NeighbourSums::Shares& sums)
   {
+    const NeighbourSums::Shares& surface = this->Surface[i];
     const double mean = sums.Share > 0.0 ? sums.Value / sums.Share : 0.0;
     const double shape = this->Outside[i].ShapeShare;
     const double own = surface.Share * surface.Value;
@@ -316,7 +338,7 @@ private:
   const FitOptions Options;
   const std::vector<SkeletonVertex>& Particles;
   ParticleFits Fits;
-  UnsetVector<NeighbourSums::Shares> Surface; // in their order
+  UnsetVector<NeighbourSums::Shares> Surface;
   UnsetVector<SurfacePlaces> Outside;
   const double NeighbourhoodFactor;
   const NeighbourSums Neighbours;

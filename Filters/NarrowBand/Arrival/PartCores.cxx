@@ -115,10 +115,11 @@ std::vector<PartCore> FindPartCores(const ArrivalSearch& search)
   return {};
 }
 
-void CoreTarget::ForEachRegion(const RegionVisitor& visit) const
+void CoreTarget::VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const
 {
-  for (const PartCore& core : this->Cores)
+  for (std::size_t i = first; i < end; ++i)
   {
+    const PartCore& core = this->Cores[i];
     TargetRegion region;
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -34,7 +34,8 @@ public:
   }
 
   bool HasRegions() const override { return true; }
-  void ForEachRegion(const RegionVisitor& visit) const override;
+  std::size_t CountRegionSources() const override { return this->Cores.size(); }
+  void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override;
   void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const override;
 

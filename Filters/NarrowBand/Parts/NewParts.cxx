@@ -41,8 +41,7 @@ void Grow(const LeafSigns& nodes, LeafList waiting, std::vector<LeafMask>& grown
 NewParts::NewParts(const PartSearch& search, const Target& target)
 {
   PartSeeds seeds(search, this->Nodes);
-  target.ForEachRegion([&](const TargetRegion& region) { seeds.AddRegion(region); });
-  seeds.AddCentres();
+  seeds.AddRegions(target);
   target.ForEachPart([&](const TargetPart& part) { seeds.AddPart(part); });
   for (std::size_t begin = 0; begin < this->Nodes.Size();)
   {

@@ -2,6 +2,8 @@
 
 #include "State/LatticeBox.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 namespace activesurface
@@ -58,13 +60,36 @@ SkinLeaf::SkinLeaf(const PartSearch& search, const openvdb::Coord& origin)
                                               : &nothing;
 }
 
-void PartSeeds::AddRegion(const TargetRegion& region)
+void PartSeeds::AddRegions(const Target& target)
+{
+  constexpr std::size_t atOnce = 4096;
+  const std::size_t sources = target.CountRegionSources();
+  std::vector<Candidates> found((sources + atOnce - 1) / atOnce);
+  tbb::parallel_for(std::size_t(0), found.size(),
+    [&](std::size_t i)
+    {
+      target.VisitRegions(i * atOnce, std::min((i + 1) * atOnce, sources),
+        [&](const TargetRegion& region) { this->Look(region, found[i]); });
+    });
+  Nodes centres;
+  for (const Candidates& some : found)
+  {
+    for (const TargetRegion& box : some.Boxes)
+    {
+      this->Leaves.AddRegion(
+        box, this->Search.VoxelSize, nullptr, this->Search.MaximumNumberOfActiveVoxels);
+    }
+    centres.insert(centres.end(), some.Centres.begin(), some.Centres.end());
+  }
+  this->AddCentres(centres);
+}
+
+void PartSeeds::Look(const TargetRegion& region, Candidates& found) const
 {
   openvdb::Coord node;
   if (region.Seeds == RegionSeeds::AllNodes)
   {
-    this->Leaves.AddRegion(
-      region, this->Search.VoxelSize, nullptr, this->Search.MaximumNumberOfActiveVoxels);
+    found.Boxes.push_back(region);
   }
   else if (FindCentre(region, this->Search.VoxelSize, node))
   {
@@ -74,20 +99,20 @@ void PartSeeds::AddRegion(const TargetRegion& region)
       region.Seeds == (isInside ? RegionSeeds::PartAtCentre : RegionSeeds::HollowAtCentre);
     if (!isCovered && !skin.LayerZero->Has(NumberInLeaf(node)))
     {
-      this->Centres.push_back(node);
+      found.Centres.push_back(node);
     }
   }
 }
 
-void PartSeeds::AddCentres()
+void PartSeeds::AddCentres(const Nodes& centres)
 {
   std::vector<double> values;
-  this->Search.Target.Evaluate(this->Centres, values);
-  for (std::size_t i = 0; i < this->Centres.size(); ++i)
+  this->Search.Target.Evaluate(centres, values);
+  for (std::size_t i = 0; i < centres.size(); ++i)
   {
-    if (Differs(values[i], this->IsInside(this->Centres[i])))
+    if (Differs(values[i], this->IsInside(centres[i])))
     {
-      this->Leaves.Add(OriginOfLeaf(this->Centres[i]));
+      this->Leaves.Add(OriginOfLeaf(centres[i]));
     }
   }
 }

@@ -7,7 +7,7 @@
 #include "Leaves/LeafTable.h"
 #include "Parts/LatticeFunction.h"
 #include "Parts/LeafSigns.h"
-#include "TargetRegion.h"
+#include "Target.h"
 
 #include <cmath>
 #include <cstddef>
@@ -55,22 +55,29 @@ public:
   {
   }
 
-  void AddRegion(const TargetRegion& region);
-  /** Those of the centres of all regions that were added. */
-  void AddCentres();
+  void AddRegions(const Target& target);
 
   void AddPart(const TargetPart& part);
 
 private:
   using Nodes = std::vector<openvdb::Coord>;
 
+  /** Of some regions: the boxes of which all nodes count, and the centres that are to be looked at
+   * as the skin is on their other side, unless the target is, too. */
+  struct Candidates
+  {
+    std::vector<TargetRegion> Boxes;
+    Nodes Centres;
+  };
+
+  void Look(const TargetRegion& region, Candidates& found) const;
+  void AddCentres(const Nodes& centres);
   bool IsInside(const openvdb::Coord& node) const;
   Nodes FindMissing(const Nodes& nodes, bool areHollow) const;
   bool IsWide(const openvdb::Coord& node, bool isHollow) const;
 
   const PartSearch& Search;
   LeafSigns& Leaves;
-  Nodes Centres;
 };
 
 }

@@ -49,9 +49,10 @@ public:
     this->Within.EvaluateVelocities(count, points, velocities);
   }
   bool HasRegions() const override { return this->Within.HasRegions(); }
-  void ForEachRegion(const RegionVisitor& visit) const override
+  std::size_t CountRegionSources() const override { return this->Within.CountRegionSources(); }
+  void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override
   {
-    this->Within.ForEachRegion(visit);
+    this->Within.VisitRegions(first, end, visit);
   }
   void ForEachPart(const PartVisitor& visit) const override { this->Within.ForEachPart(visit); }
   bool IsThreadSafe() const override

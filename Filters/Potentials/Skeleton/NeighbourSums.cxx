@@ -188,20 +188,33 @@ struct NeighbourSums::MotionField : SumField<NeighbourSums::MotionField, 7> // a
 };
 
 NeighbourSums::NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor)
+  : Factor(factor)
 {
   double largest = 0.0;
   for (const SkeletonVertex& particle : particles)
   {
     largest = std::max(largest, factor * particle.Radius);
   }
+  this->Build(particles, largest);
+}
+
+// In cells of the same size hits come in the same order.
+NeighbourSums::NeighbourSums(const NeighbourSums& all, const std::vector<SkeletonVertex>& some)
+  : Factor(all.Factor)
+{
+  this->Build(some, all.Near.GetCellSize());
+}
+
+void NeighbourSums::Build(const std::vector<SkeletonVertex>& particles, double cellSize)
+{
   UnsetVector<BallCells::Ball> balls(particles.size());
   RunEach(particles.size(),
     [&](std::size_t i)
     {
       const double* p = particles[i].Position;
-      balls[i] = { { p[0], p[1], p[2] }, factor * particles[i].Radius };
+      balls[i] = { { p[0], p[1], p[2] }, this->Factor * particles[i].Radius };
     });
-  this->Near.Build(balls, largest);
+  this->Near.Build(balls, cellSize);
   this->Elements.resize(particles.size());
   RunEach(particles.size(),
     [&](std::size_t k)

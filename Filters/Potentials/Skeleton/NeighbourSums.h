@@ -28,6 +28,10 @@ public:
   // Reaches are those of the particles times a factor. Those of strength <= 0 are no neighbours.
   NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor);
 
+  // Of some of the particles of another one. What the others would add as zeros may be left out:
+  // the sums are the same ones, to the bit.
+  NeighbourSums(const NeighbourSums& all, const std::vector<SkeletonVertex>& some);
+
   // The numbers of all particles, by cells: places near one another are evaluated faster together.
   const UnsetVector<BallCells::Index>& GetOrder() const { return this->Near.GetOrder(); }
 
@@ -79,6 +83,9 @@ private:
   struct ShareField;
   struct MotionField;
 
+  void Build(const std::vector<SkeletonVertex>& particles, double cellSize);
+
+  double Factor;
   UnsetVector<Element> Elements; // in the order of the cells
   BallCells Near;
 };

@@ -156,11 +156,12 @@ void ParticleTarget::FindChanged()
   }
 }
 
-void ParticleTarget::ForEachRegion(const RegionVisitor& visit) const
+void ParticleTarget::VisitRegions(
+  std::size_t first, std::size_t end, const RegionVisitor& visit) const
 {
   TargetRegion part;
   part.Seeds = RegionSeeds::PartAtCentre;
-  for (std::size_t i = 0; i < this->Now.Particles.size(); ++i)
+  for (std::size_t i = first; i < end; ++i)
   {
     if (this->Now.Particles[i].Strength > 0.0)
     {

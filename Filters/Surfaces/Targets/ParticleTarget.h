@@ -33,7 +33,8 @@ public:
   bool IsWithinRegions() const override { return true; }
   // The reach of each particle, as a part that no skin reaches has one inside; and, if there are
   // fits, a place beside each at the edge of a body, as hollows have such edges.
-  void ForEachRegion(const RegionVisitor& visit) const override;
+  std::size_t CountRegionSources() const override { return this->Now.Particles.size(); }
+  void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override;
 
 protected:
   void Place(int step, double fraction) override;

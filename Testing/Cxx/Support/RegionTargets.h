@@ -45,9 +45,10 @@ public:
     this->Current = this->RegionsOf(time);
   }
   bool HasRegions() const override { return true; }
-  void ForEachRegion(const RegionVisitor& visit) const override
+  std::size_t CountRegionSources() const override { return this->Current.size(); }
+  void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override
   {
-    std::for_each(this->Current.begin(), this->Current.end(), visit);
+    std::for_each(&this->Current[first], &this->Current[end], visit);
   }
 
 private:
