@@ -121,7 +121,7 @@ private:
   // Some particles, near one another.
   struct Batch
   {
-    std::size_t First; // in their order
+    std::size_t First; // in a list
     const BallCells::Index* Members;
     std::size_t Count;
   };
@@ -215,7 +215,26 @@ private:
     {
       body.Build(ParticleModel::Anisotropic, this->Particles, this->Fits);
     }
-    this->ForEachBatch([this, &body](const Batch& batch) { this->FindLacks(batch, body); });
+    const std::vector<BallCells::Index> members = this->ListSurface();
+    RunPieces(members.size(), ParticlesPerTask,
+      [&](std::size_t first, std::size_t end) {
+        this->FindLacks({ first, &members[first], end - first }, body);
+      });
+  }
+
+  // In their order. The others have no share.
+  std::vector<BallCells::Index> ListSurface()
+  {
+    std::vector<BallCells::Index> members;
+    for (const BallCells::Index i : this->Order)
+    {
+      this->Surface[i] = { 0.0, 0.0 };
+      if (this->Outside[i].Deep > 0.0 || this->Outside[i].Thin > 0.0)
+      {
+        members.push_back(i);
+      }
+    }
+    return members;
   }
 
   void FindLacks(const Batch& batch, const ParticlePotential& body)
@@ -228,9 +247,8 @@ private:
     {
       const std::size_t i = batch.Members[k];
       const SurfacePlaces& places = this->Outside[i];
-      const double both = places.Deep + places.Thin;
-      const double value = both > 0.0 ? (places.Deep * away[k] + places.Thin * across[k]) / both
-                                      : this->GetLoneValue(i);
+      const double value =
+        (places.Deep * away[k] + places.Thin * across[k]) / (places.Deep + places.Thin);
       this->Surface[i] = { 1.0 - (1.0 - places.Deep) * (1.0 - places.Thin),
         value - this->GetLoneValue(i) };
     }
