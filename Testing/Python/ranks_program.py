@@ -4,6 +4,7 @@ Run: python3 ranks_program.py <run>[,<run>...] <folder> [--alone], under mpiexec
 """
 
 import os
+import signal
 import sys
 
 import numpy
@@ -301,6 +302,20 @@ def other_properties(ranks, keeper, folder):
     keeper.update("other_voxels", surface, 1)
     surface.SetVoxelSize(0.1)
     keeper.update("other_times", surface, ranks.rank)
+
+
+@run
+def killed(ranks, keeper, folder):
+    """The last rank comes to a sudden end in the middle of a step, while the others wait for it."""
+    _, surface = make_splash(VoxelSize=0.1)
+    keeper.keep("pid", pid=os.getpid())
+
+    def end(caller, event):
+        if ranks.rank == ranks.size - 1 and surface.GetProgress() > 0.6:
+            os.kill(os.getpid(), signal.SIGKILL)
+
+    surface.AddObserver("ProgressEvent", end)
+    keeper.update("killed_2", surface, 2)
 
 
 @run

@@ -23,7 +23,7 @@ SAME = ("splash", "emitter", "meshes", "image", "skeleton", "grid", "morph", "li
 LONGEST = 120
 
 
-def start(size, run, folder):
+def start(size, run, folder, longest=LONGEST):
     """The run on so many ranks, which share the cores; 0: without MPI."""
     program = [sys.executable, str(PROGRAM), run, str(folder)]
     with subprocess.Popen(
@@ -33,7 +33,7 @@ def start(size, run, folder):
         text=True,
     ) as started:
         try:
-            said, _ = started.communicate(timeout=LONGEST)
+            said, _ = started.communicate(timeout=longest)
         except subprocess.TimeoutExpired:
             started.terminate()  # by which mpiexec ends its ranks; it would not, if it were killed
             raise
@@ -47,6 +47,15 @@ def state_in(file):
     """The bytes of a .vdb but for its random number, which is 36 bytes from the 21st on."""
     content = file.read_bytes()
     return content[:21] + content[57:]
+
+
+def is_running(process):
+    """One that has ended may be there still, until somebody asks how."""
+    try:
+        state = Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0]
+    except FileNotFoundError:
+        return False
+    return state not in "ZX"
 
 
 class Ranks(unittest.TestCase):
@@ -173,6 +182,18 @@ class Ranks(unittest.TestCase):
                 self.assert_same(folder, size, "before_2", expected)
                 self.assert_same(folder, size, "mended_4", expected)
                 self.assert_same(folder, size, "mended_3", expected)
+
+    def test_where_one_rank_is_killed_all_end(self):
+        for size in (2, 3):
+            with self.subTest(ranks=size):
+                folder = self.folder()
+                with self.assertRaisesRegex(RuntimeError, "(?i)signal:? 9"):
+                    start(size, "killed", folder, longest=60)
+                self.assertEqual(
+                    self.names_in(folder), ["pid"], "nobody got to the end of the step"
+                )
+                for part in load(folder, "pid", size):
+                    self.assertFalse(is_running(int(part["pid"])))
 
     def test_a_file_that_one_rank_does_not_find(self):
         folder = self.folder()
