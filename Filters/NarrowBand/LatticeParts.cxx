@@ -89,14 +89,24 @@ private:
     }
   }
 
+  /** Those beyond all leaves and all of the inside are as the background. A node of the tree has
+   * 32^3 of them, and at the origin eight such nodes meet. */
   void AddTiles(const openvdb::MaskTree& inside)
   {
+    openvdb::CoordBBox all, leaves;
+    inside.evalActiveVoxelBoundingBox(all);
+    inside.evalLeafBoundingBox(leaves);
+    all.expand(leaves);
     auto tile = inside.cbeginValueAll();
     tile.setMaxDepth(openvdb::MaskTree::ValueAllCIter::LEAF_DEPTH - 1);
     for (; tile; ++tile)
     {
-      this->AddBlock(tile.getCoord(), tile.getLevel(), tile.getBoundingBox().dim()[0]);
-      this->Split(LeafMask::All(), tile.isValueOn());
+      const openvdb::CoordBBox box = tile.getBoundingBox();
+      if (all.hasOverlap(box))
+      {
+        this->AddBlock(box.min(), tile.getLevel(), box.dim()[0]);
+        this->Split(LeafMask::All(), tile.isValueOn());
+      }
     }
   }
 
