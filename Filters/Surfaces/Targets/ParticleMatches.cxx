@@ -18,8 +18,11 @@ std::vector<std::size_t> SortByIds(const std::vector<std::int64_t>& ids)
 {
   std::vector<std::size_t> order(ids.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(
-    order.begin(), order.end(), [&ids](std::size_t a, std::size_t b) { return ids[a] < ids[b]; });
+  if (!std::is_sorted(ids.begin(), ids.end())) // as they usually are
+  {
+    std::stable_sort(
+      order.begin(), order.end(), [&ids](std::size_t a, std::size_t b) { return ids[a] < ids[b]; });
+  }
   return order;
 }
 
@@ -216,28 +219,33 @@ void InterpolateFits(const ParticleFrame& earlier, const ParticleFrame& later, d
 void FindOriginsOfEarlier(
   std::size_t count, const ParticleMatches* matches, std::vector<ParticleOrigin>& origins)
 {
-  origins.clear();
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    origins.push_back({ i, matches ? matches->Partners[i] : NoPartner });
-  }
+  origins.resize(count);
+  RunEach(count,
+    [&](std::size_t i) {
+      origins[i] = { i, matches ? matches->Partners[i] : NoPartner };
+    });
 }
 
 void FindMotion(const ParticleFrame* earlier, const ParticleFrame* later, double duration,
   const std::vector<ParticleOrigin>& origins, std::vector<double>& velocities)
 {
-  velocities.clear();
-  for (const ParticleOrigin& origin : origins)
-  {
-    const bool isKnown = origin.Earlier != NoPartner && origin.Later != NoPartner && duration > 0.0;
-    for (int axis = 0; axis < 3; ++axis)
+  velocities.resize(3 * origins.size());
+  RunEach(origins.size(),
+    [&](std::size_t i)
     {
-      velocities.push_back(isKnown ? (later->Particles[origin.Later].Position[axis] -
-                                       earlier->Particles[origin.Earlier].Position[axis]) /
-            duration
-                                   : std::numeric_limits<double>::quiet_NaN());
-    }
-  }
+      const ParticleOrigin& origin = origins[i];
+      double* velocity = &velocities[3 * i];
+      std::fill_n(velocity, 3, std::numeric_limits<double>::quiet_NaN());
+      if (origin.Earlier != NoPartner && origin.Later != NoPartner && duration > 0.0)
+      {
+        const double* from = earlier->Particles[origin.Earlier].Position;
+        const double* to = later->Particles[origin.Later].Position;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          velocity[axis] = (to[axis] - from[axis]) / duration;
+        }
+      }
+    });
 }
 
 }

@@ -1,6 +1,9 @@
 #include "Targets/ParticleTarget.h"
 
+#include "ParallelTasks.h"
+
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace activesurface
@@ -129,9 +132,14 @@ bool ParticleTarget::IsSame(std::size_t i) const
 void ParticleTarget::FindChanged()
 {
   const std::size_t before = this->Previous.Particles.size(), now = this->Now.Particles.size();
-  const std::size_t most = std::max(before, now) / 2;
+  const std::size_t all = std::max(before, now);
   this->ChangedSupports.clear();
-  for (std::size_t i = 0; i < std::max(before, now) && this->ChangedSupports.size() <= most; ++i)
+  if (this->CountChanged(all) > all / 4)
+  {
+    this->Changed.SetEverywhere(); // to look closer would not pay
+    return;
+  }
+  for (std::size_t i = 0; i < all; ++i)
   {
     if (this->IsSame(i))
     {
@@ -146,14 +154,24 @@ void ParticleTarget::FindChanged()
       this->ChangedSupports.push_back(SupportOf(this->Now, i));
     }
   }
-  if (this->ChangedSupports.size() > most)
-  {
-    this->Changed.SetEverywhere(); // to look closer would not pay
-  }
-  else
-  {
-    this->Changed.Set(this->ChangedSupports);
-  }
+  this->Changed.Set(this->ChangedSupports);
+}
+
+std::size_t ParticleTarget::CountChanged(std::size_t all) const
+{
+  constexpr std::size_t inPiece = 4096;
+  std::atomic<std::size_t> changed{ 0 };
+  RunPieces(all, inPiece,
+    [&](std::size_t begin, std::size_t end)
+    {
+      std::size_t own = 0;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        own += this->IsSame(i) ? 0 : 1;
+      }
+      changed.fetch_add(own, std::memory_order_relaxed);
+    });
+  return changed;
 }
 
 void ParticleTarget::VisitRegions(

@@ -51,6 +51,7 @@ private:
   void FindChanged();
   void NoteCells(double before, double now);
   bool IsSame(std::size_t i) const;
+  std::size_t CountChanged(std::size_t all) const;
 
   const TargetFrames& Frames;
   const ShapeOptions Options;
