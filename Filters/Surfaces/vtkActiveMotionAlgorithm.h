@@ -30,7 +30,7 @@ public:
   /**
    * Rate [1/time] at which the skin closes in on the target: the distance falls by a factor e in a
    * time of 1 / Attraction. With NormalizeTarget off its unit is [length/time] per unit of the
-   * target. Range: >= 0. Default: 1, or see AutomaticAttraction.
+   * target. Range: >= 0. Default: 1; over a moving input that means more, see AutomaticAttraction.
    */
   vtkSetClampMacro(Attraction, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Attraction, double);

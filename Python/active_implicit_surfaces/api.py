@@ -101,7 +101,8 @@ class frames:
         A choice of properties; those that are given besides hold.
     arrays : dict of str, optional
         Names of the particles' arrays of ``radii`` (reaches), ``ids``, ``strengths``,
-        ``velocities``. Default: ids from an array of whole numbers that is called so.
+        ``velocities``. Default: as ids an array that is called id, ids, particle_id, particleid or
+        pid, in small or capital letters; of the others none.
     progress : callable(int, int), optional
         Called after each frame with the number of those done and of all.
     **options
@@ -269,6 +270,7 @@ def configure(
     if unknown:
         raise TypeError(f"arrays are of {', '.join(_ARRAYS)}, not of {unknown.pop()!r}.")
     first = source.frame(0)
+    _check_arrays(first, chosen)
     if "ids" not in chosen and (found := usual_ids(first)):
         chosen["ids"] = found
     for role, name in chosen.items():
@@ -278,6 +280,21 @@ def configure(
     if preset is not None:
         apply_preset(surface, source, preset, interval, options)
     properties.put(surface, options)
+
+
+def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
+    """Raises ValueError if the first frame, unless it is empty, has not all arrays."""
+    arrays = first.GetPointData() if first.IsA("vtkPointSet") else None
+    if arrays is None or first.GetNumberOfPoints() == 0:
+        return
+    names = [arrays.GetArrayName(i) for i in range(arrays.GetNumberOfArrays())]
+    for role, name in chosen.items():
+        if name and name not in names:
+            there = ", ".join(map(repr, filter(None, names)))
+            raise ValueError(
+                f"The particles have no point array {name!r}, chosen for {role}; "
+                + (f"there are {there}." if there else "they have none.")
+            )
 
 
 def update(surface: Any, time: float, source: TemporalSource) -> None:

@@ -9,12 +9,13 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Mapping
 from typing import Any
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObjectBase, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
@@ -49,6 +50,19 @@ def as_particles(particles: Any, **arrays: Any) -> Any:
         if values is not None:
             _add_array(cloud, STANDARD_NAMES.get(name, name), values)
     return cloud
+
+
+def finite_points(cloud: Any) -> Any:
+    """A point set without the points that are not finite, which the filter leaves out too."""
+    if cloud.GetNumberOfPoints() == 0:
+        return cloud
+    points = vtk_to_numpy(cloud.GetPoints().GetData())
+    are_finite = numpy.isfinite(points).all(axis=1)
+    if are_finite.all():
+        return cloud
+    kept = vtkPolyData()
+    kept.SetPoints(_vtk_points(points[are_finite]))
+    return kept
 
 
 # Keywords, and the names of the arrays that they become.
@@ -130,9 +144,13 @@ def _points_of(particles: Any) -> tuple[Any, Any]:
 
 def _vtk_points(positions: Any) -> Any:
     try:
-        numbers = numpy.asarray(positions)
+        numbers = numpy.asarray(_without_mask(positions))
         numbers = numbers if numbers.dtype in ("f4", "f8") else numbers.astype(float)
     except (TypeError, ValueError) as error:
+        if isinstance(positions, (str, os.PathLike)):
+            raise TypeError(
+                f"{positions!r} is a name; frames() and active-surface skin read files."
+            ) from error
         raise TypeError(
             f"A {type(positions).__name__} is no set of particles; give an array of n rows and 3 "
             "columns, a vtkPointSet, or an object with points or vertices."
@@ -140,12 +158,26 @@ def _vtk_points(positions: Any) -> Any:
     if numbers.size == 0:
         numbers = numbers.reshape(0, 3)
     if numbers.ndim != 2 or numbers.shape[1] != 3:
+        hint = ""
+        if numbers.shape == (3,):
+            hint = (
+                " If this is a row of them: they are a frame, for skin(); frames() takes several."
+            )
         raise ValueError(
-            f"Positions are an array of n rows and 3 columns, not one of the shape {numbers.shape}."
+            "Positions are an array of n rows and 3 columns, not one of the shape "
+            f"{numbers.shape}.{hint}"
         )
     points = vtkPoints()
     points.SetData(numpy_to_vtk(numpy.ascontiguousarray(numbers)))
     return points
+
+
+def _without_mask(values: Any) -> Any:
+    """Numbers that are masked are none; such particles are left out."""
+    if not isinstance(values, numpy.ma.MaskedArray):
+        return values
+    kind = values.dtype if values.dtype.kind == "f" else float
+    return numpy.ma.filled(values.astype(kind), numpy.nan)
 
 
 def _point_data(particles: Any) -> Mapping[str, Any]:

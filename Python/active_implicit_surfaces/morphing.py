@@ -82,6 +82,8 @@ class morph:
     ) -> None:
         if not 0 < duration < float("inf"):
             raise ValueError(f"duration has to be more than 0 and finite, not {duration}.")
+        if "arrival_time" in options:
+            raise TypeError("arrival_time is the duration of a morph; give duration alone.")
         if int(frames) != frames or frames < 2:
             raise ValueError(f"frames have to be 2 or more, not {frames}.")
         self.times = [duration * i / (frames - 1) for i in range(frames)]

@@ -14,6 +14,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkStaticPointLocator
 
+from .data_objects import finite_points
+
 PRESETS = {
     "water": "splashes: drops and sheets stay, a pool is smooth",
     "viscous": "honey, lava, mud: rounder, and steadier in time",
@@ -52,6 +54,7 @@ def estimate_spacing(cloud: Any) -> float:
 
     0 if there is one particle alone.
     """
+    cloud = finite_points(cloud)
     count = cloud.GetNumberOfPoints()
     if count < 2:
         return 0.0

@@ -115,6 +115,9 @@ def _put_one(surface: Any, own: Property, value: Any) -> None:
     except (TypeError, ValueError) as error:
         raise TypeError(f"{own.keyword} cannot be {value!r}: {error}.") from error
     got = getattr(surface, "Get" + own.name)()
+    if kind == "choice" and got != wanted:
+        words = ", ".join(f"{word!r} ({number})" for number, word in enumerate(own.choices))
+        raise ValueError(f"{own.keyword} is one of {words}, not {value!r}.")
     if kind != "function" and got != wanted and wanted == wanted:
         limits = f"its range: {own.range}" if own.range else f"its range; it became {got}"
         raise ValueError(f"{own.keyword} = {value!r} is out of {limits}.")

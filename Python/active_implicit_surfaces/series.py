@@ -110,7 +110,7 @@ class ParticleSeries(TemporalSource):
     Raises
     ------
     ValueError
-        Times that do not increase or are not as many as the frames, or no frames.
+        Times that do not increase or are not as many as the frames, times and fps, or no frames.
     OSError
         No such file, or one that cannot be read.
 
@@ -130,6 +130,8 @@ class ParticleSeries(TemporalSource):
         times: Sequence[float] | None = None,
         fps: float | None = None,
     ) -> None:
+        if times is not None and fps is not None:
+            raise ValueError("Times and frames per second are two ways to say the same; give one.")
         load, found = _loader(frames, times, fps)
         super().__init__(load, found)
 

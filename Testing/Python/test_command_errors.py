@@ -9,6 +9,7 @@ import numpy
 from active_implicit_surfaces import commands, particle_files
 from active_implicit_surfaces.commands import skin
 from active_implicit_surfaces.data_objects import as_particles
+from active_implicit_surfaces.presets import estimate_spacing
 from active_implicit_surfaces.skin_files import write_particles
 from command_line import DROP, CommandTest, Outcome, grid
 from vtkmodules.vtkCommonCore import vtkVersion
@@ -152,6 +153,13 @@ class Data(CommandTest):
         self.assertRegex(outcome.err, "note: .*finite")
         found = json.loads(self.succeed("info", self.folder / "a.npz", "--json").out)
         self.assertEqual(found["points that are not finite"], 1)
+        self.assertEqual(
+            found["spacing"], estimate_spacing(as_particles(numpy.delete(grid(), 7, 0)))
+        )
+        positions[7] = numpy.nan, 1e9, 0
+        numpy.savez(self.folder / "a.npz", positions=positions)
+        found = json.loads(self.succeed("info", self.folder / "a.npz", "--json").out)
+        self.assertLess(max(found["bounds"]), 10)
 
     def test_an_unknown_kind_of_file(self):
         self.assert_skin_fails("particles are read from", self.put("a.abc", "x"))
@@ -177,7 +185,7 @@ class Data(CommandTest):
 
     def test_arrays_that_are_missing(self):
         said = self.fail_with(1, "skin", DROP, "--radii", "size", "-o", self.folder / "s_#.vtp")
-        self.assertIn('"size"', said)
+        self.assertIn("'size'", said)
 
     def test_the_filters_own_error(self):
         said = self.fail_with(

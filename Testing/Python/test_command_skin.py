@@ -171,7 +171,33 @@ class GoingOn(CommandTest):
     def test_other_options_are_another_run(self):
         self.fail_with(1, *self.command)
         said = self.fail_with(1, *self.command, "--resume", "--voxel-size", ".04")
-        self.assertIn("another voxel_size (None, now 0.04)", said)
+        self.assertIn("without voxel_size, further ones would be made with voxel_size 0.04", said)
+
+    def test_a_finished_run_has_nothing_left_to_do(self):
+        (self.folder / "p3.npy").write_bytes(self.fourth)
+        for _ in range(3):
+            self.succeed(*self.command, "--resume")
+        pair = [bytes_of(self.folder / name / "s_5.vtp") for name in "ab"]
+        self.assertEqual(*pair)
+
+    def test_names_may_be_a_pattern_or_a_list(self):
+        self.fail_with(1, *self.command)
+        (self.folder / "p3.npy").write_bytes(self.fourth)
+        listed = sorted(self.folder.glob("p*.npy"), reverse=True)
+        self.succeed("skin", *listed, *self.command[2:], "--resume")
+
+    def test_a_file_that_has_changed_is_told(self):
+        self.fail_with(1, *self.command)
+        (self.folder / "p3.npy").write_bytes(self.fourth)
+        (self.folder / "p1.npy").write_bytes(self.fourth)
+        said = self.fail_with(1, *self.command, "--resume")
+        self.assertIn("p1.npy has changed since", said)
+
+    def test_another_file_in_between_is_told(self):
+        self.fail_with(1, *self.command)
+        (self.folder / "p0.npy").unlink()
+        said = self.fail_with(1, *self.command, "--resume", "--times", "0:.16:5")
+        self.assertIn("p1.npy was", said)
 
     def test_a_missing_skin_is_told(self):
         self.fail_with(1, *self.command)
@@ -189,7 +215,8 @@ class GoingOn(CommandTest):
         self.assertIn("holds no state", self.fail_with(1, *self.command, "--resume"))
 
     def test_a_state_that_cannot_be_saved_leaves_the_one_before(self):
-        kept = resume.Resumption(self.folder / "s_#.vtp", {})
+        files = [self.folder / f"p{step}.npy" for step in range(6)]
+        kept = resume.Resumption(self.folder / "s_#.vtp", {}, files)
         frames = api.frames(moving_grid(6), fps=25)
         next(iter(frames))
         kept.save(frames.surface, frames.source.times, 1, now=True)

@@ -75,6 +75,13 @@ class Particles(unittest.TestCase):
         skin = active.skin(grid(), arrays=heights, pass_target_arrays=True, **SPACING)
         self.assertTrue(skin.GetPointData().HasArray("height"))
 
+    def test_masked_particles_are_left_out(self):
+        positions = numpy.ma.masked_array(grid(), mask=numpy.repeat(grid()[:, :1] > 0.25, 3, 1))
+        with self.assertWarnsRegex(active.ActiveSurfaceWarning, "left out"):
+            half = active.skin(positions, **SPACING)
+        wanted = active.skin(positions.compressed().reshape(-1, 3), **SPACING)
+        self.assertEqual(bytes_of(half), bytes_of(wanted))
+
     def test_pyvista_comes_out_where_pyvista_went_in(self):
         pyvista = types.ModuleType("pyvista")
         pyvista.wrap = lambda skin: ("wrapped", skin)
@@ -88,7 +95,7 @@ class Particles(unittest.TestCase):
 
     def test_what_is_no_set_of_particles(self):
         cases = {
-            "no set of particles": ["text", vtkTable(), {"a": 1}, vtkSphere()],
+            "no set of particles": [vtkTable(), {"a": 1}, vtkSphere()],
             "n rows and 3 columns": [numpy.zeros((4, 2)), numpy.zeros(3), numpy.zeros((2, 4, 3))],
         }
         for words, things in cases.items():
@@ -101,6 +108,8 @@ class Particles(unittest.TestCase):
             active.skin(type("OfAnotherVTK", (), names)())
         with self.assertRaisesRegex(ValueError, "each needs one row"):
             active.skin(grid(), radii=numpy.ones(3))
+        with self.assertRaisesRegex(TypeError, r"'splash.csv' is a name; frames\(\)"):
+            active.skin("splash.csv")
 
 
 class Properties(unittest.TestCase):
@@ -135,7 +144,7 @@ class Properties(unittest.TestCase):
             ("anisotropy", 300, "1 to 100"),
             ("tension", -1, ">= 0"),
             ("particle_model", "round", "sum, averaged_centre, anisotropic"),
-            ("particle_model", 7, "range"),
+            ("particle_model", 7, r"'anisotropic' \(2\), not 7"),
         ):
             with self.subTest(keyword), self.assertRaisesRegex(ValueError, words):
                 active.skin(grid(), **{keyword: value})
@@ -232,6 +241,21 @@ class Series(unittest.TestCase):
             active.frames(lambda time: grid())
         with self.assertRaisesRegex(TypeError, "not of 'colors'"):
             active.frames(moving_grid(2), arrays={"colors": "c"})
+        with self.assertRaisesRegex(ValueError, "give one"):
+            active.frames(moving_grid(2), times=[0, 1], fps=10)
+        with self.assertRaisesRegex(ValueError, "they are a frame, for skin"):
+            active.frames(grid())
+
+    def test_arrays_that_are_not_there(self):
+        for role in ("ids", "radii", "strengths", "velocities"):
+            with self.subTest(role), self.assertRaisesRegex(ValueError, f"chosen for {role}; they"):
+                active.frames(moving_grid(2), arrays={role: "nope"})
+        frame = data_objects.as_particles(grid(), ids=numpy.arange(125))
+        with self.assertRaisesRegex(ValueError, "'nope', chosen for radii; there are 'id'"):
+            active.frames([frame, frame], arrays={"radii": "nope"})
+        nothing = numpy.zeros((0, 3))
+        begins = active.frames([nothing, frame], arrays={"ids": "id"}, **SPACING)
+        self.assertGreater([one.skin.GetNumberOfPoints() for one in begins][1], 0)
 
 
 class Presets(unittest.TestCase):
@@ -284,7 +308,7 @@ class Live(unittest.TestCase):
         wanted = [bytes_of(frame.skin) for frame in active.frames(moving, fps=10)]
         live = active.LiveSurface(arrays={"ids": "id"})
         ids = numpy.arange(len(moving[0]))
-        with self.assertRaisesRegex(ValueError, "no point array as chosen"):
+        with self.assertRaisesRegex(ValueError, "no point array 'id', chosen for ids; they have"):
             live.advance(moving[0], 0.1)
         self.assertIsNone(live.time)
         self.assertEqual(bytes_of(live.advance(moving[0], 0.1, ids=ids)), wanted[0])

@@ -1,6 +1,7 @@
 #include "State/PackedBand.h"
 
 #include "OpenVDB.h"
+#include "State/SavedTree.h"
 
 #include <openvdb/io/Compression.h>
 #include <openvdb/tools/SignedFloodFill.h>
@@ -212,6 +213,7 @@ openvdb::FloatTree::Ptr UnpackBand(const std::string& bytes, float background)
   {
     SetActive(bits, *leafOf(bits));
   }
+  CheckTree(*tree);
   return tree;
 }
 

@@ -1,6 +1,7 @@
 #include "State/StateGrid.h"
 
 #include "OpenVDB.h"
+#include "State/SavedTree.h"
 
 #include <openvdb/math/Transform.h>
 
@@ -75,6 +76,7 @@ StateNumbers ReadStateGrid(const openvdb::FloatGrid& grid)
         "The saved potential is not finite everywhere; the file is damaged.");
     }
   }
+  CheckTree(grid.tree());
   return numbers;
 }
 

@@ -43,6 +43,17 @@ enum ArrayIndices
   VelocityArray = 5
 };
 
+std::string ListArrays(vtkPointData* arrays)
+{
+  std::string names;
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    const char* name = arrays->GetArrayName(i);
+    names += name ? (names.empty() ? "\"" : ", \"") + std::string(name) + "\"" : "";
+  }
+  return names.empty() ? "it has no point arrays with names" : "its point arrays are " + names;
+}
+
 }
 
 // The arrays of one data set.
@@ -267,7 +278,7 @@ vtkAbstractArray* SurfaceInput::FindArray(int index, vtkDataSet* data) const
   {
     throw std::invalid_argument(
       "The input has no point array as chosen by SetInputArrayToProcess(" + std::to_string(index) +
-      ", ...): " + this->DescribeArray(index) + ".");
+      ", ...): " + this->DescribeArray(index) + "; " + ListArrays(arrays) + ".");
   }
   return array;
 }

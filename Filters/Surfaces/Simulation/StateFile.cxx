@@ -65,7 +65,9 @@ SavedState ReadState(const std::string& file)
   }
   catch (const std::exception& error)
   {
-    throw std::runtime_error("The file " + file + " holds no state of a surface: " + error.what() +
+    std::string reason = error.what();
+    reason.erase(reason.find_last_not_of('.') + 1);
+    throw std::runtime_error("The file " + file + " holds no state of a surface: " + reason +
       "; it has to be one that SaveState, or a vtkActiveVDBWriter with WriteState, has written.");
   }
 }

@@ -24,7 +24,8 @@ vtkDataSet* CheckHasNoLines(vtkDataSet* data)
   {
     throw std::invalid_argument(
       "A vtkPolyData with both polygons and lines cannot be a target: polygons are a mesh, lines a "
-      "skeleton. Leave one of them out.");
+      "skeleton. Leave one of them out (vtkCleanPolyData makes lines of narrow polygons: "
+      "ConvertPolysToLinesOff).");
   }
   return data;
 }
@@ -69,9 +70,11 @@ std::string MeshShape::Prepare(ShapePreparation& preparation)
   }
   this->Function = grid;
   const std::string defects = grid->GetDefects();
-  return defects.empty() || thickness != 0.0
-    ? defects
-    : defects + " Where it is open it has no inside; a MeshThickness > 0 makes a shell of it.";
+  return defects.empty() || thickness != 0.0 ? defects
+                                             : defects +
+      " Where it is open it has no inside: at a seam, merge the points (vtkCleanPolyData); of a "
+      "mesh "
+      "that is meant to be open, a MeshThickness > 0 makes a shell.";
 }
 
 // At another level its parts are thicker, or thinner.

@@ -73,8 +73,10 @@ std::string ParticleShape::Prepare(ShapePreparation& preparation)
 {
   if (this->Particles.Ignored > 0)
   {
+    const std::size_t count = this->Particles.Ignored;
     preparation.Report("ignored particles",
-      std::to_string(this->Particles.Ignored) + " particles are left out " + preparation.When +
+      std::to_string(count) + (count > 1 ? " particles are" : " particle is") + " left out " +
+        preparation.When +
         ": coordinates, radius or strength are not finite, or the radius is not > 0.");
   }
   const ShapeOptions& options = preparation.Options;

@@ -10,6 +10,7 @@ from typing import Any
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from ..data_objects import finite_points
 from ..file_names import expand, suffix_of
 from ..messages import listening, quiet
 from ..particle_files import PARTICLE_SUFFIXES, check_readable, open_particles, read_vtk
@@ -86,7 +87,7 @@ def _points(data: Any) -> dict[str, Any]:
     if count:
         numbers = vtk_to_numpy(data.GetPoints().GetData())
         bad = int(count - numpy.isfinite(numbers).all(axis=1).sum())
-        found["bounds"] = [round(value, 9) for value in data.GetBounds()]
+        found["bounds"] = [round(value, 9) for value in finite_points(data).GetBounds()]
         if bad:
             found["points that are not finite"] = bad
     return found

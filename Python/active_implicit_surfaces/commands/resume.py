@@ -22,13 +22,16 @@ class Resumption:
         Name of the series of skins; the state is hidden beside it.
     description : dict
         What the skins depend on: the options. Another one is another run.
+    files : list of Path
+        The file of each frame. Files of those that are done may not change.
     """
 
-    def __init__(self, output: Path, description: dict[str, Any]) -> None:
+    def __init__(self, output: Path, description: dict[str, Any], files: list[Path]) -> None:
         stem = without_number(output).stem
         self.state = output.with_name(f".{stem}.state.vdb")
         self.notes = output.with_name(f".{stem}.state.json")
         self.description = json.loads(json.dumps(description))
+        self._files = files
         self._saved = time.monotonic()
 
     def load(self, surface: Any, times: list[float]) -> int:
@@ -46,9 +49,11 @@ class Resumption:
         try:
             notes = json.loads(self.notes.read_text(encoding="utf-8"))
             done, past, then = int(notes["done"]), notes["times"], notes["options"]
+            files = notes["files"]
         except (ValueError, KeyError, TypeError) as error:
             raise OSError(f"{self.notes} is damaged; remove it to begin anew.") from error
         self._compare(then, past, times[:done])
+        self._compare_files(files)
         with listening(surface) as heard:
             surface.LoadState(str(self.state))
         heard.raise_error(OSError)
@@ -65,7 +70,12 @@ class Resumption:
         if heard.errors and before is not None:  # the state before is still there
             self.notes.write_bytes(before)
         heard.raise_error(OSError)
-        notes = {"done": done, "times": times[:done], "options": self.description}
+        notes = {
+            "done": done,
+            "times": times[:done],
+            "options": self.description,
+            "files": _marks(self._files[:done]),
+        }
         with replacing(self.notes) as temporary:
             temporary.write_text(json.dumps(notes), encoding="utf-8")
         self._saved = time.monotonic()
@@ -80,10 +90,33 @@ class Resumption:
             before, now = then.get(name), self.description.get(name)
             if before != now:
                 raise ValueError(
-                    f"The skins so far were made with another {name} ({before}, now {now}); run "
-                    "without --resume to make them all anew."
+                    f"The skins so far were made {_with(name, before)}, further ones would be made "
+                    f"{_with(name, now)}; run without --resume to make them all anew."
                 )
         if past != times:
             raise ValueError(
                 "The frames so far had other times; run without --resume to make them all anew."
             )
+
+    def _compare_files(self, then: list[list[Any]]) -> None:
+        for before, now in zip(then, _marks(self._files[: len(then)])):
+            if before != now:
+                what = "has changed since" if before[0] == now[0] else f"was {before[0]}"
+                raise ValueError(
+                    f"The skins so far were made of other files: {now[0]} {what}; run without "
+                    "--resume to make them all anew."
+                )
+
+
+def _with(name: str, value: Any) -> str:
+    return f"without {name}" if value is None else f"with {name} {value}"
+
+
+def _marks(files: list[Path]) -> list[list[Any]]:
+    """What tells whether files are the same: name, size and time. A file of several frames may
+    have grown: its name alone."""
+    marks = []
+    for file in files:
+        found = file.stat() if files.count(file) == 1 else None
+        marks.append([str(file), *((found.st_size, found.st_mtime_ns) if found else (0, 0))])
+    return marks

@@ -132,8 +132,8 @@ class _Job:
         configure(self.surface, self.source, preset=options.preset, arrays=arrays, **chosen)
         if options.render and suffix_of(options.render) == ".exr":
             self.surface.ComputeVelocityOn()
-        described = {"files": str(options.files), "preset": options.preset, **arrays, **chosen}
-        self.resumption = Resumption(self.output, described) if self.output else None
+        described = {"preset": options.preset, **arrays, **chosen}
+        self.resumption = Resumption(self.output, described, files.names) if self.output else None
 
     def run(self) -> None:
         first = 0
@@ -153,7 +153,7 @@ class _Job:
             except BaseException:
                 self._keep_state(done, first)
                 raise
-        self._finish(done)
+        self._finish(done, first)
         progress.finish()
 
     def _find_first(self) -> int:
@@ -189,13 +189,13 @@ class _Job:
             with suppress(OSError):  # the first error is the one to tell
                 self.resumption.save(self.surface, self.times, done, now=True)
 
-    def _finish(self, done: int) -> None:
+    def _finish(self, done: int, first: int) -> None:
         if not (self.output and self.resumption):
             return
-        if self.options.resume and done:
-            self.resumption.save(self.surface, self.times, done, now=True)
-        else:
+        if not self.options.resume:
             self.resumption.forget()
+        elif done > first:  # else the state is there already
+            self.resumption.save(self.surface, self.times, done, now=True)
         if len(self.times) > 1 and self.options.index != "none":
             names = [self.name_of(step) for step in range(len(self.times))]
             write_index(_index_name(self.options.index, self.output), names, self.times)

@@ -68,6 +68,25 @@ TEST(TestBandStates, AConfinedBandIsWholeAtOnce)
   }
 }
 
+// A few bytes of a file, along which the band would grow to gigabytes.
+TEST(TestBandStates, AnInsideThatHasNoSurfaceIsRefused)
+{
+  NarrowBand band(VoxelSizeOf(16));
+  StartOn(band, MakeBall(Origin, 0.3));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const openvdb::FloatGrid::Ptr grid = band.ToGrid();
+    openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
+    openvdb::Coord low = box.min() & ~7, high = low.offsetBy(4095);
+    low[axis] = (box.max()[axis] | 7) + 1;
+    grid->tree().fill({ low, high }, -grid->background(), false);
+    EXPECT_TRUE(
+      Throws<std::runtime_error>([&] { NarrowBand::FromGrid(*grid); }, "state is damaged"))
+      << "along the axis " << axis;
+  }
+  EXPECT_TRUE(AreIdentical(band, *NarrowBand::FromGrid(*band.ToGrid()))) << "a sound one";
+}
+
 // OpenVDB has errors of its own for bytes that it cannot unzip, and allocates what they tell.
 TEST(TestBandStates, DamagedBytesAreReadOrRefused)
 {

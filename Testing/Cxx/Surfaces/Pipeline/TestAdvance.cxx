@@ -251,7 +251,7 @@ TEST(TestAdvance, ParticlesThatAreNotFiniteAreLeftOut)
   vtkIntArray::SafeDownCast(frame->GetPointData()->GetArray("id"))->InsertNextValue(9);
   EXPECT_TRUE(filter->Advance(frame, 0.5));
   EXPECT_TRUE(GetAllBytes(filter) == expected[1]) << "the skin without it";
-  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "1 particles are left out"), 1) << "warnings";
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "1 particle is left out"), 1) << "warnings";
 }
 
 TEST(TestAdvance, ThereIsNoTimeInEquilibrium)

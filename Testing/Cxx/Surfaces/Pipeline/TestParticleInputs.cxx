@@ -249,7 +249,7 @@ TEST(TestParticleInputs, NumbersThatAreNotFiniteAreLeftOut)
   MessageCapture messages(filter);
   filter->UpdateTimeStep(0.2);
   EXPECT_TRUE(AreSameSkins(GetBytes(filter), GetBytesAt(MakeSkinOf(MakeCloud(Drops())), 0.2)));
-  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "1 particles are left out"), 1) << "warnings";
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "1 particle is left out"), 1) << "warnings";
 }
 
 // The pipeline would hand over one after the other, to a skin each.

@@ -1,0 +1,18 @@
+/**
+ * Whether the tree of a saved state can be one.
+ */
+#ifndef SavedTree_h
+#define SavedTree_h
+
+#include "OpenVDB.h"
+
+namespace activesurface
+{
+
+/** A surface lies within leaves: no edge from a leaf to a tile crosses it, or the band would grow
+ * along the whole tile. Throws std::runtime_error where one does. */
+void CheckTree(const openvdb::FloatTree& tree);
+
+}
+
+#endif
