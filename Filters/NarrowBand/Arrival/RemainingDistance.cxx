@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -38,24 +39,74 @@ public:
 
   void Run(std::vector<double>& values) const
   {
-    Queue front;
-    std::vector<char> isKnown(values.size(), 0);
+    this->Run(values, [](std::int32_t, Front&) {});
+  }
+
+  /** Whether ways end there in the middle of what is left, as the surface comes from all sides, and
+   * not at the target. */
+  bool IsCore(std::int32_t i) const
+  {
+    const std::array<std::int32_t, 6>& around = this->Neighbours[i];
+    return std::count(around.begin(), around.end(), DifferingNodes::None) == 0;
+  }
+
+  /** The same. At a core ways begin in all directions, which the equation does not know beside it.
+   * Returns y for each x. */
+  std::vector<std::int32_t> RunFromPoints(std::vector<double>& values) const
+  {
+    return this->Run(values,
+      [&](std::int32_t i, Front& front)
+      {
+        if (front.Origins[i] == i && this->IsCore(i))
+        {
+          this->GoAround(i, values, front);
+        }
+      });
+  }
+
+private:
+  using Entry = std::pair<double, std::int32_t>; // ties: by the number
+  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
+
+  struct Front
+  {
+    Queue Next;
+    std::vector<char> IsKnown;
+    std::vector<std::int32_t> Origins;
+
+    void Lower(std::vector<double>& values, std::int32_t node, double value, std::int32_t origin)
+    {
+      values[node] = value;
+      this->Origins[node] = origin;
+      this->Next.push({ value, node });
+    }
+  };
+
+  /** begin: called for each node when its value is known. */
+  template <class Begin>
+  std::vector<std::int32_t> Run(std::vector<double>& values, Begin begin) const
+  {
+    Front front{ Queue(), std::vector<char>(values.size(), 0),
+      std::vector<std::int32_t>(values.size()) };
+    std::iota(front.Origins.begin(), front.Origins.end(), 0);
     for (std::size_t i = 0; i < values.size(); ++i)
     {
       if (std::isfinite(values[i]))
       {
-        front.push({ values[i], static_cast<std::int32_t>(i) });
+        front.Next.push({ values[i], static_cast<std::int32_t>(i) });
       }
     }
-    while (!front.empty())
+    std::vector<char>& isKnown = front.IsKnown;
+    while (!front.Next.empty())
     {
-      const std::int32_t i = front.top().second;
-      front.pop();
+      const std::int32_t i = front.Next.top().second;
+      front.Next.pop();
       if (isKnown[i])
       {
         continue;
       }
       isKnown[i] = 1;
+      begin(i, front);
       for (const std::int32_t next : this->Neighbours[i])
       {
         const double better = next == DifferingNodes::None || isKnown[next]
@@ -63,16 +114,45 @@ public:
           : this->Solve(next, values, isKnown);
         if (std::isfinite(better) && better < values[next])
         {
-          values[next] = better;
-          front.push({ better, next });
+          front.Lower(values, next, better, front.Origins[i]);
+        }
+      }
+    }
+    return std::move(front.Origins);
+  }
+
+  /** Straight ways from a node to those around it. */
+  void GoAround(std::int32_t from, std::vector<double>& values, Front& front) const
+  {
+    constexpr int reach = 4, width = 2 * reach + 1;
+    std::array<char, width * width * width> isSeen{};
+    std::vector<std::pair<std::int32_t, openvdb::Coord>> seen = { { from, openvdb::Coord() } };
+    const auto see = [&](const openvdb::Coord& way) -> char& {
+      return isSeen[(way[0] + reach) * width * width + (way[1] + reach) * width + way[2] + reach];
+    };
+    see({}) = 1;
+    for (std::size_t n = 0; n < seen.size(); ++n)
+    {
+      for (int face = 0; face < 6; ++face)
+      {
+        openvdb::Coord way = seen[n].second;
+        way[face / 2] += face % 2 ? 1 : -1;
+        const std::int32_t next = this->Neighbours[seen[n].first][face];
+        const int square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
+        if (next == DifferingNodes::None || square > reach * reach || see(way))
+        {
+          continue;
+        }
+        see(way) = 1;
+        seen.push_back({ next, way });
+        const double value = values[from] + this->Spacing * std::sqrt(square);
+        if (!front.IsKnown[next] && value < values[next])
+        {
+          front.Lower(values, next, value, from);
         }
       }
     }
   }
-
-private:
-  using Entry = std::pair<double, std::int32_t>; // ties: by the number
-  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
 
   double Solve(
     std::int32_t i, const std::vector<double>& values, const std::vector<char>& isKnown) const
@@ -123,6 +203,19 @@ std::vector<double> FindDistancesBesideSurface(const DifferingNodes& nodes, doub
     }
   }
   return distances;
+}
+
+/** What the way from x to y is longer than T(y) - T(x), where it is not much: then x is a bump on
+ * the surface, and not beside the way. */
+double FindDetour(double gain, double detour)
+{
+  constexpr double most = .1, none = .3; // of the gain
+  if (!(gain > 0.0 && detour > 0.0))
+  {
+    return 0.0;
+  }
+  const double t = std::min(std::max((none - detour / gain) / (none - most), 0.0), 1.0);
+  return t * t * (3.0 - 2.0 * t) * detour;
 }
 
 double InterpolateKnown(
@@ -176,13 +269,16 @@ void RemainingDistance::Keep(DifferingNodes& nodes)
     const bool isReached = std::isfinite(reached[i]);
     farthest[i] = isReached ? -2.0 * reached[i] : std::numeric_limits<double>::infinity();
   }
-  marching.Run(farthest);
+  const std::vector<std::int32_t> goals = marching.RunFromPoints(farthest);
   for (std::size_t i = 0; i < reached.size(); ++i)
   {
     if (std::isfinite(reached[i]))
     {
       openvdb::FloatTree& side = nodes[i].IsInside ? this->Shrinking : this->Growing;
-      const double distance = -farthest[i] - 2.0 * reached[i];
+      const double gain = reached[goals[i]] - reached[i];
+      const double kept = -farthest[i] - 2.0 * reached[i];
+      const double detour = marching.IsCore(goals[i]) ? FindDetour(gain, gain - kept) : 0.0;
+      const double distance = kept + 2.0 * detour;
       side.setValue(nodes[i].Place, static_cast<float>(distance));
       this->ExtendBehindSurface(nodes, i, distance);
     }

@@ -8,7 +8,9 @@
  *
  * which is T(y) - T(x) where y is reached by x, and falls off beside that way: a front that goes
  * K / (remaining time) is flat, however thin the part is that it fills, and arrives everywhere at
- * once. Where the target is a distance and the surface near, K is about |F|.
+ * once. Where y is in the middle of a part that vanishes, and d(x,y) longer by less than a tenth, K
+ * is d(x,y): x is a bump then, which has to go farther than what is around it, or it would grow.
+ * Where the target is a distance and the surface near, K is about |F|.
  */
 #ifndef RemainingDistance_h
 #define RemainingDistance_h

@@ -119,6 +119,28 @@ TEST(TestArrival, BallShrinksEvenly)
   morph.CheckArrived(MakeBall(CentreA, .3));
 }
 
+// What is left is found anew in each frame: were it less for a bump than around it, as the bump is
+// nearest to nothing, the bump would grow.
+TEST(TestArrival, BallThatVanishesStaysRound)
+{
+  const Point centre = { 0.0, 0.0, 0.0 };
+  Morph morph(MakeBall(centre, .6), MakeBall({ .8, 0.0, 0.0 }, .15));
+  morph.Advance(.75 * End, 12);
+  const Mesh mesh = Polygonise(morph.Band);
+  Mesh ball;
+  for (std::size_t i = 0; i < mesh.GetNumberOfPoints(); ++i)
+  {
+    const Point x = mesh.GetPoint(i);
+    if (std::hypot(x[0], x[1], x[2]) < .4)
+    {
+      ball.Points.insert(ball.Points.end(), x.begin(), x.end());
+    }
+  }
+  const Range radii = GetRadii(ball, centre);
+  EXPECT_LE((radii.Maximum - radii.Minimum) / H, .5);
+  EXPECT_NEAR(radii.Mean / H, .15 / H, OnTheWay);
+}
+
 // By distances alone it would be late by ten times its thickness. Whether its front is flat or a
 // cap is left to it: so the tip is as exact as the limb is thick.
 TEST(TestArrival, ThinLimbGrowsAsFastAsAThickOne)
