@@ -10,11 +10,13 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from . import properties, vtkActiveImplicitSurface
 from .data_objects import STANDARD_NAMES, as_particles, like
 from .messages import listening, warn_all
-from .presets import apply_preset
+from .presets import apply_preset, estimate_spacing
 from .series import ParticleSeries, TemporalSource
 
 # Numbers of SetInputArrayToProcess, and the keywords that give such an array.
 _ARRAYS = {"radii": 0, "ids": 1, "strengths": 2, "velocities": 5}
+_MANY = 100  # particles, of which the distance of neighbours tells something
+_FAR = 3.0  # as a factor
 _USUAL_IDS = ("id", "ids", "particle_id", "particleid", "pid")
 
 
@@ -280,6 +282,21 @@ def configure(
     if preset is not None:
         apply_preset(surface, source, preset, interval, options)
     properties.put(surface, options)
+    _check_spacing(first, surface.GetParticleSpacing())
+
+
+def _check_spacing(first: Any, given: float) -> None:
+    """Warns of a spacing that is far from that of the first frame, if that has many particles."""
+    is_known = given > 0 and first.IsA("vtkPointSet") and first.GetNumberOfPoints() >= _MANY
+    own = estimate_spacing(first) if is_known else 0.0
+    if own > 0 and not 1 / _FAR <= given / own <= _FAR:
+        warn_all(
+            [
+                f"particle_spacing is {given:g}, but most neighbours are {own:g} apart: a skin "
+                "falls into drops where it is much too small, and is a lump where it is much too "
+                "large."
+            ]
+        )
 
 
 def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
