@@ -42,17 +42,9 @@ public:
     this->Run(values, [](std::int32_t, Front&) {});
   }
 
-  /** Whether ways end there in the middle of what is left, as the surface comes from all sides, and
-   * not at the target. */
-  bool IsCore(std::int32_t i) const
-  {
-    const std::array<std::int32_t, 6>& around = this->Neighbours[i];
-    return std::count(around.begin(), around.end(), DifferingNodes::None) == 0;
-  }
-
-  /** The same. At a core ways begin in all directions, which the equation does not know beside it.
-   * Returns y for each x. */
-  std::vector<std::int32_t> RunFromPoints(std::vector<double>& values) const
+  /** The same, exact around cores, from which ways begin in all directions: that the equation does
+   * not know. Returns y for each x. */
+  std::vector<std::int32_t> RunFromCores(std::vector<double>& values) const
   {
     return this->Run(values,
       [&](std::int32_t i, Front& front)
@@ -62,6 +54,14 @@ public:
           this->GoAround(i, values, front);
         }
       });
+  }
+
+  /** Whether a y is in the middle of what vanishes, where the surface comes from all sides, and not
+   * at the target. */
+  bool IsCore(std::int32_t i) const
+  {
+    const std::array<std::int32_t, 6>& around = this->Neighbours[i];
+    return std::count(around.begin(), around.end(), DifferingNodes::None) == 0;
   }
 
 private:
@@ -121,16 +121,16 @@ private:
     return std::move(front.Origins);
   }
 
-  /** Straight ways from a node to those around it. */
+  /** Straight ways from a node to those within four nodes of it. */
   void GoAround(std::int32_t from, std::vector<double>& values, Front& front) const
   {
     constexpr int reach = 4, width = 2 * reach + 1;
     std::array<char, width * width * width> isSeen{};
     std::vector<std::pair<std::int32_t, openvdb::Coord>> seen = { { from, openvdb::Coord() } };
-    const auto see = [&](const openvdb::Coord& way) -> char& {
+    const auto isSeenAt = [&](const openvdb::Coord& way) -> char& {
       return isSeen[(way[0] + reach) * width * width + (way[1] + reach) * width + way[2] + reach];
     };
-    see({}) = 1;
+    isSeenAt({}) = 1;
     for (std::size_t n = 0; n < seen.size(); ++n)
     {
       for (int face = 0; face < 6; ++face)
@@ -139,11 +139,11 @@ private:
         way[face / 2] += face % 2 ? 1 : -1;
         const std::int32_t next = this->Neighbours[seen[n].first][face];
         const int square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
-        if (next == DifferingNodes::None || square > reach * reach || see(way))
+        if (next == DifferingNodes::None || square > reach * reach || isSeenAt(way))
         {
           continue;
         }
-        see(way) = 1;
+        isSeenAt(way) = 1;
         seen.push_back({ next, way });
         const double value = values[from] + this->Spacing * std::sqrt(square);
         if (!front.IsKnown[next] && value < values[next])
@@ -269,7 +269,7 @@ void RemainingDistance::Keep(DifferingNodes& nodes)
     const bool isReached = std::isfinite(reached[i]);
     farthest[i] = isReached ? -2.0 * reached[i] : std::numeric_limits<double>::infinity();
   }
-  const std::vector<std::int32_t> goals = marching.RunFromPoints(farthest);
+  const std::vector<std::int32_t> goals = marching.RunFromCores(farthest);
   for (std::size_t i = 0; i < reached.size(); ++i)
   {
     if (std::isfinite(reached[i]))

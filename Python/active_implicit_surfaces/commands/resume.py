@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import time
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
@@ -115,8 +116,9 @@ def _with(name: str, value: Any) -> str:
 def _marks(files: list[Path]) -> list[list[Any]]:
     """What tells whether files are the same: name, size and time. A file of several frames may
     have grown: its name alone."""
-    marks = []
+    frames = Counter(files)
+    marks: list[list[Any]] = []
     for file in files:
-        found = file.stat() if files.count(file) == 1 else None
-        marks.append([str(file), *((found.st_size, found.st_mtime_ns) if found else (0, 0))])
+        own = file.stat() if frames[file] == 1 else None
+        marks.append([str(file), own.st_size, own.st_mtime_ns] if own else [str(file)])
     return marks
