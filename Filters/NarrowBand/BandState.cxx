@@ -198,7 +198,8 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
   coefficients.Tension = static_cast<float>(step * motion.Tension / (size * size));
   const double speed = limits.Speed + std::fabs(move.Force.Speed);
   coefficients.Relaxation = static_cast<float>(RelaxationFor(step * tracking, step * speed / size));
-  const bool isSound = !coefficients.Central && motion.Tension >= 0.0;
+  const bool isSound = !coefficients.Central && motion.Tension >= 0.0 &&
+    motion.Evaluation != TargetEvaluation::Node; // by which u comes to far more
   coefficients.Most = motion.Transport > 0.0 && isSound ? MostOfTransport : HUGE_VALF;
   ExtendToActiveNodes(this->GetFollower(), motion, coefficients.Advection);
   const GradientCounts gradients =

@@ -108,6 +108,19 @@ FOUND = (
         "properties": {"InvertTarget": 1},
         "operations": [("time", 1.0), ("time", 0.9)],
     },
+    # With Transport and evaluation at nodes ghosts were limited, but not those of a loaded state.
+    {
+        "target": ("table", 910850),
+        "initial": ("some_balls", 251552),
+        "properties": {
+            "TargetEvaluation": 1,
+            "CFL": 0.3,
+            "ParticleModel": 1,
+            "ParticleSpacing": 0.3,
+            "ComputeVelocity": 1,
+        },
+        "operations": [("time", 0.75), ("save and load",), ("time", 0.9885261906695527)],
+    },
 )
 
 PROGRAM = """
