@@ -6,6 +6,7 @@
 #include "ReportSum.h"
 #include "State/InitialShape.h"
 #include "State/PackedBand.h"
+#include "State/SavedTree.h"
 #include "State/StateGrid.h"
 #include "StaticShutdown.h"
 
@@ -103,7 +104,7 @@ std::unique_ptr<NarrowBand> NarrowBand::Unpack(const std::string& bytes)
   PackedNumbers packed;
   if (bytes.size() < sizeof packed)
   {
-    throw std::runtime_error("The saved state is damaged.");
+    RefuseState();
   }
   std::memcpy(packed.data(), bytes.data(), sizeof packed);
   const StateNumbers numbers = { packed[0], packed[1], packed[2], packed[3], packed[4],

@@ -75,8 +75,9 @@ public:
     this->ForEachBatch([this](const Batch& batch) { this->FindNeighbourhoods(batch); });
     if (this->Options.Model != ParticleModel::Sum)
     {
-      this->FindLack();
-      this->ShareLack();
+      const std::vector<BallCells::Index> surface = this->ListSurface();
+      this->FindLack(surface);
+      this->ShareLack(surface);
     }
     return std::move(this->Fits);
   }
@@ -121,7 +122,7 @@ private:
   // Some particles, near one another.
   struct Batch
   {
-    std::size_t First; // in a list
+    std::size_t First; // in their order
     const BallCells::Index* Members;
     std::size_t Count;
   };
@@ -208,18 +209,16 @@ private:
 
   // At the place where the surface should be: the distance from the averaged centre, or the sum of
   // kernels, over what a lone particle has.
-  void FindLack()
+  void FindLack(const std::vector<BallCells::Index>& surface)
   {
     ParticlePotential body;
     if (this->IsAnisotropic())
     {
       body.Build(ParticleModel::Anisotropic, this->Particles, this->Fits);
     }
-    const std::vector<BallCells::Index> members = this->ListSurface();
-    RunPieces(members.size(), ParticlesPerTask,
-      [&](std::size_t first, std::size_t end) {
-        this->FindLacks({ first, &members[first], end - first }, body);
-      });
+    RunPieces(surface.size(), ParticlesPerTask,
+      [&](std::size_t first, std::size_t end)
+      { this->FindLacks(&surface[first], end - first, body); });
   }
 
   // In their order. The others have no share.
@@ -237,15 +236,15 @@ private:
     return members;
   }
 
-  void FindLacks(const Batch& batch, const ParticlePotential& body)
+  void FindLacks(const BallCells::Index* members, std::size_t size, const ParticlePotential& body)
   {
     const std::vector<double> away =
-      this->FindValues(batch, body, &SurfacePlaces::Deep, &SurfacePlaces::Away);
+      this->FindValues(members, size, body, &SurfacePlaces::Deep, &SurfacePlaces::Away);
     const std::vector<double> across =
-      this->FindValues(batch, body, &SurfacePlaces::Thin, &SurfacePlaces::Across);
-    for (std::size_t k = 0; k < batch.Count; ++k)
+      this->FindValues(members, size, body, &SurfacePlaces::Thin, &SurfacePlaces::Across);
+    for (std::size_t k = 0; k < size; ++k)
     {
-      const std::size_t i = batch.Members[k];
+      const std::size_t i = members[k];
       const SurfacePlaces& places = this->Outside[i];
       const double value =
         (places.Deep * away[k] + places.Thin * across[k]) / (places.Deep + places.Thin);
@@ -255,26 +254,27 @@ private:
   }
 
   // At one of the places of each particle, if it counts; else 0.
-  std::vector<double> FindValues(const Batch& batch, const ParticlePotential& body,
-    double SurfacePlaces::*share, double (SurfacePlaces::*place)[3]) const
+  std::vector<double> FindValues(const BallCells::Index* members, std::size_t size,
+    const ParticlePotential& body, double SurfacePlaces::*share,
+    double (SurfacePlaces::*place)[3]) const
   {
     std::vector<std::size_t> counting;
     std::vector<double> points;
-    for (std::size_t k = 0; k < batch.Count; ++k)
+    for (std::size_t k = 0; k < size; ++k)
     {
-      const SurfacePlaces& places = this->Outside[batch.Members[k]];
+      const SurfacePlaces& places = this->Outside[members[k]];
       if (places.*share > 0.0)
       {
         counting.push_back(k);
         points.insert(points.end(), places.*place, places.*place + 3);
       }
     }
-    std::vector<double> found(counting.size()), values(batch.Count, 0.0);
+    std::vector<double> found(counting.size()), values(size, 0.0);
     this->FindValuesAt(points, body, found.data());
     for (std::size_t n = 0; n < counting.size(); ++n)
     {
       const bool isNowhere = std::isnan(found[n]);
-      values[counting[n]] = isNowhere ? this->GetOwnRadius(batch.Members[counting[n]]) : found[n];
+      values[counting[n]] = isNowhere ? this->GetOwnRadius(members[counting[n]]) : found[n];
     }
     return values;
   }
@@ -302,32 +302,28 @@ private:
   }
 
   // Most particles are no surface, and share nothing.
-  void ShareLack()
+  void ShareLack(const std::vector<BallCells::Index>& surface)
   {
     std::vector<SkeletonVertex> particles;
-    std::vector<NeighbourSums::Shares> shares;
-    for (std::size_t i = 0; i < this->Particles.size(); ++i)
+    particles.reserve(surface.size());
+    for (const BallCells::Index i : surface)
     {
-      if (this->Surface[i].Share > 0.0)
-      {
-        particles.push_back(this->Particles[i]);
-        shares.push_back(this->Surface[i]);
-      }
+      particles.push_back(this->Particles[i]);
     }
-    const NeighbourSums surface(this->Neighbours, particles);
-    UnsetVector<NeighbourSums::Shares> ordered(shares.size());
-    for (std::size_t k = 0; k < shares.size(); ++k)
+    const NeighbourSums neighbours(this->Neighbours, particles);
+    UnsetVector<NeighbourSums::Shares> shares(surface.size());
+    for (std::size_t k = 0; k < surface.size(); ++k)
     {
-      ordered[k] = shares[surface.GetOrder()[k]];
+      shares[k] = this->Surface[surface[neighbours.GetOrder()[k]]];
     }
-    this->ForEachBatch([&](const Batch& batch) { this->GiveShares(batch, surface, ordered); });
+    this->ForEachBatch([&](const Batch& batch) { this->GiveShares(batch, neighbours, shares); });
   }
 
-  void GiveShares(const Batch& batch, const NeighbourSums& surface,
-    const UnsetVector<NeighbourSums::Shares>& ofSurface)
+  void GiveShares(const Batch& batch, const NeighbourSums& neighbours,
+    const UnsetVector<NeighbourSums::Shares>& shares)
   {
     std::vector<NeighbourSums::Shares> sums(batch.Count);
-    surface.FindShares(batch.Count, this->GetPositions(batch).data(), ofSurface, sums.data());
+    neighbours.FindShares(batch.Count, this->GetPositions(batch).data(), shares, sums.data());
     for (std::size_t k = 0; k < batch.Count; ++k)
     {
       this->GiveShare(batch.Members[k], sums[k]);

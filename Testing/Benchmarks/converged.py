@@ -17,7 +17,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from skin_makers import LivingSkin
+from skin_makers import living_skin
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance, vtkPolyDataConnectivityFilter
@@ -35,17 +35,12 @@ def arguments():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--scenes", default="pool,slosh,rain,fountain,splash")
+    parser.add_argument("--scenes", default="pool,slosh,ball,sheet,rain,fountain,splash")
     parser.add_argument("--size", type=int, default=2000, help="particles of the splash")
     parser.add_argument("--every", type=int, default=1, help="of the frames: all goes faster")
     parser.add_argument("--config", action="append", default=[])
     parser.add_argument("--scene-folder", type=Path)
     return parser.parse_args()
-
-
-def maker(config):
-    name, _, settings = config.partition(":")
-    return LivingSkin(name, [tuple(setting.split("=", 1)) for setting in settings.split()])
 
 
 def count_parts(skin):
@@ -71,7 +66,7 @@ def distances(skin, converged):
 def measure(scene, config, converged):
     voxel = 0.5 * scene.spacing
     far, others, seconds = [], 0, []
-    for frame, (skin, cost) in enumerate(maker(config).make(scene, voxel)):
+    for frame, (skin, cost) in enumerate(living_skin(config).make(scene, voxel)):
         seconds.append(cost)
         if frame >= FIRST:
             far += distances(skin, converged[frame])
@@ -89,7 +84,7 @@ def main():
         options = {"size_of": chosen.size} if name == "splash" else {}
         scene = load_scene(name, folder, **options)
         scene.frames = scene.frames[:: chosen.every]
-        converged = [skin for skin, _ in maker(CONVERGED).make(scene, 0.5 * scene.spacing)]
+        converged = [skin for skin, _ in living_skin(CONVERGED).make(scene, 0.5 * scene.spacing)]
         for config in chosen.config or CONFIGS:
             mean, p99, others, seconds = measure(scene, config, converged)
             label = f"{name}, {config.partition(':')[0]}"

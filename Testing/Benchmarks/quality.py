@@ -38,7 +38,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Examples" / "Python"))
 from fluid_scenes import load_scene  # noqa: E402
 from skin_geometry import Skin  # noqa: E402
-from skin_makers import LivingSkin, SplashSurf, pysplashsurf  # noqa: E402
+from skin_makers import SplashSurf, living_skin, pysplashsurf  # noqa: E402
 from skin_measures import MEASURES  # noqa: E402
 from vtkmodules.vtkCommonCore import vtkLogger  # noqa: E402
 
@@ -72,13 +72,7 @@ def arguments():
 
 
 def makers(configs):
-    result = []
-    for config in configs or COMMON:
-        name, colon, settings = config.partition(":")
-        pairs = [tuple(setting.split("=", 1)) for setting in settings.split()]
-        if not colon or any(len(pair) != 2 for pair in pairs):
-            sys.exit(f'--config "{config}" is not of the form "name: Property=value ..."')
-        result.append(LivingSkin(name.strip(), pairs))
+    result = [living_skin(config) for config in configs or COMMON]
     if pysplashsurf:
         return [*result, SplashSurf()]
     print("splashsurf: left out, as it is not installed (pip install pysplashsurf)")

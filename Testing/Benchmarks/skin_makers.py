@@ -48,6 +48,15 @@ class LivingSkin:
             yield skin, seconds
 
 
+def living_skin(config):
+    """What "name: Property=value ..." stands for."""
+    name, colon, settings = config.partition(":")
+    pairs = [tuple(setting.split("=", 1)) for setting in settings.split()]
+    if not colon or any(len(pair) != 2 for pair in pairs):
+        sys.exit(f'--config "{config}" is not of the form "name: Property=value ..."')
+    return LivingSkin(name.strip(), pairs)
+
+
 class SplashSurf:
     """pysplashsurf, with the smoothing that its documentation recommends."""
 

@@ -228,12 +228,15 @@ class Case:
         if not steps:
             assert not information.Has(key), "a time of what has none"
             return
-        expected = min(max(time, steps[0]), steps[-1])
-        for earlier, later in zip(steps, steps[1:]):
-            rounding = 1e-6 * (later - earlier)
-            for step in (earlier, later):
-                if abs(step - expected) <= rounding and earlier <= expected <= later:
-                    expected = step
+        wanted = min(max(time, steps[0]), steps[-1])
+        near = [
+            step
+            for interval in zip(steps, steps[1:])
+            if interval[0] <= wanted <= interval[1]
+            for step in interval
+            if abs(step - wanted) <= 1e-6 * (interval[1] - interval[0])
+        ]
+        expected = near[0] if near else wanted
         told = information.Get(key)
         assert told == expected, f"DATA_TIME_STEP is {told}, asked {time}, steps {steps}"
 

@@ -160,6 +160,9 @@ class Data(CommandTest):
         numpy.savez(self.folder / "a.npz", positions=positions)
         found = json.loads(self.succeed("info", self.folder / "a.npz", "--json").out)
         self.assertLess(max(found["bounds"]), 10)
+        numpy.savez(self.folder / "a.npz", positions=numpy.full((4, 3), numpy.nan))
+        found = json.loads(self.succeed("info", self.folder / "a.npz", "--json").out)
+        self.assertNotIn("bounds", found)
 
     def test_an_unknown_kind_of_file(self):
         self.assert_skin_fails("particles are read from", self.put("a.abc", "x"))

@@ -110,6 +110,8 @@ class Morphs(unittest.TestCase):
                 active.morph(cube(), ball(), **arguments)
         with self.assertRaisesRegex(TypeError, "no mesh"):
             active.morph("cube", ball())
+        with self.assertRaisesRegex(TypeError, "give duration alone"):
+            active.morph(cube(), ball(), duration=2, arrival_time=1)
         with self.assertRaisesRegex(ValueError, "no polygons"):
             active.morph(make_points(grid()), ball())
 

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstring>
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
 namespace activesurface
@@ -56,11 +55,6 @@ void WriteZipped(std::ostream& out, const char* bytes, std::size_t size)
 }
 
 constexpr int FirstZippedByte = 2; // of a little-endian float: sign, exponent and 7 bits follow
-
-[[noreturn]] void Refuse()
-{
-  throw std::runtime_error("The saved state is damaged.");
-}
 
 }
 
@@ -111,7 +105,7 @@ void Unzip(std::istream& in, char* data, std::size_t count)
   const bool isAsItIs = zipped == -static_cast<openvdb::Int64>(count);
   if (!in || zipped > in.rdbuf()->in_avail() || (zipped <= 0 && !isAsItIs))
   {
-    Refuse();
+    RefuseState();
   }
   in.seekg(begin);
   try
@@ -120,7 +114,7 @@ void Unzip(std::istream& in, char* data, std::size_t count)
   }
   catch (const openvdb::Exception&)
   {
-    Refuse();
+    RefuseState();
   }
 }
 
@@ -179,7 +173,7 @@ std::vector<LeafBits> ReadLeaves(std::istream& in, std::size_t leafCount, std::s
   }
   if (!in || active != nodeCount)
   {
-    Refuse();
+    RefuseState();
   }
   return leaves;
 }
@@ -192,13 +186,13 @@ openvdb::FloatTree::Ptr UnpackBand(const std::string& bytes, float background)
   const std::uint64_t leafCount = ReadNumber(in), nodeCount = ReadNumber(in);
   if (!in || leafCount > bytes.size() || nodeCount > bytes.size())
   {
-    Refuse();
+    RefuseState();
   }
   const std::vector<LeafBits> leaves = ReadLeaves(in, leafCount, nodeCount);
   const std::vector<float> magnitudes = ReadMagnitudes(in, nodeCount);
   if (!in)
   {
-    Refuse();
+    RefuseState();
   }
   auto tree = std::make_shared<openvdb::FloatTree>(background);
   const float* magnitude = magnitudes.data();

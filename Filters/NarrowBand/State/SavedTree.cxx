@@ -1,9 +1,8 @@
 #include "State/SavedTree.h"
 
-#include "OpenVDB.h"
-
 #include "Leaves/LeafFaces.h"
 #include "Leaves/LeafTable.h"
+#include "OpenVDB.h"
 
 #include <openvdb/tree/ValueAccessor.h>
 
@@ -23,15 +22,22 @@ void CheckTree(const openvdb::FloatTree& tree)
       const int axis = face / 2, sign = face % 2 ? 1 : -1;
       openvdb::Coord next = leaf->origin();
       next[axis] += sign * 8;
-      const bool isTile = !recent.probeConstLeaf(next);
-      const LeafMask others =
-        recent.getValue(next) < 0.f ? LeafMask::All().Without(inside) : inside;
-      if (isTile && TouchesFace(others, axis, sign))
+      if (recent.probeConstLeaf(next))
       {
-        throw std::runtime_error("The saved state is damaged.");
+        continue;
+      }
+      const bool isInside = recent.getValue(next) < 0.f;
+      if (TouchesFace(isInside ? LeafMask::All().Without(inside) : inside, axis, sign))
+      {
+        RefuseState();
       }
     }
   }
+}
+
+void RefuseState()
+{
+  throw std::runtime_error("The saved state is damaged.");
 }
 
 }

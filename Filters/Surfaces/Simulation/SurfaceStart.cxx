@@ -131,7 +131,7 @@ bool StartOn(
     EvaluateAtCorners(function, bounds); // where nothing was, as there is no surface
     messages.Say("empty",
       isFinite ? "The initial shape, or the target where there is none, has no surface within the "
-                 "bounds that the voxels could hold, so there is no skin; check VoxelSize, "
+                 "bounds, or none that the voxels can hold, so there is no skin; check VoxelSize, "
                  "ModelBounds and TargetIsoValue."
                : "The initial shape is not a finite number anywhere within the bounds, so there is "
                  "no skin; check the initial shape, or the target where there is none.");

@@ -150,7 +150,7 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
                          "maximum ten times MaximumNumberOfActiveVoxels.)";
   const std::string where =
     std::string("The target, ") + shape.GetName() + ", " + preparation.When + ": ";
-  const std::string flaw = PrepareAt(shape, preparation, where);
+  const std::string flaw = PrepareShape(shape, preparation, where);
   if (!flaw.empty())
   {
     this->Messages.Say("flaw of the target", flaw);
@@ -178,7 +178,8 @@ void TargetBuilder::PrepareInitial()
   ShapePreparation preparation = this->GetPreparation();
   preparation.Reach = InitialReach * this->Domain.VoxelSize;
   preparation.MeshHint = " (Its maximum is ten times MaximumNumberOfActiveVoxels.)";
-  const std::string flaw = PrepareAt(*this->Initial, preparation, "The input of port 1, Initial: ");
+  const std::string flaw =
+    PrepareShape(*this->Initial, preparation, "The input of port 1, Initial: ");
   if (!flaw.empty())
   {
     this->Messages.Say("flaw of the initial shape", flaw);

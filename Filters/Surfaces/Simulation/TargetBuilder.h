@@ -38,8 +38,8 @@ public:
 
   const TargetFrames& GetFrames() const { return this->Frames; }
 
-  // Whether there are particles in the frames that are held of the steps from one to another, or
-  // where the target stands still. Other steps are of no account: they need not be known yet.
+  // Whether one of the frames from a step to another, as far as they are held, has particles; of a
+  // target that stands still its only frame. Later frames do not count: they may not be known yet.
   bool HasParticles(int first, int last) const
   {
     return this->FindKind(first, last)->GetParticles() != nullptr;

@@ -64,7 +64,7 @@ void ShapePreparation::EstimateSpacing(ParticleModel model, const ParticleFrame&
   }
 }
 
-std::string PrepareAt(InputShape& shape, ShapePreparation& preparation, const std::string& where)
+std::string PrepareShape(InputShape& shape, ShapePreparation& preparation, const std::string& where)
 {
   try
   {

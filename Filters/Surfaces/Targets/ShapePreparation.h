@@ -54,7 +54,8 @@ private:
 
 /** Returns what is wrong with the shape, and throws why it cannot be used (std::runtime_error), in
  * a sentence that begins with where it is from. */
-std::string PrepareAt(InputShape& shape, ShapePreparation& preparation, const std::string& where);
+std::string PrepareShape(
+  InputShape& shape, ShapePreparation& preparation, const std::string& where);
 
 }
 

@@ -7,9 +7,6 @@ import json
 from pathlib import Path
 from typing import Any
 
-import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
-
 from ..data_objects import finite_points
 from ..file_names import expand, suffix_of
 from ..messages import listening, quiet
@@ -85,11 +82,11 @@ def _points(data: Any) -> dict[str, Any]:
     count = data.GetNumberOfPoints()
     found: dict[str, Any] = {"points": count}
     if count:
-        numbers = vtk_to_numpy(data.GetPoints().GetData())
-        bad = int(count - numpy.isfinite(numbers).all(axis=1).sum())
-        found["bounds"] = [round(value, 9) for value in finite_points(data).GetBounds()]
-        if bad:
-            found["points that are not finite"] = bad
+        finite = finite_points(data)
+        if finite.GetNumberOfPoints():
+            found["bounds"] = [round(value, 9) for value in finite.GetBounds()]
+        if finite.GetNumberOfPoints() < count:
+            found["points that are not finite"] = count - finite.GetNumberOfPoints()
     return found
 
 

@@ -48,7 +48,7 @@ public:
   std::size_t CountRegionSources() const override { return this->Current.size(); }
   void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override
   {
-    std::for_each(&this->Current[first], &this->Current[end], visit);
+    std::for_each(this->Current.data() + first, this->Current.data() + end, visit);
   }
 
 private:

@@ -224,6 +224,8 @@ TEST(TestTargets, OpenMeshIsAWarningOrAShell)
   filter->UpdateTimeStep(0.0);
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, "MeshThickness > 0 makes a shell"), 1)
     << "warnings";
+  EXPECT_EQ(MessageCapture::Count(messages.Warnings, "at a seam, merge the points"), 1)
+    << "warnings that tell the remedy";
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, "open edges"), 1)
     << "warnings that tell the edges";
   messages.Warnings.clear();
