@@ -1,6 +1,7 @@
 #include "Implicit/ImplicitStep.h"
 
 #include "Implicit/Carry.h"
+#include "Implicit/LeafBalances.h"
 #include "Implicit/StepPlan.h"
 #include "Implicit/SurfaceMove.h"
 #include "Implicit/SurfacePasses.h"
@@ -222,8 +223,7 @@ private:
     const MoveCoefficients coefficients = CoefficientsOf(this->Law, plan);
     if (plan.GetStages())
     {
-      FindTensionDisplacements(
-        this->Leaves, this->Set.Active, coefficients, this->IsWeighted(), this->Buffers);
+      FindBalances(this->Leaves, this->Set.Active, coefficients, this->IsWeighted(), this->Buffers);
     }
     const bool isControlled =
       this->Law.AreaControl == Control::Exact || this->Law.VolumeControl == Control::Exact;
@@ -238,7 +238,7 @@ private:
       };
       const bool isTense = plan.GetStages() &&
         count(LongestDisplacementByTension,
-          [this](std::int32_t i) { return this->Buffers.LargestTensionDisplacement[i]; }) >
+          [this](std::int32_t i) { return this->Buffers.Balances[i].Tension; }) >
           FewLeaves * static_cast<double>(surface.size());
       const bool isFar = isControlled &&
         count(LongestDisplacementBeforeControl,

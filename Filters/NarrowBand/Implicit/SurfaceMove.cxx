@@ -57,13 +57,12 @@ struct FindLeafDisplacements
 private:
   ACTIVE_ALWAYS_INLINE void FindRow(const float* u, unsigned nodes, float* displacements) const
   {
-    constexpr float flat = .25f; // of |grad u|^2
     float squares[8];
     CentralGradientSquares(u, squares);
     bool isSteep = !this->Coefficients.IsUpwind;
     for (int z = 0; z < 8; ++z)
     {
-      isSteep = isSteep && (squares[z] >= flat || ((nodes >> z) & 1u) == 0);
+      isSteep = isSteep && (squares[z] >= FlatGradientSquare || ((nodes >> z) & 1u) == 0);
     }
     if (isSteep)
     {
@@ -73,7 +72,8 @@ private:
     for (int z = 0; z < 8; ++z)
     {
       const float upwind = UpwindSquare(u + z, this->Clamp(displacements[z]));
-      const float balanced = squares[z] < flat ? std::max(squares[z], upwind) : squares[z];
+      const float balanced =
+        squares[z] < FlatGradientSquare ? std::max(squares[z], upwind) : squares[z];
       squares[z] = this->Coefficients.IsUpwind ? upwind : balanced;
     }
     this->Displace(squares, nodes, displacements);
@@ -93,64 +93,6 @@ private:
       const float product = this->Clamp(displacements[z]) * std::sqrt(squares[z]);
       displacements[z] = (nodes >> z) & 1u ? product : displacements[z];
     }
-  }
-};
-
-/** The longest displacement of a leaf by Tension, or by all terms if that is less. */
-template <bool IsWeighted>
-struct FindTensionDisplacement
-{
-  const LeafTable& Table;
-  const MoveCoefficients& Coefficients;
-  SubstepBuffers& Buffers;
-
-  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
-  {
-    const BandLeaf& leaf = this->Table[i];
-    const LeafMask crossed = NodesWithCrossing(this->Table, leaf);
-    this->Buffers.LargestTensionDisplacement[i] = this->Buffers.LargestNetDisplacement[i] = 0.f;
-    if (crossed.Any())
-    {
-      LeafBlock block;
-      block.Gather(this->Table, leaf);
-      for (int row = 0; row < 64; ++row)
-      {
-        if (const unsigned nodes = crossed.Row(row / 8, row % 8))
-        {
-          this->AddRow(block.Row(row / 8, row % 8), i, row, nodes);
-        }
-      }
-    }
-  }
-
-private:
-  ACTIVE_ALWAYS_INLINE void AddRow(const float* u, std::size_t i, int row, unsigned nodes) const
-  {
-    float rates[8] = {}, squares[8];
-    float largest = this->Buffers.LargestTensionDisplacement[i],
-          net = this->Buffers.LargestNetDisplacement[i];
-    if constexpr (IsWeighted)
-    {
-      AddWeightedTension(u, this->Coefficients.Tension, this->Buffers.WeightOf(i) + 8 * row, rates);
-    }
-    else
-    {
-      AddTension(u, this->Coefficients.Tension, rates);
-    }
-    CentralGradientSquares(u, squares);
-    const float* speeds = this->Buffers.SpeedOf(i) + 8 * row;
-    for (int z = 0; z < 8; ++z)
-    {
-      const float tension = -rates[z] / std::sqrt(std::max(squares[z], .25f));
-      const float tracked = this->Coefficients.Uniform +
-        (this->Coefficients.HasTargetSpeed ? this->Coefficients.Factor * speeds[z] : 0.f);
-      const float isNode = (nodes >> z) & 1u ? 1.f : 0.f;
-      const float whole = isNode * std::fabs(tension + tracked);
-      largest = std::max(largest, std::min(isNode * std::fabs(tension), whole));
-      net = std::max(net, whole);
-    }
-    this->Buffers.LargestTensionDisplacement[i] = largest;
-    this->Buffers.LargestNetDisplacement[i] = net;
   }
 };
 
@@ -191,6 +133,7 @@ struct MoveLeaf
       }
       if constexpr (IsSource)
       {
+        this->TakeToNodes(u, i, relaxed.Row(x, y), next + 8 * row);
         this->FindSource(
           u, active, relaxed.Row(x, y), next + 8 * row, this->Buffers.StageSource.Of(i) + 8 * row);
       }
@@ -209,6 +152,31 @@ struct MoveLeaf
   }
 
 private:
+  /** Tension is proportional to |grad u| of the node, so what it balances has to be, too. */
+  ACTIVE_ALWAYS_INLINE void TakeToNodes(
+    const float* u, std::size_t i, unsigned nodes, float* displacements) const
+  {
+    if (nodes == 0 || !this->Coefficients.IsBalanced)
+    {
+      return;
+    }
+    const LeafBalance& balance = this->Buffers.Balances[i];
+    const float share = balance.GetBalancedShare();
+    if (share == 0.f)
+    {
+      return;
+    }
+    float squares[8];
+    CentralGradientSquares(u, squares);
+    const RowMask& counts = MaskOfBits(nodes);
+    for (int z = 0; z < 8; ++z)
+    {
+      const float ratio =
+        std::min(std::sqrt(std::max(squares[z], FlatGradientSquare)) / balance.Gradient, 2.f);
+      displacements[z] *= 1.f + counts[z] * share * (ratio - 1.f);
+    }
+  }
+
   /** Relaxes a row. */
   ACTIVE_ALWAYS_INLINE void Relax(const float* u, unsigned nodes, float* next) const
   {
@@ -271,34 +239,6 @@ float LargestDisplacement(
     largest = std::max(largest, DisplacementOf(i, coefficients, buffers));
   }
   return largest;
-}
-
-float LargestNetDisplacement(const LeafTable& table, const LeafList& leaves,
-  const MoveCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers)
-{
-  FindTensionDisplacements(table, leaves, coefficients, isWeighted, buffers);
-  float largest = 0.f;
-  for (const std::int32_t i : leaves)
-  {
-    largest = std::max(largest, buffers.LargestNetDisplacement[i]);
-  }
-  return largest;
-}
-
-void FindTensionDisplacements(const LeafTable& table, const LeafList& leaves,
-  const MoveCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers)
-{
-  buffers.MakeRoomForNodes(table.Size());
-  buffers.LargestTensionDisplacement.resize(table.Size());
-  buffers.LargestNetDisplacement.resize(table.Size());
-  if (isWeighted)
-  {
-    ForEachLeaf(table, leaves, FindTensionDisplacement<true>{ table, coefficients, buffers });
-  }
-  else
-  {
-    ForEachLeaf(table, leaves, FindTensionDisplacement<false>{ table, coefficients, buffers });
-  }
 }
 
 void FindDisplacements(const LeafTable& table, const ActiveSet& set,

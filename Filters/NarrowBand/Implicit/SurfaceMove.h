@@ -14,6 +14,9 @@ namespace activesurface
 
 struct SubstepBuffers;
 
+/** Below it a central gradient tells no direction. */
+constexpr float FlatGradientSquare = .25f;
+
 /** From target speeds to displacements; lengths in voxels. A displacement beyond
  * LongestDisplacement is clamped: its leaf has to be left out of the move. */
 struct MoveCoefficients
@@ -23,6 +26,7 @@ struct MoveCoefficients
   float Relaxation = 0.f; //< q
   bool HasTargetSpeed = false;
   bool IsUpwind = false;             //< |grad u| is Godunov's
+  bool IsBalanced = false;           //< by tension, see FindSources
   float SourcePerDisplacement = 1.f; //< see FindSources
   float Tension = 0.f;               //< displacement per curvature
 };
@@ -35,15 +39,6 @@ float DisplacementOf(
 float LargestDisplacement(
   const LeafList& leaves, const MoveCoefficients& coefficients, const SubstepBuffers& buffers);
 
-/** The same by all terms, with Tension. */
-float LargestNetDisplacement(const LeafTable& table, const LeafList& leaves,
-  const MoveCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers);
-
-/** LargestTensionDisplacement of these leaves, by Tension, or by all terms if that is less; and
- * LargestNetDisplacement, by all terms. */
-void FindTensionDisplacements(const LeafTable& table, const LeafList& leaves,
-  const MoveCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers);
-
 /** Replaces the speeds at the nodes of crossed edges, in the affected leaves, by d |grad u|. |grad
  * u| is Godunov's, if IsUpwind; else it is central, as tension's is, and where that is below a half
  * the larger of both, without which a single node inside stays for ever. */
@@ -54,7 +49,8 @@ void FindDisplacements(const LeafTable& table, const ActiveSet& set,
 void ClearDisplacements(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers);
 
 /** In place of MoveSurface, where stages follow: what they subtract (StageSource), the change by
- * MoveSurface times SourcePerDisplacement. */
+ * MoveSurface times SourcePerDisplacement. If IsBalanced, what tension balances, by the leaves'
+ * Balances, is proportional to |grad u| of each node off the surface, as tension is. */
 GradientCounts FindSources(const LeafTable& table, const ActiveSet& set,
   const MoveCoefficients& coefficients, SubstepBuffers& buffers);
 

@@ -1,5 +1,6 @@
 #include "Implicit/SurfacePasses.h"
 
+#include "Implicit/LeafBalances.h"
 #include "Implicit/TensionStages.h"
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
@@ -56,9 +57,17 @@ SurfacePasses::SurfacePasses(
 float SurfacePasses::FindLargestDisplacement(const LeafList& leaves, const StepPlan& plan) const
 {
   const MoveCoefficients coefficients = CoefficientsOf(this->Law, plan);
-  return plan.GetStages()
-    ? LargestNetDisplacement(this->Leaves, leaves, coefficients, this->IsWeighted(), this->Buffers)
-    : LargestDisplacement(leaves, coefficients, this->Buffers);
+  if (!plan.GetStages())
+  {
+    return LargestDisplacement(leaves, coefficients, this->Buffers);
+  }
+  FindBalances(this->Leaves, leaves, coefficients, this->IsWeighted(), this->Buffers);
+  float largest = 0.f;
+  for (const std::int32_t i : leaves)
+  {
+    largest = std::max(largest, this->Buffers.Balances[i].Net);
+  }
+  return largest;
 }
 
 GradientCounts SurfacePasses::Run(const StepPlan& plan)
@@ -88,8 +97,8 @@ bool SurfacePasses::IsCalm(const StepPlan& plan, int substeps) const
   const StepPlan joined = plan.Join(substeps);
   if (plan.GetStages())
   {
-    FindTensionDisplacements(this->Leaves, active,
-      CoefficientsOf(this->Law, plan.JoinGently(substeps)), this->IsWeighted(), this->Buffers);
+    FindBalances(this->Leaves, active, CoefficientsOf(this->Law, plan.JoinGently(substeps)),
+      this->IsWeighted(), this->Buffers);
   }
   const auto surface = std::count_if(
     active.begin(), active.end(), [this](std::int32_t i) { return this->Leaves[i].Crossings > 0; });
@@ -104,7 +113,7 @@ bool SurfacePasses::IsCalm(std::int32_t leaf, const StepPlan& plan) const
 {
   const double most =
     this->Law.CFL * (plan.GetStages() ? ShortDisplacementOfStages : ShortDisplacement);
-  if (plan.GetStages() && this->Buffers.LargestTensionDisplacement[leaf] > most)
+  if (plan.GetStages() && this->Buffers.Balances[leaf].Tension > most)
   {
     return false;
   }
@@ -256,6 +265,11 @@ void SurfacePasses::MakePass(const LeafList& leaves, const StepPlan& plan)
   MoveCoefficients coefficients = CoefficientsOf(this->Law, plan);
   coefficients.Relaxation = static_cast<float>(plan.GetRelaxation(this->FindStrain(leaves, plan)));
   this->Set.Choose(this->Leaves, leaves);
+  coefficients.IsBalanced = plan.GetStages() && this->HasTarget() && !coefficients.IsUpwind;
+  if (coefficients.IsBalanced)
+  {
+    FindBalances(this->Leaves, leaves, coefficients, this->IsWeighted(), this->Buffers);
+  }
   if (coefficients.HasTargetSpeed || coefficients.Uniform != 0.f || this->IsWeighted())
   {
     FindDisplacements(this->Leaves, this->Set, coefficients, this->Buffers);

@@ -7,6 +7,7 @@
 #include "Leaves/LeafMask.h"
 #include "Leaves/NodeArrays.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,6 +26,24 @@ void MakeRoom(std::vector<Value>& room, std::size_t size)
   }
   room.resize(size);
 }
+
+/** What displaces a leaf's surface in an implicit substep, see LeafBalances.h. */
+struct LeafBalance
+{
+  // The longest displacements [voxels].
+  float Tension = 0.f; //< by tension, or by all terms if that is less
+  float Others = 0.f;  //< by target and penalties
+  float Net = 0.f;     //< by all terms
+
+  float Gradient = 0.f; //< mean |grad u|
+
+  /** Of Others, 0 to 1: all, where Net is less than a quarter of it; none from a half on. */
+  float GetBalancedShare() const
+  {
+    return this->Others > 0.f ? std::min(std::max(2.f - 4.f * this->Net / this->Others, 0.f), 1.f)
+                              : 0.f;
+  }
+};
 
 struct SubstepBuffers
 {
@@ -49,11 +68,10 @@ struct SubstepBuffers
   std::vector<double> LargestTargetSlope; //< |dF/dn|
   std::vector<float> LargestSpeed;        //< at the nodes with samples
   std::vector<float> LargestVelocity;     //< of a sample point, tangential too; with Transport
-  std::vector<float> LargestTensionDisplacement; //< of the implicit integration, see SurfaceMove.h
-  std::vector<float> LargestNetDisplacement;
-  std::vector<int> FlatNodes;          //< layer 0 nodes of gradient norm below 1/sqrt 2
-  std::vector<int> SteepNodes;         //< layer 0 nodes of gradient norm above sqrt 2
-  std::vector<std::uint8_t> Unbounded; //< whether the next potential is, see GradientCounts
+  std::vector<LeafBalance> Balances;      //< of the implicit integration
+  std::vector<int> FlatNodes;             //< layer 0 nodes of gradient norm below 1/sqrt 2
+  std::vector<int> SteepNodes;            //< layer 0 nodes of gradient norm above sqrt 2
+  std::vector<std::uint8_t> Unbounded;    //< whether the next potential is, see GradientCounts
 
   void MakeRoomForCounts(std::size_t leaves)
   {
