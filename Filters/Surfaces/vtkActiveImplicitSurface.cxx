@@ -125,6 +125,26 @@ void vtkActiveImplicitSurface::ResetCounters()
   this->Requests->GetSimulation().ResetCounters();
 }
 
+double vtkActiveImplicitSurface::GetVoxelSizeInUse()
+{
+  return this->Requests->GetSimulation().GetValuesInUse().VoxelSize;
+}
+
+double vtkActiveImplicitSurface::GetParticleSpacingInUse()
+{
+  return this->Requests->GetSimulation().GetValuesInUse().ParticleSpacing;
+}
+
+double vtkActiveImplicitSurface::GetAttractionInUse()
+{
+  return this->Requests->GetSimulation().GetValuesInUse().Attraction;
+}
+
+double vtkActiveImplicitSurface::GetTensionInUse()
+{
+  return this->Requests->GetSimulation().GetValuesInUse().Tension;
+}
+
 vtkPolyData* vtkActiveImplicitSurface::GetOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(OutputPorts::Skin));

@@ -289,8 +289,7 @@ public:
    * Saves the state of the skin at the last time step up to the time of the last update, as a .vdb
    * with metadata; and loads it into this or another filter with the same properties and inputs:
    * then any time from that of the state on continues from there, to the same bytes. False, and an
-   * error, if the file cannot be written or read, or there is no state. No half-written file is
-   * left.
+   * error, if there is no state, or the file cannot be read, or not be written as a whole.
    */
   bool SaveState(const char* file);
   bool LoadState(const char* file);
@@ -321,6 +320,17 @@ public:
   void ResetCounters();
   ///@}
 
+  ///@{
+  /**
+   * What the skin was made with, where a property leaves it to the filter: units of the properties.
+   * 0 where there is none, and without a skin: before the first update, after an error.
+   */
+  double GetVoxelSizeInUse();
+  double GetParticleSpacingInUse();
+  double GetAttractionInUse();
+  double GetTensionInUse();
+  ///@}
+
   /** The skin. */
   vtkPolyData* GetOutput();
 
@@ -340,7 +350,6 @@ public:
    */
   vtkImplicitFunction* GetSkinFunction();
 
-  /** Later than those of the functions too. */
   vtkMTimeType GetMTime() override;
 
   vtkTypeBool ProcessRequest(

@@ -128,6 +128,38 @@ class Time(unittest.TestCase):
         self.assertEqual(surface.GetSubsteps(), 0)
 
 
+class ValuesInUse(unittest.TestCase):
+    def values_of(self, surface):
+        return (
+            surface.GetVoxelSizeInUse(),
+            surface.GetParticleSpacingInUse(),
+            surface.GetAttractionInUse(),
+            surface.GetTensionInUse(),
+        )
+
+    def test_what_is_set_is_in_use(self):
+        surface = make_shrinking_ball()
+        self.assertEqual(self.values_of(surface), (0.0, 0.0, 0.0, 0.0), "before an update")
+        surface.UpdateTimeStep(0.1)
+        set_values = (surface.GetVoxelSize(), 0.0, surface.GetAttraction(), surface.GetTension())
+        self.assertEqual(self.values_of(surface), set_values)
+        surface.SetVoxelSize(2.0 * surface.GetVoxelSize())
+        self.assertEqual(self.values_of(surface), set_values, "of the skin that is there")
+
+    def test_what_is_left_to_the_filter(self):
+        steps = [0.0, 0.5, 2.5]
+        source = Travellers(steps)
+        surface = vtkActiveImplicitSurface()
+        surface.SetInputConnection(source.GetOutputPort())
+        surface.SetParticleSpacing(0.25)
+        for time, length in ((0.5, 0.5), (1.0, 2.0), (2.5, 2.0)):
+            surface.UpdateTimeStep(time)
+            voxel, spacing, attraction, tension = self.values_of(surface)
+            self.assertEqual((voxel, spacing), (0.125, 0.25), time)
+            self.assertAlmostEqual(attraction, 6.0 / length, msg=f"by the step's length, {time}")
+            self.assertAlmostEqual(tension, attraction * 0.125**2 / 6.0, msg=f"r^2 / 6, {time}")
+
+
 class Outputs(unittest.TestCase):
     def test_skin_and_potential(self):
         surface = make_shrinking_ball()

@@ -24,8 +24,10 @@
 #include "Simulation/TargetBuilder.h"
 #include "Simulation/TargetCoverage.h"
 #include "Simulation/Trajectory.h"
+#include "Simulation/ValuesInUse.h"
 #include "Simulation/Warnings.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -121,6 +123,14 @@ public:
   SkinAttributes FindAttributes() const;
   // Of the skin that was requested.
   Motion GetMotion() const;
+  // On the last way to it.
+  ValuesInUse GetValuesInUse() const
+  {
+    const int from = this->Requested.Step - (this->Requested.Between ? 0 : 1);
+    return this->FindSkin()
+      ? FindValuesInUse(this->Driver.GetMotion(std::max(from, 0)), this->Shapes)
+      : ValuesInUse();
+  }
 
   // The state at the last step that is not after the requested time; its band is null if there is
   // none, as with EvolutionMode EQUILIBRIUM.
