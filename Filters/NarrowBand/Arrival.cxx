@@ -3,6 +3,7 @@
 #include "Arrival/ArrivingTarget.h"
 #include "Arrival/PartCores.h"
 #include "NarrowBand.h"
+#include "PortableMath.h"
 #include "ReportSum.h"
 #include "SkinMotion.h"
 
@@ -37,7 +38,7 @@ Piece FindPiece(double time, double end)
   {
     left -= Decays[i];
     const double begin = piece.End;
-    piece.End = i + 1 < Decays.size() ? -end * std::expm1(left) : end;
+    piece.End = i + 1 < Decays.size() ? -end * ExponentialMinusOne(left) : end;
     piece.Attraction = Decays[i] / (piece.End - begin);
   }
   return piece;

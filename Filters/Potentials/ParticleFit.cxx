@@ -177,7 +177,8 @@ private:
     const double reach = this->NeighbourhoodFactor * particle.Radius;
     const double own = this->GetOwnRadius(i);
     // The integral of (1 - d^2/R^2)^2 over the ball of radius R, over (2 r)^3.
-    const double whole = 32.0 * 3.14159265358979 / 105.0 * std::pow(reach / (2.0 * own), 3.0);
+    const double cells = reach / (2.0 * own);
+    const double whole = 32.0 * 3.14159265358979 / 105.0 * cells * cells * cells;
     const double others = sums.Weight - std::max(particle.Strength, 0.0);
     ParticleFit& fit = this->Fits[i] = ParticleFit();
     fit.Bulk = SmoothStep(LeastBody, FullBody, others / whole);

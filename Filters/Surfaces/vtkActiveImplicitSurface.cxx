@@ -218,8 +218,15 @@ bool vtkActiveImplicitSurface::Advance(vtkDataObject* frame, double dt)
 
 void vtkActiveImplicitSurface::ResetTrajectory()
 {
-  this->Requests->Restart();
-  this->Modified();
+  try
+  {
+    this->Requests->Restart();
+    this->Modified();
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+  }
 }
 
 void vtkActiveImplicitSurface::PaperFaithful()

@@ -35,6 +35,7 @@ from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
+from .messages import plain
 from .surface_values import distances_along_axis, surface_values
 
 try:
@@ -209,7 +210,7 @@ def _renderer_of(window: Any) -> Any:
 
 def _note(said: list[str]) -> Any:
     def note(caller: Any, event: str, text: str) -> None:
-        said.append(text.strip())
+        said.append(plain(text))
 
     note.CallDataType = "string0"  # type: ignore[attr-defined]
     return note

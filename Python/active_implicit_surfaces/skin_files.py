@@ -211,11 +211,17 @@ def _arrays_of(cloud: Any) -> dict[str, Any]:
 
 
 def _write_csv(path: Path, positions: Any, arrays: dict[str, Any]) -> None:
-    names, columns = ["x", "y", "z"], [positions]
+    names, columns, formats = ["x", "y", "z"], [positions], [_digits_of(positions)] * 3
     for name, values in arrays.items():
         table = values.reshape(len(positions), -1)
         wide = table.shape[1]
         names += [name] if wide == 1 else [f"{name}:{i}" for i in range(wide)]
+        formats += [_digits_of(table)] * wide
         columns.append(table)
     table = numpy.hstack(columns)
-    numpy.savetxt(path, table, "%.9g", delimiter=",", header=",".join(names), comments="")
+    numpy.savetxt(path, table, formats, delimiter=",", header=",".join(names), comments="")
+
+
+def _digits_of(values: Any) -> str:
+    """So many that they are read as they were."""
+    return "%.9g" if values.dtype.kind == "f" and values.dtype.itemsize <= 4 else "%.17g"

@@ -184,8 +184,14 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
             "frames of n rows) of 3 numbers"
         )
     counts = arrays.get("counts")
-    if counts is not None and positions.ndim == 2 and int(counts.sum()) == len(positions):
-        return _cut(arrays, found, counts)
+    if counts is not None and positions.ndim == 2:
+        if int(counts.sum()) == len(positions):
+            return _cut(arrays, found, counts)
+        if counts.shape != positions.shape[:1]:  # else it is one of the particles'
+            raise ValueError(
+                f'its array "counts" adds up to {int(counts.sum())}, where "{found}" has '
+                f"{len(positions)} rows"
+            )
     moving = positions if positions.ndim == 3 else positions[None]
     frames = [{"positions": frame} for frame in moving]
     for name, values in arrays.items():
@@ -225,6 +231,11 @@ def _times(arrays: Mapping[str, Any], count: int) -> list[float] | None:
     for name in ("times", "time"):
         if name in arrays and arrays[name].shape == (count,):
             return [float(time) for time in arrays[name]]
-    if "fps" in arrays and arrays["fps"].size == 1 and float(arrays["fps"].ravel()[0]) > 0:
-        return [step / float(arrays["fps"].ravel()[0]) for step in range(count)]
+    if "times" in arrays and arrays["times"].ndim == 1:
+        raise ValueError(f'its array "times" has {len(arrays["times"])} for {count} frames')
+    if "fps" in arrays and arrays["fps"].size == 1:
+        rate = float(arrays["fps"].ravel()[0])
+        if not rate > 0:
+            raise ValueError(f'its "fps" is {rate:g}, where it is a number above 0')
+        return [step / rate for step in range(count)]
     return None

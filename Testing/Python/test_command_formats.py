@@ -156,6 +156,26 @@ class Particles(CommandTest):
         self.assertEqual(positions_of(clouds[2]).tobytes(), grid()[100:].tobytes())
         self.assertEqual(clouds[2].GetPointData().GetArray("id").GetValue(0), 100)
 
+    def test_npz_that_does_not_fit_is_refused(self):
+        rows, frames = numpy.zeros((1500, 3)), numpy.zeros((3, 500, 3))
+        cases = (
+            ('"counts" adds up to 1499, where "positions" has 1500 rows', rows, {"counts": [500, 999]}),
+            ('"times" has 2 for 3 frames', frames, {"times": [0, 1]}),
+            ('"fps" is 0, where it is a number above 0', frames, {"fps": 0}),
+        )
+        for words, positions, more in cases:
+            with self.subTest(words):
+                numpy.savez(self.folder / "a.npz", positions=positions, **more)
+                self.assertIn(words, self.fail_with(1, "info", self.folder / "a.npz"))
+
+    def test_csv_keeps_all_digits(self):
+        places = grid() + (650000.017946, 0, 5200000.09693)
+        numpy.savez(self.folder / "a.npz", positions=places, mass=numpy.full(125, 0.1))
+        self.succeed("convert", self.folder / "a.npz", "-o", self.folder / "a.csv")
+        cloud = open_particles(self.folder / "a.csv").load(0)
+        numpy.testing.assert_array_equal(positions_of(cloud), places)
+        self.assertEqual(cloud.GetPointData().GetArray("mass").GetTuple1(7), 0.1)
+
     def test_frames_of_one_file_stay_as_they_were(self):
         series = open_particles(DROP)
         first = series.load(0)
@@ -218,6 +238,12 @@ class Meshes(CommandTest):
                     self.assertEqual(info["grids"][0]["class"], "level set")
                 else:
                     self.assertEqual((info["holds"], info["closed"]), ("a mesh", "yes"))
+
+    def test_a_vdb_is_no_source_of_another(self):
+        self.succeed("convert", self.ball, "-o", self.folder / "a.vdb", "--voxel-size", VOXEL)
+        said = self.fail_with(1, "convert", self.folder / "a.vdb", "-o", self.folder / "b.vdb")
+        self.assertIn("is a .vdb already", said)
+        self.assertFalse((self.folder / "b.vdb").exists())
 
     def test_images(self):
         function, sample, writer = vtkSphere(), vtkSampleFunction(), vtkXMLImageDataWriter()

@@ -11,6 +11,7 @@ import weakref
 
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from listener import Listener
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkSphere, vtkTable
@@ -26,6 +27,10 @@ def make_points(positions):
     data = vtkPolyData()
     data.SetPoints(points)
     return data
+
+
+def skin_bytes(surface):
+    return vtk_to_numpy(surface.GetOutput().GetPoints().GetData()).tobytes()
 
 
 def make_ball(radius):
@@ -158,6 +163,48 @@ class ValuesInUse(unittest.TestCase):
             self.assertEqual((voxel, spacing), (0.125, 0.25), time)
             self.assertAlmostEqual(attraction, 6.0 / length, msg=f"by the step's length, {time}")
             self.assertAlmostEqual(tension, attraction * 0.125**2 / 6.0, msg=f"r^2 / 6, {time}")
+
+
+class Observers(unittest.TestCase):
+    """What would take away what the update works on is refused, with a sentence."""
+
+    def check(self, make, event, expected):
+        calls = {
+            "ResetTrajectory": lambda surface: surface.ResetTrajectory(),
+            "LoadState": lambda surface: surface.LoadState("none.vdb"),
+            "Advance": lambda surface: surface.Advance(make_points([(0, 0, 0)]), 0.1),
+        }
+        for name, call in calls.items():
+            with self.subTest(name, event=event):
+                surface = make()
+                listener = Listener(surface)
+
+                def observe(caller, _, call=call):
+                    if event != "ProgressEvent" or 0 < caller.GetProgress() < 1:
+                        call(caller)
+
+                surface.AddObserver(event, observe)
+                surface.UpdateTimeStep(0.5)
+                self.assertIn(f"{name} has been called in an update", listener.errors[0])
+                self.assertEqual(skin_bytes(surface), expected)
+
+    def test_of_progress(self):
+        reference = make_shrinking_ball()
+        reference.UpdateTimeStep(0.5)
+        self.check(make_shrinking_ball, "ProgressEvent", skin_bytes(reference))
+
+    def test_of_a_warning(self):
+        source = Travellers([0.0, 1.0])
+
+        def make():
+            surface = vtkActiveImplicitSurface()
+            surface.SetInputConnection(source.GetOutputPort())
+            return surface
+
+        reference = make()
+        reference.AddObserver("WarningEvent", lambda *_: None)
+        reference.UpdateTimeStep(0.5)
+        self.check(make, "WarningEvent", skin_bytes(reference))
 
 
 class Outputs(unittest.TestCase):

@@ -31,6 +31,7 @@ NUMERICS = [
     "NarrowBand/InstructionSets",
     "NarrowBand/Motion",
     "NarrowBand/Obstacle",
+    "NarrowBand/PortableMath",
     "NarrowBand/Target",
     "NarrowBand/TargetRegion",
 ]

@@ -1,5 +1,7 @@
 #include "Implicit/StepPlan.h"
 
+#include "PortableMath.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,7 +38,7 @@ int LeastStages(StageOrder order, double decay)
 /** (1 - exp(-x)) / x. */
 double MeanOfDecay(double x)
 {
-  return x > 1e-9 ? -std::expm1(-x) / x : 1.0;
+  return x > 1e-9 ? -ExponentialMinusOne(-x) / x : 1.0;
 }
 
 double LongestLength(
@@ -115,7 +117,7 @@ void StepPlan::Derive()
   this->Decay = decayRate * this->Length;
   this->Tension = this->Law.Tension * this->Length / (this->VoxelSize * this->VoxelSize);
   this->Stages.reset();
-  this->Remaining = std::exp(-this->Decay);
+  this->Remaining = Exponential(-this->Decay);
   if (this->Law.Tension != 0.0)
   {
     const StageOrder order = OrderFor(this->Law);

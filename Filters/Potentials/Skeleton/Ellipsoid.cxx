@@ -1,5 +1,6 @@
 #include "Skeleton/Ellipsoid.h"
 
+#include "PortableMath.h"
 #include "Skeleton/SmoothStep.h"
 
 #include "vtkMath.h"
@@ -42,9 +43,10 @@ void FindAxes(const NeighbourhoodShape& shape, double anisotropy, double axes[3]
     axes[i] = std::max(shape.Axes[i], shape.Axes[0] / anisotropy);
     volume *= axes[i];
   }
+  const double root = CubeRoot(volume);
   for (int i = 0; i < 3; ++i)
   {
-    axes[i] /= std::cbrt(volume);
+    axes[i] /= root;
   }
 }
 }

@@ -29,6 +29,9 @@ public:
   // None while something else is the filter's input: whoever connects it does not push any more.
   const std::vector<double>& GetTimes();
 
+  // Whether the frames are the filter's input.
+  bool AreConnected() const;
+
   // Makes the data the newest frame, dt after the one before, and the frames the filter's input.
   // The arrays are shared. Throws std::invalid_argument for what cannot be; then all is as before.
   void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt);
@@ -40,7 +43,6 @@ public:
   void Stop() { this->Times.clear(); }
 
 private:
-  bool AreConnected() const;
   double FindNextTime(const SurfaceProperties& properties, double dt);
   void Show(vtkDataObject* frame);
 

@@ -213,6 +213,15 @@ std::unique_ptr<InputShape> SurfaceInput::Read(
   return MakeInputShape({ whole, ArraysOf(*this, whole), kept });
 }
 
+void SurfaceInput::Check(vtkDataObject* data) const
+{
+  if (Takes(this->Port, data))
+  {
+    const vtkSmartPointer<vtkDataSet> readable = AsDataSet(data);
+    MakeInputShape({ readable, ArraysOf(*this, readable), {} });
+  }
+}
+
 // What is wrong with this rank's own part is found here, where the rank can be told.
 InputPiece SurfaceInput::MakePiece(vtkDataSet* data, const ParticleArrays& kept) const
 {

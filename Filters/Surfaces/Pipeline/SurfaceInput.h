@@ -71,6 +71,9 @@ public:
   std::unique_ptr<InputShape> Read(
     vtkInformation* information, const ParticleArrays& kept = ParticleArrays()) const;
 
+  // Throws as Read does, for this rank's piece alone.
+  void Check(vtkDataObject* data) const;
+
   // All of it, or this rank's piece, at its first time step or time, if it has any.
   void RequestFirst(vtkInformation* information) const;
 

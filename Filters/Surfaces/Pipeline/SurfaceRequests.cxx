@@ -110,6 +110,7 @@ bool SurfaceRequests::ReadClock(const SurfaceProperties& properties, vtkInformat
 void SurfaceRequests::PublishInformation(
   const SurfaceProperties& properties, vtkInformationVector** input, vtkInformationVector* output)
 {
+  const UpdateUnderWay::Scope scope(this->Update);
   const bool hasTimes = this->ReadClock(properties, Get(input, SurfaceInput::Target));
   for (int port = 0; port < OutputPorts::NumberOfPorts; ++port)
   {
@@ -176,6 +177,7 @@ PipelineTime SurfaceRequests::FindRequestedTime(vtkInformation* output) const
 void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInformation* request,
   vtkInformationVector** input, vtkInformationVector* output)
 {
+  const UpdateUnderWay::Scope scope(this->Update);
   if (OutputPorts::IsForNothing(this->GetShare(), request, output))
   {
     return;
@@ -298,6 +300,7 @@ void SurfaceRequests::AgreeOnRequest(
 void SurfaceRequests::RequestData(const SurfaceProperties& properties, vtkInformation* request,
   vtkInformationVector** input, vtkInformationVector* output)
 {
+  const UpdateUnderWay::Scope scope(this->Update);
   const auto fill = [&]
   {
     try
@@ -340,6 +343,27 @@ void SurfaceRequests::FillOutputs(const SurfaceProperties& properties, vtkInform
   }
 }
 
+void SurfaceRequests::Push(const SurfaceProperties& properties, vtkDataObject* data, double dt)
+{
+  this->Update.Refuse("Advance");
+  if (!this->Simulation.HasBegun()) // a first frame was refused
+  {
+    this->Pushed.Stop();
+  }
+  if (data && this->Target.IsConnected() && !this->Pushed.AreConnected())
+  {
+    this->Target.Check(data); // one that is refused does not take the place of another input
+  }
+  this->Pushed.Push(properties, data, dt);
+}
+
+void SurfaceRequests::Restart()
+{
+  this->Update.Refuse("ResetTrajectory");
+  this->Simulation.Reset();
+  this->Pushed.Stop();
+}
+
 bool SurfaceRequests::WithdrawFrame()
 {
   if (!this->Simulation.WithdrawLastStep())
@@ -365,6 +389,7 @@ void SurfaceRequests::SaveState(const std::string& file)
 
 void SurfaceRequests::LoadState(const std::string& file)
 {
+  this->Update.Refuse("LoadState");
   SavedState state;
   RunTogether(this->Ranks, [&] { state = ReadState(file); });
   this->Simulation.SetState(state);

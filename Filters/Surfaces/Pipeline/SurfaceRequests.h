@@ -14,6 +14,7 @@
 #include "Pipeline/SurfaceInput.h"
 #include "Pipeline/SurfaceProperties.h"
 #include "Pipeline/TargetSteps.h"
+#include "Pipeline/UpdateUnderWay.h"
 
 #include <cstdint>
 #include <string>
@@ -51,31 +52,20 @@ public:
     vtkInformationVector** input, vtkInformationVector* output);
 
   // A frame, which the next update goes to. Throws as PushedFrames does.
-  void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt)
-  {
-    if (!this->Simulation.HasBegun()) // a first frame was refused
-    {
-      this->Pushed.Stop();
-    }
-    this->Pushed.Push(properties, data, dt);
-  }
+  void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt);
   // Whether an update has got to the newest frame.
   bool IsAtNewestFrame() const { return this->Simulation.FindSkin() != nullptr; }
   // After an update that has not: whether the frame was refused, and the one before is the newest
   // again.
   bool WithdrawFrame();
-  // The next update, or the next frame, is a new start.
-  void Restart()
-  {
-    this->Simulation.Reset();
-    this->Pushed.Stop();
-  }
+  // The next update, or the next frame, is a new start. Throws std::logic_error within an update.
+  void Restart();
 
   // Leaves empty outputs that do not count as made.
   void ClearOutputs(vtkInformationVector* output) { this->Outputs.Clear(output); }
 
-  // Throw std::exception whose message is shown to the user. All ranks take part: the first one
-  // writes, each one reads.
+  // Throw std::exception whose message is shown to the user: LoadState also within an update. All
+  // ranks take part: the first one writes, each one reads.
   void SaveState(const std::string& file);
   void LoadState(const std::string& file);
 
@@ -110,6 +100,8 @@ private:
   SurfaceSimulation Simulation;
   TargetSteps Steps;
   OutputPorts Outputs;
+
+  UpdateUnderWay Update;
 
   // Of the last inputs that were composite data sets.
   std::uint64_t CompositeTarget = 0;

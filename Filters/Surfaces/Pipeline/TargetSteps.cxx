@@ -4,11 +4,24 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace activesurface
 {
+
+namespace
+{
+
+std::string Format(double time)
+{
+  std::ostringstream text;
+  text << time;
+  return text.str();
+}
+
+}
 
 // VTK takes an algorithm that has failed to make a time to have made it: only after a request for
 // another time it executes again. The last step that it has made costs least.
@@ -61,7 +74,7 @@ std::unique_ptr<InputShape> TargetSteps::Make(vtkInformation* target, int step, 
   const double time = this->Simulation.GetSettings().GetStep(step).Value;
   if (!mayGoBack)
   {
-    throw std::runtime_error("The input's time " + std::to_string(time) +
+    throw std::runtime_error("The input's time " + Format(time) +
       " is needed, but it cannot be had again (NO_PRIOR_TEMPORAL_ACCESS). Ask for times in their "
       "order; a CheckpointInterval of 1 keeps the skins of earlier ones.");
   }
@@ -69,7 +82,7 @@ std::unique_ptr<InputShape> TargetSteps::Make(vtkInformation* target, int step, 
   if (!this->Target.Update(target, time))
   {
     throw std::runtime_error(
-      "The input has failed to make its time step " + std::to_string(time) + ".");
+      "The input has failed to make its time step " + Format(time) + ".");
   }
   this->LastUpdateFailed = false;
   return this->Read(target);

@@ -15,8 +15,8 @@ class InputShape;
 
 /** The VTK classes of data that have a kind, and that the input ports take; of the others that
  * port 0 takes, AsDataSet makes one of these. */
-constexpr const char* InputTypes[] = { "vtkPointSet", "vtkImageData" };
-constexpr const char* MoreTargetTypes[] = { "vtkTable", "vtkDataObjectTree" };
+constexpr const char* InputTypes[] = { "vtkPointSet", "vtkImageData", "vtkDataObjectTree" };
+constexpr const char* MoreTargetTypes[] = { "vtkTable" };
 
 /**
  * Throws std::invalid_argument for data that cannot be a target, and for arrays that are missing or

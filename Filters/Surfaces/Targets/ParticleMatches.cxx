@@ -1,6 +1,7 @@
 #include "Targets/ParticleMatches.h"
 
 #include "ParallelTasks.h"
+#include "PortableMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +94,7 @@ ParticleFit Between(const ParticleFit& a, const ParticleFit& b, double fraction)
 
 ParticleFit Shrunk(ParticleFit fit, double share)
 {
-  fit.OwnRadius *= std::cbrt(share);
+  fit.OwnRadius *= CubeRoot(share);
   return fit;
 }
 

@@ -274,6 +274,25 @@ TEST(TestAdvance, AFirstFrameThatIsRefusedIsNotTheFirst)
   GoesOn(filter, 0, RunAfterwards(MakePlain()), "after an image without values");
 }
 
+TEST(TestAdvance, AFrameThatIsRefusedLeavesAnotherInput)
+{
+  auto source = vtkSmartPointer<ParticleSource>::New();
+  source->SetCloud(Part);
+  source->SetSteps(AllTimes);
+  auto filter = MakePlain();
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->UpdateTimeStep(AllTimes[1]);
+  const std::string before = GetAllBytes(filter);
+  MessageCapture messages(filter);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 4, 4);
+  EXPECT_FALSE(filter->Advance(image, 1.0));
+  EXPECT_EQ(messages.Errors.size(), 1u) << "errors";
+  EXPECT_EQ(filter->GetInputAlgorithm(), source.Get()) << "the input";
+  EXPECT_TRUE(GetAllBytes(filter) == before) << "the skin";
+  EXPECT_TRUE(filter->UpdateTimeStep(AllTimes[1]));
+}
+
 // Half of the way is kept; the rest comes with an update, or with the next frame.
 TEST(TestAdvance, AMotionThatStopsGoesOn)
 {

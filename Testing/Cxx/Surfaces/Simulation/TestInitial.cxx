@@ -2,6 +2,7 @@
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
+#include "Support/SameSkins.h"
 #include "Support/ShapeSource.h"
 
 #include "vtkImageData.h"
@@ -135,11 +136,21 @@ TEST(TestInitial, WhatIsNoShapeIsAnError)
               return vtkSmartPointer<vtkDataSet>(image);
             }),
     "image of input port 1 has no active point scalars");
+}
+
+TEST(TestInitial, OneBlockAloneIsTheShape)
+{
   vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, MakeBallMesh(0.6));
+  blocks->SetBlock(0, vtkNew<vtkPolyData>());
+  blocks->SetBlock(1, MakeBallMesh(0.6));
   vtkNew<vtkTrivialProducer> producer;
   producer->SetOutput(blocks);
-  Refuses(producer, "port 1 is a composite data set");
+  const auto filter = MakeShrinking(producer);
+  filter->Update();
+  ASSERT_TRUE(filter->GetOutput()) << "a vtkPolyData";
+  const auto mesh = MakeMeshSource(0.6);
+  const auto plain = MakeShrinking(mesh);
+  EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 0.2), GetBytesAt(plain, 0.2)));
 }
 
 TEST(TestInitial, ChangeOfTheInputRestarts)

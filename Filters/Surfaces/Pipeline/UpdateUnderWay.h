@@ -1,0 +1,51 @@
+// Whether an update is under way. Observers are called then, of its progress and its messages; what
+// they ask for may not take away what it works on.
+
+#ifndef UpdateUnderWay_h
+#define UpdateUnderWay_h
+
+#include <stdexcept>
+#include <string>
+
+namespace activesurface
+{
+
+class UpdateUnderWay
+{
+public:
+  class Scope
+  {
+  public:
+    explicit Scope(UpdateUnderWay& update)
+      : Update(update)
+      , Before(update.Is) // an observer may ask for information
+    {
+      this->Update.Is = true;
+    }
+    Scope(const Scope&) = delete;
+    void operator=(const Scope&) = delete;
+    ~Scope() { this->Update.Is = this->Before; }
+
+  private:
+    UpdateUnderWay& Update;
+    const bool Before;
+  };
+
+  // Throws std::logic_error for a call of an observer.
+  void Refuse(const std::string& call) const
+  {
+    if (this->Is)
+    {
+      throw std::logic_error(call +
+        " has been called in an update, by an observer of it; stop the update (AbortExecute) and "
+        "call it afterwards.");
+    }
+  }
+
+private:
+  bool Is = false;
+};
+
+}
+
+#endif
