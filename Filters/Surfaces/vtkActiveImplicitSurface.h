@@ -30,7 +30,7 @@
  * target: the skin shrinks towards it, and vanishes.
  *
  * Input, port 1 (optional): Initial, the shape at the first time, instead of InitialFunction: a
- * mesh or an image as above, at its first time step; (4, ...) chooses the image's array.
+ * mesh or an image as above, or a block alone, at its first time step; (4, ...) chooses the array.
  *
  * Output, port 0: the skin, a vtkPolyData of triangles, closed, outward, with Normals. Port 1: the
  * potential as a vtkImageData with the scalars "Potential", a signed distance [length], negative
@@ -110,9 +110,9 @@ public:
 
   ///@{
   /**
-   * Shape of the skin at the first time, negative inside, closed at ModelBounds; not together with
-   * input port 1. Restarts the motion. Default: none, the skin starts on the input of port 1, or
-   * else on the target, as it is at the first time.
+   * Shape of the skin at the first time, negative inside, closed within a voxel of ModelBounds. Not
+   * together with input port 1. Restarts the motion. Default: none, the skin starts on the input of
+   * port 1, or else on the target, as it is at the first time.
    */
   virtual void SetInitialFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetInitialFunction();

@@ -51,11 +51,12 @@ public:
   /**
    * Weight of surface tension [length^2/time]: adds -Tension * (sum of the principal curvatures) to
    * the speed. It smooths, and shrinks what the target does not hold: a ball under tension alone
-   * has radius sqrt(r0^2 - 4 * Tension * t). A target's ball of radius R holds one of radius R/2 +
-   * sqrt(R^2/4 - 2 * Tension / Attraction), or none where R < 2.83 sqrt(Tension / Attraction);
-   * particles, whose F / |grad F| is larger within, hold one down to about 2.4. Substeps are 4 *
-   * Tension * time / VoxelSize^2 at least. Range: >= 0. Default: 0, no smoothing, or see
-   * AutomaticSmoothing.
+   * has radius sqrt(r0^2 - 4 * Tension * t). The distance to a ball of radius R holds one of radius
+   * R/2 + sqrt(R^2/4 - 2 * Tension / Attraction), or none where R < 2.83 sqrt(Tension /
+   * Attraction); targets whose F / |grad F| is larger within hold smaller ones: particles down to
+   * about 2.4, a vtkSphere, whose F is r^2 - R^2, one of radius sqrt(R^2 - 4 * Tension /
+   * Attraction). Substeps are 4 * Tension * time / VoxelSize^2 at least. Range: >= 0. Default: 0,
+   * none, or see AutomaticSmoothing.
    */
   vtkSetClampMacro(Tension, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tension, double);

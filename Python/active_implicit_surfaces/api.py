@@ -271,7 +271,7 @@ def configure(
     unknown = set(chosen) - set(_ARRAYS)
     if unknown:
         raise TypeError(f"arrays are of {', '.join(_ARRAYS)}, not of {unknown.pop()!r}.")
-    first = source.frame(0)
+    first = source.first_frame()
     _check_arrays(first, chosen)
     if "ids" not in chosen and (found := usual_ids(first)):
         chosen["ids"] = found
@@ -282,6 +282,8 @@ def configure(
     if preset is not None:
         apply_preset(surface, source, preset, interval, options)
     properties.put(surface, options)
+    if first is not source.frame(0) and not surface.GetParticleSpacing():
+        surface.SetParticleSpacing(estimate_spacing(first))  # the filter starts on an empty frame
     _check_spacing(first, surface.GetParticleSpacing())
 
 

@@ -39,7 +39,7 @@ def apply_preset(
     if name == "molecule":
         _melt_atoms(surface, source, options)
         return
-    spacing = options.get("particle_spacing") or estimate_spacing(source.frame(0))
+    spacing = options.get("particle_spacing") or estimate_spacing(source.first_frame())
     step = (interval or _interval(source.times)) * options.get("time_scale", 1.0)
     if name == "paper":
         surface.PaperFaithful()
@@ -85,7 +85,7 @@ def _interval(times: list[float]) -> float:
 
 
 def _melt_atoms(surface: Any, source: Any, options: Mapping[str, Any]) -> None:
-    first = source.frame(0)
+    first = source.first_frame()
     spacing = estimate_spacing(first)
     surface.SetParticleModelToSum()
     surface.SetParticleThreshold(ATOM_LEVEL)

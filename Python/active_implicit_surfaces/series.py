@@ -71,6 +71,14 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
             self._kept[step] = data
         return self._kept[step]
 
+    def first_frame(self) -> Any:
+        """The first one with points, as emitters begin with none; if there is none, the first."""
+        for step in range(len(self.times)):
+            frame = self.frame(step)
+            if not frame.IsA("vtkPointSet") or frame.GetNumberOfPoints() > 0:
+                return frame
+        return self.frame(0)
+
     def step_of(self, time: float) -> int:
         """The last step up to a time; the first one before it."""
         return max(0, bisect_right(self.times, time) - 1)

@@ -159,7 +159,11 @@ class Particles(CommandTest):
     def test_npz_that_does_not_fit_is_refused(self):
         rows, frames = numpy.zeros((1500, 3)), numpy.zeros((3, 500, 3))
         cases = (
-            ('"counts" adds up to 1499, where "positions" has 1500 rows', rows, {"counts": [500, 999]}),
+            (
+                '"counts" adds up to 1499, where "positions" has 1500 rows',
+                rows,
+                {"counts": [500, 999]},
+            ),
             ('"times" has 2 for 3 frames', frames, {"times": [0, 1]}),
             ('"fps" is 0, where it is a number above 0', frames, {"fps": 0}),
         )

@@ -63,6 +63,17 @@ class Skins(CommandTest):
         self.succeed("skin", self.folder / "one.npz", "-o", self.folder / "new" / "one.ply")
         self.assertEqual([path.name for path in (self.folder / "new").iterdir()], ["one.ply"])
 
+    def test_the_first_particles_tell_the_spacing(self):
+        numpy.savetxt(self.folder / "p0.csv", numpy.zeros((0, 3)), header="x,y,z", comments="")
+        for step in (1, 2):
+            numpy.savetxt(
+                self.folder / f"p{step}.csv", grid(), delimiter=",", header="x,y,z", comments=""
+            )
+        for more in ((), ("--particle-spacing", 0.1)):
+            self.succeed("skin", "p#.csv", "-o", f"s{len(more)}_#.vtp", *more)
+        self.assertGreater(read_shape(self.folder / "s0_2.vtp").GetNumberOfPoints(), 0)
+        self.assertEqual(bytes_of("s0_2.vtp"), bytes_of("s2_2.vtp"))
+
     def test_patterns_are_series_in_the_natural_order(self):
         for step, frame in enumerate(moving_grid(12)):
             numpy.save(self.folder / f"p{step}.npy", frame)

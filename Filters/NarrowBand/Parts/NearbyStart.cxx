@@ -27,9 +27,10 @@ int FindRings(const SurfacePoints& surface, double voxelSize)
   return static_cast<int>(std::ceil(surface.Reach / voxelSize + 2.5)) - 1;
 }
 
-/** The nodes near the surface points. */
-void AddNearby(
-  const SurfacePoints& surface, double voxelSize, const LatticeBox& box, openvdb::MaskTree& wanted)
+/** The nodes near the surface points. Around each one the surface has at least a square of Reach,
+ * by which too many are refused before they are made. */
+void AddNearby(const SurfacePoints& surface, double voxelSize, const LatticeBox& box,
+  std::size_t maximumNumberOfActiveVoxels, openvdb::MaskTree& wanted)
 {
   const int rings = FindRings(surface, voxelSize);
   openvdb::tree::ValueAccessor<openvdb::MaskTree> accessor(wanted);
@@ -48,6 +49,12 @@ void AddNearby(
       }
       accessor.setValueOn(node);
     });
+  const double reach = surface.Reach / voxelSize;
+  if (static_cast<double>(wanted.activeVoxelCount()) * reach * reach >
+    static_cast<double>(maximumNumberOfActiveVoxels))
+  {
+    RefuseSize(maximumNumberOfActiveVoxels);
+  }
   openvdb::tools::dilateActiveValues(
     wanted, rings, openvdb::tools::NN_FACE_EDGE_VERTEX, openvdb::tools::IGNORE_TILES);
 }
@@ -268,7 +275,7 @@ openvdb::FloatTree::Ptr MakeNearbyPotential(double voxelSize, const double bound
   Samples samples;
   {
     openvdb::MaskTree wanted;
-    AddNearby(function.Surface, voxelSize, box, wanted);
+    AddNearby(function.Surface, voxelSize, box, maximumNumberOfActiveVoxels, wanted);
     AddFaces(function.Surface, voxelSize, box, maximumNumberOfActiveVoxels, wanted);
     RefuseManyLeaves(static_cast<double>(wanted.leafCount()), maximumNumberOfActiveVoxels);
     for (auto leaf = wanted.cbeginLeaf(); leaf; ++leaf)

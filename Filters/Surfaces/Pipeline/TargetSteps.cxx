@@ -81,8 +81,7 @@ std::unique_ptr<InputShape> TargetSteps::Make(vtkInformation* target, int step, 
   this->LastUpdateFailed = true;
   if (!this->Target.Update(target, time))
   {
-    throw std::runtime_error(
-      "The input has failed to make its time step " + Format(time) + ".");
+    throw std::runtime_error("The input has failed to make its time step " + Format(time) + ".");
   }
   this->LastUpdateFailed = false;
   return this->Read(target);

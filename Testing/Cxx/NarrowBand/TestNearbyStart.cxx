@@ -200,4 +200,18 @@ TEST(TestNearbyStart, NothingAndTooMuch)
   EXPECT_TRUE(band.IsEmpty());
 }
 
+// Before anything is evaluated, or made: a billion nodes along each axis.
+TEST(TestNearbyStart, VoxelsThatAreFarTooSmallAreRefusedAtOnce)
+{
+  const std::vector<Ball> balls = { { CentreA, 0.6 } };
+  InitialFunction function = MakeKnown(MakeBalls(balls), H, balls);
+  int evaluations = 0;
+  function.Evaluate = [&](std::size_t, const double*, double*) { ++evaluations; };
+  function.ThreadSafe = false;
+  NarrowBand band(1e-9);
+  EXPECT_TRUE(Throws<std::runtime_error>(
+    [&] { band.Start(0.0, Box, function); }, "MaximumNumberOfActiveVoxels"));
+  EXPECT_EQ(evaluations, 0);
+}
+
 }
