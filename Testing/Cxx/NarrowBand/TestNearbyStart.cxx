@@ -209,6 +209,7 @@ TEST(TestNearbyStart, VoxelsThatAreFarTooSmallAreRefusedAtOnce)
   function.Evaluate = [&](std::size_t, const double*, double*) { ++evaluations; };
   function.ThreadSafe = false;
   NarrowBand band(1e-9);
+  band.SetMaximumNumberOfActiveVoxels(1000000);
   EXPECT_TRUE(Throws<std::runtime_error>(
     [&] { band.Start(0.0, Box, function); }, "MaximumNumberOfActiveVoxels"));
   EXPECT_EQ(evaluations, 0);
