@@ -23,9 +23,6 @@ OFFERED = [
     "Image or Mesh",
 ]
 
-CHOSEN = ["VoxelSize", "ParticleSpacing", "Attraction", "Tension"]
-
-
 def ball(**properties):
     return ActiveImplicitSurfaceFunctions(**({"VoxelSize": 0.1, "Attraction": 4} | properties))
 
@@ -60,13 +57,6 @@ class Functions(unittest.TestCase):
         surface.TargetFunction.Radius = 0.7
         self.assertAlmostEqual(bounds_of(surface, 0)[1], 0.4, delta=0.005)
         self.assertAlmostEqual(bounds_of(surface, 0.2)[1], 0.5845, delta=0.006)
-
-    def test_what_the_filter_chose_can_be_read(self):
-        surface = ActiveImplicitSurfaceFunctions(ModelBounds=[-1, 1, -1, 1, -1, 3])
-        bounds_of(surface, 0)
-        surface.UpdatePropertyInformation()
-        found = [surface.GetProperty(name + "InUse").GetData() for name in CHOSEN]
-        self.assertEqual(found, [4 / 64, 0, 1, 0])
 
     def test_a_function_that_moves_leaves_no_stale_skin(self):
         surface, fresh = ball(), ball()

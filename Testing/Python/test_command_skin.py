@@ -72,7 +72,7 @@ class Skins(CommandTest):
         for more in ((), ("--particle-spacing", 0.1)):
             self.succeed("skin", "p#.csv", "-o", f"s{len(more)}_#.vtp", *more)
         self.assertGreater(read_shape(self.folder / "s0_2.vtp").GetNumberOfPoints(), 0)
-        self.assertEqual(bytes_of("s0_2.vtp"), bytes_of("s2_2.vtp"))
+        self.assertEqual(bytes_of(self.folder / "s0_2.vtp"), bytes_of(self.folder / "s2_2.vtp"))
 
     def test_patterns_are_series_in_the_natural_order(self):
         for step, frame in enumerate(moving_grid(12)):

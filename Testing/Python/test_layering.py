@@ -83,6 +83,7 @@ MAY_INCLUDE = {
     "VDB/Validation": ["NarrowBand/OpenVDB", "NarrowBand/CompilerBuiltins"],
     "VDB": ["VDB/Validation", "NarrowBand"],
     "Potentials/Skeleton": [
+        "NarrowBand/PortableMath",
         "Potentials/Skeleton",
         "Potentials/SkeletonCells",
         "Potentials/BallCells",
