@@ -23,6 +23,7 @@ OFFERED = [
     "Image or Mesh",
 ]
 
+
 def ball(**properties):
     return ActiveImplicitSurfaceFunctions(**({"VoxelSize": 0.1, "Attraction": 4} | properties))
 
