@@ -207,6 +207,24 @@ class Observers(unittest.TestCase):
         self.check(make, "WarningEvent", skin_bytes(reference))
 
 
+class Failures(unittest.TestCase):
+    def test_the_skin_function_is_that_of_the_skin_that_is_left(self):
+        class Failing(Travellers):
+            def RequestData(self, request, inputs, outputs):
+                information = outputs.GetInformationObject(0)
+                fails = information.Get(Pipeline.UPDATE_TIME_STEP()) > 0
+                return 0 if fails else super().RequestData(request, inputs, outputs)
+
+        source = Failing([0.0, 1.0])
+        surface = make_skin_over(source)
+        listeners = [Listener(source), Listener(surface)]
+        surface.UpdateTimeStep(0.0)
+        surface.UpdateTimeStep(1.0)
+        self.assertGreater(surface.GetOutput().GetNumberOfPoints(), 0)
+        self.assertLess(surface.GetSkinFunction().FunctionValue(0.1, 0, 0), 0)
+        self.assertEqual([listener.errors for listener in listeners], [[], []])
+
+
 class Outputs(unittest.TestCase):
     def test_skin_and_potential(self):
         surface = make_shrinking_ball()

@@ -50,6 +50,11 @@ FOUND = (
         "properties": {"ParticleModel": 0},
         "operations": [("time", 0.1)],
     },
+    # The skin function, first asked for after an input had failed, did not know the skin.
+    {
+        "target": ("moving_skeleton", 451632),
+        "operations": [("save and load",), ("fail", 1.0), ("time", 0.0)],
+    },
     # A way to a target was gone on after the target had been made anew, as its kind became known.
     {
         "target": ("table", 548627),

@@ -108,11 +108,14 @@ void OutputPorts::Fill(const SurfaceProperties& properties, SurfaceSimulation& s
           : nullptr);
     }
   }
+  this->AreFilled = true;
+  this->Filled = simulation.GetRequestedTime();
   this->Function.Renew(&simulation.GetBand());
 }
 
 void OutputPorts::Clear(vtkInformationVector* output)
 {
+  this->AreFilled = false;
   this->Function.Renew(nullptr);
   for (int port = 0; port < NumberOfPorts; ++port)
   {

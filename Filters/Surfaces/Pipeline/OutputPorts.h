@@ -46,11 +46,14 @@ public:
   // Of the skin that was made last; the same object always.
   vtkGridPotential* GetSkinFunction(const SurfaceSimulation& simulation)
   {
-    return this->Function.Get(simulation.FindSkin());
+    return this->Function.Get(this->AreFilled ? simulation.FindSkinAt(this->Filled) : nullptr);
   }
 
 private:
   SkinFunction Function;
+  // What the outputs hold, also after a request for something else has failed upstream.
+  bool AreFilled = false;
+  RequestedTime Filled;
 };
 
 }

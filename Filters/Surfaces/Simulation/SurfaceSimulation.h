@@ -118,6 +118,11 @@ public:
   bool IsAtStep() const { return !this->Requested.Between && !this->Settings.IsEquilibrium(); }
   // Null when the surface is not at the requested time.
   const NarrowBand* FindSkin() const;
+  // The same of an earlier request.
+  const NarrowBand* FindSkinAt(const RequestedTime& time) const
+  {
+    return this->Way.IsAt(time) ? this->Way.Share(time).get() : nullptr;
+  }
 
   // What the skin has there besides its shape: its motion, and what FindAttributes tells.
   SkinAttributes FindAttributes() const;
