@@ -35,7 +35,7 @@ from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
-from .messages import plain
+from .messages import listening
 from .surface_values import distances_along_axis, surface_values
 
 try:
@@ -97,16 +97,12 @@ def write_exr(
     writer.SetColorEncodingToSRGB()
     if options.get("encoding", "srgb") == "linear":
         writer.SetColorEncodingToLinear()
-    said: list[str] = []
-    observer = writer.AddObserver("ErrorEvent", _note(said))
-    executive_observer = writer.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
-    writer.SetFileName(str(file_name))
-    writer.SetInputData(image)
-    writer.Write()
-    writer.RemoveObserver(observer)
-    writer.GetExecutive().RemoveObserver(executive_observer)
+    with listening(writer) as heard:
+        writer.SetFileName(str(file_name))
+        writer.SetInputData(image)
+        writer.Write()
     if writer.GetErrorCode():
-        raise OSError(said[0] if said else f"{file_name} could not be written.")
+        raise OSError(heard.errors[0] if heard.errors else f"{file_name} could not be written.")
     return image
 
 
@@ -206,14 +202,6 @@ def _renderer_of(window: Any) -> Any:
     if renderer is None:
         raise ValueError("The window has no renderer.")
     return renderer
-
-
-def _note(said: list[str]) -> Any:
-    def note(caller: Any, event: str, text: str) -> None:
-        said.append(plain(text))
-
-    note.CallDataType = "string0"  # type: ignore[attr-defined]
-    return note
 
 
 def _numbers(matrix: Any) -> Any:

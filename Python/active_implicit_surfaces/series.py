@@ -58,6 +58,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         self.failure: Exception | None = None
         self._load = load
         self._kept: dict[int, Any] = {}
+        self._first: int | None = None  # step with points
         self._output_type = output_type
 
     def frame(self, step: int) -> Any:
@@ -73,11 +74,13 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
 
     def first_frame(self) -> Any:
         """The first one with points, as emitters begin with none; if there is none, the first."""
-        for step in range(len(self.times)):
-            frame = self.frame(step)
-            if not frame.IsA("vtkPointSet") or frame.GetNumberOfPoints() > 0:
-                return frame
-        return self.frame(0)
+        if self._first is None:
+            self._first = next(filter(self._has_points, range(len(self.times))), 0)
+        return self.frame(self._first)
+
+    def _has_points(self, step: int) -> bool:
+        frame = self.frame(step)
+        return not frame.IsA("vtkPointSet") or frame.GetNumberOfPoints() > 0
 
     def step_of(self, time: float) -> int:
         """The last step up to a time; the first one before it."""

@@ -248,6 +248,9 @@ class Meshes(CommandTest):
         said = self.fail_with(1, "convert", self.folder / "a.vdb", "-o", self.folder / "b.vdb")
         self.assertIn("is a .vdb already", said)
         self.assertFalse((self.folder / "b.vdb").exists())
+        both = (self.ball, self.folder / "a.vdb")
+        self.assertIn("a.vdb is a .vdb", self.fail_with(1, "convert", *both, "-o", "c_#.vdb"))
+        self.assertEqual(list(self.folder.glob("c_*")), [])
 
     def test_images(self):
         function, sample, writer = vtkSphere(), vtkSampleFunction(), vtkXMLImageDataWriter()

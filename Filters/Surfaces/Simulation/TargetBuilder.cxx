@@ -259,9 +259,8 @@ bool TargetBuilder::AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& image
 double TargetBuilder::GetSpacing() const
 {
   const ParticleSettings& particles = this->Settings.Particles;
-  return particles.Spacing > 0.0            ? particles.Spacing
-    : particles.Model != ParticleModel::Sum ? this->EstimatedSpacing
-                                            : 0.0;
+  const bool isUsed = particles.Spacing > 0.0 || particles.Model != ParticleModel::Sum;
+  return isUsed ? this->FindSpacing() : 0.0;
 }
 
 // Of particles, in a body of which the surface trembles about so far.

@@ -35,8 +35,9 @@ def run(arguments: list[str]) -> int:
     except ValueError as error:
         parser.error(str(error))
     files, _ = expand(options.files)
-    if suffix_of(output) == ".vdb" and suffix_of(files[0]) == ".vdb":
-        raise OSError(f"{files[0]} is a .vdb already; copy it, or convert it to a mesh.")
+    already = [file for file in files if suffix_of(file) == suffix_of(output) == ".vdb"]
+    if already:
+        raise OSError(f"{already[0]} is a .vdb already; copy it, or convert it to a mesh.")
     make_folder_of(output)
     if _holds_particles(files[0]):
         return _convert_particles(options, output)
