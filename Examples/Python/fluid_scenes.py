@@ -12,6 +12,7 @@ its corner at the origin, the size scene.size, and is open above. The scenes:
               each frame
     slosh     the pool in a box that is shaken
     splash    a ball falls into a pool; scene.size_of is a number of particles, 20,000 if not given
+    dam       a column of water breaks under a gravity of 14: particles go up to 20 r in a frame
     fountain  a jet from a nozzle, new particles in each frame, falls into a basin, which drains
     rain      drops of 3 to 30 particles appear in the air and fall into a shallow pool
     sheet     a single layer, stretched until it tears; not by the solver
@@ -154,6 +155,15 @@ def splash(size_of=20000, count=26):
     return Scene("splash", spacing, tuple(fluid.size), record("splash", fluid, count))
 
 
+def dam(count=30, across=12, high=40):
+    """The box is three columns long; what hits its end goes up along it."""
+    fluid = Fluid(SPACING, (60 * SPACING, 2 * high * SPACING, across * SPACING), 3.0)
+    column = lattice((0, 0, 0), (20 * SPACING, high * SPACING, across * SPACING), SPACING)
+    fluid.add(shaken(column, 0.1 * SPACING, 6), (0.0, 0.0, 0.0))
+    frames = record("dam", fluid, count, gravity=(0.0, -14.0, 0.0))
+    return Scene("dam", SPACING, tuple(fluid.size), frames)
+
+
 def fountain(count=40, across=ACROSS):
     """An arc from a nozzle above one side; the drain is in the corners: what flows in flows out."""
     speed, layers = 4.4, 3
@@ -234,6 +244,7 @@ SCENES = {
     "jitter": jitter,
     "slosh": slosh,
     "splash": splash,
+    "dam": dam,
     "fountain": fountain,
     "rain": rain,
     "sheet": sheet,

@@ -277,8 +277,15 @@ vtkSmartPointer<vtkPolyData> FillBall(double spacing, double place)
 /** .1 of time towards a cloud that goes half a voxel to and fro; frame 0 is the start. */
 double AdvanceFrame(double spacing, int frame, vtkActiveImplicitSurface* surface)
 {
-  surface->SetInputData(FillBall(spacing, 0.01 * (frame % 2)));
-  return SecondsOf([&] { surface->UpdateTimeStep(0.1 * frame); });
+  const auto cloud = FillBall(spacing, 0.01 * (frame % 2));
+  return SecondsOf(
+    [&]
+    {
+      if (!surface->Advance(cloud, 0.1))
+      {
+        throw std::runtime_error("A frame was refused.");
+      }
+    });
 }
 
 void GrowWithParticles(double count, int frames, TimeIntegration integration)
@@ -291,8 +298,6 @@ void GrowWithParticles(double count, int frames, TimeIntegration integration)
   surface->SetParticleRadius(2.0 * spacing);
   surface->SetAttraction(20.0);
   surface->SetTimeIntegration(static_cast<int>(integration));
-  surface->SetTimeStepSize(0.1);
-  surface->SetNumberOfTimeSteps(frames + 1);
   const double bounds[6] = { -1.4, 1.4, -1.4, 1.4, -1.4, 1.4 };
   surface->SetModelBounds(bounds);
   Costs costs;

@@ -35,7 +35,7 @@ def arguments():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--scenes", default="pool,slosh,ball,sheet,rain,fountain,splash")
+    parser.add_argument("--scenes", default="pool,slosh,ball,sheet,rain,fountain,splash,dam")
     parser.add_argument("--size", type=int, default=2000, help="particles of the splash")
     parser.add_argument("--every", type=int, default=1, help="of the frames: all goes faster")
     parser.add_argument("--config", action="append", default=[])

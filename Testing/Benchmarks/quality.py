@@ -16,7 +16,7 @@ the volume N (2 r)^3 and the height that it has in the box:
 - flatness (pool): angle of the top's triangles to the mean normal of those within 3 r, by area,
   more than 4 r from the walls; height over rest of the top;
 - drops kept (pool): share of the single and paired particles above the pool that are inside;
-  isolated (splash): those with at most two neighbours within 3.2 r;
+  isolated (splash, dam): those with at most two neighbours within 3.2 r;
 - sheet: share of the layer's cells, by area, whose middle is inside, where they are whole (sides up
   to 2.6 r) and where they are torn (beyond 4 r, which should be 0);
 - lag (ball): how far the centre of the skin's volume is behind that of the particles;
@@ -42,7 +42,7 @@ from skin_makers import SplashSurf, living_skin, pysplashsurf  # noqa: E402
 from skin_measures import MEASURES  # noqa: E402
 from vtkmodules.vtkCommonCore import vtkLogger  # noqa: E402
 
-PICTURED = {"pool": 11, "splash": 10, "fountain": 32, "rain": 24, "sheet": 15}
+PICTURED = {"pool": 11, "splash": 10, "dam": 14, "fountain": 32, "rain": 24, "sheet": 15}
 VIEW = (0.4, 0.5, 1.0)
 COMMON = [
     "defaults:",

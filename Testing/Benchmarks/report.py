@@ -48,40 +48,48 @@ class Aim:
         return worst, best, self.limit / worst if self.at_most else worst / self.limit
 
 
+def of_both(text, limit, part, name, case="{}", **options):
+    """An aim for either time integration; {} in the name or the case is where implicit stands."""
+    return [
+        Aim(f"{text}, {kind}", limit, part, name.format(named), case.format(cased), **options)
+        for kind, named, cased in (
+            ("explicit", "", "(?<!implicit)$"),
+            ("implicit", "implicit ", ", implicit$"),
+        )
+    ]
+
+
 # "shrinks" is the tension to the same time, so with an error: ours is the smaller one.
 AIMS = [
     Aim(
         "default scheme [ns per active voxel, substep]",
-        20,
+        25,
         "tension",
         "default scheme",
         at_most=True,
     ),
-    Aim("tension alone [ns per active voxel, substep]", 10, "tension", "tension", at_most=True),
+    Aim("tension alone [ns per active voxel, substep]", 5, "tension", "tension", at_most=True),
     Aim("tension, times meanCurvature, defaults", 100, "tension", "shrinks over .*defaults"),
     Aim("tension, times meanCurvature, cheapest", 25, "tension", "shrinks over .*cheapest"),
-    Aim("morph, times LevelSetMorphing, defaults", 150, "morph", "morph over .*defaults"),
-    Aim("morph, times LevelSetMorphing, cheapest", 30, "morph", "morph over .*cheapest"),
-    Aim("particles, times pysplashsurf", 3, "particles", "frame over pysplashsurf"),
-    Aim(
-        "particles, times pysplashsurf, all threads",
-        3,
-        "particles",
-        "frame over pysplashsurf",
-        threads=0,
+    *of_both(
+        "morph, times LevelSetMorphing, defaults", 100, "morph", "{}morph over .*defaults", ""
     ),
-    Aim("particles, times ParticlesToLevelSet", 50, "particles", "frame over OpenVDB"),
-    Aim(
-        "particles, times ParticlesToLevelSet, all threads",
-        50,
-        "particles",
-        "frame over OpenVDB",
-        threads=0,
-    ),
+    *of_both("morph, times LevelSetMorphing, cheapest", 30, "morph", "{}morph over .*cheapest", ""),
+    *of_both("particles, times pysplashsurf", 3, "particles", "{}frame over pysplashsurf", ""),
+    *of_both("the same, all threads", 3, "particles", "{}frame over pysplashsurf", "", threads=0),
+    *of_both("particles, times ParticlesToLevelSet", 50, "particles", "{}frame over OpenVDB", ""),
+    *of_both("substeps per frame", 3, "particles", "substeps per {}frame", "", at_most=True),
     Aim("mesh, times vtkFlyingEdges3D", 4, "skin", "skin over vtkFlyingEdges3D", "n = 256"),
-    Aim("growth of time with n [exponent]", 2.05, "growth", "exponent of time", at_most=True),
-    Aim("growth of memory with n [exponent]", 2.05, "growth", "exponent of memory", at_most=True),
-    Aim("2 threads, times one", 1.85, "growth", "2 threads over 1", threads=2),
+    # An implicit substep is as long at every n: it goes farther, in voxels.
+    Aim(
+        "growth of time with n [exponent], explicit",
+        2.1,
+        "growth",
+        "exponent of time",
+        "(?<!implicit)$",
+        at_most=True,
+    ),
+    *of_both("2 threads, times one", 1.85, "growth", "2 threads over 1", threads=2),
     Aim("90 % at rest, times all moving", 5, "parts", "90 % at rest over all moving"),
     Aim(
         "the same, under tension",
@@ -89,12 +97,12 @@ AIMS = [
         "parts",
         "90 % at rest under tension over all moving under tension",
     ),
-    Aim(
+    *of_both(
         "memory at the peak [bytes per active voxel]",
         40,
         "growth",
         "memory at the peak",
-        "n = (256|512)",
+        "(256|512){}",
         at_most=True,
     ),
 ]
@@ -117,10 +125,10 @@ def main():
     source, size, target = sys.argv[1:]
     rows = [json.loads(line) for line in Path(source).read_text().splitlines()]
     judged = []
-    print(f"\n{'work':50} {'aim':>8} {'measured':>9} {'at best':>9}  ")
+    print(f"\n{'work':54} {'aim':>8} {'measured':>9} {'at best':>9}  ")
     for aim in AIMS:
         relation = "<=" if aim.at_most else ">="
-        line = f"{aim.text:50} {relation}{aim.limit:6g}"
+        line = f"{aim.text:54} {relation}{aim.limit:6g}"
         verdict = aim.judge(rows)
         if not verdict:
             print(f"{line} {'-':>9}")

@@ -206,6 +206,7 @@ MEASURES = {
     "jitter": flicker,
     "slosh": flicker,
     "splash": splash,
+    "dam": splash,
     "fountain": births,
     "rain": rain,
     "sheet": sheet,

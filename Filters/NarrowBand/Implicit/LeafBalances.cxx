@@ -56,18 +56,28 @@ private:
     }
     CentralGradientSquares(u, squares);
     const float* speeds = this->Buffers.SpeedOf(i) + 8 * row;
+    const RowMask& counts = MaskOfBits(nodes);
+    const float uniform = this->Coefficients.Uniform, factor = this->Coefficients.Factor;
+    const bool hasSpeed = this->Coefficients.HasTargetSpeed;
+    float gradients[8], tensions[8], others[8], nets[8];
+    ACTIVE_LANES
     for (int z = 0; z < 8; ++z)
     {
       const float gradient = std::sqrt(std::max(squares[z], FlatGradientSquare));
       const float tension = -rates[z] / gradient;
-      const float others = this->Coefficients.Uniform +
-        (this->Coefficients.HasTargetSpeed ? this->Coefficients.Factor * speeds[z] : 0.f);
-      const float isNode = (nodes >> z) & 1u ? 1.f : 0.f;
-      const float net = isNode * std::fabs(tension + others);
-      balance.Tension = std::max(balance.Tension, std::min(isNode * std::fabs(tension), net));
-      balance.Net = std::max(balance.Net, net);
-      balance.Others = std::max(balance.Others, isNode * std::fabs(others));
-      balance.Gradient += isNode * gradient;
+      const float speed = speeds[z];
+      const float other = uniform + (hasSpeed ? factor * speed : 0.f);
+      nets[z] = counts[z] * std::fabs(tension + other);
+      tensions[z] = std::min(counts[z] * std::fabs(tension), nets[z]);
+      others[z] = counts[z] * std::fabs(other);
+      gradients[z] = counts[z] * gradient;
+    }
+    for (int z = 0; z < 8; ++z)
+    {
+      balance.Tension = std::max(balance.Tension, tensions[z]);
+      balance.Net = std::max(balance.Net, nets[z]);
+      balance.Others = std::max(balance.Others, others[z]);
+      balance.Gradient += gradients[z];
     }
   }
 };

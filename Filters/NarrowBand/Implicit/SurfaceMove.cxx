@@ -14,15 +14,6 @@ namespace activesurface
 namespace
 {
 
-/** |grad u|^2 at a node, upwind for a surface that goes this way. */
-ACTIVE_ALWAYS_INLINE float UpwindSquare(const float* u, float displacement)
-{
-  const UpwindSquares x = UpwindDifferences(u, LeafBlock::X);
-  const UpwindSquares y = UpwindDifferences(u, LeafBlock::Y);
-  const UpwindSquares z = UpwindDifferences(u, LeafBlock::Z);
-  return displacement > 0.f ? x.Outward + y.Outward + z.Outward : x.Inward + y.Inward + z.Inward;
-}
-
 struct FindLeafDisplacements
 {
   const LeafTable& Table;
@@ -57,42 +48,55 @@ struct FindLeafDisplacements
 private:
   ACTIVE_ALWAYS_INLINE void FindRow(const float* u, unsigned nodes, float* displacements) const
   {
-    float squares[8];
-    CentralGradientSquares(u, squares);
-    bool isSteep = !this->Coefficients.IsUpwind;
+    const RowMask& counts = MaskOfBits(nodes);
+    float clamped[8], squares[8];
+    ACTIVE_LANES
+    for (int z = 0; z < 8; ++z)
+    {
+      clamped[z] = this->Clamp(displacements[z]);
+    }
+    if (this->Coefficients.IsUpwind)
+    {
+      UpwindGradientSquares(u, clamped, squares);
+    }
+    else
+    {
+      CentralGradientSquares(u, squares);
+      TakeUpwindWhereFlat(u, nodes, clamped, squares);
+    }
+    ACTIVE_LANES
+    for (int z = 0; z < 8; ++z)
+    {
+      const float product = clamped[z] * std::sqrt(squares[z]), speed = displacements[z];
+      displacements[z] = counts[z] > 0.f ? product : speed;
+    }
+  }
+
+  ACTIVE_ALWAYS_INLINE static void TakeUpwindWhereFlat(
+    const float* u, unsigned nodes, const float* speed, float* squares)
+  {
+    bool isSteep = true;
     for (int z = 0; z < 8; ++z)
     {
       isSteep = isSteep && (squares[z] >= FlatGradientSquare || ((nodes >> z) & 1u) == 0);
     }
     if (isSteep)
     {
-      this->Displace(squares, nodes, displacements);
       return;
     }
+    float upwind[8];
+    UpwindGradientSquares(u, speed, upwind);
     for (int z = 0; z < 8; ++z)
     {
-      const float upwind = UpwindSquare(u + z, this->Clamp(displacements[z]));
-      const float balanced =
-        squares[z] < FlatGradientSquare ? std::max(squares[z], upwind) : squares[z];
-      squares[z] = this->Coefficients.IsUpwind ? upwind : balanced;
+      const float larger = std::max(squares[z], upwind[z]);
+      squares[z] = squares[z] < FlatGradientSquare ? larger : squares[z];
     }
-    this->Displace(squares, nodes, displacements);
   }
 
   ACTIVE_ALWAYS_INLINE float Clamp(float speed) const
   {
     const float whole = this->Coefficients.Factor * speed + this->Coefficients.Uniform;
     return std::min(std::max(whole, -LongestDisplacement), LongestDisplacement);
-  }
-
-  ACTIVE_ALWAYS_INLINE void Displace(
-    const float* squares, unsigned nodes, float* displacements) const
-  {
-    for (int z = 0; z < 8; ++z)
-    {
-      const float product = this->Clamp(displacements[z]) * std::sqrt(squares[z]);
-      displacements[z] = (nodes >> z) & 1u ? product : displacements[z];
-    }
   }
 };
 
@@ -169,6 +173,7 @@ private:
     float squares[8];
     CentralGradientSquares(u, squares);
     const RowMask& counts = MaskOfBits(nodes);
+    ACTIVE_LANES
     for (int z = 0; z < 8; ++z)
     {
       const float ratio =
@@ -182,6 +187,7 @@ private:
   {
     RowMask relaxation = MaskOfBits(nodes);
     constexpr float still[8] = {};
+    ACTIVE_LANES
     for (int z = 0; z < 8; ++z)
     {
       relaxation[z] *= this->Coefficients.Relaxation;
@@ -195,6 +201,7 @@ private:
     float change[8] = {};
     this->Relax(u, relaxed, change);
     const RowMask& moves = MaskOfBits(active);
+    ACTIVE_LANES
     for (int z = 0; z < 8; ++z)
     {
       source[z] =
@@ -206,17 +213,14 @@ private:
     const float* u, unsigned active, unsigned relaxed, float* next, unsigned& unbounded) const
   {
     float to[8];
+    ACTIVE_LANES
     for (int z = 0; z < 8; ++z)
     {
       to[z] = u[z] - next[z];
     }
     this->Relax(u, relaxed, to);
-    for (int z = 0; z < 8; ++z)
-    {
-      const unsigned isActive = (active >> z) & 1u;
-      next[z] = isActive ? to[z] : u[z];
-      unbounded |= isActive & IsUnbounded(to[z]);
-    }
+    TakeActive(u, to, active, next);
+    unbounded |= AnyUnbounded(to, active);
   }
 };
 

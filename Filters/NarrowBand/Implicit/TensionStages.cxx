@@ -33,11 +33,10 @@ StageFactors FactorsOf(const LegendreStage& stage, const StepPlan& plan)
     static_cast<float>(LongestDisplacementByTension * plan.GetSourcePerDisplacement()) };
 }
 
-/** What the stages keep: the potential at first and before the last stage, the rate at first. */
+/** What the stages keep: the potential at first, the rate at first, and the source. */
 struct StageRoom
 {
   float* First;
-  float* Before;
   float* FirstRate;
   const float* Source;
 };
@@ -55,6 +54,7 @@ ACTIVE_ALWAYS_INLINE void AddRate(const float* u, const float* weights, float* r
   }
 }
 
+/** Next, which holds the potential before the last stage, becomes that after this one. */
 template <bool IsWeighted>
 struct MakeStage
 {
@@ -69,7 +69,7 @@ struct MakeStage
     const BandLeaf& leaf = this->Table[i];
     LeafBlock block;
     block.Gather(this->Table, leaf);
-    const StageRoom room = { this->Buffers.StageFirst.Of(i), this->Buffers.StageBefore.Of(i),
+    const StageRoom room = { this->Buffers.StageFirst.Of(i),
       this->KeepsFirstRate ? this->Buffers.StageRate.Of(i) : nullptr,
       this->Buffers.StageSource.Of(i) };
     float* next = this->Buffers.NextOf(i);
@@ -84,31 +84,27 @@ struct MakeStage
         continue;
       }
       float result[8];
-      this->MakeRow(
-        u, IsWeighted ? this->Buffers.WeightOf(i) + 8 * row : nullptr, room, row, result);
-      for (int z = 0; z < 8; ++z)
-      {
-        const unsigned isActive = (active >> z) & 1u;
-        next[8 * row + z] = isActive ? result[z] : u[z];
-        unbounded |= isActive & IsUnbounded(result[z]);
-      }
+      this->MakeRow(u, IsWeighted ? this->Buffers.WeightOf(i) + 8 * row : nullptr, room, row,
+        next + 8 * row, result);
+      TakeActive(u, result, active, next + 8 * row);
+      unbounded |= AnyUnbounded(result, active);
     }
     this->Buffers.Unbounded[i] = static_cast<std::uint8_t>(unbounded);
   }
 
 private:
-  ACTIVE_ALWAYS_INLINE void MakeRow(
-    const float* u, const float* weights, const StageRoom& room, int row, float* result) const
+  ACTIVE_ALWAYS_INLINE void MakeRow(const float* u, const float* weights, const StageRoom& room,
+    int row, const float* before, float* result) const
   {
     float rate[8] = {};
     AddRate<IsWeighted>(u, weights, rate);
-    float *first = room.First + 8 * row, *before = room.Before + 8 * row;
+    float* first = room.First + 8 * row;
     if (this->IsFirst)
     {
       std::copy_n(u, 8, first);
-      std::copy_n(u, 8, before);
     }
     const StageFactors& f = this->Factors;
+    ACTIVE_LANES
     for (int z = 0; z < 8; ++z)
     {
       const float pull = -room.Source[8 * row + z];
@@ -117,21 +113,40 @@ private:
         std::max(whole, std::min(pull, 0.f) - f.MostTension), std::max(pull, 0.f) + f.MostTension);
       rate[z] += f.Damping * (u[z] - first[z]);
     }
-    const float damped = 1.f / (1.f + f.Rate * f.Damping);
     if (this->KeepsFirstRate && this->IsFirst)
     {
       std::copy_n(rate, 8, room.FirstRate + 8 * row);
     }
+    static constexpr float none[8] = {};
+    const float* firstRate = this->KeepsFirstRate ? room.FirstRate + 8 * row : none;
+    this->IsFirst ? this->MakeFirst(first, rate, result)
+                  : this->MakeNext(u, first, before, rate, firstRate, result);
+  }
+
+  // By differences, so that what does not change keeps its bits.
+  ACTIVE_ALWAYS_INLINE void MakeFirst(const float* first, const float* rate, float* result) const
+  {
+    const StageFactors& f = this->Factors;
+    const float damped = 1.f / (1.f + f.Rate * f.Damping);
+    ACTIVE_LANES
     for (int z = 0; z < 8; ++z)
     {
-      const float firstRate = this->KeepsFirstRate ? room.FirstRate[8 * row + z] : 0.f;
-      // By differences, so that what does not change keeps its bits.
-      const float change = this->IsFirst ? f.Rate * rate[z]
-                                         : f.Now * (u[z] - first[z]) +
-          f.Before * (before[z] - first[z]) + (f.Rate * rate[z] + f.FirstRate * firstRate);
+      result[z] = first[z] + damped * (f.Rate * rate[z]);
+    }
+  }
+
+  ACTIVE_ALWAYS_INLINE void MakeNext(const float* u, const float* first, const float* before,
+    const float* rate, const float* firstRate, float* result) const
+  {
+    const StageFactors& f = this->Factors;
+    const float damped = 1.f / (1.f + f.Rate * f.Damping);
+    ACTIVE_LANES
+    for (int z = 0; z < 8; ++z)
+    {
+      const float change = f.Now * (u[z] - first[z]) + f.Before * (before[z] - first[z]) +
+        (f.Rate * rate[z] + f.FirstRate * firstRate[z]);
       result[z] = first[z] + damped * change;
     }
-    std::copy_n(u, 8, before);
   }
 };
 
@@ -145,7 +160,8 @@ void RunStage(const LeafTable& table, const ActiveSet& set, const StepPlan& plan
       stages.GetOrder() == StageOrder::Second, buffers });
 }
 
-void TakeValues(LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers)
+/** What was the potential is kept for the next stage. */
+void TakeValues(LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
 {
   table.ForEach(set.Active,
     [&](std::size_t i)
@@ -155,7 +171,8 @@ void TakeValues(LeafTable& table, const ActiveSet& set, const SubstepBuffers& bu
       {
         if (active.Row(row / 8, row % 8) != 0)
         {
-          std::copy_n(buffers.NextOf(i) + 8 * row, 8, table[i].Value + 8 * row);
+          float* next = buffers.NextOf(i) + 8 * row;
+          std::swap_ranges(next, next + 8, table[i].Value + 8 * row);
         }
       }
     });
@@ -170,7 +187,6 @@ bool MakeTensionStages(LeafTable& table, const ActiveSet& set, const StepPlan& p
   buffers.MakeRoomForNodes(table.Size());
   buffers.MakeRoomForCounts(table.Size());
   buffers.StageFirst.MakeRoom(table.Size());
-  buffers.StageBefore.MakeRoom(table.Size());
   if (plan.GetStages()->GetOrder() == StageOrder::Second)
   {
     buffers.StageRate.MakeRoom(table.Size());

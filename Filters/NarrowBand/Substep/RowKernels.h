@@ -86,10 +86,25 @@ ACTIVE_ALWAYS_INLINE void AddTransport(
   }
 }
 
+/** Squares of the gradient norm, upwind for a surface of this speed. */
+ACTIVE_ALWAYS_INLINE void UpwindGradientSquares(const float* u, const float* speed, float* squares)
+{
+  for (int z = 0; z < 8; ++z)
+  {
+    const UpwindSquares x = UpwindDifferences(u + z, LeafBlock::X);
+    const UpwindSquares y = UpwindDifferences(u + z, LeafBlock::Y);
+    const UpwindSquares w = UpwindDifferences(u + z, LeafBlock::Z);
+    const float outward = x.Outward + y.Outward + w.Outward;
+    const float inward = x.Inward + y.Inward + w.Inward;
+    squares[z] = speed[z] > 0.f ? outward : inward;
+  }
+}
+
 /** Squares of the gradient norm, central differences. */
 ACTIVE_ALWAYS_INLINE void CentralGradientSquares(const float* u, float* squares)
 {
   constexpr int X = LeafBlock::X, Y = LeafBlock::Y, Z = LeafBlock::Z;
+  ACTIVE_LANES
   for (int z = 0; z < 8; ++z)
   {
     const float* c = u + z;
@@ -103,12 +118,16 @@ ACTIVE_ALWAYS_INLINE void CountGradients(const float* u, unsigned bits, int& fla
 {
   float squares[8];
   CentralGradientSquares(u, squares);
+  const RowMask& counts = MaskOfBits(bits);
+  int flatter = 0, steeper = 0;
+  ACTIVE_LANES
   for (int z = 0; z < 8; ++z)
   {
-    const bool counts = (bits >> z) & 1u;
-    flat += counts && squares[z] < .5f;
-    steep += counts && squares[z] > 2.f;
+    flatter += (counts[z] > 0.f ? 1 : 0) & (squares[z] < .5f ? 1 : 0);
+    steeper += (counts[z] > 0.f ? 1 : 0) & (squares[z] > 2.f ? 1 : 0);
   }
+  flat += flatter;
+  steep += steeper;
 }
 
 /** next -= advection * V * |grad u|, central differences: for comparison with the paper. */
@@ -117,6 +136,7 @@ ACTIVE_ALWAYS_INLINE void AddCentralTransport(
 {
   float squares[8];
   CentralGradientSquares(u, squares);
+  ACTIVE_LANES
   for (int z = 0; z < 8; ++z)
   {
     next[z] -= advection * speed[z] * std::sqrt(squares[z]);

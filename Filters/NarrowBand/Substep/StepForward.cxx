@@ -114,10 +114,15 @@ private:
         IsWeighted ? this->Buffers.WeightOf(i) : nullptr };
       AddTerms<IsWeighted>(u, target.OfRow(row), 0, this->Coefficients, rates);
       CentralGradientSquares(u, squares);
+      float speeds[8];
+      ACTIVE_LANES
       for (int z = 0; z < 8; ++z)
       {
-        const float speed = std::fabs(rates[z]) / std::sqrt(squares[z]);
-        largest = std::max(largest, (nodes >> z) & 1u ? speed : 0.f); // 0 / 0 counts as 0
+        speeds[z] = std::fabs(rates[z]) / std::sqrt(squares[z]);
+      }
+      for (int z = 0; z < 8; ++z)
+      {
+        largest = std::max(largest, (nodes >> z) & 1u ? speeds[z] : 0.f); // 0 / 0 counts as 0
       }
     }
     return largest;
@@ -157,16 +162,16 @@ struct StepLeaf
         std::copy_n(u, 8, result);
         continue;
       }
-      float next[8];
+      float next[8], bounded[8];
       std::copy_n(u, 8, next);
       AddTerms<IsWeighted>(u, target.OfRow(row), relaxed.Row(x, y), this->Coefficients, next);
+      ACTIVE_LANES
       for (int z = 0; z < 8; ++z)
       {
-        const unsigned isActive = (active >> z) & 1u;
-        const float bounded = std::min(std::max(next[z], -most), most); // NaN stays
-        result[z] = isActive ? bounded : u[z];
-        unbounded |= isActive & IsUnbounded(next[z]);
+        bounded[z] = std::min(std::max(next[z], -most), most); // NaN stays
       }
+      TakeActive(u, bounded, active, result);
+      unbounded |= AnyUnbounded(next, active);
       if (const unsigned zero = leaf.UpToLayer[0].Row(x, y))
       {
         CountGradients(u, zero, flat, steep);

@@ -59,8 +59,7 @@ struct SubstepBuffers
   // after the substep, which overwrites it row by row.
   NodeArrays Nodes;
   NodeArrays Weights; //< of tension, extended as the speed is, if it is weighted
-  NodeArrays StageFirst, StageBefore, StageRate,
-    StageSource; //< of the stages of the implicit integration
+  NodeArrays StageFirst, StageRate, StageSource; //< of the stages of the implicit integration
   std::vector<LeafMask> Known;
   std::vector<LeafMask> NextKnown;
 
