@@ -5,6 +5,8 @@
 ['f9.vtp', 'f10.vtp']
 >>> str(file_names.numbered("skin_####.ply", 7))
 'skin_0007.ply'
+>>> file_names.numbers_of(["f10.vtp", "f20.vtp"]), file_names.numbers_of(["a.vtp", "b.vtp"])
+([10, 20], [0, 1])
 """
 
 from __future__ import annotations
@@ -131,6 +133,18 @@ def numbered(name: str | Path, number: int) -> Path:
     text = mark[0]
     digits = len(text) if text[0] == "#" else int(re.sub(r"\D", "", text) or 1)
     return path.with_name(f"{path.name[: mark.start()]}{number:0{digits}}{path.name[mark.end() :]}")
+
+
+def numbers_of(files: Sequence[str | Path]) -> list[int]:
+    """The numbers of the frames: those by which the names of files differ, else 0, 1, 2 ..."""
+    parts = [re.split(r"(\d+)", str(file)) for file in files]
+    places = range(min(map(len, parts), default=0))
+    differing = [place for place in places if len({part[place] for part in parts}) > 1]
+    if len(differing) == 1 and len(set(map(len, parts))) == 1 and differing[0] % 2 == 1:
+        numbers = [int(part[differing[0]]) for part in parts]
+        if all(before < after for before, after in zip(numbers, numbers[1:])):
+            return numbers
+    return list(range(len(files)))
 
 
 def check_distinct(inputs: Iterable[Path], outputs: Iterable[Path]) -> None:

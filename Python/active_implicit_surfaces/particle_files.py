@@ -15,7 +15,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from . import text_particles
 from .data_objects import as_particles
-from .file_names import expand, suffix_of
+from .file_names import expand, numbers_of, suffix_of
 from .messages import listening, quiet
 from .series import check_times, times_at
 
@@ -59,10 +59,13 @@ class ParticleFiles:
     times : list of float
     names : list of Path
         The file of each frame.
+    numbers : list of int
+        Those in the names of the files, if they differ by them, else 0, 1, 2 ...
     """
 
     def __init__(self, names: list[Path], loaders: list[Any], times: Sequence[float]) -> None:
         self.names, self._loaders, self.times = names, loaders, check_times(times)
+        self.numbers = numbers_of(names)
 
     def __len__(self) -> int:
         return len(self.times)
@@ -87,7 +90,7 @@ def open_particles(
     """Files of particles as frames; patterns, .series and .pvd too.
 
     Times are `times`, else as `fps` says, else those of the index or of the files, else 25 frames
-    per second.
+    per second. Where numbers of files are left out, the time between is as much longer.
     """
     files, told = expand(names)
     if len(files) == 1:
@@ -101,7 +104,8 @@ def open_particles(
             raise ValueError(f"There are {len(times)} times for {len(loaders)} frames.")
         told = list(times)
     elif fps is not None or told is None:
-        told = times_at(len(loaders), fps)
+        places = _places(numbers_of(files)) if len(files) > 1 else range(len(loaders))
+        told = times_at(places, fps)
     return ParticleFiles(files * (len(loaders) // len(files)), loaders, told)
 
 
@@ -121,6 +125,12 @@ def check_readable(path: Path) -> None:
         if error.strerror is None:
             raise
         raise OSError(f"{path} cannot be read: {error.strerror}.") from error
+
+
+def _places(numbers: Sequence[int]) -> list[float]:
+    """Where frames are, in steps of the least difference of their numbers."""
+    step = min(after - before for before, after in zip(numbers, numbers[1:]))
+    return [(number - numbers[0]) / step for number in numbers]
 
 
 def _later(path: Path) -> Any:

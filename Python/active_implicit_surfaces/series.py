@@ -193,12 +193,12 @@ def check_times(times: Iterable[float]) -> list[float]:
     return own
 
 
-def times_at(count: int, fps: float | None) -> list[float]:
-    """The times 0, 1/fps, 2/fps ..."""
+def times_at(places: Iterable[float], fps: float | None) -> list[float]:
+    """The times of places 0, 1, 2 ... along a film."""
     rate = FRAMES_PER_SECOND if fps is None else fps
     if not 0 < rate < float("inf"):
         raise ValueError(f"Frames per second have to be more than 0, not {rate:g}.")
-    return [step / rate for step in range(count)]
+    return [place / rate for place in places]
 
 
 def _loader(
@@ -217,7 +217,7 @@ def _loader(
     held = frames if isinstance(frames, Sequence) or hasattr(frames, "shape") else list(frames)
     if times is not None and len(times) != len(held):
         raise ValueError(f"There are {len(times)} times for {len(held)} frames.")
-    return held.__getitem__, times_at(len(held), fps) if times is None else times
+    return held.__getitem__, times_at(range(len(held)), fps) if times is None else times
 
 
 def _are_paths(frames: Any) -> bool:

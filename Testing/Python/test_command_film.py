@@ -68,6 +68,18 @@ class Films(CommandTest):
         self.assertGreater(middles[2] - middles[0], 0.4 * SIZE[0])
         self.assertEqual(self.hidden(), [])
 
+    def test_the_camera_stays_where_a_run_goes_on(self):
+        def go_on(offsets):
+            for step, offset in enumerate(offsets):
+                if not (self.folder / f"p{step}.npy").exists():
+                    numpy.save(self.folder / f"p{step}.npy", grid() + [offset, 0, 0])
+            command = ["skin", "p*.npy", "-o", "s_#.ply", "--render", "f_#.png", *SMALL]
+            self.succeed(*command, "--resume")
+            return is_skin(pixels_of(self.folder / f"f_{len(offsets) - 1}.png")).sum()
+
+        self.assertGreater(go_on([0.0, 0.1]), 100)
+        self.assertEqual(go_on([0.0, 0.1, 20.0]), 0, "far from what the first pictures show")
+
     def test_without_the_name_of_skins_there_are_none(self):
         self.render("f_##.png")
         self.assertEqual(sorted(self.folder.glob("*.vtp")), [])

@@ -85,6 +85,27 @@ class Skins(CommandTest):
                 # The lattice's middle is .2; it goes .05 a frame. A voxel is .05.
                 self.assertAlmostEqual(last, 0.2 + 11 * 0.05, delta=0.025)
 
+    def test_numbers_of_files_are_kept_and_gaps_are_gaps_in_time(self):
+        for number, frame in zip((90, 100, 120), moving_grid(3)):
+            numpy.save(self.folder / f"p{number}.npy", frame)
+        self.succeed("skin", "p*.npy", "-o", "s_####.ply", "--fps", 10)
+        made = json.loads((self.folder / "s.ply.series").read_text())["files"]
+        self.assertEqual(
+            [(one["name"], round(one["time"], 9)) for one in made],
+            [("s_0090.ply", 0.0), ("s_0100.ply", 0.1), ("s_0120.ply", 0.3)],
+        )
+        self.succeed("convert", "s_*.ply", "-o", "t_#.stl")
+        self.assertEqual(
+            sorted(p.name for p in self.folder.glob("t_*")),
+            [
+                "t_100.stl",
+                "t_120.stl",
+                "t_90.stl",
+            ],
+        )
+        self.succeed("convert", "p*.npy", "-o", "q_#.csv")
+        self.assertTrue((self.folder / "q_120.csv").exists())
+
     def test_times_of_a_series_file_hold(self):
         for step, frame in enumerate(moving_grid(3)):
             numpy.save(self.folder / f"p{step}.npy", frame)

@@ -6,6 +6,7 @@
 #include "Grids/SkinBand.h"
 #include "Grids/SkinGrids.h"
 #include "NarrowBand.h"
+#include "SavedState.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -13,6 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace activesurface
@@ -50,6 +52,15 @@ void VDBContent::Add(vtkDataObject* data)
 
 void VDBContent::Add(const openvdb::GridBase::Ptr& grid)
 {
+  const std::string name = grid->getName();
+  const bool isTaken = (this->Choice.State && name == SavedGridName) ||
+    std::any_of(this->Grids.begin(), this->Grids.end(),
+      [&name](const openvdb::GridBase::Ptr& other) { return other->getName() == name; });
+  if (isTaken)
+  {
+    throw std::invalid_argument("The file would have two grids \"" + name +
+      "\"; rename the point array, or switch off WritePointArrays.");
+  }
   grid->setSaveFloatAsHalf(this->Choice.HalfFloat);
   this->Grids.push_back(grid);
 }

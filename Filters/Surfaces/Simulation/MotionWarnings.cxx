@@ -46,13 +46,17 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
     return;
   }
   const bool particles = outside.ParticlesAreLost;
+  const bool isHeld =
+    outside.Law.VolumeControl != Control::None || outside.Law.AreaControl != Control::None;
   std::ostringstream text;
   text << "At the time step " << outside.Time.Value << ", "
        << std::setprecision(outside.Share < .1 ? 2 : 3) << 100.0 * outside.Share << " % of the "
        << (particles ? "particles are outside the skin by more than their own radius"
                      : "target's inside is outside the skin by more than a voxel")
-       << "; the column Outside of the history tells it of each time step. To keep up, raise "
-          "Attraction"
+       << "; the column Outside of the history tells it of each time step. "
+       << (isHeld ? "What VolumeControl or AreaControl holds may be too little for all of it. "
+                  : "")
+       << "To keep up, raise Attraction"
        << (particles && outside.Law.Transport < 1.0 ? ", set Transport to 1" : "")
        << (outside.Law.CreateParts ? "" : ", turn CreateParts on")
        << (outside.Law.Tension > 0.0 ? ", lower Tension" : "")

@@ -6,7 +6,15 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from ..file_names import check_distinct, expand, has_number, make_folder_of, numbered, suffix_of
+from ..file_names import (
+    check_distinct,
+    expand,
+    has_number,
+    make_folder_of,
+    numbered,
+    numbers_of,
+    suffix_of,
+)
 from ..particle_files import PARTICLE_SUFFIXES, open_particles, read_vtk
 from ..skin_files import (
     MESH_SUFFIXES,
@@ -43,7 +51,7 @@ def run(arguments: list[str]) -> int:
         return _convert_particles(options, output)
     progress = Progress(len(files), quiet=options.quiet or len(files) == 1)
     is_series = len(files) > 1 or has_number(output)
-    names = [numbered(output, step) if is_series else output for step in range(len(files))]
+    names = [numbered(output, number) if is_series else output for number in numbers_of(files)]
     check_distinct(files, names)
     for step, (file, name) in enumerate(zip(files, names)):
         _convert_shape(file, name, options)
@@ -103,7 +111,7 @@ def _convert_particles(options: Any, output: Path) -> int:
     series = open_particles(options.files)
     progress = Progress(len(series), quiet=options.quiet or len(series) == 1)
     is_series = len(series) > 1 or has_number(output)
-    names = [numbered(output, step) if is_series else output for step in range(len(series))]
+    names = [numbered(output, number) if is_series else output for number in series.numbers]
     check_distinct(series.names, names)
     for step, name in enumerate(names):
         write_particles(name, series.load(step))

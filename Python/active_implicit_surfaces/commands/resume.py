@@ -25,6 +25,11 @@ class Resumption:
         What the skins depend on: the options. Another one is another run.
     files : list of Path
         The file of each frame. Files of those that are done may not change.
+
+    Attributes
+    ----------
+    view : list or None
+        What the camera of pictures holds, kept with the state: it does not move where frames come.
     """
 
     def __init__(self, output: Path, description: dict[str, Any], files: list[Path]) -> None:
@@ -32,6 +37,7 @@ class Resumption:
         self.state = output.with_name(f".{stem}.state.vdb")
         self.notes = output.with_name(f".{stem}.state.json")
         self.description = json.loads(json.dumps(description))
+        self.view: list[Any] | None = None
         self._files = files
         self._saved = time.monotonic()
 
@@ -50,14 +56,17 @@ class Resumption:
         try:
             notes = json.loads(self.notes.read_text(encoding="utf-8"))
             done, past, then = int(notes["done"]), notes["times"], notes["options"]
-            files = notes["files"]
-        except (ValueError, KeyError, TypeError) as error:
+            files, view = notes["files"], notes.get("view")
+            if view:
+                view = [[[float(x) for x in point] for point in view[0]], str(view[1])]
+        except (ValueError, KeyError, TypeError, IndexError) as error:
             raise OSError(f"{self.notes} is damaged; remove it to begin anew.") from error
         self._compare(then, past, times[:done])
         self._compare_files(files)
         with listening(surface) as heard:
             surface.LoadState(str(self.state))
         heard.raise_error(OSError)
+        self.view = view
         return done
 
     def save(self, surface: Any, times: list[float], done: int, now: bool = False) -> None:
@@ -76,6 +85,7 @@ class Resumption:
             "times": times[:done],
             "options": self.description,
             "files": _marks(self._files[:done]),
+            "view": self.view,
         }
         with replacing(self.notes) as temporary:
             temporary.write_text(json.dumps(notes), encoding="utf-8")

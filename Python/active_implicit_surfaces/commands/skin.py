@@ -7,6 +7,8 @@ from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import Any
 
+import numpy
+
 from .. import vtkActiveImplicitSurface
 from ..api import configure, update
 from ..file_names import (
@@ -171,7 +173,7 @@ class _Job:
     def name_of(self, step: int) -> Path:
         assert self.output is not None
         is_series = len(self.times) > 1 or has_number(self.output)
-        return numbered(self.output, step) if is_series else self.output
+        return numbered(self.output, self.files.numbers[step]) if is_series else self.output
 
     def _make(self, step: int, film: Any) -> None:
         update(self.surface, self.times[step], self.source)
@@ -179,7 +181,7 @@ class _Job:
         if self.output:
             write_mesh(self.name_of(step), skin, self.surface.GetOutputPort())
         if film:
-            film.add(step, skin)
+            film.add(self.files.numbers[step], skin)
         if self.resumption:
             self.resumption.save(self.surface, self.times, step + 1)
 
@@ -206,8 +208,7 @@ class _Job:
 
         path = Path(self.options.render)
         check_film(path, len(self.times))
-        reaches = "reach" if self.options.preset == "molecule" else self.options.radii
-        held, up = find_view(self.files, reaches, self.options.ids, self.options.velocities)
+        held, up = self._find_view()
         scene = Scene(
             held,
             self.options.size,
@@ -217,6 +218,17 @@ class _Job:
         )
         fps = self.options.fps or _rate(self.times)
         return Film(path, scene, fps, len(self.times))
+
+    def _find_view(self) -> tuple[Any, str]:
+        """That of the pictures so far, where there are some."""
+        kept = self.resumption.view if self.resumption else None
+        if kept:
+            return numpy.array(kept[0]), str(kept[1])
+        reaches = "reach" if self.options.preset == "molecule" else self.options.radii
+        held, up = find_view(self.files, reaches, self.options.ids, self.options.velocities)
+        if self.resumption:
+            self.resumption.view = [held.tolist(), up]
+        return held, up
 
 
 def _output_name(options: Any) -> Path | None:

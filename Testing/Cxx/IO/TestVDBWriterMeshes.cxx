@@ -7,6 +7,7 @@
 #include "Support/OutputFiles.h"
 
 #include "vtkCubeSource.h"
+#include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkStripper.h"
 
@@ -224,4 +225,21 @@ TEST(TestVDBWriterMeshes, FacesKeepTheArraysOfTheirOwnPoints)
     expected[side / 2] = side % 2 ? 1.f : -1.f;
     EXPECT_TRUE(normals->tree().getValue(node) == expected) << "normal of side " << side;
   }
+}
+
+TEST(TestVDBWriterMeshes, TwoGridsOfOneNameAreRefused)
+{
+  const std::string folder = EmptyFolder("vdb_names");
+  const auto mesh = MakeL({ 0, 1, 2 }, 0);
+  vtkNew<vtkFloatArray> array;
+  array->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  array->Fill(1.0);
+  array->SetName("surface");
+  mesh->GetPointData()->AddArray(array);
+  std::string error;
+  EXPECT_EQ(Write(mesh, folder + "l.vdb", &error), 0) << "written";
+  EXPECT_NE(error.find("two grids \"surface\""), std::string::npos) << error;
+  EXPECT_EQ(CountFiles(folder), 0u) << "files";
+  array->SetName("other");
+  EXPECT_EQ(Write(mesh, folder + "l.vdb", &error), 1) << error;
 }
