@@ -13,6 +13,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 _MAGIC, _VERSION, _JSON, _BIN = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
 _FLOAT, _UINT = 5126, 5125
 _VERTICES, _INDICES = 34962, 34963
+_SIZES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
+_COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 
 
 def write_glb(
@@ -83,3 +85,83 @@ def _pack(content: dict[str, Any], arrays: list[Any]) -> bytes:
             data,
         )
     )
+
+
+def check_glb(path: Path) -> None:
+    """Raises OSError unless the accessors of a .glb lie within its bytes: VTK takes any."""
+    try:
+        with path.open("rb") as file:
+            magic, _, _, length, kind = struct.unpack("<5I", file.read(20))
+            if magic != _MAGIC or kind != _JSON:
+                raise ValueError
+            content = json.loads(file.read(length))
+            rest = file.read(8)
+        _check_views(content, struct.unpack("<2I", rest)[0] if len(rest) == 8 else 0)
+        for accessor in content.get("accessors", []):
+            _check_accessor(content, accessor)
+        for mesh in content.get("meshes", []):
+            for primitive in mesh["primitives"]:
+                _check_primitive(content["accessors"], primitive)
+        _check_references(content)
+    except (ValueError, KeyError, TypeError, IndexError, AttributeError, struct.error) as error:
+        raise OSError(f"{path} cannot be read: it is damaged, or no binary glTF 2.0.") from error
+
+
+def _check_views(content: Any, size: int) -> None:
+    sizes = [
+        int(buffer["byteLength"]) if "uri" in buffer else min(int(buffer["byteLength"]), size)
+        for buffer in content.get("buffers", [])
+    ]
+    for view in content.get("bufferViews", []):
+        start, length = int(view.get("byteOffset", 0)), int(view["byteLength"])
+        if start < 0 or length < 0 or start + length > sizes[int(view["buffer"])]:
+            raise ValueError
+
+
+def _check_accessor(content: Any, accessor: Any) -> None:
+    count = int(accessor["count"])
+    own = _SIZES[int(accessor["componentType"])] * _COMPONENTS[accessor["type"]]
+    view = content["bufferViews"][_natural(accessor["bufferView"])]  # VTK takes no other
+    start, step = int(accessor.get("byteOffset", 0)), int(view.get("byteStride", own))
+    if start < 0 or count < 1 or step < 0:
+        raise ValueError
+    if start + (count - 1) * step + own > int(view["byteLength"]):
+        raise ValueError
+
+
+def _check_primitive(accessors: Any, primitive: Any) -> None:
+    attributes = primitive["attributes"]
+    named = {name: accessors[_natural(place)] for name, place in attributes.items()}
+    kinds = {"POSITION": "VEC3", "NORMAL": "VEC3"}
+    for name, accessor in named.items():
+        if accessor["type"] != kinds.get(name, accessor["type"]):
+            raise ValueError
+        if accessor["count"] != named["POSITION"]["count"] or accessor["componentType"] == _UINT:
+            raise ValueError
+    if "indices" in primitive:
+        indices = accessors[_natural(primitive["indices"])]
+        if indices["type"] != "SCALAR" or indices["componentType"] == _FLOAT:
+            raise ValueError
+
+
+def _check_references(content: Any) -> None:
+    """Of scenes to nodes, of nodes to meshes and to nodes below."""
+    nodes, meshes = content.get("nodes", []), content.get("meshes", [])
+    above = [0] * len(nodes)
+    for node in nodes:
+        if "mesh" in node and _natural(node["mesh"]) >= len(meshes):
+            raise ValueError
+        for child in node.get("children", []):
+            above[_natural(child)] += 1
+    scenes = content.get("scenes", [])
+    if "scene" in content and _natural(content["scene"]) >= len(scenes):
+        raise ValueError
+    roots = [_natural(node) for scene in scenes for node in scene.get("nodes", [])]
+    if any(above[root] for root in roots) or any(count > 1 for count in above):
+        raise ValueError  # no tree
+
+
+def _natural(number: Any) -> int:
+    if isinstance(number, bool) or not isinstance(number, int) or number < 0:
+        raise ValueError
+    return number

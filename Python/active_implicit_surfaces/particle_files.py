@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import re
 import zipfile
+import zlib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ from . import text_particles
 from .data_objects import as_particles
 from .file_names import expand, numbers_of, suffix_of
 from .messages import listening, quiet
+from .ply_files import check_ply
 from .series import check_times, times_at
 
 # Extension: module and class of the reader.
@@ -44,6 +46,9 @@ PARTICLE_SUFFIXES = tuple(
     suffix for suffix in (*_VTK_READERS, *_TEXT_READERS) if suffix not in (".vti", ".stl", ".obj")
 )
 
+
+# What zipfile raises besides; of these NotImplementedError is a RuntimeError.
+_DAMAGE_OF_ARCHIVES = (zipfile.BadZipFile, zlib.error, RuntimeError, OverflowError)
 
 _ABOUT_APPENDED_DATA = (
     " If it is whole: VTK 9.1 cannot read appended data with libexpat 2.5.0-1+deb12u2; write it "
@@ -175,12 +180,14 @@ def _step_loader(path: Path, reader: Any, time: float) -> Any:
 def _read_text(path: Path) -> text_particles.Frames:
     try:
         return _TEXT_READERS[suffix_of(path)](path)
-    except OSError:
-        raise
+    except OSError as error:
+        if error.strerror is None:  # with a sentence of our own
+            raise
+        raise OSError(f"{path} cannot be read as particles: {error.strerror}.") from error
     except (ValueError, KeyError, IndexError, UnicodeDecodeError, EOFError) as error:
         said = str(error).partition("\n")[0].rstrip(".")
         raise OSError(f"{path} cannot be read as particles: {said}.") from error
-    except zipfile.BadZipFile as error:
+    except _DAMAGE_OF_ARCHIVES as error:
         raise OSError(f"{path} cannot be read as particles: it is damaged.") from error
 
 
@@ -199,7 +206,7 @@ def _maker(path: Path, frame: text_particles.Frame) -> Any:
 def _vtk_reader(path: Path, **settings: Any) -> Any:
     check_readable(path)
     if suffix_of(path) == ".ply":
-        _check_ply(path)
+        check_ply(path)
     module, name = _VTK_READERS[suffix_of(path)]
     try:
         reader = getattr(importlib.import_module(module), name)()
@@ -209,13 +216,6 @@ def _vtk_reader(path: Path, **settings: Any) -> Any:
         getattr(reader, setting)(value)
     reader.SetFileName(str(path))
     return reader
-
-
-def _check_ply(path: Path) -> None:
-    """Raises OSError where VTK would find no points, and say nothing."""
-    with path.open("rb") as file:
-        if file.read(3) != b"ply":
-            raise OSError(f"{path} cannot be read: it is damaged, or not what its extension says.")
 
 
 def _time_steps(reader: Any) -> list[float]:

@@ -14,8 +14,9 @@ from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 
 from .data_objects import as_shape
 from .file_names import replacing, suffix_of
-from .glb import write_glb
+from .glb import check_glb, write_glb
 from .messages import listening, quiet
+from .obj_files import check_obj
 from .particle_files import check_readable, read_vtk
 
 MESH_WRITERS = {
@@ -91,7 +92,11 @@ def read_shape(path: Path, level: float | None = None) -> Any:
         raise OSError(f"{path}: meshes and images are read from {', '.join(MESH_SUFFIXES)}.")
     if suffix == ".stl":
         _check_stl(path)
+    elif suffix == ".obj":
+        check_readable(path)
+        check_obj(path)
     data = _read_glb(path) if suffix == ".glb" else read_vtk(path)
+    _check_corners(path, data)
     if data.IsA("vtkImageData"):
         return data if level is None else contour(data, level)
     if not data.IsA("vtkPointSet"):
@@ -172,9 +177,21 @@ def _check_stl(path: Path) -> None:
         )
 
 
+def _check_corners(path: Path, data: Any) -> None:
+    """Raises OSError where a cell has a point that is not there: VTK's filters take any."""
+    if not data.IsA("vtkPolyData"):
+        return
+    for cells in (data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips()):
+        corners = vtk_to_numpy(cells.GetConnectivityArray())
+        if corners.size and (corners.min() < 0 or corners.max() >= data.GetNumberOfPoints()):
+            raise OSError(f"{path} cannot be read: it is damaged; a cell has no such points.")
+
+
 def _read_glb(path: Path) -> Any:
     from vtkmodules.vtkIOGeometry import vtkGLTFReader
 
+    check_readable(path)
+    check_glb(path)
     reader, surface = vtkGLTFReader(), vtkCompositeDataGeometryFilter()
     reader.SetFileName(str(path))
     surface.SetInputConnection(reader.GetOutputPort())
@@ -182,7 +199,7 @@ def _read_glb(path: Path) -> Any:
         surface.Update()
     if heard.errors or surface.GetOutput().GetNumberOfPoints() == 0:
         said = heard.errors[0] if heard.errors else "it holds no mesh, or is damaged."
-        raise OSError(f"{path} cannot be read: {said}")
+        raise OSError(f"{path} cannot be read: {said.rstrip('.')}.")
     return surface.GetOutput()
 
 

@@ -24,18 +24,21 @@ _AXES = {"x": 0, "y": 1, "z": 2, "0": 0, "1": 1, "2": 2}
 
 
 def read_csv(path: Path) -> Frames:
-    """Columns x, y, z by their names (Points:0, pos_x ... too), or the first three."""
-    with path.open(newline="", encoding="utf-8-sig") as file:
-        lines = [file.readline() for _ in range(2)]
-    if not lines[0].strip():
+    """Columns x, y, z by their names (Points:0, pos_x, P[x] ... too), or the first three."""
+    comments, head, after = _first_lines(path)
+    if not head and comments:  # no particles, under a header as that of numpy.savetxt
+        head = comments.pop().strip().lstrip("# ")
+    if not head:
         raise ValueError("it is empty")
-    delimiter = next((mark for mark in ",;\t" if mark in lines[0]), None)
-    first = _split(lines[0], delimiter)
-    names = [] if all(_is_number(cell) for cell in first) else first
-    example = _split(lines[1], delimiter) if names and lines[1].strip() else first
-    usable = [i for i, cell in enumerate(example) if _is_number(cell)] if lines[1].strip() else None
+    delimiter = next((mark for mark in ",;\t" if mark in head), None)
+    first = _split(head, delimiter)
+    is_header = not all(_is_number(cell) for cell in first)
+    names = first if is_header else _names_in(comments, delimiter, len(first))
+    data = after if is_header else head
+    example = _split(data, delimiter) if data else first
+    usable = [i for i, cell in enumerate(example) if _is_number(cell)] if data else None
     columns = list(range(len(first))) if usable is None else usable
-    table = _load_table(path, delimiter, 1 if names else 0, columns)
+    table = _load_table(path, delimiter, len(comments) + is_header, columns)
     if not names:
         return [_headless(table)], None
     return [_group({names[i]: table[:, place] for place, i in enumerate(columns)})], None
@@ -78,6 +81,23 @@ def read_numpy(path: Path) -> Frames:
         return _from_arrays({name: found[name] for name in found.files})
 
 
+def _first_lines(path: Path) -> tuple[list[str], str, str]:
+    """The comments, and the two lines after them."""
+    comments: list[str] = []
+    with path.open(newline="", encoding="utf-8-sig") as file:
+        line = file.readline()
+        while line.lstrip().startswith("#"):
+            comments.append(line)
+            line = file.readline()
+        return comments, line.strip(), file.readline().strip()
+
+
+def _names_in(comments: list[str], delimiter: str | None, count: int) -> list[str]:
+    """Those in the last comment, as of numpy.savetxt, if it has one for each column."""
+    names = _split(comments[-1].strip().lstrip("# "), delimiter) if comments else []
+    return names if len(names) == count and not any(map(_is_number, names)) else []
+
+
 def _split(line: str, delimiter: str | None) -> list[str]:
     if delimiter is None:
         return line.split()
@@ -95,10 +115,37 @@ def _is_number(cell: str) -> bool:
 def _load_table(path: Path, delimiter: str | None, skip: int, columns: Any) -> Any:
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message=".*no data")
-        table = numpy.loadtxt(
-            path, delimiter=delimiter, skiprows=skip, usecols=columns, ndmin=2, encoding="utf-8-sig"
-        )
+        try:
+            table = numpy.loadtxt(
+                path,
+                delimiter=delimiter,
+                skiprows=skip,
+                usecols=columns,
+                ndmin=2,
+                encoding="utf-8-sig",
+            )
+        except ValueError as error:
+            raise ValueError(_find_fault(path, delimiter, skip, columns) or str(error)) from error
     return table.reshape(0, len(columns)) if table.size == 0 and columns else table
+
+
+def _find_fault(path: Path, delimiter: str | None, skip: int, columns: Any) -> str:
+    """What is wrong with the first row that is no row of the table; empty if nothing is found."""
+    width = 0
+    with path.open(newline="", encoding="utf-8-sig") as file:
+        for number, line in enumerate(file, start=1):
+            text = line.split("#")[0].strip()
+            if number <= skip or not text:
+                continue
+            cells = _split(text, delimiter)
+            width = width or (max(columns) + 1 if columns else len(cells))
+            if len(cells) < width or (not columns and len(cells) > width):
+                return f"line {number} has {len(cells)} column(s), others have {width}"
+            chosen = [cells[i] for i in columns] if columns else cells
+            wrong = next((cell for cell in chosen if not _is_number(cell)), None)
+            if wrong is not None:
+                return f'line {number} has "{wrong}" in place of a number'
+    return ""
 
 
 def _headless(table: Any) -> Frame:
@@ -109,10 +156,11 @@ def _headless(table: Any) -> Frame:
 
 
 def _group(columns: Mapping[str, Any]) -> Frame:
-    """Columns a:0 a:1 a:2, a_x a_y a_z, ax ay az as vectors a; x y z as positions."""
+    """Columns a:0 a:1 a:2, a[0] ..., a_x ..., ax ay az as vectors a; x y z as positions."""
     vectors: dict[str, dict[int, Any]] = {}
     for name, values in columns.items():
-        plain = re.sub(r"\s*[\[(][^])]*[\])]\s*$", "", name.strip().strip('"'))
+        plain = re.sub(r"\[([012xyzXYZ])\]$", r":\1", name.strip().strip('"'))
+        plain = re.sub(r"\s*[\[(][^])]*[\])]\s*$", "", plain)
         parts = re.fullmatch(r"(.*?)[:_. ]?([xyzXYZ]|(?<=[:_])[012])", plain)
         base, axis = (parts[1], _AXES[parts[2].lower()]) if parts else (plain, -1)
         vectors.setdefault(base, {})[axis] = values

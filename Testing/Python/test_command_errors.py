@@ -124,7 +124,7 @@ class Data(CommandTest):
         self.assert_skin_fails("no columns x, y and z", self.put("a.csv", "x,y\n1,2\n"))
         self.assert_skin_fails("no columns x, y and z", self.put("a.csv", "x,y,z\n1,2,a\n"))
         self.assert_skin_fails("2 column(s)", self.put("a.csv", "1,2\n3,4\n"))
-        self.assert_skin_fails("could not convert", self.put("a.csv", "x,y,z\n1,2,3\n1,b,3\n"))
+        self.assert_skin_fails('line 3 has "b"', self.put("a.csv", "x,y,z\n1,2,3\n1,b,3\n"))
         self.assert_skin_fails("2 column(s)", self.put("a.xyz", "1 2\n3 4\n"))
         self.assert_skin_fails("fewer atoms than the 3", self.put("a.xyz", "3\n\nH 0 0 0\n"))
         self.assert_skin_fails("3 columns", self.put("a.json", "[[1, 2], [3, 4]]"))

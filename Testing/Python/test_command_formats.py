@@ -3,6 +3,7 @@
 
 import json
 import math
+import re
 import struct
 import unittest
 
@@ -90,6 +91,7 @@ class Particles(CommandTest):
             "a.csv": ["Points:0,Points:1,Points:2", *(row.replace(" ", ",") for row in rows)],
             "b.csv": ["X [m];Y [m];Z [m]", *(row.replace(" ", ";") for row in rows)],
             "c.csv": ["pos_x\tpos_y\tpos_z", *(row.replace(" ", "\t") for row in rows)],
+            "h.csv": ["# of a run", "# P[x],P[y],P[z]", *(row.replace(" ", ",") for row in rows)],
             "d.csv": [row.replace(" ", ",") for row in rows],
             "e.csv": ["name,z,y,x", *("a," + ",".join(r.split()[::-1]) for r in rows)],
             "f.xyz": rows,
@@ -171,6 +173,24 @@ class Particles(CommandTest):
             with self.subTest(words):
                 numpy.savez(self.folder / "a.npz", positions=positions, **more)
                 self.assertIn(words, self.fail_with(1, "info", self.folder / "a.npz"))
+
+    def test_a_comment_that_names_columns_is_a_header(self):
+        (self.folder / "a.csv").write_text("# x,y,z,T\n1,2,3,4\n")
+        cloud = open_particles(self.folder / "a.csv").load(0)
+        self.assertEqual(cloud.GetPoint(0), (1.0, 2.0, 3.0))
+        self.assertEqual(cloud.GetPointData().GetArray("T").GetTuple1(0), 4.0)
+        (self.folder / "a.csv").write_text("# x,y,z\n")
+        self.assertEqual(open_particles(self.folder / "a.csv").load(0).GetNumberOfPoints(), 0)
+
+    def test_rows_that_do_not_fit_are_named(self):
+        for name, text, said in (
+            ("a.csv", "x,y,z\n1,2,3\n1,2\n", "line 3 has 2 column(s), others have 3"),
+            ("b.csv", "x,y,z\n1,2,3\n\n4,5,six\n", 'line 4 has "six" in place of a number'),
+            ("c.xyz", "1 2 3\n4 5 6 7\n", "line 2 has 4 column(s), others have 3"),
+        ):
+            (self.folder / name).write_text(text)
+            with self.assertRaisesRegex(OSError, re.escape(said)):
+                open_particles(self.folder / name).load(0)
 
     def test_csv_keeps_all_digits(self):
         places = grid() + (650000.017946, 0, 5200000.09693)

@@ -111,7 +111,7 @@ def _shape_in(path: Path) -> Any:
     try:
         return read_shape(path)
     except OSError:
-        data = read_vtk(path) if suffix_of(path) != ".glb" else None
+        data = read_vtk(path) if suffix_of(path) in PARTICLE_SUFFIXES else None
         if data is not None and data.IsA("vtkPointSet"):
             return None
         raise
