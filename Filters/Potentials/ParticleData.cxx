@@ -5,7 +5,9 @@
 #include "vtkAbstractArray.h"
 #include "vtkCellTypes.h"
 #include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -25,9 +27,20 @@ namespace
 
 struct Block
 {
-  unsigned int Index; // as VTK counts, the flat one
+  std::string Name; // with its number as VTK counts, the flat one
   vtkSmartPointer<vtkDataSet> Data;
 };
+
+std::string NameOf(vtkCompositeDataIterator* leaf)
+{
+  std::string name = "The block " + std::to_string(leaf->GetCurrentFlatIndex());
+  vtkInformation* meta = leaf->HasCurrentMetaData() ? leaf->GetCurrentMetaData() : nullptr;
+  if (meta && meta->Has(vtkCompositeDataSet::NAME()))
+  {
+    name += std::string(", ") + meta->Get(vtkCompositeDataSet::NAME()) + ",";
+  }
+  return name;
+}
 
 // Those with points.
 std::vector<Block> ListBlocks(vtkDataObjectTree* tree)
@@ -37,11 +50,11 @@ std::vector<Block> ListBlocks(vtkDataObjectTree* tree)
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
     vtkDataObject* held = leaf->GetCurrentDataObject();
-    Block block{ leaf->GetCurrentFlatIndex(), AsDataSet(held) };
+    Block block{ NameOf(leaf), AsDataSet(held) };
     if (!block.Data)
     {
-      throw std::invalid_argument("The block " + std::to_string(block.Index) +
-        " of the input is a " + held->GetClassName() + ", which has no particles.");
+      throw std::invalid_argument(
+        block.Name + " of the input is a " + held->GetClassName() + ", which has no particles.");
     }
     if (block.Data->GetNumberOfPoints() > 0)
     {
@@ -74,9 +87,8 @@ vtkPointSet* AsParticles(const Block& block)
   vtkPointSet* points = vtkPointSet::SafeDownCast(block.Data);
   if (!points || !HasVerticesOnly(points))
   {
-    throw std::invalid_argument("The block " + std::to_string(block.Index) +
-      " of the input is no set of particles, but a " + block.Data->GetClassName() +
-      (points ? " with other cells than vertices" : "") +
+    throw std::invalid_argument(block.Name + " of the input is no set of particles, but a " +
+      block.Data->GetClassName() + (points ? " with other cells than vertices" : "") +
       "; where several blocks have points, all have to be particles. Extract one block, or merge "
       "them.");
   }

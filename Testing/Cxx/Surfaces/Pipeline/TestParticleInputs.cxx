@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
@@ -323,6 +324,8 @@ TEST(TestParticleInputs, OneBlockAloneMayBeOfAnyKind)
   Refuses(blocks, "The block 2 of the input is no set of particles, but a vtkPolyData with other");
   blocks->SetBlock(1, MakeBallImage(0.3));
   Refuses(blocks, "The block 2 of the input is no set of particles, but a vtkImageData;");
+  blocks->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "wall");
+  Refuses(blocks, "The block 2, wall, of the input is no set of particles, but a vtkImageData;");
 }
 
 TEST(TestParticleInputs, WithoutRowsOrPointsThereAreNoParticles)
