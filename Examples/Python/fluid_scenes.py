@@ -12,7 +12,7 @@ its corner at the origin, the size scene.size, and is open above. The scenes:
               each frame
     slosh     the pool in a box that is shaken
     splash    a ball falls into a pool; scene.size_of is a number of particles, 20,000 if not given
-    dam       a column of water breaks under a gravity of 14: particles go up to 20 r in a frame
+    dam       a column of water breaks under a gravity of 14: particles go up to 24 r in a frame
     fountain  a jet from a nozzle, new particles in each frame, falls into a basin, which drains
     rain      drops of 3 to 30 particles appear in the air and fall into a shallow pool
     sheet     a single layer, stretched until it tears; not by the solver
