@@ -22,12 +22,12 @@
  *   (3, ...). Inside is below TargetIsoValue (InvertTarget: above), and within the image's box.
  *
  * With time steps, all of one kind, the target moves. Particles go in straight lines from step to
- * step, matched by ids (equal ones by place), else by number if both steps have equally many,
- * else not at all. One that is missing in the next step fades out on the way, its strength falling
- * evenly to 0; a new one fades in. Skeletons, meshes and images are blended, F = (1 - f) F0 + f F1
- * at a fraction f of the way: what does not overlap from step to step shrinks here and grows there
- * (see CreateParts; skeletons vanish). A step without points, or a mesh without cells, is no
- * target: the skin shrinks towards it, and vanishes.
+ * step, matched by ids (equal ones by place), else by number if both steps have equally many, in
+ * one order, else not at all. One that is missing in the next step fades out on the way, its
+ * strength falling evenly to 0; a new one fades in. Skeletons, meshes and images are blended, F =
+ * (1 - f) F0 + f F1 at a fraction f of the way: what does not overlap from step to step shrinks
+ * here and grows there (see CreateParts; skeletons vanish). A step without points, or a mesh
+ * without cells, is no target: the skin shrinks towards it, and vanishes.
  *
  * Input, port 1 (optional): Initial, the shape at the first time, instead of InitialFunction: a
  * mesh or an image as above, or a block alone, at its first time step; (4, ...) chooses the array.

@@ -6,13 +6,15 @@ Run: python3 test_inputs.py
 
 import unittest
 
-from active_implicit_surfaces import vtkActiveImplicitSurface
+import numpy
+from active_implicit_surfaces import series, vtkActiveImplicitSurface
 from listener import Listener
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkSphere
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+from vtkmodules.vtkFiltersCore import vtkMassProperties
 from vtkmodules.vtkFiltersHybrid import vtkForceTime
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
@@ -133,6 +135,45 @@ class Inputs(unittest.TestCase):
         self.surface.UpdateInformation()
         steps = self.surface.GetOutputInformation(0).Get(Pipeline.TIME_STEPS())
         self.assertEqual((len(steps), steps[0]), (11, 7.0))
+
+
+class ParticlesWithoutIds(unittest.TestCase):
+    """A cube of particles at four time steps: half-way, and at the end."""
+
+    def setUp(self):
+        cube = numpy.stack(numpy.meshgrid(*[numpy.arange(8.0)] * 3), -1).reshape(-1, 3)
+        self.cube = 0.1 * cube
+
+    def follow(self, frames):
+        source = series.ParticleSeries(frames, fps=1.0)
+        surface = vtkActiveImplicitSurface()
+        surface.SetInputConnection(source.GetOutputPort())
+        surface.SetParticleSpacing(0.1)
+        heard, volumes = Listener(surface), []
+        for time in (0.0, 0.5, 1.5, 3.0):
+            surface.UpdateTimeStep(time)
+            mass = vtkMassProperties()
+            mass.SetInputData(surface.GetOutput())
+            volumes.append(mass.GetVolume())
+        self.assertEqual(heard.errors, [])
+        return volumes, heard.warnings
+
+    def test_in_another_order_each_time_they_stay_where_they_are(self):
+        still, quiet = self.follow([self.cube] * 4)
+        chance = numpy.random.default_rng(1)
+        volumes, warnings = self.follow([chance.permutation(self.cube) for _ in range(4)])
+        self.assertEqual(quiet, [])
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("no ids", warnings[0])
+        for volume, expected in zip(volumes, still):
+            self.assertAlmostEqual(volume, expected, delta=0.01 * expected)
+
+    def test_what_moves_or_grows_keeps_its_indices(self):
+        for frames in (
+            [self.cube + [0.8 * step, 0.0, 0.0] for step in range(4)],
+            [(1.0 + 0.3 * step) * self.cube for step in range(4)],
+        ):
+            self.assertEqual(self.follow(frames)[1], [])
 
 
 if __name__ == "__main__":

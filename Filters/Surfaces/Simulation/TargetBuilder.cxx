@@ -70,6 +70,15 @@ void TargetBuilder::Add(int step, std::shared_ptr<InputShape> shape)
   this->Prepare(step, *shape);
   this->Kind = shape->HasPoints() ? shape : this->Kind;
   this->Frames.Add(step, std::move(shape));
+  this->Tell("shuffled particles", this->Frames.DescribeMatches());
+}
+
+void TargetBuilder::Tell(const std::string& reason, const std::string& sentence)
+{
+  if (!sentence.empty())
+  {
+    this->Messages.Say(reason, sentence);
+  }
 }
 
 TargetBuilder::KindPointer TargetBuilder::FindKind(int first, int last) const
@@ -150,11 +159,7 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
                          "maximum ten times MaximumNumberOfActiveVoxels.)";
   const std::string where =
     std::string("The target, ") + shape.GetName() + ", " + preparation.When + ": ";
-  const std::string flaw = PrepareShape(shape, preparation, where);
-  if (!flaw.empty())
-  {
-    this->Messages.Say("flaw of the target", flaw);
-  }
+  this->Tell("flaw of the target", PrepareShape(shape, preparation, where));
   this->WarnOfThinParts(shape, where);
 }
 
@@ -167,10 +172,7 @@ void TargetBuilder::WarnOfThinParts(const InputShape& shape, const std::string& 
   }
   this->ThinPartsKnown = true;
   const std::string thin = shape.DescribeThinParts(this->GetOptions());
-  if (!thin.empty())
-  {
-    this->Messages.Say("thin parts", where + thin);
-  }
+  this->Tell("thin parts", thin.empty() ? thin : where + thin);
 }
 
 void TargetBuilder::PrepareInitial()
@@ -178,12 +180,8 @@ void TargetBuilder::PrepareInitial()
   ShapePreparation preparation = this->GetPreparation();
   preparation.Reach = InitialReach * this->Domain.VoxelSize;
   preparation.MeshHint = " (Its maximum is ten times MaximumNumberOfActiveVoxels.)";
-  const std::string flaw =
-    PrepareShape(*this->Initial, preparation, "The input of port 1, Initial: ");
-  if (!flaw.empty())
-  {
-    this->Messages.Say("flaw of the initial shape", flaw);
-  }
+  this->Tell("flaw of the initial shape",
+    PrepareShape(*this->Initial, preparation, "The input of port 1, Initial: "));
 }
 
 bool TargetBuilder::WantsInitial() const

@@ -110,6 +110,7 @@ private:
   ShapeOptions GetOptions() const;
   ShapePreparation GetPreparation();
   void Prepare(int step, InputShape& shape);
+  void Tell(const std::string& reason, const std::string& sentence); // unless it is empty
   void WarnOfThinParts(const InputShape& shape, const std::string& where);
   void PrepareInitial();
   double GetSpacing() const;

@@ -4,6 +4,7 @@
 #include "PortableMath.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -44,6 +45,72 @@ void MatchIds(const std::vector<std::int64_t>& earlier, const std::vector<std::i
       partners[particle] = *candidate++;
     }
   }
+}
+
+constexpr std::size_t FewParticles = 100; // whose indices are always believed
+constexpr std::size_t EnoughOfThem = 1000;
+constexpr double AcrossTheCloud = 0.2; // of its diagonal
+
+using Place = std::array<double, 3>;
+
+double DiagonalOf(const std::vector<SkeletonVertex>& particles)
+{
+  double square = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto ends = std::minmax_element(particles.begin(), particles.end(),
+      [axis](const SkeletonVertex& a, const SkeletonVertex& b)
+      { return a.Position[axis] < b.Position[axis]; });
+    const double length = ends.second->Position[axis] - ends.first->Position[axis];
+    square += length * length;
+  }
+  return std::sqrt(square);
+}
+
+// Of partners, evenly picked.
+std::vector<Place> PickWays(const ParticleFrame& earlier, const ParticleFrame& later,
+  const std::vector<std::size_t>& partners)
+{
+  std::vector<Place> ways;
+  const std::size_t step = 1 + partners.size() / EnoughOfThem;
+  for (std::size_t i = 0; i < partners.size(); i += step)
+  {
+    if (partners[i] != NoPartner)
+    {
+      const auto& from = earlier.Particles[i].Position;
+      const auto& to = later.Particles[partners[i]].Position;
+      ways.push_back({ to[0] - from[0], to[1] - from[1], to[2] - from[2] });
+    }
+  }
+  return ways;
+}
+
+// Whether half of the partners go farther across the cloud than it goes as a whole.
+bool CrossTheCloud(const ParticleFrame& earlier, const ParticleFrame& later,
+  const std::vector<std::size_t>& partners)
+{
+  const std::vector<Place> ways = PickWays(earlier, later, partners);
+  if (ways.empty() || earlier.Particles.size() < FewParticles)
+  {
+    return false;
+  }
+  Place mean = { 0.0, 0.0, 0.0 };
+  for (const Place& way : ways)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      mean[axis] += way[axis] / static_cast<double>(ways.size());
+    }
+  }
+  std::vector<double> lengths;
+  for (const Place& way : ways)
+  {
+    const double x = way[0] - mean[0], y = way[1] - mean[1], z = way[2] - mean[2];
+    lengths.push_back(std::sqrt(x * x + y * y + z * z));
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle > AcrossTheCloud * DiagonalOf(earlier.Particles);
 }
 
 // The later particles that are nobody's partner.
@@ -162,6 +229,11 @@ ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame
   if (earlier.HasIds == later.HasIds && (earlier.HasIds || sameCount))
   {
     MatchIds(earlier.Ids, later.Ids, matches.Partners);
+  }
+  if (!earlier.HasIds && CrossTheCloud(earlier, later, matches.Partners))
+  {
+    matches.AreShuffled = true;
+    matches.Partners.assign(earlier.Particles.size(), NoPartner);
   }
   matches.Births = FindBirths(matches.Partners, later.Particles.size());
   return matches;

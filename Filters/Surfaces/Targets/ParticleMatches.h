@@ -2,9 +2,11 @@
 //
 // A particle moves in a straight line from one step to the next, and its radius and strength change
 // evenly. Particles are matched by their ids, or by their index where there are none and the steps
-// have equally many, else not at all. One without a partner in the next step dies: at a fraction f
-// of the way it has 1 - f of its strength. One without a partner in the step before is born: it has
-// f of its strength. So their sum is continuous in time, whatever the steps hold.
+// have equally many, else not at all; nor where indices would send most of them across the cloud,
+// as of an input that lists them in another order each time. One without a partner in the next step
+// dies: at a fraction f of the way it has 1 - f of its strength. One without a partner in the step
+// before is born: it has f of its strength. So their sum is continuous in time, whatever the steps
+// hold.
 
 #ifndef ParticleMatches_h
 #define ParticleMatches_h
@@ -20,6 +22,7 @@ struct ParticleMatches
 {
   std::vector<std::size_t> Partners; // for each earlier one its place among the later, or NoPartner
   std::vector<std::size_t> Births;   // of the later ones, by ascending place
+  bool AreShuffled = false;          // indices tell nothing
 };
 
 ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later);

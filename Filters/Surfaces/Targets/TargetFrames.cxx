@@ -63,6 +63,17 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape)
   this->SharesOfMotion.clear();
 }
 
+std::string TargetFrames::DescribeMatches() const
+{
+  return this->Matches.AreShuffled
+    ? "The particles have no ids, and are in another order from one time step to the next: which "
+      "is "
+      "which is not known, so they fade out and in, and nothing moves with them. Connect their "
+      "ids: "
+      "SetInputArrayToProcess(1, ...), or the point data's GlobalIds."
+    : "";
+}
+
 InputShape* TargetFrames::Find(int step) const
 {
   return this->Later.Step == step ? this->Later.Shape.get()

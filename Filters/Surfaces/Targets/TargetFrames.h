@@ -7,6 +7,7 @@
 #include "Targets/ParticleMatches.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace activesurface
@@ -55,6 +56,9 @@ public:
 
   // Of the particles of a step and those of the next one; null if not both are held.
   const ParticleMatches* FindMatches(int step) const;
+
+  // What a user should know of how the steps were matched; empty if nothing.
+  std::string DescribeMatches() const;
 
 private:
   struct Held
