@@ -18,8 +18,10 @@ from . import text_particles
 from .data_objects import as_particles
 from .file_names import expand, numbers_of, suffix_of
 from .messages import listening, quiet
+from .obj_files import check_obj
 from .ply_files import check_ply
 from .series import check_times, times_at
+from .stl_files import check_stl
 
 # Extension: module and class of the reader.
 _VTK_READERS = {
@@ -35,6 +37,8 @@ _VTK_READERS = {
     ".obj": ("vtkmodules.vtkIOGeometry", "vtkOBJReader"),
     ".vdb": ("active_implicit_surfaces.vtkActiveIO", "vtkActiveVDBReader"),
 }
+# What looks a file through before VTK's reader, which takes, or crashes at, any bytes.
+_CHECKS = {".ply": check_ply, ".obj": check_obj, ".stl": check_stl}
 _TEXT_READERS = {
     ".csv": text_particles.read_csv,
     ".xyz": text_particles.read_xyz,
@@ -205,9 +209,10 @@ def _maker(path: Path, frame: text_particles.Frame) -> Any:
 
 def _vtk_reader(path: Path, **settings: Any) -> Any:
     check_readable(path)
-    if suffix_of(path) == ".ply":
-        check_ply(path)
-    module, name = _VTK_READERS[suffix_of(path)]
+    suffix = suffix_of(path)
+    if suffix in _CHECKS:
+        _CHECKS[suffix](path)
+    module, name = _VTK_READERS[suffix]
     try:
         reader = getattr(importlib.import_module(module), name)()
     except ImportError as error:

@@ -194,7 +194,7 @@ def check_times(times: Iterable[float]) -> list[float]:
 
 
 def times_at(places: Iterable[float], fps: float | None) -> list[float]:
-    """The times of places 0, 1, 2 ... along a film."""
+    """Places in a film, counted in frames, as times."""
     rate = FRAMES_PER_SECOND if fps is None else fps
     if not 0 < rate < float("inf"):
         raise ValueError(f"Frames per second have to be more than 0, not {rate:g}.")

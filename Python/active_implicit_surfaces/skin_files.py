@@ -16,7 +16,6 @@ from .data_objects import as_shape
 from .file_names import replacing, suffix_of
 from .glb import check_glb, write_glb
 from .messages import listening, quiet
-from .obj_files import check_obj
 from .particle_files import check_readable, read_vtk
 
 MESH_WRITERS = {
@@ -90,11 +89,6 @@ def read_shape(path: Path, level: float | None = None) -> Any:
     suffix = suffix_of(path)
     if suffix not in MESH_SUFFIXES:
         raise OSError(f"{path}: meshes and images are read from {', '.join(MESH_SUFFIXES)}.")
-    if suffix == ".stl":
-        _check_stl(path)
-    elif suffix == ".obj":
-        check_readable(path)
-        check_obj(path)
     data = _read_glb(path) if suffix == ".glb" else read_vtk(path)
     _check_corners(path, data)
     if data.IsA("vtkImageData"):
@@ -162,19 +156,6 @@ def _triangles(mesh: Any) -> Any:
         cut.Update()
         return cut.GetOutput()
     return mesh
-
-
-def _check_stl(path: Path) -> None:
-    """Raises OSError unless a binary file has as many triangles as it says: VTK takes any."""
-    check_readable(path)
-    with path.open("rb") as file:
-        head = file.read(84)
-    size, count = path.stat().st_size, int.from_bytes(head[80:84], "little")
-    if not head.lstrip().startswith(b"solid") and size < 84 + 50 * count:
-        raise OSError(
-            f"{path} cannot be read: it is damaged; it has {size} bytes, and its {count} triangles "
-            f"take {84 + 50 * count}."
-        )
 
 
 def _check_corners(path: Path, data: Any) -> None:

@@ -2,8 +2,10 @@
 """Damaged meshes and points are an OSError, or what is left of them: never a crash.
 
 Run: python3 test_damaged_files.py
+ACTIVE_RANDOM_CASES in the environment is another number of damages (Testing/run --long sets it).
 """
 
+import os
 import random
 import tempfile
 import unittest
@@ -16,7 +18,7 @@ from active_implicit_surfaces.skin_files import read_shape, write_mesh, write_pa
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
-TIMES = 300
+TIMES = int(os.environ.get("ACTIVE_RANDOM_CASES", "300"))
 HEADER = 600  # bytes, of which a third of the damages are
 
 

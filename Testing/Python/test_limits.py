@@ -1,4 +1,4 @@
-# ctest: LABELS contract TIMEOUT 900
+# ctest: LABELS contract memory TIMEOUT 900
 """What comes from outside, at its limits: crowds, numbers at the ends of their range, frames that
 change or vanish, a source that fails again and again, no memory, names that are no files.
 

@@ -184,6 +184,35 @@ ACTIVE_ALWAYS_INLINE void AddWeightedTension(
     u, [tension, weights](int z) ACTIVE_INLINED { return tension * weights[z]; }, next);
 }
 
+/** |u| [voxels] that nothing sound reaches, and from which no single operation overflows. */
+constexpr float UnboundedPotential = 1e12f;
+
+/** Whether one of these nodes of a row is not below it, or NaN. */
+ACTIVE_ALWAYS_INLINE unsigned AnyUnbounded(const float* u, unsigned nodes)
+{
+  const RowMask& counts = MaskOfBits(nodes);
+  unsigned any = 0;
+  ACTIVE_LANES
+  for (int z = 0; z < 8; ++z)
+  {
+    any |= (counts[z] > 0.f ? 1u : 0u) & (std::fabs(u[z]) < UnboundedPotential ? 0u : 1u);
+  }
+  return any;
+}
+
+/** A row after a step: what it is at active nodes, else what it was. */
+ACTIVE_ALWAYS_INLINE void TakeActive(
+  const float* was, const float* is, unsigned active, float* next)
+{
+  const RowMask& takes = MaskOfBits(active);
+  ACTIVE_LANES
+  for (int z = 0; z < 8; ++z)
+  {
+    const float old = was[z], now = is[z];
+    next[z] = takes[z] > 0.f ? now : old;
+  }
+}
+
 }
 
 #endif

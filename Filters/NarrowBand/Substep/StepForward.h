@@ -13,7 +13,6 @@
 #define StepForward_h
 
 #include "Leaves/ActiveSet.h"
-#include "Substep/RowKernels.h"
 
 #include <cmath>
 
@@ -37,47 +36,13 @@ struct StepCoefficients
   bool Moves() const { return this->HasTargetSpeed || this->Uniform != 0.f; }
 };
 
-/** |u| [voxels] that nothing sound reaches, and from which no single operation overflows. */
-constexpr float UnboundedPotential = 1e12f;
-
-ACTIVE_ALWAYS_INLINE unsigned IsUnbounded(float u)
-{
-  return !(std::fabs(u) < UnboundedPotential); // nor is NaN below it
-}
-
-/** Whether one of these nodes of a row is. */
-ACTIVE_ALWAYS_INLINE unsigned AnyUnbounded(const float* u, unsigned nodes)
-{
-  const RowMask& counts = MaskOfBits(nodes);
-  unsigned any = 0;
-  ACTIVE_LANES
-  for (int z = 0; z < 8; ++z)
-  {
-    any |= (counts[z] > 0.f ? 1u : 0u) & IsUnbounded(u[z]);
-  }
-  return any;
-}
-
-/** A row after a step: what it is at active nodes, else what it was. */
-ACTIVE_ALWAYS_INLINE void TakeActive(
-  const float* was, const float* is, unsigned active, float* next)
-{
-  const RowMask& takes = MaskOfBits(active);
-  ACTIVE_LANES
-  for (int z = 0; z < 8; ++z)
-  {
-    const float old = was[z], now = is[z];
-    next[z] = takes[z] > 0.f ? now : old;
-  }
-}
-
 /** Gradient norms at the nodes of layer 0, counted on the potential before the step. */
 struct GradientCounts
 {
   std::size_t Nodes = 0;  //< nodes in all leaves
   std::size_t Flat = 0;   //< norm below 1/sqrt 2, in active leaves
   std::size_t Steep = 0;  //< norm above sqrt 2, in active leaves
-  bool Unbounded = false; //< Next is not finite somewhere, or not below UnboundedPotential
+  bool Unbounded = false; //< Next is not finite somewhere, or UnboundedPotential (RowKernels.h)
 };
 
 /** Sets the speed AtSurface of these leaves: the largest |change of u| / |grad u| at the nodes of

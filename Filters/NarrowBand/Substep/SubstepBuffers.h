@@ -56,7 +56,7 @@ struct SubstepBuffers
   std::vector<std::int64_t> FirstSample;        //< number of a leaf's first point
 
   // Per leaf, 512 nodes each: the extended target speed, valid where Known; then the potential
-  // after the substep, which overwrites it row by row.
+  // after the substep, which overwrites it row by row; between stages, the one before the last.
   NodeArrays Nodes;
   NodeArrays Weights; //< of tension, extended as the speed is, if it is weighted
   NodeArrays StageFirst, StageRate, StageSource; //< of the stages of the implicit integration

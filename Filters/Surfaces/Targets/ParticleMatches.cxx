@@ -85,7 +85,7 @@ std::vector<Place> PickWays(const ParticleFrame& earlier, const ParticleFrame& l
   return ways;
 }
 
-// Whether half of the partners go farther across the cloud than it goes as a whole.
+// Whether half of the partners go far across the cloud, besides where it goes as a whole.
 bool CrossTheCloud(const ParticleFrame& earlier, const ParticleFrame& later,
   const std::vector<std::size_t>& partners)
 {

@@ -66,11 +66,9 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape)
 std::string TargetFrames::DescribeMatches() const
 {
   return this->Matches.AreShuffled
-    ? "The particles have no ids, and are in another order from one time step to the next: which "
-      "is "
-      "which is not known, so they fade out and in, and nothing moves with them. Connect their "
-      "ids: "
-      "SetInputArrayToProcess(1, ...), or the point data's GlobalIds."
+    ? "The particles have no ids, and come in another order in each time step: they cannot be "
+      "matched, so they fade out and in, and nothing moves with them. Choose their array of ids by "
+      "SetInputArrayToProcess(1, ...)."
     : "";
 }
 

@@ -260,6 +260,19 @@ TEST(TestOutside, ASkinOnItsWayIsNotLost)
   filter->UpdateTimeStep(8.0);
   EXPECT_EQ(messages.CountAll(), 1u) << "a part that it never reaches";
   EXPECT_TRUE(messages.Has("target's inside is outside the skin"));
+  EXPECT_FALSE(messages.Has("VolumeControl"));
+}
+
+TEST(TestOutside, AVolumeThatIsHeldIsNamed)
+{
+  auto filter = MakeStandingBall(0.05);
+  filter->SetTargetFunction(MakeBallFunction(0.8));
+  filter->SetAttraction(1.0);
+  filter->SetVolumeControlToExact();
+  filter->SetTimeStepSize(1.0);
+  MessageCapture messages(filter);
+  filter->UpdateTimeStep(8.0);
+  EXPECT_TRUE(messages.Has("What VolumeControl or AreaControl holds may be too little"));
 }
 
 TEST(TestOutside, EmptySkinsAreOutsideOfAll)
