@@ -13,7 +13,7 @@ function (active_add_inside module)
   target_link_libraries(Inside${module} INTERFACE ${ARGN})
 endfunction ()
 
-active_add_inside(NarrowBand OpenVDB::openvdb TBB::tbb)
+active_add_inside(NarrowBand OpenVDB::openvdb TBB::tbb VTK::CommonCore)
 active_add_inside(VDB InsideNarrowBand VTK::CommonCore VTK::CommonDataModel)
 active_add_inside(Potentials InsideVDB VTK::CommonExecutionModel)
 active_add_inside(Surfaces InsidePotentials VTK::CommonMath VTK::IOXML VTK::ParallelCore)

@@ -9,6 +9,8 @@ namespace activesurface
 namespace
 {
 
+constexpr const char* MemoryHasEnded = "There is not enough memory.";
+
 /** What a rank says at the beginning of a round; the largest counts. */
 enum State : std::int64_t
 {
@@ -17,6 +19,12 @@ enum State : std::int64_t
   Failed = 2
 };
 
+}
+
+bool IsOfMemory(const std::exception& error)
+{
+  return dynamic_cast<const std::bad_alloc*>(&error) ||
+    dynamic_cast<const RankMemoryError*>(&error);
 }
 
 Agreement::Agreement()
@@ -38,6 +46,16 @@ std::vector<Bytes> Agreement::Exchange(const Bytes& own)
   return this->Ranks->AllGather(own);
 }
 
+std::vector<Bytes> Agreement::Swap(
+  const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes)
+{
+  if (this->Ranks->Max(Fine) == Failed)
+  {
+    this->ThrowTogether("");
+  }
+  return this->Ranks->Swap(toEach, sizes);
+}
+
 bool Agreement::GoOn(bool own)
 {
   const std::int64_t state = this->Ranks->Max(own ? Fine : Stopping);
@@ -54,6 +72,11 @@ void Agreement::Fail(const std::string& sentence)
   this->ThrowTogether(sentence);
 }
 
+void Agreement::FailForMemory()
+{
+  this->Fail(MemoryHasEnded);
+}
+
 /** Empty: this rank has not failed. */
 void Agreement::ThrowTogether(const std::string& sentence)
 {
@@ -62,6 +85,10 @@ void Agreement::ThrowTogether(const std::string& sentence)
   const auto first =
     std::find_if(all.begin(), all.end(), [](const Bytes& other) { return !other.empty(); });
   const std::string text(first->begin(), first->end());
+  if (text == MemoryHasEnded)
+  {
+    throw RankMemoryError(text);
+  }
   if (std::all_of(all.begin(), all.end(), isSame))
   {
     throw RankError(text);

@@ -14,6 +14,7 @@
 
 #include <exception>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,6 +28,16 @@ class RankError : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+/** Memory has ended on one of them. */
+class RankMemoryError : public RankError
+{
+public:
+  using RankError::RankError;
+};
+
+/** Whether memory has ended, here or on another rank. */
+VTKACTIVENARROWBAND_EXPORT bool IsOfMemory(const std::exception& error);
 
 class VTKACTIVENARROWBAND_EXPORT Agreement
 {
@@ -42,12 +53,18 @@ public:
   /** A round: the bytes of each rank, by rank. Throws RankError if one has failed. */
   std::vector<Bytes> Exchange(const Bytes& own);
 
+  /** A round: bytes for each rank, and those that each has for this one, whose sizes are known.
+   * Throws RankError if one has failed. */
+  std::vector<Bytes> Swap(const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes);
+
   /** A round: whether every rank wants to go on. Throws RankError if one has failed. */
   bool GoOn(bool own);
 
   /** In place of whatever round the others are in. The sentence of the first rank that has failed,
    * after the rank's number, unless all have failed with the same sentence. */
   [[noreturn]] void Fail(const std::string& sentence);
+  /** The same where memory has ended: a RankMemoryError on all. */
+  [[noreturn]] void FailForMemory();
 
 private:
   [[noreturn]] void ThrowTogether(const std::string& sentence);
@@ -69,6 +86,10 @@ void RunTogether(Agreement& ranks, Task&& task)
   catch (const RankError&)
   {
     throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    ranks.FailForMemory();
   }
   catch (const std::exception& error)
   {

@@ -3,6 +3,8 @@
 #include "Implicit/ImplicitStep.h"
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
+#include "Leaves/LeafExchange.h"
+#include "Leaves/WholeBand.h"
 #include "Parts/CreateParts.h"
 #include "Substep/ConvergedLeaves.h"
 #include "Substep/ExactControl.h"
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace activesurface
 {
@@ -43,12 +46,6 @@ constexpr double LongestTrace = 0.5;
  * Where velocities meet that the lattice cannot hold apart, Transport makes u steeper for as long
  * as they do, and ghosts drive each other on. */
 constexpr float MostOfTransport = 32.f;
-
-/** The potential is doubled or halved when most gradient norms have left 1/sqrt 2 .. sqrt 2. */
-float ScaleFor(const GradientCounts& counts)
-{
-  return 2 * counts.Flat > counts.Nodes ? 2.f : 2 * counts.Steep > counts.Nodes ? .5f : 1.f;
-}
 
 }
 
@@ -114,14 +111,7 @@ void BandState::SwitchScheme(const Motion& motion)
   this->Paper = motion.Paper;
   this->Set.ChooseAll(this->Leaves);
   this->Leaves.SetBackground(this->GetBackground());
-  for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
-  {
-    // The paper's band begins with all that is known; ghosts begin with none.
-    BandLeaf& leaf = this->Leaves[i];
-    leaf.Updated = leaf.Active;
-    leaf.Active = this->Paper ? leaf.UpToLayer[LastLayer] : leaf.Active;
-    leaf.HoldsStaleValue = LeafMask::All();
-  }
+  BeginScheme(this->Leaves, this->Paper);
   this->RebuildBand(this->Set);
 }
 
@@ -208,7 +198,7 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
   ClampToBounds({ motion.Box, motion.Solid, size }, this->Leaves, this->Set, this->Buffers);
   CommitStep(this->Leaves, this->Set, this->Buffers);
   this->RebuildBand(this->Set, coefficients.Most);
-  const float scale = ScaleFor(gradients);
+  const float scale = gradients.GetScale();
   if (scale != 1.f)
   {
     ScalePotential(this->Leaves, scale);
@@ -248,12 +238,16 @@ void BandState::MakeImplicitStep(
   const ImplicitBand band{ this->GetFollower(), this->Time, move.MostTime, move.MaySkip,
     this->Maximum };
   const PenaltyForce force = this->FindForce(motion);
-  this->Backup.Save(this->Leaves);
+  RunTogether(this->Leaves, [&] { this->Backup.Save(this->Leaves); });
   ImplicitResult result;
-  try
+  const auto make = [&]
   {
     result = activesurface::MakeImplicitStep(band, motion, force, target, report);
     CheckBounded(result.Gradients.Unbounded, this->Time);
+  };
+  try
+  {
+    RunTogether(this->Leaves, make);
   }
   catch (...)
   {
@@ -272,7 +266,7 @@ void BandState::MakeImplicitStep(
     return;
   }
   this->DropEmptyLeaves();
-  const float scale = ScaleFor(result.Gradients);
+  const float scale = result.Gradients.GetScale();
   if (scale != 1.f)
   {
     ScalePotential(this->Leaves, scale);
@@ -388,6 +382,9 @@ void BandState::DropEmptyLeaves()
 
 void BandState::FinishFrame()
 {
+  const std::size_t crossings = std::exchange(this->Crossings, 0); // none where that fails
+  LeaveRanks(this->Leaves, this->Potential->tree());
+  this->Crossings = crossings;
   activesurface::DropEmptyLeaves(this->Leaves, this->Potential->tree());
   if (!this->Leaves.IsSorted())
   {

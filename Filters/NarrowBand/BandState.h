@@ -38,7 +38,8 @@ struct BandState
   SubstepBuffers Buffers;
   Displacement Trace;
   SteadyWindow Window;
-  BandBackup Backup; // of an implicit substep
+  BandBackup Backup;          // of an implicit substep
+  Agreement* Ranks = nullptr; // that advance the band together
 
   void MakeEmpty();
   /** Replaces the potential; the layers follow from the signs, in the paper's band from the active

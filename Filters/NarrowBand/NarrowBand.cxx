@@ -1,6 +1,9 @@
 #include "NarrowBand.h"
 
+#include "Agreement.h"
 #include "BandState.h"
+#include "Leaves/LeafExchange.h"
+#include "Leaves/RankedLeaves.h"
 #include "Parts/NearbyStart.h"
 #include "Parts/SparseStart.h"
 #include "ReportSum.h"
@@ -9,14 +12,14 @@
 #include "State/SavedTree.h"
 #include "State/StateGrid.h"
 #include "StaticShutdown.h"
-
-#include <tbb/task_arena.h>
+#include "Substep/NodePoints.h"
+#include "ThreadArena.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -44,17 +47,6 @@ void SetNumbers(const StateNumbers& numbers, BandState& state)
 
 /** StateNumbers as they lie in packed bytes. */
 using PackedNumbers = std::array<double, 6>;
-
-/**
- * Each thread that moves bands keeps its arenas, one for each number of workers: TBB (2021.8) loses
- * 7 kB with each arena that workers have joined.
- */
-tbb::task_arena& FindArena(int threads)
-{
-  thread_local std::map<int, tbb::task_arena> arenas;
-  const int concurrency = threads > 0 ? threads : tbb::task_arena::automatic;
-  return arenas.try_emplace(concurrency, concurrency).first->second;
-}
 
 }
 
@@ -136,6 +128,11 @@ void NarrowBand::SetNumberOfThreads(int threads)
 {
   constexpr int most = 1024; // TBB takes memory for each
   this->State->Threads = std::min(std::max(threads, 0), most);
+}
+
+void NarrowBand::SetRanks(Agreement* ranks)
+{
+  this->State->Ranks = ranks && !ranks->IsAlone() ? ranks : nullptr;
 }
 
 void NarrowBand::SetMaximumNumberOfActiveVoxels(std::size_t maximum)
@@ -225,8 +222,9 @@ void GoOn(const NarrowBand& band, BandState& members, bool mayBegin, const Advan
     {
       try
       {
-        while ((mayBegin || members.Crossings > 0) && substep())
+        for (bool goesOn = true; goesOn && (mayBegin || members.Crossings > 0);)
         {
+          RunTogether(members.Leaves, [&] { goesOn = substep(); });
         }
       }
       catch (...)
@@ -253,7 +251,18 @@ AdvanceReport NarrowBand::Advance(
   }
   AdvanceReport report;
   const double begin = members.Time;
-  this->Run([&] { members.Begin(motion); });
+  std::optional<RankedLeaves> ranked;
+  this->Run(
+    [&]
+    {
+      members.Begin(motion);
+      if (members.Ranks && !HasNodePoints(motion))
+      {
+        // Whoever has failed before tells it here: from now on all end together.
+        RunTogether(*members.Ranks, [&] { ranked.emplace(*members.Ranks, members.Leaves); });
+        members.Leaves.SetRanks(&*ranked);
+      }
+    });
   GoOn(*this, members, MayBegin(motion, target), report,
     [&]
     {

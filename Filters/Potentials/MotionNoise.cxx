@@ -2,6 +2,7 @@
 
 #include "ParallelTasks.h"
 #include "ParticleModel.h"
+#include "SharedResults.h"
 #include "Skeleton/NeighbourSums.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ double GetShare(const NeighbourSums::Motion& motion)
 }
 
 std::vector<double> FindSharesOfMotion(const std::vector<SkeletonVertex>& particles,
-  const ParticleFits& fits, const std::vector<double>& velocities)
+  const ParticleFits& fits, const std::vector<double>& velocities, Agreement* ranks)
 {
   const NeighbourSums neighbours(particles, 1.0);
   const UnsetVector<BallCells::Index>& order = neighbours.GetOrder();
@@ -46,18 +47,24 @@ std::vector<double> FindSharesOfMotion(const std::vector<SkeletonVertex>& partic
       moving[k] = { { v[0], v[1], v[2] }, fits[order[k]].Bulk };
     });
   std::vector<double> shares(particles.size(), 1.0);
-  RunPieces(order.size(), ParticlesPerTask,
-    [&](std::size_t first, std::size_t end)
+  const auto find = [&](std::size_t first, std::size_t end)
+  {
+    const std::size_t count = end - first;
+    const std::vector<double> places = neighbours.ListPlaces(first, count);
+    std::vector<NeighbourSums::Motion> motions(count);
+    neighbours.FindMotions(count, places.data(), moving, motions.data());
+    for (std::size_t k = 0; k < count; ++k)
     {
-      const std::size_t count = end - first;
-      const std::vector<double> places = neighbours.ListPlaces(first, count);
-      std::vector<NeighbourSums::Motion> motions(count);
-      neighbours.FindMotions(count, places.data(), moving, motions.data());
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        shares[order[first + k]] = motions[k].Weight > 0.0 ? GetShare(motions[k]) : 1.0;
-      }
-    });
+      shares[order[first + k]] = motions[k].Weight > 0.0 ? GetShare(motions[k]) : 1.0;
+    }
+  };
+  const auto findAll = [&](std::size_t first, std::size_t end)
+  {
+    RunPieces(end - first, ParticlesPerTask,
+      [&](std::size_t begin, std::size_t last) { find(first + begin, first + last); });
+  };
+  ShareResults(
+    ranks, order.size(), findAll, [&](std::size_t k, auto& pass) { pass(&shares[order[k]], 1); });
   return shares;
 }
 

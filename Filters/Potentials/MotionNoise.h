@@ -18,10 +18,11 @@ namespace activesurface
 {
 
 // For each particle, in [0,1]: 1 where no body is in reach. A velocity (x y z each) that is not a
-// number is left out of all means. Thread-count independent. Throws as BallCells do.
+// number is left out of all means. ranks: those that ask for the same together, or null.
+// Thread-count independent. Throws as BallCells do.
 VTKACTIVEPOTENTIALS_EXPORT std::vector<double> FindSharesOfMotion(
   const std::vector<SkeletonVertex>& particles, const ParticleFits& fits,
-  const std::vector<double>& velocities);
+  const std::vector<double>& velocities, Agreement* ranks = nullptr);
 
 }
 

@@ -2,6 +2,7 @@
 
 #include "ParallelTasks.h"
 #include "ParticlePotential.h"
+#include "SharedResults.h"
 #include "Skeleton/Ellipsoid.h"
 #include "Skeleton/NeighbourSums.h"
 #include "Skeleton/SmoothStep.h"
@@ -72,7 +73,12 @@ public:
       }
       return ParticleFits(this->Particles.size(), ParticleFit());
     }
-    this->ForEachBatch([this](const Batch& batch) { this->FindNeighbourhoods(batch); });
+    this->ShareInOrder([this](const Batch& batch) { this->FindNeighbourhoods(batch); },
+      [this](std::size_t i, auto& pass)
+      {
+        pass(&this->Fits[i], 1);
+        pass(&this->Outside[i], 1);
+      });
     if (this->Options.Model != ParticleModel::Sum)
     {
       const std::vector<BallCells::Index> surface = this->ListSurface();
@@ -127,13 +133,26 @@ private:
     std::size_t Count;
   };
 
-  template <class Function>
-  void ForEachBatch(Function function) const
+  // Ranks share the batches; visit names what is found for a particle, see SharedResults.h.
+  template <class Function, class Visit>
+  void ShareInOrder(Function function, Visit visit)
   {
-    RunPieces(this->Order.size(), ParticlesPerTask,
-      [&](std::size_t first, std::size_t end) {
-        function(Batch{ first, &this->Order[first], end - first });
-      });
+    const auto run = [&](std::size_t first, std::size_t end) {
+      function(Batch{ first, &this->Order[first], end - first });
+    };
+    this->Share(this->Order.size(), run,
+      [&](std::size_t place, auto& pass) { visit(std::size_t(this->Order[place]), pass); });
+  }
+
+  template <class Run, class Visit>
+  void Share(std::size_t count, Run run, Visit visit)
+  {
+    const auto runAll = [&](std::size_t first, std::size_t end)
+    {
+      RunPieces(end - first, ParticlesPerTask,
+        [&](std::size_t begin, std::size_t last) { run(first + begin, first + last); });
+    };
+    ShareResults(this->Options.Ranks, count, runAll, visit);
   }
 
   std::vector<double> GetPositions(const Batch& batch) const
@@ -217,9 +236,11 @@ private:
     {
       body.Build(ParticleModel::Anisotropic, this->Particles, this->Fits);
     }
-    RunPieces(surface.size(), ParticlesPerTask,
+    this->Share(
+      surface.size(),
       [&](std::size_t first, std::size_t end)
-      { this->FindLacks(&surface[first], end - first, body); });
+      { this->FindLacks(&surface[first], end - first, body); },
+      [&](std::size_t k, auto& pass) { pass(&this->Surface[surface[k]], 1); });
   }
 
   // In their order. The others have no share.
@@ -317,7 +338,12 @@ private:
     {
       shares[k] = this->Surface[surface[neighbours.GetOrder()[k]]];
     }
-    this->ForEachBatch([&](const Batch& batch) { this->GiveShares(batch, neighbours, shares); });
+    this->ShareInOrder([&](const Batch& batch) { this->GiveShares(batch, neighbours, shares); },
+      [this](std::size_t i, auto& pass)
+      {
+        pass(&this->Fits[i].Strength, 1);
+        pass(&this->Fits[i].OwnRadius, 1);
+      });
   }
 
   void GiveShares(const Batch& batch, const NeighbourSums& neighbours,

@@ -19,12 +19,15 @@
 namespace activesurface
 {
 
+class Agreement;
+
 struct FitOptions
 {
   ParticleModel Model = ParticleModel::AveragedCentre;
-  double OwnRadius = 0.0;    // r [length]; 0: the particle's reach over twice GetReachPerSpacing
-  double Anisotropy = 4.0;   // largest ratio of an ellipsoid's axes
-  bool SparesCrowds = false; // where there are too many in one place, all fits are as of none
+  double OwnRadius = 0.0;     // r [length]; 0: the particle's reach over twice GetReachPerSpacing
+  double Anisotropy = 4.0;    // largest ratio of an ellipsoid's axes
+  bool SparesCrowds = false;  // where there are too many in one place, all fits are as of none
+  Agreement* Ranks = nullptr; // that fit the same particles together, or null
 };
 
 // One fit for each particle. Thread-count independent. Throws as BallCells do, and

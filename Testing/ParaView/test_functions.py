@@ -39,7 +39,11 @@ class Functions(unittest.TestCase):
 
     def test_each_function_offered_is_a_target(self):
         surface = ball()
-        self.assertEqual(surface.GetProperty("TargetFunction").GetAvailable(), OFFERED)
+        available = surface.GetProperty("TargetFunction").GetAvailable()
+        self.assertEqual(
+            [name.replace(" ", "") for name in available],  # as ParaView 5.13 tells them
+            [name.replace(" ", "") for name in OFFERED],
+        )
         inputs = {"Skeleton Potential": PolyLineSource(), "Image or Mesh": Sphere(Radius=0.6)}
         skins = set()
         for name in OFFERED:

@@ -9,6 +9,7 @@ NUMERICS = [
     "NarrowBand/Motion",
     "NarrowBand/Obstacle",
     "NarrowBand/PortableMath",
+    "NarrowBand/SharedResults",
     "NarrowBand/Target",
     "NarrowBand/TargetRegion",
 ]
@@ -17,6 +18,9 @@ MAY_INCLUDE = {
         "NarrowBand/OpenVDB",
         "NarrowBand/CompilerBuiltins",
         "NarrowBand/InstructionSets",
+        "NarrowBand/Agreement",
+        "NarrowBand/SharedResults",
+        "NarrowBand/Ranks",
     ],
     "NarrowBand/Parts": [
         *NUMERICS,

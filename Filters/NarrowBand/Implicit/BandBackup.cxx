@@ -1,6 +1,9 @@
 #include "Implicit/BandBackup.h"
 
+#include "Leaves/LeafExchange.h"
+
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace activesurface
@@ -13,7 +16,7 @@ void BandBackup::Save(const LeafTable& table)
   table.ForEach([&](std::size_t i) { std::copy_n(table[i].Value, 512, this->Values.Of(i)); });
 }
 
-void BandBackup::Restore(const LeafTable& table, PotentialTree& tree) const
+void BandBackup::Restore(LeafTable& table, PotentialTree& tree) const
 {
   table.ForEach(
     [&](std::size_t i)
@@ -23,6 +26,9 @@ void BandBackup::Restore(const LeafTable& table, PotentialTree& tree) const
         std::copy_n(this->Values.Of(i), 512, table[i].Value);
       }
     });
+  LeafList saved(std::min(this->Size, table.Size()));
+  std::iota(saved.begin(), saved.end(), 0);
+  TellAll(table, saved, [&table](std::size_t i, auto& pass) { pass(table[i].Value, 512); });
   this->RemoveAdded(table, tree);
 }
 
@@ -36,7 +42,7 @@ void BandBackup::RemoveAdded(const LeafTable& table, PotentialTree& tree) const
     const std::int32_t next = table[i].Neighbour[FaceNumber(axis, sign)];
     const int node = sign > 0 ? 0 : 7 * Stride(axis); // on the face between them
     return next < 0                                 ? table.BackgroundOf(next)
-      : static_cast<std::size_t>(next) < this->Size ? this->Values.Of(next)[node]
+      : static_cast<std::size_t>(next) < this->Size ? table[next].Value[node]
                                                     : sides[next];
   };
   while (more)

@@ -18,7 +18,7 @@ public:
 
   /** Writes the values back; leaves that have been added since are tiles again. The layers are left
    * to the caller, as is the table, which may name leaves that are gone. */
-  void Restore(const LeafTable& table, PotentialTree& tree) const;
+  void Restore(LeafTable& table, PotentialTree& tree) const;
 
 private:
   void RemoveAdded(const LeafTable& table, PotentialTree& tree) const;

@@ -1,5 +1,7 @@
 #include "Implicit/CarriedLeaves.h"
 
+#include "Leaves/LeafExchange.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -78,14 +80,17 @@ CarriedLeaves::CarriedLeaves(const LeafTable& table, const TargetDisplacements& 
   : Displacements(3 * PointsPerLeaf * table.Size(), std::numeric_limits<double>::quiet_NaN())
 {
   displacements.ForEach(
-    table.Size(), [&](std::size_t i) { this->Sample(table, displacements, i); });
+    0, table.Size(), [&](std::size_t i) { this->Sample(table, displacements, i); });
+  TellAll(table,
+    [this](std::size_t i, auto& pass)
+    { pass(this->Displacements.data() + 3 * PointsPerLeaf * i, 3 * PointsPerLeaf); });
   this->FindOrigins(table);
 }
 
 void CarriedLeaves::Sample(
   const LeafTable& table, const TargetDisplacements& displacements, std::size_t i)
 {
-  if (!table.SummaryOf(i).IsUsed)
+  if (!table.IsOwn(i) || !table.SummaryOf(i).IsUsed)
   {
     return;
   }

@@ -5,7 +5,10 @@
 #include "Implicit/OldValues.h"
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
+#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
+#include "Leaves/WholeBand.h"
+#include "SharedResults.h"
 #include "Substep/ConvergedLeaves.h"
 #include "Substep/StepForward.h"
 #include "Substep/SubstepBuffers.h"
@@ -108,6 +111,26 @@ private:
   CarriedValues& Result;
 };
 
+/** Ranks carry their own leaves; where leaves are to be added is told to all. */
+void CarryLeaves(const LeafTable& table, const CarryLeaf& carry, CarriedValues& carried)
+{
+  LeafOwners* ranks = table.GetRanks();
+  const auto ownerOf = [&](std::size_t n) { return ranks->FindOwner(carried.Origins[n]); };
+  tbb::parallel_for(std::size_t(0), carried.Origins.size(),
+    [&](std::size_t n)
+    {
+      if (!ranks || ownerOf(n) == ranks->GetRank())
+      {
+        carry(n);
+      }
+    });
+  if (ranks)
+  {
+    TellResults(*ranks, carried.Origins.size(), ownerOf,
+      [&carried](std::size_t n, auto& pass) { pass(&carried.Differs[n], 1); });
+  }
+}
+
 /** Takes the values; returns the numbers of the leaves, ascending. */
 LeafList TakeValues(const FollowingBand& band, const CarriedValues& carried)
 {
@@ -119,21 +142,31 @@ LeafList TakeValues(const FollowingBand& band, const CarriedValues& carried)
       wanted.push_back(carried.Origins[n]);
     }
   }
+  MarkValuesChanged(band.Leaves);
   band.Leaves.Add(wanted, band.Potential);
   LeafList numbers;
   for (std::size_t n = 0; n < carried.Origins.size(); ++n)
   {
     const std::int32_t number = band.Leaves.Find(carried.Origins[n]);
-    if (number >= 0)
+    if (number >= 0 && band.Leaves.IsOwn(static_cast<std::size_t>(number)))
     {
       BandLeaf& leaf = band.Leaves[number];
       std::copy_n(carried.Values.Of(n), 512, leaf.Value);
       leaf.Inside = InsideNodes(leaf.Value);
       leaf.HoldsStaleValue = LeafMask::All();
+    }
+    if (number >= 0)
+    {
       numbers.push_back(number);
     }
   }
   std::sort(numbers.begin(), numbers.end());
+  TellNeighbours(band.Leaves, numbers,
+    [&band](std::size_t i, auto& pass)
+    {
+      pass(band.Leaves[i].Value, 512);
+      pass(&band.Leaves[i].Inside, 1);
+    });
   return numbers;
 }
 
@@ -171,6 +204,8 @@ void FillLayerZero(const FollowingBand& band)
           }
         });
     });
+  TellNeighbours(band.Leaves, band.Set.Affected,
+    [&band](std::size_t i, auto& pass) { pass(band.Leaves[i].Value, 512); });
 }
 
 /** No carried node is beyond walls or in the obstacle. */
@@ -196,6 +231,7 @@ bool CarrySurface(const FollowingBand& band, const Motion& motion, double begin,
 {
   const double factor = motion.Transport * (end - begin) / band.VoxelSize;
   const TargetDisplacements displacements(target, band.VoxelSize, factor);
+  MakeValuesWhole(band.Leaves);
   target.MoveVelocitiesTo(begin);
   ForgetChanged(band.Leaves, band.VoxelSize, target);
   const CarriedLeaves leaves(band.Leaves, displacements);
@@ -210,9 +246,9 @@ bool CarrySurface(const FollowingBand& band, const Motion& motion, double begin,
   band.Buffers.StageFirst.MakeRoom(count);
   CarriedValues carried{ leaves.GetOrigins(), band.Buffers.StageFirst, std::vector<LeafMask>(count),
     std::vector<char>(count) };
-  const DisplacementLattice lattice(leaves.GetOrigins(), displacements);
-  tbb::parallel_for(
-    std::size_t(0), count, CarryLeaf(band.Leaves, band.Potential, leaves, lattice, carried));
+  const DisplacementLattice lattice(leaves.GetOrigins(), displacements, band.Leaves.GetAgreement());
+  const CarryLeaf carry(band.Leaves, band.Potential, leaves, lattice, carried);
+  CarryLeaves(band.Leaves, carry, carried);
   band.Set.Choose(band.Leaves, TakeValues(band, carried));
   MarkUpdated(band, carried);
   RebuildLayers(band.Leaves, band.Set, band.Potential);

@@ -1,5 +1,7 @@
 #include "Implicit/DisplacementLattice.h"
 
+#include "SharedResults.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -94,12 +96,17 @@ void TargetDisplacements::Evaluate(
   }
 }
 
-DisplacementLattice::DisplacementLattice(
-  const std::vector<openvdb::Coord>& leaves, const TargetDisplacements& displacements)
+DisplacementLattice::DisplacementLattice(const std::vector<openvdb::Coord>& leaves,
+  const TargetDisplacements& displacements, Agreement* ranks)
 {
   this->AddPoints(leaves);
-  displacements.ForEach(
-    this->Leaves.size(), [&](std::size_t n) { this->Evaluate(this->Leaves[n], displacements); });
+  const auto evaluate = [&](std::size_t first, std::size_t end)
+  {
+    displacements.ForEach(
+      first, end, [&](std::size_t n) { this->Evaluate(this->Leaves[n], displacements); });
+  };
+  ShareResults(ranks, this->Leaves.size(), evaluate,
+    [this](std::size_t n, auto& pass) { pass(&this->Leaves[n].Displacements[0][0], 24); });
 }
 
 /** A leaf wants its own points, and those on its upper sides, which are its neighbours' own. */

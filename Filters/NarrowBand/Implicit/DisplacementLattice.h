@@ -38,16 +38,16 @@ public:
   /** At count points (x y z each, in voxels), Most at most. */
   void Evaluate(std::size_t count, const double* points, double* displacements) const;
 
-  /** Calls function(n) for each n below count: in parallel, if the target allows it. */
+  /** Calls function(n) for each n from first to end - 1: in parallel, if the target allows it. */
   template <class Function>
-  void ForEach(std::size_t count, Function&& function) const
+  void ForEach(std::size_t first, std::size_t end, Function&& function) const
   {
     if (this->Source.IsThreadSafe())
     {
-      tbb::parallel_for(std::size_t(0), count, function);
+      tbb::parallel_for(first, end, function);
       return;
     }
-    for (std::size_t n = 0; n < count; ++n)
+    for (std::size_t n = first; n < end; ++n)
     {
       function(n);
     }
@@ -70,9 +70,10 @@ struct LeafDisplacements
 class DisplacementLattice
 {
 public:
-  /** The points in and at these leaves (origins, ascending). */
-  DisplacementLattice(
-    const std::vector<openvdb::Coord>& leaves, const TargetDisplacements& displacements);
+  /** The points in and at these leaves (origins, ascending). ranks: those that share the work, or
+   * null. */
+  DisplacementLattice(const std::vector<openvdb::Coord>& leaves,
+    const TargetDisplacements& displacements, Agreement* ranks);
 
   /** One of the leaves. */
   void Interpolate(const openvdb::Coord& leaf, LeafDisplacements& values) const;

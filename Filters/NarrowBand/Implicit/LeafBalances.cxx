@@ -1,5 +1,6 @@
 #include "Implicit/LeafBalances.h"
 
+#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
 #include "Substep/RowKernels.h"
 #include "Substep/SubstepBuffers.h"
@@ -97,6 +98,7 @@ void FindBalances(const LeafTable& table, const LeafList& leaves,
   {
     ForEachLeaf(table, leaves, FindLeafBalance<false>{ table, coefficients, buffers });
   }
+  TellAll(table, leaves, [&](std::size_t i, auto& pass) { pass(&buffers.Balances[i], 1); });
 }
 
 }

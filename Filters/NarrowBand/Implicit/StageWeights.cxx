@@ -1,5 +1,6 @@
 #include "Implicit/StageWeights.h"
 
+#include "Leaves/LeafExchange.h"
 #include "Substep/SubstepBuffers.h"
 #include "Substep/TargetSpeed.h"
 
@@ -22,8 +23,10 @@ void StageWeights::ExtendToEntered(
 {
   const std::size_t size = table.Size();
   this->Known.resize(size);
-  const bool hasEntered = std::any_of(set.Active.begin(), set.Active.end(),
-    [&](std::int32_t i) { return table[i].Active.Without(this->Known[i]).Any(); });
+  const bool hasEntered = IsSoOnAny(table,
+    std::any_of(set.Active.begin(), set.Active.end(),
+      [&](std::int32_t i)
+      { return table.IsOwn(i) && table[i].Active.Without(this->Known[i]).Any(); }));
   if (!hasEntered)
   {
     return;
@@ -43,6 +46,7 @@ void StageWeights::ExtendToEntered(
             buffers.SpeedOf(i)[node] = 0.f; // extended as well, to no use
           });
     });
+  TellSpeeds(table, set.Affected, true, buffers);
   ExtendSpeed(table, set, motion, buffers);
 }
 

@@ -4,6 +4,7 @@
 #include "Leaves/LeafKernels.h"
 #include "Substep/RowKernels.h"
 #include "Substep/SubstepBuffers.h"
+#include "Substep/TargetSpeed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -255,6 +256,7 @@ void FindDisplacements(const LeafTable& table, const ActiveSet& set,
     buffers.NextKnown.assign(table.Size(), LeafMask());
   }
   ForEachLeaf(table, set.Affected, FindLeafDisplacements{ table, coefficients, buffers });
+  TellSpeeds(table, set.Affected, false, buffers);
 }
 
 void ClearDisplacements(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)

@@ -4,6 +4,7 @@
 #include "Implicit/TensionStages.h"
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
+#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafLists.h"
 #include "Substep/SamplePoints.h"
 #include "Substep/SubstepBuffers.h"
@@ -102,8 +103,11 @@ bool SurfacePasses::IsCalm(const StepPlan& plan, int substeps) const
   }
   const auto surface = std::count_if(
     active.begin(), active.end(), [this](std::int32_t i) { return this->Leaves[i].Crossings > 0; });
-  const auto restless = std::count_if(active.begin(), active.end(),
-    [&](std::int32_t i) { return this->Leaves[i].Crossings > 0 && !this->IsCalm(i, joined); });
+  const auto restless = SumOverRanks<1>(this->Leaves,
+    { std::count_if(active.begin(), active.end(),
+      [&](std::int32_t i) {
+        return this->Leaves.IsOwn(i) && this->Leaves[i].Crossings > 0 && !this->IsCalm(i, joined);
+      }) })[0];
   const double few = plan.GetStages() ? 0.0 : FewLeaves;
   return static_cast<double>(restless) <= few * static_cast<double>(surface);
 }
@@ -249,8 +253,9 @@ void SurfacePasses::TakeSlopesIntoAccount(const std::vector<LeafShare>& shares)
         differs.store(true, std::memory_order_relaxed);
       }
     });
-  if (differs)
+  if (IsSoOnAny(this->Leaves, differs.load()))
   {
+    TellSamples(this->Leaves, sampled, this->Law, this->Buffers);
     ApplySamples(this->Leaves, sampled, this->Law, this->Buffers);
   }
 }

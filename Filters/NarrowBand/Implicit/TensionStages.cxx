@@ -2,6 +2,7 @@
 
 #include "Implicit/StepPlan.h"
 #include "Leaves/GhostFill.h"
+#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
 #include "Substep/RowKernels.h"
 #include "Substep/StepForward.h"
@@ -176,6 +177,8 @@ void TakeValues(LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
         }
       }
     });
+  TellNeighbours(
+    table, set.Active, [&table](std::size_t i, auto& pass) { pass(table[i].Value, 512); });
 }
 
 }
@@ -196,8 +199,9 @@ bool MakeTensionStages(LeafTable& table, const ActiveSet& set, const StepPlan& p
   {
     isWeighted ? RunStage<true>(table, set, plan, number, buffers)
                : RunStage<false>(table, set, plan, number, buffers);
-    isBounded = std::none_of(set.Active.begin(), set.Active.end(),
-      [&buffers](std::int32_t i) { return buffers.Unbounded[i] != 0; });
+    isBounded = !IsSoOnAny(table,
+      std::any_of(set.Active.begin(), set.Active.end(),
+        [&](std::int32_t i) { return table.IsOwn(i) && buffers.Unbounded[i] != 0; }));
     if (isBounded && number < last)
     {
       TakeValues(table, set, buffers);

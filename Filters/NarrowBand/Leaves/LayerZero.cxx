@@ -1,5 +1,6 @@
 #include "Leaves/LayerZero.h"
 
+#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
 
 #include <array>
@@ -192,6 +193,8 @@ struct FindInLeaf
 void FindLayerZero(LeafTable& table, const LeafList& leaves)
 {
   ForEachLeaf(table, leaves, FindInLeaf{ table });
+  TellNeighbours(
+    table, leaves, [&](std::size_t i, auto& pass) { pass(&table[i].UpToLayer[0], 1); });
 }
 
 }

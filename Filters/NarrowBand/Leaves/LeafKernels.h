@@ -40,12 +40,15 @@ void ForEachLeaf(const LeafTable& table, const LeafList& leaves, const Kernel& k
 
 /** The same in this thread, in the order of the list. */
 template <class Kernel>
-void ForEachLeafInTurn(const LeafList& leaves, const Kernel& kernel)
+void ForEachLeafInTurn(const LeafTable& table, const LeafList& leaves, const Kernel& kernel)
 {
   const auto run = CompiledKernel<Kernel, std::size_t>::GetBest();
   for (const std::int32_t i : leaves)
   {
-    run(kernel, static_cast<std::size_t>(i));
+    if (table.IsOwn(static_cast<std::size_t>(i)))
+    {
+      run(kernel, static_cast<std::size_t>(i));
+    }
   }
 }
 

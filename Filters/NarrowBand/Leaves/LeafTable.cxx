@@ -23,23 +23,6 @@ std::size_t Hash(const openvdb::Coord& origin)
   return static_cast<std::size_t>(key ^ (key >> 32));
 }
 
-/** Nodes of a tree hold 4096, 128 and 8 lattice nodes along an axis, and their children by x, y, z.
- */
-bool IsBeforeInTree(const openvdb::Coord& a, const openvdb::Coord& b)
-{
-  for (const int shift : { 12, 7, 3 })
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if ((a[axis] >> shift) != (b[axis] >> shift))
-      {
-        return (a[axis] >> shift) < (b[axis] >> shift);
-      }
-    }
-  }
-  return false;
-}
-
 /** Which of eight numbers are negative, one bit each. */
 unsigned NegativeBits(const float* values)
 {
@@ -58,6 +41,23 @@ unsigned NegativeBits(const float* values)
 #endif
 }
 
+}
+
+/** Nodes of a tree hold 4096, 128 and 8 lattice nodes along an axis, and their children by x, y, z.
+ */
+bool IsBeforeInTree(const openvdb::Coord& a, const openvdb::Coord& b)
+{
+  for (const int shift : { 12, 7, 3 })
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if ((a[axis] >> shift) != (b[axis] >> shift))
+      {
+        return (a[axis] >> shift) < (b[axis] >> shift);
+      }
+    }
+  }
+  return false;
 }
 
 LeafMask InsideNodes(const float* values)
@@ -100,7 +100,11 @@ void LeafTable::Rebuild(PotentialTree& tree)
   std::swap(this->Summaries, summaries);
   this->Sorted = this->Leaves.size();
   this->BuildIndex();
-  this->ForEach([&](std::size_t i) { this->FindNeighbours(i, tree); });
+  ForRange(this->Leaves.size(), [&](std::size_t i) { this->FindNeighbours(i, tree); });
+  if (this->Ranks)
+  {
+    this->Ranks->Renumber(*this);
+  }
 }
 
 LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTree& tree)
@@ -126,6 +130,10 @@ LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTre
         this->Leaves[neighbour].Neighbour[26 - n] = static_cast<std::int32_t>(i);
       }
     }
+  }
+  if (this->Ranks && !added.empty())
+  {
+    this->Ranks->AddLeaves(*this);
   }
   return added;
 }

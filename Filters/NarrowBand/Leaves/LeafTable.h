@@ -4,12 +4,13 @@
  *
  * All that is derived from the signs of the potential is here: layers, active nodes, crossed edges.
  * All passes over the band run over this table, one leaf at a time, in parallel; a pass writes only
- * the leaf it is called for.
+ * the leaf it is called for. Ranks that advance the band together share the leaves of each pass.
  */
 #ifndef LeafTable_h
 #define LeafTable_h
 
 #include "Leaves/LeafMask.h"
+#include "Leaves/LeafOwners.h"
 #include "OpenVDB.h"
 
 #include <tbb/blocked_range.h>
@@ -184,16 +185,45 @@ public:
   /** The same for offsets of at most one on each axis (edge and corner neighbours included). */
   Place Offset(std::int32_t leaf, int node, int dx, int dy, int dz) const;
 
+  /** Until they are null again, ForEach leaves out the leaves of other ranks. They have to be those
+   * of this table. */
+  void SetRanks(LeafOwners* ranks) { this->Ranks = ranks; }
+  LeafOwners* GetRanks() const { return this->Ranks; }
+  Agreement* GetAgreement() const { return this->Ranks ? &this->Ranks->GetAgreement() : nullptr; }
+  bool IsOwn(std::size_t i) const { return !this->Ranks || this->Ranks->IsOwn(i); }
+
   /** Calls function(i) for every leaf, in parallel. */
   template <class Function>
   void ForEach(Function&& function) const
   {
-    ForRange(this->Leaves.size(), function);
+    ForRange(this->Leaves.size(),
+      [&](std::size_t i)
+      {
+        if (this->IsOwn(i))
+        {
+          function(i);
+        }
+      });
   }
 
   /** The same for the leaves of a list. */
   template <class Function>
   void ForEach(const LeafList& leaves, Function&& function) const
+  {
+    ForRange(leaves.size(),
+      [&](std::size_t place)
+      {
+        const auto i = static_cast<std::size_t>(leaves[place]);
+        if (this->IsOwn(i))
+        {
+          function(i);
+        }
+      });
+  }
+
+  /** The same on each rank for all of them: what follows from what every rank knows. */
+  template <class Function>
+  void ForEachOnAllRanks(const LeafList& leaves, Function&& function) const
   {
     ForRange(
       leaves.size(), [&](std::size_t place) { function(static_cast<std::size_t>(leaves[place])); });
@@ -255,7 +285,11 @@ private:
   std::array<std::array<float, 8>, 2> Background{};
   LeafMask Nothing;
   LeafMask Everything = LeafMask::All();
+  LeafOwners* Ranks = nullptr;
 };
+
+/** The order of a tree's leaves, by their origins. */
+bool IsBeforeInTree(const openvdb::Coord& a, const openvdb::Coord& b);
 
 ACTIVE_ALWAYS_INLINE void LeafTable::Summarise(std::size_t i)
 {

@@ -1,5 +1,7 @@
 #include "Parts/CreateParts.h"
 
+#include "Leaves/LeafExchange.h"
+#include "Leaves/WholeBand.h"
 #include "Parts/NewParts.h"
 #include "Parts/PartBand.h"
 #include "State/InitialShape.h"
@@ -126,7 +128,7 @@ void MarkChanged(const std::vector<openvdb::Coord>& origins, const NewBand& part
   {
     table.SummaryOf(i).Speed.IsKnown = false;
   }
-  table.ForEach(changed,
+  table.ForEachOnAllRanks(changed,
     [&](std::size_t i)
     {
       BandLeaf& leaf = table[i];
@@ -146,13 +148,17 @@ void Create(const NewParts& found, const LatticeFunction& function, const Growin
     RefuseSize(band.MaximumNumberOfActiveVoxels);
   }
   std::vector<openvdb::Coord> changed;
-  for (const NewBand* added : { &parts, &hollows })
+  const auto findDistances = [&]
   {
-    if (added->Band)
+    for (const NewBand* added : { &parts, &hollows })
     {
-      added->Band->FindDistances(function);
+      if (added->Band)
+      {
+        added->Band->FindDistances(function);
+      }
     }
-  }
+  };
+  RunTogether(band.Leaves, findDistances); // before any rank changes its skin
   Join(parts, band.Tree, changed);
   Join(hollows, band.Tree, changed);
   band.Leaves.Rebuild(band.Tree);
@@ -172,6 +178,7 @@ bool CreateParts(
   const std::size_t count = found.Count();
   if (count > 0)
   {
+    MakeValuesWhole(band.Leaves);
     Create(found, function, band);
   }
   report.CreatedParts += count;

@@ -1,5 +1,6 @@
 #include "Parts/PartSeeds.h"
 
+#include "SharedResults.h"
 #include "State/LatticeBox.h"
 
 #include <tbb/parallel_for.h>
@@ -65,11 +66,18 @@ void PartSeeds::AddRegions(const Target& target)
   constexpr std::size_t atOnce = 4096;
   const std::size_t sources = target.CountRegionSources();
   std::vector<Candidates> found((sources + atOnce - 1) / atOnce);
-  tbb::parallel_for(std::size_t(0), found.size(),
-    [&](std::size_t i)
+  const auto look = [&](std::size_t i)
+  {
+    target.VisitRegions(i * atOnce, std::min((i + 1) * atOnce, sources),
+      [&](const TargetRegion& region) { this->Look(region, found[i]); });
+  };
+  ShareResults(
+    this->Search.Skin.GetAgreement(), found.size(),
+    [&look](std::size_t first, std::size_t end) { tbb::parallel_for(first, end, look); },
+    [&found](std::size_t i, auto& pass)
     {
-      target.VisitRegions(i * atOnce, std::min((i + 1) * atOnce, sources),
-        [&](const TargetRegion& region) { this->Look(region, found[i]); });
+      PassVector(found[i].Boxes, pass);
+      PassVector(found[i].Centres, pass);
     });
   Nodes centres;
   for (const Candidates& some : found)

@@ -6,16 +6,34 @@
 
 #include <openvdb/tree/ValueAccessor.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace activesurface
 {
+
+namespace
+{
+
+/** No surface comes there, and coordinates of neighbours would overflow. */
+bool IsTooFar(const openvdb::Coord& origin)
+{
+  constexpr int farthest = 1 << 30;
+  return std::any_of(origin.data(), origin.data() + 3,
+    [](int coordinate) { return coordinate < -farthest || coordinate > farthest; });
+}
+
+}
 
 void CheckTree(const openvdb::FloatTree& tree)
 {
   const openvdb::FloatGrid::ConstAccessor recent(tree);
   for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf)
   {
+    if (IsTooFar(leaf->origin()))
+    {
+      RefuseState();
+    }
     const LeafMask inside = InsideNodes(leaf->buffer().data());
     for (int face = 0; face < 6; ++face)
     {

@@ -132,4 +132,15 @@ void RebuildPaperBand(LeafTable& table, ActiveSet& set, PotentialTree& tree)
     });
 }
 
+void BeginScheme(LeafTable& table, bool isPaper)
+{
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    BandLeaf& leaf = table[i];
+    leaf.Updated = leaf.Active;
+    leaf.Active = isPaper ? leaf.UpToLayer[LastLayer] : leaf.Active;
+    leaf.HoldsStaleValue = LeafMask::All();
+  }
+}
+
 }

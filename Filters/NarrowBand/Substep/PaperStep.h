@@ -46,6 +46,10 @@ void StepPaper(const LeafTable& table, double advection, SubstepBuffers& buffers
  */
 void RebuildPaperBand(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
+/** Prepares a band of this library's scheme for RebuildPaperBand, or one of the paper's for
+ * RebuildLayers: the paper's begins with all that is known; ghosts begin with none. */
+void BeginScheme(LeafTable& table, bool isPaper);
+
 }
 
 #endif

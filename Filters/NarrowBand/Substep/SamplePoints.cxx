@@ -1,5 +1,6 @@
 #include "Substep/SamplePoints.h"
 
+#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
 #include "Leaves/LeafLine.h"
 #include "Substep/SampleGradients.h"
@@ -252,7 +253,7 @@ void RunSamples(const SampledLattice& lattice, const LeafList& leaves, const Ker
   }
   else
   {
-    ForEachLeafInTurn(leaves, sample);
+    ForEachLeafInTurn(lattice.Leaves, leaves, sample);
   }
 }
 
@@ -271,10 +272,31 @@ TargetSamples AddSamples(const SampledLattice& lattice, const LeafList& leaves,
   {
     RunSamples(lattice, leaves, SampleLeaf<false>{ lattice, motion, target, buffers, dropped });
   }
-  samples.Dropped = dropped.load();
+  TellSamples(lattice.Leaves, leaves, motion, buffers);
+  const std::array<std::int64_t, 1> own = { static_cast<std::int64_t>(dropped.load()) };
+  samples.Dropped = static_cast<std::size_t>(SumOverRanks(lattice.Leaves, own)[0]);
   return samples;
 }
 
+}
+
+// Only crossings have samples here, see MayShare.
+void TellSamples(
+  const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers)
+{
+  const auto visit = [&](std::size_t i, auto& pass)
+  {
+    const auto first = static_cast<std::size_t>(buffers.FirstSample[i]);
+    const auto count = static_cast<std::size_t>(table[i].Crossings);
+    pass(buffers.Samples.data() + first, count);
+    if (HasTensionWeights(motion))
+    {
+      pass(buffers.WeightSamples.data() + first, count);
+    }
+  };
+  const bool isHeld =
+    motion.AreaControl == Control::Exact || motion.VolumeControl == Control::Exact;
+  isHeld ? TellAll(table, leaves, visit) : TellNeighbours(table, leaves, visit); // PullsInVain
 }
 
 TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves,

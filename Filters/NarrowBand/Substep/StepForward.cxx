@@ -1,10 +1,12 @@
 #include "Substep/StepForward.h"
 
+#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
 #include "Substep/RowKernels.h"
 #include "Substep/SubstepBuffers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace activesurface
@@ -218,26 +220,41 @@ GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
 GradientCounts SumOfCounts(
   const LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers)
 {
-  GradientCounts counts;
-  counts.Nodes = table.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
+  std::array<std::int64_t, 3> sums{}; // flat, steep, unbounded
   for (const std::int32_t i : set.Active)
   {
-    counts.Flat += buffers.FlatNodes[i];
-    counts.Steep += buffers.SteepNodes[i];
-    counts.Unbounded = counts.Unbounded || buffers.Unbounded[i] != 0;
+    if (table.IsOwn(static_cast<std::size_t>(i)))
+    {
+      sums[0] += buffers.FlatNodes[i];
+      sums[1] += buffers.SteepNodes[i];
+      sums[2] += buffers.Unbounded[i] != 0 ? 1 : 0;
+    }
   }
+  sums = SumOverRanks(table, sums);
+  GradientCounts counts;
+  counts.Nodes = table.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
+  counts.Flat = static_cast<std::size_t>(sums[0]);
+  counts.Steep = static_cast<std::size_t>(sums[1]);
+  counts.Unbounded = sums[2] > 0;
   return counts;
 }
 
 void CommitStep(LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers)
 {
+  MarkValuesChanged(table);
   table.ForEach(set.Active,
     [&](std::size_t i)
     {
       std::copy_n(buffers.NextOf(i), 512, table[i].Value);
       table[i].Inside = InsideNodes(table[i].Value);
     });
-  table.ForEach(set.Affected,
+  TellNeighbours(table, set.Active,
+    [&](std::size_t i, auto& pass)
+    {
+      pass(table[i].Value, 512);
+      pass(&table[i].Inside, 1);
+    });
+  table.ForEachOnAllRanks(set.Affected,
     [&](std::size_t i)
     {
       table[i].Updated = table[i].Active;
@@ -253,6 +270,7 @@ void ScalePotential(LeafTable& table, float factor)
       BandLeaf& leaf = table[i];
       leaf.UpToLayer[LastLayer].ForEach([&](int node) { leaf.Value[node] *= factor; });
     });
+  TellNeighbours(table, [&](std::size_t i, auto& pass) { pass(table[i].Value, 512); });
 }
 
 }

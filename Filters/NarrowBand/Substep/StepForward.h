@@ -43,6 +43,12 @@ struct GradientCounts
   std::size_t Flat = 0;   //< norm below 1/sqrt 2, in active leaves
   std::size_t Steep = 0;  //< norm above sqrt 2, in active leaves
   bool Unbounded = false; //< Next is not finite somewhere, or UnboundedPotential (RowKernels.h)
+
+  /** The potential is doubled or halved when most gradient norms have left 1/sqrt 2 .. sqrt 2. */
+  float GetScale() const
+  {
+    return 2 * this->Flat > this->Nodes ? 2.f : 2 * this->Steep > this->Nodes ? .5f : 1.f;
+  }
 };
 
 /** Sets the speed AtSurface of these leaves: the largest |change of u| / |grad u| at the nodes of

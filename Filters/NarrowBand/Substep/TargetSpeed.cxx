@@ -1,5 +1,6 @@
 #include "Substep/TargetSpeed.h"
 
+#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
 #include "Substep/NodePoints.h"
 #include "Substep/SubstepBuffers.h"
@@ -13,6 +14,22 @@
 
 namespace activesurface
 {
+
+void TellSpeeds(
+  const LeafTable& table, const LeafList& leaves, bool areWeighted, SubstepBuffers& buffers)
+{
+  TellNeighbours(table, leaves,
+    [&](std::size_t i, auto& pass)
+    {
+      pass(buffers.SpeedOf(i), 512);
+      pass(&buffers.Known[i], 1);
+      pass(&buffers.NextKnown[i], 1);
+      if (areWeighted)
+      {
+        pass(buffers.WeightOf(i), 512);
+      }
+    });
+}
 
 namespace
 {
@@ -280,8 +297,9 @@ bool ExtendOnce(const LeafTable& table, const ActiveSet& set, SubstepBuffers& bu
 {
   std::atomic<bool> reached{ false }, left{ false };
   ForEachLeaf(table, set.Affected, ExtendLeaf<IsWeighted>{ table, buffers, reached, left });
+  TellSpeeds(table, set.Affected, IsWeighted, buffers);
   std::swap(buffers.Known, buffers.NextKnown);
-  return reached.load() && left.load();
+  return IsSoOnAny(table, reached.load()) && IsSoOnAny(table, left.load());
 }
 
 }
@@ -303,6 +321,8 @@ void ApplySamples(
   {
     ForEachLeaf(table, leaves, ApplyLeafSamples<false>{ table, motion, buffers });
   }
+  TellSpeeds(table, leaves, HasTensionWeights(motion), buffers);
+  TellAll(table, leaves, [&](std::size_t i, auto& pass) { pass(&buffers.LargestSpeed[i], 1); });
 }
 
 bool ExtendSpeedOnce(

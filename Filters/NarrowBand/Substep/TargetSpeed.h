@@ -26,6 +26,10 @@ struct SubstepBuffers;
 void ApplySamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers);
 
+/** To ranks beside these leaves, where speeds, or weights, have changed. */
+void TellSpeeds(
+  const LeafTable& table, const LeafList& leaves, bool areWeighted, SubstepBuffers& buffers);
+
 /** One round of the extension, to the neighbours of the nodes where the speed is known; false when
  * no active node is left to reach. */
 bool ExtendSpeedOnce(

@@ -2,6 +2,7 @@
 
 #include "Leaves/LeafKernels.h"
 #include "Substep/SampleGradients.h"
+#include "Substep/SamplePoints.h"
 #include "Substep/SubstepBuffers.h"
 #include "Substep/TargetSpeed.h"
 
@@ -48,6 +49,7 @@ void TakeSpeedUpstream(const LeafTable& table, const ActiveSet& set, const Motio
   {
     ExtendSpeedOnce(table, set, motion, buffers); // gradients read the neighbours too
     ForEachLeaf(table, set.Active, ShiftSamples{ table, motion, advection, buffers });
+    TellSamples(table, set.Active, motion, buffers);
     ApplySamples(table, set.Affected, motion, buffers);
   }
 }

@@ -94,4 +94,22 @@ bool AgreeOnRequest(Agreement& ranks, const SurfaceProperties& properties,
   return areAtOnePlace;
 }
 
+void RunWithinMemory(
+  const std::function<void()>& task, const std::function<void()>& startAnew, const char* sentence)
+{
+  try
+  {
+    task();
+  }
+  catch (const std::exception& error)
+  {
+    if (!IsOfMemory(error))
+    {
+      throw;
+    }
+    startAnew();
+    throw std::runtime_error(sentence);
+  }
+}
+
 }

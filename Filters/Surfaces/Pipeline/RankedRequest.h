@@ -7,6 +7,8 @@
 #include "Pipeline/SurfaceProperties.h"
 #include "Simulation/Times.h"
 
+#include <functional>
+
 namespace activesurface
 {
 
@@ -15,6 +17,11 @@ namespace activesurface
 // std::invalid_argument, with the same sentence on each rank, where requests differ.
 bool AgreeOnRequest(Agreement& ranks, const SurfaceProperties& properties,
   const SurfaceSimulation& simulation, int port, PipelineTime time);
+
+// Where memory ends in a task, on this rank or on another one: startAnew(), and an error with this
+// sentence.
+void RunWithinMemory(
+  const std::function<void()>& task, const std::function<void()>& startAnew, const char* sentence);
 
 }
 

@@ -43,6 +43,7 @@ SurfaceRequests::SurfaceRequests(vtkAlgorithm* filter)
   , Pushed(filter)
   , Steps(this->Target, this->Simulation)
 {
+  this->Simulation.SetRanks(&this->Ranks);
 }
 
 void SurfaceRequests::SetController(vtkMultiProcessController* controller)
@@ -301,19 +302,9 @@ void SurfaceRequests::RequestData(const SurfaceProperties& properties, vtkInform
   vtkInformationVector** input, vtkInformationVector* output)
 {
   const UpdateUnderWay::Scope scope(this->Update);
-  const auto fill = [&]
-  {
-    try
-    {
-      this->FillOutputs(properties, request, input, output);
-    }
-    catch (const std::bad_alloc&)
-    {
-      this->Simulation.Reset();
-      throw std::runtime_error(NoMemoryForOutputs);
-    }
-  };
-  RunTogether(this->Ranks, fill);
+  const auto fill = [&] { this->FillOutputs(properties, request, input, output); };
+  const auto startAnew = [this] { this->Simulation.Reset(); };
+  RunTogether(this->Ranks, [&] { RunWithinMemory(fill, startAnew, NoMemoryForOutputs); });
 }
 
 void SurfaceRequests::FillOutputs(const SurfaceProperties& properties, vtkInformation* request,

@@ -4,7 +4,9 @@
 #include "vtkMultiProcessController.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -14,8 +16,21 @@ namespace activesurface
 namespace
 {
 
-// MPI counts in int: what all ranks send at once is to be less than 2^31 bytes.
-constexpr std::int64_t MostAtOnce = std::int64_t(1) << 30;
+constexpr std::size_t MostAtOnce = std::size_t(1) << 30; // MPI counts in int
+// Gathered in pairs: without a copy of all, and MPI counts what all send at once in int, too.
+constexpr std::size_t LongMessage = std::size_t(1) << 16;
+
+constexpr int TagOfSwaps = 18091; // MPI grants 32767 at most
+
+int RoundUpToPowerOfTwo(int number)
+{
+  int power = 1;
+  while (power < number)
+  {
+    power *= 2;
+  }
+  return power;
+}
 
 void Check(int isDone)
 {
@@ -25,7 +40,7 @@ void Check(int isDone)
   }
 }
 
-std::vector<std::int64_t> GatherLengths(vtkMultiProcessController* controller, std::size_t own)
+std::vector<std::size_t> GatherLengths(vtkMultiProcessController* controller, std::size_t own)
 {
   const auto length = static_cast<long long>(own);
   std::vector<long long> lengths(static_cast<std::size_t>(controller->GetNumberOfProcesses()));
@@ -60,37 +75,81 @@ std::int64_t ControllerCommunicator::Max(std::int64_t own)
   return largest;
 }
 
-// In as many rounds as the longest needs.
 std::vector<Bytes> ControllerCommunicator::AllGather(const Bytes& own)
 {
-  const std::vector<std::int64_t> lengths = GatherLengths(this->Controller, own.size());
-  const std::int64_t longest = *std::max_element(lengths.begin(), lengths.end());
-  const std::size_t size = lengths.size();
-  const std::int64_t atOnce = MostAtOnce / static_cast<std::int64_t>(size);
-  std::vector<Bytes> all(size);
-  Bytes received;
-  std::vector<vtkIdType> counts(size), offsets(size);
-  for (std::int64_t done = 0; done < longest; done += atOnce)
+  const std::vector<std::size_t> lengths = GatherLengths(this->Controller, own.size());
+  std::vector<Bytes> all(lengths.size());
+  if (*std::max_element(lengths.begin(), lengths.end()) > LongMessage)
   {
-    vtkIdType sum = 0;
-    for (std::size_t rank = 0; rank < size; ++rank)
-    {
-      counts[rank] = std::clamp<std::int64_t>(lengths[rank] - done, 0, atOnce);
-      offsets[rank] = sum;
-      sum += counts[rank];
-    }
-    received.resize(static_cast<std::size_t>(sum));
-    const vtkIdType count = counts[static_cast<std::size_t>(this->GetRank())];
-    const char* sent = own.data() + (count > 0 ? done : 0);
-    Check(
-      this->Controller->AllGatherV(sent, received.data(), count, counts.data(), offsets.data()));
-    for (std::size_t rank = 0; rank < size; ++rank)
-    {
-      const char* first = received.data() + offsets[rank];
-      all[rank].insert(all[rank].end(), first, first + counts[rank]);
-    }
+    this->SwapInPairs([&own](int) -> const Bytes& { return own; }, lengths, all);
+    all[static_cast<std::size_t>(this->GetRank())] = own;
+    return all;
+  }
+  std::vector<vtkIdType> counts(lengths.begin(), lengths.end());
+  std::vector<vtkIdType> offsets(1, 0);
+  std::partial_sum(counts.begin(), counts.end(), std::back_inserter(offsets));
+  Bytes received(static_cast<std::size_t>(offsets.back()) + 1); // not null
+  Check(this->Controller->AllGatherV(own.data(), received.data(),
+    static_cast<vtkIdType>(own.size()), counts.data(), offsets.data()));
+  for (std::size_t rank = 0; rank < all.size(); ++rank)
+  {
+    all[rank].assign(received.data() + offsets[rank], received.data() + offsets[rank + 1]);
   }
   return all;
+}
+
+std::vector<Bytes> ControllerCommunicator::Swap(
+  const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes)
+{
+  std::vector<Bytes> fromEach(toEach.size());
+  this->SwapInPairs([&](int rank) -> const Bytes& { return toEach[rank]; }, sizes, fromEach);
+  return fromEach;
+}
+
+// In each round a rank meets one other; of the two the lower one speaks first.
+void ControllerCommunicator::SwapInPairs(const std::function<const Bytes&(int)>& bytesFor,
+  const std::vector<std::size_t>& sizes, std::vector<Bytes>& fromEach)
+{
+  const int own = this->GetRank(), size = this->GetSize();
+  for (int round = 1; round < RoundUpToPowerOfTwo(size); ++round)
+  {
+    const int other = own ^ round;
+    if (other >= size)
+    {
+      continue;
+    }
+    fromEach[other].resize(sizes[other]);
+    if (own < other)
+    {
+      this->Send(bytesFor(other), other);
+      this->Receive(fromEach[other], other);
+    }
+    else
+    {
+      this->Receive(fromEach[other], other);
+      this->Send(bytesFor(other), other);
+    }
+  }
+}
+
+void ControllerCommunicator::Send(const Bytes& bytes, int rank)
+{
+  for (std::size_t done = 0; done < bytes.size(); done += MostAtOnce)
+  {
+    const std::size_t count = std::min<std::size_t>(bytes.size() - done, MostAtOnce);
+    Check(
+      this->Controller->Send(bytes.data() + done, static_cast<vtkIdType>(count), rank, TagOfSwaps));
+  }
+}
+
+void ControllerCommunicator::Receive(Bytes& bytes, int rank)
+{
+  for (std::size_t done = 0; done < bytes.size(); done += MostAtOnce)
+  {
+    const std::size_t count = std::min<std::size_t>(bytes.size() - done, MostAtOnce);
+    Check(this->Controller->Receive(
+      bytes.data() + done, static_cast<vtkIdType>(count), rank, TagOfSwaps));
+  }
 }
 
 Agreement MakeAgreement(vtkMultiProcessController* controller)

@@ -8,6 +8,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
+
 class vtkMultiProcessController;
 
 namespace activesurface
@@ -23,8 +25,15 @@ public:
   int GetSize() const override;
   std::int64_t Max(std::int64_t own) override;
   std::vector<Bytes> AllGather(const Bytes& own) override;
+  std::vector<Bytes> Swap(
+    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) override;
 
 private:
+  void SwapInPairs(const std::function<const Bytes&(int)>& bytesFor,
+    const std::vector<std::size_t>& sizes, std::vector<Bytes>& fromEach);
+  void Send(const Bytes& bytes, int rank);
+  void Receive(Bytes& bytes, int rank);
+
   vtkSmartPointer<vtkMultiProcessController> Controller;
 };
 

@@ -37,6 +37,7 @@ void MotionDriver::Prepare(NarrowBand& band) const
 {
   band.SetNumberOfThreads(this->Threads);
   band.SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);
+  band.SetRanks(this->Ranks);
 }
 
 bool MotionDriver::Start(

@@ -131,6 +131,7 @@ ShapeOptions TargetBuilder::GetOptions() const
   options.Level.Invert = settings.Invert;
   options.Level.Normalize = settings.Normalize;
   options.Level.Noise = this->GetNoise();
+  options.Ranks = this->Ranks;
   if (this->DomainKnown)
   {
     options.Level.Reach = this->Domain.Reach;

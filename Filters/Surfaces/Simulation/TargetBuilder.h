@@ -30,6 +30,7 @@ public:
 
   // Guard of the distances to the meshes that come: ten times as many voxels.
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumActiveVoxels = maximum; }
+  void SetRanks(Agreement* ranks) { this->Ranks = ranks; }
 
   // The target at a step; the two that were added last are held. Throws std::invalid_argument for
   // one that does not fit those before or cannot be used; it then is not held.
@@ -122,6 +123,7 @@ private:
   const SurfaceSettings& Settings;
   Warnings& Messages;
   std::size_t MaximumActiveVoxels = 50000000;
+  Agreement* Ranks = nullptr;
 
   TargetFrames Frames;
   KindPointer Kind; // the last shape that has one

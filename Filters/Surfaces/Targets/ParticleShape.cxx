@@ -88,6 +88,7 @@ std::string ParticleShape::Prepare(ShapePreparation& preparation)
     fit.OwnRadius = this->Particles.HasRadii ? 0.0 : 0.5 * preparation.GetSpacing();
     fit.Anisotropy = options.Anisotropy;
     fit.SparesCrowds = !options.NeedsFits();
+    fit.Ranks = options.Ranks;
     this->Particles.Fits = FitParticles(fit, this->Particles.Particles);
   }
   return "";

@@ -80,6 +80,7 @@ void ParticleTarget::Place(int step, double fraction)
   needs.Velocities = this->Options.Carries;
   needs.Duration = this->GetDuration();
   needs.LeavesNoise = this->Options.Level.Noise > 0.0;
+  needs.Ranks = this->Options.Ranks;
   std::swap(this->Previous, this->Now);
   this->Frames.PlaceParticles(step, fraction, needs, this->Now);
   this->FindChanged();

@@ -11,6 +11,8 @@
 namespace activesurface
 {
 
+class Agreement;
+
 struct ShapeOptions
 {
   ParticleModel Model = ParticleModel::Sum; //< of particles; skeletons are sums
@@ -24,6 +26,8 @@ struct ShapeOptions
   /** Its Reach counts as soon as the bounds are known, and so does VoxelSize [length]. */
   TargetOptions Level;
   double VoxelSize = 0.0;
+
+  Agreement* Ranks = nullptr; //< that make the same shapes together, or null
 
   /** Whether the target tells its velocity, where tension is to act, and where hollows can be. */
   bool Carries = false;

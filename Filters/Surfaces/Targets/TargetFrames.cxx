@@ -126,13 +126,13 @@ void TargetFrames::PlaceParticles(
     FindMotion(&earlier, later, needs.Duration, placed.Origins, placed.Velocities);
     if (later && needs.LeavesNoise)
     {
-      LeaveNoise(this->GetSharesOfMotion(), placed);
+      LeaveNoise(this->GetSharesOfMotion(needs.Ranks), placed);
     }
   }
 }
 
 // They have no unit: a motion that takes twice as long has the same ones.
-const std::vector<double>& TargetFrames::GetSharesOfMotion() const
+const std::vector<double>& TargetFrames::GetSharesOfMotion(Agreement* ranks) const
 {
   const ParticleFrame& earlier = ParticlesOf(this->Earlier.Shape.get());
   if (this->SharesOfMotion.empty() && !earlier.Particles.empty())
@@ -141,7 +141,7 @@ const std::vector<double>& TargetFrames::GetSharesOfMotion() const
     FindOriginsOfEarlier(earlier.Particles.size(), &this->Matches, origins);
     std::vector<double> velocities;
     FindMotion(&earlier, &ParticlesOf(this->Later.Shape.get()), 1.0, origins, velocities);
-    this->SharesOfMotion = FindSharesOfMotion(earlier.Particles, earlier.Fits, velocities);
+    this->SharesOfMotion = FindSharesOfMotion(earlier.Particles, earlier.Fits, velocities, ranks);
   }
   return this->SharesOfMotion;
 }

@@ -18,8 +18,9 @@ struct PlacedNeeds
 {
   bool Fits = false;
   bool Velocities = false;
-  double Duration = 0.0;    // of the way from the step to the next one [motion time]; 0: none
-  bool LeavesNoise = false; // velocities without their noise, see MotionNoise.h; needs fits
+  double Duration = 0.0;      // of the way from the step to the next one [motion time]; 0: none
+  bool LeavesNoise = false;   // velocities without their noise, see MotionNoise.h; needs fits
+  Agreement* Ranks = nullptr; // that place the same particles together, or null
 };
 
 struct PlacedParticles
@@ -67,7 +68,7 @@ private:
     std::shared_ptr<InputShape> Shape;
   };
 
-  const std::vector<double>& GetSharesOfMotion() const;
+  const std::vector<double>& GetSharesOfMotion(Agreement* ranks) const;
 
   Held Earlier, Later;
   ParticleMatches Matches; // of Earlier and Later, if these are consecutive

@@ -57,6 +57,27 @@ TEST(TestAgreement, BytesComeByRank)
     });
 }
 
+TEST(TestAgreement, EachGetsWhatOthersHaveForIt)
+{
+  RunOnRanks(3,
+    [](Agreement& ranks)
+    {
+      const auto own = static_cast<std::size_t>(ranks.GetRank());
+      std::vector<Bytes> toEach;
+      std::vector<std::size_t> sizes;
+      for (std::size_t rank = 0; rank < 3; ++rank)
+      {
+        toEach.push_back(MakeBytes(std::string(10 * own + rank, 'x')));
+        sizes.push_back(10 * rank + own);
+      }
+      const std::vector<Bytes> fromEach = ranks.Swap(toEach, sizes);
+      for (std::size_t rank = 0; rank < 3; ++rank)
+      {
+        EXPECT_EQ(fromEach[rank].size(), sizes[rank]) << "from rank " << rank;
+      }
+    });
+}
+
 TEST(TestAgreement, AllStopWhereOneDoes)
 {
   RunOnRanks(3,
@@ -75,6 +96,12 @@ TEST(TestAgreement, AllFailWithTheSentenceOfOne)
   const auto goOn = [](Agreement& ranks)
   { ranks.GetRank() == 2 ? ranks.Fail("no memory.") : (void)ranks.GoOn(true); };
   EXPECT_EQ(RunToError(3, goOn), "On rank 2 of 3: no memory.");
+  const auto swap = [](Agreement& ranks)
+  {
+    ranks.GetRank() == 0 ? ranks.Fail("no skin.")
+                         : (void)ranks.Swap(std::vector<Bytes>(3), std::vector<std::size_t>(3));
+  };
+  EXPECT_EQ(RunToError(3, swap), "On rank 0 of 3: no skin.");
 }
 
 TEST(TestAgreement, TheFirstOfSeveralSentencesIsTold)
@@ -87,6 +114,22 @@ TEST(TestAgreement, TheFirstOfSeveralSentencesIsTold)
 TEST(TestAgreement, WhatIsWrongOnAllRanksIsOfNone)
 {
   EXPECT_EQ(RunToError(3, [](Agreement& ranks) { ranks.Fail("no target."); }), "no target.");
+}
+
+TEST(TestAgreement, AllKnowThatMemoryHasEnded)
+{
+  RunOnRanks(2,
+    [](Agreement& ranks)
+    {
+      const auto task = [&]
+      {
+        if (ranks.GetRank() == 1)
+        {
+          throw std::bad_alloc();
+        }
+      };
+      EXPECT_THROW(RunTogether(ranks, task), RankMemoryError);
+    });
 }
 
 TEST(TestAgreement, RoundsGoOnAfterAnError)

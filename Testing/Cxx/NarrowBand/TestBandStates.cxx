@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -85,6 +86,21 @@ TEST(TestBandStates, AnInsideThatHasNoSurfaceIsRefused)
       << "along the axis " << axis;
   }
   EXPECT_TRUE(AreIdentical(band, *NarrowBand::FromGrid(*band.ToGrid()))) << "a sound one";
+}
+
+// Of a few bytes: the neighbours of such a leaf have no coordinates.
+TEST(TestBandStates, ALeafAtTheEndOfTheLatticeIsRefused)
+{
+  NarrowBand band(VoxelSizeOf(16));
+  StartOn(band, MakeBall(Origin, 0.3));
+  for (const int end : { std::numeric_limits<int>::min(), std::numeric_limits<int>::max() })
+  {
+    const openvdb::FloatGrid::Ptr grid = band.ToGrid();
+    grid->tree().touchLeaf({ 0, end, 0 });
+    EXPECT_TRUE(
+      Throws<std::runtime_error>([&] { NarrowBand::FromGrid(*grid); }, "state is damaged"))
+      << "at " << end;
+  }
 }
 
 // OpenVDB has errors of its own for bytes that it cannot unzip, and allocates what they tell.

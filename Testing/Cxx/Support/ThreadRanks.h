@@ -19,16 +19,30 @@
 namespace activesurface
 {
 
-/** Where they meet. A round that is not complete after ten seconds is an error. */
+/** Where they meet. A round that is not complete after a minute is an error. */
 class MeetingPoint
 {
 public:
   explicit MeetingPoint(int size)
     : Brought(static_cast<std::size_t>(size))
+    , BroughtForEach(static_cast<std::size_t>(size))
   {
   }
 
   int GetSize() const { return static_cast<int>(this->Brought.size()); }
+
+  /** What each has brought for each. */
+  std::vector<std::vector<Bytes>> MeetEach(std::size_t rank, const std::vector<Bytes>& toEach)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(this->Lock);
+      this->BroughtForEach[rank] = toEach;
+    }
+    this->Meet(static_cast<int>(rank), {});
+    const std::vector<std::vector<Bytes>> all = this->BroughtForEach;
+    this->Meet(static_cast<int>(rank), {}); // before it is overwritten
+    return all;
+  }
 
   std::vector<Bytes> Meet(int rank, const Bytes& own)
   {
@@ -43,7 +57,7 @@ public:
       this->Complete.notify_all();
     }
     else if (!this->Complete.wait_for(
-               lock, std::chrono::seconds(10), [&] { return this->Round != round; }))
+               lock, std::chrono::seconds(60), [&] { return this->Round != round; }))
     {
       throw std::logic_error("a rank waits for one that has gone");
     }
@@ -55,6 +69,7 @@ private:
   std::condition_variable Complete;
   std::vector<Bytes> Brought;
   std::vector<Bytes> Taken;
+  std::vector<std::vector<Bytes>> BroughtForEach;
   int Arrived = 0;
   int Round = 0;
 };
@@ -82,13 +97,30 @@ public:
     return this->Place.Meet(this->Rank, own);
   }
 
+  std::vector<Bytes> Swap(
+    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) override
+  {
+    const auto own = static_cast<std::size_t>(this->Rank);
+    const std::vector<std::vector<Bytes>> all = this->Place.MeetEach(own, toEach);
+    std::vector<Bytes> fromEach(all.size());
+    for (std::size_t rank = 0; rank < all.size(); ++rank)
+    {
+      fromEach[rank] = all[rank][own];
+      if (rank != own && fromEach[rank].size() != sizes[rank])
+      {
+        throw std::logic_error("a rank swaps something else");
+      }
+    }
+    return fromEach;
+  }
+
 private:
   MeetingPoint& Place;
   const int Rank;
 };
 
 /** Runs a program on so many ranks; what one throws is thrown, of the first one. */
-inline void RunOnRanks(int size, const std::function<void(Agreement& ranks)>& program)
+inline void RunOnRanks(int size, const std::function<void(MeetingPoint& place, int rank)>& program)
 {
   MeetingPoint place(size);
   std::vector<std::exception_ptr> errors(static_cast<std::size_t>(size));
@@ -100,8 +132,7 @@ inline void RunOnRanks(int size, const std::function<void(Agreement& ranks)>& pr
       {
         try
         {
-          Agreement ranks(std::make_unique<ThreadCommunicator>(place, rank));
-          program(ranks);
+          program(place, rank);
         }
         catch (...)
         {
@@ -120,6 +151,16 @@ inline void RunOnRanks(int size, const std::function<void(Agreement& ranks)>& pr
       std::rethrow_exception(error);
     }
   }
+}
+
+inline void RunOnRanks(int size, const std::function<void(Agreement& ranks)>& program)
+{
+  RunOnRanks(size,
+    [&program](MeetingPoint& place, int rank)
+    {
+      Agreement ranks(std::make_unique<ThreadCommunicator>(place, rank));
+      program(ranks);
+    });
 }
 
 }

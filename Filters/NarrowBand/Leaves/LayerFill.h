@@ -1,0 +1,249 @@
+/**
+ * How |u| of the nodes of a layer follows from the layers inside: extrapolated, or by the eikonal
+ * equation.
+ */
+#ifndef LayerFill_h
+#define LayerFill_h
+
+#include "Leaves/EikonalUpdate.h"
+#include "Leaves/LeafLine.h"
+#include "Leaves/LeafTable.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace activesurface
+{
+
+/** Sums over the candidates for a node's value. */
+struct Candidates
+{
+  float Sum;
+  float Weight;
+
+  void Add(float value, float weight)
+  {
+    this->Sum += weight * value;
+    this->Weight += weight;
+  }
+};
+
+/** Of three nodes in one direction. A step that is no increase has weight 0. */
+ACTIVE_ALWAYS_INLINE float LimitedGrowth(float step, float second, float third)
+{
+  const float most = 2.f * step;
+  return std::min(std::max(most - (second - third), 0.f), most);
+}
+
+ACTIVE_ALWAYS_INLINE float Increase(float first, float second)
+{
+  return std::max(first - second, 0.f);
+}
+
+/** In place of the value of a node that may not be used. */
+constexpr float Missing = -std::numeric_limits<float>::infinity();
+
+/** The extrapolated |u| of the nodes of one layer in one leaf. IsSigned: the surface may have left
+ * its layers; values are negative beyond it, seen from the node that is filled. */
+template <bool IsSigned>
+class LayerFill
+{
+public:
+  /** mostGrowth: from a node to the next one. */
+  ACTIVE_ALWAYS_INLINE LayerFill(
+    const LeafTable& table, std::size_t leaf, int layer, float mostGrowth)
+    : Table(table)
+    , Leaf(static_cast<std::int32_t>(leaf))
+    , Inner(layer - 1)
+    , MostGrowth(mostGrowth)
+  {
+  }
+
+  /** Calls function(node, magnitude) for each of the nodes. */
+  template <class Function>
+  ACTIVE_ALWAYS_INLINE void ForEach(const LeafMask& nodes, Function&& function)
+  {
+    nodes.ForEach([this](int node) ACTIVE_INLINED
+      { this->Weight[node] = this->Sum[node] = this->LargestStep[node] = 0.f; });
+    this->AddRays<0, -1>(nodes);
+    this->AddRays<0, 1>(nodes);
+    this->AddRays<1, -1>(nodes);
+    this->AddRays<1, 1>(nodes);
+    this->AddRays<2, -1>(nodes);
+    this->AddRays<2, 1>(nodes);
+    nodes.ForEach(
+      [this, &function](int node) ACTIVE_INLINED
+      {
+        const float weight = this->Weight[node];
+        const float least = .01f * this->LargestStep[node] * this->LargestStep[node];
+        const bool isCertain = weight > 0.f && weight >= least;
+        function(node, isCertain ? this->Sum[node] / weight : this->FindUncertain(node));
+      });
+  }
+
+  /** |u| of a node by the eikonal update. */
+  ACTIVE_ALWAYS_INLINE float FindEikonal(int node) const
+  {
+    std::array<UpwindTerm, 3> terms;
+    int count = 0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      int nearer = 0;
+      float a1 = Missing;
+      for (const int sign : { -1, 1 })
+      {
+        const float a = this->AtSteps(node, axis, sign);
+        nearer = a > Missing && (nearer == 0 || a < a1) ? sign : nearer;
+        a1 = nearer == sign ? a : a1;
+      }
+      if (nearer != 0)
+      {
+        const LeafTable::Place next = this->Table.Step(this->Leaf, node, axis, 2 * nearer);
+        const float a2 = this->At(next, this->SideOf(node));
+        terms[count++] = a2 > Missing ? SecondOrderTerm(a1, this->IsBeyond(node, next) ? -a2 : a2)
+                                      : FirstOrderTerm(a1);
+      }
+    }
+    return static_cast<float>(SolveEikonal(terms, count));
+  }
+
+private:
+  /** Rays are as long as the nodes of smaller layers go, up to three. */
+  template <int Axis, int Sign>
+  ACTIVE_ALWAYS_INLINE void AddRays(const LeafMask& nodes)
+  {
+    const LeafLine<Axis> line(
+      this->Table, this->Leaf, [this](std::int32_t n) { return this->Table[n].Value; });
+    const LeafMask& inner = this->Table[this->Leaf].UpToLayer[this->Inner];
+    const LeafMask& next = this->Table.UpToLayerOf(
+      this->Table[this->Leaf].Neighbour[FaceNumber(Axis, Sign)], this->Inner);
+    const LeafMask first = nodes & Seen<Axis, Sign>(inner, next);
+    const LeafMask second = first & Seen<Axis, 2 * Sign>(inner, next);
+    const LeafMask third = second & Seen<Axis, 3 * Sign>(inner, next);
+    second.Without(third).ForEach(
+      [&](int node) ACTIVE_INLINED
+      {
+        const float side = this->SideOf(node);
+        const float step =
+          Increase(Read(line.At(node, Sign), side), Read(line.At(node, 2 * Sign), side));
+        this->LargestStep[node] = std::max(this->LargestStep[node], step);
+      });
+    third.ForEach(
+      [&](int node) ACTIVE_INLINED
+      {
+        const float side = this->SideOf(node);
+        const float a1 = Read(line.At(node, Sign), side), a2 = Read(line.At(node, 2 * Sign), side);
+        const float a3 = Read(line.At(node, 3 * Sign), side);
+        const float step = Increase(a1, a2),
+                    growth = std::min(LimitedGrowth(step, a2, a3), this->MostGrowth);
+        this->LargestStep[node] = std::max(this->LargestStep[node], step);
+        this->Sum[node] += growth * growth * (a1 + growth);
+        this->Weight[node] += growth * growth;
+      });
+  }
+
+  /** Where the three-point rays do not say enough: with all other candidates. */
+  float FindUncertain(int node) const
+  {
+    Candidates other = { 0.f, 0.f };
+    float smallest = std::numeric_limits<float>::max();
+    for (int face = 0; face < 6; ++face)
+    {
+      float ray[3];
+      for (int steps = 1; steps <= 3; ++steps)
+      {
+        const bool goesOn = steps == 1 || ray[steps - 2] > Missing;
+        ray[steps - 1] =
+          goesOn ? this->AtSteps(node, face / 2, face % 2 ? steps : -steps) : Missing;
+      }
+      smallest = ray[0] > Missing ? std::min(smallest, ray[0]) : smallest;
+      if (ray[1] > Missing && !(ray[2] > Missing))
+      {
+        const float step = std::min(Increase(ray[0], ray[1]), this->MostGrowth);
+        other.Add(ray[0] + step, step * step);
+      }
+    }
+    this->AddCorners(node, smallest, other);
+    const float weight = this->Weight[node] + other.Weight;
+    // No inner increase: a medial axis, where the potential is flat.
+    return weight > 0.f ? (this->Sum[node] + other.Sum) / weight : smallest;
+  }
+
+  /** Around the corners of a square: p + q - r, from two neighbours and the node between them. */
+  void AddCorners(int node, float smallest, Candidates& other) const
+  {
+    for (int first = 0; first < 2; ++first)
+    {
+      for (int second = first + 1; second < 3; ++second)
+      {
+        for (int signs = 0; signs < 4; ++signs)
+        {
+          int alongFirst[3] = { 0, 0, 0 }, alongSecond[3] = { 0, 0, 0 }, between[3] = { 0, 0, 0 };
+          alongFirst[first] = between[first] = signs & 1 ? 1 : -1;
+          alongSecond[second] = between[second] = signs & 2 ? 1 : -1;
+          AddCorner(this->AtOffset(node, alongFirst), this->AtOffset(node, alongSecond),
+            this->AtOffset(node, between), smallest, other);
+        }
+      }
+    }
+  }
+
+  ///@{
+  /** |u| of a place, seen from a node. */
+  ACTIVE_ALWAYS_INLINE float SideOf(int node) const
+  {
+    return IsSigned && this->Table[this->Leaf].Inside.Has(node) ? -1.f : 1.f;
+  }
+  static ACTIVE_ALWAYS_INLINE float Read(float value, float side)
+  {
+    return IsSigned ? side * value : std::fabs(value);
+  }
+  /** Of a node of a smaller layer, else Missing. */
+  float At(const LeafTable::Place& place, float side) const
+  {
+    const bool isInner =
+      place.Leaf >= 0 && this->Table[place.Leaf].UpToLayer[this->Inner].Has(place.Node);
+    return isInner ? Read(this->Table[place.Leaf].Value[place.Node], side) : Missing;
+  }
+  /** Whether it is on the other side of the surface. */
+  bool IsBeyond(int node, const LeafTable::Place& place) const
+  {
+    return this->Table[place.Leaf].Inside.Has(place.Node) !=
+      this->Table[this->Leaf].Inside.Has(node);
+  }
+  float AtOffset(int node, const int offset[3]) const
+  {
+    return this->At(
+      this->Table.Offset(this->Leaf, node, offset[0], offset[1], offset[2]), this->SideOf(node));
+  }
+  float AtSteps(int node, int axis, int steps) const
+  {
+    return this->At(this->Table.Step(this->Leaf, node, axis, steps), this->SideOf(node));
+  }
+  ///@}
+
+  static void AddCorner(float p, float q, float r, float smallest, Candidates& other)
+  {
+    const float growthFirst = q - r, growthSecond = p - r;
+    if (p > Missing && q > Missing && r > Missing && growthFirst > 0.f && growthSecond > 0.f &&
+      p + growthFirst >= smallest)
+    {
+      other.Add(p + growthFirst, growthFirst * growthFirst + growthSecond * growthSecond);
+    }
+  }
+
+  const LeafTable& Table;
+  const std::int32_t Leaf;
+  const int Inner; //< last layer whose values may be used
+  const float MostGrowth;
+  // Of the layer's nodes; all else is not set. Three-point rays alone count in the sums.
+  float Sum[512];
+  float Weight[512];
+  float LargestStep[512];
+};
+
+}
+
+#endif

@@ -1,0 +1,134 @@
+#include "Leaves/RankedLeaves.h"
+
+#include "Leaves/LeafExchange.h"
+#include "Leaves/LeafLists.h"
+#include "Leaves/LeafTable.h"
+#include "Ranks/LeafRanges.h"
+
+#include <algorithm>
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** What the passes over the nodes of a leaf cost, in what a crossing costs. */
+constexpr std::size_t CostOfNodes = 64;
+
+}
+
+RankedLeaves::RankedLeaves(Agreement& ranks, const LeafTable& table)
+  : LeafOwners(ranks)
+{
+  this->ShareAll(table);
+  this->FindOwners(table);
+  this->FindBorders(table);
+}
+
+void RankedLeaves::ShareAll(const LeafTable& table)
+{
+  const LeafList order = table.FindTreeOrder();
+  std::vector<std::size_t> costsBefore(1, 0);
+  for (const std::int32_t i : order)
+  {
+    costsBefore.push_back(
+      costsBefore.back() + CostOfNodes + static_cast<std::size_t>(table[i].Crossings));
+  }
+  const std::vector<std::size_t> first = ShareLeaves(costsBefore, this->GetSize());
+  for (int rank = 0; rank < this->GetSize(); ++rank)
+  {
+    if (first[rank] < first[rank + 1])
+    {
+      this->FirstOrigins.push_back(table[order[first[rank]]].Origin);
+      this->OwnersOfRanges.push_back(rank);
+    }
+  }
+}
+
+/** The first rank has what is before all of them. */
+int RankedLeaves::FindOwner(const openvdb::Coord& origin) const
+{
+  const auto after =
+    std::upper_bound(this->FirstOrigins.begin(), this->FirstOrigins.end(), origin, IsBeforeInTree);
+  const auto range = std::max<std::ptrdiff_t>(after - this->FirstOrigins.begin() - 1, 0);
+  return this->OwnersOfRanges.empty() ? 0 : this->OwnersOfRanges[static_cast<std::size_t>(range)];
+}
+
+void RankedLeaves::Renumber(LeafTable& table)
+{
+  this->Owners.clear();
+  this->FindOwners(table);
+  this->FindBorders(table);
+  this->TellBorders(table, this->Borders);
+}
+
+void RankedLeaves::AddLeaves(LeafTable& table)
+{
+  const LeafBorders before = this->Borders;
+  this->FindOwners(table);
+  this->FindBorders(table);
+  LeafBorders added = this->Borders;
+  for (std::size_t rank = 0; rank < before.Own.size(); ++rank)
+  {
+    added.Own[rank] = Without(added.Own[rank], before.Own[rank]);
+    added.Others[rank] = Without(added.Others[rank], before.Others[rank]);
+  }
+  this->TellBorders(table, added);
+}
+
+void RankedLeaves::FindOwners(const LeafTable& table)
+{
+  for (std::size_t i = this->Owners.size(); i < table.Size(); ++i)
+  {
+    this->Owners.push_back(this->FindOwner(table[i].Origin));
+  }
+}
+
+/** What passes read of leaves beside their own. */
+void RankedLeaves::TellBorders(LeafTable& table, const LeafBorders& borders)
+{
+  SwapLeaves(this->GetAgreement(), borders.Own, borders.Others,
+    [&table](std::size_t i, auto& pass)
+    {
+      BandLeaf& leaf = table[i];
+      pass(leaf.Value, 512);
+      pass(&leaf.Inside, 1);
+      pass(leaf.UpToLayer.data(), leaf.UpToLayer.size());
+      pass(leaf.Edge.data(), leaf.Edge.size());
+      pass(leaf.CrossingsBefore.data(), leaf.CrossingsBefore.size());
+    });
+}
+
+void RankedLeaves::FindBorders(const LeafTable& table)
+{
+  this->Borders.Own.assign(this->GetSize(), {});
+  this->Borders.Others.assign(this->GetSize(), {});
+  std::vector<char> isBeside(table.Size());
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    for (const std::int32_t n : table[i].Neighbour)
+    {
+      if (!this->IsOwn(i) || n < 0 || this->IsOwn(static_cast<std::size_t>(n)))
+      {
+        continue;
+      }
+      const int rank = this->GetOwner(static_cast<std::size_t>(n));
+      LeafList& own = this->Borders.Own[rank];
+      if (own.empty() || own.back() != static_cast<std::int32_t>(i))
+      {
+        own.push_back(static_cast<std::int32_t>(i));
+      }
+      isBeside[n] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    if (isBeside[i])
+    {
+      this->Borders.Others[this->GetOwner(i)].push_back(static_cast<std::int32_t>(i));
+    }
+  }
+}
+
+}

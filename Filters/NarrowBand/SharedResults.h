@@ -1,0 +1,142 @@
+/**
+ * Results that ranks make together: each a part of them, and each has all in the end.
+ */
+#ifndef SharedResults_h
+#define SharedResults_h
+
+#include "Agreement.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace activesurface
+{
+
+/** Counts the bytes of what is passed. */
+class ByteCounter
+{
+public:
+  template <class Value>
+  void operator()(const Value*, std::size_t count)
+  {
+    this->Size += count * sizeof(Value);
+  }
+  std::size_t GetSize() const { return this->Size; }
+
+private:
+  std::size_t Size = 0;
+};
+
+/** Appends what is passed to bytes. */
+class ByteWriter
+{
+public:
+  explicit ByteWriter(Bytes& bytes)
+    : Written(bytes)
+  {
+  }
+
+  template <class Value>
+  void operator()(const Value* values, std::size_t count)
+  {
+    const char* first = reinterpret_cast<const char*>(values);
+    this->Written.insert(this->Written.end(), first, first + count * sizeof(Value));
+  }
+
+private:
+  Bytes& Written;
+};
+
+/** Passes a vector of any size. */
+template <class Value, class Pass>
+void PassVector(std::vector<Value>& values, Pass& pass)
+{
+  std::size_t size = values.size();
+  pass(&size, 1);
+  values.resize(size);
+  pass(values.data(), size);
+}
+
+/** What visit passes of some numbers. */
+template <class Number, class Visit>
+Bytes WriteResults(const std::vector<Number>& numbers, Visit&& visit)
+{
+  ByteCounter count;
+  for (const Number n : numbers)
+  {
+    visit(static_cast<std::size_t>(n), count);
+  }
+  Bytes bytes;
+  bytes.reserve(count.GetSize());
+  ByteWriter write(bytes);
+  for (const Number n : numbers)
+  {
+    visit(static_cast<std::size_t>(n), write);
+  }
+  return bytes;
+}
+
+/** Sets what is passed from bytes. */
+class ByteReader
+{
+public:
+  explicit ByteReader(const Bytes& bytes)
+    : Source(bytes)
+  {
+  }
+
+  template <class Value>
+  void operator()(Value* values, std::size_t count)
+  {
+    const std::size_t size = count * sizeof(Value);
+    if (size > this->Source.size() - this->Done)
+    {
+      throw std::runtime_error("The ranks are not at the same place: one of them has told less "
+                               "than the others need. Update all ranks together, with the same "
+                               "inputs.");
+    }
+    std::memcpy(values, this->Source.data() + this->Done, size);
+    this->Done += size;
+  }
+
+private:
+  const Bytes& Source;
+  std::size_t Done = 0;
+};
+
+/** Each rank makes its range of so many results, by make(first, end), and is told the others;
+ * visit(number, pass) names what a result is, by pass(values, count). Without ranks, all are made.
+ */
+template <class Make, class Visit>
+void ShareResults(Agreement* ranks, std::size_t count, Make&& make, Visit&& visit)
+{
+  if (!ranks || ranks->IsAlone())
+  {
+    make(std::size_t{ 0 }, count);
+    return;
+  }
+  const auto size = static_cast<std::size_t>(ranks->GetSize());
+  const auto own = static_cast<std::size_t>(ranks->GetRank());
+  const auto firstOf = [=](std::size_t rank)
+  { return count / size * rank + std::min(rank, count % size); };
+  make(firstOf(own), firstOf(own + 1));
+  std::vector<std::size_t> numbers(firstOf(own + 1) - firstOf(own));
+  std::iota(numbers.begin(), numbers.end(), firstOf(own));
+  const std::vector<Bytes> all = ranks->Exchange(WriteResults(numbers, visit));
+  for (std::size_t rank = 0; rank < size; ++rank)
+  {
+    ByteReader read(all[rank]);
+    for (std::size_t n = firstOf(rank); rank != own && n < firstOf(rank + 1); ++n)
+    {
+      visit(n, read);
+    }
+  }
+}
+
+}
+
+#endif

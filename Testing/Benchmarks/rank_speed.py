@@ -1,0 +1,89 @@
+"""Seconds a frame on ranks of MPI and on threads, over a pool of particles.
+
+Run: python3 rank_speed.py [<particles>]     (250,000 unless said)
+
+The pool of large.py. Each rank brings the particles of a slab and has one thread. A frame is the
+time of the slowest rank until it has its piece of the skin; the median of the frames after the
+first one. Over more ranks than cores the processors are shared.
+"""
+
+import argparse
+import os
+import statistics
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import large
+import numpy
+from active_implicit_surfaces import LiveSurface
+
+RUNS = [(1, 1), (1, 2), (2, 1), (4, 1)]  # ranks, threads
+
+
+def find_ranks():
+    """A function that gathers an object of each rank; rank and number of ranks."""
+    from mpi4py import MPI  # it starts MPI
+    from vtkmodules.vtkParallelCore import vtkMultiProcessController
+    from vtkmodules.vtkParallelMPI import vtkMPIController
+
+    controller = vtkMPIController()
+    controller.Initialize()
+    vtkMultiProcessController.SetGlobalController(controller)
+    ranks = MPI.COMM_WORLD
+    return controller, ranks.allgather, ranks.rank, ranks.size
+
+
+def measure(particles, threads, is_parallel):
+    """Prints seconds a frame."""
+    gather, rank, size, controller = (lambda own: [own]), 0, 1, None
+    if is_parallel:
+        controller, gather, rank, size = find_ranks()
+    live = LiveSurface(particle_spacing=2 * large.R, voxel_size=large.R, number_of_threads=threads)
+    seconds = []
+    for places, _, ids in large.pool(particles).frames:
+        order = numpy.argsort(places[:, 0], kind="stable")
+        own = numpy.sort(numpy.array_split(order, size)[rank])
+        gather(None)  # all begin together
+        start = time.perf_counter()
+        live.advance(places[own], 1 / 25, ids=ids[own])
+        seconds.append(max(gather(time.perf_counter() - start)))
+    if rank == 0:
+        print("seconds:", statistics.median(seconds[1:]))
+    del controller
+
+
+def run_one(ranks, threads, particles):
+    program = [sys.executable, __file__, str(particles), "--threads", str(threads)]
+    if ranks > 1:
+        shell = Path(__file__).resolve().parents[1] / "with_ranks"
+        program = ["bash", str(shell), str(ranks), *program, "--parallel"]
+    environment = {**os.environ, "VTK_SMP_MAX_THREADS": str(threads)}
+    told = subprocess.run(
+        program, check=True, capture_output=True, text=True, env=environment
+    ).stdout
+    return float(told.split("seconds:")[1])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("particles", nargs="?", type=int, default=250_000)
+    parser.add_argument("--threads", type=int, help=argparse.SUPPRESS)
+    parser.add_argument("--parallel", action="store_true", help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if options.threads:
+        measure(options.particles, options.threads, options.parallel)
+        return
+    print(
+        f"{options.particles:,} particles\n{'ranks':>6} {'threads':>8} {'s/frame':>9} {'speed':>7}"
+    )
+    first = None
+    for ranks, threads in RUNS:
+        seconds = run_one(ranks, threads, options.particles)
+        first = first or seconds
+        print(f"{ranks:>6} {threads:>8} {seconds:>9.2f} {first / seconds:>7.2f}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
