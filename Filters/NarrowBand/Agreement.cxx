@@ -39,20 +39,14 @@ Agreement::Agreement(std::unique_ptr<Communicator> ranks)
 
 std::vector<Bytes> Agreement::Exchange(const Bytes& own)
 {
-  if (this->Ranks->Max(Fine) == Failed)
-  {
-    this->ThrowTogether("");
-  }
+  this->GoOn(true);
   return this->Ranks->AllGather(own);
 }
 
 std::vector<Bytes> Agreement::Swap(
   const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes)
 {
-  if (this->Ranks->Max(Fine) == Failed)
-  {
-    this->ThrowTogether("");
-  }
+  this->GoOn(true);
   return this->Ranks->Swap(toEach, sizes);
 }
 

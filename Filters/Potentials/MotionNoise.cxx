@@ -2,7 +2,6 @@
 
 #include "ParallelTasks.h"
 #include "ParticleModel.h"
-#include "SharedResults.h"
 #include "Skeleton/NeighbourSums.h"
 
 #include <algorithm>
@@ -58,13 +57,8 @@ std::vector<double> FindSharesOfMotion(const std::vector<SkeletonVertex>& partic
       shares[order[first + k]] = motions[k].Weight > 0.0 ? GetShare(motions[k]) : 1.0;
     }
   };
-  const auto findAll = [&](std::size_t first, std::size_t end)
-  {
-    RunPieces(end - first, ParticlesPerTask,
-      [&](std::size_t begin, std::size_t last) { find(first + begin, first + last); });
-  };
-  ShareResults(
-    ranks, order.size(), findAll, [&](std::size_t k, auto& pass) { pass(&shares[order[k]], 1); });
+  SharePieces(ranks, order.size(), ParticlesPerTask, find,
+    [&](std::size_t k, auto& pass) { pass(&shares[order[k]], 1); });
   return shares;
 }
 

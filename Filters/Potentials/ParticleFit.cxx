@@ -2,7 +2,6 @@
 
 #include "ParallelTasks.h"
 #include "ParticlePotential.h"
-#include "SharedResults.h"
 #include "Skeleton/Ellipsoid.h"
 #include "Skeleton/NeighbourSums.h"
 #include "Skeleton/SmoothStep.h"
@@ -147,12 +146,7 @@ private:
   template <class Run, class Visit>
   void Share(std::size_t count, Run run, Visit visit)
   {
-    const auto runAll = [&](std::size_t first, std::size_t end)
-    {
-      RunPieces(end - first, ParticlesPerTask,
-        [&](std::size_t begin, std::size_t last) { run(first + begin, first + last); });
-    };
-    ShareResults(this->Options.Ranks, count, runAll, visit);
+    SharePieces(this->Options.Ranks, count, ParticlesPerTask, run, visit);
   }
 
   std::vector<double> GetPositions(const Batch& batch) const

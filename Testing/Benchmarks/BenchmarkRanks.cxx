@@ -5,10 +5,9 @@
 //
 // A pool under waves, n nodes along it, is advanced by three time steps, by explicit substeps and
 // by implicit ones. The ranks are threads. Of the last step, for each substep and rank: rounds, in
-// which all ranks wait for each other; bytes that the rank with the longest border sends to those
-// beside it; bytes that a rank sends to all others. Besides, for each step, the bytes that make the
-// band whole at its end are among these. Imbalance: crossings of the rank that has most of them,
-// over the mean.
+// which all ranks wait for each other; bytes to neighbours, and to all other ranks, of the rank
+// that sends most of them. What makes the band whole at the end of the step is among the bytes to
+// all. Imbalance: crossings of the rank that has most of them, over the mean.
 
 #include "Leaves/LeafTable.h"
 #include "Leaves/RankedLeaves.h"

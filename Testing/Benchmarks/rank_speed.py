@@ -23,7 +23,7 @@ RUNS = [(1, 1), (1, 2), (2, 1), (4, 1)]  # ranks, threads
 
 
 def find_ranks():
-    """A function that gathers an object of each rank; rank and number of ranks."""
+    """The controller, which VTK does not keep; a gathering of objects; rank, number of ranks."""
     from mpi4py import MPI  # it starts MPI
     from vtkmodules.vtkParallelCore import vtkMultiProcessController
     from vtkmodules.vtkParallelMPI import vtkMPIController
@@ -37,7 +37,7 @@ def find_ranks():
 
 def measure(particles, threads, is_parallel):
     """Prints seconds a frame."""
-    gather, rank, size, controller = (lambda own: [own]), 0, 1, None
+    controller, gather, rank, size = None, (lambda own: [own]), 0, 1
     if is_parallel:
         controller, gather, rank, size = find_ranks()
     live = LiveSurface(particle_spacing=2 * large.R, voxel_size=large.R, number_of_threads=threads)

@@ -8,7 +8,6 @@
 #include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
 #include "Leaves/WholeBand.h"
-#include "SharedResults.h"
 #include "Substep/ConvergedLeaves.h"
 #include "Substep/StepForward.h"
 #include "Substep/SubstepBuffers.h"

@@ -1,6 +1,7 @@
 /**
  * Leaves that belong to ranks by ranges of the order of the tree: so all ranks know the owner of
- * any leaf, also of one that is added later.
+ * any leaf, also of one that is added later. Apart from LeafOwners, which the table knows: this
+ * exchanges leaves of the table.
  */
 #ifndef RankedLeaves_h
 #define RankedLeaves_h

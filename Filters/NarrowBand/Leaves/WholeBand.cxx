@@ -32,7 +32,6 @@ void MakeBandWhole(LeafTable& table)
     [&table](std::size_t i, auto& pass)
     {
       BandLeaf& leaf = table[i];
-      pass(&leaf.MissingNeighbours, 1);
       pass(&leaf.Inside, 1);
       pass(&leaf.Active, 1);
       pass(&leaf.Updated, 1);

@@ -249,8 +249,8 @@ namespace
 class FailingTarget : public ShapeTarget
 {
 public:
-  FailingTarget(const Shape& shape, bool fails)
-    : ShapeTarget(shape)
+  explicit FailingTarget(bool fails)
+    : ShapeTarget(MakeFlowing(MakeTorus({ 0, 0, 0 }, .5, .22)))
     , Fails(fails)
   {
   }
@@ -288,7 +288,7 @@ void CheckFailure(const Way& way)
       const auto rank = static_cast<std::size_t>(ranks.GetRank());
       bands[rank] = MakeBand(way);
       bands[rank]->SetRanks(&ranks);
-      FailingTarget target(MakeFlowing(MakeTorus({ 0, 0, 0 }, .5, .22)), rank == 1);
+      FailingTarget target(rank == 1);
       try
       {
         bands[rank]->Advance(way.Times.back(), way.Law, target);
@@ -299,14 +299,14 @@ void CheckFailure(const Way& way)
       }
       later[rank] = bands[rank]->Clone();
       later[rank]->SetRanks(&ranks);
-      FailingTarget sound(MakeFlowing(MakeTorus({ 0, 0, 0 }, .5, .22)), false);
+      FailingTarget sound(false);
       later[rank]->Advance(way.Times.back(), way.Law, sound);
     });
   const Band alone = MakeBand(way);
-  FailingTarget target(MakeFlowing(MakeTorus({ 0, 0, 0 }, .5, .22)), true);
+  FailingTarget target(true);
   EXPECT_THROW(alone->Advance(way.Times.back(), way.Law, target), std::runtime_error) << way.Name;
   EXPECT_GT(alone->GetTime(), 0.0) << way.Name;
-  FailingTarget sound(MakeFlowing(MakeTorus({ 0, 0, 0 }, .5, .22)), false);
+  FailingTarget sound(false);
   const Band aloneLater = alone->Clone();
   aloneLater->Advance(way.Times.back(), way.Law, sound);
   for (std::size_t rank = 0; rank < size; ++rank)
