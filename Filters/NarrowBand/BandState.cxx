@@ -139,7 +139,7 @@ void BandState::MoveTarget(const Motion& motion, Target& target, AdvanceReport& 
 void BandState::CreateParts(const Motion& motion, const Target& target, AdvanceReport& report)
 {
   const GrowingBand band{ this->Leaves, this->Set, this->Potential->tree(), this->VoxelSize,
-    this->Maximum };
+    this->Maximum, {} };
   if (activesurface::CreateParts(band, motion, target, report))
   {
     this->RebuildBand(this->Set);
@@ -236,7 +236,7 @@ void BandState::MakeImplicitStep(
   const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
   const ImplicitBand band{ this->GetFollower(), this->Time, move.MostTime, move.MaySkip,
-    this->Maximum };
+    this->Maximum, this->Backup };
   const PenaltyForce force = this->FindForce(motion);
   RunTogether(this->Leaves, [&] { this->Backup.Save(this->Leaves); });
   ImplicitResult result;
@@ -251,9 +251,9 @@ void BandState::MakeImplicitStep(
   }
   catch (...)
   {
-    this->Backup.Restore(this->Leaves, this->Potential->tree());
+    const auto before = this->Backup.Restore(this->Leaves, this->Potential->treePtr());
     this->Leaves = LeafTable(); // what it knows is of the substep that has failed
-    this->Restore(this->Potential->treePtr());
+    this->Restore(before);
     throw;
   }
   move.Step = result.Length;

@@ -3,37 +3,68 @@
 #include "Leaves/LeafExchange.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
-#include <vector>
 
 namespace activesurface
 {
 
 void BandBackup::Save(const LeafTable& table)
 {
+  this->Tree.reset();
   this->Size = table.Size();
   this->Values.MakeRoom(this->Size);
   table.ForEach([&](std::size_t i) { std::copy_n(table[i].Value, 512, this->Values.Of(i)); });
 }
 
-void BandBackup::Restore(LeafTable& table, PotentialTree& tree) const
+void BandBackup::KeepAsTree(const LeafTable& table, const PotentialTree& tree)
 {
+  if (this->Tree)
+  {
+    return;
+  }
+  openvdb::FloatTree::Ptr copy;
+  RunTogether(table, [&] { copy = std::make_shared<openvdb::FloatTree>(tree); });
+  this->WriteInto(*copy, table);
+  this->Tree = copy;
+}
+
+openvdb::FloatTree::Ptr BandBackup::Restore(
+  const LeafTable& table, const openvdb::FloatTree::Ptr& tree) const
+{
+  if (this->Tree)
+  {
+    return this->Tree;
+  }
+  this->WriteInto(*tree, table);
+  return tree;
+}
+
+/** tree: with the leaves of the table. */
+void BandBackup::WriteInto(PotentialTree& tree, const LeafTable& table) const
+{
+  std::vector<float*> values(this->Size);
+  for (std::size_t i = 0; i < this->Size; ++i)
+  {
+    values[i] = tree.probeLeaf(table[i].Origin)->buffer().data();
+  }
   table.ForEach(
     [&](std::size_t i)
     {
       if (i < this->Size)
       {
-        std::copy_n(this->Values.Of(i), 512, table[i].Value);
+        std::copy_n(this->Values.Of(i), 512, values[i]);
       }
     });
-  LeafList saved(std::min(this->Size, table.Size()));
+  LeafList saved(this->Size);
   std::iota(saved.begin(), saved.end(), 0);
-  TellAll(table, saved, [&table](std::size_t i, auto& pass) { pass(table[i].Value, 512); });
-  this->RemoveAdded(table, tree);
+  TellAll(table, saved, [&values](std::size_t i, auto& pass) { pass(values[i], 512); });
+  this->RemoveAdded(tree, table, values);
 }
 
 /** A leaf that was a tile had no surface at its faces: it is on the side of what is beside it. */
-void BandBackup::RemoveAdded(const LeafTable& table, PotentialTree& tree) const
+void BandBackup::RemoveAdded(
+  PotentialTree& tree, const LeafTable& table, const std::vector<float*>& values) const
 {
   std::vector<float> sides(table.Size(), 0.f);
   bool more = true;
@@ -42,7 +73,7 @@ void BandBackup::RemoveAdded(const LeafTable& table, PotentialTree& tree) const
     const std::int32_t next = table[i].Neighbour[FaceNumber(axis, sign)];
     const int node = sign > 0 ? 0 : 7 * Stride(axis); // on the face between them
     return next < 0                                 ? table.BackgroundOf(next)
-      : static_cast<std::size_t>(next) < this->Size ? table[next].Value[node]
+      : static_cast<std::size_t>(next) < this->Size ? values[next][node]
                                                     : sides[next];
   };
   while (more)

@@ -7,24 +7,35 @@
 #include "Leaves/LeafTable.h"
 #include "Substep/SubstepBuffers.h"
 
+#include <vector>
+
 namespace activesurface
 {
 
-/** Valid until LeafTable::Rebuild. Keeps its memory. */
+/** Keeps its memory, but for the tree. */
 class BandBackup
 {
 public:
   void Save(const LeafTable& table);
 
-  /** Writes the values back; leaves that have been added since are tiles again. The layers are left
-   * to the caller, as is the table, which may name leaves that are gone. */
-  void Restore(LeafTable& table, PotentialTree& tree) const;
+  /** To be called, on all ranks, before LeafTable::Rebuild: what has been saved goes by the leaves'
+   * numbers. Changes nothing else. */
+  void KeepAsTree(const LeafTable& table, const PotentialTree& tree);
+
+  /** The tree as it was: this one, if there is no other, with its values of then; leaves that have
+   * been added since are tiles again. The layers are left to the caller, as is the table, which may
+   * name leaves that are gone. */
+  openvdb::FloatTree::Ptr Restore(
+    const LeafTable& table, const openvdb::FloatTree::Ptr& tree) const;
 
 private:
-  void RemoveAdded(const LeafTable& table, PotentialTree& tree) const;
+  void WriteInto(PotentialTree& tree, const LeafTable& table) const;
+  void RemoveAdded(
+    PotentialTree& tree, const LeafTable& table, const std::vector<float*>& values) const;
 
   NodeArrays Values;
   std::size_t Size = 0;
+  openvdb::FloatTree::Ptr Tree; //< instead of the values, if there is one
 };
 
 }

@@ -8,6 +8,7 @@
 #ifndef ImplicitStep_h
 #define ImplicitStep_h
 
+#include "Implicit/BandBackup.h"
 #include "Substep/FollowTarget.h"
 #include "Substep/StepForward.h"
 
@@ -23,6 +24,7 @@ struct ImplicitBand
   double MostTime; //< the substep is no longer
   bool MaySkip;    //< whether converged leaves may be left out
   std::size_t MaximumNumberOfActiveVoxels;
+  BandBackup& Backup; //< of before the substep
 };
 
 struct ImplicitResult

@@ -159,6 +159,10 @@ void Create(const NewParts& found, const LatticeFunction& function, const Growin
     }
   };
   RunTogether(band.Leaves, findDistances); // before any rank changes its skin
+  if (band.BeforeChange)
+  {
+    band.BeforeChange();
+  }
   Join(parts, band.Tree, changed);
   Join(hollows, band.Tree, changed);
   band.Leaves.Rebuild(band.Tree);

@@ -9,6 +9,7 @@
 #include "Target.h"
 
 #include <cstddef>
+#include <functional>
 
 namespace activesurface
 {
@@ -21,6 +22,7 @@ struct GrowingBand
   PotentialTree& Tree;
   double VoxelSize;
   std::size_t MaximumNumberOfActiveVoxels;
+  std::function<void()> BeforeChange; //< may be none
 };
 
 /**

@@ -96,32 +96,6 @@ TEST(TestImplicit, SubstepsAreFew)
   EXPECT_LT(6 * substeps[1], substeps[0]) << "substeps: " << substeps[1] << ", " << substeps[0];
 }
 
-/** Fails at the n-th evaluation. */
-class FailingTarget : public ShapeTarget
-{
-public:
-  FailingTarget(const Shape& shape, int evaluations)
-    : ShapeTarget(shape)
-    , Left(evaluations)
-  {
-  }
-
-  bool IsThreadSafe() const override { return false; }
-  void Evaluate(
-    std::size_t count, const double* points, const TargetResults& results) const override
-  {
-    if (--this->Left < 0)
-    {
-      throw std::runtime_error("The target is out of order.");
-    }
-    this->ShapeTarget::Evaluate(count, points, results);
-  }
-
-private:
-  mutable int Left;
-};
-
-// Within a substep, after some of its passes: the potential is the one before the substep.
 // The explicit scheme stays as rough as the noise makes it; so does this one, with no tension or
 // with one that smooths a seventh of a voxel.
 TEST(TestImplicit, NoiseMakesASurfaceRoughButNoRougherInTime)
@@ -138,35 +112,6 @@ TEST(TestImplicit, NoiseMakesASurfaceRoughButNoRougherInTime)
     band.Advance(1000.0, MakeImplicit(1.0, tension), target);
     EXPECT_NEAR(band.GetArea() / before, 1.0, .02) << "area, tension " << tension;
     EXPECT_LE(GetTopology(Polygonise(band)).Components, early.Components + 2);
-  }
-}
-
-TEST(TestImplicit, AnErrorHalfWayKeepsTheLastSubstep)
-{
-  for (const double tension : { 0.0, .001 })
-  {
-    int failures = 0;
-    for (int evaluations = 0; evaluations < 4000; evaluations += 150)
-    {
-      NarrowBand band(H);
-      StartOn(band, MakeBall(CentreA, .3));
-      const auto before = band.Clone();
-      FailingTarget target(MakeBall(CentreA, .7), evaluations);
-      try
-      {
-        Motion motion = MakeImplicit(1.0, tension);
-        band.Advance(.5, motion, target);
-      }
-      catch (const std::runtime_error&)
-      {
-        ++failures;
-        if (band.GetTime() == 0.0)
-        {
-          EXPECT_TRUE(AreIdentical(*before, band)) << evaluations << " evaluations";
-        }
-      }
-    }
-    EXPECT_GT(failures, 3) << "targets that failed, tension " << tension;
   }
 }
 

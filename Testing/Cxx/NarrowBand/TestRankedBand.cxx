@@ -2,7 +2,7 @@
 // number of them and any motion.
 
 #include "Support/AnalyticShapes.h"
-#include "Support/RegionTargets.h"
+#include "Support/FailingTarget.h"
 #include "Support/SurfaceMeasures.h"
 #include "Support/ThreadRanks.h"
 #include "Support/Throws.h"
@@ -115,24 +115,26 @@ std::unique_ptr<Target> MakeRing()
   return std::make_unique<ShapeTarget>(MakeFlowing(MakeTorus({ 0.01, 0.02, 0.013 }, 0.5, 0.22)));
 }
 
+constexpr double TimeOfBirth = .25;
+
 /** Three balls of which one moves, and a fourth one that appears. */
-std::unique_ptr<Target> MakeMovingBalls()
+RegionTarget MakeMovingBalls()
 {
   const auto ballsAt = [](double time)
   {
     std::vector<Ball> balls = { { { -.6, -.5, .1 }, .2 }, { { -.5 + time, .3, -.3 }, .25 },
       { { .5, -.4, .2 }, .3 } };
-    if (time > .25)
+    if (time > TimeOfBirth)
     {
       balls.push_back({ { .1, .6, .55 }, .18 });
     }
     return balls;
   };
-  return std::make_unique<RegionTarget>(
-    [=](double time)
+  return { [=](double time)
     {
       Shape balls = MakeBalls(ballsAt(time));
       balls.Velocity = [](const Point& x) { return Point{ x[1] > 0.0 ? 1.0 : 0.0, 0.0, 0.0 }; };
+      balls.TensionWeight = [](const Point& x) { return x[2] > 0.0 ? 1.0 : .5; };
       return balls;
     },
     [=](double time)
@@ -143,7 +145,7 @@ std::unique_ptr<Target> MakeMovingBalls()
         regions.push_back(RegionAround(ball, RegionSeeds::Centre));
       }
       return regions;
-    });
+    } };
 }
 
 std::unique_ptr<Obstacle> MakeBallObstacle()
@@ -182,6 +184,17 @@ Way MakeWay(const char* name, double attraction, double tension)
   return { name, MakeMotion(attraction, tension), MakeSixMetaballs(), MakeRing, { .15, .3 } };
 }
 
+Way MakeMovingBallsWay()
+{
+  Way way = MakeWay("moving balls and a new one", 8.0, 0.001);
+  way.Law.CreateParts = true;
+  way.Law.Transport = 1.0;
+  way.Start = MakeThreeBalls();
+  way.MakeTarget = [] { return std::make_unique<RegionTarget>(MakeMovingBalls()); };
+  way.Times = { .1, .2, .3, .4, .5 };
+  return way;
+}
+
 std::vector<Way> MakeWays()
 {
   std::vector<Way> ways = { MakeWay("tracking", 1.0, 0.0),
@@ -213,12 +226,7 @@ std::vector<Way> MakeWays()
   }
   ways.push_back(MakeWay("around an obstacle", 1.0, 0.02));
   ways.back().MakeObstacle = MakeBallObstacle;
-  ways.push_back(MakeWay("moving balls and a new one", 8.0, 0.001));
-  ways.back().Law.CreateParts = true;
-  ways.back().Law.Transport = 1.0;
-  ways.back().Start = MakeThreeBalls();
-  ways.back().MakeTarget = MakeMovingBalls;
-  ways.back().Times = { .1, .2, .3, .4, .5 };
+  ways.push_back(MakeMovingBallsWay());
   ways.push_back(ways.back());
   ways.back().Name = "one ball moves, others have converged";
   ways.back().Law.Transport = 0.0;
@@ -245,39 +253,25 @@ TEST(TestRankedBand, AnyNumberOfRanksGivesTheSameBytes)
 namespace
 {
 
-/** Fails in the third substep, if it is to. */
-class FailingTarget : public ShapeTarget
+/** A target that fails, or one that does not. */
+using MakeFailing = std::function<FailingTarget(bool fails)>;
+
+FailingTarget FailInThirdSubstep(bool fails)
 {
-public:
-  explicit FailingTarget(bool fails)
-    : ShapeTarget(MakeFlowing(MakeTorus({ 0, 0, 0 }, .5, .22)))
-    , Fails(fails)
-  {
-  }
+  const FailingTarget::Rule inThird = [](const AskedTarget& asked) { return asked.Moves == 3; };
+  return { MakeFlowing(MakeTorus({ 0, 0, 0 }, .5, .22)), fails ? inThird : nullptr };
+}
 
-  void MoveTo(double time) override
-  {
-    ShapeTarget::MoveTo(time);
-    ++this->Moves;
-  }
-
-  void Evaluate(
-    std::size_t count, const double* points, const TargetResults& results) const override
-  {
-    if (this->Fails && this->Moves == 3)
-    {
-      throw std::runtime_error("no such target.");
-    }
-    ShapeTarget::Evaluate(count, points, results);
-  }
-
-private:
-  const bool Fails;
-  int Moves = 0;
-};
+/** As soon as the new one of the balls has its skin. */
+FailingTarget FailAfterBirth(bool fails)
+{
+  const FailingTarget::Rule afterBirth = [](const AskedTarget& asked)
+  { return asked.Time > TimeOfBirth && asked.AreWeightsWanted; };
+  return { MakeMovingBalls(), fails ? afterBirth : nullptr };
+}
 
 // The substep that fails on one rank is not taken by any, and they can go on from there.
-void CheckFailure(const Way& way)
+void CheckFailure(const Way& way, const MakeFailing& make)
 {
   constexpr int size = 3;
   std::vector<Band> bands(size), later(size);
@@ -288,7 +282,7 @@ void CheckFailure(const Way& way)
       const auto rank = static_cast<std::size_t>(ranks.GetRank());
       bands[rank] = MakeBand(way);
       bands[rank]->SetRanks(&ranks);
-      FailingTarget target(rank == 1);
+      FailingTarget target = make(rank == 1);
       try
       {
         bands[rank]->Advance(way.Times.back(), way.Law, target);
@@ -299,14 +293,14 @@ void CheckFailure(const Way& way)
       }
       later[rank] = bands[rank]->Clone();
       later[rank]->SetRanks(&ranks);
-      FailingTarget sound(false);
+      FailingTarget sound = make(false);
       later[rank]->Advance(way.Times.back(), way.Law, sound);
     });
   const Band alone = MakeBand(way);
-  FailingTarget target(true);
+  FailingTarget target = make(true);
   EXPECT_THROW(alone->Advance(way.Times.back(), way.Law, target), std::runtime_error) << way.Name;
   EXPECT_GT(alone->GetTime(), 0.0) << way.Name;
-  FailingTarget sound(false);
+  FailingTarget sound = make(false);
   const Band aloneLater = alone->Clone();
   aloneLater->Advance(way.Times.back(), way.Law, sound);
   for (std::size_t rank = 0; rank < size; ++rank)
@@ -323,10 +317,19 @@ void CheckFailure(const Way& way)
 TEST(TestRankedBand, ASubstepThatFailsOnOneRankIsTakenByNone)
 {
   Way way = MakeWay("tracking under tension", 1.0, 0.02);
-  CheckFailure(way);
+  CheckFailure(way, FailInThirdSubstep);
   way = MakeImplicit(way);
   way.Law.LongestStep = .05;
-  CheckFailure(way);
+  CheckFailure(way, FailInThirdSubstep);
+}
+
+TEST(TestRankedBand, ABirthBeforeAFailureIsTakenBackOnAll)
+{
+  Way way = MakeImplicit(MakeMovingBallsWay());
+  way.Law.Transport = 0.0; // else there is one substep
+  way.Law.WeightedTension = true;
+  way.Law.LongestStep = .05;
+  CheckFailure(way, FailAfterBirth);
 }
 
 // As where memory ended on one of them: nothing is better than a skin of which parts are old.

@@ -1,0 +1,118 @@
+// A substep that fails half-way leaves the potential as it was before.
+
+#include "Support/AnalyticShapes.h"
+#include "Support/FailingTarget.h"
+#include "Support/SurfaceMeasures.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+using namespace activesurface;
+
+namespace
+{
+const double H = VoxelSizeOf(64);
+
+Motion MakeImplicit(double attraction, double tension)
+{
+  Motion motion = MakeMotion(attraction, tension);
+  motion.Integration = TimeIntegration::Implicit;
+  return motion;
+}
+
+/** Fails at the n-th evaluation. */
+FailingTarget::Rule FailAfter(int evaluations)
+{
+  return [evaluations](const AskedTarget& asked) { return asked.Evaluations > evaluations; };
+}
+
+bool Fails(NarrowBand& band, double time, const Motion& motion, Target& target)
+{
+  try
+  {
+    band.Advance(time, motion, target);
+  }
+  catch (const std::runtime_error&)
+  {
+    return true;
+  }
+  return false;
+}
+
+TEST(TestFailedSubsteps, AnErrorHalfWayKeepsTheLastSubstep)
+{
+  for (const double tension : { 0.0, .001 })
+  {
+    int failures = 0;
+    for (int evaluations = 0; evaluations < 4000; evaluations += 150)
+    {
+      NarrowBand band(H);
+      StartOn(band, MakeBall(CentreA, .3));
+      const auto before = band.Clone();
+      FailingTarget target(MakeBall(CentreA, .7), FailAfter(evaluations));
+      if (Fails(band, .5, MakeImplicit(1.0, tension), target))
+      {
+        ++failures;
+        if (band.GetTime() == 0.0)
+        {
+          EXPECT_TRUE(AreIdentical(*before, band)) << evaluations << " evaluations";
+        }
+      }
+    }
+    EXPECT_GT(failures, 3) << "targets that failed, tension " << tension;
+  }
+}
+
+/** A ball that moves, and others that appear beside it: each new leaf comes before it in the tree,
+ * and the large one holds leaves that are inside as a whole. */
+RegionTarget MakeBirths()
+{
+  const auto ballsAt = [](double time)
+  {
+    return std::vector<Ball>{ { { .55 + time, .5, .5 }, .3 }, { { -.4, -.4, -.4 }, .5 },
+      { { -.5, .6, .6 }, .15 } };
+  };
+  return { [ballsAt](double time)
+    {
+      Shape balls = MakeBalls(ballsAt(time));
+      balls.Velocity = [](const Point& x) { return Point{ x[0] > .2 ? 1.0 : 0.0, 0.0, 0.0 }; };
+      balls.TensionWeight = [](const Point&) { return .5; };
+      return balls;
+    },
+    [ballsAt](double time)
+    {
+      std::vector<TargetRegion> regions;
+      for (const Ball& ball : ballsAt(time))
+      {
+        regions.push_back(RegionAround(ball, RegionSeeds::PartAtCentre));
+      }
+      return regions;
+    } };
+}
+
+// The leaves are numbered anew when parts are created.
+TEST(TestFailedSubsteps, AnErrorAfterABirthTakesTheBirthBack)
+{
+  for (const double transport : { 0.0, 1.0 })
+  {
+    Motion motion = MakeImplicit(1.0, .001);
+    motion.CreateParts = true;
+    motion.WeightedTension = true;
+    motion.Transport = transport;
+    NarrowBand band(H);
+    StartOn(band, MakeBall({ .55, .5, .5 }, .3));
+    const auto before = band.Clone();
+    FailingTarget target(
+      MakeBirths(), [](const AskedTarget& asked) { return asked.AreWeightsWanted; });
+    EXPECT_TRUE(Fails(band, .05, motion, target));
+    EXPECT_EQ(band.GetWork().CreatedParts, 2u) << "before the error";
+    EXPECT_EQ(band.GetTime(), 0.0);
+    EXPECT_TRUE(AreIdentical(*before, band)) << "transport " << transport;
+    EXPECT_EQ(band.Pack(), before->Pack()) << "transport " << transport;
+  }
+}
+
+}

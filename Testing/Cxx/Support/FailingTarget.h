@@ -1,0 +1,69 @@
+/**
+ * A target that fails where a test wants it to.
+ */
+#ifndef FailingTarget_h
+#define FailingTarget_h
+
+#include "Support/RegionTargets.h"
+
+#include <functional>
+#include <stdexcept>
+
+namespace activesurface
+{
+
+/** What a target has been asked. */
+struct AskedTarget
+{
+  double Time = 0.0;
+  int Moves = 0;       //< calls of MoveTo
+  int Evaluations = 0; //< calls of Evaluate
+  bool AreWeightsWanted = false;
+};
+
+/** Fails in an evaluation by a rule. */
+class FailingTarget : public RegionTarget
+{
+public:
+  using Rule = std::function<bool(const AskedTarget&)>;
+
+  FailingTarget(const RegionTarget& target, const Rule& fails)
+    : RegionTarget(target)
+    , Fails(fails)
+  {
+  }
+
+  FailingTarget(const Shape& shape, const Rule& fails)
+    : FailingTarget(MakeStanding(shape, {}), fails)
+  {
+  }
+
+  bool IsThreadSafe() const override { return false; }
+
+  void MoveTo(double time) override
+  {
+    RegionTarget::MoveTo(time);
+    this->Asked.Time = time;
+    ++this->Asked.Moves;
+  }
+
+  void Evaluate(
+    std::size_t count, const double* points, const TargetResults& results) const override
+  {
+    ++this->Asked.Evaluations;
+    this->Asked.AreWeightsWanted = results.TensionWeights;
+    if (this->Fails && this->Fails(this->Asked))
+    {
+      throw std::runtime_error("no such target.");
+    }
+    RegionTarget::Evaluate(count, points, results);
+  }
+
+private:
+  Rule Fails; //< none: never
+  mutable AskedTarget Asked;
+};
+
+}
+
+#endif
