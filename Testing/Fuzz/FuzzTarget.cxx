@@ -1,114 +1,13 @@
-// A vtkPolyData of any points, cells and arrays as what attracts a skin, and as what it starts on:
-// point numbers that do not exist, cells without points, arrays of any type, not as long as they
-// should.
+// A vtkPolyData of any kind (FuzzData.h) as what attracts a skin, and as what it starts on.
 
-#include "FuzzInput.h"
+#include "FuzzData.h"
 
 #include "vtkActiveImplicitSurface.h"
-
-#include <vtkCellArray.h>
-#include <vtkDataArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 
 using namespace activesurface;
 
 namespace
 {
-
-constexpr int MostPoints = 24, MostCells = 12, MostCorners = 6;
-// Of shapes of size 4. Across the origin a shape takes eight of OpenVDB's largest nodes, of half a
-// megabyte each, instead of one, and an execution three times as long.
-constexpr double Center = 16;
-
-void AddPoints(FuzzInput& input, vtkPolyData* data)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataType(input.Below(2) == 0 ? VTK_FLOAT : VTK_DOUBLE);
-  const int count = input.Below(MostPoints);
-  for (int i = 0; i < count; ++i)
-  {
-    const double x = input.TakeNumber(), y = input.TakeNumber(), z = input.TakeNumber();
-    points->InsertNextPoint(Center + x, Center + y, Center + z);
-  }
-  data->SetPoints(points);
-}
-
-vtkSmartPointer<vtkCellArray> MakeCells(FuzzInput& input, int points)
-{
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  const int count = input.Below(MostCells);
-  for (int i = 0; i < count; ++i)
-  {
-    const int corners = input.Below(MostCorners);
-    cells->InsertNextCell(corners);
-    for (int corner = 0; corner < corners; ++corner)
-    {
-      const bool isAny = input.Below(16) == 0;
-      cells->InsertCellPoint(
-        isAny || points == 0 ? input.Take<std::int32_t>() : input.Below(points));
-    }
-  }
-  return cells;
-}
-
-// Named as SetArrays chooses them.
-void AddArray(FuzzInput& input, const char* name, int points, vtkPolyData* data)
-{
-  constexpr int types[] = { VTK_FLOAT, VTK_DOUBLE, VTK_INT, VTK_ID_TYPE, VTK_UNSIGNED_CHAR,
-    VTK_LONG_LONG };
-  const auto array =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(types[input.Below(6)]));
-  array->SetName(name);
-  array->SetNumberOfComponents(input.Below(8) == 0 ? 3 : 1);
-  array->SetNumberOfTuples(input.Below(8) == 0 ? input.Below(MostPoints) : points);
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    for (int component = 0; component < array->GetNumberOfComponents(); ++component)
-    {
-      const double number = input.TakeNumber();
-      // What does not fit is no number of the array's type.
-      const bool isFloating =
-        array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
-      array->SetComponent(i, component, isFloating ? number : input.Below(100));
-    }
-  }
-  data->GetPointData()->AddArray(array);
-}
-
-vtkSmartPointer<vtkPolyData> MakeData(FuzzInput& input)
-{
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  AddPoints(input, data);
-  const int points = static_cast<int>(data->GetNumberOfPoints());
-  const int kinds = input.Below(16);
-  if (kinds & 1)
-  {
-    data->SetPolys(MakeCells(input, points));
-  }
-  if (kinds & 2)
-  {
-    data->SetLines(MakeCells(input, points));
-  }
-  if (kinds & 4)
-  {
-    data->SetStrips(MakeCells(input, points));
-  }
-  if (kinds & 8)
-  {
-    data->SetVerts(MakeCells(input, points));
-  }
-  for (const char* name : { "size", "id", "weight" })
-  {
-    if (input.Below(2) == 0)
-    {
-      AddArray(input, name, points, data);
-    }
-  }
-  return data;
-}
 
 void SetProperties(FuzzInput& input, vtkActiveImplicitSurface* surface)
 {
@@ -122,12 +21,11 @@ void SetProperties(FuzzInput& input, vtkActiveImplicitSurface* surface)
   surface->SetPassTargetArrays(choices & 16);
   surface->SetComputeVelocity(choices & 32);
   surface->SetTimeIntegration(choices & 64 ? 1 : 0);
-  const char* names[] = { "size", "id", "weight" };
   for (int i = 0; i < 3; ++i)
   {
     if (input.Below(4) == 0)
     {
-      surface->SetInputArrayToProcess(i, 0, 0, 0, names[i]);
+      surface->SetInputArrayToProcess(i, 0, 0, 0, ArrayNames[i]);
     }
   }
 }

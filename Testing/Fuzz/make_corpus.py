@@ -62,13 +62,14 @@ def write_bytes(folder, count=8, size=600):
 
 def main():
     folders = {}
-    for name in ("FuzzVDB", "FuzzEXR", "FuzzState", "FuzzPacked", "FuzzTarget"):
+    for name in ("FuzzVDB", "FuzzEXR", "FuzzState", "FuzzPacked", "FuzzShapes", "FuzzTarget"):
         folders[name] = CORPUS / name
         folders[name].mkdir(parents=True, exist_ok=True)
     write_grids(folders["FuzzVDB"])
     write_pictures(folders["FuzzEXR"])
     assert small_ball().SaveState(str(folders["FuzzState"] / "ball.vdb"))
     write_bytes(folders["FuzzPacked"], size=60)
+    write_bytes(folders["FuzzShapes"])
     write_bytes(folders["FuzzTarget"])
 
 
