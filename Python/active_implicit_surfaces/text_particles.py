@@ -63,10 +63,20 @@ def read_json(path: Path) -> Frames:
     """A list of positions, or an object of arrays with "positions"."""
     data = json.loads(path.read_text(encoding="utf-8"))
     if isinstance(data, list):
-        return [{"positions": numpy.array(data, dtype=float).reshape(len(data), -1)}], None
+        positions = _even_array("list", data)
+        return _from_arrays({"positions": positions if data else positions.reshape(0, 3)})
     if not isinstance(data, dict):
         raise ValueError("it is neither a list of positions nor an object of arrays")
-    return _from_arrays({name: numpy.array(values) for name, values in data.items()})
+    return _from_arrays(
+        {name: _even_array(f'array "{name}"', values) for name, values in data.items()}
+    )
+
+
+def _even_array(what: str, values: Any) -> Any:
+    try:
+        return numpy.array(values)
+    except ValueError:
+        raise ValueError(f"its {what} has rows of different lengths") from None
 
 
 def read_numpy(path: Path) -> Frames:
@@ -222,11 +232,9 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
         arrays = {**arrays, "positions": numpy.stack([arrays[names[n]] for n in "xyz"], axis=-1)}
         found = "positions"
     positions = arrays[found]
-    if (
-        positions.ndim not in (2, 3)
-        or positions.shape[-1] != 3
-        or positions.dtype.kind not in "iuf"
-    ):
+    if positions.dtype.kind not in "iuf":
+        raise ValueError(f'its array "{found}" holds values that are not numbers')
+    if positions.ndim not in (2, 3) or positions.shape[-1] != 3:
         raise ValueError(
             f'its array "{found}" has the shape {positions.shape}, where positions are n rows (or '
             "frames of n rows) of 3 numbers"
