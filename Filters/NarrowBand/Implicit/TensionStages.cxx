@@ -177,8 +177,8 @@ void TakeValues(LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
         }
       }
     });
-  TellNeighbours(
-    table, set.Active, [&table](std::size_t i, auto& pass) { pass(table[i].Value, 512); });
+  TellNeighbours(table, set.Active,
+    [&table](std::size_t i, auto& pass) { PassRows(table[i].Value, table[i].Active, pass); });
 }
 
 }

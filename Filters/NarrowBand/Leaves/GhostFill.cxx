@@ -127,12 +127,18 @@ struct TakeLayer
   }
 };
 
-/** A pass that sets values; those beside these leaves are told. */
+/** A pass that sets values of its layer; those beside these leaves are told. */
 template <class Kernel>
 void SetValues(LeafTable& table, const LeafList& leaves, const Kernel& kernel)
 {
   ForEachLeaf(table, leaves, kernel);
-  TellNeighbours(table, leaves, [&table](std::size_t i, auto& pass) { pass(table[i].Value, 512); });
+  TellNeighbours(table, leaves,
+    [&table, &kernel](std::size_t i, auto& pass)
+    {
+      const BandLeaf& leaf = table[i];
+      PassRows(
+        leaf.Value, leaf.UpToLayer[kernel.Layer].Without(leaf.UpToLayer[kernel.Layer - 1]), pass);
+    });
 }
 
 // Three-point rays over three layers end up to nine nodes from what has moved.

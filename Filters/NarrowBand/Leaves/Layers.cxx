@@ -153,6 +153,22 @@ struct UseLayers
   }
 };
 
+/** The same in leaves of other ranks beside the own ones. */
+void DeactivateOthers(LeafTable& table, const LeafList& leaves)
+{
+  if (const LeafOwners* ranks = table.GetRanks())
+  {
+    for (const LeafList& others : ranks->GetBorders().Others)
+    {
+      for (const std::int32_t i : Intersection(others, leaves))
+      {
+        table[i].HoldsStaleValue = LeafMask::All();
+        DeactivateNodes(table, table[i]);
+      }
+    }
+  }
+}
+
 /** What all ranks have to know of leaves whose layers are new, and what those beside them read. */
 void TellLayers(LeafTable& table, const LeafList& leaves)
 {
@@ -173,10 +189,11 @@ void TellLayers(LeafTable& table, const LeafList& leaves)
   TellNeighbours(table, leaves,
     [&](std::size_t i, auto& pass)
     {
+      pass(&table[i].Active, 1);
       pass(table[i].Edge.data(), 3);
       pass(table[i].CrossingsBefore.data(), 3);
-      pass(table[i].Value, 512);
     });
+  DeactivateOthers(table, leaves);
 }
 
 /** New leaves change the layers around them, as far as the leaves next to them. */

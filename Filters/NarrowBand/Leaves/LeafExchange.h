@@ -17,10 +17,35 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 namespace activesurface
 {
+
+/** Passes the rows of a leaf's values in which some nodes are; ranks know which, of leaves beside
+ * their own. Rows are copied faster than nodes. */
+template <class Pass>
+void PassRows(float* values, const LeafMask& nodes, Pass& pass)
+{
+  int rows[64];
+  std::size_t count = 0;
+  for (int row = 0; row < 64; ++row)
+  {
+    rows[count] = 8 * row;
+    count += nodes.Row(row / 8, row % 8) != 0 ? 1 : 0;
+  }
+  float packed[512];
+  for (std::size_t k = 0; k < count && std::is_same_v<Pass, ByteWriter>; ++k)
+  {
+    std::copy_n(values + rows[k], 8, packed + 8 * k);
+  }
+  pass(packed, 8 * count);
+  for (std::size_t k = 0; k < count && std::is_same_v<Pass, ByteReader>; ++k)
+  {
+    std::copy_n(packed + 8 * k, 8, values + rows[k]);
+  }
+}
 
 /** Tells each rank its leaves of toEach; those in fromEach are what it is told by each. */
 template <class Visit>

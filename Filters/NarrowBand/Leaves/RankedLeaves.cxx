@@ -94,6 +94,7 @@ void RankedLeaves::TellBorders(LeafTable& table, const LeafBorders& borders)
       BandLeaf& leaf = table[i];
       pass(leaf.Value, 512);
       pass(&leaf.Inside, 1);
+      pass(&leaf.Active, 1);
       pass(leaf.UpToLayer.data(), leaf.UpToLayer.size());
       pass(leaf.Edge.data(), leaf.Edge.size());
       pass(leaf.CrossingsBefore.data(), leaf.CrossingsBefore.size());

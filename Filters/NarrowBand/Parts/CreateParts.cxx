@@ -186,7 +186,7 @@ bool CreateParts(
     Create(found, function, band);
   }
   report.CreatedParts += count;
-  report.TargetEvaluations += function.CountEvaluations();
+  report.TargetEvaluations += function.CountEvaluations() + found.CountEvaluationsOfOthers();
   return count > 0;
 }
 

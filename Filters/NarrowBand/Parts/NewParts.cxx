@@ -1,5 +1,6 @@
 #include "Parts/NewParts.h"
 
+#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafFaces.h"
 
 namespace activesurface
@@ -43,13 +44,14 @@ NewParts::NewParts(const PartSearch& search, const Target& target)
   PartSeeds seeds(search, this->Nodes);
   seeds.AddRegions(target);
   target.ForEachPart([&](const TargetPart& part) { seeds.AddPart(part); });
+  std::size_t evaluations = 0;
   for (std::size_t begin = 0; begin < this->Nodes.Size();)
   {
     const std::size_t end = this->Nodes.Size();
     RefuseManyLeaves(static_cast<double>(end), search.MaximumNumberOfActiveVoxels);
     this->Reached.resize(end);
     this->Inside.resize(end);
-    search.Target.ForEach(begin, end, [&](std::size_t i) { this->SampleLeaf(search, i); });
+    evaluations += this->SampleLeaves(search, begin, end);
     this->FindReached(begin);
     this->AddNext(begin, end);
     begin = end;
@@ -59,6 +61,29 @@ NewParts::NewParts(const PartSearch& search, const Target& target)
     this->Nodes[i].Nodes = this->Nodes[i].Nodes.Without(this->Reached[i]);
   }
   this->RemoveNarrowHollows(search.GetLeastSteps());
+  const auto own = static_cast<std::int64_t>(evaluations);
+  this->EvaluationsOfOthers =
+    static_cast<std::size_t>(SumOverRanks<1>(search.Skin, { own })[0] - own);
+}
+
+std::size_t NewParts::SampleLeaves(const PartSearch& search, std::size_t begin, std::size_t end)
+{
+  const std::size_t before = search.Target.CountEvaluations();
+  LeafOwners* ranks = search.Skin.GetRanks();
+  ShareResults(
+    ranks ? &ranks->GetAgreement() : nullptr, end - begin,
+    [&](std::size_t first, std::size_t last)
+    {
+      search.Target.ForEach(
+        begin + first, begin + last, [&](std::size_t i) { this->SampleLeaf(search, i); });
+    },
+    [&](std::size_t n, auto& pass)
+    {
+      pass(&this->Nodes[begin + n].Nodes, 1);
+      pass(&this->Reached[begin + n], 1);
+      pass(&this->Inside[begin + n], 1);
+    });
+  return search.Target.CountEvaluations() - before;
 }
 
 void NewParts::SampleLeaf(const PartSearch& search, std::size_t i)

@@ -251,7 +251,7 @@ void CommitStep(LeafTable& table, const ActiveSet& set, const SubstepBuffers& bu
   TellNeighbours(table, set.Active,
     [&](std::size_t i, auto& pass)
     {
-      pass(table[i].Value, 512);
+      PassRows(table[i].Value, table[i].Active, pass);
       pass(&table[i].Inside, 1);
     });
   table.ForEachOnAllRanks(set.Affected,
@@ -270,7 +270,9 @@ void ScalePotential(LeafTable& table, float factor)
       BandLeaf& leaf = table[i];
       leaf.UpToLayer[LastLayer].ForEach([&](int node) { leaf.Value[node] *= factor; });
     });
-  TellNeighbours(table, [&](std::size_t i, auto& pass) { pass(table[i].Value, 512); });
+  TellNeighbours(table,
+    [&](std::size_t i, auto& pass)
+    { PassRows(table[i].Value, table[i].UpToLayer[LastLayer], pass); });
 }
 
 }
