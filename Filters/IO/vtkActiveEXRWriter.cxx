@@ -44,14 +44,20 @@ vtkActiveEXRWriter::~vtkActiveEXRWriter()
 
 void vtkActiveEXRWriter::SetWorldToCamera(vtkMatrix4x4* matrix)
 {
-  this->Chosen->WorldToCamera = matrix;
-  this->Modified();
+  if (this->Chosen->WorldToCamera != matrix)
+  {
+    this->Chosen->WorldToCamera = matrix;
+    this->Modified();
+  }
 }
 
 void vtkActiveEXRWriter::SetWorldToNDC(vtkMatrix4x4* matrix)
 {
-  this->Chosen->WorldToNDC = matrix;
-  this->Modified();
+  if (this->Chosen->WorldToNDC != matrix)
+  {
+    this->Chosen->WorldToNDC = matrix;
+    this->Modified();
+  }
 }
 
 vtkMatrix4x4* vtkActiveEXRWriter::GetWorldToCamera()
@@ -291,6 +297,8 @@ void vtkActiveEXRWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DisplaySize: " << this->DisplaySize[0] << ", " << this->DisplaySize[1] << "\n";
   os << indent << "PixelAspectRatio: " << this->PixelAspectRatio << "\n";
   os << indent << "FramesPerSecond: " << this->FramesPerSecond << "\n";
+  os << indent << "WorldToCamera: " << this->GetWorldToCamera() << "\n";
+  os << indent << "WorldToNDC: " << this->GetWorldToNDC() << "\n";
   os << indent << "TimeCode: " << (this->TimeCode ? this->TimeCode : "(none)") << "\n";
   os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "on" : "off") << "\n";
   os << indent << "FrameNumber: " << this->FrameNumber << "\n";

@@ -376,14 +376,19 @@ std::string vtkActiveVDBReader::GetAllGridMetadata(int i)
 void vtkActiveVDBReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  for (const std::string& name : this->FileNames)
+  const auto list = [&os, indent](const char* title, const auto& values)
   {
-    os << indent << "FileName: " << name << "\n";
-  }
-  for (const std::string& name : this->GridNames)
-  {
-    os << indent << "GridName: " << name << "\n";
-  }
+    os << indent << title << ":";
+    for (const auto& value : values)
+    {
+      os << " " << value;
+    }
+    os << "\n";
+  };
+  list("FileName", this->FileNames);
+  list("GridName", this->GridNames);
+  list("IndexRegion", this->IndexRegion);
+  list("WorldRegion", this->WorldRegion);
   os << indent << "Region: " << this->Region << "\n"
      << indent << "DownsamplingFactor: " << this->DownsamplingFactor << "\n"
      << indent << "OutputDense: " << this->OutputDense << "\n"

@@ -277,6 +277,7 @@ void vtkGridPotential::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Input: " << this->GetInput() << "\n";
+  os << indent << "InputConnection: " << this->GetInputConnection() << "\n";
   os << indent << "ScalarArrayName: " << this->ScalarArrayName << "\n";
   os << indent << "IsoValue: " << this->IsoValue << "\n";
   os << indent << "InvertInside: " << (this->InvertInside ? "On" : "Off") << "\n";

@@ -279,6 +279,7 @@ void vtkSkeletonPotential::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const char* kernels[] = { "Wyvill", "CubicSpline", "Metaball" };
   os << indent << "Input: " << this->GetInput() << "\n";
+  os << indent << "InputConnection: " << this->GetInputConnection() << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "RadiusArrayName: " << this->RadiusArrayName << "\n";
   os << indent << "StrengthArrayName: " << this->StrengthArrayName << "\n";

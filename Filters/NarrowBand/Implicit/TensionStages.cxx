@@ -178,7 +178,7 @@ void TakeValues(LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
       }
     });
   TellNeighbours(table, set.Active,
-    [&table](std::size_t i, auto& pass) { PassRows(table[i].Value, table[i].Active, pass); });
+    [&table](std::size_t i, auto& pass) { PassNodes(table[i].Value, table[i].Active, pass); });
 }
 
 }

@@ -136,7 +136,7 @@ void SetValues(LeafTable& table, const LeafList& leaves, const Kernel& kernel)
     [&table, &kernel](std::size_t i, auto& pass)
     {
       const BandLeaf& leaf = table[i];
-      PassRows(
+      PassNodes(
         leaf.Value, leaf.UpToLayer[kernel.Layer].Without(leaf.UpToLayer[kernel.Layer - 1]), pass);
     });
 }

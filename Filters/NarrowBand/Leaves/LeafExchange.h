@@ -23,27 +23,20 @@
 namespace activesurface
 {
 
-/** Passes the rows of a leaf's values in which some nodes are; ranks know which, of leaves beside
- * their own. Rows are copied faster than nodes. */
+/** Passes the values of some nodes of a leaf; ranks know which, of leaves beside their own. */
 template <class Pass>
-void PassRows(float* values, const LeafMask& nodes, Pass& pass)
+void PassNodes(float* values, const LeafMask& nodes, Pass& pass)
 {
-  int rows[64];
-  std::size_t count = 0;
-  for (int row = 0; row < 64; ++row)
-  {
-    rows[count] = 8 * row;
-    count += nodes.Row(row / 8, row % 8) != 0 ? 1 : 0;
-  }
   float packed[512];
-  for (std::size_t k = 0; k < count && std::is_same_v<Pass, ByteWriter>; ++k)
+  float* next = packed;
+  if constexpr (std::is_same_v<Pass, ByteWriter>)
   {
-    std::copy_n(values + rows[k], 8, packed + 8 * k);
+    nodes.ForEach([&](int node) { *next++ = values[node]; });
   }
-  pass(packed, 8 * count);
-  for (std::size_t k = 0; k < count && std::is_same_v<Pass, ByteReader>; ++k)
+  pass(packed, static_cast<std::size_t>(nodes.Count()));
+  if constexpr (std::is_same_v<Pass, ByteReader>)
   {
-    std::copy_n(packed + 8 * k, 8, values + rows[k]);
+    nodes.ForEach([&](int node) { values[node] = *next++; });
   }
 }
 

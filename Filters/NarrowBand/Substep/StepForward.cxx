@@ -251,7 +251,7 @@ void CommitStep(LeafTable& table, const ActiveSet& set, const SubstepBuffers& bu
   TellNeighbours(table, set.Active,
     [&](std::size_t i, auto& pass)
     {
-      PassRows(table[i].Value, table[i].Active, pass);
+      PassNodes(table[i].Value, table[i].Active, pass);
       pass(&table[i].Inside, 1);
     });
   table.ForEachOnAllRanks(set.Affected,
@@ -272,7 +272,7 @@ void ScalePotential(LeafTable& table, float factor)
     });
   TellNeighbours(table,
     [&](std::size_t i, auto& pass)
-    { PassRows(table[i].Value, table[i].UpToLayer[LastLayer], pass); });
+    { PassNodes(table[i].Value, table[i].UpToLayer[LastLayer], pass); });
 }
 
 }

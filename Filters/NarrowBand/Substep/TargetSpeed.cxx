@@ -21,12 +21,12 @@ void TellSpeeds(
   TellNeighbours(table, leaves,
     [&](std::size_t i, auto& pass)
     {
-      PassRows(buffers.SpeedOf(i), table[i].Active, pass);
+      PassNodes(buffers.SpeedOf(i), table[i].Active, pass);
       pass(&buffers.Known[i], 1);
       pass(&buffers.NextKnown[i], 1);
       if (areWeighted)
       {
-        PassRows(buffers.WeightOf(i), table[i].Active, pass);
+        PassNodes(buffers.WeightOf(i), table[i].Active, pass);
       }
     });
 }

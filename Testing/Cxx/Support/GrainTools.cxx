@@ -70,14 +70,14 @@ void AddFloats(vtkPolyData* points, const char* name, int components, double val
   points->GetPointData()->AddArray(array);
 }
 
-Expected FindExpected(const std::vector<Grain>& grains, const double x[3])
+Expected FindExpected(const std::vector<Grain>& grains, const double x[3], KernelFormula kernel)
 {
   double sum = 0.0, weights = 0.0, largest = 0.0;
   Expected expected{ 0.0, -1 };
   for (const Grain& grain : grains)
   {
     const double q = std::hypot(x[0] - grain.X, x[1] - grain.Y, x[2] - grain.Z) / 0.3;
-    const double weight = q < 1.0 ? std::pow(1.0 - q * q, 3.0) : 0.0;
+    const double weight = q < 1.0 ? kernel(q) : 0.0;
     sum += weight * grain.Temperature;
     weights += weight;
     expected.Id = weight > largest ? grain.Id : expected.Id;

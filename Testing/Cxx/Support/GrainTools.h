@@ -11,6 +11,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -34,13 +35,21 @@ vtkSmartPointer<vtkPolyData> MakeCloud(const std::vector<Grain>& grains);
 /** Gives all points the same numbers. */
 void AddFloats(vtkPolyData* points, const char* name, int components, double value);
 
-/** What the skin has to have at x, by the formula of the kernel WYVILL. */
+/** A kernel of particles, of the distance over the reach, which is < 1. */
+using KernelFormula = double (*)(double);
+inline double Wyvill(double q)
+{
+  return std::pow(1.0 - q * q, 3.0);
+}
+
+/** What the skin has to have at x, by the formula of the kernel. */
 struct Expected
 {
   double Temperature;
   int Id;
 };
-Expected FindExpected(const std::vector<Grain>& grains, const double x[3]);
+Expected FindExpected(
+  const std::vector<Grain>& grains, const double x[3], KernelFormula kernel = Wyvill);
 
 /** All point arrays of the skin, one after the other. */
 std::string GetArrayBytes(vtkActiveImplicitSurface* filter);

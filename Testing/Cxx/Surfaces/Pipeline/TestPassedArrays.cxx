@@ -7,6 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSkeletonPotential.h"
 #include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
@@ -37,11 +38,21 @@ TEST(TestPassedArrays, AConstantStaysTheConstant)
   EXPECT_TRUE(arrays->GetScalars() == arrays->GetArray("temperature")) << "the active scalars too";
 }
 
-// The weights are the kernel's, by the formula 1 - (d/r)^2, cubed; the id is that of the largest.
-TEST(TestPassedArrays, AnAverageIsTheFormula)
+double CubicSpline(double q)
+{
+  return q <= .5 ? 1.0 - 6.0 * q * q * (1.0 - q) : 2.0 * std::pow(1.0 - q, 3.0);
+}
+
+double Metaball(double q)
+{
+  return q <= 1.0 / 3.0 ? 1.0 - 3.0 * q * q : 1.5 * (1.0 - q) * (1.0 - q);
+}
+
+void CheckAverages(int number, KernelFormula kernel)
 {
   const std::vector<Grain> grains = MakeBlob(0.0);
   auto filter = MakeSkinOver(MakeSource([grains](double) { return MakeCloud(grains); }));
+  filter->SetParticleKernel(number);
   filter->PassTargetArraysOn();
   filter->Update();
   vtkPolyData* skin = filter->GetOutput();
@@ -51,12 +62,21 @@ TEST(TestPassedArrays, AnAverageIsTheFormula)
   vtkIdType otherIds = 0;
   for (vtkIdType v = 0; v < skin->GetNumberOfPoints(); ++v)
   {
-    const Expected expected = FindExpected(grains, skin->GetPoint(v));
+    const Expected expected = FindExpected(grains, skin->GetPoint(v), kernel);
     worst = std::max(worst, std::fabs(temperatures->GetComponent(v, 0) - expected.Temperature));
     otherIds += ids->GetComponent(v, 0) != expected.Id ? 1 : 0;
   }
-  EXPECT_LT(worst, 1e-12) << "largest difference of the averages";
-  EXPECT_EQ(otherIds, vtkIdType(0)) << "points with another id";
+  EXPECT_GT(skin->GetNumberOfPoints(), vtkIdType(100)) << "points, kernel " << number;
+  EXPECT_LT(worst, 1e-12) << "largest difference of the averages, kernel " << number;
+  EXPECT_EQ(otherIds, vtkIdType(0)) << "points with another id, kernel " << number;
+}
+
+// The weights are the kernel's, by its formula; the id is that of the largest.
+TEST(TestPassedArrays, AnAverageIsTheFormula)
+{
+  CheckAverages(vtkSkeletonPotential::WYVILL, Wyvill);
+  CheckAverages(vtkSkeletonPotential::CUBIC_SPLINE, CubicSpline);
+  CheckAverages(vtkSkeletonPotential::METABALL, Metaball);
 }
 
 TEST(TestPassedArrays, TwoBallsKeepTheirOwn)
