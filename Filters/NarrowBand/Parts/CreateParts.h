@@ -22,7 +22,7 @@ struct GrowingBand
   PotentialTree& Tree;
   double VoxelSize;
   std::size_t MaximumNumberOfActiveVoxels;
-  std::function<void()> BeforeChange; //< may be none
+  std::function<void()> BeforeChange; //< or none; called on all ranks
 };
 
 /**
