@@ -9,7 +9,6 @@
 #include "Substep/ConvergedLeaves.h"
 #include "Substep/ExactControl.h"
 #include "Substep/FollowTarget.h"
-#include "Substep/PaperStep.h"
 #include "Substep/StepForward.h"
 #include "Substep/TargetSpeed.h"
 #include "Substep/WalledTarget.h"
@@ -56,11 +55,6 @@ void BandState::MakeEmpty()
   this->Leaves.Rebuild(this->Potential->tree());
   this->Crossings = 0;
   this->Paper = false;
-}
-
-float BandState::GetBackground() const
-{
-  return this->Paper ? PaperThreshold : Far;
 }
 
 void BandState::AdoptTree(const openvdb::FloatTree::Ptr& tree)
@@ -115,11 +109,6 @@ void BandState::SwitchScheme(const Motion& motion)
   this->RebuildBand(this->Set);
 }
 
-std::size_t BandState::CountActive() const
-{
-  return this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ActiveNodes; });
-}
-
 SkinMeasure BandState::Measure() const
 {
   const SkinMeasure skin = MeasureSkin(this->Leaves);
@@ -127,19 +116,10 @@ SkinMeasure BandState::Measure() const
   return { skin.Area * square, skin.Volume * square * this->VoxelSize };
 }
 
-void BandState::MoveTarget(const Motion& motion, Target& target, AdvanceReport& report)
-{
-  target.MoveTo(this->Time);
-  if (motion.CreateParts && target.HasRegions())
-  {
-    this->CreateParts(motion, target, report);
-  }
-}
-
 void BandState::CreateParts(const Motion& motion, const Target& target, AdvanceReport& report)
 {
   const GrowingBand band{ this->Leaves, this->Set, this->Potential->tree(), this->VoxelSize,
-    this->Maximum, {} };
+    this->Maximum, [this] { this->Backup.KeepAsTree(this->Leaves, this->Potential->tree()); } };
   if (activesurface::CreateParts(band, motion, target, report))
   {
     this->RebuildBand(this->Set);
@@ -154,11 +134,34 @@ TargetLimits BandState::FollowTarget(
     this->Set.ChooseAll(this->Leaves);
     return {};
   }
-  this->MoveTarget(motion, target, report);
-  const TargetLimits limits =
-    activesurface::FollowTarget(this->GetFollower(), motion, move.MaySkip, target, report);
-  move.IsSkipped = this->Set.Active.empty();
-  return limits;
+  target.MoveTo(this->Time);
+  this->Backup.Forget();
+  try
+  {
+    if (motion.CreateParts && target.HasRegions())
+    {
+      this->CreateParts(motion, target, report);
+    }
+    const TargetLimits limits =
+      activesurface::FollowTarget(this->GetFollower(), motion, move.MaySkip, target, report);
+    move.IsSkipped = this->Set.Active.empty();
+    return limits;
+  }
+  catch (...)
+  {
+    this->TakeBack();
+    throw;
+  }
+}
+
+/** What has been done since the backup. */
+void BandState::TakeBack()
+{
+  if (const auto before = this->Backup.Restore(this->Leaves, this->Potential->treePtr()))
+  {
+    this->Leaves = LeafTable(); // what it knows is of the substep that has failed
+    this->Restore(before);
+  }
 }
 
 FollowingBand BandState::GetFollower()
@@ -251,9 +254,7 @@ void BandState::MakeImplicitStep(
   }
   catch (...)
   {
-    const auto before = this->Backup.Restore(this->Leaves, this->Potential->treePtr());
-    this->Leaves = LeafTable(); // what it knows is of the substep that has failed
-    this->Restore(before);
+    this->TakeBack();
     throw;
   }
   move.Step = result.Length;

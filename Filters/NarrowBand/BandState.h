@@ -8,6 +8,7 @@
 #include "Leaves/ActiveSet.h"
 #include "Motion.h"
 #include "Substep/Displacement.h"
+#include "Substep/PaperStep.h"
 #include "Substep/SkinMeasure.h"
 #include "Substep/SteadyWindow.h"
 #include "Substep/SubstepBuffers.h"
@@ -38,7 +39,7 @@ struct BandState
   SubstepBuffers Buffers;
   Displacement Trace;
   SteadyWindow Window;
-  BandBackup Backup;          // of an implicit substep
+  BandBackup Backup;          // of an implicit substep, or of what was before new parts
   Agreement* Ranks = nullptr; // that advance the band together
 
   void MakeEmpty();
@@ -47,7 +48,7 @@ struct BandState
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
   /** The same; the ghosts too follow from the active nodes. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
-  float GetBackground() const;
+  float GetBackground() const { return this->Paper ? PaperThreshold : Far; }
   /** To be called before the first substep of a motion. */
   void Begin(const Motion& motion);
 
@@ -60,7 +61,10 @@ struct BandState
   void Confine(const Walls& walls, Obstacle* obstacle);
 
   void FinishFrame();
-  std::size_t CountActive() const;
+  std::size_t CountActive() const
+  {
+    return this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ActiveNodes; });
+  }
   /** Area and volume in world units. */
   SkinMeasure Measure() const;
 
@@ -76,8 +80,7 @@ private:
 
   TargetLimits FollowTarget(
     const Motion& motion, Target& target, AdvanceReport& report, Move& move);
-  /** To the time; parts of it that no skin reaches get a skin. */
-  void MoveTarget(const Motion& motion, Target& target, AdvanceReport& report);
+  void TakeBack();
   FollowingBand GetFollower();
   PenaltyForce FindForce(const Motion& motion) const;
   void MakeImplicitStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);

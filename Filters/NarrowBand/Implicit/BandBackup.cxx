@@ -17,6 +17,12 @@ void BandBackup::Save(const LeafTable& table)
   table.ForEach([&](std::size_t i) { std::copy_n(table[i].Value, 512, this->Values.Of(i)); });
 }
 
+void BandBackup::Forget()
+{
+  this->Tree.reset();
+  this->Size = 0;
+}
+
 void BandBackup::KeepAsTree(const LeafTable& table, const PotentialTree& tree)
 {
   if (this->Tree)
@@ -25,14 +31,17 @@ void BandBackup::KeepAsTree(const LeafTable& table, const PotentialTree& tree)
   }
   openvdb::FloatTree::Ptr copy;
   RunTogether(table, [&] { copy = std::make_shared<openvdb::FloatTree>(tree); });
-  this->WriteInto(*copy, table);
+  if (this->Size > 0)
+  {
+    this->WriteInto(*copy, table);
+  }
   this->Tree = copy;
 }
 
 openvdb::FloatTree::Ptr BandBackup::Restore(
   const LeafTable& table, const openvdb::FloatTree::Ptr& tree) const
 {
-  if (this->Tree)
+  if (this->Tree || this->Size == 0)
   {
     return this->Tree;
   }

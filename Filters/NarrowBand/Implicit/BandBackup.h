@@ -17,14 +17,16 @@ class BandBackup
 {
 public:
   void Save(const LeafTable& table);
+  /** Nothing is saved. */
+  void Forget();
 
   /** To be called, on all ranks, before LeafTable::Rebuild: what has been saved goes by the leaves'
-   * numbers. Changes nothing else. */
+   * numbers. Where nothing has been, the tree itself is kept, as it is. */
   void KeepAsTree(const LeafTable& table, const PotentialTree& tree);
 
-  /** The tree as it was: this one, if there is no other, with its values of then; leaves that have
-   * been added since are tiles again. The layers are left to the caller, as is the table, which may
-   * name leaves that are gone. */
+  /** The tree as it was, or null if nothing is saved: this one, if there is no other, with its
+   * values of then; leaves that have been added since are tiles again. The layers are left to the
+   * caller, as is the table, which may name leaves that are gone. */
   openvdb::FloatTree::Ptr Restore(
     const LeafTable& table, const openvdb::FloatTree::Ptr& tree) const;
 

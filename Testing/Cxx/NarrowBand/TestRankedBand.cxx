@@ -325,11 +325,12 @@ TEST(TestRankedBand, ASubstepThatFailsOnOneRankIsTakenByNone)
 
 TEST(TestRankedBand, ABirthBeforeAFailureIsTakenBackOnAll)
 {
-  Way way = MakeImplicit(MakeMovingBallsWay());
-  way.Law.Transport = 0.0; // else there is one substep
+  Way way = MakeMovingBallsWay();
+  way.Law.Transport = 0.0; // else there is one implicit substep
   way.Law.WeightedTension = true;
   way.Law.LongestStep = .05;
   CheckFailure(way, FailAfterBirth);
+  CheckFailure(MakeImplicit(way), FailAfterBirth);
 }
 
 // As where memory ended on one of them: nothing is better than a skin of which parts are old.
