@@ -5,8 +5,10 @@ import io
 import itertools
 import json
 import os
+import signal
 import subprocess
 import sys
+import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
@@ -298,11 +300,27 @@ class Progress(unittest.TestCase):
 
 
 class Program(unittest.TestCase):
-    def test_the_module_and_the_launcher_run(self):
+    def find_launcher(self):
         package = Path(active_implicit_surfaces.__file__).parents[1]
-        launcher = next(
-            p / "bin" / "active-surface" for p in package.parents if (p / "bin").is_dir()
-        )
+        folder = next(p / "bin" for p in package.parents if (p / "bin").is_dir())
+        return package, folder / "active-surface"
+
+    def test_an_interruption_while_vtk_is_loaded_is_no_traceback(self):
+        with tempfile.TemporaryDirectory() as folder:
+            stub = Path(folder) / "vtkmodules" / "__init__.py"  # a VTK at which Ctrl-C is pressed
+            stub.parent.mkdir()
+            stub.write_text("import os, signal\nos.kill(os.getpid(), signal.SIGINT)\n")
+            done = subprocess.run(
+                [self.find_launcher()[1], "--version"],
+                capture_output=True,
+                text=True,
+                env={**os.environ, "PYTHONPATH": folder},
+            )
+        self.assertEqual(done.returncode, -signal.SIGINT, done.stderr)
+        self.assertEqual(done.stderr + done.stdout, "")
+
+    def test_the_module_and_the_launcher_run(self):
+        package, launcher = self.find_launcher()
         for command in ([sys.executable, "-m", "active_implicit_surfaces"], [str(launcher)]):
             environment = {**os.environ, "PYTHONPATH": str(package)}
             if command[0] == str(launcher):
