@@ -119,7 +119,7 @@ SkinMeasure BandState::Measure() const
 void BandState::CreateParts(const Motion& motion, const Target& target, AdvanceReport& report)
 {
   const GrowingBand band{ this->Leaves, this->Set, this->Potential->tree(), this->VoxelSize,
-    this->Maximum, [this] { this->Backup.KeepAsTree(this->Leaves, this->Potential->tree()); } };
+    this->Maximum, this->Backup };
   if (activesurface::CreateParts(band, motion, target, report))
   {
     this->RebuildBand(this->Set);

@@ -4,8 +4,8 @@
 #ifndef BandState_h
 #define BandState_h
 
-#include "Implicit/BandBackup.h"
 #include "Leaves/ActiveSet.h"
+#include "Leaves/BandBackup.h"
 #include "Motion.h"
 #include "Substep/Displacement.h"
 #include "Substep/PaperStep.h"

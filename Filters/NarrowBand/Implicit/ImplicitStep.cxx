@@ -198,8 +198,7 @@ private:
     this->Source.MoveTo(
       this->Where.Time + (std::isfinite(length) ? this->Plan.GetSampleTime() * length : 0.0));
     const GrowingBand band{ this->Leaves, this->Set, this->Where.Band.Potential,
-      this->Where.Band.VoxelSize, this->Where.MaximumNumberOfActiveVoxels,
-      [this] { this->Where.Backup.KeepAsTree(this->Leaves, this->Where.Band.Potential); } };
+      this->Where.Band.VoxelSize, this->Where.MaximumNumberOfActiveVoxels, this->Where.Backup };
     if (this->Law.CreateParts && this->Source.HasRegions() &&
       CreateParts(band, this->Law, this->Source, this->Report))
     {

@@ -8,7 +8,7 @@
 #ifndef ImplicitStep_h
 #define ImplicitStep_h
 
-#include "Implicit/BandBackup.h"
+#include "Leaves/BandBackup.h"
 #include "Substep/FollowTarget.h"
 #include "Substep/StepForward.h"
 

@@ -159,10 +159,7 @@ void Create(const NewParts& found, const LatticeFunction& function, const Growin
     }
   };
   RunTogether(band.Leaves, findDistances); // before any rank changes its skin
-  if (band.BeforeChange)
-  {
-    band.BeforeChange();
-  }
+  band.Backup.KeepAsTree(band.Leaves, band.Tree);
   Join(parts, band.Tree, changed);
   Join(hollows, band.Tree, changed);
   band.Leaves.Rebuild(band.Tree);

@@ -5,11 +5,11 @@
 #define CreateParts_h
 
 #include "Leaves/ActiveSet.h"
+#include "Leaves/BandBackup.h"
 #include "Motion.h"
 #include "Target.h"
 
 #include <cstddef>
-#include <functional>
 
 namespace activesurface
 {
@@ -22,7 +22,7 @@ struct GrowingBand
   PotentialTree& Tree;
   double VoxelSize;
   std::size_t MaximumNumberOfActiveVoxels;
-  std::function<void()> BeforeChange; //< or none; called on all ranks
+  BandBackup& Backup; //< is to keep the band as a tree before it changes
 };
 
 /**

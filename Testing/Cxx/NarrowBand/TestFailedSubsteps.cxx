@@ -16,13 +16,6 @@ namespace
 {
 const double H = VoxelSizeOf(64);
 
-Motion MakeImplicit(double attraction, double tension)
-{
-  Motion motion = MakeMotion(attraction, tension);
-  motion.Integration = TimeIntegration::Implicit;
-  return motion;
-}
-
 /** Fails at the n-th evaluation. */
 FailingTarget::Rule FailAfter(int evaluations)
 {

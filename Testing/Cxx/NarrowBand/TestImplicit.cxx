@@ -20,13 +20,6 @@ namespace
 {
 const double H = VoxelSizeOf(64);
 
-Motion MakeImplicit(double attraction, double tension)
-{
-  Motion motion = MakeMotion(attraction, tension);
-  motion.Integration = TimeIntegration::Implicit;
-  return motion;
-}
-
 // A uniform speed of a target out of reach, twelve voxels in one substep: no clamp is a speed
 // limit. Tolerances of TestTracking.
 TEST(TestImplicit, OneSubstepGoesAsFarAsTheTargetSays)

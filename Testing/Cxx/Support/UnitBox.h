@@ -36,6 +36,13 @@ inline Motion MakeMotion(double attraction, double tension)
   motion.Tension = tension;
   return motion;
 }
+
+inline Motion MakeImplicit(double attraction, double tension)
+{
+  Motion motion = MakeMotion(attraction, tension);
+  motion.Integration = TimeIntegration::Implicit;
+  return motion;
+}
 }
 
 #endif

@@ -5,7 +5,7 @@
 #define BandBackup_h
 
 #include "Leaves/LeafTable.h"
-#include "Substep/SubstepBuffers.h"
+#include "Leaves/NodeArrays.h"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "Implicit/BandBackup.h"
+#include "Leaves/BandBackup.h"
 
 #include "Leaves/LeafExchange.h"
 
