@@ -52,7 +52,8 @@ struct VTKACTIVEPOTENTIALS_EXPORT MeshTriangles
 };
 
 // Points of equal coordinates become one, so that a soup of triangles is closed where it seems to
-// be. Concave polygons are cut well. Lines and vertices are passed over.
+// be. Concave polygons are cut well, quadrangles the same with any release of VTK. Lines and
+// vertices are passed over.
 VTKACTIVEPOTENTIALS_EXPORT MeshTriangles ReadTriangles(vtkPolyData* mesh);
 
 // Box of the polygons and strips, without broken ones, at a small part of the cost;

@@ -184,7 +184,8 @@ vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* data)
   {
     return MakePoints(table);
   }
-  if (auto tree = vtkDataObjectTree::SafeDownCast(data))
+  // Levels of refinement, which overlap, are a tree since VTK 9.6.
+  if (auto tree = vtkDataObjectTree::SafeDownCast(data); tree && !data->IsA("vtkUniformGridAMR"))
   {
     return JoinTree(tree);
   }

@@ -3,6 +3,8 @@
 #include "Potentials/MeshShapes.h"
 #include "Support/MessageCapture.h"
 
+#include "MeshTriangles.h"
+
 #include "vtkReverseSense.h"
 #include "vtkStripper.h"
 
@@ -144,6 +146,36 @@ TEST(TestMeshPotential, PolygonsMayBeConcave)
     EXPECT_NEAR(ValueAt(potential, { 0.4, 1.5, 0.5 }), -0.4, 1e-6) << "in an arm";
     EXPECT_NEAR(ValueAt(potential, { 1.5, 0.2, 0.5 }), -0.2, 1e-6) << "in the other";
   }
+}
+
+// As releases of VTK cut quadrangles along other diagonals.
+TEST(TestMeshPotential, QuadranglesAreCutAlongTheShorterDiagonalThatIsInside)
+{
+  using Corners = std::vector<Point>;
+  const auto isCutAlong = [](const Corners& places, vtkIdType from, vtkIdType to)
+  {
+    const MeshTriangles cut = ReadTriangles(MakeMesh(places, { { 0, 1, 2, 3 } }));
+    return cut.Origins.size() == 2 &&
+      std::all_of(cut.Origins.begin(), cut.Origins.end(),
+        [=](const MeshTriangles::Triangle& corners)
+        {
+          const auto has = [&corners](vtkIdType corner)
+          { return std::find(corners.begin(), corners.end(), corner) != corners.end(); };
+          return has(from) && has(to);
+        });
+  };
+  const Corners long02 = { { 0, 0, 0 }, { 1, .1, 0 }, { 2, 2, 0 }, { .1, 1, 0 } };
+  const Corners long13 = { { .1, 1, 0 }, { 0, 0, 0 }, { 1, .1, 0 }, { 2, 2, 0 } };
+  const Corners bent = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, .8 }, { 0, 1, 0 } };
+  const Corners square = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
+  const Corners notchAt2 = { { 0, 0, 0 }, { 3, .2, 0 }, { 2.8, 0, 0 }, { 3, -.2, 0 } };
+  const Corners notchAt1 = { { 3, -.2, 0 }, { 2.8, 0, 0 }, { 3, .2, 0 }, { 0, 0, 0 } };
+  EXPECT_TRUE(isCutAlong(long02, 1, 3)) << "1 to 3 is shorter";
+  EXPECT_TRUE(isCutAlong(long13, 0, 2)) << "0 to 2 is shorter";
+  EXPECT_TRUE(isCutAlong(bent, 1, 3)) << "1 to 3 is shorter, out of the plane";
+  EXPECT_TRUE(isCutAlong(square, 1, 3)) << "of two as long as each other, the second one";
+  EXPECT_TRUE(isCutAlong(notchAt2, 0, 2)) << "1 to 3 is shorter, but outside";
+  EXPECT_TRUE(isCutAlong(notchAt1, 1, 3)) << "0 to 2 is shorter, but outside";
 }
 
 TEST(TestMeshPotential, BodiesAreUnitedAndVoidsFilled)
