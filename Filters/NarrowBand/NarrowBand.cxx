@@ -3,10 +3,10 @@
 #include "Agreement.h"
 #include "BandState.h"
 #include "Leaves/LeafExchange.h"
-#include "Leaves/RankedLeaves.h"
 #include "Parts/NearbyStart.h"
 #include "Parts/SparseStart.h"
 #include "ReportSum.h"
+#include "SharedBand.h"
 #include "State/InitialShape.h"
 #include "State/PackedBand.h"
 #include "State/SavedTree.h"
@@ -251,7 +251,7 @@ AdvanceReport NarrowBand::Advance(
   }
   AdvanceReport report;
   const double begin = members.Time;
-  std::optional<RankedLeaves> ranked;
+  std::optional<SharedBand> shared;
   this->Run(
     [&]
     {
@@ -259,8 +259,8 @@ AdvanceReport NarrowBand::Advance(
       if (members.Ranks && !HasNodePoints(motion))
       {
         // Whoever has failed before tells it here: from now on all end together.
-        RunTogether(*members.Ranks, [&] { ranked.emplace(*members.Ranks, members.Leaves); });
-        members.Leaves.SetRanks(&*ranked);
+        RunTogether(*members.Ranks,
+          [&] { shared.emplace(*members.Ranks, members.Leaves, target, members.VoxelSize); });
       }
     });
   GoOn(*this, members, MayBegin(motion, target), report,

@@ -41,10 +41,35 @@ inline void SetStill(std::size_t count, const TargetResults& results)
   }
 }
 
+/** Where one of several ranks asks for a target, while they advance a band together. */
+class OwnPlaces
+{
+public:
+  OwnPlaces() = default;
+  OwnPlaces(const OwnPlaces&) = delete;
+  void operator=(const OwnPlaces&) = delete;
+  virtual ~OwnPlaces() = default;
+
+  /** Whether one of them may be in a box (xmin xmax ymin ymax zmin zmax), or nearly. Several
+   * threads may call it at once. */
+  virtual bool Touches(const double bounds[6]) const = 0;
+
+  /** Whether a place is one of them: every place is one of exactly one rank. The same for threads.
+   */
+  virtual bool Has(const double x[3]) const = 0;
+};
+
 class Target
 {
 public:
   virtual ~Target() = default;
+
+  /**
+   * From now on, this rank asks at its own places alone (null: everywhere, as before). A target of
+   * many elements may forget those that reach none of them. All ranks call it, and then MoveTo,
+   * together; MayHaveChanged has to be the same on all. The places are the caller's.
+   */
+  virtual void KeepNear(const OwnPlaces* places) noexcept { static_cast<void>(places); }
 
   /**
    * Sets the motion time of the next evaluations. Called by one thread, at the beginning of each
@@ -107,7 +132,8 @@ public:
 
   ///@{
   /** The same by sources, as particles are, each of any number of boxes: those of the sources from
-   * first to end - 1. Several threads may call it at once. */
+   * first to end - 1. Several threads may call it at once. After KeepNear, boxes that are sought at
+   * their centre may be left out where this is not an own place; the others may not. */
   virtual std::size_t CountRegionSources() const { return 0; }
   virtual void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const
   {

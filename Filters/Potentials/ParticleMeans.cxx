@@ -86,11 +86,11 @@ private:
   }
 };
 
-void ParticleMeans::Build(const std::vector<SkeletonVertex>& particles, const Carried& carried)
+void ParticleMeans::Build(
+  const std::vector<SkeletonVertex>& particles, const Carried& carried, double largestRadius)
 {
   this->Balls.clear();
   this->Numbers.clear();
-  double largestRadius = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     if (particles[i].Strength > 0.0)

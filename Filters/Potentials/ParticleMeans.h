@@ -26,8 +26,9 @@ public:
   };
 
   // Comes before the first evaluation. Vertices have to be usable; those of strength <= 0 add
-  // nothing. Keeps its memory. Throws as BallCells do.
-  void Build(const std::vector<SkeletonVertex>& particles, const Carried& carried);
+  // nothing. Keeps its memory. Throws as BallCells do. largestRadius: as of ParticlePotential.
+  void Build(const std::vector<SkeletonVertex>& particles, const Carried& carried,
+    double largestRadius = 0.0);
 
   // What the order of the sums is for: with another one all values may be off by rounding.
   double GetCellSize() const { return this->Near.GetCellSize(); }

@@ -275,18 +275,18 @@ private:
   }
 };
 
-void ParticlePotential::Build(
-  ParticleModel model, const std::vector<SkeletonVertex>& particles, const ParticleFits& fits)
+void ParticlePotential::Build(ParticleModel model, const std::vector<SkeletonVertex>& particles,
+  const ParticleFits& fits, double largestRadius)
 {
   this->Model = model;
+  this->LargestRadius = largestRadius; // steadier than the reaches of ellipsoids
   this->Numbers.clear();
-  double largestRadius = 0.0; // steadier than the reaches of ellipsoids
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     if (particles[i].Strength > 0.0)
     {
       this->Numbers.push_back(i);
-      largestRadius = std::max(largestRadius, particles[i].Radius);
+      this->LargestRadius = std::max(this->LargestRadius, particles[i].Radius);
     }
   }
   const bool isAnisotropic = model == ParticleModel::Anisotropic;
@@ -294,7 +294,7 @@ void ParticlePotential::Build(
   RunEach(this->Balls.size(),
     [&](std::size_t k)
     { this->Balls[k] = this->MakeBall(particles[this->Numbers[k]], fits[this->Numbers[k]]); });
-  this->Near.Build(this->Balls, (isAnisotropic ? UsualStretch : 1.0) * largestRadius);
+  this->Near.Build(this->Balls, (isAnisotropic ? UsualStretch : 1.0) * this->LargestRadius);
   this->Centres.resize(isAnisotropic ? 0 : this->Balls.size());
   this->Ellipsoids.resize(isAnisotropic ? this->Balls.size() : 0);
   RunEach(this->Balls.size(),

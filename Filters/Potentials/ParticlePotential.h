@@ -31,9 +31,10 @@ class VTKACTIVEPOTENTIALS_EXPORT ParticlePotential
 public:
   // Comes before the first evaluation; each particle has a fit. Those with a strength <= 0 add
   // nothing. Vertices have to be usable. Not for ParticleModel::Sum. Keeps its memory. Throws as
-  // BallCells do.
-  void Build(
-    ParticleModel model, const std::vector<SkeletonVertex>& particles, const ParticleFits& fits);
+  // BallCells do. largestRadius: of those that add something and of any others, which are too far
+  // away to be here; by it sums are in the same order, and F outside all reaches is the same.
+  void Build(ParticleModel model, const std::vector<SkeletonVertex>& particles,
+    const ParticleFits& fits, double largestRadius = 0.0);
 
   // No particles at all.
   void Clear() { this->Build(ParticleModel::AveragedCentre, {}, {}); }
@@ -55,7 +56,7 @@ public:
 
 private:
   // The value of AveragedCentre where no particle reaches.
-  double GetOutside() const { return this->Balls.empty() ? 0.5 : this->Near.GetLargestRadius(); }
+  double GetOutside() const { return this->LargestRadius > 0.0 ? this->LargestRadius : 0.5; }
 
   struct CentreElement
   {
@@ -89,6 +90,7 @@ private:
   static AnisotropicElement MakeEllipsoid(const SkeletonVertex& particle, const ParticleFit& fit);
 
   ParticleModel Model = ParticleModel::AveragedCentre;
+  double LargestRadius = 0.0;
   UnsetVector<CentreElement> Centres; // in the order of the cells, and so are the ellipsoids
   UnsetVector<AnisotropicElement> Ellipsoids;
   BallCells Near;

@@ -245,7 +245,7 @@ bool CarrySurface(const FollowingBand& band, const Motion& motion, double begin,
   band.Buffers.StageFirst.MakeRoom(count);
   CarriedValues carried{ leaves.GetOrigins(), band.Buffers.StageFirst, std::vector<LeafMask>(count),
     std::vector<char>(count) };
-  const DisplacementLattice lattice(leaves.GetOrigins(), displacements, band.Leaves.GetAgreement());
+  const DisplacementLattice lattice(leaves.GetOrigins(), displacements, band.Leaves.GetRanks());
   const CarryLeaf carry(band.Leaves, band.Potential, leaves, lattice, carried);
   CarryLeaves(band.Leaves, carry, carried);
   band.Set.Choose(band.Leaves, TakeValues(band, carried));

@@ -1,6 +1,6 @@
 #include "Implicit/DisplacementLattice.h"
 
-#include "SharedResults.h"
+#include "Leaves/LeafExchange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,16 +97,23 @@ void TargetDisplacements::Evaluate(
 }
 
 DisplacementLattice::DisplacementLattice(const std::vector<openvdb::Coord>& leaves,
-  const TargetDisplacements& displacements, Agreement* ranks)
+  const TargetDisplacements& displacements, LeafOwners* ranks)
 {
   this->AddPoints(leaves);
-  const auto evaluate = [&](std::size_t first, std::size_t end)
+  const auto ownerOf = [&](std::size_t n) { return ranks->FindOwner(this->Leaves[n].Leaf); };
+  displacements.ForEach(0, this->Leaves.size(),
+    [&](std::size_t n)
+    {
+      if (!ranks || ownerOf(n) == ranks->GetRank())
+      {
+        this->Evaluate(this->Leaves[n], displacements);
+      }
+    });
+  if (ranks)
   {
-    displacements.ForEach(
-      first, end, [&](std::size_t n) { this->Evaluate(this->Leaves[n], displacements); });
-  };
-  ShareResults(ranks, this->Leaves.size(), evaluate,
-    [this](std::size_t n, auto& pass) { pass(&this->Leaves[n].Displacements[0][0], 24); });
+    TellResults(*ranks, this->Leaves.size(), ownerOf,
+      [this](std::size_t n, auto& pass) { pass(&this->Leaves[n].Displacements[0][0], 24); });
+  }
 }
 
 /** A leaf wants its own points, and those on its upper sides, which are its neighbours' own. */

@@ -73,7 +73,7 @@ public:
   /** The points in and at these leaves (origins, ascending). ranks: those that share the work, or
    * null. */
   DisplacementLattice(const std::vector<openvdb::Coord>& leaves,
-    const TargetDisplacements& displacements, Agreement* ranks);
+    const TargetDisplacements& displacements, LeafOwners* ranks);
 
   /** One of the leaves. */
   void Interpolate(const openvdb::Coord& leaf, LeafDisplacements& values) const;

@@ -24,11 +24,11 @@ namespace activesurface
 {
 
 /** Passes the values of some nodes of a leaf; ranks know which, of leaves beside their own. */
-template <class Pass>
-void PassNodes(float* values, const LeafMask& nodes, Pass& pass)
+template <class Value, class Pass>
+void PassNodes(Value* values, const LeafMask& nodes, Pass& pass)
 {
-  float packed[512];
-  float* next = packed;
+  Value packed[512];
+  Value* next = packed;
   if constexpr (std::is_same_v<Pass, ByteWriter>)
   {
     nodes.ForEach([&](int node) { *next++ = values[node]; });
@@ -189,6 +189,13 @@ std::array<std::int64_t, Count> SumOverRanks(
     std::transform(sums.begin(), sums.end(), numbers.begin(), sums.begin(), std::plus<>());
   }
   return sums;
+}
+
+/** How many the other ranks have, who has so many itself. */
+inline std::size_t CountOfOthers(const LeafTable& table, std::size_t own)
+{
+  const auto count = static_cast<std::int64_t>(own);
+  return static_cast<std::size_t>(SumOverRanks<1>(table, { count })[0] - count);
 }
 
 }

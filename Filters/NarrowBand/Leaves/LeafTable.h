@@ -189,7 +189,6 @@ public:
    * of this table. */
   void SetRanks(LeafOwners* ranks) { this->Ranks = ranks; }
   LeafOwners* GetRanks() const { return this->Ranks; }
-  Agreement* GetAgreement() const { return this->Ranks ? &this->Ranks->GetAgreement() : nullptr; }
   bool IsOwn(std::size_t i) const { return !this->Ranks || this->Ranks->IsOwn(i); }
 
   /** Calls function(i) for every leaf, in parallel. */

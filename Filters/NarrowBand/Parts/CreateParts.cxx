@@ -138,7 +138,8 @@ void MarkChanged(const std::vector<openvdb::Coord>& origins, const NewBand& part
     });
 }
 
-void Create(const NewParts& found, const LatticeFunction& function, const GrowingBand& band)
+/** Returns at how many nodes other ranks have evaluated the function. */
+std::size_t Create(const NewParts& found, const LatticeFunction& function, const GrowingBand& band)
 {
   const NewBand parts(found, false), hollows(found, true);
   const std::size_t active =
@@ -148,15 +149,18 @@ void Create(const NewParts& found, const LatticeFunction& function, const Growin
     RefuseSize(band.MaximumNumberOfActiveVoxels);
   }
   std::vector<openvdb::Coord> changed;
+  const std::size_t evaluated = function.CountEvaluations();
+  std::size_t byOthers = 0;
   const auto findDistances = [&]
   {
     for (const NewBand* added : { &parts, &hollows })
     {
       if (added->Band)
       {
-        added->Band->FindDistances(function);
+        added->Band->FindDistances(function, band.Leaves.GetRanks());
       }
     }
+    byOthers = CountOfOthers(band.Leaves, function.CountEvaluations() - evaluated);
   };
   RunTogether(band.Leaves, findDistances); // before any rank changes its skin
   band.Backup.KeepAsTree(band.Leaves, band.Tree);
@@ -164,6 +168,7 @@ void Create(const NewParts& found, const LatticeFunction& function, const Growin
   Join(hollows, band.Tree, changed);
   band.Leaves.Rebuild(band.Tree);
   MarkChanged(changed, parts, hollows, band);
+  return byOthers;
 }
 
 }
@@ -177,13 +182,14 @@ bool CreateParts(
                          band.MaximumNumberOfActiveVoxels, FindLeastRadius(motion) },
     target);
   const std::size_t count = found.Count();
+  std::size_t byOthers = found.CountEvaluationsOfOthers();
   if (count > 0)
   {
     MakeValuesWhole(band.Leaves);
-    Create(found, function, band);
+    byOthers += Create(found, function, band);
   }
   report.CreatedParts += count;
-  report.TargetEvaluations += function.CountEvaluations() + found.CountEvaluationsOfOthers();
+  report.TargetEvaluations += function.CountEvaluations() + byOthers;
   return count > 0;
 }
 

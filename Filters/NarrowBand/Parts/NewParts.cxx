@@ -42,9 +42,8 @@ void Grow(const LeafSigns& nodes, LeafList waiting, std::vector<LeafMask>& grown
 NewParts::NewParts(const PartSearch& search, const Target& target)
 {
   PartSeeds seeds(search, this->Nodes);
-  seeds.AddRegions(target);
+  std::size_t evaluations = seeds.AddRegions(target);
   target.ForEachPart([&](const TargetPart& part) { seeds.AddPart(part); });
-  std::size_t evaluations = 0;
   for (std::size_t begin = 0; begin < this->Nodes.Size();)
   {
     const std::size_t end = this->Nodes.Size();
@@ -61,28 +60,33 @@ NewParts::NewParts(const PartSearch& search, const Target& target)
     this->Nodes[i].Nodes = this->Nodes[i].Nodes.Without(this->Reached[i]);
   }
   this->RemoveNarrowHollows(search.GetLeastSteps());
-  const auto own = static_cast<std::int64_t>(evaluations);
-  this->EvaluationsOfOthers =
-    static_cast<std::size_t>(SumOverRanks<1>(search.Skin, { own })[0] - own);
+  this->EvaluationsOfOthers = CountOfOthers(search.Skin, evaluations);
 }
 
 std::size_t NewParts::SampleLeaves(const PartSearch& search, std::size_t begin, std::size_t end)
 {
   const std::size_t before = search.Target.CountEvaluations();
   LeafOwners* ranks = search.Skin.GetRanks();
-  ShareResults(
-    ranks ? &ranks->GetAgreement() : nullptr, end - begin,
-    [&](std::size_t first, std::size_t last)
+  const auto ownerOf = [&](std::size_t i) { return ranks->FindOwner(this->Nodes[i].Origin); };
+  search.Target.ForEach(begin, end,
+    [&](std::size_t i)
     {
-      search.Target.ForEach(
-        begin + first, begin + last, [&](std::size_t i) { this->SampleLeaf(search, i); });
-    },
-    [&](std::size_t n, auto& pass)
-    {
-      pass(&this->Nodes[begin + n].Nodes, 1);
-      pass(&this->Reached[begin + n], 1);
-      pass(&this->Inside[begin + n], 1);
+      if (!ranks || ownerOf(i) == ranks->GetRank())
+      {
+        this->SampleLeaf(search, i);
+      }
     });
+  if (ranks)
+  {
+    TellResults(
+      *ranks, end - begin, [&](std::size_t n) { return ownerOf(begin + n); },
+      [&](std::size_t n, auto& pass)
+      {
+        pass(&this->Nodes[begin + n].Nodes, 1);
+        pass(&this->Reached[begin + n], 1);
+        pass(&this->Inside[begin + n], 1);
+      });
+  }
   return search.Target.CountEvaluations() - before;
 }
 

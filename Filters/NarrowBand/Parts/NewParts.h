@@ -39,7 +39,8 @@ public:
   std::size_t CountEvaluationsOfOthers() const { return this->EvaluationsOfOthers; }
 
 private:
-  /** From begin to end - 1; ranks share them. Returns the evaluations of this one. */
+  /** From begin to end - 1, each by the rank whose leaf it is. Returns the evaluations of this one.
+   */
   std::size_t SampleLeaves(const PartSearch& search, std::size_t begin, std::size_t end);
   void SampleLeaf(const PartSearch& search, std::size_t i);
   /** Of leaves from `first` on and those next to them. */

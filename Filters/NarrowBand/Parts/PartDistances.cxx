@@ -1,6 +1,7 @@
 #include "Parts/PartDistances.h"
 
 #include "Leaves/EikonalUpdate.h"
+#include "Leaves/LeafExchange.h"
 
 #include <algorithm>
 #include <array>
@@ -18,9 +19,9 @@ PartDistances::PartDistances(LeafTable& table)
 {
 }
 
-void PartDistances::Find(const LatticeFunction& function)
+void PartDistances::Find(const LatticeFunction& function, LeafOwners* ranks)
 {
-  function.ForEach(0, this->Table.Size(), [&](std::size_t i) { this->Sample(function, i); });
+  this->SampleAll(function, ranks);
   this->Table.ForEach([&](std::size_t i) { this->StartAtCrossings(i); });
   while (this->Extend())
   {
@@ -28,16 +29,37 @@ void PartDistances::Find(const LatticeFunction& function)
   this->Table.ForEach([&](std::size_t i) { this->UseFunction(i); });
 }
 
+void PartDistances::SampleAll(const LatticeFunction& function, LeafOwners* ranks)
+{
+  for (std::size_t i = 0; i < this->Table.Size(); ++i)
+  {
+    if (this->Table[i].UpToLayer[LastLayer].Any())
+    {
+      this->Function[i].reset(new double[512]);
+    }
+  }
+  const auto ownerOf = [&](std::size_t i) { return ranks->FindOwner(this->Table[i].Origin); };
+  function.ForEach(0, this->Table.Size(),
+    [&](std::size_t i)
+    {
+      if (this->Function[i] && (!ranks || ownerOf(i) == ranks->GetRank()))
+      {
+        this->Sample(function, i);
+      }
+    });
+  if (ranks)
+  {
+    TellResults(*ranks, this->Table.Size(), ownerOf,
+      [this](std::size_t i, auto& pass)
+      { PassNodes(this->Function[i].get(), this->Table[i].UpToLayer[LastLayer], pass); });
+  }
+}
+
 void PartDistances::Sample(const LatticeFunction& function, std::size_t i)
 {
   constexpr double most = 1e300; // so that differences are finite
   const BandLeaf& leaf = this->Table[i];
   const LeafMask& nodes = leaf.UpToLayer[LastLayer];
-  if (!nodes.Any())
-  {
-    return;
-  }
-  this->Function[i].reset(new double[512]);
   double* values = this->Function[i].get();
   function.Evaluate(leaf.Origin, nodes, values);
   nodes.ForEach(

@@ -1,6 +1,6 @@
 #include "Parts/PartSeeds.h"
 
-#include "SharedResults.h"
+#include "Leaves/LeafExchange.h"
 #include "State/LatticeBox.h"
 
 #include <tbb/parallel_for.h>
@@ -61,35 +61,40 @@ SkinLeaf::SkinLeaf(const PartSearch& search, const openvdb::Coord& origin)
                                               : &nothing;
 }
 
-void PartSeeds::AddRegions(const Target& target)
+std::size_t PartSeeds::AddRegions(const Target& target)
+{
+  const std::size_t before = this->Search.Target.CountEvaluations();
+  const Candidates found = this->LookAtAll(target);
+  for (const TargetRegion& box : found.Boxes)
+  {
+    this->Leaves.AddRegion(
+      box, this->Search.VoxelSize, nullptr, this->Search.MaximumNumberOfActiveVoxels);
+  }
+  for (const openvdb::Coord& leaf : this->TellLeaves(this->FindLeaves(found.Centres)))
+  {
+    this->Leaves.Add(leaf);
+  }
+  return this->Search.Target.CountEvaluations() - before;
+}
+
+PartSeeds::Candidates PartSeeds::LookAtAll(const Target& target) const
 {
   constexpr std::size_t atOnce = 4096;
   const std::size_t sources = target.CountRegionSources();
   std::vector<Candidates> found((sources + atOnce - 1) / atOnce);
-  const auto look = [&](std::size_t i)
-  {
-    target.VisitRegions(i * atOnce, std::min((i + 1) * atOnce, sources),
-      [&](const TargetRegion& region) { this->Look(region, found[i]); });
-  };
-  ShareResults(
-    this->Search.Skin.GetAgreement(), found.size(),
-    [&look](std::size_t first, std::size_t end) { tbb::parallel_for(first, end, look); },
-    [&found](std::size_t i, auto& pass)
+  tbb::parallel_for(std::size_t(0), found.size(),
+    [&](std::size_t i)
     {
-      PassVector(found[i].Boxes, pass);
-      PassVector(found[i].Centres, pass);
+      target.VisitRegions(i * atOnce, std::min((i + 1) * atOnce, sources),
+        [&](const TargetRegion& region) { this->Look(region, found[i]); });
     });
-  Nodes centres;
+  Candidates all;
   for (const Candidates& some : found)
   {
-    for (const TargetRegion& box : some.Boxes)
-    {
-      this->Leaves.AddRegion(
-        box, this->Search.VoxelSize, nullptr, this->Search.MaximumNumberOfActiveVoxels);
-    }
-    centres.insert(centres.end(), some.Centres.begin(), some.Centres.end());
+    all.Boxes.insert(all.Boxes.end(), some.Boxes.begin(), some.Boxes.end());
+    all.Centres.insert(all.Centres.end(), some.Centres.begin(), some.Centres.end());
   }
-  this->AddCentres(centres);
+  return all;
 }
 
 void PartSeeds::Look(const TargetRegion& region, Candidates& found) const
@@ -99,7 +104,7 @@ void PartSeeds::Look(const TargetRegion& region, Candidates& found) const
   {
     found.Boxes.push_back(region);
   }
-  else if (FindCentre(region, this->Search.VoxelSize, node))
+  else if (FindCentre(region, this->Search.VoxelSize, node) && this->IsOwn(OriginOfLeaf(node)))
   {
     const SkinLeaf skin(this->Search, OriginOfLeaf(node));
     const bool isInside = skin.Inside->Has(NumberInLeaf(node));
@@ -112,17 +117,46 @@ void PartSeeds::Look(const TargetRegion& region, Candidates& found) const
   }
 }
 
-void PartSeeds::AddCentres(const Nodes& centres)
+bool PartSeeds::IsOwn(const openvdb::Coord& leaf) const
+{
+  const LeafOwners* ranks = this->Search.Skin.GetRanks();
+  return !ranks || ranks->FindOwner(leaf) == ranks->GetRank();
+}
+
+PartSeeds::Nodes PartSeeds::FindLeaves(const Nodes& centres) const
 {
   std::vector<double> values;
   this->Search.Target.Evaluate(centres, values);
+  Nodes leaves;
   for (std::size_t i = 0; i < centres.size(); ++i)
   {
     if (Differs(values[i], this->IsInside(centres[i])))
     {
-      this->Leaves.Add(OriginOfLeaf(centres[i]));
+      leaves.push_back(OriginOfLeaf(centres[i]));
     }
   }
+  return leaves;
+}
+
+PartSeeds::Nodes PartSeeds::TellLeaves(const Nodes& own) const
+{
+  Nodes all = own;
+  if (LeafOwners* ranks = this->Search.Skin.GetRanks())
+  {
+    std::vector<Nodes> ofRanks(static_cast<std::size_t>(ranks->GetSize()));
+    ofRanks[static_cast<std::size_t>(ranks->GetRank())] = own;
+    TellResults(
+      *ranks, ofRanks.size(), [](std::size_t rank) { return static_cast<int>(rank); },
+      [&ofRanks](std::size_t rank, auto& pass) { PassVector(ofRanks[rank], pass); });
+    all.clear();
+    for (const Nodes& some : ofRanks)
+    {
+      all.insert(all.end(), some.begin(), some.end());
+    }
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
 }
 
 bool PartSeeds::IsInside(const openvdb::Coord& node) const

@@ -55,7 +55,9 @@ public:
   {
   }
 
-  void AddRegions(const Target& target);
+  /** Ranks look where leaves are their own. Returns at how many nodes this one has evaluated the
+   * target. */
+  std::size_t AddRegions(const Target& target);
 
   void AddPart(const TargetPart& part);
 
@@ -70,8 +72,13 @@ private:
     Nodes Centres;
   };
 
+  Candidates LookAtAll(const Target& target) const;
   void Look(const TargetRegion& region, Candidates& found) const;
-  void AddCentres(const Nodes& centres);
+  bool IsOwn(const openvdb::Coord& leaf) const;
+  /** The leaves of those at which the target differs from the skin. */
+  Nodes FindLeaves(const Nodes& centres) const;
+  /** Of all ranks, ascending. */
+  Nodes TellLeaves(const Nodes& own) const;
   bool IsInside(const openvdb::Coord& node) const;
   Nodes FindMissing(const Nodes& nodes, bool areHollow) const;
   bool IsWide(const openvdb::Coord& node, bool isHollow) const;

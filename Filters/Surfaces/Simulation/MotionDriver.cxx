@@ -191,6 +191,10 @@ AdvanceReport MotionDriver::AdvanceOrArrive(NarrowBand& band, int step, MotionTi
 void MotionDriver::PrepareArrival(NarrowBand& band, int step, const Motion& motion)
 {
   PotentialTarget& target = this->Shapes.GetTarget();
+  if (MovingTarget* moving = this->Shapes.GetMovingTarget())
+  {
+    moving->Complete();
+  }
   const double* bounds = this->Shapes.FindDomain()->Bounds;
   if (motion.CreateParts && band.GetTime() == 0.0)
   {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace activesurface
 {
@@ -11,10 +12,19 @@ namespace
 
 constexpr int MostCells = 64; // along an axis
 
-// Cells about half as wide as the boxes are: a box is marked in a few.
-int FindSide(double extent, double width)
+// Cells about half as wide as the boxes are: a box is marked in a few. By a sum of integers, which
+// is the same in any order of the boxes.
+int FindSide(const std::vector<ChangedRegion::Box>& boxes, int axis, double extent)
 {
-  const double side = 2.0 * extent / width;
+  constexpr double parts = 1 << 20; // of the extent
+  std::int64_t widths = 0;
+  for (const ChangedRegion::Box& box : boxes)
+  {
+    const double share = (box[2 * axis + 1] - box[2 * axis]) / extent;
+    widths += std::llround(parts * (share < 1.0 ? share : 1.0)); // also where it is not a number
+  }
+  const double side =
+    2.0 * parts * double(boxes.size()) / double(std::max<std::int64_t>(widths, 1));
   return side >= 1.0 ? static_cast<int>(std::min(side, double(MostCells))) : 1;
 }
 
@@ -65,18 +75,13 @@ void ChangedRegion::Set(const std::vector<Box>& boxes)
     return;
   }
   this->Bounds = boxes[0];
-  std::array<double, 3> width{};
   for (const Box& box : boxes)
   {
     this->Bounds = Join(this->Bounds, box);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      width[axis] += (box[2 * axis + 1] - box[2 * axis]) / double(boxes.size());
-    }
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->Side[axis] = FindSide(this->Bounds[2 * axis + 1] - this->Bounds[2 * axis], width[axis]);
+    this->Side[axis] = FindSide(boxes, axis, this->Bounds[2 * axis + 1] - this->Bounds[2 * axis]);
   }
   this->Cells.assign(this->Side[0] * this->Side[1] * this->Side[2], 0);
   for (const Box& box : boxes)

@@ -1,15 +1,22 @@
 #include "Targets/MovingTarget.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace activesurface
 {
 
 void MovingTarget::MoveAlong(int step, double begin, double end)
 {
+  this->Way = step;
   this->Begin = begin;
   this->End = end;
-  this->HasJumped = this->PlaceOnce(step, 0.0) || this->HasJumped;
+  if (!this->IsAt(step, 0.0))
+  {
+    this->Step = -1;
+    this->HasJumped = true;
+    this->ForgetPlace();
+  }
 }
 
 void MovingTarget::MoveTo(double time)
@@ -20,6 +27,10 @@ void MovingTarget::MoveTo(double time)
 
 void MovingTarget::Complete()
 {
+  if (!this->IsPlaced)
+  {
+    this->PlaceOnce(this->Step == this->Way ? this->Fraction : 0.0);
+  }
   if (!this->IsFinished)
   {
     this->Finish();
@@ -31,7 +42,7 @@ void MovingTarget::MoveVelocitiesTo(double time)
 {
   const double length = this->End - this->Begin;
   const double fraction = length > 0.0 ? (time - this->Begin) / length : 0.0;
-  const bool placed = this->PlaceOnce(this->Step, std::min(std::max(fraction, 0.0), 1.0));
+  const bool placed = this->PlaceOnce(std::min(std::max(fraction, 0.0), 1.0));
   this->Recent = this->HasJumped ? Change::Everything
     : placed                     ? Change::LastPlace
                                  : Change::Nothing;
@@ -49,19 +60,28 @@ bool MovingTarget::HasChangedIn(const double[6]) const
   return true;
 }
 
-bool MovingTarget::PlaceOnce(int step, double fraction)
+bool MovingTarget::IsAt(int step, double fraction) const
 {
   const bool hasSameWay = !this->DependsOnDuration() || this->PlacedDuration == this->GetDuration();
-  if (step == this->Step && fraction == this->Fraction && hasSameWay)
+  return step == this->Step && fraction == this->Fraction && hasSameWay;
+}
+
+// Whether it was elsewhere.
+bool MovingTarget::PlaceOnce(double fraction)
+{
+  const bool moves = !this->IsAt(this->Way, fraction);
+  if (moves || !this->IsPlaced)
   {
-    return false;
+    this->PlacedDuration = this->GetDuration();
+    this->Step = this->Way;
+    this->Fraction = fraction;
+    this->ForgetPlace();
+    const bool hasJumped = std::exchange(this->HasJumped, true); // where the next line fails
+    this->Place(this->Step, fraction);
+    this->HasJumped = hasJumped;
+    this->IsPlaced = true;
   }
-  this->PlacedDuration = this->GetDuration();
-  this->Step = step;
-  this->Fraction = fraction;
-  this->IsFinished = false;
-  this->Place(step, fraction);
-  return true;
+  return moves;
 }
 
 }

@@ -17,7 +17,7 @@ public:
   // Without a next step, or if end = begin, it stays.
   void MoveAlong(int step, double begin, double end);
 
-  // Comes between MoveAlong and an evaluation before the first MoveTo.
+  // Comes between MoveAlong or KeepNear and an evaluation before the first MoveTo.
   void Complete();
 
   void MoveTo(double time) override;
@@ -27,6 +27,9 @@ public:
 protected:
   // At a fraction in [0,1] of the way from this step to the next. EvaluateVelocities may follow.
   virtual void Place(int step, double fraction) = 0;
+
+  // What has been placed is to be placed again, the same.
+  void ForgetPlace() { this->IsPlaced = this->IsFinished = false; }
 
   // The rest of it, for all other evaluations: once after a Place, or not at all.
   virtual void Finish() {}
@@ -48,12 +51,15 @@ private:
     Everything
   };
 
-  bool PlaceOnce(int step, double fraction);
+  bool IsAt(int step, double fraction) const;
+  bool PlaceOnce(double fraction);
 
-  int Step = -1;
+  int Way = -1; // the step that it begins at
   double Begin = 0.0;
   double End = 0.0;
+  int Step = -1; // where it is, or is to be placed again; -1: nowhere
   double Fraction = 0.0;
+  bool IsPlaced = false;
   double PlacedDuration = 0.0;        // when it was placed
   bool HasJumped = true;              // other than by MoveTo
   Change Recent = Change::Everything; // with the last MoveTo

@@ -1,9 +1,8 @@
 #include "Targets/ParticleTarget.h"
 
-#include "ParallelTasks.h"
+#include "SharedResults.h"
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 namespace activesurface
@@ -12,38 +11,54 @@ namespace activesurface
 namespace
 {
 
-bool IsSameVertex(const SkeletonVertex& a, const SkeletonVertex& b)
+// On a rank, of what it counts.
+struct Facts
 {
-  return std::equal(a.Position, a.Position + 3, b.Position) && a.Radius == b.Radius &&
-    a.Strength == b.Strength;
-}
+  PlacedCounts Counts;
+  double LargestRadius;
+};
 
-bool IsSameFit(const ParticleFit& a, const ParticleFit& b)
+Facts AddFacts(Agreement& ranks, const Facts& own)
 {
-  return a.Bulk == b.Bulk && a.OwnRadius == b.OwnRadius && a.Strength == b.Strength &&
-    a.Reach == b.Reach && std::equal(a.Offset, a.Offset + 3, b.Offset) &&
-    std::equal(a.Metric, a.Metric + 6, b.Metric);
-}
-
-// Unknown ones are alike.
-bool IsSameVelocity(const double* a, const double* b)
-{
-  return std::equal(a, a + 3, b, [](double u, double v) { return u == v || (u != u && v != v); });
-}
-
-ChangedRegion::Box SupportOf(const PlacedParticles& placed, std::size_t i)
-{
-  const SkeletonVertex& particle = placed.Particles[i];
-  const bool hasFit = !placed.Fits.empty();
-  const double reach = hasFit ? std::max(particle.Radius, placed.Fits[i].Reach) : particle.Radius;
-  ChangedRegion::Box box;
-  for (int axis = 0; axis < 3; ++axis)
+  Bytes bytes;
+  ByteWriter{ bytes }(&own, 1);
+  Facts all{};
+  for (const Bytes& of : ranks.Exchange(bytes))
   {
-    const double offset = hasFit ? placed.Fits[i].Offset[axis] : 0.0;
-    box[2 * axis] = particle.Position[axis] + std::min(offset, 0.0) - reach;
-    box[2 * axis + 1] = particle.Position[axis] + std::max(offset, 0.0) + reach;
+    Facts facts;
+    ByteReader{ of }(&facts, 1);
+    all.Counts.Before += facts.Counts.Before;
+    all.Counts.After += facts.Counts.After;
+    all.Counts.Changed += facts.Counts.Changed;
+    all.LargestRadius = std::max(all.LargestRadius, facts.LargestRadius);
   }
-  return box;
+  return all;
+}
+
+std::vector<ChangedRegion::Box> AddBoxes(
+  Agreement& ranks, const std::vector<ChangedRegion::Box>& own)
+{
+  Bytes bytes;
+  ByteWriter{ bytes }(own.data(), own.size());
+  std::vector<ChangedRegion::Box> all;
+  for (const Bytes& of : ranks.Exchange(bytes))
+  {
+    const std::size_t before = all.size();
+    all.resize(before + of.size() / sizeof(ChangedRegion::Box));
+    ByteReader{ of }(all.data() + before, all.size() - before);
+  }
+  return all;
+}
+
+// Of those that add something.
+double FindLargestRadius(const std::vector<SkeletonVertex>& particles)
+{
+  double largest = 0.0;
+  for (const SkeletonVertex& particle : particles)
+  {
+    largest = particle.Strength > 0.0 ? std::max(largest, particle.Radius) : largest;
+  }
+  return largest;
 }
 
 // Where a hollow is, if the particle is at the side of one: a spacing from it or, where its surface
@@ -73,23 +88,53 @@ ParticleTarget::ParticleTarget(const TargetFrames& frames, const ShapeOptions& o
 {
 }
 
+void ParticleTarget::KeepNear(const OwnPlaces* places) noexcept
+{
+  this->Places = places;
+  this->StepOfNear = -1;
+  this->ForgetPlace();
+}
+
+ParticleWay ParticleTarget::GetWay(int step) const
+{
+  return this->Options.Carries && this->Options.Level.Noise > 0.0
+    ? this->Frames.GetWayWithoutNoise(step, this->Options.Ranks)
+    : this->Frames.GetWay(step);
+}
+
 void ParticleTarget::Place(int step, double fraction)
 {
   PlacedNeeds needs;
   needs.Fits = this->Options.WantsFits();
   needs.Velocities = this->Options.Carries;
   needs.Duration = this->GetDuration();
-  needs.LeavesNoise = this->Options.Level.Noise > 0.0;
-  needs.Ranks = this->Options.Ranks;
+  const ParticleWay whole = this->GetWay(step);
+  if (this->Places && this->StepOfNear != step)
+  {
+    this->ChooseNear(whole, step);
+  }
   std::swap(this->Previous, this->Now);
-  this->Frames.PlaceParticles(step, fraction, needs, this->Now);
+  PlaceParticles(this->Places ? this->Near.GetWay() : whole, fraction, needs, this->Now);
   this->FindChanged();
   if (this->Options.Carries || (this->IsSum() && this->Options.WantsBulks()))
   {
     const double before = this->Means.GetCellSize();
-    this->Means.Build(this->Now.Particles, { this->Now.Velocities, this->Now.Fits });
+    this->Means.Build(
+      this->Now.Particles, { this->Now.Velocities, this->Now.Fits }, this->LargestRadius);
     this->NoteCells(before, this->Means.GetCellSize());
   }
+}
+
+// Leaves nothing of the placements before, whose origins were others.
+void ParticleTarget::ChooseNear(const ParticleWay& whole, int step)
+{
+  this->StepOfNear = -1;
+  this->Now = this->Previous = PlacedParticles();
+  this->Means = ParticleMeans();
+  this->Body = ParticlePotential();
+  this->Elements = Skeleton();
+  this->Near.Choose(whole, *this->Places);
+  this->StepOfNear = step;
 }
 
 void ParticleTarget::Finish()
@@ -105,7 +150,7 @@ void ParticleTarget::Finish()
     return;
   }
   const double before = this->Body.GetCellSize();
-  this->Body.Build(this->Options.Model, this->Now.Particles, this->Now.Fits);
+  this->Body.Build(this->Options.Model, this->Now.Particles, this->Now.Fits, this->LargestRadius);
   this->NoteCells(before, this->Body.GetCellSize());
 }
 
@@ -118,61 +163,21 @@ void ParticleTarget::NoteCells(double before, double now)
   }
 }
 
-bool ParticleTarget::IsSame(std::size_t i) const
-{
-  const PlacedParticles& then = this->Previous;
-  const PlacedParticles& now = this->Now;
-  return i < then.Particles.size() && i < now.Particles.size() &&
-    IsSameVertex(then.Particles[i], now.Particles[i]) &&
-    (now.Fits.empty() || IsSameFit(then.Fits[i], now.Fits[i])) &&
-    (now.Velocities.empty() ||
-      IsSameVelocity(then.Velocities.data() + 3 * i, now.Velocities.data() + 3 * i));
-}
-
 // Sums depend on the particles in reach alone: where these are the same, so are the sums.
 void ParticleTarget::FindChanged()
 {
-  const std::size_t before = this->Previous.Particles.size(), now = this->Now.Particles.size();
-  const std::size_t all = std::max(before, now);
-  this->ChangedSupports.clear();
-  if (this->CountChanged(all) > all / 4)
+  const PlacedChanges changes(this->Previous, this->Now, this->FindNear());
+  Facts facts{ changes.Count(), FindLargestRadius(this->Now.Particles) };
+  facts = this->Places ? AddFacts(*this->Options.Ranks, facts) : facts;
+  this->LargestRadius = facts.LargestRadius;
+  const std::size_t all = std::max(facts.Counts.Before, facts.Counts.After);
+  if (facts.Counts.Changed > all / 4)
   {
     this->Changed.SetEverywhere(); // to look closer would not pay
     return;
   }
-  for (std::size_t i = 0; i < all; ++i)
-  {
-    if (this->IsSame(i))
-    {
-      continue;
-    }
-    if (i < before)
-    {
-      this->ChangedSupports.push_back(SupportOf(this->Previous, i));
-    }
-    if (i < now)
-    {
-      this->ChangedSupports.push_back(SupportOf(this->Now, i));
-    }
-  }
-  this->Changed.Set(this->ChangedSupports);
-}
-
-std::size_t ParticleTarget::CountChanged(std::size_t all) const
-{
-  constexpr std::size_t inPiece = 4096;
-  std::atomic<std::size_t> changed{ 0 };
-  RunPieces(all, inPiece,
-    [&](std::size_t begin, std::size_t end)
-    {
-      std::size_t own = 0;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        own += this->IsSame(i) ? 0 : 1;
-      }
-      changed.fetch_add(own, std::memory_order_relaxed);
-    });
-  return changed;
+  const std::vector<ChangedRegion::Box> supports = changes.ListSupports();
+  this->Changed.Set(this->Places ? AddBoxes(*this->Options.Ranks, supports) : supports);
 }
 
 void ParticleTarget::VisitRegions(

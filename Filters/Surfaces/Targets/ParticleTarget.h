@@ -12,6 +12,8 @@
 #include "Skeleton.h"
 #include "Targets/ChangedRegion.h"
 #include "Targets/MovingTarget.h"
+#include "Targets/NearParticles.h"
+#include "Targets/PlacedChanges.h"
 #include "Targets/ShapeOptions.h"
 #include "Targets/TargetFrames.h"
 
@@ -27,6 +29,7 @@ public:
   // want them.
   ParticleTarget(const TargetFrames& frames, const ShapeOptions& options);
 
+  void KeepNear(const OwnPlaces* places) noexcept override;
   void EvaluateVelocities(
     std::size_t count, const double* points, double* velocities) const override;
   bool HasRegions() const override { return true; }
@@ -48,20 +51,24 @@ protected:
 
 private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
+  ParticleWay GetWay(int step) const;
+  const NearParticles* FindNear() const { return this->Places ? &this->Near : nullptr; }
+  void ChooseNear(const ParticleWay& whole, int step);
   void FindChanged();
   void NoteCells(double before, double now);
-  bool IsSame(std::size_t i) const;
-  std::size_t CountChanged(std::size_t all) const;
 
   const TargetFrames& Frames;
   const ShapeOptions Options;
+  const OwnPlaces* Places = nullptr; // of this rank; null: everywhere
+  NearParticles Near;                // if there are places, of a step
+  int StepOfNear = -1;               // -1: of none
   PlacedParticles Now;
   PlacedParticles Previous;
-  std::vector<ChangedRegion::Box> ChangedSupports;
-  ChangedRegion Changed;  // from Previous to Now
-  Skeleton Elements;      // of a sum
-  ParticlePotential Body; // of the other models
-  ParticleMeans Means;    // if the target tells its velocity, or a sum its bulk
+  double LargestRadius = 0.0; // of those of Now that add something, on all ranks
+  ChangedRegion Changed;      // from Previous to Now
+  Skeleton Elements;          // of a sum
+  ParticlePotential Body;     // of the other models
+  ParticleMeans Means;        // if the target tells its velocity, or a sum its bulk
 };
 
 }

@@ -17,19 +17,6 @@ const ParticleFrame& ParticlesOf(const InputShape* shape)
   return particles ? *particles : none;
 }
 
-// Births have no velocity.
-void LeaveNoise(const std::vector<double>& shares, PlacedParticles& placed)
-{
-  for (std::size_t i = 0; i < placed.Origins.size(); ++i)
-  {
-    const std::size_t earlier = placed.Origins[i].Earlier;
-    for (int axis = 0; axis < 3 && earlier != NoPartner; ++axis)
-    {
-      placed.Velocities[3 * i + axis] *= shares[earlier];
-    }
-  }
-}
-
 }
 
 void TargetFrames::Clear()
@@ -95,40 +82,19 @@ const ParticleMatches* TargetFrames::FindMatches(int step) const
   return this->Has(step) && this->Has(step + 1) ? &this->Matches : nullptr;
 }
 
-void TargetFrames::PlaceParticles(
-  int step, double fraction, const PlacedNeeds& needs, PlacedParticles& placed) const
+ParticleWay TargetFrames::GetWay(int step) const
 {
-  const ParticleFrame& earlier = this->GetParticles(step);
-  const ParticleMatches* matches = this->FindMatches(step);
-  placed.Fits.clear();
-  placed.Velocities.clear();
-  if (fraction == 0.0 || !matches)
-  {
-    placed.Particles = earlier.Particles;
-    FindOriginsOfEarlier(placed.Particles.size(), matches, placed.Origins);
-    if (needs.Fits)
-    {
-      placed.Fits = earlier.Fits;
-    }
-  }
-  else
-  {
-    const ParticleFrame& later = this->GetParticles(step + 1);
-    InterpolateParticles(earlier, later, *matches, fraction, placed.Particles, &placed.Origins);
-    if (needs.Fits)
-    {
-      InterpolateFits(earlier, later, fraction, placed.Origins, placed.Fits);
-    }
-  }
-  if (needs.Velocities)
-  {
-    const ParticleFrame* later = matches ? &this->GetParticles(step + 1) : nullptr;
-    FindMotion(&earlier, later, needs.Duration, placed.Origins, placed.Velocities);
-    if (later && needs.LeavesNoise)
-    {
-      LeaveNoise(this->GetSharesOfMotion(needs.Ranks), placed);
-    }
-  }
+  ParticleWay way{ &this->GetParticles(step) };
+  way.Matches = this->FindMatches(step);
+  way.Later = way.Matches ? &this->GetParticles(step + 1) : nullptr;
+  return way;
+}
+
+ParticleWay TargetFrames::GetWayWithoutNoise(int step, Agreement* ranks) const
+{
+  ParticleWay way = this->GetWay(step);
+  way.SharesOfMotion = way.Later ? &this->GetSharesOfMotion(ranks) : nullptr;
+  return way;
 }
 
 // They have no unit: a motion that takes twice as long has the same ones.

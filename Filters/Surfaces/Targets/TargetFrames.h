@@ -4,7 +4,7 @@
 #define TargetFrames_h
 
 #include "Targets/InputShape.h"
-#include "Targets/ParticleMatches.h"
+#include "Targets/ParticleWay.h"
 
 #include <memory>
 #include <string>
@@ -12,25 +12,6 @@
 
 namespace activesurface
 {
-
-// What is to be known of particles besides where they are.
-struct PlacedNeeds
-{
-  bool Fits = false;
-  bool Velocities = false;
-  double Duration = 0.0;      // of the way from the step to the next one [motion time]; 0: none
-  bool LeavesNoise = false;   // velocities without their noise, see MotionNoise.h; needs fits
-  Agreement* Ranks = nullptr; // that place the same particles together, or null
-};
-
-struct PlacedParticles
-{
-  std::vector<SkeletonVertex> Particles;
-  ParticleFits Fits;              // of each, or empty
-  std::vector<double> Velocities; // of each, x y z, NaN for unknown; or empty
-
-  std::vector<ParticleOrigin> Origins; // kept for its memory
-};
 
 class TargetFrames
 {
@@ -49,11 +30,12 @@ public:
   const ParticleFrame& GetParticles(int step) const;
   vtkImplicitFunction* GetFunction(int step) const;
 
-  // The particles at a fraction in [0,1] of the way from a step to the next one, see
-  // ParticleMatches.h; those of the step itself, in their order, at 0 and as long as the next one
-  // is not held.
-  void PlaceParticles(
-    int step, double fraction, const PlacedNeeds& needs, PlacedParticles& placed) const;
+  // From a step to the next one, as long as no step is added.
+  ParticleWay GetWay(int step) const;
+
+  // The same, on which velocities are without their noise, see MotionNoise.h: needs fits. ranks:
+  // those that look at the same particles together, or null.
+  ParticleWay GetWayWithoutNoise(int step, Agreement* ranks) const;
 
   // Of the particles of a step and those of the next one; null if not both are held.
   const ParticleMatches* FindMatches(int step) const;

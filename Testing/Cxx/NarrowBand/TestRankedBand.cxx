@@ -2,6 +2,7 @@
 // number of them and any motion.
 
 #include "Support/AnalyticShapes.h"
+#include "Support/CheckedTarget.h"
 #include "Support/FailingTarget.h"
 #include "Support/SurfaceMeasures.h"
 #include "Support/ThreadRanks.h"
@@ -85,7 +86,10 @@ void CheckOnRanks(const Way& way)
       {
         Band band = MakeBand(way);
         band->SetRanks(&ranks);
-        Go(*band, way, *way.MakeTarget());
+        CheckedTarget target(way.MakeTarget());
+        Go(*band, way, target);
+        EXPECT_EQ(target.CountAstray(), 0u) << "points near a rank's own leaves, " << way.Name;
+        EXPECT_EQ(target.CountNear() > 0, way.Law.Attraction > 0.0) << way.Name;
         bands[static_cast<std::size_t>(ranks.GetRank())] = std::move(band);
       });
     for (int rank = 0; rank < size; ++rank)

@@ -62,7 +62,7 @@ struct Way
   std::vector<SkeletonVertex> PlaceAt(double fraction)
   {
     PlacedParticles placed;
-    this->Frames.PlaceParticles(0, fraction, {}, placed);
+    PlaceParticles(this->Frames.GetWay(0), fraction, {}, placed);
     return placed.Particles;
   }
 
@@ -324,11 +324,11 @@ TEST(TestBirths, PlacingKeepsItsMemory)
   Random random(9);
   Way way(MakeFrame(MakeCloud(random, 100, 0)), MakeFrame(MakeCloud(random, 100, 50)));
   PlacedParticles placed;
-  way.Frames.PlaceParticles(0, 0.5, {}, placed);
+  PlaceParticles(way.Frames.GetWay(0), 0.5, {}, placed);
   const SkeletonVertex* memory = placed.Particles.data();
   for (const double f : Fractions)
   {
-    way.Frames.PlaceParticles(0, f, {}, placed);
+    PlaceParticles(way.Frames.GetWay(0), f, {}, placed);
     EXPECT_TRUE(placed.Particles.data() == memory) << "the same memory";
   }
 }

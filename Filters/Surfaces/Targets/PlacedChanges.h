@@ -1,0 +1,61 @@
+// What changes from one placement of particles on their way to the next.
+
+#ifndef PlacedChanges_h
+#define PlacedChanges_h
+
+#include "Targets/ChangedRegion.h"
+#include "Targets/NearParticles.h"
+#include "Targets/ParticleWay.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace activesurface
+{
+
+// The box in which a particle adds something.
+ChangedRegion::Box SupportOf(const PlacedParticles& placed, std::size_t i);
+
+// Of particles, in each placement.
+struct PlacedCounts
+{
+  std::size_t Before = 0;
+  std::size_t After = 0;
+  std::size_t Changed = 0;
+};
+
+class PlacedChanges
+{
+public:
+  // All are the caller's. near: of a rank, whose own ones are counted alone; or null.
+  PlacedChanges(const PlacedParticles& then, const PlacedParticles& now, const NearParticles* near);
+
+  PlacedCounts Count() const;
+
+  // Of those that have changed, before and after.
+  std::vector<ChangedRegion::Box> ListSupports() const;
+
+private:
+  // The same particle in both, or NoPartner.
+  struct Pair
+  {
+    std::size_t Then;
+    std::size_t Now;
+  };
+
+  void FindPairs();
+  std::size_t CountOf(const PlacedParticles& placed) const;
+  std::size_t CountPairs() const;
+  Pair PairAt(std::size_t n) const { return this->Pairs.empty() ? Pair{ n, n } : this->Pairs[n]; }
+  bool IsCounted(const Pair& pair) const;
+  bool IsSame(const Pair& pair) const;
+
+  const PlacedParticles& Before;
+  const PlacedParticles& After;
+  const NearParticles* Near;
+  std::vector<Pair> Pairs; // empty where both hold the same ones
+};
+
+}
+
+#endif

@@ -1,0 +1,212 @@
+// Particles on ranks: each keeps those that reach its own places, and there tells the same bytes as
+// one process does.
+
+#include "Support/SkeletonShapes.h"
+#include "Support/ThreadRanks.h"
+
+#include "ParticleFit.h"
+#include "Targets/ParticleShape.h"
+#include "Targets/ParticleTarget.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace activesurface;
+
+namespace
+{
+
+constexpr double Spacing = 0.1;
+
+// The box is shared by ranks in layers along x.
+class Layers : public OwnPlaces
+{
+public:
+  Layers(int rank, int size)
+    : Low(rank == 0 ? -HUGE_VAL : -1.0 + 2.0 * rank / size)
+    , High(rank + 1 == size ? HUGE_VAL : -1.0 + 2.0 * (rank + 1) / size)
+  {
+  }
+
+  bool Touches(const double bounds[6]) const override
+  {
+    return bounds[0] < this->High && bounds[1] >= this->Low;
+  }
+  bool Has(const double x[3]) const override { return x[0] >= this->Low && x[0] < this->High; }
+
+private:
+  double Low, High;
+};
+
+struct Case
+{
+  std::string Name;
+  ParticleModel Model;
+  bool Moves;
+};
+
+// A body, a few of which are born and die, of which all or a few move; of any radii.
+ParticleFrame MakeFrame(const Case& wanted, int step)
+{
+  ParticleFrame frame;
+  frame.HasIds = frame.HasRadii = true;
+  Random random(7);
+  for (int i = 0; i < 3000; ++i)
+  {
+    const Point place = { random.Between(-0.9, 0.9), random.Between(-0.3, 0.3),
+      random.Between(-0.3, 0.3) };
+    const double size = random.Between(0.8, 1.4);
+    const bool isMoved = wanted.Moves || i < 40;
+    const double way = step > 0 && isMoved ? 0.3 * std::sin(3.0 * place[1] + i % 7) : 0.0;
+    if (i % 50 == (step > 0 ? 1 : 2))
+    {
+      continue;
+    }
+    frame.Particles.push_back({ { place[0] + way, place[1], place[2] - 0.1 * way },
+      size * GetReachPerSpacing(wanted.Model) * Spacing, 1.0 });
+    frame.Ids.push_back(i);
+  }
+  FitOptions fit;
+  fit.Model = wanted.Model;
+  frame.Fits = FitParticles(fit, frame.Particles);
+  return frame;
+}
+
+ShapeOptions MakeOptions(const Case& wanted, Agreement* ranks)
+{
+  ShapeOptions options;
+  options.Model = wanted.Model;
+  options.Carries = options.WeighsTension = options.OpensHollows = true;
+  options.Level.Reach = 3.0 * Spacing;
+  options.Level.Noise = 0.1 * Spacing;
+  options.Ranks = ranks;
+  return options;
+}
+
+// What a target tells, at places and in boxes, while it moves.
+struct Told
+{
+  std::vector<double> Numbers; // at all places, at each time
+  std::vector<bool> Changes;   // of all boxes, at each time
+  std::vector<std::size_t> Sources;
+};
+
+const double Times[] = { 0.0, 0.3, 0.300001, 0.7, 1.0 };
+constexpr int CountOfPlaces = 400;
+
+Told Ask(const Case& wanted, Agreement* ranks, const OwnPlaces* places)
+{
+  TargetFrames frames;
+  for (const int step : { 0, 1 })
+  {
+    frames.Add(step, std::make_shared<ParticleShape>(MakeFrame(wanted, step)));
+  }
+  ParticleTarget target(frames, MakeOptions(wanted, ranks));
+  target.MoveAlong(0, 0.0, 1.0);
+  target.KeepNear(places);
+  Told told;
+  for (const double time : Times)
+  {
+    Random random(3);
+    target.MoveTo(time);
+    told.Sources.push_back(target.CountRegionSources());
+    for (int n = 0; n < CountOfPlaces; ++n)
+    {
+      const Point x = { random.Between(-1.1, 1.1), random.Between(-0.5, 0.5),
+        random.Between(-0.5, 0.5) };
+      std::array<double, 6> numbers{};
+      if (!places || places->Has(x.data()))
+      {
+        target.Evaluate(1, x.data(), { &numbers[0], &numbers[1], &numbers[2], &numbers[5] });
+      }
+      told.Numbers.insert(told.Numbers.end(), numbers.begin(), numbers.end());
+      const double box[] = { x[0], x[0] + 0.05, x[1], x[1] + 0.05, x[2], x[2] + 0.05 };
+      told.Changes.push_back(target.MayHaveChanged(box));
+    }
+  }
+  return told;
+}
+
+bool AreSame(const double* a, const double* b)
+{
+  return std::memcmp(a, b, 6 * sizeof(double)) == 0;
+}
+
+void CheckOnRanks(const Case& wanted, int size)
+{
+  const std::string name = wanted.Name + ", " + std::to_string(size) + " ranks";
+  const Told alone = Ask(wanted, nullptr, nullptr);
+  std::vector<Told> ofRanks(static_cast<std::size_t>(size));
+  RunOnRanks(size,
+    [&](Agreement& ranks)
+    {
+      const Layers own(ranks.GetRank(), size);
+      ofRanks[static_cast<std::size_t>(ranks.GetRank())] = Ask(wanted, &ranks, &own);
+    });
+  std::size_t told = 0, different = 0;
+  const double nothing[6] = {};
+  for (const Told& rank : ofRanks)
+  {
+    for (std::size_t n = 0; n < alone.Numbers.size(); n += 6)
+    {
+      const bool isTold = !AreSame(&rank.Numbers[n], nothing);
+      told += isTold;
+      different += isTold && !AreSame(&rank.Numbers[n], &alone.Numbers[n]);
+    }
+    EXPECT_EQ(rank.Changes, alone.Changes) << "where something has changed, " << name;
+    EXPECT_LT(rank.Sources[1], alone.Sources[1]) << "particles, " << name;
+    EXPECT_GT(rank.Sources[1], 0u) << "particles, " << name;
+  }
+  EXPECT_EQ(told, std::size(Times) * CountOfPlaces) << "each place is one rank's, " << name;
+  EXPECT_EQ(different, 0u) << "values, slopes, velocities and weights, " << name;
+}
+
+}
+
+TEST(TestNearParticles, RanksTellTheSameBytesAtTheirOwnPlaces)
+{
+  for (const int size : { 2, 3 })
+  {
+    for (const bool moves : { true, false })
+    {
+      const std::string all = moves ? ", all move" : ", some move";
+      CheckOnRanks({ "sum" + all, ParticleModel::Sum, moves }, size);
+      CheckOnRanks({ "averaged centres" + all, ParticleModel::AveragedCentre, moves }, size);
+      CheckOnRanks({ "anisotropic" + all, ParticleModel::Anisotropic, moves }, size);
+    }
+  }
+}
+
+// Between two updates it is asked anywhere again.
+TEST(TestNearParticles, WhatIsForgottenComesBack)
+{
+  const Case wanted{ "anisotropic", ParticleModel::Anisotropic, true };
+  RunOnRanks(2,
+    [&](Agreement& ranks)
+    {
+      TargetFrames frames;
+      for (const int step : { 0, 1 })
+      {
+        frames.Add(step, std::make_shared<ParticleShape>(MakeFrame(wanted, step)));
+      }
+      ParticleTarget target(frames, MakeOptions(wanted, &ranks));
+      target.MoveAlong(0, 0.0, 1.0);
+      target.MoveTo(0.5);
+      const std::size_t all = target.CountRegionSources();
+      const Layers own(ranks.GetRank(), 2);
+      target.KeepNear(&own);
+      target.MoveTo(0.5);
+      EXPECT_LT(target.CountRegionSources(), all);
+      target.KeepNear(nullptr);
+      target.MoveTo(0.5);
+      EXPECT_EQ(target.CountRegionSources(), all);
+    });
+}
