@@ -16,12 +16,13 @@ Layers, as point arrays of the image that capture() returns, and their channels 
     id       id, UINT           1 for the renderer's first actor, 2 for its second and so on; 0
                                 where nothing is
 
-Z and P are of the depth buffer, so of everything opaque. N, forward and id are of the surfaces of
-actors whose mapper has a data set (vtkPolyDataMapper, vtkDataSetMapper) or blocks of them, as those
-of ParaView: these are rendered again, without lights, with the values in place of colors. What is
-translucent is in the picture only. Layers are sampled at the pixels' centers; only the picture is
-antialiased. It has the 8 bits of the window, alpha is the window's too (0 on a background whose
-BackgroundAlpha is 0, if the window has AlphaBitPlanes).
+Z and P are of the depth buffer, so of everything opaque in the renderer; what other renderers draw
+over it is in the picture only. N, forward and id are of the surfaces of actors whose mapper has a
+data set (vtkPolyDataMapper, vtkDataSetMapper) or blocks of them, as those of ParaView: these are
+rendered again, without lights, with the values in place of colors. What is translucent is in the
+picture only. Layers are sampled at the pixels' centers; only the picture is antialiased. It has the
+8 bits of the window, alpha is the window's too (0 on a background whose BackgroundAlpha is 0, if
+the window has AlphaBitPlanes).
 """
 
 from __future__ import annotations

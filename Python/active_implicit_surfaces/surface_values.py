@@ -39,14 +39,34 @@ def surface_values(window: Any, renderer: Any, velocity: Any) -> Any:
     samples = window.GetMultiSamples()
     window.SetMultiSamples(0)
     try:
+        depth = _render_depth(window, renderer)
+        values = _render_values(window, renderer, _stand_in(renderer, velocity))
+    finally:
+        window.SetMultiSamples(samples)
+    return depth, values
+
+
+def _render_depth(window: Any, renderer: Any) -> Any:
+    """The depth buffer without the renderers drawn after this one, which clear it where they are.
+
+    ParaView's axes and its widget of the camera's orientation have such ones, shown or not.
+    """
+    later = [
+        other
+        for other in window.GetRenderers()
+        if other is not renderer and other.GetDraw() and other.GetLayer() >= renderer.GetLayer()
+    ]
+    for other in later:
+        other.DrawOff()
+    try:
         window.Render()
         size = window.GetSize()
         depth = vtkFloatArray()
         window.GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depth)
-        values = _render_values(window, renderer, _stand_in(renderer, velocity))
     finally:
-        window.SetMultiSamples(samples)
-    return vtk_to_numpy(depth).astype(float), values
+        for other in later:
+            other.DrawOn()
+    return vtk_to_numpy(depth).astype(float)
 
 
 def _stand_in(renderer: Any, velocity: Any) -> Any:

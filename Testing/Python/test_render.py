@@ -302,6 +302,28 @@ class Layers(unittest.TestCase):
         for name, numbers in first.items():
             self.assertTrue((numbers == again[name]).all(), name)
 
+    def test_renderers_drawn_later_leave_the_layers_alone(self):
+        alone = layers_of(render.capture(window_with(self.moved_ball())))
+        for layer in (0, 1):
+            with self.subTest(layer=layer):
+                window = window_with(self.moved_ball())
+                window.SetNumberOfLayers(2)
+                over = vtkRenderer()
+                over.SetLayer(layer)
+                over.SetViewport(0.5, 0.0, 1.0, 1.0)
+                over.AddActor(floor_actor())
+                undrawn = vtkRenderer()
+                undrawn.SetLayer(layer)
+                undrawn.DrawOff()
+                window.AddRenderer(over)
+                window.AddRenderer(undrawn)
+                layers = layers_of(render.capture(window))
+                self.assertFalse((layers["RGBA"] == alone["RGBA"]).all(), "it is in the picture")
+                for name in set(layers) - {"RGBA"}:
+                    self.assertTrue((layers[name] == alone[name]).all(), name)
+                draws = [renderer.GetDraw() for renderer in window.GetRenderers()]
+                self.assertEqual(draws, [1, 1, 0])
+
     def test_an_empty_window_is_far_away(self):
         layers = layers_of(render.capture(window_with()))
         self.assertTrue((layers["Z"] == numpy.float32(render.FAR)).all())
