@@ -15,6 +15,7 @@
 #include "vtkActivePotentialsModule.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -136,7 +137,7 @@ private:
   BlockTable Blocks;
   std::vector<Index> Starts; // of the balls of each cell of each block, z fastest, and the ends
   UnsetVector<Index> Order;
-  UnsetVector<float> Columns[4]; // of the balls in their order: x y z in the block, radius^2
+  std::array<UnsetVector<float>, 4> Columns; // of the balls in their order: x y z in the block, r^2
 
   // Of Build, kept for their memory.
   UnsetVector<std::size_t> Slots; // of the balls
