@@ -23,7 +23,7 @@ public:
   {
   }
 
-  /** Also for a box of very many leaves. */
+  /** True for a box of very many leaves, at which it does not look closely. */
   bool Touches(const double bounds[6]) const override;
   bool Has(const double x[3]) const override;
 

@@ -137,6 +137,17 @@ void ShareResults(Agreement* ranks, std::size_t count, Make&& make, Visit&& visi
   }
 }
 
+/** What each rank has, by rank; visit(value, pass) names what it is. */
+template <class Value, class Visit>
+std::vector<Value> GatherResults(Agreement& ranks, const Value& own, Visit&& visit)
+{
+  std::vector<Value> all(static_cast<std::size_t>(ranks.GetSize()));
+  ShareResults(
+    &ranks, all.size(), [&](std::size_t rank, std::size_t) { all[rank] = own; },
+    [&](std::size_t rank, auto& pass) { visit(all[rank], pass); });
+  return all;
+}
+
 }
 
 #endif

@@ -1,11 +1,11 @@
 #include "MeshTriangles.h"
 
+#include "PolygonCutter.h"
+
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,33 +58,6 @@ bool FindPoint(vtkPolyData* mesh, vtkIdType id, Point& point)
   return exists && IsUsable(point);
 }
 
-Point Between(const Point& from, const Point& to)
-{
-  return { to[0] - from[0], to[1] - from[1], to[2] - from[2] };
-}
-
-double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double SquareBetween(const Point& a, const Point& b)
-{
-  return Dot(Between(a, b), Between(a, b));
-}
-
-Point Cross(const Point& a, const Point& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-// > 0 if the triangles abc and acd look to one side.
-double SideOf(const Point& a, const Point& b, const Point& c, const Point& d)
-{
-  const Point middle = Between(a, c);
-  return Dot(Cross(Between(a, b), middle), Cross(middle, Between(a, d)));
-}
-
 class Reader
 {
 public:
@@ -100,8 +73,6 @@ private:
   bool Take(vtkIdList* ids);
   vtkIdType Merge(vtkIdType id);
   void Cut();
-  void CutQuadrangle();
-  bool CutByVTK();
   void AddTriangle(std::size_t a, std::size_t b, std::size_t c);
   void AddEdges();
 
@@ -110,16 +81,14 @@ private:
   Polygon Corners; // of the polygon being read
   Polygon Origins; // of the corners, in the mesh
   std::vector<Edge> Edges;
-  vtkNew<vtkPolygon> Cutter;
-  vtkNew<vtkIdList> Pieces;
-  vtkNew<vtkPoints> PiecePoints;
+  std::vector<Point> Places; // of the corners
+  PolygonCutter Cutter;
 };
 
 Reader::Reader(vtkPolyData* mesh)
   : Mesh(mesh)
 {
   this->Known.reserve(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
-  this->Cutter->GetPoints()->SetDataTypeToDouble();
 }
 
 // The number of the point with these coordinates, or -1 if it is of no use.
@@ -212,64 +181,17 @@ void Reader::AddEdges()
   }
 }
 
-// Polygons may be concave. What cannot be cut well becomes a fan: the mesh stays closed.
 void Reader::Cut()
 {
-  const std::size_t count = this->Corners.size();
-  if (count == 4)
+  this->Places.clear();
+  for (const vtkIdType corner : this->Corners)
   {
-    this->CutQuadrangle();
+    this->Places.push_back(this->Result.Points[corner]);
   }
-  else if (count == 3 || !this->CutByVTK())
+  for (const PolygonCutter::Triangle& corners : this->Cutter.Cut(this->Places))
   {
-    for (std::size_t i = 2; i < count; ++i)
-    {
-      this->AddTriangle(0, i - 1, i);
-    }
+    this->AddTriangle(corners[0], corners[1], corners[2]);
   }
-}
-
-// Releases of VTK choose other diagonals. Here it is the one whose triangles look to one side; of
-// two, the shorter one; of two as long as each other, the second one.
-void Reader::CutQuadrangle()
-{
-  const auto at = [this](std::size_t corner) -> const Point&
-  { return this->Result.Points[this->Corners[corner]]; };
-  const double first = SideOf(at(0), at(1), at(2), at(3)),
-               second = SideOf(at(1), at(2), at(3), at(0));
-  const bool isSecond = (first > 0.0) != (second > 0.0)
-    ? second > 0.0
-    : SquareBetween(at(1), at(3)) <= SquareBetween(at(0), at(2));
-  const std::size_t start = isSecond ? 1 : 0;
-  this->AddTriangle(0, 1, start + 2);
-  this->AddTriangle(start, 2, 3);
-}
-
-// False if it cannot.
-bool Reader::CutByVTK()
-{
-  const auto count = static_cast<vtkIdType>(this->Corners.size());
-  vtkPoints* points = this->Cutter->GetPoints();
-  points->SetNumberOfPoints(count);
-  this->Cutter->GetPointIds()->SetNumberOfIds(count);
-  const Point& origin = this->Result.Points[this->Corners[0]];
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const Point& corner = this->Result.Points[this->Corners[i]];
-    points->SetPoint(i, corner[0] - origin[0], corner[1] - origin[1], corner[2] - origin[2]);
-    this->Cutter->GetPointIds()->SetId(i, i);
-  }
-  if (!this->Cutter->Triangulate(0, this->Pieces, this->PiecePoints) ||
-    this->Pieces->GetNumberOfIds() != 3 * (count - 2))
-  {
-    return false;
-  }
-  for (vtkIdType i = 0; i < 3 * (count - 2); i += 3)
-  {
-    this->AddTriangle(
-      this->Pieces->GetId(i), this->Pieces->GetId(i + 1), this->Pieces->GetId(i + 2));
-  }
-  return true;
 }
 
 // Of three corners of the polygon.

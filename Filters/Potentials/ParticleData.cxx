@@ -184,12 +184,16 @@ vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* data)
   {
     return MakePoints(table);
   }
-  // Levels of refinement, which overlap, are a tree since VTK 9.6.
-  if (auto tree = vtkDataObjectTree::SafeDownCast(data); tree && !data->IsA("vtkUniformGridAMR"))
+  if (auto tree = vtkDataObjectTree::SafeDownCast(data); tree && !HasLevels(data))
   {
     return JoinTree(tree);
   }
   return vtkDataSet::SafeDownCast(data);
+}
+
+bool HasLevels(vtkDataObject* data)
+{
+  return data->IsA("vtkUniformGridAMR");
 }
 
 }

@@ -21,8 +21,12 @@ namespace activesurface
 // - of a vtkDataObjectTree (multi-block, partitioned), the points of all blocks in their order,
 //   with the point arrays that all blocks with points have, of one type; where one block alone has
 //   points, that block as it is.
-// Null for any other class. Throws std::invalid_argument for what is none of these.
+// Null for any other class, and for levels of refinement (AMR). Throws std::invalid_argument for
+// what is none of these.
 VTKACTIVEPOTENTIALS_EXPORT vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* data);
+
+// Whether it is AMR: a vtkDataObjectTree since VTK 9.6, but its blocks overlap.
+VTKACTIVEPOTENTIALS_EXPORT bool HasLevels(vtkDataObject* data);
 
 }
 

@@ -113,21 +113,11 @@ private:
 /** Ranks carry their own leaves; where leaves are to be added is told to all. */
 void CarryLeaves(const LeafTable& table, const CarryLeaf& carry, CarriedValues& carried)
 {
-  LeafOwners* ranks = table.GetRanks();
-  const auto ownerOf = [&](std::size_t n) { return ranks->FindOwner(carried.Origins[n]); };
-  tbb::parallel_for(std::size_t(0), carried.Origins.size(),
-    [&](std::size_t n)
-    {
-      if (!ranks || ownerOf(n) == ranks->GetRank())
-      {
-        carry(n);
-      }
-    });
-  if (ranks)
-  {
-    TellResults(*ranks, carried.Origins.size(), ownerOf,
-      [&carried](std::size_t n, auto& pass) { pass(&carried.Differs[n], 1); });
-  }
+  const std::size_t count = carried.Origins.size();
+  ShareByOwners(
+    table.GetRanks(), count, [&carried](std::size_t n) { return carried.Origins[n]; },
+    [count](auto&& carryOne) { tbb::parallel_for(std::size_t(0), count, carryOne); }, carry,
+    [&carried](std::size_t n, auto& pass) { pass(&carried.Differs[n], 1); });
 }
 
 /** Takes the values; returns the numbers of the leaves, ascending. */

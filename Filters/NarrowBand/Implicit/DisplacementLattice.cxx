@@ -100,20 +100,12 @@ DisplacementLattice::DisplacementLattice(const std::vector<openvdb::Coord>& leav
   const TargetDisplacements& displacements, LeafOwners* ranks)
 {
   this->AddPoints(leaves);
-  const auto ownerOf = [&](std::size_t n) { return ranks->FindOwner(this->Leaves[n].Leaf); };
-  displacements.ForEach(0, this->Leaves.size(),
-    [&](std::size_t n)
-    {
-      if (!ranks || ownerOf(n) == ranks->GetRank())
-      {
-        this->Evaluate(this->Leaves[n], displacements);
-      }
-    });
-  if (ranks)
-  {
-    TellResults(*ranks, this->Leaves.size(), ownerOf,
-      [this](std::size_t n, auto& pass) { pass(&this->Leaves[n].Displacements[0][0], 24); });
-  }
+  const std::size_t count = this->Leaves.size();
+  ShareByOwners(
+    ranks, count, [this](std::size_t n) { return this->Leaves[n].Leaf; },
+    [&](auto&& evaluate) { displacements.ForEach(0, count, evaluate); },
+    [&](std::size_t n) { this->Evaluate(this->Leaves[n], displacements); },
+    [this](std::size_t n, auto& pass) { pass(&this->Leaves[n].Displacements[0][0], 24); });
 }
 
 /** A leaf wants its own points, and those on its upper sides, which are its neighbours' own. */

@@ -118,6 +118,28 @@ void TellResults(LeafOwners& ranks, std::size_t count, OwnerOf&& ownerOf, Visit&
   }
 }
 
+/** Each rank makes the results of its own leaves, which may not be there yet, and is told the
+ * others. originOf(n): of a result's leaf; forEach(function): calls function(n) for all, as
+ * parallel as they may be. Without ranks, all are made. */
+template <class OriginOf, class ForEach, class Make, class Visit>
+void ShareByOwners(LeafOwners* ranks, std::size_t count, OriginOf&& originOf, ForEach&& forEach,
+  Make&& make, Visit&& visit)
+{
+  const auto ownerOf = [&](std::size_t n) { return ranks->FindOwner(originOf(n)); };
+  forEach(
+    [&](std::size_t n)
+    {
+      if (!ranks || ownerOf(n) == ranks->GetRank())
+      {
+        make(n);
+      }
+    });
+  if (ranks)
+  {
+    TellResults(*ranks, count, ownerOf, visit);
+  }
+}
+
 /** Tells all ranks about these leaves. */
 template <class Visit>
 void TellAll(const LeafTable& table, const LeafList& leaves, Visit&& visit)

@@ -66,27 +66,17 @@ NewParts::NewParts(const PartSearch& search, const Target& target)
 std::size_t NewParts::SampleLeaves(const PartSearch& search, std::size_t begin, std::size_t end)
 {
   const std::size_t before = search.Target.CountEvaluations();
-  LeafOwners* ranks = search.Skin.GetRanks();
-  const auto ownerOf = [&](std::size_t i) { return ranks->FindOwner(this->Nodes[i].Origin); };
-  search.Target.ForEach(begin, end,
-    [&](std::size_t i)
+  ShareByOwners(
+    search.Skin.GetRanks(), end - begin,
+    [&](std::size_t n) { return this->Nodes[begin + n].Origin; },
+    [&](auto&& sample) { search.Target.ForEach(0, end - begin, sample); },
+    [&](std::size_t n) { this->SampleLeaf(search, begin + n); },
+    [&](std::size_t n, auto& pass)
     {
-      if (!ranks || ownerOf(i) == ranks->GetRank())
-      {
-        this->SampleLeaf(search, i);
-      }
+      pass(&this->Nodes[begin + n].Nodes, 1);
+      pass(&this->Reached[begin + n], 1);
+      pass(&this->Inside[begin + n], 1);
     });
-  if (ranks)
-  {
-    TellResults(
-      *ranks, end - begin, [&](std::size_t n) { return ownerOf(begin + n); },
-      [&](std::size_t n, auto& pass)
-      {
-        pass(&this->Nodes[begin + n].Nodes, 1);
-        pass(&this->Reached[begin + n], 1);
-        pass(&this->Inside[begin + n], 1);
-      });
-  }
   return search.Target.CountEvaluations() - before;
 }
 

@@ -38,21 +38,13 @@ void PartDistances::SampleAll(const LatticeFunction& function, LeafOwners* ranks
       this->Function[i].reset(new double[512]);
     }
   }
-  const auto ownerOf = [&](std::size_t i) { return ranks->FindOwner(this->Table[i].Origin); };
-  function.ForEach(0, this->Table.Size(),
-    [&](std::size_t i)
-    {
-      if (this->Function[i] && (!ranks || ownerOf(i) == ranks->GetRank()))
-      {
-        this->Sample(function, i);
-      }
-    });
-  if (ranks)
-  {
-    TellResults(*ranks, this->Table.Size(), ownerOf,
-      [this](std::size_t i, auto& pass)
-      { PassNodes(this->Function[i].get(), this->Table[i].UpToLayer[LastLayer], pass); });
-  }
+  const std::size_t count = this->Table.Size();
+  ShareByOwners(
+    ranks, count, [this](std::size_t i) { return this->Table[i].Origin; },
+    [&](auto&& sample) { function.ForEach(0, count, sample); },
+    [&](std::size_t i) { this->Sample(function, i); },
+    [this](std::size_t i, auto& pass)
+    { PassNodes(this->Function[i].get(), this->Table[i].UpToLayer[LastLayer], pass); });
 }
 
 void PartDistances::Sample(const LatticeFunction& function, std::size_t i)
@@ -60,6 +52,10 @@ void PartDistances::Sample(const LatticeFunction& function, std::size_t i)
   constexpr double most = 1e300; // so that differences are finite
   const BandLeaf& leaf = this->Table[i];
   const LeafMask& nodes = leaf.UpToLayer[LastLayer];
+  if (!nodes.Any())
+  {
+    return;
+  }
   double* values = this->Function[i].get();
   function.Evaluate(leaf.Origin, nodes, values);
   nodes.ForEach(

@@ -143,13 +143,9 @@ PartSeeds::Nodes PartSeeds::TellLeaves(const Nodes& own) const
   Nodes all = own;
   if (LeafOwners* ranks = this->Search.Skin.GetRanks())
   {
-    std::vector<Nodes> ofRanks(static_cast<std::size_t>(ranks->GetSize()));
-    ofRanks[static_cast<std::size_t>(ranks->GetRank())] = own;
-    TellResults(
-      *ranks, ofRanks.size(), [](std::size_t rank) { return static_cast<int>(rank); },
-      [&ofRanks](std::size_t rank, auto& pass) { PassVector(ofRanks[rank], pass); });
+    const auto visit = [](Nodes& nodes, auto& pass) { PassVector(nodes, pass); };
     all.clear();
-    for (const Nodes& some : ofRanks)
+    for (const Nodes& some : GatherResults(ranks->GetAgreement(), own, visit))
     {
       all.insert(all.end(), some.begin(), some.end());
     }

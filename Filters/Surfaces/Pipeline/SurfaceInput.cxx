@@ -108,9 +108,8 @@ void SurfaceInput::DescribePort(int port, vtkInformation* information)
 bool SurfaceInput::Takes(int port, vtkDataObject* data)
 {
   const std::vector<const char*> types = ListTypes(port);
-  return !data->IsA("vtkUniformGridAMR") && // a tree since VTK 9.6
-    std::any_of(
-      types.begin(), types.end(), [data](const char* type) { return data->IsA(type); });
+  return !HasLevels(data) &&
+    std::any_of(types.begin(), types.end(), [data](const char* type) { return data->IsA(type); });
 }
 
 bool SurfaceInput::IsConnected() const

@@ -1,7 +1,6 @@
 #include "Targets/MovingTarget.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace activesurface
 {
@@ -72,13 +71,11 @@ bool MovingTarget::PlaceOnce(double fraction)
   const bool moves = !this->IsAt(this->Way, fraction);
   if (moves || !this->IsPlaced)
   {
+    this->ForgetPlace();
+    this->Place(this->Way, fraction);
     this->PlacedDuration = this->GetDuration();
     this->Step = this->Way;
     this->Fraction = fraction;
-    this->ForgetPlace();
-    const bool hasJumped = std::exchange(this->HasJumped, true); // where the next line fails
-    this->Place(this->Step, fraction);
-    this->HasJumped = hasJumped;
     this->IsPlaced = true;
   }
   return moves;

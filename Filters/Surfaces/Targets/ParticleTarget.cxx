@@ -20,13 +20,10 @@ struct Facts
 
 Facts AddFacts(Agreement& ranks, const Facts& own)
 {
-  Bytes bytes;
-  ByteWriter{ bytes }(&own, 1);
+  const auto visit = [](Facts& facts, auto& pass) { pass(&facts, 1); };
   Facts all{};
-  for (const Bytes& of : ranks.Exchange(bytes))
+  for (const Facts& facts : GatherResults(ranks, own, visit))
   {
-    Facts facts;
-    ByteReader{ of }(&facts, 1);
     all.Counts.Before += facts.Counts.Before;
     all.Counts.After += facts.Counts.After;
     all.Counts.Changed += facts.Counts.Changed;
@@ -35,19 +32,16 @@ Facts AddFacts(Agreement& ranks, const Facts& own)
   return all;
 }
 
-std::vector<ChangedRegion::Box> AddBoxes(
-  Agreement& ranks, const std::vector<ChangedRegion::Box>& own)
+void AddBoxes(Agreement& ranks, std::vector<ChangedRegion::Box>& boxes)
 {
-  Bytes bytes;
-  ByteWriter{ bytes }(own.data(), own.size());
-  std::vector<ChangedRegion::Box> all;
-  for (const Bytes& of : ranks.Exchange(bytes))
+  const auto visit = [](std::vector<ChangedRegion::Box>& some, auto& pass)
+  { PassVector(some, pass); };
+  const auto all = GatherResults(ranks, boxes, visit);
+  boxes.clear();
+  for (const std::vector<ChangedRegion::Box>& some : all)
   {
-    const std::size_t before = all.size();
-    all.resize(before + of.size() / sizeof(ChangedRegion::Box));
-    ByteReader{ of }(all.data() + before, all.size() - before);
+    boxes.insert(boxes.end(), some.begin(), some.end());
   }
-  return all;
 }
 
 // Of those that add something.
@@ -167,8 +161,12 @@ void ParticleTarget::NoteCells(double before, double now)
 void ParticleTarget::FindChanged()
 {
   const PlacedChanges changes(this->Previous, this->Now, this->FindNear());
-  Facts facts{ changes.Count(), FindLargestRadius(this->Now.Particles) };
-  facts = this->Places ? AddFacts(*this->Options.Ranks, facts) : facts;
+  Facts facts{ changes.Count(), 0.0 };
+  if (this->Places)
+  {
+    facts.LargestRadius = FindLargestRadius(this->Now.Particles);
+    facts = AddFacts(*this->Options.Ranks, facts);
+  }
   this->LargestRadius = facts.LargestRadius;
   const std::size_t all = std::max(facts.Counts.Before, facts.Counts.After);
   if (facts.Counts.Changed > all / 4)
@@ -176,8 +174,12 @@ void ParticleTarget::FindChanged()
     this->Changed.SetEverywhere(); // to look closer would not pay
     return;
   }
-  const std::vector<ChangedRegion::Box> supports = changes.ListSupports();
-  this->Changed.Set(this->Places ? AddBoxes(*this->Options.Ranks, supports) : supports);
+  changes.ListSupports(this->ChangedSupports);
+  if (this->Places)
+  {
+    AddBoxes(*this->Options.Ranks, this->ChangedSupports);
+  }
+  this->Changed.Set(this->ChangedSupports);
 }
 
 void ParticleTarget::VisitRegions(

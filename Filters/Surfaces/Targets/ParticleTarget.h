@@ -64,11 +64,12 @@ private:
   int StepOfNear = -1;               // -1: of none
   PlacedParticles Now;
   PlacedParticles Previous;
-  double LargestRadius = 0.0; // of those of Now that add something, on all ranks
-  ChangedRegion Changed;      // from Previous to Now
-  Skeleton Elements;          // of a sum
-  ParticlePotential Body;     // of the other models
-  ParticleMeans Means;        // if the target tells its velocity, or a sum its bulk
+  double LargestRadius = 0.0; // of those of all ranks that add something, if there are places
+  std::vector<ChangedRegion::Box> ChangedSupports;
+  ChangedRegion Changed;  // from Previous to Now
+  Skeleton Elements;      // of a sum
+  ParticlePotential Body; // of the other models
+  ParticleMeans Means;    // if the target tells its velocity, or a sum its bulk
 };
 
 }

@@ -123,9 +123,9 @@ PlacedCounts PlacedChanges::Count() const
   return { this->CountOf(this->Before), this->CountOf(this->After), changed };
 }
 
-std::vector<ChangedRegion::Box> PlacedChanges::ListSupports() const
+void PlacedChanges::ListSupports(std::vector<ChangedRegion::Box>& supports) const
 {
-  std::vector<ChangedRegion::Box> supports;
+  supports.clear();
   for (std::size_t n = 0; n < this->CountPairs(); ++n)
   {
     const Pair pair = this->PairAt(n);
@@ -142,7 +142,6 @@ std::vector<ChangedRegion::Box> PlacedChanges::ListSupports() const
       supports.push_back(SupportOf(this->After, pair.Now));
     }
   }
-  return supports;
 }
 
 bool PlacedChanges::IsCounted(const Pair& pair) const

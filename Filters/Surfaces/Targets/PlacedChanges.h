@@ -32,8 +32,8 @@ public:
 
   PlacedCounts Count() const;
 
-  // Of those that have changed, before and after.
-  std::vector<ChangedRegion::Box> ListSupports() const;
+  // Replaces supports by those of what has changed, before and after.
+  void ListSupports(std::vector<ChangedRegion::Box>& supports) const;
 
 private:
   // The same particle in both, or NoPartner.
