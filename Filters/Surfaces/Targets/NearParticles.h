@@ -15,7 +15,8 @@ namespace activesurface
 class NearParticles
 {
 public:
-  void Choose(const ParticleWay& whole, const OwnPlaces& places);
+  // leavesNoise: with the shares of motion that are no noise, which the whole way is without here.
+  void Choose(const ParticleWay& whole, const OwnPlaces& places, bool leavesNoise);
 
   // Until they are chosen anew.
   ParticleWay GetWay() const;
@@ -28,11 +29,10 @@ public:
   }
 
 private:
-  void ChooseEarlier(const ParticleWay& whole, const OwnPlaces& places);
-  void ChooseBirths(const ParticleWay& whole, const OwnPlaces& places);
-  void AddEarlier(const ParticleFrame& whole, std::size_t i, bool counts);
+  struct Choice;
+  void Add(const Choice& choice);
   // Returns its number among those that are chosen.
-  std::size_t AddLater(const ParticleFrame& whole, std::size_t i, bool counts);
+  std::size_t AddLater(const Choice& choice, std::size_t i, bool counts);
 
   ParticleFrame Earlier;
   ParticleFrame Later;

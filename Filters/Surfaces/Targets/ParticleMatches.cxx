@@ -284,9 +284,11 @@ void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& lat
 void InterpolateFits(const ParticleFrame& earlier, const ParticleFrame& later, double fraction,
   const std::vector<ParticleOrigin>& origins, ParticleFits& fits)
 {
+  const ParticleFits& ofEarlier = earlier.GetFits();
+  const ParticleFits& ofLater = later.GetFits();
   fits.resize(origins.size());
   RunEach(origins.size(),
-    [&](std::size_t i) { fits[i] = FitOf(origins[i], earlier.Fits, later.Fits, fraction); });
+    [&](std::size_t i) { fits[i] = FitOf(origins[i], ofEarlier, ofLater, fraction); });
 }
 
 void FindOriginsOfEarlier(

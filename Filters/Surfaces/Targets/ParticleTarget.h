@@ -51,9 +51,10 @@ protected:
 
 private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
-  ParticleWay GetWay(int step) const;
+  bool LeavesNoise() const;
+  ParticleWay GetWholeWay(int step) const;
   const NearParticles* FindNear() const { return this->Places ? &this->Near : nullptr; }
-  void ChooseNear(const ParticleWay& whole, int step);
+  void ChooseNear(int step);
   void FindChanged();
   void NoteCells(double before, double now);
 
