@@ -31,80 +31,34 @@ double GetShare(const NeighbourSums::Motion& motion)
   return 1.0 - GetShareOfNoise(motion.Bulk / motion.Weight) * noise;
 }
 
-class MotionOfNeighbours
-{
-public:
-  MotionOfNeighbours(const std::vector<SkeletonVertex>& particles, const ParticleFits& fits,
-    const std::vector<double>& velocities, double largestRadius)
-    : Particles(particles)
-    , Neighbours(particles, 1.0, largestRadius)
-    , Moving(particles.size())
-  {
-    RunEach(this->Moving.size(),
-      [&](std::size_t k)
-      {
-        const std::size_t i = this->GetOrder()[k];
-        const double* v = &velocities[3 * i];
-        this->Moving[k] = { { v[0], v[1], v[2] }, fits[i].Bulk };
-      });
-  }
-
-  // Of the particles, by cells.
-  const UnsetVector<BallCells::Index>& GetOrder() const { return this->Neighbours.GetOrder(); }
-
-  void FindShares(const BallCells::Index* members, std::size_t count, double* shares) const
-  {
-    std::vector<double> places(3 * count);
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      std::copy_n(this->Particles[members[k]].Position, 3, &places[3 * k]);
-    }
-    std::vector<NeighbourSums::Motion> motions(count);
-    this->Neighbours.FindMotions(count, places.data(), this->Moving, motions.data());
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      shares[members[k]] = motions[k].Weight > 0.0 ? GetShare(motions[k]) : 1.0;
-    }
-  }
-
-private:
-  const std::vector<SkeletonVertex>& Particles;
-  const NeighbourSums Neighbours;
-  UnsetVector<NeighbourSums::Moving> Moving; // in their order
-};
-
 }
 
 std::vector<double> FindSharesOfMotion(const std::vector<SkeletonVertex>& particles,
   const ParticleFits& fits, const std::vector<double>& velocities, Agreement* ranks)
 {
-  const MotionOfNeighbours motion(particles, fits, velocities, 0.0);
-  const UnsetVector<BallCells::Index>& order = motion.GetOrder();
-  std::vector<double> shares(particles.size(), 1.0);
-  SharePieces(
-    ranks, order.size(), ParticlesPerTask,
-    [&](std::size_t first, std::size_t end)
-    { motion.FindShares(&order[first], end - first, shares.data()); },
-    [&](std::size_t k, auto& pass) { pass(&shares[order[k]], 1); });
-  return shares;
-}
-
-std::vector<double> FindSharesOfMotion(const std::vector<SkeletonVertex>& particles,
-  const ParticleFits& fits, const std::vector<double>& velocities, const MovingPart& part)
-{
-  const MotionOfNeighbours motion(particles, fits, velocities, part.LargestRadius);
-  std::vector<BallCells::Index> wanted;
-  for (const BallCells::Index i : motion.GetOrder())
-  {
-    if (part.AreWanted[i])
+  const NeighbourSums neighbours(particles, 1.0);
+  const UnsetVector<BallCells::Index>& order = neighbours.GetOrder();
+  UnsetVector<NeighbourSums::Moving> moving(order.size());
+  RunEach(order.size(),
+    [&](std::size_t k)
     {
-      wanted.push_back(i);
-    }
-  }
+      const double* v = &velocities[3 * std::size_t(order[k])];
+      moving[k] = { { v[0], v[1], v[2] }, fits[order[k]].Bulk };
+    });
   std::vector<double> shares(particles.size(), 1.0);
-  RunPieces(wanted.size(), ParticlesPerTask,
-    [&](std::size_t first, std::size_t end)
-    { motion.FindShares(&wanted[first], end - first, shares.data()); });
+  const auto find = [&](std::size_t first, std::size_t end)
+  {
+    const std::size_t count = end - first;
+    const std::vector<double> places = neighbours.ListPlaces(first, count);
+    std::vector<NeighbourSums::Motion> motions(count);
+    neighbours.FindMotions(count, places.data(), moving, motions.data());
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      shares[order[first + k]] = motions[k].Weight > 0.0 ? GetShare(motions[k]) : 1.0;
+    }
+  };
+  SharePieces(ranks, order.size(), ParticlesPerTask, find,
+    [&](std::size_t k, auto& pass) { pass(&shares[order[k]], 1); });
   return shares;
 }
 

@@ -24,18 +24,6 @@ VTKACTIVEPOTENTIALS_EXPORT std::vector<double> FindSharesOfMotion(
   const std::vector<SkeletonVertex>& particles, const ParticleFits& fits,
   const std::vector<double>& velocities, Agreement* ranks = nullptr);
 
-// Particles among many, with their neighbours.
-struct MovingPart
-{
-  const std::vector<char>& AreWanted; // of the particles that are here; the others are neighbours
-  double LargestRadius;               // of all particles
-};
-
-// The same shares of those that are wanted; 1 for the others.
-VTKACTIVEPOTENTIALS_EXPORT std::vector<double> FindSharesOfMotion(
-  const std::vector<SkeletonVertex>& particles, const ParticleFits& fits,
-  const std::vector<double>& velocities, const MovingPart& part);
-
 }
 
 #endif

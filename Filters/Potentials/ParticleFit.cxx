@@ -1,8 +1,6 @@
 #include "ParticleFit.h"
 
 #include "ParallelTasks.h"
-#include "ParticleCrowd.h"
-#include "ParticleLengths.h"
 #include "ParticlePotential.h"
 #include "Skeleton/Ellipsoid.h"
 #include "Skeleton/NeighbourSums.h"
@@ -10,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace activesurface
 {
@@ -18,10 +18,21 @@ namespace
 
 constexpr std::size_t ParticlesPerTask = 256;
 
+// Neighbours are looked for within so many own radii, by usual proportions. For AveragedCentre it
+// has to be the reach. For the others wider is flatter, and dearer.
+double GetNeighbourhoodPerOwnRadius(ParticleModel model)
+{
+  return model == ParticleModel::AveragedCentre ? 6.0 : 7.25;
+}
+
 // A particle counts as one of the surface by how far it is from the mean of its neighbourhood, in
 // reaches of that: .24 in a flat layer of a deep body, below .1 inside.
 constexpr double LeastDepth = 0.1;
 constexpr double FullDepth = 0.22;
+
+// How much farther than its own radius the surface is from a particle of a body, for what the edges
+// of the body lose.
+constexpr double OffsetOfBody = 0.1;
 
 // Sum of weights of the neighbours, in that of a whole ball with one particle in each (2 r)^3, from
 // which on there is a body: .28 in a sheet of one layer, .63 in the outermost layer of a deep body
@@ -29,32 +40,39 @@ constexpr double FullDepth = 0.22;
 constexpr double LeastBody = 0.3;
 constexpr double FullBody = 0.8;
 
+// Of fewer particles each may have all as neighbours; else so many on the average, a hundred times
+// what is usual, are refused: each is visited for each, so that it would take hours.
+constexpr std::size_t FewParticles = 30000;
+constexpr std::size_t MostNeighbours = 20000;
+constexpr std::size_t ParticlesOfSample = 256;
+
 class Fitting
 {
 public:
-  Fitting(
-    const FitOptions& options, const std::vector<SkeletonVertex>& particles, const FitPart* part)
+  Fitting(const FitOptions& options, const std::vector<SkeletonVertex>& particles)
     : Options(options)
     , Particles(particles)
-    , Part(part)
     , Fits(particles.size())
     , Surface(particles.size())
     , Outside(particles.size())
-    , NeighbourhoodFactor(GetNeighbourhoodPerRadius(options.Model))
-    , Neighbours(particles, this->NeighbourhoodFactor, part ? part->LargestRadius : 0.0)
+    , NeighbourhoodFactor(
+        GetNeighbourhoodPerOwnRadius(options.Model) / (2.0 * GetReachPerSpacing(options.Model)))
+    , Neighbours(particles, this->NeighbourhoodFactor)
+    , Order(this->Neighbours.GetOrder())
   {
   }
 
   ParticleFits Find()
   {
-    if (!this->Part && IsCrowd(this->Neighbours, this->Particles))
+    if (this->IsCrowd())
     {
-      CheckCrowd(true, this->Options, this->Particles.size());
+      if (!this->Options.SparesCrowds)
+      {
+        this->RefuseCrowd();
+      }
       return ParticleFits(this->Particles.size(), ParticleFit());
     }
-    this->ShareAmong(
-      this->ListThoseOf(FitNeed::Shape),
-      [this](const Batch& batch) { this->FindNeighbourhoods(batch); },
+    this->ShareInOrder([this](const Batch& batch) { this->FindNeighbourhoods(batch); },
       [this](std::size_t i, auto& pass)
       {
         pass(&this->Fits[i], 1);
@@ -80,56 +98,67 @@ private:
     double ShapeShare; // of what the neighbours lack, in place of the particle's own lack
   };
 
+  // By a sample that is spread over the list.
+  bool IsCrowd() const
+  {
+    const std::size_t count = this->Particles.size();
+    std::size_t neighbours = 0;
+    for (std::size_t i = 0; i < ParticlesOfSample && count > FewParticles; ++i)
+    {
+      const SkeletonVertex& particle = this->Particles[i * count / ParticlesOfSample];
+      neighbours += this->Neighbours.CountNear(particle.Position);
+      if (neighbours > MostNeighbours * ParticlesOfSample)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  [[noreturn]] void RefuseCrowd() const
+  {
+    throw std::invalid_argument("The " + std::to_string(this->Particles.size()) +
+      " particles have more than " + std::to_string(MostNeighbours) +
+      " neighbours in reach on the average, where some 200 are usual; check whether many are "
+      "in the same place, and whether ParticleSpacing and ParticleRadius (or the array of "
+      "radii) are in the particles' own units, or set ParticleModel to SUM.");
+  }
+
   // Some particles, near one another.
   struct Batch
   {
+    std::size_t First; // in their order
     const BallCells::Index* Members;
     std::size_t Count;
   };
 
-  bool IsNeeded(std::size_t i, FitNeed need) const
-  {
-    return !this->Part || this->Part->Needs[i] <= need;
-  }
-
-  // Those of which so much is wanted or more, by cells: near ones are evaluated faster together.
-  std::vector<BallCells::Index> ListThoseOf(FitNeed need) const
-  {
-    std::vector<BallCells::Index> members;
-    for (const BallCells::Index i : this->Neighbours.GetOrder())
-    {
-      if (this->IsNeeded(i, need))
-      {
-        members.push_back(i);
-      }
-    }
-    return members;
-  }
-
   // Ranks share the batches; visit names what is found for a particle, see SharedResults.h.
   template <class Function, class Visit>
-  void ShareAmong(const std::vector<BallCells::Index>& members, Function function, Visit visit)
+  void ShareInOrder(Function function, Visit visit)
   {
     const auto run = [&](std::size_t first, std::size_t end) {
-      function(Batch{ &members[first], end - first });
+      function(Batch{ first, &this->Order[first], end - first });
     };
-    SharePieces(this->Part ? nullptr : this->Options.Ranks, members.size(), ParticlesPerTask, run,
-      [&](std::size_t place, auto& pass) { visit(std::size_t(members[place]), pass); });
+    this->Share(this->Order.size(), run,
+      [&](std::size_t place, auto& pass) { visit(std::size_t(this->Order[place]), pass); });
+  }
+
+  template <class Run, class Visit>
+  void Share(std::size_t count, Run run, Visit visit)
+  {
+    SharePieces(this->Options.Ranks, count, ParticlesPerTask, run, visit);
   }
 
   std::vector<double> GetPositions(const Batch& batch) const
   {
-    std::vector<double> places(3 * batch.Count);
-    for (std::size_t k = 0; k < batch.Count; ++k)
-    {
-      std::copy_n(this->Particles[batch.Members[k]].Position, 3, &places[3 * k]);
-    }
-    return places;
+    return this->Neighbours.ListPlaces(batch.First, batch.Count);
   }
 
   double GetOwnRadius(std::size_t i) const
   {
-    return activesurface::GetOwnRadius(this->Options, this->Particles[i].Radius);
+    return this->Options.OwnRadius > 0.0
+      ? this->Options.OwnRadius
+      : this->Particles[i].Radius / (2.0 * GetReachPerSpacing(this->Options.Model));
   }
 
   bool IsAnisotropic() const { return this->Options.Model == ParticleModel::Anisotropic; }
@@ -199,38 +228,20 @@ private:
     ParticlePotential body;
     if (this->IsAnisotropic())
     {
-      this->BuildBody(body);
+      body.Build(ParticleModel::Anisotropic, this->Particles, this->Fits);
     }
-    this->ShareAmong(
-      surface, [&](const Batch& batch) { this->FindLacks(batch.Members, batch.Count, body); },
-      [&](std::size_t i, auto& pass) { pass(&this->Surface[i], 1); });
+    this->Share(
+      surface.size(),
+      [&](std::size_t first, std::size_t end)
+      { this->FindLacks(&surface[first], end - first, body); },
+      [&](std::size_t k, auto& pass) { pass(&this->Surface[surface[k]], 1); });
   }
 
-  void BuildBody(ParticlePotential& body) const
-  {
-    if (!this->Part)
-    {
-      body.Build(this->Options.Model, this->Particles, this->Fits);
-      return;
-    }
-    std::vector<SkeletonVertex> particles;
-    ParticleFits fits;
-    for (std::size_t i = 0; i < this->Particles.size(); ++i)
-    {
-      if (this->IsNeeded(i, FitNeed::Shape))
-      {
-        particles.push_back(this->Particles[i]);
-        fits.push_back(this->Fits[i]);
-      }
-    }
-    body.Build(this->Options.Model, particles, fits, this->Part->LargestOfStrengths);
-  }
-
-  // The others have no share.
+  // In their order. The others have no share.
   std::vector<BallCells::Index> ListSurface()
   {
     std::vector<BallCells::Index> members;
-    for (const BallCells::Index i : this->ListThoseOf(FitNeed::Bulk))
+    for (const BallCells::Index i : this->Order)
     {
       this->Surface[i] = { 0.0, 0.0 };
       if (this->Outside[i].Deep > 0.0 || this->Outside[i].Thin > 0.0)
@@ -321,9 +332,7 @@ private:
     {
       shares[k] = this->Surface[surface[neighbours.GetOrder()[k]]];
     }
-    this->ShareAmong(
-      this->ListThoseOf(FitNeed::Fit),
-      [&](const Batch& batch) { this->GiveShares(batch, neighbours, shares); },
+    this->ShareInOrder([&](const Batch& batch) { this->GiveShares(batch, neighbours, shares); },
       [this](std::size_t i, auto& pass)
       {
         pass(&this->Fits[i].Strength, 1);
@@ -363,26 +372,19 @@ private:
 
   const FitOptions Options;
   const std::vector<SkeletonVertex>& Particles;
-  const FitPart* const Part;
   ParticleFits Fits;
   UnsetVector<NeighbourSums::Shares> Surface;
   UnsetVector<SurfacePlaces> Outside;
   const double NeighbourhoodFactor;
   const NeighbourSums Neighbours;
+  const UnsetVector<BallCells::Index>& Order; // of the particles
 };
 
 }
 
-double GetOwnRadius(const FitOptions& options, double reach)
+ParticleFits FitParticles(const FitOptions& options, const std::vector<SkeletonVertex>& particles)
 {
-  return options.OwnRadius > 0.0 ? options.OwnRadius
-                                 : reach / (2.0 * GetReachPerSpacing(options.Model));
-}
-
-ParticleFits FitParticles(
-  const FitOptions& options, const std::vector<SkeletonVertex>& particles, const FitPart* part)
-{
-  return Fitting(options, particles, part).Find();
+  return Fitting(options, particles).Find();
 }
 
 }

@@ -11,7 +11,6 @@
 #ifndef ParticleFit_h
 #define ParticleFit_h
 
-#include "FitOptions.h"
 #include "ParticleModel.h"
 #include "Skeleton.h"
 
@@ -20,33 +19,22 @@
 namespace activesurface
 {
 
-// What is wanted of a particle, where others are too.
-enum class FitNeed : char
-{
-  Fit,    // all of it
-  Bulk,   // and what else its neighbourhood tells by itself
-  Shape,  // the same; but what the surface lacks there matters to none of the wanted fits
-  Place,  // its place alone: it is a neighbour
-  Nothing // it is too far away
-};
+class Agreement;
 
-// A part of many particles.
-struct FitPart
+struct FitOptions
 {
-  std::vector<FitNeed> Needs;      // of those that are here
-  double LargestRadius = 0.0;      // of all, by which sums are in the same order
-  double LargestOfStrengths = 0.0; // of those that have a strength > 0
+  ParticleModel Model = ParticleModel::AveragedCentre;
+  double OwnRadius = 0.0;     // r [length]; 0: the particle's reach over twice GetReachPerSpacing
+  double Anisotropy = 4.0;    // largest ratio of an ellipsoid's axes
+  bool SparesCrowds = false;  // where there are too many in one place, all fits are as of none
+  Agreement* Ranks = nullptr; // that fit the same particles together, or null
 };
 
 // One fit for each particle. Thread-count independent. Throws as BallCells do, and
 // std::invalid_argument for so many in one place that it would take hours, unless crowds are
-// spared. part: of which the particles are, or null if they are all; the fits of those that need
-// none are unset, and crowds are taken as they are.
-VTKACTIVEPOTENTIALS_EXPORT ParticleFits FitParticles(const FitOptions& options,
-  const std::vector<SkeletonVertex>& particles, const FitPart* part = nullptr);
-
-// r of a particle, by its reach.
-double GetOwnRadius(const FitOptions& options, double reach);
+// spared.
+VTKACTIVEPOTENTIALS_EXPORT ParticleFits FitParticles(
+  const FitOptions& options, const std::vector<SkeletonVertex>& particles);
 
 }
 

@@ -15,8 +15,7 @@ namespace activesurface
 class NearParticles
 {
 public:
-  // leavesNoise: with the shares of motion that are no noise, which the whole way is without here.
-  void Choose(const ParticleWay& whole, const OwnPlaces& places, bool leavesNoise);
+  void Choose(const ParticleWay& whole, const OwnPlaces& places);
 
   // Until they are chosen anew.
   ParticleWay GetWay() const;
@@ -29,10 +28,11 @@ public:
   }
 
 private:
-  struct Choice;
-  void Add(const Choice& choice);
+  void ChooseEarlier(const ParticleWay& whole, const OwnPlaces& places);
+  void ChooseBirths(const ParticleWay& whole, const OwnPlaces& places);
+  void AddEarlier(const ParticleFrame& whole, std::size_t i, bool counts);
   // Returns its number among those that are chosen.
-  std::size_t AddLater(const Choice& choice, std::size_t i, bool counts);
+  std::size_t AddLater(const ParticleFrame& whole, std::size_t i, bool counts);
 
   ParticleFrame Earlier;
   ParticleFrame Later;

@@ -3,8 +3,8 @@
 #ifndef ParticleFrame_h
 #define ParticleFrame_h
 
+#include "ParticleFit.h"
 #include "Skeleton.h"
-#include "Targets/FrameFits.h"
 
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
@@ -37,12 +37,9 @@ struct ParticleFrame
   bool HasRadii = false;          // from the array, else to be given by GiveRadius
   std::size_t Ignored = 0;        // points left out: not finite, or without a size
   std::vector<vtkIdType> Points;  // of the input, which the particles are
-  FrameFits Fits;                 // of the particles
+  ParticleFits Fits;              // of the particles; empty until they are asked for
   std::vector<double> Velocities; // of the particles, x y z each; empty without an array
   vtkSmartPointer<vtkPointData> Passed; // of the input's points, a copy; null if not wanted
-
-  // One for each particle, or empty.
-  const ParticleFits& GetFits() const { return this->Fits.GetAll(this->Particles); }
 
   void GiveRadius(double radius);
 

@@ -284,11 +284,9 @@ void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& lat
 void InterpolateFits(const ParticleFrame& earlier, const ParticleFrame& later, double fraction,
   const std::vector<ParticleOrigin>& origins, ParticleFits& fits)
 {
-  const ParticleFits& ofEarlier = earlier.GetFits();
-  const ParticleFits& ofLater = later.GetFits();
   fits.resize(origins.size());
   RunEach(origins.size(),
-    [&](std::size_t i) { fits[i] = FitOf(origins[i], ofEarlier, ofLater, fraction); });
+    [&](std::size_t i) { fits[i] = FitOf(origins[i], earlier.Fits, later.Fits, fraction); });
 }
 
 void FindOriginsOfEarlier(

@@ -81,7 +81,7 @@ std::string ParticleShape::Prepare(ShapePreparation& preparation)
   }
   const ShapeOptions& options = preparation.Options;
   preparation.GiveRadius(options.Model, this->Particles);
-  if (options.WantsFits() && !this->Particles.Fits.AreWanted())
+  if (options.WantsFits() && this->Particles.Fits.empty())
   {
     FitOptions fit;
     fit.Model = options.Model;
@@ -89,7 +89,7 @@ std::string ParticleShape::Prepare(ShapePreparation& preparation)
     fit.Anisotropy = options.Anisotropy;
     fit.SparesCrowds = !options.NeedsFits();
     fit.Ranks = options.Ranks;
-    this->Particles.Fits.Want(fit, this->Particles.Particles);
+    this->Particles.Fits = FitParticles(fit, this->Particles.Particles);
   }
   return "";
 }

@@ -1,6 +1,5 @@
 #include "Targets/ParticleTarget.h"
 
-#include "ParticleLengths.h"
 #include "SharedResults.h"
 
 #include <algorithm>
@@ -45,6 +44,17 @@ void AddBoxes(Agreement& ranks, std::vector<ChangedRegion::Box>& boxes)
   }
 }
 
+// Of those that add something.
+double FindLargestRadius(const std::vector<SkeletonVertex>& particles)
+{
+  double largest = 0.0;
+  for (const SkeletonVertex& particle : particles)
+  {
+    largest = particle.Strength > 0.0 ? std::max(largest, particle.Radius) : largest;
+  }
+  return largest;
+}
+
 // Where a hollow is, if the particle is at the side of one: a spacing from it or, where its surface
 // is farther from it, one and a half.
 void VisitHollow(
@@ -79,15 +89,11 @@ void ParticleTarget::KeepNear(const OwnPlaces* places) noexcept
   this->ForgetPlace();
 }
 
-bool ParticleTarget::LeavesNoise() const
+ParticleWay ParticleTarget::GetWay(int step) const
 {
-  return this->Options.Carries && this->Options.Level.Noise > 0.0;
-}
-
-ParticleWay ParticleTarget::GetWholeWay(int step) const
-{
-  return this->LeavesNoise() ? this->Frames.GetWayWithoutNoise(step, this->Options.Ranks)
-                             : this->Frames.GetWay(step);
+  return this->Options.Carries && this->Options.Level.Noise > 0.0
+    ? this->Frames.GetWayWithoutNoise(step, this->Options.Ranks)
+    : this->Frames.GetWay(step);
 }
 
 void ParticleTarget::Place(int step, double fraction)
@@ -96,13 +102,13 @@ void ParticleTarget::Place(int step, double fraction)
   needs.Fits = this->Options.WantsFits();
   needs.Velocities = this->Options.Carries;
   needs.Duration = this->GetDuration();
+  const ParticleWay whole = this->GetWay(step);
   if (this->Places && this->StepOfNear != step)
   {
-    this->ChooseNear(step);
+    this->ChooseNear(whole, step);
   }
   std::swap(this->Previous, this->Now);
-  const ParticleWay way = this->Places ? this->Near.GetWay() : this->GetWholeWay(step);
-  PlaceParticles(way, fraction, needs, this->Now);
+  PlaceParticles(this->Places ? this->Near.GetWay() : whole, fraction, needs, this->Now);
   this->FindChanged();
   if (this->Options.Carries || (this->IsSum() && this->Options.WantsBulks()))
   {
@@ -114,14 +120,14 @@ void ParticleTarget::Place(int step, double fraction)
 }
 
 // Leaves nothing of the placements before, whose origins were others.
-void ParticleTarget::ChooseNear(int step)
+void ParticleTarget::ChooseNear(const ParticleWay& whole, int step)
 {
   this->StepOfNear = -1;
   this->Now = this->Previous = PlacedParticles();
   this->Means = ParticleMeans();
   this->Body = ParticlePotential();
   this->Elements = Skeleton();
-  this->Near.Choose(this->Frames.GetWay(step), *this->Places, this->LeavesNoise());
+  this->Near.Choose(whole, *this->Places);
   this->StepOfNear = step;
 }
 
@@ -158,7 +164,7 @@ void ParticleTarget::FindChanged()
   Facts facts{ changes.Count(), 0.0 };
   if (this->Places)
   {
-    facts.LargestRadius = FindLargestRadiusOfStrengths(this->Now.Particles);
+    facts.LargestRadius = FindLargestRadius(this->Now.Particles);
     facts = AddFacts(*this->Options.Ranks, facts);
   }
   this->LargestRadius = facts.LargestRadius;

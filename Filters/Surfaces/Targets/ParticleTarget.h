@@ -51,10 +51,9 @@ protected:
 
 private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
-  bool LeavesNoise() const;
-  ParticleWay GetWholeWay(int step) const;
+  ParticleWay GetWay(int step) const;
   const NearParticles* FindNear() const { return this->Places ? &this->Near : nullptr; }
-  void ChooseNear(int step);
+  void ChooseNear(const ParticleWay& whole, int step);
   void FindChanged();
   void NoteCells(double before, double now);
 

@@ -32,7 +32,7 @@ void PlaceParticles(
     FindOriginsOfEarlier(placed.Particles.size(), way.Matches, placed.Origins);
     if (needs.Fits)
     {
-      placed.Fits = way.Earlier->GetFits();
+      placed.Fits = way.Earlier->Fits;
     }
   }
   else

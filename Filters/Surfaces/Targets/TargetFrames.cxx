@@ -107,8 +107,7 @@ const std::vector<double>& TargetFrames::GetSharesOfMotion(Agreement* ranks) con
     FindOriginsOfEarlier(earlier.Particles.size(), &this->Matches, origins);
     std::vector<double> velocities;
     FindMotion(&earlier, &ParticlesOf(this->Later.Shape.get()), 1.0, origins, velocities);
-    this->SharesOfMotion =
-      FindSharesOfMotion(earlier.Particles, earlier.GetFits(), velocities, ranks);
+    this->SharesOfMotion = FindSharesOfMotion(earlier.Particles, earlier.Fits, velocities, ranks);
   }
   return this->SharesOfMotion;
 }

@@ -51,17 +51,15 @@ struct Case
   std::string Name;
   ParticleModel Model;
   bool Moves;
-  int Empty = -1; // the step that has no particles
 };
 
 // A body, a few of which are born and die, of which all or a few move; of any radii.
-ParticleFrame MakeFrame(const Case& wanted, int step, Agreement* ranks)
+ParticleFrame MakeFrame(const Case& wanted, int step)
 {
   ParticleFrame frame;
   frame.HasIds = frame.HasRadii = true;
   Random random(7);
-  const int count = step == wanted.Empty ? 0 : 3000;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < 3000; ++i)
   {
     const Point place = { random.Between(-0.9, 0.9), random.Between(-0.3, 0.3),
       random.Between(-0.3, 0.3) };
@@ -78,11 +76,7 @@ ParticleFrame MakeFrame(const Case& wanted, int step, Agreement* ranks)
   }
   FitOptions fit;
   fit.Model = wanted.Model;
-  fit.Ranks = ranks;
-  if (count > 0)
-  {
-    frame.Fits.Want(fit, frame.Particles);
-  }
+  frame.Fits = FitParticles(fit, frame.Particles);
   return frame;
 }
 
@@ -113,7 +107,7 @@ Told Ask(const Case& wanted, Agreement* ranks, const OwnPlaces* places)
   TargetFrames frames;
   for (const int step : { 0, 1 })
   {
-    frames.Add(step, std::make_shared<ParticleShape>(MakeFrame(wanted, step, ranks)));
+    frames.Add(step, std::make_shared<ParticleShape>(MakeFrame(wanted, step)));
   }
   ParticleTarget target(frames, MakeOptions(wanted, ranks));
   target.MoveAlong(0, 0.0, 1.0);
@@ -191,15 +185,6 @@ TEST(TestNearParticles, RanksTellTheSameBytesAtTheirOwnPlaces)
   }
 }
 
-TEST(TestNearParticles, AllMayAppearAndVanish)
-{
-  for (const int step : { 0, 1 })
-  {
-    const std::string name = step == 0 ? "appear" : "vanish";
-    CheckOnRanks({ name, ParticleModel::AveragedCentre, true, step }, 2);
-  }
-}
-
 // Between two updates it is asked anywhere again.
 TEST(TestNearParticles, WhatIsForgottenComesBack)
 {
@@ -210,7 +195,7 @@ TEST(TestNearParticles, WhatIsForgottenComesBack)
       TargetFrames frames;
       for (const int step : { 0, 1 })
       {
-        frames.Add(step, std::make_shared<ParticleShape>(MakeFrame(wanted, step, &ranks)));
+        frames.Add(step, std::make_shared<ParticleShape>(MakeFrame(wanted, step)));
       }
       ParticleTarget target(frames, MakeOptions(wanted, &ranks));
       target.MoveAlong(0, 0.0, 1.0);
