@@ -158,7 +158,7 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
         : function.ForEachRegion                 ? MakeSparsePotential
                                                  : MakeInitialPotential;
       openvdb::FloatTree::Ptr tree =
-        make(members.VoxelSize, bounds, function, members.Maximum, progress);
+        make(members.VoxelSize, bounds, function, members.Maximum, progress, members.Ranks);
       if (!tree)
       {
         return;

@@ -3,8 +3,9 @@
 Run: python3 rank_speed.py [<particles>]     (250,000 unless said)
 
 The pool of large.py. Each rank brings the particles of a slab and has one thread. A frame is the
-time of the slowest rank until it has its piece of the skin; the median of the frames after the
-first one. Over more ranks than cores the processors are shared.
+time of the slowest rank until it has its piece of the skin: the median of the frames after the
+first one, and the first one, which has the start. Over more ranks than cores the processors are
+shared.
 """
 
 import argparse
@@ -36,7 +37,7 @@ def find_ranks():
 
 
 def measure(particles, threads, is_parallel):
-    """Prints seconds a frame."""
+    """Prints seconds a frame, and of the first one."""
     controller, gather, rank, size = None, (lambda own: [own]), 0, 1
     if is_parallel:
         controller, gather, rank, size = find_ranks()
@@ -50,7 +51,7 @@ def measure(particles, threads, is_parallel):
         live.advance(places[own], 1 / 25, ids=ids[own])
         seconds.append(max(gather(time.perf_counter() - start)))
     if rank == 0:
-        print("seconds:", statistics.median(seconds[1:]))
+        print("seconds:", statistics.median(seconds[1:]), seconds[0])
     del controller
 
 
@@ -63,7 +64,7 @@ def run_one(ranks, threads, particles):
     told = subprocess.run(
         program, check=True, capture_output=True, text=True, env=environment
     ).stdout
-    return float(told.split("seconds:")[1])
+    return [float(seconds) for seconds in told.split("seconds:")[1].split()]
 
 
 def main():
@@ -75,14 +76,14 @@ def main():
     if options.threads:
         measure(options.particles, options.threads, options.parallel)
         return
-    print(
-        f"{options.particles:,} particles\n{'ranks':>6} {'threads':>8} {'s/frame':>9} {'speed':>7}"
-    )
-    first = None
+    print(f"{options.particles:,} particles")
+    print(f"{'ranks':>6} {'threads':>8} {'s/frame':>9} {'speed':>7} {'first':>9} {'speed':>7}")
+    alone = None
     for ranks, threads in RUNS:
         seconds = run_one(ranks, threads, options.particles)
-        first = first or seconds
-        print(f"{ranks:>6} {threads:>8} {seconds:>9.2f} {first / seconds:>7.2f}", flush=True)
+        alone = alone or seconds
+        speeds = "".join(f" {s:>9.2f} {a / s:>7.2f}" for a, s in zip(alone, seconds, strict=True))
+        print(f"{ranks:>6} {threads:>8}{speeds}", flush=True)
 
 
 if __name__ == "__main__":

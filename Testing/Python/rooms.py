@@ -3,6 +3,7 @@
 # Room: the rooms, and the single files of other rooms, that it may include besides its own. A
 # module's own folder, "NarrowBand" say, is a room as well.
 NUMERICS = [
+    "NarrowBand/Agreement",
     "NarrowBand/OpenVDB",
     "NarrowBand/CompilerBuiltins",
     "NarrowBand/InstructionSets",

@@ -4,6 +4,7 @@
 #include "OpenVDB.h"
 #include "Parts/LatticeFunction.h"
 #include "Parts/LeafSigns.h"
+#include "SharedResults.h"
 #include "State/InitialDistances.h"
 #include "State/InitialShape.h"
 #include "State/LatticeBox.h"
@@ -137,8 +138,27 @@ LeafMask MaskOf(const openvdb::MaskTree::LeafNodeType& leaf, const LatticeBox& b
   return mask;
 }
 
-/** False when `progress` stopped it. A value that is not a number is outside. */
-bool Sample(const LatticeFunction& function, const ProgressFunction& progress, Samples& samples)
+/** A value that is not a number is outside. */
+LeafMask FindInside(
+  const LatticeFunction& function, const openvdb::Coord& origin, const LeafMask& nodes)
+{
+  double values[512];
+  function.Evaluate(origin, nodes, values);
+  LeafMask inside;
+  nodes.ForEach(
+    [&](int node)
+    {
+      if (values[node] < 0.0)
+      {
+        inside.Add(node);
+      }
+    });
+  return inside;
+}
+
+/** False when `progress` stopped it. */
+bool Sample(const LatticeFunction& function, const ProgressFunction& progress, Agreement* ranks,
+  Samples& samples)
 {
   constexpr std::size_t atOnce = 1024;
   const std::size_t count = samples.Nodes.Size();
@@ -149,20 +169,18 @@ bool Sample(const LatticeFunction& function, const ProgressFunction& progress, S
     {
       return false;
     }
-    function.ForEach(first, std::min(first + atOnce, count),
-      [&](std::size_t i)
+    ShareResults(
+      ranks, std::min(atOnce, count - first),
+      [&](std::size_t begin, std::size_t end)
       {
-        double values[512];
-        function.Evaluate(samples.Nodes[i].Origin, samples.Nodes[i].Nodes, values);
-        samples.Nodes[i].Nodes.ForEach(
-          [&](int node)
+        function.ForEach(first + begin, first + end,
+          [&](std::size_t i)
           {
-            if (values[node] < 0.0)
-            {
-              samples.Inside[i].Add(node);
-            }
+            const auto& leaf = samples.Nodes[i];
+            samples.Inside[i] = FindInside(function, leaf.Origin, leaf.Nodes);
           });
-      });
+      },
+      [&](std::size_t n, auto& pass) { pass(&samples.Inside[first + n], 1); });
   }
   return true;
 }
@@ -236,7 +254,7 @@ void AddCrossed(const Samples& samples, CrossedNodes& crossed)
 }
 
 /** The function at nodes; what is not a number is outside. */
-NodeFunction ValuesAtNodes(const LatticeFunction& function, bool isThreadSafe)
+NodeFunction ValuesAtNodes(const LatticeFunction& function, bool isThreadSafe, Agreement* ranks)
 {
   return { [&function](const std::vector<openvdb::Coord>& nodes, std::vector<double>& values)
     {
@@ -244,7 +262,7 @@ NodeFunction ValuesAtNodes(const LatticeFunction& function, bool isThreadSafe)
       std::replace_if(
         values.begin(), values.end(), [](double value) { return std::isnan(value); }, HUGE_VAL);
     },
-    isThreadSafe };
+    isThreadSafe, ranks };
 }
 
 double FindLargest(const openvdb::BoolTree& nodes, const NodeFunction& function)
@@ -254,8 +272,18 @@ double FindLargest(const openvdb::BoolTree& nodes, const NodeFunction& function)
   {
     places.push_back(it.getCoord());
   }
-  std::vector<double> values;
-  function.Evaluate(places, values);
+  std::vector<double> values(places.size());
+  ShareResults(
+    function.Ranks, places.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      const auto at = [](auto& all, std::size_t n)
+      { return all.begin() + static_cast<std::ptrdiff_t>(n); };
+      std::vector<double> part;
+      function.Evaluate({ at(places, begin), at(places, end) }, part);
+      std::copy(part.begin(), part.end(), at(values, begin));
+    },
+    [&values](std::size_t n, auto& pass) { pass(&values[n], 1); });
   double largest = 0.0;
   for (const double value : values)
   {
@@ -268,7 +296,7 @@ double FindLargest(const openvdb::BoolTree& nodes, const NodeFunction& function)
 
 openvdb::FloatTree::Ptr MakeNearbyPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
-  const ProgressFunction& progress)
+  const ProgressFunction& progress, Agreement* ranks)
 {
   const LatticeBox box = FindLatticeBox(voxelSize, bounds);
   const LatticeFunction values(voxelSize, function, &box);
@@ -283,7 +311,7 @@ openvdb::FloatTree::Ptr MakeNearbyPotential(double voxelSize, const double bound
       samples.Nodes[samples.Nodes.Add(leaf->origin())].Nodes = MaskOf(*leaf, box);
     }
   }
-  if (!Sample(values, progress, samples))
+  if (!Sample(values, progress, ranks, samples))
   {
     return nullptr;
   }
@@ -293,7 +321,7 @@ openvdb::FloatTree::Ptr MakeNearbyPotential(double voxelSize, const double bound
   {
     RefuseSize(maximumNumberOfActiveVoxels);
   }
-  const NodeFunction nodes = ValuesAtNodes(values, function.ThreadSafe);
+  const NodeFunction nodes = ValuesAtNodes(values, function.ThreadSafe, ranks);
   crossed.Largest = FindLargest(crossed.Nodes, nodes);
   const openvdb::FloatTree::Ptr potential =
     crossed.Nodes.empty() ? nullptr : MakeNearbyDistances(crossed, nodes);

@@ -4,6 +4,7 @@
 #ifndef NearbyStart_h
 #define NearbyStart_h
 
+#include "Agreement.h"
 #include "InitialFunction.h"
 #include "Motion.h"
 #include "OpenVDB.h"
@@ -17,7 +18,7 @@ namespace activesurface
  */
 openvdb::FloatTree::Ptr MakeNearbyPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
-  const ProgressFunction& progress);
+  const ProgressFunction& progress, Agreement* ranks);
 
 }
 

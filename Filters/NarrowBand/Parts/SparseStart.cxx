@@ -4,6 +4,7 @@
 #include "Parts/LatticeFunction.h"
 #include "Parts/LeafSigns.h"
 #include "Parts/PartBand.h"
+#include "SharedResults.h"
 #include "State/InitialShape.h"
 #include "State/LatticeBox.h"
 
@@ -15,9 +16,25 @@ namespace activesurface
 namespace
 {
 
-/** False when `progress` stopped it. A value that is not a number is outside. */
-bool SampleInside(
-  const LatticeFunction& function, const ProgressFunction& progress, LeafSigns& leaves)
+/** A value that is not a number is outside. */
+LeafMask FindInside(const LatticeFunction& function, const openvdb::Coord& origin)
+{
+  double values[512];
+  function.Evaluate(origin, LeafMask::All(), values);
+  LeafMask inside;
+  for (int node = 0; node < 512; ++node)
+  {
+    if (values[node] < 0.0)
+    {
+      inside.Add(node);
+    }
+  }
+  return inside;
+}
+
+/** False when `progress` stopped it. */
+bool SampleInside(const LatticeFunction& function, const ProgressFunction& progress,
+  Agreement* ranks, LeafSigns& leaves)
 {
   constexpr std::size_t atOnce = 1024;
   for (std::size_t first = 0; first < leaves.Size(); first += atOnce)
@@ -26,19 +43,14 @@ bool SampleInside(
     {
       return false;
     }
-    function.ForEach(first, std::min(first + atOnce, leaves.Size()),
-      [&](std::size_t i)
+    ShareResults(
+      ranks, std::min(atOnce, leaves.Size() - first),
+      [&](std::size_t begin, std::size_t end)
       {
-        double values[512];
-        function.Evaluate(leaves[i].Origin, LeafMask::All(), values);
-        for (int node = 0; node < 512; ++node)
-        {
-          if (values[node] < 0.0)
-          {
-            leaves[i].Nodes.Add(node);
-          }
-        }
-      });
+        function.ForEach(first + begin, first + end,
+          [&](std::size_t i) { leaves[i].Nodes = FindInside(function, leaves[i].Origin); });
+      },
+      [&](std::size_t n, auto& pass) { pass(&leaves[first + n].Nodes, 1); });
   }
   return true;
 }
@@ -81,14 +93,14 @@ void FillInside(const LatticeBox& box, std::size_t maximum, LeafSigns& leaves)
 
 openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
-  const ProgressFunction& progress)
+  const ProgressFunction& progress, Agreement* ranks)
 {
   const LatticeBox box = FindLatticeBox(voxelSize, bounds);
   const LatticeFunction values(voxelSize, function, &box);
   LeafSigns inside;
   function.ForEachRegion([&](const TargetRegion& region)
     { inside.AddRegion(region, voxelSize, &box, maximumNumberOfActiveVoxels); });
-  if (!SampleInside(values, progress, inside))
+  if (!SampleInside(values, progress, ranks, inside))
   {
     return nullptr;
   }
@@ -98,7 +110,7 @@ openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bound
   {
     RefuseSize(maximumNumberOfActiveVoxels);
   }
-  band.FindDistances(values);
+  ranks ? band.ShareDistances(values, *ranks) : band.FindDistances(values);
   return band.GetTree();
 }
 

@@ -3,11 +3,14 @@
 #include "Leaves/CentralGradient.h"
 #include "Leaves/LeafTable.h"
 #include "OpenVDB.h"
+#include "SharedResults.h"
 
 #include <openvdb/tools/FastSweeping.h>
 #include <openvdb/tools/Morphology.h>
 #include <openvdb/tools/SignedFloodFill.h>
 #include <openvdb/tree/LeafManager.h>
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +47,20 @@ void SampleNodes(const NodeFunction& function, double scale, PotentialLeaf& leaf
   }
 }
 
+template <class Function>
+void ForEach(std::size_t begin, std::size_t end, bool isParallel, Function&& function)
+{
+  if (isParallel)
+  {
+    tbb::parallel_for(begin, end, function);
+    return;
+  }
+  for (std::size_t n = begin; n < end; ++n)
+  {
+    function(n);
+  }
+}
+
 /** The function near the crossed nodes, where it is scaled to about 1. */
 openvdb::FloatTree::Ptr SampleNearby(CrossedNodes& crossed, const NodeFunction& function)
 {
@@ -54,8 +71,14 @@ openvdb::FloatTree::Ptr SampleNearby(CrossedNodes& crossed, const NodeFunction& 
   crossed.Nodes.clear();
   const double scale = crossed.Largest > 0.0 ? std::ldexp(1.0, -std::ilogb(crossed.Largest)) : 1.0;
   Leaves leaves(*tree);
-  leaves.foreach ([&](PotentialLeaf& leaf, std::size_t) { SampleNodes(function, scale, leaf); },
-    function.ThreadSafe);
+  ShareResults(
+    function.Ranks, leaves.leafCount(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      const auto sample = [&](std::size_t n) { SampleNodes(function, scale, leaves.leaf(n)); };
+      ForEach(begin, end, function.ThreadSafe, sample);
+    },
+    [&](std::size_t n, auto& pass) { pass(leaves.leaf(n).buffer().data(), PotentialLeaf::SIZE); });
   return tree;
 }
 

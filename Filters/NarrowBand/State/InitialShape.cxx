@@ -1,6 +1,7 @@
 #include "State/InitialShape.h"
 
 #include "Leaves/LeafTable.h"
+#include "SharedResults.h"
 #include "State/InitialDistances.h"
 #include "State/LatticeBox.h"
 
@@ -50,21 +51,38 @@ public:
   {
   }
 
+  /** The same, where ranks ask for it together; or null. */
+  void Share(
+    Agreement* ranks, const std::vector<openvdb::Coord>& nodes, std::vector<double>& values) const
+  {
+    values.resize(nodes.size());
+    ShareResults(
+      ranks, nodes.size(),
+      [&](std::size_t begin, std::size_t end) { this->EvaluateRange(nodes, begin, end, values); },
+      [&values](std::size_t n, auto& pass) { pass(&values[n], 1); });
+  }
+
   void Evaluate(const std::vector<openvdb::Coord>& nodes, std::vector<double>& values) const
   {
     values.resize(nodes.size());
-    if (!this->Function.ThreadSafe)
-    {
-      this->EvaluateRange(nodes, 0, nodes.size(), values);
-      return;
-    }
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes.size(), 1024),
-      [&](const tbb::blocked_range<std::size_t>& range)
-      { this->EvaluateRange(nodes, range.begin(), range.end(), values); });
+    this->EvaluateRange(nodes, 0, nodes.size(), values);
   }
 
 private:
   void EvaluateRange(const std::vector<openvdb::Coord>& nodes, std::size_t begin, std::size_t end,
+    std::vector<double>& values) const
+  {
+    if (!this->Function.ThreadSafe)
+    {
+      this->EvaluateSome(nodes, begin, end, values);
+      return;
+    }
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, 1024),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      { this->EvaluateSome(nodes, range.begin(), range.end(), values); });
+  }
+
+  void EvaluateSome(const std::vector<openvdb::Coord>& nodes, std::size_t begin, std::size_t end,
     std::vector<double>& values) const
   {
     std::vector<double> points(3 * (end - begin));
@@ -99,7 +117,7 @@ struct Plane
   std::vector<unsigned char> Signs; //< 1 inside, 0 outside
 };
 
-void SamplePlane(const Sampler& sampler, const LatticeBox& box, int x,
+void SamplePlane(const Sampler& sampler, const LatticeBox& box, int x, Agreement* ranks,
   std::vector<openvdb::Coord>& nodes, Plane& plane)
 {
   nodes.clear();
@@ -110,7 +128,7 @@ void SamplePlane(const Sampler& sampler, const LatticeBox& box, int x,
       nodes.emplace_back(x, y, z);
     }
   }
-  sampler.Evaluate(nodes, plane.Values);
+  sampler.Share(ranks, nodes, plane.Values);
   plane.Signs.resize(nodes.size());
   std::transform(plane.Values.begin(), plane.Values.end(), plane.Signs.begin(),
     [](double value) { return value < 0.0; });
@@ -147,7 +165,7 @@ void AddCrossedVoxels(
 
 /** The corners of all crossed voxels; false when `progress` stopped it. */
 bool FindCrossedNodes(const Sampler& sampler, const LatticeBox& box, std::size_t maximum,
-  const ProgressFunction& progress, CrossedNodes& crossed)
+  const ProgressFunction& progress, Agreement* ranks, CrossedNodes& crossed)
 {
   std::vector<openvdb::Coord> nodes;
   Plane before, after;
@@ -157,7 +175,7 @@ bool FindCrossedNodes(const Sampler& sampler, const LatticeBox& box, std::size_t
     {
       return false;
     }
-    SamplePlane(sampler, box, x, nodes, after);
+    SamplePlane(sampler, box, x, ranks, nodes, after);
     if (x > box.First[0])
     {
       AddCrossedVoxels(box, x, before, after, crossed);
@@ -175,20 +193,20 @@ bool FindCrossedNodes(const Sampler& sampler, const LatticeBox& box, std::size_t
 
 openvdb::FloatTree::Ptr MakeInitialPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
-  const ProgressFunction& progress)
+  const ProgressFunction& progress, Agreement* ranks)
 {
   const LatticeBox box = FindLatticeBox(voxelSize, bounds);
   CheckSize(box, maximumNumberOfActiveVoxels);
   const Sampler sampler(voxelSize, box, function);
   CrossedNodes crossed;
-  if (!FindCrossedNodes(sampler, box, maximumNumberOfActiveVoxels, progress, crossed))
+  if (!FindCrossedNodes(sampler, box, maximumNumberOfActiveVoxels, progress, ranks, crossed))
   {
     return nullptr;
   }
   const NodeFunction values = { [&sampler](const std::vector<openvdb::Coord>& nodes,
                                   std::vector<double>& results)
     { sampler.Evaluate(nodes, results); },
-    function.ThreadSafe };
+    function.ThreadSafe, ranks };
   const openvdb::FloatTree::Ptr potential =
     crossed.Nodes.empty() ? nullptr : MakeNearbyDistances(crossed, values);
   return potential ? potential : std::make_shared<openvdb::FloatTree>(Far);

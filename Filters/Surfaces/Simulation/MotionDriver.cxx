@@ -48,7 +48,8 @@ bool MotionDriver::Start(
   const PotentialTarget& shape = initial ? *initial : this->Shapes.GetTarget();
   this->Prepare(band);
   const Motion motion = this->GetMotion(-1);
-  return StartOn(band, { domain, motion.Box, motion.Solid, shape }, this->Messages, progress);
+  return StartOn(
+    band, { domain, motion.Box, motion.Solid, shape, this->Ranks }, this->Messages, progress);
 }
 
 // Once the voxels are known.

@@ -1,5 +1,6 @@
 #include "Simulation/SurfaceStart.h"
 
+#include "Agreement.h"
 #include "Obstacle.h"
 
 #include <algorithm>
@@ -12,6 +13,22 @@ namespace activesurface
 
 namespace
 {
+
+constexpr char CoveredStart[] =
+  "The obstacle covers the initial shape, so there is no skin; check that ObstacleFunction is "
+  "negative inside the obstacle alone.";
+constexpr char StartWithoutSurface[] =
+  "The initial shape, or the target where there is none, has no surface within the bounds, or none "
+  "that the voxels can hold, so there is no skin; check VoxelSize, ModelBounds and TargetIsoValue.";
+constexpr char StartWithoutNumbers[] =
+  "The initial shape is not a finite number anywhere within the bounds, so there is no skin; check "
+  "the initial shape, or the target where there is none.";
+
+// Each rank has evaluated a part.
+bool IsSoOnAny(Agreement* ranks, bool isSo)
+{
+  return ranks ? !ranks->GoOn(!isSo) : isSo;
+}
 
 double FindMargin(const SurfaceStart& start)
 {
@@ -120,21 +137,17 @@ bool StartOn(
   {
     band.Confine(start.Box, start.Solid);
   }
-  if (band.IsEmpty() && start.Solid && hasInside)
+  if (band.IsEmpty())
   {
+    const bool isCovered = start.Solid && IsSoOnAny(start.Ranks, hasInside);
+    if (!isCovered)
+    {
+      EvaluateAtCorners(function, bounds); // where nothing was, as there is no surface
+    }
     messages.Say("empty",
-      "The obstacle covers the initial shape, so there is no skin; check that ObstacleFunction is "
-      "negative inside the obstacle alone.");
-  }
-  else if (band.IsEmpty())
-  {
-    EvaluateAtCorners(function, bounds); // where nothing was, as there is no surface
-    messages.Say("empty",
-      isFinite ? "The initial shape, or the target where there is none, has no surface within the "
-                 "bounds, or none that the voxels can hold, so there is no skin; check VoxelSize, "
-                 "ModelBounds and TargetIsoValue."
-               : "The initial shape is not a finite number anywhere within the bounds, so there is "
-                 "no skin; check the initial shape, or the target where there is none.");
+      isCovered                            ? CoveredStart
+        : IsSoOnAny(start.Ranks, isFinite) ? StartWithoutSurface
+                                           : StartWithoutNumbers);
   }
   return true;
 }

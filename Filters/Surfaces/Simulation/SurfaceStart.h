@@ -18,6 +18,7 @@ struct SurfaceStart
   const Walls& Box;
   Obstacle* Solid; // or null
   const PotentialTarget& Shape;
+  Agreement* Ranks = nullptr; // that start together, each with the whole shape
 };
 
 // False if the progress function has stopped it. Warns of a start without a surface. Throws as
