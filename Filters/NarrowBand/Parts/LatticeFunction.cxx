@@ -19,6 +19,22 @@ void LatticeFunction::Evaluate(
   nodes.ForEach([&](int node) { values[node] = *result++; });
 }
 
+LeafMask LatticeFunction::FindInside(const openvdb::Coord& origin, const LeafMask& nodes) const
+{
+  double values[512];
+  this->Evaluate(origin, nodes, values);
+  LeafMask inside;
+  nodes.ForEach(
+    [&](int node)
+    {
+      if (values[node] < 0.0)
+      {
+        inside.Add(node);
+      }
+    });
+  return inside;
+}
+
 void LatticeFunction::Evaluate(
   const std::vector<openvdb::Coord>& nodes, std::vector<double>& values) const
 {

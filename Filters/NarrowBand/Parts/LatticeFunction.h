@@ -34,6 +34,9 @@ public:
   /** The function at these nodes of the leaf at an origin; of the 512 values others stay. */
   void Evaluate(const openvdb::Coord& origin, const LeafMask& nodes, double* values) const;
 
+  /** Those of the nodes where it is negative; a value that is not a number is outside. */
+  LeafMask FindInside(const openvdb::Coord& origin, const LeafMask& nodes) const;
+
   /** At single nodes. */
   void Evaluate(const std::vector<openvdb::Coord>& nodes, std::vector<double>& values) const;
 

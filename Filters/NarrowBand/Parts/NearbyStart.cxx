@@ -138,24 +138,6 @@ LeafMask MaskOf(const openvdb::MaskTree::LeafNodeType& leaf, const LatticeBox& b
   return mask;
 }
 
-/** A value that is not a number is outside. */
-LeafMask FindInside(
-  const LatticeFunction& function, const openvdb::Coord& origin, const LeafMask& nodes)
-{
-  double values[512];
-  function.Evaluate(origin, nodes, values);
-  LeafMask inside;
-  nodes.ForEach(
-    [&](int node)
-    {
-      if (values[node] < 0.0)
-      {
-        inside.Add(node);
-      }
-    });
-  return inside;
-}
-
 /** False when `progress` stopped it. */
 bool Sample(const LatticeFunction& function, const ProgressFunction& progress, Agreement* ranks,
   Samples& samples)
@@ -177,7 +159,7 @@ bool Sample(const LatticeFunction& function, const ProgressFunction& progress, A
           [&](std::size_t i)
           {
             const auto& leaf = samples.Nodes[i];
-            samples.Inside[i] = FindInside(function, leaf.Origin, leaf.Nodes);
+            samples.Inside[i] = function.FindInside(leaf.Origin, leaf.Nodes);
           });
       },
       [&](std::size_t n, auto& pass) { pass(&samples.Inside[first + n], 1); });

@@ -16,22 +16,6 @@ namespace activesurface
 namespace
 {
 
-/** A value that is not a number is outside. */
-LeafMask FindInside(const LatticeFunction& function, const openvdb::Coord& origin)
-{
-  double values[512];
-  function.Evaluate(origin, LeafMask::All(), values);
-  LeafMask inside;
-  for (int node = 0; node < 512; ++node)
-  {
-    if (values[node] < 0.0)
-    {
-      inside.Add(node);
-    }
-  }
-  return inside;
-}
-
 /** False when `progress` stopped it. */
 bool SampleInside(const LatticeFunction& function, const ProgressFunction& progress,
   Agreement* ranks, LeafSigns& leaves)
@@ -48,7 +32,8 @@ bool SampleInside(const LatticeFunction& function, const ProgressFunction& progr
       [&](std::size_t begin, std::size_t end)
       {
         function.ForEach(first + begin, first + end,
-          [&](std::size_t i) { leaves[i].Nodes = FindInside(function, leaves[i].Origin); });
+          [&](std::size_t i)
+          { leaves[i].Nodes = function.FindInside(leaves[i].Origin, LeafMask::All()); });
       },
       [&](std::size_t n, auto& pass) { pass(&leaves[first + n].Nodes, 1); });
   }
