@@ -59,6 +59,8 @@ public:
 
   /** A round: whether every rank wants to go on. Throws RankError if one has failed. */
   bool GoOn(bool own);
+  /** The same round: whether it is so on one rank at least. */
+  bool IsSoOnAny(bool own) { return !this->GoOn(!own); }
 
   /** In place of whatever round the others are in. The sentence of the first rank that has failed,
    * after the rank's number, unless all have failed with the same sentence. */

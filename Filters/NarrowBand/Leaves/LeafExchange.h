@@ -189,7 +189,7 @@ void RunTogether(const LeafTable& table, Task&& task)
 /** Whether it is so on one of the ranks at least. */
 inline bool IsSoOnAny(const LeafTable& table, bool isSo)
 {
-  return table.GetRanks() ? !table.GetRanks()->GetAgreement().GoOn(!isSo) : isSo;
+  return table.GetRanks() ? table.GetRanks()->GetAgreement().IsSoOnAny(isSo) : isSo;
 }
 
 /** Sums of integers over the ranks. */

@@ -27,7 +27,7 @@ constexpr char StartWithoutNumbers[] =
 // Each rank has evaluated a part.
 bool IsSoOnAny(Agreement* ranks, bool isSo)
 {
-  return ranks ? !ranks->GoOn(!isSo) : isSo;
+  return ranks ? ranks->IsSoOnAny(isSo) : isSo;
 }
 
 double FindMargin(const SurfaceStart& start)
