@@ -99,7 +99,10 @@ public:
                                "than the others need. Update all ranks together, with the same "
                                "inputs.");
     }
-    std::memcpy(values, this->Source.data() + this->Done, size);
+    if (size > 0) // or values may be null
+    {
+      std::memcpy(values, this->Source.data() + this->Done, size);
+    }
     this->Done += size;
   }
 

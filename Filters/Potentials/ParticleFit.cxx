@@ -75,8 +75,14 @@ public:
     this->ShareInOrder([this](const Batch& batch) { this->FindNeighbourhoods(batch); },
       [this](std::size_t i, auto& pass)
       {
+        SurfacePlaces& places = this->Outside[i];
         pass(&this->Fits[i], 1);
-        pass(&this->Outside[i], 1);
+        pass(&places.Deep, 1);
+        pass(&places.Thin, 1);
+        if (places.AreOfSurface()) // elsewhere only the rank that has found them reads them
+        {
+          pass(&places, 1);
+        }
       });
     if (this->Options.Model != ParticleModel::Sum)
     {
@@ -96,6 +102,8 @@ private:
     double Across[3]; // of a sheet or a thread
     double Thin;
     double ShapeShare; // of what the neighbours lack, in place of the particle's own lack
+
+    bool AreOfSurface() const { return this->Deep > 0.0 || this->Thin > 0.0; }
   };
 
   // By a sample that is spread over the list.
@@ -244,7 +252,7 @@ private:
     for (const BallCells::Index i : this->Order)
     {
       this->Surface[i] = { 0.0, 0.0 };
-      if (this->Outside[i].Deep > 0.0 || this->Outside[i].Thin > 0.0)
+      if (this->Outside[i].AreOfSurface())
       {
         members.push_back(i);
       }

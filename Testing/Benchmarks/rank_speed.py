@@ -4,12 +4,14 @@ Run: python3 rank_speed.py [<particles>]     (250,000 unless said)
 
 The pool of large.py. Each rank brings the particles of a slab and has one thread. A frame is the
 time of the slowest rank until it has its piece of the skin: the median of the frames after the
-first one, and the first one, which has the start. Over more ranks than cores the processors are
-shared.
+first one, and the first one, which has the start. Memory is the most that a rank has had, beyond
+what it has when the particles are made and the skin is not begun. Over more ranks than cores the
+processors are shared.
 """
 
 import argparse
 import os
+import resource
 import statistics
 import subprocess
 import sys
@@ -36,22 +38,29 @@ def find_ranks():
     return controller, ranks.allgather, ranks.rank, ranks.size
 
 
+def most_memory():
+    """That this process has had so far, in MB."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e3
+
+
 def measure(particles, threads, is_parallel):
-    """Prints seconds a frame, and of the first one."""
+    """Prints seconds a frame, those of the first one, and MB."""
     controller, gather, rank, size = None, (lambda own: [own]), 0, 1
     if is_parallel:
         controller, gather, rank, size = find_ranks()
     live = LiveSurface(particle_spacing=2 * large.R, voxel_size=large.R, number_of_threads=threads)
-    seconds = []
+    seconds, before = [], None
     for places, _, ids in large.pool(particles).frames:
         order = numpy.argsort(places[:, 0], kind="stable")
         own = numpy.sort(numpy.array_split(order, size)[rank])
+        before = before or most_memory()
         gather(None)  # all begin together
         start = time.perf_counter()
         live.advance(places[own], 1 / 25, ids=ids[own])
         seconds.append(max(gather(time.perf_counter() - start)))
+    most = max(gather(most_memory() - before))
     if rank == 0:
-        print("seconds:", statistics.median(seconds[1:]), seconds[0])
+        print("figures:", statistics.median(seconds[1:]), seconds[0], most)
     del controller
 
 
@@ -64,7 +73,7 @@ def run_one(ranks, threads, particles):
     told = subprocess.run(
         program, check=True, capture_output=True, text=True, env=environment
     ).stdout
-    return [float(seconds) for seconds in told.split("seconds:")[1].split()]
+    return [float(figure) for figure in told.split("figures:")[1].split()]
 
 
 def main():
@@ -77,13 +86,17 @@ def main():
         measure(options.particles, options.threads, options.parallel)
         return
     print(f"{options.particles:,} particles")
-    print(f"{'ranks':>6} {'threads':>8} {'s/frame':>9} {'speed':>7} {'first':>9} {'speed':>7}")
+    heads = [f"{'ranks':>6} {'threads':>8}"]
+    heads += [f"{name:>9} {ratio:>7}" for name, ratio in (("s/frame", "speed"), ("first", "speed"))]
+    print(*heads, f"{'MB/rank':>9} {'share':>7}")
     alone = None
     for ranks, threads in RUNS:
-        seconds = run_one(ranks, threads, options.particles)
-        alone = alone or seconds
-        speeds = "".join(f" {s:>9.2f} {a / s:>7.2f}" for a, s in zip(alone, seconds, strict=True))
-        print(f"{ranks:>6} {threads:>8}{speeds}", flush=True)
+        *seconds, most = run_one(ranks, threads, options.particles)
+        alone = alone or [*seconds, most]
+        speeds = "".join(
+            f" {s:>9.2f} {a / s:>7.2f}" for a, s in zip(alone[:2], seconds, strict=True)
+        )
+        print(f"{ranks:>6} {threads:>8}{speeds} {most:>9.0f} {most / alone[-1]:>7.2f}", flush=True)
 
 
 if __name__ == "__main__":

@@ -122,7 +122,8 @@ class Keeper:
         """Keeps the outputs at a time, or the errors."""
         listener = Listener(surface)
         surface.UpdateTimeStep(time)
-        self.keep(name + ".errors", errors=numpy.array(listener.errors, dtype=str))
+        said = {"errors": listener.errors, "warnings": listener.warnings}
+        self.keep(name + ".errors", **{kind: numpy.array(t, dtype=str) for kind, t in said.items()})
         self.outputs(name, surface)
         surface.RemoveAllObservers()
 

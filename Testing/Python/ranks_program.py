@@ -23,7 +23,13 @@ from ranks import (
 from scenes import DATA, star_to_balls
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkImageData,
+    vtkImplicitVolume,
+    vtkPolyData,
+    vtkSphere,
+)
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
@@ -355,6 +361,39 @@ def changed_upstream(ranks, keeper, folder):
     if ranks.rank == 0:
         source.Modified()
     keeper.update("changed_2", surface, 2)
+
+
+def box_around(centre, value, beyond):
+    """A value within .3 of a place along each axis, another one beyond."""
+    image = vtkImageData()
+    image.SetDimensions(2, 2, 2)
+    image.SetOrigin(*(x - 0.3 for x in centre))
+    image.SetSpacing(0.6, 0.6, 0.6)
+    image.GetPointData().SetScalars(as_array(numpy.full(8, float(value))))
+    function = vtkImplicitVolume()
+    function.SetVolume(image)
+    function.SetOutValue(beyond)
+    return function
+
+
+@run
+def empty_starts(ranks, keeper, folder):
+    """Only some ranks evaluate where the reason is: at either end of the box, so the first or the
+    last one."""
+    for end in (-1.5, 1.5):
+        place = (end, 0.1, 0.1)
+        ball = vtkSphere()
+        ball.SetCenter(place)
+        ball.SetRadius(0.3)
+        for name, initial, obstacle in (
+            ("outside", box_around(place, 1, numpy.nan), None),
+            ("no_numbers", box_around(place, numpy.nan, numpy.nan), None),
+            ("covered", ball, box_around(place, -0.4, 1)),
+        ):
+            surface = make_surface(voxel=0.05, InitialFunction=initial, TargetFunction=initial)
+            surface.SetModelBounds(-2, 2, -2, 2, -2, 2)
+            surface.SetObstacleFunction(obstacle)
+            keeper.update(f"{name}_{end}", surface, 0)
 
 
 def main():

@@ -228,6 +228,22 @@ class Ranks(unittest.TestCase):
         start(2, "bad_state", folder)
         self.assertEqual([bool(part["loaded"]) for part in load(folder, "loaded", 2)], [False] * 2)
 
+    def test_an_empty_start_has_the_reason_that_one_rank_has_seen(self):
+        reasons = {
+            "outside": "no surface within the bounds",
+            "no_numbers": "not a finite number anywhere",
+            "covered": "The obstacle covers the initial shape",
+        }
+        for size in (2, 3):
+            folder = self.folder()
+            start(size, "empty_starts", folder)
+            for name in self.names_in(folder):
+                said = load(folder, name + ".errors", size)
+                texts = [text for part in said for text in part["warnings"]]
+                with self.subTest(ranks=size, start=name):
+                    self.assertEqual(len(texts), 1, "the first rank says it for all")
+                    self.assertIn(reasons[name.rsplit("_", 1)[0]], texts[0])
+
     def test_what_one_rank_stops_all_stop(self):
         expected = self.folder()
         start(0, "aborted", expected)

@@ -1,0 +1,53 @@
+// Results that ranks make together: each has all of them in the end, and of no size too.
+
+#include "SharedResults.h"
+#include "Support/ThreadRanks.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+using namespace activesurface;
+
+// An empty vector has no address, and may not be copied from or to by what wants one.
+TEST(TestSharedResults, SomeRanksHaveNothing)
+{
+  RunOnRanks(3,
+    [](Agreement& ranks)
+    {
+      const std::vector<double> own(ranks.GetRank() == 1 ? 2 : 0, 0.5);
+      const auto all = GatherResults(
+        ranks, own, [](std::vector<double>& values, auto& pass) { PassVector(values, pass); });
+      const std::vector<std::vector<double>> expected = { {}, { 0.5, 0.5 }, {} };
+      EXPECT_EQ(all, expected);
+    });
+}
+
+TEST(TestSharedResults, EachMakesItsRange)
+{
+  constexpr std::size_t count = 7;
+  RunOnRanks(3,
+    [](Agreement& ranks)
+    {
+      std::vector<int> results(count, -1), expected(count);
+      std::size_t made = 0;
+      ShareResults(
+        &ranks, count,
+        [&](std::size_t first, std::size_t end)
+        {
+          made = end - first;
+          std::iota(&results[first], results.data() + end, static_cast<int>(first));
+        },
+        [&](std::size_t n, auto& pass) { pass(&results[n], 1); });
+      std::iota(expected.begin(), expected.end(), 0);
+      EXPECT_EQ(results, expected);
+      EXPECT_EQ(made, ranks.GetRank() == 0 ? 3u : 2u);
+    });
+}
+
+TEST(TestSharedResults, LessThanWasToldIsAnError)
+{
+  const Bytes bytes(7);
+  double value = 0.0;
+  EXPECT_THROW(ByteReader{ bytes }(&value, 1), std::runtime_error);
+}
