@@ -111,6 +111,33 @@ private:
   std::size_t Done = 0;
 };
 
+/** Ranges of so many results, one for each rank. */
+struct RankRanges
+{
+  std::size_t Count;
+  std::size_t Ranks;
+
+  std::size_t FirstOf(std::size_t rank) const
+  {
+    return this->Count / this->Ranks * rank + std::min(rank, this->Count % this->Ranks);
+  }
+
+  /** The numbers of those of a rank that are told in a round. */
+  std::vector<std::size_t> ListRound(std::size_t rank, std::size_t round) const
+  {
+    const std::size_t end = this->FirstOf(rank + 1);
+    const std::size_t first = std::min(this->FirstOf(rank) + round * InRound, end);
+    std::vector<std::size_t> numbers(std::min(InRound, end - first));
+    std::iota(numbers.begin(), numbers.end(), first);
+    return numbers;
+  }
+
+  std::size_t CountRounds() const { return (this->FirstOf(1) + InRound - 1) / InRound; }
+
+private:
+  static constexpr std::size_t InRound = 16384; //< so that messages take little memory
+};
+
 /** Each rank makes its range of so many results, by make(first, end), and is told the others;
  * visit(number, pass) names what a result is, by pass(values, count). Without ranks, all are made.
  */
@@ -122,20 +149,21 @@ void ShareResults(Agreement* ranks, std::size_t count, Make&& make, Visit&& visi
     make(std::size_t{ 0 }, count);
     return;
   }
-  const auto size = static_cast<std::size_t>(ranks->GetSize());
+  const RankRanges ranges{ count, static_cast<std::size_t>(ranks->GetSize()) };
   const auto own = static_cast<std::size_t>(ranks->GetRank());
-  const auto firstOf = [=](std::size_t rank)
-  { return count / size * rank + std::min(rank, count % size); };
-  make(firstOf(own), firstOf(own + 1));
-  std::vector<std::size_t> numbers(firstOf(own + 1) - firstOf(own));
-  std::iota(numbers.begin(), numbers.end(), firstOf(own));
-  const std::vector<Bytes> all = ranks->Exchange(WriteResults(numbers, visit));
-  for (std::size_t rank = 0; rank < size; ++rank)
+  make(ranges.FirstOf(own), ranges.FirstOf(own + 1));
+  for (std::size_t round = 0; round < ranges.CountRounds(); ++round)
   {
-    ByteReader read(all[rank]);
-    for (std::size_t n = firstOf(rank); rank != own && n < firstOf(rank + 1); ++n)
+    const std::vector<Bytes> all =
+      ranks->Exchange(WriteResults(ranges.ListRound(own, round), visit));
+    for (std::size_t rank = 0; rank < ranges.Ranks; ++rank)
     {
-      visit(n, read);
+      ByteReader read(all[rank]);
+      for (const std::size_t n :
+        rank != own ? ranges.ListRound(rank, round) : std::vector<std::size_t>())
+      {
+        visit(n, read);
+      }
     }
   }
 }

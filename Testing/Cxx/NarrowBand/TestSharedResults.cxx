@@ -23,11 +23,14 @@ TEST(TestSharedResults, SomeRanksHaveNothing)
     });
 }
 
-TEST(TestSharedResults, EachMakesItsRange)
+namespace
 {
-  constexpr std::size_t count = 7;
+
+// Each rank makes a third of them, and is told the others.
+void ShareNumbers(std::size_t count)
+{
   RunOnRanks(3,
-    [](Agreement& ranks)
+    [count](Agreement& ranks)
     {
       std::vector<int> results(count, -1), expected(count);
       std::size_t made = 0;
@@ -36,13 +39,30 @@ TEST(TestSharedResults, EachMakesItsRange)
         [&](std::size_t first, std::size_t end)
         {
           made = end - first;
-          std::iota(&results[first], results.data() + end, static_cast<int>(first));
+          std::iota(results.data() + first, results.data() + end, static_cast<int>(first));
         },
         [&](std::size_t n, auto& pass) { pass(&results[n], 1); });
       std::iota(expected.begin(), expected.end(), 0);
       EXPECT_EQ(results, expected);
-      EXPECT_EQ(made, ranks.GetRank() == 0 ? 3u : 2u);
+      EXPECT_EQ(made, (count + 2 - static_cast<std::size_t>(ranks.GetRank())) / 3);
     });
+}
+
+}
+
+TEST(TestSharedResults, EachMakesItsRange)
+{
+  for (const std::size_t count : { 0, 2, 7 })
+  {
+    ShareNumbers(count);
+  }
+}
+
+// So many that they are told in several rounds, the last of which is one for the first rank alone.
+TEST(TestSharedResults, ManyAreToldInRounds)
+{
+  ShareNumbers(3 * 16384);
+  ShareNumbers(3 * 2 * 16384 + 1);
 }
 
 TEST(TestSharedResults, LessThanWasToldIsAnError)
