@@ -11,6 +11,7 @@
 #include <cstring>
 #include <numeric>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace activesurface
@@ -166,6 +167,51 @@ void ShareResults(Agreement* ranks, std::size_t count, Make&& make, Visit&& visi
       }
     }
   }
+}
+
+/** Values of one kind as bytes, and back. */
+template <class Value>
+Bytes ToBytes(const std::vector<Value>& values)
+{
+  static_assert(std::is_trivially_copyable_v<Value>, "or its bytes are not all of it");
+  Bytes bytes;
+  ByteWriter write(bytes);
+  write(values.data(), values.size());
+  return bytes;
+}
+template <class Value>
+std::vector<Value> FromBytes(const Bytes& bytes)
+{
+  std::vector<Value> values(bytes.size() / sizeof(Value));
+  ByteReader read(bytes);
+  read(values.data(), values.size());
+  return values;
+}
+
+/** A list for each rank, and those that each has for this one. The own one is not passed on. */
+template <class Value>
+std::vector<std::vector<Value>> SwapLists(
+  Agreement& ranks, const std::vector<std::vector<Value>>& toEach)
+{
+  std::vector<Bytes> told(toEach.size());
+  std::vector<std::size_t> lengths;
+  const auto own = static_cast<std::size_t>(ranks.GetRank());
+  for (std::size_t rank = 0; rank < toEach.size(); ++rank)
+  {
+    told[rank] = rank != own ? ToBytes(toEach[rank]) : Bytes();
+    lengths.push_back(told[rank].size());
+  }
+  std::vector<std::size_t> expected;
+  for (const Bytes& ofRank : ranks.Exchange(ToBytes(lengths)))
+  {
+    expected.push_back(FromBytes<std::size_t>(ofRank).at(own));
+  }
+  std::vector<std::vector<Value>> fromEach;
+  for (const Bytes& bytes : ranks.Swap(told, expected))
+  {
+    fromEach.push_back(FromBytes<Value>(bytes));
+  }
+  return fromEach;
 }
 
 /** What each rank has, by rank; visit(value, pass) names what it is. */

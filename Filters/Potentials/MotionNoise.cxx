@@ -1,11 +1,11 @@
 #include "MotionNoise.h"
 
 #include "ParallelTasks.h"
-#include "ParticleModel.h"
 #include "Skeleton/NeighbourSums.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace activesurface
 {
@@ -31,35 +31,52 @@ double GetShare(const NeighbourSums::Motion& motion)
   return 1.0 - GetShareOfNoise(motion.Bulk / motion.Weight) * noise;
 }
 
+// Of all that are near; fits: of those at home.
+std::vector<double> GatherBulks(const LocalParticles& near, const ParticleFits& fits)
+{
+  const std::vector<std::size_t> home = near.ListAtHome();
+  const auto boxOf = [&](std::size_t n)
+  { return near.GetBall(home[n], MotionNeighbourhoodPerRadius); };
+  const auto bulkOf = [&](std::size_t n) { return fits[n].Bulk; };
+  std::vector<double> bulks;
+  for (const auto& told : near.Gather<double>(home, boxOf, bulkOf))
+  {
+    bulks.push_back(told.What);
+  }
+  return bulks;
 }
 
-std::vector<double> FindSharesOfMotion(const std::vector<SkeletonVertex>& particles,
-  const ParticleFits& fits, const std::vector<double>& velocities, Agreement* ranks)
+}
+
+std::vector<double> FindSharesOfMotion(
+  const LocalParticles& near, const ParticleFits& fits, const std::vector<double>& velocities)
 {
-  const NeighbourSums neighbours(particles, 1.0);
+  const std::vector<double> bulks = GatherBulks(near, fits);
+  const NeighbourSums neighbours(
+    near.Get(), MotionNeighbourhoodPerRadius, FindLargestRadius(near.GetAll()));
   const UnsetVector<BallCells::Index>& order = neighbours.GetOrder();
   UnsetVector<NeighbourSums::Moving> moving(order.size());
   RunEach(order.size(),
     [&](std::size_t k)
     {
       const double* v = &velocities[3 * std::size_t(order[k])];
-      moving[k] = { { v[0], v[1], v[2] }, fits[order[k]].Bulk };
+      moving[k] = { { v[0], v[1], v[2] }, bulks[order[k]] };
     });
-  std::vector<double> shares(particles.size(), 1.0);
-  const auto find = [&](std::size_t first, std::size_t end)
-  {
-    const std::size_t count = end - first;
-    const std::vector<double> places = neighbours.ListPlaces(first, count);
-    std::vector<NeighbourSums::Motion> motions(count);
-    neighbours.FindMotions(count, places.data(), moving, motions.data());
-    for (std::size_t k = 0; k < count; ++k)
+  std::vector<double> shares(order.size());
+  const std::vector<std::size_t> wanted = near.ListAtHome(order);
+  RunPieces(wanted.size(), ParticlesPerTask,
+    [&](std::size_t first, std::size_t end)
     {
-      shares[order[first + k]] = motions[k].Weight > 0.0 ? GetShare(motions[k]) : 1.0;
-    }
-  };
-  SharePieces(ranks, order.size(), ParticlesPerTask, find,
-    [&](std::size_t k, auto& pass) { pass(&shares[order[k]], 1); });
-  return shares;
+      const std::size_t count = end - first;
+      const std::vector<double> places = near.ListPositions(&wanted[first], count);
+      std::vector<NeighbourSums::Motion> motions(count);
+      neighbours.FindMotions(count, places.data(), moving, motions.data());
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        shares[wanted[first + k]] = motions[k].Weight > 0.0 ? GetShare(motions[k]) : 1.0;
+      }
+    });
+  return near.TakeHome(std::move(shares));
 }
 
 }

@@ -9,20 +9,22 @@
 #ifndef MotionNoise_h
 #define MotionNoise_h
 
-#include "ParticleFit.h"
-#include "Skeleton.h"
+#include "LocalParticles.h"
+#include "ParticleModel.h"
 
 #include <vector>
 
 namespace activesurface
 {
 
-// For each particle, in [0,1]: 1 where no body is in reach. A velocity (x y z each) that is not a
-// number is left out of all means. ranks: those that ask for the same together, or null.
-// Thread-count independent. Throws as BallCells do.
+// Neighbours are those within so many radii.
+constexpr double MotionNeighbourhoodPerRadius = 1.0;
+
+// For each particle at home, in [0,1]: 1 where no body is in reach. fits: of these; velocities: of
+// all that are near, x y z each, of which one that is not a number is left out of all means.
+// Thread-count independent. Throws as BallCells do. A round of ranks.
 VTKACTIVEPOTENTIALS_EXPORT std::vector<double> FindSharesOfMotion(
-  const std::vector<SkeletonVertex>& particles, const ParticleFits& fits,
-  const std::vector<double>& velocities, Agreement* ranks = nullptr);
+  const LocalParticles& near, const ParticleFits& fits, const std::vector<double>& velocities);
 
 }
 

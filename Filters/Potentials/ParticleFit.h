@@ -19,22 +19,25 @@
 namespace activesurface
 {
 
-class Agreement;
+class ParticleHomes;
 
 struct FitOptions
 {
   ParticleModel Model = ParticleModel::AveragedCentre;
-  double OwnRadius = 0.0;     // r [length]; 0: the particle's reach over twice GetReachPerSpacing
-  double Anisotropy = 4.0;    // largest ratio of an ellipsoid's axes
-  bool SparesCrowds = false;  // where there are too many in one place, all fits are as of none
-  Agreement* Ranks = nullptr; // that fit the same particles together, or null
+  double OwnRadius = 0.0;    // r [length]; 0: the particle's reach over twice GetReachPerSpacing
+  double Anisotropy = 4.0;   // largest ratio of an ellipsoid's axes
+  bool SparesCrowds = false; // where there are too many in one place, all fits are as of none
 };
+
+// How far neighbours are looked for, in radii.
+VTKACTIVEPOTENTIALS_EXPORT double GetNeighbourhoodPerRadius(ParticleModel model);
 
 // One fit for each particle. Thread-count independent. Throws as BallCells do, and
 // std::invalid_argument for so many in one place that it would take hours, unless crowds are
-// spared.
-VTKACTIVEPOTENTIALS_EXPORT ParticleFits FitParticles(
-  const FitOptions& options, const std::vector<SkeletonVertex>& particles);
+// spared. homes: where ranks fit the same particles together; then one fit for each particle at
+// home, by ascending number, and the same as without ranks.
+VTKACTIVEPOTENTIALS_EXPORT ParticleFits FitParticles(const FitOptions& options,
+  const std::vector<SkeletonVertex>& particles, const ParticleHomes* homes = nullptr);
 
 }
 

@@ -22,7 +22,7 @@ import large
 import numpy
 from active_implicit_surfaces import LiveSurface
 
-RUNS = [(1, 1), (1, 2), (2, 1), (4, 1)]  # ranks, threads
+RUNS = [(1, 1), (1, 2), (2, 1), (4, 1), (16, 1)]  # ranks, threads
 
 
 def find_ranks():

@@ -187,15 +187,11 @@ struct NeighbourSums::MotionField : SumField<NeighbourSums::MotionField, 7> // a
   }
 };
 
-NeighbourSums::NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor)
+NeighbourSums::NeighbourSums(
+  const std::vector<SkeletonVertex>& particles, double factor, double largestRadius)
   : Factor(factor)
 {
-  double largest = 0.0;
-  for (const SkeletonVertex& particle : particles)
-  {
-    largest = std::max(largest, factor * particle.Radius);
-  }
-  this->Build(particles, largest);
+  this->Build(particles, factor * largestRadius);
 }
 
 // In cells of the same size hits come in the same order.
@@ -225,16 +221,6 @@ void NeighbourSums::Build(const std::vector<SkeletonVertex>& particles, double c
       this->Elements[k] = { { p[0], p[1], p[2] }, std::max(particles[i].Strength, 0.0),
         1.0 / (reach * reach) };
     });
-}
-
-std::vector<double> NeighbourSums::ListPlaces(std::size_t first, std::size_t count) const
-{
-  std::vector<double> places(3 * count);
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    std::copy_n(this->Elements[first + k].Position, 3, &places[3 * k]);
-  }
-  return places;
 }
 
 std::size_t NeighbourSums::CountNear(const double x[3]) const

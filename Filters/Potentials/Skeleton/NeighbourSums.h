@@ -26,7 +26,9 @@ class NeighbourSums
 {
 public:
   // Reaches are those of the particles times a factor. Those of strength <= 0 are no neighbours.
-  NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor);
+  // largestRadius: of these particles and of any others, which are too far away to be here; by it
+  // sums are in the same order.
+  NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor, double largestRadius);
 
   // Of some of the particles of another one. What the others would add as zeros may be left out:
   // the sums are the same ones, to the bit.
@@ -34,9 +36,6 @@ public:
 
   // The numbers of all particles, by cells: places near one another are evaluated faster together.
   const UnsetVector<BallCells::Index>& GetOrder() const { return this->Near.GetOrder(); }
-
-  // Where some of the particles are, from the first one on in this order.
-  std::vector<double> ListPlaces(std::size_t first, std::size_t count) const;
 
   // At places (x y z each).
   void FindMoments(std::size_t count, const double* places, NeighbourMoments* moments) const;

@@ -44,12 +44,12 @@ bool MotionDriver::Start(
   NarrowBand& band, const SurfaceDomain& domain, const ProgressFunction& progress)
 {
   this->Shapes.StartTarget();
-  const std::unique_ptr<PotentialTarget> initial = this->Shapes.MakeStart();
-  const PotentialTarget& shape = initial ? *initial : this->Shapes.GetTarget();
+  const std::unique_ptr<PotentialTarget> shape = this->Shapes.MakeStart();
   this->Prepare(band);
   const Motion motion = this->GetMotion(-1);
-  return StartOn(
-    band, { domain, motion.Box, motion.Solid, shape, this->Ranks }, this->Messages, progress);
+  return StartOn(band,
+    { domain, motion.Box, motion.Solid, shape ? *shape : this->Shapes.GetTarget(), this->Ranks },
+    this->Messages, progress);
 }
 
 // Once the voxels are known.

@@ -60,6 +60,7 @@ public:
   {
     this->Driver.SetRanks(ranks);
     this->Shapes.SetRanks(ranks);
+    this->Coverage.SetRanks(ranks);
   }
 
   // Resets everything if these are other settings, unless only further steps have come.

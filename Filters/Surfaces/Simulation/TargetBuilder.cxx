@@ -185,11 +185,6 @@ void TargetBuilder::PrepareInitial()
     PrepareShape(*this->Initial, preparation, "The input of port 1, Initial: "));
 }
 
-bool TargetBuilder::WantsInitial() const
-{
-  return this->Settings.Inputs.HasInitialInput && !this->Initial;
-}
-
 void TargetBuilder::SetInitial(std::shared_ptr<InputShape> shape)
 {
   if (!shape->HasPoints())
@@ -304,12 +299,6 @@ bool TargetBuilder::StartsOnNothing() const
     !this->Settings.Inputs.InitialFunction && !this->Initial;
 }
 
-void TargetBuilder::ForgetTarget()
-{
-  this->Moving = nullptr;
-  this->Target.reset();
-}
-
 PotentialTarget& TargetBuilder::GetTarget()
 {
   if (!this->Target)
@@ -351,8 +340,7 @@ void TargetBuilder::MakeTarget()
     this->Target = this->MakeFunctionTarget();
     return;
   }
-  std::unique_ptr<MovingTarget> moving =
-    this->KindOfTarget->MakeTarget(this->Frames, this->GetOptions());
+  auto moving = this->KindOfTarget->MakeTarget(this->Frames, this->GetOptions());
   this->Moving = moving.get();
   this->Target = std::move(moving);
 }
@@ -365,19 +353,25 @@ void TargetBuilder::StartTarget()
   {
     this->Prepare(0, *this->Frames.Find(0));
     this->Moving->MoveAlong(0, 0.0, 0.0);
-    this->Moving->Complete();
+    if (!this->IsShared())
+    {
+      this->Moving->Complete();
+    }
   }
 }
 
 std::unique_ptr<PotentialTarget> TargetBuilder::MakeTargetAt(
   int step, double begin, double end) const
 {
-  if (!this->Settings.UsesInput())
-  {
-    return this->MakeFunctionTarget();
-  }
-  const KindPointer kind = this->FindKind(step, step + 1);
-  std::unique_ptr<MovingTarget> target = kind->MakeTarget(this->Frames, this->GetOptions());
+  return this->Settings.UsesInput()
+    ? this->MakeMovingTarget(*this->FindKind(step, step + 1), this->GetOptions(), step, begin, end)
+    : this->MakeFunctionTarget();
+}
+
+std::unique_ptr<PotentialTarget> TargetBuilder::MakeMovingTarget(
+  const InputShape& kind, const ShapeOptions& options, int step, double begin, double end) const
+{
+  std::unique_ptr<MovingTarget> target = kind.MakeTarget(this->Frames, options);
   target->MoveAlong(step, begin, end);
   target->Complete();
   return target;
@@ -391,9 +385,16 @@ std::unique_ptr<PotentialTarget> TargetBuilder::MakeStart()
     this->PrepareInitial();
     function = this->Initial->GetFunction();
   }
-  return function ? std::make_unique<ImplicitTarget>(
-                      function, this->GetOptions().GetDifferenceStep(), TargetOptions())
-                  : nullptr;
+  ShapeOptions options = this->GetOptions();
+  if (function || !this->Moving || !this->IsShared())
+  {
+    return function
+      ? std::make_unique<ImplicitTarget>(function, options.GetDifferenceStep(), TargetOptions())
+      : nullptr;
+  }
+  // Everywhere: it takes more memory than the one that ranks share, and goes after the start.
+  options.Carries = options.WeighsTension = false;
+  return this->MakeMovingTarget(*this->KindOfTarget, options, 0, 0.0, 0.0);
 }
 
 }

@@ -4,6 +4,7 @@
 #ifndef TargetBuilder_h
 #define TargetBuilder_h
 
+#include "Agreement.h"
 #include "Simulation/SurfaceDomain.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/Warnings.h"
@@ -70,7 +71,7 @@ public:
 
   // The initial shape, if the settings have one as input. Throws as Add.
   void SetInitial(std::shared_ptr<InputShape> shape);
-  bool WantsInitial() const;
+  bool WantsInitial() const { return this->Settings.Inputs.HasInitialInput && !this->Initial; }
 
   // Null as long as the bounds are not known: before the first frames came in, or for functions
   // that have none. Throws for settings that cannot be.
@@ -81,7 +82,8 @@ public:
   // Whether the surface would start on an empty frame.
   bool StartsOnNothing() const;
 
-  // Puts the target to the first frame, anew. Comes when the domain is known, before GetTarget.
+  // Puts the target to the first frame, anew, ready to be evaluated unless ranks share it. Comes
+  // when the domain is known, before GetTarget.
   void StartTarget();
 
   // What attracts. It may be another one after UseFramesFrom, and goes with Clear and ForgetTarget.
@@ -91,7 +93,11 @@ public:
   // Another number is another one.
   std::size_t GetTargetNumber() const { return this->TargetNumber; }
   // The next one is made with the settings as they are then.
-  void ForgetTarget();
+  void ForgetTarget()
+  {
+    this->Moving = nullptr;
+    this->Target.reset();
+  }
   // The same, where it goes from step to step; else null.
   MovingTarget* GetMovingTarget();
 
@@ -99,7 +105,7 @@ public:
   // motion times. It uses the frames that are held, until the next Add or Clear.
   std::unique_ptr<PotentialTarget> MakeTargetAt(int step, double begin, double end) const;
 
-  // What the surface starts on; null: on the target.
+  // What the surface starts on; null: on the target. Comes after StartTarget.
   std::unique_ptr<PotentialTarget> MakeStart();
 
 private:
@@ -117,7 +123,10 @@ private:
   double GetSpacing() const;
   double GetNoise() const;
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;
+  bool IsShared() const { return this->Ranks && !this->Ranks->IsAlone(); }
   std::unique_ptr<PotentialTarget> MakeFunctionTarget() const;
+  std::unique_ptr<PotentialTarget> MakeMovingTarget(
+    const InputShape& kind, const ShapeOptions& options, int step, double begin, double end) const;
   void MakeTarget();
 
   const SurfaceSettings& Settings;

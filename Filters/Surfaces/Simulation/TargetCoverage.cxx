@@ -2,6 +2,7 @@
 
 #include "NarrowBand.h"
 #include "Obstacle.h"
+#include "SharedResults.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/TargetBuilder.h"
 
@@ -74,27 +75,37 @@ double TargetCoverage::FindOutside(const NarrowBand& band, const Motion& motion,
     this->Points.erase(
       std::remove_if(this->Points.begin(), this->Points.end(), isBeyond), this->Points.end());
   }
+  const Counts counts = this->AddUp({ CountOutside(band, this->Points), this->Points.size() });
   this->ArePointsKnown = this->IsStatic();
-  const std::size_t outside = CountOutside(band, this->Points);
-  return outside > 0 ? double(outside) / double(this->Points.size()) : 0.0;
+  if (!this->ArePointsKnown)
+  {
+    this->Points = {};
+  }
+  return counts.Outside > 0 ? double(counts.Outside) / double(counts.All) : 0.0;
 }
 
-std::vector<PointWithMargin> TargetCoverage::FindPoints(int step, double voxelSize) const
+std::vector<PointWithMargin> TargetCoverage::FindPoints(int step, double voxelSize)
 {
   const InputShape* shape =
     this->Settings.UsesInput() ? this->Shapes.GetFrames().Find(step) : nullptr;
   const ParticleFrame* frame = shape ? shape->GetPoints() : nullptr;
+  this->ArePointsShared = frame && this->Ranks && !this->Ranks->IsAlone();
   return frame ? this->FindParticles(*frame) : this->FindInside(step, voxelSize);
 }
 
+// Of ranks that share them, each finds those of a range.
 std::vector<PointWithMargin> TargetCoverage::FindParticles(const ParticleFrame& frame) const
 {
   const double spacing = frame.HasRadii ? 0.0 : this->Shapes.FindSpacing();
   const double reach = GetReachPerSpacing(this->Settings.Particles.Model);
+  const std::size_t ranks = this->ArePointsShared ? this->Ranks->GetSize() : 1;
+  const std::size_t rank = this->ArePointsShared ? this->Ranks->GetRank() : 0;
+  const RankRanges ranges{ frame.Particles.size(), ranks };
   std::vector<PointWithMargin> points;
-  points.reserve(frame.Particles.size());
-  for (const SkeletonVertex& particle : frame.Particles)
+  points.reserve(ranges.FirstOf(rank + 1) - ranges.FirstOf(rank));
+  for (std::size_t i = ranges.FirstOf(rank); i < ranges.FirstOf(rank + 1); ++i)
   {
+    const SkeletonVertex& particle = frame.Particles[i];
     const double own = 0.5 * (spacing > 0.0 ? spacing : particle.Radius / reach);
     if (particle.Strength > 0.0)
     {
@@ -102,6 +113,22 @@ std::vector<PointWithMargin> TargetCoverage::FindParticles(const ParticleFrame& 
     }
   }
   return points;
+}
+
+TargetCoverage::Counts TargetCoverage::AddUp(const Counts& own) const
+{
+  if (!this->ArePointsShared)
+  {
+    return own;
+  }
+  Counts sum;
+  const auto visit = [](Counts& counts, auto& pass) { pass(&counts, 1); };
+  for (const Counts& ofRank : GatherResults(*this->Ranks, own, visit))
+  {
+    sum.Outside += ofRank.Outside;
+    sum.All += ofRank.All;
+  }
+  return sum;
 }
 
 std::vector<PointWithMargin> TargetCoverage::FindInside(int step, double voxelSize) const

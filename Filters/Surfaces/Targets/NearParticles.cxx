@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace activesurface
 {
@@ -18,18 +19,26 @@ constexpr double FarthestHollow = 1.5;
 class WayBox
 {
 public:
-  void AddEnd(const ParticleFrame& frame, std::size_t i)
+  void AddEnd(const WayEnd& end)
   {
-    const SkeletonVertex& particle = frame.Particles[i];
+    const SkeletonVertex& particle = end.Particle;
     this->Reach = std::max(this->Reach, particle.Radius);
     this->Add(particle.Position, nullptr, 0.0, this->Centres);
-    if (!frame.Fits.empty())
+    if (end.Fit)
     {
-      const ParticleFit& fit = frame.Fits[i];
-      this->Reach = std::max(this->Reach, fit.Reach);
-      this->Add(particle.Position, fit.Offset, 1.0, this->Centres);
-      this->Add(particle.Position, fit.Outward, FarthestHollow, this->Hollows);
+      this->Reach = std::max(this->Reach, end.Fit->Reach);
+      this->Add(particle.Position, end.Fit->Offset, 1.0, this->Centres);
+      this->Add(particle.Position, end.Fit->Outward, FarthestHollow, this->Hollows);
     }
+  }
+
+  // The same or more, where the fit is known by its bounds alone.
+  void AddEnd(const SkeletonVertex& particle, const FitBounds& bounds)
+  {
+    constexpr double rounding = 1.0 + 1e-9;
+    const double reach = std::max(bounds.Reach + bounds.Offset, FarthestHollow * bounds.Outward);
+    this->Reach = std::max(this->Reach, rounding * reach * particle.Radius);
+    this->Add(particle.Position, nullptr, 0.0, this->Centres);
   }
 
   bool Touches(const OwnPlaces& places) const
@@ -60,100 +69,237 @@ private:
   double Reach = 0.0;
 };
 
-void Add(const ParticleFrame& whole, std::size_t i, ParticleFrame& chosen)
+void AddEnd(const WayEnd& end, ParticleFrame& chosen)
 {
-  chosen.Particles.push_back(whole.Particles[i]);
-  if (!whole.Fits.empty())
+  chosen.Particles.push_back(end.Particle);
+  if (end.Fit)
   {
-    chosen.Fits.push_back(whole.Fits[i]);
+    chosen.Fits.push_back(*end.Fit);
   }
 }
 
-template <class IsNear>
-std::vector<char> FindNear(std::size_t count, IsNear&& isNear)
+bool IsNear(const WayBox& box, const OwnPlaces* places)
+{
+  return !places || box.Touches(*places);
+}
+
+char IsCounted(const WayEnd& end, const OwnPlaces* places)
+{
+  return !places || places->Has(end.Particle.Position) ? 1 : 0;
+}
+
+// Those of the numbers up to count for which isNear(number).
+template <class Predicate>
+std::vector<std::size_t> ListNear(std::size_t count, Predicate&& isNear)
 {
   std::vector<char> near(count);
   RunEach(count, [&](std::size_t n) { near[n] = isNear(n) ? 1 : 0; });
-  return near;
+  std::vector<std::size_t> numbers;
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    if (near[n])
+    {
+      numbers.push_back(n);
+    }
+  }
+  return numbers;
+}
+
+// Some particles of a frame, with what is known of them.
+struct Picked
+{
+  const std::vector<SkeletonVertex>* Particles;
+  std::vector<std::size_t> Numbers;
+  ParticleFits Fits; // of these, or empty
+
+  WayEnd GetEnd(std::size_t n) const
+  {
+    return { (*this->Particles)[this->Numbers[n]], this->Fits.empty() ? nullptr : &this->Fits[n] };
+  }
+};
+
+FitBounds FindBounds(const ParticleFrame& frame)
+{
+  if (frame.Shared)
+  {
+    return frame.Shared->GetBounds();
+  }
+  FitBounds bounds;
+  for (std::size_t i = 0; i < frame.Fits.size(); ++i)
+  {
+    bounds.Add(frame.Particles[i], frame.Fits[i]);
+  }
+  return bounds;
+}
+
+// A round of ranks, if they are shared. known: of all particles, or of those at home.
+template <class Values>
+Values PickKnown(
+  const ParticleFrame& frame, const std::vector<std::size_t>& numbers, const Values& known)
+{
+  if (frame.Shared)
+  {
+    return frame.Shared->Fetch(frame.Particles, numbers, known);
+  }
+  Values picked;
+  picked.reserve(known.empty() ? 0 : numbers.size());
+  for (std::size_t n = 0; n < numbers.size() && !known.empty(); ++n)
+  {
+    picked.push_back(known[numbers[n]]);
+  }
+  return picked;
+}
+
+Picked Pick(const ParticleFrame& frame, std::vector<std::size_t> numbers)
+{
+  ParticleFits fits =
+    PickKnown(frame, numbers, frame.Shared ? frame.Shared->GetAtHome() : frame.Fits);
+  return { &frame.Particles, std::move(numbers), std::move(fits) };
+}
+
+std::size_t FindPartner(const ParticleWay& whole, std::size_t i)
+{
+  return whole.Later ? whole.Matches->Partners[i] : NoPartner;
 }
 
 }
 
-void NearParticles::Choose(const ParticleWay& whole, const OwnPlaces& places)
+// Those that may be near, by the bounds of the fits.
+struct NearParticles::Candidates
+{
+  Picked Earlier;
+  Picked Later;                       // the partners, then the births
+  std::size_t Births;                 // how many
+  std::vector<double> SharesOfMotion; // of the earlier ones, or empty
+
+  Candidates(const ParticleWay& whole, const OwnPlaces* places)
+  {
+    std::vector<std::size_t> earlier = ListEarlier(whole, places), later;
+    for (const std::size_t i : earlier)
+    {
+      if (FindPartner(whole, i) != NoPartner)
+      {
+        later.push_back(FindPartner(whole, i));
+      }
+    }
+    const std::vector<std::size_t> births = ListBirths(whole, places);
+    later.insert(later.end(), births.begin(), births.end());
+    this->Births = births.size();
+    this->Earlier = Pick(*whole.Earlier, std::move(earlier));
+    if (whole.Later)
+    {
+      this->Later = Pick(*whole.Later, std::move(later));
+    }
+    if (whole.SharesOfMotion)
+    {
+      this->SharesOfMotion =
+        PickKnown(*whole.Earlier, this->Earlier.Numbers, *whole.SharesOfMotion);
+    }
+  }
+
+private:
+  static std::vector<std::size_t> ListEarlier(const ParticleWay& whole, const OwnPlaces* places)
+  {
+    FitBounds bounds = FindBounds(*whole.Earlier); // of both ends: one may be wide, the other far
+    bounds.Add(whole.Later ? FindBounds(*whole.Later) : FitBounds());
+    return ListNear(whole.Earlier->Particles.size(),
+      [&](std::size_t i)
+      {
+        WayBox box;
+        box.AddEnd(whole.Earlier->Particles[i], bounds);
+        const std::size_t partner = FindPartner(whole, i);
+        if (partner != NoPartner)
+        {
+          box.AddEnd(whole.Later->Particles[partner], bounds);
+        }
+        return IsNear(box, places);
+      });
+  }
+
+  static std::vector<std::size_t> ListBirths(const ParticleWay& whole, const OwnPlaces* places)
+  {
+    if (!whole.Later)
+    {
+      return {};
+    }
+    const FitBounds later = FindBounds(*whole.Later);
+    std::vector<std::size_t> births;
+    for (const std::size_t birth : whole.Matches->Births)
+    {
+      WayBox box;
+      box.AddEnd(whole.Later->Particles[birth], later);
+      if (IsNear(box, places))
+      {
+        births.push_back(birth);
+      }
+    }
+    return births;
+  }
+};
+void NearParticles::Choose(const ParticleWay& whole, const OwnPlaces* places)
 {
   *this = NearParticles();
   this->HasLater = whole.Later != nullptr;
   this->HasShares = whole.SharesOfMotion != nullptr;
-  this->ChooseEarlier(whole, places);
-  if (whole.Later)
-  {
-    this->ChooseBirths(whole, places);
-  }
+  const Candidates candidates(whole, places);
+  this->AddEarlier(whole, places, candidates);
+  this->AddBirths(places, candidates);
 }
 
-void NearParticles::ChooseEarlier(const ParticleWay& whole, const OwnPlaces& places)
+std::size_t NearParticles::AddLater(const WayEnd& end, char isCounted)
 {
-  const ParticleFrame& earlier = *whole.Earlier;
-  const auto partnerOf = [&whole](std::size_t i)
-  { return whole.Later ? whole.Matches->Partners[i] : NoPartner; };
-  const std::vector<char> near = FindNear(earlier.Particles.size(),
-    [&](std::size_t i)
-    {
-      WayBox box;
-      box.AddEnd(earlier, i);
-      if (partnerOf(i) != NoPartner)
-      {
-        box.AddEnd(*whole.Later, partnerOf(i));
-      }
-      return box.Touches(places);
-    });
-  for (std::size_t i = 0; i < near.size(); ++i)
-  {
-    if (near[i])
-    {
-      this->AddEarlier(earlier, i, places.Has(earlier.Particles[i].Position));
-      const std::size_t partner = partnerOf(i);
-      this->Matches.Partners.push_back(
-        partner != NoPartner ? this->AddLater(*whole.Later, partner, false) : NoPartner);
-      if (whole.SharesOfMotion)
-      {
-        this->SharesOfMotion.push_back((*whole.SharesOfMotion)[i]);
-      }
-    }
-  }
-}
-
-void NearParticles::ChooseBirths(const ParticleWay& whole, const OwnPlaces& places)
-{
-  const std::vector<std::size_t>& births = whole.Matches->Births;
-  const std::vector<char> near = FindNear(births.size(),
-    [&](std::size_t n)
-    {
-      WayBox box;
-      box.AddEnd(*whole.Later, births[n]);
-      return box.Touches(places);
-    });
-  for (std::size_t n = 0; n < near.size(); ++n)
-  {
-    if (near[n])
-    {
-      const bool counts = places.Has(whole.Later->Particles[births[n]].Position);
-      this->Matches.Births.push_back(this->AddLater(*whole.Later, births[n], counts));
-    }
-  }
-}
-
-void NearParticles::AddEarlier(const ParticleFrame& whole, std::size_t i, bool counts)
-{
-  Add(whole, i, this->Earlier);
-  this->CountsEarlier.push_back(counts ? 1 : 0);
-}
-
-std::size_t NearParticles::AddLater(const ParticleFrame& whole, std::size_t i, bool counts)
-{
-  Add(whole, i, this->Later);
-  this->CountsLater.push_back(counts ? 1 : 0);
+  AddEnd(end, this->Later);
+  this->CountsLater.push_back(isCounted);
   return this->CountsLater.size() - 1;
+}
+
+void NearParticles::AddEarlier(
+  const ParticleWay& whole, const OwnPlaces* places, const Candidates& candidates)
+{
+  this->Earlier.Particles.reserve(candidates.Earlier.Numbers.size());
+  this->Earlier.Fits.reserve(candidates.Earlier.Fits.size());
+  this->Later.Particles.reserve(candidates.Later.Numbers.size());
+  this->Later.Fits.reserve(candidates.Later.Fits.size());
+  std::size_t next = 0;
+  for (std::size_t n = 0; n < candidates.Earlier.Numbers.size(); ++n)
+  {
+    const WayEnd end = candidates.Earlier.GetEnd(n);
+    const bool hasPartner = FindPartner(whole, candidates.Earlier.Numbers[n]) != NoPartner;
+    const std::size_t partner = hasPartner ? next++ : NoPartner;
+    WayBox box;
+    box.AddEnd(end);
+    if (hasPartner)
+    {
+      box.AddEnd(candidates.Later.GetEnd(partner));
+    }
+    if (!IsNear(box, places))
+    {
+      continue;
+    }
+    AddEnd(end, this->Earlier);
+    this->CountsEarlier.push_back(IsCounted(end, places));
+    if (!candidates.SharesOfMotion.empty())
+    {
+      this->SharesOfMotion.push_back(candidates.SharesOfMotion[n]);
+    }
+    this->Matches.Partners.push_back(
+      hasPartner ? this->AddLater(candidates.Later.GetEnd(partner), 0) : NoPartner);
+  }
+}
+
+void NearParticles::AddBirths(const OwnPlaces* places, const Candidates& candidates)
+{
+  const std::size_t end = candidates.Later.Numbers.size();
+  for (std::size_t n = end - candidates.Births; n < end; ++n)
+  {
+    const WayEnd birth = candidates.Later.GetEnd(n);
+    WayBox box;
+    box.AddEnd(birth);
+    if (IsNear(box, places))
+    {
+      this->Matches.Births.push_back(this->AddLater(birth, IsCounted(birth, places)));
+    }
+  }
 }
 
 ParticleWay NearParticles::GetWay() const

@@ -1,5 +1,6 @@
-// The particles of a way that a rank needs, where it asks at its own places alone: those that reach
-// such a place on their way. They keep their order, so that sums over them are the same.
+// The particles of a way that a rank needs: where it asks at its own places alone, those that reach
+// such a place on their way. They keep their order, so that sums over them are the same. What ranks
+// share of them comes from where they are at home.
 
 #ifndef NearParticles_h
 #define NearParticles_h
@@ -12,10 +13,18 @@
 namespace activesurface
 {
 
+// What is known of a particle in one of the steps; Fit: null without.
+struct WayEnd
+{
+  const SkeletonVertex& Particle;
+  const ParticleFit* Fit;
+};
+
 class NearParticles
 {
 public:
-  void Choose(const ParticleWay& whole, const OwnPlaces& places);
+  // places: null for all. Rounds of ranks, if what is known of the particles is shared.
+  void Choose(const ParticleWay& whole, const OwnPlaces* places);
 
   // Until they are chosen anew.
   ParticleWay GetWay() const;
@@ -28,11 +37,12 @@ public:
   }
 
 private:
-  void ChooseEarlier(const ParticleWay& whole, const OwnPlaces& places);
-  void ChooseBirths(const ParticleWay& whole, const OwnPlaces& places);
-  void AddEarlier(const ParticleFrame& whole, std::size_t i, bool counts);
+  struct Candidates;
+
+  void AddEarlier(const ParticleWay& whole, const OwnPlaces* places, const Candidates& candidates);
+  void AddBirths(const OwnPlaces* places, const Candidates& candidates);
   // Returns its number among those that are chosen.
-  std::size_t AddLater(const ParticleFrame& whole, std::size_t i, bool counts);
+  std::size_t AddLater(const WayEnd& end, char isCounted);
 
   ParticleFrame Earlier;
   ParticleFrame Later;

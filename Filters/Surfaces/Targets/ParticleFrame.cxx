@@ -204,6 +204,18 @@ double FindThirdNearest(
 
 }
 
+void ParticleFrame::FindFits(const FitOptions& options, Agreement* ranks)
+{
+  if (ranks && !ranks->IsAlone())
+  {
+    this->Shared = std::make_shared<SharedFits>(*ranks, options, this->Particles);
+  }
+  else
+  {
+    this->Fits = FitParticles(options, this->Particles);
+  }
+}
+
 void ParticleFrame::GiveRadius(double radius)
 {
   for (SkeletonVertex& particle : this->Particles)
@@ -280,6 +292,10 @@ ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
   Sort(frame);
   KeepVelocities(AsNumbers(arrays.Velocities, count, "velocities", 3), frame);
   KeepArrays(arrays.Passed, count, frame);
+  if (!frame.Passed)
+  {
+    frame.Points = {};
+  }
   return frame;
 }
 

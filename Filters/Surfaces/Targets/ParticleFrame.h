@@ -5,12 +5,14 @@
 
 #include "ParticleFit.h"
 #include "Skeleton.h"
+#include "Targets/SharedFits.h"
 
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 class vtkAbstractArray;
@@ -32,14 +34,19 @@ struct PointArrays
 struct ParticleFrame
 {
   std::vector<SkeletonVertex> Particles;
-  std::vector<std::int64_t> Ids;  // of the particles: from the array, else their point numbers
-  bool HasIds = false;            // from the array
-  bool HasRadii = false;          // from the array, else to be given by GiveRadius
-  std::size_t Ignored = 0;        // points left out: not finite, or without a size
-  std::vector<vtkIdType> Points;  // of the input, which the particles are
-  ParticleFits Fits;              // of the particles; empty until they are asked for
-  std::vector<double> Velocities; // of the particles, x y z each; empty without an array
-  vtkSmartPointer<vtkPointData> Passed; // of the input's points, a copy; null if not wanted
+  std::vector<std::int64_t> Ids; // of the particles: from the array, else their point numbers
+  bool HasIds = false;           // from the array
+  bool HasRadii = false;         // from the array, else to be given by GiveRadius
+  std::size_t Ignored = 0;       // points left out: not finite, or without a size
+  std::vector<vtkIdType> Points; // of the input, which the particles are; empty without Passed
+  ParticleFits Fits;             // of the particles; empty until they are asked for
+  std::shared_ptr<const SharedFits> Shared; // in their place where ranks share them
+  std::vector<double> Velocities;           // of the particles, x y z each; empty without an array
+  vtkSmartPointer<vtkPointData> Passed;     // of the input's points, a copy; null if not wanted
+
+  bool HasFits() const { return this->Shared || !this->Fits.empty(); }
+  // ranks: those that have the same frame, or null. Throws as FitParticles.
+  void FindFits(const FitOptions& options, Agreement* ranks);
 
   void GiveRadius(double radius);
 

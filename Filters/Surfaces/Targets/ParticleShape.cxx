@@ -81,15 +81,14 @@ std::string ParticleShape::Prepare(ShapePreparation& preparation)
   }
   const ShapeOptions& options = preparation.Options;
   preparation.GiveRadius(options.Model, this->Particles);
-  if (options.WantsFits() && this->Particles.Fits.empty())
+  if (options.WantsFits() && !this->Particles.HasFits())
   {
     FitOptions fit;
     fit.Model = options.Model;
     fit.OwnRadius = this->Particles.HasRadii ? 0.0 : 0.5 * preparation.GetSpacing();
     fit.Anisotropy = options.Anisotropy;
     fit.SparesCrowds = !options.NeedsFits();
-    fit.Ranks = options.Ranks;
-    this->Particles.Fits = FitParticles(fit, this->Particles.Particles);
+    this->Particles.FindFits(fit, options.Ranks);
   }
   return "";
 }

@@ -1,5 +1,6 @@
 #include "Targets/ParticleTarget.h"
 
+#include "LocalParticles.h"
 #include "SharedResults.h"
 
 #include <algorithm>
@@ -44,17 +45,6 @@ void AddBoxes(Agreement& ranks, std::vector<ChangedRegion::Box>& boxes)
   }
 }
 
-// Of those that add something.
-double FindLargestRadius(const std::vector<SkeletonVertex>& particles)
-{
-  double largest = 0.0;
-  for (const SkeletonVertex& particle : particles)
-  {
-    largest = particle.Strength > 0.0 ? std::max(largest, particle.Radius) : largest;
-  }
-  return largest;
-}
-
 // Where a hollow is, if the particle is at the side of one: a spacing from it or, where its surface
 // is farther from it, one and a half.
 void VisitHollow(
@@ -85,14 +75,26 @@ ParticleTarget::ParticleTarget(const TargetFrames& frames, const ShapeOptions& o
 void ParticleTarget::KeepNear(const OwnPlaces* places) noexcept
 {
   this->Places = places;
-  this->StepOfNear = -1;
+  this->ForgetNear();
   this->ForgetPlace();
+}
+
+// Nor anything of placements, whose origins were among them.
+void ParticleTarget::ForgetNear() noexcept
+{
+  this->StepOfNear = -1;
+  this->Near = NearParticles();
+  this->Now = PlacedParticles();
+  this->Previous = PlacedParticles(); // a copy of nothing would keep its memory
+  this->Means = ParticleMeans();
+  this->Body = ParticlePotential();
+  this->Elements = Skeleton();
 }
 
 ParticleWay ParticleTarget::GetWay(int step) const
 {
   return this->Options.Carries && this->Options.Level.Noise > 0.0
-    ? this->Frames.GetWayWithoutNoise(step, this->Options.Ranks)
+    ? this->Frames.GetWayWithoutNoise(step)
     : this->Frames.GetWay(step);
 }
 
@@ -103,12 +105,18 @@ void ParticleTarget::Place(int step, double fraction)
   needs.Velocities = this->Options.Carries;
   needs.Duration = this->GetDuration();
   const ParticleWay whole = this->GetWay(step);
-  if (this->Places && this->StepOfNear != step)
+  const bool isChosen = this->Places || whole.IsShared();
+  if (isChosen && this->StepOfNear != step)
   {
     this->ChooseNear(whole, step);
   }
   std::swap(this->Previous, this->Now);
-  PlaceParticles(this->Places ? this->Near.GetWay() : whole, fraction, needs, this->Now);
+  PlaceParticles(isChosen ? this->Near.GetWay() : whole, fraction, needs, this->Now);
+  if (!this->Places && needs.Duration == 0.0) // they stand still, and are many
+  {
+    this->Near = NearParticles();
+    this->StepOfNear = -1;
+  }
   this->FindChanged();
   if (this->Options.Carries || (this->IsSum() && this->Options.WantsBulks()))
   {
@@ -119,15 +127,10 @@ void ParticleTarget::Place(int step, double fraction)
   }
 }
 
-// Leaves nothing of the placements before, whose origins were others.
 void ParticleTarget::ChooseNear(const ParticleWay& whole, int step)
 {
-  this->StepOfNear = -1;
-  this->Now = this->Previous = PlacedParticles();
-  this->Means = ParticleMeans();
-  this->Body = ParticlePotential();
-  this->Elements = Skeleton();
-  this->Near.Choose(whole, *this->Places);
+  this->ForgetNear();
+  this->Near.Choose(whole, this->Places);
   this->StepOfNear = step;
 }
 
@@ -164,7 +167,7 @@ void ParticleTarget::FindChanged()
   Facts facts{ changes.Count(), 0.0 };
   if (this->Places)
   {
-    facts.LargestRadius = FindLargestRadius(this->Now.Particles);
+    facts.LargestRadius = FindLargestRadiusOfActive(this->Now.Particles);
     facts = AddFacts(*this->Options.Ranks, facts);
   }
   this->LargestRadius = facts.LargestRadius;

@@ -53,6 +53,7 @@ private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
   ParticleWay GetWay(int step) const;
   const NearParticles* FindNear() const { return this->Places ? &this->Near : nullptr; }
+  void ForgetNear() noexcept;
   void ChooseNear(const ParticleWay& whole, int step);
   void FindChanged();
   void NoteCells(double before, double now);
@@ -60,7 +61,7 @@ private:
   const TargetFrames& Frames;
   const ShapeOptions Options;
   const OwnPlaces* Places = nullptr; // of this rank; null: everywhere
-  NearParticles Near;                // if there are places, of a step
+  NearParticles Near;                // of a step, if there are places or ranks share the fits
   int StepOfNear = -1;               // -1: of none
   PlacedParticles Now;
   PlacedParticles Previous;

@@ -48,6 +48,7 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape)
   this->Later = std::move(later);
   this->Matches = std::move(matches);
   this->SharesOfMotion.clear();
+  this->AreSharesKnown = false;
 }
 
 std::string TargetFrames::DescribeMatches() const
@@ -90,26 +91,39 @@ ParticleWay TargetFrames::GetWay(int step) const
   return way;
 }
 
-ParticleWay TargetFrames::GetWayWithoutNoise(int step, Agreement* ranks) const
+ParticleWay TargetFrames::GetWayWithoutNoise(int step) const
 {
   ParticleWay way = this->GetWay(step);
-  way.SharesOfMotion = way.Later ? &this->GetSharesOfMotion(ranks) : nullptr;
+  way.SharesOfMotion = way.Later ? &this->GetSharesOfMotion() : nullptr;
   return way;
 }
 
-// They have no unit: a motion that takes twice as long has the same ones.
-const std::vector<double>& TargetFrames::GetSharesOfMotion(Agreement* ranks) const
+const std::vector<double>& TargetFrames::GetSharesOfMotion() const
 {
-  const ParticleFrame& earlier = ParticlesOf(this->Earlier.Shape.get());
-  if (this->SharesOfMotion.empty() && !earlier.Particles.empty())
+  if (!this->AreSharesKnown)
   {
-    std::vector<ParticleOrigin> origins;
-    FindOriginsOfEarlier(earlier.Particles.size(), &this->Matches, origins);
-    std::vector<double> velocities;
-    FindMotion(&earlier, &ParticlesOf(this->Later.Shape.get()), 1.0, origins, velocities);
-    this->SharesOfMotion = FindSharesOfMotion(earlier.Particles, earlier.Fits, velocities, ranks);
+    this->SharesOfMotion = this->FindShares();
+    this->AreSharesKnown = true;
   }
   return this->SharesOfMotion;
+}
+
+// They have no unit: a motion that takes twice as long has the same ones.
+std::vector<double> TargetFrames::FindShares() const
+{
+  const ParticleFrame& earlier = ParticlesOf(this->Earlier.Shape.get());
+  const SharedFits* shared = earlier.Shared.get();
+  const LocalParticles near(
+    earlier.Particles, shared ? &shared->GetHomes() : nullptr, MotionNeighbourhoodPerRadius, 0.0);
+  std::vector<ParticleOrigin> origins;
+  for (std::size_t n = 0; n < near.Get().size(); ++n)
+  {
+    const std::size_t number = near.GetNumber(n);
+    origins.push_back({ number, this->Matches.Partners[number] });
+  }
+  std::vector<double> velocities;
+  FindMotion(&earlier, &ParticlesOf(this->Later.Shape.get()), 1.0, origins, velocities);
+  return FindSharesOfMotion(near, shared ? shared->GetAtHome() : earlier.Fits, velocities);
 }
 
 }

@@ -33,9 +33,8 @@ public:
   // From a step to the next one, as long as no step is added.
   ParticleWay GetWay(int step) const;
 
-  // The same, on which velocities are without their noise, see MotionNoise.h: needs fits. ranks:
-  // those that look at the same particles together, or null.
-  ParticleWay GetWayWithoutNoise(int step, Agreement* ranks) const;
+  // The same, on which velocities are without their noise, see MotionNoise.h: needs fits.
+  ParticleWay GetWayWithoutNoise(int step) const;
 
   // Of the particles of a step and those of the next one; null if not both are held.
   const ParticleMatches* FindMatches(int step) const;
@@ -50,12 +49,14 @@ private:
     std::shared_ptr<InputShape> Shape;
   };
 
-  const std::vector<double>& GetSharesOfMotion(Agreement* ranks) const;
+  const std::vector<double>& GetSharesOfMotion() const;
+  std::vector<double> FindShares() const;
 
   Held Earlier, Later;
   ParticleMatches Matches; // of Earlier and Later, if these are consecutive
 
-  mutable std::vector<double> SharesOfMotion; // of the particles of Earlier; empty until asked for
+  mutable std::vector<double> SharesOfMotion; // of the particles of Earlier
+  mutable bool AreSharesKnown = false;
 };
 
 }

@@ -45,7 +45,8 @@ struct Block
 
   std::vector<double> FindShares() const
   {
-    return FindSharesOfMotion(this->Particles, this->Fits, this->Velocities);
+    const LocalParticles all(this->Particles, nullptr, MotionNeighbourhoodPerRadius, 0.0);
+    return FindSharesOfMotion(all, this->Fits, this->Velocities);
   }
 
   // So far above the particles of the top.

@@ -54,7 +54,7 @@ struct Case
 };
 
 // A body, a few of which are born and die, of which all or a few move; of any radii.
-ParticleFrame MakeFrame(const Case& wanted, int step)
+ParticleFrame MakeFrame(const Case& wanted, int step, Agreement* ranks)
 {
   ParticleFrame frame;
   frame.HasIds = frame.HasRadii = true;
@@ -76,7 +76,7 @@ ParticleFrame MakeFrame(const Case& wanted, int step)
   }
   FitOptions fit;
   fit.Model = wanted.Model;
-  frame.Fits = FitParticles(fit, frame.Particles);
+  frame.FindFits(fit, ranks);
   return frame;
 }
 
@@ -107,7 +107,7 @@ Told Ask(const Case& wanted, Agreement* ranks, const OwnPlaces* places)
   TargetFrames frames;
   for (const int step : { 0, 1 })
   {
-    frames.Add(step, std::make_shared<ParticleShape>(MakeFrame(wanted, step)));
+    frames.Add(step, std::make_shared<ParticleShape>(MakeFrame(wanted, step, ranks)));
   }
   ParticleTarget target(frames, MakeOptions(wanted, ranks));
   target.MoveAlong(0, 0.0, 1.0);
@@ -195,7 +195,7 @@ TEST(TestNearParticles, WhatIsForgottenComesBack)
       TargetFrames frames;
       for (const int step : { 0, 1 })
       {
-        frames.Add(step, std::make_shared<ParticleShape>(MakeFrame(wanted, step)));
+        frames.Add(step, std::make_shared<ParticleShape>(MakeFrame(wanted, step, &ranks)));
       }
       ParticleTarget target(frames, MakeOptions(wanted, &ranks));
       target.MoveAlong(0, 0.0, 1.0);

@@ -1,0 +1,88 @@
+#include "LocalParticles.h"
+
+#include <numeric>
+
+namespace activesurface
+{
+
+namespace
+{
+
+std::vector<SkeletonVertex> Pick(
+  const std::vector<SkeletonVertex>& all, const std::vector<std::size_t>& numbers)
+{
+  std::vector<SkeletonVertex> picked;
+  picked.reserve(numbers.size());
+  for (const std::size_t number : numbers)
+  {
+    picked.push_back(all[number]);
+  }
+  return picked;
+}
+
+}
+
+double FindLargestRadius(const std::vector<SkeletonVertex>& particles)
+{
+  double largest = 0.0;
+  for (const SkeletonVertex& particle : particles)
+  {
+    largest = std::max(largest, particle.Radius);
+  }
+  return largest;
+}
+
+double FindLargestRadiusOfActive(const std::vector<SkeletonVertex>& particles)
+{
+  double largest = 0.0;
+  for (const SkeletonVertex& particle : particles)
+  {
+    largest = particle.Strength > 0.0 ? std::max(largest, particle.Radius) : largest;
+  }
+  return largest;
+}
+
+LocalParticles::LocalParticles(const std::vector<SkeletonVertex>& all, const ParticleHomes* homes,
+  double ballPerRadius, double margin)
+  : All(all)
+  , Homes(homes)
+  , Numbers(homes ? homes->ListNear(all, ballPerRadius, margin) : std::vector<std::size_t>())
+  , Near(Pick(all, this->Numbers))
+{
+}
+
+std::vector<std::size_t> LocalParticles::ListAtHome() const
+{
+  std::vector<std::size_t> order(this->Get().size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  return this->ListAtHome(order);
+}
+
+std::vector<double> LocalParticles::ListPositions(
+  const std::size_t* places, std::size_t count) const
+{
+  std::vector<double> positions;
+  positions.reserve(3 * count);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const double* x = this->Get()[places[k]].Position;
+    positions.insert(positions.end(), x, x + 3);
+  }
+  return positions;
+}
+
+std::size_t LocalParticles::AddUp(std::size_t own) const
+{
+  if (!this->Homes)
+  {
+    return own;
+  }
+  std::size_t sum = 0;
+  for (const Bytes& ofRank : this->Homes->GetRanks().Exchange(ToBytes(std::vector{ own })))
+  {
+    sum += FromBytes<std::size_t>(ofRank).at(0);
+  }
+  return sum;
+}
+
+}

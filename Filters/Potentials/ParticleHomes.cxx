@@ -1,0 +1,259 @@
+#include "ParticleHomes.h"
+
+#include "Agreement.h"
+#include "ParallelTasks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace activesurface
+{
+
+namespace
+{
+
+using Block = BlockTable::Block;
+using Coordinate = BlockTable::Coordinate;
+
+constexpr std::size_t RadiiLookedAt = 1000;
+constexpr double FarthestBlock = 1e15; // those beyond are one
+constexpr Coordinate MostBlocks = 512; // of a box that is looked at closely
+
+// The median of some, evenly picked: a few that are very large count little.
+double FindUsualRadius(const std::vector<SkeletonVertex>& particles)
+{
+  std::vector<double> radii;
+  const std::size_t step = 1 + particles.size() / RadiiLookedAt;
+  for (std::size_t i = 0; i < particles.size(); i += step)
+  {
+    radii.push_back(particles[i].Radius);
+  }
+  if (radii.empty())
+  {
+    return 1.0;
+  }
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  return *middle;
+}
+
+// In Morton order: by the coordinate whose highest bit that differs is the highest one.
+bool IsBefore(const Block& a, const Block& b)
+{
+  std::uint64_t most = 0;
+  int decides = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    constexpr std::uint64_t sign = std::uint64_t(1) << 63; // so that negative ones come first
+    const std::uint64_t difference =
+      (std::uint64_t(a.At[axis]) ^ sign) ^ (std::uint64_t(b.At[axis]) ^ sign);
+    if (most < difference && most < (most ^ difference))
+    {
+      most = difference;
+      decides = axis;
+    }
+  }
+  return a.At[decides] < b.At[decides];
+}
+
+// Itself, too.
+template <class Function>
+void ForEachAround(const Block& block, Function function)
+{
+  for (int n = 0; n < 27; ++n)
+  {
+    function(Block{
+      { block.At[0] + n / 9 - 1, block.At[1] + n / 3 % 3 - 1, block.At[2] + n % 3 - 1 }, 0 });
+  }
+}
+
+void FindBall(const SkeletonVertex& particle, double radius, double bounds[6])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] = particle.Position[axis] - radius;
+    bounds[2 * axis + 1] = particle.Position[axis] + radius;
+  }
+}
+
+}
+
+ParticleHomes::ParticleHomes(
+  Agreement& ranks, const std::vector<SkeletonVertex>& particles, double ballPerRadius)
+  : Ranks(ranks)
+  , Own(ranks.GetRank())
+  , Count(ranks.GetSize())
+  , Width(2.0 * ballPerRadius * FindUsualRadius(particles))
+{
+  this->Blocks.Clear();
+  std::vector<std::size_t> counts;
+  for (const SkeletonVertex& particle : particles)
+  {
+    const std::size_t block = this->Blocks.Add(this->FindBlock(particle.Position));
+    counts.resize(this->Blocks.Size());
+    ++counts[block];
+  }
+  this->ShareBlocks(counts);
+  this->FindInnerAndFar();
+}
+
+void ParticleHomes::ShareBlocks(const std::vector<std::size_t>& counts)
+{
+  std::vector<std::size_t> order(counts.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+    [this](std::size_t a, std::size_t b) { return IsBefore(this->Blocks[a], this->Blocks[b]); });
+  const double all =
+    static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t(0)));
+  this->Homes.resize(counts.size());
+  std::size_t before = 0;
+  for (const std::size_t block : order)
+  {
+    const double middle = static_cast<double>(before) + 0.5 * static_cast<double>(counts[block]);
+    this->Homes[block] = std::min(static_cast<int>(middle / all * this->Count), this->Count - 1);
+    before += counts[block];
+  }
+}
+
+ParticleHomes::Block ParticleHomes::FindBlock(const double x[3]) const
+{
+  Block block{ {}, 0 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double at = std::min(std::max(x[axis] / this->Width, -FarthestBlock), FarthestBlock);
+    block.At[axis] = static_cast<Coordinate>(std::floor(at));
+  }
+  return block;
+}
+
+int ParticleHomes::FindHome(const double x[3]) const
+{
+  return this->Homes[this->Blocks.Find(this->FindBlock(x))];
+}
+
+template <class Visitor>
+void ParticleHomes::VisitBlocks(const double bounds[6], Visitor visit) const
+{
+  const double low[] = { bounds[0], bounds[2], bounds[4] };
+  const double high[] = { bounds[1], bounds[3], bounds[5] };
+  const Block first = this->FindBlock(low), last = this->FindBlock(high);
+  const auto count = [&](int axis) { return last.At[axis] - first.At[axis] + 1; };
+  if (count(0) > MostBlocks / count(1) / count(2))
+  {
+    for (int rank = 0; rank < this->Count && !visit(rank); ++rank)
+    {
+    }
+    return;
+  }
+  Block block{ {}, 0 };
+  for (block.At[0] = first.At[0]; block.At[0] <= last.At[0]; ++block.At[0])
+  {
+    for (block.At[1] = first.At[1]; block.At[1] <= last.At[1]; ++block.At[1])
+    {
+      for (block.At[2] = first.At[2]; block.At[2] <= last.At[2]; ++block.At[2])
+      {
+        const BlockTable::Index found = this->Blocks.Find(block);
+        if (found != BlockTable::None && visit(this->Homes[found]))
+        {
+          return;
+        }
+      }
+    }
+  }
+}
+
+void ParticleHomes::FindInnerAndFar()
+{
+  for (std::size_t i = 0; i < this->Blocks.Size(); ++i)
+  {
+    bool isInner = true, isFar = true;
+    ForEachAround(this->Blocks[i],
+      [&](const Block& block)
+      {
+        const BlockTable::Index found = this->Blocks.Find(block);
+        const bool isThere = found != BlockTable::None;
+        isInner = isInner && (!isThere || this->Homes[found] == this->Own);
+        isFar = isFar && (!isThere || this->Homes[found] != this->Own);
+      });
+    this->AreInner.push_back(isInner ? 1 : 0);
+    this->AreFar.push_back(isFar ? 1 : 0);
+  }
+}
+
+BlockTable::Index ParticleHomes::FindAround(const double x[3], const double bounds[6]) const
+{
+  const double low[] = { bounds[0], bounds[2], bounds[4] };
+  const double high[] = { bounds[1], bounds[3], bounds[5] };
+  const Block first = this->FindBlock(low), block = this->FindBlock(x),
+              last = this->FindBlock(high);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (block.At[axis] - first.At[axis] > 1 || last.At[axis] - block.At[axis] > 1)
+    {
+      return BlockTable::None;
+    }
+  }
+  return this->Blocks.Find(block);
+}
+
+bool ParticleHomes::Touches(const double x[3], const double bounds[6]) const
+{
+  const BlockTable::Index around = this->FindAround(x, bounds);
+  if (around != BlockTable::None && this->AreFar[around])
+  {
+    return false;
+  }
+  bool isOwn = false;
+  this->VisitBlocks(bounds, [&](int rank) { return isOwn = isOwn || rank == this->Own; });
+  return isOwn;
+}
+
+std::vector<std::size_t> ParticleHomes::ListOtherHomes(
+  const double x[3], const double bounds[6]) const
+{
+  std::vector<std::size_t> others;
+  const BlockTable::Index around = this->FindAround(x, bounds);
+  if (around != BlockTable::None && this->AreInner[around])
+  {
+    return others;
+  }
+  this->VisitBlocks(bounds,
+    [&](int rank)
+    {
+      const auto other = static_cast<std::size_t>(rank);
+      const auto place = std::lower_bound(others.begin(), others.end(), other);
+      if (rank != this->Own && (place == others.end() || *place != other))
+      {
+        others.insert(place, other);
+      }
+      return false;
+    });
+  return others;
+}
+
+std::vector<std::size_t> ParticleHomes::ListNear(
+  const std::vector<SkeletonVertex>& particles, double ballPerRadius, double margin) const
+{
+  std::vector<char> isNear(particles.size());
+  RunEach(particles.size(),
+    [&](std::size_t i)
+    {
+      const SkeletonVertex& particle = particles[i];
+      double ball[6];
+      FindBall(particle, ballPerRadius * particle.Radius + margin, ball);
+      isNear[i] =
+        this->IsAtHome(particle.Position) || this->Touches(particle.Position, ball) ? 1 : 0;
+    });
+  std::vector<std::size_t> near;
+  for (std::size_t i = 0; i < isNear.size(); ++i)
+  {
+    if (isNear[i])
+    {
+      near.push_back(i);
+    }
+  }
+  return near;
+}
+
+}

@@ -1,0 +1,75 @@
+#include "Targets/SharedFits.h"
+
+#include <cmath>
+
+namespace activesurface
+{
+
+namespace
+{
+
+double FindLargest(const double* x, double radius)
+{
+  return std::max({ std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2]) }) / radius;
+}
+
+std::vector<std::size_t> ListAtHome(
+  const ParticleHomes& homes, const std::vector<SkeletonVertex>& particles)
+{
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    if (homes.IsAtHome(particles[i].Position))
+    {
+      numbers.push_back(i);
+    }
+  }
+  return numbers;
+}
+
+}
+
+void FitBounds::Add(const SkeletonVertex& particle, const ParticleFit& fit)
+{
+  const double radius = particle.Radius;
+  this->Add(FitBounds{
+    FindLargest(fit.Offset, radius), fit.Reach / radius, FindLargest(fit.Outward, radius) });
+}
+
+void FitBounds::Add(const FitBounds& other)
+{
+  this->Offset = std::max(this->Offset, other.Offset);
+  this->Reach = std::max(this->Reach, other.Reach);
+  this->Outward = std::max(this->Outward, other.Outward);
+}
+
+SharedFits::SharedFits(
+  Agreement& ranks, const FitOptions& options, const std::vector<SkeletonVertex>& particles)
+  : Homes(ranks, particles, GetNeighbourhoodPerRadius(options.Model))
+  , Numbers(ListAtHome(this->Homes, particles))
+  , AtHome(FitParticles(options, particles, &this->Homes))
+{
+  FitBounds own;
+  for (std::size_t n = 0; n < this->Numbers.size(); ++n)
+  {
+    own.Add(particles[this->Numbers[n]], this->AtHome[n]);
+  }
+  const auto visit = [](FitBounds& bounds, auto& pass) { pass(&bounds, 1); };
+  for (const FitBounds& ofRank : GatherResults(ranks, own, visit))
+  {
+    this->Bounds.Add(ofRank);
+  }
+}
+
+std::size_t SharedFits::CountRounds(std::size_t ofOwn) const
+{
+  std::size_t most = 0;
+  const auto visit = [](std::size_t& count, auto& pass) { pass(&count, 1); };
+  for (const std::size_t ofRank : GatherResults(this->Homes.GetRanks(), ofOwn, visit))
+  {
+    most = std::max(most, ofRank);
+  }
+  return (most + InRound - 1) / InRound;
+}
+
+}
