@@ -62,11 +62,11 @@ public:
 
   // Of what is known of all in Get, that of those at home.
   template <class Values>
-  Values TakeHome(Values&& values) const
+  Values TakeHome(Values values) const
   {
     if (!this->Homes)
     {
-      return std::move(values);
+      return values;
     }
     Values taken;
     for (const std::size_t place : this->ListAtHome())
