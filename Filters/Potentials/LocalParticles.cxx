@@ -49,6 +49,10 @@ LocalParticles::LocalParticles(const std::vector<SkeletonVertex>& all, const Par
   , Numbers(homes ? homes->ListNear(all, ballPerRadius, margin) : std::vector<std::size_t>())
   , Near(Pick(all, this->Numbers))
 {
+  for (const SkeletonVertex& particle : this->Near)
+  {
+    this->AreAtHome.push_back(homes->IsAtHome(particle.Position) ? 1 : 0);
+  }
 }
 
 std::vector<std::size_t> LocalParticles::ListAtHome() const

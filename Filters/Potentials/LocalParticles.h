@@ -52,7 +52,7 @@ public:
     std::vector<std::size_t> home;
     for (const std::size_t place : order)
     {
-      if (this->HasAtHome(this->Get()[place].Position))
+      if (!this->Homes || this->AreAtHome[place])
       {
         home.push_back(place);
       }
@@ -180,6 +180,7 @@ private:
   const ParticleHomes* Homes;
   const std::vector<std::size_t> Numbers;
   const std::vector<SkeletonVertex> Near;
+  std::vector<char> AreAtHome; // those that are near
 };
 
 }

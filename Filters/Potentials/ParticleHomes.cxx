@@ -84,18 +84,27 @@ ParticleHomes::ParticleHomes(
   : Ranks(ranks)
   , Own(ranks.GetRank())
   , Count(ranks.GetSize())
-  , Width(2.0 * ballPerRadius * FindUsualRadius(particles))
+  , InverseWidth(1.0 / (2.0 * ballPerRadius * FindUsualRadius(particles)))
 {
   this->Blocks.Clear();
   std::vector<std::size_t> counts;
+  std::vector<BlockTable::Index> blocks;
+  blocks.reserve(particles.size());
   for (const SkeletonVertex& particle : particles)
   {
-    const std::size_t block = this->Blocks.Add(this->FindBlock(particle.Position));
+    blocks.push_back(this->Blocks.Add(this->FindBlock(particle.Position)));
     counts.resize(this->Blocks.Size());
-    ++counts[block];
+    ++counts[blocks.back()];
   }
   this->ShareBlocks(counts);
   this->FindInnerAndFar();
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    if (this->Homes[blocks[i]] == this->Own)
+    {
+      this->Numbers.push_back(i);
+    }
+  }
 }
 
 void ParticleHomes::ShareBlocks(const std::vector<std::size_t>& counts)
@@ -121,8 +130,10 @@ ParticleHomes::Block ParticleHomes::FindBlock(const double x[3]) const
   Block block{ {}, 0 };
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double at = std::min(std::max(x[axis] / this->Width, -FarthestBlock), FarthestBlock);
-    block.At[axis] = static_cast<Coordinate>(std::floor(at));
+    const double at =
+      std::min(std::max(x[axis] * this->InverseWidth, -FarthestBlock), FarthestBlock);
+    const auto cut = static_cast<Coordinate>(at); // towards 0
+    block.At[axis] = cut - (static_cast<double>(cut) > at ? 1 : 0);
   }
   return block;
 }
@@ -181,28 +192,25 @@ void ParticleHomes::FindInnerAndFar()
   }
 }
 
-BlockTable::Index ParticleHomes::FindAround(const double x[3], const double bounds[6]) const
+bool ParticleHomes::IsAround(const Block& block, const double bounds[6]) const
 {
-  const double low[] = { bounds[0], bounds[2], bounds[4] };
-  const double high[] = { bounds[1], bounds[3], bounds[5] };
-  const Block first = this->FindBlock(low), block = this->FindBlock(x),
-              last = this->FindBlock(high);
+  bool isAround = true;
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (block.At[axis] - first.At[axis] > 1 || last.At[axis] - block.At[axis] > 1)
-    {
-      return BlockTable::None;
-    }
+    const double at = static_cast<double>(block.At[axis]);
+    isAround = isAround && bounds[2 * axis] * this->InverseWidth > at - 1.0 &&
+      bounds[2 * axis + 1] * this->InverseWidth < at + 2.0;
   }
-  return this->Blocks.Find(block);
+  return isAround;
 }
 
-bool ParticleHomes::Touches(const double x[3], const double bounds[6]) const
+bool ParticleHomes::IsNear(const double x[3], const double bounds[6]) const
 {
-  const BlockTable::Index around = this->FindAround(x, bounds);
-  if (around != BlockTable::None && this->AreFar[around])
+  const Block block = this->FindBlock(x);
+  const BlockTable::Index found = this->Blocks.Find(block);
+  if (this->Homes[found] == this->Own || (this->AreFar[found] && this->IsAround(block, bounds)))
   {
-    return false;
+    return this->Homes[found] == this->Own;
   }
   bool isOwn = false;
   this->VisitBlocks(bounds, [&](int rank) { return isOwn = isOwn || rank == this->Own; });
@@ -213,8 +221,8 @@ std::vector<std::size_t> ParticleHomes::ListOtherHomes(
   const double x[3], const double bounds[6]) const
 {
   std::vector<std::size_t> others;
-  const BlockTable::Index around = this->FindAround(x, bounds);
-  if (around != BlockTable::None && this->AreInner[around])
+  const Block own = this->FindBlock(x);
+  if (this->AreInner[this->Blocks.Find(own)] && this->IsAround(own, bounds))
   {
     return others;
   }
@@ -242,8 +250,7 @@ std::vector<std::size_t> ParticleHomes::ListNear(
       const SkeletonVertex& particle = particles[i];
       double ball[6];
       FindBall(particle, ballPerRadius * particle.Radius + margin, ball);
-      isNear[i] =
-        this->IsAtHome(particle.Position) || this->Touches(particle.Position, ball) ? 1 : 0;
+      isNear[i] = this->IsNear(particle.Position, ball) ? 1 : 0;
     });
   std::vector<std::size_t> near;
   for (std::size_t i = 0; i < isNear.size(); ++i)

@@ -33,10 +33,11 @@ public:
   int FindHome(const double x[3]) const;
   bool IsAtHome(const double x[3]) const { return this->FindHome(x) == this->Own; }
 
-  // Whether particles in a box (xmin xmax ymin ymax zmin zmax) around one may be at home here.
-  bool Touches(const double x[3], const double bounds[6]) const;
+  // The numbers of the particles at home, ascending.
+  const std::vector<std::size_t>& GetNumbers() const { return this->Numbers; }
 
-  // The other ranks where particles in a box around one may be at home, ascending.
+  // The other ranks where particles in a box (xmin xmax ymin ymax zmin zmax) around one may be at
+  // home, ascending.
   std::vector<std::size_t> ListOtherHomes(const double x[3], const double bounds[6]) const;
 
   // The numbers of those particles at home and of those whose balls, larger by a margin, may hold
@@ -50,8 +51,10 @@ private:
   Block FindBlock(const double x[3]) const;
   void ShareBlocks(const std::vector<std::size_t>& counts);
   void FindInnerAndFar();
-  // The block of a place, if a box is in that block or those around it; else None.
-  BlockTable::Index FindAround(const double x[3], const double bounds[6]) const;
+  // Whether a box is in a block and those around it.
+  bool IsAround(const Block& block, const double bounds[6]) const;
+  // Whether a particle is at home, or the box around it touches particles that are.
+  bool IsNear(const double x[3], const double bounds[6]) const;
   // Calls visit(rank) for the blocks in a box until it returns true; for all ranks if there are
   // very many of them.
   template <class Visitor>
@@ -60,9 +63,10 @@ private:
   Agreement& Ranks;
   const int Own;
   const int Count;
-  double Width = 1.0;
+  const double InverseWidth;
   BlockTable Blocks;
   std::vector<int> Homes; // of the blocks
+  std::vector<std::size_t> Numbers;
 
   // Of the blocks: whether it and all around it are at home here, or none of them.
   std::vector<char> AreInner;

@@ -13,20 +13,6 @@ double FindLargest(const double* x, double radius)
   return std::max({ std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2]) }) / radius;
 }
 
-std::vector<std::size_t> ListAtHome(
-  const ParticleHomes& homes, const std::vector<SkeletonVertex>& particles)
-{
-  std::vector<std::size_t> numbers;
-  for (std::size_t i = 0; i < particles.size(); ++i)
-  {
-    if (homes.IsAtHome(particles[i].Position))
-    {
-      numbers.push_back(i);
-    }
-  }
-  return numbers;
-}
-
 }
 
 void FitBounds::Add(const SkeletonVertex& particle, const ParticleFit& fit)
@@ -46,13 +32,12 @@ void FitBounds::Add(const FitBounds& other)
 SharedFits::SharedFits(
   Agreement& ranks, const FitOptions& options, const std::vector<SkeletonVertex>& particles)
   : Homes(ranks, particles, GetNeighbourhoodPerRadius(options.Model))
-  , Numbers(ListAtHome(this->Homes, particles))
   , AtHome(FitParticles(options, particles, &this->Homes))
 {
   FitBounds own;
-  for (std::size_t n = 0; n < this->Numbers.size(); ++n)
+  for (std::size_t n = 0; n < this->AtHome.size(); ++n)
   {
-    own.Add(particles[this->Numbers[n]], this->AtHome[n]);
+    own.Add(particles[this->Homes.GetNumbers()[n]], this->AtHome[n]);
   }
   const auto visit = [](FitBounds& bounds, auto& pass) { pass(&bounds, 1); };
   for (const FitBounds& ofRank : GatherResults(ranks, own, visit))

@@ -66,20 +66,20 @@ private:
   {
     std::vector<typename Values::value_type> found;
     found.reserve(numbers.size());
-    auto place = this->Numbers.begin();
+    const std::vector<std::size_t>& all = this->Homes.GetNumbers();
+    auto place = all.begin();
     for (const std::size_t number : numbers)
     {
-      if (place == this->Numbers.end() || *place != number) // else it is the next one, as most are
+      if (place == all.end() || *place != number) // else it is the next one, as most are
       {
-        place = std::lower_bound(this->Numbers.begin(), this->Numbers.end(), number);
+        place = std::lower_bound(all.begin(), all.end(), number);
       }
-      found.push_back(atHome[static_cast<std::size_t>(place++ - this->Numbers.begin())]);
+      found.push_back(atHome[static_cast<std::size_t>(place++ - all.begin())]);
     }
     return found;
   }
 
   const ParticleHomes Homes;
-  std::vector<std::size_t> Numbers; // of the particles at home, ascending
   ParticleFits AtHome;
   FitBounds Bounds;
 };
