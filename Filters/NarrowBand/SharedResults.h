@@ -188,6 +188,18 @@ std::vector<Value> FromBytes(const Bytes& bytes)
   return values;
 }
 
+/** The value of each rank, by rank; values are plain. */
+template <class Value>
+std::vector<Value> GatherValues(Agreement& ranks, const Value& own)
+{
+  std::vector<Value> all;
+  for (const Bytes& ofRank : ranks.Exchange(ToBytes(std::vector<Value>{ own })))
+  {
+    all.push_back(FromBytes<Value>(ofRank).at(0));
+  }
+  return all;
+}
+
 /** A list for each rank, and those that each has for this one. The own one is not passed on. */
 template <class Value>
 std::vector<std::vector<Value>> SwapLists(

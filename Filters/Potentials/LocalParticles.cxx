@@ -22,26 +22,6 @@ std::vector<SkeletonVertex> Pick(
 
 }
 
-double FindLargestRadius(const std::vector<SkeletonVertex>& particles)
-{
-  double largest = 0.0;
-  for (const SkeletonVertex& particle : particles)
-  {
-    largest = std::max(largest, particle.Radius);
-  }
-  return largest;
-}
-
-double FindLargestRadiusOfActive(const std::vector<SkeletonVertex>& particles)
-{
-  double largest = 0.0;
-  for (const SkeletonVertex& particle : particles)
-  {
-    largest = particle.Strength > 0.0 ? std::max(largest, particle.Radius) : largest;
-  }
-  return largest;
-}
-
 LocalParticles::LocalParticles(const std::vector<SkeletonVertex>& all, const ParticleHomes* homes,
   double ballPerRadius, double margin)
   : All(all)
@@ -81,12 +61,8 @@ std::size_t LocalParticles::AddUp(std::size_t own) const
   {
     return own;
   }
-  std::size_t sum = 0;
-  for (const Bytes& ofRank : this->Homes->GetRanks().Exchange(ToBytes(std::vector{ own })))
-  {
-    sum += FromBytes<std::size_t>(ofRank).at(0);
-  }
-  return sum;
+  const std::vector<std::size_t> all = GatherValues(this->Homes->GetRanks(), own);
+  return std::accumulate(all.begin(), all.end(), std::size_t(0));
 }
 
 }

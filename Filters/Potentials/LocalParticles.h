@@ -18,11 +18,6 @@
 namespace activesurface
 {
 
-// 0 of none; and of those that add something.
-VTKACTIVEPOTENTIALS_EXPORT double FindLargestRadius(const std::vector<SkeletonVertex>& particles);
-VTKACTIVEPOTENTIALS_EXPORT double FindLargestRadiusOfActive(
-  const std::vector<SkeletonVertex>& particles);
-
 class VTKACTIVEPOTENTIALS_EXPORT LocalParticles
 {
 public:
@@ -36,7 +31,6 @@ public:
   const std::vector<SkeletonVertex>& GetAll() const { return this->All; }
 
   bool AreShared() const { return this->Homes != nullptr; }
-  const ParticleHomes* GetHomes() const { return this->Homes; }
 
   // Of the particle with this place in Get.
   std::size_t GetNumber(std::size_t place) const
@@ -69,6 +63,7 @@ public:
       return values;
     }
     Values taken;
+    taken.reserve(this->Homes->GetNumbers().size());
     for (const std::size_t place : this->ListAtHome())
     {
       taken.push_back(values[place]);

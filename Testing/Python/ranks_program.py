@@ -4,80 +4,23 @@ Run: python3 ranks_program.py <run>[,<run>...] <folder> [--alone], under mpiexec
 """
 
 import os
-import signal
 import sys
 
 import numpy
+import ranks_failures  # noqa: F401  whose runs are among them
 from active_implicit_surfaces import LiveSurface, vtkActiveVDBReader, vtkActiveVDBWriter
 from python_data import as_array
-from ranks import (
-    POINTS,
-    Keeper,
-    Particles,
-    Pipeline,
-    at_random,
-    begin,
-    in_blocks,
-    make_surface,
-)
-from scenes import DATA, star_to_balls
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from ranks import POINTS, Keeper, Particles, at_random, begin, in_blocks, make_surface
+from ranks_scenes import RUNS, make_splash, run, splash_particles
+from scenes import star_to_balls
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import (
-    vtkCellArray,
-    vtkImageData,
-    vtkImplicitVolume,
-    vtkPolyData,
-    vtkSphere,
-)
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-
-RUNS = {}
-STEPS = 7
-
-
-def run(function):
-    RUNS[function.__name__] = function
-    return function
 
 
 @run
 def nothing(ranks, keeper, folder):
     """There is MPI."""
-
-
-def splash_particles():
-    """particles(step) of the splash, of which some are born and some die at each step."""
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(DATA / "sph_drop.vtp"))
-
-    def particles(step):
-        reader.UpdateTimeStep(5 * step)
-        position = vtk_to_numpy(reader.GetOutput().GetPoints().GetData()).copy()
-        ids = numpy.arange(len(position))
-        lives = (ids % 11 != step) & ((ids % 7 < 5) | (ids % 7 + step > 8))
-        heat = numpy.sin(ids + step)
-        order = numpy.random.default_rng(step).permutation(ids[lives])
-        return {"position": position[order], "id": ids[order], "heat": heat[order]}
-
-    return particles
-
-
-def make_splash(**others):
-    source = Particles(STEPS, splash_particles(), at_random)
-    properties = {
-        "TimeScale": 1 / 5,
-        "ParticleSpacing": 0.085,
-        "ComputeVelocity": True,
-        "TangentialVelocity": True,
-        "PassTargetArrays": True,
-        "OutputPotential": True,
-        **others,
-    }
-    surface = make_surface(source, **properties)
-    surface.SetInputArrayToProcess(1, 0, 0, POINTS, "id")
-    return source, surface
 
 
 @run
@@ -241,159 +184,6 @@ def written(ranks, keeper, folder):
     writer.AddObserver("ErrorEvent", lambda caller, event: None)
     done.append(writer.Write())
     keeper.keep("writes", done=done)
-
-
-class Failing(Particles):
-    """Fails at a step on a rank as long as it is told to."""
-
-    fails = False
-
-    def RequestData(self, request, inputs, outputs):
-        if self.fails and outputs.GetInformationObject(0).Get(Pipeline.UPDATE_TIME_STEP()) == 3.0:
-            return 0
-        return super().RequestData(request, inputs, outputs)
-
-
-def make_failing(ranks):
-    source = Failing(STEPS, splash_particles(), at_random)
-    source.fails = ranks.rank == 1
-    surface = make_surface(source, TimeScale=1 / 5, ParticleSpacing=0.085, VoxelSize=0.1)
-    surface.SetInputArrayToProcess(1, 0, 0, POINTS, "id")
-    return source, surface
-
-
-@run
-def failing_step(ranks, keeper, folder):
-    """A step in the middle fails on rank 1; then the same without; the step asked for fails too."""
-    source, surface = make_failing(ranks)
-    keeper.update("failed_4", surface, 4)
-    source.fails = False
-    keeper.update("mended_4", surface, 4)
-    source, surface = make_failing(ranks)
-    keeper.update("before_2", surface, 2)
-    keeper.update("failed_3", surface, 3)
-    source.fails = False
-    keeper.update("mended_3", surface, 3)
-
-
-@run
-def missing_file(ranks, keeper, folder):
-    """The first rank has no file; when it has, all have a skin."""
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName("none.vtp" if ranks.rank == 0 else str(DATA / "sph_drop.vtp"))
-    reader.AddObserver("ErrorEvent", lambda caller, event: None)
-    reader.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
-    surface = make_surface(reader, 0.1, ParticleSpacing=0.085)
-    keeper.update("no_file", surface, 0)
-    reader.SetFileName(str(DATA / "sph_drop.vtp"))
-    keeper.update("a_file", surface, 0)
-
-
-@run
-def missing_array(ranks, keeper, folder):
-    def particles(step):
-        names = {"position": numpy.array([[i, 0.0, 0.0] for i in range(8)])}
-        if ranks.rank != 2:
-            names["size"] = numpy.full(8, 0.8)
-        return names
-
-    surface = make_surface(Particles(2, particles, in_blocks), 0.2)
-    surface.SetInputArrayToProcess(0, 0, 0, POINTS, "size")
-    keeper.update("no_array", surface, 0)
-
-
-@run
-def other_properties(ranks, keeper, folder):
-    _, surface = make_splash(VoxelSize=0.1 + 0.01 * (ranks.rank == 2))
-    keeper.update("other_voxels", surface, 1)
-    surface.SetVoxelSize(0.1)
-    keeper.update("other_times", surface, ranks.rank)
-
-
-@run
-def killed(ranks, keeper, folder):
-    """The last rank comes to a sudden end in the middle of a step, while the others wait for it."""
-    _, surface = make_splash(VoxelSize=0.1)
-    keeper.keep("pid", pid=os.getpid())
-
-    def end(caller, event):
-        if ranks.rank == ranks.size - 1 and surface.GetProgress() > 0.6:
-            os.kill(os.getpid(), signal.SIGKILL)
-
-    surface.AddObserver("ProgressEvent", end)
-    keeper.update("killed_2", surface, 2)
-
-
-@run
-def bad_state(ranks, keeper, folder):
-    """A state that one rank does not find is loaded by none."""
-    _, surface = make_splash()
-    name = "none.vdb" if ranks.rank == 1 else "saved.vdb"
-    surface.AddObserver("ErrorEvent", lambda caller, event: None)
-    loaded = surface.LoadState(os.path.join(folder, name))
-    surface.RemoveAllObservers()
-    keeper.keep("loaded", loaded=loaded)
-
-
-@run
-def aborted(ranks, keeper, folder):
-    """Stopped on the last rank in the middle of a step; then all go on."""
-    _, surface = make_splash(VoxelSize=0.1)
-
-    def stop(caller, event):
-        if ranks.rank == ranks.size - 1 and surface.GetProgress() > 0.6:
-            surface.AbortExecuteOn()
-
-    surface.AddObserver("ProgressEvent", stop)
-    surface.UpdateTimeStep(2)
-    keeper.outputs("aborted_2", surface)
-    surface.RemoveAllObservers()
-    surface.AbortExecuteOff()
-    surface.Modified()
-    keeper.update("resumed_2", surface, 2)
-
-
-@run
-def changed_upstream(ranks, keeper, folder):
-    """Something upstream changes on one rank only, while all ask for another time."""
-    source, surface = make_splash(VoxelSize=0.1)
-    keeper.update("unchanged_1", surface, 1)
-    if ranks.rank == 0:
-        source.Modified()
-    keeper.update("changed_2", surface, 2)
-
-
-def box_around(centre, value, beyond):
-    """A value within .3 of a place along each axis, another one beyond."""
-    image = vtkImageData()
-    image.SetDimensions(2, 2, 2)
-    image.SetOrigin(*(x - 0.3 for x in centre))
-    image.SetSpacing(0.6, 0.6, 0.6)
-    image.GetPointData().SetScalars(as_array(numpy.full(8, float(value))))
-    function = vtkImplicitVolume()
-    function.SetVolume(image)
-    function.SetOutValue(beyond)
-    return function
-
-
-@run
-def empty_starts(ranks, keeper, folder):
-    """Only some ranks evaluate where the reason is: at either end of the box, so the first or the
-    last one."""
-    for end in (-1.5, 1.5):
-        place = (end, 0.1, 0.1)
-        ball = vtkSphere()
-        ball.SetCenter(place)
-        ball.SetRadius(0.3)
-        for name, initial, obstacle in (
-            ("outside", box_around(place, 1, numpy.nan), None),
-            ("no_numbers", box_around(place, numpy.nan, numpy.nan), None),
-            ("covered", ball, box_around(place, -0.4, 1)),
-        ):
-            surface = make_surface(voxel=0.05, InitialFunction=initial, TargetFunction=initial)
-            surface.SetModelBounds(-2, 2, -2, 2, -2, 2)
-            surface.SetObstacleFunction(obstacle)
-            keeper.update(f"{name}_{end}", surface, 0)
 
 
 def main():

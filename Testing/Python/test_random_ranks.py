@@ -7,33 +7,23 @@ where there is no MPI, see with_ranks.
 """
 
 import argparse
-import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-import numpy
-from ranks import load, sorted_triangles, whole_image
+from ranks import load
+from ranks_checks import assert_same_outputs, start_ranks
 
 PROGRAM = Path(__file__).with_name("random_ranks_program.py")
-WITH_RANKS = PROGRAM.parents[1] / "with_ranks"
-NO_MPI = 77  # by with_ranks
 AT_ONCE = 10  # cases of one program
-LONGEST = 600  # seconds of these: a rank that waits for another one waits for ever
+LONGEST = 600  # seconds of these
 
 OPTIONS = argparse.Namespace(cases=10, seed=1, sizes=[2, 3])
 
 
 def start(size, seed, cases, folder):
-    """On so many ranks, which share the cores; 0: without MPI."""
-    program = [sys.executable, str(PROGRAM), str(seed), str(cases), str(folder)]
-    command = ["bash", str(WITH_RANKS), str(size), *program] if size else [*program, "--alone"]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=LONGEST)
-    if done.returncode == NO_MPI:
-        raise unittest.SkipTest(done.stdout)
-    if done.returncode != 0:
-        raise RuntimeError(f"{command}:\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}")
+    start_ranks(PROGRAM, size, [seed, cases, folder], LONGEST)
 
 
 class RandomRanks(unittest.TestCase):
@@ -41,13 +31,6 @@ class RandomRanks(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         return Path(folder.name)
-
-    def assert_same(self, kept, alone):
-        self.assertTrue(sorted_triangles(kept) == sorted_triangles(alone), "triangles")
-        self.assertEqual(list(kept[0]["history"]), list(alone[0]["history"]))
-        if alone[0]["potential"].size:
-            extent = alone[0]["extent"]
-            numpy.testing.assert_array_equal(whole_image(kept, extent), whole_image(alone, extent))
 
     def assert_same_errors(self, kept, alone):
         for part in kept:
@@ -66,7 +49,7 @@ class RandomRanks(unittest.TestCase):
                 for name in (f"{case}_0", f"{case}_1"):
                     with self.subTest(seed=seed, case=case, request=name, ranks=size):
                         expected = load(alone, name, 1)
-                        self.assert_same(load(folder, name, size), expected)
+                        assert_same_outputs(self, load(folder, name, size), expected, name)
                         self.assert_same_errors(
                             load(folder, name + ".errors", size), load(alone, name + ".errors", 1)
                         )

@@ -5,19 +5,16 @@ Run: python3 test_ranks.py. Skipped where there is no MPI, see with_ranks.
 """
 
 import shutil
-import subprocess
-import sys
 import tempfile
 import time
 import unittest
 from pathlib import Path
 
 import numpy
-from ranks import load, sorted_triangles, whole_image
+from ranks import load, sorted_triangles
+from ranks_checks import assert_same_outputs, start_ranks
 
 PROGRAM = Path(__file__).with_name("ranks_program.py")
-WITH_RANKS = PROGRAM.parents[1] / "with_ranks"
-NO_MPI = 77  # by with_ranks
 SIZES = (1, 2, 3, 4)
 SAME = ("splash", "emitter", "meshes", "image", "skeleton", "grid", "morph", "live")
 # A run takes seconds. A rank that waits for another one waits for ever.
@@ -26,22 +23,7 @@ LONGEST = 120
 
 def start(size, run, folder, longest=LONGEST):
     """The run on so many ranks, which share the cores; 0: without MPI."""
-    program = [sys.executable, str(PROGRAM), run, str(folder)]
-    with subprocess.Popen(
-        ["bash", str(WITH_RANKS), str(size), *program] if size else [*program, "--alone"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-    ) as started:
-        try:
-            said, _ = started.communicate(timeout=longest)
-        except subprocess.TimeoutExpired:
-            started.terminate()  # by which mpiexec ends its ranks; it would not, if it were killed
-            raise
-    if started.returncode == NO_MPI:
-        raise unittest.SkipTest(said)
-    if started.returncode != 0:
-        raise RuntimeError(f"{run} on {size} ranks: {said[-4000:]}")
+    start_ranks(PROGRAM, size, [run, folder], longest)
 
 
 def state_in(file):
@@ -99,17 +81,7 @@ class Ranks(unittest.TestCase):
         self.assert_no_errors(folder, alone, size)
         triangles = sorted_triangles(expected)
         self.assertGreater(len(triangles), 100, "a skin of nothing proves nothing")
-        self.assertTrue(sorted_triangles(kept) == triangles, f"triangles of {alone}, {size} ranks")
-        self.assertEqual(
-            list(kept[0]["history"]), list(expected[0]["history"]), f"history of {alone}"
-        )
-        for other in kept[1:]:
-            self.assertEqual(len(other["history"]), 0, "the first rank has the rows")
-        if expected[0]["potential"].size:
-            extent = expected[0]["extent"]
-            numpy.testing.assert_array_equal(
-                whole_image(kept, extent), whole_image(expected, extent), f"image of {alone}"
-            )
+        assert_same_outputs(self, kept, expected, f"{alone}, {size} ranks")
 
     def assert_no_errors(self, folder, name, size):
         for part in load(folder, name + ".errors", size):

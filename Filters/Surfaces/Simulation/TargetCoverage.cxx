@@ -122,8 +122,7 @@ TargetCoverage::Counts TargetCoverage::AddUp(const Counts& own) const
     return own;
   }
   Counts sum;
-  const auto visit = [](Counts& counts, auto& pass) { pass(&counts, 1); };
-  for (const Counts& ofRank : GatherResults(*this->Ranks, own, visit))
+  for (const Counts& ofRank : GatherValues(*this->Ranks, own))
   {
     sum.Outside += ofRank.Outside;
     sum.All += ofRank.All;

@@ -236,6 +236,7 @@ private:
     return births;
   }
 };
+
 void NearParticles::Choose(const ParticleWay& whole, const OwnPlaces* places)
 {
   *this = NearParticles();

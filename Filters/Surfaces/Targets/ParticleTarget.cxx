@@ -1,6 +1,5 @@
 #include "Targets/ParticleTarget.h"
 
-#include "LocalParticles.h"
 #include "SharedResults.h"
 
 #include <algorithm>
@@ -21,9 +20,8 @@ struct Facts
 
 Facts AddFacts(Agreement& ranks, const Facts& own)
 {
-  const auto visit = [](Facts& facts, auto& pass) { pass(&facts, 1); };
   Facts all{};
-  for (const Facts& facts : GatherResults(ranks, own, visit))
+  for (const Facts& facts : GatherValues(ranks, own))
   {
     all.Counts.Before += facts.Counts.Before;
     all.Counts.After += facts.Counts.After;

@@ -39,8 +39,7 @@ SharedFits::SharedFits(
   {
     own.Add(particles[this->Homes.GetNumbers()[n]], this->AtHome[n]);
   }
-  const auto visit = [](FitBounds& bounds, auto& pass) { pass(&bounds, 1); };
-  for (const FitBounds& ofRank : GatherResults(ranks, own, visit))
+  for (const FitBounds& ofRank : GatherValues(ranks, own))
   {
     this->Bounds.Add(ofRank);
   }
@@ -48,12 +47,8 @@ SharedFits::SharedFits(
 
 std::size_t SharedFits::CountRounds(std::size_t ofOwn) const
 {
-  std::size_t most = 0;
-  const auto visit = [](std::size_t& count, auto& pass) { pass(&count, 1); };
-  for (const std::size_t ofRank : GatherResults(this->Homes.GetRanks(), ofOwn, visit))
-  {
-    most = std::max(most, ofRank);
-  }
+  const std::vector<std::size_t> all = GatherValues(this->Homes.GetRanks(), ofOwn);
+  const std::size_t most = *std::max_element(all.begin(), all.end());
   return (most + InRound - 1) / InRound;
 }
 

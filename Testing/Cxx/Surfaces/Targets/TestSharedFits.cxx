@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -114,6 +115,48 @@ TEST(TestSharedFits, FewParticlesAndNone)
   const FitOptions options;
   CheckOnRanks(options, {}, 3, "none");
   CheckOnRanks(options, { { { 1e30, 0.0, -1e30 }, 0.3, 1.0 } }, 3, "one");
+}
+
+// One rank asks for more than there are in a round, the others for few.
+TEST(TestSharedFits, AreFetchedInRounds)
+{
+  const Particles particles = MakeParticles(ParticleModel::Anisotropic, 1.0);
+  FitOptions options;
+  options.Model = ParticleModel::Anisotropic;
+  const ParticleFits alone = FitParticles(options, particles);
+  RunOnRanks(3,
+    [&](Agreement& ranks)
+    {
+      const SharedFits shared(ranks, options, particles);
+      const std::size_t count = ranks.GetRank() == 1 ? 140000 : 5;
+      std::vector<std::size_t> numbers;
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        numbers.push_back(n * 7 % particles.size());
+      }
+      const ParticleFits fetched = shared.Fetch(particles, numbers, shared.GetAtHome());
+      std::size_t different = 0;
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        different += AreSame(fetched.at(n), alone[numbers[n]]) ? 0 : 1;
+      }
+      EXPECT_EQ(different, 0u);
+    });
+}
+
+// All ranks come to the same end, also those that have none of them at home.
+TEST(TestSharedFits, CrowdsAreRefusedOnAllRanks)
+{
+  const Particles particles(40000, { { 0.1, 0.2, 0.3 }, 0.3, 1.0 });
+  RunOnRanks(3,
+    [&](Agreement& ranks)
+    {
+      FitOptions options;
+      EXPECT_THROW(SharedFits(ranks, options, particles), std::invalid_argument);
+      options.SparesCrowds = true;
+      const SharedFits spared(ranks, options, particles);
+      EXPECT_EQ(spared.GetAtHome().size(), spared.GetHomes().GetNumbers().size());
+    });
 }
 
 // A body is shared evenly.
