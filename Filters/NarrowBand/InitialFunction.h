@@ -8,9 +8,12 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace activesurface
 {
+
+class OwnPlaces;
 
 /** Places near the zero set of a function. */
 struct SurfacePoints
@@ -41,6 +44,12 @@ struct InitialFunction
    * function is sampled everywhere within the bounds.
    */
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
+
+  /**
+   * Where ranks start together and there are regions, each may visit some of them: all ranks
+   * together visit all. Then the function is told where this rank evaluates it. May be empty.
+   */
+  std::function<void(std::shared_ptr<const OwnPlaces> places)> KeepNear;
 
   /**
    * The same, for a function whose surface is known by points: the start is, bitwise, the one

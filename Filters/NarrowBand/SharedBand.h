@@ -7,30 +7,11 @@
 
 #include "Leaves/LeafTable.h"
 #include "Leaves/RankedLeaves.h"
+#include "Parts/OwnLeaves.h"
 #include "Target.h"
 
 namespace activesurface
 {
-
-/** The places of the leaves that a rank has, and of those that it may get. */
-class OwnLeaves final : public OwnPlaces
-{
-public:
-  /** The owners are the caller's. */
-  OwnLeaves(const LeafOwners& owners, double voxelSize)
-    : Owners(owners)
-    , VoxelSize(voxelSize)
-  {
-  }
-
-  /** True for a box of very many leaves, at which it does not look closely. */
-  bool Touches(const double bounds[6]) const override;
-  bool Has(const double x[3]) const override;
-
-private:
-  const LeafOwners& Owners;
-  const double VoxelSize;
-};
 
 /** As long as it exists, ranks share the leaves of a table, and a target is kept near their own. */
 class SharedBand

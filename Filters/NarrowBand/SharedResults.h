@@ -188,6 +188,24 @@ std::vector<Value> FromBytes(const Bytes& bytes)
   return values;
 }
 
+/** Lists, one after another. */
+template <class Value>
+std::vector<Value> Join(const std::vector<std::vector<Value>>& lists)
+{
+  std::size_t count = 0;
+  for (const std::vector<Value>& list : lists)
+  {
+    count += list.size();
+  }
+  std::vector<Value> all;
+  all.reserve(count);
+  for (const std::vector<Value>& list : lists)
+  {
+    all.insert(all.end(), list.begin(), list.end());
+  }
+  return all;
+}
+
 /** The value of each rank, by rank; values are plain. */
 template <class Value>
 std::vector<Value> GatherValues(Agreement& ranks, const Value& own)
@@ -224,6 +242,28 @@ std::vector<std::vector<Value>> SwapLists(
     fromEach.push_back(FromBytes<Value>(bytes));
   }
   return fromEach;
+}
+
+/** The same, one after another by rank, the own one too. */
+template <class Value>
+std::vector<Value> SwapAll(Agreement& ranks, std::vector<std::vector<Value>> toEach)
+{
+  std::vector<std::vector<Value>> fromEach = SwapLists(ranks, toEach);
+  const auto own = static_cast<std::size_t>(ranks.GetRank());
+  fromEach[own].swap(toEach[own]);
+  return Join(fromEach);
+}
+
+/** The lists of all ranks, one after another by rank. */
+template <class Value>
+std::vector<Value> GatherLists(Agreement& ranks, const std::vector<Value>& own)
+{
+  std::vector<std::vector<Value>> lists;
+  for (const Bytes& ofRank : ranks.Exchange(ToBytes(own)))
+  {
+    lists.push_back(FromBytes<Value>(ofRank));
+  }
+  return Join(lists);
 }
 
 /** What each rank has, by rank; visit(value, pass) names what it is. */

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace activesurface
 {
@@ -41,7 +42,7 @@ inline void SetStill(std::size_t count, const TargetResults& results)
   }
 }
 
-/** Where one of several ranks asks for a target, while they advance a band together. */
+/** Where ranks that share a band ask for a target, each for itself. */
 class OwnPlaces
 {
 public:
@@ -50,12 +51,14 @@ public:
   void operator=(const OwnPlaces&) = delete;
   virtual ~OwnPlaces() = default;
 
-  /** Whether one of them may be in a box (xmin xmax ymin ymax zmin zmax), or nearly. Several
-   * threads may call it at once. */
-  virtual bool Touches(const double bounds[6]) const = 0;
+  virtual int GetRank() const = 0; //< whose own they are
 
-  /** Whether a place is one of them: every place is one of exactly one rank. The same for threads.
-   */
+  /** The ranks that may ask in a box (xmin xmax ymin ymax zmin zmax), or nearly: in any order, the
+   * same for all that want to know. Several threads may call it at once. */
+  virtual void FindRanks(const double bounds[6], std::vector<int>& ranks) const = 0;
+
+  /** Whether a place is one of this rank: every place is one of exactly one rank. The same for
+   * threads. */
   virtual bool Has(const double x[3]) const = 0;
 };
 

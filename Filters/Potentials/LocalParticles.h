@@ -4,7 +4,7 @@
 #ifndef LocalParticles_h
 #define LocalParticles_h
 
-#include "ParticleHomes.h"
+#include "SharedParticles.h"
 #include "SharedResults.h"
 #include "Skeleton.h"
 
@@ -21,24 +21,30 @@ namespace activesurface
 class VTKACTIVEPOTENTIALS_EXPORT LocalParticles
 {
 public:
-  // all: as on all ranks, the caller's. homes: null without ranks. Neighbours are those whose
-  // balls, so many radii and a margin, hold a particle at home.
-  LocalParticles(const std::vector<SkeletonVertex>& all, const ParticleHomes* homes,
+  // own: those at home, the caller's. shared: null without ranks. Neighbours are those whose balls,
+  // so many radii and a margin, hold a particle at home. A round of ranks.
+  LocalParticles(const std::vector<SkeletonVertex>& own, const SharedParticles* shared,
     double ballPerRadius, double margin);
 
-  // By ascending number.
-  const std::vector<SkeletonVertex>& Get() const { return this->Homes ? this->Near : this->All; }
-  const std::vector<SkeletonVertex>& GetAll() const { return this->All; }
+  // In the order of all.
+  const std::vector<SkeletonVertex>& Get() const { return this->Shared ? this->Near : this->Own; }
 
-  bool AreShared() const { return this->Homes != nullptr; }
+  bool AreShared() const { return this->Shared != nullptr; }
 
-  // Of the particle with this place in Get.
-  std::size_t GetNumber(std::size_t place) const
+  // Of the particles of all ranks.
+  std::size_t CountAll() const
   {
-    return this->Homes ? this->Numbers[place] : place;
+    return this->Shared ? this->Shared->CountOfAll : this->Own.size();
+  }
+  double GetLargestRadius() const
+  {
+    return this->Shared ? this->Shared->LargestRadius : FindLargestRadius(this->Own);
   }
 
-  // The places in Get of those at home: by ascending number, or in an order of all.
+  // So many of all, spread over their order. A round of ranks.
+  std::vector<SkeletonVertex> PickSample(std::size_t count) const;
+
+  // The places in Get of those at home: in their order, or in an order of all.
   std::vector<std::size_t> ListAtHome() const;
   template <class Order>
   std::vector<std::size_t> ListAtHome(const Order& order) const
@@ -46,7 +52,7 @@ public:
     std::vector<std::size_t> home;
     for (const std::size_t place : order)
     {
-      if (!this->Homes || this->AreAtHome[place])
+      if (!this->Shared || this->AreAtHome[place])
       {
         home.push_back(place);
       }
@@ -58,12 +64,12 @@ public:
   template <class Values>
   Values TakeHome(Values values) const
   {
-    if (!this->Homes)
+    if (!this->Shared)
     {
       return values;
     }
     Values taken;
-    taken.reserve(this->Homes->GetNumbers().size());
+    taken.reserve(this->Own.size());
     for (const std::size_t place : this->ListAtHome())
     {
       taken.push_back(values[place]);
@@ -75,7 +81,10 @@ public:
   std::vector<double> ListPositions(const std::size_t* places, std::size_t count) const;
 
   // Whether this rank looks after what is at a place of a particle.
-  bool HasAtHome(const double x[3]) const { return !this->Homes || this->Homes->IsAtHome(x); }
+  bool HasAtHome(const double x[3]) const
+  {
+    return !this->Shared || this->Shared->Homes->IsAtHome(x);
+  }
 
   // The sum of what each rank has. A round of ranks.
   std::size_t AddUp(std::size_t own) const;
@@ -95,7 +104,7 @@ public:
     return MakeBox(particle.Position, perRadius * particle.Radius);
   }
 
-  // Something of a particle.
+  // Something of a particle, with its place in the order of all.
   template <class Value>
   struct Told
   {
@@ -106,8 +115,8 @@ public:
   };
 
   // What valueOf(n) tells of the n-th of some places, of particles at home; and besides, where
-  // ranks share, what others tell of theirs whose boxOf(n) touches particles at home here. By
-  // ascending number where ranks share, else in their order. A round of ranks.
+  // ranks share, what others tell of theirs whose boxOf(n) touches particles at home here. In the
+  // order of all where ranks share, else in their order. A round of ranks.
   template <class Value, class BoxOf, class ValueOf>
   std::vector<Told<Value>> Gather(
     const std::vector<std::size_t>& places, BoxOf boxOf, ValueOf valueOf) const
@@ -118,42 +127,36 @@ public:
     {
       own.push_back({ this->GetNumber(places[n]), valueOf(n) });
     }
-    if (!this->Homes)
+    if (!this->Shared)
     {
       return own;
     }
-    Agreement& ranks = this->Homes->GetRanks();
-    std::vector<std::vector<Told<Value>>> toEach(static_cast<std::size_t>(ranks.GetSize()));
+    std::vector<std::vector<Told<Value>>> toEach(
+      static_cast<std::size_t>(this->Shared->Ranks.GetSize()));
     for (std::size_t n = 0; n < own.size(); ++n)
     {
-      const double* x = this->Get()[places[n]].Position;
-      for (const std::size_t rank : this->Homes->ListOtherHomes(x, boxOf(n).data()))
+      const double* x = this->Near[places[n]].Position;
+      for (const std::size_t rank : this->Shared->Homes->ListOtherHomes(x, boxOf(n).data()))
       {
         toEach[rank].push_back(own[n]);
       }
     }
     std::vector<Told<Value>> others;
-    for (const std::vector<Told<Value>>& told : SwapLists(ranks, toEach))
+    for (const std::vector<Told<Value>>& told : SwapLists(this->Shared->Ranks, toEach))
     {
       others.insert(others.end(), told.begin(), told.end());
     }
     return Merge(std::move(own), std::move(others));
   }
 
-  // Those of such numbers.
-  template <class Value>
-  std::vector<SkeletonVertex> ListParticles(const std::vector<Told<Value>>& told) const
+private:
+  void AddNeighbours(double ballPerRadius, double margin);
+
+  std::size_t GetNumber(std::size_t place) const
   {
-    std::vector<SkeletonVertex> particles;
-    particles.reserve(told.size());
-    for (const Told<Value>& one : told)
-    {
-      particles.push_back(this->All[one.Number]);
-    }
-    return particles;
+    return this->Shared ? this->Numbers[place] : place;
   }
 
-private:
   template <class Value>
   static std::vector<Told<Value>> Merge(
     std::vector<Told<Value>> some, std::vector<Told<Value>> others)
@@ -171,11 +174,14 @@ private:
     return all;
   }
 
-  const std::vector<SkeletonVertex>& All;
-  const ParticleHomes* Homes;
-  const std::vector<std::size_t> Numbers;
-  const std::vector<SkeletonVertex> Near;
-  std::vector<char> AreAtHome; // those that are near
+  const std::vector<SkeletonVertex>& Own;
+  const SharedParticles* Shared;
+
+  // Where ranks share: those at home and their neighbours, which of them are at home, and their
+  // places in the order of all.
+  std::vector<SkeletonVertex> Near;
+  std::vector<char> AreAtHome;
+  std::vector<std::size_t> Numbers;
 };
 
 }

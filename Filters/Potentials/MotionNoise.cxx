@@ -31,19 +31,26 @@ double GetShare(const NeighbourSums::Motion& motion)
   return 1.0 - GetShareOfNoise(motion.Bulk / motion.Weight) * noise;
 }
 
-// Of all that are near; fits: of those at home.
-std::vector<double> GatherBulks(const LocalParticles& near, const ParticleFits& fits)
+// Of all that are near; fits and velocities: of those at home.
+std::vector<NeighbourSums::Moving> GatherMoving(
+  const LocalParticles& near, const ParticleFits& fits, const std::vector<double>& velocities)
 {
+  using Moving = NeighbourSums::Moving;
   const std::vector<std::size_t> home = near.ListAtHome();
   const auto boxOf = [&](std::size_t n)
   { return near.GetBall(home[n], MotionNeighbourhoodPerRadius); };
-  const auto bulkOf = [&](std::size_t n) { return fits[n].Bulk; };
-  std::vector<double> bulks;
-  for (const auto& told : near.Gather<double>(home, boxOf, bulkOf))
+  const auto motionOf = [&](std::size_t n)
   {
-    bulks.push_back(told.What);
+    const double* v = &velocities[3 * n];
+    return Moving{ { v[0], v[1], v[2] }, fits[n].Bulk };
+  };
+  std::vector<Moving> moving;
+  moving.reserve(near.Get().size());
+  for (const auto& told : near.Gather<Moving>(home, boxOf, motionOf))
+  {
+    moving.push_back(told.What);
   }
-  return bulks;
+  return moving;
 }
 
 }
@@ -51,17 +58,11 @@ std::vector<double> GatherBulks(const LocalParticles& near, const ParticleFits& 
 std::vector<double> FindSharesOfMotion(
   const LocalParticles& near, const ParticleFits& fits, const std::vector<double>& velocities)
 {
-  const std::vector<double> bulks = GatherBulks(near, fits);
-  const NeighbourSums neighbours(
-    near.Get(), MotionNeighbourhoodPerRadius, FindLargestRadius(near.GetAll()));
+  const std::vector<NeighbourSums::Moving> all = GatherMoving(near, fits, velocities);
+  const NeighbourSums neighbours(near.Get(), MotionNeighbourhoodPerRadius, near.GetLargestRadius());
   const UnsetVector<BallCells::Index>& order = neighbours.GetOrder();
   UnsetVector<NeighbourSums::Moving> moving(order.size());
-  RunEach(order.size(),
-    [&](std::size_t k)
-    {
-      const double* v = &velocities[3 * std::size_t(order[k])];
-      moving[k] = { { v[0], v[1], v[2] }, bulks[order[k]] };
-    });
+  RunEach(order.size(), [&](std::size_t k) { moving[k] = all[order[k]]; });
   std::vector<double> shares(order.size());
   const std::vector<std::size_t> wanted = near.ListAtHome(order);
   RunPieces(wanted.size(), ParticlesPerTask,

@@ -20,8 +20,8 @@ namespace activesurface
 // Neighbours are those within so many radii.
 constexpr double MotionNeighbourhoodPerRadius = 1.0;
 
-// For each particle at home, in [0,1]: 1 where no body is in reach. fits: of these; velocities: of
-// all that are near, x y z each, of which one that is not a number is left out of all means.
+// For each particle at home, in [0,1]: 1 where no body is in reach. fits, velocities: of these;
+// velocities x y z each, of which one that is not a number is left out of all means.
 // Thread-count independent. Throws as BallCells do. A round of ranks.
 VTKACTIVEPOTENTIALS_EXPORT std::vector<double> FindSharesOfMotion(
   const LocalParticles& near, const ParticleFits& fits, const std::vector<double>& velocities);

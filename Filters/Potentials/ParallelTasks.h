@@ -4,8 +4,6 @@
 #ifndef ParallelTasks_h
 #define ParallelTasks_h
 
-#include "SharedResults.h"
-
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -55,19 +53,6 @@ void RunPieces(std::size_t count, std::size_t inPiece, Task task)
 {
   RunTasks((count + inPiece - 1) / inPiece,
     [&](std::size_t piece) { task(piece * inPiece, std::min((piece + 1) * inPiece, count)); });
-}
-
-// The same where ranks share the pieces; visit names what is found for a number, see
-// SharedResults.h.
-template <class Task, class Visit>
-void SharePieces(Agreement* ranks, std::size_t count, std::size_t inPiece, Task task, Visit visit)
-{
-  const auto runRange = [&](std::size_t first, std::size_t last)
-  {
-    RunPieces(last - first, inPiece,
-      [&](std::size_t begin, std::size_t end) { task(first + begin, first + end); });
-  };
-  ShareResults(ranks, count, runRange, visit);
 }
 
 // Calls task(0) to task(count - 1), each of little work.

@@ -34,12 +34,13 @@ constexpr std::size_t ParticlesOfSample = 256;
 class Fitting
 {
 public:
-  Fitting(
-    const FitOptions& options, const std::vector<SkeletonVertex>& all, const ParticleHomes* homes)
+  Fitting(const FitOptions& options, const std::vector<SkeletonVertex>& own,
+    const SharedParticles* shared)
     : Options(options)
     , NeighbourhoodFactor(GetNeighbourhoodPerRadius(options.Model))
-    , LargestRadius(FindLargestRadius(all))
-    , Local(all, homes, this->NeighbourhoodFactor, this->GetFarthestPlace())
+    , LargestRadius(shared ? shared->LargestRadius : FindLargestRadius(own))
+    , LargestRadiusOfActive(shared ? shared->LargestRadiusOfActive : 0.0)
+    , Local(own, shared, this->NeighbourhoodFactor, this->GetFarthestPlace())
     , Particles(this->Local.Get())
     , Fits(this->Particles.size())
     , Surface(this->Particles.size())
@@ -70,18 +71,41 @@ public:
   }
 
 private:
+  // A particle, and something of it, for other ranks.
+  template <class Value>
+  struct Of
+  {
+    SkeletonVertex Particle;
+    Value What;
+  };
+
+  template <class Value>
+  static std::vector<SkeletonVertex> ListParticles(
+    const std::vector<LocalParticles::Told<Of<Value>>>& told)
+  {
+    std::vector<SkeletonVertex> particles;
+    particles.reserve(told.size());
+    for (const auto& one : told)
+    {
+      particles.push_back(one.What.Particle);
+    }
+    return particles;
+  }
+
   // By a sample that is spread over the list.
   bool IsCrowd() const
   {
-    const std::vector<SkeletonVertex>& all = this->Local.GetAll();
+    if (this->Local.CountAll() <= FewParticles)
+    {
+      return false;
+    }
     constexpr std::size_t most = MostNeighbours * ParticlesOfSample;
     std::size_t neighbours = 0;
-    for (std::size_t n = 0; n < ParticlesOfSample && all.size() > FewParticles; ++n)
+    for (const SkeletonVertex& particle : this->Local.PickSample(ParticlesOfSample))
     {
-      const double* x = all[n * all.size() / ParticlesOfSample].Position;
-      if (neighbours <= most && this->Local.HasAtHome(x))
+      if (neighbours <= most && this->Local.HasAtHome(particle.Position))
       {
-        neighbours += this->Neighbours.CountNear(x);
+        neighbours += this->Neighbours.CountNear(particle.Position);
       }
     }
     return this->Local.AddUp(neighbours) > most;
@@ -89,7 +113,7 @@ private:
 
   [[noreturn]] void RefuseCrowd() const
   {
-    throw std::invalid_argument("The " + std::to_string(this->Local.GetAll().size()) +
+    throw std::invalid_argument("The " + std::to_string(this->Local.CountAll()) +
       " particles have more than " + std::to_string(MostNeighbours) +
       " neighbours in reach on the average, where some 200 are usual; check whether many are "
       "in the same place, and whether ParticleSpacing and ParticleRadius (or the array of "
@@ -183,21 +207,22 @@ private:
     std::vector<SkeletonVertex> particles;
     ParticleFits fits;
     this->GatherBody(particles, fits);
-    body.Build(
-      ParticleModel::Anisotropic, particles, fits, FindLargestRadiusOfActive(this->Local.GetAll()));
+    body.Build(ParticleModel::Anisotropic, particles, fits, this->LargestRadiusOfActive);
   }
 
   void GatherBody(std::vector<SkeletonVertex>& particles, ParticleFits& fits) const
   {
     const std::vector<std::size_t> home = this->Local.ListAtHome();
-    const auto told = this->Local.Gather<ParticleFit>(
+    const auto told = this->Local.Gather<Of<ParticleFit>>(
       home, [&](std::size_t n) { return this->GetBoxOfFit(home[n]); },
-      [&](std::size_t n) { return this->Fits[home[n]]; });
-    particles = this->Local.ListParticles(told);
+      [&](std::size_t n) {
+        return Of<ParticleFit>{ this->Particles[home[n]], this->Fits[home[n]] };
+      });
+    particles = ListParticles(told);
     fits.reserve(told.size());
     for (const auto& one : told)
     {
-      fits.push_back(one.What);
+      fits.push_back(one.What.What);
     }
   }
 
@@ -294,15 +319,18 @@ private:
   // Most particles are no surface, and share nothing.
   void ShareLack(const std::vector<std::size_t>& surface)
   {
-    const auto told = this->Local.Gather<NeighbourSums::Shares>(
+    using Lack = Of<NeighbourSums::Shares>;
+    const auto told = this->Local.Gather<Lack>(
       surface,
       [&](std::size_t n) { return this->Local.GetBall(surface[n], this->NeighbourhoodFactor); },
-      [&](std::size_t n) { return this->Surface[surface[n]]; });
-    const NeighbourSums neighbours(this->Neighbours, this->Local.ListParticles(told));
+      [&](std::size_t n) {
+        return Lack{ this->Particles[surface[n]], this->Surface[surface[n]] };
+      });
+    const NeighbourSums neighbours(this->Neighbours, ListParticles(told));
     UnsetVector<NeighbourSums::Shares> shares(told.size());
     for (std::size_t k = 0; k < told.size(); ++k)
     {
-      shares[k] = told[neighbours.GetOrder()[k]].What;
+      shares[k] = told[neighbours.GetOrder()[k]].What.What;
     }
     this->RunInOrder(
       this->Wanted, [&](const Batch& batch) { this->GiveShares(batch, neighbours, shares); });
@@ -340,7 +368,8 @@ private:
 
   const FitOptions Options;
   const double NeighbourhoodFactor;
-  const double LargestRadius; // of all
+  const double LargestRadius;         // of all
+  const double LargestRadiusOfActive; // of those that add something, where ranks share; else 0
   const LocalParticles Local;
   const std::vector<SkeletonVertex>& Particles; // that are near; others are numbers among these
   ParticleFits Fits;
@@ -358,9 +387,9 @@ double GetNeighbourhoodPerRadius(ParticleModel model)
 }
 
 ParticleFits FitParticles(const FitOptions& options, const std::vector<SkeletonVertex>& particles,
-  const ParticleHomes* homes)
+  const SharedParticles* shared)
 {
-  return Fitting(options, particles, homes).Find();
+  return Fitting(options, particles, shared).Find();
 }
 
 }

@@ -19,7 +19,7 @@
 namespace activesurface
 {
 
-class ParticleHomes;
+struct SharedParticles;
 
 struct FitOptions
 {
@@ -34,10 +34,10 @@ VTKACTIVEPOTENTIALS_EXPORT double GetNeighbourhoodPerRadius(ParticleModel model)
 
 // One fit for each particle. Thread-count independent. Throws as BallCells do, and
 // std::invalid_argument for so many in one place that it would take hours, unless crowds are
-// spared. homes: where ranks fit the same particles together; then one fit for each particle at
-// home, by ascending number, and the same as without ranks.
+// spared. shared: where ranks share particles, of which these are at home here; their fits are the
+// same as without ranks.
 VTKACTIVEPOTENTIALS_EXPORT ParticleFits FitParticles(const FitOptions& options,
-  const std::vector<SkeletonVertex>& particles, const ParticleHomes* homes = nullptr);
+  const std::vector<SkeletonVertex>& particles, const SharedParticles* shared = nullptr);
 
 }
 

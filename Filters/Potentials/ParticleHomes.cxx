@@ -1,7 +1,7 @@
 #include "ParticleHomes.h"
 
-#include "Agreement.h"
-#include "ParallelTasks.h"
+#include "MortonOrder.h"
+#include "SharedResults.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,15 +20,16 @@ constexpr std::size_t RadiiLookedAt = 1000;
 constexpr double FarthestBlock = 1e15; // those beyond are one
 constexpr Coordinate MostBlocks = 512; // of a box that is looked at closely
 
-// The median of some, evenly picked: a few that are very large count little.
-double FindUsualRadius(const std::vector<SkeletonVertex>& particles)
+// The median of some of all ranks, evenly picked: a few that are very large count little.
+double FindUsualRadius(Agreement& ranks, const std::vector<SkeletonVertex>& particles)
 {
-  std::vector<double> radii;
-  const std::size_t step = 1 + particles.size() / RadiiLookedAt;
+  std::vector<double> own;
+  const std::size_t step = 1 + particles.size() * ranks.GetSize() / RadiiLookedAt;
   for (std::size_t i = 0; i < particles.size(); i += step)
   {
-    radii.push_back(particles[i].Radius);
+    own.push_back(particles[i].Radius);
   }
+  std::vector<double> radii = GatherLists(ranks, own);
   if (radii.empty())
   {
     return 1.0;
@@ -36,25 +37,6 @@ double FindUsualRadius(const std::vector<SkeletonVertex>& particles)
   const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
   std::nth_element(radii.begin(), middle, radii.end());
   return *middle;
-}
-
-// In Morton order: by the coordinate whose highest bit that differs is the highest one.
-bool IsBefore(const Block& a, const Block& b)
-{
-  std::uint64_t most = 0;
-  int decides = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    constexpr std::uint64_t sign = std::uint64_t(1) << 63; // so that negative ones come first
-    const std::uint64_t difference =
-      (std::uint64_t(a.At[axis]) ^ sign) ^ (std::uint64_t(b.At[axis]) ^ sign);
-    if (most < difference && most < (most ^ difference))
-    {
-      most = difference;
-      decides = axis;
-    }
-  }
-  return a.At[decides] < b.At[decides];
 }
 
 // Itself, too.
@@ -68,43 +50,50 @@ void ForEachAround(const Block& block, Function function)
   }
 }
 
-void FindBall(const SkeletonVertex& particle, double radius, double bounds[6])
+// Of one rank, or of all.
+struct CountedBlock
 {
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    bounds[2 * axis] = particle.Position[axis] - radius;
-    bounds[2 * axis + 1] = particle.Position[axis] + radius;
-  }
-}
+  Block At;
+  std::size_t Particles;
+};
 
 }
 
 ParticleHomes::ParticleHomes(
   Agreement& ranks, const std::vector<SkeletonVertex>& particles, double ballPerRadius)
-  : Ranks(ranks)
-  , Own(ranks.GetRank())
+  : Own(ranks.GetRank())
   , Count(ranks.GetSize())
-  , InverseWidth(1.0 / (2.0 * ballPerRadius * FindUsualRadius(particles)))
+  , InverseWidth(1.0 / (2.0 * ballPerRadius * FindUsualRadius(ranks, particles)))
 {
-  this->Blocks.Clear();
-  std::vector<std::size_t> counts;
-  std::vector<BlockTable::Index> blocks;
-  blocks.reserve(particles.size());
+  this->ShareBlocks(this->GatherBlocks(ranks, particles));
+  this->FindInner();
+}
+
+std::vector<std::size_t> ParticleHomes::GatherBlocks(
+  Agreement& ranks, const std::vector<SkeletonVertex>& particles)
+{
+  BlockTable table;
+  table.Clear();
+  std::vector<CountedBlock> own;
   for (const SkeletonVertex& particle : particles)
   {
-    blocks.push_back(this->Blocks.Add(this->FindBlock(particle.Position)));
-    counts.resize(this->Blocks.Size());
-    ++counts[blocks.back()];
-  }
-  this->ShareBlocks(counts);
-  this->FindInnerAndFar();
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-  {
-    if (this->Homes[blocks[i]] == this->Own)
+    const Block block = this->FindBlock(particle.Position);
+    const BlockTable::Index number = table.Add(block);
+    if (number == own.size())
     {
-      this->Numbers.push_back(i);
+      own.push_back({ block, 0 });
     }
+    ++own[number].Particles;
   }
+  this->Blocks.Clear();
+  std::vector<std::size_t> counts;
+  for (const CountedBlock& block : GatherLists(ranks, own))
+  {
+    const BlockTable::Index number = this->Blocks.Add(block.At);
+    counts.resize(this->Blocks.Size());
+    counts[number] += block.Particles;
+  }
+  return counts;
 }
 
 void ParticleHomes::ShareBlocks(const std::vector<std::size_t>& counts)
@@ -112,7 +101,8 @@ void ParticleHomes::ShareBlocks(const std::vector<std::size_t>& counts)
   std::vector<std::size_t> order(counts.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(),
-    [this](std::size_t a, std::size_t b) { return IsBefore(this->Blocks[a], this->Blocks[b]); });
+    [this](std::size_t a, std::size_t b)
+    { return IsBeforeInMortonOrder(this->Blocks[a].At, this->Blocks[b].At); });
   const double all =
     static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t(0)));
   this->Homes.resize(counts.size());
@@ -152,8 +142,9 @@ void ParticleHomes::VisitBlocks(const double bounds[6], Visitor visit) const
   const auto count = [&](int axis) { return last.At[axis] - first.At[axis] + 1; };
   if (count(0) > MostBlocks / count(1) / count(2))
   {
-    for (int rank = 0; rank < this->Count && !visit(rank); ++rank)
+    for (int rank = 0; rank < this->Count; ++rank)
     {
+      visit(rank);
     }
     return;
   }
@@ -165,30 +156,27 @@ void ParticleHomes::VisitBlocks(const double bounds[6], Visitor visit) const
       for (block.At[2] = first.At[2]; block.At[2] <= last.At[2]; ++block.At[2])
       {
         const BlockTable::Index found = this->Blocks.Find(block);
-        if (found != BlockTable::None && visit(this->Homes[found]))
+        if (found != BlockTable::None)
         {
-          return;
+          visit(this->Homes[found]);
         }
       }
     }
   }
 }
 
-void ParticleHomes::FindInnerAndFar()
+void ParticleHomes::FindInner()
 {
   for (std::size_t i = 0; i < this->Blocks.Size(); ++i)
   {
-    bool isInner = true, isFar = true;
+    bool isInner = true;
     ForEachAround(this->Blocks[i],
       [&](const Block& block)
       {
         const BlockTable::Index found = this->Blocks.Find(block);
-        const bool isThere = found != BlockTable::None;
-        isInner = isInner && (!isThere || this->Homes[found] == this->Own);
-        isFar = isFar && (!isThere || this->Homes[found] != this->Own);
+        isInner = isInner && (found == BlockTable::None || this->Homes[found] == this->Own);
       });
     this->AreInner.push_back(isInner ? 1 : 0);
-    this->AreFar.push_back(isFar ? 1 : 0);
   }
 }
 
@@ -202,19 +190,6 @@ bool ParticleHomes::IsAround(const Block& block, const double bounds[6]) const
       bounds[2 * axis + 1] * this->InverseWidth < at + 2.0;
   }
   return isAround;
-}
-
-bool ParticleHomes::IsNear(const double x[3], const double bounds[6]) const
-{
-  const Block block = this->FindBlock(x);
-  const BlockTable::Index found = this->Blocks.Find(block);
-  if (this->Homes[found] == this->Own || (this->AreFar[found] && this->IsAround(block, bounds)))
-  {
-    return this->Homes[found] == this->Own;
-  }
-  bool isOwn = false;
-  this->VisitBlocks(bounds, [&](int rank) { return isOwn = isOwn || rank == this->Own; });
-  return isOwn;
 }
 
 std::vector<std::size_t> ParticleHomes::ListOtherHomes(
@@ -235,32 +210,8 @@ std::vector<std::size_t> ParticleHomes::ListOtherHomes(
       {
         others.insert(place, other);
       }
-      return false;
     });
   return others;
-}
-
-std::vector<std::size_t> ParticleHomes::ListNear(
-  const std::vector<SkeletonVertex>& particles, double ballPerRadius, double margin) const
-{
-  std::vector<char> isNear(particles.size());
-  RunEach(particles.size(),
-    [&](std::size_t i)
-    {
-      const SkeletonVertex& particle = particles[i];
-      double ball[6];
-      FindBall(particle, ballPerRadius * particle.Radius + margin, ball);
-      isNear[i] = this->IsNear(particle.Position, ball) ? 1 : 0;
-    });
-  std::vector<std::size_t> near;
-  for (std::size_t i = 0; i < isNear.size(); ++i)
-  {
-    if (isNear[i])
-    {
-      near.push_back(i);
-    }
-  }
-  return near;
 }
 
 }

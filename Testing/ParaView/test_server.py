@@ -17,17 +17,25 @@ from paraview.simple import (
     ActiveImplicitSurface,
     ActiveImplicitSurfaceFunctions,
     Connect,
+    CreateRenderView,
+    Delete,
     Disconnect,
     OpenDataFile,
     OutputPort,
     PolyLineSource,
+    RedistributeDataSet,
+    ResetCamera,
     ResetSession,
     SaveData,
+    SaveScreenshot,
+    Show,
     Wavelet,
 )
 from scenes import COARSE, DATA, splash, triangles_at
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import (
     vtkXMLPImageDataReader,
     vtkXMLPolyDataReader,
@@ -64,10 +72,11 @@ def write_partitioned():
     count = points.GetNumberOfPoints()
     pieces = ""
     for piece in range(3):
-        part, places = vtkPolyData(), vtkPoints()
+        part, places, vertices = vtkPolyData(), vtkPoints(), vtkCellArray()
         for i in range(count * piece // 3, count * (piece + 1) // 3):
-            places.InsertNextPoint(points.GetPoint(i))
+            vertices.InsertNextCell(1, [places.InsertNextPoint(points.GetPoint(i))])
         part.SetPoints(places)
+        part.SetVerts(vertices)
         writer = vtkXMLPolyDataWriter()
         writer.SetInputData(part)
         writer.SetFileName(str(FOLDER / f"piece_{piece}.vtp"))
@@ -81,13 +90,33 @@ def write_partitioned():
 
 
 def partitioned():
-    """The skin over particles of which each rank reads its pieces."""
+    """Particles of which each rank reads its pieces; and of which each has a part of space."""
     particles = OpenDataFile(str(FOLDER / "splash.pvtp"))
-    return ActiveImplicitSurface(Target=particles, **COARSE)
+    return particles, RedistributeDataSet(Input=particles)
 
 
-def results():
-    """Skins, sizes of the image and of the history, of a filter and of a source; what is read."""
+def picture(surface, name):
+    """The pixels of a view of the skin."""
+    view = CreateRenderView(ViewSize=[300, 200], OrientationAxesVisibility=0)
+    shown = Show(surface, view)
+    shown.ColorArrayName = [None, ""]
+    shown.DiffuseColor = [0.36, 0.66, 0.86]
+    view.CameraPosition = [0.4, 0.5, 1.0]
+    view.CameraFocalPoint = [0, 0, 0]
+    ResetCamera(view)
+    file = str(FOLDER / name)
+    SaveScreenshot(file, view)
+    Delete(view)
+    reader = vtkPNGReader()
+    reader.SetFileName(file)
+    reader.Update()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    assert (pixels != pixels[0]).any(axis=1).sum() > 1000, "there is next to nothing to see"
+    return pixels.tobytes()
+
+
+def results(name):
+    """Skins, pictures, sizes of image and history, of a filter and of a source; what is read."""
     write_partitioned()
     surface, _ = splash()
     found = [triangles_at(surface, time) for time in (3, 1, 3)]
@@ -96,9 +125,12 @@ def results():
     tube = ActiveImplicitSurfaceFunctions(TargetFunction="Skeleton Potential", VoxelSize=0.1)
     tube.TargetFunction.Input = PolyLineSource(Points=[-0.5, 0, 0, 0.5, 0, 0])
     found.append(triangles_at(tube, 0.3))
-    found.append(triangles_at(partitioned(), 0.3))
-    for name in FILES:
-        reader = OpenDataFile(str(FOLDER / name))
+    for particles in partitioned():
+        skin = ActiveImplicitSurface(Target=particles, **COARSE)
+        found.append(triangles_at(skin, 0.3))
+        found.append(picture(skin, f"{name}_{len(found)}.png"))
+    for file in FILES:
+        reader = OpenDataFile(str(FOLDER / file))
         reader.UpdatePipeline()
         information = reader.GetDataInformation()
         values = information.GetPointDataInformation().GetArrayInformation("RTData")
@@ -134,7 +166,7 @@ def start_server():
 class ClientAndServer(unittest.TestCase):
     def test_results_are_those_of_one_program(self):
         write_files()
-        expected = results()
+        expected = results("one")
         ResetSession()
         server, port = start_server()
         self.addCleanup(server.stdout.close)
@@ -143,7 +175,7 @@ class ClientAndServer(unittest.TestCase):
         Connect("127.0.0.1", port)
         self.assertTrue(servermanager.ActiveConnection.IsRemote())
         self.assertEqual(servermanager.ActiveConnection.GetNumberOfDataPartitions(), RANKS)
-        found = results()
+        found = results("server")
         self.assertEqual([a == b for a, b in zip(found, expected)], [True] * len(expected))
         Disconnect()
 

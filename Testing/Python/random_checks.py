@@ -4,6 +4,7 @@ sentence, and at the end a fresh filter gives the same bytes."""
 import math
 import re
 import tempfile
+from contextlib import contextmanager
 from pathlib import Path
 
 from active_implicit_surfaces import vtkActiveImplicitSurface
@@ -36,8 +37,36 @@ class Case:
         self.time = None
         self.counts = {"requests": 0, "skins": 0, "refused": 0, "stopped": 0, "failed": 0}
 
+    def new_surface(self):
+        return vtkActiveImplicitSurface()
+
+    def part_of(self, role, shape, arrays):
+        """What this process brings of a shape whose arrays are chosen: all of it."""
+        return shape
+
+    def is_struck(self):
+        """Whether what fails or is stopped next does so in this process."""
+        return True
+
+    def is_first(self):
+        """Whether this process writes what others read too."""
+        return True
+
+    def is_so_on_any(self, is_so):
+        """Of the processes."""
+        return is_so
+
+    def wait(self):
+        """For the other processes."""
+
+    @contextmanager
+    def folder(self):
+        """One of all processes."""
+        with tempfile.TemporaryDirectory() as folder:
+            yield Path(folder)
+
     def make(self, made):
-        surface = vtkActiveImplicitSurface()
+        surface = self.new_surface()
         listener = Listener(surface)
         for name, value in self.properties.items():
             getattr(surface, "Set" + name)(value)
@@ -46,7 +75,8 @@ class Case:
         return surface, listener
 
     def put_shape(self, surface, made, role):
-        made[role], arrays = make_shape(role, self.shapes[role])
+        shape, arrays = make_shape(role, self.shapes[role])
+        made[role] = self.part_of(role, shape, arrays)
         if role == "obstacle":
             surface.SetObstacleFunction(made[role])
             return
@@ -109,8 +139,8 @@ class Case:
     def do_save_and_load(self):
         """Of what is there with the properties of now."""
         self.update(self.time or 0.0)
-        with tempfile.TemporaryDirectory() as folder:
-            file = str(Path(folder) / "state.vdb")
+        with self.folder() as folder:
+            file = str(folder / "state.vdb")
             self.listener.forget()
             if self.surface.SaveState(file):
                 assert self.surface.LoadState(file), "what was saved cannot be loaded"
@@ -120,10 +150,11 @@ class Case:
     def do_abort(self, count, time):
         """Stopped at the count-th time that it tells its progress."""
         left = [count]
+        is_struck = self.is_struck()
 
         def on_progress(surface, event):
             left[0] -= 1
-            if left[0] == 0:
+            if left[0] == 0 and is_struck:
                 surface.AbortExecuteOn()
 
         observer = self.surface.AddObserver("ProgressEvent", on_progress)
@@ -131,14 +162,13 @@ class Case:
         self.surface.RemoveObserver(observer)
         self.surface.AbortExecuteOff()
         self.check_messages()
-        if left[0] <= 0:
-            self.counts["stopped"] += 1
+        self.counts["stopped"] += self.is_so_on_any(is_struck and left[0] <= 0)
 
     def do_fail(self, time):
         """The input fails, if it is asked for anything."""
         source = self.made["target"]
         if isinstance(source, Source):
-            source.fails = True
+            source.fails = self.is_struck()
             self.update(time)
             source.fails = False
             self.check_messages()
@@ -169,13 +199,12 @@ class Case:
         self.check_messages(1)
 
     def do_damage(self, time):
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "state.vdb"
-            self.listener.forget()
-            if self.surface.SaveState(str(file)):
-                file.write_bytes(file.read_bytes()[:-7])
-            else:
-                file.write_bytes(b"no state")
+        with self.folder() as folder:
+            file = folder / "state.vdb"
+            is_saved = self.surface.SaveState(str(file))
+            if self.is_first():
+                file.write_bytes(file.read_bytes()[:-7] if is_saved else b"no state")
+            self.wait()
             self.listener.forget()
             assert not self.surface.LoadState(str(file))
             self.check_messages(1)
@@ -198,6 +227,9 @@ class Case:
             self.check_is_refused()
             return
         self.check_time(time)
+        self.check_outputs()
+
+    def check_outputs(self):
         check_skin(self.surface, self.find_voxel())
         self.check_limits()
         self.check_last_row()

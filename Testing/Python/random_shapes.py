@@ -132,7 +132,7 @@ def as_blocks(points, random):
     cuts = sorted(random.randint(0, count) for _ in range(random.randint(0, 3)))
     blocks = vtkMultiBlockDataSet()
     for low, high in zip([0, *cuts], [*cuts, count]):
-        block, inner = rows_of(points, low, high), vtkMultiBlockDataSet()
+        block, inner = rows_of(points, range(low, high)), vtkMultiBlockDataSet()
         if random.random() < 0.3:
             inner.SetBlock(random.randint(0, 2), block)
             block = inner
@@ -140,14 +140,15 @@ def as_blocks(points, random):
     return blocks
 
 
-def rows_of(points, low, high):
+def rows_of(points, rows):
+    """Some of the particles, with their arrays."""
     part = vtkPolyData()
     part.SetPoints(vtkPoints())
     part.GetPoints().SetDataType(points.GetPoints().GetDataType())
     part.GetPointData().CopyAllocate(points.GetPointData())
-    for i in range(low, high):
-        part.GetPoints().InsertNextPoint(points.GetPoint(i))
-        part.GetPointData().CopyData(points.GetPointData(), i, i - low)
+    for row in rows:
+        copy = part.GetPoints().InsertNextPoint(points.GetPoint(row))
+        part.GetPointData().CopyData(points.GetPointData(), row, copy)
     return part
 
 

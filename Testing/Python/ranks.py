@@ -110,13 +110,7 @@ class Keeper:
         numpy.savez(os.path.join(self.folder, f"{name}.{self.ranks.rank}.npz"), **arrays)
 
     def outputs(self, name, surface):
-        self.keep(
-            name,
-            triangles=triangles_of(surface.GetOutput()),
-            history=history_of(surface.GetHistory()),
-            **points_of(surface.GetOutput()),
-            **image_of(surface.GetPotential()),
-        )
+        self.keep(name, **outputs_of(surface))
 
     def update(self, name, surface, time):
         """Keeps the outputs at a time, or the errors."""
@@ -126,6 +120,16 @@ class Keeper:
         self.keep(name + ".errors", **{kind: numpy.array(t, dtype=str) for kind, t in said.items()})
         self.outputs(name, surface)
         surface.RemoveAllObservers()
+
+
+def outputs_of(surface):
+    """All that a rank has of the outputs, as arrays."""
+    return {
+        "triangles": triangles_of(surface.GetOutput()),
+        "history": history_of(surface.GetHistory()),
+        **points_of(surface.GetOutput()),
+        **image_of(surface.GetPotential()),
+    }
 
 
 def triangles_of(skin):
@@ -155,7 +159,7 @@ def points_of(skin):
 
 def image_of(image):
     if image.GetNumberOfPoints() == 0:
-        return {"extent": [0, -1, 0, -1, 0, -1], "potential": []}
+        return {"extent": [0, -1, 0, -1, 0, -1], "potential": numpy.array([])}
     return {
         "extent": image.GetExtent(),
         "potential": vtk_to_numpy(image.GetPointData().GetScalars()),

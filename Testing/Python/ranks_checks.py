@@ -13,7 +13,7 @@ NO_MPI = 77  # by with_ranks
 
 
 def start_ranks(program, size, arguments, longest):
-    """A program on so many ranks, which share the cores; 0: without MPI, by --alone.
+    """What a program says on so many ranks, which share the cores; 0: without MPI, by --alone.
 
     It may take so many seconds: a rank that waits for another one waits for ever.
     """
@@ -33,6 +33,7 @@ def start_ranks(program, size, arguments, longest):
         raise unittest.SkipTest(said)
     if started.returncode != 0:
         raise RuntimeError(f"{command[1:]} on {size} ranks: {said[-4000:]}")
+    return said
 
 
 def assert_same_outputs(test, kept, alone, of):

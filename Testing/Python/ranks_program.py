@@ -10,9 +10,11 @@ import numpy
 import ranks_failures  # noqa: F401  whose runs are among them
 from active_implicit_surfaces import LiveSurface, vtkActiveVDBReader, vtkActiveVDBWriter
 from python_data import as_array
+from random_shapes import as_table
 from ranks import POINTS, Keeper, Particles, at_random, begin, in_blocks, make_surface
 from ranks_scenes import RUNS, make_splash, run, splash_particles
-from scenes import star_to_balls
+from same_bytes_shapes import Steps, cloud
+from scenes import star_to_balls, tube_to_box
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -77,6 +79,15 @@ def part_of_ball(radius, ranks):
     mesh.SetPoints(points)
     mesh.SetPolys(cells)
     return mesh
+
+
+@run
+def table(ranks, keeper, folder):
+    """Of a source that makes no pieces the first rank alone gets anything, not even columns."""
+    places = [(0.1 * i, 0.05 * (i % 3)) for i in range(12)]
+    steps = {z: as_table(cloud([(x, y, 0.05 * z) for x, y in places])) for z in range(2)}
+    surface = make_surface(Steps(steps), 0.05, ParticleSpacing=0.15)
+    keeper.update("table_1", surface, 1)
 
 
 @run
@@ -145,12 +156,14 @@ def grid(ranks, keeper, folder):
 @run
 def morph(ranks, keeper, folder):
     """Functions, which every rank has; the exact volume is held through a split."""
-    surface = star_to_balls()
-    surface.SetNumberOfThreads(1)
-    surface.SetVoxelSize(0.1)
-    surface.SetVolumeControlToExact()
-    surface.OutputPotentialOn()
-    keeper.update("morph_1", surface, 1)
+    for name, surface in (("split", star_to_balls()), ("tube", tube_to_box())):
+        surface.SetNumberOfThreads(1)
+        surface.SetVoxelSize(0.1)
+        surface.OutputPotentialOn()
+        if name == "split":
+            surface.SetVolumeControlToExact()
+        keeper.update(f"{name}_1", surface, 1)
+        keeper.update(f"{name}_3", surface, 3)
 
 
 @run

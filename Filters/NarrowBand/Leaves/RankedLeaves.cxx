@@ -3,6 +3,7 @@
 #include "Leaves/LeafExchange.h"
 #include "Leaves/LeafLists.h"
 #include "Leaves/LeafTable.h"
+#include "MortonOrder.h"
 #include "Ranks/LeafRanges.h"
 
 #include <algorithm>
@@ -18,6 +19,11 @@ constexpr std::size_t CostOfNodes = 64;
 
 }
 
+bool AreLeavesInOrder(const openvdb::Coord& a, const openvdb::Coord& b)
+{
+  return IsBeforeInMortonOrder(a.data(), b.data());
+}
+
 RankedLeaves::RankedLeaves(Agreement& ranks, const LeafTable& table)
   : LeafOwners(ranks)
 {
@@ -26,9 +32,27 @@ RankedLeaves::RankedLeaves(Agreement& ranks, const LeafTable& table)
   this->FindBorders(table);
 }
 
+RankedLeaves::RankedLeaves(Agreement& ranks, const std::vector<openvdb::Coord>& origins)
+  : LeafOwners(ranks)
+{
+  const RankRanges ranges{ origins.size(), static_cast<std::size_t>(this->GetSize()) };
+  for (int rank = 0; rank < this->GetSize(); ++rank)
+  {
+    const std::size_t first = ranges.FirstOf(static_cast<std::size_t>(rank));
+    if (first < ranges.FirstOf(static_cast<std::size_t>(rank) + 1))
+    {
+      this->FirstOrigins.push_back(origins[first]);
+      this->OwnersOfRanges.push_back(rank);
+    }
+  }
+}
+
 void RankedLeaves::ShareAll(const LeafTable& table)
 {
-  const LeafList order = table.FindTreeOrder();
+  LeafList order = table.FindAll([](std::size_t) { return true; });
+  std::sort(order.begin(), order.end(),
+    [&table](std::int32_t a, std::int32_t b)
+    { return AreLeavesInOrder(table[a].Origin, table[b].Origin); });
   std::vector<std::size_t> costsBefore(1, 0);
   for (const std::int32_t i : order)
   {
@@ -49,8 +73,8 @@ void RankedLeaves::ShareAll(const LeafTable& table)
 /** The first rank has what is before all of them. */
 int RankedLeaves::FindOwner(const openvdb::Coord& origin) const
 {
-  const auto after =
-    std::upper_bound(this->FirstOrigins.begin(), this->FirstOrigins.end(), origin, IsBeforeInTree);
+  const auto after = std::upper_bound(
+    this->FirstOrigins.begin(), this->FirstOrigins.end(), origin, AreLeavesInOrder);
   const auto range = std::max<std::ptrdiff_t>(after - this->FirstOrigins.begin() - 1, 0);
   return this->OwnersOfRanges.empty() ? 0 : this->OwnersOfRanges[static_cast<std::size_t>(range)];
 }

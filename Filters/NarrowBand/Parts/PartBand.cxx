@@ -1,7 +1,6 @@
 #include "Parts/PartBand.h"
 
 #include "Leaves/Layers.h"
-#include "Leaves/RankedLeaves.h"
 #include "Parts/PartDistances.h"
 
 namespace activesurface
@@ -71,12 +70,6 @@ std::size_t PartBand::CountActive() const
 void PartBand::FindDistances(const LatticeFunction& function, LeafOwners* ranks)
 {
   PartDistances(this->Leaves).Find(function, ranks);
-}
-
-void PartBand::ShareDistances(const LatticeFunction& function, Agreement& ranks)
-{
-  RankedLeaves owners(ranks, this->Leaves);
-  this->FindDistances(function, &owners);
 }
 
 }

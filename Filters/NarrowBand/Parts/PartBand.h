@@ -26,8 +26,6 @@ public:
   /** Sets u in the layers to the first-order distances to the zero set of the function; see
    * PartDistances.h. ranks: those that evaluate it together, or null. */
   void FindDistances(const LatticeFunction& function, LeafOwners* ranks = nullptr);
-  /** The same where no rank has leaves yet: each evaluates as many. */
-  void ShareDistances(const LatticeFunction& function, Agreement& ranks);
 
   const openvdb::FloatTree::Ptr& GetTree() const { return this->Tree; }
   const LeafTable& GetLeaves() const { return this->Leaves; }

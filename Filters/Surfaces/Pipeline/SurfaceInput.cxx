@@ -4,6 +4,7 @@
 #include "ParticleData.h"
 #include "Ranks/PieceGather.h"
 #include "Targets/InputKinds.h"
+#include "Targets/ParticleShape.h"
 #include "WholeInput.h"
 
 #include "vtkAbstractArray.h"
@@ -15,10 +16,13 @@
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
 
 #include <algorithm>
 #include <iterator>
@@ -52,6 +56,21 @@ std::string ListArrays(vtkPointData* arrays)
     names += name ? (names.empty() ? "\"" : ", \"") + std::string(name) + "\"" : "";
   }
   return names.empty() ? "it has no point arrays with names" : "its point arrays are " + names;
+}
+
+// As a rank gets it of a table that another rank has.
+bool HasNothing(vtkDataObject* data)
+{
+  auto table = vtkTable::SafeDownCast(data);
+  return table && table->GetNumberOfColumns() == 0;
+}
+
+// Of a rank without particles.
+vtkSmartPointer<vtkDataSet> MakeNothing()
+{
+  auto nothing = vtkSmartPointer<vtkPolyData>::New();
+  nothing->SetPoints(vtkNew<vtkPoints>());
+  return nothing;
 }
 
 }
@@ -203,13 +222,22 @@ bool SurfaceInput::IsSplit(vtkInformation* information) const
 std::unique_ptr<InputShape> SurfaceInput::Read(
   vtkInformation* information, const ParticleArrays& kept) const
 {
-  const vtkSmartPointer<vtkDataSet> data = AsDataSet(vtkDataObject::GetData(information));
+  vtkDataObject* object = vtkDataObject::GetData(information);
   if (this->Ranks.IsAlone())
   {
+    const vtkSmartPointer<vtkDataSet> data = AsDataSet(object);
     return MakeInputShape({ data, ArraysOf(*this, data), kept });
   }
-  const vtkSmartPointer<vtkDataSet> whole = GatherWhole(
-    this->Ranks, this->MakePiece(data, kept), "The input of port " + std::to_string(this->Port));
+  const InputPiece piece =
+    HasNothing(object) ? InputPiece() : this->MakePiece(AsDataSet(object), kept);
+  const std::string name = "The input of port " + std::to_string(this->Port);
+  if (AgreeOnKind(this->Ranks, piece.Kind, name) == PieceKind::Particles)
+  {
+    const vtkSmartPointer<vtkDataSet> own = piece.Data ? piece.Data : MakeNothing();
+    return std::make_unique<ParticleShape>(
+      InputData{ own, ArraysOf(*this, own), kept, &this->Ranks });
+  }
+  const vtkSmartPointer<vtkDataSet> whole = GatherWhole(this->Ranks, piece, name);
   return MakeInputShape({ whole, ArraysOf(*this, whole), kept });
 }
 

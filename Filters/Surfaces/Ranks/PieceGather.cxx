@@ -3,9 +3,14 @@
 #include "AttachedData.h"
 #include "Ranks/PieceBytes.h"
 #include "Ranks/WholeOfPieces.h"
+#include "SharedResults.h"
 
 #include "vtkDataSet.h"
+#include "vtkFloatArray.h"
 #include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -18,19 +23,18 @@ namespace
 {
 
 // The kind of those ranks that have anything.
-PieceKind FindKind(const std::vector<InputPiece>& pieces, const std::string& what)
+PieceKind FindKind(const std::vector<PieceKind>& kinds, const std::string& what)
 {
   PieceKind kind = PieceKind::Nothing;
   std::size_t first = 0;
-  for (std::size_t rank = 0; rank < pieces.size(); ++rank)
+  for (std::size_t rank = 0; rank < kinds.size(); ++rank)
   {
-    const PieceKind own = pieces[rank].Kind;
     if (kind == PieceKind::Nothing)
     {
-      kind = own;
+      kind = kinds[rank];
       first = rank;
     }
-    else if (own != PieceKind::Nothing && own != kind)
+    else if (kinds[rank] != PieceKind::Nothing && kinds[rank] != kind)
     {
       throw std::invalid_argument(what + " is of one kind on rank " + std::to_string(first) +
         " and of another on rank " + std::to_string(rank) +
@@ -40,6 +44,36 @@ PieceKind FindKind(const std::vector<InputPiece>& pieces, const std::string& wha
   return kind;
 }
 
+// Points that have the arrays, at no place in particular.
+InputPiece MakePieceOf(vtkPointData* arrays)
+{
+  const vtkIdType count = arrays->GetNumberOfTuples();
+  if (count == 0)
+  {
+    return {};
+  }
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(count);
+  std::fill_n(vtkFloatArray::SafeDownCast(points->GetData())->GetPointer(0), 3 * count, 0.f);
+  auto piece = vtkSmartPointer<vtkPolyData>::New();
+  piece->SetPoints(points);
+  piece->GetPointData()->ShallowCopy(arrays);
+  return { PieceKind::Particles, piece };
+}
+
+}
+
+PieceKind AgreeOnKind(Agreement& ranks, PieceKind own, const std::string& what)
+{
+  return FindKind(GatherValues(ranks, own), what);
+}
+
+vtkSmartPointer<vtkPointData> GatherPointData(
+  Agreement& ranks, vtkPointData* own, const std::string& what)
+{
+  auto all = vtkSmartPointer<vtkPointData>::New();
+  all->ShallowCopy(GatherWhole(ranks, MakePieceOf(own), what)->GetPointData());
+  return all;
 }
 
 vtkSmartPointer<vtkDataSet> GatherWhole(
@@ -50,11 +84,14 @@ vtkSmartPointer<vtkDataSet> GatherWhole(
   {
     pieces.push_back(UnpackPiece(bytes));
   }
-  const PieceKind kind = FindKind(pieces, what);
-  std::vector<vtkDataSet*> parts(pieces.size());
-  std::transform(pieces.begin(), pieces.end(), parts.begin(),
-    [](const InputPiece& piece) { return piece.Data.Get(); });
-  switch (kind)
+  std::vector<vtkDataSet*> parts;
+  std::vector<PieceKind> kinds;
+  for (const InputPiece& piece : pieces)
+  {
+    parts.push_back(piece.Data);
+    kinds.push_back(piece.Kind);
+  }
+  switch (FindKind(kinds, what))
   {
     case PieceKind::Particles:
     case PieceKind::Cells:

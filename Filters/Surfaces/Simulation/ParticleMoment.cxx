@@ -1,5 +1,6 @@
 #include "Simulation/ParticleMoment.h"
 
+#include "Targets/SharedFrame.h"
 #include "Targets/TargetFrames.h"
 
 #include <limits>
@@ -28,16 +29,27 @@ std::vector<ParticleOrigin> FindOriginsOfLater(std::size_t count, const Particle
   return origins;
 }
 
-const ParticleFrame* Find(const TargetFrames& frames, int step)
+// Null if the step is not held. Whole, where ranks share it.
+std::shared_ptr<const ParticleFrame> Find(const TargetFrames& frames, int step)
 {
-  return frames.Has(step) ? &frames.GetParticles(step) : nullptr;
+  if (!frames.Has(step))
+  {
+    return nullptr;
+  }
+  const ParticleFrame& frame = frames.GetParticles(step);
+  return frame.Shared ? std::make_shared<ParticleFrame>(GatherFrame(frame))
+                      : std::shared_ptr<const ParticleFrame>(std::shared_ptr<void>(), &frame);
+}
+
+bool AreShared(const TargetFrames& frames, int step)
+{
+  return frames.GetWay(step).IsShared();
 }
 
 double GetVelocity(const ParticleFrame* frame, std::size_t particle, std::size_t axis)
 {
-  const bool isKnown = particle != NoPartner && !frame->Velocities.empty();
-  return isKnown ? frame->Velocities[3 * particle + axis]
-                 : std::numeric_limits<double>::quiet_NaN();
+  const bool isKnown = particle != NoPartner && frame->HasVelocities;
+  return isKnown ? frame->Velocities[particle][axis] : std::numeric_limits<double>::quiet_NaN();
 }
 
 }
@@ -49,6 +61,12 @@ ParticleMoment FindMoment(const TargetFrames& frames, int step, double fraction)
   moment.Later = Find(frames, step + 1);
   moment.Fraction = fraction;
   const ParticleMatches* matches = frames.FindMatches(step);
+  ParticleMatches ofWhole;
+  if (matches && AreShared(frames, step))
+  {
+    ofWhole = MatchParticles(*moment.Earlier, *moment.Later);
+    matches = &ofWhole;
+  }
   if (fraction == 0.0)
   {
     moment.Particles = moment.Earlier->Particles;
@@ -80,19 +98,19 @@ double Mix(double earlier, double later, const ParticleOrigin& origin, double fr
 std::vector<double> ParticleMoment::FindVelocities(double duration) const
 {
   std::vector<double> velocities;
-  const bool given = (this->Earlier && !this->Earlier->Velocities.empty()) ||
-    (this->Later && !this->Later->Velocities.empty());
+  const bool given =
+    (this->Earlier && this->Earlier->HasVelocities) || (this->Later && this->Later->HasVelocities);
   if (!given)
   {
-    FindMotion(this->Earlier, this->Later, duration, this->Origins, velocities);
+    FindMotion(this->Earlier.get(), this->Later.get(), duration, this->Origins, velocities);
     return velocities;
   }
   for (const ParticleOrigin& origin : this->Origins)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      velocities.push_back(Mix(GetVelocity(this->Earlier, origin.Earlier, axis),
-        GetVelocity(this->Later, origin.Later, axis), origin, this->Fraction));
+      velocities.push_back(Mix(GetVelocity(this->Earlier.get(), origin.Earlier, axis),
+        GetVelocity(this->Later.get(), origin.Later, axis), origin, this->Fraction));
     }
   }
   return velocities;

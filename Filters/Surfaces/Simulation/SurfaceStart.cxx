@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace activesurface
@@ -91,11 +93,42 @@ void EvaluateAtCorners(const InitialFunction& function, const double bounds[6])
   }
 }
 
+// Where a shape is asked for while a surface starts on it.
+class KeptPlaces
+{
+public:
+  explicit KeptPlaces(PotentialTarget& shape)
+    : Shape(shape)
+  {
+  }
+  ~KeptPlaces()
+  {
+    if (this->Places)
+    {
+      this->Shape.KeepNear(nullptr);
+    }
+  }
+  KeptPlaces(const KeptPlaces&) = delete;
+  void operator=(const KeptPlaces&) = delete;
+
+  void KeepNear(std::shared_ptr<const OwnPlaces> places)
+  {
+    this->Shape.KeepNear(places.get());
+    this->Places = std::move(places);
+    this->Shape.MoveTo(0.0);
+  }
+
+private:
+  PotentialTarget& Shape;
+  std::shared_ptr<const OwnPlaces> Places;
+};
+
 }
 
 bool StartOn(
   NarrowBand& band, const SurfaceStart& start, Warnings& messages, const ProgressFunction& progress)
 {
+  KeptPlaces kept(start.Shape);
   std::atomic<bool> isFinite{ false };  // anywhere
   std::atomic<bool> hasInside{ false }; // but for the obstacle
   InitialFunction function;
@@ -125,6 +158,8 @@ bool StartOn(
     function.Surface = start.Shape.FindSurface();
     function.Surface.DepthOfWalls = FindMargin(start);
   }
+  function.KeepNear = [&kept](std::shared_ptr<const OwnPlaces> places)
+  { kept.KeepNear(std::move(places)); };
   double bounds[6];
   FindBounds(start, bounds);
   if (!band.Start(0.0, bounds, function, progress))

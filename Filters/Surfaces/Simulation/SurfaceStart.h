@@ -17,8 +17,8 @@ struct SurfaceStart
   const SurfaceDomain& Domain;
   const Walls& Box;
   Obstacle* Solid; // or null
-  const PotentialTarget& Shape;
-  Agreement* Ranks = nullptr; // that start together, each with the whole shape
+  PotentialTarget& Shape;
+  Agreement* Ranks = nullptr; // that start together, or null
 };
 
 // False if the progress function has stopped it. Warns of a start without a surface. Throws as

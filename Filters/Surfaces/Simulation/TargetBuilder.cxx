@@ -392,9 +392,13 @@ std::unique_ptr<PotentialTarget> TargetBuilder::MakeStart()
       ? std::make_unique<ImplicitTarget>(function, options.GetDifferenceStep(), TargetOptions())
       : nullptr;
   }
-  // Everywhere: it takes more memory than the one that ranks share, and goes after the start.
+  // Of its own, as it tells less than the one that moves, and goes after the start.
   options.Carries = options.WeighsTension = false;
-  return this->MakeMovingTarget(*this->KindOfTarget, options, 0, 0.0, 0.0);
+  std::unique_ptr<MovingTarget> target = this->KindOfTarget->MakeTarget(this->Frames, options);
+  target->KeepRegions(); // the start says where it is to be known
+  target->MoveAlong(0, 0.0, 0.0);
+  target->MoveTo(0.0);
+  return target;
 }
 
 }

@@ -93,13 +93,14 @@ std::vector<PointWithMargin> TargetCoverage::FindPoints(int step, double voxelSi
   return frame ? this->FindParticles(*frame) : this->FindInside(step, voxelSize);
 }
 
-// Of ranks that share them, each finds those of a range.
+// Of ranks, each finds those that it has; of points that all have, those of a range.
 std::vector<PointWithMargin> TargetCoverage::FindParticles(const ParticleFrame& frame) const
 {
   const double spacing = frame.HasRadii ? 0.0 : this->Shapes.FindSpacing();
   const double reach = GetReachPerSpacing(this->Settings.Particles.Model);
-  const std::size_t ranks = this->ArePointsShared ? this->Ranks->GetSize() : 1;
-  const std::size_t rank = this->ArePointsShared ? this->Ranks->GetRank() : 0;
+  const bool areAllHere = this->ArePointsShared && !frame.Shared;
+  const std::size_t ranks = areAllHere ? this->Ranks->GetSize() : 1;
+  const std::size_t rank = areAllHere ? this->Ranks->GetRank() : 0;
   const RankRanges ranges{ frame.Particles.size(), ranks };
   std::vector<PointWithMargin> points;
   points.reserve(ranges.FirstOf(rank + 1) - ranges.FirstOf(rank));

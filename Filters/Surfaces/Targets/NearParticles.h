@@ -1,6 +1,6 @@
-// The particles of a way that a rank needs: where it asks at its own places alone, those that reach
-// such a place on their way. They keep their order, so that sums over them are the same. What ranks
-// share of them comes from where they are at home.
+// The particles of a way that a rank needs, where ranks share them: those that reach its own places
+// on their way. They keep their order, so that sums over them are the same. They come from where
+// they are at home: there it is known how far each reaches.
 
 #ifndef NearParticles_h
 #define NearParticles_h
@@ -13,17 +13,12 @@
 namespace activesurface
 {
 
-// What is known of a particle in one of the steps; Fit: null without.
-struct WayEnd
-{
-  const SkeletonVertex& Particle;
-  const ParticleFit* Fit;
-};
+struct ParticleParcels;
 
 class NearParticles
 {
 public:
-  // places: null for all. Rounds of ranks, if what is known of the particles is shared.
+  // Ranks share the way. places: null for all particles. Rounds of ranks.
   void Choose(const ParticleWay& whole, const OwnPlaces* places);
 
   // Until they are chosen anew.
@@ -37,12 +32,8 @@ public:
   }
 
 private:
-  struct Candidates;
-
-  void AddEarlier(const ParticleWay& whole, const OwnPlaces* places, const Candidates& candidates);
-  void AddBirths(const OwnPlaces* places, const Candidates& candidates);
-  // Returns its number among those that are chosen.
-  std::size_t AddLater(const WayEnd& end, char isCounted);
+  void MakeRoom(const ParticleParcels& parcels);
+  void Add(const ParticleParcels& parcels, std::size_t n, const OwnPlaces* places);
 
   ParticleFrame Earlier;
   ParticleFrame Later;

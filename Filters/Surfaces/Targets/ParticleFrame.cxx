@@ -3,12 +3,8 @@
 #include "Targets/ParticleOrder.h"
 
 #include "vtkDataArray.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkOctreePointLocator.h"
 #include "vtkPointSet.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
@@ -92,10 +88,11 @@ void KeepVelocities(vtkDataArray* velocities, ParticleFrame& frame)
 {
   if (velocities)
   {
-    frame.Velocities.resize(3 * frame.Points.size());
+    frame.HasVelocities = true;
+    frame.Velocities.resize(frame.Points.size());
     for (std::size_t i = 0; i < frame.Points.size(); ++i)
     {
-      velocities->GetTuple(frame.Points[i], frame.Velocities.data() + 3 * i);
+      velocities->GetTuple(frame.Points[i], frame.Velocities[i].data());
     }
   }
 }
@@ -119,101 +116,27 @@ void KeepArrays(vtkPointData* arrays, vtkIdType count, ParticleFrame& frame)
   }
 }
 
-double FindMedian(std::vector<double>& values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
-// Where most particles are, and half of how far from there; halves, as whole differences overflow.
-struct Middle
+void FindBoundsOf(const std::vector<SkeletonVertex>& particles, double bounds[6])
 {
-  double At[3];
-  double HalfSize = 0.0;
-};
-
-Middle FindMiddle(const std::vector<SkeletonVertex>& particles)
-{
-  Middle middle;
-  double farthest = 0.0;
-  std::vector<double> values(particles.size());
   for (int axis = 0; axis < 3; ++axis)
   {
-    double& at = middle.At[axis];
-    std::transform(particles.begin(), particles.end(), values.begin(),
-      [axis](const SkeletonVertex& particle) { return particle.Position[axis]; });
-    at = FindMedian(values);
-    std::transform(values.begin(), values.end(), values.begin(),
-      [at](double x) { return std::fabs(0.5 * x - 0.5 * at); });
-    farthest = std::max(farthest, *std::max_element(values.begin(), values.end()));
-    middle.HalfSize = std::max(middle.HalfSize, FindMedian(values));
-  }
-  const double inOnePlace = farthest > 0.0 ? farthest : 1.0;
-  middle.HalfSize = middle.HalfSize > 0.0 ? middle.HalfSize : inOnePlace;
-  return middle;
-}
-
-// A tree, whose leaves stay small however far strays are. It calculates in single precision: so
-// around where most particles are, and in units of how far they are from there.
-vtkSmartPointer<vtkOctreePointLocator> MakeLocator(const std::vector<SkeletonVertex>& particles)
-{
-  constexpr double farAway = 1e15; // the square of which is finite
-  const Middle middle = FindMiddle(particles);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(particles.size()));
-  for (std::size_t i = 0; i < particles.size(); ++i)
-  {
-    double x[3];
-    for (int axis = 0; axis < 3; ++axis)
+    bounds[2 * axis] = HUGE_VAL;
+    bounds[2 * axis + 1] = -HUGE_VAL;
+    for (const SkeletonVertex& particle : particles)
     {
-      const double from = 0.5 * particles[i].Position[axis] - 0.5 * middle.At[axis];
-      x[axis] = std::min(std::max(from / middle.HalfSize, -farAway), farAway);
+      const double x = particle.Position[axis];
+      bounds[2 * axis] = std::min(bounds[2 * axis], x - particle.Radius);
+      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], x + particle.Radius);
     }
-    points->SetPoint(static_cast<vtkIdType>(i), x);
   }
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(points);
-  auto locator = vtkSmartPointer<vtkOctreePointLocator>::New();
-  locator->SetDataSet(cloud);
-  locator->BuildLocator();
-  return locator;
 }
 
-// Distance of a particle to its third nearest. More are looked at, as the locator cannot tell which
-// of those of a lattice are nearest.
-double FindThirdNearest(
-  const std::vector<SkeletonVertex>& particles, vtkOctreePointLocator* locator, std::size_t i)
+void ParticleFrame::FindFits(const FitOptions& options)
 {
-  constexpr std::size_t looked = 17, third = 3; // the particle itself is one
-  vtkNew<vtkIdList> nearest;
-  double x[3];
-  locator->GetDataSet()->GetPoint(static_cast<vtkIdType>(i), x);
-  locator->FindClosestNPoints(static_cast<int>(std::min(looked, particles.size())), x, nearest);
-  std::vector<double> distances;
-  for (vtkIdType k = 0; k < nearest->GetNumberOfIds(); ++k)
-  {
-    const double* from = particles[i].Position;
-    const double* to = particles[static_cast<std::size_t>(nearest->GetId(k))].Position;
-    distances.push_back(std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]));
-  }
-  std::sort(distances.begin(), distances.end());
-  return distances.empty() ? 0.0 : distances[std::min(third, distances.size() - 1)];
-}
-
-}
-
-void ParticleFrame::FindFits(const FitOptions& options, Agreement* ranks)
-{
-  if (ranks && !ranks->IsAlone())
-  {
-    this->Shared = std::make_shared<SharedFits>(*ranks, options, this->Particles);
-  }
-  else
-  {
-    this->Fits = FitParticles(options, this->Particles);
-  }
+  this->Fits = FitParticles(options, this->Particles, this->Shared.get());
+  this->HasFits = true;
 }
 
 void ParticleFrame::GiveRadius(double radius)
@@ -226,42 +149,18 @@ void ParticleFrame::GiveRadius(double radius)
 
 bool ParticleFrame::GetBounds(double bounds[6]) const
 {
-  for (int axis = 0; axis < 3; ++axis)
+  if (this->Shared)
   {
-    bounds[2 * axis] = HUGE_VAL;
-    bounds[2 * axis + 1] = -HUGE_VAL;
-    for (const SkeletonVertex& particle : this->Particles)
-    {
-      const double x = particle.Position[axis];
-      bounds[2 * axis] = std::min(bounds[2 * axis], x - particle.Radius);
-      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], x + particle.Radius);
-    }
+    std::copy_n(this->Shared->Bounds, 6, bounds);
   }
-  return !this->Particles.empty();
+  else
+  {
+    FindBoundsOf(this->Particles, bounds);
+  }
+  return this->CountAll() > 0;
 }
 
-double ParticleFrame::GetSpacing() const
-{
-  constexpr std::size_t samples = 1000;
-  if (this->Particles.size() < 2)
-  {
-    return 0.0;
-  }
-  const vtkSmartPointer<vtkOctreePointLocator> locator = MakeLocator(this->Particles);
-  std::vector<double> distances;
-  const std::size_t stride = std::max<std::size_t>(1, this->Particles.size() / samples);
-  for (std::size_t i = 0; i < this->Particles.size(); i += stride)
-  {
-    const double distance = FindThirdNearest(this->Particles, locator, i);
-    if (distance > 0.0)
-    {
-      distances.push_back(distance);
-    }
-  }
-  return distances.empty() ? 0.0 : FindMedian(distances);
-}
-
-ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
+ParticleFrame ReadWithPoints(vtkPointSet* points, const PointArrays& arrays)
 {
   const vtkIdType count = points->GetNumberOfPoints();
   vtkDataArray* radii = AsNumbers(arrays.Radii, count, "radii");
@@ -292,6 +191,12 @@ ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
   Sort(frame);
   KeepVelocities(AsNumbers(arrays.Velocities, count, "velocities", 3), frame);
   KeepArrays(arrays.Passed, count, frame);
+  return frame;
+}
+
+ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
+{
+  ParticleFrame frame = ReadWithPoints(points, arrays);
   if (!frame.Passed)
   {
     frame.Points = {};

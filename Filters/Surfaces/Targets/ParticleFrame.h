@@ -4,12 +4,13 @@
 #define ParticleFrame_h
 
 #include "ParticleFit.h"
+#include "SharedParticles.h"
 #include "Skeleton.h"
-#include "Targets/SharedFits.h"
 
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -33,34 +34,46 @@ struct PointArrays
 
 struct ParticleFrame
 {
+  // Where ranks share the particles, this rank has those of the lists; null: they are all.
+  std::shared_ptr<SharedParticles> Shared;
+
   std::vector<SkeletonVertex> Particles;
   std::vector<std::int64_t> Ids; // of the particles: from the array, else their point numbers
   bool HasIds = false;           // from the array
   bool HasRadii = false;         // from the array, else to be given by GiveRadius
-  std::size_t Ignored = 0;       // points left out: not finite, or without a size
-  std::vector<vtkIdType> Points; // of the input, which the particles are; empty without Passed
-  ParticleFits Fits;             // of the particles; empty until they are asked for
-  std::shared_ptr<const SharedFits> Shared; // in their place where ranks share them
-  std::vector<double> Velocities;           // of the particles, x y z each; empty without an array
-  vtkSmartPointer<vtkPointData> Passed;     // of the input's points, a copy; null if not wanted
+  bool HasVelocities = false;    // from an array
+  bool HasFits = false;
+  std::size_t Ignored = 0;                       // points left out: not finite, or without a size
+  std::vector<vtkIdType> Points;                 // of the input, which the particles are; empty
+                                                 // without Passed
+  ParticleFits Fits;                             // of the particles, if there are
+  std::vector<std::array<double, 3>> Velocities; // of the particles, if there are
+  vtkSmartPointer<vtkPointData> Passed; // of the input's points, or of this rank's piece of them,
+                                        // a copy; null if not wanted
 
-  bool HasFits() const { return this->Shared || !this->Fits.empty(); }
-  // ranks: those that have the same frame, or null. Throws as FitParticles.
-  void FindFits(const FitOptions& options, Agreement* ranks);
+  std::size_t CountAll() const
+  {
+    return this->Shared ? this->Shared->CountOfAll : this->Particles.size();
+  }
+
+  // Where ranks share particles, they are at home. Throws as FitParticles.
+  void FindFits(const FitOptions& options);
 
   void GiveRadius(double radius);
 
-  // The box of all supports; false without particles.
+  // The box of the supports of all; false without particles. Where ranks share them, as they were
+  // when they came home.
   bool GetBounds(double bounds[6]) const;
-
-  // Median distance of a particle to its third nearest, among about a thousand of them: the cube
-  // root of the volume per particle within 14 %, for lattices as for random points, where the
-  // nearest is at .55 of it, and for sheets. 0 if no two particles have different positions.
-  double GetSpacing() const;
 };
+
+// The box of their supports; empty without particles.
+void FindBoundsOf(const std::vector<SkeletonVertex>& particles, double bounds[6]);
 
 // Throws std::invalid_argument for arrays that cannot be radii, ids or strengths of the points.
 ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays);
+
+// The same, with their Points in any case.
+ParticleFrame ReadWithPoints(vtkPointSet* points, const PointArrays& arrays);
 
 }
 

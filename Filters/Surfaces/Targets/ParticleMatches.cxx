@@ -2,9 +2,9 @@
 
 #include "ParallelTasks.h"
 #include "PortableMath.h"
+#include "SharedResults.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -47,16 +47,10 @@ void MatchIds(const std::vector<std::int64_t>& earlier, const std::vector<std::i
   }
 }
 
-constexpr std::size_t FewParticles = 100; // whose indices are always believed
-constexpr std::size_t EnoughOfThem = 1000;
-constexpr double AcrossTheCloud = 0.2; // of its diagonal
-
-using Place = std::array<double, 3>;
-
 double DiagonalOf(const std::vector<SkeletonVertex>& particles)
 {
   double square = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < 3 && !particles.empty(); ++axis)
   {
     const auto ends = std::minmax_element(particles.begin(), particles.end(),
       [axis](const SkeletonVertex& a, const SkeletonVertex& b)
@@ -68,12 +62,11 @@ double DiagonalOf(const std::vector<SkeletonVertex>& particles)
 }
 
 // Of partners, evenly picked.
-std::vector<Place> PickWays(const ParticleFrame& earlier, const ParticleFrame& later,
+std::vector<ParticleStep> PickWays(const ParticleFrame& earlier, const ParticleFrame& later,
   const std::vector<std::size_t>& partners)
 {
-  std::vector<Place> ways;
-  const std::size_t step = 1 + partners.size() / EnoughOfThem;
-  for (std::size_t i = 0; i < partners.size(); i += step)
+  std::vector<ParticleStep> ways;
+  for (std::size_t i = 0; i < partners.size(); i += GetStrideOfWays(partners.size()))
   {
     if (partners[i] != NoPartner)
     {
@@ -83,34 +76,6 @@ std::vector<Place> PickWays(const ParticleFrame& earlier, const ParticleFrame& l
     }
   }
   return ways;
-}
-
-// Whether half of the partners go far across the cloud, besides where it goes as a whole.
-bool CrossTheCloud(const ParticleFrame& earlier, const ParticleFrame& later,
-  const std::vector<std::size_t>& partners)
-{
-  const std::vector<Place> ways = PickWays(earlier, later, partners);
-  if (ways.empty() || earlier.Particles.size() < FewParticles)
-  {
-    return false;
-  }
-  Place mean = { 0.0, 0.0, 0.0 };
-  for (const Place& way : ways)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      mean[axis] += way[axis] / static_cast<double>(ways.size());
-    }
-  }
-  std::vector<double> lengths;
-  for (const Place& way : ways)
-  {
-    const double x = way[0] - mean[0], y = way[1] - mean[1], z = way[2] - mean[2];
-    lengths.push_back(std::sqrt(x * x + y * y + z * z));
-  }
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle > AcrossTheCloud * DiagonalOf(earlier.Particles);
 }
 
 // The later particles that are nobody's partner.
@@ -220,6 +185,39 @@ struct Crowd
 
 }
 
+std::size_t GetStrideOfWays(std::size_t particles)
+{
+  constexpr std::size_t enough = 1000;
+  return 1 + particles / enough;
+}
+
+bool GoAcross(const std::vector<ParticleStep>& ways, std::size_t particles, double diagonal)
+{
+  constexpr std::size_t fewParticles = 100; // whose indices are always believed
+  constexpr double acrossTheCloud = 0.2;    // of its diagonal
+  if (ways.empty() || particles < fewParticles)
+  {
+    return false;
+  }
+  ParticleStep mean = { 0.0, 0.0, 0.0 };
+  for (const ParticleStep& way : ways)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      mean[axis] += way[axis] / static_cast<double>(ways.size());
+    }
+  }
+  std::vector<double> lengths;
+  for (const ParticleStep& way : ways)
+  {
+    const double x = way[0] - mean[0], y = way[1] - mean[1], z = way[2] - mean[2];
+    lengths.push_back(std::sqrt(x * x + y * y + z * z));
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle > acrossTheCloud * diagonal;
+}
+
 ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later)
 {
   const bool sameCount =
@@ -230,7 +228,9 @@ ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame
   {
     MatchIds(earlier.Ids, later.Ids, matches.Partners);
   }
-  if (!earlier.HasIds && CrossTheCloud(earlier, later, matches.Partners))
+  if (!earlier.HasIds &&
+    GoAcross(PickWays(earlier, later, matches.Partners), earlier.Particles.size(),
+      DiagonalOf(earlier.Particles)))
   {
     matches.AreShuffled = true;
     matches.Partners.assign(earlier.Particles.size(), NoPartner);
@@ -245,16 +245,36 @@ double FindLongestWay(
   double longest = 0.0;
   for (std::size_t i = 0; i < earlier.Particles.size(); ++i)
   {
-    if (matches.Partners[i] != NoPartner)
+    if (const SkeletonVertex* to = matches.FindEnd(i, later))
     {
       const SkeletonVertex& from = earlier.Particles[i];
-      const SkeletonVertex& to = later.Particles[matches.Partners[i]];
-      const double way = std::hypot(to.Position[0] - from.Position[0],
-        to.Position[1] - from.Position[1], to.Position[2] - from.Position[2]);
-      longest = std::max(longest, way + std::fabs(to.Radius - from.Radius));
+      const double way = std::hypot(to->Position[0] - from.Position[0],
+        to->Position[1] - from.Position[1], to->Position[2] - from.Position[2]);
+      longest = std::max(longest, way + std::fabs(to->Radius - from.Radius));
     }
   }
+  if (earlier.Shared)
+  {
+    const std::vector<double> all = GatherValues(earlier.Shared->Ranks, longest);
+    longest = *std::max_element(all.begin(), all.end());
+  }
   return longest;
+}
+
+std::vector<double> FindWays(
+  const ParticleFrame& earlier, const ParticleFrame& later, const ParticleMatches& matches)
+{
+  std::vector<double> ways(3 * earlier.Particles.size(), std::numeric_limits<double>::quiet_NaN());
+  RunEach(earlier.Particles.size(),
+    [&](std::size_t i)
+    {
+      const SkeletonVertex* to = matches.FindEnd(i, later);
+      for (int axis = 0; to && axis < 3; ++axis)
+      {
+        ways[3 * i + axis] = to->Position[axis] - earlier.Particles[i].Position[axis];
+      }
+    });
+  return ways;
 }
 
 void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& later,

@@ -2,6 +2,7 @@
 
 #include "Targets/ParticleTarget.h"
 #include "Targets/ShapePreparation.h"
+#include "Targets/SharedFrame.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellTypes.h"
@@ -42,12 +43,24 @@ ParticleFrame ReadPoints(const InputData& input)
 {
   CheckHasVerticesOnly(input.Data);
   PointArrays arrays;
-  arrays.Radii = input.Chosen.FindRadii();
-  arrays.Ids = input.Chosen.FindIds();
-  arrays.Strengths = input.Chosen.FindStrengths();
-  arrays.Velocities = input.Kept.Velocities.empty() ? nullptr : input.Chosen.FindVelocities();
+  if (input.Data->GetNumberOfPoints() > 0) // else it is the piece of a rank without particles
+  {
+    arrays.Radii = input.Chosen.FindRadii();
+    arrays.Ids = input.Chosen.FindIds();
+    arrays.Strengths = input.Chosen.FindStrengths();
+    arrays.Velocities = input.Kept.Velocities.empty() ? nullptr : input.Chosen.FindVelocities();
+  }
   arrays.Passed = input.Kept.All ? input.Data->GetPointData() : nullptr;
-  return ReadParticles(vtkPointSet::SafeDownCast(input.Data), arrays);
+  auto points = vtkPointSet::SafeDownCast(input.Data);
+  return input.Ranks ? ReadSharedParticles(points, arrays, *input.Ranks)
+                     : ReadParticles(points, arrays);
+}
+
+// On any of the ranks.
+bool HasCellsAnywhere(const InputData& input)
+{
+  const bool hasOwn = input.Data->GetNumberOfCells() > 0;
+  return input.Ranks ? input.Ranks->IsSoOnAny(hasOwn) : hasOwn;
 }
 
 }
@@ -60,7 +73,7 @@ bool ParticleShape::Fits(vtkDataSet* data)
 ParticleShape::ParticleShape(const InputData& input)
   : Particles(ReadPoints(input))
   , Kept(input.Kept)
-  , HasVertices(input.Data->GetNumberOfCells() > 0)
+  , HasVertices(HasCellsAnywhere(input))
 {
 }
 
@@ -81,14 +94,18 @@ std::string ParticleShape::Prepare(ShapePreparation& preparation)
   }
   const ShapeOptions& options = preparation.Options;
   preparation.GiveRadius(options.Model, this->Particles);
-  if (options.WantsFits() && !this->Particles.HasFits())
+  if (this->Particles.Shared)
+  {
+    BringHome(GetNeighbourhoodPerRadius(options.Model), this->Particles);
+  }
+  if (options.WantsFits() && !this->Particles.HasFits)
   {
     FitOptions fit;
     fit.Model = options.Model;
     fit.OwnRadius = this->Particles.HasRadii ? 0.0 : 0.5 * preparation.GetSpacing();
     fit.Anisotropy = options.Anisotropy;
     fit.SparesCrowds = !options.NeedsFits();
-    this->Particles.FindFits(fit, options.Ranks);
+    this->Particles.FindFits(fit);
   }
   return "";
 }

@@ -73,6 +73,7 @@ ParticleTarget::ParticleTarget(const TargetFrames& frames, const ShapeOptions& o
 void ParticleTarget::KeepNear(const OwnPlaces* places) noexcept
 {
   this->Places = places;
+  this->TellsRegionsAlone = false;
   this->ForgetNear();
   this->ForgetPlace();
 }
@@ -98,23 +99,16 @@ ParticleWay ParticleTarget::GetWay(int step) const
 
 void ParticleTarget::Place(int step, double fraction)
 {
-  PlacedNeeds needs;
-  needs.Fits = this->Options.WantsFits();
-  needs.Velocities = this->Options.Carries;
-  needs.Duration = this->GetDuration();
   const ParticleWay whole = this->GetWay(step);
-  const bool isChosen = this->Places || whole.IsShared();
-  if (isChosen && this->StepOfNear != step)
-  {
-    this->ChooseNear(whole, step);
-  }
   std::swap(this->Previous, this->Now);
-  PlaceParticles(isChosen ? this->Near.GetWay() : whole, fraction, needs, this->Now);
-  if (!this->Places && needs.Duration == 0.0) // they stand still, and are many
+  if (this->TellsRegionsAlone)
   {
-    this->Near = NearParticles();
-    this->StepOfNear = -1;
+    this->Now.Particles = whole.Earlier->Particles;
+    this->Now.Fits = whole.Earlier->Fits;
+    this->Changed.SetEverywhere();
+    return;
   }
+  this->PlaceWay(whole, step, fraction);
   this->FindChanged();
   if (this->Options.Carries || (this->IsSum() && this->Options.WantsBulks()))
   {
@@ -122,6 +116,24 @@ void ParticleTarget::Place(int step, double fraction)
     this->Means.Build(
       this->Now.Particles, { this->Now.Velocities, this->Now.Fits }, this->LargestRadius);
     this->NoteCells(before, this->Means.GetCellSize());
+  }
+}
+
+void ParticleTarget::PlaceWay(const ParticleWay& whole, int step, double fraction)
+{
+  PlacedNeeds needs;
+  needs.Fits = this->Options.WantsFits();
+  needs.Velocities = this->Options.Carries;
+  needs.Duration = this->GetDuration();
+  if (whole.IsShared() && this->StepOfNear != step)
+  {
+    this->ChooseNear(whole, step);
+  }
+  PlaceParticles(whole.IsShared() ? this->Near.GetWay() : whole, fraction, needs, this->Now);
+  if (!this->Places && needs.Duration == 0.0) // they stand still, and are many
+  {
+    this->Near = NearParticles();
+    this->StepOfNear = -1;
   }
 }
 
@@ -134,6 +146,10 @@ void ParticleTarget::ChooseNear(const ParticleWay& whole, int step)
 
 void ParticleTarget::Finish()
 {
+  if (this->TellsRegionsAlone)
+  {
+    return;
+  }
   if (this->IsSum())
   {
     this->Elements.Clear();

@@ -29,6 +29,9 @@ public:
   // want them.
   ParticleTarget(const TargetFrames& frames, const ShapeOptions& options);
 
+  // Until KeepNear comes, it is asked for regions alone; where ranks share the particles, for those
+  // of the particles at home.
+  void KeepRegions() override { this->TellsRegionsAlone = true; }
   void KeepNear(const OwnPlaces* places) noexcept override;
   void EvaluateVelocities(
     std::size_t count, const double* points, double* velocities) const override;
@@ -53,6 +56,7 @@ private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
   ParticleWay GetWay(int step) const;
   const NearParticles* FindNear() const { return this->Places ? &this->Near : nullptr; }
+  void PlaceWay(const ParticleWay& whole, int step, double fraction);
   void ForgetNear() noexcept;
   void ChooseNear(const ParticleWay& whole, int step);
   void FindChanged();
@@ -61,8 +65,9 @@ private:
   const TargetFrames& Frames;
   const ShapeOptions Options;
   const OwnPlaces* Places = nullptr; // of this rank; null: everywhere
-  NearParticles Near;                // of a step, if there are places or ranks share the fits
-  int StepOfNear = -1;               // -1: of none
+  bool TellsRegionsAlone = false;
+  NearParticles Near;  // of a step, where ranks share the particles
+  int StepOfNear = -1; // -1: of none
   PlacedParticles Now;
   PlacedParticles Previous;
   double LargestRadius = 0.0; // of those of all ranks that add something, if there are places

@@ -12,15 +12,14 @@ namespace activesurface
 
 struct ParticleWay
 {
-  // Whether ranks share what is known of the particles.
+  // Whether ranks share the particles: each has those that are at home on it.
   bool IsShared() const { return this->Earlier->Shared || (this->Later && this->Later->Shared); }
 
   const ParticleFrame* Earlier;
   const ParticleFrame* Later = nullptr;     // null, and so the matches, where no next step is held
   const ParticleMatches* Matches = nullptr; // of the two
 
-  // How much of its motion each of the earlier ones has, or of those at home where fits are shared;
-  // null: all of it.
+  // How much of its motion each of the earlier ones has; null: all of it.
   const std::vector<double>* SharesOfMotion = nullptr;
 };
 

@@ -2,6 +2,7 @@
 
 #include "Targets/InputShape.h"
 #include "Targets/ParticleFrame.h"
+#include "Targets/ParticleSpacing.h"
 
 #include <sstream>
 #include <stdexcept>
@@ -23,7 +24,7 @@ double ShapePreparation::GetRadius(ParticleModel model) const
 
 void ShapePreparation::GiveRadius(ParticleModel model, ParticleFrame& frame)
 {
-  if (frame.Particles.empty())
+  if (frame.CountAll() == 0)
   {
     return;
   }
@@ -41,11 +42,10 @@ void ShapePreparation::GiveRadius(ParticleModel model, ParticleFrame& frame)
 void ShapePreparation::EstimateSpacing(ParticleModel model, const ParticleFrame& frame)
 {
   const bool hasReach = frame.HasRadii || this->Options.ParticleRadius > 0.0;
-  this->EstimatedSpacing = frame.GetSpacing();
+  this->EstimatedSpacing = FindSpacing(frame);
   if (this->EstimatedSpacing == 0.0 && hasReach)
   {
-    const double reach =
-      frame.HasRadii ? frame.Particles.front().Radius : this->Options.ParticleRadius;
+    const double reach = frame.HasRadii ? FindFirstRadius(frame) : this->Options.ParticleRadius;
     this->EstimatedSpacing = reach / GetReachPerSpacing(model);
   }
   if (this->EstimatedSpacing == 0.0)

@@ -1,6 +1,7 @@
 #include "Targets/TargetFrames.h"
 
 #include "MotionNoise.h"
+#include "Targets/SharedMatches.h"
 
 #include <utility>
 
@@ -42,7 +43,9 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape)
   ParticleMatches matches;
   if (earlier.Shape && earlier.Step + 1 == later.Step)
   {
-    matches = MatchParticles(ParticlesOf(earlier.Shape.get()), ParticlesOf(later.Shape.get()));
+    const ParticleFrame& from = ParticlesOf(earlier.Shape.get());
+    const ParticleFrame& to = ParticlesOf(later.Shape.get());
+    matches = from.Shared && to.Shared ? MatchSharedParticles(from, to) : MatchParticles(from, to);
   }
   this->Earlier = std::move(earlier);
   this->Later = std::move(later);
@@ -112,18 +115,10 @@ const std::vector<double>& TargetFrames::GetSharesOfMotion() const
 std::vector<double> TargetFrames::FindShares() const
 {
   const ParticleFrame& earlier = ParticlesOf(this->Earlier.Shape.get());
-  const SharedFits* shared = earlier.Shared.get();
+  const ParticleFrame& later = ParticlesOf(this->Later.Shape.get());
   const LocalParticles near(
-    earlier.Particles, shared ? &shared->GetHomes() : nullptr, MotionNeighbourhoodPerRadius, 0.0);
-  std::vector<ParticleOrigin> origins;
-  for (std::size_t n = 0; n < near.Get().size(); ++n)
-  {
-    const std::size_t number = near.GetNumber(n);
-    origins.push_back({ number, this->Matches.Partners[number] });
-  }
-  std::vector<double> velocities;
-  FindMotion(&earlier, &ParticlesOf(this->Later.Shape.get()), 1.0, origins, velocities);
-  return FindSharesOfMotion(near, shared ? shared->GetAtHome() : earlier.Fits, velocities);
+    earlier.Particles, earlier.Shared.get(), MotionNeighbourhoodPerRadius, 0.0);
+  return FindSharesOfMotion(near, earlier.Fits, FindWays(earlier, later, this->Matches));
 }
 
 }

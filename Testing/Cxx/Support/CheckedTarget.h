@@ -6,10 +6,12 @@
 
 #include "Target.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace activesurface
 {
@@ -61,7 +63,11 @@ private:
     for (const double* x = points; this->Places && x < points + 3 * count; x += 3)
     {
       const double bounds[] = { x[0], x[0], x[1], x[1], x[2], x[2] };
-      ++(this->Places->Touches(bounds) ? this->Near : this->Astray);
+      std::vector<int> ranks;
+      this->Places->FindRanks(bounds, ranks);
+      const bool isNear =
+        std::find(ranks.begin(), ranks.end(), this->Places->GetRank()) != ranks.end();
+      ++(isNear ? this->Near : this->Astray);
     }
   }
 

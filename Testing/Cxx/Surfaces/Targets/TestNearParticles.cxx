@@ -1,6 +1,7 @@
 // Particles on ranks: each keeps those that reach its own places, and there tells the same bytes as
 // one process does.
 
+#include "Support/ParticleClouds.h"
 #include "Support/SkeletonShapes.h"
 #include "Support/ThreadRanks.h"
 
@@ -24,26 +25,35 @@ using namespace activesurface;
 namespace
 {
 
-constexpr double Spacing = 0.1;
-
 // The box is shared by ranks in layers along x.
 class Layers : public OwnPlaces
 {
 public:
   Layers(int rank, int size)
-    : Low(rank == 0 ? -HUGE_VAL : -1.0 + 2.0 * rank / size)
-    , High(rank + 1 == size ? HUGE_VAL : -1.0 + 2.0 * (rank + 1) / size)
+    : Rank(rank)
+    , Size(size)
   {
   }
 
-  bool Touches(const double bounds[6]) const override
+  int GetRank() const override { return this->Rank; }
+  void FindRanks(const double bounds[6], std::vector<int>& ranks) const override
   {
-    return bounds[0] < this->High && bounds[1] >= this->Low;
+    ranks.clear();
+    for (int rank = this->FindRank(bounds[0]); rank <= this->FindRank(bounds[1]); ++rank)
+    {
+      ranks.push_back(rank);
+    }
   }
-  bool Has(const double x[3]) const override { return x[0] >= this->Low && x[0] < this->High; }
+  bool Has(const double x[3]) const override { return this->FindRank(x[0]) == this->Rank; }
 
 private:
-  double Low, High;
+  int FindRank(double x) const
+  {
+    const double rank = std::floor(0.5 * (x + 1.0) * this->Size);
+    return static_cast<int>(std::min(std::max(rank, 0.0), this->Size - 1.0));
+  }
+
+  const int Rank, Size;
 };
 
 struct Case
@@ -51,15 +61,18 @@ struct Case
   std::string Name;
   ParticleModel Model;
   bool Moves;
+  int Count = 3000;
+  bool HasFits = true;
+
+  double Spacing() const { return 0.1 * std::cbrt(3000.0 / this->Count); }
 };
 
 // A body, a few of which are born and die, of which all or a few move; of any radii.
 ParticleFrame MakeFrame(const Case& wanted, int step, Agreement* ranks)
 {
-  ParticleFrame frame;
-  frame.HasIds = frame.HasRadii = true;
+  Cloud cloud;
   Random random(7);
-  for (int i = 0; i < 3000; ++i)
+  for (int i = 0; i < wanted.Count; ++i)
   {
     const Point place = { random.Between(-0.9, 0.9), random.Between(-0.3, 0.3),
       random.Between(-0.3, 0.3) };
@@ -70,13 +83,16 @@ ParticleFrame MakeFrame(const Case& wanted, int step, Agreement* ranks)
     {
       continue;
     }
-    frame.Particles.push_back({ { place[0] + way, place[1], place[2] - 0.1 * way },
-      size * GetReachPerSpacing(wanted.Model) * Spacing, 1.0 });
-    frame.Ids.push_back(i);
+    cloud.Add(place[0] + way, place[1], place[2] - 0.1 * way,
+      size * GetReachPerSpacing(wanted.Model) * wanted.Spacing(), 1.0, i);
   }
   FitOptions fit;
   fit.Model = wanted.Model;
-  frame.FindFits(fit, ranks);
+  ParticleFrame frame = ReadCloudHome(cloud, ranks, wanted.Model);
+  if (wanted.HasFits)
+  {
+    frame.FindFits(fit);
+  }
   return frame;
 }
 
@@ -84,9 +100,10 @@ ShapeOptions MakeOptions(const Case& wanted, Agreement* ranks)
 {
   ShapeOptions options;
   options.Model = wanted.Model;
-  options.Carries = options.WeighsTension = options.OpensHollows = true;
-  options.Level.Reach = 3.0 * Spacing;
-  options.Level.Noise = 0.1 * Spacing;
+  options.Carries = true;
+  options.Level.Reach = 3.0 * wanted.Spacing();
+  options.WeighsTension = options.OpensHollows = wanted.HasFits;
+  options.Level.Noise = wanted.HasFits ? 0.1 * wanted.Spacing() : 0.0;
   options.Ranks = ranks;
   return options;
 }
@@ -183,6 +200,47 @@ TEST(TestNearParticles, RanksTellTheSameBytesAtTheirOwnPlaces)
       CheckOnRanks({ "anisotropic" + all, ParticleModel::Anisotropic, moves }, size);
     }
   }
+}
+
+// More than are told in a round of messages.
+TEST(TestNearParticles, ManyAreToldInRounds)
+{
+  CheckOnRanks({ "many without fits", ParticleModel::Sum, true, 40000, false }, 2);
+  CheckOnRanks({ "many", ParticleModel::Sum, true, 40000, true }, 2);
+}
+
+// At the start each tells the regions of the particles at home, and all together all of them.
+TEST(TestNearParticles, RegionsOfAllRanksAreThoseOfTheWhole)
+{
+  const Case wanted{ "anisotropic", ParticleModel::Anisotropic, true };
+  const auto listRegions = [&](Agreement* ranks)
+  {
+    TargetFrames frames;
+    frames.Add(0, std::make_shared<ParticleShape>(MakeFrame(wanted, 0, ranks)));
+    ParticleTarget target(frames, MakeOptions(wanted, ranks));
+    target.KeepRegions();
+    target.MoveAlong(0, 0.0, 0.0);
+    target.MoveTo(0.0);
+    std::vector<std::array<double, 7>> regions;
+    target.ForEachRegion(
+      [&](const TargetRegion& region)
+      {
+        regions.push_back({ double(static_cast<int>(region.Seeds)) });
+        std::copy_n(region.Bounds, 6, regions.back().begin() + 1);
+      });
+    return regions;
+  };
+  auto alone = listRegions(nullptr);
+  std::sort(alone.begin(), alone.end());
+  RunOnRanks(3,
+    [&](Agreement& ranks)
+    {
+      const auto own = listRegions(&ranks);
+      EXPECT_LT(own.size(), alone.size() / 2) << "those at home";
+      auto all = GatherLists(ranks, own);
+      std::sort(all.begin(), all.end());
+      EXPECT_EQ(all, alone);
+    });
 }
 
 // Between two updates it is asked anywhere again.

@@ -1,6 +1,6 @@
 // The estimate of the particles' spacing, and what it costs.
 
-#include "Targets/ParticleFrame.h"
+#include "Targets/ParticleSpacing.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ ParticleFrame MakeLattice(int across, double x = 0.0)
 double GetSeconds(const ParticleFrame& frame)
 {
   const std::clock_t begin = std::clock();
-  EXPECT_NEAR(frame.GetSpacing(), Spacing, 1e-6 * Spacing);
+  EXPECT_NEAR(FindSpacing(frame), Spacing, 1e-6 * Spacing);
   return double(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
@@ -44,13 +44,13 @@ double GetSeconds(const ParticleFrame& frame)
 
 TEST(TestParticleSpacing, IsTheDistanceOfALatticesNeighbours)
 {
-  EXPECT_NEAR(MakeLattice(10).GetSpacing(), Spacing, 1e-12);
+  EXPECT_NEAR(FindSpacing(MakeLattice(10)), Spacing, 1e-12);
   ParticleFrame sheet;
   for (int i = 0; i < 900; ++i)
   {
     Add(sheet, Spacing * (i % 30), Spacing * (i / 30), 0.0);
   }
-  EXPECT_NEAR(sheet.GetSpacing(), Spacing, 1e-12);
+  EXPECT_NEAR(FindSpacing(sheet), Spacing, 1e-12);
 }
 
 // The ball to the third nearest of random points holds 2.674 of them as often as not.
@@ -64,30 +64,30 @@ TEST(TestParticleSpacing, OfRandomPointsIsNearlyTheRootOfTheirVolume)
     const double x = place(generator), y = place(generator);
     Add(frame, x, y, place(generator));
   }
-  EXPECT_NEAR(frame.GetSpacing(), 0.861 * Spacing, 0.03 * Spacing);
+  EXPECT_NEAR(FindSpacing(frame), 0.861 * Spacing, 0.03 * Spacing);
 }
 
 TEST(TestParticleSpacing, IsNoneWithoutTwoPlaces)
 {
   ParticleFrame frame;
-  EXPECT_EQ(frame.GetSpacing(), 0.0);
+  EXPECT_EQ(FindSpacing(frame), 0.0);
   for (int i = 0; i < 5; ++i)
   {
     Add(frame, 1.0, 2.0, 3.0);
-    EXPECT_EQ(frame.GetSpacing(), 0.0) << i + 1 << " in one place";
+    EXPECT_EQ(FindSpacing(frame), 0.0) << i + 1 << " in one place";
   }
   ParticleFrame pair = MakeLattice(1);
   Add(pair, 0.0, Spacing, 0.0);
-  EXPECT_NEAR(pair.GetSpacing(), Spacing, 1e-12);
+  EXPECT_NEAR(FindSpacing(pair), Spacing, 1e-12);
 }
 
 // Single precision would see 16 places at a coordinate of 10^6 instead of 20.
 TEST(TestParticleSpacing, IsExactFarFromTheOrigin)
 {
-  EXPECT_NEAR(MakeLattice(20, 1e6).GetSpacing(), Spacing, 1e-8);
+  EXPECT_NEAR(FindSpacing(MakeLattice(20, 1e6)), Spacing, 1e-8);
   ParticleFrame stray = MakeLattice(20, 1e6);
   Add(stray, -1e6, 1e6, 0.0);
-  EXPECT_NEAR(stray.GetSpacing(), Spacing, 1e-8);
+  EXPECT_NEAR(FindSpacing(stray), Spacing, 1e-8);
 }
 
 // Whatever the unit, and whatever else there is.
@@ -103,10 +103,10 @@ TEST(TestParticleSpacing, HasNoUnitOfItsOwn)
         coordinate *= unit;
       }
     }
-    EXPECT_NEAR(frame.GetSpacing() / unit, Spacing, 1e-6) << unit;
+    EXPECT_NEAR(FindSpacing(frame) / unit, Spacing, 1e-6) << unit;
     Add(frame, 1.7e308, -1.7e308, 1.7e308);
     Add(frame, -1.7e308, 1.7e308, 0.0);
-    EXPECT_NEAR(frame.GetSpacing() / unit, Spacing, 1e-6) << unit << ", with strays";
+    EXPECT_NEAR(FindSpacing(frame) / unit, Spacing, 1e-6) << unit << ", with strays";
   }
 }
 

@@ -1,0 +1,217 @@
+#include "Targets/ParticleSpacing.h"
+
+#include "NumberedValues.h"
+
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkOctreePointLocator.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace activesurface
+{
+
+namespace
+{
+
+double FindMedian(std::vector<double>& values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Where most particles are, and half of how far from there; halves, as whole differences overflow.
+struct Middle
+{
+  double At[3];
+  double HalfSize = 0.0;
+};
+
+Middle FindMiddle(const std::vector<SkeletonVertex>& particles)
+{
+  Middle middle;
+  double farthest = 0.0;
+  std::vector<double> values(particles.size());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double& at = middle.At[axis];
+    std::transform(particles.begin(), particles.end(), values.begin(),
+      [axis](const SkeletonVertex& particle) { return particle.Position[axis]; });
+    at = FindMedian(values);
+    std::transform(values.begin(), values.end(), values.begin(),
+      [at](double x) { return std::fabs(0.5 * x - 0.5 * at); });
+    farthest = std::max(farthest, *std::max_element(values.begin(), values.end()));
+    middle.HalfSize = std::max(middle.HalfSize, FindMedian(values));
+  }
+  const double inOnePlace = farthest > 0.0 ? farthest : 1.0;
+  middle.HalfSize = middle.HalfSize > 0.0 ? middle.HalfSize : inOnePlace;
+  return middle;
+}
+
+constexpr std::size_t Samples = 1000;
+
+// To the particles that are nearest to a place, of which one is that place itself; the third is
+// looked for.
+constexpr std::size_t Nearest = 4;
+using Distances = std::array<double, Nearest>; // ascending, HUGE_VAL for those that are not there
+
+// Particles by their neighbourhood. The tree's leaves stay small however far strays are. It
+// calculates in single precision: so around where most particles are, and in units of how far they
+// are from there.
+class Neighbourhoods
+{
+public:
+  explicit Neighbourhoods(const std::vector<SkeletonVertex>& particles)
+    : Particles(particles)
+    , Centre(FindMiddle(particles))
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->SetNumberOfPoints(static_cast<vtkIdType>(particles.size()));
+    for (std::size_t i = 0; i < particles.size(); ++i)
+    {
+      points->SetPoint(static_cast<vtkIdType>(i), this->ToTree(particles[i].Position).data());
+    }
+    vtkNew<vtkPolyData> cloud;
+    cloud->SetPoints(points);
+    this->Tree->SetDataSet(cloud);
+    this->Tree->BuildLocator();
+  }
+
+  // More are looked at, as the tree cannot tell which of those of a lattice are nearest.
+  Distances FindNearest(const double from[3]) const
+  {
+    constexpr std::size_t looked = 17;
+    vtkNew<vtkIdList> nearest;
+    this->Tree->FindClosestNPoints(static_cast<int>(std::min(looked, this->Particles.size())),
+      this->ToTree(from).data(), nearest);
+    std::vector<double> distances(Nearest, HUGE_VAL);
+    for (vtkIdType k = 0; k < nearest->GetNumberOfIds(); ++k)
+    {
+      const double* to = this->Particles[static_cast<std::size_t>(nearest->GetId(k))].Position;
+      distances.push_back(std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]));
+    }
+    std::sort(distances.begin(), distances.end());
+    Distances least;
+    std::copy_n(distances.begin(), Nearest, least.begin());
+    return least;
+  }
+
+private:
+  std::array<double, 3> ToTree(const double x[3]) const
+  {
+    constexpr double farAway = 1e15; // the square of which is finite
+    std::array<double, 3> place;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double from = 0.5 * x[axis] - 0.5 * this->Centre.At[axis];
+      place[axis] = std::min(std::max(from / this->Centre.HalfSize, -farAway), farAway);
+    }
+    return place;
+  }
+
+  const std::vector<SkeletonVertex>& Particles;
+  const Middle Centre;
+  vtkNew<vtkOctreePointLocator> Tree;
+};
+
+// By their places in the order of all, ascending; the same on all ranks.
+std::vector<SkeletonVertex> Pick(
+  const ParticleFrame& frame, const std::vector<std::size_t>& numbers)
+{
+  if (frame.Shared)
+  {
+    return GatherNumbered(frame.Shared->Ranks, frame.Shared->Numbers, frame.Particles, numbers);
+  }
+  std::vector<SkeletonVertex> samples;
+  samples.reserve(numbers.size());
+  for (const std::size_t number : numbers)
+  {
+    samples.push_back(frame.Particles[number]);
+  }
+  return samples;
+}
+
+// About a thousand of all.
+std::vector<SkeletonVertex> PickSamples(const ParticleFrame& frame)
+{
+  const std::size_t stride = std::max<std::size_t>(1, frame.CountAll() / Samples);
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < frame.CountAll(); i += stride)
+  {
+    numbers.push_back(i);
+  }
+  return Pick(frame, numbers);
+}
+
+// Of places, by particles of this rank.
+std::vector<Distances> FindNearest(
+  const std::vector<SkeletonVertex>& particles, const std::vector<SkeletonVertex>& places)
+{
+  Distances none;
+  none.fill(HUGE_VAL);
+  std::vector<Distances> all(places.size(), none);
+  if (!particles.empty())
+  {
+    const Neighbourhoods near(particles);
+    std::transform(places.begin(), places.end(), all.begin(),
+      [&near](const SkeletonVertex& place) { return near.FindNearest(place.Position); });
+  }
+  return all;
+}
+
+// By the particles of all ranks.
+void FindNearestOfAll(Agreement& ranks, std::vector<Distances>& distances)
+{
+  const std::vector<Distances> all = GatherLists(ranks, distances);
+  for (std::size_t n = 0; n < distances.size(); ++n)
+  {
+    std::vector<double> some;
+    for (std::size_t i = n; i < all.size(); i += distances.size())
+    {
+      some.insert(some.end(), all[i].begin(), all[i].end());
+    }
+    std::sort(some.begin(), some.end());
+    std::copy_n(some.begin(), Nearest, distances[n].begin());
+  }
+}
+
+}
+
+double FindFirstRadius(const ParticleFrame& frame)
+{
+  return Pick(frame, { 0 }).front().Radius;
+}
+
+double FindSpacing(const ParticleFrame& frame)
+{
+  if (frame.CountAll() < 2)
+  {
+    return 0.0;
+  }
+  std::vector<Distances> nearest = FindNearest(frame.Particles, PickSamples(frame));
+  if (frame.Shared)
+  {
+    FindNearestOfAll(frame.Shared->Ranks, nearest);
+  }
+  std::vector<double> spacings;
+  for (const Distances& distances : nearest)
+  {
+    const double distance = distances[std::min(Nearest, frame.CountAll()) - 1];
+    if (distance > 0.0)
+    {
+      spacings.push_back(distance);
+    }
+  }
+  return spacings.empty() ? 0.0 : FindMedian(spacings);
+}
+
+}
