@@ -363,15 +363,11 @@ void TargetBuilder::StartTarget()
 std::unique_ptr<PotentialTarget> TargetBuilder::MakeTargetAt(
   int step, double begin, double end) const
 {
-  return this->Settings.UsesInput()
-    ? this->MakeMovingTarget(*this->FindKind(step, step + 1), this->GetOptions(), step, begin, end)
-    : this->MakeFunctionTarget();
-}
-
-std::unique_ptr<PotentialTarget> TargetBuilder::MakeMovingTarget(
-  const InputShape& kind, const ShapeOptions& options, int step, double begin, double end) const
-{
-  std::unique_ptr<MovingTarget> target = kind.MakeTarget(this->Frames, options);
+  if (!this->Settings.UsesInput())
+  {
+    return this->MakeFunctionTarget();
+  }
+  auto target = this->FindKind(step, step + 1)->MakeTarget(this->Frames, this->GetOptions());
   target->MoveAlong(step, begin, end);
   target->Complete();
   return target;

@@ -125,8 +125,6 @@ private:
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;
   bool IsShared() const { return this->Ranks && !this->Ranks->IsAlone(); }
   std::unique_ptr<PotentialTarget> MakeFunctionTarget() const;
-  std::unique_ptr<PotentialTarget> MakeMovingTarget(
-    const InputShape& kind, const ShapeOptions& options, int step, double begin, double end) const;
   void MakeTarget();
 
   const SurfaceSettings& Settings;
