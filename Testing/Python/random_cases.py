@@ -121,7 +121,7 @@ def draw_trouble(random):
     """What is aborted, fails or is refused, on the way to a time."""
     kind = random.choice(("abort", "fail", "refuse", "no target", "no file", "no folder", "damage"))
     if kind == "abort":
-        return (kind, random.randint(1, 30), draw_time(random))
+        return (kind, random.choice((1, 2, 4, 8, 16, 32)), draw_time(random))
     if kind == "refuse":
         return (kind, *random.choice(REFUSED), draw_time(random))
     return (kind, draw_time(random))

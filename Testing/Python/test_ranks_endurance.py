@@ -21,11 +21,12 @@ from ranks_checks import start_ranks
 
 PROGRAM = Path(__file__).with_name("ranks_endurance_program.py")
 AT_ONCE = 50  # operations of one program
+ENOUGH = 300  # operations that hold every kind of trouble
 LONGEST = 900  # seconds of these
 SIZES = (2, 3, 4)
 
 OPTIONS = argparse.Namespace(
-    operations=int(os.environ.get("ACTIVE_RANDOM_CASES", "100")), seed=20261125
+    operations=int(os.environ.get("ACTIVE_RANDOM_CASES", ENOUGH)), seed=20261125
 )
 
 
@@ -40,7 +41,7 @@ class RanksEndurance(unittest.TestCase):
             said = start_ranks(PROGRAM, size, [seed, operations], LONGEST)
             sums.update(literal_eval(said.split("counts: ")[1].splitlines()[0]))
         print(dict(sums), flush=True)
-        for kind in ("refused", "stopped", "failed"):
+        for kind in ("refused", "stopped", "failed") if OPTIONS.operations >= ENOUGH else ():
             self.assertGreater(sums[kind], 0, "every kind of trouble")
         self.assertGreater(sums["skins"], sums["requests"] // 3, "skins of nothing prove nothing")
 
