@@ -12,6 +12,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace activesurface
@@ -218,10 +219,9 @@ std::vector<Value> GatherValues(Agreement& ranks, const Value& own)
   return all;
 }
 
-/** A list for each rank, and those that each has for this one. The own one is not passed on. */
+/** A list for each rank, and those that each has for this one. */
 template <class Value>
-std::vector<std::vector<Value>> SwapLists(
-  Agreement& ranks, const std::vector<std::vector<Value>>& toEach)
+std::vector<std::vector<Value>> SwapLists(Agreement& ranks, std::vector<std::vector<Value>> toEach)
 {
   std::vector<Bytes> told(toEach.size());
   std::vector<std::size_t> lengths;
@@ -241,17 +241,15 @@ std::vector<std::vector<Value>> SwapLists(
   {
     fromEach.push_back(FromBytes<Value>(bytes));
   }
+  fromEach[own].swap(toEach[own]); // is not passed on
   return fromEach;
 }
 
-/** The same, one after another by rank, the own one too. */
+/** The same, one after another by rank. */
 template <class Value>
 std::vector<Value> SwapAll(Agreement& ranks, std::vector<std::vector<Value>> toEach)
 {
-  std::vector<std::vector<Value>> fromEach = SwapLists(ranks, toEach);
-  const auto own = static_cast<std::size_t>(ranks.GetRank());
-  fromEach[own].swap(toEach[own]);
-  return Join(fromEach);
+  return Join(SwapLists(ranks, std::move(toEach)));
 }
 
 /** The lists of all ranks, one after another by rank. */

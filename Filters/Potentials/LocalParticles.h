@@ -141,12 +141,7 @@ public:
         toEach[rank].push_back(own[n]);
       }
     }
-    std::vector<Told<Value>> others;
-    for (const std::vector<Told<Value>>& told : SwapLists(this->Shared->Ranks, toEach))
-    {
-      others.insert(others.end(), told.begin(), told.end());
-    }
-    return Merge(std::move(own), std::move(others));
+    return Merge(std::move(own), SwapAll(this->Shared->Ranks, std::move(toEach)));
   }
 
 private:

@@ -49,9 +49,7 @@ auto AnswerNumbered(Agreement& ranks, const std::vector<std::vector<std::size_t>
   const std::vector<std::size_t>& numbers, const Values& values)
 {
   using Value = typename Values::value_type;
-  const auto own = static_cast<std::size_t>(ranks.GetRank());
-  std::vector<std::vector<std::size_t>> ofEach = SwapLists(ranks, asked);
-  ofEach[own] = asked[own];
+  const std::vector<std::vector<std::size_t>> ofEach = SwapLists(ranks, asked);
   std::vector<std::vector<Value>> answers(ofEach.size());
   for (std::size_t rank = 0; rank < ofEach.size(); ++rank)
   {
@@ -61,9 +59,7 @@ auto AnswerNumbered(Agreement& ranks, const std::vector<std::vector<std::size_t>
       answers[rank].push_back(values[static_cast<std::size_t>(found - numbers.begin())]);
     }
   }
-  std::vector<std::vector<Value>> fromEach = SwapLists(ranks, answers);
-  fromEach[own].swap(answers[own]);
-  return fromEach;
+  return SwapLists(ranks, std::move(answers));
 }
 
 // Values on their way to ranks, each to one, where they are put in the order of their numbers.

@@ -1,7 +1,14 @@
 """What an object of VTK says."""
 
+import re
+
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.vtkCommonCore import VTK_STRING
+
+
+def sentence_of(text):
+    """What a message says, without where it says it from."""
+    return re.sub(r"^(ERROR|Warning): In .*?\n.*?\): ", "", text, flags=re.S).strip()
 
 
 class Listener:

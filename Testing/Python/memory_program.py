@@ -8,8 +8,7 @@ import resource
 import sys
 
 from contents import Contents
-from listener import Listener
-from random_checks import sentence_of
+from listener import Listener, sentence_of
 from scenes import splash
 
 PAGE = resource.getpagesize()

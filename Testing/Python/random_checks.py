@@ -9,7 +9,7 @@ from pathlib import Path
 
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from contents import Contents
-from listener import Listener
+from listener import Listener, sentence_of
 from random_cases import BASE
 from random_shapes import Source, make_shape
 from same_bytes import POINTS, connect
@@ -18,11 +18,6 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 
 PORTS = {"target": 0, "initial": 1}
-
-
-def sentence_of(text):
-    """What a message says, without where it says it from."""
-    return re.sub(r"^(ERROR|Warning): In .*?\n.*?\): ", "", text, flags=re.S).strip()
 
 
 class Case:

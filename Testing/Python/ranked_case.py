@@ -7,7 +7,8 @@ from pathlib import Path
 from unittest import TestCase
 
 from active_implicit_surfaces import vtkActiveImplicitSurface
-from random_checks import Case, sentence_of
+from listener import sentence_of
+from random_checks import Case
 from random_shapes import PARTICLES, Source, rows_of
 from ranks import Pipeline, at_random, in_blocks, outputs_of
 from ranks_checks import assert_same_outputs

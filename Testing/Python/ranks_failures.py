@@ -8,7 +8,13 @@ from python_data import as_array
 from ranks import POINTS, Particles, Pipeline, at_random, in_blocks, make_surface
 from ranks_scenes import STEPS, make_splash, run, splash_particles
 from scenes import DATA
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkImplicitVolume, vtkSphere
+from vtkmodules.vtkCommonDataModel import (
+    vtkImageData,
+    vtkImplicitVolume,
+    vtkPolyData,
+    vtkSphere,
+    vtkTable,
+)
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 
@@ -56,6 +62,16 @@ def missing_file(ranks, keeper, folder):
     keeper.update("no_file", surface, 0)
     reader.SetFileName(str(DATA / "sph_drop.vtp"))
     keeper.update("a_file", surface, 0)
+
+
+@run
+def missing_columns(ranks, keeper, folder):
+    """No rank has a table with columns; then some have particles, of which there are none."""
+    for name, count in (("no_columns", ranks.size), ("few_columns", 1)):
+        surface = make_surface(voxel=0.1, ParticleSpacing=0.1)
+        empty = vtkTable() if ranks.rank < count else vtkPolyData()
+        surface.SetInputDataObject(0, empty)
+        keeper.update(name, surface, 0)
 
 
 @run

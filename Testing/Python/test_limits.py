@@ -23,8 +23,7 @@ from active_implicit_surfaces import (
     vtkActiveVDBWriter,
 )
 from contents import Contents
-from listener import Listener
-from random_checks import sentence_of
+from listener import Listener, sentence_of
 from random_shapes import Source
 from same_bytes import POINTS
 from same_bytes_shapes import (

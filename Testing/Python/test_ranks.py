@@ -11,6 +11,7 @@ import unittest
 from pathlib import Path
 
 import numpy
+from listener import sentence_of
 from ranks import load, sorted_triangles
 from ranks_checks import assert_same_outputs, start_ranks
 
@@ -92,7 +93,7 @@ class Ranks(unittest.TestCase):
         errors = [part["errors"] for part in load(folder, name + ".errors", size)]
         for own in errors:
             self.assertEqual(len(own), 1, errors)
-            self.assertEqual(own[0].splitlines()[-1], errors[0][0].splitlines()[-1])
+            self.assertEqual(sentence_of(own[0]), sentence_of(errors[0][0]))
             for word in words:
                 self.assertIn(word, own[0])
         for part in load(folder, name, size):
@@ -187,6 +188,16 @@ class Ranks(unittest.TestCase):
         folder = self.folder()
         start(3, "missing_array", folder)
         self.assert_failed(folder, "no_array", 3, "On rank 2 of 3: ", "no point array as chosen")
+
+    def test_tables_of_which_none_has_a_column(self):
+        expected = self.folder()
+        start(0, "missing_columns", expected)
+        sentence = sentence_of(load(expected, "no_columns.errors", 1)[0]["errors"][0])
+        self.assertIn("column", sentence)
+        folder = self.folder()
+        start(2, "missing_columns", folder)
+        self.assert_failed(folder, "no_columns", 2, sentence)
+        self.assert_failed(folder, "few_columns", 2, "On rank 0 of 2: ", "column")
 
     def test_ranks_that_ask_for_different_things(self):
         folder = self.folder()

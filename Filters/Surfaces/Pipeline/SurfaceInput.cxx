@@ -223,15 +223,24 @@ std::unique_ptr<InputShape> SurfaceInput::Read(
   vtkInformation* information, const ParticleArrays& kept) const
 {
   vtkDataObject* object = vtkDataObject::GetData(information);
-  if (this->Ranks.IsAlone())
+  const auto readOwn = [&]
   {
     const vtkSmartPointer<vtkDataSet> data = AsDataSet(object);
     return MakeInputShape({ data, ArraysOf(*this, data), kept });
+  };
+  if (this->Ranks.IsAlone())
+  {
+    return readOwn();
   }
   const InputPiece piece =
     HasNothing(object) ? InputPiece() : this->MakePiece(AsDataSet(object), kept);
   const std::string name = "The input of port " + std::to_string(this->Port);
-  if (AgreeOnKind(this->Ranks, piece.Kind, name) == PieceKind::Particles)
+  const PieceKind kind = AgreeOnKind(this->Ranks, piece.Kind, name);
+  if (kind == PieceKind::Nothing && HasNothing(object)) // an error, as in one process
+  {
+    return readOwn();
+  }
+  if (kind == PieceKind::Particles)
   {
     const vtkSmartPointer<vtkDataSet> own = piece.Data ? piece.Data : MakeNothing();
     return std::make_unique<ParticleShape>(

@@ -133,11 +133,8 @@ std::size_t CountBefore(Agreement& ranks, std::size_t own)
 std::vector<std::size_t> FindParticleNumbers(Agreement& ranks, const ParticleFrame& frame)
 {
   const std::vector<Key> keys = ListKeys(frame);
-  const auto own = static_cast<std::size_t>(ranks.GetRank());
-  std::vector<std::vector<Key>> toEach =
-    Share(keys, FindBorders(ranks, keys), static_cast<std::size_t>(ranks.GetSize()));
-  std::vector<std::vector<Key>> fromEach = SwapLists(ranks, toEach);
-  fromEach[own].swap(toEach[own]);
+  const std::vector<std::vector<Key>> fromEach = SwapLists(
+    ranks, Share(keys, FindBorders(ranks, keys), static_cast<std::size_t>(ranks.GetSize())));
   std::size_t count = 0;
   for (const std::vector<Key>& some : fromEach)
   {

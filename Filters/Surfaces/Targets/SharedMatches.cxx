@@ -50,15 +50,6 @@ Entries ListEntries(const ParticleFrame& frame)
   return toEach;
 }
 
-// The own ones too.
-Entries Swap(Agreement& ranks, Entries toEach)
-{
-  Entries fromEach = SwapLists(ranks, toEach);
-  const auto own = static_cast<std::size_t>(ranks.GetRank());
-  fromEach[own].swap(toEach[own]);
-  return fromEach;
-}
-
 // Where an entry is: of which rank, which of its.
 struct Place
 {
@@ -100,10 +91,8 @@ std::vector<std::vector<Value>> MakeAnswers(const Entries& entries, const Value&
 template <class Value>
 std::vector<Value> Answer(const ParticleFrame& frame, std::vector<std::vector<Value>> answers)
 {
-  Agreement& ranks = frame.Shared->Ranks;
-  const auto own = static_cast<std::size_t>(ranks.GetRank());
-  std::vector<std::vector<Value>> fromEach = SwapLists(ranks, answers);
-  fromEach[own].swap(answers[own]);
+  const std::vector<std::vector<Value>> fromEach =
+    SwapLists(frame.Shared->Ranks, std::move(answers));
   std::vector<std::size_t> next(fromEach.size(), 0);
   std::vector<Value> told;
   told.reserve(frame.Particles.size());
@@ -123,8 +112,8 @@ struct Found
 
 Found MatchIds(const ParticleFrame& earlier, const ParticleFrame& later)
 {
-  const Entries from = Swap(earlier.Shared->Ranks, ListEntries(earlier));
-  const Entries to = Swap(later.Shared->Ranks, ListEntries(later));
+  const Entries from = SwapLists(earlier.Shared->Ranks, ListEntries(earlier));
+  const Entries to = SwapLists(later.Shared->Ranks, ListEntries(later));
   auto partners = MakeAnswers(from, Partner{ NoPartner, {} });
   auto areBorn = MakeAnswers(to, char(1));
   const std::vector<Place> candidates = Sort(to);
