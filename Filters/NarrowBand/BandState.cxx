@@ -345,7 +345,7 @@ void BandState::StepAndTrace(const Motion& motion, Target& target, AdvanceReport
 void BandState::Confine(const Walls& walls, Obstacle* obstacle)
 {
   this->Set.ChooseAll(this->Leaves);
-  this->Buffers.MakeRoomForNodes(this->Leaves.Size());
+  this->Buffers.MakeRoomForNodes(this->Leaves);
   this->Leaves.ForEach(
     [&](std::size_t i) { std::copy_n(this->Leaves[i].Value, 512, this->Buffers.NextOf(i)); });
   ClampToBounds({ walls, obstacle, this->VoxelSize }, this->Leaves, this->Set, this->Buffers);

@@ -110,6 +110,27 @@ private:
   CarriedValues& Result;
 };
 
+/** Of ranks each has room for its own ones. */
+void MakeRoomFor(
+  const std::vector<openvdb::Coord>& origins, const LeafOwners* ranks, NodeArrays& values)
+{
+  if (!ranks)
+  {
+    values.MakeRoom(origins.size());
+    return;
+  }
+  LeafSlots slots;
+  slots.Resize(origins.size());
+  for (std::size_t n = 0; n < origins.size(); ++n)
+  {
+    if (ranks->FindOwner(origins[n]) == ranks->GetRank())
+    {
+      slots.Give(n);
+    }
+  }
+  values.MakeRoom(slots);
+}
+
 /** Ranks carry their own leaves; where leaves are to be added is told to all. */
 void CarryLeaves(const LeafTable& table, const CarryLeaf& carry, CarriedValues& carried)
 {
@@ -204,7 +225,7 @@ void Confine(const FollowingBand& band, const Motion& motion)
   {
     return;
   }
-  band.Buffers.MakeRoomForNodes(band.Leaves.Size());
+  band.Buffers.MakeRoomForNodes(band.Leaves);
   band.Leaves.ForEach(band.Set.Active,
     [&band](std::size_t i) { std::copy_n(band.Leaves[i].Value, 512, band.Buffers.NextOf(i)); });
   ClampToBounds({ motion.Box, motion.Solid, band.VoxelSize }, band.Leaves, band.Set, band.Buffers);
@@ -232,7 +253,7 @@ bool CarrySurface(const FollowingBand& band, const Motion& motion, double begin,
   {
     return false;
   }
-  band.Buffers.StageFirst.MakeRoom(count);
+  MakeRoomFor(leaves.GetOrigins(), band.Leaves.GetRanks(), band.Buffers.StageFirst);
   CarriedValues carried{ leaves.GetOrigins(), band.Buffers.StageFirst, std::vector<LeafMask>(count),
     std::vector<char>(count) };
   const DisplacementLattice lattice(leaves.GetOrigins(), displacements, band.Leaves.GetRanks());

@@ -88,7 +88,7 @@ private:
 void FindBalances(const LeafTable& table, const LeafList& leaves,
   const MoveCoefficients& coefficients, bool isWeighted, SubstepBuffers& buffers)
 {
-  buffers.MakeRoomForNodes(table.Size());
+  buffers.MakeRoomForNodes(table);
   buffers.Balances.resize(table.Size());
   if (isWeighted)
   {

@@ -31,8 +31,8 @@ void StageWeights::ExtendToEntered(
   {
     return;
   }
-  buffers.MakeRoomForNodes(size);
-  buffers.Weights.MakeRoom(size);
+  buffers.MakeRoomForNodes(table);
+  buffers.Weights.MakeRoom(table);
   buffers.Known = buffers.NextKnown = this->Known;
   table.ForEach(set.Active,
     [&](std::size_t i)

@@ -251,7 +251,7 @@ void FindDisplacements(const LeafTable& table, const ActiveSet& set,
 {
   if (!coefficients.HasTargetSpeed)
   {
-    buffers.MakeRoomForNodes(table.Size());
+    buffers.MakeRoomForNodes(table);
     buffers.Known.assign(table.Size(), LeafMask());
     buffers.NextKnown.assign(table.Size(), LeafMask());
   }
@@ -261,7 +261,7 @@ void FindDisplacements(const LeafTable& table, const ActiveSet& set,
 
 void ClearDisplacements(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
 {
-  buffers.MakeRoomForNodes(table.Size());
+  buffers.MakeRoomForNodes(table);
   table.ForEach(set.Active, [&](std::size_t i) { std::fill_n(buffers.SpeedOf(i), 512, 0.f); });
 }
 
@@ -269,7 +269,7 @@ GradientCounts FindSources(const LeafTable& table, const ActiveSet& set,
   const MoveCoefficients& coefficients, SubstepBuffers& buffers)
 {
   buffers.MakeRoomForCounts(table.Size());
-  buffers.StageSource.MakeRoom(table.Size());
+  buffers.StageSource.MakeRoom(table);
   ForEachLeaf(table, set.Active, MoveLeaf<true>{ table, coefficients, buffers });
   return SumOfCounts(table, set, buffers);
 }

@@ -330,7 +330,7 @@ void SurfacePasses::MakeTension(const LeafList& leaves, const StepPlan& plan)
   {
     this->Weights.ExtendToEntered(this->Leaves, this->Set, this->Law, this->Buffers);
   }
-  this->Buffers.StageSource.MakeRoom(this->Leaves.Size());
+  this->Buffers.StageSource.MakeRoom(this->Leaves);
   this->Leaves.ForEach(Without(leaves, this->Sourced),
     [this](std::size_t i) { std::fill_n(this->Buffers.StageSource.Of(i), 512, 0.f); });
   const bool isBounded =

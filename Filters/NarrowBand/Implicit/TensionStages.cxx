@@ -187,12 +187,12 @@ bool MakeTensionStages(LeafTable& table, const ActiveSet& set, const StepPlan& p
   bool isWeighted, SubstepBuffers& buffers)
 {
   const int last = plan.GetStages()->GetNumberOfStages();
-  buffers.MakeRoomForNodes(table.Size());
+  buffers.MakeRoomForNodes(table);
   buffers.MakeRoomForCounts(table.Size());
-  buffers.StageFirst.MakeRoom(table.Size());
+  buffers.StageFirst.MakeRoom(table);
   if (plan.GetStages()->GetOrder() == StageOrder::Second)
   {
-    buffers.StageRate.MakeRoom(table.Size());
+    buffers.StageRate.MakeRoom(table);
   }
   bool isBounded = true;
   for (int number = 1; number <= last && isBounded; ++number)

@@ -13,7 +13,7 @@ void BandBackup::Save(const LeafTable& table)
 {
   this->Tree.reset();
   this->Size = table.Size();
-  this->Values.MakeRoom(this->Size);
+  this->Values.MakeRoom(table);
   table.ForEach([&](std::size_t i) { std::copy_n(table[i].Value, 512, this->Values.Of(i)); });
 }
 

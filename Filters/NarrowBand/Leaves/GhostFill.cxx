@@ -161,7 +161,7 @@ void FillGhosts(LeafTable& table, const ActiveSet& set, float mostGrowth)
 
 void FillGhostsAndEntered(LeafTable& table, const ActiveSet& set, NodeArrays& room)
 {
-  room.MakeRoom(table.Size());
+  room.MakeRoom(table);
   for (int layer = 1; layer <= LastLayer; ++layer)
   {
     SetValues(table, set.Affected, FillAndSolveLayer{ table, layer });

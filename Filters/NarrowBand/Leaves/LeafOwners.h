@@ -8,6 +8,7 @@
 #define LeafOwners_h
 
 #include "Agreement.h"
+#include "Leaves/LeafSlots.h"
 #include "OpenVDB.h"
 
 #include <cstdint>
@@ -48,6 +49,8 @@ public:
   virtual int FindOwner(const openvdb::Coord& origin) const = 0;
 
   const LeafBorders& GetBorders() const { return this->Borders; }
+  /** Of the own leaves and those beside them: the leaves that passes of this rank read. */
+  const LeafSlots& GetSlots() const { return this->Slots; }
 
   ///@{
   /** Called by the table, on all ranks, when leaves have been added, or all have other numbers. */
@@ -64,6 +67,7 @@ public:
 protected:
   std::vector<int> Owners; //< by leaf
   LeafBorders Borders;
+  LeafSlots Slots;
 
 private:
   Agreement& Ranks;

@@ -82,6 +82,7 @@ int RankedLeaves::FindOwner(const openvdb::Coord& origin) const
 void RankedLeaves::Renumber(LeafTable& table)
 {
   this->Owners.clear();
+  this->Slots = LeafSlots();
   this->FindOwners(table);
   this->FindBorders(table);
   this->TellBorders(table, this->Borders);
@@ -152,6 +153,26 @@ void RankedLeaves::FindBorders(const LeafTable& table)
     if (isBeside[i])
     {
       this->Borders.Others[this->GetOwner(i)].push_back(static_cast<std::int32_t>(i));
+    }
+  }
+  this->FindSlots(table);
+}
+
+void RankedLeaves::FindSlots(const LeafTable& table)
+{
+  this->Slots.Resize(table.Size());
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    if (this->IsOwn(i))
+    {
+      this->Slots.Give(i);
+    }
+  }
+  for (const LeafList& others : this->Borders.Others)
+  {
+    for (const std::int32_t i : others)
+    {
+      this->Slots.Give(static_cast<std::size_t>(i));
     }
   }
 }

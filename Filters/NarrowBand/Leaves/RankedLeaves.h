@@ -31,6 +31,7 @@ private:
   void ShareAll(const LeafTable& table);
   void FindOwners(const LeafTable& table);
   void FindBorders(const LeafTable& table);
+  void FindSlots(const LeafTable& table);
   void TellBorders(LeafTable& table, const LeafBorders& borders);
 
   std::vector<openvdb::Coord> FirstOrigins; //< of the ranks that have leaves

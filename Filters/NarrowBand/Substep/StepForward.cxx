@@ -204,7 +204,7 @@ GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
   const StepCoefficients& coefficients, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
-  buffers.MakeRoomForNodes(size); // which it is where there are speeds
+  buffers.MakeRoomForNodes(table); // which it is where there are speeds
   buffers.MakeRoomForCounts(size);
   if (coefficients.IsWeighted)
   {

@@ -308,13 +308,13 @@ void ApplySamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
-  buffers.MakeRoomForNodes(size);
+  buffers.MakeRoomForNodes(table);
   buffers.Known.assign(size, LeafMask());
   buffers.NextKnown.assign(size, LeafMask());
   buffers.LargestSpeed.resize(size);
   if (HasTensionWeights(motion))
   {
-    buffers.Weights.MakeRoom(size);
+    buffers.Weights.MakeRoom(table);
     ForEachLeaf(table, leaves, ApplyLeafSamples<true>{ table, motion, buffers });
   }
   else
