@@ -66,7 +66,7 @@ def missing_file(ranks, keeper, folder):
 
 @run
 def missing_columns(ranks, keeper, folder):
-    """No rank has a table with columns; then some have particles, of which there are none."""
+    """All ranks have tables without columns; then the first one alone, the others no points."""
     for name, count in (("no_columns", ranks.size), ("few_columns", 1)):
         surface = make_surface(voxel=0.1, ParticleSpacing=0.1)
         empty = vtkTable() if ranks.rank < count else vtkPolyData()

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <set>
-#include <vector>
 
 using namespace activesurface;
 
