@@ -9,8 +9,8 @@
 #ifndef Agreement_h
 #define Agreement_h
 
+#include "ActiveNarrowBandExport.h"
 #include "Communicator.h"
-#include "vtkActiveNarrowBandModule.h"
 
 #include <exception>
 #include <memory>
@@ -37,9 +37,9 @@ public:
 };
 
 /** Whether memory has ended, here or on another rank. */
-VTKACTIVENARROWBAND_EXPORT bool IsOfMemory(const std::exception& error);
+ACTIVENARROWBAND_EXPORT bool IsOfMemory(const std::exception& error);
 
-class VTKACTIVENARROWBAND_EXPORT Agreement
+class ACTIVENARROWBAND_EXPORT Agreement
 {
 public:
   /** Of a program of one process. */

@@ -2,7 +2,7 @@
 
 #include "Arrival/ArrivingTarget.h"
 #include "Arrival/PartCores.h"
-#include "NarrowBand.h"
+#include "NarrowBandGrid.h"
 #include "PortableMath.h"
 #include "ReportSum.h"
 #include "SkinMotion.h"
@@ -17,36 +17,36 @@ namespace activesurface
 namespace
 {
 
-/** By how many factors e the time that is left falls along a piece, from the first one on:
+/** By how many factors e the time that is left falls along an interval, from the first one on:
  * distances fall as much. At the end of the last one 1/22000 of them would be left. */
 constexpr std::array<double, 24> Decays = { .25, .25, .25, .25, .25, .25, .25, .25, .25, .25, .25,
   .25, .25, .25, .25, .25, .5, .5, .5, .5, 1., 1., 1., 1. };
 
-struct Piece
+struct Interval
 {
   double End;
   double Attraction;
 };
 
-/** The piece that a time before the end is in. They do not depend on what is asked for, or on where
- * a motion was interrupted. */
-Piece FindPiece(double time, double end)
+/** The interval that a time before the end is in. They do not depend on what is asked for, or on
+ * where a motion was interrupted. */
+Interval FindInterval(double time, double end)
 {
-  Piece piece{ 0.0, 0.0 };
+  Interval interval{ 0.0, 0.0 };
   double left = 0.0; // its logarithm
-  for (std::size_t i = 0; i < Decays.size() && !(time < piece.End); ++i)
+  for (std::size_t i = 0; i < Decays.size() && !(time < interval.End); ++i)
   {
     left -= Decays[i];
-    const double begin = piece.End;
-    piece.End = i + 1 < Decays.size() ? -end * ExponentialMinusOne(left) : end;
-    piece.Attraction = Decays[i] / (piece.End - begin);
+    const double begin = interval.End;
+    interval.End = i + 1 < Decays.size() ? -end * ExponentialMinusOne(left) : end;
+    interval.Attraction = Decays[i] / (interval.End - begin);
   }
-  return piece;
+  return interval;
 }
 
 ArrivalSearch MakeSearch(const NarrowBand& band, const Target& target, const double bounds[6])
 {
-  ArrivalSearch search{ band.GetLeaves(), band.GetPotential()->tree(), band.GetVoxelSize(), target,
+  ArrivalSearch search{ band.GetLeaves(), GetPotential(band)->tree(), band.GetVoxelSize(), target,
     {} };
   std::copy_n(bounds, 6, search.Bounds.begin());
   return search;
@@ -100,10 +100,10 @@ AdvanceReport Arrival::Advance(NarrowBand& band, double time, double end, const 
   { return !progress || progress((from - begin + done * (to - from)) / (time - begin)); };
   while (from < std::min(time, end) && !sum.Aborted)
   {
-    const Piece piece = FindPiece(from, end);
-    law.Attraction = piece.Attraction;
+    const Interval interval = FindInterval(from, end);
+    law.Attraction = interval.Attraction;
     target.Wake();
-    to = std::min(piece.End, time);
+    to = std::min(interval.End, time);
     const AdvanceReport report = band.Advance(to, law, target, inPart);
     AddWork(sum, report);
     sum.Aborted = report.Aborted;

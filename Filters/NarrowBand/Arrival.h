@@ -11,9 +11,9 @@
 #ifndef Arrival_h
 #define Arrival_h
 
+#include "ActiveNarrowBandExport.h"
 #include "Motion.h"
 #include "Target.h"
-#include "vtkActiveNarrowBandModule.h"
 
 #include <memory>
 #include <vector>
@@ -27,10 +27,10 @@ struct SkinForces;
 /** Parts of the target that the surface does not reach get a small core each, its hollows likewise:
  * before the first advance. Those that the target does not tell of are looked for within the bounds
  * (xmin xmax ymin ymax zmin zmax), to a 64th of them. Returns how many there are. */
-VTKACTIVENARROWBAND_EXPORT std::size_t CreateCores(
+ACTIVENARROWBAND_EXPORT std::size_t CreateCores(
   NarrowBand& band, const Motion& motion, Target& target, const double bounds[6]);
 
-class VTKACTIVENARROWBAND_EXPORT Arrival
+class ACTIVENARROWBAND_EXPORT Arrival
 {
 public:
   /** The target is the caller's. What is left to go is found for the surface as it is now, within

@@ -7,6 +7,7 @@
 #include "Leaves/ActiveSet.h"
 #include "Leaves/BandBackup.h"
 #include "Motion.h"
+#include "State/StateGrid.h"
 #include "Substep/Displacement.h"
 #include "Substep/PaperStep.h"
 #include "Substep/SkinMeasure.h"
@@ -48,6 +49,19 @@ struct BandState
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
   /** The same; the ghosts too follow from the active nodes. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
+  StateNumbers GetNumbers() const
+  {
+    return { this->VoxelSize, this->Time, this->StartMeasure.Area, this->StartMeasure.Volume,
+      this->BoxSize, this->Paper, this->GetBackground() };
+  }
+  void SetNumbers(const StateNumbers& numbers)
+  {
+    this->VoxelSize = numbers.VoxelSize;
+    this->Time = numbers.Time;
+    this->StartMeasure = { numbers.StartArea, numbers.StartVolume };
+    this->BoxSize = numbers.BoxSize;
+    this->Paper = numbers.Paper;
+  }
   float GetBackground() const { return this->Paper ? PaperThreshold : Far; }
   /** To be called before the first substep of a motion. */
   void Begin(const Motion& motion);

@@ -17,7 +17,7 @@
 #ifndef CubeTriangles_h
 #define CubeTriangles_h
 
-#include "vtkActiveNarrowBandModule.h"
+#include "ActiveNarrowBandExport.h"
 
 #include <array>
 #include <cstdint>
@@ -60,7 +60,7 @@ struct VoxelTriangles
  * Range: 0 to 255; higher bits are ignored. Thread-safe; the first call builds the table. Its 256
  * entries are contiguous and begin with that of 0.
  */
-VTKACTIVENARROWBAND_EXPORT const VoxelTriangles& TrianglesOfVoxel(unsigned insideBits);
+ACTIVENARROWBAND_EXPORT const VoxelTriangles& TrianglesOfVoxel(unsigned insideBits);
 }
 
 #endif

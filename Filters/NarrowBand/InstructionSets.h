@@ -10,8 +10,8 @@
 #ifndef InstructionSets_h
 #define InstructionSets_h
 
+#include "ActiveNarrowBandExport.h"
 #include "CompilerBuiltins.h"
-#include "vtkActiveNarrowBandModule.h"
 
 namespace activesurface
 {
@@ -24,11 +24,11 @@ enum class InstructionSet
 };
 
 /** The set that kernels run with. */
-VTKACTIVENARROWBAND_EXPORT InstructionSet GetInstructionSet();
+ACTIVENARROWBAND_EXPORT InstructionSet GetInstructionSet();
 
 /** Chooses another set, or the best one below it that the processor has; returns the choice. It
  * holds for the whole program; do not call it while a band, skin or skeleton is working. */
-VTKACTIVENARROWBAND_EXPORT InstructionSet SetInstructionSet(InstructionSet wanted);
+ACTIVENARROWBAND_EXPORT InstructionSet SetInstructionSet(InstructionSet wanted);
 
 /** A function object compiled for each instruction set. Its operator() must be
  * ACTIVE_ALWAYS_INLINE, and so must be what it calls. */

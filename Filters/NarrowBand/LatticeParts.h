@@ -4,8 +4,8 @@
 #ifndef LatticeParts_h
 #define LatticeParts_h
 
+#include "ActiveNarrowBandExport.h"
 #include "TargetRegion.h"
-#include "vtkActiveNarrowBandModule.h"
 
 #include <memory>
 #include <vector>
@@ -19,7 +19,7 @@ struct LatticeShape;
  * Nodes of one side are connected along edges. What is connected with the background, the unbounded
  * outside, is no hollow. They are found by leaves and tiles, once: the cost goes with the surface.
  */
-class VTKACTIVENARROWBAND_EXPORT LatticeParts
+class ACTIVENARROWBAND_EXPORT LatticeParts
 {
 public:
   explicit LatticeParts(const LatticeShape& shape);

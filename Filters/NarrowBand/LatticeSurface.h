@@ -4,8 +4,8 @@
 #ifndef LatticeSurface_h
 #define LatticeSurface_h
 
+#include "ActiveNarrowBandExport.h"
 #include "InitialFunction.h"
-#include "vtkActiveNarrowBandModule.h"
 
 namespace activesurface
 {
@@ -16,7 +16,7 @@ struct LatticeShape;
  * The centres of the cells whose corners differ in sign: a function that is interpolated between
  * the nodes has its zero set there. Not known if tiles of both sides meet.
  */
-VTKACTIVENARROWBAND_EXPORT SurfacePoints FindSurfacePoints(const LatticeShape& shape);
+ACTIVENARROWBAND_EXPORT SurfacePoints FindSurfacePoints(const LatticeShape& shape);
 
 }
 

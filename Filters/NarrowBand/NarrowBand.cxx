@@ -10,7 +10,6 @@
 #include "State/InitialShape.h"
 #include "State/PackedBand.h"
 #include "State/SavedTree.h"
-#include "State/StateGrid.h"
 #include "StaticShutdown.h"
 #include "Substep/NodePoints.h"
 #include "ThreadArena.h"
@@ -29,21 +28,6 @@ namespace activesurface
 
 namespace
 {
-
-StateNumbers GetNumbers(const BandState& state)
-{
-  return { state.VoxelSize, state.Time, state.StartMeasure.Area, state.StartMeasure.Volume,
-    state.BoxSize, state.Paper, state.GetBackground() };
-}
-
-void SetNumbers(const StateNumbers& numbers, BandState& state)
-{
-  state.VoxelSize = numbers.VoxelSize;
-  state.Time = numbers.Time;
-  state.StartMeasure = { numbers.StartArea, numbers.StartVolume };
-  state.BoxSize = numbers.BoxSize;
-  state.Paper = numbers.Paper;
-}
 
 /** StateNumbers as they lie in packed bytes. */
 using PackedNumbers = std::array<double, 6>;
@@ -73,7 +57,7 @@ std::unique_ptr<NarrowBand> NarrowBand::Clone() const
 {
   auto copy = std::make_unique<NarrowBand>(this->State->VoxelSize);
   BandState& members = *copy->State;
-  SetNumbers(GetNumbers(*this->State), members);
+  members.SetNumbers(this->State->GetNumbers());
   members.Threads = this->State->Threads;
   members.Maximum = this->State->Maximum;
   members.Work = this->State->Work;
@@ -84,7 +68,7 @@ std::unique_ptr<NarrowBand> NarrowBand::Clone() const
 
 std::string NarrowBand::Pack() const
 {
-  const StateNumbers n = GetNumbers(*this->State);
+  const StateNumbers n = this->State->GetNumbers();
   const PackedNumbers packed = { n.VoxelSize, n.Time, n.StartArea, n.StartVolume, n.BoxSize,
     n.Paper ? 1.0 : 0.0 };
   return std::string(reinterpret_cast<const char*>(packed.data()), sizeof packed) +
@@ -103,24 +87,9 @@ std::unique_ptr<NarrowBand> NarrowBand::Unpack(const std::string& bytes)
     packed[5] != 0.0, 0.f };
   auto band = std::make_unique<NarrowBand>(numbers.VoxelSize);
   BandState& members = *band->State;
-  SetNumbers(numbers, members);
+  members.SetNumbers(numbers);
   band->Run(
     [&] { members.Restore(UnpackBand(bytes.substr(sizeof packed), members.GetBackground())); });
-  return band;
-}
-
-openvdb::FloatGrid::Ptr NarrowBand::ToGrid() const
-{
-  return MakeStateGrid(this->State->Potential->tree(), GetNumbers(*this->State));
-}
-
-std::unique_ptr<NarrowBand> NarrowBand::FromGrid(const openvdb::FloatGrid& grid)
-{
-  const StateNumbers numbers = ReadStateGrid(grid);
-  auto band = std::make_unique<NarrowBand>(numbers.VoxelSize);
-  BandState& members = *band->State;
-  SetNumbers(numbers, members);
-  band->Run([&] { members.Restore(std::make_shared<openvdb::FloatTree>(grid.tree())); });
   return band;
 }
 
@@ -385,11 +354,6 @@ std::size_t NarrowBand::GetNumberOfGhosts() const
     count += this->State->Leaves[i].UpToLayer[LastLayer].Count();
   }
   return count - this->GetNumberOfActiveNodes();
-}
-
-openvdb::FloatGrid::ConstPtr NarrowBand::GetPotential() const
-{
-  return this->State->Potential;
 }
 
 const LeafTable& NarrowBand::GetLeaves() const

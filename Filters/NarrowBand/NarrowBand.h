@@ -26,11 +26,10 @@
 #ifndef NarrowBand_h
 #define NarrowBand_h
 
+#include "ActiveNarrowBandExport.h"
 #include "InitialFunction.h"
 #include "Motion.h"
-#include "OpenVDB.h"
 #include "Target.h"
-#include "vtkActiveNarrowBandModule.h"
 
 #include <cstddef>
 #include <functional>
@@ -44,7 +43,7 @@ class Agreement;
 struct BandState;
 class LeafTable;
 
-class VTKACTIVENARROWBAND_EXPORT NarrowBand
+class ACTIVENARROWBAND_EXPORT NarrowBand
 {
 public:
   /**
@@ -64,16 +63,6 @@ public:
    */
   std::string Pack() const;
   static std::unique_ptr<NarrowBand> Unpack(const std::string& bytes);
-  ///@}
-
-  ///@{
-  /**
-   * The state as a grid for files, without loss: the potential at the active nodes, + or - the
-   * background elsewhere, and the other members as metadata (except GetWork). FromGrid throws
-   * std::runtime_error for any other grid.
-   */
-  openvdb::FloatGrid::Ptr ToGrid() const;
-  static std::unique_ptr<NarrowBand> FromGrid(const openvdb::FloatGrid& grid);
   ///@}
 
   /** Threads that TBB may use, 1024 at most; 0: all. The result does not depend on it. */
@@ -149,11 +138,14 @@ public:
   /** Runs a function with the threads that SetNumberOfThreads allows. */
   void Run(const std::function<void()>& function) const;
 
-  /** u = phi / VoxelSize; active mask = band, the ghosts are inactive values in the same leaves. */
-  openvdb::FloatGrid::ConstPtr GetPotential() const;
-
   /** The leaves of the potential with their masks, for the polygoniser and the exporters. */
   const LeafTable& GetLeaves() const;
+
+  ///@{
+  /** The members, for NarrowBandGrid.h. */
+  BandState& GetState() { return *this->State; }
+  const BandState& GetState() const { return *this->State; }
+  ///@}
 
 private:
   NarrowBand(const NarrowBand&) = delete;

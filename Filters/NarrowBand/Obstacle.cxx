@@ -1,5 +1,6 @@
 #include "Obstacle.h"
 
+#include "OpenVDB.h"
 #include "StaticShutdown.h"
 
 #include <tbb/blocked_range.h>
@@ -20,14 +21,12 @@ namespace activesurface
 namespace
 {
 
-using openvdb::Coord;
-
 constexpr int NodesOfLeaf = 512;
 constexpr float Nowhere = -1e6f; // depth where the obstacle does not count
 
-Coord NodeOfLeaf(const Coord& origin, int node)
+openvdb::Coord ToCoord(const std::array<int, 3>& node)
 {
-  return origin.offsetBy(node >> 6, (node >> 3) & 7, node & 7);
+  return openvdb::Coord(node.data());
 }
 
 /** The nodes around a coordinate along one axis; one that is a node but for rounding has that one.
@@ -49,18 +48,23 @@ struct Neighbours
 
 }
 
+/** Active: known; tiles: leaves where the obstacle does not count. */
+struct Obstacle::SampledDepths
+{
+  openvdb::FloatTree::Ptr Tree = std::make_shared<openvdb::FloatTree>(Nowhere);
+
+  ~SampledDepths() { ReleaseUnlessExiting(std::move(this->Tree)); }
+};
+
 Obstacle::Obstacle(double voxelSize, const DistanceFunction& distances, bool isThreadSafe)
   : VoxelSize(voxelSize)
   , Distances(distances)
   , ThreadSafe(isThreadSafe)
-  , Depths(std::make_shared<openvdb::FloatTree>(Nowhere))
+  , Depths(std::make_unique<SampledDepths>())
 {
 }
 
-Obstacle::~Obstacle()
-{
-  ReleaseUnlessExiting(std::move(this->Depths));
-}
+Obstacle::~Obstacle() = default;
 
 float Obstacle::ToDepth(double distance) const
 {
@@ -69,12 +73,13 @@ float Obstacle::ToDepth(double distance) const
 }
 
 /** False where the function is not a number. */
-bool Obstacle::SampleLeaf(const Coord& origin, float* depths) const
+bool Obstacle::SampleLeaf(const LeafOrigin& origin, float* depths) const
 {
   double points[3 * NodesOfLeaf], distances[NodesOfLeaf];
   for (int node = 0; node < NodesOfLeaf; ++node)
   {
-    const Coord place = NodeOfLeaf(origin, node);
+    const int place[3] = { origin[0] + (node >> 6), origin[1] + ((node >> 3) & 7),
+      origin[2] + (node & 7) };
     for (int axis = 0; axis < 3; ++axis)
     {
       points[3 * node + axis] = this->VoxelSize * place[axis];
@@ -89,11 +94,11 @@ bool Obstacle::SampleLeaf(const Coord& origin, float* depths) const
     distances, distances + NodesOfLeaf, [](double distance) { return std::isnan(distance); });
 }
 
-void Obstacle::SampleLeaves(const std::vector<Coord>& origins)
+void Obstacle::SampleLeaves(const std::vector<LeafOrigin>& origins)
 {
-  std::vector<Coord> unknown;
+  std::vector<LeafOrigin> unknown;
   std::copy_if(origins.begin(), origins.end(), std::back_inserter(unknown),
-    [this](const Coord& origin) { return !this->IsKnown(origin); });
+    [this](const LeafOrigin& origin) { return !this->IsKnown(origin); });
   std::vector<std::array<float, NodesOfLeaf>> depths(unknown.size());
   std::vector<char> areNumbers(unknown.size());
   const auto sample = [&](const tbb::blocked_range<std::size_t>& range)
@@ -122,32 +127,32 @@ void Obstacle::SampleLeaves(const std::vector<Coord>& origins)
     if (std::any_of(
           depths[i].begin(), depths[i].end(), [](float depth) { return depth > Nowhere; }))
     {
-      auto* leaf = this->Depths->touchLeaf(unknown[i]);
+      auto* leaf = this->Depths->Tree->touchLeaf(ToCoord(unknown[i]));
       std::copy(depths[i].begin(), depths[i].end(), leaf->buffer().data());
       leaf->setValuesOn();
     }
     else
     {
-      this->Depths->addTile(1, unknown[i], Nowhere, true);
+      this->Depths->Tree->addTile(1, ToCoord(unknown[i]), Nowhere, true);
     }
   }
 }
 
-bool Obstacle::IsKnown(const Coord& origin) const
+bool Obstacle::IsKnown(const LeafOrigin& origin) const
 {
-  return this->Depths->isValueOn(origin);
+  return this->Depths->Tree->isValueOn(ToCoord(origin));
 }
 
-const float* Obstacle::FindDepths(const Coord& origin) const
+const float* Obstacle::FindDepths(const LeafOrigin& origin) const
 {
-  const auto* leaf = this->Depths->probeConstLeaf(origin);
+  const auto* leaf = this->Depths->Tree->probeConstLeaf(ToCoord(origin));
   return leaf ? leaf->buffer().data() : nullptr;
 }
 
-float Obstacle::DepthOfNode(const Coord& node) const
+float Obstacle::DepthOfNode(const std::array<int, 3>& node) const
 {
   float known;
-  if (this->Depths->probeValue(node, known))
+  if (this->Depths->Tree->probeValue(ToCoord(node), known))
   {
     return known;
   }
@@ -172,7 +177,7 @@ double Obstacle::DepthAt(const double x[3]) const
   double depth = 0.0;
   for (int corner = 0; corner < 8; ++corner)
   {
-    Coord node;
+    std::array<int, 3> node;
     double weight = 1.0;
     for (int axis = 0; axis < 3; ++axis)
     {

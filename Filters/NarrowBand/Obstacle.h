@@ -9,19 +9,23 @@
 #ifndef Obstacle_h
 #define Obstacle_h
 
-#include "OpenVDB.h"
-#include "vtkActiveNarrowBandModule.h"
+#include "ActiveNarrowBandExport.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace activesurface
 {
 
-class VTKACTIVENARROWBAND_EXPORT Obstacle
+class ACTIVENARROWBAND_EXPORT Obstacle
 {
 public:
+  /** Origin of a leaf [nodes]. */
+  using LeafOrigin = std::array<int, 3>;
+
   /** Signed distances at `count` points (x y z each) [world units], negative inside. */
   using DistanceFunction =
     std::function<void(std::size_t count, const double* points, double* distances)>;
@@ -37,12 +41,12 @@ public:
   bool IsThreadSafe() const { return this->ThreadSafe; }
 
   /** Samples those of the leaves, by their origins, that are not known. By one thread at a time. */
-  void SampleLeaves(const std::vector<openvdb::Coord>& origins);
-  bool IsKnown(const openvdb::Coord& origin) const;
+  void SampleLeaves(const std::vector<LeafOrigin>& origins);
+  bool IsKnown(const LeafOrigin& origin) const;
 
   /** The depths [voxels] at the 512 nodes of a leaf that is known, below all of the band's values
    * where the obstacle does not count; null if it does so nowhere. */
-  const float* FindDepths(const openvdb::Coord& origin) const;
+  const float* FindDepths(const LeafOrigin& origin) const;
 
   /** The depth at a point [world units], linear from node to node; -infinity where the obstacle
    * does not count, and where the function is not a number. */
@@ -53,15 +57,16 @@ public:
 
 private:
   float ToDepth(double distance) const;
-  bool SampleLeaf(const openvdb::Coord& origin, float* depths) const;
-  float DepthOfNode(const openvdb::Coord& node) const;
+  bool SampleLeaf(const LeafOrigin& origin, float* depths) const;
+  float DepthOfNode(const std::array<int, 3>& node) const;
 
   const double VoxelSize;
   const DistanceFunction Distances;
   const bool ThreadSafe;
-  openvdb::FloatTree::Ptr Depths; // active: known; tiles: leaves where the obstacle does not count
+  struct SampledDepths;
+  std::unique_ptr<SampledDepths> Depths;
   bool IsBad = false;
-  openvdb::Coord BadLeaf;
+  LeafOrigin BadLeaf{};
 };
 
 }

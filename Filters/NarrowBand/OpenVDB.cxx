@@ -1,6 +1,7 @@
 #include "OpenVDB.h"
 
+// Functions that are not virtual and too long to be inlined everywhere.
 #define OpenVDB_Define(Name)                                                                       \
-  template class openvdb::tree::Tree<openvdb::Name::RootNodeType>;                                 \
-  template class openvdb::Grid<openvdb::Name>;
+  template openvdb::Grid<openvdb::Name>::Ptr openvdb::Grid<openvdb::Name>::create(                 \
+    openvdb::Name::Ptr);
 OpenVDB_ForEachTree(OpenVDB_Define)

@@ -13,7 +13,8 @@
 #include <openvdb/openvdb.h>
 #pragma GCC visibility pop
 
-/** Calls X with the name of each type of tree whose grids sources here make. */
+/** Calls X with the name of each type of tree whose grids sources here make; all are among those
+ * that OpenVDB's library registers. */
 #define OpenVDB_ForEachTree(X)                                                                     \
   X(BoolTree)                                                                                      \
   X(MaskTree)                                                                                      \
@@ -25,8 +26,9 @@
   X(Vec3DTree)                                                                                     \
   X(Vec3ITree)
 
-// The virtual functions of a grid take ten seconds to compile. OpenVDB.cxx compiles them, once for
-// each type, and not each source that makes a grid.
+// The functions of a grid take ten seconds to compile. OpenVDB's library has those that are
+// virtual, compiled for the types that it registers; the others are inlined or stand in
+// OpenVDB.cxx. Where too few are inlined, ACTIVE_COMPILE_GRIDS compiles them all.
 #define OpenVDB_Declare(Name)                                                                      \
   extern template class openvdb::tree::Tree<openvdb::Name::RootNodeType>;                          \
   extern template class openvdb::Grid<openvdb::Name>;

@@ -1,7 +1,7 @@
 #include "PointsOutside.h"
 
 #include "CubeTriangles.h"
-#include "NarrowBand.h"
+#include "NarrowBandGrid.h"
 #include "OpenVDB.h"
 #include "Trilinear.h"
 
@@ -83,7 +83,7 @@ public:
   SkinSearch(const NarrowBand& band, const openvdb::CoordBBox& leaves)
     : VoxelSize(band.GetVoxelSize())
     , Leaves(leaves)
-    , Potential(band.GetPotential()->constTree())
+    , Potential(GetPotential(band)->constTree())
   {
   }
 
@@ -174,7 +174,7 @@ std::size_t CountOutside(const NarrowBand& band, const std::vector<PointWithMarg
 {
   std::size_t count = 0;
   openvdb::CoordBBox leaves;
-  band.GetPotential()->constTree().evalLeafBoundingBox(leaves);
+  GetPotential(band)->constTree().evalLeafBoundingBox(leaves);
   const auto countRange = [&](const tbb::blocked_range<std::size_t>& range, std::size_t before)
   {
     SkinSearch search(band, leaves);

@@ -4,7 +4,7 @@
 #ifndef PointsOutside_h
 #define PointsOutside_h
 
-#include "vtkActiveNarrowBandModule.h"
+#include "ActiveNarrowBandExport.h"
 
 #include <cstddef>
 #include <vector>
@@ -28,7 +28,7 @@ struct PointWithMargin
  * One look at the potential for a point inside or far away, else one at each voxel within the
  * margin; no memory. The result does not depend on the threads.
  */
-VTKACTIVENARROWBAND_EXPORT std::size_t CountOutside(
+ACTIVENARROWBAND_EXPORT std::size_t CountOutside(
   const NarrowBand& band, const std::vector<PointWithMargin>& points);
 
 }

@@ -6,19 +6,19 @@
 #ifndef PortableMath_h
 #define PortableMath_h
 
-#include "vtkActiveNarrowBandModule.h"
+#include "ActiveNarrowBandExport.h"
 
 namespace activesurface
 {
 
 /** e^x, right to 1e-15. */
-VTKACTIVENARROWBAND_EXPORT double Exponential(double x);
+ACTIVENARROWBAND_EXPORT double Exponential(double x);
 
 /** e^x - 1, likewise, without cancellation near 0. */
-VTKACTIVENARROWBAND_EXPORT double ExponentialMinusOne(double x);
+ACTIVENARROWBAND_EXPORT double ExponentialMinusOne(double x);
 
 /** Right to 1e-15. */
-VTKACTIVENARROWBAND_EXPORT double CubeRoot(double x);
+ACTIVENARROWBAND_EXPORT double CubeRoot(double x);
 
 }
 

@@ -2,7 +2,7 @@
 
 #include "Leaves/CentralGradient.h"
 #include "Leaves/LeafTable.h"
-#include "NarrowBand.h"
+#include "NarrowBandGrid.h"
 #include "OpenVDB.h"
 #include "SkinDistance.h"
 
@@ -59,8 +59,7 @@ void WriteDistances(const NarrowBand& band, const int extent[6], float* distance
       tbb::parallel_for(extent[4], extent[5] + 1,
         [&](int z)
         {
-          WritePlane(band.GetPotential()->tree(), extent, z,
-            static_cast<float>(band.GetVoxelSize()),
+          WritePlane(GetPotential(band)->tree(), extent, z, static_cast<float>(band.GetVoxelSize()),
             distances + std::size_t(z - extent[4]) * plane);
         });
     });

@@ -4,7 +4,7 @@
 #ifndef PotentialImage_h
 #define PotentialImage_h
 
-#include "vtkActiveNarrowBandModule.h"
+#include "ActiveNarrowBandExport.h"
 
 namespace activesurface
 {
@@ -17,7 +17,7 @@ class NarrowBand;
  * divided by its gradient norm. That is a distance to first order: exact at the surface, good
  * within about 1.5 voxels. Clamped to +-HalfWidth voxels, which is the value beyond the band.
  */
-VTKACTIVENARROWBAND_EXPORT void WriteDistances(
+ACTIVENARROWBAND_EXPORT void WriteDistances(
   const NarrowBand& band, const int extent[6], float* distances);
 
 }

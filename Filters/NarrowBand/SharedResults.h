@@ -45,8 +45,12 @@ public:
   template <class Value>
   void operator()(const Value* values, std::size_t count)
   {
-    const char* first = reinterpret_cast<const char*>(values);
-    this->Written.insert(this->Written.end(), first, first + count * sizeof(Value));
+    const std::size_t begin = this->Written.size(), length = count * sizeof(Value);
+    this->Written.resize(begin + length);
+    if (length > 0)
+    {
+      std::memcpy(this->Written.data() + begin, values, length);
+    }
   }
 
 private:

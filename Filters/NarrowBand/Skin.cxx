@@ -237,9 +237,13 @@ template <class Number>
 void Skin::WriteAs(Number* points, float* normals, std::int64_t* corners) const
 {
   const LeafTable& table = this->Band.GetLeaves();
-  const WriteVertices<Number> vertices{ table, this->Band.GetVoxelSize(), points, normals };
-  const WriteTriangles triangles{ table, this->FirstTriangle.data(), corners };
-  this->Band.Run([&] { ForEachLeaf(table, WriteLeaf<Number>{ vertices, triangles }); });
+  this->Band.Run(
+    [&]
+    {
+      const WriteVertices<Number> vertices{ table, this->Band.GetVoxelSize(), points, normals };
+      const WriteTriangles triangles{ table, this->FirstTriangle.data(), corners };
+      ForEachLeaf(table, WriteLeaf<Number>{ vertices, triangles });
+    });
 }
 
 void Skin::Write(float* points, float* normals, std::int64_t* corners) const

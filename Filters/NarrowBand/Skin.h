@@ -8,7 +8,7 @@
 #ifndef Skin_h
 #define Skin_h
 
-#include "vtkActiveNarrowBandModule.h"
+#include "ActiveNarrowBandExport.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace activesurface
 
 class NarrowBand;
 
-class VTKACTIVENARROWBAND_EXPORT Skin
+class ACTIVENARROWBAND_EXPORT Skin
 {
 public:
   /** Counts vertices and triangles; the band must not change before Write. */

@@ -2,7 +2,7 @@
 
 #include "LatticeCell.h"
 #include "Leaves/LeafTable.h"
-#include "NarrowBand.h"
+#include "NarrowBandGrid.h"
 #include "OpenVDB.h"
 #include "Trilinear.h"
 
@@ -73,8 +73,8 @@ struct SkinDistance::State
 {
   explicit State(const NarrowBand& band)
     : VoxelSize(band.GetVoxelSize())
-    , Potential(band.GetPotential()->tree())
-    , GradientNorms(band.GetPotential()->tree())
+    , Potential(GetPotential(band)->tree())
+    , GradientNorms(GetPotential(band)->tree())
     , Crossed(CrossedNodes(band.GetLeaves()))
   {
     this->Potential.evalLeafBoundingBox(this->Leaves);

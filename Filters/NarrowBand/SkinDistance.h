@@ -17,7 +17,7 @@
 #ifndef SkinDistance_h
 #define SkinDistance_h
 
-#include "vtkActiveNarrowBandModule.h"
+#include "ActiveNarrowBandExport.h"
 
 #include <memory>
 
@@ -29,7 +29,7 @@ class NarrowBand;
 /** How far distances reach on either side of the surface [voxels]; beyond, they are clamped. */
 constexpr float HalfWidth = 3.f;
 
-class VTKACTIVENARROWBAND_EXPORT SkinDistance
+class ACTIVENARROWBAND_EXPORT SkinDistance
 {
 public:
   /** Copies what it needs: the band may change or be deleted afterwards. */

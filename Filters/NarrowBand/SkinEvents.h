@@ -20,7 +20,7 @@ namespace activesurface
  * afterwards, it has merged if the others have grown by at least half of its volume; otherwise it
  * has vanished. Opposite events among such neighbours cancel and are not reported.
  */
-VTKACTIVENARROWBAND_EXPORT std::string FindEvents(
+ACTIVENARROWBAND_EXPORT std::string FindEvents(
   const std::vector<SkinPart>& before, const std::vector<SkinPart>& after);
 
 }

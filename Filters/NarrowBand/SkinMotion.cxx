@@ -1,6 +1,6 @@
 #include "SkinMotion.h"
 
-#include "NarrowBand.h"
+#include "NarrowBandGrid.h"
 #include "Skin.h"
 #include "Substep/RowKernels.h"
 #include "Substep/SamplePoints.h"
@@ -125,7 +125,7 @@ void AddTargetSpeed(const NarrowBand& band, const SkinForces& forces,
     WalledTarget walled(forces.Attractor, forces.Strategy.Box, forces.Strategy.Solid);
     const LeafTable& table = band.GetLeaves();
     const LeafList all = table.FindAll([](std::size_t) { return true; });
-    SampleLeaves({ table, band.GetPotential()->tree(), band.GetVoxelSize() }, all, motion,
+    SampleLeaves({ table, GetPotential(band)->tree(), band.GetVoxelSize() }, all, motion,
       walled.IsCut() ? walled : forces.Attractor, buffers);
   }
   for (std::size_t v = 0; v < speeds.size(); ++v)

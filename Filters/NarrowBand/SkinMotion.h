@@ -4,9 +4,9 @@
 #ifndef SkinMotion_h
 #define SkinMotion_h
 
+#include "ActiveNarrowBandExport.h"
 #include "Motion.h"
 #include "Target.h"
-#include "vtkActiveNarrowBandModule.h"
 
 #include <vector>
 
@@ -19,7 +19,7 @@ class NarrowBand;
  * Sum of the principal curvatures [1/length], positive where the skin bulges outward: eq. (5) of
  * the paper at the nodes, interpolated along the edges; at most 4 per voxel.
  */
-VTKACTIVENARROWBAND_EXPORT std::vector<float> FindCurvatures(const NarrowBand& band);
+ACTIVENARROWBAND_EXPORT std::vector<float> FindCurvatures(const NarrowBand& band);
 
 /** What the speed follows from, besides the surface. */
 struct SkinForces
@@ -35,7 +35,7 @@ struct SkinForces
  * attraction, tension, penalties, and for exact controls the uniform speed that holds what they
  * hold. Attraction is 0 where the target is not finite.
  */
-VTKACTIVENARROWBAND_EXPORT std::vector<float> FindSpeeds(
+ACTIVENARROWBAND_EXPORT std::vector<float> FindSpeeds(
   const NarrowBand& band, const SkinForces& forces);
 
 }

@@ -4,7 +4,7 @@
 #ifndef SkinParts_h
 #define SkinParts_h
 
-#include "vtkActiveNarrowBandModule.h"
+#include "ActiveNarrowBandExport.h"
 
 #include <array>
 #include <cstdint>
@@ -30,7 +30,7 @@ struct SkinPart
 };
 
 /** The parts in the order of their first vertices; the same potential gives the same bytes. */
-VTKACTIVENARROWBAND_EXPORT std::vector<SkinPart> FindSkinParts(const NarrowBand& band);
+ACTIVENARROWBAND_EXPORT std::vector<SkinPart> FindSkinParts(const NarrowBand& band);
 
 }
 

@@ -6,7 +6,7 @@
 #ifndef StaticShutdown_h
 #define StaticShutdown_h
 
-#include "vtkActiveNarrowBandModule.h"
+#include "ActiveNarrowBandExport.h"
 
 #include <memory>
 
@@ -14,7 +14,7 @@ namespace activesurface
 {
 
 /** Releases an object that may hold a tree. During static destruction the object is leaked. */
-VTKACTIVENARROWBAND_EXPORT void ReleaseUnlessExiting(std::shared_ptr<const void> holder);
+ACTIVENARROWBAND_EXPORT void ReleaseUnlessExiting(std::shared_ptr<const void> holder);
 
 }
 

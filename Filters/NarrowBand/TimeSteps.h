@@ -4,7 +4,7 @@
 #ifndef TimeSteps_h
 #define TimeSteps_h
 
-#include "vtkActiveNarrowBandModule.h"
+#include "ActiveNarrowBandExport.h"
 
 #include <vector>
 
@@ -23,7 +23,7 @@ struct StepOfTime
  * one the last step; nearer to a step than a millionth of the interval is that step, so that
  * rounding (.1 + .2 for .3) does not miss it.
  */
-VTKACTIVENARROWBAND_EXPORT StepOfTime FindStep(const std::vector<double>& steps, double time);
+ACTIVENARROWBAND_EXPORT StepOfTime FindStep(const std::vector<double>& steps, double time);
 
 }
 

@@ -16,8 +16,6 @@ namespace
 // A mean whose square is less than so many times that of its standard error is noise: of random
 // velocities that holds for all but one in 2000.
 constexpr double NoiseOfError = 6.0;
-constexpr std::size_t ParticlesPerTask = 256;
-
 double GetShare(const NeighbourSums::Motion& motion)
 {
   double square = 0.0;

@@ -14,6 +14,9 @@
 namespace activesurface
 {
 
+// Of work that takes some microseconds for each particle.
+constexpr std::size_t ParticlesPerTask = 256;
+
 // Calls task(0) to task(count - 1), each once; throws what one of them has thrown.
 template <class Task>
 void RunTasks(std::size_t count, Task task)

@@ -25,7 +25,7 @@ namespace activesurface
 namespace
 {
 
-struct Block
+struct InputBlock
 {
   std::string Name; // with its number as VTK counts, the flat one
   vtkSmartPointer<vtkDataSet> Data;
@@ -43,14 +43,14 @@ std::string NameOf(vtkCompositeDataIterator* leaf)
 }
 
 // Those with points.
-std::vector<Block> ListBlocks(vtkDataObjectTree* tree)
+std::vector<InputBlock> ListBlocks(vtkDataObjectTree* tree)
 {
-  std::vector<Block> blocks;
+  std::vector<InputBlock> blocks;
   const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
     vtkDataObject* held = leaf->GetCurrentDataObject();
-    Block block{ NameOf(leaf), AsDataSet(held) };
+    InputBlock block{ NameOf(leaf), AsDataSet(held) };
     if (!block.Data)
     {
       throw std::invalid_argument(
@@ -82,7 +82,7 @@ bool HasVerticesOnly(vtkPointSet* points)
   return !hasOthers;
 }
 
-vtkPointSet* AsParticles(const Block& block)
+vtkPointSet* AsParticles(const InputBlock& block)
 {
   vtkPointSet* points = vtkPointSet::SafeDownCast(block.Data);
   if (!points || !HasVerticesOnly(points))
@@ -95,11 +95,11 @@ vtkPointSet* AsParticles(const Block& block)
   return points;
 }
 
-vtkSmartPointer<vtkPoints> JoinPoints(const std::vector<Block>& blocks)
+vtkSmartPointer<vtkPoints> JoinPoints(const std::vector<InputBlock>& blocks)
 {
   vtkIdType count = 0;
   bool isDouble = false;
-  for (const Block& block : blocks)
+  for (const InputBlock& block : blocks)
   {
     count += block.Data->GetNumberOfPoints();
     isDouble = isDouble || AsParticles(block)->GetPoints()->GetDataType() != VTK_FLOAT;
@@ -108,7 +108,7 @@ vtkSmartPointer<vtkPoints> JoinPoints(const std::vector<Block>& blocks)
   points->SetDataType(isDouble ? VTK_DOUBLE : VTK_FLOAT);
   points->SetNumberOfPoints(count);
   vtkIdType first = 0;
-  for (const Block& block : blocks)
+  for (const InputBlock& block : blocks)
   {
     const vtkIdType own = block.Data->GetNumberOfPoints();
     points->InsertPoints(first, own, 0, AsParticles(block)->GetPoints());
@@ -125,13 +125,13 @@ bool IsAlike(vtkAbstractArray* array, vtkAbstractArray* other)
 
 // Null unless all blocks have it.
 vtkSmartPointer<vtkAbstractArray> JoinArray(
-  const std::vector<Block>& blocks, vtkAbstractArray* example)
+  const std::vector<InputBlock>& blocks, vtkAbstractArray* example)
 {
   auto joined = vtkSmartPointer<vtkAbstractArray>::Take(example->NewInstance());
   joined->SetName(example->GetName());
   joined->SetNumberOfComponents(example->GetNumberOfComponents());
   joined->CopyComponentNames(example);
-  for (const Block& block : blocks)
+  for (const InputBlock& block : blocks)
   {
     vtkAbstractArray* own = block.Data->GetPointData()->GetAbstractArray(example->GetName());
     if (!IsAlike(example, own) || own->GetNumberOfTuples() != block.Data->GetNumberOfPoints())
@@ -143,7 +143,7 @@ vtkSmartPointer<vtkAbstractArray> JoinArray(
   return joined;
 }
 
-vtkSmartPointer<vtkPolyData> JoinBlocks(const std::vector<Block>& blocks)
+vtkSmartPointer<vtkPolyData> JoinBlocks(const std::vector<InputBlock>& blocks)
 {
   auto joined = vtkSmartPointer<vtkPolyData>::New();
   joined->SetPoints(JoinPoints(blocks));
@@ -168,7 +168,7 @@ vtkSmartPointer<vtkPolyData> JoinBlocks(const std::vector<Block>& blocks)
 
 vtkSmartPointer<vtkDataSet> JoinTree(vtkDataObjectTree* tree)
 {
-  const std::vector<Block> blocks = ListBlocks(tree);
+  const std::vector<InputBlock> blocks = ListBlocks(tree);
   if (blocks.size() == 1)
   {
     return blocks.front().Data;

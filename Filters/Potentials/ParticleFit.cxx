@@ -16,8 +16,6 @@ namespace activesurface
 namespace
 {
 
-constexpr std::size_t ParticlesPerTask = 256;
-
 // Neighbours are looked for within so many own radii, by usual proportions. For AveragedCentre it
 // has to be the reach. For the others wider is flatter, and dearer.
 double GetNeighbourhoodPerOwnRadius(ParticleModel model)

@@ -1,6 +1,6 @@
 #include "vtkGridPotential.h"
 
-#include "AttachedData.h"
+#include "AttachedGrid.h"
 #include "BatchEvaluation.h"
 #include "FunctionInput.h"
 #include "Grid/ImageSamples.h"

@@ -8,14 +8,14 @@
 #ifndef FileReplacement_h
 #define FileReplacement_h
 
-#include "vtkActiveVDBModule.h"
+#include "ActiveVDBExport.h"
 
 #include <string>
 
 namespace activesurface
 {
 
-class VTKACTIVEVDB_EXPORT FileReplacement
+class ACTIVEVDB_EXPORT FileReplacement
 {
 public:
   // Throws std::runtime_error if a folder or a device bears the name.

@@ -27,11 +27,6 @@ constexpr std::uint32_t OldestVersion = openvdb::OPENVDB_FILE_VERSION_NODE_MASK_
 constexpr const char* HalfSuffix = "_HalfFloat";
 constexpr const char* PointsType = "ptdataidx32";
 
-[[noreturn]] void Refuse(const std::string& what)
-{
-  throw std::runtime_error("it is damaged: " + what);
-}
-
 struct KnownType
 {
   const char* Name;
@@ -97,7 +92,7 @@ VDBFile FileValidator::Run()
   const auto count = this->Source.Read<std::int32_t>();
   if (count < 0)
   {
-    Refuse("it has a negative number of grids");
+    RefuseDamage("it has a negative number of grids");
   }
   for (int i = 0; i < count; ++i)
   {
@@ -108,7 +103,7 @@ VDBFile FileValidator::Run()
     {
       if (this->Trees && this->Source.GetPosition() > places.End)
       {
-        Refuse("its grids overlap");
+        RefuseDamage("its grids overlap");
       }
       this->Source.Seek(places.End);
     }
@@ -159,7 +154,7 @@ Places FileValidator::ReadDescriptor(VDBGrid& grid)
     (places.Grid != this->Source.GetPosition() || places.End < places.Grid ||
       places.End > this->Source.GetSize()))
   {
-    Refuse("a grid is at an impossible place, or the file ends too early");
+    RefuseDamage("a grid is at an impossible place, or the file ends too early");
   }
   return places;
 }
@@ -170,7 +165,7 @@ void FileValidator::ReadGrid(VDBGrid& grid)
   this->Compression = this->Source.Read<std::uint32_t>();
   if (this->Compression > (COMPRESS_ZIP | COMPRESS_ACTIVE_MASK | COMPRESS_BLOSC))
   {
-    Refuse("a grid is packed in an unknown way");
+    RefuseDamage("a grid is packed in an unknown way");
   }
   const VDBMetadata metadata = ReadMetadata(this->Source);
   grid.Metadata = metadata.Values;
@@ -180,7 +175,7 @@ void FileValidator::ReadGrid(VDBGrid& grid)
     (*grid.Metadata)[openvdb::GridBase::META_SAVE_HALF_FLOAT];
   if ((half && half->asBool()) != grid.IsHalf)
   {
-    Refuse("a grid is one of half floats and is not");
+    RefuseDamage("a grid is one of half floats and is not");
   }
   grid.IsKnown = grid.Transform && FindType(grid.Type) &&
     (std::string(grid.GetValueType()) != "points" ||
@@ -223,7 +218,7 @@ void FileValidator::ReadTransform(VDBGrid& grid)
   const double rounding = 1e-9 * (1.0 + there.length() / grid.Transform->voxelSize().length());
   if (!(miss <= std::max(rounding, 1e-6)))
   {
-    Refuse("a grid is placed nowhere");
+    RefuseDamage("a grid is placed nowhere");
   }
 }
 
@@ -282,7 +277,7 @@ void FileValidator::FindParents(VDBFile& file) const
     }
     if (!parent || parent->Type != grid.Type)
     {
-      Refuse("a grid shares the tree of one that is not there");
+      RefuseDamage("a grid shares the tree of one that is not there");
     }
     grid.ActiveVoxels = parent->ActiveVoxels;
     grid.NumberOfLeaves = parent->NumberOfLeaves;

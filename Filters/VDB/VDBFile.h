@@ -9,8 +9,8 @@
 #ifndef VDBFile_h
 #define VDBFile_h
 
+#include "ActiveVDBExport.h"
 #include "OpenVDB.h"
-#include "vtkActiveVDBModule.h"
 
 #include <cstdint>
 #include <string>
@@ -20,7 +20,7 @@ namespace activesurface
 {
 
 /** A grid of a file. */
-struct VTKACTIVEVDB_EXPORT VDBGrid
+struct ACTIVEVDB_EXPORT VDBGrid
 {
   std::string Name;       //< several of one name have their number behind it: name[1]
   std::string UniqueName; //< as OpenVDB has it
@@ -54,13 +54,13 @@ struct VDBFile
  * OpenVDB's io::File has written the file. Throws std::runtime_error, with a sentence that names
  * the file, for one that is missing, damaged, or of before OpenVDB 2 (version 222 of the format).
  */
-VTKACTIVEVDB_EXPORT VDBFile ValidateVDB(const std::string& file, bool trees = true);
+ACTIVEVDB_EXPORT VDBFile ValidateVDB(const std::string& file, bool trees = true);
 
 /**
  * Reads a grid of a file that was validated with its trees: all of it or, where it can be clipped,
  * only the leaves that meet a box [world]. Throws std::runtime_error.
  */
-VTKACTIVEVDB_EXPORT openvdb::GridBase::Ptr ReadVDBGrid(
+ACTIVEVDB_EXPORT openvdb::GridBase::Ptr ReadVDBGrid(
   const std::string& file, const VDBGrid& grid, const openvdb::BBoxd* box = nullptr);
 
 }

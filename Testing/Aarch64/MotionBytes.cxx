@@ -3,7 +3,7 @@
 
 #include "Support/AnalyticShapes.h"
 
-#include "NarrowBand.h"
+#include "NarrowBandGrid.h"
 #include "OpenVDB.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ private:
 std::uint64_t HashOf(const NarrowBand& band)
 {
   Hash hash;
-  const auto grid = band.GetPotential();
+  const auto grid = GetPotential(band);
   for (auto value = grid->tree().cbeginValueOn(); value; ++value)
   {
     const openvdb::Coord at = value.getCoord();

@@ -16,6 +16,7 @@
 #include "Crossings.h"
 #include "Measuring.h"
 #include "MorphScenes.h"
+#include "NarrowBandGrid.h"
 #include "OpenVDBSchemes.h"
 #include "Scenes.h"
 
@@ -77,7 +78,7 @@ Course FollowOurs(const MorphScene& scene, TimeIntegration integration)
   Motion motion = MakeMotion(1.0, 0.0);
   motion.Integration = integration;
   return Follow([&](double, double end) { return band.Advance(end, motion, *scene.Goal).Substeps; },
-    [&] { return ErrorOf(*band.GetPotential(), *scene.Goal); });
+    [&] { return ErrorOf(*GetPotential(band), *scene.Goal); });
 }
 
 Course FollowTheirs(const MorphScene& scene, bool isCheapest)

@@ -17,6 +17,7 @@
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
 #include "Measuring.h"
+#include "NarrowBandGrid.h"
 #include "Scenes.h"
 #include "Skin.h"
 #include "Substep/ConvergedLeaves.h"
@@ -53,7 +54,7 @@ struct OpenBand
   explicit OpenBand(const NarrowBand& band)
     : VoxelSize(band.GetVoxelSize())
     , Time(band.GetTime())
-    , Potential(band.GetPotential()->deepCopy())
+    , Potential(GetPotential(band)->deepCopy())
   {
     this->Leaves.SetBackground(Far);
     this->Leaves.Rebuild(this->Potential->tree());
@@ -171,7 +172,7 @@ struct OpenBand
   {
     auto values = this->Potential->getConstAccessor();
     std::size_t count = 0;
-    for (auto node = band.GetPotential()->cbeginValueOn(); node; ++node, ++count)
+    for (auto node = GetPotential(band)->cbeginValueOn(); node; ++node, ++count)
     {
       if (values.getValue(node.getCoord()) != *node)
       {

@@ -10,6 +10,7 @@
 // that OpenVDB has (six trilinear samples each).
 
 #include "Measuring.h"
+#include "NarrowBandGrid.h"
 #include "PotentialImage.h"
 #include "Scenes.h"
 #include "Skin.h"
@@ -117,7 +118,7 @@ void Compare(int n, int threads, int repetitions)
   band.SetNumberOfThreads(threads);
   band.Start(0.0, Box, MakeInitial(BallDistance{ 0.9 }));
   const auto image = MakeImage(band, n);
-  const openvdb::FloatGrid::Ptr grid = band.GetPotential()->deepCopy();
+  const openvdb::FloatGrid::Ptr grid = GetPotential(band)->deepCopy();
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
   std::size_t ours = 0;
   std::size_t theirs = 0;

@@ -18,6 +18,7 @@
 
 #include "Crossings.h"
 #include "Measuring.h"
+#include "NarrowBandGrid.h"
 #include "OpenVDBSchemes.h"
 #include "Scenes.h"
 
@@ -126,7 +127,7 @@ double ShrinkOurs(int n, double& error)
   MovingBall none;
   const double time = (StartRadius * StartRadius - EndRadius * EndRadius) / 4.0;
   const double seconds = SecondsOf([&] { band.Advance(time, MakeMotion(0.0, 1.0), none); });
-  error = ErrorOfRadius(*band.GetPotential(), band.GetVoxelSize());
+  error = ErrorOfRadius(*GetPotential(band), band.GetVoxelSize());
   return seconds;
 }
 

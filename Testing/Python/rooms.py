@@ -88,7 +88,7 @@ MAY_INCLUDE = {
     "Potentials": ["Potentials/Skeleton", "Potentials/Grid", "VDB", "NarrowBand"],
     "Surfaces/Targets": ["Surfaces/Ranks", "Potentials", "VDB", "NarrowBand"],
     "Surfaces/Simulation": ["Surfaces/Targets", "Potentials", "VDB", "NarrowBand"],
-    "Surfaces/Ranks": ["VDB", "NarrowBand"],
+    "Surfaces/Ranks": ["Potentials/AttachedData", "Potentials/AttachedGrid", "VDB", "NarrowBand"],
     "Surfaces/Pipeline": [
         "Surfaces/Ranks",
         "Surfaces/Simulation",

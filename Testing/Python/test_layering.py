@@ -19,9 +19,17 @@ ROOT = Path(__file__).resolve().parents[2]
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.MULTILINE)
 IMPORT_FROM_SOURCE = re.compile(r"sys\.path")
 VTK_HEADER = re.compile(r"(.*/)?vtk\w*\.h$")
-EXPORT_HEADER = re.compile(r"vtkActive\w+Module\.h$")
 NOT_FOR_WRAPPED_HEADERS = re.compile(
     r"(openvdb|nanovdb|tbb|oneapi|OpenEXR|Imath)/|Imf\w*\.h$|tbb\.h$"
+)
+# Libraries that are built once, for VTK and for ParaView's VTK.
+NUMERICS = ("NarrowBand", "VDB")
+# Many sources include them, and OpenVDB takes seconds to read.
+WITHOUT_OPENVDB = (
+    "NarrowBand/NarrowBand.h",
+    "NarrowBand/Obstacle.h",
+    "Potentials/AttachedData.h",
+    "VDB/SavedState.h",
 )
 SOURCES = (".h", ".cxx", ".txx", ".cpp", ".hpp")
 
@@ -151,9 +159,12 @@ def find_broken_includes(root, path):
         is_first = include == "openvdb/openvdb.h" or "OpenVDB.h" not in includes_of(path)
         if is_openvdb and is_first and not is_wrapped:
             yield include, "OpenVDB is included by OpenVDB.h, which makes its templates visible"
-        is_vtk = VTK_HEADER.match(include) and not EXPORT_HEADER.search(include)
-        if module_of(unit) == "NarrowBand" and is_vtk and not own:
+        if module_of(unit) in NUMERICS and VTK_HEADER.match(include) and not own:
             yield include, "the numerics know no VTK"
+    if path.relative_to(root / "Filters").as_posix() in WITHOUT_OPENVDB:
+        for include in reached_includes(root, path):
+            if include.startswith("openvdb/"):
+                yield include, "sources that need no OpenVDB would read it"
     if path.name.startswith("vtk") and path.suffix == ".h":
         for include in reached_includes(root, path):
             if NOT_FOR_WRAPPED_HEADERS.match(include):
@@ -200,9 +211,10 @@ class RulesFindWhatBreaksThem(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
         self.write("Filters/NarrowBand/OpenVDB.h", "#include <openvdb/openvdb.h>")
-        self.write("Filters/NarrowBand/NarrowBand.h", '#include "OpenVDB.h"')
+        self.write("Filters/NarrowBand/NarrowBand.h", '#include "Motion.h"')
+        self.write("Filters/NarrowBand/NarrowBandGrid.h", '#include "OpenVDB.h"')
         self.write("Filters/NarrowBand/NarrowBand.cxx", '#include "Leaves/LeafTable.h"')
-        self.write("Filters/NarrowBand/Motion.h", '#include "vtkActiveNarrowBandModule.h"')
+        self.write("Filters/NarrowBand/Motion.h", '#include "ActiveNarrowBandExport.h"')
         self.write("Filters/NarrowBand/Leaves/LeafTable.h", '#include "OpenVDB.h"')
         self.write("Filters/Potentials/vtkBall.h", '#include "vtkObject.h"')
         self.write("Filters/Surfaces/vtkSkin.h", '#include "vtkObject.h"')
@@ -232,6 +244,12 @@ class RulesFindWhatBreaksThem(unittest.TestCase):
     def test_vtk_header_in_narrow_band(self):
         for header in ("vtkImageAlgorithm.h", "vtkObject.h", "vtk-9.1/vtkPolyData.h"):
             self.assert_found("Filters/NarrowBand/Bad.cxx", f"# include <{header}>", header)
+            self.assert_found("Filters/VDB/Bad.cxx", f"# include <{header}>", header)
+
+    def test_openvdb_in_a_header_of_many(self):
+        for header in ("VDB/SavedState.h", "Potentials/AttachedData.h"):
+            text = '#include "NarrowBandGrid.h"'
+            self.assert_found(f"Filters/{header}", text, "openvdb/openvdb.h")
 
     def test_module_above(self):
         self.assert_found("Filters/NarrowBand/Bad.h", '#include "vtkBall.h"', "vtkBall.h")
@@ -272,7 +290,7 @@ class RulesFindWhatBreaksThem(unittest.TestCase):
         )
 
     def test_openvdb_in_a_wrapped_header_by_way_of_another(self):
-        self.assert_found("Filters/IO/vtkBad.h", '#include "NarrowBand.h"', "openvdb/openvdb.h")
+        self.assert_found("Filters/IO/vtkBad.h", '#include "NarrowBandGrid.h"', "openvdb/openvdb.h")
 
     def test_openvdb_past_the_header_that_makes_it_visible(self):
         for header in ("openvdb/openvdb.h", "openvdb/tools/Dense.h"):

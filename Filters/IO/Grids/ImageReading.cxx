@@ -1,6 +1,6 @@
 #include "Grids/ImageReading.h"
 
-#include "AttachedData.h"
+#include "AttachedGrid.h"
 #include "Grids/GridChoice.h"
 #include "Grids/ImageArrays.h"
 

@@ -1,9 +1,9 @@
-// Triangles in the coordinates of a lattice [voxels], and the distances to them near by.
+// Triangles in the coordinates of a lattice [voxels].
 
 #ifndef LatticeMesh_h
 #define LatticeMesh_h
 
-#include "OpenVDB.h"
+#include "MeshBand.h"
 #include "SkinDistance.h"
 
 #include <array>
@@ -13,21 +13,18 @@
 namespace activesurface
 {
 
-struct LatticeMesh
+struct LatticeMesh : LatticeTriangles
 {
   std::vector<openvdb::Vec3d> Points;
   std::vector<std::array<std::int64_t, 3>> Triangles;
-};
 
-// Up to HalfWidth on either side, which is the background too.
-struct MeshBand
-{
-  openvdb::FloatGrid::Ptr Distances; // [voxels]; the transform is the identity
-  openvdb::Int32Grid::Ptr Triangles; // number of the nearest triangle, where Distances is active
+  std::size_t GetNumberOfPoints() const override { return this->Points.size(); }
+  std::size_t GetNumberOfTriangles() const override { return this->Triangles.size(); }
+  openvdb::Vec3d GetCorner(std::size_t triangle, std::size_t corner) const override
+  {
+    return this->Points[this->Triangles[triangle][corner]];
+  }
 };
-
-// Inside of what the triangles enclose: they have to be closed. By OpenVDB's own converter.
-MeshBand MakeMeshBand(const LatticeMesh& mesh);
 
 }
 

@@ -1,6 +1,6 @@
 #include "Grids/SkinBand.h"
 
-#include "NarrowBand.h"
+#include "NarrowBandGrid.h"
 #include "OpenVDB.h"
 #include "Skin.h"
 
@@ -205,7 +205,7 @@ private:
   // Those of the nodes that belong to the band.
   Layer Take(const Layer& layer, const std::vector<Nearest>& found)
   {
-    const openvdb::FloatGrid::ConstPtr band = this->Band.GetPotential();
+    const openvdb::FloatGrid::ConstPtr band = GetPotential(this->Band);
     auto potential = band->getConstUnsafeAccessor();
     auto distances = this->Result.Distances->getAccessor();
     auto triangles = this->Result.Triangles->getAccessor();
@@ -281,7 +281,7 @@ MeshBand MakeSkinBand(const NarrowBand& band, const LatticeMesh& mesh)
 {
   MeshBand result;
   result.Distances = openvdb::FloatGrid::create(HalfWidth);
-  result.Triangles = openvdb::Int32Grid::create(-1);
+  result.Triangles = openvdb::Int32Grid::create(openvdb::Int32(MeshBand::NoTriangle));
   band.Run(
     [&]
     {

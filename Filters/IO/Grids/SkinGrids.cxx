@@ -7,13 +7,16 @@
 
 #include <openvdb/math/Proximity.h>
 #include <openvdb/tools/LevelSetUtil.h>
-#include <openvdb/tree/LeafManager.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <sstream>
 #include <stdexcept>
 #include <type_traits>
+#include <vector>
 
 namespace activesurface
 {
@@ -47,6 +50,16 @@ Value Blend(const Value corner[3], Vec3d weights, std::false_type)
   return corner[std::max_element(first, first + 3) - first];
 }
 
+/** In parallel. Not OpenVDB's LeafManager, which takes a second to compile for each type. */
+template <class Tree, class Function>
+void ForEachLeaf(Tree& tree, Function function)
+{
+  std::vector<typename Tree::LeafNodeType*> leaves;
+  tree.getNodes(leaves);
+  const std::function<void(std::size_t)> ofNumber = [&](std::size_t i) { function(*leaves[i]); };
+  tbb::parallel_for(std::size_t(0), leaves.size(), ofNumber);
+}
+
 template <class Value>
 openvdb::GridBase::Ptr Spread(vtkDataArray* array, const LatticeMesh& mesh, const MeshBand& band)
 {
@@ -54,9 +67,8 @@ openvdb::GridBase::Ptr Spread(vtkDataArray* array, const LatticeMesh& mesh, cons
   using Tree = typename openvdb::FloatTree::ValueConverter<Value>::Type;
   auto tree = std::make_shared<Tree>(
     band.Triangles->tree(), openvdb::zeroVal<Value>(), openvdb::TopologyCopy());
-  openvdb::tree::LeafManager<Tree> leaves(*tree);
-  leaves.foreach (
-    [&](typename Tree::LeafNodeType& leaf, std::size_t)
+  ForEachLeaf(*tree,
+    [&](typename Tree::LeafNodeType& leaf)
     {
       const auto* nearest = band.Triangles->tree().probeConstLeaf(leaf.origin());
       for (auto value = leaf.beginValueOn(); value; ++value)
@@ -90,9 +102,8 @@ openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize)
   const auto scale = static_cast<float>(voxelSize);
   const auto background = static_cast<float>(HalfWidth * voxelSize);
   const float largest = std::nextafter(background, 0.f);
-  openvdb::tree::LeafManager<openvdb::FloatTree> leaves(*tree);
-  leaves.foreach (
-    [=](openvdb::FloatTree::LeafNodeType& leaf, std::size_t)
+  ForEachLeaf(*tree,
+    [=](openvdb::FloatTree::LeafNodeType& leaf)
     {
       for (auto value = leaf.beginValueOn(); value; ++value)
       {

@@ -6,7 +6,7 @@
 #include "Grids/SkinBand.h"
 #include "Grids/SkinGrids.h"
 #include "NarrowBand.h"
-#include "SavedState.h"
+#include "SavedGrid.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -94,7 +94,7 @@ void VDBContent::AddMesh(vtkPolyData* data)
   }
   double voxelSize = this->Choice.VoxelSize;
   const LatticeMesh mesh = ReadClosedMesh(data, voxelSize);
-  this->AddSurface(mesh, MakeMeshBand(mesh), voxelSize, data->GetPointData());
+  this->AddSurface(mesh, MakeMeshBand(mesh, HalfWidth, true), voxelSize, data->GetPointData());
 }
 
 void VDBContent::AddSurface(

@@ -13,7 +13,7 @@ namespace
 {
 
 /** Displacements beyond it [voxels] are no motion: they count as unknown. */
-constexpr double LongestDisplacement = 500.0;
+constexpr double LongestRepresentable = 500.0;
 
 /** 3 x 3 x 3 points of a leaf: a weight, 0 if the displacement is unknown, and its products with
  * the displacement along each axis. */
@@ -92,7 +92,7 @@ void TargetDisplacements::Evaluate(
   {
     const double value = this->Factor * displacements[n];
     displacements[n] =
-      std::fabs(value) <= LongestDisplacement ? value : std::numeric_limits<double>::quiet_NaN();
+      std::fabs(value) <= LongestRepresentable ? value : std::numeric_limits<double>::quiet_NaN();
   }
 }
 

@@ -61,15 +61,20 @@ void ClampToWalls(const LeafTable& table, const ActiveSet& set, const Walls& wal
     });
 }
 
-std::vector<openvdb::Coord> FindUnknown(
+Obstacle::LeafOrigin OriginOf(const BandLeaf& leaf)
+{
+  return { leaf.Origin[0], leaf.Origin[1], leaf.Origin[2] };
+}
+
+std::vector<Obstacle::LeafOrigin> FindUnknown(
   const LeafTable& table, const LeafList& leaves, const Obstacle& obstacle)
 {
-  std::vector<openvdb::Coord> unknown;
+  std::vector<Obstacle::LeafOrigin> unknown;
   for (const std::int32_t i : leaves)
   {
-    if (!obstacle.IsKnown(table[i].Origin))
+    if (!obstacle.IsKnown(OriginOf(table[i])))
     {
-      unknown.push_back(table[i].Origin);
+      unknown.push_back(OriginOf(table[i]));
     }
   }
   return unknown;
@@ -82,7 +87,7 @@ void ClampToObstacle(
   table.ForEach(set.Active,
     [&](std::size_t i)
     {
-      if (const float* depths = obstacle->FindDepths(table[i].Origin))
+      if (const float* depths = obstacle->FindDepths(OriginOf(table[i])))
       {
         float* next = buffers.NextOf(i);
         table[i].Active.ForEach([&](int node) { next[node] = std::max(next[node], depths[node]); });

@@ -1,10 +1,10 @@
 #include "Grid/MeshDistance.h"
 
+#include "MeshBand.h"
 #include "MeshTriangles.h"
 #include "OpenVDB.h"
 
 #include <openvdb/math/Proximity.h>
-#include <openvdb/tools/MeshToVolume.h>
 #include <openvdb/tree/ValueAccessor.h>
 #include <tbb/parallel_for.h>
 
@@ -19,8 +19,7 @@ namespace activesurface
 namespace
 {
 
-// What meshToVolume asks for.
-class VoxelMesh
+class VoxelMesh : public LatticeTriangles
 {
 public:
   VoxelMesh(const MeshTriangles& mesh, double voxelSize)
@@ -29,19 +28,13 @@ public:
   {
   }
 
-  // NOLINTBEGIN(readability-identifier-naming)
-  std::size_t polygonCount() const { return this->Mesh.Triangles.size(); }
-  std::size_t pointCount() const { return this->Mesh.Points.size(); }
-  std::size_t vertexCount(std::size_t) const { return 3; }
-  void getIndexSpacePoint(std::size_t triangle, std::size_t corner, openvdb::Vec3d& place) const
+  std::size_t GetNumberOfPoints() const final { return this->Mesh.Points.size(); }
+  std::size_t GetNumberOfTriangles() const final { return this->Mesh.Triangles.size(); }
+  openvdb::Vec3d GetCorner(std::size_t triangle, std::size_t corner) const final
   {
     const MeshTriangles::Point& point = this->Mesh.Points[this->Mesh.Triangles[triangle][corner]];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      place[axis] = point[axis] / this->VoxelSize;
-    }
+    return { point[0] / this->VoxelSize, point[1] / this->VoxelSize, point[2] / this->VoxelSize };
   }
-  // NOLINTEND(readability-identifier-naming)
 
 private:
   const MeshTriangles& Mesh;
@@ -94,11 +87,11 @@ Walk::Walk(const MeshTriangles& mesh, const VoxelMesh& voxels)
 
 double Walk::SquareTo(const openvdb::Vec3d& place, std::size_t triangle) const
 {
-  openvdb::Vec3d a, b, c, weights;
-  this->Voxels.getIndexSpacePoint(triangle, 0, a);
-  this->Voxels.getIndexSpacePoint(triangle, 1, b);
-  this->Voxels.getIndexSpacePoint(triangle, 2, c);
-  return (openvdb::math::closestPointOnTriangleToPoint(a, b, c, place, weights) - place)
+  openvdb::Vec3d weights;
+  return (
+    openvdb::math::closestPointOnTriangleToPoint(this->Voxels.GetCorner(triangle, 0),
+      this->Voxels.GetCorner(triangle, 1), this->Voxels.GetCorner(triangle, 2), place, weights) -
+    place)
     .lengthSqr();
 }
 
@@ -137,7 +130,7 @@ void Shorten(
     const openvdb::Coord place = node.getCoord();
     const openvdb::Int32 triangle = triangles.getValue(place);
     const float known = std::fabs(*node);
-    if (known > exact && triangle != openvdb::Int32(openvdb::util::INVALID_IDX))
+    if (known > exact && triangle != MeshBand::NoTriangle)
     {
       const auto distance = static_cast<float>(
         std::sqrt(walk.FindSquare(place.asVec3d(), static_cast<std::size_t>(triangle))));
@@ -154,20 +147,14 @@ void Shorten(
 openvdb::FloatGrid::Ptr MakeMeshDistance(const MeshTriangles& mesh, const MeshLattice& lattice)
 {
   const VoxelMesh voxels(mesh, lattice.VoxelSize);
-  // Without renormalisation: it is meant for meshes that intersect themselves, and moves distances.
-  const int flags = openvdb::tools::DISABLE_RENORMALIZATION |
-    (lattice.IsSigned ? 0 : openvdb::tools::UNSIGNED_DISTANCE_FIELD);
-  const auto band = static_cast<float>(lattice.Band);
-  openvdb::Int32Grid nearest(static_cast<openvdb::Int32>(openvdb::util::INVALID_IDX));
-  openvdb::FloatGrid::Ptr distance = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
-    voxels, openvdb::math::Transform(), band, band, flags, &nearest);
+  const MeshBand band = MakeMeshBand(voxels, static_cast<float>(lattice.Band), lattice.IsSigned);
 
   const Walk walk(mesh, voxels);
   std::vector<openvdb::FloatTree::LeafNodeType*> leaves;
-  distance->tree().getNodes(leaves);
+  band.Distances->tree().getNodes(leaves);
   tbb::parallel_for(std::size_t(0), leaves.size(),
-    [&](std::size_t i) { Shorten(*leaves[i], nearest.tree(), walk); });
-  return distance;
+    [&](std::size_t i) { Shorten(*leaves[i], band.Triangles->tree(), walk); });
+  return band.Distances;
 }
 
 }

@@ -294,7 +294,7 @@ vtkAbstractArray* SurfaceInput::FindValues(vtkDataSet* image) const
   const int index = this->Port == Target ? ValueArray : InitialValueArray;
   vtkAbstractArray* chosen = this->FindArray(index, image);
   vtkAbstractArray* values = chosen ? chosen : image->GetPointData()->GetScalars();
-  if (!values && !GetAttachedGrid(image->GetInformation()))
+  if (!values && !HasAttachedGrid(image->GetInformation()))
   {
     throw std::invalid_argument("The image of input port " + std::to_string(this->Port) +
       " has no active point scalars; choose a point array by SetInputArrayToProcess(" +

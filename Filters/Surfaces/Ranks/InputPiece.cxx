@@ -159,7 +159,7 @@ InputPiece MakeImagePiece(vtkImageData* image, vtkAbstractArray* values)
   piece->CopyStructure(image);
   if (!values)
   {
-    Attach(piece->GetInformation(), GetAttachedGrid(image->GetInformation()));
+    CopyAttachedGrid(image->GetInformation(), piece->GetInformation());
     return { PieceKind::GridImage, piece };
   }
   piece->GetPointData()->AddArray(values);

@@ -1,6 +1,6 @@
 #include "Ranks/PieceBytes.h"
 
-#include "AttachedData.h"
+#include "AttachedGrid.h"
 #include "OpenVDB.h"
 #include "Ranks/InputPiece.h"
 

@@ -103,7 +103,7 @@ vtkSmartPointer<vtkDataSet> GatherWhole(
       vtkSmartPointer<vtkDataSet> whole = AssembleImage(parts, what);
       const auto first =
         std::find_if(parts.begin(), parts.end(), [](vtkDataSet* part) { return part; });
-      Attach(whole->GetInformation(), GetAttachedGrid((*first)->GetInformation()));
+      CopyAttachedGrid((*first)->GetInformation(), whole->GetInformation());
       return whole;
     }
     default:

@@ -2,6 +2,7 @@
 
 #include "FileReplacement.h"
 #include "OpenVDB.h"
+#include "SavedGrid.h"
 #include "VDBFile.h"
 
 #include <openvdb/io/File.h>

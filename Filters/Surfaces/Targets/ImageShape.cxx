@@ -47,7 +47,7 @@ vtkSmartPointer<vtkDataSet> ReadImage(const InputData& input)
   }
   else
   {
-    Attach(image->GetInformation(), GetAttachedGrid(input.Data->GetInformation()));
+    CopyAttachedGrid(input.Data->GetInformation(), image->GetInformation());
   }
   return image;
 }

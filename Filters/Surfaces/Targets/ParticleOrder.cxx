@@ -12,7 +12,7 @@ namespace
 // What decides most comparisons, beside the particle's place in the frame: to sort the particles
 // themselves, or their places alone, takes three times as long.
 template <class Number>
-struct Key
+struct OrderKey
 {
   Number First;
   std::size_t Place;
@@ -27,7 +27,7 @@ auto PlaceOf(const SkeletonVertex& particle)
 template <class Number>
 auto CompareKeys(const std::vector<SkeletonVertex>& particles)
 {
-  return [&particles](const Key<Number>& a, const Key<Number>& b)
+  return [&particles](const OrderKey<Number>& a, const OrderKey<Number>& b)
   {
     if (a.First != b.First)
     {
@@ -45,7 +45,7 @@ std::vector<std::size_t> FindOrder(const std::vector<SkeletonVertex>& particles,
 {
   const auto isBefore = CompareKeys<Number>(particles);
   const std::size_t count = particles.size();
-  const auto make = [&keyOf](std::size_t i) { return Key<Number>{ keyOf(i), i }; };
+  const auto make = [&keyOf](std::size_t i) { return OrderKey<Number>{ keyOf(i), i }; };
   std::size_t next = 1;
   while (next < count && isBefore(make(next - 1), make(next)))
   {
@@ -56,7 +56,7 @@ std::vector<std::size_t> FindOrder(const std::vector<SkeletonVertex>& particles,
   {
     return order;
   }
-  std::vector<Key<Number>> keys;
+  std::vector<OrderKey<Number>> keys;
   keys.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -64,7 +64,7 @@ std::vector<std::size_t> FindOrder(const std::vector<SkeletonVertex>& particles,
   }
   std::sort(keys.begin(), keys.end(), isBefore);
   order.reserve(count);
-  for (const Key<Number>& key : keys)
+  for (const OrderKey<Number>& key : keys)
   {
     order.push_back(key.Place);
   }

@@ -15,6 +15,11 @@ constexpr std::uint64_t WindowSize = 1 << 16;
 
 }
 
+void RefuseDamage(const std::string& what)
+{
+  throw std::runtime_error("it is damaged: " + what);
+}
+
 ByteSource::ByteSource(const std::string& file)
 {
   std::error_code error;

@@ -13,6 +13,9 @@
 namespace activesurface
 {
 
+/** Throws std::runtime_error. */
+[[noreturn]] void RefuseDamage(const std::string& what);
+
 /** All methods throw std::runtime_error for what is not there. */
 class ByteSource
 {

@@ -14,11 +14,6 @@ namespace
 
 constexpr const char* LeafSizesType = "__delayedload";
 
-[[noreturn]] void Refuse(const char* what)
-{
-  throw std::runtime_error(std::string("it is damaged: ") + what);
-}
-
 /** What io::DelayedLoadMetadata::readValue reads. */
 void ValidateLeafSizes(ByteSource& source, VDBMetadata& metadata)
 {
@@ -27,7 +22,7 @@ void ValidateLeafSizes(ByteSource& source, VDBMetadata& metadata)
   const std::uint64_t count = source.Read<std::uint32_t>();
   if (count > source.GetSize() / leastLeaf)
   {
-    Refuse("it tells sizes of more leaves than it can have");
+    RefuseDamage("it tells sizes of more leaves than it can have");
   }
   const auto walk = [&source](std::uint32_t stored, std::uint64_t bytes)
   {
@@ -60,7 +55,7 @@ void ValidateValue(ByteSource& source, const std::string& type, VDBMetadata& met
     ValidateLeafSizes(source, metadata);
     if (source.GetPosition() - begin != size)
     {
-      Refuse("its sizes of leaves have another length");
+      RefuseDamage("its sizes of leaves have another length");
     }
     return;
   }
@@ -69,11 +64,11 @@ void ValidateValue(ByteSource& source, const std::string& type, VDBMetadata& met
     type == LeafSizesType || !openvdb::Metadata::isRegisteredType(type);
   if (!isOfAnySize && openvdb::Metadata::createMetadata(type)->size() != size)
   {
-    Refuse("a metadata value has the wrong size");
+    RefuseDamage("a metadata value has the wrong size");
   }
   if (type == openvdb::BoolMetadata::staticTypeName() && source.Read<std::uint8_t>() > 1)
   {
-    Refuse("a metadata value is neither true nor false");
+    RefuseDamage("a metadata value is neither true nor false");
   }
   source.Seek(begin);
   source.Skip(size);

@@ -20,11 +20,6 @@ namespace
 using openvdb::points::AttributeArray;
 using Types = std::vector<openvdb::NamePair>;
 
-[[noreturn]] void Refuse(const char* what)
-{
-  throw std::runtime_error(std::string("it is damaged: ") + what);
-}
-
 /** One attribute of the points of one leaf. */
 struct Attribute
 {
@@ -49,14 +44,14 @@ public:
       constexpr std::int64_t best = 300; // LZ4 packs to a 255th at best
       if (stored == 0 || unpacked <= 0 || (stored > 0 && unpacked > best * stored))
       {
-        Refuse("a page of attributes has an impossible size");
+        RefuseDamage("a page of attributes has an impossible size");
       }
       this->Sizes.push_back({ stored, unpacked });
       this->Left = static_cast<std::uint64_t>(unpacked);
     }
     if (bytes == 0 || bytes > this->Left)
     {
-      Refuse("an attribute does not fit its page");
+      RefuseDamage("an attribute does not fit its page");
     }
     this->Left -= bytes;
   }
@@ -65,7 +60,7 @@ public:
   {
     if (this->Left != 0)
     {
-      Refuse("a page of attributes is not full");
+      RefuseDamage("a page of attributes is not full");
     }
     for (const auto& [stored, unpacked] : this->Sizes)
     {
@@ -120,7 +115,7 @@ void PointsValidator::Run()
   const auto passes = this->Source.Read<std::uint16_t>();
   if (passes < 6 || passes % 2 != 0)
   {
-    Refuse("points have an impossible number of attributes");
+    RefuseDamage("points have an impossible number of attributes");
   }
   this->Count = (passes - 4) / 2;
   this->Source.Skip(sizeof(std::uint16_t) * this->Tree.Leaves.size());
@@ -147,7 +142,7 @@ Types PointsValidator::ReadTypes()
   Types types = this->ReadDescriptor();
   if (flags > 3)
   {
-    Refuse("points have unknown flags");
+    RefuseDamage("points have unknown flags");
   }
   if (flags & 1)
   {
@@ -165,7 +160,7 @@ Types PointsValidator::ReadDescriptor()
   Types types(this->ReadCount(2 * sizeof(std::uint32_t)));
   if (types.size() != this->Count)
   {
-    Refuse("leaves have different numbers of attributes");
+    RefuseDamage("leaves have different numbers of attributes");
   }
   std::size_t groups = 0;
   for (openvdb::NamePair& type : types)
@@ -191,7 +186,7 @@ void PointsValidator::ReadNames(std::uint64_t count, std::uint64_t positions)
     this->Source.ReadText();
     if (this->Source.Read<std::uint64_t>() >= positions)
     {
-      Refuse("an attribute is at an impossible place");
+      RefuseDamage("an attribute is at an impossible place");
     }
   }
 }
@@ -202,7 +197,7 @@ std::uint64_t PointsValidator::ReadCount(std::uint64_t least)
   const auto count = this->Source.Read<std::uint64_t>();
   if (count > this->Source.GetRest() / least)
   {
-    Refuse("points have too many attributes");
+    RefuseDamage("points have too many attributes");
   }
   return count;
 }
@@ -227,7 +222,7 @@ Attribute PointsValidator::ReadAttribute(const openvdb::NamePair& type)
   if (bytes <= head || bytes - head > this->Source.GetSize() * 512 || flags > FlagsOfFiles ||
     form > AllKnown)
   {
-    Refuse("an attribute has an impossible size");
+    RefuseDamage("an attribute has an impossible size");
   }
   static constexpr std::uint64_t most = std::uint64_t(1) << 31;
   const std::uint64_t each = AttributeArray::create(type, 1, 1)->storageTypeSize();
@@ -241,7 +236,7 @@ Attribute PointsValidator::ReadAttribute(const openvdb::NamePair& type)
   if (stride == 0 || values > most || attribute.Bytes > most ||
     (attribute.IsPaged && attribute.Stored != attribute.Bytes))
   {
-    Refuse("an attribute has an impossible size");
+    RefuseDamage("an attribute has an impossible size");
   }
   return attribute;
 }
@@ -270,7 +265,7 @@ void PointsValidator::SkipVoxels()
   {
     if (this->Source.Read<std::array<std::uint64_t, 8>>() != leaf.Active)
     {
-      Refuse("the two masks of a leaf differ");
+      RefuseDamage("the two masks of a leaf differ");
     }
     const auto stored = this->Source.Read<std::uint16_t>();
     if (stored == notPacked)
@@ -303,7 +298,7 @@ void PointsValidator::SkipAttributes()
       }
       else if (attribute.Stored != attribute.Bytes)
       {
-        Refuse("values of an attribute are missing");
+        RefuseDamage("values of an attribute are missing");
       }
       else
       {
@@ -319,7 +314,7 @@ void ValidatePoints(ByteSource& source, const VDBTree& tree)
 {
   if (tree.ActiveTiles > 0)
   {
-    Refuse("points have tiles");
+    RefuseDamage("points have tiles");
   }
   PointsValidator(source, tree).Run();
 }

@@ -20,11 +20,6 @@ namespace
 // Coordinates far from where they would overflow.
 constexpr int Farthest = 1 << 30;
 
-[[noreturn]] void Refuse(const char* what)
-{
-  throw std::runtime_error(std::string("it is damaged: ") + what);
-}
-
 int CountBitsOf(const std::uint64_t* words, int count)
 {
   int bits = 0;
@@ -91,7 +86,7 @@ void TopologyValidator::Root()
 {
   if (this->Source.Read<std::int32_t>() != 1)
   {
-    Refuse("a tree does not have exactly one buffer");
+    RefuseDamage("a tree does not have exactly one buffer");
   }
   this->Background();
   const auto tiles = this->Source.Read<std::uint32_t>();
@@ -102,7 +97,7 @@ void TopologyValidator::Root()
     const openvdb::Coord origin = this->Origin();
     if (!taken.emplace(origin.x(), origin.y(), origin.z()).second)
     {
-      Refuse("two nodes have the same origin");
+      RefuseDamage("two nodes have the same origin");
     }
     if (i >= tiles)
     {
@@ -123,7 +118,7 @@ void TopologyValidator::Background()
   const bool isZero = value.find_first_not_of('\0') == std::string::npos;
   if (this->Format.Kind == VDBFormat::Points && !isZero)
   {
-    Refuse("points have a background"); // to which their reader aborts the program
+    RefuseDamage("points have a background"); // to which their reader aborts the program
   }
 }
 
@@ -135,7 +130,7 @@ openvdb::Coord TopologyValidator::Origin()
   {
     if (c % (1 << Log2Reach[2]) != 0 || c < -Farthest || c >= Farthest)
     {
-      Refuse("a node is at an impossible place");
+      RefuseDamage("a node is at an impossible place");
     }
   }
   return { x[0], x[1], x[2] };
@@ -146,7 +141,7 @@ bool TopologyValidator::IsActive()
   const auto byte = this->Source.Read<std::uint8_t>();
   if (byte > 1)
   {
-    Refuse("the active flag of a tile is neither 0 nor 1");
+    RefuseDamage("the active flag of a tile is neither 0 nor 1");
   }
   return byte == 1;
 }
@@ -161,7 +156,7 @@ void TopologyValidator::Node(int level, const openvdb::Coord& origin)
   {
     if (children[i] & active[i])
     {
-      Refuse("a node is a child and a tile");
+      RefuseDamage("a node is a child and a tile");
     }
   }
   this->Values(active.data(), words);
@@ -216,7 +211,7 @@ VDBLeafSize TopologyValidator::Values(const std::uint64_t* active, int words)
   const auto scheme = this->Source.Read<std::int8_t>();
   if (scheme < NO_MASK_OR_INACTIVE_VALS || scheme > NO_MASK_AND_ALL_VALS)
   {
-    Refuse("values are packed in an unknown way");
+    RefuseDamage("values are packed in an unknown way");
   }
   const bool two = scheme == MASK_AND_TWO_INACTIVE_VALS;
   const bool one = scheme == NO_MASK_AND_ONE_INACTIVE_VAL || scheme == MASK_AND_ONE_INACTIVE_VAL;
@@ -244,7 +239,7 @@ std::int64_t TopologyValidator::Data(std::uint64_t bytes)
   const std::uint64_t stored = size < 0 ? -static_cast<std::uint64_t>(size) : size;
   if (size <= 0 && stored != bytes)
   {
-    Refuse("values are missing");
+    RefuseDamage("values are missing");
   }
   if (size > 0 && (this->Format.Compression & COMPRESS_BLOSC))
   {
@@ -273,7 +268,7 @@ void ValidateBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree)
   {
     if (source.Read<std::array<std::uint64_t, 8>>() != leaf.Active)
     {
-      Refuse("the two masks of a leaf differ");
+      RefuseDamage("the two masks of a leaf differ");
     }
     if (format.Kind == VDBFormat::Values)
     {
@@ -283,7 +278,7 @@ void ValidateBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree)
     const auto origin = source.Read<std::array<std::int32_t, 3>>();
     if (openvdb::Coord(origin[0], origin[1], origin[2]) != leaf.Origin)
     {
-      Refuse("the two origins of a leaf differ");
+      RefuseDamage("the two origins of a leaf differ");
     }
     source.Skip(format.Kind == VDBFormat::Bools ? 64 : 0);
   }
@@ -302,7 +297,7 @@ void SkipBlosc(ByteSource& source, std::uint64_t stored, std::uint64_t unpacked)
   const bool isPadded = header.Unpacked == leastPacked && unpacked <= leastPacked;
   if (header.Stored != stored || (header.Unpacked != unpacked && !isPadded))
   {
-    Refuse("packed values are of another size");
+    RefuseDamage("packed values are of another size");
   }
   source.Seek(begin);
   source.Skip(stored);

@@ -31,7 +31,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestEXRErrors
 {
 
 using std::filesystem::path;

@@ -22,7 +22,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestEXRFuzz
 {
 
 constexpr int Rounds = 150; // of each of the mutations, for each kind of file

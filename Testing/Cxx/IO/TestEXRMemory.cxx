@@ -21,7 +21,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestEXRMemory
 {
 
 // The data window's last column and row become 2^28.

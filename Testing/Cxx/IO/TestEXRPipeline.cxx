@@ -22,6 +22,9 @@
 #include <functional>
 #include <string>
 
+namespace TestEXRPipeline
+{
+
 namespace
 {
 
@@ -97,4 +100,6 @@ TEST(TestEXRPipeline, TheWholeImageIsWritten)
   };
   EXPECT_EQ(countWritten([&] { writer->Write(); }), 35) << "pixels written";
   EXPECT_EQ(countWritten([&] { writer->Update(); }), 35) << "pixels written by an update";
+}
+
 }

@@ -23,7 +23,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestEXRReader
 {
 
 double At(vtkImageData* image, const char* array, int component, int x, int y)

@@ -31,7 +31,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestEXRRoundTrip
 {
 
 const char* const Layers[] = { "RGBA", "Z", "N", "P", "forward", "id" };

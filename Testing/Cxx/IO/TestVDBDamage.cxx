@@ -24,6 +24,9 @@
 
 using namespace activesurface;
 
+namespace TestVDBDamage
+{
+
 // For the leak sanitizer: OpenVDB loses the handles of the pages of attributes, some bytes each,
 // when it gives up reading points.
 extern "C" const char* __lsan_default_suppressions()
@@ -234,4 +237,6 @@ TEST(TestVDBDamage, TruncatedFilesAreRefused)
     ++cuts;
   }
   EXPECT_EQ(outcome.Refused, cuts) << "refused";
+}
+
 }

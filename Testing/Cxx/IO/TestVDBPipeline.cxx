@@ -19,6 +19,9 @@
 
 using namespace activesurface;
 
+namespace TestVDBPipeline
+{
+
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace
@@ -100,4 +103,6 @@ TEST(TestVDBPipeline, AWriterThatSucceedsForgetsItsError)
   writer->Write();
   EXPECT_EQ(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError))
     << "with one";
+}
+
 }

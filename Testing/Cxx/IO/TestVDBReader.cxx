@@ -29,6 +29,9 @@
 
 using namespace activesurface;
 
+namespace TestVDBReader
+{
+
 namespace
 {
 
@@ -377,4 +380,6 @@ TEST(TestVDBReader, WhatIsNoFileIsAnError)
   reader->ClearFileNames();
   reader->Update();
   EXPECT_TRUE(errors.Has("no FileName")) << errors.GetLastError();
+}
+
 }

@@ -4,7 +4,7 @@
 
 #include "Grids/SkinBand.h"
 #include "Grids/SkinGrids.h"
-#include "NarrowBand.h"
+#include "NarrowBandGrid.h"
 
 #include <gtest/gtest.h>
 #include <openvdb/math/Proximity.h>
@@ -16,6 +16,9 @@
 #include <string>
 
 using namespace activesurface;
+
+namespace TestVDBSurface
+{
 
 namespace
 {
@@ -108,7 +111,7 @@ TEST(TestVDBSurface, TheZeroSetStaysWhereItIs)
 {
   const auto band = MakeBand(0.025);
   const MeshBand distances = MakeSkinBand(*band, MakeSkinMesh(*band));
-  const auto potential = band->GetPotential();
+  const auto potential = GetPotential(*band);
   const auto before = potential->getConstAccessor();
   const auto after = distances.Distances->getConstAccessor();
   double largest = 0.0;
@@ -162,4 +165,6 @@ TEST(TestVDBSurface, ThreadsDoNotChangeDistances)
   }
   EXPECT_EQ(different, 0) << "values";
   EXPECT_EQ(four.Distances->activeVoxelCount(), one.Distances->activeVoxelCount()) << "voxels";
+}
+
 }

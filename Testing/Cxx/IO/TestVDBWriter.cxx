@@ -27,6 +27,9 @@
 
 using namespace activesurface;
 
+namespace TestVDBWriter
+{
+
 namespace
 {
 
@@ -318,4 +321,6 @@ TEST(TestVDBWriter, ImagesComeBackBitByBit)
       std::memcmp(is->GetPointer(0), was->GetPointer(0), 4 * was->GetNumberOfValues()) == 0)
       << "the same bytes";
   }
+}
+
 }

@@ -21,6 +21,9 @@
 
 using namespace activesurface;
 
+namespace TestVDBWriterMeshes
+{
+
 namespace
 {
 
@@ -242,4 +245,6 @@ TEST(TestVDBWriterMeshes, TwoGridsOfOneNameAreRefused)
   EXPECT_EQ(CountFiles(folder), 0u) << "files";
   array->SetName("other");
   EXPECT_EQ(Write(mesh, folder + "l.vdb", &error), 1) << error;
+}
+
 }

@@ -9,6 +9,9 @@
 
 using namespace activesurface;
 
+namespace TestAgreement
+{
+
 namespace
 {
 
@@ -151,4 +154,6 @@ TEST(TestAgreement, AProgramOfOneProcessAgreesWithItself)
   EXPECT_TRUE(alone.GoOn(true));
   EXPECT_FALSE(alone.GoOn(false));
   EXPECT_EQ(RunToError(1, [](Agreement& ranks) { ranks.Fail("no file."); }), "no file.");
+}
+
 }

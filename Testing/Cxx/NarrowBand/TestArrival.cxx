@@ -15,7 +15,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestArrival
 {
 constexpr double H = VoxelSizeOf(64);
 constexpr double End = 2.0;

@@ -3,6 +3,7 @@
 #include "Support/SurfaceMeasures.h"
 #include "Support/Throws.h"
 
+#include "NarrowBandGrid.h"
 #include "Walls.h"
 
 #include <gtest/gtest.h>
@@ -16,6 +17,9 @@
 #include <string>
 
 using namespace activesurface;
+
+namespace TestBandStates
+{
 
 namespace
 {
@@ -76,16 +80,15 @@ TEST(TestBandStates, AnInsideThatHasNoSurfaceIsRefused)
   StartOn(band, MakeBall(Origin, 0.3));
   for (int axis = 0; axis < 3; ++axis)
   {
-    const openvdb::FloatGrid::Ptr grid = band.ToGrid();
+    const openvdb::FloatGrid::Ptr grid = ToGrid(band);
     openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
     openvdb::Coord low = box.min() & ~7, high = low.offsetBy(4095);
     low[axis] = (box.max()[axis] | 7) + 1;
     grid->tree().fill({ low, high }, -grid->background(), false);
-    EXPECT_TRUE(
-      Throws<std::runtime_error>([&] { NarrowBand::FromGrid(*grid); }, "state is damaged"))
+    EXPECT_TRUE(Throws<std::runtime_error>([&] { FromGrid(*grid); }, "state is damaged"))
       << "along the axis " << axis;
   }
-  EXPECT_TRUE(AreIdentical(band, *NarrowBand::FromGrid(*band.ToGrid()))) << "a sound one";
+  EXPECT_TRUE(AreIdentical(band, *FromGrid(*ToGrid(band)))) << "a sound one";
 }
 
 // Of a few bytes: the neighbours of such a leaf have no coordinates.
@@ -95,10 +98,9 @@ TEST(TestBandStates, ALeafAtTheEndOfTheLatticeIsRefused)
   StartOn(band, MakeBall(Origin, 0.3));
   for (const int end : { std::numeric_limits<int>::min(), std::numeric_limits<int>::max() })
   {
-    const openvdb::FloatGrid::Ptr grid = band.ToGrid();
+    const openvdb::FloatGrid::Ptr grid = ToGrid(band);
     grid->tree().touchLeaf({ 0, end, 0 });
-    EXPECT_TRUE(
-      Throws<std::runtime_error>([&] { NarrowBand::FromGrid(*grid); }, "state is damaged"))
+    EXPECT_TRUE(Throws<std::runtime_error>([&] { FromGrid(*grid); }, "state is damaged"))
       << "at " << end;
   }
 }
@@ -153,4 +155,6 @@ TEST(TestBandStates, MoreBytesThanThereIsRoomForAreRefused)
   const std::int64_t none = 0;
   std::memcpy(&bytes[place], &none, sizeof none);
   EXPECT_TRUE(Throws<std::runtime_error>([&] { NarrowBand::Unpack(bytes); }, "damaged"));
+}
+
 }

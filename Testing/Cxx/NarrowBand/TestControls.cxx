@@ -13,7 +13,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestControls
 {
 constexpr double Pi = 3.14159265358979323846;
 

@@ -1,6 +1,7 @@
 // A surface of which a part is at rest: that part stays as it is and costs little, and leaves no
 // trace of having been left out.
 
+#include "NarrowBandGrid.h"
 #include "Support/SurfaceMeasures.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,9 @@
 #include <vector>
 
 using namespace activesurface;
+
+namespace TestConvergedLeaves
+{
 
 namespace
 {
@@ -111,7 +115,7 @@ void Rest(NarrowBand& band, double tension, Target& target)
 std::vector<float> GetLeftHalf(const NarrowBand& band)
 {
   std::vector<float> values;
-  for (auto node = band.GetPotential()->cbeginValueOn(); node; ++node)
+  for (auto node = GetPotential(band)->cbeginValueOn(); node; ++node)
   {
     if (node.getCoord()[0] < 0)
     {
@@ -369,4 +373,6 @@ TEST(TestConvergedLeaves, WhatRestsWakesWhenItsTargetChanges)
       EXPECT_LT(deviation.LargestDistance, 0.1) << "largest distance to the target [h]";
     }
   }
+}
+
 }

@@ -14,7 +14,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestCubeTriangles
 {
 using Point = std::array<double, 3>;
 using Triangle = std::array<int, 3>;

@@ -1,6 +1,7 @@
 // Where the target is evaluated, and by which differences: why the paper's shifted evaluation is
 // needed (its Figs. 2 and 3), what its own scheme does, and that its eq. (4) has the wrong sign.
 
+#include "NarrowBandGrid.h"
 #include "Support/SurfaceMeasures.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestEvaluation
 {
 // 200 substeps from one ball to another.
 Deviation Arrive(const Motion& motion, int n = 40)
@@ -102,7 +103,7 @@ TEST(TestEvaluation, PaperKeepsThePotentialWithinItsThresholds)
   band.Advance(1.0, motion, target);
   EXPECT_FALSE(band.IsEmpty()) << "there is a surface";
   std::size_t beyond = 0, notRetired = 0;
-  const openvdb::FloatGrid::ConstPtr grid = band.GetPotential();
+  const openvdb::FloatGrid::ConstPtr grid = GetPotential(band);
   for (auto leaf = grid->tree().cbeginLeaf(); leaf; ++leaf)
   {
     for (auto value = leaf->cbeginValueAll(); value; ++value)

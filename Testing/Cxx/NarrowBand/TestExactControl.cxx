@@ -15,7 +15,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestExactControl
 {
 
 // A box of these half sides; distances, the nearest corner's outside.

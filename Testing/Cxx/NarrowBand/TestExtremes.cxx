@@ -17,7 +17,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestExtremes
 {
 
 // As a function has that is known within some box only, and says so by a huge number.

@@ -12,7 +12,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestFailedSubsteps
 {
 const double H = VoxelSizeOf(64);
 

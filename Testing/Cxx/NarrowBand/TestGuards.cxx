@@ -18,7 +18,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestGuards
 {
 constexpr Point Origin = { 0.0, 0.0, 0.0 };
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();

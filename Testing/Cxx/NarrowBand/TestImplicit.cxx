@@ -1,6 +1,7 @@
 // What is said of the implicit integration alone; the exact tests run with it too, as
 // Implicit/TestX.
 
+#include "NarrowBandGrid.h"
 #include "Support/AnalyticShapes.h"
 #include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -16,7 +17,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestImplicit
 {
 const double H = VoxelSizeOf(64);
 
@@ -156,7 +157,7 @@ TEST(TestImplicit, TransportTakesAPartAwayAndLeavesTheOther)
   EXPECT_LT(farthest, .1) << "largest distance of the ball that moved [h]";
   const openvdb::Coord inside(-20, 0, 0);
   EXPECT_EQ(
-    band.GetPotential()->tree().getValue(inside), before->GetPotential()->tree().getValue(inside))
+    GetPotential(band)->tree().getValue(inside), GetPotential(*before)->tree().getValue(inside))
     << "u of the ball that stays";
 }
 

@@ -12,7 +12,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestInstructionSets
 {
 
 using Row = std::array<float, 8>;

@@ -20,7 +20,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestLatticeParts
 {
 
 using openvdb::Coord;

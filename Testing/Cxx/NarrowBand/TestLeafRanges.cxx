@@ -11,6 +11,9 @@
 
 using namespace activesurface;
 
+namespace TestLeafRanges
+{
+
 namespace
 {
 
@@ -70,4 +73,6 @@ TEST(TestLeafRanges, CostsMayBeHuge)
 {
   constexpr std::size_t huge = std::size_t(1) << 62;
   EXPECT_EQ(ShareLeaves({ 0, huge / 2, huge }, 2), (std::vector<std::size_t>{ 0, 1, 2 }));
+}
+
 }

@@ -10,7 +10,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestLegendreStages
 {
 // y after all stages of y' = -decay y / dt, from 1.
 double Amplify(const LegendreStages& stages, double decay)

@@ -20,7 +20,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestNearbyStart
 {
 constexpr int Nodes = 48;
 constexpr double H = VoxelSizeOf(Nodes);

@@ -3,6 +3,7 @@
 #include "Support/RandomShapes.h"
 #include "Support/RegionTargets.h"
 
+#include "NarrowBandGrid.h"
 #include "SkinEvents.h"
 #include "SkinParts.h"
 
@@ -21,7 +22,7 @@
 using namespace activesurface;
 using namespace activesurface::twoballs;
 
-namespace
+namespace TestNewParts
 {
 /** The part of a mesh where x is on one side of a plane. */
 Mesh VerticesBeyond(const Mesh& mesh, double x)
@@ -41,9 +42,9 @@ Mesh VerticesBeyond(const Mesh& mesh, double x)
 std::size_t CountOtherLeaves(const NarrowBand& first, const NarrowBand& second)
 {
   std::size_t count = 0;
-  for (auto leaf = first.GetPotential()->tree().cbeginLeaf(); leaf; ++leaf)
+  for (auto leaf = GetPotential(first)->tree().cbeginLeaf(); leaf; ++leaf)
   {
-    const auto* other = second.GetPotential()->tree().probeConstLeaf(leaf->origin());
+    const auto* other = GetPotential(second)->tree().probeConstLeaf(leaf->origin());
     count += !other || other->getValueMask() != leaf->getValueMask() ||
       std::memcmp(other->buffer().data(), leaf->buffer().data(), 512 * sizeof(float)) != 0;
   }
@@ -301,7 +302,7 @@ TEST(TestNewParts, LargePartIsInsideThroughout)
   RegionTarget target = MakeStandingBalls({ { { -0.6, 0.0, 0.0 }, 0.2 }, large });
   EXPECT_EQ(band.Advance(1e-3, MakeCreating(), target).CreatedParts, 1u);
   CheckSound(band, { 2, 0, 4 });
-  const openvdb::FloatTree& tree = band.GetPotential()->tree();
+  const openvdb::FloatTree& tree = GetPotential(band)->tree();
   EXPECT_EQ(
     tree.probeConstLeaf(openvdb::Coord(static_cast<int>(large.Centre[0] / (H / 2.0)), 0, 0)),
     nullptr)

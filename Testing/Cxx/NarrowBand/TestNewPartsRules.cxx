@@ -1,6 +1,7 @@
 // What the creation of parts has to do with the rest: an empty surface, restarts, walls, steady
 // states, input that is wrong or too large.
 
+#include "NarrowBandGrid.h"
 #include "Support/RegionTargets.h"
 #include "Support/Throws.h"
 
@@ -17,7 +18,7 @@
 using namespace activesurface;
 using namespace activesurface::twoballs;
 
-namespace
+namespace TestNewPartsRules
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -49,7 +50,7 @@ TEST(TestNewPartsRules, RestartGivesTheSameBytes)
   motion.LongestStep = 0.01;
   whole->Advance(0.2, motion, target);
   const auto again = NarrowBand::Unpack(whole->Pack());
-  const auto fromGrid = NarrowBand::FromGrid(*whole->ToGrid());
+  const auto fromGrid = FromGrid(*ToGrid(*whole));
   EXPECT_TRUE(AreIdentical(*whole, *again));
   for (NarrowBand* band : { whole.get(), again.get(), fromGrid.get() })
   {

@@ -11,6 +11,9 @@
 
 using namespace activesurface;
 
+namespace TestNodeArrays
+{
+
 namespace
 {
 
@@ -92,4 +95,6 @@ TEST(TestNodeArrays, WhatIsThereStaysWhereMoreLeavesGetAPlace)
   Fill(arrays, 2, 2 * Count);
   ExpectFilled(arrays, 1, Count);
   ExpectFilled(arrays, 2, 2 * Count);
+}
+
 }

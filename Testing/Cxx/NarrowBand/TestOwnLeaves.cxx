@@ -16,6 +16,9 @@
 
 using namespace activesurface;
 
+namespace TestOwnLeaves
+{
+
 namespace
 {
 
@@ -150,4 +153,6 @@ TEST(TestOwnLeaves, LargeBoxesMissNone)
       const double all[6] = { -HUGE_VAL, HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL, HUGE_VAL };
       EXPECT_EQ(FindRanks(places, all).size(), 5u);
     });
+}
+
 }

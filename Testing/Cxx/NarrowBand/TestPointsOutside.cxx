@@ -19,6 +19,9 @@
 
 using namespace activesurface;
 
+namespace TestPointsOutside
+{
+
 namespace
 {
 
@@ -126,4 +129,6 @@ TEST(TestPointsOutside, WithoutASurfaceAllAreOutside)
 {
   const NarrowBand empty(VoxelSizeOf(Nodes));
   EXPECT_EQ(CountOutside(empty, MakePoints(3.0)), 1000u);
+}
+
 }

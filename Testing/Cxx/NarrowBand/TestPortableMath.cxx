@@ -11,6 +11,9 @@
 
 using namespace activesurface;
 
+namespace TestPortableMath
+{
+
 namespace
 {
 
@@ -84,4 +87,6 @@ TEST(TestPortableMath, BitsAreTheSameEverywhere)
   EXPECT_EQ(HashOf(Exponential, 700.0), 8592372845995784326u);
   EXPECT_EQ(HashOf(ExponentialMinusOne, 700.0), 16780259053720530470u);
   EXPECT_EQ(HashOf(CubeRoot, 1e10), 6669728769142850647u);
+}
+
 }

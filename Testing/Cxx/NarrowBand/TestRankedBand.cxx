@@ -22,6 +22,9 @@
 
 using namespace activesurface;
 
+namespace TestRankedBand
+{
+
 namespace
 {
 
@@ -365,4 +368,6 @@ TEST(TestRankedBand, AnyNumberOfRanksGivesTheSameBytesInLongSubsteps)
   {
     CheckOnRanks(MakeImplicit(way));
   }
+}
+
 }

@@ -18,6 +18,9 @@
 
 using namespace activesurface;
 
+namespace TestRankedStart
+{
+
 namespace
 {
 constexpr int Nodes = 64;
@@ -154,4 +157,6 @@ TEST(TestRankedStart, AFunctionThatFailsOnOneRankFailsOnAll)
         EXPECT_TRUE(Throws<RankError>(start, "On rank 1 of 3: no such function.")) << kind.Name;
       });
   }
+}
+
 }

@@ -5,6 +5,7 @@
 #include "Support/SurfaceMeasures.h"
 
 #include "InstructionSets.h"
+#include "NarrowBandGrid.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -18,7 +19,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestReproducible
 {
 struct Scene
 {
@@ -305,8 +306,8 @@ Triple GetImage(const Triple& original, const Symmetry& symmetry)
 // Largest difference near the surface [voxels] between a potential's image and another potential.
 double GetAsymmetry(const NarrowBand& band, const NarrowBand& other, const Symmetry& symmetry)
 {
-  const openvdb::FloatGrid::ConstPtr grid = band.GetPotential();
-  const openvdb::FloatGrid::ConstPtr otherGrid = other.GetPotential();
+  const openvdb::FloatGrid::ConstPtr grid = GetPotential(band);
+  const openvdb::FloatGrid::ConstPtr otherGrid = GetPotential(other);
   const openvdb::FloatGrid::ConstAccessor potential = otherGrid->getConstAccessor();
   double largest = 0.0;
   for (auto node = grid->cbeginValueOn(); node; ++node)

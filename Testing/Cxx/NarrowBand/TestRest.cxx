@@ -12,7 +12,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestRest
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr Point Origin = { 0.0, 0.0, 0.0 };

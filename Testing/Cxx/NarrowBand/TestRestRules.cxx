@@ -4,6 +4,7 @@
 #include "Support/SurfaceMeasures.h"
 
 #include "Leaves/Layers.h"
+#include "NarrowBandGrid.h"
 #include "Substep/ConvergedLeaves.h"
 #include "Substep/SamplePoints.h"
 #include "Substep/StepForward.h"
@@ -18,7 +19,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestRestRules
 {
 const double VoxelSize = VoxelSizeOf(64);
 
@@ -37,7 +38,7 @@ struct OpenLeaves
   LeafTable Table;
 
   explicit OpenLeaves(const NarrowBand& band)
-    : Tree(band.GetPotential()->tree())
+    : Tree(GetPotential(band)->tree())
   {
     this->Table.SetBackground(Far);
     this->Table.Rebuild(this->Tree);

@@ -9,6 +9,9 @@
 
 using namespace activesurface;
 
+namespace TestSharedResults
+{
+
 // An empty vector has no address, and may not be copied from or to by what wants one.
 TEST(TestSharedResults, SomeRanksHaveNothing)
 {
@@ -70,4 +73,6 @@ TEST(TestSharedResults, LessThanWasToldIsAnError)
   const Bytes bytes(7);
   double value = 0.0;
   EXPECT_THROW(ByteReader{ bytes }(&value, 1), std::runtime_error);
+}
+
 }

@@ -1,5 +1,6 @@
 // The triangles of the skin: closed, manifold, outward, on the lattice's edges, whatever the shape.
 
+#include "NarrowBandGrid.h"
 #include "Support/SurfaceMeasures.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestSkin
 {
 constexpr Point Origin = { 0.0, 0.0, 0.0 };
 
@@ -36,7 +37,7 @@ bool HasInside(const openvdb::FloatGrid::ConstAccessor& potential, const openvdb
 
 std::size_t CountCrossedEdges(const NarrowBand& band)
 {
-  const openvdb::FloatGrid::ConstPtr grid = band.GetPotential();
+  const openvdb::FloatGrid::ConstPtr grid = GetPotential(band);
   const openvdb::FloatGrid::ConstAccessor potential = grid->getConstAccessor();
   std::size_t count = 0;
   for (auto node = grid->cbeginValueOn(); node; ++node)
@@ -93,7 +94,7 @@ double Interpolate(const openvdb::FloatGrid::ConstAccessor& potential, const Edg
 
 void CheckVertices(const NarrowBand& band, const Mesh& mesh, const std::string& name)
 {
-  const openvdb::FloatGrid::ConstPtr grid = band.GetPotential();
+  const openvdb::FloatGrid::ConstPtr grid = GetPotential(band);
   const openvdb::FloatGrid::ConstAccessor potential = grid->getConstAccessor();
   double offEdge = 0.0;
   double offZero = 0.0;

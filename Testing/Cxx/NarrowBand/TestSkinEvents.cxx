@@ -11,7 +11,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestSkinEvents
 {
 std::vector<SkinPart> PartsOf(const Shape& shape)
 {

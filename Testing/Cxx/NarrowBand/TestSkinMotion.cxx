@@ -15,7 +15,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestSkinMotion
 {
 
 // Second order: (h / r)^2 and less of 2 / r, and in the spread half a voxel of the radius at which

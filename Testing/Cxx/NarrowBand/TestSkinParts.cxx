@@ -12,7 +12,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestSkinParts
 {
 constexpr double Pi = 3.14159265358979323846;
 

@@ -9,6 +9,9 @@
 
 using namespace activesurface;
 
+namespace TestSmallestBall
+{
+
 namespace
 {
 
@@ -47,4 +50,6 @@ TEST(TestSmallestBall, ABallBelowTheFoldVanishes)
   NarrowBand band(VoxelSize);
   Settle(band, 2.3 * LengthOfTension);
   EXPECT_TRUE(band.IsEmpty()) << "it vanishes";
+}
+
 }

@@ -6,6 +6,7 @@
 #include "Support/Throws.h"
 
 #include "Leaves/LeafTable.h"
+#include "NarrowBandGrid.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -20,7 +21,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestSparseStart
 {
 constexpr int Nodes = 48;
 
@@ -87,8 +88,8 @@ Difference Compare(const NarrowBand& first, const NarrowBand& second)
   Difference difference;
   for (const auto& [from, to] : { std::pair(&first, &second), std::pair(&second, &first) })
   {
-    const openvdb::FloatTree& tree = to->GetPotential()->tree();
-    for (auto leaf = from->GetPotential()->tree().cbeginLeaf(); leaf; ++leaf)
+    const openvdb::FloatTree& tree = GetPotential(*to)->tree();
+    for (auto leaf = GetPotential(*from)->tree().cbeginLeaf(); leaf; ++leaf)
     {
       for (auto it = leaf->cbeginValueAll(); it; ++it)
       {

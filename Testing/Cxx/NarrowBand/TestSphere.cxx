@@ -1,5 +1,6 @@
 // A ball as it is started: area, volume, and how many nodes are kept for it.
 
+#include "NarrowBandGrid.h"
 #include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
 
@@ -11,7 +12,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestSphere
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr double Radius = 0.6;
@@ -118,7 +119,7 @@ double GetLargestError(const NarrowBand& band, const Shape& distance)
 {
   const double h = band.GetVoxelSize();
   double largest = 0.0;
-  for (auto node = band.GetPotential()->cbeginValueOn(); node; ++node)
+  for (auto node = GetPotential(band)->cbeginValueOn(); node; ++node)
   {
     const openvdb::Coord& at = node.getCoord();
     const double exact = distance.Value({ h * at[0], h * at[1], h * at[2] }) / h;

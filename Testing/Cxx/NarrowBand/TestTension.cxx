@@ -14,7 +14,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestTension
 {
 // The substep is factor * h^2 / Tension: a CFL of 1 is a factor of 1/4.
 Motion TensionAlone(double factor)

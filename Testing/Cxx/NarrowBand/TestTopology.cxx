@@ -10,7 +10,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestTopology
 {
 constexpr Point Origin = { 0.0, 0.0, 0.0 };
 

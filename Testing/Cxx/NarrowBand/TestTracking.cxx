@@ -11,7 +11,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestTracking
 {
 std::string Number(double value)
 {

@@ -4,6 +4,7 @@
 #include "Support/SurfaceMeasures.h"
 #include "Support/Throws.h"
 
+#include "NarrowBandGrid.h"
 #include "Substep/WalledTarget.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestTransport
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 const double H = VoxelSizeOf(64);
@@ -222,7 +223,7 @@ TEST(TestTransport, VelocitiesThatMeetEndInNoError)
       band.Advance(0.1 * i, MakeCarried(0.0, 1.0), target);
     }
     float largest = 0.f;
-    for (auto node = band.GetPotential()->cbeginValueOn(); node; ++node)
+    for (auto node = GetPotential(band)->cbeginValueOn(); node; ++node)
     {
       largest = std::max(largest, std::fabs(*node));
     }

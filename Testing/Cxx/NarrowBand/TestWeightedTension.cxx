@@ -1,5 +1,6 @@
 // Weighted tension: the target says how much of Tension there is at each point of the surface.
 
+#include "NarrowBandGrid.h"
 #include "Support/SurfaceMeasures.h"
 #include "Support/Throws.h"
 
@@ -17,7 +18,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestWeightedTension
 {
 const double H = VoxelSizeOf(64);
 
@@ -83,7 +84,7 @@ using Node = std::pair<openvdb::Coord, float>;
 std::vector<Node> GetNodes(const NarrowBand& band, const std::function<bool(int)>& is)
 {
   std::vector<Node> nodes;
-  for (auto node = band.GetPotential()->cbeginValueOn(); node; ++node)
+  for (auto node = GetPotential(band)->cbeginValueOn(); node; ++node)
   {
     if (is(node.getCoord()[0]))
     {

@@ -15,6 +15,9 @@
 
 using namespace activesurface;
 
+namespace TestBallCells
+{
+
 namespace
 {
 
@@ -215,4 +218,6 @@ TEST(TestBallCells, NoBallsAreNoHits)
   cells.Build({}, 1.0);
   EXPECT_TRUE(FindHits(cells, { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } }).empty());
   EXPECT_TRUE(cells.GetOrder().empty());
+}
+
 }

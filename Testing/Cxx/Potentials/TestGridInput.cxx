@@ -13,6 +13,9 @@
 
 using namespace activesurface;
 
+namespace TestGridInput
+{
+
 namespace
 {
 void ExpectError(vtkGridPotential* potential, const std::string& words)
@@ -130,4 +133,6 @@ TEST(TestGridInput, ChangesOfTheImageAreSeen)
   isSeen(-2.0, "InvertInside");
   potential->SetInput(nullptr);
   isSeen(1.0, "no input");
+}
+
 }

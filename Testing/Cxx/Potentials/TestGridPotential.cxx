@@ -18,6 +18,9 @@
 
 using namespace activesurface;
 
+namespace TestGridPotential
+{
+
 // Some 30 roundings of numbers up to 100, and of lattice coordinates up to 50, times slopes of up
 // to 5 per pixel: 1e-12 is ample. Spacing makes it up to 4 times as much in the gradient.
 TEST(TestGridPotential, LinearFieldsAreExactForAllTypes)
@@ -266,4 +269,6 @@ TEST(TestGridPotential, SamplesTakeThePlaceOfAnInput)
   EXPECT_EQ(potential->FunctionValue(0.0, 0.0, 0.0), -2.0) << "under a transform";
   potential->SetSamples(nullptr);
   EXPECT_EQ(ValueAt(potential, { 3.0, 1.0, 1.0 }), 1.0) << "no samples";
+}
+
 }

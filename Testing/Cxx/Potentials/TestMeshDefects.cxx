@@ -12,6 +12,9 @@
 
 using namespace activesurface;
 
+namespace TestMeshDefects
+{
+
 // The shell's walls are spheres .1 within and without. Its distance has a kink at the mesh, which
 // interpolation rounds off within two voxels; elsewhere it is as for the sphere, .01 at h = .05.
 TEST(TestMeshDefects, OpenMeshesBecomeShells)
@@ -157,4 +160,6 @@ TEST(TestMeshDefects, LatticesTooLargeAreRefused)
       p->SetVoxelSize(1.0);
       p->SetReach(3.0);
     });
+}
+
 }

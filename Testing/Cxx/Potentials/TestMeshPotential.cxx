@@ -17,6 +17,9 @@
 
 using namespace activesurface;
 
+namespace TestMeshPotential
+{
+
 namespace
 {
 double LengthOf(const Point& x)
@@ -251,4 +254,6 @@ TEST(TestMeshPotential, ChangesOfTheMeshAreSeen)
   EXPECT_LT(ValueAt(potential, { 5.0, 0.0, 0.0 }), 0.0) << "to there";
   potential->SetReach(0.2);
   EXPECT_NEAR(ValueAt(potential, { 5.0, 0.0, 0.0 }), -0.2, 1e-15) << "Reach";
+}
+
 }

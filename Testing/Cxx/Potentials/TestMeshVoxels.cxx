@@ -14,6 +14,9 @@
 
 using namespace activesurface;
 
+namespace TestMeshVoxels
+{
+
 namespace
 {
 
@@ -92,4 +95,6 @@ TEST(TestMeshVoxels, CountingEndsBeyondTheMaximum)
   {
     EXPECT_GT(EstimateVoxelsNear(mesh, 1.0, band, 1e6), 1e6) << band;
   }
+}
+
 }

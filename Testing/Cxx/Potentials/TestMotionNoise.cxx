@@ -12,6 +12,9 @@
 
 using namespace activesurface;
 
+namespace TestMotionNoise
+{
+
 namespace
 {
 
@@ -145,4 +148,6 @@ TEST(TestMotionNoise, UnknownVelocitiesCountNowhere)
   {
     EXPECT_NEAR(share, 1.0, 1e-12);
   }
+}
+
 }

@@ -15,6 +15,9 @@
 
 using namespace activesurface;
 
+namespace TestParticleModels
+{
+
 namespace
 {
 constexpr double Spacing = 0.2;
@@ -314,4 +317,6 @@ TEST(TestAnisotropy, OneIsRound)
   const double flat = ValueAt(potential, above);
   potential->SetAnisotropy(1.0);
   EXPECT_LT(ValueAt(potential, above), flat) << "round kernels reach further across a sheet";
+}
+
 }

@@ -15,6 +15,9 @@
 
 using namespace activesurface;
 
+namespace TestPlaceGroups
+{
+
 TEST(TestPlaceGroups, EachPlaceIsInOneSmallGroup)
 {
   constexpr double size = 1.2, nan = std::numeric_limits<double>::quiet_NaN();
@@ -51,4 +54,6 @@ TEST(TestPlaceGroups, EachPlaceIsInOneSmallGroup)
   {
     EXPECT_EQ(seen.count(i), 1u);
   }
+}
+
 }

@@ -15,7 +15,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestSkeletonBatch
 {
 constexpr InstructionSet AllSets[] = { InstructionSet::Baseline, InstructionSet::Avx2,
   InstructionSet::Avx512 };

@@ -18,7 +18,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestSkeletonCells
 {
 constexpr double Lost = 1e-300;
 double Round(double value)

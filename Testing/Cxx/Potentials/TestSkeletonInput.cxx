@@ -45,7 +45,7 @@ std::atomic<long> Allocations{ 0 };
   std::free(memory);
 }
 
-namespace
+namespace TestSkeletonInput
 {
 TEST(TestSkeletonInput, ChangesOfTheInputAreSeen)
 {

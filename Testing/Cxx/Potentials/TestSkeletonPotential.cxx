@@ -15,7 +15,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestSkeletonPotential
 {
 const std::array<int, 3> AllKernels = { vtkSkeletonPotential::WYVILL,
   vtkSkeletonPotential::CUBIC_SPLINE, vtkSkeletonPotential::METABALL };

@@ -8,6 +8,9 @@
 
 using namespace activesurface;
 
+namespace TestSurfaceSample
+{
+
 // All as long as there are less than two times Most; then each second, fourth ...
 TEST(TestSurfaceSample, GatheredPointsAreEvenlyApart)
 {
@@ -30,4 +33,6 @@ TEST(TestSurfaceSample, GatheredPointsAreEvenlyApart)
   {
     ASSERT_EQ(gatherer.Points[i].Place[0], static_cast<double>(apart * i)) << "point " << i;
   }
+}
+
 }

@@ -1,5 +1,6 @@
 #include "Support/SurfaceMeasures.h"
 
+#include "NarrowBandGrid.h"
 #include "Skin.h"
 
 #include <algorithm>
@@ -270,7 +271,7 @@ Range GetRadii(const Mesh& mesh, const Point& centre)
 
 Range GetSlopes(const NarrowBand& band)
 {
-  const openvdb::FloatGrid::ConstPtr grid = band.GetPotential();
+  const openvdb::FloatGrid::ConstPtr grid = GetPotential(band);
   const openvdb::FloatGrid::ConstAccessor potential = grid->getConstAccessor();
   std::vector<double> slopes;
   for (auto node = grid->cbeginValueOn(); node; ++node)
@@ -309,8 +310,8 @@ Deviation GetDeviation(const Mesh& mesh, const Shape& shape, double voxelSize)
 
 bool AreIdentical(const NarrowBand& first, const NarrowBand& second)
 {
-  const openvdb::FloatGrid::ConstPtr one = first.GetPotential();
-  const openvdb::FloatGrid::ConstPtr other = second.GetPotential();
+  const openvdb::FloatGrid::ConstPtr one = GetPotential(first);
+  const openvdb::FloatGrid::ConstPtr other = GetPotential(second);
   auto leaf = one->tree().cbeginLeaf();
   auto otherLeaf = other->tree().cbeginLeaf();
   if (!leaf && !otherLeaf)

@@ -10,6 +10,9 @@
 #include <filesystem>
 #include <stdexcept>
 
+namespace TestSupport
+{
+
 TEST(TestSupport, ThrowsWantsTheExceptionAndTheMessage)
 {
   const auto fail = [] { throw std::runtime_error("the band is full"); };
@@ -50,4 +53,6 @@ TEST(TestSupport, EmptyBandsCannotBeCompared)
   EXPECT_FALSE(AreIdentical(ball, other));
   EXPECT_FALSE(AreIdentical(ball, empty));
   EXPECT_TRUE(Throws<std::logic_error>([&] { AreIdentical(empty, empty); }, "empty"));
+}
+
 }

@@ -14,6 +14,9 @@
 
 using namespace activesurface;
 
+namespace TestFileReplacement
+{
+
 namespace
 {
 
@@ -69,4 +72,6 @@ TEST(TestFileReplacement, FileThatIsNotWrittenCannotBeFinished)
 {
   FileReplacement file(EmptyFolder("nothing") + "a.vdb");
   EXPECT_TRUE(Throws<std::runtime_error>([&] { file.Finish(); }, "name"));
+}
+
 }

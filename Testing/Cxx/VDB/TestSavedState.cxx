@@ -4,7 +4,8 @@
 #include "Support/SurfaceMeasures.h"
 #include "Support/Throws.h"
 
-#include "SavedState.h"
+#include "NarrowBandGrid.h"
+#include "SavedGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,9 @@
 #include <stdexcept>
 
 using namespace activesurface;
+
+namespace TestSavedState
+{
 
 TEST(TestSavedState, StateComesBackAndGoesOnToTheSameBits)
 {
@@ -37,7 +41,7 @@ TEST(TestSavedState, StateComesBackAndGoesOnToTheSameBits)
   EXPECT_EQ(saved.Band->GetTime(), band->GetTime()) << "time of the band";
   EXPECT_TRUE(AreIdentical(*saved.Band, *band));
 
-  const std::unique_ptr<NarrowBand> copy = NarrowBand::FromGrid(*saved.Band->ToGrid());
+  const std::unique_ptr<NarrowBand> copy = FromGrid(*ToGrid(*saved.Band));
   band->Advance(0.3, MakeMotion(1.0, 0.01), target);
   copy->Advance(0.3, MakeMotion(1.0, 0.01), target);
   EXPECT_TRUE(AreIdentical(*copy, *band)) << "later";
@@ -78,4 +82,6 @@ TEST(TestSavedState, AnEstimatedSpacingComesBack)
 TEST(TestSavedState, AnyOtherGridIsRefused)
 {
   EXPECT_TRUE(Throws<std::runtime_error>([] { ReadSavedGrid(*openvdb::FloatGrid::create()); }, ""));
+}
+
 }

@@ -22,6 +22,9 @@
 
 using namespace activesurface;
 
+namespace TestVDBFile
+{
+
 namespace
 {
 
@@ -172,4 +175,6 @@ TEST(TestVDBFile, PointsThatAreNotPackedAreRead)
 TEST(TestVDBFile, MissingFilesAreErrorsThatNameThem)
 {
   EXPECT_TRUE(Throws<std::runtime_error>([] { ValidateVDB("/none/a.vdb"); }, "/none/a.vdb"));
+}
+
 }

@@ -23,7 +23,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestAdvance
 {
 
 const std::vector<double> AllTimes = { 0.5, 1.0, 2.0, 2.5, 4.0, 4.25 };

@@ -15,7 +15,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestInSitu
 {
 
 const std::vector<double> AllSteps = { 0.5, 1.0, 2.0, 2.5, 4.0, 4.25 };

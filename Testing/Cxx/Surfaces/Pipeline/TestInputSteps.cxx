@@ -15,6 +15,9 @@
 
 using namespace activesurface;
 
+namespace TestInputSteps
+{
+
 namespace
 {
 
@@ -70,4 +73,6 @@ TEST(TestInputSteps, OnlyExactlyEqualOnesAreMerged)
   source->SetCloud(MovingBall);
   source->SetSteps({ 1.0, std::nextafter(1.0, 2.0), 2.0 });
   EXPECT_EQ(GetPublishedSteps(MakeSkinOver(source)).size(), std::size_t(3)) << "steps";
+}
+
 }

@@ -29,6 +29,9 @@
 
 using namespace activesurface;
 
+namespace TestMessages
+{
+
 namespace
 {
 
@@ -385,4 +388,6 @@ TEST(TestMessages, TargetThatIsNotFiniteIsAWarning)
   EXPECT_EQ(
     MessageCapture::Count(messages.Warnings, "not a finite number anywhere within the bounds"), 1)
     << "warnings of the start";
+}
+
 }

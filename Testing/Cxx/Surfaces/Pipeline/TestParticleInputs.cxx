@@ -33,6 +33,9 @@
 
 using namespace activesurface;
 
+namespace TestParticleInputs
+{
+
 namespace
 {
 
@@ -385,4 +388,6 @@ TEST(TestParticleInputs, ASkeletonPotentialReadsThemToo)
     EXPECT_EQ(potential->FunctionValue(0.1, 0.2, 0.0), expected->FunctionValue(0.1, 0.2, 0.0));
     EXPECT_LT(potential->FunctionValue(0.25, 0.0, 0.0), 0.0) << "inside";
   }
+}
+
 }

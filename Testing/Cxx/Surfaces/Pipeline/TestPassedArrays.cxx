@@ -19,7 +19,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestPassedArrays
 {
 
 // Each average of 7.25 is off by the rounding of a sum of weights that is 1 but for rounding; the

@@ -15,6 +15,9 @@
 
 using namespace activesurface;
 
+namespace TestPassedColors
+{
+
 namespace
 {
 
@@ -127,4 +130,6 @@ TEST(TestPassedColors, ColorsAreTheSameForAnyNumberOfThreads)
   many->SetNumberOfThreads(7);
   many->Update();
   EXPECT_TRUE(GetArrayBytes(one) == GetArrayBytes(many)) << "the same bytes";
+}
+
 }

@@ -19,6 +19,10 @@
 #include <vector>
 
 using namespace activesurface;
+
+namespace TestPieces
+{
+
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace
@@ -140,4 +144,6 @@ TEST(TestPieces, PiecesOfTheImageMakeUpTheWhole)
   }
   EXPECT_EQ(std::count(found.begin(), found.end(), 0), 0) << "nodes in no piece";
   EXPECT_EQ(wrong, 0) << "nodes of another value";
+}
+
 }

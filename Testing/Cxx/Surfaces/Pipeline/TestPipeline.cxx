@@ -17,6 +17,10 @@
 #include <vector>
 
 using namespace activesurface;
+
+namespace TestPipeline
+{
+
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace
@@ -291,4 +295,6 @@ TEST(TestPipeline, ProgressRisesToOneAndCanBeStopped)
   filter->AbortExecuteOff();
   filter->UpdateTimeStep(1.0);
   EXPECT_TRUE(AreSameSkins(GetBytes(filter), whole)) << "the same bytes after an abort";
+}
+
 }

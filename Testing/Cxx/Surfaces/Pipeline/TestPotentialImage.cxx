@@ -18,6 +18,10 @@
 #include <string>
 
 using namespace activesurface;
+
+namespace TestPotentialImage
+{
+
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace
@@ -214,4 +218,6 @@ TEST(TestPotentialImage, VanishedSkinsAreOutsideEverywhere)
   filter->Update(1);
   filter->GlobalWarningDisplayOn();
   EXPECT_NEAR(filter->GetPotential()->GetScalarRange()[0], 3.0 * VoxelSize, 1e-6) << "least value";
+}
+
 }

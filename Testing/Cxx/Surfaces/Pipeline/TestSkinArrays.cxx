@@ -13,7 +13,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestSkinArrays
 {
 
 vtkDataArray* GetArray(vtkActiveImplicitSurface* filter, const char* name)

@@ -25,6 +25,9 @@
 
 using namespace activesurface;
 
+namespace TestSkinDistance
+{
+
 namespace
 {
 constexpr double H = VoxelSizeOf(48);
@@ -320,4 +323,6 @@ TEST(TestSkinDistance, SnapshotKeepsItsBytes)
   }
   double bounds[6];
   EXPECT_TRUE(potential->GetGridBounds(bounds) && bounds[1] > 0.6) << "bounds";
+}
+
 }

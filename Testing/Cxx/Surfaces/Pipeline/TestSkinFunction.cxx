@@ -27,6 +27,9 @@
 
 using namespace activesurface;
 
+namespace TestSkinFunction
+{
+
 namespace
 {
 
@@ -353,4 +356,6 @@ TEST(TestSkinFunction, SkinFunctionCutsAndClips)
   mass->Update();
   EXPECT_NEAR(std::sqrt(mass->GetSurfaceArea() / Pi), GetRadius(filter), 0.0025)
     << "radius of the disc's area, of the next skin";
+}
+
 }

@@ -18,7 +18,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestVelocityBound
 {
 
 constexpr double Voxel = 0.03;

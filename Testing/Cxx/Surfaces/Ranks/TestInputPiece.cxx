@@ -1,6 +1,6 @@
 // Pieces of an input, put together on each rank.
 
-#include "AttachedData.h"
+#include "AttachedGrid.h"
 #include "OpenVDB.h"
 #include "Ranks/PieceGather.h"
 #include "Support/ThreadRanks.h"
@@ -24,6 +24,9 @@
 #include <limits>
 
 using namespace activesurface;
+
+namespace TestInputPiece
+{
 
 namespace
 {
@@ -302,4 +305,6 @@ TEST(TestInputPiece, SlicesOfTwoLatticesAreRefused)
     return MakeImagePiece(image, image->GetPointData()->GetScalars());
   };
   EXPECT_THROW(Gather(2, make, [](vtkDataSet*) {}), std::invalid_argument);
+}
+
 }

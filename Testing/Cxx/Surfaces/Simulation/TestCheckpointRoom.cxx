@@ -11,6 +11,9 @@
 
 using namespace activesurface;
 
+namespace TestCheckpointRoom
+{
+
 // The start stays; of the others goes the first of those that leave the smallest gap.
 TEST(TestCheckpointRoom, TheStepsThatAreLeftAreFarApart)
 {
@@ -28,4 +31,6 @@ TEST(TestCheckpointRoom, TheStepsThatAreLeftAreFarApart)
     found.push_back(states.FindUpTo(step));
   }
   EXPECT_EQ(found, std::vector<int>({ 0, 0, 2, 2, 4 }));
+}
+
 }

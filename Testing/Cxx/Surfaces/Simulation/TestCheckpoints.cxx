@@ -29,7 +29,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestCheckpoints
 {
 
 // Two drops that meet and part again, in 31 steps; voxels of .08.

@@ -14,6 +14,9 @@
 
 using namespace activesurface;
 
+namespace TestDroplet
+{
+
 namespace
 {
 
@@ -108,4 +111,6 @@ TEST(TestDroplet, DyingDropletDoesNotPop)
     volume = now;
   }
   EXPECT_NEAR(volume / ball, 1.0, 5.8e-3) << "only the other ball is left when it has died";
+}
+
 }

@@ -23,6 +23,10 @@
 #include <string>
 
 using namespace activesurface;
+
+namespace TestEquilibrium
+{
+
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace
@@ -298,4 +302,6 @@ TEST(TestEquilibrium, SkinThatVanishesIsAtRest)
   EXPECT_EQ(DescribeTopology(filter, 1), "0 0 0") << "bodies, voids, Euler number";
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, "vanished"), 1) << "warnings of it";
   EXPECT_EQ(messages.CountAll(), 1u) << "messages";
+}
+
 }

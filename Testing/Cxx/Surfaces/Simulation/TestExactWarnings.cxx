@@ -10,6 +10,9 @@
 
 using namespace activesurface;
 
+namespace TestExactWarnings
+{
+
 namespace
 {
 
@@ -82,4 +85,6 @@ TEST(TestExactWarnings, ATranslationIsNoWarning)
   }
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, Words), 0) << "warnings";
   EXPECT_LT(0.6, GetSkinBounds(filter)[0]) << "where the skin has got to, .8 at its middle";
+}
+
 }

@@ -27,6 +27,9 @@
 
 using namespace activesurface;
 
+namespace TestFilterTopology
+{
+
 namespace
 {
 
@@ -363,4 +366,6 @@ TEST(TestFilterTopology, MeshesMeetAndPart)
     return shape.Value;
   };
   IsFollowed({ meshes, balls, 8, "2 0 4, 1 0 2, 2 0 4" });
+}
+
 }

@@ -17,6 +17,9 @@
 
 using namespace activesurface;
 
+namespace TestFlicker
+{
+
 namespace
 {
 
@@ -200,4 +203,6 @@ TEST(TestFlicker, SkinFlickersAFifthAndATenth)
   const double frames = GetFlickerOfFrames();
   EXPECT_LT(GetFlickerOfSkin(0.5), frames / 5.0) << "flicker at half per frame";
   EXPECT_LT(GetFlickerOfSkin(0.33), frames / 10.0) << "flicker at a third per frame";
+}
+
 }

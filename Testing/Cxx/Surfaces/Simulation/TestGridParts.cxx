@@ -25,6 +25,9 @@
 
 using namespace activesurface;
 
+namespace TestGridParts
+{
+
 namespace
 {
 
@@ -267,4 +270,6 @@ TEST(TestGridParts, StrayTriangleCostsItself)
   };
   EXPECT_TRUE(
     AreSameSkins(bytesOver(Append({ MakeBallMesh(0.5), stray })), bytesOver(MakeBallMesh(0.5))));
+}
+
 }

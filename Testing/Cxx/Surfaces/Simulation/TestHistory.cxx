@@ -24,6 +24,9 @@
 
 using namespace activesurface;
 
+namespace TestHistory
+{
+
 namespace
 {
 
@@ -325,4 +328,6 @@ TEST(TestHistory, ChangedPropertyStartsTheHistoryAnew)
   auto direct = MakeShrinkingBall();
   direct->SetTension(0.01);
   EXPECT_EQ(GetHistoryAt(filter, 0.3), GetHistoryAt(direct, 0.3)) << "rows";
+}
+
 }

@@ -21,6 +21,9 @@
 
 using namespace activesurface;
 
+namespace TestInitial
+{
+
 namespace
 {
 
@@ -208,4 +211,6 @@ TEST(TestInitial, BoundsComeFromTheInput)
   filter->Update();
   EXPECT_NEAR(filter->GetPotential()->GetSpacing()[0], 1.5 / 64.0, 1e-9) << "voxel size";
   EXPECT_GT(filter->GetOutput()->GetNumberOfPolys(), 0) << "triangles";
+}
+
 }

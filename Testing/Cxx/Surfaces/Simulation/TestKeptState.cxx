@@ -17,6 +17,9 @@
 
 using namespace activesurface;
 
+namespace TestKeptState
+{
+
 namespace
 {
 
@@ -232,4 +235,6 @@ TEST(TestKeptState, ChangedPropertyStartsAnewAfterAnError)
   filter->SetAttraction(1.5);
   direct->SetAttraction(1.5);
   EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 1.0), GetBytesAt(direct, 1.0))) << "the same bytes";
+}
+
 }

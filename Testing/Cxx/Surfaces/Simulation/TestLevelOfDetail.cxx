@@ -24,6 +24,9 @@
 
 using namespace activesurface;
 
+namespace TestLevelOfDetail
+{
+
 namespace
 {
 
@@ -280,4 +283,6 @@ TEST(TestLevelOfDetail, FadeSoftensTheJump)
 TEST(TestLevelOfDetail, FadeSoftensTheJumpOfTheGradient)
 {
   CheckFirstFrame(Faded, false, FadedRelaxation);
+}
+
 }

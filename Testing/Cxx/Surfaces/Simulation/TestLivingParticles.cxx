@@ -17,6 +17,9 @@
 
 using namespace activesurface;
 
+namespace TestLivingParticles
+{
+
 namespace
 {
 
@@ -231,4 +234,6 @@ TEST(TestLivingParticles, TensionSparesDrops)
   EXPECT_EQ(CountParts(filter, 3.0), 2);
   filter->TensionWeightingOff();
   EXPECT_EQ(CountParts(filter, 3.0), 1);
+}
+
 }

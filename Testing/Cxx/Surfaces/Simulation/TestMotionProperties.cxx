@@ -19,6 +19,9 @@
 
 using namespace activesurface;
 
+namespace TestMotionProperties
+{
+
 namespace
 {
 
@@ -324,4 +327,6 @@ TEST(TestMotionProperties, StrategyStartsTheMotionAnew)
   EXPECT_LT(GetSteps([](Filter f) { f->SetMaximumNumberOfActiveVoxels(1000000); }), 1.2)
     << "MaximumNumberOfActiveVoxels";
   EXPECT_LT(GetSteps([](Filter f) { f->ComputeNormalsOff(); }), 1.2) << "ComputeNormals";
+}
+
 }

@@ -24,6 +24,9 @@
 
 using namespace activesurface;
 
+namespace TestOutside
+{
+
 namespace
 {
 
@@ -297,4 +300,6 @@ TEST(TestOutside, AStateGoesOnWithTheSameShares)
   first->SetNumberOfThreads(1);
   first->UpdateTimeStep(3.0);
   EXPECT_EQ(GetHistoryText(second), GetHistoryText(first));
+}
+
 }

@@ -18,6 +18,9 @@
 
 using namespace activesurface;
 
+namespace TestRestart
+{
+
 namespace
 {
 
@@ -275,4 +278,6 @@ TEST(TestRestart, AnErrorThatIsMendedIsNoWarning)
   filter->UpdateTimeStep(0.1);
   EXPECT_EQ(messages.Warnings.size(), 0u) << "warnings";
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0) << "points";
+}
+
 }

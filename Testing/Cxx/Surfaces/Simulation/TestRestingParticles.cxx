@@ -11,6 +11,9 @@
 
 using namespace activesurface;
 
+namespace TestRestingParticles
+{
+
 namespace
 {
 
@@ -71,4 +74,6 @@ TEST(TestRestingParticles, SkinOverAHeapIsTheSameWhateverIsRemembered)
     EXPECT_LT(bounds[4], -0.6) << "the heap is there" << when;
   }
   EXPECT_LT(skin->GetTargetEvaluations(), other->GetTargetEvaluations()) << "evaluations";
+}
+
 }

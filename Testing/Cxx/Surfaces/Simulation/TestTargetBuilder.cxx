@@ -19,6 +19,9 @@
 
 using namespace activesurface;
 
+namespace TestTargetBuilder
+{
+
 namespace
 {
 
@@ -180,4 +183,6 @@ TEST(TestTargetBuilder, ATargetOfItsOwnAttractsAlike)
   AttractsAlike(MakeSphere(0.5, 16), MakeSphere(0.75, 16), "meshes");
   AttractsAlike(MakeBallImage(0.5), MakeBallImage(0.75), "images");
   AttractsAlike(MakeSphere(0.5, 16), vtkNew<vtkPolyData>(), "a mesh that vanishes");
+}
+
 }

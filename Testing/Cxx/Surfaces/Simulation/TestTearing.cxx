@@ -16,6 +16,9 @@
 
 using namespace activesurface;
 
+namespace TestTearing
+{
+
 namespace
 {
 
@@ -91,4 +94,6 @@ TEST(TestTearing, BallBecomesTwoInTime)
   {
     IsTornInTime({ balls, distance, "1 0 2", "2 0 4" }, voxelSize);
   }
+}
+
 }

@@ -23,7 +23,7 @@
 
 using namespace activesurface;
 
-namespace
+namespace TestVelocity
 {
 
 using Cloud = std::function<std::vector<Grain>(double time)>;

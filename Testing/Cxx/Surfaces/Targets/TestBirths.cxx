@@ -18,6 +18,9 @@
 
 using namespace activesurface;
 
+namespace TestBirths
+{
+
 namespace
 {
 
@@ -331,4 +334,6 @@ TEST(TestBirths, PlacingKeepsItsMemory)
     PlaceParticles(way.Frames.GetWay(0), f, {}, placed);
     EXPECT_TRUE(placed.Particles.data() == memory) << "the same memory";
   }
+}
+
 }

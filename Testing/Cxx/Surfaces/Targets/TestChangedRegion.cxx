@@ -12,6 +12,9 @@
 
 using namespace activesurface;
 
+namespace TestChangedRegion
+{
+
 namespace
 {
 using Bounds = ChangedRegion::Box;
@@ -104,4 +107,6 @@ TEST(TestChangedRegion, EdgesOfTheRange)
   region.Set({ point, { -1e100, -1e100, 0.0, 0.0, 0.0, 0.0 } });
   const Bounds around = { 0.9e100, 1.1e100, -1.0, 1.0, -1.0, 1.0 };
   EXPECT_TRUE(region.Touches(point.data()) && region.Touches(around.data())) << "points far apart";
+}
+
 }

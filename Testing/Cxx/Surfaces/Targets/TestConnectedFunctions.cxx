@@ -20,6 +20,9 @@
 
 using namespace activesurface;
 
+namespace TestConnectedFunctions
+{
+
 namespace
 {
 
@@ -179,4 +182,6 @@ TEST(TestConnectedFunctions, SkinFollowsAConnectedFunction)
   line->SetPoint2(0.3, 0.3, 0.0);
   EXPECT_TRUE(GetBytesAt(filter, 0.4) != expected) << "other bytes for another line";
   EXPECT_EQ(executions, 1) << "executions after a change";
+}
+
 }

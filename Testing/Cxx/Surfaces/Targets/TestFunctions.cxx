@@ -25,6 +25,9 @@
 
 using namespace activesurface;
 
+namespace TestFunctions
+{
+
 namespace
 {
 
@@ -288,4 +291,6 @@ TEST(TestFunctions, GridPotentialIsATargetOfTheSkin)
   both->AddFunction(potential);
   both->AddFunction(potential);
   EXPECT_TRUE(AreSameSkins(GetBytes(follow(both)), GetBytes(filter))) << "in a union";
+}
+
 }

@@ -22,6 +22,9 @@
 
 using namespace activesurface;
 
+namespace TestMeshTargets
+{
+
 namespace
 {
 
@@ -306,4 +309,6 @@ TEST(TestMeshTargets, PolygonsWithMissingPointsAreLeftOut)
     1)
     << "warnings";
   EXPECT_NEAR(filter->GetOutput()->GetBounds()[1], 0.5, 0.1 * Voxel) << "the cube is there";
+}
+
 }

@@ -18,6 +18,9 @@
 
 using namespace activesurface;
 
+namespace TestMovingTargets
+{
+
 namespace
 {
 
@@ -167,4 +170,6 @@ TEST(TestMovingTargets, MeshThatAppearsLaterAttractsTheInitialShape)
   filter->SetTargetReach(0.01);
   filter->UpdateTimeStep(2.0);
   CheckBall(filter, 0.5, MeshError, "at the end");
+}
+
 }

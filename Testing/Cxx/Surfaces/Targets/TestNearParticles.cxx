@@ -22,6 +22,9 @@
 
 using namespace activesurface;
 
+namespace TestNearParticles
+{
+
 namespace
 {
 
@@ -267,4 +270,6 @@ TEST(TestNearParticles, WhatIsForgottenComesBack)
       target.MoveTo(0.5);
       EXPECT_EQ(target.CountRegionSources(), all);
     });
+}
+
 }

@@ -19,6 +19,9 @@
 
 using namespace activesurface;
 
+namespace TestParticleOrder
+{
+
 namespace
 {
 
@@ -108,4 +111,6 @@ TEST(TestParticleOrder, WithIdsItIsTheirs)
 TEST(TestParticleOrder, AnotherOrderWouldGiveOtherBytes)
 {
   EXPECT_FALSE(AreSameSkins(MakeSkin(0, true), MakeSkin(0, false)));
+}
+
 }

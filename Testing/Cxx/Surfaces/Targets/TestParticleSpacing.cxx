@@ -11,6 +11,9 @@
 
 using namespace activesurface;
 
+namespace TestParticleSpacing
+{
+
 namespace
 {
 
@@ -120,4 +123,6 @@ TEST(TestParticleSpacing, AStrayCostsNothing)
   GetSeconds(frame); // what is loaded and allocated once
   const double without = GetSeconds(frame);
   EXPECT_LT(GetSeconds(stray), 10.0 * without);
+}
+
 }

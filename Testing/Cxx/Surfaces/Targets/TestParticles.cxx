@@ -24,6 +24,9 @@
 
 using namespace activesurface;
 
+namespace TestParticles
+{
+
 namespace
 {
 
@@ -394,4 +397,6 @@ TEST(TestParticles, TheSplashIsReadOnceAndStaysClosed)
   }
   EXPECT_EQ(executions, 41) << "executions of the reader";
   EXPECT_EQ(messages.CountAll(), 0u) << "messages";
+}
+
 }

@@ -17,6 +17,9 @@
 
 using namespace activesurface;
 
+namespace TestQuietShapes
+{
+
 namespace
 {
 
@@ -60,4 +63,6 @@ TEST(TestQuietShapes, PointsOfLinesThatAreLeftOutAreToldByTheFilter)
   const double missing = std::numeric_limits<double>::quiet_NaN();
   lines->GetPoints()->InsertNextPoint(missing, 0.0, 0.0);
   CheckToldByTheFilter(lines, "1 points or segments are left out");
+}
+
 }

@@ -16,6 +16,9 @@
 
 using namespace activesurface;
 
+namespace TestSharedFrames
+{
+
 namespace
 {
 
@@ -356,4 +359,6 @@ TEST(TestSharedFrames, HomesHaveAboutAsManyParticles)
       const double count = static_cast<double>(cloud.Particles.size());
       EXPECT_NEAR(double(frame.Particles.size()), count / size, 0.02 * count);
     });
+}
+
 }

@@ -19,6 +19,9 @@
 
 using namespace activesurface;
 
+namespace TestTargetNoise
+{
+
 namespace
 {
 
@@ -205,4 +208,6 @@ TEST(TestTargetNoise, TheSkinOfAPoolStandsStillAndIsFlat)
   EXPECT_GT(without.InTime, 0.02 * R) << "the particles' own surface trembles";
   EXPECT_LT(with.InTime, without.InTime / 3.0);
   EXPECT_LT(with.InSpace, without.InSpace / 2.0);
+}
+
 }

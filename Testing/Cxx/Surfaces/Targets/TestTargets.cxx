@@ -26,6 +26,9 @@
 
 using namespace activesurface;
 
+namespace TestTargets
+{
+
 namespace
 {
 
@@ -253,4 +256,6 @@ TEST(TestTargets, BoundsComeFromTheTarget)
   };
   EXPECT_NEAR(spacing(MakeBallMesh(0.5, 7.0)), 1.25 / 64.0, 1e-9) << "voxel size of a mesh";
   EXPECT_NEAR(spacing(MakeBallImage(0.5)), 2.0 / 60.0, 1e-9) << "voxel size of an image";
+}
+
 }

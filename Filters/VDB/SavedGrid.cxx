@@ -1,4 +1,6 @@
-#include "SavedState.h"
+#include "SavedGrid.h"
+
+#include "NarrowBandGrid.h"
 
 #include <cmath>
 #include <cstdio>
@@ -104,7 +106,7 @@ double ReadSpacing(const openvdb::GridBase& grid)
 
 openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state)
 {
-  openvdb::FloatGrid::Ptr grid = state.Band->ToGrid();
+  openvdb::FloatGrid::Ptr grid = ToGrid(*state.Band);
   grid->setName(SavedGridName);
   grid->insertMeta(TimeName, openvdb::DoubleMetadata(state.Time));
   grid->insertMeta(HistoryName, openvdb::StringMetadata(WriteHistory(state.History)));
@@ -119,7 +121,7 @@ openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state)
 SavedState ReadSavedGrid(const openvdb::FloatGrid& grid)
 {
   SavedState state;
-  state.Band = NarrowBand::FromGrid(grid);
+  state.Band = FromGrid(grid);
   state.Time = ReadMetadata<double>(grid, TimeName);
   state.History = ReadHistory(ReadMetadata<std::string>(grid, HistoryName));
   ReadOutside(grid, state.History);

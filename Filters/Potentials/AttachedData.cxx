@@ -1,5 +1,6 @@
 #include "AttachedData.h"
 
+#include "AttachedGrid.h"
 #include "StaticShutdown.h"
 
 #include "vtkInformation.h"
@@ -81,6 +82,16 @@ void Attach(vtkInformation* information, const openvdb::FloatGrid::ConstPtr& gri
 openvdb::FloatGrid::ConstPtr GetAttachedGrid(vtkInformation* information)
 {
   return Attachment<openvdb::FloatGrid>::Get(information, GridKey());
+}
+
+bool HasAttachedGrid(vtkInformation* information)
+{
+  return information->Has(GridKey());
+}
+
+void CopyAttachedGrid(vtkInformation* from, vtkInformation* to)
+{
+  Attach(to, GetAttachedGrid(from));
 }
 
 }

@@ -7,7 +7,7 @@
 #define AttachedData_h
 
 #include "SavedState.h"
-#include "vtkActiveVDBModule.h"
+#include "vtkActivePotentialsModule.h"
 
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
@@ -34,19 +34,17 @@ struct AttachedState
 };
 
 ///@{
-/** Null: nothing any more. */
-VTKACTIVEVDB_EXPORT void Attach(
+/** Null: nothing any more. AttachedGrid.h attaches grids. */
+VTKACTIVEPOTENTIALS_EXPORT void Attach(
   vtkInformation* information, const std::shared_ptr<const AttachedState>& state);
-VTKACTIVEVDB_EXPORT void Attach(
-  vtkInformation* information, const openvdb::FloatGrid::ConstPtr& grid);
+/** Null if none is attached. */
+VTKACTIVEPOTENTIALS_EXPORT std::shared_ptr<const AttachedState> GetAttachedState(
+  vtkInformation* information);
 ///@}
 
-///@{
-/** Null if none is attached. The grid is a distance [world units], negative inside. */
-VTKACTIVEVDB_EXPORT std::shared_ptr<const AttachedState> GetAttachedState(
-  vtkInformation* information);
-VTKACTIVEVDB_EXPORT openvdb::FloatGrid::ConstPtr GetAttachedGrid(vtkInformation* information);
-///@}
+VTKACTIVEPOTENTIALS_EXPORT bool HasAttachedGrid(vtkInformation* information);
+/** None if the first one has none. */
+VTKACTIVEPOTENTIALS_EXPORT void CopyAttachedGrid(vtkInformation* from, vtkInformation* to);
 
 }
 
