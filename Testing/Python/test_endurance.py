@@ -1,4 +1,4 @@
-# ctest: LABELS contract TIMEOUT 3600
+# ctest: LABELS contract long TIMEOUT 3600
 """One filter through much: aborted, failed and refused operations, random ones, a film in a loop.
 
 Run: python3 test_endurance.py

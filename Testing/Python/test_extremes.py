@@ -1,4 +1,4 @@
-# ctest: LABELS contract TIMEOUT 900
+# ctest: LABELS contract long TIMEOUT 900
 """Absurd values of every property of the three classes, before the first update and after one.
 
 Each is refused by one error that names the property, or clamped as its comment says, or it works:

@@ -1,4 +1,4 @@
-# ctest: LABELS contract TIMEOUT 3600
+# ctest: LABELS contract long TIMEOUT 3600
 """Random scenes, properties and orders of requests: skins are sound, errors are sentences, and
 however a filter came to a time, its bytes are those of a fresh one.
 

@@ -1,4 +1,4 @@
-# ctest: LABELS contract TIMEOUT 900
+# ctest: LABELS contract long TIMEOUT 900
 """Ranks make the skins of one process, of random particles, properties and distributions.
 
 Run: python3 test_random_ranks.py [--cases <each>] [--seed <first>] [--sizes <ranks> ...]. A failure

@@ -1,4 +1,4 @@
-# ctest: LABELS contract TIMEOUT 3600
+# ctest: LABELS contract long TIMEOUT 3600
 """One filter on ranks through much: any operations, some of which one rank aborts or fails, or all
 refuse; on any number of threads. Its skins keep the bytes of a fresh filter of one process.
 

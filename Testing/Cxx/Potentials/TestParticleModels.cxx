@@ -302,7 +302,7 @@ INSTANTIATE_TEST_SUITE_P(Models, TestParticleModels,
     ModelCase{ "Anisotropic", vtkSkeletonPotential::ANISOTROPIC, 2.25 }),
   [](const auto& info) { return std::string(info.param.Name); });
 
-TEST(TestAnisotropy, OneIsRound)
+TEST(TestParticleModelsAnisotropy, OneIsRound)
 {
   SkeletonBuilder shape;
   for (const Point& x : MakeBox(9, 9, 1))
