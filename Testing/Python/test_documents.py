@@ -88,7 +88,9 @@ class TheGallery(unittest.TestCase):
                 self.assertLess(len(lines), 200 if name in PAGES else 60)
                 self.assertIn(f"Run: python3 {name}.py", "\n".join(lines))
                 if name not in TOO_LONG | PAGES:
-                    self.assertRegex(tests, rf"active_add_python_example\({name}( ON_RANKS \d)?\)")
+                    self.assertRegex(
+                        tests, rf"active_add_python_example\({name}( LONG)?( ON_RANKS \d)?\)"
+                    )
 
     def test_pictures_are_small_and_shown(self):
         shown = {

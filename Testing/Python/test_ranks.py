@@ -1,4 +1,4 @@
-# ctest: LABELS contract TIMEOUT 900
+# ctest: LABELS contract long TIMEOUT 900
 """Ranks of MPI make one skin, with the bytes of a program without MPI, and fail together.
 
 Run: python3 test_ranks.py. Skipped where there is no MPI, see with_ranks.

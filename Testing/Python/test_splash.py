@@ -1,4 +1,4 @@
-# ctest: LABELS acceptance
+# ctest: LABELS acceptance long
 """The skin over a splash of 992 particles keeps what the package promises, in all 41 steps.
 
 Run: python3 test_splash.py
