@@ -38,7 +38,7 @@ def blurred(light, vectors):
 
 folder = output_folder(__doc__)
 options = {"voxel_size": 0.03, "particle_spacing": 0.1, "compute_velocity": True}
-frames = active.frames(DATA, tangential_velocity=True, **options)
+frames = active.frames(DATA, **options)
 *_, (_, skin) = (frame for _, frame in zip(range(STEP + 1), frames))
 held = vtk_to_numpy(skin.GetPoints().GetData())
 studio = scene.Scene(held, SIZE, soft=False)

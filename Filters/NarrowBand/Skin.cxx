@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace activesurface
 {
@@ -83,12 +84,24 @@ private:
   bool IsInside[512];            //< the lower node
 };
 
+/** Least distance of a vertex from the ends of its edge [voxels]. Where the potential is 0 at a
+ * node, the vertices around it would coincide there, and triangles between them would have no area.
+ * Neighbouring numbers at the coordinate c are at most c * epsilon apart: twice that keeps corners
+ * apart, and triangles oriented, when each is rounded by half of it. */
+template <class Number>
+double MarginOfVertices(std::int64_t farthestNode)
+{
+  constexpr double least = 1.0 / (1 << 13);
+  return std::max(least, 2.0 * std::numeric_limits<Number>::epsilon() * double(farthestNode + 8));
+}
+
 /** The vertices of a leaf: where the surface crosses the edges that begin in it. */
 template <class Number>
 struct WriteVertices
 {
   const LeafTable& Table;
   double VoxelSize;
+  double Margin;
   Number* Points;
   float* Normals;
 
@@ -119,7 +132,8 @@ private:
         const int x = node >> 6, y = (node >> 3) & 7, z = node & 7;
         const float* lower = block.Row(x, y) + z;
         const float* upper = lower + StrideInBlock[axis];
-        const double low = *lower, high = *upper, t = low / (low - high);
+        const double low = *lower, high = *upper;
+        const double t = std::min(std::max(low / (low - high), this->Margin), 1.0 - this->Margin);
         double at[3] = { double(leaf.Origin[0] + x), double(leaf.Origin[1] + y),
           double(leaf.Origin[2] + z) };
         at[axis] += t;
@@ -240,7 +254,8 @@ void Skin::WriteAs(Number* points, float* normals, std::int64_t* corners) const
   this->Band.Run(
     [&]
     {
-      const WriteVertices<Number> vertices{ table, this->Band.GetVoxelSize(), points, normals };
+      const WriteVertices<Number> vertices{ table, this->Band.GetVoxelSize(),
+        MarginOfVertices<Number>(this->FarthestNode), points, normals };
       const WriteTriangles triangles{ table, this->FirstTriangle.data(), corners };
       ForEachLeaf(table, WriteLeaf<Number>{ vertices, triangles });
     });

@@ -229,10 +229,10 @@ public:
 
   ///@{
   /**
-   * Whether the skin has the point array "Velocity": its normal velocity [length/time] by the
-   * equation of motion, to which TangentialVelocity adds; right through splits and merges, as no
-   * points are followed. Costs an evaluation of the target. Does not restart the motion. Default:
-   * off.
+   * Whether the skin has the point array "Velocity" [length/time]: its normal velocity by the
+   * equation of motion and, over particles, their velocity along the skin (TangentialVelocity).
+   * Right through splits and merges, as no points are followed. Costs an evaluation of the target.
+   * Does not restart the motion. Default: off.
    */
   vtkSetMacro(ComputeVelocity, vtkTypeBool);
   vtkGetMacro(ComputeVelocity, vtkTypeBool);

@@ -92,11 +92,12 @@ public:
 
   ///@{
   /**
-   * Whether "Velocity" has a component along the skin too: that of the particles' own velocity,
-   * averaged with their kernels' weights. It comes from the array that SetInputArrayToProcess(5,
-   * ...) chooses, else from the particles' way since the step before (at the first step, to the
-   * next one). Particles without either do not count; without any, and for other targets, it is 0.
-   * Does not restart the motion. Default: off.
+   * Adds to "Velocity" its component along the skin, so that it is the whole motion, as motion
+   * blur needs it: the particles' own velocity, averaged with their kernels' weights. It is read
+   * from the array that SetInputArrayToProcess(5, ...) chooses, else from the particles'
+   * displacement since the step before (at the first step, to the next one). Particles without
+   * either do not count; without any, and for other targets, the component is 0. Off: the normal
+   * velocity alone. Does not restart the motion. Default: on.
    */
   vtkSetMacro(TangentialVelocity, vtkTypeBool);
   vtkGetMacro(TangentialVelocity, vtkTypeBool);
@@ -138,7 +139,7 @@ private:
   double Anisotropy = 4.0;
   int ParticleKernel = 0;
   double ParticleThreshold = 0.5;
-  vtkTypeBool TangentialVelocity = 0;
+  vtkTypeBool TangentialVelocity = 1;
   vtkTypeBool PassTargetArrays = 0;
 };
 

@@ -61,7 +61,7 @@ OTHER_VALUES = {
     "RestTolerance": 1,
     "StartTime": 1,
     "StrengthArray": ["POINTS", "id"],
-    "TangentialVelocity": 1,
+    "TangentialVelocity": 0,
     "TargetArea": 2,
     "TargetArray": ["POINTS", "id"],
     "TargetEvaluation": 2,
@@ -187,7 +187,7 @@ class ChangesInMidAnimation(unittest.TestCase):
 
     def test_the_skin_goes_along_with_the_particles(self):
         ResetSession()
-        surface, particles = splash(ComputeVelocity=1, TangentialVelocity=1)
+        surface, particles = splash(ComputeVelocity=1)
         wind = numpy.array([3.0, -2.0, 1.0])
         surface.Target = Calculator(
             Input=particles, ResultArrayName="wind", Function="3*iHat - 2*jHat + kHat"

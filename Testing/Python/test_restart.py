@@ -198,7 +198,7 @@ ARRAYS = {
     "ComputeVelocity": (morph, 1),
     "PassTargetArrays": (crossing_particles, 1),
     "MaximumVelocity": (particles_with_velocity, 0.1),
-    "TangentialVelocity": (particles_with_velocity, 1),
+    "TangentialVelocity": (particles_with_velocity, 0),
 }
 DOES_NOT_RESTART = {
     **ARRAYS,

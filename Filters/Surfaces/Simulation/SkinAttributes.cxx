@@ -55,8 +55,11 @@ PassedArrays SkinAttributes::FindPassedArrays() const
   }
   if (!this->Shapes.MayHaveParticles())
   {
-    this->Messages.Say("no particles",
-      "PassTargetArrays and TangentialVelocity do nothing here: the target has no particles.");
+    if (this->Arrays.Passed)
+    {
+      this->Messages.Say(
+        "no particles", "PassTargetArrays does nothing here: the target has no particles.");
+    }
     return passed;
   }
   const TargetFrames& frames = this->Shapes.GetFrames();

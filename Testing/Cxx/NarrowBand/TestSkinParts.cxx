@@ -54,9 +54,11 @@ void CheckParts(const std::string& name, const Shape& shape, const std::vector<E
     }
   }
   EXPECT_EQ(found, expected.size()) << "parts as expected of " << name;
-  // Summed in another order.
-  EXPECT_NEAR(area / band.GetArea(), 1.0, 1e-12) << "sum of the areas of " << name;
-  EXPECT_NEAR(volume / band.GetVolume(), 1.0, 1e-12) << "sum of the volumes of " << name;
+  // The parts are those of the triangles, whose vertices keep 2^-13 voxel off the nodes: one in
+  // 4096 is moved, by less than that.
+  const double moved = h / smallest / (1 << 13) / (1 << 12);
+  EXPECT_NEAR(area / band.GetArea(), 1.0, 100.0 * moved) << "sum of the areas of " << name;
+  EXPECT_NEAR(volume / band.GetVolume(), 1.0, 100.0 * moved) << "sum of the volumes of " << name;
 }
 
 TEST(TestSkinParts, PartsHaveTheirAreasVolumesAndGenus)

@@ -79,6 +79,7 @@ Filter MakePlain()
 {
   auto filter = Prepare(MakeSkin());
   filter->ComputeVelocityOn();
+  filter->TangentialVelocityOff(); // that of a first step waits for the next one
   return filter;
 }
 

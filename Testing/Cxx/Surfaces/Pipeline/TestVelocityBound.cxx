@@ -93,6 +93,8 @@ TEST(TestVelocityBound, OnlyLongVectorsAreShortened)
 {
   auto bounded = MakeMovingSkin(Meeting, 0.5 * MeetingSpeed);
   auto unbounded = MakeMovingSkin(Meeting, Unbounded);
+  bounded->TangentialVelocityOff(); // what is along the skin is not shortened
+  unbounded->TangentialVelocityOff();
   EXPECT_LT(FindLargest(bounded, 2.5), 0.5 * MeetingSpeed * (1.0 + Rounding)) << "largest velocity";
   unbounded->UpdateTimeStep(2.5);
   int shortened = 0, kept = 0;
