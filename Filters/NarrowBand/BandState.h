@@ -74,6 +74,8 @@ struct BandState
   /** To be called between motions: the surface counts as just started. */
   void Confine(const Walls& walls, Obstacle* obstacle);
 
+  /** Moves the surface to what an exact control holds, by a voxel and a half at the most. */
+  void RestoreControlled(const Motion& motion);
   void FinishFrame();
   std::size_t CountActive() const
   {
@@ -101,7 +103,6 @@ private:
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);
   void MakePaperStep(const Motion& motion, Move& move);
-  void RestoreControlled(const Motion& motion);
 };
 
 }

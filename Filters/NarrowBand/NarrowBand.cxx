@@ -166,6 +166,35 @@ void NarrowBand::Confine(const Walls& walls, Obstacle* obstacle)
   this->Run([&] { this->State->Confine(walls, obstacle); });
 }
 
+void NarrowBand::RestoreTargets(const Motion& motion)
+{
+  const bool hasVolume = motion.VolumeControl == Control::Exact && motion.TargetVolume > 0.0;
+  const bool hasArea = motion.AreaControl == Control::Exact && motion.TargetArea > 0.0;
+  if (this->IsEmpty() || !(hasVolume || hasArea))
+  {
+    return;
+  }
+  BandState& members = *this->State;
+  const auto missing = [&]
+  {
+    const SkinMeasure now = members.Measure();
+    return hasVolume ? motion.TargetVolume - now.Volume : motion.TargetArea - now.Area;
+  };
+  this->Run(
+    [&]
+    {
+      // Each time by a voxel and a half at the most: until it is reached, or gets no nearer.
+      double before = HUGE_VAL;
+      for (double left = missing(); std::fabs(left) < 0.99 * before; left = missing())
+      {
+        before = std::fabs(left);
+        members.RestoreControlled(motion);
+      }
+      members.FinishFrame();
+      members.StartMeasure = members.Measure();
+    });
+}
+
 namespace
 {
 

@@ -98,6 +98,10 @@ public:
    * Throws std::runtime_error where the obstacle is not a number. */
   void Confine(const Walls& walls, Obstacle* obstacle = nullptr);
 
+  /** Moves the surface along its normal until it has the TargetVolume or TargetArea of an exact
+   * control, so that the first frame has it too; nothing without one. Counts as the start. */
+  void RestoreTargets(const Motion& motion);
+
   /**
    * Moves the surface to the motion time `time` (not before the current one, else
    * std::invalid_argument); substeps end exactly there. An exception (of the target, or the

@@ -191,8 +191,8 @@ public:
 
   ///@{
   /**
-   * Volume [length^3] that VolumeControl holds. Range: >= 0; 0 is that of the skin at the start.
-   * Default: 0.
+   * Volume [length^3] that VolumeControl holds, with EXACT from the first frame on. Range: >= 0;
+   * 0 is that of the skin at the start. Default: 0.
    */
   vtkSetClampMacro(TargetVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetVolume, double);
@@ -200,8 +200,8 @@ public:
 
   ///@{
   /**
-   * Area [length^2] that AreaControl holds. Range: >= 0; 0 is that of the skin at the start.
-   * Default: 0.
+   * Area [length^2] that AreaControl holds, with EXACT from the first frame on. Range: >= 0; 0 is
+   * that of the skin at the start. Default: 0.
    */
   vtkSetClampMacro(TargetArea, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetArea, double);

@@ -47,9 +47,14 @@ bool MotionDriver::Start(
   const std::unique_ptr<PotentialTarget> shape = this->Shapes.MakeStart();
   this->Prepare(band);
   const Motion motion = this->GetMotion(-1);
-  return StartOn(band,
+  const bool isStarted = StartOn(band,
     { domain, motion.Box, motion.Solid, shape ? *shape : this->Shapes.GetTarget(), this->Ranks },
     this->Messages, progress);
+  if (isStarted)
+  {
+    band.RestoreTargets(motion);
+  }
+  return isStarted;
 }
 
 // Once the voxels are known.

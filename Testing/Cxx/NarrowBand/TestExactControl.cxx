@@ -182,4 +182,50 @@ TEST(TestExactControl, ALostPotentialIsAnErrorAndIsNotTaken)
   EXPECT_TRUE(AreIdentical(band, *before)) << "with a smaller CFL it goes on from there";
 }
 
+// The precision of the control is 1e-9 of the wanted number; potentials are floats. From half to
+// twice the volume the surface moves by many voxels.
+TEST(TestExactControl, AStartHasTheTargetsAtOnce)
+{
+  Motion motion = MakeMotion(0.0, 0.0);
+  for (const Shape& shape : { MakeCube(), MakeTwoBlocks() })
+  {
+    for (const double share : { 0.5, 0.9, 1.1, 2.0 })
+    {
+      NarrowBand band(VoxelSizeOf(48));
+      StartOn(band, shape);
+      motion.VolumeControl = Control::Exact;
+      motion.AreaControl = Control::None;
+      motion.TargetVolume = share * band.GetVolume();
+      band.RestoreTargets(motion);
+      EXPECT_NEAR(band.GetVolume() / motion.TargetVolume, 1.0, 1e-6) << "volume times " << share;
+      EXPECT_EQ(band.GetStartVolume(), band.GetVolume()) << "it counts as the start";
+      motion.VolumeControl = Control::None;
+      motion.AreaControl = Control::Exact;
+      motion.TargetArea = std::pow(share, 2.0 / 3.0) * band.GetArea();
+      band.RestoreTargets(motion);
+      EXPECT_NEAR(band.GetArea() / motion.TargetArea, 1.0, 1e-6) << "area times " << share;
+    }
+  }
+}
+
+TEST(TestExactControl, AStartWithoutTargetsStaysAsItIs)
+{
+  NarrowBand band(VoxelSizeOf(48));
+  StartOn(band, MakeCube());
+  const std::unique_ptr<NarrowBand> before = band.Clone();
+  Motion motion = MakeMotion(0.0, 0.0);
+  motion.TargetVolume = 5.0; // of no control, or of a penalty
+  band.RestoreTargets(motion);
+  motion.VolumeControl = Control::Penalty;
+  band.RestoreTargets(motion);
+  motion.VolumeControl = Control::Exact;
+  motion.TargetVolume = 0.0;
+  band.RestoreTargets(motion);
+  EXPECT_TRUE(AreIdentical(band, *before));
+  NarrowBand nothing(VoxelSizeOf(48));
+  motion.TargetVolume = 1.0;
+  nothing.RestoreTargets(motion);
+  EXPECT_TRUE(nothing.IsEmpty());
+}
+
 }
