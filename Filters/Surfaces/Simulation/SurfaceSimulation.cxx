@@ -36,6 +36,11 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
     {
       this->Shapes.ForgetTarget(); // it was made to stand still, and carries nothing
     }
+    if (settings.Inputs.TargetMTime != this->Settings.Inputs.TargetMTime &&
+      !settings.Inputs.OnlyForward)
+    {
+      this->Unverified = this->Shapes.GetFrames().FindLastStep();
+    }
     this->Settings = settings;
     this->History.SetFirstTime(settings.GetStep(0));
   }
@@ -52,6 +57,7 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
 
 void SurfaceSimulation::Reset()
 {
+  this->Unverified = -1;
   this->Shapes.Clear();
   this->Coverage.Clear();
   this->Driver.Clear();
@@ -123,6 +129,10 @@ int SurfaceSimulation::FindMissingStep() const
 {
   const bool moves = this->Settings.Inputs.TargetMoves;
   const int step = this->Way.GetStep();
+  if (this->Unverified >= 0)
+  {
+    return this->Unverified;
+  }
   if (!this->Settings.UsesInput())
   {
     return -1;
@@ -142,12 +152,6 @@ int SurfaceSimulation::FindMissingStep() const
     return -1;
   }
   return this->Shapes.Has(step) ? step + 1 : step;
-}
-
-ArrayFrames SurfaceSimulation::FindArrayFrames() const
-{
-  return activesurface::FindArrayFrames(this->Settings, this->Requested, this->Arrays, this->Shapes,
-    WantWay(this->Arrays, this->Shapes));
 }
 
 // After a return to a checkpoint the frames that tell the arrays may not be there.
@@ -170,8 +174,20 @@ int SurfaceSimulation::FindMissingStepOfArrays() const
 
 void SurfaceSimulation::AddFrame(int step, std::shared_ptr<InputShape> shape)
 {
-  this->Shapes.Add(step, std::move(shape));
   this->LastStepAdded = step;
+  if (step == this->Unverified)
+  {
+    this->Unverified = -1;
+    if (this->Shapes.IsUnchanged(step, *shape))
+    {
+      return;
+    }
+    this->Reset(); // another series, which happens to have the same times and more
+    this->Loaded = SavedState();
+    this->FirstStep = this->Way.GetStep();
+    this->LastStepAdded = step;
+  }
+  this->Shapes.Add(step, std::move(shape));
 }
 
 bool SurfaceSimulation::Advance(const FrameSource& frames, const ProgressFunction& progress)
@@ -323,13 +339,6 @@ void SurfaceSimulation::Record(std::size_t row, PipelineTime time, const std::st
 }
 
 // A skin that starts elsewhere is on its way to the target as long as the share falls.
-bool SurfaceSimulation::Loses(std::size_t row, double outside) const
-{
-  const double atStart = this->Settings.StartsElsewhere() ? 1.0 : 0.0;
-  const bool isFalling = outside < (row > 0 ? this->History.GetOutside(row - 1) : atStart);
-  return !isFalling;
-}
-
 SavedState SurfaceSimulation::GetState() const
 {
   SavedState state;
@@ -374,21 +383,11 @@ void SurfaceSimulation::RestoreLoaded()
   this->History.Restore(this->Loaded.History);
 }
 
-const NarrowBand* SurfaceSimulation::FindSkin() const
-{
-  return this->Way.IsAt(this->Requested) ? &this->GetBand() : nullptr;
-}
-
 Motion SurfaceSimulation::GetMotion() const
 {
   const ArrayFrames frames = this->FindArrayFrames();
   return this->Driver.GetMotion(
     this->Way.GetStep(), this->Shapes.HasParticles(frames.First, frames.Last));
-}
-
-SkinAttributes SurfaceSimulation::FindAttributes() const
-{
-  return { this->Settings, this->Shapes, this->Messages, this->Requested, this->Arrays };
 }
 
 std::vector<HistoryRow> SurfaceSimulation::GetHistory() const

@@ -124,7 +124,10 @@ public:
   // Whether it is the state at a step, to go on from.
   bool IsAtStep() const { return !this->Requested.Between && !this->Settings.IsEquilibrium(); }
   // Null when the surface is not at the requested time.
-  const NarrowBand* FindSkin() const;
+  const NarrowBand* FindSkin() const
+  {
+    return this->Way.IsAt(this->Requested) ? &this->GetBand() : nullptr;
+  }
   // The same of an earlier request.
   const NarrowBand* FindSkinAt(const RequestedTime& time) const
   {
@@ -132,7 +135,10 @@ public:
   }
 
   // What the skin has there besides its shape: its motion, and what FindAttributes tells.
-  SkinAttributes FindAttributes() const;
+  SkinAttributes FindAttributes() const
+  {
+    return { this->Settings, this->Shapes, this->Messages, this->Requested, this->Arrays };
+  }
   // Of the skin that was requested.
   Motion GetMotion() const;
   // On the last way to it.
@@ -173,7 +179,11 @@ private:
   void Rewind(int step);
   void RestoreLoaded();
   bool HasFramesFrom(int step) const;
-  ArrayFrames FindArrayFrames() const;
+  ArrayFrames FindArrayFrames() const
+  {
+    return activesurface::FindArrayFrames(this->Settings, this->Requested, this->Arrays,
+      this->Shapes, WantWay(this->Arrays, this->Shapes));
+  }
   int FindMissingStepOfArrays() const;
   ProgressFunction GetPartOf(const ProgressFunction& progress) const;
 
@@ -184,7 +194,11 @@ private:
   bool AdvanceToSteadyState(const ProgressFunction& progress);
   bool AdvanceBranch(const ProgressFunction& progress);
   void Record(std::size_t row, PipelineTime time, const std::string& event);
-  bool Loses(std::size_t row, double outside) const;
+  bool Loses(std::size_t row, double outside) const
+  {
+    const double atStart = this->Settings.StartsElsewhere() ? 1.0 : 0.0;
+    return !(outside < (row > 0 ? this->History.GetOutside(row - 1) : atStart));
+  }
 
   SurfaceSettings Settings;
   Warnings Messages;
@@ -192,6 +206,7 @@ private:
   TargetBuilder Shapes{ this->Settings, this->Messages };
   MotionDriver Driver{ this->Settings, this->Shapes, this->Messages };
   int LastStepAdded = 0;
+  int Unverified = -1; // a step to be read again, as the source has changed while it got more steps
 
   RequestedTime Requested;
   RequestedArrays Arrays;

@@ -8,6 +8,7 @@
 #include "Simulation/SurfaceDomain.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/Warnings.h"
+#include "Targets/ContentSum.h"
 #include "Targets/MovingTarget.h"
 #include "Targets/ShapePreparation.h"
 #include "Targets/TargetFrames.h"
@@ -39,6 +40,12 @@ public:
   bool Has(int step) const { return this->Frames.Has(step); }
 
   const TargetFrames& GetFrames() const { return this->Frames; }
+
+  // Whether the frame that is held of a step was made of the same data as another. Collective.
+  bool IsUnchanged(int step, const InputShape& shape) const
+  {
+    return HaveSameContent(*this->Frames.Find(step), shape, this->Ranks);
+  }
 
   // Whether one of the frames from a step to another, as far as they are held, has particles; of a
   // target that stands still its only frame. Later frames do not count: they may not be known yet.

@@ -1,5 +1,6 @@
 #include "Targets/InputKinds.h"
 
+#include "Targets/ContentSum.h"
 #include "Targets/ImageShape.h"
 #include "Targets/MeshShape.h"
 #include "Targets/NoShape.h"
@@ -45,7 +46,9 @@ std::unique_ptr<InputShape> MakeInputShape(const InputData& input)
   {
     if (input.Data && kind.Fits(input.Data))
     {
-      return kind.Make(input);
+      std::unique_ptr<InputShape> shape = kind.Make(input);
+      shape->Content = SumContent(input.Data);
+      return shape;
     }
   }
   throw std::invalid_argument(

@@ -5,6 +5,7 @@
 #ifndef InputShape_h
 #define InputShape_h
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -81,6 +82,9 @@ public:
 
   /** Whether it was read with these, or has no use for them. */
   virtual bool HasArrays(const ParticleArrays& arrays) const;
+
+  /** Checksum of the data that it was made of (ContentSum.h); on several ranks, of this rank's. */
+  std::uint64_t Content = 0;
 };
 
 }

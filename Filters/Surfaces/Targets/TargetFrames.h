@@ -23,6 +23,9 @@ public:
 
   bool Has(int step) const { return this->Find(step) != nullptr; }
 
+  // That is held; -1 if none is.
+  int FindLastStep() const { return this->Later.Shape ? this->Later.Step : -1; }
+
   // Null if the step is not held.
   InputShape* Find(int step) const;
 

@@ -1,7 +1,9 @@
 // What starts the motion anew, and what does not.
 
+#include "Support/GrainTools.h"
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
+#include "Support/ShapeSource.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDoubleArray.h"
@@ -15,6 +17,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 using namespace activesurface;
 
@@ -111,6 +114,49 @@ TEST(TestRestart, ChangesUpstreamRestart)
   direct->SetCloud([](double time) { return MovingBall(-time); });
   EXPECT_TRUE(AreSameSkins(GetBytes(filter), GetBytesAt(MakeSkinOver(direct), 3.0)))
     << "the same bytes";
+}
+
+// The same times and more, as of a simulation that goes on: of the same data or of others.
+TEST(TestRestart, MoreTimesOfOtherDataRestart)
+{
+  const std::vector<ShapeSource::Shape> series = {
+    [](double time) {
+      return MakeCloud({ { 0.1 * time, 0.0, 0.0, 1, 0.0 } });
+    },
+    [](double time) { return MakeBallMesh(0.5, 0.05 * time); },
+    [](double time) { return MakeBallImage(0.5, 0.05 * time); },
+  };
+  for (const ShapeSource::Shape& first : series)
+  {
+    const ShapeSource::Shape other = [&first](double time) { return first(time + 2.0); };
+    auto source = MakeSource(first, { 0.0, 1.0, 2.0 });
+    auto filter = MakeSkinOver(source);
+    filter->UpdateTimeStep(2.0);
+    source->SetShape(other, { 0.0, 1.0, 2.0, 3.0 });
+    source->Executions.clear();
+    filter->UpdateTimeStep(2.0);
+    auto direct = MakeSkinOver(MakeSource(other, { 0.0, 1.0, 2.0, 3.0 }));
+    EXPECT_TRUE(AreSameSkins(GetBytes(filter), GetBytesAt(direct, 2.0))) << "the other series'";
+    filter->UpdateTimeStep(3.0);
+    EXPECT_TRUE(AreSameSkins(GetBytes(filter), GetBytesAt(direct, 3.0))) << "and what follows";
+  }
+}
+
+TEST(TestRestart, MoreTimesOfTheSameDataGoOn)
+{
+  const ShapeSource::Shape series = [](double time) {
+    return MakeCloud({ { 0.1 * time, 0.0, 0.0, 1, 0.0 } });
+  };
+  auto source = MakeSource(series, { 0.0, 1.0, 2.0 });
+  auto filter = MakeSkinOver(source);
+  filter->UpdateTimeStep(2.0);
+  source->SetShape(series, { 0.0, 1.0, 2.0, 3.0 });
+  source->Executions.clear();
+  filter->ResetCounters();
+  filter->UpdateTimeStep(3.0);
+  EXPECT_EQ(source->GetExecutions(), "2 3 ") << "one step is read again";
+  auto direct = MakeSkinOver(MakeSource(series, { 0.0, 1.0, 2.0, 3.0 }));
+  EXPECT_TRUE(AreSameSkins(GetBytes(filter), GetBytesAt(direct, 3.0)));
 }
 
 TEST(TestRestart, InputsThatModifyThemselvesDoNotRestart)
