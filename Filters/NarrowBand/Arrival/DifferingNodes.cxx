@@ -65,6 +65,20 @@ DifferingNodes::Places DifferingNodes::FindDiffering(const Places& places) const
   return differing;
 }
 
+std::vector<double> DifferingNodes::FindCommonDepths(const Places& places, bool areInside) const
+{
+  std::vector<double> depths = this->EvaluateAt(places);
+  const double sign = areInside ? -1.0 : 1.0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const double ofTarget = sign * depths[i] / this->Search.VoxelSize;
+    const double ofSurface = sign * this->ValueAt(places[i]);
+    const bool isInBoth = this->Limits.isInside(places[i]) && ofTarget >= 0.0 && ofSurface >= 0.0;
+    depths[i] = isInBoth ? std::min(ofTarget, ofSurface) : -1.0;
+  }
+  return depths;
+}
+
 std::int32_t DifferingNodes::FindNext(std::size_t i, int axis, int sign)
 {
   openvdb::Coord place = this->Nodes[i].Place;
@@ -75,10 +89,8 @@ std::int32_t DifferingNodes::FindNext(std::size_t i, int axis, int sign)
 
 double DifferingNodes::PotentialAt(const openvdb::Coord& place) const
 {
-  const double value = this->Search.Potential.getValue(
-    { place[0] * this->Stride, place[1] * this->Stride, place[2] * this->Stride });
   const double most = this->Stride;
-  return std::min(std::max(value, -most), most);
+  return std::min(std::max(this->ValueAt(place), -most), most);
 }
 
 openvdb::Coord DifferingNodes::FindNearest(const double point[3]) const

@@ -61,11 +61,18 @@ public:
   /** Those of these places that differ. */
   std::vector<openvdb::Coord> FindDiffering(const std::vector<openvdb::Coord>& places) const;
 
+  /** At places where the surface and its target are both inside, or both outside, the smaller of
+   * the two depths [voxels]; elsewhere -1. */
+  std::vector<double> FindCommonDepths(
+    const std::vector<openvdb::Coord>& places, bool areInside) const;
+
   std::size_t Size() const { return this->Nodes.size(); }
   const Node& operator[](std::size_t i) const { return this->Nodes[i]; }
   /** Whether there may be others, beyond the maximum. */
   bool IsCut() const { return this->Nodes.size() > this->Most; }
 
+  /** Whether there is a node, on either side. */
+  bool Has(const openvdb::Coord& place) { return this->Recent.getValue(place) >= 0; }
   /** The number of the next node along an axis that is on the same side, or None. */
   std::int32_t FindNext(std::size_t i, int axis, int sign);
 
@@ -79,6 +86,12 @@ public:
 
 private:
   using Places = std::vector<openvdb::Coord>;
+
+  double ValueAt(const openvdb::Coord& place) const
+  {
+    return this->Search.Potential.getValue(
+      { place[0] * this->Stride, place[1] * this->Stride, place[2] * this->Stride });
+  }
 
   Places FindNearSurface();
   bool Visit(const openvdb::Coord& place);

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <set>
+#include <vector>
 
 namespace activesurface
 {
@@ -12,6 +15,28 @@ namespace
 
 constexpr double MostNodesPerAxis = 64.0;
 constexpr double SmallestCore = .75, LargestCore = 2.5; // radius [voxels]
+// What surface and target have in common holds a surface from which a part can grow, if it is as
+// thick as the lattice needs: two voxels.
+constexpr double LeastCommonDepth = 1.0; // [voxels]
+constexpr std::size_t MostCommonNodes = 100000;
+constexpr std::size_t CommonNodesAtOnce = 512;
+
+using Places = std::vector<openvdb::Coord>;
+
+/** The places beside one that are neither nodes nor in the set, to which they are added. */
+void AddBeside(const openvdb::Coord& place, DifferingNodes& nodes, std::set<openvdb::Coord>& known,
+  Places& waiting)
+{
+  for (int face = 0; face < 6; ++face)
+  {
+    openvdb::Coord beside = place;
+    beside[face / 2] += face % 2 ? 1 : -1;
+    if (!nodes.Has(beside) && known.insert(beside).second)
+    {
+      waiting.push_back(beside);
+    }
+  }
+}
 
 class CoreSearch
 {
@@ -24,6 +49,7 @@ public:
 
   std::vector<PartCore> Find()
   {
+    this->AddBarelyReached();
     this->Search.Goal.ForEachPart([this](const TargetPart& part) { this->TryPart(part); });
     for (const openvdb::Coord& place : this->Nodes.FindDiffering(this->MakeLattice()))
     {
@@ -34,6 +60,108 @@ public:
   }
 
 private:
+  /** Parts that touch the surface, or nearly so, at a place too thin to grow from: when what is
+   * only the surface's has gone, they would be gone with it. */
+  void AddBarelyReached()
+  {
+    std::vector<char> isKnown(this->Known);
+    for (std::size_t i = 0; i < this->Known; ++i)
+    {
+      if (!isKnown[i])
+      {
+        const std::vector<std::size_t> part = this->Connected(i, isKnown);
+        const std::size_t deepest = this->FindDeepest(part);
+        if (this->Layer[deepest] > 0 && !this->HasCommonDepth(part))
+        {
+          this->AddCore(deepest);
+        }
+      }
+    }
+  }
+
+  /** The nodes that are connected with one, on its side. */
+  std::vector<std::size_t> Connected(std::size_t first, std::vector<char>& isKnown)
+  {
+    std::vector<std::size_t> part = { first };
+    isKnown[first] = 1;
+    for (std::size_t k = 0; k < part.size(); ++k)
+    {
+      for (int face = 0; face < 6; ++face)
+      {
+        const std::int32_t next = this->Nodes.FindNext(part[k], face / 2, face % 2 ? 1 : -1);
+        if (next != DifferingNodes::None && !isKnown[next])
+        {
+          isKnown[next] = 1;
+          part.push_back(static_cast<std::size_t>(next));
+        }
+      }
+    }
+    return part;
+  }
+
+  /** The node of a part in its innermost layer. Distances are no measure of depth: far from a mesh
+   * they are all the same. */
+  std::size_t FindDeepest(const std::vector<std::size_t>& part)
+  {
+    this->Layer.resize(this->Nodes.Size(), -1);
+    std::vector<std::size_t> reached;
+    for (const std::size_t i : part)
+    {
+      for (int face = 0; face < 6 && this->Layer[i] < 0; ++face)
+      {
+        if (this->Nodes.FindNext(i, face / 2, face % 2 ? 1 : -1) == DifferingNodes::None)
+        {
+          this->Layer[i] = 0;
+          reached.push_back(i);
+        }
+      }
+    }
+    for (std::size_t k = 0; k < reached.size(); ++k)
+    {
+      for (int face = 0; face < 6; ++face)
+      {
+        const std::int32_t next = this->Nodes.FindNext(reached[k], face / 2, face % 2 ? 1 : -1);
+        if (next != DifferingNodes::None && this->Layer[next] < 0)
+        {
+          this->Layer[next] = this->Layer[reached[k]] + 1;
+          reached.push_back(static_cast<std::size_t>(next));
+        }
+      }
+    }
+    return reached.back();
+  }
+
+  /** Whether beside a part, where surface and target are on the same side, both are deep enough. */
+  bool HasCommonDepth(const std::vector<std::size_t>& part)
+  {
+    const bool areInside = !this->Nodes[part.front()].IsInside;
+    std::set<openvdb::Coord> known;
+    Places waiting;
+    for (const std::size_t i : part)
+    {
+      AddBeside(this->Nodes[i].Place, this->Nodes, known, waiting);
+    }
+    while (!waiting.empty() && known.size() < MostCommonNodes + part.size() * 6)
+    {
+      const std::size_t count = std::min(waiting.size(), CommonNodesAtOnce);
+      const Places places(waiting.end() - static_cast<std::ptrdiff_t>(count), waiting.end());
+      waiting.resize(waiting.size() - count);
+      const std::vector<double> depths = this->Nodes.FindCommonDepths(places, areInside);
+      if (*std::max_element(depths.begin(), depths.end()) >= LeastCommonDepth)
+      {
+        return true;
+      }
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        if (depths[i] >= 0.0)
+        {
+          AddBeside(places[i], this->Nodes, known, waiting);
+        }
+      }
+    }
+    return !waiting.empty();
+  }
+
   void TryPart(const TargetPart& part)
   {
     part.ForEachSample(
@@ -85,6 +213,11 @@ private:
       deepest = this->Nodes[i].Distance > this->Nodes[deepest].Distance ? i : deepest;
     }
     this->Known = this->Nodes.Size();
+    this->AddCore(deepest);
+  }
+
+  void AddCore(std::size_t deepest)
+  {
     const DifferingNodes::Node& node = this->Nodes[deepest];
     const double voxel = this->Search.VoxelSize, spacing = this->Nodes.GetSpacing();
     this->Cores.push_back(
@@ -96,6 +229,7 @@ private:
   const ArrivalSearch& Search;
   DifferingNodes& Nodes;
   std::size_t Known = this->Nodes.Size(); //< of the nodes, those that have had their core
+  std::vector<int> Layer;                 //< of nodes of parts, from their border inwards; else -1
   std::vector<PartCore> Cores;
 };
 

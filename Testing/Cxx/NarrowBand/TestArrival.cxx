@@ -293,4 +293,30 @@ TEST(TestArrival, HalfSpaceIsReachedWithinTheBounds)
   EXPECT_NEAR(extent.Minimum, -1.0, H * AtTheEnd);
   EXPECT_NEAR(extent.Maximum, 0.0, H * AtTheEnd);
 }
+// A box within a ring, whose corners graze it, or are a voxel off: what they share is too thin to
+// grow from, so the box needs a core of its own. And back: there is room for it in the ring.
+TEST(TestArrival, ShapesThatGrazeEachOtherArrive)
+{
+  const Shape ring = {
+    [](const Point& p) { return std::hypot(std::hypot(p[0], p[1]) - 0.6, p[2]) - 0.18; }, {}
+  };
+  const double corner = std::sqrt(0.5) * 0.42; // on the ring's inner edge
+  for (const double half : { corner - 0.06, corner - 0.03, corner, corner + 0.02 })
+  {
+    const Shape box = { [half](const Point& p)
+      {
+        return std::max({ std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2]) }) - half;
+      },
+      {} };
+    Morph there(ring, box);
+    EXPECT_EQ(there.Cores, 1u) << "cores, box of half side " << half;
+    there.Advance(End, 4);
+    EXPECT_NEAR(there.Band.GetVolume(), 8 * half * half * half, 0.1 * 8 * half * half * half);
+    Morph back(box, ring);
+    back.Advance(End, 4);
+    const double whole = 2.0 * M_PI * M_PI * 0.6 * 0.18 * 0.18;
+    EXPECT_NEAR(back.Band.GetVolume(), whole, 0.1 * whole);
+  }
+}
+
 }
