@@ -10,6 +10,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from . import properties, vtkActiveImplicitSurface
 from .api import Frame, copy_of
 from .data_objects import as_shape, is_vtk, like
+from .fitting import FITS, describe_difference, fitted
 from .messages import listening, warn_all
 
 
@@ -29,6 +30,9 @@ class morph:
         Default: 1.
     frames : int
         Number of skins, the first and the last included; 2 or more. Default: 25.
+    fit : str
+        Where `b` is brought before: "none", "centre" (its box has the centre of `a`'s) or "box" (the
+        longest side of `a`'s too). For shapes of other units or places. Default: "none".
     progress : callable(int, int), optional
         Called after each skin with the number of those done and of all.
     **options
@@ -44,7 +48,12 @@ class morph:
     ------
     ValueError
         The filter's own sentence where it cannot make a skin, or a duration or number of frames out
-        of its range.
+        of its range; or a skin that is empty though both shapes are not.
+
+    Warns
+    -----
+    UserWarning
+        The shapes differ in size by more than half, or are apart by more than half of their size.
     TypeError
         An unknown keyword, with the nearest one, or a shape of an unknown kind.
 
@@ -77,6 +86,7 @@ class morph:
         duration: float = 1.0,
         *,
         frames: int = 25,
+        fit: str = "none",
         progress: Callable[[int, int], None] | None = None,
         **options: Any,
     ) -> None:
@@ -86,12 +96,16 @@ class morph:
             raise TypeError("arrival_time is the duration of a morph; give duration alone.")
         if int(frames) != frames or frames < 2:
             raise ValueError(f"frames have to be 2 or more, not {frames}.")
+        if fit not in FITS:
+            raise ValueError(f"fit is one of {', '.join(FITS)}, not {fit!r}.")
         self.times = [duration * i / (frames - 1) for i in range(frames)]
         self.surface = vtkActiveImplicitSurface()
         self._example, self._progress = a, progress
         self._producers: list[Any] = []
-        self._connect(a, b)
+        self._connect(a, b, fit)
         properties.put(self.surface, options)
+        is_something = _is_function(b) or as_shape(b).GetNumberOfPoints() > 0
+        self._expects_skin = is_something and bool(self.surface.GetCreateParts())
         if "attraction" not in options and "arrival_time" not in options:
             self.surface.SetArrivalTime(duration)
         self.surface.SetNumberOfTimeSteps(frames)
@@ -103,23 +117,40 @@ class morph:
     def __iter__(self) -> Iterator[Frame]:
         for step, time in enumerate(self.times):
             _update(self.surface, time)
+            self._check(time)
             if self._progress:
                 self._progress(step + 1, len(self))
             yield Frame(time, like(self._example, copy_of(self.surface.GetOutput())))
 
-    def _connect(self, a: Any, b: Any) -> None:
-        if _is_function(a):
-            self.surface.SetInitialFunction(a)
+    def _connect(self, a: Any, b: Any, fit: str) -> None:
+        first, last = (shape if _is_function(shape) else as_shape(shape) for shape in (a, b))
+        if _is_function(first) or _is_function(last):
+            if fit != "none":
+                raise TypeError("fit needs two meshes or images: a function has no box.")
         else:
-            self.surface.SetInputConnection(1, self._producer(a))
-        if _is_function(b):
-            self.surface.SetTargetFunction(b)
+            last = fitted(last, first, fit)
+            warn_all([said for said in (describe_difference(first, last),) if said])
+        if _is_function(first):
+            self.surface.SetInitialFunction(first)
         else:
-            self.surface.SetInputConnection(0, self._producer(b))
+            self.surface.SetInputConnection(1, self._producer(first))
+        if _is_function(last):
+            self.surface.SetTargetFunction(last)
+        else:
+            self.surface.SetInputConnection(0, self._producer(last))
+
+    def _check(self, time: float) -> None:
+        """Raises ValueError if the skin has vanished on its way to a shape that has not."""
+        if self._expects_skin and self.surface.GetOutput().GetNumberOfPoints() == 0:
+            raise ValueError(
+                f"The skin has vanished by the time {time:g} and does not reach the last shape: "
+                "the two do not overlap, or have parts thinner than two voxels. Bring them together "
+                "(fit), or lessen voxel_size."
+            )
 
     def _producer(self, shape: Any) -> Any:
         producer = vtkTrivialProducer()
-        producer.SetOutput(as_shape(shape))
+        producer.SetOutput(shape)
         self._producers.append(producer)
         return producer.GetOutputPort()
 

@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 
+from .contours import contour
 from .data_objects import as_shape
 from .file_names import replacing, suffix_of
 from .glb import check_glb, write_glb
@@ -99,17 +100,6 @@ def read_shape(path: Path, level: float | None = None) -> Any:
         return as_shape(data)
     except ValueError as error:
         raise OSError(f"{path} is no mesh: {error}") from error
-
-
-def contour(image: Any, level: float) -> Any:
-    """The surface of an image at a level, with normals away from what is below it."""
-    edges = vtkFlyingEdges3D()
-    edges.SetInputData(image)
-    edges.SetValue(0, level)
-    edges.ComputeNormalsOn()
-    edges.ComputeScalarsOff()
-    edges.Update()
-    return edges.GetOutput()
 
 
 def write_particles(path: Path, cloud: Any) -> None:

@@ -65,7 +65,8 @@ class Morphs(unittest.TestCase):
         apart = vtkSphereSource()
         apart.SetCenter(3, 0, 0)
         way = list(active.morph(cube(), output_of(apart), 2.0, frames=3, voxel_size=0.05))
-        self.assertEqual(way[0].skin.GetBounds()[1], 0.5)
+        # Vertices keep 2^-13 voxel off the nodes.
+        self.assertAlmostEqual(way[0].skin.GetBounds()[1], 0.5, delta=0.05 / 2**13 * 1.01)
         self.assertLess(way[1].skin.GetBounds()[0], 0.5, "what goes is still there")
         self.assertGreater(way[1].skin.GetBounds()[1], 3.0, "what comes is there already")
         self.assertGreater(way[2].skin.GetBounds()[0], 2.45)

@@ -6,6 +6,9 @@ import argparse
 from pathlib import Path
 from typing import Any
 
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from ..contours import contour, usual_level
 from ..file_names import (
     check_distinct,
     expand,
@@ -21,7 +24,6 @@ from ..skin_files import (
     MESH_WRITERS,
     PARTICLE_OUT_SUFFIXES,
     check_suffix,
-    contour,
     read_shape,
     write_mesh,
     write_particles,
@@ -125,24 +127,41 @@ def _convert_shape(file: Path, name: Path, options: Any) -> None:
     if suffix_of(name) not in MESH_WRITERS:
         raise OSError(f"{name}: meshes are written as {', '.join(MESH_WRITERS)}.")
     if shape.IsA("vtkImageData") and not is_vdb:
-        level = _level_of(file) if options.level is None else options.level
-        shape = contour(shape, level)
-        if shape.GetNumberOfPoints() == 0:
-            raise OSError(f"{file} has no surface at the level {level:g}; choose another --level.")
+        shape = _contour(file, shape, options)
     settings: dict[str, Any] = {}
     if is_vdb and options.voxel_size and shape.IsA("vtkPolyData"):
         settings["SetVoxelSize"] = options.voxel_size
     write_mesh(name, shape, **settings)
 
 
-def _level_of(file: Path) -> float:
-    """0, or what the outside of a fog is."""
-    if suffix_of(file) != ".vdb":
-        return 0.0
+def _contour(file: Path, image: Any, options: Any) -> Any:
+    """The surface of an image or of a grid; an empty one of what is empty."""
+    if image.GetNumberOfPoints() == 0:
+        return vtkPolyData()
+    try:
+        if suffix_of(file) != ".vdb":
+            level, above = usual_level(image)
+        else:
+            level, above = (0.0, False) if _is_level_set(file) else (_FOG_LEVEL, True)
+        level = level if options.level is None else options.level
+        surface = contour(image, level, above=above)
+    except ValueError as error:
+        raise OSError(f"{file}: {error}") from error
+    scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
+    if surface.GetNumberOfPoints() == 0 and suffix_of(file) != ".vdb" and scalars is not None:
+        low, high = scalars.GetRange()
+        raise OSError(
+            f"{file} has no surface at the level {level:g}: its values are from {low:g} to "
+            f"{high:g}; choose another --level."
+        )
+    return surface
+
+
+def _is_level_set(file: Path) -> bool:
     from .. import vtkActiveVDBReader
 
     reader = vtkActiveVDBReader()
     reader.SetFileName(str(file))
     reader.UpdateInformation()
     classes = [reader.GetGridClass(i) for i in range(reader.GetNumberOfGrids())]
-    return 0.0 if "level set" in classes else _FOG_LEVEL
+    return "level set" in classes

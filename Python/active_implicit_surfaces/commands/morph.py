@@ -17,6 +17,7 @@ from ..file_names import (
     without_number,
     write_index,
 )
+from ..fitting import FITS
 from ..morphing import morph
 from ..skin_files import MESH_SUFFIXES, SKIN_SUFFIXES, check_suffix, read_shape, write_mesh
 from .options import (
@@ -55,7 +56,7 @@ def run(arguments: list[str]) -> int:
         if name:
             make_folder_of(name)
     count = options.frames
-    way = morph(shapes[0], shapes[1], options.duration, frames=count, **chosen)
+    way = morph(shapes[0], shapes[1], options.duration, frames=count, fit=options.fit, **chosen)
     if options.render and suffix_of(options.render) == ".exr":
         way.surface.ComputeVelocityOn()
     progress = Progress(count, quiet=options.quiet)
@@ -109,6 +110,14 @@ def make_parser() -> Parser:
         default=25,
         metavar="N",
         help="skins, both ends included (default: 25)",
+    )
+    parser.add_argument(
+        "--fit",
+        choices=FITS,
+        nargs="?",
+        const="box",
+        default="none",
+        help="bring LAST to the place of FIRST: centre, or box for its size too (default: none)",
     )
     add_property_options(parser, ("voxel_size", "tension"))
     add_picture_options(parser, "y")

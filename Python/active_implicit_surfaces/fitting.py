@@ -1,0 +1,64 @@
+"""One shape in the place of another: the second shape of a metamorphosis at the first one's."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+
+FITS = ("none", "centre", "box")
+_FAR = 1.5  # times the size, or half of it beside
+
+
+def fitted(shape: Any, model: Any, fit: str) -> Any:
+    """The shape where the model is.
+
+    Parameters
+    ----------
+    shape, model : vtkPolyData or vtkImageData
+    fit : str
+        "none": as it is. "centre": the centre of its box is that of the model's. "box": its longest
+        side is that of the model's too.
+    """
+    centre, size = _box(shape)
+    to_centre, to_size = _box(model)
+    if fit == "none" or size == 0 or to_size == 0:
+        return shape
+    scale = to_size / size if fit == "box" else 1.0
+    moved = shape.NewInstance()
+    moved.ShallowCopy(shape)
+    if shape.IsA("vtkImageData"):
+        moved.SetOrigin(*(to_centre + scale * (numpy.array(shape.GetOrigin()) - centre)))
+        moved.SetSpacing(*(scale * numpy.array(shape.GetSpacing())))
+        return moved
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    places = vtk_to_numpy(shape.GetPoints().GetData()).astype(float)
+    points.SetData(numpy_to_vtk(to_centre + scale * (places - centre), deep=True))
+    moved.SetPoints(points)
+    return moved
+
+
+def describe_difference(first: Any, last: Any) -> str:
+    """A sentence if two shapes differ much in size or place; else nothing."""
+    (centre, size), (to_centre, to_size) = _box(first), _box(last)
+    if size == 0 or to_size == 0:
+        return ""
+    apart = float(numpy.linalg.norm(to_centre - centre))
+    if 1 / _FAR <= to_size / size <= _FAR and apart <= 0.5 * max(size, to_size):
+        return ""
+    return (
+        f"The first shape is {size:g} long and the last one {to_size:g}; their centres are "
+        f"{apart:g} apart. If these are other units or another place, fit brings the last one to "
+        "the first: --fit box, or centre."
+    )
+
+
+def _box(shape: Any) -> tuple[Any, float]:
+    """The centre of the bounds, and their longest side; 0 for a shape without points."""
+    if shape.GetNumberOfPoints() == 0:
+        return numpy.zeros(3), 0.0
+    bounds = numpy.array(shape.GetBounds()).reshape(3, 2)
+    return bounds.mean(axis=1), float(numpy.ptp(bounds, axis=1).max())

@@ -1,0 +1,178 @@
+# ctest: LABELS contract
+"""active-surface convert: surfaces of images and grids are closed, look outward, and are where they are.
+
+Volumes and areas are added up here, triangle by triangle, from what was written.
+"""
+
+import unittest
+
+import numpy
+from active_implicit_surfaces import contours, skin, vtkActiveVDBWriter
+from active_implicit_surfaces.skin_files import read_shape
+from command_line import CommandTest, grid
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
+
+BALL = 4 / 3 * numpy.pi
+
+
+def triangles(mesh):
+    """The corners of the triangles, (n, 3, 3), and their numbers."""
+    if mesh.GetNumberOfPolys() == 0:
+        return numpy.zeros((0, 3, 3)), numpy.zeros((0, 3), int)
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    corners = numpy.array(
+        [[mesh.GetCell(i).GetPointId(c) for c in range(3)] for i in range(mesh.GetNumberOfCells())]
+    )
+    return points[corners], corners
+
+
+def volume(mesh):
+    """Above 0 where the triangles look outward."""
+    a, b, c = numpy.moveaxis(triangles(mesh)[0], 1, 0)
+    return float(numpy.einsum("ij,ij->i", a, numpy.cross(b, c)).sum() / 6)
+
+
+def least_area(mesh):
+    a, b, c = numpy.moveaxis(triangles(mesh)[0], 1, 0)
+    return float(numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1).min())
+
+
+def open_edges(mesh):
+    """Edges that are not run through once in each direction, corners at one place being one."""
+    places = triangles(mesh)[0].reshape(-1, 3)
+    _, numbers = numpy.unique(places, axis=0, return_inverse=True)
+    corners = numbers.reshape(-1, 3)
+    runs = numpy.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
+    there, back = {tuple(run) for run in runs}, {tuple(run[::-1]) for run in runs}
+    return len(there ^ back)
+
+
+def image_of(function, count=41, half=1.5, origin=0.0, dtype=numpy.float64, cells=False):
+    """The function's values at points, or in cells, of a cube of the given half side."""
+    axis = numpy.linspace(-half, half, count) + origin
+    spacing = axis[1] - axis[0]
+    image = vtkImageData()
+    image.SetOrigin(*(axis[0] - (spacing / 2 if cells else 0),) * 3)
+    image.SetSpacing(spacing, spacing, spacing)
+    image.SetDimensions(*(count + cells,) * 3)
+    z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
+    values = numpy_to_vtk(function(x, y, z).astype(dtype).ravel(), deep=True)
+    values.SetName("f")
+    (image.GetCellData() if cells else image.GetPointData()).SetScalars(values)
+    return image
+
+
+def ball(x, y, z):
+    return numpy.sqrt(x * x + y * y + z * z) - 1.0
+
+
+def inside(x, y, z):
+    return ball(x, y, z) < 0
+
+
+class Contours(unittest.TestCase):
+    def check(self, mesh, wanted, share):
+        self.assertEqual(open_edges(mesh), 0)
+        self.assertGreater(least_area(mesh), 0.0)
+        self.assertAlmostEqual(volume(mesh) / wanted, 1.0, delta=share)
+
+    def test_a_level_set_has_its_volume(self):
+        # Chords of triangles of side h lie up to h^2 / 8 within a ball of radius 1.
+        for count in (31, 40, 41):
+            h = 3 / (count - 1)
+            with self.subTest(points=count):
+                image = image_of(ball, count)
+                self.check(contours.contour(image, 0.0), BALL, 3 * h * h)
+
+    def test_nodes_on_the_surface_are_no_trouble(self):
+        box = image_of(lambda x, y, z: numpy.max(numpy.abs([x, y, z]), axis=0) - 0.75, 41)
+        mesh = contours.contour(box, 0.0)
+        self.check(mesh, 1.5**3, 0.02)
+
+    def test_it_is_closed_at_the_border(self):
+        """A ball of radius 1 in a box of half side .8: what the box cuts off is missing."""
+        mesh = contours.contour(image_of(ball, 81, 0.8), 0.0)
+        cap = numpy.pi * 0.2**2 * (3 - 0.2) / 3
+        faces = 6 * numpy.pi * (1 - 0.8**2)  # at the border, up to a voxel beyond its points
+        self.check(mesh, BALL - 6 * cap, 0.02 * faces / (BALL - 6 * cap))
+
+    def test_above_is_outward_too(self):
+        mesh = contours.contour(
+            image_of(lambda *x: numpy.clip(1 - ball(*x), 0, 2)), 1.0, above=True
+        )
+        self.check(mesh, BALL, 0.02)
+
+    def test_values_in_cells_are_taken(self):
+        mesh = contours.contour(image_of(ball, cells=True), 0.0)
+        self.check(mesh, BALL, 0.05)
+
+    def test_a_label_map_is_between_its_values_and_above(self):
+        for low, high in ((0, 1), (0, 255), (3, 7)):
+            image = image_of(
+                lambda *x, a=low, b=high: numpy.where(inside(*x), b, a), dtype=numpy.uint8
+            )
+            level, above = contours.usual_level(image)
+            self.assertEqual((level, above), (0.5 * (low + high), True))
+            self.check(contours.contour(image, level, above=above), BALL, 0.05)
+        self.assertEqual(contours.usual_level(image_of(ball)), (0.0, False))
+
+    def test_where_the_image_is_does_not_matter(self):
+        here = contours.contour(image_of(ball), 0.0)
+        there = image_of(ball)
+        there.SetOrigin(*numpy.add(there.GetOrigin(), (100.3, -50.7, 0.01)))
+        mesh = contours.contour(there, 0.0)
+        self.assertEqual(mesh.GetNumberOfPolys(), here.GetNumberOfPolys())
+        bounds = numpy.subtract(mesh.GetBounds(), here.GetBounds())
+        numpy.testing.assert_allclose(bounds, [100.3, 100.3, -50.7, -50.7, 0.01, 0.01], atol=2e-5)
+
+    def test_no_level_no_surface(self):
+        for level in (-2.0, 9.0):
+            self.assertEqual(contours.contour(image_of(ball), level).GetNumberOfPoints(), 0)
+        self.assertEqual(contours.contour(vtkImageData(), 0.0).GetNumberOfPoints(), 0)
+
+
+class Program(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.skin = skin(grid(), particle_spacing=0.1)
+
+    def write(self, writer, data, name, **settings):
+        for setting, value in settings.items():
+            getattr(writer, "Set" + setting)(value)
+        writer.SetInputData(data)
+        writer.SetFileName(str(self.folder / name))
+        self.assertTrue(writer.Write())
+        return self.folder / name
+
+    def test_a_skin_by_way_of_vdb_looks_as_it_did(self):
+        source = self.write(vtkActiveVDBWriter(), self.skin, "skin.vdb")
+        for name in ("a.stl", "a.ply", "a.obj", "a.vtp"):
+            self.succeed("convert", source, "-o", self.folder / name)
+            made = read_shape(self.folder / name)
+            self.assertAlmostEqual(volume(made) / volume(self.skin), 1.0, delta=0.02)
+            self.assertEqual(open_edges(made), 0)
+
+    def test_a_label_map_is_converted_without_options(self):
+        labels = image_of(inside, dtype=numpy.int16)
+        writer = vtkXMLImageDataWriter()
+        writer.SetDataModeToBinary()
+        source = self.write(writer, labels, "labels.vti")
+        self.succeed("convert", source, "-o", self.folder / "a.stl")
+        self.assertAlmostEqual(volume(read_shape(self.folder / "a.stl")) / BALL, 1.0, delta=0.05)
+        said = self.fail_with(1, "convert", source, "-o", self.folder / "b.stl", "--level", 2)
+        self.assertIn("its values are from 0 to 1", said)
+        self.assertFalse((self.folder / "b.stl").exists())
+
+    def test_an_empty_skin_stays_empty(self):
+        writer = vtkXMLPolyDataWriter()
+        writer.SetDataModeToBinary()
+        source = self.write(writer, vtkPolyData(), "none.vtp")
+        for name in ("none.stl", "none.ply", "none.obj"):
+            self.succeed("convert", source, "-o", self.folder / name)
+            self.assertTrue((self.folder / name).exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
