@@ -66,7 +66,8 @@ def run(arguments: list[str]) -> int:
             if output:
                 names.append(numbered(output, step))
                 # The filter's own output, whose grid a .vdb has.
-                write_mesh(names[-1], way.surface.GetOutput(), way.surface.GetOutputPort())
+                skin, port = way.surface.GetOutput(), way.surface.GetOutputPort()
+                write_mesh(names[-1], skin, port, options.up or "y")
             if film:
                 film.add(step, frame.skin)
             progress(step + 1)

@@ -167,11 +167,16 @@ def add_picture_options(parser: Parser, up: str) -> None:
         metavar="WxH",
         help="in pixels (default: 1280x720)",
     )
-    pictures.add_argument(
+    add_up_option(pictures, up, "of pictures and .glb")
+
+
+def add_up_option(group: Any, default: str, where: str) -> None:
+    """--up."""
+    group.add_argument(
         "--up",
         choices=("x", "y", "z", "-x", "-y", "-z"),
         metavar="AXIS",
-        help=f"axis that points up: x, y, z, or --up=-y (default: {up})",
+        help=f"axis that points up {where}: x, y, z, or --up=-y (default: {default})",
     )
 
 

@@ -179,7 +179,7 @@ class _Job:
         update(self.surface, self.times[step], self.source)
         skin = self.surface.GetOutput()
         if self.output:
-            write_mesh(self.name_of(step), skin, self.surface.GetOutputPort())
+            write_mesh(self.name_of(step), skin, self.surface.GetOutputPort(), self._up())
         if film:
             film.add(self.files.numbers[step], skin)
         if self.resumption:
@@ -219,8 +219,13 @@ class _Job:
         fps = self.options.fps or _rate(self.times)
         return Film(path, scene, fps, len(self.times))
 
+    def _up(self) -> str:
+        """The axis of the data that is up in a .glb, as it is in pictures."""
+        assert self.output is not None
+        return "y" if suffix_of(self.output) != ".glb" else self.options.up or self._find_view()[1]
+
     def _find_view(self) -> tuple[Any, str]:
-        """That of the pictures so far, where there are some."""
+        """What the camera holds, and the axis that is up; of a run that goes on, as before."""
         kept = self.resumption.view if self.resumption else None
         if kept:
             return numpy.array(kept[0]), str(kept[1])
