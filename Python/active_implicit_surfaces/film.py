@@ -68,21 +68,24 @@ class Film:
         """The file of a picture."""
         return numbered(self.path, step) if self.is_numbered else self.path
 
-    def add(self, step: int, skin: Any) -> None:
-        """Renders a skin as the picture of this number."""
+    def add(self, step: int, skin: Any, duration: float) -> None:
+        """Renders a skin as the picture of this number; the next one is a duration later."""
         self.scene.show(skin)
         if self._stream is not None:
             self._stream.write(self.scene.picture())
         elif suffix_of(self.path) == ".png":
             _write_png(self.name_of(step), self.scene.picture())
         else:
-            self._write_exr(self.name_of(step))
+            self._write_exr(self.name_of(step), duration)
 
-    def _write_exr(self, path: Path) -> None:
-        from . import render
+    def _write_exr(self, path: Path, duration: float) -> None:
+        from . import render, vtkActiveEXRWriter
 
+        writer, apart = vtkActiveEXRWriter(), self.scene.apart
+        writer.SetFramesPerSecond(self.fps)
+        options = {"frame_duration": duration, "writer": writer, "apart": apart}
         with replacing(path) as temporary:
-            render.write_exr(self.scene.window, temporary, frame_duration=1.0 / self.fps)
+            render.write_exr(self.scene.window, temporary, **options)
 
 
 def _write_png(path: Path, image: Any) -> None:

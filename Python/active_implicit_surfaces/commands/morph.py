@@ -69,7 +69,7 @@ def run(arguments: list[str]) -> int:
                 skin, port = way.surface.GetOutput(), way.surface.GetOutputPort()
                 write_mesh(names[-1], skin, port, options.up or "y")
             if film:
-                film.add(step, frame.skin)
+                film.add(step, frame.skin, options.duration / (count - 1))
             progress(step + 1)
     if output:
         plain = without_number(output)
@@ -128,6 +128,7 @@ def _film(options: Any, shapes: list[Any]) -> Any:
     boxes = [shape.GetBounds() for shape in shapes]
     held = numpy.array([[box[i], box[2 + j], box[4 + k]] for box in boxes for i, j, k in _CORNERS])
     is_soft = suffix_of(path) != ".exr"
-    scene = Scene(held, options.size, options.up or "y", COLORS["paper"], is_soft)
+    up, has_ground = options.up or "y", not options.no_ground
+    scene = Scene(held, options.size, up, COLORS["paper"], is_soft, has_ground)
     rate = (options.frames - 1) / options.duration
     return Film(path, scene, rate if 1.0 <= rate <= 240.0 else 25.0, options.frames)

@@ -167,6 +167,7 @@ def add_picture_options(parser: Parser, up: str) -> None:
         metavar="WxH",
         help="in pixels (default: 1280x720)",
     )
+    pictures.add_argument("--no-ground", action="store_true", help="without a ground")
     add_up_option(pictures, up, "of pictures and .glb")
 
 

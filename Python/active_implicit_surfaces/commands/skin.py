@@ -181,9 +181,14 @@ class _Job:
         if self.output:
             write_mesh(self.name_of(step), skin, self.surface.GetOutputPort(), self._up())
         if film:
-            film.add(self.files.numbers[step], skin)
+            film.add(self.files.numbers[step], skin, self._until_next(step) or 1.0 / film.fps)
         if self.resumption:
             self.resumption.save(self.surface, self.times, step + 1)
+
+    def _until_next(self, step: int) -> float:
+        """Time to the next frame, for the last one that from the frame before; 0 of one alone."""
+        pair = self.times[min(step, len(self.times) - 2) :][:2]
+        return float(pair[-1] - pair[0])
 
     def _keep_state(self, done: int, first: int) -> None:
         # After an error the filter is still at the last frame that it has finished.
@@ -215,6 +220,7 @@ class _Job:
             self.options.up or up,
             COLORS[self.options.preset or "water"],
             soft=suffix_of(path) != ".exr",
+            ground=not self.options.no_ground,
         )
         fps = self.options.fps or _rate(self.times)
         return Film(path, scene, fps, len(self.times))
