@@ -12,6 +12,8 @@ from .api import Frame, copy_of
 from .data_objects import as_shape, is_vtk, like
 from .messages import listening, warn_all
 
+_OF_DURATION = {"arrival_time", "number_of_time_steps", "start_time", "time_step_size"}
+
 
 class morph:
     """The skins on the way from one shape to another, which it reaches at the end.
@@ -82,8 +84,8 @@ class morph:
     ) -> None:
         if not 0 < duration < float("inf"):
             raise ValueError(f"duration has to be more than 0 and finite, not {duration}.")
-        if "arrival_time" in options:
-            raise TypeError("arrival_time is the duration of a morph; give duration alone.")
+        for name in _OF_DURATION & set(options):
+            raise TypeError(f"{name} follows from duration and frames; give duration alone.")
         if int(frames) != frames or frames < 2:
             raise ValueError(f"frames have to be 2 or more, not {frames}.")
         self.times = [duration * i / (frames - 1) for i in range(frames)]
@@ -92,7 +94,7 @@ class morph:
         self._producers: list[Any] = []
         self._connect(a, b)
         properties.put(self.surface, options)
-        if "attraction" not in options and "arrival_time" not in options:
+        if "attraction" not in options:
             self.surface.SetArrivalTime(duration)
         self.surface.SetNumberOfTimeSteps(frames)
         self.surface.SetTimeStepSize(duration / (frames - 1))

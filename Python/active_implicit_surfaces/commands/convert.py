@@ -29,6 +29,7 @@ from ..skin_files import (
     write_mesh,
     write_particles,
 )
+from .effects import check_effects
 from .options import Parser, add_help, add_up_option, positive
 from .progress import Progress
 from .upward import lie
@@ -50,6 +51,8 @@ def run(arguments: list[str]) -> int:
     already = [file for file in files if suffix_of(file) == suffix_of(output) == ".vdb"]
     if already:
         raise OSError(f"{already[0]} is a .vdb already; copy it, or convert it to a mesh.")
+    has_settings = options.level is not None or options.voxel_size is not None
+    check_effects(parser, options, output, [_way(files[0], output)] if has_settings else [])
     make_folder_of(output)
     if _holds_particles(files[0]):
         return _convert_particles(options, output)
@@ -86,6 +89,14 @@ def make_parser() -> Parser:
     parser.add_argument("--quiet", action="store_true", help="no progress")
     add_help(parser)
     return parser
+
+
+def _way(file: Path, output: Path) -> str:
+    """From what to what a file is converted."""
+    if _holds_particles(file):
+        return "particles"
+    kind = "image" if read_shape(file).IsA("vtkImageData") else "mesh"
+    return f"{kind}_to_{'vdb' if suffix_of(output) == '.vdb' else 'mesh'}"
 
 
 def _holds_particles(path: Path) -> bool:

@@ -19,7 +19,9 @@ from ..file_names import (
 )
 from ..morphing import morph
 from ..skin_files import MESH_SUFFIXES, SKIN_SUFFIXES, check_suffix, read_shape, write_mesh
+from .effects import check_effects
 from .options import (
+    PICTURE_SIZE,
     Parser,
     add_film_option,
     add_help,
@@ -48,6 +50,9 @@ def run(arguments: list[str]) -> int:
     except ValueError as error:
         parser.error(str(error))
     shapes = [read_shape(Path(name)) for name in (options.first, options.last)]
+    facts = ["mesh" for shape in shapes if shape.IsA("vtkPolyData")]
+    facts += ["compute_velocity=on"] * (suffix_of(options.render or "") == ".exr")
+    check_effects(parser, options, output, ["series", *facts])
     if output:
         planned = (numbered(output, step) for step in range(options.frames))
         check_distinct([Path(options.first), Path(options.last)], planned)
@@ -129,6 +134,6 @@ def _film(options: Any, shapes: list[Any]) -> Any:
     held = numpy.array([[box[i], box[2 + j], box[4 + k]] for box in boxes for i, j, k in _CORNERS])
     is_soft = suffix_of(path) != ".exr"
     up, has_ground = options.up or "y", not options.no_ground
-    scene = Scene(held, options.size, up, COLORS["paper"], is_soft, has_ground)
+    scene = Scene(held, options.size or PICTURE_SIZE, up, COLORS["paper"], is_soft, has_ground)
     rate = (options.frames - 1) / options.duration
     return Film(path, scene, rate if 1.0 <= rate <= 240.0 else 25.0, options.frames)

@@ -25,8 +25,10 @@ from ..particle_files import PARTICLE_SUFFIXES, open_particles
 from ..presets import PRESETS
 from ..series import TemporalSource
 from ..skin_files import SKIN_SUFFIXES, check_suffix, write_mesh
+from .effects import check_effects
 from .options import (
     MAIN_PROPERTIES,
+    PICTURE_SIZE,
     Parser,
     add_film_option,
     add_help,
@@ -51,7 +53,10 @@ def run(arguments: list[str]) -> int:
     chosen = properties_of(options, parser)
     _check_names(options, parser)
     files = open_particles(options.files, fps=options.fps, times=options.times)
-    _Job(options, files, chosen).run()
+    job = _Job(options, files, chosen)
+    facts = ["particles", *(["series"] if len(job.times) > 1 else [])]
+    check_effects(parser, options, job.output, facts, job.surface)
+    job.run()
     return 0
 
 
@@ -216,7 +221,7 @@ class _Job:
         held, up = self._find_view()
         scene = Scene(
             held,
-            self.options.size,
+            self.options.size or PICTURE_SIZE,
             self.options.up or up,
             COLORS[self.options.preset or "water"],
             soft=suffix_of(path) != ".exr",
