@@ -42,13 +42,11 @@ def write_glb(
     Colours are COLOR_0, as linear light; other arrays _NAME in capital letters, as floats. Vertices
     have the data's coordinates; the node is rotated, so that the data's axis `up` is glTF's, y.
     """
-    arrays, triangles = arrays_of(mesh), polygons_of(mesh)
-    attributes = {"POSITION": points_of(mesh), "NORMAL": arrays.normals}
-    if arrays.texture is not None:  # from the lower left, where glTF has the upper left
-        attributes["TEXCOORD_0"] = arrays.texture[:, :2] * (1, -1) + (0, 1)
-    if arrays.colours is not None:
-        attributes["COLOR_0"], color = linear_light(arrays.colours), (1.0, 1.0, 1.0)
-    for name, values in arrays.others.items():
+    triangles, (normals, colours, others) = polygons_of(mesh), arrays_of(mesh)
+    attributes = {"POSITION": points_of(mesh), "NORMAL": normals}
+    if colours is not None:
+        attributes["COLOR_0"], color = linear_light(colours), (1.0, 1.0, 1.0)
+    for name, values in others.items():
         attributes |= _split(_attribute_of(name, attributes), values)
     parts = {name: one.astype("<f4") for name, one in attributes.items() if one is not None}
     if not triangles:  # glTF has no arrays without numbers

@@ -8,33 +8,24 @@ from __future__ import annotations
 import re
 import warnings
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .messages import ActiveSurfaceWarning
 
-# What a format holds of a mesh, besides points and polygons: all that _contents() finds, or less.
-_NUMBERS = ("normals", "texture", "colours", "numbers")
+# What a format holds of a mesh, besides points and polygons.
+_NUMBERS = ("normals", "colours", "numbers")
 _EVERYTHING = (*_NUMBERS, "words", "cells", "lines")
 _HELD: dict[str, tuple[str, ...]] = {
     **dict.fromkeys((".vtp", ".vtk"), _EVERYTHING),
     **dict.fromkeys((".ply", ".glb", ".csv", ".json", ".npz"), _NUMBERS),
-    ".obj": ("normals", "texture", "colours", "lines"),
+    ".obj": ("normals", "colours", "lines"),
     ".stl": ("normals",),  # those of its triangles
     ".xyz": (),
 }
 _PLY_TYPES = {"u1": "uchar", "i4": "int", "f4": "float", "f8": "double"}
-
-
-class PointArrays(NamedTuple):
-    """Normals, texture coordinates and colours (0 to 255), or None; other arrays by their names."""
-
-    others: dict[str, Any]
-    normals: Any = None
-    texture: Any = None
-    colours: Any = None
 
 
 def points_of(data: Any) -> Any:
@@ -43,18 +34,17 @@ def points_of(data: Any) -> Any:
     return vtk_to_numpy(points.GetData()) if points else numpy.zeros((0, 3), "f4")
 
 
-def arrays_of(data: Any) -> PointArrays:
-    """Point arrays of numbers; the first one of bytes with 3 or 4 components holds the colours."""
+def arrays_of(data: Any) -> tuple[Any, Any, dict[str, Any]]:
+    """Normals and colours (0 to 255), or None, and the other point arrays of numbers by name.
+
+    Colours are the first array of bytes with 3 or 4 components.
+    """
     roles, others = dict[str, Any](), dict[str, Any]()
     for role, name, array in _point_arrays(data):
-        if role == "words":
-            continue
-        values = vtk_to_numpy(array).reshape(-1, array.GetNumberOfComponents())
-        if role == "numbers":
-            others[name] = values
-        else:
-            roles[role] = values
-    return PointArrays(others, **roles)
+        if role != "words":
+            values = vtk_to_numpy(array).reshape(-1, array.GetNumberOfComponents())
+            (others if role == "numbers" else roles)[name if role == "numbers" else role] = values
+    return roles.get("normals"), roles.get("colours"), others
 
 
 def _point_arrays(data: Any) -> list[tuple[str, str, Any]]:
@@ -62,46 +52,41 @@ def _point_arrays(data: Any) -> list[tuple[str, str, Any]]:
     own, found = data.GetPointData(), list[tuple[str, str, Any]]()
     for i in range(own.GetNumberOfArrays()):
         array, role = own.GetAbstractArray(i), "numbers"
-        count, kind = array.GetNumberOfComponents(), array.GetDataTypeAsString()
+        kind = array.GetDataTypeAsString()
         if array is own.GetNormals():
             role = "normals"
-        elif array is own.GetTCoords() and count == 2:
-            role = "texture"
         elif not array.IsA("vtkDataArray") or kind == "bit":
             role = "words"
-        elif (
-            kind == "unsigned char" and count in (3, 4) and "colours" not in (r for r, *_ in found)
-        ):
-            role = "colours"
+        elif kind == "unsigned char" and array.GetNumberOfComponents() in (3, 4):
+            role = "numbers" if any(one == "colours" for one, _, _ in found) else "colours"
         found.append((role, array.GetName() or f"array_{i}", array))
     return found
 
 
 def warn_of_losses(suffix: str, data: Any) -> None:
-    """Warns of arrays that a file of this extension cannot hold; says which formats have them."""
-    held = _HELD.get(suffix, _EVERYTHING)
-    lost = [(kind, what, name) for kind, what, name in _contents(data) if kind not in held]
-    if not lost:
-        return
-    parts = []
-    for what in dict.fromkeys(what for _, what, _ in lost):
-        names = [name for _, other, name in lost if other == what and name]
-        parts.append(f"{what}{'s' * (len(names) > 1)} {_listed(names)}".strip())
-    others = (".csv", ".json", ".npz", ".vtp") if suffix == ".xyz" else (".vtp", ".ply", ".glb")
-    better = [one for one in others if {kind for kind, _, _ in lost} <= set(_HELD[one])]
-    verb, pronoun = ("is", "it") if len(lost) == 1 and lost[0][2] else ("are", "them")
-    warnings.warn(
-        f"The {_listed(parts)} {verb} left out, because a {suffix} file cannot hold {pronoun}; "
-        f"write {_listed(better or ['.vtp'], 'or')} to keep {pronoun}.",
-        ActiveSurfaceWarning,
-        stacklevel=3,
-    )
+    """Warns of what a file of this extension cannot hold of a mesh; says which formats can."""
+    found = [(role, name) for role, name, _ in _point_arrays(data)]
+    cells = data.GetCellData()
+    names = map(cells.GetArrayName, range(cells.GetNumberOfArrays()))
+    found += [("cells", f"{name} (of cells)") for name in names]
+    if data.IsA("vtkPolyData") and data.GetNumberOfLines():
+        found.append(("lines", "the lines"))
+    lost = {name: role for role, name in found if role not in _HELD.get(suffix, _EVERYTHING)}
+    if lost:
+        others = (".csv", ".npz", ".vtp") if suffix == ".xyz" else (".vtp", ".ply", ".glb")
+        better = [one for one in others if set(lost.values()) <= set(_HELD[one])]
+        warnings.warn(
+            f"Left out, because a {suffix} file cannot hold more: {', '.join(lost)}; write "
+            f"{' or '.join(better)} to keep all.",
+            ActiveSurfaceWarning,
+            stacklevel=3,
+        )
 
 
 def write_ply(path: Path, mesh: Any) -> None:
     """Writes points, polygons and point arrays: those of several components as name_x, name_y ...
 
-    Colours are red, green, blue and alpha, texture coordinates s and t.
+    Normals are nx, ny and nz, colours red, green, blue and alpha.
     """
     columns = _columns(mesh)
     rows = numpy.empty(mesh.GetNumberOfPoints(), [(name, "<" + kind) for name, kind, _ in columns])
@@ -139,18 +124,15 @@ def write_stl(path: Path, mesh: Any) -> None:
 
 
 def write_obj(path: Path, mesh: Any) -> None:
-    """Writes points, with colours as r g b behind x y z, texture coordinates, normals and cells."""
-    points, arrays = points_of(mesh), arrays_of(mesh)
-    form, table = "v" + 3 * (" %.9g" if points.dtype.itemsize <= 4 else " %.17g"), points
-    if arrays.colours is not None:
-        table, form = numpy.hstack([points, arrays.colours[:, :3] / 255.0]), form + 3 * " %.4g"
+    """Writes points, with colours as r g b behind x y z, normals, polygons and lines."""
+    table, (normals, colours, _) = points_of(mesh), arrays_of(mesh)
+    form = "v" + 3 * (" %.9g" if table.dtype.itemsize <= 4 else " %.17g")
+    if colours is not None:
+        table, form = numpy.hstack([table, colours[:, :3] / 255.0]), form + 3 * " %.4g"
     parts, corner = [(form, table)], " %d"
-    if arrays.texture is not None:
-        parts.append(("vt %.9g %.9g", arrays.texture[:, :2]))
-        corner += "/%d"
-    if arrays.normals is not None:
-        parts.append(("vn %.6g %.6g %.6g", arrays.normals))
-        corner += "/%d" if arrays.texture is not None else "//%d"
+    if normals is not None:
+        parts.append(("vn %.6g %.6g %.6g", normals))
+        corner = " %d//%d"
     for ids in polygons_of(mesh):
         repeated = numpy.repeat(ids + 1, corner.count("%"), axis=1)
         parts.append(("f" + ids.shape[1] * corner, repeated))
@@ -178,30 +160,27 @@ def _corners(cells: Any, least: int) -> list[Any]:
 
 def _columns(mesh: Any) -> list[tuple[str, str, Any]]:
     """The properties of a vertex in a .ply: name, type, values."""
-    arrays, found = arrays_of(mesh), list[tuple[str, str, Any]]()
-    parts: list[tuple[Any, Any]] = [("x y z".split(), points_of(mesh))]
-    parts += [("nx ny nz".split(), arrays.normals), ("s t".split(), arrays.texture)]
-    parts += [("red green blue alpha".split(), arrays.colours)]
-    parts += arrays.others.items()
-    taken = set[str]()
+    normals, colours, others = arrays_of(mesh)
+    parts = [(["x", "y", "z"], points_of(mesh))]
+    if normals is not None:
+        parts.append((["nx", "ny", "nz"], normals.astype("f4")))
+    if colours is not None:
+        parts.append((["red", "green", "blue", "alpha"], colours))
+    parts += [(_components(name, values.shape[1]), values) for name, values in others.items()]
+    found = dict[str, tuple[str, str, Any]]()
     for names, values in parts:
-        if values is None:
-            continue
-        kind = "f4" if values is arrays.normals else _ply_kind(values)
-        for i in range(values.shape[1]):
-            name = names[i] if isinstance(names, list) else _component(names, i, values.shape[1])
-            while name in taken:
+        for name, column in zip(names, values.T):
+            while name in found:
                 name += "_"
-            taken.add(name)
-            found.append((name, kind, values[:, i]))
-    return found
+            found[name] = name, _ply_kind(values), column
+    return list(found.values())
 
 
-def _component(name: str, i: int, count: int) -> str:
+def _components(name: str, count: int) -> list[str]:
     plain = re.sub(r"[^!-~]", "_", name)  # neither spaces nor what is not ASCII
     if count == 1:
-        return plain
-    return f"{plain}_{'xyzw'[i] if count <= 4 else i}"
+        return [plain]
+    return [f"{plain}_{one}" for one in ("xyzw" if count <= 4 else range(count))][:count]
 
 
 def _ply_kind(values: Any) -> str:
@@ -213,19 +192,3 @@ def _ply_kind(values: Any) -> str:
     bounds = numpy.iinfo("i4")
     fits = values.size == 0 or (values.min() >= bounds.min and values.max() <= bounds.max)
     return "i4" if fits else "f8"
-
-
-def _contents(data: Any) -> list[tuple[str, str, str]]:
-    """What a mesh has besides its points: its kind, what it is in a sentence, its name."""
-    found = [(role, "point array", name) for role, name, _ in _point_arrays(data)]
-    cells = data.GetCellData()
-    names = map(cells.GetArrayName, range(cells.GetNumberOfArrays()))
-    found += [("cells", "cell array", name or "") for name in names]
-    if data.IsA("vtkPolyData") and data.GetNumberOfLines():
-        found.append(("lines", "lines", ""))
-    return found
-
-
-def _listed(words: list[str], joint: str = "and") -> str:
-    """a, b and c."""
-    return f" {joint} ".join(filter(None, [", ".join(words[:-1]), *words[-1:]]))

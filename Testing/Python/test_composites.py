@@ -102,6 +102,7 @@ class Composites(CommandTest):
     def test_a_morph(self):
         cube = vtkCubeSource()
         cube.Update()
+        cube.GetOutput().GetPointData().Initialize()
         skin_files.write_mesh(self.folder / "cube.stl", cube.GetOutput())
         command = ["morph", "cube.stl", "cube.stl", "--render", "m_#.exr", "--size", "160x90"]
         self.succeed(*command, "--frames", 2, "--duration", 0.1)

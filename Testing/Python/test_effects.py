@@ -138,12 +138,16 @@ class Errors(CommandTest):
         said = self.succeed("skin", "one.npy", "-o", "s.ply", "--voxel-size", 0.05).err
         self.assertNotIn("no effect", said)
 
-    def test_every_rule_names_an_option_and_a_place(self):
-        for keyword in effects._PROPERTIES:
-            properties.find(keyword)
-        rows = [*effects._OPTIONS.values(), *effects._PROPERTIES.values()]
-        for fact in " ".join(sum(rows, [])).split():
-            self.assertTrue(effects._phrase(fact))
+    def test_an_index_of_one_frame_is_written_if_it_is_named(self):
+        self.succeed("skin", "one.npy", "-o", "s.ply", "--index", "a.series")
+        self.assertIn('"s.ply"', (self.folder / "a.series").read_text())
+
+    def test_every_rule_names_options_and_places(self):
+        for row, names in effects._ACTING:
+            self.assertTrue(all(map(effects._phrase, row.split())))
+            for name in names.split():
+                if name.startswith(":"):
+                    properties.find(name[1:])
 
 
 class TheFilter(unittest.TestCase):
@@ -159,7 +163,7 @@ class TheFilter(unittest.TestCase):
 
         others = {"normalize_target": False, "paper_scheme": True, "particle_model": "sum"}
         for own in properties.every():
-            for row in [*effects._PROPERTIES.get(own.keyword, []), *effects._rows_of(own)]:
+            for row in effects.rows_of(own):
                 keyword, _, value = row.split()[0].partition("=")
                 if value and "series" not in row:
                     unmet = {} if keyword not in others else {keyword: others[keyword]}
@@ -178,7 +182,7 @@ class TheFilter(unittest.TestCase):
 
     def test_properties_that_act_on_particles_only(self):
         shapes = list(meshes())
-        named = [own for own in properties.every() if "particles" in effects._rows_of(own)]
+        named = [own for own in properties.every() if "particles" in effects.rows_of(own)]
         self.assertGreaterEqual(len(named), 12)
         for own in named:
             with self.subTest(own.keyword):
@@ -189,7 +193,7 @@ class TheFilter(unittest.TestCase):
 
     def test_properties_that_act_between_frames(self):
         for own in properties.every():
-            rows = [*effects._PROPERTIES.get(own.keyword, []), *effects._rows_of(own)]
+            rows = effects.rows_of(own)
             if any("series" in row for row in rows) and own.keyword != "paper_scheme":
                 with self.subTest(own.keyword):
                     self.assert_same(

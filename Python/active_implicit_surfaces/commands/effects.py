@@ -20,39 +20,32 @@ from ..messages import ActiveSurfaceWarning
 from .options import Parser, properties_of
 
 _START = "property_"  # of the properties' names among the options
-_OPTIONS = {
-    "size": ["render"],
-    "no_ground": ["render"],
-    "up": ["render glb"],
-    "index": ["files"],
-    "fps": ["no_times render", "series render"],
-    "ids": ["series"],
-    "velocities": ["render glb compute_velocity=on", "render glb tangential_velocity=on"],
-    "voxel_size": ["mesh_to_vdb"],
-    "level": ["image_to_mesh"],
-}
-_PROPERTIES = {
-    "anisotropy": ["particle_model=anisotropic"],
-    "area_stiffness": ["area_control=penalty"],
-    "arrival_time": ["duration"],
-    "compute_curvature": ["files"],
-    "compute_normals": ["files"],
-    "compute_velocity": ["files exr"],
-    "maximum_number_of_substeps": ["evolution_mode=equilibrium"],
-    "maximum_velocity": ["compute_velocity=on"],
-    "mesh_thickness": ["mesh"],
-    "output_potential": ["potential"],
-    "particle_radius": ["no_radii"],
-    "particle_threshold": ["particle_model=sum"],
-    "pass_target_arrays": ["files"],
-    "rest_tolerance": ["evolution_mode=equilibrium"],
-    "tangential_velocity": ["compute_velocity=on"],
-    "target_area": ["area_control=penalty area_control=exact"],
-    "target_noise": ["normalize_target=on"],
-    "target_volume": ["volume_control=penalty volume_control=exact"],
-    "time_scale": ["series"],
-    "volume_stiffness": ["volume_control=penalty"],
-}
+_ACTING = (  # rows, and what has them: options, and properties after a colon
+    ("render", "size no_ground"),
+    ("render glb", "up"),
+    ("no_times render", "fps"),
+    ("series render", "fps"),
+    ("series", "ids :time_scale"),
+    ("render glb compute_velocity=on", "velocities"),
+    ("render glb tangential_velocity=on", "velocities"),
+    ("files", "index :compute_curvature :compute_normals :pass_target_arrays"),
+    ("files exr", ":compute_velocity"),
+    ("mesh_to_vdb", "voxel_size"),
+    ("image_to_mesh", "level"),
+    ("mesh", ":mesh_thickness"),
+    ("no_radii", ":particle_radius"),
+    ("duration", ":arrival_time"),
+    ("potential", ":output_potential"),
+    ("particle_model=anisotropic", ":anisotropy"),
+    ("particle_model=sum", ":particle_threshold"),
+    ("normalize_target=on", ":target_noise"),
+    ("compute_velocity=on", ":tangential_velocity :maximum_velocity"),
+    ("evolution_mode=equilibrium", ":rest_tolerance :maximum_number_of_substeps"),
+    ("volume_control=penalty volume_control=exact", ":target_volume"),
+    ("volume_control=penalty", ":volume_stiffness"),
+    ("area_control=penalty area_control=exact", ":target_area"),
+    ("area_control=penalty", ":area_stiffness"),
+)
 _WHERE = {
     "duration": "as --duration of active-surface morph",
     "exr": "on pictures .exr",
@@ -106,28 +99,31 @@ def check_effects(
 def _given(options: Namespace) -> Iterator[tuple[str, list[str]]]:
     """The options of a command line, and their rows."""
     for name, value in vars(options).items():
-        keyword = name[len(_START) :]
-        if value is None or (value is False and not name.startswith(_START)):
-            continue
-        if not name.startswith(_START):
-            yield "--" + name.replace("_", "-"), _OPTIONS.get(name, [])
-        elif (own := properties.find(keyword)).kind != "switch" or value != own.default:
-            option = own.option if value is not False else f"--no-{own.option[2:]}"
-            yield option, [*_PROPERTIES.get(keyword, []), *_rows_of(own)]
+        if name.startswith(_START) and value is not None:
+            own = properties.find(name[len(_START) :])
+            if own.kind != "switch" or value != own.default:
+                yield own.option if value is not False else f"--no-{own.option[2:]}", rows_of(own)
+        elif value not in (None, False):
+            yield "--" + name.replace("_", "-"), _rows(name)
 
 
-def _rows_of(own: properties.Property) -> Iterator[str]:
-    """What the class of a property, and its documentation, say of where it acts."""
-    if own.owner == "vtkActiveMotionAlgorithm":
-        yield "series evolution_mode=equilibrium"
-    elif own.owner == "vtkActiveParticleAlgorithm":
-        yield "particles"
-    if re.search("(Of no use to|over) other targets", own.comment):
-        yield "particles"
-    if "PaperScheme" in own.comment:
-        yield "paper_scheme=off"
-    if "published where the input has" in own.comment:
-        yield "pipeline"
+def rows_of(own: properties.Property) -> list[str]:
+    """The rows of a property: the table's, and those that class and documentation tell."""
+    classes = {
+        "vtkActiveMotionAlgorithm": "series evolution_mode=equilibrium",
+        "vtkActiveParticleAlgorithm": "particles",
+    }
+    told = {
+        "(Of no use to|over) other targets": "particles",
+        "PaperScheme": "paper_scheme=off",
+        "published where the input has": "pipeline",
+    }
+    found = [row for words, row in told.items() if re.search(words, own.comment)]
+    return _rows(":" + own.keyword) + [*filter(None, [classes.get(own.owner)]), *found]
+
+
+def _rows(name: str) -> list[str]:
+    return [row for row, names in _ACTING if name in names.split()]
 
 
 def _state_of(surface: Any) -> Iterator[str]:

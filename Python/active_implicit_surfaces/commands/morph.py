@@ -66,7 +66,7 @@ def run(arguments: list[str]) -> int:
     progress = Progress(count, quiet=options.quiet)
     names: list[Path] = []
     with ExitStack() as stack:
-        film = stack.enter_context(_film(options, shapes)) if options.render else None
+        film = stack.enter_context(_film(options, shapes, way.times)) if options.render else None
         for step, frame in enumerate(way):
             if output:
                 names.append(numbered(output, step))
@@ -74,7 +74,7 @@ def run(arguments: list[str]) -> int:
                 skin, port = way.surface.GetOutput(), way.surface.GetOutputPort()
                 write_mesh(names[-1], skin, port, options.up or "y")
             if film:
-                film.add(step, frame.skin, options.duration / (count - 1))
+                film.add(step, frame.skin, step)
             progress(step + 1)
     if output:
         plain = without_number(output)
@@ -124,7 +124,7 @@ def make_parser() -> Parser:
     return parser
 
 
-def _film(options: Any, shapes: list[Any]) -> Any:
+def _film(options: Any, shapes: list[Any], times: list[float]) -> Any:
     from ..film import Film, check_film
     from ..scene import COLORS, Scene
 
@@ -135,5 +135,4 @@ def _film(options: Any, shapes: list[Any]) -> Any:
     is_soft = suffix_of(path) != ".exr"
     up, has_ground = options.up or "y", not options.no_ground
     scene = Scene(held, options.size or PICTURE_SIZE, up, COLORS["paper"], is_soft, has_ground)
-    rate = (options.frames - 1) / options.duration
-    return Film(path, scene, rate if 1.0 <= rate <= 240.0 else 25.0, options.frames)
+    return Film(path, scene, times)

@@ -186,14 +186,9 @@ class _Job:
         if self.output:
             write_mesh(self.name_of(step), skin, self.surface.GetOutputPort(), self._up())
         if film:
-            film.add(self.files.numbers[step], skin, self._until_next(step) or 1.0 / film.fps)
+            film.add(step, skin, self.files.numbers[step])
         if self.resumption:
             self.resumption.save(self.surface, self.times, step + 1)
-
-    def _until_next(self, step: int) -> float:
-        """Time to the next frame, for the last one that from the frame before; 0 of one alone."""
-        pair = self.times[min(step, len(self.times) - 2) :][:2]
-        return float(pair[-1] - pair[0])
 
     def _keep_state(self, done: int, first: int) -> None:
         # After an error the filter is still at the last frame that it has finished.
@@ -208,7 +203,7 @@ class _Job:
             self.resumption.forget()
         elif done > first:  # else the state is there already
             self.resumption.save(self.surface, self.times, done, now=True)
-        if len(self.times) > 1 and self.options.index != "none":
+        if (len(self.times) > 1 or self.options.index) and self.options.index != "none":
             names = [self.name_of(step) for step in range(len(self.times))]
             write_index(_index_name(self.options.index, self.output), names, self.times)
 
@@ -227,8 +222,7 @@ class _Job:
             soft=suffix_of(path) != ".exr",
             ground=not self.options.no_ground,
         )
-        fps = self.options.fps or _rate(self.times)
-        return Film(path, scene, fps, len(self.times))
+        return Film(path, scene, self.times, self.options.fps)
 
     def _up(self) -> str:
         """The axis of the data that is up in a .glb, as it is in pictures."""
@@ -258,11 +252,3 @@ def _index_name(given: str | None, output: Path) -> Path:
         return Path(given)
     plain = without_number(output)
     return plain.with_suffix(".pvd") if plain.suffix == ".vtp" else Path(f"{plain}.series")
-
-
-def _rate(times: list[float]) -> float:
-    """Frames per second at which the film is as long as the series."""
-    if len(times) < 2:
-        return 25.0
-    rate = (len(times) - 1) / (times[-1] - times[0])
-    return rate if 1.0 <= rate <= 240.0 else 25.0
