@@ -129,14 +129,15 @@ class Errors(CommandTest):
         for more in (
             ("--tension", 0.1),
             ("--fps", 24),
-            ("--volume-control", "exact"),
+            ("--volume-control", "penalty"),
             ("--time-scale", 2),
             ("--no-create-parts",),
         ):
             said = self.succeed("skin", "one.npy", "-o", "s.ply", *more).err
             self.assertIn(f"note: Of no effect on one frame: {more[0]};", said)
-        said = self.succeed("skin", "one.npy", "-o", "s.ply", "--voxel-size", 0.05).err
-        self.assertNotIn("no effect", said)
+        for more in ("--voxel-size", 0.05), ("--volume-control", "exact", "--target-volume", 0.1):
+            said = self.succeed("skin", "one.npy", "-o", "s.ply", *more).err
+            self.assertNotIn("no effect", said)
 
     def test_an_index_of_one_frame_is_written_if_it_is_named(self):
         self.succeed("skin", "one.npy", "-o", "s.ply", "--index", "a.series")

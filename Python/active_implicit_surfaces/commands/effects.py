@@ -110,7 +110,8 @@ def _given(options: Namespace) -> Iterator[tuple[str, list[str]]]:
 def rows_of(own: properties.Property) -> list[str]:
     """The rows of a property: the table's, and those that class and documentation tell."""
     classes = {
-        "vtkActiveMotionAlgorithm": "series evolution_mode=equilibrium",
+        "vtkActiveMotionAlgorithm": "series evolution_mode=equilibrium volume_control=exact "
+        "area_control=exact",
         "vtkActiveParticleAlgorithm": "particles",
     }
     told = {
