@@ -63,7 +63,12 @@ def run(arguments: list[str]) -> int:
     way = morph(shapes[0], shapes[1], options.duration, frames=count, **chosen)
     if options.render and suffix_of(options.render) == ".exr":
         way.surface.ComputeVelocityOn()
-    progress = Progress(count, quiet=options.quiet)
+    _write(options, shapes, way, output)
+    return 0
+
+
+def _write(options: Any, shapes: list[Any], way: morph, output: Path | None) -> None:
+    progress = Progress(len(way), quiet=options.quiet)
     names: list[Path] = []
     with ExitStack() as stack:
         film = stack.enter_context(_film(options, shapes, way.times)) if options.render else None
@@ -83,7 +88,6 @@ def run(arguments: list[str]) -> int:
             plain.with_suffix(".pvd") if is_vtp else Path(f"{plain}.series"), names, way.times
         )
     progress.finish()
-    return 0
 
 
 def make_parser() -> Parser:
