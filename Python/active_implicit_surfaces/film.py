@@ -43,14 +43,18 @@ class Film:
     path : Path
         film.mp4, film.ogv, picture.####.png or picture.####.exr.
     scene : Scene
-    fps : float
-    count : int
-        Number of pictures; one alone needs no number in its name.
+    times : list of float
+        Of the pictures; one alone needs no number in its name.
+    fps : float, optional
+        Default: that at which the film is as long as the series.
     """
 
-    def __init__(self, path: Path, scene: Scene, fps: float, count: int) -> None:
-        self.path, self.scene, self.fps = path, scene, fps
-        self.is_numbered = count > 1 or has_number(path)
+    def __init__(
+        self, path: Path, scene: Scene, times: list[float], fps: float | None = None
+    ) -> None:
+        self.path, self.scene, self.times = path, scene, times
+        self.fps = fps or _rate(times)
+        self.is_numbered = len(times) > 1 or has_number(path)
         self._stream: Any = None
 
     def __enter__(self) -> Film:
@@ -68,21 +72,38 @@ class Film:
         """The file of a picture."""
         return numbered(self.path, step) if self.is_numbered else self.path
 
-    def add(self, step: int, skin: Any) -> None:
-        """Renders a skin as the picture of this number."""
+    def add(self, step: int, skin: Any, number: int) -> None:
+        """Renders a skin of this step of the times as the picture of this number."""
         self.scene.show(skin)
         if self._stream is not None:
             self._stream.write(self.scene.picture())
         elif suffix_of(self.path) == ".png":
-            _write_png(self.name_of(step), self.scene.picture())
+            _write_png(self.name_of(number), self.scene.picture())
         else:
-            self._write_exr(self.name_of(step))
+            self._write_exr(self.name_of(number), step)
 
-    def _write_exr(self, path: Path) -> None:
-        from . import render
+    def _write_exr(self, path: Path, step: int) -> None:
+        from . import render, vtkActiveEXRWriter
 
+        # To the next frame; of the last one, from the frame before.
+        way = self.times[min(step, len(self.times) - 2) :][:2]
+        writer = vtkActiveEXRWriter()
+        writer.SetFramesPerSecond(self.fps)
         with replacing(path) as temporary:
-            render.write_exr(self.scene.window, temporary, frame_duration=1.0 / self.fps)
+            render.write_exr(
+                self.scene.window,
+                temporary,
+                frame_duration=way[-1] - way[0] or 1.0 / self.fps,
+                writer=writer,
+                apart=self.scene.apart,
+            )
+
+
+def _rate(times: list[float]) -> float:
+    if len(times) < 2:
+        return 25.0
+    rate = (len(times) - 1) / (times[-1] - times[0])
+    return rate if 1.0 <= rate <= 240.0 else 25.0
 
 
 def _write_png(path: Path, image: Any) -> None:

@@ -3,66 +3,113 @@
 from __future__ import annotations
 
 import json
+import re
 import struct
 from pathlib import Path
 from typing import Any
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from .mesh_writers import arrays_of, points_of, polygons_of
+
+_ASSET = {"version": "2.0", "generator": "active_implicit_surfaces"}
 _MAGIC, _VERSION, _JSON, _BIN = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
 _FLOAT, _UINT = 5126, 5125
 _VERTICES, _INDICES = 34962, 34963
 _SIZES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
+_KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
 _COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
+
+# Quaternions that turn an axis into y, which points up in glTF.
+_HALF = 0.5**0.5
+_TO_Y = {
+    "x": [0.0, 0.0, _HALF, _HALF],
+    "-x": [0.0, 0.0, -_HALF, _HALF],
+    "-y": [1.0, 0.0, 0.0, 0.0],
+    "z": [-_HALF, 0.0, 0.0, _HALF],
+    "-z": [_HALF, 0.0, 0.0, _HALF],
+}
 
 
 def write_glb(
-    path: Path, mesh: Any, color: tuple[float, float, float] = (0.36, 0.66, 0.86)
+    path: Path,
+    mesh: Any,
+    color: tuple[float, float, float] = (0.36, 0.66, 0.86),
+    up: str = "y",
 ) -> None:
-    """Writes the triangles of a vtkPolyData with their points and normals."""
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype("<f4")
-    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).astype("<u4")
-    normals = mesh.GetPointData().GetNormals()
-    parts = [(points, "VEC3", _FLOAT, _VERTICES)]
-    attributes = {"POSITION": 0}
-    if normals is not None:
-        attributes["NORMAL"] = len(parts)
-        parts.append((vtk_to_numpy(normals).astype("<f4"), "VEC3", _FLOAT, _VERTICES))
-    indices = len(parts)
-    parts.append((triangles, "SCALAR", _UINT, _INDICES))
-    content = _describe(parts, attributes, indices, color)
-    path.write_bytes(_pack(content, [part[0] for part in parts]))
+    """Writes the triangles of a vtkPolyData with their normals, colours and point arrays.
+
+    Colours are COLOR_0, as linear light; other arrays _NAME in capital letters, as floats. Vertices
+    have the data's coordinates; the node is rotated, so that the data's axis `up` is glTF's, y.
+    """
+    triangles, (normals, colours, others) = polygons_of(mesh), arrays_of(mesh)
+    attributes = {"POSITION": points_of(mesh), "NORMAL": normals}
+    if colours is not None:
+        attributes["COLOR_0"], color = linear_light(colours), (1.0, 1.0, 1.0)
+    for name, values in others.items():
+        attributes |= _split(_attribute_of(name, attributes), values)
+    parts = {name: one.astype("<f4") for name, one in attributes.items() if one is not None}
+    if not triangles:  # glTF has no arrays without numbers
+        path.write_bytes(_pack({"asset": _ASSET, "scene": 0, "scenes": [{}]}, []))
+        return
+    corners = triangles[0].ravel().astype("<u4")
+    content = _describe(parts, corners, color, up)
+    path.write_bytes(_pack(content, [*parts.values(), corners]))
+
+
+def linear_light(colours: Any) -> Any:
+    """Of colours of a display, 0 to 255, as sRGB has it; a fourth component is 0 to 1."""
+    light = colours / 255.0
+    display = light[:, :3]
+    light[:, :3] = numpy.where(
+        display <= 0.04045, display / 12.92, ((display + 0.055) / 1.055) ** 2.4
+    )
+    return light
+
+
+def _attribute_of(name: str, taken: dict[str, Any]) -> str:
+    attribute = "_" + re.sub(r"\W", "_", name.upper(), flags=re.ASCII)
+    while attribute in taken:
+        attribute += "_"
+    return attribute
+
+
+def _split(name: str, values: Any) -> dict[str, Any]:
+    """An attribute has up to four components; more are one attribute each."""
+    if values.shape[1] <= 4:
+        return {name: values}
+    return {f"{name}_{i}": values[:, i : i + 1] for i in range(values.shape[1])}
 
 
 def _describe(
-    parts: list[Any], attributes: dict[str, int], indices: int, color: tuple[float, float, float]
+    parts: dict[str, Any], corners: Any, color: tuple[float, float, float], up: str
 ) -> dict[str, Any]:
     views: list[dict[str, Any]] = []
     accessors: list[dict[str, Any]] = []
     start = 0
-    for numbers, kind, component, target in parts:
-        size = numbers.nbytes
+    for numbers in (*parts.values(), corners):
+        size, is_index = numbers.nbytes, numbers is corners
+        target = _INDICES if is_index else _VERTICES
         views.append({"buffer": 0, "byteOffset": start, "byteLength": size, "target": target})
         accessors.append(
             {
                 "bufferView": len(accessors),
-                "componentType": component,
+                "componentType": _UINT if is_index else _FLOAT,
                 "count": len(numbers),
-                "type": kind,
+                "type": "SCALAR" if is_index else _KINDS[numbers.shape[1]],
             }
         )
         start += size
-    if len(parts[0][0]):
-        accessors[0]["min"] = [float(value) for value in parts[0][0].min(axis=0)]
-        accessors[0]["max"] = [float(value) for value in parts[0][0].max(axis=0)]
-    surface = {"attributes": attributes, "indices": indices, "material": 0}
+    accessors[0]["min"] = [float(value) for value in parts["POSITION"].min(axis=0)]
+    accessors[0]["max"] = [float(value) for value in parts["POSITION"].max(axis=0)]
+    attributes = {name: place for place, name in enumerate(parts)}
+    surface = {"attributes": attributes, "indices": len(parts), "material": 0}
     look = {"baseColorFactor": [*color, 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.3}
     return {
-        "asset": {"version": "2.0", "generator": "active_implicit_surfaces"},
+        "asset": _ASSET,
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0}],
+        "nodes": [{"mesh": 0, **({"rotation": _TO_Y[up]} if up in _TO_Y else {})}],
         "meshes": [{"primitives": [surface]}],
         "materials": [{"pbrMetallicRoughness": look}],
         "buffers": [{"byteLength": start}],
@@ -87,8 +134,11 @@ def _pack(content: dict[str, Any], arrays: list[Any]) -> bytes:
     )
 
 
-def check_glb(path: Path) -> None:
-    """Raises OSError unless the accessors of a .glb lie within its bytes: VTK takes any."""
+def check_glb(path: Path) -> bool:
+    """Raises OSError unless the accessors of a .glb lie within its bytes: VTK takes any.
+
+    Returns whether this package has written it: then its vertices have the data's coordinates.
+    """
     try:
         with path.open("rb") as file:
             magic, _, _, length, kind = struct.unpack("<5I", file.read(20))
@@ -103,6 +153,7 @@ def check_glb(path: Path) -> None:
             for primitive in mesh["primitives"]:
                 _check_primitive(content["accessors"], primitive)
         _check_references(content)
+        return bool(content.get("asset") == _ASSET)
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, struct.error) as error:
         raise OSError(f"{path} cannot be read: it is damaged, or no binary glTF 2.0.") from error
 

@@ -13,6 +13,8 @@ from .data_objects import as_shape, is_vtk, like
 from .fitting import FITS, describe_difference, fitted
 from .messages import listening, warn_all
 
+_OF_DURATION = {"arrival_time", "number_of_time_steps", "start_time", "time_step_size"}
+
 
 class morph:
     """The skins on the way from one shape to another, which it reaches at the end.
@@ -92,8 +94,8 @@ class morph:
     ) -> None:
         if not 0 < duration < float("inf"):
             raise ValueError(f"duration has to be more than 0 and finite, not {duration}.")
-        if "arrival_time" in options:
-            raise TypeError("arrival_time is the duration of a morph; give duration alone.")
+        for name in _OF_DURATION & set(options):
+            raise TypeError(f"{name} follows from duration and frames; give duration alone.")
         if int(frames) != frames or frames < 2:
             raise ValueError(f"frames have to be 2 or more, not {frames}.")
         if fit not in FITS:
@@ -106,7 +108,7 @@ class morph:
         properties.put(self.surface, options)
         is_something = _is_function(b) or as_shape(b).GetNumberOfPoints() > 0
         self._expects_skin = is_something and bool(self.surface.GetCreateParts())
-        if "attraction" not in options and "arrival_time" not in options:
+        if "attraction" not in options:
             self.surface.SetArrivalTime(duration)
         self.surface.SetNumberOfTimeSteps(frames)
         self.surface.SetTimeStepSize(duration / (frames - 1))

@@ -31,6 +31,7 @@ class Property:
     default: Any
     choices: tuple[str, ...]
     comment: str
+    owner: str  # the class that declares it
 
     @property
     def keyword(self) -> str:
@@ -167,7 +168,8 @@ def _describe(surface: Any, name: str) -> Property:
         sort = "integer"
     else:
         sort = "function"
-    return Property(name, sort, default, choices, comment)
+    owner = next(base.__name__ for base in kind.__mro__ if "Set" + name in vars(base))
+    return Property(name, sort, default, choices, comment, owner)
 
 
 def _choices(surface: Any, name: str) -> tuple[str, ...]:

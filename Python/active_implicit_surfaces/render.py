@@ -21,13 +21,16 @@ over it is in the picture only. N, forward and id are of the surfaces of actors 
 data set (vtkPolyDataMapper, vtkDataSetMapper) or blocks of them, as those of ParaView: these are
 rendered again, without lights, with the values in place of colors. What is translucent is in the
 picture only. Layers are sampled at the pixels' centers; only the picture is antialiased. It has the
-8 bits of the window, alpha is the window's too (0 on a background whose BackgroundAlpha is 0, if
-the window has AlphaBitPlanes).
+8 bits of the window, alpha is the window's too: 0 on a background whose BackgroundAlpha is 0, and
+on all that is `apart`. Colors are multiplied by alpha, as OpenEXR wants them, if such a background
+is black, as it is where something is apart.
 """
 
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any
 
 import numpy
@@ -36,6 +39,7 @@ from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
+from .glb import linear_light
 from .messages import listening
 from .surface_values import distances_along_axis, surface_values
 
@@ -89,18 +93,26 @@ def write_exr(
     """
     image = capture(window, frame_duration=frame_duration, **options)
     writer = writer or vtkActiveEXRWriter()
-    for name in ("RGBA", "N", "forward"):
+    pictures = "RGBA", *(options.get("apart") or ())
+    for name in (*pictures, "N", "forward"):
         writer.AssignPixelType(name, vtkActiveEXRWriter.HALF)
     renderer = options.get("renderer") or _renderer_of(window)
     to_camera, to_picture = camera_matrices(renderer)
     writer.SetWorldToCamera(to_camera)
     writer.SetWorldToNDC(to_picture)
+    written, apart = image, options.get("apart")
+    is_linear = options.get("encoding", "srgb") == "linear"
     writer.SetColorEncodingToSRGB()
-    if options.get("encoding", "srgb") == "linear":
+    if is_linear or apart is not None:
         writer.SetColorEncodingToLinear()
+    if apart is not None and not is_linear:
+        written = image.NewInstance()
+        written.ShallowCopy(image)
+        for name in pictures:
+            _add_array(written, name, _light(vtk_to_numpy(image.GetPointData().GetArray(name))))
     with listening(writer) as heard:
         writer.SetFileName(str(file_name))
-        writer.SetInputData(image)
+        writer.SetInputData(written)
         writer.Write()
     if writer.GetErrorCode():
         raise OSError(heard.errors[0] if heard.errors else f"{file_name} could not be written.")
@@ -116,6 +128,7 @@ def capture(
     camera_after: Any = None,
     encoding: str = "srgb",
     far: float = FAR,
+    apart: Mapping[str, Any] | None = None,
 ) -> Any:
     """Renders the window, and returns its layers as the point arrays of an image.
 
@@ -137,6 +150,10 @@ def capture(
         are, write_exr decodes them. Default: "srgb".
     far : float
         Z where nothing is [length]. Default: 1e10.
+    apart : dict of vtkActor, optional
+        Actors that are in no layer but those of their own: of ``{"ground": actor}`` these are
+        ground.R, .G, .B, .A and ground.Z. The background is left out too, also where the dict is
+        empty, so that A is what the other actors cover. Default: none.
 
     Returns
     -------
@@ -157,6 +174,21 @@ def capture(
     renderer = renderer or _renderer_of(window)
     if tuple(renderer.GetViewport()) != (0.0, 0.0, 1.0, 1.0):
         raise ValueError("The renderer does not fill the window (SetViewport), so no layer would.")
+    settings = velocity, frame_duration, camera_after, far
+    if apart is None:
+        return _image(window, _layers(window, renderer, *settings))
+    with _only(renderer, lambda actor: actor not in apart.values()):
+        layers = _layers(window, renderer, *settings)
+    for name, actor in apart.items():
+        with _only(renderer, lambda other, actor=actor: other is actor):
+            own = _layers(window, renderer, *settings)
+        layers |= {name: own["RGBA"], f"{name}.Z": own["Z"]}
+    return _image(window, layers)
+
+
+def _layers(
+    window: Any, renderer: Any, velocity: str, frame_duration: float, camera_after: Any, far: float
+) -> dict[str, Any]:
     window.Render()
     size = window.GetSize()
     picture = _picture(window, size)
@@ -169,14 +201,40 @@ def capture(
     after = _projection(renderer, camera_after or camera)
     moved = places + frame_duration * numpy.where(seen[:, None], values["velocity"], 0.0)
     steps = _pixels(moved, after, size) - _pixels(places, projection, size)
-    layers = {
+    return {
+        "RGBA": picture,
         "Z": numpy.where(hit, distances, far),
         "P": numpy.where(hit[:, None], places, 0.0),
         "N": numpy.where(seen[:, None], _unit(values["normal"]), 0.0),
         "forward": numpy.where(hit[:, None], steps, 0.0),
         "id": numpy.where(seen, numpy.rint(values["id"]), 0).astype(numpy.uint32),
     }
-    return _image(size, picture, layers)
+
+
+@contextmanager
+def _only(renderer: Any, is_shown: Any) -> Iterator[None]:
+    """Shows some actors before nothing."""
+    hidden = [one for one in renderer.GetActors() if one.GetVisibility() and not is_shown(one)]
+    color, alpha = renderer.GetBackground(), renderer.GetBackgroundAlpha()
+    renderer.SetBackground(0.0, 0.0, 0.0)
+    renderer.SetBackgroundAlpha(0.0)
+    for actor in hidden:
+        actor.VisibilityOff()
+    try:
+        yield
+    finally:
+        for actor in hidden:
+            actor.VisibilityOn()
+        renderer.SetBackground(color)
+        renderer.SetBackgroundAlpha(alpha)
+
+
+def _light(picture: Any) -> Any:
+    """Linear light of a display's colors, which are multiplied by alpha before and after."""
+    alpha = picture[:, 3:] / 255.0
+    plain = picture[:, :3] / numpy.where(alpha > 0.0, alpha, 1.0)
+    light = linear_light(numpy.minimum(plain, 255.0)) * alpha
+    return numpy.hstack([light, alpha]).astype(numpy.float32)
 
 
 def camera_matrices(renderer: Any) -> Any:
@@ -253,16 +311,17 @@ def _unit(vectors: Any) -> Any:
     return finite / numpy.where(lengths > 0.0, lengths, 1.0)
 
 
-def _image(size: tuple[int, int], picture: Any, layers: dict[str, Any]) -> Any:
+def _image(window: Any, layers: dict[str, Any]) -> Any:
     image = vtkImageData()
-    image.SetDimensions(size[0], size[1], 1)
-    data = image.GetPointData()
-    for name, numbers in {"RGBA": picture, **layers}.items():
-        if numbers.dtype == float:
-            numbers = numbers.astype(numpy.float32)
-        array = numpy_to_vtk(numpy.ascontiguousarray(numbers), deep=True)
-        array.SetName(name)
-        data.AddArray(array)
-    data.SetActiveScalars("RGBA")
+    image.SetDimensions(*window.GetSize(), 1)
+    for name, numbers in layers.items():
+        _add_array(image, name, numbers.astype("f4") if numbers.dtype == float else numbers)
+    image.GetPointData().SetActiveScalars("RGBA")
     image.GetInformation().Remove(vtkDataObject.DATA_TIME_STEP())
     return image
+
+
+def _add_array(image: Any, name: str, numbers: Any) -> None:
+    array = numpy_to_vtk(numpy.ascontiguousarray(numbers), deep=True)
+    array.SetName(name)
+    image.GetPointData().AddArray(array)

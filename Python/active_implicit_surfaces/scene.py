@@ -54,6 +54,12 @@ class Scene:
     color : (float, float, float)
     soft : bool
         Whether corners are shaded (not for layers, whose depth this takes).
+    ground : bool
+
+    Attributes
+    ----------
+    apart : dict
+        The ground's actor, as render.capture() takes it.
     """
 
     def __init__(
@@ -63,6 +69,7 @@ class Scene:
         up: str = "y",
         color: tuple[float, float, float] = COLORS["water"],
         soft: bool = True,
+        ground: bool = True,
     ) -> None:
         self.size, self.soft = size, soft
         self.fineness, self.border = (FINENESS, BORDER) if soft else (1, 0)
@@ -77,7 +84,9 @@ class Scene:
         points = numpy.asarray(held, dtype=float)
         axis, sign = "xyz".index(up[-1]), -1.0 if up[0] == "-" else 1.0
         self._place_camera(points, axis, sign)
-        self._add_ground(points.min(axis=0), points.max(axis=0), axis, sign)
+        self.apart = {"ground": self._add_ground(points.min(0), points.max(0), axis, sign)}
+        if not ground:
+            self.renderer.RemoveActor(self.apart.pop("ground"))
         self.window.SetOffScreenRendering(True)
         self.window.SetMultiSamples(0 if soft else 8)
         self.window.SetSize(*(self.fineness * (side + 2 * self.border) for side in size))
@@ -145,7 +154,7 @@ class Scene:
         if self.soft:
             self.renderer.SetPass(_shade_in_corners(2.0 * half * distance))
 
-    def _add_ground(self, low: Any, high: Any, up: int, sign: float) -> None:
+    def _add_ground(self, low: Any, high: Any, up: int, sign: float) -> Any:
         """A ground in the color of the background, which shows by the shade upon it."""
         reach, height = (
             4.0 * float(numpy.linalg.norm(high - low)),
@@ -167,6 +176,7 @@ class Scene:
         look.SetSpecular(0.0)
         self.renderer.AddActor(actor)
         self.renderer.ResetCameraClippingRange()
+        return actor
 
 
 def _set_look(look: Any, color: tuple[float, float, float]) -> None:

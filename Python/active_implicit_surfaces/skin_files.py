@@ -16,16 +16,18 @@ from .contours import contour
 from .data_objects import as_shape
 from .file_names import replacing, suffix_of
 from .glb import check_glb, write_glb
+from .mesh_writers import points_of, warn_of_losses, write_obj, write_ply, write_stl
 from .messages import listening, quiet
 from .particle_files import check_readable, read_vtk
 
-MESH_WRITERS = {
+# A function of this package, or a class of VTK.
+MESH_WRITERS: dict[str, Any] = {
     ".vtp": ("vtkmodules.vtkIOXML", "vtkXMLPolyDataWriter"),
-    ".ply": ("vtkmodules.vtkIOPLY", "vtkPLYWriter"),
-    ".obj": ("vtkmodules.vtkIOGeometry", "vtkOBJWriter"),
-    ".stl": ("vtkmodules.vtkIOGeometry", "vtkSTLWriter"),
+    ".ply": write_ply,
+    ".obj": write_obj,
+    ".stl": write_stl,
     ".vtk": ("vtkmodules.vtkIOLegacy", "vtkPolyDataWriter"),
-    ".glb": ("", ""),
+    ".glb": write_glb,
     ".vdb": ("active_implicit_surfaces.vtkActiveIO", "vtkActiveVDBWriter"),
 }
 SKIN_SUFFIXES = (".vtp", ".ply", ".obj", ".stl", ".glb", ".vdb")
@@ -39,8 +41,10 @@ def check_suffix(path: Path, known: tuple[str, ...], what: str) -> None:
         raise ValueError(f"{path}: {what} are written as {', '.join(known)}.")
 
 
-def write_mesh(path: Path, mesh: Any, port: Any = None, **settings: Any) -> None:
+def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **settings: Any) -> None:
     """Writes a mesh in the format of the extension, as a whole or not at all.
+
+    Warns of arrays that the format cannot hold.
 
     Parameters
     ----------
@@ -49,6 +53,8 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, **settings: Any) -> None
         A skin for .vdb: the filter's own output, whose grid then is written.
     port : vtkAlgorithmOutput, optional
         Where the mesh comes from, for the number of its frame in a .vdb.
+    up : {"x", "y", "z", "-x", "-y", "-z"}
+        Axis of the data that points up, for a .glb, where y does. Default: "y".
     **settings
         Calls of the writer: ``SetVoxelSize=0.1``.
 
@@ -58,9 +64,12 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, **settings: Any) -> None
         With the writer's sentence.
     """
     suffix = suffix_of(path)
+    warn_of_losses(suffix, mesh)
+    if suffix in (".stl", ".glb") or suffix in (".ply", ".obj") and mesh.GetNumberOfStrips():
+        mesh = _triangles(mesh)
     with replacing(path) as temporary:
-        if suffix == ".glb":
-            write_glb(temporary, _triangles(mesh))
+        if callable(MESH_WRITERS[suffix]):
+            MESH_WRITERS[suffix](temporary, mesh, **({"up": up} if suffix == ".glb" else {}))
             return
         module, name = MESH_WRITERS[suffix]
         writer = getattr(importlib.import_module(module), name)()
@@ -71,7 +80,7 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, **settings: Any) -> None
         if suffix == ".vdb" and port is not None:
             writer.SetInputConnection(port)
         else:
-            writer.SetInputData(_triangles(mesh) if suffix == ".stl" else mesh)
+            writer.SetInputData(mesh)
         with quiet(), listening(writer) as heard:
             writer.Write()
         if heard.errors or writer.GetErrorCode() or not temporary.exists():
@@ -108,9 +117,8 @@ def write_particles(path: Path, cloud: Any) -> None:
     if suffix in (".vtp", ".ply", ".vtk"):
         write_mesh(path, _with_vertices(cloud))
         return
-    points = cloud.GetPoints().GetData() if cloud.GetNumberOfPoints() else None
-    positions = numpy.zeros((0, 3)) if points is None else vtk_to_numpy(points)
-    arrays = _arrays_of(cloud)
+    warn_of_losses(suffix, cloud)
+    positions, arrays = points_of(cloud), _arrays_of(cloud)
     with replacing(path) as temporary:
         if suffix == ".npz":
             with temporary.open("wb") as file:
@@ -128,7 +136,7 @@ def write_particles(path: Path, cloud: Any) -> None:
 def _prepare_writer(writer: Any, suffix: str, mesh: Any) -> None:
     if suffix == ".vtp":
         writer.SetDataModeToBinary()  # which VTK 9.1 can read with any libexpat
-    if suffix in (".stl", ".ply", ".vtk"):
+    if suffix == ".vtk":
         writer.SetFileTypeToBinary()
     if suffix == ".vdb" and mesh.IsA("vtkPolyData"):
         names = _names(mesh)
@@ -138,7 +146,9 @@ def _prepare_writer(writer: Any, suffix: str, mesh: Any) -> None:
 
 def _triangles(mesh: Any) -> Any:
     """The mesh as triangles alone."""
-    if mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3:
+    if mesh.GetNumberOfStrips() or (
+        mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3
+    ):
         cut = vtkTriangleFilter()
         cut.SetInputData(mesh)
         cut.PassLinesOff()
@@ -162,8 +172,9 @@ def _read_glb(path: Path) -> Any:
     from vtkmodules.vtkIOGeometry import vtkGLTFReader
 
     check_readable(path)
-    check_glb(path)
+    is_own = check_glb(path)
     reader, surface = vtkGLTFReader(), vtkCompositeDataGeometryFilter()
+    reader.SetApplyDeformationsToGeometry(not is_own)  # leaves out the rotation of the node
     reader.SetFileName(str(path))
     surface.SetInputConnection(reader.GetOutputPort())
     with quiet(), listening(reader, surface) as heard:

@@ -111,8 +111,9 @@ class Morphs(unittest.TestCase):
                 active.morph(cube(), ball(), **arguments)
         with self.assertRaisesRegex(TypeError, "no mesh"):
             active.morph("cube", ball())
-        with self.assertRaisesRegex(TypeError, "give duration alone"):
-            active.morph(cube(), ball(), duration=2, arrival_time=1)
+        for name in "arrival_time", "start_time", "time_step_size", "number_of_time_steps":
+            with self.assertRaisesRegex(TypeError, f"{name} .* give duration alone"):
+                active.morph(cube(), ball(), duration=2, **{name: 1})
         with self.assertRaisesRegex(ValueError, "no polygons"):
             active.morph(make_points(grid()), ball())
 

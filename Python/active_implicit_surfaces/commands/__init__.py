@@ -5,6 +5,7 @@ Exit codes: 0, done; 1, something is wrong with the data or the machine; 2, with
 
 from __future__ import annotations
 
+import functools
 import importlib
 import os
 import sys
@@ -60,12 +61,14 @@ def _run(given: list[str]) -> int:
     module = importlib.import_module("." + command, __name__)
     with warnings.catch_warnings():
         warnings.simplefilter("always", ActiveSurfaceWarning)
-        warnings.showwarning = _show_warning
+        # A note is shown once, though it holds of each frame.
+        show = functools.cache(_show_note)
+        warnings.showwarning = lambda message, *_, **__: show(str(message))
         return int(module.run(given[1:]))
 
 
-def _show_warning(message: object, *_: object, **__: object) -> None:
-    print(f"active-surface: note: {message}", file=sys.stderr)
+def _show_note(text: str) -> None:
+    print(f"active-surface: note: {text}", file=sys.stderr)
 
 
 def _sentence(error: BaseException) -> str:

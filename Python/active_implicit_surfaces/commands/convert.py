@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
+import numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ..contours import contour, usual_level
@@ -18,6 +19,7 @@ from ..file_names import (
     numbers_of,
     suffix_of,
 )
+from ..mesh_writers import points_of
 from ..particle_files import PARTICLE_SUFFIXES, open_particles, read_vtk
 from ..skin_files import (
     MESH_SUFFIXES,
@@ -28,8 +30,10 @@ from ..skin_files import (
     write_mesh,
     write_particles,
 )
-from .options import Parser, add_help, positive
+from .effects import check_effects
+from .options import Parser, add_help, add_up_option, positive
 from .progress import Progress
+from .upward import lie
 
 _FOG_LEVEL = 0.5
 
@@ -48,6 +52,8 @@ def run(arguments: list[str]) -> int:
     already = [file for file in files if suffix_of(file) == suffix_of(output) == ".vdb"]
     if already:
         raise OSError(f"{already[0]} is a .vdb already; copy it, or convert it to a mesh.")
+    has_settings = options.level is not None or options.voxel_size is not None
+    check_effects(parser, options, output, [_way(files[0], output)] if has_settings else [])
     make_folder_of(output)
     if _holds_particles(files[0]):
         return _convert_particles(options, output)
@@ -55,8 +61,9 @@ def run(arguments: list[str]) -> int:
     is_series = len(files) > 1 or has_number(output)
     names = [numbered(output, number) if is_series else output for number in numbers_of(files)]
     check_distinct(files, names)
+    up = options.up
     for step, (file, name) in enumerate(zip(files, names)):
-        _convert_shape(file, name, options)
+        up = _convert_shape(file, name, options, up)
         progress(step + 1)
     progress.finish()
     return 0
@@ -79,9 +86,18 @@ def make_parser() -> Parser:
     parser.add_argument(
         "--level", type=float, metavar="X", help="of an image's surface (default: 0; of a fog: 0.5)"
     )
+    add_up_option(parser, "found", "in a .glb")
     parser.add_argument("--quiet", action="store_true", help="no progress")
     add_help(parser)
     return parser
+
+
+def _way(file: Path, output: Path) -> str:
+    """From what to what a file is converted."""
+    if _holds_particles(file):
+        return "particles"
+    kind = "image" if read_shape(file).IsA("vtkImageData") else "mesh"
+    return f"{kind}_to_{'vdb' if suffix_of(output) == '.vdb' else 'mesh'}"
 
 
 def _holds_particles(path: Path) -> bool:
@@ -122,7 +138,8 @@ def _convert_particles(options: Any, output: Path) -> int:
     return 0
 
 
-def _convert_shape(file: Path, name: Path, options: Any) -> None:
+def _convert_shape(file: Path, name: Path, options: Any, up: str | None) -> str | None:
+    """Returns the axis that points up in a .glb: that of the first file, for all of them."""
     shape, is_vdb = read_shape(file), suffix_of(name) == ".vdb"
     if suffix_of(name) not in MESH_WRITERS:
         raise OSError(f"{name}: meshes are written as {', '.join(MESH_WRITERS)}.")
@@ -131,7 +148,11 @@ def _convert_shape(file: Path, name: Path, options: Any) -> None:
     settings: dict[str, Any] = {}
     if is_vdb and options.voxel_size and shape.IsA("vtkPolyData"):
         settings["SetVoxelSize"] = options.voxel_size
-    write_mesh(name, shape, **settings)
+    if up is None and suffix_of(name) == ".glb" and shape.GetNumberOfPoints():
+        box = numpy.reshape(shape.GetBounds(), (3, 2)).T
+        up = lie(box[0], box[1], points_of(shape).mean(axis=0))
+    write_mesh(name, shape, up=up or "y", **settings)
+    return up
 
 
 def _contour(file: Path, image: Any, options: Any) -> Any:

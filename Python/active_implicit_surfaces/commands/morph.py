@@ -20,7 +20,9 @@ from ..file_names import (
 from ..fitting import FITS
 from ..morphing import morph
 from ..skin_files import MESH_SUFFIXES, SKIN_SUFFIXES, check_suffix, read_shape, write_mesh
+from .effects import check_effects
 from .options import (
+    PICTURE_SIZE,
     Parser,
     add_film_option,
     add_help,
@@ -49,6 +51,9 @@ def run(arguments: list[str]) -> int:
     except ValueError as error:
         parser.error(str(error))
     shapes = [read_shape(Path(name)) for name in (options.first, options.last)]
+    facts = ["mesh" for shape in shapes if shape.IsA("vtkPolyData")]
+    facts += ["compute_velocity=on"] * (suffix_of(options.render or "") == ".exr")
+    check_effects(parser, options, output, ["series", *facts])
     if output:
         planned = (numbered(output, step) for step in range(options.frames))
         check_distinct([Path(options.first), Path(options.last)], planned)
@@ -59,17 +64,23 @@ def run(arguments: list[str]) -> int:
     way = morph(shapes[0], shapes[1], options.duration, frames=count, fit=options.fit, **chosen)
     if options.render and suffix_of(options.render) == ".exr":
         way.surface.ComputeVelocityOn()
-    progress = Progress(count, quiet=options.quiet)
+    _write(options, shapes, way, output)
+    return 0
+
+
+def _write(options: Any, shapes: list[Any], way: morph, output: Path | None) -> None:
+    progress = Progress(len(way), quiet=options.quiet)
     names: list[Path] = []
     with ExitStack() as stack:
-        film = stack.enter_context(_film(options, shapes)) if options.render else None
+        film = stack.enter_context(_film(options, shapes, way.times)) if options.render else None
         for step, frame in enumerate(way):
             if output:
                 names.append(numbered(output, step))
                 # The filter's own output, whose grid a .vdb has.
-                write_mesh(names[-1], way.surface.GetOutput(), way.surface.GetOutputPort())
+                skin, port = way.surface.GetOutput(), way.surface.GetOutputPort()
+                write_mesh(names[-1], skin, port, options.up or "y")
             if film:
-                film.add(step, frame.skin)
+                film.add(step, frame.skin, step)
             progress(step + 1)
     if output:
         plain = without_number(output)
@@ -78,7 +89,6 @@ def run(arguments: list[str]) -> int:
             plain.with_suffix(".pvd") if is_vtp else Path(f"{plain}.series"), names, way.times
         )
     progress.finish()
-    return 0
 
 
 def make_parser() -> Parser:
@@ -127,7 +137,7 @@ def make_parser() -> Parser:
     return parser
 
 
-def _film(options: Any, shapes: list[Any]) -> Any:
+def _film(options: Any, shapes: list[Any], times: list[float]) -> Any:
     from ..film import Film, check_film
     from ..scene import COLORS, Scene
 
@@ -136,6 +146,6 @@ def _film(options: Any, shapes: list[Any]) -> Any:
     boxes = [shape.GetBounds() for shape in shapes]
     held = numpy.array([[box[i], box[2 + j], box[4 + k]] for box in boxes for i, j, k in _CORNERS])
     is_soft = suffix_of(path) != ".exr"
-    scene = Scene(held, options.size, options.up or "y", COLORS["paper"], is_soft)
-    rate = (options.frames - 1) / options.duration
-    return Film(path, scene, rate if 1.0 <= rate <= 240.0 else 25.0, options.frames)
+    up, has_ground = options.up or "y", not options.no_ground
+    scene = Scene(held, options.size or PICTURE_SIZE, up, COLORS["paper"], is_soft, has_ground)
+    return Film(path, scene, times)

@@ -12,6 +12,7 @@ from .. import properties, vtkActiveImplicitSurface
 from ..presets import PRESETS
 
 WIDTH = 100
+PICTURE_SIZE = (1280, 720)
 # Properties that --help tells, as most want to set them.
 MAIN_PROPERTIES = {
     "particle_spacing": "distance of neighbouring particles (default: estimated)",
@@ -163,15 +164,20 @@ def add_picture_options(parser: Parser, up: str) -> None:
     pictures.add_argument(
         "--size",
         type=picture_size,
-        default=(1280, 720),
         metavar="WxH",
-        help="in pixels (default: 1280x720)",
+        help="in pixels (default: {}x{})".format(*PICTURE_SIZE),
     )
-    pictures.add_argument(
+    pictures.add_argument("--no-ground", action="store_true", help="without a ground")
+    add_up_option(pictures, up, "of pictures and .glb")
+
+
+def add_up_option(group: Any, default: str, where: str) -> None:
+    """--up."""
+    group.add_argument(
         "--up",
         choices=("x", "y", "z", "-x", "-y", "-z"),
         metavar="AXIS",
-        help=f"axis that points up: x, y, z, or --up=-y (default: {up})",
+        help=f"axis that points up {where}: x, y, z, or --up=-y (default: {default})",
     )
 
 

@@ -25,8 +25,10 @@ from ..particle_files import PARTICLE_SUFFIXES, open_particles
 from ..presets import PRESETS
 from ..series import TemporalSource
 from ..skin_files import SKIN_SUFFIXES, check_suffix, write_mesh
+from .effects import check_effects
 from .options import (
     MAIN_PROPERTIES,
+    PICTURE_SIZE,
     Parser,
     add_film_option,
     add_help,
@@ -51,7 +53,10 @@ def run(arguments: list[str]) -> int:
     chosen = properties_of(options, parser)
     _check_names(options, parser)
     files = open_particles(options.files, fps=options.fps, times=options.times)
-    _Job(options, files, chosen).run()
+    job = _Job(options, files, chosen)
+    facts = ["particles", *(["series"] if len(job.times) > 1 else [])]
+    check_effects(parser, options, job.output, facts, job.surface)
+    job.run()
     return 0
 
 
@@ -179,9 +184,9 @@ class _Job:
         update(self.surface, self.times[step], self.source)
         skin = self.surface.GetOutput()
         if self.output:
-            write_mesh(self.name_of(step), skin, self.surface.GetOutputPort())
+            write_mesh(self.name_of(step), skin, self.surface.GetOutputPort(), self._up())
         if film:
-            film.add(self.files.numbers[step], skin)
+            film.add(step, skin, self.files.numbers[step])
         if self.resumption:
             self.resumption.save(self.surface, self.times, step + 1)
 
@@ -198,7 +203,7 @@ class _Job:
             self.resumption.forget()
         elif done > first:  # else the state is there already
             self.resumption.save(self.surface, self.times, done, now=True)
-        if len(self.times) > 1 and self.options.index != "none":
+        if (len(self.times) > 1 or self.options.index) and self.options.index != "none":
             names = [self.name_of(step) for step in range(len(self.times))]
             write_index(_index_name(self.options.index, self.output), names, self.times)
 
@@ -211,16 +216,21 @@ class _Job:
         held, up = self._find_view()
         scene = Scene(
             held,
-            self.options.size,
+            self.options.size or PICTURE_SIZE,
             self.options.up or up,
             COLORS[self.options.preset or "water"],
             soft=suffix_of(path) != ".exr",
+            ground=not self.options.no_ground,
         )
-        fps = self.options.fps or _rate(self.times)
-        return Film(path, scene, fps, len(self.times))
+        return Film(path, scene, self.times, self.options.fps)
+
+    def _up(self) -> str:
+        """The axis of the data that is up in a .glb, as it is in pictures."""
+        assert self.output is not None
+        return "y" if suffix_of(self.output) != ".glb" else self.options.up or self._find_view()[1]
 
     def _find_view(self) -> tuple[Any, str]:
-        """That of the pictures so far, where there are some."""
+        """What the camera holds, and the axis that is up; of a run that goes on, as before."""
         kept = self.resumption.view if self.resumption else None
         if kept:
             return numpy.array(kept[0]), str(kept[1])
@@ -242,11 +252,3 @@ def _index_name(given: str | None, output: Path) -> Path:
         return Path(given)
     plain = without_number(output)
     return plain.with_suffix(".pvd") if plain.suffix == ".vtp" else Path(f"{plain}.series")
-
-
-def _rate(times: list[float]) -> float:
-    """Frames per second at which the film is as long as the series."""
-    if len(times) < 2:
-        return 25.0
-    rate = (len(times) - 1) / (times[-1] - times[0])
-    return rate if 1.0 <= rate <= 240.0 else 25.0

@@ -81,7 +81,8 @@ class Fall:
 
 def lie(low: Any, high: Any, mean: Any) -> str:
     """The one of y and z along which particles lie low in their box, or flat; z if neither."""
-    place, sides = (mean - low) / (high - low), high - low
+    sides = high - low
+    place = (mean - low) / numpy.maximum(sides, 1e-300)
     if abs(place[1] - place[2]) >= _LOWER:
         return "y" if place[1] < place[2] else "z"
     return "y" if sides[2] >= _FLATTER * sides[1] else "z"

@@ -1,0 +1,146 @@
+"""Options that have no effect where they are given: an error, which says where they act.
+
+A run has facts, as "render", or "particle_model=sum" for each choice and switch of its filter. An
+option acts if the run has at least one fact of each of the option's rows. Rows are in the tables
+below, or follow from the filter's classes and their documentation.
+"""
+
+from __future__ import annotations
+
+import re
+import warnings
+from argparse import Namespace
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from .. import properties, vtkActiveImplicitSurface
+from ..file_names import suffix_of
+from ..messages import ActiveSurfaceWarning
+from .options import Parser, properties_of
+
+_START = "property_"  # of the properties' names among the options
+_ACTING = (  # rows, and what has them: options, and properties after a colon
+    ("render", "size no_ground"),
+    ("render glb", "up"),
+    ("no_times render", "fps"),
+    ("series render", "fps"),
+    ("series", "ids :time_scale"),
+    ("render glb compute_velocity=on", "velocities"),
+    ("render glb tangential_velocity=on", "velocities"),
+    ("files", "index :compute_curvature :compute_normals :pass_target_arrays"),
+    ("files exr", ":compute_velocity"),
+    ("mesh_to_vdb", "voxel_size"),
+    ("image_to_mesh", "level"),
+    ("mesh", ":mesh_thickness"),
+    ("no_radii", ":particle_radius"),
+    ("duration", ":arrival_time"),
+    ("potential", ":output_potential"),
+    ("particle_model=anisotropic", ":anisotropy"),
+    ("particle_model=sum", ":particle_threshold"),
+    ("normalize_target=on", ":target_noise"),
+    ("compute_velocity=on", ":tangential_velocity :maximum_velocity"),
+    ("evolution_mode=equilibrium", ":rest_tolerance :maximum_number_of_substeps"),
+    ("volume_control=penalty volume_control=exact", ":target_volume"),
+    ("volume_control=penalty", ":volume_stiffness"),
+    ("area_control=penalty area_control=exact", ":target_area"),
+    ("area_control=penalty", ":area_stiffness"),
+)
+_WHERE = {
+    "duration": "as --duration of active-surface morph",
+    "exr": "on pictures .exr",
+    "files": "on skins that are written, with -o",
+    "glb": "on a .glb",
+    "image_to_mesh": "from an image to a mesh",
+    "mesh": "on meshes, with active-surface morph",
+    "mesh_to_vdb": "from a mesh to a .vdb",
+    "no_radii": "without --radii",
+    "no_times": "without --times",
+    "particles": "on particles, with active-surface skin",
+    "pipeline": "in a pipeline of VTK; the times here are those of --times, --fps or --duration",
+    "potential": "in a pipeline of VTK; -o NAME.vdb writes the potential here",
+    "render": "on pictures, with --render",
+    "series": "from one frame to the next",
+}
+
+
+def check_effects(
+    parser: Parser,
+    options: Namespace,
+    output: Path | None,
+    facts: Iterable[str],
+    surface: Any = None,
+) -> None:
+    """Ends the program if an option has no effect; where more frames would help, warns of it.
+
+    Without a surface the properties are those of the options.
+    """
+    given = vars(options)
+    if surface is None:
+        surface = vtkActiveImplicitSurface()
+        properties.put(surface, properties_of(options, parser))
+    known = {*facts, *_state_of(surface)}
+    known |= {f"no_{name}" for name in ("times", "radii") if given.get(name) is None}
+    known |= {"files", suffix_of(output)[1:]} if output else set()
+    known |= {"render", suffix_of(given["render"])[1:]} if given.get("render") else set()
+    idle = []
+    for option, rows in _given(options):
+        for row in rows:
+            if known.isdisjoint(row.split()) and "series" in row:
+                idle.append(option)
+            elif known.isdisjoint(row.split()):
+                where = " or ".join(map(_phrase, row.split()))
+                parser.error(f"{option} has no effect here: it acts {where}")
+    if idle:
+        text = f"Of no effect on one frame: {', '.join(idle)}; give a series, or leave it out."
+        warnings.warn(text, ActiveSurfaceWarning, stacklevel=2)
+
+
+def _given(options: Namespace) -> Iterator[tuple[str, list[str]]]:
+    """The options of a command line, and their rows."""
+    for name, value in vars(options).items():
+        if name.startswith(_START) and value is not None:
+            own = properties.find(name[len(_START) :])
+            if own.kind != "switch" or value != own.default:
+                yield own.option if value is not False else f"--no-{own.option[2:]}", rows_of(own)
+        elif value not in (None, False):
+            yield "--" + name.replace("_", "-"), _rows(name)
+
+
+def rows_of(own: properties.Property) -> list[str]:
+    """The rows of a property: the table's, and those that class and documentation tell."""
+    classes = {
+        "vtkActiveMotionAlgorithm": "series evolution_mode=equilibrium volume_control=exact "
+        "area_control=exact",
+        "vtkActiveParticleAlgorithm": "particles",
+    }
+    told = {
+        "(Of no use to|over) other targets": "particles",
+        "PaperScheme": "paper_scheme=off",
+        "published where the input has": "pipeline",
+    }
+    found = [row for words, row in told.items() if re.search(words, own.comment)]
+    return _rows(":" + own.keyword) + [*filter(None, [classes.get(own.owner)]), *found]
+
+
+def _rows(name: str) -> list[str]:
+    return [row for row, names in _ACTING if name in names.split()]
+
+
+def _state_of(surface: Any) -> Iterator[str]:
+    for own in properties.every():
+        value = getattr(surface, "Get" + own.name)()
+        if own.kind == "choice":
+            yield f"{own.keyword}={own.choices[value]}"
+        elif own.kind == "switch":
+            yield f"{own.keyword}={'on' if value else 'off'}"
+
+
+def _phrase(fact: str) -> str:
+    keyword, _, value = fact.partition("=")
+    if not value:
+        return _WHERE[fact]
+    option = properties.find(keyword).option
+    if value in ("on", "off"):
+        return f"with{'out' * (value == 'off')} {option}"
+    return f"with {option} {value.replace('_', '-')}"

@@ -1,0 +1,194 @@
+"""Meshes and particles as .ply, .obj and .stl.
+
+VTK's own writers leave out normals, point arrays and digits, and write no mesh without points.
+"""
+
+from __future__ import annotations
+
+import re
+import warnings
+from pathlib import Path
+from typing import Any
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from .messages import ActiveSurfaceWarning
+
+# What a format holds of a mesh, besides points and polygons.
+_NUMBERS = ("normals", "colours", "numbers")
+_EVERYTHING = (*_NUMBERS, "words", "cells", "lines")
+_HELD: dict[str, tuple[str, ...]] = {
+    **dict.fromkeys((".vtp", ".vtk"), _EVERYTHING),
+    **dict.fromkeys((".ply", ".glb", ".csv", ".json", ".npz"), _NUMBERS),
+    ".obj": ("normals", "colours", "lines"),
+    ".stl": ("normals",),  # those of its triangles
+    ".xyz": (),
+}
+_PLY_TYPES = {"u1": "uchar", "i4": "int", "f4": "float", "f8": "double"}
+
+
+def points_of(data: Any) -> Any:
+    """Coordinates, an array (n, 3)."""
+    points = data.GetPoints()
+    return vtk_to_numpy(points.GetData()) if points else numpy.zeros((0, 3), "f4")
+
+
+def arrays_of(data: Any) -> tuple[Any, Any, dict[str, Any]]:
+    """Normals and colours (0 to 255), or None, and the other point arrays of numbers by name.
+
+    Colours are the first array of bytes with 3 or 4 components.
+    """
+    roles, others = dict[str, Any](), dict[str, Any]()
+    for role, name, array in _point_arrays(data):
+        if role != "words":
+            values = vtk_to_numpy(array).reshape(-1, array.GetNumberOfComponents())
+            (others if role == "numbers" else roles)[name if role == "numbers" else role] = values
+    return roles.get("normals"), roles.get("colours"), others
+
+
+def _point_arrays(data: Any) -> list[tuple[str, str, Any]]:
+    """The role of each point array in a file, its name, and itself."""
+    own, found = data.GetPointData(), list[tuple[str, str, Any]]()
+    for i in range(own.GetNumberOfArrays()):
+        array, role = own.GetAbstractArray(i), "numbers"
+        kind = array.GetDataTypeAsString()
+        if array is own.GetNormals():
+            role = "normals"
+        elif not array.IsA("vtkDataArray") or kind == "bit":
+            role = "words"
+        elif kind == "unsigned char" and array.GetNumberOfComponents() in (3, 4):
+            role = "numbers" if any(one == "colours" for one, _, _ in found) else "colours"
+        found.append((role, array.GetName() or f"array_{i}", array))
+    return found
+
+
+def warn_of_losses(suffix: str, data: Any) -> None:
+    """Warns of what a file of this extension cannot hold of a mesh; says which formats can."""
+    found = [(role, name) for role, name, _ in _point_arrays(data)]
+    cells = data.GetCellData()
+    names = map(cells.GetArrayName, range(cells.GetNumberOfArrays()))
+    found += [("cells", f"{name} (of cells)") for name in names]
+    if data.IsA("vtkPolyData") and data.GetNumberOfLines():
+        found.append(("lines", "the lines"))
+    lost = {name: role for role, name in found if role not in _HELD.get(suffix, _EVERYTHING)}
+    if lost:
+        others = (".csv", ".npz", ".vtp") if suffix == ".xyz" else (".vtp", ".ply", ".glb")
+        better = [one for one in others if set(lost.values()) <= set(_HELD[one])]
+        warnings.warn(
+            f"Left out, because a {suffix} file cannot hold more: {', '.join(lost)}; write "
+            f"{' or '.join(better)} to keep all.",
+            ActiveSurfaceWarning,
+            stacklevel=3,
+        )
+
+
+def write_ply(path: Path, mesh: Any) -> None:
+    """Writes points, polygons and point arrays: those of several components as name_x, name_y ...
+
+    Normals are nx, ny and nz, colours red, green, blue and alpha.
+    """
+    columns = _columns(mesh)
+    rows = numpy.empty(mesh.GetNumberOfPoints(), [(name, "<" + kind) for name, kind, _ in columns])
+    for name, _, values in columns:
+        rows[name] = values
+    polygons = polygons_of(mesh)
+    count = "uchar" if all(corners.shape[1] < 256 for corners in polygons) else "int"
+    head = ["ply", "format binary_little_endian 1.0", f"element vertex {len(rows)}"]
+    head += [f"property {_PLY_TYPES[kind]} {name}" for name, kind, _ in columns]
+    head += [f"element face {sum(map(len, polygons))}"]
+    head += [f"property list {count} int vertex_indices", "end_header\n"]
+    with path.open("wb") as file:
+        file.write("\n".join(head).encode("ascii"))
+        file.write(rows.tobytes())
+        for corners in polygons:
+            width = corners.shape[1]
+            kind = [("n", "u1" if count == "uchar" else "<i4"), ("ids", "<i4", (width,))]
+            faces = numpy.empty(len(corners), kind)
+            faces["n"], faces["ids"] = width, corners
+            file.write(faces.tobytes())
+
+
+def write_stl(path: Path, mesh: Any) -> None:
+    """Writes triangles, each with its own normal."""
+    places = [points_of(mesh)[corners] for corners in polygons_of(mesh)]
+    corners = numpy.concatenate([numpy.zeros((0, 3, 3)), *places])
+    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    lengths = numpy.linalg.norm(normals, axis=1, keepdims=True)
+    facets = numpy.zeros(len(corners), [("numbers", "<f4", (4, 3)), ("count", "<u2")])
+    facets["numbers"][:, 0] = normals / numpy.where(lengths > 0, lengths, 1)
+    facets["numbers"][:, 1:] = corners
+    with path.open("wb") as file:
+        file.write(b"binary".ljust(80) + len(facets).to_bytes(4, "little"))
+        file.write(facets.tobytes())
+
+
+def write_obj(path: Path, mesh: Any) -> None:
+    """Writes points, with colours as r g b behind x y z, normals, polygons and lines."""
+    table, (normals, colours, _) = points_of(mesh), arrays_of(mesh)
+    form = "v" + 3 * (" %.9g" if table.dtype.itemsize <= 4 else " %.17g")
+    if colours is not None:
+        table, form = numpy.hstack([table, colours[:, :3] / 255.0]), form + 3 * " %.4g"
+    parts, corner = [(form, table)], " %d"
+    if normals is not None:
+        parts.append(("vn %.6g %.6g %.6g", normals))
+        corner = " %d//%d"
+    for ids in polygons_of(mesh):
+        repeated = numpy.repeat(ids + 1, corner.count("%"), axis=1)
+        parts.append(("f" + ids.shape[1] * corner, repeated))
+    parts += [("l" + ids.shape[1] * " %d", ids + 1) for ids in _corners(mesh.GetLines(), 2)]
+    with path.open("w", encoding="ascii") as file:
+        for form, rows in parts:
+            file.writelines(form % tuple(row) + "\n" for row in rows.tolist())
+
+
+def polygons_of(mesh: Any) -> list[Any]:
+    """Corners of the polygons, an array (n, k) for each number of corners k."""
+    return _corners(mesh.GetPolys(), 3)
+
+
+def _corners(cells: Any, least: int) -> list[Any]:
+    if cells.GetNumberOfCells() == 0:
+        return []
+    ids, starts = (
+        vtk_to_numpy(array) for array in (cells.GetConnectivityArray(), cells.GetOffsetsArray())
+    )
+    sizes = numpy.diff(starts)
+    wide = ((size, starts[:-1][sizes == size]) for size in numpy.unique(sizes[sizes >= least]))
+    return [ids[first[:, None] + numpy.arange(size)] for size, first in wide]
+
+
+def _columns(mesh: Any) -> list[tuple[str, str, Any]]:
+    """The properties of a vertex in a .ply: name, type, values."""
+    normals, colours, others = arrays_of(mesh)
+    parts = [(["x", "y", "z"], points_of(mesh))]
+    if normals is not None:
+        parts.append((["nx", "ny", "nz"], normals.astype("f4")))
+    if colours is not None:
+        parts.append((["red", "green", "blue", "alpha"], colours))
+    parts += [(_components(name, values.shape[1]), values) for name, values in others.items()]
+    found = dict[str, tuple[str, str, Any]]()
+    for names, values in parts:
+        for name, column in zip(names, values.T):
+            while name in found:
+                name += "_"
+            found[name] = name, _ply_kind(values), column
+    return list(found.values())
+
+
+def _components(name: str, count: int) -> list[str]:
+    plain = re.sub(r"[^!-~]", "_", name)  # neither spaces nor what is not ASCII
+    if count == 1:
+        return [plain]
+    return [f"{plain}_{one}" for one in ("xyzw" if count <= 4 else range(count))][:count]
+
+
+def _ply_kind(values: Any) -> str:
+    """The type of a .ply that has these numbers as they are, as far as there is one."""
+    if values.dtype.kind == "f":
+        return "f4" if values.dtype.itemsize <= 4 else "f8"
+    if values.dtype == "u1":
+        return "u1"
+    bounds = numpy.iinfo("i4")
+    fits = values.size == 0 or (values.min() >= bounds.min and values.max() <= bounds.max)
+    return "i4" if fits else "f8"
