@@ -1,4 +1,6 @@
-"""Whether a .ply is whole: VTK's reader goes on beyond the end of one that is not."""
+"""What a .ply holds beside the mesh, and whether it is whole: VTK's reader goes on beyond the end
+of one that is not, and leaves out properties that it does not know.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +9,10 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
+
+from .data_objects import add_array
+from .tables import group_columns
 
 _LONGEST_HEADER = 1 << 16
 _NUMBER = re.compile(rb"[-+.\w]+")
@@ -20,6 +26,11 @@ _TYPES = {
     **dict.fromkeys(("float", "float32"), "f4"),
     **dict.fromkeys(("double", "float64"), "f8"),
 }
+# Properties of which VTK's reader makes arrays of its own.
+_KNOWN = frozenset(
+    "nx ny nz red green blue alpha diffuse_red diffuse_green diffuse_blue u v s t texture_u "
+    "texture_v intensity".split()
+)
 _ENDS_EARLY = "it is damaged: it ends before its elements do"
 _ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": ""}
 
@@ -56,6 +67,42 @@ def check_ply(path: Path) -> None:
         raise OSError(
             f"{path} cannot be read: {what}, or it is not what its extension says."
         ) from error
+
+
+def add_properties(path: Path, data: Any) -> None:
+    """Gives a data set the properties of the vertices that VTK leaves out as point arrays."""
+    with path.open("rb") as file:
+        head = file.read(_LONGEST_HEADER)
+    order, elements, start = _read_header(head)
+    place = next(i for i, element in enumerate(elements) if element.name == "vertex")
+    vertex, before = elements[place], elements[:place]
+    kinds = [(each.name, order + each.kinds[0]) for each in vertex.properties]
+    names = [name for name, _ in kinds]
+    is_table = all(len(each.kinds) == 1 for each in vertex.properties) and len({*names}) == len(
+        names
+    )
+    if not is_table or vertex.rows != data.GetNumberOfPoints() or vertex.rows == 0:
+        return
+    if order:
+        for element in before:
+            start = _end_of(numpy.memmap(path, "u1", "r"), order, element, start)
+        table = numpy.fromfile(path, kinds, vertex.rows, offset=start)
+    else:
+        skip = head[:start].count(b"\n") + sum(element.rows for element in before)
+        rows = {"skiprows": skip, "max_rows": vertex.rows, "encoding": "latin-1"}
+        try:
+            table = numpy.loadtxt(path, kinds, None, ndmin=1, **rows)
+        except ValueError as error:
+            raise OSError(
+                f"{path} cannot be read: it is damaged; a row has what is no number."
+            ) from error
+    for name, columns in group_columns(names).items():
+        values = numpy.stack([table[names[i]] for i in columns], axis=-1)
+        values = values.astype(values.dtype.newbyteorder("="))
+        if name == "positions" and values.dtype == "f8":  # VTK's are of single precision
+            data.GetPoints().SetData(numpy_to_vtk(values, deep=True))
+        elif name != "positions" and not _KNOWN & {names[i].lower() for i in columns}:
+            add_array(data, name, values if len(columns) > 1 else values[:, 0])
 
 
 class _DamageError(ValueError):
@@ -103,15 +150,18 @@ def _check_names(elements: list[_Element]) -> None:
 
 
 def _check_binary(content: Any, order: str, elements: list[_Element], start: int) -> None:
-    place = start
     for element in elements:
-        sizes = [numpy.dtype(each.kinds[0]).itemsize for each in element.properties]
-        if place + element.rows * sum(sizes) > len(content):
-            raise _DamageError(_ENDS_EARLY)
-        if all(len(each.kinds) == 1 for each in element.properties):
-            place += element.rows * sum(sizes)
-        else:
-            place = _skip_lists(content, order, element, place)
+        start = _end_of(content, order, element, start)
+
+
+def _end_of(content: Any, order: str, element: _Element, place: int) -> int:
+    """Where the rows of an element end that begin at a place."""
+    sizes = [numpy.dtype(each.kinds[0]).itemsize for each in element.properties]
+    if place + element.rows * sum(sizes) > len(content):
+        raise _DamageError(_ENDS_EARLY)
+    if all(len(each.kinds) == 1 for each in element.properties):
+        return place + element.rows * sum(sizes)
+    return _skip_lists(content, order, element, place)
 
 
 def _skip_lists(content: Any, order: str, element: _Element, place: int) -> int:
