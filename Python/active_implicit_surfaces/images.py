@@ -110,6 +110,8 @@ def _parts_of(path: Path) -> tuple[dict[str, str], bytes]:
             raise ValueError(f"its data are in {name}: {error.strerror}") from error
     if fields.get("encoding", "").lower() in ("gz", "gzip"):
         body, fields["encoding"] = gzip.decompress(body), "raw"
+    if is_meta and not {"NDims", "DimSize", "ElementType"} <= fields.keys():
+        raise ValueError("it has no NDims, DimSize or ElementType")
     if fields.get("encoding", "raw").lower() != "raw":
         raise ValueError(
             f"its encoding is {fields['encoding']}, which is not read; write raw or gzip"

@@ -74,8 +74,7 @@ def add_properties(path: Path, data: Any) -> None:
     with path.open("rb") as file:
         head = file.read(_LONGEST_HEADER)
     order, elements, start = _read_header(head)
-    place = next(i for i, element in enumerate(elements) if element.name == "vertex")
-    vertex, before = elements[place], elements[:place]
+    vertex = elements[0]
     kinds = [(each.name, order + each.kinds[0]) for each in vertex.properties]
     names = [name for name, _ in kinds]
     is_table = all(len(each.kinds) == 1 for each in vertex.properties) and len({*names}) == len(
@@ -84,11 +83,9 @@ def add_properties(path: Path, data: Any) -> None:
     if not is_table or vertex.rows != data.GetNumberOfPoints() or vertex.rows == 0:
         return
     if order:
-        for element in before:
-            start = _end_of(numpy.memmap(path, "u1", "r"), order, element, start)
         table = numpy.fromfile(path, kinds, vertex.rows, offset=start)
     else:
-        skip = head[:start].count(b"\n") + sum(element.rows for element in before)
+        skip = head[:start].count(b"\n")
         rows = {"skiprows": skip, "max_rows": vertex.rows, "encoding": "latin-1"}
         try:
             table = numpy.loadtxt(path, kinds, None, ndmin=1, **rows)
@@ -147,21 +144,20 @@ def _check_names(elements: list[_Element]) -> None:
             raise _DamageError("its faces have no vertex_indices")
     if all(element.name != "vertex" for element in elements):
         raise _DamageError("it has no vertices")
+    if elements[0].name != "vertex":  # which VTK's reader may crash at
+        raise _DamageError("its vertices are not its first element; write them first")
 
 
 def _check_binary(content: Any, order: str, elements: list[_Element], start: int) -> None:
+    place = start
     for element in elements:
-        start = _end_of(content, order, element, start)
-
-
-def _end_of(content: Any, order: str, element: _Element, place: int) -> int:
-    """Where the rows of an element end that begin at a place."""
-    sizes = [numpy.dtype(each.kinds[0]).itemsize for each in element.properties]
-    if place + element.rows * sum(sizes) > len(content):
-        raise _DamageError(_ENDS_EARLY)
-    if all(len(each.kinds) == 1 for each in element.properties):
-        return place + element.rows * sum(sizes)
-    return _skip_lists(content, order, element, place)
+        sizes = [numpy.dtype(each.kinds[0]).itemsize for each in element.properties]
+        if place + element.rows * sum(sizes) > len(content):
+            raise _DamageError(_ENDS_EARLY)
+        if all(len(each.kinds) == 1 for each in element.properties):
+            place += element.rows * sum(sizes)
+        else:
+            place = _skip_lists(content, order, element, place)
 
 
 def _skip_lists(content: Any, order: str, element: _Element, place: int) -> int:

@@ -138,7 +138,7 @@ def write_particles(path: Path, cloud: Any) -> None:
     """Writes points and their arrays in the format of the extension, as a whole or not at all."""
     suffix = suffix_of(path)
     if suffix in (".vtp", ".ply", ".vtk"):
-        write_mesh(path, _with_vertices(cloud))
+        write_mesh(path, _with_vertices(cloud) if cloud.GetNumberOfPoints() else cloud)
         return
     points = cloud.GetPoints().GetData() if cloud.GetNumberOfPoints() else None
     positions = numpy.zeros((0, 3)) if points is None else vtk_to_numpy(points)

@@ -80,7 +80,7 @@ def read_json(path: Path) -> Frames:
 
 def _even_array(what: str, values: Any) -> Any:
     try:
-        return numpy.array(values)
+        return numpy.array(values) if values != [] else numpy.zeros((0, 3))
     except ValueError:
         raise ValueError(f"its {what} has rows of different lengths") from None
 
