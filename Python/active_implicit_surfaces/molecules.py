@@ -8,7 +8,7 @@ from typing import Any
 import numpy
 
 from .messages import warn_all
-from .tables import Frame, Frames
+from .tables import Frame, Frames, number
 
 _DEFAULT = "species:S:1:pos:R:3"
 _PAIR = re.compile(r"""([A-Za-z_][\w-]*)\s*=\s*("[^"]*"|'[^']*'|\{[^}]*\}|\[[^]]*\]|[^\s,]+)""")
@@ -36,19 +36,14 @@ def read_molecule(lines: list[str]) -> Frames:
         comment = lines[place + 1] if place + 1 < len(lines) else ""
         pairs = {name: value.strip("\"'{}[]") for name, value in _PAIR.findall(comment)}
         frames.append(_read_frame(lines[place + 2 : place + 2 + count], count, place, pairs))
-        times.append(next((_time(pairs[name]) for name in ("Time", "time") if name in pairs), None))
+        times.append(
+            next((number(pairs[name]) for name in ("Time", "time") if name in pairs), None)
+        )
         place += 2 + count
     _add_elements(frames)
     known = [time for time in times if time is not None]
     are_times = len(known) == len(frames) and all(a < b for a, b in zip(known, known[1:]))
     return frames, known if are_times else None
-
-
-def _time(text: str) -> float | None:
-    try:
-        return float(text)
-    except ValueError:
-        return None
 
 
 def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str]) -> Frame:
@@ -156,16 +151,12 @@ def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
     is_chain = {"CA"} == symbols or {"CA", "C", "N"} <= symbols
     if not is_chain and all(as_elements[symbol] or not as_names[symbol] for symbol in symbols):
         return as_elements
-    other = sorted(s for s, number in as_names.items() if number and number != _plain(s, table))
+    other = sorted(s for s, z in as_names.items() if z and z != table.GetAtomicNumber(s))
     meant = [f"{symbol} is {table.GetSymbol(as_names[symbol])}" for symbol in other]
     warn_all(
         [f"The atoms have names in place of elements: {_few(meant)}. If not so, write elements."]
     )
     return as_names
-
-
-def _plain(symbol: str, table: Any) -> int:
-    return int(table.GetAtomicNumber(symbol))
 
 
 def _number(symbol: str, element: str, table: Any) -> int:

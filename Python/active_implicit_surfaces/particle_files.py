@@ -21,7 +21,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from . import text_particles
 from .data_objects import add_array, as_particles
 from .file_names import expand, numbers_of, suffix_of
-from .images import IMAGE_SUFFIXES, read_meta_or_nrrd, read_nifti
+from .images import IMAGE_SUFFIXES, read_image
 from .messages import ActiveSurfaceWarning, listening, quiet, warn_all
 from .obj_files import check_obj
 from .ply_files import add_properties, check_ply
@@ -49,11 +49,6 @@ _VTK_READERS = {
 }
 # What looks a file through before VTK's reader, which takes, or crashes at, any bytes.
 _CHECKS = {".ply": check_ply, ".obj": check_obj, ".stl": check_stl}
-# What calls VTK's reader, and adds what that leaves out.
-_IMAGE_READERS = {
-    **dict.fromkeys((".nii", ".nii.gz"), read_nifti),
-    **dict.fromkeys((".mha", ".mhd", ".nrrd", ".nhdr"), read_meta_or_nrrd),
-}
 _TEXT_READERS = {
     ".csv": text_particles.read_csv,
     ".xyz": text_particles.read_xyz,
@@ -148,8 +143,8 @@ def open_particles(
 def read_vtk(path: Path, time: float | None = None, **settings: Any) -> Any:
     """What a reader of VTK or of this package makes of a file, at one of its time steps."""
     reader = _vtk_reader(path, **settings)
-    if suffix_of(path) in _IMAGE_READERS:
-        return _IMAGE_READERS[suffix_of(path)](path, reader, lambda reader: _update(reader, path))
+    if suffix_of(path) in IMAGE_SUFFIXES[1:]:
+        return read_image(path, reader, lambda reader: _update(reader, path))
     return _update(reader, path, time)
 
 

@@ -86,7 +86,7 @@ def add_properties(path: Path, data: Any) -> None:
         table = numpy.fromfile(path, kinds, vertex.rows, offset=start)
     else:
         skip = head[:start].count(b"\n")
-        rows = {"skiprows": skip, "max_rows": vertex.rows, "encoding": "latin-1"}
+        rows: dict[str, Any] = {"skiprows": skip, "max_rows": vertex.rows, "encoding": "latin-1"}
         try:
             table = numpy.loadtxt(path, kinds, None, ndmin=1, **rows)
         except ValueError as error:

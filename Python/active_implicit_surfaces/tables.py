@@ -93,7 +93,7 @@ def _split(line: str, separator: str | None) -> list[str]:
     return [cell.strip() for cell in next(rows, [])]
 
 
-def _number(cell: str, has_commas: bool = True) -> float | None:
+def number(cell: str, has_commas: bool = True) -> float | None:
     """The number in a cell, NaN if the cell is empty; none if it is text."""
     if cell.lower() in _MISSING:
         return math.nan
@@ -104,7 +104,7 @@ def _number(cell: str, has_commas: bool = True) -> float | None:
 
 
 def _is_number(cell: str) -> bool:
-    return cell.lower() not in _MISSING and _number(cell) is not None
+    return cell.lower() not in _MISSING and number(cell) is not None
 
 
 def _rows(lines: list[str], start: int) -> list[int]:
@@ -124,7 +124,7 @@ def _find_header(lines: list[str]) -> _Form | None:
                 continue
             rows = _rows(lines, place + 1)
             cells = _split(lines[rows[0]], separator) if rows else names
-            if len(cells) == len(names) and not any(map(_number, cells)) and all(cells):
+            if len(cells) == len(names) and not any(map(number, cells)) and all(cells):
                 rows = rows[1:] if not any(map(_is_number, cells)) else rows  # units
             start = rows[0] if rows else len(lines)
             if len(cells) == len(names) or (len(cells) == len(names) + 1 and not cells[-1]):
@@ -139,7 +139,7 @@ def _find_header(lines: list[str]) -> _Form | None:
 
 def _are_row_names(lines: list[str], rows: list[int], separator: str | None) -> bool:
     """Whether rows begin with their numbers or names, for which R's headers have no column."""
-    heads = [_number(_split(lines[i], separator)[0]) for i in rows]
+    heads = [number(_split(lines[i], separator)[0]) for i in rows]
     steps = {after - before for before, after in zip(heads, heads[1:]) if before and after}
     return steps <= {1.0} and len({_split(lines[i], separator)[0] for i in rows}) == len(rows)
 
@@ -172,12 +172,12 @@ def _examine(lines: list[str], form: _Form) -> _Form:
     rows = [_split(lines[i], form.separator) for i in _rows(lines, form.start)]
     cells = [cell for row in rows for cell in row]
     has_commas = any(map(_DECIMAL_COMMA.fullmatch, cells)) and not any(
-        "." in cell and _number(cell, False) is not None for cell in cells
+        "." in cell and number(cell, False) is not None for cell in cells
     )
     columns = []
     for i in range(len(form.names or (rows[0] if rows else ()))):
         held = [row[i] for row in rows if len(row) > i and row[i].lower() not in _MISSING]
-        if not held or _number(held[0], has_commas) is not None:
+        if not held or number(held[0], has_commas) is not None:
             columns.append(i)
     return form._replace(has_commas=has_commas, columns=columns)
 
@@ -207,17 +207,17 @@ def _load(lines: list[str], form: _Form) -> Any:
 def _load_by_rows(lines: list[str], form: _Form, is_whole: bool) -> Any:
     """As `_load`, for rows with empty cells, and to find the first that is none."""
     table, width = [], len(form.names) or max(form.columns) + 1
-    for number, line in enumerate(lines[form.start :], start=form.start + 1):
+    for place, line in enumerate(lines[form.start :], start=form.start + 1):
         text = line.split("#")[0] if form.separator is None else line
         if not text.strip() or _COMMENT.match(text):
             continue
         cells = _split(text, form.separator)
         if len(cells) <= max(form.columns) or (is_whole and len(cells) > width):
-            raise ValueError(f"line {number} has {len(cells)} column(s), others have {width}")
-        values = [_number(cells[i], form.has_commas) for i in form.columns]
+            raise ValueError(f"line {place} has {len(cells)} column(s), others have {width}")
+        values = [number(cells[i], form.has_commas) for i in form.columns]
         if None in values:
             wrong = cells[form.columns[values.index(None)]]
-            raise ValueError(f'line {number} has "{wrong}" in place of a number')
+            raise ValueError(f'line {place} has "{wrong}" in place of a number')
         table.append(values)
     return numpy.array(table, dtype=float)
 

@@ -100,9 +100,6 @@ def read_numpy(path: Path) -> Frames:
 def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
     names = {name.lower(): name for name in arrays}
     found = next((names[name] for name in POSITIONS if name in names), None)
-    if found is None and all(name in names for name in "xyz"):
-        arrays = {**arrays, "positions": numpy.stack([arrays[names[n]] for n in "xyz"], axis=-1)}
-        found = "positions"
     if found is None and len(arrays) == 1:
         found = next(iter(arrays))
     if found is None or (found.lower() == "x" and "y" in names and "z" not in names):
