@@ -48,7 +48,7 @@ def as_particles(particles: Any, **arrays: Any) -> Any:
         cloud.GetPointData().ShallowCopy(own)
     for name, values in {**_point_data(particles), **arrays}.items():
         if values is not None:
-            _add_array(cloud, STANDARD_NAMES.get(name, name), values)
+            add_array(cloud, STANDARD_NAMES.get(name, name), values)
     return cloud
 
 
@@ -188,7 +188,8 @@ def _point_data(particles: Any) -> Mapping[str, Any]:
     return data if isinstance(data, Mapping) else {}
 
 
-def _add_array(cloud: Any, name: str, values: Any) -> None:
+def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> None:
+    """Adds a point array, or one of other attributes, that shares its memory."""
     numbers = numpy.ascontiguousarray(values)
     if numbers.dtype == bool:
         numbers = numbers.astype("u1")
@@ -196,14 +197,17 @@ def _add_array(cloud: Any, name: str, values: Any) -> None:
         raise TypeError(f'The array "{name}" is not one of numbers.')
     if numbers.dtype.itemsize == 2 and numbers.dtype.kind == "f":
         numbers = numbers.astype("f4")
-    if len(numbers.shape) not in (1, 2) or len(numbers) != cloud.GetNumberOfPoints():
+    is_of_points = attributes is None
+    if len(numbers.shape) not in (1, 2) or (
+        is_of_points and len(numbers) != cloud.GetNumberOfPoints()
+    ):
         raise ValueError(
             f'The array "{name}" has the shape {numbers.shape}; there are '
             f"{cloud.GetNumberOfPoints()} particles, and each needs one row."
         )
     array = numpy_to_vtk(numbers)
     array.SetName(name)
-    cloud.GetPointData().AddArray(array)
+    (cloud.GetPointData() if is_of_points else attributes).AddArray(array)
 
 
 def _mesh(vertices: Any, kinds: list[Any]) -> Any:

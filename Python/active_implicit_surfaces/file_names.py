@@ -11,34 +11,74 @@
 
 from __future__ import annotations
 
+import fnmatch
 import glob
 import json
+import math
 import os
 import re
 import xml.etree.ElementTree as ElementTree
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 # ####, %04d, $F4 and {}: where a pattern has the number of a frame.
 _NUMBER = re.compile(r"#+|%0?\d*d|\$F\d*|\{\}")
 INDEX_SUFFIXES = (".pvd", ".series")
+_ROUNDING = 1e-12  # of the largest time of an index: two that differ by less are one
 
 
-def natural_key(name: str | Path) -> list[Any]:
-    """For sorting: runs of digits count as numbers."""
-    parts = re.split(r"(\d+)", str(name))
-    return [int(part) if i % 2 else part for i, part in enumerate(parts)]
+class Listing(NamedTuple):
+    """The files of each frame, its parts; what an index tells: times, and what it says twice."""
+
+    frames: list[tuple[Path, ...]]
+    times: list[float] | None = None
+    note: str = ""
+
+    @property
+    def files(self) -> list[Path]:
+        """The first file of each frame."""
+        return [parts[0] for parts in self.frames]
+
+
+def natural_key(name: str | Path, numbers: re.Pattern[str] | None = None) -> list[Any]:
+    """For sorting: signs, digits, decimals and exponents count as numbers."""
+    parts = (numbers or _numbers_in([str(name)])).split(str(name))
+    return [_value(part) if i % 2 else part for i, part in enumerate(parts)]
+
+
+def _value(text: str) -> float:
+    return int(text) if text.lstrip("-").isdigit() else float(text)
+
+
+def _numbers_in(names: list[str]) -> re.Pattern[str]:
+    """Finds the numbers in the names of a series.
+
+    A minus after a letter is a sign if another name has a digit there (t-1, t0), else a hyphen
+    (run-1, run-2). A dot parts two counters if decimals would not end so (1.9, 1.10).
+    """
+    start = len(os.path.commonprefix(names))
+    after = {name[start : start + 1] for name in names}
+    sign = "-?" if "-" in after and any(map(str.isdigit, after)) else r"(?:(?<![^\W_])-)?"
+    decimals = [part for name in names for part in re.findall(r"(?<=\d\.)\d+", name)]
+    are_counters = len({*map(len, decimals)}) > 1 and any(
+        len(part) > 1 and part.endswith("0") for part in decimals
+    )
+    more = "" if are_counters else r"(?:\.\d+)?(?:[eE][-+]?\d+)?"
+    return re.compile(rf"({sign}\d+{more})")
 
 
 def suffix_of(name: str | Path) -> str:
-    """The extension in lower case: of skin.VTP it is .vtp, of skin.vtp.series .series."""
-    return Path(name).suffix.lower()
+    """The extension in lower case: of a.VTP .vtp, of a.vtp.series .series, of a.nii.gz .nii.gz."""
+    path = Path(name)
+    return ".nii.gz" if path.name.lower().endswith(".nii.gz") else path.suffix.lower()
 
 
-def expand(names: str | Path | Sequence[str | Path]) -> tuple[list[Path], list[float] | None]:
-    """The files that names, patterns and indices stand for, and the times that an index tells.
+def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) -> Listing:
+    """The files that names, patterns, folders and indices stand for; only the name of a file is a
+    pattern. Of a folder, the files whose extensions are known.
 
     Raises
     ------
@@ -48,53 +88,106 @@ def expand(names: str | Path | Sequence[str | Path]) -> tuple[list[Path], list[f
     given = [names] if isinstance(names, (str, Path)) else list(names)
     if len(given) == 1 and suffix_of(given[0]) in INDEX_SUFFIXES:
         return read_index(Path(given[0]))
-    files: list[Path] = []
-    for name in given:
-        files += _expand_one(str(name))
-    if len({natural_key(file)[0] for file in files}) == 1:  # else the user's own order
-        files.sort(key=natural_key)
+    files = [file for name in given for file in _expand_one(Path(name), known)]
+    numbers = _numbers_in(list(map(str, files)))
+    if len({natural_key(file, numbers)[0] for file in files}) == 1:  # else the user's own order
+        files.sort(key=lambda file: natural_key(file, numbers))
     if not files:
         raise OSError("There are no files.")
-    return files, None
+    return Listing([(file,) for file in files])
 
 
-def _expand_one(name: str) -> list[Path]:
-    if os.path.exists(name):
-        return [Path(name)]
-    is_numbered = _NUMBER.search(name) is not None
-    pattern = _NUMBER.sub("*", name) if is_numbered else name
-    found = sorted(glob.glob(pattern), key=natural_key)
-    if is_numbered:
-        numbers = ".*".join(re.escape(part) for part in _NUMBER.split(name)).replace(".*", r"\d+")
-        found = [file for file in found if re.fullmatch(numbers, file)]
+def _expand_one(path: Path, known: Sequence[str]) -> list[Path]:
+    if path.is_dir():
+        return _files_in(path, known)
+    if path.exists():
+        return [path]
+    there = os.listdir(path.parent) if path.parent.is_dir() else []
+    there = [name for name in there if not name.startswith(".")]
+    parts, is_pattern = _NUMBER.split(path.name), glob.has_magic(path.name)
+    if len(parts) > 1:
+        numbers = r"-?\d+".join(map(re.escape, parts))
+        found, is_pattern = [name for name in there if re.fullmatch(numbers, name)], True
+    else:
+        found = fnmatch.filter(there, path.name)
+        found = found or fnmatch.filter(there, path.name.replace("[", "[[]"))
     if not found:
-        what = "No file fits the pattern" if glob.has_magic(pattern) else "There is no file"
-        raise OSError(f"{what} {name}.")
-    return [Path(file) for file in found]
+        what = "No file fits the pattern" if is_pattern else "There is no file"
+        hint = "; there is no such folder, and only the name of a file may be a pattern"
+        raise OSError(f"{what} {path}{'' if path.parent.is_dir() else hint}.")
+    numbers_in = _numbers_in(found)
+    found.sort(key=lambda name: natural_key(name, numbers_in))
+    return [path.parent / name for name in found]
 
 
-def read_index(index: Path) -> tuple[list[Path], list[float]]:
-    """The files and times of a .pvd or a .series."""
+def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
+    """Those of one series."""
+    found = [path for path in folder.iterdir() if path.is_file() and suffix_of(path) in known]
+    found = [path for path in found if not path.name.startswith(".")]
+    if not found:
+        raise OSError(f"{folder} cannot be read: it is a folder without files {', '.join(known)}.")
+    numbers = _numbers_in([path.name for path in found])
+    series = Counter("*".join(numbers.split(path.name)[::2]) for path in found)
+    if len(series) > 1 and (len({*map(suffix_of, found)}) > 1 or max(series.values()) > 1):
+        raise OSError(
+            f"{folder} cannot be read: the folder has several series, {', '.join(sorted(series))}; "
+            f"choose one, as {folder / min(series)}."
+        )
+    return sorted(found, key=lambda path: natural_key(path.name, numbers))
+
+
+def read_index(index: Path) -> Listing:
+    """The frames and times of a .pvd or a .series.
+
+    Parts of one time are a frame; of two entries for the same part, as a restarted run adds them,
+    the later counts.
+    """
     try:
         text = index.read_text(encoding="utf-8")
         entries = _read_pvd(text) if suffix_of(index) == ".pvd" else _read_series(text)
+        if not all(math.isfinite(time) for time, _, _ in entries):
+            raise ValueError("a time is not finite")
     except FileNotFoundError:
         raise OSError(f"There is no file {index}.") from None
+    except OSError as error:
+        raise OSError(f"{index} cannot be read: {error.strerror}.") from error
     except (ValueError, KeyError, TypeError, ElementTree.ParseError) as error:
         raise OSError(f"{index} is no index of a series of files: {error}.") from error
     if not entries:
         raise OSError(f"{index} lists no files.")
-    entries.sort(key=lambda entry: entry[1])
-    return [index.parent / name for name, _ in entries], [time for _, time in entries]
+    frames: list[dict[str, str]] = []
+    times: list[float] = []
+    left_out: list[str] = []
+    least = _ROUNDING * max(abs(time) for time, _, _ in entries)
+    for time, part, name in sorted(entries, key=lambda entry: entry[0]):
+        if not times or time - times[-1] > least:
+            times.append(time)
+            frames.append({})
+        if frames[-1].get(part, name) != name:
+            left_out.append(frames[-1][part])
+        frames[-1][part] = name
+    parts = [tuple(index.parent / name for name in frame.values()) for frame in frames]
+    note = left_out and (
+        f"{index} lists {len(left_out)} file(s) for times that a later entry has too, as after a "
+        f"restart; the later entries are used, {left_out[0]} is left out."
+    )
+    return Listing(parts, times, note or "")
 
 
-def _read_pvd(text: str) -> list[tuple[str, float]]:
-    sets = ElementTree.fromstring(text).iter("DataSet")
-    return [(one.attrib["file"], float(one.attrib["timestep"])) for one in sets]
+def _read_pvd(text: str) -> list[tuple[float, str, str]]:
+    """Time, part and file of each entry."""
+    return [
+        (
+            float(one.get("timestep", 0)),
+            " ".join(one.get(key, "") for key in ("group", "part", "name")),
+            one.attrib["file"],
+        )
+        for one in ElementTree.fromstring(text).iter("DataSet")
+    ]
 
 
-def _read_series(text: str) -> list[tuple[str, float]]:
-    return [(str(one["name"]), float(one["time"])) for one in json.loads(text)["files"]]
+def _read_series(text: str) -> list[tuple[float, str, str]]:
+    return [(float(one["time"]), "", str(one["name"])) for one in json.loads(text)["files"]]
 
 
 def write_index(index: Path, files: Sequence[Path], times: Sequence[float]) -> None:
@@ -137,13 +230,15 @@ def numbered(name: str | Path, number: int) -> Path:
 
 def numbers_of(files: Sequence[str | Path]) -> list[int]:
     """The numbers of the frames: those by which the names of files differ, else 0, 1, 2 ..."""
-    parts = [re.split(r"(\d+)", str(file)) for file in files]
+    names = list(map(str, files))
+    parts = list(map(_numbers_in(names).split, names))
     places = range(min(map(len, parts), default=0))
     differing = [place for place in places if len({part[place] for part in parts}) > 1]
     if len(differing) == 1 and len(set(map(len, parts))) == 1 and differing[0] % 2 == 1:
-        numbers = [int(part[differing[0]]) for part in parts]
+        numbers = [_value(part[differing[0]]) for part in parts]
         if all(before < after for before, after in zip(numbers, numbers[1:])):
-            return numbers
+            whole = [number for number in numbers if isinstance(number, int)]
+            return whole if len(whole) == len(names) else list(range(len(names)))
     return list(range(len(files)))
 
 

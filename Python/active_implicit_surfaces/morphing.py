@@ -146,8 +146,8 @@ class morph:
         if self._expects_skin and self.surface.GetOutput().GetNumberOfPoints() == 0:
             raise ValueError(
                 f"The skin has vanished by the time {time:g} and does not reach the last shape: "
-                "the two do not overlap, or have parts thinner than two voxels. Bring them together "
-                "(fit), or lessen voxel_size."
+                "the two do not overlap, or have parts thinner than two voxels. Bring them "
+                "together (fit), or reduce voxel_size."
             )
 
     def _producer(self, shape: Any) -> Any:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import csv
 import importlib
+import mmap
 import re
+import warnings
 import zipfile
 import zlib
 from collections.abc import Sequence
@@ -11,17 +14,20 @@ from pathlib import Path
 from typing import Any
 
 from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from . import text_particles
-from .data_objects import as_particles
+from .data_objects import add_array, as_particles
 from .file_names import expand, numbers_of, suffix_of
-from .messages import listening, quiet
+from .images import IMAGE_SUFFIXES, read_image
+from .messages import ActiveSurfaceWarning, listening, quiet, warn_all
 from .obj_files import check_obj
-from .ply_files import check_ply
-from .series import check_times, times_at
+from .ply_files import add_properties, check_ply
 from .stl_files import check_stl
+from .tables import Frame, Frames
+from .times import check_times, places_of, times_at
 
 # Extension: module and class of the reader.
 _VTK_READERS = {
@@ -29,7 +35,11 @@ _VTK_READERS = {
     ".vtu": ("vtkmodules.vtkIOXML", "vtkXMLUnstructuredGridReader"),
     ".pvtp": ("vtkmodules.vtkIOXML", "vtkXMLPPolyDataReader"),
     ".pvtu": ("vtkmodules.vtkIOXML", "vtkXMLPUnstructuredGridReader"),
+    ".vtm": ("vtkmodules.vtkIOXML", "vtkXMLMultiBlockDataReader"),
     ".vti": ("vtkmodules.vtkIOXML", "vtkXMLImageDataReader"),
+    **dict.fromkeys((".nii", ".nii.gz"), ("vtkmodules.vtkIOImage", "vtkNIFTIImageReader")),
+    **dict.fromkeys((".mha", ".mhd"), ("vtkmodules.vtkIOImage", "vtkMetaImageReader")),
+    **dict.fromkeys((".nrrd", ".nhdr"), ("vtkmodules.vtkIOImage", "vtkNrrdReader")),
     ".vtk": ("vtkmodules.vtkIOLegacy", "vtkGenericDataObjectReader"),
     ".vtkhdf": ("vtkmodules.vtkIOHDF", "vtkHDFReader"),
     ".ply": ("vtkmodules.vtkIOPLY", "vtkPLYReader"),
@@ -47,13 +57,16 @@ _TEXT_READERS = {
     ".npz": text_particles.read_numpy,
 }
 PARTICLE_SUFFIXES = tuple(
-    suffix for suffix in (*_VTK_READERS, *_TEXT_READERS) if suffix not in (".vti", ".stl", ".obj")
+    suffix
+    for suffix in (*_VTK_READERS, *_TEXT_READERS)
+    if suffix not in (".stl", ".obj", *IMAGE_SUFFIXES)
 )
 
 
 # What zipfile raises besides; of these NotImplementedError is a RuntimeError.
 _DAMAGE_OF_ARCHIVES = (zipfile.BadZipFile, zlib.error, RuntimeError, OverflowError)
 
+_NO_POINTS = "No Points element available"
 _ABOUT_APPENDED_DATA = (
     " If it is whole: VTK 9.1 cannot read appended data with libexpat 2.5.0-1+deb12u2; write it "
     "with SetDataModeToBinary (in ParaView: Data Mode Binary)."
@@ -67,14 +80,20 @@ class ParticleFiles:
     ----------
     times : list of float
     names : list of Path
-        The file of each frame.
+        The file of each frame, of several parts the first.
+    files : list of Path
+        All files.
     numbers : list of int
         Those in the names of the files, if they differ by them, else 0, 1, 2 ...
     """
 
-    def __init__(self, names: list[Path], loaders: list[Any], times: Sequence[float]) -> None:
-        self.names, self._loaders, self.times = names, loaders, check_times(times)
-        self.numbers = numbers_of(names)
+    def __init__(
+        self, frames: list[tuple[Path, ...]], loaders: list[Any], times: Sequence[float]
+    ) -> None:
+        self.names = [parts[0] for parts in frames] * (len(loaders) // len(frames))
+        self.files = [file for parts in frames for file in parts]
+        self._loaders, self.times = loaders, check_times(times)
+        self.numbers = numbers_of(self.names)
 
     def __len__(self) -> int:
         return len(self.times)
@@ -96,31 +115,36 @@ def open_particles(
     fps: float | None = None,
     times: Sequence[float] | None = None,
 ) -> ParticleFiles:
-    """Files of particles as frames; patterns, .series and .pvd too.
+    """Files of particles as frames; patterns, folders, .series and .pvd too.
 
     Times are `times`, else as `fps` says, else those of the index or of the files, else 25 frames
     per second. Where numbers of files are left out, the time between is as much longer.
     """
-    files, told = expand(names)
-    if len(files) == 1:
-        loaders, own = _open_one(files[0])
+    listing, noted = expand(names, PARTICLE_SUFFIXES), set[str]()
+    files, told = listing.files, listing.times
+    if listing.note:
+        warn_all([listing.note])
+    if len(listing.frames) == 1 and len(listing.frames[0]) == 1:
+        loaders, own = _open_one(files[0], noted)
         told = own if told is None or len(loaders) > 1 else told
     else:
-        loaders = [_later(file) for file in files]
+        loaders = [_later(parts, noted) for parts in listing.frames]
         told = told or _times_inside(files)
     if times is not None:
         if len(times) != len(loaders):
             raise ValueError(f"There are {len(times)} times for {len(loaders)} frames.")
         told = list(times)
     elif fps is not None or told is None:
-        places = _places(numbers_of(files)) if len(files) > 1 else range(len(loaders))
+        places = places_of(numbers_of(files)) if len(files) > 1 else range(len(loaders))
         told = times_at(places, fps)
-    return ParticleFiles(files * (len(loaders) // len(files)), loaders, told)
+    return ParticleFiles(listing.frames, loaders, told)
 
 
 def read_vtk(path: Path, time: float | None = None, **settings: Any) -> Any:
     """What a reader of VTK or of this package makes of a file, at one of its time steps."""
     reader = _vtk_reader(path, **settings)
+    if suffix_of(path) in IMAGE_SUFFIXES[1:]:
+        return read_image(path, reader, lambda reader: _update(reader, path))
     return _update(reader, path, time)
 
 
@@ -136,22 +160,36 @@ def check_readable(path: Path) -> None:
         raise OSError(f"{path} cannot be read: {error.strerror}.") from error
 
 
-def _places(numbers: Sequence[int]) -> list[float]:
-    """Where frames are, in steps of the least difference of their numbers."""
-    step = min(after - before for before, after in zip(numbers, numbers[1:]))
-    return [(number - numbers[0]) / step for number in numbers]
+def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
+    def load() -> Any:
+        clouds = []
+        for path in parts:
+            loaders, _ = _open_one(path, noted)
+            if len(loaders) > 1:
+                _note(
+                    noted,
+                    path,
+                    f"it has {len(loaders)} frames; as one of a series it is one, the first.",
+                )
+            clouds.append(loaders[0]())
+        return clouds[0] if len(clouds) == 1 else as_particles(_append(clouds))
+
+    return load
 
 
-def _later(path: Path) -> Any:
-    return lambda: _open_one(path)[0][0]()
+def _note(noted: set[str], path: Path, text: str) -> None:
+    """Warns of what a file has, once for a series."""
+    if text not in noted:
+        noted.add(text)
+        warn_all([f"{path}: {text}"])
 
 
-def _open_one(path: Path) -> tuple[list[Any], list[float] | None]:
+def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | None]:
     """A function for each frame of a file, and the times that it tells."""
     check_readable(path)
     suffix = suffix_of(path)
     if suffix in _TEXT_READERS:
-        frames, times = _read_text(path)
+        frames, times = _read_text(path, noted)
         return [_maker(path, frame) for frame in frames], times
     if suffix not in PARTICLE_SUFFIXES:
         raise OSError(
@@ -181,26 +219,33 @@ def _step_loader(path: Path, reader: Any, time: float) -> Any:
     return load
 
 
-def _read_text(path: Path) -> text_particles.Frames:
+def _read_text(path: Path, noted: set[str]) -> Frames:
     try:
-        return _TEXT_READERS[suffix_of(path)](path)
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always", ActiveSurfaceWarning)
+            found = _TEXT_READERS[suffix_of(path)](path)
+        for each in said:
+            _note(noted, path, str(each.message))
+        return found
     except OSError as error:
         if error.strerror is None:  # with a sentence of our own
             raise
         raise OSError(f"{path} cannot be read as particles: {error.strerror}.") from error
-    except (ValueError, KeyError, IndexError, UnicodeDecodeError, EOFError) as error:
-        said = str(error).partition("\n")[0].rstrip(".")
-        raise OSError(f"{path} cannot be read as particles: {said}.") from error
+    except (ValueError, KeyError, IndexError, UnicodeDecodeError, EOFError, csv.Error) as error:
+        said_first = str(error).partition("\n")[0].rstrip(".")
+        raise OSError(f"{path} cannot be read as particles: {said_first}.") from error
     except _DAMAGE_OF_ARCHIVES as error:
         raise OSError(f"{path} cannot be read as particles: it is damaged.") from error
 
 
-def _maker(path: Path, frame: text_particles.Frame) -> Any:
+def _maker(path: Path, frame: Frame) -> Any:
     def make() -> Any:
+        arrays = {k: v for k, v in frame.items() if k not in ("positions", "field")}
         try:
-            return as_particles(
-                frame["positions"], **{k: v for k, v in frame.items() if k != "positions"}
-            )
+            cloud = as_particles(frame["positions"], **arrays)
+            for name, values in frame.get("field", {}).items():
+                add_array(cloud, name, values, cloud.GetFieldData())
+            return cloud
         except (TypeError, ValueError) as error:
             raise OSError(f"{path} cannot be read as particles: {error}") from error
 
@@ -217,10 +262,22 @@ def _vtk_reader(path: Path, **settings: Any) -> Any:
         reader = getattr(importlib.import_module(module), name)()
     except ImportError as error:
         raise OSError(f"{path} cannot be read: this installation has no {name}.") from error
+    if suffix == ".vtkhdf" and not hasattr(reader, "GetNumberOfSteps"):
+        _check_steps(path)
     for setting, value in settings.items():
         getattr(reader, setting)(value)
     reader.SetFileName(str(path))
     return reader
+
+
+def _check_steps(path: Path) -> None:
+    """Raises OSError if a .vtkhdf has time steps, which this VTK would read as one."""
+    with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+        if content.find(b"NSteps") >= 0:
+            raise OSError(
+                f"{path} has time steps, which VTK {vtkVersion.GetVTKVersion()} cannot read from "
+                "a .vtkhdf; write a file for each step, and a .pvd, or use VTK 9.3 or later."
+            )
 
 
 def _time_steps(reader: Any) -> list[float]:
@@ -239,13 +296,23 @@ def _update(reader: Any, path: Path, time: float | None = None) -> Any:
     data = reader.GetOutputDataObject(0)
     if data is None:
         raise OSError(f"{path} cannot be read: it is damaged, or not what its extension says.")
+    if suffix_of(path) == ".ply":
+        add_properties(path, data)
     return data
 
 
 def _check(path: Path, errors: list[str], failed: bool = False) -> None:
+    errors = [said for said in errors if not (_NO_POINTS in said and _is_empty(path))]
     if errors or failed:
         said = errors[0].rstrip(".") if errors else "it is damaged, or not what its extension says"
         raise OSError(f"{path} cannot be read: {said}.{_hint(path)}")
+
+
+def _is_empty(path: Path) -> bool:
+    """Whether a file of VTK's XML kind is of no points; their array then is left out."""
+    with path.open("rb") as file:
+        counts = re.findall(rb'NumberOfPoints="(\d+)"', file.read(1 << 20))
+    return bool(counts) and not any(map(int, counts))
 
 
 def _hint(path: Path) -> str:
@@ -268,21 +335,31 @@ def _points_of(path: Path, data: Any) -> Any:
 
 
 def _append_blocks(data: Any) -> Any:
-    together, blocks = vtkAppendFilter(), data.NewIterator()
+    blocks, own = data.NewIterator(), []
     while not blocks.IsDoneWithTraversal():
-        together.AddInputData(blocks.GetCurrentDataObject())
+        own.append(blocks.GetCurrentDataObject())
         blocks.GoToNextItem()
+    return _append([block for block in own if block.IsA("vtkPointSet")])
+
+
+def _append(clouds: list[Any]) -> Any:
+    """The points of all, with the arrays that all have."""
+    together = vtkAppendFilter()
+    for cloud in clouds or [vtkPolyData()]:
+        together.AddInputData(cloud)
     together.Update()
     return together.GetOutput()
 
 
 def _times_inside(files: list[Path]) -> list[float] | None:
-    """The times that all files of VTK's XML kind tell in their heads, if they increase."""
-    if any(suffix_of(file) not in (".vtp", ".vtu", ".vdb") for file in files):
-        return None
+    """The times that all files tell in their heads, if they increase."""
+    readers = {
+        **{".vtp": _time_of_xml, ".vtu": _time_of_xml, ".vdb": _time_of_vdb},
+        **{".csv": text_particles.time_of_csv},
+    }
     times: list[float] = []
     for file in files:
-        time = _time_of_vdb(file) if suffix_of(file) == ".vdb" else _time_of_xml(file)
+        time = readers.get(suffix_of(file), lambda _: None)(file)
         if time is None or (times and time <= times[-1]):
             return None
         times.append(time)

@@ -1,4 +1,6 @@
-"""Whether a .ply is whole: VTK's reader goes on beyond the end of one that is not."""
+"""What a .ply holds beside the mesh, and whether it is whole: VTK's reader goes on beyond the end
+of one that is not, and leaves out properties that it does not know.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +9,10 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
+
+from .data_objects import add_array
+from .tables import group_columns
 
 _LONGEST_HEADER = 1 << 16
 _NUMBER = re.compile(rb"[-+.\w]+")
@@ -20,6 +26,11 @@ _TYPES = {
     **dict.fromkeys(("float", "float32"), "f4"),
     **dict.fromkeys(("double", "float64"), "f8"),
 }
+# Properties of which VTK's reader makes arrays of its own.
+_KNOWN = frozenset(
+    "nx ny nz red green blue alpha diffuse_red diffuse_green diffuse_blue u v s t texture_u "
+    "texture_v intensity".split()
+)
 _ENDS_EARLY = "it is damaged: it ends before its elements do"
 _ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": ""}
 
@@ -56,6 +67,39 @@ def check_ply(path: Path) -> None:
         raise OSError(
             f"{path} cannot be read: {what}, or it is not what its extension says."
         ) from error
+
+
+def add_properties(path: Path, data: Any) -> None:
+    """Gives a data set the properties of the vertices that VTK leaves out as point arrays."""
+    with path.open("rb") as file:
+        head = file.read(_LONGEST_HEADER)
+    order, elements, start = _read_header(head)
+    vertex = elements[0]
+    kinds = [(each.name, order + each.kinds[0]) for each in vertex.properties]
+    names = [name for name, _ in kinds]
+    is_table = all(len(each.kinds) == 1 for each in vertex.properties) and len({*names}) == len(
+        names
+    )
+    if not is_table or vertex.rows != data.GetNumberOfPoints() or vertex.rows == 0:
+        return
+    if order:
+        table = numpy.fromfile(path, kinds, vertex.rows, offset=start)
+    else:
+        skip = head[:start].count(b"\n")
+        rows: dict[str, Any] = {"skiprows": skip, "max_rows": vertex.rows, "encoding": "latin-1"}
+        try:
+            table = numpy.loadtxt(path, kinds, None, ndmin=1, **rows)
+        except ValueError as error:
+            raise OSError(
+                f"{path} cannot be read: it is damaged; a row has what is no number."
+            ) from error
+    for name, columns in group_columns(names).items():
+        values = numpy.stack([table[names[i]] for i in columns], axis=-1)
+        values = values.astype(values.dtype.newbyteorder("="))
+        if name == "positions" and values.dtype == "f8":  # VTK's are of single precision
+            data.GetPoints().SetData(numpy_to_vtk(values, deep=True))
+        elif name != "positions" and not _KNOWN & {names[i].lower() for i in columns}:
+            add_array(data, name, values if len(columns) > 1 else values[:, 0])
 
 
 class _DamageError(ValueError):
@@ -100,6 +144,8 @@ def _check_names(elements: list[_Element]) -> None:
             raise _DamageError("its faces have no vertex_indices")
     if all(element.name != "vertex" for element in elements):
         raise _DamageError("it has no vertices")
+    if elements[0].name != "vertex":  # which VTK's reader may crash at
+        raise _DamageError("its vertices are not its first element; write them first")
 
 
 def _check_binary(content: Any, order: str, elements: list[_Element], start: int) -> None:

@@ -16,7 +16,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -24,8 +24,8 @@ from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from .data_objects import as_particles, is_vtk
-
-FRAMES_PER_SECOND = 25.0  # where nothing tells the times
+from .particle_files import open_particles
+from .times import check_times, times_at
 
 
 class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
@@ -177,30 +177,6 @@ def temporal_source(function: Callable[[float], Any], times: Sequence[float]) ->
     return TemporalSource(lambda step: function(own[step]) if step else first, own, kind)
 
 
-def check_times(times: Iterable[float]) -> list[float]:
-    """The times as a list.
-
-    Raises
-    ------
-    ValueError
-        There is none, or they do not increase.
-    """
-    own = [float(time) for time in times]
-    if not own:
-        raise ValueError("There are no time steps, as there are no frames.")
-    if any(not after > before for before, after in zip(own, own[1:])) or own[0] != own[0]:
-        raise ValueError("Times have to increase from frame to frame.")
-    return own
-
-
-def times_at(places: Iterable[float], fps: float | None) -> list[float]:
-    """Places in a film, counted in frames, as times."""
-    rate = FRAMES_PER_SECOND if fps is None else fps
-    if not 0 < rate < float("inf"):
-        raise ValueError(f"Frames per second have to be more than 0, not {rate:g}.")
-    return [place / rate for place in places]
-
-
 def _loader(
     frames: Any, times: Sequence[float] | None, fps: float | None
 ) -> tuple[Callable[[int], Any], Sequence[float]]:
@@ -210,8 +186,6 @@ def _loader(
         own = list(times)
         return lambda step: frames(own[step]), own
     if isinstance(frames, (str, Path)) or _are_paths(frames):
-        from .particle_files import open_particles
-
         files = open_particles(frames, fps=fps, times=times)
         return files.load, files.times
     held = frames if isinstance(frames, Sequence) or hasattr(frames, "shape") else list(frames)

@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import importlib
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 
 from .contours import contour
 from .data_objects import as_shape
 from .file_names import replacing, suffix_of
 from .glb import check_glb, write_glb
+from .images import IMAGE_SUFFIXES
 from .mesh_writers import points_of, warn_of_losses, write_obj, write_ply, write_stl
 from .messages import listening, quiet
-from .particle_files import check_readable, read_vtk
+from .particle_files import PARTICLE_SUFFIXES, check_readable, read_vtk
 
 # A function of this package, or a class of VTK.
 MESH_WRITERS: dict[str, Any] = {
@@ -31,7 +33,11 @@ MESH_WRITERS: dict[str, Any] = {
     ".vdb": ("active_implicit_surfaces.vtkActiveIO", "vtkActiveVDBWriter"),
 }
 SKIN_SUFFIXES = (".vtp", ".ply", ".obj", ".stl", ".glb", ".vdb")
-MESH_SUFFIXES = (".vtp", ".stl", ".obj", ".ply", ".vtk", ".vtu", ".vti", ".vdb", ".glb")
+MESH_SUFFIXES = (
+    *(".vtp", ".stl", ".obj", ".ply", ".vtk", ".vtu", ".vtm", ".vdb", ".glb"),
+    *IMAGE_SUFFIXES,
+)
+INPUT_SUFFIXES = tuple(sorted({*PARTICLE_SUFFIXES, *MESH_SUFFIXES}))
 PARTICLE_OUT_SUFFIXES = (".vtp", ".ply", ".vtk", ".csv", ".xyz", ".json", ".npz")
 
 
@@ -88,18 +94,26 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
             raise OSError(f"{path} cannot be written: {said}".replace(str(temporary), str(path)))
 
 
-def read_shape(path: Path, level: float | None = None) -> Any:
-    """A mesh or an image; the image's surface at a level if that is given.
+def read_shape(path: Path, level: float | None = None, parts: Sequence[Path] = ()) -> Any:
+    """A mesh, with its further parts, or an image; its surface at a level if that is given.
 
     Raises
     ------
     OSError
         It cannot be read.
     """
+    if parts:
+        together = vtkAppendPolyData()
+        for part in (path, *parts):
+            together.AddInputData(read_shape(part, level or 0.0))
+        together.Update()
+        return together.GetOutput()
     suffix = suffix_of(path)
     if suffix not in MESH_SUFFIXES:
         raise OSError(f"{path}: meshes and images are read from {', '.join(MESH_SUFFIXES)}.")
     data = _read_glb(path) if suffix == ".glb" else read_vtk(path)
+    if data.IsA("vtkCompositeDataSet"):
+        data = surface_of(data)
     _check_corners(path, data)
     if data.IsA("vtkImageData"):
         return data if level is None else contour(data, level)
@@ -111,11 +125,19 @@ def read_shape(path: Path, level: float | None = None) -> Any:
         raise OSError(f"{path} is no mesh: {error}") from error
 
 
+def surface_of(blocks: Any) -> Any:
+    """The surfaces of all blocks as one mesh."""
+    surface = vtkCompositeDataGeometryFilter()
+    surface.SetInputData(blocks)
+    surface.Update()
+    return surface.GetOutput()
+
+
 def write_particles(path: Path, cloud: Any) -> None:
     """Writes points and their arrays in the format of the extension, as a whole or not at all."""
     suffix = suffix_of(path)
     if suffix in (".vtp", ".ply", ".vtk"):
-        write_mesh(path, _with_vertices(cloud))
+        write_mesh(path, _with_vertices(cloud) if cloud.GetNumberOfPoints() else cloud)
         return
     warn_of_losses(suffix, cloud)
     positions, arrays = points_of(cloud), _arrays_of(cloud)
@@ -173,16 +195,16 @@ def _read_glb(path: Path) -> Any:
 
     check_readable(path)
     is_own = check_glb(path)
-    reader, surface = vtkGLTFReader(), vtkCompositeDataGeometryFilter()
+    reader = vtkGLTFReader()
     reader.SetApplyDeformationsToGeometry(not is_own)  # leaves out the rotation of the node
     reader.SetFileName(str(path))
-    surface.SetInputConnection(reader.GetOutputPort())
-    with quiet(), listening(reader, surface) as heard:
-        surface.Update()
-    if heard.errors or surface.GetOutput().GetNumberOfPoints() == 0:
+    with quiet(), listening(reader) as heard:
+        reader.Update()
+        mesh = surface_of(reader.GetOutputDataObject(0))
+    if heard.errors or mesh.GetNumberOfPoints() == 0:
         said = heard.errors[0] if heard.errors else "it holds no mesh, or is damaged."
         raise OSError(f"{path} cannot be read: {said.rstrip('.')}.")
-    return surface.GetOutput()
+    return mesh
 
 
 def _with_vertices(cloud: Any) -> Any:

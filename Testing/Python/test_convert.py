@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""active-surface convert: surfaces of images and grids are closed, look outward, and are where they are.
+"""active-surface convert: surfaces of images and grids are closed, outward, and in their place.
 
 Volumes and areas are added up here, triangle by triangle, from what was written.
 """

@@ -22,16 +22,18 @@ from ..file_names import (
 from ..mesh_writers import points_of
 from ..particle_files import PARTICLE_SUFFIXES, open_particles, read_vtk
 from ..skin_files import (
+    INPUT_SUFFIXES,
     MESH_SUFFIXES,
     MESH_WRITERS,
     PARTICLE_OUT_SUFFIXES,
     check_suffix,
     read_shape,
+    surface_of,
     write_mesh,
     write_particles,
 )
 from .effects import check_effects
-from .options import Parser, add_help, add_up_option, positive
+from .options import Parser, add_help, add_up_option, positive, wrapped
 from .progress import Progress
 from .upward import lie
 
@@ -48,7 +50,8 @@ def run(arguments: list[str]) -> int:
         check_suffix(output, known, "files")
     except ValueError as error:
         parser.error(str(error))
-    files, _ = expand(options.files)
+    listing = expand(options.files, INPUT_SUFFIXES)
+    files = listing.files
     already = [file for file in files if suffix_of(file) == suffix_of(output) == ".vdb"]
     if already:
         raise OSError(f"{already[0]} is a .vdb already; copy it, or convert it to a mesh.")
@@ -60,10 +63,10 @@ def run(arguments: list[str]) -> int:
     progress = Progress(len(files), quiet=options.quiet or len(files) == 1)
     is_series = len(files) > 1 or has_number(output)
     names = [numbered(output, number) if is_series else output for number in numbers_of(files)]
-    check_distinct(files, names)
+    check_distinct((file for parts in listing.frames for file in parts), names)
     up = options.up
-    for step, (file, name) in enumerate(zip(files, names)):
-        up = _convert_shape(file, name, options, up)
+    for step, (parts, name) in enumerate(zip(listing.frames, names)):
+        up = _convert_shape(parts, name, options, up)
         progress(step + 1)
     progress.finish()
     return 0
@@ -74,9 +77,11 @@ def make_parser() -> Parser:
         "active-surface convert",
         "FILE ... -o NAME [options]",
         "Meshes, level sets and images to meshes and .vdb; particles to particles.\n"
-        f"Meshes from {', '.join(MESH_SUFFIXES)}\n"
-        f"to {', '.join(MESH_WRITERS)}; particles from\n{', '.join(PARTICLE_SUFFIXES)}\n"
-        f"to {', '.join(PARTICLE_OUT_SUFFIXES)}.",
+        + wrapped(f"Meshes from {', '.join(MESH_SUFFIXES)} to {', '.join(MESH_WRITERS)};")
+        + "\n"
+        + wrapped(
+            f"particles from {', '.join(PARTICLE_SUFFIXES)} to {', '.join(PARTICLE_OUT_SUFFIXES)}."
+        ),
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     parser.add_argument("-o", "--output", required=True, metavar="NAME", help="#### for the number")
@@ -103,11 +108,12 @@ def _way(file: Path, output: Path) -> str:
 def _holds_particles(path: Path) -> bool:
     suffix = suffix_of(path)
     if suffix not in PARTICLE_SUFFIXES or suffix not in MESH_SUFFIXES:
-        if suffix not in (*PARTICLE_SUFFIXES, *MESH_SUFFIXES):
-            known = sorted({*PARTICLE_SUFFIXES, *MESH_SUFFIXES})
-            raise OSError(f"{path}: files are read from {', '.join(known)}.")
+        if suffix not in INPUT_SUFFIXES:
+            raise OSError(f"{path}: files are read from {', '.join(INPUT_SUFFIXES)}.")
         return suffix in PARTICLE_SUFFIXES
     data = read_vtk(path)
+    if data.IsA("vtkCompositeDataSet"):
+        data = surface_of(data)
     if suffix == ".vdb" or not data.IsA("vtkPolyData"):
         return bool(data.IsA("vtkPointSet") and data.GetNumberOfCells() <= _vertices(data))
     return bool(data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0)
@@ -130,7 +136,7 @@ def _convert_particles(options: Any, output: Path) -> int:
     progress = Progress(len(series), quiet=options.quiet or len(series) == 1)
     is_series = len(series) > 1 or has_number(output)
     names = [numbered(output, number) if is_series else output for number in series.numbers]
-    check_distinct(series.names, names)
+    check_distinct(series.files, names)
     for step, name in enumerate(names):
         write_particles(name, series.load(step))
         progress(step + 1)
@@ -138,9 +144,9 @@ def _convert_particles(options: Any, output: Path) -> int:
     return 0
 
 
-def _convert_shape(file: Path, name: Path, options: Any, up: str | None) -> str | None:
+def _convert_shape(parts: tuple[Path, ...], name: Path, options: Any, up: str | None) -> str | None:
     """Returns the axis that points up in a .glb: that of the first file, for all of them."""
-    shape, is_vdb = read_shape(file), suffix_of(name) == ".vdb"
+    shape, file, is_vdb = read_shape(parts[0], parts=parts[1:]), parts[0], suffix_of(name) == ".vdb"
     if suffix_of(name) not in MESH_WRITERS:
         raise OSError(f"{name}: meshes are written as {', '.join(MESH_WRITERS)}.")
     if shape.IsA("vtkImageData") and not is_vdb:

@@ -7,12 +7,14 @@ import json
 from pathlib import Path
 from typing import Any
 
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
 from ..data_objects import finite_points
 from ..file_names import expand, suffix_of
 from ..messages import listening, quiet
 from ..particle_files import PARTICLE_SUFFIXES, check_readable, open_particles, read_vtk
 from ..presets import estimate_spacing
-from ..skin_files import MESH_SUFFIXES, read_shape
+from ..skin_files import INPUT_SUFFIXES, MESH_SUFFIXES, read_shape
 from .options import Parser, add_help
 
 
@@ -43,7 +45,7 @@ def make_parser() -> Parser:
 
 def describe(names: list[str]) -> dict[str, Any]:
     """What is in files, as a dictionary of JSON."""
-    files, _ = expand(names)
+    files = [file for parts in expand(names, INPUT_SUFFIXES).frames for file in parts]
     suffix = suffix_of(files[0])
     if suffix == ".exr":
         return _describe_exr(files)
@@ -54,8 +56,7 @@ def describe(names: list[str]) -> dict[str, Any]:
     if suffix in MESH_SUFFIXES and (shape := _shape_in(files[0])) is not None:
         return {"files": len(files), "file": str(files[0]), **_describe_shape(shape)}
     if suffix not in PARTICLE_SUFFIXES:
-        known = sorted({*PARTICLE_SUFFIXES, *MESH_SUFFIXES, ".exr"})
-        raise OSError(f"{files[0]}: info knows {', '.join(known)}.")
+        raise OSError(f"{files[0]}: info knows {', '.join(INPUT_SUFFIXES)}, .exr.")
     return _describe_particles(names, files)
 
 
@@ -72,6 +73,9 @@ def _describe_particles(names: list[str], files: list[Path]) -> dict[str, Any]:
         "spacing": estimate_spacing(first),
         "arrays": _arrays(first),
     }
+    field = first.GetFieldData()
+    for name in map(field.GetArrayName, range(field.GetNumberOfArrays())):
+        found[name] = vtk_to_numpy(field.GetArray(name)).ravel().tolist()
     if len(series) > 1:
         last = series.load(len(series) - 1)
         found["last frame"] = {**_points(last), "arrays": _arrays(last)}
@@ -112,7 +116,7 @@ def _shape_in(path: Path) -> Any:
         return read_shape(path)
     except OSError:
         data = read_vtk(path) if suffix_of(path) in PARTICLE_SUFFIXES else None
-        if data is not None and data.IsA("vtkPointSet"):
+        if data is not None and (data.IsA("vtkPointSet") or data.IsA("vtkCompositeDataSet")):
             return None
         raise
 

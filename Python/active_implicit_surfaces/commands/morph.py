@@ -30,6 +30,7 @@ from .options import (
     add_property_options,
     positive,
     properties_of,
+    wrapped,
 )
 from .progress import Progress
 
@@ -97,7 +98,7 @@ def make_parser() -> Parser:
         "FIRST LAST [-o morph_####.vtp] [--render film.mp4] [options]",
         "One shape becomes another: it moves along its normal, splits and merges, and arrives at\n"
         "the end of the duration. What only one of the shapes has grows, or shrinks.\n"
-        f"Closed meshes and images: {', '.join(MESH_SUFFIXES)}.",
+        + wrapped(f"Closed meshes and images: {', '.join(MESH_SUFFIXES)}."),
         epilog="Every property of the filter is an option too, as --number-of-threads 1:\n"
         "--help-properties, or --help all.",
     )

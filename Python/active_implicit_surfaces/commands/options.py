@@ -144,6 +144,11 @@ def _form(own: properties.Property) -> str:
     return f"{own.option} {'N' if own.kind == 'integer' else 'X'}"
 
 
+def wrapped(text: str) -> str:
+    """A text as lines of the help."""
+    return "\n".join(textwrap.wrap(text, WIDTH - 1))
+
+
 def preset_help() -> str:
     """What the presets are for."""
     return "\n".join(f"  {name:<10}{text}" for name, text in PRESETS.items())

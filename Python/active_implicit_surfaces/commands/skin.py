@@ -66,7 +66,7 @@ def make_parser() -> Parser:
         "FILE ... [-o skin_####.vtp] [--render film.mp4] [options]",
         "Skins over particles: one for each frame, each going on from the last.\n"
         f"Files: {', '.join(PARTICLE_SUFFIXES)};\n"
-        "several, a pattern ('splash_*.vtp', splash_####.vtp), a .series or a .pvd are a series.",
+        "several, a pattern ('p_*.vtp', p_####.vtp), a folder, a .series or a .pvd are a series.",
         epilog="presets:\n" + preset_help() + "\n\nEvery property of the filter is an option "
         "too, as --particle-model sum:\n--help-properties, or --help all.",
     )
@@ -128,7 +128,7 @@ class _Job:
         self.times = files.times
         self.output = _output_name(options)
         if self.output:
-            check_distinct(files.names, map(self.name_of, range(len(self.times))))
+            check_distinct(files.files, map(self.name_of, range(len(self.times))))
         for name in (self.output, options.render and Path(options.render)):
             if name:
                 make_folder_of(name)

@@ -1,0 +1,138 @@
+"""Images of medicine by VTK's readers, which do not see that the end of a .mha or .nrrd is missing,
+take the first of three axes of a .nrrd as one of components, and leave out the origin of a .nii.
+"""
+
+from __future__ import annotations
+
+import gzip
+import math
+import re
+import tempfile
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray
+
+from .messages import quiet, warn_all
+
+IMAGE_SUFFIXES = (".vti", ".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd")
+_FIELD = re.compile(r"(?m)^[ \t]*([^#:=\n]+?)[ \t]*[:=]+[ \t]*(.*?)[ \t\r]*$")
+_DAMAGE = (ValueError, KeyError, OverflowError, EOFError, zlib.error, gzip.BadGzipFile)
+
+
+def read_image(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
+    """The image of any of these files but .vti; `update` gives what a reader makes.
+
+    Raises
+    ------
+    OSError
+        It is damaged.
+    """
+    try:
+        if ".nii" in path.name.lower()[-7:]:
+            return _read_nifti(path, reader, update)
+        fields, values = _parts_of(path)
+        if path.suffix.lower() in (".nrrd", ".nhdr"):
+            return _read_nrrd(path, fields, values, reader, update)
+        _check_size(reader, len(values))
+        return update(reader)
+    except _DAMAGE as error:
+        said = f"it has no {error}" if isinstance(error, KeyError) else str(error)
+        raise OSError(f"{path} cannot be read: {said.rstrip('.')}.") from error
+
+
+def _check_size(reader: Any, size: int) -> None:
+    """Raises ValueError if there are fewer bytes than the header says."""
+    with quiet() as said:
+        reader.UpdateInformation()
+    if said.errors:
+        raise ValueError(said.errors[0])
+    low_high = reader.GetDataExtent()
+    count = math.prod(high - low + 1 for low, high in zip(low_high[::2], low_high[1::2]))
+    width = vtkDataArray.GetDataTypeSize(reader.GetDataScalarType())
+    needed = count * width * reader.GetNumberOfScalarComponents()
+    if not 0 < needed <= size:
+        raise ValueError(f"it is damaged; it has {size} of {needed} bytes of values")
+
+
+def _read_nifti(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
+    """The image with its origin and scale of values."""
+    with (gzip.open if path.suffix.lower() == ".gz" else open)(path, "rb") as file:
+        _check_size(reader, len(file.read()))
+    image = update(reader)
+    matrix = reader.GetSFormMatrix() or reader.GetQFormMatrix()
+    if matrix is not None:
+        rows = numpy.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(3)])
+        image.SetOrigin(*rows[:, 3])
+        _tell_turned(path, rows[:, :3].T)
+    slope, start = reader.GetRescaleSlope(), reader.GetRescaleIntercept()
+    scalars = image.GetPointData().GetScalars()
+    if (slope, start) not in ((1.0, 0.0), (0.0, 0.0)):
+        scaled = numpy_to_vtk(vtk_to_numpy(scalars) * slope + start, deep=True)
+        scaled.SetName(scalars.GetName())
+        image.GetPointData().SetScalars(scaled)
+    return image
+
+
+def _parts_of(path: Path) -> tuple[dict[str, str], bytes]:
+    """The header, and the values without compression."""
+    content, is_meta = path.read_bytes(), ".mh" in path.suffix.lower()
+    end = re.search(rb"ElementDataFile\s*=.*\n?" if is_meta else rb"\r?\n\r?\n|\s*\Z", content)
+    if end is None:
+        raise ValueError("it has no ElementDataFile")
+    fields = dict(_FIELD.findall(content[: end.end()].decode("latin-1")))
+    names = (fields.get(key) for key in ("ElementDataFile", "data file", "datafile"))
+    name = next(filter(None, names), "LOCAL")
+    body = content[end.end() :]
+    if name.upper() != "LOCAL":
+        try:
+            body = (path.parent / name).read_bytes()
+        except OSError as error:
+            raise ValueError(f"its data are in {name}: {error.strerror}") from error
+    if fields.get("encoding", "").lower() in ("gz", "gzip"):
+        body, fields["encoding"] = gzip.decompress(body), "raw"
+    if is_meta and not {"NDims", "DimSize", "ElementType"} <= fields.keys():
+        raise ValueError("it has no NDims, DimSize or ElementType")
+    if fields.get("encoding", "raw").lower() != "raw":
+        raise ValueError(f"its encoding is {fields['encoding']}; write it as raw or gzip")
+    if fields.get("CompressedData", "").lower() == "true":
+        body = zlib.decompressobj(wbits=47).decompress(body)
+    return fields, body[max(0, int(fields.get("byte skip", 0))) :]
+
+
+def _read_nrrd(
+    path: Path, fields: dict[str, str], values: bytes, reader: Any, update: Callable[[Any], Any]
+) -> Any:
+    """What VTK makes of the values alone, placed in space."""
+    sizes = fields["sizes"].split()
+    if len(sizes) not in (3, 4) or not 0 < math.prod(map(int, sizes)) <= len(values):
+        raise ValueError(
+            f"it has {len(values)} bytes for {' x '.join(sizes)}, not 3 axes of values"
+        )
+    lines = [f"{name}: {fields.get(name, 'little')}" for name in ("type", "endian", "encoding")]
+    lines = ["NRRD0004", *lines, "dimension: 4", f"sizes: {' '.join(['1', *sizes][-4:])}", "", ""]
+    with tempfile.TemporaryDirectory() as folder:
+        plain = Path(folder) / "image.nrrd"
+        plain.write_bytes("\n".join(lines).encode("latin-1") + values)
+        reader.SetFileName(str(plain))
+        _check_size(reader, len(values))
+        image = update(reader)
+    vectors = re.findall(r"\(([^)]*)\)", fields.get("space directions", ""))
+    axes = numpy.array([[float(word) for word in own.split(",")] for own in vectors])
+    if axes.shape != (3, 3):
+        spacings = [float(word) for word in fields.get("spacings", "1 1 1").split()[-3:]]
+        axes = numpy.diag([abs(x) if x and math.isfinite(x) else 1.0 for x in spacings])
+    image.SetSpacing(*numpy.linalg.norm(axes, axis=1))
+    image.SetOrigin(*map(float, fields.get("space origin", "(0,0,0)").strip("() ").split(",")))
+    _tell_turned(path, axes)
+    return image
+
+
+def _tell_turned(path: Path, axes: Any) -> None:
+    """Warns if the axes of an image, which are rows, are not x, y and z."""
+    if (numpy.diag(axes) < 0.999 * numpy.linalg.norm(axes, axis=1)).any():
+        warn_all([f"{path}: the image is turned or mirrored in space, which is left out."])

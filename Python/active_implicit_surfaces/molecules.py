@@ -1,0 +1,186 @@
+"""Atoms of .xyz files: elements, their radii, and the columns of an extended file."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import numpy
+
+from .messages import warn_all
+from .tables import Frame, Frames, number
+
+_DEFAULT = "species:S:1:pos:R:3"
+_PAIR = re.compile(r"""([A-Za-z_][\w-]*)\s*=\s*("[^"]*"|'[^']*'|\{[^}]*\}|\[[^]]*\]|[^\s,]+)""")
+_SYMBOLS = ("species", "element", "elements", "symbol", "symbols", "name", "atom_name")
+_NUMBERS = ("z", "numbers", "atomic_number", "atomic_numbers")
+# In a list of names the second letter of those that begin with C, H, N, O, P, S is a place in the
+# molecule, as in CA, HG, but for these.
+_PLACED, _UNPLACED = "CHNOPS", ("CL", "CU", "NA", "SE")
+_ALONE = "CHNOPSBDFIK"  # what a longer name may begin with
+_IONS = {"SOD": "Na", "CLA": "Cl", "POT": "K", "CAL": "Ca", "CES": "Cs", "LIT": "Li"}  # CHARMM's
+_LARGEST_RADIUS = 10.0  # what the table has for elements whose radius is unknown is larger
+_LISTED = 8
+
+
+def read_molecule(lines: list[str]) -> Frames:
+    """The frames of a file whose first line is the number of atoms."""
+    frames: list[Frame] = []
+    times, place = [], 0
+    while place < len(lines):
+        if not lines[place].strip():
+            place += 1
+            continue
+        if not re.fullmatch(r"\s*\d+\s*", lines[place]):
+            raise ValueError(f"line {place + 1} is not the number of atoms that begins a frame")
+        count = int(lines[place])
+        comment = lines[place + 1] if place + 1 < len(lines) else ""
+        pairs = {name: value.strip("\"'{}[]") for name, value in _PAIR.findall(comment)}
+        frames.append(_read_frame(lines[place + 2 : place + 2 + count], count, place, pairs))
+        times.append(
+            next((number(pairs[name]) for name in ("Time", "time") if name in pairs), None)
+        )
+        place += 2 + count
+    _add_elements(frames)
+    known = [time for time in times if time is not None]
+    are_times = len(known) == len(frames) and all(a < b for a, b in zip(known, known[1:]))
+    return frames, known if are_times else None
+
+
+def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str]) -> Frame:
+    columns = _columns_of(pairs.get("Properties", _DEFAULT))
+    width = max(first + size for _, _, first, size in columns)
+    rows = [line.split() for line in lines]
+    if len(rows) < count:
+        raise ValueError(f"it has fewer atoms than the {count} that line {place + 1} says")
+    short = next((i for i, row in enumerate(rows) if len(row) < width), None)
+    if short is not None:
+        raise ValueError(
+            f"line {place + 3 + short} has {len(rows[short])} column(s) where an atom has {width}, "
+            f"or it has fewer atoms than the {count} that line {place + 1} says"
+        )
+    frame: Frame = {}
+    for name, kind, first, size in columns:
+        _add_column(frame, name, kind, [row[first : first + size] for row in rows])
+    frame["field"] = _cell_of(pairs)
+    return frame
+
+
+def _columns_of(properties: str) -> list[tuple[str, str, int, int]]:
+    """Name, kind, first column and width of each property."""
+    words, found, first = properties.split(":"), [], 0
+    for name, kind, size in zip(words[::3], words[1::3], words[2::3]):
+        if kind not in ("S", "R", "I", "L") or not size.isdigit():
+            break
+        found.append((name, kind, first, int(size)))
+        first += int(size)
+    if len(words) != 3 * len(found) or not any(
+        name.lower() in ("pos", "positions", "position") and kind in "RI" and size == 3
+        for name, kind, _, size in found
+    ):
+        raise ValueError(f"its Properties={properties} name no positions, as {_DEFAULT} does")
+    return found
+
+
+def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> None:
+    lower, size = name.lower(), len(cells[0]) if cells else 1
+    if size == 1 and (lower in _NUMBERS or (kind == "S" and lower in _SYMBOLS)):
+        frame.setdefault("symbols", [cell[0] for cell in cells])
+        return
+    if kind == "S":
+        return  # texts are no array of numbers
+    if kind == "L":
+        cells = [["1" if cell.lower() in ("t", "true", "1") else "0" for cell in c] for c in cells]
+    try:
+        values = numpy.array(cells, dtype=float if kind == "R" else int)
+    except ValueError as error:
+        raise ValueError(f"its column {name} holds what is no number ({error})") from error
+    if lower in ("pos", "positions", "position"):
+        frame["positions"] = values.reshape(-1, 3)
+    else:
+        frame[name] = values[:, 0] if size == 1 and cells else values
+
+
+def _cell_of(pairs: dict[str, str]) -> dict[str, Any]:
+    """The periodic cell: its three vectors, and along which of them it repeats."""
+    if "Lattice" not in pairs:
+        return {}
+    numbers = [float(word) for word in re.split(r"[\s,]+", pairs["Lattice"].strip())]
+    if len(numbers) != 9:
+        raise ValueError(f"its Lattice has {len(numbers)} numbers, not 9")
+    repeats = [word[0].lower() in "t1" for word in (pairs.get("pbc") or "T T T").split()]
+    return {
+        "Lattice": numpy.array(numbers).reshape(3, 3),
+        "pbc": numpy.array([repeats], dtype="u1"),
+    }
+
+
+def _add_elements(frames: list[Frame]) -> None:
+    """Atomic numbers, and the reaches with which a lone atom has its van der Waals radius."""
+    from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
+
+    from .presets import REACH_OF_ATOM
+
+    table = vtkPeriodicTable()
+    listed = [frame.pop("symbols", None) for frame in frames]
+    found = _elements_of({symbol for own in listed for symbol in own or ()}, table)
+    radii = {number: table.GetVDWRadius(number) for number in {0, *found.values()}}
+    radii = {n: radius if radius < _LARGEST_RADIUS else 0.0 for n, radius in radii.items()}
+    unknown = sorted(symbol for symbol, number in found.items() if not radii[number])
+    are_known = len(unknown) < len(found)
+    for frame, own in zip(frames, listed):
+        if own is not None and (are_known or not found):
+            numbers = [found[symbol] for symbol in own]
+            frame["atomic_number"] = numpy.array(numbers, dtype="u1")
+            reaches = [REACH_OF_ATOM * radii[number] for number in numbers]
+            frame["reach"] = numpy.array(reaches, dtype="f4")
+    if unknown:
+        effect = "have the radius 0" if are_known else "all have a radius by their distance"
+        warn_all(
+            [f"{_few(unknown)}: no such element is known; these atoms {effect}. Write elements."]
+        )
+
+
+def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
+    """The atomic number of each symbol, 0 if it is no element.
+
+    Symbols are names of atoms if one is a name and no element (CB, OW), if there are CA, C and N,
+    or CA alone, which are the chain of a protein.
+    """
+    letters = {symbol: re.sub(r"[^A-Za-z]", "", symbol) for symbol in symbols}
+    as_elements = {symbol: _number(symbol, own, table) for symbol, own in letters.items()}
+    as_names = {
+        symbol: _number(symbol, _guess(own, table), table) for symbol, own in letters.items()
+    }
+    is_chain = {"CA"} == symbols or {"CA", "C", "N"} <= symbols
+    if not is_chain and all(as_elements[symbol] or not as_names[symbol] for symbol in symbols):
+        return as_elements
+    other = sorted(s for s, z in as_names.items() if z and z != table.GetAtomicNumber(s))
+    meant = [f"{symbol} is {table.GetSymbol(as_names[symbol])}" for symbol in other]
+    warn_all(
+        [f"The atoms have names in place of elements: {_few(meant)}. If not so, write elements."]
+    )
+    return as_names
+
+
+def _number(symbol: str, element: str, table: Any) -> int:
+    if symbol.isdigit():
+        return int(symbol) if 0 < int(symbol) <= table.GetNumberOfElements() else 0
+    return int(table.GetAtomicNumber(element)) if element else 0
+
+
+def _guess(name: str, table: Any) -> str:
+    """The element of an atom's name: of CA that is C, of FE Fe."""
+    upper = name.upper()
+    if upper in _IONS:
+        return _IONS[upper]
+    is_cased = len(name) == 2 and name[0].isupper() and name[1].islower()
+    if (is_cased or upper in _UNPLACED) and table.GetAtomicNumber(name):
+        return name
+    if upper[:1] not in _PLACED and table.GetAtomicNumber(upper[:2]):
+        return upper[:2]
+    return upper[:1] if upper[:1] in _ALONE else ""
+
+
+def _few(words: list[str]) -> str:
+    return ", ".join(words[:_LISTED]) + (" ..." if len(words) > _LISTED else "")

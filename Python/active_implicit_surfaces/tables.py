@@ -1,0 +1,255 @@
+"""Tables of numbers as text: the separator, the quotes, the decimal mark and the header are those
+that the file has; a column of times makes frames.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+import textwrap
+import warnings
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy
+
+from .messages import warn_all
+
+Frame = dict[str, Any]
+Frames = tuple[list[Frame], "list[float] | None"]
+
+POSITIONS = (
+    *("positions", "position", "points", "point", "vertices", "coordinates", "coords", "coord"),
+    *("pos", "x"),
+)
+_AXES = {"x": 0, "y": 1, "z": 2, "0": 0, "1": 1, "2": 2}
+_TIMES, _COUNTS = ("time", "times", "timevalue", "t"), ("frame", "timestep", "time_step", "step")
+_SEPARATORS = ("\t", ";", "|", ",", None)  # None: blanks
+_MISSING = frozenset(("", "na", "n/a", "null", "none", "-"))
+_COMMENT = re.compile(r"^\s*(?:#|%|//|!)+\s*")
+_DECIMAL_COMMA = re.compile(r"([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)")
+_SAMPLED = 40  # lines that are searched for the header, and for what columns hold
+
+
+class _Form(NamedTuple):
+    """How a table is written. Columns: the numbers of those that are read."""
+
+    separator: str | None
+    names: list[str]
+    start: int
+    has_commas: bool = False
+    columns: Sequence[int] = ()
+
+
+def read_table(text: str) -> Frames:
+    """Columns x, y, z by their names (Points:0, pos_x, P[x] ... too), or the first three."""
+    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    form = _examine(lines, _find_header(lines) or _find_numbers(lines))
+    names = [form.names[i] for i in form.columns] if form.names else []
+    columns = group_columns(names)
+    if form.names and "positions" not in columns:
+        held = [name for i, name in enumerate(form.names) if name and i not in form.columns]
+        raise ValueError(_no_positions(names) + (f"; text is in {_few(held)}" if held else ""))
+    table = _load(lines, form)
+    if not form.names:
+        return [_headless(table)], None
+    frame = {name: table[:, own if len(own) > 1 else own[0]] for name, own in columns.items()}
+    return _split_by_time(frame)
+
+
+def group_columns(names: Sequence[str]) -> dict[str, list[int]]:
+    """Names of arrays and their columns: a:0 a:1 a:2, a[0] ..., a_x ..., ax ay az are a vector a,
+    x y z the positions. Columns without a name are left out.
+    """
+    vectors: dict[str, dict[int, int]] = {}
+    for i, name in enumerate(names):
+        plain = re.sub(r"\[([012xyzXYZ])\]$", r":\1", name.strip("\"' "))
+        plain = re.sub(r"\s*[\[(][^])]*[\])]\s*$", "", plain)
+        parts = re.fullmatch(r"(.*?)[:_. ]?([xyzXYZ]|(?<=[:_])[012])", plain)
+        base, axis = (parts[1], _AXES[parts[2].lower()]) if parts else (plain, -1)
+        if plain:
+            vectors.setdefault(base, {}).setdefault(axis, i)
+    found: dict[str, list[int]] = {}
+    for base, axes in vectors.items():
+        is_vector = sorted(axes) == [0, 1, 2]
+        if is_vector and base.lower() in ("", *POSITIONS, "p"):
+            found.setdefault("positions", [axes[axis] for axis in range(3)])
+        elif is_vector:
+            found[base] = [axes[axis] for axis in range(3)]
+        else:
+            found |= {base if a < 0 else f"{base}{'xyz'[a]}": [i] for a, i in axes.items()}
+    return found
+
+
+def _no_positions(names: Sequence[str]) -> str:
+    return f"it has no columns x, y and z of numbers; it has {_few(names) or 'none with a name'}"
+
+
+def _few(names: Sequence[str]) -> str:
+    return textwrap.shorten(", ".join(filter(None, names)), 60, placeholder=" ...")
+
+
+def _split(line: str, separator: str | None) -> list[str]:
+    line = " ".join(line.split()) if separator is None else line
+    quote = "'" if "'" in line and '"' not in line else '"'
+    rows = csv.reader([line], delimiter=separator or " ", quotechar=quote, skipinitialspace=True)
+    return [cell.strip() for cell in next(rows, [])]
+
+
+def number(cell: str, has_commas: bool = True) -> float | None:
+    """The number in a cell, NaN if the cell is empty; none if it is text."""
+    if cell.lower() in _MISSING:
+        return math.nan
+    try:
+        return float(_DECIMAL_COMMA.sub(r"\1.\2", cell) if has_commas else cell)
+    except ValueError:
+        return None
+
+
+def _is_number(cell: str) -> bool:
+    return cell.lower() not in _MISSING and number(cell) is not None
+
+
+def _rows(lines: list[str], start: int) -> list[int]:
+    """The numbers of the first lines that have something."""
+    rows = range(start, min(len(lines), start + _SAMPLED))
+    return [i for i in rows if lines[i].strip() and not _COMMENT.match(lines[i])]
+
+
+def _find_header(lines: list[str]) -> _Form | None:
+    """The line that names positions, in a comment too."""
+    misfit = ""
+    for place, line in enumerate(lines[:_SAMPLED]):
+        text = _COMMENT.sub("", line)
+        for separator in _SEPARATORS:
+            names = _split(text, separator)
+            if len(names) < 3 or "positions" not in group_columns(names):
+                continue
+            rows = _rows(lines, place + 1)
+            cells = _split(lines[rows[0]], separator) if rows else names
+            is_text = any(number(cell) is None for cell in cells)
+            if rows and is_text and not any(map(_is_number, cells)):
+                rows = rows[1:]  # below units
+            start = rows[0] if rows else len(lines)
+            if len(cells) == len(names) or (len(cells) == len(names) + 1 and not cells[-1]):
+                return _Form(separator, names, start)
+            if len(cells) == len(names) + 1 and _are_row_names(lines, rows, separator):
+                return _Form(separator, ["", *names], start)
+            misfit = misfit if text != line else _about_misfit(rows[0], cells, place, names)
+    if misfit:
+        raise ValueError(misfit)
+    return None
+
+
+def _are_row_names(lines: list[str], rows: list[int], separator: str | None) -> bool:
+    """Whether rows begin with their numbers or names, for which R's headers have no column."""
+    heads = [number(_split(lines[i], separator)[0]) for i in rows]
+    steps = {after - before for before, after in zip(heads, heads[1:]) if before and after}
+    return steps <= {1.0} and len({_split(lines[i], separator)[0] for i in rows}) == len(rows)
+
+
+def _about_misfit(row: int, cells: list[str], place: int, names: list[str]) -> str:
+    said = f"line {row + 1} has {len(cells)} column(s), its header in line {place + 1} {len(names)}"
+    are_commas = len(cells) > len(names)
+    return said + ("; write decimal points, or separate columns by ;" if are_commas else "")
+
+
+def _find_numbers(lines: list[str]) -> _Form:
+    """The first line of three numbers; what is before it may be a header."""
+    rows = _rows(lines, 0)
+    for place, row in enumerate(rows):
+        for separator in _SEPARATORS:
+            cells = _split(lines[row], separator)
+            if sum(map(_is_number, cells)) < 3:
+                continue
+            names = _split(lines[rows[place - 1]], separator) if place else []
+            is_header = len(names) == len(cells) and not any(map(_is_number, names))
+            return _Form(separator, names if is_header else [], row)
+    first = _split(lines[rows[0]], "," if "," in lines[rows[0]] else None) if rows else []
+    if first and all(map(_is_number, first)):
+        raise ValueError(f"it has {len(first)} column(s) of numbers, not x, y and z")
+    raise ValueError(_no_positions(first) if rows else "it is empty")
+
+
+def _examine(lines: list[str], form: _Form) -> _Form:
+    """The form with its decimal mark, and the columns of numbers."""
+    rows = [_split(lines[i], form.separator) for i in _rows(lines, form.start)]
+    cells = [cell for row in rows for cell in row]
+    has_commas = any(map(_DECIMAL_COMMA.fullmatch, cells)) and not any(
+        "." in cell and number(cell, False) is not None for cell in cells
+    )
+    columns = []
+    for i in range(len(form.names or (rows[0] if rows else ()))):
+        held = [row[i] for row in rows if len(row) > i and row[i].lower() not in _MISSING]
+        if not held or number(held[0], has_commas) is not None:
+            columns.append(i)
+    return form._replace(has_commas=has_commas, columns=columns)
+
+
+def _load(lines: list[str], form: _Form) -> Any:
+    """The numbers of the columns, one row for each line."""
+    rows = lines[form.start :]
+    if not _rows(rows, 0):
+        return numpy.zeros((0, len(form.columns)))
+    is_whole = not form.names and form.columns == list(range(len(form.columns)))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        try:
+            if form.has_commas and form.separator == ",":
+                raise ValueError  # between quotes
+            return numpy.loadtxt(
+                (row.replace(",", ".") for row in rows) if form.has_commas else rows,
+                delimiter=form.separator,
+                usecols=None if is_whole else form.columns,
+                ndmin=2,
+                quotechar='"',
+            )
+        except (ValueError, UserWarning):
+            return _load_by_rows(lines, form, is_whole)
+
+
+def _load_by_rows(lines: list[str], form: _Form, is_whole: bool) -> Any:
+    """As `_load`, for rows with empty cells, and to find the first that is none."""
+    table, width = [], len(form.names) or max(form.columns) + 1
+    for place, line in enumerate(lines[form.start :], start=form.start + 1):
+        text = line.split("#")[0] if form.separator is None else line
+        if not text.strip() or _COMMENT.match(text):
+            continue
+        cells = _split(text, form.separator)
+        if len(cells) <= max(form.columns) or (is_whole and len(cells) > width):
+            raise ValueError(f"line {place} has {len(cells)} column(s), others have {width}")
+        values = [number(cells[i], form.has_commas) for i in form.columns]
+        if None in values:
+            wrong = cells[form.columns[values.index(None)]]
+            raise ValueError(f'line {place} has "{wrong}" in place of a number')
+        table.append(values)
+    return numpy.array(table, dtype=float)
+
+
+def _headless(table: Any) -> Frame:
+    if table.shape[1] < 3:
+        raise ValueError(f"it has {table.shape[1]} column(s) of numbers, not x, y and z")
+    more = {f"column {i}": table[:, i] for i in range(3, table.shape[1])}
+    return {"positions": table[:, :3], **more}
+
+
+def _split_by_time(frame: Frame) -> Frames:
+    """The rows of each time, or of each number of a frame."""
+    lower = {name if name in ("t", "T") else name.lower(): name for name in frame}
+    name = next((name for name in (*_TIMES, *_COUNTS) if name in lower), None)
+    if name is None or len(frame["positions"]) == 0:
+        return [frame], None
+    column = frame[lower[name]]
+    known = numpy.isfinite(column)
+    if not known.any():
+        return [frame], None
+    if not known.all():
+        warn_all([f"{(~known).sum()} row(s) without a {lower[name]} are left out."])
+        frame, column = {key: values[known] for key, values in frame.items()}, column[known]
+    times, numbers = numpy.unique(column, return_inverse=True)
+    order = numpy.argsort(numbers, kind="stable")
+    cuts = numpy.cumsum(numpy.bincount(numbers, minlength=1))[:-1]
+    pieces = {key: numpy.split(values[order], cuts) for key, values in frame.items()}
+    frames = [{key: parts[i] for key, parts in pieces.items()} for i in range(len(cuts) + 1)]
+    return frames, None if name in _COUNTS else times.tolist()

@@ -1,0 +1,37 @@
+"""Times of frames: those that are given, and those that follow from frames per second."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+FRAMES_PER_SECOND = 25.0  # where nothing gives the times
+
+
+def check_times(times: Iterable[float]) -> list[float]:
+    """The times as a list.
+
+    Raises
+    ------
+    ValueError
+        There is none, or they do not increase.
+    """
+    own = [float(time) for time in times]
+    if not own:
+        raise ValueError("There are no time steps, as there are no frames.")
+    if any(not after > before for before, after in zip(own, own[1:])) or own[0] != own[0]:
+        raise ValueError("Times have to increase from frame to frame.")
+    return own
+
+
+def times_at(places: Iterable[float], fps: float | None) -> list[float]:
+    """Places in a film, counted in frames, as times."""
+    rate = FRAMES_PER_SECOND if fps is None else fps
+    if not 0 < rate < float("inf"):
+        raise ValueError(f"Frames per second have to be more than 0, not {rate:g}.")
+    return [place / rate for place in places]
+
+
+def places_of(numbers: Sequence[float]) -> list[float]:
+    """Where frames are, in steps of the least difference of their numbers."""
+    step = min((after - before for before, after in zip(numbers, numbers[1:])), default=1)
+    return [(number - numbers[0]) / step for number in numbers]

@@ -1,0 +1,32 @@
+"""What the tests of readers share."""
+
+import numpy
+from active_implicit_surfaces.particle_files import open_particles
+from command_line import CommandTest
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def points_of(cloud):
+    count = cloud.GetNumberOfPoints()
+    return vtk_to_numpy(cloud.GetPoints().GetData()).round(6).tolist() if count else []
+
+
+def array_of(cloud, name):
+    return vtk_to_numpy(cloud.GetPointData().GetArray(name)).tolist()
+
+
+class ReaderTest(CommandTest):
+    def put(self, name, text):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    def assert_points(self, cloud, wanted):
+        numpy.testing.assert_allclose(points_of(cloud), wanted, rtol=1e-6)
+
+    def assert_refused(self, words, path):
+        with self.assertRaisesRegex(OSError, words) as caught:
+            open_particles(path).load(0)
+        self.assertIn(path.name, str(caught.exception))
+        self.assertTrue(str(caught.exception).endswith("."))
