@@ -17,6 +17,7 @@ _NUMBERS = ("z", "numbers", "atomic_number", "atomic_numbers")
 # In a list of names the second letter of those that begin with C, H, N, O, P, S is a place in the
 # molecule, as in CA, HG, but for these.
 _PLACED, _UNPLACED = "CHNOPS", ("CL", "CU", "NA", "SE")
+_ALONE = "CHNOPSBDFIK"  # what a longer name may begin with
 _IONS = {"SOD": "Na", "CLA": "Cl", "POT": "K", "CAL": "Ca", "CES": "Cs", "LIT": "Li"}  # CHARMM's
 _LARGEST_RADIUS = 10.0  # what the table has for elements whose radius is unknown is larger
 _LISTED = 8
@@ -90,7 +91,10 @@ def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> N
         return  # texts are no array of numbers
     if kind == "L":
         cells = [["1" if cell.lower() in ("t", "true", "1") else "0" for cell in c] for c in cells]
-    values = numpy.array(cells, dtype=float if kind == "R" else int)
+    try:
+        values = numpy.array(cells, dtype=float if kind == "R" else int)
+    except ValueError as error:
+        raise ValueError(f"its column {name} holds what is no number ({error})") from error
     if lower in ("pos", "positions", "position"):
         frame["positions"] = values.reshape(-1, 3)
     else:
@@ -104,7 +108,7 @@ def _cell_of(pairs: dict[str, str]) -> dict[str, Any]:
     numbers = [float(word) for word in re.split(r"[\s,]+", pairs["Lattice"].strip())]
     if len(numbers) != 9:
         raise ValueError(f"its Lattice has {len(numbers)} numbers, not 9")
-    repeats = [word[0].lower() in "t1" for word in pairs.get("pbc", "T T T").split()]
+    repeats = [word[0].lower() in "t1" for word in (pairs.get("pbc") or "T T T").split()]
     return {
         "Lattice": numpy.array(numbers).reshape(3, 3),
         "pbc": numpy.array([repeats], dtype="u1"),
@@ -175,7 +179,7 @@ def _guess(name: str, table: Any) -> str:
         return name
     if upper[:1] not in _PLACED and table.GetAtomicNumber(upper[:2]):
         return upper[:2]
-    return upper[:1]
+    return upper[:1] if upper[:1] in _ALONE else ""
 
 
 def _few(words: list[str]) -> str:

@@ -46,13 +46,14 @@ def read_table(text: str) -> Frames:
     """Columns x, y, z by their names (Points:0, pos_x, P[x] ... too), or the first three."""
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     form = _examine(lines, _find_header(lines) or _find_numbers(lines))
+    names = [form.names[i] for i in form.columns] if form.names else []
+    columns = group_columns(names)
+    if form.names and "positions" not in columns:
+        held = [name for i, name in enumerate(form.names) if name and i not in form.columns]
+        raise ValueError(_no_positions(names) + (f"; text is in {_few(held)}" if held else ""))
     table = _load(lines, form)
     if not form.names:
         return [_headless(table)], None
-    names = [form.names[i] for i in form.columns]
-    columns = group_columns(names)
-    if "positions" not in columns:
-        raise ValueError(_no_positions(filter(None, names)))
     frame = {name: table[:, own if len(own) > 1 else own[0]] for name, own in columns.items()}
     return _split_by_time(frame)
 
@@ -81,9 +82,12 @@ def group_columns(names: Sequence[str]) -> dict[str, list[int]]:
     return found
 
 
-def _no_positions(names: Any) -> str:
-    there = textwrap.shorten(", ".join(names), 60, placeholder=" ...") or "none with a name"
-    return f"it has no columns x, y and z of numbers; it has {there}"
+def _no_positions(names: Sequence[str]) -> str:
+    return f"it has no columns x, y and z of numbers; it has {_few(names) or 'none with a name'}"
+
+
+def _few(names: Sequence[str]) -> str:
+    return textwrap.shorten(", ".join(filter(None, names)), 60, placeholder=" ...")
 
 
 def _split(line: str, separator: str | None) -> list[str]:
@@ -124,8 +128,9 @@ def _find_header(lines: list[str]) -> _Form | None:
                 continue
             rows = _rows(lines, place + 1)
             cells = _split(lines[rows[0]], separator) if rows else names
-            if len(cells) == len(names) and not any(map(number, cells)) and all(cells):
-                rows = rows[1:] if not any(map(_is_number, cells)) else rows  # units
+            is_text = any(number(cell) is None for cell in cells)
+            if rows and is_text and not any(map(_is_number, cells)):
+                rows = rows[1:]  # below units
             start = rows[0] if rows else len(lines)
             if len(cells) == len(names) or (len(cells) == len(names) + 1 and not cells[-1]):
                 return _Form(separator, names, start)
@@ -237,6 +242,8 @@ def _split_by_time(frame: Frame) -> Frames:
         return [frame], None
     column = frame[lower[name]]
     known = numpy.isfinite(column)
+    if not known.any():
+        return [frame], None
     if not known.all():
         warn_all([f"{(~known).sum()} row(s) without a {lower[name]} are left out."])
         frame, column = {key: values[known] for key, values in frame.items()}, column[known]

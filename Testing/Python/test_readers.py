@@ -43,6 +43,7 @@ class Tables(ReaderTest):
             "Comsol": "% Model: a\n% x                    y   z\n0.5 1.25 -2\n1.5 2.25 3\n",
             "count before": "2\n0.5,1.25,-2\n1.5,2.25,3\n",
             "units": "x,y,z,T\nm,m,m,K\n0.5,1.25,-2,1\n1.5,2.25,3,1\n",
+            "units, some without": "x,y,z,n\nm,m,m,-\n0.5,1.25,-2,1\n1.5,2.25,3,1\n",
             "separator at the end": "x,y,z\n0.5,1.25,-2,\n1.5,2.25,3,\n",
             "old Mac": "x,y,z\r0.5,1.25,-2\r1.5,2.25,3\r",
             "Windows, mark": "\ufeffx,y,z\r\n0.5,1.25,-2\r\n1.5,2.25,3\r\n",
@@ -97,6 +98,9 @@ class Tables(ReaderTest):
             "line 2 has 2 column": "x,y,z\n1,2\n",
             'line 3 has "1.000,5"': "x;y;z\n1;2;3\n4;1.000,5;6\n",
             "no columns x, y and z of numbers; it has a, b, c": "a,b,c\n1,2,3\n",
+            "it has x, z; text is in y": "x;y;z\n1.5;2,5;3\n",
+            "no columns x, y and z of numbers; it has none": "x,y,z\na,b,c\nd,e,f\n",
+            "line 4 has 1 column": 'x,y,z\n1,2,3\n1,,3\n"4,5,6\n',
             "it is no text": b"x,y,z\n1,2,\0\n",
         }.items():
             with self.subTest(words):
@@ -148,7 +152,12 @@ class Molecules(ReaderTest):
                 self.assertEqual(self.numbers(*symbols), (wanted, ""))
 
     def test_unknown_symbols_are_named(self):
-        for symbols, unknown in ((("C", "Xx"), "Xx"), (("O", "999"), "999"), (("Q", "Q"), "Q")):
+        for symbols, unknown in (
+            (("C", "Xx"), "Xx"),
+            (("O", "999"), "999"),
+            (("CB", "Unk"), "Unk"),
+            (("Q", "Q"), "Q"),
+        ):
             with self.subTest(symbols):
                 found, said = self.numbers(*symbols)
                 self.assertIn(f"{unknown}: no such element", said)
@@ -168,7 +177,11 @@ class Molecules(ReaderTest):
                 self.assert_points(cloud, [[1, 2, 3]])
                 for name, values in wanted.items():
                     self.assertEqual(array_of(cloud, name), values)
-        for words, head in (("no positions", "species:S:1"), ("line 3 has 4", "a:R:2:pos:R:3")):
+        for words, head in (
+            ("no positions", "species:S:1"),
+            ("line 3 has 4", "a:R:2:pos:R:3"),
+            ("column pos holds what is no number", "pos:R:3"),
+        ):
             path = self.put("a.xyz", f"1\nProperties={head}\nO 1 2 3\n")
             self.assert_refused(words, path)
 
