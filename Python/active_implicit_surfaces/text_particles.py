@@ -61,7 +61,7 @@ def read_xyz(path: Path) -> Frames:
         return [{"positions": numpy.frombuffer(content, "<f4").reshape(-1, 3)}], None
     text = _text_of(content)
     if re.match(r"\s*\d+[ \t]*(\r?\n|$)", text):
-        return read_molecule(text.lstrip().splitlines())
+        return read_molecule(text.splitlines())
     return read_table(text)
 
 
@@ -69,8 +69,7 @@ def read_json(path: Path) -> Frames:
     """A list of positions, or an object of arrays with "positions"."""
     data = json.loads(path.read_text(encoding="utf-8"))
     if isinstance(data, list):
-        positions = _even_array("list", data)
-        return _from_arrays({"positions": positions if data else positions.reshape(0, 3)})
+        return _from_arrays({"positions": _even_array("list", data)})
     if not isinstance(data, dict):
         raise ValueError("it is neither a list of positions nor an object of arrays")
     return _from_arrays(
@@ -80,7 +79,7 @@ def read_json(path: Path) -> Frames:
 
 def _even_array(what: str, values: Any) -> Any:
     try:
-        return numpy.array(values) if values != [] else numpy.zeros((0, 3))
+        return numpy.array(values)
     except ValueError:
         raise ValueError(f"its {what} has rows of different lengths") from None
 
@@ -108,6 +107,7 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
         arrays = {**arrays, "positions": numpy.stack([arrays[names[n]] for n in "xyz"], axis=-1)}
         found = "positions"
     positions = arrays[found]
+    positions = positions.reshape(0, 3) if positions.shape == (0,) else positions
     if positions.dtype.kind not in "iuf":
         raise ValueError(f'its array "{found}" holds values that are not numbers')
     if positions.ndim not in (2, 3) or positions.shape[-1] != 3:

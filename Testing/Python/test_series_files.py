@@ -265,6 +265,11 @@ class Empty(ReaderTest):
             with self.subTest(head):
                 self.assertEqual(count_in(self.put("a.csv", head)), 0)
 
+    def test_lists_of_nothing(self):
+        for text in ("[]", '{"positions": [], "id": []}', '{"x": [], "y": [], "z": []}'):
+            with self.subTest(text):
+                self.assertEqual(count_in(self.put("a.json", text)), 0)
+
     def test_first_and_last(self):
         rows = "\n".join(",".join(map(str, row)) for row in grid())
         for step, text in enumerate(("", rows, "")):
