@@ -10,13 +10,15 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from . import properties, vtkActiveImplicitSurface
 from .data_objects import STANDARD_NAMES, as_particles, like
 from .messages import listening, warn_all
-from .presets import apply_preset, estimate_spacing
+from .presets import apply_preset, estimate_spacing, is_point_cloud, series_spacing
 from .series import ParticleSeries, TemporalSource
 
 # Numbers of SetInputArrayToProcess, and the keywords that give such an array.
 _ARRAYS = {"radii": 0, "ids": 1, "strengths": 2, "velocities": 5}
 _MANY = 100  # particles, of which the distance of neighbours tells something
-_FAR = 3.0  # as a factor
+_FAR = 1.5  # as a factor: half and twice are
+_SAME = 1.01
+_LEAST_REACH = 1.2  # of a kernel, in spacings
 _USUAL_IDS = ("id", "ids", "particle_id", "particleid", "pid")
 
 
@@ -282,23 +284,37 @@ def configure(
     if preset is not None:
         apply_preset(surface, source, preset, interval, options)
     properties.put(surface, options)
-    if first is not source.frame(0) and not surface.GetParticleSpacing():
-        surface.SetParticleSpacing(estimate_spacing(first))  # the filter starts on an empty frame
-    _check_spacing(first, surface.GetParticleSpacing())
+    if is_point_cloud(first):
+        _settle_spacing(surface, source, first, "radii" in chosen)
 
 
-def _check_spacing(first: Any, given: float) -> None:
-    """Warns of a spacing that is far from that of the first frame, if that has many particles."""
-    is_known = given > 0 and first.IsA("vtkPointSet") and first.GetNumberOfPoints() >= _MANY
-    own = estimate_spacing(first) if is_known else 0.0
-    if own > 0 and not 1 / _FAR <= given / own <= _FAR:
-        warn_all(
-            [
-                f"particle_spacing is {given:g}, but most neighbours are {own:g} apart: a skin "
-                "falls into drops where it is much too small, and is a lump where it is much too "
-                "large."
-            ]
-        )
+def _settle_spacing(surface: Any, source: TemporalSource, first: Any, has_radii: bool) -> None:
+    """Chooses a spacing if the first frame does not tell it; warns of a given one that is off."""
+    frames = source.frames_that_tell()
+    own = series_spacing(frames)
+    if not (surface.GetParticleSpacing() or surface.GetParticleRadius() or has_radii):
+        is_first = first is source.frame(0) and 0 < estimate_spacing(first) <= _SAME * own
+        if own > 0 and not is_first:
+            surface.SetParticleSpacing(own)
+    elif own > 0 and max(frame.GetNumberOfPoints() for frame in frames) >= _MANY:
+        warn_all(_describe_lengths(surface, own))
+
+
+def _describe_lengths(surface: Any, own: float) -> list[str]:
+    """Sentences about a spacing or radius that does not fit the distance of neighbours."""
+    spacing, radius = surface.GetParticleSpacing(), surface.GetParticleRadius()
+    if spacing and not 1 / _FAR <= spacing / own <= _FAR:
+        return [
+            f"particle_spacing is {spacing:g}, but most neighbours are {own:g} apart: a skin falls "
+            "into drops where it is too small, and is a lump where it is too large."
+        ]
+    if radius and not spacing and radius < _LEAST_REACH * own:
+        return [
+            f"particle_radius, the reach of a particle's kernel, is {radius:g}, but most "
+            f"neighbours are {own:g} apart, so that few are reached. If {radius:g} is the "
+            f"particles' own radius or spacing, give particle_spacing {own:g} instead."
+        ]
+    return []
 
 
 def _check_arrays(first: Any, chosen: dict[str, str]) -> None:

@@ -1,4 +1,4 @@
-"""The surface of an image, as the filter starts on it: closed, outward, no triangle without area."""
+"""The surface of an image, as the filter starts on it: closed, outward, all triangles with area."""
 
 from __future__ import annotations
 

@@ -33,8 +33,8 @@ class morph:
     frames : int
         Number of skins, the first and the last included; 2 or more. Default: 25.
     fit : str
-        Where `b` is brought before: "none", "centre" (its box has the centre of `a`'s) or "box" (the
-        longest side of `a`'s too). For shapes of other units or places. Default: "none".
+        Where `b` is brought before: "none", "centre" (its box has the centre of `a`'s) or "box"
+        (the longest side of `a`'s too). For shapes of other units or places. Default: "none".
     progress : callable(int, int), optional
         Called after each skin with the number of those done and of all.
     **options

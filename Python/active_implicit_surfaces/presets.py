@@ -39,7 +39,7 @@ def apply_preset(
     if name == "molecule":
         _melt_atoms(surface, source, options)
         return
-    spacing = options.get("particle_spacing") or estimate_spacing(source.first_frame())
+    spacing = options.get("particle_spacing") or series_spacing(source.frames_that_tell())
     step = (interval or _interval(source.times)) * options.get("time_scale", 1.0)
     if name == "paper":
         surface.PaperFaithful()
@@ -68,6 +68,27 @@ def estimate_spacing(cloud: Any) -> float:
         others = [nearest.GetId(j) for j in range(nearest.GetNumberOfIds())]
         distances.append(float(numpy.linalg.norm(points[others] - points[i], axis=1).max()))
     return float(numpy.median(distances))
+
+
+def is_point_cloud(data: Any) -> bool:
+    """Whether it is points alone: no lines of a skeleton, no mesh, no image."""
+    if not data.IsA("vtkPointSet"):
+        return False
+    is_mesh = data.IsA("vtkPolyData") and (
+        data.GetNumberOfLines() + data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0
+    )
+    return not is_mesh
+
+
+def series_spacing(frames: list[Any]) -> float:
+    """The spacing of the densest of some frames of particles; 0 if none tells it.
+
+    A frame of few particles beside one of many counts for nothing: spray before a splash.
+    """
+    clouds = [frame for frame in frames if is_point_cloud(frame)]
+    most = max((cloud.GetNumberOfPoints() for cloud in clouds), default=0)
+    found = [estimate_spacing(cloud) for cloud in clouds if cloud.GetNumberOfPoints() >= 0.1 * most]
+    return min((spacing for spacing in found if spacing > 0), default=0.0)
 
 
 def _smooth(surface: Any, name: str, spacing: float, attraction: float | None, step: float) -> None:

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -40,6 +41,8 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         Increasing [time].
     output_type : str
         The VTK class of the data. Default: "vtkPolyData".
+    any_order : bool
+        Whether `load` may be called for later steps before it is for earlier ones. Default: False.
 
     Attributes
     ----------
@@ -52,6 +55,8 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         load: Callable[[int], Any],
         times: Sequence[float],
         output_type: str = "vtkPolyData",
+        *,
+        any_order: bool = False,
     ) -> None:
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType=output_type)
         self.times = check_times(times)
@@ -60,17 +65,30 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         self._kept: dict[int, Any] = {}
         self._first: int | None = None  # step with points
         self._output_type = output_type
+        self._any_order = any_order
 
     def frame(self, step: int) -> Any:
         """The data of a step, as a vtkDataObject."""
         if step not in self._kept:
-            data = self._load(step)
-            if not (is_vtk(data) and data.IsA(self._output_type)):
-                data = as_particles(data)
+            data = self._read(step)
             for old in sorted(self._kept)[:-1]:
                 del self._kept[old]
             self._kept[step] = data
         return self._kept[step]
+
+    def _read(self, step: int) -> Any:
+        data = self._load(step)
+        return data if is_vtk(data) and data.IsA(self._output_type) else as_particles(data)
+
+    def frames_that_tell(self) -> list[Any]:
+        """The first frame with points, one in the middle and the last, if they can be read now."""
+        first, last = self.first_frame(), len(self.times) - 1
+        frames = [first]
+        for step in sorted({last // 2, last} if self._any_order else set()):
+            if step > (self._first or 0):
+                with suppress(Exception):  # it is raised when the run comes to this frame
+                    frames.append(self._read(step))
+        return frames
 
     def first_frame(self) -> Any:
         """The first one with points, as emitters begin with none; if there is none, the first."""
@@ -144,7 +162,7 @@ class ParticleSeries(TemporalSource):
         if times is not None and fps is not None:
             raise ValueError("Times and frames per second are two ways to say the same; give one.")
         load, found = _loader(frames, times, fps)
-        super().__init__(load, found)
+        super().__init__(load, found, any_order=not callable(frames))
 
     def __len__(self) -> int:
         return len(self.times)

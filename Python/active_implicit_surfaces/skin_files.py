@@ -119,6 +119,8 @@ def read_shape(path: Path, level: float | None = None, parts: Sequence[Path] = (
         return data if level is None else contour(data, level)
     if not data.IsA("vtkPointSet"):
         raise OSError(f"{path} has no mesh: it holds a {data.GetClassName()}.")
+    if data.IsA("vtkPolyData") and data.GetNumberOfPoints() == 0 and suffix != ".obj":
+        return data  # an empty skin; any text without vertices is such an .obj
     try:
         return as_shape(data)
     except ValueError as error:

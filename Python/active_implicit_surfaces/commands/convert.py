@@ -58,7 +58,7 @@ def run(arguments: list[str]) -> int:
     has_settings = options.level is not None or options.voxel_size is not None
     check_effects(parser, options, output, [_way(files[0], output)] if has_settings else [])
     make_folder_of(output)
-    if _holds_particles(files[0]):
+    if _holds_particles(files[0], output):
         return _convert_particles(options, output)
     progress = Progress(len(files), quiet=options.quiet or len(files) == 1)
     is_series = len(files) > 1 or has_number(output)
@@ -99,13 +99,13 @@ def make_parser() -> Parser:
 
 def _way(file: Path, output: Path) -> str:
     """From what to what a file is converted."""
-    if _holds_particles(file):
+    if _holds_particles(file, output):
         return "particles"
     kind = "image" if read_shape(file).IsA("vtkImageData") else "mesh"
     return f"{kind}_to_{'vdb' if suffix_of(output) == '.vdb' else 'mesh'}"
 
 
-def _holds_particles(path: Path) -> bool:
+def _holds_particles(path: Path, output: Path) -> bool:
     suffix = suffix_of(path)
     if suffix not in PARTICLE_SUFFIXES or suffix not in MESH_SUFFIXES:
         if suffix not in INPUT_SUFFIXES:
@@ -116,6 +116,8 @@ def _holds_particles(path: Path) -> bool:
         data = surface_of(data)
     if suffix == ".vdb" or not data.IsA("vtkPolyData"):
         return bool(data.IsA("vtkPointSet") and data.GetNumberOfCells() <= _vertices(data))
+    if data.GetNumberOfPoints() == 0:
+        return suffix_of(output) not in MESH_WRITERS  # an empty skin, or no particles
     return bool(data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0)
 
 

@@ -132,7 +132,7 @@ class _Job:
         for name in (self.output, options.render and Path(options.render)):
             if name:
                 make_folder_of(name)
-        self.source = TemporalSource(files.load, self.times)
+        self.source = TemporalSource(files.load, self.times, any_order=True)
         self.surface = vtkActiveImplicitSurface()
         self.surface.SetInputConnection(self.source.GetOutputPort())
         arrays = {role: getattr(options, role) for role in _ARRAYS if getattr(options, role)}
