@@ -162,10 +162,17 @@ class frames:
         self.surface.SetInputConnection(self.source.GetOutputPort())
         configure(self.surface, self.source, preset=preset, arrays=arrays, **options)
         self._progress = progress
+        self._loop: Iterator[Frame] | None = None
         self._example = None if is_source else _first_of(particles)
 
     def __len__(self) -> int:
         return len(self.source.times)
+
+    def __next__(self) -> Frame:
+        """The next skin, as of one loop over all of them."""
+        if self._loop is None:
+            self._loop = iter(self)
+        return next(self._loop)
 
     def __iter__(self) -> Iterator[Frame]:
         for step, time in enumerate(self.source.times):

@@ -103,6 +103,7 @@ class morph:
         self.times = [duration * i / (frames - 1) for i in range(frames)]
         self.surface = vtkActiveImplicitSurface()
         self._example, self._progress = a, progress
+        self._loop: Iterator[Frame] | None = None
         self._producers: list[Any] = []
         self._connect(a, b, fit)
         properties.put(self.surface, options)
@@ -115,6 +116,12 @@ class morph:
 
     def __len__(self) -> int:
         return len(self.times)
+
+    def __next__(self) -> Frame:
+        """The next skin, as of one loop over all of them."""
+        if self._loop is None:
+            self._loop = iter(self)
+        return next(self._loop)
 
     def __iter__(self) -> Iterator[Frame]:
         for step, time in enumerate(self.times):

@@ -67,6 +67,12 @@ class Usage(CommandTest):
             with self.subTest(words):
                 self.assertIn(words, self.fail_with(2, *command))
 
+    def test_nothing_far_fetched_is_suggested(self):
+        for option, wanted in (("-r", None), ("-x", None), ("--particle-spacin", "spacing")):
+            said = self.fail_with(2, "skin", DROP, option, 1)
+            self.assertEqual("did you mean" in said, wanted is not None, said)
+            self.assertIn(wanted or option, said)
+
 
 class Data(CommandTest):
     """Files with something wrong in them."""

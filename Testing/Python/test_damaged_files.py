@@ -2,7 +2,7 @@
 """Damaged meshes and points are an OSError, or what is left of them: never a crash.
 
 Run: python3 test_damaged_files.py
-ACTIVE_RANDOM_CASES in the environment is another number of damages (Testing/run --long sets it).
+ACTIVE_RANDOM_CASES in the environment is another number of damages.
 """
 
 import os

@@ -2,8 +2,8 @@
 """One filter through much: aborted, failed and refused operations, random ones, a film in a loop.
 
 Run: python3 test_endurance.py
-ACTIVE_RANDOM_CASES in the environment is another number of operations and frames (Testing/run
---long sets it); the seed is printed.
+ACTIVE_RANDOM_CASES in the environment is another number of operations and frames;
+the seed is printed.
 """
 
 import os

@@ -6,7 +6,7 @@ The seed is printed. A case that fails is printed as a short program, from which
 out. Cases run in programs of their own, so that a crash or a hang is a failure like others.
 
 Run: python3 test_random.py [--cases N] [--seed N] [--jobs N]
-ACTIVE_RANDOM_CASES in the environment is another number of cases (Testing/run --long sets it).
+ACTIVE_RANDOM_CASES in the environment is another number of cases.
 """
 
 import argparse

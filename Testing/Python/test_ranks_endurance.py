@@ -5,7 +5,7 @@ refuse; on any number of threads. Its skins keep the bytes of a fresh filter of 
 Run: python3 test_ranks_endurance.py [--operations N] [--seed N]
 Each 50 operations have a seed and a number of ranks of their own, which are printed. Skipped where
 there is no MPI, see with_ranks. ACTIVE_RANDOM_CASES in the environment is another number of
-operations (Testing/run --long sets it).
+operations.
 """
 
 import argparse

@@ -84,6 +84,15 @@ class Series(unittest.TestCase):
             warnings.simplefilter("ignore")
             self.assertGreater(next(iter(frames)).skin.GetNumberOfPolys(), 0)
 
+    def test_frames_can_be_taken_one_by_one(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            frames = active.frames([BODY, BODY + 0.1], fps=10)
+            self.assertEqual([next(frames).time, next(frames).time], [0.0, 0.1])
+            with self.assertRaises(StopIteration):
+                next(frames)
+            self.assertEqual(len(list(frames)), 2, "a loop begins at the first one")
+
 
 class Notes(unittest.TestCase):
     def test_half_and_twice_a_spacing_are_told(self):

@@ -54,7 +54,9 @@ def _about_unknown(word: str, parser: argparse.ArgumentParser) -> str:
     import difflib
 
     names = [name for action in parser._actions for name in action.option_strings]
-    near = difflib.get_close_matches(word.partition("=")[0], names, 1, 0.5)
+    name = word.partition("=")[0]
+    # All short options are alike: -r is no slip of -o.
+    near = difflib.get_close_matches(name, names, 1, 0.5) if name.startswith("--") else []
     hint = f", did you mean {near[0]}?" if near else ""
     return f"there is no option {word}{hint}".rstrip("?")
 
