@@ -10,7 +10,7 @@ namespace activesurface
 namespace
 {
 
-/** What meshToVolume asks for. */
+/** Interface that meshToVolume requires. */
 struct VoxelMesh
 {
   const LatticeTriangles& Mesh;

@@ -1,6 +1,6 @@
 /**
  * Distances to triangles on the nodes near them, by OpenVDB's own converter. It takes half a minute
- * to compile, so it is compiled here alone.
+ * to compile, so only this library compiles it.
  */
 #ifndef MeshBand_h
 #define MeshBand_h

@@ -14,7 +14,7 @@
 namespace activesurface
 {
 
-// Of work that takes some microseconds for each particle.
+// Batch size for work of some microseconds per particle.
 constexpr std::size_t ParticlesPerTask = 256;
 
 // Calls task(0) to task(count - 1), each once; throws what one of them has thrown.

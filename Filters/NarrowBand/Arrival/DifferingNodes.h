@@ -71,7 +71,7 @@ public:
   /** Whether there may be others, beyond the maximum. */
   bool IsCut() const { return this->Nodes.size() > this->Most; }
 
-  /** Whether there is a node, on either side. */
+  /** True for a node on either side. */
   bool Has(const openvdb::Coord& place) { return this->Recent.getValue(place) >= 0; }
   /** The number of the next node along an axis that is on the same side, or None. */
   std::int32_t FindNext(std::size_t i, int axis, int sign);

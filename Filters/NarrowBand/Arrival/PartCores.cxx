@@ -131,7 +131,7 @@ private:
     return reached.back();
   }
 
-  /** Whether beside a part, where surface and target are on the same side, both are deep enough. */
+  /** True if surface and target share a region beside the part that is deep enough. */
   bool HasCommonDepth(const std::vector<std::size_t>& part)
   {
     const bool areInside = !this->Nodes[part.front()].IsInside;

@@ -41,7 +41,7 @@ public:
 
   const TargetFrames& GetFrames() const { return this->Frames; }
 
-  // Whether the frame that is held of a step was made of the same data as another. Collective.
+  // True if the held frame of a step was made of the same data as another. Collective.
   bool IsUnchanged(int step, const InputShape& shape) const
   {
     return HaveSameContent(*this->Frames.Find(step), shape, this->Ranks);

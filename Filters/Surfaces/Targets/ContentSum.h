@@ -17,7 +17,7 @@ class InputShape;
 // their order does not matter: the sum of all is the sum of those of the pieces, modulo 2^64.
 std::uint64_t SumContent(vtkDataSet* data);
 
-// Whether two shapes were made of the same data; on several ranks, of all their pieces. Collective.
+// True if two shapes were made of the same data; on several ranks, of all their pieces. Collective.
 bool HaveSameContent(const InputShape& one, const InputShape& other, Agreement* ranks);
 
 }

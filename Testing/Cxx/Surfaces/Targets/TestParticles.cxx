@@ -26,10 +26,8 @@ using namespace activesurface;
 
 namespace TestParticles
 {
-
 namespace
 {
-
 constexpr double VoxelSize = 0.05;
 
 vtkSmartPointer<ParticleSource> MakeSource(const ParticleSource::Cloud& cloud)
