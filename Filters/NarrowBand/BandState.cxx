@@ -224,7 +224,7 @@ void BandState::RestoreControlled(const Motion& motion)
   const double square = this->VoxelSize * this->VoxelSize;
   const ControlledBand band{ this->Leaves, this->Set, this->Buffers,
     [this](ActiveSet& set) { this->RebuildBand(set); }, motion.Box, motion.Solid, this->VoxelSize,
-    motion.Integration == TimeIntegration::Implicit ? RoundsOfLongSteps : 1 };
+    motion.Integration == TimeIntegration::Explicit ? 1 : RoundsOfLongSteps };
   if (motion.VolumeControl == Control::Exact)
   {
     RestoreVolume(band, HeldVolume(motion, this->StartMeasure) / (square * this->VoxelSize));
@@ -277,8 +277,51 @@ void BandState::MakeImplicitStep(
   report.UniformPulls += result.PullsInVain ? 1 : 0;
 }
 
+void BandState::AdvanceNodes(const NodeFrame& frame, const Motion& motion, NodeTarget& target)
+{
+  const openvdb::FloatTree::Ptr before = this->Potential->treePtr();
+  const openvdb::FloatTree::Ptr after = this->Nodes.Make(frame, motion, target);
+  try
+  {
+    this->Leaves = LeafTable(); // all leaves are new
+    this->Restore(after);
+    this->RestoreControlled(motion);
+  }
+  catch (...)
+  {
+    this->Leaves = LeafTable();
+    this->Restore(before);
+    throw;
+  }
+}
+
+void BandState::MakeNodeStep(
+  const Motion& motion, Target& target, AdvanceReport& report, Move& move)
+{
+  const OldPotential old{ this->Leaves, this->Potential->tree() };
+  this->AdvanceNodes({ old, this->Time, this->Time + move.MostTime, move.MostTime,
+                       this->VoxelSize, this->Maximum },
+    motion, *target.GetNodes());
+  move.Step = move.MostTime;
+  ++report.Substeps;
+  report.TargetEvaluations += this->Nodes.CountEvaluations();
+}
+
+void BandState::StartOnNodes(const Motion& motion, double duration, NodeTarget& target)
+{
+  const OldPotential old{ this->Leaves, this->Potential->tree() };
+  this->AdvanceNodes(
+    { old, this->Time, this->Time, duration, this->VoxelSize, this->Maximum }, motion, target);
+  this->StartMeasure = this->Measure();
+}
+
 void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
+  if (motion.Integration == TimeIntegration::Nodes)
+  {
+    this->MakeNodeStep(motion, target, report, move);
+    return;
+  }
   CheckObstacle(this->Leaves, motion.Solid);
   WalledTarget walled(target, motion.Box, motion.Solid);
   if (motion.Integration == TimeIntegration::Implicit)

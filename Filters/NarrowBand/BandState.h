@@ -7,6 +7,7 @@
 #include "Leaves/ActiveSet.h"
 #include "Leaves/BandBackup.h"
 #include "Motion.h"
+#include "Nodes/NodeStep.h"
 #include "State/StateGrid.h"
 #include "Substep/Displacement.h"
 #include "Substep/PaperStep.h"
@@ -41,6 +42,7 @@ struct BandState
   Displacement Trace;
   SteadyWindow Window;
   BandBackup Backup;          // of an implicit substep, or of what was before new parts
+  NodeStep Nodes;             // kept for its memory
   Agreement* Ranks = nullptr; // that advance the band together
 
   void MakeEmpty();
@@ -77,6 +79,9 @@ struct BandState
   /** Moves the surface to what an exact control holds, by a voxel and a half at the most. */
   void RestoreControlled(const Motion& motion);
   void FinishFrame();
+
+  /** The surface of the target at the time, after attraction and tension of such a duration. */
+  void StartOnNodes(const Motion& motion, double duration, NodeTarget& target);
   std::size_t CountActive() const
   {
     return this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ActiveNodes; });
@@ -86,6 +91,7 @@ struct BandState
 
 private:
   struct Move;
+  void AdvanceNodes(const NodeFrame& frame, const Motion& motion, NodeTarget& target);
 
   /** Layers and ghosts, from the potential. */
   void RebuildBand(ActiveSet& set, float mostGrowth = HUGE_VALF);
@@ -101,6 +107,7 @@ private:
   PenaltyForce FindForce(const Motion& motion) const;
   void MakeImplicitStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
+  void MakeNodeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);
   void MakePaperStep(const Motion& motion, Move& move);
 };

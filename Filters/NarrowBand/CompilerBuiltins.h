@@ -59,6 +59,12 @@ ACTIVE_ALWAYS_INLINE void StoreRelaxed(float number, float* to)
   __atomic_store(to, &number, __ATOMIC_RELAXED);
 }
 
+/** Adds to a number that other threads add to meanwhile. */
+inline void AddRelaxed(std::uint32_t number, std::uint32_t* to)
+{
+  __atomic_fetch_add(to, number, __ATOMIC_RELAXED);
+}
+
 /** Asks for the cache line of an address ahead of its use. */
 ACTIVE_ALWAYS_INLINE void Prefetch(const void* address)
 {

@@ -42,11 +42,13 @@ enum class TargetEvaluation
 };
 
 /** How a substep is made: forward Euler within the stable step of the fastest part; or of nearly
- * any length, by exponentials for the attraction and stages for the tension (see README.md). */
+ * any length, by exponentials for the attraction and stages for the tension; or for the whole
+ * interval at once, at nodes near the target's surface (see README.md). */
 enum class TimeIntegration
 {
   Explicit,
-  Implicit
+  Implicit,
+  Nodes
 };
 
 /** Differences of the advective term: central, or one-sided (upwind). */
@@ -107,7 +109,8 @@ struct Motion
   TargetEvaluation Evaluation = TargetEvaluation::Shifted;
   GradientScheme Gradient = GradientScheme::Upwind;
 
-  /** Implicit needs the evaluation Shifted and the gradient Upwind, and is not the paper's. */
+  /** Implicit needs the evaluation Shifted and the gradient Upwind, and is not the paper's. Nodes
+   * needs a target with nodes, Attraction > 0 and CreateParts, and knows no penalties. */
   TimeIntegration Integration = TimeIntegration::Explicit;
 
   /** The paper's own scheme instead of this library's, for comparison: see PaperStep.h. */

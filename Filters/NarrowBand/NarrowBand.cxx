@@ -146,6 +146,26 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   return finished;
 }
 
+void NarrowBand::StartOnNodes(double time, const double bounds[6], const Motion& motion,
+  double duration, Target& target)
+{
+  BandState& members = *this->State;
+  CheckMotion(motion);
+  members.MakeEmpty();
+  members.Time = time;
+  members.StartMeasure = SkinMeasure();
+  members.Work = AdvanceReport();
+  members.BoxSize =
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  this->Run(
+    [&]
+    {
+      members.StartOnNodes(motion, duration, *target.GetNodes());
+      CheckSize(members.CountActive(), members.Maximum);
+      members.FinishFrame();
+    });
+}
+
 std::size_t NarrowBand::CreateParts(const Motion& motion, const Target& target)
 {
   BandState& members = *this->State;
@@ -254,7 +274,8 @@ AdvanceReport NarrowBand::Advance(
     [&]
     {
       members.Begin(motion);
-      if (members.Ranks && !HasNodePoints(motion))
+      const bool isNodes = motion.Integration == TimeIntegration::Nodes;
+      if (members.Ranks && !isNodes && !HasNodePoints(motion))
       {
         // Whoever has failed before tells it here: from now on all end together.
         RunTogether(*members.Ranks,

@@ -90,6 +90,14 @@ public:
   bool Start(double time, const double bounds[6], const InitialFunction& function,
     const ProgressFunction& progress = {});
 
+  /**
+   * Sets the potential to the target at the time, which has to have nodes, after attraction and
+   * tension of such a duration: so the first frame is as smooth as those that follow. bounds: as
+   * with Start, for their size alone. Errors as with Advance.
+   */
+  void StartOnNodes(double time, const double bounds[6], const Motion& motion, double duration,
+    Target& target);
+
   /** Creates the parts and hollows that the target tells of, where the surface does not reach them;
    * see Motion::CreateParts. Returns how many. Errors as with Advance. */
   std::size_t CreateParts(const Motion& motion, const Target& target);

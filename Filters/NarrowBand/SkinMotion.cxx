@@ -105,8 +105,12 @@ double FindHoldingSpeed(const Skin& skin, const Motion& motion,
 Motion SampledMotion(const Motion& motion)
 {
   Motion sampled;
-  sampled.Attraction = motion.Attraction;
   sampled.Transport = motion.Transport;
+  if (motion.Integration == TimeIntegration::Nodes)
+  {
+    return sampled; // attraction and tension are in balance when a frame ends
+  }
+  sampled.Attraction = motion.Attraction;
   sampled.Tension = motion.Tension;
   sampled.WeightedTension = motion.WeightedTension;
   return sampled;

@@ -62,6 +62,8 @@ public:
   virtual bool Has(const double x[3]) const = 0;
 };
 
+class NodeTarget;
+
 class Target
 {
 public:
@@ -152,6 +154,10 @@ public:
    * depend on the time alone.
    */
   virtual void ForEachPart(const PartVisitor& visit) const { static_cast<void>(visit); }
+
+  /** The same target at the nodes of the lattice, for TimeIntegration::Nodes; null if it has no such
+   * form. */
+  virtual NodeTarget* GetNodes() { return nullptr; }
 
   /** Whether several threads may call Evaluate at once. */
   virtual bool IsThreadSafe() const { return true; }

@@ -54,10 +54,10 @@ public:
   // The box of all reaches: xmin xmax ymin ... Meaningless without particles.
   const double* GetBounds() const { return this->Near.GetBounds(); }
 
-private:
   // The value of AveragedCentre where no particle reaches.
   double GetOutside() const { return this->LargestRadius > 0.0 ? this->LargestRadius : 0.5; }
 
+private:
   struct CentreElement
   {
     double Position[3];

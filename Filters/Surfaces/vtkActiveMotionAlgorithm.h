@@ -232,21 +232,28 @@ public:
   {
     EXPLICIT = 0,
     IMPLICIT = 1,
-    AUTOMATIC = 2
+    AUTOMATIC = 2,
+    NODES = 3
   };
 
   ///@{
   /**
    * How time is integrated. EXPLICIT (0): short substeps, as the fastest part of the skin allows.
    * IMPLICIT (1): few long ones; for SHIFTED evaluation and UPWIND gradients. AUTOMATIC (2):
-   * IMPLICIT over particles with time steps and Transport, where it can be, else EXPLICIT. Default:
-   * AUTOMATIC.
+   * IMPLICIT over particles with time steps and Transport, where it can be, else EXPLICIT. NODES
+   * (3): one step for each time step, of particles alone: carries the skin, evaluates the target
+   * once, at lattice nodes near its surface, and relaxes the skin towards it; faster and flatter.
+   * Needs an Attraction that shortens distances by e^2 in a time step at least (the automatic one
+   * does), CreateParts, NormalizeTarget, no penalties, no InvertTarget, and SHIFTED evaluation with
+   * UPWIND gradients; Velocity is then the particles' mean velocity, without growth of the skin.
+   * Default: AUTOMATIC.
    */
-  vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
+  vtkSetClampMacro(TimeIntegration, int, EXPLICIT, NODES);
   vtkGetMacro(TimeIntegration, int);
   void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
   void SetTimeIntegrationToImplicit() { this->SetTimeIntegration(IMPLICIT); }
   void SetTimeIntegrationToAutomatic() { this->SetTimeIntegration(AUTOMATIC); }
+  void SetTimeIntegrationToNodes() { this->SetTimeIntegration(NODES); }
   ///@}
 
   enum GradientSchemeType

@@ -57,7 +57,7 @@ CLAMPED = [
     ("Attraction", -1.0, 0.0),
     ("Tension", -1.0, 0.0),
     ("TargetNoise", -1.0, 0.0),
-    ("TimeIntegration", 3, vtkActiveImplicitSurface.AUTOMATIC),
+    ("TimeIntegration", 4, vtkActiveImplicitSurface.NODES),
     ("ArrivalTime", -1.0, 0.0),
     ("ParticleRadius", -1.0, 0.0),
     ("ParticleSpacing", -1.0, 0.0),

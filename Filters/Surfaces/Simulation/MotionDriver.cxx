@@ -18,10 +18,24 @@ constexpr double SubstepsOfMovingTarget = 4.0;
 // The same where the surface is carried along in one semi-Lagrangian step.
 constexpr double SubstepsOfCarriedSurface = 2.0;
 
+// The node scheme knows the target near its surface alone: the skin has to come close in a time step,
+// by so many factors e at least.
+constexpr double FewestFactorsOfNodes = 2.0;
+
 // Automatic attraction: distances fall by so many factors e from one step to the next.
 constexpr double FactorsPerStep = 6.0;
 // Automatic tension, in units of Attraction * (half of the particles' spacing)^2.
 constexpr double TensionOfSpacing = 1.0 / 6.0;
+// The same in the node scheme, which weighs it by 1/3 in a body of half the bulk.
+constexpr double TensionOfSpacingAtNodes = 1.0 / 2.0;
+
+constexpr char NoNodes[] =
+  "TimeIntegration NODES needs particles with time steps, and an Attraction of two over their "
+  "length at least; explicit substeps are used instead. Set AutomaticAttraction, or "
+  "TimeIntegration to AUTOMATIC.";
+constexpr char NoSkinOnNodes[] =
+  "The particles have no surface that the voxels can hold, or the obstacle covers it, so there is "
+  "no skin; check VoxelSize, ParticleRadius, ModelBounds and ObstacleFunction.";
 
 }
 
@@ -44,6 +58,12 @@ bool MotionDriver::Start(
   NarrowBand& band, const SurfaceDomain& domain, const ProgressFunction& progress)
 {
   this->Shapes.StartTarget();
+  if (this->StartsOnNodes())
+  {
+    this->Prepare(band);
+    this->StartOnNodes(band, domain);
+    return true;
+  }
   const std::unique_ptr<PotentialTarget> shape = this->Shapes.MakeStart();
   this->Prepare(band);
   const Motion motion = this->GetMotion(-1);
@@ -55,6 +75,39 @@ bool MotionDriver::Start(
     band.RestoreTargets(motion);
   }
   return isStarted;
+}
+
+// A skin of particles that stand still starts so too, unless the filter has time steps of its own.
+bool MotionDriver::StartsOnNodes() const
+{
+  const SurfaceSettings& settings = this->Settings;
+  const bool mayMove = settings.Inputs.TargetMoves || settings.GetNumberOfSteps() == 1;
+  return settings.UsesNodes() && mayMove && !settings.StartsElsewhere() &&
+    this->Shapes.HasParticles(0, 0);
+}
+
+// As after a time step of the automatic attraction, however long it is and whether it is known yet,
+// so that the first frame is as smooth as the others.
+void MotionDriver::StartOnNodes(NarrowBand& band, const SurfaceDomain& domain)
+{
+  Motion motion = this->GetMotion(-1);
+  motion.Integration = TimeIntegration::Nodes;
+  const double given = motion.Tension / motion.Attraction;
+  motion.Attraction = FactorsPerStep; // in the unit of time
+  motion.WeightedTension = this->Settings.Law.WeightedTension;
+  const bool isAutomatic = this->Settings.HasAutomaticAttraction();
+  motion.Tension = isAutomatic ? 0.0 : given * FactorsPerStep;
+  if (this->Settings.SmoothsParticles() && this->Settings.Law.Tension == 0.0)
+  {
+    const double r = 0.5 * this->Shapes.FindSpacing();
+    motion.Tension = TensionOfSpacingAtNodes * FactorsPerStep * r * r;
+  }
+  band.StartOnNodes(0.0, domain.Bounds, motion, 1.0, this->Shapes.GetTarget());
+  band.RestoreTargets(motion);
+  if (band.IsEmpty())
+  {
+    this->Messages.Say("empty", NoSkinOnNodes);
+  }
 }
 
 // Once the voxels are known.
@@ -102,10 +155,21 @@ Motion MotionDriver::GetMotion(int step, bool hasParticles) const
     if (hasFluid && this->Settings.HasAutomaticTension())
     {
       const double r = 0.5 * this->Shapes.FindSpacing();
-      motion.Tension = TensionOfSpacing * motion.Attraction * r * r;
+      const double factor =
+        this->MayUseNodes(motion, length) ? TensionOfSpacingAtNodes : TensionOfSpacing;
+      motion.Tension = factor * motion.Attraction * r * r;
+    }
+    if (hasFluid && this->MayUseNodes(motion, length))
+    {
+      motion.Integration = TimeIntegration::Nodes;
     }
   }
   return motion;
+}
+
+bool MotionDriver::MayUseNodes(const Motion& motion, double length) const
+{
+  return this->Settings.UsesNodes() && motion.Attraction * length >= FewestFactorsOfNodes;
 }
 
 // Few long substeps suit what is carried, and are no part of the paper's scheme.
@@ -165,6 +229,10 @@ bool MotionDriver::AdvanceTo(
   if (wasEmpty && !this->MayCreateParts(motion))
   {
     return true;
+  }
+  if (this->Settings.UsesNodes() && motion.Integration != TimeIntegration::Nodes)
+  {
+    this->Messages.Say("nodes", NoNodes);
   }
   this->Prepare(band);
   const AdvanceReport report =

@@ -65,6 +65,9 @@ private:
   void Prepare(NarrowBand& band) const;
   Obstacle* FindObstacle() const;
   TimeIntegration ChooseIntegration(bool isCarried) const;
+  bool MayUseNodes(const Motion& motion, double length) const;
+  bool StartsOnNodes() const;
+  void StartOnNodes(NarrowBand& band, const SurfaceDomain& domain);
   void PlaceTargetFrom(int step);
   bool MayCreateParts(const Motion& motion) const;
   AdvanceReport AdvanceOrArrive(NarrowBand& band, int step, MotionTime time, const Motion& motion,

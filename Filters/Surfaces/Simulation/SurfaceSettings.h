@@ -34,7 +34,8 @@ enum class IntegrationChoice
 {
   Explicit,
   Implicit,
-  Automatic
+  Automatic,
+  Nodes // over particles alone
 };
 
 struct ParticleSettings
@@ -126,13 +127,20 @@ struct SurfaceSettings
     return this->AutomaticAttraction && this->Law.Attraction == Motion().Attraction &&
       !this->Law.Paper && !this->IsEquilibrium();
   }
-  // Whether tension and noise, where they are 0, follow from the spacing of particles that move.
-  bool HasAutomaticSmoothing() const
+  // Whether tension and noise, where they are 0, follow from the spacing of particles; outside the
+  // node scheme if they move.
+  bool SmoothsParticles() const
   {
-    return this->AutomaticSmoothing && this->UsesInput() && this->Inputs.TargetMoves &&
+    return this->AutomaticSmoothing && this->UsesInput() &&
       this->Particles.Model != ParticleModel::Sum && this->Normalize && !this->Law.Paper &&
       !this->IsEquilibrium();
   }
+  bool HasAutomaticSmoothing() const
+  {
+    return this->SmoothsParticles() && this->Inputs.TargetMoves;
+  }
+  // Whether particles are followed by the node scheme.
+  bool UsesNodes() const { return this->Integration == IntegrationChoice::Nodes; }
   bool HasAutomaticTension() const
   {
     return this->HasAutomaticSmoothing() && this->Law.WeightedTension && this->Law.Tension == 0.0;

@@ -118,6 +118,7 @@ ShapeOptions TargetBuilder::GetOptions() const
   ShapeOptions options;
   options.Model = settings.Particles.Model;
   options.ParticleSpacing = settings.Particles.Spacing;
+  options.SpacingInUse = this->FindSpacing();
   options.ParticleRadius = settings.Particles.Radius;
   options.Anisotropy = settings.Particles.Anisotropy;
   options.Threshold = settings.Particles.Threshold;
@@ -131,6 +132,9 @@ ShapeOptions TargetBuilder::GetOptions() const
   options.Level.Invert = settings.Invert;
   options.Level.Normalize = settings.Normalize;
   options.Level.Noise = this->GetNoise();
+  options.NoiseAtNodes = this->Settings.Noise > 0.0 || !this->Settings.SmoothsParticles()
+    ? this->Settings.Noise
+    : NoiseOfSpacing * this->FindSpacing();
   options.Ranks = this->Ranks;
   if (this->DomainKnown)
   {

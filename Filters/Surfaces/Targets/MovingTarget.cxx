@@ -37,11 +37,16 @@ void MovingTarget::Complete()
   }
 }
 
-void MovingTarget::MoveVelocitiesTo(double time)
+double MovingTarget::FindFraction(double time) const
 {
   const double length = this->End - this->Begin;
   const double fraction = length > 0.0 ? (time - this->Begin) / length : 0.0;
-  const bool placed = this->PlaceOnce(std::min(std::max(fraction, 0.0), 1.0));
+  return std::min(std::max(fraction, 0.0), 1.0);
+}
+
+void MovingTarget::MoveVelocitiesTo(double time)
+{
+  const bool placed = this->PlaceOnce(this->FindFraction(time));
   this->Recent = this->HasJumped ? Change::Everything
     : placed                     ? Change::LastPlace
                                  : Change::Nothing;

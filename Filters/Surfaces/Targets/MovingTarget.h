@@ -34,6 +34,10 @@ protected:
   // The rest of it, for all other evaluations: once after a Place, or not at all.
   virtual void Finish() {}
 
+  // Where it is at a time: the step that its way begins at, and the fraction of the way.
+  int GetStepOfWay() const { return this->Way; }
+  double FindFraction(double time) const;
+
   // From the step to the next one [motion time]; 0 where it stays.
   double GetDuration() const { return this->End - this->Begin; }
 

@@ -3,6 +3,7 @@
 #include "SharedResults.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace activesurface
@@ -108,7 +109,7 @@ void ParticleTarget::Place(int step, double fraction)
     this->Changed.SetEverywhere();
     return;
   }
-  this->PlaceWay(whole, step, fraction);
+  this->PlaceWay(whole, step, fraction, this->Now);
   this->FindChanged();
   if (this->Options.Carries || (this->IsSum() && this->Options.WantsBulks()))
   {
@@ -119,7 +120,8 @@ void ParticleTarget::Place(int step, double fraction)
   }
 }
 
-void ParticleTarget::PlaceWay(const ParticleWay& whole, int step, double fraction)
+void ParticleTarget::PlaceWay(
+  const ParticleWay& whole, int step, double fraction, PlacedParticles& placed)
 {
   PlacedNeeds needs;
   needs.Fits = this->Options.WantsFits();
@@ -129,7 +131,7 @@ void ParticleTarget::PlaceWay(const ParticleWay& whole, int step, double fractio
   {
     this->ChooseNear(whole, step);
   }
-  PlaceParticles(whole.IsShared() ? this->Near.GetWay() : whole, fraction, needs, this->Now);
+  PlaceParticles(whole.IsShared() ? this->Near.GetWay() : whole, fraction, needs, placed);
   if (!this->Places && needs.Duration == 0.0) // they stand still, and are many
   {
     this->Near = NearParticles();
@@ -150,19 +152,95 @@ void ParticleTarget::Finish()
   {
     return;
   }
-  if (this->IsSum())
+  const double before = this->Body.GetCellSize();
+  this->BuildBody(this->Now, this->LargestRadius, this->Elements, this->Body);
+  if (!this->IsSum())
   {
-    this->Elements.Clear();
-    for (const SkeletonVertex& particle : this->Now.Particles)
-    {
-      this->Elements.AddPoint(particle);
-    }
-    this->Elements.Build();
+    this->NoteCells(before, this->Body.GetCellSize());
+  }
+}
+
+void ParticleTarget::BuildBody(const PlacedParticles& placed, double largestRadius,
+  Skeleton& elements, ParticlePotential& body) const
+{
+  if (!this->IsSum())
+  {
+    body.Build(this->Options.Model, placed.Particles, placed.Fits, largestRadius);
     return;
   }
-  const double before = this->Body.GetCellSize();
-  this->Body.Build(this->Options.Model, this->Now.Particles, this->Now.Fits, this->LargestRadius);
-  this->NoteCells(before, this->Body.GetCellSize());
+  elements.Clear();
+  for (const SkeletonVertex& particle : placed.Particles)
+  {
+    elements.AddPoint(particle);
+  }
+  elements.Build();
+}
+
+void ParticleTarget::PlaceNodes(double begin, double end, double transport, double voxelSize)
+{
+  this->VoxelSize = voxelSize;
+  const int step = this->GetStepOfWay();
+  this->PlaceWay(this->Frames.GetWay(step), step, this->FindFraction(end), this->AtNodes);
+  NodeParticleOptions options;
+  options.Model = this->Options.Model;
+  options.VoxelSize = voxelSize;
+  const bool hasRadii =
+    this->Frames.GetParticles(step).HasRadii || this->Frames.GetParticles(step + 1).HasRadii;
+  options.OwnRadius = hasRadii ? 0.0 : 0.5 * this->Options.SpacingInUse;
+  options.Level = this->GetLevel();
+  options.Duration = transport * (end - begin);
+  options.HasNoise = this->Options.NoiseAtNodes > 0.0;
+  this->Nodes.Build(
+    { this->AtNodes.Particles, this->AtNodes.Fits, this->AtNodes.Velocities }, options);
+  if (this->Options.Model != ParticleModel::Anisotropic)
+  {
+    this->BuildBody(this->AtNodes, 0.0, this->ElementsAtNodes, this->BodyAtNodes);
+  }
+}
+
+// Ellipsoids by rows; other models node by node.
+void ParticleTarget::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
+{
+  if (this->Options.Model == ParticleModel::Anisotropic)
+  {
+    this->Nodes.EvaluateLeaf(leaf, values);
+    return;
+  }
+  double points[3 * 512], found[512];
+  std::size_t count = 0;
+  const auto visit = [&](auto&& function)
+  {
+    for (int n = 0; n < 512; ++n)
+    {
+      if ((leaf.Rows >> (n >> 3)) & 1)
+      {
+        function(n);
+      }
+    }
+  };
+  visit([&](int n) {
+    points[3 * count] = this->VoxelSize * (leaf.Origin[0] + (n >> 6));
+    points[3 * count + 1] = this->VoxelSize * (leaf.Origin[1] + (n >> 3 & 7));
+    points[3 * count++ + 2] = this->VoxelSize * (leaf.Origin[2] + (n & 7));
+  });
+  if (this->IsSum())
+  {
+    this->ElementsAtNodes.Evaluate(
+      this->Options.Kernel, this->GetLevel(), count, points, found, nullptr);
+  }
+  else
+  {
+    this->BodyAtNodes.Evaluate(count, points, found, nullptr);
+  }
+  const double *next = found, level = this->GetLevel(), iso = this->Options.Level.IsoValue;
+  const double outside = this->BodyAtNodes.GetOutside() - iso;
+  visit([&](int n) {
+    // The root makes a sum nearly linear, as in ParticleNodes.h.
+    const double sum = std::max(level - *next, 0.0) / level;
+    values[n] = static_cast<float>(
+      this->IsSum() ? 1.0 - std::sqrt(std::sqrt(sum)) : (*next - iso) / outside);
+    ++next;
+  });
 }
 
 // In cells of another size sums are in another order, so that all of them change by rounding.

@@ -8,6 +8,8 @@
 #define ParticleTarget_h
 
 #include "ParticleMeans.h"
+#include "NodeTarget.h"
+#include "ParticleNodes.h"
 #include "ParticlePotential.h"
 #include "Skeleton.h"
 #include "Targets/ChangedRegion.h"
@@ -22,7 +24,9 @@
 namespace activesurface
 {
 
-class ParticleTarget : public MovingTarget
+class ParticleTarget
+  : public MovingTarget
+  , public NodeTarget
 {
 public:
   // The frames are the caller's, and have to hold what MoveAlong asks for, with fits if the options
@@ -35,6 +39,22 @@ public:
   void KeepNear(const OwnPlaces* places) noexcept override;
   void EvaluateVelocities(
     std::size_t count, const double* points, double* velocities) const override;
+  NodeTarget* GetNodes() override { return this; }
+  void PlaceNodes(double begin, double end, double transport, double voxelSize) override;
+  void FindShell(bool wantsInside, Shell& shell) const override
+  {
+    this->Nodes.FindShell(wantsInside, shell);
+  }
+  bool IsInside(const NodeIndex& node) const override { return this->Nodes.IsInside(node); }
+  void EvaluateLeaf(const ShellLeaf& leaf, float* values) const override;
+  void FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const override
+  {
+    this->Nodes.FindMotion(leaf, motion);
+  }
+  float GetNoise() const override
+  {
+    return static_cast<float>(this->Options.NoiseAtNodes / this->VoxelSize);
+  }
   bool HasRegions() const override { return true; }
   bool IsWithinRegions() const override { return true; }
   // The reach of each particle, as a part that no skin reaches has one inside; and, if there are
@@ -56,7 +76,11 @@ private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
   ParticleWay GetWay(int step) const;
   const NearParticles* FindNear() const { return this->Places ? &this->Near : nullptr; }
-  void PlaceWay(const ParticleWay& whole, int step, double fraction);
+  void PlaceWay(
+    const ParticleWay& whole, int step, double fraction, PlacedParticles& placed);
+  void BuildBody(const PlacedParticles& placed, double largestRadius, Skeleton& elements,
+    ParticlePotential& body) const;
+  double GetLevel() const { return this->Options.Threshold - this->Options.Level.IsoValue; }
   void ForgetNear() noexcept;
   void ChooseNear(const ParticleWay& whole, int step);
   void FindChanged();
@@ -76,6 +100,13 @@ private:
   Skeleton Elements;      // of a sum
   ParticlePotential Body; // of the other models
   ParticleMeans Means;    // if the target tells its velocity, or a sum its bulk
+
+  // Of the node scheme.
+  double VoxelSize = 1.0;
+  PlacedParticles AtNodes;
+  ParticleNodes Nodes;
+  Skeleton ElementsAtNodes;      // of a sum
+  ParticlePotential BodyAtNodes; // of the averaged centre
 };
 
 }

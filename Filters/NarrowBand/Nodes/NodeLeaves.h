@@ -1,0 +1,171 @@
+/**
+ * The leaves of the node scheme, with their neighbours and numbers at their nodes.
+ */
+#ifndef NodeLeaves_h
+#define NodeLeaves_h
+
+#include "FloatLanes.h"
+#include "IndexMap.h"
+#include "Leaves/LeafTable.h"
+#include "NodeTarget.h"
+
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+namespace activesurface
+{
+
+/** Limit of |u| and |psi| in the node scheme [voxels]. */
+constexpr float NodeLimit = 3.f;
+
+/** 512 numbers for each leaf. Keeps its memory; what it adds is not set. */
+class NodeNumbers
+{
+public:
+  void Resize(std::size_t leaves)
+  {
+    if (512 * leaves > this->Capacity)
+    {
+      this->Capacity = 512 * (leaves + leaves / 8);
+      this->Numbers.reset(new float[this->Capacity]);
+    }
+  }
+  float* Of(std::size_t leaf) { return this->Numbers.get() + 512 * leaf; }
+  const float* Of(std::size_t leaf) const { return this->Numbers.get() + 512 * leaf; }
+  void Swap(NodeNumbers& other)
+  {
+    this->Numbers.swap(other.Numbers);
+    std::swap(this->Capacity, other.Capacity);
+  }
+
+private:
+  std::unique_ptr<float[]> Numbers;
+  std::size_t Capacity = 0;
+};
+
+struct NodeLeaf : ShellLeaf
+{
+  /** Numbers of the 27 leaves around it, by NeighbourNumber; NoLeafInside or NoLeafOutside. */
+  std::array<std::int32_t, 27> Near;
+};
+
+class NodeLeaves
+{
+public:
+  /** isInside(origin): the side of a leaf that is not in the shell; called by several threads at
+   * once if it is thread-safe. */
+  template <class IsInside>
+  void Adopt(const std::vector<ShellLeaf>& shell, bool isThreadSafe, IsInside&& isInside)
+  {
+    this->Leaves.resize(shell.size());
+    this->Numbers.Clear(shell.size());
+    for (const ShellLeaf& leaf : shell)
+    {
+      this->Numbers.Add(leaf.Origin);
+    }
+    const auto adopt = [&](std::size_t i)
+    {
+      NodeLeaf& leaf = this->Leaves[i];
+      static_cast<ShellLeaf&>(leaf) = shell[i];
+      for (int n = 0; n < 27; ++n)
+      {
+        const NodeIndex origin = { leaf.Origin[0] + 8 * (n / 9 - 1),
+          leaf.Origin[1] + 8 * (n / 3 % 3 - 1), leaf.Origin[2] + 8 * (n % 3 - 1) };
+        const std::int32_t found = this->Numbers.Find(origin);
+        leaf.Near[n] = found >= 0 ? found : isInside(origin) ? NoLeafInside : NoLeafOutside;
+      }
+    };
+    if (isThreadSafe)
+    {
+      this->ForEach(adopt);
+      return;
+    }
+    for (std::size_t i = 0; i < shell.size(); ++i)
+    {
+      adopt(i);
+    }
+  }
+
+  std::size_t Size() const { return this->Leaves.size(); }
+  NodeLeaf& operator[](std::size_t i) { return this->Leaves[i]; }
+  const NodeLeaf& operator[](std::size_t i) const { return this->Leaves[i]; }
+
+  /** Calls function(i) for every leaf, in parallel. */
+  template <class Function>
+  void ForEach(Function&& function) const
+  {
+    constexpr std::size_t grain = 4;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Leaves.size(), grain),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+        {
+          function(i);
+        }
+      });
+  }
+
+  /** The same with a kernel, compiled for the chosen instruction set. */
+  template <class Kernel>
+  void RunKernel(const Kernel& kernel) const
+  {
+    const auto run = CompiledKernel<Kernel, std::size_t>::GetBest();
+    this->ForEach([&kernel, run](std::size_t i) { run(kernel, i); });
+  }
+
+private:
+  std::vector<NodeLeaf> Leaves;
+  IndexMap Numbers;
+};
+
+/** The numbers of a leaf and of W <= 4 nodes around it, in rows of 16 along z that begin 4 nodes
+ * before the leaf. Leaves that are not there have + or - `outside`. */
+template <int W>
+struct NodeBlock
+{
+  static constexpr int Side = 8 + 2 * W;
+  static constexpr int X = 16 * Side; //< distance in memory of neighbours along x
+  static constexpr int Y = 16;
+
+  alignas(32) float Value[Side * Side * 16];
+
+  ACTIVE_ALWAYS_INLINE const float* Row(int x, int y) const
+  {
+    return this->Value + X * (x + W) + Y * (y + W) + 4;
+  }
+
+  ACTIVE_ALWAYS_INLINE void Gather(const NodeNumbers& from, const NodeLeaf& leaf, float outside)
+  {
+    for (int x = -W; x < 8 + W; ++x)
+    {
+      for (int y = -W; y < 8 + W; ++y)
+      {
+        this->GatherRow(from, leaf, outside, x, y);
+      }
+    }
+  }
+
+private:
+  ACTIVE_ALWAYS_INLINE void GatherRow(
+    const NodeNumbers& from, const NodeLeaf& leaf, float outside, int x, int y)
+  {
+    float* to = this->Value + X * (x + W) + Y * (y + W) + 4;
+    const std::int32_t* near = leaf.Near.data() + 9 * ((x + 8) / 8) + 3 * ((y + 8) / 8);
+    const int row = 64 * (x & 7) + 8 * (y & 7);
+    const auto side = [&](std::int32_t n) { return n == NoLeafInside ? -outside : outside; };
+    StoreLanes(to, near[1] >= 0 ? LoadLanes(from.Of(near[1]) + row) : AllLanes(side(near[1])));
+    for (int k = 1; k <= W; ++k)
+    {
+      to[-k] = near[0] >= 0 ? from.Of(near[0])[row + 8 - k] : side(near[0]);
+      to[7 + k] = near[2] >= 0 ? from.Of(near[2])[row + k - 1] : side(near[2]);
+    }
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,238 @@
+#include "Nodes/NodeStages.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** Least number of stages: four decay steps of e^(-1.5) at the usual attraction. */
+constexpr int FewestStages = 4;
+
+/** A stage bears Tension dt / h^2 = TensionOfStage by differences over 2 nodes, as .15 is below the
+ * limit 1/6 of explicit diffusion; differences over 4 and 8 nodes bear 4 and 16 times as much. The
+ * widest ones are blind for waves of 8 nodes: more than half of the tension by them is unstable. */
+constexpr float TensionOfStage = .15f;
+constexpr float TensionOfStages = 10.f * TensionOfStage;
+
+/** Share of the attraction within the noise: at the usual one distances fall by a sixth in a frame. */
+constexpr float SlowShare = .03f;
+/** Where the bulk is full noise reaches farther: particles of a body agree on the surface. */
+constexpr float FullFrom = .5f, FullTo = .75f, NoiseOfFull = 1.5f;
+/** Out of balance by less than this share of the noise the skin moves at this share of a. */
+constexpr float Imbalance = .25f, SlowestShare = .008f;
+/** Weight of tension in a body of half the bulk over that of a full one. */
+constexpr float TensionOfHalf = 1.f / 3.f;
+
+constexpr float LeastDecay = 1e-6f;
+
+/** kappa |grad u| by differences over 2 S nodes; 0 where the gradient is. */
+template <int S, int W>
+ACTIVE_ALWAYS_INLINE Lanes Bend(const float* c)
+{
+  constexpr int X = S * NodeBlock<W>::X, Y = S * NodeBlock<W>::Y, Z = S;
+  const auto at = [c](int offset) ACTIVE_INLINED { return LoadLanes(c + offset); };
+  const Lanes half = AllLanes(.5f / S), whole = AllLanes(1.f / (S * S));
+  const Lanes quarter = AllLanes(.25f / (S * S)), u = at(0);
+  const Lanes gx = half * (at(X) - at(-X)), gy = half * (at(Y) - at(-Y)),
+              gz = half * (at(Z) - at(-Z));
+  const Lanes xx = whole * (at(X) - u - u + at(-X)), yy = whole * (at(Y) - u - u + at(-Y)),
+              zz = whole * (at(Z) - u - u + at(-Z));
+  const Lanes xy = quarter * ((at(X + Y) - at(X - Y)) - (at(-X + Y) - at(-X - Y)));
+  const Lanes xz = quarter * ((at(X + Z) - at(X - Z)) - (at(-X + Z) - at(-X - Z)));
+  const Lanes yz = quarter * ((at(Y + Z) - at(Y - Z)) - (at(-Y + Z) - at(-Y - Z)));
+  const Lanes square = gx * gx + gy * gy + gz * gz;
+  const Lanes product = gx * gx * (yy + zz) + gy * gy * (xx + zz) + gz * gz * (xx + yy) -
+    AllLanes(2.f) * (gx * gy * xy + gx * gz * xz + gy * gz * yz);
+  constexpr float flat = 1e-4f;
+  const LaneMask isRegular = square > AllLanes(flat);
+  const Lanes bend = product / Pick(isRegular, square, AllLanes(1.f));
+  return Pick(isRegular, Clamp(bend, 1.f), AllLanes(0.f));
+}
+
+struct DistanceKernel
+{
+  const NodeLeaves& Leaves;
+  const NodeNumbers& Potential;
+  NodeNumbers& Psi;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    const NodeLeaf& leaf = this->Leaves[i];
+    NodeBlock<1> block;
+    block.Gather(this->Potential, leaf, 1.f);
+    constexpr int X = NodeBlock<1>::X, Y = NodeBlock<1>::Y;
+    for (int row = 0; row < 64; ++row)
+    {
+      const float* c = block.Row(row >> 3, row & 7);
+      const Lanes value = LoadLanes(c);
+      const Lanes gx = LoadLanes(c + X) - LoadLanes(c - X);
+      const Lanes gy = LoadLanes(c + Y) - LoadLanes(c - Y);
+      const Lanes gz = LoadLanes(c + 1) - LoadLanes(c - 1);
+      const Lanes slope = AllLanes(.5f) * Root(gx * gx + gy * gy + gz * gz);
+      const LaneMask isNear = Size(value) < slope * AllLanes(NodeLimit);
+      const Lanes side = value < AllLanes(0.f) ? AllLanes(-NodeLimit) : AllLanes(NodeLimit);
+      StoreLanes(this->Psi.Of(i) + 8 * row,
+        Pick(isNear, value / Pick(isNear, slope, AllLanes(1.f)), side));
+    }
+  }
+};
+
+/** One stage of `Count`. W: nodes that the widest differences reach. */
+template <int W>
+struct StageKernel
+{
+  const NodeFields& Fields;
+  const StageCoefficients& Law;
+  int Count;
+
+  ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
+  {
+    const NodeLeaf& leaf = this->Fields.Leaves[i];
+    NodeBlock<W> block;
+    block.Gather(this->Fields.Potential, leaf, NodeLimit);
+    for (int row = 0; row < 64; ++row)
+    {
+      const float* c = block.Row(row >> 3, row & 7);
+      const Lanes u = LoadLanes(c), psi = LoadLanes(this->Fields.Psi.Of(i) + 8 * row);
+      const bool isInShell = ((leaf.Rows >> row) & 1) != 0;
+      float* next = this->Fields.Room.Of(i) + 8 * row;
+      if (!isInShell || StaysFar(u, psi))
+      {
+        StoreLanes(next, psi);
+        continue;
+      }
+      StoreLanes(next,
+        Clamp(this->Advance(c, u, psi, LoadLanes(this->Fields.Bulk.Of(i) + 8 * row)), NodeLimit));
+    }
+  }
+
+private:
+  static ACTIVE_ALWAYS_INLINE bool StaysFar(const Lanes& u, const Lanes& psi)
+  {
+    constexpr float far = .999f * NodeLimit;
+    const LaneMask isFar = (u * psi > AllLanes(0.f)) & (Size(u) >= AllLanes(far)) &
+      (Size(psi) >= AllLanes(far));
+    return BitsOf(isFar) == 0xffu;
+  }
+
+  /** b g kappa |grad u|: what a stage does not bear by narrow differences goes by wider ones. */
+  ACTIVE_ALWAYS_INLINE Lanes FindPull(const float* c, const Lanes& wanted) const
+  {
+    const float borne = TensionOfStage * static_cast<float>(this->Count);
+    const Lanes first = Least(wanted, AllLanes(borne));
+    Lanes pull = first * Bend<1, W>(c);
+    if constexpr (W >= 2)
+    {
+      const Lanes rest = wanted - first;
+      const Lanes second = W == 2 ? rest : Least(rest, AllLanes(4.f * borne));
+      if (BitsOf(second > AllLanes(0.f)) != 0)
+      {
+        pull += second * Bend<2, W>(c);
+      }
+      if constexpr (W >= 4)
+      {
+        const Lanes third = rest - second;
+        if (BitsOf(third > AllLanes(0.f)) != 0)
+        {
+          pull += third * Bend<4, W>(c);
+        }
+      }
+    }
+    return pull;
+  }
+
+  ACTIVE_ALWAYS_INLINE Lanes FindTension(const Lanes& bulk, const Lanes& full) const
+  {
+    const Lanes tension = AllLanes(this->Law.Tension);
+    const Lanes weight =
+      bulk * (AllLanes(TensionOfHalf) + AllLanes(1.f - TensionOfHalf) * full);
+    return this->Law.IsWeighted ? tension * weight : tension;
+  }
+
+  ACTIVE_ALWAYS_INLINE Lanes Advance(
+    const float* c, const Lanes& u, const Lanes& psi, const Lanes& bulk) const
+  {
+    const Lanes one = AllLanes(1.f), full = SmoothStep(FullFrom, FullTo, bulk);
+    const Lanes miss = psi - u;
+    const Lanes pull = this->Law.Tension > 0.f ? this->FindPull(c, this->FindTension(bulk, full))
+                                               : AllLanes(0.f);
+    const float share = 1.f / static_cast<float>(this->Count);
+    Lanes rate = AllLanes(this->Law.Decay), lambda = one;
+    if (this->Law.Noise > 0.f)
+    {
+      this->Slow(u, miss, pull, bulk, full, rate, lambda);
+    }
+    // Exponential Euler: exact without tension, and at rest.
+    const Lanes x = AllLanes(share) * rate * lambda;
+    const Lanes decayed = one /
+      (one + x * (one + x * (AllLanes(.5f) + x * (AllLanes(1.f / 6.f) + x * AllLanes(1.f / 24.f)))));
+    const LaneMask isTiny = x < AllLanes(LeastDecay);
+    const Lanes mean = Pick(isTiny, one, (one - decayed) / Pick(isTiny, one, x));
+    return psi - decayed * miss + AllLanes(share) * pull * lambda * mean;
+  }
+
+  /** Within the noise of a body the attraction is small; and attraction and tension both, where they
+   * are nearly in balance, so that fixed points stay. */
+  ACTIVE_ALWAYS_INLINE void Slow(const Lanes& u, const Lanes& miss, const Lanes& pull,
+    const Lanes& bulk, const Lanes& full, Lanes& rate, Lanes& lambda) const
+  {
+    const Lanes one = AllLanes(1.f);
+    const Lanes body = Least(bulk + bulk, one);
+    // The slope of u is not 1 off the skin, where frames differ by more.
+    const Lanes noise = (one + AllLanes(NoiseOfFull - 1.f) * full) * AllLanes(this->Law.Noise) *
+      (one + Size(u));
+    const Lanes slow = one - body * AllLanes(1.f - SlowShare);
+    rate *= slow + (one - slow) * Step(miss / noise);
+    const Lanes slowest = Least(AllLanes(this->Law.Decay * SlowestShare) / rate, one);
+    const Lanes off = (miss + pull / rate) / (AllLanes(Imbalance) * noise);
+    lambda = slowest + (one - slowest) * ((one - body) + body * Step(off));
+    lambda = Pick(body > AllLanes(0.f), lambda, one);
+  }
+
+  /** q^4 / (1 + q^4) */
+  static ACTIVE_ALWAYS_INLINE Lanes Step(const Lanes& q)
+  {
+    const Lanes power = (q * q) * (q * q);
+    return AllLanes(1.f) - AllLanes(1.f) / (AllLanes(1.f) + power);
+  }
+};
+
+template <int W>
+void RunStage(const NodeFields& fields, const StageCoefficients& law, int count)
+{
+  fields.Leaves.RunKernel(StageKernel<W>{ fields, law, count });
+  fields.Potential.Swap(fields.Room);
+}
+
+}
+
+void FindDistances(const NodeLeaves& leaves, const NodeNumbers& potential, NodeNumbers& psi)
+{
+  psi.Resize(leaves.Size());
+  leaves.RunKernel(DistanceKernel{ leaves, potential, psi });
+}
+
+int CountStages(const StageCoefficients& law)
+{
+  constexpr float most = 1e6f;
+  const float wanted = std::min(std::ceil(law.Tension / TensionOfStages), most);
+  return std::max(FewestStages, static_cast<int>(wanted));
+}
+
+void RunStages(const NodeFields& fields, const StageCoefficients& law)
+{
+  const int count = CountStages(law);
+  const float borne = TensionOfStage * static_cast<float>(count);
+  for (int stage = 0; stage < count; ++stage)
+  {
+    law.Tension <= borne         ? RunStage<1>(fields, law, count)
+      : law.Tension <= 5 * borne ? RunStage<2>(fields, law, count)
+                                 : RunStage<4>(fields, law, count);
+  }
+}
+
+}

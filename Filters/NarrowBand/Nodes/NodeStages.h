@@ -1,0 +1,47 @@
+/**
+ * Distances to the target at the nodes, and the stages that bring the potential to them:
+ *
+ *   w' = b g kappa |grad w| + a s (psi - w)
+ *
+ * over one unit of time, a = Attraction dt, b = Tension dt / h^2, g the weight of tension, psi the
+ * signed distance to the target [voxels], kappa the sum of the principal curvatures. s is 1, but
+ * in a body of particles small where psi - w is within the noise of their surface. At a fixed
+ * point attraction and tension are in balance, exactly as in the equation of motion.
+ */
+#ifndef NodeStages_h
+#define NodeStages_h
+
+#include "Nodes/NodeLeaves.h"
+
+namespace activesurface
+{
+
+struct StageCoefficients
+{
+  float Decay = 0.f;       //< a, > 0
+  float Tension = 0.f;     //< b, >= 0
+  float Noise = 0.f;       //< of the target's surface [voxels]; 0: none
+  bool IsWeighted = false; //< whether bulks weigh the tension; else g = 1
+};
+
+struct NodeFields
+{
+  const NodeLeaves& Leaves;
+  const NodeNumbers& Psi;
+  const NodeNumbers& Bulk; //< in [0,1]
+  NodeNumbers& Potential;
+  NodeNumbers& Room; //< overwritten
+};
+
+/** psi = G / |grad G| by central differences, at most NodeLimit in size; G is 1 where nothing is
+ * near. Outside the rows of the shell psi has the limit. */
+void FindDistances(const NodeLeaves& leaves, const NodeNumbers& potential, NodeNumbers& psi);
+
+/** Number of stages: what a stage bears of tension by differences over 2, 4 and 8 nodes. */
+int CountStages(const StageCoefficients& coefficients);
+
+void RunStages(const NodeFields& fields, const StageCoefficients& coefficients);
+
+}
+
+#endif

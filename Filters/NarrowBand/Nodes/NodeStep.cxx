@@ -1,0 +1,274 @@
+#include "Nodes/NodeStep.h"
+
+#include "Obstacle.h"
+#include "Substep/TimeStep.h"
+
+#include <openvdb/tools/SignedFloodFill.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace activesurface
+{
+
+namespace
+{
+
+/** From the centre of a leaf to its corners, and the band around the surface [voxels]. */
+constexpr double ReachOfLeaf = 6.1 + NodeLimit;
+
+/** What rests keeps its bytes: in leaves where nothing moves, changes below this share of
+ * Attraction dt [voxels]. */
+constexpr float RestingChange = 3e-4f;
+
+NodeIndex CentreOf(const NodeIndex& origin)
+{
+  return { origin[0] + 4, origin[1] + 4, origin[2] + 4 };
+}
+
+double DepthInWalls(const Walls& walls, const NodeIndex& node, double voxelSize)
+{
+  const double place[3] = { voxelSize * node[0], voxelSize * node[1], voxelSize * node[2] };
+  return DistanceToWalls(walls, place) / voxelSize;
+}
+
+double DepthInObstacle(const Obstacle& solid, const NodeIndex& node, double voxelSize)
+{
+  const double place[3] = { voxelSize * node[0], voxelSize * node[1], voxelSize * node[2] };
+  return solid.DepthAt(place) / voxelSize;
+}
+
+/** Whether a leaf has values between the limits, or both of them. */
+bool IsNearSurface(const float* values)
+{
+  return std::any_of(values, values + 512, [values](float value)
+    { return std::fabs(value) < NodeLimit || (value < 0.f) != (values[0] < 0.f); });
+}
+
+}
+
+openvdb::FloatTree::Ptr NodeStep::Make(
+  const NodeFrame& frame, const Motion& motion, NodeTarget& target)
+{
+  target.PlaceNodes(frame.Begin, frame.End, motion.Transport, frame.VoxelSize);
+  this->FindLeaves(frame, motion, target);
+  this->Evaluate(target);
+  FindDistances(this->Leaves, this->Room, this->Psi);
+  this->Confine(this->Psi, frame, motion);
+  this->Carry(frame, target);
+  StageCoefficients law;
+  law.Decay = static_cast<float>(motion.Attraction * frame.Duration);
+  law.Tension =
+    static_cast<float>(motion.Tension * frame.Duration / (frame.VoxelSize * frame.VoxelSize));
+  law.Noise = target.GetNoise();
+  law.IsWeighted = motion.WeightedTension;
+  RunStages({ this->Leaves, this->Psi, this->Bulk, this->Potential, this->Room }, law);
+  this->Confine(this->Potential, frame, motion);
+  this->KeepWhatRests(frame.Old, RestingChange * law.Decay);
+  return this->MakeTree();
+}
+
+std::size_t NodeStep::CountEvaluations() const
+{
+  std::size_t rows = 0;
+  for (const ShellLeaf& leaf : this->Near.Leaves)
+  {
+    rows += static_cast<std::size_t>(CountBits(leaf.Rows));
+  }
+  return 8 * rows;
+}
+
+void NodeStep::FindLeaves(const NodeFrame& frame, const Motion& motion, const NodeTarget& target)
+{
+  const bool isConfined = motion.Box.Present || motion.Solid;
+  target.FindShell(isConfined, this->Near);
+  // Of a leaf that the surface crosses at least an eighth of the nodes is active.
+  constexpr std::size_t fewestNodes = 64, margin = 4;
+  CheckSize(fewestNodes / margin * this->Near.Leaves.size(), frame.MaximumNumberOfActiveVoxels);
+  if (isConfined)
+  {
+    this->AddConfined(frame, motion);
+  }
+  this->Leaves.Adopt(this->Near.Leaves, !motion.Solid || motion.Solid->IsThreadSafe(),
+    [&](const NodeIndex& origin)
+    { return target.IsInside(CentreOf(origin)) && !this->IsSolid(origin, frame, motion); });
+  const std::size_t count = this->Leaves.Size();
+  this->Potential.Resize(count);
+  this->Room.Resize(count);
+  this->Psi.Resize(count);
+  this->Bulk.Resize(count);
+  this->IsStill.assign(count, 0);
+}
+
+/** Inside the target walls and the obstacle are surfaces of their own. */
+void NodeStep::AddConfined(const NodeFrame& frame, const Motion& motion)
+{
+  std::vector<ShellLeaf>& shell = this->Near.Leaves;
+  for (const NodeIndex& origin : this->Near.InsideLeaves)
+  {
+    const NodeIndex centre = CentreOf(origin);
+    const bool isAtWall = motion.Box.Present &&
+      std::fabs(DepthInWalls(motion.Box, centre, frame.VoxelSize)) < 2.0 * ReachOfLeaf;
+    const bool isAtSolid = motion.Solid &&
+      std::fabs(DepthInObstacle(*motion.Solid, centre, frame.VoxelSize)) < Obstacle::Reach;
+    if (isAtWall || isAtSolid)
+    {
+      shell.push_back({ origin, 0, ~std::uint64_t(0) });
+    }
+  }
+  std::sort(shell.begin(), shell.end(),
+    [](const ShellLeaf& a, const ShellLeaf& b) { return a.Origin < b.Origin; });
+  if (motion.Solid)
+  {
+    std::vector<Obstacle::LeafOrigin> origins;
+    std::transform(shell.begin(), shell.end(), std::back_inserter(origins),
+      [](const ShellLeaf& leaf) { return leaf.Origin; });
+    motion.Solid->SampleLeaves(origins);
+    motion.Solid->Check();
+  }
+}
+
+bool NodeStep::IsSolid(
+  const NodeIndex& origin, const NodeFrame& frame, const Motion& motion) const
+{
+  const NodeIndex centre = CentreOf(origin);
+  return (motion.Box.Present && DepthInWalls(motion.Box, centre, frame.VoxelSize) > 0.0) ||
+    (motion.Solid && DepthInObstacle(*motion.Solid, centre, frame.VoxelSize) > 0.0);
+}
+
+/** How deep the nodes of a leaf are in walls and obstacle [voxels]; false if that is nowhere near. */
+bool NodeStep::FindDepths(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion,
+  float (&depths)[512]) const
+{
+  const bool isAtWall = motion.Box.Present &&
+    DepthInWalls(motion.Box, CentreOf(origin), frame.VoxelSize) > -2.0 * ReachOfLeaf;
+  const float* solid = motion.Solid ? motion.Solid->FindDepths(origin) : nullptr;
+  if (!isAtWall && !solid)
+  {
+    return false;
+  }
+  for (int n = 0; n < 512; ++n)
+  {
+    const NodeIndex node = { origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7) };
+    const float wall = isAtWall
+      ? static_cast<float>(DepthInWalls(motion.Box, node, frame.VoxelSize))
+      : -HUGE_VALF;
+    depths[n] = std::max(wall, solid ? solid[n] : -HUGE_VALF);
+  }
+  return true;
+}
+
+/** G into Room. */
+void NodeStep::Evaluate(const NodeTarget& target)
+{
+  this->Leaves.ForEach(
+    [&](std::size_t i)
+    {
+      const NodeLeaf& leaf = this->Leaves[i];
+      float* values = this->Room.Of(i);
+      target.EvaluateLeaf(leaf, values);
+      for (int row = 0; row < 64; ++row)
+      {
+        if (!((leaf.Rows >> row) & 1))
+        {
+          std::fill_n(values + 8 * row, 8, (leaf.InsideRows >> row) & 1 ? -1.f : 1.f);
+        }
+      }
+    });
+}
+
+/** Where a wall or the obstacle reaches, all rows of a leaf count. */
+void NodeStep::Confine(NodeNumbers& numbers, const NodeFrame& frame, const Motion& motion)
+{
+  if (!motion.Box.Present && !motion.Solid)
+  {
+    return;
+  }
+  this->Leaves.ForEach(
+    [&](std::size_t i)
+    {
+      float depths[512];
+      NodeLeaf& leaf = this->Leaves[i];
+      if (!this->FindDepths(leaf.Origin, frame, motion, depths))
+      {
+        return;
+      }
+      leaf.Rows = ~std::uint64_t(0);
+      float* values = numbers.Of(i);
+      for (int n = 0; n < 512; ++n)
+      {
+        values[n] = std::min(std::max(values[n], depths[n]), NodeLimit);
+      }
+    });
+}
+
+void NodeStep::Carry(const NodeFrame& frame, const NodeTarget& target)
+{
+  const bool isStart = !(frame.End > frame.Begin);
+  this->Leaves.ForEach(
+    [&](std::size_t i)
+    {
+      const NodeLeaf& leaf = this->Leaves[i];
+      LeafMotion motion;
+      target.FindMotion(leaf, motion);
+      ExpandBulk(motion, this->Bulk.Of(i));
+      this->IsStill[i] = motion.IsStill ? 1 : 0;
+      if (isStart)
+      {
+        std::copy_n(this->Psi.Of(i), 512, this->Potential.Of(i));
+      }
+      else
+      {
+        CarryNodes(frame.Old, leaf, motion, this->Psi.Of(i), this->Potential.Of(i));
+      }
+    });
+}
+
+void NodeStep::KeepWhatRests(const OldPotential& old, float tolerance)
+{
+  this->Leaves.ForEach(
+    [&](std::size_t i)
+    {
+      const float* before = this->IsStill[i] ? old.Find(this->Leaves[i].Origin) : nullptr;
+      float* now = this->Potential.Of(i);
+      const auto rests = [&](float a, float b)
+      {
+        const float kept = std::min(std::max(a, -NodeLimit), NodeLimit);
+        return std::fabs(kept - b) <= tolerance;
+      };
+      if (before && std::equal(before, before + 512, now, rests))
+      {
+        std::copy_n(before, 512, now);
+      }
+    });
+}
+
+openvdb::FloatTree::Ptr NodeStep::MakeTree() const
+{
+  std::vector<std::unique_ptr<PotentialLeaf>> made(this->Leaves.Size());
+  this->Leaves.ForEach(
+    [&](std::size_t i)
+    {
+      const float* values = this->Potential.Of(i);
+      if (IsNearSurface(values))
+      {
+        const NodeIndex& origin = this->Leaves[i].Origin;
+        made[i] = std::make_unique<PotentialLeaf>(
+          openvdb::Coord(origin[0], origin[1], origin[2]), Far, true);
+        std::copy_n(values, 512, made[i]->buffer().data());
+      }
+    });
+  auto tree = std::make_shared<openvdb::FloatTree>(Far);
+  for (std::unique_ptr<PotentialLeaf>& leaf : made)
+  {
+    if (leaf)
+    {
+      tree->addLeaf(leaf.release());
+    }
+  }
+  openvdb::tools::signedFloodFillWithValues(*tree, Far, -Far);
+  return tree;
+}
+
+}

@@ -1,0 +1,126 @@
+// Particles sorted by cells, in blocks of 8^3 cells; and the cells in which their surface can be.
+//
+// A cell is as wide as a particle of the smallest size, twice its own radius. Each particle fills
+// a cube of its own size. Cells whose neighbourhood is full hold no surface, nor do those far from
+// any particle: what is left is the shell. The filling is counted in integers, so that it does not
+// depend on the order of particles.
+
+#ifndef ParticleBlocks_h
+#define ParticleBlocks_h
+
+#include "IndexMap.h"
+#include "Nodes/CellMask.h"
+#include "UnsetVector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace activesurface
+{
+
+// A particle as a cube of fluid.
+struct ParticleCube
+{
+  double Position[3];
+  double HalfSide; // own radius
+  double Filling;  // in [0,1]: 1 where it is of full strength
+};
+
+class ParticleBlocks
+{
+public:
+  // Of 64 parts of a block, 2^3 cells each, as particles are sorted by.
+  static constexpr int Parts = 64;
+
+  struct Block
+  {
+    NodeIndex At; // in blocks
+    std::uint32_t Starts[Parts + 1];
+    CellMask Occupied;
+    CellMask Open; // not full
+  };
+
+  // beyond: how far the skin may be from a particle, less its own radius, in own radii. hasInside:
+  // whether full cells are inside, whatever the particles' kernels are. Keeps its memory.
+  void Build(const UnsetVector<ParticleCube>& cubes, double voxelSize, double beyond,
+    bool hasInside);
+
+  std::size_t Size() const { return this->Blocks.size(); }
+  const Block& operator[](std::size_t i) const { return this->Blocks[i]; }
+  const Block* Find(const NodeIndex& at) const
+  {
+    const std::int32_t i = this->Numbers.Find(at);
+    return i >= 0 ? &this->Blocks[i] : nullptr;
+  }
+
+  // Side of a cell [voxels].
+  double GetCellSize() const { return this->CellSize; }
+  double GetBlockSize() const { return 8.0 * this->CellSize; }
+
+  // Numbers of the particles, by blocks and parts of them.
+  const UnsetVector<std::uint32_t>& GetOrder() const { return this->Order; }
+  // Of each in this order: the block.
+  const UnsetVector<std::uint32_t>& GetBlockOf() const { return this->BlockOf; }
+
+  // The cell of a node, or of a place [voxels].
+  int CellOf(double place) const
+  {
+    constexpr double farthest = 1e9;
+    const double cell = std::floor(place / this->CellSize);
+    return static_cast<int>(std::min(std::max(cell, -farthest), farthest));
+  }
+
+  // The cells in which the surface can be.
+  static CellMask ShellOf(const Block& block)
+  {
+    CellMask shell;
+    for (int x = 0; x < 8; ++x)
+    {
+      shell.Word[x] = block.Occupied.Word[x] & block.Open.Word[x];
+    }
+    return shell;
+  }
+  bool IsInside(const NodeIndex& cell) const
+  {
+    const Block* block = this->Find({ cell[0] >> 3, cell[1] >> 3, cell[2] >> 3 });
+    return block && !block->Open.Has(cell[0] & 7, cell[1] & 7, cell[2] & 7);
+  }
+
+private:
+  void ChooseCells(const UnsetVector<ParticleCube>& cubes, double beyond);
+  void AddBlocks(const UnsetVector<ParticleCube>& cubes);
+  void Sort();
+  void FillCells(const UnsetVector<ParticleCube>& cubes);
+  void FillCube(const ParticleCube& cube, std::size_t home);
+  void Occupy(const ParticleCube& cube, std::size_t home);
+  // The block of a cell, which is often that of the particle.
+  std::size_t FindBlock(const NodeIndex& cell, std::size_t home) const
+  {
+    const NodeIndex at = { cell[0] >> 3, cell[1] >> 3, cell[2] >> 3 };
+    return this->Blocks[home].At == at ? home
+                                       : static_cast<std::size_t>(this->Numbers.Find(at));
+  }
+  void FindOpen();
+  void FindOpenOf(Block& block) const;
+  void Widen(CellMask Block::*mask, bool outside, int times);
+
+  double VoxelSize = 1.0;
+  double CellSize = 1.0;
+  int Outward = 1; // cells
+  int Inward = 1;
+  IndexMap Numbers;
+  std::vector<Block> Blocks;
+  std::vector<std::uint32_t> Around; // of each block, one bit for each of 27 that exist
+  UnsetVector<std::uint32_t> Homes;
+  UnsetVector<std::uint8_t> PartOf;
+  UnsetVector<std::uint32_t> Order, BlockOf;
+  std::vector<std::uint32_t> Filling; // 512 for each block
+  std::vector<CellMask> Wide;
+};
+
+}
+
+#endif

@@ -1,0 +1,85 @@
+// Particles as a target at the nodes of a lattice: see NodeTarget.h in NarrowBand.
+//
+// The potential of ellipsoids is G = 1 - (S / level)^(1/4), S the sum of strength (1 - d^2)^3. The
+// skin of a body is where kernels end and S grows with the fifth power of the depth, that of a lone
+// particle where it grows with the third: the root is nearly linear in both.
+//
+// Lengths are in voxels, places are relative to the block or the leaf that they belong to: so
+// single precision suffices wherever the particles are.
+
+#ifndef ParticleNodes_h
+#define ParticleNodes_h
+
+#include "NodeTarget.h"
+#include "Nodes/NodeSums.h"
+#include "Nodes/ParticleBlocks.h"
+#include "ParticleModel.h"
+#include "Skeleton.h"
+#include "UnsetVector.h"
+#include "vtkActivePotentialsModule.h"
+
+#include <vector>
+
+namespace activesurface
+{
+
+struct NodeParticles
+{
+  const std::vector<SkeletonVertex>& Particles;
+  const ParticleFits& Fits;              // of each, or empty
+  const std::vector<double>& Velocities; // x y z of each, NaN for unknown; or empty
+};
+
+struct NodeParticleOptions
+{
+  ParticleModel Model = ParticleModel::Anisotropic;
+  double VoxelSize = 1.0;
+  double OwnRadius = 0.0; // [length]; 0: the particle's radius over twice GetReachPerSpacing
+  double Level = 0.5;     // of the sum of kernels, at the skin; > 0
+  double Duration = 0.0;  // by which velocities are multiplied
+  bool HasNoise = false;  // whether the motion of a body is without that of single particles
+};
+
+class VTKACTIVEPOTENTIALS_EXPORT ParticleNodes
+{
+public:
+  // Keeps its memory.
+  void Build(const NodeParticles& given, const NodeParticleOptions& options);
+
+  void FindShell(bool wantsInside, Shell& shell) const;
+  bool IsInside(const NodeIndex& node) const;
+
+  // Of ellipsoids alone.
+  void EvaluateLeaf(const ShellLeaf& leaf, float* values) const;
+  void FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const;
+
+private:
+  void MakeCubes(const NodeParticles& given);
+  void Resize(std::size_t count);
+  void Place(const NodeParticles& given, std::size_t k);
+  void PlaceEllipsoid(const SkeletonVertex& particle, const ParticleFit& fit, std::size_t k);
+  double GetOwnRadius(const SkeletonVertex& particle) const;
+  void ListLeaves(bool wantsInside, std::vector<NodeIndex>& origins) const;
+  ShellLeaf FindRows(const NodeIndex& origin) const;
+  template <class Visit>
+  void VisitRuns(const NodeIndex& origin, double size, double reach, Visit&& visit) const;
+
+  NodeParticleOptions Options;
+  UnsetVector<ParticleCube> Cubes;
+  ParticleBlocks Blocks;
+
+  // By the order of the blocks, with room for a vector of eight more.
+  UnsetVector<float> X, Y, Z;          // places
+  UnsetVector<float> DX, DY, DZ;       // displacements
+  UnsetVector<float> IsMoved;          // 1, or 0 where the displacement is not known
+  UnsetVector<float> Bulk;
+  UnsetVector<float> InverseReach2;    // of the means of motion
+  UnsetVector<float> EX, EY, EZ, EReach2; // of ellipsoids
+  UnsetVector<NodeEllipsoid> Ellipsoids;
+  double MostReach = 0.0;         // of ellipsoids, from their particles' blocks [voxels]
+  double MostReachOfMotion = 0.0; // [voxels]
+};
+
+}
+
+#endif
