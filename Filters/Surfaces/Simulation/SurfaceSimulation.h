@@ -43,7 +43,7 @@ struct SimulationLimits
 {
   int Threads = 0;
   std::size_t MaximumVoxels = 0;
-  int CheckpointInterval = 10;
+  int CheckpointInterval = 1;
   std::size_t CheckpointMemory = 0; // bytes
 };
 
