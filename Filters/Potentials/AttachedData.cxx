@@ -94,4 +94,15 @@ void CopyAttachedGrid(vtkInformation* from, vtkInformation* to)
   Attach(to, GetAttachedGrid(from));
 }
 
+void MoveAttachedGrid(vtkInformation* information, const double offset[3])
+{
+  if (const openvdb::FloatGrid::ConstPtr grid = GetAttachedGrid(information))
+  {
+    const openvdb::math::Transform::Ptr transform = grid->transform().copy();
+    transform->postTranslate(openvdb::Vec3d(offset));
+    Attach(information,
+      openvdb::gridConstPtrCast<openvdb::FloatGrid>(grid->copyGridReplacingTransform(transform)));
+  }
+}
+
 }

@@ -45,6 +45,9 @@ VTKACTIVEPOTENTIALS_EXPORT std::shared_ptr<const AttachedState> GetAttachedState
 VTKACTIVEPOTENTIALS_EXPORT bool HasAttachedGrid(vtkInformation* information);
 /** None if the first one has none. */
 VTKACTIVEPOTENTIALS_EXPORT void CopyAttachedGrid(vtkInformation* from, vtkInformation* to);
+/** Replaces the grid, if there is one, by one at other positions; its values are shared. */
+VTKACTIVEPOTENTIALS_EXPORT void MoveAttachedGrid(
+  vtkInformation* information, const double offset[3]);
 
 }
 

@@ -138,7 +138,8 @@ void vtkGridPotential::ReadSamples()
   }
   if (own.Samples && !own.Defects.empty() && this->WarnOfDefects)
   {
-    vtkWarningMacro(<< own.Defects << " Where it is open it has no inside; MeshThickness > 0 makes "
+    vtkWarningMacro(<< own.Defects
+                    << " Holes are closed by winding numbers; MeshThickness > 0 makes "
                     << "a shell of it.");
   }
 }

@@ -22,8 +22,10 @@
  * left out as a point of theirs is not finite or does not exist, or they have no area at all. There
  * is one warning when the mesh is read. A mesh is closed if each edge belongs to an even number of
  * polygons: closed bodies may touch along an edge. One that is not closed becomes a shell if
- * MeshThickness > 0: F is the unsigned distance - MeshThickness / 2. Else it is taken for a solid,
- * and has no inside, or a wrong one.
+ * MeshThickness > 0: F is the unsigned distance - MeshThickness / 2. Else it is taken for a solid:
+ * inside is where the mesh winds around by more than a half (generalized winding numbers), so that
+ * a hole is closed by a cap from rim to rim. A sheet has no inside; nor is there one that makes
+ * sense where neighbouring polygons are turned to different sides.
  *
  * Bad input is an error with a sentence, once when it is read, and GetError(). F is then 1
  * everywhere (outside) with gradient 0, as it is without input. Of no use are: other data sets,

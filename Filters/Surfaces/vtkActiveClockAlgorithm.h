@@ -109,8 +109,8 @@ public:
   ///@{
   /**
    * Distance, in time steps, of the states that are kept so that a request for an earlier time
-   * costs no more steps than that. 0 keeps none: it starts over. Does not restart the motion.
-   * Range: >= 0. Default: 10.
+   * costs no more steps than that; CheckpointMemory thins them. 0 keeps none: it starts over. Does
+   * not restart the motion. Range: >= 0. Default: 1.
    */
   vtkSetClampMacro(CheckpointInterval, int, 0, VTK_INT_MAX);
   vtkGetMacro(CheckpointInterval, int);
@@ -161,7 +161,7 @@ private:
   int EvolutionMode = TRANSIENT;
   double RestTolerance = 1e-3;
   int MaximumNumberOfSubsteps = 10000;
-  int CheckpointInterval = 10;
+  int CheckpointInterval = 1;
   int CheckpointMemory = 256;
   vtkIdType MaximumNumberOfActiveVoxels = 50000000;
   int NumberOfThreads = 0;

@@ -211,7 +211,7 @@ public:
   /**
    * Thickness [length] of the shell that an input mesh with open edges becomes; a closed one stays
    * a solid. Below about two voxels the shell has holes. Range: >= 0, at most 1e30. Default: 0, no
-   * shell: an open mesh has no inside, or a wrong one, with a warning.
+   * shell: holes are closed from rim to rim, by winding numbers, with a warning.
    */
   vtkSetClampMacro(MeshThickness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshThickness, double);

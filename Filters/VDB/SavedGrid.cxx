@@ -2,6 +2,7 @@
 
 #include "NarrowBandGrid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -17,6 +18,7 @@ namespace
 constexpr const char* TimeName = "active_pipeline_time";
 constexpr const char* HistoryName = "active_history";
 constexpr const char* OutsideName = "active_history_outside"; // not in files before there was one
+constexpr const char* OriginName = "active_origin";           // only where it is not 0
 constexpr const char* SpacingName = "active_spacing";         // only where it was estimated
 
 template <class Value>
@@ -108,6 +110,12 @@ openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state)
 {
   openvdb::FloatGrid::Ptr grid = ToGrid(*state.Band);
   grid->setName(SavedGridName);
+  if (state.Origin != std::array<double, 3>{})
+  {
+    const openvdb::Vec3d origin(state.Origin.data());
+    grid->transform().postTranslate(origin);
+    grid->insertMeta(OriginName, openvdb::Vec3DMetadata(origin));
+  }
   grid->insertMeta(TimeName, openvdb::DoubleMetadata(state.Time));
   grid->insertMeta(HistoryName, openvdb::StringMetadata(WriteHistory(state.History)));
   grid->insertMeta(OutsideName, openvdb::StringMetadata(WriteOutside(state.History)));
@@ -122,6 +130,10 @@ SavedState ReadSavedGrid(const openvdb::FloatGrid& grid)
 {
   SavedState state;
   state.Band = FromGrid(grid);
+  if (const auto origin = grid.getMetadata<openvdb::Vec3DMetadata>(OriginName))
+  {
+    std::copy_n(origin->value().asPointer(), 3, state.Origin.begin());
+  }
   state.Time = ReadMetadata<double>(grid, TimeName);
   state.History = ReadHistory(ReadMetadata<std::string>(grid, HistoryName));
   ReadOutside(grid, state.History);

@@ -6,6 +6,7 @@
 
 #include "HistoryRow.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -17,9 +18,10 @@ class NarrowBand;
 struct SavedState
 {
   std::shared_ptr<const NarrowBand> Band;
-  double Time = 0.0;               //< pipeline time, of a step
-  std::vector<HistoryRow> History; //< up to it
-  double Spacing = 0.0;            //< of particles, as it was estimated [length]; 0: it was not
+  std::array<double, 3> Origin = {}; //< world position of the band's node (0, 0, 0)
+  double Time = 0.0;                 //< pipeline time, of a step
+  std::vector<HistoryRow> History;   //< up to it
+  double Spacing = 0.0;              //< of particles, as it was estimated [length]; 0: it was not
 };
 
 }

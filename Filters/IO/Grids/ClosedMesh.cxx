@@ -1,5 +1,6 @@
 #include "Grids/ClosedMesh.h"
 
+#include "LatticeOrigin.h"
 #include "MeshTriangles.h"
 
 #include "vtkPolyData.h"
@@ -44,7 +45,7 @@ double FindLongestSide(const MeshTriangles& mesh)
 
 }
 
-LatticeMesh ReadClosedMesh(vtkPolyData* data, double& voxelSize)
+LatticeMesh ReadClosedMesh(vtkPolyData* data, double& voxelSize, std::array<double, 3>& origin)
 {
   const MeshTriangles read = ReadTriangles(data);
   CheckIsClosed(read);
@@ -55,10 +56,16 @@ LatticeMesh ReadClosedMesh(vtkPolyData* data, double& voxelSize)
   {
     throw std::invalid_argument("The mesh is more than a million voxels long; enlarge VoxelSize.");
   }
+  const std::array<double, 6> bounds = read.GetBounds();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    origin[axis] = FindLatticeOrigin(bounds[2 * axis], bounds[2 * axis + 1], voxelSize);
+  }
   LatticeMesh mesh;
+  const openvdb::Vec3d offset(origin.data());
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
-    mesh.Points.push_back(openvdb::Vec3d(data->GetPoint(i)) / voxelSize);
+    mesh.Points.push_back((openvdb::Vec3d(data->GetPoint(i)) - offset) / voxelSize);
   }
   for (const MeshTriangles::Triangle& corners : read.Origins)
   {

@@ -34,6 +34,7 @@ void VDBContent::Add(vtkDataObject* data)
   {
     vtkPointData* own = mesh ? mesh->GetPointData() : nullptr;
     this->AddSkin(*attached->State.Band, attached->WholeArrays ? attached->WholeArrays.Get() : own);
+    this->MoveBy(attached->State.Origin);
     this->AddState(*attached);
   }
   else if (mesh)
@@ -93,8 +94,10 @@ void VDBContent::AddMesh(vtkPolyData* data)
       "The input is empty, or its last update was stopped: there is no surface to write.");
   }
   double voxelSize = this->Choice.VoxelSize;
-  const LatticeMesh mesh = ReadClosedMesh(data, voxelSize);
+  std::array<double, 3> origin;
+  const LatticeMesh mesh = ReadClosedMesh(data, voxelSize, origin);
   this->AddSurface(mesh, MakeMeshBand(mesh, HalfWidth, true), voxelSize, data->GetPointData());
+  this->MoveBy(origin);
 }
 
 void VDBContent::AddSurface(
@@ -134,6 +137,17 @@ void VDBContent::AddArrays(const LatticeMesh& mesh, const MeshBand& band, vtkPoi
     if (vtkDataArray* array = arrays->GetArray(i))
     {
       this->Add(MakeArrayGrid(array, mesh, band));
+    }
+  }
+}
+
+void VDBContent::MoveBy(const std::array<double, 3>& offset)
+{
+  for (const openvdb::GridBase::Ptr& grid : this->Grids)
+  {
+    if (offset != std::array<double, 3>{})
+    {
+      grid->transform().postTranslate(openvdb::Vec3d(offset.data()));
     }
   }
 }

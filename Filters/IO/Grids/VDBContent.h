@@ -50,6 +50,8 @@ private:
   void AddSurface(
     const LatticeMesh& mesh, const MeshBand& band, double voxelSize, vtkPointData* arrays);
   void AddArrays(const LatticeMesh& mesh, const MeshBand& band, vtkPointData* arrays);
+  // All grids so far.
+  void MoveBy(const std::array<double, 3>& offset);
   void AddImage(vtkImageData* image);
   void Add(const openvdb::GridBase::Ptr& grid);
 

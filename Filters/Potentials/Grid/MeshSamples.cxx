@@ -3,6 +3,7 @@
 #include "Grid/InsideMask.h"
 #include "Grid/MeshDistance.h"
 #include "Grid/MeshVoxels.h"
+#include "Grid/OpenMesh.h"
 #include "LatticeCell.h"
 #include "LatticeShape.h"
 #include "OpenVDB.h"
@@ -94,16 +95,18 @@ MeshSamples::MeshSamples(const MeshTriangles& mesh, const MeshMeasure& measure)
   CheckNumber(measure.Thickness, "MeshThickness");
   CheckMesh(mesh);
   this->Measure(measure);
-  const bool isShell = measure.Thickness > 0.0 && !mesh.Defects.IsClosed();
+  const bool isClosed = mesh.Defects.IsClosed();
+  const bool isShell = measure.Thickness > 0.0 && !isClosed;
   if (isShell)
   {
     this->Thicken(measure.Thickness);
   }
   const double band = this->Reach + this->HalfShell + Margin;
   CheckSize(mesh, this->VoxelSize, band, measure.MaximumNumberOfVoxels);
-  this->Distance = MakeMeshDistance(mesh, { this->VoxelSize, band, !isShell });
+  this->Distance = isClosed || isShell ? MakeMeshDistance(mesh, { this->VoxelSize, band, !isShell })
+                                       : MakeOpenMeshDistance(mesh, this->VoxelSize, band);
   this->Distance->tree().evalLeafBoundingBox(this->Leaves);
-  if (isShell || mesh.Defects.IsClosed())
+  if (isShell || isClosed)
   {
     this->Surface = activesurface::SampleSurface(mesh);
     this->Surface.IsMiddle = isShell;

@@ -38,7 +38,7 @@ private:
   double VoxelSize = 0.0;
   double Reach = 0.0;                    // voxels
   double HalfShell = 0.0;                // voxels; taken off the distance
-  openvdb::FloatGrid::ConstPtr Distance; // of MakeMeshDistance
+  openvdb::FloatGrid::ConstPtr Distance; // of MakeMeshDistance or MakeOpenMeshDistance
   openvdb::CoordBBox Leaves;             // holds all that is nearer than Reach, and all inside
   std::array<double, 6> Bounds;
   SurfaceSample Surface; // none of an open mesh that is no shell

@@ -48,6 +48,7 @@ void FillSkinPort(
     skin->GetPointData()->SetNormals(normals);
   }
   AddSkinArrays(properties, simulation, normals, skin);
+  MoveToWorld(simulation.GetOrigin(), skin);
 }
 
 void FillPort(int port, const SurfaceProperties& properties, const SurfaceSimulation& simulation,
@@ -61,7 +62,7 @@ void FillPort(int port, const SurfaceProperties& properties, const SurfaceSimula
     case OutputPorts::Potential:
       RequestSomeExtent(output, properties.Share);
       FillPotential(simulation.GetBand(),
-        output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()),
+        output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()), simulation.GetOrigin(),
         vtkImageData::SafeDownCast(data));
       break;
     default:
@@ -110,13 +111,13 @@ void OutputPorts::Fill(const SurfaceProperties& properties, SurfaceSimulation& s
   }
   this->AreFilled = true;
   this->Filled = simulation.GetRequestedTime();
-  this->Function.Renew(&simulation.GetBand());
+  this->Function.Renew(&simulation.GetBand(), simulation.GetOrigin());
 }
 
 void OutputPorts::Clear(vtkInformationVector* output)
 {
   this->AreFilled = false;
-  this->Function.Renew(nullptr);
+  this->Function.Renew(nullptr, {});
   for (int port = 0; port < NumberOfPorts; ++port)
   {
     vtkInformation* out = output->GetInformationObject(port);

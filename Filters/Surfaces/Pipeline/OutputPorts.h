@@ -46,7 +46,8 @@ public:
   // Of the skin that was made last; the same object always.
   vtkGridPotential* GetSkinFunction(const SurfaceSimulation& simulation)
   {
-    return this->Function.Get(this->AreFilled ? simulation.FindSkinAt(this->Filled) : nullptr);
+    return this->Function.Get(
+      this->AreFilled ? simulation.FindSkinAt(this->Filled) : nullptr, simulation.GetOrigin());
   }
 
 private:

@@ -106,7 +106,8 @@ void PublishExtent(vtkInformation* output, const SurfaceDomain* domain)
   }
   const double size = domain ? domain->VoxelSize : 1.0;
   output->Set(SDDP::WHOLE_EXTENT(), extent, 6);
-  output->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
+  const std::array<double, 3> origin = domain ? domain->Origin : std::array<double, 3>{};
+  output->Set(vtkDataObject::ORIGIN(), origin.data(), 3);
   output->Set(vtkDataObject::SPACING(), size, size, size);
 }
 

@@ -5,6 +5,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <memory>
 
 class vtkGridPotential;
@@ -22,11 +23,12 @@ public:
   ~SkinFunction();
 
   // The same object always. The first time it is asked for it becomes that of this skin, later it
-  // is that of the skin for which it was last renewed; null: outside everywhere.
-  vtkGridPotential* Get(const NarrowBand* band);
+  // is that of the skin for which it was last renewed; null: outside everywhere. The band's
+  // positions are relative to the origin.
+  vtkGridPotential* Get(const NarrowBand* band, const std::array<double, 3>& origin);
 
   // Takes a snapshot, if anybody has asked for the function.
-  void Renew(const NarrowBand* band);
+  void Renew(const NarrowBand* band, const std::array<double, 3>& origin);
 
 private:
   vtkSmartPointer<vtkGridPotential> Function; // null until somebody asks for it

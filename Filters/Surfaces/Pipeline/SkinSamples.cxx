@@ -7,8 +7,10 @@
 namespace activesurface
 {
 
-SkinSamples::SkinSamples(std::shared_ptr<const SkinDistance> skin)
+SkinSamples::SkinSamples(
+  std::shared_ptr<const SkinDistance> skin, const std::array<double, 3>& origin)
   : Skin(std::move(skin))
+  , Origin(origin)
 {
 }
 
@@ -16,12 +18,19 @@ SkinSamples::~SkinSamples() = default;
 
 double SkinSamples::Evaluate(const double x[3], double* gradient) const
 {
-  return this->Skin->Evaluate(x, gradient);
+  const double relative[3] = { x[0] - this->Origin[0], x[1] - this->Origin[1],
+    x[2] - this->Origin[2] };
+  return this->Skin->Evaluate(relative, gradient);
 }
 
 bool SkinSamples::GetBounds(double bounds[6]) const
 {
-  return this->Skin->GetBounds(bounds);
+  const bool hasSurface = this->Skin->GetBounds(bounds);
+  for (int i = 0; hasSurface && i < 6; ++i)
+  {
+    bounds[i] += this->Origin[i / 2];
+  }
+  return hasSurface;
 }
 
 }

@@ -5,6 +5,7 @@
 
 #include "GridSamples.h"
 
+#include <array>
 #include <memory>
 
 namespace activesurface
@@ -15,7 +16,8 @@ class SkinDistance;
 class SkinSamples : public GridSamples
 {
 public:
-  explicit SkinSamples(std::shared_ptr<const SkinDistance> skin);
+  // The skin's positions are relative to the origin.
+  SkinSamples(std::shared_ptr<const SkinDistance> skin, const std::array<double, 3>& origin);
   ~SkinSamples() override;
 
   double Evaluate(const double x[3], double* gradient) const override;
@@ -23,6 +25,7 @@ public:
 
 private:
   std::shared_ptr<const SkinDistance> Skin;
+  std::array<double, 3> Origin;
 };
 
 }

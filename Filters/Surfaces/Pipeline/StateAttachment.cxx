@@ -19,6 +19,7 @@ void AttachState(const SurfaceSimulation& simulation, vtkDataObject* data, vtkPo
   PublishTime(data, time.Time, settings.IsEquilibrium());
   auto attached = std::make_shared<AttachedState>();
   attached->State.Band = simulation.ShareBand();
+  attached->State.Origin = simulation.GetOrigin();
   attached->State.Time = time.Time.Value;
   attached->State.History = simulation.GetHistory();
   attached->WholeArrays = arrays;

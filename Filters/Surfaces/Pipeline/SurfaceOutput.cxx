@@ -94,11 +94,29 @@ void FillSkin(const NarrowBand& band, vtkFloatArray* normals, vtkPolyData* skin)
   skin->SetPolys(MakeCells(corners));
 }
 
-void FillPotential(const NarrowBand& band, const int extent[6], vtkImageData* potential)
+void MoveToWorld(const std::array<double, 3>& origin, vtkPolyData* skin)
+{
+  if (origin == std::array<double, 3>{})
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->DeepCopy(skin->GetPoints()->GetData());
+  for (vtkIdType i = 0; i < coordinates->GetNumberOfValues(); ++i)
+  {
+    coordinates->SetValue(i, coordinates->GetValue(i) + origin[i % 3]);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  skin->SetPoints(points);
+}
+
+void FillPotential(const NarrowBand& band, const int extent[6], const std::array<double, 3>& origin,
+  vtkImageData* potential)
 {
   const double spacing = band.GetVoxelSize();
   potential->SetExtent(const_cast<int*>(extent));
-  potential->SetOrigin(0.0, 0.0, 0.0);
+  potential->SetOrigin(origin.data());
   potential->SetSpacing(spacing, spacing, spacing);
   vtkNew<vtkFloatArray> distances;
   distances->SetName("Potential");

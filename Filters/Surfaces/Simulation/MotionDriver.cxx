@@ -117,7 +117,7 @@ Obstacle* MotionDriver::FindObstacle() const
   const SurfaceDomain* domain = this->Shapes.FindDomain();
   if (!this->Solid && function && domain)
   {
-    this->Solid = MakeObstacle(function, domain->VoxelSize);
+    this->Solid = MakeObstacle(function, domain->VoxelSize, domain->Origin);
   }
   return this->Solid.get();
 }

@@ -1,5 +1,6 @@
 #include "Simulation/SurfaceDomain.h"
 
+#include "LatticeOrigin.h"
 #include "Simulation/SurfaceSettings.h"
 
 #include <algorithm>
@@ -15,6 +16,17 @@ namespace
 
 constexpr double VoxelsPerSpacing = 2.0;
 constexpr double ReachPerSpacing = 3.0;
+
+void MoveToOrigin(SurfaceDomain& domain)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double* bounds = domain.Bounds + 2 * axis;
+    domain.Origin[axis] = FindLatticeOrigin(bounds[0], bounds[1], domain.VoxelSize);
+    bounds[0] -= domain.Origin[axis];
+    bounds[1] -= domain.Origin[axis];
+  }
+}
 
 SurfaceDomain MakeDomainOf(
   const SurfaceSettings& settings, const double bounds[6], double particleSpacing)
@@ -46,6 +58,7 @@ SurfaceDomain MakeDomainOf(
   domain.Reach = settings.Reach > 0.0 ? settings.Reach
     : particleSpacing > 0.0           ? ReachPerSpacing * particleSpacing
                                       : std::sqrt(square) / 8.0;
+  MoveToOrigin(domain);
   return domain;
 }
 

@@ -5,6 +5,8 @@
 
 #include "vtkBoundingBox.h"
 
+#include <array>
+
 namespace activesurface
 {
 
@@ -12,7 +14,10 @@ struct SurfaceSettings;
 
 struct SurfaceDomain
 {
-  double Bounds[6] = {};
+  // World position of the lattice node (0, 0, 0), which all positions within the simulation are
+  // relative to: a multiple of VoxelSize near the bounds, 0 along an axis where that is near.
+  std::array<double, 3> Origin = {};
+  double Bounds[6] = {}; // relative to Origin
   double VoxelSize = 0.0;
   double Reach = 0.0;
 

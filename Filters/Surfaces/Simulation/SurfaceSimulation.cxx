@@ -346,6 +346,7 @@ SavedState SurfaceSimulation::GetState() const
   {
     const int step = this->Way.GetStep();
     state.Band = this->Way.Share({ step, this->Settings.GetStep(step), false });
+    state.Origin = this->GetOrigin();
     state.Time = this->Settings.GetStep(step).Value;
     state.History = this->History.GetRows(static_cast<std::size_t>(step) + 1);
     state.Spacing = this->Shapes.GetEstimatedSpacing();
@@ -370,7 +371,9 @@ void SurfaceSimulation::RestoreLoaded()
   // A skin that has vanished keeps the time at which it did.
   const bool isOfAnotherTime =
     !band.IsEmpty() && std::fabs(band.GetTime() - motionTime) > 1e-9 * std::fabs(motionTime);
-  if (time.Between || isOfAnotherTime || band.GetVoxelSize() != this->FindDomain()->VoxelSize)
+  const bool isOfAnotherLattice = band.GetVoxelSize() != this->FindDomain()->VoxelSize ||
+    this->Loaded.Origin != this->GetOrigin();
+  if (time.Between || isOfAnotherTime || isOfAnotherLattice)
   {
     throw std::invalid_argument(
       "The state that was loaded is not one of this surface: its time is no "

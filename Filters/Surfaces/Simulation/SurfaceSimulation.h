@@ -43,7 +43,7 @@ struct SimulationLimits
 {
   int Threads = 0;
   std::size_t MaximumVoxels = 0;
-  int CheckpointInterval = 10;
+  int CheckpointInterval = 1;
   std::size_t CheckpointMemory = 0; // bytes
 };
 
@@ -119,6 +119,8 @@ public:
 
   // The surface, when Advance has reached the requested time.
   const NarrowBand& GetBand() const { return *this->ShareBand(); }
+  // World position of the band's node (0, 0, 0), which the band's positions are relative to.
+  const std::array<double, 3>& GetOrigin() const { return this->Shapes.GetOrigin(); }
   // To keep: it does not change any more.
   std::shared_ptr<const NarrowBand> ShareBand() const { return this->Way.Share(this->Requested); }
   // Whether it is the state at a step, to go on from.

@@ -58,6 +58,7 @@ void TargetBuilder::Clear()
   this->ThinPartsKnown = false;
   this->Initial.reset();
   this->DomainKnown = false;
+  this->Domain = SurfaceDomain();
 }
 
 void TargetBuilder::Add(int step, std::shared_ptr<InputShape> shape)
@@ -67,6 +68,7 @@ void TargetBuilder::Add(int step, std::shared_ptr<InputShape> shape)
     shape = std::make_shared<NoShape>();
   }
   this->CheckKind(step, *shape);
+  shape->MoveTo(this->GetOrigin());
   this->Prepare(step, *shape);
   this->Kind = shape->HasPoints() ? shape : this->Kind;
   this->Frames.Add(step, std::move(shape));
@@ -202,6 +204,7 @@ void TargetBuilder::SetInitial(std::shared_ptr<InputShape> shape)
       shape->GetName() +
       ", which is no initial shape: connect a closed mesh of polygons or an image.");
   }
+  shape->MoveTo(this->GetOrigin());
   this->Initial = std::move(shape);
 }
 
@@ -229,7 +232,23 @@ const SurfaceDomain* TargetBuilder::FindDomain()
     this->Domain = MakeDomainOfNothing(this->Settings);
     this->DomainKnown = true;
   }
+  this->MoveToOrigin();
   return this->DomainKnown ? &this->Domain : nullptr;
+}
+
+void TargetBuilder::MoveToOrigin()
+{
+  for (const int step : { this->Frames.FindLastStep() - 1, this->Frames.FindLastStep() })
+  {
+    if (InputShape* shape = this->Frames.Find(step))
+    {
+      shape->MoveTo(this->GetOrigin());
+    }
+  }
+  if (this->Initial)
+  {
+    this->Initial->MoveTo(this->GetOrigin());
+  }
 }
 
 // Of the first target and the initial shape, as far as they have any; false if more will be known.
@@ -331,8 +350,8 @@ void TargetBuilder::UseFramesFrom(int step)
 std::unique_ptr<PotentialTarget> TargetBuilder::MakeFunctionTarget() const
 {
   const ShapeOptions options = this->GetOptions();
-  return std::make_unique<ImplicitTarget>(
-    this->Settings.Inputs.TargetFunction, options.GetDifferenceStep(), options.Level);
+  return std::make_unique<ImplicitTarget>(this->Settings.Inputs.TargetFunction,
+    options.GetDifferenceStep(), options.Level, this->GetOrigin());
 }
 
 void TargetBuilder::MakeTarget()
@@ -389,7 +408,8 @@ std::unique_ptr<PotentialTarget> TargetBuilder::MakeStart()
   if (function || !this->Moving || !this->IsShared())
   {
     return function
-      ? std::make_unique<ImplicitTarget>(function, options.GetDifferenceStep(), TargetOptions())
+      ? std::make_unique<ImplicitTarget>(function, options.GetDifferenceStep(), TargetOptions(),
+          this->Initial ? std::array<double, 3>{} : this->GetOrigin())
       : nullptr;
   }
   // Of its own, as it tells less than the one that moves, and goes after the start.

@@ -85,6 +85,8 @@ public:
   const SurfaceDomain* FindDomain();
   // Null too where it was not asked for.
   const SurfaceDomain* GetDomain() const { return this->DomainKnown ? &this->Domain : nullptr; }
+  // What the positions of all shapes are relative to, see SurfaceDomain.
+  const std::array<double, 3>& GetOrigin() const { return this->Domain.Origin; }
 
   // Whether the surface would start on an empty frame.
   bool StartsOnNothing() const;
@@ -129,6 +131,8 @@ private:
   void PrepareInitial();
   double GetSpacing() const;
   double GetNoise() const;
+  // The shapes that are held, to positions relative to the domain's origin.
+  void MoveToOrigin();
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;
   bool IsShared() const { return this->Ranks && !this->Ranks->IsAlone(); }
   std::unique_ptr<PotentialTarget> MakeFunctionTarget() const;

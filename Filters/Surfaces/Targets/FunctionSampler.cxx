@@ -194,8 +194,10 @@ void FunctionSampler::Node::TakeDifferences(const double x[3], double gradient[3
   }
 }
 
-FunctionSampler::FunctionSampler(vtkImplicitFunction* function, double step)
+FunctionSampler::FunctionSampler(
+  vtkImplicitFunction* function, double step, const std::array<double, 3>& origin)
   : Root(std::make_unique<Node>(function, step))
+  , Origin(origin)
 {
 }
 
@@ -207,6 +209,22 @@ bool FunctionSampler::IsThreadSafe() const
 }
 
 void FunctionSampler::Sample(
+  std::size_t count, const double* points, double* values, double* gradients) const
+{
+  if (this->Origin == std::array<double, 3>{})
+  {
+    this->SampleWorld(count, points, values, gradients);
+    return;
+  }
+  std::vector<double> world(points, points + 3 * count);
+  for (std::size_t i = 0; i < world.size(); ++i)
+  {
+    world[i] += this->Origin[i % 3];
+  }
+  this->SampleWorld(count, world.data(), values, gradients);
+}
+
+void FunctionSampler::SampleWorld(
   std::size_t count, const double* points, double* values, double* gradients) const
 {
   if (this->Root->InBatches)

@@ -7,6 +7,7 @@
 #ifndef FunctionSampler_h
 #define FunctionSampler_h
 
+#include <array>
 #include <cstddef>
 #include <memory>
 
@@ -18,8 +19,10 @@ namespace activesurface
 class FunctionSampler
 {
 public:
-  // step: of the central differences [world units]. The function must not change meanwhile.
-  FunctionSampler(vtkImplicitFunction* function, double step);
+  // step: of the central differences [world units]; origin: what the points are relative to. The
+  // function must not change meanwhile.
+  FunctionSampler(
+    vtkImplicitFunction* function, double step, const std::array<double, 3>& origin = {});
   ~FunctionSampler();
 
   // True for the functions whose evaluation is known to leave them unchanged.
@@ -31,7 +34,11 @@ public:
   struct Node;
 
 private:
+  void SampleWorld(
+    std::size_t count, const double* points, double* values, double* gradients) const;
+
   std::unique_ptr<Node> Root;
+  std::array<double, 3> Origin;
 };
 
 }

@@ -3,6 +3,12 @@
 #include "Targets/BlendedTarget.h"
 #include "Targets/ShapeOptions.h"
 
+#include "AttachedData.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+
 #include <utility>
 
 namespace activesurface
@@ -22,6 +28,28 @@ vtkSmartPointer<vtkDataSet> FunctionShape::CopyPointsAndCells(vtkDataSet* data)
   copy.TakeReference(data->NewInstance());
   copy->DeepCopy(structure);
   return copy;
+}
+
+void FunctionShape::MoveBy(const double offset[3])
+{
+  this->Function = nullptr;
+  if (auto image = vtkImageData::SafeDownCast(this->Data))
+  {
+    const double* origin = image->GetOrigin();
+    image->SetOrigin(origin[0] + offset[0], origin[1] + offset[1], origin[2] + offset[2]);
+    MoveAttachedGrid(image->GetInformation(), offset);
+    return;
+  }
+  auto mesh = vtkPointSet::SafeDownCast(this->Data);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(mesh->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double* x = mesh->GetPoint(i);
+    points->SetPoint(i, x[0] + offset[0], x[1] + offset[1], x[2] + offset[2]);
+  }
+  mesh->SetPoints(points);
 }
 
 std::unique_ptr<MovingTarget> FunctionShape::MakeBlend(const TargetFrames& frames,

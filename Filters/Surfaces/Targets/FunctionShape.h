@@ -36,6 +36,8 @@ protected:
   /** Whether the functions tell of their parts, see GridParts.h. */
   virtual bool KnowsParts() const { return true; }
 
+  void MoveBy(const double offset[3]) override;
+
   vtkSmartPointer<vtkDataSet> Data;
   vtkSmartPointer<vtkImplicitFunction> Function; //< null until it is prepared
 };

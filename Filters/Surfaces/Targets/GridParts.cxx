@@ -17,21 +17,41 @@ vtkGridPotential* FindGrid(vtkImplicitFunction* function)
   return grid && !grid->GetTransform() ? grid : nullptr;
 }
 
-/** A part of the other side. */
-class InvertedPart : public TargetPart
+/** A part relative to an origin, of either side. */
+class RelativePart : public TargetPart
 {
 public:
-  explicit InvertedPart(const TargetPart& part)
+  RelativePart(const TargetPart& part, bool inverted, const std::array<double, 3>& origin)
     : Part(part)
+    , Inverted(inverted)
+    , Origin(origin)
   {
   }
 
-  bool IsHollow() const override { return !this->Part.IsHollow(); }
-  void ForEachSample(const PointVisitor& visit) const override { this->Part.ForEachSample(visit); }
-  void ForEachPoint(const PointVisitor& visit) const override { this->Part.ForEachPoint(visit); }
+  bool IsHollow() const override { return this->Part.IsHollow() != this->Inverted; }
+  void ForEachSample(const PointVisitor& visit) const override
+  {
+    this->Part.ForEachSample(this->Move(visit));
+  }
+  void ForEachPoint(const PointVisitor& visit) const override
+  {
+    this->Part.ForEachPoint(this->Move(visit));
+  }
 
 private:
+  PointVisitor Move(const PointVisitor& visit) const
+  {
+    return [this, &visit](const double x[3])
+    {
+      const double moved[3] = { x[0] - this->Origin[0], x[1] - this->Origin[1],
+        x[2] - this->Origin[2] };
+      return visit(moved);
+    };
+  }
+
   const TargetPart& Part;
+  const bool Inverted;
+  const std::array<double, 3>& Origin;
 };
 
 }
@@ -42,22 +62,17 @@ bool KnowsParts(vtkImplicitFunction* function, const TargetOptions& options)
   return grid && grid->FindParts(options.IsoValue);
 }
 
-void ForEachPartOf(
-  vtkImplicitFunction* function, const TargetOptions& options, const PartVisitor& visit)
+void ForEachPartOf(vtkImplicitFunction* function, const TargetOptions& options,
+  const PartVisitor& visit, const std::array<double, 3>& origin)
 {
   vtkGridPotential* grid = FindGrid(function);
   const std::shared_ptr<const LatticeParts> parts =
     grid ? grid->FindParts(options.IsoValue) : nullptr;
-  if (!parts)
+  if (parts)
   {
-    return;
+    parts->ForEachPart(
+      [&](const TargetPart& part) { visit(RelativePart(part, options.Invert, origin)); });
   }
-  if (!options.Invert)
-  {
-    parts->ForEachPart(visit);
-    return;
-  }
-  parts->ForEachPart([&visit](const TargetPart& part) { visit(InvertedPart(part)); });
 }
 
 SurfacePoints FindSurfaceOf(vtkImplicitFunction* function, const TargetOptions& options)

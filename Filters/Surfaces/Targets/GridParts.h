@@ -7,6 +7,8 @@
 #include "InitialFunction.h"
 #include "TargetRegion.h"
 
+#include <array>
+
 class vtkImplicitFunction;
 
 namespace activesurface
@@ -17,9 +19,10 @@ struct TargetOptions;
 /** Whether they are known. */
 bool KnowsParts(vtkImplicitFunction* function, const TargetOptions& options);
 
-/** Of F - iso, or of iso - F if it is inverted; none where they are not known. */
-void ForEachPartOf(
-  vtkImplicitFunction* function, const TargetOptions& options, const PartVisitor& visit);
+/** Of F - iso, or of iso - F if it is inverted; none where they are not known. Their points are
+ * given relative to an origin. */
+void ForEachPartOf(vtkImplicitFunction* function, const TargetOptions& options,
+  const PartVisitor& visit, const std::array<double, 3>& origin = {});
 
 /** None where it is not known, or the inside has no end. */
 SurfacePoints FindSurfaceOf(vtkImplicitFunction* function, const TargetOptions& options);

@@ -17,10 +17,12 @@ class ImplicitTarget : public PotentialTarget
 {
 public:
   // As of FunctionSampler.
-  ImplicitTarget(vtkImplicitFunction* function, double step, const TargetOptions& options)
+  ImplicitTarget(vtkImplicitFunction* function, double step, const TargetOptions& options,
+    const std::array<double, 3>& origin = {})
     : PotentialTarget(options)
     , Source(function)
-    , Function(function, step)
+    , Function(function, step, origin)
+    , Origin(origin)
   {
   }
 
@@ -31,11 +33,12 @@ public:
   bool HasRegions() const override { return KnowsParts(this->Source, this->GetOptions()); }
   void ForEachPart(const PartVisitor& visit) const override
   {
-    ForEachPartOf(this->Source, this->GetOptions(), visit);
+    ForEachPartOf(this->Source, this->GetOptions(), visit, this->Origin);
   }
   SurfacePoints FindSurface() const override
   {
-    return FindSurfaceOf(this->Source, this->GetOptions());
+    const bool isAtOrigin = this->Origin == std::array<double, 3>{};
+    return isAtOrigin ? FindSurfaceOf(this->Source, this->GetOptions()) : SurfacePoints();
   }
 
 protected:
@@ -48,6 +51,7 @@ protected:
 private:
   vtkSmartPointer<vtkImplicitFunction> Source;
   FunctionSampler Function;
+  std::array<double, 3> Origin; // what the target's points are relative to, those of Source not
 };
 
 }

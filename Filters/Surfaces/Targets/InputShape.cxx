@@ -12,6 +12,19 @@ bool InputShape::IsOfKindOf(const InputShape& other) const
   return typeid(*this) == typeid(other);
 }
 
+void InputShape::MoveTo(const std::array<double, 3>& origin)
+{
+  if (origin != this->Origin)
+  {
+    const double offset[3] = { this->Origin[0] - origin[0], this->Origin[1] - origin[1],
+      this->Origin[2] - origin[2] };
+    this->MoveBy(offset);
+    this->Origin = origin;
+  }
+}
+
+void InputShape::MoveBy(const double[3]) {}
+
 bool InputShape::IsEmptyAs(const InputShape&) const
 {
   return false;

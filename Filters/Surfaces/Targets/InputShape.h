@@ -5,6 +5,7 @@
 #ifndef InputShape_h
 #define InputShape_h
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -39,6 +40,10 @@ public:
 
   /** Without points that can be used: no surface can start there. */
   virtual bool IsEmpty() const { return false; }
+
+  /** Makes all positions relative to an origin, from those of the last call or of the input. If
+   * they change, Prepare has to come again. */
+  void MoveTo(const std::array<double, 3>& origin);
 
   /** Else points alone. */
   virtual bool HasCells() const { return true; }
@@ -85,6 +90,13 @@ public:
 
   /** Checksum of the data that it was made of (ContentSum.h); on several ranks, of this rank's. */
   std::uint64_t Content = 0;
+
+protected:
+  /** Adds the offset to all positions. */
+  virtual void MoveBy(const double offset[3]);
+
+private:
+  std::array<double, 3> Origin = {};
 };
 
 }

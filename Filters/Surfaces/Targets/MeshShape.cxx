@@ -72,9 +72,8 @@ std::string MeshShape::Prepare(ShapePreparation& preparation)
   const std::string defects = grid->GetDefects();
   return defects.empty() || thickness != 0.0 ? defects
                                              : defects +
-      " Where it is open it has no inside: at a seam, merge the points (vtkCleanPolyData); of a "
-      "mesh "
-      "that is meant to be open, a MeshThickness > 0 makes a shell.";
+      " Its holes are closed from rim to rim, by winding numbers; at a seam, merge the points "
+      "(vtkCleanPolyData); of a mesh that is meant to be open, a MeshThickness > 0 makes a shell.";
 }
 
 // At another level its parts are thicker, or thinner.

@@ -147,6 +147,22 @@ void ParticleFrame::GiveRadius(double radius)
   }
 }
 
+void ParticleFrame::MoveBy(const double offset[3])
+{
+  for (SkeletonVertex& particle : this->Particles)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      particle.Position[axis] += offset[axis];
+    }
+  }
+  this->HasFits = false;
+  if (this->Shared)
+  {
+    this->Shared->Homes.reset();
+  }
+}
+
 bool ParticleFrame::GetBounds(double bounds[6]) const
 {
   if (this->Shared)

@@ -61,6 +61,9 @@ struct ParticleFrame
 
   void GiveRadius(double radius);
 
+  // To other positions, which fits and homes are to be found for again.
+  void MoveBy(const double offset[3]);
+
   // The box of the supports of all; false without particles. Where ranks share them, as they were
   // when they came home.
   bool GetBounds(double bounds[6]) const;

@@ -5,8 +5,7 @@
 #include "Targets/SharedFrame.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkCellTypes.h"
-#include "vtkNew.h"
+#include "vtkCellType.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
@@ -22,14 +21,10 @@ namespace
 // A vtkPolyData of another kind has been taken for that.
 void CheckHasVerticesOnly(vtkDataSet* data)
 {
-  vtkNew<vtkCellTypes> types;
-  if (!vtkPolyData::SafeDownCast(data))
+  const vtkIdType count = vtkPolyData::SafeDownCast(data) ? 0 : data->GetNumberOfCells();
+  for (vtkIdType i = 0; i < count; ++i)
   {
-    data->GetCellTypes(types);
-  }
-  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
-  {
-    const int type = types->GetCellType(i);
+    const int type = data->GetCellType(i);
     if (type != VTK_EMPTY_CELL && type != VTK_VERTEX && type != VTK_POLY_VERTEX)
     {
       throw std::invalid_argument(std::string("A ") + data->GetClassName() +

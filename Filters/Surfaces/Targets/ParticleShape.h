@@ -33,6 +33,9 @@ public:
   const ParticleFrame* GetParticles() const override { return &this->Particles; }
   bool HasArrays(const ParticleArrays& arrays) const override { return this->Kept == arrays; }
 
+protected:
+  void MoveBy(const double offset[3]) override { this->Particles.MoveBy(offset); }
+
 private:
   ParticleFrame Particles;
   ParticleArrays Kept;

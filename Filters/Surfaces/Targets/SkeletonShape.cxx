@@ -111,6 +111,12 @@ std::string SkeletonShape::Prepare(ShapePreparation& preparation)
       "radius is not > 0, or the point does not exist.";
 }
 
+void SkeletonShape::MoveBy(const double offset[3])
+{
+  FunctionShape::MoveBy(offset);
+  this->Points.MoveBy(offset);
+}
+
 void SkeletonShape::AddBounds(const ShapeOptions&, vtkBoundingBox& shapes, vtkBoundingBox&) const
 {
   double bounds[6];

@@ -32,6 +32,7 @@ public:
 
 protected:
   bool KnowsParts() const override { return false; }
+  void MoveBy(const double offset[3]) override;
 
 private:
   ParticleFrame Points;

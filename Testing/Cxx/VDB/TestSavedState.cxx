@@ -30,7 +30,7 @@ TEST(TestSavedState, StateComesBackAndGoesOnToTheSameBits)
   row.EulerCharacteristic = -4;
   row.Outside = 1.0 / 7.0;
   row.Event = "2 parts merge";
-  const SavedState saved = ReadSavedGrid(*MakeSavedGrid({ band, 2.5, { HistoryRow(), row } }));
+  const SavedState saved = ReadSavedGrid(*MakeSavedGrid({ band, {}, 2.5, { HistoryRow(), row } }));
   EXPECT_EQ(saved.Time, 2.5) << "pipeline time";
   ASSERT_EQ(saved.History.size(), 2u);
   EXPECT_EQ(saved.History[1].Time, row.Time) << "not rounded";
@@ -54,7 +54,7 @@ TEST(TestSavedState, AFileWithoutTheShareOutsideIsRead)
   StartOn(*band, MakeBall(CentreA, 0.4));
   HistoryRow row;
   row.Event = "split";
-  const openvdb::FloatGrid::Ptr grid = MakeSavedGrid({ band, 0.0, { HistoryRow(), row } });
+  const openvdb::FloatGrid::Ptr grid = MakeSavedGrid({ band, {}, 0.0, { HistoryRow(), row } });
   grid->removeMeta("active_history_outside");
   const SavedState saved = ReadSavedGrid(*grid);
   ASSERT_EQ(saved.History.size(), 2u);
@@ -72,9 +72,9 @@ TEST(TestSavedState, AnEstimatedSpacingComesBack)
 {
   const auto band = std::make_shared<NarrowBand>(VoxelSizeOf(32));
   StartOn(*band, MakeBall(CentreA, 0.4));
-  const openvdb::FloatGrid::Ptr grid = MakeSavedGrid({ band, 0.0, {}, 1.0 / 3.0 });
+  const openvdb::FloatGrid::Ptr grid = MakeSavedGrid({ band, {}, 0.0, {}, 1.0 / 3.0 });
   EXPECT_EQ(ReadSavedGrid(*grid).Spacing, 1.0 / 3.0) << "not rounded";
-  EXPECT_EQ(ReadSavedGrid(*MakeSavedGrid({ band, 0.0, {} })).Spacing, 0.0) << "none";
+  EXPECT_EQ(ReadSavedGrid(*MakeSavedGrid({ band, {}, 0.0, {} })).Spacing, 0.0) << "none";
   grid->insertMeta("active_spacing", openvdb::DoubleMetadata(-1.0));
   EXPECT_TRUE(Throws<std::runtime_error>([&] { ReadSavedGrid(*grid); }, "damaged"));
 }

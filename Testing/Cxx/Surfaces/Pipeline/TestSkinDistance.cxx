@@ -305,7 +305,7 @@ TEST(TestSkinDistance, SnapshotKeepsItsBytes)
   band->Advance(0.7, Attracted(1.0), target);
   band.reset();
   vtkNew<vtkGridPotential> potential;
-  potential->SetSamples(std::make_shared<SkinSamples>(skin));
+  potential->SetSamples(std::make_shared<SkinSamples>(skin, std::array<double, 3>{}));
   std::vector<std::vector<double>> byThread(4);
   std::vector<std::thread> threads;
   for (auto& own : byThread)

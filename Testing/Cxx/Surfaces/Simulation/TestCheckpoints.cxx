@@ -173,6 +173,7 @@ TEST(TestCheckpoints, GoingBackCostsLessThanAnInterval)
 TEST(TestCheckpoints, AbortsLeaveNoTrace)
 {
   auto filter = MakeSkinOverDrops(MakeDrops());
+  filter->SetCheckpointInterval(10); // ways long enough to be stopped
   int left = 0;
   vtkNew<vtkCallbackCommand> watcher;
   watcher->SetClientData(&left);

@@ -245,7 +245,8 @@ TEST(TestGridParts, PaperCreatesNone)
 }
 
 // A triangle a million voxels away, which has no inside, costs itself: a start from all nodes of
-// the box was refused.
+// the box was refused. The mesh is not closed any more, so other triangles are tried as the nearest
+// one of a node: distances agree to a thousandth of a voxel.
 TEST(TestGridParts, StrayTriangleCostsItself)
 {
   vtkNew<vtkPoints> points;
@@ -258,7 +259,7 @@ TEST(TestGridParts, StrayTriangleCostsItself)
   vtkNew<vtkPolyData> stray;
   stray->SetPoints(points);
   stray->SetPolys(triangle);
-  const auto bytesOver = [](vtkPolyData* mesh)
+  const auto volumeOver = [](vtkPolyData* mesh)
   {
     auto filter = MakeSkinOver(mesh);
     filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0); // those of the mesh
@@ -266,10 +267,11 @@ TEST(TestGridParts, StrayTriangleCostsItself)
     MessageCapture messages(filter);
     filter->UpdateTimeStep(1.0);
     EXPECT_EQ(messages.Errors.size(), 0u);
-    return GetBytes(filter);
+    return GetNumber(filter, 1, "Volume");
   };
-  EXPECT_TRUE(
-    AreSameSkins(bytesOver(Append({ MakeBallMesh(0.5), stray })), bytesOver(MakeBallMesh(0.5))));
+  const double alone = volumeOver(MakeBallMesh(0.5));
+  const double area = 3.1416; // of the ball
+  EXPECT_NEAR(volumeOver(Append({ MakeBallMesh(0.5), stray })), alone, 0.001 * VoxelSize * area);
 }
 
 }
