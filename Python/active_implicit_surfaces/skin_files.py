@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 
@@ -112,6 +113,7 @@ def read_shape(path: Path, level: float | None = None, parts: Sequence[Path] = (
     if suffix not in MESH_SUFFIXES:
         raise OSError(f"{path}: meshes and images are read from {', '.join(MESH_SUFFIXES)}.")
     data = _read_glb(path) if suffix == ".glb" else read_vtk(path)
+    count = data.GetNumberOfElements(vtkDataObject.POINT)  # a surface leaves points alone out
     if data.IsA("vtkCompositeDataSet"):
         data = surface_of(data)
     _check_corners(path, data)
@@ -119,7 +121,7 @@ def read_shape(path: Path, level: float | None = None, parts: Sequence[Path] = (
         return data if level is None else contour(data, level)
     if not data.IsA("vtkPointSet"):
         raise OSError(f"{path} has no mesh: it holds a {data.GetClassName()}.")
-    if data.IsA("vtkPolyData") and data.GetNumberOfPoints() == 0 and suffix != ".obj":
+    if data.IsA("vtkPolyData") and count == 0 and suffix != ".obj":
         return data  # an empty skin; any text without vertices is such an .obj
     try:
         return as_shape(data)

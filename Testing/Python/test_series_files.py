@@ -203,6 +203,8 @@ class Blocks(ReaderTest):
         self.succeed("skin", "a_*.vtm", "-o", "s_#.ply")
         self.succeed("convert", "a_0.vtm", "-o", "b.csv")
         self.assertEqual(count_in("b.csv"), 250)
+        self.succeed("convert", "a_0.vtm", "-o", "b.vtp")
+        self.assertEqual(count_in("b.vtp"), 250)
 
     def test_a_vtm_of_meshes_is_one(self):
         blocks = vtkMultiBlockDataSet()

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
 from ..contours import contour, usual_level
 from ..file_names import (
@@ -112,11 +112,12 @@ def _holds_particles(path: Path, output: Path) -> bool:
             raise OSError(f"{path}: files are read from {', '.join(INPUT_SUFFIXES)}.")
         return suffix in PARTICLE_SUFFIXES
     data = read_vtk(path)
+    count = data.GetNumberOfElements(vtkDataObject.POINT)
     if data.IsA("vtkCompositeDataSet"):
         data = surface_of(data)
     if suffix == ".vdb" or not data.IsA("vtkPolyData"):
         return bool(data.IsA("vtkPointSet") and data.GetNumberOfCells() <= _vertices(data))
-    if data.GetNumberOfPoints() == 0:
+    if count == 0:
         return suffix_of(output) not in MESH_WRITERS  # an empty skin, or no particles
     return bool(data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0)
 
