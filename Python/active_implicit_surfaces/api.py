@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Sequence
+from typing import Any
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
@@ -11,6 +11,7 @@ from . import properties, vtkActiveImplicitSurface
 from .data_objects import STANDARD_NAMES, as_particles, like
 from .messages import listening, warn_all
 from .presets import apply_preset, estimate_spacing, is_point_cloud, series_spacing
+from .runner import Skins, copy_of, update
 from .series import ParticleSeries, TemporalSource
 
 # Numbers of SetInputArrayToProcess, and the keywords that give such an array.
@@ -20,13 +21,6 @@ _FAR = 1.5  # as a factor: half and twice are
 _SAME = 1.01
 _LEAST_REACH = 1.2  # of a kernel, in spacings
 _USUAL_IDS = ("id", "ids", "particle_id", "particleid", "pid")
-
-
-class Frame(NamedTuple):
-    """A skin, and its time."""
-
-    time: float
-    skin: Any
 
 
 def skin(
@@ -90,7 +84,7 @@ def skin(
     return like(particles, copy_of(surface.GetOutput()))
 
 
-class frames:
+class frames(Skins):
     """The skins over a series of particles, one after the other, each going on from the last.
 
     Parameters
@@ -161,25 +155,8 @@ class frames:
         self.surface = vtkActiveImplicitSurface()
         self.surface.SetInputConnection(self.source.GetOutputPort())
         configure(self.surface, self.source, preset=preset, arrays=arrays, **options)
-        self._progress = progress
-        self._loop: Iterator[Frame] | None = None
+        self.times, self._progress = self.source.times, progress
         self._example = None if is_source else _first_of(particles)
-
-    def __len__(self) -> int:
-        return len(self.source.times)
-
-    def __next__(self) -> Frame:
-        """The next skin, as of one loop over all of them."""
-        if self._loop is None:
-            self._loop = iter(self)
-        return next(self._loop)
-
-    def __iter__(self) -> Iterator[Frame]:
-        for step, time in enumerate(self.source.times):
-            update(self.surface, time, self.source)
-            if self._progress:
-                self._progress(step + 1, len(self))
-            yield Frame(time, like(self._example, copy_of(self.surface.GetOutput())))
 
 
 class LiveSurface:
@@ -337,23 +314,6 @@ def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
                 f"The particles have no point array {name!r}, chosen for {role}; "
                 + (f"there are {there}." if there else "they have none.")
             )
-
-
-def update(surface: Any, time: float, source: TemporalSource) -> None:
-    """Takes a filter to a time; its errors are ValueError, those of the source what they are."""
-    with listening(surface, source) as heard:
-        surface.UpdateTimeStep(time)
-    if source.failure is not None:
-        raise source.failure
-    heard.raise_error(ValueError)
-    warn_all(heard.warnings)
-
-
-def copy_of(data: Any) -> Any:
-    """A data object of the same arrays that the next update leaves alone."""
-    copy = data.NewInstance()
-    copy.ShallowCopy(data)
-    return copy
 
 
 def _sort_arrays(given: dict[str, Any]) -> tuple[dict[str, str], dict[str, Any]]:

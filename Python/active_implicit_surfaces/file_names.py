@@ -223,9 +223,19 @@ def numbered(name: str | Path, number: int) -> Path:
     mark = _NUMBER.search(path.name)
     if mark is None:
         return path.with_name(f"{path.stem}_{number:04}{path.suffix}")
+    return path.with_name(_with_number(path.name, mark, number))
+
+
+def _with_number(name: str, mark: re.Match[str], number: int) -> str:
     text = mark[0]
     digits = len(text) if text[0] == "#" else int(re.sub(r"\D", "", text) or 1)
-    return path.with_name(f"{path.name[: mark.start()]}{number:0{digits}}{path.name[mark.end() :]}")
+    return f"{name[: mark.start()]}{number:0{digits}}{name[mark.end() :]}"
+
+
+def names_of(name: str | Path, numbers: Sequence[int]) -> list[Path]:
+    """The names of frames of these numbers; of one frame the name itself, unless it has a ####."""
+    is_series = len(numbers) > 1 or has_number(name)
+    return [numbered(name, number) if is_series else Path(name) for number in numbers]
 
 
 def numbers_of(files: Sequence[str | Path]) -> list[int]:

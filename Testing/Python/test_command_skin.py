@@ -281,8 +281,8 @@ class Progress(unittest.TestCase):
             mock.patch.object(progress, "_SECONDS_BETWEEN_LINES", between),
         ):
             told = progress.Progress(100, 40, stream=stream)  # each look at the clock takes 2 s
-            told(41)
-            told(60)
+            told.add(40)
+            told.add(59)
         return stream.getvalue()
 
     def test_a_bar_on_a_terminal(self):

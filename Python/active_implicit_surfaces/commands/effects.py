@@ -82,7 +82,8 @@ def check_effects(
     known = {*facts, *_state_of(surface)}
     known |= {f"no_{name}" for name in ("times", "radii") if given.get(name) is None}
     known |= {"files", suffix_of(output)[1:]} if output else set()
-    known |= {"render", suffix_of(given["render"])[1:]} if given.get("render") else set()
+    if picture := suffix_of(given.get("render") or ""):
+        known |= {"render", picture[1:], *(["compute_velocity=on"] if picture == ".exr" else [])}
     idle = []
     for option, rows in _given(options):
         for row in rows:

@@ -156,15 +156,6 @@ def preset_help() -> str:
     return "\n".join(f"  {name:<10}{text}" for name, text in PRESETS.items())
 
 
-def add_film_option(parser: Parser) -> None:
-    """--render."""
-    parser.add_argument(
-        "--render",
-        metavar="FILM",
-        help="film.mp4, film.ogv, frame.####.png or frame.####.exr (with depth, normals, motion)",
-    )
-
-
 def add_picture_options(parser: Parser, up: str) -> None:
     """How pictures are; `up` is what --up is by default."""
     pictures = parser.add_argument_group("pictures")

@@ -5,17 +5,19 @@ from __future__ import annotations
 import json
 import time
 from collections import Counter
+from contextlib import nullcontext, suppress
 from pathlib import Path
 from typing import Any
 
 from ..file_names import replacing, without_number
 from ..messages import listening
+from ..runner import Sink, Skins
 
 _SECONDS_BETWEEN_STATES = 20.0
 
 
-class Resumption:
-    """The state of the last frames done.
+class Resumption(Sink):
+    """The state of the last frames done; a sink, once it is bound to a run.
 
     Parameters
     ----------
@@ -40,6 +42,7 @@ class Resumption:
         self.view: list[Any] | None = None
         self._files = files
         self._saved = time.monotonic()
+        self._way, self._is_kept, self._first, self._done = Skins(), False, 0, 0
 
     def load(self, surface: Any, times: list[float]) -> int:
         """Gives the filter the state; returns the number of frames that are done, 0 without one.
@@ -90,6 +93,39 @@ class Resumption:
         with replacing(self.notes) as temporary:
             temporary.write_text(json.dumps(notes), encoding="utf-8")
         self._saved = time.monotonic()
+
+    def bind(self, way: Skins, names: list[Path], is_kept: bool) -> int:
+        """Binds the state to a run: the first frame to make, 0 unless the state is kept.
+
+        Raises
+        ------
+        OSError, ValueError
+            As of load, or a skin of an earlier frame is no longer there.
+        """
+        self._way, self._is_kept = way, is_kept
+        if not is_kept:
+            self.forget()
+            return 0
+        self._first = self._done = self.load(way.surface, way.times)
+        missing = [name for name in names[: self._first] if not name.exists()]
+        if missing:
+            raise OSError(
+                f"{missing[0]} is no longer there; run without --resume to make all skins anew."
+            )
+        return self._first
+
+    def add(self, step: int, data: Any) -> None:
+        self._done = step + 1
+        self.save(self._way.surface, self._way.times, self._done)
+
+    def __exit__(self, kind: Any, *_: Any) -> None:
+        if kind is None and not self._is_kept:
+            self.forget()
+        elif self._done > self._first:  # else the state is there already
+            # After an error the filter is still at the last frame that it has finished, and this
+            # error is the one to report.
+            with nullcontext() if kind is None else suppress(OSError):
+                self.save(self._way.surface, self._way.times, self._done, now=True)
 
     def forget(self) -> None:
         """Removes the state."""
