@@ -13,6 +13,7 @@ from .messages import listening, warn_all
 from .presets import apply_preset, estimate_spacing, is_point_cloud, series_spacing
 from .runner import Skins, copy_of, update
 from .series import ParticleSeries, TemporalSource
+from .times import times_between
 
 # Numbers of SetInputArrayToProcess, and the keywords that give such an array.
 _ARRAYS = {"radii": 0, "ids": 1, "strengths": 2, "velocities": 5}
@@ -95,6 +96,12 @@ class frames(Skins):
         See ParticleSeries [time].
     fps : float, optional
         See ParticleSeries [1/time].
+    where : str or sequence of str, optional
+        Conditions that the particles meet: "Type=1", "T>300", "id!=3,4", "x<0.5".
+    minimum_piece : int
+        Particles in clusters of fewer than these get no skin. Default: 1.
+    output_fps : float, optional
+        Skins per second [1/time], frames in between included. Default: at the particles' times.
     preset : {"water", "viscous", "molecule", "paper"}, optional
         A choice of properties; those that are given besides hold.
     arrays : dict of str, optional
@@ -145,17 +152,30 @@ class frames(Skins):
         *,
         times: Sequence[float] | None = None,
         fps: float | None = None,
+        where: str | Sequence[str] = (),
+        minimum_piece: int = 1,
+        output_fps: float | None = None,
         preset: str | None = None,
         arrays: dict[str, str] | None = None,
         progress: Callable[[int, int], None] | None = None,
         **options: Any,
     ) -> None:
         is_source = isinstance(particles, TemporalSource)
-        self.source = particles if is_source else ParticleSeries(particles, times=times, fps=fps)
+        self.source = (
+            particles if is_source else ParticleSeries(particles, times=times, fps=fps, where=where)
+        )
+        if minimum_piece > 1:
+            told = options.get("particle_spacing")
+            spacing = told or series_spacing(self.source.frames_that_tell())
+            self.source.leave_out_pieces(minimum_piece, spacing)
+        if where and not self.source.first_frame().GetNumberOfPoints():
+            raise ValueError(f"No particle meets {where}.")
         self.surface = vtkActiveImplicitSurface()
         self.surface.SetInputConnection(self.source.GetOutputPort())
         configure(self.surface, self.source, preset=preset, arrays=arrays, **options)
-        self.times, self._progress = self.source.times, progress
+        own = self.source.times
+        self.times = own if output_fps is None else times_between(own, output_fps)
+        self._progress = progress
         self._example = None if is_source else _first_of(particles)
 
 
@@ -277,9 +297,10 @@ def _settle_spacing(surface: Any, source: TemporalSource, first: Any, has_radii:
     frames = source.frames_that_tell()
     own = series_spacing(frames)
     if not (surface.GetParticleSpacing() or surface.GetParticleRadius() or has_radii):
-        is_first = first is source.frame(0) and 0 < estimate_spacing(first) <= _SAME * own
-        if own > 0 and not is_first:
-            surface.SetParticleSpacing(own)
+        is_same = 0 < (estimated := estimate_spacing(first)) <= _SAME * own
+        if own > 0 and not (is_same and first is source.frame(0)):
+            # A part of a series has the spacing that the filter finds for the whole.
+            surface.SetParticleSpacing(estimated if is_same else own)
     elif own > 0 and max(frame.GetNumberOfPoints() for frame in frames) >= _MANY:
         warn_all(_describe_lengths(surface, own))
 

@@ -232,6 +232,20 @@ def _with_number(name: str, mark: re.Match[str], number: int) -> str:
     return f"{name[: mark.start()]}{number:0{digits}}{name[mark.end() :]}"
 
 
+def labelled(name: str | Path, label: int, is_series: bool, is_one_of_several: bool) -> Path:
+    """The name for a label: in place of the first ####, if that is not for the frames."""
+    path = Path(name)
+    marks = list(_NUMBER.finditer(path.name))
+    if len(marks) > is_series:
+        return path.with_name(_with_number(path.name, marks[0], label))
+    if not is_one_of_several:
+        return path
+    if not marks:
+        return path.with_name(f"{path.stem}_{label}{path.suffix}")
+    start = marks[0].start()
+    return path.with_name(f"{path.name[:start]}{label}_{path.name[start:]}")
+
+
 def names_of(name: str | Path, numbers: Sequence[int]) -> list[Path]:
     """The names of frames of these numbers; of one frame the name itself, unless it has a ####."""
     is_series = len(numbers) > 1 or has_number(name)

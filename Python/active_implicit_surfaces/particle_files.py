@@ -19,6 +19,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from . import text_particles
+from .choice import choose
 from .data_objects import add_array, as_particles
 from .file_names import expand, numbers_of, suffix_of
 from .images import IMAGE_SUFFIXES, read_image
@@ -88,25 +89,33 @@ class ParticleFiles:
     """
 
     def __init__(
-        self, frames: list[tuple[Path, ...]], loaders: list[Any], times: Sequence[float]
+        self,
+        frames: list[tuple[Path, ...]],
+        loaders: list[Any],
+        times: Sequence[float],
+        where: str | Sequence[str],
+        label: int | None,
     ) -> None:
         self.names = [parts[0] for parts in frames] * (len(loaders) // len(frames))
         self.files = [file for parts in frames for file in parts]
         self._loaders, self.times = loaders, check_times(times)
+        self._where, self._label = where, label
         self.numbers = numbers_of(self.names)
 
     def __len__(self) -> int:
         return len(self.times)
 
     def load(self, step: int) -> Any:
-        """The particles of a frame, a vtkPolyData.
+        """The particles of a frame that were chosen, a vtkPolyData.
 
         Raises
         ------
         OSError
             The file cannot be read, or has no particles.
+        ValueError
+            There is no array to choose by.
         """
-        return self._loaders[step]()
+        return choose(self._loaders[step](), self._where, self._label)
 
 
 def open_particles(
@@ -114,8 +123,10 @@ def open_particles(
     *,
     fps: float | None = None,
     times: Sequence[float] | None = None,
+    where: str | Sequence[str] = (),
+    label: int | None = None,
 ) -> ParticleFiles:
-    """Files of particles as frames; patterns, folders, .series and .pvd too.
+    """Files of particles as frames, or those chosen (see `choice`); patterns, folders and indices.
 
     Times are `times`, else as `fps` says, else those of the index or of the files, else 25 frames
     per second. Where numbers of files are left out, the time between is as much longer.
@@ -137,7 +148,7 @@ def open_particles(
     elif fps is not None or told is None:
         places = places_of(numbers_of(files)) if len(files) > 1 else range(len(loaders))
         told = times_at(places, fps)
-    return ParticleFiles(listing.frames, loaders, told)
+    return ParticleFiles(listing.frames, loaders, told, where, label)
 
 
 def read_vtk(path: Path, time: float | None = None, **settings: Any) -> Any:

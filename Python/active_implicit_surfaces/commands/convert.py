@@ -11,6 +11,7 @@ import numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
 from .. import runner
+from ..choice import choose, labels_of
 from ..contours import contour, usual_level
 from ..file_names import (
     Listing,
@@ -36,7 +37,8 @@ from ..skin_files import (
     write_particles,
 )
 from .effects import check_effects
-from .options import Parser, add_help, add_up_option, positive, wrapped
+from .options import Parser, add_choice_options, add_help, add_up_option, positive, wrapped
+from .outputs import each_label
 from .progress import Progress
 from .upward import lie
 
@@ -69,14 +71,27 @@ def run(arguments: list[str]) -> int:
         raise OSError(f"{already[0]} is a .vdb already; copy it, or convert it to a mesh.")
     has_settings = options.level is not None or options.voxel_size is not None
     check_effects(parser, options, output, [_way(files[0], output)] if has_settings else [])
+    holds_particles = _holds_particles(files[0], output)
+
+    def labels() -> list[int]:
+        is_cloud = holds_particles
+        return labels_of(
+            open_particles(options.files).load(0) if is_cloud else read_shape(files[0])
+        )
+
+    for own in each_label(options, labels, len(files) > 1, ""):
+        _convert(own, listing, _particles if holds_particles else _shapes)
+    return 0
+
+
+def _convert(options: Any, listing: Listing, kind: Callable[..., _Conversion]) -> None:
+    output = Path(options.output)
     make_folder_of(output)
-    kind = _particles if _holds_particles(files[0], output) else _shapes
     load, numbers, used, write = kind(options, listing, output)
     names = names_of(output, numbers)
     check_distinct(used, names)
     progress = Progress(len(names), quiet=options.quiet or len(names) == 1)
     runner.run(load, range(len(names)), [FileSeries(names, write), progress])
-    return 0
 
 
 def make_parser() -> Parser:
@@ -98,6 +113,7 @@ def make_parser() -> Parser:
     parser.add_argument(
         "--level", type=float, metavar="X", help="of an image's surface (default: 0; of a fog: 0.5)"
     )
+    add_choice_options(parser)
     add_up_option(parser, "found", "in a .glb")
     parser.add_argument("--quiet", action="store_true", help="no progress")
     add_help(parser)
@@ -141,7 +157,7 @@ def _particles(options: Any, listing: Listing, output: Path) -> _Conversion:
             f"{output}: particles are written as {', '.join(PARTICLE_OUT_SUFFIXES)}; "
             "`active-surface skin` makes a skin over them."
         )
-    series = open_particles(options.files)
+    series = open_particles(options.files, where=options.where or (), label=options.label)
     return _Conversion(series.load, series.numbers, series.files, write_particles)
 
 
@@ -153,7 +169,7 @@ def _shapes(options: Any, listing: Listing, output: Path) -> _Conversion:
 
     def load(step: int) -> Any:
         file, *parts = listing.frames[step]
-        shape = read_shape(file, parts=parts)
+        shape = choose(read_shape(file, parts=parts), options.where or (), options.label)
         is_contour = shape.IsA("vtkImageData") and not is_vdb
         return _contour(file, shape, options) if is_contour else shape
 

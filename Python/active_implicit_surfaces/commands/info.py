@@ -4,25 +4,42 @@ from __future__ import annotations
 
 import argparse
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from ..choice import choose, labels_of
 from ..data_objects import finite_points
 from ..file_names import expand, suffix_of
 from ..messages import listening, quiet
-from ..particle_files import PARTICLE_SUFFIXES, check_readable, open_particles, read_vtk
+from ..particle_files import (
+    PARTICLE_SUFFIXES,
+    ParticleFiles,
+    check_readable,
+    open_particles,
+    read_vtk,
+)
 from ..presets import estimate_spacing
 from ..skin_files import INPUT_SUFFIXES, MESH_SUFFIXES, read_shape
-from .options import Parser, add_help
+from .options import Parser, add_choice_options, add_help
+
+_MOST_LABELS = 100
 
 
 def run(arguments: list[str]) -> int:
     """Runs the command; returns its exit code."""
     parser = make_parser()
     options = parser.parse_args(arguments)
-    found = describe(options.files)
+    where, labels = options.where or [], options.labels or []
+    if labels == "all":
+        first = expand(options.files, INPUT_SUFFIXES).files[0]
+        shape = _shape_in(first) if suffix_of(first) in MESH_SUFFIXES else None
+        labels = labels_of(shape or open_particles(options.files).load(0))
+    found = {f"label {label}": describe(options.files, where, label) for label in labels}
+    found = found or describe(options.files, where)
     if options.json:
         print(json.dumps(found, indent=1))
     else:
@@ -38,13 +55,16 @@ def make_parser() -> Parser:
         "grids of a .vdb, and what of it the filter can go on from; the layers of an .exr.",
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
+    add_choice_options(parser)
     parser.add_argument("--json", action="store_true", help="as JSON")
     add_help(parser)
     return parser
 
 
-def describe(names: list[str]) -> dict[str, Any]:
-    """What is in files, as a dictionary of JSON."""
+def describe(
+    names: list[str], where: Sequence[str] = (), label: int | None = None
+) -> dict[str, Any]:
+    """What is in files, or of it what was chosen, as a dictionary of JSON."""
     files = [file for parts in expand(names, INPUT_SUFFIXES).frames for file in parts]
     suffix = suffix_of(files[0])
     if suffix == ".exr":
@@ -54,14 +74,14 @@ def describe(names: list[str]) -> dict[str, Any]:
         if all(grid["type"] != "points" for grid in grids["grids"]):
             return grids
     if suffix in MESH_SUFFIXES and (shape := _shape_in(files[0])) is not None:
+        shape = choose(shape, where, label)
         return {"files": len(files), "file": str(files[0]), **_describe_shape(shape)}
     if suffix not in PARTICLE_SUFFIXES:
         raise OSError(f"{files[0]}: info knows {', '.join(INPUT_SUFFIXES)}, .exr.")
-    return _describe_particles(names, files)
+    return _describe_particles(open_particles(names, where=where, label=label), files)
 
 
-def _describe_particles(names: list[str], files: list[Path]) -> dict[str, Any]:
-    series = open_particles(names)
+def _describe_particles(series: ParticleFiles, files: list[Path]) -> dict[str, Any]:
     first = series.load(0)
     found = {
         "files": len(files),
@@ -128,6 +148,7 @@ def _describe_shape(shape: Any) -> dict[str, Any]:
             "points": list(shape.GetDimensions()),
             "spacing": list(shape.GetSpacing()),
             "bounds": list(shape.GetBounds()),
+            **_labels(shape),
             "arrays": _arrays(shape),
         }
     open_edges = _count_open_edges(shape)
@@ -138,6 +159,18 @@ def _describe_shape(shape: Any) -> dict[str, Any]:
         "closed": "yes" if open_edges == 0 else f"no, {open_edges} open edges",
         "arrays": _arrays(shape),
     }
+
+
+def _labels(image: Any) -> dict[str, Any]:
+    """The points or cells of each label of an image; nothing if it has none."""
+    scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
+    values = None if scalars is None else vtk_to_numpy(scalars)
+    if values is None or values.ndim > 1 or values.dtype.kind not in "iu":
+        return {}
+    labels, counts = numpy.unique(values[values != 0], return_counts=True)
+    if len(labels) > _MOST_LABELS:
+        return {}
+    return {"labels": dict(zip(map(str, labels.tolist()), counts.tolist()))}
 
 
 def _count_open_edges(mesh: Any) -> int:

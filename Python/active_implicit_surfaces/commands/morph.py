@@ -32,7 +32,8 @@ def run(arguments: list[str]) -> int:
     parser = make_parser()
     options = parser.parse_args(arguments)
     chosen = properties_of(options, parser)
-    outputs = Outputs(parser, options, "morph_####.vtp")
+    options.output = options.output or (None if options.render else "morph_####.vtp")
+    outputs = Outputs(parser, options)
     if options.frames < 2:
         parser.error("frames are 2 at least, the first shape and the last")
     shapes = [read_shape(Path(name)) for name in (options.first, options.last)]

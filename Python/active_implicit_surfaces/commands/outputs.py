@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from argparse import Namespace
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ from typing import Any
 from ..file_names import (
     INDEX_SUFFIXES,
     check_distinct,
+    labelled,
     make_folder_of,
     names_of,
     suffix_of,
@@ -32,8 +34,30 @@ def add_output_options(parser: Parser, default: str) -> None:
     parser.add_argument(
         "--render",
         metavar="FILM",
-        help="film.mp4, film.ogv, frame.####.png or frame.####.exr (with depth, normals, motion)",
+        help="film.mp4, film.ogv, frame.####.png or frame.####.exr",
     )
+
+
+def each_label(
+    options: Namespace, find: Callable[[], list[int]], is_series: bool, default: str
+) -> Iterator[Namespace]:
+    """The options of the run for each label, with names of its own; or of the run for all data.
+
+    `find` returns all labels, `default` is the name of outputs.
+    """
+    if not (options.output or getattr(options, "render", None)):
+        options.output = default
+    if options.labels is None:
+        yield Namespace(**vars(options), label=None)
+        return
+    labels = find() if options.labels == "all" else options.labels
+    for label in labels:
+        own = Namespace(**vars(options), label=label)
+        for key in ("output", "render", "index"):
+            name = getattr(own, key, None)
+            if name and name != "none":
+                setattr(own, key, str(labelled(name, label, is_series, len(labels) > 1)))
+        yield own
 
 
 class Outputs:
@@ -47,10 +71,9 @@ class Outputs:
         The file of each frame.
     """
 
-    def __init__(self, parser: Parser, options: Any, default: str) -> None:
+    def __init__(self, parser: Parser, options: Any) -> None:
         self.options, self.numbers, self.names = options, list[int](), list[Path]()
-        has_skins = options.output or not options.render
-        self.output = Path(options.output or default) if has_skins else None
+        self.output = Path(options.output) if options.output else None
         self.render = Path(options.render) if options.render else None
         index = getattr(options, "index", None)
         try:

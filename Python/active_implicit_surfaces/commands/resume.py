@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import time
-from collections import Counter
 from contextlib import nullcontext, suppress
 from pathlib import Path
 from typing import Any
@@ -26,7 +25,7 @@ class Resumption(Sink):
     description : dict
         What the skins depend on: the options. Another one is another run.
     files : list of Path
-        The file of each frame. Files of those that are done may not change.
+        The last file read for each frame. Files of those that are done may not change.
 
     Attributes
     ----------
@@ -41,6 +40,7 @@ class Resumption(Sink):
         self.description = json.loads(json.dumps(description))
         self.view: list[Any] | None = None
         self._files = files
+        self._may_grow = len(files) > 1 == len({*files})  # a file of several frames: its name alone
         self._saved = time.monotonic()
         self._way, self._is_kept, self._first, self._done = Skins(), False, 0, 0
 
@@ -87,7 +87,7 @@ class Resumption(Sink):
             "done": done,
             "times": times[:done],
             "options": self.description,
-            "files": _marks(self._files[:done]),
+            "files": self._marks(done),
             "view": self.view,
         }
         with replacing(self.notes) as temporary:
@@ -146,7 +146,7 @@ class Resumption(Sink):
             )
 
     def _compare_files(self, then: list[list[Any]]) -> None:
-        for before, now in zip(then, _marks(self._files[: len(then)])):
+        for before, now in zip(then, self._marks(len(then))):
             if before != now:
                 what = "has changed since" if before[0] == now[0] else f"was {before[0]}"
                 raise ValueError(
@@ -154,17 +154,15 @@ class Resumption(Sink):
                     "--resume to make them all anew."
                 )
 
+    def _marks(self, count: int) -> list[list[Any]]:
+        """Name, size and time of the files of the first frames, which tell whether they change."""
+        marks: list[list[Any]] = []
+        for file in self._files[:count]:
+            own = file.stat()
+            more = [] if self._may_grow else [own.st_size, own.st_mtime_ns]
+            marks.append([str(file), *more])
+        return marks
+
 
 def _with(name: str, value: Any) -> str:
     return f"without {name}" if value is None else f"with {name} {value}"
-
-
-def _marks(files: list[Path]) -> list[list[Any]]:
-    """What tells whether files are the same: name, size and time. A file of several frames may
-    have grown: its name alone."""
-    frames = Counter(files)
-    marks: list[list[Any]] = []
-    for file in files:
-        own = file.stat() if frames[file] == 1 else None
-        marks.append([str(file), own.st_size, own.st_mtime_ns] if own else [str(file)])
-    return marks

@@ -3,29 +3,36 @@
 from __future__ import annotations
 
 import argparse
-from typing import Any
+from bisect import bisect_left
+from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy
 
 from .. import runner
 from ..api import frames
-from ..file_names import suffix_of
-from ..particle_files import PARTICLE_SUFFIXES, open_particles
+from ..choice import labels_of
+from ..file_names import expand, suffix_of
+from ..particle_files import PARTICLE_SUFFIXES, ParticleFiles, open_particles
 from ..presets import PRESETS
 from ..series import TemporalSource
+from ..times import times_between
 from .effects import check_effects
 from .options import (
     MAIN_PROPERTIES,
     Parser,
+    add_choice_options,
     add_help,
     add_picture_options,
     add_property_options,
+    frame_range,
     positive,
     preset_help,
     properties_of,
     times_list,
+    whole,
 )
-from .outputs import Outputs, add_output_options
+from .outputs import Outputs, add_output_options, each_label
 from .progress import Progress
 from .resume import Resumption
 from .view import find_view
@@ -38,25 +45,86 @@ def run(arguments: list[str]) -> int:
     parser = make_parser()
     options = parser.parse_args(arguments)
     chosen = properties_of(options, parser)
-    outputs = Outputs(parser, options, "skin_####.vtp")
     if options.resume and options.render and suffix_of(options.render) in (".mp4", ".ogv"):
         parser.error("a film cannot go on where it was cut off; render to frame.####.png")
-    if options.resume and not outputs.output:
+    if options.resume and options.render and not options.output:
         parser.error("--resume goes on with skins; say their name, -o skin_####.vtp")
-    files = open_particles(options.files, fps=options.fps, times=options.times)
-    outputs.plan(files.numbers, files.files)
+    listed = expand(options.files, PARTICLE_SUFFIXES).frames
+    for own in each_label(options, lambda: _labels(options), len(listed) > 1, "skin_####.vtp"):
+        _run(parser, own, chosen)
+    return 0
+
+
+def _run(parser: Parser, options: Any, chosen: dict[str, Any]) -> None:
+    outputs = Outputs(parser, options)
+    where, label = options.where or [], options.label
+    files = open_particles(
+        options.files, fps=options.fps, times=options.times, where=where, label=label
+    )
+    plan = _plan(options, files)
+    outputs.plan(plan.numbers, files.files)
     arrays = {role: getattr(options, role) for role in _ARRAYS if getattr(options, role)}
     source = TemporalSource(files.load, files.times, any_order=True)
-    way = frames(source, preset=options.preset, arrays=arrays, **chosen)
+    way = frames(
+        source if len(plan.steps) == len(files) else source.part(plan.steps),
+        where=where + ([] if label is None else [f"label={label}"]),
+        minimum_piece=options.minimum_piece or 1,
+        preset=options.preset,
+        arrays=arrays,
+        **chosen,
+    )
+    way.times = plan.times
     facts = ["particles", *(["series"] if len(way) > 1 else [])]
     check_effects(parser, options, outputs.output, facts, way.surface)
-    described = {"preset": options.preset, **arrays, **chosen}
-    kept = Resumption(outputs.output, described, files.names) if outputs.output else None
+    names = ("where", "label", "minimum_piece", "frames", "preroll", "output_fps", "preset")
+    described = {name: getattr(options, name) for name in names if getattr(options, name)}
+    described |= {**arrays, **chosen}
+    kept = Resumption(outputs.output, described, plan.files) if outputs.output else None
     first = kept.bind(way, outputs.names, options.resume) if kept else 0
     sinks = outputs.sinks(way, lambda: _find_view(options, files, kept), options.preset or "water")
     progress = Progress(len(way), first, options.quiet)
     runner.run(way.make, range(first, len(way)), [*sinks, *filter(None, [kept]), progress])
-    return 0
+
+
+def _labels(options: Any) -> list[int]:
+    return labels_of(open_particles(options.files).load(0))
+
+
+class _Plan(NamedTuple):
+    """The steps read; times and numbers of the skins, and the last file that each needs."""
+
+    steps: list[int]
+    times: list[float]
+    numbers: list[int]
+    files: list[Path]
+
+
+def _plan(options: Any, files: ParticleFiles) -> _Plan:
+    """The skins of --frames, --preroll and --output-fps over these files."""
+    low, high, stride = options.frames or (None, None, 1)
+    first, last = (files.numbers[i] if n is None else n for i, n in ((0, low), (-1, high)))
+    wanted = [
+        step
+        for step, number in enumerate(files.numbers)
+        if first <= number <= last and (number - first) % stride == 0
+    ]
+    if not wanted:
+        own = f"{files.numbers[0]} to {files.numbers[-1]}"
+        raise ValueError(f"No frame is in --frames {first}:{last}:{stride}; there are {own}.")
+    before = range(wanted[0] - stride * (options.preroll or 0), wanted[0], stride)
+    steps = [*(step for step in before if step >= 0), *wanted]
+    if not options.output_fps:
+        chosen = [(files.times[step], files.numbers[step]) for step in wanted]
+    else:
+        start, end = files.times[wanted[0]], files.times[wanted[-1]]
+        every = enumerate(times_between(files.times, options.output_fps))
+        few = 1e-6 / options.output_fps
+        chosen = [(time, i) for i, time in every if start - few <= time <= end + few]
+        chosen = [(min(max(time, start), end), i) for time, i in chosen]
+    times = [time for time, _ in chosen]
+    needed = [bisect_left(files.times, time, hi=len(files) - 1) for time in times]
+    read = [files.names[step] for step in needed]
+    return _Plan(steps, times, [number for _, number in chosen], read)
 
 
 def make_parser() -> Parser:
@@ -71,7 +139,9 @@ def make_parser() -> Parser:
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     add_output_options(parser, "skin_####.vtp")
-    parser.add_argument("--preset", choices=PRESETS, help="what the particles are (see below)")
+    parser.add_argument(
+        "--preset", choices=PRESETS, metavar="NAME", help="what the particles are (see below)"
+    )
     add_property_options(parser, tuple(MAIN_PROPERTIES))
     _add_input_options(parser)
     add_picture_options(parser, "found")
@@ -88,6 +158,13 @@ def _add_input_options(parser: Parser) -> None:
     files.add_argument(
         "--fps", type=positive, metavar="X", help="frames per second (default: as files say, or 25)"
     )
+    add_choice_options(files)
+    files.add_argument(
+        "--minimum-piece", type=whole, metavar="N", help="particles of a piece, at least"
+    )
+    files.add_argument("--frames", type=frame_range, metavar="A:B:C", help="numbers, B included")
+    files.add_argument("--preroll", type=whole, metavar="N", help="frames before A, without skins")
+    files.add_argument("--output-fps", type=positive, metavar="X", help="frames in between too")
     files.add_argument("--times", type=times_list, metavar="T,T...", help="or FIRST:LAST:COUNT")
     for role, text in zip(_ARRAYS, ("ids (default: found)", "reaches", "strengths", "velocities")):
         files.add_argument(f"--{role}", metavar="NAME", help=f"point array of {text}")
