@@ -94,7 +94,25 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
         files.sort(key=lambda file: natural_key(file, numbers))
     if not files:
         raise OSError("There are no files.")
-    return Listing([(file,) for file in files])
+    return Listing([(file,) for file in files], note=_describe_two_numbers(files, numbers))
+
+
+def _describe_two_numbers(files: list[Path], numbers: re.Pattern[str]) -> str:
+    """A sentence about names with all pairs of two numbers, which may be parts of frames."""
+    parts = [tuple(numbers.split(str(file))[1::2]) for file in files]
+    columns = [sorted({*column}, key=float) for column in zip(*parts)]
+    running = [column for column in columns if len(column) > 1]
+    if (
+        len({*map(len, parts)}) != 1
+        or len(running) != 2
+        or len(files) != math.prod(map(len, running))
+    ):
+        return ""
+    first, second = (f"{column[0]} to {column[-1]}" for column in running)
+    return (
+        f"The names have two running numbers, {first} and {second}, and each file is a frame. If "
+        "one of them numbers the parts of a frame, list the files with part= in a .pvd."
+    )
 
 
 def _expand_one(path: Path, known: Sequence[str]) -> list[Path]:

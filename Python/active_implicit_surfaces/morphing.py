@@ -106,8 +106,7 @@ class morph(Skins):
         self._producers: list[Any] = []
         self._connect(a, b, fit)
         properties.put(self.surface, options)
-        is_something = _is_function(b) or as_shape(b).GetNumberOfPoints() > 0
-        self._expects_skin = is_something and bool(self.surface.GetCreateParts())
+        self._expects_skin = _is_function(b) or as_shape(b).GetNumberOfPoints() > 0
         if "attraction" not in options:
             self.surface.SetArrivalTime(duration)
         self.surface.SetNumberOfTimeSteps(frames)

@@ -67,6 +67,7 @@ PARTICLE_SUFFIXES = tuple(
 # What zipfile raises besides; of these NotImplementedError is a RuntimeError.
 _DAMAGE_OF_ARCHIVES = (zipfile.BadZipFile, zlib.error, RuntimeError, OverflowError)
 
+_ABOUT_MESHES = " The commands convert and morph take its surface."
 _NO_POINTS = "No Points element available"
 _ABOUT_APPENDED_DATA = (
     " If it is whole: VTK 9.1 cannot read appended data with libexpat 2.5.0-1+deb12u2; write it "
@@ -203,6 +204,8 @@ def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | Non
         frames, times = _read_text(path, noted)
         return [_maker(path, frame) for frame in frames], times
     if suffix not in PARTICLE_SUFFIXES:
+        if suffix in _VTK_READERS:
+            raise OSError(f"{path} holds no particles, but a mesh or an image.{_ABOUT_MESHES}")
         raise OSError(
             f"{path}: particles are read from {', '.join(PARTICLE_SUFFIXES)}, not from "
             f"{suffix or 'a file without an extension'}."
@@ -213,19 +216,19 @@ def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | Non
     _check(path, heard.errors)
     steps = _time_steps(reader)
     if len(steps) < 2:
-        return [lambda: _points_of(path, _update(reader, path))], None
+        return [lambda: _points_of(path, _update(reader, path), noted)], None
     # These readers number the steps that a file holds.
     counted = steps == [float(i) for i in range(len(steps))]
-    loaders = [_step_loader(path, reader, time) for time in steps]
+    loaders = [_step_loader(path, reader, time, noted) for time in steps]
     return loaders, None if counted else steps
 
 
-def _step_loader(path: Path, reader: Any, time: float) -> Any:
+def _step_loader(path: Path, reader: Any, time: float, noted: set[str]) -> Any:
     def load() -> Any:
         data = _update(reader, path, time)
         copy = data.NewInstance()
         copy.DeepCopy(data)  # the readers of such files write the next step into the same arrays
-        return _points_of(path, copy)
+        return _points_of(path, copy, noted)
 
     return load
 
@@ -336,12 +339,14 @@ def _hint(path: Path) -> str:
     return _ABOUT_APPENDED_DATA if is_appended else ""
 
 
-def _points_of(path: Path, data: Any) -> Any:
-    """The points of whatever data set that is, with their arrays."""
+def _points_of(path: Path, data: Any, noted: set[str]) -> Any:
+    """The points of whatever data set that is, with their arrays; a note says that it is a mesh."""
     if data.IsA("vtkCompositeDataSet"):
         data = _append_blocks(data)
     if not data.IsA("vtkPointSet"):
         raise OSError(f"{path} has no particles: it holds a {data.GetClassName()}.")
+    if data.IsA("vtkPolyData") and data.GetNumberOfPolys() + data.GetNumberOfStrips():
+        _note(noted, path, f"it holds a mesh, whose corners are taken as particles.{_ABOUT_MESHES}")
     return as_particles(data)
 
 

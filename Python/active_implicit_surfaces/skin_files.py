@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 
@@ -84,6 +84,9 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
         for setting, value in settings.items():
             getattr(writer, setting)(value)
         writer.SetFileName(str(temporary))
+        if suffix == ".vdb" and port is None and mesh.GetNumberOfPoints() == 0:
+            surface = _skin_of_nothing()
+            port = surface.GetOutputPort()
         if suffix == ".vdb" and port is not None:
             writer.SetInputConnection(port)
         else:
@@ -168,6 +171,17 @@ def _prepare_writer(writer: Any, suffix: str, mesh: Any) -> None:
         names = _names(mesh)
         writer.SetWriteVelocity("Velocity" in names)
         writer.SetWritePointArrays(bool(set(names) - {"Normals", "Velocity"}))
+
+
+def _skin_of_nothing() -> Any:
+    """A filter whose skin and grid are empty."""
+    from . import vtkActiveImplicitSurface
+
+    surface = vtkActiveImplicitSurface()
+    surface.SetInputData(vtkPolyData())
+    surface.SetParticleSpacing(1.0)
+    surface.Update()
+    return surface
 
 
 def _triangles(mesh: Any) -> Any:
