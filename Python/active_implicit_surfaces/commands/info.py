@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import csv
 import json
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -14,6 +16,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from ..choice import choose, labels_of
 from ..data_objects import finite_points
 from ..file_names import expand, suffix_of
+from ..measures import measure
 from ..messages import listening, quiet
 from ..particle_files import (
     PARTICLE_SUFFIXES,
@@ -38,8 +41,16 @@ def run(arguments: list[str]) -> int:
         first = expand(options.files, INPUT_SUFFIXES).files[0]
         shape = _shape_in(first) if suffix_of(first) in MESH_SUFFIXES else None
         labels = labels_of(shape or open_particles(options.files).load(0))
-    found = {f"label {label}": describe(options.files, where, label) for label in labels}
+    found: dict[str, Any] = {}
+    for label in labels:
+        found[f"label {label}"] = describe(options.files, where, label)
+    frames = expand(options.files, INPUT_SUFFIXES).frames
+    if options.csv:
+        _print_csv(_measure_all(frames, where))
+        return 0
     found = found or describe(options.files, where)
+    if len(frames) > 1 and found.get("holds") == "a mesh":
+        found["each"] = _measure_all(frames, where)
     if options.json:
         print(json.dumps(found, indent=1))
     else:
@@ -50,13 +61,15 @@ def run(arguments: list[str]) -> int:
 def make_parser() -> Parser:
     parser = Parser(
         "active-surface info",
-        "FILE ... [--json]",
-        "What is in a file or a series: points, bounds, estimated spacing, arrays, times; the\n"
-        "grids of a .vdb, and what of it the filter can go on from; the layers of an .exr.",
+        "FILE ... [--json] [--csv]",
+        "What is in a file or a series: points, bounds, estimated spacing, arrays, times; of meshes\n"
+        "area, volume, pieces, voids, open edges; the grids of a .vdb, and what of it the filter can\n"
+        "go on from; the layers of an .exr; the labels of an image.",
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     add_choice_options(parser)
     parser.add_argument("--json", action="store_true", help="as JSON")
+    parser.add_argument("--csv", action="store_true", help="measures of each mesh as a table")
     add_help(parser)
     return parser
 
@@ -151,14 +164,27 @@ def _describe_shape(shape: Any) -> dict[str, Any]:
             **_labels(shape),
             "arrays": _arrays(shape),
         }
-    open_edges = _count_open_edges(shape)
+    found = measure(shape)
+    edges = found.pop("open edges")
     return {
         "holds": "a mesh",
         **_points(shape),
         "polygons": shape.GetNumberOfPolys() + shape.GetNumberOfStrips(),
-        "closed": "yes" if open_edges == 0 else f"no, {open_edges} open edges",
+        **found,
+        "closed": "yes" if edges == 0 else f"no, {edges} open edges",
         "arrays": _arrays(shape),
     }
+
+
+def _measure_all(frames: list[tuple[Path, ...]], where: Sequence[str]) -> list[dict[str, Any]]:
+    """What each of several meshes measures."""
+    found = []
+    for file, *parts in frames:
+        mesh = choose(read_shape(file, parts=parts), where)
+        if mesh.IsA("vtkImageData"):
+            raise OSError(f"{file} is an image: meshes are measured.")
+        found.append({"file": str(file), "points": mesh.GetNumberOfPoints(), **measure(mesh)})
+    return found
 
 
 def _labels(image: Any) -> dict[str, Any]:
@@ -171,19 +197,6 @@ def _labels(image: Any) -> dict[str, Any]:
     if len(labels) > _MOST_LABELS:
         return {}
     return {"labels": dict(zip(map(str, labels.tolist()), counts.tolist()))}
-
-
-def _count_open_edges(mesh: Any) -> int:
-    from vtkmodules.vtkFiltersCore import vtkFeatureEdges
-
-    edges = vtkFeatureEdges()
-    edges.SetInputData(mesh)
-    edges.BoundaryEdgesOn()
-    edges.FeatureEdgesOff()
-    edges.ManifoldEdgesOff()
-    edges.NonManifoldEdgesOff()
-    edges.Update()
-    return int(edges.GetOutput().GetNumberOfLines())
 
 
 def _describe_vdb(files: list[Path]) -> dict[str, Any]:
@@ -236,6 +249,12 @@ def _describe_exr(files: list[Path]) -> dict[str, Any]:
         "pixels": list(image.GetDimensions()[:2]),
         "layers": _arrays(image),
     }
+
+
+def _print_csv(rows: list[dict[str, Any]]) -> None:
+    table = csv.DictWriter(sys.stdout, [name.replace(" ", "_") for name in rows[0]])
+    table.writeheader()
+    table.writerows({name.replace(" ", "_"): value for name, value in row.items()} for row in rows)
 
 
 def _lines(found: dict[str, Any], indent: str = "") -> list[str]:

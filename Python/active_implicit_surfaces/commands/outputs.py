@@ -17,6 +17,7 @@ from ..file_names import (
     suffix_of,
     without_number,
 )
+from ..history import HistoryFile
 from ..runner import FileSeries, Sink, Skins
 from ..skin_files import SKIN_SUFFIXES, check_suffix, write_mesh
 from .options import PICTURE_SIZE, Parser
@@ -53,7 +54,7 @@ def each_label(
     labels = find() if options.labels == "all" else options.labels
     for label in labels:
         own = Namespace(**vars(options), label=label)
-        for key in ("output", "render", "index"):
+        for key in ("output", "render", "index", "history"):
             name = getattr(own, key, None)
             if name and name != "none":
                 setattr(own, key, str(labelled(name, label, is_series, len(labels) > 1)))
@@ -111,6 +112,8 @@ class Outputs:
             found.append(FileSeries(self.names, write, self._index(self.output), way.times))
         if self.render:
             found.append(self._film(self.render, way, view()[0], up(), color))
+        if history := getattr(self.options, "history", None):
+            found.append(HistoryFile(Path(history), way.surface))
         return found
 
     def _film(self, path: Path, way: Skins, held: Any, up: str, color: str) -> Sink:

@@ -134,8 +134,8 @@ def make_parser() -> Parser:
         "Skins over particles: one for each frame, each going on from the last.\n"
         f"Files: {', '.join(PARTICLE_SUFFIXES)};\n"
         "several, a pattern ('p_*.vtp', p_####.vtp), a folder, a .series or a .pvd are a series.",
-        epilog="presets:\n" + preset_help() + "\n\nEvery property of the filter is an option "
-        "too, as --particle-model sum:\n--help-properties, or --help all.",
+        epilog=f"presets:\n{preset_help()}\n\nEvery property of the filter is an option too, as "
+        "--particle-model sum: --help-properties.",
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     add_output_options(parser, "skin_####.vtp")
@@ -148,6 +148,9 @@ def make_parser() -> Parser:
     more = parser.add_argument_group("more")
     more.add_argument("--resume", action="store_true", help="go on where a run was cut off")
     more.add_argument("--index", metavar="NAME", help="the .pvd or .series of the skins, or none")
+    more.add_argument(
+        "--history", metavar="NAME", help="a .csv of volume, area, pieces, events ..."
+    )
     more.add_argument("--quiet", action="store_true", help="no progress")
     add_help(more, properties=True)
     return parser
