@@ -21,7 +21,8 @@ from .glb import check_glb, write_glb
 from .images import IMAGE_SUFFIXES
 from .mesh_writers import points_of, warn_of_losses, write_obj, write_ply, write_stl
 from .messages import listening, quiet
-from .particle_files import PARTICLE_SUFFIXES, check_readable, read_vtk
+from .particle_files import PARTICLE_SUFFIXES
+from .vtk_files import check_readable, read_vtk
 
 # A function of this package, or a class of VTK.
 MESH_WRITERS: dict[str, Any] = {
@@ -130,6 +131,30 @@ def read_shape(path: Path, level: float | None = None, parts: Sequence[Path] = (
         return as_shape(data)
     except ValueError as error:
         raise OSError(f"{path} is no mesh: {error}") from error
+
+
+def holds_particles(path: Path) -> bool | None:
+    """Whether a file holds points alone, neither a mesh nor an image; None if it is empty.
+
+    Raises
+    ------
+    OSError
+        It cannot be read.
+    """
+    suffix = suffix_of(path)
+    if suffix not in INPUT_SUFFIXES:
+        raise OSError(f"{path}: files are read from {', '.join(INPUT_SUFFIXES)}.")
+    if suffix not in PARTICLE_SUFFIXES or suffix not in MESH_SUFFIXES:
+        return suffix in PARTICLE_SUFFIXES
+    data = read_vtk(path)
+    count = data.GetNumberOfElements(vtkDataObject.POINT)
+    if data.IsA("vtkCompositeDataSet"):
+        data = surface_of(data)
+    if not data.IsA("vtkPointSet") or (count == 0 and suffix != ".vdb"):
+        return None if data.IsA("vtkPointSet") else False
+    if data.IsA("vtkPolyData"):
+        return bool(data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0)
+    return all(data.GetCellType(i) in (1, 2) for i in range(data.GetNumberOfCells()))
 
 
 def surface_of(blocks: Any) -> Any:

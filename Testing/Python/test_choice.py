@@ -208,6 +208,15 @@ class Programs(CommandTest):
             "it acts before the first", self.fail_with(2, "skin", "p_*.npz", "--preroll", 2)
         )
 
+    def test_a_chunk_that_is_rolled_from_the_start_has_the_bytes_of_one_run(self):
+        self.succeed("skin", "p_*.npz", "-o", "w_##.ply", "--quiet")
+        for preroll, is_same in ((3, True), (1, False)):
+            arguments = ("--frames", "13:15", "--preroll", preroll, "-o", "c_##.ply", "--quiet")
+            self.succeed("skin", "p_*.npz", *arguments)
+            for step in (13, 14, 15):
+                own, whole = (self.folder / f"{name}_{step}.ply" for name in "cw")
+                self.assertEqual(own.read_bytes() == whole.read_bytes(), is_same, step)
+
     def test_in_between_is_between(self):
         arguments = ("--fps", 10, "--output-fps", 20, "-o", "t_##.ply", "--where", "Type=2")
         self.succeed("skin", "p_*.npz", *arguments, *QUIET)

@@ -18,8 +18,8 @@ import active_implicit_surfaces
 import numpy
 from active_implicit_surfaces import api
 from active_implicit_surfaces.commands import progress, resume, skin
-from active_implicit_surfaces.particle_files import read_vtk
 from active_implicit_surfaces.skin_files import read_shape
+from active_implicit_surfaces.vtk_files import read_vtk
 from command_line import DROP, CommandTest, grid, moving_grid
 from vtkmodules.util.numpy_support import vtk_to_numpy
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .. import runner
 from ..choice import choose, labels_of
@@ -23,7 +23,7 @@ from ..file_names import (
     suffix_of,
 )
 from ..mesh_writers import points_of
-from ..particle_files import PARTICLE_SUFFIXES, open_particles, read_vtk
+from ..particle_files import PARTICLE_SUFFIXES, open_particles
 from ..runner import FileSeries
 from ..skin_files import (
     INPUT_SUFFIXES,
@@ -31,11 +31,12 @@ from ..skin_files import (
     MESH_WRITERS,
     PARTICLE_OUT_SUFFIXES,
     check_suffix,
+    holds_particles,
     read_shape,
-    surface_of,
     write_mesh,
     write_particles,
 )
+from ..vtk_files import open_vtk
 from .effects import check_effects
 from .options import Parser, add_choice_options, add_help, add_up_option, positive, wrapped
 from .outputs import each_label
@@ -129,26 +130,8 @@ def _way(file: Path, output: Path) -> str:
 
 
 def _holds_particles(path: Path, output: Path) -> bool:
-    suffix = suffix_of(path)
-    if suffix not in PARTICLE_SUFFIXES or suffix not in MESH_SUFFIXES:
-        if suffix not in INPUT_SUFFIXES:
-            raise OSError(f"{path}: files are read from {', '.join(INPUT_SUFFIXES)}.")
-        return suffix in PARTICLE_SUFFIXES
-    data = read_vtk(path)
-    count = data.GetNumberOfElements(vtkDataObject.POINT)
-    if data.IsA("vtkCompositeDataSet"):
-        data = surface_of(data)
-    if suffix == ".vdb" or not data.IsA("vtkPolyData"):
-        return bool(data.IsA("vtkPointSet") and data.GetNumberOfCells() <= _vertices(data))
-    if count == 0:
-        return suffix_of(output) not in MESH_WRITERS  # an empty skin, or no particles
-    return bool(data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0)
-
-
-def _vertices(data: Any) -> int:
-    """Cells that are points."""
-    kinds = (data.GetCellType(i) for i in range(data.GetNumberOfCells()))
-    return sum(1 for kind in kinds if kind in (1, 2))
+    found = holds_particles(path)
+    return suffix_of(output) not in MESH_WRITERS if found is None else found  # else an empty skin
 
 
 def _particles(options: Any, listing: Listing, output: Path) -> _Conversion:
@@ -211,10 +194,5 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
 
 
 def _is_level_set(file: Path) -> bool:
-    from .. import vtkActiveVDBReader
-
-    reader = vtkActiveVDBReader()
-    reader.SetFileName(str(file))
-    reader.UpdateInformation()
-    classes = [reader.GetGridClass(i) for i in range(reader.GetNumberOfGrids())]
-    return "level set" in classes
+    reader = open_vtk(file)
+    return "level set" in map(reader.GetGridClass, range(reader.GetNumberOfGrids()))

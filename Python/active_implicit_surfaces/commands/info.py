@@ -21,13 +21,12 @@ from ..messages import listening, quiet
 from ..particle_files import (
     PARTICLE_SUFFIXES,
     ParticleFiles,
-    check_readable,
     open_particles,
-    read_vtk,
 )
 from ..presets import estimate_spacing
-from ..skin_files import INPUT_SUFFIXES, MESH_SUFFIXES, read_shape
-from .options import Parser, add_choice_options, add_help
+from ..skin_files import INPUT_SUFFIXES, MESH_SUFFIXES, holds_particles, read_shape
+from ..vtk_files import check_readable, open_vtk
+from .options import Parser, add_choice_options, add_help, wrapped
 
 _MOST_LABELS = 100
 
@@ -39,8 +38,7 @@ def run(arguments: list[str]) -> int:
     where, labels = options.where or [], options.labels or []
     if labels == "all":
         first = expand(options.files, INPUT_SUFFIXES).files[0]
-        shape = _shape_in(first) if suffix_of(first) in MESH_SUFFIXES else None
-        labels = labels_of(shape or open_particles(options.files).load(0))
+        labels = labels_of(_shape_in(first) or open_particles(options.files).load(0))
     found: dict[str, Any] = {}
     for label in labels:
         found[f"label {label}"] = describe(options.files, where, label)
@@ -62,9 +60,11 @@ def make_parser() -> Parser:
     parser = Parser(
         "active-surface info",
         "FILE ... [--json] [--csv]",
-        "What is in a file or a series: points, bounds, estimated spacing, arrays, times; of meshes\n"
-        "area, volume, pieces, voids, open edges; the grids of a .vdb, and what of it the filter can\n"
-        "go on from; the layers of an .exr; the labels of an image.",
+        wrapped(
+            "What is in a file or a series: points, bounds, spacing, arrays, times; of meshes area, "
+            "volume, pieces, voids and open edges; the grids of a .vdb, and what of it the filter "
+            "can go on from; the layers of an .exr; the labels of an image."
+        ),
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     add_choice_options(parser)
@@ -86,7 +86,7 @@ def describe(
         grids = _describe_vdb(files)
         if all(grid["type"] != "points" for grid in grids["grids"]):
             return grids
-    if suffix in MESH_SUFFIXES and (shape := _shape_in(files[0])) is not None:
+    if (shape := _shape_in(files[0])) is not None:
         shape = choose(shape, where, label)
         return {"files": len(files), "file": str(files[0]), **_describe_shape(shape)}
     if suffix not in PARTICLE_SUFFIXES:
@@ -143,15 +143,8 @@ def _arrays(data: Any) -> dict[str, str]:
 
 def _shape_in(path: Path) -> Any:
     """The mesh or image of a file; none if it holds particles."""
-    if suffix_of(path) == ".vdb":
-        return None
-    try:
-        return read_shape(path)
-    except OSError:
-        data = read_vtk(path) if suffix_of(path) in PARTICLE_SUFFIXES else None
-        if data is not None and (data.IsA("vtkPointSet") or data.IsA("vtkCompositeDataSet")):
-            return None
-        raise
+    is_shape = suffix_of(path) in MESH_SUFFIXES and suffix_of(path) != ".vdb"
+    return read_shape(path) if is_shape and not holds_particles(path) else None
 
 
 def _describe_shape(shape: Any) -> dict[str, Any]:
@@ -200,14 +193,7 @@ def _labels(image: Any) -> dict[str, Any]:
 
 
 def _describe_vdb(files: list[Path]) -> dict[str, Any]:
-    from .. import vtkActiveVDBReader
-
-    check_readable(files[0])
-    reader = vtkActiveVDBReader()
-    reader.SetFileName(str(files[0]))
-    with quiet(), listening(reader) as heard:
-        reader.UpdateInformation()
-    heard.raise_error(OSError)
+    reader = open_vtk(files[0])
     grids = [_describe_grid(reader, i) for i in range(reader.GetNumberOfGrids())]
     found: dict[str, Any] = {"files": len(files), "file": str(files[0]), "grids": grids}
     if any(grid["name"] == "potential" for grid in grids):
