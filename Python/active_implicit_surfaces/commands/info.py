@@ -61,9 +61,9 @@ def make_parser() -> Parser:
         "active-surface info",
         "FILE ... [--json] [--csv]",
         wrapped(
-            "What is in a file or a series: points, bounds, spacing, arrays, times; of meshes area, "
-            "volume, pieces, voids and open edges; the grids of a .vdb, and what of it the filter "
-            "can go on from; the layers of an .exr; the labels of an image."
+            "What is in a file or a series: points, bounds, spacing, arrays, times; of meshes "
+            "area, volume, pieces, voids and open edges; the grids of a .vdb, and what of it the "
+            "filter can go on from; the layers of an .exr; the labels of an image."
         ),
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
