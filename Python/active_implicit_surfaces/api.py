@@ -169,7 +169,8 @@ class frames(Skins):
             spacing = told or series_spacing(self.source.frames_that_tell())
             self.source.leave_out_pieces(minimum_piece, spacing)
         if where and not self.source.first_frame().GetNumberOfPoints():
-            raise ValueError(f"No particle meets {where}.")
+            told = where if isinstance(where, str) else " and ".join(where)
+            raise ValueError(f"No particle of any frame meets {told}.")
         self.surface = vtkActiveImplicitSurface()
         self.surface.SetInputConnection(self.source.GetOutputPort())
         configure(self.surface, self.source, preset=preset, arrays=arrays, **options)

@@ -95,7 +95,7 @@ class Conditions(unittest.TestCase):
         frames = [as_particles(grid() + step, kind=numpy.arange(125) % 2) for step in range(2)]
         way = active.frames(frames, where="kind=1", particle_spacing=0.1)
         self.assertEqual(way.source.frame(1).GetNumberOfPoints(), 62)
-        with self.assertRaisesRegex(ValueError, "No particle meets kind=7"):
+        with self.assertRaisesRegex(ValueError, "No particle of any frame meets kind=7"):
             active.frames(frames, where="kind=7")
         points = [numpy.vstack([grid(), grid(2) + 3]) + 0.02 * step for step in range(3)]
         way = active.frames(points, fps=10, output_fps=40, minimum_piece=9, particle_spacing=0.1)
@@ -189,7 +189,7 @@ class Programs(CommandTest):
         self.succeed("convert", "p_10.npz", "--where", "Type=2", "--where", "x>2.1", "-o", "c.csv")
         self.assertEqual(open_particles("c.csv").load(0).GetNumberOfPoints(), 9)
         said = self.fail_with(1, "skin", "p_10.npz", "--where", "Type=4")
-        self.assertIn("No particle meets", said)
+        self.assertIn("No particle of any frame meets Type=4.", said)
 
     def test_frames_and_frames_in_between(self):
         self.succeed("skin", "p_*.npz", "--frames", "11:15:2", "-o", "s_##.ply", *QUIET)
