@@ -149,6 +149,11 @@ class Labels(CommandTest):
         made = sorted(path.name for path in self.folder.glob("s_*.stl"))
         self.assertEqual(made, [f"s_{n}_000{i}.stl" for n in (2, 7) for i in (0, 1)])
         self.assertGreater(read_shape(self.folder / "s_2_0001.stl").GetBounds()[0], 1)
+        two = numpy.stack([points, points])
+        numpy.savez("all.npz", positions=two, label=numpy.stack([labels, labels]))
+        self.succeed("skin", "all.npz", "--labels", "2,7", "-o", "t_##_####.stl", *QUIET)
+        made = sorted(path.name for path in self.folder.glob("t_*.stl"))
+        self.assertEqual(made, [f"t_0{n}_000{i}.stl" for n in (2, 7) for i in (0, 1)])
         self.succeed("convert", "p_0.npz", "--label", 2, "-o", "two.csv")
         self.assertEqual(open_particles("two.csv").load(0).GetNumberOfPoints(), 64)
 
@@ -200,6 +205,10 @@ class Programs(CommandTest):
         numpy.testing.assert_allclose(
             file_names.read_index(self.folder / "t.ply.series").times, [0.2, 0.25, 0.3]
         )
+        one = self.succeed("skin", "p_*.npz", "--frames", "13:13", "--tension", 0.1, *QUIET)
+        self.assertIn("Of no effect on one frame: --tension", one.err)
+        arguments = ("--frames", "13:13", "--preroll", 2, "--tension", 0.1, *QUIET)
+        self.assertNotIn("Of no effect", self.succeed("skin", "p_*.npz", *arguments).err)
         said = self.fail_with(1, "skin", "p_*.npz", "--frames", "20:30")
         self.assertIn("No frame is in --frames 20:30:1; there are 10 to 16.", said)
         for wrong in ("10", "a:b", "1:2:0", "1:2:3:4"):

@@ -12,7 +12,7 @@ import numpy
 from .. import runner
 from ..api import frames
 from ..choice import labels_of
-from ..file_names import expand, suffix_of
+from ..file_names import suffix_of
 from ..particle_files import PARTICLE_SUFFIXES, ParticleFiles, open_particles
 from ..presets import PRESETS
 from ..series import TemporalSource
@@ -37,6 +37,7 @@ from .progress import Progress
 from .resume import Resumption
 from .view import find_view
 
+_DEFAULT = "skin_####.vtp"
 _ARRAYS = ("ids", "radii", "strengths", "velocities")
 
 
@@ -49,8 +50,8 @@ def run(arguments: list[str]) -> int:
         parser.error("a film cannot go on where it was cut off; render to frame.####.png")
     if options.resume and options.render and not options.output:
         parser.error("--resume goes on with skins; say their name, -o skin_####.vtp")
-    listed = expand(options.files, PARTICLE_SUFFIXES).frames
-    for own in each_label(options, lambda: _labels(options), len(listed) > 1, "skin_####.vtp"):
+    files: Any = open_particles(options.files) if options.labels else ()
+    for own in each_label(options, lambda: labels_of(files.load(0)), len(files) > 1, _DEFAULT):
         _run(parser, own, chosen)
     return 0
 
@@ -74,20 +75,18 @@ def _run(parser: Parser, options: Any, chosen: dict[str, Any]) -> None:
         **chosen,
     )
     way.times = plan.times
-    facts = ["particles", *(["series"] if len(way) > 1 else [])]
+    facts = ["particles", *(["series"] if len(plan.steps) > 1 else [])]
     check_effects(parser, options, outputs.output, facts, way.surface)
     names = ("where", "label", "minimum_piece", "frames", "preroll", "output_fps", "preset")
-    described = {name: getattr(options, name) for name in names if getattr(options, name)}
+    described = {
+        name: getattr(options, name) for name in names if getattr(options, name) is not None
+    }
     described |= {**arrays, **chosen}
     kept = Resumption(outputs.output, described, plan.files) if outputs.output else None
     first = kept.bind(way, outputs.names, options.resume) if kept else 0
     sinks = outputs.sinks(way, lambda: _find_view(options, files, kept), options.preset or "water")
     progress = Progress(len(way), first, options.quiet)
     runner.run(way.make, range(first, len(way)), [*sinks, *filter(None, [kept]), progress])
-
-
-def _labels(options: Any) -> list[int]:
-    return labels_of(open_particles(options.files).load(0))
 
 
 class _Plan(NamedTuple):
@@ -138,7 +137,7 @@ def make_parser() -> Parser:
         "--particle-model sum: --help-properties.",
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
-    add_output_options(parser, "skin_####.vtp")
+    add_output_options(parser, _DEFAULT)
     parser.add_argument(
         "--preset", choices=PRESETS, metavar="NAME", help="what the particles are (see below)"
     )
