@@ -177,7 +177,7 @@ class frames(Skins):
         own = self.source.times
         self.times = own if output_fps is None else times_between(own, output_fps)
         self._progress = progress
-        self._example = None if is_source else _first_of(particles)
+        self._example = particles[0] if isinstance(particles, (list, tuple)) and particles else None
 
 
 class LiveSurface:
@@ -360,7 +360,3 @@ def usual_ids(cloud: Any) -> str:
         if name.lower() in _USUAL_IDS and array.GetNumberOfComponents() == 1:
             return str(name)
     return ""
-
-
-def _first_of(particles: Any) -> Any:
-    return particles[0] if isinstance(particles, (list, tuple)) and particles else None

@@ -12,10 +12,9 @@ from vtkmodules.vtkCommonCore import vtkVersion
 
 from .file_names import suffix_of
 from .images import IMAGE_SUFFIXES, read_image
+from .mesh_checks import check_obj, check_stl
 from .messages import listening, quiet
-from .obj_files import check_obj
 from .ply_files import add_properties, check_ply
-from .stl_files import check_stl
 
 # Extension: module and class of the reader.
 READERS = {

@@ -205,7 +205,10 @@ def times_list(text: str) -> list[float]:
     try:
         if text.count(":") == 2:
             first, last, count = text.split(":")
-            return list(_even(float(first), float(last), int(count)))
+            start, way, steps = float(first), float(last) - float(first), range(int(count))
+            if not steps:
+                raise ValueError
+            return [start + way * i / max(1, len(steps) - 1) for i in steps]
         return [float(part) for part in text.split(",")]
     except ValueError:
         raise argparse.ArgumentTypeError(
@@ -240,12 +243,6 @@ def whole(text: str) -> int:
     if not text.isdecimal():
         raise argparse.ArgumentTypeError(f"{text} is no whole number of 0 or more")
     return int(text)
-
-
-def _even(first: float, last: float, count: int) -> Sequence[float]:
-    if count < 1:
-        raise ValueError
-    return [first + (last - first) * i / max(1, count - 1) for i in range(count)]
 
 
 def positive(text: str) -> float:
