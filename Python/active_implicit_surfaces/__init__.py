@@ -57,7 +57,7 @@ if _HAS_IO:
 # Where the functions are; they need numpy, which the classes do not.
 _FUNCTIONS = {
     "ActiveSurfaceWarning": "messages",
-    "Frame": "api",
+    "Frame": "runner",
     "LiveSurface": "api",
     "ParticleSeries": "series",
     "frames": "api",

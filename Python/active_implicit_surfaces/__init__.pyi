@@ -1,13 +1,13 @@
 # What the package holds, for type checkers. VTK's own classes have no complete annotations.
 from typing import Any
 
-from .api import Frame as Frame
 from .api import LiveSurface as LiveSurface
 from .api import frames as frames
 from .api import skin as skin
 from .history import plot_history as plot_history
 from .messages import ActiveSurfaceWarning as ActiveSurfaceWarning
 from .morphing import morph as morph
+from .runner import Frame as Frame
 from .series import ParticleSeries as ParticleSeries
 from .series import temporal_source as temporal_source
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Sequence
+from typing import Any
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
@@ -11,7 +11,9 @@ from . import properties, vtkActiveImplicitSurface
 from .data_objects import STANDARD_NAMES, as_particles, like
 from .messages import listening, warn_all
 from .presets import apply_preset, estimate_spacing, is_point_cloud, series_spacing
+from .runner import Skins, copy_of, update
 from .series import ParticleSeries, TemporalSource
+from .times import times_between
 
 # Numbers of SetInputArrayToProcess, and the keywords that give such an array.
 _ARRAYS = {"radii": 0, "ids": 1, "strengths": 2, "velocities": 5}
@@ -20,13 +22,6 @@ _FAR = 1.5  # as a factor: half and twice are
 _SAME = 1.01
 _LEAST_REACH = 1.2  # of a kernel, in spacings
 _USUAL_IDS = ("id", "ids", "particle_id", "particleid", "pid")
-
-
-class Frame(NamedTuple):
-    """A skin, and its time."""
-
-    time: float
-    skin: Any
 
 
 def skin(
@@ -90,7 +85,7 @@ def skin(
     return like(particles, copy_of(surface.GetOutput()))
 
 
-class frames:
+class frames(Skins):
     """The skins over a series of particles, one after the other, each going on from the last.
 
     Parameters
@@ -101,6 +96,12 @@ class frames:
         See ParticleSeries [time].
     fps : float, optional
         See ParticleSeries [1/time].
+    where : str or sequence of str, optional
+        Conditions that the particles meet: "Type=1", "T>300", "id!=3,4", "x<0.5".
+    minimum_piece : int
+        Particles in clusters of fewer than these get no skin. Default: 1.
+    output_fps : float, optional
+        Skins per second [1/time], frames in between included. Default: at the particles' times.
     preset : {"water", "viscous", "molecule", "paper"}, optional
         A choice of properties; those that are given besides hold.
     arrays : dict of str, optional
@@ -151,35 +152,32 @@ class frames:
         *,
         times: Sequence[float] | None = None,
         fps: float | None = None,
+        where: str | Sequence[str] = (),
+        minimum_piece: int = 1,
+        output_fps: float | None = None,
         preset: str | None = None,
         arrays: dict[str, str] | None = None,
         progress: Callable[[int, int], None] | None = None,
         **options: Any,
     ) -> None:
         is_source = isinstance(particles, TemporalSource)
-        self.source = particles if is_source else ParticleSeries(particles, times=times, fps=fps)
+        self.source = (
+            particles if is_source else ParticleSeries(particles, times=times, fps=fps, where=where)
+        )
+        if minimum_piece > 1:
+            told = options.get("particle_spacing")
+            spacing = told or series_spacing(self.source.frames_that_tell())
+            self.source.leave_out_pieces(minimum_piece, spacing)
+        if where and not self.source.first_frame().GetNumberOfPoints():
+            told = where if isinstance(where, str) else " and ".join(where)
+            raise ValueError(f"No particle of any frame meets {told}.")
         self.surface = vtkActiveImplicitSurface()
         self.surface.SetInputConnection(self.source.GetOutputPort())
         configure(self.surface, self.source, preset=preset, arrays=arrays, **options)
+        own = self.source.times
+        self.times = own if output_fps is None else times_between(own, output_fps)
         self._progress = progress
-        self._loop: Iterator[Frame] | None = None
-        self._example = None if is_source else _first_of(particles)
-
-    def __len__(self) -> int:
-        return len(self.source.times)
-
-    def __next__(self) -> Frame:
-        """The next skin, as of one loop over all of them."""
-        if self._loop is None:
-            self._loop = iter(self)
-        return next(self._loop)
-
-    def __iter__(self) -> Iterator[Frame]:
-        for step, time in enumerate(self.source.times):
-            update(self.surface, time, self.source)
-            if self._progress:
-                self._progress(step + 1, len(self))
-            yield Frame(time, like(self._example, copy_of(self.surface.GetOutput())))
+        self._example = particles[0] if isinstance(particles, (list, tuple)) and particles else None
 
 
 class LiveSurface:
@@ -300,9 +298,10 @@ def _settle_spacing(surface: Any, source: TemporalSource, first: Any, has_radii:
     frames = source.frames_that_tell()
     own = series_spacing(frames)
     if not (surface.GetParticleSpacing() or surface.GetParticleRadius() or has_radii):
-        is_first = first is source.frame(0) and 0 < estimate_spacing(first) <= _SAME * own
-        if own > 0 and not is_first:
-            surface.SetParticleSpacing(own)
+        is_same = 0 < (estimated := estimate_spacing(first)) <= _SAME * own
+        if own > 0 and not (is_same and first is source.frame(0)):
+            # A part of a series has the spacing that the filter finds for the whole.
+            surface.SetParticleSpacing(estimated if is_same else own)
     elif own > 0 and max(frame.GetNumberOfPoints() for frame in frames) >= _MANY:
         warn_all(_describe_lengths(surface, own))
 
@@ -339,23 +338,6 @@ def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
             )
 
 
-def update(surface: Any, time: float, source: TemporalSource) -> None:
-    """Takes a filter to a time; its errors are ValueError, those of the source what they are."""
-    with listening(surface, source) as heard:
-        surface.UpdateTimeStep(time)
-    if source.failure is not None:
-        raise source.failure
-    heard.raise_error(ValueError)
-    warn_all(heard.warnings)
-
-
-def copy_of(data: Any) -> Any:
-    """A data object of the same arrays that the next update leaves alone."""
-    copy = data.NewInstance()
-    copy.ShallowCopy(data)
-    return copy
-
-
 def _sort_arrays(given: dict[str, Any]) -> tuple[dict[str, str], dict[str, Any]]:
     """The names of arrays, and the arrays themselves, of keywords that may be either."""
     names, values = {}, {}
@@ -378,7 +360,3 @@ def usual_ids(cloud: Any) -> str:
         if name.lower() in _USUAL_IDS and array.GetNumberOfComponents() == 1:
             return str(name)
     return ""
-
-
-def _first_of(particles: Any) -> Any:
-    return particles[0] if isinstance(particles, (list, tuple)) and particles else None

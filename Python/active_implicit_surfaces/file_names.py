@@ -94,7 +94,25 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
         files.sort(key=lambda file: natural_key(file, numbers))
     if not files:
         raise OSError("There are no files.")
-    return Listing([(file,) for file in files])
+    return Listing([(file,) for file in files], note=_describe_two_numbers(files, numbers))
+
+
+def _describe_two_numbers(files: list[Path], numbers: re.Pattern[str]) -> str:
+    """A sentence about names with all pairs of two numbers, which may be parts of frames."""
+    parts = [tuple(numbers.split(str(file))[1::2]) for file in files]
+    columns = [sorted({*column}, key=float) for column in zip(*parts)]
+    running = [column for column in columns if len(column) > 1]
+    if (
+        len({*map(len, parts)}) != 1
+        or len(running) != 2
+        or len(files) != math.prod(map(len, running))
+    ):
+        return ""
+    first, second = (f"{column[0]} to {column[-1]}" for column in running)
+    return (
+        f"The names have two running numbers, {first} and {second}, and each file is a frame. If "
+        "one of them numbers the parts of a frame, list the files with part= in a .pvd."
+    )
 
 
 def _expand_one(path: Path, known: Sequence[str]) -> list[Path]:
@@ -223,9 +241,33 @@ def numbered(name: str | Path, number: int) -> Path:
     mark = _NUMBER.search(path.name)
     if mark is None:
         return path.with_name(f"{path.stem}_{number:04}{path.suffix}")
+    return path.with_name(_with_number(path.name, mark, number))
+
+
+def _with_number(name: str, mark: re.Match[str], number: int) -> str:
     text = mark[0]
     digits = len(text) if text[0] == "#" else int(re.sub(r"\D", "", text) or 1)
-    return path.with_name(f"{path.name[: mark.start()]}{number:0{digits}}{path.name[mark.end() :]}")
+    return f"{name[: mark.start()]}{number:0{digits}}{name[mark.end() :]}"
+
+
+def labelled(name: str | Path, label: int, is_series: bool, is_one_of_several: bool) -> Path:
+    """The name for a label: in place of the first ####, if that is not for the frames."""
+    path = Path(name)
+    marks = list(_NUMBER.finditer(path.name))
+    if len(marks) > is_series:
+        return path.with_name(_with_number(path.name, marks[0], label))
+    if not is_one_of_several:
+        return path
+    if not marks:
+        return path.with_name(f"{path.stem}_{label}{path.suffix}")
+    start = marks[0].start()
+    return path.with_name(f"{path.name[:start]}{label}_{path.name[start:]}")
+
+
+def names_of(name: str | Path, numbers: Sequence[int]) -> list[Path]:
+    """The names of frames of these numbers; of one frame the name itself, unless it has a ####."""
+    is_series = len(numbers) > 1 or has_number(name)
+    return [numbered(name, number) if is_series else Path(name) for number in numbers]
 
 
 def numbers_of(files: Sequence[str | Path]) -> list[int]:

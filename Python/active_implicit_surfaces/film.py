@@ -13,8 +13,9 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .display import find_display
-from .file_names import has_number, numbered, replacing, suffix_of
+from .file_names import names_of, replacing, suffix_of
 from .messages import quiet
+from .runner import Sink
 from .scene import Scene
 
 FILM_SUFFIXES = (".mp4", ".ogv", ".png", ".exr")
@@ -35,8 +36,8 @@ def check_film(path: Path, count: int) -> None:
     find_display()
 
 
-class Film:
-    """Pictures of one skin after the other; a context manager, which finishes the file.
+class Film(Sink):
+    """Pictures of one skin after the other.
 
     Parameters
     ----------
@@ -44,17 +45,24 @@ class Film:
         film.mp4, film.ogv, picture.####.png or picture.####.exr.
     scene : Scene
     times : list of float
-        Of the pictures; one alone needs no number in its name.
+        Of the pictures.
+    numbers : list of int
+        In the names of the pictures; one alone needs none.
     fps : float, optional
         Default: that at which the film is as long as the series.
     """
 
     def __init__(
-        self, path: Path, scene: Scene, times: list[float], fps: float | None = None
+        self,
+        path: Path,
+        scene: Scene,
+        times: list[float],
+        numbers: list[int],
+        fps: float | None = None,
     ) -> None:
         self.path, self.scene, self.times = path, scene, times
         self.fps = fps or _rate(times)
-        self.is_numbered = len(times) > 1 or has_number(path)
+        self.names = names_of(path, numbers)
         self._stream: Any = None
 
     def __enter__(self) -> Film:
@@ -68,19 +76,15 @@ class Film:
         if self._stream is not None:
             self._stream.close(kind is None)
 
-    def name_of(self, step: int) -> Path:
-        """The file of a picture."""
-        return numbered(self.path, step) if self.is_numbered else self.path
-
-    def add(self, step: int, skin: Any, number: int) -> None:
-        """Renders a skin of this step of the times as the picture of this number."""
+    def add(self, step: int, skin: Any) -> None:
+        """Renders a skin of this step of the times."""
         self.scene.show(skin)
         if self._stream is not None:
             self._stream.write(self.scene.picture())
         elif suffix_of(self.path) == ".png":
-            _write_png(self.name_of(number), self.scene.picture())
+            _write_png(self.names[step], self.scene.picture())
         else:
-            self._write_exr(self.name_of(number), step)
+            self._write_exr(self.names[step], step)
 
     def _write_exr(self, path: Path, step: int) -> None:
         from . import render, vtkActiveEXRWriter

@@ -1,11 +1,16 @@
-"""What has happened to a skin, as a plot."""
+"""What has happened to a skin, as a plot or a table."""
 
 from __future__ import annotations
 
+import csv
 from collections.abc import Sequence
+from contextlib import nullcontext, suppress
+from pathlib import Path
 from typing import Any
 
+from .file_names import replacing
 from .messages import listening
+from .runner import Sink
 
 
 def plot_history(
@@ -69,6 +74,22 @@ def _column(table: Any, name: str) -> list[Any]:
         names = ", ".join(table.GetColumnName(i) for i in range(table.GetNumberOfColumns()))
         raise ValueError(f"The history has no column {name!r}; it has {names}.")
     return [array.GetValue(row) for row in range(table.GetNumberOfRows())]
+
+
+class HistoryFile(Sink):
+    """Writes a filter's history as a .csv at the end of a run, also of one that fails."""
+
+    def __init__(self, path: Path, surface: Any) -> None:
+        self._path, self._surface = path, surface
+
+    def __exit__(self, kind: Any, *_: Any) -> None:
+        with suppress(ValueError) if kind else nullcontext():
+            table = _history_of(self._surface)
+            names = [table.GetColumnName(i) for i in range(table.GetNumberOfColumns())]
+            with replacing(self._path) as temporary, temporary.open("w", newline="") as file:
+                rows = csv.writer(file)
+                rows.writerow(names)
+                rows.writerows(zip(*(_column(table, name) for name in names)))
 
 
 def _new_axes(count: int) -> list[Any]:

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 from . import properties, vtkActiveImplicitSurface
-from .api import Frame, copy_of
-from .data_objects import as_shape, is_vtk, like
+from .data_objects import as_shape, is_vtk
 from .fitting import FITS, describe_difference, fitted
-from .messages import listening, warn_all
+from .messages import warn_all
+from .runner import Skins
 
 _OF_DURATION = {"arrival_time", "number_of_time_steps", "start_time", "time_step_size"}
 
 
-class morph:
+class morph(Skins):
     """The skins on the way from one shape to another, which it reaches at the end.
 
     No points correspond: the surface moves along its normal, splits and merges. Each part goes with
@@ -103,33 +103,25 @@ class morph:
         self.times = [duration * i / (frames - 1) for i in range(frames)]
         self.surface = vtkActiveImplicitSurface()
         self._example, self._progress = a, progress
-        self._loop: Iterator[Frame] | None = None
         self._producers: list[Any] = []
         self._connect(a, b, fit)
         properties.put(self.surface, options)
-        is_something = _is_function(b) or as_shape(b).GetNumberOfPoints() > 0
-        self._expects_skin = is_something and bool(self.surface.GetCreateParts())
+        self._expects_skin = _is_function(b) or as_shape(b).GetNumberOfPoints() > 0
         if "attraction" not in options:
             self.surface.SetArrivalTime(duration)
         self.surface.SetNumberOfTimeSteps(frames)
         self.surface.SetTimeStepSize(duration / (frames - 1))
 
-    def __len__(self) -> int:
-        return len(self.times)
-
-    def __next__(self) -> Frame:
-        """The next skin, as of one loop over all of them."""
-        if self._loop is None:
-            self._loop = iter(self)
-        return next(self._loop)
-
-    def __iter__(self) -> Iterator[Frame]:
-        for step, time in enumerate(self.times):
-            _update(self.surface, time)
-            self._check(time)
-            if self._progress:
-                self._progress(step + 1, len(self))
-            yield Frame(time, like(self._example, copy_of(self.surface.GetOutput())))
+    def make(self, step: int) -> Any:
+        """As of Skins; raises ValueError if the skin has vanished before a shape that has not."""
+        skin = super().make(step)
+        if self._expects_skin and skin.GetNumberOfPoints() == 0:
+            raise ValueError(
+                f"The skin has vanished by the time {self.times[step]:g} and does not reach the "
+                "last shape: the two do not overlap, or have parts thinner than two voxels. Bring "
+                "them together (fit), or reduce voxel_size."
+            )
+        return skin
 
     def _connect(self, a: Any, b: Any, fit: str) -> None:
         first, last = (shape if _is_function(shape) else as_shape(shape) for shape in (a, b))
@@ -148,15 +140,6 @@ class morph:
         else:
             self.surface.SetInputConnection(0, self._producer(last))
 
-    def _check(self, time: float) -> None:
-        """Raises ValueError if the skin has vanished on its way to a shape that has not."""
-        if self._expects_skin and self.surface.GetOutput().GetNumberOfPoints() == 0:
-            raise ValueError(
-                f"The skin has vanished by the time {time:g} and does not reach the last shape: "
-                "the two do not overlap, or have parts thinner than two voxels. Bring them "
-                "together (fit), or reduce voxel_size."
-            )
-
     def _producer(self, shape: Any) -> Any:
         producer = vtkTrivialProducer()
         producer.SetOutput(shape)
@@ -166,10 +149,3 @@ class morph:
 
 def _is_function(shape: Any) -> bool:
     return is_vtk(shape) and bool(shape.IsA("vtkImplicitFunction"))
-
-
-def _update(surface: Any, time: float) -> None:
-    with listening(surface) as heard:
-        surface.UpdateTimeStep(time)
-    heard.raise_error(ValueError)
-    warn_all(heard.warnings)

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import csv
-import importlib
-import mmap
 import re
 import warnings
 import zipfile
@@ -13,42 +11,20 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from . import text_particles
+from .choice import choose
 from .data_objects import add_array, as_particles
 from .file_names import expand, numbers_of, suffix_of
-from .images import IMAGE_SUFFIXES, read_image
-from .messages import ActiveSurfaceWarning, listening, quiet, warn_all
-from .obj_files import check_obj
-from .ply_files import add_properties, check_ply
-from .stl_files import check_stl
+from .images import IMAGE_SUFFIXES
+from .messages import ActiveSurfaceWarning, warn_all
 from .tables import Frame, Frames
 from .times import check_times, places_of, times_at
+from .vtk_files import READERS, check_readable, open_vtk, update
 
-# Extension: module and class of the reader.
-_VTK_READERS = {
-    ".vtp": ("vtkmodules.vtkIOXML", "vtkXMLPolyDataReader"),
-    ".vtu": ("vtkmodules.vtkIOXML", "vtkXMLUnstructuredGridReader"),
-    ".pvtp": ("vtkmodules.vtkIOXML", "vtkXMLPPolyDataReader"),
-    ".pvtu": ("vtkmodules.vtkIOXML", "vtkXMLPUnstructuredGridReader"),
-    ".vtm": ("vtkmodules.vtkIOXML", "vtkXMLMultiBlockDataReader"),
-    ".vti": ("vtkmodules.vtkIOXML", "vtkXMLImageDataReader"),
-    **dict.fromkeys((".nii", ".nii.gz"), ("vtkmodules.vtkIOImage", "vtkNIFTIImageReader")),
-    **dict.fromkeys((".mha", ".mhd"), ("vtkmodules.vtkIOImage", "vtkMetaImageReader")),
-    **dict.fromkeys((".nrrd", ".nhdr"), ("vtkmodules.vtkIOImage", "vtkNrrdReader")),
-    ".vtk": ("vtkmodules.vtkIOLegacy", "vtkGenericDataObjectReader"),
-    ".vtkhdf": ("vtkmodules.vtkIOHDF", "vtkHDFReader"),
-    ".ply": ("vtkmodules.vtkIOPLY", "vtkPLYReader"),
-    ".stl": ("vtkmodules.vtkIOGeometry", "vtkSTLReader"),
-    ".obj": ("vtkmodules.vtkIOGeometry", "vtkOBJReader"),
-    ".vdb": ("active_implicit_surfaces.vtkActiveIO", "vtkActiveVDBReader"),
-}
-# What looks a file through before VTK's reader, which takes, or crashes at, any bytes.
-_CHECKS = {".ply": check_ply, ".obj": check_obj, ".stl": check_stl}
 _TEXT_READERS = {
     ".csv": text_particles.read_csv,
     ".xyz": text_particles.read_xyz,
@@ -58,7 +34,7 @@ _TEXT_READERS = {
 }
 PARTICLE_SUFFIXES = tuple(
     suffix
-    for suffix in (*_VTK_READERS, *_TEXT_READERS)
+    for suffix in (*READERS, *_TEXT_READERS)
     if suffix not in (".stl", ".obj", *IMAGE_SUFFIXES)
 )
 
@@ -66,11 +42,7 @@ PARTICLE_SUFFIXES = tuple(
 # What zipfile raises besides; of these NotImplementedError is a RuntimeError.
 _DAMAGE_OF_ARCHIVES = (zipfile.BadZipFile, zlib.error, RuntimeError, OverflowError)
 
-_NO_POINTS = "No Points element available"
-_ABOUT_APPENDED_DATA = (
-    " If it is whole: VTK 9.1 cannot read appended data with libexpat 2.5.0-1+deb12u2; write it "
-    "with SetDataModeToBinary (in ParaView: Data Mode Binary)."
-)
+_ABOUT_MESHES = " The commands convert and morph take its surface."
 
 
 class ParticleFiles:
@@ -88,25 +60,33 @@ class ParticleFiles:
     """
 
     def __init__(
-        self, frames: list[tuple[Path, ...]], loaders: list[Any], times: Sequence[float]
+        self,
+        frames: list[tuple[Path, ...]],
+        loaders: list[Any],
+        times: Sequence[float],
+        where: str | Sequence[str],
+        label: int | None,
     ) -> None:
         self.names = [parts[0] for parts in frames] * (len(loaders) // len(frames))
         self.files = [file for parts in frames for file in parts]
         self._loaders, self.times = loaders, check_times(times)
+        self._where, self._label = where, label
         self.numbers = numbers_of(self.names)
 
     def __len__(self) -> int:
         return len(self.times)
 
     def load(self, step: int) -> Any:
-        """The particles of a frame, a vtkPolyData.
+        """The particles of a frame that were chosen, a vtkPolyData.
 
         Raises
         ------
         OSError
             The file cannot be read, or has no particles.
+        ValueError
+            There is no array to choose by.
         """
-        return self._loaders[step]()
+        return choose(self._loaders[step](), self._where, self._label)
 
 
 def open_particles(
@@ -114,8 +94,10 @@ def open_particles(
     *,
     fps: float | None = None,
     times: Sequence[float] | None = None,
+    where: str | Sequence[str] = (),
+    label: int | None = None,
 ) -> ParticleFiles:
-    """Files of particles as frames; patterns, folders, .series and .pvd too.
+    """Files of particles as frames, or those chosen (see `choice`); patterns, folders and indices.
 
     Times are `times`, else as `fps` says, else those of the index or of the files, else 25 frames
     per second. Where numbers of files are left out, the time between is as much longer.
@@ -137,27 +119,7 @@ def open_particles(
     elif fps is not None or told is None:
         places = places_of(numbers_of(files)) if len(files) > 1 else range(len(loaders))
         told = times_at(places, fps)
-    return ParticleFiles(listing.frames, loaders, told)
-
-
-def read_vtk(path: Path, time: float | None = None, **settings: Any) -> Any:
-    """What a reader of VTK or of this package makes of a file, at one of its time steps."""
-    reader = _vtk_reader(path, **settings)
-    if suffix_of(path) in IMAGE_SUFFIXES[1:]:
-        return read_image(path, reader, lambda reader: _update(reader, path))
-    return _update(reader, path, time)
-
-
-def check_readable(path: Path) -> None:
-    """Raises OSError if there is no such file, or it cannot be opened or is empty."""
-    try:
-        with path.open("rb") as file:
-            if not file.read(1):
-                raise OSError(f"{path} is empty.")
-    except OSError as error:
-        if error.strerror is None:
-            raise
-        raise OSError(f"{path} cannot be read: {error.strerror}.") from error
+    return ParticleFiles(listing.frames, loaders, told, where, label)
 
 
 def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
@@ -192,29 +154,29 @@ def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | Non
         frames, times = _read_text(path, noted)
         return [_maker(path, frame) for frame in frames], times
     if suffix not in PARTICLE_SUFFIXES:
+        if suffix in READERS:
+            raise OSError(f"{path} holds no particles, but a mesh or an image.{_ABOUT_MESHES}")
         raise OSError(
             f"{path}: particles are read from {', '.join(PARTICLE_SUFFIXES)}, not from "
             f"{suffix or 'a file without an extension'}."
         )
-    reader = _vtk_reader(path)
-    with quiet(), listening(reader) as heard:
-        reader.UpdateInformation()
-    _check(path, heard.errors)
-    steps = _time_steps(reader)
+    reader = open_vtk(path)
+    info = reader.GetOutputInformation(0)
+    steps = list(info.Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ())
     if len(steps) < 2:
-        return [lambda: _points_of(path, _update(reader, path))], None
+        return [lambda: _points_of(path, update(reader, path), noted)], None
     # These readers number the steps that a file holds.
     counted = steps == [float(i) for i in range(len(steps))]
-    loaders = [_step_loader(path, reader, time) for time in steps]
+    loaders = [_step_loader(path, reader, time, noted) for time in steps]
     return loaders, None if counted else steps
 
 
-def _step_loader(path: Path, reader: Any, time: float) -> Any:
+def _step_loader(path: Path, reader: Any, time: float, noted: set[str]) -> Any:
     def load() -> Any:
-        data = _update(reader, path, time)
+        data = update(reader, path, time)
         copy = data.NewInstance()
         copy.DeepCopy(data)  # the readers of such files write the next step into the same arrays
-        return _points_of(path, copy)
+        return _points_of(path, copy, noted)
 
     return load
 
@@ -252,85 +214,14 @@ def _maker(path: Path, frame: Frame) -> Any:
     return make
 
 
-def _vtk_reader(path: Path, **settings: Any) -> Any:
-    check_readable(path)
-    suffix = suffix_of(path)
-    if suffix in _CHECKS:
-        _CHECKS[suffix](path)
-    module, name = _VTK_READERS[suffix]
-    try:
-        reader = getattr(importlib.import_module(module), name)()
-    except ImportError as error:
-        raise OSError(f"{path} cannot be read: this installation has no {name}.") from error
-    if suffix == ".vtkhdf" and not hasattr(reader, "GetNumberOfSteps"):
-        _check_steps(path)
-    for setting, value in settings.items():
-        getattr(reader, setting)(value)
-    reader.SetFileName(str(path))
-    return reader
-
-
-def _check_steps(path: Path) -> None:
-    """Raises OSError if a .vtkhdf has time steps, which this VTK would read as one."""
-    with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
-        if content.find(b"NSteps") >= 0:
-            raise OSError(
-                f"{path} has time steps, which VTK {vtkVersion.GetVTKVersion()} cannot read from "
-                "a .vtkhdf; write a file for each step, and a .pvd, or use VTK 9.3 or later."
-            )
-
-
-def _time_steps(reader: Any) -> list[float]:
-    info = reader.GetOutputInformation(0)
-    return list(info.Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ())
-
-
-def _update(reader: Any, path: Path, time: float | None = None) -> Any:
-    with quiet() as said, listening(reader) as heard:
-        if time is None:
-            reader.Update()
-        else:
-            reader.UpdateTimeStep(time)
-    failed = hasattr(reader, "GetErrorCode") and reader.GetErrorCode() != 0
-    _check(path, heard.errors or said.errors, failed)
-    data = reader.GetOutputDataObject(0)
-    if data is None:
-        raise OSError(f"{path} cannot be read: it is damaged, or not what its extension says.")
-    if suffix_of(path) == ".ply":
-        add_properties(path, data)
-    return data
-
-
-def _check(path: Path, errors: list[str], failed: bool = False) -> None:
-    errors = [said for said in errors if not (_NO_POINTS in said and _is_empty(path))]
-    if errors or failed:
-        said = errors[0].rstrip(".") if errors else "it is damaged, or not what its extension says"
-        raise OSError(f"{path} cannot be read: {said}.{_hint(path)}")
-
-
-def _is_empty(path: Path) -> bool:
-    """Whether a file of VTK's XML kind is of no points; their array then is left out."""
-    with path.open("rb") as file:
-        counts = re.findall(rb'NumberOfPoints="(\d+)"', file.read(1 << 20))
-    return bool(counts) and not any(map(int, counts))
-
-
-def _hint(path: Path) -> str:
-    """What may be wrong with a whole file: Debian 12's VTK 9.1 beside its newer libexpat."""
-    is_old = vtkVersion.GetVTKVersion().startswith("9.1.")
-    if not is_old or suffix_of(path) not in (".vtp", ".vtu", ".vti", ".pvtp", ".pvtu"):
-        return ""
-    with path.open("rb") as file:
-        is_appended = b"<AppendedData" in file.read(1 << 20)
-    return _ABOUT_APPENDED_DATA if is_appended else ""
-
-
-def _points_of(path: Path, data: Any) -> Any:
-    """The points of whatever data set that is, with their arrays."""
+def _points_of(path: Path, data: Any, noted: set[str]) -> Any:
+    """The points of whatever data set that is, with their arrays; a note says that it is a mesh."""
     if data.IsA("vtkCompositeDataSet"):
         data = _append_blocks(data)
     if not data.IsA("vtkPointSet"):
         raise OSError(f"{path} has no particles: it holds a {data.GetClassName()}.")
+    if data.IsA("vtkPolyData") and data.GetNumberOfPolys() + data.GetNumberOfStrips():
+        _note(noted, path, f"it holds a mesh, whose corners are taken as particles.{_ABOUT_MESHES}")
     return as_particles(data)
 
 
@@ -376,9 +267,5 @@ def _time_of_xml(path: Path) -> float | None:
 
 
 def _time_of_vdb(path: Path) -> float | None:
-    reader = _vtk_reader(path)
-    with quiet(), listening(reader) as heard:
-        reader.UpdateInformation()
-    _check(path, heard.errors)
-    text = reader.GetMetadata("time")
+    text = open_vtk(path).GetMetadata("time")
     return float(text) if text else None

@@ -24,6 +24,7 @@ from typing import Any
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
+from .choice import choose, conditions, without_small_pieces
 from .data_objects import as_particles, is_vtk
 from .particle_files import open_particles
 from .times import check_times, times_at
@@ -66,6 +67,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         self._first: int | None = None  # step with points
         self._output_type = output_type
         self._any_order = any_order
+        self._whole: TemporalSource | None = None
 
     def frame(self, step: int) -> Any:
         """The data of a step, as a vtkDataObject."""
@@ -82,6 +84,8 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
 
     def frames_that_tell(self) -> list[Any]:
         """The first frame with points, one in the middle and the last, if they can be read now."""
+        if self._whole:
+            return self._whole.frames_that_tell()
         first, last = self.first_frame(), len(self.times) - 1
         frames = [first]
         for step in sorted({last // 2, last} if self._any_order else set()):
@@ -92,9 +96,24 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
 
     def first_frame(self) -> Any:
         """The first one with points, as emitters begin with none; if there is none, the first."""
+        if self._whole:
+            return self._whole.first_frame()
         if self._first is None:
             self._first = next(filter(self._has_points, range(len(self.times))), 0)
         return self.frame(self._first)
+
+    def part(self, steps: Sequence[int]) -> TemporalSource:
+        """A source of some of the steps, whose lengths are those of the whole series."""
+        times = [self.times[step] for step in steps]
+        own = TemporalSource(lambda i: self.frame(steps[i]), times, self._output_type)
+        own._whole = self
+        return own
+
+    def leave_out_pieces(self, minimum: int, spacing: float) -> None:
+        """Leaves out particles in clusters of fewer than a minimum."""
+        load = self._load
+        self._load = lambda step: without_small_pieces(as_particles(load(step)), minimum, spacing)
+        self._kept, self._first = {}, None
 
     def _has_points(self, step: int) -> bool:
         frame = self.frame(step)
@@ -135,6 +154,8 @@ class ParticleSeries(TemporalSource):
     fps : float, optional
         Frames per second [1/time], more than 0, where there are no times: 0, 1/fps, 2/fps ...
         Default: the times that the files tell, else 25.
+    where : str or sequence of str, optional
+        Conditions that the particles meet: "Type=1", "T>300", "id!=3,4", "x<0.5".
 
     Raises
     ------
@@ -158,11 +179,14 @@ class ParticleSeries(TemporalSource):
         *,
         times: Sequence[float] | None = None,
         fps: float | None = None,
+        where: str | Sequence[str] = (),
     ) -> None:
+        conditions(where)
         if times is not None and fps is not None:
             raise ValueError("Times and frames per second are two ways to say the same; give one.")
         load, found = _loader(frames, times, fps)
-        super().__init__(load, found, any_order=not callable(frames))
+        chosen = (lambda step: choose(as_particles(load(step)), where)) if where else load
+        super().__init__(chosen, found, any_order=not callable(frames))
 
     def __len__(self) -> int:
         return len(self.times)

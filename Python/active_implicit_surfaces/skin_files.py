@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 
@@ -20,7 +21,8 @@ from .glb import check_glb, write_glb
 from .images import IMAGE_SUFFIXES
 from .mesh_writers import points_of, warn_of_losses, write_obj, write_ply, write_stl
 from .messages import listening, quiet
-from .particle_files import PARTICLE_SUFFIXES, check_readable, read_vtk
+from .particle_files import PARTICLE_SUFFIXES
+from .vtk_files import check_readable, read_vtk
 
 # A function of this package, or a class of VTK.
 MESH_WRITERS: dict[str, Any] = {
@@ -83,6 +85,9 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
         for setting, value in settings.items():
             getattr(writer, setting)(value)
         writer.SetFileName(str(temporary))
+        if suffix == ".vdb" and port is None and mesh.GetNumberOfPoints() == 0:
+            surface = _skin_of_nothing()
+            port = surface.GetOutputPort()
         if suffix == ".vdb" and port is not None:
             writer.SetInputConnection(port)
         else:
@@ -112,6 +117,7 @@ def read_shape(path: Path, level: float | None = None, parts: Sequence[Path] = (
     if suffix not in MESH_SUFFIXES:
         raise OSError(f"{path}: meshes and images are read from {', '.join(MESH_SUFFIXES)}.")
     data = _read_glb(path) if suffix == ".glb" else read_vtk(path)
+    count = data.GetNumberOfElements(vtkDataObject.POINT)  # a surface leaves points alone out
     if data.IsA("vtkCompositeDataSet"):
         data = surface_of(data)
     _check_corners(path, data)
@@ -119,12 +125,36 @@ def read_shape(path: Path, level: float | None = None, parts: Sequence[Path] = (
         return data if level is None else contour(data, level)
     if not data.IsA("vtkPointSet"):
         raise OSError(f"{path} has no mesh: it holds a {data.GetClassName()}.")
-    if data.IsA("vtkPolyData") and data.GetNumberOfPoints() == 0 and suffix != ".obj":
+    if data.IsA("vtkPolyData") and count == 0 and suffix != ".obj":
         return data  # an empty skin; any text without vertices is such an .obj
     try:
         return as_shape(data)
     except ValueError as error:
         raise OSError(f"{path} is no mesh: {error}") from error
+
+
+def holds_particles(path: Path) -> bool | None:
+    """Whether a file holds points alone, neither a mesh nor an image; None if it is empty.
+
+    Raises
+    ------
+    OSError
+        It cannot be read.
+    """
+    suffix = suffix_of(path)
+    if suffix not in INPUT_SUFFIXES:
+        raise OSError(f"{path}: files are read from {', '.join(INPUT_SUFFIXES)}.")
+    if suffix not in PARTICLE_SUFFIXES or suffix not in MESH_SUFFIXES:
+        return suffix in PARTICLE_SUFFIXES
+    data = read_vtk(path)
+    count = data.GetNumberOfElements(vtkDataObject.POINT)
+    if data.IsA("vtkCompositeDataSet"):
+        data = surface_of(data)
+    if not data.IsA("vtkPointSet") or (count == 0 and suffix != ".vdb"):
+        return None if data.IsA("vtkPointSet") else False
+    if data.IsA("vtkPolyData"):
+        return bool(data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0)
+    return all(data.GetCellType(i) in (1, 2) for i in range(data.GetNumberOfCells()))
 
 
 def surface_of(blocks: Any) -> Any:
@@ -166,6 +196,17 @@ def _prepare_writer(writer: Any, suffix: str, mesh: Any) -> None:
         names = _names(mesh)
         writer.SetWriteVelocity("Velocity" in names)
         writer.SetWritePointArrays(bool(set(names) - {"Normals", "Velocity"}))
+
+
+def _skin_of_nothing() -> Any:
+    """A filter whose skin and grid are empty."""
+    from . import vtkActiveImplicitSurface
+
+    surface = vtkActiveImplicitSurface()
+    surface.SetInputData(vtkPolyData())
+    surface.SetParticleSpacing(1.0)
+    surface.Update()
+    return surface
 
 
 def _triangles(mesh: Any) -> Any:

@@ -25,13 +25,24 @@ def check_times(times: Iterable[float]) -> list[float]:
 
 def times_at(places: Iterable[float], fps: float | None) -> list[float]:
     """Places in a film, counted in frames, as times."""
-    rate = FRAMES_PER_SECOND if fps is None else fps
-    if not 0 < rate < float("inf"):
-        raise ValueError(f"Frames per second have to be more than 0, not {rate:g}.")
+    rate = FRAMES_PER_SECOND if fps is None else check_rate(fps)
     return [place / rate for place in places]
+
+
+def check_rate(fps: float) -> float:
+    """Frames per second, or a ValueError."""
+    if not 0 < fps < float("inf"):
+        raise ValueError(f"Frames per second have to be more than 0, not {fps:g}.")
+    return fps
 
 
 def places_of(numbers: Sequence[float]) -> list[float]:
     """Where frames are, in steps of the least difference of their numbers."""
     step = min((after - before for before, after in zip(numbers, numbers[1:])), default=1)
     return [(number - numbers[0]) / step for number in numbers]
+
+
+def times_between(times: Sequence[float], fps: float) -> list[float]:
+    """The multiples of 1/fps after the first of some times, up to the last of them."""
+    count = int((times[-1] - times[0]) * check_rate(fps) * (1.0 + 1e-9) + 1e-6)
+    return [min(times[0] + i / fps, times[-1]) for i in range(count + 1)]

@@ -9,8 +9,9 @@ import unittest
 
 import numpy
 from active_implicit_surfaces import data_objects, skin_files
-from active_implicit_surfaces.particle_files import open_particles, read_vtk
+from active_implicit_surfaces.particle_files import open_particles
 from active_implicit_surfaces.skin_files import read_shape
+from active_implicit_surfaces.vtk_files import read_vtk
 from command_line import DROP, CommandTest, grid, moving_grid
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkSphere, vtkUnstructuredGrid

@@ -18,8 +18,8 @@ import active_implicit_surfaces
 import numpy
 from active_implicit_surfaces import api
 from active_implicit_surfaces.commands import progress, resume, skin
-from active_implicit_surfaces.particle_files import read_vtk
 from active_implicit_surfaces.skin_files import read_shape
+from active_implicit_surfaces.vtk_files import read_vtk
 from command_line import DROP, CommandTest, grid, moving_grid
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -281,8 +281,8 @@ class Progress(unittest.TestCase):
             mock.patch.object(progress, "_SECONDS_BETWEEN_LINES", between),
         ):
             told = progress.Progress(100, 40, stream=stream)  # each look at the clock takes 2 s
-            told(41)
-            told(60)
+            told.add(40)
+            told.add(59)
         return stream.getvalue()
 
     def test_a_bar_on_a_terminal(self):

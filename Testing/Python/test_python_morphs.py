@@ -76,9 +76,13 @@ class Morphs(unittest.TestCase):
         apart.SetCenter(3, 0, 0)
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always")
-            list(
-                active.morph(cube(), output_of(apart), frames=3, voxel_size=0.1, create_parts=False)
+            way = active.morph(
+                cube(), output_of(apart), frames=3, voxel_size=0.1, create_parts=False
             )
+            with self.assertRaisesRegex(
+                ValueError, "has vanished by the time 1 and does not reach"
+            ):
+                list(way)
         self.assertEqual(sum("vanished" in str(one.message) for one in told), 1)
 
     def test_every_kind_of_shape(self):

@@ -188,6 +188,24 @@ class Names(ReaderTest):
         self.assertEqual(len(said), 1)
         self.assertIn("p_0.xyz: it has 2 frames", str(said[0].message))
 
+    def test_two_running_numbers_are_noticed(self):
+        for names, is_noticed in (
+            ([f"p_{rank}_{step}.csv" for rank in range(2) for step in range(3)], True),
+            ([f"2024-01-{day:02}T{hour}.csv" for day in (1, 2) for hour in (10, 20)], True),
+            ([f"p_{step}_{10 * step}.csv" for step in range(4)], False),
+            ([f"run2_{step}.csv" for step in range(4)], False),
+        ):
+            for name in names:
+                self.put(f"in/{name}", POINT)
+            with warnings.catch_warnings(record=True) as said:
+                warnings.simplefilter("always")
+                open_particles(self.folder / "in" / "*")
+            self.assertEqual(
+                ["two running numbers" in str(one.message) for one in said], [True] * is_noticed
+            )
+            for name in names:
+                (self.folder / "in" / name).unlink()
+
 
 class Blocks(ReaderTest):
     def test_a_vtm_is_all_its_points(self):
@@ -203,6 +221,8 @@ class Blocks(ReaderTest):
         self.succeed("skin", "a_*.vtm", "-o", "s_#.ply")
         self.succeed("convert", "a_0.vtm", "-o", "b.csv")
         self.assertEqual(count_in("b.csv"), 250)
+        self.succeed("convert", "a_0.vtm", "-o", "b.vtp")
+        self.assertEqual(count_in("b.vtp"), 250)
 
     def test_a_vtm_of_meshes_is_one(self):
         blocks = vtkMultiBlockDataSet()
@@ -225,6 +245,29 @@ class Blocks(ReaderTest):
         is_old = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) < (9, 3)
         words = "has time steps, which VTK 9" if is_old else "cannot be read"
         self.assert_refused(words, self.put("a.vtkhdf", content))
+
+
+class Meshes(ReaderTest):
+    def test_a_mesh_is_said_to_be_a_mesh(self):
+        mesh = next(cubes(1))
+        for suffix in (".vtp", ".ply", ".vtk"):
+            write_mesh(self.folder / f"a{suffix}", mesh)
+            with self.subTest(suffix), warnings.catch_warnings(record=True) as said:
+                warnings.simplefilter("always")
+                self.assertEqual(count_in(self.folder / f"a{suffix}"), 24)
+            holds = [one for one in said if "it holds a mesh" in str(one.message)]
+            self.assertEqual(len(holds), 1)
+        for suffix in (".stl", ".obj"):
+            write_mesh(self.folder / f"a{suffix}", mesh)
+            self.assert_refused("holds no particles, but a mesh", self.folder / f"a{suffix}")
+
+    def test_an_empty_mesh_becomes_any_file(self):
+        write_mesh(self.folder / "a.vtp", vtkPolyData())
+        for suffix in (".vdb", ".ply", ".stl", ".obj", ".glb"):
+            with self.subTest(suffix):
+                self.succeed("convert", "a.vtp", "-o", f"b{suffix}")
+        self.succeed("convert", "b.vdb", "-o", "c.vtp")
+        self.assertEqual(read_shape(self.folder / "c.vtp").GetNumberOfPoints(), 0)
 
 
 class Empty(ReaderTest):

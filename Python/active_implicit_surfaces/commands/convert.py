@@ -3,41 +3,56 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+from .. import runner
+from ..choice import choose, labels_of
 from ..contours import contour, usual_level
 from ..file_names import (
+    Listing,
     check_distinct,
     expand,
-    has_number,
     make_folder_of,
-    numbered,
+    names_of,
     numbers_of,
     suffix_of,
 )
 from ..mesh_writers import points_of
-from ..particle_files import PARTICLE_SUFFIXES, open_particles, read_vtk
+from ..particle_files import PARTICLE_SUFFIXES, open_particles
+from ..runner import FileSeries
 from ..skin_files import (
     INPUT_SUFFIXES,
     MESH_SUFFIXES,
     MESH_WRITERS,
     PARTICLE_OUT_SUFFIXES,
     check_suffix,
+    holds_particles,
     read_shape,
-    surface_of,
     write_mesh,
     write_particles,
 )
+from ..vtk_files import open_vtk
 from .effects import check_effects
-from .options import Parser, add_help, add_up_option, positive, wrapped
+from .options import Parser, add_choice_options, add_help, add_up_option, positive, wrapped
+from .outputs import each_label
 from .progress import Progress
 from .upward import lie
 
 _FOG_LEVEL = 0.5
+
+
+class _Conversion(NamedTuple):
+    """What is loaded for a step, the numbers of the steps, the files read, and what writes."""
+
+    load: Callable[[int], Any]
+    numbers: list[int]
+    files: list[Path]
+    write: Callable[[Path, Any], None]
 
 
 def run(arguments: list[str]) -> int:
@@ -57,19 +72,27 @@ def run(arguments: list[str]) -> int:
         raise OSError(f"{already[0]} is a .vdb already; copy it, or convert it to a mesh.")
     has_settings = options.level is not None or options.voxel_size is not None
     check_effects(parser, options, output, [_way(files[0], output)] if has_settings else [])
-    make_folder_of(output)
-    if _holds_particles(files[0], output):
-        return _convert_particles(options, output)
-    progress = Progress(len(files), quiet=options.quiet or len(files) == 1)
-    is_series = len(files) > 1 or has_number(output)
-    names = [numbered(output, number) if is_series else output for number in numbers_of(files)]
-    check_distinct((file for parts in listing.frames for file in parts), names)
-    up = options.up
-    for step, (parts, name) in enumerate(zip(listing.frames, names)):
-        up = _convert_shape(parts, name, options, up)
-        progress(step + 1)
-    progress.finish()
+    holds_particles = _holds_particles(files[0], output)
+
+    def labels() -> list[int]:
+        is_cloud = holds_particles
+        return labels_of(
+            open_particles(options.files).load(0) if is_cloud else read_shape(files[0])
+        )
+
+    for own in each_label(options, labels, len(files) > 1, ""):
+        _convert(own, listing, _particles if holds_particles else _shapes)
     return 0
+
+
+def _convert(options: Any, listing: Listing, kind: Callable[..., _Conversion]) -> None:
+    output = Path(options.output)
+    make_folder_of(output)
+    load, numbers, used, write = kind(options, listing, output)
+    names = names_of(output, numbers)
+    check_distinct(used, names)
+    progress = Progress(len(names), quiet=options.quiet or len(names) == 1)
+    runner.run(load, range(len(names)), [FileSeries(names, write), progress])
 
 
 def make_parser() -> Parser:
@@ -91,6 +114,7 @@ def make_parser() -> Parser:
     parser.add_argument(
         "--level", type=float, metavar="X", help="of an image's surface (default: 0; of a fog: 0.5)"
     )
+    add_choice_options(parser)
     add_up_option(parser, "found", "in a .glb")
     parser.add_argument("--quiet", action="store_true", help="no progress")
     add_help(parser)
@@ -106,61 +130,44 @@ def _way(file: Path, output: Path) -> str:
 
 
 def _holds_particles(path: Path, output: Path) -> bool:
-    suffix = suffix_of(path)
-    if suffix not in PARTICLE_SUFFIXES or suffix not in MESH_SUFFIXES:
-        if suffix not in INPUT_SUFFIXES:
-            raise OSError(f"{path}: files are read from {', '.join(INPUT_SUFFIXES)}.")
-        return suffix in PARTICLE_SUFFIXES
-    data = read_vtk(path)
-    if data.IsA("vtkCompositeDataSet"):
-        data = surface_of(data)
-    if suffix == ".vdb" or not data.IsA("vtkPolyData"):
-        return bool(data.IsA("vtkPointSet") and data.GetNumberOfCells() <= _vertices(data))
-    if data.GetNumberOfPoints() == 0:
-        return suffix_of(output) not in MESH_WRITERS  # an empty skin, or no particles
-    return bool(data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0)
+    found = holds_particles(path)
+    return suffix_of(output) not in MESH_WRITERS if found is None else found  # else an empty skin
 
 
-def _vertices(data: Any) -> int:
-    """Cells that are points."""
-    kinds = (data.GetCellType(i) for i in range(data.GetNumberOfCells()))
-    return sum(1 for kind in kinds if kind in (1, 2))
-
-
-def _convert_particles(options: Any, output: Path) -> int:
-    check = (*PARTICLE_OUT_SUFFIXES,)
-    if suffix_of(output) not in check:
+def _particles(options: Any, listing: Listing, output: Path) -> _Conversion:
+    if suffix_of(output) not in PARTICLE_OUT_SUFFIXES:
         raise OSError(
-            f"{output}: particles are written as {', '.join(check)}; `active-surface skin` makes a "
-            "skin over them."
+            f"{output}: particles are written as {', '.join(PARTICLE_OUT_SUFFIXES)}; "
+            "`active-surface skin` makes a skin over them."
         )
-    series = open_particles(options.files)
-    progress = Progress(len(series), quiet=options.quiet or len(series) == 1)
-    is_series = len(series) > 1 or has_number(output)
-    names = [numbered(output, number) if is_series else output for number in series.numbers]
-    check_distinct(series.files, names)
-    for step, name in enumerate(names):
-        write_particles(name, series.load(step))
-        progress(step + 1)
-    progress.finish()
-    return 0
+    series = open_particles(options.files, where=options.where or (), label=options.label)
+    return _Conversion(series.load, series.numbers, series.files, write_particles)
 
 
-def _convert_shape(parts: tuple[Path, ...], name: Path, options: Any, up: str | None) -> str | None:
-    """Returns the axis that points up in a .glb: that of the first file, for all of them."""
-    shape, file, is_vdb = read_shape(parts[0], parts=parts[1:]), parts[0], suffix_of(name) == ".vdb"
-    if suffix_of(name) not in MESH_WRITERS:
-        raise OSError(f"{name}: meshes are written as {', '.join(MESH_WRITERS)}.")
-    if shape.IsA("vtkImageData") and not is_vdb:
-        shape = _contour(file, shape, options)
-    settings: dict[str, Any] = {}
-    if is_vdb and options.voxel_size and shape.IsA("vtkPolyData"):
-        settings["SetVoxelSize"] = options.voxel_size
-    if up is None and suffix_of(name) == ".glb" and shape.GetNumberOfPoints():
-        box = numpy.reshape(shape.GetBounds(), (3, 2)).T
-        up = lie(box[0], box[1], points_of(shape).mean(axis=0))
-    write_mesh(name, shape, up=up or "y", **settings)
-    return up
+def _shapes(options: Any, listing: Listing, output: Path) -> _Conversion:
+    is_vdb = suffix_of(output) == ".vdb"
+    if suffix_of(output) not in MESH_WRITERS:
+        raise OSError(f"{output}: meshes are written as {', '.join(MESH_WRITERS)}.")
+    up = options.up  # axis in a .glb: that of the first file with points, for all of them
+
+    def load(step: int) -> Any:
+        file, *parts = listing.frames[step]
+        shape = choose(read_shape(file, parts=parts), options.where or (), options.label)
+        is_contour = shape.IsA("vtkImageData") and not is_vdb
+        return _contour(file, shape, options) if is_contour else shape
+
+    def write(name: Path, shape: Any) -> None:
+        nonlocal up
+        settings: dict[str, Any] = {}
+        if is_vdb and options.voxel_size and shape.IsA("vtkPolyData"):
+            settings["SetVoxelSize"] = options.voxel_size
+        if up is None and suffix_of(name) == ".glb" and shape.GetNumberOfPoints():
+            box = numpy.reshape(shape.GetBounds(), (3, 2)).T
+            up = lie(box[0], box[1], points_of(shape).mean(axis=0))
+        write_mesh(name, shape, up=up or "y", **settings)
+
+    used = [file for parts in listing.frames for file in parts]
+    return _Conversion(load, numbers_of(listing.files), used, write)
 
 
 def _contour(file: Path, image: Any, options: Any) -> Any:
@@ -187,10 +194,5 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
 
 
 def _is_level_set(file: Path) -> bool:
-    from .. import vtkActiveVDBReader
-
-    reader = vtkActiveVDBReader()
-    reader.SetFileName(str(file))
-    reader.UpdateInformation()
-    classes = [reader.GetGridClass(i) for i in range(reader.GetNumberOfGrids())]
-    return "level set" in classes
+    reader = open_vtk(file)
+    return "level set" in map(reader.GetGridClass, range(reader.GetNumberOfGrids()))

@@ -25,7 +25,8 @@ _ACTING = (  # rows, and what has them: options, and properties after a colon
     ("render glb", "up"),
     ("no_times render", "fps"),
     ("series render", "fps"),
-    ("series", "ids :time_scale"),
+    ("series", "ids output_fps :time_scale"),
+    ("range", "preroll"),
     ("render glb compute_velocity=on", "velocities"),
     ("render glb tangential_velocity=on", "velocities"),
     ("files", "index :compute_curvature :compute_normals :pass_target_arrays"),
@@ -59,6 +60,7 @@ _WHERE = {
     "particles": "on particles, with active-surface skin",
     "pipeline": "in a pipeline of VTK; the times here are those of --times, --fps or --duration",
     "potential": "in a pipeline of VTK; -o NAME.vdb writes the potential here",
+    "range": "before the first of --frames FIRST:LAST",
     "render": "on pictures, with --render",
     "series": "from one frame to the next",
 }
@@ -81,8 +83,10 @@ def check_effects(
         properties.put(surface, properties_of(options, parser))
     known = {*facts, *_state_of(surface)}
     known |= {f"no_{name}" for name in ("times", "radii") if given.get(name) is None}
+    known |= {"range"} if given.get("frames") else set()
     known |= {"files", suffix_of(output)[1:]} if output else set()
-    known |= {"render", suffix_of(given["render"])[1:]} if given.get("render") else set()
+    if picture := suffix_of(given.get("render") or ""):
+        known |= {"render", picture[1:], *(["compute_velocity=on"] if picture == ".exr" else [])}
     idle = []
     for option, rows in _given(options):
         for row in rows:

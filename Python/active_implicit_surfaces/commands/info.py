@@ -3,26 +3,52 @@
 from __future__ import annotations
 
 import argparse
+import csv
 import json
+import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from ..choice import choose, labels_of
 from ..data_objects import finite_points
 from ..file_names import expand, suffix_of
+from ..measures import measure
 from ..messages import listening, quiet
-from ..particle_files import PARTICLE_SUFFIXES, check_readable, open_particles, read_vtk
+from ..particle_files import (
+    PARTICLE_SUFFIXES,
+    ParticleFiles,
+    open_particles,
+)
 from ..presets import estimate_spacing
-from ..skin_files import INPUT_SUFFIXES, MESH_SUFFIXES, read_shape
-from .options import Parser, add_help
+from ..skin_files import INPUT_SUFFIXES, MESH_SUFFIXES, holds_particles, read_shape
+from ..vtk_files import check_readable, open_vtk
+from .options import Parser, add_choice_options, add_help, wrapped
+
+_MOST_LABELS = 100
 
 
 def run(arguments: list[str]) -> int:
     """Runs the command; returns its exit code."""
     parser = make_parser()
     options = parser.parse_args(arguments)
-    found = describe(options.files)
+    where, labels = options.where or [], options.labels or []
+    if labels == "all":
+        first = expand(options.files, INPUT_SUFFIXES).files[0]
+        labels = labels_of(_shape_in(first) or open_particles(options.files).load(0))
+    found: dict[str, Any] = {}
+    for label in labels:
+        found[f"label {label}"] = describe(options.files, where, label)
+    frames = expand(options.files, INPUT_SUFFIXES).frames
+    if options.csv:
+        _print_csv(_measure_all(frames, where))
+        return 0
+    found = found or describe(options.files, where)
+    if len(frames) > 1 and found.get("holds") == "a mesh":
+        found["each"] = _measure_all(frames, where)
     if options.json:
         print(json.dumps(found, indent=1))
     else:
@@ -33,18 +59,25 @@ def run(arguments: list[str]) -> int:
 def make_parser() -> Parser:
     parser = Parser(
         "active-surface info",
-        "FILE ... [--json]",
-        "What is in a file or a series: points, bounds, estimated spacing, arrays, times; the\n"
-        "grids of a .vdb, and what of it the filter can go on from; the layers of an .exr.",
+        "FILE ... [--json] [--csv]",
+        wrapped(
+            "What is in a file or a series: points, bounds, spacing, arrays, times; of meshes "
+            "area, volume, pieces, voids and open edges; the grids of a .vdb, and what of it the "
+            "filter can go on from; the layers of an .exr; the labels of an image."
+        ),
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
+    add_choice_options(parser)
     parser.add_argument("--json", action="store_true", help="as JSON")
+    parser.add_argument("--csv", action="store_true", help="measures of each mesh as a table")
     add_help(parser)
     return parser
 
 
-def describe(names: list[str]) -> dict[str, Any]:
-    """What is in files, as a dictionary of JSON."""
+def describe(
+    names: list[str], where: Sequence[str] = (), label: int | None = None
+) -> dict[str, Any]:
+    """What is in files, or of it what was chosen, as a dictionary of JSON."""
     files = [file for parts in expand(names, INPUT_SUFFIXES).frames for file in parts]
     suffix = suffix_of(files[0])
     if suffix == ".exr":
@@ -53,15 +86,15 @@ def describe(names: list[str]) -> dict[str, Any]:
         grids = _describe_vdb(files)
         if all(grid["type"] != "points" for grid in grids["grids"]):
             return grids
-    if suffix in MESH_SUFFIXES and (shape := _shape_in(files[0])) is not None:
+    if (shape := _shape_in(files[0])) is not None:
+        shape = choose(shape, where, label)
         return {"files": len(files), "file": str(files[0]), **_describe_shape(shape)}
     if suffix not in PARTICLE_SUFFIXES:
         raise OSError(f"{files[0]}: info knows {', '.join(INPUT_SUFFIXES)}, .exr.")
-    return _describe_particles(names, files)
+    return _describe_particles(open_particles(names, where=where, label=label), files)
 
 
-def _describe_particles(names: list[str], files: list[Path]) -> dict[str, Any]:
-    series = open_particles(names)
+def _describe_particles(series: ParticleFiles, files: list[Path]) -> dict[str, Any]:
     first = series.load(0)
     found = {
         "files": len(files),
@@ -110,15 +143,8 @@ def _arrays(data: Any) -> dict[str, str]:
 
 def _shape_in(path: Path) -> Any:
     """The mesh or image of a file; none if it holds particles."""
-    if suffix_of(path) == ".vdb":
-        return None
-    try:
-        return read_shape(path)
-    except OSError:
-        data = read_vtk(path) if suffix_of(path) in PARTICLE_SUFFIXES else None
-        if data is not None and (data.IsA("vtkPointSet") or data.IsA("vtkCompositeDataSet")):
-            return None
-        raise
+    is_shape = suffix_of(path) in MESH_SUFFIXES and suffix_of(path) != ".vdb"
+    return read_shape(path) if is_shape and not holds_particles(path) else None
 
 
 def _describe_shape(shape: Any) -> dict[str, Any]:
@@ -128,40 +154,46 @@ def _describe_shape(shape: Any) -> dict[str, Any]:
             "points": list(shape.GetDimensions()),
             "spacing": list(shape.GetSpacing()),
             "bounds": list(shape.GetBounds()),
+            **_labels(shape),
             "arrays": _arrays(shape),
         }
-    open_edges = _count_open_edges(shape)
+    found = measure(shape)
+    edges = found.pop("open edges")
     return {
         "holds": "a mesh",
         **_points(shape),
         "polygons": shape.GetNumberOfPolys() + shape.GetNumberOfStrips(),
-        "closed": "yes" if open_edges == 0 else f"no, {open_edges} open edges",
+        **found,
+        "closed": "yes" if edges == 0 else f"no, {edges} open edges",
         "arrays": _arrays(shape),
     }
 
 
-def _count_open_edges(mesh: Any) -> int:
-    from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+def _measure_all(frames: list[tuple[Path, ...]], where: Sequence[str]) -> list[dict[str, Any]]:
+    """What each of several meshes measures."""
+    found = []
+    for file, *parts in frames:
+        mesh = choose(read_shape(file, parts=parts), where)
+        if mesh.IsA("vtkImageData"):
+            raise OSError(f"{file} is an image: meshes are measured.")
+        found.append({"file": str(file), "points": mesh.GetNumberOfPoints(), **measure(mesh)})
+    return found
 
-    edges = vtkFeatureEdges()
-    edges.SetInputData(mesh)
-    edges.BoundaryEdgesOn()
-    edges.FeatureEdgesOff()
-    edges.ManifoldEdgesOff()
-    edges.NonManifoldEdgesOff()
-    edges.Update()
-    return int(edges.GetOutput().GetNumberOfLines())
+
+def _labels(image: Any) -> dict[str, Any]:
+    """The points or cells of each label of an image; nothing if it has none."""
+    scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
+    values = None if scalars is None else vtk_to_numpy(scalars)
+    if values is None or values.ndim > 1 or values.dtype.kind not in "iu":
+        return {}
+    labels, counts = numpy.unique(values[values != 0], return_counts=True)
+    if len(labels) > _MOST_LABELS:
+        return {}
+    return {"labels": dict(zip(map(str, labels.tolist()), counts.tolist()))}
 
 
 def _describe_vdb(files: list[Path]) -> dict[str, Any]:
-    from .. import vtkActiveVDBReader
-
-    check_readable(files[0])
-    reader = vtkActiveVDBReader()
-    reader.SetFileName(str(files[0]))
-    with quiet(), listening(reader) as heard:
-        reader.UpdateInformation()
-    heard.raise_error(OSError)
+    reader = open_vtk(files[0])
     grids = [_describe_grid(reader, i) for i in range(reader.GetNumberOfGrids())]
     found: dict[str, Any] = {"files": len(files), "file": str(files[0]), "grids": grids}
     if any(grid["name"] == "potential" for grid in grids):
@@ -203,6 +235,12 @@ def _describe_exr(files: list[Path]) -> dict[str, Any]:
         "pixels": list(image.GetDimensions()[:2]),
         "layers": _arrays(image),
     }
+
+
+def _print_csv(rows: list[dict[str, Any]]) -> None:
+    table = csv.DictWriter(sys.stdout, [name.replace(" ", "_") for name in rows[0]])
+    table.writeheader()
+    table.writerows({name.replace(" ", "_"): value for name, value in row.items()} for row in rows)
 
 
 def _lines(found: dict[str, Any], indent: str = "") -> list[str]:

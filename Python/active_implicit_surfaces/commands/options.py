@@ -156,13 +156,17 @@ def preset_help() -> str:
     return "\n".join(f"  {name:<10}{text}" for name, text in PRESETS.items())
 
 
-def add_film_option(parser: Parser) -> None:
-    """--render."""
-    parser.add_argument(
-        "--render",
-        metavar="FILM",
-        help="film.mp4, film.ogv, frame.####.png or frame.####.exr (with depth, normals, motion)",
+def add_choice_options(group: Any) -> None:
+    """--where and --label."""
+    group.add_argument(
+        "--where",
+        action="append",
+        metavar="COND",
+        help="only these: Type=1, id!=3,4, 'T>300', 'x<2'",
     )
+    for option, told in (("--label", "one output for each label, or for all"), ("--labels", None)):
+        text = told or argparse.SUPPRESS
+        group.add_argument(option, dest="labels", type=label_list, metavar="N,N...", help=text)
 
 
 def add_picture_options(parser: Parser, up: str) -> None:
@@ -184,7 +188,7 @@ def add_up_option(group: Any, default: str, where: str) -> None:
         "--up",
         choices=("x", "y", "z", "-x", "-y", "-z"),
         metavar="AXIS",
-        help=f"axis that points up {where}: x, y, z, or --up=-y (default: {default})",
+        help=f"up {where}: x, y, z, or --up=-y (default: {default})",
     )
 
 
@@ -201,7 +205,10 @@ def times_list(text: str) -> list[float]:
     try:
         if text.count(":") == 2:
             first, last, count = text.split(":")
-            return list(_even(float(first), float(last), int(count)))
+            start, way, steps = float(first), float(last) - float(first), range(int(count))
+            if not steps:
+                raise ValueError
+            return [start + way * i / max(1, len(steps) - 1) for i in steps]
         return [float(part) for part in text.split(",")]
     except ValueError:
         raise argparse.ArgumentTypeError(
@@ -209,10 +216,33 @@ def times_list(text: str) -> list[float]:
         ) from None
 
 
-def _even(first: float, last: float, count: int) -> Sequence[float]:
-    if count < 1:
-        raise ValueError
-    return [first + (last - first) * i / max(1, count - 1) for i in range(count)]
+def label_list(text: str) -> list[int] | str:
+    """Of 3, 3,5 or all."""
+    try:
+        return "all" if text == "all" else [int(part) for part in text.split(",")]
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text} is no label; write 3, or 3,5, or all") from None
+
+
+def frame_range(text: str) -> tuple[int | None, int | None, int]:
+    """Of FIRST:LAST, or FIRST:LAST:STEP; the first and the last may be left out."""
+    first, last, step = [*text.split(":"), "", ""][:3]
+    try:
+        found = int(first) if first else None, int(last) if last else None, int(step or 1)
+    except ValueError:
+        found = None, None, 0
+    if found[2] < 1 or text.count(":") not in (1, 2):
+        raise argparse.ArgumentTypeError(
+            f"{text} are no frames; write FIRST:LAST or FIRST:LAST:STEP"
+        )
+    return found
+
+
+def whole(text: str) -> int:
+    """A whole number of 0 or more."""
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"{text} is no whole number of 0 or more")
+    return int(text)
 
 
 def positive(text: str) -> float:

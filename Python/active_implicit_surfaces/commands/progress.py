@@ -6,10 +6,12 @@ import sys
 import time
 from typing import Any
 
+from ..runner import Sink
+
 _BAR, _SECONDS_BETWEEN_LINES = 30, 10.0
 
 
-class Progress:
+class Progress(Sink):
     """Tells on standard error how many frames are done, how fast, and how long it takes yet."""
 
     def __init__(self, total: int, done: int = 0, quiet: bool = False, stream: Any = None) -> None:
@@ -18,14 +20,14 @@ class Progress:
         self.is_terminal = hasattr(self.stream, "isatty") and self.stream.isatty()
         self.start = self.said = time.monotonic()
 
-    def __call__(self, done: int, total: int | None = None) -> None:
-        """So many frames are done."""
-        self.done = done
+    def add(self, step: int, data: Any = None) -> None:
+        """This frame is done."""
+        self.done = step + 1
         now = time.monotonic()
         if self.quiet:
             return
         if self.is_terminal:
-            filled = _BAR * done // max(1, self.total)
+            filled = _BAR * self.done // max(1, self.total)
             bar = "#" * filled + "-" * (_BAR - filled)
             self.stream.write(f"\r[{bar}] {self.text(now)}\x1b[K")
         elif now - self.said >= _SECONDS_BETWEEN_LINES:
@@ -42,9 +44,8 @@ class Progress:
             words += f", {_clock((self.total - self.done) / rate)} left"
         return words
 
-    def finish(self) -> None:
-        """The last word."""
-        if not self.quiet:
+    def __exit__(self, kind: Any, *_: Any) -> None:
+        if kind is None and not self.quiet:
             text = self.text(time.monotonic())
             self.stream.write(f"\r{text}\x1b[K\n" if self.is_terminal else text + "\n")
             self.stream.flush()

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import json
 import time
-from collections import Counter
+from contextlib import nullcontext, suppress
 from pathlib import Path
 from typing import Any
 
 from ..file_names import replacing, without_number
 from ..messages import listening
+from ..runner import Sink, Skins
 
 _SECONDS_BETWEEN_STATES = 20.0
 
 
-class Resumption:
-    """The state of the last frames done.
+class Resumption(Sink):
+    """The state of the last frames done; a sink, once it is bound to a run.
 
     Parameters
     ----------
@@ -24,7 +25,7 @@ class Resumption:
     description : dict
         What the skins depend on: the options. Another one is another run.
     files : list of Path
-        The file of each frame. Files of those that are done may not change.
+        The last file read for each frame. Files of those that are done may not change.
 
     Attributes
     ----------
@@ -39,7 +40,9 @@ class Resumption:
         self.description = json.loads(json.dumps(description))
         self.view: list[Any] | None = None
         self._files = files
+        self._may_grow = len(files) > 1 == len({*files})  # a file of several frames: its name alone
         self._saved = time.monotonic()
+        self._way, self._is_kept, self._first, self._done = Skins(), False, 0, 0
 
     def load(self, surface: Any, times: list[float]) -> int:
         """Gives the filter the state; returns the number of frames that are done, 0 without one.
@@ -84,12 +87,45 @@ class Resumption:
             "done": done,
             "times": times[:done],
             "options": self.description,
-            "files": _marks(self._files[:done]),
+            "files": self._marks(done),
             "view": self.view,
         }
         with replacing(self.notes) as temporary:
             temporary.write_text(json.dumps(notes), encoding="utf-8")
         self._saved = time.monotonic()
+
+    def bind(self, way: Skins, names: list[Path], is_kept: bool) -> int:
+        """Binds the state to a run: the first frame to make, 0 unless the state is kept.
+
+        Raises
+        ------
+        OSError, ValueError
+            As of load, or a skin of an earlier frame is no longer there.
+        """
+        self._way, self._is_kept = way, is_kept
+        if not is_kept:
+            self.forget()
+            return 0
+        self._first = self._done = self.load(way.surface, way.times)
+        missing = [name for name in names[: self._first] if not name.exists()]
+        if missing:
+            raise OSError(
+                f"{missing[0]} is no longer there; run without --resume to make all skins anew."
+            )
+        return self._first
+
+    def add(self, step: int, data: Any) -> None:
+        self._done = step + 1
+        self.save(self._way.surface, self._way.times, self._done)
+
+    def __exit__(self, kind: Any, *_: Any) -> None:
+        if kind is None and not self._is_kept:
+            self.forget()
+        elif self._done > self._first:  # else the state is there already
+            # After an error the filter is still at the last frame that it has finished, and this
+            # error is the one to report.
+            with nullcontext() if kind is None else suppress(OSError):
+                self.save(self._way.surface, self._way.times, self._done, now=True)
 
     def forget(self) -> None:
         """Removes the state."""
@@ -110,7 +146,7 @@ class Resumption:
             )
 
     def _compare_files(self, then: list[list[Any]]) -> None:
-        for before, now in zip(then, _marks(self._files[: len(then)])):
+        for before, now in zip(then, self._marks(len(then))):
             if before != now:
                 what = "has changed since" if before[0] == now[0] else f"was {before[0]}"
                 raise ValueError(
@@ -118,17 +154,15 @@ class Resumption:
                     "--resume to make them all anew."
                 )
 
+    def _marks(self, count: int) -> list[list[Any]]:
+        """Name, size and time of the files of the first frames, which tell whether they change."""
+        marks: list[list[Any]] = []
+        for file in self._files[:count]:
+            own = file.stat()
+            more = [] if self._may_grow else [own.st_size, own.st_mtime_ns]
+            marks.append([str(file), *more])
+        return marks
+
 
 def _with(name: str, value: Any) -> str:
     return f"without {name}" if value is None else f"with {name} {value}"
-
-
-def _marks(files: list[Path]) -> list[list[Any]]:
-    """What tells whether files are the same: name, size and time. A file of several frames may
-    have grown: its name alone."""
-    frames = Counter(files)
-    marks: list[list[Any]] = []
-    for file in files:
-        own = file.stat() if frames[file] == 1 else None
-        marks.append([str(file), own.st_size, own.st_mtime_ns] if own else [str(file)])
-    return marks

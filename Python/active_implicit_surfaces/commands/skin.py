@@ -3,46 +3,41 @@
 from __future__ import annotations
 
 import argparse
-from contextlib import ExitStack, suppress
+from bisect import bisect_left
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy
 
-from .. import vtkActiveImplicitSurface
-from ..api import configure, update
-from ..file_names import (
-    INDEX_SUFFIXES,
-    check_distinct,
-    has_number,
-    make_folder_of,
-    numbered,
-    suffix_of,
-    without_number,
-    write_index,
-)
-from ..particle_files import PARTICLE_SUFFIXES, open_particles
+from .. import runner
+from ..api import frames
+from ..choice import labels_of
+from ..file_names import suffix_of
+from ..particle_files import PARTICLE_SUFFIXES, ParticleFiles, open_particles
 from ..presets import PRESETS
 from ..series import TemporalSource
-from ..skin_files import SKIN_SUFFIXES, check_suffix, write_mesh
+from ..times import times_between
 from .effects import check_effects
 from .options import (
     MAIN_PROPERTIES,
-    PICTURE_SIZE,
     Parser,
-    add_film_option,
+    add_choice_options,
     add_help,
     add_picture_options,
     add_property_options,
+    frame_range,
     positive,
     preset_help,
     properties_of,
     times_list,
+    whole,
 )
+from .outputs import Outputs, add_output_options, each_label
 from .progress import Progress
 from .resume import Resumption
 from .view import find_view
 
+_DEFAULT = "skin_####.vtp"
 _ARRAYS = ("ids", "radii", "strengths", "velocities")
 
 
@@ -51,13 +46,84 @@ def run(arguments: list[str]) -> int:
     parser = make_parser()
     options = parser.parse_args(arguments)
     chosen = properties_of(options, parser)
-    _check_names(options, parser)
-    files = open_particles(options.files, fps=options.fps, times=options.times)
-    job = _Job(options, files, chosen)
-    facts = ["particles", *(["series"] if len(job.times) > 1 else [])]
-    check_effects(parser, options, job.output, facts, job.surface)
-    job.run()
+    if options.resume and options.render and suffix_of(options.render) in (".mp4", ".ogv"):
+        parser.error("a film cannot go on where it was cut off; render to frame.####.png")
+    if options.resume and options.render and not options.output:
+        parser.error("--resume goes on with skins; say their name, -o skin_####.vtp")
+    files: Any = open_particles(options.files) if options.labels else ()
+    for own in each_label(options, lambda: labels_of(files.load(0)), len(files) > 1, _DEFAULT):
+        _run(parser, own, chosen)
     return 0
+
+
+def _run(parser: Parser, options: Any, chosen: dict[str, Any]) -> None:
+    outputs = Outputs(parser, options)
+    where, label = options.where or [], options.label
+    files = open_particles(
+        options.files, fps=options.fps, times=options.times, where=where, label=label
+    )
+    plan = _plan(options, files)
+    outputs.plan(plan.numbers, files.files)
+    arrays = {role: getattr(options, role) for role in _ARRAYS if getattr(options, role)}
+    source = TemporalSource(files.load, files.times, any_order=True)
+    way = frames(
+        source if len(plan.steps) == len(files) else source.part(plan.steps),
+        where=where + ([] if label is None else [f"label={label}"]),
+        minimum_piece=options.minimum_piece or 1,
+        preset=options.preset,
+        arrays=arrays,
+        **chosen,
+    )
+    way.times = plan.times
+    facts = ["particles", *(["series"] if len(plan.steps) > 1 else [])]
+    check_effects(parser, options, outputs.output, facts, way.surface)
+    names = ("where", "label", "minimum_piece", "frames", "preroll", "output_fps", "preset")
+    described = {
+        name: getattr(options, name) for name in names if getattr(options, name) is not None
+    }
+    described |= {**arrays, **chosen}
+    kept = Resumption(outputs.output, described, plan.files) if outputs.output else None
+    first = kept.bind(way, outputs.names, options.resume) if kept else 0
+    sinks = outputs.sinks(way, lambda: _find_view(options, files, kept), options.preset or "water")
+    progress = Progress(len(way), first, options.quiet)
+    runner.run(way.make, range(first, len(way)), [*sinks, *filter(None, [kept]), progress])
+
+
+class _Plan(NamedTuple):
+    """The steps read; times and numbers of the skins, and the last file that each needs."""
+
+    steps: list[int]
+    times: list[float]
+    numbers: list[int]
+    files: list[Path]
+
+
+def _plan(options: Any, files: ParticleFiles) -> _Plan:
+    """The skins of --frames, --preroll and --output-fps over these files."""
+    low, high, stride = options.frames or (None, None, 1)
+    first, last = (files.numbers[i] if n is None else n for i, n in ((0, low), (-1, high)))
+    wanted = [
+        step
+        for step, number in enumerate(files.numbers)
+        if first <= number <= last and (number - first) % stride == 0
+    ]
+    if not wanted:
+        own = f"{files.numbers[0]} to {files.numbers[-1]}"
+        raise ValueError(f"No frame is in --frames {first}:{last}:{stride}; there are {own}.")
+    before = range(wanted[0] - stride * (options.preroll or 0), wanted[0], stride)
+    steps = [*(step for step in before if step >= 0), *wanted]
+    if not options.output_fps:
+        chosen = [(files.times[step], files.numbers[step]) for step in wanted]
+    else:
+        start, end = files.times[wanted[0]], files.times[wanted[-1]]
+        every = enumerate(times_between(files.times, options.output_fps))
+        few = 1e-6 / options.output_fps
+        chosen = [(time, i) for i, time in every if start - few <= time <= end + few]
+        chosen = [(min(max(time, start), end), i) for time, i in chosen]
+    times = [time for time, _ in chosen]
+    needed = [bisect_left(files.times, time, hi=len(files) - 1) for time in times]
+    read = [files.names[step] for step in needed]
+    return _Plan(steps, times, [number for _, number in chosen], read)
 
 
 def make_parser() -> Parser:
@@ -67,25 +133,23 @@ def make_parser() -> Parser:
         "Skins over particles: one for each frame, each going on from the last.\n"
         f"Files: {', '.join(PARTICLE_SUFFIXES)};\n"
         "several, a pattern ('p_*.vtp', p_####.vtp), a folder, a .series or a .pvd are a series.",
-        epilog="presets:\n" + preset_help() + "\n\nEvery property of the filter is an option "
-        "too, as --particle-model sum:\n--help-properties, or --help all.",
+        epilog=f"presets:\n{preset_help()}\n\nEvery property of the filter is an option too, as "
+        "--particle-model sum: --help-properties.",
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
+    add_output_options(parser, _DEFAULT)
     parser.add_argument(
-        "-o",
-        "--output",
-        metavar="NAME",
-        help=f"name of the skins, #### for the number: {', '.join(SKIN_SUFFIXES)} "
-        "(default: skin_####.vtp, and none with --render alone)",
+        "--preset", choices=PRESETS, metavar="NAME", help="what the particles are (see below)"
     )
-    add_film_option(parser)
-    parser.add_argument("--preset", choices=PRESETS, help="what the particles are (see below)")
     add_property_options(parser, tuple(MAIN_PROPERTIES))
     _add_input_options(parser)
     add_picture_options(parser, "found")
     more = parser.add_argument_group("more")
     more.add_argument("--resume", action="store_true", help="go on where a run was cut off")
     more.add_argument("--index", metavar="NAME", help="the .pvd or .series of the skins, or none")
+    more.add_argument(
+        "--history", metavar="NAME", help="a .csv of volume, area, pieces, events ..."
+    )
     more.add_argument("--quiet", action="store_true", help="no progress")
     add_help(more, properties=True)
     return parser
@@ -96,159 +160,24 @@ def _add_input_options(parser: Parser) -> None:
     files.add_argument(
         "--fps", type=positive, metavar="X", help="frames per second (default: as files say, or 25)"
     )
+    add_choice_options(files)
+    files.add_argument(
+        "--minimum-piece", type=whole, metavar="N", help="particles of a piece, at least"
+    )
+    files.add_argument("--frames", type=frame_range, metavar="A:B:C", help="numbers, B included")
+    files.add_argument("--preroll", type=whole, metavar="N", help="frames before A, without skins")
+    files.add_argument("--output-fps", type=positive, metavar="X", help="frames in between too")
     files.add_argument("--times", type=times_list, metavar="T,T...", help="or FIRST:LAST:COUNT")
     for role, text in zip(_ARRAYS, ("ids (default: found)", "reaches", "strengths", "velocities")):
         files.add_argument(f"--{role}", metavar="NAME", help=f"point array of {text}")
 
 
-def _check_names(options: Any, parser: Parser) -> None:
-    try:
-        if options.output:
-            check_suffix(Path(options.output), SKIN_SUFFIXES, "skins")
-        if options.render:
-            from ..film import FILM_SUFFIXES
-
-            check_suffix(Path(options.render), FILM_SUFFIXES, "films")
-    except ValueError as error:
-        parser.error(str(error))
-    is_index = not options.index or suffix_of(options.index) in INDEX_SUFFIXES
-    if not is_index and options.index != "none":
-        parser.error(f"an index is a .pvd or a .series, or none, not {options.index}")
-    if options.resume and options.render and suffix_of(options.render) in (".mp4", ".ogv"):
-        parser.error("a film cannot go on where it was cut off; render to frame.####.png")
-    if options.resume and options.render and not options.output:
-        parser.error("--resume goes on with skins; say their name, -o skin_####.vtp")
-
-
-class _Job:
-    """One run over a series."""
-
-    def __init__(self, options: Any, files: Any, chosen: dict[str, Any]) -> None:
-        self.options, self.files = options, files
-        self.times = files.times
-        self.output = _output_name(options)
-        if self.output:
-            check_distinct(files.files, map(self.name_of, range(len(self.times))))
-        for name in (self.output, options.render and Path(options.render)):
-            if name:
-                make_folder_of(name)
-        self.source = TemporalSource(files.load, self.times, any_order=True)
-        self.surface = vtkActiveImplicitSurface()
-        self.surface.SetInputConnection(self.source.GetOutputPort())
-        arrays = {role: getattr(options, role) for role in _ARRAYS if getattr(options, role)}
-        configure(self.surface, self.source, preset=options.preset, arrays=arrays, **chosen)
-        if options.render and suffix_of(options.render) == ".exr":
-            self.surface.ComputeVelocityOn()
-        described = {"preset": options.preset, **arrays, **chosen}
-        self.resumption = Resumption(self.output, described, files.names) if self.output else None
-
-    def run(self) -> None:
-        first = 0
-        if self.resumption and self.options.resume:
-            first = self._find_first()
-        elif self.resumption:
-            self.resumption.forget()
-        progress = Progress(len(self.times), first, self.options.quiet)
-        with ExitStack() as stack:
-            film = stack.enter_context(self._film()) if self.options.render else None
-            done = first
-            try:
-                for step in range(first, len(self.times)):
-                    self._make(step, film)
-                    done = step + 1
-                    progress(done)
-            except BaseException:
-                self._keep_state(done, first)
-                raise
-        self._finish(done, first)
-        progress.finish()
-
-    def _find_first(self) -> int:
-        """The first frame that is to be made; the filter has the state before it."""
-        assert self.resumption is not None
-        first = self.resumption.load(self.surface, self.times)
-        missing = [step for step in range(first) if not self.name_of(step).exists()]
-        if missing:
-            raise OSError(
-                f"{self.name_of(missing[0])} is no longer there; run without --resume to make all "
-                "skins anew."
-            )
-        return first
-
-    def name_of(self, step: int) -> Path:
-        assert self.output is not None
-        is_series = len(self.times) > 1 or has_number(self.output)
-        return numbered(self.output, self.files.numbers[step]) if is_series else self.output
-
-    def _make(self, step: int, film: Any) -> None:
-        update(self.surface, self.times[step], self.source)
-        skin = self.surface.GetOutput()
-        if self.output:
-            write_mesh(self.name_of(step), skin, self.surface.GetOutputPort(), self._up())
-        if film:
-            film.add(step, skin, self.files.numbers[step])
-        if self.resumption:
-            self.resumption.save(self.surface, self.times, step + 1)
-
-    def _keep_state(self, done: int, first: int) -> None:
-        # After an error the filter is still at the last frame that it has finished.
-        if self.resumption and done > first:
-            with suppress(OSError):  # the first error is the one to tell
-                self.resumption.save(self.surface, self.times, done, now=True)
-
-    def _finish(self, done: int, first: int) -> None:
-        if not (self.output and self.resumption):
-            return
-        if not self.options.resume:
-            self.resumption.forget()
-        elif done > first:  # else the state is there already
-            self.resumption.save(self.surface, self.times, done, now=True)
-        if (len(self.times) > 1 or self.options.index) and self.options.index != "none":
-            names = [self.name_of(step) for step in range(len(self.times))]
-            write_index(_index_name(self.options.index, self.output), names, self.times)
-
-    def _film(self) -> Any:
-        from ..film import Film, check_film
-        from ..scene import COLORS, Scene
-
-        path = Path(self.options.render)
-        check_film(path, len(self.times))
-        held, up = self._find_view()
-        scene = Scene(
-            held,
-            self.options.size or PICTURE_SIZE,
-            self.options.up or up,
-            COLORS[self.options.preset or "water"],
-            soft=suffix_of(path) != ".exr",
-            ground=not self.options.no_ground,
-        )
-        return Film(path, scene, self.times, self.options.fps)
-
-    def _up(self) -> str:
-        """The axis of the data that is up in a .glb, as it is in pictures."""
-        assert self.output is not None
-        return "y" if suffix_of(self.output) != ".glb" else self.options.up or self._find_view()[1]
-
-    def _find_view(self) -> tuple[Any, str]:
-        """What the camera holds, and the axis that is up; of a run that goes on, as before."""
-        kept = self.resumption.view if self.resumption else None
-        if kept:
-            return numpy.array(kept[0]), str(kept[1])
-        reaches = "reach" if self.options.preset == "molecule" else self.options.radii
-        held, up = find_view(self.files, reaches, self.options.ids, self.options.velocities)
-        if self.resumption:
-            self.resumption.view = [held.tolist(), up]
-        return held, up
-
-
-def _output_name(options: Any) -> Path | None:
-    if options.output:
-        return Path(options.output)
-    return None if options.render else Path("skin_####.vtp")
-
-
-def _index_name(given: str | None, output: Path) -> Path:
-    if given:
-        return Path(given)
-    plain = without_number(output)
-    return plain.with_suffix(".pvd") if plain.suffix == ".vtp" else Path(f"{plain}.series")
+def _find_view(options: Any, files: Any, kept: Resumption | None) -> tuple[Any, str]:
+    """What the camera holds, and the axis that is up; of a run that goes on, as before."""
+    if kept and kept.view:
+        return numpy.array(kept.view[0]), str(kept.view[1])
+    reaches = "reach" if options.preset == "molecule" else options.radii
+    held, up = find_view(files, reaches, options.ids, options.velocities)
+    if kept:
+        kept.view = [held.tolist(), up]
+    return held, up

@@ -1,4 +1,4 @@
-"""Whether the polygons of an .obj have corners that are there: VTK's reader takes any."""
+"""Checks that .obj and .stl are whole: VTK's readers take, or crash at, any bytes."""
 
 from __future__ import annotations
 
@@ -46,3 +46,15 @@ def _check_corner(
         if place > count or place < -before or (number and place == 0):
             raise OSError(f"{path} cannot be read: it is damaged; a polygon has no such corners.")
     return tuple(bool(number) for number in found.groups())
+
+
+def check_stl(path: Path) -> None:
+    """Raises OSError unless a binary file has as many triangles as it says: VTK takes any."""
+    with path.open("rb") as file:
+        head = file.read(84)
+    size, count = path.stat().st_size, int.from_bytes(head[80:84], "little")
+    if not head.lstrip().startswith(b"solid") and size < 84 + 50 * count:
+        raise OSError(
+            f"{path} cannot be read: it is damaged; it has {size} bytes, and its {count} triangles "
+            f"take {84 + 50 * count}."
+        )

@@ -1,0 +1,138 @@
+"""What skin and morph write: skins with their index, films."""
+
+from __future__ import annotations
+
+from argparse import Namespace
+from collections.abc import Callable, Iterable, Iterator
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from ..file_names import (
+    INDEX_SUFFIXES,
+    check_distinct,
+    labelled,
+    make_folder_of,
+    names_of,
+    suffix_of,
+    without_number,
+)
+from ..history import HistoryFile
+from ..runner import FileSeries, Sink, Skins
+from ..skin_files import SKIN_SUFFIXES, check_suffix, write_mesh
+from .options import PICTURE_SIZE, Parser
+
+
+def add_output_options(parser: Parser, default: str) -> None:
+    """-o and --render."""
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="NAME",
+        help=f"name of the skins, #### for the number: {', '.join(SKIN_SUFFIXES)} "
+        f"(default: {default}, and none with --render alone)",
+    )
+    parser.add_argument(
+        "--render",
+        metavar="FILM",
+        help="film.mp4, film.ogv, frame.####.png or frame.####.exr",
+    )
+
+
+def each_label(
+    options: Namespace, find: Callable[[], list[int]], is_series: bool, default: str
+) -> Iterator[Namespace]:
+    """The options of the run for each label, with names of its own; or of the run for all data.
+
+    `find` returns all labels, `default` is the name of outputs.
+    """
+    if not (options.output or getattr(options, "render", None)):
+        options.output = default
+    if options.labels is None:
+        yield Namespace(**vars(options), label=None)
+        return
+    labels = find() if options.labels == "all" else options.labels
+    for label in labels:
+        own = Namespace(**vars(options), label=label)
+        for key in ("output", "render", "index", "history"):
+            name = getattr(own, key, None)
+            if name and name != "none":
+                setattr(own, key, str(labelled(name, label, is_series, len(labels) > 1)))
+        yield own
+
+
+class Outputs:
+    """The names of what a run writes, and the sinks that write it.
+
+    Attributes
+    ----------
+    output : Path or None
+        The name of the skins.
+    names : list of Path
+        The file of each frame.
+    """
+
+    def __init__(self, parser: Parser, options: Any) -> None:
+        self.options, self.numbers, self.names = options, list[int](), list[Path]()
+        self.output = Path(options.output) if options.output else None
+        self.render = Path(options.render) if options.render else None
+        index = getattr(options, "index", None)
+        try:
+            if self.output:
+                check_suffix(self.output, SKIN_SUFFIXES, "skins")
+            if self.render:
+                from ..film import FILM_SUFFIXES
+
+                check_suffix(self.render, FILM_SUFFIXES, "films")
+        except ValueError as error:
+            parser.error(str(error))
+        if index not in (None, "none") and suffix_of(index) not in INDEX_SUFFIXES:
+            parser.error(f"an index is a .pvd or a .series, or none, not {index}")
+
+    def plan(self, numbers: list[int], inputs: Iterable[Path]) -> None:
+        """Chooses the names of frames of these numbers, and makes their folders."""
+        self.numbers = numbers
+        self.names = names_of(self.output, numbers) if self.output else []
+        check_distinct(inputs, self.names)
+        for name in filter(None, (self.output, self.render)):
+            make_folder_of(name)
+
+    def sinks(self, way: Skins, find_view: Callable[[], tuple[Any, str]], color: str) -> list[Sink]:
+        """The sinks of a run over `way`; the view is points that the camera holds, and an axis."""
+        view, found = cache(find_view), list[Sink]()
+
+        def up() -> str:
+            return str(self.options.up or view()[1])
+
+        def write(path: Path, skin: Any) -> None:
+            axis = up() if suffix_of(path) == ".glb" else "y"
+            write_mesh(path, skin, way.surface.GetOutputPort(), axis)
+
+        if self.output:
+            found.append(FileSeries(self.names, write, self._index(self.output), way.times))
+        if self.render:
+            found.append(self._film(self.render, way, view()[0], up(), color))
+        if history := getattr(self.options, "history", None):
+            found.append(HistoryFile(Path(history), way.surface))
+        return found
+
+    def _film(self, path: Path, way: Skins, held: Any, up: str, color: str) -> Sink:
+        from ..film import Film, check_film
+        from ..scene import COLORS, Scene
+
+        check_film(path, len(way))
+        is_exr = suffix_of(path) == ".exr"
+        if is_exr:
+            way.surface.ComputeVelocityOn()
+        size, ground = self.options.size or PICTURE_SIZE, not self.options.no_ground
+        scene = Scene(held, size, up, COLORS[color], soft=not is_exr, ground=ground)
+        fps = getattr(self.options, "output_fps", None) or getattr(self.options, "fps", None)
+        return Film(path, scene, way.times, self.numbers, fps)
+
+    def _index(self, output: Path) -> Path | None:
+        given = getattr(self.options, "index", None)
+        if given == "none" or not (given or len(self.names) > 1):
+            return None
+        plain = without_number(output)
+        usual = plain.with_suffix(".pvd") if plain.suffix == ".vtp" else Path(f"{plain}.series")
+        return Path(given) if given else usual

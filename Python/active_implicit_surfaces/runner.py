@@ -1,0 +1,125 @@
+"""One loop over frames, with sinks: files, films, the state of a run, progress."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from .data_objects import like
+from .file_names import write_index
+from .messages import listening, warn_all
+
+
+class Frame(NamedTuple):
+    """A skin, and its time."""
+
+    time: float
+    skin: Any
+
+
+class Sink:
+    """Receives the frames of a run: a context manager, which ends with the run."""
+
+    def __enter__(self) -> Any:
+        return self
+
+    def __exit__(self, kind: Any, *_: Any) -> None:
+        """Finishes what was made; `kind` is None unless the run has failed."""
+
+    def add(self, step: int, data: Any) -> None:
+        """Takes the data of a step."""
+
+
+class FileSeries(Sink):
+    """A file for each frame, and at the end their index.
+
+    Parameters
+    ----------
+    names : list of Path
+    write : callable(Path, data)
+    index : Path, optional
+        A .pvd or a .series, with a time for each name.
+    """
+
+    def __init__(
+        self,
+        names: list[Path],
+        write: Callable[[Path, Any], Any],
+        index: Path | None = None,
+        times: Sequence[float] = (),
+    ) -> None:
+        self.names, self._write, self._index, self._times = names, write, index, times
+
+    def __exit__(self, kind: Any, *_: Any) -> None:
+        if kind is None and self._index:
+            write_index(self._index, self.names, self._times)
+
+    def add(self, step: int, data: Any) -> None:
+        self._write(self.names[step], data)
+
+
+def run(make: Callable[[int], Any], steps: Iterable[int], sinks: Iterable[Sink] = ()) -> None:
+    """Makes the data of each step and gives them to the sinks, in order."""
+    with ExitStack() as stack:
+        own = [stack.enter_context(sink) for sink in sinks]
+        for step in steps:
+            data = make(step)
+            for sink in own:
+                sink.add(step, data)
+
+
+class Skins:
+    """The skins of a filter at some times, one after the other.
+
+    Attributes
+    ----------
+    surface : vtkActiveImplicitSurface
+    times : list of float
+    """
+
+    surface: Any
+    times: list[float]
+    source: Any = None
+    _example: Any = None
+    _progress: Callable[[int, int], None] | None = None
+    _loop: Iterator[Frame] | None = None
+
+    def __len__(self) -> int:
+        return len(self.times)
+
+    def __next__(self) -> Frame:
+        """The next skin, as of one loop over all of them."""
+        if self._loop is None:
+            self._loop = iter(self)
+        return next(self._loop)
+
+    def __iter__(self) -> Iterator[Frame]:
+        for step, time in enumerate(self.times):
+            skin = copy_of(self.make(step))
+            if self._progress:
+                self._progress(step + 1, len(self))
+            yield Frame(time, like(self._example, skin))
+
+    def make(self, step: int) -> Any:
+        """The filter's own output at a step, which the next one writes over."""
+        update(self.surface, self.times[step], self.source)
+        return self.surface.GetOutput()
+
+
+def update(surface: Any, time: float, source: Any = None) -> None:
+    """Takes a filter to a time; its errors are ValueError, those of the source what they are."""
+    with listening(*filter(None, (surface, source))) as heard:
+        surface.UpdateTimeStep(time)
+    if source is not None and source.failure is not None:
+        raise source.failure
+    heard.raise_error(ValueError)
+    warn_all(heard.warnings)
+
+
+def copy_of(data: Any) -> Any:
+    """A data object of the same arrays that the next update leaves alone."""
+    copy = data.NewInstance()
+    copy.ShallowCopy(data)
+    return copy

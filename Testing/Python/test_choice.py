@@ -1,0 +1,251 @@
+# ctest: LABELS contract
+"""Choices before the skin: conditions, labels, small pieces; ranges of frames and frames between.
+
+Run: python3 test_choice.py
+"""
+
+import json
+import unittest
+
+import active_implicit_surfaces as active
+import numpy
+from active_implicit_surfaces import choice, file_names
+from active_implicit_surfaces.data_objects import as_particles
+from active_implicit_surfaces.particle_files import open_particles
+from active_implicit_surfaces.skin_files import read_shape
+from command_line import CommandTest, grid
+from reader_checks import array_of
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkMassProperties
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+
+QUIET = ("--quiet", "--particle-spacing", 0.1)
+
+
+def volume_of(path):
+    mass = vtkMassProperties()
+    mass.SetInputData(read_shape(path))
+    mass.Update()
+    return mass.GetVolume()
+
+
+def ids_of(data):
+    return sorted(array_of(data, "id")) if data.GetNumberOfPoints() else []
+
+
+class Conditions(unittest.TestCase):
+    def setUp(self):
+        points = numpy.array([[0, 0, 0], [1, 0, 0], [2, 0, 1e7 + 0.25], [3, 4, 0]])
+        arrays = {"Type": [1, 2, 3, 3], "T": [300.0, 310.0, numpy.nan, 290.0], "v": points}
+        self.cloud = as_particles(points, ids=numpy.arange(4), **arrays)
+
+    def test_signs_numbers_and_vectors(self):
+        for where, wanted in (
+            ("Type=3", [2, 3]),
+            ("Type==3", [2, 3]),
+            ("Type=1,2", [0, 1]),
+            ("Type!=3", [0, 1]),
+            ("T>300", [1]),
+            ("T>=300", [0, 1]),
+            ("T<1e3", [0, 1, 3]),
+            ("T != 290", [0, 1, 2]),
+            ("v=5", [3]),
+            ("x<=1", [0, 1]),
+            ("y>3", [3]),
+            (["Type=3", "T<300"], [3]),
+            (["Type=3", "T>300"], []),
+        ):
+            with self.subTest(where):
+                self.assertEqual(ids_of(choice.choose(self.cloud, where)), wanted)
+
+    def test_positions_and_arrays_are_as_they_were(self):
+        chosen = choice.choose(self.cloud, "id=2")
+        self.assertEqual(chosen.GetPoint(0), (2, 0, 1e7 + 0.25))
+        names = [chosen.GetPointData().GetArrayName(i) for i in range(4)]
+        self.assertEqual(names, ["id", "Type", "T", "v"])
+        self.assertEqual(chosen.GetPointData().GetNumberOfArrays(), 4)
+
+    def test_what_is_no_condition(self):
+        for where in ("Type", "Type=", "=3", "Type=a", "T<1,2", "T=>3", ""):
+            with self.subTest(where), self.assertRaisesRegex(ValueError, "is no condition"):
+                choice.choose(self.cloud, [where])
+        with self.assertRaisesRegex(ValueError, "no array 'Kind' to choose by; there are x, y, z"):
+            choice.choose(self.cloud, "Kind=1")
+
+    def test_polygons_by_points_and_by_cells(self):
+        cube = vtkCubeSource()
+        cube.Update()
+        mesh = cube.GetOutput()
+        self.assertEqual(choice.choose(mesh, "x>0").GetNumberOfCells(), 1)
+        array = numpy_to_vtk(numpy.arange(6))
+        array.SetName("face")
+        mesh.GetCellData().AddArray(array)
+        self.assertEqual(choice.choose(mesh, "face<4").GetNumberOfPolys(), 4)
+
+    def test_small_pieces(self):
+        points = numpy.vstack([grid(), grid(2) + 3, [[9.0, 9, 9]]])
+        cloud = as_particles(points, ids=numpy.arange(134))
+        for minimum, count in ((1, 134), (2, 133), (8, 133), (9, 125), (126, 0)):
+            kept = choice.without_small_pieces(cloud, minimum, 0.1)
+            self.assertEqual(ids_of(kept), list(range(count)))
+
+    def test_python_functions(self):
+        frames = [as_particles(grid() + step, kind=numpy.arange(125) % 2) for step in range(2)]
+        way = active.frames(frames, where="kind=1", particle_spacing=0.1)
+        self.assertEqual(way.source.frame(1).GetNumberOfPoints(), 62)
+        with self.assertRaisesRegex(ValueError, "No particle of any frame meets kind=7"):
+            active.frames(frames, where="kind=7")
+        points = [numpy.vstack([grid(), grid(2) + 3]) + 0.02 * step for step in range(3)]
+        way = active.frames(points, fps=10, output_fps=40, minimum_piece=9, particle_spacing=0.1)
+        numpy.testing.assert_allclose([time for time, _ in way], numpy.arange(9) / 40)
+        self.assertLess(next(way).skin.GetBounds()[1], 1)
+
+
+class Labels(CommandTest):
+    """A label map: box 3 of 6 x 6 x 6 points, box 5 of 4 x 6 x 6, which touch, and 9 far off."""
+
+    def setUp(self):
+        super().setUp()
+        values = numpy.zeros((12, 12, 22), "i2")  # z, y, x
+        values[3:9, 3:9, 3:9], values[3:9, 3:9, 9:13], values[3:9, 3:9, 16:20] = 3, 5, 9
+        image, array = vtkImageData(), numpy_to_vtk(values.ravel())
+        image.SetDimensions(22, 12, 12)
+        array.SetName("labels")
+        image.GetPointData().SetScalars(array)
+        writer = vtkXMLImageDataWriter()
+        writer.SetInputData(image)
+        writer.SetFileName(str(self.folder / "map.vti"))
+        writer.Write()
+
+    def test_one_and_several_of_an_image(self):
+        self.succeed("convert", "map.vti", "--label", 3, "-o", "three.stl")
+        # Half a voxel outside of the points; bevels of edges and corners cut off 4 %, and rounding
+        # of the distance as much.
+        self.assertAlmostEqual(volume_of(self.folder / "three.stl"), 6**3, delta=0.08 * 6**3)
+        self.succeed("convert", "map.vti", "--labels", "all", "-o", "part_##.stl")
+        made = sorted(path.name for path in self.folder.glob("part*"))
+        self.assertEqual(made, ["part_03.stl", "part_05.stl", "part_09.stl"])
+        self.succeed("convert", "map.vti", "--labels", "5,9", "-o", "part.ply")
+        for label in (5, 9):
+            own = volume_of(self.folder / f"part_{label}.ply")
+            self.assertAlmostEqual(own, 6 * 6 * 4, delta=0.1 * 144)
+        said = self.fail_with(1, "convert", "map.vti", "--label", 4, "-o", "none.stl")
+        self.assertIn("The image has no label 4; it has 3, 5, 9.", said)
+
+    def test_info(self):
+        told = json.loads(self.succeed("info", "map.vti", "--json").out)
+        self.assertEqual(told["labels"], {"3": 216, "5": 144, "9": 144})
+        told = json.loads(self.succeed("info", "map.vti", "--labels", "all", "--json").out)
+        self.assertEqual(list(told), ["label 3", "label 5", "label 9"])
+
+    def test_skins_of_particles(self):
+        points = numpy.vstack([grid(), grid(4) + 2])
+        labels = [7] * 125 + [2] * 64
+        for step in range(2):
+            numpy.savez(self.folder / f"p_{step}.npz", positions=points, label=labels)
+        self.succeed("skin", "p_*.npz", "--labels", "all", "-o", "s_####.stl", *QUIET)
+        made = sorted(path.name for path in self.folder.glob("s_*.stl"))
+        self.assertEqual(made, [f"s_{n}_000{i}.stl" for n in (2, 7) for i in (0, 1)])
+        self.assertGreater(read_shape(self.folder / "s_2_0001.stl").GetBounds()[0], 1)
+        two = numpy.stack([points, points])
+        numpy.savez("all.npz", positions=two, label=numpy.stack([labels, labels]))
+        self.succeed("skin", "all.npz", "--labels", "2,7", "-o", "t_##_####.stl", *QUIET)
+        made = sorted(path.name for path in self.folder.glob("t_*.stl"))
+        self.assertEqual(made, [f"t_0{n}_000{i}.stl" for n in (2, 7) for i in (0, 1)])
+        self.succeed("convert", "p_0.npz", "--label", 2, "-o", "two.csv")
+        self.assertEqual(open_particles("two.csv").load(0).GetNumberOfPoints(), 64)
+
+    def test_names(self):
+        for name, is_series, wanted in (
+            ("a.stl", False, "a_3.stl"),
+            ("a_##.stl", False, "a_03.stl"),
+            ("a_####.stl", True, "a_3_####.stl"),
+            ("a_##_####.stl", True, "a_03_####.stl"),
+        ):
+            self.assertEqual(str(file_names.labelled(name, 3, is_series, True)), wanted)
+        self.assertEqual(str(file_names.labelled("a.stl", 3, False, False)), "a.stl")
+
+
+class Programs(CommandTest):
+    """A lattice of 125 of Type 1 beside one of 27 of Type 2, which moves, as files 10 to 16."""
+
+    def setUp(self):
+        super().setUp()
+        for step in range(7):
+            points = numpy.vstack([grid(), grid(3) + [2, 0.02 * step**2, 0]])
+            kinds = [1] * 125 + [2] * 27
+            numpy.savez(self.folder / f"p_{step + 10}.npz", positions=points, Type=kinds)
+
+    def bounds(self, name):
+        return read_shape(self.folder / name).GetBounds()
+
+    def made(self, pattern):
+        return sorted(path.name for path in self.folder.glob(pattern))
+
+    def test_where(self):
+        self.succeed("skin", "p_10.npz", "--where", "Type=1", "-o", "a.ply", *QUIET)
+        self.assertLess(self.bounds("a.ply")[1], 1)
+        self.succeed("skin", "p_10.npz", "--minimum-piece", 28, "-o", "b.ply", *QUIET)
+        self.assertLess(self.bounds("b.ply")[1], 1)
+        told = json.loads(self.succeed("info", "p_*.npz", "--where", "Type=2", "--json").out)
+        self.assertEqual(told["points"], 27)
+        self.succeed("convert", "p_10.npz", "--where", "Type=2", "--where", "x>2.1", "-o", "c.csv")
+        self.assertEqual(open_particles("c.csv").load(0).GetNumberOfPoints(), 9)
+        said = self.fail_with(1, "skin", "p_10.npz", "--where", "Type=4")
+        self.assertIn("No particle of any frame meets Type=4.", said)
+
+    def test_frames_and_frames_in_between(self):
+        self.succeed("skin", "p_*.npz", "--frames", "11:15:2", "-o", "s_##.ply", *QUIET)
+        self.assertEqual(self.made("s_*.ply"), ["s_11.ply", "s_13.ply", "s_15.ply"])
+        arguments = ("--fps", 10, "--output-fps", 20, "--frames", "12:13")
+        self.succeed("skin", "p_*.npz", *arguments, "-o", "t_##.ply", *QUIET)
+        self.assertEqual(self.made("t_*.ply"), ["t_04.ply", "t_05.ply", "t_06.ply"])
+        numpy.testing.assert_allclose(
+            file_names.read_index(self.folder / "t.ply.series").times, [0.2, 0.25, 0.3]
+        )
+        one = self.succeed("skin", "p_*.npz", "--frames", "13:13", "--tension", 0.1, *QUIET)
+        self.assertIn("Of no effect on one frame: --tension", one.err)
+        arguments = ("--frames", "13:13", "--preroll", 2, "--tension", 0.1, *QUIET)
+        self.assertNotIn("Of no effect", self.succeed("skin", "p_*.npz", *arguments).err)
+        said = self.fail_with(1, "skin", "p_*.npz", "--frames", "20:30")
+        self.assertIn("No frame is in --frames 20:30:1; there are 10 to 16.", said)
+        for wrong in ("10", "a:b", "1:2:0", "1:2:3:4"):
+            self.fail_with(2, "skin", "p_*.npz", "--frames", wrong)
+        self.assertIn(
+            "it acts before the first", self.fail_with(2, "skin", "p_*.npz", "--preroll", 2)
+        )
+
+    def test_a_chunk_that_is_rolled_from_the_start_has_the_bytes_of_one_run(self):
+        self.succeed("skin", "p_*.npz", "-o", "w_##.ply", "--quiet")
+        for preroll, is_same in ((3, True), (1, False)):
+            arguments = ("--frames", "13:15", "--preroll", preroll, "-o", "c_##.ply", "--quiet")
+            self.succeed("skin", "p_*.npz", *arguments)
+            for step in (13, 14, 15):
+                own, whole = (self.folder / f"{name}_{step}.ply" for name in "cw")
+                self.assertEqual(own.read_bytes() == whole.read_bytes(), is_same, step)
+
+    def test_in_between_is_between(self):
+        arguments = ("--fps", 10, "--output-fps", 20, "-o", "t_##.ply", "--where", "Type=2")
+        self.succeed("skin", "p_*.npz", *arguments, *QUIET)
+        heights = [self.bounds(f"t_{i:02}.ply")[3] for i in range(13)]
+        self.assertEqual(heights, sorted(heights))
+        self.assertGreater(heights[-1] - heights[-3], 0.1, "it moves by .22 in the last frame")
+
+    def test_a_run_with_choices_is_resumed_to_the_same_bytes(self):
+        arguments = ("p_*.npz", "--fps", 10, "--output-fps", 20, "--where", "Type=2", *QUIET)
+        self.succeed("skin", *arguments, "-o", "whole_##.ply")
+        last = (self.folder / "p_16.npz").read_bytes()
+        (self.folder / "p_16.npz").write_bytes(b"PK")
+        self.fail_with(1, "skin", *arguments, "-o", "s_##.ply", "--resume")
+        self.assertLess(len(self.made("s_*.ply")), 13)
+        (self.folder / "p_16.npz").write_bytes(last)
+        self.succeed("skin", *arguments, "-o", "s_##.ply", "--resume")
+        for i in range(13):
+            own, whole = (self.folder / f"{name}_{i:02}.ply" for name in ("s", "whole"))
+            self.assertEqual(own.read_bytes(), whole.read_bytes(), i)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,87 @@
+# ctest: DISPLAY LABELS contract
+"""What the pages' own command lines make: skins that are closed, look outward and have the volume.
+
+Films are tested by test_document_blocks.py.
+
+Run: python3 test_readme_results.py
+"""
+
+import shlex
+import unittest
+
+import documents
+import numpy
+import test_document_blocks as blocks
+from active_implicit_surfaces import skin
+from active_implicit_surfaces.skin_files import read_shape
+from command_line import grid
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+PAGES = ("README.md", "Python/README.md")
+MESHES = (".vtp", ".ply", ".obj", ".stl", ".glb", ".vdb")
+# The particles are 5 x 5 x 5, 0.1 apart. Presets and models round their corners more or less.
+PARTICLES = (0.5**3, 0.25)
+CUBE, BALL = (1.0, 0.02), (numpy.pi / 6, 0.15)  # VTK's own ball has eight sides
+
+
+def measure(mesh):
+    """Signed volume, and the edges that are not run through once in each direction."""
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    faces = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    a, b, c = (points[faces[:, i]] for i in range(3))
+    volume = numpy.einsum("ij,ij->i", a, numpy.cross(b, c)).sum() / 6
+    _, numbers = numpy.unique(points, axis=0, return_inverse=True)
+    edges = numpy.vstack([numbers[faces][:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
+    there, back = {*map(tuple, edges)}, {*map(tuple, edges[:, ::-1])}
+    return float(volume), len(there ^ back)
+
+
+class Results(blocks.Blocks):
+    test_all_of_them = None  # is run by its own file
+
+    def setUp(self):
+        super().setUp()
+        self.numbers = 0
+
+    def made_by(self, command):
+        """The files that a command makes, by name; those of an earlier one are removed."""
+        known = {"bunny.stl", "horse.stl", "horse.ply", "skin_0040.vdb"}
+        for path in self.folder.glob("*"):
+            if path.suffix in MESHES and path.name not in known and "splash" not in path.name:
+                path.unlink()
+        self.succeed(*shlex.split(command)[1:])
+        found = (path for path in self.folder.glob("[!.]*") if path.suffix in MESHES)
+        return sorted(p for p in found if p.name not in known and "splash" not in p.name)
+
+    def check(self, path, wanted, share):
+        is_grid = path.suffix == ".vdb"
+        volume, open_edges = measure(read_shape(path, level=0.0) if is_grid else read_shape(path))
+        self.assertEqual(open_edges, 0, path.name)
+        self.assertAlmostEqual(volume / wanted, 1.0, delta=share, msg=path.name)
+        self.numbers += 1
+
+    def check_command(self, command):
+        kind = shlex.split(command)[1]
+        made = self.made_by(command)
+        if kind == "morph":
+            self.check(made[0], *CUBE)
+            self.check(made[-1], *BALL)
+        elif kind == "convert":
+            self.check(made[0], measure(skin(grid(), particle_spacing=0.1))[0], 0.01)
+        elif kind == "skin":
+            self.assertTrue(made, command)
+            for path in made:
+                self.check(path, *PARTICLES)
+
+    def test_meshes(self):
+        for page in PAGES:
+            for language, body in documents.blocks((documents.ROOT / page).read_text()):
+                for command in documents.commands(body) if language == "bash" else ():
+                    if blocks.PROGRAM.match(command) and "--render" not in command:
+                        with self.subTest(page=page, command=command):
+                            self.check_command(command)
+        self.assertGreater(self.numbers, 15)
+
+
+if __name__ == "__main__":
+    unittest.main()
