@@ -285,7 +285,10 @@ void BandState::AdvanceNodes(const NodeFrame& frame, const Motion& motion, NodeT
   {
     this->Leaves = LeafTable(); // all leaves are new
     this->Restore(after);
-    this->RestoreControlled(motion);
+    if (frame.End > frame.Begin)
+    {
+      this->RestoreControlled(motion);
+    }
   }
   catch (...)
   {
@@ -299,8 +302,8 @@ void BandState::MakeNodeStep(
   const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
   const OldPotential old{ this->Leaves, this->Potential->tree() };
-  this->AdvanceNodes({ old, this->Time, this->Time + move.MostTime, move.MostTime,
-                       this->VoxelSize, this->Maximum },
+  this->AdvanceNodes(
+    { old, this->Time, this->Time + move.MostTime, move.MostTime, this->VoxelSize, this->Maximum },
     motion, *target.GetNodes());
   move.Step = move.MostTime;
   ++report.Substeps;

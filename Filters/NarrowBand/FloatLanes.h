@@ -104,8 +104,8 @@ ACTIVE_ALWAYS_INLINE unsigned BitsOf(const LaneMask& condition)
 /** 0 up to `from`, 1 beyond `to`, a cubic polynomial between; from < to. */
 ACTIVE_ALWAYS_INLINE Lanes SmoothStep(float from, float to, const Lanes& x)
 {
-  const Lanes t =
-    Least(Largest((x - AllLanes(from)) * AllLanes(1.f / (to - from)), AllLanes(0.f)), AllLanes(1.f));
+  const Lanes t = Least(
+    Largest((x - AllLanes(from)) * AllLanes(1.f / (to - from)), AllLanes(0.f)), AllLanes(1.f));
   return t * t * (AllLanes(3.f) - AllLanes(2.f) * t);
 }
 

@@ -146,8 +146,8 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   return finished;
 }
 
-void NarrowBand::StartOnNodes(double time, const double bounds[6], const Motion& motion,
-  double duration, Target& target)
+void NarrowBand::StartOnNodes(
+  double time, const double bounds[6], const Motion& motion, double duration, Target& target)
 {
   BandState& members = *this->State;
   CheckMotion(motion);

@@ -95,8 +95,8 @@ public:
    * tension of such a duration: so the first frame is as smooth as those that follow. bounds: as
    * with Start, for their size alone. Errors as with Advance.
    */
-  void StartOnNodes(double time, const double bounds[6], const Motion& motion, double duration,
-    Target& target);
+  void StartOnNodes(
+    double time, const double bounds[6], const Motion& motion, double duration, Target& target);
 
   /** Creates the parts and hollows that the target tells of, where the surface does not reach them;
    * see Motion::CreateParts. Returns how many. Errors as with Advance. */

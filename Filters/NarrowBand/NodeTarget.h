@@ -1,5 +1,6 @@
 /**
- * A target that is evaluated at the nodes of the lattice, once for each frame: see Nodes/NodeStep.h.
+ * A target that is evaluated at the nodes of the lattice, once for each frame: see
+ * Nodes/NodeStep.h.
  */
 #ifndef NodeTarget_h
 #define NodeTarget_h
@@ -25,7 +26,7 @@ struct ShellLeaf
 /** Leaves near the surface of a target; every other leaf is on one side of the surface. */
 struct Shell
 {
-  std::vector<ShellLeaf> Leaves;     //< ascending by their origins (x, y, z)
+  std::vector<ShellLeaf> Leaves;       //< ascending by their origins (x, y, z)
   std::vector<NodeIndex> InsideLeaves; //< other leaves inside, in any order; if wanted
 };
 

@@ -155,8 +155,8 @@ public:
    */
   virtual void ForEachPart(const PartVisitor& visit) const { static_cast<void>(visit); }
 
-  /** The same target at the nodes of the lattice, for TimeIntegration::Nodes; null if it has no such
-   * form. */
+  /** The same target at the nodes of the lattice, for TimeIntegration::Nodes; null if it has no
+   * such form. */
   virtual NodeTarget* GetNodes() { return nullptr; }
 
   /** Whether several threads may call Evaluate at once. */

@@ -81,9 +81,9 @@ void ParticleNodes::MakeCubes(const NodeParticles& given)
 
 void ParticleNodes::Resize(std::size_t count)
 {
-  for (UnsetVector<float>* numbers : { &this->X, &this->Y, &this->Z, &this->DX, &this->DY,
-         &this->DZ, &this->IsMoved, &this->Bulk, &this->InverseReach2, &this->EX, &this->EY,
-         &this->EZ, &this->EReach2 })
+  for (UnsetVector<float>* numbers :
+    { &this->X, &this->Y, &this->Z, &this->DX, &this->DY, &this->DZ, &this->IsMoved, &this->Bulk,
+      &this->InverseReach2, &this->EX, &this->EY, &this->EZ, &this->EReach2 })
   {
     numbers->resize(count + Padding);
     std::fill_n(numbers->data() + count, Padding, 0.f);
@@ -143,13 +143,12 @@ void ParticleNodes::PlaceEllipsoid(
     m[i] = fit.Metric[i] * voxel * voxel;
     ellipsoid.Metric[i] = static_cast<float>(m[i]);
   }
-  ellipsoid.Strength =
-    static_cast<float>(particle.Strength * fit.Strength / this->Options.Level);
+  ellipsoid.Strength = static_cast<float>(particle.Strength * fit.Strength / this->Options.Level);
   // The diagonal of the inverse.
   const double minors[3] = { m[3] * m[5] - m[4] * m[4], m[0] * m[5] - m[2] * m[2],
     m[0] * m[3] - m[1] * m[1] };
-  const double determinant = m[0] * minors[0] - m[1] * (m[1] * m[5] - m[4] * m[2]) +
-    m[2] * (m[1] * m[4] - m[3] * m[2]);
+  const double determinant =
+    m[0] * minors[0] - m[1] * (m[1] * m[5] - m[4] * m[2]) + m[2] * (m[1] * m[4] - m[3] * m[2]);
   for (int axis = 0; axis < 3; ++axis)
   {
     const double square = minors[axis] / determinant;
@@ -160,8 +159,8 @@ void ParticleNodes::PlaceEllipsoid(
 
 bool ParticleNodes::IsInside(const NodeIndex& node) const
 {
-  return this->Blocks.IsInside({ this->Blocks.CellOf(node[0]), this->Blocks.CellOf(node[1]),
-    this->Blocks.CellOf(node[2]) });
+  return this->Blocks.IsInside(
+    { this->Blocks.CellOf(node[0]), this->Blocks.CellOf(node[1]), this->Blocks.CellOf(node[2]) });
 }
 
 // Those that blocks with a part of the shell overlap.
@@ -305,8 +304,7 @@ void ParticleNodes::VisitRuns(
         int low[3], high[3];
         for (int axis = 0; axis < 3; ++axis)
         {
-          shift[axis] =
-            static_cast<float>(this->Blocks.GetBlockSize() * at[axis] - origin[axis]);
+          shift[axis] = static_cast<float>(this->Blocks.GetBlockSize() * at[axis] - origin[axis]);
           low[axis] = std::max(first[axis] - 4 * at[axis], 0);
           high[axis] = std::min(last[axis] - 4 * at[axis], 3);
         }
@@ -331,7 +329,7 @@ void ParticleNodes::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
   EllipsoidSum sum(leaf.Rows, values);
   constexpr double size = 7.0;
   this->VisitRuns(leaf.Origin, size, this->MostReach,
-    [&](std::uint32_t first, std::uint32_t end, const float (&shift)[3])
+    [&](std::uint32_t first, std::uint32_t end, const float(&shift)[3])
     {
       sum.Add({ this->EX.data(), this->EY.data(), this->EZ.data(), this->EReach2.data() },
         this->Ellipsoids.data(), first, end, shift);
@@ -345,7 +343,7 @@ void ParticleNodes::FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const
   sum.Clear();
   constexpr double size = 8.0;
   this->VisitRuns(leaf.Origin, size, this->MostReachOfMotion,
-    [&](std::uint32_t first, std::uint32_t end, const float (&shift)[3])
+    [&](std::uint32_t first, std::uint32_t end, const float(&shift)[3])
     {
       sum.Add({ { this->X.data(), this->Y.data(), this->Z.data() },
                 { this->DX.data(), this->DY.data(), this->DZ.data() }, this->IsMoved.data(),

@@ -69,11 +69,11 @@ private:
   ParticleBlocks Blocks;
 
   // By the order of the blocks, with room for a vector of eight more.
-  UnsetVector<float> X, Y, Z;          // places
-  UnsetVector<float> DX, DY, DZ;       // displacements
-  UnsetVector<float> IsMoved;          // 1, or 0 where the displacement is not known
+  UnsetVector<float> X, Y, Z;    // places
+  UnsetVector<float> DX, DY, DZ; // displacements
+  UnsetVector<float> IsMoved;    // 1, or 0 where the displacement is not known
   UnsetVector<float> Bulk;
-  UnsetVector<float> InverseReach2;    // of the means of motion
+  UnsetVector<float> InverseReach2;       // of the means of motion
   UnsetVector<float> EX, EY, EZ, EReach2; // of ellipsoids
   UnsetVector<NodeEllipsoid> Ellipsoids;
   double MostReach = 0.0;         // of ellipsoids, from their particles' blocks [voxels]

@@ -84,8 +84,7 @@ ACTIVE_ALWAYS_INLINE Lanes ExpandRow(const float* points, int x, int y)
   }
   const Lanes quarters = { 0.f, .25f, .5f, .75f, 1.f, 1.25f, 1.5f, 1.75f };
   const Lanes lower = AllLanes(line[0]) + quarters * AllLanes(line[1] - line[0]);
-  const Lanes upper =
-    AllLanes(line[1]) + (quarters - AllLanes(1.f)) * AllLanes(line[2] - line[1]);
+  const Lanes upper = AllLanes(line[1]) + (quarters - AllLanes(1.f)) * AllLanes(line[2] - line[1]);
   return Pick(quarters < AllLanes(1.f), lower, upper);
 }
 
@@ -118,8 +117,8 @@ struct FeetKernel
         Lanes{ 0.f, 1.f, 2.f, 3.f, 4.f, 5.f, 6.f, 7.f } };
       for (int axis = 0; axis < 3; ++axis)
       {
-        StoreLanes(this->Feet[row][axis],
-          place[axis] - ExpandRow(this->Motion.Displacement[axis], x, y));
+        StoreLanes(
+          this->Feet[row][axis], place[axis] - ExpandRow(this->Motion.Displacement[axis], x, y));
       }
     }
   }
@@ -133,7 +132,6 @@ struct RowKernel
   const float (*Feet)[8];
   const int* Offset; //< of the leaf's first node in the block
   float* Carried;
-
 
   ACTIVE_ALWAYS_INLINE void operator()() const
   {

@@ -15,11 +15,17 @@ struct OldPotential
   const LeafTable& Leaves;
   const PotentialTree& Tree;
 
+  const BandLeaf* FindLeaf(const NodeIndex& origin) const
+  {
+    const std::int32_t i = this->Leaves.Find(openvdb::Coord(origin[0], origin[1], origin[2]));
+    return i >= 0 ? &this->Leaves[i] : nullptr;
+  }
+
   /** The 512 values of a leaf, or null. */
   const float* Find(const NodeIndex& origin) const
   {
-    const std::int32_t i = this->Leaves.Find(openvdb::Coord(origin[0], origin[1], origin[2]));
-    return i >= 0 ? this->Leaves[i].Value : nullptr;
+    const BandLeaf* leaf = this->FindLeaf(origin);
+    return leaf ? leaf->Value : nullptr;
   }
 
   /** + or - NodeLimit, the side of a leaf for which Find returns null. */

@@ -18,7 +18,8 @@ constexpr int FewestStages = 4;
 constexpr float TensionOfStage = .15f;
 constexpr float TensionOfStages = 10.f * TensionOfStage;
 
-/** Share of the attraction within the noise: at the usual one distances fall by a sixth in a frame. */
+/** Share of the attraction within the noise: at the usual one distances fall by a sixth in a frame.
+ */
 constexpr float SlowShare = .03f;
 /** Where the bulk is full noise reaches farther: particles of a body agree on the surface. */
 constexpr float FullFrom = .5f, FullTo = .75f, NoiseOfFull = 1.5f;
@@ -75,8 +76,8 @@ struct DistanceKernel
       const Lanes slope = AllLanes(.5f) * Root(gx * gx + gy * gy + gz * gz);
       const LaneMask isNear = Size(value) < slope * AllLanes(NodeLimit);
       const Lanes side = value < AllLanes(0.f) ? AllLanes(-NodeLimit) : AllLanes(NodeLimit);
-      StoreLanes(this->Psi.Of(i) + 8 * row,
-        Pick(isNear, value / Pick(isNear, slope, AllLanes(1.f)), side));
+      StoreLanes(
+        this->Psi.Of(i) + 8 * row, Pick(isNear, value / Pick(isNear, slope, AllLanes(1.f)), side));
     }
   }
 };
@@ -114,8 +115,8 @@ private:
   static ACTIVE_ALWAYS_INLINE bool StaysFar(const Lanes& u, const Lanes& psi)
   {
     constexpr float far = .999f * NodeLimit;
-    const LaneMask isFar = (u * psi > AllLanes(0.f)) & (Size(u) >= AllLanes(far)) &
-      (Size(psi) >= AllLanes(far));
+    const LaneMask isFar =
+      (u * psi > AllLanes(0.f)) & (Size(u) >= AllLanes(far)) & (Size(psi) >= AllLanes(far));
     return BitsOf(isFar) == 0xffu;
   }
 
@@ -148,8 +149,7 @@ private:
   ACTIVE_ALWAYS_INLINE Lanes FindTension(const Lanes& bulk, const Lanes& full) const
   {
     const Lanes tension = AllLanes(this->Law.Tension);
-    const Lanes weight =
-      bulk * (AllLanes(TensionOfHalf) + AllLanes(1.f - TensionOfHalf) * full);
+    const Lanes weight = bulk * (AllLanes(TensionOfHalf) + AllLanes(1.f - TensionOfHalf) * full);
     return this->Law.IsWeighted ? tension * weight : tension;
   }
 
@@ -158,8 +158,8 @@ private:
   {
     const Lanes one = AllLanes(1.f), full = SmoothStep(FullFrom, FullTo, bulk);
     const Lanes miss = psi - u;
-    const Lanes pull = this->Law.Tension > 0.f ? this->FindPull(c, this->FindTension(bulk, full))
-                                               : AllLanes(0.f);
+    const Lanes pull =
+      this->Law.Tension > 0.f ? this->FindPull(c, this->FindTension(bulk, full)) : AllLanes(0.f);
     const float share = 1.f / static_cast<float>(this->Count);
     Lanes rate = AllLanes(this->Law.Decay), lambda = one;
     if (this->Law.Noise > 0.f)
@@ -169,22 +169,23 @@ private:
     // Exponential Euler: exact without tension, and at rest.
     const Lanes x = AllLanes(share) * rate * lambda;
     const Lanes decayed = one /
-      (one + x * (one + x * (AllLanes(.5f) + x * (AllLanes(1.f / 6.f) + x * AllLanes(1.f / 24.f)))));
+      (one +
+        x * (one + x * (AllLanes(.5f) + x * (AllLanes(1.f / 6.f) + x * AllLanes(1.f / 24.f)))));
     const LaneMask isTiny = x < AllLanes(LeastDecay);
     const Lanes mean = Pick(isTiny, one, (one - decayed) / Pick(isTiny, one, x));
     return psi - decayed * miss + AllLanes(share) * pull * lambda * mean;
   }
 
-  /** Within the noise of a body the attraction is small; and attraction and tension both, where they
-   * are nearly in balance, so that fixed points stay. */
+  /** Within the noise of a body the attraction is small; and attraction and tension both, where
+   * they are nearly in balance, so that fixed points stay. */
   ACTIVE_ALWAYS_INLINE void Slow(const Lanes& u, const Lanes& miss, const Lanes& pull,
     const Lanes& bulk, const Lanes& full, Lanes& rate, Lanes& lambda) const
   {
     const Lanes one = AllLanes(1.f);
     const Lanes body = Least(bulk + bulk, one);
     // The slope of u is not 1 off the skin, where frames differ by more.
-    const Lanes noise = (one + AllLanes(NoiseOfFull - 1.f) * full) * AllLanes(this->Law.Noise) *
-      (one + Size(u));
+    const Lanes noise =
+      (one + AllLanes(NoiseOfFull - 1.f) * full) * AllLanes(this->Law.Noise) * (one + Size(u));
     const Lanes slow = one - body * AllLanes(1.f - SlowShare);
     rate *= slow + (one - slow) * Step(miss / noise);
     const Lanes slowest = Least(AllLanes(this->Law.Decay * SlowestShare) / rate, one);

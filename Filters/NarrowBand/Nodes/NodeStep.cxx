@@ -1,6 +1,7 @@
 #include "Nodes/NodeStep.h"
 
 #include "Obstacle.h"
+#include "OpenVDB.h"
 #include "Substep/TimeStep.h"
 
 #include <openvdb/tools/SignedFloodFill.h>
@@ -42,7 +43,8 @@ double DepthInObstacle(const Obstacle& solid, const NodeIndex& node, double voxe
 /** Whether a leaf has values between the limits, or both of them. */
 bool IsNearSurface(const float* values)
 {
-  return std::any_of(values, values + 512, [values](float value)
+  return std::any_of(values, values + 512,
+    [values](float value)
     { return std::fabs(value) < NodeLimit || (value < 0.f) != (values[0] < 0.f); });
 }
 
@@ -129,17 +131,17 @@ void NodeStep::AddConfined(const NodeFrame& frame, const Motion& motion)
   }
 }
 
-bool NodeStep::IsSolid(
-  const NodeIndex& origin, const NodeFrame& frame, const Motion& motion) const
+bool NodeStep::IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion) const
 {
   const NodeIndex centre = CentreOf(origin);
   return (motion.Box.Present && DepthInWalls(motion.Box, centre, frame.VoxelSize) > 0.0) ||
     (motion.Solid && DepthInObstacle(*motion.Solid, centre, frame.VoxelSize) > 0.0);
 }
 
-/** How deep the nodes of a leaf are in walls and obstacle [voxels]; false if that is nowhere near. */
-bool NodeStep::FindDepths(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion,
-  float (&depths)[512]) const
+/** How deep the nodes of a leaf are in walls and obstacle [voxels]; false if that is nowhere near.
+ */
+bool NodeStep::FindDepths(
+  const NodeIndex& origin, const NodeFrame& frame, const Motion& motion, float (&depths)[512]) const
 {
   const bool isAtWall = motion.Box.Present &&
     DepthInWalls(motion.Box, CentreOf(origin), frame.VoxelSize) > -2.0 * ReachOfLeaf;
@@ -151,9 +153,8 @@ bool NodeStep::FindDepths(const NodeIndex& origin, const NodeFrame& frame, const
   for (int n = 0; n < 512; ++n)
   {
     const NodeIndex node = { origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7) };
-    const float wall = isAtWall
-      ? static_cast<float>(DepthInWalls(motion.Box, node, frame.VoxelSize))
-      : -HUGE_VALF;
+    const float wall =
+      isAtWall ? static_cast<float>(DepthInWalls(motion.Box, node, frame.VoxelSize)) : -HUGE_VALF;
     depths[n] = std::max(wall, solid ? solid[n] : -HUGE_VALF);
   }
   return true;
@@ -230,16 +231,22 @@ void NodeStep::KeepWhatRests(const OldPotential& old, float tolerance)
   this->Leaves.ForEach(
     [&](std::size_t i)
     {
-      const float* before = this->IsStill[i] ? old.Find(this->Leaves[i].Origin) : nullptr;
+      const BandLeaf* before = this->IsStill[i] ? old.FindLeaf(this->Leaves[i].Origin) : nullptr;
+      if (!before)
+      {
+        return;
+      }
       float* now = this->Potential.Of(i);
-      const auto rests = [&](float a, float b)
+      bool rests = true;
+      before->UpToLayer[1].ForEach(
+        [&](int node)
+        {
+          const float kept = std::min(std::max(before->Value[node], -NodeLimit), NodeLimit);
+          rests = rests && std::fabs(kept - now[node]) <= tolerance;
+        });
+      if (rests)
       {
-        const float kept = std::min(std::max(a, -NodeLimit), NodeLimit);
-        return std::fabs(kept - b) <= tolerance;
-      };
-      if (before && std::equal(before, before + 512, now, rests))
-      {
-        std::copy_n(before, 512, now);
+        std::copy_n(before->Value, 512, now);
       }
     });
 }

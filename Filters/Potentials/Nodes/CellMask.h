@@ -56,8 +56,8 @@ struct CellMask
       else
       {
         constexpr std::uint64_t first = 0x0101010101010101ull, last = first << 7;
-        wide.Word[x] = own | (own << 1 & ~first) | (low >> 7 & first) | (own >> 1 & ~last) |
-          (high << 7 & last);
+        wide.Word[x] =
+          own | (own << 1 & ~first) | (low >> 7 & first) | (own >> 1 & ~last) | (high << 7 & last);
       }
     }
     return wide;

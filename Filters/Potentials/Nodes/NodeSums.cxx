@@ -45,8 +45,7 @@ struct ScatterKernel
       const Lanes gx = Largest(Size(x - middle) - middle, zero);
       const Lanes gy = Largest(Size(y - middle) - middle, zero);
       const Lanes gz = Largest(Size(z - middle) - middle, zero);
-      unsigned near =
-        BitsOf(gx * gx + gy * gy + gz * gz < LoadLanes(this->Columns.Reach2 + k));
+      unsigned near = BitsOf(gx * gx + gy * gy + gz * gz < LoadLanes(this->Columns.Reach2 + k));
       near &= this->End - k >= 8 ? 0xffu : (1u << (this->End - k)) - 1u;
       for (; near != 0; near &= near - 1)
       {
@@ -68,23 +67,23 @@ private:
     const Lanes numbers = { 0.f, 1.f, 2.f, 3.f, 4.f, 5.f, 6.f, 7.f };
     const Lanes one = AllLanes(1.f), zero = AllLanes(0.f);
     const Lanes dy = numbers - AllLanes(c[1]), z = numbers - AllLanes(c[2]);
-    const Lanes zz = AllLanes(m[5]), inverse = AllLanes(1.f / m[5]), strength = AllLanes(e.Strength);
+    const Lanes zz = AllLanes(m[5]), inverse = AllLanes(1.f / m[5]),
+                strength = AllLanes(e.Strength);
     for (int x = x0; x <= x1; ++x)
     {
       const float dx = static_cast<float>(x) - c[0];
       const Lanes b = AllLanes(m[2] * dx) + AllLanes(m[4]) * dy;
       const Lanes a =
         AllLanes(m[0] * dx * dx) + dy * (AllLanes(2.f * m[1] * dx) + AllLanes(m[3]) * dy);
-      unsigned hit = BitsOf(a - b * b * inverse < one) &
-        static_cast<unsigned>(this->Rows >> (8 * x)) & 0xffu;
+      unsigned hit =
+        BitsOf(a - b * b * inverse < one) & static_cast<unsigned>(this->Rows >> (8 * x)) & 0xffu;
       alignas(32) float rest[8], twice[8];
       StoreLanes(rest, one - a);
       StoreLanes(twice, b + b);
       for (; hit != 0; hit &= hit - 1)
       {
         const int y = LowestBit(hit);
-        const Lanes v =
-          Largest(AllLanes(rest[y]) - z * (AllLanes(twice[y]) + zz * z), zero);
+        const Lanes v = Largest(AllLanes(rest[y]) - z * (AllLanes(twice[y]) + zz * z), zero);
         float* to = this->Sums + 64 * x + 8 * y;
         StoreLanes(to, LoadLanes(to) + strength * v * (v * v));
       }
@@ -131,8 +130,8 @@ void MotionSum::Clear()
 }
 
 // Keeps those that reach the leaf.
-void MotionSum::Add(const MotionColumns& columns, std::uint32_t first, std::uint32_t end,
-  const float (&shift)[3])
+void MotionSum::Add(
+  const MotionColumns& columns, std::uint32_t first, std::uint32_t end, const float (&shift)[3])
 {
   constexpr float half = 4.f;
   for (std::uint32_t k = first; k < end; ++k)

@@ -57,8 +57,8 @@ class MotionSum
 {
 public:
   void Clear();
-  void Add(const MotionColumns& columns, std::uint32_t first, std::uint32_t end,
-    const float (&shift)[3]);
+  void Add(
+    const MotionColumns& columns, std::uint32_t first, std::uint32_t end, const float (&shift)[3]);
   void Finish(bool hasNoise, LeafMotion& motion) const;
 
 private:

@@ -25,7 +25,6 @@ constexpr double CellsOfVoxel = 4.0;
 
 constexpr int BlocksPerTask = 8;
 
-
 int NumberOf(const NodeIndex& offset)
 {
   return 9 * (offset[0] + 1) + 3 * (offset[1] + 1) + offset[2] + 1;
@@ -33,8 +32,8 @@ int NumberOf(const NodeIndex& offset)
 
 }
 
-void ParticleBlocks::Build(const UnsetVector<ParticleCube>& cubes, double voxelSize,
-  double beyond, bool hasInside)
+void ParticleBlocks::Build(
+  const UnsetVector<ParticleCube>& cubes, double voxelSize, double beyond, bool hasInside)
 {
   this->VoxelSize = voxelSize;
   this->ChooseCells(cubes, beyond);
@@ -117,8 +116,8 @@ void ParticleBlocks::AddBlocks(const UnsetVector<ParticleCube>& cubes)
         for (other[2] = low[2]; other[2] <= high[2]; ++other[2])
         {
           const NodeIndex offset = { other[0] - at[0], other[1] - at[1], other[2] - at[2] };
-          const bool isNear = std::all_of(
-            offset.begin(), offset.end(), [](int o) { return o >= -1 && o <= 1; });
+          const bool isNear =
+            std::all_of(offset.begin(), offset.end(), [](int o) { return o >= -1 && o <= 1; });
           const std::uint32_t bit = isNear ? 1u << NumberOf(offset) : 0u;
           if (!bit || !(this->Around[home] & bit))
           {
@@ -210,8 +209,8 @@ void ParticleBlocks::FillCube(const ParticleCube& cube, std::size_t home)
     {
       const double from = std::max(place - half, c * this->CellSize);
       const double to = std::min(place + half, (c + 1.0) * this->CellSize);
-      share[axis][c - first[axis]] = static_cast<std::uint32_t>(
-        16.0 * std::max(to - from, 0.0) / this->CellSize + 0.5);
+      share[axis][c - first[axis]] =
+        static_cast<std::uint32_t>(16.0 * std::max(to - from, 0.0) / this->CellSize + 0.5);
     }
   }
   const auto whole = static_cast<std::uint32_t>(FillingOfCell * filling);
@@ -220,8 +219,7 @@ void ParticleBlocks::FillCube(const ParticleCube& cube, std::size_t home)
   {
     for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1])
     {
-      const std::uint32_t across =
-        share[0][cell[0] - first[0]] * share[1][cell[1] - first[1]];
+      const std::uint32_t across = share[0][cell[0] - first[0]] * share[1][cell[1] - first[1]];
       for (cell[2] = first[2]; across > 0 && cell[2] <= last[2]; ++cell[2])
       {
         const std::uint32_t part = across * share[2][cell[2] - first[2]];
@@ -253,7 +251,8 @@ void ParticleBlocks::Occupy(const ParticleCube& cube, std::size_t home)
     {
       for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2])
       {
-        this->Blocks[this->FindBlock(cell, home)].Occupied.Add(cell[0] & 7, cell[1] & 7, cell[2] & 7);
+        this->Blocks[this->FindBlock(cell, home)].Occupied.Add(
+          cell[0] & 7, cell[1] & 7, cell[2] & 7);
       }
     }
   }
@@ -280,7 +279,8 @@ void ParticleBlocks::FindOpenOf(Block& block) const
     const NodeIndex offset = { n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1 };
     const std::int32_t i = this->Numbers.Find(
       { block.At[0] + offset[0], block.At[1] + offset[1], block.At[2] + offset[2] });
-    const std::uint32_t* from = i >= 0 ? &this->Filling[512 * static_cast<std::size_t>(i)] : nullptr;
+    const std::uint32_t* from =
+      i >= 0 ? &this->Filling[512 * static_cast<std::size_t>(i)] : nullptr;
     int first[3], last[3];
     for (int axis = 0; axis < 3; ++axis)
     {

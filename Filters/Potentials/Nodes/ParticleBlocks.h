@@ -45,8 +45,8 @@ public:
 
   // beyond: how far the skin may be from a particle, less its own radius, in own radii. hasInside:
   // whether full cells are inside, whatever the particles' kernels are. Keeps its memory.
-  void Build(const UnsetVector<ParticleCube>& cubes, double voxelSize, double beyond,
-    bool hasInside);
+  void Build(
+    const UnsetVector<ParticleCube>& cubes, double voxelSize, double beyond, bool hasInside);
 
   std::size_t Size() const { return this->Blocks.size(); }
   const Block& operator[](std::size_t i) const { return this->Blocks[i]; }
@@ -100,8 +100,7 @@ private:
   std::size_t FindBlock(const NodeIndex& cell, std::size_t home) const
   {
     const NodeIndex at = { cell[0] >> 3, cell[1] >> 3, cell[2] >> 3 };
-    return this->Blocks[home].At == at ? home
-                                       : static_cast<std::size_t>(this->Numbers.Find(at));
+    return this->Blocks[home].At == at ? home : static_cast<std::size_t>(this->Numbers.Find(at));
   }
   void FindOpen();
   void FindOpenOf(Block& block) const;

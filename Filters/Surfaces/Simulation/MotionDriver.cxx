@@ -18,8 +18,8 @@ constexpr double SubstepsOfMovingTarget = 4.0;
 // The same where the surface is carried along in one semi-Lagrangian step.
 constexpr double SubstepsOfCarriedSurface = 2.0;
 
-// The node scheme knows the target near its surface alone: the skin has to come close in a time step,
-// by so many factors e at least.
+// The node scheme knows the target near its surface alone: the skin has to come close in a time
+// step, by so many factors e at least.
 constexpr double FewestFactorsOfNodes = 2.0;
 
 // Automatic attraction: distances fall by so many factors e from one step to the next.
@@ -77,13 +77,16 @@ bool MotionDriver::Start(
   return isStarted;
 }
 
-// A skin of particles that stand still starts so too, unless the filter has time steps of its own.
 bool MotionDriver::StartsOnNodes() const
 {
-  const SurfaceSettings& settings = this->Settings;
-  const bool mayMove = settings.Inputs.TargetMoves || settings.GetNumberOfSteps() == 1;
-  return settings.UsesNodes() && mayMove && !settings.StartsElsewhere() &&
+  return this->Settings.UsesNodes() && !this->Settings.StartsElsewhere() &&
     this->Shapes.HasParticles(0, 0);
+}
+
+// The skin that has started on particles that stand still.
+bool MotionDriver::StaysOnNodes() const
+{
+  return !this->Settings.Inputs.TargetMoves && this->StartsOnNodes();
 }
 
 // As after a time step of the automatic attraction, however long it is and whether it is known yet,
@@ -136,6 +139,11 @@ Motion MotionDriver::GetMotion(int step, bool hasParticles) const
   if (domain)
   {
     std::copy_n(domain->Bounds, 6, motion.Box.Bounds);
+  }
+  if (step >= 0 && this->StaysOnNodes())
+  {
+    motion.Attraction = motion.Tension = 0.0;
+    motion.CreateParts = false;
   }
   const int last = this->Settings.GetNumberOfSteps() - 1;
   if (this->Settings.Inputs.TargetMoves && step >= 0 && last > 0)
@@ -230,7 +238,8 @@ bool MotionDriver::AdvanceTo(
   {
     return true;
   }
-  if (this->Settings.UsesNodes() && motion.Integration != TimeIntegration::Nodes)
+  if (this->Settings.UsesNodes() && motion.Integration != TimeIntegration::Nodes &&
+    !this->StaysOnNodes())
   {
     this->Messages.Say("nodes", NoNodes);
   }

@@ -67,6 +67,7 @@ private:
   TimeIntegration ChooseIntegration(bool isCarried) const;
   bool MayUseNodes(const Motion& motion, double length) const;
   bool StartsOnNodes() const;
+  bool StaysOnNodes() const;
   void StartOnNodes(NarrowBand& band, const SurfaceDomain& domain);
   void PlaceTargetFrom(int step);
   bool MayCreateParts(const Motion& motion) const;

@@ -218,11 +218,13 @@ void ParticleTarget::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
       }
     }
   };
-  visit([&](int n) {
-    points[3 * count] = this->VoxelSize * (leaf.Origin[0] + (n >> 6));
-    points[3 * count + 1] = this->VoxelSize * (leaf.Origin[1] + (n >> 3 & 7));
-    points[3 * count++ + 2] = this->VoxelSize * (leaf.Origin[2] + (n & 7));
-  });
+  visit(
+    [&](int n)
+    {
+      points[3 * count] = this->VoxelSize * (leaf.Origin[0] + (n >> 6));
+      points[3 * count + 1] = this->VoxelSize * (leaf.Origin[1] + (n >> 3 & 7));
+      points[3 * count++ + 2] = this->VoxelSize * (leaf.Origin[2] + (n & 7));
+    });
   if (this->IsSum())
   {
     this->ElementsAtNodes.Evaluate(
@@ -234,13 +236,15 @@ void ParticleTarget::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
   }
   const double *next = found, level = this->GetLevel(), iso = this->Options.Level.IsoValue;
   const double outside = this->BodyAtNodes.GetOutside() - iso;
-  visit([&](int n) {
-    // The root makes a sum nearly linear, as in ParticleNodes.h.
-    const double sum = std::max(level - *next, 0.0) / level;
-    values[n] = static_cast<float>(
-      this->IsSum() ? 1.0 - std::sqrt(std::sqrt(sum)) : (*next - iso) / outside);
-    ++next;
-  });
+  visit(
+    [&](int n)
+    {
+      // The root makes a sum nearly linear, as in ParticleNodes.h.
+      const double sum = std::max(level - *next, 0.0) / level;
+      values[n] = static_cast<float>(
+        this->IsSum() ? 1.0 - std::sqrt(std::sqrt(sum)) : (*next - iso) / outside);
+      ++next;
+    });
 }
 
 // In cells of another size sums are in another order, so that all of them change by rounding.

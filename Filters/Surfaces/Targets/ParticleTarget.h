@@ -7,8 +7,8 @@
 #ifndef ParticleTarget_h
 #define ParticleTarget_h
 
-#include "ParticleMeans.h"
 #include "NodeTarget.h"
+#include "ParticleMeans.h"
 #include "ParticleNodes.h"
 #include "ParticlePotential.h"
 #include "Skeleton.h"
@@ -76,8 +76,7 @@ private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
   ParticleWay GetWay(int step) const;
   const NearParticles* FindNear() const { return this->Places ? &this->Near : nullptr; }
-  void PlaceWay(
-    const ParticleWay& whole, int step, double fraction, PlacedParticles& placed);
+  void PlaceWay(const ParticleWay& whole, int step, double fraction, PlacedParticles& placed);
   void BuildBody(const PlacedParticles& placed, double largestRadius, Skeleton& elements,
     ParticlePotential& body) const;
   double GetLevel() const { return this->Options.Threshold - this->Options.Level.IsoValue; }

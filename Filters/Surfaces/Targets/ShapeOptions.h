@@ -17,7 +17,7 @@ struct ShapeOptions
 {
   ParticleModel Model = ParticleModel::Sum; //< of particles; skeletons are sums
   double ParticleSpacing = 0.0;             //< [length]; 0: estimated
-  double SpacingInUse = 0.0;   //< the same, or the estimate; 0: not known
+  double SpacingInUse = 0.0;                //< the same, or the estimate; 0: not known
   double ParticleRadius = 0.0; //< reach of particles and skeletons [length]; 0: by the spacing
   double Anisotropy = 4.0;     //< of particles, largest ratio of axes
   double Threshold = 0.5;      //< of sums

@@ -1,0 +1,217 @@
+# ctest: LABELS exact
+"""TimeIntegration NODES over particles whose skin is known, and its bytes in any order of requests.
+
+Run: python3 test_nodes.py
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy
+from active_implicit_surfaces import temporal_source, vtkActiveImplicitSurface
+from active_implicit_surfaces.data_objects import as_particles
+from test_implicit import make_surface
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkMassProperties
+
+R = 0.5  # half of the particles' spacing
+LAST = 4
+
+
+def block(n):
+    """n^3 particles, one spacing apart, around a place that no lattice of voxels has."""
+    axis = numpy.arange(n) - (n - 1) / 2 + 0.137
+    return numpy.stack(numpy.meshgrid(axis, axis, axis, indexing="ij"), -1).reshape(-1, 3)
+
+
+def skin_of(function, steps=LAST + 1, voxel=R, **properties):
+    """The filter over function(t) -> (points, ids) at the times 0, 1 ..."""
+
+    def particles(t):
+        points, ids = function(t)
+        return as_particles(points, ids=ids)
+
+    surface = vtkActiveImplicitSurface()
+    source = temporal_source(particles, range(steps))
+    surface.SetInputConnection(source.GetOutputPort())
+    surface.source = source
+    surface.SetInputArrayToProcess(1, 0, 0, 0, "id")
+    surface.SetParticleSpacing(2 * R)
+    surface.SetVoxelSize(voxel)
+    surface.SetTimeIntegrationToNodes()
+    for name, value in properties.items():
+        getattr(surface, f"Set{name}")(value)
+    return surface
+
+
+def at(surface, t):
+    surface.UpdateTimeStep(t)
+    return surface.GetOutput()
+
+
+def volume(skin):
+    mass = vtkMassProperties()
+    mass.SetInputData(skin)
+    return mass.GetVolume()
+
+
+def points_of(surface):
+    return vtk_to_numpy(surface.GetOutput().GetPoints().GetData())
+
+
+def column(surface, name):
+    return list(vtk_to_numpy(surface.GetOutputDataObject(2).GetColumnByName(name)))
+
+
+class Truths(unittest.TestCase):
+    def test_a_lone_particle_is_a_ball_of_its_own_radius(self):
+        """To second order: the error of the volume falls by 4 from voxel to half of it."""
+        errors = []
+        for voxel in (R / 4, R / 8):
+            skin = at(skin_of(lambda t: (numpy.full((1, 3), 0.1371), [7]), voxel=voxel), LAST)
+            errors.append(abs(volume(skin) / (4 / 3 * numpy.pi * R**3) - 1))
+        self.assertLess(errors[1], 0.01)
+        self.assertLess(errors[1], errors[0] / 3)
+
+    def test_a_block_that_moves_keeps_its_shape_and_its_place(self):
+        """3.3 voxels a frame: behind by less than the attraction leaves, e^-6 of that way."""
+        way = 3.3 * R
+        surface = skin_of(lambda t: (block(6) + (way * t, 0, 0), range(216)))
+        first = at(surface, 0)
+        low, size = first.GetBounds()[0], volume(first)
+        last = at(surface, LAST)
+        self.assertAlmostEqual(last.GetBounds()[0] - low, LAST * way, delta=0.05 * R)
+        self.assertAlmostEqual(volume(last) / size, 1.0, delta=0.005)
+
+    def test_two_particles_merge_and_part(self):
+        def pair(t):
+            away = abs(t - 2.0) + 0.4
+            return numpy.array([[-away, 0, 0], [away, 0, 0]]) + 0.137, [0, 1]
+
+        surface = skin_of(pair, voxel=R / 4)
+        at(surface, LAST)
+        self.assertEqual(column(surface, "Components"), [2, 2, 1, 2, 2])
+
+    def test_births_and_deaths_are_seen_in_their_frame(self):
+        def change(t):
+            ids = [0] if t < 2 else [0, 1] if t < 3 else [1]
+            return numpy.array([[5.0 * i, 0, 0] for i in ids]), ids
+
+        surface = skin_of(change)
+        at(surface, LAST)
+        self.assertEqual(column(surface, "Components"), [1, 1, 2, 1, 1])
+        self.assertGreater(surface.GetOutput().GetBounds()[0], 3.0)
+
+    def test_an_empty_frame_is_a_frame(self):
+        surface = skin_of(lambda t: (block(2)[: 0 if t == 2 else 8], range(0 if t == 2 else 8)))
+        self.assertEqual(at(surface, 2).GetNumberOfPoints(), 0)
+        self.assertGreater(at(surface, 3).GetNumberOfPoints(), 0)
+
+    def test_a_wall_cuts_the_skin_flat(self):
+        wall = 2.0
+        surface = skin_of(
+            lambda t: (block(6), range(216)),
+            ModelBounds=(-5, wall, -5, 5, -5, 5),
+            BoundedDomain=True,
+        )
+        skin = at(surface, LAST)
+        self.assertLess(skin.GetBounds()[1], wall + 1e-6)
+        x, y, z = points_of(surface).T
+        middle = x[(abs(y) < 1.8) & (abs(z) < 1.8) & (x > 1.2)]
+        self.assertEqual(len(middle), 7 * 7)  # nodes of the lattice
+        self.assertGreater(middle.min(), wall - 0.05 * R)  # a twentieth of a voxel
+
+    def test_an_exact_volume_is_held_through_a_split(self):
+        def split(t):
+            side = numpy.where(block(5)[:, 0] > 0.1, 1.0, -1.0)
+            return block(5) + side[:, None] * (0.8 * t, 0, 0), range(125)
+
+        surface = skin_of(split, VolumeControl=vtkActiveImplicitSurface.EXACT)
+        at(surface, LAST)
+        volumes = column(surface, "Volume")
+        self.assertGreater(column(surface, "Components")[-1], column(surface, "Components")[0])
+        self.assertLess(max(abs(v / volumes[0] - 1) for v in volumes), 1e-6)
+
+    def test_particles_at_rest_keep_the_bytes_of_their_skin(self):
+        surface = skin_of(lambda t: (block(5), range(125)), steps=40)
+        at(surface, 37)
+        before = points_of(surface).copy()
+        at(surface, 39)
+        self.assertTrue(numpy.array_equal(before, points_of(surface)))
+
+    def test_what_it_is_not_for_is_refused(self):
+        for properties in ({"InvertTarget": True}, {"CreateParts": False}, {"PaperScheme": True}):
+            surface = skin_of(lambda t: (block(2), range(8)), **properties)
+            told = []
+            surface.AddObserver("ErrorEvent", lambda *_, seen=told: seen.append(1))
+            at(surface, 1)
+            self.assertTrue(told, properties)
+            self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
+
+
+class Bytes(unittest.TestCase):
+    def points(self, steps, **properties):
+        surface = make_surface(TimeIntegration=vtkActiveImplicitSurface.NODES, **properties)
+        for step in steps:
+            surface.UpdateTimeStep(step)
+        self.assertGreater(len(points_of(surface)), 1000)
+        return points_of(surface)
+
+    def assert_same(self, one, other):
+        self.assertTrue(numpy.array_equal(one, other))
+
+    def test_threads_and_models(self):
+        for model in range(3):
+            self.assert_same(
+                self.points([LAST], NumberOfThreads=1, ParticleModel=model),
+                self.points([LAST], NumberOfThreads=2, ParticleModel=model),
+            )
+
+    def test_order_of_requests(self):
+        self.assert_same(self.points([LAST]), self.points([2, 2.4, 3, 1, 3.7, LAST]))
+
+    def test_restart(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = str(Path(folder) / "state.vdb")
+            first = make_surface(TimeIntegration=vtkActiveImplicitSurface.NODES)
+            first.UpdateTimeStep(3)
+            self.assertTrue(first.SaveState(file))
+            second = make_surface(TimeIntegration=vtkActiveImplicitSurface.NODES)
+            second.LoadState(file)
+            second.UpdateTimeStep(LAST)
+            self.assert_same(self.points([LAST]), points_of(second))
+
+    def test_a_frame_alone_is_the_first_of_many(self):
+        def frame(t):
+            return block(4) + (0.3 * t, 0, 0), range(64)
+
+        alone, many = skin_of(frame, steps=1), skin_of(frame)
+        at(alone, 0)
+        at(many, 0)
+        self.assert_same(points_of(alone), points_of(many))
+
+    def test_instruction_sets(self):
+        program = (
+            "import hashlib, test_nodes as t, unittest;"
+            "p = t.Bytes().points([4]); print(hashlib.sha256(p.tobytes()).hexdigest())"
+        )
+        told = {
+            subprocess.run(
+                [sys.executable, "-c", program],
+                env={**os.environ, "ACTIVE_INSTRUCTION_SET": name},
+                cwd=Path(__file__).parent,
+                capture_output=True,
+                check=True,
+                text=True,
+            ).stdout
+            for name in ("sse2", "avx2", "avx512")
+        }
+        self.assertEqual(len(told), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
