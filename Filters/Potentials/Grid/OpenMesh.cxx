@@ -166,7 +166,7 @@ void Caps::AddTo(MeshTriangles& mesh) const
     const auto number = static_cast<std::size_t>(numbers.getValue(cell));
     sums[number] += crossing;
     counts[number] += 1.0;
-    return static_cast<vtkIdType>(first + number);
+    return static_cast<vtkIdType>(first) + static_cast<vtkIdType>(number);
   };
   for (auto node = this->Windings.cbeginValueOn(); node; ++node)
   {
@@ -201,7 +201,7 @@ openvdb::FloatGrid::Ptr MakeOpenMeshDistance(
   const openvdb::FloatTree signs = caps.FindSigns();
   MeshTriangles closed = mesh;
   caps.AddTo(closed);
-  const openvdb::FloatGrid::Ptr distance = MakeMeshDistance(closed, { voxelSize, band, false });
+  openvdb::FloatGrid::Ptr distance = MakeMeshDistance(closed, { voxelSize, band, false });
   const openvdb::tree::ValueAccessor<const openvdb::FloatTree> sign(signs);
   for (auto node = distance->tree().beginValueOn(); node; ++node)
   {

@@ -182,9 +182,11 @@ struct MotionSum::SumKernel
       for (int i = 0; i < 8; ++i)
       {
         const int point = std::min(first + i, LeafMotion::Points - 1);
-        place[0][i] = 4.f * static_cast<float>(point / 9);
-        place[1][i] = 4.f * static_cast<float>(point / 3 % 3);
-        place[2][i] = 4.f * static_cast<float>(point % 3);
+        const int at[3] = { point / 9, point / 3 % 3, point % 3 };
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          place[axis][i] = 4.f * static_cast<float>(at[axis]);
+        }
       }
       this->SumAt(LoadLanes(place[0]), LoadLanes(place[1]), LoadLanes(place[2]), first);
     }

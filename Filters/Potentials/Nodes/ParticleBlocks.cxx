@@ -210,7 +210,7 @@ void ParticleBlocks::FillCube(const ParticleCube& cube, std::size_t home)
       const double from = std::max(place - half, c * this->CellSize);
       const double to = std::min(place + half, (c + 1.0) * this->CellSize);
       share[axis][c - first[axis]] =
-        static_cast<std::uint32_t>(16.0 * std::max(to - from, 0.0) / this->CellSize + 0.5);
+        static_cast<std::uint32_t>(std::lround(16.0 * std::max(to - from, 0.0) / this->CellSize));
     }
   }
   const auto whole = static_cast<std::uint32_t>(FillingOfCell * filling);
