@@ -48,47 +48,6 @@ constexpr float MostOfTransport = 32.f;
 
 }
 
-void BandState::MakeEmpty()
-{
-  this->Potential = openvdb::FloatGrid::create(Far);
-  this->Leaves.SetBackground(Far);
-  this->Leaves.Rebuild(this->Potential->tree());
-  this->Crossings = 0;
-  this->Paper = false;
-}
-
-void BandState::AdoptTree(const openvdb::FloatTree::Ptr& tree)
-{
-  this->Potential->setTree(tree);
-  this->Leaves.SetBackground(this->GetBackground());
-  this->Leaves.Rebuild(*tree);
-  ReadActiveMasks(this->Leaves);
-  this->Set.ChooseAll(this->Leaves);
-  if (this->Paper)
-  {
-    RebuildPaperBand(this->Leaves, this->Set, *tree);
-  }
-  else
-  {
-    RebuildLayers(this->Leaves, this->Set, *tree);
-  }
-  this->Crossings = NumberCrossings(this->Leaves);
-}
-
-void BandState::Restore(const openvdb::FloatTree::Ptr& tree)
-{
-  this->AdoptTree(tree);
-  for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
-  {
-    this->Leaves[i].Updated = LeafMask::All();
-  }
-  if (!this->Paper)
-  {
-    FillGhosts(this->Leaves, this->Set);
-  }
-  this->FinishFrame();
-}
-
 void BandState::Begin(const Motion& motion)
 {
   CheckSize(this->CountActive(), this->Maximum);
@@ -277,54 +236,8 @@ void BandState::MakeImplicitStep(
   report.UniformPulls += result.PullsInVain ? 1 : 0;
 }
 
-void BandState::AdvanceNodes(const NodeFrame& frame, const Motion& motion, NodeTarget& target)
-{
-  const openvdb::FloatTree::Ptr before = this->Potential->treePtr();
-  const openvdb::FloatTree::Ptr after = this->Nodes.Make(frame, motion, target);
-  try
-  {
-    this->Leaves = LeafTable(); // all leaves are new
-    this->Restore(after);
-    if (frame.End > frame.Begin)
-    {
-      this->RestoreControlled(motion);
-    }
-  }
-  catch (...)
-  {
-    this->Leaves = LeafTable();
-    this->Restore(before);
-    throw;
-  }
-}
-
-void BandState::MakeNodeStep(
-  const Motion& motion, Target& target, AdvanceReport& report, Move& move)
-{
-  const OldPotential old{ this->Leaves, this->Potential->tree() };
-  this->AdvanceNodes(
-    { old, this->Time, this->Time + move.MostTime, move.MostTime, this->VoxelSize, this->Maximum },
-    motion, *target.GetNodes());
-  move.Step = move.MostTime;
-  ++report.Substeps;
-  report.TargetEvaluations += this->Nodes.CountEvaluations();
-}
-
-void BandState::StartOnNodes(const Motion& motion, double duration, NodeTarget& target)
-{
-  const OldPotential old{ this->Leaves, this->Potential->tree() };
-  this->AdvanceNodes(
-    { old, this->Time, this->Time, duration, this->VoxelSize, this->Maximum }, motion, target);
-  this->StartMeasure = this->Measure();
-}
-
 void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
-  if (motion.Integration == TimeIntegration::Nodes)
-  {
-    this->MakeNodeStep(motion, target, report, move);
-    return;
-  }
   CheckObstacle(this->Leaves, motion.Solid);
   WalledTarget walled(target, motion.Box, motion.Solid);
   if (motion.Integration == TimeIntegration::Implicit)
@@ -368,10 +281,18 @@ void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& re
 
 void BandState::Step(double end, const Motion& motion, Target& target, AdvanceReport& report)
 {
-  Move move;
-  move.MostTime = end - this->Time;
-  this->MakeStep(motion, target, report, move);
-  this->Time = move.Step < move.MostTime ? this->Time + move.Step : end;
+  if (motion.Integration == TimeIntegration::Nodes)
+  {
+    this->AdvanceOnNodes(end, motion, target, report);
+    this->Time = end;
+  }
+  else
+  {
+    Move move;
+    move.MostTime = end - this->Time;
+    this->MakeStep(motion, target, report, move);
+    this->Time = move.Step < move.MostTime ? this->Time + move.Step : end;
+  }
   CheckSize(this->CountActive(), this->Maximum);
 }
 

@@ -46,6 +46,8 @@ struct BandState
   Agreement* Ranks = nullptr; // that advance the band together
 
   void MakeEmpty();
+  /** An empty surface that begins at a time; bounds: for the size of the model. */
+  void Reset(double time, const double bounds[6]);
   /** Replaces the potential; the layers follow from the signs, in the paper's band from the active
    * masks. */
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
@@ -81,7 +83,7 @@ struct BandState
   void FinishFrame();
 
   /** The surface of the target at the time, after attraction and tension of such a duration. */
-  void StartOnNodes(const Motion& motion, double duration, NodeTarget& target);
+  void StartOnNodes(const Motion& motion, double duration, Target& target);
   std::size_t CountActive() const
   {
     return this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ActiveNodes; });
@@ -91,7 +93,7 @@ struct BandState
 
 private:
   struct Move;
-  void AdvanceNodes(const NodeFrame& frame, const Motion& motion, NodeTarget& target);
+  void MakeNodeFrame(const NodeFrame& frame, const Motion& motion, NodeTarget& target);
 
   /** Layers and ghosts, from the potential. */
   void RebuildBand(ActiveSet& set, float mostGrowth = HUGE_VALF);
@@ -107,7 +109,7 @@ private:
   PenaltyForce FindForce(const Motion& motion) const;
   void MakeImplicitStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
-  void MakeNodeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
+  void AdvanceOnNodes(double end, const Motion& motion, Target& target, AdvanceReport& report);
   void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);
   void MakePaperStep(const Motion& motion, Move& move);
 };

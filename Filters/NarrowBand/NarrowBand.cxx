@@ -113,12 +113,7 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
   const ProgressFunction& progress)
 {
   BandState& members = *this->State;
-  members.MakeEmpty();
-  members.Time = time;
-  members.StartMeasure = SkinMeasure();
-  members.Work = AdvanceReport();
-  members.BoxSize =
-    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  members.Reset(time, bounds);
   bool finished = false;
   this->Run(
     [&]
@@ -151,19 +146,8 @@ void NarrowBand::StartOnNodes(
 {
   BandState& members = *this->State;
   CheckMotion(motion);
-  members.MakeEmpty();
-  members.Time = time;
-  members.StartMeasure = SkinMeasure();
-  members.Work = AdvanceReport();
-  members.BoxSize =
-    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-  this->Run(
-    [&]
-    {
-      members.StartOnNodes(motion, duration, *target.GetNodes());
-      CheckSize(members.CountActive(), members.Maximum);
-      members.FinishFrame();
-    });
+  members.Reset(time, bounds);
+  this->Run([&] { members.StartOnNodes(motion, duration, target); });
 }
 
 std::size_t NarrowBand::CreateParts(const Motion& motion, const Target& target)

@@ -18,15 +18,15 @@ constexpr double SubstepsOfMovingTarget = 4.0;
 // The same where the surface is carried along in one semi-Lagrangian step.
 constexpr double SubstepsOfCarriedSurface = 2.0;
 
-// The node scheme knows the target near its surface alone: the skin has to come close in a time
-// step, by so many factors e at least.
+// The node scheme evaluates the target only near its surface: the skin has to come close in a time
+// step, by this number of factors e at least.
 constexpr double FewestFactorsOfNodes = 2.0;
 
 // Automatic attraction: distances fall by so many factors e from one step to the next.
 constexpr double FactorsPerStep = 6.0;
 // Automatic tension, in units of Attraction * (half of the particles' spacing)^2.
 constexpr double TensionOfSpacing = 1.0 / 6.0;
-// The same in the node scheme, which weighs it by 1/3 in a body of half the bulk.
+// Automatic tension of the node scheme, which weighs it by 1/3 in a body of half the bulk.
 constexpr double TensionOfSpacingAtNodes = 1.0 / 2.0;
 
 constexpr char NoNodes[] =
@@ -83,14 +83,14 @@ bool MotionDriver::StartsOnNodes() const
     this->Shapes.HasParticles(0, 0);
 }
 
-// The skin that has started on particles that stand still.
+// Particles that stand still keep the skin that starts on them.
 bool MotionDriver::StaysOnNodes() const
 {
   return !this->Settings.Inputs.TargetMoves && this->StartsOnNodes();
 }
 
-// As after a time step of the automatic attraction, however long it is and whether it is known yet,
-// so that the first frame is as smooth as the others.
+// Starts as after a time step of the automatic attraction, so that the first frame is as smooth as
+// the others. The length of the step does not matter, as it may be unknown yet.
 void MotionDriver::StartOnNodes(NarrowBand& band, const SurfaceDomain& domain)
 {
   Motion motion = this->GetMotion(-1);

@@ -35,7 +35,7 @@ enum class IntegrationChoice
   Explicit,
   Implicit,
   Automatic,
-  Nodes // over particles alone
+  Nodes // particles only
 };
 
 struct ParticleSettings
@@ -127,8 +127,8 @@ struct SurfaceSettings
     return this->AutomaticAttraction && this->Law.Attraction == Motion().Attraction &&
       !this->Law.Paper && !this->IsEquilibrium();
   }
-  // Whether tension and noise, where they are 0, follow from the spacing of particles; outside the
-  // node scheme if they move.
+  // Tension and noise, where they are 0, follow from the spacing of particles; outside the node
+  // scheme only if the particles move.
   bool SmoothsParticles() const
   {
     return this->AutomaticSmoothing && this->UsesInput() &&
@@ -139,7 +139,6 @@ struct SurfaceSettings
   {
     return this->SmoothsParticles() && this->Inputs.TargetMoves;
   }
-  // Whether particles are followed by the node scheme.
   bool UsesNodes() const { return this->Integration == IntegrationChoice::Nodes; }
   bool HasAutomaticTension() const
   {

@@ -338,7 +338,6 @@ void SurfaceSimulation::Record(std::size_t row, PipelineTime time, const std::st
   this->Saved.Add(step, band);
 }
 
-// A skin that starts elsewhere is on its way to the target as long as the share falls.
 SavedState SurfaceSimulation::GetState() const
 {
   SavedState state;
@@ -361,8 +360,7 @@ void SurfaceSimulation::SetState(const SavedState& state)
   this->LoadedIsNew = true;
 }
 
-// When the target is at its start, as always: the voxels and the radius of the particles come from
-// there.
+// The target has to be at its start, from which the voxels and the particles' radius come.
 void SurfaceSimulation::RestoreLoaded()
 {
   const RequestedTime time = this->Settings.FindRequested({ this->Loaded.Time });
@@ -376,9 +374,8 @@ void SurfaceSimulation::RestoreLoaded()
   if (time.Between || isOfAnotherTime || isOfAnotherLattice)
   {
     throw std::invalid_argument(
-      "The state that was loaded is not one of this surface: its time is no "
-      "time step, or its VoxelSize another one. The properties have to be "
-      "those that it was saved with.");
+      "The loaded state does not belong to this surface: its time is not a time step, or VoxelSize "
+      "or the place of the data differs. Set the properties that it was saved with.");
   }
   this->Shapes.KeepEstimatedSpacing(this->Loaded.Spacing);
   this->Saved.Keep(time.Step, band);

@@ -196,6 +196,8 @@ private:
   bool AdvanceToSteadyState(const ProgressFunction& progress);
   bool AdvanceBranch(const ProgressFunction& progress);
   void Record(std::size_t row, PipelineTime time, const std::string& event);
+  // Whether the share outside has not fallen; it falls while a skin that starts elsewhere
+  // approaches the target.
   bool Loses(std::size_t row, double outside) const
   {
     const double atStart = this->Settings.StartsElsewhere() ? 1.0 : 0.0;

@@ -3,10 +3,6 @@
 #include "Targets/ImplicitTarget.h"
 #include "Targets/NoShape.h"
 
-#include "vtkBoundingBox.h"
-#include "vtkGridPotential.h"
-#include "vtkSkeletonPotential.h"
-
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -26,18 +22,6 @@ constexpr double MeshVoxelsPerActive = 10.0;
 
 // The surface of particles at rest is off by up to a quarter of their spacing.
 constexpr double NoiseOfSpacing = 0.25;
-
-void AddFunction(vtkImplicitFunction* function, vtkBoundingBox& box)
-{
-  double bounds[6];
-  auto skeleton = vtkSkeletonPotential::SafeDownCast(function);
-  auto grid = vtkGridPotential::SafeDownCast(function);
-  if (function && !function->GetTransform() &&
-    ((skeleton && skeleton->GetSkeletonBounds(bounds)) || (grid && grid->GetGridBounds(bounds))))
-  {
-    box.AddBounds(bounds);
-  }
-}
 
 }
 
@@ -133,10 +117,8 @@ ShapeOptions TargetBuilder::GetOptions() const
   options.Level.IsoValue = settings.IsoValue;
   options.Level.Invert = settings.Invert;
   options.Level.Normalize = settings.Normalize;
-  options.Level.Noise = this->GetNoise();
-  options.NoiseAtNodes = this->Settings.Noise > 0.0 || !this->Settings.SmoothsParticles()
-    ? this->Settings.Noise
-    : NoiseOfSpacing * this->FindSpacing();
+  options.Level.Noise = this->GetNoise(settings.HasAutomaticSmoothing());
+  options.NoiseAtNodes = this->GetNoise(settings.SmoothsParticles());
   options.Ranks = this->Ranks;
   if (this->DomainKnown)
   {
@@ -208,118 +190,17 @@ void TargetBuilder::SetInitial(std::shared_ptr<InputShape> shape)
   this->Initial = std::move(shape);
 }
 
-const SurfaceDomain* TargetBuilder::FindDomain()
+// Distance by which the surface of a body of particles trembles.
+double TargetBuilder::GetNoise(bool isAutomatic) const
 {
-  if (this->DomainKnown)
-  {
-    return &this->Domain;
-  }
-  this->Settings.Check();
-  vtkBoundingBox shapes;
-  vtkBoundingBox images;
-  if (this->Settings.HasBounds())
-  {
-    this->Domain = MakeDomain(this->Settings);
-    this->DomainKnown = true;
-  }
-  else if (this->AddFirstBounds(shapes, images) && (shapes.IsValid() || images.IsValid()))
-  {
-    this->Domain = MakeDomain(this->Settings, { shapes, images, this->GetSpacing() });
-    this->DomainKnown = true;
-  }
-  else if (this->Frames.Has(0) && this->StartsOnNothing() && this->Settings.HasOwnSizes())
-  {
-    this->Domain = MakeDomainOfNothing(this->Settings);
-    this->DomainKnown = true;
-  }
-  this->MoveToOrigin();
-  return this->DomainKnown ? &this->Domain : nullptr;
-}
-
-void TargetBuilder::MoveToOrigin()
-{
-  for (const int step : { this->Frames.FindLastStep() - 1, this->Frames.FindLastStep() })
-  {
-    if (InputShape* shape = this->Frames.Find(step))
-    {
-      shape->MoveTo(this->GetOrigin());
-    }
-  }
-  if (this->Initial)
-  {
-    this->Initial->MoveTo(this->GetOrigin());
-  }
-}
-
-// Of the first target and the initial shape, as far as they have any; false if more will be known.
-bool TargetBuilder::AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const
-{
-  if (this->WantsInitial() || (this->Settings.UsesInput() && !this->Frames.Has(0)))
-  {
-    return false;
-  }
-  const ShapeOptions options = this->GetOptions();
-  if (this->Settings.UsesInput())
-  {
-    this->Frames.Find(0)->AddBounds(options, shapes, images);
-  }
-  if (this->Initial)
-  {
-    this->Initial->AddBounds(options, shapes, images);
-  }
-  AddFunction(this->Settings.Inputs.TargetFunction, shapes);
-  AddFunction(this->Settings.Inputs.InitialFunction, shapes);
-  return true;
-}
-
-// Of particles that look at their neighbours; 0: not known.
-double TargetBuilder::GetSpacing() const
-{
-  const ParticleSettings& particles = this->Settings.Particles;
-  const bool isUsed = particles.Spacing > 0.0 || particles.Model != ParticleModel::Sum;
-  return isUsed ? this->FindSpacing() : 0.0;
-}
-
-// Of particles, in a body of which the surface trembles about so far.
-double TargetBuilder::GetNoise() const
-{
-  return this->Settings.Noise > 0.0          ? this->Settings.Noise
-    : this->Settings.HasAutomaticSmoothing() ? NoiseOfSpacing * this->FindSpacing()
-                                             : 0.0;
+  const bool isGiven = this->Settings.Noise > 0.0 || !isAutomatic;
+  return isGiven ? this->Settings.Noise : NoiseOfSpacing * this->FindSpacing();
 }
 
 double TargetBuilder::FindSpacing() const
 {
   const double known = this->Settings.Particles.Spacing;
   return known > 0.0 ? known : this->EstimatedSpacing;
-}
-
-vtkBoundingBox TargetBuilder::FindBoundsOfInside(int step) const
-{
-  vtkBoundingBox shapes;
-  vtkBoundingBox images;
-  const InputShape* shape = this->Frames.Find(step);
-  if (this->Settings.UsesInput() && shape && !this->Settings.Invert)
-  {
-    shape->AddBounds(this->GetOptions(), shapes, images);
-    if (shapes.IsValid())
-    {
-      shapes.Inflate(std::fabs(this->Settings.IsoValue)); // a level of the distance
-    }
-    shapes.AddBox(images);
-  }
-  else if (this->DomainKnown && (shape || !this->Settings.UsesInput()))
-  {
-    shapes.AddBounds(this->Domain.Bounds);
-  }
-  return shapes;
-}
-
-bool TargetBuilder::StartsOnNothing() const
-{
-  const InputShape* first = this->Frames.Find(0);
-  return this->Settings.UsesInput() && (!first || first->IsEmpty()) &&
-    !this->Settings.Inputs.InitialFunction && !this->Initial;
 }
 
 PotentialTarget& TargetBuilder::GetTarget()

@@ -85,7 +85,7 @@ public:
   const SurfaceDomain* FindDomain();
   // Null too where it was not asked for.
   const SurfaceDomain* GetDomain() const { return this->DomainKnown ? &this->Domain : nullptr; }
-  // What the positions of all shapes are relative to, see SurfaceDomain.
+  // Origin of the positions of all shapes, see SurfaceDomain.
   const std::array<double, 3>& GetOrigin() const { return this->Domain.Origin; }
 
   // Whether the surface would start on an empty frame.
@@ -130,7 +130,7 @@ private:
   void WarnOfThinParts(const InputShape& shape, const std::string& where);
   void PrepareInitial();
   double GetSpacing() const;
-  double GetNoise() const;
+  double GetNoise(bool isAutomatic) const;
   // The shapes that are held, to positions relative to the domain's origin.
   void MoveToOrigin();
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;

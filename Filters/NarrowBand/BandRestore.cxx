@@ -1,0 +1,63 @@
+// The potential of a band replaced as a whole: emptied, or restored from a tree.
+
+#include "BandState.h"
+
+#include "Leaves/GhostFill.h"
+#include "Leaves/Layers.h"
+
+#include <algorithm>
+
+namespace activesurface
+{
+
+void BandState::MakeEmpty()
+{
+  this->Potential = openvdb::FloatGrid::create(Far);
+  this->Leaves.SetBackground(Far);
+  this->Leaves.Rebuild(this->Potential->tree());
+  this->Crossings = 0;
+  this->Paper = false;
+}
+
+void BandState::Reset(double time, const double bounds[6])
+{
+  this->MakeEmpty();
+  this->Time = time;
+  this->StartMeasure = SkinMeasure();
+  this->Work = AdvanceReport();
+  this->BoxSize = std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+}
+
+void BandState::AdoptTree(const openvdb::FloatTree::Ptr& tree)
+{
+  this->Potential->setTree(tree);
+  this->Leaves.SetBackground(this->GetBackground());
+  this->Leaves.Rebuild(*tree);
+  ReadActiveMasks(this->Leaves);
+  this->Set.ChooseAll(this->Leaves);
+  if (this->Paper)
+  {
+    RebuildPaperBand(this->Leaves, this->Set, *tree);
+  }
+  else
+  {
+    RebuildLayers(this->Leaves, this->Set, *tree);
+  }
+  this->Crossings = NumberCrossings(this->Leaves);
+}
+
+void BandState::Restore(const openvdb::FloatTree::Ptr& tree)
+{
+  this->AdoptTree(tree);
+  for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
+  {
+    this->Leaves[i].Updated = LeafMask::All();
+  }
+  if (!this->Paper)
+  {
+    FillGhosts(this->Leaves, this->Set);
+  }
+  this->FinishFrame();
+}
+
+}

@@ -1,0 +1,131 @@
+// The bounds of the target and of the initial shape, and the domain that follows from them.
+
+#include "Simulation/TargetBuilder.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkGridPotential.h"
+#include "vtkSkeletonPotential.h"
+
+#include <cmath>
+
+namespace activesurface
+{
+
+namespace
+{
+
+void AddFunction(vtkImplicitFunction* function, vtkBoundingBox& box)
+{
+  double bounds[6];
+  auto skeleton = vtkSkeletonPotential::SafeDownCast(function);
+  auto grid = vtkGridPotential::SafeDownCast(function);
+  if (function && !function->GetTransform() &&
+    ((skeleton && skeleton->GetSkeletonBounds(bounds)) || (grid && grid->GetGridBounds(bounds))))
+  {
+    box.AddBounds(bounds);
+  }
+}
+
+}
+
+const SurfaceDomain* TargetBuilder::FindDomain()
+{
+  if (this->DomainKnown)
+  {
+    return &this->Domain;
+  }
+  this->Settings.Check();
+  vtkBoundingBox shapes;
+  vtkBoundingBox images;
+  if (this->Settings.HasBounds())
+  {
+    this->Domain = MakeDomain(this->Settings);
+    this->DomainKnown = true;
+  }
+  else if (this->AddFirstBounds(shapes, images) && (shapes.IsValid() || images.IsValid()))
+  {
+    this->Domain = MakeDomain(this->Settings, { shapes, images, this->GetSpacing() });
+    this->DomainKnown = true;
+  }
+  else if (this->Frames.Has(0) && this->StartsOnNothing() && this->Settings.HasOwnSizes())
+  {
+    this->Domain = MakeDomainOfNothing(this->Settings);
+    this->DomainKnown = true;
+  }
+  this->MoveToOrigin();
+  return this->DomainKnown ? &this->Domain : nullptr;
+}
+
+void TargetBuilder::MoveToOrigin()
+{
+  for (const int step : { this->Frames.FindLastStep() - 1, this->Frames.FindLastStep() })
+  {
+    if (InputShape* shape = this->Frames.Find(step))
+    {
+      shape->MoveTo(this->GetOrigin());
+    }
+  }
+  if (this->Initial)
+  {
+    this->Initial->MoveTo(this->GetOrigin());
+  }
+}
+
+// Of the first target and the initial shape, as far as they have any; false if more will be known.
+bool TargetBuilder::AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const
+{
+  if (this->WantsInitial() || (this->Settings.UsesInput() && !this->Frames.Has(0)))
+  {
+    return false;
+  }
+  const ShapeOptions options = this->GetOptions();
+  if (this->Settings.UsesInput())
+  {
+    this->Frames.Find(0)->AddBounds(options, shapes, images);
+  }
+  if (this->Initial)
+  {
+    this->Initial->AddBounds(options, shapes, images);
+  }
+  AddFunction(this->Settings.Inputs.TargetFunction, shapes);
+  AddFunction(this->Settings.Inputs.InitialFunction, shapes);
+  return true;
+}
+
+// Of particles that look at their neighbours; 0: not known.
+double TargetBuilder::GetSpacing() const
+{
+  const ParticleSettings& particles = this->Settings.Particles;
+  const bool isUsed = particles.Spacing > 0.0 || particles.Model != ParticleModel::Sum;
+  return isUsed ? this->FindSpacing() : 0.0;
+}
+
+vtkBoundingBox TargetBuilder::FindBoundsOfInside(int step) const
+{
+  vtkBoundingBox shapes;
+  vtkBoundingBox images;
+  const InputShape* shape = this->Frames.Find(step);
+  if (this->Settings.UsesInput() && shape && !this->Settings.Invert)
+  {
+    shape->AddBounds(this->GetOptions(), shapes, images);
+    if (shapes.IsValid())
+    {
+      shapes.Inflate(std::fabs(this->Settings.IsoValue)); // a level of the distance
+    }
+    shapes.AddBox(images);
+  }
+  else if (this->DomainKnown && (shape || !this->Settings.UsesInput()))
+  {
+    shapes.AddBounds(this->Domain.Bounds);
+  }
+  return shapes;
+}
+
+bool TargetBuilder::StartsOnNothing() const
+{
+  const InputShape* first = this->Frames.Find(0);
+  return this->Settings.UsesInput() && (!first || first->IsEmpty()) &&
+    !this->Settings.Inputs.InitialFunction && !this->Initial;
+}
+
+}
