@@ -92,8 +92,8 @@ public:
 
   /**
    * Sets the potential to the target at the time, which has to have nodes, after attraction and
-   * tension of such a duration: so the first frame is as smooth as those that follow. bounds: as
-   * with Start, for their size alone. Errors as with Advance.
+   * tension of such a duration: so the first frame is as smooth as those that follow. bounds: only
+   * their size is used. Errors as with Advance.
    */
   void StartOnNodes(
     double time, const double bounds[6], const Motion& motion, double duration, Target& target);

@@ -49,11 +49,10 @@ public:
    * `transport`. Called by one thread. */
   virtual void PlaceNodes(double begin, double end, double transport, double voxelSize) = 0;
 
-  /** The shell of the target where it has been placed. wantsInside: whether leaves inside are
-   * listed too. */
+  /** Finds the shell of the placed target; and the leaves inside, if they are wanted. */
   virtual void FindShell(bool wantsInside, Shell& shell) const = 0;
 
-  /** Whether a node outside the shell is inside the target. */
+  /** Returns true if a node outside the shell is inside the target. */
   virtual bool IsInside(const NodeIndex& node) const = 0;
 
   /** A potential at the nodes of a leaf's Rows, negative inside, with the zero set of the target;

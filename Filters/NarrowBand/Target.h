@@ -155,7 +155,7 @@ public:
    */
   virtual void ForEachPart(const PartVisitor& visit) const { static_cast<void>(visit); }
 
-  /** The same target at the nodes of the lattice, for TimeIntegration::Nodes; null if it has no
+  /** Returns this target as one at lattice nodes, for TimeIntegration::Nodes; null if it has no
    * such form. */
   virtual NodeTarget* GetNodes() { return nullptr; }
 

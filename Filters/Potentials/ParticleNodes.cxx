@@ -11,7 +11,7 @@ namespace activesurface
 namespace
 {
 
-// Means of motion and bulk reach so many own radii.
+// Kernel radius of the means of motion and bulk, in own radii.
 constexpr double ReachOfMotion = 4.5;
 // From a particle to its skin, in own radii beyond the first: of ellipsoids in a body, and of the
 // averaged centre.
@@ -34,7 +34,7 @@ void ParticleNodes::Build(const NodeParticles& given, const NodeParticleOptions&
 {
   this->Options = options;
   this->MakeCubes(given);
-  // Of a sum any level may be wanted: then the skin is anywhere in reach.
+  // A sum may have any level: its skin is anywhere within the kernels.
   const bool isSum = options.Model == ParticleModel::Sum;
   double beyond = BeyondOwnRadius;
   for (std::size_t n = 0; isSum && n < this->Cubes.size(); ++n)
@@ -163,7 +163,7 @@ bool ParticleNodes::IsInside(const NodeIndex& node) const
     { this->Blocks.CellOf(node[0]), this->Blocks.CellOf(node[1]), this->Blocks.CellOf(node[2]) });
 }
 
-// Those that blocks with a part of the shell overlap.
+// Lists the leaves that overlap a block with a part of the shell.
 void ParticleNodes::ListLeaves(bool wantsInside, std::vector<NodeIndex>& origins) const
 {
   IndexMap found;

@@ -49,7 +49,7 @@ public:
   void FindShell(bool wantsInside, Shell& shell) const;
   bool IsInside(const NodeIndex& node) const;
 
-  // Of ellipsoids alone.
+  // Only for ParticleModel::Anisotropic.
   void EvaluateLeaf(const ShellLeaf& leaf, float* values) const;
   void FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const;
 
@@ -71,7 +71,7 @@ private:
   // By the order of the blocks, with room for a vector of eight more.
   UnsetVector<float> X, Y, Z;    // places
   UnsetVector<float> DX, DY, DZ; // displacements
-  UnsetVector<float> IsMoved;    // 1, or 0 where the displacement is not known
+  UnsetVector<float> IsMoved;    // 1, or 0 if the displacement is unknown
   UnsetVector<float> Bulk;
   UnsetVector<float> InverseReach2;       // of the means of motion
   UnsetVector<float> EX, EY, EZ, EReach2; // of ellipsoids

@@ -241,7 +241,7 @@ public:
    * How time is integrated. EXPLICIT (0): short substeps, as the fastest part of the skin allows.
    * IMPLICIT (1): few long ones; for SHIFTED evaluation and UPWIND gradients. AUTOMATIC (2):
    * IMPLICIT over particles with time steps and Transport, where it can be, else EXPLICIT. NODES
-   * (3): one step for each time step, of particles alone: carries the skin, evaluates the target
+   * (3): one step for each time step, for particles only: carries the skin, evaluates the target
    * once, at lattice nodes near its surface, and relaxes the skin towards it; faster and flatter.
    * Needs an Attraction that shortens distances by e^2 in a time step at least (the automatic one
    * does), CreateParts, NormalizeTarget, no penalties, no InvertTarget, and SHIFTED evaluation with

@@ -113,7 +113,7 @@ class morph(Skins):
         self.surface.SetTimeStepSize(duration / (frames - 1))
 
     def make(self, step: int) -> Any:
-        """As of Skins; raises ValueError if the skin has vanished before a shape that has not."""
+        """Makes a skin like Skins; raises ValueError if it is empty before a shape that is not."""
         skin = super().make(step)
         if self._expects_skin and skin.GetNumberOfPoints() == 0:
             raise ValueError(

@@ -221,7 +221,7 @@ def _points_of(path: Path, data: Any, noted: set[str]) -> Any:
     if not data.IsA("vtkPointSet"):
         raise OSError(f"{path} has no particles: it holds a {data.GetClassName()}.")
     if data.IsA("vtkPolyData") and data.GetNumberOfPolys() + data.GetNumberOfStrips():
-        _note(noted, path, f"it holds a mesh, whose corners are taken as particles.{_ABOUT_MESHES}")
+        _note(noted, path, f"it holds a mesh, whose corners are used as particles.{_ABOUT_MESHES}")
     return as_particles(data)
 
 

@@ -119,7 +119,7 @@ def update(surface: Any, time: float, source: Any = None) -> None:
 
 
 def copy_of(data: Any) -> Any:
-    """A data object of the same arrays that the next update leaves alone."""
+    """A data object of the same arrays that the next update does not change."""
     copy = data.NewInstance()
     copy.ShallowCopy(data)
     return copy

@@ -117,7 +117,7 @@ def read_shape(path: Path, level: float | None = None, parts: Sequence[Path] = (
     if suffix not in MESH_SUFFIXES:
         raise OSError(f"{path}: meshes and images are read from {', '.join(MESH_SUFFIXES)}.")
     data = _read_glb(path) if suffix == ".glb" else read_vtk(path)
-    count = data.GetNumberOfElements(vtkDataObject.POINT)  # a surface leaves points alone out
+    count = data.GetNumberOfElements(vtkDataObject.POINT)  # a surface has no loose points
     if data.IsA("vtkCompositeDataSet"):
         data = surface_of(data)
     _check_corners(path, data)
@@ -134,7 +134,7 @@ def read_shape(path: Path, level: float | None = None, parts: Sequence[Path] = (
 
 
 def holds_particles(path: Path) -> bool | None:
-    """Whether a file holds points alone, neither a mesh nor an image; None if it is empty.
+    """Returns True if a file holds only points, no mesh and no image; None if it is empty.
 
     Raises
     ------

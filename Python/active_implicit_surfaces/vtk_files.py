@@ -34,7 +34,7 @@ READERS = {
     ".obj": ("vtkmodules.vtkIOGeometry", "vtkOBJReader"),
     ".vdb": ("active_implicit_surfaces.vtkActiveIO", "vtkActiveVDBReader"),
 }
-# What looks a file through before VTK's reader, which takes, or crashes at, any bytes.
+# Checks before VTK's reader, which accepts any bytes or crashes at them.
 _CHECKS = {".ply": check_ply, ".obj": check_obj, ".stl": check_stl}
 
 _NO_POINTS = "No Points element available"
@@ -45,7 +45,7 @@ _ABOUT_APPENDED_DATA = (
 
 
 def read_vtk(path: Path, time: float | None = None, **settings: Any) -> Any:
-    """What a reader of VTK or of this package makes of a file, at one of its time steps."""
+    """Returns the data object that a file holds at one of its time steps."""
     reader = _reader_of(path, **settings)
     if suffix_of(path) in IMAGE_SUFFIXES[1:]:
         return read_image(path, reader, lambda reader: update(reader, path))
@@ -126,14 +126,14 @@ def _check(path: Path, errors: list[str], failed: bool = False) -> None:
 
 
 def _is_empty(path: Path) -> bool:
-    """Whether a file of VTK's XML kind is of no points; their array then is left out."""
+    """Returns True if a file of VTK's XML formats has no points, and so no array of them."""
     with path.open("rb") as file:
         counts = re.findall(rb'NumberOfPoints="(\d+)"', file.read(1 << 20))
     return bool(counts) and not any(map(int, counts))
 
 
 def _hint(path: Path) -> str:
-    """What may be wrong with a whole file: Debian 12's VTK 9.1 beside its newer libexpat."""
+    """Returns a hint on Debian 12, whose VTK 9.1 fails at appended data with its libexpat."""
     is_old = vtkVersion.GetVTKVersion().startswith("9.1.")
     if not is_old or suffix_of(path) not in (".vtp", ".vtu", ".vti", ".pvtp", ".pvtu"):
         return ""

@@ -1,5 +1,5 @@
 # ctest: LABELS exact
-"""TimeIntegration NODES over particles whose skin is known, and its bytes in any order of requests.
+"""TimeIntegration NODES over particles with an exact skin, and its bytes in any order of requests.
 
 Run: python3 test_nodes.py
 """
@@ -16,6 +16,7 @@ from active_implicit_surfaces import temporal_source, vtkActiveImplicitSurface
 from active_implicit_surfaces.data_objects import as_particles
 from test_implicit import make_surface
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkSphere
 from vtkmodules.vtkFiltersCore import vtkMassProperties
 
 R = 0.5  # half of the particles' spacing
@@ -125,6 +126,21 @@ class Truths(unittest.TestCase):
         self.assertEqual(len(middle), 7 * 7)  # nodes of the lattice
         self.assertGreater(middle.min(), wall - 0.05 * R)  # a twentieth of a voxel
 
+    def test_the_skin_ends_at_an_obstacle_within_a_body(self):
+        """A void around the obstacle: no vertex is deeper in it than a twentieth of a voxel."""
+        centre, radius = numpy.full(3, 0.137), 1.6
+        obstacle = vtkSphere()
+        obstacle.SetCenter(centre)
+        obstacle.SetRadius(radius)
+        surface = skin_of(lambda t: (block(9), range(729)), ObstacleFunction=obstacle)
+        at(surface, LAST)
+        away = numpy.linalg.norm(points_of(surface) - centre, axis=1)
+        around = away[away < 3.0]
+        self.assertGreater(len(around), 100)
+        self.assertGreater(around.min(), radius - 0.05 * R)
+        self.assertLess(around.max(), radius + 0.2 * R)
+        self.assertEqual(column(surface, "Components")[-1], 1)
+
     def test_an_exact_volume_is_held_through_a_split(self):
         def split(t):
             side = numpy.where(block(5)[:, 0] > 0.1, 1.0, -1.0)
@@ -142,6 +158,14 @@ class Truths(unittest.TestCase):
         before = points_of(surface).copy()
         at(surface, 39)
         self.assertTrue(numpy.array_equal(before, points_of(surface)))
+
+    def test_too_weak_an_attraction_is_told(self):
+        surface = skin_of(lambda t: (block(2), range(8)), Attraction=0.5)
+        told = []
+        surface.AddObserver("WarningEvent", lambda *_: told.append(1))
+        at(surface, LAST)
+        self.assertTrue(told)
+        self.assertGreater(surface.GetOutput().GetNumberOfPoints(), 0)
 
     def test_what_it_is_not_for_is_refused(self):
         for properties in ({"InvertTarget": True}, {"CreateParts": False}, {"PaperScheme": True}):
@@ -193,6 +217,9 @@ class Bytes(unittest.TestCase):
         at(alone, 0)
         at(many, 0)
         self.assert_same(points_of(alone), points_of(many))
+        first = points_of(alone).copy()
+        at(alone, 1)
+        self.assert_same(first, points_of(alone))  # particles that stand still
 
     def test_instruction_sets(self):
         program = (

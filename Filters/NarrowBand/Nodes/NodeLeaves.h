@@ -109,7 +109,7 @@ public:
       });
   }
 
-  /** The same with a kernel, compiled for the chosen instruction set. */
+  /** Runs a kernel on every leaf, compiled for the chosen instruction set. */
   template <class Kernel>
   void RunKernel(const Kernel& kernel) const
   {

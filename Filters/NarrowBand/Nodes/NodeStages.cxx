@@ -12,8 +12,8 @@ namespace
 /** Least number of stages: four decay steps of e^(-1.5) at the usual attraction. */
 constexpr int FewestStages = 4;
 
-/** A stage bears Tension dt / h^2 = TensionOfStage by differences over 2 nodes, as .15 is below the
- * limit 1/6 of explicit diffusion; differences over 4 and 8 nodes bear 4 and 16 times as much. The
+/** A stage is stable for Tension dt / h^2 = TensionOfStage by differences over 2 nodes, as .15 is
+ * below the limit 1/6 of explicit diffusion; over 4 and 8 nodes for 4 and 16 times as much. The
  * widest ones are blind for waves of 8 nodes: more than half of the tension by them is unstable. */
 constexpr float TensionOfStage = .15f;
 constexpr float TensionOfStages = 10.f * TensionOfStage;
@@ -120,7 +120,8 @@ private:
     return BitsOf(isFar) == 0xffu;
   }
 
-  /** b g kappa |grad u|: what a stage does not bear by narrow differences goes by wider ones. */
+  /** b g kappa |grad u|. Tension beyond the stable limit of narrow differences goes by wider ones.
+   */
   ACTIVE_ALWAYS_INLINE Lanes FindPull(const float* c, const Lanes& wanted) const
   {
     const float borne = TensionOfStage * static_cast<float>(this->Count);
@@ -166,7 +167,7 @@ private:
     {
       this->Slow(u, miss, pull, bulk, full, rate, lambda);
     }
-    // Exponential Euler: exact without tension, and at rest.
+    // Exponential Euler: exact without tension, and in a steady state.
     const Lanes x = AllLanes(share) * rate * lambda;
     const Lanes decayed = one /
       (one +

@@ -37,7 +37,7 @@ struct NodeFields
  * near. Outside the rows of the shell psi has the limit. */
 void FindDistances(const NodeLeaves& leaves, const NodeNumbers& potential, NodeNumbers& psi);
 
-/** Number of stages: what a stage bears of tension by differences over 2, 4 and 8 nodes. */
+/** Number of stages for which the tension is stable. */
 int CountStages(const StageCoefficients& coefficients);
 
 void RunStages(const NodeFields& fields, const StageCoefficients& coefficients);

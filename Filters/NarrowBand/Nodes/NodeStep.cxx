@@ -19,7 +19,7 @@ namespace
 /** From the centre of a leaf to its corners, and the band around the surface [voxels]. */
 constexpr double ReachOfLeaf = 6.1 + NodeLimit;
 
-/** What rests keeps its bytes: in leaves where nothing moves, changes below this share of
+/** Leaves in which no particle moves keep their bytes if they change by less than this share of
  * Attraction dt [voxels]. */
 constexpr float RestingChange = 3e-4f;
 
@@ -40,7 +40,7 @@ double DepthInObstacle(const Obstacle& solid, const NodeIndex& node, double voxe
   return solid.DepthAt(place) / voxelSize;
 }
 
-/** Whether a leaf has values between the limits, or both of them. */
+/** Returns true if a leaf has values between the limits, or both of them. */
 bool IsNearSurface(const float* values)
 {
   return std::any_of(values, values + 512,
@@ -85,7 +85,7 @@ void NodeStep::FindLeaves(const NodeFrame& frame, const Motion& motion, const No
 {
   const bool isConfined = motion.Box.Present || motion.Solid;
   target.FindShell(isConfined, this->Near);
-  // Of a leaf that the surface crosses at least an eighth of the nodes is active.
+  // At least an eighth of the nodes is active in a leaf that the surface crosses.
   constexpr std::size_t fewestNodes = 64, margin = 4;
   CheckSize(fewestNodes / margin * this->Near.Leaves.size(), frame.MaximumNumberOfActiveVoxels);
   if (isConfined)
@@ -138,7 +138,7 @@ bool NodeStep::IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Mo
     (motion.Solid && DepthInObstacle(*motion.Solid, centre, frame.VoxelSize) > 0.0);
 }
 
-/** How deep the nodes of a leaf are in walls and obstacle [voxels]; false if that is nowhere near.
+/** Finds the depths of a leaf's nodes in walls and obstacle [voxels]; false if neither is near.
  */
 bool NodeStep::FindDepths(
   const NodeIndex& origin, const NodeFrame& frame, const Motion& motion, float (&depths)[512]) const

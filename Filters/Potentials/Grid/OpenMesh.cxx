@@ -25,7 +25,7 @@ using Nodes = std::vector<Coord>;
 
 // A half, and what dipoles are off by: else a large sheet would have an inside here and there.
 constexpr double Half = 0.51;
-// How far from the mesh all nodes are evaluated, and known to be [voxels].
+// Distance from the mesh up to which all nodes are evaluated [voxels].
 constexpr float Near = 2.f;
 constexpr double Known = 3.0;
 
@@ -44,7 +44,7 @@ public:
 
   // 1 outside, -1 inside, everywhere.
   openvdb::FloatTree FindSigns() const;
-  // As triangles, up to a voxel from the mesh.
+  // Adds them as triangles, up to a voxel from the mesh.
   void AddTo(MeshTriangles& mesh) const;
 
 private:
@@ -53,7 +53,7 @@ private:
   void Evaluate(const Nodes& nodes);
   Nodes Grow(const Nodes& nodes);
 
-  // Whether a cap goes between neighbours: where the mesh itself does, both are within a voxel.
+  // Returns true if a cap separates neighbours; those that the mesh separates are within a voxel.
   static bool IsCut(const Coord& a, const Coord& b, const Reader& windings, const Reader& distances)
   {
     float x, y;

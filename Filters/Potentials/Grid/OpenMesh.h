@@ -8,7 +8,7 @@
 namespace activesurface
 {
 
-// As MakeMeshDistance, with the places inside around which the mesh winds by more than a half: a
+// Makes a signed distance like MakeMeshDistance; inside is where the winding number exceeds 1/2: a
 // closed body ends where its mesh does, an open one at a cap across each hole, a sheet has no
 // inside. The turn of the polygons does not matter if it is the same for all. The cost goes with
 // the area of mesh and caps.

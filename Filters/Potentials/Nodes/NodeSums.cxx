@@ -12,9 +12,9 @@ namespace activesurface
 namespace
 {
 
-// A mean displacement that is so many times as large as its standard error, squared, is motion.
+// Square of a mean displacement over that of its standard error, from which on it is motion.
 constexpr float ErrorsOfMotion = 6.f;
-// The mean of fewer particles than two, counted by their weights, tells nothing of their spread.
+// Fewer particles than two, counted by their weights, have no spread.
 constexpr float FewParticles = .5f; // 1 over their number
 // Displacements below this are none [voxels].
 constexpr float Still = 1e-4f;
@@ -163,7 +163,7 @@ struct MotionSum::Sums
   static constexpr int Size = 32;
   alignas(32) float All[Size];     // of weights
   alignas(32) float Bulk[Size];    // of weights * bulk
-  alignas(32) float Moved[Size];   // of weights, of those whose displacement is known
+  alignas(32) float Moved[Size];   // of the weights of particles with a known displacement
   alignas(32) float Squares[Size]; // of these weights' squares
   alignas(32) float Displacement[3][Size];
   alignas(32) float Square[Size]; // of weights * displacement^2
@@ -235,7 +235,7 @@ struct PointMotion
   bool IsWeak = true; // by too few particles
 };
 
-// What few tell, at the end of their reach, is the mean of what many tell.
+// Points with few particles, at the end of their kernels, get the mean of the other points.
 void FillUnknown(const PointMotion (&points)[LeafMotion::Points], LeafMotion& motion)
 {
   const bool areAllWeak =

@@ -32,7 +32,8 @@ class EllipsoidSum
 public:
   EllipsoidSum(std::uint64_t rows, float* values);
 
-  // Those from first to end - 1. shift: from the first node of the leaf to the columns' origin.
+  // Adds ellipsoids first to end - 1. shift: from the first node of the leaf to the columns'
+  // origin.
   void Add(const EllipsoidColumns& columns, const NodeEllipsoid* ellipsoids, std::uint32_t first,
     std::uint32_t end, const float (&shift)[3]);
   void Finish();
@@ -46,7 +47,7 @@ struct MotionColumns
 {
   const float* Place[3]; // relative to some origin
   const float* Displacement[3];
-  const float* IsMoved; // 1, or 0 where the displacement is not known
+  const float* IsMoved; // 1, or 0 if the displacement is unknown
   const float* Bulk;
   const float* InverseReach2;
 };

@@ -13,9 +13,9 @@ namespace activesurface
 namespace
 {
 
-// Of a cube of a full cell's size.
+// Filling by a cube of a cell's size.
 constexpr std::uint32_t FillingOfCell = 256;
-// Of the mean of 27 cells with the weights 1 2 1, 64 in all: full is what is filled more than this.
+// A cell is full if the sum of 27 cells with the weights 1 2 1, 64 in all, is at least this.
 constexpr std::uint32_t Full = FillingOfCell * 64 * 6 / 10;
 
 // Cells are no smaller than a share of the largest cube, so that each cube is in few cells; nor
@@ -332,8 +332,8 @@ void ParticleBlocks::FindOpenOf(Block& block) const
   }
 }
 
-// Adds the cells around those of a mask, so many times. outside: whether what is in no block counts
-// as in the mask.
+// Adds the cells around a mask, `times` times. outside: whether cells of missing blocks are in the
+// mask.
 void ParticleBlocks::Widen(CellMask Block::*mask, bool outside, int times)
 {
   const CellMask other = outside ? CellMask::All() : CellMask();

@@ -32,7 +32,7 @@ struct ParticleCube
 class ParticleBlocks
 {
 public:
-  // Of 64 parts of a block, 2^3 cells each, as particles are sorted by.
+  // Parts of a block, of 2^3 cells each, by which particles are sorted.
   static constexpr int Parts = 64;
 
   struct Block
@@ -62,7 +62,7 @@ public:
 
   // Numbers of the particles, by blocks and parts of them.
   const UnsetVector<std::uint32_t>& GetOrder() const { return this->Order; }
-  // Of each in this order: the block.
+  // The block of each particle, in this order.
   const UnsetVector<std::uint32_t>& GetBlockOf() const { return this->BlockOf; }
 
   // The cell of a node, or of a place [voxels].

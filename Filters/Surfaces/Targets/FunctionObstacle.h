@@ -14,7 +14,7 @@ namespace activesurface
 {
 
 // Its distances are F / |grad F|, to first order; where the gradient vanishes or is not finite it
-// is far away, on the side that F tells. origin: what the obstacle's points are relative to. The
+// is far away, on the side of the sign of F. origin: of the obstacle's points. The
 // function must not change meanwhile.
 std::unique_ptr<Obstacle> MakeObstacle(
   vtkImplicitFunction* function, double voxelSize, const std::array<double, 3>& origin);

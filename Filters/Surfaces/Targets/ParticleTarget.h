@@ -100,7 +100,7 @@ private:
   ParticlePotential Body; // of the other models
   ParticleMeans Means;    // if the target tells its velocity, or a sum its bulk
 
-  // Of the node scheme.
+  // State of the node scheme.
   double VoxelSize = 1.0;
   PlacedParticles AtNodes;
   ParticleNodes Nodes;

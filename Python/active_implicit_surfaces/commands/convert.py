@@ -47,7 +47,7 @@ _FOG_LEVEL = 0.5
 
 
 class _Conversion(NamedTuple):
-    """What is loaded for a step, the numbers of the steps, the files read, and what writes."""
+    """Loader of a step, numbers of the steps, files read, and writer."""
 
     load: Callable[[int], Any]
     numbers: list[int]

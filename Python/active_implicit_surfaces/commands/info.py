@@ -77,7 +77,7 @@ def make_parser() -> Parser:
 def describe(
     names: list[str], where: Sequence[str] = (), label: int | None = None
 ) -> dict[str, Any]:
-    """What is in files, or of it what was chosen, as a dictionary of JSON."""
+    """Returns the content of files, or the chosen part of it, as a dictionary for JSON."""
     files = [file for parts in expand(names, INPUT_SUFFIXES).frames for file in parts]
     suffix = suffix_of(files[0])
     if suffix == ".exr":
@@ -170,7 +170,7 @@ def _describe_shape(shape: Any) -> dict[str, Any]:
 
 
 def _measure_all(frames: list[tuple[Path, ...]], where: Sequence[str]) -> list[dict[str, Any]]:
-    """What each of several meshes measures."""
+    """Prints the measures of each of several meshes."""
     found = []
     for file, *parts in frames:
         mesh = choose(read_shape(file, parts=parts), where)

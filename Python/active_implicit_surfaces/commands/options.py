@@ -217,7 +217,7 @@ def times_list(text: str) -> list[float]:
 
 
 def label_list(text: str) -> list[int] | str:
-    """Of 3, 3,5 or all."""
+    """Parses 3, 3,5 or all."""
     try:
         return "all" if text == "all" else [int(part) for part in text.split(",")]
     except ValueError:
@@ -225,7 +225,7 @@ def label_list(text: str) -> list[int] | str:
 
 
 def frame_range(text: str) -> tuple[int | None, int | None, int]:
-    """Of FIRST:LAST, or FIRST:LAST:STEP; the first and the last may be left out."""
+    """Parses FIRST:LAST or FIRST:LAST:STEP; the first and the last may be left out."""
     first, last, step = [*text.split(":"), "", ""][:3]
     try:
         found = int(first) if first else None, int(last) if last else None, int(step or 1)

@@ -30,7 +30,7 @@ def add_output_options(parser: Parser, default: str) -> None:
         "--output",
         metavar="NAME",
         help=f"name of the skins, #### for the number: {', '.join(SKIN_SUFFIXES)} "
-        f"(default: {default}, and none with --render alone)",
+        f"(default: {default}, and none with only --render)",
     )
     parser.add_argument(
         "--render",

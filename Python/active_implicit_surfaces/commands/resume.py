@@ -40,7 +40,7 @@ class Resumption(Sink):
         self.description = json.loads(json.dumps(description))
         self.view: list[Any] | None = None
         self._files = files
-        self._may_grow = len(files) > 1 == len({*files})  # a file of several frames: its name alone
+        self._may_grow = len(files) > 1 == len({*files})  # a file of several frames: only its name
         self._saved = time.monotonic()
         self._way, self._is_kept, self._first, self._done = Skins(), False, 0, 0
 
@@ -110,7 +110,7 @@ class Resumption(Sink):
         missing = [name for name in names[: self._first] if not name.exists()]
         if missing:
             raise OSError(
-                f"{missing[0]} is no longer there; run without --resume to make all skins anew."
+                f"{missing[0]} is no longer there; run without --resume to make all skins again."
             )
         return self._first
 
@@ -155,7 +155,7 @@ class Resumption(Sink):
                 )
 
     def _marks(self, count: int) -> list[list[Any]]:
-        """Name, size and time of the files of the first frames, which tell whether they change."""
+        """Name, size and time of the files of the first frames, to detect changes."""
         marks: list[list[Any]] = []
         for file in self._files[:count]:
             own = file.stat()

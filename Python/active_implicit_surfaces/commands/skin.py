@@ -47,9 +47,9 @@ def run(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     chosen = properties_of(options, parser)
     if options.resume and options.render and suffix_of(options.render) in (".mp4", ".ogv"):
-        parser.error("a film cannot go on where it was cut off; render to frame.####.png")
+        parser.error("a film cannot be resumed; render to frame.####.png")
     if options.resume and options.render and not options.output:
-        parser.error("--resume goes on with skins; say their name, -o skin_####.vtp")
+        parser.error("--resume needs files of skins; name them, -o skin_####.vtp")
     files: Any = open_particles(options.files) if options.labels else ()
     for own in each_label(options, lambda: labels_of(files.load(0)), len(files) > 1, _DEFAULT):
         _run(parser, own, chosen)
@@ -173,7 +173,7 @@ def _add_input_options(parser: Parser) -> None:
 
 
 def _find_view(options: Any, files: Any, kept: Resumption | None) -> tuple[Any, str]:
-    """What the camera holds, and the axis that is up; of a run that goes on, as before."""
+    """Box in view and vertical axis; a resumed run keeps both."""
     if kept and kept.view:
         return numpy.array(kept.view[0]), str(kept.view[1])
     reaches = "reach" if options.preset == "molecule" else options.radii
