@@ -53,6 +53,13 @@ struct CompiledKernel
   }
 };
 
+/** Calls a kernel without arguments, compiled for the chosen instruction set. */
+template <class Kernel>
+void RunCompiled(const Kernel& kernel)
+{
+  CompiledKernel<Kernel>::GetBest()(kernel);
+}
+
 }
 
 #endif

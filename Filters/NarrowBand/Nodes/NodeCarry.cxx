@@ -200,12 +200,6 @@ private:
   }
 };
 
-template <class Kernel>
-void RunOnce(const Kernel& kernel)
-{
-  CompiledKernel<Kernel>::GetBest()(kernel);
-}
-
 /** The box of the old nodes that rows read. */
 void FindBox(const NodeLeaf& leaf, const float (*feet)[3][8], int rows, OldBlock& block)
 {
@@ -231,7 +225,7 @@ void CarryRows(const OldPotential& old, const NodeLeaf& leaf, const float (*feet
     leaf.Origin[2] - block.Low[2] };
   for (int row = 0; row < rows; ++row)
   {
-    RunOnce(RowKernel{ block.Values.data(), block.StrideX(), block.StrideY(), feet[row], offset,
+    RunCompiled(RowKernel{ block.Values.data(), block.StrideX(), block.StrideY(), feet[row], offset,
       carried + 8 * row });
   }
 }
@@ -258,7 +252,7 @@ void CarryNodes(const OldPotential& old, const NodeLeaf& leaf, const LeafMotion&
     return;
   }
   alignas(32) float feet[64][3][8];
-  RunOnce(FeetKernel{ motion, feet });
+  RunCompiled(FeetKernel{ motion, feet });
   thread_local OldBlock block;
   FindBox(leaf, feet, 64, block);
   if (block.Count() <= UsualNodes)
@@ -282,7 +276,7 @@ void CarryNodes(const OldPotential& old, const NodeLeaf& leaf, const LeafMotion&
 
 void ExpandBulk(const LeafMotion& motion, float* bulk)
 {
-  RunOnce(ExpandKernel{ motion, bulk });
+  RunCompiled(ExpandKernel{ motion, bulk });
 }
 
 }

@@ -7,13 +7,13 @@
 #include "FloatLanes.h"
 #include "IndexMap.h"
 #include "Leaves/LeafTable.h"
+#include "Leaves/NodeArrays.h"
 #include "NodeTarget.h"
 
 #include <tbb/parallel_for.h>
 
 #include <array>
 #include <cstring>
-#include <memory>
 #include <vector>
 
 namespace activesurface
@@ -21,31 +21,6 @@ namespace activesurface
 
 /** Limit of |u| and |psi| in the node scheme [voxels]. */
 constexpr float NodeLimit = 3.f;
-
-/** 512 numbers for each leaf. Keeps its memory; what it adds is not set. */
-class NodeNumbers
-{
-public:
-  void Resize(std::size_t leaves)
-  {
-    if (512 * leaves > this->Capacity)
-    {
-      this->Capacity = 512 * (leaves + leaves / 8);
-      this->Numbers.reset(new float[this->Capacity]);
-    }
-  }
-  float* Of(std::size_t leaf) { return this->Numbers.get() + 512 * leaf; }
-  const float* Of(std::size_t leaf) const { return this->Numbers.get() + 512 * leaf; }
-  void Swap(NodeNumbers& other)
-  {
-    this->Numbers.swap(other.Numbers);
-    std::swap(this->Capacity, other.Capacity);
-  }
-
-private:
-  std::unique_ptr<float[]> Numbers;
-  std::size_t Capacity = 0;
-};
 
 struct NodeLeaf : ShellLeaf
 {
@@ -138,7 +113,7 @@ struct NodeBlock
     return this->Value + X * (x + W) + Y * (y + W) + 4;
   }
 
-  ACTIVE_ALWAYS_INLINE void Gather(const NodeNumbers& from, const NodeLeaf& leaf, float outside)
+  ACTIVE_ALWAYS_INLINE void Gather(const NodeArrays& from, const NodeLeaf& leaf, float outside)
   {
     for (int x = -W; x < 8 + W; ++x)
     {
@@ -151,7 +126,7 @@ struct NodeBlock
 
 private:
   ACTIVE_ALWAYS_INLINE void GatherRow(
-    const NodeNumbers& from, const NodeLeaf& leaf, float outside, int x, int y)
+    const NodeArrays& from, const NodeLeaf& leaf, float outside, int x, int y)
   {
     float* to = this->Value + X * (x + W) + Y * (y + W) + 4;
     const std::int32_t* near = leaf.Near.data() + 9 * ((x + 8) / 8) + 3 * ((y + 8) / 8);

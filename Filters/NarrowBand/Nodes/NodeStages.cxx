@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace activesurface
 {
@@ -57,8 +58,8 @@ ACTIVE_ALWAYS_INLINE Lanes Bend(const float* c)
 struct DistanceKernel
 {
   const NodeLeaves& Leaves;
-  const NodeNumbers& Potential;
-  NodeNumbers& Psi;
+  const NodeArrays& Potential;
+  NodeArrays& Psi;
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
@@ -207,14 +208,14 @@ template <int W>
 void RunStage(const NodeFields& fields, const StageCoefficients& law, int count)
 {
   fields.Leaves.RunKernel(StageKernel<W>{ fields, law, count });
-  fields.Potential.Swap(fields.Room);
+  std::swap(fields.Potential, fields.Room);
 }
 
 }
 
-void FindDistances(const NodeLeaves& leaves, const NodeNumbers& potential, NodeNumbers& psi)
+void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential, NodeArrays& psi)
 {
-  psi.Resize(leaves.Size());
+  psi.MakeRoom(leaves.Size());
   leaves.RunKernel(DistanceKernel{ leaves, potential, psi });
 }
 

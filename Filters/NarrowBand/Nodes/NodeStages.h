@@ -27,15 +27,15 @@ struct StageCoefficients
 struct NodeFields
 {
   const NodeLeaves& Leaves;
-  const NodeNumbers& Psi;
-  const NodeNumbers& Bulk; //< in [0,1]
-  NodeNumbers& Potential;
-  NodeNumbers& Room; //< overwritten
+  const NodeArrays& Psi;
+  const NodeArrays& Bulk; //< in [0,1]
+  NodeArrays& Potential;
+  NodeArrays& Room; //< overwritten
 };
 
 /** psi = G / |grad G| by central differences, at most NodeLimit in size; G is 1 where nothing is
  * near. Outside the rows of the shell psi has the limit. */
-void FindDistances(const NodeLeaves& leaves, const NodeNumbers& potential, NodeNumbers& psi);
+void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential, NodeArrays& psi);
 
 /** Number of stages for which the tension is stable. */
 int CountStages(const StageCoefficients& coefficients);

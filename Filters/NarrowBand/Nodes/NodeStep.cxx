@@ -96,10 +96,10 @@ void NodeStep::FindLeaves(const NodeFrame& frame, const Motion& motion, const No
     [&](const NodeIndex& origin)
     { return target.IsInside(CentreOf(origin)) && !this->IsSolid(origin, frame, motion); });
   const std::size_t count = this->Leaves.Size();
-  this->Potential.Resize(count);
-  this->Room.Resize(count);
-  this->Psi.Resize(count);
-  this->Bulk.Resize(count);
+  this->Potential.MakeRoom(count);
+  this->Room.MakeRoom(count);
+  this->Psi.MakeRoom(count);
+  this->Bulk.MakeRoom(count);
   this->IsStill.assign(count, 0);
 }
 
@@ -180,7 +180,7 @@ void NodeStep::Evaluate(const NodeTarget& target)
 }
 
 /** Where a wall or the obstacle reaches, all rows of a leaf count. */
-void NodeStep::Confine(NodeNumbers& numbers, const NodeFrame& frame, const Motion& motion)
+void NodeStep::Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion)
 {
   if (!motion.Box.Present && !motion.Solid)
   {

@@ -46,14 +46,14 @@ private:
     float (&depths)[512]) const;
   bool IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion) const;
   void Evaluate(const NodeTarget& target);
-  void Confine(NodeNumbers& numbers, const NodeFrame& frame, const Motion& motion);
+  void Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion);
   void Carry(const NodeFrame& frame, const NodeTarget& target);
   void KeepWhatRests(const OldPotential& old, float tolerance);
   openvdb::FloatTree::Ptr MakeTree() const;
 
   Shell Near;
   NodeLeaves Leaves;
-  NodeNumbers Potential, Room, Psi, Bulk;
+  NodeArrays Potential, Room, Psi, Bulk;
   std::vector<char> IsStill; //< leaves in which the target has not moved
 };
 

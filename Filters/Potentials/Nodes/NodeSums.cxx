@@ -19,12 +19,6 @@ constexpr float FewParticles = .5f; // 1 over their number
 // Displacements below this are none [voxels].
 constexpr float Still = 1e-4f;
 
-template <class Kernel>
-void RunOnce(const Kernel& kernel)
-{
-  CompiledKernel<Kernel>::GetBest()(kernel);
-}
-
 struct ScatterKernel
 {
   const EllipsoidColumns& Columns;
@@ -116,12 +110,12 @@ EllipsoidSum::EllipsoidSum(std::uint64_t rows, float* values)
 void EllipsoidSum::Add(const EllipsoidColumns& columns, const NodeEllipsoid* ellipsoids,
   std::uint32_t first, std::uint32_t end, const float (&shift)[3])
 {
-  RunOnce(ScatterKernel{ columns, ellipsoids, first, end, shift, this->Rows, this->Values });
+  RunCompiled(ScatterKernel{ columns, ellipsoids, first, end, shift, this->Rows, this->Values });
 }
 
 void EllipsoidSum::Finish()
 {
-  RunOnce(RootKernel{ this->Values });
+  RunCompiled(RootKernel{ this->Values });
 }
 
 void MotionSum::Clear()
@@ -268,7 +262,7 @@ void FillUnknown(const PointMotion (&points)[LeafMotion::Points], LeafMotion& mo
 void MotionSum::Finish(bool hasNoise, LeafMotion& motion) const
 {
   Sums sums;
-  RunOnce(SumKernel{ this->Near, sums });
+  RunCompiled(SumKernel{ this->Near, sums });
   PointMotion points[LeafMotion::Points];
   for (int i = 0; i < LeafMotion::Points; ++i)
   {
