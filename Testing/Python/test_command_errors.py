@@ -57,7 +57,7 @@ class Usage(CommandTest):
             "are no times": ["skin", DROP, "--times", "0,b"],
             "is no size": ["skin", DROP, "--size", "wide"],
             "an index is a .pvd": ["skin", DROP, "--index", "a.txt"],
-            "a film cannot go on": ["skin", DROP, "--resume", "--render", "a.ogv"],
+            "a film cannot be resumed": ["skin", DROP, "--resume", "--render", "a.ogv"],
             "the following arguments are required": ["morph", "a.stl"],
             "frames are 2 at least": ["morph", "a.stl", "b.stl", "--frames", 1],
             "required: -o": ["convert", "a.stl"],

@@ -374,7 +374,7 @@ void SurfaceSimulation::RestoreLoaded()
   if (time.Between || isOfAnotherTime || isOfAnotherLattice)
   {
     throw std::invalid_argument(
-      "The loaded state does not belong to this surface: its time is not a time step, or VoxelSize "
+      "The loaded state is not one of this surface: its time is not a time step, or VoxelSize "
       "or the place of the data differs. Set the properties that it was saved with.");
   }
   this->Shapes.KeepEstimatedSpacing(this->Loaded.Spacing);
