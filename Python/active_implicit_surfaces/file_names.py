@@ -27,6 +27,7 @@ from typing import Any, NamedTuple
 # ####, %04d, $F4 and {}: where a pattern has the number of a frame.
 _NUMBER = re.compile(r"#+|%0?\d*d|\$F\d*|\{\}")
 INDEX_SUFFIXES = (".pvd", ".series")
+_NOTES = (".txt", ".dat")  # in a folder, beside others
 _ROUNDING = 1e-12  # of the largest time of an index: two that differ by less are one
 
 
@@ -142,6 +143,7 @@ def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
     """Those of one series."""
     found = [path for path in folder.iterdir() if path.is_file() and suffix_of(path) in known]
     found = [path for path in found if not path.name.startswith(".")]
+    found = [path for path in found if suffix_of(path) not in _NOTES] or found
     if not found:
         raise OSError(f"{folder} cannot be read: it is a folder without files {', '.join(known)}.")
     numbers = _numbers_in([path.name for path in found])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import takewhile
 from typing import Any
 
 import numpy
@@ -35,11 +36,9 @@ def read_molecule(lines: list[str]) -> Frames:
             raise ValueError(f"line {place + 1} is not the number of atoms that begins a frame")
         count = int(lines[place])
         comment = lines[place + 1] if place + 1 < len(lines) else ""
-        pairs = {name: value.strip("\"'{}[]") for name, value in _PAIR.findall(comment)}
+        pairs = {name.lower(): value.strip("\"'{}[]") for name, value in _PAIR.findall(comment)}
         frames.append(_read_frame(lines[place + 2 : place + 2 + count], count, place, pairs))
-        times.append(
-            next((number(pairs[name]) for name in ("Time", "time") if name in pairs), None)
-        )
+        times.append(next((number(pairs[name]) for name in ("time", "t") if name in pairs), None))
         place += 2 + count
     _add_elements(frames)
     known = [time for time in times if time is not None]
@@ -48,9 +47,9 @@ def read_molecule(lines: list[str]) -> Frames:
 
 
 def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str]) -> Frame:
-    columns = _columns_of(pairs.get("Properties", _DEFAULT))
-    width = max(first + size for _, _, first, size in columns)
     rows = [line.split() for line in lines]
+    columns = _columns_of(pairs.get("properties") or _usual_properties(rows))
+    width = max(first + size for _, _, first, size in columns)
     if len(rows) < count:
         raise ValueError(f"it has fewer atoms than the {count} that line {place + 1} says")
     short = next((i for i, row in enumerate(rows) if len(row) < width), None)
@@ -64,6 +63,16 @@ def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str])
         _add_column(frame, name, kind, [row[first : first + size] for row in rows])
     frame["field"] = _cell_of(pairs)
     return frame
+
+
+def _usual_properties(rows: list[list[str]]) -> str:
+    """The columns of a plain file: symbol, x, y, z, then numbers; without a symbol, x, y, z."""
+    width = min(map(len, rows), default=4)
+    if width == 3 and all(number(cell) is not None for row in rows for cell in row):
+        return "pos:R:3"
+    are_numbers = (all(number(row[i]) is not None for row in rows) for i in range(4, width))
+    extra = enumerate(takewhile(bool, are_numbers), start=4)
+    return ":".join([_DEFAULT, *(f"column {i}:R:1" for i, _ in extra)])
 
 
 def _columns_of(properties: str) -> list[tuple[str, str, int, int]]:
@@ -94,7 +103,10 @@ def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> N
     try:
         values = numpy.array(cells, dtype=float if kind == "R" else int)
     except ValueError as error:
-        raise ValueError(f"its column {name} holds what is no number ({error})") from error
+        numbers = [[number(cell) for cell in row] for row in cells]
+        if kind != "R" or any(None in row for row in numbers):
+            raise ValueError(f"its column {name} holds what is no number ({error})") from error
+        values = numpy.array(numbers, dtype=float)
     if lower in ("pos", "positions", "position"):
         frame["positions"] = values.reshape(-1, 3)
     else:
@@ -103,9 +115,9 @@ def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> N
 
 def _cell_of(pairs: dict[str, str]) -> dict[str, Any]:
     """The periodic cell: its three vectors, and along which of them it repeats."""
-    if "Lattice" not in pairs:
+    if "lattice" not in pairs:
         return {}
-    numbers = [float(word) for word in re.split(r"[\s,]+", pairs["Lattice"].strip())]
+    numbers = [float(word) for word in re.split(r"[\s,]+", pairs["lattice"].strip())]
     if len(numbers) != 9:
         raise ValueError(f"its Lattice has {len(numbers)} numbers, not 9")
     repeats = [word[0].lower() in "t1" for word in (pairs.get("pbc") or "T T T").split()]
@@ -154,6 +166,10 @@ def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
     }
     is_chain = {"CA"} == symbols or {"CA", "C", "N"} <= symbols
     if not is_chain and all(as_elements[symbol] or not as_names[symbol] for symbol in symbols):
+        doubtful = sorted(s for s, own in letters.items() if _may_be_a_name(own, as_elements[s]))
+        if doubtful:
+            said = [f"{symbol} is {table.GetSymbol(as_elements[symbol])}" for symbol in doubtful]
+            warn_all([f"Elements in capital letters: {_few(said)}. If not so, write elements."])
         return as_elements
     other = sorted(s for s, z in as_names.items() if z and z != table.GetAtomicNumber(s))
     meant = [f"{symbol} is {table.GetSymbol(as_names[symbol])}" for symbol in other]
@@ -161,6 +177,12 @@ def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
         [f"The atoms have names in place of elements: {_few(meant)}. If not so, write elements."]
     )
     return as_names
+
+
+def _may_be_a_name(letters: str, element: int) -> bool:
+    """Whether an element may be an atom's name too, as HG and CD are."""
+    is_pair = len(letters) == 2 and letters.isupper() and letters not in _UNPLACED
+    return bool(element) and is_pair and letters[0] in _PLACED
 
 
 def _number(symbol: str, element: str, table: Any) -> int:

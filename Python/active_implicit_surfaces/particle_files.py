@@ -26,8 +26,8 @@ from .times import check_times, places_of, times_at
 from .vtk_files import READERS, check_readable, open_vtk, update
 
 _TEXT_READERS = {
-    ".csv": text_particles.read_csv,
-    ".xyz": text_particles.read_xyz,
+    **dict.fromkeys((".csv", ".tsv", ".txt", ".dat"), text_particles.read_csv),
+    **dict.fromkeys((".xyz", ".extxyz"), text_particles.read_xyz),
     ".json": text_particles.read_json,
     ".npy": text_particles.read_numpy,
     ".npz": text_particles.read_numpy,
@@ -246,7 +246,7 @@ def _times_inside(files: list[Path]) -> list[float] | None:
     """The times that all files tell in their heads, if they increase."""
     readers = {
         **{".vtp": _time_of_xml, ".vtu": _time_of_xml, ".vdb": _time_of_vdb},
-        **{".csv": text_particles.time_of_csv},
+        **dict.fromkeys((".csv", ".tsv", ".txt", ".dat"), text_particles.time_of_csv),
     }
     times: list[float] = []
     for file in files:

@@ -20,15 +20,25 @@ Frame = dict[str, Any]
 Frames = tuple[list[Frame], "list[float] | None"]
 
 POSITIONS = (
-    *("positions", "position", "points", "point", "vertices", "coordinates", "coords", "coord"),
-    *("pos", "x"),
+    *("positions", "position", "points", "point", "vertices", "coordinates", "coordinate"),
+    *("coords", "coord", "pos"),
 )
-_AXES = {"x": 0, "y": 1, "z": 2, "0": 0, "1": 1, "2": 2}
+_OTHERS = ("location", "locations", "centroid", "center", "centre", "r")  # of columns only
+_LENGTHS = ("m", "mm", "cm", "km", "um", "nm", "in", "ft")
+# Vectors that are the positions, the most certain first.
+_RANKS = {name: rank for rank, name in enumerate(("", *POSITIONS, *_OTHERS, *_LENGTHS, "p"))}
+_AXES = dict(zip("xyzijk012", 3 * (0, 1, 2)))
+_UNIT = re.compile(r"\s*[\[(](?![ijkxyz012][\])])[^])]*[\])]\s*$", re.IGNORECASE)
+_AXIS_LAST = re.compile(
+    r"(.*?)(?:\[([012ijkxyz])\]|[-:_. ]?([xyz])|[:_]([012]))", re.IGNORECASE | re.DOTALL
+)
+_AXIS_FIRST = re.compile(r"([xyz])[-:_. /]?(.+)", re.IGNORECASE)
 _TIMES, _COUNTS = ("time", "times", "timevalue", "t"), ("frame", "timestep", "time_step", "step")
 _SEPARATORS = ("\t", ";", "|", ",", None)  # None: blanks
 _MISSING = frozenset(("", "na", "n/a", "null", "none", "-"))
 _COMMENT = re.compile(r"^\s*(?:#|%|//|!)+\s*")
 _DECIMAL_COMMA = re.compile(r"([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)")
+_FORTRAN = re.compile(r"(?<=[\d.])[dD](?=[-+]?\d+$)")  # 1.5D-3
 _SAMPLED = 40  # lines that are searched for the header, and for what columns hold
 
 
@@ -59,27 +69,36 @@ def read_table(text: str) -> Frames:
 
 
 def group_columns(names: Sequence[str]) -> dict[str, list[int]]:
-    """Names of arrays and their columns: a:0 a:1 a:2, a[0] ..., a_x ..., ax ay az are a vector a,
-    x y z the positions. Columns without a name are left out.
+    """Names of arrays and their columns; those without a name are left out.
+
+    a:0 a:1 a:2, a[0] ..., a_x ..., ax ay az, x-a y-a z-a are a vector a, x y z the positions.
     """
-    vectors: dict[str, dict[int, int]] = {}
-    for i, name in enumerate(names):
-        plain = re.sub(r"\[([012xyzXYZ])\]$", r":\1", name.strip("\"' "))
-        plain = re.sub(r"\s*[\[(][^])]*[\])]\s*$", "", plain)
-        parts = re.fullmatch(r"(.*?)[:_. ]?([xyzXYZ]|(?<=[:_])[012])", plain)
-        base, axis = (parts[1], _AXES[parts[2].lower()]) if parts else (plain, -1)
-        if plain:
-            vectors.setdefault(base, {}).setdefault(axis, i)
+    plain = [_UNIT.sub("", name.strip("\"' ")) for name in names]
+    vectors = _vectors_in(plain, _AXIS_LAST, (2, 3, 4), 1)
+    rest = ["" if any(i in own for own in vectors.values()) else one for i, one in enumerate(plain)]
+    vectors |= _vectors_in(rest, _AXIS_FIRST, (1,), 2)
+    ranked = [base for base in vectors if base.lower() in _RANKS]
+    positions = min(ranked, key=lambda base: _RANKS[base.lower()], default=None)
     found: dict[str, list[int]] = {}
-    for base, axes in vectors.items():
-        is_vector = sorted(axes) == [0, 1, 2]
-        if is_vector and base.lower() in ("", *POSITIONS, "p"):
-            found.setdefault("positions", [axes[axis] for axis in range(3)])
-        elif is_vector:
-            found[base] = [axes[axis] for axis in range(3)]
-        else:
-            found |= {base if a < 0 else f"{base}{'xyz'[a]}": [i] for a, i in axes.items()}
+    for i, name in enumerate(plain):
+        base = next((base for base, own in vectors.items() if i in own), None)
+        if base is not None:
+            found["positions" if base == positions else base] = vectors[base]
+        elif name:
+            found.setdefault(name, [i])
     return found
+
+
+def _vectors_in(
+    names: Sequence[str], form: re.Pattern[str], axes: Sequence[int], base: int
+) -> dict[str, list[int]]:
+    """Vectors of which all three components are there; `axes`, `base`: groups of the form."""
+    columns: dict[str, dict[int, int]] = {}
+    for i, name in enumerate(names):
+        if parts := form.fullmatch(name):
+            axis = _AXES[next(filter(None, map(parts.group, axes))).lower()]
+            columns.setdefault(parts[base], {}).setdefault(axis, i)
+    return {name: [own[0], own[1], own[2]] for name, own in columns.items() if len(own) == 3}
 
 
 def _no_positions(names: Sequence[str]) -> str:
@@ -102,7 +121,7 @@ def number(cell: str, has_commas: bool = True) -> float | None:
     if cell.lower() in _MISSING:
         return math.nan
     try:
-        return float(_DECIMAL_COMMA.sub(r"\1.\2", cell) if has_commas else cell)
+        return float(_FORTRAN.sub("e", _DECIMAL_COMMA.sub(r"\1.\2", cell) if has_commas else cell))
     except ValueError:
         return None
 
@@ -132,6 +151,8 @@ def _find_header(lines: list[str]) -> _Form | None:
             if rows and is_text and not any(map(_is_number, cells)):
                 rows = rows[1:]  # below units
             start = rows[0] if rows else len(lines)
+            if not names[-1] and len(cells) == len(names) - 1:
+                names = names[:-1]
             if len(cells) == len(names) or (len(cells) == len(names) + 1 and not cells[-1]):
                 return _Form(separator, names, start)
             if len(cells) == len(names) + 1 and _are_row_names(lines, rows, separator):
@@ -230,8 +251,16 @@ def _load_by_rows(lines: list[str], form: _Form, is_whole: bool) -> Any:
 def _headless(table: Any) -> Frame:
     if table.shape[1] < 3:
         raise ValueError(f"it has {table.shape[1]} column(s) of numbers, not x, y and z")
-    more = {f"column {i}": table[:, i] for i in range(3, table.shape[1])}
-    return {"positions": table[:, :3], **more}
+    first = 0
+    if table.shape[1] > 3 and len(table) > 2 and _counts_rows(table[:, 0]):
+        first = 1
+        warn_all(["its first column numbers the rows, and the next three are used as x, y and z."])
+    more = {f"column {i}": table[:, i] for i in range(first + 3, table.shape[1])}
+    return {"positions": table[:, first : first + 3], **more}
+
+
+def _counts_rows(column: Any) -> bool:
+    return column[0] in (0, 1) and bool((numpy.diff(column) == 1).all())
 
 
 def _split_by_time(frame: Frame) -> Frames:

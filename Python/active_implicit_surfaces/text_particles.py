@@ -98,7 +98,7 @@ def read_numpy(path: Path) -> Frames:
 
 def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
     names = {name.lower(): name for name in arrays}
-    found = next((names[name] for name in POSITIONS if name in names), None)
+    found = next((names[name] for name in (*POSITIONS, "x") if name in names), None)
     if found is None and len(arrays) == 1:
         found = next(iter(arrays))
     if found is None or (found.lower() == "x" and "y" in names and "z" not in names):

@@ -10,6 +10,7 @@ import unittest
 import warnings
 
 import numpy
+from active_implicit_surfaces.data_objects import finite_points
 from active_implicit_surfaces.particle_files import open_particles
 from active_implicit_surfaces.skin_files import read_shape
 from reader_checks import ReaderTest, array_of
@@ -49,6 +50,9 @@ class Tables(ReaderTest):
             "Windows, mark": "\ufeffx,y,z\r\n0.5,1.25,-2\r\n1.5,2.25,3\r\n",
             "comments": "# x y z of all\n0.5 1.25 -2\n# a note\n1.5 2.25 3 # last\n",
             "times of one frame": "Time,x,y,z\n3,0.5,1.25,-2\n3,1.5,2.25,3\n",
+            "separator at the end of the header": "x,y,z,\n0.5,1.25,-2\n1.5,2.25,3\n",
+            "Fortran": "x y z\n5.0D-1 1.25d0 -2.\n0.15D+1 2.25 3\n",
+            "numbers of rows, no header": "0,0.5,1.25,-2\n1,1.5,2.25,3\n2,NaN,NaN,NaN\n",
             "UTF-16": "x;y;z\n0.5;1.25;-2\n1.5;2.25;3\n".encode("utf-16"),
             "Latin-1": "x;y;z;µ\n0.5;1.25;-2;1\n1.5;2.25;3;1\n".encode("latin-1"),
         }
@@ -56,7 +60,58 @@ class Tables(ReaderTest):
             with self.subTest(kind):
                 series = open_particles(self.put("a.csv", text))
                 self.assertEqual(len(series), 1)
-                self.assert_points(series.load(0), ROWS)
+                self.assert_points(finite_points(series.load(0)), ROWS)
+
+    def test_names_of_positions(self):
+        """In any order of columns, beside other vectors."""
+        for names in (
+            "x_pos y_pos z_pos",
+            "xpos ypos zpos",
+            "x-coordinate y-coordinate z-coordinate",
+            "Location.X Location.Y Location.Z",
+            "centroid_x centroid_y centroid_z",
+            "Position[X](m) Position[Y](m) Position[Z](m)",
+            "pos[i] pos[j] pos[k]",
+            "x_mm y_mm z_mm",
+            "x/m y/m z/m",
+            "rx ry rz",
+            "Xp Yp Zp",
+        ):
+            for heads, first in ((names.split(), 0), (["id", "vx", "vy", "vz", *names.split()], 4)):
+                with self.subTest(heads):
+                    cells = [[7, 8, 8, 8][:first] + row for row in ROWS]
+                    lines = "\n".join(",".join(map(str, row)) for row in (heads, *cells))
+                    cloud = open_particles(self.put("a.csv", lines)).load(0)
+                    self.assert_points(cloud, ROWS)
+                    if first:
+                        self.assertEqual(array_of(cloud, "v"), 2 * [[8, 8, 8]])
+
+    def test_other_vectors_are_no_positions(self):
+        for names in (
+            "xx,xy,xz",
+            "px,py,pz",
+            "Points:0,Points:1,Points:2",
+            "x-speed,y-speed,z-speed",
+        ):
+            with self.subTest(names):
+                path = self.put("a.csv", f"{names},x,y,z\n9,8,7,1,2,3\n")
+                cloud = open_particles(path).load(0)
+                self.assert_points(cloud, [[1, 2, 3]])
+                base = {"x": "x", "p": "p", "P": "Points"}[names[0]] if names[1] != "-" else "speed"
+                self.assertEqual(array_of(cloud, base), [[9, 8, 7]])
+
+    def test_row_numbers_without_a_header_are_a_note(self):
+        for text, is_note in (("0,5,6,7\n1,5,6,8\n2,5,6,9\n", 1), ("0,1,2\n1,1,3\n2,1,4\n", 0)):
+            with warnings.catch_warnings(record=True) as said:
+                warnings.simplefilter("always")
+                cloud = open_particles(self.put("a.csv", text)).load(0)
+            self.assertEqual(len(said), is_note)
+            self.assertEqual(cloud.GetPoint(2), (5, 6, 9) if is_note else (2, 1, 4))
+
+    def test_other_extensions_of_tables(self):
+        for name in ("a.txt", "a.tsv", "a.dat"):
+            cloud = open_particles(self.put(name, "x\ty\tz\n1\t2\t3\n")).load(0)
+            self.assertEqual(cloud.GetPoint(0), (1, 2, 3))
 
     def test_empty_cells_are_of_their_row(self):
         for empty in ("", "NaN", "NA", '""', "null"):
@@ -141,7 +196,6 @@ class Molecules(ReaderTest):
     def test_elements_stay_elements(self):
         for symbols, wanted in (
             (("Ca", "C", "O"), [20, 6, 8]),
-            (("CA", "CL"), [20, 17]),
             (("C1", "H12", "Hg3"), [6, 1, 80]),
             (("C1'", "O5*", "P", "H5''"), [6, 8, 15, 1]),
             (("Na+", "Cl-", "Fe3+"), [11, 17, 26]),
@@ -150,6 +204,31 @@ class Molecules(ReaderTest):
         ):
             with self.subTest(symbols):
                 self.assertEqual(self.numbers(*symbols), (wanted, ""))
+
+    def test_elements_in_capital_letters_may_be_names(self):
+        for symbols, wanted, doubtful in (
+            (("CA", "CL"), [20, 17], "CA is Ca"),
+            (("HG", "CD"), [80, 48], "CD is Cd, HG is Hg"),
+        ):
+            found, said = self.numbers(*symbols)
+            self.assertEqual(found, wanted)
+            self.assertIn(f"capital letters: {doubtful}. ", said)
+
+    def test_columns_without_names(self):
+        path = self.put("a.xyz", "2\n\nO 1 2 3 -0.8 5 a\nH 4.D0 5 6D-1 0.4 6 b\n")
+        cloud = open_particles(path).load(0)
+        self.assert_points(cloud, [[1, 2, 3], [4, 5, 0.6]])
+        self.assertEqual(array_of(cloud, "column 4"), [-0.8, 0.4])
+        self.assertEqual(array_of(cloud, "column 5"), [5, 6])
+        self.assertFalse(cloud.GetPointData().HasArray("column 6"))
+        cloud = open_particles(self.put("a.extxyz", "2\n\n1 2 3\n4 5 6\n")).load(0)
+        self.assert_points(cloud, [[1, 2, 3], [4, 5, 6]])
+
+    def test_keys_in_any_letters(self):
+        text = "1\nproperties=pos:R:3:q:R:1 T=2.5\n1 2 3 4\n1\nPROPERTIES=pos:R:3 t=3\n1 2 3\n"
+        series = open_particles(self.put("a.xyz", text))
+        self.assertEqual(series.times, [2.5, 3])
+        self.assertEqual(array_of(series.load(0), "q"), [4])
 
     def test_unknown_symbols_are_named(self):
         for symbols, unknown in (

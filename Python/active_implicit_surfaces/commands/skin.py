@@ -31,6 +31,7 @@ from .options import (
     properties_of,
     times_list,
     whole,
+    wrapped,
 )
 from .outputs import Outputs, add_output_options, each_label
 from .progress import Progress
@@ -130,9 +131,11 @@ def make_parser() -> Parser:
     parser = Parser(
         "active-surface skin",
         "FILE ... [-o skin_####.vtp] [--render film.mp4] [options]",
-        "Skins over particles: one for each frame, each going on from the last.\n"
-        f"Files: {', '.join(PARTICLE_SUFFIXES)};\n"
-        "several, a pattern ('p_*.vtp', p_####.vtp), a folder, a .series or a .pvd are a series.",
+        wrapped(
+            "Skins over particles: one for each frame, each going on from the last. Files: "
+            f"{', '.join(PARTICLE_SUFFIXES)}; several, 'p_*.vtp', p_####.vtp, a folder, a .series "
+            "or a .pvd are a series."
+        ),
         epilog=f"presets:\n{preset_help()}\n\nEvery property of the filter is an option too, as "
         "--particle-model sum: --help-properties.",
     )
