@@ -67,6 +67,16 @@ def linear_light(colours: Any) -> Any:
     return light
 
 
+def display_colours(light: Any) -> Any:
+    """Of linear light, 0 to 1, the colours of a display, 0 to 255; a fourth component is alpha."""
+    colours = light.clip(0.0, 1.0)
+    plain = colours[:, :3]
+    colours[:, :3] = numpy.where(
+        plain <= 0.0031308, 12.92 * plain, 1.055 * plain ** (1 / 2.4) - 0.055
+    )
+    return numpy.rint(255.0 * colours).astype("u1")
+
+
 def _attribute_of(name: str, taken: dict[str, Any]) -> str:
     attribute = "_" + re.sub(r"\W", "_", name.upper(), flags=re.ASCII)
     while attribute in taken:
@@ -134,10 +144,11 @@ def _pack(content: dict[str, Any], arrays: list[Any]) -> bytes:
     )
 
 
-def check_glb(path: Path) -> bool:
+def check_glb(path: Path) -> tuple[bool, bool]:
     """Raises OSError unless the accessors of a .glb lie within its bytes: VTK takes any.
 
-    Returns whether this package has written it: then its vertices have the data's coordinates.
+    Returns whether this package has written it, so that its vertices have the data's coordinates,
+    and whether it has meshes.
     """
     try:
         with path.open("rb") as file:
@@ -153,7 +164,7 @@ def check_glb(path: Path) -> bool:
             for primitive in mesh["primitives"]:
                 _check_primitive(content["accessors"], primitive)
         _check_references(content)
-        return bool(content.get("asset") == _ASSET)
+        return content.get("asset") == _ASSET, bool(content.get("meshes"))
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, struct.error) as error:
         raise OSError(f"{path} cannot be read: it is damaged, or no binary glTF 2.0.") from error
 

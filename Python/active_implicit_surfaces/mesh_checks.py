@@ -1,11 +1,21 @@
-"""Checks that .obj and .stl are whole: VTK's readers take, or crash at, any bytes."""
+"""Checks that .obj and .stl are whole: VTK's readers take, or crash at, any bytes.
+
+VTK also leaves out the colours of an .obj, and gives it numbers of groups.
+"""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from .data_objects import add_array
+
+_NOT_OF_CORNERS = (b"#", b"g", b"o", b"s", b"mtllib", b"usemtl", b"vt", b"vn")
 _CORNER = re.compile(rb"(-?\d+)(?:/(-?\d*)(?:/(-?\d*))?)?")
 _ENDS_OF_LINES = re.compile(rb"\\\r?\n")  # with the next line, one
 
@@ -15,6 +25,8 @@ def check_obj(path: Path) -> None:
     counts = {b"v": 0, b"vt": 0, b"vn": 0}
     faces = []
     for cells in _rows(path):
+        if not counts[b"v"] and cells[0] != b"v" and not cells[0].startswith(_NOT_OF_CORNERS):
+            raise OSError(f"{path} cannot be read: it is no .obj, which begins with vertices.")
         if cells[0] in counts:
             counts[cells[0]] += 1
         elif cells[0] in (b"f", b"l", b"p"):
@@ -25,6 +37,20 @@ def check_obj(path: Path) -> None:
         forms = {_check_corner(path, corner, whole, so_far) for corner in corners}
         if len(forms) > 1 or not forms:
             raise OSError(f"{path} cannot be read: it is damaged; a polygon is incomplete.")
+
+
+def add_colours(path: Path, data: Any) -> None:
+    """Gives the points of an .obj the colours of its vertices, `v x y z r g b`."""
+    data.GetCellData().RemoveArray("GroupIds")
+    rows = [cells[1:7] for cells in _rows(path) if cells[0] == b"v"]
+    if data.GetNumberOfPoints() == 0 or any(len(cells) != 6 for cells in rows):
+        return
+    table = numpy.array(rows, dtype=float)
+    own = vtk_to_numpy(data.GetPoints().GetData())
+    places = numpy.concatenate([table[:, :3].astype(own.dtype), own])
+    _, first, numbers = numpy.unique(places, axis=0, return_index=True, return_inverse=True)
+    colours = numpy.rint(255 * table[:, 3:].clip(0, 1)).astype("u1")
+    add_array(data, "RGB", colours[first[numbers.reshape(-1)[len(table) :]]])
 
 
 def _rows(path: Path) -> Iterator[list[bytes]]:
@@ -48,12 +74,18 @@ def _check_corner(
     return tuple(bool(number) for number in found.groups())
 
 
+def is_empty_stl(path: Path) -> bool:
+    """Whether this is a binary file without triangles, which VTK reads as text."""
+    content = path.read_bytes() if path.stat().st_size == 84 else b""
+    return content[80:] == bytes(4) and not content.lstrip().lower().startswith(b"solid")
+
+
 def check_stl(path: Path) -> None:
     """Raises OSError unless a binary file has as many triangles as it says: VTK takes any."""
     with path.open("rb") as file:
         head = file.read(84)
     size, count = path.stat().st_size, int.from_bytes(head[80:84], "little")
-    if not head.lstrip().startswith(b"solid") and size < 84 + 50 * count:
+    if not head.lstrip().lower().startswith(b"solid") and size < 84 + 50 * count:
         raise OSError(
             f"{path} cannot be read: it is damaged; it has {size} bytes, and its {count} triangles "
             f"take {84 + 50 * count}."

@@ -138,6 +138,7 @@ def write_obj(path: Path, mesh: Any) -> None:
         parts.append(("f" + ids.shape[1] * corner, repeated))
     parts += [("l" + ids.shape[1] * " %d", ids + 1) for ids in _corners(mesh.GetLines(), 2)]
     with path.open("w", encoding="ascii") as file:
+        file.writelines(["# no vertices\n"] if len(table) == 0 else [])
         for form, rows in parts:
             file.writelines(form % tuple(row) + "\n" for row in rows.tolist())
 

@@ -12,6 +12,7 @@ import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
 from .data_objects import add_array
+from .messages import warn_all
 from .tables import group_columns
 
 _LONGEST_HEADER = 1 << 16
@@ -31,6 +32,7 @@ _KNOWN = frozenset(
     "nx ny nz red green blue alpha diffuse_red diffuse_green diffuse_blue u v s t texture_u "
     "texture_v intensity".split()
 )
+_COLOURS = ("red", "green", "blue", "alpha")
 _ENDS_EARLY = "it is damaged: it ends before its elements do"
 _ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": ""}
 
@@ -70,10 +72,14 @@ def check_ply(path: Path) -> None:
 
 
 def add_properties(path: Path, data: Any) -> None:
-    """Gives a data set the properties of the vertices that VTK leaves out as point arrays."""
+    """Gives a data set the properties of the vertices that VTK leaves out as point arrays.
+
+    Colours of 0 to 1, which VTK rounds to whole numbers, become bytes.
+    """
     with path.open("rb") as file:
         head = file.read(_LONGEST_HEADER)
     order, elements, start = _read_header(head)
+    _warn_of_faces(path, elements)
     vertex = elements[0]
     kinds = [(each.name, order + each.kinds[0]) for each in vertex.properties]
     names = [name for name, _ in kinds]
@@ -100,6 +106,17 @@ def add_properties(path: Path, data: Any) -> None:
             data.GetPoints().SetData(numpy_to_vtk(values, deep=True))
         elif name != "positions" and not _KNOWN & {names[i].lower() for i in columns}:
             add_array(data, name, values if len(columns) > 1 else values[:, 0])
+    shown = [name for name in _COLOURS if name in names and table[name].dtype.kind == "f"]
+    if len(shown) >= 3:
+        light = numpy.stack([table[name] for name in shown], axis=-1)
+        add_array(data, "RGBA"[: len(shown)], numpy.rint(255 * light.clip(0, 1)).astype("u1"))
+
+
+def _warn_of_faces(path: Path, elements: list[_Element]) -> None:
+    own = [each for element in elements if element.name == "face" for each in element.properties]
+    lost = [each.name for each in own if not each.are_vertices and each.name not in _KNOWN]
+    if lost:
+        warn_all([f"{path}: properties of polygons are left out: {', '.join(lost)}."])
 
 
 class _DamageError(ValueError):

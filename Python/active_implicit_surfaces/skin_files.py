@@ -11,13 +11,13 @@ from typing import Any
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkReverseSense, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 
 from .contours import contour
-from .data_objects import as_shape
+from .data_objects import add_array, as_shape
 from .file_names import replacing, suffix_of
-from .glb import check_glb, write_glb
+from .glb import check_glb, display_colours, write_glb
 from .images import IMAGE_SUFFIXES
 from .mesh_writers import points_of, warn_of_losses, write_obj, write_ply, write_stl
 from .messages import listening, quiet
@@ -125,8 +125,8 @@ def read_shape(path: Path, level: float | None = None, parts: Sequence[Path] = (
         return data if level is None else contour(data, level)
     if not data.IsA("vtkPointSet"):
         raise OSError(f"{path} has no mesh: it holds a {data.GetClassName()}.")
-    if data.IsA("vtkPolyData") and count == 0 and suffix != ".obj":
-        return data  # an empty skin; any text without vertices is such an .obj
+    if count == 0:
+        return data if data.IsA("vtkPolyData") else vtkPolyData()  # an empty skin
     try:
         return as_shape(data)
     except ValueError as error:
@@ -178,7 +178,8 @@ def write_particles(path: Path, cloud: Any) -> None:
             with temporary.open("wb") as file:
                 numpy.savez(file, positions=positions, **arrays)
         elif suffix == ".xyz":
-            numpy.savetxt(temporary, positions, fmt="%.9g")
+            head = "" if len(positions) else "x y z"  # or else nothing
+            numpy.savetxt(temporary, positions, fmt="%.9g", header=head)
         elif suffix == ".csv":
             _write_csv(temporary, positions, arrays)
         else:
@@ -237,17 +238,39 @@ def _read_glb(path: Path) -> Any:
     from vtkmodules.vtkIOGeometry import vtkGLTFReader
 
     check_readable(path)
-    is_own = check_glb(path)
+    is_own, has_meshes = check_glb(path)
+    if is_own and not has_meshes:
+        return vtkPolyData()  # an empty skin
     reader = vtkGLTFReader()
     reader.SetApplyDeformationsToGeometry(not is_own)  # leaves out the rotation of the node
     reader.SetFileName(str(path))
     with quiet(), listening(reader) as heard:
         reader.Update()
-        mesh = surface_of(reader.GetOutputDataObject(0))
+        mesh = surface_of(_turned_outward(reader.GetOutputDataObject(0)))
     if heard.errors or mesh.GetNumberOfPoints() == 0:
         said = heard.errors[0] if heard.errors else "it holds no mesh, or is damaged."
         raise OSError(f"{path} cannot be read: {said.rstrip('.')}.")
+    light = mesh.GetPointData().GetArray("COLOR_0")
+    if light is not None and light.GetDataTypeAsString() == "float":
+        colours = display_colours(vtk_to_numpy(light))
+        mesh.GetPointData().RemoveArray("COLOR_0")
+        add_array(mesh, "RGBA"[: colours.shape[1]], colours)
     return mesh
+
+
+def _turned_outward(nodes: Any) -> Any:
+    """The meshes of a .glb, reversed where the node mirrors them, as glTF says."""
+    blocks = nodes.NewIterator()
+    while not blocks.IsDoneWithTraversal():
+        mesh = blocks.GetCurrentDataObject()
+        matrix = mesh.GetFieldData().GetArray("globalTransform")
+        if matrix is not None and numpy.linalg.det(vtk_to_numpy(matrix).reshape(4, 4)) < 0:
+            reverse = vtkReverseSense()
+            reverse.SetInputData(mesh)
+            reverse.Update()
+            nodes.SetDataSet(blocks, reverse.GetOutput())
+        blocks.GoToNextItem()
+    return nodes
 
 
 def _with_vertices(cloud: Any) -> Any:

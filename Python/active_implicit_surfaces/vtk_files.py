@@ -9,10 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from vtkmodules.vtkCommonCore import vtkVersion
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .file_names import suffix_of
 from .images import IMAGE_SUFFIXES, read_image
-from .mesh_checks import check_obj, check_stl
+from .mesh_checks import add_colours, check_obj, check_stl, is_empty_stl
 from .messages import listening, quiet
 from .ply_files import add_properties, check_ply
 
@@ -34,8 +35,9 @@ READERS = {
     ".obj": ("vtkmodules.vtkIOGeometry", "vtkOBJReader"),
     ".vdb": ("active_implicit_surfaces.vtkActiveIO", "vtkActiveVDBReader"),
 }
-# Checks before VTK's reader, which accepts any bytes or crashes at them.
+# Checks before VTK's reader, which accepts any bytes or crashes at them; what it leaves out.
 _CHECKS = {".ply": check_ply, ".obj": check_obj, ".stl": check_stl}
+_ADDITIONS = {".ply": add_properties, ".obj": add_colours}
 
 _NO_POINTS = "No Points element available"
 _ABOUT_APPENDED_DATA = (
@@ -49,6 +51,8 @@ def read_vtk(path: Path, time: float | None = None, **settings: Any) -> Any:
     reader = _reader_of(path, **settings)
     if suffix_of(path) in IMAGE_SUFFIXES[1:]:
         return read_image(path, reader, lambda reader: update(reader, path))
+    if suffix_of(path) == ".stl" and is_empty_stl(path):
+        return vtkPolyData()
     return update(reader, path, time)
 
 
@@ -113,8 +117,8 @@ def update(reader: Any, path: Path, time: float | None = None) -> Any:
     data = reader.GetOutputDataObject(0)
     if data is None:
         raise OSError(f"{path} cannot be read: it is damaged, or not what its extension says.")
-    if suffix_of(path) == ".ply":
-        add_properties(path, data)
+    if suffix_of(path) in _ADDITIONS:
+        _ADDITIONS[suffix_of(path)](path, data)
     return data
 
 
