@@ -10,7 +10,10 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCellDataToPointData
 
+from .choice import labels_of
 from .messages import listening
+
+_LISTED = 20
 
 
 def contour(image: Any, level: float, *, above: bool = False) -> Any:
@@ -61,17 +64,54 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
     return skin
 
 
-def usual_level(image: Any) -> tuple[float, bool]:
+def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
     """The level of an image, and whether inside is above it.
 
-    Between the two values of a label map, which are integers, and above; else 0, and below.
+    Of a mask, with two values, it is between them, inside above; else it is 0, and inside below.
+    Inside is also above a given level if most of the image's border is below it.
     """
+    image, values = _with_point_values(image)
+    low, high = (float(values.min()), float(values.max())) if values.size else (0.0, 0.0)
+    is_mask = low < high and bool(numpy.all((values == low) | (values == high)))
+    if level is None:
+        return (0.5 * (low + high), True) if is_mask else (0.0, False)
+    cube = values.reshape(image.GetDimensions()[::-1])
+    border = numpy.concatenate([cube.take((0, -1), axis).ravel() for axis in range(3)])
+    return level, is_mask or bool(numpy.mean(border < level) > 0.5)
+
+
+def as_level_set(image: Any) -> Any:
+    """The image; of a mask, one that is below 0 inside.
+
+    Raises
+    ------
+    ValueError
+        An image without an inside: a map of several labels, or values of 0 and more.
+    """
+    level, above = usual_level(image)
     values = _with_point_values(image)[1]
-    if numpy.issubdtype(values.dtype, numpy.integer) and values.size:
-        low, high = float(values.min()), float(values.max())
-        if low < high and numpy.all((values == low) | (values == high)):
-            return 0.5 * (low + high), True
-    return 0.0, False
+    labels = labels_of(image) if not above and values.dtype.kind in "iu" and values.size else []
+    if labels and values.min() >= 0:
+        raise ValueError(
+            f"The image has the labels {describe_labels(labels)}; choose one: --label."
+        )
+    if not above and values.size and values.min() >= 0:
+        raise ValueError(
+            f"The image has no inside, which is below 0: its values are from {values.min():g} to "
+            f"{values.max():g}. Give target_iso_value, and invert_target if inside is above."
+        )
+    if not above:
+        return image
+    level_set, own = image.NewInstance(), numpy_to_vtk(level - values.astype(float), deep=True)
+    level_set.CopyStructure(_with_point_values(image)[0])
+    own.SetName("distance")
+    level_set.GetPointData().SetScalars(own)
+    return level_set
+
+
+def describe_labels(labels: list[int]) -> str:
+    """The labels as 1, 2, 3 ..."""
+    return ", ".join(map(str, labels[:_LISTED])) + " ..." * (len(labels) > _LISTED)
 
 
 def _with_point_values(image: Any) -> tuple[Any, Any]:

@@ -21,6 +21,8 @@ from .messages import quiet, warn_all
 
 IMAGE_SUFFIXES = (".vti", ".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd")
 _FIELD = re.compile(r"(?m)^[ \t]*([^#:=\n]+?)[ \t]*[:=]+[ \t]*(.*?)[ \t\r]*$")
+_TURNS = ("TransformMatrix", "Rotation", "Orientation")  # of a .mha
+_ALONG = 0.999  # cosine of an axis of the image and one of space
 _DAMAGE = (ValueError, KeyError, OverflowError, EOFError, zlib.error, gzip.BadGzipFile)
 
 
@@ -39,7 +41,10 @@ def read_image(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
         if path.suffix.lower() in (".nrrd", ".nhdr"):
             return _read_nrrd(path, fields, values, reader, update)
         _check_size(reader, len(values))
-        return update(reader)
+        image = update(reader)
+        turn = next(filter(None, map(fields.get, _TURNS)), "1 0 0 0 1 0 0 0 1").split()
+        axes = numpy.array(turn, dtype=float).reshape(3, 3)
+        return _place(path, image, image.GetOrigin(), axes)
     except _DAMAGE as error:
         said = f"it has no {error}" if isinstance(error, KeyError) else str(error)
         raise OSError(f"{path} cannot be read: {said.rstrip('.')}.") from error
@@ -67,8 +72,7 @@ def _read_nifti(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
     matrix = reader.GetSFormMatrix() or reader.GetQFormMatrix()
     if matrix is not None:
         rows = numpy.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(3)])
-        image.SetOrigin(*rows[:, 3])
-        _tell_turned(path, rows[:, :3].T)
+        image = _place(path, image, rows[:, 3], rows[:, :3].T)
     slope, start = reader.GetRescaleSlope(), reader.GetRescaleIntercept()
     scalars = image.GetPointData().GetScalars()
     if (slope, start) not in ((1.0, 0.0), (0.0, 0.0)):
@@ -127,12 +131,40 @@ def _read_nrrd(
         spacings = [float(word) for word in fields.get("spacings", "1 1 1").split()[-3:]]
         axes = numpy.diag([abs(x) if x and math.isfinite(x) else 1.0 for x in spacings])
     image.SetSpacing(*numpy.linalg.norm(axes, axis=1))
-    image.SetOrigin(*map(float, fields.get("space origin", "(0,0,0)").strip("() ").split(",")))
-    _tell_turned(path, axes)
+    origin = fields.get("space origin", "(0,0,0)").strip("() ").split(",")
+    return _place(path, image, list(map(float, origin)), axes)
+
+
+def _place(path: Path, image: Any, origin: Any, axes: Any) -> Any:
+    """The image at its place, its axes those of space; turned axes, which are rows, are a note.
+
+    Rows of the values are moved where axes are mirrored or change places.
+    """
+    image.SetOrigin(*origin)
+    lengths = numpy.linalg.norm(axes, axis=1, keepdims=True)
+    axes = axes / numpy.where(lengths > 0, lengths, 1)
+    order = abs(axes).argmax(axis=1)  # of the axes of space
+    signs = axes[range(3), order]
+    if sorted(order) != [0, 1, 2] or not (abs(signs) >= _ALONG).all():
+        warn_all([f"{path}: the image is turned in space, not by right angles; this is left out."])
+    elif (order != (0, 1, 2)).any() or (signs < 0).any():
+        _move_rows(image, order.tolist(), signs)
     return image
 
 
-def _tell_turned(path: Path, axes: Any) -> None:
-    """Warns if the axes of an image, which are rows, are not x, y and z."""
-    if (numpy.diag(axes) < 0.999 * numpy.linalg.norm(axes, axis=1)).any():
-        warn_all([f"{path}: the image is turned or mirrored in space, which is left out."])
+def _move_rows(image: Any, order: list[int], signs: Any) -> None:
+    size, spacing, origin = image.GetDimensions(), image.GetSpacing(), [*image.GetOrigin()]
+    scalars = image.GetPointData().GetScalars()
+    values = vtk_to_numpy(scalars).reshape(*size[::-1], -1)
+    for i in range(3):
+        if signs[i] < 0:
+            values = numpy.flip(values, 2 - i)
+            origin[order[i]] -= (size[i] - 1) * spacing[i]
+    back = [order.index(axis) for axis in range(3)]
+    values = values.transpose(2 - back[2], 2 - back[1], 2 - back[0], 3)
+    moved = numpy_to_vtk(values.reshape(-1, values.shape[3]), deep=True)
+    moved.SetName(scalars.GetName())
+    image.SetDimensions(*(size[i] for i in back))
+    image.SetSpacing(*(spacing[i] for i in back))
+    image.SetOrigin(*origin)
+    image.GetPointData().SetScalars(moved)

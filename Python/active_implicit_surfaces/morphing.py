@@ -8,6 +8,7 @@ from typing import Any
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 from . import properties, vtkActiveImplicitSurface
+from .contours import as_level_set
 from .data_objects import as_shape, is_vtk
 from .fitting import FITS, describe_difference, fitted
 from .messages import warn_all
@@ -25,8 +26,8 @@ class morph(Skins):
     Parameters
     ----------
     a, b : vtkPolyData, vtkImageData, vtkImplicitFunction, or an object with `vertices` and `faces`
-        Closed meshes, or images (inside is below `target_iso_value`). PyVista's, trimesh's and
-        meshio's objects are taken too.
+        Closed meshes, or images: inside is below `target_iso_value`, or the higher value of a mask,
+        which has two. PyVista's, trimesh's and meshio's objects are taken too.
     duration : float
         The time at which `b` is reached (ArrivalTime) [time], to a tenth of a voxel; more than 0.
         Default: 1.
@@ -104,7 +105,7 @@ class morph(Skins):
         self.surface = vtkActiveImplicitSurface()
         self._example, self._progress = a, progress
         self._producers: list[Any] = []
-        self._connect(a, b, fit)
+        self._connect(a, b, fit, not {"target_iso_value", "invert_target"} & set(options))
         properties.put(self.surface, options)
         self._expects_skin = _is_function(b) or as_shape(b).GetNumberOfPoints() > 0
         if "attraction" not in options:
@@ -123,8 +124,13 @@ class morph(Skins):
             )
         return skin
 
-    def _connect(self, a: Any, b: Any, fit: str) -> None:
+    def _connect(self, a: Any, b: Any, fit: str, has_usual_level: bool) -> None:
         first, last = (shape if _is_function(shape) else as_shape(shape) for shape in (a, b))
+        if has_usual_level:
+            first, last = (
+                as_level_set(shape) if shape.IsA("vtkImageData") else shape
+                for shape in (first, last)
+            )
         if _is_function(first) or _is_function(last):
             if fit != "none":
                 raise TypeError("fit needs two meshes or images: a function has no box.")

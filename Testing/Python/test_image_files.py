@@ -11,6 +11,7 @@ import unittest
 import warnings
 
 import numpy
+from active_implicit_surfaces.measures import measure
 from active_implicit_surfaces.skin_files import read_shape
 from command_line import CommandTest
 from test_damaged_files import damaged
@@ -91,6 +92,41 @@ class Images(CommandTest):
         self.succeed("morph", "a.nii.gz", "a.nrrd", "-o", "m_#.vtp", "--frames", 2)
         self.assertGreater(read_shape(self.folder / "m_1.vtp").GetNumberOfPolys(), 50)
 
+    def test_axes_along_those_of_space_are_put_right(self):
+        """Each value stands where the file's directions say."""
+        spacing = numpy.array(SPACING)[:, None]
+        cube = self.flat.reshape(SIZE, order="F")
+        for rows in ([[-1, 0, 0], [0, -1, 0], [0, 0, 1]], [[0, 0, -1], [1, 0, 0], [0, 1, 0]]):
+            turned = numpy.array(rows)
+            text = "".join(f" ({','.join(map(str, own))})" for own in (spacing * turned).tolist())
+            head = HEAD.format("float", "little", "raw")
+            head = head.replace(" (0.5,0,0) (0,0.5,0) (0,0,2)", text)
+            self.put("t.nrrd", head.encode() + b"\n" + self.flat.tobytes())
+            content = (self.folder / "a.mha").read_bytes()
+            axes = " ".join(str(x) for x in turned.ravel()).encode()
+            line = b"TransformMatrix = 1 0 0 0 1 0 0 0 1"
+            self.assertIn(line, content)
+            self.put("t.mha", content.replace(line, b"TransformMatrix = " + axes))
+            content = bytearray((self.folder / "a.nii").read_bytes())
+            sform = numpy.hstack([(spacing * turned).T, numpy.array([ORIGIN]).T])
+            content[252:256] = numpy.array([0, 1], "<i2").tobytes()
+            content[280:328] = sform.astype("<f4").tobytes()
+            self.put("t.nii", bytes(content))
+            for name in ("t.nrrd", "t.mha", "t.nii"):
+                with self.subTest(name=name, rows=rows):
+                    image = read_shape(self.folder / name)
+                    scalars = image.GetPointData().GetScalars()
+                    for index in ((0, 0, 0), (3, 1, 2), (11, 10, 9)):
+                        place = (index * spacing.ravel()) @ turned + ORIGIN
+                        own = scalars.GetTuple1(image.FindPoint(place))
+                        self.assertAlmostEqual(own, cube[index], 6)
+
+    def test_axes_at_other_angles_are_a_note(self):
+        content = (self.folder / "a.mha").read_bytes()
+        turn = b"TransformMatrix = 0.8 -0.6 0 0.6 0.8 0 0 0 1"
+        self.put("t.mha", content.replace(b"TransformMatrix = 1 0 0 0 1 0 0 0 1", turn))
+        self.assertIn("not by right angles", self.succeed("info", "t.mha").err)
+
     def test_damage_is_an_error(self):
         for name in NAMES:
             path, chance, said = self.folder / name, random.Random(name), 0
@@ -117,6 +153,53 @@ class Images(CommandTest):
         self.put("a.nii", bytes(content))
         scalars = vtk_to_numpy(read_shape(self.folder / "a.nii").GetPointData().GetScalars())
         numpy.testing.assert_allclose(scalars, 2 * self.flat + 5, rtol=1e-6)
+
+    def put_values(self, name, values):
+        head = HEAD.format("double", "little", "raw")
+        self.put(name, head.encode() + b"\n" + values.astype("<f8").tobytes())
+
+    def test_inside_is_what_the_border_is_not(self):
+        """A mask of fractions, and densities with a level, as a level set."""
+        inside = self.flat < 0
+        volume = abs(measure(self.contour("a.nrrd"))["volume"])
+        for values, level in (
+            (inside * 1.0, ()),
+            (inside * 2.0 - 1.0, ()),
+            (1.0 - self.flat, ("--level", 1)),
+            (self.flat + 3.0, ("--level", 3)),
+        ):
+            with self.subTest(level):
+                self.put_values("v.nrrd", values)
+                found = measure(self.contour("v.nrrd", *level))
+                self.assertEqual((found["pieces"], found["voids"]), (1, 0))
+                self.assertAlmostEqual(found["volume"], volume, delta=0.3 * volume)
+
+    def contour(self, name, *options):
+        self.succeed("convert", name, "-o", "contour.vtp", *options)
+        return read_shape(self.folder / "contour.vtp")
+
+    def test_masks_and_labels_morph(self):
+        self.put_values("mask.nrrd", (self.flat < 0) * 1.0)
+        self.put_values("labels.nrrd", numpy.where(self.flat < 0, 3, self.flat > 3))
+        wanted = measure(self.contour("mask.nrrd"))["volume"]
+        for first, label in (("mask", ()), ("labels", ("--label", 3))):
+            names = (f"{first}.nrrd", f"{first}.nrrd")
+            self.succeed("morph", *names, "-o", "m_#.vtp", "--frames", 2, "--quiet", *label)
+            for step in range(2):
+                found = measure(read_shape(self.folder / f"m_{step}.vtp"))
+                self.assertAlmostEqual(found["volume"], wanted, delta=0.1 * wanted)
+        self.put_values("density.nrrd", self.flat + 3.0)
+        said = self.fail_with(1, "morph", "mask.nrrd", "density.nrrd")
+        self.assertIn("no inside, which is below 0", said)
+
+    def test_several_labels_are_named(self):
+        values = numpy.where(self.flat < 0, 3, self.flat > 3)
+        head = HEAD.format("short", "little", "raw")
+        self.put("labels.nrrd", head.encode() + b"\n" + values.astype("<i2").tobytes())
+        said = self.fail_with(1, "convert", "labels.nrrd", "-o", "a.stl")
+        self.assertIn("or a --label of 1, 3.", said)
+        said = self.fail_with(1, "morph", "labels.nrrd", "a.nrrd")
+        self.assertIn("has the labels 1, 3; choose one: --label.", said)
 
     def test_what_is_not_read_is_said(self):
         head = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 1 1 1\nencoding: text\n\n7\n"

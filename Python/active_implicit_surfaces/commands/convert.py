@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .. import runner
 from ..choice import choose, labels_of
-from ..contours import contour, usual_level
+from ..contours import contour, describe_labels, usual_level
 from ..file_names import (
     Listing,
     check_distinct,
@@ -176,7 +176,7 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
         return vtkPolyData()
     try:
         if suffix_of(file) != ".vdb":
-            level, above = usual_level(image)
+            level, above = usual_level(image, options.level)
         else:
             level, above = (0.0, False) if _is_level_set(file) else (_FOG_LEVEL, True)
         level = level if options.level is None else options.level
@@ -186,11 +186,20 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
     scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
     if surface.GetNumberOfPoints() == 0 and suffix_of(file) != ".vdb" and scalars is not None:
         low, high = scalars.GetRange()
+        labels = [] if options.level is not None or low < 0 else _labels_of(image)
         raise OSError(
             f"{file} has no surface at the level {level:g}: its values are from {low:g} to "
-            f"{high:g}; choose another --level."
+            f"{high:g}; choose another --level"
+            + (f", or a --label of {describe_labels(labels)}." if labels else ".")
         )
     return surface
+
+
+def _labels_of(image: Any) -> list[int]:
+    try:
+        return labels_of(image)
+    except ValueError:
+        return []
 
 
 def _is_level_set(file: Path) -> bool:

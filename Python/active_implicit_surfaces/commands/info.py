@@ -184,12 +184,13 @@ def _labels(image: Any) -> dict[str, Any]:
     """The points or cells of each label of an image; nothing if it has none."""
     scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
     values = None if scalars is None else vtk_to_numpy(scalars)
-    if values is None or values.ndim > 1 or values.dtype.kind not in "iu":
+    if values is None or values.ndim > 1:
         return {}
     labels, counts = numpy.unique(values[values != 0], return_counts=True)
-    if len(labels) > _MOST_LABELS:
+    if len(labels) > _MOST_LABELS or not numpy.array_equal(labels, labels.round()):
         return {}
-    return {"labels": dict(zip(map(str, labels.tolist()), counts.tolist()))}
+    names = (str(int(label)) for label in labels)
+    return {"labels": dict(zip(names, counts.tolist()))}
 
 
 def _describe_vdb(files: list[Path]) -> dict[str, Any]:

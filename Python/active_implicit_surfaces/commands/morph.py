@@ -10,12 +10,14 @@ from typing import Any
 import numpy
 
 from .. import runner
+from ..choice import choose, labels_of
 from ..fitting import FITS
 from ..morphing import morph
 from ..skin_files import MESH_SUFFIXES, read_shape
 from .effects import check_effects
 from .options import (
     Parser,
+    add_choice_options,
     add_help,
     add_picture_options,
     add_property_options,
@@ -23,8 +25,10 @@ from .options import (
     properties_of,
     wrapped,
 )
-from .outputs import Outputs, add_output_options
+from .outputs import Outputs, add_output_options, each_label
 from .progress import Progress
+
+_DEFAULT = "morph_####.vtp"
 
 
 def run(arguments: list[str]) -> int:
@@ -32,11 +36,17 @@ def run(arguments: list[str]) -> int:
     parser = make_parser()
     options = parser.parse_args(arguments)
     chosen = properties_of(options, parser)
-    options.output = options.output or (None if options.render else "morph_####.vtp")
-    outputs = Outputs(parser, options)
     if options.frames < 2:
         parser.error("frames are 2 at least, the first shape and the last")
     shapes = [read_shape(Path(name)) for name in (options.first, options.last)]
+    for own in each_label(options, lambda: labels_of(shapes[0]), True, _DEFAULT):
+        _run(parser, own, chosen, shapes)
+    return 0
+
+
+def _run(parser: Parser, options: Any, chosen: dict[str, Any], shapes: list[Any]) -> None:
+    outputs = Outputs(parser, options)
+    shapes = [choose(shape, options.where or (), options.label) for shape in shapes]
     facts = ["mesh" for shape in shapes if shape.IsA("vtkPolyData")]
     check_effects(parser, options, outputs.output, ["series", *facts])
     outputs.plan(list(range(options.frames)), [Path(options.first), Path(options.last)])
@@ -44,7 +54,6 @@ def run(arguments: list[str]) -> int:
     way = morph(shapes[0], shapes[1], duration, frames=count, fit=options.fit, **chosen)
     sinks = outputs.sinks(way, lambda: (_corners_of(shapes), "y"), "paper")
     runner.run(way.make, range(count), [*sinks, Progress(count, quiet=options.quiet)])
-    return 0
 
 
 def make_parser() -> Parser:
@@ -59,7 +68,7 @@ def make_parser() -> Parser:
     )
     parser.add_argument("first", metavar="FIRST", help=argparse.SUPPRESS)
     parser.add_argument("last", metavar="LAST", help=argparse.SUPPRESS)
-    add_output_options(parser, "morph_####.vtp")
+    add_output_options(parser, _DEFAULT)
     parser.add_argument(
         "--duration", type=positive, default=1.0, metavar="X", help="time of the way (default: 1)"
     )
@@ -78,6 +87,7 @@ def make_parser() -> Parser:
         default="none",
         help="bring LAST to the place of FIRST: centre, or box for its size too (default: none)",
     )
+    add_choice_options(parser)
     add_property_options(parser, ("voxel_size", "tension"))
     add_picture_options(parser, "y")
     more = parser.add_argument_group("more")
