@@ -168,9 +168,11 @@ class frames(Skins):
             told = options.get("particle_spacing")
             spacing = told or series_spacing(self.source.frames_that_tell())
             self.source.leave_out_pieces(minimum_piece, spacing)
-        if where and not self.source.first_frame().GetNumberOfPoints():
+        if (where or minimum_piece > 1) and not self.source.first_frame().GetNumberOfPoints():
             told = where if isinstance(where, str) else " and ".join(where)
-            raise ValueError(f"No particle of any frame meets {told}.")
+            told = f"No particle of any frame meets {told}" if told else "No frame has particles"
+            more = f" in a piece of {minimum_piece} or more" if minimum_piece > 1 else ""
+            raise ValueError(f"{told}{more}.")
         self.surface = vtkActiveImplicitSurface()
         self.surface.SetInputConnection(self.source.GetOutputPort())
         configure(self.surface, self.source, preset=preset, arrays=arrays, **options)
@@ -280,8 +282,10 @@ def configure(
         raise TypeError(f"arrays are of {', '.join(_ARRAYS)}, not of {unknown.pop()!r}.")
     first = source.first_frame()
     _check_arrays(first, chosen)
-    if "ids" not in chosen and (found := usual_ids(first)):
-        chosen["ids"] = found
+    if "ids" not in chosen:
+        frames = [frame for frame in source.frames_that_tell() if _has_points(frame)]
+        found = {usual_ids(frame) for frame in frames or [first]}
+        chosen["ids"] = found.pop() if len(found) == 1 else ""  # "": not all frames have them
     for role, name in chosen.items():
         if name:
             points = vtkDataObject.FIELD_ASSOCIATION_POINTS
@@ -321,6 +325,10 @@ def _describe_lengths(surface: Any, own: float) -> list[str]:
             f"particles' own radius or spacing, give particle_spacing {own:g} instead."
         ]
     return []
+
+
+def _has_points(frame: Any) -> bool:
+    return bool(frame.IsA("vtkPointSet") and frame.GetNumberOfPoints())
 
 
 def _check_arrays(first: Any, chosen: dict[str, str]) -> None:

@@ -19,6 +19,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 _FORM = re.compile(r"(?P<name>[^=<>!]+)(?P<sign>==?|!=|<=|>=|<|>)(?P<values>[^=<>!]+)")
+_COMPONENT = re.compile(r"(?P<name>.+)[_:.\[](?P<axis>[xyz012])\]?")
 _COMPARE: dict[str, Callable[..., Any]] = {
     **dict.fromkeys(("=", "=="), numpy.isin),
     "!=": lambda values, others: ~numpy.isin(values, others),
@@ -58,7 +59,8 @@ def conditions(where: str | Sequence[str]) -> list[Condition]:
             values = []
         if form is None or not values or (len(values) > 1 and form["sign"][0] in "<>"):
             raise ValueError(
-                f"{text!r} is no condition; write NAME=1, NAME=1,2 or NAME!=1, NAME<1, NAME>=1."
+                f"{text!r} is no condition, which compares one array with numbers; write NAME=1, "
+                "NAME=1,2 or NAME!=1, NAME<1, NAME>=1, several as conditions of their own."
             )
         found.append(Condition(form["name"].strip(), form["sign"], values))
     return found
@@ -67,8 +69,9 @@ def conditions(where: str | Sequence[str]) -> list[Condition]:
 def choose(data: Any, where: str | Sequence[str] = (), label: int | None = None) -> Any:
     """The points of a cloud, or the polygons of a mesh, that meet all conditions.
 
-    An array of vectors counts by its length; x, y and z are the position unless arrays have these
-    names. Polygons count if all their points do, or by an array of cells.
+    An array of vectors counts by its length, or as v_x, v:0 ... by a component; x, y and z are the
+    position unless arrays have these names. Polygons count if all their points do, or by an array
+    of cells.
 
     A label chooses those whose array "label" or "labels" has it; an image becomes 1 there and 0
     elsewhere.
@@ -105,9 +108,16 @@ def _values_of(data: Any, name: str) -> tuple[Any, bool]:
             )
     if name in ("x", "y", "z"):
         return vtk_to_numpy(data.GetPoints().GetData())[:, "xyz".index(name)], False
+    if component := _COMPONENT.fullmatch(name):
+        axis = "xyz012".index(component["axis"]) % 3
+        for is_of_cells, attributes in enumerate((data.GetPointData(), data.GetCellData())):
+            array = attributes.GetArray(component["name"])
+            if array is not None and array.GetNumberOfComponents() > axis:
+                return vtk_to_numpy(array)[:, axis], bool(is_of_cells)
     there = data.GetPointData()
-    names = ", ".join(there.GetArrayName(i) or "" for i in range(there.GetNumberOfArrays()))
-    raise ValueError(f"There is no array {name!r} to choose by; there are x, y, z, {names}.")
+    names = [there.GetArrayName(i) or "" for i in range(there.GetNumberOfArrays())]
+    listed = ", ".join(["x", "y", "z", *names])
+    raise ValueError(f"There is no array {name!r} to choose by; there are {listed}.")
 
 
 def _marked(data: Any, marks: Any, is_of_cells: bool) -> Any:

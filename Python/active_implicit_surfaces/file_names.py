@@ -24,8 +24,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 
-# ####, %04d, $F4 and {}: where a pattern has the number of a frame.
-_NUMBER = re.compile(r"#+|%0?\d*d|\$F\d*|\{\}")
+# ####, %04d, $F4, {} and {:04d}: where a pattern has the number of a frame.
+_NUMBER = re.compile(r"#+|%0?\d*d|\$F\d*|\{(?::0?\d*d)?\}")
 INDEX_SUFFIXES = (".pvd", ".series")
 _NOTES = (".txt", ".dat")  # in a folder, beside others
 _ROUNDING = 1e-12  # of the largest time of an index: two that differ by less are one
@@ -86,16 +86,20 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
     OSError
         A file is missing, a pattern fits none, or an index cannot be read.
     """
-    given = [names] if isinstance(names, (str, Path)) else list(names)
+    several = [names] if isinstance(names, (str, Path)) else names
+    given = [Path(name).expanduser() for name in several]
     if len(given) == 1 and suffix_of(given[0]) in INDEX_SUFFIXES:
-        return read_index(Path(given[0]))
-    files = [file for name in given for file in _expand_one(Path(name), known)]
+        return read_index(given[0])
+    found = [file for name in given for file in _expand_one(name, known)]
+    files = list(dict.fromkeys(found))
+    twice = [str(file) for file, count in Counter(found).items() if count > 1]
     numbers = _numbers_in(list(map(str, files)))
     if len({natural_key(file, numbers)[0] for file in files}) == 1:  # else the user's own order
         files.sort(key=lambda file: natural_key(file, numbers))
     if not files:
         raise OSError("There are no files.")
-    return Listing([(file,) for file in files], note=_describe_two_numbers(files, numbers))
+    note = f"{twice[0]} is named more than once, and is one frame." if twice else ""
+    return Listing([(file,) for file in files], note=note or _describe_two_numbers(files, numbers))
 
 
 def _describe_two_numbers(files: list[Path], numbers: re.Pattern[str]) -> str:
@@ -171,7 +175,12 @@ def read_index(index: Path) -> Listing:
         raise OSError(f"There is no file {index}.") from None
     except OSError as error:
         raise OSError(f"{index} cannot be read: {error.strerror}.") from error
-    except (ValueError, KeyError, TypeError, ElementTree.ParseError) as error:
+    except (KeyError, TypeError) as error:
+        raise OSError(
+            f"{index} is no index of a series of files: an entry has no "
+            f"{'file' if suffix_of(index) == '.pvd' else 'name and time'}."
+        ) from error
+    except (ValueError, ElementTree.ParseError) as error:
         raise OSError(f"{index} is no index of a series of files: {error}.") from error
     if not entries:
         raise OSError(f"{index} lists no files.")
@@ -186,12 +195,19 @@ def read_index(index: Path) -> Listing:
         if frames[-1].get(part, name) != name:
             left_out.append(frames[-1][part])
         frames[-1][part] = name
-    parts = [tuple(index.parent / name for name in frame.values()) for frame in frames]
+    parts = [tuple(_beside(index, name) for name in frame.values()) for frame in frames]
     note = left_out and (
         f"{index} lists {len(left_out)} file(s) for times that a later entry has too, as after a "
-        f"restart; the later entries are used, {left_out[0]} is left out."
+        f"restart; the later entries are used, {left_out[0]} is left out. If these are parts of a "
+        "frame, number them with part=."
     )
     return Listing(parts, times, note or "")
+
+
+def _beside(index: Path, name: str) -> Path:
+    """The file of an index; separators of folders may be those of Windows."""
+    path = index.parent / name
+    return path if path.exists() else index.parent / name.replace("\\", "/")
 
 
 def _read_pvd(text: str) -> list[tuple[float, str, str]]:
@@ -273,7 +289,14 @@ def names_of(name: str | Path, numbers: Sequence[int]) -> list[Path]:
 
 
 def numbers_of(files: Sequence[str | Path]) -> list[int]:
-    """The numbers of the frames: those by which the names of files differ, else 0, 1, 2 ..."""
+    """The numbers of the frames: whole ones by which the names differ, else 0, 1, 2 ..."""
+    numbers = running_numbers(files)
+    whole = [number for number in numbers if isinstance(number, int)]
+    return whole if len(whole) == len(numbers) else list(range(len(files)))
+
+
+def running_numbers(files: Sequence[str | Path]) -> list[float]:
+    """The numbers by which the names of files differ, if they increase; else 0, 1, 2 ..."""
     names = list(map(str, files))
     parts = list(map(_numbers_in(names).split, names))
     places = range(min(map(len, parts), default=0))
@@ -281,8 +304,7 @@ def numbers_of(files: Sequence[str | Path]) -> list[int]:
     if len(differing) == 1 and len(set(map(len, parts))) == 1 and differing[0] % 2 == 1:
         numbers = [_value(part[differing[0]]) for part in parts]
         if all(before < after for before, after in zip(numbers, numbers[1:])):
-            whole = [number for number in numbers if isinstance(number, int)]
-            return whole if len(whole) == len(names) else list(range(len(names)))
+            return numbers
     return list(range(len(files)))
 
 

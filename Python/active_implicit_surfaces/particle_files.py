@@ -18,7 +18,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from . import text_particles
 from .choice import choose
 from .data_objects import add_array, as_particles
-from .file_names import expand, numbers_of, suffix_of
+from .file_names import expand, numbers_of, running_numbers, suffix_of
 from .images import IMAGE_SUFFIXES
 from .messages import ActiveSurfaceWarning, warn_all
 from .tables import Frame, Frames
@@ -117,7 +117,7 @@ def open_particles(
             raise ValueError(f"There are {len(times)} times for {len(loaders)} frames.")
         told = list(times)
     elif fps is not None or told is None:
-        places = places_of(numbers_of(files)) if len(files) > 1 else range(len(loaders))
+        places = places_of(running_numbers(files)) if len(files) > 1 else range(len(loaders))
         told = times_at(places, fps)
     return ParticleFiles(listing.frames, loaders, told, where, label)
 
@@ -134,6 +134,8 @@ def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
                     f"it has {len(loaders)} frames; as one of a series it is one, the first.",
                 )
             clouds.append(loaders[0]())
+        if lost := _arrays_of_some(clouds):
+            _note(noted, parts[0], f"not all parts of its frame have {', '.join(lost)}: left out.")
         return clouds[0] if len(clouds) == 1 else as_particles(_append(clouds))
 
     return load
@@ -231,6 +233,13 @@ def _append_blocks(data: Any) -> Any:
         own.append(blocks.GetCurrentDataObject())
         blocks.GoToNextItem()
     return _append([block for block in own if block.IsA("vtkPointSet")])
+
+
+def _arrays_of_some(clouds: list[Any]) -> list[str]:
+    """The arrays that not all clouds with points have."""
+    arrays = [cloud.GetPointData() for cloud in clouds if cloud.GetNumberOfPoints()]
+    names = [{own.GetArrayName(i) for i in range(own.GetNumberOfArrays())} for own in arrays]
+    return sorted(set[str]().union(*names) - set[str].intersection(*names)) if names else []
 
 
 def _append(clouds: list[Any]) -> Any:

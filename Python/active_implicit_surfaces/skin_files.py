@@ -300,8 +300,8 @@ def _arrays_of(cloud: Any) -> dict[str, Any]:
 def _write_csv(path: Path, positions: Any, arrays: dict[str, Any]) -> None:
     names, columns, formats = ["x", "y", "z"], [positions], [_digits_of(positions)] * 3
     for name, values in arrays.items():
-        table = values.reshape(len(positions), -1)
-        wide = table.shape[1]
+        wide = 1 if values.ndim == 1 else values.shape[1]
+        table = values.reshape(len(positions), wide)
         names += [name] if wide == 1 else [f"{name}:{i}" for i in range(wide)]
         formats += [_digits_of(table)] * wide
         columns.append(table)

@@ -66,14 +66,22 @@ def read_xyz(path: Path) -> Frames:
 
 
 def read_json(path: Path) -> Frames:
-    """A list of positions, or an object of arrays with "positions"."""
+    """A list of positions, or an object of arrays with "positions", or rows with x, y and z."""
     data = json.loads(path.read_text(encoding="utf-8"))
+    if isinstance(data, list) and data and all(isinstance(row, dict) for row in data):
+        data = {name: [row.get(name) for row in data] for name in data[0]}  # a row each
     if isinstance(data, list):
         return _from_arrays({"positions": _even_array("list", data)})
     if not isinstance(data, dict):
         raise ValueError("it is neither a list of positions nor an object of arrays")
     return _from_arrays(
-        {name: _even_array(f'array "{name}"', values) for name, values in data.items()}
+        {
+            # pandas has a column as an object of its rows.
+            name: _even_array(
+                f'array "{name}"', [*values.values()] if isinstance(values, dict) else values
+            )
+            for name, values in data.items()
+        }
     )
 
 

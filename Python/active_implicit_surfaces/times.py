@@ -39,7 +39,7 @@ def check_rate(fps: float) -> float:
 def places_of(numbers: Sequence[float]) -> list[float]:
     """Where frames are, in steps of the least difference of their numbers."""
     step = min((after - before for before, after in zip(numbers, numbers[1:])), default=1)
-    return [(number - numbers[0]) / step for number in numbers]
+    return [round((number - numbers[0]) / step, 6) for number in numbers]
 
 
 def times_between(times: Sequence[float], fps: float) -> list[float]:

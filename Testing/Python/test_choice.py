@@ -103,6 +103,22 @@ class Conditions(unittest.TestCase):
         self.assertLess(next(way).skin.GetBounds()[1], 1)
 
 
+class Components(unittest.TestCase):
+    def test_a_component_of_vectors(self):
+        cloud = as_particles(numpy.eye(3), v=[[1, 2, 3], [4, 5, 6], [7, 8, 9]])
+        for condition, count in (("v_x>3", 2), ("v:1=8", 1), ("v[2]<4", 1), ("v.z!=9", 2)):
+            found = choice.choose(cloud, condition).GetNumberOfPoints()
+            self.assertEqual(found, count, condition)
+        for condition in ("v_w=1", "u_x=1", "v:3=1"):
+            with self.assertRaisesRegex(ValueError, "there are x, y, z, v."):
+                choice.choose(cloud, condition)
+
+    def test_conditions_are_of_numbers(self):
+        for text in ("phase=water", "0<x<1", "a=1 and b=2"):
+            with self.assertRaisesRegex(ValueError, "compares one array with numbers"):
+                choice.choose(as_particles(numpy.eye(3)), text)
+
+
 class Labels(CommandTest):
     """A label map: box 3 of 6 x 6 x 6 points, box 5 of 4 x 6 x 6, which touch, and 9 far off."""
 
@@ -177,6 +193,13 @@ class Programs(CommandTest):
             points = numpy.vstack([grid(), grid(3) + [2, 0.02 * step**2, 0]])
             kinds = [1] * 125 + [2] * 27
             numpy.savez(self.folder / f"p_{step + 10}.npz", positions=points, Type=kinds)
+
+    def test_nothing_left_is_said(self):
+        said = self.succeed("convert", "p_10.npz", "--where", "Type>5", "-o", "c.csv").err
+        self.assertIn("Nothing meets Type>5 in frame 1", said)
+        self.assertEqual((self.folder / "c.csv").read_text().split(), ["x,y,z,Type"])
+        said = self.fail_with(1, "skin", "p_*.npz", "--minimum-piece", 999, *QUIET)
+        self.assertIn("No frame has particles in a piece of 999 or more.", said)
 
     def bounds(self, name):
         return read_shape(self.folder / name).GetBounds()

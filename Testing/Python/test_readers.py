@@ -161,6 +161,14 @@ class Tables(ReaderTest):
             with self.subTest(words):
                 self.assert_refused(words, self.put("a.csv", text))
 
+    def test_tables_of_pandas_as_json(self):
+        rows = [dict(zip(("x", "y", "z", "T"), [*row, 5])) for row in ROWS]
+        columns = {name: {str(i): row[name] for i, row in enumerate(rows)} for name in rows[0]}
+        for content in (rows, columns):
+            cloud = open_particles(self.put("a.json", json.dumps(content))).load(0)
+            self.assert_points(cloud, ROWS)
+            self.assertEqual(array_of(cloud, "T"), [5, 5])
+
     def test_headers_of_a_cloud_of_points(self):
         for head in ("//x y z r", "# x y z r", "x y z r"):
             cloud = open_particles(self.put("a.xyz", f"{head}\n1 2 3 4\n5 6 7 8\n")).load(0)

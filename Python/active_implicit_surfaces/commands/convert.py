@@ -23,6 +23,7 @@ from ..file_names import (
     suffix_of,
 )
 from ..mesh_writers import points_of
+from ..messages import warn_all
 from ..particle_files import PARTICLE_SUFFIXES, open_particles
 from ..runner import FileSeries
 from ..skin_files import (
@@ -59,7 +60,8 @@ def run(arguments: list[str]) -> int:
     """Runs the command; returns its exit code."""
     parser = make_parser()
     options = parser.parse_args(arguments)
-    output = Path(options.output)
+    output = Path(options.output).expanduser()
+    options.output = str(output)
     known = tuple(dict.fromkeys((*MESH_WRITERS, *PARTICLE_OUT_SUFFIXES)))
     try:
         check_suffix(output, known, "files")
@@ -89,10 +91,24 @@ def _convert(options: Any, listing: Listing, kind: Callable[..., _Conversion]) -
     output = Path(options.output)
     make_folder_of(output)
     load, numbers, used, write = kind(options, listing, output)
+    if options.where:
+        load = _warning_of_none(load, " and ".join(options.where))
     names = names_of(output, numbers)
     check_distinct(used, names)
     progress = Progress(len(names), quiet=options.quiet or len(names) == 1)
     runner.run(load, range(len(names)), [FileSeries(names, write), progress])
+
+
+def _warning_of_none(load: Callable[[int], Any], where: str) -> Callable[[int], Any]:
+    """As `load`, with a note on steps of which nothing is left."""
+
+    def load_with_note(step: int) -> Any:
+        data = load(step)
+        if data.GetNumberOfPoints() == 0:
+            warn_all([f"Nothing meets {where} in frame {step + 1}, which is empty."])
+        return data
+
+    return load_with_note
 
 
 def make_parser() -> Parser:

@@ -74,6 +74,9 @@ class Outputs:
 
     def __init__(self, parser: Parser, options: Any) -> None:
         self.options, self.numbers, self.names = options, list[int](), list[Path]()
+        for key in ("output", "render", "index", "history"):
+            if getattr(options, key, None):
+                setattr(options, key, str(Path(getattr(options, key)).expanduser()))
         self.output = Path(options.output) if options.output else None
         self.render = Path(options.render) if options.render else None
         index = getattr(options, "index", None)
@@ -94,8 +97,9 @@ class Outputs:
         self.numbers = numbers
         self.names = names_of(self.output, numbers) if self.output else []
         check_distinct(inputs, self.names)
-        for name in filter(None, (self.output, self.render)):
-            make_folder_of(name)
+        more = [getattr(self.options, key, None) for key in ("index", "history")]
+        for name in filter(None, (self.output, self.render, *more)):
+            make_folder_of(Path(name))
 
     def sinks(self, way: Skins, find_view: Callable[[], tuple[Any, str]], color: str) -> list[Sink]:
         """The sinks of a run over `way`; the view is points that the camera holds, and an axis."""
