@@ -61,7 +61,7 @@ def finite_points(cloud: Any) -> Any:
     if are_finite.all():
         return cloud
     kept = vtkPolyData()
-    kept.SetPoints(_vtk_points(points[are_finite]))
+    kept.SetPoints(vtk_points(points[are_finite]))
     return kept
 
 
@@ -138,11 +138,12 @@ def _points_of(particles: Any) -> tuple[Any, Any]:
         return particles.GetPoints() or vtkPoints(), particles.GetPointData()
     for name in ("points", "vertices"):
         if hasattr(particles, name):
-            return _vtk_points(getattr(particles, name)), None
-    return _vtk_points(particles), None
+            return vtk_points(getattr(particles, name)), None
+    return vtk_points(particles), None
 
 
-def _vtk_points(positions: Any) -> Any:
+def vtk_points(positions: Any) -> Any:
+    """An array (n, 3) as vtkPoints."""
     try:
         numbers = numpy.asarray(_without_mask(positions))
         numbers = numbers if numbers.dtype in ("f4", "f8") else numbers.astype(float)
@@ -210,10 +211,20 @@ def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> Non
     (cloud.GetPointData() if is_of_points else attributes).AddArray(array)
 
 
+def cell_array(offsets: Any, ids: Any) -> Any:
+    """Cells from where each begins and ends in the numbers of their points."""
+    cells = vtkCellArray()
+    cells.SetData(
+        numpy_to_vtkIdTypeArray(offsets.astype(numpy.int64), deep=True),
+        numpy_to_vtkIdTypeArray(ids.astype(numpy.int64), deep=True),
+    )
+    return cells
+
+
 def _mesh(vertices: Any, kinds: list[Any]) -> Any:
     """Polygons of the rows of these arrays of point numbers."""
-    mesh, cells = vtkPolyData(), vtkCellArray()
-    mesh.SetPoints(_vtk_points(vertices))
+    mesh = vtkPolyData()
+    mesh.SetPoints(vtk_points(vertices))
     offsets, numbers = [numpy.zeros(1, dtype=numpy.int64)], []
     for rows in kinds:
         faces = numpy.ascontiguousarray(rows, dtype=numpy.int64)
@@ -224,10 +235,5 @@ def _mesh(vertices: Any, kinds: list[Any]) -> Any:
         numbers.append(faces.ravel())
     if not numbers:
         raise ValueError("The mesh has no triangles, quads or polygons.")
-    ids = numpy.concatenate(numbers)
-    cells.SetData(
-        numpy_to_vtkIdTypeArray(numpy.concatenate(offsets), deep=True),
-        numpy_to_vtkIdTypeArray(ids, deep=True),
-    )
-    mesh.SetPolys(cells)
+    mesh.SetPolys(cell_array(numpy.concatenate(offsets), numpy.concatenate(numbers)))
     return mesh

@@ -23,7 +23,7 @@ from .images import IMAGE_SUFFIXES
 from .messages import ActiveSurfaceWarning, warn_all
 from .tables import Frame, Frames
 from .times import check_times, places_of, times_at
-from .vtk_files import READERS, check_readable, open_vtk, update
+from .vtk_files import READERS, check_readable, open_vtk, read_vtk, update
 
 _TEXT_READERS = {
     **dict.fromkeys((".csv", ".tsv", ".txt", ".dat"), text_particles.read_csv),
@@ -34,7 +34,7 @@ _TEXT_READERS = {
 }
 PARTICLE_SUFFIXES = tuple(
     suffix
-    for suffix in (*READERS, *_TEXT_READERS)
+    for suffix in (*READERS, ".ply", *_TEXT_READERS)
     if suffix not in (".stl", ".obj", *IMAGE_SUFFIXES)
 )
 
@@ -162,6 +162,8 @@ def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | Non
             f"{path}: particles are read from {', '.join(PARTICLE_SUFFIXES)}, not from "
             f"{suffix or 'a file without an extension'}."
         )
+    if suffix == ".ply":
+        return [lambda: _points_of(path, read_vtk(path), noted)], None
     reader = open_vtk(path)
     info = reader.GetOutputInformation(0)
     steps = list(info.Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ())

@@ -15,7 +15,7 @@ from .file_names import suffix_of
 from .images import IMAGE_SUFFIXES, read_image
 from .mesh_checks import add_colours, check_obj, check_stl, is_empty_stl
 from .messages import listening, quiet
-from .ply_files import add_properties, check_ply
+from .ply_files import read_ply
 
 # Extension: module and class of the reader.
 READERS = {
@@ -30,14 +30,12 @@ READERS = {
     **dict.fromkeys((".nrrd", ".nhdr"), ("vtkmodules.vtkIOImage", "vtkNrrdReader")),
     ".vtk": ("vtkmodules.vtkIOLegacy", "vtkGenericDataObjectReader"),
     ".vtkhdf": ("vtkmodules.vtkIOHDF", "vtkHDFReader"),
-    ".ply": ("vtkmodules.vtkIOPLY", "vtkPLYReader"),
     ".stl": ("vtkmodules.vtkIOGeometry", "vtkSTLReader"),
     ".obj": ("vtkmodules.vtkIOGeometry", "vtkOBJReader"),
     ".vdb": ("active_implicit_surfaces.vtkActiveIO", "vtkActiveVDBReader"),
 }
-# Checks before VTK's reader, which accepts any bytes or crashes at them; what it leaves out.
-_CHECKS = {".ply": check_ply, ".obj": check_obj, ".stl": check_stl}
-_ADDITIONS = {".ply": add_properties, ".obj": add_colours}
+# Checks before VTK's reader, which accepts any bytes or crashes at them.
+_CHECKS = {".obj": check_obj, ".stl": check_stl}
 
 _NO_POINTS = "No Points element available"
 _ABOUT_APPENDED_DATA = (
@@ -48,6 +46,9 @@ _ABOUT_APPENDED_DATA = (
 
 def read_vtk(path: Path, time: float | None = None, **settings: Any) -> Any:
     """Returns the data object that a file holds at one of its time steps."""
+    if suffix_of(path) == ".ply":
+        check_readable(path)
+        return read_ply(path)
     reader = _reader_of(path, **settings)
     if suffix_of(path) in IMAGE_SUFFIXES[1:]:
         return read_image(path, reader, lambda reader: update(reader, path))
@@ -117,8 +118,8 @@ def update(reader: Any, path: Path, time: float | None = None) -> Any:
     data = reader.GetOutputDataObject(0)
     if data is None:
         raise OSError(f"{path} cannot be read: it is damaged, or not what its extension says.")
-    if suffix_of(path) in _ADDITIONS:
-        _ADDITIONS[suffix_of(path)](path, data)
+    if suffix_of(path) == ".obj":
+        add_colours(path, data)
     return data
 
 

@@ -27,9 +27,9 @@ def ply(kind, colours, label=""):
     head += [f"property float {name}" for name in "xyz"]
     head += [f"property {kind} {name}" for name in ("red", "green", "blue")]
     head += ["element face 4", "property list uchar int vertex_indices"]
-    head += [f"property int {label}"] * bool(label) + ["end_header"]
+    head += [f"property {label}"] * bool(label) + ["end_header"]
     rows = [[*place, *colour] for place, colour in zip(PLACES, colours)]
-    rows += [[3, *face, *[7] * bool(label)] for face in FACES]
+    rows += [[3, *face, *([1, 7] if "list" in label else [7]) * bool(label)] for face in FACES]
     return "\n".join([*head, *(" ".join(map(str, row)) for row in rows), ""])
 
 
@@ -90,10 +90,19 @@ class MeshFiles(CommandTest):
         self.put("a.obj", obj([[]] * 4))
         self.assertNotIn("note", self.succeed("convert", "a.obj", "-o", "a.ply").err)
 
-    def test_properties_of_polygons_are_a_note(self):
-        self.put("a.ply", ply("uchar", COLOURS, "label"))
+    def test_properties_of_polygons(self):
+        path = self.put("a.ply", ply("uchar", COLOURS, "int label"))
+        cells = read_shape(path).GetCellData()
+        self.assertEqual([cells.GetArray("label").GetValue(i) for i in range(4)], 4 * [7])
+        self.put("a.ply", ply("uchar", COLOURS, "list uchar float texcoord"))
         said = self.succeed("convert", "a.ply", "-o", "a.vtp").err
-        self.assertIn("a.ply: properties of polygons are left out: label.", said)
+        self.assertIn("a.ply: properties of polygons are left out: texcoord.", said)
+
+    def test_a_ply_in_capital_letters(self):
+        text = ply("uchar", COLOURS)
+        for name in "xyz":
+            text = text.replace(f"float {name}\n", f"float {name.upper()}\n")
+        self.assertAlmostEqual(measure(read_shape(self.put("a.ply", text)))["volume"], 1 / 6, 6)
 
     def test_nodes_that_mirror_leave_faces_outward(self):
         twice = {"scale": [2, 2, 2], "translation": [9, 0, 0]}
