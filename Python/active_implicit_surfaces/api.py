@@ -8,7 +8,7 @@ from typing import Any
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from . import properties, vtkActiveImplicitSurface
-from .data_objects import STANDARD_NAMES, as_particles, like
+from .data_objects import STANDARD_NAMES, array_names, as_particles, like
 from .messages import listening, warn_all
 from .presets import apply_preset, estimate_spacing, is_point_cloud, series_spacing
 from .runner import Skins, copy_of, update
@@ -336,7 +336,7 @@ def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
     arrays = first.GetPointData() if first.IsA("vtkPointSet") else None
     if arrays is None or first.GetNumberOfPoints() == 0:
         return
-    names = [arrays.GetArrayName(i) for i in range(arrays.GetNumberOfArrays())]
+    names = array_names(arrays)
     for role, name in chosen.items():
         if name and name not in names:
             there = ", ".join(map(repr, filter(None, names)))
@@ -362,9 +362,5 @@ def usual_ids(cloud: Any) -> str:
     if not hasattr(cloud, "GetPointData"):
         return ""
     arrays = cloud.GetPointData()
-    for i in range(arrays.GetNumberOfArrays()):
-        array = arrays.GetAbstractArray(i)
-        name = array.GetName() or ""
-        if name.lower() in _USUAL_IDS and array.GetNumberOfComponents() == 1:
-            return str(name)
-    return ""
+    usual = (name for name in array_names(arrays) if name.lower() in _USUAL_IDS)
+    return next((n for n in usual if arrays.GetAbstractArray(n).GetNumberOfComponents() == 1), "")

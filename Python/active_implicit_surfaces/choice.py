@@ -15,8 +15,10 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject
+
+from .data_objects import add_array, array_names
 
 _FORM = re.compile(r"(?P<name>[^=<>!]+)(?P<sign>==?|!=|<=|>=|<|>)(?P<values>[^=<>!]+)")
 _COMPONENT = re.compile(r"(?P<name>.+)[_:.\[](?P<axis>[xyz012])\]?")
@@ -114,9 +116,7 @@ def _values_of(data: Any, name: str) -> tuple[Any, bool]:
             array = attributes.GetArray(component["name"])
             if array is not None and array.GetNumberOfComponents() > axis:
                 return vtk_to_numpy(array)[:, axis], bool(is_of_cells)
-    there = data.GetPointData()
-    names = [there.GetArrayName(i) or "" for i in range(there.GetNumberOfArrays())]
-    listed = ", ".join(["x", "y", "z", *names])
+    listed = ", ".join(["x", "y", "z", *array_names(data.GetPointData())])
     raise ValueError(f"There is no array {name!r} to choose by; there are {listed}.")
 
 
@@ -124,11 +124,10 @@ def _marked(data: Any, marks: Any, is_of_cells: bool) -> Any:
     from vtkmodules.vtkFiltersCore import vtkThreshold, vtkThresholdPoints
     from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
-    own, array = data.NewInstance(), numpy_to_vtk(marks)
+    own = data.NewInstance()
     own.ShallowCopy(data)
-    array.SetName(_MARK)
     is_mesh = data.IsA("vtkPolyData") and data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0
-    (own.GetCellData() if is_of_cells else own.GetPointData()).AddArray(array)
+    add_array(own, _MARK, marks, own.GetCellData() if is_of_cells else None)
     one = vtkThreshold() if is_mesh or is_of_cells else vtkThresholdPoints()
     kind = "CELLS" if is_of_cells else "POINTS"
     one.SetInputArrayToProcess(0, 0, 0, getattr(vtkDataObject, f"FIELD_ASSOCIATION_{kind}"), _MARK)
@@ -175,11 +174,12 @@ def _choose_label(data: Any, label: int) -> Any:
     if not is_there.any():
         there = ", ".join(map(str, labels_of(data)[:20]))
         raise ValueError(f"The image has no label {label}; it has {there}.")
-    own, array = data.NewInstance(), numpy_to_vtk(is_there.astype("u1"))
+    own = data.NewInstance()
     own.CopyStructure(data)
-    array.SetName("label")
     is_of_points = data.GetPointData().GetScalars() is not None
-    (own.GetPointData() if is_of_points else own.GetCellData()).SetScalars(array)
+    attributes = own.GetPointData() if is_of_points else own.GetCellData()
+    add_array(own, "label", is_there.astype("u1"), attributes)
+    attributes.SetActiveScalars("label")
     return own
 
 

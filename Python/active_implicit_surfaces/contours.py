@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCellDataToPointData
 
 from .choice import labels_of
+from .data_objects import add_array, vtk_points
 from .messages import listening
 
 _LISTED = 20
@@ -57,10 +57,7 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
     heard.raise_error(ValueError)
     skin = surface.GetOutput()
     if numpy.any(shift) and skin.GetNumberOfPoints():
-        points = vtkPoints()
-        moved = vtk_to_numpy(skin.GetPoints().GetData()) + shift
-        points.SetData(numpy_to_vtk(moved, deep=True))
-        skin.SetPoints(points)
+        skin.SetPoints(vtk_points(vtk_to_numpy(skin.GetPoints().GetData()) + shift))
     return skin
 
 
@@ -102,10 +99,10 @@ def as_level_set(image: Any) -> Any:
         )
     if not above:
         return image
-    level_set, own = image.NewInstance(), numpy_to_vtk(level - values.astype(float), deep=True)
+    level_set = image.NewInstance()
     level_set.CopyStructure(_with_point_values(image)[0])
-    own.SetName("distance")
-    level_set.GetPointData().SetScalars(own)
+    add_array(level_set, "distance", level - values.astype(float))
+    level_set.GetPointData().SetActiveScalars("distance")
     return level_set
 
 

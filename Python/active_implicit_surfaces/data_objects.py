@@ -189,6 +189,11 @@ def _point_data(particles: Any) -> Mapping[str, Any]:
     return data if isinstance(data, Mapping) else {}
 
 
+def array_names(attributes: Any) -> list[str]:
+    """The names of the arrays of points, cells or fields; empty for those without."""
+    return [attributes.GetArrayName(i) or "" for i in range(attributes.GetNumberOfArrays())]
+
+
 def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> None:
     """Adds a point array, or one of other attributes, that shares its memory."""
     numbers = numpy.ascontiguousarray(values)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import importlib
-import os
 import shutil
 import subprocess
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -64,17 +64,19 @@ class Film(Sink):
         self.fps = fps or _rate(times)
         self.names = names_of(path, numbers)
         self._stream: Any = None
+        self._ending = ExitStack()
 
     def __enter__(self) -> Film:
         kinds = {".mp4": _Ffmpeg, ".ogv": _Ogg}
         kind = kinds.get(suffix_of(self.path))
         if kind is not None:
-            self._stream = kind(self.path, self.scene.size, self.fps)
+            temporary = self._ending.enter_context(replacing(self.path))
+            self._stream = kind(self.path, temporary, self.scene.size, self.fps)
+            self._ending.push(lambda error, *_: self._stream.close(error is None))
         return self
 
-    def __exit__(self, kind: Any, *_: Any) -> None:
-        if self._stream is not None:
-            self._stream.close(kind is None)
+    def __exit__(self, *error: Any) -> None:
+        self._ending.__exit__(*error)
 
     def add(self, step: int, skin: Any) -> None:
         """Renders a skin of this step of the times."""
@@ -125,13 +127,13 @@ def _write_png(path: Path, image: Any) -> None:
 class _Ffmpeg:
     """Raw pictures into the program ffmpeg."""
 
-    def __init__(self, path: Path, size: tuple[int, int], fps: float) -> None:
-        self.path, self.temporary = path, path.with_name(f".{os.getpid()}.{path.name}")
+    def __init__(self, path: Path, temporary: Path, size: tuple[int, int], fps: float) -> None:
+        self.path = path
         source = f"-f rawvideo -pix_fmt rgb24 -s {size[0]}x{size[1]} -r {fps:g} -i -"
         coded = "-vf vflip,pad=ceil(iw/2)*2:ceil(ih/2)*2 -c:v libx264 -crf 18 -pix_fmt yuv420p"
         command = f"ffmpeg -y -loglevel error {source} {coded} -movflags +faststart".split()
         self.process = subprocess.Popen(
-            [*command, str(self.temporary)], stdin=subprocess.PIPE, stderr=subprocess.PIPE
+            [*command, str(temporary)], stdin=subprocess.PIPE, stderr=subprocess.PIPE
         )
 
     def write(self, image: Any) -> None:
@@ -147,11 +149,7 @@ class _Ffmpeg:
             _, said = self.process.communicate()
         except BrokenPipeError:
             said = b""
-        if self.process.returncode == 0 and is_whole:
-            os.replace(self.temporary, self.path)
-            return
-        self.temporary.unlink(missing_ok=True)
-        if is_whole:
+        if self.process.returncode and is_whole:
             words = " ".join(said.decode(errors="replace").split())
             raise OSError(f"{self.path} cannot be written: ffmpeg says: {words or 'nothing'}.")
 
@@ -159,14 +157,13 @@ class _Ffmpeg:
 class _Ogg:
     """An Ogg Theora film, which VTK writes itself."""
 
-    def __init__(self, path: Path, size: tuple[int, int], fps: float) -> None:
+    def __init__(self, path: Path, temporary: Path, size: tuple[int, int], fps: float) -> None:
         try:
             from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
         except ImportError as error:
             raise OSError(f"{path}: this VTK has no writer of .ogv films.") from error
-        self.path, self.temporary = path, path.with_name(f".{os.getpid()}.{path.name}")
-        self.writer, self.started = vtkOggTheoraWriter(), False
-        self.writer.SetFileName(str(self.temporary))
+        self.path, self.writer, self.started = path, vtkOggTheoraWriter(), False
+        self.writer.SetFileName(str(temporary))
         self.writer.SetRate(max(1, round(fps)))
         self.writer.SetQuality(2)
 
@@ -180,9 +177,5 @@ class _Ogg:
     def close(self, is_whole: bool) -> None:
         if self.started:
             self.writer.End()
-        if is_whole and self.started and self.writer.GetErrorCode() == 0:
-            os.replace(self.temporary, self.path)
-            return
-        self.temporary.unlink(missing_ok=True)
-        if is_whole:
+        if is_whole and (not self.started or self.writer.GetErrorCode()):
             raise OSError(f"{self.path} cannot be written; check the folder, and that it has room.")

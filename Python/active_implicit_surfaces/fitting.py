@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from .data_objects import vtk_points
 
 FITS = ("none", "centre", "box")
 _FAR = 1.5  # times the size, or half of it beside
@@ -33,11 +34,8 @@ def fitted(shape: Any, model: Any, fit: str) -> Any:
         moved.SetOrigin(*(to_centre + scale * (numpy.array(shape.GetOrigin()) - centre)))
         moved.SetSpacing(*(scale * numpy.array(shape.GetSpacing())))
         return moved
-    points = vtkPoints()
-    points.SetDataTypeToDouble()
     places = vtk_to_numpy(shape.GetPoints().GetData()).astype(float)
-    points.SetData(numpy_to_vtk(to_centre + scale * (places - centre), deep=True))
-    moved.SetPoints(points)
+    moved.SetPoints(vtk_points(to_centre + scale * (places - centre)))
     return moved
 
 

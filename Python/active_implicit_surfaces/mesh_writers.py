@@ -13,6 +13,7 @@ from typing import Any
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from .data_objects import array_names
 from .messages import ActiveSurfaceWarning
 
 # What a format holds of a mesh, besides points and polygons.
@@ -66,9 +67,7 @@ def _point_arrays(data: Any) -> list[tuple[str, str, Any]]:
 def warn_of_losses(suffix: str, data: Any) -> None:
     """Warns of what a file of this extension cannot hold of a mesh; says which formats can."""
     found = [(role, name) for role, name, _ in _point_arrays(data)]
-    cells = data.GetCellData()
-    names = map(cells.GetArrayName, range(cells.GetNumberOfArrays()))
-    found += [("cells", f"{name} (of cells)") for name in names]
+    found += [("cells", f"{name} (of cells)") for name in array_names(data.GetCellData())]
     if data.IsA("vtkPolyData") and data.GetNumberOfLines():
         found.append(("lines", "the lines"))
     lost = {name: role for role, name in found if role not in _HELD.get(suffix, _EVERYTHING)}

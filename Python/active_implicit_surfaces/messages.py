@@ -69,12 +69,11 @@ class quiet:
 
     @property
     def errors(self) -> list[str]:
-        """What was said of errors so far, the warnings of the PLY reader included."""
+        """What was said of errors so far."""
         said = self._window.GetOutput() or ""
         text = said.decode("latin-1") if isinstance(said, bytes) else said  # bytes: of no UTF-8
         parts = re.split(r"\n(?=ERROR: |Warning: |Generic Warning: )", text)
-        bad = (part for part in parts if part.startswith("ERROR: ") or "PLY error" in part)
-        return [plain(part) for part in bad]
+        return [plain(part) for part in parts if part.startswith("ERROR: ")]
 
 
 def warn_all(messages: list[str]) -> None:

@@ -17,7 +17,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from . import text_particles
 from .choice import choose
-from .data_objects import add_array, as_particles
+from .data_objects import add_array, array_names, as_particles
 from .file_names import expand, numbers_of, running_numbers, suffix_of
 from .images import IMAGE_SUFFIXES
 from .messages import ActiveSurfaceWarning, warn_all
@@ -25,8 +25,9 @@ from .tables import Frame, Frames
 from .times import check_times, places_of, times_at
 from .vtk_files import READERS, check_readable, open_vtk, read_vtk, update
 
+_TABLES = (".csv", ".tsv", ".txt", ".dat")
 _TEXT_READERS = {
-    **dict.fromkeys((".csv", ".tsv", ".txt", ".dat"), text_particles.read_csv),
+    **dict.fromkeys(_TABLES, text_particles.read_csv),
     **dict.fromkeys((".xyz", ".extxyz"), text_particles.read_xyz),
     ".json": text_particles.read_json,
     ".npy": text_particles.read_numpy,
@@ -240,7 +241,7 @@ def _append_blocks(data: Any) -> Any:
 def _arrays_of_some(clouds: list[Any]) -> list[str]:
     """The arrays that not all clouds with points have."""
     arrays = [cloud.GetPointData() for cloud in clouds if cloud.GetNumberOfPoints()]
-    names = [{own.GetArrayName(i) for i in range(own.GetNumberOfArrays())} for own in arrays]
+    names = [set(array_names(own)) for own in arrays]
     return sorted(set[str]().union(*names) - set[str].intersection(*names)) if names else []
 
 
@@ -257,7 +258,7 @@ def _times_inside(files: list[Path]) -> list[float] | None:
     """The times that all files tell in their heads, if they increase."""
     readers = {
         **{".vtp": _time_of_xml, ".vtu": _time_of_xml, ".vdb": _time_of_vdb},
-        **dict.fromkeys((".csv", ".tsv", ".txt", ".dat"), text_particles.time_of_csv),
+        **dict.fromkeys(_TABLES, text_particles.time_of_csv),
     }
     times: list[float] = []
     for file in files:

@@ -34,11 +34,12 @@ from contextlib import contextmanager
 from typing import Any
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
+from .data_objects import add_array
 from .glb import linear_light
 from .messages import listening
 from .surface_values import distances_along_axis, surface_values
@@ -109,7 +110,7 @@ def write_exr(
         written = image.NewInstance()
         written.ShallowCopy(image)
         for name in pictures:
-            _add_array(written, name, _light(vtk_to_numpy(image.GetPointData().GetArray(name))))
+            add_array(written, name, _light(vtk_to_numpy(image.GetPointData().GetArray(name))))
     with listening(writer) as heard:
         writer.SetFileName(str(file_name))
         writer.SetInputData(written)
@@ -315,13 +316,7 @@ def _image(window: Any, layers: dict[str, Any]) -> Any:
     image = vtkImageData()
     image.SetDimensions(*window.GetSize(), 1)
     for name, numbers in layers.items():
-        _add_array(image, name, numbers.astype("f4") if numbers.dtype == float else numbers)
+        add_array(image, name, numbers.astype("f4") if numbers.dtype == float else numbers)
     image.GetPointData().SetActiveScalars("RGBA")
     image.GetInformation().Remove(vtkDataObject.DATA_TIME_STEP())
     return image
-
-
-def _add_array(image: Any, name: str, numbers: Any) -> None:
-    array = numpy_to_vtk(numpy.ascontiguousarray(numbers), deep=True)
-    array.SetName(name)
-    image.GetPointData().AddArray(array)

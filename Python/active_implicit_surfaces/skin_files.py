@@ -15,7 +15,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkReverseSense, vtkTri
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 
 from .contours import contour
-from .data_objects import add_array, as_shape
+from .data_objects import add_array, array_names, as_shape
 from .file_names import replacing, suffix_of
 from .glb import check_glb, display_colours, write_glb
 from .images import IMAGE_SUFFIXES
@@ -194,7 +194,7 @@ def _prepare_writer(writer: Any, suffix: str, mesh: Any) -> None:
     if suffix == ".vtk":
         writer.SetFileTypeToBinary()
     if suffix == ".vdb" and mesh.IsA("vtkPolyData"):
-        names = _names(mesh)
+        names = array_names(mesh.GetPointData())
         writer.SetWriteVelocity("Velocity" in names)
         writer.SetWritePointArrays(bool(set(names) - {"Normals", "Velocity"}))
 
@@ -287,13 +287,9 @@ def _with_vertices(cloud: Any) -> Any:
     return vertices.GetOutput()
 
 
-def _names(data: Any) -> list[str]:
-    arrays = data.GetPointData()
-    return [arrays.GetArrayName(i) or "" for i in range(arrays.GetNumberOfArrays())]
-
-
 def _arrays_of(cloud: Any) -> dict[str, Any]:
-    found = {name: cloud.GetPointData().GetArray(name) for name in _names(cloud)}
+    arrays = cloud.GetPointData()
+    found = {name: arrays.GetArray(name) for name in array_names(arrays)}
     return {name: vtk_to_numpy(array) for name, array in found.items() if array is not None}
 
 

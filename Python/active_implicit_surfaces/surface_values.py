@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals
@@ -17,6 +17,8 @@ from vtkmodules.vtkRenderingOpenGL2 import (
     vtkRenderPassCollection,
     vtkSequencePass,
 )
+
+from .data_objects import add_array
 
 try:
     from vtkmodules.vtkRenderingOpenGL2 import vtkValuePass
@@ -136,9 +138,7 @@ def _with_values(surface: Any, velocity: Any, index: int, camera: Any) -> Any:
         "distance": distances_along_axis(points, camera),
     }
     for name, numbers in values.items():
-        array = numpy_to_vtk(numpy.ascontiguousarray(numbers, dtype=numpy.float32), deep=True)
-        array.SetName(name)
-        only.GetPointData().AddArray(array)
+        add_array(only, name, numpy.asarray(numbers, dtype=numpy.float32))
     return only
 
 

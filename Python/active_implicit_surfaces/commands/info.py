@@ -14,7 +14,7 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ..choice import choose, labels_of
-from ..data_objects import finite_points
+from ..data_objects import array_names, finite_points
 from ..file_names import expand, suffix_of
 from ..measures import measure
 from ..messages import listening, quiet
@@ -107,7 +107,7 @@ def _describe_particles(series: ParticleFiles, files: list[Path]) -> dict[str, A
         "arrays": _arrays(first),
     }
     field = first.GetFieldData()
-    for name in map(field.GetArrayName, range(field.GetNumberOfArrays())):
+    for name in array_names(field):
         found[name] = vtk_to_numpy(field.GetArray(name)).ravel().tolist()
     if len(series) > 1:
         last = series.load(len(series) - 1)

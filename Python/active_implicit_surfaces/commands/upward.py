@@ -13,6 +13,7 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ..api import usual_ids
+from ..data_objects import array_names
 
 _PARTICLES = 2000  # of a frame whose acceleration is looked at
 _ACCELERATIONS, _CANDIDATES = 20000, 256  # of a series
@@ -95,9 +96,8 @@ def _array(cloud: Any, name: str | None) -> Any:
 
 def _usual_velocities(cloud: Any) -> Any:
     arrays = cloud.GetPointData()
-    for i in range(arrays.GetNumberOfArrays()):
-        name = arrays.GetArrayName(i) or ""
-        if name.lower() in _VELOCITIES and arrays.GetArray(i) is not None:
+    for name in array_names(arrays):
+        if name.lower() in _VELOCITIES and arrays.GetArray(name) is not None:
             return _array(cloud, name)
     return None
 
