@@ -21,7 +21,7 @@ from .scene import Scene
 FILM_SUFFIXES = (".mp4", ".ogv", ".png", ".exr")
 
 
-def check_film(path: Path, count: int) -> None:
+def check_film(path: Path) -> None:
     """Raises ValueError or OSError if such a film cannot be made here."""
     suffix = suffix_of(path)
     if suffix not in FILM_SUFFIXES:

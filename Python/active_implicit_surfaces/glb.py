@@ -31,12 +31,7 @@ _TO_Y = {
 }
 
 
-def write_glb(
-    path: Path,
-    mesh: Any,
-    color: tuple[float, float, float] = (0.36, 0.66, 0.86),
-    up: str = "y",
-) -> None:
+def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
     """Writes the triangles of a vtkPolyData with their normals, colours and point arrays.
 
     Colours are COLOR_0, as linear light; other arrays _NAME in capital letters, as floats. Vertices
@@ -44,8 +39,9 @@ def write_glb(
     """
     triangles, (normals, colours, others) = polygons_of(mesh), arrays_of(mesh)
     attributes = {"POSITION": points_of(mesh), "NORMAL": normals}
+    color = (0.36, 0.66, 0.86) if colours is None else (1.0, 1.0, 1.0)
     if colours is not None:
-        attributes["COLOR_0"], color = linear_light(colours), (1.0, 1.0, 1.0)
+        attributes["COLOR_0"] = linear_light(colours)
     for name, values in others.items():
         attributes |= _split(_attribute_of(name, attributes), values)
     parts = {name: one.astype("<f4") for name, one in attributes.items() if one is not None}

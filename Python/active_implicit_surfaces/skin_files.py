@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkReverseSense, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 
-from .contours import contour
+from .contours import contour, usual_level
 from .data_objects import add_array, array_names, as_shape
 from .file_names import replacing, suffix_of
 from .glb import check_glb, display_colours, write_glb
@@ -99,8 +99,8 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
             raise OSError(f"{path} cannot be written: {said}".replace(str(temporary), str(path)))
 
 
-def read_shape(path: Path, level: float | None = None, parts: Sequence[Path] = ()) -> Any:
-    """A mesh, with its further parts, or an image; its surface at a level if that is given.
+def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
+    """A mesh or an image; with further parts a mesh, of images at their usual level.
 
     Raises
     ------
@@ -110,7 +110,11 @@ def read_shape(path: Path, level: float | None = None, parts: Sequence[Path] = (
     if parts:
         together = vtkAppendPolyData()
         for part in (path, *parts):
-            together.AddInputData(read_shape(part, level or 0.0))
+            shape = read_shape(part)
+            if shape.IsA("vtkImageData"):
+                level, above = usual_level(shape)
+                shape = contour(shape, level, above=above)
+            together.AddInputData(shape)
         together.Update()
         return together.GetOutput()
     suffix = suffix_of(path)
@@ -122,7 +126,7 @@ def read_shape(path: Path, level: float | None = None, parts: Sequence[Path] = (
         data = surface_of(data)
     _check_corners(path, data)
     if data.IsA("vtkImageData"):
-        return data if level is None else contour(data, level)
+        return data
     if not data.IsA("vtkPointSet"):
         raise OSError(f"{path} has no mesh: it holds a {data.GetClassName()}.")
     if count == 0:

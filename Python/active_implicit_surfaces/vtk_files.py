@@ -44,17 +44,17 @@ _ABOUT_APPENDED_DATA = (
 )
 
 
-def read_vtk(path: Path, time: float | None = None, **settings: Any) -> Any:
-    """Returns the data object that a file holds at one of its time steps."""
+def read_vtk(path: Path) -> Any:
+    """Returns the data object that a file holds, at the first of its time steps."""
     if suffix_of(path) == ".ply":
         check_readable(path)
         return read_ply(path)
-    reader = _reader_of(path, **settings)
+    reader = _reader_of(path)
     if suffix_of(path) in IMAGE_SUFFIXES[1:]:
         return read_image(path, reader, lambda reader: update(reader, path))
     if suffix_of(path) == ".stl" and is_empty_stl(path):
         return vtkPolyData()
-    return update(reader, path, time)
+    return update(reader, path)
 
 
 def check_readable(path: Path) -> None:
@@ -78,7 +78,7 @@ def open_vtk(path: Path) -> Any:
     return reader
 
 
-def _reader_of(path: Path, **settings: Any) -> Any:
+def _reader_of(path: Path) -> Any:
     check_readable(path)
     suffix = suffix_of(path)
     if suffix in _CHECKS:
@@ -90,8 +90,6 @@ def _reader_of(path: Path, **settings: Any) -> Any:
         raise OSError(f"{path} cannot be read: this installation has no {name}.") from error
     if suffix == ".vtkhdf" and not hasattr(reader, "GetNumberOfSteps"):
         _check_steps(path)
-    for setting, value in settings.items():
-        getattr(reader, setting)(value)
     reader.SetFileName(str(path))
     return reader
 

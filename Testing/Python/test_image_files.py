@@ -192,6 +192,17 @@ class Images(CommandTest):
         said = self.fail_with(1, "morph", "mask.nrrd", "density.nrrd")
         self.assertIn("no inside, which is below 0", said)
 
+    def test_masks_as_parts_of_a_frame(self):
+        self.put_values("a0.nrrd", (self.flat < 0) * 1.0)
+        head = HEAD.format("double", "little", "raw").replace("(1,2,3)", "(101,2,3)")
+        content = (self.folder / "a0.nrrd").read_bytes()
+        self.put("a1.nrrd", head.encode() + content[content.index(b"\n\n") + 1 :])
+        rows = "".join(f'<DataSet timestep="0" part="{i}" file="a{i}.nrrd"/>' for i in (0, 1))
+        self.put("a.pvd", f"<VTKFile>{rows}</VTKFile>".encode())
+        found, one = (measure(self.contour(name)) for name in ("a.pvd", "a0.nrrd"))
+        self.assertAlmostEqual(found["volume"], 2 * one["volume"], 3)
+        self.assertEqual(found["pieces"], 2)
+
     def test_several_labels_are_named(self):
         values = numpy.where(self.flat < 0, 3, self.flat > 3)
         head = HEAD.format("short", "little", "raw")

@@ -38,7 +38,8 @@ def run(arguments: list[str]) -> int:
     chosen = properties_of(options, parser)
     if options.frames < 2:
         parser.error("frames are 2 at least, the first shape and the last")
-    shapes = [read_shape(Path(name)) for name in (options.first, options.last)]
+    options.files = [Path(name).expanduser() for name in (options.first, options.last)]
+    shapes = [read_shape(file) for file in options.files]
     for own in each_label(options, lambda: labels_of(shapes[0]), True, _DEFAULT):
         _run(parser, own, chosen, shapes)
     return 0
@@ -49,7 +50,7 @@ def _run(parser: Parser, options: Any, chosen: dict[str, Any], shapes: list[Any]
     shapes = [choose(shape, options.where or (), options.label) for shape in shapes]
     facts = ["mesh" for shape in shapes if shape.IsA("vtkPolyData")]
     check_effects(parser, options, outputs.output, ["series", *facts])
-    outputs.plan(list(range(options.frames)), [Path(options.first), Path(options.last)])
+    outputs.plan(list(range(options.frames)), options.files)
     duration, count = options.duration, options.frames
     way = morph(shapes[0], shapes[1], duration, frames=count, fit=options.fit, **chosen)
     sinks = outputs.sinks(way, lambda: (_corners_of(shapes), "y"), "paper")

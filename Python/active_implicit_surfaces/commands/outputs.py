@@ -124,7 +124,7 @@ class Outputs:
         from ..film import Film, check_film
         from ..scene import COLORS, Scene
 
-        check_film(path, len(way))
+        check_film(path)
         is_exr = suffix_of(path) == ".exr"
         if is_exr:
             way.surface.ComputeVelocityOn()
