@@ -18,7 +18,7 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
-from .data_objects import add_array, array_names
+from .data_objects import add_array, array_names, has_polygons
 
 _FORM = re.compile(r"(?P<name>[^=<>!]+)(?P<sign>==?|!=|<=|>=|<|>)(?P<values>[^=<>!]+)")
 _COMPONENT = re.compile(r"(?P<name>.+)[_:.\[](?P<axis>[xyz012])\]?")
@@ -126,9 +126,8 @@ def _marked(data: Any, marks: Any, is_of_cells: bool) -> Any:
 
     own = data.NewInstance()
     own.ShallowCopy(data)
-    is_mesh = data.IsA("vtkPolyData") and data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0
     add_array(own, _MARK, marks, own.GetCellData() if is_of_cells else None)
-    one = vtkThreshold() if is_mesh or is_of_cells else vtkThresholdPoints()
+    one = vtkThreshold() if has_polygons(data) or is_of_cells else vtkThresholdPoints()
     kind = "CELLS" if is_of_cells else "POINTS"
     one.SetInputArrayToProcess(0, 0, 0, getattr(vtkDataObject, f"FIELD_ASSOCIATION_{kind}"), _MARK)
     one.SetInputData(own)

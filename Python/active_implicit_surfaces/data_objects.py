@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy
@@ -85,7 +85,7 @@ def as_shape(shape: Any) -> Any:
     if _is_vtk(shape, "vtkImageData"):
         return shape
     if _is_vtk(shape, "vtkPolyData"):
-        if shape.GetNumberOfPolys() + shape.GetNumberOfStrips() + shape.GetNumberOfLines() == 0:
+        if not has_polygons(shape) and shape.GetNumberOfLines() == 0:
             raise ValueError("The mesh has no polygons; for a skin over points use skin().")
         return shape
     if _is_vtk(shape, "vtkPointSet"):
@@ -187,6 +187,19 @@ def _point_data(particles: Any) -> Mapping[str, Any]:
         return {}
     data = getattr(particles, "point_data", {})
     return data if isinstance(data, Mapping) else {}
+
+
+def has_polygons(data: Any) -> bool:
+    """Whether this is a surface, not points or lines alone."""
+    return bool(data.IsA("vtkPolyData") and data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0)
+
+
+def blocks_of(data: Any) -> Iterator[Any]:
+    """The data sets in the blocks of a composite one, at any depth."""
+    blocks = data.NewIterator()
+    while not blocks.IsDoneWithTraversal():
+        yield blocks.GetCurrentDataObject()
+        blocks.GoToNextItem()
 
 
 def array_names(attributes: Any) -> list[str]:

@@ -17,7 +17,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from . import text_particles
 from .choice import choose
-from .data_objects import add_array, array_names, as_particles
+from .data_objects import add_array, array_names, as_particles, blocks_of, has_polygons
 from .file_names import expand, numbers_of, running_numbers, suffix_of
 from .images import IMAGE_SUFFIXES
 from .messages import ActiveSurfaceWarning, warn_all
@@ -222,20 +222,12 @@ def _maker(path: Path, frame: Frame) -> Any:
 def _points_of(path: Path, data: Any, noted: set[str]) -> Any:
     """The points of whatever data set that is, with their arrays; a note says that it is a mesh."""
     if data.IsA("vtkCompositeDataSet"):
-        data = _append_blocks(data)
+        data = _append([block for block in blocks_of(data) if block.IsA("vtkPointSet")])
     if not data.IsA("vtkPointSet"):
         raise OSError(f"{path} has no particles: it holds a {data.GetClassName()}.")
-    if data.IsA("vtkPolyData") and data.GetNumberOfPolys() + data.GetNumberOfStrips():
+    if has_polygons(data):
         _note(noted, path, f"it holds a mesh, whose corners are used as particles.{_ABOUT_MESHES}")
     return as_particles(data)
-
-
-def _append_blocks(data: Any) -> Any:
-    blocks, own = data.NewIterator(), []
-    while not blocks.IsDoneWithTraversal():
-        own.append(blocks.GetCurrentDataObject())
-        blocks.GoToNextItem()
-    return _append([block for block in own if block.IsA("vtkPointSet")])
 
 
 def _arrays_of_some(clouds: list[Any]) -> list[str]:

@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkStaticPointLocator
 
-from .data_objects import finite_points
+from .data_objects import finite_points, has_polygons
 
 PRESETS = {
     "water": "splashes: drops and sheets stay, a pool is smooth",
@@ -72,12 +72,9 @@ def estimate_spacing(cloud: Any) -> float:
 
 def is_point_cloud(data: Any) -> bool:
     """Whether it is points alone: no lines of a skeleton, no mesh, no image."""
-    if not data.IsA("vtkPointSet"):
-        return False
-    is_mesh = data.IsA("vtkPolyData") and (
-        data.GetNumberOfLines() + data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0
-    )
-    return not is_mesh
+    if data.IsA("vtkPolyData"):
+        return not has_polygons(data) and data.GetNumberOfLines() == 0
+    return bool(data.IsA("vtkPointSet"))
 
 
 def series_spacing(frames: list[Any]) -> float:

@@ -15,7 +15,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkReverseSense, vtkTri
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 
 from .contours import contour, usual_level
-from .data_objects import add_array, array_names, as_shape
+from .data_objects import add_array, array_names, as_shape, blocks_of, has_polygons
 from .file_names import replacing, suffix_of
 from .glb import check_glb, display_colours, write_glb
 from .images import IMAGE_SUFFIXES
@@ -157,7 +157,7 @@ def holds_particles(path: Path) -> bool | None:
     if not data.IsA("vtkPointSet") or (count == 0 and suffix != ".vdb"):
         return None if data.IsA("vtkPointSet") else False
     if data.IsA("vtkPolyData"):
-        return bool(data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0)
+        return not has_polygons(data)
     return all(data.GetCellType(i) in (1, 2) for i in range(data.GetNumberOfCells()))
 
 
@@ -264,16 +264,13 @@ def _read_glb(path: Path) -> Any:
 
 def _turned_outward(nodes: Any) -> Any:
     """The meshes of a .glb, reversed where the node mirrors them, as glTF says."""
-    blocks = nodes.NewIterator()
-    while not blocks.IsDoneWithTraversal():
-        mesh = blocks.GetCurrentDataObject()
+    for mesh in blocks_of(nodes):
         matrix = mesh.GetFieldData().GetArray("globalTransform")
         if matrix is not None and numpy.linalg.det(vtk_to_numpy(matrix).reshape(4, 4)) < 0:
             reverse = vtkReverseSense()
             reverse.SetInputData(mesh)
             reverse.Update()
-            nodes.SetDataSet(blocks, reverse.GetOutput())
-        blocks.GoToNextItem()
+            mesh.ShallowCopy(reverse.GetOutput())
     return nodes
 
 
