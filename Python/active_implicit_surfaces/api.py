@@ -282,9 +282,10 @@ def configure(
         raise TypeError(f"arrays are of {', '.join(_ARRAYS)}, not of {unknown.pop()!r}.")
     first = source.first_frame()
     _check_arrays(first, chosen)
+    told = source.frames_that_tell() if first.IsA("vtkPointSet") else [first]
     if "ids" not in chosen:
-        frames = [frame for frame in source.frames_that_tell() if _has_points(frame)]
-        found = {usual_ids(frame) for frame in frames or [first]}
+        found = {usual_ids(frame) for frame in told if frame.GetNumberOfPoints()}
+        found = found or {usual_ids(first)}
         chosen["ids"] = found.pop() if len(found) == 1 else ""  # "": not all frames have them
     for role, name in chosen.items():
         if name:
@@ -294,12 +295,14 @@ def configure(
         apply_preset(surface, source, preset, interval, options)
     properties.put(surface, options)
     if is_point_cloud(first):
-        _settle_spacing(surface, source, first, "radii" in chosen)
+        _settle_spacing(surface, source, told, "radii" in chosen)
 
 
-def _settle_spacing(surface: Any, source: TemporalSource, first: Any, has_radii: bool) -> None:
+def _settle_spacing(
+    surface: Any, source: TemporalSource, frames: list[Any], has_radii: bool
+) -> None:
     """Chooses a spacing if the first frame does not tell it; warns of a given one that is off."""
-    frames = source.frames_that_tell()
+    first = frames[0]
     own = series_spacing(frames)
     if not (surface.GetParticleSpacing() or surface.GetParticleRadius() or has_radii):
         is_same = 0 < (estimated := estimate_spacing(first)) <= _SAME * own
@@ -325,10 +328,6 @@ def _describe_lengths(surface: Any, own: float) -> list[str]:
             f"particles' own radius or spacing, give particle_spacing {own:g} instead."
         ]
     return []
-
-
-def _has_points(frame: Any) -> bool:
-    return bool(frame.IsA("vtkPointSet") and frame.GetNumberOfPoints())
 
 
 def _check_arrays(first: Any, chosen: dict[str, str]) -> None:

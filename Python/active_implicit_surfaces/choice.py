@@ -19,6 +19,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from .data_objects import add_array, array_names, has_polygons
+from .messages import few
 
 _FORM = re.compile(r"(?P<name>[^=<>!]+)(?P<sign>==?|!=|<=|>=|<|>)(?P<values>[^=<>!]+)")
 _COMPONENT = re.compile(r"(?P<name>.+)[_:.\[](?P<axis>[xyz012])\]?")
@@ -171,7 +172,7 @@ def _choose_label(data: Any, label: int) -> Any:
         return choose(data, f"{name}={label}")
     is_there = values == label
     if not is_there.any():
-        there = ", ".join(map(str, labels_of(data)[:20]))
+        there = few(labels_of(data), 20)
         raise ValueError(f"The image has no label {label}; it has {there}.")
     own = data.NewInstance()
     own.CopyStructure(data)

@@ -11,9 +11,7 @@ from vtkmodules.vtkFiltersCore import vtkCellDataToPointData
 
 from .choice import labels_of
 from .data_objects import add_array, vtk_points
-from .messages import listening
-
-_LISTED = 20
+from .messages import few, listening
 
 
 def contour(image: Any, level: float, *, above: bool = False) -> Any:
@@ -89,9 +87,7 @@ def as_level_set(image: Any) -> Any:
     values = _with_point_values(image)[1]
     labels = labels_of(image) if not above and values.dtype.kind in "iu" and values.size else []
     if labels and values.min() >= 0:
-        raise ValueError(
-            f"The image has the labels {describe_labels(labels)}; choose one: --label."
-        )
+        raise ValueError(f"The image has the labels {few(labels, 20)}; choose one: --label.")
     if not above and values.size and values.min() >= 0:
         raise ValueError(
             f"The image has no inside, which is below 0: its values are from {values.min():g} to "
@@ -104,11 +100,6 @@ def as_level_set(image: Any) -> Any:
     add_array(level_set, "distance", level - values.astype(float))
     level_set.GetPointData().SetActiveScalars("distance")
     return level_set
-
-
-def describe_labels(labels: list[int]) -> str:
-    """The labels as 1, 2, 3 ..."""
-    return ", ".join(map(str, labels[:_LISTED])) + " ..." * (len(labels) > _LISTED)
 
 
 def _with_point_values(image: Any) -> tuple[Any, Any]:

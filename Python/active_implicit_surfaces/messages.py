@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -74,6 +74,12 @@ class quiet:
         text = said.decode("latin-1") if isinstance(said, bytes) else said  # bytes: of no UTF-8
         parts = re.split(r"\n(?=ERROR: |Warning: |Generic Warning: )", text)
         return [plain(part) for part in parts if part.startswith("ERROR: ")]
+
+
+def few(words: Iterable[Any], most: int = 8) -> str:
+    """The first of some words, or numbers, as a, b, c ..."""
+    listed = [str(word) for word in words]
+    return ", ".join(listed[:most]) + " ..." * (len(listed) > most)
 
 
 def warn_all(messages: list[str]) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy
 
-from .messages import warn_all
+from .messages import few, warn_all
 from .tables import Frame, Frames, number
 
 _DEFAULT = "species:S:1:pos:R:3"
@@ -21,7 +21,6 @@ _PLACED, _UNPLACED = "CHNOPS", ("CL", "CU", "NA", "SE")
 _ALONE = "CHNOPSBDFIK"  # what a longer name may begin with
 _IONS = {"SOD": "Na", "CLA": "Cl", "POT": "K", "CAL": "Ca", "CES": "Cs", "LIT": "Li"}  # CHARMM's
 _LARGEST_RADIUS = 10.0  # what the table has for elements whose radius is unknown is larger
-_LISTED = 8
 
 
 def read_molecule(lines: list[str]) -> Frames:
@@ -149,7 +148,7 @@ def _add_elements(frames: list[Frame]) -> None:
     if unknown:
         effect = "have the radius 0" if are_known else "all have a radius by their distance"
         warn_all(
-            [f"{_few(unknown)}: no such element is known; these atoms {effect}. Write elements."]
+            [f"{few(unknown)}: no such element is known; these atoms {effect}. Write elements."]
         )
 
 
@@ -169,12 +168,12 @@ def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
         doubtful = sorted(s for s, own in letters.items() if _may_be_a_name(own, as_elements[s]))
         if doubtful:
             said = [f"{symbol} is {table.GetSymbol(as_elements[symbol])}" for symbol in doubtful]
-            warn_all([f"Elements in capital letters: {_few(said)}. If not so, write elements."])
+            warn_all([f"Elements in capital letters: {few(said)}. If not so, write elements."])
         return as_elements
     other = sorted(s for s, z in as_names.items() if z and z != table.GetAtomicNumber(s))
     meant = [f"{symbol} is {table.GetSymbol(as_names[symbol])}" for symbol in other]
     warn_all(
-        [f"The atoms have names in place of elements: {_few(meant)}. If not so, write elements."]
+        [f"The atoms have names in place of elements: {few(meant)}. If not so, write elements."]
     )
     return as_names
 
@@ -202,7 +201,3 @@ def _guess(name: str, table: Any) -> str:
     if upper[:1] not in _PLACED and table.GetAtomicNumber(upper[:2]):
         return upper[:2]
     return upper[:1] if upper[:1] in _ALONE else ""
-
-
-def _few(words: list[str]) -> str:
-    return ", ".join(words[:_LISTED]) + (" ..." if len(words) > _LISTED else "")

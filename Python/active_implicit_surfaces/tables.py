@@ -7,14 +7,13 @@ from __future__ import annotations
 import csv
 import math
 import re
-import textwrap
 import warnings
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy
 
-from .messages import warn_all
+from .messages import few, warn_all
 
 Frame = dict[str, Any]
 Frames = tuple[list[Frame], "list[float] | None"]
@@ -60,7 +59,7 @@ def read_table(text: str) -> Frames:
     columns = group_columns(names)
     if form.names and "positions" not in columns:
         held = [name for i, name in enumerate(form.names) if name and i not in form.columns]
-        raise ValueError(_no_positions(names) + (f"; text is in {_few(held)}" if held else ""))
+        raise ValueError(_no_positions(names) + (f"; text is in {few(held)}" if held else ""))
     table = _load(lines, form)
     if not form.names:
         return [_headless(table)], None
@@ -102,11 +101,8 @@ def _vectors_in(
 
 
 def _no_positions(names: Sequence[str]) -> str:
-    return f"it has no columns x, y and z of numbers; it has {_few(names) or 'none with a name'}"
-
-
-def _few(names: Sequence[str]) -> str:
-    return textwrap.shorten(", ".join(filter(None, names)), 60, placeholder=" ...")
+    named = few(filter(None, names)) or "none with a name"
+    return f"it has no columns x, y and z of numbers; it has {named}"
 
 
 def _split(line: str, separator: str | None) -> list[str]:

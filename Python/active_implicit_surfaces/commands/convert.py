@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .. import runner
 from ..choice import choose, labels_of
-from ..contours import contour, describe_labels, usual_level
+from ..contours import contour, usual_level
 from ..file_names import (
     Listing,
     check_distinct,
@@ -23,7 +23,7 @@ from ..file_names import (
     suffix_of,
 )
 from ..mesh_writers import points_of
-from ..messages import warn_all
+from ..messages import few, warn_all
 from ..particle_files import PARTICLE_SUFFIXES, open_particles
 from ..runner import FileSeries
 from ..skin_files import (
@@ -206,7 +206,7 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
         raise OSError(
             f"{file} has no surface at the level {level:g}: its values are from {low:g} to "
             f"{high:g}; choose another --level"
-            + (f", or a --label of {describe_labels(labels)}." if labels else ".")
+            + (f", or a --label of {few(labels, 20)}." if labels else ".")
         )
     return surface
 
