@@ -173,6 +173,11 @@ class Images(CommandTest):
                 found = measure(self.contour("v.nrrd", *level))
                 self.assertEqual((found["pieces"], found["voids"]), (1, 0))
                 self.assertAlmostEqual(found["volume"], volume, delta=0.3 * volume)
+        said = self.succeed("convert", "a.nrrd", "-o", "contour.vtp", "--level", 0.1).err
+        self.assertNotIn("Inside", said)
+        self.put_values("v.nrrd", 1.0 - self.flat)
+        said = self.succeed("convert", "v.nrrd", "-o", "contour.vtp", "--level", 1).err
+        self.assertIn("Inside is above 1, as most of the border of the image is below.", said)
 
     def contour(self, name, *options):
         self.succeed("convert", name, "-o", "contour.vtp", *options)

@@ -193,6 +193,10 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
     try:
         if suffix_of(file) != ".vdb":
             level, above = usual_level(image, options.level)
+            if above and options.level is not None:
+                warn_all(
+                    [f"Inside is above {level:g}, as most of the border of the image is below."]
+                )
         else:
             level, above = (0.0, False) if _is_level_set(file) else (_FOG_LEVEL, True)
         level = level if options.level is None else options.level
