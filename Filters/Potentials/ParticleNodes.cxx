@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace activesurface
 {
@@ -20,6 +21,16 @@ constexpr double BeyondOwnRadius = 0.1;
 constexpr double LongestDisplacement = 1e6;
 
 constexpr std::size_t Padding = 8;
+
+void CheckPlace(double place)
+{
+  constexpr double farthest = 1e9; // as node numbers are 32-bit integers
+  if (!(std::fabs(place) < farthest))
+  {
+    throw std::runtime_error("A particle is more than 10^9 voxels from the first ones, which no "
+                             "lattice can hold; enlarge VoxelSize, or leave the particle out.");
+  }
+}
 
 }
 
@@ -73,7 +84,11 @@ void ParticleNodes::MakeCubes(const NodeParticles& given)
     {
       const SkeletonVertex& particle = particles[n];
       ParticleCube& cube = this->Cubes[n];
-      std::copy_n(particle.Position, 3, cube.Position);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        CheckPlace(particle.Position[axis] / this->Options.VoxelSize);
+        cube.Position[axis] = particle.Position[axis];
+      }
       cube.HalfSide = this->GetOwnRadius(particle);
       cube.Filling = std::min(std::max(particle.Strength, 0.0), 1.0);
     });

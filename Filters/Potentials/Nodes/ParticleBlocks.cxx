@@ -18,6 +18,14 @@ constexpr std::uint32_t FillingOfCell = 256;
 // A cell is full if the sum of 27 cells with the weights 1 2 1, 64 in all, is at least this.
 constexpr std::uint32_t Full = FillingOfCell * 64 * 6 / 10;
 
+// Limit of the filling of a cell: dense particles do not fill the cells next to theirs.
+constexpr std::uint32_t MostFilling = FillingOfCell * 3 / 2;
+// Where twice as many particles are as at rest their sum is large beyond their own radii: up to
+// where the kernels end, so many own radii beyond the first. (S goes with the density and with the
+// fifth power of the depth: below, the skin is off by less than .45 own radii.)
+constexpr std::uint32_t Crowd = FillingOfCell * 2;
+constexpr double BeyondCrowd = 3.6;
+
 // Cells are no smaller than a share of the largest cube, so that each cube is in few cells; nor
 // than a share of a voxel.
 constexpr double MostCellsOfCube = 16.0;
@@ -46,6 +54,36 @@ void ParticleBlocks::Build(
     this->Widen(&Block::Open, true, this->Inward);
   }
   this->Widen(&Block::Occupied, false, this->Outward);
+  if (hasInside)
+  {
+    this->OccupyAroundCrowds();
+  }
+}
+
+void ParticleBlocks::OccupyAroundCrowds()
+{
+  if (std::none_of(this->Blocks.begin(), this->Blocks.end(),
+        [](const Block& block) { return block.Crowded.Any(); }))
+  {
+    return;
+  }
+  this->Widen(&Block::Crowded, false, this->OutwardOfCrowd);
+  for (Block& block : this->Blocks)
+  {
+    for (int x = 0; x < 8; ++x)
+    {
+      block.Occupied.Word[x] |= block.Crowded.Word[x];
+    }
+  }
+}
+
+// To the surface, from the cells in the middle of a cube [cells].
+int ParticleBlocks::CountOutward(double halfSide, double beyond) const
+{
+  // A node beyond the skin is in the shell.
+  constexpr double rounding = 1e-6;
+  const double outward = 0.5 * this->CellSize + beyond * halfSide / this->VoxelSize + 1.0;
+  return static_cast<int>(std::ceil(outward / this->CellSize - rounding));
 }
 
 void ParticleBlocks::ChooseCells(const UnsetVector<ParticleCube>& cubes, double beyond)
@@ -56,17 +94,13 @@ void ParticleBlocks::ChooseCells(const UnsetVector<ParticleCube>& cubes, double 
     least = std::min(least, cube.HalfSide);
     most = std::max(most, cube.HalfSide);
   }
-  least /= this->VoxelSize;
-  most /= this->VoxelSize;
   this->CellSize = cubes.empty()
     ? 1.0
-    : std::max({ 2.0 * least, 2.0 * most / MostCellsOfCube, 1.0 / CellsOfVoxel });
-  // A node beyond the skin is in the shell, and one within it.
-  constexpr double rounding = 1e-6;
-  const double half = 0.5 * this->CellSize;
-  const double outward = half + beyond * most + 1.0, inward = half + 1.0;
-  this->Outward = static_cast<int>(std::ceil(outward / this->CellSize - rounding));
-  this->Inward = static_cast<int>(std::ceil(inward / this->CellSize - rounding));
+    : std::max({ 2.0 * least / this->VoxelSize, 2.0 * most / this->VoxelSize / MostCellsOfCube,
+        1.0 / CellsOfVoxel });
+  this->Outward = this->CountOutward(most, beyond);
+  this->OutwardOfCrowd = this->CountOutward(most, std::max(beyond, BeyondCrowd));
+  this->Inward = this->CountOutward(0.0, 0.0);
 }
 
 // The blocks of particles first of all, then those that a mask may reach.
@@ -89,13 +123,13 @@ void ParticleBlocks::AddBlocks(const UnsetVector<ParticleCube>& cubes)
     }
     return static_cast<std::size_t>(i);
   };
-  const int margin = std::max(this->Outward, 1);
   std::size_t home = 0;
   for (std::size_t n = 0; n < count; ++n)
   {
     NodeIndex cell, at, low, high;
     const double rest = cubes[n].HalfSide / this->VoxelSize - 0.5 * this->CellSize;
     const double reach = std::max(rest, 0.0);
+    const int margin = std::max(this->Outward, this->CountOutward(cubes[n].HalfSide, BeyondCrowd));
     for (int axis = 0; axis < 3; ++axis)
     {
       const double place = cubes[n].Position[axis] / this->VoxelSize;
@@ -176,6 +210,7 @@ void ParticleBlocks::FillCells(const UnsetVector<ParticleCube>& cubes)
   {
     block.Occupied = CellMask();
     block.Open = CellMask::All();
+    block.Crowded = CellMask();
   }
   RunPieces(this->Order.size(), ParticlesPerTask,
     [&](std::size_t begin, std::size_t end)
@@ -272,6 +307,15 @@ void ParticleBlocks::FindOpen()
 
 void ParticleBlocks::FindOpenOf(Block& block) const
 {
+  const std::uint32_t* own =
+    &this->Filling[512 * static_cast<std::size_t>(&block - this->Blocks.data())];
+  for (int n = 0; n < 512; ++n)
+  {
+    if (own[n] >= Crowd)
+    {
+      block.Crowded.Word[n >> 6] |= std::uint64_t(1) << (n & 63);
+    }
+  }
   // Sums with the weights 1 2 1, axis by axis.
   std::uint32_t cells[10][10][10];
   for (int n = 0; n < 27; ++n)
@@ -294,7 +338,7 @@ void ParticleBlocks::FindOpenOf(Block& block) const
         for (int z = first[2]; z <= last[2]; ++z)
         {
           const int at = 64 * ((x + 7) & 7) + CellMask::Bit((y + 7) & 7, (z + 7) & 7);
-          cells[x][y][z] = from ? from[at] : 0;
+          cells[x][y][z] = from ? std::min(from[at], MostFilling) : 0;
         }
       }
     }

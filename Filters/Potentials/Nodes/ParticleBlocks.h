@@ -40,7 +40,8 @@ public:
     NodeIndex At; // in blocks
     std::uint32_t Starts[Parts + 1];
     CellMask Occupied;
-    CellMask Open; // not full
+    CellMask Open;    // not full
+    CellMask Crowded; // by twice as many particles as at rest
   };
 
   // beyond: how far the skin may be from a particle, less its own radius, in own radii. hasInside:
@@ -90,6 +91,8 @@ public:
   }
 
 private:
+  int CountOutward(double halfSide, double beyond) const;
+  void OccupyAroundCrowds();
   void ChooseCells(const UnsetVector<ParticleCube>& cubes, double beyond);
   void AddBlocks(const UnsetVector<ParticleCube>& cubes);
   void Sort();
@@ -109,6 +112,7 @@ private:
   double VoxelSize = 1.0;
   double CellSize = 1.0;
   int Outward = 1; // cells
+  int OutwardOfCrowd = 1;
   int Inward = 1;
   IndexMap Numbers;
   std::vector<Block> Blocks;
