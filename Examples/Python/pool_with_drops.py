@@ -50,7 +50,7 @@ def particles_at(time):
 
 folder, moments = output_folder(__doc__), []
 series = [particles_at(frame / RATE) for frame in range(FRAMES)]
-options = {"particle_spacing": SPACING, "time_integration": "implicit"}
+options = {"particle_spacing": SPACING}
 for time, skin in active.frames(series, fps=RATE, **options):
     frame = round(time * RATE)
     print(f"{series[frame].GetNumberOfPoints()} particles, {skin.GetNumberOfPolys()} triangles")

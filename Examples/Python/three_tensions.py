@@ -27,7 +27,6 @@ for tension in TENSIONS:
     surface.SetVoxelSize(RADIUS / 2)
     surface.SetTension(tension * RADIUS**2)  # Attraction is 1
     surface.SetCreateParts(False)  # drops that tension takes away stay away
-    surface.SetTimeIntegrationToImplicit()
     surface.UpdateTimeStep(1.0)
     skin = surface.GetOutput()
     print(f"tension {tension} r^2: {skin.GetNumberOfPolys()} triangles", flush=True)

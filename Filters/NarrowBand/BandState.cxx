@@ -1,6 +1,5 @@
 #include "BandState.h"
 
-#include "Implicit/ImplicitStep.h"
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
 #include "Leaves/LeafExchange.h"
@@ -29,7 +28,6 @@ struct BandState::Move
   PenaltyForce Force;
   double Step = 0.0; // time
   bool IsSkipped = false;
-  double LostDisplacement = 0.0; //< that is too long to be traced [voxels]
 };
 
 namespace
@@ -37,9 +35,6 @@ namespace
 
 /** Of exact controls: a substep may be as long as so many explicit ones. */
 constexpr int RoundsOfLongSteps = 8;
-
-/** Crossings that go farther [voxels] may leave their edges, and are not seen. */
-constexpr double LongestTrace = 0.5;
 
 /** |u| [voxels], and its growth from a node to the next, that a sound surface does not come to.
  * Where velocities meet that the lattice cannot hold apart, Transport makes u steeper for as long
@@ -116,7 +111,7 @@ TargetLimits BandState::FollowTarget(
 /** What has been done since the backup. */
 void BandState::TakeBack()
 {
-  if (const auto before = this->Backup.Restore(this->Leaves, this->Potential->treePtr()))
+  if (const auto before = this->Backup.Get())
   {
     this->Leaves = LeafTable(); // what it knows is of the substep that has failed
     this->Restore(before);
@@ -194,57 +189,10 @@ void BandState::RestoreControlled(const Motion& motion)
   }
 }
 
-void BandState::MakeImplicitStep(
-  const Motion& motion, Target& target, AdvanceReport& report, Move& move)
-{
-  const ImplicitBand band{ this->GetFollower(), this->Time, move.MostTime, move.MaySkip,
-    this->Maximum, this->Backup };
-  const PenaltyForce force = this->FindForce(motion);
-  RunTogether(this->Leaves, [&] { this->Backup.Save(this->Leaves); });
-  ImplicitResult result;
-  const auto make = [&]
-  {
-    result = activesurface::MakeImplicitStep(band, motion, force, target, report);
-    CheckBounded(result.Gradients.Unbounded, this->Time);
-  };
-  try
-  {
-    RunTogether(this->Leaves, make);
-  }
-  catch (...)
-  {
-    this->TakeBack();
-    throw;
-  }
-  move.Step = result.Length;
-  move.IsSkipped = result.IsSkipped;
-  move.LostDisplacement =
-    result.LargestDisplacement > LongestTrace ? result.LargestDisplacement : 0.0;
-  if (result.IsSkipped)
-  {
-    ++report.SkippedSubsteps;
-    return;
-  }
-  this->DropEmptyLeaves();
-  const float scale = result.Gradients.GetScale();
-  if (scale != 1.f)
-  {
-    ScalePotential(this->Leaves, scale);
-  }
-  this->RestoreControlled(motion);
-  report.Substeps += result.Rounds;
-  report.UniformPulls += result.PullsInVain ? 1 : 0;
-}
-
 void BandState::MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
   CheckObstacle(this->Leaves, motion.Solid);
   WalledTarget walled(target, motion.Box, motion.Solid);
-  if (motion.Integration == TimeIntegration::Implicit)
-  {
-    this->MakeImplicitStep(motion, walled.IsCut() ? walled : target, report, move);
-    return;
-  }
   const TargetLimits limits =
     this->FollowTarget(motion, walled.IsCut() ? walled : target, report, move);
   const bool pullsInVain = PullsInVain(motion, this->Buffers);
@@ -302,9 +250,7 @@ void BandState::StepAndTrace(const Motion& motion, Target& target, AdvanceReport
   move.MaySkip = false;
   this->Trace.Begin(this->Leaves);
   this->MakeStep(motion, target, report, move);
-  report.SurfaceSpeed = move.IsSkipped
-    ? 0.0
-    : std::max(this->Trace.GetLargest(this->Leaves), move.LostDisplacement) / move.Step;
+  report.SurfaceSpeed = move.IsSkipped ? 0.0 : this->Trace.GetLargest(this->Leaves) / move.Step;
   this->Time += move.IsSkipped ? 0.0 : move.Step;
   CheckSize(this->CountActive(), this->Maximum);
 }

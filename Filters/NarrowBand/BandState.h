@@ -41,7 +41,7 @@ struct BandState
   SubstepBuffers Buffers;
   Displacement Trace;
   SteadyWindow Window;
-  BandBackup Backup;          // of an implicit substep, or of what was before new parts
+  BandBackup Backup;          // of what was before new parts
   NodeStep Nodes;             // kept for its memory
   Agreement* Ranks = nullptr; // that advance the band together
 
@@ -107,7 +107,6 @@ private:
   void TakeBack();
   FollowingBand GetFollower();
   PenaltyForce FindForce(const Motion& motion) const;
-  void MakeImplicitStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void MakeStep(const Motion& motion, Target& target, AdvanceReport& report, Move& move);
   void AdvanceOnNodes(double end, const Motion& motion, Target& target, AdvanceReport& report);
   void MakeDefaultStep(const Motion& motion, const TargetLimits& limits, Move& move);

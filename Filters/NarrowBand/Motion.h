@@ -41,13 +41,11 @@ enum class TargetEvaluation
   ClosestPoint
 };
 
-/** How a substep is made: forward Euler within the stable step of the fastest part; or of nearly
- * any length, by exponentials for the attraction and stages for the tension; or for the whole
- * interval at once, at nodes near the target's surface (see README.md). */
+/** Scheme of a substep: forward Euler within the stable step of the fastest part; or for the
+ * whole interval at once, at nodes near the target's surface (see README.md). */
 enum class TimeIntegration
 {
   Explicit,
-  Implicit,
   Nodes
 };
 
@@ -109,8 +107,8 @@ struct Motion
   TargetEvaluation Evaluation = TargetEvaluation::Shifted;
   GradientScheme Gradient = GradientScheme::Upwind;
 
-  /** Implicit needs the evaluation Shifted and the gradient Upwind, and is not the paper's. Nodes
-   * needs a target with nodes, Attraction > 0 and CreateParts, and knows no penalties. */
+  /** Nodes needs a target with nodes and an Attraction by which distances fall by e^2 at least, and
+   * knows no penalties. */
   TimeIntegration Integration = TimeIntegration::Explicit;
 
   /** The paper's own scheme instead of this library's, for comparison: see PaperStep.h. */

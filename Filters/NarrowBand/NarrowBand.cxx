@@ -8,6 +8,7 @@
 #include "ReportSum.h"
 #include "SharedBand.h"
 #include "State/InitialShape.h"
+#include "State/LatticeBox.h"
 #include "State/PackedBand.h"
 #include "State/SavedTree.h"
 #include "StaticShutdown.h"
@@ -146,6 +147,7 @@ void NarrowBand::StartOnNodes(
 {
   BandState& members = *this->State;
   CheckMotion(motion);
+  FindLatticeBox(members.VoxelSize, bounds); // which refuses what no lattice can hold
   members.Reset(time, bounds);
   this->Run([&] { members.StartOnNodes(motion, duration, target); });
 }

@@ -1,6 +1,7 @@
 #include "SkinMotion.h"
 
 #include "NarrowBandGrid.h"
+#include "NodeSpeeds.h"
 #include "Skin.h"
 #include "Substep/RowKernels.h"
 #include "Substep/SamplePoints.h"
@@ -101,32 +102,16 @@ double FindHoldingSpeed(const Skin& skin, const Motion& motion,
   return whole != 0.0 ? -change / whole : 0.0;
 }
 
-/** What the law of motion takes at the crossings, which are the vertices. */
-Motion SampledMotion(const Motion& motion)
-{
-  Motion sampled;
-  sampled.Transport = motion.Transport;
-  if (motion.Integration == TimeIntegration::Nodes)
-  {
-    return sampled; // attraction and tension are in balance when a frame ends
-  }
-  sampled.Attraction = motion.Attraction;
-  sampled.Tension = motion.Tension;
-  sampled.WeightedTension = motion.WeightedTension;
-  return sampled;
-}
-
 /** The target's speed and the tension at each vertex. */
 void AddTargetSpeed(const NarrowBand& band, const SkinForces& forces,
   const std::vector<float>& curvatures, std::vector<float>& speeds)
 {
-  const Motion motion = SampledMotion(forces.Strategy);
-  const bool isCarried = motion.Transport > 0.0, isWeighted = HasTensionWeights(motion);
+  const Motion& motion = forces.Strategy;
   SubstepBuffers buffers;
-  if (HasTargetSpeed(motion) || isWeighted)
+  if (motion.Attraction > 0.0)
   {
     forces.Attractor.MoveTo(band.GetTime());
-    WalledTarget walled(forces.Attractor, forces.Strategy.Box, forces.Strategy.Solid);
+    WalledTarget walled(forces.Attractor, motion.Box, motion.Solid);
     const LeafTable& table = band.GetLeaves();
     const LeafList all = table.FindAll([](std::size_t) { return true; });
     SampleLeaves({ table, GetPotential(band)->tree(), band.GetVoxelSize() }, all, motion,
@@ -134,14 +119,12 @@ void AddTargetSpeed(const NarrowBand& band, const SkinForces& forces,
   }
   for (std::size_t v = 0; v < speeds.size(); ++v)
   {
-    if (HasTargetSpeed(motion))
+    if (motion.Attraction > 0.0)
     {
-      // With Transport the samples are speeds already.
-      const double pull = -(isCarried ? 1.0 : motion.Attraction) * buffers.Samples[v];
+      const double pull = -motion.Attraction * buffers.Samples[v];
       speeds[v] += std::isfinite(pull) ? static_cast<float>(pull) : 0.f;
     }
-    const double weight = isWeighted ? buffers.WeightSamples[v] : 1.0;
-    speeds[v] -= static_cast<float>(weight * motion.Tension * curvatures[v]);
+    speeds[v] -= static_cast<float>(motion.Tension * curvatures[v]);
   }
 }
 
@@ -168,7 +151,13 @@ std::vector<float> FindSpeeds(const NarrowBand& band, const SkinForces& forces)
   const Motion& motion = forces.Strategy;
   const std::vector<float> curvatures = FindCurvatures(band);
   std::vector<float> speeds(curvatures.size());
-  band.Run([&] { AddTargetSpeed(band, forces, curvatures, speeds); });
+  band.Run(
+    [&]
+    {
+      motion.Integration == TimeIntegration::Nodes
+        ? AddNodeSpeeds(band, forces, speeds)
+        : AddTargetSpeed(band, forces, curvatures, speeds);
+    });
   const PenaltyForce penalty = FindPenalty(
     motion, { band.GetArea(), band.GetVolume() }, { forces.StartArea, forces.StartVolume });
   for (std::size_t v = 0; v < speeds.size(); ++v)

@@ -5,8 +5,7 @@
 #define SkinMotion_h
 
 #include "ActiveNarrowBandExport.h"
-#include "Motion.h"
-#include "Target.h"
+#include "SkinForces.h"
 
 #include <vector>
 
@@ -21,19 +20,10 @@ class NarrowBand;
  */
 ACTIVENARROWBAND_EXPORT std::vector<float> FindCurvatures(const NarrowBand& band);
 
-/** What the speed follows from, besides the surface. */
-struct SkinForces
-{
-  const Motion& Strategy;
-  Target& Attractor;
-  double StartArea;
-  double StartVolume;
-};
-
 /**
  * Normal speed [length/time], outward positive, by the equation of motion at the time of the band:
  * attraction, tension, penalties, and for exact controls the uniform speed that holds what they
- * hold. Attraction is 0 where the target is not finite.
+ * hold. Attraction is 0 where the target is not finite. In the node scheme: see NodeSpeeds.h.
  */
 ACTIVENARROWBAND_EXPORT std::vector<float> FindSpeeds(
   const NarrowBand& band, const SkinForces& forces);

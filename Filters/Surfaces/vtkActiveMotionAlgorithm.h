@@ -65,11 +65,12 @@ public:
   ///@{
   /**
    * How far [length] the target's surface may be off by noise. Where the skin is nearer to it, it
-   * follows slowly, at 3 % of Attraction; beyond, soon at all of it. Particles move the skin of a
-   * body, as by Transport, only if they do so together: what the error of the mean of their
-   * velocities explains is left out. Drops and threads follow as before. So the skin of a fluid at
-   * rest is smooth and stands still, and is no more than this from the target. With
-   * NormalizeTarget. Range: >= 0. Default: 0, none, or see AutomaticSmoothing.
+   * follows slowly, at 3 % of Attraction; beyond, soon at all of it; in a body of particles
+   * from 1.5 times as far on. Particles move the skin of a body, as by Transport, only if they do
+   * so together: what the error of the mean of their velocities explains is left out. Drops and
+   * threads follow as before. So the skin of a fluid at rest is smooth and stands still, and is no
+   * more than this from the target. With NormalizeTarget. Range: >= 0. Default: 0, none, or see
+   * AutomaticSmoothing.
    */
   vtkSetClampMacro(TargetNoise, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetNoise, double);
@@ -78,9 +79,9 @@ public:
   ///@{
   /**
    * Whether a Tension and a TargetNoise of 0, the defaults, stand for values by the spacing 2 r of
-   * particles with time steps: Attraction * r^2 / 6, where TensionWeighting is on, and r / 2. Any
-   * other value holds as it is, and so does 0 over other targets, with ParticleModel SUM, without
-   * NormalizeTarget and with PaperScheme. Default: on.
+   * particles: Attraction * r^2 / 2, where TensionWeighting is on, and r / 2. Any other value holds
+   * as it is, and so does 0 over other targets, with ParticleModel SUM, with PaperScheme, and
+   * where other explicit substeps are taken (see TimeIntegration). Default: on.
    */
   vtkSetMacro(AutomaticSmoothing, vtkTypeBool);
   vtkGetMacro(AutomaticSmoothing, vtkTypeBool);
@@ -100,8 +101,9 @@ public:
   /**
    * Whether Tension acts where particles are a body of fluid, and fades to none where one is alone
    * or in a thread of few: drops keep their size. A particle's neighbours within 3
-   * (AVERAGED_CENTRE) or 3.6 spacings decide: the top layer of a deep body has three quarters of
-   * Tension, the next one all. Of no use to other targets and with PaperScheme. Default: on.
+   * (AVERAGED_CENTRE) or 3.6 spacings decide: where half of a body's are around a third of Tension
+   * acts, all of it with three quarters of them. Of no use to other targets, in explicit substeps
+   * and with PaperScheme. Default: on.
    */
   vtkSetMacro(TensionWeighting, vtkTypeBool);
   vtkGetMacro(TensionWeighting, vtkTypeBool);
@@ -112,8 +114,8 @@ public:
   /**
    * Share [1] of the particles' own velocity that carries the skin: adds Transport * (v . n), v the
    * mean velocity of the particles around, from their way to the next time step, to the speed. With
-   * 1 the skin does not lag behind particles that move, whatever the Attraction. Of no use to other
-   * targets and with PaperScheme. Range: 0 to 1. Default: 1.
+   * 1 the skin does not lag behind particles that move. Of no use to other targets, in explicit
+   * substeps and with PaperScheme. Range: 0 to 1. Default: 1.
    */
   vtkSetClampMacro(Transport, double, 0.0, 1.0);
   vtkGetMacro(Transport, double);
@@ -231,29 +233,24 @@ public:
   enum TimeIntegrationType
   {
     EXPLICIT = 0,
-    IMPLICIT = 1,
-    AUTOMATIC = 2,
-    NODES = 3
+    AUTOMATIC = 1
   };
 
   ///@{
   /**
-   * How time is integrated. EXPLICIT (0): short substeps, as the fastest part of the skin allows.
-   * IMPLICIT (1): few long ones; for SHIFTED evaluation and UPWIND gradients. AUTOMATIC (2):
-   * IMPLICIT over particles with time steps and Transport, where it can be, else EXPLICIT. NODES
-   * (3): one step for each time step, for particles only: carries the skin, evaluates the target
-   * once, at lattice nodes near its surface, and relaxes the skin towards it; faster and flatter.
-   * Needs an Attraction that shortens distances by e^2 in a time step at least (the automatic one
-   * does), CreateParts, NormalizeTarget, no penalties, no InvertTarget, and SHIFTED evaluation with
-   * UPWIND gradients; Velocity is then the particles' mean velocity, without growth of the skin.
-   * Default: AUTOMATIC.
+   * How time is integrated. EXPLICIT (0): substeps as short as the fastest part of the skin needs.
+   * AUTOMATIC (1): over particles one step for each time step, which carries the skin, evaluates
+   * the target once, at lattice nodes near its surface, and relaxes the skin towards it; else
+   * EXPLICIT. What only substeps have takes EXPLICIT over particles too, which a warning tells: an
+   * Attraction that shortens distances by less than e^2 in a time step, penalties, InvertTarget,
+   * EQUILIBRIUM, CreateParts or NormalizeTarget off, TargetEvaluation and GradientScheme other than
+   * by default, PaperScheme. Explicit substeps know neither Transport nor TensionWeighting,
+   * TargetNoise and AutomaticSmoothing. Default: AUTOMATIC.
    */
-  vtkSetClampMacro(TimeIntegration, int, EXPLICIT, NODES);
+  vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
   vtkGetMacro(TimeIntegration, int);
   void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
-  void SetTimeIntegrationToImplicit() { this->SetTimeIntegration(IMPLICIT); }
   void SetTimeIntegrationToAutomatic() { this->SetTimeIntegration(AUTOMATIC); }
-  void SetTimeIntegrationToNodes() { this->SetTimeIntegration(NODES); }
   ///@}
 
   enum GradientSchemeType

@@ -89,10 +89,9 @@ def series_spacing(frames: list[Any]) -> float:
 
 
 def _smooth(surface: Any, name: str, spacing: float, attraction: float | None, step: float) -> None:
-    steps, share = (_STEPS, 1.0 / 3.0) if name == "water" else (0.5 * _STEPS, 2.0)
+    steps, share = (_STEPS, 1.0) if name == "water" else (0.5 * _STEPS, 6.0)
     attraction = steps / step if attraction is None else attraction
     surface.SetParticleModelToAnisotropic()
-    surface.SetTimeIntegrationToImplicit()  # under this tension five times as fast
     surface.SetAttraction(attraction)
     surface.SetTension(share * attraction * (0.5 * spacing) ** 2)
 

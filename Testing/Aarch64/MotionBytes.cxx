@@ -59,12 +59,11 @@ struct Scene
   Motion Way;
 };
 
-std::vector<Scene> MakeScenes(TimeIntegration integration)
+std::vector<Scene> MakeScenes()
 {
   const auto make = [&](const char* name, double attraction, double tension)
   {
     Scene scene = { name, Motion() };
-    scene.Way.Integration = integration;
     scene.Way.Attraction = attraction;
     scene.Way.Tension = tension;
     return scene;
@@ -102,27 +101,23 @@ InitialFunction MakeStart()
   return function;
 }
 
-void Run(const Scene& scene, const char* integration)
+void Run(const Scene& scene)
 {
   NarrowBand band(VoxelSizeOf(48));
   band.Start(0.0, Box, MakeStart());
   ShapeTarget target(MakeFlowingRing());
   const AdvanceReport report = band.Advance(.3, scene.Way, target);
-  std::printf("%s, %s: %zu substeps, %016" PRIx64 "\n", scene.Name.c_str(), integration,
-    report.Substeps, HashOf(band));
+  std::printf(
+    "%s: %zu substeps, %016" PRIx64 "\n", scene.Name.c_str(), report.Substeps, HashOf(band));
 }
 
 }
 
 int main()
 {
-  for (const Scene& scene : MakeScenes(TimeIntegration::Explicit))
+  for (const Scene& scene : MakeScenes())
   {
-    Run(scene, "explicit");
-  }
-  for (const Scene& scene : MakeScenes(TimeIntegration::Implicit))
-  {
-    Run(scene, "implicit");
+    Run(scene);
   }
   return 0;
 }

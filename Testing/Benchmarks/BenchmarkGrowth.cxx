@@ -4,8 +4,7 @@
 // Run: BenchmarkGrowth [quick]
 //
 // Resolution: a ball of radius .6 in [-1,1]^3, n nodes along a side, the default scheme
-// (attraction to a moving ball, tension), by explicit substeps and by implicit ones, which are
-// longer; seconds per substep, and the largest memory that a
+// (attraction to a moving ball, tension); seconds per substep, and the largest memory that a
 // process of its own has held during start and substeps, less what it held after a run at n = 16.
 // Exponents are those of the straight line through the logarithms, by least squares. "while
 // advancing" is the same peak for the substeps alone: the start, which samples the bounds and
@@ -71,19 +70,13 @@ struct Need
   double Advancing = 0.0;
 };
 
-Motion MakeLaw(TimeIntegration integration)
+Motion MakeLaw()
 {
   Motion motion = MakeMotion(10.0, 0.001);
-  motion.Integration = integration;
   return motion;
 }
 
-std::string NameOf(const std::string& size, TimeIntegration integration)
-{
-  return size + (integration == TimeIntegration::Implicit ? ", implicit" : "");
-}
-
-Need MeasureNeed(int n, double before, TimeIntegration integration)
+Need MeasureNeed(int n, double before)
 {
   Need need;
   WithThreads(1,
@@ -93,7 +86,7 @@ Need MeasureNeed(int n, double before, TimeIntegration integration)
       band.SetNumberOfThreads(1);
       band.Start(0.0, Box, MakeInitial(BallDistance()));
       MovingBall target;
-      const Motion motion = MakeLaw(integration);
+      const Motion motion = MakeLaw();
       need.Voxels = static_cast<double>(band.GetNumberOfActiveNodes());
       const double started = ReadPeak();
       ForgetPeak();
@@ -108,7 +101,7 @@ Need MeasureNeed(int n, double before, TimeIntegration integration)
 }
 
 /** Before this process has started any thread. */
-Need MeasureInChild(int n, TimeIntegration integration)
+Need MeasureInChild(int n)
 {
   int ends[2];
   if (pipe(ends) != 0)
@@ -119,9 +112,9 @@ Need MeasureInChild(int n, TimeIntegration integration)
   if (child == 0)
   {
     // What the first band of all needs besides: code, threads' stacks.
-    MeasureNeed(16, 0.0, integration);
+    MeasureNeed(16, 0.0);
     ForgetPeak();
-    const Need need = MeasureNeed(n, ReadPeak(), integration);
+    const Need need = MeasureNeed(n, ReadPeak());
     const bool written = write(ends[1], &need, sizeof need) == sizeof need;
     _exit(written ? 0 : 1);
   }
@@ -166,8 +159,7 @@ Costs Collect(const std::vector<std::vector<Need>>& turns, const Number& number)
   return costs;
 }
 
-void TellExponents(const std::vector<double>& sizes, const std::vector<std::vector<Need>>& turns,
-  TimeIntegration integration)
+void TellExponents(const std::vector<double>& sizes, const std::vector<std::vector<Need>>& turns)
 {
   const auto fit = [&sizes](const std::vector<Need>& turn, double Need::*number)
   {
@@ -179,14 +171,14 @@ void TellExponents(const std::vector<double>& sizes, const std::vector<std::vect
     return FitExponent(sizes, y);
   };
   const std::string range = "n = 64 to " + std::to_string(std::lround(sizes.back()));
-  const Work work = { "growth", NameOf(range, integration), 1 };
+  const Work work = { "growth", range, 1 };
   Tell(work, "exponent of time", "",
     Collect(turns, [&](const std::vector<Need>& turn) { return fit(turn, &Need::Seconds); }));
   Tell(work, "exponent of memory", "",
     Collect(turns, [&](const std::vector<Need>& turn) { return fit(turn, &Need::Peak); }));
 }
 
-void GrowWithResolution(int largest, int repetitions, TimeIntegration integration)
+void GrowWithResolution(int largest, int repetitions)
 {
   std::vector<double> sizes;
   for (int n = 64; n <= largest; n *= 2)
@@ -198,13 +190,13 @@ void GrowWithResolution(int largest, int repetitions, TimeIntegration integratio
   {
     for (const double n : sizes)
     {
-      turn.push_back(MeasureInChild(static_cast<int>(n), integration));
+      turn.push_back(MeasureInChild(static_cast<int>(n)));
     }
   }
   for (std::size_t i = 0; i < sizes.size(); ++i)
   {
     const std::string size = "n = " + std::to_string(std::lround(sizes[i]));
-    const Work work = { "growth", NameOf(size, integration), 1 };
+    const Work work = { "growth", size, 1 };
     using Turn = std::vector<Need>;
     Tell(work, "time of a substep", "s",
       Collect(turns, [i](const Turn& turn) { return turn[i].Seconds; }));
@@ -213,7 +205,7 @@ void GrowWithResolution(int largest, int repetitions, TimeIntegration integratio
     Tell(work, "memory while advancing", "bytes per active voxel",
       Collect(turns, [i](const Turn& turn) { return turn[i].Advancing / turn[i].Voxels; }));
   }
-  TellExponents(sizes, turns, integration);
+  TellExponents(sizes, turns);
 }
 
 double AdvanceWith(int threads, int n, NarrowBand& band, Target& target, const Motion& motion)
@@ -224,12 +216,12 @@ double AdvanceWith(int threads, int n, NarrowBand& band, Target& target, const M
   return SecondsOf(work) / substeps;
 }
 
-void GrowWithThreads(int n, int repetitions, TimeIntegration integration)
+void GrowWithThreads(int n, int repetitions)
 {
   NarrowBand band(VoxelSizeOf(n));
   band.Start(0.0, Box, MakeInitial(BallDistance()));
   MovingBall target;
-  const Motion motion = MakeLaw(integration);
+  const Motion motion = MakeLaw();
   std::vector<Contestant> contestants;
   for (int threads = 1; threads <= CountThreads(); ++threads)
   {
@@ -239,8 +231,7 @@ void GrowWithThreads(int n, int repetitions, TimeIntegration integration)
   const std::vector<Costs> costs = MeasureInTurns(contestants, repetitions);
   for (std::size_t i = 0; i < contestants.size(); ++i)
   {
-    const Work work = { "growth", NameOf("n = " + std::to_string(n), integration),
-      static_cast<int>(i) + 1 };
+    const Work work = { "growth", "n = " + std::to_string(n), static_cast<int>(i) + 1 };
     Tell(work, "time of a substep by the clock", "s", costs[i]);
     TellRatio(work, contestants[i].Name + " over 1", costs[0], costs[i]);
   }
@@ -288,7 +279,7 @@ double AdvanceFrame(double spacing, int frame, vtkActiveImplicitSurface* surface
     });
 }
 
-void GrowWithParticles(double count, int frames, TimeIntegration integration)
+void GrowWithParticles(double count, int frames)
 {
   // A ball has 4/3 pi / spacing^3 of them.
   const double spacing = std::cbrt(4.18879 / count);
@@ -297,7 +288,6 @@ void GrowWithParticles(double count, int frames, TimeIntegration integration)
   surface->SetVoxelSize(0.02);
   surface->SetParticleRadius(2.0 * spacing);
   surface->SetAttraction(20.0);
-  surface->SetTimeIntegration(static_cast<int>(integration));
   const double bounds[6] = { -1.4, 1.4, -1.4, 1.4, -1.4, 1.4 };
   surface->SetModelBounds(bounds);
   Costs costs;
@@ -315,7 +305,7 @@ void GrowWithParticles(double count, int frames, TimeIntegration integration)
     });
   std::ostringstream name;
   name << std::lround(count / 1000.0) << "k particles";
-  Tell({ "growth", NameOf(name.str(), integration), 1 }, "time of a frame", "s", costs);
+  Tell({ "growth", name.str(), 1 }, "time of a frame", "s", costs);
 }
 }
 
@@ -323,17 +313,10 @@ int main(int argc, char** argv)
 {
   openvdb::initialize();
   const bool isQuick = IsQuick(argc, argv);
-  const TimeIntegration both[] = { TimeIntegration::Explicit, TimeIntegration::Implicit };
-  for (const TimeIntegration integration : both) // before there are threads
+  GrowWithResolution(isQuick ? 256 : 512, isQuick ? 3 : 5); // before there are threads
+  GrowWithThreads(isQuick ? 128 : 256, isQuick ? 7 : 15);
+  for (double count = 1000.0; count <= (isQuick ? 16e3 : 256e3); count *= 4.0)
   {
-    GrowWithResolution(isQuick ? 256 : 512, isQuick ? 3 : 5, integration);
-  }
-  for (const TimeIntegration integration : both)
-  {
-    GrowWithThreads(isQuick ? 128 : 256, isQuick ? 7 : 15, integration);
-    for (double count = 1000.0; count <= (isQuick ? 16e3 : 256e3); count *= 4.0)
-    {
-      GrowWithParticles(count, isQuick ? 3 : 5, integration);
-    }
+    GrowWithParticles(count, isQuick ? 3 : 5);
   }
 }

@@ -11,7 +11,7 @@
 //
 // OpenVDB gets what it needs for nothing: the target's distances on a grid that is as wide as the
 // band's way (MorphScenes.h), and its start. Our formula is evaluated on the clock. Steps are
-// OpenVDB's iterations and our substeps. One thread. Ours goes both ways of time integration.
+// OpenVDB's iterations and our substeps. One thread.
 
 #include "Crossings.h"
 #include "Measuring.h"
@@ -70,13 +70,12 @@ Course Follow(const Advance& advance, const Measure& measure)
   return course;
 }
 
-Course FollowOurs(const MorphScene& scene, TimeIntegration integration)
+Course FollowOurs(const MorphScene& scene)
 {
   NarrowBand band(1.0);
   band.SetNumberOfThreads(1);
   band.Start(0.0, scene.Bounds, scene.Initial);
   Motion motion = MakeMotion(1.0, 0.0);
-  motion.Integration = integration;
   return Follow([&](double, double end) { return band.Advance(end, motion, *scene.Goal).Substeps; },
     [&] { return ErrorOf(*GetPotential(band), *scene.Goal); });
 }
@@ -127,8 +126,7 @@ Costs SecondsAfter(const std::vector<Course>& courses, std::size_t piece)
 
 void TellCourses(const Work& work, const std::vector<std::vector<Course>>& all)
 {
-  const std::vector<std::string> names = { "morph", "implicit morph", NameOf(Default),
-    NameOf(Cheapest) };
+  const std::vector<std::string> names = { "morph", NameOf(Default), NameOf(Cheapest) };
   const double common = FindCommonError(all);
   Tell(work, "the same error", "voxels", { common });
   std::vector<Costs> whole;
@@ -145,25 +143,21 @@ void TellCourses(const Work& work, const std::vector<std::vector<Course>>& all)
     Tell(work, names[i] + ", steps to time 10", "", { first.Steps.back() });
     Tell(work, names[i] + ", error at time 10", "voxels", { first.Errors.back() });
   }
-  for (std::size_t ours = 0; ours < 2; ++ours)
+  for (std::size_t i = 1; i < all.size(); ++i)
   {
-    for (std::size_t i = ours + 1; i < all.size(); ++i)
-    {
-      TellRatio(work, names[ours] + " over " + names[i], same[i], same[ours]);
-      TellRatio(work, names[ours] + " to time 10 over " + names[i], whole[i], whole[ours]);
-    }
+    TellRatio(work, names[0] + " over " + names[i], same[i], same[0]);
+    TellRatio(work, names[0] + " to time 10 over " + names[i], whole[i], whole[0]);
   }
 }
 
 void Compare(const MorphScene& scene, int repetitions)
 {
-  std::vector<std::vector<Course>> all(4);
+  std::vector<std::vector<Course>> all(3);
   for (int repetition = 0; repetition < repetitions; ++repetition)
   {
-    all[0].push_back(FollowOurs(scene, TimeIntegration::Explicit));
-    all[1].push_back(FollowOurs(scene, TimeIntegration::Implicit));
-    all[2].push_back(FollowTheirs(scene, Default));
-    all[3].push_back(FollowTheirs(scene, Cheapest));
+    all[0].push_back(FollowOurs(scene));
+    all[1].push_back(FollowTheirs(scene, Default));
+    all[2].push_back(FollowTheirs(scene, Cheapest));
   }
   TellCourses({ "morph", scene.Name, 1 }, all);
 }

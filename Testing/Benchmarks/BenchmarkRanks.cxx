@@ -3,8 +3,8 @@
 //
 // Run: BenchmarkRanks [quick]
 //
-// A pool under waves, n nodes along it, is advanced by three time steps, by explicit substeps and
-// by implicit ones. The ranks are threads. Of the last step, for each substep and rank: rounds, in
+// A pool under waves, n nodes along it, is advanced by three time steps, by explicit substeps.
+// The ranks are threads. Of the last step, for each substep and rank: rounds, in
 // which all ranks wait for each other; bytes to neighbours, and to all other ranks, of the rank
 // that sends most of them. What makes the band whole at the end of the step is among the bytes to
 // all. Imbalance: crossings of the rank that has most of them, over the mean.
@@ -112,12 +112,11 @@ std::unique_ptr<NarrowBand> StartPool(int nodes)
   return band;
 }
 
-Motion MakeLaw(TimeIntegration integration)
+Motion MakeLaw()
 {
   Motion law;
   law.Attraction = 20.0;
   law.Tension = .002;
-  law.Integration = integration;
   return law;
 }
 
@@ -145,7 +144,7 @@ double FindImbalance(Agreement& ranks, const NarrowBand& band)
   return *std::max_element(crossings.begin(), crossings.end()) * ranks.GetSize() / sum;
 }
 
-Run RunPool(int size, int nodes, TimeIntegration integration)
+Run RunPool(int size, int nodes)
 {
   constexpr double step = .04;
   Run run;
@@ -161,7 +160,7 @@ Run RunPool(int size, int nodes, TimeIntegration integration)
       for (int frame = 1; frame <= 3; ++frame)
       {
         traffic = Traffic();
-        const AdvanceReport report = band->Advance(step * frame, MakeLaw(integration), pool);
+        const AdvanceReport report = band->Advance(step * frame, MakeLaw(), pool);
         run.Substeps = rank == 0 ? static_cast<double>(report.Substeps) : run.Substeps;
       }
       if (rank == 0)
@@ -172,7 +171,7 @@ Run RunPool(int size, int nodes, TimeIntegration integration)
   return run;
 }
 
-void TellRun(const Run& run, const char* integration)
+void TellRun(const Run& run)
 {
   const auto most = [&](double Traffic::*number)
   {
@@ -183,9 +182,9 @@ void TellRun(const Run& run, const char* integration)
     }
     return largest / run.Substeps;
   };
-  std::printf("%12s %6zu %9.0f %8.0f %18.1f %14.1f %10.2f\n", integration, run.Ranks.size(),
-    run.Substeps, most(&Traffic::Rounds), 1e-3 * most(&Traffic::ToNeighbours),
-    1e-3 * most(&Traffic::ToAll), run.Imbalance);
+  std::printf("%6zu %9.0f %8.0f %18.1f %14.1f %10.2f\n", run.Ranks.size(), run.Substeps,
+    most(&Traffic::Rounds), 1e-3 * most(&Traffic::ToNeighbours), 1e-3 * most(&Traffic::ToAll),
+    run.Imbalance);
 }
 
 }
@@ -196,12 +195,11 @@ int main(int argc, char* argv[])
   const int nodes = isQuick ? 64 : 192;
   std::printf("n = %d, %zu leaves; kB and rounds for each substep and rank\n", nodes,
     StartPool(nodes)->GetLeaves().Size());
-  std::printf("%12s %6s %9s %8s %18s %14s %10s\n", "substeps are", "ranks", "substeps", "rounds",
-    "kB to neighbours", "kB to all", "imbalance");
+  std::printf("%6s %9s %8s %18s %14s %10s\n", "ranks", "substeps", "rounds", "kB to neighbours",
+    "kB to all", "imbalance");
   for (const int ranks : { 2, 4, 8, 16, 32, 64 })
   {
-    TellRun(RunPool(ranks, nodes, TimeIntegration::Explicit), "explicit");
-    TellRun(RunPool(ranks, nodes, TimeIntegration::Implicit), "implicit");
+    TellRun(RunPool(ranks, nodes));
   }
   return 0;
 }

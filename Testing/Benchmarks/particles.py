@@ -6,9 +6,7 @@ Scenes: the splash in Testing/Data (992 particles), and pools of 25,600 and 250,
 waves, all with particles of radius r = .05 that are 2 r apart, 25 frames a second; voxel = 1, .75
 and .5 r. Each makes the same frames in turns, and a ratio is that of a frame:
 
-- frame, implicit frame: vtkActiveImplicitSurface, by either TimeIntegration, with ParticleModel SUM
-  and without Transport (what the defaults take is told by quality.py), Attraction 100 and Tension
-  100 (r/2)^2, which smooths what is smaller than r/2; triangles with normals. Its first frame, the
+- frame: vtkActiveImplicitSurface with its defaults; triangles with normals. Its first frame, the
   start, is told by itself, as later ones go on from it.
 - pysplashsurf (PyPI): its recommended smoothing, 25 weighted iterations, with normals, without the
   optional mesh cleanup.
@@ -51,8 +49,6 @@ except ImportError:
 DATA = Path(__file__).resolve().parents[1] / "Data" / "sph_drop.vtp"
 R = 0.05
 FRAMES_PER_SECOND = 25
-ATTRACTION = 100
-OURS = ("frame", "implicit frame")  # by TimeIntegration
 
 
 def splash(count):
@@ -84,20 +80,12 @@ def series_of(frames):
     return ParticleSeries([(frame,) for frame in frames], rate=1)
 
 
-def make_skin(series, voxel, integration=0):
+def make_skin(series, voxel):
     surface = vtkActiveImplicitSurface()
     surface.SetInputConnection(series.GetOutputPort())
     surface.SetTimeScale(1 / FRAMES_PER_SECOND)
     surface.SetVoxelSize(voxel)
-    surface.SetParticleModelToSum()
-    surface.SetTransport(0)
-    surface.TensionWeightingOff()
-    surface.CreatePartsOff()
-    surface.SetParticleRadius(3.4 * R)
-    surface.SetParticleThreshold(0.7)
-    surface.SetAttraction(ATTRACTION)
-    surface.SetTension(ATTRACTION * (0.5 * R) ** 2)
-    surface.SetTimeIntegration(integration)
+    surface.SetParticleSpacing(2 * R)
     surface.SetNumberOfThreads(THREADS)
     return surface
 
@@ -147,31 +135,23 @@ def tell(case, name, unit, costs):
 
 def compare(scene, frames, factor, program, folder):
     voxel, case = factor * R, f"{scene}, voxel {factor} r"
-    skins = {
-        name: make_skin(series_of(frames), voxel, integration)
-        for integration, name in enumerate(OURS)
-    }
-    for skin in skins.values():
-        tell(case, "start", "s", [seconds_of(lambda skin=skin: skin.UpdateTimeStep(0))])
-    costs = {name: [] for name in (*OURS, "pysplashsurf", "OpenVDB")}
+    skin = make_skin(series_of(frames), voxel)
+    tell(case, "start", "s", [seconds_of(lambda: skin.UpdateTimeStep(0))])
+    costs = {name: [] for name in ("frame", "pysplashsurf", "OpenVDB")}
     for step in range(1, len(frames)):
-        for name, skin in skins.items():
-            costs[name].append(seconds_of(lambda step=step, skin=skin: skin.UpdateTimeStep(step)))
+        costs["frame"].append(seconds_of(lambda step=step: skin.UpdateTimeStep(step)))
         if pysplashsurf:
             costs["pysplashsurf"].append(
                 seconds_of(lambda step=step: reconstruct(frames[step], voxel))
             )
         costs["OpenVDB"].append(openvdb_seconds(program, folder, frames[step], voxel))
-    for name, skin in skins.items():
-        tell(case, f"substeps per {name}", "", [skin.GetSubsteps() / (len(frames) - 1)])
     for name, theirs in costs.items():
         if theirs:
             tell(case, name, "s", theirs)
-    for ours in OURS:
-        for name in ("pysplashsurf", "OpenVDB"):
-            ratios = [theirs / own for theirs, own in zip(costs[name], costs[ours])]
-            if ratios:
-                tell(case, f"{ours} over {name}", "x", ratios)
+    for name in ("pysplashsurf", "OpenVDB"):
+        ratios = [theirs / own for theirs, own in zip(costs[name], costs["frame"])]
+        if ratios:
+            tell(case, f"frame over {name}", "x", ratios)
 
 
 def hold_still(factor, count=12):

@@ -48,17 +48,6 @@ class Aim:
         return worst, best, self.limit / worst if self.at_most else worst / self.limit
 
 
-def of_both(text, limit, part, name, case="{}", **options):
-    """An aim for either time integration; {} in the name or the case is where implicit stands."""
-    return [
-        Aim(f"{text}, {kind}", limit, part, name.format(named), case.format(cased), **options)
-        for kind, named, cased in (
-            ("explicit", "", "(?<!implicit)$"),
-            ("implicit", "implicit ", ", implicit$"),
-        )
-    ]
-
-
 # "shrinks" is the tension to the same time, so with an error: ours is the smaller one.
 AIMS = [
     Aim(
@@ -71,25 +60,14 @@ AIMS = [
     Aim("tension alone [ns per active voxel, substep]", 5, "tension", "tension", at_most=True),
     Aim("tension, times meanCurvature, defaults", 100, "tension", "shrinks over .*defaults"),
     Aim("tension, times meanCurvature, cheapest", 25, "tension", "shrinks over .*cheapest"),
-    *of_both(
-        "morph, times LevelSetMorphing, defaults", 100, "morph", "{}morph over .*defaults", ""
-    ),
-    *of_both("morph, times LevelSetMorphing, cheapest", 30, "morph", "{}morph over .*cheapest", ""),
-    *of_both("particles, times pysplashsurf", 3, "particles", "{}frame over pysplashsurf", ""),
-    *of_both("the same, all threads", 3, "particles", "{}frame over pysplashsurf", "", threads=0),
-    *of_both("particles, times ParticlesToLevelSet", 50, "particles", "{}frame over OpenVDB", ""),
-    *of_both("substeps per frame", 3, "particles", "substeps per {}frame", "", at_most=True),
+    Aim("morph, times LevelSetMorphing, defaults", 100, "morph", "morph over .*defaults"),
+    Aim("morph, times LevelSetMorphing, cheapest", 30, "morph", "morph over .*cheapest"),
+    Aim("particles, times pysplashsurf", 3, "particles", "frame over pysplashsurf"),
+    Aim("the same, all threads", 3, "particles", "frame over pysplashsurf", threads=0),
+    Aim("particles, times ParticlesToLevelSet", 50, "particles", "frame over OpenVDB"),
     Aim("mesh, times vtkFlyingEdges3D", 4, "skin", "skin over vtkFlyingEdges3D", "n = 256"),
-    # An implicit substep is as long at every n: it goes farther, in voxels.
-    Aim(
-        "growth of time with n [exponent], explicit",
-        2.1,
-        "growth",
-        "exponent of time",
-        "(?<!implicit)$",
-        at_most=True,
-    ),
-    *of_both("2 threads, times one", 1.85, "growth", "2 threads over 1", threads=2),
+    Aim("growth of time with n [exponent]", 2.1, "growth", "exponent of time", at_most=True),
+    Aim("2 threads, times one", 1.85, "growth", "2 threads over 1", threads=2),
     Aim("90 % at rest, times all moving", 5, "parts", "90 % at rest over all moving"),
     Aim(
         "the same, under tension",
@@ -97,12 +75,12 @@ AIMS = [
         "parts",
         "90 % at rest under tension over all moving under tension",
     ),
-    *of_both(
+    Aim(
         "memory at the peak [bytes per active voxel]",
         40,
         "growth",
         "memory at the peak",
-        "(256|512){}",
+        "(256|512)",
         at_most=True,
     ),
 ]

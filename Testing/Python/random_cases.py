@@ -92,7 +92,7 @@ def draw_properties(random, target):
     """Some of any; those that matter most more often."""
     properties = dict(draw_change(random) for _ in range(random.randint(0, 5)))
     if random.random() < 0.4:
-        properties["TimeIntegration"] = random.choice((0, 1, 3))
+        properties["TimeIntegration"] = random.choice((0, 1))
     if random.random() < 0.3:
         properties["Tension"] = random.choice(VALUES["Tension"])
     if random.random() < 0.3:

@@ -53,7 +53,7 @@ def draw_properties(random):
         "VoxelSize": random.choice((0.08, 0.12)),
         "ParticleModel": random.randint(0, 2),
         "ParticleSpacing": SPACING,
-        "TimeIntegration": random.choice((0, 1, 3)),
+        "TimeIntegration": random.choice((0, 1)),
         "Tension": random.choice(VALUES["Tension"]),
         "CreateParts": random.randint(0, 1),
         "ComputeVelocity": random.randint(0, 1),

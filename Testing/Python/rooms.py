@@ -39,12 +39,6 @@ MAY_INCLUDE = {
         "NarrowBand/Trilinear",
         "NarrowBand/Walls",
     ],
-    "NarrowBand/Implicit": [
-        *NUMERICS,
-        "NarrowBand/Leaves",
-        "NarrowBand/Parts",
-        "NarrowBand/Substep",
-    ],
     "NarrowBand/Nodes": [
         *NUMERICS,
         "NarrowBand/FloatLanes",
@@ -68,7 +62,6 @@ MAY_INCLUDE = {
         "NarrowBand/Leaves",
         "NarrowBand/Ranks",
         "NarrowBand/Substep",
-        "NarrowBand/Implicit",
         "NarrowBand/Nodes",
         "NarrowBand/State",
         "NarrowBand/Parts",

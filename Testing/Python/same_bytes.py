@@ -34,9 +34,8 @@ def make(target=None, initial=None, arrays=None, **properties):
     surface = vtkActiveImplicitSurface()
     surface.SetVoxelSize(VOXEL)
     surface.SetAttraction(4)
-    surface.SetParticleModelToSum()  # whose bytes are older, as are those without these:
-    surface.SetTransport(0)
-    surface.TensionWeightingOff()
+    surface.SetParticleModelToSum()  # whose bytes are older, as are those with these:
+    surface.SetTimeIntegrationToExplicit()
     surface.CreatePartsOff()
     surface.SetNumberOfThreads(THREADS["number"])
     connect(surface, 0, surface.SetTargetFunction, target)

@@ -127,11 +127,10 @@ class Errors(CommandTest):
 
     def test_what_acts_between_frames_is_a_note_of_one_frame(self):
         for more in (
-            ("--tension", 0.1),
+            ("--transport", 0.5),
             ("--fps", 24),
-            ("--volume-control", "penalty"),
+            ("--cfl", 0.5),
             ("--time-scale", 2),
-            ("--no-create-parts",),
         ):
             said = self.succeed("skin", "one.npy", "-o", "s.ply", *more).err
             self.assertIn(f"note: Of no effect on one frame: {more[0]};", said)
@@ -195,7 +194,7 @@ class TheFilter(unittest.TestCase):
     def test_properties_that_act_between_frames(self):
         for own in properties.every():
             rows = effects.rows_of(own)
-            if any("series" in row for row in rows) and own.keyword != "paper_scheme":
+            if any("series" in row and "particles" not in row for row in rows):
                 with self.subTest(own.keyword):
                     self.assert_same(
                         lambda **options: api.frames([grid()], particle_spacing=0.1, **options), own

@@ -24,7 +24,7 @@ SCENES = (
     {
         "target": ("emitter", 7),
         "obstacle": ("a_ball", 2),
-        "properties": {"ParticleSpacing": 0.2, "Tension": 0.01, "TimeIntegration": 1},
+        "properties": {"ParticleSpacing": 0.2, "Tension": 0.01, "TimeIntegration": 0},
     },
     {"target": ("moving_mesh", 3), "initial": ("a_ball", 5), "properties": {}},
     {"target": ("moving_image", 2), "properties": {"VolumeControl": 2, "ComputeVelocity": 1}},

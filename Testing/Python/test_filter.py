@@ -162,7 +162,7 @@ class ValuesInUse(unittest.TestCase):
             voxel, spacing, attraction, tension = self.values_of(surface)
             self.assertEqual((voxel, spacing), (0.125, 0.25), time)
             self.assertAlmostEqual(attraction, 6.0 / length, msg=f"by the step's length, {time}")
-            self.assertAlmostEqual(tension, attraction * 0.125**2 / 6.0, msg=f"r^2 / 6, {time}")
+            self.assertAlmostEqual(tension, attraction * 0.125**2 / 2.0, msg=f"r^2 / 2, {time}")
 
 
 class Observers(unittest.TestCase):

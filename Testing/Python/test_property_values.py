@@ -34,7 +34,7 @@ DEFAULTS = {
     "AutomaticAttraction": 1,
     "AutomaticSmoothing": 1,
     "TargetNoise": 0.0,
-    "TimeIntegration": 2,  # AUTOMATIC
+    "TimeIntegration": 1,  # AUTOMATIC
     "CreateParts": 1,
     "TensionWeighting": 1,
     "Transport": 1.0,
@@ -57,7 +57,7 @@ CLAMPED = [
     ("Attraction", -1.0, 0.0),
     ("Tension", -1.0, 0.0),
     ("TargetNoise", -1.0, 0.0),
-    ("TimeIntegration", 4, vtkActiveImplicitSurface.NODES),
+    ("TimeIntegration", 4, vtkActiveImplicitSurface.AUTOMATIC),
     ("ArrivalTime", -1.0, 0.0),
     ("ParticleRadius", -1.0, 0.0),
     ("ParticleSpacing", -1.0, 0.0),

@@ -266,13 +266,6 @@ class Series(unittest.TestCase):
         self.assertGreater([one.skin.GetNumberOfPoints() for one in begins][1], 0)
 
 
-class Presets(unittest.TestCase):
-    def test_those_with_tension_take_implicit_substeps(self):
-        for name, expected in (("water", 1), ("viscous", 1), ("paper", 0), ("molecule", 2)):
-            frames = active.frames(moving_grid(2), fps=10, preset=name)
-            self.assertEqual(frames.surface.GetTimeIntegration(), expected, name)
-
-
 class Live(unittest.TestCase):
     def test_pushed_frames_give_the_same_bytes_as_the_finished_series(self):
         moving = moving_grid(6)
@@ -313,9 +306,10 @@ class Live(unittest.TestCase):
 
     def test_a_push_that_is_refused_leaves_the_skin_as_it_was(self):
         moving = moving_grid(3)
-        wanted = [bytes_of(frame.skin) for frame in active.frames(moving, fps=10)]
-        live = active.LiveSurface(arrays={"ids": "id"})
         ids = numpy.arange(len(moving[0]))
+        numbered = [data_objects.as_particles(points, ids=ids) for points in moving]
+        wanted = [bytes_of(frame.skin) for frame in active.frames(numbered, fps=10, **SPACING)]
+        live = active.LiveSurface(arrays={"ids": "id"}, **SPACING)
         with self.assertRaisesRegex(ValueError, "no point array 'id', chosen for ids; they have"):
             live.advance(moving[0], 0.1)
         self.assertIsNone(live.time)

@@ -31,6 +31,7 @@ from vtkmodules.vtkParallelCore import vtkDummyController
 
 BEFORE, THEN, LATER = 0.2, 0.4, 0.6
 COARSE = 0.1
+NODES = {"TimeIntegration": 1, "CreateParts": 1}
 
 
 def morph(**properties):
@@ -103,7 +104,7 @@ def smoothed_particles():
     steps = {
         i * BEFORE: cloud([(x + 0.1 * i, y, z) for x, y, z in scattered(60)]) for i in range(5)
     }
-    return make(Steps(steps), VoxelSize=COARSE, ParticleModel=2, ParticleSpacing=0.3)
+    return make(Steps(steps), VoxelSize=COARSE, ParticleModel=2, ParticleSpacing=0.3, **NODES)
 
 
 def tense_particles():
@@ -112,7 +113,7 @@ def tense_particles():
         VoxelSize=COARSE,
         ParticleSpacing=0.3,
         Tension=0.01,
-        TensionWeighting=1,
+        **NODES,
     )
 
 
@@ -128,7 +129,12 @@ def crossing_particles(**properties):
     for i in range(5):
         names = [i % 2, 1 - i % 2]
         steps[i * BEFORE] = cloud([(-0.3, i / 10, 0), (0.3, i / 10, 0)], name=names)
+    properties = {"Attraction": 15, **NODES, **properties}
     return make(Steps(steps), VoxelSize=COARSE, ParticleRadius=0.6, **properties)
+
+
+def crossing_by_substeps():
+    return crossing_particles(TimeIntegration=0)
 
 
 def particles_with_velocity():
@@ -183,7 +189,7 @@ RESTARTS = {
     "TargetVolume": [(volume_penalty, 0.6), (volume_exact, 0.6)],
     "Tension": [(morph, 0.02)],
     "TensionWeighting": [(tense_particles, 0)],
-    "TimeIntegration": [(morph, 1)],
+    "TimeIntegration": [(smoothed_particles, 0)],
     "TimeScale": [(morph, 1.5)],
     "TimeStepSize": [(morph, 0.15)],
     "Transport": [(crossing_particles, 0.5)],
@@ -230,7 +236,7 @@ def move_a_particle(surface):
 # What is no property, but starts the skin anew when it changes: (scene, change).
 OTHER_CHANGES = {
     "array of radii": (particles, choose_array(0, "size")),
-    "array of ids": (crossing_particles, choose_array(1, "name")),
+    "array of ids": (crossing_by_substeps, choose_array(1, "name")),
     "array of strengths": (particles, choose_array(2, "weight")),
     "array of values": (samples, choose_array(3, "G")),
     "array of values at the start": (samples, choose_array(4, "G")),

@@ -213,6 +213,23 @@ void RunStage(const NodeFields& fields, const StageCoefficients& law, int count)
 
 }
 
+float FindFollowedShare(const StageCoefficients& law, float miss, float bulk)
+{
+  float share = 1.f;
+  if (law.Noise > 0.f)
+  {
+    const float t = std::min(std::max((bulk - FullFrom) / (FullTo - FullFrom), 0.f), 1.f);
+    const float full = t * t * (3.f - 2.f * t);
+    const float q = miss / ((1.f + (NoiseOfFull - 1.f) * full) * law.Noise);
+    const float power = (q * q) * (q * q);
+    const float slow = 1.f - std::min(2.f * bulk, 1.f) * (1.f - SlowShare);
+    share = slow + (1.f - slow) * power / (1.f + power);
+  }
+  const float x = share * law.Decay / static_cast<float>(FewestStages);
+  const float decayed = 1.f / (1.f + x * (1.f + x * (.5f + x * (1.f / 6.f + x / 24.f))));
+  return 1.f - (decayed * decayed) * (decayed * decayed);
+}
+
 void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential, NodeArrays& psi)
 {
   psi.MakeRoom(leaves.Size());

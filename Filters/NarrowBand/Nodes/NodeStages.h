@@ -40,6 +40,9 @@ void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential, NodeAr
 /** Number of stages for which the tension is stable. */
 int CountStages(const StageCoefficients& coefficients);
 
+/** The share of a change of psi [voxels] that the potential follows in the frame. */
+float FindFollowedShare(const StageCoefficients& coefficients, float change, float bulk);
+
 void RunStages(const NodeFields& fields, const StageCoefficients& coefficients);
 
 }

@@ -92,6 +92,10 @@ void NodeStep::FindLeaves(const NodeFrame& frame, const Motion& motion, const No
   {
     this->AddConfined(frame, motion);
   }
+  if (motion.Solid)
+  {
+    this->SampleSolid(*motion.Solid);
+  }
   this->Leaves.Adopt(this->Near.Leaves, !motion.Solid || motion.Solid->IsThreadSafe(),
     [&](const NodeIndex& origin)
     { return target.IsInside(CentreOf(origin)) && !this->IsSolid(origin, frame, motion); });
@@ -121,14 +125,15 @@ void NodeStep::AddConfined(const NodeFrame& frame, const Motion& motion)
   }
   std::sort(shell.begin(), shell.end(),
     [](const ShellLeaf& a, const ShellLeaf& b) { return a.Origin < b.Origin; });
-  if (motion.Solid)
-  {
-    std::vector<Obstacle::LeafOrigin> origins;
-    std::transform(shell.begin(), shell.end(), std::back_inserter(origins),
-      [](const ShellLeaf& leaf) { return leaf.Origin; });
-    motion.Solid->SampleLeaves(origins);
-    motion.Solid->Check();
-  }
+}
+
+void NodeStep::SampleSolid(Obstacle& solid) const
+{
+  std::vector<Obstacle::LeafOrigin> origins;
+  std::transform(this->Near.Leaves.begin(), this->Near.Leaves.end(), std::back_inserter(origins),
+    [](const ShellLeaf& leaf) { return leaf.Origin; });
+  solid.SampleLeaves(origins);
+  solid.Check();
 }
 
 bool NodeStep::IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion) const

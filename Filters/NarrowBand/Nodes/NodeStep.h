@@ -42,6 +42,7 @@ public:
 private:
   void FindLeaves(const NodeFrame& frame, const Motion& motion, const NodeTarget& target);
   void AddConfined(const NodeFrame& frame, const Motion& motion);
+  void SampleSolid(Obstacle& solid) const;
   bool FindDepths(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion,
     float (&depths)[512]) const;
   bool IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Motion& motion) const;

@@ -163,7 +163,7 @@ std::size_t Create(const NewParts& found, const LatticeFunction& function, const
     byOthers = CountOfOthers(band.Leaves, function.CountEvaluations() - evaluated);
   };
   RunTogether(band.Leaves, findDistances); // before any rank changes its skin
-  band.Backup.KeepAsTree(band.Leaves, band.Tree);
+  band.Backup.Keep(band.Leaves, band.Tree);
   Join(parts, band.Tree, changed);
   Join(hollows, band.Tree, changed);
   band.Leaves.Rebuild(band.Tree);

@@ -24,8 +24,7 @@ StepCoefficients CoefficientsOf(const ConvergenceRule& rule)
   coefficients.HasTargetSpeed = true;
   coefficients.IsWeighted = HasTensionWeights(rule.Parameters);
   // As the scheme does at the nodes of crossed edges.
-  coefficients.Central = rule.Parameters.Gradient == GradientScheme::Central ||
-    rule.Parameters.Integration == TimeIntegration::Implicit;
+  coefficients.Central = rule.Parameters.Gradient == GradientScheme::Central;
   coefficients.Advection = 1.f;
   coefficients.Tension = static_cast<float>(rule.Parameters.Tension / rule.VoxelSize);
   return coefficients;

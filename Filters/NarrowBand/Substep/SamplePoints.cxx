@@ -91,12 +91,6 @@ bool HasMoreSamples(const Motion& motion)
   return motion.Transport > 0.0 || HasTensionWeights(motion);
 }
 
-/** Whether the way of a sample depends on its own slope. */
-bool KeepsSlopes(const Motion& motion)
-{
-  return motion.Integration == TimeIntegration::Implicit && motion.Attraction > 0.0;
-}
-
 /** HasMore: the motion wants velocities or weights of tension too. */
 template <bool HasMore>
 struct SampleLeaf
@@ -186,10 +180,6 @@ private:
     float* sample = this->Buffers.Samples.data() + this->Buffers.FirstSample[i];
     double largest = 0.0;
     std::size_t dropped = 0;
-    if (KeepsSlopes(this->Parameters))
-    {
-      std::copy_n(slopes, count, this->Buffers.SlopeSamples.data() + this->Buffers.FirstSample[i]);
-    }
     for (std::size_t n = 0; n < count; ++n)
     {
       sample[n] = static_cast<float>(values[n]);
@@ -232,10 +222,6 @@ std::size_t NumberSamples(
   if (HasTensionWeights(motion))
   {
     makeRoom(buffers.WeightSamples, size);
-  }
-  if (KeepsSlopes(motion))
-  {
-    makeRoom(buffers.SlopeSamples, size);
   }
   if (motion.Transport > 0.0)
   {

@@ -27,39 +27,19 @@ void MakeRoom(std::vector<Value>& room, std::size_t size)
   room.resize(size);
 }
 
-/** What displaces a leaf's surface in an implicit substep, see LeafBalances.h. */
-struct LeafBalance
-{
-  // The longest displacements [voxels].
-  float Tension = 0.f; //< by tension, or by all terms if that is less
-  float Others = 0.f;  //< by target and penalties
-  float Net = 0.f;     //< by all terms
-
-  float Gradient = 0.f; //< mean |grad u|
-
-  /** Of Others, 0 to 1: all, where Net is less than a quarter of it; none from a half on. */
-  float GetBalancedShare() const
-  {
-    return this->Others > 0.f ? std::min(std::max(2.f - 4.f * this->Net / this->Others, 0.f), 1.f)
-                              : 0.f;
-  }
-};
-
 struct SubstepBuffers
 {
   // F - iso at the points of evaluation, leaf by leaf; with Transport the inward target speed.
   std::vector<float> Samples;
   std::vector<float> WeightSamples;             //< of tension, if it is weighted
-  std::vector<float> SlopeSamples;              //< |dF/dn|, of the implicit integration
   std::vector<float> Drifts;                    //< velocity along the surface, with Transport
   static constexpr std::int64_t NoSamples = -1; //< of a leaf that has not been sampled
   std::vector<std::int64_t> FirstSample;        //< number of a leaf's first point
 
   // Per leaf, 512 nodes each: the extended target speed, valid where Known; then the potential
-  // after the substep, which overwrites it row by row; between stages, the one before the last.
+  // after the substep, which overwrites it row by row.
   NodeArrays Nodes;
   NodeArrays Weights; //< of tension, extended as the speed is, if it is weighted
-  NodeArrays StageFirst, StageRate, StageSource; //< of the stages of the implicit integration
   std::vector<LeafMask> Known;
   std::vector<LeafMask> NextKnown;
 
@@ -67,7 +47,6 @@ struct SubstepBuffers
   std::vector<double> LargestTargetSlope; //< |dF/dn|
   std::vector<float> LargestSpeed;        //< at the nodes with samples
   std::vector<float> LargestVelocity;     //< of a sample point, tangential too; with Transport
-  std::vector<LeafBalance> Balances;      //< of the implicit integration
   std::vector<int> FlatNodes;             //< layer 0 nodes of gradient norm below 1/sqrt 2
   std::vector<int> SteepNodes;            //< layer 0 nodes of gradient norm above sqrt 2
   std::vector<std::uint8_t> Unbounded;    //< whether the next potential is, see GradientCounts

@@ -115,13 +115,8 @@ void CheckMotion(const Motion& motion)
   Require(motion.AreaControl != Control::Exact || motion.VolumeControl != Control::Exact,
     "AreaControl and VolumeControl cannot both be EXACT, as one displacement cannot restore two "
     "numbers; make one of them PENALTY.");
-  Require(motion.Integration == TimeIntegration::Explicit ||
-      (!motion.Paper && motion.Evaluation == TargetEvaluation::Shifted &&
-        motion.Gradient == GradientScheme::Upwind),
-    "The integration IMPLICIT needs the evaluation SHIFTED and the gradient scheme UPWIND, and is "
-    "not the paper's; set TimeIntegration to EXPLICIT, or these.");
   Require(motion.Integration == TimeIntegration::Explicit || motion.Tension >= 0.0,
-    "The integration IMPLICIT needs a Tension >= 0.");
+    "The node scheme needs a Tension >= 0.");
   Require(!motion.CreateParts || !motion.Paper,
     "CreateParts is no part of the paper's scheme; set one of them to false.");
 }

@@ -15,24 +15,20 @@ namespace
 // Least number of substeps from one step to the next while the target moves: so many times it is
 // evaluated on its way, however slow the surface is.
 constexpr double SubstepsOfMovingTarget = 4.0;
-// The same where the surface is carried along in one semi-Lagrangian step.
-constexpr double SubstepsOfCarriedSurface = 2.0;
 
-// The node scheme evaluates the target only near its surface: the skin has to come close in a time
-// step, by this number of factors e at least.
+// The node scheme evaluates the target only near its surface: a skin that comes closer by fewer
+// factors e in a time step may be elsewhere.
 constexpr double FewestFactorsOfNodes = 2.0;
 
 // Automatic attraction: distances fall by so many factors e from one step to the next.
 constexpr double FactorsPerStep = 6.0;
-// Automatic tension, in units of Attraction * (half of the particles' spacing)^2.
-constexpr double TensionOfSpacing = 1.0 / 6.0;
-// Automatic tension of the node scheme, which weighs it by 1/3 in a body of half the bulk.
-constexpr double TensionOfSpacingAtNodes = 1.0 / 2.0;
+// Automatic tension, in units of Attraction * (half of the particles' spacing)^2; in a body of half
+// the bulk a third of it acts.
+constexpr double TensionOfSpacing = 1.0 / 2.0;
 
 constexpr char NoNodes[] =
-  "TimeIntegration NODES needs particles with time steps, and an Attraction of two over their "
-  "length at least; explicit substeps are used instead. Set AutomaticAttraction, or "
-  "TimeIntegration to AUTOMATIC.";
+  " takes explicit substeps, which do not carry the skin along with the particles: it may be late, "
+  "and is not smoothed by their spacing. Set TimeIntegration to EXPLICIT if that is meant.";
 constexpr char NoSkinOnNodes[] =
   "The particles have no surface that the voxels can hold, or the obstacle covers it, so there is "
   "no skin; check VoxelSize, ParticleRadius, ModelBounds and ObstacleFunction.";
@@ -94,17 +90,10 @@ bool MotionDriver::StaysOnNodes() const
 void MotionDriver::StartOnNodes(NarrowBand& band, const SurfaceDomain& domain)
 {
   Motion motion = this->GetMotion(-1);
-  motion.Integration = TimeIntegration::Nodes;
-  const double given = motion.Tension / motion.Attraction;
+  const double given = motion.Attraction > 0.0 ? motion.Tension / motion.Attraction : 0.0;
   motion.Attraction = FactorsPerStep; // in the unit of time
-  motion.WeightedTension = this->Settings.Law.WeightedTension;
-  const bool isAutomatic = this->Settings.HasAutomaticAttraction();
-  motion.Tension = isAutomatic ? 0.0 : given * FactorsPerStep;
-  if (this->Settings.SmoothsParticles() && this->Settings.Law.Tension == 0.0)
-  {
-    const double r = 0.5 * this->Shapes.FindSpacing();
-    motion.Tension = TensionOfSpacingAtNodes * FactorsPerStep * r * r;
-  }
+  motion.Tension = this->Settings.HasAutomaticAttraction() ? 0.0 : given * FactorsPerStep;
+  this->UseNodes(FactorsPerStep, motion);
   band.StartOnNodes(0.0, domain.Bounds, motion, 1.0, this->Shapes.GetTarget());
   band.RestoreTargets(motion);
   if (band.IsEmpty())
@@ -128,12 +117,10 @@ Obstacle* MotionDriver::FindObstacle() const
 Motion MotionDriver::GetMotion(int step, bool hasParticles) const
 {
   Motion motion = this->Settings.Law;
-  const bool hasFluid = hasParticles && !motion.Paper;
   const SurfaceDomain* domain = this->Shapes.FindDomain();
   motion.CreateParts = motion.CreateParts && !motion.Paper && domain; // which tells the voxels
-  motion.WeightedTension = motion.WeightedTension && hasFluid;
-  motion.Transport = 0.0; // of what stands still
-  motion.Integration = this->ChooseIntegration(false);
+  motion.WeightedTension = false;
+  motion.Transport = 0.0;
   motion.Solid = this->FindObstacle();
   motion.Box.Present = this->Settings.Bounded && domain;
   if (domain)
@@ -151,45 +138,32 @@ Motion MotionDriver::GetMotion(int step, bool hasParticles) const
     // At the last step it is that of the way there.
     const double* steps = this->Settings.Inputs.Steps.data() + std::min(step, last - 1);
     const double length = this->Settings.TimeScale * (steps[1] - steps[0]);
-    motion.Transport = hasFluid ? this->Settings.Law.Transport : 0.0;
-    motion.Integration = this->ChooseIntegration(motion.Transport > 0.0);
-    const bool isCarried =
-      motion.Transport > 0.0 && motion.Integration == TimeIntegration::Implicit;
-    motion.LongestStep = length / (isCarried ? SubstepsOfCarriedSurface : SubstepsOfMovingTarget);
+    motion.LongestStep = length / SubstepsOfMovingTarget;
     if (this->Settings.HasAutomaticAttraction())
     {
       motion.Attraction = FactorsPerStep / length;
     }
-    if (hasFluid && this->Settings.HasAutomaticTension())
+    if (hasParticles && this->Settings.UsesNodes() &&
+      motion.Attraction * length >= FewestFactorsOfNodes)
     {
-      const double r = 0.5 * this->Shapes.FindSpacing();
-      const double factor =
-        this->MayUseNodes(motion, length) ? TensionOfSpacingAtNodes : TensionOfSpacing;
-      motion.Tension = factor * motion.Attraction * r * r;
-    }
-    if (hasFluid && this->MayUseNodes(motion, length))
-    {
-      motion.Integration = TimeIntegration::Nodes;
+      this->UseNodes(motion.Attraction, motion);
     }
   }
   return motion;
 }
 
-bool MotionDriver::MayUseNodes(const Motion& motion, double length) const
-{
-  return this->Settings.UsesNodes() && motion.Attraction * length >= FewestFactorsOfNodes;
-}
-
-// Few long substeps suit what is carried, and are no part of the paper's scheme.
-TimeIntegration MotionDriver::ChooseIntegration(bool isCarried) const
+// attraction: to which an automatic tension belongs.
+void MotionDriver::UseNodes(double attraction, Motion& motion) const
 {
   const Motion& law = this->Settings.Law;
-  const bool isPossible = law.Evaluation == TargetEvaluation::Shifted &&
-    law.Gradient == GradientScheme::Upwind && !law.Paper;
-  const IntegrationChoice choice = this->Settings.Integration;
-  const bool isImplicit = choice == IntegrationChoice::Implicit ||
-    (choice == IntegrationChoice::Automatic && isCarried && isPossible);
-  return isImplicit ? TimeIntegration::Implicit : TimeIntegration::Explicit;
+  motion.Integration = TimeIntegration::Nodes;
+  motion.WeightedTension = law.WeightedTension;
+  motion.Transport = law.Transport;
+  if (this->Settings.HasAutomaticTension())
+  {
+    const double r = 0.5 * this->Shapes.FindSpacing();
+    motion.Tension = TensionOfSpacing * attraction * r * r;
+  }
 }
 
 // On its way to the next step, if that is known.
@@ -238,16 +212,25 @@ bool MotionDriver::AdvanceTo(
   {
     return true;
   }
-  if (this->Settings.UsesNodes() && motion.Integration != TimeIntegration::Nodes &&
-    !this->StaysOnNodes())
-  {
-    this->Messages.Say("nodes", NoNodes);
-  }
+  this->WarnOfSubsteps(step, motion);
   this->Prepare(band);
   const AdvanceReport report =
     this->Count(band, [&] { return this->AdvanceOrArrive(band, step, time, motion, progress); });
   WarnOfMotion(report, { time, wasEmpty, this->MayCreateParts(motion) }, this->Messages);
   return !report.Aborted;
+}
+
+void MotionDriver::WarnOfSubsteps(int step, const Motion& motion)
+{
+  const char* found = this->Settings.FindWhatNeedsSubsteps();
+  const char* reason = found ? found : "An Attraction of less than 2 over a time step";
+  const bool isAsked =
+    this->Settings.Integration == IntegrationChoice::Explicit || this->Settings.Law.Paper;
+  if (motion.Integration != TimeIntegration::Nodes && !isAsked &&
+    this->Settings.Inputs.TargetMoves && this->Shapes.HasParticles(step, step + 1))
+  {
+    this->Messages.Say("substeps", reason + std::string(NoNodes));
+  }
 }
 
 bool MotionDriver::MayCreateParts(const Motion& motion) const

@@ -64,8 +64,8 @@ public:
 private:
   void Prepare(NarrowBand& band) const;
   Obstacle* FindObstacle() const;
-  TimeIntegration ChooseIntegration(bool isCarried) const;
-  bool MayUseNodes(const Motion& motion, double length) const;
+  void UseNodes(double attraction, Motion& motion) const;
+  void WarnOfSubsteps(int step, const Motion& motion);
   bool StartsOnNodes() const;
   bool StaysOnNodes() const;
   void StartOnNodes(NarrowBand& band, const SurfaceDomain& domain);

@@ -34,9 +34,11 @@ std::vector<float> SkinAttributes::FindSpeeds(const NarrowBand& band, const Moti
     step = FindArrayFrames(this->Settings, this->Time, this->Arrays, this->Shapes, true).First;
   }
   const int next = moves && this->Shapes.Has(step + 1) ? step + 1 : step;
-  const std::unique_ptr<PotentialTarget> target = this->Shapes.MakeTargetAt(
-    step, this->Settings.GetMotionTimeOf(step).Value, this->Settings.GetMotionTimeOf(next).Value);
-  const SkinForces forces{ motion, *target, band.GetStartArea(), band.GetStartVolume() };
+  const double begin = this->Settings.GetMotionTimeOf(step).Value;
+  const double end = this->Settings.GetMotionTimeOf(next).Value;
+  const std::unique_ptr<PotentialTarget> target = this->Shapes.MakeTargetAt(step, begin, end);
+  const SkinForces forces{ motion, *target, band.GetStartArea(), band.GetStartVolume(), begin,
+    end };
   const SurfaceDomain* domain = this->Shapes.GetDomain();
   if (domain && this->Settings.ArrivesAfter({ band.GetTime() }))
   {

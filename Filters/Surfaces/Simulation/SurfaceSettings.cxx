@@ -156,6 +156,35 @@ void CheckProperty(const Property& property, double value)
   }
 }
 
+const char* SurfaceSettings::FindWhatNeedsSubsteps() const
+{
+  const Motion& law = this->Law;
+  const bool isSum = this->Particles.Model == ParticleModel::Sum;
+  const std::pair<bool, const char*> needs[] = {
+    { law.Paper, "PaperScheme" },
+    { this->Integration == IntegrationChoice::Explicit, "TimeIntegration EXPLICIT" },
+    { !this->UsesInput(), "TargetFunction" },
+    { this->IsEquilibrium(), "EvolutionMode EQUILIBRIUM" },
+    { law.Evaluation != TargetEvaluation::Shifted, "TargetEvaluation other than SHIFTED" },
+    { law.Gradient != GradientScheme::Upwind, "GradientScheme CENTRAL" },
+    { law.VolumeControl == Control::Penalty, "VolumeControl PENALTY" },
+    { law.AreaControl == Control::Penalty, "AreaControl PENALTY" },
+    { !law.CreateParts, "CreateParts off" },
+    { !this->Normalize, "NormalizeTarget off" },
+    { this->Invert, "InvertTarget" },
+    { isSum ? this->IsoValue >= this->Particles.Threshold : this->IsoValue != 0.0,
+      isSum ? "TargetIsoValue beyond ParticleThreshold" : "TargetIsoValue" },
+  };
+  for (const auto& [isNeeded, name] : needs)
+  {
+    if (isNeeded)
+    {
+      return name;
+    }
+  }
+  return nullptr;
+}
+
 void SurfaceSettings::Check() const
 {
   ForEachProperty(*this,
@@ -179,16 +208,6 @@ void SurfaceSettings::Check() const
   Require(this->ArrivalTime == 0.0 || (this->Normalize && !this->Law.Paper),
     "ArrivalTime needs distances, and is no part of the paper's scheme; turn NormalizeTarget on "
     "and PaperScheme off, or set ArrivalTime to 0.");
-  const Motion& law = this->Law;
-  Require(!this->UsesNodes() ||
-      (this->UsesInput() && !this->IsEquilibrium() && this->Normalize && !this->Invert &&
-        !law.Paper && law.CreateParts && law.AreaControl != Control::Penalty &&
-        law.VolumeControl != Control::Penalty && law.Evaluation == TargetEvaluation::Shifted &&
-        law.Gradient == GradientScheme::Upwind && this->IsoValue < this->Particles.Threshold),
-    "TimeIntegration NODES is for particles on the input, with CreateParts and NormalizeTarget on, "
-    "InvertTarget and PaperScheme off, TargetEvaluation SHIFTED, GradientScheme UPWIND, "
-    "TargetIsoValue below ParticleThreshold, without EQUILIBRIUM and penalties; set these, or "
-    "TimeIntegration to AUTOMATIC.");
   CheckSteps(this->Inputs.Steps, this->Inputs.HaveOwnSteps());
   Require(std::isfinite(this->GetMotionTimeOf(this->GetNumberOfSteps() - 1).Value),
     "The motion time of the last step, TimeScale * (its time - that of the first step), has to be "

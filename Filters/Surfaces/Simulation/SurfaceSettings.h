@@ -29,13 +29,11 @@ enum class EvolutionMode
   Equilibrium // to its steady state from the first step, which is the only one
 };
 
-// Automatic: Implicit where particles carry the surface, else Explicit.
+// Automatic: the node scheme over particles, where nothing is asked for that it has not.
 enum class IntegrationChoice
 {
   Explicit,
-  Implicit,
-  Automatic,
-  Nodes // particles only
+  Automatic
 };
 
 struct ParticleSettings
@@ -127,22 +125,18 @@ struct SurfaceSettings
     return this->AutomaticAttraction && this->Law.Attraction == Motion().Attraction &&
       !this->Law.Paper && !this->IsEquilibrium();
   }
-  // Tension and noise, where they are 0, follow from the spacing of particles; outside the node
-  // scheme only if the particles move.
+  // Name of the property that the node scheme does not have; null: it has all.
+  const char* FindWhatNeedsSubsteps() const;
+  bool UsesNodes() const { return !this->FindWhatNeedsSubsteps(); }
+  // Tension and noise, where they are 0, follow from the spacing of particles.
   bool SmoothsParticles() const
   {
-    return this->AutomaticSmoothing && this->UsesInput() &&
-      this->Particles.Model != ParticleModel::Sum && this->Normalize && !this->Law.Paper &&
-      !this->IsEquilibrium();
+    return this->AutomaticSmoothing && this->Particles.Model != ParticleModel::Sum &&
+      this->UsesNodes();
   }
-  bool HasAutomaticSmoothing() const
-  {
-    return this->SmoothsParticles() && this->Inputs.TargetMoves;
-  }
-  bool UsesNodes() const { return this->Integration == IntegrationChoice::Nodes; }
   bool HasAutomaticTension() const
   {
-    return this->HasAutomaticSmoothing() && this->Law.WeightedTension && this->Law.Tension == 0.0;
+    return this->SmoothsParticles() && this->Law.WeightedTension && this->Law.Tension == 0.0;
   }
   // When the surface reaches its target; 0: never said.
   MotionTime GetArrival() const { return { this->TimeScale * this->ArrivalTime }; }

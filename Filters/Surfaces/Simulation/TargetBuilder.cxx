@@ -108,17 +108,18 @@ ShapeOptions TargetBuilder::GetOptions() const
   options.ParticleRadius = settings.Particles.Radius;
   options.Anisotropy = settings.Particles.Anisotropy;
   options.Threshold = settings.Particles.Threshold;
-  options.Carries = settings.Law.Transport > 0.0 && settings.Inputs.TargetMoves;
-  options.WeighsTension =
-    settings.Law.WeightedTension && (settings.Law.Tension > 0.0 || settings.HasAutomaticTension());
+  options.Carries = settings.UsesNodes() && settings.Inputs.TargetMoves;
+  options.WeighsTension = settings.UsesNodes() && settings.Law.WeightedTension &&
+    (settings.Law.Tension > 0.0 || settings.HasAutomaticTension());
   options.OpensHollows = settings.Law.CreateParts && !settings.Law.Paper;
   options.Kernel = settings.Particles.Kernel;
   options.MeshThickness = settings.MeshThickness;
   options.Level.IsoValue = settings.IsoValue;
   options.Level.Invert = settings.Invert;
   options.Level.Normalize = settings.Normalize;
-  options.Level.Noise = this->GetNoise(settings.HasAutomaticSmoothing());
-  options.NoiseAtNodes = this->GetNoise(settings.SmoothsParticles());
+  options.Level.Noise = settings.Noise;
+  options.IsOnNodes = settings.UsesNodes();
+  options.NoiseAtNodes = this->GetNoiseAtNodes();
   options.Ranks = this->Ranks;
   if (this->DomainKnown)
   {
@@ -191,9 +192,13 @@ void TargetBuilder::SetInitial(std::shared_ptr<InputShape> shape)
 }
 
 // Distance by which the surface of a body of particles trembles.
-double TargetBuilder::GetNoise(bool isAutomatic) const
+double TargetBuilder::GetNoiseAtNodes() const
 {
-  const bool isGiven = this->Settings.Noise > 0.0 || !isAutomatic;
+  if (!this->Settings.UsesNodes())
+  {
+    return 0.0;
+  }
+  const bool isGiven = this->Settings.Noise > 0.0 || !this->Settings.SmoothsParticles();
   return isGiven ? this->Settings.Noise : NoiseOfSpacing * this->FindSpacing();
 }
 

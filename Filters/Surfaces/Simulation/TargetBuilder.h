@@ -130,7 +130,7 @@ private:
   void WarnOfThinParts(const InputShape& shape, const std::string& where);
   void PrepareInitial();
   double GetSpacing() const;
-  double GetNoise(bool isAutomatic) const;
+  double GetNoiseAtNodes() const;
   // The shapes that are held, to positions relative to the domain's origin.
   void MoveToOrigin();
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;

@@ -64,8 +64,20 @@ void VisitHollow(
 
 }
 
+namespace
+{
+
+TargetOptions LevelOf(const ShapeOptions& options)
+{
+  TargetOptions level = options.Level;
+  level.Noise = options.IsOnNodes ? 0.0 : level.Noise;
+  return level;
+}
+
+}
+
 ParticleTarget::ParticleTarget(const TargetFrames& frames, const ShapeOptions& options)
-  : MovingTarget(options.Level)
+  : MovingTarget(LevelOf(options))
   , Frames(frames)
   , Options(options)
 {
@@ -93,9 +105,7 @@ void ParticleTarget::ForgetNear() noexcept
 
 ParticleWay ParticleTarget::GetWay(int step) const
 {
-  return this->Options.Carries && this->Options.Level.Noise > 0.0
-    ? this->Frames.GetWayWithoutNoise(step)
-    : this->Frames.GetWay(step);
+  return this->Frames.GetWay(step);
 }
 
 void ParticleTarget::Place(int step, double fraction)

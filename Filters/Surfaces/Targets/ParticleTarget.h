@@ -79,7 +79,11 @@ private:
   void PlaceWay(const ParticleWay& whole, int step, double fraction, PlacedParticles& placed);
   void BuildBody(const PlacedParticles& placed, double largestRadius, Skeleton& elements,
     ParticlePotential& body) const;
-  double GetLevel() const { return this->Options.Threshold - this->Options.Level.IsoValue; }
+  // Level of the sum of kernels at the skin.
+  double GetLevel() const
+  {
+    return this->IsSum() ? this->Options.Threshold - this->Options.Level.IsoValue : 0.5;
+  }
   void ForgetNear() noexcept;
   void ChooseNear(const ParticleWay& whole, int step);
   void FindChanged();

@@ -30,7 +30,8 @@ struct ShapeOptions
 
   Agreement* Ranks = nullptr; //< that make the same shapes together, or null
 
-  double NoiseAtNodes = 0.0; //< TargetNoise of the node scheme [length]
+  bool IsOnNodes = false;    //< whether particles are a target of the node scheme
+  double NoiseAtNodes = 0.0; //< and their noise there [length], in place of the level's
 
   /** Whether the target tells its velocity, where tension is to act, and where hollows can be. */
   bool Carries = false;
@@ -43,7 +44,7 @@ struct ShapeOptions
   bool NeedsFits() const { return this->Model != ParticleModel::Sum || this->WantsBulks(); }
 
   /** Whether what is a body of particles matters. */
-  bool WantsBulks() const { return this->WeighsTension || this->Level.Noise > 0.0; }
+  bool WantsBulks() const { return this->WeighsTension || this->NoiseAtNodes > 0.0; }
 
   /** Spacing of the samples that stand in for gradients that a function does not give [length]. */
   double GetDifferenceStep() const { return 0.125 * this->VoxelSize; }

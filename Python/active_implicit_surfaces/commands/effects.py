@@ -20,6 +20,7 @@ from ..messages import ActiveSurfaceWarning
 from .options import Parser, properties_of
 
 _START = "property_"  # of the properties' names among the options
+_MOTION = "series evolution_mode=equilibrium volume_control=exact area_control=exact"
 _ACTING = (  # rows, and what has them: options, and properties after a colon
     ("render", "size no_ground"),
     ("render glb", "up"),
@@ -31,6 +32,7 @@ _ACTING = (  # rows, and what has them: options, and properties after a colon
     ("render glb tangential_velocity=on", "velocities"),
     ("files", "index :compute_curvature :compute_normals :pass_target_arrays"),
     ("files exr", ":compute_velocity"),
+    (_MOTION, ":cfl :transport"),
     ("mesh_to_vdb", "voxel_size"),
     ("image_to_mesh", "level"),
     ("mesh", ":mesh_thickness"),
@@ -114,8 +116,7 @@ def _given(options: Namespace) -> Iterator[tuple[str, list[str]]]:
 def rows_of(own: properties.Property) -> list[str]:
     """The rows of a property: the table's, and those that class and documentation tell."""
     classes = {
-        "vtkActiveMotionAlgorithm": "series evolution_mode=equilibrium volume_control=exact "
-        "area_control=exact",
+        "vtkActiveMotionAlgorithm": f"{_MOTION} particles",  # a first skin is smoothed too
         "vtkActiveParticleAlgorithm": "particles",
     }
     told = {

@@ -240,13 +240,6 @@ std::vector<Way> MakeWays()
   return ways;
 }
 
-Way MakeImplicit(Way way)
-{
-  way.Name += ", implicit";
-  way.Law.Integration = TimeIntegration::Implicit;
-  return way;
-}
-
 }
 
 TEST(TestRankedBand, AnyNumberOfRanksGivesTheSameBytes)
@@ -325,19 +318,15 @@ TEST(TestRankedBand, ASubstepThatFailsOnOneRankIsTakenByNone)
 {
   Way way = MakeWay("tracking under tension", 1.0, 0.02);
   CheckFailure(way, FailInThirdSubstep);
-  way = MakeImplicit(way);
-  way.Law.LongestStep = .05;
-  CheckFailure(way, FailInThirdSubstep);
 }
 
 TEST(TestRankedBand, ABirthBeforeAFailureIsTakenBackOnAll)
 {
   Way way = MakeMovingBallsWay();
-  way.Law.Transport = 0.0; // else there is one implicit substep
+  way.Law.Transport = 0.0;
   way.Law.WeightedTension = true;
   way.Law.LongestStep = .05;
   CheckFailure(way, FailAfterBirth);
-  CheckFailure(MakeImplicit(way), FailAfterBirth);
 }
 
 // As where memory ended on one of them: nothing is better than a skin of which parts are old.
@@ -360,14 +349,6 @@ TEST(TestRankedBand, RanksWhoseTablesDifferLoseTheSkin)
       EXPECT_EQ(table.GetRanks(), nullptr);
       EXPECT_EQ(table.Size(), 0u);
     });
-}
-
-TEST(TestRankedBand, AnyNumberOfRanksGivesTheSameBytesInLongSubsteps)
-{
-  for (const Way& way : MakeWays())
-  {
-    CheckOnRanks(MakeImplicit(way));
-  }
 }
 
 }

@@ -96,11 +96,6 @@ TEST(TestTransport, NothingLagsAtAnyAttraction)
 {
   for (const Body& body : Bodies)
   {
-    // An implicit substep takes velocities for straight ways, as those of particles are.
-    if (body.Way.Spin != 0.0 && IntegrationUnderTest() == TimeIntegration::Implicit)
-    {
-      continue;
-    }
     for (const double attraction : { 0.0, 1.0, 20.0 })
     {
       const Arrival arrival = Arrive(body, MakeCarried(attraction, 1.0));
@@ -227,10 +222,7 @@ TEST(TestTransport, VelocitiesThatMeetEndInNoError)
     {
       largest = std::max(largest, std::fabs(*node));
     }
-    if (IntegrationUnderTest() != TimeIntegration::Implicit) // whose substeps are few
-    {
-      EXPECT_LE(largest, 128.f) << "of the potential [h], noise of " << cell << " h";
-    }
+    EXPECT_LE(largest, 128.f) << "of the potential [h], noise of " << cell << " h";
   }
 }
 

@@ -170,7 +170,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkin()
 {
   auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
   filter->SetParticleModelToSum();
-  filter->SetTransport(0.0);
+  filter->SetTimeIntegrationToExplicit();
   filter->SetParticleRadius(0.3);
   filter->SetAttraction(10.0);
   filter->SetVoxelSize(0.05);

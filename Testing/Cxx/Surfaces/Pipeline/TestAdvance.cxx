@@ -88,7 +88,7 @@ Filter MakeCarried()
   auto filter = Prepare(MakeSkin());
   filter->SetParticleModelToAnisotropic();
   filter->SetParticleSpacing(0.1);
-  filter->SetTransport(1.0);
+  filter->SetTimeIntegrationToAutomatic();
   filter->CreatePartsOn();
   return filter;
 }

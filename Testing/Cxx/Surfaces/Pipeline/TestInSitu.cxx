@@ -95,7 +95,7 @@ TEST(TestInSitu, ParticlesOfGrowingStepsCarryTheSkin)
     auto filter = MakeWatcher(source);
     filter->SetParticleModelToAnisotropic();
     filter->SetParticleSpacing(0.1);
-    filter->SetTransport(1.0);
+    filter->SetTimeIntegrationToAutomatic();
     filter->CreatePartsOn();
     return filter;
   };

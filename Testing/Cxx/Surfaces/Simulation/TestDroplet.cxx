@@ -40,7 +40,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeDroplet()
   source->SetSteps({ 0.0, 1.0, 2.0 });
   auto filter = MakeSkinOver(source);
   filter->SetParticleModelToSum();
-  filter->SetTransport(0.0);
+  filter->SetTimeIntegrationToExplicit();
   filter->SetParticleRadius(Support);
   filter->SetVoxelSize(Voxel);
   filter->SetAttraction(Attraction);

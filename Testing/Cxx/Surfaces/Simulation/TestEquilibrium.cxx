@@ -259,7 +259,7 @@ TEST(TestEquilibrium, FirstStepOfTheInputIsTheTarget)
   source->SetSteps({ 1.0, 2.0, 3.0, 4.0 });
   auto filter = MakeSkinOver(source);
   filter->SetParticleModelToSum();
-  filter->SetTransport(0.0);
+  filter->SetTimeIntegrationToExplicit();
   filter->SetParticleRadius(0.8);
   filter->SetEvolutionModeToEquilibrium();
   for (const double time : { 1.0, 3.0 })

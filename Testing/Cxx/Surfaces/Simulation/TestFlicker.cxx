@@ -146,7 +146,7 @@ double GetFlickerOfSkin(double rate)
     MakeSource([](double t) { return MakePool(static_cast<int>(t)); }, steps);
   filter->SetInputConnection(source->GetOutputPort());
   filter->SetParticleModelToSum();
-  filter->SetTransport(0.0);
+  filter->SetTimeIntegrationToExplicit();
   filter->AutomaticAttractionOff();
   filter->SetParticleRadius(Radius);
   filter->SetParticleThreshold(Threshold);

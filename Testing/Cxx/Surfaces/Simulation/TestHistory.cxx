@@ -49,7 +49,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeMeeting()
   source->SetSteps({ 0.0, 1.0, 2.0, 3.0, 4.0 });
   auto filter = MakeSkinOver(source);
   filter->SetParticleModelToSum();
-  filter->SetTransport(0.0);
+  filter->SetTimeIntegrationToExplicit();
   filter->SetParticleRadius(0.4);
   filter->SetTension(0.001);
   return filter;

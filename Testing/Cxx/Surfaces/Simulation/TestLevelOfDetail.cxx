@@ -167,7 +167,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkin(const std::vector<double>& st
   filter->SetInputConnection(source->GetOutputPort());
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "size");
   filter->SetParticleModelToSum();
-  filter->SetTransport(0.0);
+  filter->SetTimeIntegrationToExplicit();
   filter->AutomaticAttractionOff();
   filter->SetParticleThreshold(Threshold);
   filter->SetVoxelSize(Voxel);

@@ -57,6 +57,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOverDrop(bool createsParts)
   auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
   filter->SetInputConnection(source->GetOutputPort());
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
+  filter->SetTimeIntegrationToExplicit();
   filter->SetParticleSpacing(Spacing);
   filter->SetCreateParts(createsParts);
   return filter;
@@ -91,6 +92,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeStandingBall(double voxelSize)
   ball->SetRadius(BallRadius);
   filter->SetInitialFunction(ball);
   filter->SetAttraction(0.0);
+  filter->SetTimeIntegrationToExplicit();
   filter->SetParticleSpacing(Spacing);
   return filter;
 }

@@ -122,7 +122,7 @@ TEST(TestVelocity, VelocityOfACarriedSkinIsItsDifference)
     });
   filter->AutomaticAttractionOff();
   filter->SetAttraction(1.0);
-  filter->SetTransport(1.0);
+  filter->SetTimeIntegrationToAutomatic();
   for (const double time : { 2.5, 3.0 })
   {
     const Comparison comparison = Compare(filter, time, 0.1, false);
@@ -148,7 +148,7 @@ TEST(TestVelocity, VelocityOfAGrowingSkinIsItsDifference)
     });
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
   filter->SetParticleModelToSum();
-  filter->SetTransport(0.0);
+  filter->SetTimeIntegrationToExplicit();
   filter->SetParticleRadius(0.6);
   const Comparison comparison = Compare(filter, 2.5, 0.5, false);
   EXPECT_GT(comparison.Speed, 0.005) << "mean speed";

@@ -90,7 +90,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOverData(vtkPointSet* points)
   auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
   filter->SetInputData(points);
   filter->SetParticleModelToSum();
-  filter->SetTransport(0.0);
+  filter->SetTimeIntegrationToExplicit();
   filter->SetParticleRadius(0.3);
   filter->SetVoxelSize(VoxelSize);
   filter->SetModelBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
@@ -261,7 +261,7 @@ TEST(TestParticles, KernelAndThresholdShapeTheSkin)
 {
   auto filter = MakeSkinOverData(MakePoints({ { 0.0, 0.0, 0.0 } }));
   filter->SetParticleModelToSum();
-  filter->SetTransport(0.0);
+  filter->SetTimeIntegrationToExplicit();
   filter->SetParticleRadius(0.6);
   const auto radius = [filter]
   {
@@ -377,7 +377,7 @@ TEST(TestParticles, TheSplashIsReadOnceAndStaysClosed)
   filter->SetInputConnection(reader->GetOutputPort());
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
   filter->SetParticleModelToSum();
-  filter->SetTransport(0.0);
+  filter->SetTimeIntegrationToExplicit();
   filter->SetParticleRadius(0.2);
   filter->SetVoxelSize(0.06);
   filter->SetAttraction(50.0);
