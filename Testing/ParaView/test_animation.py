@@ -85,9 +85,9 @@ NOT_CHANGED = {"Target", "Initial", "TimestepValues", "ArrivalTime"}
 # What does not show in the second step: other times are published, or the input's hold.
 WITHOUT_EFFECT = set(
     """
-    AutomaticAttraction CheckpointInterval CheckpointMemory CreateParts IdArray
+    AutomaticAttraction CFL CheckpointInterval CheckpointMemory
     MaximumNumberOfActiveVoxels MeshThickness ModelBounds NumberOfThreads NumberOfTimeSteps
-    OutputPotential ParticleKernel ParticleThreshold StartTime TimeStepSize
+    OutputPotential ParticleKernel ParticleThreshold StartTime TargetReach TimeStepSize
     VelocityArray
 """.split()
 )
