@@ -82,9 +82,6 @@ public:
    */
   virtual void MoveTo(double time) { static_cast<void>(time); }
 
-  /** The same for EvaluateVelocities alone: until the next MoveTo nothing else is asked for. */
-  virtual void MoveVelocitiesTo(double time) { this->MoveTo(time); }
-
   /**
    * Whether results in this box (xmin xmax ymin ymax zmin zmax) may differ from those before the
    * last MoveTo. Where they do not, converged leaves are not evaluated again.
@@ -101,22 +98,6 @@ public:
    */
   virtual void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const = 0;
-
-  /** The velocities alone, as by Evaluate (x y z each); not a number where the target knows none,
-   * as nothing is there that moves. */
-  virtual void EvaluateVelocities(std::size_t count, const double* points, double* velocities) const
-  {
-    constexpr std::size_t batch = 128;
-    double values[batch], slopes[batch];
-    for (std::size_t first = 0; first < count; first += batch)
-    {
-      TargetResults results;
-      results.Values = values;
-      results.Slopes = slopes;
-      results.Velocities = velocities + 3 * first;
-      this->Evaluate(std::min(batch, count - first), points + 3 * first, results);
-    }
-  }
 
   /**
    * Whether ForEachRegion and ForEachPart together know where new parts can be.

@@ -28,13 +28,6 @@ inline double GetReachPerSpacing(ParticleModel model)
                                                 : 2.0;
 }
 
-// Of a bulk: the share of noise that is not followed. The outermost layer of a body has .73 of its
-// tension, and all of its noise.
-inline double GetShareOfNoise(double bulk)
-{
-  return std::min(2.0 * bulk, 1.0);
-}
-
 // What a particle is among its neighbours: found once for each time step of the input, and in
 // between as it changes evenly. ParticleFit() is one without neighbours, and without a size.
 struct ParticleFit

@@ -19,15 +19,13 @@ constexpr double FullPresence = 0.5;
 constexpr double UsualStretch = 1.3;
 }
 
-// Where values, gradients and bulks go.
-template <bool HasBulk>
+// Where values and gradients go.
 struct ParticlePotential::Results
 {
-  static constexpr int Terms = HasBulk ? 5 : 4; // gradient, value, bulk
+  static constexpr int Terms = 4; // gradient, value
 
   double* Values;
   double* Gradients; // or null
-  double* Bulks;     // if HasBulk
 
   ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
   {
@@ -36,18 +34,12 @@ struct ParticlePotential::Results
     {
       std::copy_n(terms, 3, this->Gradients + 3 * i);
     }
-    if constexpr (HasBulk)
-    {
-      this->Bulks[i] = terms[4];
-    }
   }
 };
 
 // One lane after the other, all with the same operations.
-template <bool HasBulk>
-struct ParticlePotential::CentreField : ParticlePotential::Results<HasBulk>
+struct ParticlePotential::CentreField : ParticlePotential::Results
 {
-  using Results<HasBulk>::Terms;
   const ParticlePotential& Body;
 
   template <int Width>
@@ -62,10 +54,6 @@ struct ParticlePotential::CentreField : ParticlePotential::Results<HasBulk>
     {
       terms[3][i] = this->FindValue(sums, i, slopes);
       terms[0][i] = terms[1][i] = terms[2][i] = 0.0;
-      if constexpr (HasBulk)
-      {
-        terms[4][i] = sums.Weight[i] > 0.0 ? sums.Bulk[i] / sums.Weight[i] : 0.0;
-      }
     }
     if (!this->Gradients)
     {
@@ -91,7 +79,6 @@ private:
     double Offset[3][Width] = {}; // to the particles
     double Radius[Width] = {};
     double Presence[Width] = {};
-    double Bulk[Width] = {};
   };
 
   // The gradient is a sum too, of offsets times a factor that the first sums tell:
@@ -132,10 +119,6 @@ private:
         sums.Offset[2][i] += weight * z;
         sums.Radius[i] += weight * element.OwnRadius;
         sums.Presence[i] += element.Presence * (p * p * p);
-        if constexpr (HasBulk)
-        {
-          sums.Bulk[i] += weight * element.Bulk;
-        }
       }
     }
     result = sums;
@@ -204,10 +187,8 @@ private:
   }
 };
 
-template <bool HasBulk>
-struct ParticlePotential::AnisotropicField : ParticlePotential::Results<HasBulk>
+struct ParticlePotential::AnisotropicField : ParticlePotential::Results
 {
-  using Results<HasBulk>::Terms;
   const ParticlePotential& Body;
 
   template <int Width>
@@ -226,10 +207,6 @@ struct ParticlePotential::AnisotropicField : ParticlePotential::Results<HasBulk>
     }
     for (int i = 0; i < Width; ++i)
     {
-      if constexpr (HasBulk)
-      {
-        terms[4][i] = terms[3][i] > 0.0 ? terms[4][i] / terms[3][i] : 0.0;
-      }
       terms[3][i] = 0.5 - terms[3][i];
     }
   }
@@ -238,7 +215,7 @@ private:
   template <int Width>
   struct Sums
   {
-    double Terms[HasBulk ? 5 : 4][Width] = {};
+    double Terms[Results::Terms][Width] = {};
   };
 
   template <int Width>
@@ -265,10 +242,6 @@ private:
         sums.Terms[1][i] += 6.0 * rate * my;
         sums.Terms[2][i] += 6.0 * rate * mz;
         sums.Terms[3][i] += rate * u;
-        if constexpr (HasBulk)
-        {
-          sums.Terms[4][i] += rate * u * element.Bulk;
-        }
       }
     }
     result = sums;
@@ -330,13 +303,13 @@ ParticlePotential::CentreElement ParticlePotential::MakeCentre(
   const double* p = particle.Position;
   const double reach = particle.Radius, near = NearPerReach * reach;
   return { { p[0], p[1], p[2] }, particle.Strength, 1.0 / (reach * reach), fit.OwnRadius,
-    std::min(particle.Strength, 1.0), 1.0 / (near * near), fit.Bulk };
+    std::min(particle.Strength, 1.0), 1.0 / (near * near) };
 }
 
 ParticlePotential::AnisotropicElement ParticlePotential::MakeEllipsoid(
   const SkeletonVertex& particle, const ParticleFit& fit)
 {
-  AnisotropicElement element{ {}, particle.Strength * fit.Strength, {}, fit.Bulk };
+  AnisotropicElement element{ {}, particle.Strength * fit.Strength, {} };
   for (int axis = 0; axis < 3; ++axis)
   {
     element.Position[axis] = particle.Position[axis] + fit.Offset[axis];
@@ -345,16 +318,13 @@ ParticlePotential::AnisotropicElement ParticlePotential::MakeEllipsoid(
   return element;
 }
 
-template <template <bool> class Field, bool HasBulk>
+template <class Field>
 void ParticlePotential::EvaluateField(
-  std::size_t count, const double* points, double* values, double* gradients, double* bulks) const
+  std::size_t count, const double* points, double* values, double* gradients) const
 {
   EvaluateInLanes(this->Near, count, points,
-    [&](std::size_t first)
-    {
-      return Field<HasBulk>{ { values + first, gradients ? gradients + 3 * first : nullptr,
-                               HasBulk ? bulks + first : nullptr },
-        *this };
+    [&](std::size_t first) {
+      return Field{ { values + first, gradients ? gradients + 3 * first : nullptr }, *this };
     });
 }
 
@@ -363,24 +333,11 @@ void ParticlePotential::Evaluate(
 {
   if (this->Model == ParticleModel::Anisotropic)
   {
-    this->EvaluateField<AnisotropicField, false>(count, points, values, gradients, nullptr);
+    this->EvaluateField<AnisotropicField>(count, points, values, gradients);
   }
   else
   {
-    this->EvaluateField<CentreField, false>(count, points, values, gradients, nullptr);
-  }
-}
-
-void ParticlePotential::EvaluateWithBulk(
-  std::size_t count, const double* points, double* values, double* gradients, double* bulks) const
-{
-  if (this->Model == ParticleModel::Anisotropic)
-  {
-    this->EvaluateField<AnisotropicField, true>(count, points, values, gradients, bulks);
-  }
-  else
-  {
-    this->EvaluateField<CentreField, true>(count, points, values, gradients, bulks);
+    this->EvaluateField<CentreField>(count, points, values, gradients);
   }
 }
 

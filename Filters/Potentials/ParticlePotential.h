@@ -46,11 +46,6 @@ public:
   // Thread-safe.
   void Evaluate(std::size_t count, const double* points, double* values, double* gradients) const;
 
-  // The same, and the means of the fits' bulks, by the particles' shares of the potential; 0 where
-  // none reaches.
-  void EvaluateWithBulk(std::size_t count, const double* points, double* values, double* gradients,
-    double* bulks) const;
-
   // The box of all reaches: xmin xmax ymin ... Meaningless without particles.
   const double* GetBounds() const { return this->Near.GetBounds(); }
 
@@ -66,24 +61,19 @@ private:
     double OwnRadius;
     double Presence;
     double InverseNear2;
-    double Bulk;
   };
   struct AnisotropicElement
   {
     double Position[3];
     double Strength;
     double Metric[6];
-    double Bulk;
   };
-  template <bool HasBulk>
   struct Results;
-  template <bool HasBulk>
   struct CentreField;
-  template <bool HasBulk>
   struct AnisotropicField;
-  template <template <bool> class Field, bool HasBulk>
-  void EvaluateField(std::size_t count, const double* points, double* values, double* gradients,
-    double* bulks) const;
+  template <class Field>
+  void EvaluateField(
+    std::size_t count, const double* points, double* values, double* gradients) const;
 
   BallCells::Ball MakeBall(const SkeletonVertex& particle, const ParticleFit& fit) const;
   static CentreElement MakeCentre(const SkeletonVertex& particle, const ParticleFit& fit);

@@ -37,18 +37,12 @@ public:
 
   void KeepNear(const OwnPlaces* places) noexcept override { this->Within.KeepNear(places); }
   void MoveTo(double time) override { this->Within.MoveTo(time); }
-  void MoveVelocitiesTo(double time) override { this->Within.MoveVelocitiesTo(time); }
   bool MayHaveChanged(const double bounds[6]) const override
   {
     return this->Within.MayHaveChanged(bounds);
   }
   void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const override;
-  void EvaluateVelocities(
-    std::size_t count, const double* points, double* velocities) const override
-  {
-    this->Within.EvaluateVelocities(count, points, velocities);
-  }
   bool HasRegions() const override { return this->Within.HasRegions(); }
   std::size_t CountRegionSources() const override { return this->Within.CountRegionSources(); }
   void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override

@@ -20,7 +20,11 @@ void MovingTarget::MoveAlong(int step, double begin, double end)
 
 void MovingTarget::MoveTo(double time)
 {
-  this->MoveVelocitiesTo(time);
+  const bool placed = this->PlaceOnce(this->FindFraction(time));
+  this->Recent = this->HasJumped ? Change::Everything
+    : placed                     ? Change::LastPlace
+                                 : Change::Nothing;
+  this->HasJumped = false;
   this->Complete();
 }
 
@@ -44,15 +48,6 @@ double MovingTarget::FindFraction(double time) const
   return std::min(std::max(fraction, 0.0), 1.0);
 }
 
-void MovingTarget::MoveVelocitiesTo(double time)
-{
-  const bool placed = this->PlaceOnce(this->FindFraction(time));
-  this->Recent = this->HasJumped ? Change::Everything
-    : placed                     ? Change::LastPlace
-                                 : Change::Nothing;
-  this->HasJumped = false;
-}
-
 bool MovingTarget::MayHaveChanged(const double bounds[6]) const
 {
   return this->Recent == Change::Everything ||
@@ -66,8 +61,7 @@ bool MovingTarget::HasChangedIn(const double[6]) const
 
 bool MovingTarget::IsAt(int step, double fraction) const
 {
-  const bool hasSameWay = !this->DependsOnDuration() || this->PlacedDuration == this->GetDuration();
-  return step == this->Step && fraction == this->Fraction && hasSameWay;
+  return step == this->Step && fraction == this->Fraction;
 }
 
 // Whether it was elsewhere.
@@ -78,7 +72,6 @@ bool MovingTarget::PlaceOnce(double fraction)
   {
     this->ForgetPlace();
     this->Place(this->Way, fraction);
-    this->PlacedDuration = this->GetDuration();
     this->Step = this->Way;
     this->Fraction = fraction;
     this->IsPlaced = true;

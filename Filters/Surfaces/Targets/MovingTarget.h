@@ -21,11 +21,10 @@ public:
   void Complete();
 
   void MoveTo(double time) override;
-  void MoveVelocitiesTo(double time) override;
   bool MayHaveChanged(const double bounds[6]) const override;
 
 protected:
-  // At a fraction in [0,1] of the way from this step to the next. EvaluateVelocities may follow.
+  // At a fraction in [0,1] of the way from this step to the next.
   virtual void Place(int step, double fraction) = 0;
 
   // What has been placed is to be placed again, the same.
@@ -40,9 +39,6 @@ protected:
 
   // From the step to the next one [motion time]; 0 where it stays.
   double GetDuration() const { return this->End - this->Begin; }
-
-  // Whether what it tells at a place depends on how long the way is.
-  virtual bool DependsOnDuration() const { return false; }
 
   // Whether the last Place may have changed values in a box.
   virtual bool HasChangedIn(const double bounds[6]) const;
@@ -64,7 +60,6 @@ private:
   int Step = -1; // where it is, or is to be placed again; -1: nowhere
   double Fraction = 0.0;
   bool IsPlaced = false;
-  double PlacedDuration = 0.0;        // when it was placed
   bool HasJumped = true;              // other than by MoveTo
   Change Recent = Change::Everything; // with the last MoveTo
   bool IsFinished = false;

@@ -29,7 +29,6 @@ void NearParticles::Choose(const ParticleWay& whole, const OwnPlaces* places)
 {
   *this = NearParticles();
   this->HasLater = whole.Later != nullptr;
-  this->HasShares = whole.SharesOfMotion != nullptr;
   const ParticleParcels parcels = SendParcels(whole, places);
   this->MakeRoom(parcels);
   for (const std::size_t n : parcels.Order)
@@ -72,10 +71,6 @@ void NearParticles::Add(const ParticleParcels& parcels, std::size_t n, const Own
   AddParticle(parcel.Earlier, fits, this->Earlier);
   this->CountsEarlier.push_back(IsCounted(parcel.Earlier, places));
   this->Matches.Partners.push_back(parcel.HasLater ? later : NoPartner);
-  if (this->HasShares)
-  {
-    this->SharesOfMotion.push_back(parcel.ShareOfMotion);
-  }
 }
 
 ParticleWay NearParticles::GetWay() const
@@ -83,7 +78,6 @@ ParticleWay NearParticles::GetWay() const
   ParticleWay way{ &this->Earlier };
   way.Later = this->HasLater ? &this->Later : nullptr;
   way.Matches = this->HasLater ? &this->Matches : nullptr;
-  way.SharesOfMotion = this->HasShares ? &this->SharesOfMotion : nullptr;
   return way;
 }
 

@@ -38,9 +38,7 @@ private:
   ParticleFrame Earlier;
   ParticleFrame Later;
   ParticleMatches Matches;
-  std::vector<double> SharesOfMotion;
   bool HasLater = false;
-  bool HasShares = false;
   std::vector<char> CountsEarlier;
   std::vector<char> CountsLater;
 };

@@ -261,22 +261,6 @@ double FindLongestWay(
   return longest;
 }
 
-std::vector<double> FindWays(
-  const ParticleFrame& earlier, const ParticleFrame& later, const ParticleMatches& matches)
-{
-  std::vector<double> ways(3 * earlier.Particles.size(), std::numeric_limits<double>::quiet_NaN());
-  RunEach(earlier.Particles.size(),
-    [&](std::size_t i)
-    {
-      const SkeletonVertex* to = matches.FindEnd(i, later);
-      for (int axis = 0; to && axis < 3; ++axis)
-      {
-        ways[3 * i + axis] = to->Position[axis] - earlier.Particles[i].Position[axis];
-      }
-    });
-  return ways;
-}
-
 void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& later,
   const ParticleMatches& matches, double fraction, std::vector<SkeletonVertex>& particles,
   std::vector<ParticleOrigin>* origins)

@@ -55,10 +55,6 @@ std::size_t GetStrideOfWays(std::size_t particles);
 double FindLongestWay(
   const ParticleFrame& earlier, const ParticleFrame& later, const ParticleMatches& matches);
 
-// From each earlier one to its partner, x y z; NaN for those without.
-std::vector<double> FindWays(
-  const ParticleFrame& earlier, const ParticleFrame& later, const ParticleMatches& matches);
-
 // A particle's places in the two steps; NoPartner where it is not in the step.
 struct ParticleOrigin
 {

@@ -183,12 +183,11 @@ private:
     {
       const std::size_t birth = this->GetBirth(n);
       return { this->Way.Later->Shared->Numbers[birth], false, true, {},
-        this->Way.Later->Particles[birth], 1.0 };
+        this->Way.Later->Particles[birth] };
     }
     const SkeletonVertex* end = this->FindEnd(n);
     return { this->Way.Earlier->Shared->Numbers[n], true, end != nullptr,
-      this->Way.Earlier->Particles[n], end ? *end : SkeletonVertex{},
-      this->Way.SharesOfMotion ? (*this->Way.SharesOfMotion)[n] : 1.0 };
+      this->Way.Earlier->Particles[n], end ? *end : SkeletonVertex{} };
   }
 
   // Null for an end that is not there, or without fits.

@@ -21,7 +21,6 @@ struct ParticleParcel
   bool HasLater;      // else it dies, or the way has no next step
   SkeletonVertex Earlier;
   SkeletonVertex Later;
-  double ShareOfMotion;
 };
 
 // Those that reach a rank's places.

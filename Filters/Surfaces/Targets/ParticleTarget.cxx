@@ -98,19 +98,13 @@ void ParticleTarget::ForgetNear() noexcept
   this->Near = NearParticles();
   this->Now = PlacedParticles();
   this->Previous = PlacedParticles(); // a copy of nothing would keep its memory
-  this->Means = ParticleMeans();
   this->Body = ParticlePotential();
   this->Elements = Skeleton();
 }
 
-ParticleWay ParticleTarget::GetWay(int step) const
-{
-  return this->Frames.GetWay(step);
-}
-
 void ParticleTarget::Place(int step, double fraction)
 {
-  const ParticleWay whole = this->GetWay(step);
+  const ParticleWay whole = this->Frames.GetWay(step);
   std::swap(this->Previous, this->Now);
   if (this->TellsRegionsAlone)
   {
@@ -119,23 +113,16 @@ void ParticleTarget::Place(int step, double fraction)
     this->Changed.SetEverywhere();
     return;
   }
-  this->PlaceWay(whole, step, fraction, this->Now);
+  this->PlaceWay(whole, step, fraction, false, this->Now);
   this->FindChanged();
-  if (this->Options.Carries || (this->IsSum() && this->Options.WantsBulks()))
-  {
-    const double before = this->Means.GetCellSize();
-    this->Means.Build(
-      this->Now.Particles, { this->Now.Velocities, this->Now.Fits }, this->LargestRadius);
-    this->NoteCells(before, this->Means.GetCellSize());
-  }
 }
 
-void ParticleTarget::PlaceWay(
-  const ParticleWay& whole, int step, double fraction, PlacedParticles& placed)
+void ParticleTarget::PlaceWay(const ParticleWay& whole, int step, double fraction,
+  bool wantsVelocities, PlacedParticles& placed)
 {
   PlacedNeeds needs;
   needs.Fits = this->Options.WantsFits();
-  needs.Velocities = this->Options.Carries;
+  needs.Velocities = wantsVelocities;
   needs.Duration = this->GetDuration();
   if (whole.IsShared() && this->StepOfNear != step)
   {
@@ -190,7 +177,8 @@ void ParticleTarget::PlaceNodes(double begin, double end, double transport, doub
 {
   this->VoxelSize = voxelSize;
   const int step = this->GetStepOfWay();
-  this->PlaceWay(this->Frames.GetWay(step), step, this->FindFraction(end), this->AtNodes);
+  this->PlaceWay(
+    this->Frames.GetWay(step), step, this->FindFraction(end), this->Options.Carries, this->AtNodes);
   NodeParticleOptions options;
   options.Model = this->Options.Model;
   options.VoxelSize = voxelSize;
@@ -327,30 +315,6 @@ void ParticleTarget::Sample(
   else
   {
     this->Body.Evaluate(count, points, values, gradients);
-  }
-}
-
-void ParticleTarget::EvaluateVelocities(
-  std::size_t count, const double* points, double* velocities) const
-{
-  this->Means.Evaluate(count, points, velocities, nullptr);
-}
-
-void ParticleTarget::SampleMoving(std::size_t count, const double* points, double* values,
-  double* gradients, double* velocities, double* weights) const
-{
-  if (weights && !this->IsSum())
-  {
-    this->Body.EvaluateWithBulk(count, points, values, gradients, weights);
-    weights = nullptr;
-  }
-  else
-  {
-    this->Sample(count, points, values, gradients);
-  }
-  if (velocities || weights)
-  {
-    this->Means.Evaluate(count, points, velocities, weights);
   }
 }
 

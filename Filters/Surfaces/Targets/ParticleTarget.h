@@ -8,7 +8,6 @@
 #define ParticleTarget_h
 
 #include "NodeTarget.h"
-#include "ParticleMeans.h"
 #include "ParticleNodes.h"
 #include "ParticlePotential.h"
 #include "Skeleton.h"
@@ -37,8 +36,6 @@ public:
   // of the particles at home.
   void KeepRegions() override { this->TellsRegionsAlone = true; }
   void KeepNear(const OwnPlaces* places) noexcept override;
-  void EvaluateVelocities(
-    std::size_t count, const double* points, double* velocities) const override;
   NodeTarget* GetNodes() override { return this; }
   void PlaceNodes(double begin, double end, double transport, double voxelSize) override;
   void FindShell(bool wantsInside, Shell& shell) const override
@@ -65,18 +62,15 @@ public:
 protected:
   void Place(int step, double fraction) override;
   void Finish() override;
-  bool DependsOnDuration() const override { return this->Options.Carries; }
   bool HasChangedIn(const double bounds[6]) const override;
   void Sample(
     std::size_t count, const double* points, double* values, double* gradients) const override;
-  void SampleMoving(std::size_t count, const double* points, double* values, double* gradients,
-    double* velocities, double* weights) const override;
 
 private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
-  ParticleWay GetWay(int step) const;
   const NearParticles* FindNear() const { return this->Places ? &this->Near : nullptr; }
-  void PlaceWay(const ParticleWay& whole, int step, double fraction, PlacedParticles& placed);
+  void PlaceWay(const ParticleWay& whole, int step, double fraction, bool wantsVelocities,
+    PlacedParticles& placed);
   void BuildBody(const PlacedParticles& placed, double largestRadius, Skeleton& elements,
     ParticlePotential& body) const;
   // Level of the sum of kernels at the skin.
@@ -102,7 +96,6 @@ private:
   ChangedRegion Changed;  // from Previous to Now
   Skeleton Elements;      // of a sum
   ParticlePotential Body; // of the other models
-  ParticleMeans Means;    // if the target tells its velocity, or a sum its bulk
 
   // State of the node scheme.
   double VoxelSize = 1.0;

@@ -3,24 +3,6 @@
 namespace activesurface
 {
 
-namespace
-{
-
-// Births have no velocity.
-void LeaveNoise(const std::vector<double>& shares, PlacedParticles& placed)
-{
-  for (std::size_t i = 0; i < placed.Origins.size(); ++i)
-  {
-    const std::size_t earlier = placed.Origins[i].Earlier;
-    for (int axis = 0; axis < 3 && earlier != NoPartner; ++axis)
-    {
-      placed.Velocities[3 * i + axis] *= shares[earlier];
-    }
-  }
-}
-
-}
-
 void PlaceParticles(
   const ParticleWay& way, double fraction, const PlacedNeeds& needs, PlacedParticles& placed)
 {
@@ -47,10 +29,6 @@ void PlaceParticles(
   if (needs.Velocities)
   {
     FindMotion(way.Earlier, way.Later, needs.Duration, placed.Origins, placed.Velocities);
-    if (way.SharesOfMotion)
-    {
-      LeaveNoise(*way.SharesOfMotion, placed);
-    }
   }
 }
 

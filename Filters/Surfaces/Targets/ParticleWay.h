@@ -18,9 +18,6 @@ struct ParticleWay
   const ParticleFrame* Earlier;
   const ParticleFrame* Later = nullptr;     // null, and so the matches, where no next step is held
   const ParticleMatches* Matches = nullptr; // of the two
-
-  // How much of its motion each of the earlier ones has; null: all of it.
-  const std::vector<double>* SharesOfMotion = nullptr;
 };
 
 // What is to be known of particles besides where they are.

@@ -1,7 +1,5 @@
 #include "Targets/PotentialTarget.h"
 
-#include "ParticleModel.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -42,49 +40,30 @@ void PotentialTarget::TurnIntoDistance(double length, double& value, double& slo
   slope = 0.0;
 }
 
-// F s(F / Noise), s a smooth step from SlowShare to 1, in a body; F elsewhere.
-void PotentialTarget::FollowNoiseSlowly(double bulk, double& value, double& slope) const
+// F s(F / Noise), s a smooth step from SlowShare to 1.
+void PotentialTarget::FollowNoiseSlowly(double& value, double& slope) const
 {
   if (slope == 0.0)
   {
     return;
   }
-  const double slow = 1.0 - GetShareOfNoise(bulk) * (1.0 - SlowShare);
   const double square = (value / this->Options.Noise) * (value / this->Options.Noise);
   const double step = square * square / (1.0 + square * square);
-  value *= slow + (1.0 - slow) * step;
-  slope = slow + (1.0 - slow) * (step + 4.0 * step / (1.0 + square * square));
-}
-
-void PotentialTarget::SampleMoving(std::size_t count, const double* points, double* values,
-  double* gradients, double* velocities, double* weights) const
-{
-  this->Sample(count, points, values, gradients);
-  SetStill(count, { nullptr, nullptr, velocities, weights });
+  value *= SlowShare + (1.0 - SlowShare) * step;
+  slope = SlowShare + (1.0 - SlowShare) * (step + 4.0 * step / (1.0 + square * square));
 }
 
 void PotentialTarget::Evaluate(
   std::size_t count, const double* points, const TargetResults& results) const
 {
   constexpr std::size_t batch = 128;
-  double gradients[3 * batch], bulks[batch];
+  double gradients[3 * batch];
   const bool hasNoise = this->Options.Normalize && this->Options.Noise > 0.0;
+  SetStill(count, results);
   for (std::size_t first = 0; first < count; first += batch)
   {
     const std::size_t size = std::min(batch, count - first);
-    double* velocities = results.Velocities ? results.Velocities + 3 * first : nullptr;
-    double* weights = results.TensionWeights ? results.TensionWeights + first
-      : hasNoise                             ? bulks
-                                             : nullptr;
-    double* firstValue = results.Values + first;
-    if (velocities || weights)
-    {
-      this->SampleMoving(size, points + 3 * first, firstValue, gradients, velocities, weights);
-    }
-    else
-    {
-      this->Sample(size, points + 3 * first, firstValue, gradients);
-    }
+    this->Sample(size, points + 3 * first, results.Values + first, gradients);
     for (std::size_t i = 0; i < size; ++i)
     {
       const double* g = gradients + 3 * i;
@@ -97,7 +76,7 @@ void PotentialTarget::Evaluate(
         this->TurnIntoDistance(slope, value, slope);
         if (hasNoise)
         {
-          this->FollowNoiseSlowly(weights[i], value, slope);
+          this->FollowNoiseSlowly(value, slope);
         }
       }
       else if (!std::isfinite(slope))

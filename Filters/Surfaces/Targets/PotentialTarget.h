@@ -22,8 +22,8 @@ struct TargetOptions
   bool Normalize = true;
   double Reach = std::numeric_limits<double>::infinity();
 
-  // Where the surface of a body of particles is off by less than this, that may be noise, and
-  // attracts by a small share [length]. 0: none. With Normalize only.
+  // Where the surface is off by less than this, that may be noise, and attracts by a small share
+  // [length]. 0: none. With Normalize only.
   double Noise = 0.0;
 };
 
@@ -57,14 +57,9 @@ protected:
   virtual void Sample(
     std::size_t count, const double* points, double* values, double* gradients) const = 0;
 
-  // The same, for a target that moves: its velocities and weights too (see TargetResults), those of
-  // them that are not null. Here it stands still.
-  virtual void SampleMoving(std::size_t count, const double* points, double* values,
-    double* gradients, double* velocities, double* weights) const;
-
 private:
   double Side(double value) const;
-  void FollowNoiseSlowly(double bulk, double& value, double& slope) const;
+  void FollowNoiseSlowly(double& value, double& slope) const;
   void TurnIntoDistance(double length, double& value, double& slope) const;
 
   TargetOptions Options;

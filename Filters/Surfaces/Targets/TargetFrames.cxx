@@ -1,6 +1,5 @@
 #include "Targets/TargetFrames.h"
 
-#include "MotionNoise.h"
 #include "Targets/SharedMatches.h"
 
 #include <utility>
@@ -50,8 +49,6 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape)
   this->Earlier = std::move(earlier);
   this->Later = std::move(later);
   this->Matches = std::move(matches);
-  this->SharesOfMotion.clear();
-  this->AreSharesKnown = false;
 }
 
 std::string TargetFrames::DescribeMatches() const
@@ -92,33 +89,6 @@ ParticleWay TargetFrames::GetWay(int step) const
   way.Matches = this->FindMatches(step);
   way.Later = way.Matches ? &this->GetParticles(step + 1) : nullptr;
   return way;
-}
-
-ParticleWay TargetFrames::GetWayWithoutNoise(int step) const
-{
-  ParticleWay way = this->GetWay(step);
-  way.SharesOfMotion = way.Later ? &this->GetSharesOfMotion() : nullptr;
-  return way;
-}
-
-const std::vector<double>& TargetFrames::GetSharesOfMotion() const
-{
-  if (!this->AreSharesKnown)
-  {
-    this->SharesOfMotion = this->FindShares();
-    this->AreSharesKnown = true;
-  }
-  return this->SharesOfMotion;
-}
-
-// They have no unit: a motion that takes twice as long has the same ones.
-std::vector<double> TargetFrames::FindShares() const
-{
-  const ParticleFrame& earlier = ParticlesOf(this->Earlier.Shape.get());
-  const ParticleFrame& later = ParticlesOf(this->Later.Shape.get());
-  const LocalParticles near(
-    earlier.Particles, earlier.Shared.get(), MotionNeighbourhoodPerRadius, 0.0);
-  return FindSharesOfMotion(near, earlier.Fits, FindWays(earlier, later, this->Matches));
 }
 
 }

@@ -36,9 +36,6 @@ public:
   // From a step to the next one, as long as no step is added.
   ParticleWay GetWay(int step) const;
 
-  // The same, on which velocities are without their noise, see MotionNoise.h: needs fits.
-  ParticleWay GetWayWithoutNoise(int step) const;
-
   // Of the particles of a step and those of the next one; null if not both are held.
   const ParticleMatches* FindMatches(int step) const;
 
@@ -52,14 +49,8 @@ private:
     std::shared_ptr<InputShape> Shape;
   };
 
-  const std::vector<double>& GetSharesOfMotion() const;
-  std::vector<double> FindShares() const;
-
   Held Earlier, Later;
   ParticleMatches Matches; // of Earlier and Later, if these are consecutive
-
-  mutable std::vector<double> SharesOfMotion; // of the particles of Earlier
-  mutable bool AreSharesKnown = false;
 };
 
 }

@@ -31,7 +31,6 @@ public:
 
   void KeepNear(const OwnPlaces* places) noexcept override { this->Places = places; }
   void MoveTo(double time) override { this->Asked->MoveTo(time); }
-  void MoveVelocitiesTo(double time) override { this->Asked->MoveVelocitiesTo(time); }
   bool MayHaveChanged(const double bounds[6]) const override
   {
     return this->Asked->MayHaveChanged(bounds);
@@ -41,12 +40,6 @@ public:
   {
     this->Check(count, points);
     this->Asked->Evaluate(count, points, results);
-  }
-  void EvaluateVelocities(
-    std::size_t count, const double* points, double* velocities) const override
-  {
-    this->Check(count, points);
-    this->Asked->EvaluateVelocities(count, points, velocities);
   }
   bool HasRegions() const override { return this->Asked->HasRegions(); }
   std::size_t CountRegionSources() const override { return this->Asked->CountRegionSources(); }
