@@ -241,7 +241,7 @@ public:
    * How time is integrated. EXPLICIT (0): substeps as short as the fastest part of the skin needs.
    * AUTOMATIC (1): over particles one step for each time step, which carries the skin, evaluates
    * the target once, at lattice nodes near its surface, and relaxes the skin towards it; else
-   * EXPLICIT. What only substeps have takes EXPLICIT over particles too, which a warning tells: an
+   * EXPLICIT. Particles take EXPLICIT too, with a warning, for what only substeps support: an
    * Attraction that shortens distances by less than e^2 in a time step, penalties, InvertTarget,
    * EQUILIBRIUM, CreateParts or NormalizeTarget off, TargetEvaluation and GradientScheme other than
    * by default, PaperScheme. Explicit substeps know neither Transport nor TensionWeighting,

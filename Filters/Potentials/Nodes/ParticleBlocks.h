@@ -34,14 +34,16 @@ class ParticleBlocks
 public:
   // Parts of a block, of 2^3 cells each, by which particles are sorted.
   static constexpr int Parts = 64;
+  // Cells are no smaller than a share of the largest cube, so that each cube is in few cells.
+  static constexpr double MostCellsOfCube = 16.0;
 
   struct Block
   {
     NodeIndex At; // in blocks
     std::uint32_t Starts[Parts + 1];
     CellMask Occupied;
-    CellMask Open;    // not full
-    CellMask Crowded; // by twice as many particles as at rest
+    CellMask Open;  // not full
+    CellMask Dense; // with particles of twice the usual density
   };
 
   // beyond: how far the skin may be from a particle, less its own radius, in own radii. hasInside:
@@ -92,7 +94,7 @@ public:
 
 private:
   int CountOutward(double halfSide, double beyond) const;
-  void OccupyAroundCrowds();
+  void OccupyAroundDense();
   void ChooseCells(const UnsetVector<ParticleCube>& cubes, double beyond);
   void AddBlocks(const UnsetVector<ParticleCube>& cubes);
   void Sort();
@@ -112,7 +114,7 @@ private:
   double VoxelSize = 1.0;
   double CellSize = 1.0;
   int Outward = 1; // cells
-  int OutwardOfCrowd = 1;
+  int OutwardOfDense = 1;
   int Inward = 1;
   IndexMap Numbers;
   std::vector<Block> Blocks;
