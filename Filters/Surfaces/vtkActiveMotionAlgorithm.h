@@ -243,9 +243,9 @@ public:
    * the target once, at lattice nodes near its surface, and relaxes the skin towards it; else
    * EXPLICIT. Particles take EXPLICIT too, with a warning, for what only substeps support: an
    * Attraction that shortens distances by less than e^2 in a time step, penalties, InvertTarget,
-   * EQUILIBRIUM, CreateParts or NormalizeTarget off, TargetEvaluation and GradientScheme other than
-   * by default, PaperScheme. Explicit substeps know neither Transport nor TensionWeighting,
-   * TargetNoise and AutomaticSmoothing. Default: AUTOMATIC.
+   * TargetIsoValue (not with ParticleModel SUM), EQUILIBRIUM, CreateParts or NormalizeTarget off,
+   * TargetEvaluation and GradientScheme other than by default, PaperScheme. Explicit substeps know
+   * neither Transport nor TensionWeighting and AutomaticSmoothing. Default: AUTOMATIC.
    */
   vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
   vtkGetMacro(TimeIntegration, int);
