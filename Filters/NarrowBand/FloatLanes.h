@@ -84,6 +84,24 @@ ACTIVE_ALWAYS_INLINE Lanes Root(const Lanes& x)
   return root;
 }
 
+/** x^(-1/3) to six digits, of numbers > 0. */
+ACTIVE_ALWAYS_INLINE Lanes InverseCubeRoot(const Lanes& x)
+{
+  // The exponent divided by -3, then four steps of Newton's.
+  constexpr std::int32_t start = 0x54a2fa8c;
+  LaneMask bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  const Lanes third = __builtin_convertvector(bits, Lanes) * AllLanes(1.f / 3.f);
+  bits = start - __builtin_convertvector(third, LaneMask);
+  Lanes root;
+  std::memcpy(&root, &bits, sizeof root);
+  for (int step = 0; step < 4; ++step)
+  {
+    root = root * (AllLanes(4.f) - x * (root * root * root)) * AllLanes(1.f / 3.f);
+  }
+  return root;
+}
+
 /** One bit for each lane in which the condition holds. */
 ACTIVE_ALWAYS_INLINE unsigned BitsOf(const LaneMask& condition)
 {

@@ -2,14 +2,13 @@
 
 #include "LocalParticles.h"
 #include "ParallelTasks.h"
+#include "ParticleCrowd.h"
 #include "ParticlePotential.h"
 #include "Skeleton/NeighbourSums.h"
 #include "Skeleton/SurfacePlaces.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace activesurface
 {
@@ -22,12 +21,6 @@ double GetNeighbourhoodPerOwnRadius(ParticleModel model)
 {
   return model == ParticleModel::AveragedCentre ? 6.0 : 7.25;
 }
-
-// Of fewer particles each may have all as neighbours; else so many on the average, a hundred times
-// what is usual, are refused: each is visited for each, so that it would take hours.
-constexpr std::size_t FewParticles = 30000;
-constexpr std::size_t MostNeighbours = 20000;
-constexpr std::size_t ParticlesOfSample = 256;
 
 class Fitting
 {
@@ -54,7 +47,7 @@ public:
     {
       if (!this->Options.SparesCrowds)
       {
-        this->RefuseCrowd();
+        RefuseCrowd(this->Local.CountAll());
       }
       return ParticleFits(this->Wanted.size(), ParticleFit());
     }
@@ -107,15 +100,6 @@ private:
       }
     }
     return this->Local.AddUp(neighbours) > most;
-  }
-
-  [[noreturn]] void RefuseCrowd() const
-  {
-    throw std::invalid_argument("The " + std::to_string(this->Local.CountAll()) +
-      " particles have more than " + std::to_string(MostNeighbours) +
-      " neighbours in reach on the average, where some 200 are usual; check whether many are "
-      "in the same place, and whether ParticleSpacing and ParticleRadius (or the array of "
-      "radii) are in the particles' own units, or set ParticleModel to SUM.");
   }
 
   // Some particles, near one another.

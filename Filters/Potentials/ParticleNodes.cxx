@@ -1,6 +1,7 @@
 #include "ParticleNodes.h"
 
 #include "ParallelTasks.h"
+#include "ParticleFit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +18,10 @@ constexpr double ReachOfMotion = 4.5;
 // From a particle to its skin, in own radii beyond the first: of ellipsoids in a body, and of the
 // averaged centre.
 constexpr double BeyondOwnRadius = 0.1;
+// An ellipsoid's longest half-axis over the particle's reach, where it is a body's.
+constexpr double StretchInBody = 1.3;
 // A displacement longer than this is none [voxels].
 constexpr double LongestDisplacement = 1e6;
-
-constexpr std::size_t Padding = 8;
 
 void CheckPlace(double place)
 {
@@ -47,12 +48,14 @@ void ParticleNodes::Build(const NodeParticles& given, const NodeParticleOptions&
   this->MakeCubes(given);
   // A sum may have any level: its skin is anywhere within the kernels.
   const bool isSum = options.Model == ParticleModel::Sum;
-  double beyond = BeyondOwnRadius;
-  for (std::size_t n = 0; isSum && n < this->Cubes.size(); ++n)
+  double longest = 0.0, beyond = isSum ? 0.0 : this->FindBeyond();
+  for (std::size_t n = 0; n < this->Cubes.size(); ++n)
   {
-    beyond = std::max(beyond, given.Particles[n].Radius / this->Cubes[n].HalfSide - 1.0);
+    const double reach = given.Particles[n].Radius;
+    longest = std::max(longest, reach);
+    beyond = isSum ? std::max(beyond, reach / this->Cubes[n].HalfSide - 1.0) : beyond;
   }
-  this->Blocks.Build(this->Cubes, options.VoxelSize, beyond, !isSum);
+  this->Blocks.Build(this->Cubes, { options.VoxelSize, beyond, StretchInBody * longest, !isSum });
   const std::size_t count = given.Particles.size();
   this->Resize(count);
   RunPieces(count, ParticlesPerTask,
@@ -63,16 +66,45 @@ void ParticleNodes::Build(const NodeParticles& given, const NodeParticleOptions&
         this->Place(given, k);
       }
     });
-  this->MostReach = this->MostReachOfMotion = 0.0;
+  this->MostReachOfMotion = 0.0;
   for (std::size_t k = 0; k < count; ++k)
   {
-    const double reach = std::sqrt(this->EReach2[k]);
-    const double far = std::max({ std::fabs(this->EX[k] - this->X[k]),
-      std::fabs(this->EY[k] - this->Y[k]), std::fabs(this->EZ[k] - this->Z[k]) });
-    this->MostReach = std::max(this->MostReach, reach + far);
     this->MostReachOfMotion =
-      std::max(this->MostReachOfMotion, 1.0 / std::sqrt(double(this->InverseReach2[k])));
+      std::max(this->MostReachOfMotion, ReachOfMotion * static_cast<double>(this->OwnRadius[k]));
   }
+  this->FindFits(given);
+}
+
+// How far the skin of balls and bodies is beyond the own radius, in the largest own radius.
+double ParticleNodes::FindBeyond() const
+{
+  double loss = 0.0, most = 0.0;
+  for (const ParticleCube& cube : this->Cubes)
+  {
+    const double own = cube.HalfSide / this->Options.VoxelSize;
+    most = std::max(most, own);
+    loss = std::max(loss, own * FindLossOfBall(own));
+  }
+  return most > 0.0 ? std::max(BeyondOwnRadius, loss / most) : BeyondOwnRadius;
+}
+
+void ParticleNodes::FindFits(const NodeParticles& given)
+{
+  const bool isAnisotropic = this->Options.Model == ParticleModel::Anisotropic;
+  this->Bulks = this->Bulk.data();
+  if (!isAnisotropic && (!given.Fits.empty() || !this->Options.WantsBulks))
+  {
+    return;
+  }
+  NodeFitOptions options;
+  options.WidePerReach = GetNeighbourhoodPerRadius(this->Options.Model);
+  options.Anisotropy = this->Options.Anisotropy;
+  options.HasEllipsoids = isAnisotropic;
+  this->Fits.Find(this->Blocks,
+    { this->X.data(), this->Y.data(), this->Z.data(), this->OwnRadius.data(), this->Reach.data(),
+      this->Strength.data() },
+    options);
+  this->Bulks = this->Fits.GetBulks();
 }
 
 void ParticleNodes::MakeCubes(const NodeParticles& given)
@@ -98,29 +130,29 @@ void ParticleNodes::Resize(std::size_t count)
 {
   for (UnsetVector<float>* numbers :
     { &this->X, &this->Y, &this->Z, &this->DX, &this->DY, &this->DZ, &this->IsMoved, &this->Bulk,
-      &this->InverseReach2, &this->EX, &this->EY, &this->EZ, &this->EReach2 })
+      &this->OwnRadius, &this->Reach, &this->Strength, &this->InverseReach2 })
   {
-    numbers->resize(count + Padding);
-    std::fill_n(numbers->data() + count, Padding, 0.f);
+    numbers->resize(count + LanePadding);
+    std::fill_n(numbers->data() + count, LanePadding, 0.f);
   }
-  this->Ellipsoids.resize(count);
 }
 
 void ParticleNodes::Place(const NodeParticles& given, std::size_t k)
 {
   const std::size_t n = this->Blocks.GetOrder()[k];
   const SkeletonVertex& particle = given.Particles[n];
+  const double voxel = this->Options.VoxelSize;
   const ParticleBlocks::Block& block = this->Blocks[this->Blocks.GetBlockOf()[k]];
   float* const places[3] = { &this->X[k], &this->Y[k], &this->Z[k] };
   float* const displacements[3] = { &this->DX[k], &this->DY[k], &this->DZ[k] };
   bool isKnown = true;
   for (int axis = 0; axis < 3; ++axis)
   {
-    *places[axis] = static_cast<float>(particle.Position[axis] / this->Options.VoxelSize -
-      this->Blocks.GetBlockSize() * block.At[axis]);
+    *places[axis] = static_cast<float>(
+      particle.Position[axis] / voxel - this->Blocks.GetBlockSize() * block.At[axis]);
     const double way = given.Velocities.empty()
       ? 0.0
-      : given.Velocities[3 * n + axis] * this->Options.Duration / this->Options.VoxelSize;
+      : given.Velocities[3 * n + axis] * this->Options.Duration / voxel;
     isKnown = isKnown && std::fabs(way) < LongestDisplacement;
     *displacements[axis] = static_cast<float>(way);
   }
@@ -130,46 +162,11 @@ void ParticleNodes::Place(const NodeParticles& given, std::size_t k)
   }
   this->IsMoved[k] = isKnown ? 1.f : 0.f;
   this->Bulk[k] = given.Fits.empty() ? 1.f : static_cast<float>(given.Fits[n].Bulk);
-  const double reach = ReachOfMotion * this->GetOwnRadius(particle) / this->Options.VoxelSize;
+  const double own = this->GetOwnRadius(particle) / voxel, reach = ReachOfMotion * own;
+  this->OwnRadius[k] = static_cast<float>(own);
+  this->Reach[k] = static_cast<float>(particle.Radius / voxel);
+  this->Strength[k] = static_cast<float>(particle.Strength);
   this->InverseReach2[k] = static_cast<float>(1.0 / (reach * reach));
-  this->EX[k] = *places[0];
-  this->EY[k] = *places[1];
-  this->EZ[k] = *places[2];
-  this->EReach2[k] = 0.f;
-  if (this->Options.Model == ParticleModel::Anisotropic && particle.Strength > 0.0)
-  {
-    this->PlaceEllipsoid(particle, given.Fits[n], k);
-  }
-}
-
-void ParticleNodes::PlaceEllipsoid(
-  const SkeletonVertex& particle, const ParticleFit& fit, std::size_t k)
-{
-  const double voxel = this->Options.VoxelSize;
-  this->EX[k] += static_cast<float>(fit.Offset[0] / voxel);
-  this->EY[k] += static_cast<float>(fit.Offset[1] / voxel);
-  this->EZ[k] += static_cast<float>(fit.Offset[2] / voxel);
-  const double reach = fit.Reach / voxel;
-  this->EReach2[k] = static_cast<float>(reach * reach);
-  NodeEllipsoid& ellipsoid = this->Ellipsoids[k];
-  double m[6];
-  for (int i = 0; i < 6; ++i)
-  {
-    m[i] = fit.Metric[i] * voxel * voxel;
-    ellipsoid.Metric[i] = static_cast<float>(m[i]);
-  }
-  ellipsoid.Strength = static_cast<float>(particle.Strength * fit.Strength / this->Options.Level);
-  // The diagonal of the inverse.
-  const double minors[3] = { m[3] * m[5] - m[4] * m[4], m[0] * m[5] - m[2] * m[2],
-    m[0] * m[3] - m[1] * m[1] };
-  const double determinant =
-    m[0] * minors[0] - m[1] * (m[1] * m[5] - m[4] * m[2]) + m[2] * (m[1] * m[4] - m[3] * m[2]);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double square = minors[axis] / determinant;
-    ellipsoid.Extent[axis] =
-      static_cast<float>(square >= 0.0 && square < reach * reach ? std::sqrt(square) : reach);
-  }
 }
 
 bool ParticleNodes::IsInside(const NodeIndex& node) const
@@ -294,61 +291,35 @@ ShellLeaf ParticleNodes::FindRows(const NodeIndex& origin) const
 // Calls visit(first, end, shift) for runs of particles that may be within the reach of a box of so
 // many nodes; shift: from the origin of their block to that of the box.
 template <class Visit>
-void ParticleNodes::VisitRuns(
+void ParticleNodes::VisitNear(
   const NodeIndex& origin, double size, double reach, Visit&& visit) const
 {
-  int first[3], last[3]; // parts: two cells each
+  double low[3], high[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    first[axis] = this->Blocks.CellOf(origin[axis] - reach) >> 1;
-    last[axis] = this->Blocks.CellOf(origin[axis] + size + reach) >> 1;
+    low[axis] = origin[axis] - reach;
+    high[axis] = origin[axis] + size + reach;
   }
-  NodeIndex at;
-  for (at[0] = first[0] >> 2; at[0] <= last[0] >> 2; ++at[0])
-  {
-    for (at[1] = first[1] >> 2; at[1] <= last[1] >> 2; ++at[1])
+  this->Blocks.VisitRuns(low, high,
+    [&](std::uint32_t first, std::uint32_t end, const NodeIndex& at)
     {
-      for (at[2] = first[2] >> 2; at[2] <= last[2] >> 2; ++at[2])
+      float shift[3];
+      for (int axis = 0; axis < 3; ++axis)
       {
-        const ParticleBlocks::Block* block = this->Blocks.Find(at);
-        if (!block || block->Starts[0] == block->Starts[ParticleBlocks::Parts])
-        {
-          continue;
-        }
-        float shift[3];
-        int low[3], high[3];
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          shift[axis] = static_cast<float>(this->Blocks.GetBlockSize() * at[axis] - origin[axis]);
-          low[axis] = std::max(first[axis] - 4 * at[axis], 0);
-          high[axis] = std::min(last[axis] - 4 * at[axis], 3);
-        }
-        for (int x = low[0]; x <= high[0]; ++x)
-        {
-          for (int y = low[1]; y <= high[1]; ++y)
-          {
-            const std::uint32_t* starts = block->Starts + 16 * x + 4 * y;
-            if (starts[low[2]] != starts[high[2] + 1])
-            {
-              visit(starts[low[2]], starts[high[2] + 1], shift);
-            }
-          }
-        }
+        shift[axis] = static_cast<float>(this->Blocks.GetBlockSize() * at[axis] - origin[axis]);
       }
-    }
-  }
+      visit(first, end, shift);
+    });
 }
 
 void ParticleNodes::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
 {
   EllipsoidSum sum(leaf.Rows, values);
   constexpr double size = 7.0;
-  this->VisitRuns(leaf.Origin, size, this->MostReach,
+  const EllipsoidColumns columns = this->Fits.GetColumns();
+  this->VisitNear(leaf.Origin, size, this->Fits.GetLongestReach(),
     [&](std::uint32_t first, std::uint32_t end, const float(&shift)[3])
-    {
-      sum.Add({ this->EX.data(), this->EY.data(), this->EZ.data(), this->EReach2.data() },
-        this->Ellipsoids.data(), first, end, shift);
-    });
+    { sum.Add(columns, this->Fits.GetEllipsoids(), first, end, shift); });
   sum.Finish();
 }
 
@@ -357,12 +328,12 @@ void ParticleNodes::FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const
   thread_local MotionSum sum;
   sum.Clear();
   constexpr double size = 8.0;
-  this->VisitRuns(leaf.Origin, size, this->MostReachOfMotion,
+  this->VisitNear(leaf.Origin, size, this->MostReachOfMotion,
     [&](std::uint32_t first, std::uint32_t end, const float(&shift)[3])
     {
       sum.Add({ { this->X.data(), this->Y.data(), this->Z.data() },
                 { this->DX.data(), this->DY.data(), this->DZ.data() }, this->IsMoved.data(),
-                this->Bulk.data(), this->InverseReach2.data() },
+                this->Bulks, this->InverseReach2.data() },
         first, end, shift);
     });
   sum.Finish(this->Options.HasNoise, motion);

@@ -1,6 +1,6 @@
 // Particles as a target at the nodes of a lattice: see NodeTarget.h in NarrowBand.
 //
-// The potential of ellipsoids is G = 1 - (S / level)^(1/4), S the sum of strength (1 - d^2)^3. The
+// The potential of ellipsoids is G = 1 - S^(1/4), S the sum of strength (1 - d^2)^3. The
 // skin of a body is where kernels end and S grows with the fifth power of the depth, that of a lone
 // particle where it grows with the third: the root is nearly linear in both.
 //
@@ -11,6 +11,7 @@
 #define ParticleNodes_h
 
 #include "NodeTarget.h"
+#include "Nodes/NodeFits.h"
 #include "Nodes/NodeSums.h"
 #include "Nodes/ParticleBlocks.h"
 #include "ParticleModel.h"
@@ -26,7 +27,7 @@ namespace activesurface
 struct NodeParticles
 {
   const std::vector<SkeletonVertex>& Particles;
-  const ParticleFits& Fits;              // of each, or empty
+  const ParticleFits& Fits;              // of each, for ParticleModel::AveragedCentre; or empty
   const std::vector<double>& Velocities; // x y z of each, NaN for unknown; or empty
 };
 
@@ -34,10 +35,11 @@ struct NodeParticleOptions
 {
   ParticleModel Model = ParticleModel::Anisotropic;
   double VoxelSize = 1.0;
-  double OwnRadius = 0.0; // [length]; 0: the particle's radius over twice GetReachPerSpacing
-  double Level = 0.5;     // of the sum of kernels, at the skin; > 0
-  double Duration = 0.0;  // by which velocities are multiplied
-  bool HasNoise = false;  // whether the motion of a body is without that of single particles
+  double OwnRadius = 0.0;  // [length]; 0: the particle's radius over twice GetReachPerSpacing
+  double Anisotropy = 4.0; // largest ratio of an ellipsoid's axes
+  bool WantsBulks = true;  // else all particles count as in a body
+  double Duration = 0.0;   // by which velocities are multiplied
+  bool HasNoise = false;   // whether the motion of a body is without that of single particles
 };
 
 class VTKACTIVEPOTENTIALS_EXPORT ParticleNodes
@@ -57,12 +59,13 @@ private:
   void MakeCubes(const NodeParticles& given);
   void Resize(std::size_t count);
   void Place(const NodeParticles& given, std::size_t k);
-  void PlaceEllipsoid(const SkeletonVertex& particle, const ParticleFit& fit, std::size_t k);
+  void FindFits(const NodeParticles& given);
   double GetOwnRadius(const SkeletonVertex& particle) const;
+  double FindBeyond() const;
   void ListLeaves(bool wantsInside, std::vector<NodeIndex>& origins) const;
   ShellLeaf FindRows(const NodeIndex& origin) const;
   template <class Visit>
-  void VisitRuns(const NodeIndex& origin, double size, double reach, Visit&& visit) const;
+  void VisitNear(const NodeIndex& origin, double size, double reach, Visit&& visit) const;
 
   NodeParticleOptions Options;
   UnsetVector<ParticleCube> Cubes;
@@ -72,11 +75,11 @@ private:
   UnsetVector<float> X, Y, Z;    // places
   UnsetVector<float> DX, DY, DZ; // displacements
   UnsetVector<float> IsMoved;    // 1, or 0 if the displacement is unknown
-  UnsetVector<float> Bulk;
-  UnsetVector<float> InverseReach2;       // of the means of motion
-  UnsetVector<float> EX, EY, EZ, EReach2; // of ellipsoids
-  UnsetVector<NodeEllipsoid> Ellipsoids;
-  double MostReach = 0.0;         // of ellipsoids, from their particles' blocks [voxels]
+  UnsetVector<float> Bulk;       // of the given fits
+  UnsetVector<float> OwnRadius, Reach, Strength;
+  UnsetVector<float> InverseReach2; // of the means of motion
+  NodeFits Fits;
+  const float* Bulks = nullptr;   // of whichever fits
   double MostReachOfMotion = 0.0; // [voxels]
 };
 

@@ -75,6 +75,7 @@ MAY_INCLUDE = {
         "NarrowBand/InstructionSets",
         "NarrowBand/NodeTarget",
         "Potentials/ParallelTasks",
+        "Potentials/ParticleCrowd",
         "Potentials/UnsetVector",
     ],
     "Potentials/Skeleton": [

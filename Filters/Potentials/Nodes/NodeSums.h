@@ -6,6 +6,7 @@
 
 #include "NodeTarget.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct NodeEllipsoid
   float Strength;
   float Extent[3];
 };
+
+// Columns have so many numbers more than there are particles.
+constexpr std::size_t LanePadding = 8;
 
 // Centres, relative to some origin, and squared reaches, of eight more than there are.
 struct EllipsoidColumns

@@ -25,24 +25,34 @@ int NumberOf(const NodeIndex& offset)
 
 }
 
-void ParticleBlocks::Build(
-  const UnsetVector<ParticleCube>& cubes, double voxelSize, double beyond, bool hasInside)
+void ParticleBlocks::Build(const UnsetVector<ParticleCube>& cubes, const Options& options)
 {
-  this->VoxelSize = voxelSize;
-  this->ChooseCells(cubes, beyond);
+  this->VoxelSize = options.VoxelSize;
+  this->ChooseCells(cubes, options.Beyond);
   this->AddBlocks(cubes);
   this->Sort();
   this->FillCells(cubes);
-  if (hasInside)
+  if (options.HasInside)
   {
     this->FindOpen();
     this->Widen(&Block::Open, true, this->Inward);
   }
+  this->FindNear(options.Reach);
   this->Widen(&Block::Occupied, false, this->Outward);
-  if (hasInside)
+  if (options.HasInside)
   {
     this->OccupyAroundDense();
   }
+}
+
+void ParticleBlocks::FindNear(double reach)
+{
+  for (Block& block : this->Blocks)
+  {
+    block.Near = block.Open;
+  }
+  const double cells = reach / this->VoxelSize / this->CellSize;
+  this->Widen(&Block::Near, true, static_cast<int>(std::ceil(cells)));
 }
 
 // To the surface, from the cells in the middle of a cube [cells].

@@ -33,7 +33,8 @@ class ParticleBlocks
 {
 public:
   // Parts of a block, of 2^3 cells each, by which particles are sorted.
-  static constexpr int Parts = 64;
+  static constexpr int PartsOfSide = 4;
+  static constexpr int Parts = PartsOfSide * PartsOfSide * PartsOfSide;
   // Cells are no smaller than a share of the largest cube, so that each cube is in few cells.
   static constexpr double MostCellsOfCube = 16.0;
 
@@ -44,12 +45,20 @@ public:
     CellMask Occupied;
     CellMask Open;  // not full
     CellMask Dense; // with particles of twice the usual density
+    CellMask Near;  // from which kernels reach one that is not full
   };
 
-  // beyond: how far the skin may be from a particle, less its own radius, in own radii. hasInside:
-  // whether full cells are inside, whatever the particles' kernels are. Keeps its memory.
-  void Build(
-    const UnsetVector<ParticleCube>& cubes, double voxelSize, double beyond, bool hasInside);
+  struct Options
+  {
+    double VoxelSize = 1.0;
+    double Beyond = 0.0;   // how far the skin may be from a particle [the largest own radius], less
+                           // its own radius
+    double Reach = 0.0;    // of the longest kernel [length]
+    bool HasInside = true; // whether full cells are inside, whatever the kernels are
+  };
+
+  // Keeps its memory.
+  void Build(const UnsetVector<ParticleCube>& cubes, const Options& options);
 
   std::size_t Size() const { return this->Blocks.size(); }
   const Block& operator[](std::size_t i) const { return this->Blocks[i]; }
@@ -86,14 +95,72 @@ public:
     }
     return shell;
   }
+  // Whether kernels of particles in a part reach the shell.
+  static bool IsNearSurface(const Block& block, int x, int y, int z)
+  {
+    constexpr std::uint64_t part = 0x0303;
+    return (((block.Near.Word[2 * x] | block.Near.Word[2 * x + 1]) >> CellMask::Bit(2 * y, 2 * z)) &
+             part) != 0;
+  }
   bool IsInside(const NodeIndex& cell) const
   {
     const Block* block = this->Find({ cell[0] >> 3, cell[1] >> 3, cell[2] >> 3 });
     return block && !block->Open.Has(cell[0] & 7, cell[1] & 7, cell[2] & 7);
   }
 
+  // Calls visit(first, end, block) for runs of particles that may be in a box [voxels]; block:
+  // which one they are in.
+  template <class Visit>
+  void VisitRuns(const double (&low)[3], const double (&high)[3], Visit&& visit) const
+  {
+    int first[3], last[3]; // parts
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = this->CellOf(low[axis]) >> 1;
+      last[axis] = this->CellOf(high[axis]) >> 1;
+    }
+    NodeIndex at;
+    for (at[0] = first[0] >> 2; at[0] <= last[0] >> 2; ++at[0])
+    {
+      for (at[1] = first[1] >> 2; at[1] <= last[1] >> 2; ++at[1])
+      {
+        for (at[2] = first[2] >> 2; at[2] <= last[2] >> 2; ++at[2])
+        {
+          const Block* block = this->Find(at);
+          if (block && block->Starts[0] != block->Starts[Parts])
+          {
+            VisitRunsOf(*block, first, last, visit);
+          }
+        }
+      }
+    }
+  }
+
 private:
+  template <class Visit>
+  static void VisitRunsOf(
+    const Block& block, const int (&first)[3], const int (&last)[3], Visit&& visit)
+  {
+    int low[3], high[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::max(first[axis] - PartsOfSide * block.At[axis], 0);
+      high[axis] = std::min(last[axis] - PartsOfSide * block.At[axis], PartsOfSide - 1);
+    }
+    for (int x = low[0]; x <= high[0]; ++x)
+    {
+      for (int y = low[1]; y <= high[1]; ++y)
+      {
+        const std::uint32_t* starts = block.Starts + PartsOfSide * (PartsOfSide * x + y);
+        if (starts[low[2]] != starts[high[2] + 1])
+        {
+          visit(starts[low[2]], starts[high[2] + 1], block.At);
+        }
+      }
+    }
+  }
   int CountOutward(double halfSide, double beyond) const;
+  void FindNear(double reach);
   void OccupyAroundDense();
   void ChooseCells(const UnsetVector<ParticleCube>& cubes, double beyond);
   void AddBlocks(const UnsetVector<ParticleCube>& cubes);

@@ -60,6 +60,7 @@ bool MotionDriver::Start(
     this->StartOnNodes(band, domain);
     return true;
   }
+  this->Shapes.CompleteTarget();
   const std::unique_ptr<PotentialTarget> shape = this->Shapes.MakeStart();
   this->Prepare(band);
   const Motion motion = this->GetMotion(-1);

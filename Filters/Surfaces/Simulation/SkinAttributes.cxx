@@ -36,7 +36,8 @@ std::vector<float> SkinAttributes::FindSpeeds(const NarrowBand& band, const Moti
   const int next = moves && this->Shapes.Has(step + 1) ? step + 1 : step;
   const double begin = this->Settings.GetMotionTimeOf(step).Value;
   const double end = this->Settings.GetMotionTimeOf(next).Value;
-  const std::unique_ptr<PotentialTarget> target = this->Shapes.MakeTargetAt(step, begin, end);
+  const std::unique_ptr<PotentialTarget> target =
+    this->Shapes.MakeTargetAt(step, begin, end, motion.Integration != TimeIntegration::Nodes);
   const SkinForces forces{ motion, *target, band.GetStartArea(), band.GetStartVolume(), begin,
     end };
   const SurfaceDomain* domain = this->Shapes.GetDomain();

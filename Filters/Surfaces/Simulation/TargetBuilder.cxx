@@ -262,15 +262,19 @@ void TargetBuilder::StartTarget()
   {
     this->Prepare(0, *this->Frames.Find(0));
     this->Moving->MoveAlong(0, 0.0, 0.0);
-    if (!this->IsShared())
-    {
-      this->Moving->Complete();
-    }
+  }
+}
+
+void TargetBuilder::CompleteTarget()
+{
+  if (this->Moving && !this->IsShared())
+  {
+    this->Moving->Complete();
   }
 }
 
 std::unique_ptr<PotentialTarget> TargetBuilder::MakeTargetAt(
-  int step, double begin, double end) const
+  int step, double begin, double end, bool hasPoints) const
 {
   if (!this->Settings.UsesInput())
   {
@@ -278,7 +282,10 @@ std::unique_ptr<PotentialTarget> TargetBuilder::MakeTargetAt(
   }
   auto target = this->FindKind(step, step + 1)->MakeTarget(this->Frames, this->GetOptions());
   target->MoveAlong(step, begin, end);
-  target->Complete();
+  if (hasPoints)
+  {
+    target->Complete();
+  }
   return target;
 }
 

@@ -91,9 +91,10 @@ public:
   // Whether the surface would start on an empty frame.
   bool StartsOnNothing() const;
 
-  // Puts the target to the first frame, anew, ready to be evaluated unless ranks share it. Comes
-  // when the domain is known, before GetTarget.
+  // Puts the target to the first frame, anew. Comes when the domain is known, before GetTarget.
   void StartTarget();
+  // Makes it ready to be evaluated at points, unless ranks share it.
+  void CompleteTarget();
 
   // What attracts. It may be another one after UseFramesFrom, and goes with Clear and ForgetTarget.
   PotentialTarget& GetTarget();
@@ -111,8 +112,10 @@ public:
   MovingTarget* GetMovingTarget();
 
   // Another one that attracts alike, on its way from a step that is held to the next between two
-  // motion times. It uses the frames that are held, until the next Add or Clear.
-  std::unique_ptr<PotentialTarget> MakeTargetAt(int step, double begin, double end) const;
+  // motion times. It uses the frames that are held, until the next Add or Clear. hasPoints: whether
+  // it can be evaluated at points, at the beginning of the way.
+  std::unique_ptr<PotentialTarget> MakeTargetAt(
+    int step, double begin, double end, bool hasPoints = true) const;
 
   // What the surface starts on; null: on the target. Comes after StartTarget.
   std::unique_ptr<PotentialTarget> MakeStart();

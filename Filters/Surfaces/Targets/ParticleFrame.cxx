@@ -133,10 +133,13 @@ void FindBoundsOf(const std::vector<SkeletonVertex>& particles, double bounds[6]
   }
 }
 
-void ParticleFrame::FindFits(const FitOptions& options)
+void ParticleFrame::FindFits(const FitOptions& options) const
 {
-  this->Fits = FitParticles(options, this->Particles, this->Shared.get());
-  this->HasFits = true;
+  if (!this->HasFits)
+  {
+    this->Fits = FitParticles(options, this->Particles, this->Shared.get());
+    this->HasFits = true;
+  }
 }
 
 void ParticleFrame::GiveRadius(double radius)

@@ -42,11 +42,11 @@ struct ParticleFrame
   bool HasIds = false;           // from the array
   bool HasRadii = false;         // from the array, else to be given by GiveRadius
   bool HasVelocities = false;    // from an array
-  bool HasFits = false;
+  mutable bool HasFits = false;
   std::size_t Ignored = 0;                       // points left out: not finite, or without a size
   std::vector<vtkIdType> Points;                 // of the input, which the particles are; empty
                                                  // without Passed
-  ParticleFits Fits;                             // of the particles, if there are
+  mutable ParticleFits Fits;                     // of the particles, once FindFits was called
   std::vector<std::array<double, 3>> Velocities; // of the particles, if there are
   vtkSmartPointer<vtkPointData> Passed; // of the input's points, or of this rank's piece of them,
                                         // a copy; null if not wanted
@@ -56,8 +56,8 @@ struct ParticleFrame
     return this->Shared ? this->Shared->CountOfAll : this->Particles.size();
   }
 
-  // Where ranks share particles, they are at home. Throws as FitParticles.
-  void FindFits(const FitOptions& options);
+  // Unless they are known. Where ranks share particles, they are at home. Throws as FitParticles.
+  void FindFits(const FitOptions& options) const;
 
   void GiveRadius(double radius);
 

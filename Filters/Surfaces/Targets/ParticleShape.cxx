@@ -93,15 +93,6 @@ std::string ParticleShape::Prepare(ShapePreparation& preparation)
   {
     BringHome(GetNeighbourhoodPerRadius(options.Model), this->Particles);
   }
-  if (options.WantsFits() && !this->Particles.HasFits)
-  {
-    FitOptions fit;
-    fit.Model = options.Model;
-    fit.OwnRadius = this->Particles.HasRadii ? 0.0 : 0.5 * preparation.GetSpacing();
-    fit.Anisotropy = options.Anisotropy;
-    fit.SparesCrowds = !options.NeedsFits();
-    this->Particles.FindFits(fit);
-  }
   return "";
 }
 

@@ -104,43 +104,64 @@ void ParticleTarget::ForgetNear() noexcept
 
 void ParticleTarget::Place(int step, double fraction)
 {
-  const ParticleWay whole = this->Frames.GetWay(step);
   std::swap(this->Previous, this->Now);
   if (this->TellsRegionsAlone)
   {
-    this->Now.Particles = whole.Earlier->Particles;
-    this->Now.Fits = whole.Earlier->Fits;
+    const ParticleFrame& frame = *this->Frames.GetWay(step).Earlier;
+    this->FindFits(frame);
+    this->Now.Particles = frame.Particles;
+    this->Now.Fits = frame.Fits;
     this->Changed.SetEverywhere();
     return;
   }
-  this->PlaceWay(whole, step, fraction, false, this->Now);
+  PlacedNeeds needs;
+  needs.Fits = this->Options.WantsFits();
+  this->PlaceWay(step, fraction, needs, this->Now);
   this->FindChanged();
 }
 
-void ParticleTarget::PlaceWay(const ParticleWay& whole, int step, double fraction,
-  bool wantsVelocities, PlacedParticles& placed)
+// Once for each step of the input.
+void ParticleTarget::FindFits(const ParticleFrame& frame) const
 {
-  PlacedNeeds needs;
-  needs.Fits = this->Options.WantsFits();
-  needs.Velocities = wantsVelocities;
-  needs.Duration = this->GetDuration();
-  if (whole.IsShared() && this->StepOfNear != step)
+  FitOptions fit;
+  fit.Model = this->Options.Model;
+  fit.OwnRadius = frame.HasRadii ? 0.0 : 0.5 * this->Options.SpacingInUse;
+  fit.Anisotropy = this->Options.Anisotropy;
+  fit.SparesCrowds = !this->Options.NeedsFits();
+  frame.FindFits(fit);
+}
+
+void ParticleTarget::PlaceWay(
+  int step, double fraction, const PlacedNeeds& needs, PlacedParticles& placed)
+{
+  const ParticleWay whole = this->Frames.GetWay(step);
+  for (const ParticleFrame* frame : { whole.Earlier, whole.Later })
   {
-    this->ChooseNear(whole, step);
+    if (frame && needs.Fits)
+    {
+      this->FindFits(*frame);
+    }
   }
-  PlaceParticles(whole.IsShared() ? this->Near.GetWay() : whole, fraction, needs, placed);
-  if (!this->Places && needs.Duration == 0.0) // they stand still, and are many
+  if (whole.IsShared() && (this->StepOfNear != step || this->NearHasFits < needs.Fits))
+  {
+    this->ChooseNear(whole, step, needs.Fits);
+  }
+  PlacedNeeds wanted = needs;
+  wanted.Duration = this->GetDuration();
+  PlaceParticles(whole.IsShared() ? this->Near.GetWay() : whole, fraction, wanted, placed);
+  if (!this->Places && wanted.Duration == 0.0) // they stand still, and are many
   {
     this->Near = NearParticles();
     this->StepOfNear = -1;
   }
 }
 
-void ParticleTarget::ChooseNear(const ParticleWay& whole, int step)
+void ParticleTarget::ChooseNear(const ParticleWay& whole, int step, bool hasFits)
 {
   this->ForgetNear();
   this->Near.Choose(whole, this->Places);
   this->StepOfNear = step;
+  this->NearHasFits = hasFits;
 }
 
 void ParticleTarget::Finish()
@@ -177,15 +198,18 @@ void ParticleTarget::PlaceNodes(double begin, double end, double transport, doub
 {
   this->VoxelSize = voxelSize;
   const int step = this->GetStepOfWay();
-  this->PlaceWay(
-    this->Frames.GetWay(step), step, this->FindFraction(end), this->Options.Carries, this->AtNodes);
+  PlacedNeeds needs;
+  needs.Fits = this->Options.NodesNeedFits();
+  needs.Velocities = this->Options.Carries;
+  this->PlaceWay(step, this->FindFraction(end), needs, this->AtNodes);
   NodeParticleOptions options;
   options.Model = this->Options.Model;
   options.VoxelSize = voxelSize;
   const bool hasRadii =
     this->Frames.GetParticles(step).HasRadii || this->Frames.GetParticles(step + 1).HasRadii;
   options.OwnRadius = hasRadii ? 0.0 : 0.5 * this->Options.SpacingInUse;
-  options.Level = this->GetLevel();
+  options.Anisotropy = this->Options.Anisotropy;
+  options.WantsBulks = this->Options.WantsBulks();
   options.Duration = transport * (end - begin);
   options.HasNoise = this->Options.NoiseAtNodes > 0.0;
   this->Nodes.Build(

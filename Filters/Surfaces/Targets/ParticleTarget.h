@@ -69,8 +69,8 @@ protected:
 private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
   const NearParticles* FindNear() const { return this->Places ? &this->Near : nullptr; }
-  void PlaceWay(const ParticleWay& whole, int step, double fraction, bool wantsVelocities,
-    PlacedParticles& placed);
+  void PlaceWay(int step, double fraction, const PlacedNeeds& needs, PlacedParticles& placed);
+  void FindFits(const ParticleFrame& frame) const;
   void BuildBody(const PlacedParticles& placed, double largestRadius, Skeleton& elements,
     ParticlePotential& body) const;
   // Level of the sum of kernels at the skin.
@@ -79,7 +79,7 @@ private:
     return this->IsSum() ? this->Options.Threshold - this->Options.Level.IsoValue : 0.5;
   }
   void ForgetNear() noexcept;
-  void ChooseNear(const ParticleWay& whole, int step);
+  void ChooseNear(const ParticleWay& whole, int step, bool hasFits);
   void FindChanged();
   void NoteCells(double before, double now);
 
@@ -89,6 +89,7 @@ private:
   bool TellsRegionsAlone = false;
   NearParticles Near;  // of a step, where ranks share the particles
   int StepOfNear = -1; // -1: of none
+  bool NearHasFits = false;
   PlacedParticles Now;
   PlacedParticles Previous;
   double LargestRadius = 0.0; // of those of all ranks that add something, if there are places

@@ -38,10 +38,12 @@ struct ShapeOptions
   bool WeighsTension = false;
   bool OpensHollows = false;
 
-  /** Whether particles have to be looked at among their neighbours; whether nothing goes without.
-   */
+  /** Whether points among particles are found by the particles' neighbours; whether nothing goes
+   * without. */
   bool WantsFits() const { return this->NeedsFits() || this->OpensHollows; }
-  bool NeedsFits() const { return this->Model != ParticleModel::Sum || this->WantsBulks(); }
+  bool NeedsFits() const { return this->Model != ParticleModel::Sum; }
+  /** The same at nodes, which find their own fits but for this model. */
+  bool NodesNeedFits() const { return this->Model == ParticleModel::AveragedCentre; }
 
   /** Whether what is a body of particles matters. */
   bool WantsBulks() const { return this->WeighsTension || this->NoiseAtNodes > 0.0; }

@@ -1,0 +1,347 @@
+#include "Nodes/NodeFits.h"
+
+#include "ParallelTasks.h"
+#include "ParticleCrowd.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+
+namespace
+{
+
+// Of what a lone particle has at its surface, a body has at least so much at its own: neighbours
+// whose kernels are longer may lack more than a particle has.
+constexpr float LeastShare = .1f;
+
+}
+
+// A group and its neighbours; one for each thread, kept for its memory.
+struct NodeFits::Search
+{
+  std::uint32_t Block = 0; // whose origin is that of the places
+  FitGroup Group;
+  FitNeighbours Neighbours;
+};
+
+void NodeFits::Find(
+  const ParticleBlocks& blocks, const FitColumns& given, const NodeFitOptions& options)
+{
+  this->Blocks = &blocks;
+  this->Given = given;
+  this->Options = options;
+  const std::size_t count = blocks.GetOrder().size();
+  this->Resize(count);
+  if (this->IsCrowd())
+  {
+    if (options.HasEllipsoids)
+    {
+      RefuseCrowd(count);
+    }
+    std::fill(this->Bulk.begin(), this->Bulk.end(), 0.f);
+    return;
+  }
+  const auto isNear = [](std::uint32_t, bool isNearSurface) { return isNearSurface; };
+  this->ForEachGroup(isNear, [this](Search& search) { this->FindShapes(search); });
+  if (!options.HasEllipsoids)
+  {
+    return;
+  }
+  this->FindLongestReach();
+  this->ForEachGroup([this](std::uint32_t k, bool isNearSurface)
+    { return isNearSurface && this->IsAtSurface(k); },
+    [this](Search& search) { this->FindLacks(search); });
+  this->ForEachGroup(isNear, [this](Search& search) { this->FindStrengths(search); });
+}
+
+void NodeFits::Resize(std::size_t count)
+{
+  for (UnsetVector<float>* numbers : { &this->Wide2, &this->InverseWide2, &this->Bulk, &this->EX,
+         &this->EY, &this->EZ, &this->EReach2, &this->Deep, &this->Thin, &this->Shape, &this->Lone,
+         &this->Share, &this->Lack, &this->ShareReach2 })
+  {
+    numbers->resize(count + LanePadding);
+  }
+  this->Places.resize(6 * count);
+  this->Ellipsoids.resize(count);
+  RunEach(count + LanePadding,
+    [this, count](std::size_t k)
+    {
+      const bool isNeighbour = k<count&& this->Given.Strength[k]> 0.f;
+      const float wide =
+        isNeighbour ? static_cast<float>(this->Options.WidePerReach) * this->Given.Reach[k] : 0.f;
+      this->Wide2[k] = wide * wide;
+      this->InverseWide2[k] = isNeighbour ? 1.f / (wide * wide) : 0.f;
+      this->Bulk[k] = 1.f;
+      this->EX[k] = this->EY[k] = this->EZ[k] = this->EReach2[k] = 0.f;
+      this->Share[k] = this->Lack[k] = this->ShareReach2[k] = 0.f;
+    });
+  float widest = 0.f;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    widest = std::max(widest, this->Wide2[k]);
+  }
+  this->WidestReach = std::sqrt(widest);
+}
+
+// By a sample that is spread over the list.
+bool NodeFits::IsCrowd() const
+{
+  const std::size_t count = this->Blocks->GetOrder().size();
+  if (count <= FewParticles)
+  {
+    return false;
+  }
+  Search search;
+  std::size_t neighbours = 0;
+  for (std::size_t n = 0; n < ParticlesOfSample; ++n)
+  {
+    const auto k = static_cast<std::uint32_t>(n * count / ParticlesOfSample);
+    search.Block = this->Blocks->GetBlockOf()[k];
+    search.Group.Count = 1;
+    search.Group.Members[0] = k;
+    this->FillGroup(search);
+    this->Gather(search, { this->Given.X, this->Given.Y, this->Given.Z, this->Wide2.data() },
+      this->WidestReach);
+    neighbours += search.Neighbours.size();
+  }
+  return neighbours > MostNeighbours * ParticlesOfSample;
+}
+
+// In each column of parts, eight by eight, in parallel.
+template <class IsWanted, class Visit>
+void NodeFits::ForEachGroup(IsWanted&& isWanted, Visit&& visit) const
+{
+  constexpr int side = ParticleBlocks::PartsOfSide;
+  RunTasks(side * this->Blocks->Size(),
+    [&](std::size_t task)
+    {
+      thread_local Search search;
+      search.Block = static_cast<std::uint32_t>(task / side);
+      const ParticleBlocks::Block& block = (*this->Blocks)[search.Block];
+      const int x = static_cast<int>(task % side);
+      for (int y = 0; y < side; ++y)
+      {
+        search.Group.Count = 0;
+        const auto finish = [&]
+        {
+          this->FillGroup(search);
+          visit(search);
+          search.Group.Count = 0;
+        };
+        for (int z = 0; z < side; ++z)
+        {
+          const int part = side * side * x + side * y + z;
+          const bool isNear = ParticleBlocks::IsNearSurface(block, x, y, z);
+          for (std::uint32_t k = block.Starts[part]; k < block.Starts[part + 1]; ++k)
+          {
+            if (isWanted(k, isNear))
+            {
+              search.Group.Members[search.Group.Count++] = k;
+            }
+            if (search.Group.Count == 8)
+            {
+              finish();
+            }
+          }
+        }
+        if (search.Group.Count > 0)
+        {
+          finish();
+        }
+      }
+    });
+}
+
+void NodeFits::FillGroup(Search& search) const
+{
+  FitGroup& group = search.Group;
+  for (int i = 0; i < 8; ++i)
+  {
+    const std::uint32_t k = group.Members[std::min(i, group.Count - 1)];
+    group.Place[0][i] = this->Given.X[k];
+    group.Place[1][i] = this->Given.Y[k];
+    group.Place[2][i] = this->Given.Z[k];
+    group.OwnRadius[i] = this->Given.OwnRadius[k];
+    group.Reach[i] = this->Given.Reach[k];
+    group.Strength[i] = std::max(this->Given.Strength[k], 0.f);
+  }
+}
+
+// Those in reach of the group's places; reach: the farthest one from a particle.
+void NodeFits::Gather(Search& search, const PlaceColumns& columns, double reach) const
+{
+  FitGroup& group = search.Group;
+  group.FindBox();
+  const NodeIndex& home = (*this->Blocks)[search.Block].At;
+  const double size = this->Blocks->GetBlockSize();
+  double low[3], high[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double middle = size * home[axis] + group.Middle[axis];
+    low[axis] = middle - group.Half[axis] - reach;
+    high[axis] = middle + group.Half[axis] + reach;
+  }
+  search.Neighbours.clear();
+  this->Blocks->VisitRuns(low, high,
+    [&](std::uint32_t first, std::uint32_t end, const NodeIndex& at)
+    {
+      float shift[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        shift[axis] = static_cast<float>(size * (at[axis] - home[axis]));
+      }
+      AddNeighbours(group, columns, first, end, shift, search.Neighbours);
+    });
+}
+
+void NodeFits::FindShapes(Search& search)
+{
+  this->Gather(
+    search, { this->Given.X, this->Given.Y, this->Given.Z, this->Wide2.data() }, this->WidestReach);
+  GroupFits fits;
+  const FitLaw law = { static_cast<float>(this->Options.WidePerReach),
+    static_cast<float>(this->Options.Anisotropy) };
+  FindGroupFits(law, search.Group, search.Neighbours,
+    { this->InverseWide2.data(), this->Given.Strength }, fits);
+  for (int i = 0; i < search.Group.Count; ++i)
+  {
+    this->KeepShape(search.Group.Members[i], i, fits);
+  }
+}
+
+void NodeFits::KeepShape(std::uint32_t k, int column, const GroupFits& fits)
+{
+  this->Bulk[k] = fits.Bulk[column];
+  this->Deep[k] = fits.Deep[column];
+  this->Thin[k] = fits.Thin[column];
+  this->Shape[k] = fits.Shape[column];
+  this->Lone[k] = fits.Lone[column];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Places[6 * k + axis] = fits.Away[axis][column];
+    this->Places[6 * k + 3 + axis] = fits.Across[axis][column];
+  }
+  if (!(this->Given.Strength[k] > 0.f) || !this->Options.HasEllipsoids)
+  {
+    return;
+  }
+  this->EX[k] = this->Given.X[k] + fits.Offset[0][column];
+  this->EY[k] = this->Given.Y[k] + fits.Offset[1][column];
+  this->EZ[k] = this->Given.Z[k] + fits.Offset[2][column];
+  this->EReach2[k] = fits.Reach[column] * fits.Reach[column];
+  NodeEllipsoid& ellipsoid = this->Ellipsoids[k];
+  for (int i = 0; i < 6; ++i)
+  {
+    ellipsoid.Metric[i] = fits.Metric[i][column];
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ellipsoid.Extent[axis] = fits.Extent[axis][column];
+  }
+  ellipsoid.Strength = this->Given.Strength[k]; // until it is known
+}
+
+void NodeFits::FindLongestReach()
+{
+  this->LongestReach = 0.0;
+  for (std::size_t k = 0; k < this->Ellipsoids.size(); ++k)
+  {
+    if (this->EReach2[k] > 0.f)
+    {
+      const float far = std::max({ std::fabs(this->EX[k] - this->Given.X[k]),
+        std::fabs(this->EY[k] - this->Given.Y[k]), std::fabs(this->EZ[k] - this->Given.Z[k]) });
+      this->LongestReach =
+        std::max(this->LongestReach, std::sqrt(static_cast<double>(this->EReach2[k])) + far);
+    }
+  }
+}
+
+// Moves the group to one of the places of each. Returns true if it counts for any.
+bool NodeFits::PlaceBeside(
+  Search& search, const UnsetVector<float>& counting, std::size_t place) const
+{
+  FitGroup& group = search.Group;
+  bool counts = false;
+  for (int i = 0; i < 8; ++i)
+  {
+    const std::uint32_t k = group.Members[std::min(i, group.Count - 1)];
+    const float* to = &this->Places[6 * k + place];
+    group.Place[0][i] = this->Given.X[k] + to[0];
+    group.Place[1][i] = this->Given.Y[k] + to[1];
+    group.Place[2][i] = this->Given.Z[k] + to[2];
+    counts = counts || counting[k] > 0.f;
+  }
+  return counts;
+}
+
+// What a particle that fades in or out would add itself at its place: there it counts as whole, so
+// that a lone one fades to nothing.
+float NodeFits::FindFaded(std::uint32_t k, std::size_t place) const
+{
+  const float faded = 1.f - std::max(this->Given.Strength[k], 0.f);
+  if (!(faded > 0.f) || !(this->EReach2[k] > 0.f))
+  {
+    return 0.f;
+  }
+  const float* m = this->Ellipsoids[k].Metric;
+  const float* to = &this->Places[6 * k + place];
+  const float x = this->Given.X[k] + to[0] - this->EX[k];
+  const float y = this->Given.Y[k] + to[1] - this->EY[k];
+  const float z = this->Given.Z[k] + to[2] - this->EZ[k];
+  const float q = x * (m[0] * x + m[1] * y + m[2] * z) + y * (m[1] * x + m[3] * y + m[4] * z) +
+    z * (m[2] * x + m[4] * y + m[5] * z);
+  const float rest = std::max(1.f - q, 0.f);
+  return faded * (rest * rest * rest);
+}
+
+void NodeFits::FindLacks(Search& search)
+{
+  const EllipsoidColumns columns = this->GetColumns();
+  alignas(32) float away[8] = {}, across[8] = {};
+  if (this->PlaceBeside(search, this->Deep, 0))
+  {
+    this->Gather(search, { columns.X, columns.Y, columns.Z, columns.Reach2 }, this->LongestReach);
+    SumEllipsoids(search.Group, search.Neighbours, this->Ellipsoids.data(), away);
+  }
+  if (this->PlaceBeside(search, this->Thin, 3))
+  {
+    this->Gather(search, { columns.X, columns.Y, columns.Z, columns.Reach2 }, this->LongestReach);
+    SumEllipsoids(search.Group, search.Neighbours, this->Ellipsoids.data(), across);
+  }
+  for (int i = 0; i < search.Group.Count; ++i)
+  {
+    const std::uint32_t k = search.Group.Members[i];
+    const float deep = this->Deep[k], thin = this->Thin[k];
+    const float value =
+      (deep * (away[i] + this->FindFaded(k, 0)) + thin * (across[i] + this->FindFaded(k, 3))) /
+      (deep + thin);
+    this->Share[k] = 1.f - (1.f - deep) * (1.f - thin);
+    this->Lack[k] = value - this->Lone[k];
+    this->ShareReach2[k] = this->Wide2[k];
+  }
+}
+
+void NodeFits::FindStrengths(Search& search)
+{
+  this->Gather(search, { this->Given.X, this->Given.Y, this->Given.Z, this->ShareReach2.data() },
+    this->WidestReach);
+  alignas(32) float shares[8], lacks[8];
+  SumShares(search.Group, search.Neighbours,
+    { this->InverseWide2.data(), this->Given.Strength, this->Share.data(), this->Lack.data() },
+    shares, lacks);
+  for (int i = 0; i < search.Group.Count; ++i)
+  {
+    const std::uint32_t k = search.Group.Members[i];
+    const float mean = shares[i] > 0.f ? lacks[i] / shares[i] : 0.f;
+    const float shape = this->Shape[k], own = this->Share[k] * this->Lack[k];
+    const float value =
+      this->Lone[k] + shape * mean * std::min(shares[i], 1.f) + (1.f - shape) * own;
+    this->Ellipsoids[k].Strength =
+      this->Given.Strength[k] / std::max(value, LeastShare * this->Lone[k]);
+  }
+}
+
+}

@@ -1,0 +1,92 @@
+// The fits of the particles near a surface, at the places where they are: their ellipsoids, and how
+// much of a body is around each particle. Found in three passes: the ellipsoids; what the sum of
+// their kernels lacks where the surface should be; and the mean of what neighbours lack, which
+// gives the strengths. Particles deep in a body have none, as their kernels do not reach a surface.
+
+#ifndef NodeFits_h
+#define NodeFits_h
+
+#include "Nodes/FitKernels.h"
+#include "Nodes/NodeSums.h"
+#include "Nodes/ParticleBlocks.h"
+#include "UnsetVector.h"
+
+#include <cstddef>
+
+namespace activesurface
+{
+
+// Of particles in the order of their blocks, and of eight more; lengths in voxels, places relative
+// to the block.
+struct FitColumns
+{
+  const float *X, *Y, *Z;
+  const float* OwnRadius;
+  const float* Reach; // of the kernel in a body
+  const float* Strength;
+};
+
+struct NodeFitOptions
+{
+  double WidePerReach = 1.0; // neighbourhood over reach
+  double Anisotropy = 4.0;   // largest ratio of axes
+  bool HasEllipsoids = true; // else only the bulks are found
+};
+
+class NodeFits
+{
+public:
+  // Keeps its memory. Throws std::invalid_argument for so many in one place that it would take
+  // hours; without ellipsoids bulks are 0 then.
+  void Find(const ParticleBlocks& blocks, const FitColumns& given, const NodeFitOptions& options);
+
+  // In [0,1]; 1 deep in a body.
+  const float* GetBulks() const { return this->Bulk.data(); }
+
+  // Centres relative to the particle's block; a squared reach of 0 where there is none.
+  EllipsoidColumns GetColumns() const
+  {
+    return { this->EX.data(), this->EY.data(), this->EZ.data(), this->EReach2.data() };
+  }
+  const NodeEllipsoid* GetEllipsoids() const { return this->Ellipsoids.data(); }
+  // From the particle, centre and all [voxels].
+  double GetLongestReach() const { return this->LongestReach; }
+
+private:
+  struct Search;
+
+  void Resize(std::size_t count);
+  bool IsCrowd() const;
+  template <class IsWanted, class Visit>
+  void ForEachGroup(IsWanted&& isWanted, Visit&& visit) const;
+  void FillGroup(Search& search) const;
+  void Gather(Search& search, const PlaceColumns& columns, double reach) const;
+  void FindShapes(Search& search);
+  void KeepShape(std::uint32_t k, int column, const GroupFits& fits);
+  void FindLacks(Search& search);
+  bool PlaceBeside(Search& search, const UnsetVector<float>& counting, std::size_t place) const;
+  float FindFaded(std::uint32_t k, std::size_t place) const;
+  void FindStrengths(Search& search);
+  void FindLongestReach();
+  bool IsAtSurface(std::uint32_t k) const { return this->Deep[k] > 0.f || this->Thin[k] > 0.f; }
+
+  const ParticleBlocks* Blocks = nullptr;
+  FitColumns Given{};
+  NodeFitOptions Options;
+  double WidestReach = 0.0;
+  double LongestReach = 0.0;
+
+  UnsetVector<float> Wide2, InverseWide2; // squared radii of the neighbourhoods
+  UnsetVector<float> Bulk;
+  UnsetVector<float> EX, EY, EZ, EReach2;
+  UnsetVector<NodeEllipsoid> Ellipsoids;
+
+  // What is known of each before the strengths.
+  UnsetVector<float> Deep, Thin, Shape, Lone;
+  UnsetVector<float> Places;                   // Away x y z, Across x y z
+  UnsetVector<float> Share, Lack, ShareReach2; // of those at the surface; else 0
+};
+
+}
+
+#endif
