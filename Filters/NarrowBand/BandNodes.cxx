@@ -5,13 +5,25 @@
 namespace activesurface
 {
 
+namespace
+{
+
+bool IsControlled(const Motion& motion)
+{
+  return motion.VolumeControl == Control::Exact || motion.AreaControl == Control::Exact;
+}
+
+}
+
 void BandState::MakeNodeFrame(const NodeFrame& frame, const Motion& motion, NodeTarget& target)
 {
   const openvdb::FloatTree::Ptr before = this->Potential->treePtr();
   const openvdb::FloatTree::Ptr after = this->Nodes.Make(frame, motion, target);
+  const bool hadGhosts = this->HasGhosts;
   try
   {
-    this->Leaves = LeafTable(); // all leaves are new
+    this->HasGhosts = IsControlled(motion); // which moves the surface by a substep
+    this->Leaves = LeafTable();             // all leaves are new
     this->Restore(after);
     if (frame.End > frame.Begin)
     {
@@ -21,6 +33,7 @@ void BandState::MakeNodeFrame(const NodeFrame& frame, const Motion& motion, Node
   catch (...)
   {
     this->Leaves = LeafTable();
+    this->HasGhosts = hadGhosts;
     this->Restore(before);
     throw;
   }

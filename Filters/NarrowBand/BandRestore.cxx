@@ -17,6 +17,7 @@ void BandState::MakeEmpty()
   this->Leaves.Rebuild(this->Potential->tree());
   this->Crossings = 0;
   this->Paper = false;
+  this->HasGhosts = true;
 }
 
 void BandState::Reset(double time, const double bounds[6])
@@ -49,15 +50,46 @@ void BandState::AdoptTree(const openvdb::FloatTree::Ptr& tree)
 void BandState::Restore(const openvdb::FloatTree::Ptr& tree)
 {
   this->AdoptTree(tree);
+  if (!this->HasGhosts)
+  {
+    this->BoundLayers();
+  }
+  else if (!this->Paper)
+  {
+    this->FillGhostsOfAll();
+  }
+  this->FinishFrame();
+}
+
+void BandState::FillGhostsOfAll()
+{
   for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
   {
     this->Leaves[i].Updated = LeafMask::All();
   }
-  if (!this->Paper)
+  FillGhosts(this->Leaves, this->Set);
+}
+
+void BandState::AddGhosts()
+{
+  if (!this->HasGhosts)
   {
-    FillGhosts(this->Leaves, this->Set);
+    this->Set.ChooseAll(this->Leaves);
+    this->FillGhostsOfAll();
+    this->HasGhosts = true;
   }
-  this->FinishFrame();
+}
+
+// Nodes of the layers in leaves that the node scheme had no use for are beyond its limit.
+void BandState::BoundLayers()
+{
+  this->Leaves.ForEach(
+    [&](std::size_t i)
+    {
+      BandLeaf& leaf = this->Leaves[i];
+      leaf.UpToLayer[LastLayer].ForEach([&leaf](int node)
+        { leaf.Value[node] = std::min(std::max(leaf.Value[node], -NodeLimit), NodeLimit); });
+    });
 }
 
 }

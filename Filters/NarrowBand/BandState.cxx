@@ -46,6 +46,10 @@ constexpr float MostOfTransport = 32.f;
 void BandState::Begin(const Motion& motion)
 {
   CheckSize(this->CountActive(), this->Maximum);
+  if (motion.Integration == TimeIntegration::Explicit)
+  {
+    this->AddGhosts();
+  }
   this->SwitchScheme(motion);
   ForgetSpeeds(this->Leaves); // the target may be another one
 }
@@ -257,6 +261,7 @@ void BandState::StepAndTrace(const Motion& motion, Target& target, AdvanceReport
 
 void BandState::Confine(const Walls& walls, Obstacle* obstacle)
 {
+  this->AddGhosts();
   this->Set.ChooseAll(this->Leaves);
   this->Buffers.MakeRoomForNodes(this->Leaves);
   this->Leaves.ForEach(

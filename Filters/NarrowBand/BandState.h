@@ -36,6 +36,7 @@ struct BandState
   SkinMeasure StartMeasure; // world units
   double BoxSize = 1.0;     // longest side of the bounds at the start
   bool Paper = false;       // the band is the paper's: see PaperStep.h
+  bool HasGhosts = true;    // else the node scheme has set all nodes of the layers
   AdvanceReport Work;       // since ForgetWork
   ActiveSet Set;            // of the substep under way, which sets it first; kept for its memory
   SubstepBuffers Buffers;
@@ -51,12 +52,14 @@ struct BandState
   /** Replaces the potential; the layers follow from the signs, in the paper's band from the active
    * masks. */
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
-  /** The same; the ghosts too follow from the active nodes. */
+  /** The same; the ghosts too follow from the active nodes, if there are. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
+  /** For substeps, unless they are there. */
+  void AddGhosts();
   StateNumbers GetNumbers() const
   {
     return { this->VoxelSize, this->Time, this->StartMeasure.Area, this->StartMeasure.Volume,
-      this->BoxSize, this->Paper, this->GetBackground() };
+      this->BoxSize, this->Paper, this->HasGhosts, this->GetBackground() };
   }
   void SetNumbers(const StateNumbers& numbers)
   {
@@ -65,6 +68,7 @@ struct BandState
     this->StartMeasure = { numbers.StartArea, numbers.StartVolume };
     this->BoxSize = numbers.BoxSize;
     this->Paper = numbers.Paper;
+    this->HasGhosts = numbers.HasGhosts;
   }
   float GetBackground() const { return this->Paper ? PaperThreshold : Far; }
   /** To be called before the first substep of a motion. */
@@ -94,6 +98,8 @@ struct BandState
 private:
   struct Move;
   void MakeNodeFrame(const NodeFrame& frame, const Motion& motion, NodeTarget& target);
+  void FillGhostsOfAll();
+  void BoundLayers();
 
   /** Layers and ghosts, from the potential. */
   void RebuildBand(ActiveSet& set, float mostGrowth = HUGE_VALF);

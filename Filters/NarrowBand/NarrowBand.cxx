@@ -31,7 +31,7 @@ namespace
 {
 
 /** StateNumbers as they lie in packed bytes. */
-using PackedNumbers = std::array<double, 6>;
+using PackedNumbers = std::array<double, 7>;
 
 }
 
@@ -67,13 +67,23 @@ std::unique_ptr<NarrowBand> NarrowBand::Clone() const
   return copy;
 }
 
+void NarrowBand::AddGhosts()
+{
+  this->Run([&] { this->State->AddGhosts(); });
+}
+
+bool NarrowBand::HasGhosts() const
+{
+  return this->State->HasGhosts;
+}
+
 std::string NarrowBand::Pack() const
 {
   const StateNumbers n = this->State->GetNumbers();
   const PackedNumbers packed = { n.VoxelSize, n.Time, n.StartArea, n.StartVolume, n.BoxSize,
-    n.Paper ? 1.0 : 0.0 };
+    n.Paper ? 1.0 : 0.0, n.HasGhosts ? 1.0 : 0.0 };
   return std::string(reinterpret_cast<const char*>(packed.data()), sizeof packed) +
-    PackBand(this->State->Leaves);
+    PackBand(this->State->Leaves, n.HasGhosts);
 }
 
 std::unique_ptr<NarrowBand> NarrowBand::Unpack(const std::string& bytes)
@@ -85,7 +95,7 @@ std::unique_ptr<NarrowBand> NarrowBand::Unpack(const std::string& bytes)
   }
   std::memcpy(packed.data(), bytes.data(), sizeof packed);
   const StateNumbers numbers = { packed[0], packed[1], packed[2], packed[3], packed[4],
-    packed[5] != 0.0, 0.f };
+    packed[5] != 0.0, packed[6] != 0.0, 0.f };
   auto band = std::make_unique<NarrowBand>(numbers.VoxelSize);
   BandState& members = *band->State;
   members.SetNumbers(numbers);
@@ -189,6 +199,7 @@ void NarrowBand::RestoreTargets(const Motion& motion)
   this->Run(
     [&]
     {
+      members.AddGhosts();
       // Each time by a voxel and a half at the most: until it is reached, or gets no nearer.
       double before = HUGE_VAL;
       for (double left = missing(); std::fabs(left) < 0.99 * before; left = missing())

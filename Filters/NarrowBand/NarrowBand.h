@@ -55,6 +55,11 @@ public:
   /** A copy with its own potential: a branch that does not change this trajectory. */
   std::unique_ptr<NarrowBand> Clone() const;
 
+  /** Extends the potential beyond the band, unless it is: after a frame of the node scheme it ends
+   * at 3 voxels. Substeps do so themselves. */
+  void AddGhosts();
+  bool HasGhosts() const;
+
   ///@{
   /**
    * The state as bytes, without loss, less than 4 per active voxel; and the band restored from

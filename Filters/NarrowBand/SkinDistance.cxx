@@ -122,8 +122,20 @@ void SkinDistance::State::ReadNode(
 }
 
 SkinDistance::SkinDistance(const NarrowBand& band)
-  : Members(std::make_unique<State>(band))
 {
+  if (!band.HasGhosts())
+  {
+    const std::unique_ptr<NarrowBand> extended = band.Clone();
+    extended->AddGhosts();
+    this->Read(*extended);
+    return;
+  }
+  this->Read(band);
+}
+
+void SkinDistance::Read(const NarrowBand& band)
+{
+  this->Members = std::make_unique<State>(band);
   band.Run([&] { this->Members->ReadLeaves(band.GetLeaves()); });
 }
 

@@ -51,6 +51,8 @@ private:
   void operator=(const SkinDistance&) = delete;
 
   struct State;
+  void Read(const NarrowBand& band);
+
   std::unique_ptr<State> Members;
 };
 

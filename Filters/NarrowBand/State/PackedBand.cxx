@@ -3,12 +3,11 @@
 #include "OpenVDB.h"
 #include "State/SavedTree.h"
 
-#include <openvdb/io/Compression.h>
 #include <openvdb/tools/SignedFloodFill.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <sstream>
+#include <string>
 #include <vector>
 
 namespace activesurface
@@ -25,121 +24,58 @@ struct LeafBits
   LeafMask Active;
 };
 
-/** Byte b of all magnitudes, one after the other: like with like, for compression. */
-std::string BytePlane(const std::vector<float>& magnitudes, int b)
+struct Counts
 {
-  std::string plane(magnitudes.size(), '\0');
-  const char* bytes = reinterpret_cast<const char*>(magnitudes.data());
-  for (std::size_t i = 0; i < magnitudes.size(); ++i)
-  {
-    plane[i] = bytes[4 * i + b];
-  }
-  return plane;
-}
+  std::uint64_t Leaves = 0;
+  std::uint64_t Nodes = 0;
+};
 
-void WriteNumber(std::ostream& out, std::uint64_t number)
+/** Copies some of them to or from bytes; returns the next byte. */
+template <class Value>
+char* Write(const Value* from, std::size_t count, char* to)
 {
-  out.write(reinterpret_cast<const char*>(&number), sizeof number);
+  std::copy_n(reinterpret_cast<const char*>(from), count * sizeof(Value), to);
+  return to + count * sizeof(Value);
 }
-
-std::uint64_t ReadNumber(std::istream& in)
+template <class Value>
+const char* Read(const char* from, std::size_t count, Value* to)
 {
-  std::uint64_t number = 0;
-  in.read(reinterpret_cast<char*>(&number), sizeof number);
-  return number;
+  std::copy_n(from, count * sizeof(Value), reinterpret_cast<char*>(to));
+  return from + count * sizeof(Value);
 }
 
-void WriteZipped(std::ostream& out, const char* bytes, std::size_t size)
+std::size_t SizeOf(const Counts& counts)
 {
-  openvdb::io::zipToStream(out, bytes, size);
+  return sizeof(Counts) + counts.Leaves * sizeof(LeafBits) + counts.Nodes * sizeof(float);
 }
 
-constexpr int FirstZippedByte = 2; // of a little-endian float: sign, exponent and 7 bits follow
-
 }
 
-std::string PackBand(const LeafTable& table)
+std::string PackBand(const LeafTable& table, bool hasGhosts)
 {
   std::vector<LeafBits> leaves;
   std::vector<float> magnitudes;
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
     const BandLeaf& leaf = table[i];
-    if (!table.SummaryOf(i).IsUsed)
+    if (table.SummaryOf(i).IsUsed)
     {
-      continue;
-    }
-    leaves.push_back(
-      { { leaf.Origin[0], leaf.Origin[1], leaf.Origin[2], 0 }, leaf.Inside, leaf.Active });
-    leaf.Active.ForEach([&](int node) { magnitudes.push_back(std::fabs(leaf.Value[node])); });
-  }
-  std::ostringstream out;
-  WriteNumber(out, leaves.size());
-  WriteNumber(out, magnitudes.size());
-  WriteZipped(out, reinterpret_cast<const char*>(leaves.data()), leaves.size() * sizeof(LeafBits));
-  for (int b = 0; b < 4; ++b)
-  {
-    const std::string plane = BytePlane(magnitudes, b);
-    if (b < FirstZippedByte)
-    {
-      out.write(plane.data(), static_cast<std::streamsize>(plane.size()));
-    }
-    else
-    {
-      WriteZipped(out, plane.data(), plane.size());
+      const LeafMask known = hasGhosts ? leaf.Active : leaf.UpToLayer[LastLayer];
+      leaves.push_back(
+        { { leaf.Origin[0], leaf.Origin[1], leaf.Origin[2], 0 }, leaf.Inside, known });
+      known.ForEach([&](int node) { magnitudes.push_back(std::fabs(leaf.Value[node])); });
     }
   }
-  return out.str();
+  const Counts counts{ leaves.size(), magnitudes.size() };
+  std::string bytes(SizeOf(counts), '\0');
+  char* to = Write(&counts, 1, &bytes[0]);
+  to = Write(leaves.data(), leaves.size(), to);
+  Write(magnitudes.data(), magnitudes.size(), to);
+  return bytes;
 }
 
 namespace
 {
-
-// OpenVDB allocates as many bytes as the stream tells before it reads them, has errors of its own,
-// and where the number is negative, as of bytes that zip to more, reads as many, whatever fits.
-void Unzip(std::istream& in, char* data, std::size_t count)
-{
-  const std::istream::pos_type begin = in.tellg();
-  openvdb::Int64 zipped = 0;
-  in.read(reinterpret_cast<char*>(&zipped), sizeof zipped);
-  const bool isAsItIs = zipped == -static_cast<openvdb::Int64>(count);
-  if (!in || zipped > in.rdbuf()->in_avail() || (zipped <= 0 && !isAsItIs))
-  {
-    RefuseState();
-  }
-  in.seekg(begin);
-  try
-  {
-    openvdb::io::unzipFromStream(in, data, count);
-  }
-  catch (const openvdb::Exception&)
-  {
-    RefuseState();
-  }
-}
-
-std::vector<float> ReadMagnitudes(std::istream& in, std::size_t count)
-{
-  std::vector<float> magnitudes(count);
-  std::string plane(count, '\0');
-  char* bytes = reinterpret_cast<char*>(magnitudes.data());
-  for (int b = 0; b < 4; ++b)
-  {
-    if (b < FirstZippedByte)
-    {
-      in.read(&plane[0], static_cast<std::streamsize>(count));
-    }
-    else
-    {
-      Unzip(in, &plane[0], count);
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      bytes[4 * i + b] = plane[i];
-    }
-  }
-  return magnitudes;
-}
 
 void FillLeaf(const LeafBits& bits, float background, const float*& magnitude, PotentialLeaf& leaf)
 {
@@ -162,35 +98,40 @@ void SetActive(const LeafBits& bits, PotentialLeaf& leaf)
   leaf.setValueMask(mask);
 }
 
-std::vector<LeafBits> ReadLeaves(std::istream& in, std::size_t leafCount, std::size_t nodeCount)
+void CheckCounts(const std::string& bytes, const Counts& counts)
 {
-  std::vector<LeafBits> leaves(leafCount);
-  Unzip(in, reinterpret_cast<char*>(leaves.data()), leafCount * sizeof(LeafBits));
-  std::size_t active = 0;
-  for (const LeafBits& leaf : leaves)
-  {
-    active += leaf.Active.Count();
-  }
-  if (!in || active != nodeCount)
+  if (counts.Leaves > bytes.size() || counts.Nodes > bytes.size() || SizeOf(counts) != bytes.size())
   {
     RefuseState();
   }
-  return leaves;
+}
+
+std::uint64_t CountActive(const std::vector<LeafBits>& leaves)
+{
+  std::uint64_t active = 0;
+  for (const LeafBits& leaf : leaves)
+  {
+    active += static_cast<std::uint64_t>(leaf.Active.Count());
+  }
+  return active;
 }
 
 }
 
 openvdb::FloatTree::Ptr UnpackBand(const std::string& bytes, float background)
 {
-  std::istringstream in(bytes);
-  const std::uint64_t leafCount = ReadNumber(in), nodeCount = ReadNumber(in);
-  if (!in || leafCount > bytes.size() || nodeCount > bytes.size())
+  Counts counts;
+  if (bytes.size() < sizeof counts)
   {
     RefuseState();
   }
-  const std::vector<LeafBits> leaves = ReadLeaves(in, leafCount, nodeCount);
-  const std::vector<float> magnitudes = ReadMagnitudes(in, nodeCount);
-  if (!in)
+  const char* from = Read(bytes.data(), 1, &counts);
+  CheckCounts(bytes, counts);
+  std::vector<LeafBits> leaves(counts.Leaves);
+  std::vector<float> magnitudes(counts.Nodes);
+  from = Read(from, leaves.size(), leaves.data());
+  Read(from, magnitudes.size(), magnitudes.data());
+  if (CountActive(leaves) != counts.Nodes)
   {
     RefuseState();
   }

@@ -16,6 +16,7 @@ namespace
 
 constexpr const char* Names[] = { "active_voxel_size", "active_time", "active_start_area",
   "active_start_volume", "active_box_size", "active_paper_scheme" };
+constexpr const char* WithoutGhosts = "active_without_ghosts"; // only where it is so
 
 /** OpenVDB has no voxels below that; the grid's own transform then is not to scale. */
 constexpr double SmallestVoxel = 1e-4;
@@ -43,7 +44,14 @@ openvdb::FloatGrid::Ptr MakeStateGrid(
   {
     for (auto value = leaf->beginValueOff(); value; ++value)
     {
-      value.setValue(*value < 0.f ? -background : background);
+      if (!numbers.HasGhosts && std::fabs(*value) < background)
+      {
+        leaf->setValueOn(value.pos());
+      }
+      else
+      {
+        value.setValue(*value < 0.f ? -background : background);
+      }
     }
   }
   grid->setTree(tree);
@@ -55,6 +63,10 @@ openvdb::FloatGrid::Ptr MakeStateGrid(
   for (int i = 0; i < 6; ++i)
   {
     grid->insertMeta(Names[i], openvdb::DoubleMetadata(values[i]));
+  }
+  if (!numbers.HasGhosts)
+  {
+    grid->insertMeta(WithoutGhosts, openvdb::BoolMetadata(true));
   }
   return grid;
 }
@@ -68,6 +80,7 @@ StateNumbers ReadStateGrid(const openvdb::FloatGrid& grid)
   numbers.StartVolume = GetNumber(grid, Names[3]);
   numbers.BoxSize = GetNumber(grid, Names[4]);
   numbers.Paper = GetNumber(grid, Names[5]) != 0.0;
+  numbers.HasGhosts = !grid.getMetadata<openvdb::BoolMetadata>(WithoutGhosts);
   for (auto value = grid.cbeginValueOn(); value; ++value)
   {
     if (!std::isfinite(*value))

@@ -18,11 +18,12 @@ struct StateNumbers
   double StartVolume = 0.0;
   double BoxSize = 1.0;
   bool Paper = false;
+  bool HasGhosts = true;  //< else the node scheme has set all nodes of the layers
   float Background = 0.f; //< not stored: it follows from Paper
 };
 
-/** A copy of the potential, + or - the background at inactive nodes, with the numbers as metadata.
- */
+/** A copy of the potential, with the numbers as metadata. Active are the active nodes; without
+ * ghosts, all nodes of the layers. Elsewhere it is + or - the background. */
 openvdb::FloatGrid::Ptr MakeStateGrid(
   const openvdb::FloatTree& potential, const StateNumbers& numbers);
 
