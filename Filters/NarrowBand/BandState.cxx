@@ -36,11 +36,6 @@ namespace
 /** Of exact controls: a substep may be as long as so many explicit ones. */
 constexpr int RoundsOfLongSteps = 8;
 
-/** |u| [voxels], and its growth from a node to the next, that a sound surface does not come to.
- * Where velocities meet that the lattice cannot hold apart, Transport makes u steeper for as long
- * as they do, and ghosts drive each other on. */
-constexpr float MostOfTransport = 32.f;
-
 }
 
 void BandState::Begin(const Motion& motion)
@@ -87,7 +82,7 @@ void BandState::CreateParts(const Motion& motion, const Target& target, AdvanceR
 TargetLimits BandState::FollowTarget(
   const Motion& motion, Target& target, AdvanceReport& report, Move& move)
 {
-  if (!HasTargetSpeed(motion) && !HasTensionWeights(motion))
+  if (!HasTargetSpeed(motion))
   {
     this->Set.ChooseAll(this->Leaves);
     return {};
@@ -142,23 +137,19 @@ void BandState::MakeDefaultStep(const Motion& motion, const TargetLimits& limits
   const double step = move.Step;
   StepCoefficients coefficients;
   coefficients.HasTargetSpeed = HasTargetSpeed(motion);
-  coefficients.IsWeighted = HasTensionWeights(motion);
   coefficients.Central = motion.Gradient == GradientScheme::Central;
   coefficients.Uniform = static_cast<float>(move.Force.Speed);
   coefficients.Advection = AdvectionFactor(step, size);
   coefficients.Tension = static_cast<float>(step * motion.Tension / (size * size));
   const double speed = limits.Speed + std::fabs(move.Force.Speed);
   coefficients.Relaxation = static_cast<float>(RelaxationFor(step * tracking, step * speed / size));
-  const bool isSound = !coefficients.Central && motion.Tension >= 0.0 &&
-    motion.Evaluation != TargetEvaluation::Node; // by which u comes to far more
-  coefficients.Most = motion.Transport > 0.0 && isSound ? MostOfTransport : HUGE_VALF;
-  ExtendToActiveNodes(this->GetFollower(), motion, coefficients.Advection);
+  ExtendToActiveNodes(this->GetFollower(), motion);
   const GradientCounts gradients =
     StepForward(this->Leaves, this->Set, coefficients, this->Buffers);
   CheckBounded(gradients.Unbounded, this->Time);
   ClampToBounds({ motion.Box, motion.Solid, size }, this->Leaves, this->Set, this->Buffers);
   CommitStep(this->Leaves, this->Set, this->Buffers);
-  this->RebuildBand(this->Set, coefficients.Most);
+  this->RebuildBand(this->Set);
   const float scale = gradients.GetScale();
   if (scale != 1.f)
   {
@@ -274,7 +265,7 @@ void BandState::Confine(const Walls& walls, Obstacle* obstacle)
   this->StartMeasure = this->Measure();
 }
 
-void BandState::RebuildBand(ActiveSet& set, float mostGrowth)
+void BandState::RebuildBand(ActiveSet& set)
 {
   if (this->Paper)
   {
@@ -283,7 +274,7 @@ void BandState::RebuildBand(ActiveSet& set, float mostGrowth)
   else
   {
     RebuildLayers(this->Leaves, set, this->Potential->tree());
-    FillGhosts(this->Leaves, set, mostGrowth);
+    FillGhosts(this->Leaves, set);
   }
   this->DropEmptyLeaves();
 }

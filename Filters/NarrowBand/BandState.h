@@ -102,7 +102,7 @@ private:
   void BoundLayers();
 
   /** Layers and ghosts, from the potential. */
-  void RebuildBand(ActiveSet& set, float mostGrowth = HUGE_VALF);
+  void RebuildBand(ActiveSet& set);
   /** Once they are many; counts the crossings. */
   void DropEmptyLeaves();
   /** Converts the band to the scheme of this motion: this library's or the paper's. */

@@ -128,13 +128,7 @@ struct Motion
 /** Whether the target gives the surface a speed. */
 inline bool HasTargetSpeed(const Motion& motion)
 {
-  return motion.Attraction > 0.0 || motion.Transport > 0.0;
-}
-
-/** Whether the target gives weights that matter. */
-inline bool HasTensionWeights(const Motion& motion)
-{
-  return motion.WeightedTension && motion.Tension != 0.0;
+  return motion.Attraction > 0.0;
 }
 
 /** When NarrowBand::AdvanceToSteadyState ends. */

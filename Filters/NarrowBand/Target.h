@@ -6,7 +6,6 @@
 
 #include "TargetRegion.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -21,26 +20,7 @@ struct TargetResults
   /** Upper bounds of the target slope |dF/dn|, which limits the time step: 1 for a distance, 0
    * where F is constant. */
   double* Slopes = nullptr;
-  /** Velocity of the target (x y z each, world length / motion time), or null if it is not wanted.
-   * One that is not finite counts as 0. */
-  double* Velocities = nullptr;
-  /** What Tension is multiplied by, in [0,1], or null if it is not wanted. One that is not a number
-   * counts as 1. */
-  double* TensionWeights = nullptr;
 };
-
-/** Velocity 0 and weight 1, where they are wanted. */
-inline void SetStill(std::size_t count, const TargetResults& results)
-{
-  if (results.Velocities)
-  {
-    std::fill_n(results.Velocities, 3 * count, 0.0);
-  }
-  if (results.TensionWeights)
-  {
-    std::fill_n(results.TensionWeights, count, 1.0);
-  }
-}
 
 /** Where ranks that share a band ask for a target, each for itself. */
 class OwnPlaces
@@ -92,10 +72,8 @@ public:
     return true;
   }
 
-  /**
-   * Writes all results that are not null at `count` points (x y z each, world coordinates). A point
-   * must give the same bytes in any batch, whatever else is wanted.
-   */
+  /** Writes the results at `count` points (x y z each, world coordinates). A point must give the
+   * same bytes in any batch. */
   virtual void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const = 0;
 

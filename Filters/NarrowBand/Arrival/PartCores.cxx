@@ -284,7 +284,6 @@ void CoreTarget::Evaluate(
     }
     results.Slopes[i] = 1.0;
   }
-  SetStill(count, results);
 }
 
 }

@@ -15,24 +15,12 @@
 #define GhostFill_h
 
 #include "Leaves/ActiveSet.h"
-#include "Leaves/NodeArrays.h"
-
-#include <cmath>
 
 namespace activesurface
 {
 
-/** Fills them where they may have changed: in the affected leaves and next to them. mostGrowth:
- * from a node to the next one. */
-void FillGhosts(LeafTable& table, const ActiveSet& set, float mostGrowth = HUGE_VALF);
-
-/** The same after a long substep, in which many nodes enter the band. These get their value by an
- * eikonal update (EikonalUpdate.h), which does not amplify noise; a second sweep uses the nodes of
- * their own layer too, so that all terms are of second order. room: for the sweep, overwritten. */
-void FillGhostsAndEntered(LeafTable& table, const ActiveSet& set, NodeArrays& room);
-
-/** The ghosts alone, of layers that the surface may have left. */
-void FillGhostsOfOldLayers(LeafTable& table, const ActiveSet& set);
+/** Fills them where they may have changed: in the affected leaves and next to them. */
+void FillGhosts(LeafTable& table, const ActiveSet& set);
 
 }
 

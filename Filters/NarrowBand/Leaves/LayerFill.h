@@ -1,16 +1,13 @@
 /**
- * How |u| of the nodes of a layer follows from the layers inside: extrapolated, or by the eikonal
- * equation.
+ * How |u| of the nodes of a layer follows from the layers inside.
  */
 #ifndef LayerFill_h
 #define LayerFill_h
 
-#include "Leaves/EikonalUpdate.h"
 #include "Leaves/LeafLine.h"
 #include "Leaves/LeafTable.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -45,19 +42,14 @@ ACTIVE_ALWAYS_INLINE float Increase(float first, float second)
 /** In place of the value of a node that may not be used. */
 constexpr float Missing = -std::numeric_limits<float>::infinity();
 
-/** The extrapolated |u| of the nodes of one layer in one leaf. IsSigned: the surface may have left
- * its layers; values are negative beyond it, seen from the node that is filled. */
-template <bool IsSigned>
+/** The extrapolated |u| of the nodes of one layer in one leaf. */
 class LayerFill
 {
 public:
-  /** mostGrowth: from a node to the next one. */
-  ACTIVE_ALWAYS_INLINE LayerFill(
-    const LeafTable& table, std::size_t leaf, int layer, float mostGrowth)
+  ACTIVE_ALWAYS_INLINE LayerFill(const LeafTable& table, std::size_t leaf, int layer)
     : Table(table)
     , Leaf(static_cast<std::int32_t>(leaf))
     , Inner(layer - 1)
-    , MostGrowth(mostGrowth)
   {
   }
 
@@ -83,32 +75,6 @@ public:
       });
   }
 
-  /** |u| of a node by the eikonal update. */
-  ACTIVE_ALWAYS_INLINE float FindEikonal(int node) const
-  {
-    std::array<UpwindTerm, 3> terms;
-    int count = 0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      int nearer = 0;
-      float a1 = Missing;
-      for (const int sign : { -1, 1 })
-      {
-        const float a = this->AtSteps(node, axis, sign);
-        nearer = a > Missing && (nearer == 0 || a < a1) ? sign : nearer;
-        a1 = nearer == sign ? a : a1;
-      }
-      if (nearer != 0)
-      {
-        const LeafTable::Place next = this->Table.Step(this->Leaf, node, axis, 2 * nearer);
-        const float a2 = this->At(next, this->SideOf(node));
-        terms[count++] = a2 > Missing ? SecondOrderTerm(a1, this->IsBeyond(node, next) ? -a2 : a2)
-                                      : FirstOrderTerm(a1);
-      }
-    }
-    return static_cast<float>(SolveEikonal(terms, count));
-  }
-
 private:
   /** Rays are as long as the nodes of smaller layers go, up to three. */
   template <int Axis, int Sign>
@@ -125,19 +91,16 @@ private:
     second.Without(third).ForEach(
       [&](int node) ACTIVE_INLINED
       {
-        const float side = this->SideOf(node);
         const float step =
-          Increase(Read(line.At(node, Sign), side), Read(line.At(node, 2 * Sign), side));
+          Increase(std::fabs(line.At(node, Sign)), std::fabs(line.At(node, 2 * Sign)));
         this->LargestStep[node] = std::max(this->LargestStep[node], step);
       });
     third.ForEach(
       [&](int node) ACTIVE_INLINED
       {
-        const float side = this->SideOf(node);
-        const float a1 = Read(line.At(node, Sign), side), a2 = Read(line.At(node, 2 * Sign), side);
-        const float a3 = Read(line.At(node, 3 * Sign), side);
-        const float step = Increase(a1, a2),
-                    growth = std::min(LimitedGrowth(step, a2, a3), this->MostGrowth);
+        const float a1 = std::fabs(line.At(node, Sign)), a2 = std::fabs(line.At(node, 2 * Sign));
+        const float a3 = std::fabs(line.At(node, 3 * Sign));
+        const float step = Increase(a1, a2), growth = LimitedGrowth(step, a2, a3);
         this->LargestStep[node] = std::max(this->LargestStep[node], step);
         this->Sum[node] += growth * growth * (a1 + growth);
         this->Weight[node] += growth * growth;
@@ -161,7 +124,7 @@ private:
       smallest = ray[0] > Missing ? std::min(smallest, ray[0]) : smallest;
       if (ray[1] > Missing && !(ray[2] > Missing))
       {
-        const float step = std::min(Increase(ray[0], ray[1]), this->MostGrowth);
+        const float step = Increase(ray[0], ray[1]);
         other.Add(ray[0] + step, step * step);
       }
     }
@@ -191,36 +154,20 @@ private:
   }
 
   ///@{
-  /** |u| of a place, seen from a node. */
-  ACTIVE_ALWAYS_INLINE float SideOf(int node) const
-  {
-    return IsSigned && this->Table[this->Leaf].Inside.Has(node) ? -1.f : 1.f;
-  }
-  static ACTIVE_ALWAYS_INLINE float Read(float value, float side)
-  {
-    return IsSigned ? side * value : std::fabs(value);
-  }
-  /** Of a node of a smaller layer, else Missing. */
-  float At(const LeafTable::Place& place, float side) const
+  /** |u| of a node of a smaller layer, else Missing. */
+  float At(const LeafTable::Place& place) const
   {
     const bool isInner =
       place.Leaf >= 0 && this->Table[place.Leaf].UpToLayer[this->Inner].Has(place.Node);
-    return isInner ? Read(this->Table[place.Leaf].Value[place.Node], side) : Missing;
-  }
-  /** Whether it is on the other side of the surface. */
-  bool IsBeyond(int node, const LeafTable::Place& place) const
-  {
-    return this->Table[place.Leaf].Inside.Has(place.Node) !=
-      this->Table[this->Leaf].Inside.Has(node);
+    return isInner ? std::fabs(this->Table[place.Leaf].Value[place.Node]) : Missing;
   }
   float AtOffset(int node, const int offset[3]) const
   {
-    return this->At(
-      this->Table.Offset(this->Leaf, node, offset[0], offset[1], offset[2]), this->SideOf(node));
+    return this->At(this->Table.Offset(this->Leaf, node, offset[0], offset[1], offset[2]));
   }
   float AtSteps(int node, int axis, int steps) const
   {
-    return this->At(this->Table.Step(this->Leaf, node, axis, steps), this->SideOf(node));
+    return this->At(this->Table.Step(this->Leaf, node, axis, steps));
   }
   ///@}
 
@@ -237,7 +184,6 @@ private:
   const LeafTable& Table;
   const std::int32_t Leaf;
   const int Inner; //< last layer whose values may be used
-  const float MostGrowth;
   // Of the layer's nodes; all else is not set. Three-point rays alone count in the sums.
   float Sum[512];
   float Weight[512];

@@ -66,7 +66,6 @@ struct LeafSpeed
   bool IsKnown = false;
   float AtNodes = 0.f;      //< largest |target speed| at the nodes with samples
   float AtSurface = 0.f;    //< of the surface, see ConvergedLeaves.h
-  float AtSamples = 0.f;    //< largest |velocity| of a sample point, with Transport
   double TargetSlope = 0.0; //< largest |dF/dn|
 };
 

@@ -22,7 +22,6 @@ StepCoefficients CoefficientsOf(const ConvergenceRule& rule)
 {
   StepCoefficients coefficients;
   coefficients.HasTargetSpeed = true;
-  coefficients.IsWeighted = HasTensionWeights(rule.Parameters);
   // As the scheme does at the nodes of crossed edges.
   coefficients.Central = rule.Parameters.Gradient == GradientScheme::Central;
   coefficients.Advection = 1.f;
@@ -45,7 +44,6 @@ void TellSpeedsOf(LeafTable& table, const LeafList& leaves)
       pass(&speed.IsKnown, 1);
       pass(&speed.AtNodes, 1);
       pass(&speed.AtSurface, 1);
-      pass(&speed.AtSamples, 1);
       pass(&speed.TargetSlope, 1);
     });
 }
@@ -97,7 +95,6 @@ void RememberSpeeds(LeafTable& table, const LeafList& leaves, const SubstepBuffe
     {
       LeafSpeed& speed = table.SummaryOf(i).Speed;
       speed.AtNodes = buffers.LargestSpeed[i];
-      speed.AtSamples = buffers.LargestVelocity.empty() ? 0.f : buffers.LargestVelocity[i];
       speed.TargetSlope = buffers.LargestTargetSlope[i];
       speed.IsKnown = true;
     });
@@ -111,7 +108,6 @@ TargetLimits FindLimits(const LeafTable& table)
   {
     const LeafSpeed& speed = table.SummaryOf(i).Speed;
     limits.Speed = std::max(limits.Speed, static_cast<double>(speed.AtNodes));
-    limits.Velocity = std::max(limits.Velocity, static_cast<double>(speed.AtSamples));
     limits.TargetSlope = std::max(limits.TargetSlope, speed.TargetSlope);
   }
   return limits;

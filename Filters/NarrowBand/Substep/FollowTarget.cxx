@@ -5,7 +5,6 @@
 #include "Substep/SamplePoints.h"
 #include "Substep/SubstepBuffers.h"
 #include "Substep/TargetSpeed.h"
-#include "Substep/UpstreamSpeed.h"
 
 #include <algorithm>
 
@@ -70,13 +69,9 @@ TargetLimits FollowTarget(const FollowingBand& band, const Motion& motion, bool 
   return limits;
 }
 
-void ExtendToActiveNodes(const FollowingBand& band, const Motion& motion, float advection)
+void ExtendToActiveNodes(const FollowingBand& band, const Motion& motion)
 {
-  if (motion.Transport > 0.0)
-  {
-    TakeSpeedUpstream(band.Leaves, band.Set, motion, advection, band.Buffers);
-  }
-  if (HasTargetSpeed(motion) || HasTensionWeights(motion))
+  if (HasTargetSpeed(motion))
   {
     ExtendSpeed(band.Leaves, band.Set, motion, band.Buffers);
   }

@@ -30,9 +30,8 @@ struct FollowingBand
 TargetLimits FollowTarget(const FollowingBand& band, const Motion& motion, bool mayLeaveOut,
   const Target& target, AdvanceReport& report);
 
-/** Extends speeds and weights of tension from there to the active nodes of the affected leaves.
- * advection: dt / h. */
-void ExtendToActiveNodes(const FollowingBand& band, const Motion& motion, float advection);
+/** Extends speeds from there to the active nodes of the affected leaves. */
+void ExtendToActiveNodes(const FollowingBand& band, const Motion& motion);
 
 }
 

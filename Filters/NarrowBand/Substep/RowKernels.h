@@ -176,14 +176,6 @@ ACTIVE_ALWAYS_INLINE void AddTension(const float* u, float tension, float* next)
     u, [tension](int) ACTIVE_INLINED { return tension; }, next);
 }
 
-/** The same where each node has its weight. */
-ACTIVE_ALWAYS_INLINE void AddWeightedTension(
-  const float* u, float tension, const float* weights, float* next)
-{
-  AddTensionAt(
-    u, [tension, weights](int z) ACTIVE_INLINED { return tension * weights[z]; }, next);
-}
-
 /** |u| [voxels] that nothing sound reaches, and from which no single operation overflows. */
 constexpr float UnboundedPotential = 1e12f;
 

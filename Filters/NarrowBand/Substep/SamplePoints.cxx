@@ -3,7 +3,6 @@
 #include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
 #include "Leaves/LeafLine.h"
-#include "Substep/SampleGradients.h"
 #include "Substep/SubstepBuffers.h"
 
 #include <algorithm>
@@ -62,37 +61,6 @@ private:
   const double VoxelSize;
 };
 
-/** Transport: turns the value at a point into the inward target speed. drift: gets the part of the
- * target's velocity that is along the surface. Returns the square of the point's velocity. */
-ACTIVE_ALWAYS_INLINE double TurnIntoSpeed(
-  const Motion& motion, const double* normal, const double* velocity, double& value, float* drift)
-{
-  double carried[3], along = 0.0, square = 0.0;
-  for (int d = 0; d < 3; ++d)
-  {
-    const bool counts = std::isfinite(velocity[0] + velocity[1] + velocity[2]);
-    carried[d] = counts ? motion.Transport * velocity[d] : 0.0;
-    along += normal[d] * carried[d];
-  }
-  const bool counts = std::isfinite(static_cast<float>(value));
-  value = counts ? motion.Attraction * value - along : std::numeric_limits<double>::quiet_NaN();
-  for (int d = 0; d < 3; ++d)
-  {
-    const double tangential = carried[d] - along * normal[d];
-    drift[d] = static_cast<float>(tangential);
-    square += tangential * tangential;
-  }
-  return counts ? square + value * value : 0.0;
-}
-
-/** Whether the target gives more than values and slopes. */
-bool HasMoreSamples(const Motion& motion)
-{
-  return motion.Transport > 0.0 || HasTensionWeights(motion);
-}
-
-/** HasMore: the motion wants velocities or weights of tension too. */
-template <bool HasMore>
 struct SampleLeaf
 {
   const SampledLattice& Lattice;
@@ -103,7 +71,7 @@ struct SampleLeaf
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
-    constexpr int most = SampleGradients::Most;
+    constexpr int most = 4 * 512; // three edges a node, and the node itself
     double points[3 * most], values[most], slopes[most];
     const double* end = points;
     if (SamplesCrossings(this->Parameters))
@@ -116,64 +84,14 @@ struct SampleLeaf
     }
     const std::size_t count = static_cast<std::size_t>(end - points) / 3;
     this->Buffers.LargestTargetSlope[i] = 0.0;
-    if constexpr (HasMore)
-    {
-      this->Buffers.LargestVelocity[i] = 0.f;
-    }
     if (count > 0)
     {
-      if constexpr (HasMore)
-      {
-        this->EvaluateMore(i, count, points, { values, slopes });
-      }
-      else
-      {
-        this->Source.Evaluate(count, points, { values, slopes });
-      }
+      this->Source.Evaluate(count, points, { values, slopes });
       this->Store(i, count, values, slopes);
     }
   }
 
 private:
-  ACTIVE_ALWAYS_INLINE void EvaluateMore(
-    std::size_t i, std::size_t count, const double* points, TargetResults results) const
-  {
-    double velocities[3 * SampleGradients::Most], weights[SampleGradients::Most];
-    const Motion& motion = this->Parameters;
-    const bool isCarried = motion.Transport > 0.0;
-    results.Velocities = isCarried ? velocities : nullptr;
-    results.TensionWeights = HasTensionWeights(motion) ? weights : nullptr;
-    this->Source.Evaluate(count, points, results);
-    if (isCarried)
-    {
-      this->Carry(i, count, velocities, results.Values);
-    }
-    for (std::size_t n = 0; results.TensionWeights && n < count; ++n)
-    {
-      const float weight = static_cast<float>(std::min(std::max(weights[n], 0.0), 1.0));
-      this->Buffers.WeightSamples[this->Buffers.FirstSample[i] + n] =
-        std::isnan(weights[n]) ? 1.f : weight;
-    }
-  }
-
-  ACTIVE_ALWAYS_INLINE void Carry(
-    std::size_t i, std::size_t count, const double* velocities, double* values) const
-  {
-    const LeafTable& table = this->Lattice.Leaves;
-    const SampleGradients gradients(table, i, this->Parameters, PotentialOf{ table });
-    float* drifts = this->Buffers.Drifts.data() + 3 * this->Buffers.FirstSample[i];
-    double largest = 0.0;
-    for (std::size_t n = 0; n < count; ++n)
-    {
-      double normal[3];
-      gradients.GetDirection(n, normal);
-      const double square =
-        TurnIntoSpeed(this->Parameters, normal, velocities + 3 * n, values[n], drifts + 3 * n);
-      largest = std::max(largest, square);
-    }
-    this->Buffers.LargestVelocity[i] = static_cast<float>(std::sqrt(largest));
-  }
-
   ACTIVE_ALWAYS_INLINE void Store(
     std::size_t i, std::size_t count, const double* values, const double* slopes) const
   {
@@ -207,25 +125,13 @@ std::size_t NumberSamples(
     size += SamplesCrossings(motion) ? table[i].Crossings : 0;
     size += HasNodePoints(motion) ? NodesWithOwnPoint(table, table[i], motion).Count() : 0;
   }
-  const auto makeRoom = [before](std::vector<float>& room, std::size_t numbers)
+  if (before > 0)
   {
-    if (before > 0)
-    {
-      room.resize(numbers);
-    }
-    else
-    {
-      MakeRoom(room, numbers);
-    }
-  };
-  makeRoom(buffers.Samples, size);
-  if (HasTensionWeights(motion))
-  {
-    makeRoom(buffers.WeightSamples, size);
+    buffers.Samples.resize(size);
   }
-  if (motion.Transport > 0.0)
+  else
   {
-    makeRoom(buffers.Drifts, 3 * size);
+    MakeRoom(buffers.Samples, size);
   }
   return size - before;
 }
@@ -250,14 +156,7 @@ TargetSamples AddSamples(const SampledLattice& lattice, const LeafList& leaves,
   TargetSamples samples;
   samples.Count = NumberSamples(lattice.Leaves, leaves, motion, buffers);
   std::atomic<std::size_t> dropped{ 0 };
-  if (HasMoreSamples(motion))
-  {
-    RunSamples(lattice, leaves, SampleLeaf<true>{ lattice, motion, target, buffers, dropped });
-  }
-  else
-  {
-    RunSamples(lattice, leaves, SampleLeaf<false>{ lattice, motion, target, buffers, dropped });
-  }
+  RunSamples(lattice, leaves, SampleLeaf{ lattice, motion, target, buffers, dropped });
   TellSamples(lattice.Leaves, leaves, motion, buffers);
   const std::array<std::int64_t, 1> own = { static_cast<std::int64_t>(dropped.load()) };
   samples.Dropped = static_cast<std::size_t>(SumOverRanks(lattice.Leaves, own)[0]);
@@ -275,10 +174,6 @@ void TellSamples(
     const auto first = static_cast<std::size_t>(buffers.FirstSample[i]);
     const auto count = static_cast<std::size_t>(table[i].Crossings);
     pass(buffers.Samples.data() + first, count);
-    if (HasTensionWeights(motion))
-    {
-      pass(buffers.WeightSamples.data() + first, count);
-    }
   };
   const bool isHeld =
     motion.AreaControl == Control::Exact || motion.VolumeControl == Control::Exact;
@@ -291,7 +186,6 @@ TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves
   buffers.Samples.clear();
   buffers.FirstSample.assign(lattice.Leaves.Size(), SubstepBuffers::NoSamples);
   buffers.LargestTargetSlope.resize(lattice.Leaves.Size());
-  buffers.LargestVelocity.resize(HasMoreSamples(motion) ? lattice.Leaves.Size() : 0);
   return AddSamples(lattice, leaves, motion, target, buffers);
 }
 

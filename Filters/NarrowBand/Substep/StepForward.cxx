@@ -15,22 +15,8 @@ namespace activesurface
 namespace
 {
 
-/** What the target gives a leaf, or a row of it; null if it does not. */
-struct TargetFields
-{
-  const float* Speeds;
-  const float* Weights; //< of tension
-
-  ACTIVE_ALWAYS_INLINE TargetFields OfRow(int row) const
-  {
-    return { this->Speeds ? this->Speeds + 8 * row : nullptr,
-      this->Weights ? this->Weights + 8 * row : nullptr };
-  }
-};
-
-/** Adds all terms to a row. */
-template <bool IsWeighted>
-ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const TargetFields& target, unsigned relaxed,
+/** Adds all terms to a row. targetSpeeds: null where there is no target. */
+ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* targetSpeeds, unsigned relaxed,
   const StepCoefficients& coefficients, float* next)
 {
   if (coefficients.Moves())
@@ -40,7 +26,7 @@ ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const TargetFields& target, u
     for (int z = 0; z < 8; ++z)
     {
       relaxation[z] *= coefficients.Relaxation;
-      speed[z] = (target.Speeds ? target.Speeds[z] : 0.f) + coefficients.Uniform;
+      speed[z] = (targetSpeeds ? targetSpeeds[z] : 0.f) + coefficients.Uniform;
     }
     if (coefficients.Central)
     {
@@ -54,20 +40,12 @@ ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const TargetFields& target, u
   }
   if (coefficients.Tension != 0.f)
   {
-    if constexpr (IsWeighted)
-    {
-      AddWeightedTension(u, coefficients.Tension, target.Weights, next);
-    }
-    else
-    {
-      AddTension(u, coefficients.Tension, next);
-    }
+    AddTension(u, coefficients.Tension, next);
   }
 }
 
 /** Speed of the surface at the nodes of crossed edges. In most leaves of a moving surface the first
  * row is fast enough to decide. */
-template <bool IsWeighted>
 struct FindRate
 {
   LeafTable& Table;
@@ -112,9 +90,7 @@ private:
     {
       const float* u = block.Row(row / 8, row % 8);
       float rates[8] = {}, squares[8];
-      const TargetFields target{ this->Buffers.SpeedOf(i),
-        IsWeighted ? this->Buffers.WeightOf(i) : nullptr };
-      AddTerms<IsWeighted>(u, target.OfRow(row), 0, this->Coefficients, rates);
+      AddTerms(u, this->Buffers.SpeedOf(i) + 8 * row, 0, this->Coefficients, rates);
       CentralGradientSquares(u, squares);
       float speeds[8];
       ACTIVE_LANES
@@ -131,7 +107,6 @@ private:
   }
 };
 
-template <bool IsWeighted>
 struct StepLeaf
 {
   const LeafTable& Table;
@@ -147,12 +122,9 @@ struct StepLeaf
     const LeafMask relaxed = this->Coefficients.Relaxation > 0.f
       ? LeafMask::All().Without(NodesWithCrossing(this->Table, leaf))
       : LeafMask();
-    const TargetFields target{ this->Coefficients.HasTargetSpeed ? this->Buffers.SpeedOf(i)
-                                                                 : nullptr,
-      IsWeighted ? this->Buffers.WeightOf(i) : nullptr };
+    const float* speeds = this->Coefficients.HasTargetSpeed ? this->Buffers.SpeedOf(i) : nullptr;
     int flat = 0, steep = 0;
     unsigned unbounded = 0;
-    const float most = this->Coefficients.Most;
     for (int row = 0; row < 64; ++row)
     {
       const int x = row / 8, y = row % 8;
@@ -164,15 +136,10 @@ struct StepLeaf
         std::copy_n(u, 8, result);
         continue;
       }
-      float next[8], bounded[8];
+      float next[8];
       std::copy_n(u, 8, next);
-      AddTerms<IsWeighted>(u, target.OfRow(row), relaxed.Row(x, y), this->Coefficients, next);
-      ACTIVE_LANES
-      for (int z = 0; z < 8; ++z)
-      {
-        bounded[z] = std::min(std::max(next[z], -most), most); // NaN stays
-      }
-      TakeActive(u, bounded, active, result);
+      AddTerms(u, speeds ? speeds + 8 * row : nullptr, relaxed.Row(x, y), this->Coefficients, next);
+      TakeActive(u, next, active, result);
       unbounded |= AnyUnbounded(next, active);
       if (const unsigned zero = leaf.UpToLayer[0].Row(x, y))
       {
@@ -190,14 +157,7 @@ struct StepLeaf
 void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients& coefficients,
   double enough, const SubstepBuffers& buffers)
 {
-  if (coefficients.IsWeighted)
-  {
-    ForEachLeaf(table, leaves, FindRate<true>{ table, coefficients, enough, buffers });
-  }
-  else
-  {
-    ForEachLeaf(table, leaves, FindRate<false>{ table, coefficients, enough, buffers });
-  }
+  ForEachLeaf(table, leaves, FindRate{ table, coefficients, enough, buffers });
 }
 
 GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
@@ -206,14 +166,7 @@ GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
   const std::size_t size = table.Size();
   buffers.MakeRoomForNodes(table); // which it is where there are speeds
   buffers.MakeRoomForCounts(size);
-  if (coefficients.IsWeighted)
-  {
-    ForEachLeaf(table, set.Active, StepLeaf<true>{ table, coefficients, buffers });
-  }
-  else
-  {
-    ForEachLeaf(table, set.Active, StepLeaf<false>{ table, coefficients, buffers });
-  }
+  ForEachLeaf(table, set.Active, StepLeaf{ table, coefficients, buffers });
   return SumOfCounts(table, set, buffers);
 }
 

@@ -3,7 +3,7 @@
  *
  *   u' = u - dt V/h |grad u|                  advection: ENO2 one-sided differences, Godunov's
  *                                             choice; or central differences
- *          + dt w Tension kappa |grad u| / h^2  central differences; w: weight of tension, or 1
+ *          + dt Tension kappa |grad u| / h^2  central differences
  *          - q sign(u) (|grad u| - 1)         reinitialisation, at nodes without a crossed edge
  *
  * kappa |grad u| is computed as one product, which is bounded: it needs no clamp, so the last voxel
@@ -13,8 +13,6 @@
 #define StepForward_h
 
 #include "Leaves/ActiveSet.h"
-
-#include <cmath>
 
 namespace activesurface
 {
@@ -29,9 +27,7 @@ struct StepCoefficients
   float Relaxation = 0.f; //< q
   float Uniform = 0.f;    //< speed of all nodes, added to the target's
   bool HasTargetSpeed = false;
-  bool IsWeighted = false; //< whether the buffers' weights multiply Tension
-  bool Central = false;    //< central differences in the advective term
-  float Most = HUGE_VALF;  //< |u| that Next has at most [voxels]
+  bool Central = false; //< central differences in the advective term
 
   bool Moves() const { return this->HasTargetSpeed || this->Uniform != 0.f; }
 };

@@ -29,24 +29,20 @@ void MakeRoom(std::vector<Value>& room, std::size_t size)
 
 struct SubstepBuffers
 {
-  // F - iso at the points of evaluation, leaf by leaf; with Transport the inward target speed.
+  // F - iso at the points of evaluation, leaf by leaf.
   std::vector<float> Samples;
-  std::vector<float> WeightSamples;             //< of tension, if it is weighted
-  std::vector<float> Drifts;                    //< velocity along the surface, with Transport
   static constexpr std::int64_t NoSamples = -1; //< of a leaf that has not been sampled
   std::vector<std::int64_t> FirstSample;        //< number of a leaf's first point
 
   // Per leaf, 512 nodes each: the extended target speed, valid where Known; then the potential
   // after the substep, which overwrites it row by row.
   NodeArrays Nodes;
-  NodeArrays Weights; //< of tension, extended as the speed is, if it is weighted
   std::vector<LeafMask> Known;
   std::vector<LeafMask> NextKnown;
 
   // Per leaf.
   std::vector<double> LargestTargetSlope; //< |dF/dn|
   std::vector<float> LargestSpeed;        //< at the nodes with samples
-  std::vector<float> LargestVelocity;     //< of a sample point, tangential too; with Transport
   std::vector<int> FlatNodes;             //< layer 0 nodes of gradient norm below 1/sqrt 2
   std::vector<int> SteepNodes;            //< layer 0 nodes of gradient norm above sqrt 2
   std::vector<std::uint8_t> Unbounded;    //< whether the next potential is, see GradientCounts
@@ -60,8 +56,6 @@ struct SubstepBuffers
   void MakeRoomForNodes(const LeafTable& table) { this->Nodes.MakeRoom(table); }
   float* SpeedOf(std::size_t leaf) { return this->Nodes.Of(leaf); }
   const float* SpeedOf(std::size_t leaf) const { return this->Nodes.Of(leaf); }
-  float* WeightOf(std::size_t leaf) { return this->Weights.Of(leaf); }
-  const float* WeightOf(std::size_t leaf) const { return this->Weights.Of(leaf); }
   float* NextOf(std::size_t leaf) { return this->Nodes.Of(leaf); }
   const float* NextOf(std::size_t leaf) const { return this->Nodes.Of(leaf); }
 };

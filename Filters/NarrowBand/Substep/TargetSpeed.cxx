@@ -9,14 +9,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 namespace activesurface
 {
 
-void TellSpeeds(
-  const LeafTable& table, const LeafList& leaves, bool areWeighted, SubstepBuffers& buffers)
+void TellSpeeds(const LeafTable& table, const LeafList& leaves, SubstepBuffers& buffers)
 {
   TellNeighbours(table, leaves,
     [&](std::size_t i, auto& pass)
@@ -24,43 +22,32 @@ void TellSpeeds(
       PassNodes(buffers.SpeedOf(i), table[i].Active, pass);
       pass(&buffers.Known[i], 1);
       pass(&buffers.NextKnown[i], 1);
-      if (areWeighted)
-      {
-        PassNodes(buffers.WeightOf(i), table[i].Active, pass);
-      }
     });
 }
 
 namespace
 {
 
-/** From a sample to the speed: with Transport the samples are speeds already. */
+/** From a sample to the speed. */
 float RateOfSamples(const Motion& motion)
 {
-  return static_cast<float>(motion.Transport > 0.0 ? -1.0 : -motion.Attraction);
+  return static_cast<float>(-motion.Attraction);
 }
 
-/** Speed, and weight of tension, at the nodes with crossed edges. */
-template <bool IsWeighted>
+/** Speed at the nodes with crossed edges. */
 ACTIVE_ALWAYS_INLINE void ApplyCrossings(
   const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
-  WeightedSamples<IsWeighted ? 2 : 1> samples(motion.Paper);
+  WeightedSamples samples(motion.Paper);
   samples.Add(table, i, buffers);
   float* speed = buffers.SpeedOf(i);
   const float rate = RateOfSamples(motion);
   const LeafMask known = NodesWithCrossing(table, table[i]);
   known.ForEach([&](int node) ACTIVE_INLINED { speed[node] = samples.GetSpeed(node, rate); });
-  if constexpr (IsWeighted)
-  {
-    float* weight = buffers.WeightOf(i);
-    known.ForEach([&](int node) ACTIVE_INLINED { weight[node] = samples.GetTensionWeight(node); });
-  }
   buffers.Known[i] = buffers.NextKnown[i] = known;
 }
 
-/** Speed, and weight of tension, at the nodes with points of their own. */
-template <bool IsWeighted>
+/** Speed at the nodes with points of their own. */
 void ApplyNodePoints(
   const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
@@ -72,13 +59,8 @@ void ApplyNodePoints(
     .ForEach(
       [&](int node)
       {
-        const float value = buffers.Samples[sample];
+        const float value = buffers.Samples[sample++];
         speed[node] = std::isfinite(value) ? rate * value : 0.f;
-        if constexpr (IsWeighted)
-        {
-          buffers.WeightOf(i)[node] = std::isfinite(value) ? buffers.WeightSamples[sample] : 1.f;
-        }
-        ++sample;
       });
 }
 
@@ -90,7 +72,6 @@ float LargestOf(const float* speed, const LeafMask& nodes)
 }
 
 /** The speeds that follow from the samples of a leaf, and the largest of them. */
-template <bool IsWeighted>
 struct ApplyLeafSamples
 {
   const LeafTable& Table;
@@ -101,36 +82,22 @@ struct ApplyLeafSamples
   {
     float* speed = this->Buffers.SpeedOf(i);
     std::fill_n(speed, 512, 0.f); // what the extension does not reach stands still
-    if constexpr (IsWeighted)
-    {
-      std::fill_n(this->Buffers.WeightOf(i), 512, 1.f);
-    }
     LeafMask nodes;
     if (SamplesCrossings(this->Parameters))
     {
-      ApplyCrossings<IsWeighted>(this->Table, i, this->Parameters, this->Buffers);
+      ApplyCrossings(this->Table, i, this->Parameters, this->Buffers);
       nodes = this->Buffers.Known[i];
     }
     if (HasNodePoints(this->Parameters))
     {
-      ApplyNodePoints<IsWeighted>(this->Table, i, this->Parameters, this->Buffers);
+      ApplyNodePoints(this->Table, i, this->Parameters, this->Buffers);
       nodes = nodes | NodesWithOwnPoint(this->Table, this->Table[i], this->Parameters);
     }
     this->Buffers.LargestSpeed[i] = LargestOf(speed, nodes);
   }
 };
 
-/** In place of the numbers of a line that are not wanted. */
-struct NoLine
-{
-  template <class ArrayOf>
-  ACTIVE_ALWAYS_INLINE NoLine(const LeafTable&, std::int32_t, ArrayOf&&)
-  {
-  }
-};
-
 /** One round of the extension in one leaf: nodes that have a known neighbour become known. */
-template <bool IsWeighted>
 class LeafExtension
 {
 public:
@@ -142,9 +109,8 @@ public:
   {
   }
 
-  /** Speeds of those of the missing nodes that are reached, and weights unless they are null;
-   * returns which. */
-  ACTIVE_ALWAYS_INLINE LeafMask Extend(const LeafMask& missing, float* speed, float* weight) const
+  /** Speeds of those of the missing nodes that are reached; returns which. */
+  ACTIVE_ALWAYS_INLINE LeafMask Extend(const LeafMask& missing, float* speed) const
   {
     const Neighbours<0> alongX(*this, missing);
     const Neighbours<1> alongY(*this, missing);
@@ -160,14 +126,7 @@ public:
         alongY.Add(node, distance, sums);
         alongZ.Add(node, distance, sums);
         StoreRelaxed(
-          sums.Weight > 0.f ? sums.Speed / sums.Weight : this->FindMean(node, this->Buffers.Nodes),
-          speed + node);
-        if constexpr (IsWeighted)
-        {
-          StoreRelaxed(sums.Weight > 0.f ? sums.TensionWeight / sums.Weight
-                                         : this->FindMean(node, this->Buffers.Weights),
-            weight + node);
-        }
+          sums.Weight > 0.f ? sums.Speed / sums.Weight : this->FindMean(node), speed + node);
       });
     return front;
   }
@@ -177,7 +136,6 @@ private:
   {
     float Weight = 0.f;
     float Speed = 0.f;
-    float TensionWeight = 0.f;
   };
 
   /** The two neighbours on an axis of the missing nodes, where they are known. */
@@ -188,7 +146,6 @@ private:
     ACTIVE_ALWAYS_INLINE Neighbours(const LeafExtension& leaf, const LeafMask& missing)
       : Values(leaf.Table, leaf.Leaf, [&leaf](std::int32_t n) { return leaf.Table[n].Value; })
       , Speeds(leaf.Table, leaf.Leaf, [&leaf](std::int32_t n) { return leaf.Buffers.SpeedOf(n); })
-      , Weights(leaf.Table, leaf.Leaf, [&leaf](std::int32_t n) { return leaf.Buffers.WeightOf(n); })
       , Before(missing & leaf.SeeKnown<Axis, -1>())
       , After(missing & leaf.SeeKnown<Axis, 1>())
     {
@@ -211,21 +168,16 @@ private:
       const float weight = static_cast<float>(known) * std::max(nearer, 0.f);
       sums.Weight += weight;
       sums.Speed += weight * (known ? this->Speeds.At(node, sign) : 0.f);
-      if constexpr (IsWeighted)
-      {
-        sums.TensionWeight += weight * (known ? this->Weights.At(node, sign) : 0.f);
-      }
     }
 
     const LeafLine<Axis> Values;
     const LeafLine<Axis> Speeds;
-    const std::conditional_t<IsWeighted, LeafLine<Axis>, NoLine> Weights; //< of tension
     const LeafMask Before;
     const LeafMask After;
   };
 
   /** The plain mean of the known neighbours, where none is nearer to the surface. */
-  float FindMean(int node, const NodeArrays& numbers) const
+  float FindMean(int node) const
   {
     float sum = 0.f, count = 0.f;
     for (int face = 0; face < 6; ++face)
@@ -233,7 +185,7 @@ private:
       const LeafTable::Place next = this->Table.Step(this->Leaf, node, face / 2, face % 2 ? 1 : -1);
       if (next.Leaf >= 0 && this->Buffers.Known[next.Leaf].Has(next.Node))
       {
-        sum += numbers.Of(next.Leaf)[next.Node];
+        sum += this->Buffers.SpeedOf(next.Leaf)[next.Node];
         count += 1.f;
       }
     }
@@ -255,7 +207,6 @@ private:
   const SubstepBuffers& Buffers;
 };
 
-template <bool IsWeighted>
 struct ExtendLeaf
 {
   const LeafTable& Table;
@@ -277,9 +228,8 @@ struct ExtendLeaf
     {
       return;
     }
-    const LeafExtension<IsWeighted> extension(this->Table, i, this->Buffers);
-    const LeafMask front = extension.Extend(
-      missing, this->Buffers.SpeedOf(i), IsWeighted ? this->Buffers.WeightOf(i) : nullptr);
+    const LeafExtension extension(this->Table, i, this->Buffers);
+    const LeafMask front = extension.Extend(missing, this->Buffers.SpeedOf(i));
     this->Buffers.NextKnown[i] = known | front;
     if (front.Any())
     {
@@ -292,12 +242,13 @@ struct ExtendLeaf
   }
 };
 
-template <bool IsWeighted>
+/** One round of the extension, to the neighbours of the nodes where the speed is known; false when
+ * no active node is left to reach. */
 bool ExtendOnce(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
 {
   std::atomic<bool> reached{ false }, left{ false };
-  ForEachLeaf(table, set.Affected, ExtendLeaf<IsWeighted>{ table, buffers, reached, left });
-  TellSpeeds(table, set.Affected, IsWeighted, buffers);
+  ForEachLeaf(table, set.Affected, ExtendLeaf{ table, buffers, reached, left });
+  TellSpeeds(table, set.Affected, buffers);
   std::swap(buffers.Known, buffers.NextKnown);
   return IsSoOnAny(table, reached.load()) && IsSoOnAny(table, left.load());
 }
@@ -312,31 +263,16 @@ void ApplySamples(
   buffers.Known.assign(size, LeafMask());
   buffers.NextKnown.assign(size, LeafMask());
   buffers.LargestSpeed.resize(size);
-  if (HasTensionWeights(motion))
-  {
-    buffers.Weights.MakeRoom(table);
-    ForEachLeaf(table, leaves, ApplyLeafSamples<true>{ table, motion, buffers });
-  }
-  else
-  {
-    ForEachLeaf(table, leaves, ApplyLeafSamples<false>{ table, motion, buffers });
-  }
-  TellSpeeds(table, leaves, HasTensionWeights(motion), buffers);
+  ForEachLeaf(table, leaves, ApplyLeafSamples{ table, motion, buffers });
+  TellSpeeds(table, leaves, buffers);
   TellAll(table, leaves, [&](std::size_t i, auto& pass) { pass(&buffers.LargestSpeed[i], 1); });
-}
-
-bool ExtendSpeedOnce(
-  const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers)
-{
-  return HasTensionWeights(motion) ? ExtendOnce<true>(table, set, buffers)
-                                   : ExtendOnce<false>(table, set, buffers);
 }
 
 // Extended speeds are means of known ones, so they are no larger.
 void ExtendSpeed(
   const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers)
 {
-  while (SamplesCrossings(motion) && !motion.Paper && ExtendSpeedOnce(table, set, motion, buffers))
+  while (SamplesCrossings(motion) && !motion.Paper && ExtendOnce(table, set, buffers))
   {
   }
 }

@@ -18,25 +18,17 @@ namespace activesurface
 struct SubstepBuffers;
 
 /**
- * Fills SpeedOf = Attraction * (iso - F) + Transport * (v . n) at the nodes of these leaves that
- * have samples or a point of their own (NodePoints.h), and LargestSpeed; with WeightedTension
- * WeightOf too, by the same means. Where all samples were dropped the speed is 0, the weight 1.
+ * Fills SpeedOf = Attraction * (iso - F) at the nodes of these leaves that have samples or a point
+ * of their own (NodePoints.h), and LargestSpeed. Where all samples were dropped the speed is 0.
  * These leaves, and those before them along the axes, have to be sampled first.
  */
 void ApplySamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers);
 
-/** To ranks beside these leaves, where speeds, or weights, have changed. */
-void TellSpeeds(
-  const LeafTable& table, const LeafList& leaves, bool areWeighted, SubstepBuffers& buffers);
+/** To ranks beside these leaves, where speeds have changed. */
+void TellSpeeds(const LeafTable& table, const LeafList& leaves, SubstepBuffers& buffers);
 
-/** One round of the extension, to the neighbours of the nodes where the speed is known; false when
- * no active node is left to reach. */
-bool ExtendSpeedOnce(
-  const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers);
-
-/** Extends the speed, and the weights of tension, from there to the active nodes of the affected
- * leaves. */
+/** Extends the speed from there to the active nodes of the affected leaves. */
 void ExtendSpeed(
   const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers);
 

@@ -75,8 +75,7 @@ PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const Ski
 
 double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& limits)
 {
-  const double fastest = std::max(limits.Speed, limits.Velocity);
-  return AdvectionRate(fastest, voxelSize) + motion.Attraction * limits.TargetSlope;
+  return AdvectionRate(limits.Speed, voxelSize) + motion.Attraction * limits.TargetSlope;
 }
 
 // The rates of all terms add up; with the largest alone the skin would tremble at a steady state.

@@ -14,7 +14,6 @@ namespace activesurface
 struct TargetLimits
 {
   double Speed = 0.0;       //< largest |target speed| [length/time]
-  double Velocity = 0.0;    //< largest |velocity| of a sample point, tangential too; with Transport
   double TargetSlope = 0.0; //< largest |dF/dn|
 };
 

@@ -30,10 +30,6 @@ void WalledTarget::Evaluate(
     {
       values[i] = wall;
       slopes[i] = slope;
-      if (results.Velocities)
-      {
-        std::fill_n(results.Velocities + 3 * i, 3, 0.0); // what stops it stands still
-      }
     }
   }
 }

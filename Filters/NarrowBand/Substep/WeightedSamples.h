@@ -18,8 +18,6 @@
 namespace activesurface
 {
 
-/** Numbers: 1 for the target's values, 2 for the weights of tension too. */
-template <int Numbers>
 class WeightedSamples
 {
 public:
@@ -41,37 +39,25 @@ public:
   /** rate times the mean; 0 if all samples were dropped. */
   ACTIVE_ALWAYS_INLINE float GetSpeed(int node, float rate) const
   {
-    return this->Weight[node] > 0.f ? rate * (this->Sum[0][node] / this->Weight[node]) : 0.f;
-  }
-
-  /** Mean weight of tension; 1 if all samples were dropped. */
-  ACTIVE_ALWAYS_INLINE float GetTensionWeight(int node) const
-  {
-    return this->Weight[node] > 0.f ? this->Sum[Numbers - 1][node] / this->Weight[node] : 1.f;
+    return this->Weight[node] > 0.f ? rate * (this->Sum[node] / this->Weight[node]) : 0.f;
   }
 
 private:
   static constexpr int MaximumEdges = 512 + 64; // those that end in the leaf, on one axis
   static constexpr int Elsewhere = 512;         // in place of a node of another leaf
 
-  using Samples = std::array<const float*, Numbers>;
-
   /** A vector of edges: values at their ends, and what the ends get of the sample. */
   struct Edges
   {
     int Count = 0;
-    float Low[MaximumEdges], High[MaximumEdges], Sample[Numbers][MaximumEdges];
+    float Low[MaximumEdges], High[MaximumEdges], Sample[MaximumEdges];
     short LowNode[MaximumEdges], HighNode[MaximumEdges];
 
-    ACTIVE_ALWAYS_INLINE void Add(
-      float low, float high, const Samples& from, std::size_t sample, int lowNode, int highNode)
+    ACTIVE_ALWAYS_INLINE void Add(float low, float high, float sample, int lowNode, int highNode)
     {
       this->Low[this->Count] = low;
       this->High[this->Count] = high;
-      for (int k = 0; k < Numbers; ++k)
-      {
-        this->Sample[k][this->Count] = from[k][sample];
-      }
+      this->Sample[this->Count] = sample;
       this->LowNode[this->Count] = static_cast<short>(lowNode);
       this->HighNode[this->Count] = static_cast<short>(highNode);
       ++this->Count;
@@ -80,16 +66,10 @@ private:
 
   /** The samples from the first crossing of an axis. */
   template <int Axis>
-  static ACTIVE_ALWAYS_INLINE Samples FirstOf(
+  static ACTIVE_ALWAYS_INLINE const float* FirstOf(
     const BandLeaf& leaf, std::size_t i, const SubstepBuffers& buffers)
   {
-    const std::int64_t first = buffers.FirstSample[i] + leaf.CrossingsBefore[Axis];
-    Samples samples{ buffers.Samples.data() + first };
-    if constexpr (Numbers == 2)
-    {
-      samples[1] = buffers.WeightSamples.data() + first;
-    }
-    return samples;
+    return buffers.Samples.data() + buffers.FirstSample[i] + leaf.CrossingsBefore[Axis];
   }
 
   /** Edges that begin in the leaf before this one and end on its first plane. */
@@ -103,7 +83,7 @@ private:
       return;
     }
     const BandLeaf& before = table[number];
-    const Samples samples = FirstOf<Axis>(before, number, buffers);
+    const float* samples = FirstOf<Axis>(before, number, buffers);
     std::size_t earlier = 0;
     for (int x = 0; x < 8; ++x)
     {
@@ -115,8 +95,8 @@ private:
       {
         const int bit = LowestBit(left);
         const int lower = 64 * x + bit, node = lower - 7 * Stride(Axis);
-        edges.Add(before.Value[lower], leaf.Value[node], samples,
-          earlier + CountBits(word & ((std::uint64_t(1) << bit) - 1)), Elsewhere, node);
+        edges.Add(before.Value[lower], leaf.Value[node],
+          samples[earlier + CountBits(word & ((std::uint64_t(1) << bit) - 1))], Elsewhere, node);
       }
       earlier += CountBits(word);
     }
@@ -129,13 +109,13 @@ private:
     const BandLeaf& leaf = table[i];
     const LeafLine<Axis> line(
       table, static_cast<std::int32_t>(i), [&](std::int32_t n) { return table[n].Value; });
-    const Samples samples = FirstOf<Axis>(leaf, i, buffers);
+    const float* samples = FirstOf<Axis>(leaf, i, buffers);
     std::size_t sample = 0;
     leaf.Edge[Axis].ForEach(
       [&](int node) ACTIVE_INLINED
       {
         const bool isWithin = ((node / Stride(Axis)) & 7) < 7;
-        edges.Add(leaf.Value[node], line.At(node, 1), samples, sample++, node,
+        edges.Add(leaf.Value[node], line.At(node, 1), samples[sample++], node,
           isWithin ? node + Stride(Axis) : Elsewhere);
       });
   }
@@ -152,20 +132,17 @@ private:
     for (int e = 0; e < edges.Count; ++e)
     {
       const float low = edges.Low[e], high = edges.High[e];
-      const bool counts = std::fabs(edges.Sample[0][e]) <= std::numeric_limits<float>::max();
+      const bool counts = std::fabs(edges.Sample[e]) <= std::numeric_limits<float>::max();
       lowWeight[e] = counts ? this->WeightOf(low / (low - high)) : 0.f;
       highWeight[e] = counts ? this->WeightOf(high / (high - low)) : 0.f;
-      edges.Sample[0][e] = counts ? edges.Sample[0][e] : 0.f;
+      edges.Sample[e] = counts ? edges.Sample[e] : 0.f;
     }
     for (int e = 0; e < edges.Count; ++e)
     {
       this->Weight[edges.LowNode[e]] += lowWeight[e];
       this->Weight[edges.HighNode[e]] += highWeight[e];
-      for (int k = 0; k < Numbers; ++k)
-      {
-        this->Sum[k][edges.LowNode[e]] += lowWeight[e] * edges.Sample[k][e];
-        this->Sum[k][edges.HighNode[e]] += highWeight[e] * edges.Sample[k][e];
-      }
+      this->Sum[edges.LowNode[e]] += lowWeight[e] * edges.Sample[e];
+      this->Sum[edges.HighNode[e]] += highWeight[e] * edges.Sample[e];
     }
   }
 
@@ -178,7 +155,7 @@ private:
 
   const bool IsPlain;
   std::array<float, Elsewhere + 1> Weight{};
-  std::array<std::array<float, Elsewhere + 1>, Numbers> Sum{};
+  std::array<float, Elsewhere + 1> Sum{};
 };
 
 }

@@ -59,7 +59,6 @@ void PotentialTarget::Evaluate(
   constexpr std::size_t batch = 128;
   double gradients[3 * batch];
   const bool hasNoise = this->Options.Normalize && this->Options.Noise > 0.0;
-  SetStill(count, results);
   for (std::size_t first = 0; first < count; first += batch)
   {
     const std::size_t size = std::min(batch, count - first);

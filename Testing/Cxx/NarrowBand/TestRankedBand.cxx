@@ -107,19 +107,9 @@ void CheckOnRanks(const Way& way)
   }
 }
 
-/** Velocities and weights of all sizes. */
-Shape MakeFlowing(Shape shape)
-{
-  shape.Velocity = [](const Point& x) {
-    return Point{ 0.3 * std::cos(3.0 * x[1]), 0.2 * x[0], 0.3 * std::sin(5.0 * x[2]) };
-  };
-  shape.TensionWeight = [](const Point& x) { return 0.5 + 0.5 * std::sin(9.0 * x[0] + x[1]); };
-  return shape;
-}
-
 std::unique_ptr<Target> MakeRing()
 {
-  return std::make_unique<ShapeTarget>(MakeFlowing(MakeTorus({ 0.01, 0.02, 0.013 }, 0.5, 0.22)));
+  return std::make_unique<ShapeTarget>(MakeTorus({ 0.01, 0.02, 0.013 }, 0.5, 0.22));
 }
 
 constexpr double TimeOfBirth = .25;
@@ -137,13 +127,7 @@ RegionTarget MakeMovingBalls()
     }
     return balls;
   };
-  return { [=](double time)
-    {
-      Shape balls = MakeBalls(ballsAt(time));
-      balls.Velocity = [](const Point& x) { return Point{ x[1] > 0.0 ? 1.0 : 0.0, 0.0, 0.0 }; };
-      balls.TensionWeight = [](const Point& x) { return x[2] > 0.0 ? 1.0 : .5; };
-      return balls;
-    },
+  return { [=](double time) { return MakeBalls(ballsAt(time)); },
     [=](double time)
     {
       std::vector<TargetRegion> regions;
@@ -195,7 +179,6 @@ Way MakeMovingBallsWay()
 {
   Way way = MakeWay("moving balls and a new one", 8.0, 0.001);
   way.Law.CreateParts = true;
-  way.Law.Transport = 1.0;
   way.Start = MakeThreeBalls();
   way.MakeTarget = [] { return std::make_unique<RegionTarget>(MakeMovingBalls()); };
   way.Times = { .1, .2, .3, .4, .5 };
@@ -213,9 +196,6 @@ std::vector<Way> MakeWays()
   ways.push_back(MakeWay("exact volume, pulled in vain", 1.0, 0.02));
   ways.back().Law.VolumeControl = Control::Exact;
   ways.back().MakeTarget = [] { return std::make_unique<ShapeTarget>(MakeConstant(0.3)); };
-  ways.push_back(MakeWay("carried, under weighted tension", 1.0, 0.02));
-  ways.back().Law.Transport = 1.0;
-  ways.back().Law.WeightedTension = true;
   ways.push_back(MakeWay("within walls", 1.0, 0.02));
   ways.back().Law.Box = { true, { -0.6, 0.6, -0.6, 0.6, -0.6, 0.6 } };
   ways.push_back(MakeWay("balls that grow fast", 1.0, 0.0));
@@ -234,9 +214,6 @@ std::vector<Way> MakeWays()
   ways.push_back(MakeWay("around an obstacle", 1.0, 0.02));
   ways.back().MakeObstacle = MakeBallObstacle;
   ways.push_back(MakeMovingBallsWay());
-  ways.push_back(ways.back());
-  ways.back().Name = "one ball moves, others have converged";
-  ways.back().Law.Transport = 0.0;
   return ways;
 }
 
@@ -259,15 +236,7 @@ using MakeFailing = std::function<FailingTarget(bool fails)>;
 FailingTarget FailInThirdSubstep(bool fails)
 {
   const FailingTarget::Rule inThird = [](const AskedTarget& asked) { return asked.Moves == 3; };
-  return { MakeFlowing(MakeTorus({ 0, 0, 0 }, .5, .22)), fails ? inThird : nullptr };
-}
-
-/** As soon as the new one of the balls has its skin. */
-FailingTarget FailAfterBirth(bool fails)
-{
-  const FailingTarget::Rule afterBirth = [](const AskedTarget& asked)
-  { return asked.Time > TimeOfBirth && asked.AreWeightsWanted; };
-  return { MakeMovingBalls(), fails ? afterBirth : nullptr };
+  return { MakeTorus({ 0, 0, 0 }, .5, .22), fails ? inThird : nullptr };
 }
 
 // The substep that fails on one rank is not taken by any, and they can go on from there.
@@ -318,15 +287,6 @@ TEST(TestRankedBand, ASubstepThatFailsOnOneRankIsTakenByNone)
 {
   Way way = MakeWay("tracking under tension", 1.0, 0.02);
   CheckFailure(way, FailInThirdSubstep);
-}
-
-TEST(TestRankedBand, ABirthBeforeAFailureIsTakenBackOnAll)
-{
-  Way way = MakeMovingBallsWay();
-  way.Law.Transport = 0.0;
-  way.Law.WeightedTension = true;
-  way.Law.LongestStep = .05;
-  CheckFailure(way, FailAfterBirth);
 }
 
 // As where memory ended on one of them: nothing is better than a skin of which parts are old.

@@ -61,15 +61,6 @@ std::vector<Scene> MakeScenes()
   other = MakeScene("the paper's", 0.3, 1.0, 0.02);
   other.Way.Paper = true;
   scenes.push_back(other);
-  other = MakeScene("carried, under weighted tension", 0.6, 1.0, 0.02);
-  other.Way.Transport = 1.0;
-  other.Way.WeightedTension = true;
-  scenes.push_back(other);
-  other = MakeScene("carried alone, at the nodes", 0.3, 0.0, 0.02);
-  other.Way.Transport = 0.5;
-  other.Way.WeightedTension = true;
-  other.Way.Evaluation = TargetEvaluation::Node;
-  scenes.push_back(other);
   other = MakeScene("within walls", 0.6, 1.0, 0.02);
   other.Way.Box = { true, { -0.6, 0.6, -0.6, 0.6, -0.6, 0.6 } };
   scenes.push_back(other);
@@ -78,19 +69,9 @@ std::vector<Scene> MakeScenes()
 
 const std::vector<Scene> Scenes = MakeScenes();
 
-/** Velocities and weights of all sizes, for the motions that ask for them. */
-Shape MakeFlowing(Shape shape)
-{
-  shape.Velocity = [](const Point& x) {
-    return Point{ 0.3 * std::cos(3.0 * x[1]), 0.2 * x[0], 0.3 * std::sin(5.0 * x[2]) };
-  };
-  shape.TensionWeight = [](const Point& x) { return 0.5 + 0.5 * std::sin(9.0 * x[0] + x[1]); };
-  return shape;
-}
-
 Shape MakeRing()
 {
-  return MakeFlowing(MakeTorus({ 0.01, 0.02, 0.013 }, 0.5, 0.22));
+  return MakeTorus({ 0.01, 0.02, 0.013 }, 0.5, 0.22);
 }
 
 struct Course
@@ -153,7 +134,7 @@ TEST(TestReproducible, AnyNumberOfThreadsGivesTheSameBytesAtRandom)
   const Point centre = random.DrawPointNear({ 0.01, 0.02, 0.013 });
   const double ring = random.DrawLengthNear(0.5);
   const Shape torus = MakeTorus(centre, ring, random.DrawLengthNear(0.22));
-  CheckThreads({ start, MakeFlowing(torus) });
+  CheckThreads({ start, torus });
 }
 
 // The machine decides; where it lacks one, the best below it runs, and is compared with itself.

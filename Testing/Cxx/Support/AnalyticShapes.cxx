@@ -27,24 +27,6 @@ double SlopeAt(const Shape& shape, const Point& point)
   return shape.Slope ? shape.Slope(point) : 1.0;
 }
 
-Point Cross(const Point& a, const Point& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-/** About an axis of unit length through the origin. */
-Point Turn(const Point& point, const Point& axis, double angle)
-{
-  const double along = axis[0] * point[0] + axis[1] * point[1] + axis[2] * point[2];
-  const Point across = Cross(axis, point);
-  Point turned;
-  for (int d = 0; d < 3; ++d)
-  {
-    turned[d] = std::cos(angle) * point[d] + std::sin(angle) * across[d] +
-      (1.0 - std::cos(angle)) * along * axis[d];
-  }
-  return turned;
-}
 }
 
 Shape MakeBalls(const std::vector<Ball>& balls)
@@ -228,35 +210,6 @@ Shape Move(const Shape& shape, const Point& to)
     [shape, to](const Point& point) { return SlopeAt(shape, Minus(point, to)); } };
 }
 
-Point RigidMotion::GetCentre(double time) const
-{
-  Point centre;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    centre[axis] = this->Start[axis] + time * this->Velocity[axis];
-  }
-  return centre;
-}
-
-Shape Carry(const Shape& shape, const RigidMotion& motion, double time)
-{
-  const Point centre = motion.GetCentre(time);
-  const auto toBody = [motion, centre, time](const Point& point)
-  { return Turn(Minus(point, centre), motion.Axis, -motion.Spin * time); };
-  const auto velocity = [motion, centre](const Point& point)
-  {
-    const Point across = Cross(motion.Axis, Minus(point, centre));
-    Point sum = motion.Velocity;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      sum[axis] += motion.Spin * across[axis];
-    }
-    return sum;
-  };
-  return { [shape, toBody](const Point& point) { return shape.Value(toBody(point)); },
-    [shape, toBody](const Point& point) { return SlopeAt(shape, toBody(point)); }, velocity };
-}
-
 Point GetGradient(const Shape& shape, const Point& point)
 {
   constexpr double step = 1e-5;
@@ -307,21 +260,11 @@ void ShapeTarget::MoveTo(double time)
 void ShapeTarget::Evaluate(
   std::size_t count, const double* points, const TargetResults& results) const
 {
-  SetStill(count, results);
   for (std::size_t i = 0; i < count; ++i)
   {
     const Point point = { points[3 * i], points[3 * i + 1], points[3 * i + 2] };
     results.Values[i] = this->Current.Value(point);
     results.Slopes[i] = SlopeAt(this->Current, point);
-    if (results.Velocities && this->Current.Velocity)
-    {
-      const Point velocity = this->Current.Velocity(point);
-      std::copy(velocity.begin(), velocity.end(), results.Velocities + 3 * i);
-    }
-    if (results.TensionWeights && this->Current.TensionWeight)
-    {
-      results.TensionWeights[i] = this->Current.TensionWeight(point);
-    }
   }
 }
 

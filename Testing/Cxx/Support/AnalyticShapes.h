@@ -20,10 +20,6 @@ struct Shape
   std::function<double(const Point&)> Value;
   /** |gradient| of Value; left empty: 1, Value is a distance. */
   std::function<double(const Point&)> Slope;
-  /** Its own velocity; left empty: 0. */
-  std::function<Point(const Point&)> Velocity = nullptr;
-  /** Left empty: 1. */
-  std::function<double(const Point&)> TensionWeight = nullptr;
 };
 
 struct Ball
@@ -80,20 +76,6 @@ Shape Scale(const Shape& shape, double factor);
 
 /** Takes what is at the origin to a point. */
 Shape Move(const Shape& shape, const Point& to);
-
-/** How a body moves that turns about its own origin while that goes straight on. */
-struct RigidMotion
-{
-  Point Start;    //< of its origin
-  Point Velocity; //< of its origin
-  Point Axis;     //< unit length
-  double Spin;    //< radians per time
-
-  Point GetCentre(double time) const;
-};
-
-/** A shape about the origin that has moved so until a time; with its Velocity. */
-Shape Carry(const Shape& shape, const RigidMotion& motion, double time);
 
 /** By central differences, for shapes of size 1. */
 Point GetGradient(const Shape& shape, const Point& point);

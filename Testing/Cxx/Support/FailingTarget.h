@@ -18,7 +18,6 @@ struct AskedTarget
   double Time = 0.0;
   int Moves = 0;       //< calls of MoveTo
   int Evaluations = 0; //< calls of Evaluate
-  bool AreWeightsWanted = false;
 };
 
 /** Fails in an evaluation by a rule. */
@@ -40,6 +39,8 @@ public:
 
   bool IsThreadSafe() const override { return false; }
 
+  int CountEvaluations() const { return this->Asked.Evaluations; }
+
   void MoveTo(double time) override
   {
     RegionTarget::MoveTo(time);
@@ -51,7 +52,6 @@ public:
     std::size_t count, const double* points, const TargetResults& results) const override
   {
     ++this->Asked.Evaluations;
-    this->Asked.AreWeightsWanted = results.TensionWeights;
     if (this->Fails && this->Fails(this->Asked))
     {
       throw std::runtime_error("no such target.");
