@@ -72,9 +72,15 @@ def _numbers_in(names: list[str]) -> re.Pattern[str]:
 
 
 def suffix_of(name: str | Path) -> str:
-    """The extension in lower case: of a.VTP .vtp, of a.vtp.series .series, of a.nii.gz .nii.gz."""
-    path = Path(name)
-    return ".nii.gz" if path.name.lower().endswith(".nii.gz") else path.suffix.lower()
+    """The extension in lower case: of a.VTP .vtp, of a.vtp.series .series, of a.nii.gz .nii.gz.
+
+    Of dump.100, as LAMMPS calls them, .dump.
+    """
+    lower = Path(name).name.lower()
+    if re.fullmatch(r"(.*\.)?dump[._]?(.*\.)?\d+", lower):
+        return ".dump"
+    double = next((one for one in (".nii.gz", ".bgeo.gz") if lower.endswith(one)), "")
+    return double or Path(lower).suffix
 
 
 def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) -> Listing:

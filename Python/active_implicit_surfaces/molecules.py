@@ -1,4 +1,4 @@
-"""Atoms of .xyz files: elements, their radii, and the columns of an extended file."""
+"""Atoms of .xyz, .gro and .pdb files: elements, their radii, the columns of an extended .xyz."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def read_molecule(lines: list[str]) -> Frames:
         frames.append(_read_frame(lines[place + 2 : place + 2 + count], count, place, pairs))
         times.append(next((number(pairs[name]) for name in ("time", "t") if name in pairs), None))
         place += 2 + count
-    _add_elements(frames)
+    add_elements(frames)
     known = [time for time in times if time is not None]
     are_times = len(known) == len(frames) and all(a < b for a, b in zip(known, known[1:]))
     return frames, known if are_times else None
@@ -126,15 +126,24 @@ def _cell_of(pairs: dict[str, str]) -> dict[str, Any]:
     }
 
 
-def _add_elements(frames: list[Frame]) -> None:
-    """Atomic numbers, and the reaches with which a lone atom has its van der Waals radius."""
+def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:
+    """Atomic numbers, and the reaches with which a lone atom has its van der Waals radius.
+
+    Symbols are elements, or names of atoms, as one of them tells unless that is known; `unit`:
+    an Angstrom.
+    """
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
 
     from .presets import REACH_OF_ATOM
 
     table = vtkPeriodicTable()
     listed = [frame.pop("symbols", None) for frame in frames]
-    found = _elements_of({symbol for own in listed for symbol in own or ()}, table)
+    symbols = {symbol for own in listed for symbol in own or ()}
+    found = (
+        {name: _number(name, _guess(_letters_of(name), table), table) for name in symbols}
+        if are_names
+        else _elements_of(symbols, table)
+    )
     radii = {number: table.GetVDWRadius(number) for number in {0, *found.values()}}
     radii = {n: radius if radius < _LARGEST_RADIUS else 0.0 for n, radius in radii.items()}
     unknown = sorted(symbol for symbol, number in found.items() if not radii[number])
@@ -143,7 +152,7 @@ def _add_elements(frames: list[Frame]) -> None:
         if own is not None and (are_known or not found):
             numbers = [found[symbol] for symbol in own]
             frame["atomic_number"] = numpy.array(numbers, dtype="u1")
-            reaches = [REACH_OF_ATOM * radii[number] for number in numbers]
+            reaches = [unit * REACH_OF_ATOM * radii[number] for number in numbers]
             frame["reach"] = numpy.array(reaches, dtype="f4")
     if unknown:
         effect = "have the radius 0" if are_known else "all have a radius by their distance"
@@ -158,7 +167,7 @@ def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
     Symbols are names of atoms if one is a name and no element (CB, OW), if there are CA, C and N,
     or CA alone, which are the chain of a protein.
     """
-    letters = {symbol: re.sub(r"[^A-Za-z]", "", symbol) for symbol in symbols}
+    letters = {symbol: _letters_of(symbol) for symbol in symbols}
     as_elements = {symbol: _number(symbol, own, table) for symbol, own in letters.items()}
     as_names = {
         symbol: _number(symbol, _guess(own, table), table) for symbol, own in letters.items()
@@ -182,6 +191,10 @@ def _may_be_a_name(letters: str, element: int) -> bool:
     """Whether an element may be an atom's name too, as HG and CD are."""
     is_pair = len(letters) == 2 and letters.isupper() and letters not in _UNPLACED
     return bool(element) and is_pair and letters[0] in _PLACED
+
+
+def _letters_of(name: str) -> str:
+    return re.sub(r"[^A-Za-z]", "", name)
 
 
 def _number(symbol: str, element: str, table: Any) -> int:

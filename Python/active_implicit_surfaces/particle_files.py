@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import csv
+import functools
 import re
 import warnings
 import zipfile
 import zlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,27 +16,32 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
-from . import text_particles
+from . import atom_files, simulation_files, text_particles
 from .choice import choose
 from .data_objects import add_array, array_names, as_particles, blocks_of, has_polygons
 from .file_names import expand, numbers_of, running_numbers, suffix_of
 from .images import IMAGE_SUFFIXES
 from .messages import ActiveSurfaceWarning, warn_all
-from .tables import Frame, Frames
+from .tables import Frame
 from .times import check_times, places_of, times_at
 from .vtk_files import READERS, check_readable, open_vtk, read_vtk, update
 
 _TABLES = (".csv", ".tsv", ".txt", ".dat")
-_TEXT_READERS = {
+_OWN_READERS = {
     **dict.fromkeys(_TABLES, text_particles.read_csv),
     **dict.fromkeys((".xyz", ".extxyz"), text_particles.read_xyz),
     ".json": text_particles.read_json,
     ".npy": text_particles.read_numpy,
     ".npz": text_particles.read_numpy,
+    ".gro": atom_files.read_gro,
+    ".pdb": atom_files.read_pdb,
+    **dict.fromkeys((".bgeo", ".bgeo.gz", ".bhclassic"), simulation_files.read_bgeo),
+    **dict.fromkeys((".lammpstrj", ".dump"), simulation_files.read_dump),
+    ".hdf5": simulation_files.read_pysph,
 }
 PARTICLE_SUFFIXES = tuple(
     suffix
-    for suffix in (*READERS, ".ply", *_TEXT_READERS)
+    for suffix in (*READERS, ".ply", *_OWN_READERS)
     if suffix not in (".stl", ".obj", *IMAGE_SUFFIXES)
 )
 
@@ -153,9 +159,10 @@ def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | Non
     """A function for each frame of a file, and the times that it tells."""
     check_readable(path)
     suffix = suffix_of(path)
-    if suffix in _TEXT_READERS:
-        frames, times = _read_text(path, noted)
-        return [_maker(path, frame) for frame in frames], times
+    if suffix in _OWN_READERS:
+        reader = functools.partial(_OWN_READERS[suffix], path)
+        frames, times = _read_own(path, noted, reader)
+        return [_maker(path, frame, noted) for frame in frames], times
     if suffix not in PARTICLE_SUFFIXES:
         if suffix in READERS:
             raise OSError(f"{path} holds no particles, but a mesh or an image.{_ABOUT_MESHES}")
@@ -186,11 +193,12 @@ def _step_loader(path: Path, reader: Any, time: float, noted: set[str]) -> Any:
     return load
 
 
-def _read_text(path: Path, noted: set[str]) -> Frames:
+def _read_own(path: Path, noted: set[str], read: Callable[[], Any]) -> Any:
+    """The result of one of this package's readers, whose warnings and errors name the file."""
     try:
         with warnings.catch_warnings(record=True) as said:
             warnings.simplefilter("always", ActiveSurfaceWarning)
-            found = _TEXT_READERS[suffix_of(path)](path)
+            found = read()
         for each in said:
             _note(noted, path, str(each.message))
         return found
@@ -205,12 +213,13 @@ def _read_text(path: Path, noted: set[str]) -> Frames:
         raise OSError(f"{path} cannot be read as particles: it is damaged.") from error
 
 
-def _maker(path: Path, frame: Frame) -> Any:
+def _maker(path: Path, frame: Frame | Callable[[], Frame], noted: set[str]) -> Any:
     def make() -> Any:
-        arrays = {k: v for k, v in frame.items() if k not in ("positions", "field")}
+        held = _read_own(path, noted, frame) if callable(frame) else frame
+        arrays = {k: v for k, v in held.items() if k not in ("positions", "field")}
         try:
-            cloud = as_particles(frame["positions"], **arrays)
-            for name, values in frame.get("field", {}).items():
+            cloud = as_particles(held["positions"], **arrays)
+            for name, values in held.get("field", {}).items():
                 add_array(cloud, name, values, cloud.GetFieldData())
             return cloud
         except (TypeError, ValueError) as error:
@@ -251,6 +260,7 @@ def _times_inside(files: list[Path]) -> list[float] | None:
     readers = {
         **{".vtp": _time_of_xml, ".vtu": _time_of_xml, ".vdb": _time_of_vdb},
         **dict.fromkeys(_TABLES, text_particles.time_of_csv),
+        **dict.fromkeys((".dump", ".lammpstrj", ".gro", ".hdf5"), _time_of_own),
     }
     times: list[float] = []
     for file in files:
@@ -268,6 +278,12 @@ def _time_of_xml(path: Path) -> float | None:
     found = re.search(rb'<(?:Data)?Array[^>]*Name="TimeValue"[^>]*NumberOfTuples="1"[^>]*>', head)
     value = re.search(rb'RangeMin="([^"]+)"', found[0]) if found else None
     return float(value[1]) if value else None
+
+
+def _time_of_own(path: Path) -> float | None:
+    check_readable(path)
+    times = _read_own(path, set(), functools.partial(_OWN_READERS[suffix_of(path)], path))[1]
+    return times[0] if times and len(times) == 1 else None
 
 
 def _time_of_vdb(path: Path) -> float | None:

@@ -19,7 +19,7 @@ from .data_objects import finite_points, has_polygons
 PRESETS = {
     "water": "splashes: drops and sheets stay, a pool is smooth",
     "viscous": "honey, lava, mud: rounder, and steadier in time",
-    "molecule": "atoms as balls that melt together; radii from the elements of an .xyz",
+    "molecule": "atoms as balls that melt together; radii from the elements",
     "paper": "the paper's own scheme, to compare with",
 }
 # The kernel WYVILL, (1 - q^2)^3, is that at q = .7947: reaches little beyond their surface let

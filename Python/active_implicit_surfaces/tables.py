@@ -8,7 +8,7 @@ import csv
 import math
 import re
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy
@@ -16,7 +16,8 @@ import numpy
 from .messages import few, warn_all
 
 Frame = dict[str, Any]
-Frames = tuple[list[Frame], "list[float] | None"]
+# The frames, or functions that read one, and their times if the file tells them.
+Frames = tuple[Sequence[Frame | Callable[[], Frame]], "list[float] | None"]
 
 POSITIONS = (
     *("positions", "position", "points", "point", "vertices", "coordinates", "coordinate"),

@@ -5,6 +5,7 @@ Run: python3 test_damaged_files.py
 ACTIVE_RANDOM_CASES in the environment is another number of damages.
 """
 
+import gzip
 import os
 import random
 import tempfile
@@ -12,6 +13,7 @@ import unittest
 from pathlib import Path
 
 import numpy
+import test_simulation_files as simulations
 from active_implicit_surfaces.data_objects import as_particles
 from active_implicit_surfaces.particle_files import open_particles
 from active_implicit_surfaces.skin_files import read_shape, write_mesh, write_particles
@@ -80,6 +82,20 @@ class DamagedFiles(unittest.TestCase):
                 path = self.folder / name
                 write_particles(path, as_particles(numpy.eye(3), T=numpy.arange(3.0)))
                 self.assertEqual(open_particles(path).load(0).GetNumberOfPoints(), 3)
+                self.damage(path, lambda path: open_particles(path).load(0))
+
+    def test_particles_of_simulations(self):
+        for name, content in (
+            ("p.bgeo", gzip.decompress(simulations.PARTIO)),
+            ("p.bgeo.gz", simulations.PARTIO),
+            ("p.dump", simulations.dump([[1, 1, 1, 2, 3], [2, 1, 4, 5, 6]])),
+            ("p.gro", simulations.GRO.format(time=0, x=0)),
+            ("p.pdb", simulations.MODEL.format(model=1)),
+        ):
+            with self.subTest(name):
+                path = self.folder / name
+                path.write_bytes(content if isinstance(content, bytes) else content.encode())
+                self.assertGreater(open_particles(path).load(0).GetNumberOfPoints(), 1)
                 self.damage(path, lambda path: open_particles(path).load(0))
 
     def test_lists_of_several_lengths(self):

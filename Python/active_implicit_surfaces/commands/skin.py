@@ -171,8 +171,10 @@ def _add_input_options(parser: Parser) -> None:
     files.add_argument("--preroll", type=whole, metavar="N", help="frames before A, without skins")
     files.add_argument("--output-fps", type=positive, metavar="X", help="frames in between too")
     files.add_argument("--times", type=times_list, metavar="T,T...", help="or FIRST:LAST:COUNT")
-    for role, text in zip(_ARRAYS, ("ids (default: found)", "reaches", "strengths", "velocities")):
-        files.add_argument(f"--{role}", metavar="NAME", help=f"point array of {text}")
+    told = "point arrays: ids are found; and --radii (reaches), --strengths, --velocities"
+    for role in _ARRAYS:
+        text = told if role == "ids" else argparse.SUPPRESS
+        files.add_argument(f"--{role}", metavar="NAME", help=text)
 
 
 def _find_view(options: Any, files: Any, kept: Resumption | None) -> tuple[Any, str]:
