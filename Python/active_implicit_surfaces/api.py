@@ -86,12 +86,13 @@ def skin(
 
 
 class frames(Skins):
-    """The skins over a series of particles, one after the other, each going on from the last.
+    """The skins over a series of particles or images, each made from the one before.
 
     Parameters
     ----------
     particles : iterable of particles, ParticleSeries, pattern or list of files, or callable(time)
-        See ParticleSeries.
+        See ParticleSeries. Images may be label masks, fractions of volume (0 to 1, inside above
+        0.5) or distances (inside below 0), else give ``target_iso_value`` and ``invert_target``.
     times : sequence of float, optional
         See ParticleSeries [time].
     fps : float, optional
@@ -173,6 +174,8 @@ class frames(Skins):
             told = f"No particle of any frame meets {told}" if told else "No frame has particles"
             more = f" in a piece of {minimum_piece} or more" if minimum_piece > 1 else ""
             raise ValueError(f"{told}{more}.")
+        if not {"target_iso_value", "invert_target"} & set(options):
+            self.source.use_usual_level()
         self.surface = vtkActiveImplicitSurface()
         self.surface.SetInputConnection(self.source.GetOutputPort())
         configure(self.surface, self.source, preset=preset, arrays=arrays, **options)
@@ -283,6 +286,8 @@ def configure(
     first = source.first_frame()
     _check_arrays(first, chosen)
     told = source.frames_that_tell() if first.IsA("vtkPointSet") else [first]
+    if preset is not None and first.IsA("vtkImageData"):
+        raise ValueError(f"The preset {preset} is of particles; images have none.")
     if "ids" not in chosen:
         found = {usual_ids(frame) for frame in told if frame.GetNumberOfPoints()}
         found = found or {usual_ids(first)}

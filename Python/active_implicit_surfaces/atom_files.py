@@ -26,7 +26,9 @@ def read_gro(path: Path) -> Frames:
             raise ValueError(f"line {place + 2} is not the number of atoms")
         end = place + 2 + int(lines[place + 1])
         if len(lines) <= end:
-            raise ValueError(f"it has fewer atoms than the {lines[place + 1].strip()} it tells of")
+            raise ValueError(
+                f"it has fewer atoms than the {lines[place + 1].strip()} of line {place + 2}"
+            )
         frames.append(_read_gro_frame(dict(enumerate(lines[place + 2 : end], start=place + 3))))
         frames[-1]["field"] = _edges_of(lines[end])
         times += map(float, re.findall(r"\bt\s*=\s*([-+.\deE]+)", lines[place])[-1:])

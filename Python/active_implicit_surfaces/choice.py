@@ -170,10 +170,15 @@ def _choose_label(data: Any, label: int) -> Any:
     if not data.IsA("vtkImageData"):
         name = next(name for name in _LABEL_ARRAYS if _has(data, name))
         return choose(data, f"{name}={label}")
-    is_there = values == label
-    if not is_there.any():
+    if not (values == label).any():
         there = few(labels_of(data), 20)
         raise ValueError(f"The image has no label {label}; it has {there}.")
+    return image_of_label(data, label)
+
+
+def image_of_label(data: Any, label: int) -> Any:
+    """An image that is 1 where another has a label, and 0 elsewhere."""
+    is_there = _labels_in(data) == label
     own = data.NewInstance()
     own.CopyStructure(data)
     is_of_points = data.GetPointData().GetScalars() is not None

@@ -9,9 +9,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCellDataToPointData
 
-from .choice import labels_of
 from .data_objects import add_array, vtk_points
 from .messages import few, listening
+
+_OVER, _FULL = 0.1, 1e-3  # of fractions of volume: how far beyond 0 and 1; what is empty or full
 
 
 def contour(image: Any, level: float, *, above: bool = False) -> Any:
@@ -62,44 +63,64 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
 def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
     """The level of an image, and whether inside is above it.
 
-    Of a mask, with two values, it is between them, inside above; else it is 0, and inside below.
-    Inside is also above a given level if most of the image's border is below it.
+    Of a mask, with two values, it is between them, and of fractions, most of which are 0 or 1, it
+    is 0.5, inside above; else it is 0, and inside below. Inside is also above a given level if most
+    of the image's border is below it.
     """
     image, values = _with_point_values(image)
-    low, high = (float(values.min()), float(values.max())) if values.size else (0.0, 0.0)
-    is_mask = low < high and bool(numpy.all((values == low) | (values == high)))
+    usual, is_mask = _usual_level(values)
     if level is None:
-        return (0.5 * (low + high), True) if is_mask else (0.0, False)
+        return usual, is_mask
     cube = values.reshape(image.GetDimensions()[::-1])
     border = numpy.concatenate([cube.take((0, -1), axis).ravel() for axis in range(3)])
     return level, is_mask or bool(numpy.mean(border < level) > 0.5)
 
 
-def as_level_set(image: Any) -> Any:
-    """The image; of a mask, one that is below 0 inside.
+def level_of_series(images: list[Any]) -> tuple[float, bool]:
+    """The usual level of images that are frames of one series, and whether inside is above it.
 
     Raises
     ------
     ValueError
-        An image without an inside: a map of several labels, or values of 0 and more.
+        Images without an inside: maps of several labels, or values of 0 and more.
     """
-    level, above = usual_level(image)
-    values = _with_point_values(image)[1]
-    labels = labels_of(image) if not above and values.dtype.kind in "iu" and values.size else []
-    if labels and values.min() >= 0:
+    every = [_with_point_values(image)[1] for image in images]
+    level, above = _usual_level(numpy.concatenate(every))
+    values = numpy.unique(numpy.concatenate(every))
+    labels = [int(value) for value in values if value] if values.dtype.kind in "iu" else []
+    if above or not values.size or values[0] < 0:
+        return level, above
+    if len(labels) > 1:
         raise ValueError(f"The image has the labels {few(labels, 20)}; choose one: --label.")
-    if not above and values.size and values.min() >= 0:
+    if values[0] == values[-1]:
         raise ValueError(
-            f"The image has no inside, which is below 0: its values are from {values.min():g} to "
-            f"{values.max():g}. Give target_iso_value, and invert_target if inside is above."
+            f"The image has no surface: all values are {values[0]:g}. Choose another label or file."
         )
+    raise ValueError(
+        f"The image has no inside, which is below 0: its values are from {values[0]:g} to "
+        f"{values[-1]:g}. Give target_iso_value, and invert_target if inside is above."
+    )
+
+
+def as_level_set(image: Any, level: float, above: bool) -> Any:
+    """The image, or one that is below 0 where it is above the level."""
     if not above:
         return image
+    values = _with_point_values(image)[1]
     level_set = image.NewInstance()
     level_set.CopyStructure(_with_point_values(image)[0])
     add_array(level_set, "distance", level - values.astype(float))
     level_set.GetPointData().SetActiveScalars("distance")
     return level_set
+
+
+def _usual_level(values: Any) -> tuple[float, bool]:
+    low, high = (float(values.min()), float(values.max())) if values.size else (0.0, 0.0)
+    is_mask = low < high and bool(numpy.all((values == low) | (values == high)))
+    if is_mask or not (low > -_OVER and 1.0 - _OVER < high < 1.0 + _OVER):
+        return (0.5 * (low + high), True) if is_mask else (0.0, False)
+    is_fraction = numpy.mean(numpy.minimum(abs(values), abs(values - 1.0)) < _FULL) > 0.5
+    return (0.5, True) if is_fraction else (0.0, False)
 
 
 def _with_point_values(image: Any) -> tuple[Any, Any]:

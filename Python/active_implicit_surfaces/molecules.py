@@ -129,8 +129,8 @@ def _cell_of(pairs: dict[str, str]) -> dict[str, Any]:
 def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:
     """Atomic numbers, and the reaches with which a lone atom has its van der Waals radius.
 
-    Symbols are elements, or names of atoms, as one of them tells unless that is known; `unit`:
-    an Angstrom.
+    Symbols are elements, or names of atoms if `are_names` or if one of them is no element. The
+    length `unit` is an Angstrom.
     """
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
 

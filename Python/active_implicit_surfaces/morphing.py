@@ -8,7 +8,7 @@ from typing import Any
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 from . import properties, vtkActiveImplicitSurface
-from .contours import as_level_set
+from .contours import as_level_set, level_of_series
 from .data_objects import as_shape, is_vtk
 from .fitting import FITS, describe_difference, fitted
 from .messages import warn_all
@@ -128,7 +128,9 @@ class morph(Skins):
         first, last = (shape if _is_function(shape) else as_shape(shape) for shape in (a, b))
         if has_usual_level:
             first, last = (
-                as_level_set(shape) if shape.IsA("vtkImageData") else shape
+                as_level_set(shape, *level_of_series([shape]))
+                if shape.IsA("vtkImageData")
+                else shape
                 for shape in (first, last)
             )
         if _is_function(first) or _is_function(last):

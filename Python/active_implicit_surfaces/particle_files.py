@@ -1,4 +1,4 @@
-"""Particles from files of many kinds, one or a series, as frames of a ParticleSeries."""
+"""Particles or images from files of many kinds, one or a series, as frames of a ParticleSeries."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from . import atom_files, simulation_files, text_particles
-from .choice import choose
+from .choice import choose, image_of_label, labels_of
 from .data_objects import add_array, array_names, as_particles, blocks_of, has_polygons
 from .file_names import expand, numbers_of, running_numbers, suffix_of
 from .images import IMAGE_SUFFIXES
@@ -44,7 +44,7 @@ PARTICLE_SUFFIXES = tuple(
     for suffix in (*READERS, ".ply", *_OWN_READERS)
     if suffix not in (".stl", ".obj", *IMAGE_SUFFIXES)
 )
-
+TARGET_SUFFIXES = (*PARTICLE_SUFFIXES, *IMAGE_SUFFIXES)
 
 # What zipfile raises besides; of these NotImplementedError is a RuntimeError.
 _DAMAGE_OF_ARCHIVES = (zipfile.BadZipFile, zlib.error, RuntimeError, OverflowError)
@@ -84,7 +84,7 @@ class ParticleFiles:
         return len(self.times)
 
     def load(self, step: int) -> Any:
-        """The particles of a frame that were chosen, a vtkPolyData.
+        """The particles of a frame that were chosen, a vtkPolyData; or an image.
 
         Raises
         ------
@@ -93,7 +93,18 @@ class ParticleFiles:
         ValueError
             There is no array to choose by.
         """
-        return choose(self._loaders[step](), self._where, self._label)
+        data = self._loaders[step]()
+        if self._label is not None and data.IsA("vtkImageData") and len(self) > 1:
+            return image_of_label(data, self._label)  # in some frames it may be nowhere
+        return choose(data, self._where, self._label)
+
+    @functools.cached_property
+    def kind(self) -> str:
+        """The class of the frames: vtkPolyData, or vtkImageData for images."""
+        is_image = suffix_of(self.names[0]) in IMAGE_SUFFIXES
+        may_be = suffix_of(self.names[0]) in (".vtk", ".vdb")
+        is_image = is_image or (may_be and self._loaders[0]().IsA("vtkImageData"))
+        return "vtkImageData" if is_image else "vtkPolyData"
 
 
 def open_particles(
@@ -109,7 +120,7 @@ def open_particles(
     Times are `times`, else as `fps` says, else those of the index or of the files, else 25 frames
     per second. Where numbers of files are left out, the time between is as much longer.
     """
-    listing, noted = expand(names, PARTICLE_SUFFIXES), set[str]()
+    listing, noted = expand(names, TARGET_SUFFIXES), set[str]()
     files, told = listing.files, listing.times
     if listing.note:
         warn_all([listing.note])
@@ -129,6 +140,12 @@ def open_particles(
     return ParticleFiles(listing.frames, loaders, told, where, label)
 
 
+def labels_in(files: ParticleFiles) -> list[int]:
+    """The labels of the first frame, one in the middle and the last."""
+    steps = {0, len(files) // 2, len(files) - 1}
+    return sorted({label for step in steps for label in labels_of(files.load(step))})
+
+
 def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
     def load() -> Any:
         clouds = []
@@ -141,8 +158,10 @@ def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
                     f"it has {len(loaders)} frames; as one of a series it is one, the first.",
                 )
             clouds.append(loaders[0]())
-        if lost := _arrays_of_some(clouds):
+        if len(clouds) > 1 and (lost := _arrays_of_some(clouds)):
             _note(noted, parts[0], f"not all parts of its frame have {', '.join(lost)}: left out.")
+        if len(clouds) > 1 and not all(cloud.IsA("vtkPointSet") for cloud in clouds):
+            raise OSError(f"{parts[0]} and the other parts of its frame are images, not particles.")
         return clouds[0] if len(clouds) == 1 else as_particles(_append(clouds))
 
     return load
@@ -163,11 +182,13 @@ def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | Non
         reader = functools.partial(_OWN_READERS[suffix], path)
         frames, times = _read_own(path, noted, reader)
         return [_maker(path, frame, noted) for frame in frames], times
+    if suffix in IMAGE_SUFFIXES:
+        return [lambda: read_vtk(path)], None
     if suffix not in PARTICLE_SUFFIXES:
         if suffix in READERS:
-            raise OSError(f"{path} holds no particles, but a mesh or an image.{_ABOUT_MESHES}")
+            raise OSError(f"{path} holds no particles, but a mesh.{_ABOUT_MESHES}")
         raise OSError(
-            f"{path}: particles are read from {', '.join(PARTICLE_SUFFIXES)}, not from "
+            f"{path}: particles are read from {', '.join(TARGET_SUFFIXES)}, not from "
             f"{suffix or 'a file without an extension'}."
         )
     if suffix == ".ply":
@@ -232,6 +253,8 @@ def _points_of(path: Path, data: Any, noted: set[str]) -> Any:
     """The points of whatever data set that is, with their arrays; a note says that it is a mesh."""
     if data.IsA("vtkCompositeDataSet"):
         data = _append([block for block in blocks_of(data) if block.IsA("vtkPointSet")])
+    if data.IsA("vtkImageData"):
+        return data
     if not data.IsA("vtkPointSet"):
         raise OSError(f"{path} has no particles: it holds a {data.GetClassName()}.")
     if has_polygons(data):
@@ -258,7 +281,8 @@ def _append(clouds: list[Any]) -> Any:
 def _times_inside(files: list[Path]) -> list[float] | None:
     """The times that all files tell in their heads, if they increase."""
     readers = {
-        **{".vtp": _time_of_xml, ".vtu": _time_of_xml, ".vdb": _time_of_vdb},
+        **dict.fromkeys((".vtp", ".vtu", ".vti"), _time_of_xml),
+        ".vdb": _time_of_vdb,
         **dict.fromkeys(_TABLES, text_particles.time_of_csv),
         **dict.fromkeys((".dump", ".lammpstrj", ".gro", ".hdf5"), _time_of_own),
     }

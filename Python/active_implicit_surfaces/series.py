@@ -25,6 +25,7 @@ from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from .choice import choose, conditions, without_small_pieces
+from .contours import as_level_set, level_of_series
 from .data_objects import as_particles, is_vtk
 from .particle_files import open_particles
 from .times import check_times, times_at
@@ -111,8 +112,25 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
 
     def leave_out_pieces(self, minimum: int, spacing: float) -> None:
         """Leaves out particles in clusters of fewer than a minimum."""
+        if self._output_type == "vtkImageData":
+            raise ValueError("minimum_piece chooses particles; images have none.")
+        self._change(lambda data: without_small_pieces(as_particles(data), minimum, spacing))
+
+    def use_usual_level(self) -> None:
+        """Makes images level sets, below 0 inside, by one rule for all of them.
+
+        Raises
+        ------
+        ValueError
+            The images have no inside: several labels, or values of 0 and more.
+        """
+        if self._output_type == "vtkImageData":
+            level, above = level_of_series(self.frames_that_tell())
+            self._change(lambda image: as_level_set(image, level, above))
+
+    def _change(self, change: Callable[[Any], Any]) -> None:
         load = self._load
-        self._load = lambda step: without_small_pieces(as_particles(load(step)), minimum, spacing)
+        self._load = lambda step: change(load(step))
         self._kept, self._first = {}, None
 
     def _has_points(self, step: int) -> bool:
@@ -143,12 +161,12 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
 
 
 class ParticleSeries(TemporalSource):
-    """Particles over time: a source with time steps, of arrays, files or a function.
+    """Particles or images over time: a source with time steps, of arrays, files or a function.
 
     Parameters
     ----------
     frames : iterable of particles, pattern or list of files, or callable(time)
-        Particles as `as_particles` takes them; files as `active-surface` reads them.
+        Particles as `as_particles` takes them, or images; files as `active-surface` reads them.
     times : sequence of float, optional
         A time for each frame [time], increasing; a callable needs them.
     fps : float, optional
@@ -184,9 +202,10 @@ class ParticleSeries(TemporalSource):
         conditions(where)
         if times is not None and fps is not None:
             raise ValueError("Times and frames per second are two ways to say the same; give one.")
-        load, found = _loader(frames, times, fps)
-        chosen = (lambda step: choose(as_particles(load(step)), where)) if where else load
-        super().__init__(chosen, found, any_order=not callable(frames))
+        load, found, kind = _loader(frames, times, fps)
+        as_points = as_particles if kind == "vtkPolyData" else (lambda image: image)
+        chosen = (lambda step: choose(as_points(load(step)), where)) if where else load
+        super().__init__(chosen, found, kind, any_order=not callable(frames))
 
     def __len__(self) -> int:
         return len(self.times)
@@ -221,19 +240,24 @@ def temporal_source(function: Callable[[float], Any], times: Sequence[float]) ->
 
 def _loader(
     frames: Any, times: Sequence[float] | None, fps: float | None
-) -> tuple[Callable[[int], Any], Sequence[float]]:
+) -> tuple[Callable[[int], Any], Sequence[float], str]:
+    """The function that gives a step, the times, and the class of the data."""
+    kind = "vtkPolyData"
     if callable(frames):
         if times is None:
             raise TypeError("A function of time needs `times`.")
         own = list(times)
-        return lambda step: frames(own[step]), own
+        return lambda step: frames(own[step]), own, kind
     if isinstance(frames, (str, Path)) or _are_paths(frames):
         files = open_particles(frames, fps=fps, times=times)
-        return files.load, files.times
+        return files.load, files.times, files.kind
     held = frames if isinstance(frames, Sequence) or hasattr(frames, "shape") else list(frames)
     if times is not None and len(times) != len(held):
         raise ValueError(f"There are {len(times)} times for {len(held)} frames.")
-    return held.__getitem__, times_at(range(len(held)), fps) if times is None else times
+    if len(held) and is_vtk(held[0]) and held[0].IsA("vtkImageData"):
+        kind = "vtkImageData"
+    own = times_at(range(len(held)), fps) if times is None else list(times)
+    return held.__getitem__, own, kind
 
 
 def _are_paths(frames: Any) -> bool:

@@ -16,7 +16,7 @@ import numpy
 from .messages import few, warn_all
 
 Frame = dict[str, Any]
-# The frames, or functions that read one, and their times if the file tells them.
+# The frames, or functions that read one, and their times if the file has them.
 Frames = tuple[Sequence[Frame | Callable[[], Frame]], "list[float] | None"]
 
 POSITIONS = (

@@ -31,11 +31,16 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  draws
 from active_implicit_surfaces import data_objects, skin, vtkActiveVDBWriter
 from command_line import CommandTest, grid, moving_grid
 from documents import ROOT
-from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter,
+    vtkXMLPolyDataWriter,
+    vtkXMLUnstructuredGridWriter,
+)
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 RUN_ALL = "ACTIVE_LONG" in os.environ
@@ -111,11 +116,25 @@ class Blocks(CommandTest):
             numpy.savetxt(
                 f"splash_{step:04}.csv", places, delimiter=",", header="x,y,z", comments=""
             )
+            written(vtkXMLImageDataWriter(), self.fractions(places), f"alpha_{step}.vti")
             entries += f'<DataSet timestep="{0.04 * step}" file="splash_{step:04}.vtp"/>'
         text = (
             f'<VTKFile type="Collection" version="0.1"><Collection>{entries}</Collection></VTKFile>'
         )
         (self.folder / "splash.pvd").write_text(text)
+
+    def fractions(self, places):
+        """Fractions of volume, of a cube about the particles."""
+        image, axis = vtkImageData(), 0.05 * numpy.arange(20) - 0.2
+        low, high = places.min(0) - 0.05, places.max(0) + 0.05
+        z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
+        inside = [numpy.minimum(own - a, b - own) for own, a, b in zip((x, y, z), low, high)]
+        values = numpy.clip(numpy.min(inside, axis=0) / 0.05 + 0.5, 0, 1)
+        image.SetDimensions(20, 20, 20)
+        image.SetSpacing(0.05, 0.05, 0.05)
+        image.SetOrigin(-0.2, -0.2, -0.2)
+        image.GetPointData().SetScalars(numpy_to_vtk(values.ravel(), deep=True))
+        return image
 
     def as_grid(self, cloud):
         points = vtkUnstructuredGrid()

@@ -17,6 +17,8 @@ AXES = ("x", "y", "z", "-x", "-y", "-z")
 class Series:
     """Frames in memory, with what find_view asks of files."""
 
+    kind = "vtkPolyData"
+
     def __init__(self, frames, rate=RATE):
         self.times = [step / rate for step in range(len(frames))]
         self.load = ParticleSeries(frames, times=self.times).frame

@@ -27,6 +27,7 @@ _ACTING = (  # rows, and what has them: options, and properties after a colon
     ("no_times render", "fps"),
     ("series render", "fps"),
     ("series", "ids output_fps :time_scale"),
+    ("particles", "ids radii strengths velocities minimum_piece preset"),
     ("range", "preroll"),
     ("render glb compute_velocity=on", "velocities"),
     ("render glb tangential_velocity=on", "velocities"),

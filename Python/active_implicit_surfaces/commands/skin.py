@@ -11,9 +11,8 @@ import numpy
 
 from .. import runner
 from ..api import frames
-from ..choice import labels_of
 from ..file_names import suffix_of
-from ..particle_files import PARTICLE_SUFFIXES, ParticleFiles, open_particles
+from ..particle_files import TARGET_SUFFIXES, ParticleFiles, labels_in, open_particles
 from ..presets import PRESETS
 from ..series import TemporalSource
 from ..times import times_between
@@ -52,7 +51,7 @@ def run(arguments: list[str]) -> int:
     if options.resume and options.render and not options.output:
         parser.error("--resume needs files of skins; name them, -o skin_####.vtp")
     files: Any = open_particles(options.files) if options.labels else ()
-    for own in each_label(options, lambda: labels_of(files.load(0)), len(files) > 1, _DEFAULT):
+    for own in each_label(options, lambda: labels_in(files), len(files) > 1, _DEFAULT):
         _run(parser, own, chosen)
     return 0
 
@@ -66,7 +65,7 @@ def _run(parser: Parser, options: Any, chosen: dict[str, Any]) -> None:
     plan = _plan(options, files)
     outputs.plan(plan.numbers, files.files)
     arrays = {role: getattr(options, role) for role in _ARRAYS if getattr(options, role)}
-    source = TemporalSource(files.load, files.times, any_order=True)
+    source = TemporalSource(files.load, files.times, files.kind, any_order=True)
     way = frames(
         source if len(plan.steps) == len(files) else source.part(plan.steps),
         where=where + ([] if label is None else [f"label={label}"]),
@@ -76,7 +75,10 @@ def _run(parser: Parser, options: Any, chosen: dict[str, Any]) -> None:
         **chosen,
     )
     way.times = plan.times
-    facts = ["particles", *(["series"] if len(plan.steps) > 1 else [])]
+    facts = [
+        "image" if files.kind == "vtkImageData" else "particles",
+        *(["series"] if len(plan.steps) > 1 else []),
+    ]
     check_effects(parser, options, outputs.output, facts, way.surface)
     names = ("where", "label", "minimum_piece", "frames", "preroll", "output_fps", "preset")
     described = {
@@ -132,8 +134,8 @@ def make_parser() -> Parser:
         "active-surface skin",
         "FILE ... [-o skin_####.vtp] [--render film.mp4] [options]",
         wrapped(
-            "Skins over particles: one for each frame, each going on from the last. Files: "
-            f"{', '.join(PARTICLE_SUFFIXES)}; several, 'p_*.vtp', p_####.vtp, a folder, a .series "
+            "Skins over particles or images: one for each frame, each from the one before. Files: "
+            f"{', '.join(TARGET_SUFFIXES)}; several, 'p_*.vtp', p_####.vtp, a folder, a .series "
             "or a .pvd are a series."
         ),
         epilog=f"presets:\n{preset_help()}\n\nEvery property of the filter is an option too, as "

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from typing import Any
 
 import numpy
@@ -28,10 +29,13 @@ def find_view(
 
     Up is against the acceleration of what falls freely (`Fall`). Where nothing does, it is the one
     of y and z along which the particles lie low in their box, on the average of the series; else
-    the one along which the box is flat; else z.
+    the one along which the box is flat; else z. Of images it is z, and their box is in view.
     """
     axis = numpy.array([-1.0, 0.0, 1.0])
     ways = numpy.stack(numpy.meshgrid(axis, axis, axis), -1).reshape(-1, 3).T
+    if files.kind == "vtkImageData":
+        corners = product(*numpy.reshape(files.load(0).GetBounds(), (3, 2)))
+        return numpy.array(list(corners)), "z"
     outermost, sampled, means, fall = [], [], [], Fall(ids, velocities)
     for step in _steps(len(files)):
         cloud = files.load(step)
