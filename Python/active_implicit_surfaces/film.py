@@ -17,6 +17,7 @@ from .file_names import names_of, replacing, suffix_of
 from .messages import quiet
 from .runner import Sink
 from .scene import Scene
+from .times import rate_of
 
 FILM_SUFFIXES = (".mp4", ".ogv", ".png", ".exr")
 
@@ -61,7 +62,7 @@ class Film(Sink):
         fps: float | None = None,
     ) -> None:
         self.path, self.scene, self.times = path, scene, times
-        self.fps = fps or _rate(times)
+        self.fps = fps or rate_of(times)
         self.names = names_of(path, numbers)
         self._stream: Any = None
         self._ending = ExitStack()
@@ -103,13 +104,6 @@ class Film(Sink):
                 writer=writer,
                 apart=self.scene.apart,
             )
-
-
-def _rate(times: list[float]) -> float:
-    if len(times) < 2:
-        return 25.0
-    rate = (len(times) - 1) / (times[-1] - times[0])
-    return rate if 1.0 <= rate <= 240.0 else 25.0
 
 
 def _write_png(path: Path, image: Any) -> None:

@@ -22,7 +22,7 @@ _COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 
 
 # Quaternions that turn an axis into y, which points up in glTF.
 _HALF = 0.5**0.5
-_TO_Y = {
+TO_Y = {
     "x": [0.0, 0.0, _HALF, _HALF],
     "-x": [0.0, 0.0, -_HALF, _HALF],
     "-y": [1.0, 0.0, 0.0, 0.0],
@@ -115,7 +115,7 @@ def _describe(
         "asset": _ASSET,
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0, **({"rotation": _TO_Y[up]} if up in _TO_Y else {})}],
+        "nodes": [{"mesh": 0, **({"rotation": TO_Y[up]} if up in TO_Y else {})}],
         "meshes": [{"primitives": [surface]}],
         "materials": [{"pbrMetallicRoughness": look}],
         "buffers": [{"byteLength": start}],

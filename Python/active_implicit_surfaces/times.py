@@ -46,3 +46,11 @@ def times_between(times: Sequence[float], fps: float) -> list[float]:
     """The multiples of 1/fps after the first of some times, up to the last of them."""
     count = int((times[-1] - times[0]) * check_rate(fps) * (1.0 + 1e-9) + 1e-6)
     return [min(times[0] + i / fps, times[-1]) for i in range(count + 1)]
+
+
+def rate_of(times: Sequence[float]) -> float:
+    """The frames per second at which a film is as long as its times, where that is a usual one."""
+    if len(times) < 2:
+        return FRAMES_PER_SECOND
+    rate = (len(times) - 1) / (times[-1] - times[0])
+    return rate if 1.0 <= rate <= 240.0 else FRAMES_PER_SECOND

@@ -20,12 +20,13 @@ from ..file_names import (
     make_folder_of,
     names_of,
     numbers_of,
+    running_numbers,
     suffix_of,
 )
 from ..mesh_writers import points_of
 from ..messages import few, warn_all
 from ..particle_files import PARTICLE_SUFFIXES, open_particles
-from ..runner import FileSeries
+from ..runner import FileSeries, Sink
 from ..skin_files import (
     INPUT_SUFFIXES,
     MESH_SUFFIXES,
@@ -37,6 +38,8 @@ from ..skin_files import (
     write_mesh,
     write_particles,
 )
+from ..times import places_of, times_at
+from ..usd_film import USD_SUFFIXES, UsdFilm, check_usd
 from ..vtk_files import open_vtk
 from .effects import check_effects
 from .options import Parser, add_choice_options, add_help, add_up_option, positive, wrapped
@@ -45,6 +48,7 @@ from .progress import Progress
 from .upward import lie
 
 _FOG_LEVEL = 0.5
+_MESHES = (*MESH_WRITERS, *USD_SUFFIXES)
 
 
 class _Conversion(NamedTuple):
@@ -62,7 +66,7 @@ def run(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     output = Path(options.output).expanduser()
     options.output = str(output)
-    known = tuple(dict.fromkeys((*MESH_WRITERS, *PARTICLE_OUT_SUFFIXES)))
+    known = tuple(dict.fromkeys((*_MESHES, *PARTICLE_OUT_SUFFIXES)))
     try:
         check_suffix(output, known, "files")
     except ValueError as error:
@@ -93,10 +97,16 @@ def _convert(options: Any, listing: Listing, kind: Callable[..., _Conversion]) -
     load, numbers, used, write = kind(options, listing, output)
     if options.where:
         load = _warning_of_none(load, " and ".join(options.where))
-    names = names_of(output, numbers)
+    is_usd = suffix_of(output) in USD_SUFFIXES
+    names = [output] if is_usd else names_of(output, numbers)
     check_distinct(used, names)
-    progress = Progress(len(names), quiet=options.quiet or len(names) == 1)
-    runner.run(load, range(len(names)), [FileSeries(names, write), progress])
+    sink: Sink = FileSeries(names, write)
+    if is_usd:
+        check_usd(output)
+        places = places_of(running_numbers(listing.files)) if len(numbers) > 1 else range(1)
+        sink = UsdFilm(output, listing.times or times_at(places, None), None, options.up or "y")
+    progress = Progress(len(numbers), quiet=options.quiet or len(numbers) == 1)
+    runner.run(load, range(len(numbers)), [sink, progress])
 
 
 def _warning_of_none(load: Callable[[int], Any], where: str) -> Callable[[int], Any]:
@@ -116,7 +126,7 @@ def make_parser() -> Parser:
         "active-surface convert",
         "FILE ... -o NAME [options]",
         "Meshes, level sets and images to meshes and .vdb; particles to particles.\n"
-        + wrapped(f"Meshes from {', '.join(MESH_SUFFIXES)} to {', '.join(MESH_WRITERS)};")
+        + wrapped(f"Meshes from {', '.join(MESH_SUFFIXES)} to {', '.join(_MESHES)};")
         + "\n"
         + wrapped(
             f"particles from {', '.join(PARTICLE_SUFFIXES)} to {', '.join(PARTICLE_OUT_SUFFIXES)}."
@@ -147,7 +157,7 @@ def _way(file: Path, output: Path) -> str:
 
 def _holds_particles(path: Path, output: Path) -> bool:
     found = holds_particles(path)
-    return suffix_of(output) not in MESH_WRITERS if found is None else found  # else an empty skin
+    return suffix_of(output) not in _MESHES if found is None else found  # else an empty skin
 
 
 def _particles(options: Any, listing: Listing, output: Path) -> _Conversion:
@@ -162,8 +172,8 @@ def _particles(options: Any, listing: Listing, output: Path) -> _Conversion:
 
 def _shapes(options: Any, listing: Listing, output: Path) -> _Conversion:
     is_vdb = suffix_of(output) == ".vdb"
-    if suffix_of(output) not in MESH_WRITERS:
-        raise OSError(f"{output}: meshes are written as {', '.join(MESH_WRITERS)}.")
+    if suffix_of(output) not in _MESHES:
+        raise OSError(f"{output}: meshes are written as {', '.join(_MESHES)}.")
     up = options.up  # axis in a .glb: that of the first file with points, for all of them
 
     def load(step: int) -> Any:

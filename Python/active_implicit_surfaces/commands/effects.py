@@ -23,14 +23,14 @@ _START = "property_"  # of the properties' names among the options
 _MOTION = "series evolution_mode=equilibrium volume_control=exact area_control=exact"
 _ACTING = (  # rows, and what has them: options, and properties after a colon
     ("render", "size no_ground"),
-    ("render glb", "up"),
+    ("render glb usd", "up"),
     ("no_times render", "fps"),
     ("series render", "fps"),
     ("series", "ids output_fps :time_scale"),
     ("particles", "ids radii strengths velocities minimum_piece preset"),
     ("range", "preroll"),
-    ("render glb compute_velocity=on", "velocities"),
-    ("render glb tangential_velocity=on", "velocities"),
+    ("render glb usd compute_velocity=on", "velocities"),
+    ("render glb usd tangential_velocity=on", "velocities"),
     ("files", "index :compute_curvature :compute_normals :pass_target_arrays"),
     ("files exr", ":compute_velocity"),
     (_MOTION, ":cfl :transport"),
@@ -55,6 +55,7 @@ _WHERE = {
     "exr": "on pictures .exr",
     "files": "on skins that are written, with -o",
     "glb": "on a .glb",
+    "usd": "on a .usdc",
     "image_to_mesh": "from an image to a mesh",
     "mesh": "on meshes, with active-surface morph",
     "mesh_to_vdb": "from a mesh to a .vdb",
@@ -87,7 +88,7 @@ def check_effects(
     known = {*facts, *_state_of(surface)}
     known |= {f"no_{name}" for name in ("times", "radii") if given.get(name) is None}
     known |= {"range"} if given.get("frames") else set()
-    known |= {"files", suffix_of(output)[1:]} if output else set()
+    known |= {"files", suffix_of(output)[1:], suffix_of(output)[1:4]} if output else set()
     if picture := suffix_of(given.get("render") or ""):
         known |= {"render", picture[1:], *(["compute_velocity=on"] if picture == ".exr" else [])}
     idle = []

@@ -105,7 +105,7 @@ def add_help(group: Any, properties: bool = False) -> None:
     )
     if properties:
         group.add_argument(
-            "--help-properties", nargs=0, action=_HelpProperties, help="tell all properties"
+            "--help-properties", nargs=0, action=_HelpProperties, help=argparse.SUPPRESS
         )
 
 

@@ -20,6 +20,7 @@ from ..file_names import (
 from ..history import HistoryFile
 from ..runner import FileSeries, Sink, Skins
 from ..skin_files import SKIN_SUFFIXES, check_suffix, write_mesh
+from ..usd_film import USD_SUFFIXES, UsdFilm, check_usd
 from .options import PICTURE_SIZE, Parser
 
 
@@ -29,8 +30,8 @@ def add_output_options(parser: Parser, default: str) -> None:
         "-o",
         "--output",
         metavar="NAME",
-        help=f"name of the skins, #### for the number: {', '.join(SKIN_SUFFIXES)} "
-        f"(default: {default}, and none with only --render)",
+        help=f"name of the skins, #### for the number: {', '.join(SKIN_SUFFIXES)}; or all "
+        f"in one .usdc, .usda (default: {default}, and none with only --render)",
     )
     parser.add_argument(
         "--render",
@@ -56,8 +57,9 @@ def each_label(
         own = Namespace(**vars(options), label=label)
         for key in ("output", "render", "index", "history"):
             name = getattr(own, key, None)
+            is_one = not is_series or suffix_of(name or "") in USD_SUFFIXES
             if name and name != "none":
-                setattr(own, key, str(labelled(name, label, is_series, len(labels) > 1)))
+                setattr(own, key, str(labelled(name, label, not is_one, len(labels) > 1)))
         yield own
 
 
@@ -80,9 +82,13 @@ class Outputs:
         self.output = Path(options.output) if options.output else None
         self.render = Path(options.render) if options.render else None
         index = getattr(options, "index", None)
+        self.is_usd = bool(self.output) and suffix_of(str(self.output)) in USD_SUFFIXES
+        if self.is_usd and (index or getattr(options, "resume", False)):
+            option = "--index" if index else "--resume"
+            parser.error(f"{option} has no effect on {self.output}, one file of all frames")
         try:
             if self.output:
-                check_suffix(self.output, SKIN_SUFFIXES, "skins")
+                check_suffix(self.output, (*SKIN_SUFFIXES, *USD_SUFFIXES), "skins")
             if self.render:
                 from ..film import FILM_SUFFIXES
 
@@ -95,8 +101,10 @@ class Outputs:
     def plan(self, numbers: list[int], inputs: Iterable[Path]) -> None:
         """Chooses the names of frames of these numbers, and makes their folders."""
         self.numbers = numbers
-        self.names = names_of(self.output, numbers) if self.output else []
-        check_distinct(inputs, self.names)
+        self.names = names_of(self.output, numbers) if self.output and not self.is_usd else []
+        if self.is_usd and self.output:
+            check_usd(self.output)
+        check_distinct(inputs, [self.output] if self.is_usd and self.output else self.names)
         more = [getattr(self.options, key, None) for key in ("index", "history")]
         for name in filter(None, (self.output, self.render, *more)):
             make_folder_of(Path(name))
@@ -112,7 +120,10 @@ class Outputs:
             axis = up() if suffix_of(path) == ".glb" else "y"
             write_mesh(path, skin, way.surface.GetOutputPort(), axis)
 
-        if self.output:
+        if self.is_usd and self.output:
+            way.surface.ComputeVelocityOn()
+            found.append(UsdFilm(self.output, way.times, self._fps(), up()))
+        elif self.output:
             found.append(FileSeries(self.names, write, self._index(self.output), way.times))
         if self.render:
             found.append(self._film(self.render, way, view()[0], up(), color))
@@ -130,8 +141,10 @@ class Outputs:
             way.surface.ComputeVelocityOn()
         size, ground = self.options.size or PICTURE_SIZE, not self.options.no_ground
         scene = Scene(held, size, up, COLORS[color], soft=not is_exr, ground=ground)
-        fps = getattr(self.options, "output_fps", None) or getattr(self.options, "fps", None)
-        return Film(path, scene, way.times, self.numbers, fps)
+        return Film(path, scene, way.times, self.numbers, self._fps())
+
+    def _fps(self) -> float | None:
+        return getattr(self.options, "output_fps", None) or getattr(self.options, "fps", None)
 
     def _index(self, output: Path) -> Path | None:
         given = getattr(self.options, "index", None)

@@ -85,7 +85,8 @@ def _run(parser: Parser, options: Any, chosen: dict[str, Any]) -> None:
         name: getattr(options, name) for name in names if getattr(options, name) is not None
     }
     described |= {**arrays, **chosen}
-    kept = Resumption(outputs.output, described, plan.files) if outputs.output else None
+    is_kept = outputs.output and not outputs.is_usd
+    kept = Resumption(Path(options.output), described, plan.files) if is_kept else None
     first = kept.bind(way, outputs.names, options.resume) if kept else 0
     sinks = outputs.sinks(way, lambda: _find_view(options, files, kept), options.preset or "water")
     progress = Progress(len(way), first, options.quiet)

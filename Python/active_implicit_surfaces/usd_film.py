@@ -1,0 +1,124 @@
+"""A film of meshes in one file of USD, by the library usd-core."""
+
+from __future__ import annotations
+
+import re
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+import numpy
+
+from .file_names import has_number, replacing
+from .glb import TO_Y, linear_light
+from .mesh_writers import arrays_of, points_of, polygons_of
+from .runner import Sink
+from .times import rate_of
+
+USD_SUFFIXES = (".usdc", ".usda")
+_NEEDED = "usd-core is not installed; pip install usd-core, or write skin_####.glb or skin_####.vtp"
+
+
+def check_usd(path: Path) -> None:
+    """Raises OSError if such a film cannot be written here."""
+    if has_number(path):
+        raise OSError(f"{path} holds all frames in one file; leave out the number of a frame.")
+    try:
+        import pxr.Usd  # noqa: F401
+    except ImportError as error:
+        raise OSError(f"{path} cannot be written: {_NEEDED}.") from error
+
+
+class UsdFilm(Sink):
+    """Meshes over time as one prim "/skin" of a stage.
+
+    Points, polygons, normals, velocities [length/time], colours (displayColor, as linear light) and
+    arrays (primvars) have a sample at each time. Time codes are times in frames.
+
+    Parameters
+    ----------
+    path : Path
+        film.usdc or, as text, film.usda.
+    times : list of float
+    fps : float, optional
+        Time codes of a unit of time. Default: as many as there are frames in it.
+    up : {"x", "y", "z", "-x", "-y", "-z"}
+        Axis of the data that points up: z or y is the stage's; for others the prim is rotated.
+    """
+
+    def __init__(self, path: Path, times: list[float], fps: float | None, up: str) -> None:
+        self.path, self.fps, self.up = path, fps or rate_of(times), up
+        self._codes = [round(time * self.fps, 6) for time in times]
+        self._ending = ExitStack()
+
+    def __enter__(self) -> UsdFilm:
+        from pxr import Gf, Usd, UsdGeom
+
+        temporary = self._ending.enter_context(replacing(self.path))
+        self._stage = stage = Usd.Stage.CreateNew(str(temporary))
+        UsdGeom.SetStageUpAxis(stage, "Z" if self.up == "z" else "Y")
+        UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+        stage.SetTimeCodesPerSecond(self.fps)
+        stage.SetFramesPerSecond(self.fps)
+        stage.SetStartTimeCode(self._codes[0])
+        stage.SetEndTimeCode(self._codes[-1])
+        self._mesh = UsdGeom.Mesh.Define(stage, "/skin")
+        stage.SetDefaultPrim(self._mesh.GetPrim())
+        self._mesh.CreateSubdivisionSchemeAttr("none")
+        if self.up in TO_Y and self.up != "z":
+            x, y, z, w = TO_Y[self.up]
+            self._mesh.AddOrientOp().Set(Gf.Quatf(w, x, y, z))
+        return self
+
+    def __exit__(self, kind: Any, *error: Any) -> None:
+        if kind is None:
+            self._stage.Save()
+        del self._mesh, self._stage
+        self._ending.__exit__(kind, *error)
+
+    def add(self, step: int, data: Any) -> None:
+        """Writes a mesh at a step of the times."""
+        from pxr import UsdGeom, Vt
+
+        mesh, time, points = self._mesh, self._codes[step], points_of(data).astype("f4")
+        normals, colours, others = arrays_of(data)
+        polygons = polygons_of(data)
+        counts = [numpy.full(len(corners), corners.shape[1]) for corners in polygons]
+        corners = [corners.ravel() for corners in polygons]
+        low_high = numpy.array([points.min(0), points.max(0)]) if len(points) else points[:0]
+        velocity = others.pop("Velocity", None)
+        vectors = {"Points": points, "Extent": low_high, "Normals": normals, "Velocities": velocity}
+        for name, values in vectors.items():
+            if values is not None:
+                vector = Vt.Vec3fArray.FromNumpy(numpy.ascontiguousarray(values, dtype="f4"))
+                getattr(mesh, f"Create{name}Attr")().Set(vector, time)
+        for name, parts in (("Counts", counts), ("Indices", corners)):
+            joined = numpy.concatenate([numpy.zeros(0, "i4"), *parts]).astype("i4")
+            getattr(mesh, f"CreateFaceVertex{name}Attr")().Set(Vt.IntArray.FromNumpy(joined), time)
+        mesh.SetNormalsInterpolation(UsdGeom.Tokens.vertex)
+        if colours is not None:
+            others["displayColor"] = linear_light(colours)[:, :3]
+        for name, values in others.items():
+            self._add_primvar(name, values, time)
+        if self.path.suffix == ".usdc":
+            self._stage.Save()  # a frame need not stay in memory
+
+    def _add_primvar(self, name: str, values: Any, time: float) -> None:
+        """Sets an array of each vertex: integers, numbers, vectors, or of more components."""
+        from pxr import Sdf, UsdGeom, Vt
+
+        kind, array, wide = Sdf.ValueTypeNames.FloatArray, Vt.FloatArray, values.shape[1]
+        if name == "displayColor":
+            kind, array = Sdf.ValueTypeNames.Color3fArray, Vt.Vec3fArray
+        elif wide == 3:
+            kind, array = Sdf.ValueTypeNames.Float3Array, Vt.Vec3fArray
+        elif wide == 1 and values.dtype.kind in "iu" and values.dtype.itemsize <= 8:
+            kind, array = Sdf.ValueTypeNames.Int64Array, Vt.Int64Array
+        plain = re.sub(r"\W|^(?=\d)", "_", name, flags=re.ASCII)
+        interface = UsdGeom.PrimvarsAPI(self._mesh)
+        own = interface.CreatePrimvar(plain, kind, UsdGeom.Tokens.vertex, wide if wide != 3 else -1)
+        is_whole = array is Vt.Int64Array
+        rows = values if wide == 3 else values.ravel()
+        own.Set(
+            array.FromNumpy(numpy.ascontiguousarray(rows, dtype="i8" if is_whole else "f4")), time
+        )
