@@ -8,7 +8,7 @@ skin(particles)          the skin over particles, as they are
 frames(series)           the skins over a series of particles, one after the other
 morph(a, b, duration)    one shape becomes another
 LiveSurface              a skin that follows a simulation as it runs
-ParticleSeries, temporal_source, plot_history
+ParticleSeries, temporal_source, history, plot_history
 """
 
 import importlib
@@ -61,8 +61,9 @@ _FUNCTIONS = {
     "LiveSurface": "api",
     "ParticleSeries": "series",
     "frames": "api",
+    "history": "histories",
     "morph": "morphing",
-    "plot_history": "history",
+    "plot_history": "histories",
     "skin": "api",
     "temporal_source": "series",
 }

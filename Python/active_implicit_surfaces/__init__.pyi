@@ -4,7 +4,8 @@ from typing import Any
 from .api import LiveSurface as LiveSurface
 from .api import frames as frames
 from .api import skin as skin
-from .history import plot_history as plot_history
+from .histories import history as history
+from .histories import plot_history as plot_history
 from .messages import ActiveSurfaceWarning as ActiveSurfaceWarning
 from .morphing import morph as morph
 from .runner import Frame as Frame

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -20,6 +21,7 @@ _ARRAYS = {"radii": 0, "ids": 1, "strengths": 2, "velocities": 5}
 _MANY = 100  # particles, of which the distance of neighbours tells something
 _FAR = 1.5  # as a factor: half and twice are
 _SAME = 1.01
+_ROUNDING = 1e-6  # of a number of particles
 _LEAST_REACH = 1.2  # of a kernel, in spacings
 _USUAL_IDS = ("id", "ids", "particle_id", "particleid", "pid")
 
@@ -101,6 +103,9 @@ class frames(Skins):
         Conditions that the particles meet: "Type=1", "T>300", "id!=3,4", "x<0.5".
     minimum_piece : int
         Particles in clusters of fewer than these get no skin. Default: 1.
+    minimum_volume : float
+        Likewise for clusters of a smaller volume [length^3], spacing^3 for each particle.
+        Default: 0.
     output_fps : float, optional
         Skins per second [1/time], frames in between included. Default: at the particles' times.
     preset : {"water", "viscous", "molecule", "paper"}, optional
@@ -155,6 +160,7 @@ class frames(Skins):
         fps: float | None = None,
         where: str | Sequence[str] = (),
         minimum_piece: int = 1,
+        minimum_volume: float = 0.0,
         output_fps: float | None = None,
         preset: str | None = None,
         arrays: dict[str, str] | None = None,
@@ -165,9 +171,11 @@ class frames(Skins):
         self.source = (
             particles if is_source else ParticleSeries(particles, times=times, fps=fps, where=where)
         )
-        if minimum_piece > 1:
+        if minimum_piece > 1 or minimum_volume > 0:
             told = options.get("particle_spacing")
             spacing = told or series_spacing(self.source.frames_that_tell())
+            least = math.ceil(minimum_volume / spacing**3 - _ROUNDING) if spacing else 0
+            minimum_piece = max(minimum_piece, least)
             self.source.leave_out_pieces(minimum_piece, spacing)
         if (where or minimum_piece > 1) and not self.source.first_frame().GetNumberOfPoints():
             told = where if isinstance(where, str) else " and ".join(where)

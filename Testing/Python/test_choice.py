@@ -90,6 +90,14 @@ class Conditions(unittest.TestCase):
         for minimum, count in ((1, 134), (2, 133), (8, 133), (9, 125), (126, 0)):
             kept = choice.without_small_pieces(cloud, minimum, 0.1)
             self.assertEqual(ids_of(kept), list(range(count)))
+        for volume, count in ((0.0005, 134), (0.008, 133), (0.0081, 125), (0.125, 125), (0.126, 0)):
+            arguments = {"particle_spacing": 0.1, "minimum_volume": volume}
+            if count:
+                way = active.frames([points], **arguments)
+                self.assertEqual(way.source.frame(0).GetNumberOfPoints(), count)
+            else:
+                with self.assertRaisesRegex(ValueError, "a piece of 126 or more"):
+                    active.frames([points], **arguments)
 
     def test_python_functions(self):
         frames = [as_particles(grid() + step, kind=numpy.arange(125) % 2) for step in range(2)]
@@ -211,6 +219,8 @@ class Programs(CommandTest):
         self.succeed("skin", "p_10.npz", "--where", "Type=1", "-o", "a.ply", *QUIET)
         self.assertLess(self.bounds("a.ply")[1], 1)
         self.succeed("skin", "p_10.npz", "--minimum-piece", 28, "-o", "b.ply", *QUIET)
+        self.assertLess(self.bounds("b.ply")[1], 1)
+        self.succeed("skin", "p_10.npz", "--minimum-volume", 0.0275, "-o", "b.ply", *QUIET)
         self.assertLess(self.bounds("b.ply")[1], 1)
         told = json.loads(self.succeed("info", "p_*.npz", "--where", "Type=2", "--json").out)
         self.assertEqual(told["points"], 27)

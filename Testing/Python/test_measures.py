@@ -5,10 +5,14 @@ Run: python3 test_measures.py
 """
 
 import csv
+import importlib.util
 import io
 import json
+import sys
 import unittest
+from unittest import mock
 
+import active_implicit_surfaces as active
 import numpy
 from active_implicit_surfaces.measures import measure
 from active_implicit_surfaces.skin_files import write_mesh
@@ -92,6 +96,42 @@ class Programs(CommandTest):
             self.assertAlmostEqual(float(row["Volume"]), each["volume"], places=6)
             self.assertAlmostEqual(float(row["Area"]), each["area"], places=5)
             self.assertEqual(int(row["Components"]), each["pieces"])
+        way = active.frames("p.npz", particle_spacing=0.1)
+        for _ in way:
+            pass
+        held = active.history(way)
+        for name in ("Time", "Volume", "Components"):
+            self.assertEqual(held[name].tolist(), [float(row[name]) for row in rows])
+        self.assertEqual(held["Event"].tolist(), [row["Event"] for row in rows])
+
+    def test_plot_of_a_run(self):
+        numpy.savez("p.npz", positions=moving_grid())
+        common = ("skin", "p.npz", "--quiet", "--particle-spacing", 0.1, "-o", "s_#.ply")
+        self.fail_with(2, *common, "--plot", "h.txt")
+        with mock.patch.dict(sys.modules, {"matplotlib.figure": None}):
+            said = self.fail_with(1, *common, "--plot", "h.svg")
+        self.assertIn("Plots need matplotlib, which is not installed", said)
+        self.assertEqual([*self.folder.glob("s_*")], [], "before the first frame is made")
+        if importlib.util.find_spec("matplotlib") is None:
+            self.skipTest("matplotlib is not installed")
+        self.succeed(*common, "--plot", "h.svg", "--history", "h.csv")
+        drawn = (self.folder / "h.svg").read_text()
+        self.assertEqual(drawn.count('<g id="axes_'), 3)
+        for name in ("Volume", "Area", "Components", "Time"):
+            self.assertIn(f"<!-- {name} -->", drawn)
+        self.succeed(*common, "--plot", "h.png")
+        self.assertTrue((self.folder / "h.png").read_bytes().startswith(b"\x89PNG"))
+
+    @unittest.skipUnless(importlib.util.find_spec("pandas"), "pandas is not installed")
+    def test_history_as_a_table_of_pandas(self):
+        import pandas
+
+        live = active.LiveSurface(particle_spacing=0.1)
+        for step in range(3):
+            live.advance(grid() + 0.01 * step, 0.1)
+        table = pandas.DataFrame(active.history(live)).set_index("Time")
+        numpy.testing.assert_allclose(table.index, [0, 0.1, 0.2])
+        self.assertAlmostEqual(table.Volume.mean(), 0.125, delta=0.02)
 
 
 if __name__ == "__main__":

@@ -17,6 +17,7 @@ FUNCTIONS = {
     "skin": PUBLIC["skin"],
     "frames": PUBLIC["frames"],
     "morph": PUBLIC["morph"],
+    "history": PUBLIC["history"],
     "plot_history": PUBLIC["plot_history"],
     "temporal_source": PUBLIC["temporal_source"],
     "ParticleSeries": PUBLIC["ParticleSeries"],

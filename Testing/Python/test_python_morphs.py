@@ -8,7 +8,7 @@ import warnings
 
 import active_implicit_surfaces as active
 import numpy
-from active_implicit_surfaces import history
+from active_implicit_surfaces import histories
 from command_line import grid, moving_grid
 from python_data import Library, make_points, volume_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -144,7 +144,7 @@ class Plots(unittest.TestCase):
         axes = [Axes(), Axes()]
         active.plot_history(self.skins, ("Volume", "Components"), axes=axes)
         (name, (times, values)) = axes[1].calls[0]
-        self.assertEqual((name, times, values), ("plot", self.times, [1, 1, 1, 1]))
+        self.assertEqual((name, [*times], [*values]), ("plot", self.times, [1, 1, 1, 1]))
         self.assertIn(("set_xlabel", ("Time",)), axes[1].calls)
 
     def test_what_cannot_be_plotted(self):
@@ -160,7 +160,7 @@ class Plots(unittest.TestCase):
         sys.modules.update(dict.fromkeys(hidden))
         try:
             with self.assertRaisesRegex(ImportError, "matplotlib, which is not installed"):
-                history.plot_history(self.skins)
+                histories.plot_history(self.skins)
         finally:
             for name, module in hidden.items():
                 sys.modules.pop(name)

@@ -27,7 +27,7 @@ _ACTING = (  # rows, and what has them: options, and properties after a colon
     ("no_times render", "fps"),
     ("series render", "fps"),
     ("series", "ids output_fps :time_scale"),
-    ("particles", "ids radii strengths velocities minimum_piece preset"),
+    ("particles", "ids radii strengths velocities minimum_piece minimum_volume preset"),
     ("range", "preroll"),
     ("render glb usd compute_velocity=on", "velocities"),
     ("render glb usd tangential_velocity=on", "velocities"),

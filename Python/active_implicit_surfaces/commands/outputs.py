@@ -17,7 +17,7 @@ from ..file_names import (
     suffix_of,
     without_number,
 )
-from ..history import HistoryFile
+from ..histories import PLOT_SUFFIXES, HistoryFile
 from ..runner import FileSeries, Sink, Skins
 from ..skin_files import SKIN_SUFFIXES, check_suffix, write_mesh
 from ..usd_film import USD_SUFFIXES, UsdFilm, check_usd
@@ -55,7 +55,7 @@ def each_label(
     labels = find() if options.labels == "all" else options.labels
     for label in labels:
         own = Namespace(**vars(options), label=label)
-        for key in ("output", "render", "index", "history"):
+        for key in ("output", "render", "index", "history", "plot"):
             name = getattr(own, key, None)
             is_one = not is_series or suffix_of(name or "") in USD_SUFFIXES
             if name and name != "none":
@@ -76,7 +76,7 @@ class Outputs:
 
     def __init__(self, parser: Parser, options: Any) -> None:
         self.options, self.numbers, self.names = options, list[int](), list[Path]()
-        for key in ("output", "render", "index", "history"):
+        for key in ("output", "render", "index", "history", "plot"):
             if getattr(options, key, None):
                 setattr(options, key, str(Path(getattr(options, key)).expanduser()))
         self.output = Path(options.output) if options.output else None
@@ -93,6 +93,10 @@ class Outputs:
                 from ..film import FILM_SUFFIXES
 
                 check_suffix(self.render, FILM_SUFFIXES, "films")
+            if plot := getattr(options, "plot", None):
+                check_suffix(Path(plot), PLOT_SUFFIXES, "plots")
+            if history := getattr(options, "history", None):
+                check_suffix(Path(history), (".csv",), "histories")
         except ValueError as error:
             parser.error(str(error))
         if index not in (None, "none") and suffix_of(index) not in INDEX_SUFFIXES:
@@ -105,7 +109,7 @@ class Outputs:
         if self.is_usd and self.output:
             check_usd(self.output)
         check_distinct(inputs, [self.output] if self.is_usd and self.output else self.names)
-        more = [getattr(self.options, key, None) for key in ("index", "history")]
+        more = [getattr(self.options, key, None) for key in ("index", "history", "plot")]
         for name in filter(None, (self.output, self.render, *more)):
             make_folder_of(Path(name))
 
@@ -127,8 +131,9 @@ class Outputs:
             found.append(FileSeries(self.names, write, self._index(self.output), way.times))
         if self.render:
             found.append(self._film(self.render, way, view()[0], up(), color))
-        if history := getattr(self.options, "history", None):
-            found.append(HistoryFile(Path(history), way.surface))
+        for key in ("history", "plot"):
+            if name := getattr(self.options, key, None):
+                found.append(HistoryFile(Path(name), way.surface))
         return found
 
     def _film(self, path: Path, way: Skins, held: Any, up: str, color: str) -> Sink:

@@ -38,6 +38,10 @@ from .resume import Resumption
 from .view import find_view
 
 _DEFAULT = "skin_####.vtp"
+_DESCRIBED = (  # options that skins depend on, besides properties and arrays
+    *("where", "label", "minimum_piece", "minimum_volume", "frames", "preroll", "output_fps"),
+    "preset",
+)
 _ARRAYS = ("ids", "radii", "strengths", "velocities")
 
 
@@ -70,6 +74,7 @@ def _run(parser: Parser, options: Any, chosen: dict[str, Any]) -> None:
         source if len(plan.steps) == len(files) else source.part(plan.steps),
         where=where + ([] if label is None else [f"label={label}"]),
         minimum_piece=options.minimum_piece or 1,
+        minimum_volume=options.minimum_volume or 0.0,
         preset=options.preset,
         arrays=arrays,
         **chosen,
@@ -80,10 +85,8 @@ def _run(parser: Parser, options: Any, chosen: dict[str, Any]) -> None:
         *(["series"] if len(plan.steps) > 1 else []),
     ]
     check_effects(parser, options, outputs.output, facts, way.surface)
-    names = ("where", "label", "minimum_piece", "frames", "preroll", "output_fps", "preset")
-    described = {
-        name: getattr(options, name) for name in names if getattr(options, name) is not None
-    }
+    told = ((name, getattr(options, name)) for name in _DESCRIBED)
+    described = {name: value for name, value in told if value is not None}
     described |= {**arrays, **chosen}
     is_kept = outputs.output and not outputs.is_usd
     kept = Resumption(Path(options.output), described, plan.files) if is_kept else None
@@ -136,7 +139,7 @@ def make_parser() -> Parser:
         "FILE ... [-o skin_####.vtp] [--render film.mp4] [options]",
         wrapped(
             "Skins over particles or images: one for each frame, each from the one before. Files: "
-            f"{', '.join(TARGET_SUFFIXES)}; several, 'p_*.vtp', p_####.vtp, a folder, a .series "
+            f"{' '.join(TARGET_SUFFIXES)}; several, 'p_*.vtp', p_####.vtp, a folder, a .series "
             "or a .pvd are a series."
         ),
         epilog=f"presets:\n{preset_help()}\n\nEvery property of the filter is an option too, as "
@@ -156,6 +159,7 @@ def make_parser() -> Parser:
     more.add_argument(
         "--history", metavar="NAME", help="a .csv of volume, area, pieces, events ..."
     )
+    more.add_argument("--plot", metavar="NAME", help="these as a plot: .png, .svg, .pdf")
     more.add_argument("--quiet", action="store_true", help="no progress")
     add_help(more, properties=True)
     return parser
@@ -167,9 +171,9 @@ def _add_input_options(parser: Parser) -> None:
         "--fps", type=positive, metavar="X", help="frames per second (default: as files say, or 25)"
     )
     add_choice_options(files)
-    files.add_argument(
-        "--minimum-piece", type=whole, metavar="N", help="particles of a piece, at least"
-    )
+    told = "particles of a piece, at least; or its --minimum-volume X"
+    files.add_argument("--minimum-piece", type=whole, metavar="N", help=told)
+    files.add_argument("--minimum-volume", type=positive, help=argparse.SUPPRESS)
     files.add_argument("--frames", type=frame_range, metavar="A:B:C", help="numbers, B included")
     files.add_argument("--preroll", type=whole, metavar="N", help="frames before A, without skins")
     files.add_argument("--output-fps", type=positive, metavar="X", help="frames in between too")

@@ -1,0 +1,142 @@
+"""What has happened to a skin, as a plot or a table."""
+
+from __future__ import annotations
+
+import csv
+import importlib
+from collections.abc import Sequence
+from contextlib import nullcontext, suppress
+from pathlib import Path
+from typing import Any
+
+import numpy
+
+from .file_names import replacing, suffix_of
+from .messages import listening
+from .runner import Sink
+
+PLOT_SUFFIXES = (".png", ".svg", ".pdf")
+_PLOTTED = ("Volume", "Area", "Components")
+
+
+def history(surface: Any) -> dict[str, Any]:
+    """The history of a filter, an array for each column and an entry for each time.
+
+    Parameters
+    ----------
+    surface : vtkActiveImplicitSurface, frames, morph or LiveSurface
+
+    Returns
+    -------
+    dict of str to array
+        Time, Area, Volume, Components, Voids, Event and more; ``pandas.DataFrame(history(live))``
+        is a table of pandas.
+
+    Raises
+    ------
+    ValueError
+        There is no history yet.
+
+    Examples
+    --------
+    >>> import numpy
+    >>> import active_implicit_surfaces as active
+    >>> grid = numpy.stack(numpy.meshgrid(*3 * [numpy.arange(6.0)]), -1).reshape(-1, 3)
+    >>> way = active.frames([grid, grid + 1], fps=10, particle_spacing=1)
+    >>> skins = list(way)
+    >>> active.history(way)["Time"]
+    array([0. , 0.1])
+    """
+    surface = getattr(surface, "surface", surface)
+    with listening(surface) as heard:
+        table = surface.GetHistory()
+    heard.raise_error(ValueError)
+    if table is None or table.GetNumberOfRows() == 0:
+        raise ValueError("There is no history yet; update the surface first.")
+    columns = [table.GetColumn(i) for i in range(table.GetNumberOfColumns())]
+    rows = range(table.GetNumberOfRows())
+    return {one.GetName(): numpy.array([one.GetValue(row) for row in rows]) for one in columns}
+
+
+def plot_history(surface: Any, columns: Sequence[str] = _PLOTTED, axes: Any = None) -> Any:
+    """Plots columns of a filter's history over time, and marks its events.
+
+    Parameters
+    ----------
+    surface : vtkActiveImplicitSurface, frames, morph or LiveSurface
+        What has a history so far.
+    columns : sequence of str
+        Columns of the history: Substeps, MaxSpeed, Area, Volume, ActiveVoxels, Components, Voids,
+        EulerCharacteristic, Outside. Default: Volume, Area, Components.
+    axes : matplotlib axes, optional
+        One for each column. Default: a new figure of matplotlib.
+
+    Returns
+    -------
+    list of axes
+
+    Raises
+    ------
+    ImportError
+        No axes were given, and matplotlib is not there.
+    ValueError
+        There is no such column, or no history.
+    """
+    held = history(surface)
+    if unknown := [name for name in columns if name not in held]:
+        raise ValueError(f"The history has no column {unknown[0]!r}; it has {', '.join(held)}.")
+    if axes is None:
+        rows = _matplotlib("pyplot").subplots(len(columns), 1, sharex=True, squeeze=False)[1]
+        axes = rows[:, 0]
+    drawn = list(axes)
+    if len(drawn) != len(columns):
+        raise ValueError(f"There are {len(drawn)} axes for {len(columns)} columns.")
+    times = held["Time"]
+    events = [(time, text) for time, text in zip(times, held["Event"]) if text]
+    for place, name in zip(drawn, columns):
+        place.plot(times, held[name])
+        place.set_ylabel(name)
+        for time, _ in events:
+            place.axvline(time, linestyle=":", linewidth=0.8, color="gray")
+    if drawn:
+        for time, text in events:
+            height = drawn[0].get_ylim()[1]
+            drawn[0].annotate(text, (time, height), rotation=45, fontsize="small")
+        drawn[-1].set_xlabel("Time")
+    return drawn
+
+
+class HistoryFile(Sink):
+    """Writes a filter's history at the end of a run, also of one that fails.
+
+    As a table, .csv, or with matplotlib as a plot, .png, .svg or .pdf.
+    """
+
+    def __init__(self, path: Path, surface: Any) -> None:
+        self._path, self._surface = path, surface
+        is_plot = suffix_of(path) != ".csv"
+        self._figure = is_plot and _matplotlib("figure").Figure((8.0, 8.0), layout="constrained")
+
+    def __exit__(self, kind: Any, *_: Any) -> None:
+        with suppress(ValueError) if kind else nullcontext():
+            held = history(self._surface)
+            with replacing(self._path) as temporary:
+                if self._figure:
+                    axes = self._figure.subplots(len(_PLOTTED), 1, sharex=True)
+                    plot_history(self._surface, axes=axes)
+                    self._figure.savefig(temporary)
+                    return
+                with temporary.open("w", newline="") as file:
+                    rows = csv.writer(file)
+                    rows.writerow(held)
+                    rows.writerows(zip(*(column.tolist() for column in held.values())))
+
+
+def _matplotlib(part: str) -> Any:
+    try:
+        return importlib.import_module("matplotlib." + part)
+    except ImportError as error:
+        raise ImportError(
+            "Plots need matplotlib, which is not installed (Debian: python3-matplotlib); or give "
+            "plot_history axes of your own, or write the history as a .csv."
+        ) from error
