@@ -45,7 +45,7 @@ def skin(
         How far each particle reaches [length], or the name of an array that tells it.
     strengths : array (n,) or str, optional
         Weight of each particle, or the name of an array; 0 is no particle.
-    preset : {"water", "viscous", "molecule", "paper"}, optional
+    preset : {"viscous", "molecule", "paper"}, optional
         A choice of properties; those that are given besides hold.
     arrays : dict of arrays, optional
         More point arrays; with ``pass_target_arrays=True`` the skin has them.
@@ -108,7 +108,7 @@ class frames(Skins):
         Default: 0.
     output_fps : float, optional
         Skins per second [1/time], frames in between included. Default: at the particles' times.
-    preset : {"water", "viscous", "molecule", "paper"}, optional
+    preset : {"viscous", "molecule", "paper"}, optional
         A choice of properties; those that are given besides hold.
     arrays : dict of str, optional
         Names of the particles' arrays of ``radii`` (reaches), ``ids``, ``strengths``,

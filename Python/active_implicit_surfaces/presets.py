@@ -17,10 +17,9 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkStaticPointLocator
 from .data_objects import finite_points, has_polygons
 
 PRESETS = {
-    "water": "splashes: drops and sheets stay, a pool is smooth",
-    "viscous": "honey, lava, mud: rounder, and steadier in time",
-    "molecule": "atoms as balls that melt together; radii from the elements",
-    "paper": "the paper's own scheme, to compare with",
+    "viscous": "for honey, lava and mud, and for noisy particles: rounder and flatter",
+    "molecule": "for atoms: balls that melt together where they touch; radii from the elements",
+    "paper": "to compare with the paper: its own scheme, of kernels, which shows each particle",
 }
 # The kernel WYVILL, (1 - q^2)^3, is that at q = .7947: reaches little beyond their surface let
 # atoms melt together where they touch, and no further.
@@ -46,7 +45,7 @@ def apply_preset(
         # The speed is in proportion to a sum of kernels, which falls by about 1 over a radius.
         surface.SetAttraction(_STEPS / step * 0.5 * spacing)
     else:
-        _smooth(surface, name, spacing, options.get("attraction"), step)
+        _smooth(surface, spacing, options.get("attraction"), step)
 
 
 def estimate_spacing(cloud: Any) -> float:
@@ -88,12 +87,11 @@ def series_spacing(frames: list[Any]) -> float:
     return min((spacing for spacing in found if spacing > 0), default=0.0)
 
 
-def _smooth(surface: Any, name: str, spacing: float, attraction: float | None, step: float) -> None:
-    steps, share = (_STEPS, 1.0) if name == "water" else (0.5 * _STEPS, 6.0)
-    attraction = steps / step if attraction is None else attraction
+def _smooth(surface: Any, spacing: float, attraction: float | None, step: float) -> None:
+    attraction = 0.5 * _STEPS / step if attraction is None else attraction
     surface.SetParticleModelToAnisotropic()
     surface.SetAttraction(attraction)
-    surface.SetTension(share * attraction * (0.5 * spacing) ** 2)
+    surface.SetTension(6.0 * attraction * (0.5 * spacing) ** 2)
 
 
 def _interval(times: list[float]) -> float:

@@ -39,9 +39,9 @@ class Presets(unittest.TestCase):
 
     def test_the_last_one_holds(self):
         once, _ = splash(VoxelSize=0.12, Attraction=1)
-        paraview_presets.apply("water", once)
+        paraview_presets.apply("viscous", once)
         twice, _ = splash(VoxelSize=0.12, Attraction=1)
-        for name in ("paper", "viscous", "water"):
+        for name in ("paper", "molecule", "viscous"):
             paraview_presets.apply(name, twice)
         self.assertEqual(values_of(twice), values_of(once))
         self.assertEqual(twice.VoxelSize, 0.12)
@@ -63,7 +63,7 @@ class Presets(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "no preset 'oil'"):
             paraview_presets.apply("oil", surface)
         with self.assertRaisesRegex(ValueError, "Select an Active Implicit Surface"):
-            paraview_presets.apply("water", Sphere())
+            paraview_presets.apply("viscous", Sphere())
 
 
 class States(unittest.TestCase):

@@ -270,7 +270,7 @@ class Live(unittest.TestCase):
     def test_pushed_frames_give_the_same_bytes_as_the_finished_series(self):
         moving = moving_grid(6)
         times = list(numpy.cumsum([0.0, 0.1, 0.1, 0.2, 0.1, 0.1]))
-        for options in ({}, SPACING, {"preset": "water"}, {"transport": 0.0}):
+        for options in ({}, SPACING, {"preset": "viscous"}, {"transport": 0.0}):
             with self.subTest(options):
                 if "preset" in options:
                     # A preset knows the usual interval of a series: of the live one, the first dt.

@@ -10,7 +10,7 @@ def count(skin: object) -> int:
     return id(skin)
 
 
-one = active.skin(points, particle_spacing=0.1, preset="water")
+one = active.skin(points, particle_spacing=0.1, preset="viscous")
 for frame in active.frames([points, points], fps=25, arrays={"ids": "id"}):
     seconds: float = frame.time
     count(frame.skin)

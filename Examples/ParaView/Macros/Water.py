@@ -1,5 +1,0 @@
-"""Macro: the preset "water" for the selected Active Implicit Surface."""
-
-from active_implicit_surfaces import paraview_presets
-
-paraview_presets.apply("water")
