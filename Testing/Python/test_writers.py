@@ -287,11 +287,11 @@ class Program(CommandTest):
             for name in ("Velocity", "MeanCurvature", "heat"):
                 self.assertIn(name, said)
 
-    def test_what_falls_along_z_stands_upright(self):
+    def test_what_is_up_in_a_glb(self):
         def rotation(name):
             return read_glb(self.folder / name)[1]["nodes"][0].get("rotation")
 
-        self.skin("s_#.glb")
+        self.skin("s_#.glb", "--up", "z")
         for step in range(4):
             self.assertLess(rotation(f"s_{step}.glb")[0], 0, "z becomes y")
         self.skin("t_#.glb", "--up", "y")

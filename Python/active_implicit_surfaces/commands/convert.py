@@ -45,7 +45,7 @@ from .effects import check_effects
 from .options import Parser, add_choice_options, add_help, add_up_option, positive, wrapped
 from .outputs import each_label
 from .progress import Progress
-from .upward import lie
+from .view import lie
 
 _FOG_LEVEL = 0.5
 _MESHES = (*MESH_WRITERS, *USD_SUFFIXES)

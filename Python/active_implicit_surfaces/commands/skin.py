@@ -189,7 +189,7 @@ def _find_view(options: Any, files: Any, kept: Resumption | None) -> tuple[Any, 
     if kept and kept.view:
         return numpy.array(kept.view[0]), str(kept.view[1])
     reaches = "reach" if options.preset == "molecule" else options.radii
-    held, up = find_view(files, reaches, options.ids, options.velocities)
+    held, up = find_view(files, reaches)
     if kept:
         kept.view = [held.tolist(), up]
     return held, up

@@ -9,39 +9,32 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ..presets import estimate_spacing
-from .upward import Fall, lie
 
-_FRAMES, _RUNS = 64, 8  # frames that are looked at, and places where those after them are too
+_FRAMES = 64  # of a series that are read
+_LOWER, _FLATTER = 0.05, 1.5  # of the box: by how much of it, by what factor
 _STRAYS, _ROOM = 0.005, 0.25  # share of particles at each side; by how much they may make it larger
 _SAMPLED = 2000  # particles of a frame among which it is looked for strays
 
 
-def find_view(
-    files: Any,
-    reaches: str | None = None,
-    ids: str | None = None,
-    velocities: str | None = None,
-) -> tuple[Any, str]:
-    """Points around all particles of a series, and the axis that points up, as "y" or "-z".
+def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
+    """Points around all particles of a series, and the axis that points up, y or z.
 
     Of each frame those points count that are farthest in 26 directions. Strays, as drops that fly
     off, are held only as far as the rest does not become small.
 
-    Up is against the acceleration of what falls freely (`Fall`). Where nothing does, it is the one
-    of y and z along which the particles lie low in their box, on the average of the series; else
-    the one along which the box is flat; else z. Of images it is z, and their box is in view.
+    Up is as `lie` says of the average of the series. Of images it is z, and their box is in view.
     """
     axis = numpy.array([-1.0, 0.0, 1.0])
     ways = numpy.stack(numpy.meshgrid(axis, axis, axis), -1).reshape(-1, 3).T
     if files.kind == "vtkImageData":
         corners = product(*numpy.reshape(files.load(0).GetBounds(), (3, 2)))
         return numpy.array(list(corners)), "z"
-    outermost, sampled, means, fall = [], [], [], Fall(ids, velocities)
-    for step in _steps(len(files)):
+    outermost, sampled, means = [], [], []
+    last = len(files) - 1
+    for step in sorted({round(i * last / (_FRAMES - 1)) for i in range(_FRAMES)}):
         cloud = files.load(step)
         if cloud.GetNumberOfPoints() == 0:
             continue
-        fall.add(step, files.times[step], cloud)
         points = vtk_to_numpy(cloud.GetPoints().GetData())
         points = points[numpy.isfinite(points).all(axis=1)]
         if len(points):
@@ -53,18 +46,17 @@ def find_view(
     held = _without_strays(numpy.concatenate(outermost), numpy.concatenate(sampled))
     low, high = held.min(axis=0), held.max(axis=0)
     margin = max(0.02 * float((high - low).max()), _own_size(files.load(0), reaches), 1e-30)
-    up = fall.up() or lie(low - margin, high + margin, numpy.mean(means, axis=0))
+    up = lie(low - margin, high + margin, numpy.mean(means, axis=0))
     return numpy.concatenate([held - margin, held + margin]), up
 
 
-def _steps(count: int) -> list[int]:
-    """The steps that are looked at."""
-    if count <= _FRAMES:
-        return list(range(count))
-    steps = set(numpy.linspace(0, count - 1, _FRAMES).astype(int).tolist())
-    for first in numpy.linspace(0, count - 3, _RUNS).astype(int).tolist():
-        steps.update(range(first, first + 3))
-    return sorted(steps)
+def lie(low: Any, high: Any, mean: Any) -> str:
+    """The one of y and z along which particles lie low in their box, or flat; z if neither."""
+    sides = high - low
+    place = (mean - low) / numpy.maximum(sides, 1e-300)
+    if abs(place[1] - place[2]) >= _LOWER:
+        return "y" if place[1] < place[2] else "z"
+    return "y" if sides[2] >= _FLATTER * sides[1] else "z"
 
 
 def _without_strays(outermost: Any, sampled: Any) -> Any:
