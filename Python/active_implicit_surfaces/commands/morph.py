@@ -65,7 +65,7 @@ def make_parser() -> Parser:
         "the end of the duration. What only one of the shapes has grows, or shrinks.\n"
         + wrapped(f"Closed meshes and images: {', '.join(MESH_SUFFIXES)}."),
         epilog="Every property of the filter is an option too, as --number-of-threads 1:\n"
-        "--help-properties, or --help all.",
+        "--help-properties.",
     )
     parser.add_argument("first", metavar="FIRST", help=argparse.SUPPRESS)
     parser.add_argument("last", metavar="LAST", help=argparse.SUPPRESS)

@@ -61,18 +61,6 @@ def _about_unknown(word: str, parser: argparse.ArgumentParser) -> str:
     return f"there is no option {word}{hint}".rstrip("?")
 
 
-class _Help(argparse.Action):
-    """--help tells the common options, --help all the properties too."""
-
-    def __call__(self, parser: Any, namespace: Any, values: Any, option: Any = None) -> None:
-        if values not in (None, "all"):
-            parser.error(f"--help is alone, or followed by all, not by {values}")
-        parser.print_help()
-        if values == "all":
-            print("\n" + properties_help())
-        parser.exit()
-
-
 class _HelpProperties(argparse.Action):
     def __call__(self, parser: Any, namespace: Any, values: Any, option: Any = None) -> None:
         print(properties_help())
@@ -99,10 +87,8 @@ def add_property_options(parser: Parser, shown: Sequence[str] = ()) -> None:
 
 
 def add_help(group: Any, properties: bool = False) -> None:
-    """--help, which takes the word all, and --help-properties."""
-    group.add_argument(
-        "-h", "--help", nargs="?", metavar="all", action=_Help, help="tell this, or everything"
-    )
+    """--help and --help-properties."""
+    group.add_argument("-h", "--help", action="help", help="print this")
     if properties:
         group.add_argument(
             "--help-properties", nargs=0, action=_HelpProperties, help=argparse.SUPPRESS
