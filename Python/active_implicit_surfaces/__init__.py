@@ -8,7 +8,8 @@ skin(particles)          the skin over particles, as they are
 frames(series)           the skins over a series of particles, one after the other
 morph(a, b, duration)    one shape becomes another
 LiveSurface              a skin that follows a simulation as it runs
-ParticleSeries, temporal_source, history, plot_history
+ParticleSeries           particles or images over time, a source of a pipeline
+history, plot_history    what has happened to a skin
 """
 
 import importlib
@@ -65,7 +66,6 @@ _FUNCTIONS = {
     "morph": "morphing",
     "plot_history": "histories",
     "skin": "api",
-    "temporal_source": "series",
 }
 
 

@@ -10,7 +10,6 @@ from .messages import ActiveSurfaceWarning as ActiveSurfaceWarning
 from .morphing import morph as morph
 from .runner import Frame as Frame
 from .series import ParticleSeries as ParticleSeries
-from .series import temporal_source as temporal_source
 
 __version__: str
 

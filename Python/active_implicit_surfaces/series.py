@@ -1,9 +1,9 @@
 """Particles over time as sources of a VTK pipeline.
 
 >>> import numpy
->>> from active_implicit_surfaces import temporal_source, vtkActiveImplicitSurface
+>>> from active_implicit_surfaces import ParticleSeries, vtkActiveImplicitSurface
 >>> grid = numpy.stack(numpy.meshgrid(*3 * [numpy.arange(6.0)]), -1).reshape(-1, 3)
->>> source = temporal_source(lambda time: grid + [time, 0, 0], times=[0, 0.5, 1])
+>>> source = ParticleSeries(lambda time: grid + [time, 0, 0], times=[0, 0.5, 1])
 >>> surface = vtkActiveImplicitSurface()
 >>> surface.SetInputConnection(source.GetOutputPort())
 >>> surface.SetParticleSpacing(1)
@@ -211,53 +211,29 @@ class ParticleSeries(TemporalSource):
         return len(self.times)
 
 
-def temporal_source(function: Callable[[float], Any], times: Sequence[float]) -> TemporalSource:
-    """A source whose output at each of the times is what a function makes of it.
-
-    Parameters
-    ----------
-    function : callable(float)
-        Gives particles as `as_particles` takes them, or a vtkPolyData or vtkImageData; all of one
-        kind.
-    times : sequence of float
-        Increasing [time].
-
-    Returns
-    -------
-    TemporalSource
-        A VTKPythonAlgorithmBase, for any filter's SetInputConnection.
-
-    Raises
-    ------
-    ValueError
-        Times that do not increase, or none.
-    """
-    own = check_times(times)
-    first = function(own[0])
-    kind = "vtkImageData" if is_vtk(first) and first.IsA("vtkImageData") else "vtkPolyData"
-    return TemporalSource(lambda step: function(own[step]) if step else first, own, kind)
-
-
 def _loader(
     frames: Any, times: Sequence[float] | None, fps: float | None
 ) -> tuple[Callable[[int], Any], Sequence[float], str]:
     """The function that gives a step, the times, and the class of the data."""
-    kind = "vtkPolyData"
     if callable(frames):
         if times is None:
             raise TypeError("A function of time needs `times`.")
-        own = list(times)
-        return lambda step: frames(own[step]), own, kind
+        own = check_times(times)
+        first = frames(own[0])
+        return lambda step: frames(own[step]) if step else first, own, _kind_of(first)
     if isinstance(frames, (str, Path)) or _are_paths(frames):
         files = open_particles(frames, fps=fps, times=times)
         return files.load, files.times, files.kind
     held = frames if isinstance(frames, Sequence) or hasattr(frames, "shape") else list(frames)
     if times is not None and len(times) != len(held):
         raise ValueError(f"There are {len(times)} times for {len(held)} frames.")
-    if len(held) and is_vtk(held[0]) and held[0].IsA("vtkImageData"):
-        kind = "vtkImageData"
     own = times_at(range(len(held)), fps) if times is None else list(times)
-    return held.__getitem__, own, kind
+    return held.__getitem__, own, _kind_of(held[0] if len(held) else None)
+
+
+def _kind_of(data: Any) -> str:
+    is_image = is_vtk(data) and data.IsA("vtkImageData")
+    return "vtkImageData" if is_image else "vtkPolyData"
 
 
 def _are_paths(frames: Any) -> bool:

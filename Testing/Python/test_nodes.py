@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 import numpy
-from active_implicit_surfaces import temporal_source, vtkActiveImplicitSurface
+from active_implicit_surfaces import ParticleSeries, vtkActiveImplicitSurface
 from active_implicit_surfaces.data_objects import as_particles
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkSphere
@@ -38,7 +38,7 @@ def skin_of(function, steps=LAST + 1, voxel=R, **properties):
         return as_particles(points, ids=ids)
 
     surface = vtkActiveImplicitSurface()
-    source = temporal_source(particles, range(steps))
+    source = ParticleSeries(particles, times=range(steps))
     surface.SetInputConnection(source.GetOutputPort())
     surface.source = source
     surface.SetInputArrayToProcess(1, 0, 0, 0, "id")

@@ -205,7 +205,7 @@ class Series(unittest.TestCase):
             "list": [list(moving)],
             "generator": [frame for frame in moving],
             "series": active.ParticleSeries(moving, fps=10),
-            "source": active.temporal_source(lambda time: moving[round(10 * time)], times),
+            "source": active.ParticleSeries(lambda time: moving[round(10 * time)], times=times),
         }
         self.assertEqual(self.centres(list(moving), times=times), wanted)
         self.assertEqual(self.centres((frame for frame in moving), fps=10), wanted)

@@ -19,7 +19,6 @@ FUNCTIONS = {
     "morph": PUBLIC["morph"],
     "history": PUBLIC["history"],
     "plot_history": PUBLIC["plot_history"],
-    "temporal_source": PUBLIC["temporal_source"],
     "ParticleSeries": PUBLIC["ParticleSeries"],
     "TemporalSource": TemporalSource,
     "render.write_exr": render.write_exr,

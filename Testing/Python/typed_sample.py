@@ -20,6 +20,6 @@ live = active.LiveSurface(particle_spacing=0.1)
 count(live.advance(points, 0.04))
 last: float | None = live.time
 series = active.ParticleSeries([points, points], fps=25)
-source = active.temporal_source(lambda time: points + time, [0.0, 1.0])
+source = active.ParticleSeries(lambda time: points + time, times=[0.0, 1.0])
 surface = active.vtkActiveImplicitSurface()
 version: str = active.__version__
