@@ -118,7 +118,7 @@ public:
 
   ///@{
   /**
-   * Memory [MiB] for the states that are kept: about 3.3 bytes per active voxel each. When it ends,
+   * Memory [MiB] for the states that are kept: 5 to 8 bytes per active voxel each. When it ends,
    * those go that leave the smallest gaps. Does not restart the motion. Range: >= 0. Default: 256.
    */
   vtkSetClampMacro(CheckpointMemory, int, 0, VTK_INT_MAX);
