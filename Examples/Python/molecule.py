@@ -9,7 +9,8 @@ from active_implicit_surfaces.data_objects import as_particles
 from film_strip import colored, output_folder, skin_actor, write_film_strip
 
 FRAMES = 25
-REACHES = 1.05 * np.repeat([1.7, 1.1], [6, 12])  # of carbon and hydrogen [angstrom]
+# Five sixths of the van der Waals radii of carbon and hydrogen [angstrom].
+RADII = 0.834 * np.repeat([1.7, 1.1], [6, 12])
 IDS = np.arange(18)
 COLORS = np.repeat(np.array([[90, 95, 105], [235, 238, 240]], np.uint8), [6, 12], axis=0)
 
@@ -31,7 +32,7 @@ def atoms(pucker):
 
 folder, pictures = output_folder(__doc__), []
 puckers = 0.25 * np.cos(np.linspace(0, np.pi, FRAMES))
-series = [as_particles(atoms(pucker), ids=IDS, reach=REACHES, Color=COLORS) for pucker in puckers]
+series = [as_particles(atoms(pucker), ids=IDS, radii=RADII, Color=COLORS) for pucker in puckers]
 options = {"preset": "molecule", "voxel_size": 0.15, "pass_target_arrays": True}
 for _, skin in active.frames(series, fps=25, **options):
     pictures.append([colored(skin_actor(skin), "Color")])

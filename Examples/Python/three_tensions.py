@@ -22,7 +22,7 @@ for tension in TENSIONS:
     surface = vtkActiveImplicitSurface()
     surface.SetInputData(particles.GetOutput())
     surface.SetParticleModelToSum()
-    surface.SetParticleRadius(3 * RADIUS)
+    surface.SetKernelRadius(3 * RADIUS)
     surface.SetTensionWeighting(False)  # tension everywhere, as in the paper
     surface.SetVoxelSize(RADIUS / 2)
     surface.SetTension(tension * RADIUS**2)  # Attraction is 1

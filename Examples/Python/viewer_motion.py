@@ -8,7 +8,7 @@ from active_implicit_surfaces.series import TemporalSource
 # Property: least, greatest and first value of its slider, and what 1 on the slider stands for.
 SLIDERS = {
     "particle_spacing": (0.5, 2.0, 1.0, lambda v: v["estimated_spacing"]),
-    "particle_radius": (1.5, 4.0, 2.25, lambda v: v["particle_spacing"]),
+    "kernel_radius": (1.5, 4.0, 2.25, lambda v: v["particle_spacing"]),
     "voxel_size": (0.5, 4.0, 1.0, lambda v: 0.5 * v["particle_spacing"]),
     "attraction": (0.25, 12.0, 6.0, lambda v: 1.0 / v["interval"]),
     "transport": (0.0, 1.0, 1.0, lambda v: 1.0),

@@ -25,7 +25,7 @@ surface = vtkActiveImplicitSurface()
 surface.SetInputConnection(particles.GetOutputPort())
 surface.SetTimeScale(SECONDS_PER_STEP)  # the file's time steps are numbered 0, 1, 2 ...
 surface.SetVoxelSize(0.03)
-surface.SetParticleRadius(0.17)
+surface.SetKernelRadius(0.17)
 surface.SetParticleThreshold(0.7)
 surface.SetAttraction(100)
 surface.ComputeVelocityOn()

@@ -1,4 +1,4 @@
-// So many particles in one place that to look at the neighbours of each would take hours.
+// A crowd: particles in one place, too many to visit the neighbours of each.
 
 #ifndef ParticleCrowd_h
 #define ParticleCrowd_h
@@ -8,9 +8,9 @@
 namespace activesurface
 {
 
-// Of fewer particles each may have all as neighbours; else so many on the average, a hundred times
-// what is usual, are refused: each is visited for each, so that it would take hours. They are
-// counted for a sample.
+// FewParticles may be neighbours of each other. Among more, MostNeighbours on the average, a
+// hundred times the usual number, are refused: each is visited for each, which would take hours.
+// Neighbours are counted for a sample.
 constexpr std::size_t FewParticles = 30000;
 constexpr std::size_t MostNeighbours = 20000;
 constexpr std::size_t ParticlesOfSample = 256;

@@ -37,9 +37,8 @@ void CheckPlace(double place)
 
 double ParticleNodes::GetOwnRadius(const SkeletonVertex& particle) const
 {
-  return this->Options.OwnRadius > 0.0
-    ? this->Options.OwnRadius
-    : particle.Radius / (2.0 * GetReachPerSpacing(this->Options.Model));
+  return this->Options.OwnRadius > 0.0 ? this->Options.OwnRadius
+                                       : particle.Radius / this->Options.ReachPerRadius;
 }
 
 void ParticleNodes::Build(const NodeParticles& given, const NodeParticleOptions& options)
@@ -75,7 +74,7 @@ void ParticleNodes::Build(const NodeParticles& given, const NodeParticleOptions&
   this->FindFits(given);
 }
 
-// How far the skin of balls and bodies is beyond the own radius, in the largest own radius.
+// Distance of the skin of balls and bodies beyond the own radius, in the largest own radius.
 double ParticleNodes::FindBeyond() const
 {
   double loss = 0.0, most = 0.0;

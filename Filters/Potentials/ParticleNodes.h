@@ -35,7 +35,8 @@ struct NodeParticleOptions
 {
   ParticleModel Model = ParticleModel::Anisotropic;
   double VoxelSize = 1.0;
-  double OwnRadius = 0.0;  // [length]; 0: the particle's radius over twice GetReachPerSpacing
+  double OwnRadius = 0.0; // [length]; 0: the particle's reach over ReachPerRadius
+  double ReachPerRadius = 4.5;
   double Anisotropy = 4.0; // largest ratio of an ellipsoid's axes
   bool WantsBulks = true;  // else all particles count as in a body
   double Duration = 0.0;   // by which velocities are multiplied

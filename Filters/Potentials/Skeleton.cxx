@@ -87,4 +87,35 @@ std::vector<SkeletonVertex> Skeleton::ListPoints() const
   return vertices;
 }
 
+namespace
+{
+
+double ValueOf(SkeletonKernel kernel, double q2)
+{
+  switch (kernel)
+  {
+    case SkeletonKernel::CubicSpline:
+      return CubicSplineKernel::At(q2).Value;
+    case SkeletonKernel::Metaball:
+      return MetaballKernel::At(q2).Value;
+    case SkeletonKernel::Wyvill:
+      break;
+  }
+  return WyvillKernel::At(q2).Value;
+}
+
+}
+
+double FindRadiusOfLevel(SkeletonKernel kernel, double level)
+{
+  double near = 0.0, far = 1.0;
+  constexpr int halvings = 52;
+  for (int i = 0; i < halvings; ++i)
+  {
+    const double q = 0.5 * (near + far);
+    (ValueOf(kernel, q * q) > level ? near : far) = q;
+  }
+  return 0.5 * (near + far);
+}
+
 }

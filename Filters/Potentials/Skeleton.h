@@ -35,6 +35,10 @@ struct SkeletonWeight
   double Weight;
 };
 
+// Distance from an element of strength 1, over its reach, at which its kernel falls to a level in
+// ]0,1[: the radius of the ball or tube that it makes without neighbours.
+VTKACTIVEPOTENTIALS_EXPORT double FindRadiusOfLevel(SkeletonKernel kernel, double level);
+
 class VTKACTIVEPOTENTIALS_EXPORT Skeleton
 {
 public:

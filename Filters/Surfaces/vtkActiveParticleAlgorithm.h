@@ -40,7 +40,7 @@ public:
    * Usual distance of neighbouring particles [length], 2 r: the side of the cube that a particle
    * fills. Range: >= 0; 1e-30 to 1e30, or 0, which is the median distance of a particle to its
    * third nearest at the first time step with particles, with a warning that says the value (or,
-   * where ParticleRadius or an array of radii is given, the spacing that belongs to that reach).
+   * where KernelRadius or an array of radii is given, the spacing that belongs to it).
    * Default: 0.
    */
   vtkSetClampMacro(ParticleSpacing, double, 0.0, VTK_DOUBLE_MAX);
@@ -49,13 +49,15 @@ public:
 
   ///@{
   /**
-   * Reach of a particle, or of a line of a skeleton [length]: the distance at which its influence
-   * ends, where no array of radii is chosen. Wider is smoother and slower. Range: >= 0; 1e-30 to
-   * 1e30, or 0, which is 2 (SUM, and lines), 3 (AVERAGED_CENTRE) or 2.25 (ANISOTROPIC) times
-   * ParticleSpacing. Default: 0.
+   * Radius of the kernel of a particle, or of a line of a skeleton [length]: the distance at which
+   * its influence ends, where no array of radii is chosen. Wider is smoother and slower. (An array
+   * of radii holds those of balls and tubes, which the skin shows where nothing else is near:
+   * kernels end at 4.5 (ANISOTROPIC) or 6 (AVERAGED_CENTRE) times that; with SUM they end where
+   * they give this ball.) Range: >= 0; 1e-30 to 1e30, or 0, which is 2 (SUM, and lines), 3
+   * (AVERAGED_CENTRE) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: 0.
    */
-  vtkSetClampMacro(ParticleRadius, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(ParticleRadius, double);
+  vtkSetClampMacro(KernelRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(KernelRadius, double);
   ///@}
 
   ///@{
@@ -135,7 +137,7 @@ private:
 
   int ParticleModel = ANISOTROPIC;
   double ParticleSpacing = 0.0;
-  double ParticleRadius = 0.0;
+  double KernelRadius = 0.0;
   double Anisotropy = 4.0;
   int ParticleKernel = 0;
   double ParticleThreshold = 0.5;

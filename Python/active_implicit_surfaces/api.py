@@ -42,7 +42,7 @@ def skin(
     particles : array (n, 3), vtkPointSet, or an object with `points` or `vertices`
         PyVista's and meshio's, and trimesh's; all points count, cells do not.
     radii : array (n,) or str, optional
-        How far each particle reaches [length], or the name of an array that tells it.
+        Radius of each particle [length], which its ball shows; or the name of an array.
     strengths : array (n,) or str, optional
         Weight of each particle, or the name of an array; 0 is no particle.
     preset : {"viscous", "molecule", "paper"}, optional
@@ -111,7 +111,7 @@ class frames(Skins):
     preset : {"viscous", "molecule", "paper"}, optional
         A choice of properties; those that are given besides hold.
     arrays : dict of str, optional
-        Names of the particles' arrays of ``radii`` (reaches), ``ids``, ``strengths``,
+        Names of the particles' arrays of ``radii`` (of balls), ``ids``, ``strengths``,
         ``velocities``. Default: as ids an array that is called id, ids, particle_id, particleid or
         pid, in small or capital letters; of the others none.
     progress : callable(int, int), optional
@@ -317,7 +317,7 @@ def _settle_spacing(
     """Chooses a spacing if the first frame does not tell it; warns of a given one that is off."""
     first = frames[0]
     own = series_spacing(frames)
-    if not (surface.GetParticleSpacing() or surface.GetParticleRadius() or has_radii):
+    if not (surface.GetParticleSpacing() or surface.GetKernelRadius() or has_radii):
         is_same = 0 < (estimated := estimate_spacing(first)) <= _SAME * own
         if own > 0 and not (is_same and first is source.frame(0)):
             # A part of a series has the spacing that the filter finds for the whole.
@@ -328,7 +328,7 @@ def _settle_spacing(
 
 def _describe_lengths(surface: Any, own: float) -> list[str]:
     """Sentences about a spacing or radius that does not fit the distance of neighbours."""
-    spacing, radius = surface.GetParticleSpacing(), surface.GetParticleRadius()
+    spacing, radius = surface.GetParticleSpacing(), surface.GetKernelRadius()
     if spacing and not 1 / _FAR <= spacing / own <= _FAR:
         return [
             f"particle_spacing is {spacing:g}, but most neighbours are {own:g} apart: a skin falls "
@@ -336,9 +336,9 @@ def _describe_lengths(surface: Any, own: float) -> list[str]:
         ]
     if radius and not spacing and radius < _LEAST_REACH * own:
         return [
-            f"particle_radius, the reach of a particle's kernel, is {radius:g}, but most "
-            f"neighbours are {own:g} apart, so that few are reached. If {radius:g} is the "
-            f"particles' own radius or spacing, give particle_spacing {own:g} instead."
+            f"kernel_radius is {radius:g}, but most neighbours are {own:g} apart, so that few are "
+            f"reached. If {radius:g} is the particles' own radius or spacing, give "
+            f"particle_spacing {own:g} instead."
         ]
     return []
 

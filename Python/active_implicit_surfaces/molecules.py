@@ -127,14 +127,12 @@ def _cell_of(pairs: dict[str, str]) -> dict[str, Any]:
 
 
 def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:
-    """Atomic numbers, and the reaches with which a lone atom has its van der Waals radius.
+    """Atomic numbers and van der Waals radii.
 
     Symbols are elements, or names of atoms if `are_names` or if one of them is no element. The
     length `unit` is an Angstrom.
     """
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
-
-    from .presets import REACH_OF_ATOM
 
     table = vtkPeriodicTable()
     listed = [frame.pop("symbols", None) for frame in frames]
@@ -152,8 +150,7 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
         if own is not None and (are_known or not found):
             numbers = [found[symbol] for symbol in own]
             frame["atomic_number"] = numpy.array(numbers, dtype="u1")
-            reaches = [unit * REACH_OF_ATOM * radii[number] for number in numbers]
-            frame["reach"] = numpy.array(reaches, dtype="f4")
+            frame["radius"] = unit * numpy.array([radii[n] for n in numbers], dtype="f4")
     if unknown:
         effect = "have the radius 0" if are_known else "all have a radius by their distance"
         warn_all(

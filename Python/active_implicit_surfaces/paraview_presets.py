@@ -17,7 +17,7 @@ from .series import TemporalSource
 
 _RADIUS = 0  # of SetInputArrayToProcess
 # What presets set, but users too, for themselves: it stays when another preset is chosen.
-_LENGTHS = {"VoxelSize", "ParticleRadius", "RadiusArray"}
+_LENGTHS = {"VoxelSize", "KernelRadius", "RadiusArray"}
 
 
 def apply(name: str, surface: Any = None) -> dict[str, Any]:

@@ -105,8 +105,8 @@ def _melt_atoms(surface: Any, source: Any, options: Mapping[str, Any]) -> None:
     surface.SetParticleModelToSum()
     surface.SetParticleThreshold(ATOM_LEVEL)
     surface.SetVoxelSize(spacing / 3.0)
-    if first.GetPointData().GetArray("reach") is not None:
+    if first.GetPointData().GetArray("radius") is not None:
         points = vtkDataObject.FIELD_ASSOCIATION_POINTS
-        surface.SetInputArrayToProcess(0, 0, 0, points, "reach")
-    elif not {"particle_radius", "particle_spacing"} & set(options):
-        surface.SetParticleRadius(1.3 * REACH_OF_ATOM * spacing)  # atoms overlap
+        surface.SetInputArrayToProcess(0, 0, 0, points, "radius")
+    elif not {"kernel_radius", "particle_spacing"} & set(options):
+        surface.SetKernelRadius(1.3 * REACH_OF_ATOM * spacing)  # atoms overlap

@@ -286,7 +286,7 @@ void GrowWithParticles(double count, int frames)
   vtkNew<vtkActiveImplicitSurface> surface;
   surface->SetNumberOfThreads(1);
   surface->SetVoxelSize(0.02);
-  surface->SetParticleRadius(2.0 * spacing);
+  surface->SetKernelRadius(2.0 * spacing);
   surface->SetAttraction(20.0);
   const double bounds[6] = { -1.4, 1.4, -1.4, 1.4, -1.4, 1.4 };
   surface->SetModelBounds(bounds);

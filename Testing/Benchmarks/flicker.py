@@ -111,7 +111,7 @@ def skin(places, attraction, tension, cfl):
     surface.SetTransport(0)
     surface.TensionWeightingOff()
     surface.AutomaticAttractionOff()
-    surface.SetParticleRadius(RADIUS)
+    surface.SetKernelRadius(RADIUS)
     surface.SetParticleThreshold(THRESHOLD)
     surface.SetModelBounds(BOUNDS)
     surface.SetVoxelSize(VOXEL)

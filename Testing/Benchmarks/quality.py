@@ -46,7 +46,7 @@ PICTURED = {"pool": 11, "splash": 10, "dam": 14, "fountain": 32, "rain": 24, "sh
 VIEW = (0.4, 0.5, 1.0)
 COMMON = [
     "defaults:",
-    "coat_particles: ParticleRadius=3.4r ParticleThreshold=0.7 Attraction=100",
+    "coat_particles: KernelRadius=3.4r ParticleThreshold=0.7 Attraction=100",
 ]
 
 

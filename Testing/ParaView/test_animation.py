@@ -53,7 +53,7 @@ OTHER_VALUES = {
     "PaperScheme": 1,
     "ParticleKernel": 2,
     "ParticleModel": 0,
-    "ParticleRadius": 0.2,
+    "KernelRadius": 0.2,
     "ParticleSpacing": 0.07,
     "ParticleThreshold": 0.5,
     "PassTargetArrays": 1,

@@ -39,7 +39,7 @@ ELSEWHERE = {
         "Controller",
         "Anisotropy",
         "ParticleModel",
-        "ParticleRadius",
+        "KernelRadius",
         "ParticleSpacing",
         "ParticleKernel",
         "ParticleThreshold",

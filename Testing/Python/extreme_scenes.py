@@ -114,7 +114,7 @@ def particles():
     data.SetPoints(points)
     surface = make_surface()
     surface.SetInputData(data)
-    surface.SetParticleRadius(0.8)
+    surface.SetKernelRadius(0.8)
     return surface
 
 
@@ -122,7 +122,7 @@ def skeleton():
     source = vtkLineSource()
     surface = make_surface()
     surface.SetInputConnection(source.GetOutputPort())
-    surface.SetParticleRadius(0.8)
+    surface.SetKernelRadius(0.8)
     return surface
 
 
@@ -174,8 +174,8 @@ SCENES = {
     raw: "Attraction TargetIsoValue",
     at_nodes: "Attraction TargetIsoValue TargetReach",
     in_a_box: "Attraction TargetIsoValue VoxelSize",
-    particles: "ParticleRadius ParticleSpacing Anisotropy VoxelSize TargetIsoValue",
-    skeleton: "ParticleRadius ParticleThreshold ParticleKernel VoxelSize TargetIsoValue",
+    particles: "KernelRadius ParticleSpacing Anisotropy VoxelSize TargetIsoValue",
+    skeleton: "KernelRadius ParticleThreshold ParticleKernel VoxelSize TargetIsoValue",
     mesh: "MeshThickness TargetReach TargetIsoValue",
     open_mesh: "MeshThickness TargetReach TargetIsoValue VoxelSize",
     image: "TargetIsoValue TargetReach VoxelSize",

@@ -35,7 +35,7 @@ class Motion:
         self.places[-3:] += draw.uniform(-3, 3, 3)
         self.ways = 0.15 * draw.normal(size=3) + 0.03 * draw.normal(size=(count, 3))
         self.share = draw.choice([0.0, 0.05, 0.3])  # of those that are not there at a step
-        self.radii = 3 * SPACING * draw.uniform(0.7, 1.4, count)
+        self.radii = 2 / 3 * SPACING * draw.uniform(0.7, 1.4, count)
         self.radii[0] *= draw.choice([1.0, 6.0])
 
     def __call__(self, step):

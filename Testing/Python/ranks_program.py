@@ -132,7 +132,7 @@ def skeleton(ranks, keeper, folder):
     segments = vtkPolyData()
     segments.SetPoints(points)
     segments.SetLines(lines)
-    surface = make_surface(voxel=0.05, ParticleRadius=0.3)
+    surface = make_surface(voxel=0.05, KernelRadius=0.3)
     surface.SetInputDataObject(0, segments)
     keeper.update("skeleton_0.2", surface, 0.2)
 

@@ -186,7 +186,7 @@ def walls_around_a_function(contents):
 
 @run("walls")
 def walls_around_particles(contents):
-    surface = make(cloud(scattered(40)), BoundedDomain=1, ParticleRadius=0.5)
+    surface = make(cloud(scattered(40)), BoundedDomain=1, KernelRadius=0.5)
     surface.SetModelBounds(-0.4, 0.5, -0.33, 0.33, -0.5, 0.4)
     follow(contents, surface, 0.0, 0.3)
 
@@ -213,7 +213,7 @@ def rest_is_cut_off(contents):
 
 @run("rest")
 def rest_of_particles(contents):
-    rest(contents, make(cloud(scattered(40)), ball(0.6), ParticleRadius=0.45))
+    rest(contents, make(cloud(scattered(40)), ball(0.6), KernelRadius=0.45))
 
 
 @run("rest")
@@ -222,11 +222,11 @@ def rest_of_a_part_while_another_moves(contents):
         return cloud([(-0.6, 0, 0), (0.5, way, 0)])
 
     target = Steps({float(i): balls(0.05 * i) for i in range(5)})
-    follow(contents, make(target, ParticleRadius=0.8), 2.0, 4.0)
+    follow(contents, make(target, KernelRadius=0.8), 2.0, 4.0)
 
 
 def back_and_forth(contents, **properties):
-    surface = make(births_and_deaths(), arrays={1: "name"}, ParticleRadius=0.35, **properties)
+    surface = make(births_and_deaths(), arrays={1: "name"}, KernelRadius=0.35, **properties)
     follow(contents, surface, 2.0, 0.4, 1.0, 1.5, 0.0, 1.0, 2.0)
 
 
@@ -258,7 +258,7 @@ def times_outside_and_in_between(contents):
 @run("times")
 def times_added_in_situ(contents):
     source = Steps({float(i): cloud([(0.1 * i, 0, 0), (0, 0.1 * i, 0)]) for i in range(2)})
-    surface = make(source, ParticleRadius=0.6)
+    surface = make(source, KernelRadius=0.6)
     surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
     follow(contents, surface, 1.0)
     source.steps[2.0] = cloud([(0.25, 0, 0), (0, 0.25, 0)])

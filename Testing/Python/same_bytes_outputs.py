@@ -40,7 +40,7 @@ def decorated(way):
 
 def moving_particles(**properties):
     target = Steps({float(i): decorated(0.1 * i) for i in range(3)})
-    return make(target, arrays={1: "name"}, ParticleRadius=0.4, **properties)
+    return make(target, arrays={1: "name"}, KernelRadius=0.4, **properties)
 
 
 @run("outputs")
@@ -81,7 +81,7 @@ def potential_image(contents):
 
 @run("outputs")
 def potential_image_in_default_bounds(contents):
-    surface = make(cloud(scattered(30)), ParticleRadius=0.4)
+    surface = make(cloud(scattered(30)), KernelRadius=0.4)
     surface.Update(1)
     contents.image(surface.GetPotential())
     contents.image(surface.GetOutputDataObject(1))
@@ -178,7 +178,7 @@ def state_is_taken_up_by_another_filter(contents):
 @run("states")
 def state_of_particles(contents):
     def particles():
-        return make(births_and_deaths(), arrays={1: "name"}, ParticleRadius=0.35)
+        return make(births_and_deaths(), arrays={1: "name"}, KernelRadius=0.35)
 
     first = particles()
     first.UpdateTimeStep(1.3)  # the state is that of 1

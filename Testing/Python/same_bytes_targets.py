@@ -36,14 +36,14 @@ def moved(positions, way):
 
 @run("targets")
 def particles(contents):
-    follow(contents, make(cloud(scattered(40)), ParticleRadius=0.4), 0.0, 0.3)
+    follow(contents, make(cloud(scattered(40)), KernelRadius=0.4), 0.0, 0.3)
 
 
 @run("targets")
 def particles_with_radii_and_strengths(contents):
     target = cloud(
         scattered(30),
-        size=[0.25 + i / 128 for i in range(30)],
+        size=[0.0625 + i / 512 for i in range(30)],
         weight=[1 - i / 64 for i in range(30)],
     )
     follow(contents, make(target, arrays={0: "size", 2: "weight"}), 0.0, 0.3)
@@ -59,7 +59,7 @@ def particles_of_every_kernel_and_threshold(contents):
     for kernel in KERNELS:
         target = cloud(scattered(20))
         surface = make(
-            target, ParticleRadius=0.5, ParticleKernel=kernel, ParticleThreshold=0.3 + 0.1 * kernel
+            target, KernelRadius=0.5, ParticleKernel=kernel, ParticleThreshold=0.3 + 0.1 * kernel
         )
         follow(contents, surface, 0.2)
 
@@ -76,7 +76,7 @@ def births_and_deaths():
 
 @run("targets")
 def particles_are_born_and_die(contents):
-    surface = make(births_and_deaths(), arrays={1: "name"}, ParticleRadius=0.35)
+    surface = make(births_and_deaths(), arrays={1: "name"}, KernelRadius=0.35)
     follow(contents, surface, 0.0, 0.5, 1.0, 1.75, 2.0)
 
 
@@ -107,19 +107,19 @@ def particles_with_nothing_set(contents):
 @run("targets")
 def particles_move_by_their_numbers(contents):
     target = Steps({0.0: cloud(scattered(20)), 1.0: cloud(moved(scattered(20), 0.25))})
-    follow(contents, make(target, ParticleRadius=0.4), 0.5, 1.0)
+    follow(contents, make(target, KernelRadius=0.4), 0.5, 1.0)
 
 
 @run("targets")
 def particles_that_do_not_match_fade(contents):
     target = Steps({0.0: cloud(scattered(20)), 1.0: cloud(scattered(25, seed=3))})
-    follow(contents, make(target, ParticleRadius=0.4), 0.5, 1.0)
+    follow(contents, make(target, KernelRadius=0.4), 0.5, 1.0)
 
 
 @run("targets")
 def particles_that_end_leave_nothing(contents):
     target = Steps({0.0: cloud([(0, 0, 0)]), 1.0: cloud([]), 5.0: cloud([])})
-    surface = make(target, ParticleRadius=0.7, Attraction=8)
+    surface = make(target, KernelRadius=0.7, Attraction=8)
     follow(contents, surface, 1.0, 5.0, may_be_empty=True)
     assert surface.GetOutput().GetNumberOfPoints() == 0
 
@@ -135,12 +135,12 @@ def splash(contents):
 @run("targets")
 def skeleton(contents):
     target = lines(CORNERS, (0, 1, 2), (1, 3))
-    follow(contents, make(target, ParticleRadius=0.5), 0.0, 0.3)
+    follow(contents, make(target, KernelRadius=0.5), 0.0, 0.3)
 
 
 @run("targets")
 def skeleton_with_radii_moves(contents):
-    sizes = [0.3, 0.5, 0.4, 0.35]
+    sizes = [0.15, 0.25, 0.2, 0.175]
     steps = {
         time: lines(moved(CORNERS, way), (0, 1, 2), (1, 3), size=sizes)
         for time, way in ((0.0, 0.0), (1.0, 0.2), (2.0, 0.1))

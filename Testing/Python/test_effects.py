@@ -177,7 +177,7 @@ class TheFilter(unittest.TestCase):
             return [(0, api.skin(grid(), radii=numpy.full(125, 0.2), **options))]
 
         for model in ("sum", "anisotropic"):
-            own = properties.find("particle_radius")
+            own = properties.find("kernel_radius")
             self.assert_same(with_radii, own, particle_model=model, particle_spacing=0.1)
 
     def test_properties_that_act_on_particles_only(self):

@@ -83,7 +83,7 @@ def make_skin_over(source):
     surface = vtkActiveImplicitSurface()
     surface.SetInputConnection(source.GetOutputPort())
     surface.SetInputArrayToProcess(1, 0, 0, 0, "id")
-    surface.SetParticleRadius(0.3)
+    surface.SetKernelRadius(0.3)
     surface.SetVoxelSize(0.05)
     surface.SetAttraction(10)
     return surface
@@ -314,7 +314,7 @@ class Garbage(unittest.TestCase):
     def test_points_at_the_end_of_the_world(self):
         surface = vtkActiveImplicitSurface()
         surface.SetInputData(make_points([(1e30, 0, 0), (0, 0, 0)]))
-        surface.SetParticleRadius(1)
+        surface.SetKernelRadius(1)
         surface.SetVoxelSize(0.1)
         self.assert_says(surface, "VoxelSize")
 
@@ -347,7 +347,7 @@ class Lifetime(unittest.TestCase):
         data = make_points([(0, 0, 0), (0.2, 0, 0)])
         surface = vtkActiveImplicitSurface()
         surface.SetInputData(data)
-        surface.SetParticleRadius(0.3)
+        surface.SetKernelRadius(0.3)
         surface.Update()
         length = surface.GetOutput().GetLength()
         data.GetPoints().SetPoint(1, 0.3, 0, 0)

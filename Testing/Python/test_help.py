@@ -25,7 +25,7 @@ NUMBERS = {
         TargetIsoValue TargetReach VoxelSize MaximumNumberOfActiveVoxels Attraction Tension CFL
         VolumeStiffness AreaStiffness TargetVolume TargetArea RestTolerance
         MaximumNumberOfSubsteps StartTime TimeStepSize NumberOfTimeSteps TimeScale ArrivalTime
-        ParticleRadius TargetNoise
+        KernelRadius TargetNoise
         ParticleSpacing Anisotropy Transport ParticleThreshold MeshThickness NumberOfThreads
         CheckpointInterval CheckpointMemory
         MaximumVelocity
@@ -80,7 +80,7 @@ WITH_UNIT = {
     vtkActiveImplicitSurface: """
         TargetIsoValue TargetReach VoxelSize ModelBounds Attraction Tension VolumeStiffness
         AreaStiffness TargetVolume TargetArea RestTolerance StartTime TimeStepSize TimeScale
-        ArrivalTime ParticleRadius ParticleSpacing MeshThickness CheckpointMemory MaximumVelocity
+        ArrivalTime KernelRadius ParticleSpacing MeshThickness CheckpointMemory MaximumVelocity
         TargetNoise
     """.split(),
     vtkSkeletonPotential: """

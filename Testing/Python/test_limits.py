@@ -188,13 +188,13 @@ class Numbers(unittest.TestCase):
 
 
 FRAMES = {
-    "particles": lambda: cloud(scattered(30), name=list(range(30)), size=[0.4] * 30),
-    "others": lambda: cloud(scattered(20, seed=2), name=list(range(20)), size=[0.4] * 20),
+    "particles": lambda: cloud(scattered(30), name=list(range(30)), size=[0.1] * 30),
+    "others": lambda: cloud(scattered(20, seed=2), name=list(range(20)), size=[0.1] * 20),
     "without arrays": lambda: cloud(scattered(30)),
-    "other types": lambda: cloud(scattered(30), name=[0.5] * 30, size=[0.4] * 30),
+    "other types": lambda: cloud(scattered(30), name=[0.5] * 30, size=[0.1] * 30),
     "nothing": lambda: cloud([]),
     "mesh": brick,
-    "lines": lambda: lines(scattered(30), (0, 1, 2), name=list(range(30)), size=[0.4] * 30),
+    "lines": lambda: lines(scattered(30), (0, 1, 2), name=list(range(30)), size=[0.1] * 30),
 }
 ARRAYS = [(0, "size"), (1, "name")]
 

@@ -172,7 +172,7 @@ class MapCoordinates(unittest.TestCase):
 
         for make in (image, skeleton):
             with self.subTest(make.__name__):
-                self.check(lambda origin, make=make: surface_over(make(origin), ParticleRadius=0.7))
+                self.check(lambda origin, make=make: surface_over(make(origin), KernelRadius=0.7))
         self.check(function, has_rims=True)
 
     def test_the_parts_of_a_function(self):

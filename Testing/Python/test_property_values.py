@@ -40,7 +40,7 @@ DEFAULTS = {
     "Transport": 1.0,
     "ParticleModel": 2,  # vtkSkeletonPotential.ANISOTROPIC
     "ParticleSpacing": 0.0,
-    "ParticleRadius": 0.0,
+    "KernelRadius": 0.0,
     "Anisotropy": 4.0,
     "ParticleKernel": 0,  # vtkSkeletonPotential.WYVILL
     "ParticleThreshold": 0.5,
@@ -59,7 +59,7 @@ CLAMPED = [
     ("TargetNoise", -1.0, 0.0),
     ("TimeIntegration", 4, vtkActiveImplicitSurface.AUTOMATIC),
     ("ArrivalTime", -1.0, 0.0),
-    ("ParticleRadius", -1.0, 0.0),
+    ("KernelRadius", -1.0, 0.0),
     ("ParticleSpacing", -1.0, 0.0),
     ("Transport", -1.0, 0.0),
     ("Transport", 2.0, 1.0),
@@ -90,7 +90,7 @@ REFUSED = [
     ("StartTime", -math.inf),
     ("TimeScale", 0.0),
     ("ArrivalTime", math.nan),
-    ("ParticleRadius", math.nan),
+    ("KernelRadius", math.nan),
     ("ParticleSpacing", math.nan),
     ("Transport", math.nan),
     ("Anisotropy", math.nan),

@@ -58,15 +58,15 @@ class Particles(unittest.TestCase):
         self.assertEqual(vtk_to_numpy(cloud.GetPoints().GetData()).tobytes(), grid().tobytes())
         del filler
 
-    def test_reaches_may_be_an_array_or_its_name(self):
-        reaches = numpy.full(125, 0.3)
+    def test_radii_may_be_an_array_or_its_name(self):
+        radii = numpy.full(125, 0.14)
         cloud = make_points(grid())
-        array = as_array(reaches)
+        array = as_array(radii)
         array.SetName("size")
         cloud.GetPointData().AddArray(array)
         by_name = active.skin(cloud, radii="size", particle_model="sum", voxel_size=0.05)
-        by_array = active.skin(grid(), radii=reaches, particle_model="sum", voxel_size=0.05)
-        other = active.skin(grid(), radii=reaches / 2, particle_model="sum", voxel_size=0.05)
+        by_array = active.skin(grid(), radii=radii, particle_model="sum", voxel_size=0.05)
+        other = active.skin(grid(), radii=radii / 2, particle_model="sum", voxel_size=0.05)
         self.assertEqual(bytes_of(by_name), bytes_of(by_array))
         self.assertNotEqual(bytes_of(by_name), bytes_of(other))
 

@@ -59,7 +59,7 @@ class Accessor(unittest.TestCase):
 
     def test_arrays_are_found_by_their_names(self):
         cloud = pyvista.PolyData(grid())
-        cloud["size"] = numpy.full(len(grid()), 0.9)
+        cloud["size"] = numpy.full(len(grid()), 0.4)
         options = {"particle_model": "sum", "voxel_size": 0.25}
         by_name = cloud.active_surface.skin(radii="size", **options)
         by_array = cloud.active_surface.skin(radii=cloud["size"], **options)

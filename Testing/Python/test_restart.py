@@ -87,8 +87,8 @@ def half_box(side):
 
 def particles():
     weights = [1 - i / 40 for i in range(20)]
-    target = cloud(scattered(20), size=[0.3 + i / 99 for i in range(20)], weight=weights)
-    return make(target, VoxelSize=COARSE, ParticleRadius=0.4)
+    target = cloud(scattered(20), size=[0.07 + i / 400 for i in range(20)], weight=weights)
+    return make(target, VoxelSize=COARSE, KernelRadius=0.4)
 
 
 def body_of_particles():
@@ -120,7 +120,7 @@ def tense_particles():
 def appearing_particles():
     here = [(0, 0, 0), (0.3, 0, 0)]
     steps = {i * BEFORE: cloud(here + [(2 + i, 0, 0)] * (i > 0)) for i in range(5)}
-    return make(Steps(steps), VoxelSize=COARSE, ParticleRadius=0.6, CreateParts=1)
+    return make(Steps(steps), VoxelSize=COARSE, KernelRadius=0.6, CreateParts=1)
 
 
 def crossing_particles(**properties):
@@ -130,7 +130,7 @@ def crossing_particles(**properties):
         names = [i % 2, 1 - i % 2]
         steps[i * BEFORE] = cloud([(-0.3, i / 10, 0), (0.3, i / 10, 0)], name=names)
     properties = {"Attraction": 15, **NODES, **properties}
-    return make(Steps(steps), VoxelSize=COARSE, ParticleRadius=0.6, **properties)
+    return make(Steps(steps), VoxelSize=COARSE, KernelRadius=0.6, **properties)
 
 
 def crossing_by_substeps():
@@ -175,7 +175,7 @@ RESTARTS = {
     "PaperScheme": [(morph, 1)],
     "ParticleKernel": [(particles, 1), (particles, 2)],
     "ParticleModel": [(particles, 1), (particles, 2), (body_of_particles, 1)],
-    "ParticleRadius": [(particles, 0.5), (particles, 0.0)],
+    "KernelRadius": [(particles, 0.5), (particles, 0.0)],
     "ParticleSpacing": [(body_of_particles, 0.2), (body_of_particles, 0.0)],
     "ParticleThreshold": [(particles, 0.4)],
     "RestTolerance": [(to_rest, 0.5)],

@@ -108,10 +108,10 @@ class Notes(unittest.TestCase):
 
     def test_a_radius_in_place_of_a_spacing_is_told(self):
         for radius in (0.5 * SPACING, SPACING):
-            said = notes_of(BODY, particle_radius=radius)
+            said = notes_of(BODY, kernel_radius=radius)
             with self.subTest(radius=radius):
                 self.assertTrue(any("particle_spacing 0.05" in note for note in said), said)
-        said = notes_of(BODY, particle_radius=3 * SPACING)
+        said = notes_of(BODY, kernel_radius=3 * SPACING)
         self.assertFalse([note for note in said if "apart" in note])
 
     def test_few_particles_tell_nothing(self):

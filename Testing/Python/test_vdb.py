@@ -40,7 +40,7 @@ def splash():
     surface.SetInputConnection(particles.GetOutputPort())
     surface.SetTimeScale(1 / 25)
     surface.SetVoxelSize(0.03)
-    surface.SetParticleRadius(0.17)
+    surface.SetKernelRadius(0.17)
     surface.SetParticleThreshold(0.7)
     surface.SetAttraction(100)
     return surface

@@ -51,7 +51,7 @@ class TheMotion(unittest.TestCase):
         interval = self.motion.times[1] - self.motion.times[0]
         wanted = {
             "particle_spacing": SPACING,
-            "particle_radius": 2.25 * SPACING,
+            "kernel_radius": 2.25 * SPACING,
             "voxel_size": 0.5 * SPACING,
             "attraction": 6 / interval,
             "transport": 1.0,
@@ -62,7 +62,7 @@ class TheMotion(unittest.TestCase):
         self.make_all()
         before = places(self.motion.skins[-1])
         # Given instead of found, a value changes nothing but the last digits.
-        self.motion.sliders = {**self.motion.sliders, "particle_radius": 2.25 + 1e-12}
+        self.motion.sliders = {**self.motion.sliders, "kernel_radius": 2.25 + 1e-12}
         self.motion.restart()
         self.make_all()
         self.assertLess(abs(places(self.motion.skins[-1]) - before).max(), 1e-6)
@@ -70,7 +70,7 @@ class TheMotion(unittest.TestCase):
     def test_lengths_follow_the_spacing(self):
         self.motion.sliders["particle_spacing"] = 2.0
         self.assertAlmostEqual(self.motion.values()["voxel_size"], SPACING)
-        self.assertAlmostEqual(self.motion.values()["particle_radius"], 4.5 * SPACING)
+        self.assertAlmostEqual(self.motion.values()["kernel_radius"], 4.5 * SPACING)
 
     def test_each_slider_changes_the_skins(self):
         self.make_all()

@@ -17,8 +17,8 @@ namespace
 constexpr float LeastDepth = .1f;
 constexpr float FullDepth = .22f;
 
-// How much farther than its own radius the surface is from a particle of a body, for what the edges
-// of the body lose.
+// The surface of a body is farther from its particles than their own radius by this share of it,
+// because the body's edges lose volume.
 constexpr float OffsetOfBody = .1f;
 
 // Density of the neighbours, over that of one particle in each (2 r)^3, from which on there is a
@@ -31,14 +31,14 @@ constexpr float LeastReach = .7f;
 constexpr float DensityOfLeastReach = .05f;
 constexpr float DensityOfFullReach = .2f;
 
-// Near neighbours are within so many of the neighbourhood's radii. Sum of their weights, the
-// particle's own (1) included, from which on there is a shape: two neighbours make 2.1, a sheet of
+// Near neighbours are within this share of the neighbourhood's radius. The sum of their weights,
+// with the particle's own (1), tells whether there is a shape: two neighbours make 2.1, a sheet of
 // one layer 4.2, a body's surface 5.8.
 constexpr float NearPerWide = .55f;
 constexpr float FewestNeighbours = 2.2f;
 constexpr float EnoughNeighbours = 4.2f;
 
-// How far a centre moves to the mean of its neighbours, of the way there.
+// A centre moves by this share of the distance to the mean of its neighbours.
 constexpr float ShareOfMean = .9f;
 
 // Shortest half-axis over the middle one: a sheet of one layer has 0, a body about 1. Longest one
@@ -135,7 +135,7 @@ struct FitKernel
     LaneSums sums;
     this->AddUp(sums);
     const Lanes zero = AllLanes(0.f), one = AllLanes(1.f);
-    // A place without any weight is that of a particle without strength, alone.
+    // Without any weight: a particle without strength and without neighbours.
     const Lanes inverse = one / Pick(sums.Weight > zero, sums.Weight, one);
     Lanes mean[3];
     for (int i = 0; i < 3; ++i)

@@ -49,12 +49,12 @@ struct PlaceColumns
   const float *X, *Y, *Z, *Reach2;
 };
 
-// Of a run of particles those whose reach comes to the group's box; shift: from the group's origin
-// to theirs.
+// Adds those of a run of particles whose reach comes to the group's box. shift: from the group's
+// origin to theirs.
 void AddNeighbours(const FitGroup& group, const PlaceColumns& columns, std::uint32_t first,
   std::uint32_t end, const float (&shift)[3], FitNeighbours& neighbours);
 
-// How much larger than its particle a ball is, in its own radius, which is in voxels.
+// A ball is larger than its particle by this share of its radius, which is in voxels.
 double FindLossOfBall(double ownRadius);
 
 struct FitLaw
@@ -95,7 +95,7 @@ struct NodeEllipsoid;
 void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
   const NodeEllipsoid* ellipsoids, float (&sums)[8]);
 
-// Of the neighbours that are at the surface, at the group's places: sums of weight * Share, and of
+// Sums over the neighbours that are at the surface, at the group's places, of weight * Share and of
 // weight * Share * Lack.
 struct ShareColumns
 {

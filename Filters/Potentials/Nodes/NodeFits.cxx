@@ -12,8 +12,8 @@ namespace activesurface
 namespace
 {
 
-// Of what a lone particle has at its surface, a body has at least so much at its own: neighbours
-// whose kernels are longer may lack more than a particle has.
+// The sum at a body's surface is at least this share of what a lone particle has at its own:
+// neighbours whose kernels are longer may lack more than a particle has.
 constexpr float LeastShare = .1f;
 
 }
@@ -170,7 +170,7 @@ void NodeFits::FillGroup(Search& search) const
   }
 }
 
-// Those in reach of the group's places; reach: the farthest one from a particle.
+// Finds the particles in reach of the group's places. reach: the longest one.
 void NodeFits::Gather(Search& search, const PlaceColumns& columns, double reach) const
 {
   FitGroup& group = search.Group;
@@ -277,8 +277,8 @@ bool NodeFits::PlaceBeside(
   return counts;
 }
 
-// What a particle that fades in or out would add itself at its place: there it counts as whole, so
-// that a lone one fades to nothing.
+// A particle that fades in or out counts as whole at its own place, so that a lone one fades to
+// nothing. Returns what it would add there to what it has.
 float NodeFits::FindFaded(std::uint32_t k, std::size_t place) const
 {
   const float faded = 1.f - std::max(this->Given.Strength[k], 0.f);

@@ -16,8 +16,8 @@
 namespace activesurface
 {
 
-// Of particles in the order of their blocks, and of eight more; lengths in voxels, places relative
-// to the block.
+// Numbers of particles in the order of their blocks, and eight more; lengths in voxels, places
+// relative to the block.
 struct FitColumns
 {
   const float *X, *Y, *Z;
@@ -36,8 +36,8 @@ struct NodeFitOptions
 class NodeFits
 {
 public:
-  // Keeps its memory. Throws std::invalid_argument for so many in one place that it would take
-  // hours; without ellipsoids bulks are 0 then.
+  // Keeps its memory. Throws std::invalid_argument for a crowd (ParticleCrowd.h); without
+  // ellipsoids bulks are 0 then.
   void Find(const ParticleBlocks& blocks, const FitColumns& given, const NodeFitOptions& options);
 
   // In [0,1]; 1 deep in a body.
@@ -81,7 +81,7 @@ private:
   UnsetVector<float> EX, EY, EZ, EReach2;
   UnsetVector<NodeEllipsoid> Ellipsoids;
 
-  // What is known of each before the strengths.
+  // Found for each particle before the strengths.
   UnsetVector<float> Deep, Thin, Shape, Lone;
   UnsetVector<float> Places;                   // Away x y z, Across x y z
   UnsetVector<float> Share, Lack, ShareReach2; // of those at the surface; else 0

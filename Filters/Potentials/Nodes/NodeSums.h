@@ -21,7 +21,7 @@ struct NodeEllipsoid
   float Extent[3];
 };
 
-// Columns have so many numbers more than there are particles.
+// Columns have this many numbers more than there are particles.
 constexpr std::size_t LanePadding = 8;
 
 // Centres, relative to some origin, and squared reaches, of eight more than there are.

@@ -95,7 +95,7 @@ public:
     }
     return shell;
   }
-  // Whether kernels of particles in a part reach the shell.
+  // Returns true if kernels of particles in a part reach the shell.
   static bool IsNearSurface(const Block& block, int x, int y, int z)
   {
     constexpr std::uint64_t part = 0x0303;

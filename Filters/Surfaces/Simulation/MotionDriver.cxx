@@ -31,7 +31,7 @@ constexpr char NoNodes[] =
   "and is not smoothed by their spacing. Set TimeIntegration to EXPLICIT if that is meant.";
 constexpr char NoSkinOnNodes[] =
   "The particles have no surface that the voxels can hold, or the obstacle covers it, so there is "
-  "no skin; check VoxelSize, ParticleRadius, ModelBounds and ObstacleFunction.";
+  "no skin; check VoxelSize, KernelRadius, ModelBounds and ObstacleFunction.";
 
 }
 

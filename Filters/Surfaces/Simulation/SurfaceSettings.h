@@ -313,9 +313,9 @@ void ForEachParticleProperty(Settings& settings, Visitor&& visit)
           Length("between 1e-30 and 1e30, or 0 for one that is estimated"), true },
     particles.Spacing, [](auto& filter) { return filter.GetParticleSpacing(); });
   visit(
-    Property{ "ParticleRadius",
+    Property{ "KernelRadius",
       Length("between 1e-30 and 1e30, or 0 for the one that belongs to ParticleSpacing"), true },
-    particles.Radius, [](auto& filter) { return filter.GetParticleRadius(); });
+    particles.Radius, [](auto& filter) { return filter.GetKernelRadius(); });
   visit(Property{ "Anisotropy", { 1.0, 100.0, false, "between 1 and 100" }, true },
     particles.Anisotropy, [](auto& filter) { return filter.GetAnisotropy(); });
   visit(Property{ "ParticleKernel", Any, true }, particles.Kernel,

@@ -105,7 +105,7 @@ ShapeOptions TargetBuilder::GetOptions() const
   options.Model = settings.Particles.Model;
   options.ParticleSpacing = settings.Particles.Spacing;
   options.SpacingInUse = this->FindSpacing();
-  options.ParticleRadius = settings.Particles.Radius;
+  options.KernelRadius = settings.Particles.Radius;
   options.Anisotropy = settings.Particles.Anisotropy;
   options.Threshold = settings.Particles.Threshold;
   options.Carries = settings.UsesNodes() && settings.Inputs.TargetMoves;

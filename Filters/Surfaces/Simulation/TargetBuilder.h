@@ -91,7 +91,7 @@ public:
   // Whether the surface would start on an empty frame.
   bool StartsOnNothing() const;
 
-  // Puts the target to the first frame, anew. Comes when the domain is known, before GetTarget.
+  // Makes another target, at the first frame. Comes after FindDomain, before GetTarget.
   void StartTarget();
   // Makes it ready to be evaluated at points, unless ranks share it.
   void CompleteTarget();

@@ -96,7 +96,7 @@ std::vector<PointWithMargin> TargetCoverage::FindPoints(int step, double voxelSi
 // Of ranks, each finds those that it has; of points that all have, those of a range.
 std::vector<PointWithMargin> TargetCoverage::FindParticles(const ParticleFrame& frame) const
 {
-  const double spacing = frame.HasRadii ? 0.0 : this->Shapes.FindSpacing();
+  const double spacing = this->Shapes.FindSpacing();
   const double reach = GetReachPerSpacing(this->Settings.Particles.Model);
   const bool areAllHere = this->ArePointsShared && !frame.Shared;
   const std::size_t ranks = areAllHere ? this->Ranks->GetSize() : 1;
@@ -107,7 +107,9 @@ std::vector<PointWithMargin> TargetCoverage::FindParticles(const ParticleFrame& 
   for (std::size_t i = ranges.FirstOf(rank); i < ranges.FirstOf(rank + 1); ++i)
   {
     const SkeletonVertex& particle = frame.Particles[i];
-    const double own = 0.5 * (spacing > 0.0 ? spacing : particle.Radius / reach);
+    const double own = frame.HasRadii ? particle.Radius / frame.ReachPerRadius
+      : spacing > 0.0                 ? 0.5 * spacing
+                                      : 0.5 * particle.Radius / reach;
     if (particle.Strength > 0.0)
     {
       points.push_back(MakePoint(particle.Position, own));

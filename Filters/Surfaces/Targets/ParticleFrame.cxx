@@ -150,6 +150,20 @@ void ParticleFrame::GiveRadius(double radius)
   }
 }
 
+void ParticleFrame::UseRadii(double reachPerRadius)
+{
+  if (reachPerRadius == this->ReachPerRadius)
+  {
+    return;
+  }
+  for (SkeletonVertex& particle : this->Particles)
+  {
+    particle.Radius *= reachPerRadius / this->ReachPerRadius;
+  }
+  this->ReachPerRadius = reachPerRadius;
+  this->HasFits = false;
+}
+
 void ParticleFrame::MoveBy(const double offset[3])
 {
   for (SkeletonVertex& particle : this->Particles)

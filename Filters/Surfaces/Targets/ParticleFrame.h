@@ -41,6 +41,7 @@ struct ParticleFrame
   std::vector<std::int64_t> Ids; // of the particles: from the array, else their point numbers
   bool HasIds = false;           // from the array
   bool HasRadii = false;         // from the array, else to be given by GiveRadius
+  double ReachPerRadius = 1.0;   // of the array: particles have their reaches, see UseRadii
   bool HasVelocities = false;    // from an array
   mutable bool HasFits = false;
   std::size_t Ignored = 0;                       // points left out: not finite, or without a size
@@ -56,10 +57,13 @@ struct ParticleFrame
     return this->Shared ? this->Shared->CountOfAll : this->Particles.size();
   }
 
-  // Unless they are known. Where ranks share particles, they are at home. Throws as FitParticles.
+  // Finds the fits, once. Where ranks share particles, they are at home. Throws as FitParticles.
   void FindFits(const FitOptions& options) const;
 
+  // The reach of each.
   void GiveRadius(double radius);
+  // The reaches that belong to the radii of the array, which are those of balls.
+  void UseRadii(double reachPerRadius);
 
   // To other positions, which fits and homes are to be found for again.
   void MoveBy(const double offset[3]);

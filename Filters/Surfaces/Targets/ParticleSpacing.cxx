@@ -186,9 +186,14 @@ void FindNearestOfAll(Agreement& ranks, std::vector<Distances>& distances)
 
 }
 
-double FindFirstRadius(const ParticleFrame& frame)
+double FindMedianRadius(const ParticleFrame& frame)
 {
-  return Pick(frame, { 0 }).front().Radius;
+  std::vector<double> radii;
+  for (const SkeletonVertex& sample : PickSamples(frame))
+  {
+    radii.push_back(sample.Radius);
+  }
+  return FindMedian(radii);
 }
 
 double FindSpacing(const ParticleFrame& frame)

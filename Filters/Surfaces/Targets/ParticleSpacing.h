@@ -14,8 +14,9 @@ namespace activesurface
 // where they share the frame.
 double FindSpacing(const ParticleFrame& frame);
 
-// Of the first particle of all; there has to be one. A round of ranks, where they share the frame.
-double FindFirstRadius(const ParticleFrame& frame);
+// Median among about a thousand of them; there has to be one. A round of ranks, where they share
+// the frame.
+double FindMedianRadius(const ParticleFrame& frame);
 
 }
 

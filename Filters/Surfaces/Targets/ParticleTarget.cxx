@@ -208,6 +208,9 @@ void ParticleTarget::PlaceNodes(double begin, double end, double transport, doub
   const bool hasRadii =
     this->Frames.GetParticles(step).HasRadii || this->Frames.GetParticles(step + 1).HasRadii;
   options.OwnRadius = hasRadii ? 0.0 : 0.5 * this->Options.SpacingInUse;
+  options.ReachPerRadius = hasRadii ? std::max(this->Frames.GetParticles(step).ReachPerRadius,
+                                        this->Frames.GetParticles(step + 1).ReachPerRadius)
+                                    : 2.0 * GetReachPerSpacing(this->Options.Model);
   options.Anisotropy = this->Options.Anisotropy;
   options.WantsBulks = this->Options.WantsBulks();
   options.Duration = transport * (end - begin);

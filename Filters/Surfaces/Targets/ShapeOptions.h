@@ -18,9 +18,9 @@ struct ShapeOptions
   ParticleModel Model = ParticleModel::Sum; //< of particles; skeletons are sums
   double ParticleSpacing = 0.0;             //< [length]; 0: estimated
   double SpacingInUse = 0.0;                //< the same, or the estimate; 0: not known
-  double ParticleRadius = 0.0; //< reach of particles and skeletons [length]; 0: by the spacing
-  double Anisotropy = 4.0;     //< of particles, largest ratio of axes
-  double Threshold = 0.5;      //< of sums
+  double KernelRadius = 0.0; //< reach of particles and skeletons [length]; 0: by the spacing
+  double Anisotropy = 4.0;   //< of particles, largest ratio of axes
+  double Threshold = 0.5;    //< of sums
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
   double MeshThickness = 0.0; //< [length]; 0: closed meshes
 
@@ -38,11 +38,10 @@ struct ShapeOptions
   bool WeighsTension = false;
   bool OpensHollows = false;
 
-  /** Whether points among particles are found by the particles' neighbours; whether nothing goes
-   * without. */
+  /** Returns true if a target at points looks at the particles' neighbours; and if it needs to. */
   bool WantsFits() const { return this->NeedsFits() || this->OpensHollows; }
   bool NeedsFits() const { return this->Model != ParticleModel::Sum; }
-  /** The same at nodes, which find their own fits but for this model. */
+  /** Returns true for the model whose fits nodes do not find themselves. */
   bool NodesNeedFits() const { return this->Model == ParticleModel::AveragedCentre; }
 
   /** Whether what is a body of particles matters. */

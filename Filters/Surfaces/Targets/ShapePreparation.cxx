@@ -1,9 +1,11 @@
 #include "Targets/ShapePreparation.h"
 
+#include "Skeleton.h"
 #include "Targets/InputShape.h"
 #include "Targets/ParticleFrame.h"
 #include "Targets/ParticleSpacing.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -18,8 +20,16 @@ double ShapePreparation::GetSpacing() const
 
 double ShapePreparation::GetRadius(ParticleModel model) const
 {
-  return this->Options.ParticleRadius > 0.0 ? this->Options.ParticleRadius
-                                            : GetReachPerSpacing(model) * this->GetSpacing();
+  return this->Options.KernelRadius > 0.0 ? this->Options.KernelRadius
+                                          : GetReachPerSpacing(model) * this->GetSpacing();
+}
+
+double ShapePreparation::GetReachPerRadius(ParticleModel model) const
+{
+  const double level = this->Options.Threshold;
+  const bool hasLevel = model == ParticleModel::Sum && level > 0.0 && level < 1.0;
+  return hasLevel ? 1.0 / FindRadiusOfLevel(this->Options.Kernel, level)
+                  : 2.0 * GetReachPerSpacing(model);
 }
 
 void ShapePreparation::GiveRadius(ParticleModel model, ParticleFrame& frame)
@@ -28,12 +38,16 @@ void ShapePreparation::GiveRadius(ParticleModel model, ParticleFrame& frame)
   {
     return;
   }
-  const bool hasReach = frame.HasRadii || this->Options.ParticleRadius > 0.0;
+  const bool hasReach = frame.HasRadii || this->Options.KernelRadius > 0.0;
   if (this->GetSpacing() == 0.0 && (model != ParticleModel::Sum || !hasReach))
   {
     this->EstimateSpacing(model, frame);
   }
-  if (!frame.HasRadii)
+  if (frame.HasRadii)
+  {
+    frame.UseRadii(this->GetReachPerRadius(model));
+  }
+  else
   {
     frame.GiveRadius(this->GetRadius(model));
   }
@@ -41,23 +55,28 @@ void ShapePreparation::GiveRadius(ParticleModel model, ParticleFrame& frame)
 
 void ShapePreparation::EstimateSpacing(ParticleModel model, const ParticleFrame& frame)
 {
-  const bool hasReach = frame.HasRadii || this->Options.ParticleRadius > 0.0;
+  const bool hasReach = frame.HasRadii || this->Options.KernelRadius > 0.0;
   this->EstimatedSpacing = FindSpacing(frame);
-  if (this->EstimatedSpacing == 0.0 && hasReach)
+  if (frame.HasRadii) // balls may lie far apart
   {
-    const double reach = frame.HasRadii ? FindFirstRadius(frame) : this->Options.ParticleRadius;
-    this->EstimatedSpacing = reach / GetReachPerSpacing(model);
+    const double diameter = 2.0 * FindMedianRadius(frame) / frame.ReachPerRadius;
+    this->EstimatedSpacing =
+      this->EstimatedSpacing > 0.0 ? std::min(this->EstimatedSpacing, diameter) : diameter;
+  }
+  else if (this->EstimatedSpacing == 0.0 && hasReach)
+  {
+    this->EstimatedSpacing = this->Options.KernelRadius / GetReachPerSpacing(model);
   }
   if (this->EstimatedSpacing == 0.0)
   {
     throw std::invalid_argument("The particles' spacing cannot be estimated, as no two of them are "
-                                "apart; set ParticleSpacing or ParticleRadius, or choose a radius "
+                                "apart; set ParticleSpacing or KernelRadius, or choose a radius "
                                 "array.");
   }
   if (!hasReach)
   {
     std::ostringstream text;
-    text << "Neither ParticleSpacing nor ParticleRadius is set; a ParticleSpacing of "
+    text << "Neither ParticleSpacing nor KernelRadius is set; a ParticleSpacing of "
          << this->EstimatedSpacing << " is used, the usual distance of neighbours. Set it to "
          << "silence this.";
     this->Report("spacing", text.str());

@@ -41,10 +41,13 @@ struct ShapePreparation
   /** Reach of points without a radius of their own. */
   double GetRadius(ParticleModel model) const;
 
+  /** Reach of a kernel over the radius of the ball that it makes without neighbours. */
+  double GetReachPerRadius(ParticleModel model) const;
+
   /**
-   * Gives that reach to a frame's particles, unless they have radii. Estimates the spacing from the
-   * first frame that needs it; throws std::invalid_argument if no two particles are apart and there
-   * is no radius either.
+   * Gives a frame's particles their reaches, by their radii where they have them. Estimates the
+   * spacing from the first frame that needs it; throws std::invalid_argument if no two particles
+   * are apart and there is no radius either.
    */
   void GiveRadius(ParticleModel model, ParticleFrame& frame);
 

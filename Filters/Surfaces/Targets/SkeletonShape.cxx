@@ -5,6 +5,7 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -20,6 +21,7 @@ namespace
 
 // What the point arrays of the copy are called.
 constexpr const char* RadiusName = "Radius";
+constexpr const char* ReachName = "Reach";
 constexpr const char* StrengthName = "Strength";
 
 // Keeps what an object reports, in place of the output window.
@@ -59,6 +61,24 @@ void AddArray(vtkDataSet* data, vtkAbstractArray* array, const char* name)
   }
 }
 
+// Adds the reaches of the kernels that make balls and tubes of the given radii.
+void AddReaches(vtkDataSet* data, double reachPerRadius)
+{
+  vtkDataArray* radii = data->GetPointData()->GetArray(RadiusName);
+  if (!radii)
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> reaches;
+  reaches->SetName(ReachName);
+  reaches->SetNumberOfTuples(radii->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < radii->GetNumberOfTuples(); ++i)
+  {
+    reaches->SetValue(i, reachPerRadius * radii->GetComponent(i, 0));
+  }
+  data->GetPointData()->AddArray(reaches);
+}
+
 const char* FindName(vtkDataSet* data, const char* name)
 {
   return data->GetPointData()->HasArray(name) ? name : "";
@@ -91,9 +111,10 @@ std::string SkeletonShape::Prepare(ShapePreparation& preparation)
   }
   preparation.GiveRadius(ParticleModel::Sum, this->Points);
   vtkNew<vtkSkeletonPotential> skeleton;
+  AddReaches(this->Data, preparation.GetReachPerRadius(ParticleModel::Sum));
   skeleton->SetInput(vtkPointSet::SafeDownCast(this->Data));
   skeleton->SetRadius(preparation.GetRadius(ParticleModel::Sum));
-  skeleton->SetRadiusArrayName(FindName(this->Data, RadiusName));
+  skeleton->SetRadiusArrayName(FindName(this->Data, ReachName));
   skeleton->SetStrengthArrayName(FindName(this->Data, StrengthName));
   skeleton->SetKernel(static_cast<int>(preparation.Options.Kernel));
   skeleton->SetThreshold(preparation.Options.Threshold);

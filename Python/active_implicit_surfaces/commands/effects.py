@@ -37,7 +37,7 @@ _ACTING = (  # rows, and what has them: options, and properties after a colon
     ("mesh_to_vdb", "voxel_size"),
     ("image_to_mesh", "level"),
     ("mesh", ":mesh_thickness"),
-    ("no_radii", ":particle_radius"),
+    ("no_radii", ":kernel_radius"),
     ("duration", ":arrival_time"),
     ("potential", ":output_potential"),
     ("particle_model=anisotropic", ":anisotropy"),

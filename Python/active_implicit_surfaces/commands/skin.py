@@ -178,7 +178,7 @@ def _add_input_options(parser: Parser) -> None:
     files.add_argument("--preroll", type=whole, metavar="N", help="frames before A, without skins")
     files.add_argument("--output-fps", type=positive, metavar="X", help="frames in between too")
     files.add_argument("--times", type=times_list, metavar="T,T...", help="or FIRST:LAST:COUNT")
-    told = "point arrays: ids are found; and --radii (reaches), --strengths, --velocities"
+    told = "point arrays: ids are found; and --radii (of balls), --strengths, --velocities"
     for role in _ARRAYS:
         text = told if role == "ids" else argparse.SUPPRESS
         files.add_argument(f"--{role}", metavar="NAME", help=text)
@@ -188,8 +188,8 @@ def _find_view(options: Any, files: Any, kept: Resumption | None) -> tuple[Any, 
     """Box in view and vertical axis; a resumed run keeps both."""
     if kept and kept.view:
         return numpy.array(kept.view[0]), str(kept.view[1])
-    reaches = "reach" if options.preset == "molecule" else options.radii
-    held, up = find_view(files, reaches)
+    radii = "radius" if options.preset == "molecule" else options.radii
+    held, up = find_view(files, radii)
     if kept:
         kept.view = [held.tolist(), up]
     return held, up

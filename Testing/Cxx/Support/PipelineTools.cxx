@@ -171,7 +171,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkin()
   auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
   filter->SetParticleModelToSum();
   filter->SetTimeIntegrationToExplicit();
-  filter->SetParticleRadius(0.3);
+  filter->SetKernelRadius(0.3);
   filter->SetAttraction(10.0);
   filter->SetVoxelSize(0.05);
   filter->SetModelBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);

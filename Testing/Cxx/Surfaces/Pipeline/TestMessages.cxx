@@ -109,7 +109,7 @@ TEST(TestMessages, NumbersThatCannotBeAreErrors)
     { "CFL has to be", [](Filter f) { f->SetCFL(0.0); } },
     { "CFL has to be", [](Filter f) { f->SetCFL(1.5); } },
     { "TimeScale has to be", [](Filter f) { f->SetTimeScale(-1.0); } },
-    { "ParticleRadius has to be", [](Filter f) { f->SetParticleRadius(NaN); } },
+    { "KernelRadius has to be", [](Filter f) { f->SetKernelRadius(NaN); } },
     { "ParticleThreshold has to be", [](Filter f) { f->SetParticleThreshold(NaN); } },
     { "ParticleThreshold has to be", [](Filter f) { f->SetParticleThreshold(0.0); } },
     { "ParticleThreshold has to be", [](Filter f) { f->SetParticleThreshold(-0.5); } },
@@ -250,7 +250,7 @@ TEST(TestMessages, ArraysThatCannotBeAreErrors)
 
   vtkNew<vtkActiveImplicitSurface> filter;
   filter->SetInputData(data);
-  filter->SetParticleRadius(0.3);
+  filter->SetKernelRadius(0.3);
   filter->SetInputArrayToProcess(0, 0, 0, points, "mass");
   Refuses(filter, "no point array as chosen by SetInputArrayToProcess(0");
   Refuses(filter, "its point arrays are \"");
@@ -276,7 +276,7 @@ TEST(TestMessages, OneParticleHasNoSpacing)
   vtkNew<vtkActiveImplicitSurface> filter;
   filter->SetInputData(data);
   Refuses(filter, "The particles' spacing cannot be estimated");
-  filter->SetParticleRadius(0.5);
+  filter->SetKernelRadius(0.5);
   Works(filter, "with a radius");
 }
 

@@ -41,7 +41,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeDroplet()
   auto filter = MakeSkinOver(source);
   filter->SetParticleModelToSum();
   filter->SetTimeIntegrationToExplicit();
-  filter->SetParticleRadius(Support);
+  filter->SetKernelRadius(Support);
   filter->SetVoxelSize(Voxel);
   filter->SetAttraction(Attraction);
   filter->SetTargetReach(Reach);

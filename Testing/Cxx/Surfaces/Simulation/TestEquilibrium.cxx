@@ -260,7 +260,7 @@ TEST(TestEquilibrium, FirstStepOfTheInputIsTheTarget)
   auto filter = MakeSkinOver(source);
   filter->SetParticleModelToSum();
   filter->SetTimeIntegrationToExplicit();
-  filter->SetParticleRadius(0.8);
+  filter->SetKernelRadius(0.8);
   filter->SetEvolutionModeToEquilibrium();
   for (const double time : { 1.0, 3.0 })
   {

@@ -153,8 +153,9 @@ void IsFollowed(const Scene& scene)
 struct Blob
 {
   Point Centre;
-  double Radius;
+  double Radius; //< where its kernel ends
 };
+constexpr double ReachPerRadius = 4.5; // of the filter's balls
 using Cloud = std::function<std::vector<Blob>(double time)>;
 
 vtkSmartPointer<vtkPolyData> MakeBlobs(const std::vector<Blob>& blobs)
@@ -168,7 +169,7 @@ vtkSmartPointer<vtkPolyData> MakeBlobs(const std::vector<Blob>& blobs)
   for (const Blob& blob : blobs)
   {
     ids->InsertNextValue(static_cast<int>(points->InsertNextPoint(blob.Centre.data())));
-    radii->InsertNextValue(blob.Radius);
+    radii->InsertNextValue(blob.Radius / ReachPerRadius);
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);

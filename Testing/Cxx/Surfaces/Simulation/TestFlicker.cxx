@@ -148,7 +148,7 @@ double GetFlickerOfSkin(double rate)
   filter->SetParticleModelToSum();
   filter->SetTimeIntegrationToExplicit();
   filter->AutomaticAttractionOff();
-  filter->SetParticleRadius(Radius);
+  filter->SetKernelRadius(Radius);
   filter->SetParticleThreshold(Threshold);
   filter->SetVoxelSize(Voxel);
   filter->SetModelBounds(-0.2, 1.4, -0.2, 1.4, -0.3, 0.7);

@@ -50,7 +50,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeMeeting()
   auto filter = MakeSkinOver(source);
   filter->SetParticleModelToSum();
   filter->SetTimeIntegrationToExplicit();
-  filter->SetParticleRadius(0.4);
+  filter->SetKernelRadius(0.4);
   filter->SetTension(0.001);
   return filter;
 }

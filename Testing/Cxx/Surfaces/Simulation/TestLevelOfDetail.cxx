@@ -81,21 +81,27 @@ double GetSpacing(int count)
   return BodyRadius * std::cbrt(4.0 / 3.0 * std::acos(-1.0) / count);
 }
 
-// With the array "size".
+// With the arrays "reach", where kernels end, and "size", which the filter takes for a quarter of
+// it, as at this threshold no particle has a ball.
 vtkSmartPointer<vtkPolyData> MakeParticles(int count)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkDoubleArray> sizes;
   sizes->SetName("size");
+  vtkNew<vtkDoubleArray> reaches;
+  reaches->SetName("reach");
   for (const auto& point : MakeLatticeBall(count, GetSpacing(count)))
   {
     points->InsertNextPoint(point.data());
-    sizes->InsertNextValue((count == Fine ? FineSupport : CoarseSupport) * GetSpacing(count));
+    const double reach = (count == Fine ? FineSupport : CoarseSupport) * GetSpacing(count);
+    reaches->InsertNextValue(reach);
+    sizes->InsertNextValue(0.25 * reach);
   }
   auto particles = vtkSmartPointer<vtkPolyData>::New();
   particles->SetPoints(points);
   particles->GetPointData()->AddArray(sizes);
+  particles->GetPointData()->AddArray(reaches);
   return particles;
 }
 
@@ -103,7 +109,7 @@ vtkSmartPointer<vtkSkeletonPotential> MakePotential(int count)
 {
   auto potential = vtkSmartPointer<vtkSkeletonPotential>::New();
   potential->SetInput(MakeParticles(count));
-  potential->SetRadiusArrayName("size");
+  potential->SetRadiusArrayName("reach");
   potential->SetThreshold(Threshold);
   return potential;
 }

@@ -163,26 +163,26 @@ TEST(TestOutside, AParticleMayBeOutsideByItsOwnRadius)
   }
 }
 
-// By ParticleRadius or the array of radii: the reach, of which 2 r are so many parts.
-TEST(TestOutside, AReachTellsTheRadiusToo)
+// By KernelRadius, of which 2 r are so many parts, or by the array of radii.
+TEST(TestOutside, AKernelTellsTheRadiusToo)
 {
   const auto points = MakePoints({ 0.0, BallRadius + 0.95 * R, BallRadius + 1.05 * R }, false);
   auto filter = MakeStandingBall(0.05);
   filter->SetInputData(points);
   filter->SetParticleModelToSum();
   filter->SetParticleSpacing(0.0);
-  filter->SetParticleRadius(2.0 * Spacing);
+  filter->SetKernelRadius(2.0 * Spacing);
   EXPECT_EQ(GetOutsideAt(filter, 0.1), 1.0 / 3.0);
 
   vtkNew<vtkDoubleArray> radii;
-  radii->SetName("reach");
+  radii->SetName("size");
   for (const double spacing : { Spacing, 0.5 * Spacing, 2.0 * Spacing })
   {
-    radii->InsertNextValue(2.25 * spacing);
+    radii->InsertNextValue(0.5 * spacing);
   }
   points->GetPointData()->AddArray(radii);
   auto second = MakeStandingBall(0.05);
-  second->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "reach");
+  second->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "size");
   second->SetInputData(points);
   EXPECT_EQ(GetOutsideAt(second, 0.1), 1.0 / 3.0) << "now it is the other one";
 }

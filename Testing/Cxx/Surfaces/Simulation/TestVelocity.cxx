@@ -149,7 +149,7 @@ TEST(TestVelocity, VelocityOfAGrowingSkinIsItsDifference)
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
   filter->SetParticleModelToSum();
   filter->SetTimeIntegrationToExplicit();
-  filter->SetParticleRadius(0.6);
+  filter->SetKernelRadius(0.6);
   const Comparison comparison = Compare(filter, 2.5, 0.5, false);
   EXPECT_GT(comparison.Speed, 0.005) << "mean speed";
   EXPECT_LT(comparison.Error, 0.05) << "mean error of it";

@@ -91,7 +91,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOverData(vtkPointSet* points)
   filter->SetInputData(points);
   filter->SetParticleModelToSum();
   filter->SetTimeIntegrationToExplicit();
-  filter->SetParticleRadius(0.3);
+  filter->SetKernelRadius(0.3);
   filter->SetVoxelSize(VoxelSize);
   filter->SetModelBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
   return filter;
@@ -222,22 +222,24 @@ TEST(TestParticles, NoParticlesLaterMakeTheSkinVanish)
   EXPECT_EQ(messages.Errors.size(), 0u) << "errors";
 }
 
-// An isolated WYVILL ball has its surface at radius * sqrt(1 - cbrt(threshold / strength));
-// crossings of chords are within h^2 / 8r, and of this potential's curvature as much: .1 h.
+// An isolated WYVILL ball has its surface at reach * sqrt(1 - cbrt(threshold / strength)), which is
+// its radius where the strength is 1; crossings of chords are within h^2 / 8r, and of this
+// potential's curvature as much: .1 h.
 TEST(TestParticles, RadiusAndStrengthComeFromArrays)
 {
   vtkSmartPointer<vtkPolyData> points = MakePoints({ { -0.5, 0.0, 0.0 }, { 0.4, 0.0, 0.0 } });
-  AddArray<vtkFloatArray>(points, "size", { 0.4, 0.6 });
+  AddArray<vtkFloatArray>(points, "size", { 0.2, 0.3 });
   AddArray<vtkDoubleArray>(points, "weight", { 1.0, 2.0 });
   auto filter = MakeSkinOverData(points);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "size");
   filter->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "weight");
   filter->Update();
   const auto bounds = GetSkinBounds(filter);
-  const double left = -0.5 - 0.4 * std::sqrt(1.0 - std::cbrt(0.5));
-  const double right = 0.4 + 0.6 * std::sqrt(1.0 - std::cbrt(0.25));
-  EXPECT_NEAR(bounds[0], left, 0.1 * VoxelSize) << "radius .4, strength 1";
-  EXPECT_NEAR(bounds[1], right, 0.1 * VoxelSize) << "radius .6, strength 2";
+  const double left = -0.5 - 0.2;
+  const double right =
+    0.4 + 0.3 * std::sqrt(1.0 - std::cbrt(0.25)) / std::sqrt(1.0 - std::cbrt(0.5));
+  EXPECT_NEAR(bounds[0], left, 0.1 * VoxelSize) << "radius .2, strength 1";
+  EXPECT_NEAR(bounds[1], right, 0.1 * VoxelSize) << "radius .3, strength 2";
 
   points->GetPointData()->SetActiveScalars("size");
   filter->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
@@ -262,7 +264,7 @@ TEST(TestParticles, KernelAndThresholdShapeTheSkin)
   auto filter = MakeSkinOverData(MakePoints({ { 0.0, 0.0, 0.0 } }));
   filter->SetParticleModelToSum();
   filter->SetTimeIntegrationToExplicit();
-  filter->SetParticleRadius(0.6);
+  filter->SetKernelRadius(0.6);
   const auto radius = [filter]
   {
     filter->Update();
@@ -315,7 +317,7 @@ TEST(TestParticles, SpacingIsEstimated)
   lattice.push_back(lattice.front()); // a point twice is no neighbour
   lattice.push_back({ 50.0, 0.0, 0.0 });
   auto estimated = MakeSkinOverData(MakePoints(lattice));
-  estimated->SetParticleRadius(0.0);
+  estimated->SetKernelRadius(0.0);
   MessageCapture messages(estimated);
   const std::string bytes = GetBytesAt(estimated, 0.1);
   estimated->UpdateTimeStep(0.2);
@@ -323,7 +325,7 @@ TEST(TestParticles, SpacingIsEstimated)
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, "a ParticleSpacing of 0.1 is used"), 1)
     << "warnings that say the value";
   auto given = MakeSkinOverData(MakePoints(lattice));
-  given->SetParticleRadius(0.2);
+  given->SetKernelRadius(0.2);
   // Not to the byte: the distances of the lattice are rounded.
   EXPECT_NEAR(double(bytes.size()) / GetBytesAt(given, 0.1).size(), 1.0, 0.01) << "as 0.2";
 }
@@ -378,7 +380,7 @@ TEST(TestParticles, TheSplashIsReadOnceAndStaysClosed)
   filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "id");
   filter->SetParticleModelToSum();
   filter->SetTimeIntegrationToExplicit();
-  filter->SetParticleRadius(0.2);
+  filter->SetKernelRadius(0.2);
   filter->SetVoxelSize(0.06);
   filter->SetAttraction(50.0);
   filter->SetTimeScale(1.0 / 25.0);

@@ -160,7 +160,7 @@ TEST(TestSharedFrames, HaveTheSpacingOfTheWhole)
           EXPECT_EQ(FindSpacing(ReadCloudHome(cloud, &ranks)), spacing) << "at home, " << count;
           if (count > 0)
           {
-            EXPECT_EQ(FindFirstRadius(shared), ReadCloud(cloud, nullptr).Particles.front().Radius);
+            EXPECT_EQ(FindMedianRadius(shared), FindMedianRadius(ReadCloud(cloud, nullptr)));
           }
         });
     }

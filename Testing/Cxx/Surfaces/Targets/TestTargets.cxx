@@ -4,6 +4,7 @@
 #include "Support/PipelineTools.h"
 #include "Support/ShapeSource.h"
 
+#include "Skeleton.h"
 #include "vtkCellArray.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
@@ -65,12 +66,17 @@ TEST(TestTargets, LinesActLikeASkeletonPotential)
   radii->SetName("size");
   vtkNew<vtkDoubleArray> strengths;
   strengths->SetName("weight");
-  for (const double size : { 0.2, 0.3, 0.4, 0.25 })
+  vtkNew<vtkDoubleArray> reaches;
+  reaches->SetName("reach");
+  const double reachPerRadius = 1.0 / FindRadiusOfLevel(SkeletonKernel::CubicSpline, 0.4);
+  for (const double size : { 0.1, 0.15, 0.2, 0.125 })
   {
     radii->InsertNextValue(size);
+    reaches->InsertNextValue(reachPerRadius * size);
     strengths->InsertNextValue(1.2 - size);
   }
   lines->GetPointData()->AddArray(radii);
+  lines->GetPointData()->AddArray(reaches);
   lines->GetPointData()->AddArray(strengths);
   vtkNew<vtkSkeletonPotential> potential;
   potential->SetInput(lines);
@@ -92,7 +98,7 @@ TEST(TestTargets, LinesActLikeASkeletonPotential)
   input->SetInputArrayToProcess(2, 0, 0, Points, "weight");
   input->SetParticleKernelToCubicSpline();
   input->SetParticleThreshold(0.4);
-  potential->SetRadiusArrayName("size");
+  potential->SetRadiusArrayName("reach");
   potential->SetStrengthArrayName("weight");
   potential->SetKernelToCubicSpline();
   potential->SetThreshold(0.4);

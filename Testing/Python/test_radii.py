@@ -1,0 +1,120 @@
+# ctest: LABELS exact
+"""A radius is a radius: the skin shows what is given for a ball or a tube without neighbours.
+
+Run: python3 test_radii.py
+"""
+
+import unittest
+
+import active_implicit_surfaces as active
+import numpy
+from active_implicit_surfaces.data_objects import as_particles
+from python_data import as_array
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+FAR = 12.0  # between balls, in the largest radius: no kernel reaches so far
+SHARE = 0.03
+
+
+def corners_of(skin):
+    points = vtk_to_numpy(skin.GetPoints().GetData()).astype(float)
+    return points[vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
+
+
+def radii_of_balls(skin, centers):
+    """For each center the radius of the ball that has the volume of the skin there."""
+    corners = corners_of(skin)
+    numbers = numpy.abs(corners.mean(1)[:, None, 0] - centers[None, :, 0]).argmin(1)
+    a, b, c = (corners[:, k] - centers[numbers] for k in range(3))
+    parts = numpy.einsum("ij,ij->i", a, numpy.cross(b, c)) / 6
+    volumes = numpy.bincount(numbers, parts, minlength=len(centers))
+    return numpy.cbrt(volumes / (4 / 3 * numpy.pi))
+
+
+def balls(radii, seed=0):
+    """Far from each other, at places that no lattice of voxels has."""
+    centers = numpy.random.default_rng(seed).uniform(-0.5, 0.5, (len(radii), 3))
+    centers[:, 0] += FAR * max(radii) * numpy.arange(len(radii))
+    return centers
+
+
+class Balls(unittest.TestCase):
+    def check(self, radii, voxel, share=SHARE, **options):
+        centers = balls(radii)
+        skin = active.skin(centers, radii=numpy.array(radii), voxel_size=voxel, **options)
+        shown = radii_of_balls(skin, centers) / radii
+        self.assertLess(numpy.abs(shown - 1).max(), share, shown)
+
+    def test_anisotropic(self):
+        self.check([0.5] * 8, 0.25)
+
+    def test_averaged_centre(self):
+        self.check([0.5] * 8, 0.125, particle_model="averaged_centre")
+
+    def test_sums_of_any_kernel_and_threshold(self):
+        for kernel in ("wyvill", "cubic_spline", "metaball"):
+            for threshold in (0.05, 0.5, 0.8):
+                with self.subTest(kernel=kernel, threshold=threshold):
+                    options = {"particle_kernel": kernel, "particle_threshold": threshold}
+                    self.check([0.5] * 4, 0.1, particle_model="sum", **options)
+
+    def test_a_spread_of_sizes(self):
+        """The smallest of the balls is a voxel and a half."""
+        self.check([1.0, 0.6, 0.3, 0.15], 0.1, share=0.05)
+
+    def test_a_preset_for_atoms(self):
+        self.check([1.7, 1.1], 0.25, preset="molecule")
+
+    def test_the_mean_over_places_at_voxels_of_a_radius(self):
+        radii = [1.0] * 60
+        centers = balls(radii, seed=3)
+        skin = active.skin(centers, particle_spacing=2.0, voxel_size=1.0)
+        shown = radii_of_balls(skin, centers)
+        self.assertAlmostEqual(shown.mean(), 1.0, delta=0.01)
+        self.assertLess(numpy.abs(shown - 1).max(), 0.06)
+
+
+class Tubes(unittest.TestCase):
+    def test_a_tube_has_its_radius(self):
+        points, lines, data = vtkPoints(), vtkCellArray(), vtkPolyData()
+        for x in (0.0, 10.0):
+            points.InsertNextPoint(x, 0.037, 0.051)
+        lines.InsertNextCell(2)
+        lines.InsertCellPoint(0)
+        lines.InsertCellPoint(1)
+        data.SetPoints(points)
+        data.SetLines(lines)
+        radii = as_array(numpy.array([0.5, 0.5]))
+        radii.SetName("size")
+        data.GetPointData().AddArray(radii)
+        surface = active.vtkActiveImplicitSurface()
+        surface.SetInputData(data)
+        surface.SetInputArrayToProcess(0, 0, 0, 0, "size")
+        surface.SetVoxelSize(0.1)
+        surface.Update()
+        places = corners_of(surface.GetOutput()).reshape(-1, 3)
+        middle = places[numpy.abs(places[:, 0] - 5) < 3]
+        away = numpy.hypot(middle[:, 1] - 0.037, middle[:, 2] - 0.051)
+        self.assertLess(numpy.abs(away / 0.5 - 1).max(), SHARE)
+
+
+class Kernels(unittest.TestCase):
+    def test_a_radius_of_particles_goes_with_that_of_kernels(self):
+        """4.5 times as wide: the skin is that of a spacing of two radii."""
+        block = numpy.stack(numpy.meshgrid(*[numpy.arange(6.0)] * 3), -1).reshape(-1, 3) + 0.137
+        given = active.skin(block, radii=numpy.full(216, 0.5), voxel_size=0.5)
+        known = active.skin(block, particle_spacing=1.0, voxel_size=0.5)
+        kernel = active.skin(block, particle_spacing=1.0, kernel_radius=2.25, voxel_size=0.5)
+        for skin in (given, kernel):
+            self.assertEqual(corners_of(skin).tobytes(), corners_of(known).tobytes())
+
+    def test_an_array_by_its_name(self):
+        cloud = as_particles(balls([0.5, 0.25]), size=numpy.array([0.5, 0.25]))
+        shown = radii_of_balls(active.skin(cloud, radii="size", voxel_size=0.1), balls([0.5, 0.25]))
+        self.assertAlmostEqual(shown[0] / shown[1], 2.0, delta=0.06)
+
+
+if __name__ == "__main__":
+    unittest.main()
