@@ -85,7 +85,7 @@ NOT_CHANGED = {"Target", "Initial", "TimestepValues", "ArrivalTime"}
 # What does not show in the second step: other times are published, or the input's hold.
 WITHOUT_EFFECT = set(
     """
-    AutomaticAttraction CFL CheckpointInterval CheckpointMemory
+    AutomaticAttraction BoundedDomain CFL CheckpointInterval CheckpointMemory
     MaximumNumberOfActiveVoxels MeshThickness ModelBounds NumberOfThreads NumberOfTimeSteps
     OutputPotential ParticleKernel ParticleThreshold StartTime TargetReach TimeStepSize
     VelocityArray

@@ -41,7 +41,7 @@ class Presets(unittest.TestCase):
         once, _ = splash(VoxelSize=0.12, Attraction=1)
         paraview_presets.apply("viscous", once)
         twice, _ = splash(VoxelSize=0.12, Attraction=1)
-        for name in ("paper", "molecule", "viscous"):
+        for name in ("viscous", "paper", "viscous"):
             paraview_presets.apply(name, twice)
         self.assertEqual(values_of(twice), values_of(once))
         self.assertEqual(twice.VoxelSize, 0.12)
