@@ -51,9 +51,6 @@ public:
   // The numbers of the balls, by cells: hits are places in this list.
   const UnsetVector<Index>& GetOrder() const { return this->Order; }
 
-  // 0 without balls.
-  double GetLargestRadius() const { return this->Levels.empty() ? 0.0 : this->Levels[0].Reach; }
-
   // As it was asked for.
   double GetCellSize() const { return this->CellSize; }
 

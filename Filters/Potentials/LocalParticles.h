@@ -36,10 +36,6 @@ public:
   {
     return this->Shared ? this->Shared->CountOfAll : this->Own.size();
   }
-  double GetLargestRadius() const
-  {
-    return this->Shared ? this->Shared->LargestRadius : FindLargestRadius(this->Own);
-  }
 
   // So many of all, spread over their order. A round of ranks.
   std::vector<SkeletonVertex> PickSample(std::size_t count) const;

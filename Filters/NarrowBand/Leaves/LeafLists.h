@@ -20,14 +20,6 @@ inline LeafList Without(const LeafList& leaves, const LeafList& others)
   return rest;
 }
 
-inline LeafList Union(const LeafList& leaves, const LeafList& others)
-{
-  LeafList all;
-  std::set_union(
-    leaves.begin(), leaves.end(), others.begin(), others.end(), std::back_inserter(all));
-  return all;
-}
-
 inline LeafList Intersection(const LeafList& leaves, const LeafList& others)
 {
   LeafList common;

@@ -86,20 +86,6 @@ ACTIVE_ALWAYS_INLINE void AddTransport(
   }
 }
 
-/** Squares of the gradient norm, upwind for a surface of this speed. */
-ACTIVE_ALWAYS_INLINE void UpwindGradientSquares(const float* u, const float* speed, float* squares)
-{
-  for (int z = 0; z < 8; ++z)
-  {
-    const UpwindSquares x = UpwindDifferences(u + z, LeafBlock::X);
-    const UpwindSquares y = UpwindDifferences(u + z, LeafBlock::Y);
-    const UpwindSquares w = UpwindDifferences(u + z, LeafBlock::Z);
-    const float outward = x.Outward + y.Outward + w.Outward;
-    const float inward = x.Inward + y.Inward + w.Inward;
-    squares[z] = speed[z] > 0.f ? outward : inward;
-  }
-}
-
 /** Squares of the gradient norm, central differences. */
 ACTIVE_ALWAYS_INLINE void CentralGradientSquares(const float* u, float* squares)
 {

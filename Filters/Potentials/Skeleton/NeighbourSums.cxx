@@ -135,58 +135,6 @@ struct NeighbourSums::ShareField : SumField<NeighbourSums::ShareField, 2>
   }
 };
 
-struct NeighbourSums::MotionField : SumField<NeighbourSums::MotionField, 7> // as in Motion
-{
-  const NeighbourSums& Neighbours;
-  const UnsetVector<Moving>& OfParticles;
-  Motion* Motions;
-
-  ACTIVE_ALWAYS_INLINE void Write(std::size_t i, const double* terms) const
-  {
-    Motion& motion = this->Motions[i];
-    motion.Weight = terms[0];
-    motion.SquareOfWeights = terms[1];
-    std::copy_n(terms + 2, 3, motion.Velocity);
-    motion.Square = terms[5];
-    motion.Bulk = terms[6];
-  }
-
-  template <int Width>
-  ACTIVE_ALWAYS_INLINE void Add(const PlaceLanes<Width>& lanes, const BallCells::Index* hits,
-    std::size_t count, LaneSums<Terms, Width>& result) const
-  {
-    LaneSums<Terms, Width> sums = result;
-    for (std::size_t hit = 0; hit < count; ++hit)
-    {
-      const Element& element = this->Neighbours.Elements[hits[hit]];
-      const Moving own = this->OfParticles[hits[hit]];
-      const double* v = own.Velocity;
-      const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-      if (!std::isfinite(square))
-      {
-        continue;
-      }
-      ACTIVE_LANES
-      for (int i = 0; i < Width; ++i)
-      {
-        const double x = element.Position[0] - lanes.X[0][i];
-        const double y = element.Position[1] - lanes.X[1][i];
-        const double z = element.Position[2] - lanes.X[2][i];
-        const double u = 1.0 - std::min((x * x + y * y + z * z) * element.InverseReach2, 1.0);
-        const double weight = element.Strength * (u * u);
-        sums.Terms[0][i] += weight;
-        sums.Terms[1][i] += weight * weight;
-        sums.Terms[2][i] += weight * v[0];
-        sums.Terms[3][i] += weight * v[1];
-        sums.Terms[4][i] += weight * v[2];
-        sums.Terms[5][i] += weight * square;
-        sums.Terms[6][i] += weight * own.Bulk;
-      }
-    }
-    result = sums;
-  }
-};
-
 NeighbourSums::NeighbourSums(
   const std::vector<SkeletonVertex>& particles, double factor, double largestRadius)
   : Factor(factor)
@@ -249,15 +197,6 @@ void NeighbourSums::FindShares(std::size_t count, const double* places,
   EvaluateInLanes(this->Near, count, places,
     [&](std::size_t first) {
       return ShareField{ {}, *this, ofParticles, shares + first };
-    });
-}
-
-void NeighbourSums::FindMotions(std::size_t count, const double* places,
-  const UnsetVector<Moving>& ofParticles, Motion* motions) const
-{
-  EvaluateInLanes(this->Near, count, places,
-    [&](std::size_t first) {
-      return MotionField{ {}, *this, ofParticles, motions + first };
     });
 }
 

@@ -53,24 +53,6 @@ public:
   void FindShares(std::size_t count, const double* places, const UnsetVector<Shares>& ofParticles,
     Shares* shares) const;
 
-  // Of the velocities of the particles, in this order, with weights w; those that are not a number
-  // are left out.
-  struct Moving
-  {
-    double Velocity[3];
-    double Bulk;
-  };
-  struct Motion
-  {
-    double Weight = 0.0;
-    double SquareOfWeights = 0.0;           // sum w^2
-    double Velocity[3] = { 0.0, 0.0, 0.0 }; // sum w v
-    double Square = 0.0;                    // sum w v^2
-    double Bulk = 0.0;                      // sum w bulk
-  };
-  void FindMotions(std::size_t count, const double* places, const UnsetVector<Moving>& ofParticles,
-    Motion* motions) const;
-
 private:
   struct Element
   {
@@ -80,7 +62,6 @@ private:
   };
   struct MomentField;
   struct ShareField;
-  struct MotionField;
 
   void Build(const std::vector<SkeletonVertex>& particles, double cellSize);
 
