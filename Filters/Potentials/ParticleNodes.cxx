@@ -77,6 +77,11 @@ void ParticleNodes::Build(const NodeParticles& given, const NodeParticleOptions&
 // Distance of the skin of balls and bodies beyond the own radius, in the largest own radius.
 double ParticleNodes::FindBeyond() const
 {
+  // Balls of given radii may overlap: then their skin is anywhere within the kernels.
+  if (!(this->Options.OwnRadius > 0.0))
+  {
+    return this->Options.ReachPerRadius - 1.0;
+  }
   double loss = 0.0, most = 0.0;
   for (const ParticleCube& cube : this->Cubes)
   {

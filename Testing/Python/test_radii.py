@@ -64,6 +64,18 @@ class Balls(unittest.TestCase):
         """The smallest of the balls is a voxel and a half."""
         self.check([1.0, 0.6, 0.3, 0.15], 0.1, share=0.05)
 
+    def test_balls_that_overlap(self):
+        """The skin goes far around them, as around a fluid eight times as dense: it is not cut."""
+        spread = numpy.arange(4)
+        centers = numpy.stack([0.1 * spread, 0.05 * (spread % 3), 0 * spread], -1)
+        radii = 0.2 + 0.02 * spread
+        corners = corners_of(active.skin(centers, radii=radii, voxel_size=0.05))
+        self.assertTrue((corners.min((0, 1)) < centers.min(0) - 0.1).all())
+        a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+        volume = numpy.einsum("ij,ij->i", a, numpy.cross(b, c)).sum() / 6
+        self.assertGreater(volume, 4 / 3 * numpy.pi * radii.max() ** 3)
+        self.assertLess(volume, 4 * 4 / 3 * numpy.pi * (2 * radii.max()) ** 3)
+
     def test_a_preset_for_atoms(self):
         self.check([1.7, 1.1], 0.25, preset="molecule")
 
