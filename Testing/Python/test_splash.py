@@ -69,11 +69,28 @@ def mean_distance(points, surface):
     return numpy.abs(vtk_to_numpy(distances)).mean() / VOXEL
 
 
+def count_clusters(places, gap):
+    """How many sets of places there are that are farther from each other than a gap."""
+    near = numpy.linalg.norm(places[:, None] - places[None], axis=2) < gap
+    left, clusters = numpy.ones(len(places), bool), 0
+    while left.any():
+        cluster = numpy.zeros(len(places), bool)
+        cluster[numpy.argmax(left)] = True
+        grown = near[cluster].any(axis=0)
+        while grown.sum() > cluster.sum():
+            cluster = grown
+            grown = near[cluster].any(axis=0)
+        left &= ~cluster
+        clusters += 1
+    return clusters
+
+
 class Splash(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         """Goes through all steps once; what is needed of a skin is kept."""
         cls.messages, cls.closed, cls.pieces, cls.distances = [], [], [], []
+        cls.clusters = []
         particles, surface = splash()
         for event in ("WarningEvent", "ErrorEvent"):
             surface.AddObserver(event, lambda _, what: cls.messages.append(what))
@@ -82,6 +99,10 @@ class Splash(unittest.TestCase):
             skin, target = surface.GetOutput(), surface_of(particles.GetOutput())
             cls.closed.append(is_closed_manifold(skin))
             cls.pieces.append(count_pieces(skin))
+            places = vtk_to_numpy(particles.GetOutput().GetPoints().GetData()).astype(float)
+            cls.clusters.append(
+                [count_clusters(places, gap * 0.5 * PARTICLE_SPACING) for gap in (2.8, 4.0)]
+            )
             cls.distances.append((mean_distance(skin, target), mean_distance(target, skin)))
 
     def test_says_nothing(self):
@@ -96,13 +117,20 @@ class Splash(unittest.TestCase):
         for step, distances in enumerate(self.distances):
             self.assertLess(max(distances), 0.5, f"at step {step}")
 
-    # The drop is apart from the pool until it lands; where the splash throws drops off, and as they
-    # fall back, the particles' surface is in 5 pieces at the steps 22 to 27.
+    # The drop is apart from the pool until it lands; four drops fly, and two heaps are left apart.
     def test_merges_and_splits(self):
-        self.assertEqual(self.pieces[:7], [2] * 7)
-        self.assertEqual(self.pieces[9:22], [1] * 13)
-        self.assertEqual(self.pieces[22:28], [5] * 6)
-        self.assertEqual(self.pieces[29:38], [1] * 9)
+        self.assertEqual(self.pieces[:8], [2] * 8)
+        self.assertEqual(self.pieces[9:21], [1] * 12)
+        self.assertEqual(self.pieces[21:28], [5] * 7)
+        self.assertEqual(self.pieces[28:35], [1] * 7)
+        self.assertEqual(self.pieces[38:], [3] * 3)
+
+    def test_particles_are_apart_where_the_skin_is(self):
+        """Those nearer than 2.8 r are in one piece, and none reaches over more than 4 r."""
+        for step, (most, least) in enumerate(self.clusters):
+            with self.subTest(step=step):
+                self.assertLessEqual(self.pieces[step], most)
+                self.assertGreaterEqual(self.pieces[step], least)
 
 
 if __name__ == "__main__":
