@@ -1,8 +1,8 @@
 #include "ParticleFit.h"
 
 #include "LocalParticles.h"
+#include "NeighbourLimit.h"
 #include "ParallelTasks.h"
-#include "ParticleCrowd.h"
 #include "ParticlePotential.h"
 #include "Skeleton/NeighbourSums.h"
 #include "Skeleton/SurfacePlaces.h"
@@ -43,11 +43,11 @@ public:
 
   ParticleFits Find()
   {
-    if (this->IsCrowd())
+    if (this->HasTooManyNeighbours())
     {
       if (!this->Options.SparesCrowds)
       {
-        RefuseCrowd(this->Local.CountAll());
+        RefuseNeighbours(this->Local.CountAll());
       }
       return ParticleFits(this->Wanted.size(), ParticleFit());
     }
@@ -84,7 +84,7 @@ private:
   }
 
   // By a sample that is spread over the list.
-  bool IsCrowd() const
+  bool HasTooManyNeighbours() const
   {
     if (this->Local.CountAll() <= FewParticles)
     {

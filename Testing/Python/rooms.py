@@ -74,8 +74,8 @@ MAY_INCLUDE = {
         "NarrowBand/IndexMap",
         "NarrowBand/InstructionSets",
         "NarrowBand/NodeTarget",
+        "Potentials/NeighbourLimit",
         "Potentials/ParallelTasks",
-        "Potentials/ParticleCrowd",
         "Potentials/UnsetVector",
     ],
     "Potentials/Skeleton": [

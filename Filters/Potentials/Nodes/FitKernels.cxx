@@ -32,8 +32,8 @@ constexpr float DensityOfLeastReach = .05f;
 constexpr float DensityOfFullReach = .2f;
 
 // Near neighbours are within this share of the neighbourhood's radius. The sum of their weights,
-// with the particle's own (1), tells whether there is a shape: two neighbours make 2.1, a sheet of
-// one layer 4.2, a body's surface 5.8.
+// with the particle's own (1), decides whether there is a shape: two neighbours make 2.1, a sheet
+// of one layer 4.2, a body's surface 5.8.
 constexpr float NearPerWide = .55f;
 constexpr float FewestNeighbours = 2.2f;
 constexpr float EnoughNeighbours = 4.2f;

@@ -1,7 +1,7 @@
 #include "Nodes/NodeFits.h"
 
+#include "NeighbourLimit.h"
 #include "ParallelTasks.h"
-#include "ParticleCrowd.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,11 +34,11 @@ void NodeFits::Find(
   this->Options = options;
   const std::size_t count = blocks.GetOrder().size();
   this->Resize(count);
-  if (this->IsCrowd())
+  if (this->HasTooManyNeighbours())
   {
     if (options.HasEllipsoids)
     {
-      RefuseCrowd(count);
+      RefuseNeighbours(count);
     }
     std::fill(this->Bulk.begin(), this->Bulk.end(), 0.f);
     return;
@@ -69,7 +69,7 @@ void NodeFits::Resize(std::size_t count)
   RunEach(count + LanePadding,
     [this, count](std::size_t k)
     {
-      const bool isNeighbour = k<count&& this->Given.Strength[k]> 0.f;
+      const bool isNeighbour = count > k && this->Given.Strength[k] > 0.f;
       const float wide =
         isNeighbour ? static_cast<float>(this->Options.WidePerReach) * this->Given.Reach[k] : 0.f;
       this->Wide2[k] = wide * wide;
@@ -87,7 +87,7 @@ void NodeFits::Resize(std::size_t count)
 }
 
 // By a sample that is spread over the list.
-bool NodeFits::IsCrowd() const
+bool NodeFits::HasTooManyNeighbours() const
 {
   const std::size_t count = this->Blocks->GetOrder().size();
   if (count <= FewParticles)
@@ -241,7 +241,7 @@ void NodeFits::KeepShape(std::uint32_t k, int column, const GroupFits& fits)
   {
     ellipsoid.Extent[axis] = fits.Extent[axis][column];
   }
-  ellipsoid.Strength = this->Given.Strength[k]; // until it is known
+  ellipsoid.Strength = this->Given.Strength[k]; // FindStrengths divides it
 }
 
 void NodeFits::FindLongestReach()

@@ -36,8 +36,8 @@ struct NodeFitOptions
 class NodeFits
 {
 public:
-  // Keeps its memory. Throws std::invalid_argument for a crowd (ParticleCrowd.h); without
-  // ellipsoids bulks are 0 then.
+  // Keeps its memory. Throws std::invalid_argument for too many neighbours (NeighbourLimit.h);
+  // without ellipsoids bulks are 0 then.
   void Find(const ParticleBlocks& blocks, const FitColumns& given, const NodeFitOptions& options);
 
   // In [0,1]; 1 deep in a body.
@@ -56,7 +56,7 @@ private:
   struct Search;
 
   void Resize(std::size_t count);
-  bool IsCrowd() const;
+  bool HasTooManyNeighbours() const;
   template <class IsWanted, class Visit>
   void ForEachGroup(IsWanted&& isWanted, Visit&& visit) const;
   void FillGroup(Search& search) const;

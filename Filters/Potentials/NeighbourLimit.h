@@ -1,7 +1,7 @@
-// A crowd: particles in one place, too many to visit the neighbours of each.
+// The number of neighbours from which on particles are refused.
 
-#ifndef ParticleCrowd_h
-#define ParticleCrowd_h
+#ifndef NeighbourLimit_h
+#define NeighbourLimit_h
 
 #include <cstddef>
 
@@ -14,7 +14,7 @@ namespace activesurface
 constexpr std::size_t FewParticles = 30000;
 constexpr std::size_t MostNeighbours = 20000;
 constexpr std::size_t ParticlesOfSample = 256;
-[[noreturn]] void RefuseCrowd(std::size_t particles);
+[[noreturn]] void RefuseNeighbours(std::size_t particles);
 
 }
 

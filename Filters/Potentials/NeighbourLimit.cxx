@@ -1,4 +1,4 @@
-#include "ParticleCrowd.h"
+#include "NeighbourLimit.h"
 
 #include <stdexcept>
 #include <string>
@@ -6,7 +6,7 @@
 namespace activesurface
 {
 
-void RefuseCrowd(std::size_t particles)
+void RefuseNeighbours(std::size_t particles)
 {
   throw std::invalid_argument("The " + std::to_string(particles) + " particles have more than " +
     std::to_string(MostNeighbours) +
