@@ -9,16 +9,12 @@
 #include "SharedBand.h"
 #include "State/InitialShape.h"
 #include "State/LatticeBox.h"
-#include "State/PackedBand.h"
-#include "State/SavedTree.h"
 #include "StaticShutdown.h"
 #include "Substep/NodePoints.h"
 #include "ThreadArena.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -26,14 +22,6 @@
 
 namespace activesurface
 {
-
-namespace
-{
-
-/** StateNumbers as they lie in packed bytes. */
-using PackedNumbers = std::array<double, 7>;
-
-}
 
 NarrowBand::NarrowBand(double voxelSize)
   : State(new BandState)
@@ -52,56 +40,6 @@ NarrowBand::NarrowBand(double voxelSize)
 NarrowBand::~NarrowBand()
 {
   ReleaseUnlessExiting(std::move(this->State->Potential));
-}
-
-std::unique_ptr<NarrowBand> NarrowBand::Clone() const
-{
-  auto copy = std::make_unique<NarrowBand>(this->State->VoxelSize);
-  BandState& members = *copy->State;
-  members.SetNumbers(this->State->GetNumbers());
-  members.Threads = this->State->Threads;
-  members.Maximum = this->State->Maximum;
-  members.Work = this->State->Work;
-  copy->Run([&]
-    { members.AdoptTree(std::make_shared<openvdb::FloatTree>(this->State->Potential->tree())); });
-  return copy;
-}
-
-void NarrowBand::AddGhosts()
-{
-  this->Run([&] { this->State->AddGhosts(); });
-}
-
-bool NarrowBand::HasGhosts() const
-{
-  return this->State->HasGhosts;
-}
-
-std::string NarrowBand::Pack() const
-{
-  const StateNumbers n = this->State->GetNumbers();
-  const PackedNumbers packed = { n.VoxelSize, n.Time, n.StartArea, n.StartVolume, n.BoxSize,
-    n.Paper ? 1.0 : 0.0, n.HasGhosts ? 1.0 : 0.0 };
-  return std::string(reinterpret_cast<const char*>(packed.data()), sizeof packed) +
-    PackBand(this->State->Leaves, n.HasGhosts);
-}
-
-std::unique_ptr<NarrowBand> NarrowBand::Unpack(const std::string& bytes)
-{
-  PackedNumbers packed;
-  if (bytes.size() < sizeof packed)
-  {
-    RefuseState();
-  }
-  std::memcpy(packed.data(), bytes.data(), sizeof packed);
-  const StateNumbers numbers = { packed[0], packed[1], packed[2], packed[3], packed[4],
-    packed[5] != 0.0, packed[6] != 0.0, 0.f };
-  auto band = std::make_unique<NarrowBand>(numbers.VoxelSize);
-  BandState& members = *band->State;
-  members.SetNumbers(numbers);
-  band->Run(
-    [&] { members.Restore(UnpackBand(bytes.substr(sizeof packed), members.GetBackground())); });
-  return band;
 }
 
 void NarrowBand::SetNumberOfThreads(int threads)
