@@ -52,9 +52,9 @@ struct BandState
   /** Replaces the potential; the layers follow from the signs, in the paper's band from the active
    * masks. */
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
-  /** The same; the ghosts too follow from the active nodes, if there are. */
+  /** Replaces the potential; ghosts follow from its active nodes. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
-  /** For substeps, unless they are there. */
+  /** Makes the ghosts, which substeps need. */
   void AddGhosts();
   StateNumbers GetNumbers() const
   {

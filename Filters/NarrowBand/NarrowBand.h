@@ -62,7 +62,7 @@ public:
 
   ///@{
   /**
-   * The state as bytes, without loss, less than 4 per active voxel; and the band restored from
+   * The state as bytes, without loss (see State/PackedBand.h); and the band restored from
    * them, whose further motion gives the same bytes. For this process, not for files. Without the
    * work done (GetWork).
    */

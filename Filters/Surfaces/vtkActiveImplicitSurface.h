@@ -14,8 +14,7 @@
  * without them KernelRadius, the point numbers and 1 hold. Or a vtkTable with the columns x, y, z
  * (Points:0, Points:1, Points:2; pos_x ...), whose other columns are its arrays. Or blocks of
  * particles (vtkMultiBlockDataSet, vtkPartitionedDataSet, ...): all points in the order of the
- * blocks, with the arrays that all blocks with points have. One block alone with points may be of
- * any kind.
+ * blocks, with the arrays that all of these have. A single block with points may be of any kind.
  * - Skeleton: a vtkPolyData with lines, as vtkSkeletonPotential takes it, with the same arrays.
  * - Mesh: a closed vtkPolyData of polygons or strips without lines (open ones: see MeshThickness).
  *   F is the distance to it, as vtkGridPotential gives it.

@@ -242,8 +242,8 @@ struct ExtendLeaf
   }
 };
 
-/** One round of the extension, to the neighbours of the nodes where the speed is known; false when
- * no active node is left to reach. */
+/** Extends the speed from nodes to their neighbours, once. Returns false when no active node is
+ * left to reach. */
 bool ExtendOnce(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
 {
   std::atomic<bool> reached{ false }, left{ false };

@@ -57,7 +57,7 @@ struct ParticleFrame
     return this->Shared ? this->Shared->CountOfAll : this->Particles.size();
   }
 
-  // Finds the fits, once. Where ranks share particles, they are at home. Throws as FitParticles.
+  // Finds the fits, once. Throws as FitParticles.
   void FindFits(const FitOptions& options) const;
 
   // The reach of each.

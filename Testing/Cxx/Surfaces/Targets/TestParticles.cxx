@@ -222,9 +222,8 @@ TEST(TestParticles, NoParticlesLaterMakeTheSkinVanish)
   EXPECT_EQ(messages.Errors.size(), 0u) << "errors";
 }
 
-// An isolated WYVILL ball has its surface at reach * sqrt(1 - cbrt(threshold / strength)), which is
-// its radius where the strength is 1; crossings of chords are within h^2 / 8r, and of this
-// potential's curvature as much: .1 h.
+// A WYVILL ball has its surface at reach * sqrt(1 - cbrt(threshold / strength)). Crossings of
+// chords are within h^2 / 8r, and of this potential's curvature as much: .1 h.
 TEST(TestParticles, RadiusAndStrengthComeFromArrays)
 {
   vtkSmartPointer<vtkPolyData> points = MakePoints({ { -0.5, 0.0, 0.0 }, { 0.4, 0.0, 0.0 } });
@@ -236,8 +235,7 @@ TEST(TestParticles, RadiusAndStrengthComeFromArrays)
   filter->Update();
   const auto bounds = GetSkinBounds(filter);
   const double left = -0.5 - 0.2;
-  const double right =
-    0.4 + 0.3 * std::sqrt(1.0 - std::cbrt(0.25)) / std::sqrt(1.0 - std::cbrt(0.5));
+  const double right = 0.4 + 0.3 * std::sqrt((1.0 - std::cbrt(0.25)) / (1.0 - std::cbrt(0.5)));
   EXPECT_NEAR(bounds[0], left, 0.1 * VoxelSize) << "radius .2, strength 1";
   EXPECT_NEAR(bounds[1], right, 0.1 * VoxelSize) << "radius .3, strength 2";
 
