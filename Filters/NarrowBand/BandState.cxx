@@ -2,8 +2,6 @@
 
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
-#include "Leaves/LeafExchange.h"
-#include "Leaves/WholeBand.h"
 #include "Parts/CreateParts.h"
 #include "Substep/ConvergedLeaves.h"
 #include "Substep/ExactControl.h"
@@ -254,7 +252,7 @@ void BandState::Confine(const Walls& walls, Obstacle* obstacle)
 {
   this->AddGhosts();
   this->Set.ChooseAll(this->Leaves);
-  this->Buffers.MakeRoomForNodes(this->Leaves);
+  this->Buffers.MakeRoomForNodes(this->Leaves.Size());
   this->Leaves.ForEach(
     [&](std::size_t i) { std::copy_n(this->Leaves[i].Value, 512, this->Buffers.NextOf(i)); });
   ClampToBounds({ walls, obstacle, this->VoxelSize }, this->Leaves, this->Set, this->Buffers);
@@ -292,9 +290,6 @@ void BandState::DropEmptyLeaves()
 
 void BandState::FinishFrame()
 {
-  const std::size_t crossings = std::exchange(this->Crossings, 0); // none where that fails
-  LeaveRanks(this->Leaves, this->Potential->tree());
-  this->Crossings = crossings;
   activesurface::DropEmptyLeaves(this->Leaves, this->Potential->tree());
   if (!this->Leaves.IsSorted())
   {

@@ -42,9 +42,8 @@ struct BandState
   SubstepBuffers Buffers;
   Displacement Trace;
   SteadyWindow Window;
-  BandBackup Backup;          // of what was before new parts
-  NodeStep Nodes;             // kept for its memory
-  Agreement* Ranks = nullptr; // that advance the band together
+  BandBackup Backup; // of what was before new parts
+  NodeStep Nodes;    // kept for its memory
 
   void MakeEmpty();
   /** An empty surface that begins at a time; bounds: for the size of the model. */

@@ -13,8 +13,6 @@
 namespace activesurface
 {
 
-class OwnPlaces;
-
 /** Places near the zero set of a function. */
 struct SurfacePoints
 {
@@ -44,12 +42,6 @@ struct InitialFunction
    * function is sampled everywhere within the bounds.
    */
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
-
-  /**
-   * Where ranks start together and there are regions, each may visit some of them: all ranks
-   * together visit all. Then the function is told where this rank evaluates it. May be empty.
-   */
-  std::function<void(std::shared_ptr<const OwnPlaces> places)> KeepNear;
 
   /**
    * The same, for a function whose surface is known by points: the start is, bitwise, the one

@@ -1,21 +1,16 @@
 #include "NarrowBand.h"
 
-#include "Agreement.h"
 #include "BandState.h"
-#include "Leaves/LeafExchange.h"
 #include "Parts/NearbyStart.h"
 #include "Parts/SparseStart.h"
 #include "ReportSum.h"
-#include "SharedBand.h"
 #include "State/InitialShape.h"
 #include "State/LatticeBox.h"
 #include "StaticShutdown.h"
-#include "Substep/NodePoints.h"
 #include "ThreadArena.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -48,11 +43,6 @@ void NarrowBand::SetNumberOfThreads(int threads)
   this->State->Threads = std::min(std::max(threads, 0), most);
 }
 
-void NarrowBand::SetRanks(Agreement* ranks)
-{
-  this->State->Ranks = ranks && !ranks->IsAlone() ? ranks : nullptr;
-}
-
 void NarrowBand::SetMaximumNumberOfActiveVoxels(std::size_t maximum)
 {
   this->State->Maximum = maximum;
@@ -71,7 +61,7 @@ bool NarrowBand::Start(double time, const double bounds[6], const InitialFunctio
         : function.ForEachRegion                 ? MakeSparsePotential
                                                  : MakeInitialPotential;
       openvdb::FloatTree::Ptr tree =
-        make(members.VoxelSize, bounds, function, members.Maximum, progress, members.Ranks);
+        make(members.VoxelSize, bounds, function, members.Maximum, progress);
       if (!tree)
       {
         return;
@@ -177,7 +167,7 @@ void GoOn(const NarrowBand& band, BandState& members, bool mayBegin, const Advan
       {
         for (bool goesOn = true; goesOn && (mayBegin || members.Crossings > 0);)
         {
-          RunTogether(members.Leaves, [&] { goesOn = substep(); });
+          goesOn = substep();
         }
       }
       catch (...)
@@ -204,19 +194,7 @@ AdvanceReport NarrowBand::Advance(
   }
   AdvanceReport report;
   const double begin = members.Time;
-  std::optional<SharedBand> shared;
-  this->Run(
-    [&]
-    {
-      members.Begin(motion);
-      const bool isNodes = motion.Integration == TimeIntegration::Nodes;
-      if (members.Ranks && !isNodes && !HasNodePoints(motion))
-      {
-        // Whoever has failed before tells it here: from now on all end together.
-        RunTogether(*members.Ranks,
-          [&] { shared.emplace(*members.Ranks, members.Leaves, target, members.VoxelSize); });
-      }
-    });
+  this->Run([&] { members.Begin(motion); });
   GoOn(*this, members, MayBegin(motion, target), report,
     [&]
     {

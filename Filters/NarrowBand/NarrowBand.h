@@ -21,7 +21,7 @@
  * distances are u divided by it.
  *
  * REPRODUCIBILITY: the potential after Advance depends, bitwise, on the times and the motion alone:
- * not on the number of threads or ranks, nor on what the memory held before.
+ * not on the number of threads, nor on what the memory held before.
  */
 #ifndef NarrowBand_h
 #define NarrowBand_h
@@ -39,7 +39,6 @@
 namespace activesurface
 {
 
-class Agreement;
 struct BandState;
 class LeafTable;
 
@@ -72,10 +71,6 @@ public:
 
   /** Threads that TBB may use, 1024 at most; 0: all. The result does not depend on it. */
   void SetNumberOfThreads(int threads);
-
-  /** Ranks that call Advance together, each with the same band, motion and target: they share its
-   * work. Null: none. Not owned. The result does not depend on them. */
-  void SetRanks(Agreement* ranks);
 
   /**
    * Limit of the memory. Start throws std::runtime_error and leaves an empty surface if the band

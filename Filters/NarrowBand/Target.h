@@ -22,39 +22,12 @@ struct TargetResults
   double* Slopes = nullptr;
 };
 
-/** Where ranks that share a band ask for a target, each for itself. */
-class OwnPlaces
-{
-public:
-  OwnPlaces() = default;
-  OwnPlaces(const OwnPlaces&) = delete;
-  void operator=(const OwnPlaces&) = delete;
-  virtual ~OwnPlaces() = default;
-
-  virtual int GetRank() const = 0; //< whose own they are
-
-  /** The ranks that may ask in a box (xmin xmax ymin ymax zmin zmax), or nearly: in any order, the
-   * same for all that want to know. Several threads may call it at once. */
-  virtual void FindRanks(const double bounds[6], std::vector<int>& ranks) const = 0;
-
-  /** Whether a place is one of this rank: every place is one of exactly one rank. The same for
-   * threads. */
-  virtual bool Has(const double x[3]) const = 0;
-};
-
 class NodeTarget;
 
 class Target
 {
 public:
   virtual ~Target() = default;
-
-  /**
-   * From now on, this rank asks at its own places alone (null: everywhere, as before). A target of
-   * many elements may forget those that reach none of them. All ranks call it, and then MoveTo,
-   * together; MayHaveChanged has to be the same on all. The places are the caller's.
-   */
-  virtual void KeepNear(const OwnPlaces* places) noexcept { static_cast<void>(places); }
 
   /**
    * Sets the motion time of the next evaluations. Called by one thread, at the beginning of each
@@ -96,8 +69,7 @@ public:
 
   ///@{
   /** The same by sources, as particles are, each of any number of boxes: those of the sources from
-   * first to end - 1. Several threads may call it at once. After KeepNear, boxes that are sought at
-   * their centre may be left out where this is not an own place; the others may not. */
+   * first to end - 1. Several threads may call it at once. */
   virtual std::size_t CountRegionSources() const { return 0; }
   virtual void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const
   {

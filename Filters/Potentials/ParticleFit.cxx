@@ -1,6 +1,5 @@
 #include "ParticleFit.h"
 
-#include "LocalParticles.h"
 #include "NeighbourLimit.h"
 #include "ParallelTasks.h"
 #include "ParticlePotential.h"
@@ -25,19 +24,15 @@ double GetNeighbourhoodPerOwnRadius(ParticleModel model)
 class Fitting
 {
 public:
-  Fitting(const FitOptions& options, const std::vector<SkeletonVertex>& own,
-    const SharedParticles* shared)
+  Fitting(const FitOptions& options, const std::vector<SkeletonVertex>& particles)
     : Options(options)
     , NeighbourhoodFactor(GetNeighbourhoodPerRadius(options.Model))
-    , LargestRadius(shared ? shared->LargestRadius : FindLargestRadius(own))
-    , LargestRadiusOfActive(shared ? shared->LargestRadiusOfActive : 0.0)
-    , Local(own, shared, this->NeighbourhoodFactor, this->GetFarthestPlace())
-    , Particles(this->Local.Get())
-    , Fits(this->Particles.size())
-    , Surface(this->Particles.size())
-    , Outside(this->Particles.size())
-    , Neighbours(this->Particles, this->NeighbourhoodFactor, this->LargestRadius)
-    , Wanted(this->Local.ListAtHome(this->Neighbours.GetOrder()))
+    , Particles(particles)
+    , Fits(particles.size())
+    , Surface(particles.size())
+    , Outside(particles.size())
+    , Neighbours(particles, this->NeighbourhoodFactor)
+    , Order(this->Neighbours.GetOrder().begin(), this->Neighbours.GetOrder().end())
   {
   }
 
@@ -47,59 +42,37 @@ public:
     {
       if (!this->Options.SparesCrowds)
       {
-        RefuseNeighbours(this->Local.CountAll());
+        RefuseNeighbours(this->Particles.size());
       }
-      return ParticleFits(this->Wanted.size(), ParticleFit());
+      return ParticleFits(this->Particles.size(), ParticleFit());
     }
-    this->RunInOrder(this->Wanted, [this](const Batch& batch) { this->FindNeighbourhoods(batch); });
+    this->RunInOrder(this->Order, [this](const Batch& batch) { this->FindNeighbourhoods(batch); });
     if (this->Options.Model != ParticleModel::Sum)
     {
       const std::vector<std::size_t> surface = this->ListSurface();
       this->FindLack(surface);
       this->ShareLack(surface);
     }
-    return this->Local.TakeHome(std::move(this->Fits));
+    return std::move(this->Fits);
   }
 
 private:
-  // A particle, and something of it, for other ranks.
-  template <class Value>
-  struct Of
-  {
-    SkeletonVertex Particle;
-    Value What;
-  };
-
-  template <class Value>
-  static std::vector<SkeletonVertex> ListParticles(
-    const std::vector<LocalParticles::Told<Of<Value>>>& told)
-  {
-    std::vector<SkeletonVertex> particles;
-    particles.reserve(told.size());
-    for (const auto& one : told)
-    {
-      particles.push_back(one.What.Particle);
-    }
-    return particles;
-  }
-
   // By a sample that is spread over the list.
   bool HasTooManyNeighbours() const
   {
-    if (this->Local.CountAll() <= FewParticles)
-    {
-      return false;
-    }
+    const std::size_t count = this->Particles.size();
     constexpr std::size_t most = MostNeighbours * ParticlesOfSample;
     std::size_t neighbours = 0;
-    for (const SkeletonVertex& particle : this->Local.PickSample(ParticlesOfSample))
+    for (std::size_t n = 0; n < ParticlesOfSample && count > FewParticles; ++n)
     {
-      if (neighbours <= most && this->Local.HasAtHome(particle.Position))
+      const SkeletonVertex& particle = this->Particles[n * count / ParticlesOfSample];
+      neighbours += this->Neighbours.CountNear(particle.Position);
+      if (neighbours > most)
       {
-        neighbours += this->Neighbours.CountNear(particle.Position);
+        return true;
       }
     }
-    return this->Local.AddUp(neighbours) > most;
+    return false;
   }
 
   // Some particles, near one another.
@@ -120,16 +93,14 @@ private:
 
   std::vector<double> ListPositions(const Batch& batch) const
   {
-    return this->Local.ListPositions(batch.Members, batch.Count);
-  }
-
-  // From a particle to a place where its surface should be, at most.
-  double GetFarthestPlace() const
-  {
-    const double own = this->Options.OwnRadius > 0.0
-      ? this->Options.OwnRadius
-      : this->LargestRadius / (2.0 * GetReachPerSpacing(this->Options.Model));
-    return SurfacePlaces::Farthest * own;
+    std::vector<double> positions;
+    positions.reserve(3 * batch.Count);
+    for (std::size_t k = 0; k < batch.Count; ++k)
+    {
+      const double* x = this->Particles[batch.Members[k]].Position;
+      positions.insert(positions.end(), x, x + 3);
+    }
+    return positions;
   }
 
   double GetOwnRadius(std::size_t i) const
@@ -173,57 +144,15 @@ private:
     ParticlePotential body;
     if (this->IsAnisotropic())
     {
-      this->BuildBody(body);
+      body.Build(ParticleModel::Anisotropic, this->Particles, this->Fits);
     }
     this->RunInOrder(surface, [&](const Batch& batch) { this->FindLacks(batch, body); });
   }
 
-  // Of those particles that reach a place beside one at home.
-  void BuildBody(ParticlePotential& body) const
-  {
-    if (!this->Local.AreShared())
-    {
-      body.Build(ParticleModel::Anisotropic, this->Particles, this->Fits);
-      return;
-    }
-    std::vector<SkeletonVertex> particles;
-    ParticleFits fits;
-    this->GatherBody(particles, fits);
-    body.Build(ParticleModel::Anisotropic, particles, fits, this->LargestRadiusOfActive);
-  }
-
-  void GatherBody(std::vector<SkeletonVertex>& particles, ParticleFits& fits) const
-  {
-    const std::vector<std::size_t> home = this->Local.ListAtHome();
-    const auto told = this->Local.Gather<Of<ParticleFit>>(
-      home, [&](std::size_t n) { return this->GetBoxOfFit(home[n]); },
-      [&](std::size_t n) {
-        return Of<ParticleFit>{ this->Particles[home[n]], this->Fits[home[n]] };
-      });
-    particles = ListParticles(told);
-    fits.reserve(told.size());
-    for (const auto& one : told)
-    {
-      fits.push_back(one.What.What);
-    }
-  }
-
-  LocalParticles::Box GetBoxOfFit(std::size_t i) const
-  {
-    const ParticleFit& fit = this->Fits[i];
-    double centre[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      centre[axis] = this->Particles[i].Position[axis] + fit.Offset[axis];
-    }
-    return LocalParticles::MakeBox(centre, fit.Reach + this->GetFarthestPlace());
-  }
-
-  // In the order of those wanted.
   std::vector<std::size_t> ListSurface()
   {
     std::vector<std::size_t> members;
-    for (const std::size_t i : this->Wanted)
+    for (const std::size_t i : this->Order)
     {
       this->Surface[i] = { 0.0, 0.0 };
       if (this->Outside[i].AreOfSurface())
@@ -301,21 +230,20 @@ private:
   // Most particles are no surface, and share nothing.
   void ShareLack(const std::vector<std::size_t>& surface)
   {
-    using Lack = Of<NeighbourSums::Shares>;
-    const auto told = this->Local.Gather<Lack>(
-      surface,
-      [&](std::size_t n) { return this->Local.GetBall(surface[n], this->NeighbourhoodFactor); },
-      [&](std::size_t n) {
-        return Lack{ this->Particles[surface[n]], this->Surface[surface[n]] };
-      });
-    const NeighbourSums neighbours(this->Neighbours, ListParticles(told));
-    UnsetVector<NeighbourSums::Shares> shares(told.size());
-    for (std::size_t k = 0; k < told.size(); ++k)
+    std::vector<SkeletonVertex> particles;
+    particles.reserve(surface.size());
+    for (const std::size_t i : surface)
     {
-      shares[k] = told[neighbours.GetOrder()[k]].What.What;
+      particles.push_back(this->Particles[i]);
+    }
+    const NeighbourSums neighbours(this->Neighbours, particles);
+    UnsetVector<NeighbourSums::Shares> shares(surface.size());
+    for (std::size_t k = 0; k < shares.size(); ++k)
+    {
+      shares[k] = this->Surface[surface[neighbours.GetOrder()[k]]];
     }
     this->RunInOrder(
-      this->Wanted, [&](const Batch& batch) { this->GiveShares(batch, neighbours, shares); });
+      this->Order, [&](const Batch& batch) { this->GiveShares(batch, neighbours, shares); });
   }
 
   void GiveShares(const Batch& batch, const NeighbourSums& neighbours,
@@ -350,15 +278,12 @@ private:
 
   const FitOptions Options;
   const double NeighbourhoodFactor;
-  const double LargestRadius;         // of all
-  const double LargestRadiusOfActive; // of those that add something, where ranks share; else 0
-  const LocalParticles Local;
-  const std::vector<SkeletonVertex>& Particles; // that are near; others are numbers among these
+  const std::vector<SkeletonVertex>& Particles;
   ParticleFits Fits;
   UnsetVector<NeighbourSums::Shares> Surface;
   UnsetVector<SurfacePlaces> Outside;
   const NeighbourSums Neighbours;
-  const std::vector<std::size_t> Wanted; // those at home, near ones together
+  const std::vector<std::size_t> Order; // near ones together
 };
 
 }
@@ -368,10 +293,9 @@ double GetNeighbourhoodPerRadius(ParticleModel model)
   return GetNeighbourhoodPerOwnRadius(model) / (2.0 * GetReachPerSpacing(model));
 }
 
-ParticleFits FitParticles(const FitOptions& options, const std::vector<SkeletonVertex>& particles,
-  const SharedParticles* shared)
+ParticleFits FitParticles(const FitOptions& options, const std::vector<SkeletonVertex>& particles)
 {
-  return Fitting(options, particles, shared).Find();
+  return Fitting(options, particles).Find();
 }
 
 }

@@ -19,8 +19,6 @@
 namespace activesurface
 {
 
-struct SharedParticles;
-
 struct FitOptions
 {
   ParticleModel Model = ParticleModel::AveragedCentre;
@@ -34,10 +32,9 @@ VTKACTIVEPOTENTIALS_EXPORT double GetNeighbourhoodPerRadius(ParticleModel model)
 
 // One fit for each particle. Thread-count independent. Throws as BallCells do, and
 // std::invalid_argument for so many in one place that it would take hours, unless crowds are
-// spared. shared: where ranks share particles, of which these are at home here; their fits are the
-// same as without ranks.
-VTKACTIVEPOTENTIALS_EXPORT ParticleFits FitParticles(const FitOptions& options,
-  const std::vector<SkeletonVertex>& particles, const SharedParticles* shared = nullptr);
+// spared.
+VTKACTIVEPOTENTIALS_EXPORT ParticleFits FitParticles(
+  const FitOptions& options, const std::vector<SkeletonVertex>& particles);
 
 }
 

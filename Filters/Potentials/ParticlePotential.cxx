@@ -248,11 +248,11 @@ private:
   }
 };
 
-void ParticlePotential::Build(ParticleModel model, const std::vector<SkeletonVertex>& particles,
-  const ParticleFits& fits, double largestRadius)
+void ParticlePotential::Build(
+  ParticleModel model, const std::vector<SkeletonVertex>& particles, const ParticleFits& fits)
 {
   this->Model = model;
-  this->LargestRadius = largestRadius; // steadier than the reaches of ellipsoids
+  this->LargestRadius = 0.0; // steadier than the reaches of ellipsoids
   this->Numbers.clear();
   for (std::size_t i = 0; i < particles.size(); ++i)
   {

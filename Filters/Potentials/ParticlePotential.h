@@ -31,10 +31,9 @@ class VTKACTIVEPOTENTIALS_EXPORT ParticlePotential
 public:
   // Comes before the first evaluation; each particle has a fit. Those with a strength <= 0 add
   // nothing. Vertices have to be usable. Not for ParticleModel::Sum. Keeps its memory. Throws as
-  // BallCells do. largestRadius: of those that add something and of any others, which are too far
-  // away to be here; by it sums are in the same order, and F outside all reaches is the same.
-  void Build(ParticleModel model, const std::vector<SkeletonVertex>& particles,
-    const ParticleFits& fits, double largestRadius = 0.0);
+  // BallCells do.
+  void Build(
+    ParticleModel model, const std::vector<SkeletonVertex>& particles, const ParticleFits& fits);
 
   // No particles at all.
   void Clear() { this->Build(ParticleModel::AveragedCentre, {}, {}); }

@@ -29,16 +29,6 @@ double FindLargestRadius(const std::vector<SkeletonVertex>& vertices)
   return largest;
 }
 
-double FindLargestRadiusOfActive(const std::vector<SkeletonVertex>& vertices)
-{
-  double largest = 0.0;
-  for (const SkeletonVertex& vertex : vertices)
-  {
-    largest = vertex.Strength > 0.0 ? std::max(largest, vertex.Radius) : largest;
-  }
-  return largest;
-}
-
 void Skeleton::Clear()
 {
   this->Points.clear();

@@ -25,8 +25,6 @@ struct VTKACTIVEPOTENTIALS_EXPORT SkeletonVertex
 
 // 0 of none; and of those that add something.
 VTKACTIVEPOTENTIALS_EXPORT double FindLargestRadius(const std::vector<SkeletonVertex>& vertices);
-VTKACTIVEPOTENTIALS_EXPORT double FindLargestRadiusOfActive(
-  const std::vector<SkeletonVertex>& vertices);
 
 // How much a point of the skeleton adds to the sum at a place.
 struct SkeletonWeight

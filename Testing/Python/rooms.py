@@ -3,15 +3,12 @@
 # Room: the rooms, and the single files of other rooms, that it may include besides its own. A
 # module's own folder, "NarrowBand" say, is a room as well.
 NUMERICS = [
-    "NarrowBand/Agreement",
     "NarrowBand/OpenVDB",
     "NarrowBand/CompilerBuiltins",
     "NarrowBand/InstructionSets",
-    "NarrowBand/MortonOrder",
     "NarrowBand/Motion",
     "NarrowBand/Obstacle",
     "NarrowBand/PortableMath",
-    "NarrowBand/SharedResults",
     "NarrowBand/Target",
     "NarrowBand/TargetRegion",
 ]
@@ -20,10 +17,6 @@ MAY_INCLUDE = {
         "NarrowBand/OpenVDB",
         "NarrowBand/CompilerBuiltins",
         "NarrowBand/InstructionSets",
-        "NarrowBand/Agreement",
-        "NarrowBand/MortonOrder",
-        "NarrowBand/SharedResults",
-        "NarrowBand/Ranks",
     ],
     "NarrowBand/Parts": [
         *NUMERICS,

@@ -1,17 +1,15 @@
 #include "Leaves/BandBackup.h"
 
-#include "Leaves/LeafExchange.h"
-
 #include <memory>
 
 namespace activesurface
 {
 
-void BandBackup::Keep(const LeafTable& table, const PotentialTree& tree)
+void BandBackup::Keep(const PotentialTree& tree)
 {
   if (!this->Tree)
   {
-    RunTogether(table, [&] { this->Tree = std::make_shared<openvdb::FloatTree>(tree); });
+    this->Tree = std::make_shared<openvdb::FloatTree>(tree);
   }
 }
 

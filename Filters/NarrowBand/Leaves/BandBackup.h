@@ -4,7 +4,7 @@
 #ifndef BandBackup_h
 #define BandBackup_h
 
-#include "Leaves/LeafTable.h"
+#include "OpenVDB.h"
 
 namespace activesurface
 {
@@ -15,8 +15,8 @@ public:
   /** Nothing is kept. */
   void Forget() { this->Tree.reset(); }
 
-  /** Keeps the tree as it is, unless one is kept; to be called on all ranks. */
-  void Keep(const LeafTable& table, const PotentialTree& tree);
+  /** Keeps the tree as it is, unless one is kept. */
+  void Keep(const PotentialTree& tree);
 
   /** Null if none is kept. */
   openvdb::FloatTree::Ptr Get() const { return this->Tree; }

@@ -1,11 +1,11 @@
 #include "Leaves/GhostFill.h"
 
 #include "Leaves/LayerFill.h"
-#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
-#include "Leaves/LeafLists.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace activesurface
 {
@@ -46,25 +46,19 @@ struct FillLayer
   }
 };
 
-/** A pass that sets values of its layer; those beside these leaves are told. */
-template <class Kernel>
-void SetValues(LeafTable& table, const LeafList& leaves, const Kernel& kernel)
+LeafList Without(const LeafList& leaves, const LeafList& others)
 {
-  ForEachLeaf(table, leaves, kernel);
-  TellNeighbours(table, leaves,
-    [&table, &kernel](std::size_t i, auto& pass)
-    {
-      const BandLeaf& leaf = table[i];
-      PassNodes(
-        leaf.Value, leaf.UpToLayer[kernel.Layer].Without(leaf.UpToLayer[kernel.Layer - 1]), pass);
-    });
+  LeafList rest;
+  std::set_difference(
+    leaves.begin(), leaves.end(), others.begin(), others.end(), std::back_inserter(rest));
+  return rest;
 }
 
 // Three-point rays over three layers end up to nine nodes from what has moved.
 void FillBesideAffected(LeafTable& table, const ActiveSet& set)
 {
   const LeafList beyond = Without(table.FindAround(set.Affected), set.Affected);
-  SetValues(table, beyond, FillLayer{ table, LastLayer, false });
+  ForEachLeaf(table, beyond, FillLayer{ table, LastLayer, false });
 }
 
 }
@@ -73,7 +67,7 @@ void FillGhosts(LeafTable& table, const ActiveSet& set)
 {
   for (int layer = 1; layer <= LastLayer; ++layer)
   {
-    SetValues(table, set.Affected, FillLayer{ table, layer, true });
+    ForEachLeaf(table, set.Affected, FillLayer{ table, layer, true });
   }
   FillBesideAffected(table, set);
 }

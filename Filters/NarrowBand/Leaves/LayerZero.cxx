@@ -1,6 +1,5 @@
 #include "Leaves/LayerZero.h"
 
-#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
 
 #include <array>
@@ -193,8 +192,6 @@ struct FindInLeaf
 void FindLayerZero(LeafTable& table, const LeafList& leaves)
 {
   ForEachLeaf(table, leaves, FindInLeaf{ table });
-  TellNeighbours(
-    table, leaves, [&](std::size_t i, auto& pass) { pass(&table[i].UpToLayer[0], 1); });
 }
 
 }

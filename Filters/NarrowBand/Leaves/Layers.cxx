@@ -1,7 +1,6 @@
 #include "Leaves/Layers.h"
 
 #include "Leaves/LayerZero.h"
-#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafFaces.h"
 #include "Leaves/LeafKernels.h"
 #include "Leaves/LeafLine.h"
@@ -48,7 +47,6 @@ private:
 /** Creates the missing neighbours of these leaves. */
 LeafList AddMissingLeaves(LeafTable& table, PotentialTree& tree, const LeafList& leaves)
 {
-  TellAll(table, leaves, [&](std::size_t i, auto& pass) { pass(&table[i].MissingNeighbours, 1); });
   std::vector<openvdb::Coord> missing;
   for (const std::int32_t i : leaves)
   {
@@ -153,49 +151,6 @@ struct UseLayers
   }
 };
 
-/** The same in leaves of other ranks beside the own ones. */
-void DeactivateOthers(LeafTable& table, const LeafList& leaves)
-{
-  if (const LeafOwners* ranks = table.GetRanks())
-  {
-    for (const LeafList& others : ranks->GetBorders().Others)
-    {
-      for (const std::int32_t i : Intersection(others, leaves))
-      {
-        table[i].HoldsStaleValue = LeafMask::All();
-        DeactivateNodes(table, table[i]);
-      }
-    }
-  }
-}
-
-/** What all ranks have to know of leaves whose layers are new, and what those beside them read. */
-void TellLayers(LeafTable& table, const LeafList& leaves)
-{
-  MarkValuesChanged(table);
-  TellAll(table, leaves,
-    [&](std::size_t i, auto& pass)
-    {
-      BandLeaf& leaf = table[i];
-      LeafSummary& summary = table.SummaryOf(i);
-      pass(&leaf.Inside, 1);
-      pass(&leaf.UpToLayer[0], 1);
-      pass(&leaf.Crossings, 1);
-      pass(&summary.ActiveNodes, 1);
-      pass(&summary.ZeroNodes, 1);
-      pass(&summary.Crossings, 1);
-      pass(&summary.IsUsed, 1);
-    });
-  TellNeighbours(table, leaves,
-    [&](std::size_t i, auto& pass)
-    {
-      pass(&table[i].Active, 1);
-      pass(table[i].Edge.data(), 3);
-      pass(table[i].CrossingsBefore.data(), 3);
-    });
-  DeactivateOthers(table, leaves);
-}
-
 /** New leaves change the layers around them, as far as the leaves next to them. */
 void GrowLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree)
 {
@@ -206,8 +161,6 @@ void GrowLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree)
     for (int layer = 1; layer < NumberOfLayers; ++layer)
     {
       ForEachLeaf(table, leaves, AddLayer{ table, layer });
-      TellNeighbours(table, leaves,
-        [&, layer](std::size_t i, auto& pass) { pass(&table[i].UpToLayer[layer], 1); });
     }
     const LeafList created = AddMissingLeaves(table, tree, leaves);
     set.AddCreated(created);
@@ -227,7 +180,6 @@ void RebuildLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree)
 {
   GrowLayers(table, set, tree);
   ForEachLeaf(table, set.Affected, UseLayers{ table });
-  TellLayers(table, set.Affected);
 }
 
 void DropEmptyLeaves(LeafTable& table, PotentialTree& tree)

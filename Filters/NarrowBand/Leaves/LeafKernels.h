@@ -45,10 +45,7 @@ void ForEachLeafInTurn(const LeafTable& table, const LeafList& leaves, const Ker
   const auto run = CompiledKernel<Kernel, std::size_t>::GetBest();
   for (const std::int32_t i : leaves)
   {
-    if (table.IsOwn(static_cast<std::size_t>(i)))
-    {
-      run(kernel, static_cast<std::size_t>(i));
-    }
+    run(kernel, static_cast<std::size_t>(i));
   }
 }
 

@@ -101,10 +101,6 @@ void LeafTable::Rebuild(PotentialTree& tree)
   this->Sorted = this->Leaves.size();
   this->BuildIndex();
   ForRange(this->Leaves.size(), [&](std::size_t i) { this->FindNeighbours(i, tree); });
-  if (this->Ranks)
-  {
-    this->Ranks->Renumber(*this);
-  }
 }
 
 LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTree& tree)
@@ -130,10 +126,6 @@ LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTre
         this->Leaves[neighbour].Neighbour[26 - n] = static_cast<std::int32_t>(i);
       }
     }
-  }
-  if (this->Ranks && !added.empty())
-  {
-    this->Ranks->AddLeaves(*this);
   }
   return added;
 }

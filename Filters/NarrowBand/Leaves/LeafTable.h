@@ -4,13 +4,12 @@
  *
  * All that is derived from the signs of the potential is here: layers, active nodes, crossed edges.
  * All passes over the band run over this table, one leaf at a time, in parallel; a pass writes only
- * the leaf it is called for. Ranks that advance the band together share the leaves of each pass.
+ * the leaf it is called for.
  */
 #ifndef LeafTable_h
 #define LeafTable_h
 
 #include "Leaves/LeafMask.h"
-#include "Leaves/LeafOwners.h"
 #include "OpenVDB.h"
 
 #include <tbb/blocked_range.h>
@@ -184,44 +183,16 @@ public:
   /** The same for offsets of at most one on each axis (edge and corner neighbours included). */
   Place Offset(std::int32_t leaf, int node, int dx, int dy, int dz) const;
 
-  /** Until they are null again, ForEach leaves out the leaves of other ranks. They have to be those
-   * of this table. */
-  void SetRanks(LeafOwners* ranks) { this->Ranks = ranks; }
-  LeafOwners* GetRanks() const { return this->Ranks; }
-  bool IsOwn(std::size_t i) const { return !this->Ranks || this->Ranks->IsOwn(i); }
-
   /** Calls function(i) for every leaf, in parallel. */
   template <class Function>
   void ForEach(Function&& function) const
   {
-    ForRange(this->Leaves.size(),
-      [&](std::size_t i)
-      {
-        if (this->IsOwn(i))
-        {
-          function(i);
-        }
-      });
+    ForRange(this->Leaves.size(), function);
   }
 
   /** The same for the leaves of a list. */
   template <class Function>
   void ForEach(const LeafList& leaves, Function&& function) const
-  {
-    ForRange(leaves.size(),
-      [&](std::size_t place)
-      {
-        const auto i = static_cast<std::size_t>(leaves[place]);
-        if (this->IsOwn(i))
-        {
-          function(i);
-        }
-      });
-  }
-
-  /** The same on each rank for all of them: what follows from what every rank knows. */
-  template <class Function>
-  void ForEachOnAllRanks(const LeafList& leaves, Function&& function) const
   {
     ForRange(
       leaves.size(), [&](std::size_t place) { function(static_cast<std::size_t>(leaves[place])); });
@@ -283,7 +254,6 @@ private:
   std::array<std::array<float, 8>, 2> Background{};
   LeafMask Nothing;
   LeafMask Everything = LeafMask::All();
-  LeafOwners* Ranks = nullptr;
 };
 
 /** The order of a tree's leaves, by their origins. */

@@ -1,7 +1,5 @@
 #include "Parts/CreateParts.h"
 
-#include "Leaves/LeafExchange.h"
-#include "Leaves/WholeBand.h"
 #include "Parts/NewParts.h"
 #include "Parts/PartBand.h"
 #include "State/InitialShape.h"
@@ -128,7 +126,7 @@ void MarkChanged(const std::vector<openvdb::Coord>& origins, const NewBand& part
   {
     table.SummaryOf(i).Speed.IsKnown = false;
   }
-  table.ForEachOnAllRanks(changed,
+  table.ForEach(changed,
     [&](std::size_t i)
     {
       BandLeaf& leaf = table[i];
@@ -138,8 +136,7 @@ void MarkChanged(const std::vector<openvdb::Coord>& origins, const NewBand& part
     });
 }
 
-/** Returns at how many nodes other ranks have evaluated the function. */
-std::size_t Create(const NewParts& found, const LatticeFunction& function, const GrowingBand& band)
+void Create(const NewParts& found, const LatticeFunction& function, const GrowingBand& band)
 {
   const NewBand parts(found, false), hollows(found, true);
   const std::size_t active =
@@ -148,27 +145,19 @@ std::size_t Create(const NewParts& found, const LatticeFunction& function, const
   {
     RefuseSize(band.MaximumNumberOfActiveVoxels);
   }
-  std::vector<openvdb::Coord> changed;
-  const std::size_t evaluated = function.CountEvaluations();
-  std::size_t byOthers = 0;
-  const auto findDistances = [&]
+  for (const NewBand* added : { &parts, &hollows })
   {
-    for (const NewBand* added : { &parts, &hollows })
+    if (added->Band)
     {
-      if (added->Band)
-      {
-        added->Band->FindDistances(function, band.Leaves.GetRanks());
-      }
+      added->Band->FindDistances(function);
     }
-    byOthers = CountOfOthers(band.Leaves, function.CountEvaluations() - evaluated);
-  };
-  RunTogether(band.Leaves, findDistances); // before any rank changes its skin
-  band.Backup.Keep(band.Leaves, band.Tree);
+  }
+  std::vector<openvdb::Coord> changed;
+  band.Backup.Keep(band.Tree);
   Join(parts, band.Tree, changed);
   Join(hollows, band.Tree, changed);
   band.Leaves.Rebuild(band.Tree);
   MarkChanged(changed, parts, hollows, band);
-  return byOthers;
 }
 
 }
@@ -182,14 +171,12 @@ bool CreateParts(
                          band.MaximumNumberOfActiveVoxels, FindLeastRadius(motion) },
     target);
   const std::size_t count = found.Count();
-  std::size_t byOthers = found.CountEvaluationsOfOthers();
   if (count > 0)
   {
-    MakeValuesWhole(band.Leaves);
-    byOthers += Create(found, function, band);
+    Create(found, function, band);
   }
   report.CreatedParts += count;
-  report.TargetEvaluations += function.CountEvaluations() + byOthers;
+  report.TargetEvaluations += function.CountEvaluations();
   return count > 0;
 }
 

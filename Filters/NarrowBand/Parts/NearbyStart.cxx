@@ -4,7 +4,6 @@
 #include "OpenVDB.h"
 #include "Parts/LatticeFunction.h"
 #include "Parts/LeafSigns.h"
-#include "SharedResults.h"
 #include "State/InitialDistances.h"
 #include "State/InitialShape.h"
 #include "State/LatticeBox.h"
@@ -139,8 +138,7 @@ LeafMask MaskOf(const openvdb::MaskTree::LeafNodeType& leaf, const LatticeBox& b
 }
 
 /** False when `progress` stopped it. */
-bool Sample(const LatticeFunction& function, const ProgressFunction& progress, Agreement* ranks,
-  Samples& samples)
+bool Sample(const LatticeFunction& function, const ProgressFunction& progress, Samples& samples)
 {
   constexpr std::size_t atOnce = 1024;
   const std::size_t count = samples.Nodes.Size();
@@ -151,18 +149,12 @@ bool Sample(const LatticeFunction& function, const ProgressFunction& progress, A
     {
       return false;
     }
-    ShareResults(
-      ranks, std::min(atOnce, count - first),
-      [&](std::size_t begin, std::size_t end)
+    function.ForEach(first, std::min(first + atOnce, count),
+      [&](std::size_t i)
       {
-        function.ForEach(first + begin, first + end,
-          [&](std::size_t i)
-          {
-            const auto& leaf = samples.Nodes[i];
-            samples.Inside[i] = function.FindInside(leaf.Origin, leaf.Nodes);
-          });
-      },
-      [&](std::size_t n, auto& pass) { pass(&samples.Inside[first + n], 1); });
+        const auto& leaf = samples.Nodes[i];
+        samples.Inside[i] = function.FindInside(leaf.Origin, leaf.Nodes);
+      });
   }
   return true;
 }
@@ -236,7 +228,7 @@ void AddCrossed(const Samples& samples, CrossedNodes& crossed)
 }
 
 /** The function at nodes; what is not a number is outside. */
-NodeFunction ValuesAtNodes(const LatticeFunction& function, bool isThreadSafe, Agreement* ranks)
+NodeFunction ValuesAtNodes(const LatticeFunction& function, bool isThreadSafe)
 {
   return { [&function](const std::vector<openvdb::Coord>& nodes, std::vector<double>& values)
     {
@@ -244,7 +236,7 @@ NodeFunction ValuesAtNodes(const LatticeFunction& function, bool isThreadSafe, A
       std::replace_if(
         values.begin(), values.end(), [](double value) { return std::isnan(value); }, HUGE_VAL);
     },
-    isThreadSafe, ranks };
+    isThreadSafe };
 }
 
 double FindLargest(const openvdb::BoolTree& nodes, const NodeFunction& function)
@@ -254,18 +246,8 @@ double FindLargest(const openvdb::BoolTree& nodes, const NodeFunction& function)
   {
     places.push_back(it.getCoord());
   }
-  std::vector<double> values(places.size());
-  ShareResults(
-    function.Ranks, places.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      const auto at = [](auto& all, std::size_t n)
-      { return all.begin() + static_cast<std::ptrdiff_t>(n); };
-      std::vector<double> part;
-      function.Evaluate({ at(places, begin), at(places, end) }, part);
-      std::copy(part.begin(), part.end(), at(values, begin));
-    },
-    [&values](std::size_t n, auto& pass) { pass(&values[n], 1); });
+  std::vector<double> values;
+  function.Evaluate(places, values);
   double largest = 0.0;
   for (const double value : values)
   {
@@ -278,7 +260,7 @@ double FindLargest(const openvdb::BoolTree& nodes, const NodeFunction& function)
 
 openvdb::FloatTree::Ptr MakeNearbyPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
-  const ProgressFunction& progress, Agreement* ranks)
+  const ProgressFunction& progress)
 {
   const LatticeBox box = FindLatticeBox(voxelSize, bounds);
   const LatticeFunction values(voxelSize, function, &box);
@@ -293,7 +275,7 @@ openvdb::FloatTree::Ptr MakeNearbyPotential(double voxelSize, const double bound
       samples.Nodes[samples.Nodes.Add(leaf->origin())].Nodes = MaskOf(*leaf, box);
     }
   }
-  if (!Sample(values, progress, ranks, samples))
+  if (!Sample(values, progress, samples))
   {
     return nullptr;
   }
@@ -303,7 +285,7 @@ openvdb::FloatTree::Ptr MakeNearbyPotential(double voxelSize, const double bound
   {
     RefuseSize(maximumNumberOfActiveVoxels);
   }
-  const NodeFunction nodes = ValuesAtNodes(values, function.ThreadSafe, ranks);
+  const NodeFunction nodes = ValuesAtNodes(values, function.ThreadSafe);
   crossed.Largest = FindLargest(crossed.Nodes, nodes);
   const openvdb::FloatTree::Ptr potential =
     crossed.Nodes.empty() ? nullptr : MakeNearbyDistances(crossed, nodes);

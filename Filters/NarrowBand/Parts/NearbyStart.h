@@ -4,7 +4,6 @@
 #ifndef NearbyStart_h
 #define NearbyStart_h
 
-#include "Agreement.h"
 #include "InitialFunction.h"
 #include "Motion.h"
 #include "OpenVDB.h"
@@ -18,7 +17,7 @@ namespace activesurface
  */
 openvdb::FloatTree::Ptr MakeNearbyPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
-  const ProgressFunction& progress, Agreement* ranks);
+  const ProgressFunction& progress);
 
 }
 

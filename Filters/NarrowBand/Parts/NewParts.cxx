@@ -1,6 +1,5 @@
 #include "Parts/NewParts.h"
 
-#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafFaces.h"
 
 namespace activesurface
@@ -42,7 +41,7 @@ void Grow(const LeafSigns& nodes, LeafList waiting, std::vector<LeafMask>& grown
 NewParts::NewParts(const PartSearch& search, const Target& target)
 {
   PartSeeds seeds(search, this->Nodes);
-  std::size_t evaluations = seeds.AddRegions(target);
+  seeds.AddRegions(target);
   target.ForEachPart([&](const TargetPart& part) { seeds.AddPart(part); });
   for (std::size_t begin = 0; begin < this->Nodes.Size();)
   {
@@ -50,7 +49,7 @@ NewParts::NewParts(const PartSearch& search, const Target& target)
     RefuseManyLeaves(static_cast<double>(end), search.MaximumNumberOfActiveVoxels);
     this->Reached.resize(end);
     this->Inside.resize(end);
-    evaluations += this->SampleLeaves(search, begin, end);
+    search.Target.ForEach(begin, end, [&](std::size_t i) { this->SampleLeaf(search, i); });
     this->FindReached(begin);
     this->AddNext(begin, end);
     begin = end;
@@ -60,24 +59,6 @@ NewParts::NewParts(const PartSearch& search, const Target& target)
     this->Nodes[i].Nodes = this->Nodes[i].Nodes.Without(this->Reached[i]);
   }
   this->RemoveNarrowHollows(search.GetLeastSteps());
-  this->EvaluationsOfOthers = CountOfOthers(search.Skin, evaluations);
-}
-
-std::size_t NewParts::SampleLeaves(const PartSearch& search, std::size_t begin, std::size_t end)
-{
-  const std::size_t before = search.Target.CountEvaluations();
-  ShareByOwners(
-    search.Skin.GetRanks(), end - begin,
-    [&](std::size_t n) { return this->Nodes[begin + n].Origin; },
-    [&](auto&& sample) { search.Target.ForEach(0, end - begin, sample); },
-    [&](std::size_t n) { this->SampleLeaf(search, begin + n); },
-    [&](std::size_t n, auto& pass)
-    {
-      pass(&this->Nodes[begin + n].Nodes, 1);
-      pass(&this->Reached[begin + n], 1);
-      pass(&this->Inside[begin + n], 1);
-    });
-  return search.Target.CountEvaluations() - before;
 }
 
 void NewParts::SampleLeaf(const PartSearch& search, std::size_t i)

@@ -35,13 +35,7 @@ public:
   /** How many there are: connected along edges. Those of less than a node are none. */
   std::size_t Count() const;
 
-  /** Nodes at which other ranks have evaluated the target. */
-  std::size_t CountEvaluationsOfOthers() const { return this->EvaluationsOfOthers; }
-
 private:
-  /** From begin to end - 1, each by the rank whose leaf it is. Returns the evaluations of this one.
-   */
-  std::size_t SampleLeaves(const PartSearch& search, std::size_t begin, std::size_t end);
   void SampleLeaf(const PartSearch& search, std::size_t i);
   /** Of leaves from `first` on and those next to them. */
   void FindReached(std::size_t first);
@@ -52,7 +46,6 @@ private:
   LeafSigns Nodes;               // that differ; in the end, those of the parts
   std::vector<LeafMask> Inside;  // inside the skin
   std::vector<LeafMask> Reached; // of the nodes that differ, those that the skin reaches
-  std::size_t EvaluationsOfOthers = 0;
 };
 
 }

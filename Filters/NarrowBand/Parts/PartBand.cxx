@@ -67,9 +67,9 @@ std::size_t PartBand::CountActive() const
   return this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ActiveNodes; });
 }
 
-void PartBand::FindDistances(const LatticeFunction& function, LeafOwners* ranks)
+void PartBand::FindDistances(const LatticeFunction& function)
 {
-  PartDistances(this->Leaves).Find(function, ranks);
+  PartDistances(this->Leaves).Find(function);
 }
 
 }

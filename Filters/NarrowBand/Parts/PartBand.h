@@ -24,8 +24,8 @@ public:
   std::size_t CountActive() const;
 
   /** Sets u in the layers to the first-order distances to the zero set of the function; see
-   * PartDistances.h. ranks: those that evaluate it together, or null. */
-  void FindDistances(const LatticeFunction& function, LeafOwners* ranks = nullptr);
+   * PartDistances.h. */
+  void FindDistances(const LatticeFunction& function);
 
   const openvdb::FloatTree::Ptr& GetTree() const { return this->Tree; }
   const LeafTable& GetLeaves() const { return this->Leaves; }

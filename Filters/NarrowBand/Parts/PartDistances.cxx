@@ -1,7 +1,6 @@
 #include "Parts/PartDistances.h"
 
 #include "Leaves/EikonalUpdate.h"
-#include "Leaves/LeafExchange.h"
 
 #include <algorithm>
 #include <array>
@@ -19,9 +18,9 @@ PartDistances::PartDistances(LeafTable& table)
 {
 }
 
-void PartDistances::Find(const LatticeFunction& function, LeafOwners* ranks)
+void PartDistances::Find(const LatticeFunction& function)
 {
-  this->SampleAll(function, ranks);
+  this->SampleAll(function);
   this->Table.ForEach([&](std::size_t i) { this->StartAtCrossings(i); });
   while (this->Extend())
   {
@@ -29,7 +28,7 @@ void PartDistances::Find(const LatticeFunction& function, LeafOwners* ranks)
   this->Table.ForEach([&](std::size_t i) { this->UseFunction(i); });
 }
 
-void PartDistances::SampleAll(const LatticeFunction& function, LeafOwners* ranks)
+void PartDistances::SampleAll(const LatticeFunction& function)
 {
   for (std::size_t i = 0; i < this->Table.Size(); ++i)
   {
@@ -38,13 +37,7 @@ void PartDistances::SampleAll(const LatticeFunction& function, LeafOwners* ranks
       this->Function[i].reset(new double[512]);
     }
   }
-  const std::size_t count = this->Table.Size();
-  ShareByOwners(
-    ranks, count, [this](std::size_t i) { return this->Table[i].Origin; },
-    [&](auto&& sample) { function.ForEach(0, count, sample); },
-    [&](std::size_t i) { this->Sample(function, i); },
-    [this](std::size_t i, auto& pass)
-    { PassNodes(this->Function[i].get(), this->Table[i].UpToLayer[LastLayer], pass); });
+  function.ForEach(0, this->Table.Size(), [&](std::size_t i) { this->Sample(function, i); });
 }
 
 void PartDistances::Sample(const LatticeFunction& function, std::size_t i)

@@ -23,12 +23,11 @@ class PartDistances
 public:
   explicit PartDistances(LeafTable& table);
 
-  /** Sets the values of all nodes in the layers. The function's signs are those of the table.
-   * ranks: each evaluates it where leaves are its own, and is told the rest; or null. */
-  void Find(const LatticeFunction& function, LeafOwners* ranks);
+  /** Sets the values of all nodes in the layers. The function's signs are those of the table. */
+  void Find(const LatticeFunction& function);
 
 private:
-  void SampleAll(const LatticeFunction& function, LeafOwners* ranks);
+  void SampleAll(const LatticeFunction& function);
   void Sample(const LatticeFunction& function, std::size_t i);
   void StartAtCrossings(std::size_t i);
   float DistanceToCrossings(std::size_t i, int node) const;

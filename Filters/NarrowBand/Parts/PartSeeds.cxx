@@ -1,6 +1,5 @@
 #include "Parts/PartSeeds.h"
 
-#include "Leaves/LeafExchange.h"
 #include "State/LatticeBox.h"
 
 #include <tbb/parallel_for.h>
@@ -61,20 +60,18 @@ SkinLeaf::SkinLeaf(const PartSearch& search, const openvdb::Coord& origin)
                                               : &nothing;
 }
 
-std::size_t PartSeeds::AddRegions(const Target& target)
+void PartSeeds::AddRegions(const Target& target)
 {
-  const std::size_t before = this->Search.Target.CountEvaluations();
   const Candidates found = this->LookAtAll(target);
   for (const TargetRegion& box : found.Boxes)
   {
     this->Leaves.AddRegion(
       box, this->Search.VoxelSize, nullptr, this->Search.MaximumNumberOfActiveVoxels);
   }
-  for (const openvdb::Coord& leaf : this->TellLeaves(this->FindLeaves(found.Centres)))
+  for (const openvdb::Coord& leaf : this->FindLeaves(found.Centres))
   {
     this->Leaves.Add(leaf);
   }
-  return this->Search.Target.CountEvaluations() - before;
 }
 
 PartSeeds::Candidates PartSeeds::LookAtAll(const Target& target) const
@@ -104,7 +101,7 @@ void PartSeeds::Look(const TargetRegion& region, Candidates& found) const
   {
     found.Boxes.push_back(region);
   }
-  else if (FindCentre(region, this->Search.VoxelSize, node) && this->IsOwn(OriginOfLeaf(node)))
+  else if (FindCentre(region, this->Search.VoxelSize, node))
   {
     const SkinLeaf skin(this->Search, OriginOfLeaf(node));
     const bool isInside = skin.Inside->Has(NumberInLeaf(node));
@@ -115,12 +112,6 @@ void PartSeeds::Look(const TargetRegion& region, Candidates& found) const
       found.Centres.push_back(node);
     }
   }
-}
-
-bool PartSeeds::IsOwn(const openvdb::Coord& leaf) const
-{
-  const LeafOwners* ranks = this->Search.Skin.GetRanks();
-  return !ranks || ranks->FindOwner(leaf) == ranks->GetRank();
 }
 
 PartSeeds::Nodes PartSeeds::FindLeaves(const Nodes& centres) const
@@ -135,24 +126,9 @@ PartSeeds::Nodes PartSeeds::FindLeaves(const Nodes& centres) const
       leaves.push_back(OriginOfLeaf(centres[i]));
     }
   }
+  std::sort(leaves.begin(), leaves.end());
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
   return leaves;
-}
-
-PartSeeds::Nodes PartSeeds::TellLeaves(const Nodes& own) const
-{
-  Nodes all = own;
-  if (LeafOwners* ranks = this->Search.Skin.GetRanks())
-  {
-    const auto visit = [](Nodes& nodes, auto& pass) { PassVector(nodes, pass); };
-    all.clear();
-    for (const Nodes& some : GatherResults(ranks->GetAgreement(), own, visit))
-    {
-      all.insert(all.end(), some.begin(), some.end());
-    }
-  }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
 }
 
 bool PartSeeds::IsInside(const openvdb::Coord& node) const

@@ -55,9 +55,7 @@ public:
   {
   }
 
-  /** Ranks look where leaves are their own. Returns at how many nodes this one has evaluated the
-   * target. */
-  std::size_t AddRegions(const Target& target);
+  void AddRegions(const Target& target);
 
   void AddPart(const TargetPart& part);
 
@@ -74,11 +72,8 @@ private:
 
   Candidates LookAtAll(const Target& target) const;
   void Look(const TargetRegion& region, Candidates& found) const;
-  bool IsOwn(const openvdb::Coord& leaf) const;
-  /** The leaves of those at which the target differs from the skin. */
+  /** The leaves of those at which the target differs from the skin, ascending. */
   Nodes FindLeaves(const Nodes& centres) const;
-  /** Of all ranks, ascending. */
-  Nodes TellLeaves(const Nodes& own) const;
   bool IsInside(const openvdb::Coord& node) const;
   Nodes FindMissing(const Nodes& nodes, bool areHollow) const;
   bool IsWide(const openvdb::Coord& node, bool isHollow) const;

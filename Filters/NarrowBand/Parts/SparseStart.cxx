@@ -1,19 +1,13 @@
 #include "Parts/SparseStart.h"
 
 #include "Leaves/LeafFaces.h"
-#include "Leaves/RankedLeaves.h"
 #include "Parts/LatticeFunction.h"
 #include "Parts/LeafSigns.h"
-#include "Parts/OwnLeaves.h"
 #include "Parts/PartBand.h"
-#include "SharedResults.h"
 #include "State/InitialShape.h"
 #include "State/LatticeBox.h"
 
 #include <algorithm>
-#include <array>
-#include <memory>
-#include <vector>
 
 namespace activesurface
 {
@@ -21,88 +15,22 @@ namespace activesurface
 namespace
 {
 
-/** Which rank evaluates the function in which leaves. */
-struct SharedStart
-{
-  RankedLeaves Owners;
-  OwnLeaves Places;
-
-  SharedStart(Agreement& ranks, const std::vector<openvdb::Coord>& origins, double voxelSize)
-    : Owners(ranks, origins)
-    , Places(this->Owners, voxelSize)
-  {
-  }
-};
-
-/** The origins of the leaves of all ranks, in order. */
-std::vector<openvdb::Coord> GatherOrigins(Agreement& ranks, const LeafSigns& own)
-{
-  std::vector<std::array<int, 3>> told;
-  for (std::size_t i = 0; i < own.Size(); ++i)
-  {
-    const openvdb::Coord& origin = own[i].Origin;
-    told.push_back({ origin[0], origin[1], origin[2] });
-  }
-  std::vector<openvdb::Coord> origins;
-  for (const std::array<int, 3>& origin : GatherLists(ranks, told))
-  {
-    origins.emplace_back(origin[0], origin[1], origin[2]);
-  }
-  std::sort(origins.begin(), origins.end(), AreLeavesInOrder);
-  origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
-  return origins;
-}
-
-/** The leaves of the regions of this rank; with ranks, of those of all ranks, each of which has a
- * range of them. */
-std::shared_ptr<SharedStart> AddLeaves(const InitialFunction& function, double voxelSize,
-  const LatticeBox& box, std::size_t maximum, Agreement* ranks, LeafSigns& leaves)
-{
-  LeafSigns own;
-  LeafSigns& ofRegions = ranks ? own : leaves;
-  function.ForEachRegion(
-    [&](const TargetRegion& region) { ofRegions.AddRegion(region, voxelSize, &box, maximum); });
-  if (!ranks)
-  {
-    return nullptr;
-  }
-  const std::vector<openvdb::Coord> origins = GatherOrigins(*ranks, own);
-  for (const openvdb::Coord& origin : origins)
-  {
-    leaves.Add(origin);
-  }
-  RefuseManyLeaves(static_cast<double>(leaves.Size()), maximum);
-  auto shared = std::make_shared<SharedStart>(*ranks, origins, voxelSize);
-  if (function.KeepNear)
-  {
-    function.KeepNear(std::shared_ptr<const OwnPlaces>(shared, &shared->Places));
-  }
-  return shared;
-}
-
 /** False when `progress` stopped it. */
-bool SampleInside(const LatticeFunction& function, const ProgressFunction& progress,
-  Agreement* ranks, LeafSigns& leaves)
+bool SampleInside(
+  const LatticeFunction& function, const ProgressFunction& progress, LeafSigns& leaves)
 {
   constexpr std::size_t atOnce = 1024;
-  const auto size = static_cast<std::size_t>(ranks ? ranks->GetSize() : 1);
-  const std::size_t most = RankRanges{ leaves.Size(), size }.FirstOf(1); // that a rank has
-  bool goesOn = true;
-  ShareResults(
-    ranks, leaves.Size(),
-    [&](std::size_t begin, std::size_t end)
+  for (std::size_t begin = 0; begin < leaves.Size(); begin += atOnce)
+  {
+    if (progress && !progress(double(begin) / double(leaves.Size())))
     {
-      for (std::size_t done = 0; done < most && goesOn; done += atOnce) // on all ranks as often
-      {
-        goesOn = !progress || progress(double(done) / double(most));
-        function.ForEach(std::min(begin + done, end),
-          goesOn ? std::min(begin + done + atOnce, end) : std::min(begin + done, end),
-          [&](std::size_t i)
-          { leaves[i].Nodes = function.FindInside(leaves[i].Origin, LeafMask::All()); });
-      }
-    },
-    [&](std::size_t n, auto& pass) { pass(&leaves[n].Nodes, 1); });
-  return goesOn;
+      return false;
+    }
+    function.ForEach(begin, std::min(begin + atOnce, leaves.Size()),
+      [&](std::size_t i)
+      { leaves[i].Nodes = function.FindInside(leaves[i].Origin, LeafMask::All()); });
+  }
+  return true;
 }
 
 /** The nodes of a leaf that the box does not close. */
@@ -143,14 +71,14 @@ void FillInside(const LatticeBox& box, std::size_t maximum, LeafSigns& leaves)
 
 openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
-  const ProgressFunction& progress, Agreement* ranks)
+  const ProgressFunction& progress)
 {
   const LatticeBox box = FindLatticeBox(voxelSize, bounds);
   const LatticeFunction values(voxelSize, function, &box);
   LeafSigns inside;
-  const std::shared_ptr<SharedStart> shared =
-    AddLeaves(function, voxelSize, box, maximumNumberOfActiveVoxels, ranks, inside);
-  if (!SampleInside(values, progress, ranks, inside))
+  function.ForEachRegion([&](const TargetRegion& region)
+    { inside.AddRegion(region, voxelSize, &box, maximumNumberOfActiveVoxels); });
+  if (!SampleInside(values, progress, inside))
   {
     return nullptr;
   }
@@ -160,7 +88,7 @@ openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bound
   {
     RefuseSize(maximumNumberOfActiveVoxels);
   }
-  band.FindDistances(values, shared ? &shared->Owners : nullptr);
+  band.FindDistances(values);
   return band.GetTree();
 }
 

@@ -4,7 +4,6 @@
 #ifndef SparseStart_h
 #define SparseStart_h
 
-#include "Agreement.h"
 #include "InitialFunction.h"
 #include "Motion.h"
 #include "OpenVDB.h"
@@ -19,7 +18,7 @@ namespace activesurface
  */
 openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
-  const ProgressFunction& progress, Agreement* ranks);
+  const ProgressFunction& progress);
 
 }
 

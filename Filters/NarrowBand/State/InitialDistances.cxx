@@ -3,7 +3,6 @@
 #include "Leaves/CentralGradient.h"
 #include "Leaves/LeafTable.h"
 #include "OpenVDB.h"
-#include "SharedResults.h"
 
 #include <openvdb/tools/FastSweeping.h>
 #include <openvdb/tools/Morphology.h>
@@ -71,14 +70,8 @@ openvdb::FloatTree::Ptr SampleNearby(CrossedNodes& crossed, const NodeFunction& 
   crossed.Nodes.clear();
   const double scale = crossed.Largest > 0.0 ? std::ldexp(1.0, -std::ilogb(crossed.Largest)) : 1.0;
   Leaves leaves(*tree);
-  ShareResults(
-    function.Ranks, leaves.leafCount(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      const auto sample = [&](std::size_t n) { SampleNodes(function, scale, leaves.leaf(n)); };
-      ForEach(begin, end, function.ThreadSafe, sample);
-    },
-    [&](std::size_t n, auto& pass) { pass(leaves.leaf(n).buffer().data(), PotentialLeaf::SIZE); });
+  const auto sample = [&](std::size_t n) { SampleNodes(function, scale, leaves.leaf(n)); };
+  ForEach(0, leaves.leafCount(), function.ThreadSafe, sample);
   return tree;
 }
 

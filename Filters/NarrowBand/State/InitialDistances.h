@@ -4,7 +4,6 @@
 #ifndef InitialDistances_h
 #define InitialDistances_h
 
-#include "Agreement.h"
 #include "OpenVDB.h"
 
 #include <functional>
@@ -26,7 +25,6 @@ struct NodeFunction
   std::function<void(const std::vector<openvdb::Coord>& nodes, std::vector<double>& values)>
     Evaluate;
   bool ThreadSafe;
-  Agreement* Ranks; //< that ask for it together, or null
 };
 
 /**

@@ -1,7 +1,6 @@
 #include "State/InitialShape.h"
 
 #include "Leaves/LeafTable.h"
-#include "SharedResults.h"
 #include "State/InitialDistances.h"
 #include "State/LatticeBox.h"
 
@@ -49,17 +48,6 @@ public:
     , Limits(box)
     , Function(function)
   {
-  }
-
-  /** The same, where ranks ask for it together; or null. */
-  void Share(
-    Agreement* ranks, const std::vector<openvdb::Coord>& nodes, std::vector<double>& values) const
-  {
-    values.resize(nodes.size());
-    ShareResults(
-      ranks, nodes.size(),
-      [&](std::size_t begin, std::size_t end) { this->EvaluateRange(nodes, begin, end, values); },
-      [&values](std::size_t n, auto& pass) { pass(&values[n], 1); });
   }
 
   void Evaluate(const std::vector<openvdb::Coord>& nodes, std::vector<double>& values) const
@@ -117,7 +105,7 @@ struct Plane
   std::vector<unsigned char> Signs; //< 1 inside, 0 outside
 };
 
-void SamplePlane(const Sampler& sampler, const LatticeBox& box, int x, Agreement* ranks,
+void SamplePlane(const Sampler& sampler, const LatticeBox& box, int x,
   std::vector<openvdb::Coord>& nodes, Plane& plane)
 {
   nodes.clear();
@@ -128,7 +116,7 @@ void SamplePlane(const Sampler& sampler, const LatticeBox& box, int x, Agreement
       nodes.emplace_back(x, y, z);
     }
   }
-  sampler.Share(ranks, nodes, plane.Values);
+  sampler.Evaluate(nodes, plane.Values);
   plane.Signs.resize(nodes.size());
   std::transform(plane.Values.begin(), plane.Values.end(), plane.Signs.begin(),
     [](double value) { return value < 0.0; });
@@ -165,7 +153,7 @@ void AddCrossedVoxels(
 
 /** The corners of all crossed voxels; false when `progress` stopped it. */
 bool FindCrossedNodes(const Sampler& sampler, const LatticeBox& box, std::size_t maximum,
-  const ProgressFunction& progress, Agreement* ranks, CrossedNodes& crossed)
+  const ProgressFunction& progress, CrossedNodes& crossed)
 {
   std::vector<openvdb::Coord> nodes;
   Plane before, after;
@@ -175,7 +163,7 @@ bool FindCrossedNodes(const Sampler& sampler, const LatticeBox& box, std::size_t
     {
       return false;
     }
-    SamplePlane(sampler, box, x, ranks, nodes, after);
+    SamplePlane(sampler, box, x, nodes, after);
     if (x > box.First[0])
     {
       AddCrossedVoxels(box, x, before, after, crossed);
@@ -193,20 +181,20 @@ bool FindCrossedNodes(const Sampler& sampler, const LatticeBox& box, std::size_t
 
 openvdb::FloatTree::Ptr MakeInitialPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
-  const ProgressFunction& progress, Agreement* ranks)
+  const ProgressFunction& progress)
 {
   const LatticeBox box = FindLatticeBox(voxelSize, bounds);
   CheckSize(box, maximumNumberOfActiveVoxels);
   const Sampler sampler(voxelSize, box, function);
   CrossedNodes crossed;
-  if (!FindCrossedNodes(sampler, box, maximumNumberOfActiveVoxels, progress, ranks, crossed))
+  if (!FindCrossedNodes(sampler, box, maximumNumberOfActiveVoxels, progress, crossed))
   {
     return nullptr;
   }
   const NodeFunction values = { [&sampler](const std::vector<openvdb::Coord>& nodes,
                                   std::vector<double>& results)
     { sampler.Evaluate(nodes, results); },
-    function.ThreadSafe, ranks };
+    function.ThreadSafe };
   const openvdb::FloatTree::Ptr potential =
     crossed.Nodes.empty() ? nullptr : MakeNearbyDistances(crossed, values);
   return potential ? potential : std::make_shared<openvdb::FloatTree>(Far);

@@ -4,7 +4,6 @@
 #ifndef InitialShape_h
 #define InitialShape_h
 
-#include "Agreement.h"
 #include "InitialFunction.h"
 #include "Motion.h"
 #include "OpenVDB.h"
@@ -19,15 +18,12 @@ namespace activesurface
  * changes get distances (InitialDistances.h). If the function is negative at a face of the bounds,
  * the shape is closed half a voxel inside it. A value that is not a number counts as outside.
  *
- * ranks: those that start together, or null. Each evaluates the function at a part of the nodes,
- * and is told the rest.
- *
  * Returns a tree of u with background Far, inside tiles -Far; null if `progress` stopped it. Throws
  * as NarrowBand::Start does.
  */
 openvdb::FloatTree::Ptr MakeInitialPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
-  const ProgressFunction& progress, Agreement* ranks);
+  const ProgressFunction& progress);
 
 /** Throws std::runtime_error: the band needs more than so many active voxels. */
 [[noreturn]] void RefuseSize(std::size_t maximumNumberOfActiveVoxels);

@@ -1,6 +1,5 @@
 #include "Substep/ConvergedLeaves.h"
 
-#include "Leaves/LeafExchange.h"
 #include "Substep/StepForward.h"
 #include "Substep/SubstepBuffers.h"
 #include "Substep/TargetSpeed.h"
@@ -33,19 +32,6 @@ StepCoefficients CoefficientsOf(const ConvergenceRule& rule)
 double SpeedOfVoxel(const ConvergenceRule& rule)
 {
   return rule.VoxelSize * rule.Parameters.Attraction * rule.TargetSlope;
-}
-
-void TellSpeedsOf(LeafTable& table, const LeafList& leaves)
-{
-  TellAll(table, leaves,
-    [&table](std::size_t i, auto& pass)
-    {
-      LeafSpeed& speed = table.SummaryOf(i).Speed;
-      pass(&speed.IsKnown, 1);
-      pass(&speed.AtNodes, 1);
-      pass(&speed.AtSurface, 1);
-      pass(&speed.TargetSlope, 1);
-    });
 }
 
 /** In the box on which the speeds of a leaf depend: its edges end in the next leaves, whose nodes
@@ -98,7 +84,6 @@ void RememberSpeeds(LeafTable& table, const LeafList& leaves, const SubstepBuffe
       speed.TargetSlope = buffers.LargestTargetSlope[i];
       speed.IsKnown = true;
     });
-  TellSpeedsOf(table, leaves);
 }
 
 TargetLimits FindLimits(const LeafTable& table)
@@ -120,7 +105,6 @@ LeafList FindActiveLeaves(LeafTable& table, const LeafList& measured, const Conv
   if (rule.Parameters.Tension != 0.0)
   {
     FindRates(table, measured, CoefficientsOf(rule), slow, buffers);
-    TellSpeedsOf(table, measured);
     return table.FindAll(
       [&](std::size_t i) { return !(table.SummaryOf(i).Speed.AtSurface <= slow); });
   }
@@ -134,7 +118,6 @@ LeafList FindActiveLeaves(LeafTable& table, const LeafList& measured, const Conv
       speed.AtSurface =
         mayConverge(speed) ? LargestSpeedAtSurface(table, i, buffers) : speed.AtNodes;
     });
-  TellSpeedsOf(table, measured);
   return table.FindAll(
     [&](std::size_t i)
     {

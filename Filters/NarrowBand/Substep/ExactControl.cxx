@@ -71,7 +71,7 @@ void Displace(const ControlledBand& band, double distance)
 {
   LeafTable& table = band.Leaves;
   band.Set.ChooseAll(table);
-  band.Buffers.MakeRoomForNodes(table);
+  band.Buffers.MakeRoomForNodes(table.Size());
   ForEachLeaf(table, DisplaceLeaf{ table, band.Buffers, static_cast<float>(distance) });
   ClampToBounds({ band.Box, band.Solid, band.VoxelSize }, table, band.Set, band.Buffers);
   CommitStep(table, band.Set, band.Buffers);

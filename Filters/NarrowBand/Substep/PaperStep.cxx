@@ -56,7 +56,7 @@ PaperLimits FindLeafSpeed(const LeafTable& table, std::size_t i, bool attracted,
 PaperLimits FindPaperSpeed(
   const LeafTable& table, bool attracted, double uniform, double tension, SubstepBuffers& buffers)
 {
-  buffers.MakeRoomForNodes(table); // which it is where there are speeds
+  buffers.MakeRoomForNodes(table.Size()); // which it is where there are speeds
   std::vector<PaperLimits> parts(table.Size());
   table.ForEach(
     [&](std::size_t i)

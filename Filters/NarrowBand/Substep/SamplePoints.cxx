@@ -1,6 +1,5 @@
 #include "Substep/SamplePoints.h"
 
-#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
 #include "Leaves/LeafLine.h"
 #include "Substep/SubstepBuffers.h"
@@ -157,27 +156,10 @@ TargetSamples AddSamples(const SampledLattice& lattice, const LeafList& leaves,
   samples.Count = NumberSamples(lattice.Leaves, leaves, motion, buffers);
   std::atomic<std::size_t> dropped{ 0 };
   RunSamples(lattice, leaves, SampleLeaf{ lattice, motion, target, buffers, dropped });
-  TellSamples(lattice.Leaves, leaves, motion, buffers);
-  const std::array<std::int64_t, 1> own = { static_cast<std::int64_t>(dropped.load()) };
-  samples.Dropped = static_cast<std::size_t>(SumOverRanks(lattice.Leaves, own)[0]);
+  samples.Dropped = dropped.load();
   return samples;
 }
 
-}
-
-// Only crossings have samples here, see MayShare.
-void TellSamples(
-  const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers)
-{
-  const auto visit = [&](std::size_t i, auto& pass)
-  {
-    const auto first = static_cast<std::size_t>(buffers.FirstSample[i]);
-    const auto count = static_cast<std::size_t>(table[i].Crossings);
-    pass(buffers.Samples.data() + first, count);
-  };
-  const bool isHeld =
-    motion.AreaControl == Control::Exact || motion.VolumeControl == Control::Exact;
-  isHeld ? TellAll(table, leaves, visit) : TellNeighbours(table, leaves, visit); // PullsInVain
 }
 
 TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves,

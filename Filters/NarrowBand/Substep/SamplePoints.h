@@ -34,10 +34,6 @@ TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves
 TargetSamples SampleMore(const SampledLattice& lattice, const LeafList& leaves,
   const Motion& motion, const Target& target, SubstepBuffers& buffers);
 
-/** To ranks beside these leaves, where samples have changed. */
-void TellSamples(
-  const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers);
-
 }
 
 #endif

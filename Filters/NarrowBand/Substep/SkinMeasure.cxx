@@ -1,6 +1,5 @@
 #include "Substep/SkinMeasure.h"
 
-#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
 #include "Substep/SkinVoxels.h"
 
@@ -125,7 +124,6 @@ SkinMeasure MeasureSkin(const LeafTable& table)
   const openvdb::Coord reference = table[*first].Origin;
   std::vector<SkinMeasure> parts(table.Size());
   ForEachLeaf(table, MeasureLeaf{ table, reference, parts.data() });
-  TellAll(table, [&parts](std::size_t i, auto& pass) { pass(&parts[i], 1); });
   for (const std::int32_t i : order)
   {
     total.Area += parts[i].Area;

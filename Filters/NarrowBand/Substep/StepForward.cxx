@@ -1,6 +1,5 @@
 #include "Substep/StepForward.h"
 
-#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
 #include "Substep/RowKernels.h"
 #include "Substep/SubstepBuffers.h"
@@ -164,7 +163,7 @@ GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
   const StepCoefficients& coefficients, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
-  buffers.MakeRoomForNodes(table); // which it is where there are speeds
+  buffers.MakeRoomForNodes(size); // which it is where there are speeds
   buffers.MakeRoomForCounts(size);
   ForEachLeaf(table, set.Active, StepLeaf{ table, coefficients, buffers });
   return SumOfCounts(table, set, buffers);
@@ -173,41 +172,26 @@ GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
 GradientCounts SumOfCounts(
   const LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers)
 {
-  std::array<std::int64_t, 3> sums{}; // flat, steep, unbounded
-  for (const std::int32_t i : set.Active)
-  {
-    if (table.IsOwn(static_cast<std::size_t>(i)))
-    {
-      sums[0] += buffers.FlatNodes[i];
-      sums[1] += buffers.SteepNodes[i];
-      sums[2] += buffers.Unbounded[i] != 0 ? 1 : 0;
-    }
-  }
-  sums = SumOverRanks(table, sums);
   GradientCounts counts;
   counts.Nodes = table.Count([](const LeafSummary& leaf) { return leaf.ZeroNodes; });
-  counts.Flat = static_cast<std::size_t>(sums[0]);
-  counts.Steep = static_cast<std::size_t>(sums[1]);
-  counts.Unbounded = sums[2] > 0;
+  for (const std::int32_t i : set.Active)
+  {
+    counts.Flat += static_cast<std::size_t>(buffers.FlatNodes[i]);
+    counts.Steep += static_cast<std::size_t>(buffers.SteepNodes[i]);
+    counts.Unbounded = counts.Unbounded || buffers.Unbounded[i] != 0;
+  }
   return counts;
 }
 
 void CommitStep(LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers)
 {
-  MarkValuesChanged(table);
   table.ForEach(set.Active,
     [&](std::size_t i)
     {
       std::copy_n(buffers.NextOf(i), 512, table[i].Value);
       table[i].Inside = InsideNodes(table[i].Value);
     });
-  TellNeighbours(table, set.Active,
-    [&](std::size_t i, auto& pass)
-    {
-      PassNodes(table[i].Value, table[i].Active, pass);
-      pass(&table[i].Inside, 1);
-    });
-  table.ForEachOnAllRanks(set.Affected,
+  table.ForEach(set.Affected,
     [&](std::size_t i)
     {
       table[i].Updated = table[i].Active;
@@ -223,9 +207,6 @@ void ScalePotential(LeafTable& table, float factor)
       BandLeaf& leaf = table[i];
       leaf.UpToLayer[LastLayer].ForEach([&](int node) { leaf.Value[node] *= factor; });
     });
-  TellNeighbours(table,
-    [&](std::size_t i, auto& pass)
-    { PassNodes(table[i].Value, table[i].UpToLayer[LastLayer], pass); });
 }
 
 }

@@ -53,7 +53,7 @@ struct SubstepBuffers
     this->SteepNodes.resize(leaves);
     this->Unbounded.resize(leaves);
   }
-  void MakeRoomForNodes(const LeafTable& table) { this->Nodes.MakeRoom(table); }
+  void MakeRoomForNodes(std::size_t leaves) { this->Nodes.MakeRoom(leaves); }
   float* SpeedOf(std::size_t leaf) { return this->Nodes.Of(leaf); }
   const float* SpeedOf(std::size_t leaf) const { return this->Nodes.Of(leaf); }
   float* NextOf(std::size_t leaf) { return this->Nodes.Of(leaf); }

@@ -1,6 +1,5 @@
 #include "Substep/TargetSpeed.h"
 
-#include "Leaves/LeafExchange.h"
 #include "Leaves/LeafKernels.h"
 #include "Substep/NodePoints.h"
 #include "Substep/SubstepBuffers.h"
@@ -13,17 +12,6 @@
 
 namespace activesurface
 {
-
-void TellSpeeds(const LeafTable& table, const LeafList& leaves, SubstepBuffers& buffers)
-{
-  TellNeighbours(table, leaves,
-    [&](std::size_t i, auto& pass)
-    {
-      PassNodes(buffers.SpeedOf(i), table[i].Active, pass);
-      pass(&buffers.Known[i], 1);
-      pass(&buffers.NextKnown[i], 1);
-    });
-}
 
 namespace
 {
@@ -248,9 +236,8 @@ bool ExtendOnce(const LeafTable& table, const ActiveSet& set, SubstepBuffers& bu
 {
   std::atomic<bool> reached{ false }, left{ false };
   ForEachLeaf(table, set.Affected, ExtendLeaf{ table, buffers, reached, left });
-  TellSpeeds(table, set.Affected, buffers);
   std::swap(buffers.Known, buffers.NextKnown);
-  return IsSoOnAny(table, reached.load()) && IsSoOnAny(table, left.load());
+  return reached.load() && left.load();
 }
 
 }
@@ -259,13 +246,11 @@ void ApplySamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
-  buffers.MakeRoomForNodes(table);
+  buffers.MakeRoomForNodes(size);
   buffers.Known.assign(size, LeafMask());
   buffers.NextKnown.assign(size, LeafMask());
   buffers.LargestSpeed.resize(size);
   ForEachLeaf(table, leaves, ApplyLeafSamples{ table, motion, buffers });
-  TellSpeeds(table, leaves, buffers);
-  TellAll(table, leaves, [&](std::size_t i, auto& pass) { pass(&buffers.LargestSpeed[i], 1); });
 }
 
 // Extended speeds are means of known ones, so they are no larger.

@@ -25,9 +25,6 @@ struct SubstepBuffers;
 void ApplySamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers);
 
-/** To ranks beside these leaves, where speeds have changed. */
-void TellSpeeds(const LeafTable& table, const LeafList& leaves, SubstepBuffers& buffers);
-
 /** Extends the speed from there to the active nodes of the affected leaves. */
 void ExtendSpeed(
   const LeafTable& table, const ActiveSet& set, const Motion& motion, SubstepBuffers& buffers);

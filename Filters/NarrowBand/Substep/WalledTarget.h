@@ -35,7 +35,6 @@ public:
   /** Whether there is anything to cut it off. */
   bool IsCut() const { return this->Box.Present || this->Solid; }
 
-  void KeepNear(const OwnPlaces* places) noexcept override { this->Within.KeepNear(places); }
   void MoveTo(double time) override { this->Within.MoveTo(time); }
   bool MayHaveChanged(const double bounds[6]) const override
   {

@@ -135,11 +135,10 @@ struct NeighbourSums::ShareField : SumField<NeighbourSums::ShareField, 2>
   }
 };
 
-NeighbourSums::NeighbourSums(
-  const std::vector<SkeletonVertex>& particles, double factor, double largestRadius)
+NeighbourSums::NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor)
   : Factor(factor)
 {
-  this->Build(particles, factor * largestRadius);
+  this->Build(particles, factor * FindLargestRadius(particles));
 }
 
 // In cells of the same size hits come in the same order.

@@ -26,9 +26,7 @@ class NeighbourSums
 {
 public:
   // Reaches are those of the particles times a factor. Those of strength <= 0 are no neighbours.
-  // largestRadius: of these particles and of any others, which are too far away to be here; by it
-  // sums are in the same order.
-  NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor, double largestRadius);
+  NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor);
 
   // Of some of the particles of another one. What the others would add as zeros may be left out:
   // the sums are the same ones, to the bit.

@@ -20,7 +20,6 @@ constexpr double FullDepth = 0.22;
 // How much farther than its own radius the surface is from a particle of a body, for what the edges
 // of the body lose.
 constexpr double OffsetOfBody = 0.1;
-static_assert(1.0 + OffsetOfBody < SurfacePlaces::Farthest);
 
 // Sum of weights of the neighbours, in that of a whole ball with one particle in each (2 r)^3, from
 // which on there is a body: .28 in a sheet of one layer, .63 in the outermost layer of a deep body

@@ -21,9 +21,6 @@ struct SurfacePlaces
   double ShapeShare; // of what the neighbours lack, in place of the particle's own lack
 
   bool AreOfSurface() const { return this->Deep > 0.0 || this->Thin > 0.0; }
-
-  // How far they are from the particle at most, in own radii, with what rounding does.
-  static constexpr double Farthest = 1.2;
 };
 
 struct NeighbourhoodOptions

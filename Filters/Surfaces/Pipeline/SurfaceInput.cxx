@@ -4,7 +4,6 @@
 #include "ParticleData.h"
 #include "Ranks/PieceGather.h"
 #include "Targets/InputKinds.h"
-#include "Targets/ParticleShape.h"
 #include "WholeInput.h"
 
 #include "vtkAbstractArray.h"
@@ -63,14 +62,6 @@ bool HasNothing(vtkDataObject* data)
 {
   auto table = vtkTable::SafeDownCast(data);
   return table && table->GetNumberOfColumns() == 0;
-}
-
-// Of a rank without particles.
-vtkSmartPointer<vtkDataSet> MakeNothing()
-{
-  auto nothing = vtkSmartPointer<vtkPolyData>::New();
-  nothing->SetPoints(vtkNew<vtkPoints>());
-  return nothing;
 }
 
 }
@@ -239,12 +230,6 @@ std::unique_ptr<InputShape> SurfaceInput::Read(
   if (kind == PieceKind::Nothing && HasNothing(object)) // an error, as in one process
   {
     return readOwn();
-  }
-  if (kind == PieceKind::Particles)
-  {
-    const vtkSmartPointer<vtkDataSet> own = piece.Data ? piece.Data : MakeNothing();
-    return std::make_unique<ParticleShape>(
-      InputData{ own, ArraysOf(*this, own), kept, &this->Ranks });
   }
   const vtkSmartPointer<vtkDataSet> whole = GatherWhole(this->Ranks, piece, name);
   return MakeInputShape({ whole, ArraysOf(*this, whole), kept });

@@ -43,7 +43,6 @@ SurfaceRequests::SurfaceRequests(vtkAlgorithm* filter)
   , Pushed(filter)
   , Steps(this->Target, this->Simulation)
 {
-  this->Simulation.SetRanks(&this->Ranks);
 }
 
 void SurfaceRequests::SetController(vtkMultiProcessController* controller)

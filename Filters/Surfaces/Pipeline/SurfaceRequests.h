@@ -7,7 +7,6 @@
 #ifndef SurfaceRequests_h
 #define SurfaceRequests_h
 
-#include "Agreement.h"
 #include "Pipeline/InputClock.h"
 #include "Pipeline/OutputPorts.h"
 #include "Pipeline/PushedFrames.h"
@@ -15,6 +14,7 @@
 #include "Pipeline/SurfaceProperties.h"
 #include "Pipeline/TargetSteps.h"
 #include "Pipeline/UpdateUnderWay.h"
+#include "Ranks/Agreement.h"
 
 #include <cstdint>
 #include <string>

@@ -81,7 +81,7 @@ std::vector<Bytes> ControllerCommunicator::AllGather(const Bytes& own)
   std::vector<Bytes> all(lengths.size());
   if (*std::max_element(lengths.begin(), lengths.end()) > LongMessage)
   {
-    this->SwapInPairs([&own](int) -> const Bytes& { return own; }, lengths, all);
+    this->SwapInPairs(own, lengths, all);
     all[static_cast<std::size_t>(this->GetRank())] = own;
     return all;
   }
@@ -98,36 +98,28 @@ std::vector<Bytes> ControllerCommunicator::AllGather(const Bytes& own)
   return all;
 }
 
-std::vector<Bytes> ControllerCommunicator::Swap(
-  const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes)
-{
-  std::vector<Bytes> fromEach(toEach.size());
-  this->SwapInPairs([&](int rank) -> const Bytes& { return toEach[rank]; }, sizes, fromEach);
-  return fromEach;
-}
-
 // In each round a rank meets one other; of the two the lower one speaks first.
-void ControllerCommunicator::SwapInPairs(const std::function<const Bytes&(int)>& bytesFor,
-  const std::vector<std::size_t>& sizes, std::vector<Bytes>& fromEach)
+void ControllerCommunicator::SwapInPairs(
+  const Bytes& own, const std::vector<std::size_t>& sizes, std::vector<Bytes>& fromEach)
 {
-  const int own = this->GetRank(), size = this->GetSize();
+  const int rank = this->GetRank(), size = this->GetSize();
   for (int round = 1; round < RoundUpToPowerOfTwo(size); ++round)
   {
-    const int other = own ^ round;
+    const int other = rank ^ round;
     if (other >= size)
     {
       continue;
     }
     fromEach[other].resize(sizes[other]);
-    if (own < other)
+    if (rank < other)
     {
-      this->Send(bytesFor(other), other);
+      this->Send(own, other);
       this->Receive(fromEach[other], other);
     }
     else
     {
       this->Receive(fromEach[other], other);
-      this->Send(bytesFor(other), other);
+      this->Send(own, other);
     }
   }
 }

@@ -3,12 +3,10 @@
 #ifndef ControllerCommunicator_h
 #define ControllerCommunicator_h
 
-#include "Agreement.h"
-#include "Communicator.h"
+#include "Ranks/Agreement.h"
+#include "Ranks/Communicator.h"
 
 #include "vtkSmartPointer.h"
-
-#include <functional>
 
 class vtkMultiProcessController;
 
@@ -25,12 +23,10 @@ public:
   int GetSize() const override;
   std::int64_t Max(std::int64_t own) override;
   std::vector<Bytes> AllGather(const Bytes& own) override;
-  std::vector<Bytes> Swap(
-    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) override;
 
 private:
-  void SwapInPairs(const std::function<const Bytes&(int)>& bytesFor,
-    const std::vector<std::size_t>& sizes, std::vector<Bytes>& fromEach);
+  void SwapInPairs(
+    const Bytes& own, const std::vector<std::size_t>& sizes, std::vector<Bytes>& fromEach);
   void Send(const Bytes& bytes, int rank);
   void Receive(Bytes& bytes, int rank);
 

@@ -3,14 +3,9 @@
 #include "AttachedData.h"
 #include "Ranks/PieceBytes.h"
 #include "Ranks/WholeOfPieces.h"
-#include "SharedResults.h"
 
 #include "vtkDataSet.h"
-#include "vtkFloatArray.h"
 #include "vtkInformation.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -44,36 +39,16 @@ PieceKind FindKind(const std::vector<PieceKind>& kinds, const std::string& what)
   return kind;
 }
 
-// Points that have the arrays, at no place in particular.
-InputPiece MakePieceOf(vtkPointData* arrays)
-{
-  const vtkIdType count = arrays->GetNumberOfTuples();
-  if (count == 0)
-  {
-    return {};
-  }
-  vtkNew<vtkPoints> points;
-  points->SetNumberOfPoints(count);
-  std::fill_n(vtkFloatArray::SafeDownCast(points->GetData())->GetPointer(0), 3 * count, 0.f);
-  auto piece = vtkSmartPointer<vtkPolyData>::New();
-  piece->SetPoints(points);
-  piece->GetPointData()->ShallowCopy(arrays);
-  return { PieceKind::Particles, piece };
-}
-
 }
 
 PieceKind AgreeOnKind(Agreement& ranks, PieceKind own, const std::string& what)
 {
-  return FindKind(GatherValues(ranks, own), what);
-}
-
-vtkSmartPointer<vtkPointData> GatherPointData(
-  Agreement& ranks, vtkPointData* own, const std::string& what)
-{
-  auto all = vtkSmartPointer<vtkPointData>::New();
-  all->ShallowCopy(GatherWhole(ranks, MakePieceOf(own), what)->GetPointData());
-  return all;
+  std::vector<PieceKind> kinds;
+  for (const Bytes& ofRank : ranks.Exchange({ static_cast<char>(own) }))
+  {
+    kinds.push_back(static_cast<PieceKind>(ofRank.at(0)));
+  }
+  return FindKind(kinds, what);
 }
 
 vtkSmartPointer<vtkDataSet> GatherWhole(

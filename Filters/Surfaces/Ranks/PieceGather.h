@@ -3,10 +3,8 @@
 #ifndef PieceGather_h
 #define PieceGather_h
 
-#include "Agreement.h"
+#include "Ranks/Agreement.h"
 #include "Ranks/InputPiece.h"
-
-#include "vtkPointData.h"
 
 #include <string>
 
@@ -22,10 +20,6 @@ PieceKind AgreeOnKind(Agreement& ranks, PieceKind own, const std::string& what);
 // std::invalid_argument for pieces that do not fit together, with the same sentence on each rank.
 vtkSmartPointer<vtkDataSet> GatherWhole(
   Agreement& ranks, const InputPiece& own, const std::string& what);
-
-// The same of point arrays alone: those of all ranks' points.
-vtkSmartPointer<vtkPointData> GatherPointData(
-  Agreement& ranks, vtkPointData* own, const std::string& what);
 
 }
 

@@ -47,7 +47,6 @@ void MotionDriver::Prepare(NarrowBand& band) const
 {
   band.SetNumberOfThreads(this->Threads);
   band.SetMaximumNumberOfActiveVoxels(this->MaximumVoxels);
-  band.SetRanks(this->Ranks);
 }
 
 bool MotionDriver::Start(
@@ -64,9 +63,9 @@ bool MotionDriver::Start(
   const std::unique_ptr<PotentialTarget> shape = this->Shapes.MakeStart();
   this->Prepare(band);
   const Motion motion = this->GetMotion(-1);
-  const bool isStarted = StartOn(band,
-    { domain, motion.Box, motion.Solid, shape ? *shape : this->Shapes.GetTarget(), this->Ranks },
-    this->Messages, progress);
+  const bool isStarted =
+    StartOn(band, { domain, motion.Box, motion.Solid, shape ? *shape : this->Shapes.GetTarget() },
+      this->Messages, progress);
   if (isStarted)
   {
     band.RestoreTargets(motion);

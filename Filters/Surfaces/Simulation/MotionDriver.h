@@ -35,7 +35,6 @@ public:
   // None of them changes the motion. The ranks, if any, share the work.
   void SetNumberOfThreads(int threads) { this->Threads = threads; }
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumVoxels = maximum; }
-  void SetRanks(Agreement* ranks) { this->Ranks = ranks; }
 
   // Puts the band on the shape that it starts with. All return false if `progress` has stopped
   // them, and throw what NarrowBand throws.
@@ -82,7 +81,6 @@ private:
   Warnings& Messages;
   int Threads = 0;
   std::size_t MaximumVoxels = 0;
-  Agreement* Ranks = nullptr;
   std::size_t Substeps = 0;
   std::size_t TargetEvaluations = 0;
   mutable std::unique_ptr<Obstacle> Solid; // null until it is asked for

@@ -1,6 +1,5 @@
 #include "Simulation/ParticleMoment.h"
 
-#include "Targets/SharedFrame.h"
 #include "Targets/TargetFrames.h"
 
 #include <limits>
@@ -29,23 +28,6 @@ std::vector<ParticleOrigin> FindOriginsOfLater(std::size_t count, const Particle
   return origins;
 }
 
-// Null if the step is not held. Whole, where ranks share it.
-std::shared_ptr<const ParticleFrame> Find(const TargetFrames& frames, int step)
-{
-  if (!frames.Has(step))
-  {
-    return nullptr;
-  }
-  const ParticleFrame& frame = frames.GetParticles(step);
-  return frame.Shared ? std::make_shared<ParticleFrame>(GatherFrame(frame))
-                      : std::shared_ptr<const ParticleFrame>(std::shared_ptr<void>(), &frame);
-}
-
-bool AreShared(const TargetFrames& frames, int step)
-{
-  return frames.GetWay(step).IsShared();
-}
-
 double GetVelocity(const ParticleFrame* frame, std::size_t particle, std::size_t axis)
 {
   const bool isKnown = particle != NoPartner && frame->HasVelocities;
@@ -57,16 +39,10 @@ double GetVelocity(const ParticleFrame* frame, std::size_t particle, std::size_t
 ParticleMoment FindMoment(const TargetFrames& frames, int step, double fraction)
 {
   ParticleMoment moment;
-  moment.Earlier = Find(frames, step);
-  moment.Later = Find(frames, step + 1);
+  moment.Earlier = frames.Has(step) ? &frames.GetParticles(step) : nullptr;
+  moment.Later = frames.Has(step + 1) ? &frames.GetParticles(step + 1) : nullptr;
   moment.Fraction = fraction;
   const ParticleMatches* matches = frames.FindMatches(step);
-  ParticleMatches ofWhole;
-  if (matches && AreShared(frames, step))
-  {
-    ofWhole = MatchParticles(*moment.Earlier, *moment.Later);
-    matches = &ofWhole;
-  }
   if (fraction == 0.0)
   {
     moment.Particles = moment.Earlier->Particles;
@@ -102,15 +78,15 @@ std::vector<double> ParticleMoment::FindVelocities(double duration) const
     (this->Earlier && this->Earlier->HasVelocities) || (this->Later && this->Later->HasVelocities);
   if (!given)
   {
-    FindMotion(this->Earlier.get(), this->Later.get(), duration, this->Origins, velocities);
+    FindMotion(this->Earlier, this->Later, duration, this->Origins, velocities);
     return velocities;
   }
   for (const ParticleOrigin& origin : this->Origins)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      velocities.push_back(Mix(GetVelocity(this->Earlier.get(), origin.Earlier, axis),
-        GetVelocity(this->Later.get(), origin.Later, axis), origin, this->Fraction));
+      velocities.push_back(Mix(GetVelocity(this->Earlier, origin.Earlier, axis),
+        GetVelocity(this->Later, origin.Later, axis), origin, this->Fraction));
     }
   }
   return velocities;

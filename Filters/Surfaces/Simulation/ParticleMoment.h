@@ -5,7 +5,6 @@
 
 #include "Targets/ParticleMatches.h"
 
-#include <memory>
 #include <vector>
 
 namespace activesurface
@@ -18,8 +17,8 @@ struct ParticleMoment
   std::vector<SkeletonVertex> Particles;
   std::vector<ParticleOrigin> Origins; // of the particles
   // Which the origins tell of; null if not known.
-  std::shared_ptr<const ParticleFrame> Earlier;
-  std::shared_ptr<const ParticleFrame> Later;
+  const ParticleFrame* Earlier = nullptr;
+  const ParticleFrame* Later = nullptr;
   double Fraction = 0.0; // of the way from Earlier to Later
 
   // x y z of each particle, NaN where it is not known: from the frames' velocities if they have
@@ -28,8 +27,7 @@ struct ParticleMoment
 };
 
 // At a fraction of the way from a step to the next one; at 0 and 1 exactly the particles of that
-// step. The moment refers to the frames, which have to hold the step where it is. Where ranks share
-// them, it has all particles; there are rounds.
+// step. The moment refers to the frames, which have to hold the step where it is.
 ParticleMoment FindMoment(const TargetFrames& frames, int step, double fraction);
 
 // An array's tuple, or another quantity, between the two steps.

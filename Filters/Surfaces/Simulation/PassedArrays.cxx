@@ -47,7 +47,7 @@ bool IsAveraged(vtkAbstractArray* array)
   return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE || IsColor(array);
 }
 
-vtkPointData* FindArrays(const std::shared_ptr<const ParticleFrame>& frame)
+vtkPointData* FindArrays(const ParticleFrame* frame)
 {
   return frame ? frame->Passed.Get() : nullptr;
 }
@@ -68,7 +68,7 @@ struct Pair
   }
 };
 
-bool Has(const std::shared_ptr<const ParticleFrame>& frame)
+bool Has(const ParticleFrame* frame)
 {
   return frame && !frame->Particles.empty();
 }

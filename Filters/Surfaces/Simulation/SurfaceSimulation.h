@@ -55,14 +55,6 @@ public:
   // Told, once for each reason and as long as the settings stay the same, what a user should know.
   void SetWarning(const Warnings::Listener& warning) { this->Messages.SetListener(warning); }
   void SetLimits(const SimulationLimits& limits);
-  // Ranks that make all calls together, each with the same settings and data. Null: none.
-  void SetRanks(Agreement* ranks)
-  {
-    this->Driver.SetRanks(ranks);
-    this->Shapes.SetRanks(ranks);
-    this->Coverage.SetRanks(ranks);
-  }
-
   // Resets everything if these are other settings, unless only further steps have come.
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }

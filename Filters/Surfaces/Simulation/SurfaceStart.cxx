@@ -1,13 +1,10 @@
 #include "Simulation/SurfaceStart.h"
 
-#include "Agreement.h"
 #include "Obstacle.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <memory>
-#include <utility>
 #include <vector>
 
 namespace activesurface
@@ -25,12 +22,6 @@ constexpr char StartWithoutSurface[] =
 constexpr char StartWithoutNumbers[] =
   "The initial shape is not a finite number anywhere within the bounds, so there is no skin; check "
   "the initial shape, or the target where there is none.";
-
-// Each rank has evaluated a part.
-bool IsSoOnAny(Agreement* ranks, bool isSo)
-{
-  return ranks ? ranks->IsSoOnAny(isSo) : isSo;
-}
 
 double FindMargin(const SurfaceStart& start)
 {
@@ -93,42 +84,11 @@ void EvaluateAtCorners(const InitialFunction& function, const double bounds[6])
   }
 }
 
-// Where a shape is asked for while a surface starts on it.
-class KeptPlaces
-{
-public:
-  explicit KeptPlaces(PotentialTarget& shape)
-    : Shape(shape)
-  {
-  }
-  ~KeptPlaces()
-  {
-    if (this->Places)
-    {
-      this->Shape.KeepNear(nullptr);
-    }
-  }
-  KeptPlaces(const KeptPlaces&) = delete;
-  void operator=(const KeptPlaces&) = delete;
-
-  void KeepNear(std::shared_ptr<const OwnPlaces> places)
-  {
-    this->Shape.KeepNear(places.get());
-    this->Places = std::move(places);
-    this->Shape.MoveTo(0.0);
-  }
-
-private:
-  PotentialTarget& Shape;
-  std::shared_ptr<const OwnPlaces> Places;
-};
-
 }
 
 bool StartOn(
   NarrowBand& band, const SurfaceStart& start, Warnings& messages, const ProgressFunction& progress)
 {
-  KeptPlaces kept(start.Shape);
   std::atomic<bool> isFinite{ false };  // anywhere
   std::atomic<bool> hasInside{ false }; // but for the obstacle
   InitialFunction function;
@@ -158,8 +118,6 @@ bool StartOn(
     function.Surface = start.Shape.FindSurface();
     function.Surface.DepthOfWalls = FindMargin(start);
   }
-  function.KeepNear = [&kept](std::shared_ptr<const OwnPlaces> places)
-  { kept.KeepNear(std::move(places)); };
   double bounds[6];
   FindBounds(start, bounds);
   if (!band.Start(0.0, bounds, function, progress))
@@ -174,15 +132,15 @@ bool StartOn(
   }
   if (band.IsEmpty())
   {
-    const bool isCovered = start.Solid && IsSoOnAny(start.Ranks, hasInside);
+    const bool isCovered = start.Solid && hasInside;
     if (!isCovered)
     {
       EvaluateAtCorners(function, bounds); // where nothing was, as there is no surface
     }
     messages.Say("empty",
-      isCovered                            ? CoveredStart
-        : IsSoOnAny(start.Ranks, isFinite) ? StartWithoutSurface
-                                           : StartWithoutNumbers);
+      isCovered    ? CoveredStart
+        : isFinite ? StartWithoutSurface
+                   : StartWithoutNumbers);
   }
   return true;
 }

@@ -18,7 +18,6 @@ struct SurfaceStart
   const Walls& Box;
   Obstacle* Solid; // or null
   PotentialTarget& Shape;
-  Agreement* Ranks = nullptr; // that start together, or null
 };
 
 // False if the progress function has stopped it. Warns of a start without a surface. Throws as

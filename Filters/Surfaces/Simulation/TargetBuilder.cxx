@@ -120,7 +120,6 @@ ShapeOptions TargetBuilder::GetOptions() const
   options.Level.Noise = settings.Noise;
   options.IsOnNodes = settings.UsesNodes();
   options.NoiseAtNodes = this->GetNoiseAtNodes();
-  options.Ranks = this->Ranks;
   if (this->DomainKnown)
   {
     options.Level.Reach = this->Domain.Reach;
@@ -267,7 +266,7 @@ void TargetBuilder::StartTarget()
 
 void TargetBuilder::CompleteTarget()
 {
-  if (this->Moving && !this->IsShared())
+  if (this->Moving)
   {
     this->Moving->Complete();
   }
@@ -297,21 +296,10 @@ std::unique_ptr<PotentialTarget> TargetBuilder::MakeStart()
     this->PrepareInitial();
     function = this->Initial->GetFunction();
   }
-  ShapeOptions options = this->GetOptions();
-  if (function || !this->Moving || !this->IsShared())
-  {
-    return function
-      ? std::make_unique<ImplicitTarget>(function, options.GetDifferenceStep(), TargetOptions(),
-          this->Initial ? std::array<double, 3>{} : this->GetOrigin())
-      : nullptr;
-  }
-  // Of its own, as it tells less than the one that moves, and goes after the start.
-  options.Carries = options.WeighsTension = false;
-  std::unique_ptr<MovingTarget> target = this->KindOfTarget->MakeTarget(this->Frames, options);
-  target->KeepRegions(); // the start says where it is to be known
-  target->MoveAlong(0, 0.0, 0.0);
-  target->MoveTo(0.0);
-  return target;
+  return function
+    ? std::make_unique<ImplicitTarget>(function, this->GetOptions().GetDifferenceStep(),
+        TargetOptions(), this->Initial ? std::array<double, 3>{} : this->GetOrigin())
+    : nullptr;
 }
 
 }

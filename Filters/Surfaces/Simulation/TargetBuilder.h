@@ -4,11 +4,9 @@
 #ifndef TargetBuilder_h
 #define TargetBuilder_h
 
-#include "Agreement.h"
 #include "Simulation/SurfaceDomain.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/Warnings.h"
-#include "Targets/ContentSum.h"
 #include "Targets/MovingTarget.h"
 #include "Targets/ShapePreparation.h"
 #include "Targets/TargetFrames.h"
@@ -32,7 +30,6 @@ public:
 
   // Guard of the distances to the meshes that come: ten times as many voxels.
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumActiveVoxels = maximum; }
-  void SetRanks(Agreement* ranks) { this->Ranks = ranks; }
 
   // The target at a step; the two that were added last are held. Throws std::invalid_argument for
   // one that does not fit those before or cannot be used; it then is not held.
@@ -41,10 +38,10 @@ public:
 
   const TargetFrames& GetFrames() const { return this->Frames; }
 
-  // True if the held frame of a step was made of the same data as another. Collective.
+  // True if the held frame of a step was made of the same data as another.
   bool IsUnchanged(int step, const InputShape& shape) const
   {
-    return HaveSameContent(*this->Frames.Find(step), shape, this->Ranks);
+    return this->Frames.Find(step)->Content == shape.Content;
   }
 
   // Whether one of the frames from a step to another, as far as they are held, has particles; of a
@@ -93,7 +90,7 @@ public:
 
   // Makes another target, at the first frame. Comes after FindDomain, before GetTarget.
   void StartTarget();
-  // Makes it ready to be evaluated at points, unless ranks share it.
+  // Makes it ready to be evaluated at points.
   void CompleteTarget();
 
   // What attracts. It may be another one after UseFramesFrom, and goes with Clear and ForgetTarget.
@@ -137,14 +134,12 @@ private:
   // The shapes that are held, to positions relative to the domain's origin.
   void MoveToOrigin();
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;
-  bool IsShared() const { return this->Ranks && !this->Ranks->IsAlone(); }
   std::unique_ptr<PotentialTarget> MakeFunctionTarget() const;
   void MakeTarget();
 
   const SurfaceSettings& Settings;
   Warnings& Messages;
   std::size_t MaximumActiveVoxels = 50000000;
-  Agreement* Ranks = nullptr;
 
   TargetFrames Frames;
   KindPointer Kind; // the last shape that has one

@@ -2,7 +2,6 @@
 
 #include "NarrowBand.h"
 #include "Obstacle.h"
-#include "SharedResults.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/TargetBuilder.h"
 
@@ -75,13 +74,13 @@ double TargetCoverage::FindOutside(const NarrowBand& band, const Motion& motion,
     this->Points.erase(
       std::remove_if(this->Points.begin(), this->Points.end(), isBeyond), this->Points.end());
   }
-  const Counts counts = this->AddUp({ CountOutside(band, this->Points), this->Points.size() });
+  const std::size_t outside = CountOutside(band, this->Points), all = this->Points.size();
   this->ArePointsKnown = this->IsStatic();
   if (!this->ArePointsKnown)
   {
     this->Points = {};
   }
-  return counts.Outside > 0 ? double(counts.Outside) / double(counts.All) : 0.0;
+  return outside > 0 ? double(outside) / double(all) : 0.0;
 }
 
 std::vector<PointWithMargin> TargetCoverage::FindPoints(int step, double voxelSize)
@@ -89,24 +88,17 @@ std::vector<PointWithMargin> TargetCoverage::FindPoints(int step, double voxelSi
   const InputShape* shape =
     this->Settings.UsesInput() ? this->Shapes.GetFrames().Find(step) : nullptr;
   const ParticleFrame* frame = shape ? shape->GetPoints() : nullptr;
-  this->ArePointsShared = frame && this->Ranks && !this->Ranks->IsAlone();
   return frame ? this->FindParticles(*frame) : this->FindInside(step, voxelSize);
 }
 
-// Of ranks, each finds those that it has; of points that all have, those of a range.
 std::vector<PointWithMargin> TargetCoverage::FindParticles(const ParticleFrame& frame) const
 {
   const double spacing = this->Shapes.FindSpacing();
   const double reach = GetReachPerSpacing(this->Settings.Particles.Model);
-  const bool areAllHere = this->ArePointsShared && !frame.Shared;
-  const std::size_t ranks = areAllHere ? this->Ranks->GetSize() : 1;
-  const std::size_t rank = areAllHere ? this->Ranks->GetRank() : 0;
-  const RankRanges ranges{ frame.Particles.size(), ranks };
   std::vector<PointWithMargin> points;
-  points.reserve(ranges.FirstOf(rank + 1) - ranges.FirstOf(rank));
-  for (std::size_t i = ranges.FirstOf(rank); i < ranges.FirstOf(rank + 1); ++i)
+  points.reserve(frame.Particles.size());
+  for (const SkeletonVertex& particle : frame.Particles)
   {
-    const SkeletonVertex& particle = frame.Particles[i];
     const double own = frame.HasRadii ? particle.Radius / frame.ReachPerRadius
       : spacing > 0.0                 ? 0.5 * spacing
                                       : 0.5 * particle.Radius / reach;
@@ -116,21 +108,6 @@ std::vector<PointWithMargin> TargetCoverage::FindParticles(const ParticleFrame& 
     }
   }
   return points;
-}
-
-TargetCoverage::Counts TargetCoverage::AddUp(const Counts& own) const
-{
-  if (!this->ArePointsShared)
-  {
-    return own;
-  }
-  Counts sum;
-  for (const Counts& ofRank : GatherValues(*this->Ranks, own))
-  {
-    sum.Outside += ofRank.Outside;
-    sum.All += ofRank.All;
-  }
-  return sum;
 }
 
 std::vector<PointWithMargin> TargetCoverage::FindInside(int step, double voxelSize) const

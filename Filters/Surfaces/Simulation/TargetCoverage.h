@@ -10,7 +10,6 @@
 #ifndef TargetCoverage_h
 #define TargetCoverage_h
 
-#include "Agreement.h"
 #include "Motion.h"
 #include "PointsOutside.h"
 
@@ -33,33 +32,20 @@ public:
 
   // Comes when the settings or the inputs have changed.
   void Clear();
-  // Those that ask together, or null.
-  void SetRanks(Agreement* ranks) { this->Ranks = ranks; }
 
-  // The share, in [0,1], of the target at a step that is held; 0 where there is no target. A round
-  // of ranks, if the target has particles.
+  // The share, in [0,1], of the target at a step that is held; 0 where there is no target.
   double FindOutside(const NarrowBand& band, const Motion& motion, int step);
 
 private:
-  struct Counts
-  {
-    std::size_t Outside = 0;
-    std::size_t All = 0;
-  };
-
   bool IsStatic() const;
   std::vector<PointWithMargin> FindPoints(int step, double voxelSize);
   std::vector<PointWithMargin> FindParticles(const ParticleFrame& frame) const;
   std::vector<PointWithMargin> FindInside(int step, double voxelSize) const;
 
-  Counts AddUp(const Counts& own) const;
-
   const SurfaceSettings& Settings;
   const TargetBuilder& Shapes;
-  Agreement* Ranks = nullptr;
   std::vector<PointWithMargin> Points; // of a target that stands still
   bool ArePointsKnown = false;
-  bool ArePointsShared = false; // this rank has a part of them
 };
 
 }

@@ -1,8 +1,5 @@
 #include "Targets/ContentSum.h"
 
-#include "SharedResults.h"
-#include "Targets/InputShape.h"
-
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -14,7 +11,6 @@
 
 #include <cstddef>
 #include <cstring>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -140,17 +136,6 @@ std::uint64_t SumContent(vtkDataSet* data)
     sum += hash;
   }
   return sum;
-}
-
-bool HaveSameContent(const InputShape& one, const InputShape& other, Agreement* ranks)
-{
-  const std::uint64_t difference = one.Content - other.Content;
-  if (!ranks)
-  {
-    return difference == 0;
-  }
-  const std::vector<std::uint64_t> all = GatherValues(*ranks, difference);
-  return std::accumulate(all.begin(), all.end(), std::uint64_t(0)) == 0;
 }
 
 }

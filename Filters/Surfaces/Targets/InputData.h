@@ -13,8 +13,6 @@ class vtkDataSet;
 namespace activesurface
 {
 
-class Agreement;
-
 /**
  * The point arrays that a user has chosen, by what they are for. Each is null if none was chosen,
  * and throws std::invalid_argument if the one that was chosen is missing.
@@ -53,9 +51,6 @@ struct InputData
   vtkDataSet* Data;
   const ChosenArrays& Chosen;
   const ParticleArrays& Kept;
-
-  /** Ranks that share particles: the data are this rank's piece of them; null: they are all. */
-  Agreement* Ranks = nullptr;
 };
 
 }

@@ -17,7 +17,7 @@ public:
   // Without a next step, or if end = begin, it stays.
   void MoveAlong(int step, double begin, double end);
 
-  // Comes between MoveAlong or KeepNear and an evaluation before the first MoveTo.
+  // Comes between MoveAlong and an evaluation before the first MoveTo.
   void Complete();
 
   void MoveTo(double time) override;

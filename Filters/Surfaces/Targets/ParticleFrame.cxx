@@ -118,26 +118,11 @@ void KeepArrays(vtkPointData* arrays, vtkIdType count, ParticleFrame& frame)
 
 }
 
-void FindBoundsOf(const std::vector<SkeletonVertex>& particles, double bounds[6])
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    bounds[2 * axis] = HUGE_VAL;
-    bounds[2 * axis + 1] = -HUGE_VAL;
-    for (const SkeletonVertex& particle : particles)
-    {
-      const double x = particle.Position[axis];
-      bounds[2 * axis] = std::min(bounds[2 * axis], x - particle.Radius);
-      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], x + particle.Radius);
-    }
-  }
-}
-
 void ParticleFrame::FindFits(const FitOptions& options) const
 {
   if (!this->HasFits)
   {
-    this->Fits = FitParticles(options, this->Particles, this->Shared.get());
+    this->Fits = FitParticles(options, this->Particles);
     this->HasFits = true;
   }
 }
@@ -174,26 +159,25 @@ void ParticleFrame::MoveBy(const double offset[3])
     }
   }
   this->HasFits = false;
-  if (this->Shared)
-  {
-    this->Shared->Homes.reset();
-  }
 }
 
 bool ParticleFrame::GetBounds(double bounds[6]) const
 {
-  if (this->Shared)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    std::copy_n(this->Shared->Bounds, 6, bounds);
+    bounds[2 * axis] = HUGE_VAL;
+    bounds[2 * axis + 1] = -HUGE_VAL;
+    for (const SkeletonVertex& particle : this->Particles)
+    {
+      const double x = particle.Position[axis];
+      bounds[2 * axis] = std::min(bounds[2 * axis], x - particle.Radius);
+      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], x + particle.Radius);
+    }
   }
-  else
-  {
-    FindBoundsOf(this->Particles, bounds);
-  }
-  return this->CountAll() > 0;
+  return !this->Particles.empty();
 }
 
-ParticleFrame ReadWithPoints(vtkPointSet* points, const PointArrays& arrays)
+ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
 {
   const vtkIdType count = points->GetNumberOfPoints();
   vtkDataArray* radii = AsNumbers(arrays.Radii, count, "radii");
@@ -224,12 +208,6 @@ ParticleFrame ReadWithPoints(vtkPointSet* points, const PointArrays& arrays)
   Sort(frame);
   KeepVelocities(AsNumbers(arrays.Velocities, count, "velocities", 3), frame);
   KeepArrays(arrays.Passed, count, frame);
-  return frame;
-}
-
-ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
-{
-  ParticleFrame frame = ReadWithPoints(points, arrays);
   if (!frame.Passed)
   {
     frame.Points = {};

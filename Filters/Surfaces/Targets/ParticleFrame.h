@@ -4,7 +4,6 @@
 #define ParticleFrame_h
 
 #include "ParticleFit.h"
-#include "SharedParticles.h"
 #include "Skeleton.h"
 
 #include "vtkPointData.h"
@@ -34,9 +33,6 @@ struct PointArrays
 
 struct ParticleFrame
 {
-  // Where ranks share the particles, this rank has those of the lists; null: they are all.
-  std::shared_ptr<SharedParticles> Shared;
-
   std::vector<SkeletonVertex> Particles;
   std::vector<std::int64_t> Ids; // of the particles: from the array, else their point numbers
   bool HasIds = false;           // from the array
@@ -49,13 +45,7 @@ struct ParticleFrame
                                                  // without Passed
   mutable ParticleFits Fits;                     // of the particles, once FindFits was called
   std::vector<std::array<double, 3>> Velocities; // of the particles, if there are
-  vtkSmartPointer<vtkPointData> Passed; // of the input's points, or of this rank's piece of them,
-                                        // a copy; null if not wanted
-
-  std::size_t CountAll() const
-  {
-    return this->Shared ? this->Shared->CountOfAll : this->Particles.size();
-  }
+  vtkSmartPointer<vtkPointData> Passed; // of the input's points, a copy; null if not wanted
 
   // Finds the fits, once. Throws as FitParticles.
   void FindFits(const FitOptions& options) const;
@@ -65,22 +55,15 @@ struct ParticleFrame
   // The reaches that belong to the radii of the array, which are those of balls.
   void UseRadii(double reachPerRadius);
 
-  // To other positions, which fits and homes are to be found for again.
+  // To other positions, which fits are to be found for again.
   void MoveBy(const double offset[3]);
 
-  // The box of the supports of all; false without particles. Where ranks share them, as they were
-  // when they came home.
+  // The box of the supports of all; false without particles.
   bool GetBounds(double bounds[6]) const;
 };
 
-// The box of their supports; empty without particles.
-void FindBoundsOf(const std::vector<SkeletonVertex>& particles, double bounds[6]);
-
 // Throws std::invalid_argument for arrays that cannot be radii, ids or strengths of the points.
 ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays);
-
-// The same, with their Points in any case.
-ParticleFrame ReadWithPoints(vtkPointSet* points, const PointArrays& arrays);
 
 }
 

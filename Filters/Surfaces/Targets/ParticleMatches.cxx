@@ -2,9 +2,9 @@
 
 #include "ParallelTasks.h"
 #include "PortableMath.h"
-#include "SharedResults.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -61,12 +61,16 @@ double DiagonalOf(const std::vector<SkeletonVertex>& particles)
   return std::sqrt(square);
 }
 
+using ParticleStep = std::array<double, 3>;
+
 // Of partners, evenly picked.
 std::vector<ParticleStep> PickWays(const ParticleFrame& earlier, const ParticleFrame& later,
   const std::vector<std::size_t>& partners)
 {
+  constexpr std::size_t enough = 1000;
+  const std::size_t stride = 1 + partners.size() / enough;
   std::vector<ParticleStep> ways;
-  for (std::size_t i = 0; i < partners.size(); i += GetStrideOfWays(partners.size()))
+  for (std::size_t i = 0; i < partners.size(); i += stride)
   {
     if (partners[i] != NoPartner)
     {
@@ -183,14 +187,8 @@ struct Crowd
   }
 };
 
-}
-
-std::size_t GetStrideOfWays(std::size_t particles)
-{
-  constexpr std::size_t enough = 1000;
-  return 1 + particles / enough;
-}
-
+// Whether half of the ways go far across the cloud of so many particles, besides where it goes as a
+// whole.
 bool GoAcross(const std::vector<ParticleStep>& ways, std::size_t particles, double diagonal)
 {
   constexpr std::size_t fewParticles = 100; // whose indices are always believed
@@ -216,6 +214,8 @@ bool GoAcross(const std::vector<ParticleStep>& ways, std::size_t particles, doub
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
   return *middle > acrossTheCloud * diagonal;
+}
+
 }
 
 ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later)
@@ -245,18 +245,13 @@ double FindLongestWay(
   double longest = 0.0;
   for (std::size_t i = 0; i < earlier.Particles.size(); ++i)
   {
-    if (const SkeletonVertex* to = matches.FindEnd(i, later))
+    if (matches.Partners[i] != NoPartner)
     {
-      const SkeletonVertex& from = earlier.Particles[i];
-      const double way = std::hypot(to->Position[0] - from.Position[0],
-        to->Position[1] - from.Position[1], to->Position[2] - from.Position[2]);
-      longest = std::max(longest, way + std::fabs(to->Radius - from.Radius));
+      const SkeletonVertex &from = earlier.Particles[i], &to = later.Particles[matches.Partners[i]];
+      const double way = std::hypot(to.Position[0] - from.Position[0],
+        to.Position[1] - from.Position[1], to.Position[2] - from.Position[2]);
+      longest = std::max(longest, way + std::fabs(to.Radius - from.Radius));
     }
-  }
-  if (earlier.Shared)
-  {
-    const std::vector<double> all = GatherValues(earlier.Shared->Ranks, longest);
-    longest = *std::max_element(all.begin(), all.end());
   }
   return longest;
 }

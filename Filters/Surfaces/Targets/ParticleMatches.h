@@ -13,7 +13,6 @@
 
 #include "Targets/ParticleFrame.h"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -24,34 +23,16 @@ constexpr std::size_t NoPartner = static_cast<std::size_t>(-1);
 
 struct ParticleMatches
 {
-  // For each earlier one its partner's place among the later, or NoPartner. Where ranks share the
-  // frames, its place in the order of all.
+  // For each earlier one its partner's place among the later, or NoPartner.
   std::vector<std::size_t> Partners;
-  std::vector<SkeletonVertex> Ends; // the partners, where ranks share the frames; or empty
-  std::vector<std::size_t> Births;  // of the later ones, by ascending place
-  bool AreShuffled = false;         // indices tell nothing
-
-  // The partner of an earlier one; null if it has none. later: the frame of the partners.
-  const SkeletonVertex* FindEnd(std::size_t i, const ParticleFrame& later) const
-  {
-    return this->Partners[i] == NoPartner ? nullptr
-      : this->Ends.empty()                ? &later.Particles[this->Partners[i]]
-                                          : &this->Ends[i];
-  }
+  std::vector<std::size_t> Births; // of the later ones, by ascending place
+  bool AreShuffled = false;        // indices tell nothing
 };
 
-// Of frames that ranks do not share; one without particles may be of either sort.
 ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later);
 
-// Whether half of the ways go far across the cloud of so many particles, besides where it goes as a
-// whole.
-using ParticleStep = std::array<double, 3>;
-bool GoAcross(const std::vector<ParticleStep>& ways, std::size_t particles, double diagonal);
-// How many ways are looked at: of every so manyth particle.
-std::size_t GetStrideOfWays(std::size_t particles);
-
 // How far the fastest of the particles goes that are in both steps, its way and the change of its
-// radius together; 0 if none is. A round, where ranks share the frames.
+// radius together; 0 if none is.
 double FindLongestWay(
   const ParticleFrame& earlier, const ParticleFrame& later, const ParticleMatches& matches);
 

@@ -2,7 +2,6 @@
 
 #include "Targets/ParticleTarget.h"
 #include "Targets/ShapePreparation.h"
-#include "Targets/SharedFrame.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellType.h"
@@ -38,24 +37,12 @@ ParticleFrame ReadPoints(const InputData& input)
 {
   CheckHasVerticesOnly(input.Data);
   PointArrays arrays;
-  if (input.Data->GetNumberOfPoints() > 0) // else it is the piece of a rank without particles
-  {
-    arrays.Radii = input.Chosen.FindRadii();
-    arrays.Ids = input.Chosen.FindIds();
-    arrays.Strengths = input.Chosen.FindStrengths();
-    arrays.Velocities = input.Kept.Velocities.empty() ? nullptr : input.Chosen.FindVelocities();
-  }
+  arrays.Radii = input.Chosen.FindRadii();
+  arrays.Ids = input.Chosen.FindIds();
+  arrays.Strengths = input.Chosen.FindStrengths();
+  arrays.Velocities = input.Kept.Velocities.empty() ? nullptr : input.Chosen.FindVelocities();
   arrays.Passed = input.Kept.All ? input.Data->GetPointData() : nullptr;
-  auto points = vtkPointSet::SafeDownCast(input.Data);
-  return input.Ranks ? ReadSharedParticles(points, arrays, *input.Ranks)
-                     : ReadParticles(points, arrays);
-}
-
-// On any of the ranks.
-bool HasCellsAnywhere(const InputData& input)
-{
-  const bool hasOwn = input.Data->GetNumberOfCells() > 0;
-  return input.Ranks ? input.Ranks->IsSoOnAny(hasOwn) : hasOwn;
+  return ReadParticles(vtkPointSet::SafeDownCast(input.Data), arrays);
 }
 
 }
@@ -68,7 +55,7 @@ bool ParticleShape::Fits(vtkDataSet* data)
 ParticleShape::ParticleShape(const InputData& input)
   : Particles(ReadPoints(input))
   , Kept(input.Kept)
-  , HasVertices(HasCellsAnywhere(input))
+  , HasVertices(input.Data->GetNumberOfCells() > 0)
 {
 }
 
@@ -87,12 +74,7 @@ std::string ParticleShape::Prepare(ShapePreparation& preparation)
         preparation.When +
         ": coordinates, radius or strength are not finite, or the radius is not > 0.");
   }
-  const ShapeOptions& options = preparation.Options;
-  preparation.GiveRadius(options.Model, this->Particles);
-  if (this->Particles.Shared)
-  {
-    BringHome(GetNeighbourhoodPerRadius(options.Model), this->Particles);
-  }
+  preparation.GiveRadius(preparation.Options.Model, this->Particles);
   return "";
 }
 

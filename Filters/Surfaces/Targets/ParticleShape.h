@@ -21,7 +21,7 @@ public:
   explicit ParticleShape(ParticleFrame particles);
 
   const char* GetName() const override { return "particles"; }
-  bool IsEmpty() const override { return this->Particles.CountAll() == 0; }
+  bool IsEmpty() const override { return this->Particles.Particles.empty(); }
   bool HasCells() const override { return this->HasVertices; }
 
   std::string Prepare(ShapePreparation& preparation) override;

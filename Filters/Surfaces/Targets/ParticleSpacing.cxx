@@ -1,7 +1,5 @@
 #include "Targets/ParticleSpacing.h"
 
-#include "NumberedValues.h"
-
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkOctreePointLocator.h"
@@ -123,65 +121,16 @@ private:
   vtkNew<vtkOctreePointLocator> Tree;
 };
 
-// By their places in the order of all, ascending; the same on all ranks.
-std::vector<SkeletonVertex> Pick(
-  const ParticleFrame& frame, const std::vector<std::size_t>& numbers)
+// About a thousand of all.
+std::vector<SkeletonVertex> PickSamples(const std::vector<SkeletonVertex>& particles)
 {
-  if (frame.Shared)
-  {
-    return GatherNumbered(frame.Shared->Ranks, frame.Shared->Numbers, frame.Particles, numbers);
-  }
+  const std::size_t stride = std::max<std::size_t>(1, particles.size() / Samples);
   std::vector<SkeletonVertex> samples;
-  samples.reserve(numbers.size());
-  for (const std::size_t number : numbers)
+  for (std::size_t i = 0; i < particles.size(); i += stride)
   {
-    samples.push_back(frame.Particles[number]);
+    samples.push_back(particles[i]);
   }
   return samples;
-}
-
-// About a thousand of all.
-std::vector<SkeletonVertex> PickSamples(const ParticleFrame& frame)
-{
-  const std::size_t stride = std::max<std::size_t>(1, frame.CountAll() / Samples);
-  std::vector<std::size_t> numbers;
-  for (std::size_t i = 0; i < frame.CountAll(); i += stride)
-  {
-    numbers.push_back(i);
-  }
-  return Pick(frame, numbers);
-}
-
-// Of places, by particles of this rank.
-std::vector<Distances> FindNearest(
-  const std::vector<SkeletonVertex>& particles, const std::vector<SkeletonVertex>& places)
-{
-  Distances none;
-  none.fill(HUGE_VAL);
-  std::vector<Distances> all(places.size(), none);
-  if (!particles.empty())
-  {
-    const Neighbourhoods near(particles);
-    std::transform(places.begin(), places.end(), all.begin(),
-      [&near](const SkeletonVertex& place) { return near.FindNearest(place.Position); });
-  }
-  return all;
-}
-
-// By the particles of all ranks.
-void FindNearestOfAll(Agreement& ranks, std::vector<Distances>& distances)
-{
-  const std::vector<Distances> all = GatherLists(ranks, distances);
-  for (std::size_t n = 0; n < distances.size(); ++n)
-  {
-    std::vector<double> some;
-    for (std::size_t i = n; i < all.size(); i += distances.size())
-    {
-      some.insert(some.end(), all[i].begin(), all[i].end());
-    }
-    std::sort(some.begin(), some.end());
-    std::copy_n(some.begin(), Nearest, distances[n].begin());
-  }
 }
 
 }
@@ -189,7 +138,7 @@ void FindNearestOfAll(Agreement& ranks, std::vector<Distances>& distances)
 double FindMedianRadius(const ParticleFrame& frame)
 {
   std::vector<double> radii;
-  for (const SkeletonVertex& sample : PickSamples(frame))
+  for (const SkeletonVertex& sample : PickSamples(frame.Particles))
   {
     radii.push_back(sample.Radius);
   }
@@ -198,19 +147,16 @@ double FindMedianRadius(const ParticleFrame& frame)
 
 double FindSpacing(const ParticleFrame& frame)
 {
-  if (frame.CountAll() < 2)
+  const std::size_t count = frame.Particles.size();
+  if (count < 2)
   {
     return 0.0;
   }
-  std::vector<Distances> nearest = FindNearest(frame.Particles, PickSamples(frame));
-  if (frame.Shared)
-  {
-    FindNearestOfAll(frame.Shared->Ranks, nearest);
-  }
+  const Neighbourhoods near(frame.Particles);
   std::vector<double> spacings;
-  for (const Distances& distances : nearest)
+  for (const SkeletonVertex& sample : PickSamples(frame.Particles))
   {
-    const double distance = distances[std::min(Nearest, frame.CountAll()) - 1];
+    const double distance = near.FindNearest(sample.Position)[std::min(Nearest, count) - 1];
     if (distance > 0.0)
     {
       spacings.push_back(distance);

@@ -1,7 +1,5 @@
 #include "Targets/ParticleTarget.h"
 
-#include "SharedResults.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,38 +9,6 @@ namespace activesurface
 
 namespace
 {
-
-// On a rank, of what it counts.
-struct Facts
-{
-  PlacedCounts Counts;
-  double LargestRadius;
-};
-
-Facts AddFacts(Agreement& ranks, const Facts& own)
-{
-  Facts all{};
-  for (const Facts& facts : GatherValues(ranks, own))
-  {
-    all.Counts.Before += facts.Counts.Before;
-    all.Counts.After += facts.Counts.After;
-    all.Counts.Changed += facts.Counts.Changed;
-    all.LargestRadius = std::max(all.LargestRadius, facts.LargestRadius);
-  }
-  return all;
-}
-
-void AddBoxes(Agreement& ranks, std::vector<ChangedRegion::Box>& boxes)
-{
-  const auto visit = [](std::vector<ChangedRegion::Box>& some, auto& pass)
-  { PassVector(some, pass); };
-  const auto all = GatherResults(ranks, boxes, visit);
-  boxes.clear();
-  for (const std::vector<ChangedRegion::Box>& some : all)
-  {
-    boxes.insert(boxes.end(), some.begin(), some.end());
-  }
-}
 
 // Where a hollow is, if the particle is at the side of one: a spacing from it or, where its surface
 // is farther from it, one and a half.
@@ -83,37 +49,9 @@ ParticleTarget::ParticleTarget(const TargetFrames& frames, const ShapeOptions& o
 {
 }
 
-void ParticleTarget::KeepNear(const OwnPlaces* places) noexcept
-{
-  this->Places = places;
-  this->TellsRegionsAlone = false;
-  this->ForgetNear();
-  this->ForgetPlace();
-}
-
-// Nor anything of placements, whose origins were among them.
-void ParticleTarget::ForgetNear() noexcept
-{
-  this->StepOfNear = -1;
-  this->Near = NearParticles();
-  this->Now = PlacedParticles();
-  this->Previous = PlacedParticles(); // a copy of nothing would keep its memory
-  this->Body = ParticlePotential();
-  this->Elements = Skeleton();
-}
-
 void ParticleTarget::Place(int step, double fraction)
 {
   std::swap(this->Previous, this->Now);
-  if (this->TellsRegionsAlone)
-  {
-    const ParticleFrame& frame = *this->Frames.GetWay(step).Earlier;
-    this->FindFits(frame);
-    this->Now.Particles = frame.Particles;
-    this->Now.Fits = frame.Fits;
-    this->Changed.SetEverywhere();
-    return;
-  }
   PlacedNeeds needs;
   needs.Fits = this->Options.WantsFits();
   this->PlaceWay(step, fraction, needs, this->Now);
@@ -134,56 +72,35 @@ void ParticleTarget::FindFits(const ParticleFrame& frame) const
 void ParticleTarget::PlaceWay(
   int step, double fraction, const PlacedNeeds& needs, PlacedParticles& placed)
 {
-  const ParticleWay whole = this->Frames.GetWay(step);
-  for (const ParticleFrame* frame : { whole.Earlier, whole.Later })
+  const ParticleWay way = this->Frames.GetWay(step);
+  for (const ParticleFrame* frame : { way.Earlier, way.Later })
   {
     if (frame && needs.Fits)
     {
       this->FindFits(*frame);
     }
   }
-  if (whole.IsShared() && (this->StepOfNear != step || this->NearHasFits < needs.Fits))
-  {
-    this->ChooseNear(whole, step, needs.Fits);
-  }
   PlacedNeeds wanted = needs;
   wanted.Duration = this->GetDuration();
-  PlaceParticles(whole.IsShared() ? this->Near.GetWay() : whole, fraction, wanted, placed);
-  if (!this->Places && wanted.Duration == 0.0) // they stand still, and are many
-  {
-    this->Near = NearParticles();
-    this->StepOfNear = -1;
-  }
-}
-
-void ParticleTarget::ChooseNear(const ParticleWay& whole, int step, bool hasFits)
-{
-  this->ForgetNear();
-  this->Near.Choose(whole, this->Places);
-  this->StepOfNear = step;
-  this->NearHasFits = hasFits;
+  PlaceParticles(way, fraction, wanted, placed);
 }
 
 void ParticleTarget::Finish()
 {
-  if (this->TellsRegionsAlone)
-  {
-    return;
-  }
   const double before = this->Body.GetCellSize();
-  this->BuildBody(this->Now, this->LargestRadius, this->Elements, this->Body);
+  this->BuildBody(this->Now, this->Elements, this->Body);
   if (!this->IsSum())
   {
     this->NoteCells(before, this->Body.GetCellSize());
   }
 }
 
-void ParticleTarget::BuildBody(const PlacedParticles& placed, double largestRadius,
-  Skeleton& elements, ParticlePotential& body) const
+void ParticleTarget::BuildBody(
+  const PlacedParticles& placed, Skeleton& elements, ParticlePotential& body) const
 {
   if (!this->IsSum())
   {
-    body.Build(this->Options.Model, placed.Particles, placed.Fits, largestRadius);
+    body.Build(this->Options.Model, placed.Particles, placed.Fits);
     return;
   }
   elements.Clear();
@@ -219,7 +136,7 @@ void ParticleTarget::PlaceNodes(double begin, double end, double transport, doub
     { this->AtNodes.Particles, this->AtNodes.Fits, this->AtNodes.Velocities }, options);
   if (this->Options.Model != ParticleModel::Anisotropic)
   {
-    this->BuildBody(this->AtNodes, 0.0, this->ElementsAtNodes, this->BodyAtNodes);
+    this->BuildBody(this->AtNodes, this->ElementsAtNodes, this->BodyAtNodes);
   }
 }
 
@@ -284,25 +201,14 @@ void ParticleTarget::NoteCells(double before, double now)
 // Sums depend on the particles in reach alone: where these are the same, so are the sums.
 void ParticleTarget::FindChanged()
 {
-  const PlacedChanges changes(this->Previous, this->Now, this->FindNear());
-  Facts facts{ changes.Count(), 0.0 };
-  if (this->Places)
-  {
-    facts.LargestRadius = FindLargestRadiusOfActive(this->Now.Particles);
-    facts = AddFacts(*this->Options.Ranks, facts);
-  }
-  this->LargestRadius = facts.LargestRadius;
-  const std::size_t all = std::max(facts.Counts.Before, facts.Counts.After);
-  if (facts.Counts.Changed > all / 4)
+  const PlacedChanges changes(this->Previous, this->Now);
+  const PlacedCounts counts = changes.Count();
+  if (counts.Changed > std::max(counts.Before, counts.After) / 4)
   {
     this->Changed.SetEverywhere(); // to look closer would not pay
     return;
   }
   changes.ListSupports(this->ChangedSupports);
-  if (this->Places)
-  {
-    AddBoxes(*this->Options.Ranks, this->ChangedSupports);
-  }
   this->Changed.Set(this->ChangedSupports);
 }
 

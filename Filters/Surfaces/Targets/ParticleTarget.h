@@ -13,7 +13,6 @@
 #include "Skeleton.h"
 #include "Targets/ChangedRegion.h"
 #include "Targets/MovingTarget.h"
-#include "Targets/NearParticles.h"
 #include "Targets/PlacedChanges.h"
 #include "Targets/ShapeOptions.h"
 #include "Targets/TargetFrames.h"
@@ -32,10 +31,6 @@ public:
   // want them.
   ParticleTarget(const TargetFrames& frames, const ShapeOptions& options);
 
-  // Until KeepNear comes, it is asked for regions alone; where ranks share the particles, for those
-  // of the particles at home.
-  void KeepRegions() override { this->TellsRegionsAlone = true; }
-  void KeepNear(const OwnPlaces* places) noexcept override;
   NodeTarget* GetNodes() override { return this; }
   void PlaceNodes(double begin, double end, double transport, double voxelSize) override;
   void FindShell(bool wantsInside, Shell& shell) const override
@@ -68,31 +63,21 @@ protected:
 
 private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
-  const NearParticles* FindNear() const { return this->Places ? &this->Near : nullptr; }
   void PlaceWay(int step, double fraction, const PlacedNeeds& needs, PlacedParticles& placed);
   void FindFits(const ParticleFrame& frame) const;
-  void BuildBody(const PlacedParticles& placed, double largestRadius, Skeleton& elements,
-    ParticlePotential& body) const;
+  void BuildBody(const PlacedParticles& placed, Skeleton& elements, ParticlePotential& body) const;
   // Level of the sum of kernels at the skin.
   double GetLevel() const
   {
     return this->IsSum() ? this->Options.Threshold - this->Options.Level.IsoValue : 0.5;
   }
-  void ForgetNear() noexcept;
-  void ChooseNear(const ParticleWay& whole, int step, bool hasFits);
   void FindChanged();
   void NoteCells(double before, double now);
 
   const TargetFrames& Frames;
   const ShapeOptions Options;
-  const OwnPlaces* Places = nullptr; // of this rank; null: everywhere
-  bool TellsRegionsAlone = false;
-  NearParticles Near;  // of a step, where ranks share the particles
-  int StepOfNear = -1; // -1: of none
-  bool NearHasFits = false;
   PlacedParticles Now;
   PlacedParticles Previous;
-  double LargestRadius = 0.0; // of those of all ranks that add something, if there are places
   std::vector<ChangedRegion::Box> ChangedSupports;
   ChangedRegion Changed;  // from Previous to Now
   Skeleton Elements;      // of a sum

@@ -12,9 +12,6 @@ namespace activesurface
 
 struct ParticleWay
 {
-  // Whether ranks share the particles: each has those that are at home on it.
-  bool IsShared() const { return this->Earlier->Shared || (this->Later && this->Later->Shared); }
-
   const ParticleFrame* Earlier;
   const ParticleFrame* Later = nullptr;     // null, and so the matches, where no next step is held
   const ParticleMatches* Matches = nullptr; // of the two

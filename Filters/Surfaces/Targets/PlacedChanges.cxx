@@ -73,11 +73,9 @@ ChangedRegion::Box SupportOf(const PlacedParticles& placed, std::size_t i)
   return box;
 }
 
-PlacedChanges::PlacedChanges(
-  const PlacedParticles& then, const PlacedParticles& now, const NearParticles* near)
+PlacedChanges::PlacedChanges(const PlacedParticles& then, const PlacedParticles& now)
   : Before(then)
   , After(now)
-  , Near(near)
 {
   const auto isAlike = [](const ParticleOrigin& a, const ParticleOrigin& b)
   { return !IsBefore(a, b) && !IsBefore(b, a); };
@@ -104,23 +102,11 @@ std::size_t PlacedChanges::CountPairs() const
   return this->Pairs.empty() ? this->After.Origins.size() : this->Pairs.size();
 }
 
-std::size_t PlacedChanges::CountOf(const PlacedParticles& placed) const
-{
-  const std::vector<ParticleOrigin>& origins = placed.Origins;
-  return this->Near
-    ? CountIf(origins.size(), [&](std::size_t i) { return this->Near->Counts(origins[i]); })
-    : origins.size();
-}
-
 PlacedCounts PlacedChanges::Count() const
 {
-  const std::size_t changed = CountIf(this->CountPairs(),
-    [this](std::size_t n)
-    {
-      const Pair pair = this->PairAt(n);
-      return this->IsCounted(pair) && !this->IsSame(pair);
-    });
-  return { this->CountOf(this->Before), this->CountOf(this->After), changed };
+  const std::size_t changed =
+    CountIf(this->CountPairs(), [this](std::size_t n) { return !this->IsSame(this->PairAt(n)); });
+  return { this->Before.Origins.size(), this->After.Origins.size(), changed };
 }
 
 void PlacedChanges::ListSupports(std::vector<ChangedRegion::Box>& supports) const
@@ -129,7 +115,7 @@ void PlacedChanges::ListSupports(std::vector<ChangedRegion::Box>& supports) cons
   for (std::size_t n = 0; n < this->CountPairs(); ++n)
   {
     const Pair pair = this->PairAt(n);
-    if (!this->IsCounted(pair) || this->IsSame(pair))
+    if (this->IsSame(pair))
     {
       continue;
     }
@@ -142,13 +128,6 @@ void PlacedChanges::ListSupports(std::vector<ChangedRegion::Box>& supports) cons
       supports.push_back(SupportOf(this->After, pair.Now));
     }
   }
-}
-
-bool PlacedChanges::IsCounted(const Pair& pair) const
-{
-  return !this->Near ||
-    this->Near->Counts(
-      pair.Now != NoPartner ? this->After.Origins[pair.Now] : this->Before.Origins[pair.Then]);
 }
 
 bool PlacedChanges::IsSame(const Pair& pair) const

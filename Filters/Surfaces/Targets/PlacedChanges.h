@@ -4,7 +4,6 @@
 #define PlacedChanges_h
 
 #include "Targets/ChangedRegion.h"
-#include "Targets/NearParticles.h"
 #include "Targets/ParticleWay.h"
 
 #include <cstddef>
@@ -27,8 +26,8 @@ struct PlacedCounts
 class PlacedChanges
 {
 public:
-  // All are the caller's. near: of a rank, whose own ones are counted alone; or null.
-  PlacedChanges(const PlacedParticles& then, const PlacedParticles& now, const NearParticles* near);
+  // Both are the caller's.
+  PlacedChanges(const PlacedParticles& then, const PlacedParticles& now);
 
   PlacedCounts Count() const;
 
@@ -44,15 +43,12 @@ private:
   };
 
   void FindPairs();
-  std::size_t CountOf(const PlacedParticles& placed) const;
   std::size_t CountPairs() const;
   Pair PairAt(std::size_t n) const { return this->Pairs.empty() ? Pair{ n, n } : this->Pairs[n]; }
-  bool IsCounted(const Pair& pair) const;
   bool IsSame(const Pair& pair) const;
 
   const PlacedParticles& Before;
   const PlacedParticles& After;
-  const NearParticles* Near;
   std::vector<Pair> Pairs; // empty where both hold the same ones
 };
 

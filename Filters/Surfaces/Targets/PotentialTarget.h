@@ -40,9 +40,6 @@ public:
 
   // The same, and |grad F|, 1 where it is 0 or not finite.
   void EvaluateLevel(std::size_t count, const double* points, double* values, double* slopes) const;
-  // Until KeepNear comes, it is asked for regions alone: where ranks share it, each for some of
-  // them, and all ranks together for all.
-  virtual void KeepRegions() {}
 
   // Whether its regions together hold its zero set.
   virtual bool IsWithinRegions() const { return false; }

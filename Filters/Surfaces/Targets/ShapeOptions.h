@@ -11,8 +11,6 @@
 namespace activesurface
 {
 
-class Agreement;
-
 struct ShapeOptions
 {
   ParticleModel Model = ParticleModel::Sum; //< of particles; skeletons are sums
@@ -27,8 +25,6 @@ struct ShapeOptions
   /** Its Reach counts as soon as the bounds are known, and so does VoxelSize [length]. */
   TargetOptions Level;
   double VoxelSize = 0.0;
-
-  Agreement* Ranks = nullptr; //< that make the same shapes together, or null
 
   bool IsOnNodes = false;    //< whether particles are a target of the node scheme
   double NoiseAtNodes = 0.0; //< and their noise there [length], in place of the level's

@@ -1,7 +1,5 @@
 #include "Targets/TargetFrames.h"
 
-#include "Targets/SharedMatches.h"
-
 #include <utility>
 
 namespace activesurface
@@ -42,9 +40,7 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape)
   ParticleMatches matches;
   if (earlier.Shape && earlier.Step + 1 == later.Step)
   {
-    const ParticleFrame& from = ParticlesOf(earlier.Shape.get());
-    const ParticleFrame& to = ParticlesOf(later.Shape.get());
-    matches = from.Shared && to.Shared ? MatchSharedParticles(from, to) : MatchParticles(from, to);
+    matches = MatchParticles(ParticlesOf(earlier.Shape.get()), ParticlesOf(later.Shape.get()));
   }
   this->Earlier = std::move(earlier);
   this->Later = std::move(later);

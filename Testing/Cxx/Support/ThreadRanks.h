@@ -4,8 +4,8 @@
 #ifndef ThreadRanks_h
 #define ThreadRanks_h
 
-#include "Agreement.h"
-#include "Communicator.h"
+#include "Ranks/Agreement.h"
+#include "Ranks/Communicator.h"
 
 #include <algorithm>
 #include <condition_variable>
@@ -25,24 +25,10 @@ class MeetingPoint
 public:
   explicit MeetingPoint(int size)
     : Brought(static_cast<std::size_t>(size))
-    , BroughtForEach(static_cast<std::size_t>(size))
   {
   }
 
   int GetSize() const { return static_cast<int>(this->Brought.size()); }
-
-  /** What each has brought for each. */
-  std::vector<std::vector<Bytes>> MeetEach(std::size_t rank, const std::vector<Bytes>& toEach)
-  {
-    {
-      const std::lock_guard<std::mutex> lock(this->Lock);
-      this->BroughtForEach[rank] = toEach;
-    }
-    this->Meet(static_cast<int>(rank), {});
-    const std::vector<std::vector<Bytes>> all = this->BroughtForEach;
-    this->Meet(static_cast<int>(rank), {}); // before it is overwritten
-    return all;
-  }
 
   std::vector<Bytes> Meet(int rank, const Bytes& own)
   {
@@ -69,7 +55,6 @@ private:
   std::condition_variable Complete;
   std::vector<Bytes> Brought;
   std::vector<Bytes> Taken;
-  std::vector<std::vector<Bytes>> BroughtForEach;
   int Arrived = 0;
   int Round = 0;
 };
@@ -95,23 +80,6 @@ public:
   std::vector<Bytes> AllGather(const Bytes& own) override
   {
     return this->Place.Meet(this->Rank, own);
-  }
-
-  std::vector<Bytes> Swap(
-    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) override
-  {
-    const auto own = static_cast<std::size_t>(this->Rank);
-    const std::vector<std::vector<Bytes>> all = this->Place.MeetEach(own, toEach);
-    std::vector<Bytes> fromEach(all.size());
-    for (std::size_t rank = 0; rank < all.size(); ++rank)
-    {
-      fromEach[rank] = all[rank][own];
-      if (rank != own && fromEach[rank].size() != sizes[rank])
-      {
-        throw std::logic_error("a rank swaps something else");
-      }
-    }
-    return fromEach;
   }
 
 private:

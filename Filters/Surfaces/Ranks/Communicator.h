@@ -1,13 +1,12 @@
 /**
- * The ranks of a parallel program, as the numerics see them: who they are, and three ways to tell
- * each other something. What carries the bytes is another's, see Surfaces/Ranks.
+ * The ranks of a parallel program, as the numerics see them: who they are, and two ways to tell
+ * each other something. What carries the bytes is another's.
  *
- * All three are collective: every rank makes the same calls in the same order.
+ * Both are collective: every rank makes the same calls in the same order.
  */
 #ifndef Communicator_h
 #define Communicator_h
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -33,10 +32,6 @@ public:
 
   /** The bytes of each rank, by rank. */
   virtual std::vector<Bytes> AllGather(const Bytes& own) = 0;
-
-  /** Bytes for each other rank, and those that each has for this one, whose sizes are known. */
-  virtual std::vector<Bytes> Swap(
-    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) = 0;
 };
 
 /** A program of one process. */
@@ -47,11 +42,6 @@ public:
   int GetSize() const override { return 1; }
   std::int64_t Max(std::int64_t own) override { return own; }
   std::vector<Bytes> AllGather(const Bytes& own) override { return { own }; }
-  std::vector<Bytes> Swap(
-    const std::vector<Bytes>& toEach, const std::vector<std::size_t>&) override
-  {
-    return toEach;
-  }
 };
 
 }

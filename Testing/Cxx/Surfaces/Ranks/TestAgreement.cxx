@@ -1,6 +1,6 @@
 // Rounds of ranks: all tell, stop and fail together, and nobody waits for one that has gone.
 
-#include "Agreement.h"
+#include "Ranks/Agreement.h"
 #include "Support/ThreadRanks.h"
 
 #include <gtest/gtest.h>
@@ -60,27 +60,6 @@ TEST(TestAgreement, BytesComeByRank)
     });
 }
 
-TEST(TestAgreement, EachGetsWhatOthersHaveForIt)
-{
-  RunOnRanks(3,
-    [](Agreement& ranks)
-    {
-      const auto own = static_cast<std::size_t>(ranks.GetRank());
-      std::vector<Bytes> toEach;
-      std::vector<std::size_t> sizes;
-      for (std::size_t rank = 0; rank < 3; ++rank)
-      {
-        toEach.push_back(MakeBytes(std::string(10 * own + rank, 'x')));
-        sizes.push_back(10 * rank + own);
-      }
-      const std::vector<Bytes> fromEach = ranks.Swap(toEach, sizes);
-      for (std::size_t rank = 0; rank < 3; ++rank)
-      {
-        EXPECT_EQ(fromEach[rank].size(), sizes[rank]) << "from rank " << rank;
-      }
-    });
-}
-
 TEST(TestAgreement, AllStopWhereOneDoes)
 {
   RunOnRanks(3,
@@ -99,12 +78,6 @@ TEST(TestAgreement, AllFailWithTheSentenceOfOne)
   const auto goOn = [](Agreement& ranks)
   { ranks.GetRank() == 2 ? ranks.Fail("no memory.") : (void)ranks.GoOn(true); };
   EXPECT_EQ(RunToError(3, goOn), "On rank 2 of 3: no memory.");
-  const auto swap = [](Agreement& ranks)
-  {
-    ranks.GetRank() == 0 ? ranks.Fail("no skin.")
-                         : (void)ranks.Swap(std::vector<Bytes>(3), std::vector<std::size_t>(3));
-  };
-  EXPECT_EQ(RunToError(3, swap), "On rank 0 of 3: no skin.");
 }
 
 TEST(TestAgreement, TheFirstOfSeveralSentencesIsTold)

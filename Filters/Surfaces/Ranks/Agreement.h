@@ -9,8 +9,7 @@
 #ifndef Agreement_h
 #define Agreement_h
 
-#include "ActiveNarrowBandExport.h"
-#include "Communicator.h"
+#include "Ranks/Communicator.h"
 
 #include <exception>
 #include <memory>
@@ -37,9 +36,9 @@ public:
 };
 
 /** Whether memory has ended, here or on another rank. */
-ACTIVENARROWBAND_EXPORT bool IsOfMemory(const std::exception& error);
+bool IsOfMemory(const std::exception& error);
 
-class ACTIVENARROWBAND_EXPORT Agreement
+class Agreement
 {
 public:
   /** Of a program of one process. */
@@ -53,14 +52,8 @@ public:
   /** A round: the bytes of each rank, by rank. Throws RankError if one has failed. */
   std::vector<Bytes> Exchange(const Bytes& own);
 
-  /** A round: bytes for each rank, and those that each has for this one, whose sizes are known.
-   * Throws RankError if one has failed. */
-  std::vector<Bytes> Swap(const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes);
-
   /** A round: whether every rank wants to go on. Throws RankError if one has failed. */
   bool GoOn(bool own);
-  /** The same round: whether it is so on one rank at least. */
-  bool IsSoOnAny(bool own) { return !this->GoOn(!own); }
 
   /** In place of whatever round the others are in. The sentence of the first rank that has failed,
    * after the rank's number, unless all have failed with the same sentence. */

@@ -1,4 +1,4 @@
-#include "Agreement.h"
+#include "Ranks/Agreement.h"
 
 #include <algorithm>
 #include <utility>
@@ -41,13 +41,6 @@ std::vector<Bytes> Agreement::Exchange(const Bytes& own)
 {
   this->GoOn(true);
   return this->Ranks->AllGather(own);
-}
-
-std::vector<Bytes> Agreement::Swap(
-  const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes)
-{
-  this->GoOn(true);
-  return this->Ranks->Swap(toEach, sizes);
 }
 
 bool Agreement::GoOn(bool own)
