@@ -19,7 +19,8 @@
  * - Mesh: a closed vtkPolyData of polygons or strips without lines (open ones: see MeshThickness).
  *   F is the distance to it, as vtkGridPotential gives it.
  * - Image: a vtkImageData, whose values are F: its active point scalars, or the array chosen by
- *   (3, ...). Inside is below TargetIsoValue (InvertTarget: above), and within the image's box.
+ *   (3, ...). Inside is below TargetIsoValue (InvertTarget: above; see there for masks), and within
+ * the image's box.
  *
  * With time steps, all of one kind, the target moves. Particles go in straight lines from step to
  * step, matched by ids (equal ones by place), else by number if both steps have equally many, in
@@ -134,7 +135,9 @@ public:
   ///@{
   /**
    * Level of the target that attracts the skin [unit of the target's values]; of images at port 1
-   * too. Range: finite. Default: 0.
+   * too. Range: finite. Default: 0, which for an image that is a mask (of two values, none
+   * negative) or has fractions of volume (0 to 1, most of them 0 or 1) is the level between, with
+   * the inside above it.
    */
   vtkSetMacro(TargetIsoValue, double);
   vtkGetMacro(TargetIsoValue, double);
@@ -178,8 +181,9 @@ public:
    * Distance of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
    * at its multiples. Halving it takes 4 times the memory, 8 (with Tension 16) times the time.
    * Range: >= 0; 1e-30 to 1e30, or 0, which is half of ParticleSpacing over particles whose spacing
-   * is known, else a 64th of the bounds' longest side. Known: it is set, or it is estimated, which
-   * takes another ParticleModel than SUM and no ModelBounds. Default: 0.
+   * is known, else a 64th of the bounds' longest side, over images no more than a pixel (the
+   * smallest spacing) or a 1000th. Known: it is set, or it is estimated, which takes another
+   * ParticleModel than SUM and no ModelBounds. Default: 0.
    */
   vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);

@@ -39,9 +39,11 @@ public:
   /**
    * Usual distance of neighbouring particles [length], 2 r: the side of the cube that a particle
    * fills. Range: >= 0; 1e-30 to 1e30, or 0, which is the median distance of a particle to its
-   * third nearest at the first time step with particles, with a warning that says the value (or,
-   * where KernelRadius or an array of radii is given, the spacing that belongs to it).
-   * Default: 0.
+   * third nearest, with a warning that says the value (or, where KernelRadius or an array of radii
+   * is given, the spacing that belongs to it). It is the least of the first time step, of the one
+   * in the middle and of the last, of those with a tenth of the most particles at least; these are
+   * read when the skin starts. Of an input that cannot go back in time, it is that of the first
+   * particles. Default: 0.
    */
   vtkSetClampMacro(ParticleSpacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);

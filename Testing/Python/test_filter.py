@@ -84,6 +84,7 @@ def make_skin_over(source):
     surface.SetInputConnection(source.GetOutputPort())
     surface.SetInputArrayToProcess(1, 0, 0, 0, "id")
     surface.SetKernelRadius(0.3)
+    surface.SetParticleSpacing(0.2)
     surface.SetVoxelSize(0.05)
     surface.SetAttraction(10)
     return surface

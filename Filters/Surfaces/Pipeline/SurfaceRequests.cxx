@@ -152,7 +152,8 @@ void SurfaceRequests::ReadFirst(vtkInformationVector** input)
   if (target && this->Simulation.FindMissingStep() == 0 &&
     this->Target.Update(target, this->Simulation.GetSettings().GetStep(0).Value))
   {
-    this->Simulation.AddFrame(0, this->Steps.Read(target));
+    this->SettleSpacing(target);
+    this->Steps.TakeFirst(target);
   }
   if (initial && this->Simulation.WantsInitial() && this->Initial.UpdateFirst(initial))
   {
@@ -246,6 +247,15 @@ private:
   SurfaceRequests& Requests;
 };
 
+// Pushed frames cannot be read ahead.
+void SurfaceRequests::SettleSpacing(vtkInformation* target)
+{
+  if (target && !this->Clock.ArePushed() && this->Simulation.WantsSpacing())
+  {
+    this->Steps.SettleSpacing(target, this->Ranks);
+  }
+}
+
 // With what the inputs were asked for, then as many more steps of the target as are needed.
 bool SurfaceRequests::Advance(vtkInformationVector** input)
 {
@@ -256,6 +266,7 @@ bool SurfaceRequests::Advance(vtkInformationVector** input)
     this->Simulation.SetInitial(this->Initial.Read(initial));
   }
   vtkInformation* target = Get(input, SurfaceInput::Target);
+  this->SettleSpacing(target);
   this->Steps.TakeRequested(target);
   const bool mayGoBack =
     !this->Simulation.GetSettings().Inputs.OnlyForward || this->Clock.ArePushed();

@@ -83,6 +83,7 @@ private:
   PipelineTime FindRequestedTime(vtkInformation* output) const;
   void CheckInputs() const;
   void ReadFirst(vtkInformationVector** input);
+  void SettleSpacing(vtkInformation* target);
   bool Advance(vtkInformationVector** input);
   void AgreeOnRequest(
     const SurfaceProperties& properties, vtkInformation* request, vtkInformationVector* output);

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace activesurface
 {
@@ -57,6 +59,35 @@ void TargetSteps::Request(vtkInformation* target)
   {
     target->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), inputs.InputSteps[1]);
     this->Requested = NoStep;
+  }
+}
+
+// A step that cannot be made is left out: that is an error when the surface gets there. The first
+// one is kept.
+void TargetSteps::SettleSpacing(vtkInformation* target, Agreement& ranks)
+{
+  const SurfaceSettings& settings = this->Simulation.GetSettings();
+  std::unique_ptr<InputShape> first = this->Make(target, 0, true);
+  if (!first->HasPoints() || first->GetParticles())
+  {
+    std::vector<TargetBuilder::SpacingSample> samples{ TargetBuilder::SampleSpacing(*first) };
+    for (const int step : this->Simulation.ListStepsThatTell())
+    {
+      if (ranks.GoOn(this->Target.Update(target, settings.GetStep(step).Value)))
+      {
+        samples.push_back(TargetBuilder::SampleSpacing(*this->Read(target)));
+      }
+    }
+    this->Simulation.SettleSpacing(samples);
+  }
+  this->Simulation.AddFrame(0, std::move(first));
+}
+
+void TargetSteps::TakeFirst(vtkInformation* target)
+{
+  if (this->Simulation.FindMissingStep() == 0)
+  {
+    this->Simulation.AddFrame(0, this->Read(target));
   }
 }
 

@@ -30,6 +30,13 @@ public:
   // What has come of it, if it is needed still; null: there is no input.
   void TakeRequested(vtkInformation* target);
 
+  // Takes the first step, and looks at more of them to find the usual distance of the particles. A
+  // round of ranks for each.
+  void SettleSpacing(vtkInformation* target, Agreement& ranks);
+
+  // The first step, which the input has now, unless it was taken.
+  void TakeFirst(vtkInformation* target);
+
   // Another step, by an update from within. Throws std::runtime_error if it cannot be had;
   // mayGoBack: whether one that was made before can.
   std::unique_ptr<InputShape> Make(vtkInformation* target, int step, bool mayGoBack);

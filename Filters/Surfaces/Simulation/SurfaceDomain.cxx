@@ -28,8 +28,16 @@ void MoveToOrigin(SurfaceDomain& domain)
   }
 }
 
-SurfaceDomain MakeDomainOf(
-  const SurfaceSettings& settings, const double bounds[6], double particleSpacing)
+// No coarser than the pixels of an image, unless the lattice gets too large.
+double FindVoxelSize(double longest, double pixel)
+{
+  constexpr double across = 64.0, mostAcross = 1000.0;
+  return pixel > 0.0 ? std::min(longest / across, std::max(pixel, longest / mostAcross))
+                     : longest / across;
+}
+
+SurfaceDomain MakeDomainOf(const SurfaceSettings& settings, const double bounds[6],
+  double particleSpacing, double voxelSize = 0.0)
 {
   SurfaceDomain domain;
   std::copy(bounds, bounds + 6, domain.Bounds);
@@ -43,7 +51,8 @@ SurfaceDomain MakeDomainOf(
   }
   domain.VoxelSize = settings.VoxelSize > 0.0 ? settings.VoxelSize
     : particleSpacing > 0.0                   ? particleSpacing / VoxelsPerSpacing
-                                              : longest / 64.0;
+    : voxelSize > 0.0                         ? voxelSize
+                                              : FindVoxelSize(longest, 0.0);
   const bool isLength =
     domain.VoxelSize >= ranges::ShortestLength && domain.VoxelSize <= ranges::LongestLength;
   if (domain.VoxelSize != 0.0 && !isLength)
@@ -88,10 +97,10 @@ SurfaceDomain MakeDomain(const SurfaceSettings& settings)
   return MakeDomainOf(settings, settings.Bounds.data(), spacing);
 }
 
-SurfaceDomain MakeDomainOfNothing(const SurfaceSettings& settings)
+SurfaceDomain MakeDomainOfNothing(const SurfaceSettings& settings, double particleSpacing)
 {
   const double nowhere[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-  return MakeDomainOf(settings, nowhere, settings.Particles.Spacing);
+  return MakeDomainOf(settings, nowhere, particleSpacing);
 }
 
 SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& first)
@@ -102,16 +111,18 @@ SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& fir
     shapes.Inflate(shapes.GetMaxLength() / 8.0);
   }
   shapes.AddBox(first.Images);
+  double voxel = 0.0;
   if (first.Images.IsValid())
   {
-    // The longest side then is 64 voxels.
-    const double voxel =
-      settings.VoxelSize > 0.0 ? settings.VoxelSize : shapes.GetMaxLength() / 60.0;
+    // Without a finer pixel the longest side then is 64 voxels.
+    const double longest = shapes.GetMaxLength();
+    voxel = settings.VoxelSize > 0.0 ? settings.VoxelSize
+                                     : FindVoxelSize(64.0 / 60.0 * longest, first.Pixel);
     shapes.Inflate(2.0 * voxel);
   }
   double bounds[6];
   shapes.GetBounds(bounds);
-  return MakeDomainOf(settings, bounds, first.ParticleSpacing);
+  return MakeDomainOf(settings, bounds, first.ParticleSpacing, voxel);
 }
 
 }

@@ -31,6 +31,7 @@ struct FirstShapes
   vtkBoundingBox Shapes;
   vtkBoundingBox Images;
   double ParticleSpacing; // 0: there are no particles, or it is not known
+  double Pixel;           // of the finest image [length]; 0: there is none
 };
 
 // With the bounds given by the settings.
@@ -40,8 +41,9 @@ SurfaceDomain MakeDomain(const SurfaceSettings& settings);
 // side, half of it at each end, and with images by two voxels at each end.
 SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& first);
 
-// Before anything is there: without an extent. The settings have their own sizes.
-SurfaceDomain MakeDomainOfNothing(const SurfaceSettings& settings);
+// Before anything is there: without an extent. The settings have their own sizes, or the spacing is
+// known.
+SurfaceDomain MakeDomainOfNothing(const SurfaceSettings& settings, double particleSpacing);
 
 }
 

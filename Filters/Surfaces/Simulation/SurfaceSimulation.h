@@ -97,6 +97,14 @@ public:
       (this->Loaded.Band ? ", loaded" : "");
   }
 
+  // Before the first frame, see TargetBuilder.
+  bool WantsSpacing() const { return this->Shapes.WantsSpacing() && this->FindMissingStep() == 0; }
+  std::vector<int> ListStepsThatTell() const { return this->Shapes.ListStepsThatTell(); }
+  void SettleSpacing(const std::vector<TargetBuilder::SpacingSample>& samples)
+  {
+    this->Shapes.SettleSpacing(samples);
+  }
+
   // Whether the initial shape has to come in before the surface can start.
   bool WantsInitial() const { return this->Shapes.WantsInitial(); }
   void SetInitial(std::shared_ptr<InputShape> shape) { this->Shapes.SetInitial(std::move(shape)); }

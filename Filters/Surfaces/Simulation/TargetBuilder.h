@@ -8,12 +8,14 @@
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/Warnings.h"
 #include "Targets/MovingTarget.h"
+#include "Targets/ParticleFrame.h"
 #include "Targets/ShapePreparation.h"
 #include "Targets/TargetFrames.h"
 
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace activesurface
 {
@@ -68,6 +70,22 @@ public:
   {
     this->EstimatedSpacing = this->EstimatedSpacing > 0.0 ? this->EstimatedSpacing : spacing;
   }
+
+  // What one of several frames tells of the spacing.
+  struct SpacingSample
+  {
+    std::size_t Particles = 0;
+    double Spacing = 0.0; // 0: it tells none
+    bool HasRadii = false;
+  };
+  // Whether the spacing is to be found from several frames before the first one is added; and the
+  // steps that tell it besides the first.
+  bool WantsSpacing() const;
+  std::vector<int> ListStepsThatTell() const;
+  static SpacingSample SampleSpacing(const InputShape& shape);
+  // Of the densest frames that have not too few particles. The first sample is the first frame's,
+  // whose spacing stays if it is the same but for a percent.
+  void SettleSpacing(const std::vector<SpacingSample>& samples);
 
   // A box that holds the inside of the target at a step that is held, if it is no particles; within
   // the domain's for a function, or one that is inverted. Not valid where there is no target.
@@ -130,6 +148,7 @@ private:
   void WarnOfThinParts(const InputShape& shape, const std::string& where);
   void PrepareInitial();
   double GetSpacing() const;
+  double GetPixel() const; // of the first images [length]; 0: there are none
   double GetNoiseAtNodes() const;
   // The shapes that are held, to positions relative to the domain's origin.
   void MoveToOrigin();

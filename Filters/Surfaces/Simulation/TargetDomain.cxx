@@ -44,12 +44,14 @@ const SurfaceDomain* TargetBuilder::FindDomain()
   }
   else if (this->AddFirstBounds(shapes, images) && (shapes.IsValid() || images.IsValid()))
   {
-    this->Domain = MakeDomain(this->Settings, { shapes, images, this->GetSpacing() });
+    this->Domain =
+      MakeDomain(this->Settings, { shapes, images, this->GetSpacing(), this->GetPixel() });
     this->DomainKnown = true;
   }
-  else if (this->Frames.Has(0) && this->StartsOnNothing() && this->Settings.HasOwnSizes())
+  else if (this->Frames.Has(0) && this->StartsOnNothing() &&
+    (this->Settings.HasOwnSizes() || this->EstimatedSpacing > 0.0))
   {
-    this->Domain = MakeDomainOfNothing(this->Settings);
+    this->Domain = MakeDomainOfNothing(this->Settings, this->FindSpacing());
     this->DomainKnown = true;
   }
   this->MoveToOrigin();
@@ -90,6 +92,17 @@ bool TargetBuilder::AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& image
   AddFunction(this->Settings.Inputs.TargetFunction, shapes);
   AddFunction(this->Settings.Inputs.InitialFunction, shapes);
   return true;
+}
+
+double TargetBuilder::GetPixel() const
+{
+  double least = 0.0;
+  for (const InputShape* shape : { this->Frames.Find(0), this->Initial.get() })
+  {
+    const double pixel = shape ? shape->GetPixel() : 0.0;
+    least = pixel > 0.0 && (least == 0.0 || pixel < least) ? pixel : least;
+  }
+  return least;
 }
 
 // Of particles that look at their neighbours; 0: not known.

@@ -2,6 +2,7 @@
 
 #include "AttachedData.h"
 #include "Targets/GridFunction.h"
+#include "Targets/ImageLevel.h"
 #include "Targets/MovingTarget.h"
 #include "Targets/ShapePreparation.h"
 
@@ -12,6 +13,8 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace activesurface
@@ -69,8 +72,15 @@ std::string ImageShape::Prepare(ShapePreparation& preparation)
   if (!this->Function && preparation.IsDomainKnown)
   {
     vtkNew<vtkGridPotential> grid;
-    grid->SetIsoValue(preparation.Options.Level.IsoValue);
-    grid->SetInvertInside(preparation.Options.Level.Invert);
+    const TargetOptions& options = preparation.Options.Level;
+    ImageLevel level{ options.IsoValue, options.Invert };
+    vtkDataArray* values = this->Data->GetPointData()->GetScalars();
+    if (level.IsoValue == 0.0 && values)
+    {
+      level = FindUsualLevel(values, level);
+    }
+    grid->SetIsoValue(level.IsoValue);
+    grid->SetInvertInside(level.Invert);
     ReadGrid(grid, this->Data);
     this->Function = grid;
   }
@@ -87,6 +97,21 @@ void ImageShape::AddBounds(const ShapeOptions&, vtkBoundingBox&, vtkBoundingBox&
   double bounds[6];
   this->Data->GetBounds(bounds);
   images.AddBounds(bounds);
+}
+
+double ImageShape::GetPixel() const
+{
+  double least = 0.0;
+  auto image = vtkImageData::SafeDownCast(this->Data);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double spacing = std::fabs(image->GetSpacing()[axis]);
+    if (image->GetDimensions()[axis] > 1 && spacing > 0.0)
+    {
+      least = least > 0.0 ? std::min(least, spacing) : spacing;
+    }
+  }
+  return least;
 }
 
 std::unique_ptr<MovingTarget> ImageShape::MakeTarget(

@@ -21,11 +21,12 @@ public:
   const char* GetName() const override { return "an image"; }
   bool CanStart() const override { return true; }
 
-  /** The function has the level and the side of the options. */
+  /** The function has the level and the side of the options, or of its values (ImageLevel.h). */
   std::string Prepare(ShapePreparation& preparation) override;
   std::string DescribeThinParts(const ShapeOptions& options) const override;
   void AddBounds(
     const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;
+  double GetPixel() const override;
   std::unique_ptr<MovingTarget> MakeTarget(
     const TargetFrames& frames, const ShapeOptions& options) const override;
 };

@@ -69,6 +69,9 @@ public:
   virtual void AddBounds(
     const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const;
 
+  /** Smallest distance of an image's samples along an axis [length]; 0 for other kinds. */
+  virtual double GetPixel() const { return 0.0; }
+
   /**
    * What attracts, along frames of this kind and empty ones. The frames are the caller's, and have
    * to hold what the target's MoveAlong asks for.
@@ -88,7 +91,7 @@ public:
   /** Whether it was read with these, or has no use for them. */
   virtual bool HasArrays(const ParticleArrays& arrays) const;
 
-  /** Checksum of the data that it was made of (ContentSum.h); on several ranks, of this rank's. */
+  /** Checksum of the data that it was made of (ContentSum.h). */
   std::uint64_t Content = 0;
 
 protected:

@@ -53,17 +53,21 @@ void ShapePreparation::GiveRadius(ParticleModel model, ParticleFrame& frame)
   }
 }
 
+double ShapePreparation::FindSpacingOf(const ParticleFrame& frame)
+{
+  const double spacing = FindSpacing(frame);
+  if (!frame.HasRadii || frame.Particles.empty())
+  {
+    return spacing;
+  }
+  const double diameter = 2.0 * FindMedianRadius(frame) / frame.ReachPerRadius;
+  return spacing > 0.0 ? std::min(spacing, diameter) : diameter; // balls may lie far apart
+}
+
 void ShapePreparation::EstimateSpacing(ParticleModel model, const ParticleFrame& frame)
 {
-  const bool hasReach = frame.HasRadii || this->Options.KernelRadius > 0.0;
-  this->EstimatedSpacing = FindSpacing(frame);
-  if (frame.HasRadii) // balls may lie far apart
-  {
-    const double diameter = 2.0 * FindMedianRadius(frame) / frame.ReachPerRadius;
-    this->EstimatedSpacing =
-      this->EstimatedSpacing > 0.0 ? std::min(this->EstimatedSpacing, diameter) : diameter;
-  }
-  else if (this->EstimatedSpacing == 0.0 && hasReach)
+  this->EstimatedSpacing = FindSpacingOf(frame);
+  if (this->EstimatedSpacing == 0.0)
   {
     this->EstimatedSpacing = this->Options.KernelRadius / GetReachPerSpacing(model);
   }
@@ -73,14 +77,20 @@ void ShapePreparation::EstimateSpacing(ParticleModel model, const ParticleFrame&
                                 "apart; set ParticleSpacing or KernelRadius, or choose a radius "
                                 "array.");
   }
-  if (!hasReach)
+  this->ReportSpacing(frame.HasRadii);
+}
+
+void ShapePreparation::ReportSpacing(bool haveRadii) const
+{
+  if (haveRadii || this->Options.KernelRadius > 0.0)
   {
-    std::ostringstream text;
-    text << "Neither ParticleSpacing nor KernelRadius is set; a ParticleSpacing of "
-         << this->EstimatedSpacing << " is used, the usual distance of neighbours. Set it to "
-         << "silence this.";
-    this->Report("spacing", text.str());
+    return;
   }
+  std::ostringstream text;
+  text << "Neither ParticleSpacing nor KernelRadius is set; a ParticleSpacing of "
+       << this->EstimatedSpacing << " is used, the usual distance of neighbours. Set it to "
+       << "silence this.";
+  this->Report("spacing", text.str());
 }
 
 std::string PrepareShape(InputShape& shape, ShapePreparation& preparation, const std::string& where)

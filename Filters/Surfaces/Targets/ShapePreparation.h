@@ -44,9 +44,17 @@ struct ShapePreparation
   /** Reach of a kernel over the radius of the ball that it makes without neighbours. */
   double GetReachPerRadius(ParticleModel model) const;
 
+  /** Usual distance of a frame's particles, of given radii a diameter at the most; 0: it tells
+   * none.
+   */
+  static double FindSpacingOf(const ParticleFrame& frame);
+
+  /** Says which spacing is used, where nothing given tells any length of the particles. */
+  void ReportSpacing(bool haveRadii) const;
+
   /**
    * Gives a frame's particles their reaches, by their radii where they have them. Estimates the
-   * spacing from the first frame that needs it; throws std::invalid_argument if no two particles
+   * spacing from this frame if it is not known; throws std::invalid_argument if no two particles
    * are apart and there is no radius either.
    */
   void GiveRadius(ParticleModel model, ParticleFrame& frame);

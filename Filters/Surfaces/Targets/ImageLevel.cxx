@@ -1,0 +1,96 @@
+#include "Targets/ImageLevel.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace activesurface
+{
+
+namespace
+{
+
+constexpr double Beyond = 0.1; // that fractions may be below 0 or above 1
+constexpr double NearEnds = 1e-3;
+
+// Of the finite values.
+struct ValueCounts
+{
+  double Low = HUGE_VAL, High = -HUGE_VAL;
+  std::size_t AtEnds = 0; // of fractions, empty or full
+  std::size_t All = 0;
+
+  template <class Array>
+  void operator()(Array* array)
+  {
+    for (const auto value : vtk::DataArrayValueRange<1>(array))
+    {
+      const auto number = static_cast<double>(value);
+      if (std::isfinite(number))
+      {
+        this->Low = std::fmin(this->Low, number);
+        this->High = std::fmax(this->High, number);
+        this->AtEnds += std::fabs(number) < NearEnds || std::fabs(number - 1.0) < NearEnds ? 1 : 0;
+        ++this->All;
+      }
+    }
+  }
+};
+
+struct IsOfTwo
+{
+  double Low, High;
+  bool Result = true;
+
+  template <class Array>
+  void operator()(Array* array)
+  {
+    for (const auto value : vtk::DataArrayValueRange<1>(array))
+    {
+      const auto number = static_cast<double>(value);
+      if (std::isfinite(number) && number != this->Low && number != this->High)
+      {
+        this->Result = false;
+        return;
+      }
+    }
+  }
+};
+
+template <class Worker>
+void Run(vtkDataArray* values, Worker& worker)
+{
+  if (!vtkArrayDispatch::Dispatch::Execute(values, worker))
+  {
+    worker(values);
+  }
+}
+
+}
+
+ImageLevel FindUsualLevel(vtkDataArray* values, const ImageLevel& given)
+{
+  ValueCounts counts;
+  Run(values, counts);
+  if (!(counts.Low < counts.High))
+  {
+    return given;
+  }
+  IsOfTwo isMask{ counts.Low, counts.High };
+  if (counts.Low >= 0.0)
+  {
+    Run(values, isMask);
+    if (isMask.Result)
+    {
+      return { 0.5 * counts.Low + 0.5 * counts.High, true };
+    }
+  }
+  const bool areFractions =
+    counts.Low > -Beyond && std::fabs(counts.High - 1.0) < Beyond && 2 * counts.AtEnds > counts.All;
+  return areFractions ? ImageLevel{ 0.5, true } : given;
+}
+
+}

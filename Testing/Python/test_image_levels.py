@@ -1,0 +1,110 @@
+# ctest: LABELS exact
+"""An image alone tells the level of its surface and how fine the skin has to be.
+
+Run: python3 test_image_levels.py
+"""
+
+import unittest
+
+import numpy
+from active_implicit_surfaces import vtkActiveImplicitSurface
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkLogger
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkMassProperties
+
+SIZE, RADIUS = 50, 15.3
+PLACES = numpy.mgrid[0:SIZE, 0:SIZE, 0:SIZE] - 24.4
+DISTANCE = numpy.sqrt((PLACES**2).sum(0)) - RADIUS
+BALL = 4 / 3 * numpy.pi * RADIUS**3
+INSIDE = DISTANCE < 0
+
+
+def image(values, spacing=(1, 1, 1)):
+    result = vtkImageData()
+    result.SetDimensions(values.shape[::-1])
+    result.SetSpacing(spacing)
+    result.GetPointData().SetScalars(numpy_to_vtk(values.ravel(), deep=True))
+    return result
+
+
+def surface_of(values, port=0, **properties):
+    surface = vtkActiveImplicitSurface()
+    surface.SetInputData(port, image(values, properties.pop("spacing", (1, 1, 1))))
+    for name, value in properties.items():
+        getattr(surface, f"Set{name}")(value)
+    surface.UpdateTimeStep(0.0)
+    return surface
+
+
+def volume(values, **properties):
+    skin = surface_of(values, **properties).GetOutput()
+    measure = vtkMassProperties()
+    measure.SetInputData(skin)
+    return measure.GetVolume() if skin.GetNumberOfCells() else 0.0
+
+
+class Levels(unittest.TestCase):
+    def setUp(self):
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+
+    def check(self, values, expected=BALL, **properties):
+        self.assertLess(abs(volume(values, **properties) / expected - 1), 0.01)
+
+    def test_masks(self):
+        for low, high, kind in ((0, 1, "u1"), (0, 3, "i2"), (7, 9, "i4"), (0, 255, "f4")):
+            with self.subTest(low=low, high=high, kind=kind):
+                self.check(numpy.where(INSIDE, high, low).astype(kind))
+                self.check(numpy.where(INSIDE, high, low).astype(kind), InvertTarget=1)
+
+    def test_fractions(self):
+        fraction = numpy.clip(0.5 - DISTANCE, 0, 1)
+        self.check(fraction)
+        noise = numpy.random.default_rng(1).uniform(-0.02, 0.02, fraction.shape)
+        self.check(fraction + noise * (noise > 0.012))  # as a solver leaves them
+        self.check(fraction - noise * (noise > 0.012))
+
+    def test_pixels_that_are_no_numbers_do_not_count(self):
+        mask = numpy.where(INSIDE, 1.0, 0.0)
+        mask[0, 0, 0] = numpy.nan
+        self.check(mask)
+
+    def test_what_is_below_zero_stays_inside(self):
+        self.check(DISTANCE)
+        self.check(numpy.clip(DISTANCE, -1, 1))
+        self.check(numpy.where(INSIDE, -1, 1).astype("i1"))
+        self.check(0.001 * DISTANCE / RADIUS, spacing=(1, 1, 1))
+
+    def test_a_level_that_is_given_counts(self):
+        self.check(DISTANCE, 4 / 3 * numpy.pi * (RADIUS + 2) ** 3, TargetIsoValue=2.0)
+        density = 100.0 - DISTANCE
+        self.check(density, TargetIsoValue=100.0, InvertTarget=1)
+        three = numpy.where(DISTANCE < -8, 2, numpy.where(INSIDE, 1, 0)).astype("u1")
+        self.check(three, TargetIsoValue=0.5, InvertTarget=1)
+
+    def test_a_full_image_has_no_level(self):
+        self.assertEqual(volume(numpy.ones((9, 9, 9))), 0.0)
+
+    def test_several_labels_have_no_level(self):
+        three = numpy.where(DISTANCE < -8, 2, numpy.where(INSIDE, 1, 0)).astype("u1")
+        self.assertEqual(volume(three), 0.0)
+
+
+class Voxels(unittest.TestCase):
+    def test_no_coarser_than_a_pixel(self):
+        fine = numpy.zeros((4, 4, 200), "u1")
+        fine[1:3, 1:3, 20:180] = 1
+        surface = surface_of(fine, spacing=(0.5, 0.7, 0.9))
+        self.assertEqual(surface.GetVoxelSizeInUse(), 0.5)
+        self.assertGreater(surface.GetOutput().GetNumberOfCells(), 0)
+
+    def test_a_coarse_image_gets_its_64_voxels(self):
+        surface = surface_of(DISTANCE[::5, ::5, ::5].copy(), spacing=(5, 5, 5))
+        self.assertLess(surface.GetVoxelSizeInUse(), 1.0)
+
+    def test_a_size_that_is_given_counts(self):
+        self.assertEqual(surface_of(DISTANCE, VoxelSize=2.0).GetVoxelSizeInUse(), 2.0)
+
+
+if __name__ == "__main__":
+    unittest.main()
