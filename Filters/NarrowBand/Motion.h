@@ -162,6 +162,7 @@ struct AdvanceReport
    * surface that moved in the last window, see SteadyWindow.h; not a number before the first has
    * ended. */
   double MovingShare = 0.0;
+  double MovingDistance = 0.0; //< likewise, by how far on the average [voxels]
 };
 
 /** Receives the fraction done, in [0,1], before each substep; returns false to stop there. */

@@ -240,6 +240,7 @@ AdvanceReport NarrowBand::AdvanceToSteadyState(const Motion& motion,
       const bool isStill = report.SurfaceSpeed <= criterion.Tolerance;
       members.Window.Observe(members.Leaves, members.Time, motion.Attraction);
       report.MovingShare = isStill ? 0.0 : members.Window.GetShare();
+      report.MovingDistance = isStill ? 0.0 : members.Window.GetMean();
       report.IsSteady = report.CreatedParts == created &&
         (isStill || (criterion.Tolerance > 0.0 && members.Window.IsSteady()));
       return !report.IsSteady;

@@ -90,8 +90,9 @@ public:
 
   ///@{
   /**
-   * Largest normal speed [voxels/time] of a skin at rest, with EvolutionMode EQUILIBRIUM; but up to
-   * 5 % of it may move to and fro, unless it is 0 (below 1e-7, noise). Range: >= 0. Default: 0.001.
+   * Largest normal speed [voxels/time] of a skin at rest, with EvolutionMode EQUILIBRIUM; but what
+   * moves to and fro without end may do so, unless it is 0 (below 1e-7, noise); a warning says if
+   * that is more than 5 % of the skin. Range: >= 0. Default: 0.001.
    */
   vtkSetClampMacro(RestTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RestTolerance, double);

@@ -314,14 +314,12 @@ def configure(
 def _settle_spacing(
     surface: Any, source: TemporalSource, frames: list[Any], has_radii: bool
 ) -> None:
-    """Chooses a spacing if the first frame does not tell it; warns of a given one that is off."""
-    first = frames[0]
+    """Chooses a spacing if none is given, as the filter would; warns of a given one that is off."""
     own = series_spacing(frames)
     if not (surface.GetParticleSpacing() or surface.GetKernelRadius() or has_radii):
-        is_same = 0 < (estimated := estimate_spacing(first)) <= _SAME * own
-        if own > 0 and not (is_same and first is source.frame(0)):
-            # A part of a series has the spacing that the filter finds for the whole.
-            surface.SetParticleSpacing(estimated if is_same else own)
+        first = estimate_spacing(frames[0])
+        if own > 0 and (len(frames) > 1 or frames[0] is not source.frame(0)):
+            surface.SetParticleSpacing(first if own / _SAME <= first <= _SAME * own else own)
     elif own > 0 and max(frame.GetNumberOfPoints() for frame in frames) >= _MANY:
         warn_all(_describe_lengths(surface, own))
 

@@ -118,4 +118,25 @@ double Displacement::GetShareBeyond(const LeafTable& table, double distance) con
   return all > 0 ? static_cast<double>(all - near) / static_cast<double>(all) : 0.0;
 }
 
+double Displacement::GetMean(const LeafTable& table) const
+{
+  std::size_t all = 0;
+  double sum = 0.0, found = 0.0;
+  for (std::size_t i = 0; i < this->Leaves.size(); ++i)
+  {
+    for (const LeafMask& edges : this->Leaves[i].Edge)
+    {
+      all += edges.Count();
+    }
+    this->ForEachPoint(table, i,
+      [&sum, &found](double moved)
+      {
+        sum += moved;
+        found += 1.0;
+      });
+  }
+  const auto count = static_cast<double>(all);
+  return all > 0 ? (sum + count - found) / count : 0.0;
+}
+
 }

@@ -29,6 +29,10 @@ public:
    * distance [voxels], or that are no longer crossed. 0 without edges. */
   double GetShareBeyond(const LeafTable& table, double distance) const;
 
+  /** The mean distance [voxels] by which the sample points of Begin have moved; one that is gone
+   * counts as a voxel. 0 without edges. */
+  double GetMean(const LeafTable& table) const;
+
 private:
   struct Leaf
   {

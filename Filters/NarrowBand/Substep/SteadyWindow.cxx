@@ -1,6 +1,7 @@
 #include "Substep/SteadyWindow.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace activesurface
 {
@@ -11,6 +12,8 @@ namespace
 constexpr std::size_t FirstWindow = 16; // substeps
 constexpr double LeastDecay = 8.0;
 constexpr double MostShare = .05;
+constexpr double MostMean = .25;                    // voxels
+constexpr double LeastRatio = .5, MostRatio = 1.25; // of a mean to those before
 
 }
 
@@ -37,8 +40,12 @@ void SteadyWindow::Observe(const LeafTable& table, double time, double attractio
   const double before = this->Share;
   this->Share = this->Since.GetShareBeyond(table, SteadyStateCriterion::Still);
   const bool isLong = attraction * (time - this->BeganAt) >= LeastDecay;
-  // Never after the first window, as nothing is known of one before.
-  this->Steady = isLong && this->Share <= MostShare && this->Share >= .5 * before;
+  // Never after the first windows, as nothing is known of those before.
+  const bool fewMove = this->Share <= MostShare && this->Share >= .5 * before;
+  const double mean = this->Since.GetMean(table), usual = .5 * (this->Mean + this->MeanBefore);
+  const bool swings = mean <= MostMean && mean >= LeastRatio * usual && mean <= MostRatio * usual;
+  this->Steady = isLong && (fewMove || swings);
+  this->MeanBefore = std::exchange(this->Mean, mean);
   this->Begin(table, time);
 }
 

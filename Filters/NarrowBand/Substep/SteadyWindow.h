@@ -22,12 +22,16 @@ public:
    * has to remain at most; without attraction nothing says how long a window has to be. */
   void Observe(const LeafTable& table, double time, double attraction);
 
-  /** Whether no more than a twentieth moved in the last window, and no less than half of that in
-   * the one before: so what moves does not come to rest. */
+  /** Whether what moves does not come to rest: no more than a twentieth moved in the last window,
+   * and no less than half of that in the one before; or all moved by a quarter of a voxel at most
+   * on the average, and by as much as in the two windows before, which are shorter. */
   bool IsSteady() const { return this->Steady; }
 
   /** The share that moved in the last window; not a number before the first one has ended. */
   double GetShare() const { return this->Share; }
+
+  /** By how far the surface moved in it, on the average [voxels]. */
+  double GetMean() const { return this->Mean; }
 
 private:
   void Begin(const LeafTable& table, double time);
@@ -37,6 +41,8 @@ private:
   std::size_t Substeps = 0; //< observed
   std::size_t End = 0;      //< of the window [substeps]
   double Share = std::numeric_limits<double>::quiet_NaN();
+  double Mean = std::numeric_limits<double>::quiet_NaN(); //< of the last window
+  double MeanBefore = std::numeric_limits<double>::quiet_NaN();
   bool Steady = false;
 };
 

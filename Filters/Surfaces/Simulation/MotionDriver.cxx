@@ -289,7 +289,7 @@ bool MotionDriver::AdvanceToSteadyState(
   WarnOfMotion(
     report, { { band.GetTime() }, wasEmpty, this->MayCreateParts(motion) }, this->Messages);
   report.IsSteady = report.IsSteady || report.Vanished;
-  if (!report.IsSteady && !report.Aborted)
+  if (!report.Aborted)
   {
     WarnOfNoRest(this->Settings.SteadyState, report, this->Messages);
   }

@@ -78,6 +78,20 @@ std::string DescribeRest(const AdvanceReport& report)
 void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report, Warnings& messages)
 {
   std::ostringstream text;
+  if (report.IsSteady)
+  {
+    constexpr double fewest = 0.05;
+    if (report.MovingShare > fewest)
+    {
+      text << std::setprecision(2) << 100.0 * report.MovingShare
+           << " % of the skin does not come to rest: it moves to and fro, by "
+           << report.MovingDistance << " voxels on the average, as the target has edges or steps "
+           << "that Tension and the lattice cannot hold. Take a distance or a smooth image as "
+           << "target, lower Tension, or set TargetNoise to the size of the steps.";
+      messages.Say("no rest", text.str());
+    }
+    return;
+  }
   text << "The skin is not at rest after " << rest.MaximumSubsteps << " substeps: its speed is "
        << report.SurfaceSpeed << " voxels per time, RestTolerance " << rest.Tolerance;
   if (report.MovingShare > 0.0)

@@ -32,13 +32,13 @@ struct Outside
 // That more than a hundredth of the target is outside the skin.
 void WarnOfOutside(const Outside& outside, Warnings& messages);
 
-// That the substeps were used up before the skin was at rest; speed: the last one.
 /** Event of the history, where the way to rest has ended before. */
 constexpr const char* NotAtRest = "not at rest";
 
 /** NotAtRest, or "at rest", or what share of the skin still moves to and fro. */
 std::string DescribeRest(const AdvanceReport& report);
 
+// That the substeps were used up before the skin was at rest, or that a part never will be.
 void WarnOfNoRest(
   const SteadyStateCriterion& rest, const AdvanceReport& report, Warnings& messages);
 

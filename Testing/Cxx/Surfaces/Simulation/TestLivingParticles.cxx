@@ -195,11 +195,19 @@ TEST(TestLivingParticles, FirstStepMayBeEmpty)
   }
 }
 
-TEST(TestLivingParticles, EmptyFirstStepWithoutASizeIsTold)
+TEST(TestLivingParticles, StepsWithParticlesTellTheSizeOfAnEmptyFirstOne)
 {
   const auto coming = [](double time)
   { return time > 0.5 ? MakeBlock(0.0) : std::vector<Particle>(); };
   auto filter = MakePlainSkin(coming);
+  filter->SetParticleSpacing(0.0);
+  EXPECT_EQ(CountParts(filter, 0.0), 0);
+  EXPECT_EQ(CountParts(filter, 1.0), 1);
+}
+
+TEST(TestLivingParticles, NothingAtAnyStepIsTold)
+{
+  auto filter = MakePlainSkin([](double) { return std::vector<Particle>(); });
   filter->SetParticleSpacing(0.0);
   MessageCapture messages(filter);
   EXPECT_EQ(CountParts(filter, 0.0), 0);
