@@ -9,7 +9,8 @@ from pathlib import Path
 from paraview.simple import (
     ActiveImplicitSurface,
     ActiveImplicitSurfaceFunctions,
-    GetActiveViewOrCreate,
+    AssignViewToLayout,
+    CreateRenderView,
     GetAnimationScene,
     Hide,
     RenameSource,
@@ -26,7 +27,8 @@ DATA = Path(__file__).resolve().parents[2] / "Testing" / "Data" / "sph_drop.vtp"
 def save(skin, path, time):
     """A state with a view of the skin. Files are named without their folder."""
     RenameSource("Skin", skin)
-    view = GetActiveViewOrCreate("RenderView")
+    view = CreateRenderView()
+    AssignViewToLayout(view)
     shown = Show(skin, view)
     shown.ColorArrayName = [None, ""]
     shown.DiffuseColor = [0.36, 0.66, 0.86]

@@ -16,7 +16,7 @@ from .presets import PRESETS, apply_preset
 from .series import TemporalSource
 
 _RADIUS = 0  # of SetInputArrayToProcess
-# What presets set, but users too, for themselves: it stays when another preset is chosen.
+# What users set for themselves, too: it stays unless it is what the other preset had set.
 _LENGTHS = {"VoxelSize", "KernelRadius", "RadiusArray"}
 
 
@@ -26,7 +26,7 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     The values are seen in the panel, where they can be changed, and saved in states. They come
     from the spacing of the particles at the first time step, which is brought to the client for
     that, and from the time between two steps. A Particle Spacing that was set before is kept; what
-    only other presets set goes back to its default, but for lengths.
+    only other presets set goes back to its default, but for lengths of your own.
 
     Parameters
     ----------
@@ -63,8 +63,10 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     frames = Frames(particles, times)
     chosen = _changes(name, frames, given)
     for other in PRESETS:
-        for key in set(_changes(other, frames, given)) - set(chosen) - _LENGTHS:
-            setattr(proxy, key, getattr(vtkActiveImplicitSurface(), "Get" + key)())
+        changes = _changes(other, frames, given)
+        for key in set(changes) - set(chosen):
+            if key not in _LENGTHS or _values(getattr(proxy, key)) == _values(changes[key]):
+                setattr(proxy, key, _default_of(key))
     for key, value in chosen.items():
         setattr(proxy, key, value)
     proxy.UpdateVTKObjects()
@@ -92,3 +94,13 @@ def _changes(name: str, frames: Frames, given: dict[str, Any]) -> dict[str, Any]
     }
     radii = plain.GetInputArrayInformation(_RADIUS).Get(vtkDataObject.FIELD_NAME())
     return {**found, "RadiusArray": ["POINTS", radii]} if radii else found
+
+
+def _values(value: Any) -> list[str]:
+    """Of a property, which ParaView gives as a list or as the value."""
+    return [str(part) for part in ([value] if isinstance(value, (int, float)) else value)]
+
+
+def _default_of(key: str) -> Any:
+    none = ["POINTS", ""]
+    return none if key == "RadiusArray" else getattr(vtkActiveImplicitSurface(), "Get" + key)()

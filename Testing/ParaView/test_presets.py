@@ -9,7 +9,16 @@ from pathlib import Path
 import active_implicit_surfaces as active
 from active_implicit_surfaces import paraview_presets
 from active_implicit_surfaces.presets import PRESETS
-from paraview.simple import FindSource, LoadState, ResetSession, SetActiveSource, Sphere
+from paraview.simple import (
+    FindSource,
+    GetLayout,
+    GetRenderViews,
+    GetRepresentation,
+    LoadState,
+    ResetSession,
+    SetActiveSource,
+    Sphere,
+)
 from scenes import DATA, skin_bytes, splash
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -46,6 +55,16 @@ class Presets(unittest.TestCase):
         self.assertEqual(values_of(twice), values_of(once))
         self.assertEqual(twice.VoxelSize, 0.12)
         self.assertEqual(skin_bytes(twice, 2), skin_bytes(once, 2))
+
+    def test_lengths_of_another_preset_go(self):
+        once, _ = splash(VoxelSize=0, Attraction=1)
+        paraview_presets.apply("viscous", once)
+        twice, _ = splash(VoxelSize=0, Attraction=1)
+        paraview_presets.apply("molecule", twice)
+        self.assertGreater(twice.VoxelSize, 0)
+        paraview_presets.apply("viscous", twice)
+        self.assertEqual(values_of(twice), values_of(once))
+        self.assertEqual(list(twice.RadiusArray), list(once.RadiusArray))
 
     def test_macros_are_of_the_active_source(self):
         macros = sorted((FOLDER / "Macros").glob("*.py"))
@@ -84,6 +103,17 @@ class States(unittest.TestCase):
         LoadState(str(FOLDER / "morph.pvsm"))
         skin = FindSource("Skin")
         self.assertNotEqual(skin_bytes(skin, 0.0), skin_bytes(skin, 1.0))
+
+    def test_they_show_the_skin(self):
+        for name, folder in (("splash", str(DATA.parent)), ("morph", None)):
+            with self.subTest(name):
+                ResetSession()
+                options = {"data_directory": folder} if folder else {}
+                LoadState(str(FOLDER / f"{name}.pvsm"), **options)
+                (view,) = GetRenderViews()
+                self.assertIsNotNone(GetLayout(view))
+                shown = GetRepresentation(FindSource("Skin"), view)
+                self.assertEqual(shown.Visibility, 1)
 
     def test_they_name_no_folder(self):
         for state in FOLDER.glob("*.pvsm"):
