@@ -8,6 +8,7 @@ import unittest
 
 import numpy
 from active_implicit_surfaces import vtkActiveImplicitSurface
+from listener import Listener
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -87,7 +88,22 @@ class Levels(unittest.TestCase):
 
     def test_several_labels_have_no_level(self):
         three = numpy.where(DISTANCE < -8, 2, numpy.where(INSIDE, 1, 0)).astype("u1")
-        self.assertEqual(volume(three), 0.0)
+        surface = vtkActiveImplicitSurface()
+        surface.SetInputData(0, image(three))
+        heard = Listener(surface)
+        surface.UpdateTimeStep(0.0)
+        self.assertEqual(surface.GetOutput().GetNumberOfCells(), 0)
+        told = " ".join(" ".join(heard.warnings).split())
+        self.assertIn("Its values are from 0 to 2, and inside is below 0", told)
+        self.assertIn("Of several labels choose one", told)
+
+    def test_what_has_an_inside_needs_no_sentence(self):
+        for values in (DISTANCE, INSIDE.astype("u1"), numpy.zeros((9, 9, 9))):
+            surface = vtkActiveImplicitSurface()
+            surface.SetInputData(0, image(values))
+            heard = Listener(surface)
+            surface.UpdateTimeStep(0.0)
+            self.assertNotIn("Its values are", " ".join(heard.warnings))
 
 
 class Voxels(unittest.TestCase):

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 
 namespace activesurface
 {
@@ -91,6 +92,23 @@ ImageLevel FindUsualLevel(vtkDataArray* values, const ImageLevel& given)
   const bool areFractions =
     counts.Low > -Beyond && std::fabs(counts.High - 1.0) < Beyond && 2 * counts.AtEnds > counts.All;
   return areFractions ? ImageLevel{ 0.5, true } : given;
+}
+
+std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level)
+{
+  ValueCounts counts;
+  Run(values, counts);
+  const bool hasInside = level.Invert ? counts.High > level.IsoValue : counts.Low < level.IsoValue;
+  if (hasInside || !(counts.Low < counts.High))
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << "Its values are from " << counts.Low << " to " << counts.High << ", and inside is "
+       << (level.Invert ? "above " : "below ") << level.IsoValue
+       << ", so nothing is inside; set TargetIsoValue, and InvertTarget if inside is above it. Of "
+       << "several labels choose one, by a threshold (vtkImageThreshold).";
+  return text.str();
 }
 
 }

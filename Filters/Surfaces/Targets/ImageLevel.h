@@ -4,6 +4,8 @@
 #ifndef ImageLevel_h
 #define ImageLevel_h
 
+#include <string>
+
 class vtkDataArray;
 
 namespace activesurface
@@ -22,6 +24,10 @@ struct ImageLevel
  * count.
  */
 ImageLevel FindUsualLevel(vtkDataArray* values, const ImageLevel& given);
+
+/** What a user should know of values that differ but have nothing inside, a sentence; or nothing.
+ */
+std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level);
 
 }
 

@@ -83,6 +83,7 @@ std::string ImageShape::Prepare(ShapePreparation& preparation)
     grid->SetInvertInside(level.Invert);
     ReadGrid(grid, this->Data);
     this->Function = grid;
+    return values ? DescribeLevel(values, level) : "";
   }
   return "";
 }
