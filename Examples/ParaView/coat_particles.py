@@ -27,7 +27,7 @@ folder.mkdir(parents=True, exist_ok=True)
 
 particles = XMLPolyDataReader(FileName=str(DATA))
 skin = ActiveImplicitSurface(
-    Target=particles,
+    Input=particles,
     TimeScale=1 / 25,  # the file's time steps are numbered 0, 1, 2 ...
     VoxelSize=0.03,
     ParticleSpacing=0.085,

@@ -24,7 +24,7 @@ STEP = 25
 
 folder = output_folder(__doc__)
 skin = ActiveImplicitSurface(
-    Target=XMLPolyDataReader(FileName=str(DATA)),
+    Input=XMLPolyDataReader(FileName=str(DATA)),
     TimeScale=1 / 25,
     VoxelSize=0.05,
     ParticleSpacing=0.085,

@@ -25,7 +25,7 @@ FRAMES = [10, 25]  # the first and the last
 folder = output_folder(__doc__)
 particles = XMLPolyDataReader(FileName=str(DATA))
 skin = ActiveImplicitSurface(
-    Target=particles,
+    Input=particles,
     TimeScale=1 / 25,
     VoxelSize=0.05,
     ParticleSpacing=0.085,

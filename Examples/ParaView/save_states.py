@@ -48,7 +48,7 @@ folder = parser.parse_args().output
 folder.mkdir(parents=True, exist_ok=True)
 
 particles = XMLPolyDataReader(FileName=str(DATA))
-splash = ActiveImplicitSurface(Target=particles, TimeScale=1 / 25, ParticleSpacing=0.085)
+splash = ActiveImplicitSurface(Input=particles, TimeScale=1 / 25, ParticleSpacing=0.085)
 Hide(particles)
 save(splash, folder / "splash.pvsm", 25)
 

@@ -51,7 +51,7 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
         raise ValueError(
             "Select an Active Implicit Surface over particles in the Pipeline Browser."
         )
-    target = proxy.Target
+    target = proxy.Input
     times = [float(time) for time in proxy.TimestepValues] or [0.0]
     target.UpdatePipeline(times[0])
     particles = servermanager.Fetch(target)

@@ -12,7 +12,7 @@ DATA = Path(__file__).resolve().parents[1] / "Data" / "sph_drop.vtp"
 def splash(**properties):
     """The skin over the splash, steps 0 to 40, and the reader of its particles."""
     particles = XMLPolyDataReader(FileName=str(DATA))
-    return ActiveImplicitSurface(Target=particles, **(COARSE | properties)), particles
+    return ActiveImplicitSurface(Input=particles, **(COARSE | properties)), particles
 
 
 COARSE = {

@@ -81,7 +81,7 @@ OTHER_VALUES = {
     "VoxelSize": 0.1,
 }
 # Inputs, what is only read, and what would be an error or no skin at all over these particles.
-NOT_CHANGED = {"Target", "Initial", "TimestepValues", "ArrivalTime"}
+NOT_CHANGED = {"Input", "Initial", "TimestepValues", "ArrivalTime"}
 # What does not show in the second step: other times are published, or the input's hold.
 WITHOUT_EFFECT = set(
     """
@@ -104,7 +104,7 @@ class Time(unittest.TestCase):
         self.assertEqual(list(GetTimeKeeper().TimestepValues), list(surface.TimestepValues))
 
     def test_the_time_keeper_has_the_steps_of_a_surface_without_any_in_its_input(self):
-        surface = ActiveImplicitSurface(Target=Sphere(), NumberOfTimeSteps=4, TimeStepSize=0.5)
+        surface = ActiveImplicitSurface(Input=Sphere(), NumberOfTimeSteps=4, TimeStepSize=0.5)
         self.assertEqual(list(surface.TimestepValues), [0, 0.5, 1, 1.5])
         surface.NumberOfTimeSteps = 2
         surface.UpdatePipelineInformation()
@@ -189,7 +189,7 @@ class ChangesInMidAnimation(unittest.TestCase):
         ResetSession()
         surface, particles = splash(ComputeVelocity=1)
         wind = numpy.array([3.0, -2.0, 1.0])
-        surface.Target = Calculator(
+        surface.Input = Calculator(
             Input=particles, ResultArrayName="wind", Function="3*iHat - 2*jHat + kHat"
         )
         surface.VelocityArray = ["POINTS", "wind"]
@@ -206,9 +206,9 @@ class ChangesInMidAnimation(unittest.TestCase):
         surface, _ = splash()
         before = skin_bytes(surface, 1)
         points = PointSource(NumberOfPoints=60, Radius=0.3)
-        surface.Target = points
+        surface.Input = points
         fresh, _ = splash()
-        fresh.Target = points
+        fresh.Input = points
         self.assertEqual(skin_bytes(surface, 0.1), skin_bytes(fresh, 0.1))
         self.assertNotEqual(skin_bytes(surface, 0.1), before)
         points.Radius = 0.5

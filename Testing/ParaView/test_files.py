@@ -127,14 +127,14 @@ class VDB(Files):
         path = self.path("target.vdb")
         SaveData(str(path), proxy=OutputPort(surface, 0))
         level_set = OpenDataFile(str(path))
-        again = ActiveImplicitSurface(Target=level_set, VoxelSize=COARSE["VoxelSize"])
+        again = ActiveImplicitSurface(Input=level_set, VoxelSize=COARSE["VoxelSize"])
         again.UpdatePipeline(0)
         bounds = again.GetDataInformation(0).GetBounds()
         for found, expected in zip(bounds, surface.GetDataInformation(0).GetBounds()):
             self.assertLess(abs(found - expected), COARSE["VoxelSize"])
 
     def test_a_series_has_the_time_steps_of_the_skin(self):
-        surface = ActiveImplicitSurface(Target=Sphere(), NumberOfTimeSteps=3, TimeStepSize=0.5)
+        surface = ActiveImplicitSurface(Input=Sphere(), NumberOfTimeSteps=3, TimeStepSize=0.5)
         surface.Initial = Sphere(Radius=0.3)
         paths = [self.path(f"growing.{step:04d}.vdb") for step in range(3)]
         SaveData(str(FOLDER / "growing.vdb"), proxy=OutputPort(surface, 0), WriteAllTimeSteps=1)
@@ -205,7 +205,7 @@ class EXR(Files):
         )
 
     def test_a_series_has_time_steps(self):
-        surface = ActiveImplicitSurface(Target=Sphere(), NumberOfTimeSteps=3, TimeStepSize=0.5)
+        surface = ActiveImplicitSurface(Input=Sphere(), NumberOfTimeSteps=3, TimeStepSize=0.5)
         surface.Initial = Sphere(Radius=0.3)
         surface.ModelBounds = [-1, 1, -1, 1, -1, 1]
         surface.UpdatePipeline(0)

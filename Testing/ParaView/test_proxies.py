@@ -9,7 +9,7 @@ from pathlib import Path
 import active_implicit_surfaces
 from paraview import servermanager
 from paraview.modules.vtkRemotingServerManager import vtkSMOrderedPropertyIterator
-from paraview.simple import Clip, ExtractCellsByRegion, Slice, Wavelet
+from paraview.simple import ActiveImplicitSurface, Clip, ExtractCellsByRegion, Slice, Wavelet
 from vtkmodules.vtkCommonDataModel import vtkSuperquadric
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -224,6 +224,11 @@ class Proxies(unittest.TestCase):
         for name in ("TargetIsoValue", "InvertTarget", "TargetArray"):
             hint = proxy.GetProperty(name).GetHints().FindNestedElementByName(DECORATOR)
             self.assertEqual(hint.GetAttribute("name"), "vtkImageData", name)
+
+    def test_the_target_is_the_input_of_any_filter(self):
+        wavelet = Wavelet()
+        for made in (ActiveImplicitSurface(Input=wavelet), ActiveImplicitSurface(wavelet)):
+            self.assertEqual(made.Input, wavelet)
 
     def test_filters_of_paraview_offer_the_functions(self):
         wavelet = Wavelet()

@@ -126,7 +126,7 @@ def results(name):
     tube.TargetFunction.Input = PolyLineSource(Points=[-0.5, 0, 0, 0.5, 0, 0])
     found.append(triangles_at(tube, 0.3))
     for particles in partitioned():
-        skin = ActiveImplicitSurface(Target=particles, **COARSE)
+        skin = ActiveImplicitSurface(Input=particles, **COARSE)
         found.append(triangles_at(skin, 0.3))
         found.append(picture(skin, f"{name}_{len(found)}.png"))
     for file in FILES:
