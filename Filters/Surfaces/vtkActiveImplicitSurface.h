@@ -327,7 +327,7 @@ public:
   ///@{
   /**
    * What the skin was made with, where a property leaves it to the filter: units of the properties.
-   * 0 where there is none, and without a skin: before the first update, after an error.
+   * 0 where there is none, and as long as the inputs are not read: before the first update.
    */
   double GetVoxelSizeInUse();
   double GetParticleSpacingInUse();

@@ -15,6 +15,8 @@ def splash(**properties):
     return ActiveImplicitSurface(Input=particles, **(COARSE | properties)), particles
 
 
+IN_USE = ("VoxelSizeInUse", "ParticleSpacingInUse", "AttractionInUse", "TensionInUse")
+
 COARSE = {
     "TimeScale": 1 / 25,
     "VoxelSize": 0.12,

@@ -15,7 +15,7 @@ from paraview.simple import (
     Sphere,
     Wavelet,
 )
-from scenes import skin_bytes, splash
+from scenes import IN_USE, skin_bytes, splash
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 # Another value of each property; those that the skin over particles does not depend on, too.
@@ -81,7 +81,7 @@ OTHER_VALUES = {
     "VoxelSize": 0.1,
 }
 # Inputs, what is only read, and what would be an error or no skin at all over these particles.
-NOT_CHANGED = {"Input", "Initial", "TimestepValues", "ArrivalTime"}
+NOT_CHANGED = {"Input", "Initial", "TimestepValues", "ArrivalTime"} | set(IN_USE)
 # What does not show in the second step: other times are published, or the input's hold.
 WITHOUT_EFFECT = set(
     """

@@ -10,6 +10,7 @@ import active_implicit_surfaces
 from paraview import servermanager
 from paraview.modules.vtkRemotingServerManager import vtkSMOrderedPropertyIterator
 from paraview.simple import ActiveImplicitSurface, Clip, ExtractCellsByRegion, Slice, Wavelet
+from scenes import IN_USE, splash
 from vtkmodules.vtkCommonDataModel import vtkSuperquadric
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -229,6 +230,31 @@ class Proxies(unittest.TestCase):
         wavelet = Wavelet()
         for made in (ActiveImplicitSurface(Input=wavelet), ActiveImplicitSurface(wavelet)):
             self.assertEqual(made.Input, wavelet)
+
+    def test_the_panel_shows_what_is_in_use(self):
+        """The panel reads it when a change is applied, before the data are made again."""
+        surface, _ = splash(VoxelSize=0, ParticleSpacing=0, Attraction=1)
+        surface.UpdatePipeline(1)
+        surface.UpdatePipelineInformation()
+        voxel, spacing, attraction, tension = (getattr(surface, name) for name in IN_USE)
+        self.assertAlmostEqual(spacing, 0.1, delta=1e-3)
+        self.assertEqual(voxel, 0.5 * spacing)
+        self.assertEqual(attraction, 6 / surface.TimeScale)
+        self.assertAlmostEqual(tension, attraction * (0.5 * spacing) ** 2 / 2)
+        surface.Tension = 0.3
+        surface.UpdatePipelineInformation()
+        self.assertEqual(surface.TensionInUse, 0.3)
+
+    def test_what_is_in_use_is_only_read_and_named_in_tooltips(self):
+        for key, names in ((SURFACE, IN_USE), (FUNCTIONS, set(IN_USE) - {"ParticleSpacingInUse"})):
+            proxy = new_proxy(key)
+            for name in names:
+                with self.subTest(f"{key[1]}.{name}"):
+                    prop = proxy.GetProperty(name)
+                    self.assertTrue(prop.GetInformationOnly())
+                    self.assertEqual(prop.GetPanelVisibility(), "advanced")
+                    automatic = proxy.GetProperty(name.removesuffix("InUse")).GetDocumentation()
+                    self.assertIn(prop.GetXMLLabel(), " ".join(automatic.GetDescription().split()))
 
     def test_filters_of_paraview_offer_the_functions(self):
         wavelet = Wavelet()

@@ -143,11 +143,11 @@ public:
   }
   // Of the skin that was requested.
   Motion GetMotion() const;
-  // On the last way to it.
+  // On the last way to it; before that on the first way, as soon as the inputs are read.
   ValuesInUse GetValuesInUse() const
   {
     const int from = this->Requested.Step - (this->Requested.Between ? 0 : 1);
-    return this->FindSkin()
+    return this->FindSkin() || this->Shapes.GetDomain()
       ? FindValuesInUse(this->Driver.GetMotion(std::max(from, 0)), this->Shapes)
       : ValuesInUse();
   }
