@@ -10,6 +10,7 @@ import active_implicit_surfaces as active
 from active_implicit_surfaces import paraview_presets
 from active_implicit_surfaces.presets import PRESETS
 from paraview.simple import (
+    Calculator,
     FindSource,
     GetLayout,
     GetRenderViews,
@@ -65,6 +66,26 @@ class Presets(unittest.TestCase):
         paraview_presets.apply("viscous", twice)
         self.assertEqual(values_of(twice), values_of(once))
         self.assertEqual(list(twice.RadiusArray), list(once.RadiusArray))
+
+    def test_one_after_another_is_the_last_one_alone(self):
+        for radius in (None, "0.04"):
+            for last in PRESETS:
+                once = self.with_presets(radius, last)
+                for first in set(PRESETS) - {last}:
+                    with self.subTest(f"{first}, then {last}", radius=radius):
+                        twice = self.with_presets(radius, first, last)
+                        self.assertEqual(values_of(twice), values_of(once))
+                        self.assertEqual(list(twice.RadiusArray), list(once.RadiusArray))
+
+    @staticmethod
+    def with_presets(radius, *names):
+        """A new surface after these presets, over particles with or without an array of radii."""
+        surface, particles = splash(VoxelSize=0, ParticleSpacing=0, Attraction=1)
+        if radius:
+            surface.Input = Calculator(Input=particles, ResultArrayName="radius", Function=radius)
+        for name in names:
+            paraview_presets.apply(name, surface)
+        return surface
 
     def test_macros_are_of_the_active_source(self):
         macros = sorted((FOLDER / "Macros").glob("*.py"))
