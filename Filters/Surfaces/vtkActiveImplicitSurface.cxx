@@ -36,11 +36,11 @@ vtkActiveImplicitSurface::vtkActiveImplicitSurface()
   // No radii; the base class has chosen the active scalars.
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "");
   this->Requests->GetSimulation().SetWarning(
-    [this](const std::string& sentence)
+    [this](activesurface::Warnings::Kind kind, const std::string& sentence)
     {
       if (this->Requests->GetShare().Rank == 0)
       {
-        vtkWarningMacro(<< sentence);
+        this->Requests->GetMessages().Warn(kind, sentence);
       }
     });
   this->SetController(vtkMultiProcessController::GetGlobalController());
@@ -304,13 +304,13 @@ int vtkActiveImplicitSurface::RequestData(
   try
   {
     this->Requests->RequestData(this->FindProperties(), request, input, output);
+    this->Requests->GetMessages().ForgetError();
     return 1;
   }
   catch (const std::exception& error)
   {
     this->Requests->ClearOutputs(output);
-    vtkErrorMacro(<< error.what());
-    return 0;
+    return this->Requests->GetMessages().Fail(error.what());
   }
 }
 

@@ -38,6 +38,7 @@ vtkInformation* Get(vtkInformationVector** input, SurfaceInput::Ports port) // n
 
 SurfaceRequests::SurfaceRequests(vtkAlgorithm* filter)
   : Filter(filter)
+  , Messages(filter)
   , Target(filter, SurfaceInput::Target, this->Ranks)
   , Initial(filter, SurfaceInput::Initial, this->Ranks)
   , Pushed(filter)

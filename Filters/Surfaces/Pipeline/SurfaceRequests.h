@@ -14,6 +14,7 @@
 #include "Pipeline/SurfaceProperties.h"
 #include "Pipeline/TargetSteps.h"
 #include "Pipeline/UpdateUnderWay.h"
+#include "Pipeline/UserMessages.h"
 #include "Ranks/Agreement.h"
 
 #include <cstdint>
@@ -38,6 +39,7 @@ public:
   OutputShare GetShare() const { return { this->Ranks.GetRank(), this->Ranks.GetSize() }; }
 
   SurfaceSimulation& GetSimulation() { return this->Simulation; }
+  UserMessages& GetMessages() { return this->Messages; }
 
   // Times and extent.
   void PublishInformation(const SurfaceProperties& properties, vtkInformationVector** input,
@@ -93,6 +95,7 @@ private:
     vtkInformationVector* output) const;
 
   vtkAlgorithm* Filter;
+  UserMessages Messages;
   Agreement Ranks;
   SurfaceInput Target;
   SurfaceInput Initial;

@@ -135,6 +135,8 @@ ShapePreparation TargetBuilder::GetPreparation()
   preparation.MaximumVoxels = MeshVoxelsPerActive * static_cast<double>(this->MaximumActiveVoxels);
   preparation.Report = [this](const std::string& reason, const std::string& sentence)
   { this->Messages.Say(reason, sentence); };
+  preparation.Note = [this](const std::string& reason, const std::string& sentence)
+  { this->Messages.Say(reason, sentence, Warnings::Kind::Note); };
   return preparation;
 }
 

@@ -1,4 +1,4 @@
-// What a user should know, told once for each reason.
+// Warnings and notes for users, each told once for each reason.
 
 #ifndef Warnings_h
 #define Warnings_h
@@ -13,14 +13,19 @@ namespace activesurface
 class Warnings
 {
 public:
-  using Listener = std::function<void(const std::string& sentence)>;
+  enum class Kind
+  {
+    Note, // what the filter chose; nothing is wrong
+    Warning
+  };
+  using Listener = std::function<void(Kind kind, const std::string& sentence)>;
   void SetListener(const Listener& listener) { this->Tell = listener; }
 
-  void Say(const std::string& reason, const std::string& sentence) const
+  void Say(const std::string& reason, const std::string& sentence, Kind kind = Kind::Warning) const
   {
     if (this->Told.insert(reason).second && this->Tell)
     {
-      this->Tell(sentence);
+      this->Tell(kind, sentence);
     }
   }
 

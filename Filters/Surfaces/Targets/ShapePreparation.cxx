@@ -90,7 +90,7 @@ void ShapePreparation::ReportSpacing(bool haveRadii) const
   text << "Neither ParticleSpacing nor KernelRadius is set; a ParticleSpacing of "
        << this->EstimatedSpacing << " is used, the usual distance of neighbours. Set it to "
        << "silence this.";
-  this->Report("spacing", text.str());
+  this->Note("spacing", text.str());
 }
 
 std::string PrepareShape(InputShape& shape, ShapePreparation& preparation, const std::string& where)

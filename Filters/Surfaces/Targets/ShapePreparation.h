@@ -32,8 +32,11 @@ struct ShapePreparation
   double MaximumVoxels = 0.0; //< that the distances to a mesh may take
   std::string MeshHint;       //< what the error of a mesh that would take more adds
 
-  /** Tells a user something, once for each reason. */
+  /** Warns a user, once for each reason. */
   std::function<void(const std::string& reason, const std::string& sentence)> Report;
+
+  /** The same for what is a choice of the filter, and nothing wrong. */
+  std::function<void(const std::string& reason, const std::string& sentence)> Note;
 
   /** Usual distance of the particles; 0: not known, and of no use. */
   double GetSpacing() const;
