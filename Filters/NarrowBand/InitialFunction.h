@@ -44,8 +44,8 @@ struct InitialFunction
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
 
   /**
-   * The same, for a function whose surface is known by points: the start is, bitwise, the one
-   * without them, but costs what is near them.
+   * Points near the zero set, if there are any, in place of regions: the start then costs what is
+   * near the points, and is bitwise the one without them.
    */
   SurfacePoints Surface;
 };

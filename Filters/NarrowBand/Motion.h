@@ -134,11 +134,13 @@ inline bool HasTargetSpeed(const Motion& motion)
 /** When NarrowBand::AdvanceToSteadyState ends. */
 struct SteadyStateCriterion
 {
-  /** Largest normal speed at the sample points [voxels/time]. More than 0: the surface is steady
-   * too where all but a share of it is, which moves to and fro without end; see SteadyWindow.h. */
+  /** Largest normal speed at the sample points [voxels/time]. If it is not 0, the surface is also
+   * steady if the rest of its motion is an oscillation; see SteadyWindow.h. */
   double Tolerance = 1e-3;
   /** A sample point that has come farther in a window of substeps moves [voxels]. */
   static constexpr double Still = .02;
+  /** Largest share of the sample points that may move in a steady state. */
+  static constexpr double FewMoving = .05;
   std::size_t MaximumSubsteps = 10000;
 };
 

@@ -23,7 +23,7 @@ struct VTKACTIVEPOTENTIALS_EXPORT SkeletonVertex
   bool IsUsable() const;
 };
 
-// 0 of none; and of those that add something.
+// Returns the largest radius, 0 if there are no vertices.
 VTKACTIVEPOTENTIALS_EXPORT double FindLargestRadius(const std::vector<SkeletonVertex>& vertices);
 
 // How much a point of the skeleton adds to the sum at a place.

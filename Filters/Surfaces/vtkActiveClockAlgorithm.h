@@ -90,9 +90,9 @@ public:
 
   ///@{
   /**
-   * Largest normal speed [voxels/time] of a skin at rest, with EvolutionMode EQUILIBRIUM; but what
-   * moves to and fro without end may do so, unless it is 0 (below 1e-7, noise); a warning says if
-   * that is more than 5 % of the skin. Range: >= 0. Default: 0.001.
+   * Largest normal speed [voxels/time] of a skin at rest, with EvolutionMode EQUILIBRIUM. Unless it
+   * is 0, the motion also ends if the rest of it is an oscillation; a warning says if that is more
+   * than 5 % of the skin. Values below 1e-7 are below rounding. Range: >= 0. Default: 0.001.
    */
   vtkSetClampMacro(RestTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RestTolerance, double);

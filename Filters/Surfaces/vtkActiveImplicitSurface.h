@@ -43,13 +43,12 @@
  * ActiveVoxels, Components, Voids and EulerCharacteristic of the skin, Outside, and Event, what has
  * happened to its parts since: "merge", "split", "vanish", "birth", "void opens", "void closes",
  * "hole opens", "hole closes", joined by ", "; with EvolutionMode EQUILIBRIUM instead "at rest",
- * "at rest but for x %" (of the skin, which move to and fro), or "not at rest". The first of
- * several pieces holds all of the skin and the history; the image is split. Outside is the share of
- * the target that the skin has lost, in [0,1]: of particles, and points of a skeleton, by number,
- * those that are outside by more than their own radius; of other targets by volume, what is outside
- * by more than a voxel, of the inside in the target's box (a function's: ModelBounds), to .16 % at
- * 1 %. Beyond walls nothing counts. Above 1 %, unless it falls from step to step, one warning says
- * so. NaN in rows of a state that was saved before there was an Outside.
+ * "at rest but for x %" (which oscillate), or "not at rest". The first of several pieces holds all
+ * of the skin and the history; the image is split. Outside is the share of the target that the skin
+ * has lost, in [0,1]: of particles, and points of a skeleton, by number, those that are outside by
+ * more than their own radius; of other targets by volume, what is outside by more than a voxel, of
+ * the inside in the target's box (a function's: ModelBounds), to .16 % at 1 %. Beyond walls nothing
+ * counts. Above 1 %, unless it falls from step to step, one warning says so.
  *
  * Time: the time steps of the input are passed on. If it has fewer than two (TargetFunction, static
  * particles), StartTime + i * TimeStepSize are published. The surface starts at the first of them.
@@ -62,12 +61,10 @@
  * shape or a property that shapes it changes. In situ it continues: an input whose list of time
  * steps has grown at its end is the same input, and is asked for the new steps only; where no time
  * can be had twice (NO_PRIOR_TEMPORAL_ACCESS, VTK 9.4), the steps are the times asked for; Advance
- * takes frames one by one. Data without time steps that replace others start the motion anew: one
- * warning says so where a later time is asked for.
+ * takes frames one by one. Data without time steps that replace others restart the motion.
  *
- * A vanished skin is legal: empty output and one warning. What cannot be done is one error, a
- * sentence that says why, and empty outputs. What was reached before an error or an abort is kept:
- * with the cause gone the next update continues from the last finished substep, to the same bytes.
+ * A vanished skin is legal: empty output and one warning. Errors empty the outputs. The next update
+ * continues from the last finished substep.
  */
 
 #ifndef vtkActiveImplicitSurface_h
@@ -180,10 +177,9 @@ public:
   /**
    * Distance of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
    * at its multiples. Halving it takes 4 times the memory, 8 (with Tension 16) times the time.
-   * Range: >= 0; 1e-30 to 1e30, or 0, which is half of ParticleSpacing over particles whose spacing
-   * is known, else a 64th of the bounds' longest side, over images no more than a pixel (the
-   * smallest spacing) or a 1000th. Known: it is set, or it is estimated, which takes another
-   * ParticleModel than SUM and no ModelBounds. Default: 0.
+   * Range: 1e-30 to 1e30, or 0, which is half of ParticleSpacing over particles (of the estimated
+   * one too, unless ParticleModel is SUM or ModelBounds are set), else a 64th of the bounds'
+   * longest side, over images at most a pixel (the smallest spacing) or a 1000th. Default: 0.
    */
   vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);

@@ -97,7 +97,7 @@ def _changes(name: str, frames: Frames, given: dict[str, Any]) -> dict[str, Any]
 
 
 def _values(value: Any) -> list[str]:
-    """Of a property, which ParaView gives as a list or as the value."""
+    """Returns the elements of a property, which ParaView gives as a list or as one value."""
     return [str(part) for part in ([value] if isinstance(value, (int, float)) else value)]
 
 

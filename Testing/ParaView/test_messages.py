@@ -22,7 +22,7 @@ class Messages(unittest.TestCase):
         Delete(view)
 
     def said(self):
-        """What was said since the last call."""
+        """Returns the messages since the last call."""
         text = self.window.GetOutput() or ""
         self.window = vtkStringOutputWindow()
         vtkOutputWindow.SetInstance(self.window)

@@ -1,5 +1,5 @@
 # ctest: LABELS exact
-"""An image alone tells the level of its surface and how fine the skin has to be.
+"""The level of an image's surface and the voxel size are found from the image.
 
 Run: python3 test_image_levels.py
 """
@@ -29,9 +29,9 @@ def image(values, spacing=(1, 1, 1)):
     return result
 
 
-def surface_of(values, port=0, **properties):
+def surface_of(values, **properties):
     surface = vtkActiveImplicitSurface()
-    surface.SetInputData(port, image(values, properties.pop("spacing", (1, 1, 1))))
+    surface.SetInputData(0, image(values, properties.pop("spacing", (1, 1, 1))))
     for name, value in properties.items():
         getattr(surface, f"Set{name}")(value)
     surface.UpdateTimeStep(0.0)

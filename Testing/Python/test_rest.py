@@ -1,6 +1,6 @@
 # ctest: LABELS contract
-"""The way to rest ends: over masks and distances with edges too, with a sentence where a part of
-the skin moves to and fro without end; a slow motion is not taken for that.
+"""EQUILIBRIUM ends, over masks and distances with edges too, with a warning if a part of the skin
+oscillates; a slow motion does not end it.
 
 Run: python3 test_rest.py
 """
@@ -31,7 +31,7 @@ def image(values):
 
 
 def settle(values, **properties):
-    """The surface at rest, what it said, and the last row of its history."""
+    """Returns the steady surface, its messages, and the last row of its history."""
     surface = vtkActiveImplicitSurface()
     surface.SetInputData(0, image(values))
     surface.SetEvolutionModeToEquilibrium()
@@ -65,9 +65,7 @@ class Rest(unittest.TestCase):
         self.assertTrue(event.startswith("at rest"), event)
         self.assertLess(row["Substeps"].ToInt(), MOST_SUBSTEPS)
         share = float(event.split()[-2]) / 100 if "but for" in event else 0.0
-        said = [
-            text for text in heard.warnings if "does not come to rest" in " ".join(text.split())
-        ]
+        said = [text for text in heard.warnings if "does not settle" in " ".join(text.split())]
         self.assertEqual(len(said), 1 if share > LOUD else 0, (event, heard.warnings))
 
     def test_a_slow_motion_goes_on(self):

@@ -15,7 +15,7 @@ namespace activesurface
 class NodeArrays
 {
 public:
-  /** What is there stays, as long as the leaves have their numbers. */
+  /** Enlarges the arrays to this many leaves; the values of the leaves before are kept. */
   void MakeRoom(std::size_t leaves)
   {
     while (LeavesAtOnce * this->Blocks.size() < leaves)

@@ -47,14 +47,14 @@ void SampleNodes(const NodeFunction& function, double scale, PotentialLeaf& leaf
 }
 
 template <class Function>
-void ForEach(std::size_t begin, std::size_t end, bool isParallel, Function&& function)
+void ForEach(std::size_t count, bool isParallel, Function&& function)
 {
   if (isParallel)
   {
-    tbb::parallel_for(begin, end, function);
+    tbb::parallel_for(std::size_t{ 0 }, count, function);
     return;
   }
-  for (std::size_t n = begin; n < end; ++n)
+  for (std::size_t n = 0; n < count; ++n)
   {
     function(n);
   }
@@ -71,7 +71,7 @@ openvdb::FloatTree::Ptr SampleNearby(CrossedNodes& crossed, const NodeFunction& 
   const double scale = crossed.Largest > 0.0 ? std::ldexp(1.0, -std::ilogb(crossed.Largest)) : 1.0;
   Leaves leaves(*tree);
   const auto sample = [&](std::size_t n) { SampleNodes(function, scale, leaves.leaf(n)); };
-  ForEach(0, leaves.leafCount(), function.ThreadSafe, sample);
+  ForEach(leaves.leafCount(), function.ThreadSafe, sample);
   return tree;
 }
 

@@ -53,23 +53,17 @@ public:
   void Evaluate(const std::vector<openvdb::Coord>& nodes, std::vector<double>& values) const
   {
     values.resize(nodes.size());
-    this->EvaluateRange(nodes, 0, nodes.size(), values);
-  }
-
-private:
-  void EvaluateRange(const std::vector<openvdb::Coord>& nodes, std::size_t begin, std::size_t end,
-    std::vector<double>& values) const
-  {
     if (!this->Function.ThreadSafe)
     {
-      this->EvaluateSome(nodes, begin, end, values);
+      this->EvaluateSome(nodes, 0, nodes.size(), values);
       return;
     }
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, 1024),
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes.size(), 1024),
       [&](const tbb::blocked_range<std::size_t>& range)
       { this->EvaluateSome(nodes, range.begin(), range.end(), values); });
   }
 
+private:
   void EvaluateSome(const std::vector<openvdb::Coord>& nodes, std::size_t begin, std::size_t end,
     std::vector<double>& values) const
   {

@@ -103,25 +103,10 @@ double Displacement::GetLargest(const LeafTable& table) const
     [](double a, double b) { return std::max(a, b); });
 }
 
-double Displacement::GetShareBeyond(const LeafTable& table, double distance) const
+Displacement::Statistics Displacement::GetStatistics(const LeafTable& table, double distance) const
 {
-  std::size_t all = 0, near = 0;
-  for (std::size_t i = 0; i < this->Leaves.size(); ++i)
-  {
-    for (const LeafMask& edges : this->Leaves[i].Edge)
-    {
-      all += edges.Count();
-    }
-    this->ForEachPoint(
-      table, i, [&near, distance](double moved) { near += moved <= distance ? 1 : 0; });
-  }
-  return all > 0 ? static_cast<double>(all - near) / static_cast<double>(all) : 0.0;
-}
-
-double Displacement::GetMean(const LeafTable& table) const
-{
-  std::size_t all = 0;
-  double sum = 0.0, found = 0.0;
+  std::size_t all = 0, found = 0, near = 0;
+  double sum = 0.0;
   for (std::size_t i = 0; i < this->Leaves.size(); ++i)
   {
     for (const LeafMask& edges : this->Leaves[i].Edge)
@@ -129,14 +114,20 @@ double Displacement::GetMean(const LeafTable& table) const
       all += edges.Count();
     }
     this->ForEachPoint(table, i,
-      [&sum, &found](double moved)
+      [&](double moved)
       {
         sum += moved;
-        found += 1.0;
+        ++found;
+        near += moved <= distance ? 1 : 0;
       });
   }
+  if (all == 0)
+  {
+    return { 0.0, 0.0 };
+  }
   const auto count = static_cast<double>(all);
-  return all > 0 ? (sum + count - found) / count : 0.0;
+  return { static_cast<double>(all - near) / count,
+    (sum + static_cast<double>(all - found)) / count };
 }
 
 }

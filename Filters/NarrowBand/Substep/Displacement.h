@@ -25,13 +25,15 @@ public:
    * edges that are still crossed. Single precision adds noise of about 1e-7. */
   double GetLargest(const LeafTable& table) const;
 
-  /** The share of the edges that were crossed at Begin whose sample point has moved farther than a
-   * distance [voxels], or that are no longer crossed. 0 without edges. */
-  double GetShareBeyond(const LeafTable& table, double distance) const;
+  struct Statistics
+  {
+    double ShareBeyond; //< share of the sample points that moved farther than the given distance
+    double Mean;        //< mean distance [voxels]
+  };
 
-  /** The mean distance [voxels] by which the sample points of Begin have moved; one that is gone
-   * counts as a voxel. 0 without edges. */
-  double GetMean(const LeafTable& table) const;
+  /** Returns statistics of the sample points of Begin; all 0 if there are none. A point whose edge
+   * is no longer crossed counts as moved by a voxel, which is farther than any given distance. */
+  Statistics GetStatistics(const LeafTable& table, double distance) const;
 
 private:
   struct Leaf

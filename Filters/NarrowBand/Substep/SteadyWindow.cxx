@@ -11,7 +11,6 @@ namespace
 
 constexpr std::size_t FirstWindow = 16; // substeps
 constexpr double LeastDecay = 8.0;
-constexpr double MostShare = .05;
 constexpr double MostMean = .25;                    // voxels
 constexpr double LeastRatio = .5, MostRatio = 1.25; // of a mean to those before
 
@@ -38,11 +37,12 @@ void SteadyWindow::Observe(const LeafTable& table, double time, double attractio
     return;
   }
   const double before = this->Share;
-  this->Share = this->Since.GetShareBeyond(table, SteadyStateCriterion::Still);
+  const auto [share, mean] = this->Since.GetStatistics(table, SteadyStateCriterion::Still);
+  this->Share = share;
   const bool isLong = attraction * (time - this->BeganAt) >= LeastDecay;
-  // Never after the first windows, as nothing is known of those before.
-  const bool fewMove = this->Share <= MostShare && this->Share >= .5 * before;
-  const double mean = this->Since.GetMean(table), usual = .5 * (this->Mean + this->MeanBefore);
+  // The first comparisons are with NaN: false.
+  const bool fewMove = this->Share <= SteadyStateCriterion::FewMoving && this->Share >= .5 * before;
+  const double usual = .5 * (this->Mean + this->MeanBefore);
   const bool swings = mean <= MostMean && mean >= LeastRatio * usual && mean <= MostRatio * usual;
   this->Steady = isLong && (fewMove || swings);
   this->MeanBefore = std::exchange(this->Mean, mean);

@@ -1,7 +1,7 @@
 /**
- * Whether a surface is at rest but for places that move to and fro, as noise that the lattice
- * cannot hold does without end. It is judged by how far what share of the surface has come in a
- * window of substeps; each window is as long as all before it.
+ * Detects a steady state up to residual oscillation: noise below the voxel size never settles. Each
+ * window of substeps is as long as all windows before it; its measure is the displacement of the
+ * surface since its begin.
  */
 #ifndef SteadyWindow_h
 #define SteadyWindow_h
@@ -22,9 +22,9 @@ public:
    * has to remain at most; without attraction nothing says how long a window has to be. */
   void Observe(const LeafTable& table, double time, double attraction);
 
-  /** Whether what moves does not come to rest: no more than a twentieth moved in the last window,
-   * and no less than half of that in the one before; or all moved by a quarter of a voxel at most
-   * on the average, and by as much as in the two windows before, which are shorter. */
+  /** Returns true if the rest of the motion is an oscillation: in the last window either a share
+   * of FewMoving at most moved, and at least half of the share in the window before; or the mean
+   * displacement was at most 0.25 voxel, and 0.5 to 1.25 of that in the two windows before. */
   bool IsSteady() const { return this->Steady; }
 
   /** The share that moved in the last window; not a number before the first one has ended. */

@@ -71,7 +71,7 @@ void TargetSteps::SettleSpacing(vtkInformation* target, Agreement& ranks)
   if (!first->HasPoints() || first->GetParticles())
   {
     std::vector<TargetBuilder::SpacingSample> samples{ TargetBuilder::SampleSpacing(*first) };
-    for (const int step : this->Simulation.ListStepsThatTell())
+    for (const int step : this->Simulation.ListSpacingSteps())
     {
       if (ranks.GoOn(this->Target.Update(target, settings.GetStep(step).Value)))
       {

@@ -30,8 +30,7 @@ public:
   // What has come of it, if it is needed still; null: there is no input.
   void TakeRequested(vtkInformation* target);
 
-  // Takes the first step, and looks at more of them to find the usual distance of the particles. A
-  // round of ranks for each.
+  // Reads the first step, and further ones to find the particles' spacing. Collective.
   void SettleSpacing(vtkInformation* target, Agreement& ranks);
 
   // The first step, which the input has now, unless it was taken.

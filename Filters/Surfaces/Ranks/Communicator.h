@@ -1,8 +1,6 @@
 /**
- * The ranks of a parallel program, as the numerics see them: who they are, and two ways to tell
- * each other something. What carries the bytes is another's.
- *
- * Both are collective: every rank makes the same calls in the same order.
+ * Ranks of a parallel program and their two collective operations: every rank makes the same calls
+ * in the same order.
  */
 #ifndef Communicator_h
 #define Communicator_h
@@ -27,10 +25,10 @@ public:
   virtual int GetRank() const = 0;
   virtual int GetSize() const = 0;
 
-  /** The largest of the ranks' numbers. */
+  /** Returns the largest of the ranks' numbers. Collective. */
   virtual std::int64_t Max(std::int64_t own) = 0;
 
-  /** The bytes of each rank, by rank. */
+  /** Returns the bytes of each rank, by rank. Collective. */
   virtual std::vector<Bytes> AllGather(const Bytes& own) = 0;
 };
 

@@ -32,7 +32,7 @@ public:
     this->Arriving.reset();
   }
 
-  // None of them changes the motion. The ranks, if any, share the work.
+  // None of them changes the motion.
   void SetNumberOfThreads(int threads) { this->Threads = threads; }
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumVoxels = maximum; }
 

@@ -80,14 +80,13 @@ void WarnOfNoRest(const SteadyStateCriterion& rest, const AdvanceReport& report,
   std::ostringstream text;
   if (report.IsSteady)
   {
-    constexpr double fewest = 0.05;
-    if (report.MovingShare > fewest)
+    if (report.MovingShare > SteadyStateCriterion::FewMoving)
     {
       text << std::setprecision(2) << 100.0 * report.MovingShare
-           << " % of the skin does not come to rest: it moves to and fro, by "
-           << report.MovingDistance << " voxels on the average, as the target has edges or steps "
-           << "that Tension and the lattice cannot hold. Take a distance or a smooth image as "
-           << "target, lower Tension, or set TargetNoise to the size of the steps.";
+           << " % of the skin does not settle: it oscillates by " << report.MovingDistance
+           << " voxels on the average, because the target has edges or steps that Tension and the "
+           << "lattice cannot hold. Use a distance or a smooth image as target, lower Tension, or "
+           << "set TargetNoise to the size of the steps.";
       messages.Say("no rest", text.str());
     }
     return;

@@ -35,10 +35,10 @@ void WarnOfOutside(const Outside& outside, Warnings& messages);
 /** Event of the history, where the way to rest has ended before. */
 constexpr const char* NotAtRest = "not at rest";
 
-/** NotAtRest, or "at rest", or what share of the skin still moves to and fro. */
+/** NotAtRest, or "at rest", or which share of the skin oscillates. */
 std::string DescribeRest(const AdvanceReport& report);
 
-// That the substeps were used up before the skin was at rest, or that a part never will be.
+// Warns if the substeps ended before a steady state, or if a part of the skin oscillates.
 void WarnOfNoRest(
   const SteadyStateCriterion& rest, const AdvanceReport& report, Warnings& messages);
 

@@ -16,6 +16,8 @@ namespace
 
 constexpr double VoxelsPerSpacing = 2.0;
 constexpr double ReachPerSpacing = 3.0;
+constexpr double VoxelsAcross = 64.0;
+constexpr double ImageMargin = 2.0; // voxels
 
 void MoveToOrigin(SurfaceDomain& domain)
 {
@@ -28,16 +30,18 @@ void MoveToOrigin(SurfaceDomain& domain)
   }
 }
 
-// No coarser than the pixels of an image, unless the lattice gets too large.
-double FindVoxelSize(double longest, double pixel)
+// Returns the voxel size around images: no coarser than their pixels, unless the lattice gets too
+// large. With the margin the longest side is VoxelsAcross if pixels are no finer.
+double FindVoxelSizeOfImages(double longest, double pixel)
 {
-  constexpr double across = 64.0, mostAcross = 1000.0;
-  return pixel > 0.0 ? std::min(longest / across, std::max(pixel, longest / mostAcross))
-                     : longest / across;
+  constexpr double mostAcross = 1000.0;
+  const double coarsest = longest / (VoxelsAcross - 2.0 * ImageMargin);
+  return pixel > 0.0 ? std::min(coarsest, std::max(pixel, longest / mostAcross)) : coarsest;
 }
 
-SurfaceDomain MakeDomainOf(const SurfaceSettings& settings, const double bounds[6],
-  double particleSpacing, double voxelSize = 0.0)
+// voxelSize: used if neither VoxelSize nor a spacing is known; 0: by the bounds.
+SurfaceDomain MakeDomainOf(
+  const SurfaceSettings& settings, const double bounds[6], double particleSpacing, double voxelSize)
 {
   SurfaceDomain domain;
   std::copy(bounds, bounds + 6, domain.Bounds);
@@ -52,7 +56,7 @@ SurfaceDomain MakeDomainOf(const SurfaceSettings& settings, const double bounds[
   domain.VoxelSize = settings.VoxelSize > 0.0 ? settings.VoxelSize
     : particleSpacing > 0.0                   ? particleSpacing / VoxelsPerSpacing
     : voxelSize > 0.0                         ? voxelSize
-                                              : FindVoxelSize(longest, 0.0);
+                                              : longest / VoxelsAcross;
   const bool isLength =
     domain.VoxelSize >= ranges::ShortestLength && domain.VoxelSize <= ranges::LongestLength;
   if (domain.VoxelSize != 0.0 && !isLength)
@@ -94,13 +98,13 @@ bool SurfaceDomain::GetExtent(int extent[6]) const
 SurfaceDomain MakeDomain(const SurfaceSettings& settings)
 {
   const double spacing = settings.UsesInput() ? settings.Particles.Spacing : 0.0;
-  return MakeDomainOf(settings, settings.Bounds.data(), spacing);
+  return MakeDomainOf(settings, settings.Bounds.data(), spacing, 0.0);
 }
 
 SurfaceDomain MakeDomainOfNothing(const SurfaceSettings& settings, double particleSpacing)
 {
   const double nowhere[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-  return MakeDomainOf(settings, nowhere, particleSpacing);
+  return MakeDomainOf(settings, nowhere, particleSpacing, 0.0);
 }
 
 SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& first)
@@ -114,11 +118,9 @@ SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& fir
   double voxel = 0.0;
   if (first.Images.IsValid())
   {
-    // Without a finer pixel the longest side then is 64 voxels.
-    const double longest = shapes.GetMaxLength();
     voxel = settings.VoxelSize > 0.0 ? settings.VoxelSize
-                                     : FindVoxelSize(64.0 / 60.0 * longest, first.Pixel);
-    shapes.Inflate(2.0 * voxel);
+                                     : FindVoxelSizeOfImages(shapes.GetMaxLength(), first.Pixel);
+    shapes.Inflate(ImageMargin * voxel);
   }
   double bounds[6];
   shapes.GetBounds(bounds);

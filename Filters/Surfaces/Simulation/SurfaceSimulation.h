@@ -99,7 +99,7 @@ public:
 
   // Before the first frame, see TargetBuilder.
   bool WantsSpacing() const { return this->Shapes.WantsSpacing() && this->FindMissingStep() == 0; }
-  std::vector<int> ListStepsThatTell() const { return this->Shapes.ListStepsThatTell(); }
+  std::vector<int> ListSpacingSteps() const { return this->Shapes.ListSpacingSteps(); }
   void SettleSpacing(const std::vector<TargetBuilder::SpacingSample>& samples)
   {
     this->Shapes.SettleSpacing(samples);

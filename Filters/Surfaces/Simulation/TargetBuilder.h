@@ -71,20 +71,20 @@ public:
     this->EstimatedSpacing = this->EstimatedSpacing > 0.0 ? this->EstimatedSpacing : spacing;
   }
 
-  // What one of several frames tells of the spacing.
+  // Particles and spacing of a frame.
   struct SpacingSample
   {
     std::size_t Particles = 0;
-    double Spacing = 0.0; // 0: it tells none
+    double Spacing = 0.0; // 0: unknown
     bool HasRadii = false;
   };
-  // Whether the spacing is to be found from several frames before the first one is added; and the
-  // steps that tell it besides the first.
+  // Returns true if the spacing has to be found from several frames before the first is added.
   bool WantsSpacing() const;
-  std::vector<int> ListStepsThatTell() const;
+  // Steps besides the first that are sampled for it.
+  std::vector<int> ListSpacingSteps() const;
   static SpacingSample SampleSpacing(const InputShape& shape);
-  // Of the densest frames that have not too few particles. The first sample is the first frame's,
-  // whose spacing stays if it is the same but for a percent.
+  // Sets the spacing to the least one of the frames that have enough particles; to that of the
+  // first sample, which is the first frame's, if that is the same to 1 %.
   void SettleSpacing(const std::vector<SpacingSample>& samples);
 
   // A box that holds the inside of the target at a step that is held, if it is no particles; within

@@ -10,7 +10,7 @@ namespace activesurface
 namespace
 {
 
-// A frame with a smaller share of the most particles tells nothing: its particles may be strays.
+// Least share of the most particles in a frame that is used: fewer may be strays.
 constexpr double EnoughParticles = 0.1;
 constexpr double Same = 1.01;
 
@@ -26,7 +26,7 @@ bool TargetBuilder::WantsSpacing() const
     !settings.Inputs.OnlyForward && this->EstimatedSpacing == 0.0 && !this->Frames.Has(0);
 }
 
-std::vector<int> TargetBuilder::ListStepsThatTell() const
+std::vector<int> TargetBuilder::ListSpacingSteps() const
 {
   const int last = this->Settings.GetNumberOfSteps() - 1;
   std::vector<int> steps;
@@ -63,9 +63,9 @@ void TargetBuilder::SettleSpacing(const std::vector<SpacingSample>& samples)
   bool haveRadii = false;
   for (const SpacingSample& sample : samples)
   {
-    const bool tells = sample.Spacing > 0.0 &&
+    const bool counts = sample.Spacing > 0.0 &&
       static_cast<double>(sample.Particles) >= EnoughParticles * static_cast<double>(most);
-    if (tells && (densest == 0.0 || sample.Spacing < densest))
+    if (counts && (densest == 0.0 || sample.Spacing < densest))
     {
       densest = sample.Spacing;
       haveRadii = sample.HasRadii;

@@ -1,4 +1,4 @@
-// Warnings and notes for users, each told once for each reason.
+// Warnings and notes for users, each reported once for each reason.
 
 #ifndef Warnings_h
 #define Warnings_h

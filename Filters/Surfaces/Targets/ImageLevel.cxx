@@ -17,7 +17,7 @@ namespace
 constexpr double Beyond = 0.1; // that fractions may be below 0 or above 1
 constexpr double NearEnds = 1e-3;
 
-// Of the finite values.
+// Range of the finite values, and how many are those of an empty or a full voxel.
 struct ValueCounts
 {
   double Low = HUGE_VAL, High = -HUGE_VAL;

@@ -1,5 +1,5 @@
 /**
- * The level of an image whose values say what is inside without being below 0 there.
+ * Finds the level of an image of a mask or of volume fractions.
  */
 #ifndef ImageLevel_h
 #define ImageLevel_h
@@ -18,15 +18,14 @@ struct ImageLevel
 };
 
 /**
- * Of a mask, all values of which are one of two, none of them negative, the level is between them.
- * Of fractions of volume, from 0 to 1 but for .1, most of which are 0 or 1, it is .5. Inside is
- * above. Else what is given, as where all values are equal. Values that are not finite do not
- * count.
+ * Returns the level of a mask (all values are one of two, none negative), which is between them, or
+ * of volume fractions (0 to 1 with an overshoot of 0.1, most of them 0 or 1), which is 0.5; inside
+ * is above. Returns `given` for other values, and if all are equal. Values that are not finite are
+ * ignored.
  */
 ImageLevel FindUsualLevel(vtkDataArray* values, const ImageLevel& given);
 
-/** What a user should know of values that differ but have nothing inside, a sentence; or nothing.
- */
+/** Returns a sentence for users if the values differ but none of them is inside, else "". */
 std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level);
 
 }

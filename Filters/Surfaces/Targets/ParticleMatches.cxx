@@ -187,8 +187,7 @@ struct Crowd
   }
 };
 
-// Whether half of the ways go far across the cloud of so many particles, besides where it goes as a
-// whole.
+// Returns true if half of the displacements, less their mean, are long for the cloud's diagonal.
 bool GoAcross(const std::vector<ParticleStep>& ways, std::size_t particles, double diagonal)
 {
   constexpr std::size_t fewParticles = 100; // whose indices are always believed

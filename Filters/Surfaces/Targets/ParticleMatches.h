@@ -26,7 +26,7 @@ struct ParticleMatches
   // For each earlier one its partner's place among the later, or NoPartner.
   std::vector<std::size_t> Partners;
   std::vector<std::size_t> Births; // of the later ones, by ascending place
-  bool AreShuffled = false;        // indices tell nothing
+  bool AreShuffled = false;        // indices are not the same particles
 };
 
 ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later);

@@ -35,7 +35,7 @@ struct ShapePreparation
   /** Warns a user, once for each reason. */
   std::function<void(const std::string& reason, const std::string& sentence)> Report;
 
-  /** The same for what is a choice of the filter, and nothing wrong. */
+  /** Informs a user of a choice of the filter, once for each reason. */
   std::function<void(const std::string& reason, const std::string& sentence)> Note;
 
   /** Usual distance of the particles; 0: not known, and of no use. */
@@ -47,17 +47,16 @@ struct ShapePreparation
   /** Reach of a kernel over the radius of the ball that it makes without neighbours. */
   double GetReachPerRadius(ParticleModel model) const;
 
-  /** Usual distance of a frame's particles, of given radii a diameter at the most; 0: it tells
-   * none.
-   */
+  /** Returns the usual distance of a frame's particles, at most a diameter if radii are given; 0 if
+   * no two are apart. */
   static double FindSpacingOf(const ParticleFrame& frame);
 
-  /** Says which spacing is used, where nothing given tells any length of the particles. */
+  /** Reports the spacing in use if neither a spacing, a reach nor radii are given. */
   void ReportSpacing(bool haveRadii) const;
 
   /**
    * Gives a frame's particles their reaches, by their radii where they have them. Estimates the
-   * spacing from this frame if it is not known; throws std::invalid_argument if no two particles
+   * spacing from this frame if there is none yet; throws std::invalid_argument if no two particles
    * are apart and there is no radius either.
    */
   void GiveRadius(ParticleModel model, ParticleFrame& frame);
