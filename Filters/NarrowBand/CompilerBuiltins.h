@@ -65,6 +65,15 @@ inline void AddRelaxed(std::uint32_t number, std::uint32_t* to)
   __atomic_fetch_add(to, number, __ATOMIC_RELAXED);
 }
 
+/** Sets bits in a word that other threads set bits in meanwhile. */
+inline void AddBitsRelaxed(std::uint64_t bits, std::uint64_t* to)
+{
+  if ((__atomic_load_n(to, __ATOMIC_RELAXED) & bits) != bits)
+  {
+    __atomic_fetch_or(to, bits, __ATOMIC_RELAXED);
+  }
+}
+
 /** Asks for the cache line of an address ahead of its use. */
 ACTIVE_ALWAYS_INLINE void Prefetch(const void* address)
 {

@@ -69,7 +69,7 @@ private:
     key = (key ^ (key >> 31)) + static_cast<std::uint32_t>(index[2]) * 0x94d049bb133111ebull;
     const std::size_t last = this->Slots.size() - 1;
     std::size_t i = static_cast<std::size_t>(key ^ (key >> 32)) & last;
-    while (this->Slots[i].Number != None && this->Slots[i].Index != index)
+    while (this->Slots[i].Number != None && !AreSame(this->Slots[i].Index, index))
     {
       i = (i + 1) & last;
     }

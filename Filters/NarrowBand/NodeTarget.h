@@ -14,6 +14,12 @@ namespace activesurface
 
 using NodeIndex = std::array<int, 3>;
 
+/** In place of ==, which calls memcmp. */
+inline bool AreSame(const NodeIndex& a, const NodeIndex& b)
+{
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 /** A leaf of 8^3 nodes at which the surface of the target can be. A row is 8 nodes along z; row
  * (x, y) is bit 8 x + y. */
 struct ShellLeaf

@@ -1,5 +1,6 @@
 #include "ParticleNodes.h"
 
+#include "Nodes/MotionMeans.h"
 #include "ParallelTasks.h"
 #include "ParticleFit.h"
 
@@ -18,6 +19,9 @@ constexpr double ReachOfMotion = 4.5;
 // From a particle to its skin, in own radii beyond the first: of ellipsoids in a body, and of the
 // averaged centre.
 constexpr double BeyondOwnRadius = 0.1;
+// Around the skin: that of the potential [voxels]. A hollow of two own radii between particles can
+// be a part of their body, so it is in the shell too.
+constexpr double Band = 3.0;
 // An ellipsoid's longest half-axis over the particle's reach, where it is a body's.
 constexpr double StretchInBody = 1.3;
 // A displacement longer than this is none [voxels].
@@ -45,16 +49,13 @@ void ParticleNodes::Build(const NodeParticles& given, const NodeParticleOptions&
 {
   this->Options = options;
   this->MakeCubes(given);
-  // A sum may have any level: its skin is anywhere within the kernels.
-  const bool isSum = options.Model == ParticleModel::Sum;
-  double longest = 0.0, beyond = isSum ? 0.0 : this->FindBeyond();
-  for (std::size_t n = 0; n < this->Cubes.size(); ++n)
+  double longest = 0.0;
+  for (const SkeletonVertex& particle : given.Particles)
   {
-    const double reach = given.Particles[n].Radius;
-    longest = std::max(longest, reach);
-    beyond = isSum ? std::max(beyond, reach / this->Cubes[n].HalfSide - 1.0) : beyond;
+    longest = std::max(longest, particle.Radius);
   }
-  this->Blocks.Build(this->Cubes, { options.VoxelSize, beyond, StretchInBody * longest, !isSum });
+  this->Blocks.Build(this->Cubes,
+    { options.VoxelSize, StretchInBody * longest, options.Model != ParticleModel::Sum });
   const std::size_t count = given.Particles.size();
   this->Resize(count);
   RunPieces(count, ParticlesPerTask,
@@ -74,22 +75,18 @@ void ParticleNodes::Build(const NodeParticles& given, const NodeParticleOptions&
   this->FindFits(given);
 }
 
-// Distance of the skin of balls and bodies beyond the own radius, in the largest own radius.
-double ParticleNodes::FindBeyond() const
+// Distance within which the shell holds all nodes around a particle [length].
+double ParticleNodes::FindShellRadius(const SkeletonVertex& particle) const
 {
-  // Balls of given radii may overlap: then their skin is anywhere within the kernels.
-  if (!(this->Options.OwnRadius > 0.0))
+  // A sum may have any level, and balls of given radii may overlap: then the skin is anywhere
+  // within the kernels.
+  if (this->Options.Model == ParticleModel::Sum || !(this->Options.OwnRadius > 0.0))
   {
-    return this->Options.ReachPerRadius - 1.0;
+    return particle.Radius + this->Options.VoxelSize;
   }
-  double loss = 0.0, most = 0.0;
-  for (const ParticleCube& cube : this->Cubes)
-  {
-    const double own = cube.HalfSide / this->Options.VoxelSize;
-    most = std::max(most, own);
-    loss = std::max(loss, own * FindLossOfBall(own));
-  }
-  return most > 0.0 ? std::max(BeyondOwnRadius, loss / most) : BeyondOwnRadius;
+  const double own = this->GetOwnRadius(particle), voxel = this->Options.VoxelSize;
+  const double skin = own * (1.0 + std::max(BeyondOwnRadius, FindLossOfBall(own / voxel)));
+  return skin + std::max(own + voxel, Band * voxel);
 }
 
 void ParticleNodes::FindFits(const NodeParticles& given)
@@ -126,6 +123,7 @@ void ParticleNodes::MakeCubes(const NodeParticles& given)
         cube.Position[axis] = particle.Position[axis];
       }
       cube.HalfSide = this->GetOwnRadius(particle);
+      cube.Shell = this->FindShellRadius(particle);
       cube.Filling = std::min(std::max(particle.Strength, 0.0), 1.0);
     });
 }
@@ -292,55 +290,46 @@ ShellLeaf ParticleNodes::FindRows(const NodeIndex& origin) const
   return leaf;
 }
 
-// Calls visit(first, end, shift) for runs of particles that may be within the reach of a box of so
-// many nodes; shift: from the origin of their block to that of the box.
-template <class Visit>
-void ParticleNodes::VisitNear(
-  const NodeIndex& origin, double size, double reach, Visit&& visit) const
+// Lists the particles that may be within reach of a cube of nodes. size: of its side [voxels].
+const ParticleRuns& ParticleNodes::ListNear(
+  const NodeIndex& origin, double size, double reach) const
 {
+  thread_local ParticleRuns runs;
   double low[3], high[3];
   for (int axis = 0; axis < 3; ++axis)
   {
     low[axis] = origin[axis] - reach;
     high[axis] = origin[axis] + size + reach;
   }
+  runs.clear();
   this->Blocks.VisitRuns(low, high,
     [&](std::uint32_t first, std::uint32_t end, const NodeIndex& at)
     {
-      float shift[3];
+      ParticleRun run{ first, end, {} };
       for (int axis = 0; axis < 3; ++axis)
       {
-        shift[axis] = static_cast<float>(this->Blocks.GetBlockSize() * at[axis] - origin[axis]);
+        run.Shift[axis] = static_cast<float>(this->Blocks.GetBlockSize() * at[axis] - origin[axis]);
       }
-      visit(first, end, shift);
+      runs.push_back(run);
     });
+  return runs;
 }
 
 void ParticleNodes::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
 {
-  EllipsoidSum sum(leaf.Rows, values);
   constexpr double size = 7.0;
-  const EllipsoidColumns columns = this->Fits.GetColumns();
-  this->VisitNear(leaf.Origin, size, this->Fits.GetLongestReach(),
-    [&](std::uint32_t first, std::uint32_t end, const float(&shift)[3])
-    { sum.Add(columns, this->Fits.GetEllipsoids(), first, end, shift); });
-  sum.Finish();
+  FindPotential(this->Fits.GetColumns(), this->Fits.GetEllipsoids(),
+    this->ListNear(leaf.Origin, size, this->Fits.GetLongestReach()), leaf.Rows, values);
 }
 
 void ParticleNodes::FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const
 {
-  thread_local MotionSum sum;
-  sum.Clear();
   constexpr double size = 8.0;
-  this->VisitNear(leaf.Origin, size, this->MostReachOfMotion,
-    [&](std::uint32_t first, std::uint32_t end, const float(&shift)[3])
-    {
-      sum.Add({ { this->X.data(), this->Y.data(), this->Z.data() },
-                { this->DX.data(), this->DY.data(), this->DZ.data() }, this->IsMoved.data(),
-                this->Bulks, this->InverseReach2.data() },
-        first, end, shift);
-    });
-  sum.Finish(this->Options.HasNoise, motion);
+  const MotionColumns columns = { { this->X.data(), this->Y.data(), this->Z.data() },
+    { this->DX.data(), this->DY.data(), this->DZ.data() }, this->IsMoved.data(), this->Bulks,
+    this->InverseReach2.data() };
+  FindMotionMeans(columns, this->ListNear(leaf.Origin, size, this->MostReachOfMotion),
+    this->Options.HasNoise, motion);
 }
 
 }

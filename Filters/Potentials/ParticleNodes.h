@@ -12,8 +12,8 @@
 
 #include "NodeTarget.h"
 #include "Nodes/NodeFits.h"
-#include "Nodes/NodeSums.h"
 #include "Nodes/ParticleBlocks.h"
+#include "Nodes/ParticleRuns.h"
 #include "ParticleModel.h"
 #include "Skeleton.h"
 #include "UnsetVector.h"
@@ -62,11 +62,10 @@ private:
   void Place(const NodeParticles& given, std::size_t k);
   void FindFits(const NodeParticles& given);
   double GetOwnRadius(const SkeletonVertex& particle) const;
-  double FindBeyond() const;
+  double FindShellRadius(const SkeletonVertex& particle) const;
   void ListLeaves(bool wantsInside, std::vector<NodeIndex>& origins) const;
   ShellLeaf FindRows(const NodeIndex& origin) const;
-  template <class Visit>
-  void VisitNear(const NodeIndex& origin, double size, double reach, Visit&& visit) const;
+  const ParticleRuns& ListNear(const NodeIndex& origin, double size, double reach) const;
 
   NodeParticleOptions Options;
   UnsetVector<ParticleCube> Cubes;

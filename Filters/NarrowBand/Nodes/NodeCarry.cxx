@@ -14,6 +14,20 @@ namespace
 constexpr std::size_t UsualNodes = std::size_t(48) * 48 * 48;
 constexpr std::size_t MostNodes = std::size_t(128) * 128 * 128;
 
+struct LimitKernel
+{
+  float* Values; //< and up to seven more
+  std::size_t Count;
+
+  ACTIVE_ALWAYS_INLINE void operator()() const
+  {
+    for (std::size_t n = 0; n < this->Count; n += 8)
+    {
+      StoreLanes(this->Values + n, Clamp(LoadLanes(this->Values + n), NodeLimit));
+    }
+  }
+};
+
 /** Old values at the nodes of a box. */
 struct OldBlock
 {
@@ -30,7 +44,8 @@ struct OldBlock
 
   void Read(const OldPotential& old)
   {
-    this->Values.resize(this->Count());
+    constexpr std::size_t lanes = 8;
+    this->Values.resize(this->Count() + lanes - 1);
     NodeIndex origin;
     for (origin[0] = this->Low[0] & ~7; origin[0] < this->Low[0] + this->Size[0]; origin[0] += 8)
     {
@@ -43,6 +58,7 @@ struct OldBlock
         }
       }
     }
+    RunCompiled(LimitKernel{ this->Values.data(), this->Count() });
   }
 
 private:
@@ -62,10 +78,16 @@ private:
       {
         float* to = this->Values.data() + std::size_t(x - this->Low[0]) * this->StrideX() +
           std::size_t(y - this->Low[1]) * this->StrideY() + (first[2] - this->Low[2]);
-        for (int z = first[2]; z < end[2]; ++z)
+        const int count = end[2] - first[2];
+        const float* from = values ? values + 64 * (x & 7) + 8 * (y & 7) + (first[2] & 7) : nullptr;
+        if (from && count == 8)
         {
-          const float value = values ? values[64 * (x & 7) + 8 * (y & 7) + (z & 7)] : side;
-          *to++ = std::min(std::max(value, -NodeLimit), NodeLimit);
+          StoreLanes(to, LoadLanes(from));
+          continue;
+        }
+        for (int z = 0; z < count; ++z)
+        {
+          to[z] = from ? from[z] : side;
         }
       }
     }

@@ -29,8 +29,6 @@ constexpr float Imbalance = .25f, SlowestShare = .008f;
 /** Weight of tension in a body of half the bulk over that of a full one. */
 constexpr float TensionOfHalf = 1.f / 3.f;
 
-constexpr float LeastDecay = 1e-6f;
-
 /** kappa |grad u| by differences over 2 S nodes; 0 where the gradient is. */
 template <int S, int W>
 ACTIVE_ALWAYS_INLINE Lanes Bend(const float* c)
@@ -91,24 +89,37 @@ struct StageKernel
   const StageCoefficients& Law;
   int Count;
 
+  /** The pulls of all rows first: what follows is a chain of divisions, of which the processor can
+   * have several rows in hand if a row is short. */
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     const NodeLeaf& leaf = this->Fields.Leaves[i];
+    const float *psi = this->Fields.Psi.Of(i), *bulks = this->Fields.Bulk.Of(i);
+    const float* before = this->Fields.Potential.Of(i);
+    alignas(32) float pulls[512];
+    std::uint64_t moving = leaf.Rows;
     NodeBlock<W> block;
     block.Gather(this->Fields.Potential, leaf, NodeLimit);
-    for (int row = 0; row < 64; ++row)
+    for (std::uint64_t rows = leaf.Rows; rows != 0; rows &= rows - 1)
     {
-      const float* c = block.Row(row >> 3, row & 7);
-      const Lanes u = LoadLanes(c), psi = LoadLanes(this->Fields.Psi.Of(i) + 8 * row);
-      const bool isInShell = ((leaf.Rows >> row) & 1) != 0;
-      float* next = this->Fields.Room.Of(i) + 8 * row;
-      if (!isInShell || StaysFar(u, psi))
+      const int row = LowestBit(rows);
+      if (StaysFar(LoadLanes(before + 8 * row), LoadLanes(psi + 8 * row)))
       {
-        StoreLanes(next, psi);
+        moving &= ~(std::uint64_t(1) << row);
         continue;
       }
-      StoreLanes(next,
-        Clamp(this->Advance(c, u, psi, LoadLanes(this->Fields.Bulk.Of(i) + 8 * row)), NodeLimit));
+      StoreLanes(
+        pulls + 8 * row, this->FindPull(block.Row(row >> 3, row & 7), LoadLanes(bulks + 8 * row)));
+    }
+    float* next = this->Fields.Room.Of(i);
+    std::memcpy(next, psi, 512 * sizeof(float));
+    for (std::uint64_t rows = moving; rows != 0; rows &= rows - 1)
+    {
+      const int at = 8 * LowestBit(rows);
+      StoreLanes(next + at,
+        Clamp(this->Advance(LoadLanes(before + at), LoadLanes(psi + at), LoadLanes(bulks + at),
+                LoadLanes(pulls + at)),
+          NodeLimit));
     }
   }
 
@@ -123,8 +134,13 @@ private:
 
   /** b g kappa |grad u|. Tension beyond the stable limit of narrow differences goes by wider ones.
    */
-  ACTIVE_ALWAYS_INLINE Lanes FindPull(const float* c, const Lanes& wanted) const
+  ACTIVE_ALWAYS_INLINE Lanes FindPull(const float* c, const Lanes& bulk) const
   {
+    if (!(this->Law.Tension > 0.f))
+    {
+      return AllLanes(0.f);
+    }
+    const Lanes wanted = this->FindTension(bulk);
     const float borne = TensionOfStage * static_cast<float>(this->Count);
     const Lanes first = Least(wanted, AllLanes(borne));
     Lanes pull = first * Bend<1, W>(c);
@@ -148,59 +164,56 @@ private:
     return pull;
   }
 
-  ACTIVE_ALWAYS_INLINE Lanes FindTension(const Lanes& bulk, const Lanes& full) const
+  ACTIVE_ALWAYS_INLINE Lanes FindTension(const Lanes& bulk) const
   {
-    const Lanes tension = AllLanes(this->Law.Tension);
+    const Lanes tension = AllLanes(this->Law.Tension), full = SmoothStep(FullFrom, FullTo, bulk);
     const Lanes weight = bulk * (AllLanes(TensionOfHalf) + AllLanes(1.f - TensionOfHalf) * full);
     return this->Law.IsWeighted ? tension * weight : tension;
   }
 
   ACTIVE_ALWAYS_INLINE Lanes Advance(
-    const float* c, const Lanes& u, const Lanes& psi, const Lanes& bulk) const
+    const Lanes& u, const Lanes& psi, const Lanes& bulk, const Lanes& pull) const
   {
-    const Lanes one = AllLanes(1.f), full = SmoothStep(FullFrom, FullTo, bulk);
-    const Lanes miss = psi - u;
-    const Lanes pull =
-      this->Law.Tension > 0.f ? this->FindPull(c, this->FindTension(bulk, full)) : AllLanes(0.f);
+    const Lanes one = AllLanes(1.f), miss = psi - u;
     const float share = 1.f / static_cast<float>(this->Count);
     Lanes rate = AllLanes(this->Law.Decay), lambda = one;
     if (this->Law.Noise > 0.f)
     {
-      this->Slow(u, miss, pull, bulk, full, rate, lambda);
+      this->Slow(u, miss, pull, bulk, rate, lambda);
     }
-    // Exponential Euler: exact without tension, and in a steady state.
+    // Exponential Euler: exact without tension, and in a steady state. e^x is 1 + x series.
     const Lanes x = AllLanes(share) * rate * lambda;
-    const Lanes decayed = one /
-      (one +
-        x * (one + x * (AllLanes(.5f) + x * (AllLanes(1.f / 6.f) + x * AllLanes(1.f / 24.f)))));
-    const LaneMask isTiny = x < AllLanes(LeastDecay);
-    const Lanes mean = Pick(isTiny, one, (one - decayed) / Pick(isTiny, one, x));
+    const Lanes series =
+      one + x * (AllLanes(.5f) + x * (AllLanes(1.f / 6.f) + x * AllLanes(1.f / 24.f)));
+    const Lanes decayed = one / (one + x * series);
+    const Lanes mean = series * decayed; // (1 - decayed) / x
     return psi - decayed * miss + AllLanes(share) * pull * lambda * mean;
   }
 
   /** Within the noise of a body the attraction is small; and attraction and tension both, where
    * they are nearly in balance, so that fixed points stay. */
   ACTIVE_ALWAYS_INLINE void Slow(const Lanes& u, const Lanes& miss, const Lanes& pull,
-    const Lanes& bulk, const Lanes& full, Lanes& rate, Lanes& lambda) const
+    const Lanes& bulk, Lanes& rate, Lanes& lambda) const
   {
-    const Lanes one = AllLanes(1.f);
+    const Lanes one = AllLanes(1.f), full = SmoothStep(FullFrom, FullTo, bulk);
     const Lanes body = Least(bulk + bulk, one);
     // The slope of u is not 1 off the skin, where frames differ by more.
     const Lanes noise =
       (one + AllLanes(NoiseOfFull - 1.f) * full) * AllLanes(this->Law.Noise) * (one + Size(u));
     const Lanes slow = one - body * AllLanes(1.f - SlowShare);
-    rate *= slow + (one - slow) * Step(miss / noise);
+    rate *= slow + (one - slow) * Step(miss, noise);
     const Lanes slowest = Least(AllLanes(this->Law.Decay * SlowestShare) / rate, one);
-    const Lanes off = (miss + pull / rate) / (AllLanes(Imbalance) * noise);
-    lambda = slowest + (one - slowest) * ((one - body) + body * Step(off));
+    const Lanes off = Step(miss * rate + pull, rate * AllLanes(Imbalance) * noise);
+    lambda = slowest + (one - slowest) * ((one - body) + body * off);
     lambda = Pick(body > AllLanes(0.f), lambda, one);
   }
 
-  /** q^4 / (1 + q^4) */
-  static ACTIVE_ALWAYS_INLINE Lanes Step(const Lanes& q)
+  /** q^4 / (1 + q^4) of q = a / b */
+  static ACTIVE_ALWAYS_INLINE Lanes Step(const Lanes& a, const Lanes& b)
   {
-    const Lanes power = (q * q) * (q * q);
-    return AllLanes(1.f) - AllLanes(1.f) / (AllLanes(1.f) + power);
+    constexpr float least = 1e-30f; // where b^4 underflows
+    const Lanes a2 = a * a, b2 = b * b, a4 = a2 * a2;
+    return a4 / (a4 + Largest(b2 * b2, AllLanes(least)));
   }
 };
 

@@ -54,34 +54,45 @@ constexpr float LeastBall = .5f;
 // The integral of (1 - d^2)^2 over the unit ball.
 constexpr float WholeBall = 32.f * 3.14159265f / 105.f;
 
-struct AddKernel
+struct ListKernel
 {
   const FitGroup& Group;
   const PlaceColumns& Columns;
-  std::uint32_t First, End;
-  const float* Shift;
-  FitNeighbour*& To;
+  const ParticleRuns& Runs;
+  FitNeighbour*& End;
 
   ACTIVE_ALWAYS_INLINE void operator()() const
   {
+    FitNeighbour* to = this->End;
+    for (const ParticleRun& run : this->Runs)
+    {
+      to = this->AddRun(run, to);
+    }
+    this->End = to;
+  }
+
+private:
+  ACTIVE_ALWAYS_INLINE FitNeighbour* AddRun(const ParticleRun& run, FitNeighbour* to) const
+  {
     const Lanes zero = AllLanes(0.f);
     const float *m = this->Group.Middle, *h = this->Group.Half;
-    for (std::uint32_t k = this->First; k < this->End; k += 8)
+    for (std::uint32_t k = run.First; k < run.End; k += 8)
     {
-      const Lanes x = LoadLanes(this->Columns.X + k) + AllLanes(this->Shift[0]);
-      const Lanes y = LoadLanes(this->Columns.Y + k) + AllLanes(this->Shift[1]);
-      const Lanes z = LoadLanes(this->Columns.Z + k) + AllLanes(this->Shift[2]);
+      const Lanes x = LoadLanes(this->Columns.X + k) + AllLanes(run.Shift[0]);
+      const Lanes y = LoadLanes(this->Columns.Y + k) + AllLanes(run.Shift[1]);
+      const Lanes z = LoadLanes(this->Columns.Z + k) + AllLanes(run.Shift[2]);
       const Lanes gx = Largest(Size(x - AllLanes(m[0])) - AllLanes(h[0]), zero);
       const Lanes gy = Largest(Size(y - AllLanes(m[1])) - AllLanes(h[1]), zero);
       const Lanes gz = Largest(Size(z - AllLanes(m[2])) - AllLanes(h[2]), zero);
       unsigned near = BitsOf(gx * gx + gy * gy + gz * gz < LoadLanes(this->Columns.Reach2 + k));
-      near &= this->End - k >= 8 ? 0xffu : (1u << (this->End - k)) - 1u;
+      near &= run.End - k >= 8 ? 0xffu : (1u << (run.End - k)) - 1u;
       for (; near != 0; near &= near - 1)
       {
         const int i = LowestBit(near);
-        *this->To++ = { { x[i], y[i], z[i] }, k + static_cast<std::uint32_t>(i) };
+        *to++ = { { x[i], y[i], z[i] }, k + static_cast<std::uint32_t>(i) };
       }
     }
+    return to;
   }
 };
 
@@ -103,14 +114,18 @@ void FitGroup::FindBox()
   }
 }
 
-void AddNeighbours(const FitGroup& group, const PlaceColumns& columns, std::uint32_t first,
-  std::uint32_t end, const float (&shift)[3], FitNeighbours& neighbours)
+void ListNeighbours(const FitGroup& group, const PlaceColumns& columns, const ParticleRuns& runs,
+  FitNeighbours& neighbours)
 {
-  const std::size_t before = neighbours.size();
-  neighbours.resize(before + (end - first));
-  FitNeighbour* to = neighbours.data() + before;
-  RunCompiled(AddKernel{ group, columns, first, end, shift, to });
-  neighbours.resize(static_cast<std::size_t>(to - neighbours.data()));
+  std::size_t most = 0;
+  for (const ParticleRun& run : runs)
+  {
+    most += run.End - run.First;
+  }
+  neighbours.resize(most);
+  FitNeighbour* end = neighbours.data();
+  RunCompiled(ListKernel{ group, columns, runs, end });
+  neighbours.resize(static_cast<std::size_t>(end - neighbours.data()));
 }
 
 namespace

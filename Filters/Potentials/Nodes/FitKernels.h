@@ -10,6 +10,7 @@
 #ifndef FitKernels_h
 #define FitKernels_h
 
+#include "Nodes/ParticleRuns.h"
 #include "UnsetVector.h"
 
 #include <cstdint>
@@ -49,10 +50,10 @@ struct PlaceColumns
   const float *X, *Y, *Z, *Reach2;
 };
 
-// Adds those of a run of particles whose reach comes to the group's box. shift: from the group's
-// origin to theirs.
-void AddNeighbours(const FitGroup& group, const PlaceColumns& columns, std::uint32_t first,
-  std::uint32_t end, const float (&shift)[3], FitNeighbours& neighbours);
+// Lists the particles whose reach comes to the group's box. Shifts of the runs are from the group's
+// origin.
+void ListNeighbours(const FitGroup& group, const PlaceColumns& columns, const ParticleRuns& runs,
+  FitNeighbours& neighbours);
 
 // A ball is larger than its particle by this share of its radius, which is in voxels.
 double FindLossOfBall(double ownRadius);

@@ -23,6 +23,7 @@ struct NodeFits::Search
 {
   std::uint32_t Block = 0; // whose origin is that of the places
   FitGroup Group;
+  ParticleRuns Runs;
   FitNeighbours Neighbours;
 };
 
@@ -184,17 +185,18 @@ void NodeFits::Gather(Search& search, const PlaceColumns& columns, double reach)
     low[axis] = middle - group.Half[axis] - reach;
     high[axis] = middle + group.Half[axis] + reach;
   }
-  search.Neighbours.clear();
+  search.Runs.clear();
   this->Blocks->VisitRuns(low, high,
     [&](std::uint32_t first, std::uint32_t end, const NodeIndex& at)
     {
-      float shift[3];
+      ParticleRun run{ first, end, {} };
       for (int axis = 0; axis < 3; ++axis)
       {
-        shift[axis] = static_cast<float>(size * (at[axis] - home[axis]));
+        run.Shift[axis] = static_cast<float>(size * (at[axis] - home[axis]));
       }
-      AddNeighbours(group, columns, first, end, shift, search.Neighbours);
+      search.Runs.push_back(run);
     });
+  ListNeighbours(group, columns, search.Runs, search.Neighbours);
 }
 
 void NodeFits::FindShapes(Search& search)

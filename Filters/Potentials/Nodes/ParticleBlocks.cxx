@@ -28,7 +28,7 @@ int NumberOf(const NodeIndex& offset)
 void ParticleBlocks::Build(const UnsetVector<ParticleCube>& cubes, const Options& options)
 {
   this->VoxelSize = options.VoxelSize;
-  this->ChooseCells(cubes, options.Beyond);
+  this->ChooseCells(cubes);
   this->AddBlocks(cubes);
   this->Sort();
   this->FillCells(cubes);
@@ -38,7 +38,7 @@ void ParticleBlocks::Build(const UnsetVector<ParticleCube>& cubes, const Options
     this->Widen(&Block::Open, true, this->Inward);
   }
   this->FindNear(options.Reach);
-  this->Widen(&Block::Occupied, false, this->Outward);
+  this->OccupyCells(cubes);
   if (options.HasInside)
   {
     this->OccupyAroundDense();
@@ -55,16 +55,16 @@ void ParticleBlocks::FindNear(double reach)
   this->Widen(&Block::Near, true, static_cast<int>(std::ceil(cells)));
 }
 
-// To the surface, from the cells in the middle of a cube [cells].
-int ParticleBlocks::CountOutward(double halfSide, double beyond) const
+// From a cell in the middle of a cube to a node beyond the skin [cells]. beyond: of the skin from
+// the cube [length].
+int ParticleBlocks::CountOutward(double beyond) const
 {
-  // A node beyond the skin is in the shell.
   constexpr double rounding = 1e-6;
-  const double outward = 0.5 * this->CellSize + beyond * halfSide / this->VoxelSize + 1.0;
+  const double outward = 0.5 * this->CellSize + beyond / this->VoxelSize + 1.0;
   return static_cast<int>(std::ceil(outward / this->CellSize - rounding));
 }
 
-void ParticleBlocks::ChooseCells(const UnsetVector<ParticleCube>& cubes, double beyond)
+void ParticleBlocks::ChooseCells(const UnsetVector<ParticleCube>& cubes)
 {
   double least = HUGE_VAL, most = 0.0;
   for (const ParticleCube& cube : cubes)
@@ -76,9 +76,8 @@ void ParticleBlocks::ChooseCells(const UnsetVector<ParticleCube>& cubes, double 
     ? 1.0
     : std::max({ 2.0 * least / this->VoxelSize, 2.0 * most / this->VoxelSize / MostCellsOfCube,
         1.0 / CellsOfVoxel });
-  this->Outward = this->CountOutward(most, beyond);
-  this->OutwardOfDense = this->CountOutward(most, std::max(beyond, BeyondDense));
-  this->Inward = this->CountOutward(0.0, 0.0);
+  this->OutwardOfDense = this->CountOutward(BeyondDense * most);
+  this->Inward = this->CountOutward(0.0);
 }
 
 // The blocks of particles first of all, then those that a mask may reach.
@@ -107,16 +106,17 @@ void ParticleBlocks::AddBlocks(const UnsetVector<ParticleCube>& cubes)
     NodeIndex cell, at, low, high;
     const double rest = cubes[n].HalfSide / this->VoxelSize - 0.5 * this->CellSize;
     const double reach = std::max(rest, 0.0);
-    const int margin = std::max(this->Outward, this->CountOutward(cubes[n].HalfSide, BeyondDense));
+    const int margin = this->CountOutward(BeyondDense * cubes[n].HalfSide);
+    const double shell = cubes[n].Shell / this->VoxelSize;
     for (int axis = 0; axis < 3; ++axis)
     {
       const double place = cubes[n].Position[axis] / this->VoxelSize;
       cell[axis] = this->CellOf(place);
       at[axis] = cell[axis] >> 3;
-      low[axis] = (this->CellOf(place - reach) - margin) >> 3;
-      high[axis] = (this->CellOf(place + reach) + margin) >> 3;
+      low[axis] = std::min(this->CellOf(place - reach) - margin, this->CellOf(place - shell)) >> 3;
+      high[axis] = std::max(this->CellOf(place + reach) + margin, this->CellOf(place + shell)) >> 3;
     }
-    home = this->Blocks.empty() || this->Blocks[home].At != at ? add(at) : home;
+    home = this->Blocks.empty() || !AreSame(this->Blocks[home].At, at) ? add(at) : home;
     this->Homes[n] = static_cast<std::uint32_t>(home);
     this->PartOf[n] = static_cast<std::uint8_t>(
       16 * ((cell[0] & 7) >> 1) + 4 * ((cell[1] & 7) >> 1) + ((cell[2] & 7) >> 1));

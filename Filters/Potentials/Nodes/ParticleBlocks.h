@@ -26,6 +26,7 @@ struct ParticleCube
 {
   double Position[3];
   double HalfSide; // own radius
+  double Shell;    // nodes within this distance of its centre are in the shell [length]
   double Filling;  // in [0,1]: 1 where it is of full strength
 };
 
@@ -51,8 +52,6 @@ public:
   struct Options
   {
     double VoxelSize = 1.0;
-    double Beyond = 0.0;   // how far the skin may be from a particle [the largest own radius], less
-                           // its own radius
     double Reach = 0.0;    // of the longest kernel [length]
     bool HasInside = true; // whether full cells are inside, whatever the kernels are
   };
@@ -159,20 +158,28 @@ private:
       }
     }
   }
-  int CountOutward(double halfSide, double beyond) const;
+  int CountOutward(double beyond) const;
   void FindNear(double reach);
   void OccupyAroundDense();
-  void ChooseCells(const UnsetVector<ParticleCube>& cubes, double beyond);
+  void ChooseCells(const UnsetVector<ParticleCube>& cubes);
   void AddBlocks(const UnsetVector<ParticleCube>& cubes);
   void Sort();
   void FillCells(const UnsetVector<ParticleCube>& cubes);
   void FillCube(const ParticleCube& cube, std::size_t home);
+  void OccupyCells(const UnsetVector<ParticleCube>& cubes);
   void Occupy(const ParticleCube& cube, std::size_t home);
+  struct ShellBall
+  {
+    double Place[3], Reach; // [voxels]
+    int First[3], Last[3];  // cells of its box
+  };
+  void OccupyIn(Block& block, const ShellBall& ball) const;
   // The block of a cell, which is often that of the particle.
   std::size_t FindBlock(const NodeIndex& cell, std::size_t home) const
   {
     const NodeIndex at = { cell[0] >> 3, cell[1] >> 3, cell[2] >> 3 };
-    return this->Blocks[home].At == at ? home : static_cast<std::size_t>(this->Numbers.Find(at));
+    return AreSame(this->Blocks[home].At, at) ? home
+                                              : static_cast<std::size_t>(this->Numbers.Find(at));
   }
   void FindOpen();
   void FindOpenOf(Block& block) const;
@@ -180,8 +187,7 @@ private:
 
   double VoxelSize = 1.0;
   double CellSize = 1.0;
-  int Outward = 1; // cells
-  int OutwardOfDense = 1;
+  int OutwardOfDense = 1; // cells
   int Inward = 1;
   IndexMap Numbers;
   std::vector<Block> Blocks;

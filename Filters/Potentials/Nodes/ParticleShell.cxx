@@ -64,10 +64,6 @@ void ParticleBlocks::FillCells(const UnsetVector<ParticleCube>& cubes)
         this->FillCube(cubes[this->Order[k]], this->BlockOf[k]);
       }
     });
-  for (std::size_t k = 0; k < this->Order.size(); ++k)
-  {
-    this->Occupy(cubes[this->Order[k]], this->BlockOf[k]);
-  }
 }
 
 // Shares by the overlap of the cube and the cells.
@@ -112,28 +108,79 @@ void ParticleBlocks::FillCube(const ParticleCube& cube, std::size_t home)
   }
 }
 
-// The cells in the middle of the cube.
+// Cells of the shell around particles whose kernels reach cells that are not full.
+void ParticleBlocks::OccupyCells(const UnsetVector<ParticleCube>& cubes)
+{
+  RunPieces(this->Blocks.size(), BlocksPerTask,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Block& block = this->Blocks[i];
+        for (int part = 0; part < Parts; ++part)
+        {
+          if (IsNearSurface(block, part >> 4, part >> 2 & 3, part & 3))
+          {
+            for (std::uint32_t k = block.Starts[part]; k < block.Starts[part + 1]; ++k)
+            {
+              this->Occupy(cubes[this->Order[k]], i);
+            }
+          }
+        }
+      }
+    });
+}
+
 void ParticleBlocks::Occupy(const ParticleCube& cube, std::size_t home)
 {
-  const double reach = std::max(cube.HalfSide / this->VoxelSize - 0.5 * this->CellSize, 0.0);
-  int first[3], last[3];
+  ShellBall ball;
+  ball.Reach = cube.Shell / this->VoxelSize;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double place = cube.Position[axis] / this->VoxelSize;
-    first[axis] = this->CellOf(place - reach);
-    last[axis] = this->CellOf(place + reach);
+    ball.Place[axis] = cube.Position[axis] / this->VoxelSize;
+    ball.First[axis] = this->CellOf(ball.Place[axis] - ball.Reach);
+    ball.Last[axis] = this->CellOf(ball.Place[axis] + ball.Reach);
   }
-  NodeIndex cell;
-  for (cell[0] = first[0]; cell[0] <= last[0]; ++cell[0])
+  NodeIndex at;
+  for (at[0] = ball.First[0] >> 3; at[0] <= ball.Last[0] >> 3; ++at[0])
   {
-    for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1])
+    for (at[1] = ball.First[1] >> 3; at[1] <= ball.Last[1] >> 3; ++at[1])
     {
-      for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2])
+      for (at[2] = ball.First[2] >> 3; at[2] <= ball.Last[2] >> 3; ++at[2])
       {
-        this->Blocks[this->FindBlock(cell, home)].Occupied.Add(
-          cell[0] & 7, cell[1] & 7, cell[2] & 7);
+        const bool isHome = AreSame(this->Blocks[home].At, at);
+        const auto i = isHome ? home : static_cast<std::size_t>(this->Numbers.Find(at));
+        this->OccupyIn(this->Blocks[i], ball);
       }
     }
+  }
+}
+
+// Rows of cells that the ball touches, from end to end of its box.
+void ParticleBlocks::OccupyIn(Block& block, const ShellBall& ball) const
+{
+  int first[3], last[3];
+  double square[2][8];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    first[axis] = std::max(ball.First[axis] - 8 * block.At[axis], 0);
+    last[axis] = std::min(ball.Last[axis] - 8 * block.At[axis], 7);
+    for (int c = first[axis]; axis < 2 && c <= last[axis]; ++c)
+    {
+      const double low = this->CellSize * (8.0 * block.At[axis] + c) - ball.Place[axis];
+      const double away = std::max({ low, -low - this->CellSize, 0.0 });
+      square[axis][c] = away * away;
+    }
+  }
+  const std::uint64_t row = (0xffull << first[2]) & (0xffull >> (7 - last[2]));
+  for (int x = first[0]; x <= last[0]; ++x)
+  {
+    std::uint64_t cells = 0;
+    for (int y = first[1]; y <= last[1]; ++y)
+    {
+      cells |= square[0][x] + square[1][y] < ball.Reach * ball.Reach ? row << (8 * y) : 0;
+    }
+    AddBitsRelaxed(cells, &block.Occupied.Word[x]);
   }
 }
 
