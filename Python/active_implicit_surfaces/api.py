@@ -372,5 +372,5 @@ def usual_ids(cloud: Any) -> str:
     if not hasattr(cloud, "GetPointData"):
         return ""
     arrays = cloud.GetPointData()
-    usual = (name for name in array_names(arrays) if name.lower() in _USUAL_IDS)
-    return next((n for n in usual if arrays.GetAbstractArray(n).GetNumberOfComponents() == 1), "")
+    usual = (arrays.GetArray(n) for n in array_names(arrays) if n.lower() in _USUAL_IDS)
+    return next((own.GetName() for own in usual if own and own.GetNumberOfComponents() == 1), "")

@@ -11,7 +11,7 @@ from typing import Any
 import numpy
 
 from .molecules import add_elements
-from .tables import Frame, Frames
+from .tables import FIELD, SYMBOLS, Frame, Frames
 
 _ANGSTROM = 0.1  # in the nanometres of a .gro
 _CELL = ((6, 15), (15, 24), (24, 33), (33, 40), (40, 47), (47, 54))  # columns of CRYST1
@@ -30,7 +30,7 @@ def read_gro(path: Path) -> Frames:
                 f"it has fewer atoms than the {lines[place + 1].strip()} of line {place + 2}"
             )
         frames.append(_read_gro_frame(dict(enumerate(lines[place + 2 : end], start=place + 3))))
-        frames[-1]["field"] = _edges_of(lines[end])
+        frames[-1][FIELD] = _edges_of(lines[end])
         times += map(float, re.findall(r"\bt\s*=\s*([-+.\deE]+)", lines[place])[-1:])
         place = end + 1
     add_elements(frames, _ANGSTROM, are_names=True)
@@ -50,7 +50,9 @@ def _read_gro_frame(lines: dict[int, str]) -> Frame:
     frame: Frame = {
         "positions": table[:, :3],
         "residue": _numbers_in(lines, [(0, 5)])[:, 0].astype(int),
-        "symbols": [_symbol_of(residue, name) for residue, name in names],
+        "resname": numpy.array([residue for residue, _ in names], dtype=str),
+        "name": numpy.array([name for _, name in names], dtype=str),
+        SYMBOLS: [_symbol_of(residue, name) for residue, name in names],
     }
     return {**frame, "Velocity": table[:, 3:]} if table.shape[1] > 3 else frame
 
@@ -69,8 +71,8 @@ def _edges_of(line: str) -> Frame:
 def read_pdb(path: Path) -> Frames:
     """The models of a .pdb as frames; of atoms in two places the first one.
 
-    "residue" is the number in the chain, "chain" that of the chain in the order of their letters;
-    "hetero" is 1 for HETATM.
+    "residue" is the number in the chain, "chain" its letter, "resname" and "name" those of the
+    residue and the atom; "hetero" is 1 for HETATM.
     """
     models, field, seen = [dict[int, str]()], Frame(), set[str]()
     for place, line in enumerate(path.read_text(encoding="latin-1").splitlines(), start=1):
@@ -86,19 +88,22 @@ def read_pdb(path: Path) -> Frames:
             field = _cell_of(_numbers_in({place: line}, _CELL)[0])
     if not models[0]:
         raise ValueError("it has no ATOM")
-    frames = [{**_read_model(lines), "field": field} for lines in models if lines]
+    frames = [{**_read_model(lines), FIELD: field} for lines in models if lines]
     add_elements(frames, are_names=True)
     return frames, None
 
 
 def _read_model(lines: dict[int, str]) -> Frame:
-    _, chains = numpy.unique([line[21:22] for line in lines.values()], return_inverse=True)
+    texts = {"resname": (17, 20), "name": (12, 16), "chain": (21, 22)}
     return {
         "positions": _numbers_in(lines, [(30, 38), (38, 46), (46, 54)]),
         "residue": _numbers_in(lines, [(22, 26)])[:, 0].astype(int),
-        "chain": chains + 1,
         "hetero": numpy.array([line.startswith("HETATM") for line in lines.values()], dtype="u1"),
-        "symbols": [
+        **{
+            name: numpy.array([line[slice(*cut)].strip() for line in lines.values()], dtype=str)
+            for name, cut in texts.items()
+        },
+        SYMBOLS: [
             line[76:78].strip().capitalize() or _symbol_of(line[17:20].strip(), line[12:16].strip())
             for line in lines.values()
         ],

@@ -18,35 +18,37 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
-from .data_objects import add_array, array_names, has_polygons
-from .messages import few
+from .data_objects import add_array, array_names, has_polygons, texts_of
+from .messages import few, warn_all
 
-_FORM = re.compile(r"(?P<name>[^=<>!]+)(?P<sign>==?|!=|<=|>=|<|>)(?P<values>[^=<>!]+)")
+_FORM = re.compile(r"(?P<name>[^=<>!]+)(?P<sign>==?|!=|<=|>=|<|>)(?P<values>.+)")
+_VALUE = re.compile(  # between quotes or not, up to the next comma
+    r"""\s*(?:"([^"]*)"|'([^']*)'|([^,=<>!"]*[^,=<>!"\s]))\s*(?:,(?=.)|$)"""
+)
 _COMPONENT = re.compile(r"(?P<name>.+)[_:.\[](?P<axis>[xyz012])\]?")
-_COMPARE: dict[str, Callable[..., Any]] = {
-    **dict.fromkeys(("=", "=="), numpy.isin),
-    "!=": lambda values, others: ~numpy.isin(values, others),
-    "<": lambda values, others: values < others[0],
-    "<=": lambda values, others: values <= others[0],
-    ">": lambda values, others: values > others[0],
-    ">=": lambda values, others: values >= others[0],
+_COMPARE = {
+    "<": numpy.less,
+    "<=": numpy.less_equal,
+    ">": numpy.greater,
+    ">=": numpy.greater_equal,
 }
 _MARK = "active_implicit_surfaces chosen"
 _LABEL_ARRAYS = ("label", "labels")
 _MOST_LABELS = 1000  # distinct values of an image; more are no labels
+_MOST_LISTED = 20  # distinct values of an array in a message
 _LINK = 1.5  # spacings between neighbours of one piece
 
 
 class Condition(NamedTuple):
-    """The name of an array, a sign, and numbers."""
+    """The name of an array, a sign, and values as they are written."""
 
     name: str
     sign: str
-    values: list[float]
+    values: list[str]
 
 
 def conditions(where: str | Sequence[str]) -> list[Condition]:
-    """Conditions from text: "Type=1", "Type=1,3", "T>300", "id!=7".
+    """Conditions from text: "Type=1", "Type=1,3", "T>300", "id!=7", "resname=LIG", 'name="a, b"'.
 
     Raises
     ------
@@ -56,25 +58,51 @@ def conditions(where: str | Sequence[str]) -> list[Condition]:
     found = []
     for text in [where] if isinstance(where, str) else where:
         form = _FORM.fullmatch(text)
-        try:
-            values = [float(value) for value in form["values"].split(",")] if form else []
-        except ValueError:
-            values = []
-        if form is None or not values or (len(values) > 1 and form["sign"][0] in "<>"):
+        values = _split_values(form["values"]) if form else []
+        is_order = form is not None and form["sign"] in _COMPARE
+        if form is None or not values or (is_order and (len(values) > 1 or not _number(values[0]))):
             raise ValueError(
-                f"{text!r} is no condition, which compares one array with numbers; write NAME=1, "
-                "NAME=1,2 or NAME!=1, NAME<1, NAME>=1, several as conditions of their own."
+                f"{text!r} is no condition, which compares one array with numbers or texts; write "
+                "NAME=1, NAME=Na,Cl, NAME!=1, NAME<1, NAME>=1, several as conditions of their own."
             )
         found.append(Condition(form["name"].strip(), form["sign"], values))
     return found
 
 
-def choose(data: Any, where: str | Sequence[str] = (), label: int | None = None) -> Any:
+def _split_values(text: str) -> list[str]:
+    """The values between commas, without quotes; none if something else is between them."""
+    values, place = list[str](), 0
+    while place < len(text):
+        found = _VALUE.match(text, place)
+        if found is None:
+            return []
+        values.append(next(part for part in found.groups() if part is not None))
+        place = found.end()
+    return values
+
+
+def _number(text: str) -> list[float]:
+    """The number that a text is; none if it is none."""
+    try:
+        return [float(text)]
+    except ValueError:
+        return []
+
+
+def choose(
+    data: Any,
+    where: str | Sequence[str] = (),
+    label: int | None = None,
+    note: Callable[[str], None] | None = None,
+) -> Any:
     """The points of a cloud, or the polygons of a mesh, that meet all conditions.
 
     An array of vectors counts by its length, or as v_x, v:0 ... by a component; x, y and z are the
     position unless arrays have these names. Polygons count if all their points do, or by an array
-    of cells.
+    of cells. Texts are compared as they are, numbers as numbers.
+
+    Values that the array has nowhere get a note, as where a name is misspelt; without any of them
+    NAME=VALUE is an error, unless `note` is given, which then is called with the sentence.
 
     A label chooses those whose array "label" or "labels" has it; an image becomes 1 there and 0
     elsewhere.
@@ -82,7 +110,8 @@ def choose(data: Any, where: str | Sequence[str] = (), label: int | None = None)
     Raises
     ------
     ValueError
-        There is no such array, an image has no such label, or a condition is for an image.
+        There is no such array or value, an image has no such label, or a condition is for an
+        image.
     """
     if label is not None and data.GetNumberOfPoints():
         data = _choose_label(data, label)
@@ -94,21 +123,66 @@ def choose(data: Any, where: str | Sequence[str] = (), label: int | None = None)
                 "Conditions choose particles and polygons; of an image, choose labels."
             )
         values, is_of_cells = _values_of(data, condition.name)
-        chosen = _COMPARE[condition.sign](values, condition.values)
+        chosen = _meets(values, condition, note)
         if not chosen.all():
             data = _marked(data, chosen.astype("u1"), is_of_cells)
     return data
 
 
+def _meets(values: Any, condition: Condition, note: Callable[[str], None] | None) -> Any:
+    """The values that meet a condition, as an array of bool."""
+    name, sign, wanted = condition
+    is_text = values.dtype.kind == "U"
+    numbers = [number for text in wanted for number in _number(text)]
+    if sign in _COMPARE and not is_text:
+        return _COMPARE[sign](values, numbers[0])
+    if sign in _COMPARE or (not is_text and len(numbers) < len(wanted)):
+        kind = "texts, which are compared by = and != only" if is_text else "numbers"
+        raise ValueError(f"The array {name!r} holds {kind}; {_describe_values(name, values)}.")
+    others = numpy.array(wanted if is_text else numbers)
+    found = numpy.isin(values, others)
+    absent = [text for text, other in zip(wanted, others) if not (values == other).any()]
+    if absent:
+        said = f"There is no {name}={','.join(absent)}; {_describe_values(name, values)}."
+        if note is None and sign != "!=" and not found.any():
+            raise ValueError(said)
+        (note or (lambda text: warn_all([text])))(said)
+    return ~found if sign == "!=" else found
+
+
+def _describe_values(name: str, values: Any) -> str:
+    """The values of an array for a message: all of them, or the first, or the range of numbers."""
+    distinct = numpy.unique(values)
+    if values.dtype.kind == "U" or len(distinct) <= _MOST_LISTED:
+        listed = (repr("") if value == "" else value for value in distinct.tolist())
+        return f"{name} is {few(listed, _MOST_LISTED)}"
+    return f"{name} is from {numpy.nanmin(values):.9g} to {numpy.nanmax(values):.9g}"
+
+
+def note_once() -> Callable[[str], None]:
+    """A function for `choose` that warns of each absent value once for a series."""
+    noted = set[str]()
+
+    def note(said: str) -> None:
+        value = said.partition(";")[0]
+        if value not in noted:
+            noted.add(value)
+            warn_all([f"In a frame: {said[0].lower()}{said[1:]}"])
+
+    return note
+
+
 def _values_of(data: Any, name: str) -> tuple[Any, bool]:
-    """One number for each point, or for each cell, and whether it is for cells."""
-    arrays = (data.GetPointData().GetArray(name), data.GetCellData().GetArray(name))
-    for is_of_cells, array in enumerate(arrays):
+    """One number or text for each point, or for each cell, and whether it is for cells."""
+    for is_of_cells, attributes in enumerate((data.GetPointData(), data.GetCellData())):
+        array = attributes.GetArray(name)
+        texts = texts_of(attributes, name)
         if array is not None:
             values = vtk_to_numpy(array)
-            return numpy.linalg.norm(values, axis=1) if values.ndim > 1 else values, bool(
-                is_of_cells
-            )
+            values = numpy.linalg.norm(values, axis=1) if values.ndim > 1 else values
+            return values, bool(is_of_cells)
+        if texts is not None:
+            return texts, bool(is_of_cells)
     if name in ("x", "y", "z"):
         return vtk_to_numpy(data.GetPoints().GetData())[:, "xyz".index(name)], False
     if component := _COMPONENT.fullmatch(name):
@@ -158,6 +232,8 @@ def labels_of(data: Any) -> list[int]:
         There are none: no integers, or more than a thousand values.
     """
     values = numpy.unique(_labels_in(data))
+    if values.dtype.kind == "U":
+        raise ValueError("There are no labels: the values are texts; choose by where label=NAME.")
     if values.dtype.kind not in "iu" and not numpy.array_equal(values, values.round()):
         raise ValueError("There are no labels: the values are no whole numbers.")
     if len(values) > _MOST_LABELS:
@@ -169,7 +245,7 @@ def _choose_label(data: Any, label: int) -> Any:
     values = _labels_in(data)
     if not data.IsA("vtkImageData"):
         name = next(name for name in _LABEL_ARRAYS if _has(data, name))
-        return choose(data, f"{name}={label}")
+        return choose(data, f"{name}={label}", note=lambda _: None)  # one of other frames
     if not (values == label).any():
         there = few(labels_of(data), 20)
         raise ValueError(f"The image has no label {label}; it has {there}.")

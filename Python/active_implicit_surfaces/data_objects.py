@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkObjectBase, vtkPoints
+from vtkmodules.vtkCommonCore import vtkObjectBase, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
@@ -208,12 +208,18 @@ def array_names(attributes: Any) -> list[str]:
 
 
 def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> None:
-    """Adds a point array, or one of other attributes, that shares its memory."""
+    """Adds a point array, or one of other attributes; one of numbers shares its memory.
+
+    Texts become a vtkStringArray.
+    """
     numbers = numpy.ascontiguousarray(values)
+    if numbers.dtype == object and all(isinstance(value, str) for value in numbers.flat):
+        numbers = numbers.astype(str)
+    is_text = numbers.dtype.kind == "U" and numbers.ndim == 1
     if numbers.dtype == bool:
         numbers = numbers.astype("u1")
-    if numbers.dtype.kind not in "iuf":
-        raise TypeError(f'The array "{name}" is not one of numbers.')
+    if numbers.dtype.kind not in "iuf" and not is_text:
+        raise TypeError(f'The array "{name}" is one of neither numbers nor texts.')
     if numbers.dtype.itemsize == 2 and numbers.dtype.kind == "f":
         numbers = numbers.astype("f4")
     is_of_points = attributes is None
@@ -224,9 +230,25 @@ def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> Non
             f'The array "{name}" has the shape {numbers.shape}; there are '
             f"{cloud.GetNumberOfPoints()} particles, and each needs one row."
         )
-    array = numpy_to_vtk(numbers)
+    array = _string_array(numbers) if is_text else numpy_to_vtk(numbers)
     array.SetName(name)
     (cloud.GetPointData() if is_of_points else attributes).AddArray(array)
+
+
+def _string_array(texts: Any) -> Any:
+    array = vtkStringArray()
+    array.SetNumberOfValues(len(texts))
+    for i, text in enumerate(texts.tolist()):
+        array.SetValue(i, text)
+    return array
+
+
+def texts_of(attributes: Any, name: str) -> Any:
+    """The array of texts of a name, as one of numpy; none if there is none."""
+    array = attributes.GetAbstractArray(name)
+    if array is None or not array.IsA("vtkStringArray") or array.GetNumberOfComponents() != 1:
+        return None
+    return numpy.array([array.GetValue(i) for i in range(array.GetNumberOfValues())], dtype=str)
 
 
 def cell_array(offsets: Any, ids: Any) -> Any:

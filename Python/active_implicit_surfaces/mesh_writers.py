@@ -21,7 +21,9 @@ _NUMBERS = ("normals", "colours", "numbers")
 _EVERYTHING = (*_NUMBERS, "words", "cells", "lines")
 _HELD: dict[str, tuple[str, ...]] = {
     **dict.fromkeys((".vtp", ".vtk"), _EVERYTHING),
-    **dict.fromkeys((".ply", ".glb", ".csv", ".json", ".npz"), _NUMBERS),
+    **dict.fromkeys((".ply", ".glb", ".usdc", ".usda"), _NUMBERS),
+    ".vdb": (*_NUMBERS, "cells", "lines"),
+    **dict.fromkeys((".csv", ".json", ".npz"), (*_NUMBERS, "words")),
     ".obj": ("normals", "colours", "lines"),
     ".stl": ("normals",),  # those of its triangles
     ".xyz": (),

@@ -9,7 +9,7 @@ from typing import Any
 import numpy
 
 from .messages import few, warn_all
-from .tables import Frame, Frames, number
+from .tables import FIELD, SYMBOLS, Frame, Frames, number
 
 _DEFAULT = "species:S:1:pos:R:3"
 _PAIR = re.compile(r"""([A-Za-z_][\w-]*)\s*=\s*("[^"]*"|'[^']*'|\{[^}]*\}|\[[^]]*\]|[^\s,]+)""")
@@ -60,7 +60,7 @@ def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str])
     frame: Frame = {}
     for name, kind, first, size in columns:
         _add_column(frame, name, kind, [row[first : first + size] for row in rows])
-    frame["field"] = _cell_of(pairs)
+    frame[FIELD] = _cell_of(pairs)
     return frame
 
 
@@ -93,10 +93,11 @@ def _columns_of(properties: str) -> list[tuple[str, str, int, int]]:
 def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> None:
     lower, size = name.lower(), len(cells[0]) if cells else 1
     if size == 1 and (lower in _NUMBERS or (kind == "S" and lower in _SYMBOLS)):
-        frame.setdefault("symbols", [cell[0] for cell in cells])
-        return
+        frame.setdefault(SYMBOLS, [cell[0] for cell in cells])
     if kind == "S":
-        return  # texts are no array of numbers
+        if size == 1:
+            frame[name] = numpy.array([cell[0] for cell in cells], dtype=str)
+        return
     if kind == "L":
         cells = [["1" if cell.lower() in ("t", "true", "1") else "0" for cell in c] for c in cells]
     try:
@@ -127,7 +128,7 @@ def _cell_of(pairs: dict[str, str]) -> dict[str, Any]:
 
 
 def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:
-    """Atomic numbers and van der Waals radii.
+    """Atomic numbers, van der Waals radii, and elements as texts.
 
     Symbols are elements, or names of atoms if `are_names` or if one of them is no element. The
     length `unit` is an Angstrom.
@@ -135,7 +136,7 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
 
     table = vtkPeriodicTable()
-    listed = [frame.pop("symbols", None) for frame in frames]
+    listed = [frame.pop(SYMBOLS, None) for frame in frames]
     symbols = {symbol for own in listed for symbol in own or ()}
     found = (
         {name: _number(name, _guess(_letters_of(name), table), table) for name in symbols}
@@ -149,6 +150,8 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
     for frame, own in zip(frames, listed):
         if own is not None and (are_known or not found):
             numbers = [found[symbol] for symbol in own]
+            names = [table.GetSymbol(n) if n else "" for n in numbers]
+            frame.setdefault("element", numpy.array(names, dtype=str))
             frame["atomic_number"] = numpy.array(numbers, dtype="u1")
             frame["radius"] = unit * numpy.array([radii[n] for n in numbers], dtype="f4")
     if unknown:

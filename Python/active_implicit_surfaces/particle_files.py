@@ -17,12 +17,12 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from . import atom_files, simulation_files, text_particles
-from .choice import choose, image_of_label, labels_of
+from .choice import choose, image_of_label, labels_of, note_once
 from .data_objects import add_array, array_names, as_particles, blocks_of, has_polygons
 from .file_names import expand, numbers_of, running_numbers, suffix_of
 from .images import IMAGE_SUFFIXES
 from .messages import ActiveSurfaceWarning, warn_all
-from .tables import Frame
+from .tables import FIELD, Frame
 from .times import check_times, places_of, times_at
 from .vtk_files import READERS, check_readable, open_vtk, read_vtk, update
 
@@ -78,6 +78,7 @@ class ParticleFiles:
         self.files = [file for parts in frames for file in parts]
         self._loaders, self.times = loaders, check_times(times)
         self._where, self._label = where, label
+        self._note_absent = note_once() if len(loaders) > 1 else None
         self.numbers = numbers_of(self.names)
 
     def __len__(self) -> int:
@@ -91,12 +92,12 @@ class ParticleFiles:
         OSError
             The file cannot be read, or has no particles.
         ValueError
-            There is no array to choose by.
+            There is no array, or no value, to choose by.
         """
         data = self._loaders[step]()
         if self._label is not None and data.IsA("vtkImageData") and len(self) > 1:
             return image_of_label(data, self._label)  # in some frames it may be nowhere
-        return choose(data, self._where, self._label)
+        return choose(data, self._where, self._label, self._note_absent)
 
     @functools.cached_property
     def kind(self) -> str:
@@ -237,10 +238,10 @@ def _read_own(path: Path, noted: set[str], read: Callable[[], Any]) -> Any:
 def _maker(path: Path, frame: Frame | Callable[[], Frame], noted: set[str]) -> Any:
     def make() -> Any:
         held = _read_own(path, noted, frame) if callable(frame) else frame
-        arrays = {k: v for k, v in held.items() if k not in ("positions", "field")}
+        arrays = {k: v for k, v in held.items() if k not in ("positions", FIELD)}
         try:
             cloud = as_particles(held["positions"], **arrays)
-            for name, values in held.get("field", {}).items():
+            for name, values in held.get(FIELD, {}).items():
                 add_array(cloud, name, values, cloud.GetFieldData())
             return cloud
         except (TypeError, ValueError) as error:

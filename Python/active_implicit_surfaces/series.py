@@ -24,7 +24,7 @@ from typing import Any
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
-from .choice import choose, conditions, without_small_pieces
+from .choice import choose, conditions, note_once, without_small_pieces
 from .contours import as_level_set, level_of_series
 from .data_objects import as_particles, is_vtk
 from .particle_files import open_particles
@@ -204,7 +204,8 @@ class ParticleSeries(TemporalSource):
             raise ValueError("Times and frames per second are two ways to say the same; give one.")
         load, found, kind = _loader(frames, times, fps)
         as_points = as_particles if kind == "vtkPolyData" else (lambda image: image)
-        chosen = (lambda step: choose(as_points(load(step)), where)) if where else load
+        note = note_once() if len(found) > 1 else None
+        chosen = (lambda step: choose(as_points(load(step)), where, note=note)) if where else load
         super().__init__(chosen, found, kind, any_order=not callable(frames))
 
     def __len__(self) -> int:

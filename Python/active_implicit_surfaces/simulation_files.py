@@ -19,7 +19,7 @@ from typing import Any
 import numpy
 
 from .molecules import add_elements
-from .tables import Frame, Frames, group_columns, number
+from .tables import FIELD, SYMBOLS, Frame, Frames, group_columns, number
 
 _BGEO, _NEWER_BGEO = b"BgeoV", b"\x7fNSJ"
 _BGEO_TYPES = {0: ">f4", 1: ">i4", 4: ">i4", 5: ">f4"}  # 4: the number of a text
@@ -33,10 +33,7 @@ _WHOLE = ("id", "type", "mol", "proc", "ix", "iy", "iz")
 
 
 def read_bgeo(path: Path) -> Frames:
-    """Points and their attributes of Houdini's classic format, as partio and SPlisHSPlasH write it.
-
-    Texts are their numbers in the list of the file.
-    """
+    """Points and attributes of Houdini's classic format, as partio and SPlisHSPlasH write it."""
     content = path.read_bytes()
     try:
         content = gzip.decompress(content) if content[:2] == b"\x1f\x8b" else content
@@ -49,19 +46,25 @@ def read_bgeo(path: Path) -> Frames:
     try:
         _, count, _, _, _, attributes = struct.unpack_from(">6i", content, 5)
         fields: list[Any] = [("positions", ">f4", (4,))]
-        start = 41
+        start, texts = 41, dict[str, list[str]]()
         for _ in range(attributes):
-            field, start = _read_attribute(content, start)
+            field, listed, start = _read_attribute(content, start)
             fields.append(field)
+            texts[field[0]] = listed
         rows = numpy.frombuffer(content, fields, count, start)
     except (struct.error, ValueError) as error:
         raise ValueError(f"it is damaged ({error})") from error
     frame = {name: rows[name].astype(kind[1:]) for name, kind, _ in fields}
+    for name, listed in texts.items():
+        if frame[name].ndim == 1 and listed:  # -1: none
+            frame[name] = numpy.array([*listed, ""])[frame[name].clip(-1, len(listed))]
     return [{**frame, "positions": frame["positions"][:, :3]}], None
 
 
-def _read_attribute(content: bytes, start: int) -> tuple[tuple[str, str, tuple[int, ...]], int]:
-    """Name, kind and shape of an attribute, and where the next one begins."""
+def _read_attribute(
+    content: bytes, start: int
+) -> tuple[tuple[str, str, tuple[int, ...]], list[str], int]:
+    """Name, kind and shape of an attribute, its list of texts, and where the next one begins."""
 
     def take(form: str) -> Any:
         nonlocal start
@@ -69,16 +72,18 @@ def _read_attribute(content: bytes, start: int) -> tuple[tuple[str, str, tuple[i
         start += struct.calcsize(form)
         return values
 
-    name = take(f"{take('>H')[0]}s")[0].decode("latin-1")
+    def take_text() -> str:
+        return str(take(f"{take('>H')[0]}s")[0].decode("latin-1"))
+
+    name, listed = take_text(), list[str]()
     width, kind = take(">Hi")
     if kind not in _BGEO_TYPES:
         raise ValueError(f"its attribute {name} is of the unknown kind {kind}")
     if kind == 4:
-        for _ in range(take(">i")[0]):
-            take(f"{take('>H')[0]}x")
+        listed = [take_text() for _ in range(take(">i")[0])]
     else:
         take(f"{4 * width}x")  # the value by default
-    return (name, _BGEO_TYPES[kind], (width,) if width > 1 else ()), start
+    return (name, _BGEO_TYPES[kind], (width,) if width > 1 else ()), listed, start
 
 
 def read_dump(path: Path) -> Frames:
@@ -116,14 +121,16 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
     columns = group_columns([re.sub(f"^([xyz]){opening}$", r"\1", names[i]) for i in used])
     if "positions" not in columns:
         raise ValueError(f"its atoms have no numbers x, y and z; they have {', '.join(names)}")
-    frame: Frame = {"field": field}
+    frame: Frame = {FIELD: field}
     for name, own in columns.items():
         values = table[:, own if len(own) > 1 else own[0]]
         frame[name] = values.astype(int) if name in _WHOLE else values
     if opening.startswith("s"):
         frame["positions"] = origin + frame["positions"] @ field["Lattice"]
+    for i in set(range(len(names))) - set(used):
+        frame[names[i]] = numpy.array([row.split()[i] for row in rows[:count]], dtype=str)
     if "element" in names and count:
-        frame["symbols"] = [row.split()[names.index("element")] for row in rows[:count]]
+        frame[SYMBOLS] = [row.split()[names.index("element")] for row in rows[:count]]
         add_elements([frame])
     return frame
 
@@ -144,7 +151,7 @@ def _box_of(head: str, body: str) -> tuple[Frame, Any]:
 
 
 def read_pysph(path: Path) -> Frames:
-    """The particles of all kinds, whose numbers in the order of their names are "array"."""
+    """The particles of all kinds, whose names are "array"."""
     with _hdf5(path) as file:
         solver = file.get("solver_data")
         time = None if solver is None else solver.attrs.get("t")
@@ -166,8 +173,7 @@ def _hdf5(path: Path) -> Iterator[Any]:
 
 def _read_kinds(path: Path) -> Frame:
     with _hdf5(path) as file:
-        groups = [group["arrays"] for group in file["particles"].values()]
-        parts = [_read_arrays(group, i) for i, group in enumerate(groups)]
+        parts = [_read_arrays(kind["arrays"], name) for name, kind in file["particles"].items()]
     parts = [part for part in parts if len(part["array"])] or parts[:1]
     held = [name for name in parts[0] if all(name in part for part in parts)] if parts else []
     if not {*"xyz"} <= {*held}:
@@ -179,9 +185,9 @@ def _read_kinds(path: Path) -> Frame:
     return frame
 
 
-def _read_arrays(group: Any, i: int) -> Frame:
-    """The arrays of the particles of one kind, with its number."""
-    arrays = Frame(array=numpy.full(len(group["x"]), i))
+def _read_arrays(group: Any, kind: str) -> Frame:
+    """The arrays of the particles of one kind, with its name."""
+    arrays = Frame(array=numpy.full(len(group["x"]), kind))
     for name, own in group.items():
         stride = int(own.attrs.get("stride", 1))
         if own.attrs.get("stored", True):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import json
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkReverseSense, vtkTri
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 
 from .contours import contour, usual_level
-from .data_objects import add_array, array_names, as_shape, blocks_of, has_polygons
+from .data_objects import add_array, array_names, as_shape, blocks_of, has_polygons, texts_of
 from .file_names import replacing, suffix_of
 from .glb import check_glb, display_colours, write_glb
 from .images import IMAGE_SUFFIXES
@@ -289,23 +290,35 @@ def _with_vertices(cloud: Any) -> Any:
 
 
 def _arrays_of(cloud: Any) -> dict[str, Any]:
-    arrays = cloud.GetPointData()
-    found = {name: arrays.GetArray(name) for name in array_names(arrays)}
-    return {name: vtk_to_numpy(array) for name, array in found.items() if array is not None}
+    own, found = cloud.GetPointData(), dict[str, Any]()
+    for name in array_names(own):
+        array, texts = own.GetArray(name), texts_of(own, name)
+        if array is not None or texts is not None:
+            found[name] = texts if array is None else vtk_to_numpy(array)
+    return found
 
 
 def _write_csv(path: Path, positions: Any, arrays: dict[str, Any]) -> None:
-    names, columns, formats = ["x", "y", "z"], [positions], [_digits_of(positions)] * 3
-    for name, values in arrays.items():
+    names, columns, formats = list[str](), list[Any](), list[str]()
+    for name, values in [("", positions), *arrays.items()]:
         wide = 1 if values.ndim == 1 else values.shape[1]
-        table = values.reshape(len(positions), wide)
-        names += [name] if wide == 1 else [f"{name}:{i}" for i in range(wide)]
-        formats += [_digits_of(table)] * wide
-        columns.append(table)
-    table = numpy.hstack(columns)
-    numpy.savetxt(path, table, formats, delimiter=",", header=",".join(names), comments="")
+        names += [_quoted(name)] if wide == 1 else [_quoted(f"{name}:{i}") for i in range(wide)]
+        formats += [_format_of(values)] * wide
+        own = [[_quoted(text) for text in values]] if values.dtype.kind == "U" else None
+        columns += own or values.reshape(len(positions), wide).T.tolist()
+    form = ",".join(formats) + "\n"
+    with path.open("w", encoding="utf-8") as file:
+        file.write(",".join(["x", "y", "z", *names[3:]]) + "\n")
+        file.writelines(form % row for row in zip(*columns))
 
 
-def _digits_of(values: Any) -> str:
-    """So many that they are read as they were."""
-    return "%.9g" if values.dtype.kind == "f" and values.dtype.itemsize <= 4 else "%.17g"
+def _quoted(text: str) -> str:
+    """A cell of a .csv."""
+    return '"' + text.replace('"', '""') + '"' if re.search('[",\n]', text) else text
+
+
+def _format_of(values: Any) -> str:
+    """A format that keeps all digits."""
+    if values.dtype.kind != "f":
+        return "%s" if values.dtype.kind == "U" else "%d"
+    return "%.9g" if values.dtype.itemsize <= 4 else "%.17g"

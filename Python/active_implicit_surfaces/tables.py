@@ -4,11 +4,12 @@ that the file has; a column of times makes frames.
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import math
 import re
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy
@@ -18,6 +19,7 @@ from .messages import few, warn_all
 Frame = dict[str, Any]
 # The frames, or functions that read one, and their times if the file has them.
 Frames = tuple[Sequence[Frame | Callable[[], Frame]], "list[float] | None"]
+FIELD, SYMBOLS = "\0field", "\0symbols"  # of a frame, which no column is called
 
 POSITIONS = (
     *("positions", "position", "points", "point", "vertices", "coordinates", "coordinate"),
@@ -35,7 +37,8 @@ _AXIS_LAST = re.compile(
 _AXIS_FIRST = re.compile(r"([xyz])[-:_. /]?(.+)", re.IGNORECASE)
 _TIMES, _COUNTS = ("time", "times", "timevalue", "t"), ("frame", "timestep", "time_step", "step")
 _SEPARATORS = ("\t", ";", "|", ",", None)  # None: blanks
-_MISSING = frozenset(("", "na", "n/a", "null", "none", "-"))
+# "Na" is sodium.
+_MISSING = frozenset(("", "-", *"na NA n/a N/A null Null NULL none None NONE".split()))
 _COMMENT = re.compile(r"^\s*(?:#|%|//|!)+\s*")
 _DECIMAL_COMMA = re.compile(r"([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)")
 _FORTRAN = re.compile(r"(?<=[\d.])[dD](?=[-+]?\d+$)")  # 1.5D-3
@@ -58,14 +61,16 @@ def read_table(text: str) -> Frames:
     form = _examine(lines, _find_header(lines) or _find_numbers(lines))
     names = [form.names[i] for i in form.columns] if form.names else []
     columns = group_columns(names)
+    texts = {_plain(name): i for i, name in enumerate(form.names) if i not in form.columns}
+    texts = {name: i for name, i in texts.items() if name and name not in columns}
     if form.names and "positions" not in columns:
-        held = [name for i, name in enumerate(form.names) if name and i not in form.columns]
-        raise ValueError(_no_positions(names) + (f"; text is in {few(held)}" if held else ""))
+        said = f"; text is in {few(texts)}" if texts else ""
+        raise ValueError(_no_positions(names) + said)
     table = _load(lines, form)
     if not form.names:
         return [_headless(table)], None
     frame = {name: table[:, own if len(own) > 1 else own[0]] for name, own in columns.items()}
-    return _split_by_time(frame)
+    return _split_by_time({**frame, **_load_texts(lines, form, texts, len(table))})
 
 
 def group_columns(names: Sequence[str]) -> dict[str, list[int]]:
@@ -73,7 +78,7 @@ def group_columns(names: Sequence[str]) -> dict[str, list[int]]:
 
     a:0 a:1 a:2, a[0] ..., a_x ..., ax ay az, x-a y-a z-a are a vector a, x y z the positions.
     """
-    plain = [_UNIT.sub("", name.strip("\"' ")) for name in names]
+    plain = [*map(_plain, names)]
     vectors = _vectors_in(plain, _AXIS_LAST, (2, 3, 4), 1)
     rest = ["" if any(i in own for own in vectors.values()) else one for i, one in enumerate(plain)]
     vectors |= _vectors_in(rest, _AXIS_FIRST, (1,), 2)
@@ -87,6 +92,11 @@ def group_columns(names: Sequence[str]) -> dict[str, list[int]]:
         elif name:
             found.setdefault(name, [i])
     return found
+
+
+def _plain(name: str) -> str:
+    """The name of a column without quotes and unit."""
+    return _UNIT.sub("", name.strip("\"' "))
 
 
 def _vectors_in(
@@ -115,7 +125,7 @@ def _split(line: str, separator: str | None) -> list[str]:
 
 def number(cell: str, has_commas: bool = True) -> float | None:
     """The number in a cell, NaN if the cell is empty; none if it is text."""
-    if cell.lower() in _MISSING:
+    if cell in _MISSING:
         return math.nan
     try:
         return float(_FORTRAN.sub("e", _DECIMAL_COMMA.sub(r"\1.\2", cell) if has_commas else cell))
@@ -124,7 +134,7 @@ def number(cell: str, has_commas: bool = True) -> float | None:
 
 
 def _is_number(cell: str) -> bool:
-    return cell.lower() not in _MISSING and number(cell) is not None
+    return cell not in _MISSING and number(cell) is not None
 
 
 def _rows(lines: list[str], start: int) -> list[int]:
@@ -199,7 +209,7 @@ def _examine(lines: list[str], form: _Form) -> _Form:
     )
     columns = []
     for i in range(len(form.names or (rows[0] if rows else ()))):
-        held = [row[i] for row in rows if len(row) > i and row[i].lower() not in _MISSING]
+        held = [row[i] for row in rows if len(row) > i and row[i] not in _MISSING]
         if not held or number(held[0], has_commas) is not None:
             columns.append(i)
     return form._replace(has_commas=has_commas, columns=columns)
@@ -216,25 +226,23 @@ def _load(lines: list[str], form: _Form) -> Any:
         try:
             if form.has_commas and form.separator == ",":
                 raise ValueError  # between quotes
-            return numpy.loadtxt(
-                (row.replace(",", ".") for row in rows) if form.has_commas else rows,
-                delimiter=form.separator,
-                usecols=None if is_whole else form.columns,
-                ndmin=2,
-                quotechar='"',
-            )
+            if form.has_commas:
+                rows = [row.replace(",", ".") for row in rows]
+            return _parse(rows, form, None if is_whole else form.columns, float)
         except (ValueError, UserWarning):
             return _load_by_rows(lines, form, is_whole)
+
+
+def _parse(rows: list[str], form: _Form, columns: Sequence[int] | None, kind: type) -> Any:
+    return numpy.loadtxt(
+        rows, kind, delimiter=form.separator, usecols=columns, ndmin=2, quotechar='"'
+    )
 
 
 def _load_by_rows(lines: list[str], form: _Form, is_whole: bool) -> Any:
     """As `_load`, for rows with empty cells, and to find the first that is none."""
     table, width = [], len(form.names) or max(form.columns) + 1
-    for place, line in enumerate(lines[form.start :], start=form.start + 1):
-        text = line.split("#")[0] if form.separator is None else line
-        if not text.strip() or _COMMENT.match(text):
-            continue
-        cells = _split(text, form.separator)
+    for place, cells in _cells_of(lines, form):
         if len(cells) <= max(form.columns) or (is_whole and len(cells) > width):
             raise ValueError(f"line {place} has {len(cells)} column(s), others have {width}")
         values = [number(cells[i], form.has_commas) for i in form.columns]
@@ -243,6 +251,30 @@ def _load_by_rows(lines: list[str], form: _Form, is_whole: bool) -> Any:
             raise ValueError(f'line {place} has "{wrong}" in place of a number')
         table.append(values)
     return numpy.array(table, dtype=float)
+
+
+def _cells_of(lines: list[str], form: _Form) -> Iterator[tuple[int, list[str]]]:
+    """The cells of each row, with the number of its line."""
+    for place, line in enumerate(lines[form.start :], start=form.start + 1):
+        text = line.split("#")[0] if form.separator is None else line
+        if text.strip() and not _COMMENT.match(text):
+            yield place, _split(text, form.separator)
+
+
+def _load_texts(lines: list[str], form: _Form, columns: dict[str, int], count: int) -> Frame:
+    """The columns of texts, of `count` rows; a cell that is missing is empty."""
+    table, numbers, rows = (
+        numpy.empty((0, len(columns)), str),
+        [*columns.values()],
+        lines[form.start :],
+    )
+    if columns and count and not any("'" in row or "#" in row for row in rows):
+        with contextlib.suppress(ValueError):
+            table = numpy.char.strip(_parse(rows, form, numbers, str))
+    if columns and len(table) != count:
+        cells = [[*own, *len(form.names) * [""]] for _, own in _cells_of(lines, form)]
+        table = numpy.array([[row[i] for i in numbers] for row in cells], dtype=str)
+    return {name: table[:, i] for i, name in enumerate(columns)}
 
 
 def _headless(table: Any) -> Frame:
@@ -262,7 +294,8 @@ def _counts_rows(column: Any) -> bool:
 
 def _split_by_time(frame: Frame) -> Frames:
     """The rows of each time, or of each number of a frame."""
-    lower = {name if name in ("t", "T") else name.lower(): name for name in frame}
+    numbers = [name for name, values in frame.items() if values.dtype.kind != "U"]
+    lower = {name if name in ("t", "T") else name.lower(): name for name in numbers}
     name = next((name for name in (*_TIMES, *_COUNTS) if name in lower), None)
     if name is None or len(frame["positions"]) == 0:
         return [frame], None
@@ -273,9 +306,9 @@ def _split_by_time(frame: Frame) -> Frames:
     if not known.all():
         warn_all([f"{(~known).sum()} row(s) without a {lower[name]} are left out."])
         frame, column = {key: values[known] for key, values in frame.items()}, column[known]
-    times, numbers = numpy.unique(column, return_inverse=True)
-    order = numpy.argsort(numbers, kind="stable")
-    cuts = numpy.cumsum(numpy.bincount(numbers, minlength=1))[:-1]
+    times, steps = numpy.unique(column, return_inverse=True)
+    order = numpy.argsort(steps, kind="stable")
+    cuts = numpy.cumsum(numpy.bincount(steps, minlength=1))[:-1]
     pieces = {key: numpy.split(values[order], cuts) for key, values in frame.items()}
     frames = [{key: parts[i] for key, parts in pieces.items()} for i in range(len(cuts) + 1)]
     return frames, None if name in _COUNTS else times.tolist()

@@ -87,9 +87,12 @@ def read_json(path: Path) -> Frames:
 
 def _even_array(what: str, values: Any) -> Any:
     try:
-        return numpy.array(values)
+        found = numpy.array(values)
     except ValueError:
         raise ValueError(f"its {what} has rows of different lengths") from None
+    if found.dtype == object and all(isinstance(cell, (str, type(None))) for cell in values):
+        return numpy.array([cell or "" for cell in values])
+    return found
 
 
 def read_numpy(path: Path) -> Frames:
@@ -146,7 +149,7 @@ def _cut(arrays: Mapping[str, Any], found: str, counts: Any) -> Frames:
     rows = {
         "positions" if name == found else name: values
         for name, values in arrays.items()
-        if values.shape[:1] == (ends[-1],) and values.dtype.kind in "biuf" and values.ndim < 3
+        if values.shape[:1] == (ends[-1],) and values.dtype.kind in "biufU" and values.ndim < 3
     }
     frames = [
         {name: values[end - count : end] for name, values in rows.items()}
@@ -157,7 +160,7 @@ def _cut(arrays: Mapping[str, Any], found: str, counts: Any) -> Frames:
 
 def _share(frames: list[Frame], name: str, values: Any, positions: Any) -> None:
     """Gives an array to the frames, if its shape is that of the particles'."""
-    if values.dtype.kind not in "biuf":
+    if values.dtype.kind not in "biufU":
         return
     if values.shape[: positions.ndim - 1] == positions.shape[:-1]:
         for frame, own in zip(frames, values if positions.ndim == 3 else values[None]):

@@ -11,7 +11,7 @@ import numpy
 
 from .file_names import has_number, replacing
 from .glb import TO_Y, linear_light
-from .mesh_writers import arrays_of, points_of, polygons_of
+from .mesh_writers import arrays_of, points_of, polygons_of, warn_of_losses
 from .runner import Sink
 from .times import rate_of
 
@@ -80,6 +80,7 @@ class UsdFilm(Sink):
         """Writes a mesh at a step of the times."""
         from pxr import UsdGeom, Vt
 
+        warn_of_losses(self.path.suffix, data)
         mesh, time, points = self._mesh, self._codes[step], points_of(data).astype("f4")
         normals, colours, others = arrays_of(data)
         polygons = polygons_of(data)

@@ -1,6 +1,7 @@
 """What the tests of readers share."""
 
 import numpy
+from active_implicit_surfaces.data_objects import texts_of
 from active_implicit_surfaces.particle_files import open_particles
 from command_line import CommandTest
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -12,7 +13,9 @@ def points_of(cloud):
 
 
 def array_of(cloud, name):
-    return vtk_to_numpy(cloud.GetPointData().GetArray(name)).tolist()
+    texts = texts_of(cloud.GetPointData(), name)
+    found = vtk_to_numpy(cloud.GetPointData().GetArray(name)) if texts is None else texts
+    return found.tolist()
 
 
 class ReaderTest(CommandTest):

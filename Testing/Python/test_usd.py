@@ -29,7 +29,8 @@ class Films(CommandTest):
         super().setUp()
         steps = numpy.stack([grid() + [0.05 * step, 0, 0] for step in range(4)])
         heat = numpy.tile(numpy.arange(125.0), (4, 1))
-        numpy.savez("p.npz", positions=steps, heat=heat)
+        kinds = numpy.tile(["ice", "mud", "ice", "ice", "mud"], (4, 25))
+        numpy.savez("p.npz", positions=steps, heat=heat, kind=kinds)
 
     @unittest.skipUnless(HAS_USD, "usd-core is not installed")
     def test_what_usd_reads(self):
@@ -38,7 +39,8 @@ class Films(CommandTest):
         self.succeed("skin", "p.npz", *COMMON, "--fps", 25, "--compute-velocity", "-o", "s_#.vtp")
         for suffix in ("usdc", "usda"):
             arguments = ("--fps", 25, "--pass-target-arrays", "--up", "z", "-o", f"film.{suffix}")
-            self.succeed("skin", "p.npz", *COMMON, *arguments)
+            said = self.succeed("skin", "p.npz", *COMMON, *arguments).err
+            self.assertIn(f"a .{suffix} file cannot hold more: kind;", said)
             stage = Usd.Stage.Open(f"film.{suffix}")
             self.assertEqual(UsdGeom.GetStageUpAxis(stage), "Z")
             self.assertEqual(UsdGeom.GetStageMetersPerUnit(stage), 1)

@@ -11,7 +11,7 @@ import numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .. import runner
-from ..choice import choose, labels_of
+from ..choice import choose, labels_of, note_once
 from ..contours import contour, usual_level
 from ..file_names import (
     Listing,
@@ -174,11 +174,13 @@ def _shapes(options: Any, listing: Listing, output: Path) -> _Conversion:
     is_vdb = suffix_of(output) == ".vdb"
     if suffix_of(output) not in _MESHES:
         raise OSError(f"{output}: meshes are written as {', '.join(_MESHES)}.")
+    note = note_once() if len(listing.frames) > 1 else None
     up = options.up  # axis in a .glb: that of the first file with points, for all of them
 
     def load(step: int) -> Any:
         file, *parts = listing.frames[step]
-        shape = choose(read_shape(file, parts=parts), options.where or (), options.label)
+        whole = read_shape(file, parts=parts)
+        shape = choose(whole, options.where or (), options.label, note)
         is_contour = shape.IsA("vtkImageData") and not is_vdb
         return _contour(file, shape, options) if is_contour else shape
 

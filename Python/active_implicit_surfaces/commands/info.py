@@ -13,11 +13,11 @@ from typing import Any
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from ..choice import choose, labels_of
-from ..data_objects import array_names, finite_points
+from ..choice import choose, labels_of, note_once
+from ..data_objects import array_names, finite_points, texts_of
 from ..file_names import expand, suffix_of
 from ..measures import measure
-from ..messages import listening, quiet
+from ..messages import few, listening, quiet
 from ..particle_files import (
     PARTICLE_SUFFIXES,
     ParticleFiles,
@@ -28,7 +28,7 @@ from ..skin_files import INPUT_SUFFIXES, MESH_SUFFIXES, holds_particles, read_sh
 from ..vtk_files import check_readable, open_vtk
 from .options import Parser, add_choice_options, add_help, wrapped
 
-_MOST_LABELS = 100
+_MOST_LABELS, _MOST_TEXTS = 100, 20
 
 
 def run(arguments: list[str]) -> int:
@@ -137,8 +137,16 @@ def _arrays(data: Any) -> dict[str, str]:
         if array.IsA("vtkDataArray") and array.GetNumberOfTuples():
             low, high = array.GetRange(-1 if array.GetNumberOfComponents() > 1 else 0)
             text += f", {'length ' * (array.GetNumberOfComponents() > 1)}{low:g} to {high:g}"
-        found[array.GetName() or f"array {i}"] = text
+        name = array.GetName() or f"array {i}"
+        texts = texts_of(arrays, name)
+        found[name] = text if texts is None else _count_texts(texts)
     return found
+
+
+def _count_texts(texts: Any) -> str:
+    values, counts = numpy.unique(texts, return_counts=True)
+    listed = [f"{value or repr('')} {count}" for value, count in zip(values.tolist(), counts)]
+    return f"texts, {few(listed, _MOST_TEXTS)}"
 
 
 def _shape_in(path: Path) -> Any:
@@ -171,9 +179,9 @@ def _describe_shape(shape: Any) -> dict[str, Any]:
 
 def _measure_all(frames: list[tuple[Path, ...]], where: Sequence[str]) -> list[dict[str, Any]]:
     """Prints the measures of each of several meshes."""
-    found = []
+    found, note = [], note_once() if len(frames) > 1 else None
     for file, *parts in frames:
-        mesh = choose(read_shape(file, parts=parts), where)
+        mesh = choose(read_shape(file, parts=parts), where, note=note)
         if mesh.IsA("vtkImageData"):
             raise OSError(f"{file} is an image: meshes are measured.")
         found.append({"file": str(file), "points": mesh.GetNumberOfPoints(), **measure(mesh)})

@@ -148,7 +148,7 @@ def add_choice_options(group: Any) -> None:
         "--where",
         action="append",
         metavar="COND",
-        help="only these: Type=1, id!=3,4, 'T>300', 'x<2'",
+        help="only these: Type=1, element=Na,Cl, id!=3, 'T>300', 'x<2'",
     )
     for option, told in (("--label", "one output for each label, or for all"), ("--labels", None)):
         text = told or argparse.SUPPRESS
