@@ -45,7 +45,7 @@ def skin(
         Radius of each particle [length], which its ball shows; or the name of an array.
     strengths : array (n,) or str, optional
         Weight of each particle, or the name of an array; 0 is no particle.
-    preset : {"viscous", "molecule", "paper"}, optional
+    preset : {"viscous", "molecule", "grains", "paper"}, optional
         A choice of properties; those that are given besides hold.
     arrays : dict of arrays, optional
         More point arrays; with ``pass_target_arrays=True`` the skin has them.
@@ -108,7 +108,7 @@ class frames(Skins):
         Default: 0.
     output_fps : float, optional
         Skins per second [1/time], frames in between included. Default: at the particles' times.
-    preset : {"viscous", "molecule", "paper"}, optional
+    preset : {"viscous", "molecule", "grains", "paper"}, optional
         A choice of properties; those that are given besides hold.
     arrays : dict of str, optional
         Names of the particles' arrays of ``radii`` (of balls), ``ids``, ``strengths``,
@@ -308,11 +308,12 @@ def configure(
         apply_preset(surface, source, preset, interval, options)
     properties.put(surface, options)
     if is_point_cloud(first):
-        _settle_spacing(surface, source, told, "radii" in chosen)
+        is_given = bool({"particle_spacing", "kernel_radius"} & set(options))
+        _settle_spacing(surface, source, told, is_given, "radii" in chosen)
 
 
 def _settle_spacing(
-    surface: Any, source: TemporalSource, frames: list[Any], has_radii: bool
+    surface: Any, source: TemporalSource, frames: list[Any], is_given: bool, has_radii: bool
 ) -> None:
     """Chooses a spacing if none is given, as the filter would; warns of a given one that is off."""
     own = series_spacing(frames)
@@ -320,7 +321,7 @@ def _settle_spacing(
         first = estimate_spacing(frames[0])
         if own > 0 and (len(frames) > 1 or frames[0] is not source.frame(0)):
             surface.SetParticleSpacing(first if own / _SAME <= first <= _SAME * own else own)
-    elif own > 0 and max(frame.GetNumberOfPoints() for frame in frames) >= _MANY:
+    elif is_given and own > 0 and max(frame.GetNumberOfPoints() for frame in frames) >= _MANY:
         warn_all(_describe_lengths(surface, own))
 
 

@@ -2,7 +2,7 @@
 
 >>> from active_implicit_surfaces.presets import PRESETS
 >>> sorted(PRESETS)
-['molecule', 'paper', 'viscous']
+['grains', 'molecule', 'paper', 'viscous']
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
 
     Parameters
     ----------
-    name : {"viscous", "molecule", "paper"}
+    name : {"viscous", "molecule", "grains", "paper"}
     surface : proxy, optional
         As paraview.simple.ActiveImplicitSurface gives it. Default: the active source.
 

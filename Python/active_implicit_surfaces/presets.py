@@ -19,13 +19,16 @@ from .data_objects import finite_points, has_polygons
 PRESETS = {
     "viscous": "for honey, lava and mud, and for noisy particles: rounder and flatter",
     "molecule": "for atoms: balls that melt together where they touch; radii from the elements",
+    "grains": "for sand and beads that roll and pile: balls that stay balls; radii by --radii",
     "paper": "to compare with the paper: its own scheme, of kernels, which shows each particle",
 }
 # The kernel WYVILL, (1 - q^2)^3, is that at q = .7947: reaches little beyond their surface let
 # atoms melt together where they touch, and no further.
 ATOM_LEVEL, REACH_OF_ATOM = 0.05, 1.0 / 0.7947
+_RADII = 0  # of SetInputArrayToProcess
 _SAMPLED = 2000  # particles whose neighbours are looked for
 _NEIGHBOURS = 3
+_VOXELS_OF_GRAIN = 3.0  # in a radius: 1,000 grains that touch have their volume to 3 %
 _STEPS = 6.0  # factors e that the filter itself takes from a step to the next
 
 
@@ -35,8 +38,8 @@ def apply_preset(
     """Sets the properties of a preset; `options` are those that will be set after it."""
     if name not in PRESETS:
         raise ValueError(f"There is no preset {name!r}; there are {', '.join(PRESETS)}.")
-    if name == "molecule":
-        _melt_atoms(surface, source, options)
+    if name in ("molecule", "grains"):
+        _show_balls(surface, source, name == "grains", options)
         return
     spacing = options.get("particle_spacing") or series_spacing(source.frames_that_tell())
     step = (interval or _interval(source.times)) * options.get("time_scale", 1.0)
@@ -99,14 +102,20 @@ def _interval(times: list[float]) -> float:
     return float(numpy.median(steps)) if len(steps) else 1.0
 
 
-def _melt_atoms(surface: Any, source: Any, options: Mapping[str, Any]) -> None:
+def _show_balls(surface: Any, source: Any, are_grains: bool, options: Mapping[str, Any]) -> None:
+    """Sums of short kernels: radii of the array chosen, else of "radius", else by the spacing."""
     first = source.first_frame()
-    spacing = estimate_spacing(first)
+    chosen = surface.GetInputArrayInformation(_RADII).Get(vtkDataObject.FIELD_NAME())
+    radii = first.GetPointData().GetArray(chosen or "radius") if first.GetNumberOfPoints() else None
+    spacing = options.get("particle_spacing") or estimate_spacing(first)
+    radius = 0.5 * spacing if radii is None else float(numpy.median(vtk_to_numpy(radii)))
     surface.SetParticleModelToSum()
     surface.SetParticleThreshold(ATOM_LEVEL)
-    surface.SetVoxelSize(spacing / 3.0)
-    if first.GetPointData().GetArray("radius") is not None:
+    surface.SetVoxelSize(radius / _VOXELS_OF_GRAIN if are_grains else spacing / 3.0)
+    if radii is not None:
         points = vtkDataObject.FIELD_ASSOCIATION_POINTS
-        surface.SetInputArrayToProcess(0, 0, 0, points, "radius")
+        surface.SetInputArrayToProcess(_RADII, 0, 0, points, radii.GetName())
+    elif are_grains and "kernel_radius" not in options:
+        surface.SetKernelRadius(REACH_OF_ATOM * radius)
     elif not {"kernel_radius", "particle_spacing"} & set(options):
         surface.SetKernelRadius(1.3 * REACH_OF_ATOM * spacing)  # atoms overlap

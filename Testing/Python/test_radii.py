@@ -5,10 +5,12 @@ Run: python3 test_radii.py
 """
 
 import unittest
+import warnings
 
 import active_implicit_surfaces as active
 import numpy
 from active_implicit_surfaces.data_objects import as_particles
+from active_implicit_surfaces.measures import measure
 from python_data import as_array
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -79,6 +81,9 @@ class Balls(unittest.TestCase):
     def test_a_preset_for_atoms(self):
         self.check([1.7, 1.1], 0.25, preset="molecule")
 
+    def test_a_preset_for_grains(self):
+        self.check([0.5, 0.4, 0.3], 0.1, preset="grains")
+
     def test_the_mean_over_places_at_voxels_of_a_radius(self):
         radii = [1.0] * 60
         centers = balls(radii, seed=3)
@@ -86,6 +91,42 @@ class Balls(unittest.TestCase):
         shown = radii_of_balls(skin, centers)
         self.assertAlmostEqual(shown.mean(), 1.0, delta=0.01)
         self.assertLess(numpy.abs(shown - 1).max(), 0.06)
+
+
+class Grains(unittest.TestCase):
+    """Balls of the radius .5 that touch, in a lattice that is turned against the voxels."""
+
+    def setUp(self):
+        turn, _ = numpy.linalg.qr(numpy.random.default_rng(1).normal(size=(3, 3)))
+        self.turn = turn
+        self.wanted = 4 / 3 * numpy.pi * 0.5**3
+
+    def lattice(self, count, spacing=1.0):
+        rows = numpy.arange(count) * spacing
+        return numpy.stack(numpy.meshgrid(rows, rows, rows), -1).reshape(-1, 3) @ self.turn
+
+    def test_a_thousand_that_touch_keep_their_volume(self):
+        for options in ({"radii": numpy.full(1000, 0.5)}, {"particle_spacing": 1.0}, {}):
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")  # no note on a short kernel
+                skin = active.skin(self.lattice(10), preset="grains", **options)
+            self.assertAlmostEqual(measure(skin)["volume"] / self.wanted, 1000, delta=30)
+
+    def test_those_apart_stay_apart(self):
+        """Gaps are .4 of the radius, a voxel and a quarter."""
+        skin = active.skin(self.lattice(5, 1.2), preset="grains", radii=numpy.full(125, 0.5))
+        self.assertEqual(measure(skin)["pieces"], 125)
+
+    def test_they_keep_it_while_they_fall(self):
+        """Also by an array that is not called radius, beside one that is."""
+        balls = self.lattice(5, 1.3)
+        arrays = {"size": numpy.full(125, 0.5), "radius": numpy.full(125, 0.1)}
+        steps = [as_particles(balls - [0, 0.1 * step, 0], **arrays) for step in range(4)]
+        volumes = [
+            measure(skin)["volume"] / self.wanted
+            for _, skin in active.frames(steps, preset="grains", arrays={"radii": "size"})
+        ]
+        self.assertLess(numpy.abs(numpy.divide(volumes, 125) - 0.92).max(), 0.03, volumes)
 
 
 class Tubes(unittest.TestCase):

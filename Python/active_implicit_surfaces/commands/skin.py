@@ -188,7 +188,8 @@ def _find_view(options: Any, files: Any, kept: Resumption | None) -> tuple[Any, 
     """Box in view and vertical axis; a resumed run keeps both."""
     if kept and kept.view:
         return numpy.array(kept.view[0]), str(kept.view[1])
-    radii = "radius" if options.preset == "molecule" else options.radii
+    has_balls = options.preset in ("molecule", "grains")
+    radii = options.radii or ("radius" if has_balls else None)
     held, up = find_view(files, radii)
     if kept:
         kept.view = [held.tolist(), up]

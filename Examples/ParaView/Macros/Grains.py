@@ -1,0 +1,5 @@
+"""Macro: the preset "grains" for the selected Active Implicit Surface."""
+
+from active_implicit_surfaces import paraview_presets
+
+paraview_presets.apply("grains")
