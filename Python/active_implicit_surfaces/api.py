@@ -11,7 +11,13 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from . import properties, vtkActiveImplicitSurface
 from .data_objects import STANDARD_NAMES, array_names, as_particles, like
 from .messages import listening, warn_all
-from .presets import apply_preset, estimate_spacing, is_point_cloud, series_spacing
+from .presets import (
+    apply_preset,
+    describe_precision,
+    estimate_spacing,
+    is_point_cloud,
+    series_spacing,
+)
 from .runner import Skins, copy_of, update
 from .series import ParticleSeries, TemporalSource
 from .times import times_between
@@ -317,6 +323,7 @@ def _settle_spacing(
 ) -> None:
     """Chooses a spacing if none is given, as the filter would; warns of a given one that is off."""
     own = series_spacing(frames)
+    warn_all(describe_precision(frames[0], surface.GetParticleSpacing() or own))
     if not (surface.GetParticleSpacing() or surface.GetKernelRadius() or has_radii):
         first = estimate_spacing(frames[0])
         if own > 0 and (len(frames) > 1 or frames[0] is not source.frame(0)):

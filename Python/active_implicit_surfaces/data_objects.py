@@ -173,6 +173,12 @@ def vtk_points(positions: Any) -> Any:
     return points
 
 
+def points_of(data: Any) -> Any:
+    """Coordinates, an array (n, 3)."""
+    points = data.GetPoints()
+    return vtk_to_numpy(points.GetData()) if points else numpy.zeros((0, 3), "f4")
+
+
 def _without_mask(values: Any) -> Any:
     """Numbers that are masked are none; such particles are left out."""
     if not isinstance(values, numpy.ma.MaskedArray):

@@ -10,7 +10,13 @@ from typing import Any
 
 import numpy
 
-from .mesh_writers import arrays_of, points_of, polygons_of
+from .data_objects import points_of
+from .mesh_writers import (
+    arrays_of,
+    origin_for_floats,
+    polygons_of,
+    warn_of_rounding,
+)
 
 _ASSET = {"version": "2.0", "generator": "active_implicit_surfaces"}
 _MAGIC, _VERSION, _JSON, _BIN = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
@@ -36,9 +42,13 @@ def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
 
     Colours are COLOR_0, as linear light; other arrays _NAME in capital letters, as floats. Vertices
     have the data's coordinates; the node is rotated, so that the data's axis `up` is glTF's, y.
+    Where single precision is too coarse for them, they are less an origin to which the node moves
+    them.
     """
+    origin = origin_for_floats(mesh)
+    warn_of_rounding(".glb", mesh, origin)
     triangles, (normals, colours, others) = polygons_of(mesh), arrays_of(mesh)
-    attributes = {"POSITION": points_of(mesh), "NORMAL": normals}
+    attributes = {"POSITION": points_of(mesh) - origin, "NORMAL": normals}
     color = (0.36, 0.66, 0.86) if colours is None else (1.0, 1.0, 1.0)
     if colours is not None:
         attributes["COLOR_0"] = linear_light(colours)
@@ -49,8 +59,25 @@ def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
         path.write_bytes(_pack({"asset": _ASSET, "scene": 0, "scenes": [{}]}, []))
         return
     corners = triangles[0].ravel().astype("<u4")
-    content = _describe(parts, corners, color, up)
+    content = _describe(parts, corners, color, _place(up, origin))
     path.write_bytes(_pack(content, [*parts.values(), corners]))
+
+
+def _place(up: str, origin: Any) -> dict[str, Any]:
+    """Where a node is: an axis turned to y, and an origin."""
+    turn = {"rotation": TO_Y[up]} if up in TO_Y else {}
+    if not origin.any():
+        return turn
+    moved = turned_up(up, origin).tolist()
+    return {**turn, "translation": moved, "extras": {"origin": origin.tolist()}}
+
+
+def turned_up(up: str, vector: Any) -> Any:
+    """A vector after the rotation that turns an axis into y."""
+    if up not in TO_Y:
+        return vector
+    axis, w = numpy.array(TO_Y[up][:3]), TO_Y[up][3]
+    return vector + 2.0 * numpy.cross(axis, numpy.cross(axis, vector) + w * vector)
 
 
 def linear_light(colours: Any) -> Any:
@@ -88,7 +115,7 @@ def _split(name: str, values: Any) -> dict[str, Any]:
 
 
 def _describe(
-    parts: dict[str, Any], corners: Any, color: tuple[float, float, float], up: str
+    parts: dict[str, Any], corners: Any, color: tuple[float, float, float], place: dict[str, Any]
 ) -> dict[str, Any]:
     views: list[dict[str, Any]] = []
     accessors: list[dict[str, Any]] = []
@@ -115,7 +142,7 @@ def _describe(
         "asset": _ASSET,
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0, **({"rotation": TO_Y[up]} if up in TO_Y else {})}],
+        "nodes": [{"mesh": 0, **place}],
         "meshes": [{"primitives": [surface]}],
         "materials": [{"pbrMetallicRoughness": look}],
         "buffers": [{"byteLength": start}],
@@ -140,11 +167,11 @@ def _pack(content: dict[str, Any], arrays: list[Any]) -> bytes:
     )
 
 
-def check_glb(path: Path) -> tuple[bool, bool]:
+def check_glb(path: Path) -> tuple[bool, bool, Any]:
     """Raises OSError unless the accessors of a .glb lie within its bytes: VTK takes any.
 
     Returns whether this package has written it, so that its vertices have the data's coordinates,
-    and whether it has meshes.
+    whether it has meshes, and the origin of its vertices, None if that is 0.
     """
     try:
         with path.open("rb") as file:
@@ -160,7 +187,9 @@ def check_glb(path: Path) -> tuple[bool, bool]:
             for primitive in mesh["primitives"]:
                 _check_primitive(content["accessors"], primitive)
         _check_references(content)
-        return content.get("asset") == _ASSET, bool(content.get("meshes"))
+        is_own, nodes = content.get("asset") == _ASSET, content.get("nodes", [])
+        origin = nodes[0].get("extras", {}).get("origin") if is_own and nodes else None
+        return is_own, bool(content.get("meshes")), origin and numpy.array(origin, float)
     except (ValueError, KeyError, TypeError, IndexError, AttributeError, struct.error) as error:
         raise OSError(f"{path} cannot be read: it is damaged, or no binary glTF 2.0.") from error
 

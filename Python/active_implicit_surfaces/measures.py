@@ -15,7 +15,8 @@ from typing import Any
 
 import numpy
 
-from .mesh_writers import points_of, polygons_of
+from .data_objects import points_of
+from .mesh_writers import polygons_of
 
 
 def measure(mesh: Any) -> dict[str, Any]:

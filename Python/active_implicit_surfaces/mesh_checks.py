@@ -1,6 +1,6 @@
 """Checks that .obj and .stl are whole: VTK's readers take, or crash at, any bytes.
 
-VTK also leaves out the colours of an .obj, and gives it numbers of groups.
+VTK also leaves out the colours and digits of an .obj, and gives it numbers of groups.
 """
 
 from __future__ import annotations
@@ -12,8 +12,10 @@ from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .data_objects import add_array
+from .data_objects import add_array, vtk_points
+from .mesh_writers import origin_for_floats
 
 _NOT_OF_CORNERS = (b"#", b"g", b"o", b"s", b"mtllib", b"usemtl", b"vt", b"vn")
 _CORNER = re.compile(rb"(-?\d+)(?:/(-?\d*)(?:/(-?\d*))?)?")
@@ -39,18 +41,34 @@ def check_obj(path: Path) -> None:
             raise OSError(f"{path} cannot be read: it is damaged; a polygon is incomplete.")
 
 
-def add_colours(path: Path, data: Any) -> None:
-    """Gives the points of an .obj the colours of its vertices, `v x y z r g b`."""
+def add_vertices(path: Path, data: Any) -> None:
+    """Gives the points of an .obj the colours of its vertices, `v x y z r g b`, and all digits."""
     data.GetCellData().RemoveArray("GroupIds")
     rows = [cells[1:7] for cells in _rows(path) if cells[0] == b"v"]
-    if data.GetNumberOfPoints() == 0 or any(len(cells) != 6 for cells in rows):
+    if data.GetNumberOfPoints() == 0:
         return
-    table = numpy.array(rows, dtype=float)
-    own = vtk_to_numpy(data.GetPoints().GetData())
-    places = numpy.concatenate([table[:, :3].astype(own.dtype), own])
-    _, first, numbers = numpy.unique(places, axis=0, return_index=True, return_inverse=True)
-    colours = numpy.rint(255 * table[:, 3:].clip(0, 1)).astype("u1")
-    add_array(data, "RGB", colours[first[numbers.reshape(-1)[len(table) :]]])
+    try:
+        places = numpy.array([cells[:3] for cells in rows], dtype=float)
+        shades = numpy.array([cells[3:] for cells in rows if len(cells) == 6], dtype=float)
+    except ValueError as error:
+        raise OSError(f"{path} cannot be read: it is damaged; a vertex has no numbers.") from error
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    are_alike = len(points) == len(places) and numpy.allclose(points, places, rtol=1e-6, atol=0)
+    if len(shades) == len(rows):
+        numbers = numpy.arange(len(places)) if are_alike else _vertices_of(points, places)
+        add_array(data, "RGB", numpy.rint(255 * shades.clip(0, 1)).astype("u1")[numbers])
+    exact = vtkPolyData()
+    exact.ShallowCopy(data)
+    exact.SetPoints(vtk_points(places))
+    if are_alike and origin_for_floats(exact).any():
+        data.SetPoints(exact.GetPoints())
+
+
+def _vertices_of(points: Any, places: Any) -> Any:
+    """The vertex of each point, where VTK has repeated those with several normals."""
+    both = numpy.concatenate([places.astype(points.dtype), points])
+    _, first, numbers = numpy.unique(both, axis=0, return_index=True, return_inverse=True)
+    return first[numbers.reshape(-1)[len(places) :]]
 
 
 def _rows(path: Path) -> Iterator[list[bytes]]:

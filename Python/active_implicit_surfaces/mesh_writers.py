@@ -5,6 +5,7 @@ VTK's own writers leave out normals, point arrays and digits, and write no mesh 
 
 from __future__ import annotations
 
+import math
 import re
 import warnings
 from pathlib import Path
@@ -13,7 +14,7 @@ from typing import Any
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from .data_objects import array_names
+from .data_objects import array_names, points_of
 from .messages import ActiveSurfaceWarning
 
 # What a format holds of a mesh, besides points and polygons.
@@ -28,13 +29,8 @@ _HELD: dict[str, tuple[str, ...]] = {
     ".stl": ("normals",),  # those of its triangles
     ".xyz": (),
 }
+_ROUNDING = 1.0 / 64.0  # of an edge, by which single precision may move points
 _PLY_TYPES = {"u1": "uchar", "i4": "int", "f4": "float", "f8": "double"}
-
-
-def points_of(data: Any) -> Any:
-    """Coordinates, an array (n, 3)."""
-    points = data.GetPoints()
-    return vtk_to_numpy(points.GetData()) if points else numpy.zeros((0, 3), "f4")
 
 
 def arrays_of(data: Any) -> tuple[Any, Any, dict[str, Any]]:
@@ -84,6 +80,56 @@ def warn_of_losses(suffix: str, data: Any) -> None:
         )
 
 
+def origin_for_floats(mesh: Any) -> Any:
+    """An origin, itself of single precision, near a mesh to whose points single precision is too
+    coarse; 0 where it is not.
+    """
+    points = points_of(mesh)
+    if _rounding(points) <= _ROUNDING * edge_of(mesh):
+        return numpy.zeros(3)
+    return (0.5 * (points.min(axis=0) + points.max(axis=0))).astype("f4").astype(float)
+
+
+def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
+    """Warns where single precision, of points less an origin, moves them visibly."""
+    rounding, edge = _rounding(points_of(mesh) - origin), edge_of(mesh)
+    if rounding > _ROUNDING * edge:
+        warnings.warn(
+            f"A {suffix} file has numbers of single precision, which move points by up to "
+            f"{rounding:.2g} here, where edges are {edge:.2g} long; write .ply, .obj or .vtp, or "
+            "move the data near the origin.",
+            ActiveSurfaceWarning,
+            stacklevel=3,
+        )
+
+
+def warn_of_coarse(path: Path, mesh: Any) -> None:
+    """Warns of a mesh that was read whose points are of single precision and too coarse."""
+    points = points_of(mesh)
+    if points.dtype.itemsize > 4 or len(points) == 0:
+        return
+    step, edge = float(numpy.spacing(numpy.abs(points).max())), edge_of(mesh)
+    if 0.5 * step > _ROUNDING * edge:
+        warnings.warn(
+            f"{path}: points of single precision are multiples of {step:.2g} here, where edges are "
+            f"{edge:.2g} long; use a file of double precision, or data near the origin.",
+            ActiveSurfaceWarning,
+            stacklevel=3,
+        )
+
+
+def edge_of(mesh: Any) -> float:
+    """The usual length of an edge; infinite without polygons."""
+    points = points_of(mesh)
+    ends = [points[corners[:, :2]].astype(float) for corners in polygons_of(mesh)]
+    lengths = [numpy.linalg.norm(end[:, 1] - end[:, 0], axis=1) for end in ends]
+    return float(numpy.median(numpy.concatenate(lengths))) if lengths else math.inf
+
+
+def _rounding(points: Any) -> float:
+    return float(numpy.abs(points - points.astype("f4")).max(initial=0.0))
+
+
 def write_ply(path: Path, mesh: Any) -> None:
     """Writes points, polygons and point arrays: those of several components as name_x, name_y ...
 
@@ -112,6 +158,7 @@ def write_ply(path: Path, mesh: Any) -> None:
 
 def write_stl(path: Path, mesh: Any) -> None:
     """Writes triangles, each with its own normal."""
+    warn_of_rounding(".stl", mesh)
     places = [points_of(mesh)[corners] for corners in polygons_of(mesh)]
     corners = numpy.concatenate([numpy.zeros((0, 3, 3)), *places])
     normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])

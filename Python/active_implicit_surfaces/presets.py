@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkStaticPointLocator
 
-from .data_objects import finite_points, has_polygons
+from .data_objects import finite_points, has_polygons, points_of
 
 PRESETS = {
     "viscous": "for honey, lava and mud, and for noisy particles: rounder and flatter",
@@ -29,6 +29,7 @@ _RADII = 0  # of SetInputArrayToProcess
 _SAMPLED = 2000  # particles whose neighbours are looked for
 _NEIGHBOURS = 3
 _VOXELS_OF_GRAIN = 3.0  # in a radius: 1,000 grains that touch have their volume to 3 %
+_COARSE = 0.1  # of a spacing, of which positions are multiples
 _STEPS = 6.0  # factors e that the filter itself takes from a step to the next
 
 
@@ -70,6 +71,20 @@ def estimate_spacing(cloud: Any) -> float:
         others = [nearest.GetId(j) for j in range(nearest.GetNumberOfIds())]
         distances.append(float(numpy.linalg.norm(points[others] - points[i], axis=1).max()))
     return float(numpy.median(distances))
+
+
+def describe_precision(cloud: Any, spacing: float) -> list[str]:
+    """A sentence on positions whose single precision is too coarse for a spacing."""
+    points = points_of(finite_points(cloud))
+    if points.dtype.itemsize > 4 or len(points) == 0:
+        return []
+    step = float(numpy.spacing(numpy.abs(points).max()))
+    if not spacing or step <= _COARSE * spacing:
+        return []
+    return [
+        f"The particles' positions are of single precision, multiples of {step:.2g} here, where "
+        f"their spacing is {spacing:g}; write double precision, or data near the origin."
+    ]
 
 
 def is_point_cloud(data: Any) -> bool:

@@ -8,7 +8,7 @@ Layers, as point arrays of the image that capture() returns, and their channels 
     RGBA     R G B A, HALF      the picture, as linear light; see `encoding`
     Z        Z, FLOAT           distance from the camera along its axis [world units], with
                                 perspective and without; `far` where nothing is
-    P        P.X P.Y P.Z, FLOAT place in the world; 0 where nothing is
+    P        P.X P.Y P.Z, FLOAT place in the world, less `origin`; 0 where nothing is
     N        N.X N.Y N.Z, HALF  unit normal along the world's axes, as the data has it (outward on a
                                 closed skin), not turned to the camera; 0 where nothing is
     forward  forward.u .v, HALF motion until the next frame [pixels], u to the right, v up; 0 where
@@ -29,7 +29,7 @@ is black, as it is where something is apart.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -41,7 +41,7 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
 from .data_objects import add_array
 from .glb import linear_light
-from .messages import listening
+from .messages import listening, warn_all
 from .surface_values import distances_along_axis, surface_values
 
 try:
@@ -56,6 +56,7 @@ FAR = 1e10  # what Blender writes where nothing is; finite, so that filters of p
 # Of depth, by which a value and the depth buffer may differ and be of the same surface: the buffer
 # has 24 bits, of which perspective leaves about 14 far away.
 _SAME_DEPTH = 1e-4
+_COARSE = 3e-5  # of the camera's distance, of which places are multiples: about a tenth of a pixel
 
 
 def write_exr(
@@ -78,7 +79,8 @@ def write_exr(
         One with settings of your own (compression, attributes); it gets input, file name, types,
         matrices.
     **options
-        Those of capture().
+        Those of capture(). `origin` is 0 unless single precision is too coarse for places in the
+        world, as for coordinates of a map: then a note and the attribute worldOrigin name it.
 
     Returns
     -------
@@ -92,13 +94,18 @@ def write_exr(
     ValueError
         As of capture().
     """
+    if "origin" not in options:
+        options["origin"] = _origin_of(options.get("renderer") or _renderer_of(window))
     image = capture(window, frame_duration=frame_duration, **options)
     writer = writer or vtkActiveEXRWriter()
     pictures = "RGBA", *(options.get("apart") or ())
     for name in (*pictures, "N", "forward"):
         writer.AssignPixelType(name, vtkActiveEXRWriter.HALF)
     renderer = options.get("renderer") or _renderer_of(window)
-    to_camera, to_picture = camera_matrices(renderer)
+    origin = options["origin"]
+    to_camera, to_picture = camera_matrices(renderer, origin)
+    if origin:
+        writer.AddAttribute("worldOrigin", " ".join(f"{value:.17g}" for value in origin))
     writer.SetWorldToCamera(to_camera)
     writer.SetWorldToNDC(to_picture)
     written, apart = image, options.get("apart")
@@ -130,6 +137,7 @@ def capture(
     encoding: str = "srgb",
     far: float = FAR,
     apart: Mapping[str, Any] | None = None,
+    origin: Sequence[float] | None = None,
 ) -> Any:
     """Renders the window, and returns its layers as the point arrays of an image.
 
@@ -155,6 +163,8 @@ def capture(
         Actors that are in no layer but those of their own: of ``{"ground": actor}`` these are
         ground.R, .G, .B, .A and ground.Z. The background is left out too, also where the dict is
         empty, so that A is what the other actors cover. Default: none.
+    origin : (float, float, float), optional
+        Point of the world [length] that is subtracted from P, which has single precision.
 
     Returns
     -------
@@ -175,7 +185,7 @@ def capture(
     renderer = renderer or _renderer_of(window)
     if tuple(renderer.GetViewport()) != (0.0, 0.0, 1.0, 1.0):
         raise ValueError("The renderer does not fill the window (SetViewport), so no layer would.")
-    settings = velocity, frame_duration, camera_after, far
+    settings = velocity, frame_duration, camera_after, far, origin or (0.0, 0.0, 0.0)
     if apart is None:
         return _image(window, _layers(window, renderer, *settings))
     with _only(renderer, lambda actor: actor not in apart.values()):
@@ -188,7 +198,13 @@ def capture(
 
 
 def _layers(
-    window: Any, renderer: Any, velocity: str, frame_duration: float, camera_after: Any, far: float
+    window: Any,
+    renderer: Any,
+    velocity: str,
+    frame_duration: float,
+    camera_after: Any,
+    far: float,
+    origin: Sequence[float],
 ) -> dict[str, Any]:
     window.Render()
     size = window.GetSize()
@@ -205,7 +221,7 @@ def _layers(
     return {
         "RGBA": picture,
         "Z": numpy.where(hit, distances, far),
-        "P": numpy.where(hit[:, None], places, 0.0),
+        "P": numpy.where(hit[:, None], places - origin, 0.0),
         "N": numpy.where(seen[:, None], _unit(values["normal"]), 0.0),
         "forward": numpy.where(hit[:, None], steps, 0.0),
         "id": numpy.where(seen, numpy.rint(values["id"]), 0).astype(numpy.uint32),
@@ -238,12 +254,14 @@ def _light(picture: Any) -> Any:
     return numpy.hstack([light, alpha]).astype(numpy.float32)
 
 
-def camera_matrices(renderer: Any) -> Any:
+def camera_matrices(renderer: Any, origin: Sequence[float] | None = None) -> Any:
     """Where a renderer's camera is, as OpenEXR's worldToCamera and worldToNDC want it.
 
     Parameters
     ----------
     renderer : vtkRenderer
+    origin : (float, float, float), optional
+        Point [length] to which coordinates of the world are relative. Default: 0.
 
     Returns
     -------
@@ -254,7 +272,24 @@ def camera_matrices(renderer: Any) -> Any:
     camera = renderer.GetActiveCamera()
     to_camera = numpy.diag([1.0, 1.0, -1.0, 1.0]) @ _numbers(camera.GetViewTransformMatrix())
     to_unit = numpy.array([[0.5, 0, 0, 0.5], [0, -0.5, 0, 0.5], [0, 0, 1, 0], [0, 0, 0, 1]])
-    return _matrix(to_camera), _matrix(to_unit @ _projection(renderer, camera))
+    moved = numpy.eye(4)
+    moved[:3, 3] = origin or 0.0
+    to_picture = to_unit @ _projection(renderer, camera)
+    return _matrix(to_camera @ moved), _matrix(to_picture @ moved)
+
+
+def _origin_of(renderer: Any) -> tuple[float, ...] | None:
+    """The camera's focal point where single precision is too coarse for what it shows."""
+    camera = renderer.GetActiveCamera()
+    focus = numpy.array(camera.GetFocalPoint(), "f4")
+    if numpy.spacing(numpy.abs(focus).max()) <= _COARSE * camera.GetDistance():
+        return None
+    origin = tuple(focus.astype(float).tolist())
+    listed = " ".join(f"{value:.17g}" for value in origin)
+    warn_all(
+        [f"P, worldToCamera and worldToNDC of the .exr are relative to worldOrigin, {listed}."]
+    )
+    return origin
 
 
 def _renderer_of(window: Any) -> Any:

@@ -16,11 +16,26 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkReverseSense, vtkTri
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter
 
 from .contours import contour, usual_level
-from .data_objects import add_array, array_names, as_shape, blocks_of, has_polygons, texts_of
+from .data_objects import (
+    add_array,
+    array_names,
+    as_shape,
+    blocks_of,
+    has_polygons,
+    points_of,
+    texts_of,
+    vtk_points,
+)
 from .file_names import replacing, suffix_of
 from .glb import check_glb, display_colours, write_glb
 from .images import IMAGE_SUFFIXES
-from .mesh_writers import points_of, warn_of_losses, write_obj, write_ply, write_stl
+from .mesh_writers import (
+    warn_of_coarse,
+    warn_of_losses,
+    write_obj,
+    write_ply,
+    write_stl,
+)
 from .messages import listening, quiet
 from .particle_files import PARTICLE_SUFFIXES
 from .vtk_files import check_readable, read_vtk
@@ -133,7 +148,9 @@ def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
     if count == 0:
         return data if data.IsA("vtkPolyData") else vtkPolyData()  # an empty skin
     try:
-        return as_shape(data)
+        shape = as_shape(data)
+        warn_of_coarse(path, shape)
+        return shape
     except ValueError as error:
         raise OSError(f"{path} is no mesh: {error}") from error
 
@@ -184,7 +201,7 @@ def write_particles(path: Path, cloud: Any) -> None:
                 numpy.savez(file, positions=positions, **arrays)
         elif suffix == ".xyz":
             head = "" if len(positions) else "x y z"  # or else nothing
-            numpy.savetxt(temporary, positions, fmt="%.9g", header=head)
+            numpy.savetxt(temporary, positions, fmt=_format_of(positions), header=head)
         elif suffix == ".csv":
             _write_csv(temporary, positions, arrays)
         else:
@@ -243,7 +260,7 @@ def _read_glb(path: Path) -> Any:
     from vtkmodules.vtkIOGeometry import vtkGLTFReader
 
     check_readable(path)
-    is_own, has_meshes = check_glb(path)
+    is_own, has_meshes, origin = check_glb(path)
     if is_own and not has_meshes:
         return vtkPolyData()  # an empty skin
     reader = vtkGLTFReader()
@@ -255,6 +272,8 @@ def _read_glb(path: Path) -> Any:
     if heard.errors or mesh.GetNumberOfPoints() == 0:
         said = heard.errors[0] if heard.errors else "it holds no mesh, or is damaged."
         raise OSError(f"{path} cannot be read: {said.rstrip('.')}.")
+    if origin is not None:
+        mesh.SetPoints(vtk_points(points_of(mesh) + origin))
     light = mesh.GetPointData().GetArray("COLOR_0")
     if light is not None and light.GetDataTypeAsString() == "float":
         colours = display_colours(vtk_to_numpy(light))

@@ -9,9 +9,16 @@ from typing import Any
 
 import numpy
 
+from .data_objects import points_of
 from .file_names import has_number, replacing
-from .glb import TO_Y, linear_light
-from .mesh_writers import arrays_of, points_of, polygons_of, warn_of_losses
+from .glb import TO_Y, linear_light, turned_up
+from .mesh_writers import (
+    arrays_of,
+    origin_for_floats,
+    polygons_of,
+    warn_of_losses,
+    warn_of_rounding,
+)
 from .runner import Sink
 from .times import rate_of
 
@@ -49,7 +56,7 @@ class UsdFilm(Sink):
     def __init__(self, path: Path, times: list[float], fps: float | None, up: str) -> None:
         self.path, self.fps, self.up = path, fps or rate_of(times), up
         self._codes = [round(time * self.fps, 6) for time in times]
-        self._ending = ExitStack()
+        self._ending, self._origin = ExitStack(), None
 
     def __enter__(self) -> UsdFilm:
         from pxr import Gf, Usd, UsdGeom
@@ -81,7 +88,11 @@ class UsdFilm(Sink):
         from pxr import UsdGeom, Vt
 
         warn_of_losses(self.path.suffix, data)
-        mesh, time, points = self._mesh, self._codes[step], points_of(data).astype("f4")
+        if self._origin is None and data.GetNumberOfPoints():
+            self._origin = self._move(origin_for_floats(data))
+        origin = 0.0 if self._origin is None else self._origin
+        warn_of_rounding(self.path.suffix, data, origin)
+        mesh, time, points = self._mesh, self._codes[step], (points_of(data) - origin).astype("f4")
         normals, colours, others = arrays_of(data)
         polygons = polygons_of(data)
         counts = [numpy.full(len(corners), corners.shape[1]) for corners in polygons]
@@ -103,6 +114,18 @@ class UsdFilm(Sink):
             self._add_primvar(name, values, time)
         if self.path.suffix == ".usdc":
             self._stage.Save()  # a frame need not stay in memory
+
+    def _move(self, origin: Any) -> Any:
+        """Moves the prim to an origin, in double precision; returns the origin."""
+        from pxr import Gf, UsdGeom
+
+        if origin.any():
+            others = self._mesh.GetOrderedXformOps()
+            own = self._mesh.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble)
+            moved = origin if self.up == "z" else turned_up(self.up, origin)
+            own.Set(Gf.Vec3d(*moved.tolist()))
+            self._mesh.SetXformOpOrder([own, *others])  # the last one acts first
+        return origin
 
     def _add_primvar(self, name: str, values: Any, time: float) -> None:
         """Sets an array of each vertex: integers, numbers, vectors, or of more components."""

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .file_names import suffix_of
 from .images import IMAGE_SUFFIXES, read_image
-from .mesh_checks import add_colours, check_obj, check_stl, is_empty_stl
+from .mesh_checks import add_vertices, check_obj, check_stl, is_empty_stl
 from .messages import listening, quiet
 from .ply_files import read_ply
 
@@ -117,7 +117,7 @@ def update(reader: Any, path: Path, time: float | None = None) -> Any:
     if data is None:
         raise OSError(f"{path} cannot be read: it is damaged, or not what its extension says.")
     if suffix_of(path) == ".obj":
-        add_colours(path, data)
+        add_vertices(path, data)
     return data
 
 

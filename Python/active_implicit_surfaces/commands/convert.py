@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from .. import runner
 from ..choice import choose, labels_of, note_once
 from ..contours import contour, usual_level
+from ..data_objects import points_of
 from ..file_names import (
     Listing,
     check_distinct,
@@ -23,7 +24,6 @@ from ..file_names import (
     running_numbers,
     suffix_of,
 )
-from ..mesh_writers import points_of
 from ..messages import few, warn_all
 from ..particle_files import PARTICLE_SUFFIXES, open_particles
 from ..runner import FileSeries, Sink

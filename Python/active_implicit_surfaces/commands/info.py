@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import csv
 import json
+import math
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -263,15 +264,25 @@ def _lines(found: dict[str, Any], indent: str = "") -> list[str]:
             for one in value:
                 lines += [f"{indent}  {_one_line(one)}"]
         else:
-            lines.append(f"{indent}{name}: {_text(value)}")
+            lines.append(f"{indent}{name}: {_text(value, _digits_of(value))}")
     return lines
+
+
+def _digits_of(values: Any) -> int:
+    """Digits of numbers: 6, or more where they differ by little, as bounds on a map do."""
+    if not isinstance(values, list) or not all(isinstance(value, float) for value in values):
+        return 6
+    ends = values[: len(values) // 2 * 2]
+    apart = max((b - a for a, b in zip(ends[::2], ends[1::2])), default=0.0)
+    most = max(map(abs, ends), default=0.0)
+    return 6 + max(0, math.ceil(math.log10(most / apart))) if most > 0 and apart > 0 else 6
 
 
 def _one_line(found: dict[str, Any]) -> str:
     return ", ".join(f"{name} {_text(value)}" for name, value in found.items())
 
 
-def _text(value: Any) -> str:
+def _text(value: Any, digits: int = 6) -> str:
     if isinstance(value, list):
-        return " ".join(_text(one) for one in value) or "none"
-    return f"{value:g}" if isinstance(value, float) else str(value)
+        return " ".join(_text(one, digits) for one in value) or "none"
+    return f"{value:.{digits}g}" if isinstance(value, float) else str(value)
