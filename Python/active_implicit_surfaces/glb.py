@@ -40,7 +40,8 @@ TO_Y = {
 def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
     """Writes the triangles of a vtkPolyData with their normals, colours and point arrays.
 
-    Colours are COLOR_0, as linear light; other arrays _NAME in capital letters, as floats. Vertices
+    Colours are COLOR_0, as linear light; other arrays _NAME in capital letters, as floats; vectors
+    beside numbers _NAME_X, _NAME_Y, _NAME_Z. Vertices
     have the data's coordinates; the node is rotated, so that the data's axis `up` is glTF's, y.
     Where single precision is too coarse for them, they are less an origin to which the node moves
     them.
@@ -52,8 +53,9 @@ def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
     color = (0.36, 0.66, 0.86) if colours is None else (1.0, 1.0, 1.0)
     if colours is not None:
         attributes["COLOR_0"] = linear_light(colours)
+    are_mixed = len({values.shape[1] for values in others.values()}) > 1
     for name, values in others.items():
-        attributes |= _split(_attribute_of(name, attributes), values)
+        attributes |= _split(_attribute_of(name, attributes), values, are_mixed)
     parts = {name: one.astype("<f4") for name, one in attributes.items() if one is not None}
     if not triangles:  # glTF has no arrays without numbers
         path.write_bytes(_pack({"asset": _ASSET, "scene": 0, "scenes": [{}]}, []))
@@ -107,11 +109,16 @@ def _attribute_of(name: str, taken: dict[str, Any]) -> str:
     return attribute
 
 
-def _split(name: str, values: Any) -> dict[str, Any]:
-    """An attribute has up to four components; more are one attribute each."""
-    if values.shape[1] <= 4:
+def _split(name: str, values: Any, are_mixed: bool) -> dict[str, Any]:
+    """An attribute has up to four components; of more, or beside others, each is an attribute.
+
+    Blender's importer (5.0) mixes up custom attributes of different widths, and fails.
+    """
+    count = values.shape[1]
+    if count == 1 or (count <= 4 and not are_mixed):
         return {name: values}
-    return {f"{name}_{i}": values[:, i : i + 1] for i in range(values.shape[1])}
+    axes = "XYZW" if count <= 4 else [str(i) for i in range(count)]
+    return {f"{name}_{axis}": values[:, i : i + 1] for i, axis in zip(range(count), axes)}
 
 
 def _describe(

@@ -23,6 +23,7 @@ from .runner import Sink
 from .times import rate_of
 
 USD_SUFFIXES = (".usdc", ".usda")
+_MOST_INT = 2**31  # of 32 bits
 _NEEDED = "usd-core is not installed; pip install usd-core, or write skin_####.glb or skin_####.vtp"
 
 
@@ -56,7 +57,7 @@ class UsdFilm(Sink):
     def __init__(self, path: Path, times: list[float], fps: float | None, up: str) -> None:
         self.path, self.fps, self.up = path, fps or rate_of(times), up
         self._codes = [round(time * self.fps, 6) for time in times]
-        self._ending, self._origin = ExitStack(), None
+        self._ending, self._origin, self._wide = ExitStack(), None, dict[str, bool]()
 
     def __enter__(self) -> UsdFilm:
         from pxr import Gf, Usd, UsdGeom
@@ -136,13 +137,16 @@ class UsdFilm(Sink):
             kind, array = Sdf.ValueTypeNames.Color3fArray, Vt.Vec3fArray
         elif wide == 3:
             kind, array = Sdf.ValueTypeNames.Float3Array, Vt.Vec3fArray
-        elif wide == 1 and values.dtype.kind in "iu" and values.dtype.itemsize <= 8:
+        elif wide == 1 and values.dtype.kind in "iu":
             kind, array = Sdf.ValueTypeNames.Int64Array, Vt.Int64Array
+            is_wide = len(values) > 0 and (values.min() < -_MOST_INT or values.max() >= _MOST_INT)
+            if not self._wide.setdefault(name, is_wide):
+                if is_wide:
+                    raise OSError(f"{self.path}: {name} begins with 32 bits, and is wider later.")
+                kind, array = Sdf.ValueTypeNames.IntArray, Vt.IntArray  # Blender has no wider ones
         plain = re.sub(r"\W|^(?=\d)", "_", name, flags=re.ASCII)
         interface = UsdGeom.PrimvarsAPI(self._mesh)
         own = interface.CreatePrimvar(plain, kind, UsdGeom.Tokens.vertex, wide if wide != 3 else -1)
-        is_whole = array is Vt.Int64Array
+        whole = {Vt.Int64Array: "i8", Vt.IntArray: "i4"}
         rows = values if wide == 3 else values.ravel()
-        own.Set(
-            array.FromNumpy(numpy.ascontiguousarray(rows, dtype="i8" if is_whole else "f4")), time
-        )
+        own.Set(array.FromNumpy(numpy.ascontiguousarray(rows, dtype=whole.get(array, "f4"))), time)

@@ -30,7 +30,9 @@ class Films(CommandTest):
         steps = numpy.stack([grid() + [0.05 * step, 0, 0] for step in range(4)])
         heat = numpy.tile(numpy.arange(125.0), (4, 1))
         kinds = numpy.tile(["ice", "mud", "ice", "ice", "mud"], (4, 25))
-        numpy.savez("p.npz", positions=steps, heat=heat, kind=kinds)
+        ids = numpy.tile(numpy.arange(125), (4, 1))
+        self.arrays = {"heat": heat, "kind": kinds, "id": ids, "code": ids + 2**40}
+        numpy.savez("p.npz", positions=steps, **self.arrays)
 
     @unittest.skipUnless(HAS_USD, "usd-core is not installed")
     def test_what_usd_reads(self):
@@ -52,6 +54,12 @@ class Films(CommandTest):
                 self.assert_is(mesh, code, read_shape(self.folder / f"s_{code}.vtp"))
             heat = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("heat")
             self.assertEqual(heat.GetInterpolation(), "vertex")
+            types = {"id": "int[]", "code": "int64[]", "heat": "float[]"}
+            for name, wanted in types.items():
+                own = UsdGeom.PrimvarsAPI(mesh).GetPrimvar(name)
+                self.assertEqual(own.GetTypeName(), wanted)
+                if name != "heat":
+                    self.assertLessEqual(set(own.Get(1)), set(self.arrays[name][1].tolist()))
             self.assertEqual(len(heat.Get(2)), len(mesh.GetPointsAttr().Get(2)))
             self.assertEqual(self.hidden(), [])
 
@@ -108,6 +116,14 @@ class Films(CommandTest):
             places = numpy.array([found.matrix_world @ v.co for v in shown.data.vertices])
             centre = 0.5 * (places.min(0) + places.max(0))
             numpy.testing.assert_allclose(centre, [0.2 + 0.05 * frame, 0.2, 0.2], atol=0.01)
+
+    @unittest.skipUnless(HAS_USD, "usd-core is not installed")
+    def test_integers_that_become_wide_are_an_error(self):
+        points = numpy.load("p.npz")["positions"]
+        wide = numpy.stack([numpy.arange(125) + 2**40 * step for step in range(4)])
+        numpy.savez("w.npz", positions=points, code=wide)
+        said = self.fail_with(1, "skin", "w.npz", *COMMON, "--pass-target-arrays", "-o", "w.usdc")
+        self.assertIn("w.usdc: code begins with 32 bits, and is wider later.", said)
 
     def test_what_cannot_be(self):
         with mock.patch.dict(sys.modules, {"pxr": None}):
