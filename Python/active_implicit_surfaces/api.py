@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from . import properties, vtkActiveImplicitSurface
 from .data_objects import STANDARD_NAMES, array_names, as_particles, like
-from .messages import listening, warn_all
+from .messages import listening, warn
 from .presets import (
     apply_preset,
     describe_precision,
@@ -106,7 +106,7 @@ class frames(Skins):
     fps : float, optional
         See ParticleSeries [1/time].
     where : str or sequence of str, optional
-        Conditions that the particles meet: "Type=1", "T>300", "id!=3,4", "x<0.5".
+        Conditions that the particles meet: "Type=1", "T>300", "id!=3,4", "x<0.5", "resname=LIG".
     minimum_piece : int
         Particles in clusters of fewer than these get no skin. Default: 1.
     minimum_volume : float
@@ -275,7 +275,7 @@ class LiveSurface:
         with listening(self.surface) as heard:
             self.surface.Advance(cloud, dt)
         heard.raise_error(ValueError)
-        warn_all(heard.warnings)
+        warn(*heard.warnings)
         skin = copy_of(self.surface.GetOutput())
         self.time = skin.GetInformation().Get(vtkDataObject.DATA_TIME_STEP())
         return like(particles, skin)
@@ -323,13 +323,13 @@ def _settle_spacing(
 ) -> None:
     """Chooses a spacing if none is given, as the filter would; warns of a given one that is off."""
     own = series_spacing(frames)
-    warn_all(describe_precision(frames[0], surface.GetParticleSpacing() or own))
+    warn(*describe_precision(frames[0], surface.GetParticleSpacing() or own))
     if not (surface.GetParticleSpacing() or surface.GetKernelRadius() or has_radii):
         first = estimate_spacing(frames[0])
         if own > 0 and (len(frames) > 1 or frames[0] is not source.frame(0)):
             surface.SetParticleSpacing(first if own / _SAME <= first <= _SAME * own else own)
     elif is_given and own > 0 and max(frame.GetNumberOfPoints() for frame in frames) >= _MANY:
-        warn_all(_describe_lengths(surface, own))
+        warn(*_describe_lengths(surface, own))
 
 
 def _describe_lengths(surface: Any, own: float) -> list[str]:

@@ -19,7 +19,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from .data_objects import add_array, array_names, has_polygons, texts_of
-from .messages import few, warn_all
+from .messages import few, warn
 
 _FORM = re.compile(r"(?P<name>[^=<>!]+)(?P<sign>==?|!=|<=|>=|<|>)(?P<values>.+)")
 _VALUE = re.compile(  # between quotes or not, up to the next comma
@@ -146,7 +146,7 @@ def _meets(values: Any, condition: Condition, note: Callable[[str], None] | None
         said = f"There is no {name}={','.join(absent)}; {_describe_values(name, values)}."
         if note is None and sign != "!=" and not found.any():
             raise ValueError(said)
-        (note or (lambda text: warn_all([text])))(said)
+        (note or warn)(said)
     return ~found if sign == "!=" else found
 
 
@@ -167,7 +167,7 @@ def note_once() -> Callable[[str], None]:
         value = said.partition(";")[0]
         if value not in noted:
             noted.add(value)
-            warn_all([f"In a frame: {said[0].lower()}{said[1:]}"])
+            warn(f"In a frame: {said[0].lower()}{said[1:]}")
 
     return note
 

@@ -17,7 +17,7 @@ import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
 
-from .messages import quiet, warn_all
+from .messages import quiet, warn
 
 IMAGE_SUFFIXES = (".vti", ".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd")
 _FIELD = re.compile(r"(?m)^[ \t]*([^#:=\n]+?)[ \t]*[:=]+[ \t]*(.*?)[ \t\r]*$")
@@ -146,7 +146,7 @@ def _place(path: Path, image: Any, origin: Any, axes: Any) -> Any:
     order = abs(axes).argmax(axis=1)  # of the axes of space
     signs = axes[range(3), order]
     if sorted(order) != [0, 1, 2] or not (abs(signs) >= _ALONG).all():
-        warn_all([f"{path}: the image is turned in space, not by right angles; this is left out."])
+        warn(f"{path}: the image is turned in space, not by right angles; this is left out.")
     elif (order != (0, 1, 2)).any() or (signs < 0).any():
         _move_rows(image, order.tolist(), signs)
     return image

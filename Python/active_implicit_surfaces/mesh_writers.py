@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 import re
-import warnings
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +14,7 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .data_objects import array_names, points_of
-from .messages import ActiveSurfaceWarning
+from .messages import warn
 
 # What a format holds of a mesh, besides points and polygons.
 _NUMBERS = ("normals", "colours", "numbers")
@@ -72,11 +71,9 @@ def warn_of_losses(suffix: str, data: Any) -> None:
     if lost:
         others = (".csv", ".npz", ".vtp") if suffix == ".xyz" else (".vtp", ".ply", ".glb")
         better = [one for one in others if set(lost.values()) <= set(_HELD[one])]
-        warnings.warn(
+        warn(
             f"Left out, because a {suffix} file cannot hold more: {', '.join(lost)}; write "
-            f"{' or '.join(better)} to keep all.",
-            ActiveSurfaceWarning,
-            stacklevel=3,
+            f"{' or '.join(better)} to keep all."
         )
 
 
@@ -94,12 +91,10 @@ def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
     """Warns where single precision, of points less an origin, moves them visibly."""
     rounding, edge = _rounding(points_of(mesh) - origin), edge_of(mesh)
     if rounding > _ROUNDING * edge:
-        warnings.warn(
+        warn(
             f"A {suffix} file has numbers of single precision, which move points by up to "
             f"{rounding:.2g} here, where edges are {edge:.2g} long; write .ply, .obj or .vtp, or "
-            "move the data near the origin.",
-            ActiveSurfaceWarning,
-            stacklevel=3,
+            "move the data near the origin."
         )
 
 
@@ -110,11 +105,9 @@ def warn_of_coarse(path: Path, mesh: Any) -> None:
         return
     step, edge = float(numpy.spacing(numpy.abs(points).max())), edge_of(mesh)
     if 0.5 * step > _ROUNDING * edge:
-        warnings.warn(
+        warn(
             f"{path}: points of single precision are multiples of {step:.2g} here, where edges are "
-            f"{edge:.2g} long; use a file of double precision, or data near the origin.",
-            ActiveSurfaceWarning,
-            stacklevel=3,
+            f"{edge:.2g} long; use a file of double precision, or data near the origin."
         )
 
 

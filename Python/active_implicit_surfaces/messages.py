@@ -82,7 +82,7 @@ def few(words: Iterable[Any], most: int = 8) -> str:
     return ", ".join(listed[:most]) + " ..." * (len(listed) > most)
 
 
-def warn_all(messages: list[str]) -> None:
+def warn(*messages: str) -> None:
     """Passes warnings of the filter on to Python's."""
     for text in messages:
         warnings.warn(text, ActiveSurfaceWarning, stacklevel=3)

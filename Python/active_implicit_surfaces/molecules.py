@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy
 
-from .messages import few, warn_all
+from .messages import few, warn
 from .tables import FIELD, SYMBOLS, Frame, Frames, number
 
 _DEFAULT = "species:S:1:pos:R:3"
@@ -156,9 +156,7 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
             frame["radius"] = unit * numpy.array([radii[n] for n in numbers], dtype="f4")
     if unknown:
         effect = "have the radius 0" if are_known else "all have a radius by their distance"
-        warn_all(
-            [f"{few(unknown)}: no such element is known; these atoms {effect}. Write elements."]
-        )
+        warn(f"{few(unknown)}: no such element is known; these atoms {effect}. Write elements.")
 
 
 def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
@@ -177,13 +175,11 @@ def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
         doubtful = sorted(s for s, own in letters.items() if _may_be_a_name(own, as_elements[s]))
         if doubtful:
             said = [f"{symbol} is {table.GetSymbol(as_elements[symbol])}" for symbol in doubtful]
-            warn_all([f"Elements in capital letters: {few(said)}. If not so, write elements."])
+            warn(f"Elements in capital letters: {few(said)}. If not so, write elements.")
         return as_elements
     other = sorted(s for s, z in as_names.items() if z and z != table.GetAtomicNumber(s))
     meant = [f"{symbol} is {table.GetSymbol(as_names[symbol])}" for symbol in other]
-    warn_all(
-        [f"The atoms have names in place of elements: {few(meant)}. If not so, write elements."]
-    )
+    warn(f"The atoms have names in place of elements: {few(meant)}. If not so, write elements.")
     return as_names
 
 

@@ -11,7 +11,7 @@ from . import properties, vtkActiveImplicitSurface
 from .contours import as_level_set, level_of_series
 from .data_objects import as_shape, is_vtk
 from .fitting import FITS, describe_difference, fitted
-from .messages import warn_all
+from .messages import warn
 from .runner import Skins
 
 _OF_DURATION = {"arrival_time", "number_of_time_steps", "start_time", "time_step_size"}
@@ -138,7 +138,8 @@ class morph(Skins):
                 raise TypeError("fit needs two meshes or images: a function has no box.")
         else:
             last = fitted(last, first, fit)
-            warn_all([said for said in (describe_difference(first, last),) if said])
+            if said := describe_difference(first, last):
+                warn(said)
         if _is_function(first):
             self.surface.SetInitialFunction(first)
         else:

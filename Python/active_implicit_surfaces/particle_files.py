@@ -21,7 +21,7 @@ from .choice import choose, image_of_label, labels_of, note_once
 from .data_objects import add_array, array_names, as_particles, blocks_of, has_polygons
 from .file_names import expand, numbers_of, running_numbers, suffix_of
 from .images import IMAGE_SUFFIXES
-from .messages import ActiveSurfaceWarning, warn_all
+from .messages import ActiveSurfaceWarning, warn
 from .tables import FIELD, Frame
 from .times import check_times, places_of, times_at
 from .vtk_files import READERS, check_readable, open_vtk, read_vtk, update
@@ -124,7 +124,7 @@ def open_particles(
     listing, noted = expand(names, TARGET_SUFFIXES), set[str]()
     files, told = listing.files, listing.times
     if listing.note:
-        warn_all([listing.note])
+        warn(listing.note)
     if len(listing.frames) == 1 and len(listing.frames[0]) == 1:
         loaders, own = _open_one(files[0], noted)
         told = own if told is None or len(loaders) > 1 else told
@@ -172,7 +172,7 @@ def _note(noted: set[str], path: Path, text: str) -> None:
     """Warns of what a file has, once for a series."""
     if text not in noted:
         noted.add(text)
-        warn_all([f"{path}: {text}"])
+        warn(f"{path}: {text}")
 
 
 def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | None]:

@@ -13,7 +13,7 @@ import numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .data_objects import add_array, cell_array, vtk_points
-from .messages import warn_all
+from .messages import warn
 from .tables import group_columns
 
 _TYPES = {
@@ -202,7 +202,7 @@ def _mesh_of(path: Path, found: dict[str, dict[str, Any]]) -> Any:
     _add_arrays(mesh, mesh.GetPointData(), arrays)
     _add_arrays(mesh, mesh.GetCellData(), {n: own for n, own in faces.items() if _is_number(own)})
     if lost := [name for name, own in faces.items() if not _is_number(own)]:
-        warn_all([f"{path}: properties of polygons are left out: {', '.join(lost)}."])
+        warn(f"{path}: properties of polygons are left out: {', '.join(lost)}.")
     return mesh
 
 

@@ -41,7 +41,7 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
 from .data_objects import add_array
 from .glb import linear_light
-from .messages import listening, warn_all
+from .messages import listening, warn
 from .surface_values import distances_along_axis, surface_values
 
 try:
@@ -286,9 +286,7 @@ def _origin_of(renderer: Any) -> tuple[float, ...] | None:
         return None
     origin = tuple(focus.astype(float).tolist())
     listed = " ".join(f"{value:.17g}" for value in origin)
-    warn_all(
-        [f"P, worldToCamera and worldToNDC of the .exr are relative to worldOrigin, {listed}."]
-    )
+    warn(f"P, worldToCamera and worldToNDC of the .exr are relative to worldOrigin, {listed}.")
     return origin
 
 

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from .data_objects import like
 from .file_names import write_index
-from .messages import listening, warn_all
+from .messages import listening, warn
 
 
 class Frame(NamedTuple):
@@ -115,7 +115,7 @@ def update(surface: Any, time: float, source: Any = None) -> None:
     if source is not None and source.failure is not None:
         raise source.failure
     heard.raise_error(ValueError)
-    warn_all(heard.warnings)
+    warn(*heard.warnings)
 
 
 def copy_of(data: Any) -> Any:

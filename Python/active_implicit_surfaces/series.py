@@ -173,7 +173,7 @@ class ParticleSeries(TemporalSource):
         Frames per second [1/time], more than 0, where there are no times: 0, 1/fps, 2/fps ...
         Default: the times that the files tell, else 25.
     where : str or sequence of str, optional
-        Conditions that the particles meet: "Type=1", "T>300", "id!=3,4", "x<0.5".
+        Conditions that the particles meet: "Type=1", "T>300", "id!=3,4", "x<0.5", "resname=LIG".
 
     Raises
     ------

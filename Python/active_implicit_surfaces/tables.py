@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from .messages import few, warn_all
+from .messages import few, warn
 
 Frame = dict[str, Any]
 # The frames, or functions that read one, and their times if the file has them.
@@ -283,7 +283,7 @@ def _headless(table: Any) -> Frame:
     first = 0
     if table.shape[1] > 3 and len(table) > 2 and _counts_rows(table[:, 0]):
         first = 1
-        warn_all(["its first column numbers the rows, and the next three are used as x, y and z."])
+        warn("its first column numbers the rows, and the next three are used as x, y and z.")
     more = {f"column {i}": table[:, i] for i in range(first + 3, table.shape[1])}
     return {"positions": table[:, first : first + 3], **more}
 
@@ -304,7 +304,7 @@ def _split_by_time(frame: Frame) -> Frames:
     if not known.any():
         return [frame], None
     if not known.all():
-        warn_all([f"{(~known).sum()} row(s) without a {lower[name]} are left out."])
+        warn(f"{(~known).sum()} row(s) without a {lower[name]} are left out.")
         frame, column = {key: values[known] for key, values in frame.items()}, column[known]
     times, steps = numpy.unique(column, return_inverse=True)
     order = numpy.argsort(steps, kind="stable")

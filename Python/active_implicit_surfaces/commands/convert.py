@@ -24,7 +24,7 @@ from ..file_names import (
     running_numbers,
     suffix_of,
 )
-from ..messages import few, warn_all
+from ..messages import few, warn
 from ..particle_files import PARTICLE_SUFFIXES, open_particles
 from ..runner import FileSeries, Sink
 from ..skin_files import (
@@ -115,7 +115,7 @@ def _warning_of_none(load: Callable[[int], Any], where: str) -> Callable[[int], 
     def load_with_note(step: int) -> Any:
         data = load(step)
         if data.GetNumberOfPoints() == 0:
-            warn_all([f"Nothing meets {where} in frame {step + 1}, which is empty."])
+            warn(f"Nothing meets {where} in frame {step + 1}, which is empty.")
         return data
 
     return load_with_note
@@ -206,9 +206,7 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
         if suffix_of(file) != ".vdb":
             level, above = usual_level(image, options.level)
             if above and options.level is not None:
-                warn_all(
-                    [f"Inside is above {level:g}, as most of the border of the image is below."]
-                )
+                warn(f"Inside is above {level:g}, as most of the border of the image is below.")
         else:
             level, above = (0.0, False) if _is_level_set(file) else (_FOG_LEVEL, True)
         level = level if options.level is None else options.level
