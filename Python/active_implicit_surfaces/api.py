@@ -18,6 +18,7 @@ from .presets import (
     is_point_cloud,
     series_spacing,
 )
+from .probing import ProbedAtoms
 from .runner import Skins, copy_of, update
 from .series import ParticleSeries, TemporalSource
 from .times import times_between
@@ -37,6 +38,7 @@ def skin(
     *,
     radii: Any = None,
     strengths: Any = None,
+    probe: float | None = None,
     preset: str | None = None,
     arrays: dict[str, Any] | None = None,
     **options: Any,
@@ -51,6 +53,8 @@ def skin(
         Radius of each particle [length], which its ball shows; or the name of an array.
     strengths : array (n,) or str, optional
         Weight of each particle, or the name of an array; 0 is no particle.
+    probe : float, optional
+        See `frames`.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
         A choice of properties; those that are given besides hold.
     arrays : dict of arrays, optional
@@ -85,6 +89,9 @@ def skin(
     """
     chosen, given = _sort_arrays({"radii": radii, "strengths": strengths})
     cloud = as_particles(particles, **given, **(arrays or {}))
+    if probe is not None:
+        one = frames([cloud], probe=probe, preset=preset, arrays=chosen, **options)
+        return like(particles, next(one).skin)
     surface = vtkActiveImplicitSurface()
     source = TemporalSource(lambda step: cloud, [0.0])
     surface.SetInputConnection(source.GetOutputPort())
@@ -112,6 +119,10 @@ class frames(Skins):
     minimum_volume : float
         Likewise for clusters of a smaller volume [length^3], spacing^3 for each particle.
         Default: 0.
+    probe : float, optional
+        Radius of a probe [length] that rolls over particles with radii, atoms: the skin is their
+        solvent-excluded surface; of 0 their balls. For water and Angstroms 1.4. With
+        ``pass_target_arrays=True`` it has the arrays of the nearest atom.
     output_fps : float, optional
         Skins per second [1/time], frames in between included. Default: at the particles' times.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
@@ -158,6 +169,8 @@ class frames(Skins):
     at 0.2 s its centre is at 3.5
     """
 
+    _atoms: ProbedAtoms | None = None
+
     def __init__(
         self,
         particles: Any,
@@ -167,6 +180,7 @@ class frames(Skins):
         where: str | Sequence[str] = (),
         minimum_piece: int = 1,
         minimum_volume: float = 0.0,
+        probe: float | None = None,
         output_fps: float | None = None,
         preset: str | None = None,
         arrays: dict[str, str] | None = None,
@@ -188,7 +202,10 @@ class frames(Skins):
             told = f"No particle of any frame meets {told}" if told else "No frame has particles"
             more = f" in a piece of {minimum_piece} or more" if minimum_piece > 1 else ""
             raise ValueError(f"{told}{more}.")
-        if not {"target_iso_value", "invert_target"} & set(options):
+        if probe is not None:
+            self._atoms = ProbedAtoms(self.source, probe, preset, arrays or {}, options)
+            self.source, arrays = self._atoms.source, None
+        elif not {"target_iso_value", "invert_target"} & set(options):
             self.source.use_usual_level()
         self.surface = vtkActiveImplicitSurface()
         self.surface.SetInputConnection(self.source.GetOutputPort())
@@ -197,6 +214,13 @@ class frames(Skins):
         self.times = own if output_fps is None else times_between(own, output_fps)
         self._progress = progress
         self._example = particles[0] if isinstance(particles, (list, tuple)) and particles else None
+
+    def make(self, step: int) -> Any:
+        """The filter's own output at a step, with the arrays of atoms if wanted."""
+        skin = super().make(step)
+        if self._atoms:
+            self._atoms.add_arrays(skin, self.times[step])
+        return skin
 
 
 class LiveSurface:

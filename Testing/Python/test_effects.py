@@ -182,7 +182,8 @@ class TheFilter(unittest.TestCase):
 
     def test_properties_that_act_on_particles_only(self):
         shapes = list(meshes())
-        named = [own for own in properties.every() if "particles" in effects.rows_of(own)]
+        rows = {"particles", "particles atoms"}
+        named = [own for own in properties.every() if rows & set(effects.rows_of(own))]
         self.assertGreaterEqual(len(named), 12)
         for own in named:
             with self.subTest(own.keyword):

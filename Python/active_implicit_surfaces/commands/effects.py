@@ -27,7 +27,9 @@ _ACTING = (  # rows, and what has them: options, and properties after a colon
     ("no_times render", "fps"),
     ("series render", "fps"),
     ("series", "ids output_fps :time_scale"),
-    ("particles", "ids radii strengths velocities minimum_piece minimum_volume preset"),
+    ("particles", "ids strengths velocities preset"),
+    ("particles atoms", "radii minimum_piece minimum_volume :pass_target_arrays"),
+    ("atoms particles", "probe"),
     ("range", "preroll"),
     ("usd compute_velocity=on", "velocities"),
     ("usd tangential_velocity=on", "velocities"),
@@ -51,6 +53,7 @@ _ACTING = (  # rows, and what has them: options, and properties after a colon
     ("area_control=penalty", ":area_stiffness"),
 )
 _WHERE = {
+    "atoms": "with --probe",
     "duration": "as --duration of active-surface morph",
     "exr": "on pictures .exr",
     "files": "on skins that are written, with -o",
@@ -127,7 +130,9 @@ def rows_of(own: properties.Property) -> list[str]:
         "published where the input has": "pipeline",
     }
     found = [row for words, row in told.items() if re.search(words, own.comment)]
-    return _rows(":" + own.keyword) + [*filter(None, [classes.get(own.owner)]), *found]
+    if own.keyword != "pass_target_arrays":  # of atoms too, with --probe
+        found += filter(None, [classes.get(own.owner)])
+    return _rows(":" + own.keyword) + found
 
 
 def _rows(name: str) -> list[str]:

@@ -40,7 +40,7 @@ from .view import find_view
 _DEFAULT = "skin_####.vtp"
 _DESCRIBED = (  # options that skins depend on, besides properties and arrays
     *("where", "label", "minimum_piece", "minimum_volume", "frames", "preroll", "output_fps"),
-    "preset",
+    *("preset", "probe"),
 )
 _ARRAYS = ("ids", "radii", "strengths", "velocities")
 
@@ -54,6 +54,9 @@ def run(arguments: list[str]) -> int:
         parser.error("a film cannot be resumed; render to frame.####.png")
     if options.resume and options.render and not options.output:
         parser.error("--resume needs files of skins; name them, -o skin_####.vtp")
+    for name in ("preset", "ids", "strengths", "velocities") if options.probe is not None else ():
+        if getattr(options, name):
+            parser.error(f"--{name} has no effect with --probe")
     files: Any = open_particles(options.files) if options.labels else ()
     for own in each_label(options, lambda: labels_in(files), len(files) > 1, _DEFAULT):
         _run(parser, own, chosen)
@@ -75,13 +78,15 @@ def _run(parser: Parser, options: Any, chosen: dict[str, Any]) -> None:
         where=where + ([] if label is None else [f"label={label}"]),
         minimum_piece=options.minimum_piece or 1,
         minimum_volume=options.minimum_volume or 0.0,
+        probe=options.probe,
         preset=options.preset,
         arrays=arrays,
         **chosen,
     )
     way.times = plan.times
+    probes = options.probe is not None
     facts = [
-        "image" if files.kind == "vtkImageData" else "particles",
+        "image" if files.kind == "vtkImageData" else "atoms" if probes else "particles",
         *(["series"] if len(plan.steps) > 1 else []),
     ]
     check_effects(parser, options, outputs.output, facts, way.surface)
@@ -150,6 +155,9 @@ def make_parser() -> Parser:
     parser.add_argument(
         "--preset", choices=PRESETS, metavar="NAME", help="what the particles are (see below)"
     )
+    parser.add_argument(
+        "--probe", type=float, metavar="X", help="radius of a ball that rolls over atoms (1.4)"
+    )
     add_property_options(parser, tuple(MAIN_PROPERTIES))
     _add_input_options(parser)
     add_picture_options(parser, "found")
@@ -188,7 +196,7 @@ def _find_view(options: Any, files: Any, kept: Resumption | None) -> tuple[Any, 
     """Box in view and vertical axis; a resumed run keeps both."""
     if kept and kept.view:
         return numpy.array(kept.view[0]), str(kept.view[1])
-    has_balls = options.preset in ("molecule", "grains")
+    has_balls = options.preset in ("molecule", "grains") or options.probe is not None
     radii = options.radii or ("radius" if has_balls else None)
     held, up = find_view(files, radii)
     if kept:

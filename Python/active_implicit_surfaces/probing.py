@@ -1,0 +1,99 @@
+"""Series of atoms as a series of images of their solvent-excluded surface, and arrays of the skin.
+
+>>> import active_implicit_surfaces as active
+>>> skin = active.skin([[0, 0, 0], [3, 0, 0]], radii=[1.7, 1.7], probe=1.4)
+>>> skin.GetNumberOfPolys() > 500
+True
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Mapping
+from typing import Any
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from .data_objects import array_names, as_particles
+from .series import TemporalSource
+from .solvent import excluded_distance, for_triangles, usual_voxel
+
+_RADII = "radius"
+
+
+class ProbedAtoms:
+    """The solvent-excluded surface of each frame of atoms.
+
+    Parameters
+    ----------
+    atoms : TemporalSource
+    probe : float
+        Radius of the probe [length], 0 or more.
+    preset, arrays, options
+        As of `frames`: the array of "radii", by default "radius", and "voxel_size", by default a
+        quarter of the root mean square radius of the first frame, which is set; others have no
+        effect. "pass_target_arrays", which the filter has for particles, is removed.
+
+    Attributes
+    ----------
+    source : TemporalSource
+        Of images.
+    """
+
+    def __init__(
+        self,
+        atoms: TemporalSource,
+        probe: float,
+        preset: str | None,
+        arrays: Mapping[str, str],
+        options: dict[str, Any],
+    ) -> None:
+        first, idle = atoms.first_frame(), sorted({*arrays} - {"radii"})
+        if not 0 <= probe < float("inf"):
+            raise ValueError(f"The probe has to have a radius of 0 or more, not {probe:g}.")
+        if first.IsA("vtkImageData"):
+            raise ValueError("A probe rolls over atoms; images have none.")
+        if preset is not None or idle:
+            other = f"preset {preset}" if preset else f"array of {idle[0]}"
+            raise ValueError(f"With a probe the {other} has no effect; leave it out.")
+        self._atoms, self._probe, self._radii = atoms, probe, arrays.get("radii") or _RADII
+        sizes = self._radii_of(first)
+        usual = usual_voxel(sizes[sizes > 0]) if (sizes > 0).any() else 1.0
+        self._voxel = options["voxel_size"] = options.get("voxel_size") or usual
+        self._passes = options.pop("pass_target_arrays", False)
+        self.source = TemporalSource(self._image, atoms.times, "vtkImageData", any_order=True)
+
+    def _radii_of(self, atoms: Any) -> Any:
+        array = atoms.GetPointData().GetArray(self._radii)
+        if array is None:
+            raise ValueError(
+                f"The atoms have no array {self._radii!r} of van der Waals radii, over which a "
+                "probe rolls; give elements, or the name of such an array as radii."
+            )
+        return vtk_to_numpy(array)
+
+    def _image(self, step: int) -> Any:
+        atoms = self._atoms.frame(step)
+        points = vtk_to_numpy(atoms.GetPoints().GetData())
+        return for_triangles(
+            excluded_distance(points, self._radii_of(atoms), self._probe, self._voxel)
+        )
+
+    def add_arrays(self, skin: Any, time: float) -> None:
+        """Gives a skin the arrays of the nearest atom, of the step nearest in time, if wanted."""
+        if not self._passes:
+            return
+        from vtkmodules.vtkFiltersPoints import vtkPointInterpolator, vtkVoronoiKernel
+
+        times = self._atoms.times
+        after = min(bisect_left(times, time), len(times) - 1)
+        step = min(max(0, after - 1), after, key=lambda i: abs(times[i] - time))
+        nearest = vtkPointInterpolator()
+        nearest.SetInputData(skin)
+        nearest.SetSourceData(as_particles(self._atoms.frame(step)))
+        nearest.SetKernel(vtkVoronoiKernel())
+        nearest.PromoteOutputArraysOff()  # whole numbers stay whole
+        nearest.Update()
+        found, own = nearest.GetOutput().GetPointData(), skin.GetPointData()
+        for name in set(array_names(found)) - set(array_names(own)):
+            own.AddArray(found.GetAbstractArray(name))
