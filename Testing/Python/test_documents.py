@@ -17,6 +17,7 @@ MODULES = {
     "fluid_scenes",
     "fluid_solver",
     "particle_series",
+    "two_layers",
     "viewer_motion",
     "viewer_page",
 }
