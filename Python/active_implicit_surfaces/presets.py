@@ -43,7 +43,7 @@ def apply_preset(
         _show_balls(surface, source, name == "grains", options)
         return
     spacing = options.get("particle_spacing") or series_spacing(source.frames_that_tell())
-    step = (interval or _interval(source.times)) * options.get("time_scale", 1.0)
+    step = (interval or median_step(source.times)) * options.get("time_scale", 1.0)
     if name == "paper":
         surface.PaperFaithful()
         # The speed is in proportion to a sum of kernels, which falls by about 1 over a radius.
@@ -112,7 +112,8 @@ def _smooth(surface: Any, spacing: float, attraction: float | None, step: float)
     surface.SetTension(6.0 * attraction * (0.5 * spacing) ** 2)
 
 
-def _interval(times: list[float]) -> float:
+def median_step(times: list[float]) -> float:
+    """The median time between two frames; 1 if there is one."""
     steps = numpy.diff(times)
     return float(numpy.median(steps)) if len(steps) else 1.0
 

@@ -86,6 +86,16 @@ def _check_overlaps(centers: Any, radii: Any, probe: float) -> None:
         )
 
 
+def empty_image(voxel: float) -> Any:
+    """Distances with nothing inside, for a frame without atoms."""
+    image = vtkImageData()
+    image.SetDimensions(2, 2, 2)
+    image.SetSpacing(*3 * [voxel])
+    add_array(image, "distance", numpy.full(8, BAND * voxel), image.GetPointData())
+    image.GetPointData().SetActiveScalars("distance")
+    return image
+
+
 def for_triangles(image: Any) -> Any:
     """An image of distances whose skin, of flat triangles, holds the volume of the round surface.
 

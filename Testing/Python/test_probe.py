@@ -182,17 +182,33 @@ class Skins(unittest.TestCase):
         )
         self.assertEqual(vtk_to_numpy(arrays.GetArray("residue")).dtype.kind, "i")
         self.assertIsNotNone(arrays.GetNormals())
+        names = [arrays.GetArrayName(i) for i in range(arrays.GetNumberOfArrays())]
+        self.assertEqual(names, ["Normals", "radius", "residue"])
         plain = active.skin(atoms, radii="radius", probe=WATER)
         self.assertIsNone(plain.GetPointData().GetArray("residue"))
 
     def test_a_trajectory(self):
-        """Each skin is within a percent of that of its atoms alone."""
+        """Of atoms that move by 0.9 in a step each skin is within a percent of theirs alone."""
         centers, radii = cluster()
-        walk = numpy.random.default_rng(2).normal(0.05, 0.15, (6, *centers.shape)).cumsum(axis=0)
+        walk = numpy.random.default_rng(2).normal(0.5, 0.2, (6, *centers.shape)).cumsum(axis=0)
         series = [as_particles(centers + way, radii=radii) for way in walk]
         for frame, (_, skin) in zip(series, active.frames(series, fps=25, probe=WATER)):
             alone = measure(active.skin(frame, radii="radius", probe=WATER))
             self.assertLess(abs(measure(skin)["volume"] / alone["volume"] - 1), 0.01)
+
+    def test_a_frame_without_atoms(self):
+        """What comes out of nothing has its volume a frame later."""
+        centers, radii = cyclohexane()
+        there = as_particles(centers, radii=radii)
+        nothing = as_particles(numpy.zeros((0, 3)), radii=numpy.zeros(0))
+        alone = measure(active.skin(there, radii="radius", probe=WATER))["volume"]
+        for series in ([there, nothing, there, there], [nothing, there, there, nothing]):
+            skins = [skin for _, skin in active.frames(series, fps=25, probe=WATER)]
+            found = [measure(skin)["volume"] if skin.GetNumberOfPolys() else 0.0 for skin in skins]
+            for i, frame in enumerate(series):
+                grows = frame is there and i > 0 and series[i - 1] is nothing
+                share = found[i] / alone - (frame is there)
+                self.assertLess(abs(share), 0.15 if grows else 0.02, found)
 
     def test_errors(self):
         centers, radii = cyclohexane()
@@ -219,9 +235,9 @@ PDB = (
 
 
 class Command(CommandTest):
-    def write(self):
-        rows = [("N", "GLY", 1, 0, 0, 0), ("CA", "GLY", 1, 1.45, 0, 0), ("C", "ALA", 2, 2, 1.4, 0)]
-        path = self.folder / "atoms.pdb"
+    def write(self, name="atoms.pdb", x=0.0):
+        rows = [("N", "GLY", 1, x, 0, 0), ("CA", "GLY", 1, 1.45, 0, 0), ("C", "ALA", 2, 2, 1.4, x)]
+        path = self.folder / name
         path.write_text("".join(PDB.format(i, *row) for i, row in enumerate(rows)))
         return path
 
@@ -233,6 +249,20 @@ class Command(CommandTest):
             self.assertIn(line, told)
         self.succeed("skin", path, "--probe", 0, "--radii", "radius", "-o", skin)
         self.assertNotIn("residue", self.succeed("info", skin).out)
+
+    def test_a_run_that_is_resumed(self):
+        files = [self.write(f"run_{i}.pdb", 0.1 * i) for i in range(3)]
+        options = ("--probe", 1.4, "--pass-target-arrays", "-o")
+        self.succeed("skin", *files, *options, "once_#.vtp")
+        self.succeed("skin", *files[:2], *options, "then_#.vtp", "--resume")
+        self.succeed("skin", *files, *options, "then_#.vtp", "--resume")
+        for i in range(3):
+            names = (self.folder / f"{start}_{i}.vtp" for start in ("once", "then"))
+            self.assertEqual(len({name.read_bytes() for name in names}), 1)
+        said = self.fail_with(
+            1, "skin", *files, "--probe", 2, *options[2:], "then_#.vtp", "--resume"
+        )
+        self.assertIn("probe", said)
 
     def test_options_without_effect(self):
         path = self.write()
