@@ -21,8 +21,8 @@ from .accessible import Arcs, Neighbours, chunks, exposed_arcs, find_neighbours,
 from .data_objects import add_array
 
 BAND = 2.0  # voxels from the surface within which distances are exact
-MOST_POINTS = 200_000_000  # of an image
-MOST_PAIRS = 200_000_000  # of atoms whose accessible balls overlap
+MOST_POINTS = 100_000_000  # of an image
+MOST_PAIRS = 20_000_000  # of atoms whose accessible balls overlap
 VOXEL = 0.25  # of the root mean square radius
 _SIDE = 4  # points along an edge of a block
 _CHORD = 0.1  # voxels that triangles lose, for a curvature of one per voxel
