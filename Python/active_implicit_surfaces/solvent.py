@@ -120,7 +120,7 @@ class _Grid:
     """Blocks of 4 x 4 x 4 points near atoms, and for each point what is found of its distance.
 
     `depth` is how far into its deepest accessible ball the point is, `owner` that ball, `exit`
-    the distance to where the probe's centre can be, as far as it is known.
+    the distance found to where the probe's centre can be.
     """
 
     def __init__(self, centers: Any, radii: Any, voxel: float, band: float, probe: float) -> None:

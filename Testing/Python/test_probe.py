@@ -119,7 +119,7 @@ class Measures(unittest.TestCase):
                     self.check(*atoms, probe, volume_and_area(*atoms, probe))
 
     def test_the_grid_of_this_test(self):
-        """Of two balls it is right too."""
+        """The reference is right for two balls, by quadrature."""
         for distance in (3.0, 7.0):
             centers = numpy.outer([0, distance], TURN / numpy.linalg.norm(TURN)) + 0.12
             for probe in (0.0, WATER):
@@ -188,7 +188,7 @@ class Skins(unittest.TestCase):
         self.assertIsNone(plain.GetPointData().GetArray("residue"))
 
     def test_a_trajectory(self):
-        """Of atoms that move by 0.9 in a step each skin is within a percent of theirs alone."""
+        """Each skin is within a percent of a single frame, though atoms move by 0.9 in a step."""
         centers, radii = cluster()
         walk = numpy.random.default_rng(2).normal(0.5, 0.2, (6, *centers.shape)).cumsum(axis=0)
         series = [as_particles(centers + way, radii=radii) for way in walk]
@@ -197,7 +197,7 @@ class Skins(unittest.TestCase):
             self.assertLess(abs(measure(skin)["volume"] / alone["volume"] - 1), 0.01)
 
     def test_a_frame_without_atoms(self):
-        """What comes out of nothing has its volume a frame later."""
+        """A molecule out of nothing has its volume a frame later."""
         centers, radii = cyclohexane()
         there = as_particles(centers, radii=radii)
         nothing = as_particles(numpy.zeros((0, 3)), radii=numpy.zeros(0))
