@@ -346,8 +346,7 @@ struct ShareKernel
                   z = AllLanes(n.Place[2]) - z0;
       const Lanes q = (x * x + y * y + z * z) * AllLanes(this->Columns.InverseWide2[n.Number]);
       const Lanes u = Largest(one - q, zero);
-      const Lanes share =
-        u * u * AllLanes(this->Columns.Strength[n.Number] * this->Columns.Share[n.Number]);
+      const Lanes share = u * u * AllLanes(this->Columns.Share[n.Number]);
       shares += share;
       lacks += share * AllLanes(this->Columns.Lack[n.Number]);
     }

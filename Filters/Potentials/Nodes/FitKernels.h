@@ -96,13 +96,11 @@ struct NodeEllipsoid;
 void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
   const NodeEllipsoid* ellipsoids, float (&sums)[8]);
 
-// Sums over the neighbours that are at the surface, at the group's places, of weight * Share and of
-// weight * Share * Lack.
+// Sums over the neighbours at the group's places of weight * Share and of weight * Share * Lack.
 struct ShareColumns
 {
   const float* InverseWide2;
-  const float* Strength;
-  const float* Share;
+  const float* Share; // times the strength
   const float* Lack;
 };
 void SumShares(const FitGroup& group, const FitNeighbours& neighbours, const ShareColumns& columns,

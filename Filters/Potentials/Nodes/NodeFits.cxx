@@ -54,6 +54,7 @@ void NodeFits::Find(
   this->ForEachGroup([this](std::uint32_t k, bool isNearSurface)
     { return isNearSurface && this->IsAtSurface(k); },
     [this](Search& search) { this->FindLacks(search); });
+  this->ListSurface();
   this->ForEachGroup(isNear, [this](Search& search) { this->FindStrengths(search); });
 }
 
@@ -61,7 +62,7 @@ void NodeFits::Resize(std::size_t count)
 {
   for (UnsetVector<float>* numbers : { &this->Wide2, &this->InverseWide2, &this->Bulk, &this->EX,
          &this->EY, &this->EZ, &this->EReach2, &this->Deep, &this->Thin, &this->Shape, &this->Lone,
-         &this->Share, &this->Lack, &this->ShareReach2 })
+         &this->Share, &this->Lack })
   {
     numbers->resize(count + LanePadding);
   }
@@ -77,7 +78,7 @@ void NodeFits::Resize(std::size_t count)
       this->InverseWide2[k] = isNeighbour ? 1.f / (wide * wide) : 0.f;
       this->Bulk[k] = 1.f;
       this->EX[k] = this->EY[k] = this->EZ[k] = this->EReach2[k] = 0.f;
-      this->Share[k] = this->Lack[k] = this->ShareReach2[k] = 0.f;
+      this->Share[k] = this->Lack[k] = 0.f;
     });
   float widest = 0.f;
   for (std::size_t k = 0; k < count; ++k)
@@ -172,7 +173,8 @@ void NodeFits::FillGroup(Search& search) const
 }
 
 // Finds the particles in reach of the group's places. reach: the longest one.
-void NodeFits::Gather(Search& search, const PlaceColumns& columns, double reach) const
+void NodeFits::Gather(
+  Search& search, const PlaceColumns& columns, double reach, const std::uint32_t* before) const
 {
   FitGroup& group = search.Group;
   group.FindBox();
@@ -189,7 +191,7 @@ void NodeFits::Gather(Search& search, const PlaceColumns& columns, double reach)
   this->Blocks->VisitRuns(low, high,
     [&](std::uint32_t first, std::uint32_t end, const NodeIndex& at)
     {
-      ParticleRun run{ first, end, {} };
+      ParticleRun run{ before ? before[first] : first, before ? before[end] : end, {} };
       for (int axis = 0; axis < 3; ++axis)
       {
         run.Shift[axis] = static_cast<float>(size * (at[axis] - home[axis]));
@@ -322,18 +324,54 @@ void NodeFits::FindLacks(Search& search)
       (deep + thin);
     this->Share[k] = 1.f - (1.f - deep) * (1.f - thin);
     this->Lack[k] = value - this->Lone[k];
-    this->ShareReach2[k] = this->Wide2[k];
   }
+}
+
+// Most particles share nothing.
+void NodeFits::ListSurface()
+{
+  const std::size_t count = this->Ellipsoids.size();
+  this->SurfaceBefore.resize(count + 1);
+  std::uint32_t all = 0;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    this->SurfaceBefore[k] = all;
+    all += this->Share[k] > 0.f ? 1 : 0;
+  }
+  this->SurfaceBefore[count] = all;
+  SurfaceColumns& to = this->Surface;
+  for (UnsetVector<float>* numbers :
+    { &to.X, &to.Y, &to.Z, &to.Wide2, &to.InverseWide2, &to.Share, &to.Lack })
+  {
+    numbers->resize(all + LanePadding);
+    std::fill_n(numbers->data() + all, LanePadding, 0.f);
+  }
+  RunEach(count,
+    [&](std::size_t k)
+    {
+      const std::uint32_t i = this->SurfaceBefore[k];
+      if (this->Share[k] > 0.f)
+      {
+        to.X[i] = this->Given.X[k];
+        to.Y[i] = this->Given.Y[k];
+        to.Z[i] = this->Given.Z[k];
+        to.Wide2[i] = this->Wide2[k];
+        to.InverseWide2[i] = this->InverseWide2[k];
+        to.Share[i] = this->Given.Strength[k] * this->Share[k];
+        to.Lack[i] = this->Lack[k];
+      }
+    });
 }
 
 void NodeFits::FindStrengths(Search& search)
 {
-  this->Gather(search, { this->Given.X, this->Given.Y, this->Given.Z, this->ShareReach2.data() },
-    this->WidestReach);
+  const SurfaceColumns& surface = this->Surface;
+  this->Gather(search,
+    { surface.X.data(), surface.Y.data(), surface.Z.data(), surface.Wide2.data() },
+    this->WidestReach, this->SurfaceBefore.data());
   alignas(32) float shares[8], lacks[8];
   SumShares(search.Group, search.Neighbours,
-    { this->InverseWide2.data(), this->Given.Strength, this->Share.data(), this->Lack.data() },
-    shares, lacks);
+    { surface.InverseWide2.data(), surface.Share.data(), surface.Lack.data() }, shares, lacks);
   for (int i = 0; i < search.Group.Count; ++i)
   {
     const std::uint32_t k = search.Group.Members[i];

@@ -12,6 +12,7 @@
 #include "UnsetVector.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace activesurface
 {
@@ -60,12 +61,15 @@ private:
   template <class IsWanted, class Visit>
   void ForEachGroup(IsWanted&& isWanted, Visit&& visit) const;
   void FillGroup(Search& search) const;
-  void Gather(Search& search, const PlaceColumns& columns, double reach) const;
+  // before: the columns' rows before each particle; null: they have a row for each.
+  void Gather(Search& search, const PlaceColumns& columns, double reach,
+    const std::uint32_t* before = nullptr) const;
   void FindShapes(Search& search);
   void KeepShape(std::uint32_t k, int column, const GroupFits& fits);
   void FindLacks(Search& search);
   bool PlaceBeside(Search& search, const UnsetVector<float>& counting, std::size_t place) const;
   float FindFaded(std::uint32_t k, std::size_t place) const;
+  void ListSurface();
   void FindStrengths(Search& search);
   void FindLongestReach();
   bool IsAtSurface(std::uint32_t k) const { return this->Deep[k] > 0.f || this->Thin[k] > 0.f; }
@@ -83,8 +87,16 @@ private:
 
   // Found for each particle before the strengths.
   UnsetVector<float> Deep, Thin, Shape, Lone;
-  UnsetVector<float> Places;                   // Away x y z, Across x y z
-  UnsetVector<float> Share, Lack, ShareReach2; // of those at the surface; else 0
+  UnsetVector<float> Places;      // Away x y z, Across x y z
+  UnsetVector<float> Share, Lack; // of those at the surface; else 0
+
+  // Particles at the surface, in the same order.
+  struct SurfaceColumns
+  {
+    UnsetVector<float> X, Y, Z, Wide2, InverseWide2, Share, Lack;
+  };
+  SurfaceColumns Surface;
+  UnsetVector<std::uint32_t> SurfaceBefore; // how many are before a particle
 };
 
 }

@@ -80,64 +80,89 @@ void ParticleBlocks::ChooseCells(const UnsetVector<ParticleCube>& cubes)
   this->Inward = this->CountOutward(0.0);
 }
 
-// The blocks of particles first of all, then those that a mask may reach.
+// Where a particle is, and the blocks that a mask may reach from it.
+ParticleBlocks::CubePlace ParticleBlocks::FindPlace(const ParticleCube& cube) const
+{
+  CubePlace found;
+  const double rest = cube.HalfSide / this->VoxelSize - 0.5 * this->CellSize;
+  const double reach = std::max(rest, 0.0), shell = cube.Shell / this->VoxelSize;
+  const int margin = this->CountOutward(BeyondDense * cube.HalfSide);
+  int part[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double place = cube.Position[axis] / this->VoxelSize;
+    const int cell = this->CellOf(place);
+    found.At[axis] = cell >> 3;
+    part[axis] = (cell & 7) >> 1;
+    found.Low[axis] =
+      std::min(this->CellOf(place - reach) - margin, this->CellOf(place - shell)) >> 3;
+    found.High[axis] =
+      std::max(this->CellOf(place + reach) + margin, this->CellOf(place + shell)) >> 3;
+  }
+  found.Part = static_cast<std::uint8_t>(16 * part[0] + 4 * part[1] + part[2]);
+  return found;
+}
+
+std::size_t ParticleBlocks::AddBlock(const NodeIndex& at)
+{
+  const auto i = static_cast<std::size_t>(this->Numbers.Add(at));
+  if (i == this->Blocks.size())
+  {
+    this->Blocks.emplace_back();
+    this->Blocks.back().At = at;
+    this->Around.push_back(0);
+  }
+  return i;
+}
+
+void ParticleBlocks::AddAround(const CubePlace& place, std::size_t home)
+{
+  NodeIndex other;
+  for (other[0] = place.Low[0]; other[0] <= place.High[0]; ++other[0])
+  {
+    for (other[1] = place.Low[1]; other[1] <= place.High[1]; ++other[1])
+    {
+      for (other[2] = place.Low[2]; other[2] <= place.High[2]; ++other[2])
+      {
+        const NodeIndex offset = { other[0] - place.At[0], other[1] - place.At[1],
+          other[2] - place.At[2] };
+        const bool isNear =
+          std::all_of(offset.begin(), offset.end(), [](int o) { return o >= -1 && o <= 1; });
+        const std::uint32_t bit = isNear ? 1u << NumberOf(offset) : 0u;
+        if (!bit || !(this->Around[home] & bit))
+        {
+          this->AddBlock(other);
+          this->Around[home] |= bit;
+        }
+      }
+    }
+  }
+}
+
+// Places are found in parallel, some at a time; blocks are added in the order of the particles.
 void ParticleBlocks::AddBlocks(const UnsetVector<ParticleCube>& cubes)
 {
+  constexpr std::size_t most = std::size_t(1) << 15;
   const std::size_t count = cubes.size();
   this->Homes.resize(count);
   this->PartOf.resize(count);
   this->Numbers.Clear(count / 64);
   this->Blocks.clear();
   this->Around.clear();
-  const auto add = [this](const NodeIndex& at)
-  {
-    const std::int32_t i = this->Numbers.Add(at);
-    if (static_cast<std::size_t>(i) == this->Blocks.size())
-    {
-      this->Blocks.emplace_back();
-      this->Blocks.back().At = at;
-      this->Around.push_back(0);
-    }
-    return static_cast<std::size_t>(i);
-  };
+  this->Places.resize(std::min(count, most));
   std::size_t home = 0;
-  for (std::size_t n = 0; n < count; ++n)
+  for (std::size_t first = 0; first < count; first += most)
   {
-    NodeIndex cell, at, low, high;
-    const double rest = cubes[n].HalfSide / this->VoxelSize - 0.5 * this->CellSize;
-    const double reach = std::max(rest, 0.0);
-    const int margin = this->CountOutward(BeyondDense * cubes[n].HalfSide);
-    const double shell = cubes[n].Shell / this->VoxelSize;
-    for (int axis = 0; axis < 3; ++axis)
+    const std::size_t some = std::min(most, count - first);
+    RunEach(some, [&](std::size_t i) { this->Places[i] = this->FindPlace(cubes[first + i]); });
+    for (std::size_t i = 0; i < some; ++i)
     {
-      const double place = cubes[n].Position[axis] / this->VoxelSize;
-      cell[axis] = this->CellOf(place);
-      at[axis] = cell[axis] >> 3;
-      low[axis] = std::min(this->CellOf(place - reach) - margin, this->CellOf(place - shell)) >> 3;
-      high[axis] = std::max(this->CellOf(place + reach) + margin, this->CellOf(place + shell)) >> 3;
-    }
-    home = this->Blocks.empty() || !AreSame(this->Blocks[home].At, at) ? add(at) : home;
-    this->Homes[n] = static_cast<std::uint32_t>(home);
-    this->PartOf[n] = static_cast<std::uint8_t>(
-      16 * ((cell[0] & 7) >> 1) + 4 * ((cell[1] & 7) >> 1) + ((cell[2] & 7) >> 1));
-    NodeIndex other;
-    for (other[0] = low[0]; other[0] <= high[0]; ++other[0])
-    {
-      for (other[1] = low[1]; other[1] <= high[1]; ++other[1])
-      {
-        for (other[2] = low[2]; other[2] <= high[2]; ++other[2])
-        {
-          const NodeIndex offset = { other[0] - at[0], other[1] - at[1], other[2] - at[2] };
-          const bool isNear =
-            std::all_of(offset.begin(), offset.end(), [](int o) { return o >= -1 && o <= 1; });
-          const std::uint32_t bit = isNear ? 1u << NumberOf(offset) : 0u;
-          if (!bit || !(this->Around[home] & bit))
-          {
-            add(other);
-            this->Around[home] |= bit;
-          }
-        }
-      }
+      const CubePlace& place = this->Places[i];
+      const bool isHome = !this->Blocks.empty() && AreSame(this->Blocks[home].At, place.At);
+      home = isHome ? home : this->AddBlock(place.At);
+      this->Homes[first + i] = static_cast<std::uint32_t>(home);
+      this->PartOf[first + i] = place.Part;
+      this->AddAround(place, home);
     }
   }
 }

@@ -162,6 +162,14 @@ private:
   void FindNear(double reach);
   void OccupyAroundDense();
   void ChooseCells(const UnsetVector<ParticleCube>& cubes);
+  struct CubePlace
+  {
+    NodeIndex At, Low, High; // its block, and the range of those around it
+    std::uint8_t Part;
+  };
+  CubePlace FindPlace(const ParticleCube& cube) const;
+  std::size_t AddBlock(const NodeIndex& at);
+  void AddAround(const CubePlace& place, std::size_t home);
   void AddBlocks(const UnsetVector<ParticleCube>& cubes);
   void Sort();
   void FillCells(const UnsetVector<ParticleCube>& cubes);
@@ -192,6 +200,7 @@ private:
   IndexMap Numbers;
   std::vector<Block> Blocks;
   std::vector<std::uint32_t> Around; // of each block, one bit for each of 27 that exist
+  UnsetVector<CubePlace> Places;     // of some particles
   UnsetVector<std::uint32_t> Homes;
   UnsetVector<std::uint8_t> PartOf;
   UnsetVector<std::uint32_t> Order, BlockOf;
