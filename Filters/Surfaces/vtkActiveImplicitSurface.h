@@ -177,8 +177,8 @@ public:
   /**
    * Distance of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
    * at its multiples. Halving it takes 4 times the memory, 8 (with Tension 16) times the time.
-   * Range: 1e-30 to 1e30, or 0, which is half of ParticleSpacing over particles (of the estimated
-   * one too, unless ParticleModel is SUM or ModelBounds are set), else a 64th of the bounds'
+   * Range: >= 0; 1e-30 to 1e30, or 0, which is half of ParticleSpacing over particles (also of the
+   * estimated one, unless ParticleModel is SUM or ModelBounds are set), else a 64th of the bounds'
    * longest side, over images at most a pixel (the smallest spacing) or a 1000th. Default: 0.
    */
   vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);

@@ -13,6 +13,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkStaticPointLocator
 
 from .data_objects import array_names, as_particles
 from .presets import median_step
@@ -90,19 +92,34 @@ class ProbedAtoms:
         """Gives a skin the arrays of the nearest atom, of the step nearest in time, if wanted."""
         if not self._passes:
             return
-        from vtkmodules.vtkFiltersPoints import vtkPointInterpolator, vtkVoronoiKernel
-
         times = self._atoms.times
         after = min(bisect_left(times, time), len(times) - 1)
         step = min(max(0, after - 1), after, key=lambda i: abs(times[i] - time))
-        nearest = vtkPointInterpolator()
-        nearest.SetInputData(skin)
-        nearest.SetSourceData(as_particles(self._atoms.frame(step)))
-        nearest.SetKernel(vtkVoronoiKernel())
-        nearest.PromoteOutputArraysOff()  # whole numbers stay whole
-        nearest.Update()
-        found, own = nearest.GetOutput().GetPointData(), skin.GetPointData()
+        atoms = as_particles(self._atoms.frame(step))
+        if atoms.GetNumberOfPoints() == 0:
+            return
+        nearest = _nearest_points(atoms, skin)
+        given, own = atoms.GetPointData(), skin.GetPointData()
         held = array_names(own)
-        for name in array_names(found):
+        for name in array_names(given):
             if name not in held:
-                own.AddArray(found.GetAbstractArray(name))
+                array = given.GetAbstractArray(name)
+                of_skin = array.NewInstance()
+                of_skin.SetName(name)
+                of_skin.SetNumberOfComponents(array.GetNumberOfComponents())
+                of_skin.SetNumberOfTuples(nearest.GetNumberOfIds())
+                array.GetTuples(nearest, of_skin)
+                own.AddArray(of_skin)
+
+
+def _nearest_points(cloud: Any, mesh: Any) -> Any:
+    """The point of a cloud nearest to each point of a mesh."""
+    found = vtkIdList()
+    locator = vtkStaticPointLocator()
+    locator.SetDataSet(cloud)
+    locator.BuildLocator()
+    count = mesh.GetNumberOfPoints()
+    found.SetNumberOfIds(count)
+    for i in range(count):
+        found.SetId(i, locator.FindClosestPoint(mesh.GetPoint(i)))
+    return found

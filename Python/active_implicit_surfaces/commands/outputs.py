@@ -30,7 +30,7 @@ def add_output_options(parser: Parser, default: str) -> None:
         "-o",
         "--output",
         metavar="NAME",
-        help=f"name of the skins, #### for the number: {', '.join(SKIN_SUFFIXES)}; or all "
+        help=f"skins, #### for the number: {', '.join(SKIN_SUFFIXES)}; or all "
         f"in one .usdc, .usda (default: {default}, and none with only --render)",
     )
     parser.add_argument(
