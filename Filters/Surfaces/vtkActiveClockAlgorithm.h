@@ -90,7 +90,7 @@ public:
 
   ///@{
   /**
-   * Largest normal speed [voxels/time] of a skin at rest, with EvolutionMode EQUILIBRIUM. Unless it
+   * Largest normal speed [voxels/time] of a steady skin, with EvolutionMode EQUILIBRIUM. Unless it
    * is 0, the motion also ends if the rest of it is an oscillation; a warning says if that is more
    * than 5 % of the skin. Values below 1e-7 are below rounding. Range: >= 0. Default: 0.001.
    */

@@ -9,7 +9,7 @@ from typing import Any
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from . import properties, vtkActiveImplicitSurface
-from .data_objects import STANDARD_NAMES, array_names, as_particles, like
+from .data_objects import STANDARD_NAMES, array_names, as_particles, like, usual_ids
 from .messages import listening, warn
 from .presets import (
     apply_preset,
@@ -30,7 +30,6 @@ _FAR = 1.5  # as a factor: half and twice are
 _SAME = 1.01
 _ROUNDING = 1e-6  # of a number of particles
 _LEAST_REACH = 1.2  # of a kernel, in spacings
-_USUAL_IDS = ("id", "ids", "particle_id", "particleid", "pid")
 
 
 def skin(
@@ -397,12 +396,3 @@ def _sort_arrays(given: dict[str, Any]) -> tuple[dict[str, str], dict[str, Any]]
         elif array is not None:
             names[role], values[role] = STANDARD_NAMES[role], array
     return names, values
-
-
-def usual_ids(cloud: Any) -> str:
-    """The name of an array of ids that is called so; empty if there is none."""
-    if not hasattr(cloud, "GetPointData"):
-        return ""
-    arrays = cloud.GetPointData()
-    usual = (arrays.GetArray(n) for n in array_names(arrays) if n.lower() in _USUAL_IDS)
-    return next((own.GetName() for own in usual if own and own.GetNumberOfComponents() == 1), "")

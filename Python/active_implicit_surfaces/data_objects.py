@@ -24,6 +24,7 @@ from . import vtk_build
 
 # Cells of meshio that are faces of a surface.
 _FACES = ("triangle", "quad", "polygon")
+_USUAL_IDS = ("id", "ids", "particle_id", "particleid", "pid")
 
 
 def as_particles(particles: Any, **arrays: Any) -> Any:
@@ -283,3 +284,12 @@ def _mesh(vertices: Any, kinds: list[Any]) -> Any:
         raise ValueError("The mesh has no triangles, quads or polygons.")
     mesh.SetPolys(cell_array(numpy.concatenate(offsets), numpy.concatenate(numbers)))
     return mesh
+
+
+def usual_ids(cloud: Any) -> str:
+    """The name of an array of ids that is called so; empty if there is none."""
+    if not hasattr(cloud, "GetPointData"):
+        return ""
+    arrays = cloud.GetPointData()
+    usual = (arrays.GetArray(n) for n in array_names(arrays) if n.lower() in _USUAL_IDS)
+    return next((own.GetName() for own in usual if own and own.GetNumberOfComponents() == 1), "")

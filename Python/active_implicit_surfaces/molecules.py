@@ -156,7 +156,7 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
             frame["radius"] = unit * numpy.array([radii[n] for n in numbers], dtype="f4")
     if unknown:
         effect = "have the radius 0" if are_known else "all have a radius by their distance"
-        warn(f"{few(unknown)}: no such element is known; these atoms {effect}. Write elements.")
+        warn(f"{few(unknown)}: there is no such element; these atoms {effect}. Write elements.")
 
 
 def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:

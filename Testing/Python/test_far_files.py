@@ -40,7 +40,7 @@ class Files(CommandTest):
         self.skins = [read_shape(self.folder / f"s_{step}.vtp") for step in range(2)]
 
     def write(self, suffix, *arguments):
-        """What is said, and the file of the second frame."""
+        """Returns the messages, and the file of the second frame."""
         given = ("p.npz", "--fps", 25, "--quiet", *arguments, "-o", f"t_#{suffix}")
         return self.succeed("skin", *given).err, self.folder / f"t_1{suffix}"
 

@@ -3,6 +3,7 @@
 #ifndef ParticleRuns_h
 #define ParticleRuns_h
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -15,8 +16,7 @@ constexpr std::size_t LanePadding = 8;
 struct ParticleRun
 {
   std::uint32_t First, End;
-  float
-    Shift[3]; // from the origin of the places that are sought to that of the run's block [voxels]
+  float Shift[3]; // to the origin of the run's block, from the origin that a search uses [voxels]
 };
 
 using ParticleRuns = std::vector<ParticleRun>;

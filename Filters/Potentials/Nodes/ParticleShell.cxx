@@ -148,9 +148,8 @@ void ParticleBlocks::Occupy(const ParticleCube& cube, std::size_t home)
     {
       for (at[2] = ball.First[2] >> 3; at[2] <= ball.Last[2] >> 3; ++at[2])
       {
-        const bool isHome = AreSame(this->Blocks[home].At, at);
-        const auto i = isHome ? home : static_cast<std::size_t>(this->Numbers.Find(at));
-        this->OccupyIn(this->Blocks[i], ball);
+        const NodeIndex cell = { 8 * at[0], 8 * at[1], 8 * at[2] };
+        this->OccupyIn(this->Blocks[this->FindBlock(cell, home)], ball);
       }
     }
   }

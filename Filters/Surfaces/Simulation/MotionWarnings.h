@@ -35,7 +35,7 @@ void WarnOfOutside(const Outside& outside, Warnings& messages);
 /** Event of the history, where the way to rest has ended before. */
 constexpr const char* NotAtRest = "not at rest";
 
-/** NotAtRest, or "at rest", or which share of the skin oscillates. */
+/** Returns the event of the history: steady, oscillating in a share of the skin, or neither. */
 std::string DescribeRest(const AdvanceReport& report);
 
 // Warns if the substeps ended before a steady state, or if a part of the skin oscillates.

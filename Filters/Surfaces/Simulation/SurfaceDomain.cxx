@@ -39,7 +39,7 @@ double FindVoxelSizeOfImages(double longest, double pixel)
   return pixel > 0.0 ? std::min(coarsest, std::max(pixel, longest / mostAcross)) : coarsest;
 }
 
-// voxelSize: used if neither VoxelSize nor a spacing is known; 0: by the bounds.
+// voxelSize: used if there is neither a VoxelSize nor a spacing; 0: by the bounds.
 SurfaceDomain MakeDomainOf(
   const SurfaceSettings& settings, const double bounds[6], double particleSpacing, double voxelSize)
 {
