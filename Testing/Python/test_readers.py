@@ -247,7 +247,7 @@ class Molecules(ReaderTest):
         ):
             with self.subTest(symbols):
                 found, said = self.numbers(*symbols)
-                self.assertIn(f"{unknown}: no such element", said)
+                self.assertIn(f"{unknown}: there is no such element", said)
         self.assertIsNone(found)  # none is known: the radii follow from the distances
 
     def test_properties_name_the_columns(self):
