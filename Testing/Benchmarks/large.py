@@ -1,31 +1,33 @@
 """Seconds a frame and memory over many particles, by the filter's defaults and by pysplashsurf.
 
-Run: python3 large.py [<particles> ...]     (250,000 1,000,000 4,000,000 unless said)
+Run: python3 large.py [--voxel 1,0.5] [<particles> ...]   (250000 1000000 4000000 unless said)
 
 A pool half as deep as wide, without walls, its particles 2 r apart and off their places by an
-eighth of that, under waves as high as a tenth of its width. Voxels are one r; the filter is told
-the spacing, the voxels and the ids. Frames after the first one count. Each maker runs in a process
-of its own: memory is what it takes at the peak beyond what it has with the particles read, over
-their number. splashsurf smooths as quality.py says. Takes a minute for each million particles, and
-2 kB for each one.
+eighth of that, under waves as high as a tenth of its width. The filter gets the spacing, the voxels
+and the ids; splashsurf has the settings that quality.py says, with its cleanup of the mesh and
+without ("no cleanup"). Each maker has a process of its own, and they make each frame in turns;
+frames after the first one count. "over splashsurf" is the ratio of the medians of seconds: above 1
+the row is faster. Memory is what a maker takes at the peak beyond what it has with the particles
+read, over their number. b67f7a4 is that commit in another hour.
+
+Takes one to two minutes for each million particles at voxels of r, two to four at .5 r; and up to
+6 kB for each particle.
 """
 
+import argparse
+import contextlib
 import resource
 import statistics
 import subprocess
 import sys
-from pathlib import Path
 from types import SimpleNamespace
 
+import b67f7a4
 import numpy
-from skin_makers import LivingSkin, SplashSurf, pysplashsurf
+from skin_makers import LivingSkin, numbers, splash_surfs
 
 FRAMES = 4
 R = 1.0
-MAKERS = {
-    "ours": lambda: LivingSkin("defaults", [("ParticleSpacing", "2r")]),
-    "splashsurf": SplashSurf,
-}
 
 
 def pool(particles):
@@ -46,35 +48,91 @@ def pool(particles):
     return SimpleNamespace(frames=frames, spacing=2 * R)
 
 
+def all_makers():
+    return [LivingSkin("defaults", [("ParticleSpacing", "2r")]), *splash_surfs()]
+
+
 def peak():
     return 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
 
-def measure(maker, particles):
-    """Prints the number of particles, seconds a frame, and bytes for each particle."""
+def make_when_asked(name, particles, voxel):
+    """For each line of input a frame: prints the number of particles, its seconds, and the bytes
+    for each particle so far."""
+    (maker,) = [maker for maker in all_makers() if maker.name == name]
     scene = pool(particles)
-    before = peak()
-    seconds = [cost for _, cost in MAKERS[maker]().make(scene, R)]
-    count = len(scene.frames[0][0])
-    print(count, statistics.median(seconds[1:]), (peak() - before) / count)
+    begun, count = peak(), len(scene.frames[0][0])
+    frames = maker.make(scene, voxel)
+    for _ in sys.stdin:
+        _, seconds = next(frames)
+        print(count, seconds, (peak() - begun) / count, flush=True)
+
+
+def begin(name, particles, voxel):
+    command = [sys.executable, __file__, str(particles), "--voxel", str(voxel), "--one", name]
+    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+
+def ask(process):
+    """The line that the process prints for its next frame, as numbers."""
+    process.stdin.write("\n")
+    process.stdin.flush()
+    line = process.stdout.readline()
+    if not line:
+        sys.exit("one of the makers ended")
+    return [float(figure) for figure in line.split()]
+
+
+def measure(names, particles, voxel):
+    """The number of particles, and for each maker its seconds a frame and bytes."""
+    told = {name: [] for name in names}
+    with contextlib.ExitStack() as stack:
+        processes = {name: stack.enter_context(begin(name, particles, voxel)) for name in names}
+        for _ in range(FRAMES):
+            for name, process in processes.items():
+                told[name].append(ask(process))
+    rows = {
+        name: (statistics.median(seconds for _, seconds, _ in frames[1:]), frames[-1][2])
+        for name, frames in told.items()
+    }
+    return int(told[names[0]][0][0]), rows
+
+
+def tell(head, rows, references):
+    """references: the seconds of those that each row is compared with."""
+    for name, (seconds, size) in rows.items():
+        line = f"{head} {name:>12} {seconds:8.2f} {size:15.0f}"
+        print(line + "".join(f"{theirs / seconds:17.2f}" for theirs in references), flush=True)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("particles", nargs="*", type=int, default=[250_000, 1_000_000, 4_000_000])
+    parser.add_argument("--voxel", type=numbers, default="1,0.5", help="in r")
+    parser.add_argument("--one", help=argparse.SUPPRESS)
+    return parser.parse_args()
 
 
 def main():
-    if len(sys.argv) == 4 and sys.argv[1] == "--one":
-        measure(sys.argv[2], int(sys.argv[3]))
+    chosen = arguments()
+    if chosen.one:
+        make_when_asked(chosen.one, chosen.particles[0], chosen.voxel[0] * R)
         return
-    print(f"{'particles':>12} {'maker':>12} {'s/frame':>9} {'bytes/particle':>15}")
-    for particles in map(int, sys.argv[1:] or ["250000", "1000000", "4000000"]):
-        for maker in MAKERS:
-            if maker == "splashsurf" and pysplashsurf is None:
-                continue
-            command = [sys.executable, Path(__file__), "--one", maker, str(particles)]
-            told = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-            count, seconds, size = told.split()[-3:]
-            print(
-                f"{int(count):12,} {maker:>12} {float(seconds):9.2f} {float(size):15.0f}",
-                flush=True,
-            )
+    names = [maker.name for maker in all_makers()]
+    print(
+        f"{'particles':>12} {'voxel':>6} {'maker':>12} {'s/frame':>8} {'bytes/particle':>15}"
+        + "".join(f"{'over ' + name:>17}" for name in names[1:])
+    )
+    for voxel in chosen.voxel:
+        for particles in chosen.particles:
+            count, rows = measure(names, particles, voxel)
+            head = f"{count:12,} {voxel:4g} r"
+            tell(head, rows, [rows[name][0] for name in names[1:]])
+            if voxel == 1 and particles in b67f7a4.LARGE:
+                own, theirs = b67f7a4.LARGE[particles]
+                tell(head, {"b67f7a4": own}, [theirs[0]])
 
 
 if __name__ == "__main__":

@@ -38,13 +38,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Examples" / "Pytho
 import numpy  # noqa: E402
 from active_implicit_surfaces import vtkActiveImplicitSurface  # noqa: E402
 from particle_series import ParticleSeries  # noqa: E402
+from skin_makers import RECOMMENDED, pysplashsurf  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader  # noqa: E402
-
-try:
-    import pysplashsurf
-except ImportError:
-    pysplashsurf = None
 
 DATA = Path(__file__).resolve().parents[1] / "Data" / "sph_drop.vtp"
 R = 0.05
@@ -98,16 +94,13 @@ def seconds_of(action):
 
 
 def reconstruct(particles, voxel):
+    settings = RECOMMENDED | {"mesh_cleanup": False, "normals_smoothing_iters": None}
     pysplashsurf.reconstruction_pipeline(
         particles,
         particle_radius=R,
-        smoothing_length=2.0,  # in particle radii, as the next one
         cube_size=voxel / R,
-        iso_surface_threshold=0.6,
-        mesh_smoothing_weights=True,
-        mesh_smoothing_iters=25,
-        compute_normals=True,
         multi_threading=THREADS > 1,
+        **settings,
     )
 
 

@@ -1,14 +1,19 @@
 """How good a skin over particles is: size, flatness, drops, sheets, lag, flicker, births; a table.
 
-Run: python3 quality.py [--scenes pool,splash,...] [--voxel 1.0] [--size 8000]
+Run: python3 quality.py [--scenes pool,splash,...] [--voxel 1,0.5] [--size 8000]
          [--config "name: Property=value ..."] ... [--label name] [--set Property=value ...]
          [--scene-folder FOLDER] [--pictures FOLDER]
 
 Each --config is a column: the filter with Set<Property>(value) called, the voxel size and the ids
 given, times in seconds. A value is a number, of particle radii if it ends in r (3.4r), of their
 squares if in r2. --set and --label are one more column. Without any, the columns are the filter's
-defaults and the values of Examples/Python/coat_particles.py. The last column is splashsurf's, at
-the same voxel, with its recommended smoothing, if pysplashsurf is there.
+defaults and the values of Examples/Python/coat_particles.py. Then come the figures of commit
+b67f7a4, for voxels of r and in seconds of another hour, and, if pysplashsurf is there, splashsurf
+with the settings that its README recommends, and without its cleanup of the mesh ("no cleanup").
+
+All make each frame in turns, at voxels of one particle radius r and then of .5 r; with --voxel 1 it
+takes a quarter of the time. "speed over" is the ratio of the medians of seconds: above 1 the column
+is faster.
 
 The scenes are those of Examples/Python/fluid_scenes.py; r is half of the particles' spacing, "rest"
 the volume N (2 r)^3 and the height that it has in the box:
@@ -35,15 +40,18 @@ import sys
 import tempfile
 from pathlib import Path
 
+import b67f7a4
+
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Examples" / "Python"))
 from fluid_scenes import load_scene  # noqa: E402
 from skin_geometry import Skin  # noqa: E402
-from skin_makers import SplashSurf, living_skin, pysplashsurf  # noqa: E402
+from skin_makers import SplashSurf, living_skin, numbers, splash_surfs  # noqa: E402
 from skin_measures import MEASURES  # noqa: E402
 from vtkmodules.vtkCommonCore import vtkLogger  # noqa: E402
 
 PICTURED = {"pool": 11, "splash": 10, "dam": 14, "fountain": 32, "rain": 24, "sheet": 15}
 VIEW = (0.4, 0.5, 1.0)
+SECONDS = "seconds per frame"
 COMMON = [
     "defaults:",
     "coat_particles: KernelRadius=3.4r ParticleThreshold=0.7 Attraction=100",
@@ -55,7 +63,7 @@ def arguments():
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--scenes", default=",".join(MEASURES))
-    parser.add_argument("--voxel", type=float, default=1.0, help="in particle radii")
+    parser.add_argument("--voxel", type=numbers, default="1,0.5", help="in particle radii")
     parser.add_argument("--size", type=int, default=8000, help="particles of the splash")
     parser.add_argument("--config", action="append", default=[])
     parser.add_argument("--label", default="set")
@@ -71,28 +79,35 @@ def arguments():
     return chosen
 
 
-def makers(configs):
-    result = [living_skin(config) for config in configs or COMMON]
-    if pysplashsurf:
-        return [*result, SplashSurf()]
-    print("splashsurf: left out, as it is not installed (pip install pysplashsurf)")
-    return result
+def before(name, voxel):
+    """The figures of b67f7a4."""
+    if voxel != 1:
+        return {}
+    own, theirs = b67f7a4.SECONDS[name]
+    speed = {SECONDS: own, "speed over splashsurf": theirs / own}
+    return b67f7a4.QUALITY.get(name, {}) | speed
 
 
-def measure(name, scene, maker, voxel):
-    """The figures of one column, and the skin for the picture."""
-    results = list(maker.make(scene, voxel))
-    skins = [Skin(data) for data, _ in results]
-    figures = MEASURES[name](scene, skins, voxel)
-    seconds = [seconds for _, seconds in results]
-    figures["seconds per frame"] = statistics.median(seconds[1:])
-    pictured = results[min(PICTURED.get(name, -1), len(results) - 1)][0]
-    return figures, pictured
+def measure(name, scene, makers, voxel):
+    """For each maker its figures, and its skins."""
+    frames = zip(*(maker.make(scene, voxel) for maker in makers), strict=True)  # in turns
+    columns, skins = [], []
+    for results in zip(*frames, strict=True):
+        skins.append([skin for skin, _ in results])
+        columns.append(MEASURES[name](scene, [Skin(skin) for skin in skins[-1]], voxel))
+        columns[-1][SECONDS] = statistics.median(seconds for _, seconds in results[1:])
+    for maker, theirs in zip(makers, columns, strict=True):
+        if isinstance(maker, SplashSurf):
+            for column in columns:
+                column[f"speed over {maker.name}"] = theirs[SECONDS] / column[SECONDS]
+    return columns, skins
 
 
 def tell(name, columns):
     for figure in columns[0]:
-        values = "".join(f"{column[figure]:15.3f}" for column in columns)
+        values = "".join(
+            f"{column[figure]:15.3f}" if figure in column else f"{'-':>15}" for column in columns
+        )
         print(f"{name:9} {figure:38}{values}", flush=True)
 
 
@@ -105,22 +120,31 @@ def write_picture(folder, name, skins):
         write_film_strip(folder / f"{name}.png", shown, view=VIEW, width=1000 * len(shown))
 
 
+def load_scenes(chosen):
+    folder = chosen.scene_folder or Path(tempfile.gettempdir()) / "fluid_scenes"
+    sizes = {"splash": {"size_of": chosen.size}}
+    return {name: load_scene(name, folder, **sizes.get(name, {})) for name in chosen.scenes}
+
+
 def main():
     chosen = arguments()
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # warnings would tear the table
-    columns = makers(chosen.config)
-    folder = chosen.scene_folder or Path(tempfile.gettempdir()) / "fluid_scenes"
-    scenes = {}
-    for name in chosen.scenes:
-        options = {"size_of": chosen.size} if name == "splash" else {}
-        scenes[name] = load_scene(name, folder, **options)
-    print(f"{f'voxel {chosen.voxel:g} r':48}" + "".join(f"{c.name[:14]:>15}" for c in columns))
-    for name, scene in scenes.items():
-        voxel = chosen.voxel * 0.5 * scene.spacing
-        results = [measure(name, scene, maker, voxel) for maker in columns]
-        tell(name, [figures for figures, _ in results])
-        if chosen.pictures and name in PICTURED:
-            write_picture(chosen.pictures, name, [skin for _, skin in results])
+    ours = [living_skin(config) for config in chosen.config or COMMON]
+    makers = [*ours, *splash_surfs()]
+    if makers == ours:
+        print("splashsurf: left out, as it is not installed (pip install pysplashsurf)")
+    heads = [maker.name[:14] for maker in makers]
+    heads.insert(len(ours), "b67f7a4")
+    scenes = load_scenes(chosen)
+    for factor in chosen.voxel:
+        print(f"{f'voxel {factor:g} r':48}" + "".join(f"{head:>15}" for head in heads))
+        for name, scene in scenes.items():
+            columns, skins = measure(name, scene, makers, factor * 0.5 * scene.spacing)
+            columns.insert(len(ours), before(name, factor))
+            tell(name, columns)
+            if chosen.pictures and name in PICTURED:
+                shown = [frames[min(PICTURED[name], len(frames) - 1)] for frames in skins]
+                write_picture(chosen.pictures, f"{name}_{factor:g}r", shown)
     if chosen.pictures:
         print(f"pictures, in the columns' order without empty skins: {chosen.pictures}")
 

@@ -57,10 +57,25 @@ def living_skin(config):
     return LivingSkin(name.strip(), pairs)
 
 
-class SplashSurf:
-    """pysplashsurf, with the smoothing that its documentation recommends."""
+# By the README of splashsurf 0.14.1, "Recommended settings" and "Weighted surface smoothing": a
+# kernel of two particle radii, thresholds of .6 to .7, cubes of .5 to 1 radius, which are the
+# voxels here, and one of two removals of slivers before the mesh is smoothed.
+RECOMMENDED = {
+    "smoothing_length": 2.0,
+    "iso_surface_threshold": 0.6,
+    "mesh_smoothing_weights": True,
+    "mesh_smoothing_iters": 25,
+    "mesh_cleanup": True,
+    "compute_normals": True,
+    "normals_smoothing_iters": 10,
+}
 
-    name = "splashsurf"
+
+class SplashSurf:
+    """pysplashsurf, with its recommended settings but for those given."""
+
+    def __init__(self, name, **others):
+        self.name, self.settings = name, RECOMMENDED | others
 
     def make(self, scene, voxel):
         radius = 0.5 * scene.spacing
@@ -69,18 +84,23 @@ class SplashSurf:
             mesh, _ = pysplashsurf.reconstruction_pipeline(
                 positions,
                 particle_radius=radius,
-                smoothing_length=2.0,  # in particle radii, as the next one
                 cube_size=voxel / radius,
-                iso_surface_threshold=0.6,
-                mesh_smoothing_weights=True,
-                mesh_smoothing_iters=25,
-                mesh_smoothing_weights_normalization=13.0,
-                mesh_cleanup=True,
-                compute_normals=True,
-                normals_smoothing_iters=10,
+                **self.settings,
             )
             seconds = time.perf_counter() - began
             yield as_poly_data(mesh), seconds
+
+
+def splash_surfs():
+    """None if it is not installed."""
+    if not pysplashsurf:
+        return []
+    return [SplashSurf("splashsurf"), SplashSurf("no cleanup", mesh_cleanup=False)]
+
+
+def numbers(text):
+    """The numbers that commas separate."""
+    return [float(number) for number in text.split(",")]
 
 
 def value_of(text, radius):

@@ -1,0 +1,81 @@
+"""Figures of commit b67f7a4, whose skins over particles took substeps, to print beside today's.
+
+They are from its Testing/README.md, section Speed, unless another place is said: two cores of an
+AMD EPYC that others use too, in another hour, so that ratios can be compared, seconds hardly.
+"""
+
+# quality.py, voxels of one particle radius: seconds a frame, and splashsurf's in the same run.
+SECONDS = {
+    "pool": (0.024, 0.025),
+    "jitter": (0.024, 0.032),
+    "slosh": (0.026, 0.031),
+    "ball": (0.007, 0.008),
+    "sheet": (0.014, 0.024),
+    "rain": (0.047, 0.023),
+    "fountain": (0.047, 0.033),
+    "splash": (0.119, 0.047),
+    "dam": (0.104, 0.049),
+}
+
+# quality.py's others. The page has the pool's p95, the flicker and the splash's isolated particles;
+# the rest was measured later, of that version.
+QUALITY = {
+    "pool": {
+        "flatness, mean [deg]": 0.75,
+        "flatness, p95 [deg]": 2.46,
+        "volume over rest": 1.016,
+        "drops kept, standing": 1.0,
+        "drops kept, falling": 1.0,
+    },
+    "jitter": {"flicker, rms [r]": 0.0059},
+    "splash": {
+        "isolated particles inside": 0.994,
+        "all particles inside": 0.985,
+        "volume over rest": 1.067,
+    },
+    "dam": {
+        "isolated particles inside": 1.0,
+        "all particles inside": 0.999,
+        "outside by more than r": 0.0,
+    },
+    "fountain": {
+        "births: frames until inside, median": 0.0,
+        "births: frames until inside, worst": 8.0,
+        "births: never inside": 0.0005,
+    },
+    "rain": {
+        "births: frames until inside, median": 0.0,
+        "births: frames until inside, worst": 8.0,
+        "births: never inside": 0.0,
+        "drops: later volume over rest": 0.90,
+    },
+    "sheet": {"whole sheet kept": 1.0},
+    "ball": {"lag at 2 r per frame [voxels]": 0.010},
+}
+
+# large.py, voxels of one particle radius: seconds a frame and bytes for each particle, and
+# splashsurf's; middles of three runs.
+LARGE = {
+    250_000: ((1.1, 1900), (0.77, 950)),
+    1_000_000: ((3.4, 1800), (2.15, 640)),
+    4_000_000: ((13.5, 1700), (7.95, 480)),
+}
+
+# report.py: the least and the most favourable case of quick runs; of morphs by either scheme of
+# substeps, of particles (by SUM, without Transport, voxels of r and .5 r) by the faster one.
+AIMS = {
+    "default scheme [ns per active voxel, substep]": "30-62",
+    "tension alone [ns per active voxel, substep]": "14-27",
+    "tension, times meanCurvature, defaults": "77-100",
+    "tension, times meanCurvature, cheapest": "22-28",
+    "morph, times LevelSetMorphing, defaults": "14-28",
+    "morph, times LevelSetMorphing, cheapest": "7.5-13",
+    "particles, times pysplashsurf": "0.72-1.5",
+    "particles, times ParticlesToLevelSet": "8.6-12",
+    "mesh, times vtkFlyingEdges3D": "3.2-4.0",
+    "growth of time with n [exponent]": "2.2-2.4",
+    "2 threads, times one": "1.6-2.2",
+    "90 % at rest, times all moving": "5.0-6.0",
+    "the same, under tension": "4.2-4.3",
+    "memory at the peak [bytes per active voxel]": "59-66",
+}
