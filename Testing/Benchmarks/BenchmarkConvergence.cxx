@@ -17,6 +17,7 @@
 //   above and from n = 32 to this line; 2 for a scheme of second order
 
 #include "NarrowBand.h"
+#include "OpenVDB.h"
 #include "Skin.h"
 
 #include <algorithm>
@@ -45,7 +46,6 @@ public:
   {
     std::fill_n(results.Values, count, 0.0);
     std::fill_n(results.Slopes, count, 0.0);
-    SetStill(count, results);
   }
 };
 

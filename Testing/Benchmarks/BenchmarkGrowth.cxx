@@ -17,6 +17,7 @@
 // structure of the particles is a part.
 
 #include "Measuring.h"
+#include "OpenVDB.h"
 #include "Scenes.h"
 
 #include "vtkActiveImplicitSurface.h"

@@ -15,6 +15,7 @@
 // voxels, its spread over the surface, substeps, milliseconds of the processor.
 
 #include "Measuring.h"
+#include "OpenVDB.h"
 #include "Scenes.h"
 #include "Skin.h"
 
@@ -71,7 +72,6 @@ public:
   {
     std::fill_n(results.Values, count, -1.0);
     std::fill_n(results.Slopes, count, 0.0);
-    SetStill(count, results);
   }
 };
 

@@ -59,7 +59,6 @@ public:
   void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const override
   {
-    SetStill(count, results);
     const openvdb::FloatGrid::ConstAccessor samples = this->Grid->getConstAccessor();
     for (std::size_t i = 0; i < count; ++i)
     {

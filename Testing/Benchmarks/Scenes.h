@@ -84,7 +84,6 @@ public:
   void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const override
   {
-    SetStill(count, results);
     for (std::size_t i = 0; i < count; ++i)
     {
       results.Values[i] = this->Form(points + 3 * i);
