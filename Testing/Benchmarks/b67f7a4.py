@@ -60,22 +60,3 @@ LARGE = {
     1_000_000: ((3.4, 1800), (2.15, 640)),
     4_000_000: ((13.5, 1700), (7.95, 480)),
 }
-
-# report.py: the least and the most favourable case of quick runs; of morphs by either scheme of
-# substeps, of particles (by SUM, without Transport, voxels of r and .5 r) by the faster one.
-AIMS = {
-    "default scheme [ns per active voxel, substep]": "30-62",
-    "tension alone [ns per active voxel, substep]": "14-27",
-    "tension, times meanCurvature, defaults": "77-100",
-    "tension, times meanCurvature, cheapest": "22-28",
-    "morph, times LevelSetMorphing, defaults": "14-28",
-    "morph, times LevelSetMorphing, cheapest": "7.5-13",
-    "particles, times pysplashsurf": "0.72-1.5",
-    "particles, times ParticlesToLevelSet": "8.6-12",
-    "mesh, times vtkFlyingEdges3D": "3.2-4.0",
-    "growth of time with n [exponent]": "2.2-2.4",
-    "2 threads, times one": "1.6-2.2",
-    "90 % at rest, times all moving": "5.0-6.0",
-    "the same, under tension": "4.2-4.3",
-    "memory at the peak [bytes per active voxel]": "59-66",
-}

@@ -85,17 +85,17 @@ def ask(process):
 
 def measure(names, particles, voxel):
     """The number of particles, and for each maker its seconds a frame and bytes."""
-    told = {name: [] for name in names}
+    lines = {name: [] for name in names}
     with contextlib.ExitStack() as stack:
         processes = {name: stack.enter_context(begin(name, particles, voxel)) for name in names}
         for _ in range(FRAMES):
             for name, process in processes.items():
-                told[name].append(ask(process))
+                lines[name].append(ask(process))
     rows = {
         name: (statistics.median(seconds for _, seconds, _ in frames[1:]), frames[-1][2])
-        for name, frames in told.items()
+        for name, frames in lines.items()
     }
-    return int(told[names[0]][0][0]), rows
+    return int(lines[names[0]][0][0]), rows
 
 
 def tell(head, rows, references):

@@ -92,7 +92,7 @@ class SplashSurf:
 
 
 def splash_surfs():
-    """None if it is not installed."""
+    """Makers by pysplashsurf; an empty list if it is not installed."""
     if not pysplashsurf:
         return []
     return [SplashSurf("splashsurf"), SplashSurf("no cleanup", mesh_cleanup=False)]
