@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <vector>
 
 namespace activesurface
 {
@@ -56,6 +57,24 @@ void RunPieces(std::size_t count, std::size_t inPiece, Task task)
 {
   RunTasks((count + inPiece - 1) / inPiece,
     [&](std::size_t piece) { task(piece * inPiece, std::min((piece + 1) * inPiece, count)); });
+}
+
+// Returns the largest of least and value(0) to value(count - 1).
+template <class Number, class Value>
+Number FindMost(std::size_t count, Number least, Value value)
+{
+  constexpr std::size_t inPiece = 4096;
+  std::vector<Number> most((count + inPiece - 1) / inPiece, least);
+  RunPieces(count, inPiece,
+    [&](std::size_t begin, std::size_t end)
+    {
+      Number& here = most[begin / inPiece];
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        here = std::max(here, value(i));
+      }
+    });
+  return most.empty() ? least : *std::max_element(most.begin(), most.end());
 }
 
 // Calls task(0) to task(count - 1), each of little work.

@@ -45,18 +45,44 @@ double ParticleNodes::GetOwnRadius(const SkeletonVertex& particle) const
                                        : particle.Radius / this->Options.ReachPerRadius;
 }
 
+class ParticleNodes::CubesOf final : public ParticleCubes
+{
+public:
+  CubesOf(const ParticleNodes& nodes, const NodeParticles& given)
+    : Nodes(nodes)
+    , Given(given)
+  {
+  }
+
+  std::size_t Size() const override { return this->Given.Size(); }
+  ParticleCube Get(std::size_t n) const override
+  {
+    const SkeletonVertex particle = this->Given.Get(n);
+    ParticleCube cube;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      CheckPlace(particle.Position[axis] / this->Nodes.Options.VoxelSize);
+      cube.Position[axis] = particle.Position[axis];
+    }
+    cube.HalfSide = this->Nodes.GetOwnRadius(particle);
+    cube.Shell = this->Nodes.FindShellRadius(particle);
+    cube.Filling = std::min(std::max(particle.Strength, 0.0), 1.0);
+    return cube;
+  }
+
+private:
+  const ParticleNodes& Nodes;
+  const NodeParticles& Given;
+};
+
 void ParticleNodes::Build(const NodeParticles& given, const NodeParticleOptions& options)
 {
   this->Options = options;
-  this->MakeCubes(given);
-  double longest = 0.0;
-  for (const SkeletonVertex& particle : given.Particles)
-  {
-    longest = std::max(longest, particle.Radius);
-  }
-  this->Blocks.Build(this->Cubes,
+  const std::size_t count = given.Size();
+  const double longest =
+    FindMost(count, 0.0, [&given](std::size_t n) { return given.Get(n).Radius; });
+  this->Blocks.Build(CubesOf(*this, given),
     { options.VoxelSize, StretchInBody * longest, options.Model != ParticleModel::Sum });
-  const std::size_t count = given.Particles.size();
   this->Resize(count);
   RunPieces(count, ParticlesPerTask,
     [&](std::size_t begin, std::size_t end)
@@ -66,12 +92,8 @@ void ParticleNodes::Build(const NodeParticles& given, const NodeParticleOptions&
         this->Place(given, k);
       }
     });
-  this->MostReachOfMotion = 0.0;
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    this->MostReachOfMotion =
-      std::max(this->MostReachOfMotion, ReachOfMotion * static_cast<double>(this->OwnRadius[k]));
-  }
+  this->MostReachOfMotion = FindMost(count, 0.0,
+    [this](std::size_t k) { return ReachOfMotion * static_cast<double>(this->OwnRadius[k]); });
   this->FindFits(given);
 }
 
@@ -93,7 +115,7 @@ void ParticleNodes::FindFits(const NodeParticles& given)
 {
   const bool isAnisotropic = this->Options.Model == ParticleModel::Anisotropic;
   this->Bulks = this->Bulk.data();
-  if (!isAnisotropic && (!given.Fits.empty() || !this->Options.WantsBulks))
+  if (!isAnisotropic && (!given.GetFits().empty() || !this->Options.WantsBulks))
   {
     return;
   }
@@ -106,26 +128,6 @@ void ParticleNodes::FindFits(const NodeParticles& given)
       this->Strength.data() },
     options);
   this->Bulks = this->Fits.GetBulks();
-}
-
-void ParticleNodes::MakeCubes(const NodeParticles& given)
-{
-  const std::vector<SkeletonVertex>& particles = given.Particles;
-  this->Cubes.resize(particles.size());
-  RunEach(particles.size(),
-    [&](std::size_t n)
-    {
-      const SkeletonVertex& particle = particles[n];
-      ParticleCube& cube = this->Cubes[n];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        CheckPlace(particle.Position[axis] / this->Options.VoxelSize);
-        cube.Position[axis] = particle.Position[axis];
-      }
-      cube.HalfSide = this->GetOwnRadius(particle);
-      cube.Shell = this->FindShellRadius(particle);
-      cube.Filling = std::min(std::max(particle.Strength, 0.0), 1.0);
-    });
 }
 
 void ParticleNodes::Resize(std::size_t count)
@@ -142,19 +144,18 @@ void ParticleNodes::Resize(std::size_t count)
 void ParticleNodes::Place(const NodeParticles& given, std::size_t k)
 {
   const std::size_t n = this->Blocks.GetOrder()[k];
-  const SkeletonVertex& particle = given.Particles[n];
+  const SkeletonVertex particle = given.Get(n);
   const double voxel = this->Options.VoxelSize;
   const ParticleBlocks::Block& block = this->Blocks[this->Blocks.GetBlockOf()[k]];
   float* const places[3] = { &this->X[k], &this->Y[k], &this->Z[k] };
   float* const displacements[3] = { &this->DX[k], &this->DY[k], &this->DZ[k] };
-  bool isKnown = true;
+  double velocity[3] = { 0.0, 0.0, 0.0 };
+  bool isKnown = !this->Options.HasVelocities || given.FindVelocity(n, velocity);
   for (int axis = 0; axis < 3; ++axis)
   {
     *places[axis] = static_cast<float>(
       particle.Position[axis] / voxel - this->Blocks.GetBlockSize() * block.At[axis]);
-    const double way = given.Velocities.empty()
-      ? 0.0
-      : given.Velocities[3 * n + axis] * this->Options.Duration / voxel;
+    const double way = velocity[axis] * this->Options.Duration / voxel;
     isKnown = isKnown && std::fabs(way) < LongestDisplacement;
     *displacements[axis] = static_cast<float>(way);
   }
@@ -163,7 +164,7 @@ void ParticleNodes::Place(const NodeParticles& given, std::size_t k)
     *displacements[0] = *displacements[1] = *displacements[2] = 0.f;
   }
   this->IsMoved[k] = isKnown ? 1.f : 0.f;
-  this->Bulk[k] = given.Fits.empty() ? 1.f : static_cast<float>(given.Fits[n].Bulk);
+  this->Bulk[k] = given.GetFits().empty() ? 1.f : static_cast<float>(given.GetFits()[n].Bulk);
   const double own = this->GetOwnRadius(particle) / voxel, reach = ReachOfMotion * own;
   this->OwnRadius[k] = static_cast<float>(own);
   this->Reach[k] = static_cast<float>(particle.Radius / voxel);
@@ -290,9 +291,10 @@ ShellLeaf ParticleNodes::FindRows(const NodeIndex& origin) const
   return leaf;
 }
 
-// Lists the particles that may be within reach of a cube of nodes. size: of its side [voxels].
+// Lists the particles that may be within reach of a cube of nodes. size: of its side [voxels];
+// before: the columns' rows before each particle; null: they have a row for each.
 const ParticleRuns& ParticleNodes::ListNear(
-  const NodeIndex& origin, double size, double reach) const
+  const NodeIndex& origin, double size, double reach, const std::uint32_t* before) const
 {
   thread_local ParticleRuns runs;
   double low[3], high[3];
@@ -305,7 +307,7 @@ const ParticleRuns& ParticleNodes::ListNear(
   this->Blocks.VisitRuns(low, high,
     [&](std::uint32_t first, std::uint32_t end, const NodeIndex& at)
     {
-      ParticleRun run{ first, end, {} };
+      ParticleRun run{ before ? before[first] : first, before ? before[end] : end, {} };
       for (int axis = 0; axis < 3; ++axis)
       {
         run.Shift[axis] = static_cast<float>(this->Blocks.GetBlockSize() * at[axis] - origin[axis]);
@@ -319,7 +321,8 @@ void ParticleNodes::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
 {
   constexpr double size = 7.0;
   FindPotential(this->Fits.GetColumns(), this->Fits.GetEllipsoids(),
-    this->ListNear(leaf.Origin, size, this->Fits.GetLongestReach()), leaf.Rows, values);
+    this->ListNear(leaf.Origin, size, this->Fits.GetLongestReach(), this->Fits.GetRows()),
+    leaf.Rows, values);
 }
 
 void ParticleNodes::FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const

@@ -24,11 +24,19 @@
 namespace activesurface
 {
 
-struct NodeParticles
+// Particles that are asked for one by one, several times each and by several threads.
+class NodeParticles
 {
-  const std::vector<SkeletonVertex>& Particles;
-  const ParticleFits& Fits;              // of each, for ParticleModel::AveragedCentre; or empty
-  const std::vector<double>& Velocities; // x y z of each, NaN for unknown; or empty
+public:
+  virtual std::size_t Size() const = 0;
+  virtual SkeletonVertex Get(std::size_t n) const = 0;
+  // Finds x y z [length / motion time]. Returns false if unknown.
+  virtual bool FindVelocity(std::size_t n, double (&velocity)[3]) const = 0;
+  // Of each, for ParticleModel::AveragedCentre; or empty.
+  virtual const ParticleFits& GetFits() const = 0;
+
+protected:
+  ~NodeParticles() = default;
 };
 
 struct NodeParticleOptions
@@ -37,10 +45,11 @@ struct NodeParticleOptions
   double VoxelSize = 1.0;
   double OwnRadius = 0.0; // [length]; 0: the particle's reach over ReachPerRadius
   double ReachPerRadius = 4.5;
-  double Anisotropy = 4.0; // largest ratio of an ellipsoid's axes
-  bool WantsBulks = true;  // else all particles count as in a body
-  double Duration = 0.0;   // by which velocities are multiplied
-  bool HasNoise = false;   // whether the motion of a body is without that of single particles
+  double Anisotropy = 4.0;    // largest ratio of an ellipsoid's axes
+  bool WantsBulks = true;     // else all particles count as in a body
+  bool HasVelocities = false; // else no particle moves
+  double Duration = 0.0;      // by which velocities are multiplied
+  bool HasNoise = false;      // whether the motion of a body is without that of single particles
 };
 
 class VTKACTIVEPOTENTIALS_EXPORT ParticleNodes
@@ -57,7 +66,7 @@ public:
   void FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const;
 
 private:
-  void MakeCubes(const NodeParticles& given);
+  class CubesOf;
   void Resize(std::size_t count);
   void Place(const NodeParticles& given, std::size_t k);
   void FindFits(const NodeParticles& given);
@@ -65,10 +74,10 @@ private:
   double FindShellRadius(const SkeletonVertex& particle) const;
   void ListLeaves(bool wantsInside, std::vector<NodeIndex>& origins) const;
   ShellLeaf FindRows(const NodeIndex& origin) const;
-  const ParticleRuns& ListNear(const NodeIndex& origin, double size, double reach) const;
+  const ParticleRuns& ListNear(const NodeIndex& origin, double size, double reach,
+    const std::uint32_t* before = nullptr) const;
 
   NodeParticleOptions Options;
-  UnsetVector<ParticleCube> Cubes;
   ParticleBlocks Blocks;
 
   // By the order of the blocks, with room for a vector of eight more.

@@ -1,5 +1,7 @@
 #include "Nodes/NodeCarry.h"
 
+#include "Nodes/LeafPoints.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -61,6 +63,12 @@ struct OldBlock
     RunCompiled(LimitKernel{ this->Values.data(), this->Count() });
   }
 
+  bool IsOfOneValue() const
+  {
+    return std::all_of(this->Values.begin(), this->Values.begin() + this->Count(),
+      [this](float value) { return value == this->Values[0]; });
+  }
+
 private:
   void ReadLeaf(const OldPotential& old, const NodeIndex& origin)
   {
@@ -90,36 +98,6 @@ private:
           to[z] = from ? from[z] : side;
         }
       }
-    }
-  }
-};
-
-/** Along a row, from three values that are 4 nodes apart. */
-ACTIVE_ALWAYS_INLINE Lanes ExpandRow(const float* points, int x, int y)
-{
-  const float tx = .25f * static_cast<float>(x & 3), ty = .25f * static_cast<float>(y & 3);
-  float line[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    const float* p = points + 9 * (x >> 2) + 3 * (y >> 2) + k;
-    line[k] = (1.f - tx) * ((1.f - ty) * p[0] + ty * p[3]) + tx * ((1.f - ty) * p[9] + ty * p[12]);
-  }
-  const Lanes quarters = { 0.f, .25f, .5f, .75f, 1.f, 1.25f, 1.5f, 1.75f };
-  const Lanes lower = AllLanes(line[0]) + quarters * AllLanes(line[1] - line[0]);
-  const Lanes upper = AllLanes(line[1]) + (quarters - AllLanes(1.f)) * AllLanes(line[2] - line[1]);
-  return Pick(quarters < AllLanes(1.f), lower, upper);
-}
-
-struct ExpandKernel
-{
-  const LeafMotion& Motion;
-  float* Bulk;
-
-  ACTIVE_ALWAYS_INLINE void operator()() const
-  {
-    for (int row = 0; row < 64; ++row)
-    {
-      StoreLanes(this->Bulk + 8 * row, ExpandRow(this->Motion.Bulk, row >> 3, row & 7));
     }
   }
 };
@@ -243,6 +221,11 @@ void CarryRows(const OldPotential& old, const NodeLeaf& leaf, const float (*feet
   OldBlock& block, float* carried)
 {
   block.Read(old);
+  if (block.IsOfOneValue()) // as the interpolated ones are then
+  {
+    std::fill_n(carried, 8 * rows, block.Values[0]);
+    return;
+  }
   const int offset[3] = { leaf.Origin[0] - block.Low[0], leaf.Origin[1] - block.Low[1],
     leaf.Origin[2] - block.Low[2] };
   for (int row = 0; row < rows; ++row)
@@ -294,11 +277,6 @@ void CarryNodes(const OldPotential& old, const NodeLeaf& leaf, const LeafMotion&
       std::copy_n(psi + 8 * row, 8, carried + 8 * row);
     }
   }
-}
-
-void ExpandBulk(const LeafMotion& motion, float* bulk)
-{
-  RunCompiled(ExpandKernel{ motion, bulk });
 }
 
 }

@@ -43,9 +43,6 @@ struct OldPotential
 void CarryNodes(const OldPotential& old, const NodeLeaf& leaf, const LeafMotion& motion,
   const float* psi, float* carried);
 
-/** The bulk at the 512 nodes of a leaf, linear between the points of the motion. */
-void ExpandBulk(const LeafMotion& motion, float* bulk);
-
 }
 
 #endif

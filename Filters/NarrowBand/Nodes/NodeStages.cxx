@@ -1,5 +1,7 @@
 #include "Nodes/NodeStages.h"
 
+#include "Nodes/LeafPoints.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -93,10 +95,13 @@ struct StageKernel
    * have several rows in hand if a row is short. */
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
+    if (this->Fields.IsFar[i])
+    {
+      return;
+    }
     const NodeLeaf& leaf = this->Fields.Leaves[i];
-    const float *psi = this->Fields.Psi.Of(i), *bulks = this->Fields.Bulk.Of(i);
-    const float* before = this->Fields.Potential.Of(i);
-    alignas(32) float pulls[512];
+    const float *psi = this->Fields.Psi.Of(i), *before = this->Fields.Potential.Of(i);
+    alignas(32) float pulls[512], bulks[512];
     std::uint64_t moving = leaf.Rows;
     NodeBlock<W> block;
     block.Gather(this->Fields.Potential, leaf, NodeLimit);
@@ -108,8 +113,9 @@ struct StageKernel
         moving &= ~(std::uint64_t(1) << row);
         continue;
       }
-      StoreLanes(
-        pulls + 8 * row, this->FindPull(block.Row(row >> 3, row & 7), LoadLanes(bulks + 8 * row)));
+      const Lanes bulk = ExpandRow(this->Fields.Bulk[i].data(), row >> 3, row & 7);
+      StoreLanes(bulks + 8 * row, bulk);
+      StoreLanes(pulls + 8 * row, this->FindPull(block.Row(row >> 3, row & 7), bulk));
     }
     float* next = this->Fields.Room.Of(i);
     std::memcpy(next, psi, 512 * sizeof(float));

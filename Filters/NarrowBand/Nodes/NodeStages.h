@@ -13,6 +13,9 @@
 
 #include "Nodes/NodeLeaves.h"
 
+#include <array>
+#include <vector>
+
 namespace activesurface
 {
 
@@ -24,11 +27,16 @@ struct StageCoefficients
   bool IsWeighted = false; //< whether bulks weigh the tension; else g = 1
 };
 
+/** In [0,1], at the points of a LeafMotion. */
+using LeafBulk = std::array<float, LeafMotion::Points>;
+
 struct NodeFields
 {
   const NodeLeaves& Leaves;
   const NodeArrays& Psi;
-  const NodeArrays& Bulk; //< in [0,1]
+  const std::vector<LeafBulk>& Bulk;
+  const std::vector<char>&
+    IsFar; //< leaves that stay as they are: Potential, Room and Psi are alike
   NodeArrays& Potential;
   NodeArrays& Room; //< overwritten
 };

@@ -65,7 +65,7 @@ openvdb::FloatTree::Ptr NodeStep::Make(
     static_cast<float>(motion.Tension * frame.Duration / (frame.VoxelSize * frame.VoxelSize));
   law.Noise = target.GetNoise();
   law.IsWeighted = motion.WeightedTension;
-  RunStages({ this->Leaves, this->Psi, this->Bulk, this->Potential, this->Room }, law);
+  RunStages({ this->Leaves, this->Psi, this->Bulk, this->IsFar, this->Potential, this->Room }, law);
   this->Confine(this->Potential, frame, motion);
   this->KeepWhatRests(frame.Old, RestingChange * law.Decay);
   return this->MakeTree();
@@ -103,7 +103,8 @@ void NodeStep::FindLeaves(const NodeFrame& frame, const Motion& motion, const No
   this->Potential.MakeRoom(count);
   this->Room.MakeRoom(count);
   this->Psi.MakeRoom(count);
-  this->Bulk.MakeRoom(count);
+  this->Bulk.resize(count);
+  this->IsFar.resize(count);
   this->IsStill.assign(count, 0);
 }
 
@@ -218,7 +219,7 @@ void NodeStep::Carry(const NodeFrame& frame, const NodeTarget& target)
       const NodeLeaf& leaf = this->Leaves[i];
       LeafMotion motion;
       target.FindMotion(leaf, motion);
-      ExpandBulk(motion, this->Bulk.Of(i));
+      std::copy_n(motion.Bulk, LeafMotion::Points, this->Bulk[i].begin());
       this->IsStill[i] = motion.IsStill ? 1 : 0;
       if (isStart)
       {
@@ -228,7 +229,20 @@ void NodeStep::Carry(const NodeFrame& frame, const NodeTarget& target)
       {
         CarryNodes(frame.Old, leaf, motion, this->Psi.Of(i), this->Potential.Of(i));
       }
+      this->IsFar[i] = this->StaysFar(i) ? 1 : 0;
+      if (this->IsFar[i])
+      {
+        std::copy_n(this->Psi.Of(i), 512, this->Room.Of(i));
+      }
     });
+}
+
+bool NodeStep::StaysFar(std::size_t i) const
+{
+  const float *psi = this->Psi.Of(i), *carried = this->Potential.Of(i);
+  return std::fabs(psi[0]) == NodeLimit &&
+    std::all_of(psi, psi + 512, [psi](float value) { return value == psi[0]; }) &&
+    std::all_of(carried, carried + 512, [psi](float value) { return value == psi[0]; });
 }
 
 void NodeStep::KeepWhatRests(const OldPotential& old, float tolerance)

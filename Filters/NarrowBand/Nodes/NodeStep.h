@@ -49,13 +49,16 @@ private:
   void Evaluate(const NodeTarget& target);
   void Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion);
   void Carry(const NodeFrame& frame, const NodeTarget& target);
+  bool StaysFar(std::size_t i) const;
   void KeepWhatRests(const OldPotential& old, float tolerance);
   openvdb::FloatTree::Ptr MakeTree() const;
 
   Shell Near;
   NodeLeaves Leaves;
-  NodeArrays Potential, Room, Psi, Bulk;
+  NodeArrays Potential, Room, Psi;
+  std::vector<LeafBulk> Bulk;
   std::vector<char> IsStill; //< leaves in which the target has not moved
+  std::vector<char> IsFar;   //< leaves that neither the target nor the skin is near
 };
 
 }

@@ -60,14 +60,11 @@ void NodeFits::Find(
 
 void NodeFits::Resize(std::size_t count)
 {
-  for (UnsetVector<float>* numbers : { &this->Wide2, &this->InverseWide2, &this->Bulk, &this->EX,
-         &this->EY, &this->EZ, &this->EReach2, &this->Deep, &this->Thin, &this->Shape, &this->Lone,
-         &this->Share, &this->Lack })
+  this->Row.Build(*this->Blocks);
+  for (UnsetVector<float>* numbers : { &this->Wide2, &this->InverseWide2, &this->Bulk })
   {
     numbers->resize(count + LanePadding);
   }
-  this->Places.resize(6 * count);
-  this->Ellipsoids.resize(count);
   RunEach(count + LanePadding,
     [this, count](std::size_t k)
     {
@@ -77,15 +74,23 @@ void NodeFits::Resize(std::size_t count)
       this->Wide2[k] = wide * wide;
       this->InverseWide2[k] = isNeighbour ? 1.f / (wide * wide) : 0.f;
       this->Bulk[k] = 1.f;
-      this->EX[k] = this->EY[k] = this->EZ[k] = this->EReach2[k] = 0.f;
-      this->Share[k] = this->Lack[k] = 0.f;
     });
-  float widest = 0.f;
-  for (std::size_t k = 0; k < count; ++k)
+  this->WidestReach =
+    std::sqrt(FindMost(count, 0.f, [this](std::size_t k) { return this->Wide2[k]; }));
+  const std::size_t near = this->Row.Size();
+  for (UnsetVector<float>* numbers : { &this->EX, &this->EY, &this->EZ, &this->EReach2, &this->Deep,
+         &this->Thin, &this->Shape, &this->Lone, &this->Share, &this->Lack })
   {
-    widest = std::max(widest, this->Wide2[k]);
+    numbers->resize(near + LanePadding);
   }
-  this->WidestReach = std::sqrt(widest);
+  this->Places.resize(6 * near);
+  this->Ellipsoids.resize(near);
+  RunEach(near + LanePadding,
+    [this](std::size_t i)
+    {
+      this->EX[i] = this->EY[i] = this->EZ[i] = this->EReach2[i] = 0.f;
+      this->Share[i] = this->Lack[i] = 0.f;
+    });
 }
 
 // By a sample that is spread over the list.
@@ -106,7 +111,7 @@ bool NodeFits::HasTooManyNeighbours() const
     search.Group.Members[0] = k;
     this->FillGroup(search);
     this->Gather(search, { this->Given.X, this->Given.Y, this->Given.Z, this->Wide2.data() },
-      this->WidestReach);
+      this->WidestReach, [](std::uint32_t particle) { return particle; });
     neighbours += search.Neighbours.size();
   }
   return neighbours > MostNeighbours * ParticlesOfSample;
@@ -172,9 +177,11 @@ void NodeFits::FillGroup(Search& search) const
   }
 }
 
-// Finds the particles in reach of the group's places. reach: the longest one.
+// Finds the particles in reach of the group's places. reach: the longest one; rowOf: the row of the
+// columns at which a particle is, or the next one that has a row.
+template <class RowOf>
 void NodeFits::Gather(
-  Search& search, const PlaceColumns& columns, double reach, const std::uint32_t* before) const
+  Search& search, const PlaceColumns& columns, double reach, RowOf&& rowOf) const
 {
   FitGroup& group = search.Group;
   group.FindBox();
@@ -191,7 +198,7 @@ void NodeFits::Gather(
   this->Blocks->VisitRuns(low, high,
     [&](std::uint32_t first, std::uint32_t end, const NodeIndex& at)
     {
-      ParticleRun run{ before ? before[first] : first, before ? before[end] : end, {} };
+      ParticleRun run{ rowOf(first), rowOf(end), {} };
       for (int axis = 0; axis < 3; ++axis)
       {
         run.Shift[axis] = static_cast<float>(size * (at[axis] - home[axis]));
@@ -203,8 +210,8 @@ void NodeFits::Gather(
 
 void NodeFits::FindShapes(Search& search)
 {
-  this->Gather(
-    search, { this->Given.X, this->Given.Y, this->Given.Z, this->Wide2.data() }, this->WidestReach);
+  this->Gather(search, { this->Given.X, this->Given.Y, this->Given.Z, this->Wide2.data() },
+    this->WidestReach, [](std::uint32_t k) { return k; });
   GroupFits fits;
   const FitLaw law = { static_cast<float>(this->Options.WidePerReach),
     static_cast<float>(this->Options.Anisotropy) };
@@ -218,25 +225,26 @@ void NodeFits::FindShapes(Search& search)
 
 void NodeFits::KeepShape(std::uint32_t k, int column, const GroupFits& fits)
 {
+  const std::uint32_t row = this->Row[k];
   this->Bulk[k] = fits.Bulk[column];
-  this->Deep[k] = fits.Deep[column];
-  this->Thin[k] = fits.Thin[column];
-  this->Shape[k] = fits.Shape[column];
-  this->Lone[k] = fits.Lone[column];
+  this->Deep[row] = fits.Deep[column];
+  this->Thin[row] = fits.Thin[column];
+  this->Shape[row] = fits.Shape[column];
+  this->Lone[row] = fits.Lone[column];
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->Places[6 * k + axis] = fits.Away[axis][column];
-    this->Places[6 * k + 3 + axis] = fits.Across[axis][column];
+    this->Places[6 * row + axis] = fits.Away[axis][column];
+    this->Places[6 * row + 3 + axis] = fits.Across[axis][column];
   }
   if (!(this->Given.Strength[k] > 0.f) || !this->Options.HasEllipsoids)
   {
     return;
   }
-  this->EX[k] = this->Given.X[k] + fits.Offset[0][column];
-  this->EY[k] = this->Given.Y[k] + fits.Offset[1][column];
-  this->EZ[k] = this->Given.Z[k] + fits.Offset[2][column];
-  this->EReach2[k] = fits.Reach[column] * fits.Reach[column];
-  NodeEllipsoid& ellipsoid = this->Ellipsoids[k];
+  this->EX[row] = this->Given.X[k] + fits.Offset[0][column];
+  this->EY[row] = this->Given.Y[k] + fits.Offset[1][column];
+  this->EZ[row] = this->Given.Z[k] + fits.Offset[2][column];
+  this->EReach2[row] = fits.Reach[column] * fits.Reach[column];
+  NodeEllipsoid& ellipsoid = this->Ellipsoids[row];
   for (int i = 0; i < 6; ++i)
   {
     ellipsoid.Metric[i] = fits.Metric[i][column];
@@ -250,17 +258,19 @@ void NodeFits::KeepShape(std::uint32_t k, int column, const GroupFits& fits)
 
 void NodeFits::FindLongestReach()
 {
-  this->LongestReach = 0.0;
-  for (std::size_t k = 0; k < this->Ellipsoids.size(); ++k)
-  {
-    if (this->EReach2[k] > 0.f)
+  std::vector<double> longest(this->Blocks->Size(), 0.0);
+  this->Row.ForEach(*this->Blocks,
+    [&](std::size_t block, std::uint32_t k, std::uint32_t i)
     {
-      const float far = std::max({ std::fabs(this->EX[k] - this->Given.X[k]),
-        std::fabs(this->EY[k] - this->Given.Y[k]), std::fabs(this->EZ[k] - this->Given.Z[k]) });
-      this->LongestReach =
-        std::max(this->LongestReach, std::sqrt(static_cast<double>(this->EReach2[k])) + far);
-    }
-  }
+      if (this->EReach2[i] > 0.f)
+      {
+        const float far = std::max({ std::fabs(this->EX[i] - this->Given.X[k]),
+          std::fabs(this->EY[i] - this->Given.Y[k]), std::fabs(this->EZ[i] - this->Given.Z[k]) });
+        longest[block] =
+          std::max(longest[block], std::sqrt(static_cast<double>(this->EReach2[i])) + far);
+      }
+    });
+  this->LongestReach = longest.empty() ? 0.0 : *std::max_element(longest.begin(), longest.end());
 }
 
 // Moves the group to one of the places of each. Returns true if it counts for any.
@@ -272,11 +282,11 @@ bool NodeFits::PlaceBeside(
   for (int i = 0; i < 8; ++i)
   {
     const std::uint32_t k = group.Members[std::min(i, group.Count - 1)];
-    const float* to = &this->Places[6 * k + place];
+    const float* to = &this->Places[6 * this->Row[k] + place];
     group.Place[0][i] = this->Given.X[k] + to[0];
     group.Place[1][i] = this->Given.Y[k] + to[1];
     group.Place[2][i] = this->Given.Z[k] + to[2];
-    counts = counts || counting[k] > 0.f;
+    counts = counts || counting[this->Row[k]] > 0.f;
   }
   return counts;
 }
@@ -286,44 +296,51 @@ bool NodeFits::PlaceBeside(
 float NodeFits::FindFaded(std::uint32_t k, std::size_t place) const
 {
   const float faded = 1.f - std::max(this->Given.Strength[k], 0.f);
-  if (!(faded > 0.f) || !(this->EReach2[k] > 0.f))
+  const std::uint32_t row = this->Row[k];
+  if (!(faded > 0.f) || !(this->EReach2[row] > 0.f))
   {
     return 0.f;
   }
-  const float* m = this->Ellipsoids[k].Metric;
-  const float* to = &this->Places[6 * k + place];
-  const float x = this->Given.X[k] + to[0] - this->EX[k];
-  const float y = this->Given.Y[k] + to[1] - this->EY[k];
-  const float z = this->Given.Z[k] + to[2] - this->EZ[k];
+  const float* m = this->Ellipsoids[row].Metric;
+  const float* to = &this->Places[6 * row + place];
+  const float x = this->Given.X[k] + to[0] - this->EX[row];
+  const float y = this->Given.Y[k] + to[1] - this->EY[row];
+  const float z = this->Given.Z[k] + to[2] - this->EZ[row];
   const float q = x * (m[0] * x + m[1] * y + m[2] * z) + y * (m[1] * x + m[3] * y + m[4] * z) +
     z * (m[2] * x + m[4] * y + m[5] * z);
   const float rest = std::max(1.f - q, 0.f);
   return faded * (rest * rest * rest);
 }
 
-void NodeFits::FindLacks(Search& search)
+void NodeFits::GatherEllipsoids(Search& search) const
 {
   const EllipsoidColumns columns = this->GetColumns();
+  this->Gather(search, { columns.X, columns.Y, columns.Z, columns.Reach2 }, this->LongestReach,
+    [this](std::uint32_t k) { return this->Row[k]; });
+}
+
+void NodeFits::FindLacks(Search& search)
+{
   alignas(32) float away[8] = {}, across[8] = {};
   if (this->PlaceBeside(search, this->Deep, 0))
   {
-    this->Gather(search, { columns.X, columns.Y, columns.Z, columns.Reach2 }, this->LongestReach);
+    this->GatherEllipsoids(search);
     SumEllipsoids(search.Group, search.Neighbours, this->Ellipsoids.data(), away);
   }
   if (this->PlaceBeside(search, this->Thin, 3))
   {
-    this->Gather(search, { columns.X, columns.Y, columns.Z, columns.Reach2 }, this->LongestReach);
+    this->GatherEllipsoids(search);
     SumEllipsoids(search.Group, search.Neighbours, this->Ellipsoids.data(), across);
   }
   for (int i = 0; i < search.Group.Count; ++i)
   {
-    const std::uint32_t k = search.Group.Members[i];
-    const float deep = this->Deep[k], thin = this->Thin[k];
+    const std::uint32_t k = search.Group.Members[i], row = this->Row[k];
+    const float deep = this->Deep[row], thin = this->Thin[row];
     const float value =
       (deep * (away[i] + this->FindFaded(k, 0)) + thin * (across[i] + this->FindFaded(k, 3))) /
       (deep + thin);
-    this->Share[k] = 1.f - (1.f - deep) * (1.f - thin);
-    this->Lack[k] = value - this->Lone[k];
+    this->Share[row] = 1.f - (1.f - deep) * (1.f - thin);
+    this->Lack[row] = value - this->Lone[row];
   }
 }
 
@@ -346,19 +363,19 @@ void NodeFits::ListSurface()
     numbers->resize(all + LanePadding);
     std::fill_n(numbers->data() + all, LanePadding, 0.f);
   }
-  RunEach(count,
-    [&](std::size_t k)
+  this->Row.ForEach(*this->Blocks,
+    [&](std::size_t, std::uint32_t k, std::uint32_t row)
     {
-      const std::uint32_t i = this->SurfaceBefore[k];
-      if (this->Share[k] > 0.f)
+      const std::uint32_t i = this->SurfaceBefore[row];
+      if (this->Share[row] > 0.f)
       {
         to.X[i] = this->Given.X[k];
         to.Y[i] = this->Given.Y[k];
         to.Z[i] = this->Given.Z[k];
         to.Wide2[i] = this->Wide2[k];
         to.InverseWide2[i] = this->InverseWide2[k];
-        to.Share[i] = this->Given.Strength[k] * this->Share[k];
-        to.Lack[i] = this->Lack[k];
+        to.Share[i] = this->Given.Strength[k] * this->Share[row];
+        to.Lack[i] = this->Lack[row];
       }
     });
 }
@@ -368,19 +385,19 @@ void NodeFits::FindStrengths(Search& search)
   const SurfaceColumns& surface = this->Surface;
   this->Gather(search,
     { surface.X.data(), surface.Y.data(), surface.Z.data(), surface.Wide2.data() },
-    this->WidestReach, this->SurfaceBefore.data());
+    this->WidestReach, [this](std::uint32_t k) { return this->SurfaceBefore[this->Row[k]]; });
   alignas(32) float shares[8], lacks[8];
   SumShares(search.Group, search.Neighbours,
     { surface.InverseWide2.data(), surface.Share.data(), surface.Lack.data() }, shares, lacks);
   for (int i = 0; i < search.Group.Count; ++i)
   {
-    const std::uint32_t k = search.Group.Members[i];
+    const std::uint32_t k = search.Group.Members[i], row = this->Row[k];
     const float mean = shares[i] > 0.f ? lacks[i] / shares[i] : 0.f;
-    const float shape = this->Shape[k], own = this->Share[k] * this->Lack[k];
+    const float shape = this->Shape[row], own = this->Share[row] * this->Lack[row];
     const float value =
-      this->Lone[k] + shape * mean * std::min(shares[i], 1.f) + (1.f - shape) * own;
-    this->Ellipsoids[k].Strength =
-      this->Given.Strength[k] / std::max(value, LeastShare * this->Lone[k]);
+      this->Lone[row] + shape * mean * std::min(shares[i], 1.f) + (1.f - shape) * own;
+    this->Ellipsoids[row].Strength =
+      this->Given.Strength[k] / std::max(value, LeastShare * this->Lone[row]);
   }
 }
 

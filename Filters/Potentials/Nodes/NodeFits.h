@@ -7,6 +7,7 @@
 #define NodeFits_h
 
 #include "Nodes/FitKernels.h"
+#include "Nodes/NearRows.h"
 #include "Nodes/NodeSums.h"
 #include "Nodes/ParticleBlocks.h"
 #include "UnsetVector.h"
@@ -44,6 +45,8 @@ public:
   // In [0,1]; 1 deep in a body.
   const float* GetBulks() const { return this->Bulk.data(); }
 
+  // The rows of the following.
+  const std::uint32_t* GetRows() const { return this->Row.GetAll(); }
   // Centres relative to the particle's block; a squared reach of 0 where there is none.
   EllipsoidColumns GetColumns() const
   {
@@ -61,9 +64,9 @@ private:
   template <class IsWanted, class Visit>
   void ForEachGroup(IsWanted&& isWanted, Visit&& visit) const;
   void FillGroup(Search& search) const;
-  // before: the columns' rows before each particle; null: they have a row for each.
-  void Gather(Search& search, const PlaceColumns& columns, double reach,
-    const std::uint32_t* before = nullptr) const;
+  template <class RowOf>
+  void Gather(Search& search, const PlaceColumns& columns, double reach, RowOf&& rowOf) const;
+  void GatherEllipsoids(Search& search) const;
   void FindShapes(Search& search);
   void KeepShape(std::uint32_t k, int column, const GroupFits& fits);
   void FindLacks(Search& search);
@@ -72,7 +75,11 @@ private:
   void ListSurface();
   void FindStrengths(Search& search);
   void FindLongestReach();
-  bool IsAtSurface(std::uint32_t k) const { return this->Deep[k] > 0.f || this->Thin[k] > 0.f; }
+  bool IsAtSurface(std::uint32_t k) const
+  {
+    const std::uint32_t i = this->Row[k];
+    return this->Deep[i] > 0.f || this->Thin[i] > 0.f;
+  }
 
   const ParticleBlocks* Blocks = nullptr;
   FitColumns Given{};
@@ -82,10 +89,12 @@ private:
 
   UnsetVector<float> Wide2, InverseWide2; // squared radii of the neighbourhoods
   UnsetVector<float> Bulk;
+  NearRows Row;
+
+  // Of particles near a surface.
   UnsetVector<float> EX, EY, EZ, EReach2;
   UnsetVector<NodeEllipsoid> Ellipsoids;
-
-  // Found for each particle before the strengths.
+  // Found before the strengths.
   UnsetVector<float> Deep, Thin, Shape, Lone;
   UnsetVector<float> Places;      // Away x y z, Across x y z
   UnsetVector<float> Share, Lack; // of those at the surface; else 0
@@ -96,7 +105,7 @@ private:
     UnsetVector<float> X, Y, Z, Wide2, InverseWide2, Share, Lack;
   };
   SurfaceColumns Surface;
-  UnsetVector<std::uint32_t> SurfaceBefore; // how many are before a particle
+  UnsetVector<std::uint32_t> SurfaceBefore; // how many are before each particle near a surface
 };
 
 }

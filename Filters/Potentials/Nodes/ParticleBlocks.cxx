@@ -25,7 +25,7 @@ int NumberOf(const NodeIndex& offset)
 
 }
 
-void ParticleBlocks::Build(const UnsetVector<ParticleCube>& cubes, const Options& options)
+void ParticleBlocks::Build(const ParticleCubes& cubes, const Options& options)
 {
   this->VoxelSize = options.VoxelSize;
   this->ChooseCells(cubes);
@@ -64,15 +64,13 @@ int ParticleBlocks::CountOutward(double beyond) const
   return static_cast<int>(std::ceil(outward / this->CellSize - rounding));
 }
 
-void ParticleBlocks::ChooseCells(const UnsetVector<ParticleCube>& cubes)
+void ParticleBlocks::ChooseCells(const ParticleCubes& cubes)
 {
-  double least = HUGE_VAL, most = 0.0;
-  for (const ParticleCube& cube : cubes)
-  {
-    least = std::min(least, cube.HalfSide);
-    most = std::max(most, cube.HalfSide);
-  }
-  this->CellSize = cubes.empty()
+  const std::size_t count = cubes.Size();
+  const auto getHalfSide = [&cubes](std::size_t n) { return cubes.Get(n).HalfSide; };
+  const double most = FindMost(count, 0.0, getHalfSide);
+  const double least = -FindMost(count, -HUGE_VAL, [&](std::size_t n) { return -getHalfSide(n); });
+  this->CellSize = count == 0
     ? 1.0
     : std::max({ 2.0 * least / this->VoxelSize, 2.0 * most / this->VoxelSize / MostCellsOfCube,
         1.0 / CellsOfVoxel });
@@ -140,10 +138,10 @@ void ParticleBlocks::AddAround(const CubePlace& place, std::size_t home)
 }
 
 // Places are found in parallel, some at a time; blocks are added in the order of the particles.
-void ParticleBlocks::AddBlocks(const UnsetVector<ParticleCube>& cubes)
+void ParticleBlocks::AddBlocks(const ParticleCubes& cubes)
 {
   constexpr std::size_t most = std::size_t(1) << 15;
-  const std::size_t count = cubes.size();
+  const std::size_t count = cubes.Size();
   this->Homes.resize(count);
   this->PartOf.resize(count);
   this->Numbers.Clear(count / 64);
@@ -154,7 +152,7 @@ void ParticleBlocks::AddBlocks(const UnsetVector<ParticleCube>& cubes)
   for (std::size_t first = 0; first < count; first += most)
   {
     const std::size_t some = std::min(most, count - first);
-    RunEach(some, [&](std::size_t i) { this->Places[i] = this->FindPlace(cubes[first + i]); });
+    RunEach(some, [&](std::size_t i) { this->Places[i] = this->FindPlace(cubes.Get(first + i)); });
     for (std::size_t i = 0; i < some; ++i)
     {
       const CubePlace& place = this->Places[i];

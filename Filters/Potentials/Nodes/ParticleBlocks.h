@@ -30,6 +30,17 @@ struct ParticleCube
   double Filling;  // in [0,1]: 1 where it is of full strength
 };
 
+// Particles that are asked for one by one, several times each and by several threads.
+class ParticleCubes
+{
+public:
+  virtual std::size_t Size() const = 0;
+  virtual ParticleCube Get(std::size_t n) const = 0;
+
+protected:
+  ~ParticleCubes() = default;
+};
+
 class ParticleBlocks
 {
 public:
@@ -57,7 +68,7 @@ public:
   };
 
   // Keeps its memory.
-  void Build(const UnsetVector<ParticleCube>& cubes, const Options& options);
+  void Build(const ParticleCubes& cubes, const Options& options);
 
   std::size_t Size() const { return this->Blocks.size(); }
   const Block& operator[](std::size_t i) const { return this->Blocks[i]; }
@@ -161,7 +172,7 @@ private:
   int CountOutward(double beyond) const;
   void FindNear(double reach);
   void OccupyAroundDense();
-  void ChooseCells(const UnsetVector<ParticleCube>& cubes);
+  void ChooseCells(const ParticleCubes& cubes);
   struct CubePlace
   {
     NodeIndex At, Low, High; // its block, and the range of those around it
@@ -170,11 +181,11 @@ private:
   CubePlace FindPlace(const ParticleCube& cube) const;
   std::size_t AddBlock(const NodeIndex& at);
   void AddAround(const CubePlace& place, std::size_t home);
-  void AddBlocks(const UnsetVector<ParticleCube>& cubes);
+  void AddBlocks(const ParticleCubes& cubes);
   void Sort();
-  void FillCells(const UnsetVector<ParticleCube>& cubes);
+  void FillCells(const ParticleCubes& cubes);
   void FillCube(const ParticleCube& cube, std::size_t home);
-  void OccupyCells(const UnsetVector<ParticleCube>& cubes);
+  void OccupyCells(const ParticleCubes& cubes);
   void Occupy(const ParticleCube& cube, std::size_t home);
   struct ShellBall
   {

@@ -47,7 +47,7 @@ void ParticleBlocks::OccupyAroundDense()
   }
 }
 
-void ParticleBlocks::FillCells(const UnsetVector<ParticleCube>& cubes)
+void ParticleBlocks::FillCells(const ParticleCubes& cubes)
 {
   this->Filling.assign(512 * this->Blocks.size(), 0);
   for (Block& block : this->Blocks)
@@ -61,7 +61,7 @@ void ParticleBlocks::FillCells(const UnsetVector<ParticleCube>& cubes)
     {
       for (std::size_t k = begin; k < end; ++k)
       {
-        this->FillCube(cubes[this->Order[k]], this->BlockOf[k]);
+        this->FillCube(cubes.Get(this->Order[k]), this->BlockOf[k]);
       }
     });
 }
@@ -109,7 +109,7 @@ void ParticleBlocks::FillCube(const ParticleCube& cube, std::size_t home)
 }
 
 // Cells of the shell around particles whose kernels reach cells that are not full.
-void ParticleBlocks::OccupyCells(const UnsetVector<ParticleCube>& cubes)
+void ParticleBlocks::OccupyCells(const ParticleCubes& cubes)
 {
   RunPieces(this->Blocks.size(), BlocksPerTask,
     [&](std::size_t begin, std::size_t end)
@@ -123,7 +123,7 @@ void ParticleBlocks::OccupyCells(const UnsetVector<ParticleCube>& cubes)
           {
             for (std::uint32_t k = block.Starts[part]; k < block.Starts[part + 1]; ++k)
             {
-              this->Occupy(cubes[this->Order[k]], i);
+              this->Occupy(cubes.Get(this->Order[k]), i);
             }
           }
         }

@@ -1,5 +1,6 @@
 #include "Simulation/ParticleMoment.h"
 
+#include "ParallelTasks.h"
 #include "Targets/TargetFrames.h"
 
 #include <limits>
@@ -43,20 +44,18 @@ ParticleMoment FindMoment(const TargetFrames& frames, int step, double fraction)
   moment.Later = frames.Has(step + 1) ? &frames.GetParticles(step + 1) : nullptr;
   moment.Fraction = fraction;
   const ParticleMatches* matches = frames.FindMatches(step);
-  if (fraction == 0.0)
+  if (fraction == 1.0)
   {
-    moment.Particles = moment.Earlier->Particles;
-    FindOriginsOfEarlier(moment.Particles.size(), matches, moment.Origins);
-  }
-  else if (fraction == 1.0)
-  {
-    moment.Particles = moment.Later->Particles;
+    for (const SkeletonVertex& particle : moment.Later->Particles)
+    {
+      moment.Particles.push_back(particle);
+    }
     moment.Origins = FindOriginsOfLater(moment.Particles.size(), matches);
   }
   else
   {
-    InterpolateParticles(
-      *moment.Earlier, *moment.Later, *matches, fraction, moment.Particles, &moment.Origins);
+    ParticleTrack(*moment.Earlier, moment.Later, matches, fraction)
+      .List(moment.Particles, moment.Origins);
   }
   return moment;
 }
@@ -78,7 +77,19 @@ std::vector<double> ParticleMoment::FindVelocities(double duration) const
     (this->Earlier && this->Earlier->HasVelocities) || (this->Later && this->Later->HasVelocities);
   if (!given)
   {
-    FindMotion(this->Earlier, this->Later, duration, this->Origins, velocities);
+    velocities.resize(3 * this->Origins.size());
+    RunEach(this->Origins.size(),
+      [&](std::size_t i)
+      {
+        double velocity[3];
+        const bool isKnown =
+          FindVelocity(this->Earlier, this->Later, this->Origins[i], duration, velocity);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          velocities[3 * i + axis] =
+            isKnown ? velocity[axis] : std::numeric_limits<double>::quiet_NaN();
+        }
+      });
     return velocities;
   }
   for (const ParticleOrigin& origin : this->Origins)

@@ -97,8 +97,8 @@ Place FindPlace(const ParticleMoment& moment, const Pair& pair, std::size_t part
   const ParticleOrigin& origin = moment.Origins[particle];
   const bool isLater = pair.Later && origin.Later != NoPartner &&
     (!pair.Earlier || origin.Earlier == NoPartner || moment.Fraction >= 0.5);
-  return isLater ? Place{ pair.Later, moment.Later->Points[origin.Later] }
-                 : Place{ pair.Earlier, moment.Earlier->Points[origin.Earlier] };
+  return isLater ? Place{ pair.Later, moment.Later->GetPoint(origin.Later) }
+                 : Place{ pair.Earlier, moment.Earlier->GetPoint(origin.Earlier) };
 }
 
 Column MakeColumn(const ParticleMoment& moment, const Pair& pair)
@@ -117,8 +117,8 @@ Column MakeColumn(const ParticleMoment& moment, const Pair& pair)
       const bool isEarlier = earlier && origin.Earlier != NoPartner;
       const bool isLater = later && origin.Later != NoPartner;
       column.Values.push_back(
-        Mix(isEarlier ? earlier->GetComponent(moment.Earlier->Points[origin.Earlier], c) : 0.0,
-          isLater ? later->GetComponent(moment.Later->Points[origin.Later], c) : 0.0, origin,
+        Mix(isEarlier ? earlier->GetComponent(moment.Earlier->GetPoint(origin.Earlier), c) : 0.0,
+          isLater ? later->GetComponent(moment.Later->GetPoint(origin.Later), c) : 0.0, origin,
           moment.Fraction));
     }
   }

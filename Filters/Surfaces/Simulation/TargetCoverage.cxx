@@ -42,6 +42,38 @@ PointWithMargin MakePoint(const double x[3], double margin)
   return { { x[0], x[1], x[2] }, margin };
 }
 
+// Leaves out what is beyond walls or in the obstacle.
+std::vector<PointWithMargin> Within(const Motion& motion, std::vector<PointWithMargin> points)
+{
+  const auto isBeyond = [&motion](const PointWithMargin& point)
+  {
+    return (motion.Box.Present && DistanceToWalls(motion.Box, point.Position) > 0.0) ||
+      (motion.Solid && motion.Solid->DepthAt(point.Position) > 0.0);
+  };
+  points.erase(std::remove_if(points.begin(), points.end(), isBeyond), points.end());
+  return points;
+}
+
+struct Found
+{
+  std::size_t Outside = 0, All = 0;
+
+  void operator+=(const Found& other)
+  {
+    this->Outside += other.Outside;
+    this->All += other.All;
+  }
+  double GetShare() const
+  {
+    return this->Outside > 0 ? double(this->Outside) / double(this->All) : 0.0;
+  }
+};
+
+Found Count(const NarrowBand& band, const std::vector<PointWithMargin>& points)
+{
+  return { CountOutside(band, points), points.size() };
+}
+
 }
 
 TargetCoverage::TargetCoverage(const SurfaceSettings& settings, const TargetBuilder& shapes)
@@ -63,42 +95,46 @@ bool TargetCoverage::IsStatic() const
 
 double TargetCoverage::FindOutside(const NarrowBand& band, const Motion& motion, int step)
 {
-  if (!this->ArePointsKnown)
+  const ParticleFrame* frame = this->FindFrame(step);
+  if (frame && !this->IsStatic())
   {
-    this->Points = this->FindPoints(this->IsStatic() ? 0 : step, band.GetVoxelSize());
-    const auto isBeyond = [&motion](const PointWithMargin& point)
+    constexpr std::size_t inPiece = std::size_t(1) << 16;
+    Found found;
+    for (std::size_t first = 0; first < frame->Particles.size(); first += inPiece)
     {
-      return (motion.Box.Present && DistanceToWalls(motion.Box, point.Position) > 0.0) ||
-        (motion.Solid && motion.Solid->DepthAt(point.Position) > 0.0);
-    };
-    this->Points.erase(
-      std::remove_if(this->Points.begin(), this->Points.end(), isBeyond), this->Points.end());
+      const std::size_t end = std::min(first + inPiece, frame->Particles.size());
+      found += Count(band, Within(motion, this->ListParticles(*frame, first, end)));
+    }
+    return found.GetShare();
   }
-  const std::size_t outside = CountOutside(band, this->Points), all = this->Points.size();
-  this->ArePointsKnown = this->IsStatic();
   if (!this->ArePointsKnown)
   {
-    this->Points = {};
+    frame = this->FindFrame(this->IsStatic() ? 0 : step);
+    this->Points = Within(motion,
+      frame ? this->ListParticles(*frame, 0, frame->Particles.size())
+            : this->FindInside(this->IsStatic() ? 0 : step, band.GetVoxelSize()));
+    this->ArePointsKnown = this->IsStatic();
   }
-  return outside > 0 ? double(outside) / double(all) : 0.0;
+  return Count(band, this->Points).GetShare();
 }
 
-std::vector<PointWithMargin> TargetCoverage::FindPoints(int step, double voxelSize)
+const ParticleFrame* TargetCoverage::FindFrame(int step) const
 {
   const InputShape* shape =
     this->Settings.UsesInput() ? this->Shapes.GetFrames().Find(step) : nullptr;
-  const ParticleFrame* frame = shape ? shape->GetPoints() : nullptr;
-  return frame ? this->FindParticles(*frame) : this->FindInside(step, voxelSize);
+  return shape ? shape->GetPoints() : nullptr;
 }
 
-std::vector<PointWithMargin> TargetCoverage::FindParticles(const ParticleFrame& frame) const
+std::vector<PointWithMargin> TargetCoverage::ListParticles(
+  const ParticleFrame& frame, std::size_t first, std::size_t end) const
 {
   const double spacing = this->Shapes.FindSpacing();
   const double reach = GetReachPerSpacing(this->Settings.Particles.Model);
   std::vector<PointWithMargin> points;
-  points.reserve(frame.Particles.size());
-  for (const SkeletonVertex& particle : frame.Particles)
+  points.reserve(end - first);
+  for (std::size_t i = first; i < end; ++i)
   {
+    const SkeletonVertex particle = frame.Particles[i];
     const double own = frame.HasRadii ? particle.Radius / frame.ReachPerRadius
       : spacing > 0.0                 ? 0.5 * spacing
                                       : 0.5 * particle.Radius / reach;

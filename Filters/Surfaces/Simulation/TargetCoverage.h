@@ -38,8 +38,9 @@ public:
 
 private:
   bool IsStatic() const;
-  std::vector<PointWithMargin> FindPoints(int step, double voxelSize);
-  std::vector<PointWithMargin> FindParticles(const ParticleFrame& frame) const;
+  const ParticleFrame* FindFrame(int step) const;
+  std::vector<PointWithMargin> ListParticles(
+    const ParticleFrame& frame, std::size_t first, std::size_t end) const;
   std::vector<PointWithMargin> FindInside(int step, double voxelSize) const;
 
   const SurfaceSettings& Settings;

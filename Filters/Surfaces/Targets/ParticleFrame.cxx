@@ -5,12 +5,14 @@
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace activesurface
 {
@@ -58,16 +60,29 @@ std::vector<std::int64_t> ReadIds(vtkDataArray* array)
   return { ids->GetPointer(0), ids->GetPointer(0) + count };
 }
 
-template <class Value>
-void Permute(const std::vector<std::size_t>& order, std::vector<Value>& values)
+bool IsSingle(vtkPointSet* points)
 {
-  std::vector<Value> sorted;
-  sorted.reserve(values.size());
-  for (const std::size_t place : order)
+  return points->GetPoints() && points->GetPoints()->GetDataType() == VTK_FLOAT;
+}
+
+// Those of all points, or none.
+void TakeIds(std::vector<std::int64_t> ids, ParticleFrame& frame)
+{
+  if (frame.Ignored == 0)
   {
-    sorted.push_back(values[place]);
+    frame.Points = {};
   }
-  values.swap(sorted);
+  if (!ids.empty() && frame.Ignored == 0)
+  {
+    frame.Ids = std::move(ids);
+    return;
+  }
+  frame.Ids.reserve(frame.Particles.size());
+  for (std::size_t i = 0; i < frame.Particles.size(); ++i)
+  {
+    const vtkIdType point = frame.GetPoint(i);
+    frame.Ids.push_back(ids.empty() ? point : ids[static_cast<std::size_t>(point)]);
+  }
 }
 
 // Ids and points go with the particles.
@@ -75,12 +90,20 @@ void Sort(ParticleFrame& frame)
 {
   const std::vector<std::size_t> order =
     FindParticleOrder(frame.Particles, frame.HasIds ? &frame.Ids : nullptr);
-  if (!order.empty())
+  if (order.empty())
   {
-    Permute(order, frame.Particles);
-    Permute(order, frame.Ids);
-    Permute(order, frame.Points);
+    return;
   }
+  if (frame.Points.empty())
+  {
+    frame.Points.assign(order.begin(), order.end());
+  }
+  else
+  {
+    ParticleList::PermuteList(order, frame.Points);
+  }
+  frame.Particles.Permute(order);
+  ParticleList::PermuteList(order, frame.Ids);
 }
 
 // One that is not finite counts as unknown, NaN.
@@ -89,10 +112,10 @@ void KeepVelocities(vtkDataArray* velocities, ParticleFrame& frame)
   if (velocities)
   {
     frame.HasVelocities = true;
-    frame.Velocities.resize(frame.Points.size());
-    for (std::size_t i = 0; i < frame.Points.size(); ++i)
+    frame.Velocities.resize(frame.Particles.size());
+    for (std::size_t i = 0; i < frame.Particles.size(); ++i)
     {
-      velocities->GetTuple(frame.Points[i], frame.Velocities[i].data());
+      velocities->GetTuple(frame.GetPoint(i), frame.Velocities[i].data());
     }
   }
 }
@@ -122,17 +145,20 @@ void ParticleFrame::FindFits(const FitOptions& options) const
 {
   if (!this->HasFits)
   {
-    this->Fits = FitParticles(options, this->Particles);
+    std::vector<SkeletonVertex> particles;
+    particles.reserve(this->Particles.size());
+    for (const SkeletonVertex& particle : this->Particles)
+    {
+      particles.push_back(particle);
+    }
+    this->Fits = FitParticles(options, particles);
     this->HasFits = true;
   }
 }
 
 void ParticleFrame::GiveRadius(double radius)
 {
-  for (SkeletonVertex& particle : this->Particles)
-  {
-    particle.Radius = radius;
-  }
+  this->Particles.SetRadius(radius);
 }
 
 void ParticleFrame::UseRadii(double reachPerRadius)
@@ -141,23 +167,14 @@ void ParticleFrame::UseRadii(double reachPerRadius)
   {
     return;
   }
-  for (SkeletonVertex& particle : this->Particles)
-  {
-    particle.Radius *= reachPerRadius / this->ReachPerRadius;
-  }
+  this->Particles.ScaleRadii(reachPerRadius / this->ReachPerRadius);
   this->ReachPerRadius = reachPerRadius;
   this->HasFits = false;
 }
 
 void ParticleFrame::MoveBy(const double offset[3])
 {
-  for (SkeletonVertex& particle : this->Particles)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      particle.Position[axis] += offset[axis];
-    }
-  }
+  this->Particles.MoveBy(offset);
   this->HasFits = false;
 }
 
@@ -167,7 +184,10 @@ bool ParticleFrame::GetBounds(double bounds[6]) const
   {
     bounds[2 * axis] = HUGE_VAL;
     bounds[2 * axis + 1] = -HUGE_VAL;
-    for (const SkeletonVertex& particle : this->Particles)
+  }
+  for (const SkeletonVertex& particle : this->Particles)
+  {
+    for (int axis = 0; axis < 3; ++axis)
     {
       const double x = particle.Position[axis];
       bounds[2 * axis] = std::min(bounds[2 * axis], x - particle.Radius);
@@ -183,35 +203,29 @@ ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
   vtkDataArray* radii = AsNumbers(arrays.Radii, count, "radii");
   vtkDataArray* ids = AsNumbers(arrays.Ids, count, "ids");
   vtkDataArray* strengths = AsNumbers(arrays.Strengths, count, "strengths");
-  const std::vector<std::int64_t> allIds = ids ? ReadIds(ids) : std::vector<std::int64_t>();
+  std::vector<std::int64_t> allIds = ids ? ReadIds(ids) : std::vector<std::int64_t>();
 
   ParticleFrame frame;
   frame.HasRadii = radii != nullptr;
   frame.HasIds = ids != nullptr;
-  frame.Particles.reserve(count);
-  frame.Ids.reserve(count);
+  frame.Particles.Reserve(static_cast<std::size_t>(count), IsSingle(points));
   for (vtkIdType i = 0; i < count; ++i)
   {
     SkeletonVertex particle;
     points->GetPoint(i, particle.Position);
     particle.Radius = radii ? radii->GetComponent(i, 0) : 1.0;
     particle.Strength = strengths ? strengths->GetComponent(i, 0) : 1.0;
-    if (!particle.IsUsable())
+    if (particle.IsUsable())
     {
-      ++frame.Ignored;
-      continue;
+      frame.Particles.Add(particle);
+      frame.Points.push_back(i);
     }
-    frame.Particles.push_back(particle);
-    frame.Ids.push_back(ids ? allIds[i] : i);
-    frame.Points.push_back(i);
   }
+  frame.Ignored = static_cast<std::size_t>(count) - frame.Particles.size();
+  TakeIds(std::move(allIds), frame);
   Sort(frame);
   KeepVelocities(AsNumbers(arrays.Velocities, count, "velocities", 3), frame);
   KeepArrays(arrays.Passed, count, frame);
-  if (!frame.Passed)
-  {
-    frame.Points = {};
-  }
   return frame;
 }
 

@@ -4,7 +4,7 @@
 #define ParticleFrame_h
 
 #include "ParticleFit.h"
-#include "Skeleton.h"
+#include "Targets/ParticleList.h"
 
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
@@ -33,19 +33,23 @@ struct PointArrays
 
 struct ParticleFrame
 {
-  std::vector<SkeletonVertex> Particles;
+  ParticleList Particles;
   std::vector<std::int64_t> Ids; // of the particles: from the array, else their point numbers
   bool HasIds = false;           // from the array
   bool HasRadii = false;         // from the array, else to be given by GiveRadius
   double ReachPerRadius = 1.0;   // of the array: particles have their reaches, see UseRadii
   bool HasVelocities = false;    // from an array
   mutable bool HasFits = false;
-  std::size_t Ignored = 0;                       // points left out: not finite, or without a size
-  std::vector<vtkIdType> Points;                 // of the input, which the particles are; empty
-                                                 // without Passed
-  mutable ParticleFits Fits;                     // of the particles, once FindFits was called
+  std::size_t Ignored = 0;       // points left out: not finite, or without a size
+  std::vector<vtkIdType> Points; // of the input, which the particles are; empty: all, in order
+  mutable ParticleFits Fits;     // of the particles, once FindFits was called
   std::vector<std::array<double, 3>> Velocities; // of the particles, if there are
   vtkSmartPointer<vtkPointData> Passed; // of the input's points, a copy; null if not wanted
+
+  vtkIdType GetPoint(std::size_t particle) const
+  {
+    return this->Points.empty() ? static_cast<vtkIdType>(particle) : this->Points[particle];
+  }
 
   // Finds the fits, once. Throws as FitParticles.
   void FindFits(const FitOptions& options) const;

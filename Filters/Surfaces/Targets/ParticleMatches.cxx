@@ -1,12 +1,8 @@
 #include "Targets/ParticleMatches.h"
 
-#include "ParallelTasks.h"
-#include "PortableMath.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace activesurface
@@ -47,15 +43,21 @@ void MatchIds(const std::vector<std::int64_t>& earlier, const std::vector<std::i
   }
 }
 
-double DiagonalOf(const std::vector<SkeletonVertex>& particles)
+double DiagonalOf(const ParticleList& particles)
 {
+  double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+  for (const SkeletonVertex& particle : particles)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::min(low[axis], particle.Position[axis]);
+      high[axis] = std::max(high[axis], particle.Position[axis]);
+    }
+  }
   double square = 0.0;
   for (int axis = 0; axis < 3 && !particles.empty(); ++axis)
   {
-    const auto ends = std::minmax_element(particles.begin(), particles.end(),
-      [axis](const SkeletonVertex& a, const SkeletonVertex& b)
-      { return a.Position[axis] < b.Position[axis]; });
-    const double length = ends.second->Position[axis] - ends.first->Position[axis];
+    const double length = high[axis] - low[axis];
     square += length * length;
   }
   return std::sqrt(square);
@@ -74,9 +76,9 @@ std::vector<ParticleStep> PickWays(const ParticleFrame& earlier, const ParticleF
   {
     if (partners[i] != NoPartner)
     {
-      const auto& from = earlier.Particles[i].Position;
-      const auto& to = later.Particles[partners[i]].Position;
-      ways.push_back({ to[0] - from[0], to[1] - from[1], to[2] - from[2] });
+      const SkeletonVertex from = earlier.Particles[i], to = later.Particles[partners[i]];
+      ways.push_back({ to.Position[0] - from.Position[0], to.Position[1] - from.Position[1],
+        to.Position[2] - from.Position[2] });
     }
   }
   return ways;
@@ -103,89 +105,6 @@ std::vector<std::size_t> FindBirths(const std::vector<std::size_t>& partners, st
   }
   return births;
 }
-
-double Between(double a, double b, double fraction)
-{
-  return a + fraction * (b - a);
-}
-
-ParticleFit Between(const ParticleFit& a, const ParticleFit& b, double fraction)
-{
-  ParticleFit fit{};
-  fit.Bulk = Between(a.Bulk, b.Bulk, fraction);
-  fit.OwnRadius = Between(a.OwnRadius, b.OwnRadius, fraction);
-  fit.Strength = Between(a.Strength, b.Strength, fraction);
-  fit.Reach = std::max(a.Reach, b.Reach); // an ellipsoid between two is within the larger reach
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    fit.Offset[axis] = Between(a.Offset[axis], b.Offset[axis], fraction);
-    fit.Outward[axis] = Between(a.Outward[axis], b.Outward[axis], fraction);
-  }
-  for (int i = 0; i < 6; ++i)
-  {
-    fit.Metric[i] = Between(a.Metric[i], b.Metric[i], fraction);
-  }
-  return fit;
-}
-
-ParticleFit Shrunk(ParticleFit fit, double share)
-{
-  fit.OwnRadius *= CubeRoot(share);
-  return fit;
-}
-
-ParticleFit FitOf(const ParticleOrigin& origin, const ParticleFits& earlier,
-  const ParticleFits& later, double fraction)
-{
-  return origin.Later == NoPartner ? Shrunk(earlier[origin.Earlier], 1.0 - fraction)
-    : origin.Earlier == NoPartner  ? Shrunk(later[origin.Later], fraction)
-                                  : Between(earlier[origin.Earlier], later[origin.Later], fraction);
-}
-
-void MoveTowards(SkeletonVertex& particle, const SkeletonVertex& partner, double fraction)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    particle.Position[axis] = Between(particle.Position[axis], partner.Position[axis], fraction);
-  }
-  const double radius = Between(particle.Radius, partner.Radius, fraction);
-  particle.Radius = radius > 0.0 ? radius : partner.Radius; // which rounding may have swallowed
-  particle.Strength = Between(particle.Strength, partner.Strength, fraction);
-}
-
-// Particles that are on their way, and their origins if these are wanted.
-struct Crowd
-{
-  std::vector<SkeletonVertex>& Particles;
-  std::vector<ParticleOrigin>* Origins;
-
-  void Clear()
-  {
-    this->Particles.clear();
-    if (this->Origins)
-    {
-      this->Origins->clear();
-    }
-  }
-
-  void Add(const SkeletonVertex& particle, const ParticleOrigin& origin)
-  {
-    this->Particles.push_back(particle);
-    if (this->Origins)
-    {
-      this->Origins->push_back(origin);
-    }
-  }
-
-  void AddFaded(SkeletonVertex particle, double share, const ParticleOrigin& origin)
-  {
-    particle.Strength *= share;
-    if (particle.Strength != 0.0)
-    {
-      this->Add(particle, origin);
-    }
-  }
-};
 
 // Returns true if half of the displacements, less their mean, are long for the cloud's diagonal.
 bool GoAcross(const std::vector<ParticleStep>& ways, std::size_t particles, double diagonal)
@@ -234,6 +153,13 @@ ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame
     matches.AreShuffled = true;
     matches.Partners.assign(earlier.Particles.size(), NoPartner);
   }
+  for (std::size_t i = 0; i < matches.Partners.size(); ++i)
+  {
+    if (matches.Partners[i] == NoPartner)
+    {
+      matches.Deaths.push_back(i);
+    }
+  }
   matches.Births = FindBirths(matches.Partners, later.Particles.size());
   return matches;
 }
@@ -246,7 +172,7 @@ double FindLongestWay(
   {
     if (matches.Partners[i] != NoPartner)
     {
-      const SkeletonVertex &from = earlier.Particles[i], &to = later.Particles[matches.Partners[i]];
+      const SkeletonVertex from = earlier.Particles[i], to = later.Particles[matches.Partners[i]];
       const double way = std::hypot(to.Position[0] - from.Position[0],
         to.Position[1] - from.Position[1], to.Position[2] - from.Position[2]);
       longest = std::max(longest, way + std::fabs(to.Radius - from.Radius));
@@ -255,68 +181,20 @@ double FindLongestWay(
   return longest;
 }
 
-void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& later,
-  const ParticleMatches& matches, double fraction, std::vector<SkeletonVertex>& particles,
-  std::vector<ParticleOrigin>* origins)
+bool FindVelocity(const ParticleFrame* earlier, const ParticleFrame* later,
+  const ParticleOrigin& origin, double duration, double (&velocity)[3])
 {
-  Crowd crowd{ particles, origins };
-  crowd.Clear();
-  for (std::size_t i = 0; i < earlier.Particles.size(); ++i)
+  if (origin.Earlier == NoPartner || origin.Later == NoPartner || !(duration > 0.0))
   {
-    const std::size_t partner = matches.Partners[i];
-    SkeletonVertex particle = earlier.Particles[i];
-    if (partner == NoPartner)
-    {
-      crowd.AddFaded(particle, 1.0 - fraction, { i, NoPartner });
-      continue;
-    }
-    MoveTowards(particle, later.Particles[partner], fraction);
-    crowd.Add(particle, { i, partner });
+    return false;
   }
-  for (const std::size_t birth : matches.Births)
+  const SkeletonVertex from = earlier->Particles[origin.Earlier];
+  const SkeletonVertex to = later->Particles[origin.Later];
+  for (int axis = 0; axis < 3; ++axis)
   {
-    crowd.AddFaded(later.Particles[birth], fraction, { NoPartner, birth });
+    velocity[axis] = (to.Position[axis] - from.Position[axis]) / duration;
   }
-}
-
-void InterpolateFits(const ParticleFrame& earlier, const ParticleFrame& later, double fraction,
-  const std::vector<ParticleOrigin>& origins, ParticleFits& fits)
-{
-  fits.resize(origins.size());
-  RunEach(origins.size(),
-    [&](std::size_t i) { fits[i] = FitOf(origins[i], earlier.Fits, later.Fits, fraction); });
-}
-
-void FindOriginsOfEarlier(
-  std::size_t count, const ParticleMatches* matches, std::vector<ParticleOrigin>& origins)
-{
-  origins.resize(count);
-  RunEach(count,
-    [&](std::size_t i) {
-      origins[i] = { i, matches ? matches->Partners[i] : NoPartner };
-    });
-}
-
-void FindMotion(const ParticleFrame* earlier, const ParticleFrame* later, double duration,
-  const std::vector<ParticleOrigin>& origins, std::vector<double>& velocities)
-{
-  velocities.resize(3 * origins.size());
-  RunEach(origins.size(),
-    [&](std::size_t i)
-    {
-      const ParticleOrigin& origin = origins[i];
-      double* velocity = &velocities[3 * i];
-      std::fill_n(velocity, 3, std::numeric_limits<double>::quiet_NaN());
-      if (origin.Earlier != NoPartner && origin.Later != NoPartner && duration > 0.0)
-      {
-        const double* from = earlier->Particles[origin.Earlier].Position;
-        const double* to = later->Particles[origin.Later].Position;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          velocity[axis] = (to[axis] - from[axis]) / duration;
-        }
-      }
-    });
+  return true;
 }
 
 }

@@ -25,7 +25,8 @@ struct ParticleMatches
 {
   // For each earlier one its partner's place among the later, or NoPartner.
   std::vector<std::size_t> Partners;
-  std::vector<std::size_t> Births; // of the later ones, by ascending place
+  std::vector<std::size_t> Deaths; // earlier ones without a partner, by ascending place
+  std::vector<std::size_t> Births; // later ones that are nobody's partner, by ascending place
   bool AreShuffled = false;        // indices are not the same particles
 };
 
@@ -43,27 +44,10 @@ struct ParticleOrigin
   std::size_t Later;
 };
 
-// Replaces particles by those at a fraction in [0,1] of the way from the earlier step to the later:
-// the earlier ones in their order, then the births in theirs, none that has faded to nothing. And
-// their origins, unless these are null.
-void InterpolateParticles(const ParticleFrame& earlier, const ParticleFrame& later,
-  const ParticleMatches& matches, double fraction, std::vector<SkeletonVertex>& particles,
-  std::vector<ParticleOrigin>* origins = nullptr);
-
-// What the particles at such origins are among their neighbours. One that fades shrinks with its
-// volume: a lone particle grows from nothing.
-void InterpolateFits(const ParticleFrame& earlier, const ParticleFrame& later, double fraction,
-  const std::vector<ParticleOrigin>& origins, ParticleFits& fits);
-
-// The origins of a step's particles, with their partners in the next one; matches: null without
-// one.
-void FindOriginsOfEarlier(
-  std::size_t count, const ParticleMatches* matches, std::vector<ParticleOrigin>& origins);
-
-// How the particles at such origins move in the interpolation, which takes so long: x y z each, NaN
-// for those that are in one of the steps only. A frame may be null where no origin is in it.
-void FindMotion(const ParticleFrame* earlier, const ParticleFrame* later, double duration,
-  const std::vector<ParticleOrigin>& origins, std::vector<double>& velocities);
+// Finds x y z of a particle that moves evenly from step to step in a duration. Returns false if it
+// is in one of the steps only, or the duration is 0; a step may be null then.
+bool FindVelocity(const ParticleFrame* earlier, const ParticleFrame* later,
+  const ParticleOrigin& origin, double duration, double (&velocity)[3]);
 
 }
 

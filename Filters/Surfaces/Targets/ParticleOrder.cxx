@@ -20,12 +20,12 @@ struct OrderKey
 
 auto PlaceOf(const SkeletonVertex& particle)
 {
-  return std::tie(particle.Position[0], particle.Position[1], particle.Position[2], particle.Radius,
-    particle.Strength);
+  return std::make_tuple(particle.Position[0], particle.Position[1], particle.Position[2],
+    particle.Radius, particle.Strength);
 }
 
 template <class Number>
-auto CompareKeys(const std::vector<SkeletonVertex>& particles)
+auto CompareKeys(const ParticleList& particles)
 {
   return [&particles](const OrderKey<Number>& a, const OrderKey<Number>& b)
   {
@@ -41,7 +41,7 @@ auto CompareKeys(const std::vector<SkeletonVertex>& particles)
 
 // keyOf: a number for each particle.
 template <class Number, class KeyOf>
-std::vector<std::size_t> FindOrder(const std::vector<SkeletonVertex>& particles, KeyOf&& keyOf)
+std::vector<std::size_t> FindOrder(const ParticleList& particles, KeyOf&& keyOf)
 {
   const auto isBefore = CompareKeys<Number>(particles);
   const std::size_t count = particles.size();
@@ -74,7 +74,7 @@ std::vector<std::size_t> FindOrder(const std::vector<SkeletonVertex>& particles,
 }
 
 std::vector<std::size_t> FindParticleOrder(
-  const std::vector<SkeletonVertex>& particles, const std::vector<std::int64_t>* ids)
+  const ParticleList& particles, const std::vector<std::int64_t>* ids)
 {
   return ids ? FindOrder<std::int64_t>(particles, [ids](std::size_t i) { return (*ids)[i]; })
              : FindOrder<double>(

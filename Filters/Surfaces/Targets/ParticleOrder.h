@@ -7,7 +7,7 @@
 #ifndef ParticleOrder_h
 #define ParticleOrder_h
 
-#include "Skeleton.h"
+#include "Targets/ParticleList.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace activesurface
 // Which particle comes first, second, ... By id if there are ids, else (null) by place: x, y, z,
 // radius, strength. Equal ones stay in their order. Empty if all are in order.
 std::vector<std::size_t> FindParticleOrder(
-  const std::vector<SkeletonVertex>& particles, const std::vector<std::int64_t>* ids);
+  const ParticleList& particles, const std::vector<std::int64_t>* ids);
 
 }
 

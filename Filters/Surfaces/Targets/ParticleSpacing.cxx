@@ -33,7 +33,7 @@ struct Middle
   double HalfSize = 0.0;
 };
 
-Middle FindMiddle(const std::vector<SkeletonVertex>& particles)
+Middle FindMiddle(const ParticleList& particles)
 {
   Middle middle;
   double farthest = 0.0;
@@ -41,8 +41,10 @@ Middle FindMiddle(const std::vector<SkeletonVertex>& particles)
   for (int axis = 0; axis < 3; ++axis)
   {
     double& at = middle.At[axis];
-    std::transform(particles.begin(), particles.end(), values.begin(),
-      [axis](const SkeletonVertex& particle) { return particle.Position[axis]; });
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      values[i] = particles[i].Position[axis];
+    }
     at = FindMedian(values);
     std::transform(values.begin(), values.end(), values.begin(),
       [at](double x) { return std::fabs(0.5 * x - 0.5 * at); });
@@ -67,7 +69,7 @@ using Distances = std::array<double, Nearest>; // ascending, HUGE_VAL for those 
 class Neighbourhoods
 {
 public:
-  explicit Neighbourhoods(const std::vector<SkeletonVertex>& particles)
+  explicit Neighbourhoods(const ParticleList& particles)
     : Particles(particles)
     , Centre(FindMiddle(particles))
   {
@@ -94,8 +96,9 @@ public:
     std::vector<double> distances(Nearest, HUGE_VAL);
     for (vtkIdType k = 0; k < nearest->GetNumberOfIds(); ++k)
     {
-      const double* to = this->Particles[static_cast<std::size_t>(nearest->GetId(k))].Position;
-      distances.push_back(std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]));
+      const SkeletonVertex to = this->Particles[static_cast<std::size_t>(nearest->GetId(k))];
+      distances.push_back(
+        std::hypot(to.Position[0] - from[0], to.Position[1] - from[1], to.Position[2] - from[2]));
     }
     std::sort(distances.begin(), distances.end());
     Distances least;
@@ -116,13 +119,13 @@ private:
     return place;
   }
 
-  const std::vector<SkeletonVertex>& Particles;
+  const ParticleList& Particles;
   const Middle Centre;
   vtkNew<vtkOctreePointLocator> Tree;
 };
 
 // About a thousand of all.
-std::vector<SkeletonVertex> PickSamples(const std::vector<SkeletonVertex>& particles)
+std::vector<SkeletonVertex> PickSamples(const ParticleList& particles)
 {
   const std::size_t stride = std::max<std::size_t>(1, particles.size() / Samples);
   std::vector<SkeletonVertex> samples;

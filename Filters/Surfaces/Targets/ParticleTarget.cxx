@@ -52,9 +52,8 @@ ParticleTarget::ParticleTarget(const TargetFrames& frames, const ShapeOptions& o
 void ParticleTarget::Place(int step, double fraction)
 {
   std::swap(this->Previous, this->Now);
-  PlacedNeeds needs;
-  needs.Fits = this->Options.WantsFits();
-  this->PlaceWay(step, fraction, needs, this->Now);
+  const bool needsFits = this->Options.WantsFits();
+  PlaceParticles(this->MakeTrack(step, fraction, needsFits), needsFits, this->Now);
   this->FindChanged();
 }
 
@@ -69,20 +68,17 @@ void ParticleTarget::FindFits(const ParticleFrame& frame) const
   frame.FindFits(fit);
 }
 
-void ParticleTarget::PlaceWay(
-  int step, double fraction, const PlacedNeeds& needs, PlacedParticles& placed)
+ParticleTrack ParticleTarget::MakeTrack(int step, double fraction, bool needsFits) const
 {
-  const ParticleWay way = this->Frames.GetWay(step);
-  for (const ParticleFrame* frame : { way.Earlier, way.Later })
+  const ParticleTrack track = this->Frames.GetTrack(step, fraction);
+  for (const ParticleFrame* frame : { &track.GetEarlier(), track.GetLater() })
   {
-    if (frame && needs.Fits)
+    if (frame && needsFits)
     {
       this->FindFits(*frame);
     }
   }
-  PlacedNeeds wanted = needs;
-  wanted.Duration = this->GetDuration();
-  PlaceParticles(way, fraction, wanted, placed);
+  return track;
 }
 
 void ParticleTarget::Finish()
@@ -115,10 +111,15 @@ void ParticleTarget::PlaceNodes(double begin, double end, double transport, doub
 {
   this->VoxelSize = voxelSize;
   const int step = this->GetStepOfWay();
-  PlacedNeeds needs;
-  needs.Fits = this->Options.NodesNeedFits();
-  needs.Velocities = this->Options.Carries;
-  this->PlaceWay(step, this->FindFraction(end), needs, this->AtNodes);
+  const bool needsFits = this->Options.NodesNeedFits();
+  ParticleTrack track = this->MakeTrack(step, this->FindFraction(end), needsFits);
+  track.SetDuration(this->GetDuration());
+  if (this->Options.Model != ParticleModel::Anisotropic)
+  {
+    PlaceParticles(track, needsFits, this->AtNodes);
+    this->BuildBody(this->AtNodes, this->ElementsAtNodes, this->BodyAtNodes);
+    track.SetFits(this->AtNodes.Fits);
+  }
   NodeParticleOptions options;
   options.Model = this->Options.Model;
   options.VoxelSize = voxelSize;
@@ -132,12 +133,8 @@ void ParticleTarget::PlaceNodes(double begin, double end, double transport, doub
   options.WantsBulks = this->Options.WantsBulks();
   options.Duration = transport * (end - begin);
   options.HasNoise = this->Options.NoiseAtNodes > 0.0;
-  this->Nodes.Build(
-    { this->AtNodes.Particles, this->AtNodes.Fits, this->AtNodes.Velocities }, options);
-  if (this->Options.Model != ParticleModel::Anisotropic)
-  {
-    this->BuildBody(this->AtNodes, this->ElementsAtNodes, this->BodyAtNodes);
-  }
+  options.HasVelocities = this->Options.Carries;
+  this->Nodes.Build(track, options);
 }
 
 // Ellipsoids by rows; other models node by node.

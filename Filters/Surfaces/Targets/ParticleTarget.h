@@ -63,7 +63,7 @@ protected:
 
 private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
-  void PlaceWay(int step, double fraction, const PlacedNeeds& needs, PlacedParticles& placed);
+  ParticleTrack MakeTrack(int step, double fraction, bool needsFits) const;
   void FindFits(const ParticleFrame& frame) const;
   void BuildBody(const PlacedParticles& placed, Skeleton& elements, ParticlePotential& body) const;
   // Level of the sum of kernels at the skin.

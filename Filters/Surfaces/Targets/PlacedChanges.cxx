@@ -24,12 +24,6 @@ bool IsSameFit(const ParticleFit& a, const ParticleFit& b)
     std::equal(a.Metric, a.Metric + 6, b.Metric);
 }
 
-// Unknown ones are alike.
-bool IsSameVelocity(const double* a, const double* b)
-{
-  return std::equal(a, a + 3, b, [](double u, double v) { return u == v || (u != u && v != v); });
-}
-
 // The earlier ones in their order, then the births in theirs.
 bool IsBefore(const ParticleOrigin& a, const ParticleOrigin& b)
 {
@@ -138,9 +132,7 @@ bool PlacedChanges::IsSame(const Pair& pair) const
   }
   const PlacedParticles &then = this->Before, &now = this->After;
   return IsSameVertex(then.Particles[pair.Then], now.Particles[pair.Now]) &&
-    (now.Fits.empty() || IsSameFit(then.Fits[pair.Then], now.Fits[pair.Now])) &&
-    (now.Velocities.empty() ||
-      IsSameVelocity(then.Velocities.data() + 3 * pair.Then, now.Velocities.data() + 3 * pair.Now));
+    (now.Fits.empty() || IsSameFit(then.Fits[pair.Then], now.Fits[pair.Now]));
 }
 
 }

@@ -4,7 +4,7 @@
 #define PlacedChanges_h
 
 #include "Targets/ChangedRegion.h"
-#include "Targets/ParticleWay.h"
+#include "Targets/ParticleTrack.h"
 
 #include <cstddef>
 #include <vector>

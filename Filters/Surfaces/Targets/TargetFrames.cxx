@@ -79,12 +79,11 @@ const ParticleMatches* TargetFrames::FindMatches(int step) const
   return this->Has(step) && this->Has(step + 1) ? &this->Matches : nullptr;
 }
 
-ParticleWay TargetFrames::GetWay(int step) const
+ParticleTrack TargetFrames::GetTrack(int step, double fraction) const
 {
-  ParticleWay way{ &this->GetParticles(step) };
-  way.Matches = this->FindMatches(step);
-  way.Later = way.Matches ? &this->GetParticles(step + 1) : nullptr;
-  return way;
+  const ParticleMatches* matches = this->FindMatches(step);
+  return { this->GetParticles(step), matches ? &this->GetParticles(step + 1) : nullptr, matches,
+    fraction };
 }
 
 }

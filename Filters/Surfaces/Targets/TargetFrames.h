@@ -4,7 +4,7 @@
 #define TargetFrames_h
 
 #include "Targets/InputShape.h"
-#include "Targets/ParticleWay.h"
+#include "Targets/ParticleTrack.h"
 
 #include <memory>
 #include <string>
@@ -33,8 +33,8 @@ public:
   const ParticleFrame& GetParticles(int step) const;
   vtkImplicitFunction* GetFunction(int step) const;
 
-  // From a step to the next one, as long as no step is added.
-  ParticleWay GetWay(int step) const;
+  // From a step to the next one, if it is held; as long as no step is added.
+  ParticleTrack GetTrack(int step, double fraction) const;
 
   // Of the particles of a step and those of the next one; null if not both are held.
   const ParticleMatches* FindMatches(int step) const;

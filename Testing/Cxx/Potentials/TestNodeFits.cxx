@@ -1,6 +1,7 @@
 // The fits of the node scheme, eight particles side by side in single precision, against those of
 // vtkSkeletonPotential, one after the other in double precision.
 
+#include "Support/ParticlesAtRest.h"
 #include "Support/SkeletonShapes.h"
 
 #include "Nodes/LaneMatrix.h"
@@ -65,7 +66,7 @@ void Build(const std::vector<SkeletonVertex>& particles, ParticleNodes& nodes)
   NodeParticleOptions options;
   options.VoxelSize = Voxel;
   options.OwnRadius = R;
-  nodes.Build({ particles, {}, {} }, options);
+  nodes.Build(ParticlesAtRest(particles), options);
 }
 
 }

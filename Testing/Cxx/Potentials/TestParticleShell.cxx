@@ -1,5 +1,6 @@
 // The shell of particles holds all nodes near their skin: where it ends, the target is on one side.
 
+#include "Support/ParticlesAtRest.h"
 #include "Support/SkeletonShapes.h"
 
 #include "ParticleNodes.h"
@@ -81,7 +82,7 @@ public:
     NodeParticleOptions options;
     options.VoxelSize = voxelSize;
     options.OwnRadius = R;
-    this->Nodes.Build({ cloud, {}, {} }, options);
+    this->Nodes.Build(ParticlesAtRest(cloud), options);
     this->Nodes.FindShell(false, this->Near);
     for (int x = First; x < First + Side; x += 8)
     {

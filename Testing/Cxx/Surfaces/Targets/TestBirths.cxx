@@ -47,7 +47,7 @@ std::shared_ptr<InputShape> MakeFrame(const std::vector<Numbered>& cloud, bool h
   for (const Numbered& particle : cloud)
   {
     particles.Ids.push_back(hasIds ? particle.Id : particles.Ids.size());
-    particles.Particles.push_back(particle.Vertex);
+    particles.Particles.Add(particle.Vertex);
   }
   return std::make_shared<ParticleShape>(std::move(particles));
 }
@@ -65,7 +65,7 @@ struct Way
   std::vector<SkeletonVertex> PlaceAt(double fraction)
   {
     PlacedParticles placed;
-    PlaceParticles(this->Frames.GetWay(0), fraction, {}, placed);
+    PlaceParticles(this->Frames.GetTrack(0, fraction), false, placed);
     return placed.Particles;
   }
 
@@ -327,11 +327,11 @@ TEST(TestBirths, PlacingKeepsItsMemory)
   Random random(9);
   Way way(MakeFrame(MakeCloud(random, 100, 0)), MakeFrame(MakeCloud(random, 100, 50)));
   PlacedParticles placed;
-  PlaceParticles(way.Frames.GetWay(0), 0.5, {}, placed);
+  PlaceParticles(way.Frames.GetTrack(0, 0.5), false, placed);
   const SkeletonVertex* memory = placed.Particles.data();
   for (const double f : Fractions)
   {
-    PlaceParticles(way.Frames.GetWay(0), f, {}, placed);
+    PlaceParticles(way.Frames.GetTrack(0, f), false, placed);
     EXPECT_TRUE(placed.Particles.data() == memory) << "the same memory";
   }
 }

@@ -21,17 +21,17 @@ constexpr double Spacing = 0.1;
 
 void Add(ParticleFrame& frame, double x, double y, double z)
 {
-  frame.Particles.push_back({ { x, y, z }, 1.0, 1.0 });
+  frame.Particles.Add({ { x, y, z }, 1.0, 1.0 });
 }
 
 // A cubic lattice with a corner at (x, 0, 0).
-ParticleFrame MakeLattice(int across, double x = 0.0)
+ParticleFrame MakeLattice(int across, double x = 0.0, double unit = 1.0)
 {
   ParticleFrame frame;
   for (int i = 0; i < across * across * across; ++i)
   {
-    Add(frame, x + Spacing * (i % across), Spacing * (i / across % across),
-      Spacing * (i / across / across));
+    Add(frame, unit * (x + Spacing * (i % across)), unit * (Spacing * (i / across % across)),
+      unit * (Spacing * (i / across / across)));
   }
   return frame;
 }
@@ -98,14 +98,7 @@ TEST(TestParticleSpacing, HasNoUnitOfItsOwn)
 {
   for (const double unit : { 1e-100, 1e-25, 1e25, 1e100 })
   {
-    ParticleFrame frame = MakeLattice(12);
-    for (SkeletonVertex& particle : frame.Particles)
-    {
-      for (double& coordinate : particle.Position)
-      {
-        coordinate *= unit;
-      }
-    }
+    ParticleFrame frame = MakeLattice(12, 0.0, unit);
     EXPECT_NEAR(FindSpacing(frame) / unit, Spacing, 1e-6) << unit;
     Add(frame, 1.7e308, -1.7e308, 1.7e308);
     Add(frame, -1.7e308, 1.7e308, 0.0);

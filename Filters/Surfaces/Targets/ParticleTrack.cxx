@@ -1,0 +1,175 @@
+#include "Targets/ParticleTrack.h"
+
+#include "ParallelTasks.h"
+#include "PortableMath.h"
+
+#include <algorithm>
+
+namespace activesurface
+{
+
+namespace
+{
+
+const ParticleFits NoFits;
+
+double Between(double a, double b, double fraction)
+{
+  return a + fraction * (b - a);
+}
+
+ParticleFit Between(const ParticleFit& a, const ParticleFit& b, double fraction)
+{
+  ParticleFit fit{};
+  fit.Bulk = Between(a.Bulk, b.Bulk, fraction);
+  fit.OwnRadius = Between(a.OwnRadius, b.OwnRadius, fraction);
+  fit.Strength = Between(a.Strength, b.Strength, fraction);
+  fit.Reach = std::max(a.Reach, b.Reach); // an ellipsoid between two is within the larger reach
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    fit.Offset[axis] = Between(a.Offset[axis], b.Offset[axis], fraction);
+    fit.Outward[axis] = Between(a.Outward[axis], b.Outward[axis], fraction);
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    fit.Metric[i] = Between(a.Metric[i], b.Metric[i], fraction);
+  }
+  return fit;
+}
+
+ParticleFit Shrunk(ParticleFit fit, double share)
+{
+  fit.OwnRadius *= CubeRoot(share);
+  return fit;
+}
+
+SkeletonVertex Faded(SkeletonVertex particle, double share)
+{
+  particle.Strength *= share;
+  return particle;
+}
+
+SkeletonVertex Between(
+  const SkeletonVertex& particle, const SkeletonVertex& partner, double fraction)
+{
+  SkeletonVertex moved;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    moved.Position[axis] = Between(particle.Position[axis], partner.Position[axis], fraction);
+  }
+  const double radius = Between(particle.Radius, partner.Radius, fraction);
+  moved.Radius = radius > 0.0 ? radius : partner.Radius; // which rounding may have swallowed
+  moved.Strength = Between(particle.Strength, partner.Strength, fraction);
+  return moved;
+}
+
+}
+
+ParticleTrack::ParticleTrack(const ParticleFrame& earlier, const ParticleFrame* later,
+  const ParticleMatches* matches, double fraction)
+  : Earlier(&earlier)
+  , Later(later)
+  , Matches(matches)
+  , Fraction(later ? fraction : 0.0)
+  , Fits(&NoFits)
+  , Count(earlier.Particles.size())
+{
+  if (this->Fraction != 0.0)
+  {
+    this->Count += matches->Births.size();
+    const auto hasFaded = [](const SkeletonVertex& particle, double share)
+    { return particle.Strength * share == 0.0; };
+    if (std::any_of(matches->Deaths.begin(), matches->Deaths.end(),
+          [&](std::size_t death) { return hasFaded(earlier.Particles[death], 1.0 - fraction); }) ||
+      std::any_of(matches->Births.begin(), matches->Births.end(),
+        [&](std::size_t birth) { return hasFaded(later->Particles[birth], fraction); }))
+    {
+      this->ListKept(this->Count);
+    }
+  }
+}
+
+void ParticleTrack::ListKept(std::size_t all)
+{
+  for (std::size_t n = 0; n < all; ++n)
+  {
+    const ParticleOrigin origin = this->OriginOf(n);
+    const bool isMatched = origin.Earlier != NoPartner && origin.Later != NoPartner;
+    if (isMatched || this->Place(origin).Strength != 0.0)
+    {
+      this->Kept.push_back(static_cast<std::uint32_t>(n));
+    }
+  }
+  this->Count = this->Kept.size();
+}
+
+ParticleOrigin ParticleTrack::OriginOf(std::size_t n) const
+{
+  const std::size_t earlier = this->Earlier->Particles.size();
+  return n < earlier ? ParticleOrigin{ n, this->Matches ? this->Matches->Partners[n] : NoPartner }
+                     : ParticleOrigin{ NoPartner, this->Matches->Births[n - earlier] };
+}
+
+SkeletonVertex ParticleTrack::Place(const ParticleOrigin& origin) const
+{
+  if (this->Fraction == 0.0)
+  {
+    return this->Earlier->Particles[origin.Earlier];
+  }
+  return origin.Later == NoPartner
+    ? Faded(this->Earlier->Particles[origin.Earlier], 1.0 - this->Fraction)
+    : origin.Earlier == NoPartner ? Faded(this->Later->Particles[origin.Later], this->Fraction)
+                                  : Between(this->Earlier->Particles[origin.Earlier],
+                                      this->Later->Particles[origin.Later], this->Fraction);
+}
+
+void ParticleTrack::List(
+  std::vector<SkeletonVertex>& particles, std::vector<ParticleOrigin>& origins) const
+{
+  particles.resize(this->Count);
+  origins.resize(this->Count);
+  RunEach(this->Count,
+    [&](std::size_t n)
+    {
+      origins[n] = this->GetOrigin(n);
+      particles[n] = this->Place(origins[n]);
+    });
+}
+
+void ParticleTrack::InterpolateFits(ParticleFits& fits) const
+{
+  if (this->Fraction == 0.0)
+  {
+    fits = this->Earlier->Fits;
+    return;
+  }
+  fits.resize(this->Count);
+  const ParticleFits &earlier = this->Earlier->Fits, &later = this->Later->Fits;
+  RunEach(this->Count,
+    [&](std::size_t n)
+    {
+      const ParticleOrigin origin = this->GetOrigin(n);
+      fits[n] = origin.Later == NoPartner ? Shrunk(earlier[origin.Earlier], 1.0 - this->Fraction)
+        : origin.Earlier == NoPartner
+        ? Shrunk(later[origin.Later], this->Fraction)
+        : Between(earlier[origin.Earlier], later[origin.Later], this->Fraction);
+    });
+}
+
+bool ParticleTrack::FindVelocity(std::size_t n, double (&velocity)[3]) const
+{
+  return activesurface::FindVelocity(
+    this->Earlier, this->Later, this->GetOrigin(n), this->Duration, velocity);
+}
+
+void PlaceParticles(const ParticleTrack& track, bool needsFits, PlacedParticles& placed)
+{
+  track.List(placed.Particles, placed.Origins);
+  placed.Fits.clear();
+  if (needsFits)
+  {
+    track.InterpolateFits(placed.Fits);
+  }
+}
+
+}

@@ -1,0 +1,33 @@
+// Particles that do not move, for the node scheme.
+
+#ifndef ParticlesAtRest_h
+#define ParticlesAtRest_h
+
+#include "ParticleNodes.h"
+
+#include <vector>
+
+class ParticlesAtRest final : public activesurface::NodeParticles
+{
+public:
+  // The caller's.
+  explicit ParticlesAtRest(const std::vector<activesurface::SkeletonVertex>& particles)
+    : Particles(particles)
+  {
+  }
+
+  std::size_t Size() const override { return this->Particles.size(); }
+  activesurface::SkeletonVertex Get(std::size_t n) const override { return this->Particles[n]; }
+  bool FindVelocity(std::size_t, double (&velocity)[3]) const override
+  {
+    velocity[0] = velocity[1] = velocity[2] = 0.0;
+    return true;
+  }
+  const activesurface::ParticleFits& GetFits() const override { return this->Fits; }
+
+private:
+  const std::vector<activesurface::SkeletonVertex>& Particles;
+  activesurface::ParticleFits Fits;
+};
+
+#endif
