@@ -18,7 +18,7 @@ from active_implicit_surfaces.skin_files import read_shape
 from command_line import grid
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-PAGES = ("README.md", "Python/README.md")
+PAGES = ("README.md", "Python/README.md", "Python/command_line.md")
 MESHES = (".vtp", ".ply", ".obj", ".stl", ".glb", ".vdb")
 # The particles are 5 x 5 x 5, 0.1 apart. Presets and models round their corners more or less.
 PARTICLES = (0.5**3, 0.25)
