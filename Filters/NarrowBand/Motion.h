@@ -42,7 +42,7 @@ enum class TargetEvaluation
 };
 
 /** Scheme of a substep: forward Euler within the stable step of the fastest part; or for the
- * whole interval at once, at nodes near the target's surface (see README.md). */
+ * whole interval at once, at nodes near the target's surface (see nodes.md). */
 enum class TimeIntegration
 {
   Explicit,

@@ -27,8 +27,8 @@ InitialFunction ValuesOf(const Target& target)
   return function;
 }
 
-/** Smaller balls of a target Tension makes vanish: R = 2 sqrt 2 sqrt(Tension / Attraction), see the
- * README. */
+/** Smaller balls of a target Tension makes vanish: R = 2 sqrt 2 sqrt(Tension / Attraction), see
+ * method.md. */
 double FindLeastRadius(const Motion& motion)
 {
   return motion.Tension > 0.0 ? std::sqrt(8.0 * motion.Tension / motion.Attraction) : 0.0;

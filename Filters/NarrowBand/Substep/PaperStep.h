@@ -1,5 +1,5 @@
 /**
- * The paper's own scheme, for comparison. Where it differs it is worse, see README.md.
+ * The paper's own scheme, for comparison. Where it differs it is worse, see front.md.
  *
  * - The potential is clamped to +- 3 voxels, the thresholds (section 3.2): a node is activated when
  *   the surface comes near, keeps its value, and is deactivated when its value reaches a threshold.

@@ -76,7 +76,7 @@ TEST(TestNewPartsRules, WallsCutThem)
   {
     most = std::max(most, mesh.GetPoint(v)[0]);
   }
-  // As Walls in the README: the rim is right to .14 voxel.
+  // The rim is right to .14 voxel (method.md of NarrowBand).
   EXPECT_LE((most - 0.6) / H, 0.14);
 }
 

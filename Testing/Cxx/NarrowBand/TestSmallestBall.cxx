@@ -32,8 +32,8 @@ void Settle(NarrowBand& band, double radius)
 
 }
 
-// A surface at rest under tension is right to .04 voxel (README of NarrowBand); so near the fold an
-// error counts 1 / (1 - 2 Tension / (Attraction r^2)) = 1.57 times.
+// The steady state under tension is accurate to .04 voxel (front.md of NarrowBand); near the fold
+// an error counts 1 / (1 - 2 Tension / (Attraction r^2)) = 1.57 times.
 TEST(TestSmallestBall, ABallAboveTheFoldRestsAtTheExactRadius)
 {
   const double target = 3.2 * LengthOfTension;

@@ -117,7 +117,7 @@ TEST(TestVelocityBound, OnlyLongVectorsAreShortened)
   EXPECT_LT(10, kept) << "others";
 }
 
-// A skin follows a ball with a lag that is right to .12 voxel (README of NarrowBand), and so its
+// A skin follows a ball with a lag that is right to .12 voxel (front.md of NarrowBand), and so its
 // speed to that times Attraction: by so much it may be over the bound at its front.
 TEST(TestVelocityBound, ATranslationIsNotShortened)
 {

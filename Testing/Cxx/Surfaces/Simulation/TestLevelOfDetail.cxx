@@ -1,4 +1,4 @@
-// NUMERICS.md, row 16: 400 particles become 50 between two frames; the skin does not jump.
+// 400 particles become 50 between two frames; the skin does not jump.
 
 #include "Support/PipelineTools.h"
 #include "Support/ShapeSource.h"

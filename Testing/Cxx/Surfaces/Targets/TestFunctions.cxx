@@ -177,7 +177,7 @@ TEST(TestFunctions, InsideMayBeAboveTheIsoValue)
 }
 
 // Beyond the reach the speed is Attraction * TargetReach: uniform, so exact but for chords, .13 h
-// (README of NarrowBand, Figures).
+// (front.md of NarrowBand, Accuracy).
 TEST(TestFunctions, FarTargetsAttractWithConstantSpeed)
 {
   auto filter = MakeShrinkingBall();
@@ -263,7 +263,7 @@ TEST(TestFunctions, FunctionsAreLetGo)
 }
 
 // Distances to a ball, sampled as finely as the skin: trilinear interpolation is off by spacing^2 /
-// 4r = .04 voxels, the skin's rest by another .04 (Filters/NarrowBand/README.md, its Figures).
+// 4r = .04 voxels, the skin's rest by another .04 (front.md of NarrowBand, Accuracy).
 TEST(TestFunctions, GridPotentialIsATargetOfTheSkin)
 {
   Place place(false);
