@@ -60,8 +60,10 @@ class Film(Sink):
         times: list[float],
         numbers: list[int],
         fps: float | None = None,
+        time_scale: float = 1.0,
     ) -> None:
         self.path, self.scene, self.times = path, scene, times
+        self.time_scale = time_scale
         self.fps = fps or rate_of(times)
         self.names = names_of(path, numbers)
         self._stream: Any = None
@@ -100,7 +102,7 @@ class Film(Sink):
             render.write_exr(
                 self.scene.window,
                 temporary,
-                frame_duration=way[-1] - way[0] or 1.0 / self.fps,
+                frame_duration=self.time_scale * (way[-1] - way[0] or 1.0 / self.fps),
                 writer=writer,
                 apart=self.scene.apart,
             )

@@ -52,10 +52,15 @@ class UsdFilm(Sink):
         Time codes of a unit of time. Default: as many as there are frames in it.
     up : {"x", "y", "z", "-x", "-y", "-z"}
         Axis of the data that points up: z or y is the stage's; for others the prim is rotated.
+    time_scale : float
+        Time of the velocities per unit of `times`, the filter's TimeScale. Default: 1.
     """
 
-    def __init__(self, path: Path, times: list[float], fps: float | None, up: str) -> None:
+    def __init__(
+        self, path: Path, times: list[float], fps: float | None, up: str, time_scale: float = 1.0
+    ) -> None:
         self.path, self.fps, self.up = path, fps or rate_of(times), up
+        self._time_scale = time_scale
         self._codes = [round(time * self.fps, 6) for time in times]
         self._ending, self._origin, self._wide = ExitStack(), None, dict[str, bool]()
 
@@ -100,6 +105,7 @@ class UsdFilm(Sink):
         corners = [corners.ravel() for corners in polygons]
         low_high = numpy.array([points.min(0), points.max(0)]) if len(points) else points[:0]
         velocity = others.pop("Velocity", None)
+        velocity = None if velocity is None else self._time_scale * velocity
         vectors = {"Points": points, "Extent": low_high, "Normals": normals, "Velocities": velocity}
         for name, values in vectors.items():
             if values is not None:

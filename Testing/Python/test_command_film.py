@@ -127,6 +127,12 @@ class Films(CommandTest):
         self.assertLessEqual({"RGBA", "Z", "P", "N", "forward", "id"}, names)
         moved = vtk_to_numpy(arrays.GetArray("forward"))
         self.assertGreater(moved[:, 0].max(), 5.0, "the skin moves to the right")
+        for scale in (0.5, 4):
+            self.render("f_##.exr", "--time-scale", scale)
+            reader.Modified()
+            reader.Update()
+            again = vtk_to_numpy(reader.GetOutput().GetPointData().GetArray("forward"))
+            self.assertAlmostEqual(again[:, 0].max(), moved[:, 0].max(), delta=0.5, msg=scale)
 
     def test_an_ogg_film(self):
         self.render("film.ogv")

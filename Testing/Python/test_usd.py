@@ -63,6 +63,18 @@ class Films(CommandTest):
             self.assertEqual(len(heat.Get(2)), len(mesh.GetPointsAttr().Get(2)))
             self.assertEqual(self.hidden(), [])
 
+    @unittest.skipUnless(HAS_USD, "usd-core is not installed")
+    def test_velocities_are_in_the_time_of_the_codes(self):
+        from pxr import Usd, UsdGeom
+
+        for scale in (0.5, 2):
+            arguments = ("--fps", 25, "--time-scale", scale, "-o", "film.usdc")
+            self.succeed("skin", "p.npz", *COMMON, *arguments)
+            stage = Usd.Stage.Open("film.usdc")
+            mesh = UsdGeom.Mesh(stage.GetDefaultPrim())
+            velocities = numpy.array(mesh.GetVelocitiesAttr().Get(2))
+            self.assertAlmostEqual(float(numpy.median(velocities[:, 0])), SPEED, delta=0.02)
+
     def assert_is(self, mesh, code, skin):
         points = numpy.array(mesh.GetPointsAttr().Get(code))
         wanted = vtk_to_numpy(skin.GetPoints().GetData())

@@ -126,7 +126,8 @@ class Outputs:
 
         if self.is_usd and self.output:
             way.surface.ComputeVelocityOn()
-            found.append(UsdFilm(self.output, way.times, self._fps(), up()))
+            scale = way.surface.GetTimeScale()
+            found.append(UsdFilm(self.output, way.times, self._fps(), up(), scale))
         elif self.output:
             found.append(FileSeries(self.names, write, self._index(self.output), way.times))
         if self.render:
@@ -146,7 +147,8 @@ class Outputs:
             way.surface.ComputeVelocityOn()
         size, ground = self.options.size or PICTURE_SIZE, not self.options.no_ground
         scene = Scene(held, size, up, COLORS[color], soft=not is_exr, ground=ground)
-        return Film(path, scene, way.times, self.numbers, self._fps())
+        scale = way.surface.GetTimeScale()
+        return Film(path, scene, way.times, self.numbers, self._fps(), scale)
 
     def _fps(self) -> float | None:
         return getattr(self.options, "output_fps", None) or getattr(self.options, "fps", None)
