@@ -70,6 +70,18 @@ class Levels(unittest.TestCase):
         mask[0, 0, 0] = numpy.nan
         self.check(mask)
 
+    def test_pixels_that_are_no_numbers_are_counted(self):
+        distance = numpy.array(DISTANCE, dtype=float)
+        middle = distance.shape[0] // 2
+        distance[middle, middle, middle] = numpy.nan
+        distance[0, 0, 0] = numpy.inf
+        surface = vtkActiveImplicitSurface()
+        surface.SetInputData(0, image(distance))
+        heard = Listener(surface)
+        surface.UpdateTimeStep(0.0)
+        told = " ".join(" ".join(heard.warnings).split())
+        self.assertEqual(told.count(f"2 of its {distance.size} values are not finite"), 1, told)
+
     def test_what_is_below_zero_stays_inside(self):
         self.check(DISTANCE)
         self.check(numpy.clip(DISTANCE, -1, 1))

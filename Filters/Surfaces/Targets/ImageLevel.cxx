@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <sstream>
+#include <string>
 
 namespace activesurface
 {
@@ -92,6 +93,24 @@ ImageLevel FindUsualLevel(vtkDataArray* values, const ImageLevel& given)
   const bool areFractions =
     counts.Low > -Beyond && std::fabs(counts.High - 1.0) < Beyond && 2 * counts.AtEnds > counts.All;
   return areFractions ? ImageLevel{ 0.5, true } : given;
+}
+
+std::string DescribeNotFinite(vtkDataArray* values)
+{
+  if (values->GetDataType() != VTK_FLOAT && values->GetDataType() != VTK_DOUBLE)
+  {
+    return "";
+  }
+  ValueCounts counts;
+  Run(values, counts);
+  const auto all = static_cast<std::size_t>(values->GetNumberOfTuples());
+  if (counts.All == all)
+  {
+    return "";
+  }
+  return std::to_string(all - counts.All) + " of its " + std::to_string(all) +
+    " values are not finite (NaN or infinity): voxels that touch them have no surface. Replace "
+    "them by a value inside or outside.";
 }
 
 std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level)

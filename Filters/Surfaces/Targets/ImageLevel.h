@@ -25,6 +25,9 @@ struct ImageLevel
  */
 ImageLevel FindUsualLevel(vtkDataArray* values, const ImageLevel& given);
 
+/** Returns a sentence for users if some values are not finite, else "". */
+std::string DescribeNotFinite(vtkDataArray* values);
+
 /** Returns a sentence for users if the values differ but none of them is inside, else "". */
 std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level);
 

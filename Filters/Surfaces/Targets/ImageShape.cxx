@@ -83,6 +83,11 @@ std::string ImageShape::Prepare(ShapePreparation& preparation)
     grid->SetInvertInside(level.Invert);
     ReadGrid(grid, this->Data);
     this->Function = grid;
+    const std::string flaw = values ? DescribeNotFinite(values) : "";
+    if (!flaw.empty())
+    {
+      preparation.Report("values not finite", "The image " + preparation.When + ": " + flaw);
+    }
     return values ? DescribeLevel(values, level) : "";
   }
   return "";
