@@ -2,6 +2,7 @@
 
 #include "BandState.h"
 #include "NarrowBand.h"
+#include "State/BoxCut.h"
 #include "State/PackedBand.h"
 #include "State/SavedTree.h"
 
@@ -21,17 +22,35 @@ using PackedNumbers = std::array<double, 7>;
 
 }
 
-std::unique_ptr<NarrowBand> NarrowBand::Clone() const
+void NarrowBand::CopyNumbersTo(NarrowBand& copy) const
 {
-  auto copy = std::make_unique<NarrowBand>(this->State->VoxelSize);
-  BandState& members = *copy->State;
+  BandState& members = *copy.State;
   members.SetNumbers(this->State->GetNumbers());
   members.Threads = this->State->Threads;
   members.Maximum = this->State->Maximum;
   members.Work = this->State->Work;
-  copy->Run([&]
-    { members.AdoptTree(std::make_shared<openvdb::FloatTree>(this->State->Potential->tree())); });
+}
+
+std::unique_ptr<NarrowBand> NarrowBand::Clone() const
+{
+  auto copy = std::make_unique<NarrowBand>(this->State->VoxelSize);
+  this->CopyNumbersTo(*copy);
+  copy->Run(
+    [&] {
+      copy->State->AdoptTree(std::make_shared<openvdb::FloatTree>(this->State->Potential->tree()));
+    });
   return copy;
+}
+
+std::unique_ptr<NarrowBand> NarrowBand::MakePartWithin(const Walls& walls) const
+{
+  auto part = std::make_unique<NarrowBand>(this->State->VoxelSize);
+  this->CopyNumbersTo(*part);
+  BandState& members = *part->State;
+  members.HasGhosts = false;
+  part->Run(
+    [&] { members.Restore(CutAtWalls(this->State->Potential->tree(), walls, members.VoxelSize)); });
+  return part;
 }
 
 void NarrowBand::AddGhosts()

@@ -115,6 +115,8 @@ struct Motion
   bool Paper = false;
 
   Walls Box;
+  /** Beyond the sides of a periodic box, up to the walls, the node scheme repeats the surface. */
+  Periods Period;
 
   /** What the surface may not enter, the caller's; null: nothing. It learns the leaves where the
    * surface comes. */

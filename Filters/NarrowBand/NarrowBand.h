@@ -53,6 +53,8 @@ public:
 
   /** A copy with its own potential: a branch that does not change this trajectory. */
   std::unique_ptr<NarrowBand> Clone() const;
+  /** The part of the surface within walls, closed at them; its work and time are those of this. */
+  std::unique_ptr<NarrowBand> MakePartWithin(const Walls& walls) const;
 
   /** Extends the potential beyond the band, unless it is: after a frame of the node scheme it ends
    * at 3 voxels. Substeps do so themselves. */
@@ -162,6 +164,7 @@ public:
 private:
   NarrowBand(const NarrowBand&) = delete;
   void operator=(const NarrowBand&) = delete;
+  void CopyNumbersTo(NarrowBand& copy) const;
 
   std::unique_ptr<BandState> State;
 };

@@ -16,6 +16,15 @@ struct Walls
   double Bounds[6] = {}; //< xmin xmax ymin ymax zmin zmax, world units
 };
 
+/** A periodic box: what leaves it through one side comes in through the other. */
+struct Periods
+{
+  double Low[3] = {};
+  double Length[3] = {}; //< 0: not periodic along the axis
+
+  bool Any() const { return this->Length[0] > 0. || this->Length[1] > 0. || this->Length[2] > 0.; }
+};
+
 /** Distance to the box, negative inside. */
 inline double DistanceToWalls(const Walls& walls, const double x[3])
 {

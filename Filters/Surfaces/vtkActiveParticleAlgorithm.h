@@ -96,6 +96,18 @@ public:
 
   ///@{
   /**
+   * Periodic box (xmin, xmax, ymin, ymax, zmin, zmax) [length] of the particles, as of a simulation
+   * of molecules. A particle that leaves it through a side comes in through the other one, wherever
+   * the input lists it; between two time steps it takes the shortest path. The skin is closed at
+   * the sides of the box. Range: finite; an axis with min >= max is not periodic.
+   * Default: (1, -1, 1, -1, 1, -1), none is.
+   */
+  vtkSetVector6Macro(PeriodicBounds, double);
+  vtkGetVector6Macro(PeriodicBounds, double);
+  ///@}
+
+  ///@{
+  /**
    * Adds to "Velocity" its component along the skin, so that it is the whole motion, as motion
    * blur needs it: the particles' own velocity, averaged with their kernels' weights. It is read
    * from the array that SetInputArrayToProcess(5, ...) chooses, else from the particles'
@@ -138,6 +150,7 @@ private:
   void operator=(const vtkActiveParticleAlgorithm&) = delete;
 
   int ParticleModel = ANISOTROPIC;
+  double PeriodicBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double ParticleSpacing = 0.0;
   double KernelRadius = 0.0;
   double Anisotropy = 4.0;

@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from . import properties, vtkActiveImplicitSurface
 from .data_objects import STANDARD_NAMES, array_names, as_particles, like, usual_ids
 from .messages import listening, warn
+from .periodic import periodic_bounds
 from .presets import (
     apply_preset,
     describe_precision,
@@ -122,6 +123,10 @@ class frames(Skins):
         Radius of a probe [length] that rolls over particles with radii, atoms: the skin is their
         solvent-excluded surface; of 0 their balls. For water and Angstroms 1.4. With
         ``pass_target_arrays=True`` it has the arrays of the nearest atom.
+    periodic : bool
+        Whether the particles' box is periodic: their field data "Lattice", edges as rows [length],
+        with "Origin" and "pbc", as files of molecules have them, give ``periodic_bounds``.
+        Default: False.
     output_fps : float, optional
         Skins per second [1/time], frames in between included. Default: at the particles' times.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
@@ -180,6 +185,7 @@ class frames(Skins):
         minimum_piece: int = 1,
         minimum_volume: float = 0.0,
         probe: float | None = None,
+        periodic: bool = False,
         output_fps: float | None = None,
         preset: str | None = None,
         arrays: dict[str, str] | None = None,
@@ -190,6 +196,8 @@ class frames(Skins):
         self.source = (
             particles if is_source else ParticleSeries(particles, times=times, fps=fps, where=where)
         )
+        if periodic:
+            options["periodic_bounds"] = periodic_bounds(self.source.frames_that_tell())
         if minimum_piece > 1 or minimum_volume > 0:
             told = options.get("particle_spacing")
             spacing = told or series_spacing(self.source.frames_that_tell())

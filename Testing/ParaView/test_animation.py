@@ -57,6 +57,7 @@ OTHER_VALUES = {
     "ParticleSpacing": 0.07,
     "ParticleThreshold": 0.5,
     "PassTargetArrays": 1,
+    "PeriodicBounds": [-1, 2, -1, 3, 1, -1],
     "RadiusArray": ["POINTS", "id"],
     "RestTolerance": 1,
     "StartTime": 1,

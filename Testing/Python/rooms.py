@@ -36,14 +36,16 @@ MAY_INCLUDE = {
         *NUMERICS,
         "NarrowBand/FloatLanes",
         "NarrowBand/IndexMap",
-        "NarrowBand/NodeTarget",
         "NarrowBand/Leaves",
+        "NarrowBand/NodeTarget",
         "NarrowBand/Substep",
+        "NarrowBand/Walls",
     ],
     "NarrowBand/State": [
         *NUMERICS,
-        "NarrowBand/Leaves",
         "NarrowBand/InitialFunction",
+        "NarrowBand/Leaves",
+        "NarrowBand/Walls",
     ],
     "NarrowBand/Ranks": [],
     "NarrowBand/Arrival": [

@@ -31,6 +31,8 @@ def another(own):
         return not own.default
     if own.kind == "integer":
         return own.default * 2 + 1
+    if own.name == "PeriodicBounds":
+        return (-0.2, 0.8, 1.0, -1.0, 1.0, -1.0)
     return 0.3 if own.name in ("Transport", "CFL") else own.default * 2 + 0.37
 
 

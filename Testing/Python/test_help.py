@@ -67,7 +67,7 @@ CHOICES = {
 }
 OTHERS = {
     vtkActiveImplicitSurface: """
-        TargetFunction InitialFunction ObstacleFunction ModelBounds Controller
+        TargetFunction InitialFunction ObstacleFunction ModelBounds PeriodicBounds Controller
     """.split(),
     vtkSkeletonPotential: "Input InputConnection RadiusArrayName StrengthArrayName".split(),
     vtkGridPotential: "Input InputConnection ScalarArrayName".split(),
@@ -81,6 +81,7 @@ WITH_UNIT = {
         TargetIsoValue TargetReach VoxelSize ModelBounds Attraction Tension VolumeStiffness
         AreaStiffness TargetVolume TargetArea RestTolerance StartTime TimeStepSize TimeScale
         ArrivalTime KernelRadius ParticleSpacing MeshThickness CheckpointMemory MaximumVelocity
+        PeriodicBounds
         TargetNoise
     """.split(),
     vtkSkeletonPotential: """

@@ -44,6 +44,7 @@ DEFAULTS = {
     "Anisotropy": 4.0,
     "ParticleKernel": 0,  # vtkSkeletonPotential.WYVILL
     "ParticleThreshold": 0.5,
+    "PeriodicBounds": (1.0, -1.0, 1.0, -1.0, 1.0, -1.0),
     "MeshThickness": 0.0,
     "ComputeNormals": 1,
     "OutputPotential": 0,
@@ -98,6 +99,8 @@ REFUSED = [
     ("ParticleThreshold", 0.0),
     ("ParticleThreshold", -0.5),
     ("MeshThickness", math.nan),
+    ("PeriodicBounds", (0, 1, 0, math.inf, 0, 1)),
+    ("PeriodicBounds", (math.nan, 1, 1, -1, 1, -1)),
 ]
 
 

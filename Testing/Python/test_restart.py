@@ -173,6 +173,7 @@ RESTARTS = {
     "NumberOfTimeSteps": [(morph, 3)],
     "ObstacleFunction": [(morph, ball(0.3, (0, 0.3, 0))), (round_obstacle, None)],
     "PaperScheme": [(morph, 1)],
+    "PeriodicBounds": [(body_of_particles, (-1.0, 1.0, -1.0, 1.0, 1.0, -1.0))],
     "ParticleKernel": [(particles, 1), (particles, 2)],
     "ParticleModel": [(particles, 1), (particles, 2), (body_of_particles, 1)],
     "KernelRadius": [(particles, 0.5), (particles, 0.0)],

@@ -65,6 +65,8 @@ public:
     }
   }
 
+  /** The number of the leaf with an origin, or one below 0. */
+  std::int32_t Find(const NodeIndex& origin) const { return this->Numbers.Find(origin); }
   std::size_t Size() const { return this->Leaves.size(); }
   NodeLeaf& operator[](std::size_t i) { return this->Leaves[i]; }
   const NodeLeaf& operator[](std::size_t i) const { return this->Leaves[i]; }

@@ -1,5 +1,7 @@
 #include "Nodes/NodeStep.h"
 
+#include "Nodes/PeriodicLattice.h"
+
 #include "Obstacle.h"
 #include "OpenVDB.h"
 #include "Substep/TimeStep.h"
@@ -68,6 +70,7 @@ openvdb::FloatTree::Ptr NodeStep::Make(
   RunStages({ this->Leaves, this->Psi, this->Bulk, this->IsFar, this->Potential, this->Room }, law);
   this->Confine(this->Potential, frame, motion);
   this->KeepWhatRests(frame.Old, RestingChange * law.Decay);
+  this->Repeat(frame, motion, target);
   return this->MakeTree();
 }
 
@@ -268,6 +271,48 @@ void NodeStep::KeepWhatRests(const OldPotential& old, float tolerance)
         std::copy_n(before->Value, 512, now);
       }
     });
+}
+
+/** Beyond the sides of a periodic box the potential is that at the opposite sides. */
+void NodeStep::Repeat(const NodeFrame& frame, const Motion& motion, const NodeTarget& target)
+{
+  if (!motion.Period.Any())
+  {
+    return;
+  }
+  const PeriodicLattice lattice(motion.Period, frame.VoxelSize);
+  const auto valueAt = [&](const NodeIndex& node)
+  {
+    const NodeIndex origin = { node[0] & ~7, node[1] & ~7, node[2] & ~7 };
+    const std::int32_t leaf = this->Leaves.Find(origin);
+    return leaf >= 0 ? this->Potential.Of(static_cast<std::size_t>(
+                         leaf))[64 * (node[0] & 7) + 8 * (node[1] & 7) + (node[2] & 7)]
+      : target.IsInside(CentreOf(origin)) && !this->IsSolid(origin, frame, motion) ? -NodeLimit
+                                                                                   : NodeLimit;
+  };
+  const auto forEachBeyond = [&](auto&& function)
+  {
+    this->Leaves.ForEach(
+      [&](std::size_t i)
+      {
+        if (!lattice.IsWithin(this->Leaves[i].Origin))
+        {
+          function(i, this->Leaves[i].Origin);
+        }
+      });
+  };
+  forEachBeyond(
+    [&](std::size_t i, const NodeIndex& origin)
+    {
+      for (int n = 0; n < 512; ++n)
+      {
+        this->Room.Of(i)[n] = lattice.Interpolate(
+          { origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7) }, valueAt);
+      }
+    });
+  forEachBeyond([&](std::size_t i, const NodeIndex&)
+    { std::copy_n(this->Room.Of(i), 512, this->Potential.Of(i)); });
+  this->Confine(this->Potential, frame, motion);
 }
 
 openvdb::FloatTree::Ptr NodeStep::MakeTree() const

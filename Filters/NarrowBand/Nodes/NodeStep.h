@@ -50,6 +50,7 @@ private:
   void Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion);
   void Carry(const NodeFrame& frame, const NodeTarget& target);
   bool StaysFar(std::size_t i) const;
+  void Repeat(const NodeFrame& frame, const Motion& motion, const NodeTarget& target);
   void KeepWhatRests(const OldPotential& old, float tolerance);
   openvdb::FloatTree::Ptr MakeTree() const;
 

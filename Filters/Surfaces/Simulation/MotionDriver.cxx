@@ -26,6 +26,10 @@ constexpr double FactorsPerStep = 6.0;
 // the bulk a third of it acts.
 constexpr double TensionOfSpacing = 1.0 / 2.0;
 
+// The surface in a periodic box ends beyond the sides, at this share of the margin: particles have
+// copies in all of the margin, as the target needs neighbours.
+constexpr double ShareOfMargin = 0.5;
+
 constexpr char NoNodes[] =
   " takes explicit substeps, which do not carry the skin along with the particles: it may be late, "
   "and is not smoothed by their spacing. Set TimeIntegration to EXPLICIT if that is meant.";
@@ -114,6 +118,29 @@ Obstacle* MotionDriver::FindObstacle() const
   return this->Solid.get();
 }
 
+Walls MotionDriver::MakeWalls(double beyond) const
+{
+  constexpr double farAway = 1e300;
+  const PeriodicBox periodic = this->Shapes.GetBox();
+  const SurfaceDomain* domain = this->Shapes.FindDomain();
+  const bool isBounded = this->Settings.Bounded && domain;
+  Walls walls;
+  walls.Present = isBounded || periodic.IsPeriodic();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    double& low = walls.Bounds[2 * axis];
+    double& high = walls.Bounds[2 * axis + 1];
+    low = isBounded ? domain->Bounds[2 * axis] : -farAway;
+    high = isBounded ? domain->Bounds[2 * axis + 1] : farAway;
+    if (periodic.Length[axis] > 0.0)
+    {
+      low = periodic.Low[axis] - beyond;
+      high = periodic.Low[axis] + periodic.Length[axis] + beyond;
+    }
+  }
+  return walls;
+}
+
 Motion MotionDriver::GetMotion(int step, bool hasParticles) const
 {
   Motion motion = this->Settings.Law;
@@ -122,11 +149,10 @@ Motion MotionDriver::GetMotion(int step, bool hasParticles) const
   motion.WeightedTension = false;
   motion.Transport = 0.0;
   motion.Solid = this->FindObstacle();
-  motion.Box.Present = this->Settings.Bounded && domain;
-  if (domain)
-  {
-    std::copy_n(domain->Bounds, 6, motion.Box.Bounds);
-  }
+  const PeriodicBox box = this->Shapes.GetBox();
+  motion.Box = this->MakeWalls(ShareOfMargin * box.Margin);
+  std::copy(box.Low.begin(), box.Low.end(), motion.Period.Low);
+  std::copy(box.Length.begin(), box.Length.end(), motion.Period.Length);
   if (step >= 0 && this->StaysOnNodes())
   {
     motion.Attraction = motion.Tension = 0.0;

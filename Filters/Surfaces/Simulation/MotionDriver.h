@@ -55,6 +55,9 @@ public:
     return this->GetMotion(step, this->Shapes.HasParticles(step, step + 1));
   }
 
+  // The walls, those of a periodic box at a distance from its sides.
+  Walls MakeWalls(double beyond) const;
+
   // Since ResetCounters, also of motions that ended in an exception.
   std::size_t GetSubsteps() const { return this->Substeps; }
   std::size_t GetTargetEvaluations() const { return this->TargetEvaluations; }

@@ -37,25 +37,28 @@ double GetVelocity(const ParticleFrame* frame, std::size_t particle, std::size_t
 
 }
 
-ParticleMoment FindMoment(const TargetFrames& frames, int step, double fraction)
+ParticleMoment FindMoment(
+  const TargetFrames& frames, int step, const PeriodicBox& box, double fraction)
 {
   ParticleMoment moment;
   moment.Earlier = frames.Has(step) ? &frames.GetParticles(step) : nullptr;
   moment.Later = frames.Has(step + 1) ? &frames.GetParticles(step + 1) : nullptr;
   moment.Fraction = fraction;
+  moment.Box = box;
   const ParticleMatches* matches = frames.FindMatches(step);
   if (fraction == 1.0)
   {
-    for (const SkeletonVertex& particle : moment.Later->Particles)
+    const std::vector<ParticleOrigin> origins =
+      FindOriginsOfLater(moment.Later->Particles.size(), matches);
+    ParticleTrack(*moment.Later, nullptr, nullptr, box, 0.0).List(moment.Particles, moment.Origins);
+    for (ParticleOrigin& origin : moment.Origins)
     {
-      moment.Particles.push_back(particle);
+      origin = origins[origin.Earlier];
     }
-    moment.Origins = FindOriginsOfLater(moment.Particles.size(), matches);
   }
   else
   {
-    ParticleTrack(*moment.Earlier, moment.Later, matches, fraction)
-      .List(moment.Particles, moment.Origins);
+    frames.GetTrack(step, box, fraction).List(moment.Particles, moment.Origins);
   }
   return moment;
 }
@@ -83,7 +86,7 @@ std::vector<double> ParticleMoment::FindVelocities(double duration) const
       {
         double velocity[3];
         const bool isKnown =
-          FindVelocity(this->Earlier, this->Later, this->Origins[i], duration, velocity);
+          FindVelocity(this->Earlier, this->Later, this->Origins[i], this->Box, duration, velocity);
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
           velocities[3 * i + axis] =

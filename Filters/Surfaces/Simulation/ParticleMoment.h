@@ -20,6 +20,7 @@ struct ParticleMoment
   const ParticleFrame* Earlier = nullptr;
   const ParticleFrame* Later = nullptr;
   double Fraction = 0.0; // of the way from Earlier to Later
+  PeriodicBox Box;
 
   // x y z of each particle, NaN where it is not known: from the frames' velocities if they have
   // them, else from the way between the frames, which takes so long.
@@ -28,7 +29,8 @@ struct ParticleMoment
 
 // At a fraction of the way from a step to the next one; at 0 and 1 exactly the particles of that
 // step. The moment refers to the frames, which have to hold the step where it is.
-ParticleMoment FindMoment(const TargetFrames& frames, int step, double fraction);
+ParticleMoment FindMoment(
+  const TargetFrames& frames, int step, const PeriodicBox& box, double fraction);
 
 // An array's tuple, or another quantity, between the two steps.
 double Mix(double earlier, double later, const ParticleOrigin& origin, double fraction);

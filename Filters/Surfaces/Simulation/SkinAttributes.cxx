@@ -68,7 +68,7 @@ PassedArrays SkinAttributes::FindPassedArrays() const
   const TargetFrames& frames = this->Shapes.GetFrames();
   const ArrayFrames found = FindArrayFrames(
     this->Settings, this->Time, this->Arrays, this->Shapes, this->Arrays.TangentialVelocity);
-  passed.Moment = FindMoment(frames, found.First, found.Fraction);
+  passed.Moment = FindMoment(frames, found.First, this->Shapes.GetBox(), found.Fraction);
   passed.Kernel = this->Settings.Particles.Kernel;
   passed.Arrays = this->Arrays.Passed;
   if (this->Arrays.TangentialVelocity)
@@ -88,8 +88,8 @@ double SkinAttributes::FindFastestParticle(const PassedArrays& passed) const
   {
     return 0.0;
   }
-  double fastest =
-    FindLongestWay(frames.GetParticles(way.First), frames.GetParticles(way.First + 1), *matches) /
+  double fastest = FindLongestWay(frames.GetParticles(way.First),
+                     frames.GetParticles(way.First + 1), *matches, this->Shapes.GetBox()) /
     way.Duration;
   const std::vector<double>& velocities = passed.Velocities;
   for (std::size_t i = 0; fastest > 0.0 && i < velocities.size(); i += 3)

@@ -40,6 +40,14 @@ void Require(bool condition, const char* sentence)
   }
 }
 
+void CheckPeriodic(const std::array<double, 6>& bounds)
+{
+  Require(std::all_of(bounds.begin(), bounds.end(), [](double x) { return std::isfinite(x); }),
+    "PeriodicBounds has to be (xmin, xmax, ymin, ymax, zmin, zmax), finite; an axis with min >= "
+    "max "
+    "is not periodic.");
+}
+
 void CheckBox(const Property& property, const std::array<double, 6>& bounds)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -194,6 +202,10 @@ void SurfaceSettings::Check() const
       {
         CheckProperty(property, static_cast<double>(value));
       }
+      else if (&value == &this->Particles.Periodic)
+      {
+        CheckPeriodic(value);
+      }
       else if (this->HasBounds())
       {
         CheckBox(property, value);
@@ -202,6 +214,10 @@ void SurfaceSettings::Check() const
   Require(this->Law.AreaControl != Control::Exact || this->Law.VolumeControl != Control::Exact,
     "AreaControl and VolumeControl cannot both be EXACT, as one displacement cannot restore two "
     "numbers; make one of them PENALTY.");
+  Require(!this->Particles.ArePeriodic() ||
+      (this->Law.VolumeControl == Control::None && this->Law.AreaControl == Control::None),
+    "VolumeControl and AreaControl cannot hold a skin in a periodic box, across whose sides it "
+    "goes; turn them off, or unset PeriodicBounds.");
   Require(this->ArrivalTime == 0.0 || !this->Inputs.TargetMoves || this->IsEquilibrium(),
     "ArrivalTime needs a target that stands still, but the input has time steps; set ArrivalTime "
     "to 0, or give one time step of the input.");

@@ -44,6 +44,16 @@ struct ParticleSettings
   double Anisotropy = 4.0;
   double Threshold = 0.5;
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
+  std::array<double, 6> Periodic = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // on axes with min < max
+
+  bool IsPeriodic(std::size_t axis) const
+  {
+    return this->Periodic[2 * axis] < this->Periodic[2 * axis + 1];
+  }
+  bool ArePeriodic() const
+  {
+    return this->IsPeriodic(0) || this->IsPeriodic(1) || this->IsPeriodic(2);
+  }
 };
 
 // What comes in through the ports, and the functions in their place.
@@ -324,6 +334,8 @@ void ForEachParticleProperty(Settings& settings, Visitor&& visit)
           { Smallest, Largest, false, "a finite number > 0: at 0 or below, all space is inside" },
           true },
     particles.Threshold, [](auto& filter) { return filter.GetParticleThreshold(); });
+  visit(Property{ "PeriodicBounds", Any, false }, particles.Periodic,
+    [](auto& filter) { return filter.GetPeriodicBounds(); });
 }
 
 // Those of vtkActiveImplicitSurface itself.

@@ -69,6 +69,7 @@ void SurfaceSimulation::Reset()
 
 void SurfaceSimulation::ResetTrajectory()
 {
+  this->View.Clear();
   this->Way.Reset();
   this->History.Interrupt();
 }
@@ -83,7 +84,7 @@ void SurfaceSimulation::Rewind(int step)
     try
     {
       this->Way.Begin(saved, this->Saved.Restore(saved));
-      this->History.ContinueFrom(this->Way.GetBand());
+      this->History.ContinueFrom(*this->ViewOf(this->Way.ShareAtStep()));
     }
     catch (const std::exception&)
     {
@@ -326,14 +327,14 @@ void SurfaceSimulation::Record(std::size_t row, PipelineTime time, const std::st
   NarrowBand& band = this->Way.GetBandToMove();
   const int step = this->Way.GetStep();
   const Motion motion = this->Driver.GetMotion(step);
-  const double outside = this->Coverage.FindOutside(band, motion, step);
-  const bool isOnTime = this->Settings.ArrivesAfter({ band.GetTime() });
-  const bool hasTarget = HasTargetSpeed(motion) && !band.IsEmpty();
-  if (hasTarget && !isOnTime && event != NotAtRest && this->Loses(row, outside))
+  const std::shared_ptr<const NarrowBand> view = this->ViewOf(this->Way.ShareAtStep());
+  const double outside = this->Coverage.FindOutside(*view, motion, step);
+  if (HasTargetSpeed(motion) && !this->Settings.ArrivesAfter({ band.GetTime() }) &&
+    !band.IsEmpty() && event != NotAtRest && this->Loses(row, outside))
   {
     WarnOfOutside({ time, outside, motion, this->Shapes.HasParticles(step, step) }, this->Messages);
   }
-  this->History.Record(row, band, { time, outside, event });
+  this->History.Record(row, *view, { time, outside, event });
   band.ForgetWork();
   this->Saved.Add(step, band);
 }

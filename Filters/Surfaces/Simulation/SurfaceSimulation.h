@@ -14,6 +14,7 @@
 #define SurfaceSimulation_h
 
 #include "Simulation/ArrayFrames.h"
+#include "Simulation/BoxView.h"
 #include "Simulation/Checkpoints.h"
 #include "Simulation/MotionDriver.h"
 #include "Simulation/RestartWarning.h"
@@ -122,7 +123,10 @@ public:
   // World position of the band's node (0, 0, 0), which the band's positions are relative to.
   const std::array<double, 3>& GetOrigin() const { return this->Shapes.GetOrigin(); }
   // To keep: it does not change any more.
-  std::shared_ptr<const NarrowBand> ShareBand() const { return this->Way.Share(this->Requested); }
+  std::shared_ptr<const NarrowBand> ShareBand() const
+  {
+    return this->ViewOf(this->Way.Share(this->Requested));
+  }
   // Whether it is the state at a step, to go on from.
   bool IsAtStep() const { return !this->Requested.Between && !this->Settings.IsEquilibrium(); }
   // Null when the surface is not at the requested time.
@@ -133,7 +137,7 @@ public:
   // The same of an earlier request.
   const NarrowBand* FindSkinAt(const RequestedTime& time) const
   {
-    return this->Way.IsAt(time) ? this->Way.Share(time).get() : nullptr;
+    return this->Way.IsAt(time) ? this->ViewOf(this->Way.Share(time)).get() : nullptr;
   }
 
   // What the skin has there besides its shape: its motion, and what FindAttributes tells.
@@ -196,6 +200,13 @@ private:
   bool AdvanceToSteadyState(const ProgressFunction& progress);
   bool AdvanceBranch(const ProgressFunction& progress);
   void Record(std::size_t row, PipelineTime time, const std::string& event);
+  // The part of a surface that outputs show.
+  std::shared_ptr<const NarrowBand> ViewOf(const std::shared_ptr<const NarrowBand>& band) const
+  {
+    return band && this->Shapes.GetBox().IsPeriodic()
+      ? this->View.Cut(band, this->Driver.MakeWalls(0.0))
+      : band;
+  }
   // Whether the share outside has not fallen; it falls while a skin that starts elsewhere
   // approaches the target.
   bool Loses(std::size_t row, double outside) const
@@ -217,6 +228,7 @@ private:
   int FirstStep = -1; // where the way to the requested time began, for the progress
 
   Trajectory Way{ this->Settings };
+  mutable BoxView View;
   Checkpoints Saved;
   HistoryRecorder History;
   TargetCoverage Coverage{ this->Settings, this->Shapes };

@@ -23,6 +23,10 @@ constexpr double MeshVoxelsPerActive = 10.0;
 // The surface of particles at rest is off by up to a quarter of their spacing.
 constexpr double NoiseOfSpacing = 0.25;
 
+// Margin of a periodic box, in which particles have an effect on the surface within [kernel radii]:
+// an ellipsoid's reach (1.3), and the neighbourhoods by which it and its strength are found.
+constexpr double MarginPerReach = 3.2;
+
 }
 
 TargetBuilder::TargetBuilder(const SurfaceSettings& settings, Warnings& warnings)
@@ -55,7 +59,7 @@ void TargetBuilder::Add(int step, std::shared_ptr<InputShape> shape)
   shape->MoveTo(this->GetOrigin());
   this->Prepare(step, *shape);
   this->Kind = shape->HasPoints() ? shape : this->Kind;
-  this->Frames.Add(step, std::move(shape));
+  this->Frames.Add(step, std::move(shape), this->GetBox());
   this->Tell("shuffled particles", this->Frames.DescribeMatches());
 }
 
@@ -113,6 +117,7 @@ ShapeOptions TargetBuilder::GetOptions() const
     (settings.Law.Tension > 0.0 || settings.HasAutomaticTension());
   options.OpensHollows = settings.Law.CreateParts && !settings.Law.Paper;
   options.Kernel = settings.Particles.Kernel;
+  options.Box = this->GetBox();
   options.MeshThickness = settings.MeshThickness;
   options.Level.IsoValue = settings.IsoValue;
   options.Level.Invert = settings.Invert;
@@ -151,6 +156,11 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
   const std::string where =
     std::string("The target, ") + shape.GetName() + ", " + preparation.When + ": ";
   this->Tell("flaw of the target", PrepareShape(shape, preparation, where));
+  if (this->Settings.Particles.ArePeriodic() && shape.HasPoints() && !shape.GetParticles())
+  {
+    this->Messages.Say(
+      "no particles in a box", "PeriodicBounds does nothing here: the target has no particles.");
+  }
   this->WarnOfThinParts(shape, where);
 }
 
@@ -207,6 +217,25 @@ double TargetBuilder::FindSpacing() const
 {
   const double known = this->Settings.Particles.Spacing;
   return known > 0.0 ? known : this->EstimatedSpacing;
+}
+
+PeriodicBox TargetBuilder::GetBox() const
+{
+  const ParticleSettings& particles = this->Settings.Particles;
+  PeriodicBox box;
+  for (std::size_t axis = 0; axis < 3 && this->MayHaveParticles(); ++axis)
+  {
+    if (particles.IsPeriodic(axis))
+    {
+      box.Low[axis] = particles.Periodic[2 * axis] - this->GetOrigin()[axis];
+      box.Length[axis] = particles.Periodic[2 * axis + 1] - particles.Periodic[2 * axis];
+    }
+  }
+  const double reach = particles.Radius > 0.0
+    ? particles.Radius
+    : GetReachPerSpacing(particles.Model) * this->FindSpacing();
+  box.Margin = MarginPerReach * reach;
+  return box;
 }
 
 PotentialTarget& TargetBuilder::GetTarget()

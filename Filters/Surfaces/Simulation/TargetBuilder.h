@@ -63,6 +63,9 @@ public:
   // Usual distance of the particles; 0: not known.
   double FindSpacing() const;
 
+  // The periodic box, from the origin of the shapes.
+  PeriodicBox GetBox() const;
+
   // The particles' spacing [length]; 0 where none was estimated. One that is kept is that of a
   // state whose first steps, not read again, have particles.
   double GetEstimatedSpacing() const { return this->EstimatedSpacing; }

@@ -130,6 +130,7 @@ std::vector<PointWithMargin> TargetCoverage::ListParticles(
 {
   const double spacing = this->Shapes.FindSpacing();
   const double reach = GetReachPerSpacing(this->Settings.Particles.Model);
+  const PeriodicBox box = this->Shapes.GetBox();
   std::vector<PointWithMargin> points;
   points.reserve(end - first);
   for (std::size_t i = first; i < end; ++i)
@@ -140,7 +141,9 @@ std::vector<PointWithMargin> TargetCoverage::ListParticles(
                                       : 0.5 * particle.Radius / reach;
     if (particle.Strength > 0.0)
     {
-      points.push_back(MakePoint(particle.Position, own));
+      const double* x = particle.Position;
+      const double place[3] = { box.Wrap(0, x[0]), box.Wrap(1, x[1]), box.Wrap(2, x[2]) };
+      points.push_back(MakePoint(place, own));
     }
   }
   return points;

@@ -63,6 +63,7 @@ public:
   const NarrowBand& GetBand() const { return *this->Band; }
   // To keep, at a time where it is: it does not change any more. Null before the first step.
   std::shared_ptr<const NarrowBand> Share(const RequestedTime& time) const;
+  std::shared_ptr<const NarrowBand> ShareAtStep() const { return this->Band; }
 
 private:
   bool BranchIsAt(PipelineTime time) const;

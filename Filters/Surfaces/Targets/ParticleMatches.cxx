@@ -67,7 +67,7 @@ using ParticleStep = std::array<double, 3>;
 
 // Of partners, evenly picked.
 std::vector<ParticleStep> PickWays(const ParticleFrame& earlier, const ParticleFrame& later,
-  const std::vector<std::size_t>& partners)
+  const std::vector<std::size_t>& partners, const PeriodicBox& box)
 {
   constexpr std::size_t enough = 1000;
   const std::size_t stride = 1 + partners.size() / enough;
@@ -77,8 +77,12 @@ std::vector<ParticleStep> PickWays(const ParticleFrame& earlier, const ParticleF
     if (partners[i] != NoPartner)
     {
       const SkeletonVertex from = earlier.Particles[i], to = later.Particles[partners[i]];
-      ways.push_back({ to.Position[0] - from.Position[0], to.Position[1] - from.Position[1],
-        to.Position[2] - from.Position[2] });
+      ParticleStep way;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        way[axis] = box.Nearest(axis, to.Position[axis] - from.Position[axis]);
+      }
+      ways.push_back(way);
     }
   }
   return ways;
@@ -136,7 +140,8 @@ bool GoAcross(const std::vector<ParticleStep>& ways, std::size_t particles, doub
 
 }
 
-ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later)
+ParticleMatches MatchParticles(
+  const ParticleFrame& earlier, const ParticleFrame& later, const PeriodicBox& box)
 {
   const bool sameCount =
     earlier.Particles.size() + earlier.Ignored == later.Particles.size() + later.Ignored;
@@ -147,7 +152,7 @@ ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame
     MatchIds(earlier.Ids, later.Ids, matches.Partners);
   }
   if (!earlier.HasIds &&
-    GoAcross(PickWays(earlier, later, matches.Partners), earlier.Particles.size(),
+    GoAcross(PickWays(earlier, later, matches.Partners, box), earlier.Particles.size(),
       DiagonalOf(earlier.Particles)))
   {
     matches.AreShuffled = true;
@@ -164,8 +169,8 @@ ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame
   return matches;
 }
 
-double FindLongestWay(
-  const ParticleFrame& earlier, const ParticleFrame& later, const ParticleMatches& matches)
+double FindLongestWay(const ParticleFrame& earlier, const ParticleFrame& later,
+  const ParticleMatches& matches, const PeriodicBox& box)
 {
   double longest = 0.0;
   for (std::size_t i = 0; i < earlier.Particles.size(); ++i)
@@ -173,8 +178,9 @@ double FindLongestWay(
     if (matches.Partners[i] != NoPartner)
     {
       const SkeletonVertex from = earlier.Particles[i], to = later.Particles[matches.Partners[i]];
-      const double way = std::hypot(to.Position[0] - from.Position[0],
-        to.Position[1] - from.Position[1], to.Position[2] - from.Position[2]);
+      const double way = std::hypot(box.Nearest(0, to.Position[0] - from.Position[0]),
+        box.Nearest(1, to.Position[1] - from.Position[1]),
+        box.Nearest(2, to.Position[2] - from.Position[2]));
       longest = std::max(longest, way + std::fabs(to.Radius - from.Radius));
     }
   }
@@ -182,7 +188,7 @@ double FindLongestWay(
 }
 
 bool FindVelocity(const ParticleFrame* earlier, const ParticleFrame* later,
-  const ParticleOrigin& origin, double duration, double (&velocity)[3])
+  const ParticleOrigin& origin, const PeriodicBox& box, double duration, double (&velocity)[3])
 {
   if (origin.Earlier == NoPartner || origin.Later == NoPartner || !(duration > 0.0))
   {
@@ -190,9 +196,9 @@ bool FindVelocity(const ParticleFrame* earlier, const ParticleFrame* later,
   }
   const SkeletonVertex from = earlier->Particles[origin.Earlier];
   const SkeletonVertex to = later->Particles[origin.Later];
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    velocity[axis] = (to.Position[axis] - from.Position[axis]) / duration;
+    velocity[axis] = box.Nearest(axis, to.Position[axis] - from.Position[axis]) / duration;
   }
   return true;
 }

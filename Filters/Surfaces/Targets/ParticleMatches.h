@@ -1,17 +1,18 @@
 // Which particles of two steps of the input are the same, and their way from one to the other.
 //
-// A particle moves in a straight line from one step to the next, and its radius and strength change
-// evenly. Particles are matched by their ids, or by their index where there are none and the steps
-// have equally many, else not at all; nor where indices would send most of them across the cloud,
-// as of an input that lists them in another order each time. One without a partner in the next step
-// dies: at a fraction f of the way it has 1 - f of its strength. One without a partner in the step
-// before is born: it has f of its strength. So their sum is continuous in time, whatever the steps
-// hold.
+// A particle moves in a straight line from one step to the next, in a periodic box to the nearest
+// of its copies there, and its radius and strength change evenly. Particles are matched by their
+// ids, or by their index where there are none and the steps have equally many, else not at all; nor
+// where indices would send most of them across the cloud, as of an input that lists them in another
+// order each time. One without a partner in the next step dies: at a fraction f of the way it has 1
+// - f of its strength. One without a partner in the step before is born: it has f of its strength.
+// So their sum is continuous in time, whatever the steps hold.
 
 #ifndef ParticleMatches_h
 #define ParticleMatches_h
 
 #include "Targets/ParticleFrame.h"
+#include "Targets/PeriodicBox.h"
 
 #include <cstddef>
 #include <vector>
@@ -30,12 +31,13 @@ struct ParticleMatches
   bool AreShuffled = false;        // indices are not the same particles
 };
 
-ParticleMatches MatchParticles(const ParticleFrame& earlier, const ParticleFrame& later);
+ParticleMatches MatchParticles(
+  const ParticleFrame& earlier, const ParticleFrame& later, const PeriodicBox& box);
 
 // How far the fastest of the particles goes that are in both steps, its way and the change of its
 // radius together; 0 if none is.
-double FindLongestWay(
-  const ParticleFrame& earlier, const ParticleFrame& later, const ParticleMatches& matches);
+double FindLongestWay(const ParticleFrame& earlier, const ParticleFrame& later,
+  const ParticleMatches& matches, const PeriodicBox& box);
 
 // A particle's places in the two steps; NoPartner where it is not in the step.
 struct ParticleOrigin
@@ -47,7 +49,7 @@ struct ParticleOrigin
 // Finds x y z of a particle that moves evenly from step to step in a duration. Returns false if it
 // is in one of the steps only, or the duration is 0; a step may be null then.
 bool FindVelocity(const ParticleFrame* earlier, const ParticleFrame* later,
-  const ParticleOrigin& origin, double duration, double (&velocity)[3]);
+  const ParticleOrigin& origin, const PeriodicBox& box, double duration, double (&velocity)[3]);
 
 }
 

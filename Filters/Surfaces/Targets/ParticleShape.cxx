@@ -78,11 +78,20 @@ std::string ParticleShape::Prepare(ShapePreparation& preparation)
   return "";
 }
 
-void ParticleShape::AddBounds(const ShapeOptions&, vtkBoundingBox& shapes, vtkBoundingBox&) const
+void ParticleShape::AddBounds(
+  const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox&) const
 {
   double bounds[6];
   if (this->Particles.GetBounds(bounds))
   {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (options.Box.Length[axis] > 0.0)
+      {
+        bounds[2 * axis] = options.Box.Low[axis];
+        bounds[2 * axis + 1] = options.Box.Low[axis] + options.Box.Length[axis];
+      }
+    }
     shapes.AddBounds(bounds);
   }
 }

@@ -70,7 +70,7 @@ void ParticleTarget::FindFits(const ParticleFrame& frame) const
 
 ParticleTrack ParticleTarget::MakeTrack(int step, double fraction, bool needsFits) const
 {
-  const ParticleTrack track = this->Frames.GetTrack(step, fraction);
+  const ParticleTrack track = this->Frames.GetTrack(step, this->Options.Box, fraction);
   for (const ParticleFrame* frame : { &track.GetEarlier(), track.GetLater() })
   {
     if (frame && needsFits)
@@ -198,6 +198,11 @@ void ParticleTarget::NoteCells(double before, double now)
 // Sums depend on the particles in reach alone: where these are the same, so are the sums.
 void ParticleTarget::FindChanged()
 {
+  if (this->Options.Box.IsPeriodic())
+  {
+    this->Changed.SetEverywhere(); // as several copies are of one particle
+    return;
+  }
   const PlacedChanges changes(this->Previous, this->Now);
   const PlacedCounts counts = changes.Count();
   if (counts.Changed > std::max(counts.Before, counts.After) / 4)

@@ -49,27 +49,14 @@ SkeletonVertex Faded(SkeletonVertex particle, double share)
   return particle;
 }
 
-SkeletonVertex Between(
-  const SkeletonVertex& particle, const SkeletonVertex& partner, double fraction)
-{
-  SkeletonVertex moved;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    moved.Position[axis] = Between(particle.Position[axis], partner.Position[axis], fraction);
-  }
-  const double radius = Between(particle.Radius, partner.Radius, fraction);
-  moved.Radius = radius > 0.0 ? radius : partner.Radius; // which rounding may have swallowed
-  moved.Strength = Between(particle.Strength, partner.Strength, fraction);
-  return moved;
-}
-
 }
 
 ParticleTrack::ParticleTrack(const ParticleFrame& earlier, const ParticleFrame* later,
-  const ParticleMatches* matches, double fraction)
+  const ParticleMatches* matches, const PeriodicBox& box, double fraction)
   : Earlier(&earlier)
   , Later(later)
   , Matches(matches)
+  , Box(box)
   , Fraction(later ? fraction : 0.0)
   , Fits(&NoFits)
   , Count(earlier.Particles.size())
@@ -87,6 +74,45 @@ ParticleTrack::ParticleTrack(const ParticleFrame& earlier, const ParticleFrame* 
       this->ListKept(this->Count);
     }
   }
+  if (this->Box.IsPeriodic())
+  {
+    this->ListCopies();
+  }
+}
+
+void ParticleTrack::ListCopies()
+{
+  for (std::size_t n = 0; n < this->Count; ++n)
+  {
+    const auto particle = static_cast<std::uint32_t>(this->KeptAt(n));
+    const SkeletonVertex placed = this->Place(this->OriginOf(particle));
+    std::array<int, 2> range[3];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      range[axis] = this->Box.FindCopies(axis, placed.Position[axis]);
+    }
+    for (int x = range[0][0]; x <= range[0][1]; ++x)
+    {
+      for (int y = range[1][0]; y <= range[1][1]; ++y)
+      {
+        for (int z = range[2][0]; z <= range[2][1]; ++z)
+        {
+          this->Copies.push_back({ particle, { x, y, z } });
+        }
+      }
+    }
+  }
+  this->Count = this->Copies.size();
+}
+
+SkeletonVertex ParticleTrack::Get(std::size_t n) const
+{
+  SkeletonVertex particle = this->Place(this->GetOrigin(n));
+  for (std::size_t axis = 0; axis < 3 && !this->Copies.empty(); ++axis)
+  {
+    particle.Position[axis] += this->Box.Length[axis] * this->Copies[n].BoxLengths[axis];
+  }
+  return particle;
 }
 
 void ParticleTrack::ListKept(std::size_t all)
@@ -119,8 +145,23 @@ SkeletonVertex ParticleTrack::Place(const ParticleOrigin& origin) const
   return origin.Later == NoPartner
     ? Faded(this->Earlier->Particles[origin.Earlier], 1.0 - this->Fraction)
     : origin.Earlier == NoPartner ? Faded(this->Later->Particles[origin.Later], this->Fraction)
-                                  : Between(this->Earlier->Particles[origin.Earlier],
-                                      this->Later->Particles[origin.Later], this->Fraction);
+                                  : this->Between(origin);
+}
+
+SkeletonVertex ParticleTrack::Between(const ParticleOrigin& origin) const
+{
+  const SkeletonVertex from = this->Earlier->Particles[origin.Earlier];
+  const SkeletonVertex to = this->Later->Particles[origin.Later];
+  SkeletonVertex moved;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double way = this->Box.Nearest(axis, to.Position[axis] - from.Position[axis]);
+    moved.Position[axis] = from.Position[axis] + this->Fraction * way;
+  }
+  const double radius = activesurface::Between(from.Radius, to.Radius, this->Fraction);
+  moved.Radius = radius > 0.0 ? radius : to.Radius; // which rounding may have swallowed
+  moved.Strength = activesurface::Between(from.Strength, to.Strength, this->Fraction);
+  return moved;
 }
 
 void ParticleTrack::List(
@@ -132,34 +173,31 @@ void ParticleTrack::List(
     [&](std::size_t n)
     {
       origins[n] = this->GetOrigin(n);
-      particles[n] = this->Place(origins[n]);
+      particles[n] = this->Get(n);
     });
 }
 
 void ParticleTrack::InterpolateFits(ParticleFits& fits) const
 {
-  if (this->Fraction == 0.0)
-  {
-    fits = this->Earlier->Fits;
-    return;
-  }
   fits.resize(this->Count);
-  const ParticleFits &earlier = this->Earlier->Fits, &later = this->Later->Fits;
+  const ParticleFits& earlier = this->Earlier->Fits;
+  const ParticleFits& later = this->Later ? this->Later->Fits : earlier;
   RunEach(this->Count,
     [&](std::size_t n)
     {
       const ParticleOrigin origin = this->GetOrigin(n);
-      fits[n] = origin.Later == NoPartner ? Shrunk(earlier[origin.Earlier], 1.0 - this->Fraction)
+      fits[n] = this->Fraction == 0.0 ? earlier[origin.Earlier]
+        : origin.Later == NoPartner   ? Shrunk(earlier[origin.Earlier], 1.0 - this->Fraction)
         : origin.Earlier == NoPartner
         ? Shrunk(later[origin.Later], this->Fraction)
-        : Between(earlier[origin.Earlier], later[origin.Later], this->Fraction);
+        : activesurface::Between(earlier[origin.Earlier], later[origin.Later], this->Fraction);
     });
 }
 
 bool ParticleTrack::FindVelocity(std::size_t n, double (&velocity)[3]) const
 {
   return activesurface::FindVelocity(
-    this->Earlier, this->Later, this->GetOrigin(n), this->Duration, velocity);
+    this->Earlier, this->Later, this->GetOrigin(n), this->Box, this->Duration, velocity);
 }
 
 void PlaceParticles(const ParticleTrack& track, bool needsFits, PlacedParticles& placed)

@@ -6,6 +6,7 @@
 
 #include "ParticleModel.h"
 #include "SkeletonKernel.h"
+#include "Targets/PeriodicBox.h"
 #include "Targets/PotentialTarget.h"
 
 namespace activesurface
@@ -20,6 +21,7 @@ struct ShapeOptions
   double Anisotropy = 4.0;   //< of particles, largest ratio of axes
   double Threshold = 0.5;    //< of sums
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
+  PeriodicBox Box;            //< of particles
   double MeshThickness = 0.0; //< [length]; 0: closed meshes
 
   /** Its Reach counts as soon as the bounds are known, and so does VoxelSize [length]. */

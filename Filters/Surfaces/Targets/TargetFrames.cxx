@@ -22,7 +22,7 @@ void TargetFrames::Clear()
   *this = TargetFrames();
 }
 
-void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape)
+void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape, const PeriodicBox& box)
 {
   Held earlier = this->Earlier, later = this->Later;
   if (this->Has(step))
@@ -40,7 +40,7 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape)
   ParticleMatches matches;
   if (earlier.Shape && earlier.Step + 1 == later.Step)
   {
-    matches = MatchParticles(ParticlesOf(earlier.Shape.get()), ParticlesOf(later.Shape.get()));
+    matches = MatchParticles(ParticlesOf(earlier.Shape.get()), ParticlesOf(later.Shape.get()), box);
   }
   this->Earlier = std::move(earlier);
   this->Later = std::move(later);
@@ -79,11 +79,11 @@ const ParticleMatches* TargetFrames::FindMatches(int step) const
   return this->Has(step) && this->Has(step + 1) ? &this->Matches : nullptr;
 }
 
-ParticleTrack TargetFrames::GetTrack(int step, double fraction) const
+ParticleTrack TargetFrames::GetTrack(int step, const PeriodicBox& box, double fraction) const
 {
   const ParticleMatches* matches = this->FindMatches(step);
   return { this->GetParticles(step), matches ? &this->GetParticles(step + 1) : nullptr, matches,
-    fraction };
+    box, fraction };
 }
 
 }

@@ -18,8 +18,8 @@ class TargetFrames
 public:
   void Clear();
 
-  // The step replaces itself, or else the elder of the two that are held.
-  void Add(int step, std::shared_ptr<InputShape> shape);
+  // The step replaces itself, or else the elder of the two that are held. box: of particles.
+  void Add(int step, std::shared_ptr<InputShape> shape, const PeriodicBox& box = {});
 
   bool Has(int step) const { return this->Find(step) != nullptr; }
 
@@ -34,7 +34,7 @@ public:
   vtkImplicitFunction* GetFunction(int step) const;
 
   // From a step to the next one, if it is held; as long as no step is added.
-  ParticleTrack GetTrack(int step, double fraction) const;
+  ParticleTrack GetTrack(int step, const PeriodicBox& box, double fraction) const;
 
   // Of the particles of a step and those of the next one; null if not both are held.
   const ParticleMatches* FindMatches(int step) const;

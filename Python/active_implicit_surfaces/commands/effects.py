@@ -27,7 +27,7 @@ _ACTING = (  # rows, and what has them: options, and properties after a colon
     ("no_times render", "fps"),
     ("series render", "fps"),
     ("series", "ids output_fps :time_scale"),
-    ("particles", "ids strengths velocities preset"),
+    ("particles", "ids strengths velocities preset periodic :periodic_bounds"),
     ("particles atoms", "radii minimum_piece minimum_volume :pass_target_arrays"),
     ("atoms particles", "probe"),
     ("range", "preroll"),

@@ -40,7 +40,7 @@ from .view import find_view
 _DEFAULT = "skin_####.vtp"
 _DESCRIBED = (  # options that skins depend on, besides properties and arrays
     *("where", "label", "minimum_piece", "minimum_volume", "frames", "preroll", "output_fps"),
-    *("preset", "probe"),
+    *("preset", "probe", "periodic"),
 )
 _ARRAYS = ("ids", "radii", "strengths", "velocities")
 
@@ -79,6 +79,7 @@ def _run(parser: Parser, options: Any, chosen: dict[str, Any]) -> None:
         minimum_piece=options.minimum_piece or 1,
         minimum_volume=options.minimum_volume or 0.0,
         probe=options.probe,
+        periodic=bool(options.periodic),
         preset=options.preset,
         arrays=arrays,
         **chosen,
@@ -182,9 +183,12 @@ def _add_input_options(parser: Parser) -> None:
     told = "particles of a piece, at least; or its --minimum-volume X"
     files.add_argument("--minimum-piece", type=whole, metavar="N", help=told)
     files.add_argument("--minimum-volume", type=positive, help=argparse.SUPPRESS)
-    files.add_argument("--frames", type=frame_range, metavar="A:B:C", help="numbers, B included")
-    files.add_argument("--preroll", type=whole, metavar="N", help="frames before A, without skins")
+    told = "numbers, B included; --preroll N frames before A"
+    files.add_argument("--frames", type=frame_range, metavar="A:B:C", help=told)
+    files.add_argument("--preroll", type=whole, help=argparse.SUPPRESS)
     files.add_argument("--output-fps", type=positive, metavar="X", help="frames in between too")
+    told = "the box in the files is periodic; or --periodic-bounds"
+    files.add_argument("--periodic", action="store_true", default=None, help=told)
     files.add_argument("--times", type=times_list, metavar="T,T...", help="or FIRST:LAST:COUNT")
     told = "point arrays: ids are found; and --radii (of balls), --strengths, --velocities"
     for role in _ARRAYS:

@@ -65,7 +65,7 @@ struct Way
   std::vector<SkeletonVertex> PlaceAt(double fraction)
   {
     PlacedParticles placed;
-    PlaceParticles(this->Frames.GetTrack(0, fraction), false, placed);
+    PlaceParticles(this->Frames.GetTrack(0, {}, fraction), false, placed);
     return placed.Particles;
   }
 
@@ -327,11 +327,11 @@ TEST(TestBirths, PlacingKeepsItsMemory)
   Random random(9);
   Way way(MakeFrame(MakeCloud(random, 100, 0)), MakeFrame(MakeCloud(random, 100, 50)));
   PlacedParticles placed;
-  PlaceParticles(way.Frames.GetTrack(0, 0.5), false, placed);
+  PlaceParticles(way.Frames.GetTrack(0, {}, 0.5), false, placed);
   const SkeletonVertex* memory = placed.Particles.data();
   for (const double f : Fractions)
   {
-    PlaceParticles(way.Frames.GetTrack(0, f), false, placed);
+    PlaceParticles(way.Frames.GetTrack(0, {}, f), false, placed);
     EXPECT_TRUE(placed.Particles.data() == memory) << "the same memory";
   }
 }

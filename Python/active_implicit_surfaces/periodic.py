@@ -1,0 +1,65 @@
+"""The periodic box of particles, as files have it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+_ROUNDING = 1e-6  # of the longest edge
+
+
+def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
+    """The property PeriodicBounds of particles in a box.
+
+    Parameters
+    ----------
+    frames : iterable of vtkDataSet
+        Their field data are "Lattice", the box's edges as rows [length], and, if they are there,
+        "Origin", its corner, and "pbc", which axes are periodic.
+
+    Raises
+    ------
+    ValueError
+        If there is no box, or it is slanted, not periodic, or another one in a later frame.
+    """
+    boxes = [_box_of(frame) for frame in frames]
+    size = max(abs(number) for number in boxes[0])
+    if any(numpy.abs(numpy.subtract(box, boxes[0])).max() > _ROUNDING * size for box in boxes):
+        raise ValueError(
+            f"The periodic box changes, from {_text(boxes[0])} to {_text(boxes[-1])}; the filter "
+            "needs one box for all frames. Give periodic_bounds that hold for all of them."
+        )
+    return boxes[0]
+
+
+def _text(box: tuple[float, ...]) -> str:
+    return " x ".join(f"{high - low:g}" for low, high in zip(box[::2], box[1::2]))
+
+
+def _box_of(frame: Any) -> tuple[float, ...]:
+    field = frame.GetFieldData()
+    arrays = {name: field.GetArray(name) for name in ("Lattice", "Origin", "pbc")}
+    known = {name: vtk_to_numpy(array) for name, array in arrays.items() if array}
+    if "Lattice" not in known:
+        raise ValueError(
+            "The particles have no box, as .xyz, .dump, .gro and .pdb files may; give its corners "
+            "as periodic_bounds."
+        )
+    edges = known["Lattice"].reshape(3, 3)
+    sides = numpy.diag(edges)
+    if numpy.abs(edges - numpy.diag(sides)).max() > _ROUNDING * numpy.abs(edges).max():
+        raise ValueError(
+            "The box is slanted (triclinic); only one along x, y and z can be periodic."
+        )
+    low = known.get("Origin", numpy.zeros(3)).reshape(3)
+    repeats = known.get("pbc", numpy.ones(3)).reshape(3).astype(bool) & (sides > 0)
+    if not repeats.any():
+        raise ValueError("No side of the particles' box is periodic (pbc); leave periodic out.")
+    ends = [
+        (float(a), float(a + side)) if own else (1.0, -1.0)
+        for a, side, own in zip(low, sides, repeats)
+    ]
+    return tuple(number for end in ends for number in end)

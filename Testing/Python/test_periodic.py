@@ -1,0 +1,222 @@
+# ctest: LABELS contract exact
+"""Particles in a periodic box: the skin does not depend on where the box is cut.
+
+Run: python3 test_periodic.py
+"""
+
+import unittest
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import active_implicit_surfaces as active
+import numpy
+from active_implicit_surfaces import ParticleSeries, vtkActiveImplicitSurface
+from command_line import CommandTest
+from listener import Listener
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties
+
+SPACING = 0.1
+VOXEL = 0.5 * SPACING
+SIDE = 2.0
+BOX = (0.0, SIDE, 0.0, SIDE, 1.0, -1.0)
+DEPTH = 8  # particles
+STEPS = 5
+
+
+def water(time):
+    """A layer with a wave and noise, which flows along x and y."""
+    count = round(SIDE / SPACING)
+    lattice = numpy.stack(numpy.meshgrid(*2 * [range(count)], range(DEPTH), indexing="ij"), -1)
+    places = lattice.reshape(-1, 3) * SPACING
+    places = places + numpy.random.default_rng(1).normal(0, 0.0125, places.shape)
+    height = places[:, 2] / (DEPTH * SPACING)
+    places[:, 2] += 0.1 * height * numpy.sin(2 * numpy.pi * places[:, 0] / SIDE)
+    return places + numpy.array([0.15, 0.1, 0.0]) * time
+
+
+def wrapped(places, low=0.0):
+    places = places.copy()
+    places[:, :2] = low + (places[:, :2] - low) % SIDE
+    return places
+
+
+def surface_over(frames, **properties):
+    series = ParticleSeries(list(frames), times=range(len(frames)))
+    surface = vtkActiveImplicitSurface()
+    surface.SetInputConnection(series.GetOutputPort())
+    for name, value in {"ParticleSpacing": SPACING, "PeriodicBounds": BOX, **properties}.items():
+        getattr(surface, "Set" + name)(value)
+    surface.series = series
+    return surface
+
+
+def skin_at(surface, time):
+    surface.UpdateTimeStep(time)
+    return surface.GetOutput()
+
+
+def points_of(skin):
+    return vtk_to_numpy(skin.GetPoints().GetData()).astype(float)
+
+
+def volume_of(skin):
+    mass = vtkMassProperties()
+    mass.SetInputData(skin)
+    mass.Update()
+    return mass.GetVolume()
+
+
+def open_edges(skin):
+    edges = vtkFeatureEdges()
+    edges.SetInputData(skin)
+    edges.FeatureEdgesOff()
+    edges.Update()
+    return edges.GetOutput().GetNumberOfCells()
+
+
+def heights(skin, shift=(0, 0)):
+    """Of the surface above each node (x, y) of the lattice, by the number of the node [voxels]."""
+    nodes = points_of(skin) / VOXEL
+    whole = numpy.rint(nodes[:, :2])
+    above = (numpy.abs(nodes[:, :2] - whole) < 1e-3).all(axis=1) & (nodes[:, 2] > 8)
+    count = round(SIDE / VOXEL)
+    numbers = (whole[above].astype(int) - shift) % count
+    return {tuple(number): z for number, z in zip(numbers, nodes[above, 2])}
+
+
+class Water(unittest.TestCase):
+    def test_positions_may_be_in_any_copy_of_the_box(self):
+        one = surface_over([wrapped(water(t)) for t in range(STEPS)])
+        other = surface_over([water(t) + [SIDE * t, -3 * SIDE, 0] for t in range(STEPS)])
+        for time in (0, 1, 2.5, 4):
+            skin, same = skin_at(one, time), skin_at(other, time)
+            self.assertEqual(skin.GetNumberOfPoints(), same.GetNumberOfPoints())
+            numpy.testing.assert_allclose(points_of(skin), points_of(same), atol=1e-3 * VOXEL)
+
+    def test_the_volume_is_that_of_the_layer(self):
+        surface = surface_over([wrapped(water(t)) for t in range(STEPS)])
+        for time in (0, 0.5, 1, 2.3, 4):
+            skin = skin_at(surface, time)
+            self.assertAlmostEqual(volume_of(skin), SIDE**2 * DEPTH * SPACING, delta=0.01)
+            self.assertEqual(open_edges(skin), 0)
+            low, high = points_of(skin).min(axis=0), points_of(skin).max(axis=0)
+            numpy.testing.assert_allclose(low[:2], 0, atol=1e-3 * VOXEL)
+            numpy.testing.assert_allclose(high[:2], SIDE, atol=1e-3 * VOXEL)
+
+    def test_it_does_not_matter_where_the_box_is_cut(self):
+        shift = numpy.array([13, 9])  # voxels
+        moved = [water(t) + [*(VOXEL * shift), 0] for t in range(STEPS)]
+        here = surface_over([wrapped(water(t)) for t in range(STEPS)])
+        there = surface_over([wrapped(places) for places in moved])
+        count = round(SIDE / VOXEL)
+        for time in range(STEPS):
+            a, b = heights(skin_at(here, time)), heights(skin_at(there, time), shift)
+            inside = [
+                node
+                for node in set(a) & set(b)
+                if all(n not in (0, s % count, -s % count) for n, s in zip(node, shift))
+            ]
+            self.assertGreater(len(inside), 0.85 * count**2)
+            off = numpy.array([a[node] - b[node] for node in inside])
+            self.assertLess(numpy.abs(off).max(), 0.1, f"voxels at {time}")
+            self.assertLess(numpy.abs(off).mean(), 0.01, f"voxels at {time}")
+
+    def test_sides_of_any_length(self):
+        side = 1.93
+        scale = side / SIDE
+        places = [water(t) * [scale, scale, 1] for t in range(3)]
+        surface = surface_over(places, PeriodicBounds=(0, side, 0, side, 1, -1))
+        for time in range(3):
+            volume = volume_of(skin_at(surface, time))
+            self.assertAlmostEqual(volume / (side**2 * DEPTH * SPACING), 1, delta=0.02)
+
+    def test_same_bytes_in_any_order_and_with_any_threads(self):
+        frames = [wrapped(water(t)) for t in range(STEPS)]
+        wanted = points_of(skin_at(surface_over(frames), 3))
+        other = surface_over(frames, NumberOfThreads=1, CheckpointInterval=2)
+        for time in (4, 0.5, 1, 3):
+            last = points_of(skin_at(other, time))
+        numpy.testing.assert_array_equal(last, wanted)
+        saved = surface_over(frames)
+        skin_at(saved, 2)
+        with TemporaryDirectory() as folder:
+            state = str(Path(folder) / "state.vdb")
+            self.assertTrue(saved.SaveState(state))
+            resumed = surface_over(frames)
+            self.assertTrue(resumed.LoadState(state))
+            numpy.testing.assert_array_equal(points_of(skin_at(resumed, 3)), wanted)
+
+    def test_particles_in_the_velocity(self):
+        surface = surface_over([wrapped(water(t)) for t in range(3)], ComputeVelocity=1)
+        velocity = vtk_to_numpy(skin_at(surface, 2).GetPointData().GetArray("Velocity"))
+        top = points_of(surface.GetOutput())[:, 2] > 0.5
+        numpy.testing.assert_allclose(
+            numpy.median(velocity[top], axis=0), [0.15, 0.1, 0], atol=0.01
+        )
+        self.assertLess(numpy.linalg.norm(velocity, axis=1).max(), 1.0)
+
+
+class Drops(unittest.TestCase):
+    def test_a_drop_goes_through_the_side(self):
+        ball = numpy.stack(numpy.meshgrid(*3 * [numpy.arange(-5, 6.0)]), -1).reshape(-1, 3)
+        ball = SPACING * ball[numpy.linalg.norm(ball, axis=1) < 3.3] + [0, 1, 1]
+        start, steps = 1.4, 9
+        frames = [wrapped(ball + [start + 0.15 * t, 0, 0]) for t in range(steps)]
+        surface = surface_over(frames)
+        whole = volume_of(skin_at(surface, 0))
+        rims = 2 * 2 * numpy.pi * 0.38 * VOXEL**2 / 2  # the triangles' chamfer at both sides
+        pieces = []
+        for time in numpy.arange(0, steps - 0.5, 0.5):
+            skin = skin_at(surface, time)
+            self.assertAlmostEqual(volume_of(skin), whole, delta=rims + 0.01 * whole, msg=time)
+            x = points_of(skin)[:, 0]
+            off = numpy.abs((x - start - 0.15 * time + 0.5 * SIDE) % SIDE - 0.5 * SIDE)
+            self.assertLess(off.max(), 0.33 + SPACING, "a piece in the middle of the box")
+            pieces.append(len(set(numpy.rint(x / SIDE))))
+        self.assertEqual((pieces[0], max(pieces), pieces[-1]), (1, 2, 1), "through the side")
+
+    def test_what_does_not_go_with_it(self):
+        surface = surface_over([water(0), water(1)], VolumeControl=2)
+        heard = Listener(surface)
+        surface.UpdateTimeStep(0)
+        self.assertIn("cannot hold a skin in a periodic box", " ".join(heard.errors))
+        self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
+
+
+XYZ = '{count}\nLattice="{box}" Properties=pos:R:3 pbc="T T F" Time={time}\n{rows}\n'
+
+
+class Files(CommandTest):
+    def write(self, *boxes):
+        with open(self.folder / "p.xyz", "w", encoding="utf-8") as file:
+            for time, box in enumerate(boxes):
+                places = wrapped(water(time))
+                rows = "\n".join(" ".join(f"{x:.6f}" for x in row) for row in places)
+                text = {"count": len(places), "box": box, "time": time, "rows": rows}
+                file.write(XYZ.format(**text))
+
+    def test_the_box_of_a_file(self):
+        self.write("2 0 0 0 2 0 0 0 5", "2 0 0 0 2 0 0 0 5")
+        command = ("skin", "p.xyz", "--particle-spacing", SPACING, "--quiet")
+        self.succeed(*command, "--periodic", "-o", "a_#.vtp")
+        self.succeed(*command, "--periodic-bounds", *BOX, "-o", "b_#.vtp")
+        for step in range(2):
+            one, other = (self.folder / f"{name}_{step}.vtp" for name in "ab")
+            self.assertEqual(one.read_bytes(), other.read_bytes())
+        surface = active.frames(str(self.folder / "p.xyz"), periodic=True).surface
+        self.assertEqual(surface.GetPeriodicBounds(), BOX)
+
+    def test_boxes_that_cannot_be(self):
+        command = ("skin", "p.xyz", "--particle-spacing", SPACING, "--periodic", "-o", "a_#.vtp")
+        self.write("2 0 0 0.5 2 0 0 0 5")
+        self.assertIn("slanted (triclinic)", self.fail_with(1, *command))
+        self.write("2 0 0 0 2 0 0 0 5", "2.1 0 0 0 2 0 0 0 5")
+        self.assertIn("changes, from 2 x 2", self.fail_with(1, *command))
+        numpy.save(self.folder / "p.npy", water(0))
+        command = ("skin", "p.npy", "--periodic", "-o", "a.vtp")
+        self.assertIn("have no box", self.fail_with(1, *command))
+
+
+if __name__ == "__main__":
+    unittest.main()
