@@ -25,7 +25,9 @@ namespace activesurface
 /** Of the outputs of a vtkActiveImplicitSurface. */
 struct AttachedState
 {
-  SavedState State;      //< at the time of the output, which need not be a step's
+  SavedState State; //< at the time of the output, which need not be a step's
+  /** The skin of the output; in a periodic box a part of the state's. */
+  std::shared_ptr<const NarrowBand> Skin;
   bool IsAtStep = false; //< whether the motion can go on from it
   int Step = 0;          //< number of the time step, or of the one before
   /** Of all of the skin, where the output is one rank's part of it, on rank 0; else null. */

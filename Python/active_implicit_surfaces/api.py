@@ -196,6 +196,8 @@ class frames(Skins):
         self.source = (
             particles if is_source else ParticleSeries(particles, times=times, fps=fps, where=where)
         )
+        if periodic and "periodic_bounds" in options:
+            raise ValueError("Give either periodic or periodic_bounds.")
         if periodic:
             options["periodic_bounds"] = periodic_bounds(self.source.frames_that_tell())
         if minimum_piece > 1 or minimum_volume > 0:

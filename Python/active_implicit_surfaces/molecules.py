@@ -121,10 +121,12 @@ def _cell_of(pairs: dict[str, str]) -> dict[str, Any]:
     if len(numbers) != 9:
         raise ValueError(f"its Lattice has {len(numbers)} numbers, not 9")
     repeats = [word[0].lower() in "t1" for word in (pairs.get("pbc") or "T T T").split()]
-    return {
+    cell = {
         "Lattice": numpy.array(numbers).reshape(3, 3),
         "pbc": numpy.array([repeats], dtype="u1"),
     }
+    corner = [float(word) for word in re.split(r"[\s,]+", pairs.get("origin", "").strip()) if word]
+    return {**cell, "Origin": numpy.array([corner])} if len(corner) == 3 else cell
 
 
 def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:

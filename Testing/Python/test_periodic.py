@@ -10,7 +10,12 @@ from tempfile import TemporaryDirectory
 
 import active_implicit_surfaces as active
 import numpy
-from active_implicit_surfaces import ParticleSeries, vtkActiveImplicitSurface
+from active_implicit_surfaces import (
+    ParticleSeries,
+    vtkActiveImplicitSurface,
+    vtkActiveVDBWriter,
+)
+from active_implicit_surfaces.data_objects import as_particles
 from command_line import CommandTest
 from listener import Listener
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -105,12 +110,17 @@ class Water(unittest.TestCase):
             numpy.testing.assert_allclose(high[:2], SIDE, atol=1e-3 * VOXEL)
 
     def test_it_does_not_matter_where_the_box_is_cut(self):
+        for model in range(3):
+            self.check_cuts(STEPS if model == 2 else 2, 0.1, 0.01, ParticleModel=model)
+        self.check_cuts(1, 0.3, 0.1, TimeIntegration=vtkActiveImplicitSurface.EXPLICIT)
+
+    def check_cuts(self, steps, most, mean, **properties):
         shift = numpy.array([13, 9])  # voxels
         moved = [water(t) + [*(VOXEL * shift), 0] for t in range(STEPS)]
-        here = surface_over([wrapped(water(t)) for t in range(STEPS)])
-        there = surface_over([wrapped(places) for places in moved])
+        here = surface_over([wrapped(water(t)) for t in range(STEPS)], **properties)
+        there = surface_over([wrapped(places) for places in moved], **properties)
         count = round(SIDE / VOXEL)
-        for time in range(STEPS):
+        for time in range(steps):
             a, b = heights(skin_at(here, time)), heights(skin_at(there, time), shift)
             inside = [
                 node
@@ -119,8 +129,23 @@ class Water(unittest.TestCase):
             ]
             self.assertGreater(len(inside), 0.85 * count**2)
             off = numpy.array([a[node] - b[node] for node in inside])
-            self.assertLess(numpy.abs(off).max(), 0.1, f"voxels at {time}")
-            self.assertLess(numpy.abs(off).mean(), 0.01, f"voxels at {time}")
+            told = f"voxels at {time}, {properties}"
+            self.assertLess(numpy.abs(off).max(), most, told)
+            self.assertLess(numpy.abs(off).mean(), mean, told)
+
+    def test_each_particle_may_be_in_another_copy(self):
+        lengths = numpy.random.default_rng(3).integers(-3, 4, (len(water(0)), 2))
+        jump = numpy.hstack([lengths * SIDE, numpy.zeros((len(lengths), 1))])
+        for properties in ({}, {"ParticleModel": 1}):
+            one = surface_over([wrapped(water(t)) for t in range(3)], **properties)
+            other = surface_over([water(t) + jump for t in range(3)], **properties)
+            for time in (0, 1.5, 2):
+                volumes = [volume_of(skin_at(surface, time)) for surface in (one, other)]
+                self.assertAlmostEqual(*volumes, delta=1e-4, msg=properties)
+        surface = surface_over([water(0) + jump], ParticleSpacing=0)
+        heard = Listener(surface)
+        skin_at(surface, 0)
+        self.assertIn("a ParticleSpacing of 0.100", " ".join(heard.warnings))
 
     def test_sides_of_any_length(self):
         side = 1.93
@@ -146,6 +171,14 @@ class Water(unittest.TestCase):
             resumed = surface_over(frames)
             self.assertTrue(resumed.LoadState(state))
             numpy.testing.assert_array_equal(points_of(skin_at(resumed, 3)), wanted)
+            writer = vtkActiveVDBWriter()
+            writer.SetInputConnection(saved.GetOutputPort())
+            writer.SetFileName(state)
+            writer.WriteStateOn()
+            self.assertTrue(writer.Write())
+            again = surface_over(frames)
+            self.assertTrue(again.LoadState(state))
+            numpy.testing.assert_array_equal(points_of(skin_at(again, 3)), wanted)
 
     def test_particles_in_the_velocity(self):
         surface = surface_over([wrapped(water(t)) for t in range(3)], ComputeVelocity=1)
@@ -182,6 +215,54 @@ class Drops(unittest.TestCase):
         surface.UpdateTimeStep(0)
         self.assertIn("cannot hold a skin in a periodic box", " ".join(heard.errors))
         self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_narrow_boxes_are_refused(self):
+        for side in (0.19, 1e-9):
+            surface = surface_over([water(0)], PeriodicBounds=(0, side, 0, SIDE, 1, -1))
+            heard = Listener(surface)
+            surface.UpdateTimeStep(0)
+            told = " ".join(" ".join(heard.errors).split())
+            self.assertIn("long along x, less than four voxels of 0.05;", told)
+
+    def test_kernels_that_are_long_for_the_box_are_refused(self):
+        box = (0, 0.04, 0, 0.04, 0, 0.04)
+        surface = surface_over([water(0)], PeriodicBounds=box, VoxelSize=0.01, ParticleSpacing=1)
+        heard = Listener(surface)
+        surface.UpdateTimeStep(0)
+        told = " ".join(" ".join(heard.errors).split())
+        self.assertIn("narrow for particles that have an effect up to a distance of 7.2", told)
+
+    def test_balls_of_any_radius_have_their_copies(self):
+        few = numpy.array([[2, y, z] for y in (0.2, 3.8) for z in (0.2, 3.8)])
+        for model in (0, 2):
+            found = []
+            for x in (3.8, 2.8):  # through the side, and within
+                places = numpy.vstack([few, [[x, 2, 2]]])
+                balls = as_particles(places, radii=numpy.array(4 * [0.1] + [0.5]))
+                surface = vtkActiveImplicitSurface()
+                surface.SetInputData(balls)
+                surface.SetInputArrayToProcess(0, 0, 0, 0, "radius")
+                surface.SetVoxelSize(0.08)
+                surface.SetParticleModel(model)
+                surface.SetPeriodicBounds(0, 4, 0, 4, 0, 4)
+                found.append(points_of(skin_at(surface, 0))[:, 0])
+            cut, whole = found
+            self.assertLess(cut.min(), 1e-3)
+            self.assertAlmostEqual(cut[cut < 0.5].max(), whole.max() + 1 - 4, delta=0.01)
+
+    def test_a_part_too_thin_for_the_lattice_is_not_outside(self):
+        ball = numpy.stack(numpy.meshgrid(*3 * [numpy.arange(-5, 6.0)]), -1).reshape(-1, 3)
+        ball = SPACING * ball[numpy.linalg.norm(ball, axis=1) < 3.3] + [1.7, 1, 1]
+        surface = surface_over([ball] * 3)
+        heard = Listener(surface)
+        skin_at(surface, 2)
+        self.assertEqual(heard.warnings, [])
+
+    def test_few_particles(self):
+        one = numpy.array([[0.0, 1.0, 1.0]])
+        surface = surface_over([one, one + [0.08, 0, 0], one[:0]])
+        pieces = [skin_at(surface, time).GetNumberOfPoints() > 0 for time in (0, 0.5, 1, 2)]
+        self.assertEqual(pieces, [True, True, True, False])
 
 
 XYZ = '{count}\nLattice="{box}" Properties=pos:R:3 pbc="T T F" Time={time}\n{rows}\n'

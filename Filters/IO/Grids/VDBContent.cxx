@@ -33,7 +33,7 @@ void VDBContent::Add(vtkDataObject* data)
   if (attached)
   {
     vtkPointData* own = mesh ? mesh->GetPointData() : nullptr;
-    this->AddSkin(*attached->State.Band, attached->WholeArrays ? attached->WholeArrays.Get() : own);
+    this->AddSkin(*attached->Skin, attached->WholeArrays ? attached->WholeArrays.Get() : own);
     this->MoveBy(attached->State.Origin);
     this->AddState(*attached);
   }

@@ -292,14 +292,22 @@ void NodeStep::Repeat(const NodeFrame& frame, const Motion& motion, const NodeTa
   };
   const auto forEachBeyond = [&](auto&& function)
   {
-    this->Leaves.ForEach(
-      [&](std::size_t i)
+    const auto visit = [&](std::size_t i)
+    {
+      if (!lattice.IsWithin(this->Leaves[i].Origin))
       {
-        if (!lattice.IsWithin(this->Leaves[i].Origin))
-        {
-          function(i, this->Leaves[i].Origin);
-        }
-      });
+        function(i, this->Leaves[i].Origin);
+      }
+    };
+    if (!motion.Solid || motion.Solid->IsThreadSafe())
+    {
+      this->Leaves.ForEach(visit);
+      return;
+    }
+    for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
+    {
+      visit(i);
+    }
   };
   forEachBeyond(
     [&](std::size_t i, const NodeIndex& origin)

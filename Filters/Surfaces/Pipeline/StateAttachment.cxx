@@ -18,7 +18,8 @@ void AttachState(const SurfaceSimulation& simulation, vtkDataObject* data, vtkPo
   const RequestedTime& time = simulation.GetRequestedTime();
   PublishTime(data, time.Time, settings.IsEquilibrium());
   auto attached = std::make_shared<AttachedState>();
-  attached->State.Band = simulation.ShareBand();
+  attached->State.Band = simulation.ShareWholeBand();
+  attached->Skin = simulation.ShareBand();
   attached->State.Origin = simulation.GetOrigin();
   attached->State.Time = time.Time.Value;
   attached->State.History = simulation.GetHistory();

@@ -70,12 +70,12 @@ void TargetSteps::SettleSpacing(vtkInformation* target, Agreement& ranks)
   std::unique_ptr<InputShape> first = this->Make(target, 0, true);
   if (!first->HasPoints() || first->GetParticles())
   {
-    std::vector<TargetBuilder::SpacingSample> samples{ TargetBuilder::SampleSpacing(*first) };
+    std::vector<TargetBuilder::SpacingSample> samples{ this->Simulation.SampleSpacing(*first) };
     for (const int step : this->Simulation.ListSpacingSteps())
     {
       if (ranks.GoOn(this->Target.Update(target, settings.GetStep(step).Value)))
       {
-        samples.push_back(TargetBuilder::SampleSpacing(*this->Read(target)));
+        samples.push_back(this->Simulation.SampleSpacing(*this->Read(target)));
       }
     }
     this->Simulation.SettleSpacing(samples);

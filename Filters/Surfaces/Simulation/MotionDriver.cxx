@@ -150,7 +150,7 @@ Motion MotionDriver::GetMotion(int step, bool hasParticles) const
   motion.Transport = 0.0;
   motion.Solid = this->FindObstacle();
   const PeriodicBox box = this->Shapes.GetBox();
-  motion.Box = this->MakeWalls(ShareOfMargin * box.Margin);
+  motion.Box = this->MakeWalls(ShareOfMargin * this->Shapes.FindMargin(std::max(step, 0)));
   std::copy(box.Low.begin(), box.Low.end(), motion.Period.Low);
   std::copy(box.Length.begin(), box.Length.end(), motion.Period.Length);
   if (step >= 0 && this->StaysOnNodes())

@@ -39,6 +39,24 @@ double FindVoxelSizeOfImages(double longest, double pixel)
   return pixel > 0.0 ? std::min(coarsest, std::max(pixel, longest / mostAcross)) : coarsest;
 }
 
+// A narrower box has no node inside, and as many copies of particles as there is memory for.
+void CheckPeriodicBox(const ParticleSettings& particles, double voxelSize)
+{
+  constexpr double fewestVoxels = 4.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double length = particles.Periodic[2 * axis + 1] - particles.Periodic[2 * axis];
+    if (particles.IsPeriodic(axis) && !(length >= fewestVoxels * voxelSize))
+    {
+      std::ostringstream text;
+      text << "PeriodicBounds is " << length << " long along "
+           << "xyz"[axis] << ", less than four voxels of " << voxelSize
+           << "; enlarge it, or make VoxelSize or ParticleSpacing smaller.";
+      throw std::invalid_argument(text.str());
+    }
+  }
+}
+
 // voxelSize: used if there is neither a VoxelSize nor a spacing; 0: by the bounds.
 SurfaceDomain MakeDomainOf(
   const SurfaceSettings& settings, const double bounds[6], double particleSpacing, double voxelSize)
@@ -67,6 +85,10 @@ SurfaceDomain MakeDomainOf(
          << "the target; it has to be between " << ranges::ShortestLength << " and "
          << ranges::LongestLength << ".";
     throw std::invalid_argument(text.str());
+  }
+  if (particleSpacing > 0.0)
+  {
+    CheckPeriodicBox(settings.Particles, domain.VoxelSize);
   }
   domain.Reach = settings.Reach > 0.0 ? settings.Reach
     : particleSpacing > 0.0           ? ReachPerSpacing * particleSpacing

@@ -42,7 +42,12 @@ void Require(bool condition, const char* sentence)
 
 void CheckPeriodic(const std::array<double, 6>& bounds)
 {
-  Require(std::all_of(bounds.begin(), bounds.end(), [](double x) { return std::isfinite(x); }),
+  bool isFinite = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    isFinite = isFinite && std::isfinite(bounds[2 * axis + 1] - bounds[2 * axis]);
+  }
+  Require(isFinite,
     "PeriodicBounds has to be (xmin, xmax, ymin, ymax, zmin, zmax), finite; an axis with min >= "
     "max "
     "is not periodic.");

@@ -222,6 +222,7 @@ ProgressFunction SurfaceSimulation::GetPartOf(const ProgressFunction& progress) 
 
 bool SurfaceSimulation::AdvanceLeg(const ProgressFunction& progress)
 {
+  this->View.Clear(); // or the band would be copied before it is moved
   if (!this->Way.HasBegun())
   {
     return this->Start(progress);
@@ -328,7 +329,7 @@ void SurfaceSimulation::Record(std::size_t row, PipelineTime time, const std::st
   const int step = this->Way.GetStep();
   const Motion motion = this->Driver.GetMotion(step);
   const std::shared_ptr<const NarrowBand> view = this->ViewOf(this->Way.ShareAtStep());
-  const double outside = this->Coverage.FindOutside(*view, motion, step);
+  const double outside = this->Coverage.FindOutside(band, motion, step);
   if (HasTargetSpeed(motion) && !this->Settings.ArrivesAfter({ band.GetTime() }) &&
     !band.IsEmpty() && event != NotAtRest && this->Loses(row, outside))
   {

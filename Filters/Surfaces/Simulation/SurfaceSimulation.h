@@ -101,6 +101,10 @@ public:
   // Before the first frame, see TargetBuilder.
   bool WantsSpacing() const { return this->Shapes.WantsSpacing() && this->FindMissingStep() == 0; }
   std::vector<int> ListSpacingSteps() const { return this->Shapes.ListSpacingSteps(); }
+  TargetBuilder::SpacingSample SampleSpacing(const InputShape& shape) const
+  {
+    return TargetBuilder::SampleSpacing(shape, this->Shapes.GetBox());
+  }
   void SettleSpacing(const std::vector<TargetBuilder::SpacingSample>& samples)
   {
     this->Shapes.SettleSpacing(samples);
@@ -125,7 +129,12 @@ public:
   // To keep: it does not change any more.
   std::shared_ptr<const NarrowBand> ShareBand() const
   {
-    return this->ViewOf(this->Way.Share(this->Requested));
+    return this->ViewOf(this->ShareWholeBand());
+  }
+  // The state, which in a periodic box extends beyond the sides.
+  std::shared_ptr<const NarrowBand> ShareWholeBand() const
+  {
+    return this->Way.Share(this->Requested);
   }
   // Whether it is the state at a step, to go on from.
   bool IsAtStep() const { return !this->Requested.Between && !this->Settings.IsEquilibrium(); }

@@ -23,10 +23,6 @@ constexpr double MeshVoxelsPerActive = 10.0;
 // The surface of particles at rest is off by up to a quarter of their spacing.
 constexpr double NoiseOfSpacing = 0.25;
 
-// Margin of a periodic box, in which particles have an effect on the surface within [kernel radii]:
-// an ellipsoid's reach (1.3), and the neighbourhoods by which it and its strength are found.
-constexpr double MarginPerReach = 3.2;
-
 }
 
 TargetBuilder::TargetBuilder(const SurfaceSettings& settings, Warnings& warnings)
@@ -231,11 +227,15 @@ PeriodicBox TargetBuilder::GetBox() const
       box.Length[axis] = particles.Periodic[2 * axis + 1] - particles.Periodic[2 * axis];
     }
   }
-  const double reach = particles.Radius > 0.0
-    ? particles.Radius
-    : GetReachPerSpacing(particles.Model) * this->FindSpacing();
-  box.Margin = MarginPerReach * reach;
   return box;
+}
+
+double TargetBuilder::FindMargin(int step) const
+{
+  const double largest = this->Frames.GetParticles(step).Particles.GetLargestRadius();
+  return PeriodicBox::GetMargin(largest > 0.0
+      ? largest
+      : GetReachPerSpacing(this->Settings.Particles.Model) * this->FindSpacing());
 }
 
 PotentialTarget& TargetBuilder::GetTarget()

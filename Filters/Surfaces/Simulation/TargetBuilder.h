@@ -65,6 +65,8 @@ public:
 
   // The periodic box, from the origin of the shapes.
   PeriodicBox GetBox() const;
+  // Its margin around the particles of a step that is held; by the spacing if none is.
+  double FindMargin(int step) const;
 
   // The particles' spacing [length]; 0 where none was estimated. One that is kept is that of a
   // state whose first steps, not read again, have particles.
@@ -85,7 +87,7 @@ public:
   bool WantsSpacing() const;
   // Steps besides the first that are sampled for it.
   std::vector<int> ListSpacingSteps() const;
-  static SpacingSample SampleSpacing(const InputShape& shape);
+  static SpacingSample SampleSpacing(const InputShape& shape, const PeriodicBox& box);
   // Sets the spacing to the least one of the frames that have enough particles; to that of the
   // first sample, which is the first frame's, if that is the same to 1 %.
   void SettleSpacing(const std::vector<SpacingSample>& samples);

@@ -135,15 +135,14 @@ std::vector<PointWithMargin> TargetCoverage::ListParticles(
   points.reserve(end - first);
   for (std::size_t i = first; i < end; ++i)
   {
-    const SkeletonVertex particle = frame.Particles[i];
+    SkeletonVertex particle = frame.Particles[i];
     const double own = frame.HasRadii ? particle.Radius / frame.ReachPerRadius
       : spacing > 0.0                 ? 0.5 * spacing
                                       : 0.5 * particle.Radius / reach;
     if (particle.Strength > 0.0)
     {
-      const double* x = particle.Position;
-      const double place[3] = { box.Wrap(0, x[0]), box.Wrap(1, x[1]), box.Wrap(2, x[2]) };
-      points.push_back(MakePoint(place, own));
+      box.Wrap(particle.Position);
+      points.push_back(MakePoint(particle.Position, own));
     }
   }
   return points;

@@ -40,13 +40,14 @@ std::vector<int> TargetBuilder::ListSpacingSteps() const
   return steps;
 }
 
-TargetBuilder::SpacingSample TargetBuilder::SampleSpacing(const InputShape& shape)
+TargetBuilder::SpacingSample TargetBuilder::SampleSpacing(
+  const InputShape& shape, const PeriodicBox& box)
 {
   SpacingSample sample;
   if (const ParticleFrame* frame = shape.GetParticles())
   {
     sample.Particles = frame->Particles.size();
-    sample.Spacing = ShapePreparation::FindSpacingOf(*frame);
+    sample.Spacing = ShapePreparation::FindSpacingOf(*frame, box);
     sample.HasRadii = frame->HasRadii;
   }
   return sample;

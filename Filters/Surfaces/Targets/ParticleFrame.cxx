@@ -141,21 +141,6 @@ void KeepArrays(vtkPointData* arrays, vtkIdType count, ParticleFrame& frame)
 
 }
 
-void ParticleFrame::FindFits(const FitOptions& options) const
-{
-  if (!this->HasFits)
-  {
-    std::vector<SkeletonVertex> particles;
-    particles.reserve(this->Particles.size());
-    for (const SkeletonVertex& particle : this->Particles)
-    {
-      particles.push_back(particle);
-    }
-    this->Fits = FitParticles(options, particles);
-    this->HasFits = true;
-  }
-}
-
 void ParticleFrame::GiveRadius(double radius)
 {
   this->Particles.SetRadius(radius);

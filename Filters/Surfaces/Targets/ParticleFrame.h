@@ -42,7 +42,7 @@ struct ParticleFrame
   mutable bool HasFits = false;
   std::size_t Ignored = 0;       // points left out: not finite, or without a size
   std::vector<vtkIdType> Points; // of the input, which the particles are; empty: all, in order
-  mutable ParticleFits Fits;     // of the particles, once FindFits was called
+  mutable ParticleFits Fits;     // of the particles, once they were found, see ParticleTrack.h
   std::vector<std::array<double, 3>> Velocities; // of the particles, if there are
   vtkSmartPointer<vtkPointData> Passed; // of the input's points, a copy; null if not wanted
 
@@ -50,9 +50,6 @@ struct ParticleFrame
   {
     return this->Points.empty() ? static_cast<vtkIdType>(particle) : this->Points[particle];
   }
-
-  // Finds the fits, once. Throws as FitParticles.
-  void FindFits(const FitOptions& options) const;
 
   // The reach of each.
   void GiveRadius(double radius);

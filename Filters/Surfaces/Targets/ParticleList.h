@@ -81,6 +81,14 @@ public:
     }
   }
 
+  double GetLargestRadius() const
+  {
+    const std::vector<double>& each = this->Radii.Each;
+    return this->empty() ? 0.0
+      : each.empty()     ? this->Radii.Common
+                         : *std::max_element(each.begin(), each.end());
+  }
+
   void SetRadius(double radius) { this->Radii = { radius, {} }; }
   void ScaleRadii(double factor)
   {

@@ -43,7 +43,7 @@ void MatchIds(const std::vector<std::int64_t>& earlier, const std::vector<std::i
   }
 }
 
-double DiagonalOf(const ParticleList& particles)
+double DiagonalOf(const ParticleList& particles, const PeriodicBox& box)
 {
   double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
   for (const SkeletonVertex& particle : particles)
@@ -55,9 +55,10 @@ double DiagonalOf(const ParticleList& particles)
     }
   }
   double square = 0.0;
-  for (int axis = 0; axis < 3 && !particles.empty(); ++axis)
+  for (std::size_t axis = 0; axis < 3 && !particles.empty(); ++axis)
   {
-    const double length = high[axis] - low[axis];
+    const double side = box.Length[axis];
+    const double length = side > 0.0 ? side : high[axis] - low[axis];
     square += length * length;
   }
   return std::sqrt(square);
@@ -153,7 +154,7 @@ ParticleMatches MatchParticles(
   }
   if (!earlier.HasIds &&
     GoAcross(PickWays(earlier, later, matches.Partners, box), earlier.Particles.size(),
-      DiagonalOf(earlier.Particles)))
+      DiagonalOf(earlier.Particles, box)))
   {
     matches.AreShuffled = true;
     matches.Partners.assign(earlier.Particles.size(), NoPartner);

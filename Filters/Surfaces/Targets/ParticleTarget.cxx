@@ -65,12 +65,12 @@ void ParticleTarget::FindFits(const ParticleFrame& frame) const
   fit.OwnRadius = frame.HasRadii ? 0.0 : 0.5 * this->Options.SpacingInUse;
   fit.Anisotropy = this->Options.Anisotropy;
   fit.SparesCrowds = !this->Options.NeedsFits();
-  frame.FindFits(fit);
+  activesurface::FindFits(frame, fit, this->Options.Box);
 }
 
 ParticleTrack ParticleTarget::MakeTrack(int step, double fraction, bool needsFits) const
 {
-  const ParticleTrack track = this->Frames.GetTrack(step, this->Options.Box, fraction);
+  ParticleTrack track = this->Frames.GetTrack(step, this->Options.Box, fraction);
   for (const ParticleFrame* frame : { &track.GetEarlier(), track.GetLater() })
   {
     if (frame && needsFits)

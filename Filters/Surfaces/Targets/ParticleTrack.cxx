@@ -4,6 +4,8 @@
 #include "PortableMath.h"
 
 #include <algorithm>
+#include <sstream>
+#include <stdexcept>
 
 namespace activesurface
 {
@@ -82,6 +84,8 @@ ParticleTrack::ParticleTrack(const ParticleFrame& earlier, const ParticleFrame* 
 
 void ParticleTrack::ListCopies()
 {
+  this->CheckBox(PeriodicBox::GetMargin(std::max(this->Earlier->Particles.GetLargestRadius(),
+    this->Fraction > 0.0 ? this->Later->Particles.GetLargestRadius() : 0.0)));
   for (std::size_t n = 0; n < this->Count; ++n)
   {
     const auto particle = static_cast<std::uint32_t>(this->KeptAt(n));
@@ -89,7 +93,8 @@ void ParticleTrack::ListCopies()
     std::array<int, 2> range[3];
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      range[axis] = this->Box.FindCopies(axis, placed.Position[axis]);
+      range[axis] =
+        this->Box.FindCopies(axis, placed.Position[axis], PeriodicBox::GetMargin(placed.Radius));
     }
     for (int x = range[0][0]; x <= range[0][1]; ++x)
     {
@@ -103,6 +108,25 @@ void ParticleTrack::ListCopies()
     }
   }
   this->Count = this->Copies.size();
+}
+
+// Each particle has a copy in each box around, as far as kernels reach.
+void ParticleTrack::CheckBox(double margin) const
+{
+  constexpr double mostLengths = 4.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double length = this->Box.Length[axis];
+    if (length > 0.0 && margin > mostLengths * length)
+    {
+      std::ostringstream text;
+      text << "PeriodicBounds is " << length << " long along "
+           << "xyz"[axis]
+           << ", which is narrow for particles that have an effect up to a distance of " << margin
+           << "; enlarge it, or lessen the particles' radii, KernelRadius or ParticleSpacing.";
+      throw std::invalid_argument(text.str());
+    }
+  }
 }
 
 SkeletonVertex ParticleTrack::Get(std::size_t n) const
@@ -208,6 +232,27 @@ void PlaceParticles(const ParticleTrack& track, bool needsFits, PlacedParticles&
   {
     track.InterpolateFits(placed.Fits);
   }
+}
+
+void FindFits(const ParticleFrame& frame, const FitOptions& options, const PeriodicBox& box)
+{
+  if (frame.HasFits)
+  {
+    return;
+  }
+  std::vector<SkeletonVertex> particles;
+  std::vector<ParticleOrigin> origins;
+  ParticleTrack(frame, nullptr, nullptr, box, 0.0).List(particles, origins);
+  const ParticleFits all = FitParticles(options, particles);
+  frame.Fits.resize(frame.Particles.size());
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    if (box.Holds(particles[i].Position))
+    {
+      frame.Fits[origins[i].Earlier] = all[i];
+    }
+  }
+  frame.HasFits = true;
 }
 
 }

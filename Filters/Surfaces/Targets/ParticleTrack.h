@@ -58,6 +58,7 @@ private:
   std::size_t KeptAt(std::size_t n) const { return this->Kept.empty() ? n : this->Kept[n]; }
   void ListKept(std::size_t all);
   void ListCopies();
+  void CheckBox(double margin) const;
 
   struct Copy
   {
@@ -76,6 +77,9 @@ private:
   std::vector<std::uint32_t> Kept; // empty if none has faded
   std::vector<Copy> Copies;        // empty without a periodic box
 };
+
+// Finds the fits of a frame's particles among their copies, once. Throws as FitParticles.
+void FindFits(const ParticleFrame& frame, const FitOptions& options, const PeriodicBox& box);
 
 struct PlacedParticles
 {

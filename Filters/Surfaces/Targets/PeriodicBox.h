@@ -14,7 +14,11 @@ struct PeriodicBox
 {
   std::array<double, 3> Low = {};
   std::array<double, 3> Length = {}; // 0: not periodic along the axis
-  double Margin = 0.0;               // around the box in which copies of particles count
+
+  // Width around the box in which copies of particles count: there they have an effect on the
+  // surface within, by an ellipsoid's reach (1.3 kernel radii), and by the neighbourhoods that make
+  // it and its strength.
+  static double GetMargin(double kernelRadius) { return 3.2 * kernelRadius; }
 
   bool IsPeriodic() const
   {
@@ -29,24 +33,34 @@ struct PeriodicBox
     return length > 0.0 ? difference - length * std::round(difference / length) : difference;
   }
 
-  // The coordinate within the box.
-  double Wrap(std::size_t axis, double x) const
+  // Moves a place to its copy within the box.
+  void Wrap(double (&place)[3]) const
   {
-    const double length = this->Length[axis];
-    return length > 0.0 ? x - length * std::floor((x - this->Low[axis]) / length) : x;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double length = this->Length[axis];
+      place[axis] -=
+        length > 0.0 ? length * std::floor((place[axis] - this->Low[axis]) / length) : 0.0;
+    }
+  }
+  bool Holds(const double (&place)[3]) const
+  {
+    double wrapped[3] = { place[0], place[1], place[2] };
+    this->Wrap(wrapped);
+    return std::equal(place, place + 3, wrapped);
   }
 
   // The first and the last number of lengths by which a copy is in the box or its margin; the first
   // is larger if none is.
-  std::array<int, 2> FindCopies(std::size_t axis, double x) const
+  std::array<int, 2> FindCopies(std::size_t axis, double x, double margin) const
   {
     const double length = this->Length[axis];
     if (!(length > 0.0))
     {
       return { 0, 0 };
     }
-    const double low = (this->Low[axis] - this->Margin - x) / length;
-    const double high = (this->Low[axis] + length + this->Margin - x) / length;
+    const double low = (this->Low[axis] - margin - x) / length;
+    const double high = (this->Low[axis] + length + margin - x) / length;
     const auto whole = [](double number)
     {
       constexpr double most = 1e9;

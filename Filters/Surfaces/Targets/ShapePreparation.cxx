@@ -53,9 +53,18 @@ void ShapePreparation::GiveRadius(ParticleModel model, ParticleFrame& frame)
   }
 }
 
-double ShapePreparation::FindSpacingOf(const ParticleFrame& frame)
+double ShapePreparation::FindSpacingOf(const ParticleFrame& frame, const PeriodicBox& box)
 {
-  const double spacing = FindSpacing(frame);
+  ParticleFrame wrapped;
+  if (box.IsPeriodic())
+  {
+    for (SkeletonVertex particle : frame.Particles)
+    {
+      box.Wrap(particle.Position);
+      wrapped.Particles.Add(particle);
+    }
+  }
+  const double spacing = FindSpacing(box.IsPeriodic() ? wrapped : frame);
   if (!frame.HasRadii || frame.Particles.empty())
   {
     return spacing;
@@ -66,7 +75,7 @@ double ShapePreparation::FindSpacingOf(const ParticleFrame& frame)
 
 void ShapePreparation::EstimateSpacing(ParticleModel model, const ParticleFrame& frame)
 {
-  this->EstimatedSpacing = FindSpacingOf(frame);
+  this->EstimatedSpacing = FindSpacingOf(frame, this->Options.Box);
   if (this->EstimatedSpacing == 0.0)
   {
     this->EstimatedSpacing = this->Options.KernelRadius / GetReachPerSpacing(model);

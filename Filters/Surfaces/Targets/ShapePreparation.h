@@ -49,7 +49,7 @@ struct ShapePreparation
 
   /** Returns the usual distance of a frame's particles, at most a diameter if radii are given; 0 if
    * no two are apart. */
-  static double FindSpacingOf(const ParticleFrame& frame);
+  static double FindSpacingOf(const ParticleFrame& frame, const PeriodicBox& box);
 
   /** Reports the spacing in use if neither a spacing, a reach nor radii are given. */
   void ReportSpacing(bool haveRadii) const;
