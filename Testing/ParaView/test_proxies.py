@@ -46,6 +46,7 @@ ELSEWHERE = {
         "ParticleThreshold",
         "MeshThickness",
         "PassTargetArrays",
+        "PeriodicBounds",
         "TangentialVelocity",
     },  # no input
     ("implicit_functions", "SkeletonPotential"): {"InputConnection"},  # by Input
