@@ -32,7 +32,7 @@ public:
   virtual SkeletonVertex Get(std::size_t n) const = 0;
   // Finds x y z [length / motion time]. Returns false if unknown.
   virtual bool FindVelocity(std::size_t n, double (&velocity)[3]) const = 0;
-  // Of each, for ParticleModel::AveragedCentre; or empty.
+  // Fits of all, for ParticleModel::AveragedCentre; or empty.
   virtual const ParticleFits& GetFits() const = 0;
 
 protected:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -11,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from . import properties, vtkActiveImplicitSurface
 from .data_objects import STANDARD_NAMES, array_names, as_particles, like, usual_ids
 from .messages import listening, warn
-from .periodic import periodic_bounds
+from .periodic import with_periodic_bounds
 from .presets import (
     apply_preset,
     describe_precision,
@@ -29,7 +28,6 @@ _ARRAYS = {"radii": 0, "ids": 1, "strengths": 2, "velocities": 5}
 _MANY = 100  # particles, of which the distance of neighbours tells something
 _FAR = 1.5  # as a factor: half and twice are
 _SAME = 1.01
-_ROUNDING = 1e-6  # of a number of particles
 _LEAST_REACH = 1.2  # of a kernel, in spacings
 
 
@@ -117,16 +115,14 @@ class frames(Skins):
     minimum_piece : int
         Particles in clusters of fewer than these get no skin. Default: 1.
     minimum_volume : float
-        Likewise for clusters of a smaller volume [length^3], spacing^3 for each particle.
-        Default: 0.
+        Likewise for a smaller volume [length^3], spacing^3 for each particle. Default: 0.
     probe : float, optional
         Radius of a probe [length] that rolls over particles with radii, atoms: the skin is their
         solvent-excluded surface; of 0 their balls. For water and Angstroms 1.4. With
         ``pass_target_arrays=True`` it has the arrays of the nearest atom.
     periodic : bool
-        Whether the particles' box is periodic: their field data "Lattice", edges as rows [length],
-        with "Origin" and "pbc", as files of molecules have them, give ``periodic_bounds``.
-        Default: False.
+        Finds ``periodic_bounds`` in the particles' field data: "Lattice", edges as rows [length],
+        "Origin" and "pbc", as files of molecules have them. Default: False.
     output_fps : float, optional
         Skins per second [1/time], frames in between included. Default: at the particles' times.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
@@ -196,16 +192,12 @@ class frames(Skins):
         self.source = (
             particles if is_source else ParticleSeries(particles, times=times, fps=fps, where=where)
         )
-        if periodic and "periodic_bounds" in options:
-            raise ValueError("Give either periodic or periodic_bounds.")
         if periodic:
-            options["periodic_bounds"] = periodic_bounds(self.source.frames_that_tell())
+            options = with_periodic_bounds(options, self.source)
         if minimum_piece > 1 or minimum_volume > 0:
-            told = options.get("particle_spacing")
-            spacing = told or series_spacing(self.source.frames_that_tell())
-            least = math.ceil(minimum_volume / spacing**3 - _ROUNDING) if spacing else 0
-            minimum_piece = max(minimum_piece, least)
-            self.source.leave_out_pieces(minimum_piece, spacing)
+            given = options.get("particle_spacing")
+            spacing = given or series_spacing(self.source.frames_that_tell())
+            minimum_piece = self.source.leave_out_pieces(minimum_piece, minimum_volume, spacing)
         if (where or minimum_piece > 1) and not self.source.first_frame().GetNumberOfPoints():
             told = where if isinstance(where, str) else " and ".join(where)
             told = f"No particle of any frame meets {told}" if told else "No frame has particles"

@@ -35,6 +35,13 @@ def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
     return boxes[0]
 
 
+def with_periodic_bounds(options: dict[str, Any], source: Any) -> dict[str, Any]:
+    """The options and the box of a TemporalSource; a ValueError if they have one already."""
+    if "periodic_bounds" in options:
+        raise ValueError("Give either periodic or periodic_bounds.")
+    return {**options, "periodic_bounds": periodic_bounds(source.frames_that_tell())}
+
+
 def _text(box: tuple[float, ...]) -> str:
     return " x ".join(f"{high - low:g}" for low, high in zip(box[::2], box[1::2]))
 

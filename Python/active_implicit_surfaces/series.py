@@ -15,6 +15,7 @@
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from contextlib import suppress
@@ -29,6 +30,8 @@ from .contours import as_level_set, level_of_series
 from .data_objects import as_particles, is_vtk
 from .particle_files import open_particles
 from .times import check_times, times_at
+
+_ROUNDING = 1e-6  # of a number of particles
 
 
 class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
@@ -110,11 +113,17 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         own._whole = self
         return own
 
-    def leave_out_pieces(self, minimum: int, spacing: float) -> None:
-        """Leaves out particles in clusters of fewer than a minimum."""
+    def leave_out_pieces(self, minimum: int, volume: float, spacing: float) -> int:
+        """Leaves out particles in clusters of fewer than a minimum, or of a smaller volume.
+
+        Returns the least number of particles, each of which has the volume spacing^3.
+        """
+        least = math.ceil(volume / spacing**3 - _ROUNDING) if spacing else 0
+        minimum = max(minimum, least)
         if self._output_type == "vtkImageData":
             raise ValueError("minimum_piece chooses particles; images have none.")
         self._change(lambda data: without_small_pieces(as_particles(data), minimum, spacing))
+        return minimum
 
     def use_usual_level(self) -> None:
         """Makes images level sets, below 0 inside, by one rule for all of them.

@@ -20,6 +20,7 @@ from command_line import CommandTest
 from listener import Listener
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 SPACING = 0.1
 VOXEL = 0.5 * SPACING
@@ -81,7 +82,7 @@ def open_edges(skin):
 
 
 def heights(skin, shift=(0, 0)):
-    """Of the surface above each node (x, y) of the lattice, by the number of the node [voxels]."""
+    """Heights of the surface above each node (x, y) of the lattice, by its number [voxels]."""
     nodes = points_of(skin) / VOXEL
     whole = numpy.rint(nodes[:, :2])
     above = (numpy.abs(nodes[:, :2] - whole) < 1e-3).all(axis=1) & (nodes[:, 2] > 8)
@@ -216,6 +217,16 @@ class Drops(unittest.TestCase):
         self.assertIn("cannot hold a skin in a periodic box", " ".join(heard.errors))
         self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
 
+    def test_only_particles_have_a_box(self):
+        surface = vtkActiveImplicitSurface()
+        source = vtkSphereSource()
+        surface.SetInputConnection(source.GetOutputPort())
+        surface.SetPeriodicBounds(BOX)
+        heard = Listener(surface)
+        skin = skin_at(surface, 0)
+        self.assertIn("PeriodicBounds does nothing here", " ".join(heard.warnings))
+        self.assertLess(points_of(skin)[:, 0].min(), -0.45, "not cut at the side")
+
     def test_narrow_boxes_are_refused(self):
         for side in (0.19, 1e-9):
             surface = surface_over([water(0)], PeriodicBounds=(0, side, 0, SIDE, 1, -1))
@@ -287,6 +298,16 @@ class Files(CommandTest):
             self.assertEqual(one.read_bytes(), other.read_bytes())
         surface = active.frames(str(self.folder / "p.xyz"), periodic=True).surface
         self.assertEqual(surface.GetPeriodicBounds(), BOX)
+
+    def test_the_corner_of_the_box(self):
+        places = "0.5 0.5 0.5"
+        head = 'Lattice="2 0 0 0 3 0 0 0 4" Origin="-1 -2 -3" Properties=pos:R:3 pbc="T F T"'
+        (self.folder / "one.xyz").write_text(f"1\n{head}\n{places}\n", encoding="utf-8")
+        path, given = str(self.folder / "one.xyz"), {"particle_spacing": 0.5, "periodic": True}
+        surface = active.frames(path, **given).surface
+        self.assertEqual(surface.GetPeriodicBounds(), (-1, 1, 1, -1, -3, 1))
+        with self.assertRaisesRegex(ValueError, "either periodic or periodic_bounds"):
+            active.frames(path, **given, periodic_bounds=BOX)
 
     def test_boxes_that_cannot_be(self):
         command = ("skin", "p.xyz", "--particle-spacing", SPACING, "--periodic", "-o", "a_#.vtp")

@@ -9,15 +9,6 @@
 namespace activesurface
 {
 
-namespace
-{
-
-// The sum at a body's surface is at least this share of what a lone particle has at its own:
-// neighbours whose kernels are longer may lack more than a particle has.
-constexpr float LeastShare = .1f;
-
-}
-
 // A group and its neighbours; one for each thread, kept for its memory.
 struct NodeFits::Search
 {
@@ -110,8 +101,7 @@ bool NodeFits::HasTooManyNeighbours() const
     search.Group.Count = 1;
     search.Group.Members[0] = k;
     this->FillGroup(search);
-    this->Gather(search, { this->Given.X, this->Given.Y, this->Given.Z, this->Wide2.data() },
-      this->WidestReach, [](std::uint32_t particle) { return particle; });
+    this->GatherNeighbours(search);
     neighbours += search.Neighbours.size();
   }
   return neighbours > MostNeighbours * ParticlesOfSample;
@@ -132,11 +122,14 @@ void NodeFits::ForEachGroup(IsWanted&& isWanted, Visit&& visit) const
       for (int y = 0; y < side; ++y)
       {
         search.Group.Count = 0;
-        const auto finish = [&]
+        const auto finish = [&](int least)
         {
-          this->FillGroup(search);
-          visit(search);
-          search.Group.Count = 0;
+          if (search.Group.Count >= least)
+          {
+            this->FillGroup(search);
+            visit(search);
+            search.Group.Count = 0;
+          }
         };
         for (int z = 0; z < side; ++z)
         {
@@ -148,16 +141,10 @@ void NodeFits::ForEachGroup(IsWanted&& isWanted, Visit&& visit) const
             {
               search.Group.Members[search.Group.Count++] = k;
             }
-            if (search.Group.Count == 8)
-            {
-              finish();
-            }
+            finish(8);
           }
         }
-        if (search.Group.Count > 0)
-        {
-          finish();
-        }
+        finish(1);
       }
     });
 }
@@ -208,10 +195,15 @@ void NodeFits::Gather(
   ListNeighbours(group, columns, search.Runs, search.Neighbours);
 }
 
-void NodeFits::FindShapes(Search& search)
+void NodeFits::GatherNeighbours(Search& search) const
 {
   this->Gather(search, { this->Given.X, this->Given.Y, this->Given.Z, this->Wide2.data() },
     this->WidestReach, [](std::uint32_t k) { return k; });
+}
+
+void NodeFits::FindShapes(Search& search)
+{
+  this->GatherNeighbours(search);
   GroupFits fits;
   const FitLaw law = { static_cast<float>(this->Options.WidePerReach),
     static_cast<float>(this->Options.Anisotropy) };
@@ -312,26 +304,24 @@ float NodeFits::FindFaded(std::uint32_t k, std::size_t place) const
   return faded * (rest * rest * rest);
 }
 
-void NodeFits::GatherEllipsoids(Search& search) const
+// Adds nothing where the places of no particle count.
+void NodeFits::SumBeside(
+  Search& search, const UnsetVector<float>& counting, std::size_t place, float (&sums)[8]) const
 {
-  const EllipsoidColumns columns = this->GetColumns();
-  this->Gather(search, { columns.X, columns.Y, columns.Z, columns.Reach2 }, this->LongestReach,
-    [this](std::uint32_t k) { return this->Row[k]; });
+  if (this->PlaceBeside(search, counting, place))
+  {
+    const EllipsoidColumns columns = this->GetColumns();
+    this->Gather(search, { columns.X, columns.Y, columns.Z, columns.Reach2 }, this->LongestReach,
+      [this](std::uint32_t k) { return this->Row[k]; });
+    SumEllipsoids(search.Group, search.Neighbours, this->Ellipsoids.data(), sums);
+  }
 }
 
 void NodeFits::FindLacks(Search& search)
 {
   alignas(32) float away[8] = {}, across[8] = {};
-  if (this->PlaceBeside(search, this->Deep, 0))
-  {
-    this->GatherEllipsoids(search);
-    SumEllipsoids(search.Group, search.Neighbours, this->Ellipsoids.data(), away);
-  }
-  if (this->PlaceBeside(search, this->Thin, 3))
-  {
-    this->GatherEllipsoids(search);
-    SumEllipsoids(search.Group, search.Neighbours, this->Ellipsoids.data(), across);
-  }
+  this->SumBeside(search, this->Deep, 0, away);
+  this->SumBeside(search, this->Thin, 3, across);
   for (int i = 0; i < search.Group.Count; ++i)
   {
     const std::uint32_t k = search.Group.Members[i], row = this->Row[k];
@@ -382,6 +372,9 @@ void NodeFits::ListSurface()
 
 void NodeFits::FindStrengths(Search& search)
 {
+  // The sum at a body's surface is at least this share of what a lone particle has at its own:
+  // neighbours whose kernels are longer may lack more than a particle has.
+  constexpr float leastShare = .1f;
   const SurfaceColumns& surface = this->Surface;
   this->Gather(search,
     { surface.X.data(), surface.Y.data(), surface.Z.data(), surface.Wide2.data() },
@@ -397,7 +390,7 @@ void NodeFits::FindStrengths(Search& search)
     const float value =
       this->Lone[row] + shape * mean * std::min(shares[i], 1.f) + (1.f - shape) * own;
     this->Ellipsoids[row].Strength =
-      this->Given.Strength[k] / std::max(value, LeastShare * this->Lone[row]);
+      this->Given.Strength[k] / std::max(value, leastShare * this->Lone[row]);
   }
 }
 

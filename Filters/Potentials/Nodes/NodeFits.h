@@ -66,10 +66,12 @@ private:
   void FillGroup(Search& search) const;
   template <class RowOf>
   void Gather(Search& search, const PlaceColumns& columns, double reach, RowOf&& rowOf) const;
-  void GatherEllipsoids(Search& search) const;
+  void GatherNeighbours(Search& search) const;
   void FindShapes(Search& search);
   void KeepShape(std::uint32_t k, int column, const GroupFits& fits);
   void FindLacks(Search& search);
+  void SumBeside(
+    Search& search, const UnsetVector<float>& counting, std::size_t place, float (&sums)[8]) const;
   bool PlaceBeside(Search& search, const UnsetVector<float>& counting, std::size_t place) const;
   float FindFaded(std::uint32_t k, std::size_t place) const;
   void ListSurface();
@@ -91,7 +93,7 @@ private:
   UnsetVector<float> Bulk;
   NearRows Row;
 
-  // Of particles near a surface.
+  // Columns of particles near a surface.
   UnsetVector<float> EX, EY, EZ, EReach2;
   UnsetVector<NodeEllipsoid> Ellipsoids;
   // Found before the strengths.

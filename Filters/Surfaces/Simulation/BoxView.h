@@ -1,5 +1,5 @@
-// The part of a surface in a periodic box, which outputs show. The surface itself goes on some way
-// beyond the sides, so that it is carried in from there.
+// The part of a surface in a periodic box, which outputs show. The state extends beyond the sides,
+// so that the surface is carried in from there.
 
 #ifndef BoxView_h
 #define BoxView_h

@@ -125,7 +125,7 @@ Walls MotionDriver::MakeWalls(double beyond) const
   const SurfaceDomain* domain = this->Shapes.FindDomain();
   const bool isBounded = this->Settings.Bounded && domain;
   Walls walls;
-  walls.Present = isBounded || periodic.IsPeriodic();
+  walls.Present = isBounded || periodic.Any();
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     double& low = walls.Bounds[2 * axis];
@@ -149,10 +149,8 @@ Motion MotionDriver::GetMotion(int step, bool hasParticles) const
   motion.WeightedTension = false;
   motion.Transport = 0.0;
   motion.Solid = this->FindObstacle();
-  const PeriodicBox box = this->Shapes.GetBox();
+  motion.Period = this->Shapes.GetBox();
   motion.Box = this->MakeWalls(ShareOfMargin * this->Shapes.FindMargin(std::max(step, 0)));
-  std::copy(box.Low.begin(), box.Low.end(), motion.Period.Low);
-  std::copy(box.Length.begin(), box.Length.end(), motion.Period.Length);
   if (step >= 0 && this->StaysOnNodes())
   {
     motion.Attraction = motion.Tension = 0.0;

@@ -69,7 +69,6 @@ void SurfaceSimulation::Reset()
 
 void SurfaceSimulation::ResetTrajectory()
 {
-  this->View.Clear();
   this->Way.Reset();
   this->History.Interrupt();
 }

@@ -212,9 +212,8 @@ private:
   // The part of a surface that outputs show.
   std::shared_ptr<const NarrowBand> ViewOf(const std::shared_ptr<const NarrowBand>& band) const
   {
-    return band && this->Shapes.GetBox().IsPeriodic()
-      ? this->View.Cut(band, this->Driver.MakeWalls(0.0))
-      : band;
+    return band && this->Shapes.GetBox().Any() ? this->View.Cut(band, this->Driver.MakeWalls(0.0))
+                                               : band;
   }
   // Whether the share outside has not fallen; it falls while a skin that starts elsewhere
   // approaches the target.

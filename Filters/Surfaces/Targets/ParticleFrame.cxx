@@ -65,7 +65,7 @@ bool IsSingle(vtkPointSet* points)
   return points->GetPoints() && points->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
-// Those of all points, or none.
+// Gives the particles the ids of their points, or without any the numbers of the points.
 void TakeIds(std::vector<std::int64_t> ids, ParticleFrame& frame)
 {
   if (frame.Ignored == 0)

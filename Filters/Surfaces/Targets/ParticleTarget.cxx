@@ -198,7 +198,7 @@ void ParticleTarget::NoteCells(double before, double now)
 // Sums depend on the particles in reach alone: where these are the same, so are the sums.
 void ParticleTarget::FindChanged()
 {
-  if (this->Options.Box.IsPeriodic())
+  if (this->Options.Box.Any())
   {
     this->Changed.SetEverywhere(); // as several copies are of one particle
     return;

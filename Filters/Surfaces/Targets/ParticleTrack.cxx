@@ -76,7 +76,7 @@ ParticleTrack::ParticleTrack(const ParticleFrame& earlier, const ParticleFrame* 
       this->ListKept(this->Count);
     }
   }
-  if (this->Box.IsPeriodic())
+  if (this->Box.Any())
   {
     this->ListCopies();
   }

@@ -42,7 +42,8 @@ public:
   // volume: a lone particle grows from nothing.
   void InterpolateFits(ParticleFits& fits) const;
 
-  // Needed by FindVelocity. duration: from step to step [motion time]; 0: none is known.
+  // Sets the duration from step to step [motion time], by which FindVelocity divides; at 0 it finds
+  // no velocity.
   void SetDuration(double duration) { this->Duration = duration; }
   bool FindVelocity(std::size_t n, double (&velocity)[3]) const override;
 

@@ -1,7 +1,9 @@
-// A box of particles that goes on across its sides.
+// Copies of places in a periodic box.
 
 #ifndef PeriodicBox_h
 #define PeriodicBox_h
+
+#include "Walls.h"
 
 #include <algorithm>
 #include <array>
@@ -10,21 +12,12 @@
 namespace activesurface
 {
 
-struct PeriodicBox
+struct PeriodicBox : Periods
 {
-  std::array<double, 3> Low = {};
-  std::array<double, 3> Length = {}; // 0: not periodic along the axis
-
   // Width around the box in which copies of particles count: there they have an effect on the
   // surface within, by an ellipsoid's reach (1.3 kernel radii), and by the neighbourhoods that make
   // it and its strength.
   static double GetMargin(double kernelRadius) { return 3.2 * kernelRadius; }
-
-  bool IsPeriodic() const
-  {
-    return std::any_of(
-      this->Length.begin(), this->Length.end(), [](double length) { return length > 0.0; });
-  }
 
   // The shortest of the differences that are the same but for whole lengths of the box.
   double Nearest(std::size_t axis, double difference) const

@@ -56,7 +56,7 @@ void ShapePreparation::GiveRadius(ParticleModel model, ParticleFrame& frame)
 double ShapePreparation::FindSpacingOf(const ParticleFrame& frame, const PeriodicBox& box)
 {
   ParticleFrame wrapped;
-  if (box.IsPeriodic())
+  if (box.Any())
   {
     for (SkeletonVertex particle : frame.Particles)
     {
@@ -64,7 +64,7 @@ double ShapePreparation::FindSpacingOf(const ParticleFrame& frame, const Periodi
       wrapped.Particles.Add(particle);
     }
   }
-  const double spacing = FindSpacing(box.IsPeriodic() ? wrapped : frame);
+  const double spacing = FindSpacing(box.Any() ? wrapped : frame);
   if (!frame.HasRadii || frame.Particles.empty())
   {
     return spacing;
