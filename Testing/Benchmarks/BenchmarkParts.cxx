@@ -294,7 +294,7 @@ void RestPartly(int n, int repetitions)
   {
     const std::string under = tension > 0.0 ? " under tension" : "";
     const std::vector<Contestant> contestants = {
-      MakeRow("90 % at rest" + under, n, 1, tension),
+      MakeRow("90 % steady" + under, n, 1, tension),
       MakeRow("all moving" + under, n, RowOfBalls::Count, tension),
     };
     std::vector<Costs> costs;

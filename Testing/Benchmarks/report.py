@@ -133,14 +133,14 @@ AIMS = [
         "one of ten balls moves, times all moving",
         5,
         "parts",
-        "90 % at rest over all moving",
+        "90 % steady over all moving",
         before="5.0-6.0",
     ),
     Aim(
         "the same, under tension",
         5,
         "parts",
-        "90 % at rest under tension over all moving under tension",
+        "90 % steady under tension over all moving under tension",
         before="4.2-4.3",
     ),
     Aim(

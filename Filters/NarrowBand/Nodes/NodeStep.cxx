@@ -42,6 +42,30 @@ double DepthInObstacle(const Obstacle& solid, const NodeIndex& node, double voxe
   return solid.DepthAt(place) / voxelSize;
 }
 
+/** Calls function(i, origin) for the leaves with nodes beyond the sides of a periodic box, in
+ * parallel if it is thread-safe. */
+template <class Function>
+void ForEachBeyond(
+  const NodeLeaves& leaves, const PeriodicLattice& lattice, bool isThreadSafe, Function&& function)
+{
+  const auto visit = [&](std::size_t i)
+  {
+    if (!lattice.IsWithin(leaves[i].Origin))
+    {
+      function(i, leaves[i].Origin);
+    }
+  };
+  if (isThreadSafe)
+  {
+    leaves.ForEach(visit);
+    return;
+  }
+  for (std::size_t i = 0; i < leaves.Size(); ++i)
+  {
+    visit(i);
+  }
+}
+
 /** Returns true if a leaf has values between the limits, or both of them. */
 bool IsNearSurface(const float* values)
 {
@@ -290,26 +314,8 @@ void NodeStep::Repeat(const NodeFrame& frame, const Motion& motion, const NodeTa
       : target.IsInside(CentreOf(origin)) && !this->IsSolid(origin, frame, motion) ? -NodeLimit
                                                                                    : NodeLimit;
   };
-  const auto forEachBeyond = [&](auto&& function)
-  {
-    const auto visit = [&](std::size_t i)
-    {
-      if (!lattice.IsWithin(this->Leaves[i].Origin))
-      {
-        function(i, this->Leaves[i].Origin);
-      }
-    };
-    if (!motion.Solid || motion.Solid->IsThreadSafe())
-    {
-      this->Leaves.ForEach(visit);
-      return;
-    }
-    for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
-    {
-      visit(i);
-    }
-  };
-  forEachBeyond(
+  const bool isThreadSafe = !motion.Solid || motion.Solid->IsThreadSafe();
+  ForEachBeyond(this->Leaves, lattice, isThreadSafe,
     [&](std::size_t i, const NodeIndex& origin)
     {
       for (int n = 0; n < 512; ++n)
@@ -318,7 +324,8 @@ void NodeStep::Repeat(const NodeFrame& frame, const Motion& motion, const NodeTa
           { origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7) }, valueAt);
       }
     });
-  forEachBeyond([&](std::size_t i, const NodeIndex&)
+  ForEachBeyond(this->Leaves, lattice, true,
+    [&](std::size_t i, const NodeIndex&)
     { std::copy_n(this->Room.Of(i), 512, this->Potential.Of(i)); });
   this->Confine(this->Potential, frame, motion);
 }
