@@ -1,5 +1,5 @@
-// A file that cannot be read or written: a full sentence, and the code that VTK's readers and
-// writers give with it (vtkErrorCode).
+// Failure to read or write a file: a full sentence and the error code of VTK's readers and writers
+// (vtkErrorCode).
 
 #ifndef FileError_h
 #define FileError_h

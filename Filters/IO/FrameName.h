@@ -8,9 +8,9 @@
 namespace activesurface
 {
 
-// The name with the number in place of its last run of # (padded to its length; not in a folder's
-// name), or of %d or %0Nd; where there is neither, and `always`, before the extension, with four
-// digits.
+// Inserts the number into the pattern. It replaces the last run of # in the file's name, padded to
+// the run's length, else %d or %0Nd. Without a placeholder, and if `always`, four digits are put
+// before the extension.
 std::string MakeFrameName(const std::string& pattern, int number, bool always);
 
 }

@@ -1,5 +1,5 @@
 /**
- * Ranks of a parallel program that write a file together: one has the pen, all know how it went.
+ * Writing by several MPI ranks: rank 0 writes; success or failure is reported on all ranks.
  */
 #ifndef RankedWriting_h
 #define RankedWriting_h
@@ -13,15 +13,15 @@
 namespace activesurface
 {
 
-/** Null: this process alone. */
+/** Returns true on rank 0. Null controller: a single process. */
 inline bool IsFirstRank(vtkMultiProcessController* controller)
 {
   return !controller || controller->GetLocalProcessId() == 0;
 }
 
 /**
- * Runs a part of the writing on each rank. All ranks call it as often as each other, and all throw
- * if it has failed on one of them.
+ * Collective. Runs a part of the writing on each rank. Throws on all ranks if it has failed on one
+ * of them. Every rank has to call it the same number of times.
  */
 template <class Task>
 void RunOnAllRanks(vtkMultiProcessController* controller, Task&& task)

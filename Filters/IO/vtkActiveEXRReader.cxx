@@ -180,7 +180,7 @@ void vtkActiveEXRReader::NameFiles()
   }
 }
 
-// What all files have to tell of their part.
+// Collects times, extent and parts from the headers of all files.
 void vtkActiveEXRReader::ScanFiles()
 {
   Series& files = *this->Files;
@@ -261,7 +261,7 @@ int vtkActiveEXRReader::RequestInformation(
 namespace
 {
 
-// What is asked for of the image that was read, as by the ranks of a parallel program.
+// Crops the image to the requested extent, as a rank of a parallel program needs.
 void TakePart(vtkInformation* information, vtkImageData* image)
 {
   int* part = information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
@@ -326,7 +326,7 @@ int vtkActiveEXRReader::RequestData(
   }
 }
 
-// Tells it once, and leaves nothing of an earlier file.
+// Reports an error once and empties the output.
 int vtkActiveEXRReader::Fail(
   unsigned long code, const std::string& sentence, vtkInformationVector* outputs)
 {

@@ -8,30 +8,33 @@
  *   R, G, B, A or R, G, B               RGBA or RGB, which are made the scalars
  *   N.X, N.Y, N.Z (or x, y, z)          N, of three components
  *   forward.u, forward.v                forward, of two
- *   diffuse.R, diffuse.G, diffuse.B     diffuse, of three; of four where there is diffuse.A
+ *   diffuse.R, diffuse.G, diffuse.B     diffuse, of three; of four if there is diffuse.A
  *   weights.0, weights.1, ...           weights
  *   any other, as Z or id or light.key  an array of its own name
  *
  * HALF and FLOAT are read as float, bit by bit (NaN and infinity too), UINT as unsigned int. Colors
- * are what the file holds: linear. Channels with fewer samples than pixels are repeated over the
- * pixels that a sample stands for. Scanline and tiled files, of tiled ones the finest level; deep
- * data is refused with a sentence.
+ * are returned as the file stores them: linear. A sample of a subsampled channel is repeated over
+ * its pixels. Scanline and tiled files are read, of tiled ones the finest level. Deep data is an
+ * error.
  *
  * Rows are VTK's, from below: point (0, 0) is the lower left pixel of the display window, whatever
- * the file's own coordinates, and the extent is the data window; it may begin elsewhere, or stick
- * out (see Window). The attributes of the header come as field data of the output, by their names.
+ * the file's own coordinates. The extent is the data window, which may begin elsewhere or exceed
+ * the display window (see Window). The attributes of the header become field data of the output, by
+ * their names.
  *
- * Several files (SetFileNames, of vtkImageReader2) are the time steps of a series: at the times
- * that all their headers tell, as vtkActiveEXRWriter writes them, if they rise from file to file,
- * else at 0, 1, 2 and so on. Their extent is the one that covers all of them, with 0 where a file
- * has no pixel. A time between two steps is the earlier one. Of vtkImageReader2's other properties
- * DataSpacing, DataOrigin and MemoryBuffer have their meaning; the rest none.
+ * Several files (SetFileNames, of vtkImageReader2) are the time steps of a series. The times are
+ * those of their headers, as vtkActiveEXRWriter writes them. If a header has no time, or the times
+ * do not increase from file to file, they are 0, 1, 2 and so on. The extent covers the extents of
+ * all files, with 0 where a file has no pixel. A time between two steps is the earlier one. Of
+ * vtkImageReader2's other properties DataSpacing, DataOrigin and MemoryBuffer are supported; the
+ * rest have no effect.
  *
- * Whatever is wrong with a file (missing, truncated, damaged, larger than MaximumMemory, no EXR) is
- * one error with a sentence, ErrorCode tells the kind (vtkErrorCode), and the output is empty.
- * Sizes that a header claims are checked against the file's before anything is allocated.
+ * Every fault of a file (missing, truncated, damaged, larger than MaximumMemory, no EXR) is one
+ * error with a sentence. ErrorCode returns the kind (vtkErrorCode), and the output is empty. Sizes
+ * in a header are validated against the file size before memory is allocated.
  *
- * vtkImageReader2Factory knows the reader after RegisterWithFactory(); Python's package calls it.
+ * vtkImageReader2Factory finds the reader after RegisterWithFactory(), which the Python package
+ * calls.
  */
 
 #ifndef vtkActiveEXRReader_h
@@ -55,7 +58,7 @@ public:
   static void RegisterWithFactory();
 
   /**
-   * 3 if the file begins as an EXR file does, else 0.
+   * Returns 3 if the file begins as an EXR file does, else 0.
    */
   int CanReadFile(VTK_FILEPATH const char* name) override;
   const char* GetFileExtensions() override { return ".exr"; }
@@ -63,7 +66,7 @@ public:
 
   ///@{
   /**
-   * The files of a series one by one, as an alternative to SetFileNames.
+   * Add the files of a series one by one, as an alternative to SetFileNames.
    */
   void AddFileName(VTK_FILEPATH const char* name);
   void ClearFileNames();
@@ -71,7 +74,7 @@ public:
 
   ///@{
   /**
-   * Which part of a multi-part file is read. Range: >= 0. Default: 0.
+   * Index of the part to read in a multi-part file. Range: >= 0. Default: 0.
    */
   vtkSetClampMacro(Part, int, 0, VTK_INT_MAX);
   vtkGetMacro(Part, int);
@@ -85,8 +88,8 @@ public:
 
   ///@{
   /**
-   * Which window of the file the image covers. DATA (0): the data window, all pixels that are
-   * there. DISPLAY (1): the display window; what sticks out is cropped, what is missing is 0.
+   * Window of the file that the image covers. DATA (0): the data window, all pixels of the file.
+   * DISPLAY (1): the display window, where pixels outside are cropped and missing pixels are 0.
    * Default: DATA.
    */
   vtkSetClampMacro(Window, int, DATA, DISPLAY);
@@ -97,8 +100,8 @@ public:
 
   ///@{
   /**
-   * Most that the pixels of an image may take [MiB], with what unpacking some of its lines, or a
-   * tile, takes; a file that wants more is refused.
+   * Memory limit for the pixels of an image and for unpacking one chunk of lines or one tile [MiB].
+   * A file that needs more is an error.
    * Range: >= 1. Default: 4096.
    */
   vtkSetClampMacro(MaximumMemory, int, 1, VTK_INT_MAX);
@@ -107,8 +110,8 @@ public:
 
   ///@{
   /**
-   * The parts of the file, of a series those of its first file; known after UpdateInformation(). A
-   * part without a name has an empty one; its type is scanlineimage, tiledimage, deepscanline or
+   * The parts of the file or, of a series, of its first file; available after UpdateInformation().
+   * A part without a name has an empty one. Types are scanlineimage, tiledimage, deepscanline and
    * deeptile.
    */
   int GetNumberOfParts();
@@ -118,8 +121,8 @@ public:
 
   ///@{
   /**
-   * The channels of the part that is read, sorted by name; known after UpdateInformation(). Types
-   * are UINT (0), HALF (1) and FLOAT (2); null or -1 for an index that there is not.
+   * The channels of the selected part, sorted by name; available after UpdateInformation(). Types
+   * are UINT (0), HALF (1) and FLOAT (2). An index out of range returns null or -1.
    */
   int GetNumberOfChannels();
   const char* GetChannelName(int index);
@@ -135,9 +138,9 @@ public:
 
   ///@{
   /**
-   * Whether a channel is read, by its name; it need not be known yet. At first all are. A layer of
-   * which not all channels are read is grouped from what is left. DisableAllChannels() before
-   * EnableChannel() picks a few.
+   * Select channels to read by name; at first all are selected. A channel may be selected before
+   * the file is read. A layer with unselected channels is grouped from the remaining ones.
+   * DisableAllChannels() before EnableChannel() selects a few.
    */
   void EnableChannel(const char* name);
   void DisableChannel(const char* name);

@@ -26,8 +26,8 @@ struct vtkActiveEXRWriter::Settings
   std::map<std::string, double> Numbers;
   vtkSmartPointer<vtkMatrix4x4> WorldToCamera, WorldToNDC;
   std::vector<double> Times; // of the input
-  int Step = 0;              // which of them is being written
-  bool Asked = false;        // whether the input has come to be written
+  int Step = 0;              // index of the step that is being written
+  bool Asked = false;        // the input has been requested
 };
 
 vtkStandardNewMacro(vtkActiveEXRWriter);
@@ -138,7 +138,7 @@ void vtkActiveEXRWriter::Write()
   }
   this->Chosen->Step = 0;
   this->Chosen->Asked = false;
-  this->Modified(); // writes again what has not changed
+  this->Modified(); // forces writing although nothing has changed
   this->UpdateWholeExtent();
   if (!this->Chosen->Asked)
   {

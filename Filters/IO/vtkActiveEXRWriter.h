@@ -2,8 +2,8 @@
  * @class   vtkActiveEXRWriter
  * @brief   writes an image, with all its point arrays, as an .exr file of many layers
  *
- * The input is an image of one slice (x * y * 1 points). Its point arrays become channels by
- * the convention of layers in .exr files:
+ * The input is an image of one slice (x * y * 1 points). Its point arrays become channels by the
+ * convention of layers in .exr files:
  *
  *   array                                              channels
  *   RGBA or RGB                                        R, G, B, A or R, G, B
@@ -15,28 +15,29 @@
  *   more components                                    name.0, name.1, ... (00, 01 beyond ten)
  *   Z, id, any of one component                        its name as it is; a dot makes a layer of it
  *
- * Where the components of an array have names (SetComponentName), these follow the dot. AddChannel
- * replaces the rule for an array. float and double arrays become FLOAT, integers UINT, integer
- * colors HALF from 0 to 1; AssignPixelType chooses another type for an array. A value that does not
- * fit (a number below 0 in UINT, 1e9 in HALF) is an error that tells it. NaN and infinity pass.
+ * If the components of an array have names (SetComponentName), these names follow the dot.
+ * AddChannel replaces the rule for an array. float and double arrays become FLOAT, integers UINT,
+ * integer colors HALF from 0 to 1. AssignPixelType chooses another type for an array. A value that
+ * does not fit (a number below 0 in UINT, 1e9 in HALF) is an error that reports the value. NaN and
+ * infinity are accepted.
  *
- * Colors in EXR files are linear. What a render window shows is meant for a display: set
- * ColorEncoding to SRGB for it.
+ * Colors in EXR files are linear. The colors of a render window are encoded for a display: set
+ * ColorEncoding to SRGB for them.
  *
- * Rows are VTK's, from below, and turned around on the way: row 0 of the image is the lowest of the
- * picture. vtkActiveEXRReader reads back the same bytes (of float and unsigned int).
+ * Rows are VTK's, from below: row 0 of the image is the lowest row of the picture.
+ * vtkActiveEXRReader reads back the same bytes (of float and unsigned int).
  *
- * FileName may hold a run of #, or %d or %04d: FrameNumber takes its place. With WriteAllTimeSteps
- * there is a file for each of the input's time steps, numbered from FrameNumber on; without a place
- * for the number it is put before the extension, name.0000.exr. FilePrefix and FilePattern are not
- * used. Pipeline time becomes the attribute "time".
+ * FileName may contain a run of #, or %d or %04d, which FrameNumber replaces. With
+ * WriteAllTimeSteps there is a file for each of the input's time steps, numbered from FrameNumber
+ * on. Without a placeholder the number is put before the extension, name.0000.exr. FilePrefix and
+ * FilePattern are not used. Pipeline time becomes the attribute "time".
  *
  * ZIP and ZIPS are packed by all threads that vtkSMPTools may use; the bytes are the same for any
- * number of them.
+ * number of threads.
  *
- * A file is written whole or not at all: under a temporary name beside it, then renamed. What goes
- * wrong is one error with a sentence, and ErrorCode tells the kind (vtkErrorCode); a file that was
- * there before is left as it was.
+ * A file is written whole or not at all: first under a temporary name in the same folder, then
+ * renamed. A failure is one error with a sentence, ErrorCode returns the kind (vtkErrorCode), and
+ * an existing file is kept.
  */
 
 #ifndef vtkActiveEXRWriter_h
@@ -58,7 +59,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Writes the file or, with WriteAllTimeSteps, the files. GetErrorCode() is 0 if all went well.
+   * Writes the file or, with WriteAllTimeSteps, the files. GetErrorCode() is 0 on success.
    */
   void Write() override;
 
@@ -73,10 +74,10 @@ public:
 
   ///@{
   /**
-   * How pixels are packed, all but DWAA without loss. NONE (0). ZIP (1): 16 rows at a time, read by
-   * everything. ZIPS (2): row by row, for those who read single rows. PIZ (3): wavelets, best for
-   * noise. DWAA (4): small, with loss; refused when a channel holds data, which is any but R, G, B,
-   * A and Y. Default: ZIP.
+   * Compression of pixels, all but DWAA without loss. NONE (0). ZIP (1): 16 rows at a time,
+   * supported by every reader. ZIPS (2): row by row, for access to single rows. PIZ (3): wavelets,
+   * best for noise. DWAA (4): small, with loss; an error if a channel holds data, which is any but
+   * R, G, B, A and Y. Default: ZIP.
    */
   vtkSetClampMacro(Compression, int, NONE, DWAA);
   vtkGetMacro(Compression, int);
@@ -103,9 +104,9 @@ public:
 
   ///@{
   /**
-   * What the numbers of the input's colors mean (arrays RGB and RGBA, and integer ones of 3 or 4
-   * components). LINEAR (0): light; they are written as they are. SRGB (1): they are for a display,
-   * and decoded to light; alpha is not. Default: LINEAR.
+   * Encoding of the input's colors (arrays RGB and RGBA, and integer ones of 3 or 4 components).
+   * LINEAR (0): linear light, written unchanged. SRGB (1): encoded for a display; all components
+   * but alpha are decoded to linear light. Default: LINEAR.
    */
   vtkSetClampMacro(ColorEncoding, int, LINEAR, SRGB);
   vtkGetMacro(ColorEncoding, int);
@@ -116,8 +117,8 @@ public:
   ///@{
   /**
    * Width and height of the display window [pixels], whose lower left pixel is point (0, 0) of the
-   * input; the input's extent within it, or beyond, is the data window. Values from 1 to 2^24; 0,
-   * 0: the extent is both windows, from (0, 0) on. Default: 0, 0.
+   * input. The input's extent is the data window; it may exceed the display window. Values from 1
+   * to 2^24; 0, 0: the extent is both windows, from (0, 0) on. Default: 0, 0.
    */
   vtkSetVector2Macro(DisplaySize, int);
   vtkGetVector2Macro(DisplaySize, int);
@@ -150,9 +151,9 @@ public:
 
   ///@{
   /**
-   * Matrix from world coordinates to the camera's (attribute worldToCamera: x to the right, y up, z
-   * ahead). As in VTK, columns are multiplied by it; it is turned around for the file, and single
-   * there. Default: none.
+   * Matrix from world to camera coordinates (attribute worldToCamera: x to the right, y up, z
+   * ahead). Like matrices of VTK, it multiplies column vectors. The file gets its transpose in
+   * single precision. Default: none.
    */
   void SetWorldToCamera(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetWorldToCamera();
@@ -160,8 +161,9 @@ public:
 
   ///@{
   /**
-   * Matrix from world coordinates to those of the picture (attribute worldToNDC: (0, 0) is the
-   * upper left corner of the display window, (1, 1) the lower right), else as WorldToCamera.
+   * Matrix from world to picture coordinates (attribute worldToNDC). (0, 0) is the upper left
+   * corner of the display window, (1, 1) the lower right. Convention and precision are those of
+   * WorldToCamera.
    * Default: none.
    */
   void SetWorldToNDC(vtkMatrix4x4* matrix);
@@ -170,10 +172,10 @@ public:
 
   ///@{
   /**
-   * Adds an attribute to the header, a text or a number (written as double), or replaces it.
-   * Customary texts: owner (who made it), comments, software (at first this package and its
-   * version), capDate (when, as "YYYY:MM:DD hh:mm:ss"). Nothing of the clock is written by itself,
-   * so that equal input makes equal bytes. ClearAttributes() leaves none, software neither.
+   * Adds or replaces an attribute of the header, a text or a number (written as double). Customary
+   * texts: owner (author), comments, software (at first this package and its version), capDate
+   * (date of capture, as "YYYY:MM:DD hh:mm:ss"). No time of day is written by default, so equal
+   * input makes equal bytes. ClearAttributes() removes all attributes, software too.
    */
   void AddAttribute(const char* name, const char* text);
   void AddAttribute(const char* name, double number);
@@ -182,8 +184,8 @@ public:
 
   ///@{
   /**
-   * Writes a component of a point array as a channel of this name. An array for which this is
-   * called has no channel but these; the others follow the rule.
+   * Writes a component of a point array as a channel of this name. The array then has only the
+   * channels that are added here; other arrays follow the rule.
    */
   void AddChannel(const char* array, int component, const char* channel);
   void ClearChannels();
@@ -198,8 +200,8 @@ public:
 
   ///@{
   /**
-   * The type of the channels of an array: UINT (0), HALF (1) or FLOAT (2), in place of the rule's.
-   * HALF has 11 bits, and is what colors and normals need; depth and positions need FLOAT.
+   * Assigns a type to the channels of an array: UINT (0), HALF (1) or FLOAT (2), in place of the
+   * rule's. HALF has 11 bits, enough for colors and normals; depth and positions need FLOAT.
    */
   void AssignPixelType(const char* array, int type);
   void ClearPixelTypes();
@@ -207,7 +209,7 @@ public:
 
   ///@{
   /**
-   * Whether all time steps of the input are written, one file each. Default: off.
+   * Writes all time steps of the input, one file each. Default: off.
    */
   vtkSetMacro(WriteAllTimeSteps, bool);
   vtkGetMacro(WriteAllTimeSteps, bool);
@@ -216,8 +218,8 @@ public:
 
   ///@{
   /**
-   * Number that a run of # or %d in FileName stands for; that of the first file with
-   * WriteAllTimeSteps. Range: 0 to 100000000. Default: 0.
+   * Number that replaces a run of # or %d in FileName; with WriteAllTimeSteps, the number of the
+   * first file. Range: 0 to 100000000. Default: 0.
    */
   vtkSetClampMacro(FrameNumber, int, 0, 100000000);
   vtkGetMacro(FrameNumber, int);

@@ -30,9 +30,9 @@ vtkStandardNewMacro(vtkActiveVDBReader);
 struct vtkActiveVDBReader::Internals
 {
   activesurface::VDBSeries Series;
-  vtkNew<vtkStringArray> Names; // of all grids, for who asks for a list
+  vtkNew<vtkStringArray> Names; // of all grids, for GetGridNames
 
-  // In voxels, of what Region says.
+  // Region as a box in voxels.
   openvdb::CoordBBox FindBox(const vtkActiveVDBReader* reader) const;
 };
 
@@ -133,7 +133,7 @@ openvdb::CoordBBox vtkActiveVDBReader::Internals::FindBox(const vtkActiveVDBRead
   return this->Series.FindActiveBox();
 }
 
-// Errors are told by RequestInformation, which comes next.
+// Errors are reported by RequestInformation, which runs next.
 int vtkActiveVDBReader::RequestDataObject(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {

@@ -2,26 +2,28 @@
  * @class   vtkActiveVDBReader
  * @brief   reads .vdb files of any origin: volumes as images, points as poly data, series as time
  *
- * Output: of level sets, fogs and other grids of numbers (float, half, double, int32, int64, bool,
- * mask, vectors of three) a vtkImageData whose points are the grid's voxels, with one point array
- * for each of the chosen grids, which have to be of one transform; of points grids a vtkPolyData
- * with a vertex for each point and all attributes (groups as 0 or 1). Values of voxels that are not
- * stored, tiles and background, are there too. Scale and translation become spacing and origin,
- * rotations the direction matrix; sheared grids and those in perspective are refused.
+ * Volumes (level sets, fogs and other grids of float, half, double, int32, int64, bool, mask or
+ * vectors of three) become a vtkImageData. Its points are the grid's voxels, with one point array
+ * for each of the chosen grids, which have to share one transform. Voxels that are not stored
+ * (tiles and background) have their values, too. Scale and translation become spacing and origin,
+ * rotations the direction matrix. Sheared and perspective grids are an error.
  *
- * A level set goes to the Target or the Initial of a vtkActiveImplicitSurface, or to a
- * vtkGridPotential, as it is, without a dense image, with OutputDense off: the output then has an
+ * Points grids become a vtkPolyData with a vertex for each point and all attributes (groups as 0 or
+ * 1).
+ *
+ * With OutputDense off, a level set is passed to the Target or the Initial of a
+ * vtkActiveImplicitSurface, or to a vtkGridPotential, without a dense image. The output then has an
  * extent, but no array, and carries the grid.
  *
- * Before anything is read, a file is validated down to its last leaf, so that a damaged one is
- * an error with a sentence, and ErrorCode, and empty outputs. Then only the chosen grids are read,
- * and of them, if Region is a box and the file allows it, only the leaves that meet the box. Files
- * of before OpenVDB 2 are refused.
+ * A file is validated down to its last leaf before it is read. A damaged file is an error with a
+ * sentence and an ErrorCode, and the outputs are empty. Only the chosen grids are read. If Region
+ * is a box and the file allows it, only the leaves that meet the box are read. Files older than
+ * OpenVDB 2 are an error.
  *
- * Several files are a series: time steps, with the metadata "time" where all have one and they
- * increase, else numbers 0, 1, 2... A time between two of them is the earlier one.
+ * Several files are a series of time steps. Their times are the metadata "time", if all files have
+ * them and they increase, else 0, 1, 2... A time between two of them is the earlier one.
  *
- * Of the pieces that the ranks of a parallel program ask for, the first one is all of the data.
+ * If the ranks of a parallel program request pieces, the first piece is all of the data.
  */
 
 #ifndef vtkActiveVDBReader_h
@@ -47,7 +49,7 @@ public:
 
   ///@{
   /**
-   * The file, or with AddFileName those of a series, in their order; SetFileName begins anew.
+   * The file or, with AddFileName, the files of a series in order. SetFileName replaces all names.
    * Default: none, which is an error.
    */
   void SetFileName(const char* name);
@@ -59,9 +61,9 @@ public:
 
   ///@{
   /**
-   * The grid to read, by its name, or with AddGridName several. Of several grids of one name the
-   * others are name[1], name[2]... Default: none, the first level set, else the first fog, else the
-   * first points, else the first of any other kind.
+   * The name of the grid to read; AddGridName adds more. Grids of equal name are called name,
+   * name[1], name[2]... Default: none, the first level set, else the first fog, else the first
+   * points, else the first grid of any other kind.
    */
   void SetGridName(const char* name);
   void AddGridName(const char* name);
@@ -77,7 +79,7 @@ public:
 
   ///@{
   /**
-   * What of a volume becomes the image: the box of all active voxels (ACTIVE (0)), IndexRegion
+   * Part of a volume that becomes the image: the box of all active voxels (ACTIVE (0)), IndexRegion
    * (INDEX (1)) or the voxels that cover WorldRegion (WORLD (2)). Default: ACTIVE.
    */
   vtkSetClampMacro(Region, int, ACTIVE, WORLD);
@@ -106,8 +108,8 @@ public:
 
   ///@{
   /**
-   * Takes a voxel of so many along each axis, those whose index coordinates are multiples of it,
-   * as they are: nothing is averaged. Range: 1 to 4096. Default: 1, all voxels.
+   * Stride of the voxels that are read along each axis. Voxels whose index coordinates are
+   * multiples of the factor are read without averaging. Range: 1 to 4096. Default: 1, all voxels.
    */
   vtkSetClampMacro(DownsamplingFactor, int, 1, 4096);
   vtkGetMacro(DownsamplingFactor, int);
@@ -115,8 +117,8 @@ public:
 
   ///@{
   /**
-   * Whether volumes become dense images. If not, the image has no arrays, and carries a level set
-   * for those who can use the grid itself, see above. Default: on.
+   * Converts volumes to dense images. If off, the image has no arrays, and carries a level set for
+   * filters that can use the grid itself, see above. Default: on.
    */
   vtkSetMacro(OutputDense, vtkTypeBool);
   vtkGetMacro(OutputDense, vtkTypeBool);
@@ -125,7 +127,7 @@ public:
 
   ///@{
   /**
-   * Guard of the memory: a dense image, or points, of more than that are an error instead.
+   * Memory limit: a dense image, or points, with more points than this number are an error.
    * Range: >= 1. Default: 200000000.
    */
   vtkSetClampMacro(MaximumNumberOfPoints, vtkIdType, 1, VTK_ID_MAX);
@@ -134,11 +136,12 @@ public:
 
   ///@{
   /**
-   * The grids of the file, of a series the one that was looked at last; known after
-   * UpdateInformation(). The type is that of the value (float, double, int32, int64, bool, mask,
-   * vec3s, vec3d, vec3i, points; half floats say "float" and HalfFloat), or of an unknown tree; the
-   * class "level set", "fog volume", "staggered vector field" or "unknown". Bounds are those of the
-   * active voxels in index coordinates. Nothing, 0 or empty for a number that does not exist.
+   * The grids of the file or, of a series, of the file that was read last; available after
+   * UpdateInformation(). The type is the value type (float, double, int32, int64, bool, mask,
+   * vec3s, vec3d, vec3i, points) or that of an unknown tree. Half floats have the type "float" and
+   * HalfFloat set. The class is "level set", "fog volume", "staggered vector field" or "unknown".
+   * Bounds are those of the active voxels in index coordinates. An index out of range returns null,
+   * 0 or an empty result.
    */
   int GetNumberOfGrids();
   vtkStringArray* GetGridNames();
@@ -154,8 +157,9 @@ public:
 
   ///@{
   /**
-   * Metadata as text: the value of a name, empty if it is not there; or all, "name: value" a line.
-   * Those of the file, and with a number those of a grid.
+   * Metadata as text. A name returns its value, or an empty text if it does not exist. The All
+   * methods return a line "name: value" for each entry. Methods with an index read those of a grid,
+   * the others those of the file.
    */
   std::string GetMetadata(const std::string& name);
   std::string GetAllMetadata();
@@ -164,7 +168,7 @@ public:
   ///@}
 
   ///@{
-  /** The output, if it is of that kind, else null. */
+  /** Returns the output if it is of that kind, else null. */
   vtkImageData* GetImageOutput();
   vtkPolyData* GetPolyDataOutput();
   ///@}

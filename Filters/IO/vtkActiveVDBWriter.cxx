@@ -38,7 +38,7 @@ namespace
 
 constexpr const char* Creator = "Active Implicit Surfaces for VTK " ACTIVE_VERSION;
 
-// ParaView puts a filter of its own after each of ours, whose output is a copy.
+// ParaView appends a post filter to each filter; the output is a copy.
 vtkDataObject* FindData(vtkAlgorithm* consumer)
 {
   int port = 0;
@@ -48,7 +48,7 @@ vtkDataObject* FindData(vtkAlgorithm* consumer)
   return isOfParaView ? FindData(producer) : producer->GetOutputDataObject(port);
 }
 
-// The input's port, with its time steps.
+// The port of the input and its time steps.
 struct Source
 {
   explicit Source(vtkAlgorithm* consumer)
@@ -257,7 +257,7 @@ void vtkActiveVDBWriter::WriteSteps()
   }
 }
 
-// The first rank has all that goes into the file.
+// Rank 0 has all data of the file.
 void vtkActiveVDBWriter::WriteData(const std::string& file, vtkDataObject* data, int frame)
 {
   if (!activesurface::IsFirstRank(this->Controller))

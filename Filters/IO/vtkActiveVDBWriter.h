@@ -1,26 +1,26 @@
 /**
  * @class   vtkActiveVDBWriter
- * @brief   writes a living skin, a closed mesh or an image as narrow-band .vdb files
+ * @brief   writes an active surface, a closed mesh or an image as narrow-band .vdb files
  *
- * Input: output port 0 or 1 of a vtkActiveImplicitSurface, whose own grid then is written, without
- * a detour through a dense image; any closed vtkPolyData; or any vtkImageData.
+ * Input: output port 0 or 1 of a vtkActiveImplicitSurface, whose own grid is written without a
+ * dense image; any closed vtkPolyData; or any vtkImageData.
  *
- * Of a surface the file has the grid "surface", a level set: the true distance to the skin's
- * triangles [length], negative inside, within 3 voxels on either side and +-3 voxels beyond. Its
- * transform is exact: voxels of the skin's VoxelSize, with nodes at multiples of it. Besides, as
- * the properties below say, the state to go on from, a fog, the velocity and the point arrays. A
- * mesh that does not come from a vtkActiveImplicitSurface has to be closed (each edge belongs to an
- * even number of polygons; its points have to exist and be finite), and is converted by OpenVDB's
- * own meshToVolume with voxels of VoxelSize.
+ * The file of a surface has the grid "surface", a level set. Its values are the exact distance to
+ * the skin's triangles [length], negative inside, within 3 voxels on either side, and +-3 voxels
+ * beyond. Its transform is exact: voxels of the skin's VoxelSize, with nodes at multiples of it.
+ * The properties below add the state to resume from, a fog, the velocity and the point arrays. A
+ * mesh that does not come from a vtkActiveImplicitSurface has to be closed: each edge belongs to an
+ * even number of polygons. Its points have to exist and be finite. The mesh is converted by
+ * OpenVDB's meshToVolume with voxels of VoxelSize.
  *
- * Of an image the file has a grid for its active scalars (else its first point array), named after
- * the array or "density", with active values where they are not 0; see GridClass.
+ * The file of an image has a grid for its active scalars (else its first point array). The grid is
+ * named after the array, or "density", and values that are not 0 are active; see GridClass.
  *
  * All grids, and the file, have the metadata creator, time [pipeline time], frame (number of the
  * time step), units, and motion_X for each property X of the filter that shapes its motion.
  *
- * A file is written under another name first, read through, and then gets its own, so it is there
- * as a whole or not at all. What cannot be done is an error with a sentence, and ErrorCode.
+ * A file is written under a temporary name, validated and then renamed, so it appears as a whole or
+ * not at all. A failure is an error with a sentence and an ErrorCode.
  */
 
 #ifndef vtkActiveVDBWriter_h
@@ -44,9 +44,9 @@ public:
 
   ///@{
   /**
-   * Name of the file, or of the series: the last run of # in it stands for the number of the time
-   * step, with so many digits at least; without one, WriteAllTimeSteps puts a number of four digits
-   * before the extension, name.0007.vdb. Default: none, which is an error.
+   * Name of the file or series. The number of the time step replaces the last run of #, with at
+   * least as many digits. If there is no #, WriteAllTimeSteps puts a number of four digits before
+   * the extension, name.0007.vdb. Default: none, which is an error.
    */
   void SetFileName(const char* name);
   const char* GetFileName() const { return this->FileName.c_str(); }
@@ -61,8 +61,8 @@ public:
 
   ///@{
   /**
-   * Whether Write() writes a file for each time step of the input, in place of one for the time
-   * that the input was last updated for. Default: off.
+   * Makes Write() write a file for each time step of the input. Otherwise it writes one file, for
+   * the time of the input's last update. Default: off.
    */
   vtkSetMacro(WriteAllTimeSteps, vtkTypeBool);
   vtkGetMacro(WriteAllTimeSteps, vtkTypeBool);
@@ -71,10 +71,9 @@ public:
 
   ///@{
   /**
-   * Whether the file also has the grid "potential", the state without loss, which the filter's
-   * LoadState takes up again to the same bytes. Only of a vtkActiveImplicitSurface, and at one of
-   * its time steps: between two there is none. It is never written as
-   * half floats. Default: off.
+   * Adds the grid "potential", the state without loss, from which the filter's LoadState resumes
+   * bitwise identically. The input has to be a vtkActiveImplicitSurface at one of its time steps;
+   * between two there is no state. The state is never written as half floats. Default: off.
    */
   vtkSetMacro(WriteState, vtkTypeBool);
   vtkGetMacro(WriteState, vtkTypeBool);
@@ -83,8 +82,8 @@ public:
 
   ///@{
   /**
-   * Whether the file also has the grid "density", a fog: 1 inside, and from 3 voxels within the
-   * surface on falling to 0 at it. Of surfaces only. Default: off.
+   * Adds the grid "density", a fog: 1 inside, falling to 0 at the surface over the last 3 voxels.
+   * For surfaces only. Default: off.
    */
   vtkSetMacro(WriteDensity, vtkTypeBool);
   vtkGetMacro(WriteDensity, vtkTypeBool);
@@ -93,9 +92,9 @@ public:
 
   ///@{
   /**
-   * Whether the file also has the grid "v", the velocity [length/time] near the surface, for motion
-   * blur: of the skin's point array "Velocity" (the filter's ComputeVelocity), which has to be
-   * there. Default: off.
+   * Adds the grid "v", the velocity [length/time] near the surface, for motion blur. It is read
+   * from the skin's point array "Velocity" (the filter's ComputeVelocity), which has to exist.
+   * Default: off.
    */
   vtkSetMacro(WriteVelocity, vtkTypeBool);
   vtkGetMacro(WriteVelocity, vtkTypeBool);
@@ -104,9 +103,9 @@ public:
 
   ///@{
   /**
-   * Whether each point array of one or three components becomes a grid of its own name: of a
-   * surface near by, as it is at the nearest point of the skin (whole numbers are taken from the
-   * nearest corner); of an image all of them. Other arrays are an error. Default: off.
+   * Adds a grid, named after the array, for each point array of one or three components. A surface
+   * provides values near it, from the nearest point of the skin (integers from the nearest corner).
+   * An image provides all its values. Other arrays are an error. Default: off.
    */
   vtkSetMacro(WritePointArrays, vtkTypeBool);
   vtkGetMacro(WritePointArrays, vtkTypeBool);
@@ -122,8 +121,8 @@ public:
 
   ///@{
   /**
-   * What the scalars of an image are: anything (UNKNOWN (0)), a distance [length] that becomes a
-   * narrow band of 3 voxels of single precision (LEVEL_SET (1)), or a density (FOG_VOLUME (2)).
+   * Meaning of an image's scalars: anything (UNKNOWN (0)), a distance [length] that becomes a
+   * narrow band of 3 voxels in single precision (LEVEL_SET (1)), or a density (FOG_VOLUME (2)).
    * Default: UNKNOWN.
    */
   vtkSetClampMacro(GridClass, int, UNKNOWN, FOG_VOLUME);
@@ -144,7 +143,7 @@ public:
 
   ///@{
   /**
-   * Whether numbers are written as half floats, of three digits, but for the state. Default: off.
+   * Writes numbers, except those of the state, as half floats of three digits. Default: off.
    */
   vtkSetMacro(HalfFloat, vtkTypeBool);
   vtkGetMacro(HalfFloat, vtkTypeBool);
@@ -161,9 +160,9 @@ public:
 
   ///@{
   /**
-   * How values are packed, without loss: not at all (NONE (0)), active ones alone where that is
-   * enough (ACTIVE_MASK (1)), those by zlib (ZIP (2), slow; OpenVDB then leaves level sets and fogs
-   * as they are) or by Blosc (BLOSC (3), quick). Default: BLOSC.
+   * Lossless compression of values: none (NONE (0)), only active values where these suffice
+   * (ACTIVE_MASK (1)), or active values packed by zlib (ZIP (2), slow) or by Blosc (BLOSC (3),
+   * fast). With ZIP, OpenVDB leaves level sets and fogs unpacked. Default: BLOSC.
    */
   vtkSetClampMacro(Compression, int, NONE, BLOSC);
   vtkGetMacro(Compression, int);
@@ -175,7 +174,7 @@ public:
 
   ///@{
   /**
-   * The unit of length, in free words, for the metadata "units". Default: none.
+   * The unit of length, as free text, for the metadata "units". Default: none.
    */
   void SetUnits(const char* units);
   const char* GetUnits() const { return this->Units.c_str(); }
@@ -183,17 +182,18 @@ public:
 
   ///@{
   /**
-   * The ranks of a parallel program, which call Write together: all update the input, the first one
-   * writes what it has; that is all of it, from a vtkActiveImplicitSurface on these ranks. None, or
-   * one of a single process: this process writes. Default: VTK's global controller.
+   * The ranks of a parallel program, which call Write together. All ranks update the input, and the
+   * first one writes its data. A vtkActiveImplicitSurface on these ranks provides all data there. A
+   * null controller, or one of a single process, makes this process write. Default: VTK's global
+   * controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
 
   /**
-   * Updates the input and writes. 0, with an error and ErrorCode, if that fails or AbortExecute was
-   * set; the files of earlier time steps then are there.
+   * Updates the input and writes. Returns 0, with an error and ErrorCode, if that fails or
+   * AbortExecute was set. Files of earlier time steps are kept.
    */
   int Write();
 

@@ -61,7 +61,7 @@ void AddTexts(const char* name, const std::vector<std::string>& texts, vtkFieldD
   data->AddArray(array);
 }
 
-// OpenEXR multiplies rows by matrices, VTK matrices by columns.
+// OpenEXR multiplies row vectors by matrices, VTK multiplies matrices by column vectors.
 template <int size, class Matrix>
 std::array<double, size * size> Transpose(const Matrix& matrix)
 {

@@ -1,4 +1,4 @@
-// The attributes of an EXR header, to and from VTK.
+// Converts the attributes of an EXR header to and from VTK.
 
 #ifndef EXRAttributes_h
 #define EXRAttributes_h
@@ -12,15 +12,15 @@ class vtkFieldData;
 namespace activesurface
 {
 
-// One array for each attribute that is a number, a text or a few of them, by the attribute's name;
-// matrices row by row, as points are multiplied by them in VTK; time codes and enumerations as
-// text.
+// Adds an array, named after the attribute, for each attribute of one or a few numbers or texts.
+// Matrices are stored row by row, transposed for VTK's column vectors. Time codes and enumerations
+// become texts.
 void CopyEXRAttributes(const Imf::Header& header, vtkFieldData* data);
 
-// Sets timeCode from "hh:mm:ss:ff". Throws FileError if it is none.
+// Sets timeCode from "hh:mm:ss:ff". Throws FileError if the text has another form.
 void AddTimeCode(Imf::Header& header, const std::string& text);
 
-// Sets framesPerSecond; 24000/1001 and the like where it is one of those.
+// Sets framesPerSecond, as an exact ratio for rates such as 24000/1001.
 void AddFramesPerSecond(Imf::Header& header, double rate);
 
 }

@@ -31,7 +31,7 @@ struct EXRFile::OpenFile
 namespace
 {
 
-// Calls what reads, and tells its errors as ours.
+// Calls an action that reads and converts exceptions of OpenEXR to FileError.
 template <class Action>
 void Guard(const EXRInput& input, const Action& action)
 {
@@ -54,7 +54,7 @@ void Guard(const EXRInput& input, const Action& action)
   }
 }
 
-// A window in columns and rows from the lower left of the display window.
+// Converts a window to columns and rows from the lower left of the display window.
 EXRExtent Flip(const Imath::Box2i& window, const Imath::Box2i& display)
 {
   return { window.min.x - display.min.x, window.max.x - display.min.x, display.max.y - window.max.y,
@@ -104,15 +104,15 @@ EXRPart Describe(const Imf::Header& header)
   return part;
 }
 
-// Of coordinates that may be negative.
+// Rounds down, for negative coordinates as well.
 int FloorDivide(int value, int divisor)
 {
   const int quotient = value / divisor;
   return quotient * divisor > value ? quotient - 1 : quotient;
 }
 
-// A channel that has fewer samples than the image has pixels: read by itself, then each sample is
-// repeated over the pixels that it stands for.
+// Channel with fewer samples than the image has pixels. The samples are read into a buffer, and
+// each sample is repeated over its pixels.
 struct Subsampled
 {
   Subsampled(
@@ -149,7 +149,7 @@ struct Subsampled
   std::vector<char> Samples;
 };
 
-// The address that a pixel has, or would have, in an image that covers an extent.
+// Address of a pixel in an image that covers an extent; the pixel may lie outside the extent.
 struct PixelPlace
 {
   EXRExtent Extent;
@@ -201,7 +201,7 @@ void ReadPixels(
       frame.insert(to.Channel, subsampled.back()->MakeSlice(type));
       continue;
     }
-    // Rows go down in the file and up in the image.
+    // Rows run downward in the file and upward in the image.
     frame.insert(to.Channel,
       Imf::Slice(
         type, place.At(to, 0, 0), to.Stride, static_cast<std::size_t>(-place.Row(to.Stride))));

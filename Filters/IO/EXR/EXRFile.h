@@ -1,8 +1,8 @@
-// An EXR file as it is read: its parts and what their headers tell, and the pixels of a part, each
-// channel wherever it is wanted.
+// Reads an EXR file: its parts, their headers, and the pixels of one part, each channel into a
+// buffer of its own.
 //
 // Rows are VTK's, from below: the pixel (x, y) of the file is at column x - displayWindow.min.x and
-// row displayWindow.max.y - y, so that (0, 0) is the lower left one of the display window.
+// row displayWindow.max.y - y. The pixel (0, 0) is the lower left one of the display window.
 
 #ifndef EXRFile_h
 #define EXRFile_h
@@ -37,10 +37,10 @@ struct EXRPart
   EXRExtent Data{}, Display{};
   bool HasTime = false;
   double Time = 0.0;       // the attribute "time"
-  double ChunkBytes = 0.0; // of the lines, or of the tile, that OpenEXR unpacks at a time
+  double ChunkBytes = 0.0; // of the lines or the tile that OpenEXR unpacks at a time
 };
 
-// Where the pixels of a channel go: as float, or as unsigned int where the channel is UINT.
+// Destination of a channel's pixels: unsigned int for UINT channels, float for the others.
 struct EXRDestination
 {
   std::string Channel;
@@ -51,17 +51,17 @@ struct EXRDestination
 class EXRFile
 {
 public:
-  // Reads the headers. Throws FileError; the stream has to live as long as this.
+  // Reads the headers. Throws FileError. The stream has to outlive the object.
   EXRFile(std::istream& stream, const std::string& name);
   ~EXRFile();
 
   const std::vector<EXRPart>& GetParts() const { return this->Parts; }
 
-  // One array for each attribute of a part that is a number, a text or a few of them.
+  // Adds an array for each attribute of one or a few numbers or texts.
   void CopyAttributes(std::size_t part, vtkFieldData* data) const;
 
-  // Reads channels into images that cover the extent, which contains the part's data window. What
-  // is outside of the window is left as it is.
+  // Reads channels into images that cover the extent. The extent contains the part's data window.
+  // Pixels outside the data window keep their values.
   void Read(std::size_t part, const EXRExtent& extent, const std::vector<EXRDestination>& channels);
 
 private:

@@ -17,11 +17,11 @@ constexpr std::uint32_t Magic = 20000630;
 constexpr std::uint32_t TiledFlag = 0x200, DeepFlag = 0x800, MultiPartFlag = 0x1000;
 constexpr std::size_t LongestName = 255;
 constexpr std::int64_t FarthestPixel = 1 << 29; // sums and differences of three fit into an int
-constexpr std::int64_t LargestTile = 1 << 22;   // pixels; or as the image
+constexpr std::int64_t LargestTile = 1 << 22;   // pixels; or the size of the image
 
-// By the number that a header tells: lines in a chunk, and how many bytes one byte can become at
-// most. Deflate yields 1032, runs of single bytes 64, PIZ's runs of codes 453; DWA deflates the
-// means of blocks of 64 pixels; B44 packs 32 bytes into 3.
+// Lines in a chunk, and an upper bound of the bytes that one packed byte unpacks to, by the
+// compression's number in the header. Deflate reaches 1032, RLE 64, PIZ's run codes 453, for which
+// 1032 is a bound, too. DWA deflates the means of blocks of 64 pixels. B44 packs 32 bytes into 3.
 struct Compression
 {
   int Lines;
@@ -29,7 +29,7 @@ struct Compression
 };
 constexpr Compression Compressions[] = { { 1, 1 }, { 1, 64 }, { 1, 1032 }, { 16, 1032 },
   { 32, 1032 }, { 16, 1032 }, { 32, 11 }, { 32, 11 }, { 32, 66048 }, { 256, 66048 } };
-// Newer than this code.
+// Compressions newer than this code.
 constexpr Compression OtherCompression = { 256, 66048 };
 
 Compression FindCompression(unsigned number)
@@ -37,8 +37,8 @@ Compression FindCompression(unsigned number)
   return number < std::size(Compressions) ? Compressions[number] : OtherCompression;
 }
 
-// OpenEXR reads so many bytes for an attribute of these types, whatever size it tells, and takes
-// what follows for the next attribute.
+// OpenEXR reads this number of bytes for an attribute of these types, whatever size the file
+// states. It interprets the next bytes as the next attribute.
 struct FixedSize
 {
   const char* Type;
@@ -62,7 +62,7 @@ bool HasOwnSize(const std::string& type, std::uint64_t size)
   throw FileError(vtkErrorCode::FileFormatError, sentence);
 }
 
-// What of a header counts for memory.
+// Values of a header that determine the memory that OpenEXR allocates.
 struct PartClaims
 {
   std::int64_t Width = 0, Height = 0;
@@ -233,7 +233,7 @@ private:
     }
   }
 
-  // Whether the empty name that ends the list is where it should be.
+  // Returns true if the empty name that ends the list is at the end of the attribute.
   bool Channels(std::uint64_t end, PartClaims& part)
   {
     while (this->Input.tellg() < end)
@@ -243,13 +243,13 @@ private:
         return this->Input.tellg() == end;
       }
       const std::uint32_t type = this->Number();
-      this->Number(); // whether it is linear, and nothing
+      this->Number(); // linearity flag and reserved bytes
       const std::int64_t x = this->SignedNumber(), y = this->SignedNumber();
       if (type > 2 || x < 1 || y < 1)
       {
         Refuse("a channel of its header has no type or no sampling");
       }
-      // Of subsampled channels: not more than this.
+      // Subsampled channels count as 0, which keeps PixelBytes a lower bound.
       part.PixelBytes += x * y > 1 ? 0 : (type == 1 ? 2 : 4);
     }
     return false;

@@ -1,5 +1,5 @@
-// What the headers of an EXR file claim, held against the size of the file before OpenEXR allocates
-// what they ask for. It knows the layout of headers, not what the many attributes mean.
+// Validates the sizes in the headers of an EXR file against the file size before OpenEXR allocates
+// memory. The scan knows the layout of headers, not the meaning of most attributes.
 
 #ifndef EXRHeaderScan_h
 #define EXRHeaderScan_h
@@ -9,16 +9,15 @@
 namespace activesurface
 {
 
-// Throws an FileError with a sentence unless the stream begins with the headers of an EXR file
-// whose windows, tiles, tables and attributes could be in a file of its size. Leaves it at its
-// beginning.
+// Throws a FileError, with a sentence, unless the stream begins with valid EXR headers. Windows,
+// tiles, tables and attributes have to fit into a file of this size. Rewinds the stream.
 void CheckEXRHeaders(EXRInput& input);
 
-// In how many lines at a time OpenEXR packs an image of scan lines: one chunk. By the number that
-// the header has for the compression.
+// Lines of a scan-line image that OpenEXR packs into one chunk, by the compression's number in the
+// header.
 int CountLinesOfChunk(unsigned compression);
 
-// Whether these are the first bytes of an EXR file.
+// Returns true if the stream begins with the first bytes of an EXR file.
 bool IsEXR(std::istream& stream);
 
 }

@@ -14,7 +14,7 @@ struct SplitName
   std::string Layer, Component;
 };
 
-// At the last dot; a channel without one, or that begins or ends with it, is no part of a layer.
+// Splits a name at the last dot. A name without a dot, or with the dot at either end, has no layer.
 SplitName Split(const std::string& channel)
 {
   const std::size_t dot = channel.rfind('.');
@@ -25,12 +25,12 @@ SplitName Split(const std::string& channel)
   return { channel.substr(0, dot), channel.substr(dot + 1) };
 }
 
-// The sets of components that make one array, in its order; numbers are another.
+// Sets of components that form one array, in the array's order. Numbered components form another.
 const std::vector<std::vector<std::string>> ComponentSets = { { "R", "G", "B", "A" },
   { "R", "G", "B" }, { "r", "g", "b", "a" }, { "r", "g", "b" }, { "X", "Y", "Z" },
   { "x", "y", "z" }, { "u", "v" }, { "U", "V" } };
 
-// Those of a layer that are not yet part of an array: their types by their components.
+// Channels of a layer that are not yet part of an array: type by component.
 using Waiting = std::map<std::string, EXRPixel>;
 
 bool Has(const Waiting& waiting, const std::vector<std::string>& components)
@@ -47,7 +47,7 @@ bool Has(const Waiting& waiting, const std::vector<std::string>& components)
   return true;
 }
 
-// "0", "1" ... up to what there is; with leading zeros where there are more than ten.
+// "0", "1" ... `count` numbers, with leading zeros if there are more than ten.
 std::vector<std::string> MakeNumbers(std::size_t count)
 {
   const std::size_t digits = std::to_string(count - 1).size();
@@ -91,7 +91,7 @@ void GroupLayer(const std::string& layer, Waiting waiting, std::vector<EXRLayer>
   for (const std::vector<std::string>& names : ComponentSets)
   {
     const bool picture = names.front() == "R";
-    // Without a layer, X, Y, Z are three images.
+    // Without a layer, X, Y and Z are three images.
     if ((!layer.empty() || picture) && Has(waiting, names))
     {
       layers.push_back(Take(waiting, layer, names));

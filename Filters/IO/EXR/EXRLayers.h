@@ -1,5 +1,5 @@
-// How channels of EXR files and arrays of VTK bear each other's names: OpenEXR's convention of
-// layers, in which `N.X` is component X of layer N, and R, G, B, A are the picture itself.
+// Maps names of EXR channels to names of VTK arrays by OpenEXR's convention of layers. In it, `N.X`
+// is component X of layer N, and R, G, B, A are the picture itself.
 
 #ifndef EXRLayers_h
 #define EXRLayers_h
@@ -17,12 +17,12 @@ enum class EXRPixel
   FLOAT = 2
 };
 
-// Channels that become the components of one array. All are UINT, or none is.
+// Channels that become the components of one array: all UINT, or none.
 struct EXRLayer
 {
   std::string Array;
   std::vector<std::string> Channels;
-  std::vector<std::string> Components; // what follows the dot; empty for an array of one component
+  std::vector<std::string> Components; // text after the dot; empty for an array of one component
   bool Integer = false;
 };
 
@@ -32,13 +32,14 @@ struct EXRNamedPixel
   EXRPixel Type;
 };
 
-// Groups channels, in the order in which arrays are to be shown: the picture first.
+// Groups channels into arrays, in display order: the picture first.
 std::vector<EXRLayer> GroupChannels(const std::vector<EXRNamedPixel>& channels);
 
-// The channels of an array with so many components; `color` where it holds colors.
+// Names the channels of an array with `components` components; `color` if they are colors.
 std::vector<std::string> NameChannels(const std::string& array, int components, bool color);
 
-// Whether a channel may be packed with loss: R, G, B, A or Y, of the picture or of a layer.
+// Returns true for channels that may be packed with loss: R, G, B, A or Y, of the picture or a
+// layer.
 bool IsColorChannel(const std::string& channel);
 
 }

@@ -18,7 +18,7 @@ namespace activesurface
 namespace
 {
 
-// IEC 61966-2-1; below 0 mirrored, above 1 going on.
+// Decodes sRGB (IEC 61966-2-1). The curve is mirrored below 0 and continues above 1.
 double DecodeSRGB(double value)
 {
   const double size = std::abs(value);
@@ -26,7 +26,8 @@ double DecodeSRGB(double value)
   return std::copysign(linear, value);
 }
 
-// What a type makes of a value, and whether that is it, but for rounding of fractions.
+// Converts a value to the sample's type. Returns false if the value does not fit; rounding of
+// fractions is accepted.
 template <class Value>
 bool Convert(Value value, float& sample)
 {

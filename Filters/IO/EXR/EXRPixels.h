@@ -1,5 +1,5 @@
-// The components of VTK's arrays as the samples of channels: in place where they are samples
-// already, else converted, and refused where a value does not fit.
+// Provides components of VTK arrays as samples of channels, without a copy if the types agree.
+// Other values are converted; values that do not fit are an error.
 
 #ifndef EXRPixels_h
 #define EXRPixels_h
@@ -17,7 +17,7 @@ class vtkDataArray;
 namespace activesurface
 {
 
-// A channel as it is asked for.
+// Requested channel.
 struct EXRSource
 {
   std::string Channel;
@@ -35,10 +35,10 @@ struct EXRSamples
   EXRPixel Type = EXRPixel::FLOAT;
   const char* First = nullptr;
   std::size_t Stride = 0;      // bytes
-  std::vector<char> Converted; // what First points to, unless that is the array itself
+  std::vector<char> Converted; // converted samples if First does not point into the array
 };
 
-// Throws FileError if a value does not fit into the type. The source has to live as long.
+// Throws FileError if a value does not fit into the type. The source has to outlive the samples.
 EXRSamples MakeSamples(const EXRSource& source);
 
 }

@@ -27,7 +27,8 @@ bool IsInteger(const vtkDataArray* array)
   return type != VTK_FLOAT && type != VTK_DOUBLE;
 }
 
-// Colors: by their name, or integers of 8 or 16 bits in threes and fours, as pictures have them.
+// Returns true for colors: arrays named RGB or RGBA, and integers of 8 or 16 bits with 3 or 4
+// components.
 bool IsColor(vtkDataArray* array, const std::string& name)
 {
   const int components = array->GetNumberOfComponents(), type = array->GetDataType();
@@ -106,7 +107,7 @@ std::vector<EXRSource> PlanRequested(vtkPointData* data, const EXRChoices& choic
 void PlanArray(
   vtkDataArray* array, bool scalars, const EXRChoices& choices, std::vector<EXRSource>& sources)
 {
-  // Pictures of other readers and of windows bear names such as PNGImage and ImageScalars.
+  // Arrays of other readers and of windows have names such as PNGImage and ImageScalars.
   const bool picture = scalars && array->GetName() && IsColor(array, array->GetName());
   if (!array->GetName() || !*array->GetName())
   {

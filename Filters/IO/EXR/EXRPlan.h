@@ -1,4 +1,4 @@
-// Which channels a file gets from the arrays of an image, and of which types.
+// Chooses the channels of a file, and their types, from the arrays of an image.
 
 #ifndef EXRPlan_h
 #define EXRPlan_h
@@ -19,15 +19,15 @@ struct EXRChannelRequest
   std::string Channel;
 };
 
-// What the user asks for.
+// Choices of the user.
 struct EXRChoices
 {
-  std::vector<EXRChannelRequest> Channels; // an array that is in here is left out of the rule
+  std::vector<EXRChannelRequest> Channels; // replace the rule for the arrays that they name
   std::map<std::string, EXRPixel> Types;   // by array
   bool FromSRGB = false;
 };
 
-// All channels, sorted by name. Throws FileError if two have one name, or there is none.
+// All channels, sorted by name. Throws FileError if two have the same name, or there is none.
 std::vector<EXRSource> PlanChannels(vtkImageData* image, const EXRChoices& choices);
 
 }

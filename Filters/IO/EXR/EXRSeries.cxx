@@ -21,13 +21,13 @@ namespace activesurface
 namespace
 {
 
-// Bytes as a stream, without a copy.
+// Stream over bytes in memory, without a copy.
 class MemoryBuffer : public std::streambuf
 {
 public:
   explicit MemoryBuffer(const EXRMemory& memory)
   {
-    char* begin = const_cast<char*>(memory.Bytes); // streambuf knows no const; it is only read
+    char* begin = const_cast<char*>(memory.Bytes); // streambuf lacks const; only read
     this->setg(begin, begin, begin + memory.Size);
   }
 
@@ -77,8 +77,8 @@ double CountPixels(const EXRExtent& extent)
     (static_cast<double>(extent[3]) - extent[2] + 1);
 }
 
-// What reading takes: the pixels, the samples of channels that have fewer, and a chunk as it is
-// packed, unpacked and in between.
+// Bytes needed to read: the pixels, the samples of subsampled channels, and a chunk in packed,
+// unpacked and intermediate form.
 double CountBytes(const EXRPart& part, const std::vector<EXRLayer>& layers, const EXRExtent& extent)
 {
   constexpr double bytesOfPixel = 4.0;
@@ -115,7 +115,7 @@ vtkSmartPointer<vtkDataArray> MakeArray(const EXRLayer& layer, vtkIdType pixels)
   return array;
 }
 
-// Two layers may ask for one name, as a channel N beside N.X, N.Y and N.Z: the later is numbered.
+// Appends a number to the second of two equal names, as of a channel N and the layer N.X, N.Y, N.Z.
 void AddUnderOwnName(vtkDataArray* array, vtkPointData* data)
 {
   const std::string name = array->GetName();

@@ -1,4 +1,4 @@
-// The files that a reader reads, as time steps, and where their pixels go in an image.
+// Reads the files of a series as time steps into images.
 
 #ifndef EXRSeries_h
 #define EXRSeries_h
@@ -13,18 +13,18 @@ class vtkImageData;
 namespace activesurface
 {
 
-// Bytes that hold a file, in place of one.
+// A file's contents in memory, used in place of a file.
 struct EXRMemory
 {
   const char* Bytes = nullptr;
   std::size_t Size = 0;
 };
 
-// Calls read(file) with an open file; throws FileError with a sentence that names it.
+// Calls read(file) with an open file. Throws FileError with a sentence that names the file.
 void WithEXRFile(
   const std::string& name, const EXRMemory& memory, const std::function<void(EXRFile&)>& read);
 
-// Which channels are wanted: all but these, or, with All false, these only.
+// Selected channels: all except Exceptions or, if All is false, only these.
 struct EXRSelection
 {
   bool All = true;
@@ -36,18 +36,18 @@ struct EXRSelection
   }
 };
 
-// What a file has to offer of one part, or an FileError: it is not there, or deep.
+// Returns a part of a file. Throws FileError if the part does not exist or has deep data.
 const EXRPart& FindEXRPart(const EXRFile& file, std::size_t part);
 
-// The layers of a part that are wanted. An FileError if there are none.
+// Returns the selected layers of a part. Throws FileError if there are none.
 std::vector<EXRLayer> FindEXRLayers(const EXRPart& part, const EXRSelection& selection);
 
-// Fills an empty image: the layers of a part over an extent, which need not be that of the data
-// window, and the attributes as field data. An FileError if it takes more bytes than the limit.
+// Fills an empty image: point arrays from the layers, field data from the attributes. The extent
+// may differ from the data window. Throws FileError if more than `limit` bytes are needed.
 void ReadEXRImage(EXRFile& file, std::size_t part, const EXRSelection& selection,
   const EXRExtent& extent, double limit, vtkImageData* image);
 
-// The smallest extent that covers both.
+// Smallest extent that covers both extents.
 EXRExtent UniteExtents(const EXRExtent& a, const EXRExtent& b);
 
 }

@@ -1,5 +1,5 @@
-// Where OpenEXR reads from and writes to: streams that know their size, and tell every error. (Its
-// own output stream does not tell those of the last bytes, which are written when it closes.)
+// Streams for OpenEXR that know their size and report every error. OpenEXR's own output stream
+// ignores errors of the last bytes, which are written when it closes.
 
 #ifndef EXRStreams_h
 #define EXRStreams_h
@@ -17,7 +17,7 @@ namespace activesurface
 class EXRInput : public Imf::IStream
 {
 public:
-  // The stream is the caller's and has to live as long.
+  // The caller owns the stream, which has to outlive this object.
   EXRInput(std::istream& stream, const std::string& name);
 
   bool read(char bytes[], int count) override;
@@ -26,7 +26,7 @@ public:
   void clear() override { this->Stream.clear(); }
 
   std::uint64_t GetSize() const { return this->Size; }
-  // Whether more was asked for than there is.
+  // Returns true if a read reached beyond the end.
   bool HasEndedEarly() const { return this->EndedEarly; }
 
 private:
@@ -39,7 +39,7 @@ private:
 class EXROutput : public Imf::OStream
 {
 public:
-  // Makes the file, or throws an FileError.
+  // Creates the file. Throws FileError on failure.
   explicit EXROutput(const std::string& name);
   ~EXROutput() override;
 
@@ -47,9 +47,9 @@ public:
   std::uint64_t tellp() override { return this->Position; }
   void seekp(std::uint64_t position) override;
 
-  // Throws an FileError unless every byte has reached the file.
+  // Throws FileError unless every byte has reached the file.
   void Close();
-  // The error that has stopped the writing, 0 if there was none.
+  // The error that stopped the writing; 0 if there was none.
   int GetErrorNumber() const { return this->ErrorNumber; }
 
 private:

@@ -59,7 +59,7 @@ struct Windows
   Imath::Box2i Data, Display;
 };
 
-// Rows go down from the top of the display window.
+// Rows run downward from the top of the display window.
 Windows MakeWindows(const EXRHeaderSettings& settings)
 {
   const auto& extent = settings.Extent;
@@ -130,7 +130,7 @@ void CheckLoss(const EXRHeaderSettings& settings, const std::vector<EXRSource>& 
   }
 }
 
-// The rows of an array go up, those of the file down.
+// Rows of an array run upward, rows of the file downward.
 Imf::Slice MakeSlice(const EXRSamples& samples, const Imath::Box2i& window)
 {
   const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(samples.Stride);
@@ -155,7 +155,7 @@ void WriteByOpenEXR(
   file.writePixels(window.max.y - window.min.y + 1);
 }
 
-// OpenEXR from 3.2 on packs with libdeflate and by several threads itself.
+// OpenEXR from 3.2 on packs with libdeflate and several threads itself.
 void WriteChannels(
   EXROutput& output, const Imf::Header& header, const std::vector<EXRSamples>& channels, int level)
 {
@@ -186,7 +186,7 @@ void WritePixels(
   WriteChannels(output, header, channels, settings.Level);
 }
 
-// Calls what touches the file's name, and tells its errors as ours.
+// Calls an action on the file's name and converts exceptions to FileError.
 template <class Action>
 auto WithName(const Action& action)
 {

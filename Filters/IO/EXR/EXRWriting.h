@@ -1,4 +1,4 @@
-// An EXR file as it is written: whole or not at all.
+// Writes an EXR file completely or not at all.
 
 #ifndef EXRWriting_h
 #define EXRWriting_h
@@ -22,7 +22,7 @@ enum class EXRPacking
   DWAA = 4
 };
 
-// A matrix as VTK has it, row by row; not written unless Set.
+// A matrix in VTK's convention, row by row. Not written unless Set.
 struct EXRMatrix
 {
   bool Set = false;
@@ -43,7 +43,8 @@ struct EXRHeaderSettings
   std::map<std::string, double> Numbers;
 };
 
-// Throws FileError with what follows "Cannot write the file: "; a file that was there stays then.
+// Throws FileError whose text follows "Cannot write the file: ". On failure an existing file is
+// kept.
 void WriteEXR(const std::string& name, const EXRHeaderSettings& settings,
   const std::vector<EXRSource>& sources);
 

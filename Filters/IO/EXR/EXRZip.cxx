@@ -37,7 +37,7 @@ struct Chunk
   Bytes Packed;
 };
 
-// What all chunks are made of.
+// Input shared by all chunks.
 struct Pixels
 {
   const std::vector<EXRSamples>& Channels;
@@ -66,7 +66,7 @@ std::size_t SizeOf(const EXRSamples& channel)
   return channel.Type == EXRPixel::HALF ? 2 : 4;
 }
 
-// Row by row from the top, in each one channel after the other.
+// Collects rows from the top, in each row one channel after the other.
 void Gather(const Pixels& pixels, int top, int bottom, Bytes& raw)
 {
   std::size_t pixelBytes = 0;
@@ -88,8 +88,8 @@ void Gather(const Pixels& pixels, int top, int bottom, Bytes& raw)
   }
 }
 
-// As OpenEXR prepares bytes for deflate: those of even places before those of odd ones, then each
-// as its difference from the one before, with 128 for none.
+// Prepares bytes for deflate as OpenEXR does: even positions first, then odd ones. Each byte is
+// replaced by its difference from the previous byte, plus 128.
 void Prepare(const Bytes& raw, Bytes& split, Bytes& prepared)
 {
   const std::size_t size = raw.size(), half = (size + 1) / 2;
@@ -113,7 +113,7 @@ void Prepare(const Bytes& raw, Bytes& split, Bytes& prepared)
 
 using Compressor = std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)>;
 
-// What does not become smaller is stored as it is.
+// Packs a chunk. A chunk that does not become smaller is stored unpacked.
 void Pack(libdeflate_compressor* compressor, const Bytes& prepared, Bytes& raw, Bytes& packed)
 {
   packed.resize(raw.size());

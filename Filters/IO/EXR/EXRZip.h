@@ -1,6 +1,6 @@
-// Files of scan lines packed as ZIP or ZIPS: the format of OpenEXR's own writer, written by
-// libdeflate, which packs about twice as fast as the zlib of OpenEXR 3.1 and smaller, and by all
-// threads. The bytes do not depend on how many there are.
+// Writes scan-line files with ZIP or ZIPS compression, in the format of OpenEXR's own writer.
+// libdeflate packs with all threads, about twice as fast as the zlib of OpenEXR 3.1, and smaller.
+// The bytes do not depend on the number of threads.
 
 #ifndef EXRZip_h
 #define EXRZip_h
@@ -13,11 +13,11 @@
 namespace activesurface
 {
 
-// Whether the header's compression is one of the two.
+// Returns true if the header's compression is ZIP or ZIPS.
 bool IsZipped(const Imf::Header& header);
 
-// Writes all of a file. The channels are the header's, sorted by name, their rows from below;
-// level: effort, 1 to 9. Throws FileError.
+// Writes a whole file. The channels are the header's, sorted by name, with rows from below. level:
+// effort, 1 to 9. Throws FileError.
 void WriteZipped(
   EXROutput& output, Imf::Header header, const std::vector<EXRSamples>& channels, int level);
 

@@ -1,4 +1,4 @@
-// Values of VTK's arrays as OpenVDB has them.
+// Converts values of VTK arrays to OpenVDB types.
 
 #ifndef ArrayValues_h
 #define ArrayValues_h
@@ -30,7 +30,7 @@ Value GetValue(vtkDataArray* array, vtkIdType tuple)
   }
   else if constexpr (sizeof(Element) == sizeof(vtkTypeInt64) && std::is_integral<Element>::value)
   {
-    return array->GetVariantValue(tuple).ToTypeInt64(); // more digits than a double has
+    return array->GetVariantValue(tuple).ToTypeInt64(); // exceeds a double's digits
   }
   else
   {
@@ -38,8 +38,8 @@ Value GetValue(vtkDataArray* array, vtkIdType tuple)
   }
 }
 
-// Calls function(zero) with a zero of the type of a grid that holds the array's values without
-// loss, integers as 32 or 64 bits. Throws std::invalid_argument if there is none.
+// Calls function(zero) with a zero of the value type of a grid that stores the array without loss.
+// Integers become 32 or 64 bits. Throws std::invalid_argument if there is no such type.
 template <class Function>
 void DispatchValues(vtkDataArray* array, Function&& function)
 {

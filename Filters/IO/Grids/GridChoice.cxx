@@ -20,7 +20,7 @@ std::string ListNames(const VDBFile& file)
   return names.empty() ? "none" : names;
 }
 
-// The less the better; negative: cannot be read.
+// Preference of a grid: the lowest is best; negative for grids that cannot be read.
 int Rank(const VDBGrid& grid)
 {
   const auto kind = grid.Metadata->getMetadata<openvdb::StringMetadata>("class");
@@ -113,7 +113,7 @@ ImagePlace MakeImagePlace(
   for (int axis = 0; axis < 3; ++axis)
   {
     axes[axis] = { matrix(axis, 0), matrix(axis, 1), matrix(axis, 2) };
-    // Exact along an axis of space.
+    // Exact for axis-aligned vectors.
     const openvdb::Vec3d size = openvdb::math::Abs(axes[axis]);
     const double length =
       size.sum() == openvdb::math::Max(size[0], size[1], size[2]) ? size.sum() : size.length();

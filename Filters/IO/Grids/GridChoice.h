@@ -1,4 +1,4 @@
-// Which grids of a .vdb file are read, and which part of them.
+// Chooses the grids of a .vdb file, and the part of them, to read.
 
 #ifndef GridChoice_h
 #define GridChoice_h
@@ -11,11 +11,12 @@
 namespace activesurface
 {
 
-// By name; without names the most sensible one. Volumes of one transform, or one grid of points.
-// Throws std::invalid_argument, naming what is there.
+// Chooses grids by name or, without names, the best one by class. The choice is volumes of one
+// transform, or one grid of points. Throws std::invalid_argument with a list of the available
+// grids.
 std::vector<VDBGrid> ChooseGrids(const VDBFile& file, const std::vector<std::string>& names);
 
-// Place and size of an image whose points are every so many voxels of a grid.
+// Position and size of an image whose points are every `factor`th voxel of a grid.
 struct ImagePlace
 {
   int Extent[6] = { 0, -1, 0, -1, 0, -1 };
@@ -23,19 +24,19 @@ struct ImagePlace
   double Spacing[3] = { 1.0, 1.0, 1.0 };
   double Direction[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
 
-  double CountPoints() const; // no integer: it may be absurd
+  double CountPoints() const; // as a double: the count may exceed any integer
 };
 
-// Throws std::invalid_argument for a transform that is no rotation and scale.
+// Throws std::invalid_argument for a transform that is not a rotation and scale.
 ImagePlace MakeImagePlace(
   const openvdb::math::Transform& transform, const openvdb::CoordBBox& box, int factor);
 
-// A box in index coordinates (x min, x max...). Throws std::invalid_argument for one that is empty
-// or beyond 2^30.
+// Box in index coordinates (x min, x max...). Throws std::invalid_argument for an empty box or one
+// beyond 2^30.
 openvdb::CoordBBox FindVoxels(const int region[6]);
 
-// Voxels that cover a box in space (x min, x max...). Throws std::invalid_argument for one that is
-// empty, not finite or too far away.
+// Voxels that cover a box in world space (x min, x max...). Throws std::invalid_argument for a box
+// that is empty, not finite or too far away.
 openvdb::CoordBBox FindVoxels(const openvdb::math::Transform& transform, const double bounds[6]);
 
 }

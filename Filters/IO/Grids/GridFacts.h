@@ -1,4 +1,5 @@
-// What is known of a grid in a .vdb file without reading it. Of null, no grid: nothing.
+// Facts of a grid in a .vdb file that are available without reading the grid. A null grid yields
+// defaults.
 
 #ifndef GridFacts_h
 #define GridFacts_h
@@ -10,15 +11,15 @@
 namespace activesurface
 {
 
-// "level set", "fog volume", ...; "unknown" where the file does not say.
+// "level set", "fog volume", ...; "unknown" if the file has no class.
 const char* GetGridClass(const VDBGrid* grid);
 
-// First and last active voxel on each axis; 0, -1 if there is none.
+// First and last active voxel on each axis; 0, -1 if no voxel is active.
 void GetActiveBox(const VDBGrid* grid, int box[6]);
 
 void GetVoxelSize(const VDBGrid* grid, double size[3]);
 
-// Of one name as text; empty if there is none. All of them as lines.
+// The value of one name as text, empty if it does not exist; all values as lines.
 std::string GetMetadata(const openvdb::MetaMap* metadata, const std::string& name);
 std::string GetAllMetadata(const openvdb::MetaMap* metadata);
 

@@ -29,7 +29,7 @@ vtkSmartPointer<vtkDataArray> Fill(const Grid& grid, const int extent[6], int fa
 {
   using Value = typename Grid::ValueType;
   using Element = typename openvdb::VecTraits<Value>::ElementType;
-  // Not of bool: whatever is in a file becomes 0 or 1.
+  // bool is stored as unsigned char: any byte of a file becomes 0 or 1.
   using Stored = std::conditional_t<std::is_same<Value, bool>::value, unsigned char, Value>;
   constexpr int components = openvdb::VecTraits<Value>::Size;
   vtkSmartPointer<vtkDataArray> array;
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkDataArray> Fill(const Grid& grid, const int extent[6], int fa
   return array;
 }
 
-// Points out the grid that is one of these types.
+// Calls Fill with the grid's actual type, if it is one of these types.
 template <class Grid, class... Others>
 vtkSmartPointer<vtkDataArray> Dispatch(
   const openvdb::GridBase& grid, const int extent[6], int factor)

@@ -1,4 +1,4 @@
-// Grids as point arrays of images.
+// Converts grids to point arrays of images.
 
 #ifndef ImageArrays_h
 #define ImageArrays_h
@@ -11,8 +11,8 @@ class vtkDataArray;
 namespace activesurface
 {
 
-// The values at the nodes of an extent, every `factor`th of the grid's. Throws
-// std::invalid_argument for a grid of another type than numbers and vectors.
+// Returns the values of every `factor`th voxel in an extent. Throws std::invalid_argument for grids
+// of other types than numbers and vectors.
 vtkSmartPointer<vtkDataArray> MakeImageArray(
   const openvdb::GridBase& grid, const int extent[6], int factor);
 

@@ -42,7 +42,7 @@ openvdb::GridBase::Ptr Copy(vtkImageData* image, vtkDataArray* array, const Valu
   const openvdb::tools::Dense<Value, openvdb::tools::LayoutXYZ> dense(GetBox(image), values.data());
   auto grid = openvdb::Grid<Tree>::create(background);
   openvdb::tools::copyFromDense(dense, *grid, openvdb::zeroVal<Value>());
-  // It takes what is no number for the background.
+  // copyFromDense treats NaN as background, so these values are set here.
   auto accessor = grid->getAccessor();
   for (std::size_t i = 0; i < values.size(); ++i)
   {
@@ -54,7 +54,7 @@ openvdb::GridBase::Ptr Copy(vtkImageData* image, vtkDataArray* array, const Valu
   return grid;
 }
 
-// Not active beyond the band; a value that is no number stays.
+// Makes a level set whose values beyond the band are inactive. NaN is kept.
 openvdb::GridBase::Ptr CopyLevelSet(vtkImageData* image, vtkDataArray* array)
 {
   const double* spacing = image->GetSpacing();

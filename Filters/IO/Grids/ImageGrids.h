@@ -1,4 +1,4 @@
-// The point arrays of a vtkImageData as grids.
+// Converts the point arrays of a vtkImageData to grids.
 
 #ifndef ImageGrids_h
 #define ImageGrids_h
@@ -11,13 +11,13 @@ class vtkImageData;
 namespace activesurface
 {
 
-// Places the index coordinates of an image's points. Throws std::invalid_argument where they have
-// no place.
+// Transform from index coordinates to an image's points. Throws std::invalid_argument if a spacing
+// is 0 or too small.
 openvdb::math::Transform::Ptr MakeImageTransform(vtkImageData* image);
 
-// Values are active where they are not the background, which is 0. For a level set, which has to be
-// of one component on cubic voxels, it is 3 voxels, and what is beyond is clamped. Throws
-// std::invalid_argument for arrays that do not fit.
+// Returns a grid whose active values are those that differ from the background, 0. A level set
+// needs one component and cubic voxels. Its background is 3 voxels, and values beyond are clamped.
+// Throws std::invalid_argument for arrays that do not fit.
 openvdb::GridBase::Ptr MakeImageGrid(
   vtkImageData* image, vtkDataArray* array, openvdb::GridClass kind);
 

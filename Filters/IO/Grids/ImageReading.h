@@ -1,4 +1,4 @@
-// The chosen volumes of a .vdb file as an image.
+// Reads the chosen volumes of a .vdb file as an image.
 
 #ifndef ImageReading_h
 #define ImageReading_h
@@ -15,9 +15,9 @@ namespace activesurface
 struct ImageRequest
 {
   openvdb::CoordBBox Box;     // voxels
-  bool IsPart = false;        // other than the box of the active voxels
-  int DownsamplingFactor = 1; // every so many voxels are read
-  bool IsDense = true;        // else a level set is attached alone, without point arrays
+  bool IsPart = false;        // true if Box is not the box of the active voxels
+  int DownsamplingFactor = 1; // stride in voxels
+  bool IsDense = true;        // false: only attaches a level set, without point arrays
   vtkIdType MaximumNumberOfPoints = 0;
 };
 

@@ -1,4 +1,4 @@
-// Triangles in the coordinates of a lattice [voxels].
+// Triangle mesh in lattice coordinates [voxels].
 
 #ifndef LatticeMesh_h
 #define LatticeMesh_h

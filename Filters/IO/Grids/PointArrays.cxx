@@ -40,7 +40,7 @@ std::int64_t CountPoints(const Leaf& leaf)
   return leaf.getValue(openvdb::Index(Leaf::SIZE - 1));
 }
 
-// Whether all arrays have a value for each point of the leaf, and offsets that ascend.
+// Validates that each array has one value per point of the leaf and that the offsets ascend.
 void Check(const Leaf& leaf)
 {
   leaf.validateOffsets();
@@ -170,7 +170,7 @@ vtkSmartPointer<vtkAbstractArray> MakeArray(
   return array;
 }
 
-// Doubles have too few digits for them.
+// Specialised because doubles have too few digits for 64-bit integers.
 template <>
 vtkSmartPointer<vtkAbstractArray> MakeArray<openvdb::Int64>(
   const Leaves& leaves, std::size_t attribute, std::int64_t count)
@@ -250,7 +250,7 @@ void AddAttributes(const Leaves& leaves, std::int64_t count, vtkPointData* data)
   }
 }
 
-// 1 for the points that belong to a group.
+// Adds an array for each group: 1 for its points, else 0.
 void AddGroups(const Leaves& leaves, std::int64_t count, vtkPointData* data)
 {
   for (const auto& group : leaves.front()->attributeSet().descriptor().groupMap())

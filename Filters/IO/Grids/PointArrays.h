@@ -1,4 +1,4 @@
-// The points of a .vdb file as poly data.
+// Reads the points of a .vdb file as poly data.
 
 #ifndef PointArrays_h
 #define PointArrays_h
@@ -12,8 +12,8 @@ class vtkPolyData;
 namespace activesurface
 {
 
-// Throws std::invalid_argument for a grid of no points, std::runtime_error for more points than the
-// maximum, or a damaged grid.
+// Throws std::invalid_argument for a grid of another kind. Throws std::runtime_error for more
+// points than `maximum` or a damaged grid.
 void ReadPoints(const openvdb::GridBase& grid, std::int64_t maximum, vtkPolyData* data);
 
 }

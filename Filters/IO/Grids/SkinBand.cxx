@@ -28,7 +28,7 @@ struct Nearest
   Vec3d Foot;
 };
 
-// The triangles by the voxels that they are in, as skins have them: none is larger than a voxel.
+// Lookup of triangles by voxel. Triangles of skins are not larger than a voxel.
 class TrianglesOfVoxels
 {
 public:
@@ -51,7 +51,7 @@ public:
 
   using Reader = openvdb::tree::ValueAccessor<const openvdb::Int32Tree>;
 
-  // Takes a triangle if it is nearer.
+  // Replaces the nearest triangle if this one is nearer.
   void Try(std::int32_t triangle, const Vec3d& node, Nearest& nearest) const
   {
     const auto& t = this->Mesh.Triangles[triangle];
@@ -65,7 +65,7 @@ public:
     }
   }
 
-  // Of the voxels in a box, as far as they come that near.
+  // Tries the triangles of the voxels in a box that are nearer than the current distance.
   void TryBox(Reader& first, const Coord& lower, const Coord& upper, const Vec3d& node,
     Nearest& nearest) const
   {
@@ -88,7 +88,7 @@ public:
     }
   }
 
-  // Goes on from a triangle to nearer ones beside it.
+  // Moves to nearer triangles around the foot point until there are none.
   void Descend(Reader& first, const Vec3d& node, Nearest& nearest) const
   {
     Coord last = Coord::max();
@@ -100,7 +100,7 @@ public:
     }
   }
 
-  // From a coordinate to a voxel along one axis.
+  // Squared distance of a coordinate from a voxel along one axis.
   static double SquareOfGap(int voxel, double x)
   {
     const double gap = std::max({ voxel - x, x - voxel - 1.0, 0.0 });
@@ -115,7 +115,7 @@ private:
 
 using Layer = std::vector<Coord>;
 
-// The corners of the voxels that have triangles.
+// Corners of the voxels that contain triangles.
 Layer FindFirstLayer(const openvdb::Int32Tree& voxels)
 {
   openvdb::MaskTree nodes;
@@ -135,7 +135,7 @@ Layer FindFirstLayer(const openvdb::Int32Tree& voxels)
   return layer;
 }
 
-// From one layer of nodes to the next, until they are beyond the band.
+// Grows layers of nodes from the surface to the edge of the band.
 class Growth
 {
 public:
@@ -202,7 +202,7 @@ private:
     }
   }
 
-  // Those of the nodes that belong to the band.
+  // Stores the nodes of a layer that belong to the band and returns them.
   Layer Take(const Layer& layer, const std::vector<Nearest>& found)
   {
     const openvdb::FloatGrid::ConstPtr band = GetPotential(this->Band);
@@ -223,7 +223,7 @@ private:
     return taken;
   }
 
-  // The nodes beside them that are not known yet.
+  // Returns the neighbours of the layer's nodes that have no distance yet.
   Layer Grow(const Layer& layer)
   {
     auto known = this->Result.Triangles->getConstUnsafeAccessor();
@@ -248,7 +248,7 @@ private:
   const NarrowBand& Band;
   const TrianglesOfVoxels& Triangles;
   MeshBand& Result;
-  openvdb::MaskTree Seen; // nodes that were looked at, after the first layer
+  openvdb::MaskTree Seen; // visited nodes, except those of the first layer
 };
 
 template <class Number>

@@ -1,9 +1,9 @@
-// A NarrowBand's surface as true distances to the triangles of its skin.
+// Computes exact distances from lattice nodes to the triangles of a NarrowBand's skin.
 //
-// The potential keeps a slope of its own; here it gives the sign only. The nearest triangle of a
-// node is looked for from those of its neighbours that are nearer to the surface, by going on to
-// nearer triangles beside the foot of the perpendicular until there is none. Each layer of nodes
-// needs the one before alone, so the result does not depend on the number of threads.
+// The potential is no exact distance and provides only the sign. A node's search begins at the
+// nearest triangles of its neighbours nearer to the surface. The search moves to nearer triangles
+// around the foot point until there are none. Each layer of nodes depends only on the previous
+// layer, so the result does not depend on the number of threads.
 
 #ifndef SkinBand_h
 #define SkinBand_h
@@ -15,10 +15,10 @@ namespace activesurface
 
 class NarrowBand;
 
-// On the lattice of the band, whose nodes have the same coordinates.
+// Returns the skin on the band's lattice, in the same coordinates.
 LatticeMesh MakeSkinMesh(const NarrowBand& band);
 
-// The mesh is that of MakeSkinMesh.
+// The mesh has to be that of MakeSkinMesh.
 MeshBand MakeSkinBand(const NarrowBand& band, const LatticeMesh& mesh);
 
 }

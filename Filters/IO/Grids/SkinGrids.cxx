@@ -26,7 +26,7 @@ namespace
 
 using openvdb::Vec3d;
 
-// Of the corners of a triangle, at its point that is nearest to a node.
+// Barycentric weights of the triangle's point nearest to a node.
 Vec3d FindWeights(const LatticeMesh& mesh, std::int32_t triangle, const openvdb::Coord& node)
 {
   const auto& t = mesh.Triangles[triangle];
@@ -50,7 +50,7 @@ Value Blend(const Value corner[3], Vec3d weights, std::false_type)
   return corner[std::max_element(first, first + 3) - first];
 }
 
-/** In parallel. Not OpenVDB's LeafManager, which takes a second to compile for each type. */
+/** Visits leaves in parallel. OpenVDB's LeafManager takes a second to compile for each type. */
 template <class Tree, class Function>
 void ForEachLeaf(Tree& tree, Function function)
 {
@@ -90,7 +90,7 @@ openvdb::GridBase::Ptr Spread(vtkDataArray* array, const LatticeMesh& mesh, cons
 
 openvdb::FloatGrid::Ptr MakeSurfaceGrid(const MeshBand& band, double voxelSize)
 {
-  constexpr double smallest = 2e-5; // where the determinant counts as 0
+  constexpr double smallest = 2e-5; // OpenVDB treats smaller determinants as 0
   if (!(voxelSize >= smallest))
   {
     std::ostringstream text;

@@ -1,4 +1,4 @@
-// What a vtkActiveVDBWriter puts into a file: the grids that a data object becomes.
+// Converts a data object to the grids that a vtkActiveVDBWriter writes.
 
 #ifndef VDBContent_h
 #define VDBContent_h
@@ -38,7 +38,7 @@ public:
   {
   }
 
-  // Throws std::invalid_argument, with a sentence, for data that cannot become what was chosen.
+  // Throws std::invalid_argument, with a sentence, for data that cannot become the chosen grids.
   void Add(vtkDataObject* data);
 
   const openvdb::GridPtrVec& GetGrids() const { return this->Grids; }
@@ -50,7 +50,7 @@ private:
   void AddSurface(
     const LatticeMesh& mesh, const MeshBand& band, double voxelSize, vtkPointData* arrays);
   void AddArrays(const LatticeMesh& mesh, const MeshBand& band, vtkPointData* arrays);
-  // All grids so far.
+  // Translates all grids added so far.
   void MoveBy(const std::array<double, 3>& offset);
   void AddImage(vtkImageData* image);
   void Add(const openvdb::GridBase::Ptr& grid);

@@ -62,7 +62,7 @@ void WriteVDB(const std::string& file, const openvdb::GridPtrVec& grids,
     out.setCompression(compression);
     out.write(grids, metadata);
     out.close();
-    ValidateVDB(replacement.GetTemporaryName()); // OpenVDB does not tell of a full disk
+    ValidateVDB(replacement.GetTemporaryName()); // OpenVDB does not report a full disk
     replacement.Finish();
   }
   catch (const std::exception& error)

@@ -1,4 +1,4 @@
-// A .vdb file that is written whole, checked, or not at all.
+// Writes a validated .vdb file completely or not at all.
 
 #ifndef VDBOutput_h
 #define VDBOutput_h
@@ -10,8 +10,8 @@
 namespace activesurface
 {
 
-// compression: OpenVDB's flags. The metadata are those of the file and of each grid. Throws
-// FileError; a file that was there before then is still.
+// Writes grids; `metadata` is added to the file and to each grid. compression: OpenVDB's flags.
+// Throws FileError and keeps an existing file.
 void WriteVDB(const std::string& file, const openvdb::GridPtrVec& grids,
   const openvdb::MetaMap& metadata, std::uint32_t compression);
 

@@ -12,7 +12,7 @@ namespace activesurface
 namespace
 {
 
-// NaN if it is not there, or no number.
+// Returns NaN if there is no time or it is not a number.
 double GetTime(const openvdb::MetaMap& metadata)
 {
   if (const auto number = metadata.getMetadata<openvdb::DoubleMetadata>("time"))

@@ -1,5 +1,4 @@
-// The .vdb files of a reader, one for each time step: their times, and what is known of the one
-// that was validated last.
+// Series of .vdb files, one for each time step: their times, and the file that was validated last.
 
 #ifndef VDBSeries_h
 #define VDBSeries_h
@@ -16,30 +15,30 @@ namespace activesurface
 class VDBSeries
 {
 public:
-  // Changes when the reader does: then files are validated anew.
+  // Changes when the reader changes; files are then validated again.
   using Version = std::uint64_t;
 
-  // The file's grids, and those of them that the names choose. Throws std::exception if the file
-  // cannot be read.
+  // Opens a file and chooses its grids by name. Throws std::exception if the file cannot be read.
   void Open(const std::vector<std::string>& files, const std::vector<std::string>& gridNames,
     int number, Version version);
   void Close();
 
-  // The times in the files' metadata where they ascend, else their numbers.
+  // Reads the times from the files' metadata. Times that do not ascend are replaced by file
+  // indices.
   void FindTimes(const std::vector<std::string>& files, Version version);
   const std::vector<double>& GetTimes() const { return this->Times; }
-  // The number of the file for a time.
+  // Index of the file for a time.
   int FindFile(double time) const;
 
   const VDBFile& GetFile() const { return this->File; }
   int GetFileNumber() const { return this->FileNumber; }
   const std::string& GetFileName() const { return this->FileName; }
   const std::vector<VDBGrid>& GetChosen() const { return this->Chosen; }
-  // Null if there is none.
+  // Returns null if there is no such grid.
   const VDBGrid* FindGrid(int i) const;
 
   bool IsOfPoints() const;
-  // Box of the chosen grids' active voxels.
+  // Bounding box of the chosen grids' active voxels.
   openvdb::CoordBBox FindActiveBox() const;
 
 private:
