@@ -14,7 +14,7 @@ namespace activesurface
 namespace
 {
 
-// Of its own for each process and each file, so that two writers never share one.
+// Makes a name unique to the process and the file, so that two writers never share a file.
 std::string MakeTemporaryName(const std::string& name)
 {
   static std::atomic<unsigned> count{ 0 };

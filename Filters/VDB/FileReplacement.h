@@ -1,5 +1,5 @@
-// A file that is either written whole or not there: it is written under a temporary name beside it,
-// which becomes its own when all is well.
+// Writes a file completely or not at all: under a temporary name in the same folder, which is
+// renamed on success.
 //
 //   FileReplacement file("a.vdb");
 //   write to file.GetTemporaryName(), throw if that fails
@@ -18,15 +18,15 @@ namespace activesurface
 class ACTIVEVDB_EXPORT FileReplacement
 {
 public:
-  // Throws std::runtime_error if a folder or a device bears the name.
+  // Throws std::runtime_error if the name belongs to a folder or a device.
   explicit FileReplacement(const std::string& name);
 
-  // Unless Finish was called, removes what was written; a file that was there before stays.
+  // Removes the temporary file unless Finish was called; an existing file is kept.
   ~FileReplacement();
 
   const std::string& GetTemporaryName() const { return this->TemporaryName; }
 
-  // Throws std::runtime_error, saying why, if it cannot get its name.
+  // Throws std::runtime_error, with the reason, if the file cannot be renamed.
   void Finish();
 
 private:

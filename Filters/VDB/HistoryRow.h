@@ -1,5 +1,5 @@
 /**
- * What has become of a surface since the time step before.
+ * Measures of a surface at a time step, and changes since the previous step.
  */
 #ifndef HistoryRow_h
 #define HistoryRow_h
@@ -13,15 +13,15 @@ namespace activesurface
 struct HistoryRow
 {
   double Time = 0.0;        //< pipeline time
-  std::size_t Substeps = 0; //< since the row before, as MaxSpeed
-  double MaxSpeed = 0.0;    //< largest speed of attraction
-  double Area = 0.0;        //< of the skin, as the rest
+  std::size_t Substeps = 0; //< since the previous row
+  double MaxSpeed = 0.0;    //< largest speed of attraction since the previous row
+  double Area = 0.0;        //< of the skin
   double Volume = 0.0;
   std::size_t ActiveVoxels = 0;
   int Components = 0;
   int Voids = 0;
   long long EulerCharacteristic = 0;
-  double Outside = 0.0; //< share of the target outside the skin, in [0,1]; NaN: not known
+  double Outside = 0.0; //< fraction of the target outside the skin, in [0,1]; NaN: unavailable
   std::string Event;
 };
 

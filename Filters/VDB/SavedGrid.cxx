@@ -17,9 +17,9 @@ namespace
 
 constexpr const char* TimeName = "active_pipeline_time";
 constexpr const char* HistoryName = "active_history";
-constexpr const char* OutsideName = "active_history_outside"; // not in files before there was one
-constexpr const char* OriginName = "active_origin";           // only where it is not 0
-constexpr const char* SpacingName = "active_spacing";         // only where it was estimated
+constexpr const char* OutsideName = "active_history_outside"; // not in files of older versions
+constexpr const char* OriginName = "active_origin";           // only if it is not 0
+constexpr const char* SpacingName = "active_spacing";         // only if it was estimated
 
 template <class Value>
 Value ReadMetadata(const openvdb::GridBase& grid, const char* name)

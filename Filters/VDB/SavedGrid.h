@@ -1,5 +1,5 @@
 /**
- * The state of a surface at a time step as a grid for files.
+ * Converts the state of a surface at a time step to a grid for files, and back.
  */
 #ifndef SavedGrid_h
 #define SavedGrid_h
@@ -14,11 +14,11 @@ namespace activesurface
 /** Name of the grid. */
 constexpr const char* SavedGridName = "potential";
 
-/** The band's grid (NarrowBandGrid.h) with the rest as metadata: a line for each row, numbers in
- * hexadecimal so that none is rounded. */
+/** Returns the band's grid (NarrowBandGrid.h) with the other values as metadata. The history has
+ * a line for each row. Numbers are hexadecimal, so none is rounded. */
 ACTIVEVDB_EXPORT openvdb::FloatGrid::Ptr MakeSavedGrid(const SavedState& state);
 
-/** Throws std::runtime_error for a grid that is none of those. */
+/** Throws std::runtime_error for a grid that is not a saved state. */
 ACTIVEVDB_EXPORT SavedState ReadSavedGrid(const openvdb::FloatGrid& grid);
 
 }

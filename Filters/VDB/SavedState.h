@@ -1,5 +1,6 @@
 /**
- * The state of a surface at a time step, to go on from. SavedGrid.h makes a grid for files of it.
+ * The state of a surface at a time step, to resume from. SavedGrid.h converts it to a grid for
+ * files.
  */
 #ifndef SavedState_h
 #define SavedState_h
@@ -20,8 +21,8 @@ struct SavedState
   std::shared_ptr<const NarrowBand> Band;
   std::array<double, 3> Origin = {}; //< world position of the band's node (0, 0, 0)
   double Time = 0.0;                 //< pipeline time, of a step
-  std::vector<HistoryRow> History;   //< up to it
-  double Spacing = 0.0;              //< of particles, as it was estimated [length]; 0: it was not
+  std::vector<HistoryRow> History;   //< up to Time
+  double Spacing = 0.0;              //< of particles, estimated [length]; 0: not estimated
 };
 
 }

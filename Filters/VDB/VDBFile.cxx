@@ -130,7 +130,7 @@ void FileValidator::ReadHeader()
       ", and only " + std::to_string(OldestVersion) + " to " +
       std::to_string(openvdb::OPENVDB_FILE_VERSION) + " can be read");
   }
-  this->Source.Skip(2 * sizeof(std::uint32_t)); // of the library
+  this->Source.Skip(2 * sizeof(std::uint32_t)); // version of the library
   this->HasPlaces = this->Source.Read<char>() != 0;
   constexpr int identifier = 36;
   this->Source.Skip(identifier);
@@ -148,7 +148,7 @@ Places FileValidator::ReadDescriptor(VDBGrid& grid)
   grid.Parent = this->Source.ReadText();
   Places places;
   places.Grid = this->Source.Read<std::uint64_t>();
-  this->Source.Skip(sizeof(std::uint64_t)); // of the buffers, which follow the topology
+  this->Source.Skip(sizeof(std::uint64_t)); // position of the buffers, which follow the topology
   places.End = this->Source.Read<std::uint64_t>();
   if (this->HasPlaces &&
     (places.Grid != this->Source.GetPosition() || places.End < places.Grid ||
@@ -170,7 +170,7 @@ void FileValidator::ReadGrid(VDBGrid& grid)
   const VDBMetadata metadata = ReadMetadata(this->Source);
   grid.Metadata = metadata.Values;
   this->ReadTransform(grid);
-  // The reader goes by the metadata, where they contradict the type.
+  // OpenVDB's reader follows the metadata if they contradict the type.
   const openvdb::Metadata::ConstPtr half =
     (*grid.Metadata)[openvdb::GridBase::META_SAVE_HALF_FLOAT];
   if ((half && half->asBool()) != grid.IsHalf)
@@ -202,7 +202,7 @@ void FileValidator::ReadTransform(VDBGrid& grid)
   const auto size = sizes.find(this->Source.ReadText());
   if (size == sizes.end())
   {
-    return; // one of perspective
+    return; // a perspective map
   }
   this->Source.Skip(size->second);
   const std::uint64_t end = this->Source.GetPosition();
@@ -211,7 +211,7 @@ void FileValidator::ReadTransform(VDBGrid& grid)
   grid.Transform = openvdb::math::Transform::createLinearTransform();
   openvdb::io::setCurrentVersion(bytes);
   grid.Transform->read(bytes);
-  // Some of them are stored with their inverse.
+  // Some maps are stored together with their inverse.
   const openvdb::Vec3d node(1.0, 2.0, 3.0);
   const openvdb::Vec3d there = grid.Transform->indexToWorld(node);
   const double miss = (grid.Transform->worldToIndex(there) - node).length();

@@ -3,8 +3,8 @@
  *
  * OpenVDB's reader trusts the file: a flipped bit may make it allocate any amount of memory, loop
  * for hours or read beyond its arrays. Validation checks every size field first, down to the last
- * leaf, without building a tree: it reads all masks and skips the values. A valid file is read
- * without fault, whatever its values. Memory then stays within a few hundred times the file size.
+ * leaf. It builds no tree: it reads all masks and skips the values. A valid file is read without
+ * fault, whatever its values. Memory then stays within a few hundred times the file size.
  */
 #ifndef VDBFile_h
 #define VDBFile_h
@@ -22,18 +22,18 @@ namespace activesurface
 /** A grid of a file. */
 struct ACTIVEVDB_EXPORT VDBGrid
 {
-  std::string Name;       //< several of one name have their number behind it: name[1]
-  std::string UniqueName; //< as OpenVDB has it
+  std::string Name;       //< grids of equal name have an index: name[1]
+  std::string UniqueName; //< in OpenVDB's form
   std::string Type;       //< of the tree
   bool IsHalf = false;
   std::string Parent; //< unique name of the grid whose tree this one shares; else empty
   openvdb::MetaMap::Ptr Metadata;
   openvdb::math::Transform::Ptr Transform; //< null if it is not linear
-  bool IsKnown = false;                    //< whether it can be read
-  bool CanBeClipped = false;               //< whether leaves may be left out
+  bool IsKnown = false;                    //< true if the grid can be read
+  bool CanBeClipped = false;               //< true if leaves may be skipped
 
   ///@{
-  /** 0, and empty, if the grid is not known or its tree was not validated. */
+  /** 0, or empty, if the grid's type is unknown or its tree was not validated. */
   std::uint64_t ActiveVoxels = 0;
   std::uint64_t NumberOfLeaves = 0;
   openvdb::CoordBBox ActiveBox;
@@ -50,15 +50,16 @@ struct VDBFile
 };
 
 /**
- * Validates a file and lists its grids. Without trees only the first bytes are read, where
- * OpenVDB's io::File has written the file. Throws std::runtime_error, with a sentence that names
- * the file, for one that is missing, damaged, or of before OpenVDB 2 (version 222 of the format).
+ * Validates a file and lists its grids. Without trees only the first bytes are read, if OpenVDB's
+ * io::File has written the file. Throws std::runtime_error, with a sentence that names the file,
+ * for a missing or damaged file. The same holds for a file older than OpenVDB 2 (version 222 of the
+ * format).
  */
 ACTIVEVDB_EXPORT VDBFile ValidateVDB(const std::string& file, bool trees = true);
 
 /**
- * Reads a grid of a file that was validated with its trees: all of it or, where it can be clipped,
- * only the leaves that meet a box [world]. Throws std::runtime_error.
+ * Reads a grid of a file that was validated with its trees. If the grid can be clipped, only leaves
+ * that meet the box [world] are read. Throws std::runtime_error.
  */
 ACTIVEVDB_EXPORT openvdb::GridBase::Ptr ReadVDBGrid(
   const std::string& file, const VDBGrid& grid, const openvdb::BBoxd* box = nullptr);

@@ -1,5 +1,5 @@
 /**
- * The bytes of a file, one after the other, and never beyond its end.
+ * Reads the bytes of a file in order, never beyond its end.
  */
 #ifndef ByteSource_h
 #define ByteSource_h
@@ -13,10 +13,10 @@
 namespace activesurface
 {
 
-/** Throws std::runtime_error. */
+/** Throws std::runtime_error with a sentence about the damage. */
 [[noreturn]] void RefuseDamage(const std::string& what);
 
-/** All methods throw std::runtime_error for what is not there. */
+/** All methods throw std::runtime_error for bytes beyond the end. */
 class ByteSource
 {
 public:
@@ -39,7 +39,7 @@ public:
   }
 
   std::string ReadBytes(std::uint64_t count);
-  /** Its length, in four bytes, and so many bytes. */
+  /** Reads a length of four bytes and a text of this length. */
   std::string ReadText() { return this->ReadBytes(this->Read<std::uint32_t>()); }
 
 private:
@@ -49,7 +49,7 @@ private:
   std::ifstream File;
   std::uint64_t Size = 0;
   std::uint64_t Position = 0;
-  std::vector<char> Window; // the bytes from WindowBegin on
+  std::vector<char> Window; // bytes of the file from WindowBegin on
   std::uint64_t WindowBegin = 0;
 };
 

@@ -1,5 +1,5 @@
 /**
- * What differs between the versions of OpenVDB that this builds with (10 to 13).
+ * Differences between the supported versions of OpenVDB (10 to 13).
  */
 #ifndef OpenVDBCompatibility_h
 #define OpenVDBCompatibility_h
@@ -7,8 +7,8 @@
 namespace activesurface
 {
 
-/** Opens an openvdb::io::File, whose grids then do not need it any more: later ones always do so.
- */
+/** Opens an openvdb::io::File without delayed loading, so that its grids are independent of the
+ * file. Later versions have no delayed loading. */
 template <class File>
 auto OpenAtOnce(File& file, int) -> decltype(file.open(false))
 {

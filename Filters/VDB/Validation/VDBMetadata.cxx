@@ -14,7 +14,7 @@ namespace
 
 constexpr const char* LeafSizesType = "__delayedload";
 
-/** What io::DelayedLoadMetadata::readValue reads. */
+/** Validates the bytes that io::DelayedLoadMetadata::readValue reads. */
 void ValidateLeafSizes(ByteSource& source, VDBMetadata& metadata)
 {
   constexpr std::uint32_t none = 0xffffffff;
@@ -59,7 +59,7 @@ void ValidateValue(ByteSource& source, const std::string& type, VDBMetadata& met
     }
     return;
   }
-  // A known type is read by its own size, whatever the file says.
+  // OpenVDB reads a registered type by the type's own size, whatever size the file states.
   const bool isOfAnySize = type == openvdb::StringMetadata::staticTypeName() ||
     type == LeafSizesType || !openvdb::Metadata::isRegisteredType(type);
   if (!isOfAnySize && openvdb::Metadata::createMetadata(type)->size() != size)

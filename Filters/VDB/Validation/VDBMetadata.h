@@ -16,13 +16,13 @@ class ByteSource;
 struct VDBMetadata
 {
   openvdb::MetaMap::Ptr Values;
-  /** Of the table of leaf sizes for delayed loading, if it is there. */
+  /** From the table of leaf sizes for delayed loading, if it exists. */
   bool HasLeafSizes = false;
   bool HasPackedSizes = false;
   std::uint64_t NumberOfLeaves = 0;
 };
 
-/** From here on. Throws std::runtime_error for what is damaged. */
+/** Reads metadata from the current position. Throws std::runtime_error if they are damaged. */
 VDBMetadata ReadMetadata(ByteSource& source);
 
 }

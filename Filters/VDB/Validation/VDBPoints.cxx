@@ -24,16 +24,16 @@ using Types = std::vector<openvdb::NamePair>;
 struct Attribute
 {
   std::uint64_t Bytes = 0;  //< in memory
-  std::uint64_t Stored = 0; //< in the file, if not in pages
+  std::uint64_t Stored = 0; //< in the file, if not paged
   bool IsUniform = false;
   bool IsPaged = false;
 };
 
-/** Pages of one attribute, in which the arrays of several leaves lie one after the other. */
+/** Pages of one attribute, which contain the arrays of consecutive leaves. */
 class Pages
 {
 public:
-  /** Of an array, in the order of the leaves: begins a page where the last one is full. */
+  /** Adds an array, in the order of the leaves. Begins a page if the last one is full. */
   void AddSize(ByteSource& source, std::uint64_t bytes)
   {
     if (this->Left == 0)
@@ -41,7 +41,7 @@ public:
       const auto stored = source.Read<std::int32_t>();
       const std::int64_t unpacked =
         stored > 0 ? source.Read<std::int32_t>() : -std::int64_t(stored);
-      constexpr std::int64_t best = 300; // LZ4 packs to a 255th at best
+      constexpr std::int64_t best = 300; // LZ4 compresses to a 255th at best
       if (stored == 0 || unpacked <= 0 || (stored > 0 && unpacked > best * stored))
       {
         RefuseDamage("a page of attributes has an impossible size");
@@ -104,12 +104,12 @@ private:
   ByteSource& Source;
   const VDBTree& Tree;
   std::size_t Count = 0;                       //< attributes of each leaf
-  Types Shared;                                //< of all leaves, as soon as one says so
+  Types Shared;                                //< of all leaves, once a leaf declares it
   std::vector<std::vector<Attribute>> PerLeaf; //< by leaf
   std::vector<Pages> PerAttribute;
 };
 
-/** The passes over all leaves in the order in which PointDataLeafNode::readBuffers makes them. */
+/** Makes the passes over all leaves in the order of PointDataLeafNode::readBuffers. */
 void PointsValidator::Run()
 {
   const auto passes = this->Source.Read<std::uint16_t>();
@@ -191,7 +191,7 @@ void PointsValidator::ReadNames(std::uint64_t count, std::uint64_t positions)
   }
 }
 
-/** Of what takes `least` bytes at least, each. */
+/** Reads the number of items that need at least `least` bytes each. */
 std::uint64_t PointsValidator::ReadCount(std::uint64_t least)
 {
   const auto count = this->Source.Read<std::uint64_t>();
@@ -202,10 +202,10 @@ std::uint64_t PointsValidator::ReadCount(std::uint64_t least)
   return count;
 }
 
-/** What TypedAttributeArray::readMetadata reads. */
+/** Validates the bytes that TypedAttributeArray::readMetadata reads. */
 Attribute PointsValidator::ReadAttribute(const openvdb::NamePair& type)
 {
-  constexpr std::uint64_t head = 6; // bytes that count as stored
+  constexpr std::uint64_t head = 6; // bytes of the header, which count as stored
   enum
   {
     Strided = 1,
@@ -256,7 +256,7 @@ void PointsValidator::ReadSizes()
   }
 }
 
-/** For each voxel the number of its last point. */
+/** Skips the index of the last point of each voxel. */
 void PointsValidator::SkipVoxels()
 {
   constexpr std::uint64_t bytes = 512 * sizeof(std::uint32_t);

@@ -17,7 +17,7 @@ namespace activesurface
 namespace
 {
 
-// Coordinates far from where they would overflow.
+// Bound on coordinates, far from overflow.
 constexpr int Farthest = 1 << 30;
 
 int CountBitsOf(const std::uint64_t* words, int count)
@@ -34,8 +34,7 @@ int CountBitsOf(const std::uint64_t* words, int count)
 constexpr int Log2Width[] = { 3, 4, 5 };
 constexpr int Log2Reach[] = { 3, 7, 12 };
 
-/** Calls visit(origin) for each entry of a node, of this level and at this origin, whose bit is
- * set. */
+/** Calls visit(origin) for each entry, with its bit set, of a node of this level at this origin. */
 template <class Visitor>
 void ForEachEntry(
   int level, const openvdb::Coord& origin, const std::vector<std::uint64_t>& bits, Visitor&& visit)
@@ -118,7 +117,7 @@ void TopologyValidator::Background()
   const bool isZero = value.find_first_not_of('\0') == std::string::npos;
   if (this->Format.Kind == VDBFormat::Points && !isZero)
   {
-    RefuseDamage("points have a background"); // to which their reader aborts the program
+    RefuseDamage("points have a background"); // makes OpenVDB's reader abort the program
   }
 }
 
@@ -204,7 +203,7 @@ void TopologyValidator::Leaf(const openvdb::Coord& origin)
   }
 }
 
-/** What io::readCompressedValues reads. */
+/** Validates the bytes that io::readCompressedValues reads. */
 VDBLeafSize TopologyValidator::Values(const std::uint64_t* active, int words)
 {
   using namespace openvdb::io;
@@ -235,7 +234,7 @@ std::int64_t TopologyValidator::Data(std::uint64_t bytes)
     this->Source.Skip(bytes);
     return static_cast<std::int64_t>(bytes);
   }
-  const auto size = this->Source.Read<std::int64_t>(); // negative: not packed
+  const auto size = this->Source.Read<std::int64_t>(); // negative: not compressed
   const std::uint64_t stored = size < 0 ? -static_cast<std::uint64_t>(size) : size;
   if (size <= 0 && stored != bytes)
   {

@@ -1,6 +1,6 @@
 /**
- * Validates the topology of a .vdb tree without building it: every size field is checked against
- * the file, because OpenVDB's reader trusts them. Also collects the active bounding box.
+ * Validates the topology of a .vdb tree without building it. Every size field is checked against
+ * the file, because OpenVDB's reader trusts it. Collects the active bounding box.
  */
 #ifndef VDBTree_h
 #define VDBTree_h
@@ -16,7 +16,7 @@ namespace activesurface
 
 class ByteSource;
 
-/** How the values of a tree lie in a file. */
+/** Storage of the values of a tree in a file. */
 struct VDBFormat
 {
   enum Leaves
@@ -32,7 +32,7 @@ struct VDBFormat
   std::uint32_t Compression = 0; //< OpenVDB's flags
 };
 
-/** What reading would have to skip to pass a leaf. */
+/** Bytes to skip to pass a leaf. */
 struct VDBLeafSize
 {
   std::int8_t Scheme = 0;
@@ -47,7 +47,7 @@ struct VDBTree
     std::array<std::uint64_t, 8> Active;
   };
 
-  std::uint64_t ActiveVoxels = 0; //< those of tiles too
+  std::uint64_t ActiveVoxels = 0; //< including those of tiles
   std::uint64_t ActiveTiles = 0;
   std::uint64_t NumberOfLeaves = 0;
   openvdb::CoordBBox ActiveBox;   //< empty if nothing is active
@@ -55,16 +55,15 @@ struct VDBTree
   std::vector<VDBLeafSize> Sizes; //< of leaves of values
 };
 
-/** Reads on from the beginning of the topology. Throws std::runtime_error for a tree that is
- * damaged. */
+/** Reads from the beginning of the topology. Throws std::runtime_error if the tree is damaged. */
 VDBTree ValidateTopology(ByteSource& source, const VDBFormat& format);
 
 /** Validates the buffers that follow the topology, except those of points. */
 void ValidateBuffers(ByteSource& source, const VDBFormat& format, VDBTree& tree);
 
 /**
- * Skips `stored` bytes that Blosc has packed. They have to unpack to `unpacked` bytes, or with
- * padding to the least size that OpenVDB packs.
+ * Skips `stored` bytes of a Blosc buffer. They have to unpack to `unpacked` bytes, or to the
+ * smallest size that OpenVDB compresses, which includes padding.
  */
 void SkipBlosc(ByteSource& source, std::uint64_t stored, std::uint64_t unpacked);
 
