@@ -13,7 +13,7 @@ namespace activesurface
 namespace
 {
 
-/** What an information object can hold. */
+/** Wraps shared content as an object that vtkInformation can hold. */
 template <class Content>
 class Attachment : public vtkObjectBase
 {
@@ -49,7 +49,7 @@ private:
   std::shared_ptr<const Content> Held;
 };
 
-/** They live as long as VTK's table of keys, as all keys do. */
+/** The keys live as long as VTK's table of keys. */
 vtkInformationObjectBaseKey* StateKey()
 {
   static auto key = vtkInformationObjectBaseKey::MakeKey("STATE", "activesurface");

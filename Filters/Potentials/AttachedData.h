@@ -1,7 +1,7 @@
 /**
- * What is attached to a data object besides its points: the grid that it was made from, for those
- * who can use it without a detour through the points. It is attached to the data object's
- * information, which other filters do not copy: nothing is attached to what they have changed.
+ * Attaches to a data object the grid from which it was made, for filters that can use the grid
+ * directly. The grid is attached to the data object's information, which other filters do not copy.
+ * Data that another filter has changed therefore have no grid.
  */
 #ifndef AttachedData_h
 #define AttachedData_h
@@ -22,32 +22,32 @@ class vtkInformation;
 namespace activesurface
 {
 
-/** Of the outputs of a vtkActiveImplicitSurface. */
+/** State attached to the outputs of a vtkActiveImplicitSurface. */
 struct AttachedState
 {
-  SavedState State; //< at the time of the output, which need not be a step's
-  /** The skin of the output; in a periodic box a part of the state's. */
+  SavedState State; //< at the time of the output, which may lie between time steps
+  /** The skin of the output; in a periodic box, a part of the state's skin. */
   std::shared_ptr<const NarrowBand> Skin;
-  bool IsAtStep = false; //< whether the motion can go on from it
-  int Step = 0;          //< number of the time step, or of the one before
-  /** Of all of the skin, where the output is one rank's part of it, on rank 0; else null. */
+  bool IsAtStep = false; //< true if the motion can resume from the state
+  int Step = 0;          //< index of the time step, or of the previous one
+  /** Point arrays of the whole skin on rank 0 if the output is one rank's part; else null. */
   vtkSmartPointer<vtkPointData> WholeArrays;
   std::vector<std::pair<std::string, double>> Motion; //< properties that shape the motion
 };
 
 ///@{
-/** Null: nothing any more. AttachedGrid.h attaches grids. */
+/** A null state removes the attachment. AttachedGrid.h attaches grids. */
 VTKACTIVEPOTENTIALS_EXPORT void Attach(
   vtkInformation* information, const std::shared_ptr<const AttachedState>& state);
-/** Null if none is attached. */
+/** Returns null if none is attached. */
 VTKACTIVEPOTENTIALS_EXPORT std::shared_ptr<const AttachedState> GetAttachedState(
   vtkInformation* information);
 ///@}
 
 VTKACTIVEPOTENTIALS_EXPORT bool HasAttachedGrid(vtkInformation* information);
-/** None if the first one has none. */
+/** Attaches nothing if `from` has no grid. */
 VTKACTIVEPOTENTIALS_EXPORT void CopyAttachedGrid(vtkInformation* from, vtkInformation* to);
-/** Replaces the grid, if there is one, by one at other positions; its values are shared. */
+/** Replaces an attached grid by a translated one that shares its values. */
 VTKACTIVEPOTENTIALS_EXPORT void MoveAttachedGrid(
   vtkInformation* information, const double offset[3]);
 

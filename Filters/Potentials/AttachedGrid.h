@@ -1,5 +1,5 @@
 /**
- * The grid that a data object was made from, attached to it (see AttachedData.h).
+ * Attaches to a data object the grid from which it was made (see AttachedData.h).
  */
 #ifndef AttachedGrid_h
 #define AttachedGrid_h
@@ -12,10 +12,10 @@ class vtkInformation;
 namespace activesurface
 {
 
-/** A distance [world units], negative inside; null: nothing any more. */
+/** Attaches a distance [world units], negative inside. A null grid removes the attachment. */
 VTKACTIVEPOTENTIALS_EXPORT void Attach(
   vtkInformation* information, const openvdb::FloatGrid::ConstPtr& grid);
-/** Null if none is attached. */
+/** Returns null if none is attached. */
 VTKACTIVEPOTENTIALS_EXPORT openvdb::FloatGrid::ConstPtr GetAttachedGrid(
   vtkInformation* information);
 

@@ -14,9 +14,10 @@ namespace activesurface
 namespace
 {
 constexpr std::size_t MaximumBalls = std::size_t(1) << 28;
-// The smaller a group, the fewer balls are near all of it; the larger, the more places are in it.
+// Group size in cells. Smaller groups have fewer balls near them; larger groups contain more
+// points.
 constexpr double GroupPerCell = 1.0;
-// Finer ones are put together.
+// Finer levels are merged.
 constexpr std::size_t MaximumLevels = 64;
 constexpr std::size_t BallsPerChunk = 16384;
 }
@@ -40,7 +41,7 @@ void BallCells::Build(const UnsetVector<Ball>& balls, double cellSize)
   this->FillBalls(balls);
 }
 
-// The box of some balls, and the largest radius of each size of cells, by doublings.
+// Bounding box of balls, and the largest radius of each cell size, by doublings.
 struct BallCells::Sizes
 {
   double Low[3];
@@ -120,12 +121,13 @@ BallCells::Sizes BallCells::MeasurePiece(
   return sizes;
 }
 
-// Of the least cells that hold the radius, by doublings of the size that was asked for.
+// Number of doublings of the requested cell size that gives the smallest cells not below the
+// radius.
 int BallCells::FindDoublings(double radius) const
 {
   if (radius <= this->CellSize && 2.0 * radius > this->CellSize)
   {
-    return 0; // nearly always
+    return 0; // usual case
   }
   const int doublings = std::ilogb(radius / this->CellSize);
   return std::ldexp(this->CellSize, doublings) < radius ? doublings + 1 : doublings;
@@ -142,8 +144,8 @@ std::size_t BallCells::FindLevel(double radius) const
   return level;
 }
 
-// A slot is a cell of a block. Each chunk numbers the blocks as they come, then all of them are
-// numbered in the order of the chunks.
+// Assigns each ball a slot: a cell of a block. Each chunk numbers its blocks in order of
+// occurrence; then all blocks are numbered in the order of the chunks.
 void BallCells::FindSlots(const UnsetVector<Ball>& balls)
 {
   const std::size_t chunks = (balls.size() + BallsPerChunk - 1) / BallsPerChunk;
@@ -187,7 +189,7 @@ void BallCells::FindSlotsOf(const UnsetVector<Ball>& balls, std::size_t begin, s
   }
 }
 
-// A counting sort: within a cell by numbers.
+// Counting sort by slot; within a cell by index.
 void BallCells::SortBySlots()
 {
   this->Starts.assign(CellsPerBlock * this->Blocks.Size() + 2, 0);

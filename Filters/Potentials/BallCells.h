@@ -1,10 +1,9 @@
-// Finds the balls that may contain a place. Each is listed once, by the cell of its centre, and a
-// place looks through the cells around it: memory is a few numbers for each ball.
+// Finds the balls that may contain a point. Each ball is listed once, in the cell of its centre,
+// and a point searches the cells around it. The memory is a few numbers for each ball.
 //
-// Cells are cubes on a lattice through the origin. A ball lies in cells that are at least as wide
-// as its radius: of the size that was asked for, or a power of two larger or smaller. Four cells
-// along each axis are a block, which is found by its coordinates; a block without balls is not
-// there.
+// Cells are cubes on a lattice through the origin. A ball lies in cells at least as wide as its
+// radius: of the requested size, or a power of two larger or smaller. A block is four cells along
+// each axis and is found by its coordinates; blocks without balls are not stored.
 
 #ifndef BallCells_h
 #define BallCells_h
@@ -31,40 +30,39 @@ public:
   using Index = std::uint32_t;
   using Coordinate = BlockTable::Coordinate; // of a cell, along an axis
 
-  // Numbers are finite, the radius > 0.
+  // Numbers have to be finite, and the radius > 0.
   struct Ball
   {
     double Centre[3];
     double Radius;
   };
 
-  // A point, or a box around several.
+  // A point, or a box around several points.
   struct Place
   {
     double Low[3];
     double High[3];
   };
 
-  // Keeps its memory. Throws std::length_error for more balls than 32-bit lists can hold.
+  // Keeps allocated memory. Throws std::length_error for more balls than 32-bit lists can hold.
   void Build(const UnsetVector<Ball>& balls, double cellSize);
 
-  // The numbers of the balls, by cells: hits are places in this list.
+  // Ball indices, ordered by cell. Hits are positions in this list.
   const UnsetVector<Index>& GetOrder() const { return this->Order; }
 
-  // As it was asked for.
+  // Returns the requested size.
   double GetCellSize() const { return this->CellSize; }
 
-  // The box of all balls: xmin xmax ymin ... Meaningless without balls.
+  // Bounding box of all balls: xmin xmax ymin ... Undefined without balls.
   const double* GetBounds() const { return this->Bounds; }
 
-  // What a place is not to exceed.
+  // Largest extent of a query box [length].
   double GetGroupSize() const { return this->GroupSize; }
 
   static constexpr std::size_t HitsAtOnce = 256;
 
-  // Calls visit(hits, count) for the balls that touch the place, and a few more. They come in an
-  // order of their own, by cells and then by numbers, which does not depend on what other balls
-  // there are.
+  // Calls visit(hits, count) for all balls that touch the place, and a few more. The order is by
+  // cell, then by index, and does not depend on other balls.
   template <class Visitor>
   ACTIVE_ALWAYS_INLINE void VisitHits(const Place& place, Visitor visit) const;
 
@@ -72,9 +70,9 @@ private:
   static constexpr Coordinate FarthestCell = Coordinate(1) << 50;
   static constexpr double Farthest = 2.0 * static_cast<double>(FarthestCell);
   static constexpr std::size_t CellsPerBlock = 64;
-  // Positions are clamped there, in cells: beyond what a ball reaches.
+  // Offsets are clamped to this many cells, which no ball reaches.
   static constexpr double FarAway = 32.0;
-  // What rounding may do to a coordinate, in its own size; and to a float within FarAway.
+  // Relative rounding error of a coordinate, and error of a float within FarAway.
   static constexpr double Slack = 32.0 * std::numeric_limits<double>::epsilon();
   static constexpr double FloatMargin = 1e-5;
   static constexpr float Everywhere = std::numeric_limits<float>::infinity();
@@ -82,12 +80,12 @@ private:
   // Cells of one size.
   struct Level
   {
-    int Doublings; // of the size that was asked for
+    int Doublings; // of the requested size
     double InverseSize;
     double Reach; // the largest radius
   };
 
-  // The cells around a place, and the place as it is seen from one of their blocks.
+  // Cells around a place, and the place relative to one of their blocks.
   struct View
   {
     Coordinate First[3];
@@ -102,7 +100,7 @@ private:
   };
 
   ACTIVE_ALWAYS_INLINE static Coordinate GetCell(double coordinate);
-  // Whether a cell is at an end: then it holds all that lies beyond.
+  // Returns true for a cell at either end, which contains all points beyond.
   static bool IsLast(Coordinate cell) { return cell <= -FarthestCell || cell >= FarthestCell; }
   ACTIVE_ALWAYS_INLINE static float Clamp(double offset);
   ACTIVE_ALWAYS_INLINE static float GetSquare(double radius);
@@ -132,11 +130,11 @@ private:
   double Bounds[6];
   std::vector<Level> Levels; // coarse to fine
   BlockTable Blocks;
-  std::vector<Index> Starts; // of the balls of each cell of each block, z fastest, and the ends
+  std::vector<Index> Starts; // of the balls of each cell of each block, z fastest, and the end
   UnsetVector<Index> Order;
-  std::array<UnsetVector<float>, 4> Columns; // of the balls in their order: x y z in the block, r^2
+  std::array<UnsetVector<float>, 4> Columns; // of the balls in order: x y z in the block, r^2
 
-  // Of Build, kept for their memory.
+  // Temporaries of Build, kept to reuse their memory.
   UnsetVector<std::size_t> Slots; // of the balls
   std::vector<BlockTable> Chunks;
 };
@@ -192,7 +190,7 @@ ACTIVE_ALWAYS_INLINE void BallCells::VisitLevel(
   }
 }
 
-// A place and a reach are three cells wide at most, and somewhat more where rounding is coarse.
+// A place and a reach span at most three cells, and slightly more if rounding is coarse.
 ACTIVE_ALWAYS_INLINE BallCells::View BallCells::LookAround(const Place& place, const Level& level)
 {
   View view;
@@ -227,7 +225,7 @@ ACTIVE_ALWAYS_INLINE void BallCells::LookFrom(const Coordinate block[3], View& v
   }
 }
 
-// From the place to a layer of cells, in cells.
+// Distance from the place to a layer of cells, in cells.
 ACTIVE_ALWAYS_INLINE float BallCells::GetGap(const View& view, int axis, int cell)
 {
   const auto from = static_cast<float>(cell);
@@ -252,7 +250,7 @@ ACTIVE_ALWAYS_INLINE void BallCells::VisitBlock(Index block, const View& view, V
   }
 }
 
-// Two loops: the first is for the vector unit, the second has no branch, as hits are unpredictable.
+// The first loop is vectorised. The second has no branch, because hits are unpredictable.
 template <class Visitor>
 ACTIVE_ALWAYS_INLINE void BallCells::VisitRow(
   Index begin, Index end, const View& view, Visitor visit) const

@@ -1,4 +1,4 @@
-// The values of a potential at all points of an array, in parallel and in batches.
+// Evaluates a potential at all points of an array, in parallel and in batches.
 
 #ifndef BatchEvaluation_h
 #define BatchEvaluation_h
@@ -14,7 +14,7 @@ namespace activesurface
 constexpr vtkIdType PointsAtOnce = 256;
 constexpr vtkIdType PointsPerTask = 2048;
 
-// Resizes the values. The potential has an EvaluateBatch that several threads may call; input:
+// Resizes the output. The potential needs an EvaluateBatch that several threads may call. input:
 // points of three components.
 template <class Potential>
 void EvaluateArray(const Potential& potential, vtkDataArray* input, vtkDataArray* output)
@@ -31,7 +31,7 @@ void EvaluateArray(const Potential& potential, vtkDataArray* input, vtkDataArray
         const vtkIdType count = std::min(PointsAtOnce, end - begin);
         for (vtkIdType i = 0; i < 3 * count; ++i)
         {
-          // GetTuple is not for several threads, for all kinds of arrays.
+          // GetTuple is not thread-safe for all kinds of arrays.
           points[i] = input->GetComponent(begin + i / 3, static_cast<int>(i % 3));
         }
         potential.EvaluateBatch(count, points, values, nullptr);

@@ -1,4 +1,5 @@
-// Blocks of cells by their coordinates: a hash table that numbers them as they come.
+// Hash table of blocks of cells by their coordinates. Blocks are numbered in the order of
+// insertion.
 
 #ifndef BlockTable_h
 #define BlockTable_h
@@ -23,7 +24,7 @@ public:
   struct Block
   {
     Coordinate At[3];
-    int Level; // which lattice it is of
+    int Level; // lattice of the block
 
     bool operator==(const Block& other) const
     {
@@ -32,7 +33,7 @@ public:
     }
   };
 
-  // Keeps its memory.
+  // Keeps allocated memory.
   void Clear()
   {
     this->Blocks.clear();
@@ -42,13 +43,13 @@ public:
   std::size_t Size() const { return this->Blocks.size(); }
   const Block& operator[](std::size_t i) const { return this->Blocks[i]; }
 
-  // The number of a block, or None.
+  // Returns the index of a block, or None.
   ACTIVE_ALWAYS_INLINE Index Find(const Block& block) const
   {
     return this->Table.empty() ? None : this->Table[this->FindPlace(block)];
   }
 
-  // The number of a block, a new one if it is not there.
+  // Returns the index of a block; inserts the block if it is missing.
   Index Add(const Block& block)
   {
     Index& number = this->Table[this->FindPlace(block)];
@@ -78,7 +79,7 @@ private:
     return static_cast<std::size_t>(sum ^ sum >> 32);
   }
 
-  // Where it is, or belongs.
+  // Returns the position of a block, or the position for its insertion.
   ACTIVE_ALWAYS_INLINE std::size_t FindPlace(const Block& block) const
   {
     const std::size_t last = this->Table.size() - 1;
@@ -100,7 +101,7 @@ private:
   }
 
   std::vector<Block> Blocks;
-  std::vector<Index> Table; // numbers, or None; half of it at least is None
+  std::vector<Index> Table; // indices, or None; at least half of the entries are None
 };
 
 }

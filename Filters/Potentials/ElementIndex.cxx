@@ -6,7 +6,8 @@ namespace activesurface
 {
 namespace
 {
-// Of the radius: more means more that is looked at in vain, less means more builds.
+// Safety margin as a fraction of the radius: larger gives more false candidates, smaller more
+// rebuilds.
 constexpr double MarginOfMoving = 0.1;
 }
 
@@ -32,17 +33,18 @@ void ElementIndex::Add(const Capsule& support)
   this->Supports.push_back(support);
 }
 
-// Whether each element lies within what the cells list for it.
+// Returns true if each element lies within the support that the cells list.
 bool ElementIndex::AreListed() const
 {
-  constexpr double largest = 1.0 + 2.0 * MarginOfMoving; // then cells list too much
+  constexpr double largest = 1.0 + 2.0 * MarginOfMoving; // larger supports give too many candidates
   const auto isWithin = [](const double at[3], double radius, const double centre[3], double reach)
   {
     const double x = at[0] - centre[0], y = at[1] - centre[1], z = at[2] - centre[2];
     const double room = reach - radius;
     return room >= 0.0 && reach <= largest * radius && x * x + y * y + z * z <= room * room;
   };
-  // What holds at both ends of a segment holds between them: all runs linearly.
+  // A condition at both ends of a segment also holds between them, because all quantities are
+  // linear.
   return this->Listed.size() == this->Supports.size() &&
     std::equal(this->Supports.begin(), this->Supports.end(), this->Listed.begin(),
       [&](const Capsule& now, const Capsule& then)
@@ -80,7 +82,7 @@ void ElementIndex::Build()
   catch (...)
   {
     this->Listed.clear();
-    this->Cells = SkeletonCells(); // what is half built lists elements that are not there
+    this->Cells = SkeletonCells(); // a partial build would list missing elements
     throw;
   }
 }

@@ -1,5 +1,5 @@
-// Elements by their supports, and the cells in which those near a place are looked up; for elements
-// that move from one build to the next.
+// Stores the supports of elements and the cells that find the elements near a point. Elements may
+// move between builds.
 
 #ifndef ElementIndex_h
 #define ElementIndex_h
@@ -15,22 +15,22 @@ namespace activesurface
 class VTKACTIVEPOTENTIALS_EXPORT ElementIndex
 {
 public:
-  // Forgets the elements, keeps the memory.
+  // Removes the elements; keeps allocated memory.
   void Clear() { this->Supports.clear(); }
 
-  // Numbers are finite, radii > 0.
+  // Numbers have to be finite, and radii > 0.
   void AddBall(const double centre[3], double radius);
   void Add(const Capsule& support);
 
-  // Comes after the last element and before the first use of the cells. Throws as SkeletonCells
-  // does. Elements that move by little between two builds keep their cells, which then list them
-  // with a margin: what is out of reach is listed too, and has to add nothing.
+  // Builds the cells, after the last element and before the first use. Throws as SkeletonCells
+  // does. Elements that move little between two builds keep their cells, which list them with a
+  // margin. Elements out of reach are then listed, too, and have to add nothing.
   void Build();
 
   std::size_t Size() const { return this->Supports.size(); }
   const Capsule& operator[](std::size_t i) const { return this->Supports[i]; }
 
-  // The box of all supports: xmin xmax ymin ... Meaningless without elements.
+  // Bounding box of all supports: xmin xmax ymin ... Undefined without elements.
   const double* GetBounds() const { return this->Bounds; }
 
   const SkeletonCells& GetCells() const { return this->Cells; }
@@ -40,7 +40,7 @@ private:
 
   std::vector<Capsule> Supports;
   double Bounds[6];
-  std::vector<Capsule> Listed; // what the cells were built for
+  std::vector<Capsule> Listed; // supports from which the cells were built
   SkeletonCells Cells;
 };
 

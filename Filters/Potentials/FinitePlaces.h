@@ -1,4 +1,4 @@
-// Which of some places are finite: nothing is evaluated at the others.
+// Flags the finite ones of some points; the others are not evaluated.
 
 #ifndef FinitePlaces_h
 #define FinitePlaces_h
@@ -15,7 +15,7 @@ template <std::size_t Capacity>
 class FinitePlaces
 {
 public:
-  // Of up to Capacity places (x y z each).
+  // Tests up to Capacity points (x y z each).
   ACTIVE_ALWAYS_INLINE FinitePlaces(std::size_t count, const double* places)
     : Size(count)
   {
@@ -28,7 +28,7 @@ public:
 
   bool operator[](std::size_t i) const { return this->IsFinite[i]; }
 
-  // Calls visit(number) for those that are not.
+  // Calls visit(index) for each point that is not finite.
   template <class Visitor>
   ACTIVE_ALWAYS_INLINE void ForEachOther(Visitor visit) const
   {

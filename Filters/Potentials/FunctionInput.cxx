@@ -75,8 +75,8 @@ vtkMTimeType FunctionInput::FindMTime()
   return this->GetMTime();
 }
 
-// What an update from here does to the algorithm and its data is no change of theirs: a function
-// that were newer after it was evaluated would restart whatever depends on it.
+// Updates the algorithm without recording a change. A function that became newer by its evaluation
+// would restart all dependent filters.
 void FunctionInput::Update()
 {
   if (!this->Producer)

@@ -1,6 +1,5 @@
-// The data set that an implicit function reads: one that is given, or the output of an algorithm,
-// which is brought up to date when the function reads it. Functions are no algorithms, no pipeline
-// does so for them.
+// Input data set of an implicit function: a given one, or the output of an algorithm. The output is
+// updated when the function reads it, because no pipeline updates the input of a function.
 
 #ifndef FunctionInput_h
 #define FunctionInput_h
@@ -23,25 +22,26 @@ namespace activesurface
 class FunctionInput
 {
 public:
-  // Each lets the other go; true if that is a change, later than any that FindMTime has found.
+  // Each replaces the other kind of input. Returns true on a change, whose time is later than every
+  // time FindMTime has returned.
   bool SetData(vtkDataObject* data);
   bool Connect(vtkAlgorithmOutput* output);
 
   vtkDataObject* GetData() const { return this->Data; }
   vtkAlgorithmOutput* GetConnection() const;
 
-  // Of the last change of the data, or of anything upstream. Asks the pipeline: not for threads.
+  // Time of the last change of the data, or of anything upstream. Updates pipeline information; not
+  // thread-safe.
   vtkMTimeType FindMTime();
-  // The same as of the last FindMTime, cheap and for threads.
+  // Returns the result of the last FindMTime. Cheap and thread-safe.
   vtkMTimeType GetMTime() const;
 
-  // Calls read() by one thread, unless nothing has changed since the last call: neither the input,
-  // as GetMTime has it, nor the function, as of changed. Others wait.
+  // Calls read() in one thread if the input (GetMTime) or the function (`changed`) has changed
+  // since the last call. Other threads wait.
   template <class Read>
   void ReadIfChanged(vtkMTimeType changed, Read&& read);
 
-  // Brings all of the algorithm's output up to date, at the time that it was last asked for. By one
-  // thread.
+  // Updates all of the algorithm's output at the time of the last request. For a single thread.
   void Update();
 
 private:
@@ -51,7 +51,7 @@ private:
   vtkSmartPointer<vtkAlgorithm> Producer;
   int Port = 0;
 
-  // What is known of the algorithm since the last look at it.
+  // State of the algorithm at the last check.
   vtkMTimeType PipelineTime = 0;
   vtkMTimeType DataTime = 0;
   std::atomic<vtkMTimeType> Changed{ 0 };
@@ -71,7 +71,7 @@ void FunctionInput::ReadIfChanged(vtkMTimeType changed, Read&& read)
   const std::lock_guard<std::mutex> lock(this->Reading);
   if (this->ReadTime.load(std::memory_order_relaxed) != latest)
   {
-    // Tasks of its own: one of the evaluations that wait for it would wait for itself.
+    // Isolated: a waiting thread could otherwise run an evaluation that waits for this read.
     tbb::this_task_arena::isolate([&read] { read(); });
     this->ReadTime.store(latest, std::memory_order_release);
   }

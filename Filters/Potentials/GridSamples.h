@@ -1,4 +1,4 @@
-// A function of space known by samples: what a vtkGridPotential evaluates.
+// A function in space given by samples, which a vtkGridPotential evaluates.
 
 #ifndef GridSamples_h
 #define GridSamples_h
@@ -11,21 +11,21 @@ namespace activesurface
 
 struct LatticeShape;
 
-// Immutable. Any of the methods may be called by several threads at once; evaluation allocates
-// nothing.
+// Immutable and thread-safe. Evaluation allocates no memory.
 class VTKACTIVEPOTENTIALS_EXPORT GridSamples
 {
 public:
   virtual ~GridSamples() = default;
 
-  // Negative inside; gradient: three numbers, or null. NaN where x is not finite.
+  // Negative inside; gradient: three numbers, or null. Returns NaN if x is not finite.
   virtual double Evaluate(const double x[3], double* gradient) const = 0;
 
-  // Box outside which it is not negative; false, and untouched, where it never is.
+  // Box outside which the function is not negative. Returns false, and leaves the bounds, if the
+  // function is never negative.
   virtual bool GetBounds(double bounds[6]) const = 0;
 
-  // What is below a level, on the lattice of the samples; false if that is not known, or has no
-  // end.
+  // Finds the region below a level, on the lattice of the samples. Returns false if the region is
+  // unavailable or unbounded.
   virtual bool FindShape(double level, LatticeShape& shape) const
   {
     static_cast<void>(level);
@@ -33,7 +33,7 @@ public:
     return false;
   }
 
-  // Points of its surface; none where they are not known.
+  // Points of the surface; empty if they are unavailable.
   virtual SurfaceSample SampleSurface() const { return {}; }
 
 protected:

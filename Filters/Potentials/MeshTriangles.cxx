@@ -40,14 +40,14 @@ struct HashOfPoint
   }
 };
 
-// Their squares must be finite.
+// Squares of coordinates must be finite.
 bool IsUsable(const Point& point)
 {
   constexpr double largest = 1e100;
   return std::all_of(point.begin(), point.end(), [](double c) { return std::fabs(c) <= largest; });
 }
 
-// False if it is of no use.
+// Returns false if the point does not exist or is not usable.
 bool FindPoint(vtkPolyData* mesh, vtkIdType id, Point& point)
 {
   const bool exists = id >= 0 && id < mesh->GetNumberOfPoints();
@@ -79,7 +79,7 @@ private:
   vtkPolyData* Mesh;
   std::unordered_map<Point, vtkIdType, HashOfPoint> Known;
   Polygon Corners; // of the polygon being read
-  Polygon Origins; // of the corners, in the mesh
+  Polygon Origins; // of the corners, as points of the mesh
   std::vector<Edge> Edges;
   std::vector<Point> Places; // of the corners
   PolygonCutter Cutter;
@@ -91,7 +91,7 @@ Reader::Reader(vtkPolyData* mesh)
   this->Known.reserve(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
 }
 
-// The number of the point with these coordinates, or -1 if it is of no use.
+// Returns the index of the point with these coordinates, or -1 if the point is not usable.
 vtkIdType Reader::Merge(vtkIdType id)
 {
   Point point;
@@ -112,7 +112,7 @@ vtkIdType Reader::Merge(vtkIdType id)
   return found.first->second;
 }
 
-// Its corners without repetitions; false if it is left out.
+// Reads a polygon's corners without repetitions. Returns false if the polygon is omitted.
 bool Reader::Take(vtkIdList* ids)
 {
   this->Corners.clear();
@@ -153,7 +153,7 @@ void Reader::AddPolygon(vtkIdList* ids)
   }
 }
 
-// Flat triangles are usual in strips, to turn or to join them.
+// Flat triangles are common in strips, where they turn or join the strip.
 void Reader::AddStrip(vtkIdList* ids)
 {
   vtkNew<vtkIdList> triangle;
@@ -194,7 +194,7 @@ void Reader::Cut()
   }
 }
 
-// Of three corners of the polygon.
+// Adds a triangle of three corners of the polygon.
 void Reader::AddTriangle(std::size_t a, std::size_t b, std::size_t c)
 {
   this->Result.Triangles.push_back({ this->Corners[a], this->Corners[b], this->Corners[c] });
@@ -216,7 +216,7 @@ void Reader::CountEdges()
   }
 }
 
-// Points of polygons that were left out count for nothing.
+// Removes the points of omitted polygons.
 void RemoveUnused(MeshTriangles& mesh)
 {
   std::vector<vtkIdType> place(mesh.Points.size(), -1);

@@ -1,10 +1,10 @@
-// The polygons and strips of a vtkPolyData as triangles on merged points, and what is wrong with
-// them: for all that needs to know the inside of a mesh.
+// Converts the polygons and strips of a vtkPolyData to triangles on merged points, and reports
+// defects. It serves all code that needs the inside of a mesh.
 //
-// A mesh is closed if each edge belongs to an even number of its polygons, nearly always to two.
-// Then a point beside it is inside or outside, by how often a way out crosses the mesh: bodies may
-// touch along an edge, of four polygons. An edge of one polygon is the rim of a hole, and at one of
-// three polygons a wall ends.
+// A mesh is closed if each edge belongs to an even number of its polygons, usually to two. The
+// crossings of a path to infinity then determine whether a point is inside. Bodies may touch along
+// an edge of four polygons. An edge of one polygon bounds a hole, and an edge of three polygons
+// ends a wall.
 
 #ifndef MeshTriangles_h
 #define MeshTriangles_h
@@ -25,15 +25,15 @@ namespace activesurface
 
 struct VTKACTIVEPOTENTIALS_EXPORT MeshDefects
 {
-  std::size_t OpenEdges = 0;      // of one polygon only
-  std::size_t CrowdedEdges = 0;   // of more than two polygons
-  std::size_t OddEdges = 0;       // of an odd number of polygons: those of one, and of three ...
-  std::size_t BrokenPolygons = 0; // left out: a point is not finite, or does not exist
-  std::size_t FlatPolygons = 0;   // left out: fewer than three different points
+  std::size_t OpenEdges = 0;      // edges of one polygon only
+  std::size_t CrowdedEdges = 0;   // edges of more than two polygons
+  std::size_t OddEdges = 0;       // edges of an odd number of polygons: one, three ...
+  std::size_t BrokenPolygons = 0; // omitted: a point is not finite or does not exist
+  std::size_t FlatPolygons = 0;   // omitted: fewer than three different points
 
   bool IsClosed() const { return this->OddEdges == 0; }
 
-  // A sentence, or nothing if there are none.
+  // Returns a sentence, or an empty text without defects.
   std::string Describe() const;
 };
 
@@ -42,22 +42,22 @@ struct VTKACTIVEPOTENTIALS_EXPORT MeshTriangles
   using Point = std::array<double, 3>;
   using Triangle = std::array<vtkIdType, 3>;
 
-  std::vector<Point> Points; // different from each other; those of the triangles, no others
+  std::vector<Point> Points; // distinct; only points of triangles
   std::vector<Triangle> Triangles;
-  std::vector<Triangle> Origins; // of the triangles: their corners as points of the vtkPolyData
+  std::vector<Triangle> Origins; // corners of the triangles as points of the vtkPolyData
   MeshDefects Defects;
 
-  // Box of the points; x min > x max if there are none.
+  // Bounding box of the points; x min > x max if there are none.
   std::array<double, 6> GetBounds() const;
 };
 
-// Points of equal coordinates become one, so that a soup of triangles is closed where it seems to
-// be. Concave polygons are cut well, quadrangles the same with any release of VTK. Lines and
-// vertices are passed over.
+// Merges points of equal coordinates, so that separate triangles with coincident corners form a
+// closed mesh. Concave polygons are triangulated correctly. Quadrangles are cut the same way with
+// any release of VTK. Lines and vertices are ignored.
 VTKACTIVEPOTENTIALS_EXPORT MeshTriangles ReadTriangles(vtkPolyData* mesh);
 
-// Box of the polygons and strips, without broken ones, at a small part of the cost;
-// x min > x max if there are none. vtkPolyData's own does not survive a point that does not exist.
+// Bounding box of the polygons and strips, except broken ones, at a small part of the cost. x min >
+// x max if there are none. vtkPolyData's own function fails for a point that does not exist.
 VTKACTIVEPOTENTIALS_EXPORT std::array<double, 6> FindBounds(vtkPolyData* mesh);
 
 }

@@ -1,4 +1,4 @@
-// The number of neighbours from which on particles are refused.
+// Limit on the number of neighbours of particles.
 
 #ifndef NeighbourLimit_h
 #define NeighbourLimit_h
@@ -8,9 +8,9 @@
 namespace activesurface
 {
 
-// FewParticles may be neighbours of each other. Among more, MostNeighbours on the average, a
-// hundred times the usual number, are refused: each is visited for each, which would take hours.
-// Neighbours are counted for a sample.
+// Up to FewParticles may all be neighbours of each other. Larger inputs are an error if particles
+// have more than MostNeighbours neighbours on average, a hundred times the usual number. Visiting
+// all pairs would take hours. The average is that of a sample.
 constexpr std::size_t FewParticles = 30000;
 constexpr std::size_t MostNeighbours = 20000;
 constexpr std::size_t ParticlesOfSample = 256;

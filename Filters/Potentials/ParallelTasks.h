@@ -1,5 +1,5 @@
-// Tasks on all of VTK's threads, whose exceptions reach the caller: with some of VTK's backends one
-// that leaves a thread ends the program.
+// Runs tasks on all of VTK's threads and passes exceptions to the caller. With some of VTK's
+// backends, an exception that leaves a thread ends the program.
 
 #ifndef ParallelTasks_h
 #define ParallelTasks_h
@@ -18,7 +18,7 @@ namespace activesurface
 // Batch size for work of some microseconds per particle.
 constexpr std::size_t ParticlesPerTask = 256;
 
-// Calls task(0) to task(count - 1), each once; throws what one of them has thrown.
+// Calls task(0) to task(count - 1), each once. Rethrows an exception of a task.
 template <class Task>
 void RunTasks(std::size_t count, Task task)
 {
@@ -51,7 +51,8 @@ void RunTasks(std::size_t count, Task task)
   }
 }
 
-// Calls task(begin, end) for pieces of 0 to count - 1, each of so many but the last.
+// Calls task(begin, end) for pieces of 0 to count - 1. Each piece has inPiece numbers, the last one
+// possibly fewer.
 template <class Task>
 void RunPieces(std::size_t count, std::size_t inPiece, Task task)
 {
@@ -59,7 +60,7 @@ void RunPieces(std::size_t count, std::size_t inPiece, Task task)
     [&](std::size_t piece) { task(piece * inPiece, std::min((piece + 1) * inPiece, count)); });
 }
 
-// Returns the largest of least and value(0) to value(count - 1).
+// Returns the maximum of `least` and value(0) to value(count - 1).
 template <class Number, class Value>
 Number FindMost(std::size_t count, Number least, Value value)
 {
@@ -77,7 +78,7 @@ Number FindMost(std::size_t count, Number least, Value value)
   return most.empty() ? least : *std::max_element(most.begin(), most.end());
 }
 
-// Calls task(0) to task(count - 1), each of little work.
+// Calls task(0) to task(count - 1), for tasks of little work.
 template <class Task>
 void RunEach(std::size_t count, Task task)
 {

@@ -27,7 +27,7 @@ namespace
 
 struct InputBlock
 {
-  std::string Name; // with its number as VTK counts, the flat one
+  std::string Name; // includes VTK's flat index
   vtkSmartPointer<vtkDataSet> Data;
 };
 
@@ -42,7 +42,7 @@ std::string NameOf(vtkCompositeDataIterator* leaf)
   return name;
 }
 
-// Those with points.
+// Lists the blocks with points.
 std::vector<InputBlock> ListBlocks(vtkDataObjectTree* tree)
 {
   std::vector<InputBlock> blocks;
@@ -66,7 +66,7 @@ std::vector<InputBlock> ListBlocks(vtkDataObjectTree* tree)
 
 bool HasVerticesOnly(vtkPointSet* points)
 {
-  if (auto polyData = vtkPolyData::SafeDownCast(points)) // whose types of cells may have to be made
+  if (auto polyData = vtkPolyData::SafeDownCast(points)) // its cell types may have to be built
   {
     return polyData->GetNumberOfCells() == polyData->GetNumberOfVerts();
   }
@@ -123,7 +123,7 @@ bool IsAlike(vtkAbstractArray* array, vtkAbstractArray* other)
     other->GetNumberOfComponents() == array->GetNumberOfComponents();
 }
 
-// Null unless all blocks have it.
+// Returns null unless all blocks have the array.
 vtkSmartPointer<vtkAbstractArray> JoinArray(
   const std::vector<InputBlock>& blocks, vtkAbstractArray* example)
 {

@@ -1,4 +1,4 @@
-// Particles that come as a table, or in blocks, as one point set.
+// Converts particles in a table or in blocks to one point set.
 
 #ifndef ParticleData_h
 #define ParticleData_h
@@ -13,19 +13,20 @@ class vtkDataObject;
 namespace activesurface
 {
 
-// The data set that it is itself, or that is made of it:
-// - of a vtkTable, points. Positions are its columns x, y and z, or a:0 a:1 a:2, a_0 ..., a_x ...,
-//   or one column a of three numbers, where a is Points, Position, Coordinates or the like, in
-//   upper or lower case. Other columns become point arrays, three that belong together one of
-//   vectors.
-// - of a vtkDataObjectTree (multi-block, partitioned), the points of all blocks in their order,
-//   with the point arrays that all blocks with points have, of one type; where one block alone has
-//   points, that block as it is.
-// Null for any other class, and for levels of refinement (AMR). Throws std::invalid_argument for
-// what is none of these.
+// Returns the data set itself or a data set made from it:
+// - Rows of a vtkTable become points. Positions are the columns x, y and z, or a:0 a:1 a:2, a_0
+//   ..., a_x ..., or one column a of three numbers. Here a is Points, Position, Coordinates or the
+//   like, in upper or lower case. Other columns become point arrays; three columns of one vector
+//   become one array.
+// - The points of all blocks of a vtkDataObjectTree (multi-block, partitioned) are joined in order.
+//   Point arrays are kept if all blocks with points have them, with one type. If only one block has
+//   points, that block is returned unchanged.
+// Returns null for any other class and for adaptive mesh refinement (AMR). Throws
+// std::invalid_argument for a table without positions, or if one of several blocks with points is
+// not particles.
 VTKACTIVEPOTENTIALS_EXPORT vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* data);
 
-// Whether it is AMR: a vtkDataObjectTree since VTK 9.6, but its blocks overlap.
+// Returns true for AMR, a vtkDataObjectTree since VTK 9.6, whose blocks overlap.
 VTKACTIVEPOTENTIALS_EXPORT bool HasLevels(vtkDataObject* data);
 
 }

@@ -14,8 +14,8 @@ namespace activesurface
 namespace
 {
 
-// Neighbours are looked for within so many own radii, by usual proportions. For AveragedCentre it
-// has to be the reach. For the others wider is flatter, and dearer.
+// Radius of the neighbourhood in own radii, at usual proportions. For AveragedCentre it has to be
+// the support radius. For the others, larger values are flatter and more expensive.
 double GetNeighbourhoodPerOwnRadius(ParticleModel model)
 {
   return model == ParticleModel::AveragedCentre ? 6.0 : 7.25;
@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  // By a sample that is spread over the list.
+  // Counts the neighbours of a sample that is spread over the list.
   bool HasTooManyNeighbours() const
   {
     const std::size_t count = this->Particles.size();
@@ -75,7 +75,7 @@ private:
     return false;
   }
 
-  // Some particles, near one another.
+  // Particles near one another.
   struct Batch
   {
     const std::size_t* Members;
@@ -112,7 +112,7 @@ private:
 
   bool IsAnisotropic() const { return this->Options.Model == ParticleModel::Anisotropic; }
 
-  // What a lone particle has: the surface is at its own radius.
+  // Value of an isolated particle, whose surface is at its own radius.
   double GetLoneValue(std::size_t i) const
   {
     if (!this->IsAnisotropic())
@@ -137,8 +137,8 @@ private:
     }
   }
 
-  // At the place where the surface should be: the distance from the averaged centre, or the sum of
-  // kernels, over what a lone particle has.
+  // Finds the deficiency at the expected points of the surface. It is the distance from the
+  // averaged centre, or the sum of kernels, minus the value of an isolated particle.
   void FindLack(const std::vector<std::size_t>& surface)
   {
     ParticlePotential body;
@@ -180,7 +180,7 @@ private:
     }
   }
 
-  // At one of the places of each particle, if it counts; else 0.
+  // Evaluates one of the points of each particle if its weight is positive; else 0.
   std::vector<double> FindValues(const Batch& batch, const ParticlePotential& body,
     double SurfacePlaces::*share, double (SurfacePlaces::*place)[3]) const
   {
@@ -205,7 +205,7 @@ private:
     return values;
   }
 
-  // Not a number where the centre is not known, as nothing is near.
+  // NaN if no particle is near, so that there is no averaged centre.
   void FindValuesAt(
     const std::vector<double>& points, const ParticlePotential& body, double* values) const
   {
@@ -227,7 +227,7 @@ private:
     }
   }
 
-  // Most particles are no surface, and share nothing.
+  // Averages the deficiency over particles of the surface, which are a minority.
   void ShareLack(const std::vector<std::size_t>& surface)
   {
     std::vector<SkeletonVertex> particles;
@@ -283,7 +283,7 @@ private:
   UnsetVector<NeighbourSums::Shares> Surface;
   UnsetVector<SurfacePlaces> Outside;
   const NeighbourSums Neighbours;
-  const std::vector<std::size_t> Order; // near ones together
+  const std::vector<std::size_t> Order; // particles near one another are adjacent
 };
 
 }

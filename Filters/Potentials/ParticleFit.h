@@ -1,12 +1,13 @@
-// The fits of particles: what each one is among its neighbours, so that the surface of a body
-// passes where it should, r outside of its outermost particles.
+// Fits particles to their neighbours, so that the surface of a body passes at distance r outside
+// its outermost particles.
 //
-// A lone particle is a ball of its own radius r. In a body, each particle near the surface tells
-// where the surface should be: r from it, away from the mean of its neighbours. There the model is
-// evaluated, and what it lacks is given to the particle, averaged over the particles of the surface
-// nearby: to the own radius (AveragedCentre) or to the strength (Anisotropic, where a strength is
-// one over the sum of kernels). A flat layer thus is a plane at r from its outermost particles, a
-// box of N particles has a volume of N (2 r)^3 but for what its edges lose.
+// An isolated particle is a ball of its own radius r. In a body, each particle near the surface
+// gives an expected surface point, at distance r away from the mean of its neighbours. The model is
+// evaluated there. The deficiency is averaged over nearby particles of the surface and added to the
+// particle. It changes the own radius (AveragedCentre) or the strength (Anisotropic, where a
+// strength is one over the sum of kernels). A flat layer is then a plane at distance r from its
+// outermost particles. A box of N particles has a volume of N (2 r)^3, except for the volume lost
+// at its edges.
 
 #ifndef ParticleFit_h
 #define ParticleFit_h
@@ -22,17 +23,17 @@ namespace activesurface
 struct FitOptions
 {
   ParticleModel Model = ParticleModel::AveragedCentre;
-  double OwnRadius = 0.0;    // r [length]; 0: the particle's reach over twice GetReachPerSpacing
+  double OwnRadius = 0.0;    // r [length]; 0: support radius / (2 GetReachPerSpacing)
   double Anisotropy = 4.0;   // largest ratio of an ellipsoid's axes
-  bool SparesCrowds = false; // where there are too many in one place, all fits are as of none
+  bool SparesCrowds = false; // too many coincident particles: default fits, no error
 };
 
-// How far neighbours are looked for, in radii.
+// Radius of the neighbourhood, in support radii.
 VTKACTIVEPOTENTIALS_EXPORT double GetNeighbourhoodPerRadius(ParticleModel model);
 
-// One fit for each particle. Thread-count independent. Throws as BallCells do, and
-// std::invalid_argument for so many in one place that it would take hours, unless crowds are
-// spared.
+// Returns a fit for each particle. The result does not depend on the number of threads. Throws as
+// BallCells do. Throws std::invalid_argument for clusters that would take hours, unless
+// SparesCrowds is set.
 VTKACTIVEPOTENTIALS_EXPORT ParticleFits FitParticles(
   const FitOptions& options, const std::vector<SkeletonVertex>& particles);
 

@@ -1,7 +1,7 @@
-// How particles make a body of fluid: the models, and what each particle is in them.
+// Models of a fluid body made of particles, and the properties of each particle in them.
 //
-// Lengths of a particle: its own radius r, half of the usual spacing, is where the surface of a
-// lone one is; its reach R is where its influence ends.
+// A particle has two lengths. Its own radius r, half of the usual spacing, is that of its surface
+// if it is isolated. Its support radius R is where its influence ends.
 
 #ifndef ParticleModel_h
 #define ParticleModel_h
@@ -15,12 +15,12 @@ namespace activesurface
 
 enum class ParticleModel
 {
-  Sum,            // of kernels, see Skeleton.h
+  Sum,            // sum of kernels, see Skeleton.h
   AveragedCentre, // Zhu and Bridson 2005
   Anisotropic     // Yu and Turk 2013
 };
 
-// Reach per spacing of the particles, where nobody says it.
+// Default support radius per spacing of the particles.
 inline double GetReachPerSpacing(ParticleModel model)
 {
   return model == ParticleModel::AveragedCentre ? 3.0
@@ -28,22 +28,22 @@ inline double GetReachPerSpacing(ParticleModel model)
                                                 : 2.0;
 }
 
-// What a particle is among its neighbours: found once for each time step of the input, and in
-// between as it changes evenly. ParticleFit() is one without neighbours, and without a size.
+// Properties of a particle among its neighbours. They are found once for each time step of the
+// input and interpolated linearly in between. ParticleFit() has no neighbours and no size.
 struct ParticleFit
 {
-  // In [0,1]: 0 for a lone particle or in a thread of few, 1 in a body of fluid.
+  // In [0,1]: 0 for an isolated particle or a thread of few, 1 in a body of fluid.
   double Bulk;
 
-  // At the edge of a body: the spacing, in the direction away from its neighbours; else 0.
+  // Vector of the length of the spacing, away from the neighbours, at the edge of a body; else 0.
   double Outward[3];
 
-  // How far from the averaged centre the surface is, where this particle's neighbourhood makes it.
+  // Distance of the surface from the averaged centre, as a weighted mean over particles.
   double OwnRadius; // AveragedCentre
 
   // Anisotropic: the ellipsoid of influence, dT Metric d = 1, around the position plus Offset.
   double Strength;
-  double Reach; // the longest half-axis, or more
+  double Reach; // at least the longest half-axis
   double Offset[3];
   double Metric[6]; // xx xy xz yy yz zz
 

@@ -10,16 +10,17 @@ namespace activesurface
 {
 namespace
 {
-// The kernel of presence ends there, in reaches. A lone particle's is .77 on its surface, that of
-// a layer .7 or more up to a spacing of 3 r; halfway between two layers 5 r apart it is .32.
+// Support of the presence kernel, in support radii. The presence is 0.77 on the surface of an
+// isolated particle, and at least 0.7 for a layer with a spacing of up to 3 r. It is 0.32 halfway
+// between two layers that are 5 r apart.
 constexpr double NearPerReach = 3.5 / 6.0;
 constexpr double LeastPresence = 0.1;
 constexpr double FullPresence = 0.5;
-// An ellipsoid's longest half-axis over the particle's reach, where it is a body's.
+// Ratio of an ellipsoid's longest half-axis to the particle's support radius, in a body.
 constexpr double UsualStretch = 1.3;
 }
 
-// Where values and gradients go.
+// Destination of values and gradients.
 struct ParticlePotential::Results
 {
   static constexpr int Terms = 4; // gradient, value
@@ -37,7 +38,7 @@ struct ParticlePotential::Results
   }
 };
 
-// One lane after the other, all with the same operations.
+// Evaluates lane after lane; all lanes use the same operations.
 struct ParticlePotential::CentreField : ParticlePotential::Results
 {
   const ParticlePotential& Body;
@@ -81,9 +82,9 @@ private:
     double Presence[Width] = {};
   };
 
-  // The gradient is a sum too, of offsets times a factor that the first sums tell:
-  // OfWeight (offset . ToCentre - Level - Step * own radius) for the change of a particle's weight,
-  // OfPresence for that of its presence.
+  // Coefficients of the gradient, which is a sum of offsets times a factor, from the first sums.
+  // OfWeight (offset . ToCentre - Level - Step * own radius) is the change of a particle's weight.
+  // OfPresence is the change of its presence.
   template <int Width>
   struct Slopes
   {
@@ -252,7 +253,7 @@ void ParticlePotential::Build(
   ParticleModel model, const std::vector<SkeletonVertex>& particles, const ParticleFits& fits)
 {
   this->Model = model;
-  this->LargestRadius = 0.0; // steadier than the reaches of ellipsoids
+  this->LargestRadius = 0.0; // fluctuates less than the ellipsoids' radii
   this->Numbers.clear();
   for (std::size_t i = 0; i < particles.size(); ++i)
   {

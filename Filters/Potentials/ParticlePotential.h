@@ -1,17 +1,17 @@
-// The potential of particles by one of the models that look at a particle's neighbours, negative
-// inside.
+// Potential of particles by a model that depends on the particles' neighbours; negative inside.
 //
 // AveragedCentre: F(x) = |x - c| - g(P) r, with c and r the means of the particles' positions and
-// fitted radii around x, weighted by (1 - d^2/R^2)^2. (Two is the least power with a continuous
-// gradient, and the flattest for a reach.) Between separate or around concave parts c jumps, and
-// pieces appear far from all particles. So g, a smooth step from 1 to -1, falls where the presence
-// P, a sum of narrow kernels, falls below that at the surface of a lone particle.
+// fitted radii around x, weighted by (1 - d^2/R^2)^2. (Two is the smallest power with a continuous
+// gradient, and the flattest for a support radius.) The mean c jumps between separate parts and
+// around concave ones, which would create surfaces far from all particles. So g, a smooth step from
+// 1 to -1, falls where the presence P falls below its value at the surface of an isolated particle.
+// P is a sum of narrow kernels.
 //
 // Anisotropic: F(x) = 1/2 - sum of strength (1 - dT Metric d)^3, d from the fitted centre.
 //
-// Outside all reaches F is constant: the largest reach, or 1/2 (without particles, too). Sums are
-// by cells, in the order of the particles within a cell, so they have the same bits for any batch,
-// thread and instruction set, whatever other particles there are.
+// F is constant outside all supports: the largest support radius, or 1/2 (without particles, too).
+// Sums are by cells, in the order of the particles within a cell. They are bitwise identical for
+// any batch, thread and instruction set, whatever other particles there are.
 
 #ifndef ParticlePotential_h
 #define ParticlePotential_h
@@ -29,26 +29,26 @@ namespace activesurface
 class VTKACTIVEPOTENTIALS_EXPORT ParticlePotential
 {
 public:
-  // Comes before the first evaluation; each particle has a fit. Those with a strength <= 0 add
-  // nothing. Vertices have to be usable. Not for ParticleModel::Sum. Keeps its memory. Throws as
-  // BallCells do.
+  // Precedes the first evaluation; each particle has a fit. Particles with a strength <= 0 add
+  // nothing. Vertices have to be usable. Not for ParticleModel::Sum. Keeps allocated memory. Throws
+  // as BallCells do.
   void Build(
     ParticleModel model, const std::vector<SkeletonVertex>& particles, const ParticleFits& fits);
 
-  // No particles at all.
+  // Removes all particles.
   void Clear() { this->Build(ParticleModel::AveragedCentre, {}, {}); }
 
-  // What the order of the sums is for: with another one all values may be off by rounding.
+  // Returns the size that determines the order of sums; another size changes values by rounding.
   double GetCellSize() const { return this->Near.GetCellSize(); }
 
-  // At points (x y z each); gradients may be null. A point that is not finite gets NaN.
+  // Evaluates at points (x y z each); gradients may be null. A point that is not finite gets NaN.
   // Thread-safe.
   void Evaluate(std::size_t count, const double* points, double* values, double* gradients) const;
 
-  // The box of all reaches: xmin xmax ymin ... Meaningless without particles.
+  // Bounding box of all supports: xmin xmax ymin ... Undefined without particles.
   const double* GetBounds() const { return this->Near.GetBounds(); }
 
-  // The value of AveragedCentre where no particle reaches.
+  // Returns the value of AveragedCentre outside all supports.
   double GetOutside() const { return this->LargestRadius > 0.0 ? this->LargestRadius : 0.5; }
 
 private:
@@ -80,11 +80,12 @@ private:
 
   ParticleModel Model = ParticleModel::AveragedCentre;
   double LargestRadius = 0.0;
-  UnsetVector<CentreElement> Centres; // in the order of the cells, and so are the ellipsoids
+  UnsetVector<CentreElement> Centres; // in the order of the cells, like Ellipsoids
   UnsetVector<AnisotropicElement> Ellipsoids;
   BallCells Near;
 
-  // Of Build, kept for their memory: the particles that add something, and their numbers.
+  // Temporaries of Build, kept to reuse their memory: the particles that add something, and their
+  // indices.
   UnsetVector<BallCells::Ball> Balls;
   std::vector<std::size_t> Numbers;
 };

@@ -1,4 +1,4 @@
-// Places in groups of near ones, so that what may reach them is looked up once for all of a group.
+// Groups nearby points, so that one search serves a whole group.
 
 #ifndef PlaceGroups_h
 #define PlaceGroups_h
@@ -20,8 +20,8 @@ class PlaceGroups
 public:
   static constexpr std::size_t Capacity = 256;
 
-  // Sorts the finite ones of up to Capacity places (x y z each) along a Morton curve. size: what
-  // the box around a group is not to exceed.
+  // Sorts the finite points among up to Capacity points (x y z each) along a Morton curve. size:
+  // largest extent of the box around a group.
   PlaceGroups(std::size_t count, const double* places, double size)
     : Finite(count, places)
     , Places(places)
@@ -49,8 +49,8 @@ public:
     std::sort(this->Order.begin(), this->Order.begin() + this->Usable);
   }
 
-  // Calls visit(members, count), count at most `most`, for each group; members are numbers of
-  // places.
+  // Calls visit(members, count) for each group. members are indices of points; count is at most
+  // `most`.
   template <class Visitor>
   ACTIVE_ALWAYS_INLINE void ForEachGroup(int most, Visitor visit) const
   {
@@ -68,7 +68,7 @@ public:
     }
   }
 
-  // The others are in no group.
+  // Points that are not finite are in no group.
   const FinitePlaces<Capacity>& GetFinite() const { return this->Finite; }
 
 private:
@@ -76,7 +76,7 @@ private:
   static constexpr int BitsOnAxis = 18;
   static constexpr double StepsPerSize = 4.0;
 
-  // Two zeros between each of the lower bits and the next.
+  // Inserts two zeros after each of the lower bits.
   static std::uint64_t SpreadBits(std::uint64_t bits)
   {
     bits = (bits | bits << 32) & 0x1f00000000ffffu;
@@ -86,7 +86,7 @@ private:
     return (bits | bits << 2) & 0x1249249249249249u;
   }
 
-  // The Morton code; what is too far away is at the end.
+  // Returns the Morton code; coordinates are clamped at the far end.
   static std::uint64_t GetKey(const double x[3], const double low[3], double stepsPerLength)
   {
     constexpr double last = (1 << BitsOnAxis) - 1;
@@ -99,7 +99,7 @@ private:
     return key;
   }
 
-  // How many of the next ones fit into the limit together, one at least.
+  // Returns how many of the next points, at least one, fit into a group.
   int CountGroup(const std::size_t* members, std::size_t most) const
   {
     double low[3], high[3];
@@ -126,7 +126,7 @@ private:
   const double* const Places;
   const double Limit;
   std::size_t Usable = 0;
-  std::array<std::uint64_t, Capacity> Order; // keys, then numbers
+  std::array<std::uint64_t, Capacity> Order; // keys, each with a point's index in the low bits
 };
 
 }

@@ -17,7 +17,7 @@ Point Between(const Point& from, const Point& to)
   return way;
 }
 
-// > 0 if the triangles abc and acd look to one side.
+// Positive if the triangles abc and acd face the same side.
 double SideOf(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   const Point diagonal = Between(a, c);
@@ -56,8 +56,8 @@ const std::vector<PolygonCutter::Triangle>& PolygonCutter::Cut(const std::vector
   return this->Triangles;
 }
 
-// Releases of VTK choose other diagonals. Here it is the one whose triangles look to one side; of
-// two, the shorter one; of two as long as each other, the second one.
+// Chooses the diagonal independently of the release of VTK: the one whose triangles face the same
+// side. If both do or neither does, the shorter one is chosen; of equal ones, the second.
 void PolygonCutter::CutQuadrangle(const std::vector<Point>& corners)
 {
   const Point &a = corners[0], &b = corners[1], &c = corners[2], &d = corners[3];
@@ -69,7 +69,7 @@ void PolygonCutter::CutQuadrangle(const std::vector<Point>& corners)
   this->Triangles.push_back({ start, 2, 3 });
 }
 
-// False if it cannot.
+// Returns false if VTK cannot triangulate the polygon.
 bool PolygonCutter::CutByVTK(const std::vector<Point>& corners)
 {
   const auto count = static_cast<vtkIdType>(corners.size());

@@ -1,4 +1,4 @@
-// Cuts polygons, which may be concave, into triangles.
+// Triangulates polygons, which may be concave.
 
 #ifndef PolygonCutter_h
 #define PolygonCutter_h
@@ -19,12 +19,12 @@ class PolygonCutter
 {
 public:
   using Point = std::array<double, 3>;
-  using Triangle = std::array<std::size_t, 3>; // corners of the polygon, by their numbers
+  using Triangle = std::array<std::size_t, 3>; // corners of the polygon, by their indices
 
   PolygonCutter();
 
-  // Of a polygon of three corners at least; until the next one. What cannot be cut well becomes a
-  // fan, so that a mesh stays closed.
+  // Triangulates a polygon of at least three corners. The result is valid until the next call. A
+  // polygon that cannot be triangulated well becomes a fan, so that a mesh stays closed.
   const std::vector<Triangle>& Cut(const std::vector<Point>& corners);
 
 private:

@@ -13,15 +13,15 @@ namespace activesurface
 {
 namespace
 {
-// Radii in a lattice are 0.31 to 0.63 cells: smaller cells hold fewer candidates, and take more
-// time and memory to fill.
+// Radii in a lattice are 0.31 to 0.63 cells. Smaller cells hold fewer candidates, but cost more
+// time and memory.
 constexpr double CellsPerRadius = 0.63;
-// A segment is registered in pieces of up to two cells; one of more pieces goes to coarser cells.
+// A segment has pieces of up to two cells; one with too many pieces uses coarser cells.
 constexpr double CellsPerPiece = 2.0;
 constexpr double MaximumPieces = 32.0;
 constexpr double HalfCellDiagonal = 0.8660255;
 constexpr std::size_t MaximumElements = std::size_t(1) << 28;
-// Balls are stored as floats, less than 4 cells from where they are used: errors are below 1e-6.
+// Balls are stored as floats, relative to a point less than 4 cells away: errors are below 1e-6.
 constexpr double FloatMargin = 1e-5;
 // A range of slots stays in the caches while it is filled.
 constexpr int LeastBitsOfRange = 14;
@@ -109,8 +109,8 @@ void SkeletonCells::ChooseLattices(const std::vector<Capsule>& capsules)
   }
 }
 
-// Level l has cells of FirstCellSize / 2^l; it is negative for segments that are long against the
-// largest radius.
+// Level l has cells of size FirstCellSize / 2^l. The level is negative for segments that are long
+// compared with the largest radius.
 int SkeletonCells::ChooseLevel(const Capsule& capsule) const
 {
   const double radius = std::max(capsule.StartRadius, capsule.EndRadius) + this->Slack;
@@ -189,13 +189,13 @@ struct SkeletonCells::Span
   static constexpr int Capacity = 8; // a ball's diameter is 1.3 cells at most
   int Count = 0;
   double Gap2[Capacity]; // squared distance from the cell's slab to the centre, in cells
-  float Place[Capacity]; // of the centre, from the cell's
+  float Place[Capacity]; // of the centre, relative to the cell's centre
   std::uint64_t Hash[Capacity];
   Index InBlock[Capacity];
   bool IsLast[Capacity];
 };
 
-// The first and the last cell hold all that lies beyond.
+// The first and the last cell contain all points beyond.
 SkeletonCells::Span SkeletonCells::GetSpan(
   const SkeletonLattice& lattice, int axis, double centre, double radius)
 {
@@ -248,7 +248,7 @@ void SkeletonCells::RegisterBall(Index element, const double centre[3], double r
   }
 }
 
-// Each element once in each slot.
+// Adds each element once to each slot.
 void SkeletonCells::AddTo(Chunk& chunk, std::size_t slot, Index element, const float ball[4]) const
 {
   std::vector<Registration>& registrations = chunk[slot >> this->BitsOfRange];
@@ -307,7 +307,7 @@ void SkeletonCells::RegisterPiece(
   }
 }
 
-// Whether the piece comes near the ball around the cell.
+// Returns true if the piece comes near the ball around the cell.
 bool SkeletonCells::Touches(const Piece& piece, const SkeletonLattice& lattice, const Index cell[3])
 {
   double centre[3];
@@ -334,7 +334,7 @@ bool SkeletonCells::Touches(const Piece& piece, const SkeletonLattice& lattice, 
   return distance2 <= reach * reach;
 }
 
-// A counting sort by slot, range by range.
+// Counting sort by slot, range by range.
 void SkeletonCells::FillLists()
 {
   this->RangeStarts.assign(1, 0);
@@ -359,7 +359,7 @@ void SkeletonCells::FillLists()
   RunTasks(this->RangeStarts.size() - 1, [this](std::size_t range) { this->FillRange(range); });
 }
 
-// Elements come in ascending order, so lists are ascending.
+// Elements are added in ascending order, so lists are ascending.
 void SkeletonCells::FillRange(std::size_t range)
 {
   const std::size_t first = range << this->BitsOfRange;

@@ -1,11 +1,11 @@
-// Finds the elements of a skeleton whose supports may contain a point, in a time that does not
-// depend on the number of elements: each element is listed, in index order, in every cell of a
-// uniform lattice that its support touches, so that a point reads one list. (Elements listed once,
-// and 27 cells read and merged, would mean twice the candidates and a merge.)
+// Finds the elements of a skeleton whose supports may contain a point. The time does not depend on
+// the number of elements. Each element is listed, in index order, in every cell of a uniform
+// lattice that its support touches, so a point reads one list. (Listing elements once, and merging
+// 27 cells for a point, would double the candidates and need a merge.)
 //
-// Elements of unlike size have lattices of their own, whose cells halve from one to the next; a
-// point reads one list in each. A ball is listed at most 27 times, a long segment a few hundred
-// times: memory is O(elements), however large or degenerate the extent.
+// Elements of different sizes have separate lattices, each with cells half as wide as those of the
+// previous one. A point reads one list in each lattice. A ball is listed at most 27 times, a long
+// segment a few hundred times. Memory is O(elements), however large or degenerate the extent.
 
 #ifndef SkeletonCells_h
 #define SkeletonCells_h
@@ -18,7 +18,7 @@
 namespace activesurface
 {
 
-// The support of an element; a ball if Start equals End. All numbers finite, radii > 0.
+// Support of an element; a ball if Start equals End. All numbers are finite, radii > 0.
 struct Capsule
 {
   double Start[3];
@@ -32,14 +32,14 @@ class SkeletonCells
 public:
   using Index = std::uint32_t;
 
-  // A point, or a box around several that lie in one cell of each lattice.
+  // A point, or a box around several points in one cell of each lattice.
   struct Place
   {
     double Low[3];
     double High[3];
   };
 
-  // What is left to be looked at for one place in one lattice.
+  // State of the search for one place in one lattice.
   struct Search
   {
     float Low[3]; // of the place, in cells from its cell's centre
@@ -54,31 +54,31 @@ public:
   static constexpr std::size_t MaximumLattices = 64;
 
   // bounds contain all capsules. Throws std::length_error for more elements than 32-bit lists can
-  // hold. Keeps its memory from call to call.
+  // hold. Keeps allocated memory from call to call.
   void Build(const std::vector<Capsule>& capsules, const double bounds[6]);
 
   std::size_t GetNumberOfLattices() const { return this->Lattices.size(); }
 
-  // The cell of a point in the finest lattice. Points that share it share those of all lattices,
-  // whose cells are made of finer ones, unless it is at an end (see SkeletonLattice::LastCell).
+  // Finds the cell of a point in the finest lattice. Points that share this cell share those of all
+  // lattices, whose cells consist of finer ones. Cells at an end are an exception (see
+  // SkeletonLattice::LastCell).
   ACTIVE_ALWAYS_INLINE void FindCell(const double x[3], Index cell[3]) const;
 
-  // An element is found in one lattice.
+  // Each element is in one lattice.
   ACTIVE_ALWAYS_INLINE Search StartSearch(std::size_t lattice, const Place& place) const;
 
-  // The next elements, in ascending order, whose supports may touch the place: all that do, and a
-  // few more.
-  // Looks at `capacity` elements, at most HitsAtOnce, and returns the number of hits, which may be
-  // 0 before the search is over.
+  // Finds the next elements, in ascending order, that touch the place, and a few more. Tests
+  // `capacity` elements, at most HitsAtOnce. Returns the number of hits, which may be 0 before the
+  // search is over.
   static constexpr std::size_t HitsAtOnce = 256;
   ACTIVE_ALWAYS_INLINE std::size_t TakeHits(
     Search& search, Index* hits, std::size_t capacity) const;
 
 private:
-  // Positions are clamped there, in cells: beyond what a ball reaches.
+  // Offsets are clamped to this many cells, which no ball reaches.
   static constexpr double FarAway = 16.0;
 
-  // Without taper, and enlarged by what rounding may do to a coordinate.
+  // A piece without taper, enlarged by the rounding error of a coordinate.
   struct Piece
   {
     double Start[3];
@@ -86,8 +86,8 @@ private:
     double Radius;
   };
 
-  // An element in a cell, with a ball that contains the support there: lengths in cells, position
-  // from the cell's centre.
+  // An element in a cell, with a ball that contains the support there. Lengths are in cells,
+  // positions relative to the cell's centre.
   struct Registration
   {
     Index Slot;
@@ -95,10 +95,10 @@ private:
     float Ball[4]; // x y z radius^2
   };
 
-  // Those of consecutive elements, for each range of slots: ranges are filled in parallel.
+  // Registrations of consecutive elements, by range of slots: ranges are filled in parallel.
   using Chunk = std::vector<std::vector<Registration>>;
 
-  // The cells of a lattice that a ball may touch, along one axis.
+  // Cells of a lattice that a ball may touch, along one axis.
   struct Span;
 
   void Measure(const std::vector<Capsule>& capsules, const double bounds[6]);
@@ -119,19 +119,19 @@ private:
   void FillRange(std::size_t range);
 
   double Origin[3];     // of all lattices
-  double Slack;         // bounds the rounding of a coordinate
-  double LargestRadius; // with Slack
+  double Slack;         // bound on the rounding error of a coordinate
+  double LargestRadius; // including Slack
   double FirstCellSize;
   std::vector<SkeletonLattice> Lattices; // coarse to fine, none empty
   std::vector<Index> ListStarts;         // per slot, and the end of the last
   std::vector<Index> Lists;
   std::vector<float> Balls; // 4 per entry of Lists: all x of a list, then all y, z, and radius^2
 
-  // Of Build, kept for their memory.
+  // Temporaries of Build, kept to reuse their memory.
   std::vector<int> LatticeOf; // per element
   std::vector<Chunk> Chunks;
-  int BitsOfRange = 0;                  // of slots
-  std::vector<std::size_t> RangeStarts; // of their lists, and the end of the last
+  int BitsOfRange = 0;                  // bits of a slot's index within its range
+  std::vector<std::size_t> RangeStarts; // of the ranges' lists, and the end of the last
   std::vector<Index> Filled;            // per slot
 };
 
@@ -170,7 +170,7 @@ ACTIVE_ALWAYS_INLINE SkeletonCells::Search SkeletonCells::StartSearch(
   return search;
 }
 
-// Two loops: the first is for the vector unit, the second has no branch, as hits are unpredictable.
+// The first loop is vectorised. The second has no branch, because hits are unpredictable.
 ACTIVE_ALWAYS_INLINE std::size_t SkeletonCells::TakeHits(
   Search& search, Index* hits, std::size_t capacity) const
 {

@@ -1,8 +1,9 @@
-// What one element of a skeleton adds to the sum: strength * W(distance / radius), and its
+// Contribution of one element of a skeleton to the sum: strength * W(distance / radius), and its
 // gradient.
 //
 // W is compact: W(0) = 1, W(q >= 1) = 0, and W' is continuous and vanishes at both ends. A kernel
-// gives W(q) and W'(q)/q, which unlike W' needs no direction where the distance is zero, from q^2.
+// returns W(q) and W'(q)/q as functions of q^2. Unlike W', the quotient needs no direction at
+// distance zero.
 
 #ifndef SkeletonKernel_h
 #define SkeletonKernel_h
@@ -28,7 +29,7 @@ struct KernelSample
   double SlopeOverQ; // W'(q) / q
 };
 
-// Number by number, which is without a branch.
+// Selects number by number, without a branch.
 ACTIVE_ALWAYS_INLINE KernelSample Choose(
   bool first, const KernelSample& one, const KernelSample& other)
 {
@@ -71,16 +72,16 @@ struct MetaballKernel
   }
 };
 
-// A place and the sums of contributions there: 0, 1, 2 are MINUS the gradient, as wanted of a
-// potential that is negative inside, 3 is the value. One array, because compilers then add two at a
-// time.
+// A position and the sums of contributions there. Terms 0, 1, 2 are MINUS the gradient, as a
+// potential that is negative inside needs. Term 3 is the value. One array lets compilers add two
+// terms at a time.
 struct SkeletonPlace
 {
   double X[3];
   double Terms[4] = { 0.0, 0.0, 0.0, 0.0 };
 };
 
-// Places side by side, for the vector unit.
+// Positions in SIMD lanes.
 struct SkeletonLanes
 {
   static constexpr int Width = 8;
@@ -114,7 +115,7 @@ struct SkeletonPoint
     }
   }
 
-  // The same bits at each place: beyond its support it adds zeros, as W(1) = W'(1) = 0.
+  // Bitwise identical to a single position: beyond the support it adds zeros, as W(1) = W'(1) = 0.
   template <class Kernel>
   ACTIVE_ALWAYS_INLINE void AddTo(SkeletonLanes& lanes) const
   {
@@ -134,13 +135,13 @@ struct SkeletonPoint
   }
 };
 
-// Radius and strength run linearly from start to end and are taken at the point of the segment that
-// is closest to x, at the fraction t of its length.
+// A segment whose radius and strength are linear from start to end. They are evaluated at the point
+// of the segment closest to x, at the fraction t of its length.
 struct SkeletonSegment
 {
   double Start[3];
   double Edge[3];
-  double InverseLength2; // 0 for a segment without length, which then acts as its start point
+  double InverseLength2; // 0 for a segment of zero length, which acts as its start point
   double Radius;
   double RadiusChange;
   double Strength;
@@ -171,7 +172,7 @@ struct SkeletonSegment
     const double strength = this->Strength + t * this->StrengthChange;
     const KernelSample kernel = Kernel::At(q2);
     const double slope = strength * kernel.SlopeOverQ;
-    // Between the ends t depends on x; the distance does not depend on t, being least there.
+    // Between the ends t depends on x. The derivative of the distance by t is zero there.
     const double perLength = t > 0.0 && t < 1.0 ? this->InverseLength2 : 0.0;
     const double alongEdge = perLength *
       (slope * q2 * this->RadiusChange * inverseRadius - this->StrengthChange * kernel.Value);

@@ -1,5 +1,6 @@
-// Cubic cells without end, hashed into slots: a slot for each cell of a block of 4x4x4, the blocks
-// wherever the hash puts them. Cells that share a slot cost time, not correctness.
+// Unbounded lattice of cubic cells, hashed into slots. A block of 4x4x4 cells has a slot for each
+// cell; the hash determines the position of the block. Collisions of slots cost time, not
+// correctness.
 
 #ifndef SkeletonLattice_h
 #define SkeletonLattice_h
@@ -25,20 +26,22 @@ struct SkeletonLattice
   std::size_t FirstSlot;
   int HashShift;
 
-  // In cells.
+  // Returns a coordinate in cells.
   double GetCoordinate(double x, int axis) const
   {
     return (x - this->Origin[axis]) * this->InverseCellSize;
   }
 
-  // The first and the last cell hold all that lies beyond. Rises with the coordinate, which rises
-  // with x, also in floating point: what lies between two points is in the cells between.
+  // Returns a cell; the first and the last cell contain all points beyond. The cell is monotonic in
+  // x, also in floating point. The cells of two points therefore enclose those of all points
+  // between.
   static Index GetCell(double coordinate)
   {
     return static_cast<Index>(std::min(std::max(coordinate, 0.0), static_cast<double>(LastCell)));
   }
 
-  // Of a cell: the sum of three hashes, the union of three bit patterns.
+  // Hash along one axis. A slot combines the sum of three hashes and the union of three bit
+  // patterns.
   static std::uint64_t GetHash(Index cell, int axis)
   {
     constexpr std::uint64_t factors[3] = { 0x9e3779b97f4a7c15u, 0xc2b2ae3d27d4eb4fu,

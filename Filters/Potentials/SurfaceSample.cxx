@@ -14,7 +14,7 @@ namespace
 
 using Vector = std::array<double, 3>;
 
-// Twice the area, along the normal.
+// Returns a normal whose length is twice the area.
 Vector FindNormal(const MeshTriangles& mesh, const MeshTriangles::Triangle& triangle)
 {
   Vector edge[2], normal;
@@ -27,8 +27,8 @@ Vector FindNormal(const MeshTriangles& mesh, const MeshTriangles::Triangle& tria
   return normal;
 }
 
-// The i-th place of a sequence that fills a triangle evenly: of Roberts' in the unit square, which
-// is folded.
+// Returns a point of a sequence that fills a triangle evenly: Roberts' sequence in the unit square,
+// folded to the triangle.
 Vector FindPlace(
   const MeshTriangles& mesh, const MeshTriangles::Triangle& triangle, std::size_t number)
 {
@@ -65,7 +65,7 @@ SurfaceSample SampleSurface(const MeshTriangles& mesh)
     return surface;
   }
   const double each = whole / static_cast<double>(SurfaceSample::Most);
-  double area = 0.0; // of the triangles so far
+  double area = 0.0; // of the triangles up to this one
   for (const MeshTriangles::Triangle& triangle : mesh.Triangles)
   {
     Vector normal = FindNormal(mesh, triangle);

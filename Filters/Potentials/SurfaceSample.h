@@ -1,4 +1,4 @@
-// A surface by points that stand for its area.
+// Samples a surface by points that represent its area.
 
 #ifndef SurfaceSample_h
 #define SurfaceSample_h
@@ -16,29 +16,29 @@ struct MeshTriangles;
 struct SurfacePoint
 {
   std::array<double, 3> Place;
-  std::array<double, 3> Normal; // of length 1, to either side
-  double Area;                  // that it stands for
+  std::array<double, 3> Normal; // of length 1, on either side
+  double Area;                  // that the point represents
 };
 
-// A surface by points that stand for it. A share s that they tell is off by sqrt(s (1 - s) / n) of
-// n points, as if they were at random: by .6 % at the most of 8192, by .08 % at s = .5 %.
+// Sample of a surface. An area fraction s estimated from n points has an error of sqrt(s (1 - s) /
+// n), as for random points. With 8192 points that is at most 0.6 %, and 0.08 % at s = 0.5 %.
 struct SurfaceSample
 {
   static constexpr std::size_t Most = 8192;
 
   std::vector<SurfacePoint> Points;
-  double Detail = std::numeric_limits<double>::infinity(); // the function is even within [length]
-  bool IsMiddle = false; // of a shell: the points are half of its thickness below its surface
+  double Detail = std::numeric_limits<double>::infinity(); // the function is smooth within [length]
+  bool IsMiddle = false; // of a shell: points are half the thickness below its surface
 };
 
-// Points evenly over the area of a mesh.
+// Distributes points evenly over the area of a mesh.
 SurfaceSample SampleSurface(const MeshTriangles& mesh);
 
-// Gathers points of which nobody knows how many there will be: all, or each second, or fourth ...
+// Collects points of an unknown total number: all, or every second, fourth ... one.
 class SurfaceGatherer
 {
 public:
-  // Whether the next point is one of those. For each point, and then Add if it is.
+  // Returns true if the next point is to be added. Called once for each point, before Add.
   bool WantsNext() { return this->Offered++ % this->Stride == 0; }
   void Add(const SurfacePoint& point);
 

@@ -25,7 +25,7 @@ namespace
 constexpr const char* NamesOfPositions[] = { "", "coordinate", "coordinates", "p", "point",
   "points", "pos", "position", "positions", "vertices" };
 
-// One column, or three that are the components of a vector.
+// One column, or three columns that are the components of a vector.
 struct Group
 {
   std::string Name;
@@ -37,7 +37,8 @@ struct Group
   }
 };
 
-// "Velocity:1", "velocity_y [m/s]" and "VelocityY" are the component 1 of a vector; -1: of none.
+// "Velocity:1", "velocity_y [m/s]" and "VelocityY" are component 1 of a vector. -1: not a
+// component.
 struct ColumnName
 {
   std::string Vector;
@@ -99,7 +100,7 @@ bool ArePositions(const Group& group)
     std::end(NamesOfPositions);
 }
 
-// In the order of their first columns.
+// Groups columns, in the order of their first columns.
 std::vector<Group> GroupColumns(vtkTable* table)
 {
   std::map<std::string, std::array<vtkAbstractArray*, 3>> vectors;
@@ -149,7 +150,7 @@ vtkDataArray* AsNumbers(vtkAbstractArray* column, vtkTable* table)
   return numbers;
 }
 
-// Of the columns' type, if they have one; else double.
+// Joins columns. The result has the columns' type, or double if their types differ.
 vtkSmartPointer<vtkDataArray> Join(const Group& group, vtkTable* table)
 {
   int type = group.Columns[0]->GetDataType();

@@ -1,4 +1,4 @@
-// The columns of a table of particles: which are positions, and which are vectors.
+// Finds positions and vectors among the columns of a table of particles.
 
 #ifndef TableColumns_h
 #define TableColumns_h
@@ -11,7 +11,7 @@ class vtkTable;
 namespace activesurface
 {
 
-// The rows as points, and the other columns as point arrays. Throws std::invalid_argument for a
+// Converts rows to points and the other columns to point arrays. Throws std::invalid_argument for a
 // table without positions.
 vtkSmartPointer<vtkPolyData> MakePoints(vtkTable* table);
 

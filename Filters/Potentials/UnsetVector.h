@@ -1,5 +1,5 @@
-// Arrays that tasks fill: what resize adds is not set, so that the tasks are the first to touch the
-// memory, which is much of the work where there is a lot of it.
+// Vector whose resize leaves new elements uninitialised. The tasks that fill large arrays are then
+// the first to touch the memory, which is a large part of the work.
 
 #ifndef UnsetVector_h
 #define UnsetVector_h

@@ -1,4 +1,4 @@
-// Requests to an input of which all is needed, whatever piece of an output is asked for.
+// Requests the whole of an input, whatever piece of an output is requested.
 
 #ifndef WholeInput_h
 #define WholeInput_h
@@ -10,7 +10,7 @@ class vtkInformation;
 namespace activesurface
 {
 
-// Piece 0 of 1 without ghosts and, of an image, its whole extent.
+// Requests piece 0 of 1 without ghosts and, of an image, its whole extent.
 VTKACTIVEPOTENTIALS_EXPORT void RequestWhole(vtkInformation* input);
 
 }

@@ -31,20 +31,20 @@ vtkStandardNewMacro(vtkGridPotential);
 
 namespace
 {
-constexpr double Outside = 1.0; // F where there is nothing
+constexpr double Outside = 1.0; // F without samples
 }
 
 struct vtkGridPotential::Internals
 {
   activesurface::FunctionInput Input;
-  std::shared_ptr<const activesurface::GridSamples> Given; // by SetSamples, in place of an input
+  std::shared_ptr<const activesurface::GridSamples> Given; // from SetSamples, in place of an input
 
-  // What Build makes.
+  // Results of Build.
   std::shared_ptr<const activesurface::GridSamples> Samples;
   std::string Defects;
   std::string Error;
 
-  // What FindParts has found of the samples.
+  // Results of FindParts.
   std::shared_ptr<const activesurface::LatticeParts> Parts;
   double LevelOfParts = 0.0;
   std::mutex Finding;
@@ -111,7 +111,7 @@ vtkMTimeType vtkGridPotential::GetMTime()
 
 void vtkGridPotential::Build()
 {
-  // Not GetMTime(): a change of the transform leaves the samples as they are.
+  // GetMTime() would include changes of the transform, which do not affect the samples.
   const vtkMTimeType changed = this->vtkObject::GetMTime(); // NOLINT(bugprone-parent-virtual-call)
   this->Internal->Input.ReadIfChanged(changed, [this] { this->ReadSamples(); });
 }

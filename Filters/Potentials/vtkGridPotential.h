@@ -6,35 +6,35 @@
  * that interpolation. F is negative inside, as all implicit functions of VTK. The samples are
  *
  * - the point scalars of a vtkImageData, of any type and one component: F = sample - IsoValue, or
- *   IsoValue - sample with InvertInside. Origin, spacing, extent and direction matrix count. What
- * is not known is outside: beyond the image's box F is the distance to the box [length], so a body
- *   that reaches the faces is closed there. In voxels that touch a pixel of value NaN, F is NaN.
+ *   IsoValue - sample with InvertInside. Origin, spacing, extent and direction matrix are used.
+ *   Beyond the image's box F is the distance to the box [length], so a body that reaches the faces
+ *   is closed there. In voxels that touch a pixel of value NaN, F is NaN.
  * - the voxels of a sparse level set that a vtkImageData carries in place of arrays
- *   (vtkActiveVDBReader with OutputDense off), in the same way; beyond its band F is what the level
- *   set holds there, + or - a constant, with gradient 0.
+ *   (vtkActiveVDBReader with OutputDense off), in the same way. Beyond its band F is the level
+ *   set's background, + or - a constant, with gradient 0.
  * - the signed distance [length] to the polygons and strips of a vtkPolyData, on a lattice through
  *   the origin with voxels of VoxelSize, within Reach of the mesh; +-Reach with gradient 0 beyond.
- *   A closed mesh bounds a solid, whichever way its polygons are turned. Bodies that overlap are
- *   united, and voids within a body are filled. What is thinner than a voxel may be missed.
+ *   A closed mesh bounds a solid, whichever way its polygons are turned. Overlapping bodies are
+ *   united, and voids within a body are filled. Parts thinner than a voxel may be missed.
  *
- * Meshes with defects. Points of equal coordinates count as one. GetDefects() tells the edges of
- * one polygon only (the mesh is open), those of more than two polygons, and the polygons that are
- * left out as a point of theirs is not finite or does not exist, or they have no area at all. There
- * is one warning when the mesh is read. A mesh is closed if each edge belongs to an even number of
- * polygons: closed bodies may touch along an edge. One that is not closed becomes a shell if
- * MeshThickness > 0: F is the unsigned distance - MeshThickness / 2. Else it is taken for a solid:
- * inside is where the mesh winds around by more than a half (generalized winding numbers), so that
- * a hole is closed by a cap from rim to rim. A sheet has no inside; nor is there one that makes
- * sense where neighbouring polygons are turned to different sides.
+ * Meshes with defects. Points of equal coordinates are merged. GetDefects() reports the edges of
+ * only one polygon (the mesh is open) and those of more than two polygons. It also reports omitted
+ * polygons: a point is not finite or does not exist, or the area is exactly zero. A warning is
+ * issued once when the mesh is read. A mesh is closed if each edge belongs to an even number of
+ * polygons: closed bodies may touch along an edge. A mesh that is not closed becomes a shell if
+ * MeshThickness > 0: F is the unsigned distance - MeshThickness / 2. Otherwise it is treated as a
+ * solid: points whose winding number exceeds a half are inside (generalized winding numbers), so a
+ * cap from rim to rim closes a hole. A sheet has no inside. The inside is undefined if neighbouring
+ * polygons are turned to different sides.
  *
- * Bad input is an error with a sentence, once when it is read, and GetError(). F is then 1
- * everywhere (outside) with gradient 0, as it is without input. Of no use are: other data sets,
- * flat images (of one pixel along an axis), arrays that are missing or of several components, axes
- * that are not orthogonal, meshes without polygons, and lattices too large.
+ * Bad input is an error with a sentence, issued once when the input is read, and GetError(). F is
+ * then 1 everywhere (outside) with gradient 0, as without input. Unusable inputs are: other data
+ * sets, flat images (of one pixel along an axis), arrays that are missing or of several components,
+ * axes that are not orthogonal, meshes without polygons, and lattices that are too large.
  *
- * Threads. Evaluation may be called by several threads at once, as long as none modifies the
- * function or its input. The result has the same bits for any number of threads, through whichever
- * method. Where x is not finite, F and its gradient are NaN.
+ * Threads. Several threads may evaluate at once, as long as none modifies the function or its
+ * input. The result is bitwise identical for any number of threads and for every method. F and its
+ * gradient are NaN if x is not finite.
  */
 
 #ifndef vtkGridPotential_h
@@ -75,9 +75,9 @@ public:
 
   ///@{
   /**
-   * The output of an algorithm in place of a data set, as within ParaView. It is brought up to date
-   * at the first evaluation, and again after GetMTime() (which filters ask for when they update)
-   * has found a change upstream; at the time that it was last asked for. Default: none.
+   * The output of an algorithm in place of a data set, as within ParaView. The algorithm is updated
+   * at the first evaluation, and again after GetMTime() (which filters call when they update) has
+   * found a change upstream. The update uses the time of the last request. Default: none.
    */
   void SetInputConnection(vtkAlgorithmOutput* output);
   vtkAlgorithmOutput* GetInputConnection();
@@ -86,7 +86,7 @@ public:
   ///@{
   /**
    * Image: name of the point array of samples, one number per pixel. Default: empty, the active
-   * scalars, and without them the first array of one component.
+   * scalars or, without them, the first array of one component.
    */
   void SetScalarArrayName(const char* name);
   const char* GetScalarArrayName() const { return this->ScalarArrayName.c_str(); }
@@ -102,8 +102,8 @@ public:
 
   ///@{
   /**
-   * Image: whether inside is above IsoValue, as in a scan of matter, in place of below, as in a
-   * distance. Default: off.
+   * Image: makes values above IsoValue the inside, as in a scan of matter, instead of values below
+   * it, as in a distance. Default: off.
    */
   vtkSetMacro(InvertInside, vtkTypeBool);
   vtkGetMacro(InvertInside, vtkTypeBool);
@@ -112,7 +112,7 @@ public:
 
   ///@{
   /**
-   * Mesh: distance of the samples [length]. Memory and time of reading grow with its inverse to the
+   * Mesh: spacing of the samples [length]. Memory and time of reading grow with its inverse to the
    * third power, or to the second at a fixed number of voxels in Reach. Range: >= 0. Default: 0,
    * the longest side of the mesh's bounds / 64.
    */
@@ -122,8 +122,9 @@ public:
 
   ///@{
   /**
-   * Mesh: how far from it distances are kept [length]; beyond, F is +-Reach. Memory and time of
-   * reading are proportional to it. Less than three voxels count as three. Range: >= 0.
+   * Mesh: largest computed distance from it [length]; beyond, F is +-Reach. Memory and time of
+   * reading are proportional to it. Values below three voxels are replaced by three voxels. Range:
+   * >= 0.
    * Default: 0, an eighth of the diagonal of the mesh's bounds.
    */
   vtkSetClampMacro(Reach, double, 0.0, VTK_DOUBLE_MAX);
@@ -132,9 +133,9 @@ public:
 
   ///@{
   /**
-   * Mesh: thickness [length] of the shell that is made of a mesh that is not closed, as an edge
-   * belongs to an odd number of polygons; a closed one is a solid all the same. Below about two
-   * voxels the shell has holes.
+   * Mesh: thickness [length] of the shell made from a mesh that is not closed (an edge belongs to
+   * an odd number of polygons). A closed mesh stays a solid. Below about two voxels the shell has
+   * holes.
    * Range: >= 0. Default: 0, no shell.
    */
   vtkSetClampMacro(MeshThickness, double, 0.0, VTK_DOUBLE_MAX);
@@ -143,8 +144,8 @@ public:
 
   ///@{
   /**
-   * Mesh: guard; the distances are refused, with an error, if they would need more voxels than this
-   * by an estimate from where the mesh is and Reach. A voxel takes about 10 bytes while reading.
+   * Mesh: memory limit. A mesh is an error if its distances need more voxels than this number. The
+   * estimate depends on the mesh's position and Reach. A voxel needs about 10 bytes while reading.
    * Range: >= 1. Default: 500000000.
    */
   vtkSetClampMacro(MaximumNumberOfVoxels, vtkIdType, 1, VTK_ID_MAX);
@@ -153,35 +154,35 @@ public:
 
   /**
    * Box outside which F is not negative [length]: that of the image, of the mesh or its shell, or
-   * of the samples. False, and uninitialized bounds, if there is none. Reads the input.
+   * of the samples. Returns false, with uninitialized bounds, if there is none. Reads the input.
    */
   bool GetGridBounds(double bounds[6]);
 
   /**
-   * What is wrong with the mesh, a sentence with counts; empty if nothing is. Reads the input.
+   * Defects of the mesh as a sentence with counts; empty if there are none. Reads the input.
    */
   const char* GetDefects();
 
   /**
-   * Why F is 1 everywhere, a sentence; empty if it is not. Reads the input.
+   * Reason why F is 1 everywhere, as a sentence; empty if it is not. Reads the input.
    */
   const char* GetError();
 
   /**
-   * Own changes, those of the transform and those of the input.
+   * Includes own changes, those of the transform and those of the input.
    */
   vtkMTimeType GetMTime() override;
 
   /**
-   * Read the input if anything has changed since it was last read. All methods do so, except
+   * Read the input if anything has changed since the last reading. All methods do so, except
    * EvaluateBatch.
    */
   void Build();
 
   ///@{
   /**
-   * F, without the transform. The version for arrays takes three components, runs in parallel and
-   * resizes its output.
+   * F, without the transform. The version for arrays reads points of three components, runs in
+   * parallel and resizes its output.
    */
   using vtkImplicitFunction::EvaluateFunction;
   double EvaluateFunction(double x[3]) override;
@@ -196,39 +197,39 @@ public:
 
   /**
    * F, and its gradients unless that is null, at `count` points (x y z each), without the
-   * transform. As of the last Build(), in the calling thread.
+   * transform. Uses the state of the last Build(), in the calling thread.
    */
   VTK_WRAPEXCLUDE void EvaluateBatch(
     vtkIdType count, const double* points, double* values, double* gradients) const;
 
   /**
-   * Samples in place of an input, which is let go. None of the properties applies to them.
+   * Set samples in place of an input, which is released. The properties do not apply to samples.
    */
   VTK_WRAPEXCLUDE void SetSamples(std::shared_ptr<const activesurface::GridSamples> samples);
 
   /**
-   * Share of the surface's area, 0 to 1, of parts that are thinner than a length, from some
-   * thousand points of it; 0 where that is not known: without input, of an open mesh that is no
-   * shell, and of a level set that an image carries. Reads the input.
+   * Fraction of the surface's area, 0 to 1, of parts thinner than a length, from some thousand
+   * points of the surface. Returns 0 if the fraction is unavailable: without input, for an open
+   * mesh without a shell, and for a level set that an image carries. Reads the input.
    */
   VTK_WRAPEXCLUDE double FindThinShare(double thickness);
 
   /**
-   * The connected parts of what is below a level, and its hollows, without the transform; null if
-   * they are not known. They are found once. Reads the input.
+   * The connected parts of the region below a level, and its voids, without the transform; null if
+   * they are unavailable. The result for the last level is cached. Reads the input.
    */
   VTK_WRAPEXCLUDE std::shared_ptr<const activesurface::LatticeParts> FindParts(double level);
 
   /**
-   * Places near the surface of that level, without the transform; none if they are not known. Reads
+   * Points near the surface of a level, without the transform; none if they are unavailable. Reads
    * the input.
    */
   VTK_WRAPEXCLUDE activesurface::SurfacePoints FindSurface(double level);
 
   ///@{
   /**
-   * Whether defects of the mesh are a warning, and bad input an error, or are only told by
-   * GetDefects() and GetError(). Default: true.
+   * Issue a warning for defects of the mesh and an error for bad input. If off, only GetDefects()
+   * and GetError() report them. Default: true.
    */
   VTK_WRAPEXCLUDE void SetWarnOfDefects(bool warn) { this->WarnOfDefects = warn; }
   VTK_WRAPEXCLUDE void SetReportErrors(bool report) { this->ReportErrors = report; }

@@ -25,14 +25,14 @@ struct vtkSkeletonPotential::Internals
 {
   activesurface::FunctionInput Input;
 
-  // In place of an input; those of SetElements, or none.
+  // Elements of SetElements, in place of an input.
   std::vector<activesurface::SkeletonVertex> OwnElements;
   bool HasOwnElements = false;
   bool OwnElementsHaveRadii = false;
 
-  // What Build makes.
+  // Results of Build.
   activesurface::Skeleton Skeleton;
-  activesurface::ParticlePotential Body; // in its place, unless ParticleModel is SUM
+  activesurface::ParticlePotential Body; // in place of Skeleton, unless ParticleModel is SUM
   vtkIdType IgnoredElements = 0;
 };
 
@@ -118,7 +118,7 @@ vtkMTimeType vtkSkeletonPotential::GetMTime()
 
 void vtkSkeletonPotential::Build()
 {
-  // Not GetMTime(): a change of the transform leaves the elements as they are.
+  // GetMTime() would include changes of the transform, which do not affect the elements.
   const vtkMTimeType changed = this->vtkObject::GetMTime(); // NOLINT(bugprone-parent-virtual-call)
   this->Internal->Input.ReadIfChanged(changed, [this] { this->ReadElements(); });
 }

@@ -81,7 +81,7 @@ void CheckExtent(const int extent[6])
   }
 }
 
-// Not too strict: matrices of scanners are rounded.
+// Accepts axes that are orthogonal within a tolerance, because matrices of scanners are rounded.
 bool AreOrthogonal(const double axis[3][3])
 {
   constexpr double tolerance = 1e-3;
@@ -183,7 +183,7 @@ double ImageSamples::Evaluate(const double x[3], double* gradient) const
   return isOutside ? this->DistanceToBox(excess, gradient) : this->Interpolate(place, gradient);
 }
 
-// excess: from the nearest point of the box, in pixels.
+// excess: offset from the nearest point of the box [pixels].
 double ImageSamples::DistanceToBox(const double excess[3], double* gradient) const
 {
   double away[3] = { 0.0, 0.0, 0.0 };
@@ -245,9 +245,9 @@ double ImageSamples::GetSample(const int pixel[3]) const
   return this->Sign * (this->Pixels->GetComponent(id, 0) - this->IsoValue);
 }
 
-// Of each axis all lines, or each third ..., so that a large image takes no longer than one of 4
-// million pixels. A crossing stands for the area that the lines beside it leave to its own, where
-// it is seen along the line. The three axes together see each piece once: n_x^2 + n_y^2 + n_z^2
+// Samples crossings along every `skip`-th line of each axis; at most about 4 million pixels are
+// read. A crossing stands for the cross-section between lines, projected along its line. Crossings
+// of one axis count n_axis^2 of each piece, so all three axes count it once: n_x^2 + n_y^2 + n_z^2
 // = 1.
 SurfaceSample ImageSamples::SampleSurface() const
 {
@@ -322,7 +322,7 @@ bool ImageSamples::GetBounds(double bounds[6]) const
   return true;
 }
 
-// False if none is.
+// Returns false if no pixel of the block is inside.
 bool ImageSamples::FillBlock(double level, const openvdb::Coord& origin, PixelMask& inside) const
 {
   bool isAny = false;
@@ -350,7 +350,7 @@ bool ImageSamples::FillBlock(double level, const openvdb::Coord& origin, PixelMa
   return isAny;
 }
 
-// Beyond the image is outside. Blocks that are inside throughout are leaves too.
+// Space beyond the image is outside. Blocks that are entirely inside are leaves, too.
 bool ImageSamples::FindShape(double level, LatticeShape& shape) const
 {
   using Leaf = openvdb::MaskTree::LeafNodeType;
@@ -373,7 +373,7 @@ bool ImageSamples::FindShape(double level, LatticeShape& shape) const
   {
     if (isUsed[i])
     {
-      auto leaf = new Leaf(origins[i]); // the tree's from then on
+      auto leaf = new Leaf(origins[i]); // owned by the tree from addLeaf on
       leaf->setValueMask(masks[i]);
       shape.Inside.addLeaf(leaf);
     }

@@ -1,5 +1,5 @@
-// The pixels of a vtkImageData as samples: trilinear within the image's box, and outside it the
-// distance to the box.
+// Pixels of a vtkImageData as samples: trilinear within the image's box, and the distance to the
+// box outside.
 
 #ifndef ImageSamples_h
 #define ImageSamples_h
@@ -24,22 +24,21 @@ struct ImageLevel
   bool InvertInside = false;
 };
 
-// Of 8 x 8 x 8 pixels.
+// Mask of 8 x 8 x 8 pixels.
 using PixelMask = openvdb::MaskTree::LeafNodeType::NodeMaskType;
 
 class ImageSamples : public GridSamples
 {
 public:
-  // Keeps the array, which must not change meanwhile. Throws std::invalid_argument, with a
-  // sentence, for an image that is flat, without such an array, or not placed in space by rotated
-  // axes.
+  // Keeps the array, which must not change during use. Throws std::invalid_argument, with a
+  // sentence, for a flat image, a missing array or axes that are not orthogonal.
   ImageSamples(vtkImageData* image, const ImageLevel& level);
   ~ImageSamples() override;
 
   double Evaluate(const double x[3], double* gradient) const override;
   bool GetBounds(double bounds[6]) const override;
   bool FindShape(double level, LatticeShape& shape) const override;
-  // Where lines of pixels cross it.
+  // Crossings of the surface along lines of pixels.
   SurfaceSample SampleSurface() const override;
 
 private:

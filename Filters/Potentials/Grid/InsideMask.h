@@ -1,4 +1,4 @@
-// The voxels of a tree whose values are inside a shape.
+// Finds the voxels of a tree whose values are inside a shape.
 
 #ifndef InsideMask_h
 #define InsideMask_h
@@ -13,7 +13,7 @@
 namespace activesurface
 {
 
-// Sets the active voxels and tiles to those where isInside(value); the background is not.
+// Activates the voxels and tiles for which isInside(value). The background stays inactive.
 template <class IsInside>
 void FindInside(
   const openvdb::FloatTree& values, const IsInside& isInside, openvdb::MaskTree& inside)
@@ -33,7 +33,7 @@ void FindInside(
   leaves.foreach (
     [&](const openvdb::FloatTree::LeafNodeType& leaf, std::size_t i)
     {
-      made[i] = new Leaf(leaf.origin()); // the tree's from then on
+      made[i] = new Leaf(leaf.origin()); // owned by the tree from addLeaf on
       for (openvdb::Index node = 0; node < Leaf::SIZE; ++node)
       {
         made[i]->setActiveState(node, isInside(leaf.getValue(node)));

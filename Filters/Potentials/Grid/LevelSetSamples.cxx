@@ -57,7 +57,7 @@ double LevelSetSamples::Evaluate(const double x[3], double* gradient) const
     return this->Sign * (this->Grid->background() - this->IsoValue);
   }
   const LatticeCell cell(place.asPointer());
-  // Not registered with the tree: cheap to make for each call, from any thread.
+  // An accessor that is not registered with the tree is cheap to construct, in any thread.
   const openvdb::tree::ValueAccessor<const openvdb::FloatTree, false> grid(this->Grid->tree());
   double corner[CornersOfCell], rise[3];
   for (int c = 0; c < CornersOfCell; ++c)

@@ -1,5 +1,5 @@
-// A sparse level set, which an image carries in place of pixels, as samples: trilinear between its
-// voxels, and beyond its band what it holds there, + or - a constant.
+// Samples of a sparse level set, which an image carries in place of pixels. Values are trilinear
+// between voxels. Beyond the band they are the level set's background, + or - a constant.
 
 #ifndef LevelSetSamples_h
 #define LevelSetSamples_h

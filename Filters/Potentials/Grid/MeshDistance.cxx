@@ -41,13 +41,14 @@ private:
   const double VoxelSize;
 };
 
-// Goes over a mesh from a triangle to those that share a point with it.
+// Walks over a mesh from a triangle to triangles that share a point with it.
 class Walk
 {
 public:
   Walk(const MeshTriangles& mesh, const VoxelMesh& voxels);
 
-  // The square of the distance to the last triangle of a walk that gets nearer with each step.
+  // Returns the squared distance to the last triangle of a walk on which every step decreases the
+  // distance.
   double FindSquare(const openvdb::Vec3d& place, std::size_t triangle) const;
 
 private:
@@ -55,7 +56,7 @@ private:
 
   const MeshTriangles& Mesh;
   const VoxelMesh& Voxels;
-  std::vector<std::size_t> First; // of each point, in Around
+  std::vector<std::size_t> First; // index into Around, by point
   std::vector<std::size_t> Around;
 };
 
@@ -117,8 +118,9 @@ double Walk::FindSquare(const openvdb::Vec3d& place, std::size_t triangle) const
   return least;
 }
 
-// Near the mesh, OpenVDB's distances are exact, and the walls between bodies that overlap are taken
-// out. They are still in the mesh: a walk that gets much nearer has found one, and does not count.
+// Corrects distances beyond `exact` voxels by a walk; nearer ones are exact. OpenVDB ignores walls
+// inside overlapping bodies, but the mesh still contains them. A walk that shortens the distance by
+// a voxel or more has found such a wall and is ignored.
 void Shorten(
   openvdb::FloatTree::LeafNodeType& leaf, const openvdb::Int32Tree& nearest, const Walk& walk)
 {

@@ -1,4 +1,4 @@
-// Distances to a mesh on the nodes of a lattice near it.
+// Computes distances to a mesh on the lattice nodes near it.
 
 #ifndef MeshDistance_h
 #define MeshDistance_h
@@ -13,16 +13,16 @@ struct MeshTriangles;
 struct MeshLattice
 {
   double VoxelSize = 1.0;
-  double Band = 3.0;    // voxels: how far from the mesh distances are kept
+  double Band = 3.0;    // largest distance that is computed [voxels]
   bool IsSigned = true; // negative inside
 };
 
-// Distances in voxels; nodes (i, j, k) are at (i, j, k) * VoxelSize, and the grid's own transform
-// is the identity, as OpenVDB's refuses small voxels. Beyond the band: + or - Band.
+// Returns distances in voxels. Node (i, j, k) is at (i, j, k) * VoxelSize. The grid's own transform
+// is the identity, because OpenVDB rejects small voxels. Values beyond the band are + or - Band.
 //
-// OpenVDB's conversion, whose distances away from the mesh are those to a triangle that is the
-// closest one of a neighbour: up to half a voxel too long where triangles are small. From there, a
-// walk over the mesh, from triangle to nearer triangle, finds the closest one.
+// OpenVDB's conversion propagates the closest triangle from node to node. Its distances are up to
+// half a voxel too long if triangles are small. A walk over the mesh, from triangle to nearer
+// triangle, then finds the closest triangle.
 openvdb::FloatGrid::Ptr MakeMeshDistance(const MeshTriangles& mesh, const MeshLattice& lattice);
 
 }

@@ -28,9 +28,9 @@ namespace
 
 constexpr double DefaultVoxels = 64.0; // along the longest side
 constexpr double DefaultReach = 0.125; // of the diagonal
-constexpr double LeastReach = 3.0;     // voxels: the corners of crossed ones, and their neighbours
-constexpr double Margin = 2.0;       // voxels beyond Reach, so that what is nearer has all corners
-constexpr double FarthestNode = 1e9; // node numbers are 32-bit integers
+constexpr double LeastReach = 3.0;     // voxels: corners of crossed voxels and their neighbours
+constexpr double Margin = 2.0;         // voxels beyond Reach, so that interpolation has all corners
+constexpr double FarthestNode = 1e9;   // node indices are 32-bit integers
 
 void CheckNumber(double number, const char* name)
 {
@@ -154,7 +154,7 @@ double MeshSamples::Evaluate(const double x[3], double* gradient) const
     return far;
   }
   const LatticeCell cell(place);
-  // Not registered with the tree: cheap to make, from any thread.
+  // An accessor that is not registered with the tree is cheap to construct, in any thread.
   openvdb::tree::ValueAccessor<const openvdb::FloatTree, false> distance(this->Distance->tree());
   double corner[CornersOfCell];
   for (int c = 0; c < CornersOfCell; ++c)

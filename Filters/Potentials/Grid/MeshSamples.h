@@ -1,4 +1,4 @@
-// The distance to a mesh as samples on a lattice.
+// Samples of the distance to a mesh on a lattice.
 
 #ifndef MeshSamples_h
 #define MeshSamples_h
@@ -14,7 +14,7 @@ struct MeshMeasure
 {
   double VoxelSize = 0.0; // 0: longest side of the mesh / 64
   double Reach = 0.0;     // 0: diagonal of the mesh / 8
-  double Thickness = 0.0; // of the shell that a mesh which is not closed becomes; 0: none
+  double Thickness = 0.0; // of the shell made of a mesh that is not closed; 0: no shell
   double MaximumNumberOfVoxels = 0.0;
 };
 
@@ -22,7 +22,7 @@ class MeshSamples : public GridSamples
 {
 public:
   // Throws std::invalid_argument for a mesh without polygons, and for measures that are not finite
-  // or that the lattice cannot hold; std::runtime_error beyond the maximum number of voxels.
+  // or exceed the lattice. Throws std::runtime_error beyond the maximum number of voxels.
   MeshSamples(const MeshTriangles& mesh, const MeshMeasure& measure);
   ~MeshSamples() override;
 
@@ -37,11 +37,11 @@ private:
 
   double VoxelSize = 0.0;
   double Reach = 0.0;                    // voxels
-  double HalfShell = 0.0;                // voxels; taken off the distance
+  double HalfShell = 0.0;                // voxels; subtracted from the distance
   openvdb::FloatGrid::ConstPtr Distance; // of MakeMeshDistance or MakeOpenMeshDistance
-  openvdb::CoordBBox Leaves;             // holds all that is nearer than Reach, and all inside
+  openvdb::CoordBBox Leaves;             // contains all nodes nearer than Reach, and the inside
   std::array<double, 6> Bounds;
-  SurfaceSample Surface; // none of an open mesh that is no shell
+  SurfaceSample Surface; // empty for an open mesh without a shell
 };
 
 }

@@ -16,10 +16,10 @@ namespace activesurface
 namespace
 {
 
-// In units of an edge of the cubes.
+// Corners of a triangle, in units of a cube's edge.
 using Corners = std::array<openvdb::Vec3d, 3>;
 
-// The cubes that triangles pass, as long as these are not too many.
+// Counts the cubes that triangles pass, up to a maximum.
 class Cubes
 {
 public:
@@ -29,7 +29,7 @@ public:
   {
   }
 
-  // Looks at places in rows across the triangle, from its longest edge to the other two.
+  // Samples the triangle in rows from its longest edge to the other two.
   void Add(const Corners& triangle);
 
   bool AreTooMany() const { return this->Count > this->Maximum; }
@@ -44,7 +44,7 @@ private:
   openvdb::tree::ValueAccessor<openvdb::MaskTree> Passed;
 };
 
-// How many parts of half a cube or less a length has.
+// Number of parts, at most half a cube long, of a length.
 double CountParts(double length)
 {
   return std::max(std::ceil(2.0 * length), 1.0);
@@ -84,7 +84,7 @@ void Cubes::Add(const Corners& triangle)
                        &c = triangle[(first + 2) % 3];
   const openvdb::Vec3d edge = b - a;
   const double square = edge.lengthSqr();
-  const double foot = square > 0.0 ? (c - a).dot(edge) / square : 0.5; // of c on the edge
+  const double foot = square > 0.0 ? (c - a).dot(edge) / square : 0.5; // of c's projection
   const double count = CountParts(std::sqrt(square));
   for (double i = 0.5; i < count && !this->AreTooMany(); i += 1.0)
   {

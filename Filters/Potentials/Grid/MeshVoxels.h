@@ -1,4 +1,4 @@
-// How many voxels are near a mesh.
+// Estimates the number of voxels near a mesh.
 
 #ifndef MeshVoxels_h
 #define MeshVoxels_h
@@ -8,13 +8,13 @@ namespace activesurface
 
 struct MeshTriangles;
 
-// About the number of voxels within `band` voxels of the mesh, which takes memory for none of them.
-// Stops counting beyond the maximum, and then returns more than that.
+// Returns the approximate number of voxels within `band` voxels of the mesh. Allocates no memory
+// for voxels. Stops beyond the maximum and then returns a larger number than the maximum.
 //
-// They are not more than the mesh's box has, with the band around it. Where that is too many, space
-// is divided into cubes of twice the band, and those that the mesh passes are counted: a flat mesh
-// along two axes passes as many as hold the voxels near it, and so does a line along an axis; in
-// other directions both pass up to one and a half times as many.
+// The mesh's box, enlarged by the band, is an upper bound. If it exceeds the maximum, cubes of
+// twice the band that the mesh passes are counted. The count is exact for a flat mesh along two
+// axes and for a line along an axis. In other directions it is up to one and a half times too
+// large.
 double EstimateVoxelsNear(const MeshTriangles& mesh, double voxelSize, double band, double maximum);
 
 }

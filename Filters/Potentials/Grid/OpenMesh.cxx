@@ -23,7 +23,7 @@ using openvdb::Coord;
 using openvdb::Vec3d;
 using Nodes = std::vector<Coord>;
 
-// A half, and what dipoles are off by: else a large sheet would have an inside here and there.
+// 0.5 plus the error of dipoles; without this margin a large sheet would have spurious insides.
 constexpr double Half = 0.51;
 // Distance from the mesh up to which all nodes are evaluated [voxels].
 constexpr float Near = 2.f;
@@ -36,15 +36,15 @@ Coord Step(int axis)
   return step;
 }
 
-// Winding numbers at all nodes beside the mesh and beside the caps that they make.
+// Winding numbers at all nodes near the mesh and near the caps of its holes.
 class Caps
 {
 public:
   Caps(const MeshTriangles& mesh, double voxelSize);
 
-  // 1 outside, -1 inside, everywhere.
+  // Returns 1 outside and -1 inside, at every node.
   openvdb::FloatTree FindSigns() const;
-  // Adds them as triangles, up to a voxel from the mesh.
+  // Adds the caps as triangles, up to a voxel from the mesh.
   void AddTo(MeshTriangles& mesh) const;
 
 private:
@@ -53,7 +53,8 @@ private:
   void Evaluate(const Nodes& nodes);
   Nodes Grow(const Nodes& nodes);
 
-  // Returns true if a cap separates neighbours; those that the mesh separates are within a voxel.
+  // Returns true if a cap separates two neighbours. The mesh separates only neighbours within a
+  // voxel.
   static bool IsCut(const Coord& a, const Coord& b, const Reader& windings, const Reader& distances)
   {
     float x, y;
@@ -64,7 +65,7 @@ private:
   const double VoxelSize;
   const WindingNumber Winding;
   const openvdb::FloatGrid::Ptr Distance;
-  openvdb::FloatTree Windings; // active where they are known
+  openvdb::FloatTree Windings; // active where they are computed
   openvdb::MaskTree Seen;
 };
 
@@ -106,7 +107,7 @@ void Caps::Evaluate(const Nodes& nodes)
   }
 }
 
-// The nodes around those that a cap goes between, as far as they are not known.
+// Returns the nodes around a cap that have not been visited.
 Nodes Caps::Grow(const Nodes& nodes)
 {
   const Reader windings(this->Windings), distances(this->Distance->tree());
@@ -145,8 +146,8 @@ openvdb::FloatTree Caps::FindSigns() const
   return signs;
 }
 
-// Surface nets: a point in each cell that a cap goes through, the mean of where the cap crosses the
-// cell's edges, and a quadrangle around each such edge.
+// Surface nets: a point in each cell that a cap crosses, the mean of the crossings of the cell's
+// edges, and a quadrangle around each such edge.
 void Caps::AddTo(MeshTriangles& mesh) const
 {
   const Reader windings(this->Windings), distances(this->Distance->tree());

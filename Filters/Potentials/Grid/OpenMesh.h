@@ -1,4 +1,4 @@
-// The inside of a mesh with holes, by generalized winding numbers.
+// Finds the inside of a mesh with holes by generalized winding numbers.
 
 #ifndef OpenMesh_h
 #define OpenMesh_h
@@ -8,10 +8,10 @@
 namespace activesurface
 {
 
-// Makes a signed distance like MakeMeshDistance; inside is where the winding number exceeds 1/2: a
-// closed body ends where its mesh does, an open one at a cap across each hole, a sheet has no
-// inside. The turn of the polygons does not matter if it is the same for all. The cost goes with
-// the area of mesh and caps.
+// Returns a signed distance like MakeMeshDistance. A node is inside if its winding number exceeds
+// 1/2. A closed body ends at its mesh, an open one at a cap across each hole; a sheet has no
+// inside. The polygons may all be turned inward. The cost is proportional to the area of mesh and
+// caps.
 openvdb::FloatGrid::Ptr MakeOpenMeshDistance(
   const MeshTriangles& mesh, double voxelSize, double band);
 

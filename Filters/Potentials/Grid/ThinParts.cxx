@@ -16,7 +16,7 @@ namespace activesurface
 namespace
 {
 
-// Places along a normal.
+// Equidistant points along a normal.
 struct Way
 {
   double Step;
@@ -25,8 +25,8 @@ struct Way
 
 Way MakeWay(const SurfaceSample& surface, double thickness)
 {
-  constexpr double within = 0.99; // what is just as thick is not thin, however samples are rounded
-  constexpr double part = 0.25;   // of the detail, so that its slopes are met
+  constexpr double within = 0.99; // tolerance, so that parts of exactly this thickness are not thin
+  constexpr double part = 0.25;   // of the detail, to sample its slopes
   constexpr double mostSteps = 256.0;
   const double length = (surface.IsMiddle ? 0.5 : 1.0) * within * thickness;
   const double step = part * std::min(thickness, surface.Detail);
@@ -34,7 +34,8 @@ Way MakeWay(const SurfaceSample& surface, double thickness)
   return { length / count, static_cast<int>(count) };
 }
 
-// Whether the function is positive, and rises along the way, anywhere on it.
+// Returns true if the function is positive and rises, within 45 degrees, at a point along the
+// normal.
 bool LeadsOut(const GridSamples& function, const SurfacePoint& from, double sense, const Way& way)
 {
   constexpr double steepest = 0.70710678118654752440; // the cosine of 45 degrees

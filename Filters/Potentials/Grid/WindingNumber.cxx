@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr std::size_t TrianglesOfLeaf = 8;
-// Distance, in radii of a box, from which on its triangles are one dipole: an error below 1 %.
+// Distance, in radii of a box, beyond which its triangles are one dipole: an error below 1 %.
 constexpr double FarInRadii = 2.5;
 constexpr double Sphere = 4.0 * 3.14159265358979323846;
 

@@ -1,4 +1,4 @@
-// How often a mesh winds around a point, for meshes with holes too.
+// Winding number of a mesh around a point, for meshes with holes, too.
 //
 // A. Jacobson, L. Kavan, O. Sorkine-Hornung, Robust Inside-Outside Segmentation using Generalized
 // Winding Numbers, SIGGRAPH 2013; far triangles as dipoles after G. Barill et al., Fast Winding
@@ -20,19 +20,20 @@ struct MeshTriangles;
 class WindingNumber
 {
 public:
-  // The mesh has to outlive it.
+  // The mesh has to outlive this object.
   explicit WindingNumber(const MeshTriangles& mesh);
 
-  // 1 inside of a closed mesh and 0 outside, -1 inside if its polygons face inward; a smooth step
-  // between them across a hole. Thread-safe, and the same on any number of threads.
+  // Returns 1 inside a closed mesh, 0 outside, and -1 inside if its polygons face inward. Across a
+  // hole the value is a smooth step. Thread-safe; the result does not depend on the number of
+  // threads.
   double Evaluate(const openvdb::Vec3d& place) const;
 
 private:
   struct Box
   {
     std::size_t First, Last; // of its triangles, in Order
-    std::size_t Next;        // box behind all that are within; of a leaf the next one
-    openvdb::Vec3d Centre;   // by area
+    std::size_t Next;        // next box that is not inside this one
+    openvdb::Vec3d Centre;   // weighted by area
     openvdb::Vec3d Area;     // sum of the area vectors
     double Radius;           // around the centre
   };
@@ -45,7 +46,7 @@ private:
   const MeshTriangles& Mesh;
   std::vector<std::size_t> Order; // of the triangles
   std::vector<openvdb::Vec3d> Middles;
-  std::vector<Box> Boxes; // each before those within
+  std::vector<Box> Boxes; // each before the boxes inside it
 };
 
 }

@@ -13,28 +13,30 @@ namespace activesurface
 namespace
 {
 
-// How far a centre moves to the mean of its neighbours, of the way there: nearly all smooths most,
-// all would let clusters collapse.
+// Fraction by which a centre moves to the mean of its neighbours. Larger values are smoother; 1
+// would let clusters collapse.
 constexpr double ShareOfMean = 0.9;
 
-// Sum of the near neighbours' weights, the particle's own (1) included, from which on there is a
-// shape: two neighbours make 2.1, a sheet of one layer 4.2, a body's surface 5.8. Far ones make
-// none, or they would draw a drop's centre out of it.
+// Sum of the near neighbours' weights, including the particle's own (1), above which there is a
+// shape. Two neighbours make 2.1, a sheet of one layer 4.2, a body's surface 5.8. Far neighbours
+// are ignored: they would draw a drop's centre out of the drop.
 constexpr double FewestNeighbours = 2.2;
 constexpr double EnoughNeighbours = 4.2;
 
-// Of the shortest half-axis to the middle one: a sheet of one layer has 0, a body about 1.
+// Ratio of the shortest half-axis to the middle one: 0 for a sheet of one layer, about 1 for a
+// body.
 constexpr double ThinRatio = 0.25;
 constexpr double ThickRatio = 0.6;
 
-// Of the longest half-axis to the reach: particles that are as good as in one place have 0, a pair
-// of neighbours .15, a body .33.
+// Ratio of the longest half-axis to the support radius: 0 for coincident particles, 0.15 for a pair
+// of neighbours, 0.33 for a body.
 constexpr double TinySize = 0.05;
 constexpr double SmallSize = 0.12;
 
 constexpr int Places[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
 
-// Half-axes in the proportions of the shape, the volume of a ball of radius 1, largest first.
+// Half-axes in the proportions of the shape, scaled to the volume of a ball of radius 1, largest
+// first.
 void FindAxes(const NeighbourhoodShape& shape, double anisotropy, double axes[3])
 {
   double volume = 1.0;
@@ -83,7 +85,7 @@ double NeighbourhoodShape::GetThinness(double reach) const
 {
   const double size = this->Axes[0] / reach;
   const double small = SmoothStep(SmallSize, TinySize, size);
-  // A thread's two shorter axes are as good as 0 alike.
+  // Both shorter axes of a thread are close to 0.
   const double middle = std::max(this->Axes[1], ThinRatio * this->Axes[0]);
   const double ratio = middle > 0.0 ? this->Axes[2] / middle : 0.0;
   return std::max(small, SmoothStep(ThickRatio, ThinRatio, ratio));

@@ -1,4 +1,4 @@
-// The ellipsoid of a particle's influence, stretched as its neighbourhood is (Yu and Turk 2013).
+// Ellipsoid of a particle's influence, stretched like its neighbourhood (Yu and Turk 2013).
 
 #ifndef Ellipsoid_h
 #define Ellipsoid_h
@@ -9,7 +9,7 @@
 namespace activesurface
 {
 
-// The covariance of a neighbourhood: its half-axes and their directions.
+// Covariance of a neighbourhood: its half-axes and their directions.
 struct NeighbourhoodShape
 {
   explicit NeighbourhoodShape(const NeighbourMoments& sums);
@@ -18,13 +18,12 @@ struct NeighbourhoodShape
   double Axes[3] = { 0.0, 0.0, 0.0 }; // standard deviations, largest first
   double Frame[3][3] = {};            // their directions, in columns
 
-  // In [0,1]: 1 for a sheet or a thread of one layer and for a single place, 0 for a body. reach:
-  // of the neighbourhood.
+  // In [0,1]: 1 for a sheet or thread of one layer and for coincident particles, 0 for a body.
+  // reach: radius of the neighbourhood.
   double GetThinness(double reach) const;
 };
 
-// In [0,1]: whether near neighbours make a shape of it, more than a drop; near: the sum of their
-// weights.
+// In [0,1]: 1 if the near neighbours make a shape larger than a drop. near: sum of their weights.
 double GetShapeShare(double near);
 
 struct EllipsoidOptions
@@ -34,8 +33,9 @@ struct EllipsoidOptions
   double ShapeShare;
 };
 
-// Offset, Metric and Reach of the fit: the centre moves to the mean of the neighbours, the axes are
-// as the neighbourhood's. With few neighbours the ellipsoid tends to a ball around the particle.
+// Sets Offset, Metric and Reach of the fit. The centre moves toward the mean of the neighbours, and
+// the axes follow the neighbourhood. With few neighbours the ellipsoid tends to a ball around the
+// particle.
 void FitEllipsoid(
   const NeighbourhoodShape& shape, const EllipsoidOptions& options, ParticleFit& fit);
 

@@ -1,4 +1,4 @@
-// The elements that may reach a place, looked up in the cells of one lattice or of several.
+// Visits the elements that may reach a point, found in the cells of one lattice or of several.
 
 #ifndef HitVisits_h
 #define HitVisits_h
@@ -11,10 +11,10 @@
 namespace activesurface
 {
 
-// The hits of one lattice.
+// Hits of one lattice.
 struct HitStream
 {
-  // Enough to look at several lattices without leaving the first cache.
+  // Small enough for the streams of several lattices to fit into the L1 cache.
   static constexpr std::size_t Capacity = 32;
 
   SkeletonCells::Search Search;
@@ -22,7 +22,7 @@ struct HitStream
   std::size_t Count;
   SkeletonCells::Index Hits[Capacity];
 
-  // Whether there is a hit at Head.
+  // Returns true if there is a hit at Head.
   bool Refill(const SkeletonCells& cells)
   {
     while (this->Head == this->Count && !this->Search.IsOver())
@@ -73,7 +73,7 @@ ACTIVE_ALWAYS_INLINE void VisitMergedHits(
   }
 }
 
-// Calls visit(hits, count) for all that may reach the place, ascending.
+// Calls visit(hits, count) for all elements that may reach the place, in ascending order.
 template <class Visitor>
 ACTIVE_ALWAYS_INLINE void VisitHits(
   const SkeletonCells& cells, const SkeletonCells::Place& place, Visitor visit)

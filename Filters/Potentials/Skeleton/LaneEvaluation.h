@@ -1,6 +1,6 @@
-// A field of sums over elements, at places side by side where several are near one another, at one
-// after the other where not, to the same bits: all lanes add all hits in their order, and what is
-// out of reach of a place adds zeros there.
+// Evaluates a field of sums over elements, at several nearby points in SIMD lanes or at single
+// points. The results are bitwise identical. All lanes add all hits in the same order; elements out
+// of reach add zeros.
 
 #ifndef LaneEvaluation_h
 #define LaneEvaluation_h
@@ -15,7 +15,7 @@
 namespace activesurface
 {
 
-// All hits of a place, for several visits: looked up once if there are not too many.
+// Hits of a place, for several visits. The search is done once if there are not too many hits.
 class HitList
 {
 public:
@@ -61,7 +61,7 @@ struct PlaceLanes
 {
   double X[3][Width];
 
-  // Lanes that are left over are where the last member is.
+  // Unused lanes repeat the last member.
   ACTIVE_ALWAYS_INLINE PlaceLanes(const double* points, const std::size_t* members, int count)
   {
     for (int i = 0; i < Width; ++i)
@@ -91,9 +91,9 @@ struct PlaceLanes
   }
 };
 
-// A field has a number of Terms at each place, and
+// Interface of a field with a number of Terms at each point:
 //   Evaluate(PlaceLanes<Width>, HitList, double (&terms)[Terms][Width]), always inline;
-//   Write(number of the point, const double* terms).
+//   Write(index of the point, const double* terms).
 template <class Field>
 struct LaneEvaluation
 {
@@ -124,7 +124,7 @@ struct LaneEvaluation
   }
 
 private:
-  static constexpr int FewestLanes = 3; // fewer places are faster one by one
+  static constexpr int FewestLanes = 3; // fewer points are faster one by one
 
   template <int Width>
   ACTIVE_ALWAYS_INLINE void EvaluateTogether(const std::size_t* members, int count) const
@@ -146,7 +146,8 @@ private:
   }
 };
 
-// Evaluates a field, made by makeField(number of the first point), at any number of points.
+// Evaluates a field at any number of points. makeField(index of the first point) makes the field of
+// a batch.
 template <class MakeField>
 void EvaluateInLanes(
   const BallCells& cells, std::size_t count, const double* points, MakeField makeField)

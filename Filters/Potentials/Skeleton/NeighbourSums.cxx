@@ -27,7 +27,7 @@ struct LaneSums
   }
 };
 
-// Adds up what Derived::Add does with each list of hits.
+// Sums the results of Derived::Add over the lists of hits.
 template <class Derived, int Count>
 struct SumField
 {
@@ -46,7 +46,7 @@ struct SumField
 
 }
 
-// What is out of reach adds zeros. Loops over lanes are written for the vectoriser: plain
+// Elements out of reach add zeros. Loops over lanes are written for the vectoriser: plain
 // statements on a copy of the sums, which stays in registers.
 
 struct NeighbourSums::MomentField
@@ -141,7 +141,7 @@ NeighbourSums::NeighbourSums(const std::vector<SkeletonVertex>& particles, doubl
   this->Build(particles, factor * FindLargestRadius(particles));
 }
 
-// In cells of the same size hits come in the same order.
+// Cells of the same size yield hits in the same order.
 NeighbourSums::NeighbourSums(const NeighbourSums& all, const std::vector<SkeletonVertex>& some)
   : Factor(all.Factor)
 {

@@ -1,5 +1,5 @@
-// Sums over the neighbours of places, with the weight (1 - d^2/R^2)^2 of a particle in reach R:
-// what fits are made of.
+// Sums over the neighbours of points, with the weight (1 - d^2/R^2)^2 of a particle of support
+// radius R. Fits of particles are computed from these sums.
 
 #ifndef NeighbourSums_h
 #define NeighbourSums_h
@@ -13,11 +13,11 @@
 namespace activesurface
 {
 
-// Of the offsets from a place to its neighbours.
+// Moments of the offsets from a point to its neighbours.
 struct NeighbourMoments
 {
   double Weight = 0.0;
-  double Near = 0.0; // the same of those within .55 reaches, with the weight (1 - (d/.55R)^2)^2
+  double Near = 0.0; // Weight of neighbours within 0.55 R, by (1 - (d/0.55R)^2)^2
   double First[3] = { 0.0, 0.0, 0.0 };
   double Second[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; // xx xy xz yy yz zz
 };
@@ -25,24 +25,26 @@ struct NeighbourMoments
 class NeighbourSums
 {
 public:
-  // Reaches are those of the particles times a factor. Those of strength <= 0 are no neighbours.
+  // Support radii are those of the particles times a factor. Particles of strength <= 0 are
+  // ignored.
   NeighbourSums(const std::vector<SkeletonVertex>& particles, double factor);
 
-  // Of some of the particles of another one. What the others would add as zeros may be left out:
-  // the sums are the same ones, to the bit.
+  // Sums over some of the particles of `all`. The sums are bitwise identical if the omitted
+  // particles would only add zeros.
   NeighbourSums(const NeighbourSums& all, const std::vector<SkeletonVertex>& some);
 
-  // The numbers of all particles, by cells: places near one another are evaluated faster together.
+  // Indices of all particles, ordered by cell: points near one another are evaluated faster
+  // together.
   const UnsetVector<BallCells::Index>& GetOrder() const { return this->Near.GetOrder(); }
 
-  // At places (x y z each).
+  // Evaluates the moments at points (x y z each).
   void FindMoments(std::size_t count, const double* places, NeighbourMoments* moments) const;
 
-  // How many are near a place, or a few more.
+  // Returns at least the number of particles near a point.
   std::size_t CountNear(const double x[3]) const;
 
-  // Of the amount times two numbers of each particle, Share and Value, in this order: sum w Share,
-  // and sum w Share Value.
+  // Evaluates sum w Share and sum w Share Value, where w is a particle's weight. ofParticles: the
+  // two numbers of each particle, in the order of GetOrder().
   struct Shares
   {
     double Share;

@@ -1,5 +1,4 @@
-// Points in groups that share their cells, so that what may reach them is looked up once for all of
-// a group.
+// Groups points that share their cells, so that one search serves a whole group.
 
 #ifndef SkeletonBatch_h
 #define SkeletonBatch_h
@@ -18,7 +17,7 @@ public:
 
   static constexpr std::size_t Capacity = 256;
 
-  // Sorts the finite ones of up to Capacity points (x y z each).
+  // Sorts the finite points among up to Capacity points (x y z each).
   ACTIVE_ALWAYS_INLINE SkeletonBatch(
     const SkeletonCells& cells, std::size_t count, const double* points)
     : Finite(count, points)
@@ -47,8 +46,8 @@ public:
     }
   }
 
-  // Calls visit(members, count), count at most SkeletonLanes::Width, for each group; members are
-  // numbers of points.
+  // Calls visit(members, count) for each group. members are indices of points; count is at most
+  // SkeletonLanes::Width.
   template <class Visitor>
   ACTIVE_ALWAYS_INLINE void ForEachGroup(Visitor visit) const
   {
@@ -66,11 +65,11 @@ public:
     }
   }
 
-  // The others are in no group.
+  // Points that are not finite are in no group.
   const FinitePlaces<Capacity>& GetFinite() const { return this->Finite; }
 
 private:
-  // Cells of a block differ in it; those of a batch seldom lie in more than a block.
+  // Hash by the position in the block: the points of a batch rarely span more than a block.
   static constexpr std::size_t Buckets = std::size_t(1) << SkeletonLattice::BlockBits;
 
   ACTIVE_ALWAYS_INLINE std::size_t BucketOf(std::size_t i) const

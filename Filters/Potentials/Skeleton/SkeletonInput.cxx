@@ -20,7 +20,7 @@ namespace
 {
 using Ends = std::array<vtkIdType, 2>;
 
-// Null without a name.
+// Returns null if the name is empty.
 vtkDataArray* FindArray(vtkPointSet* input, const std::string& name, const char* meaning)
 {
   if (name.empty())
@@ -72,7 +72,7 @@ void ForEachCell(vtkCellArray* cells, Visit visit)
   }
 }
 
-// A pair of points joined more than once is one segment: its first.
+// Keeps the first of several segments between the same two points.
 void RemoveRepeated(std::vector<Ends>& segments)
 {
   const auto key = [&segments](std::size_t i)
@@ -103,7 +103,7 @@ void RemoveRepeated(std::vector<Ends>& segments)
   segments.resize(kept);
 }
 
-// Without those that join a point to itself. Point ids that do not exist are counted.
+// Omits segments that join a point to itself. Counts point ids that do not exist.
 std::vector<Ends> GetSegments(vtkPolyData* input, std::size_t& ignored)
 {
   const vtkIdType points = input->GetNumberOfPoints();
@@ -127,7 +127,7 @@ std::vector<Ends> GetSegments(vtkPolyData* input, std::size_t& ignored)
   return segments;
 }
 
-// Whether each point is an element by itself.
+// Flags the points that are elements of their own.
 std::vector<bool> FindLonePoints(
   vtkPointSet* input, const std::vector<Ends>& segments, std::size_t& ignored)
 {
@@ -157,7 +157,7 @@ std::vector<bool> FindLonePoints(
   return isLone;
 }
 
-// Where m segments meet, the joint would count m times: it is taken off m - 1 times.
+// Subtracts each joint of m segments m - 1 times, because every segment includes it.
 void AddSegments(const std::vector<SkeletonVertex>& vertices, const std::vector<Ends>& segments,
   Skeleton& skeleton)
 {

@@ -1,5 +1,5 @@
-// The elements of a skeleton, taken from a VTK data set: see vtkSkeletonPotential.h for which they
-// are, and how the joints of its lines are treated.
+// Reads the elements of a skeleton from a VTK data set. vtkSkeletonPotential.h describes the
+// elements and the treatment of joints.
 
 #ifndef SkeletonInput_h
 #define SkeletonInput_h
@@ -21,8 +21,8 @@ struct SkeletonArrays
   double Radius;
 };
 
-// Adds the elements to a cleared skeleton and returns the number of those that are ignored because
-// a number of theirs is of no use. Throws std::invalid_argument for an array that cannot be read.
+// Adds the elements to a cleared skeleton. Returns the number of elements that are ignored because
+// of unusable numbers. Throws std::invalid_argument for an array that cannot be read.
 std::size_t AddElements(vtkPointSet* input, const SkeletonArrays& arrays, Skeleton& skeleton);
 
 }

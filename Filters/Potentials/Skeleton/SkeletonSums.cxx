@@ -1,5 +1,5 @@
-// Sums of a skeleton's contributions: at places side by side where several share their cells, at
-// one after the other where not, to the same bits.
+// Sums a skeleton's contributions: side by side at several points that share their cells, else
+// point by point. The results are bitwise identical.
 
 #include "Skeleton.h"
 #include "Skeleton/HitVisits.h"
@@ -12,7 +12,7 @@ namespace activesurface
 {
 namespace
 {
-// Fewer places are faster one by one.
+// Fewer points are faster one by one.
 constexpr int FewestLanes = 3;
 
 ACTIVE_ALWAYS_INLINE SkeletonCells::Place PlaceAt(const double x[3])
@@ -20,7 +20,7 @@ ACTIVE_ALWAYS_INLINE SkeletonCells::Place PlaceAt(const double x[3])
   return { { x[0], x[1], x[2] }, { x[0], x[1], x[2] } };
 }
 
-// All lanes; those that are left over are where the last member is.
+// Fills all lanes; unused lanes repeat the last member.
 ACTIVE_ALWAYS_INLINE SkeletonLanes TakePlaces(
   const double* points, const std::size_t* members, int count)
 {

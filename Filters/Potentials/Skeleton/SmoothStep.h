@@ -1,4 +1,4 @@
-// 0 up to `from`, 1 beyond `to`, and 3 t^2 - 2 t^3 between; from may be the larger one.
+// Returns 0 up to `from`, 1 beyond `to`, and 3 t^2 - 2 t^3 between; `from` may exceed `to`.
 
 #ifndef SmoothStep_h
 #define SmoothStep_h

@@ -12,18 +12,19 @@ namespace activesurface
 namespace
 {
 
-// A particle counts as one of the surface by how far it is from the mean of its neighbourhood, in
-// reaches of that: .24 in a flat layer of a deep body, below .1 inside.
+// Distance of a particle from the mean of its neighbourhood, over the neighbourhood's radius.
+// Particles belong to the surface above these limits: 0.24 in a flat layer of a deep body, below
+// 0.1 inside.
 constexpr double LeastDepth = 0.1;
 constexpr double FullDepth = 0.22;
 
-// How much farther than its own radius the surface is from a particle of a body, for what the edges
-// of the body lose.
+// Additional distance of the surface from a particle of a body, in its own radius. It compensates
+// for the volume lost at the edges of the body.
 constexpr double OffsetOfBody = 0.1;
 
-// Sum of weights of the neighbours, in that of a whole ball with one particle in each (2 r)^3, from
-// which on there is a body: .28 in a sheet of one layer, .63 in the outermost layer of a deep body
-// (which then has .73 of its tension), .87 in the next.
+// Sum of the neighbours' weights, relative to a whole ball with one particle in each (2 r)^3, above
+// which there is a body. A sheet of one layer has 0.28. The outermost layer of a deep body has 0.63
+// (and then 0.73 of its tension), the next one 0.87.
 constexpr double LeastBody = 0.3;
 constexpr double FullBody = 0.8;
 
@@ -46,7 +47,7 @@ void FitNeighbourhood(const NeighbourhoodOptions& options, const SkeletonVertex&
   fit = ParticleFit();
   fit.Bulk = FindBulk(options, particle, sums);
   fit.OwnRadius = own;
-  fit.Strength = 1.0; // until it is known
+  fit.Strength = 1.0; // replaced once the missing kernel sum is shared
 
   const NeighbourhoodShape shape(sums);
   const double depth = std::hypot(shape.Mean[0], shape.Mean[1], shape.Mean[2]);

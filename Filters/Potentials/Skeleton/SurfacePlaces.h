@@ -1,5 +1,5 @@
-// What a particle's neighbourhood tells: whether it is in a body, how it is shaped, and where the
-// surface beside it should be.
+// Derives from a particle's neighbourhood whether it is in a body, its shape, and the expected
+// position of the surface.
 
 #ifndef SurfacePlaces_h
 #define SurfacePlaces_h
@@ -11,14 +11,14 @@
 namespace activesurface
 {
 
-// Where the surface should be, and how much each place counts.
+// Expected points of the surface and their weights.
 struct SurfacePlaces
 {
-  double Away[3]; // from the mean of the neighbours, which counts at the edge of a body
+  double Away[3]; // away from the neighbours' mean, at the edge of a body; weight Deep
   double Deep;
-  double Across[3]; // of a sheet or a thread
+  double Across[3]; // along the thinnest axis of a sheet or a thread; weight Thin
   double Thin;
-  double ShapeShare; // of what the neighbours lack, in place of the particle's own lack
+  double ShapeShare; // weight of the neighbours' deficiency against the particle's own
 
   bool AreOfSurface() const { return this->Deep > 0.0 || this->Thin > 0.0; }
 };
@@ -31,8 +31,8 @@ struct NeighbourhoodOptions
   double OwnRadius;  // of the particle [length]
 };
 
-// Sets the fit but for what the particle's neighbours share with it, and the places. sums: around
-// the particle.
+// Sets the fit, except the deficiency that neighbours share, and the places. sums: around the
+// particle.
 void FitNeighbourhood(const NeighbourhoodOptions& options, const SkeletonVertex& particle,
   const NeighbourMoments& sums, ParticleFit& fit, SurfacePlaces& places);
 
