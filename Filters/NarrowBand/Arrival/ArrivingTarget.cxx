@@ -37,8 +37,8 @@ void ArrivingTarget::Evaluate(
   }
 }
 
-// Within a voxel of the target the speed falls to 0; but what is left is never less than |F|, as
-// far as that is a distance.
+// Lengthens the value to the remaining distance, which falls linearly to 0 within a voxel of the
+// target. The result is at least |F|, or two voxels if |F| is larger.
 void ArrivingTarget::Lengthen(double remaining, double& value, double& slope) const
 {
   const double distance = std::fabs(value), voxel = this->VoxelSize;

@@ -1,6 +1,6 @@
 /**
- * A target that stands still, as it attracts a surface that is to arrive at a given time: its value
- * is how far the surface still has to go.
+ * A static target for a surface that has to arrive at a given time. Its value is the remaining
+ * distance of the surface.
  */
 #ifndef ArrivingTarget_h
 #define ArrivingTarget_h
@@ -14,7 +14,7 @@ namespace activesurface
 class ArrivingTarget : public Target
 {
 public:
-  /** All are the caller's. */
+  /** The caller owns all arguments. */
   ArrivingTarget(Target& goal, const RemainingDistance& remaining, double voxelSize)
     : Goal(goal)
     , Remaining(remaining)
@@ -22,7 +22,7 @@ public:
   {
   }
 
-  /** To be called when the attraction changes: then converged leaves may move again. */
+  /** Called when the attraction changes: converged leaves may then move again. */
   void Wake() { this->IsAwake = this->HasWoken = true; }
 
   void MoveTo(double time) override;
@@ -37,8 +37,8 @@ private:
   Target& Goal;
   const RemainingDistance& Remaining;
   const double VoxelSize;
-  bool IsAwake = true;  //< in this substep
-  bool HasWoken = true; //< before it
+  bool IsAwake = true;  //< in the current substep
+  bool HasWoken = true; //< before the current substep
 };
 
 }

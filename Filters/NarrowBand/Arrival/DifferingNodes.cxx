@@ -128,7 +128,7 @@ DifferingNodes::Places DifferingNodes::FindNearSurface()
   return places;
 }
 
-/** Whether it is within the limits and has not been visited before. */
+/** Marks a node as visited. Returns false if the node is outside the limits or already visited. */
 bool DifferingNodes::Visit(const openvdb::Coord& place)
 {
   if (!this->Limits.isInside(place) || this->Recent.getValue(place) != Unknown)

@@ -1,9 +1,9 @@
 /**
- * Where the surface still has to go: the nodes of a coarser lattice at which the surface and its
- * target are on different sides.
+ * Nodes of a coarser lattice at which the surface and its target are on different sides, so that
+ * the surface still has to move there.
  *
- * A node of it is at (i,j,k) * GetSpacing(). Nodes are found from the surface on, as far as they
- * are connected along edges; so what they cost is the volume between the surface and the target.
+ * Node (i,j,k) is at (i,j,k) * GetSpacing(). The search starts at the surface and follows connected
+ * nodes along edges. Its cost is proportional to the volume between the surface and the target.
  */
 #ifndef DifferingNodes_h
 #define DifferingNodes_h
@@ -23,7 +23,7 @@
 namespace activesurface
 {
 
-/** The surface, its target, and the box in which the difference is looked for [world units]. */
+/** The surface, its target, and the box of the search [world units]. */
 struct ArrivalSearch
 {
   const LeafTable& Leaves;
@@ -33,8 +33,8 @@ struct ArrivalSearch
   std::array<double, 6> Bounds; // xmin xmax ymin ymax zmin zmax
 };
 
-/** Nodes that a lattice may have: a fraction of a second. One that would have more is coarser, by
- * factors of two up to this stride. */
+/** Maximum number of nodes of a lattice, which takes a fraction of a second. A lattice with more
+ * nodes is coarsened by factors of two, up to LargestStride. */
 constexpr std::size_t MostDifferingNodes = 400000;
 constexpr int LargestStride = 8;
 
@@ -46,37 +46,37 @@ public:
   struct Node
   {
     openvdb::Coord Place;
-    bool IsInside;   //< of the surface, and so outside the target
+    bool IsInside;   //< inside the surface, and so outside the target
     double Distance; //< |F|
   };
 
-  /** stride: of the lattice, in voxels. No more nodes are found than `most`, or a few more. */
+  /** stride: of the lattice, in voxels. The search stops slightly beyond `most` nodes. */
   DifferingNodes(const ArrivalSearch& search, int stride, std::size_t most);
-  DifferingNodes(const DifferingNodes&) = delete; // the accessor is of this tree
+  DifferingNodes(const DifferingNodes&) = delete; // the accessor belongs to this tree
   void operator=(const DifferingNodes&) = delete;
 
-  /** Adds a node that was not found from the surface, and what is connected with it; false if it
-   * was, or does not differ. */
+  /** Adds a node that was not found from the surface, and all nodes connected with it. Returns
+   * false if the node was found before or does not differ. */
   bool AddFrom(const openvdb::Coord& place);
-  /** Those of these places that differ. */
+  /** Returns the given nodes that differ. */
   std::vector<openvdb::Coord> FindDiffering(const std::vector<openvdb::Coord>& places) const;
 
-  /** At places where the surface and its target are both inside, or both outside, the smaller of
-   * the two depths [voxels]; elsewhere -1. */
+  /** Returns the smaller depth [voxels] at nodes where surface and target are both inside, or
+   * both outside; elsewhere -1. */
   std::vector<double> FindCommonDepths(
     const std::vector<openvdb::Coord>& places, bool areInside) const;
 
   std::size_t Size() const { return this->Nodes.size(); }
   const Node& operator[](std::size_t i) const { return this->Nodes[i]; }
-  /** Whether there may be others, beyond the maximum. */
+  /** Returns true if nodes may be missing because the maximum was exceeded. */
   bool IsCut() const { return this->Nodes.size() > this->Most; }
 
-  /** True for a node on either side. */
+  /** Returns true for a node on either side. */
   bool Has(const openvdb::Coord& place) { return this->Recent.getValue(place) >= 0; }
-  /** The number of the next node along an axis that is on the same side, or None. */
+  /** Returns the index of the next node along an axis if it is on the same side, else None. */
   std::int32_t FindNext(std::size_t i, int axis, int sign);
 
-  /** u at a node, at most its distance to the next one in magnitude [voxels]. */
+  /** Returns u at a node [voxels], clamped to the spacing of the lattice. */
   double PotentialAt(const openvdb::Coord& place) const;
   bool IsInside(const openvdb::Coord& place) const { return this->PotentialAt(place) < 0.0; }
 
@@ -108,7 +108,7 @@ private:
   const std::size_t Most;
   openvdb::CoordBBox Limits;
   std::vector<Node> Nodes;
-  openvdb::Int32Tree Numbers; // Unknown where not visited
+  openvdb::Int32Tree Numbers; // Unknown at unvisited nodes
   openvdb::tree::ValueAccessor<openvdb::Int32Tree> Recent;
 };
 

@@ -15,15 +15,15 @@ namespace
 
 constexpr double MostNodesPerAxis = 64.0;
 constexpr double SmallestCore = .75, LargestCore = 2.5; // radius [voxels]
-// What surface and target have in common holds a surface from which a part can grow, if it is as
-// thick as the lattice needs: two voxels.
+// Least depth of a region that surface and target share, from which a part can grow. The lattice
+// needs a thickness of two voxels.
 constexpr double LeastCommonDepth = 1.0; // [voxels]
 constexpr std::size_t MostCommonNodes = 100000;
 constexpr std::size_t CommonNodesAtOnce = 512;
 
 using Places = std::vector<openvdb::Coord>;
 
-/** The places beside one that are neither nodes nor in the set, to which they are added. */
+/** Adds the neighbours of a node that are neither differing nodes nor in the set. */
 void AddBeside(const openvdb::Coord& place, DifferingNodes& nodes, std::set<openvdb::Coord>& known,
   Places& waiting)
 {
@@ -60,8 +60,8 @@ public:
   }
 
 private:
-  /** Parts that touch the surface, or nearly so, at a place too thin to grow from: when what is
-   * only the surface's has gone, they would be gone with it. */
+  /** Adds parts that meet the surface only where their common region is too thin to grow from.
+   * Such parts would vanish together with the region that only the surface has. */
   void AddBarelyReached()
   {
     std::vector<char> isKnown(this->Known);
@@ -79,7 +79,7 @@ private:
     }
   }
 
-  /** The nodes that are connected with one, on its side. */
+  /** Returns the nodes that are connected with a node, on its side. */
   std::vector<std::size_t> Connected(std::size_t first, std::vector<char>& isKnown)
   {
     std::vector<std::size_t> part = { first };
@@ -99,8 +99,8 @@ private:
     return part;
   }
 
-  /** The node of a part in its innermost layer. Distances are no measure of depth: far from a mesh
-   * they are all the same. */
+  /** Returns the node of a part in its innermost layer. Distances do not measure depth: far from
+   * a mesh they are all equal. */
   std::size_t FindDeepest(const std::vector<std::size_t>& part)
   {
     this->Layer.resize(this->Nodes.Size(), -1);
@@ -131,7 +131,7 @@ private:
     return reached.back();
   }
 
-  /** True if surface and target share a region beside the part that is deep enough. */
+  /** Returns true if surface and target share a region next to the part that is deep enough. */
   bool HasCommonDepth(const std::vector<std::size_t>& part)
   {
     const bool areInside = !this->Nodes[part.front()].IsInside;
@@ -200,7 +200,7 @@ private:
     return this->Nodes.FindNearest(corner);
   }
 
-  /** Of the nodes that were added last, unless there are none. */
+  /** Adds a core at the deepest of the nodes that were added last. */
   void AddDeepest()
   {
     if (this->Known == this->Nodes.Size())
@@ -228,8 +228,8 @@ private:
 
   const ArrivalSearch& Search;
   DifferingNodes& Nodes;
-  std::size_t Known = this->Nodes.Size(); //< of the nodes, those that have had their core
-  std::vector<int> Layer;                 //< of nodes of parts, from their border inwards; else -1
+  std::size_t Known = this->Nodes.Size(); //< number of nodes that have a core
+  std::vector<int> Layer;                 //< layer of a part's node, from the border; else -1
   std::vector<PartCore> Cores;
 };
 

@@ -1,5 +1,5 @@
 /**
- * Parts that only the target has, and its hollows: their cores, from which a surface grows until it
+ * Cores of parts and voids that only the target has. A surface grows from each core until it
  * arrives.
  */
 #ifndef PartCores_h
@@ -12,7 +12,7 @@
 namespace activesurface
 {
 
-/** A ball of the target's inside, or of its outside, where it is deepest. */
+/** A ball at the deepest point of a part, inside the target, or of a void, outside the target. */
 struct PartCore
 {
   std::array<double, 3> Centre;
@@ -20,11 +20,11 @@ struct PartCore
   bool IsHollow;
 };
 
-/** One for each part that the surface does not reach. The target tells of its parts, if it
- * knows them; and they are looked for on a lattice of at most 64 nodes an axis. */
+/** Returns a core for each part that the surface does not reach. Parts are those that the target
+ * reports, and those found on a lattice of at most 64 nodes an axis. */
 std::vector<PartCore> FindPartCores(const ArrivalSearch& search);
 
-/** The target that has these parts alone. */
+/** A target that consists only of the cores. */
 class CoreTarget : public Target
 {
 public:

@@ -42,8 +42,8 @@ public:
     this->Run(values, [](std::int32_t, Front&) {});
   }
 
-  /** The same, exact around cores, from which ways begin in all directions: that the equation does
-   * not know. Returns y for each x. */
+  /** Runs the march with exact distances around cores, where paths begin in all directions. The
+   * eikonal equation is inaccurate there. Returns y for each x. */
   std::vector<std::int32_t> RunFromCores(std::vector<double>& values) const
   {
     return this->Run(values,
@@ -56,8 +56,8 @@ public:
       });
   }
 
-  /** Whether a y is in the middle of what vanishes, where the surface comes from all sides, and not
-   * at the target. */
+  /** Returns true if y is in the middle of a vanishing part, which the surface reaches from all
+   * sides, and not at the target. */
   bool IsCore(std::int32_t i) const
   {
     const std::array<std::int32_t, 6>& around = this->Neighbours[i];
@@ -65,7 +65,7 @@ public:
   }
 
 private:
-  using Entry = std::pair<double, std::int32_t>; // ties: by the number
+  using Entry = std::pair<double, std::int32_t>; // ties: by index
   using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>>;
 
   struct Front
@@ -82,7 +82,7 @@ private:
     }
   };
 
-  /** begin: called for each node when its value is known. */
+  /** begin: called for each node once its value is final. */
   template <class Begin>
   std::vector<std::int32_t> Run(std::vector<double>& values, Begin begin) const
   {
@@ -121,7 +121,7 @@ private:
     return std::move(front.Origins);
   }
 
-  /** Straight ways from a node to those within four nodes of it. */
+  /** Measures straight paths from a node to the nodes within four spacings. */
   void GoAround(std::int32_t from, std::vector<double>& values, Front& front) const
   {
     constexpr int reach = 4, width = 2 * reach + 1;
@@ -186,7 +186,7 @@ private:
   std::vector<std::array<std::int32_t, 6>> Neighbours;
 };
 
-/** Of the nodes with a neighbour across the surface. */
+/** Distances from the surface at nodes with a neighbour across it; infinite elsewhere. */
 std::vector<double> FindDistancesBesideSurface(const DifferingNodes& nodes, double voxelSize)
 {
   std::vector<double> distances(nodes.Size(), std::numeric_limits<double>::infinity());
@@ -205,8 +205,8 @@ std::vector<double> FindDistancesBesideSurface(const DifferingNodes& nodes, doub
   return distances;
 }
 
-/** What the way from x to y is longer than T(y) - T(x), where it is not much: then x is a bump on
- * the surface, and not beside the way. */
+/** Returns the excess length of the path from x to y over T(y) - T(x), if it is small: x is then
+ * a bump on the surface. For a large excess x is beside the path, and the result is 0. */
 double FindDetour(double gain, double detour)
 {
   constexpr double most = .1, none = .3; // of the gain
@@ -285,8 +285,8 @@ void RemainingDistance::Keep(DifferingNodes& nodes)
   }
 }
 
-/** To the next nodes across the surface, from which the way is longer: so that what is found at the
- * surface lies between. */
+/** Continues the distance to the neighbours across the surface, from which the path is longer.
+ * Interpolated values at the surface then lie between the two. */
 void RemainingDistance::ExtendBehindSurface(
   const DifferingNodes& nodes, std::size_t i, double distance)
 {

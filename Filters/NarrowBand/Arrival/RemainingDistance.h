@@ -1,16 +1,16 @@
 /**
- * How far the surface still has to go from a point, to the farthest place that it gets to by that
- * point: along ways between the surface and its target.
+ * Remaining distance of the surface at a point, along paths between the surface and its target. A
+ * path ends at the farthest point of the target that the surface reaches through the given point.
  *
- * With T(y) the distance of a node from the surface along such ways, and d(x,y) that of two nodes,
+ * With T(y) the distance of a node from the surface along such paths, and d(x,y) that of two nodes,
  *
- *   K(x) = max over y of  2 (T(y) - T(x)) - d(x,y),
+ *   K(x) = max over y of  2 (T(y) - T(x)) - d(x,y).
  *
- * which is T(y) - T(x) where y is reached by x, and falls off beside that way: a front that goes
- * K / (remaining time) is flat, however thin the part is that it fills, and arrives everywhere at
- * once. Where y is in the middle of a part that vanishes, and d(x,y) longer by less than a tenth, K
- * is d(x,y): x is a bump then, which has to go farther than what is around it, or it would grow.
- * Where the target is a distance and the surface near, K is about |F|.
+ * K is T(y) - T(x) if y is reached through x, and smaller beside that path. A front of speed K /
+ * (remaining time) is flat, however thin the part that it fills, and arrives everywhere at once. If
+ * y is in the middle of a vanishing part, and d(x,y) is longer by less than a tenth, K is d(x,y).
+ * Such a point x is a bump: it has to move farther than its neighbours, or it would grow. Near the
+ * surface K is about |F| if the target is a distance.
  */
 #ifndef RemainingDistance_h
 #define RemainingDistance_h
@@ -23,11 +23,12 @@ namespace activesurface
 class RemainingDistance
 {
 public:
-  /** None is known where the lattice would need too many nodes. */
+  /** Leaves all distances undefined if the lattice would need too many nodes. */
   explicit RemainingDistance(const ArrivalSearch& search);
 
-  /** At points (x y z each) by trilinear interpolation between the nodes at which the surface still
-   * has to grow, or to shrink; negative where none is near. */
+  /** Finds distances at points (x y z each) by trilinear interpolation between the nodes at
+   * which the surface still has to grow or shrink. Returns a negative number if no node is
+   * near. */
   void Find(std::size_t count, const double* points, const bool* grow, double* distances) const;
 
 private:

@@ -27,19 +27,19 @@ InitialFunction ValuesOf(const Target& target)
   return function;
 }
 
-/** Smaller balls of a target Tension makes vanish: R = 2 sqrt 2 sqrt(Tension / Attraction), see
- * method.md. */
+/** Radius below which Tension makes balls of a target vanish: R = 2 sqrt 2 sqrt(Tension /
+ * Attraction), see method.md. */
 double FindLeastRadius(const Motion& motion)
 {
   return motion.Tension > 0.0 ? std::sqrt(8.0 * motion.Tension / motion.Attraction) : 0.0;
 }
 
-/** New parts, or new hollows, alone. */
+/** A band of only the new parts, or only the new voids. */
 struct NewBand
 {
   bool AreHollows;
   LeafSigns Nodes;
-  std::unique_ptr<PartBand> Band; // none if there are no nodes
+  std::unique_ptr<PartBand> Band; // null if there are no nodes
 
   NewBand(const NewParts& found, bool areHollows)
     : AreHollows(areHollows)
@@ -50,11 +50,11 @@ struct NewBand
   std::size_t CountActive() const { return this->Band ? this->Band->CountActive() : 0; }
 };
 
-/** The union of the body and the parts, which changes the outside alone; or its difference from the
- * hollows, which changes the inside. */
+/** Computes the union of the body and a part, or the difference of the body and a void. A union
+ * changes only the outside, a difference only the inside. */
 void JoinLeaf(const BandLeaf& part, bool isHollow, float* values)
 {
-  constexpr float least = 1e-30f; // keeps its side
+  constexpr float least = 1e-30f; // keeps the sign
   for (int node = 0; node < 512; ++node)
   {
     const bool isInside = values[node] < 0.f;
@@ -67,7 +67,7 @@ void JoinLeaf(const BandLeaf& part, bool isHollow, float* values)
   }
 }
 
-/** Turns the leaves that belong to the parts as a whole into tiles of the other side. */
+/** Converts leaves entirely inside the parts to tiles of the other sign. */
 void JoinTiles(const NewBand& added, PotentialTree& tree)
 {
   for (std::size_t i = 0; i < added.Nodes.Size(); ++i)
@@ -80,7 +80,7 @@ void JoinTiles(const NewBand& added, PotentialTree& tree)
   }
 }
 
-/** Adds the leaves that change to a list. */
+/** Appends the changed leaves to a list. */
 void Join(const NewBand& added, PotentialTree& tree, std::vector<openvdb::Coord>& changed)
 {
   if (!added.Band)
@@ -104,8 +104,8 @@ LeafMask LayersOf(const NewBand& added, const openvdb::Coord& origin)
   return i >= 0 ? added.Band->GetLeaves()[i].UpToLayer[LastLayer] : LeafMask();
 }
 
-/** Prepares the leaves that have changed for RebuildLayers and FillGhosts: in the layers of the
- * parts all values are known. */
+/** Prepares the changed leaves for RebuildLayers and FillGhosts. All values in the layers of the
+ * parts are valid. */
 void MarkChanged(const std::vector<openvdb::Coord>& origins, const NewBand& parts,
   const NewBand& hollows, const GrowingBand& band)
 {

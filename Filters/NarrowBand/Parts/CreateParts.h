@@ -1,5 +1,5 @@
 /**
- * Parts of the target that no skin reaches get a skin; see NewParts.h.
+ * Creates a skin for parts of the target that the skin does not reach; see NewParts.h.
  */
 #ifndef CreateParts_h
 #define CreateParts_h
@@ -14,7 +14,7 @@
 namespace activesurface
 {
 
-/** A band, its layers and ghosts up to date. */
+/** A band with valid layers and ghosts. */
 struct GrowingBand
 {
   LeafTable& Leaves;
@@ -22,15 +22,15 @@ struct GrowingBand
   PotentialTree& Tree;
   double VoxelSize;
   std::size_t MaximumNumberOfActiveVoxels;
-  BandBackup& Backup; //< is to keep the band as a tree before it changes
+  BandBackup& Backup; //< stores the band as a tree before a change
 };
 
 /**
- * Creates the new parts and hollows that the target tells of: beside them u becomes the union's, or
- * the difference's, the smaller magnitude of the two. If there are any, the set is that of the
- * leaves that have changed, whose layers and ghosts are left to the caller. Adds to the report what
- * it has created and evaluated; true if it has created any. Throws
- * std::runtime_error and changes nothing if the band would exceed its maximum.
+ * Creates the target's new parts and voids. Near them u becomes that of the union or the
+ * difference, the smaller of the two magnitudes. Returns true if it has created any. The active set
+ * is then the changed leaves, whose layers and ghosts the caller has to rebuild. Adds created parts
+ * and evaluations to the report. Throws std::runtime_error, and changes nothing, if the band would
+ * exceed its maximum.
  */
 bool CreateParts(
   const GrowingBand& band, const Motion& motion, const Target& target, AdvanceReport& report);

@@ -1,5 +1,5 @@
 /**
- * A function at the nodes of a leaf.
+ * Evaluates a function at the nodes of a leaf.
  */
 #ifndef LatticeFunction_h
 #define LatticeFunction_h
@@ -21,8 +21,8 @@ namespace activesurface
 class LatticeFunction
 {
 public:
-  /** The caller owns the function and the limits. At the faces of the limits and beyond, the
-   * function is not negative; without limits it is as it is. */
+  /** The caller owns the function and the limits. On the faces of the limits and beyond, values
+   * are replaced by their magnitude. Without limits values are unchanged. */
   LatticeFunction(
     double voxelSize, const InitialFunction& function, const LatticeBox* limits = nullptr)
     : VoxelSize(voxelSize)
@@ -31,16 +31,19 @@ public:
   {
   }
 
-  /** The function at these nodes of the leaf at an origin; of the 512 values others stay. */
+  /**
+   * Evaluates the function at some nodes of the leaf at an origin. The other values of the 512 keep
+   * their contents.
+   */
   void Evaluate(const openvdb::Coord& origin, const LeafMask& nodes, double* values) const;
 
-  /** Those of the nodes where it is negative; a value that is not a number is outside. */
+  /** Returns the nodes at which the function is negative. NaN is outside. */
   LeafMask FindInside(const openvdb::Coord& origin, const LeafMask& nodes) const;
 
-  /** At single nodes. */
+  /** Evaluates the function at single nodes. */
   void Evaluate(const std::vector<openvdb::Coord>& nodes, std::vector<double>& values) const;
 
-  /** Calls function(i) for i = begin..end - 1, in parallel if the function may be evaluated so. */
+  /** Calls function(i) for i = begin..end - 1, in parallel if the function is thread-safe. */
   template <class Function>
   void ForEach(std::size_t begin, std::size_t end, Function&& function) const
   {
@@ -55,7 +58,7 @@ public:
     tbb::parallel_for(begin, end, [&function](std::size_t i) { function(i); });
   }
 
-  /** Nodes at which the function has been evaluated. */
+  /** Number of nodes at which the function has been evaluated. */
   std::size_t CountEvaluations() const { return this->Evaluations.load(); }
 
 private:

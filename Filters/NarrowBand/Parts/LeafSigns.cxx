@@ -18,7 +18,7 @@ openvdb::Coord LeafCoordinates(const openvdb::Coord& origin)
   return origin >> 3;
 }
 
-/** The nodes in a region and next to it; false if there are none. */
+/** Finds the box of nodes in a region and next to it. Returns false if there are none. */
 bool FindNodes(const TargetRegion& region, double voxelSize, const LatticeBox* limits,
   openvdb::Coord& first, openvdb::Coord& last)
 {

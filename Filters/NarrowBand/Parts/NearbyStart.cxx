@@ -20,15 +20,16 @@ namespace activesurface
 namespace
 {
 
-/** How many nodes around the one that is nearest to a surface point hold all corners of the voxels
- * that are crossed near it: of an edge that is crossed within Reach both ends, and one more. */
+/** Number of node layers around a surface point's nearest node that contain all corners of
+ * crossed voxels near the point. Both ends of each edge crossed within Reach are contained, and
+ * one node more. */
 int FindRings(const SurfacePoints& surface, double voxelSize)
 {
   return static_cast<int>(std::ceil(surface.Reach / voxelSize + 2.5)) - 1;
 }
 
-/** The nodes near the surface points. Around each one the surface has at least a square of Reach,
- * by which too many are refused before they are made. */
+/** Adds the nodes near the surface points. The surface covers at least a square of Reach around
+ * each point. This estimate rejects too many nodes before they are created. */
 void AddNearby(const SurfacePoints& surface, double voxelSize, const LatticeBox& box,
   std::size_t maximumNumberOfActiveVoxels, openvdb::MaskTree& wanted)
 {
@@ -59,7 +60,7 @@ void AddNearby(const SurfacePoints& surface, double voxelSize, const LatticeBox&
     wanted, rings, openvdb::tools::NN_FACE_EDGE_VERTEX, openvdb::tools::IGNORE_TILES);
 }
 
-/** The nodes of the box that can be inside; false if there are none. */
+/** Finds the box of nodes that may be inside. Returns false if it is empty. */
 bool FindInsideBox(
   const SurfacePoints& surface, double voxelSize, const LatticeBox& box, openvdb::CoordBBox& within)
 {
@@ -78,7 +79,7 @@ bool FindInsideBox(
   return true;
 }
 
-/** The nodes beside the faces of the box, and beside walls, that cut the inside. */
+/** Adds the nodes next to faces of the box, and next to walls, that cut the inside. */
 void AddFaces(const SurfacePoints& surface, double voxelSize, const LatticeBox& box,
   std::size_t maximum, openvdb::MaskTree& wanted)
 {
@@ -87,7 +88,7 @@ void AddFaces(const SurfacePoints& surface, double voxelSize, const LatticeBox& 
   {
     return;
   }
-  // The nodes on both sides, and one more.
+  // Nodes on both sides of the face, and one more layer.
   const int layers = static_cast<int>(std::ceil(surface.DepthOfWalls / voxelSize)) + 2;
   for (int face = 0; face < 6; ++face)
   {
@@ -109,7 +110,7 @@ void AddFaces(const SurfacePoints& surface, double voxelSize, const LatticeBox& 
   }
 }
 
-/** The nodes to be sampled, and which of them are inside. */
+/** Nodes to be sampled, and masks of the inside ones. */
 struct Samples
 {
   LeafSigns Nodes;
@@ -137,7 +138,7 @@ LeafMask MaskOf(const openvdb::MaskTree::LeafNodeType& leaf, const LatticeBox& b
   return mask;
 }
 
-/** False when `progress` stopped it. */
+/** Returns false if `progress` cancelled the sampling. */
 bool Sample(const LatticeFunction& function, const ProgressFunction& progress, Samples& samples)
 {
   constexpr std::size_t atOnce = 1024;
@@ -159,7 +160,7 @@ bool Sample(const LatticeFunction& function, const ProgressFunction& progress, S
   return true;
 }
 
-/** Masks of all leaves, and of those across their faces. */
+/** Combines the masks of leaves with those of their neighbours. */
 class Neighbours
 {
 public:
@@ -168,8 +169,8 @@ public:
   {
   }
 
-  /** Each mask together with what it becomes when it is seen from one node before, or behind, along
-   * each axis in turn: eight nodes are combined. */
+  /** Combines each node's bit with the bits of the seven nodes ahead of it, or behind it: the
+   * corners of a voxel. */
   template <class Combine>
   void CombineCorners(std::vector<LeafMask>& masks, int sign, Combine&& combine) const
   {
@@ -192,7 +193,7 @@ private:
   const LeafSigns& Leaves;
 };
 
-/** The corners of the voxels whose eight corners are sampled and differ in sign. */
+/** Returns the corners of crossed voxels: voxels with eight sampled corners of different signs. */
 std::vector<LeafMask> FindCorners(const Samples& samples)
 {
   const auto all = [](const LeafMask& a, const LeafMask& b) { return a & b; };
@@ -227,7 +228,7 @@ void AddCrossed(const Samples& samples, CrossedNodes& crossed)
   }
 }
 
-/** The function at nodes; what is not a number is outside. */
+/** Returns the function at nodes, with NaN replaced by an outside value. */
 NodeFunction ValuesAtNodes(const LatticeFunction& function, bool isThreadSafe)
 {
   return { [&function](const std::vector<openvdb::Coord>& nodes, std::vector<double>& values)

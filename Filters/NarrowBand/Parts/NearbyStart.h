@@ -1,5 +1,5 @@
 /**
- * The initial potential of a function whose surface is known by points.
+ * Initial potential of a function whose surface is given by points.
  */
 #ifndef NearbyStart_h
 #define NearbyStart_h
@@ -12,8 +12,8 @@ namespace activesurface
 {
 
 /**
- * As MakeInitialPotential, to the bit, at a cost proportional to the points. The function is
- * sampled at the nodes near them, and where the bounds close it.
+ * Returns a potential bitwise identical to that of MakeInitialPotential, at a cost proportional to
+ * the points. The function is sampled at the nodes near the points and at the faces of the bounds.
  */
 openvdb::FloatTree::Ptr MakeNearbyPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,

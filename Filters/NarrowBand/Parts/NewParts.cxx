@@ -8,8 +8,8 @@ namespace activesurface
 namespace
 {
 
-/** Adds to `grown` what is connected with it within the nodes, along edges. waiting: the leaves of
- * what is to be added to. */
+/** Adds to `grown` all nodes of `nodes` connected with it along edges. waiting: leaves from
+ * which to grow. */
 void Grow(const LeafSigns& nodes, LeafList waiting, std::vector<LeafMask>& grown)
 {
   while (!waiting.empty())
@@ -99,7 +99,7 @@ void NewParts::FindReached(std::size_t first)
   Grow(this->Nodes, waiting, this->Reached);
 }
 
-/** The leaves across the faces at which new parts are, of those from begin to end - 1. */
+/** Adds the leaves across the faces that new parts touch, for leaves begin to end - 1. */
 void NewParts::AddNext(std::size_t begin, std::size_t end)
 {
   for (std::size_t i = begin; i < end; ++i)
@@ -116,7 +116,7 @@ void NewParts::AddNext(std::size_t begin, std::size_t end)
   }
 }
 
-/** Those without a node that has six of theirs around it. */
+/** Removes voids that contain no node with six neighbours of the void around it. */
 void NewParts::RemoveNarrowHollows(int steps)
 {
   std::vector<LeafMask> kept(this->Nodes.Size());

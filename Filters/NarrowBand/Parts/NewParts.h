@@ -1,13 +1,14 @@
 /**
- * Parts of the target that no skin reaches, and hollows of it deep inside the skin.
+ * Finds parts of the target that the skin does not reach, and voids of the target deep inside the
+ * skin.
  *
- * At the nodes where the signs of the target and of the potential differ, the skin is not yet where
- * it goes. Those that are connected, along edges, with a node of layer 0 it reaches by itself: its
- * sample points are there. The others it never reaches: between them and the skin is a gap in which
- * the target moves the skin away. These are new parts, and new hollows. They are searched for from
- * the regions on, as far as they are connected; and from the parts of the shapes that the target
- * goes between which the skin does not meet at all: of those that it meets it holds some already.
- * A hollow is one where it is wide: narrower ones Tension or the lattice closes, to be found again.
+ * At nodes where the signs of the target and of the potential differ, the skin has not arrived. The
+ * skin reaches the nodes that are connected, along edges, with a node of layer 0, because its
+ * sample points are there. It never reaches the others: the target repels the skin in the gap
+ * between. These nodes are new parts and new voids. The search starts from the regions and follows
+ * connected nodes. It also starts from parts of the input shapes that the skin does not meet at
+ * all. A part that the skin meets is already partly covered. Voids have to be wide: Tension or the
+ * lattice would close narrow ones, and the search would find them again.
  */
 #ifndef NewParts_h
 #define NewParts_h
@@ -25,27 +26,27 @@ namespace activesurface
 class NewParts
 {
 public:
-  /** The target's parts where it tells of them. A value of the target that is not a number has the
-   * sign of the potential. Throws as RefuseManyLeaves does. */
+  /** Searches the parts that the target reports. A target value of NaN has the sign of the
+   * potential. Throws as RefuseManyLeaves does. */
   NewParts(const PartSearch& search, const Target& target);
 
-  /** Adds the nodes that change sides: those that are outside the skin now, or inside it. */
+  /** Adds the nodes that change sides: nodes inside the skin, or nodes outside. */
   void CopyNodes(bool areInside, LeafSigns& nodes) const;
 
-  /** How many there are: connected along edges. Those of less than a node are none. */
+  /** Number of parts, connected along edges. Parts smaller than a node are not counted. */
   std::size_t Count() const;
 
 private:
   void SampleLeaf(const PartSearch& search, std::size_t i);
-  /** Of leaves from `first` on and those next to them. */
+  /** Finds reached nodes in leaves from `first` on and in their neighbours. */
   void FindReached(std::size_t first);
   void AddNext(std::size_t begin, std::size_t end);
   void RemoveNarrowHollows(int steps);
   bool IsWide(const openvdb::Coord& node, int steps) const;
 
-  LeafSigns Nodes;               // that differ; in the end, those of the parts
+  LeafSigns Nodes;               // differing nodes; in the end only those of the parts
   std::vector<LeafMask> Inside;  // inside the skin
-  std::vector<LeafMask> Reached; // of the nodes that differ, those that the skin reaches
+  std::vector<LeafMask> Reached; // differing nodes that the skin reaches
 };
 
 }

@@ -9,8 +9,8 @@ namespace activesurface
 namespace
 {
 
-/** Whether a leaf that is all inside is next to one that is all outside: then no other leaf tells
- * of the surface between them. */
+/** Returns true for an inside leaf next to an outside leaf: no other leaf contains the surface
+ * between the two. */
 bool IsNextToOutside(const LeafSigns& inside, std::size_t i)
 {
   for (int axis = 0; axis < 3; ++axis)

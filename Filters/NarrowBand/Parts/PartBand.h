@@ -1,5 +1,5 @@
 /**
- * The potential of shapes alone, from the nodes inside them and a function nearby.
+ * Builds the potential of new shapes from their inside nodes and a function nearby.
  */
 #ifndef PartBand_h
 #define PartBand_h
@@ -12,13 +12,13 @@ namespace activesurface
 {
 
 /**
- * A tree of u with background Far and inside tiles -Far, and its leaves with their layers. Leaves
- * exist where layers do.
+ * A tree of u with background Far and inside tiles -Far, and its leaves with their layers. Only
+ * leaves with layers exist.
  */
 class PartBand
 {
 public:
-  /** inside: the nodes inside the shapes; others are outside. Magnitudes are Far everywhere. */
+  /** inside: nodes inside the shapes; the others are outside. All magnitudes are Far. */
   explicit PartBand(const LeafSigns& inside);
 
   std::size_t CountActive() const;

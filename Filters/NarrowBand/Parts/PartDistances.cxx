@@ -42,7 +42,7 @@ void PartDistances::SampleAll(const LatticeFunction& function)
 
 void PartDistances::Sample(const LatticeFunction& function, std::size_t i)
 {
-  constexpr double most = 1e300; // so that differences are finite
+  constexpr double most = 1e300; // keeps differences finite
   const BandLeaf& leaf = this->Table[i];
   const LeafMask& nodes = leaf.UpToLayer[LastLayer];
   if (!nodes.Any())
@@ -55,7 +55,7 @@ void PartDistances::Sample(const LatticeFunction& function, std::size_t i)
     [&](int node)
     {
       const double magnitude = std::fabs(values[node]);
-      const double finite = magnitude <= most ? magnitude : most; // not a number too
+      const double finite = magnitude <= most ? magnitude : most; // includes NaN
       values[node] = leaf.Inside.Has(node) ? -finite : finite;
     });
 }
@@ -67,7 +67,7 @@ void PartDistances::StartAtCrossings(std::size_t i)
   this->Known[i].ForEach([&](int node) { leaf.Value[node] = this->DistanceToCrossings(i, node); });
 }
 
-/** To the plane through the nearest crossing on each axis, as if F were linear between nodes. */
+/** Distance to the plane through the nearest crossing on each axis, for F linear between nodes. */
 float PartDistances::DistanceToCrossings(std::size_t i, int node) const
 {
   const BandLeaf& leaf = this->Table[i];
@@ -112,7 +112,7 @@ bool PartDistances::ExtendLeaf(std::size_t i)
   return front.Any();
 }
 
-/** Nodes of the layers that are not known, but a neighbour is. */
+/** Returns the unknown nodes of the layers that have a known neighbour. */
 LeafMask PartDistances::FindFront(std::size_t i) const
 {
   static const LeafMask nothing;
@@ -172,7 +172,7 @@ float PartDistances::SolveEikonal(std::size_t i, int node) const
 void PartDistances::UseFunction(std::size_t i)
 {
   BandLeaf& leaf = this->Table[i];
-  constexpr float leastInside = 1e-30f; // keeps its side
+  constexpr float leastInside = 1e-30f; // keeps the sign
   leaf.UpToLayer[LastLayer].ForEach(
     [&](int node)
     {
@@ -184,7 +184,7 @@ void PartDistances::UseFunction(std::size_t i)
     });
 }
 
-/** Negative where a neighbour is missing or F is flat. */
+/** Returns a negative number if a neighbour is missing or F is flat. */
 float PartDistances::FirstOrderDistance(std::size_t i, int node) const
 {
   double difference[3];

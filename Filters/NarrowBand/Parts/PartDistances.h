@@ -1,10 +1,11 @@
 /**
  * Distances in the layers of a band, from its signs and a function.
  *
- * They are the function's first-order distances |F| / |grad F|, by central differences: exact for
- * distances, smooth where F is smooth. Where F is neither, within half of the distances to its
- * crossings on the edges, which an eikonal update (EikonalUpdate.h) takes from node to node. Only
- * nodes of earlier rounds are used, so the order within a round does not matter.
+ * A distance is the function's first-order distance |F| / |grad F|, by central differences. It is
+ * exact for distances and smooth where F is smooth. It is limited to half to one and a half times
+ * the distance to the crossings on edges. An eikonal update (EikonalUpdate.h) propagates this
+ * distance from node to node. A sweep uses only nodes of earlier sweeps, so the order within a
+ * sweep does not matter.
  */
 #ifndef PartDistances_h
 #define PartDistances_h
@@ -23,7 +24,9 @@ class PartDistances
 public:
   explicit PartDistances(LeafTable& table);
 
-  /** Sets the values of all nodes in the layers. The function's signs are those of the table. */
+  /**
+   * Sets the values of all nodes in the layers. The function's signs have to be those of the table.
+   */
   void Find(const LatticeFunction& function);
 
 private:
@@ -31,7 +34,7 @@ private:
   void Sample(const LatticeFunction& function, std::size_t i);
   void StartAtCrossings(std::size_t i);
   float DistanceToCrossings(std::size_t i, int node) const;
-  /** One round; false if all nodes of the layers are known. */
+  /** Runs one sweep. Returns false if all nodes of the layers are known. */
   bool Extend();
   bool ExtendLeaf(std::size_t i);
   LeafMask FindFront(std::size_t i) const;

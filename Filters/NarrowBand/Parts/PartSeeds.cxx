@@ -12,7 +12,7 @@ namespace activesurface
 namespace
 {
 
-/** The node nearest to a place; false if there is none. */
+/** Finds the node nearest to a point. Returns false if there is none. */
 bool FindNode(const double x[3], double voxelSize, openvdb::Coord& node)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -27,7 +27,7 @@ bool FindNode(const double x[3], double voxelSize, openvdb::Coord& node)
   return true;
 }
 
-/** The node nearest to the centre of a region; false if there is none. */
+/** Finds the node nearest to the centre of a region. Returns false if there is none. */
 bool FindCentre(const TargetRegion& region, double voxelSize, openvdb::Coord& node)
 {
   double centre[3];
@@ -167,7 +167,7 @@ void PartSeeds::AddPart(const TargetPart& part)
   }
 }
 
-/** Those at which the target has the part now, wide enough. */
+/** Returns the nodes at which the target has the part now, and the part is wide enough. */
 PartSeeds::Nodes PartSeeds::FindMissing(const Nodes& nodes, bool areHollow) const
 {
   std::vector<double> values;
@@ -183,8 +183,8 @@ PartSeeds::Nodes PartSeeds::FindMissing(const Nodes& nodes, bool areHollow) cons
   return missing;
 }
 
-/** Whether the target has it at six nodes around, too, which neither the lattice nor Tension takes
- * away. */
+/** Returns true if the target also has the part at six nodes around. Neither the lattice nor
+ * Tension removes such a part. */
 bool PartSeeds::IsWide(const openvdb::Coord& node, bool isHollow) const
 {
   const int steps = this->Search.GetLeastSteps();

@@ -1,5 +1,5 @@
 /**
- * Where the search for new parts begins: the leaves that hold a node of one.
+ * Finds leaves from which the search for new parts starts: leaves that contain a node of a part.
  */
 #ifndef PartSeeds_h
 #define PartSeeds_h
@@ -16,7 +16,7 @@
 namespace activesurface
 {
 
-/** What the search runs on: a band with its layers, and its target. */
+/** Input of the search: a band with its layers, and its target. */
 struct PartSearch
 {
   const LeafTable& Skin;
@@ -24,13 +24,13 @@ struct PartSearch
   double VoxelSize;
   const LatticeFunction& Target;
   std::size_t MaximumNumberOfActiveVoxels;
-  double LeastRadius; //< of hollows and of the parts of shapes, what Tension leaves alive [length]
+  double LeastRadius; //< of voids and parts of shapes that survive Tension [length]
 
-  /** The same in voxels, at least 1. */
+  /** Returns LeastRadius in voxels, at least 1. */
   int GetLeastSteps() const;
 };
 
-/** The potential in a leaf of the lattice, of the band's or not. */
+/** Signs of the potential in a leaf of the lattice, which need not be in the band. */
 struct SkinLeaf
 {
   const LeafMask* Inside;
@@ -39,13 +39,13 @@ struct SkinLeaf
   SkinLeaf(const PartSearch& search, const openvdb::Coord& origin);
 };
 
-/** Whether the target and the skin are on different sides; not if the target is not a number. */
+/** Returns true if the target and the skin are on different sides; false if the target is NaN. */
 inline bool Differs(double target, bool isInside)
 {
   return !std::isnan(target) && (target < 0.0) != isInside;
 }
 
-/** Adds leaves without nodes; what regions and parts of shapes add is told in NewParts.h. */
+/** Adds leaves without nodes. NewParts.h describes the seeds of regions and parts of shapes. */
 class PartSeeds
 {
 public:
@@ -62,8 +62,8 @@ public:
 private:
   using Nodes = std::vector<openvdb::Coord>;
 
-  /** Of some regions: the boxes of which all nodes count, and the centres that are to be looked at
-   * as the skin is on their other side, unless the target is, too. */
+  /** Candidate seeds: boxes to be searched node by node, and region centres whose sign in the
+   * skin differs from the expected sign of the target. */
   struct Candidates
   {
     std::vector<TargetRegion> Boxes;
@@ -72,7 +72,9 @@ private:
 
   Candidates LookAtAll(const Target& target) const;
   void Look(const TargetRegion& region, Candidates& found) const;
-  /** The leaves of those at which the target differs from the skin, ascending. */
+  /**
+   * Returns the leaves of the nodes at which the target differs from the skin, in ascending order.
+   */
   Nodes FindLeaves(const Nodes& centres) const;
   bool IsInside(const openvdb::Coord& node) const;
   Nodes FindMissing(const Nodes& nodes, bool areHollow) const;

@@ -15,7 +15,7 @@ namespace activesurface
 namespace
 {
 
-/** False when `progress` stopped it. */
+/** Returns false if `progress` cancelled the sampling. */
 bool SampleInside(
   const LatticeFunction& function, const ProgressFunction& progress, LeafSigns& leaves)
 {
@@ -33,7 +33,7 @@ bool SampleInside(
   return true;
 }
 
-/** The nodes of a leaf that the box does not close. */
+/** Returns the nodes of a leaf that the box does not set to outside. */
 LeafMask FindNodesWithin(const LatticeBox& box, const openvdb::Coord& origin)
 {
   LeafMask within;
@@ -47,8 +47,8 @@ LeafMask FindNodesWithin(const LatticeBox& box, const openvdb::Coord& origin)
   return within;
 }
 
-/** Leaves that were not sampled are inside if an inside node is across one of their faces: no
- * surface is in them. */
+/** Fills unsampled leaves that have an inside node across one of their faces. No surface is in
+ * such a leaf, so it is inside. */
 void FillInside(const LatticeBox& box, std::size_t maximum, LeafSigns& leaves)
 {
   for (std::size_t i = 0; i < leaves.Size(); ++i)

@@ -1,5 +1,5 @@
 /**
- * The initial potential of a function that tells where its surface can be.
+ * Initial potential of a function that provides regions that contain its surface.
  */
 #ifndef SparseStart_h
 #define SparseStart_h
@@ -12,9 +12,9 @@ namespace activesurface
 {
 
 /**
- * As MakeInitialPotential, at a cost proportional to the function's regions, whatever the bounds.
- * The leaves that the regions touch are sampled. From the nodes that are inside, what is in no
- * region is filled leaf by leaf, without evaluations.
+ * Equals MakeInitialPotential, at a cost proportional to the function's regions, whatever the
+ * bounds. The function is sampled in the leaves that the regions touch. Space outside the regions
+ * is filled from inside nodes leaf by leaf, without evaluations.
  */
 openvdb::FloatTree::Ptr MakeSparsePotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,

@@ -16,12 +16,12 @@ constexpr double Nearest = 1e-3; // voxels
 /** Nodes of a crossed edge are up to a voxel off the surface. */
 constexpr double NodesNearest = 1.0;
 
-/** Of a step that moves the surface by its speed. */
+/** Coefficients of a step that moves the surface by its speed. */
 StepCoefficients CoefficientsOf(const ConvergenceRule& rule)
 {
   StepCoefficients coefficients;
   coefficients.HasTargetSpeed = true;
-  // As the scheme does at the nodes of crossed edges.
+  // Uses the scheme's differences at the nodes of crossed edges.
   coefficients.Central = rule.Parameters.Gradient == GradientScheme::Central;
   coefficients.Advection = 1.f;
   coefficients.Tension = static_cast<float>(rule.Parameters.Tension / rule.VoxelSize);
@@ -34,8 +34,8 @@ double SpeedOfVoxel(const ConvergenceRule& rule)
   return rule.VoxelSize * rule.Parameters.Attraction * rule.TargetSlope;
 }
 
-/** In the box on which the speeds of a leaf depend: its edges end in the next leaves, whose nodes
- * have edges too. */
+/** Tests the box on which the speeds of a leaf depend. Its edges end in the next leaves, whose
+ * nodes have edges, too. */
 bool MayHaveChanged(const Target& target, const openvdb::Coord& origin, double voxelSize)
 {
   double bounds[6];
@@ -108,7 +108,7 @@ LeafList FindActiveLeaves(LeafTable& table, const LeafList& measured, const Conv
     return table.FindAll(
       [&](std::size_t i) { return !(table.SummaryOf(i).Speed.AtSurface <= slow); });
   }
-  // A leaf that is too fast at its nodes is active and measured anew: no need to interpolate.
+  // A leaf with a high speed at its nodes is active and measured again without interpolation.
   const auto mayConverge = [fastest = NodesNearest * SpeedOfVoxel(rule)](const LeafSpeed& speed)
   { return speed.AtNodes <= fastest; };
   table.ForEach(measured,

@@ -1,17 +1,16 @@
 /**
- * Which leaves have converged: there the surface has reached its target or, under Tension, the
- * balance of both.
+ * Detects converged leaves: their surface has reached its target or, with Tension, the balance of
+ * both.
  *
  * A leaf has converged if its surface is slower than a thousandth of a voxel times Attraction times
  * L. Without Tension the speed is that of the target at the sample points, interpolated between the
  * nodes. With Tension it is the rate of change of u at the nodes of crossed edges, divided by the
- * gradient norm: these nodes move the surface, and they are not relaxed. A leaf that has converged
- * together with its neighbours stays as it is, bitwise (except for the factor 2 that keeps gradient
- * norms near 1): further substeps would roughen the surface, and cost time.
+ * gradient norm. These nodes move the surface, and they are not relaxed. A leaf that has converged
+ * together with its neighbours stays bitwise identical, except for the factor 2 that keeps gradient
+ * norms near 1. Further substeps would roughen the surface, and take time.
  *
- * This is a rule of the scheme: it depends on the potential and the target alone. Speeds that
- * nothing has changed are kept, so that a converged leaf costs next to nothing; that does not
- * change the result.
+ * Convergence is a rule of the scheme: it depends only on the potential and the target. Unaffected
+ * speeds are kept, so that a converged leaf costs very little; that does not change the result.
  */
 #ifndef ConvergedLeaves_h
 #define ConvergedLeaves_h
@@ -25,7 +24,7 @@ namespace activesurface
 
 struct SubstepBuffers;
 
-/** What convergence depends on, besides the potential and the target. */
+/** Input of convergence, besides the potential and the target. */
 struct ConvergenceRule
 {
   const Motion& Parameters;
@@ -39,17 +38,18 @@ void ForgetSpeeds(LeafTable& table);
 /** Invalidates the speeds of the leaves near which the target has changed. */
 void ForgetChanged(LeafTable& table, double voxelSize, const Target& target);
 
-/** The leaves whose speeds are not known. */
+/** Returns the leaves whose speeds are invalid. */
 LeafList FindUnknown(const LeafTable& table);
 
-/** Keeps the speeds of these leaves, which have been sampled with their neighbours; not yet
- * AtSurface. */
+/** Stores the speeds of leaves that have been sampled with their neighbours, except AtSurface. */
 void RememberSpeeds(LeafTable& table, const LeafList& leaves, const SubstepBuffers& buffers);
 
-/** The limits of all leaves, whose speeds have to be known. */
+/** Returns the limits over all leaves, whose speeds have to be valid. */
 TargetLimits FindLimits(const LeafTable& table);
 
-/** The leaves that have not converged. measured: those whose speeds have just become known. */
+/**
+ * Returns the leaves that have not converged. measured: leaves whose speeds have just been stored.
+ */
 LeafList FindActiveLeaves(LeafTable& table, const LeafList& measured, const ConvergenceRule& rule,
   const SubstepBuffers& buffers);
 

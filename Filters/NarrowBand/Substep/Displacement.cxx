@@ -23,7 +23,7 @@ double Difference(const LeafTable& table, const LeafTable::Place& place, int axi
   return .5 * (ahead - behind);
 }
 
-/** Component along an axis of the normal at a share t of the way between two nodes. */
+/** Component of the normal along an axis, at the fraction t of the edge between two nodes. */
 double NormalAlong(const LeafTable& table, const LeafTable::Place& lower,
   const LeafTable::Place& upper, int axis, double t)
 {
@@ -55,7 +55,9 @@ void Displacement::Begin(const LeafTable& table)
     });
 }
 
-/** Calls function with the distance [voxels] of each sample point that is still there. */
+/**
+ * Calls function with the displacement [voxels] of each sample point whose edge is still crossed.
+ */
 template <class Function>
 void Displacement::ForEachPoint(const LeafTable& table, std::size_t i, Function&& function) const
 {

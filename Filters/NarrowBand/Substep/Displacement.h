@@ -1,6 +1,6 @@
 /**
- * How far the surface has moved. It tells whether the surface is steady; speeds at the nodes do
- * not, because nodes off the surface go on changing under tension while the surface stands still.
+ * Measures the displacement of the surface, which detects a steady state. Speeds at the nodes do
+ * not: under tension, nodes off the surface keep changing while the surface stands still.
  */
 #ifndef Displacement_h
 #define Displacement_h
@@ -14,25 +14,26 @@
 namespace activesurface
 {
 
-/** The sample points at one moment, to be compared with those at a later one. */
+/** The sample points at one time, to be compared with those at a later time. */
 class Displacement
 {
 public:
   /** Copies the potential. */
   void Begin(const LeafTable& table);
 
-  /** The largest distance along the normal [voxels] by which a sample point has moved since, on
-   * edges that are still crossed. Single precision adds noise of about 1e-7. */
+  /** The largest distance along the normal [voxels] by which a sample point has moved since
+   * Begin, on edges that are still crossed. Single precision adds noise of about 1e-7. */
   double GetLargest(const LeafTable& table) const;
 
   struct Statistics
   {
-    double ShareBeyond; //< share of the sample points that moved farther than the given distance
+    double ShareBeyond; //< fraction of the sample points that moved farther than `distance`
     double Mean;        //< mean distance [voxels]
   };
 
-  /** Returns statistics of the sample points of Begin; all 0 if there are none. A point whose edge
-   * is no longer crossed counts as moved by a voxel, which is farther than any given distance. */
+  /** Returns statistics of the sample points of Begin; all 0 if there are none. A point whose
+   * edge is no longer crossed counts as moved by a voxel, and as moved farther than any
+   * `distance`. */
   Statistics GetStatistics(const LeafTable& table, double distance) const;
 
 private:
@@ -41,7 +42,7 @@ private:
     openvdb::Coord Origin;
     std::array<LeafMask, 3> Edge;
     LeafMask Inside;
-    std::array<std::int32_t, 3> Next; // leaf after it, by axis
+    std::array<std::int32_t, 3> Next; // next leaf, by axis
   };
 
   template <class Function>

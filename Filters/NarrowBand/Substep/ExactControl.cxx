@@ -19,13 +19,13 @@ namespace
 constexpr double Precision = 1e-9; // relative
 
 // Lengths in voxels.
-constexpr double Farthest = 2.0 / (3.0 * 1.7320508075688772); // at a time, as a substep may go
+constexpr double Farthest = 2.0 / (3.0 * 1.7320508075688772); // per displacement, as for a substep
 constexpr double FarthestInAll = 1.5;
 constexpr double Noticeable = 1e-5; // below, rounding of the potential spoils a measured rate
 
-/** |grad u| of a row: by central differences, which balance those of tension, but no farther than a
- * tenth from upwind ones. Central ones alone amplify what noise there is, and a steep fold beside a
- * crease grows without bound. */
+/** |grad u| of a row by central differences, which balance those of tension, limited to a tenth
+ * around upwind differences. Central differences amplify noise if they are not limited, and a
+ * steep fold next to a crease grows without bound. */
 ACTIVE_ALWAYS_INLINE void DisplacedSlopes(const float* u, float direction, float* slopes)
 {
   constexpr RowMask unrelaxed{};
@@ -78,13 +78,13 @@ void Displace(const ControlledBand& band, double distance)
   band.Rebuild(band.Set);
 }
 
-/** Restores a number of the skin by the secant method; gain: what it gains per displacement, as far
- * as is known. */
+/** Restores a measure of the skin by the secant method. gain: initial estimate of its change per
+ * displacement. */
 void Restore(const ControlledBand& band, double SkinMeasure::*number, double wanted,
   SkinMeasure skin, double gain)
 {
   constexpr int mostSteps = 8;
-  constexpr double least = 1e-3; // gain below which there is no way
+  constexpr double least = 1e-3; // smaller gains cannot be restored
   double left = FarthestInAll * band.Rounds;
   for (int step = 0; step < mostSteps * band.Rounds && skin.Area > 0.0 && left > 0.0; ++step)
   {

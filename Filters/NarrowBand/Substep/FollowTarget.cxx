@@ -14,14 +14,14 @@ namespace activesurface
 namespace
 {
 
-/** Whether leaves may converge under this motion: not under controls, nor in the paper's scheme. */
+/** Returns true if leaves may converge: without controls and outside the paper's scheme. */
 bool CanConverge(const Motion& motion)
 {
   return motion.Attraction > 0.0 && motion.AreaControl == Control::None &&
     motion.VolumeControl == Control::None && SamplesCrossings(motion) && !motion.Paper;
 }
 
-/** sample: SampleLeaves, or SampleMore besides those that have been sampled. */
+/** sample: SampleLeaves, or SampleMore to keep existing samples. */
 template <class Sampling>
 void Sample(const FollowingBand& band, const LeafList& leaves, Sampling sample,
   const Motion& motion, const Target& target, AdvanceReport& report)

@@ -1,6 +1,6 @@
 /**
- * A band follows its target: which leaves are sampled in a substep, which of them move, and the
- * speed that the target gives them.
+ * Makes a band follow its target: chooses the leaves to sample and to move in a substep, and
+ * applies the target's speed.
  */
 #ifndef FollowTarget_h
 #define FollowTarget_h
@@ -24,13 +24,12 @@ struct FollowingBand
   SubstepBuffers& Buffers;
 };
 
-/** Samples the target, which has been moved to the time, chooses the active set, and gives the
- * nodes with samples in the affected leaves their speed. Converged leaves are left out if they may
- * be. */
+/** Samples the target, which has been moved to the time, and chooses the active set. Sets the
+ * speed of nodes with samples in the affected leaves. Omits converged leaves if mayLeaveOut. */
 TargetLimits FollowTarget(const FollowingBand& band, const Motion& motion, bool mayLeaveOut,
   const Target& target, AdvanceReport& report);
 
-/** Extends speeds from there to the active nodes of the affected leaves. */
+/** Extends speeds to the active nodes of the affected leaves. */
 void ExtendToActiveNodes(const FollowingBand& band, const Motion& motion);
 
 }

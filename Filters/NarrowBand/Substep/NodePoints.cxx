@@ -16,7 +16,7 @@ namespace
 
 using Potential = openvdb::tree::ValueAccessor<const PotentialTree, false>;
 
-/** u between the nodes, at a point in voxels. */
+/** Interpolates u at a point in voxels. */
 double Interpolate(const Potential& potential, const double x[3])
 {
   const openvdb::Coord low(static_cast<int>(std::floor(x[0])), static_cast<int>(std::floor(x[1])),
@@ -30,12 +30,12 @@ double Interpolate(const Potential& potential, const double x[3])
   return Trilinear(value, t, nullptr);
 }
 
-/** Moves a point of the band to the surface along the gradient. Where that vanishes, on a medial
- * axis, the point stays: no point of the surface is the closest one. */
+/** Moves a point of the band to the surface along the gradient. The point stays where the
+ * gradient vanishes, on a medial axis without a closest point. */
 void MoveToSurface(const Potential& potential, double x[3])
 {
   constexpr int mostSteps = 8;
-  constexpr double longest = 1.5; // voxels; further, the interpolation would leave the layers
+  constexpr double longest = 1.5; // voxels; a longer step would leave the layers
   for (int step = 0; step < mostSteps; ++step)
   {
     const double value = Interpolate(potential, x);

@@ -13,7 +13,7 @@
 namespace activesurface
 {
 
-/** A lattice at whose points the target is evaluated. */
+/** A lattice for the points at which the target is evaluated. */
 struct SampledLattice
 {
   const LeafTable& Leaves;
@@ -21,23 +21,24 @@ struct SampledLattice
   double VoxelSize;
 };
 
-/** Whether the crossed edges have sample points. */
+/** Returns true if the crossed edges have sample points. */
 inline bool SamplesCrossings(const Motion& motion)
 {
   return motion.Evaluation == TargetEvaluation::Shifted;
 }
 
-/** Whether there are nodes with points of their own. */
+/** Returns true if there are nodes with points of their own. */
 inline bool HasNodePoints(const Motion& motion)
 {
   return motion.Paper || !SamplesCrossings(motion);
 }
 
-/** The nodes with points of their own: all active nodes with Node and ClosestPoint; none with
- * Shifted, but in the paper's scheme those without a crossed edge (its F(X) beyond the surface). */
+/** Returns the nodes with points of their own. These are all active nodes with Node and
+ * ClosestPoint, and none with Shifted. In the paper's scheme they are the nodes without a
+ * crossed edge (its F(X) beyond the surface). */
 LeafMask NodesWithOwnPoint(const LeafTable& table, const BandLeaf& leaf, const Motion& motion);
 
-/** Writes their points (x y z, world units), node by node; returns the end. */
+/** Writes the points of these nodes (x y z, world units), node by node; returns the end. */
 double* WriteNodePoints(
   const SampledLattice& lattice, std::size_t leaf, const Motion& motion, double* point);
 

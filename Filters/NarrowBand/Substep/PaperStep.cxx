@@ -20,7 +20,7 @@ float Clamp(float value, float most)
   return std::min(std::max(value, -most), most);
 }
 
-/** Of one leaf; tension and uniform in the unit of the speeds. */
+/** Completes the speed of one leaf; tension and uniform in the unit of the speeds. */
 PaperLimits FindLeafSpeed(const LeafTable& table, std::size_t i, bool attracted, float uniform,
   float tension, SubstepBuffers& buffers)
 {
@@ -56,7 +56,7 @@ PaperLimits FindLeafSpeed(const LeafTable& table, std::size_t i, bool attracted,
 PaperLimits FindPaperSpeed(
   const LeafTable& table, bool attracted, double uniform, double tension, SubstepBuffers& buffers)
 {
-  buffers.MakeRoomForNodes(table.Size()); // which it is where there are speeds
+  buffers.MakeRoomForNodes(table.Size()); // already allocated if there are speeds
   std::vector<PaperLimits> parts(table.Size());
   table.ForEach(
     [&](std::size_t i)

@@ -1,13 +1,14 @@
 /**
- * The paper's own scheme, for comparison. Where it differs it is worse, see front.md.
+ * The paper's own scheme, for comparison. All its differences make it worse, see front.md.
  *
- * - The potential is clamped to +- 3 voxels, the thresholds (section 3.2): a node is activated when
- *   the surface comes near, keeps its value, and is deactivated when its value reaches a threshold.
- * - The target at a node with crossed edges is the plain mean at their crossings (4.3); at other
+ * - The potential is clamped to +- 3 voxels, the thresholds (section 3.2). A node is activated when
+ *   the surface comes near and keeps its value. It is deactivated when its value reaches a
+ *   threshold.
+ * - The target at a node with crossed edges is the plain mean at their crossings (4.3). At other
  *   nodes it is evaluated at the node itself.
  * - Curvature (5) and gradient by central differences, the curvature at most 4 per voxel.
- * - Time steps (6) and (7): V dt <= h, and dt <= h^2 / (2 Tension |grad f|) where f = phi / 3 h is
- *   the paper's potential. (7) has no consistent unit; it is taken in a box of unit size.
+ * - Time steps (6) and (7): V dt <= h, and dt <= h^2 / (2 Tension |grad f|). Here f = phi / 3 h is
+ *   the paper's potential. (7) has no consistent unit; it is evaluated in a box of unit size.
  * - The gradient norm is not maintained.
  */
 #ifndef PaperStep_h
@@ -30,24 +31,26 @@ struct PaperLimits
 };
 
 /**
- * Completes the speed in the buffers, which is the target's if attracted and undefined otherwise:
- * adds `uniform` and subtracts tension * curvature. tension: Tension / h [length/time].
+ * Completes the speed in the buffers: adds `uniform` and subtracts tension * curvature. If
+ * attracted, the buffers have to contain the target's speed; otherwise their contents are ignored.
+ * tension: Tension / h [length/time].
  */
 PaperLimits FindPaperSpeed(
   const LeafTable& table, bool attracted, double uniform, double tension, SubstepBuffers& buffers);
 
-/** Equations (6) and (7); boxSize: longest side of the box of unit size. */
+/** Equations (6) and (7). boxSize: longest side of the box of unit size. */
 double PaperTimeStep(const PaperLimits& limits, double tension, double voxelSize, double boxSize);
 
-/** Next, from the complete speed. advection: dt / h. */
+/** Sets Next from the complete speed. advection: dt / h. */
 void StepPaper(const LeafTable& table, double advection, SubstepBuffers& buffers);
 
-/** Finds the layers, then activates and deactivates nodes; Active holds those before the substep.
- */
+/** Finds the layers, then activates and deactivates nodes. Active has to hold the active nodes
+ * before the substep. */
 void RebuildPaperBand(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
-/** Prepares a band of this library's scheme for RebuildPaperBand, or one of the paper's for
- * RebuildLayers: the paper's begins with all that is known; ghosts begin with none. */
+/** Prepares a band of this library's scheme for RebuildPaperBand, or one of the paper's scheme
+ * for RebuildLayers. The paper's scheme begins with all nodes of the layers active. All ghosts
+ * are marked as stale. */
 void BeginScheme(LeafTable& table, bool isPaper);
 
 }

@@ -2,8 +2,8 @@
  * The terms of the evolution equation on a row of eight nodes.
  *
  * Plain loops without branches, which the compiler vectorises. u points at the row in a LeafBlock;
- * differences are per voxel. Nothing is reduced across a row and contraction to fused multiply-add
- * is off, so any vector width gives the same bytes.
+ * differences are per voxel. Nothing is reduced across a row, and contraction to fused multiply-add
+ * is off, so results are bitwise identical for any vector width.
  */
 #ifndef RowKernels_h
 #define RowKernels_h
@@ -41,7 +41,7 @@ ACTIVE_ALWAYS_INLINE const RowMask& MaskOfBits(unsigned bits)
   return RowMasks[bits];
 }
 
-/** The smaller of two numbers of one sign, 0 for opposite ones. */
+/** Returns the smaller magnitude of two numbers of the same sign, else 0. */
 ACTIVE_ALWAYS_INLINE float MinMod(float a, float b)
 {
   return std::max(std::min(a, b), 0.f) + std::min(std::max(a, b), 0.f);
@@ -86,7 +86,7 @@ ACTIVE_ALWAYS_INLINE void AddTransport(
   }
 }
 
-/** Squares of the gradient norm, central differences. */
+/** Squared gradient norms by central differences. */
 ACTIVE_ALWAYS_INLINE void CentralGradientSquares(const float* u, float* squares)
 {
   constexpr int X = LeafBlock::X, Y = LeafBlock::Y, Z = LeafBlock::Z;
@@ -116,7 +116,7 @@ ACTIVE_ALWAYS_INLINE void CountGradients(const float* u, unsigned bits, int& fla
   steep += steeper;
 }
 
-/** next -= advection * V * |grad u|, central differences: for comparison with the paper. */
+/** next -= advection * V * |grad u|, by central differences, for comparison with the paper. */
 ACTIVE_ALWAYS_INLINE void AddCentralTransport(
   const float* u, const float* speed, float advection, float* next)
 {
@@ -129,8 +129,8 @@ ACTIVE_ALWAYS_INLINE void AddCentralTransport(
   }
 }
 
-/** next += tensionAt(z) * kappa * |grad u|, kappa the sum of the principal curvatures, in voxels.
- */
+/** next += tensionAt(z) * kappa * |grad u|, kappa the sum of the principal curvatures, in
+ * voxels. */
 template <class TensionAt>
 ACTIVE_ALWAYS_INLINE void AddTensionAt(const float* u, const TensionAt& tensionAt, float* next)
 {
@@ -148,7 +148,7 @@ ACTIVE_ALWAYS_INLINE void AddTensionAt(const float* u, const TensionAt& tensionA
     const float square = gx * gx + gy * gy + gz * gz;
     const float product = gx * gx * (hyy + hzz) + gy * gy * (hxx + hzz) + gz * gz * (hxx + hyy) -
       2.f * (gx * gy * hxy + gy * gz * hyz + gx * gz * hxz);
-    // Where the gradient vanishes there is no normal: the mean over all normals.
+    // A vanishing gradient has no normal: use the mean over all normals.
     const float size = std::fabs(hxx) + std::fabs(hyy) + std::fabs(hzz);
     const bool regular = square > 1e-12f * size * size;
     const float rate = regular ? product / square : (2.f / 3.f) * (hxx + hyy + hzz);
@@ -162,10 +162,10 @@ ACTIVE_ALWAYS_INLINE void AddTension(const float* u, float tension, float* next)
     u, [tension](int) ACTIVE_INLINED { return tension; }, next);
 }
 
-/** |u| [voxels] that nothing sound reaches, and from which no single operation overflows. */
+/** Bound on |u| [voxels] of a sound potential; no single operation on smaller values overflows. */
 constexpr float UnboundedPotential = 1e12f;
 
-/** Whether one of these nodes of a row is not below it, or NaN. */
+/** Returns nonzero if |u| of one of these nodes reaches UnboundedPotential or is NaN. */
 ACTIVE_ALWAYS_INLINE unsigned AnyUnbounded(const float* u, unsigned nodes)
 {
   const RowMask& counts = MaskOfBits(nodes);
@@ -178,7 +178,7 @@ ACTIVE_ALWAYS_INLINE unsigned AnyUnbounded(const float* u, unsigned nodes)
   return any;
 }
 
-/** A row after a step: what it is at active nodes, else what it was. */
+/** Sets a row after a step: the new value at active nodes, else the old value. */
 ACTIVE_ALWAYS_INLINE void TakeActive(
   const float* was, const float* is, unsigned active, float* next)
 {

@@ -112,7 +112,7 @@ private:
   }
 };
 
-/** Numbers the points after those that there are, and makes room for them; returns how many. */
+/** Numbers the points after the existing ones and allocates their samples. Returns their number. */
 std::size_t NumberSamples(
   const LeafTable& table, const LeafList& leaves, const Motion& motion, SubstepBuffers& buffers)
 {

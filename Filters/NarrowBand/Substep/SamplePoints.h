@@ -1,6 +1,6 @@
 /**
- * The points at which the target is evaluated: where the surface crosses lattice edges (paper,
- * section 4.3), and the points of single nodes (NodePoints.h).
+ * Points at which the target is evaluated: the surface's crossings of lattice edges (paper, section
+ * 4.3), and the points of single nodes (NodePoints.h).
  */
 #ifndef SamplePoints_h
 #define SamplePoints_h
@@ -15,7 +15,7 @@ namespace activesurface
 
 struct SubstepBuffers;
 
-/** What SampleLeaves found. */
+/** Result of SampleLeaves. */
 struct TargetSamples
 {
   std::size_t Count = 0;
@@ -23,14 +23,14 @@ struct TargetSamples
 };
 
 /**
- * Evaluates the target once at each point of these leaves, leaf by leaf: first at the crossings,
- * which are linear on the edges, axis by axis, by the lower node of the edge; then at the points of
+ * Evaluates the target once at each point of these leaves, leaf by leaf. The crossings come first,
+ * axis by axis, by the lower node of the edge; u is linear on the edges. Then come the points of
  * single nodes. Fills Samples and LargestTargetSlope.
  */
 TargetSamples SampleLeaves(const SampledLattice& lattice, const LeafList& leaves,
   const Motion& motion, const Target& target, SubstepBuffers& buffers);
 
-/** The same for those of these leaves that have not been sampled yet; keeps the other samples. */
+/** Samples only the given leaves that have not been sampled; keeps the other samples. */
 TargetSamples SampleMore(const SampledLattice& lattice, const LeafList& leaves,
   const Motion& motion, const Target& target, SubstepBuffers& buffers);
 

@@ -33,11 +33,11 @@ double Dot(const Vector& a, const Vector& b)
   return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 }
 
-/** Where the surface crosses the edges of a leaf's voxels, as seen from the reference. */
+/** Crossings of the edges of a leaf's voxels, relative to the reference. */
 struct CrossingsOfLeaf
 {
   double Origin[3];
-  double Along[3 * CornersOfLeaf]; // by EdgePlace, where the edge is crossed: 0 to 1
+  double Along[3 * CornersOfLeaf]; // by EdgePlace, for crossed edges: 0 to 1
 
   ACTIVE_ALWAYS_INLINE CrossingsOfLeaf(
     const LeafTable& table, std::size_t i, const openvdb::Coord& reference)
@@ -57,7 +57,7 @@ struct CrossingsOfLeaf
       });
   }
 
-  /** The crossing of an edge of the voxel with this lower corner. */
+  /** Returns the crossing of an edge of the voxel with this lower corner. */
   ACTIVE_ALWAYS_INLINE Vector At(int node, int edge) const
   {
     const int corner = LowerCornerOfEdge[edge];
@@ -111,8 +111,8 @@ struct MeasureLeaf
 
 SkinMeasure MeasureSkin(const LeafTable& table)
 {
-  // Any point will do for a closed surface; one nearby keeps the sums small. Leaves without surface
-  // do not count: whether they are still there depends on what was asked for before.
+  // Any point is a valid reference for a closed surface; a nearby one keeps the sums small. Leaves
+  // without surface are skipped, because their existence depends on earlier requests.
   const LeafList order = table.FindTreeOrder();
   const auto first = std::find_if(
     order.begin(), order.end(), [&](std::int32_t i) { return table[i].UpToLayer[0].Any(); });

@@ -1,5 +1,5 @@
 /**
- * Area and volume of the skin, from its triangles (paper, sections 5.1 and 5.2).
+ * Measures area and volume of the skin from its triangles (paper, sections 5.1 and 5.2).
  */
 #ifndef SkinMeasure_h
 #define SkinMeasure_h
@@ -17,15 +17,15 @@ struct SkinMeasure
   double Volume = 0.0; //< enclosed, without the voids
 };
 
-/** What the area of a sphere gains per outward displacement: dA/dr = sqrt(16 pi A). */
+/** Gain of a sphere's area per outward displacement: dA/dr = sqrt(16 pi A). */
 inline double AreaGainOfSphere(double area)
 {
   constexpr double pi = 3.14159265358979323846;
   return std::sqrt(16.0 * pi * area);
 }
 
-/** In voxels. Summed leaf by leaf in the order of the tree: the result does not depend on the
- * number of threads. */
+/** Measures in voxels. Leaves are summed in the order of the tree, so the result does not depend
+ * on the number of threads. */
 SkinMeasure MeasureSkin(const LeafTable& table);
 
 }

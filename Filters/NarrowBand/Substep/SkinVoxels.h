@@ -1,8 +1,8 @@
 /**
- * The voxels that the surface crosses, leaf by leaf, and their crossed edges.
+ * Visits the voxels that the surface crosses, leaf by leaf, and their crossed edges.
  *
- * The voxels of a leaf are those whose lower corner is in it. Their corners are the nodes 0..8
- * along each axis; the last ones belong to the next leaves.
+ * The voxels of a leaf are those whose lower corner is in the leaf. Their corners are the nodes
+ * 0..8 along each axis; the last ones belong to the next leaves.
  */
 #ifndef SkinVoxels_h
 #define SkinVoxels_h
@@ -50,7 +50,7 @@ constexpr std::array<int, EdgesOfVoxel> MakePlacesOfEdges()
 
 constexpr std::array<int, EdgesOfVoxel> PlaceOfEdge = MakePlacesOfEdges();
 
-/** Which corners of a leaf's voxels are inside. */
+/** Flags the inside corners of a leaf's voxels. */
 class VoxelSigns
 {
 public:
@@ -74,7 +74,7 @@ public:
       pair(this->Row[x + 1][y + 1]) << 6;
   }
 
-  /** The lower corners of the voxels whose corners differ. */
+  /** Returns the lower corners of the voxels whose corners differ. */
   ACTIVE_ALWAYS_INLINE LeafMask Crossed() const
   {
     LeafMask crossed;
@@ -110,7 +110,10 @@ private:
   std::uint16_t Row[CornersAlongLeaf][CornersAlongLeaf]; //< bit z
 };
 
-/** Calls function(node, bits) for the crossed voxels of a leaf: lower corner, VoxelSigns. */
+/**
+ * Calls function(node, bits) for the crossed voxels of a leaf. node: lower corner; bits: see
+ * Corners.
+ */
 template <class Function>
 ACTIVE_ALWAYS_INLINE void ForEachCrossedVoxel(
   const LeafTable& table, std::size_t i, Function&& function)
@@ -129,13 +132,13 @@ struct CrossedEdge
 {
   int Axis;
   int Place;           //< EdgePlace
-  std::int32_t Leaf;   //< of its lower node
-  int Node;            //< its lower node
-  std::int64_t Number; //< of the crossing
+  std::int32_t Leaf;   //< of the lower node
+  int Node;            //< the lower node
+  std::int64_t Number; //< index of the crossing
 };
 
-/** Calls function(CrossedEdge) for those along an axis that begin in the next leaf at nx, ny, nz,
- * each 0 or 1, or in the leaf itself. */
+/** Calls function(CrossedEdge) for crossed edges along an axis. The edges begin in the next leaf
+ * at nx, ny, nz, each 0 or 1, or in the leaf itself. */
 template <class Function>
 ACTIVE_ALWAYS_INLINE void ForEachEdgeOfOwner(
   const LeafTable& table, std::int32_t owner, int axis, const int next[3], Function&& function)
@@ -177,7 +180,7 @@ ACTIVE_ALWAYS_INLINE void ForEachCrossedEdge(
       : table[i].Neighbour[NeighbourNumber(next[0], next[1], next[2])];
     for (int axis = 0; axis < 3 && owner >= 0; ++axis)
     {
-      if (next[axis] == 0) // else it begins at the last corner and leaves the voxels
+      if (next[axis] == 0) // otherwise the edge leaves the voxels at the last corner
       {
         ForEachEdgeOfOwner(table, owner, axis, next, function);
       }

@@ -1,7 +1,7 @@
 /**
  * Detects a steady state up to residual oscillation: noise below the voxel size never settles. Each
- * window of substeps is as long as all windows before it; its measure is the displacement of the
- * surface since its begin.
+ * window of substeps is as long as all windows before it. It measures the displacement of the
+ * surface since its beginning.
  */
 #ifndef SteadyWindow_h
 #define SteadyWindow_h
@@ -18,19 +18,20 @@ namespace activesurface
 class SteadyWindow
 {
 public:
-  /** After each substep. attraction: in the time of a window, exp(-8) of a distance to a target
-   * has to remain at most; without attraction nothing says how long a window has to be. */
+  /** Called after each substep. attraction: during a window, the distance to a target has to
+   * decay to exp(-8) or less. Without attraction the length of a window is undefined. */
   void Observe(const LeafTable& table, double time, double attraction);
 
-  /** Returns true if the rest of the motion is an oscillation: in the last window either a share
-   * of FewMoving at most moved, and at least half of the share in the window before; or the mean
-   * displacement was at most 0.25 voxel, and 0.5 to 1.25 of that in the two windows before. */
+  /** Returns true if the remaining motion is an oscillation, by one of two measures of the last
+   * window. Either a fraction of at most FewMoving moved, at least half of the fraction in the
+   * window before. Or the mean displacement was at most 0.25 voxel, and 0.5 to 1.25 of that in
+   * the two windows before. */
   bool IsSteady() const { return this->Steady; }
 
-  /** The share that moved in the last window; not a number before the first one has ended. */
+  /** The fraction that moved in the last window; NaN before the end of the first window. */
   double GetShare() const { return this->Share; }
 
-  /** By how far the surface moved in it, on the average [voxels]. */
+  /** The mean displacement of the surface in the last window [voxels]. */
   double GetMean() const { return this->Mean; }
 
 private:

@@ -14,7 +14,7 @@ namespace activesurface
 namespace
 {
 
-/** Adds all terms to a row. targetSpeeds: null where there is no target. */
+/** Adds all terms to a row. targetSpeeds: null without a target. */
 ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* targetSpeeds, unsigned relaxed,
   const StepCoefficients& coefficients, float* next)
 {
@@ -43,8 +43,8 @@ ACTIVE_ALWAYS_INLINE void AddTerms(const float* u, const float* targetSpeeds, un
   }
 }
 
-/** Speed of the surface at the nodes of crossed edges. In most leaves of a moving surface the first
- * row is fast enough to decide. */
+/** Finds the speed of the surface at the nodes of crossed edges. The first row is usually fast
+ * enough to decide for a moving surface. */
 struct FindRate
 {
   LeafTable& Table;
@@ -163,7 +163,7 @@ GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
   const StepCoefficients& coefficients, SubstepBuffers& buffers)
 {
   const std::size_t size = table.Size();
-  buffers.MakeRoomForNodes(size); // which it is where there are speeds
+  buffers.MakeRoomForNodes(size); // already allocated if there are speeds
   buffers.MakeRoomForCounts(size);
   ForEachLeaf(table, set.Active, StepLeaf{ table, coefficients, buffers });
   return SumOfCounts(table, set, buffers);

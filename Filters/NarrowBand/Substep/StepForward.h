@@ -6,8 +6,8 @@
  *          + dt Tension kappa |grad u| / h^2  central differences
  *          - q sign(u) (|grad u| - 1)         reinitialisation, at nodes without a crossed edge
  *
- * kappa |grad u| is computed as one product, which is bounded: it needs no clamp, so the last voxel
- * vanishes in time and necks pinch off as they should.
+ * kappa |grad u| is computed as one bounded product, which needs no clamp. The last voxel therefore
+ * vanishes in time, and necks pinch off as they should.
  */
 #ifndef StepForward_h
 #define StepForward_h
@@ -38,31 +38,31 @@ struct GradientCounts
   std::size_t Nodes = 0;  //< nodes in all leaves
   std::size_t Flat = 0;   //< norm below 1/sqrt 2, in active leaves
   std::size_t Steep = 0;  //< norm above sqrt 2, in active leaves
-  bool Unbounded = false; //< Next is not finite somewhere, or UnboundedPotential (RowKernels.h)
+  bool Unbounded = false; //< Next is not finite or reaches UnboundedPotential
 
-  /** The potential is doubled or halved when most gradient norms have left 1/sqrt 2 .. sqrt 2. */
+  /** Doubles or halves the potential when most gradient norms have left 1/sqrt 2 .. sqrt 2. */
   float GetScale() const
   {
     return 2 * this->Flat > this->Nodes ? 2.f : 2 * this->Steep > this->Nodes ? .5f : 1.f;
   }
 };
 
-/** Sets the speed AtSurface of these leaves: the largest |change of u| / |grad u| at the nodes of
- * crossed edges, whose target speeds have to be known. Above `enough` it may be that of any node.
- * coefficients: those of a step of length 1. */
+/** Sets the speed AtSurface of these leaves: the largest |change of u| / |grad u| at the nodes
+ * of crossed edges. The target speeds there have to be valid. A speed above `enough` may be
+ * that of any such node. coefficients: those of a step of length 1. */
 void FindRates(LeafTable& table, const LeafList& leaves, const StepCoefficients& coefficients,
   double enough, const SubstepBuffers& buffers);
 
-/** Next of the active leaves, from the values of all active nodes (Jacobi). */
+/** Sets Next of the active leaves from the values of all active nodes (Jacobi). */
 GradientCounts StepForward(const LeafTable& table, const ActiveSet& set,
   const StepCoefficients& coefficients, SubstepBuffers& buffers);
 
-/** The counts of the active leaves, which a pass has left in the buffers. */
+/** Sums the counts of the active leaves, which a pass has stored in the buffers. */
 GradientCounts SumOfCounts(
   const LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers);
 
-/** Copies Next to the potential of the active leaves and finds its signs. All active nodes of the
- * affected leaves count as updated. */
+/** Copies Next to the potential of the active leaves and finds its signs. Marks all active nodes
+ * of the affected leaves as updated. */
 void CommitStep(LeafTable& table, const ActiveSet& set, const SubstepBuffers& buffers);
 
 /** Multiplies the potential by a power of two: exact, and the surface does not move. */

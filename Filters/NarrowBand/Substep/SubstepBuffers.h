@@ -1,5 +1,5 @@
 /**
- * What the passes of a substep hand to each other; kept between substeps for its memory.
+ * Data that the passes of a substep exchange. The memory is kept between substeps.
  */
 #ifndef SubstepBuffers_h
 #define SubstepBuffers_h
@@ -15,27 +15,30 @@
 namespace activesurface
 {
 
-/** Resizes a vector. If it has to grow its contents are lost, so that both never exist at once. */
+/**
+ * Resizes a vector. If it grows, its contents are lost, so that the old and new memory never
+ * coexist.
+ */
 template <class Value>
 void MakeRoom(std::vector<Value>& room, std::size_t size)
 {
   if (room.capacity() < size)
   {
     std::vector<Value>().swap(room);
-    room.reserve(size + size / 8); // surfaces that grow do so by little
+    room.reserve(size + size / 8); // growing surfaces grow in small steps
   }
   room.resize(size);
 }
 
 struct SubstepBuffers
 {
-  // F - iso at the points of evaluation, leaf by leaf.
+  // F - iso at the evaluation points, leaf by leaf.
   std::vector<float> Samples;
-  static constexpr std::int64_t NoSamples = -1; //< of a leaf that has not been sampled
-  std::vector<std::int64_t> FirstSample;        //< number of a leaf's first point
+  static constexpr std::int64_t NoSamples = -1; //< of an unsampled leaf
+  std::vector<std::int64_t> FirstSample;        //< index of a leaf's first point
 
-  // Per leaf, 512 nodes each: the extended target speed, valid where Known; then the potential
-  // after the substep, which overwrites it row by row.
+  // Per leaf, 512 nodes each: the extended target speed, valid at Known nodes. The potential after
+  // the substep overwrites the speed row by row.
   NodeArrays Nodes;
   std::vector<LeafMask> Known;
   std::vector<LeafMask> NextKnown;
@@ -45,7 +48,7 @@ struct SubstepBuffers
   std::vector<float> LargestSpeed;        //< at the nodes with samples
   std::vector<int> FlatNodes;             //< layer 0 nodes of gradient norm below 1/sqrt 2
   std::vector<int> SteepNodes;            //< layer 0 nodes of gradient norm above sqrt 2
-  std::vector<std::uint8_t> Unbounded;    //< whether the next potential is, see GradientCounts
+  std::vector<std::uint8_t> Unbounded;    //< see GradientCounts
 
   void MakeRoomForCounts(std::size_t leaves)
   {

@@ -16,13 +16,13 @@ namespace activesurface
 namespace
 {
 
-/** From a sample to the speed. */
+/** Factor from a sample to the speed. */
 float RateOfSamples(const Motion& motion)
 {
   return static_cast<float>(-motion.Attraction);
 }
 
-/** Speed at the nodes with crossed edges. */
+/** Sets the speed at the nodes with crossed edges. */
 ACTIVE_ALWAYS_INLINE void ApplyCrossings(
   const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
@@ -35,7 +35,7 @@ ACTIVE_ALWAYS_INLINE void ApplyCrossings(
   buffers.Known[i] = buffers.NextKnown[i] = known;
 }
 
-/** Speed at the nodes with points of their own. */
+/** Sets the speed at the nodes with points of their own. */
 void ApplyNodePoints(
   const LeafTable& table, std::size_t i, const Motion& motion, SubstepBuffers& buffers)
 {
@@ -59,7 +59,7 @@ float LargestOf(const float* speed, const LeafMask& nodes)
   return largest;
 }
 
-/** The speeds that follow from the samples of a leaf, and the largest of them. */
+/** Sets the speeds that follow from the samples of a leaf, and the largest of them. */
 struct ApplyLeafSamples
 {
   const LeafTable& Table;
@@ -69,7 +69,7 @@ struct ApplyLeafSamples
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     float* speed = this->Buffers.SpeedOf(i);
-    std::fill_n(speed, 512, 0.f); // what the extension does not reach stands still
+    std::fill_n(speed, 512, 0.f); // speed of nodes that the extension does not reach
     LeafMask nodes;
     if (SamplesCrossings(this->Parameters))
     {
@@ -85,7 +85,7 @@ struct ApplyLeafSamples
   }
 };
 
-/** One round of the extension in one leaf: nodes that have a known neighbour become known. */
+/** One sweep of the extension in one leaf: nodes that have a known neighbour become known. */
 class LeafExtension
 {
 public:
@@ -97,7 +97,7 @@ public:
   {
   }
 
-  /** Speeds of those of the missing nodes that are reached; returns which. */
+  /** Sets the speeds of the missing nodes that are reached, and returns these nodes. */
   ACTIVE_ALWAYS_INLINE LeafMask Extend(const LeafMask& missing, float* speed) const
   {
     const Neighbours<0> alongX(*this, missing);
@@ -126,7 +126,7 @@ private:
     float Speed = 0.f;
   };
 
-  /** The two neighbours on an axis of the missing nodes, where they are known. */
+  /** The two neighbours of missing nodes on an axis, if known. */
   template <int Axis>
   class Neighbours
   {
@@ -148,7 +148,7 @@ private:
     }
 
   private:
-    /** Without a branch: what is not known counts for nothing. */
+    /** Adds without a branch: unknown neighbours have weight 0. */
     ACTIVE_ALWAYS_INLINE void Add(
       int node, int sign, bool known, float distance, KnownSums& sums) const
     {
@@ -164,7 +164,7 @@ private:
     const LeafMask After;
   };
 
-  /** The plain mean of the known neighbours, where none is nearer to the surface. */
+  /** Plain mean of the known neighbours, for nodes without a neighbour nearer to the surface. */
   float FindMean(int node) const
   {
     float sum = 0.f, count = 0.f;
@@ -180,7 +180,7 @@ private:
     return sum / count;
   }
 
-  /** Nodes whose neighbour in this direction is known. */
+  /** Returns the nodes with a known neighbour in this direction. */
   template <int Axis, int Sign>
   ACTIVE_ALWAYS_INLINE LeafMask SeeKnown() const
   {
@@ -230,8 +230,8 @@ struct ExtendLeaf
   }
 };
 
-/** Extends the speed from nodes to their neighbours, once. Returns false when no active node is
- * left to reach. */
+/** Runs one sweep from nodes to their neighbours. Returns false if no active node is left to
+ * reach. */
 bool ExtendOnce(const LeafTable& table, const ActiveSet& set, SubstepBuffers& buffers)
 {
   std::atomic<bool> reached{ false }, left{ false };

@@ -12,8 +12,8 @@ namespace activesurface
 namespace
 {
 
-/** Advection by minmod-limited differences is stable (total variation does not grow) up to 2/3 of a
- * voxel in the 1-norm, which is at most sqrt 3 times the speed. */
+/** Advection by minmod-limited differences is stable (the total variation does not grow) up to
+ * 2/3 of a voxel in the 1-norm, which is at most sqrt 3 times the speed. */
 double AdvectionRate(double speed, double voxelSize)
 {
   return 1.5 * std::sqrt(3.0) * speed / voxelSize;
@@ -78,7 +78,7 @@ double TrackingRate(const Motion& motion, double voxelSize, const TargetLimits& 
   return AdvectionRate(limits.Speed, voxelSize) + motion.Attraction * limits.TargetSlope;
 }
 
-// The rates of all terms add up; with the largest alone the skin would tremble at a steady state.
+// The rates of all terms are added; with only the largest the skin would flicker at a steady state.
 double StableStep(
   const Motion& motion, double voxelSize, const TargetLimits& limits, const PenaltyForce& penalty)
 {
@@ -88,9 +88,9 @@ double StableStep(
   return rate > 0.0 ? motion.CFL / rate : std::numeric_limits<double>::infinity();
 }
 
-// The rate of relaxation follows that of tracking: a fixed rate would bias tension. It uses the
-// same one-sided differences as advection (voxels per step), and unless both together stay below
-// 1/2 they amplify each other.
+// The rate of relaxation follows that of tracking: a fixed rate would bias tension. Relaxation uses
+// the same one-sided differences as advection (voxels per step). The two amplify each other unless
+// their sum stays below 1/2.
 double RelaxationFor(double tracking, double advection)
 {
   return std::max(0.0, std::min(0.3 * std::min(1.0, tracking), 0.5 - advection));
@@ -169,7 +169,7 @@ void CheckBounded(bool isUnbounded, double time)
   }
 }
 
-// A step may be long beyond single precision, where the speed is 0 in it.
+// A step may exceed single precision; the speed is then 0 in single precision.
 float AdvectionFactor(double step, double voxelSize)
 {
   constexpr double most = std::numeric_limits<float>::max();

@@ -10,14 +10,14 @@
 namespace activesurface
 {
 
-/** How the target limits the step. */
+/** Limits that the target puts on the step. */
 struct TargetLimits
 {
   double Speed = 0.0;       //< largest |target speed| [length/time]
   double TargetSlope = 0.0; //< largest |dF/dn|
 };
 
-/** The effect of the penalties. */
+/** Effect of the penalties. */
 struct PenaltyForce
 {
   double Speed = 0.0; //< uniform, outward [length/time]
@@ -27,8 +27,8 @@ struct PenaltyForce
 /** now, start: measures of the skin, in world units. */
 PenaltyForce FindPenalty(const Motion& motion, const SkinMeasure& now, const SkinMeasure& start);
 
-/** The value to be held: the property, or the value at the start. Throws std::invalid_argument if
- * there is none. */
+/** The value to conserve: the property, or the value at the start. Throws std::invalid_argument
+ * if there is none. */
 double HeldArea(const Motion& motion, const SkinMeasure& start);
 double HeldVolume(const Motion& motion, const SkinMeasure& start);
 
@@ -52,10 +52,10 @@ void CheckStep(double step, double voxelSize, double remaining);
 /** Throws std::runtime_error if a band has too many active nodes. */
 void CheckSize(std::size_t count, std::size_t maximum);
 
-/** Throws std::runtime_error if the potential would be unbounded after the substep that begins at
- * the time. Comes before the next potential is taken, so that the last one stays. One check is
- * enough: what is measured and written of a bounded potential is finite, a displacement of it too,
- * and the paper's scheme clamps. */
+/** Throws std::runtime_error if the potential would be unbounded after the substep that begins
+ * at `time`. Called before the next potential is committed, so that the last one stays. One
+ * check is enough: measures, output and displacements of a bounded potential are finite, and
+ * the paper's scheme clamps. */
 void CheckBounded(bool isUnbounded, double time);
 
 /** The factor from a speed to voxels per step. */

@@ -9,7 +9,7 @@
 namespace activesurface
 {
 
-/** Positive beyond the walls or in the obstacle; -infinity where neither counts. */
+/** Positive beyond the walls or in the obstacle; -infinity if there is neither. */
 double WalledTarget::DistanceBeyond(const double x[3]) const
 {
   const double walls = this->Box.Present ? DistanceToWalls(this->Box, x) : -HUGE_VAL;
@@ -23,7 +23,7 @@ void WalledTarget::Evaluate(
   double *values = results.Values, *slopes = results.Slopes;
   for (std::size_t i = 0; i < count; ++i)
   {
-    // In the target's own unit; where it is flat, as far from a distance, as a distance.
+    // The distance is scaled to the target's own unit by its slope; a flat target has slope 1.
     const double slope = slopes[i] > 0.0 ? slopes[i] : 1.0;
     const double wall = slope * this->DistanceBeyond(points + 3 * i);
     if (wall > values[i])

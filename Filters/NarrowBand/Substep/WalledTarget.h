@@ -1,11 +1,11 @@
 /**
- * Walls and obstacle: the surface does not leave the box of the one, nor enter the other.
+ * Walls and obstacle: the surface stays inside the box and outside the obstacle.
  *
- * The target is cut off there, so the surface stops by itself. Other motions (Tension,
- * controls) are stopped by clamping the potential at the distance to the walls, or at the
- * obstacle's depth: both lie at the same nodes, so that what is at rest stays. The clamp alone
- * ends in the same place. But then the speed of a surface pressed on a wall stays large and limits
- * the time step, which costs 3 to 15 times as many substeps.
+ * The target is cut off at walls and obstacle, so the surface stops by itself. Other motions
+ * (Tension, controls) are stopped by clamping the potential at the distance to the walls or at the
+ * obstacle's depth. Both are evaluated at the same nodes, so a steady surface stays steady. The
+ * clamp without the cut ends in the same position. But then the speed of a surface pressed on a
+ * wall stays large and limits the time step, which costs 3 to 15 times as many substeps.
  */
 #ifndef WalledTarget_h
 #define WalledTarget_h
@@ -24,7 +24,7 @@ struct SubstepBuffers;
 class WalledTarget : public Target
 {
 public:
-  /** The caller owns all; obstacle: or null. */
+  /** The caller owns all arguments; obstacle may be null. */
   WalledTarget(Target& target, const Walls& walls, const Obstacle* obstacle = nullptr)
     : Within(target)
     , Box(walls)
@@ -32,7 +32,7 @@ public:
   {
   }
 
-  /** Whether there is anything to cut it off. */
+  /** Returns true if there are walls or an obstacle. */
   bool IsCut() const { return this->Box.Present || this->Solid; }
 
   void MoveTo(double time) override { this->Within.MoveTo(time); }
@@ -62,7 +62,7 @@ private:
   const Obstacle* Solid;
 };
 
-/** What the surface does not leave, and does not enter. */
+/** Walls and obstacle of the surface. */
 struct SurfaceBounds
 {
   const Walls& Box;
@@ -70,15 +70,15 @@ struct SurfaceBounds
   double VoxelSize;
 };
 
-/** Next is no less than the distance to the walls, nor than the depth in the obstacle [voxels], at
- * any active node of the active leaves. To be called wherever Next has been written, before
- * CommitStep. Leaves that the obstacle does not know yet are sampled; the others cost a look, if it
- * is farther away than its Reach. */
+/** Clamps Next at all active nodes of the active leaves to at least the distance to the walls
+ * and the depth in the obstacle [voxels]. Called after each write to Next, before CommitStep.
+ * Leaves unknown to the obstacle are sampled. Other leaves cost only a test if they are farther
+ * away than its Reach. */
 void ClampToBounds(const SurfaceBounds& bounds, const LeafTable& table, const ActiveSet& set,
   SubstepBuffers& buffers);
 
-/** Has the obstacle (or null) know all leaves, and throws std::runtime_error if it is not a number
- * in one of them: before a substep changes anything. */
+/** Samples the obstacle (or null) in all leaves, before a substep changes anything. Throws
+ * std::runtime_error if the obstacle is NaN in one of them. */
 void CheckObstacle(const LeafTable& table, Obstacle* obstacle);
 
 }

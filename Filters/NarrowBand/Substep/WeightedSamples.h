@@ -27,7 +27,7 @@ public:
   {
   }
 
-  /** Adds the samples of a leaf that has been sampled, and of those leaves before it that have. */
+  /** Adds the samples of a leaf that has been sampled, and of the sampled leaves before it. */
   ACTIVE_ALWAYS_INLINE void Add(
     const LeafTable& table, std::size_t i, const SubstepBuffers& buffers)
   {
@@ -36,17 +36,17 @@ public:
     this->AddEdges<2>(table, i, buffers);
   }
 
-  /** rate times the mean; 0 if all samples were dropped. */
+  /** Returns rate times the mean; 0 if all samples were dropped. */
   ACTIVE_ALWAYS_INLINE float GetSpeed(int node, float rate) const
   {
     return this->Weight[node] > 0.f ? rate * (this->Sum[node] / this->Weight[node]) : 0.f;
   }
 
 private:
-  static constexpr int MaximumEdges = 512 + 64; // those that end in the leaf, on one axis
-  static constexpr int Elsewhere = 512;         // in place of a node of another leaf
+  static constexpr int MaximumEdges = 512 + 64; // that end in the leaf, on one axis
+  static constexpr int Elsewhere = 512;         // stands for a node of another leaf
 
-  /** A vector of edges: values at their ends, and what the ends get of the sample. */
+  /** A vector of edges: values at their ends, and the sample that both ends get. */
   struct Edges
   {
     int Count = 0;
@@ -64,7 +64,7 @@ private:
     }
   };
 
-  /** The samples from the first crossing of an axis. */
+  /** Returns the samples from the first crossing of an axis. */
   template <int Axis>
   static ACTIVE_ALWAYS_INLINE const float* FirstOf(
     const BandLeaf& leaf, std::size_t i, const SubstepBuffers& buffers)
@@ -72,7 +72,7 @@ private:
     return buffers.Samples.data() + buffers.FirstSample[i] + leaf.CrossingsBefore[Axis];
   }
 
-  /** Edges that begin in the leaf before this one and end on its first plane. */
+  /** Finds the edges that begin in the previous leaf and end on the first plane of this one. */
   template <int Axis>
   static ACTIVE_ALWAYS_INLINE void FindIncoming(
     const LeafTable& table, const BandLeaf& leaf, const SubstepBuffers& buffers, Edges& edges)
@@ -120,7 +120,7 @@ private:
       });
   }
 
-  /** Sums go by axis, from the edge behind a node to the one ahead. */
+  /** Sums by axis, from the edge behind a node to the one ahead. */
   template <int Axis>
   ACTIVE_ALWAYS_INLINE void AddEdges(
     const LeafTable& table, std::size_t i, const SubstepBuffers& buffers)
@@ -148,7 +148,7 @@ private:
 
   ACTIVE_ALWAYS_INLINE float WeightOf(float fraction) const
   {
-    constexpr float smallest = 1e-6f; // below, the crossing counts as on the node
+    constexpr float smallest = 1e-6f; // smaller fractions count as this one
     const float t = this->IsPlain ? 1.f : std::max(fraction, smallest);
     return 1.f / (t * t);
   }
