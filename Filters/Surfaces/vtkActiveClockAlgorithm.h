@@ -1,10 +1,8 @@
 /**
  * @class   vtkActiveClockAlgorithm
- * @brief   the clock of a vtkActiveImplicitSurface, when its motion ends, and its limits, as
- * properties
+ * @brief   time steps, end of motion and limits of a vtkActiveImplicitSurface, as properties
  *
- * Changing any of these properties starts the skin anew, but those of the clock's checkpoints and
- * of what may be used of the machine.
+ * Changing a property restarts the motion, except those of checkpoints, memory limits and threads.
  */
 
 #ifndef vtkActiveClockAlgorithm_h
@@ -21,8 +19,8 @@ public:
 
   ///@{
   /**
-   * First time step [pipeline time] that is published where the input has no time steps, or
-   * one; equal neighbours among them count as one. Range: finite. Default: 0.
+   * First time step [pipeline time], published where the input has no time steps, or one; equal
+   * neighbours among its steps count as one. Range: finite. Default: 0.
    */
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
@@ -30,7 +28,7 @@ public:
 
   ///@{
   /**
-   * Distance of the time steps [pipeline time] that are published where the input has none.
+   * Interval of the time steps [pipeline time] that are published where the input has none.
    * Range: > 0. Default: 0.1.
    */
   vtkSetMacro(TimeStepSize, double);
@@ -39,8 +37,8 @@ public:
 
   ///@{
   /**
-   * Number of time steps that are published where the input has none. Changing it starts the skin
-   * anew. Range: 1 to 1000000. Default: 11.
+   * Number of time steps that are published where the input has none. Changing it restarts the
+   * motion. Range: 1 to 1000000. Default: 11.
    */
   vtkSetClampMacro(NumberOfTimeSteps, int, 1, 1000000);
   vtkGetMacro(NumberOfTimeSteps, int);
@@ -48,9 +46,9 @@ public:
 
   ///@{
   /**
-   * Motion time per pipeline time [time/pipeline time]; the motion's units of time are those of
-   * Attraction and Tension. An input whose steps are numbered 0, 1, 2 ... at 25 per second has
-   * TimeScale 1/25. Range: > 0. Default: 1.
+   * Motion time per pipeline time [time/pipeline time]; Attraction and Tension are rates of motion
+   * time. An input with the steps 0, 1, 2 ... at 25 per second has TimeScale 1/25. Range: > 0.
+   * Default: 1.
    */
   vtkSetMacro(TimeScale, double);
   vtkGetMacro(TimeScale, double);
@@ -58,12 +56,12 @@ public:
 
   ///@{
   /**
-   * When the skin is the target, which has to stand still [pipeline time after the first time
-   * step], whatever the way and the shape: within a tenth of a voxel where the target is a distance
-   * nearby. Each part goes with an even speed, thin limbs grow along their length, parts that only
-   * one of the two shapes has grow from a core (with CreateParts) or shrink. Attraction holds from
-   * then on. Of no use with EvolutionMode EQUILIBRIUM; needs NormalizeTarget. Range: >= 0; 0: by
-   * Attraction, the skin comes near for ever. Default: 0.
+   * Time at which the skin coincides with a static target [pipeline time after the first time
+   * step], to 0.1 voxel where the target is a distance nearby. Each part moves at constant speed;
+   * thin limbs grow along their length. Parts of only one of the two shapes grow from a core (with
+   * CreateParts) or shrink. Attraction keeps the skin on the target after that time. Ignored with
+   * EvolutionMode EQUILIBRIUM; needs NormalizeTarget. Range: >= 0; 0: by Attraction, the skin comes
+   * near for ever. Default: 0.
    */
   vtkSetClampMacro(ArrivalTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ArrivalTime, double);
@@ -77,9 +75,11 @@ public:
 
   ///@{
   /**
-   * TRANSIENT (0): the skin follows the time steps. EQUILIBRIUM (1): there are none, each update
-   * takes the skin to rest on the target as it is at its first time step, until RestTolerance or
-   * MaximumNumberOfSubsteps ends it: a warning tells the latter, the history both.
+   * Motion through the time steps, or to a steady state. TRANSIENT (0): the skin follows the time
+   * steps. EQUILIBRIUM (1): there are no time steps; each update moves the skin to a steady state
+   * on the target of the first time step. The motion ends by RestTolerance or
+   * MaximumNumberOfSubsteps. The history records which of them ended it, and a warning reports the
+   * latter.
    * Default: TRANSIENT.
    */
   vtkSetClampMacro(EvolutionMode, int, TRANSIENT, EQUILIBRIUM);
@@ -91,8 +91,8 @@ public:
   ///@{
   /**
    * Largest normal speed [voxels/time] of a steady skin, with EvolutionMode EQUILIBRIUM. Unless it
-   * is 0, the motion also ends if the rest of it is an oscillation; a warning says if that is more
-   * than 5 % of the skin. Values below 1e-7 are below rounding. Range: >= 0. Default: 0.001.
+   * is 0, the motion also ends if only an oscillation remains; a warning reports oscillation of
+   * more than 5 % of the skin. Values below 1e-7 are below rounding. Range: >= 0. Default: 0.001.
    */
   vtkSetClampMacro(RestTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RestTolerance, double);
@@ -100,7 +100,7 @@ public:
 
   ///@{
   /**
-   * Substeps after which the way to rest ends in any case, with EvolutionMode EQUILIBRIUM.
+   * Maximum number of substeps of an update, with EvolutionMode EQUILIBRIUM.
    * Range: >= 0. Default: 10000.
    */
   vtkSetClampMacro(MaximumNumberOfSubsteps, int, 0, VTK_INT_MAX);
@@ -109,9 +109,9 @@ public:
 
   ///@{
   /**
-   * Distance, in time steps, of the states that are kept so that a request for an earlier time
-   * costs no more steps than that; CheckpointMemory thins them. 0 keeps none: it starts over. Does
-   * not restart the motion. Range: >= 0. Default: 1.
+   * Interval of stored states, in time steps. A request for an earlier time recomputes at most this
+   * number of steps, unless CheckpointMemory removes states. 0 stores none: the motion starts over.
+   * Does not restart the motion. Range: >= 0. Default: 1.
    */
   vtkSetClampMacro(CheckpointInterval, int, 0, VTK_INT_MAX);
   vtkGetMacro(CheckpointInterval, int);
@@ -119,8 +119,9 @@ public:
 
   ///@{
   /**
-   * Memory [MiB] for the states that are kept: 5 to 8 bytes per active voxel each. When it ends,
-   * those go that leave the smallest gaps. Does not restart the motion. Range: >= 0. Default: 256.
+   * Memory [MiB] for stored states: 5 to 8 bytes per active voxel each. When it is full, the states
+   * whose removal leaves the smallest gaps are removed. Does not restart the motion. Range: >= 0.
+   * Default: 256.
    */
   vtkSetClampMacro(CheckpointMemory, int, 0, VTK_INT_MAX);
   vtkGetMacro(CheckpointMemory, int);
@@ -128,9 +129,9 @@ public:
 
   ///@{
   /**
-   * Guard of the memory: a band of more active voxels is an error instead. A ball of diameter d has
-   * about 20 * (d / VoxelSize)^2 of them. So are distances to a mesh that take ten times as many.
-   * Does not restart the motion.
+   * Memory limit: a band of more active voxels is an error. A ball of diameter d has about 20 * (d
+   * / VoxelSize)^2 active voxels. Distances to a mesh that need ten times as many voxels are an
+   * error, too. Does not restart the motion.
    * Range: >= 1. Default: 50000000.
    */
   vtkSetClampMacro(MaximumNumberOfActiveVoxels, vtkIdType, 1, VTK_ID_MAX);

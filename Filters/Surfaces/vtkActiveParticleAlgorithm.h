@@ -1,10 +1,10 @@
 /**
  * @class   vtkActiveParticleAlgorithm
- * @brief   how particles make the target of a vtkActiveImplicitSurface, as properties
+ * @brief   the target of a vtkActiveImplicitSurface made by particles, as properties
  *
- * ParticleSpacing is the one number to know: it gives each particle its own radius r, half of it,
- * its reach, and, where they are not set, VoxelSize (r) and TargetReach (6 r). Changing a property
- * starts the skin anew, unless it says another thing.
+ * ParticleSpacing is the main property. It sets each particle's own radius r, half of the spacing,
+ * its kernel radius and, where these are not set, VoxelSize (r) and TargetReach (6 r). Changing a
+ * property restarts the motion, except where its comment says otherwise.
  */
 
 #ifndef vtkActiveParticleAlgorithm_h
@@ -21,12 +21,12 @@ public:
 
   ///@{
   /**
-   * How particles make a surface, as in vtkSkeletonPotential. SUM (0): a sum of ParticleKernel at
-   * ParticleThreshold, the paper's, bumpy and more than r too wide at the defaults. AVERAGED_CENTRE
-   * (1) and ANISOTROPIC (2) are flat where there is a body of particles, a ball of radius r where
-   * one is alone, and have the particles' volume: ANISOTROPIC keeps sheets, threads and narrow gaps
-   * sharper, at fewer particles in reach. Lines of a skeleton are always a SUM. PaperFaithful() in
-   * Python chooses SUM. Default: ANISOTROPIC.
+   * Model of the surface of particles, as in vtkSkeletonPotential. SUM (0): a sum of ParticleKernel
+   * at ParticleThreshold, the paper's, bumpy and more than r too wide at the defaults.
+   * AVERAGED_CENTRE (1) and ANISOTROPIC (2) are flat for a body of particles and a ball of radius r
+   * for an isolated one, and have the particles' volume. ANISOTROPIC keeps sheets, threads and
+   * narrow gaps sharper, with fewer particles per kernel. Lines of a skeleton are always a SUM.
+   * PaperFaithful() in Python chooses SUM. Default: ANISOTROPIC.
    */
   vtkSetClampMacro(ParticleModel, int, SUM, ANISOTROPIC);
   vtkGetMacro(ParticleModel, int);
@@ -40,10 +40,10 @@ public:
    * Usual distance of neighbouring particles [length], 2 r: the side of the cube that a particle
    * fills. Range: >= 0; 1e-30 to 1e30, or 0, which is the median distance of a particle to its
    * third nearest, with a warning that says the value (or, where KernelRadius or an array of radii
-   * is given, the spacing that belongs to it). It is the least of the first time step, of the one
-   * in the middle and of the last, of those with a tenth of the most particles at least; these are
-   * read when the skin starts. Of an input that cannot go back in time, it is that of the first
-   * particles. Default: 0.
+   * is given, the spacing that belongs to it). The estimate is the least of those of the first, the
+   * middle and the last time step. Steps with less than a tenth of the largest number of particles
+   * are ignored. These steps are read when the skin starts. If the input cannot go back in time,
+   * the estimate is that of the first particles. Default: 0.
    */
   vtkSetClampMacro(ParticleSpacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);
@@ -52,10 +52,10 @@ public:
   ///@{
   /**
    * Radius of the kernel of a particle, or of a line of a skeleton [length]: the distance at which
-   * its influence ends, where no array of radii is chosen. Wider is smoother and slower. (An array
-   * of radii holds those of balls and tubes, which the skin shows where nothing else is near:
-   * kernels end at 4.5 (ANISOTROPIC) or 6 (AVERAGED_CENTRE) times that; with SUM they end where
-   * they give this ball.) Range: >= 0; 1e-30 to 1e30, or 0, which is 2 (SUM, and lines), 3
+   * its influence ends, unless an array of radii is chosen. Larger values are smoother and slower.
+   * (An array of radii has those of balls and tubes, which the skin shows for isolated elements.
+   * Kernels end at 4.5 (ANISOTROPIC) or 6 (AVERAGED_CENTRE) times that radius. With SUM they end
+   * where they make this ball.) Range: >= 0; 1e-30 to 1e30, or 0, which is 2 (SUM, and lines), 3
    * (AVERAGED_CENTRE) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: 0.
    */
   vtkSetClampMacro(KernelRadius, double, 0.0, VTK_DOUBLE_MAX);
@@ -73,9 +73,9 @@ public:
 
   ///@{
   /**
-   * How a particle's influence falls off with SUM, from vtkSkeletonPotential: WYVILL (0), smooth;
-   * CUBIC_SPLINE (1), narrower, the one of SPH; METABALL (2). It also weighs the arrays that the
-   * skin takes from the particles. Default: WYVILL.
+   * Decrease of a particle's influence with distance, with SUM, from vtkSkeletonPotential: WYVILL
+   * (0), smooth; CUBIC_SPLINE (1), narrower, the kernel of SPH; METABALL (2). It also weights the
+   * arrays that the skin gets from the particles. Default: WYVILL.
    */
   vtkSetClampMacro(ParticleKernel, int, 0, 2);
   vtkGetMacro(ParticleKernel, int);
@@ -86,8 +86,8 @@ public:
 
   ///@{
   /**
-   * Level of the particles' summed influence, 1 at the centre of a single one, at which their
-   * surface is with SUM: lower is thicker. Range: > 0; else all space would be inside.
+   * Level of the particles' summed influence, 1 at the centre of an isolated one, on their surface
+   * with SUM: lower values give thicker bodies. Range: > 0; else all space would be inside.
    * Default: 0.5.
    */
   vtkSetMacro(ParticleThreshold, double);
@@ -97,9 +97,9 @@ public:
   ///@{
   /**
    * Periodic box (xmin, xmax, ymin, ymax, zmin, zmax) [length] of the particles, as of a simulation
-   * of molecules. A particle that leaves it through a side comes in through the other one, wherever
-   * the input lists it; between two time steps it takes the shortest path. The skin is closed at
-   * the sides of the box. Range: finite; an axis with min >= max is not periodic.
+   * of molecules. A particle that leaves the box through a side enters through the opposite side,
+   * wherever the input lists it. Between two time steps it moves on the shortest path. The skin is
+   * closed at the sides of the box. Range: finite; an axis with min >= max is not periodic.
    * Default: (1, -1, 1, -1, 1, -1), none is.
    */
   vtkSetVector6Macro(PeriodicBounds, double);
@@ -108,12 +108,12 @@ public:
 
   ///@{
   /**
-   * Adds to "Velocity" its component along the skin, so that it is the whole motion, as motion
-   * blur needs it: the particles' own velocity, averaged with their kernels' weights. It is read
-   * from the array that SetInputArrayToProcess(5, ...) chooses, else from the particles'
-   * displacement since the step before (at the first step, to the next one). Particles without
-   * either do not count; without any, and for other targets, the component is 0. Off: the normal
-   * velocity alone. Does not restart the motion. Default: on.
+   * Adds to "Velocity" its component along the skin, so that it is the whole motion, as motion blur
+   * needs. The component is the particles' own velocity, averaged with their kernels' weights. It
+   * is read from the array that SetInputArrayToProcess(5, ...) chooses, else from the particles'
+   * displacement since the previous step (at the first step, to the next one). Particles without
+   * either are ignored; without any, and for other targets, the component is 0. Off: only the
+   * normal velocity. Does not restart the motion. Default: on.
    */
   vtkSetMacro(TangentialVelocity, vtkTypeBool);
   vtkGetMacro(TangentialVelocity, vtkTypeBool);
@@ -122,12 +122,12 @@ public:
 
   ///@{
   /**
-   * Whether the skin has the point arrays of the particles under it: floating-point ones and
-   * colours (unsigned char, 3 or 4 components, rounded, halves up) averaged with the kernels'
-   * weights, others, such as ids and names, from the particle of the largest weight; where no
-   * kernel reaches, from the nearest particle. Between two steps values go evenly from one to the
-   * other. Left out: ghost levels, arrays called like one of the skin's own, without a value for
-   * each point, or not alike at both steps. Does not restart the motion. Default: off.
+   * Adds the point arrays of nearby particles to the skin. Floating-point arrays and colours
+   * (unsigned char, 3 or 4 components, rounded, halves up) are averaged with the kernels' weights.
+   * Others, such as ids and names, come from the particle of the largest weight. Points outside all
+   * kernels use the nearest particle. Values are linear between two steps. Arrays are omitted if
+   * they are ghost levels, have a name of the skin's own arrays, lack a value for a point, or are
+   * not alike at both steps. Does not restart the motion. Default: off.
    */
   vtkSetMacro(PassTargetArrays, vtkTypeBool);
   vtkGetMacro(PassTargetArrays, vtkTypeBool);

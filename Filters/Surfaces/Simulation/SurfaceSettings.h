@@ -1,5 +1,5 @@
-// All that the motion of a surface depends on: two equal settings move it alike, so that a state is
-// kept for as long as the settings are equal to those that it was made with.
+// All settings that determine the motion of a surface. Equal settings yield equal motion, so a
+// state stays valid while the settings are unchanged.
 
 #ifndef SurfaceSettings_h
 #define SurfaceSettings_h
@@ -26,10 +26,10 @@ namespace activesurface
 enum class EvolutionMode
 {
   Transient,  // along the time steps
-  Equilibrium // to its steady state from the first step, which is the only one
+  Equilibrium // to the steady state of the first step, the only step
 };
 
-// Automatic: the node scheme over particles, where nothing is asked for that it has not.
+// Automatic: the node scheme over particles, unless a setting needs substeps.
 enum class IntegrationChoice
 {
   Explicit,
@@ -56,32 +56,32 @@ struct ParticleSettings
   }
 };
 
-// What comes in through the ports, and the functions in their place.
+// Inputs of the ports, and the functions that replace them.
 struct SurfaceInputs
 {
-  // What attracts: a function, or else the input, which is the same at all steps unless it moves.
+  // Target: a function, or else the input, which is constant over the steps unless it moves.
   vtkImplicitFunction* TargetFunction = nullptr;
   bool TargetMoves = false;
-  std::uint64_t TargetMTime = 0; // of the function, or of all that makes the input
+  std::uint64_t TargetMTime = 0; // of the function, or of the whole upstream pipeline
 
-  // Where the surface starts, unless on the target.
+  // Initial shape, if it is not the target.
   vtkImplicitFunction* InitialFunction = nullptr;
   bool HasInitialInput = false;
-  std::uint64_t InitialMTime = 0; // of the function, or of all that makes the input
+  std::uint64_t InitialMTime = 0; // of the function, or of the whole upstream pipeline
 
-  // What the surface may not enter; null: nothing.
+  // Obstacle that the surface may not enter; null: none.
   vtkImplicitFunction* ObstacleFunction = nullptr;
   std::uint64_t ObstacleMTime = 0;
 
-  std::array<std::string, 5> Arrays; // that were chosen
+  std::array<std::string, 5> Arrays; // selected arrays
   std::vector<double> Steps;         // pipeline times; the first one is motion time 0
-  std::vector<double> InputSteps;    // of the input, equal neighbours merged; or empty
-  bool OnlyForward = false;          // no step of the input can be had again
+  std::vector<double> InputSteps;    // of the input, equal neighbours merged; may be empty
+  bool OnlyForward = false;          // no step of the input can be requested again
 
-  // Whether Steps are the input's, not the filter's own.
+  // Returns true if Steps are those of the input.
   bool HaveOwnSteps() const { return this->OnlyForward || this->InputSteps.size() > 1; }
 
-  bool WithdrawStep() // the last one, of an input that goes only forward
+  bool WithdrawStep() // removes the last step of a forward-only input
   {
     this->Steps.pop_back();
     this->InputSteps.pop_back();
@@ -91,8 +91,7 @@ struct SurfaceInputs
   bool operator==(const SurfaceInputs& other) const;
 };
 
-// Each property is a field here or in Motion, and a line of ForEachMotionProperty or
-// ForEachShapeProperty below.
+// Each property is a field here or in Motion, and an entry of a ForEach...Property function below.
 struct SurfaceSettings
 {
   Motion Law;
@@ -101,16 +100,16 @@ struct SurfaceSettings
   double TimeScale = 1.0; // motion time per pipeline time
   bool AutomaticAttraction = true;
   bool AutomaticSmoothing = true;
-  double Noise = 0.0; // of the target; 0: none, or see HasAutomaticSmoothing
+  double Noise = 0.0; // of the target; 0: none, or see SmoothsParticles
   IntegrationChoice Integration = IntegrationChoice::Automatic;
-  double ArrivalTime = 0.0; // pipeline time after the first step; 0: never said
+  double ArrivalTime = 0.0; // pipeline time after the first step; 0: no arrival
 
   double IsoValue = 0.0;
   bool Invert = false;
   bool Normalize = true;
   double Reach = 0.0; // 0: see SurfaceDomain
   ParticleSettings Particles;
-  double MeshThickness = 0.0; // 0: closed meshes
+  double MeshThickness = 0.0; // 0: no shell
 
   double VoxelSize = 0.0; // 0: see SurfaceDomain
   std::array<double, 6> Bounds = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
@@ -125,7 +124,7 @@ struct SurfaceSettings
   bool AreContinuedBy(const SurfaceSettings& others) const;
 
   bool UsesInput() const { return !this->Inputs.TargetFunction; }
-  bool StartsElsewhere() const // than on the target
+  bool StartsElsewhere() const // not on the target
   {
     return this->Inputs.InitialFunction || this->Inputs.HasInitialInput;
   }
@@ -135,10 +134,10 @@ struct SurfaceSettings
     return this->AutomaticAttraction && this->Law.Attraction == Motion().Attraction &&
       !this->Law.Paper && !this->IsEquilibrium();
   }
-  // Name of the property that the node scheme does not have; null: it has all.
+  // Name of the first property that the node scheme does not support; null: all are supported.
   const char* FindWhatNeedsSubsteps() const;
   bool UsesNodes() const { return !this->FindWhatNeedsSubsteps(); }
-  // Tension and noise, where they are 0, follow from the spacing of particles.
+  // Returns true if a tension and noise of 0 are replaced by values from the spacing of particles.
   bool SmoothsParticles() const
   {
     return this->AutomaticSmoothing && this->Particles.Model != ParticleModel::Sum &&
@@ -148,13 +147,13 @@ struct SurfaceSettings
   {
     return this->SmoothsParticles() && this->Law.WeightedTension && this->Law.Tension == 0.0;
   }
-  // When the surface reaches its target; 0: never said.
+  // Time at which the surface reaches its target; 0: no arrival.
   MotionTime GetArrival() const { return { this->TimeScale * this->ArrivalTime }; }
   bool ArrivesAfter(MotionTime time) const
   {
     return !this->IsEquilibrium() && time.Value < this->GetArrival().Value;
   }
-  // Whether the voxel size and the reach of the target are known without a target.
+  // Returns true if voxel size and target reach do not depend on the target.
   bool HasOwnSizes() const
   {
     return this->Particles.Spacing > 0.0 || (this->VoxelSize > 0.0 && this->Reach > 0.0);
@@ -181,18 +180,18 @@ struct SurfaceSettings
   // Properties by name and value, for the metadata of files.
   std::vector<std::pair<std::string, double>> ListForFiles() const;
 
-  // Throws std::invalid_argument, saying which property cannot be as it is.
+  // Throws std::invalid_argument with the name of the invalid property.
   void Check() const;
 };
 
-// The list of all properties that the motion depends on. A property is declared by its macro in the
-// filter's header, and stands here once: settings are gathered, compared and checked, metadata of
-// files and PrintSelf are made by this list.
+// The list of all properties that determine the motion. A property is declared by its macro in the
+// filter's header, and once in this list. The list is used to collect, compare and validate
+// settings, and for the metadata of files and PrintSelf.
 //
-// Each line gives a visitor the property's name and range, its field, and how the filter is asked
-// for it: visit(property, field, [](auto& filter) { return filter.GetX(); }).
+// Each line passes to a visitor the property's name and range, its field, and the filter's getter:
+// visit(property, field, [](auto& filter) { return filter.GetX(); }).
 
-// Which numbers a property may be. Words: "<Name> has to be <Words>."
+// Valid numbers of a property. Words: "<Name> has to be <Words>."
 struct PropertyRange
 {
   double Low;
@@ -222,7 +221,7 @@ namespace ranges
 
 constexpr double Largest = std::numeric_limits<double>::max();
 constexpr double Smallest = std::numeric_limits<double>::denorm_min();
-// Speeds are kept in single precision.
+// Speeds are stored in single precision.
 constexpr double ShortestLength = 1e-30;
 constexpr double LongestLength = 1e30;
 
@@ -242,7 +241,7 @@ constexpr PropertyRange Length(const char* words)
 
 }
 
-// Those of vtkActiveClockAlgorithm.
+// Properties of vtkActiveClockAlgorithm.
 template <class Settings, class Visitor>
 void ForEachClockProperty(Settings& settings, Visitor&& visit)
 {
@@ -261,7 +260,7 @@ void ForEachClockProperty(Settings& settings, Visitor&& visit)
     [](auto& filter) { return filter.GetMaximumNumberOfSubsteps(); });
 }
 
-// Those of vtkActiveMotionAlgorithm.
+// Properties of vtkActiveMotionAlgorithm.
 template <class Settings, class Visitor>
 void ForEachMotionProperty(Settings& settings, Visitor&& visit)
 {
@@ -278,7 +277,7 @@ void ForEachMotionProperty(Settings& settings, Visitor&& visit)
     [](auto& filter) { return filter.GetAutomaticSmoothing(); });
   visit(Property{ "TargetNoise", Length("between 1e-30 and 1e30, or 0 for none"), true },
     settings.Noise, [](auto& filter) { return filter.GetTargetNoise(); });
-  // Below 1e-6, what a substep moves is lost in rounding.
+  // Below 1e-6 a substep's displacement is lost in rounding.
   visit(Property{ "CFL", { 1e-6, 1.0, false, "between 1e-6 and 1" }, true }, motion.CFL,
     [](auto& filter) { return filter.GetCFL(); });
   visit(Property{ "VolumeControl", Any, true }, motion.VolumeControl,
@@ -311,7 +310,7 @@ void ForEachMotionProperty(Settings& settings, Visitor&& visit)
     [](auto& filter) { return filter.GetPaperScheme(); });
 }
 
-// Those of vtkActiveParticleAlgorithm.
+// Properties of vtkActiveParticleAlgorithm.
 template <class Settings, class Visitor>
 void ForEachParticleProperty(Settings& settings, Visitor&& visit)
 {
@@ -338,7 +337,7 @@ void ForEachParticleProperty(Settings& settings, Visitor&& visit)
     [](auto& filter) { return filter.GetPeriodicBounds(); });
 }
 
-// Those of vtkActiveImplicitSurface itself.
+// Properties of vtkActiveImplicitSurface itself.
 template <class Settings, class Visitor>
 void ForEachShapeProperty(Settings& settings, Visitor&& visit)
 {
