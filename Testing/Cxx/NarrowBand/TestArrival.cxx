@@ -1,4 +1,4 @@
-// A surface reaches a target that stands still at a given time, evenly, from any start.
+// A surface reaches a static target at a given time, at constant speed, from any start.
 
 #include "Support/AnalyticShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -21,8 +21,8 @@ constexpr double H = VoxelSizeOf(64);
 constexpr double End = 2.0;
 constexpr double CoreRadius = 2.5 * H;
 
-// Distances are marched through nodes: the surface passes between them, and the last node of a way
-// is up to .87 voxel from its end, which counts in what is left.
+// Distances are marched through nodes, while the surface passes between them. The last node of a
+// path is up to 0.87 voxel from its end, which adds to the remaining distance.
 constexpr double OnTheWay = 1.0; // [voxels]
 constexpr double AtTheEnd = .1;
 
@@ -39,7 +39,7 @@ public:
     this->Cores = CreateCores(this->Band, this->Law, this->Goal, Box);
   }
 
-  /** In so many equal frames. */
+  /** Advances in `frames` equal frames. */
   void Advance(double time, int frames = 1)
   {
     const double begin = this->Band.GetTime();
@@ -63,7 +63,7 @@ public:
   std::size_t Cores = 0;
 };
 
-/** Along x. */
+/** Extent of a mesh along x. */
 Range GetExtent(const Mesh& mesh)
 {
   Range extent{ 0.0, mesh.GetPoint(0)[0], mesh.GetPoint(0)[0] };
@@ -75,7 +75,7 @@ Range GetExtent(const Mesh& mesh)
   return extent;
 }
 
-/** The vertices on the side of a plane through the origin to which a point belongs. */
+/** Vertices on the same side of the plane x = 0 as `point`. */
 Mesh HalfOf(const Mesh& mesh, const Point& point)
 {
   Mesh half;
@@ -119,8 +119,8 @@ TEST(TestArrival, BallShrinksEvenly)
   morph.CheckArrived(MakeBall(CentreA, .3));
 }
 
-// What is left is found anew in each frame: were it less for a bump than around it, as the bump is
-// nearest to nothing, the bump would grow.
+// The remaining distance is recomputed in each frame. A bump must not get a smaller one than its
+// surroundings: it would move more slowly and grow.
 TEST(TestArrival, BallThatVanishesStaysRound)
 {
   const Point centre = { 0.0, 0.0, 0.0 };
@@ -141,8 +141,8 @@ TEST(TestArrival, BallThatVanishesStaysRound)
   EXPECT_NEAR(radii.Mean / H, .15 / H, OnTheWay);
 }
 
-// By distances alone it would be late by ten times its thickness. Whether its front is flat or a
-// cap is left to it: so the tip is as exact as the limb is thick.
+// With plain distances the limb would arrive late by ten times its thickness. The shape of its
+// front, flat or a cap, is unspecified, so the tolerance of the tip is the thickness.
 TEST(TestArrival, ThinLimbGrowsAsFastAsAThickOne)
 {
   const double y = .02, z = -.013, half = .6, radius = .15;
@@ -161,7 +161,8 @@ TEST(TestArrival, ThinLimbGrowsAsFastAsAThickOne)
   }
 }
 
-// The last node of what shrinks to nothing is .87 voxel from its centre, and counts twice.
+// The last node of a part that shrinks to nothing is 0.87 voxel from its centre. The tolerance is
+// twice that.
 TEST(TestArrival, PartsGrowAndShrinkEvenly)
 {
   const Ball left = { { -.5, .013, -.021 }, .35 }, right = { { .5, .03, .01 }, .4 };
@@ -193,7 +194,7 @@ TEST(TestArrival, HollowOpensEvenly)
   morph.CheckArrived(goal);
 }
 
-// F / |grad F| is up to a third off where the surface starts.
+// F / |grad F| is wrong by up to a third where the surface starts.
 TEST(TestArrival, TargetNeedNotBeADistance)
 {
   const Shape goal = Normalise(MakeAlgebraicBall(CentreA, .6), .3);
@@ -204,7 +205,8 @@ TEST(TestArrival, TargetNeedNotBeADistance)
   morph.CheckArrived(goal);
 }
 
-// As with metamorphoses by Attraction: within .02 voxel of the target's curvature at rest.
+// Same tolerance as for metamorphoses by Attraction: Tension displaces the steady state by less
+// than 0.02 voxel.
 TEST(TestArrival, TensionDoesNotMakeItLate)
 {
   const Shape goal = MakeTorus(CentreA, .5, .2);
@@ -223,7 +225,7 @@ TEST(TestArrival, AfterItTheAttractionOfTheMotionHolds)
   morph.CheckArrived(MakeBall(CentreA, .6));
 }
 
-// Aborted before every other substep, and taken up again.
+// The update is aborted before every other substep, then resumed.
 TEST(TestArrival, InterruptionDoesNotChangeIt)
 {
   const Shape from = MakeBall(CentreA, .3), to = MakeSixMetaballs();
@@ -269,7 +271,7 @@ TEST(TestArrival, ThreadsDoNotChangeIt)
   EXPECT_TRUE(AreIdentical(one.Band, many.Band));
 }
 
-// What is left to go, 0.4 from the start, over the time that is left.
+// Speed is the remaining distance, 0.4 at the start, over the remaining time.
 TEST(TestArrival, SpeedIsWhatIsLeftOverTheTimeThatIsLeft)
 {
   Morph morph(MakeBall(CentreA, .3), MakeBall(CentreA, .7));
@@ -282,7 +284,7 @@ TEST(TestArrival, SpeedIsWhatIsLeftOverTheTimeThatIsLeft)
   }
 }
 
-// A target without an end: it is not filled beyond the bounds.
+// An unbounded target is not filled beyond the bounds.
 TEST(TestArrival, HalfSpaceIsReachedWithinTheBounds)
 {
   const Shape goal = { [](const Point& p) { return p[0]; }, {} };
@@ -293,8 +295,8 @@ TEST(TestArrival, HalfSpaceIsReachedWithinTheBounds)
   EXPECT_NEAR(extent.Minimum, -1.0, H * AtTheEnd);
   EXPECT_NEAR(extent.Maximum, 0.0, H * AtTheEnd);
 }
-// A box within a ring, whose corners graze it, or are a voxel off: what they share is too thin to
-// grow from, so the box needs a core of its own. And back: there is room for it in the ring.
+// The corners of a box within a ring graze the ring or miss it by a voxel. The overlap is too thin
+// to grow from, so the box needs a core of its own. A core fits into the ring on the way back.
 TEST(TestArrival, ShapesThatGrazeEachOtherArrive)
 {
   const Shape ring = {

@@ -1,4 +1,4 @@
-// A band that is copied, started again or confined is as good as one that has just begun.
+// A copied, restarted or confined band is as complete as a new one.
 
 #include "Support/SurfaceMeasures.h"
 #include "Support/Throws.h"
@@ -52,8 +52,8 @@ TEST(TestBandStates, AStartForgetsTheWorkBefore)
   EXPECT_EQ(band.GetWork().TargetEvaluations, 0u) << "evaluations";
 }
 
-// A ball that is cut a voxel beyond the wall: what is left within can be looked at, saved and
-// taken up again at once.
+// A ball is cut one voxel beyond the wall. The remainder can be polygonised, saved and resumed at
+// once.
 TEST(TestBandStates, AConfinedBandIsWholeAtOnce)
 {
   const double h = VoxelSizeOf(32);
@@ -73,7 +73,7 @@ TEST(TestBandStates, AConfinedBandIsWholeAtOnce)
   }
 }
 
-// A few bytes of a file, along which the band would grow to gigabytes.
+// A few damaged bytes could make the band grow to gigabytes.
 TEST(TestBandStates, AnInsideThatHasNoSurfaceIsRefused)
 {
   NarrowBand band(VoxelSizeOf(16));
@@ -91,7 +91,7 @@ TEST(TestBandStates, AnInsideThatHasNoSurfaceIsRefused)
   EXPECT_TRUE(AreIdentical(band, *FromGrid(*ToGrid(band)))) << "a sound one";
 }
 
-// Of a few bytes: the neighbours of such a leaf have no coordinates.
+// A few damaged bytes can create such a leaf. Coordinates of its neighbours overflow.
 TEST(TestBandStates, ALeafAtTheEndOfTheLatticeIsRefused)
 {
   NarrowBand band(VoxelSizeOf(16));
@@ -105,13 +105,14 @@ TEST(TestBandStates, ALeafAtTheEndOfTheLatticeIsRefused)
   }
 }
 
-// OpenVDB has errors of its own for bytes that it cannot unzip, and allocates what they tell.
+// OpenVDB throws errors of its own for bytes that it cannot decompress, and allocates the sizes
+// that the bytes declare.
 TEST(TestBandStates, DamagedBytesAreReadOrRefused)
 {
   NarrowBand band(VoxelSizeOf(16));
   StartOn(band, MakeBall(Origin, 0.3));
   const std::string whole = band.Pack();
-  constexpr std::size_t numbers = 6 * sizeof(double); // any number is one
+  constexpr std::size_t numbers = 6 * sizeof(double); // every bit pattern is a valid number
   int refused = 0;
   const auto unpack = [&refused](const std::string& bytes)
   {
@@ -140,8 +141,8 @@ TEST(TestBandStates, DamagedBytesAreReadOrRefused)
   EXPECT_EQ(refused, tried) << "those that are too short";
 }
 
-// OpenVDB reads bytes that did not become fewer by zipping as they are, as many as the length
-// before them says, where there is room for less.
+// OpenVDB reads incompressible bytes unchanged. Their count is the stored length, which may exceed
+// the buffer.
 TEST(TestBandStates, MoreBytesThanThereIsRoomForAreRefused)
 {
   NarrowBand band(VoxelSizeOf(16));

@@ -1,4 +1,4 @@
-// Area and volume held by a penalty, with the offset that it must leave, or exactly.
+// Area and volume are held exactly, or by a penalty with the offset that theory predicts.
 
 #include "Support/SurfaceMeasures.h"
 #include "Support/Throws.h"
@@ -28,7 +28,7 @@ Motion TensionWith(Control area, Control volume, double stiffness = 1.0)
   return motion;
 }
 
-// One substep, however long it is.
+// Advances one substep of any length.
 void StepOnce(NarrowBand& band, const Motion& motion, Target& target)
 {
   bool first = true;
@@ -36,7 +36,7 @@ void StepOnce(NarrowBand& band, const Motion& motion, Target& target)
     [&first](double) { return std::exchange(first, false); });
 }
 
-// The share e that a penalty leaves missing: e (1 - e)^power = force, the smaller solution.
+// Relative deficit e that a penalty leaves: the smaller solution of e (1 - e)^power = force.
 double OffsetOf(double power, double force)
 {
   double low = 0.0, high = 1.0 / (1.0 + power); // where the left side is largest
@@ -55,8 +55,8 @@ struct Held
   double Stiffness;
 };
 
-// A ball rests where its tension 2 b / r is the penalty's speed. Tolerance 1 %: the bias of the
-// curvature, .3 % at this radius of 7 voxels.
+// A ball is in a steady state where its tension 2 b / r equals the speed of the penalty. Tolerance
+// 1 %. The bias of the curvature is 0.3 % at this radius of 7 voxels.
 TEST(TestControls, PenaltyOfVolumeLeavesTheExactOffset)
 {
   for (const Held& held :
@@ -90,7 +90,7 @@ TEST(TestControls, PenaltyOfAreaLeavesTheExactOffset)
   }
 }
 
-// No rest exists below stiffness * r0 = 4.233 b for the volume.
+// No steady state exists below stiffness * r0 = 4.233 b for the volume.
 TEST(TestControls, WeakPenaltyDoesNotHoldABall)
 {
   const double radius = 0.5;
@@ -108,10 +108,10 @@ struct Journey
 {
   const char* Name;
   Shape Start;
-  Shape End; //< target, if it attracts
+  Shape End; //< target, if Attraction is not 0
   Motion Way;
   double Time;
-  Topology Expected; //< once on the way
+  Topology Expected; //< at one time of the motion at least
   double Tolerance;
 };
 
@@ -121,7 +121,7 @@ bool operator==(const Topology& a, const Topology& b)
     a.EulerCharacteristic == b.EulerCharacteristic;
 }
 
-// At every substep. The projection ends at 1e-9 or after three displacements.
+// Checks the measure after every substep. The projection ends at 1e-9 or after three displacements.
 void CheckHeld(const Journey& journey, int n, double (NarrowBand::*measure)() const)
 {
   NarrowBand band(VoxelSizeOf(n));
@@ -151,7 +151,7 @@ Motion ExactWay(double attraction, double tension)
   return motion;
 }
 
-// 1e-6; while the surface splits, the crossings that come and go cost a digit: 1e-5.
+// Tolerance 1e-6. While the surface splits, crossings appear and vanish, which costs a digit: 1e-5.
 TEST(TestControls, ExactVolumeIsHeld)
 {
   const Point origin = { 0.0, 0.0, 0.0 };
@@ -168,8 +168,8 @@ TEST(TestControls, ExactVolumeIsHeld)
   }
 }
 
-// Two balls on a neck of two voxels: tension alone tears it, and both drops keep their volume in
-// sum. The requirement is 2e-4; an exact control has 1e-5 as through any split.
+// Two balls on a neck of two voxels. Tension tears the neck, and the sum of both drops keeps the
+// volume. The requirement is 2e-4. An exact control reaches 1e-5 through any split.
 TEST(TestControls, PeanutPinchesIntoTwoDropsOfItsVolume)
 {
   const Shape peanut = MakeDumbbell({ CentreA, { 1.0, 0.0, 0.0 }, 0.5, 0.3, 0.1 });
@@ -187,9 +187,9 @@ TEST(TestControls, ExactAreaIsHeld)
   CheckHeld(journey, 40, &NarrowBand::GetArea);
 }
 
-// With the area of the ellipsoid, tension makes the ball of that area: of all bodies it has the
-// largest V / A^(3/2). It is compared with a ball started at its mean radius, whose polygons miss
-// as much; what is left of its spread, .04 h of 10 h, counts squared: 1e-3 is ample.
+// Tension turns the ellipsoid into the ball of the same area, which has the largest V / A^(3/2) of
+// all bodies. The reference is a ball started at its mean radius, with the same error of polygons.
+// The remaining spread, 0.04 h of 10 h, enters squared: 1e-3 is ample.
 TEST(TestControls, HeldAreaGrowsToTheBallOfThatArea)
 {
   NarrowBand band(VoxelSizeOf(40));

@@ -1,5 +1,5 @@
-// A surface of which a part is at rest: that part stays as it is and costs little, and leaves no
-// trace of having been left out.
+// Converged parts of a surface are skipped: they stay unchanged, cost little, and give the same
+// result as if they had not been skipped.
 
 #include "NarrowBandGrid.h"
 #include "Support/SurfaceMeasures.h"
@@ -34,7 +34,7 @@ Shape MakePair(const Point& left, const Point& right)
   return MakeMetaballs({ left, right }, Support, Threshold);
 }
 
-// Two metaballs, of which the right one goes its way. Values change within its support alone.
+// Two metaballs, the right one moving along a path. Only values within its support change.
 class PairTarget : public ShapeTarget
 {
 public:
@@ -75,7 +75,7 @@ private:
   Point Before{}, Now{};
 };
 
-// Under the larger one the balls rest .4 voxels within their target.
+// With the second tension the balls are in a steady state 0.4 voxel within their target.
 constexpr double Tensions[] = { 0.0, 0.01 };
 
 Motion MakeMotion(double tension)
@@ -91,19 +91,19 @@ Point Stay(double)
   return Right;
 }
 
-// Stays until 2, then goes up and down.
+// Stands still until time 2, then swings up and down.
 Point Swing(double time)
 {
   return { Right[0], Right[1] + (time < 2.0 ? 0.0 : 0.2 * std::sin(3.0 * (time - 2.0))), Right[2] };
 }
 
-// Stays until 2, then comes over to the left.
+// Stands still until time 2, then approaches the left metaball.
 Point Approach(double time)
 {
   return { Right[0] - 0.8 * std::min(std::max(time - 2.0, 0.0), 1.0), Right[1], Right[2] };
 }
 
-// At time 2, at rest.
+// Advances to the steady state, at time 2.
 void Rest(NarrowBand& band, double tension, Target& target)
 {
   StartOn(band, MakePair(Left, Right));
@@ -141,8 +141,8 @@ TEST(TestConvergedLeaves, WhatRestsStaysToTheBitWhileTheOtherPartMoves)
     EXPECT_LT(report.SkippedSubsteps, 2u)
       << "substeps in which nothing moved: the first, until the target does";
 
-    // The right one follows with the lag U / Attraction, within what Tension takes: 2 / r of it
-    // over Attraction.
+    // The right metaball follows with the lag U / Attraction. Tension adds an offset of 2 / r *
+    // Tension / Attraction.
     const double lag = 0.2 * 3.0 * std::cos(1.5) / 5.0 / VoxelSize;
     const double within = 2.0 * tension / (Support * 0.5) / 5.0 / VoxelSize;
     const double off =
@@ -151,7 +151,7 @@ TEST(TestConvergedLeaves, WhatRestsStaysToTheBitWhileTheOtherPartMoves)
   }
 }
 
-// The surface at rest is where it would be if none of it were ever left out.
+// The steady state is the same as if no leaf had ever been skipped.
 TEST(TestConvergedLeaves, RestUnderTensionIsTheBalance)
 {
   NarrowBand resting(VoxelSize), settled(VoxelSize);
@@ -162,7 +162,7 @@ TEST(TestConvergedLeaves, RestUnderTensionIsTheBalance)
   const double volume = settled.GetVolume();
   const double voxels = (resting.GetVolume() - volume) / (settled.GetArea() * VoxelSize);
   EXPECT_NEAR(voxels, 0.0, 1e-3) << "mean distance between both [h]";
-  // Nowhere does it move by more than the rule says: a thousandth of a voxel times Attraction.
+  // No point moves faster than the limit: a thousandth of a voxel times Attraction.
   const AdvanceReport next =
     resting.Clone()->AdvanceToSteadyState(MakeMotion(Tensions[1]), { 0.0, 1 }, one);
   EXPECT_LT(next.SurfaceSpeed, 1e-3 * 5.0) << "largest speed of the surface at rest [h/time]";
@@ -170,7 +170,7 @@ TEST(TestConvergedLeaves, RestUnderTensionIsTheBalance)
   EXPECT_EQ(report.Substeps, 0u) << "substeps that are not skipped, from then on";
 }
 
-// The rate that decides is that of the scheme in use.
+// The rate of the scheme in use decides.
 TEST(TestConvergedLeaves, CentralDifferencesComeToRestToo)
 {
   NarrowBand band(VoxelSize);
@@ -184,8 +184,8 @@ TEST(TestConvergedLeaves, CentralDifferencesComeToRestToo)
   EXPECT_EQ(report.Substeps, 0u) << "other substeps";
 }
 
-// A dent of the target, half a voxel deep and smaller than a leaf, wakes the surface wherever in a
-// leaf it lies: its volume comes, but for what Tension takes of it.
+// A dent of the target wakes the surface at any place within a leaf. The dent is half a voxel deep
+// and smaller than a leaf. Its volume appears, less what Tension removes.
 TEST(TestConvergedLeaves, ADentWakesTheSurfaceAnywhere)
 {
   const Ball ball = { { 0.013, -0.007, 0.021 }, 0.6 };
@@ -237,7 +237,7 @@ std::vector<Course> MakeCourses()
   return courses;
 }
 
-// The same bytes whether speeds are remembered or found anew, by any number of threads.
+// Remembered speeds give results bitwise identical to recomputed ones, with any number of threads.
 TEST(TestConvergedLeaves, RememberedSpeedsLeaveNoTrace)
 {
   for (const auto& [name, path, tension] : MakeCourses())
@@ -266,8 +266,9 @@ TEST(TestConvergedLeaves, RememberedSpeedsLeaveNoTrace)
   }
 }
 
-// Two balls, of which the values of the right one are so many times a distance: from time 2 on,
-// once. What counts as rest is smaller then for the left one too, of which nothing has changed.
+// Two balls. The values of the right one are `times` a distance, and `times` changes once, at time
+// 2. The tolerance of convergence then decreases for the left ball too, although its target is
+// unchanged.
 class SofterTarget : public ShapeTarget
 {
 public:
@@ -319,7 +320,7 @@ TEST(TestConvergedLeaves, ATargetThatSoftensElsewhereLeavesNoTrace)
   EXPECT_GT(report.Substeps, 0u) << "substeps";
 }
 
-// Taken up again from a checkpoint before each step, of which a part rests.
+// Restarts from a checkpoint before each step, while a part is converged.
 TEST(TestConvergedLeaves, RestartsLeaveNoTrace)
 {
   for (const auto& [name, path, tension] : MakeCourses())
@@ -354,7 +355,7 @@ TEST(TestConvergedLeaves, WhatRestsCostsNoEvaluations)
   }
 }
 
-// The right ball comes and merges with the left one, which was at rest.
+// The right ball approaches and merges with the left one, which was converged.
 TEST(TestConvergedLeaves, WhatRestsWakesWhenItsTargetChanges)
 {
   for (const double tension : Tensions)

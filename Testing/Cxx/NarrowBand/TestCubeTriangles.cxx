@@ -1,5 +1,5 @@
-// The triangulation of a voxel by signs: all 256 cases, all pairs of neighbours, random lattices.
-// Everything here is counting and signs, so nothing needs a tolerance.
+// Triangulation of a voxel by signs: all 256 cases, all pairs of neighbours, random lattices. Tests
+// only count and compare signs, so no tolerance is needed.
 
 #include "CubeTriangles.h"
 
@@ -20,8 +20,8 @@ using Point = std::array<double, 3>;
 using Triangle = std::array<int, 3>;
 using HalfEdges = std::map<std::pair<int, int>, int>;
 
-// Signs at the corners of a box of voxels, and the mesh made of them. A mesh vertex is named by the
-// lattice edge it lies on: 3 * (number of the edge's lower corner) + axis.
+// Signs at the corners of a box of voxels, and the resulting mesh. The name of a mesh vertex is its
+// lattice edge: 3 * (number of the edge's lower corner) + axis.
 struct Lattice
 {
   std::array<int, 3> Size;
@@ -76,7 +76,7 @@ struct Lattice
     }
   }
 
-  // The middle of the lattice edge.
+  // Middle of the lattice edge.
   Point Position(int vertex) const
   {
     const int corner = vertex / 3;
@@ -125,8 +125,8 @@ HalfEdges CountHalfEdges(const std::vector<Triangle>& triangles)
   return counts;
 }
 
-// Mesh edges off the outer boundary that are not run through exactly once in each direction, and
-// mesh edges on it that are run through more than once.
+// Number of bad mesh edges. An edge off the outer boundary has to be traversed exactly once in each
+// direction, an edge on the boundary at most once.
 int CountBadEdges(const Lattice& lattice)
 {
   const HalfEdges counts = CountHalfEdges(lattice.Triangles);
@@ -139,7 +139,8 @@ int CountBadEdges(const Lattice& lattice)
   return bad;
 }
 
-// Vertices whose triangles do not form one closed fan; the mesh must be closed and edge-manifold.
+// Number of vertices whose triangles do not form one closed fan. The mesh must be closed and
+// edge-manifold.
 int CountBadVertices(const Lattice& lattice)
 {
   std::map<int, std::map<int, int>> nextAround;
@@ -189,7 +190,8 @@ double Volume(const Lattice& lattice)
   return volume;
 }
 
-// How far a corner lies before (positive) or behind a triangle, times twice the triangle's area.
+// Signed distance of a corner from a triangle's plane, positive in front of it, times twice the
+// triangle's area.
 double Height(const Lattice& voxel, const Triangle& triangle, int corner)
 {
   const Point first = voxel.Position(triangle[0]);
@@ -245,7 +247,7 @@ TEST(TestCubeTriangles, EveryCaseUsesExactlyItsCrossedEdges)
   EXPECT_EQ(wrong, 0) << "the vertices of each case are its crossed edges";
 }
 
-// Says also that no diagonal lies in a face, where a neighbour could draw it too.
+// Implies that no diagonal lies in a face, where a neighbour could draw the same one.
 TEST(TestCubeTriangles, OnlyInteriorEdgesOfAVoxelHaveTwoTriangles)
 {
   int wrong = 0;
@@ -269,7 +271,8 @@ TEST(TestCubeTriangles, LoneCornerIsCutOffByOneOutwardTriangle)
   }
 }
 
-// Two inside corners of a face, diagonally opposite: two pieces of skin, not a bridge.
+// Two inside corners are diagonally opposite on a face: the skin has two pieces there, not a
+// bridge.
 TEST(TestCubeTriangles, DiagonalInsideCornersAreSeparated)
 {
   EXPECT_EQ(TrianglesOfVoxel(0b00001001).Count, 2) << "two triangles, one for each corner";

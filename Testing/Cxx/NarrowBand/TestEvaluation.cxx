@@ -1,5 +1,5 @@
-// Where the target is evaluated, and by which differences: why the paper's shifted evaluation is
-// needed (its Figs. 2 and 3), what its own scheme does, and that its eq. (4) has the wrong sign.
+// Points of evaluation and finite differences. The paper's shifted evaluation (its Figs. 2 and 3)
+// is necessary. Its own scheme works as described, and its eq. (4) has the wrong sign.
 
 #include "NarrowBandGrid.h"
 #include "Support/SurfaceMeasures.h"
@@ -14,7 +14,7 @@ using namespace activesurface;
 
 namespace TestEvaluation
 {
-// 200 substeps from one ball to another.
+// Advances 200 substeps from one ball to another.
 Deviation Arrive(const Motion& motion, int n = 40)
 {
   const double h = VoxelSizeOf(n);
@@ -34,8 +34,8 @@ Motion EvaluatedAt(TargetEvaluation evaluation)
   return motion;
 }
 
-// Each node stops where its own value of F is zero: at itself, not at the surface. What remains is
-// a staircase. At rest F is zero at nodes, so that the surface is off by a part of a voxel.
+// Each node stops where F is zero at the node, not at the surface, which leaves a staircase. In the
+// steady state F is zero at nodes, so the surface is off by a fraction of a voxel.
 TEST(TestEvaluation, EvaluationAtTheNodesFreezesIntoAStaircase)
 {
   const Deviation deviation = Arrive(EvaluatedAt(TargetEvaluation::Node));
@@ -43,7 +43,7 @@ TEST(TestEvaluation, EvaluationAtTheNodesFreezesIntoAStaircase)
   EXPECT_GT(deviation.MeanDistance, 0.1) << "mean distance to the target [h]";
 }
 
-// Shifted to the surface, the samples are exact for a plane, and the end of a ball's is smooth: the
+// Samples shifted to the surface are exact for a plane. The result for a ball is smooth, within the
 // bounds of SurfaceArrivesAtItsTarget.
 TEST(TestEvaluation, EvaluationAtTheSurfaceIsSmooth)
 {
@@ -57,13 +57,13 @@ TEST(TestEvaluation, EvaluationAtTheSurfaceIsSmooth)
       const Deviation deviation = Arrive(motion);
       EXPECT_LT(deviation.MeanAngle, 2.0) << name << "mean error of the normals";
       EXPECT_LT(deviation.LargestAngle, 9.0) << name << "largest error of a normal";
-      // The closest point of the trilinear surface is off by the sag of a chord, h / 8 r = .01.
+      // The closest point of the trilinear surface is off by the sag of a chord, h / 8 r = 0.01.
       EXPECT_LT(deviation.MeanDistance, 0.01) << name << "mean distance";
     }
   }
 }
 
-// In one Advance each with other samples: as many as active nodes.
+// Each Advance evaluates as many samples as there are active nodes.
 TEST(TestEvaluation, EvaluationCountsItsPoints)
 {
   for (const TargetEvaluation evaluation :
@@ -79,8 +79,8 @@ TEST(TestEvaluation, EvaluationCountsItsPoints)
   }
 }
 
-// Straight from the paper: it arrives, but its normals are bumpy (its Fig. 3 needs a filter), and
-// the potential is as steep as its clamp allows.
+// The paper's scheme arrives, but its normals are bumpy (its Fig. 3 needs a filter). The potential
+// is as steep as the clamp allows.
 TEST(TestEvaluation, PaperArrivesWithBumps)
 {
   Motion motion;
@@ -91,7 +91,7 @@ TEST(TestEvaluation, PaperArrivesWithBumps)
   EXPECT_LT(4.0 * own.MeanAngle, paper.MeanAngle) << "normals against the default scheme's";
 }
 
-// The potential never leaves the thresholds, and beyond the active nodes it is at one of them.
+// The potential never leaves the thresholds, and equals one of them beyond the active nodes.
 TEST(TestEvaluation, PaperKeepsThePotentialWithinItsThresholds)
 {
   Motion motion;
@@ -117,8 +117,8 @@ TEST(TestEvaluation, PaperKeepsThePotentialWithinItsThresholds)
   EXPECT_EQ(FindDefects(Polygonise(band)).Edges, 0u) << "defects of the skin";
 }
 
-// Clamping poisons tension: its error is 3 %, .4 % and 5.6 % at n = 32, 64 and 128, where the
-// default scheme's is .2, .09 and .04 %. (128 takes the paper's scheme 25,000 substeps.)
+// Clamping spoils tension. Its error is 3 %, 0.4 % and 5.6 % at n = 32, 64 and 128; the default
+// scheme's is 0.2, 0.09 and 0.04 %. (At n = 128 the paper's scheme needs 25,000 substeps.)
 TEST(TestEvaluation, PaperTensionIsWorse)
 {
   const auto errorOf = [](bool paper, int n)
@@ -137,7 +137,7 @@ TEST(TestEvaluation, PaperTensionIsWorse)
   EXPECT_LT(2.0 * errorOf(false, 64), errorOf(true, 64)) << "error of the radius, n = 64";
 }
 
-// From one scheme to the other and back: each goes on from what the other left.
+// Switches from one scheme to the other and back: each resumes from the other's potential.
 TEST(TestEvaluation, SchemesCanTakeTurns)
 {
   const double h = VoxelSizeOf(40);
@@ -157,8 +157,8 @@ TEST(TestEvaluation, SchemesCanTakeTurns)
     << "mean distance at the end [h]";
 }
 
-// With +Tension * kappa, as eq. (4) has it, a bump grows: backward diffusion. In 15 substeps of the
-// right sign's stable length a sphere would grow by a third of its area at most.
+// With +Tension * kappa, as in eq. (4), a bump grows: backward diffusion. With the right sign, a
+// sphere would grow by at most a third of its area in 15 substeps of the stable length.
 TEST(TestEvaluation, LiteralSignOfTensionBlowsUp)
 {
   Motion motion;

@@ -1,5 +1,5 @@
-// Exact controls where the surface is no smooth one: creases, parts that meet, thin sheets. And
-// what happens when a potential is lost all the same.
+// Exact controls on surfaces that are not smooth: creases, parts that meet, thin sheets. Includes
+// the error that follows if a potential diverges all the same.
 
 #include "Support/SurfaceMeasures.h"
 
@@ -18,7 +18,8 @@ using namespace activesurface;
 namespace TestExactControl
 {
 
-// A box of these half sides; distances, the nearest corner's outside.
+// Box with these half sides. Outside, the value is the distance to the nearest corner, edge or
+// face.
 Shape MakeBlock(const Point& centre, const Point& halfSides)
 {
   return { [=](const Point& p)
@@ -52,7 +53,7 @@ Shape MakeTwoBlocks()
   return { [=](const Point& p) { return std::min(left.Value(p), right.Value(p)); }, {} };
 }
 
-// One substep, however long it is.
+// Advances one substep of any length.
 void StepOnce(NarrowBand& band, const Motion& motion, Target& target)
 {
   bool first = true;
@@ -75,14 +76,14 @@ struct Way
   bool IsSound = true; //< all numbers finite, and the skin closed
   int MostParts = 0;
   int LastParts = 0;
-  double WorstError = 0.0; //< relative, of what is held
+  double WorstError = 0.0; //< of the controlled quantity, relative
 };
 
 Way Follow(const Scene& scene, Control area, double cfl)
 {
   constexpr double bounds[6] = { -1.5, 1.5, -1.5, 1.5, -1.5, 1.5 };
   NarrowBand band(scene.VoxelSize);
-  band.SetMaximumNumberOfActiveVoxels(500000); // four times what a sound one has
+  band.SetMaximumNumberOfActiveVoxels(500000); // four times the count of a sound band
   band.Start(0.0, bounds, MakeInitialFunction(scene.Start));
   ShapeTarget target(Normalise(scene.End, scene.Reach));
   Motion motion = MakeMotion(1.0, 0.0);
@@ -107,7 +108,7 @@ Way Follow(const Scene& scene, Control area, double cfl)
   return way;
 }
 
-// At the largest stable time step, a bit below, and well below.
+// Runs at the largest stable time step, slightly below, and well below.
 void CheckScene(const Scene& scene, Control area, double tolerance)
 {
   for (const double cfl : { 1.0, 0.9, 0.5 })
@@ -121,7 +122,8 @@ void CheckScene(const Scene& scene, Control area, double tolerance)
   }
 }
 
-// What is held is restored to 1e-9, where the eight displacements suffice; 1e-6 is documented.
+// Eight displacements restore the controlled quantity to 1e-9 if they suffice. The documentation
+// promises 1e-6.
 TEST(TestExactControl, ACubeKeepsItsVolumeOnItsWayToABall)
 {
   const Shape ball = MakeBall({ 0.6, 0.2, 0.1 }, 0.3);
@@ -140,14 +142,14 @@ TEST(TestExactControl, AThinPlateKeepsItsVolume)
   CheckScene({ "plate", MakePlate(), ball, 0.05, 0.03, 1 }, Control::None, 1e-6);
 }
 
-// They merge at once along a rim: 1e-5, as through any change of topology.
+// The blocks merge at once along a rim. Tolerance 1e-5, as through any change of topology.
 TEST(TestExactControl, TwoBlocksKeepTheirVolumeWhileTheyMerge)
 {
   const Shape ball = MakeBall(CentreB, 0.5);
   CheckScene({ "two blocks", MakeTwoBlocks(), ball, 0.1, 0.04, 2 }, Control::None, 1e-5);
 }
 
-// A time step of thirty times the stable one loses every potential.
+// A time step of thirty times the stable one makes any potential diverge.
 TEST(TestExactControl, ALostPotentialIsAnErrorAndIsNotTaken)
 {
   NarrowBand band(VoxelSizeOf(40));
@@ -182,8 +184,8 @@ TEST(TestExactControl, ALostPotentialIsAnErrorAndIsNotTaken)
   EXPECT_TRUE(AreIdentical(band, *before)) << "with a smaller CFL it goes on from there";
 }
 
-// The precision of the control is 1e-9 of the wanted number; potentials are floats. From half to
-// twice the volume the surface moves by many voxels.
+// The control is accurate to 1e-9 of the wanted number; potentials are floats. From half to twice
+// the volume the surface moves by many voxels.
 TEST(TestExactControl, AStartHasTheTargetsAtOnce)
 {
   Motion motion = MakeMotion(0.0, 0.0);
@@ -214,7 +216,7 @@ TEST(TestExactControl, AStartWithoutTargetsStaysAsItIs)
   StartOn(band, MakeCube());
   const std::unique_ptr<NarrowBand> before = band.Clone();
   Motion motion = MakeMotion(0.0, 0.0);
-  motion.TargetVolume = 5.0; // of no control, or of a penalty
+  motion.TargetVolume = 5.0; // without a control, or with a penalty
   band.RestoreTargets(motion);
   motion.VolumeControl = Control::Penalty;
   band.RestoreTargets(motion);

@@ -1,4 +1,5 @@
-// Scenes of absurd size, far from the origin, or with absurd values: right, or refused at once.
+// Scenes of absurd size, far from the origin, or with absurd values give the right result or an
+// immediate error.
 
 #include "Support/AnalyticShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -20,7 +21,7 @@ using namespace activesurface;
 namespace TestExtremes
 {
 
-// As a function has that is known within some box only, and says so by a huge number.
+// Some functions are defined only within a box and return a huge number elsewhere.
 TEST(TestExtremes, HugeValuesFarFromTheSurfaceDoNotSpoilTheStart)
 {
   const double h = VoxelSizeOf(40);
@@ -33,7 +34,7 @@ TEST(TestExtremes, HugeValuesFarFromTheSurfaceDoNotSpoilTheStart)
     NarrowBand band(h);
     StartOn(band, ball);
     const Range radii = GetRadii(Polygonise(band), CentreA);
-    // Linear crossings of a distance are off by h^2 / (8 r) = h / 93 at most.
+    // Linear crossings of a distance are off by at most h^2 / (8 r) = h / 93.
     EXPECT_NEAR((radii.Mean - 0.6) / h, 0.0, 0.011) << "error of the radius [h], " << huge;
     EXPECT_LT(radii.GetSpread() / h, 0.022) << "spread of the radii [h], " << huge;
   }
@@ -49,7 +50,7 @@ TEST(TestExtremes, BoundsThatWouldTakeMinutesToSampleAreRefused)
     << "2000^3 nodes are more than 40 * 50000000";
 }
 
-// 2^20 voxels from the origin single precision leaves sixteenths of a voxel.
+// At 2^20 voxels from the origin, single precision resolves a sixteenth of a voxel.
 TEST(TestExtremes, SkinFarFromTheOriginKeepsItsPrecision)
 {
   const double h = 0.0625, far = h * (1 << 20);
@@ -77,7 +78,7 @@ TEST(TestExtremes, SkinFarFromTheOriginKeepsItsPrecision)
   EXPECT_FALSE(Skin(near).NeedsDoublePrecision()) << "single precision near the origin";
 }
 
-// The threads that TBB may use for a band.
+// Number of threads that TBB may use for a band.
 int CountThreads(const NarrowBand& band)
 {
   int threads = 0;

@@ -1,4 +1,4 @@
-// A substep that fails half-way leaves the potential as it was before.
+// A substep that fails midway leaves the potential unchanged.
 
 #include "Support/AnalyticShapes.h"
 #include "Support/FailingTarget.h"
@@ -16,7 +16,7 @@ namespace TestFailedSubsteps
 {
 const double H = VoxelSizeOf(64);
 
-/** Fails at the n-th evaluation. */
+/** Fails after this number of evaluations. */
 FailingTarget::Rule FailAfter(int evaluations)
 {
   return [evaluations](const AskedTarget& asked) { return asked.Evaluations > evaluations; };
@@ -59,8 +59,8 @@ TEST(TestFailedSubsteps, AnErrorHalfWayKeepsTheLastSubstep)
   }
 }
 
-/** A ball that moves, and others that appear beside it: each new leaf comes before it in the tree,
- * and the large one holds leaves that are inside as a whole. */
+/** A moving ball, and others that appear near it. Each new leaf precedes its leaves in the tree.
+ * The large ball contains leaves that are inside entirely. */
 RegionTarget MakeBirths()
 {
   const auto ballsAt = [](double time)
@@ -80,7 +80,7 @@ RegionTarget MakeBirths()
     } };
 }
 
-// The leaves are numbered anew when parts are created.
+// Leaves get new numbers when parts are created.
 TEST(TestFailedSubsteps, AnErrorAfterABirthTakesTheBirthBack)
 {
   Motion motion = MakeMotion(1.0, .001);

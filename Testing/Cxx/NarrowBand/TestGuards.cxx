@@ -1,5 +1,5 @@
-// What happens with input that is wrong, empty or too large: a sentence or a documented behaviour,
-// and always a potential that can be used afterwards.
+// Wrong, empty or too large input gives an error message or a documented behaviour. The potential
+// always remains usable.
 
 #include "Support/SurfaceMeasures.h"
 #include "Support/Throws.h"
@@ -24,7 +24,7 @@ constexpr Point Origin = { 0.0, 0.0, 0.0 };
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// A ball's distance, with another value beyond x = .2.
+// Distance of a ball, with another value beyond x = 0.2.
 Shape MakeSpoiltBall(double radius, double spoilt)
 {
   const Shape ball = MakeBall(Origin, radius);
@@ -33,7 +33,7 @@ Shape MakeSpoiltBall(double radius, double spoilt)
   };
 }
 
-// The skin where x < -.2, which no dropped sample point is near.
+// Radii of the skin where x < -0.2, away from all dropped sample points.
 Range GetRadiiOfTheSoundHalf(const Mesh& mesh)
 {
   Mesh half;
@@ -54,7 +54,7 @@ void CheckClosed(const NarrowBand& band, const std::string& name)
   EXPECT_GT(GetVolume(mesh), 0.0) << "volume, " << name;
 }
 
-// One NaN that got into the potential would empty the surface within two substeps.
+// A single NaN in the potential would empty the surface within two substeps.
 TEST(TestGuards, SamplesThatAreNotFiniteAreDropped)
 {
   for (const double spoilt : { NaN, Infinity, -Infinity })
@@ -68,7 +68,8 @@ TEST(TestGuards, SamplesThatAreNotFiniteAreDropped)
     EXPECT_TRUE(report.DroppedSamples > 0) << "dropped samples are counted, " << name;
     EXPECT_TRUE(report.DroppedSamples < report.TargetEvaluations) << "others are not, " << name;
     CheckClosed(band, name);
-    // .1 e^-8 is left of the way; .04 h for the crossings of chords (h / 8 r = .016 h).
+    // The remaining distance is 0.1 e^-8. Tolerance 0.04 h for the crossings of chords (h / 8 r =
+    // 0.016 h).
     const Range radii = GetRadiiOfTheSoundHalf(Polygonise(band));
     EXPECT_NEAR((radii.Minimum - 0.5) / h, 0.0, 0.04) << "least radius of the sound half, " << name;
     EXPECT_NEAR((radii.Maximum - 0.5) / h, 0.0, 0.04)
@@ -151,7 +152,7 @@ TEST(TestGuards, GrowthBeyondTheMaximumKeepsTheLastSubstep)
   }
   band.SetMaximumNumberOfActiveVoxels(100000);
   band.Advance(8.0, Motion(), target);
-  // .4 e^-8 = .002 h is left of the way.
+  // The remaining distance is 0.4 e^-8 = 0.002 h.
   const double radius = GetRadii(Polygonise(band), Origin).Mean;
   EXPECT_NEAR(radius / VoxelSizeOf(32), 0.7 / VoxelSizeOf(32), 0.04)
     << "radius [h], with more room";
@@ -182,7 +183,7 @@ TEST(TestGuards, FunctionWithoutInsideGivesAnEmptySurface)
   EXPECT_EQ(band.GetTime(), 1.0) << "time goes on";
 }
 
-// As from an image with holes: nodes whose value is not a number are outside.
+// Input such as an image with holes: nodes whose value is NaN are outside.
 TEST(TestGuards, FunctionThatIsNotFiniteGivesAClosedSurface)
 {
   NarrowBand band(VoxelSizeOf(32));
@@ -239,7 +240,7 @@ TEST(TestGuards, ProgressFunctionStopsTheMotion)
   CheckClosed(band, "after the stop");
 }
 
-// Lets so many batches through, then throws.
+// Throws at times later than `failureTime`.
 class FailingTarget : public ShapeTarget
 {
 public:
@@ -274,13 +275,13 @@ TEST(TestGuards, ExceptionOfTheTargetKeepsTheLastSubstep)
   EXPECT_TRUE(
     Throws<std::runtime_error>([&] { band.Advance(4.0, Motion(), target); }, "out of order"))
     << "the target's exception comes through";
-  // Failed at the first substep that begins after .5; each is at most 1 / Attraction long.
+  // The first substep that begins after 0.5 fails. Each substep is at most 1 / Attraction long.
   EXPECT_GT(band.GetTime(), 0.5) << "time of the last finished substep";
   EXPECT_LT(band.GetTime(), 1.5) << "time of the last finished substep";
   CheckClosed(band, "after the exception");
 }
 
-// Counts points, and notices when two threads ask at the same time.
+// Counts points, and detects concurrent calls from two threads.
 class WatchingTarget : public ShapeTarget
 {
 public:
@@ -306,7 +307,7 @@ public:
     --this->Inside;
   }
 
-  /** Milliseconds in which another thread may come. */
+  /** Time to wait for another thread [ms]. */
   int LongestWait = 0;
   mutable std::atomic<std::size_t> Points = 0;
   mutable std::atomic<int> Inside = 0;
@@ -343,7 +344,7 @@ TEST(TestGuards, TargetThatIsNotThreadSafeIsAskedByOneThread)
     band.SetNumberOfThreads(2);
     StartOn(band, MakeBall(CentreA, 0.5));
     WatchingTarget target(MakeBall(CentreA, 0.6), threadSafe);
-    // A thread that may come does so at its leisure on a busy machine.
+    // A second thread may need this long to start on a busy machine.
     target.LongestWait = threadSafe ? 5000 : 2;
     band.Advance(0.1, Motion(), target);
     EXPECT_TRUE(target.Points > 0) << "the target was asked";

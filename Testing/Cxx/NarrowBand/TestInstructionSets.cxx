@@ -1,5 +1,5 @@
-// The terms of the evolution equation give the same bytes with every instruction set: compiled here
-// for several, as the library does, and compared on rows of random potentials.
+// The terms of the evolution equation are bitwise identical with every instruction set. They are
+// compiled here for several sets, as in the library, and compared on rows of random potentials.
 
 #include "Substep/RowKernels.h"
 
@@ -55,7 +55,7 @@ __attribute__((target("avx512f,avx512vl"))) void StepWithAvx512(const Scene& sce
 }
 #endif
 
-// A distance with noise, flat spots (no gradient) and kinks, as a band may hold them.
+// A distance with noise, flat spots (no gradient) and kinks, as they may occur in a band.
 Scene MakeScene(unsigned seed)
 {
   std::mt19937 random(seed);

@@ -1,5 +1,5 @@
-// The connected parts of a shape on a lattice, its hollows, and where its surface is: against those
-// that are found node by node.
+// Connected parts of a shape on a lattice, its hollows, and the cells of its surface, compared with
+// a search node by node.
 
 #include "Support/RandomShapes.h"
 
@@ -26,7 +26,7 @@ namespace TestLatticeParts
 using openvdb::Coord;
 using IsInside = std::function<bool(const Coord&)>;
 
-/** The nodes of a cube around the origin. */
+/** Shape on the nodes of a cube around the origin. */
 LatticeShape MakeShape(int half, const IsInside& isInside)
 {
   LatticeShape shape;
@@ -79,7 +79,7 @@ std::set<Coord> PointsOf(const TargetPart& part, bool samplesAlone)
   return nodes;
 }
 
-/** What is connected with a node, on its side, within the cube. */
+/** Nodes within the cube that are connected with a node on the same side of the surface. */
 std::set<Coord> Flood(const LatticeShape& shape, int half, const Coord& from)
 {
   const bool side = shape.Inside.isValueOn(from);
@@ -121,7 +121,7 @@ TEST(TestLatticeParts, BodiesAndHollowsAreCounted)
   EXPECT_EQ(nothing.Parts + nothing.Hollows, 0);
 }
 
-// The deepest points come first: what a skin that holds a part holds first.
+// The deepest points come first: a skin that contains a part contains these points first.
 TEST(TestLatticeParts, SamplesBeginDeepInside)
 {
   const LatticeShape shape = MakeShape(24, MakeBallAt(0.0, 20.0));
@@ -137,15 +137,15 @@ TEST(TestLatticeParts, SamplesBeginDeepInside)
           first = std::hypot(x[0], x[1], x[2]);
           return false;
         });
-      // Of leaves that are all inside, the corner farthest out is within the radius: their centres
-      // are a diagonal of 4 nodes less far.
+      // The outermost corner of a leaf that is entirely inside is within the radius. The leaf's
+      // centre is at least 4 nodes nearer to the origin.
       EXPECT_LE(first, 20.0 - 4.0);
       EXPECT_GE(first, 0.0);
     });
   EXPECT_EQ(parts, 1);
 }
 
-// Tiles of 8 and of 128 nodes a side, and a hollow of tiles.
+// Tiles with sides of 8 and of 128 nodes, and a hollow of tiles.
 TEST(TestLatticeParts, TilesArePartOfThem)
 {
   LatticeShape shape;
@@ -187,7 +187,7 @@ TEST(TestLatticeParts, NoiseHasThePartsOfAFlood)
   }
 }
 
-// Turned by a right angle, scaled and moved.
+// The lattice is turned by a right angle, scaled and moved.
 TEST(TestLatticeParts, SurfaceIsInTheCellsOfBothSides)
 {
   constexpr int half = 10;
@@ -198,7 +198,7 @@ TEST(TestLatticeParts, SurfaceIsInTheCellsOfBothSides)
   shape.Axis[0] = openvdb::Vec3d(0.0, 0.5, 0.0);
   shape.Axis[1] = openvdb::Vec3d(-0.25, 0.0, 0.0);
   shape.Axis[2] = openvdb::Vec3d(0.0, 0.0, 2.0);
-  std::set<std::array<int, 3>> expected, found; // eight times the places
+  std::set<std::array<int, 3>> expected, found; // eight times the points
   for (int x = -half - 1; x <= half; ++x)
   {
     for (int y = -half - 1; y <= half; ++y)

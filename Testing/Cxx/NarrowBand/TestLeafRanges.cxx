@@ -1,4 +1,4 @@
-// Leaves shared out to ranks: each leaf to one, evenly by what they cost.
+// Partition of leaves over ranks: each leaf has one owner, and costs are balanced.
 
 #include "Ranks/LeafRanges.h"
 
@@ -42,7 +42,7 @@ TEST(TestLeafRanges, EachLeafIsOfOneRank)
   }
 }
 
-// By less than a leaf at each end: see the header.
+// Each end of a range is off by less than a leaf; the header derives this bound.
 TEST(TestLeafRanges, SharesAreEvenButForALeaf)
 {
   const std::vector<std::size_t> before = MakeCosts(5000, 2);

@@ -1,4 +1,4 @@
-// A start near the points of a surface is, to the bit, that from all nodes of the box.
+// A start near the points of a surface is bitwise identical to a start from all nodes of the box.
 
 #include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -25,8 +25,8 @@ namespace TestNearbyStart
 constexpr int Nodes = 48;
 constexpr double H = VoxelSizeOf(Nodes);
 
-/** The function with the points of its surface as a lattice of this spacing sees it; its nodes are
- * no nodes of the band's. */
+/** Function with the points of its surface, found on a lattice of this spacing. Lattice nodes
+ * differ from the band's nodes. */
 InitialFunction MakeKnown(const Shape& shape, double spacing, const std::vector<Ball>& around)
 {
   InitialFunction function = MakeInitialFunction(shape);
@@ -68,9 +68,9 @@ std::unique_ptr<NarrowBand> StartIn(
   return band;
 }
 
-// Balls are wider than two cells: where a ball is, the lattice sees it. Edges of a cell of a ball
-// whose surface bulges by r - sqrt(r^2 - s^2 / 2) into a cell without a corner inside: .02 voxel,
-// within the one voxel that is spare.
+// Balls are wider than two cells, so the lattice detects each of them. A ball may bulge by r -
+// sqrt(r^2 - s^2 / 2) into a cell without a corner inside. This is 0.02 voxel, within the spare
+// voxel.
 TEST(TestNearbyStart, HasTheBytesOfADenseStart)
 {
   RandomShapes random(31);
@@ -97,7 +97,7 @@ TEST(TestNearbyStart, ThreadsLeaveNoTrace)
   EXPECT_TRUE(AreIdentical(*StartIn(Box, function, 1), *StartIn(Box, function, 4)));
 }
 
-// At the faces of the bounds a body is closed, where none of its surface is.
+// A solid is closed at the faces of the bounds, although its own surface is elsewhere.
 TEST(TestNearbyStart, SolidIsClosedAtTheBounds)
 {
   const double cuts[2][6] = { { -0.4, 0.5, -0.3, 0.3, -1.0, 1.0 },
@@ -148,9 +148,9 @@ std::size_t CountEvaluations(InitialFunction function, const double bounds[6], s
   return evaluations;
 }
 
-// The box does not count, nor does how far away a ball of three voxels is. It adds (3 / 19)^2 = 2.5
-// % to the surface. Layers are up to twice as large around so small a ball: (3 + 4)^2 / (19 + 4)^2,
-// 9 %.
+// Neither the size of the box nor the distance of a ball of three voxels affects the cost. The ball
+// adds (3 / 19)^2 = 2.5 % to the surface. Layers around so small a ball are up to twice as large:
+// (3 + 4)^2 / (19 + 4)^2, 9 %.
 TEST(TestNearbyStart, CostIsThatOfTheSurface)
 {
   std::vector<Ball> balls = { { CentreA, 0.8 } };
@@ -200,7 +200,8 @@ TEST(TestNearbyStart, NothingAndTooMuch)
   EXPECT_TRUE(band.IsEmpty());
 }
 
-// Before anything is evaluated, or made: a billion nodes along each axis.
+// The error precedes any evaluation or allocation: the lattice would have a billion nodes along
+// each axis.
 TEST(TestNearbyStart, VoxelsThatAreFarTooSmallAreRefusedAtOnce)
 {
   const std::vector<Ball> balls = { { CentreA, 0.6 } };

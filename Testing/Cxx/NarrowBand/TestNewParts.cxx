@@ -1,4 +1,4 @@
-// Parts of the target that no skin reaches, and hollows deep inside the skin, get a skin.
+// Parts of the target outside the reach of the skin, and hollows deep inside the skin, get a skin.
 
 #include "Support/RandomShapes.h"
 #include "Support/RegionTargets.h"
@@ -24,7 +24,7 @@ using namespace activesurface::twoballs;
 
 namespace TestNewParts
 {
-/** The part of a mesh where x is on one side of a plane. */
+/** Vertices with a larger x than this one. */
 Mesh VerticesBeyond(const Mesh& mesh, double x)
 {
   Mesh half;
@@ -38,7 +38,7 @@ Mesh VerticesBeyond(const Mesh& mesh, double x)
   return half;
 }
 
-/** Leaves of the first band that are not the same in the second one. */
+/** Number of leaves of the first band that differ in the second one. */
 std::size_t CountOtherLeaves(const NarrowBand& first, const NarrowBand& second)
 {
   std::size_t count = 0;
@@ -51,11 +51,11 @@ std::size_t CountOtherLeaves(const NarrowBand& first, const NarrowBand& second)
   return count;
 }
 
-// A ball's distance has its crossings at the exact places but for the curvature of its level sets
-// along an edge: a chord of at most a voxel, h / 8 r = .02 voxel.
+// Crossings of a ball's distance are exact except for the curvature of its level sets along an
+// edge. The chord is at most a voxel: h / 8 r = 0.02 voxel.
 TEST(TestNewParts, FarBallGetsItsSkinInTheSameSubstep)
 {
-  // 19 voxels apart: five layers and what is left of two leaves do not meet.
+  // The balls are 19 voxels apart: five layers and the remainders of two leaves do not meet.
   const Ball start = { { -0.6, 0.013, 0.007 }, 0.2 }, larger = { start.Centre, 0.25 };
   const Ball other = { { 0.6, 0.021, -0.013 }, 0.2 };
   RegionTarget target = MakeStandingBalls({ larger, other });
@@ -77,9 +77,9 @@ TEST(TestNewParts, FarBallGetsItsSkinInTheSameSubstep)
   EXPECT_GT(CountOtherLeaves(*with, *without), 0u);
 }
 
-// A node is at most .87 voxel from the centre, and the radius grows by .1 voxel from substep to
-// substep: at first it is within 1.1 voxels, and the crossings on the edges of one node within a
-// voxel of it.
+// The nearest node is at most 0.87 voxel from the centre, and the radius grows by 0.1 voxel per
+// substep. The radius is at first within 1.1 voxels. The crossings on the edges of one node are
+// within a voxel of it.
 TEST(TestNewParts, GrowingBallBeginsSmallAndFollows)
 {
   constexpr double speed = 0.2;
@@ -107,7 +107,7 @@ TEST(TestNewParts, GrowingBallBeginsSmallAndFollows)
     radius = speed * time;
   }
   EXPECT_EQ(created, 1u);
-  // It lags by speed / Attraction = .05 voxel, and by one substep, .1 voxel.
+  // The skin lags by speed / Attraction = 0.05 voxel, and by one substep, 0.1 voxel.
   EXPECT_NEAR(
     (GetRadii(VerticesBeyond(Polygonise(*band), 0.0), Right.Centre).Mean - radius) / H, -0.1, 0.1);
   CheckSound(*band, { 2, 0, 4 });
@@ -127,7 +127,7 @@ TEST(TestNewParts, BallInsideTheSkinChangesNothing)
 
 TEST(TestNewParts, LagOfTheSkinIsNoPart)
 {
-  // Four voxels, which the skin gets to by itself.
+  // The skin bridges four voxels by itself.
   const Ball larger = { Left.Centre, Left.Radius + 4.0 * H };
   RegionTarget target =
     MakeStanding(MakeBalls({ larger }), { RegionAround(larger, RegionSeeds::AllNodes) });
@@ -153,7 +153,8 @@ TEST(TestNewParts, HollowOpensDeepInside)
     {
       if (part.IsVoid())
       {
-        // Second order in h / r: .18 % at r = 18.9 h (front.md of NarrowBand), here r = 7.05 h.
+        // The error is second order in h / r: 0.18 % at r = 18.9 h (front.md of NarrowBand), here r
+        // = 7.05 h.
         EXPECT_NEAR(-part.Volume / exact, 1.0, 0.0018 * 18.9 * 18.9 * H * H / (inner * inner));
       }
     }
@@ -162,7 +163,8 @@ TEST(TestNewParts, HollowOpensDeepInside)
   }
 }
 
-// Balls of a target smaller than 2 sqrt 2 sqrt(Tension / Attraction) Tension closes.
+// Tension closes hollows and balls of a target whose radius is below 2 sqrt 2 sqrt(Tension /
+// Attraction).
 TEST(TestNewParts, NarrowHollowStaysClosed)
 {
   constexpr double outer = 0.7;
@@ -211,7 +213,7 @@ struct Crowd
   int Unions = 0;
 };
 
-/** Balls whose pairs either overlap by half of a radius or are three voxels apart. */
+/** Balls whose pairs either overlap by half a radius or are three voxels apart. */
 Crowd DrawCrowd(int count)
 {
   RandomShapes random(912);
@@ -271,7 +273,7 @@ std::unique_ptr<NarrowBand> FollowCrowd(const Crowd& crowd, bool isReversed, int
   Motion motion = MakeCreating();
   motion.LongestStep = 1.0 / substeps;
   band->Advance(1.0, motion, target);
-  // Twelve time constants: e^-12 of the way is left.
+  // After twelve time constants, e^-12 of the distance remains.
   motion.LongestStep = std::numeric_limits<double>::infinity();
   band->Advance(13.0, motion, target);
   return band;
@@ -282,7 +284,7 @@ TEST(TestNewParts, CrowdOfBallsHasAsManyPartsAsUnions)
   const Crowd crowd = DrawCrowd(200);
   EXPECT_LT(crowd.Unions, 190) << "some overlap";
   EXPECT_GT(crowd.Unions, 20) << "some do not";
-  // On a machine with two cores too.
+  // Four threads are used on machines with two cores too.
   const tbb::global_control fourThreads(tbb::global_control::max_allowed_parallelism, 4);
   const auto band = FollowCrowd(crowd, false, 1);
   const Mesh mesh = Polygonise(*band);
@@ -293,7 +295,7 @@ TEST(TestNewParts, CrowdOfBallsHasAsManyPartsAsUnions)
   EXPECT_TRUE(AreIdentical(*band, *FollowCrowd(crowd, true, 2))) << "order";
 }
 
-// Of 16 voxels: leaves within 11 voxels of its centre have no layer, and become tiles.
+// The radius is 16 voxels. Leaves within 11 voxels of the centre have no layer, and become tiles.
 TEST(TestNewParts, LargePartIsInsideThroughout)
 {
   const Ball large = { { 0.4, 0.0, 0.0 }, 16.0 * H / 2.0 };
@@ -314,7 +316,7 @@ TEST(TestNewParts, LargePartIsInsideThroughout)
   }
 }
 
-// A box that holds parts at other places than its centre is sampled at all nodes.
+// All nodes of a box are sampled if it may contain parts away from its centre.
 TEST(TestNewParts, OneBoxFindsAllParts)
 {
   const std::vector<Ball> balls = { Left, Right, { { 0.0, 0.7, 0.7 }, 0.1 },
@@ -326,7 +328,7 @@ TEST(TestNewParts, OneBoxFindsAllParts)
   CheckSound(*band, { 4, 0, 8 });
 }
 
-// A region that meets a part is enough: the rest of it is found from there.
+// A region that meets a part is enough: the search follows the part beyond the region.
 TEST(TestNewParts, PartOutgrowsItsRegion)
 {
   RegionTarget target = MakeStanding(

@@ -1,5 +1,5 @@
-// What the creation of parts has to do with the rest: an empty surface, restarts, walls, steady
-// states, input that is wrong or too large.
+// Creation of parts in combination with other features: empty surfaces, restarts, walls, steady
+// states, wrong or too large input.
 
 #include "NarrowBandGrid.h"
 #include "Support/RegionTargets.h"
@@ -76,7 +76,7 @@ TEST(TestNewPartsRules, WallsCutThem)
   {
     most = std::max(most, mesh.GetPoint(v)[0]);
   }
-  // The rim is right to .14 voxel (method.md of NarrowBand).
+  // The rim is accurate to 0.14 voxel (method.md of NarrowBand).
   EXPECT_LE((most - 0.6) / H, 0.14);
 }
 
@@ -87,7 +87,7 @@ TEST(TestNewPartsRules, SteadyStateHasThem)
   const AdvanceReport report = band->AdvanceToSteadyState(MakeCreating(), {}, target);
   EXPECT_TRUE(report.IsSteady);
   EXPECT_EQ(report.CreatedParts, 1u);
-  // What has just been created has not been seen to stand still.
+  // A part created in the last substep has not been observed to be steady.
   EXPECT_GE(report.Substeps + report.SkippedSubsteps, 2u);
   CheckSound(*band, { 2, 0, 4 });
 }

@@ -1,4 +1,5 @@
-// Room for the nodes of some leaves: each has its own, and keeps it where more come.
+// Storage for the nodes of some leaves: each leaf has its own, and keeps it when more leaves are
+// added.
 
 #include "Leaves/NodeArrays.h"
 

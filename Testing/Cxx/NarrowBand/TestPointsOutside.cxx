@@ -1,4 +1,4 @@
-// Points outside the skin: the same ones as by the distances to all of its triangles.
+// Points outside the skin, compared with the points found from distances to all triangles.
 
 #include "Support/AnalyticShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -58,7 +58,7 @@ struct Triangles
   }
 };
 
-/** Anywhere in the box, with margins of up to so many voxels. */
+/** Random points in the box, with margins of up to `mostVoxels` voxels. */
 std::vector<PointWithMargin> MakePoints(double mostVoxels)
 {
   std::mt19937 random(7);
@@ -77,7 +77,8 @@ std::vector<PointWithMargin> MakePoints(double mostVoxels)
 
 }
 
-// Margins within a voxel, within the band, and far beyond it. A shell has an outside within.
+// Margins are within a voxel, within the band, and far beyond it. A shell has an outside in its
+// cavity.
 TEST(TestPointsOutside, TheyAreThoseFarFromAllTriangles)
 {
   NarrowBand band(VoxelSizeOf(Nodes));

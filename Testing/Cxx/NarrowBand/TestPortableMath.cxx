@@ -1,4 +1,4 @@
-// Exponentials and cube roots: right, and the same bits on any processor.
+// Exponentials and cube roots are accurate, and bitwise identical on any processor.
 
 #include "PortableMath.h"
 
@@ -26,11 +26,11 @@ void ForNumbersTo(double largest, Visitor&& visit)
   for (int n = -numbers; n <= numbers; ++n)
   {
     const double part = static_cast<double>(n) / numbers;
-    visit(largest * part * part * part); // most of them near 0
+    visit(largest * part * part * part); // most arguments are near 0
   }
 }
 
-// FNV-1a of the bits of all results.
+// FNV-1a hash of the bits of all results.
 template <class Function>
 std::uint64_t HashOf(Function&& function, double largest)
 {
@@ -81,7 +81,7 @@ TEST(TestPortableMath, CubeRootsAreRight)
   EXPECT_TRUE(std::isnan(CubeRoot(std::nan(""))));
 }
 
-// Those of a C library would not be.
+// Results of a C library would differ.
 TEST(TestPortableMath, BitsAreTheSameEverywhere)
 {
   EXPECT_EQ(HashOf(Exponential, 700.0), 8592372845995784326u);

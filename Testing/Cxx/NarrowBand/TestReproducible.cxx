@@ -1,5 +1,5 @@
-// The potential depends on the times and the motion alone, to the bit: not on the number of
-// threads, on interruptions, on the unit of length, on what was computed before.
+// The potential depends only on the times and the motion, to the bit. The number of threads,
+// interruptions, the unit of length and earlier computations have no effect.
 
 #include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -104,7 +104,7 @@ bool AreSameMeshes(const Mesh& first, const Mesh& second)
 
 void CheckThreads(const Course& course)
 {
-  // On a machine with two cores too.
+  // Four threads are used on machines with two cores too.
   const tbb::global_control fourThreads(tbb::global_control::max_allowed_parallelism, 4);
   for (const Scene& scene : Scenes)
   {
@@ -137,7 +137,8 @@ TEST(TestReproducible, AnyNumberOfThreadsGivesTheSameBytesAtRandom)
   CheckThreads({ start, torus });
 }
 
-// The machine decides; where it lacks one, the best below it runs, and is compared with itself.
+// A processor without an instruction set uses the best one below it, which is then compared with
+// itself.
 TEST(TestReproducible, AnyInstructionSetGivesTheSameBytes)
 {
   const InstructionSet usual = GetInstructionSet();
@@ -169,7 +170,8 @@ TEST(TestReproducible, RunningTwiceGivesTheSameBytes)
   }
 }
 
-// Stopped before every substep and told to go on to the same time: the same substeps.
+// The update is aborted before every substep and resumed to the same time: the substeps are the
+// same.
 TEST(TestReproducible, InterruptionLeavesNoTrace)
 {
   for (const Scene& scene : Scenes)
@@ -192,7 +194,7 @@ TEST(TestReproducible, InterruptionLeavesNoTrace)
   }
 }
 
-// The same object, used for something else before.
+// The same object was used for another motion before.
 TEST(TestReproducible, FormerUseLeavesNoTrace)
 {
   const auto reference = RunScene(Scenes[1], 2, { MakeSixMetaballs(), MakeRing() });
@@ -222,8 +224,8 @@ TEST(TestReproducible, CloneIsABranch)
   EXPECT_FALSE(AreIdentical(*unmoved, *band)) << "the comparison tells two times apart";
 }
 
-// Powers of two are exact in floating point: lengths by 2^10, tension [length^2/time] by 2^20; and
-// by 2^-30 and 2^-60, as for a scene of some nanometres in metres.
+// Powers of two are exact in floating point. Lengths are scaled by 2^10 and tension [length^2/time]
+// by 2^20. The second case, 2^-30 and 2^-60, corresponds to a scene of some nanometres in metres.
 void CheckUnits(const Ball& from, const Ball& to)
 {
   const auto run = [&](double unit)
@@ -261,7 +263,7 @@ TEST(TestReproducible, UnitOfLengthDoesNotMatterAtRandom)
 
 using openvdb::Coord;
 
-// A symmetry of the lattice: axis a of the image is axis Axes[a] of the original, times Signs[a].
+// Symmetry of the lattice: axis a of the image is axis Axes[a] of the original, times Signs[a].
 struct Symmetry
 {
   const char* Name;
@@ -284,7 +286,8 @@ Triple GetImage(const Triple& original, const Symmetry& symmetry)
   return image;
 }
 
-// Largest difference near the surface [voxels] between a potential's image and another potential.
+// Largest difference near the surface [voxels] between the image of a potential and another
+// potential.
 double GetAsymmetry(const NarrowBand& band, const NarrowBand& other, const Symmetry& symmetry)
 {
   const openvdb::FloatGrid::ConstPtr grid = GetPotential(band);
@@ -319,8 +322,8 @@ std::unique_ptr<NarrowBand> Shrink(const Ball& ball)
 }
 
 // The image of a ball under a symmetry of the lattice is a ball, and its potential must be the
-// image of the potential. Sums of three axes are rounded in another order: 6e-8 * |u| <= 2.4e-7
-// (|u| < 4) per substep and node. Tension only averages, so that they add up at worst: 100 substeps
+// image of the potential. Sums over three axes are rounded in another order: 6e-8 * |u| <= 2.4e-7
+// (|u| < 4) per substep and node. Tension only averages, so errors add up at worst: 100 substeps
 // give 2.4e-5.
 void CheckSymmetries(const Ball& ball)
 {

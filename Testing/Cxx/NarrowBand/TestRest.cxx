@@ -1,4 +1,4 @@
-// The surface at rest: on its target, between target and tension, or gone.
+// Steady states of the surface: on its target, between target and tension, or vanished.
 
 #include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -17,7 +17,8 @@ namespace TestRest
 constexpr double Pi = 3.14159265358979323846;
 constexpr Point Origin = { 0.0, 0.0, 0.0 };
 
-// As many substeps as that, however long they are: about 1 each at rest, 1 over the target's slope.
+// Advances a number of substeps of any length. In the steady state a substep is about 1 long: 1
+// over the target's slope.
 void Settle(NarrowBand& band, Target& target, int substeps)
 {
   int asked = 0;
@@ -39,8 +40,9 @@ struct Balance
   Point Centre;
 };
 
-// Where a (R - r) = 2 b / r: r = (R + sqrt(R^2 - 8 b / a)) / 2. Second order in space: the bias of
-// the curvature, -.016 h at n = 32, -.008 h at n = 64. .04 h and a spread of .08 h are twice that.
+// The balance a (R - r) = 2 b / r has the solution r = (R + sqrt(R^2 - 8 b / a)) / 2. The error is
+// second order in space: the bias of the curvature is -0.016 h at n = 32, -0.008 h at n = 64. The
+// tolerances, 0.04 h and a spread of 0.08 h, are twice that.
 void CheckBalance(const Balance& balance)
 {
   const double h = VoxelSizeOf(balance.Nodes);
@@ -70,7 +72,7 @@ TEST(TestRest, BallRestsWhereAttractionBalancesTension)
   CheckBalance({ 32, 10.0, 0.01, 0.4, CentreB });
 }
 
-// For 8 b / a up to R^2 / 2: near R^2 the rest is not stable, and any error moves it far.
+// Draws 8 b / a up to R^2 / 2. Near R^2 the steady state is unstable, and any error moves it far.
 TEST(TestRest, BallRestsWhereAttractionBalancesTensionAtRandom)
 {
   RandomShapes random(6);
@@ -84,9 +86,9 @@ TEST(TestRest, BallRestsWhereAttractionBalancesTensionAtRandom)
   }
 }
 
-// 8 b / a = .48 > R^2 = .36: nothing holds the ball. With b = R^2 / 6 and a = 1,
-// t = integral of r dr / (r^2 - R r + 2 b) from 0 to R = 2 pi / sqrt(3) = 3.63. The end is like
-// that of a ball under tension alone: within 5 %.
+// 8 b / a = 0.48 > R^2 = 0.36: no balance exists. With b = R^2 / 6 and a = 1, t = integral of r dr
+// / (r^2 - R r + 2 b) from 0 to R = 2 pi / sqrt(3) = 3.63. The end resembles that of a ball under
+// tension without a target: tolerance 5 %.
 void CheckCollapse(const Ball& ball)
 {
   const double exact = 2.0 * Pi / std::sqrt(3.0);
@@ -105,7 +107,7 @@ TEST(TestRest, BallBeyondBalanceCollapsesAtTheExactTime)
   CheckCollapse({ CentreA, 0.6 });
 }
 
-// At b = R^2 / 6 the exact time is that of all balls.
+// At b = R^2 / 6 the exact time is the same for all balls.
 TEST(TestRest, BallBeyondBalanceCollapsesAtTheExactTimeAtRandom)
 {
   RandomShapes random(7);
@@ -122,10 +124,10 @@ struct Journey
   Shape End;
 };
 
-// Without tension the surface ends on the target. A sample point is the crossing of a chord: it is
-// off a curved surface by up to h / 8 r = .01 to .06 h, on average .004 h, if its two nodes are
-// right; the normals are those of a linear interpolation between central differences, 2 degrees on
-// average, 9 where a tube of 4 voxels or an edge between two bodies is near.
+// Without tension the surface ends on the target. A sample point is the crossing of a chord. If its
+// two nodes are right, it is off a curved surface by up to h / 8 r = 0.01 to 0.06 h, on average
+// 0.004 h. Normals are linear interpolations between central differences. Their error is 2 degrees
+// on average, and 9 near a tube of 4 voxels or an edge between two bodies.
 void CheckArrival(const Journey& journey)
 {
   const double h = VoxelSizeOf(40);
@@ -160,8 +162,9 @@ TEST(TestRest, SurfaceArrivesAtItsTarget)
   }
 }
 
-// Metaballs of the size above or larger: the worst of their normals is off by 7 degrees, by 8.8 at
-// the worst of 60 places; of metaballs 10 % smaller, for which a voxel is more, by 9.5.
+// The metaballs have the size above or are larger. The worst of their normals is off by 7 degrees,
+// and by 8.8 at the worst of 60 places. Metaballs 10 % smaller, for which a voxel is larger, reach
+// 9.5.
 TEST(TestRest, SurfaceArrivesAtItsTargetAtRandom)
 {
   RandomShapes random(10);
@@ -192,8 +195,9 @@ struct ThinThing
   Topology Expected;
 };
 
-// Thin things stay where they are: mean distance .01 h, as for thick ones but for the larger
-// curvature. Below 2 voxels the samples of the start itself may have holes: not compared there.
+// Thin parts stay in place. The mean distance is 0.01 h, as for thick parts, apart from the larger
+// curvature. Below 2 voxels the samples of the start itself may have holes, so the topology is not
+// compared.
 void CheckThinThing(const ThinThing& thing, bool compareTopology)
 {
   const double h = VoxelSizeOf(32);
@@ -275,7 +279,8 @@ void CheckThinSheets(RandomShapes& random, double size)
   CheckThinThing({ "slab" + name, slab, { 1, 0, 2 } }, compare);
 }
 
-// Widths between those above: 10 % less than the least of them would be another fact.
+// Draws widths between those above. A width 10 % below the smallest of them would need a test of
+// its own.
 TEST(TestRest, ThinThingsStayAtRandom)
 {
   RandomShapes random(18);

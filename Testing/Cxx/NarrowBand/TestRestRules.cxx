@@ -1,5 +1,5 @@
-// What decides on rest: how fast a leaf's surface is, when that is to be found anew, and from which
-// samples.
+// Rules that detect converged leaves: the surface speed of a leaf, when it is recomputed, and from
+// which samples.
 
 #include "Support/SurfaceMeasures.h"
 
@@ -31,7 +31,7 @@ Motion MakeMotion()
   return motion;
 }
 
-/** The leaves of a band, by themselves. */
+/** Leaves of a band without the band. */
 struct OpenLeaves
 {
   openvdb::FloatTree Tree;
@@ -48,7 +48,7 @@ struct OpenLeaves
   }
 };
 
-// A target that has changed somewhere between two planes.
+// Target that has changed somewhere between two planes.
 class ChangeBetween : public Target
 {
 public:
@@ -70,8 +70,8 @@ private:
   double High;
 };
 
-// Edges end in the next leaf, whose nodes have edges of their own: a change between the nodes on
-// either side of a leaf's end reaches both leaves, whatever is known of the other.
+// Edges end in the next leaf, whose nodes have edges of their own. A change between the last node
+// of one leaf and the first of the next affects both leaves, whichever of them has a known speed.
 TEST(TestRestRules, ForgetsWhereEdgesReach)
 {
   NarrowBand band(VoxelSize);
@@ -100,7 +100,7 @@ TEST(TestRestRules, ForgetsWhereEdgesReach)
   }
 }
 
-// Of the leaves below and above 0, the second after the first, and of all at once: the same
+// Samples the leaves below 0 and then the remaining ones, or all at once. Both give the same
 // numbers, each found once.
 TEST(TestRestRules, MoreSamplesAreAsThoseOfAll)
 {
@@ -129,7 +129,7 @@ TEST(TestRestRules, MoreSamplesAreAsThoseOfAll)
   EXPECT_EQ(different, 0) << "samples that differ";
 }
 
-// How fast the surface of each leaf is, as FindRates says.
+// Surface speed of each leaf, from FindRates.
 std::vector<float> FindSurfaceSpeeds(OpenLeaves& leaves)
 {
   LeafTable& table = leaves.Table;
@@ -153,11 +153,12 @@ std::vector<float> FindSurfaceSpeeds(OpenLeaves& leaves)
   return speeds;
 }
 
-// Twice the potential is the same surface, which is as fast as it was: 5 * .01 towards the target,
-// less .01 * 2 / .6 by tension. All leaves that hold the first node of a crossed edge have this
-// speed; the others have none, but for those that hold a last node.
-// There are 12 of the first kind at least: the area is 4 pi .6^2 = 4490 h^2, and the part of a
-// convex surface within a leaf is no larger than the leaf's own, 6 * 64 h^2.
+// Twice the potential is the same surface with the same speed: 5 * 0.01 towards the target, less
+// 0.01 * 2 / 0.6 by tension. All leaves that contain the first node of a crossed edge have this
+// speed. The other leaves have no speed, except those that contain a last node.
+//
+// There are at least 12 leaves of the first kind. The area is 4 pi 0.6^2 = 4490 h^2, and the part
+// of a convex surface within a leaf is no larger than the leaf's own surface, 6 * 64 h^2.
 TEST(TestRestRules, SpeedUnderTensionIsThatOfTheSurface)
 {
   NarrowBand band(VoxelSize);

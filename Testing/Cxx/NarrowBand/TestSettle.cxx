@@ -1,4 +1,5 @@
-// The surface comes to rest, knows it, and then sleeps; and the walls that it may rest on.
+// The surface reaches a steady state, detects it, and then skips substeps. Includes steady states
+// on the walls.
 
 #include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -24,7 +25,7 @@ Motion WithTension(double tension)
   return motion;
 }
 
-// r = (R + sqrt(R^2 - 8 b / a)) / 2, as in TestRest; what is left to go at a speed of 1e-3 h is
+// r = (R + sqrt(R^2 - 8 b / a)) / 2, as in TestRest. At a speed of 1e-3 h the remaining distance is
 // 1e-3 h over the rate of approach, a (1 - 2 b / a r^2) > a / 2.
 TEST(TestSettle, SettledBallHasTheExactRadius)
 {
@@ -46,7 +47,8 @@ TEST(TestSettle, SettledBallHasTheExactRadius)
   }
 }
 
-// A ball is at rest under tension if its volume is held: the displacement that restores it counts.
+// A ball under tension is in a steady state if its volume is held. The displacement that restores
+// the volume counts as motion.
 TEST(TestSettle, HeldBallIsAtRest)
 {
   NarrowBand band(VoxelSizeOf(40));
@@ -55,7 +57,8 @@ TEST(TestSettle, HeldBallIsAtRest)
   Motion motion = WithTension(1.0);
   motion.Attraction = 0.0;
   motion.VolumeControl = Control::Exact;
-  // Of a tension's speed 2 / r = 80 h; half of the largest trembling, 1e-7 h in h^2 / 4 of time.
+  // The tolerance compares with the speed of tension, 2 / r = 80 h, and with the residual
+  // oscillation, 1e-7 h per substep of h^2 / 4.
   const AdvanceReport report = band.AdvanceToSteadyState(motion, { 1e-3, 5000 }, none);
   const double radius = std::cbrt(3.0 * band.GetVolume() / (4.0 * Pi));
   EXPECT_TRUE(report.IsSteady) << "it says that it rests";
@@ -94,8 +97,8 @@ TEST(TestSettle, SettlingReportsProgressAndStops)
   EXPECT_EQ(report.Substeps, 3u) << "substeps";
 }
 
-// The lattice cannot hold noise of half a voxel's length: some of the surface moves to and fro for
-// ever, by more than the tolerance.
+// The lattice cannot represent noise of half a voxel's length. A part of the surface oscillates for
+// ever by more than the tolerance.
 TEST(TestSettle, WhatMovesToAndFroIsNotWaitedFor)
 {
   const double h = VoxelSizeOf(40);
@@ -115,7 +118,8 @@ TEST(TestSettle, WhatMovesToAndFroIsNotWaitedFor)
   }
 }
 
-// At rest on its target it stays as it is, to the bit, and still follows when the target moves on.
+// In the steady state the potential stays bitwise identical, and the surface still follows a later
+// motion of the target.
 TEST(TestSettle, SurfaceSleepsAtRestAndWakes)
 {
   const Shape ring = MakeTorus({ 0.01, 0.02, 0.013 }, 0.55, 0.22);
@@ -138,7 +142,7 @@ TEST(TestSettle, SurfaceSleepsAtRestAndWakes)
     << "mean distance to where the target is now [h]";
 }
 
-// Asleep or not, it is never farther behind than a thousandth of a voxel more.
+// Skipped substeps increase the lag by at most a thousandth of a voxel.
 TEST(TestSettle, SleepDoesNotFreezeSlowMotion)
 {
   const double h = VoxelSizeOf(40), speed = 1e-3 * h; // a voxel in a thousand time constants
@@ -156,13 +160,13 @@ TEST(TestSettle, SleepDoesNotFreezeSlowMotion)
     const Shape now = MakeBall({ CentreA[0] + speed * time, CentreA[1], CentreA[2] }, 0.5);
     farthest = std::max(farthest, GetDeviation(Polygonise(band), now, h).MeanDistance);
   }
-  // The bound of SurfaceArrivesAtItsTarget, a lag of speed / Attraction = .001 h and the
+  // Sum of the bound of SurfaceArrivesAtItsTarget, a lag of speed / Attraction = 0.001 h and the
   // thousandth.
   EXPECT_LT(farthest, 0.004 + 0.001 + 0.001) << "largest mean distance on the way [h]";
 }
 
-// The target reaches through the wall: the surface ends on the target within, flat on the wall and
-// with the sharp rim of both, as well as a lattice shows it: to a tenth of a voxel.
+// The target extends through the wall. The surface ends on the target within and lies flat on the
+// wall. Its sharp rim is accurate to a tenth of a voxel, as well as a lattice can show it.
 TEST(TestSettle, SurfaceRestsOnTheWall)
 {
   for (const int n : { 32, 64 })
@@ -191,7 +195,7 @@ TEST(TestSettle, SurfaceRestsOnTheWall)
   }
 }
 
-// Whatever drives it: penalties, tension, exact volume.
+// Nothing crosses the wall, whether penalties, tension or exact volume control move the surface.
 TEST(TestSettle, NothingCrossesTheWall)
 {
   for (const Control control : { Control::Penalty, Control::Exact })
@@ -201,7 +205,7 @@ TEST(TestSettle, NothingCrossesTheWall)
     motion.Attraction = 0.0;
     motion.VolumeControl = control;
     motion.VolumeStiffness = 5.0;
-    motion.TargetVolume = 3.0; // of the 1.728 within
+    motion.TargetVolume = 3.0; // the bounds hold 1.728
     motion.Box = { true, { -0.6, 0.6, -0.6, 0.6, -0.6, 0.6 } };
     StartOn(band, MakeBall(CentreA, 0.4));
     ShapeTarget none(MakeConstant(0.0));

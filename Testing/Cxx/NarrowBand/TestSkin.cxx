@@ -1,4 +1,4 @@
-// The triangles of the skin: closed, manifold, outward, on the lattice's edges, whatever the shape.
+// Triangles of the skin are closed, manifold, outward and on the lattice's edges for any shape.
 
 #include "NarrowBandGrid.h"
 #include "Support/SurfaceMeasures.h"
@@ -17,7 +17,7 @@ namespace TestSkin
 {
 constexpr Point Origin = { 0.0, 0.0, 0.0 };
 
-// A float near 1 is rounded by 6e-8: 1.5e-6 of a voxel at n = 48. Twice that.
+// A float near 1 is rounded by 6e-8: 1.5e-6 of a voxel at n = 48. The tolerance is twice that.
 constexpr double CoordinateTolerance = 3e-6;
 
 double Dot(const Point& a, const Point& b)
@@ -53,7 +53,7 @@ std::size_t CountCrossedEdges(const NarrowBand& band)
   return count;
 }
 
-// A point in lattice coordinates: the node below it, and how far it is above that along one axis.
+// Point in lattice coordinates: the node below it, and its height above that node along one axis.
 struct EdgePoint
 {
   openvdb::Coord Lower;
@@ -83,7 +83,7 @@ EdgePoint FindEdge(const Point& point, double voxelSize)
   return edge;
 }
 
-// The linearly interpolated potential [voxels] at a point of a lattice edge.
+// Linearly interpolated potential [voxels] at a point of a lattice edge.
 double Interpolate(const openvdb::FloatGrid::ConstAccessor& potential, const EdgePoint& edge)
 {
   openvdb::Coord upper = edge.Lower;
@@ -107,7 +107,7 @@ void CheckVertices(const NarrowBand& band, const Mesh& mesh, const std::string& 
     offUnit = std::max(offUnit, std::abs(Length(mesh.GetNormal(vertex)) - 1.0));
   }
   EXPECT_LT(offEdge, CoordinateTolerance) << "vertices off their lattice edges [h], " << name;
-  // A slope of up to 2 along the edge, and vertices 2^-13 voxel off the nodes.
+  // The slope along the edge is up to 2, and vertices are 2^-13 voxel off the nodes.
   EXPECT_LT(offZero, 2.0 * (CoordinateTolerance + 1.0 / (1 << 13)))
     << "potential at the vertices [h], " << name;
   EXPECT_LT(offUnit, 1e-6) << "length of the normals less 1, " << name;
@@ -159,7 +159,7 @@ double GetLeastAltitude(const Mesh& mesh, std::size_t triangle)
   return longest > 0.0 ? Length(mesh.GetAreaVector(triangle)) / longest : 0.0;
 }
 
-// Triangles with a least altitude that look the other way than the normals at their corners.
+// Number of triangles with a least altitude that face away from the normals at their corners.
 std::size_t CountContradictions(const Mesh& mesh, double leastAltitude)
 {
   std::size_t count = 0;
@@ -175,8 +175,8 @@ std::size_t CountContradictions(const Mesh& mesh, double leastAltitude)
   return count;
 }
 
-// On a surface of curvature radius r the corners of a triangle are off its tangent plane by up to
-// d^2 / 2 r, d < 1.8 h, and tilt it by that over its least altitude.
+// On a surface of curvature radius r, the corners of a triangle are off its tangent plane by up to
+// d^2 / 2 r, d < 1.8 h. The triangle is tilted by that over its least altitude.
 void CheckOrientation(const Mesh& mesh, double curvatureRadius, double h, const std::string& name)
 {
   const double sagitta = 1.8 * 1.8 * h * h / (2.0 * curvatureRadius);
@@ -206,7 +206,7 @@ TEST(TestSkin, ToriHaveAClosedOutwardSkin)
   }
 }
 
-// Of period .8, cut off by a ball.
+// Gyroid of period 0.8, cut off by a ball.
 Shape MakeGyroid(double cutRadius)
 {
   return { [cutRadius](const Point& point)
@@ -233,7 +233,7 @@ TEST(TestSkin, FacesOfTheBoxCloseTheSkin)
   CheckSkin(MakeBall({ 0.7, 0.0, 0.0 }, 0.6), 32, "ball cut by one face");
   CheckSkin(MakeBall({ 1.0, -1.0, 1.0 }, 0.6), 32, "ball in a corner");
   const Mesh box = CheckSkin(MakeBall(Origin, 9.0), 32, "everything inside");
-  // Each face is known to a voxel.
+  // Each face is accurate to a voxel.
   const double h = VoxelSizeOf(32);
   EXPECT_NEAR(std::cbrt(GetVolume(box)), 2.0, 2.0 * h) << "side of the box that is all inside";
 }
@@ -263,7 +263,7 @@ double GetDistance(const Segment& segment, const Point& point)
 // One to eight points and segments with compact kernels, half of them cut by the box's faces.
 Shape MakeRandomSkeleton(std::mt19937& random, double extent)
 {
-  // Not a standard distribution: its numbers differ between libraries.
+  // Avoids standard distributions, whose numbers differ between libraries.
   const auto number = [&random](double low, double high)
   { return low + (high - low) * (random() / 4294967296.0); };
   std::vector<Segment> segments(1 + random() % 8);
@@ -310,7 +310,8 @@ TEST(TestSkin, HundredRandomSkeletonsHaveAClosedSkin)
   }
 }
 
-// Between two shapes too, where the potential is no distance and necks are one voxel wide.
+// Includes surfaces between two shapes, where the potential is no distance and necks are one voxel
+// wide.
 TEST(TestSkin, SkinIsClosedWhileItMoves)
 {
   NarrowBand band(VoxelSizeOf(40));
@@ -326,9 +327,10 @@ TEST(TestSkin, SkinIsClosedWhileItMoves)
     CheckVertices(band, mesh, name);
   }
 }
-// Nodes lie on the surface: a box with its faces in planes of nodes, and a plane through them that
-// is tilted, so that single nodes do. Twice the area of a triangle is at least the square of the
-// least distance of a vertex from a node, 2^-13 voxel, but for the rounding of corners to floats.
+// Nodes lie on the surface: a box with faces in planes of nodes, and a tilted plane through them
+// that contains single nodes. Twice the area of a triangle is at least the square of the least
+// distance of a vertex from a node. This is 2^-13 voxel, apart from the rounding of corners to
+// floats.
 TEST(TestSkin, NoTriangleIsWithoutAreaWhereNodesLieOnTheSurface)
 {
   constexpr double h = VoxelSizeOf(32);

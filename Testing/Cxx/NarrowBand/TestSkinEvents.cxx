@@ -1,4 +1,4 @@
-// What has happened to a skin from one moment to another, told from its parts.
+// Events between two times of a skin, derived from its parts.
 
 #include "Support/SurfaceMeasures.h"
 
@@ -20,7 +20,7 @@ std::vector<SkinPart> PartsOf(const Shape& shape)
   return FindSkinParts(band);
 }
 
-// x runs along the row of bodies.
+// Balls along the x axis.
 Shape BallsAt(const std::vector<std::pair<double, double>>& placesAndRadii)
 {
   std::vector<Ball> balls;
@@ -46,7 +46,7 @@ TEST(TestSkinEvents, BodiesMergeAndSplit)
   CheckEvent(one, BallsAt({ { -0.25, 0.36 }, { 0.25, 0.36 } }), "");
 }
 
-// The second one is next to a body that stays as it is, and has not merged with it.
+// The second one is next to an unchanged body, and has not merged with it.
 TEST(TestSkinEvents, BodiesVanish)
 {
   const Shape large = BallsAt({ { -0.4, 0.4 } });

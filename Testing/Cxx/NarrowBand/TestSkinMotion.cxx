@@ -1,5 +1,4 @@
-// Curvature and speed at the vertices of the skin, against formulas and against where the skin is a
-// moment later.
+// Curvature and speed at the vertices of the skin, compared with formulas and with a later skin.
 
 #include "Support/SurfaceMeasures.h"
 
@@ -18,8 +17,8 @@ using namespace activesurface;
 namespace TestSkinMotion
 {
 
-// Second order: (h / r)^2 and less of 2 / r, and in the spread half a voxel of the radius at which
-// a node's curvature is taken, interpolated.
+// The error is second order: at most (h / r)^2 of 2 / r. The spread includes half a voxel of the
+// radius at which a node's curvature is evaluated and interpolated.
 TEST(TestSkinMotion, CurvatureOfABallIsTwoOverItsRadius)
 {
   for (const int n : { 32, 64 })
@@ -48,12 +47,12 @@ struct Course
   Shape Start;
   ShapeTarget::Trajectory Path;
   Motion Way;
-  double Begin; // when the speed is taken
+  double Begin; // time of the speed
 };
 
-// The way of the skin in a short time, from the speeds at its beginning and its end, against its
-// distance from where it was: 5 % in the mean, relative to the mean way. In a quarter of a voxel
-// the speed itself changes little.
+// Displacement of the skin in a short time, from the mean of its speeds at the beginning and the
+// end, compared with its distance from the earlier skin. Tolerance: 5 % of the mean displacement,
+// in the mean. Within a quarter of a voxel the speed changes little.
 void CheckSpeeds(const Course& course, int n)
 {
   const double h = VoxelSizeOf(n);
@@ -86,7 +85,7 @@ void CheckSpeeds(const Course& course, int n)
   EXPECT_LT(error / way, 0.05) << "mean error over the mean way, " << name;
 }
 
-// In short substeps.
+// Motion with short substeps.
 Motion MotionOf(double attraction, double tension)
 {
   Motion motion = MakeMotion(attraction, tension);
@@ -94,7 +93,7 @@ Motion MotionOf(double attraction, double tension)
   return motion;
 }
 
-// From the side: a ball that has reached its lag behind a target in uniform motion.
+// Seen from the side: a ball with a steady lag behind a target in uniform motion.
 Course MakeTranslation()
 {
   const auto path = [](double time) { return MakeBall({ -0.3 + 0.4 * time, 0.013, -0.007 }, 0.4); };
@@ -107,7 +106,7 @@ Course MakeGrowth()
   return { "growth", MakeBall(CentreA, 0.3), path, MotionOf(1.0, 0.02), 0.3 };
 }
 
-// Before the ball parts.
+// The course ends before the ball splits.
 Course MakeSplit()
 {
   const auto path = [](double) {

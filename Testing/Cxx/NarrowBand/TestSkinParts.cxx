@@ -1,4 +1,4 @@
-// The parts of the skin: which there are, how large, and of which genus.
+// Parts of the skin: number, size and genus.
 
 #include "Support/SurfaceMeasures.h"
 
@@ -29,8 +29,8 @@ Expected ExpectBall(double radius)
 }
 
 // Polygons with corners on a surface of curvature 1/r miss about h^2 / (3 r^2) of its area and
-// twice that of its volume (.36 and .69 % measured for r = .6, h = 2/31): three times that is
-// allowed.
+// twice that of its volume (0.36 and 0.69 % measured for r = 0.6, h = 2/31). The tolerance is three
+// times that.
 void CheckParts(const std::string& name, const Shape& shape, const std::vector<Expected>& expected,
   double smallest)
 {
@@ -54,8 +54,8 @@ void CheckParts(const std::string& name, const Shape& shape, const std::vector<E
     }
   }
   EXPECT_EQ(found, expected.size()) << "parts as expected of " << name;
-  // The parts are those of the triangles, whose vertices keep 2^-13 voxel off the nodes: one in
-  // 4096 is moved, by less than that.
+  // Parts are computed from triangles, whose vertices keep 2^-13 voxel off the nodes. One in 4096
+  // vertices is moved, by less than that.
   const double moved = h / smallest / (1 << 13) / (1 << 12);
   EXPECT_NEAR(area / band.GetArea(), 1.0, 100.0 * moved) << "sum of the areas of " << name;
   EXPECT_NEAR(volume / band.GetVolume(), 1.0, 100.0 * moved) << "sum of the volumes of " << name;

@@ -1,5 +1,5 @@
-// The smallest ball that a target holds against tension: dr/dt = Attraction (R - r) - 2 Tension / r
-// has its two rests as long as R > 2 sqrt(2 Tension / Attraction).
+// Smallest ball that a target maintains against tension. dr/dt = Attraction (R - r) - 2 Tension / r
+// has two steady states if R > 2 sqrt(2 Tension / Attraction).
 
 #include "Support/SurfaceMeasures.h"
 
@@ -18,8 +18,8 @@ namespace
 constexpr double VoxelSize = 0.02;
 constexpr double LengthOfTension = 0.1; // sqrt(Tension / Attraction)
 
-// After forty times 1 / Attraction; what remains of a way of .1 at the rate of this rest, .64, or
-// what the fold at 2.83 delays, is gone by then.
+// Advances by forty times 1 / Attraction. The remainder of a distance of 0.1 has then vanished, at
+// the rate of this steady state, 0.64, or with the delay by the fold at 2.83.
 void Settle(NarrowBand& band, double radius)
 {
   constexpr double bounds[6] = { -0.6, 0.6, -0.6, 0.6, -0.6, 0.6 };
@@ -32,8 +32,8 @@ void Settle(NarrowBand& band, double radius)
 
 }
 
-// The steady state under tension is accurate to .04 voxel (front.md of NarrowBand); near the fold
-// an error counts 1 / (1 - 2 Tension / (Attraction r^2)) = 1.57 times.
+// The steady state under tension is accurate to 0.04 voxel (front.md of NarrowBand). Near the fold
+// an error is amplified by 1 / (1 - 2 Tension / (Attraction r^2)) = 1.57.
 TEST(TestSmallestBall, ABallAboveTheFoldRestsAtTheExactRadius)
 {
   const double target = 3.2 * LengthOfTension;

@@ -1,5 +1,5 @@
-// A start from regions: the same surface as a start from all nodes of the box, at a cost that
-// depends on the regions alone.
+// A start from regions gives the same surface as a start from all nodes of the box. Its cost
+// depends only on the regions.
 
 #include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -124,10 +124,10 @@ std::vector<Ball> DrawBalls(int count, double least, double most)
   return balls;
 }
 
-// Both starts take |F| / |grad F|, which the distances to crossings do not limit where F is a
-// distance and smooth. The dense one rounds F to single precision, scaled to 1 .. 2: six values of
-// at most 6 voxels, each off by 2^-24 of 6 voxels, change the norm of the gradient, which is about
-// 1, by sqrt(3) 2^-24 6 at most, and u <= 5 by 5 times that and by its own rounding: 3.7e-6.
+// Both starts use |F| / |grad F|, which the distances to crossings do not limit where F is a smooth
+// distance. The dense start rounds F to single precision, scaled to 1 .. 2. Six values of at most 6
+// voxels are each off by 2^-24 of 6 voxels. They change the norm of the gradient, about 1, by at
+// most sqrt(3) 2^-24 6. They change u <= 5 by 5 times that and by its own rounding: 3.7e-6.
 constexpr double Rounding = 4e-6;
 
 TEST(TestSparseStart, BallIsThatOfTheDenseStart)
@@ -140,7 +140,7 @@ TEST(TestSparseStart, BallIsThatOfTheDenseStart)
   EXPECT_LE(difference.Largest, Rounding);
 }
 
-// Regions along the surface alone: what is within none has no evaluation, and is inside.
+// Regions lie only along the surface. Points within no region are not evaluated, and are inside.
 TEST(TestSparseStart, TorusIsThatOfTheDenseStart)
 {
   constexpr double ring = 0.58, tube = 0.28; // a hole of 7 voxels, beyond the layers
@@ -152,7 +152,7 @@ TEST(TestSparseStart, TorusIsThatOfTheDenseStart)
   {
     const double a = 2.0 * pi * (i / pieces) / pieces, b = 2.0 * pi * (i % pieces) / pieces;
     const double r = ring + tube * std::cos(b);
-    // Points of the surface are 2 pi .86 / 60 apart at most: boxes of half that size meet.
+    // Points of the surface are at most 2 pi 0.86 / 60 apart: boxes of half that size meet.
     regions.push_back(RegionAround({ { CentreA[0] + r * std::cos(a), CentreA[1] + r * std::sin(a),
                                        CentreA[2] + tube * std::sin(b) },
       pi * (ring + tube) / pieces }));
@@ -164,11 +164,11 @@ TEST(TestSparseStart, TorusIsThatOfTheDenseStart)
   EXPECT_LE(difference.Largest, Rounding);
 }
 
-// Where balls meet F has creases. There both starts stay within half of distances d' that go from
-// node to node, from planes through the crossings of the nodes of crossed edges. With d the
-// distance to the nearest crossing along edges, which both know: d / sqrt(3) <= d' <= d. A node of
-// layer 2 is three edges and a fraction from its crossing, a pocket six: u is between .5 / sqrt(3)
-// and 1.5 times 6 voxels at most.
+// F has creases where balls meet. Both starts stay there within half of distances d'. These
+// distances are marched from node to node, from planes through the crossings of the nodes of
+// crossed edges. With d the distance to the nearest crossing along edges, the same in both: d /
+// sqrt(3) <= d' <= d. A node of layer 2 is three edges and a fraction from its crossing, a pocket
+// six. So u is between 0.5 / sqrt(3) and 1.5 times 6 voxels at most.
 constexpr double LargestDifferenceAtCreases = (1.5 - 0.5 / 1.7320508) * 6.0;
 
 TEST(TestSparseStart, RandomBallsAreThoseOfTheDenseStart)
@@ -182,11 +182,11 @@ TEST(TestSparseStart, RandomBallsAreThoseOfTheDenseStart)
   EXPECT_LE(difference.Largest, LargestDifferenceAtCreases);
   const Mesh mesh = Polygonise(*sparse);
   EXPECT_EQ(FindDefects(mesh).Edges, 0u);
-  // Beside the surface both limits are those of the same planes.
+  // At the nodes of crossed edges the limits of both starts follow from the same planes.
   EXPECT_LE(difference.LargestAtEdges, Rounding);
 }
 
-// The surface lies between leaves: none of them has nodes on both sides.
+// The surface lies between leaves: no leaf has nodes on both sides.
 TEST(TestSparseStart, CubeOfWholeLeavesIsClosed)
 {
   const double h = VoxelSizeOf(Nodes), centre = 7.5 * h, half = 8.0 * h;
@@ -221,7 +221,7 @@ TEST(TestSparseStart, SolidIsClosedAtTheBounds)
 
 TEST(TestSparseStart, ThreadsAndOrderOfRegionsLeaveNoTrace)
 {
-  // On a machine with two cores too.
+  // Four threads are used on machines with two cores too.
   const tbb::global_control fourThreads(tbb::global_control::max_allowed_parallelism, 4);
   std::vector<Ball> balls = DrawBalls(100, 0.08, 0.2);
   const auto one = StartIn(Box, MakeSparseBalls(balls), 1);
@@ -233,8 +233,8 @@ TEST(TestSparseStart, ThreadsAndOrderOfRegionsLeaveNoTrace)
   EXPECT_TRUE(AreIdentical(*one, *StartIn(Box, function))) << "order";
 }
 
-// A ball of three voxels adds itself alone: the leaves that its box touches, at most 2 along an
-// axis, and the layers.
+// A ball of three voxels adds only the leaves that its box touches, at most 2 along an axis, and
+// the layers.
 TEST(TestSparseStart, StrayBallCostsItselfAlone)
 {
   const double h = VoxelSizeOf(Nodes);
@@ -265,7 +265,7 @@ TEST(TestSparseStart, StrayBallCostsItselfAlone)
   EXPECT_GT(evaluations, before);
 }
 
-/** Boxes along the surface of a ball alone. */
+/** Boxes along the surface of a ball. */
 std::vector<TargetRegion> RegionsAlong(const Ball& ball)
 {
   constexpr double pi = 3.14159265358979323846;
@@ -274,7 +274,7 @@ std::vector<TargetRegion> RegionsAlong(const Ball& ball)
   for (int i = 0; i < pieces * pieces; ++i)
   {
     const double a = 2.0 * pi * (i / pieces) / pieces, b = pi * (i % pieces + 0.5) / pieces;
-    // Points are 2 pi r / 80 apart at most: boxes of half that size meet.
+    // Points are at most 2 pi r / 80 apart: boxes of half that size meet.
     regions.push_back(RegionAround({ { ball.Centre[0] + ball.Radius * std::cos(a) * std::sin(b),
                                        ball.Centre[1] + ball.Radius * std::sin(a) * std::sin(b),
                                        ball.Centre[2] + ball.Radius * std::cos(b) },
@@ -283,7 +283,7 @@ std::vector<TargetRegion> RegionsAlong(const Ball& ball)
   return regions;
 }
 
-// What is in no region is not evaluated: it is inside where the leaves next to it are, up to the
+// Points within no region are not evaluated. They are inside if the adjacent leaves are, up to the
 // bounds.
 TEST(TestSparseStart, InsideIsFilledFromRegionsAlongTheSurface)
 {

@@ -1,4 +1,4 @@
-// A ball as it is started: area, volume, and how many nodes are kept for it.
+// A ball after its start: area, volume, and the number of stored nodes.
 
 #include "NarrowBandGrid.h"
 #include "Support/RandomShapes.h"
@@ -23,9 +23,9 @@ std::string Name(int n)
 }
 
 // The skin is inscribed. A right triangle with legs of one voxel h and corners on the sphere is
-// behind it by h^2 / 6 r on average: the volume lacks h^2 / 2 r^2, .58 % at n = 32, the area half
-// of that, and both a quarter for each doubling of n. Triangles along a voxel's diagonals are
-// wider: 30 % more.
+// behind it by h^2 / 6 r on average. The volume is too small by h^2 / 2 r^2, 0.58 % at n = 32, the
+// area by half of that. Each doubling of n leaves a quarter. Triangles along a voxel's diagonals
+// are wider: 30 % more.
 void CheckAreaAndVolume(int n, const Ball& ball, double areaTolerance, double volumeTolerance)
 {
   NarrowBand band(VoxelSizeOf(n));
@@ -46,8 +46,8 @@ TEST(TestSphere, BallHasExactAreaAndVolume)
   CheckAreaAndVolume(128, ball, 0.00025, 0.0005);
 }
 
-// The tolerances are for a radius of .6 or more: what lacks is proportional to h^2 / r^2, 23 % more
-// at 10 % less radius, which is up to 15 % more than allowed.
+// The tolerances apply to radii of 0.6 or more. The deficit is proportional to h^2 / r^2: 10 % less
+// radius gives 23 % more, up to 15 % beyond the tolerance.
 Ball DrawBall(RandomShapes& random)
 {
   const Point centre = random.DrawPointNear(CentreA);
@@ -65,8 +65,8 @@ TEST(TestSphere, BallHasExactAreaAndVolumeAtRandom)
   CheckAreaAndVolume(128, DrawBall(random), 0.00025, 0.0005);
 }
 
-// The sample points lie on chords of the lattice's edges: linear interpolation of a distance along
-// an edge errs by at most (1/8) (h^2 / r) < .01 h at n = 32. Float32 adds h * 1e-7.
+// Sample points lie on chords of the lattice's edges. Linear interpolation of a distance along an
+// edge is wrong by at most (1/8) (h^2 / r) < 0.01 h at n = 32. Float32 adds h * 1e-7.
 TEST(TestSphere, BallHasExactRadius)
 {
   for (const int n : { 32, 64 })
@@ -81,9 +81,9 @@ TEST(TestSphere, BallHasExactRadius)
   }
 }
 
-// Layers of constant number around a surface: nodes ~ n^2. They are counted on a lattice: the
-// curved ends of n/2 of their columns are off by a node or so, 1/n of the count and more of the
-// outer ones.
+// The number of layers around a surface is constant: nodes ~ n^2. They are counted on a lattice.
+// The curved ends of n/2 of their columns are off by about a node, 1/n of the count, and more for
+// the outer layers.
 void CheckNodes(int n, const Ball& ball)
 {
   NarrowBand band(VoxelSizeOf(n));
@@ -103,8 +103,8 @@ TEST(TestSphere, NodesGrowWithTheSurfaceNotTheVolume)
   }
 }
 
-// A ring of ghosts at a distance of 3.5 h has 1 + (3.5 h / r)^2 times the ball's nodes: the
-// constants are those of large balls, at n = 32 from .6 on.
+// A layer of ghosts at a distance of 3.5 h has 1 + (3.5 h / r)^2 times the ball's nodes. The
+// constants are those of large balls, at n = 32 from 0.6 on.
 TEST(TestSphere, NodesGrowWithTheSurfaceNotTheVolumeAtRandom)
 {
   RandomShapes random(13);
@@ -114,7 +114,7 @@ TEST(TestSphere, NodesGrowWithTheSurfaceNotTheVolumeAtRandom)
   }
 }
 
-/** Of the potential at the active nodes, in voxels. */
+/** Largest error of the potential at the active nodes [voxels]. */
 double GetLargestError(const NarrowBand& band, const Shape& distance)
 {
   const double h = band.GetVoxelSize();
@@ -128,8 +128,8 @@ double GetLargestError(const NarrowBand& band, const Shape& distance)
   return largest;
 }
 
-// Large enough to be swept in several slabs. Central differences of a distance are 1 but for
-// (h / r)^2, 2e-4.
+// The ball is large enough for several slabs in a sweep. Central differences of a distance are 1 up
+// to (h / r)^2, 2e-4.
 TEST(TestSphere, DistancesHaveNoSeams)
 {
   const double h = VoxelSizeOf(256);
@@ -139,8 +139,9 @@ TEST(TestSphere, DistancesHaveNoSeams)
   EXPECT_LT(GetLargestError(band, MakeBall(CentreA, Radius)), 0.001) << "error of a distance [h]";
 }
 
-// Two balls, each in a slab of its own, and one of both between them. Where the right one's values
-// are 1e20 times the left one's, those are nothing to all of them together: half a voxel at worst.
+// Two balls, each in a slab of its own, and a slab between them that contains both. The right one's
+// values may be 1e20 times the left one's. The left values then vanish by rounding in the shared
+// slab: an error of half a voxel at worst.
 TEST(TestSphere, BodiesFarApartAreBothThere)
 {
   const Shape left = MakeBall({ -0.513, 0.007, 0.011 }, 0.4);
@@ -155,7 +156,7 @@ TEST(TestSphere, BodiesFarApartAreBothThere)
     const std::string name = factor == 1.0 ? "" : ", of unlike size";
     const Mesh mesh = Polygonise(band);
     EXPECT_EQ(GetTopology(mesh).Components, 2) << "bodies" << name;
-    // Both lack h^2 / 2 r^2, 2e-4; half a voxel of one of them is 1.5 %.
+    // Both balls are too small by h^2 / 2 r^2, 2e-4. Half a voxel of one of them is 1.5 %.
     const double exact = 2.0 * 4.0 / 3.0 * Pi * 0.4 * 0.4 * 0.4;
     EXPECT_NEAR(GetVolume(mesh) / exact, 1.0, factor == 1.0 ? 4e-4 : 0.015) << "volume" << name;
     if (factor == 1.0)
@@ -165,7 +166,7 @@ TEST(TestSphere, BodiesFarApartAreBothThere)
   }
 }
 
-// A disk of no thickness, inside by rounding alone, in a slab of its own beside a ball.
+// A disk without thickness, inside only by rounding, in a slab of its own beside a ball.
 TEST(TestSphere, SheetOfNoThicknessIsNoError)
 {
   const double h = VoxelSizeOf(256);

@@ -1,5 +1,5 @@
-// Tension alone. Exact: a ball shrinking under tension b has the radius sqrt(r0^2 - 4 b t), because
-// the sum of its principal curvatures is 2 / r. The surface is all that moves it: no target.
+// Motion by tension only, without a target. The exact radius of a ball under tension b is sqrt(r0^2
+// - 4 b t), because the sum of its principal curvatures is 2 / r.
 
 #include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -52,10 +52,10 @@ struct ShrinkingBall
   std::vector<Milestone> Milestones;
 };
 
-// First order in time, second in space. What is left is the bias of the ghosts, a smooth function
-// of h / r, measured in double: .10, .22, .99 % at n = 32, .032, .083, .35 % at n = 64, .011, .034
-// % at n = 128. Float32 moves none of these digits: rounding of u is 1e-7 per substep, damped at
-// once.
+// The error is first order in time, second in space. The remainder is the bias of the ghosts, a
+// smooth function of h / r. Measured in double: 0.10, 0.22, 0.99 % at n = 32; 0.032, 0.083, 0.35 %
+// at n = 64; 0.011, 0.034 % at n = 128. Float32 changes none of these digits: the rounding of u is
+// 1e-7 per substep, damped at once.
 void CheckShrinking(const ShrinkingBall& ball)
 {
   const double h = VoxelSizeOf(ball.Nodes);
@@ -91,15 +91,15 @@ TEST(TestTension, ShrinkingBallHasExactRadius)
   CheckShrinking({ 128, 0.25, CentreA, 0.6, { { 0.45, 0.0002 }, { 0.3, 0.0005 } } });
 }
 
-// At a centre and radii that no constant of the scheme was chosen at.
+// The centre and the radii were not used to choose any constant of the scheme.
 TEST(TestTension, ShrinkingBallHasExactRadiusElsewhere)
 {
   CheckShrinking({ 32, 0.25, CentreB, 0.65, { { 0.5, 0.0015 }, { 0.35, 0.0035 } } });
   CheckShrinking({ 64, 0.25, CentreB, 0.65, { { 0.5, 0.0005 }, { 0.35, 0.0012 } } });
 }
 
-// The milestones are the same parts of the start radius as from .6: 3/4, 1/2, 1/4. Errors are
-// proportional to h^2 / r^2, for the smallest start 1.23 times as large as there.
+// The milestones are the same fractions of the start radius as from 0.6: 3/4, 1/2, 1/4. Errors are
+// proportional to h^2 / r^2, and 1.23 times as large for the smallest start.
 ShrinkingBall DrawShrinkingBall(
   RandomShapes& random, int n, double factor, const std::vector<double>& tolerances)
 {
@@ -125,8 +125,9 @@ TEST(TestTension, ShrinkingBallHasExactRadiusAtRandom)
   CheckShrinking(DrawShrinkingBall(random, 128, 0.25, { 0.0002, 0.0005 }));
 }
 
-// Exact: r0^2 / 4 b. The last voxel of the ball is no sphere on the lattice: it takes about
-// h^2 / b more or less, out of r0^2 / 4 b = 5.5 h^2 / b with r0 = 4.7 h, and half of that is found.
+// The exact time is r0^2 / 4 b. The last voxel of the ball is no sphere on the lattice. Its time is
+// uncertain by about h^2 / b, out of r0^2 / 4 b = 5.5 h^2 / b with r0 = 4.7 h. Half of that
+// uncertainty was measured.
 void CheckVanishing(const Ball& ball, double factor)
 {
   const double h = VoxelSizeOf(32);
@@ -152,7 +153,7 @@ TEST(TestTension, BallVanishesAtTheExactTime)
   }
 }
 
-// The smallest ball, of 4.2 h, takes 4.5 h^2 / b: the last voxel's share is a quarter larger.
+// The smallest ball, of 4.2 h, needs 4.5 h^2 / b: the last voxel's part is a quarter larger.
 TEST(TestTension, BallVanishesAtTheExactTimeAtRandom)
 {
   RandomShapes random(3);
@@ -162,7 +163,7 @@ TEST(TestTension, BallVanishesAtTheExactTimeAtRandom)
   }
 }
 
-// A number in [-1, 1] that depends on the nearest node alone.
+// A number in [-1, 1] that depends only on the nearest node.
 double NoiseAt(const Point& point, double h)
 {
   std::uint32_t bits = 2166136261u;
@@ -176,7 +177,7 @@ double NoiseAt(const Point& point, double h)
   return bits / 2147483648.0 - 1.0;
 }
 
-// Boundless when the noise has filled the box: StartOn sets a maximum of active voxels.
+// Unbounded if the noise has filled the box: StartOn sets a maximum of active voxels.
 double SpreadFromNoise(const Ball& ball, double factor)
 {
   const double h = VoxelSizeOf(32);
@@ -197,9 +198,9 @@ double SpreadFromNoise(const Ball& ball, double factor)
   return band.IsEmpty() ? 1e30 : GetRadii(Polygonise(band), ball.Centre).GetSpread() / h;
 }
 
-// The largest stable factor of explicit diffusion of a surface in space is 1/4: the potential is
-// flat along its normal, so that only two of the three second differences act. Noise of a standard
-// deviation of .03 h is gone after 44 substeps at that factor, and grows at 1.2 times it.
+// The largest stable factor of explicit diffusion of a surface in space is 1/4. The potential is
+// flat along its normal, so only two of the three second differences act. Noise with a standard
+// deviation of 0.03 h vanishes in 44 substeps at that factor, and grows at 1.2 times it.
 void CheckStability(const Ball& ball)
 {
   EXPECT_LT(SpreadFromNoise(ball, 0.25), 0.06) << "spread [h] from noise at dt = .25 h^2 / Tension";

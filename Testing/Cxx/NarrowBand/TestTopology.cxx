@@ -1,5 +1,5 @@
-// What becomes of bodies, voids and handles when the target has others: they split, merge, open and
-// close by themselves, and appear only where the surface can get to.
+// Bodies, voids and handles follow those of the target. They split, merge, open and close by
+// themselves. They appear only where the surface can move to.
 
 #include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -48,10 +48,10 @@ Shape DrawShell(RandomShapes& random, double outerRadius, double innerRadius)
   return Move(MakeShell(outer, inner), random.DrawPointNear(Origin));
 }
 
-// The facts at random: with centres within .05 and radii within 10 % what has something in common
-// keeps it, and what is apart stays apart, unless a comment says how that is seen to.
+// The tests at random draw centres within 0.05 and radii within 10 %. Bodies that overlap still
+// overlap, and bodies apart stay apart, unless a comment describes how this is ensured.
 
-// Twelve time constants after the start: e^-12 of the way is left, .0001 h.
+// Twelve time constants after the start, e^-12 of the distance remains: 0.0001 h.
 void CheckTopology(const Shape& start, const Shape& end, const Topology& expected, int n = 40)
 {
   for (const double tension : { 0.0, 0.005 })
@@ -167,8 +167,8 @@ TEST(TestTopology, VoidMoves)
   CheckTopology(MakeShell(0.5, 0.4), MakeShell(0.7, 0.25), { 1, 1, 4 });
 }
 
-// With one centre, so that the target's void is within the start's. The start is .1 thick as above,
-// two voxels.
+// Start and target have one centre, so that the target's void is within the start's. The start is
+// 0.1 thick as above, two voxels.
 TEST(TestTopology, VoidMovesAtRandom)
 {
   RandomShapes random(178);
@@ -180,7 +180,7 @@ TEST(TestTopology, VoidMovesAtRandom)
   CheckTopology(start, end, { 1, 1, 4 });
 }
 
-// It shrinks with the distance to the target's ball, and cannot jump there.
+// The ball shrinks with the distance to the target's ball, and cannot jump there.
 TEST(TestTopology, BallApartFromItsTargetVanishes)
 {
   const Shape start = MakeBall({ -0.5, 0.0, 0.0 }, 0.25);
@@ -194,8 +194,8 @@ TEST(TestTopology, BallApartFromItsTargetVanishesAtRandom)
   CheckTopology(start, DrawBall(random, { { 0.5, 0.0, 0.0 }, 0.25 }), { 0, 0, 0 });
 }
 
-// Under tension it is a near thing at n = 40: the lens that both balls share is .1 thick, two
-// voxels, and with CFL .6 or less it vanishes first. From n = 48 on the time step does not decide.
+// Under tension the case is marginal at n = 40. The lens that both balls share is 0.1 thick, two
+// voxels, and with CFL 0.6 or less it vanishes first. From n = 48 on the time step does not decide.
 TEST(TestTopology, SmallOverlapIsEnoughToArrive)
 {
   const Shape start = MakeBall({ -0.2, 0.0, 0.0 }, 0.3);
@@ -205,8 +205,8 @@ TEST(TestTopology, SmallOverlapIsEnoughToArrive)
   }
 }
 
-// The lens is .1 thick, and as wide as above or wider: of smaller balls it is narrower, and tension
-// may well make it vanish, at n = 96 too.
+// The lens is 0.1 thick, and at least as wide as above. The lens of smaller balls is narrower, and
+// tension may make it vanish, at n = 96 too.
 TEST(TestTopology, SmallOverlapIsEnoughToArriveAtRandom)
 {
   RandomShapes random(180);

@@ -1,4 +1,4 @@
-// Attraction alone or nearly so: the surface on its way to a target, still or moving.
+// Motion by Attraction, with little or no tension: the surface follows a target, static or moving.
 
 #include "Support/RandomShapes.h"
 #include "Support/SurfaceMeasures.h"
@@ -18,8 +18,8 @@ std::string Number(double value)
   return std::to_string(value).substr(0, 5);
 }
 
-// V = 1 or -1 everywhere moves a sphere by t. The gradient is upwind and of second order, the step
-// in time of first: a distance stays one, and the ghosts' error is left, a tenth of a voxel.
+// V = 1 or -1 everywhere moves a sphere by t. The gradient is upwind and of second order, the time
+// step of first. A distance stays a distance. The ghosts' error remains, a tenth of a voxel.
 void CheckUniformSpeed(int n, const Point& centre, double from, double to)
 {
   const double h = VoxelSizeOf(n);
@@ -57,9 +57,8 @@ TEST(TestTracking, UniformSpeedMovesASphereByTheTimeAtRandom)
   }
 }
 
-// dr/dt = a (R - r): r = R + (r0 - R) e^(-a t). Frames of .1 make the forward Euler step .1 at
-// most, which alone is behind by up to .05 a dt (R - r0) e^-1 = .0037 = .06 h at n = 32, .12 h at n
-// = 64.
+// dr/dt = a (R - r): r = R + (r0 - R) e^(-a t). Frames of 0.1 limit the forward Euler step to 0.1.
+// Its error alone is up to 0.5 a dt (R - r0) e^-1 = 0.0037 = 0.06 h at n = 32, 0.12 h at n = 64.
 void CheckApproach(int n, const Ball& from, double to, double tolerance)
 {
   const double h = VoxelSizeOf(n);
@@ -83,7 +82,7 @@ TEST(TestTracking, ApproachToABallIsExponential)
   CheckApproach(64, { CentreA, 0.4 }, 0.6, 0.2);
 }
 
-// The way is half as long again at most: .09 h at n = 32, .18 h at n = 64.
+// The distance is at most half as long again: 0.09 h at n = 32, 0.18 h at n = 64.
 TEST(TestTracking, ApproachToABallIsExponentialAtRandom)
 {
   RandomShapes random(5);
@@ -112,8 +111,8 @@ void CheckJourney(int n, double from, const Shape& to, double time, double exact
 }
 
 // Ten voxels and more at the largest time step, 20 to 60 substeps: transport and the relaxation of
-// the slope share them, and what is unstable has grown beyond any bound. Tolerances of the uniform
-// speed; an Euler step of h/2 is behind e^(-t) by t h / 4.
+// the slope share them, and any instability has grown without bound. Tolerances are those of the
+// uniform speed. An Euler step of h/2 lags behind e^(-t) by t h / 4.
 TEST(TestTracking, LongJourneyLeavesABallSmooth)
 {
   for (const int n : { 64, 128 })
@@ -121,7 +120,7 @@ TEST(TestTracking, LongJourneyLeavesABallSmooth)
     const double approach = 0.6 * std::exp(-1.0);
     CheckJourney(n, 0.2, MakeBall(CentreA, 0.8), 1.0, 0.8 - approach);
     CheckJourney(n, 0.8, MakeBall(CentreA, 0.2), 1.0, 0.2 + approach);
-    // As a target is that is known near its surface alone: .1 per unit of time at most.
+    // A target that is defined only near its surface: at most 0.1 per unit of time.
     CheckJourney(n, 0.2, Normalise(MakeBall(CentreA, 0.75), 0.1), 4.0, 0.6);
     CheckJourney(n, 0.7, Normalise(MakeBall(CentreA, 0.15), 0.1), 4.0, 0.3);
   }
@@ -133,7 +132,7 @@ struct Tips
   double Trailing = 1e30;
 };
 
-// The foremost and the hindmost sample points within 2 voxels of the axis y = cy, z = cz.
+// Foremost and hindmost sample points within 2 voxels of the axis y = cy, z = cz.
 Tips FindTips(const Mesh& mesh, const Point& centre)
 {
   Tips tips;
@@ -149,9 +148,9 @@ Tips FindTips(const Mesh& mesh, const Point& centre)
   return tips;
 }
 
-// A ball that moves at the speed U is followed at the distance U/a (1 - e^(-a t)), before it and
-// behind it. .12 h: .04 h because a sample point is up to .7 h off the axis, the rest first order
-// in the frames of .01.
+// The skin follows a ball of speed U at the distance U/a (1 - e^(-a t)), at the front and at the
+// back. Tolerance 0.12 h: 0.04 h because a sample point is up to 0.7 h off the axis, the rest first
+// order in the frames of 0.01.
 void CheckLag(const Ball& start, double attraction)
 {
   const double h = VoxelSizeOf(32);
@@ -183,9 +182,9 @@ TEST(TestTracking, SurfaceLagsBehindAMovingBallByTheExactDistance)
   }
 }
 
-// The radius is at least .4: with attraction 2 the lag is .346, so that the tip of a ball of .36
-// would be where the target's distance has its kink, at the centre, and be too sharp for the
-// lattice: .15 h at n = 32.
+// The radius is at least 0.4. With attraction 2 the lag is 0.346. The tip of a ball of 0.36 would
+// be where the target's distance has its kink, at the centre. It would be too sharp for the
+// lattice: 0.15 h at n = 32.
 TEST(TestTracking, SurfaceLagsBehindAMovingBallByTheExactDistanceAtRandom)
 {
   RandomShapes random(12);
@@ -246,8 +245,8 @@ void CheckSlope(const ShapeTarget::Trajectory& trajectory, const std::string& na
   }
 }
 
-// The potential is worth its name while its slope is near 1: below .5 a sample point is ill
-// determined, above 1.5 the time step no longer keeps it from crossing two voxels.
+// The potential is useful only while its slope is near 1. Below 0.5 a sample point is ill
+// determined. Above 1.5 the time step no longer prevents it from crossing two voxels.
 TEST(TestTracking, SlopeStaysNearOneWhileMoving)
 {
   const Point centre = { 0.01, 0.02, -0.013 };
