@@ -1,5 +1,5 @@
-// Images and EXR files for the tests of vtkActiveEXRReader and vtkActiveEXRWriter: the files are
-// written by OpenEXR itself, of kinds that the writer does not make.
+// Images and EXR files for the tests of vtkActiveEXRReader and vtkActiveEXRWriter. OpenEXR itself
+// writes these files, of kinds that vtkActiveEXRWriter does not write.
 #ifndef EXRFiles_h
 #define EXRFiles_h
 
@@ -12,20 +12,20 @@
 
 class vtkDataArray;
 
-// An array with numbers that look random, of which the bits are.
+// Array of pseudo-random bits.
 vtkSmartPointer<vtkDataArray> MakeNumbers(
   const std::string& name, int type, int components, vtkIdType tuples, unsigned seed);
 
 // width x height x 1 with RGBA, Z, N, P, forward (float) and id (unsigned int).
 vtkSmartPointer<vtkImageData> MakeLayers(int width, int height);
 
-// Whether two arrays have the same bytes.
+// Returns true if both arrays have the same bytes.
 bool HaveSameBytes(vtkDataArray* a, vtkDataArray* b);
 
 std::vector<char> ReadBytes(const std::string& name);
 void WriteBytes(const std::string& name, const std::vector<char>& bytes);
 
-// The value of the pixels below, of a channel: unlike for each pixel and each channel, whole.
+// Value of a channel at a pixel: an integer that differs between pixels and between channels.
 float ValueAt(int channel, int x, int y);
 
 // Files with channels R, G, B (HALF), Z (FLOAT) and id (UINT) that hold ValueAt(0 to 4, x, y) at
@@ -41,10 +41,10 @@ struct KindOfFile
 constexpr int FileWidth = 19, FileHeight = 13;
 void WriteKind(const std::string& name, const KindOfFile& kind);
 
-// Two parts, "left" and "right", as above; the second one's values are greater by 1000.
+// Two parts, "left" and "right", as above. Values of "right" are greater by 1000.
 void WriteTwoParts(const std::string& name);
 
-// Y at each pixel, RY and BY at each second one in both directions.
+// Y at each pixel, RY and BY at every second pixel in both directions.
 void WriteLuminanceChroma(const std::string& name);
 
 // Deep scanlines with two samples in each pixel.

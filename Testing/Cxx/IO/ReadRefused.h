@@ -1,4 +1,4 @@
-// A file that cannot be read is refused by one sentence and an ErrorCode.
+// An unreadable file gives one error message and an ErrorCode.
 #ifndef ReadRefused_h
 #define ReadRefused_h
 
@@ -12,7 +12,7 @@
 
 #include <string>
 
-// Reads anew, and checks that the sentence has these words and that nothing is left of an output.
+// Reads again, and checks that the message contains these words and that the output is empty.
 inline void CheckReadRefused(
   vtkActiveEXRReader* reader, unsigned long code, const std::string& words, const std::string& what)
 {

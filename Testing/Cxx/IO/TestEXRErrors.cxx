@@ -1,5 +1,5 @@
-// What cannot be written or read is refused by one sentence and an ErrorCode; no file is left half,
-// no output stale.
+// A failed write or read gives one error message and an ErrorCode. No partial file and no stale
+// output remain.
 
 #include "IO/EXRFiles.h"
 #include "IO/ReadRefused.h"
@@ -36,7 +36,7 @@ namespace TestEXRErrors
 
 using std::filesystem::path;
 
-// Writes, and checks that it is refused by one sentence with these words.
+// Writes, and checks that the writer fails with one error message that contains these words.
 void CheckWriteRefused(
   vtkActiveEXRWriter* writer, unsigned long code, const std::string& words, const std::string& what)
 {
@@ -185,9 +185,9 @@ TEST(TestEXRErrors, FoldersThatCannotBeWrittenAreTold)
   CheckWriteRefused(writer, vtkErrorCode::CannotOpenFileError, "No such file", "a missing folder");
   writer->SetFileName((folder / "taken.exr").c_str());
   CheckWriteRefused(writer, vtkErrorCode::CannotOpenFileError, "no file", "a folder in its place");
-  writer->SetFileName("/proc/a.exr"); // where not even root can make one
+  writer->SetFileName("/proc/a.exr"); // not writable even for root
   CheckWriteRefused(writer, vtkErrorCode::CannotOpenFileError, "a.exr", "an unwritable one");
-  // In the place of devices, of which a failing test would leave none.
+  // A pipe stands for devices, which a failing test would delete.
   const path pipe = folder / "pipe.exr";
   EXPECT_EQ(mkfifo(pipe.c_str(), 0600), 0) << "a pipe is made";
   writer->SetFileName(pipe.c_str());
@@ -196,7 +196,7 @@ TEST(TestEXRErrors, FoldersThatCannotBeWrittenAreTold)
   EXPECT_EQ(CountFiles(folder), 2u) << "nothing else is left";
 }
 
-// A limit for the size of files stands for a disk that is full.
+// A limit for the size of files stands for a full disk.
 TEST(TestEXRErrors, FullDiskLeavesTheOldFile)
 {
   const path folder = EmptyFolder("full");
@@ -259,7 +259,7 @@ TEST(TestEXRErrors, FilesThatAreNoneAreRefused)
   refuse(bad, vtkErrorCode::FileFormatError, "is no window");
 }
 
-// An image that has time steps, and is not there at the third.
+// An image with time steps, empty at the third of them.
 class Clock : public vtkImageAlgorithm
 {
 public:

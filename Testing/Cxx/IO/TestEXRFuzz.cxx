@@ -1,6 +1,6 @@
-// Damaged EXR files: each of thousands either reads, or is refused by one sentence and an
-// ErrorCode; then the output is empty. Nothing crashes, and neither memory nor time depends on what
-// a damaged header claims.
+// Thousands of damaged EXR files: each is read, or refused with one error message, an ErrorCode and
+// an empty output. Nothing crashes. Neither memory nor time depends on the claims of a damaged
+// header.
 
 #include "IO/EXRFiles.h"
 #include "Support/MessageCapture.h"
@@ -25,7 +25,7 @@ using namespace activesurface;
 namespace TestEXRFuzz
 {
 
-constexpr int Rounds = 150; // of each of the mutations, for each kind of file
+constexpr int Rounds = 150; // of each mutation, for each kind of file
 
 using Bytes = std::vector<char>;
 
@@ -63,7 +63,7 @@ std::vector<std::pair<std::string, Bytes>> MakeFiles()
   return files;
 }
 
-// Reads bytes over what was read before, and says what came of it.
+// Reads these bytes after the previous ones, and records the outcome.
 void TryBytes(vtkActiveEXRReader* reader, MessageCapture& messages, const Bytes& bytes,
   const std::string& what, Fuzzed& fuzzed)
 {
@@ -114,7 +114,7 @@ void Truncate(Bytes& bytes, std::mt19937& random)
   bytes.resize(Below(random, bytes.size()));
 }
 
-// Four bytes of the header, or anywhere, become a number that sizes are checked with.
+// Replaces four bytes of the header, or of the file, by a number that challenges checks of sizes.
 void EditNumber(Bytes& bytes, std::mt19937& random)
 {
   constexpr std::uint32_t numbers[] = { 0, 1, 0x7fffffff, 0x80000000, 0xffffffff, 0x10000, 0x100000,
@@ -156,7 +156,7 @@ void Fuzz(const std::string& what, Mutation mutate, int rounds)
       Bytes bytes = original;
       mutate(bytes, random);
       TryBytes(reader, messages, bytes, name + ", " + what + " " + std::to_string(i), fuzzed);
-      if (name != "deep" && i % 16 == 0) // so that there is something that could stay
+      if (name != "deep" && i % 16 == 0) // a previous output that could remain
       {
         Fuzzed whole;
         TryBytes(reader, messages, original, name + ", whole", whole);
@@ -188,10 +188,10 @@ TEST(TestEXRFuzz, MovedBytesAreReadOrRefused)
   Fuzz("moved bytes", MoveBytes, Rounds);
 }
 
-// Each byte of the header in turn becomes 0xff and 0x7f: sizes among them, wherever they are.
+// Each byte of the header in turn becomes 0xff and 0x7f, including all sizes.
 TEST(TestEXRFuzz, EachByteOfTheHeaderIsReadOrRefused)
 {
-  const std::clock_t begin = std::clock(); // the processor's time, however busy the machine is
+  const std::clock_t begin = std::clock(); // processor time, independent of other load
   rusage before{}, after{};
   getrusage(RUSAGE_SELF, &before);
   vtkNew<vtkActiveEXRReader> reader;
@@ -212,7 +212,7 @@ TEST(TestEXRFuzz, EachByteOfTheHeaderIsReadOrRefused)
   getrusage(RUSAGE_SELF, &after);
   EXPECT_TRUE(fuzzed.Refused > 1000) << "most are refused";
   EXPECT_LT(double(std::clock() - begin) / CLOCKS_PER_SEC, 60.0) << "seconds";
-  // Files of 3 kB can, at deflate's limit of 1032, hold 3 MB.
+  // Files of 3 kB can expand to 3 MB, at deflate's limit of 1032.
   EXPECT_LT((after.ru_maxrss - before.ru_maxrss) / 1024.0, 256.0) << "MiB more than before";
 }
 

@@ -1,4 +1,4 @@
-// A file that wants more memory than it may have is refused before it takes any.
+// A file that needs more memory than allowed is refused before any allocation.
 
 #include "IO/EXRFiles.h"
 #include "IO/ReadRefused.h"
@@ -32,7 +32,7 @@ TEST(TestEXRMemory, AbsurdSizesAreRefusedBeforeTheyAreAllocated)
   std::vector<char> bytes = ReadBytes(name);
   const std::string window = "dataWindow";
   const auto found = std::search(bytes.begin(), bytes.end(), window.begin(), window.end());
-  const auto numbers = found + 10 + 1 + 6 + 4; // its name, its type's, its size
+  const auto numbers = found + 10 + 1 + 6 + 4; // its name, its type and its size
   numbers[11] = numbers[15] = 0x10;
   WriteBytes(name, bytes);
   vtkNew<vtkActiveEXRReader> reader;
@@ -44,7 +44,7 @@ TEST(TestEXRMemory, AbsurdSizesAreRefusedBeforeTheyAreAllocated)
   EXPECT_LT((after.ru_maxrss - before.ru_maxrss) / 1024.0, 16.0) << "MiB";
 }
 
-// 600 x 600 pixels of 14 channels are 19.2 MiB, and 16 lines of them .5.
+// The image of 600 x 600 pixels and 14 channels has 19.2 MiB, and 16 of its lines have 0.5 MiB.
 TEST(TestEXRMemory, MoreThanMaximumMemoryIsRefused)
 {
   const std::string name = OutputName("large.exr");
@@ -56,12 +56,13 @@ TEST(TestEXRMemory, MoreThanMaximumMemoryIsRefused)
   reader->SetFileName(name.c_str());
   reader->SetMaximumMemory(19);
   CheckReadRefused(reader, vtkErrorCode::UserError, "MaximumMemory", "a small limit");
-  reader->SetMaximumMemory(21); // the lines three times
+  reader->SetMaximumMemory(21); // three times the lines
   reader->Update();
   EXPECT_EQ(reader->GetErrorCode(), 0ul) << "a larger one";
 }
 
-// OpenEXR unpacks 32 lines at a time by PIZ, 49 MiB here, if there is but one of 1.5 MiB.
+// OpenEXR unpacks 32 lines at a time by PIZ, 49 MiB here, even if the image has only one line, of
+// 1.5 MiB.
 TEST(TestEXRMemory, LinesBeyondMaximumMemoryAreRefused)
 {
   const std::string name = OutputName("wide.exr");
@@ -78,7 +79,7 @@ TEST(TestEXRMemory, LinesBeyondMaximumMemoryAreRefused)
   reader->SetFileName(name.c_str());
   reader->SetMaximumMemory(40);
   CheckReadRefused(reader, vtkErrorCode::UserError, "MaximumMemory", "less than its lines");
-  reader->SetMaximumMemory(150); // the lines three times, and the pixels
+  reader->SetMaximumMemory(150); // three times the lines, and the pixels
   reader->Update();
   EXPECT_EQ(reader->GetErrorCode(), 0ul) << "enough";
 }

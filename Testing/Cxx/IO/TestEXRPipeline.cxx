@@ -1,4 +1,4 @@
-// What vtkActiveEXRReader tells the pipeline, and vtkActiveEXRWriter asks of it.
+// Information that vtkActiveEXRReader provides to the pipeline, and requests of vtkActiveEXRWriter.
 
 #include "IO/EXRFiles.h"
 #include "Support/OutputFiles.h"
@@ -32,7 +32,7 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 constexpr int Whole[6] = { 0, 6, 0, 4, 0, 0 };
 
-// Makes the part of an image of zeros that is asked for.
+// Produces the requested part of an image of zeros.
 class Part : public vtkImageAlgorithm
 {
 public:
@@ -77,7 +77,7 @@ TEST(TestEXRPipeline, SpacingIsThatOfTheReader)
   EXPECT_TRUE(std::equal(spacing, spacing + 3, reader->GetOutput()->GetSpacing())) << "when read";
 }
 
-// Another consumer of the same image may have asked for a part of it before.
+// Another consumer of the same image may have requested a part of it before.
 TEST(TestEXRPipeline, TheWholeImageIsWritten)
 {
   const std::string name = OutputName("whole.exr");

@@ -1,4 +1,4 @@
-// Files that OpenEXR itself has written, of all kinds, and series of files.
+// Reads files of all kinds written by OpenEXR itself, and series of files.
 
 #include "IO/EXRFiles.h"
 #include "Support/MessageCapture.h"
@@ -33,7 +33,7 @@ double At(vtkImageData* image, const char* array, int component, int x, int y)
     image->ComputePointId(place.data()), component);
 }
 
-// All pixels of all channels against ValueAt. The display window is FileWidth x FileHeight.
+// Compares all pixels of all channels with ValueAt. The display window is FileWidth x FileHeight.
 void CheckPixels(vtkImageData* image, double offset, const std::string& what)
 {
   int extent[6];
@@ -64,7 +64,7 @@ TEST(TestEXRReader, EveryKindOfFileIsReadRight)
   int number = 0;
   for (const bool tiled : { false, true })
   {
-    for (const int compression : { 0, 1, 2, 3, 4 }) // all that lose nothing
+    for (const int compression : { 0, 1, 2, 3, 4 }) // all lossless ones
     {
       for (const bool downwards : { true, false })
       {
@@ -211,7 +211,7 @@ TEST(TestEXRReader, FilesAreTimeSteps)
   }
   other->UpdateInformation();
   EXPECT_TRUE(TimesOf(other) == std::vector<double>({ 0.25, 0.75 })) << "files one by one";
-  names->InsertNextValue(names->GetValue(0)); // times that do not rise
+  names->InsertNextValue(names->GetValue(0)); // times that do not increase
   reader->Modified();
   reader->UpdateInformation();
   EXPECT_TRUE(TimesOf(reader) == std::vector<double>({ 0, 1, 2, 3 })) << "numbers, else";

@@ -1,5 +1,5 @@
-// What vtkActiveEXRWriter writes, vtkActiveEXRReader reads back, and other software finds where the
-// conventions say.
+// vtkActiveEXRReader reads files of vtkActiveEXRWriter back, and other software finds the layers
+// under their conventional names.
 
 #include "IO/EXRFiles.h"
 #include "Support/MessageCapture.h"
@@ -71,10 +71,10 @@ std::string ChannelsOf(const std::string& name)
   return names;
 }
 
-// The arrays hold random bits: NaN of all kinds, infinities and denormal numbers are among them.
+// The arrays hold random bits, which include NaN of all kinds, infinities and denormal numbers.
 TEST(TestEXRRoundTrip, FloatsAndIdsComeBackBitForBit)
 {
-  const auto image = MakeLayers(37, 35); // more than the 32 rows of PIZ's chunks, and no multiple
+  const auto image = MakeLayers(37, 35); // more than the 32 rows of PIZ's chunks, not a multiple
   for (int compression : { vtkActiveEXRWriter::NONE, vtkActiveEXRWriter::ZIP,
          vtkActiveEXRWriter::ZIPS, vtkActiveEXRWriter::PIZ })
   {
@@ -95,8 +95,8 @@ TEST(TestEXRRoundTrip, FloatsAndIdsComeBackBitForBit)
   }
 }
 
-// A half has 11 bits: numbers from 2^-14 on are off by 2^-11 of themselves at most, lesser ones by
-// 2^-25, half of the least step.
+// A half has 11 bits. Numbers from 2^-14 on have a relative error of at most 2^-11, smaller ones an
+// absolute error of 2^-25, half of the least step.
 TEST(TestEXRRoundTrip, WholeNumbersOfSeveralComponentsComeBackBitForBit)
 {
   vtkNew<vtkImageData> image;
@@ -235,7 +235,8 @@ TEST(TestEXRRoundTrip, UsersNameChannelsThemselves)
   }
 }
 
-// sRGB's curve, IEC 61966-2-1, at 8 bits: 0, 255, and 188, which is light 0.5 within half a step.
+// sRGB's curve, IEC 61966-2-1, at 8 bits: 0, 255, and 188, which is linear light 0.5 within half a
+// step.
 TEST(TestEXRRoundTrip, DisplayColorsBecomeLight)
 {
   vtkNew<vtkImageData> image;
@@ -308,7 +309,7 @@ TEST(TestEXRRoundTrip, HeaderComesBackAsFieldData)
 {
   const auto image = MakeLayers(4, 3);
   vtkNew<vtkMatrix4x4> matrix;
-  matrix->SetElement(0, 3, 5.0); // a move along x
+  matrix->SetElement(0, 3, 5.0); // a translation along x
   vtkNew<vtkActiveEXRWriter> writer;
   writer->SetTimeCode("01:02:03:04");
   writer->SetFramesPerSecond(23.976);

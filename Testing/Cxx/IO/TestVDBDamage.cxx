@@ -1,5 +1,5 @@
-// Thousands of damaged .vdb files: each is read, or refused with a sentence, and leaves nothing of
-// the file before. A crash, a hang or an allocation without bound ends the test.
+// Thousands of damaged .vdb files: each is read, or refused with an error message, and leaves no
+// output of the previous file. A crash, a hang or an unbounded allocation ends the test.
 
 #include "IO/GridFiles.h"
 #include "Support/MessageCapture.h"
@@ -27,8 +27,8 @@ using namespace activesurface;
 namespace TestVDBDamage
 {
 
-// For the leak sanitizer: OpenVDB loses the handles of the pages of attributes, some bytes each,
-// when it gives up reading points.
+// Suppressions for the leak sanitizer. OpenVDB loses some bytes for each page of attributes when it
+// fails to read points.
 extern "C" const char* __lsan_default_suppressions()
 {
   return "leak:PagedInputStream::createHandle\nleak:compression::Page::";
@@ -81,7 +81,8 @@ openvdb::GridBase::Ptr MakePointGrid()
   return grid;
 }
 
-// Flips bits, cuts, doubles and overwrites; in the head of the file more often than chance has it.
+// Flips bits, truncates, duplicates and overwrites. The head of the file is hit more often than by
+// chance.
 std::string Mutate(const std::string& whole, std::mt19937& random)
 {
   std::string bytes = whole;
@@ -123,7 +124,7 @@ struct Outcome
 {
   int Read = 0;
   int Refused = 0;
-  int Silent = 0; // neither
+  int Silent = 0; // neither read nor refused
 };
 
 void ReadOne(const std::string& name, Outcome& outcome)
@@ -156,7 +157,7 @@ void CheckMutations(const std::string& whole, const char* kind)
   EXPECT_GT(outcome.Read, 0) << std::string(kind) << ": read, as only values differ";
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
-  // Some hundreds of MiB in the worst case, of files of 100 kB; the sanitizer keeps what is freed.
+  // The worst case is some hundreds of MiB, for files of 100 kB; the sanitizer keeps freed memory.
   EXPECT_LT(usage.ru_maxrss / 1024, 2000) << "largest memory [MiB]";
 }
 
@@ -196,7 +197,7 @@ TEST(TestVDBDamage, DamagedPointsAreRefusedOrRead)
   CheckMutations(Write({ MakePointGrid() }, Blosc), "points");
 }
 
-// OpenVDB's own reader aborts the program there.
+// OpenVDB's own reader aborts the program in this case.
 TEST(TestVDBDamage, PointsWithABackgroundAreRefused)
 {
   openvdb::initialize();
@@ -223,7 +224,7 @@ TEST(TestVDBDamage, DamagedSeveralGridsAreRefusedOrRead)
   CheckMutations(Write({ half, ball, same }, Blosc), "several");
 }
 
-// Cut after each of its first bytes, and at places up to its end.
+// The file is truncated after each of its first bytes, and at places up to its end.
 TEST(TestVDBDamage, TruncatedFilesAreRefused)
 {
   const std::string whole = Write({ MakeBallGrid() }, Blosc);

@@ -1,4 +1,4 @@
-// What vtkActiveVDBReader tells the pipeline, and how both .vdb classes tell their state.
+// Information that vtkActiveVDBReader provides to the pipeline, and PrintSelf of both .vdb classes.
 
 #include "IO/GridFiles.h"
 #include "Support/MessageCapture.h"
@@ -27,7 +27,7 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 namespace
 {
 
-// A file of one voxel, at a time.
+// Saves a file of one voxel for a time.
 std::string SaveAt(const std::string& folder, double time)
 {
   const std::string file = folder + std::to_string(time) + ".vdb";
@@ -72,7 +72,7 @@ TEST(TestVDBPipeline, OneFileHasNoTimeStepsAfterASeries)
   EXPECT_FALSE(told->Has(SDDP::TIME_RANGE())) << "their range";
 }
 
-// Images and points, but nothing that is no vtkDataSet.
+// Outputs are images or points, always a vtkDataSet.
 TEST(TestVDBPipeline, ThePortTellsWhatItMakes)
 {
   vtkNew<vtkActiveVDBReader> reader;

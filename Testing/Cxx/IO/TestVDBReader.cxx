@@ -1,4 +1,4 @@
-// What a vtkActiveVDBReader makes of files that others have written: OpenVDB itself, here.
+// vtkActiveVDBReader reads files of other programs: here of OpenVDB itself.
 
 #include "IO/GridFiles.h"
 #include "Support/MessageCapture.h"
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkActiveVDBReader> MakeReader(const std::string& file, const ch
   return reader;
 }
 
-// A grid with a voxel, and a tile of 8^3 voxels, that have a value.
+// A grid with this value at a voxel and in a tile of 8^3 voxels.
 template <class Grid>
 typename Grid::Ptr MakeGrid(const char* name, const typename Grid::ValueType& value)
 {
@@ -119,7 +119,7 @@ TEST(TestVDBReader, TheBestGridIsTheDefault)
   auto ball = tools::createLevelSetSphere<FloatGrid>(1.f, Vec3f(0.f), 0.25f);
   ball->setName("ball");
   ball->insertMeta("who", StringMetadata("me"));
-  auto again = ball->copy(); // of the same tree
+  auto again = ball->copy(); // shares the tree
   again->setName("again");
   again->setTransform(math::Transform::createLinearTransform(0.125));
   Save(file, { other, fog, ball, again });
@@ -318,8 +318,8 @@ TEST(TestVDBReader, AbsurdBoxesAreRefused)
   EXPECT_TRUE(errors.Has("WorldRegion")) << errors.GetLastError();
 }
 
-// Near the surface the same function as the dense image, to the rounding of two ways to a place
-// (1e-12); and the filter starts on it.
+// Near the surface the function equals that of the dense image. Coordinates are rounded in two
+// different orders (1e-12). The filter starts on the level set.
 TEST(TestVDBReader, LevelSetsStaySparse)
 {
   const std::string file = EmptyFolder("vdb_sparse") + "ball.vdb";

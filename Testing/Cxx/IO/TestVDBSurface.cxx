@@ -1,4 +1,4 @@
-// The level set of a skin is the true distance to the skin's triangles.
+// The level set of a skin is the exact distance to the skin's triangles.
 
 #include "Support/AnalyticShapes.h"
 
@@ -23,7 +23,7 @@ namespace TestVDBSurface
 namespace
 {
 
-// A torus next to a ball, near enough that their bands meet: a medial axis within them.
+// A torus next to a ball, so near that their bands meet: the bands contain a medial axis.
 double TorusAndBall(const double* x)
 {
   const double ring = std::hypot(std::hypot(x[0], x[1]) - 0.5, x[2]) - 0.2;
@@ -62,9 +62,9 @@ double BruteDistance(const LatticeMesh& mesh, const openvdb::Vec3d& node)
 
 }
 
-// Against all triangles, at every 7th node. Single precision of numbers up to 3: 2e-7. Where the
-// nearest triangle is found from a neighbour's, a nearer one behind an edge may be missed: not
-// here.
+// Compares every 7th node with the distance to all triangles. Single precision of numbers up to 3:
+// 2e-7. If the nearest triangle is found from a neighbour's, a nearer one behind an edge may be
+// missed. This does not occur here.
 TEST(TestVDBSurface, DistancesAreThoseToTheTriangles)
 {
   const auto band = MakeBand(0.05);
@@ -84,7 +84,7 @@ TEST(TestVDBSurface, DistancesAreThoseToTheTriangles)
   EXPECT_LT(largest, 1e-6) << "largest miss in voxels";
 }
 
-// Each node within the half width is there: the inactive ones beside active ones are farther.
+// The band contains each node within the half width: inactive nodes beside active ones are farther.
 TEST(TestVDBSurface, TheBandIsComplete)
 {
   const auto band = MakeBand(0.1);
@@ -104,8 +104,8 @@ TEST(TestVDBSurface, TheBandIsComplete)
   EXPECT_EQ(beyond, 0) << "nodes beyond";
 }
 
-// The linear crossing of an edge is where the skin has its vertex; those of the distances differ by
-// the curvature only: h / 4r = 0.06 voxel for the thinnest ring here (r = 4 voxels) at the worst
+// The skin has its vertices at the linear crossings of edges. Crossings of the distances differ
+// only by the curvature: h / 4r = 0.06 voxel for the thinnest ring here (r = 4 voxels) at the worst
 // angle, 0.015 at half the voxel size.
 TEST(TestVDBSurface, TheZeroSetStaysWhereItIs)
 {

@@ -1,4 +1,4 @@
-// What a vtkActiveVDBWriter puts into files, and what it refuses.
+// Contents of the files of vtkActiveVDBWriter, and inputs that it refuses.
 
 #include "IO/GridFiles.h"
 #include "Support/MessageCapture.h"
@@ -98,7 +98,7 @@ TEST(TestVDBWriter, BetweenStepsThereIsNoState)
   EXPECT_EQ(CountFiles(folder), 1u) << "files";
 }
 
-// The potential's port goes on to a later time; what the skin's carries is still the skin's.
+// The potential's port advances to a later time; the skin's port still carries the earlier state.
 TEST(TestVDBWriter, PortsAtTwoTimesCarryTheirOwnStates)
 {
   const std::string folder = EmptyFolder("vdb_ports");
@@ -142,12 +142,12 @@ TEST(TestVDBWriter, DensityVelocityAndArraysAreThere)
   EXPECT_TRUE(density->getGridClass() == openvdb::GRID_FOG_VOLUME) << "a fog";
   EXPECT_EQ(velocity->activeVoxelCount(), surface->activeVoxelCount())
     << "the velocity is near the surface";
-  // It shrinks: the velocity is along -x on the x axis, and that of the skin's speed.
+  // The ball shrinks. The velocity is along -x on the x axis and equals the skin's speed.
   const openvdb::Vec3s v = velocity->tree().getValue(openvdb::Coord(9, 0, 0));
   EXPECT_LT(v[0], -0.05) << "velocity on the x axis";
   EXPECT_NEAR(v[1], 0.0, 0.05 * std::fabs(v[0])) << "across";
   const double radius = GetSkinBounds(ball)[1];
-  // Of the skin's own curvatures, second order: 5 percent at 10 voxels of radius.
+  // The skin's own curvature is second order: an error of 5 percent at 10 voxels of radius.
   EXPECT_NEAR(curvature->tree().getValue(openvdb::Coord(9, 0, 0)), 2.0 / radius, 0.1 / radius)
     << "curvature";
 }
@@ -262,7 +262,7 @@ TEST(TestVDBWriter, WhatCannotBeWrittenIsAnErrorAndNoFile)
 TEST(TestVDBWriter, MeshesHaveToBeClosed)
 {
   const std::string folder = EmptyFolder("vdb_mesh");
-  vtkNew<vtkCubeSource> cube; // whose faces have points of their own
+  vtkNew<vtkCubeSource> cube; // each face has points of its own
   auto writer = MakeWriter(cube, folder + "cube.vdb");
   writer->SetVoxelSize(0.05);
   EXPECT_EQ(writer->Write(), 1) << "a cube";
@@ -294,7 +294,7 @@ TEST(TestVDBWriter, ImagesComeBackBitByBit)
     {
       array->SetValue(i, std::sin(0.1f * i) + 2.f);
     }
-    array->SetValue(0, std::nanf("")); // survives
+    array->SetValue(0, std::nanf("")); // NaN survives
     image->GetPointData()->AddArray(array);
   }
   vtkNew<vtkActiveVDBWriter> writer;

@@ -1,5 +1,5 @@
-// Meshes that are not skins, written by vtkActiveVDBWriter: cut and checked as vtkGridPotential
-// does.
+// Meshes that are not skins, written by vtkActiveVDBWriter. They are triangulated and validated as
+// in vtkGridPotential.
 
 #include "IO/GridFiles.h"
 #include "Potentials/MeshShapes.h"
@@ -29,15 +29,15 @@ namespace
 
 constexpr double VoxelSize = 0.1;
 constexpr double Band = 3.0 * VoxelSize;
-constexpr double Offset = 0.37 * VoxelSize; // of bodies, so that no edge runs along nodes
+constexpr double Offset = 0.37 * VoxelSize; // offset of bodies, so that no edge runs along nodes
 
-// Distances are kept in single precision, of 6e-8 times 20 voxels, here and there.
+// Distances are stored in single precision in both: 6e-8 times 20 voxels.
 constexpr double Rounding = 1e-5 * VoxelSize;
 
 using Polygons = std::vector<std::vector<vtkIdType>>;
 
-// An L, 2 x 2 with the notch above (1, 1), from z = 0 to 2; its outline begins at any corner, the
-// axes change places.
+// An L-shaped prism, 2 x 2 with the notch above (1, 1), from z = 0 to 2. The outline begins at any
+// corner, and the axes are permuted.
 vtkSmartPointer<vtkPolyData> MakeL(const std::array<int, 3>& axes, int first)
 {
   const double outline[6][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } };
@@ -76,8 +76,8 @@ int Write(vtkPolyData* mesh, const std::string& file, std::string* error = nullp
   return done;
 }
 
-// The largest difference of a grid and the function of the mesh, where the grid is active; it ends
-// at 3 voxels.
+// Largest difference between a grid and the function of the mesh where the grid is active. The grid
+// ends at 3 voxels.
 double FindDifference(const openvdb::FloatGrid& grid, vtkPolyData* mesh)
 {
   vtkNew<vtkGridPotential> potential;
@@ -95,7 +95,7 @@ double FindDifference(const openvdb::FloatGrid& grid, vtkPolyData* mesh)
 
 }
 
-// Cut as a fan, the caps would cover the notch, or stand on their heads, for most first corners.
+// Triangulated as a fan, the caps would cover the notch or be inverted for most first corners.
 TEST(TestVDBWriterMeshes, ConcavePolygonsAreCutWell)
 {
   const std::string file = EmptyFolder("vdb_concave") + "l.vdb";
@@ -140,7 +140,7 @@ TEST(TestVDBWriterMeshes, PolygonsWithMissingPointsAreAnError)
   EXPECT_EQ(CountFiles(folder), std::size_t(0)) << "files";
 }
 
-// A wall within the body ends at its outside: three polygons have each of those edges.
+// A wall within the body ends at the body's surface. Three polygons share each of those edges.
 TEST(TestVDBWriterMeshes, MeshesWithRimsAreAnError)
 {
   const std::string folder = EmptyFolder("vdb_rims");
@@ -148,7 +148,8 @@ TEST(TestVDBWriterMeshes, MeshesWithRimsAreAnError)
   mesh->GetPolys()->InsertNextCell({ 0, 3, 9, 6 });
   std::string error;
   EXPECT_EQ(Write(mesh, folder + "l.vdb", &error), 0) << "not written";
-  // Two of the wall's edges are edges of the body too; those across the caps have the wall alone.
+  // Two of the wall's edges are edges of the body too. Each edge across the caps belongs only to
+  // the wall.
   EXPECT_TRUE(error.find("so it has no inside: 4 of its edges") != std::string::npos) << error;
   EXPECT_EQ(CountFiles(folder), std::size_t(0)) << "files";
 }
@@ -162,7 +163,7 @@ TEST(TestVDBWriterMeshes, BodiesMayTouchAlongAnEdge)
   EXPECT_LT(FindDifference(*Load(file, "surface"), mesh), Rounding) << "difference";
 }
 
-// Strips turn every other triangle, and have flat ones where they are joined.
+// Strips reverse every other triangle, and contain degenerate ones at joints.
 TEST(TestVDBWriterMeshes, StripsAreReadAsTheirTriangles)
 {
   const std::string folder = EmptyFolder("vdb_strips");
@@ -184,8 +185,8 @@ TEST(TestVDBWriterMeshes, StripsAreReadAsTheirTriangles)
     const float value = grid->tree().getValue(node.getCoord());
     worst = std::max(worst, std::fabs(double(value) - *node));
   }
-  // Away from the mesh a node has the distance to a neighbour's triangle, another one for another
-  // order: half a voxel at most, see MeshDistance.h.
+  // Away from the mesh a node has the distance to a neighbour's triangle, which depends on the
+  // order. The difference is at most half a voxel; see MeshDistance.h.
   EXPECT_LT(worst, 0.5 * VoxelSize) << "difference";
 }
 
@@ -208,15 +209,15 @@ TEST(TestVDBWriterMeshes, FlatTrianglesChangeNothing)
   }
 }
 
-// The faces of a vtkCubeSource have points of their own, of equal coordinates, whose normals
-// differ.
+// The faces of a vtkCubeSource have points of their own, with equal coordinates and different
+// normals.
 TEST(TestVDBWriterMeshes, FacesKeepTheArraysOfTheirOwnPoints)
 {
   const std::string file = EmptyFolder("vdb_faces") + "cube.vdb";
   vtkNew<vtkCubeSource> cube;
   cube->SetBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
   cube->Update();
-  cube->GetOutput()->GetPointData()->RemoveArray("TCoords"); // of two components
+  cube->GetOutput()->GetPointData()->RemoveArray("TCoords"); // an array of two components
   EXPECT_EQ(Write(cube->GetOutput(), file), 1) << "written";
   const auto normals = Load<openvdb::Vec3fGrid>(file, "Normals");
   for (int side = 0; side < 6; ++side)

@@ -1,4 +1,5 @@
-// What the tests of vtkGridPotential on meshes share: spheres, cubes, and meshes point by point.
+// Shapes shared by the tests of vtkGridPotential on meshes: spheres, cubes, and meshes point by
+// point.
 #ifndef MeshShapes_h
 #define MeshShapes_h
 
@@ -15,7 +16,7 @@ namespace activesurface
 
 constexpr double Radius = 0.8;
 
-// end: angle from the pole to the rim [degrees]; 180: closed.
+// `end`: angle from the pole to the rim [degrees]; 180 gives a closed sphere.
 inline vtkSmartPointer<vtkPolyData> MakeSphere(
   double radius, int resolution, double end = 180.0, const Point& centre = { 0.0, 0.0, 0.0 })
 {
@@ -47,7 +48,7 @@ inline vtkSmartPointer<vtkPolyData> Append(vtkPolyData* first, vtkPolyData* seco
   return append->GetOutput();
 }
 
-// Each polygon with points of its own.
+// A copy of a mesh in which each polygon has points of its own.
 inline vtkSmartPointer<vtkPolyData> MakeSoup(vtkPolyData* mesh)
 {
   vtkNew<vtkPoints> points;

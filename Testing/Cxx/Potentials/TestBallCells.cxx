@@ -1,4 +1,4 @@
-// The balls that are found near a place, against all of them one by one.
+// Search for the balls near a point or box, compared with a search through all balls.
 
 #include "BallCells.h"
 
@@ -29,7 +29,7 @@ struct Cloud
   Point Size;
   Point Offset;
   double Radius;
-  double LeastShare; // of the radius, that a ball has
+  double LeastShare; // of a ball, as a fraction of Radius
 };
 
 const std::vector<Cloud> Clouds = { { "dense", { 1.0, 1.0, 1.0 }, { 0.0, 0.0, 0.0 }, 0.1, 1.0 },
@@ -60,7 +60,7 @@ Balls MakeBalls(const Cloud& cloud, Random& random, int count = 600)
   return balls;
 }
 
-// Boxes of all sizes up to the one of a group, and points; near the balls and anywhere.
+// Points and boxes of all sizes up to that of a group, near the balls and anywhere.
 std::vector<BallCells::Place> MakePlaces(
   const Cloud& cloud, const Balls& balls, double size, Random& random)
 {
@@ -93,7 +93,7 @@ bool Touches(const BallCells::Ball& ball, const BallCells::Place& place)
   return std::hypot(gap[0], gap[1], gap[2]) <= ball.Radius;
 }
 
-// Numbers of balls, in the order in which they are visited.
+// Indices of balls, in the order of their visits.
 std::vector<std::size_t> FindHits(const BallCells& cells, const BallCells::Place& place)
 {
   std::vector<std::size_t> found;
@@ -147,7 +147,7 @@ TEST(TestBallCells, FindsWhatTouchesOnce)
   }
 }
 
-// Where a float can tell: a ball's margin is 1e-5 of its cell.
+// Float coordinates limit the search: the margin of a ball is 1e-5 of its cell.
 TEST(TestBallCells, FindsLittleElse)
 {
   for (const Cloud& cloud : { Clouds[0], Clouds[1], Clouds[6] })
@@ -167,14 +167,14 @@ TEST(TestBallCells, FindsLittleElse)
   }
 }
 
-// So many that several tasks list them.
+// The number of balls is so large that several tasks list them.
 TEST(TestBallCells, OrderDoesNotDependOnWhatElseThereIs)
 {
   Random random(9);
   const Cloud cloud = { "", { 2.0, 2.0, 2.0 }, { -1.0, -1.0, -1.0 }, 0.2, 0.2 };
   const Balls few = MakeBalls(cloud, random, 20000);
   Balls many;
-  std::vector<std::size_t> numbers; // of the few among the many
+  std::vector<std::size_t> numbers; // indices of the few among the many
   for (const BallCells::Ball& ball : few)
   {
     numbers.push_back(many.size());

@@ -1,4 +1,5 @@
-// What vtkGridPotential takes for an image, what it refuses, and when it looks again.
+// Inputs that vtkGridPotential accepts as images, inputs that it refuses, and changes that it
+// detects.
 
 #include "Support/GridShapes.h"
 #include "Support/MessageCapture.h"

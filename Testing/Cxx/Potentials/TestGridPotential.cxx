@@ -21,8 +21,8 @@ using namespace activesurface;
 namespace TestGridPotential
 {
 
-// Some 30 roundings of numbers up to 100, and of lattice coordinates up to 50, times slopes of up
-// to 5 per pixel: 1e-12 is ample. Spacing makes it up to 4 times as much in the gradient.
+// About 30 roundings of numbers up to 100, and of lattice coordinates up to 50, times slopes of up
+// to 5 per pixel: 1e-12 is ample. Spacing multiplies the error of the gradient by up to 4.
 TEST(TestGridPotential, LinearFieldsAreExactForAllTypes)
 {
   const int types[] = { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
@@ -51,7 +51,7 @@ TEST(TestGridPotential, LinearFieldsAreExactForAllTypes)
   }
 }
 
-// Also at the nodes of the faces, which rounding might put outside.
+// Includes the nodes of the faces, which rounding might put outside.
 TEST(TestGridPotential, NodesHaveTheirSamples)
 {
   for (const bool isTurned : { false, true })
@@ -77,7 +77,7 @@ TEST(TestGridPotential, NodesHaveTheirSamples)
   }
 }
 
-// All samples are inside, so the box is a body. Rounding only: 1e-12.
+// All samples are inside, so the box is a body. Tolerance for rounding: 1e-12.
 TEST(TestGridPotential, OutsideIsTheDistanceToTheBox)
 {
   for (const bool isTurned : { false, true })
@@ -86,11 +86,11 @@ TEST(TestGridPotential, OutsideIsTheDistanceToTheBox)
     vtkNew<vtkGridPotential> potential;
     potential->SetInput(MakeImage(place, VTK_FLOAT, [](double, double, double) { return -7.0; }));
     EXPECT_EQ(ValueAt(potential, place.At({ 4.0, 0.0, 12.0 })), -7.0) << "in the box";
-    // A pixel's axes are .5, .25 and 2 long.
+    // A pixel has the size 0.5 x 0.25 x 2.
     const auto expect = [&](const Point& pixel, double distance, const Point& away)
     {
       EXPECT_NEAR(ValueAt(potential, place.At(pixel)), distance, 1e-12) << "distance";
-      // Turn takes a gradient by pixel: the slope along each axis times its length.
+      // Turn expects a gradient per pixel: the slope along each axis times the pixel's length.
       const Point by = { 0.5 * away[0], 0.25 * away[1], 2.0 * away[2] };
       EXPECT_LT(Distance(GradientAt(potential, place.At(pixel)), place.Turn(by)), 1e-12) << "slope";
     };
@@ -145,8 +145,8 @@ TEST(TestGridPotential, NaNPixelsSpoilTheVoxelsThatTouchThem)
   EXPECT_TRUE(std::isnan(ValueAt(potential, { 0.0, Infinity, 0.0 }))) << "a place at infinity";
 }
 
-// Along any line through a voxel F is a cubic: central differences are off by step^2/6 times a
-// third derivative, at most 6 * 8 / (.5 * .25 * 2) = 192 here, and by rounding, 1e-15 / step: 1e-8
+// F is a cubic along any line through a voxel. Central differences are off by step^2/6 times a
+// third derivative, at most 6 * 8 / (0.5 * 0.25 * 2) = 192 here. Rounding adds 1e-15 / step: 1e-8
 // in all.
 TEST(TestGridPotential, GradientIsThatOfTheValue)
 {
@@ -178,7 +178,7 @@ TEST(TestGridPotential, GradientIsThatOfTheValue)
   }
 }
 
-// Turned axes may be mirrored, and spacing negative.
+// Turned axes may be mirrored, and spacing may be negative.
 TEST(TestGridPotential, MirroredAxesAreNoError)
 {
   Place place(false);

@@ -1,4 +1,4 @@
-// What is wrong with a mesh: its defects, shells, and what vtkGridPotential refuses.
+// Defects of meshes, shells, and meshes that vtkGridPotential refuses.
 
 #include "Potentials/MeshShapes.h"
 #include "Support/MessageCapture.h"
@@ -15,8 +15,9 @@ using namespace activesurface;
 namespace TestMeshDefects
 {
 
-// The shell's walls are spheres .1 within and without. Its distance has a kink at the mesh, which
-// interpolation rounds off within two voxels; elsewhere it is as for the sphere, .01 at h = .05.
+// The shell's walls are spheres 0.1 inside and outside of the mesh. Its distance has a kink at the
+// mesh, which interpolation smooths within two voxels. Elsewhere the error is that of a sphere,
+// 0.01 at h = 0.05.
 TEST(TestMeshDefects, OpenMeshesBecomeShells)
 {
   const auto half = MakeSphere(Radius, 24, 90.0);
@@ -47,7 +48,7 @@ TEST(TestMeshDefects, OpenMeshesBecomeShells)
   EXPECT_LT(ValueAt(potential, { 0.0, 0.0, 0.0 }), -0.1) << "a closed one stays a solid";
 }
 
-// Flat faces: exact but for the samples being floats.
+// Faces are flat, so distances are exact up to the single precision of samples.
 TEST(TestMeshDefects, CubesThatShareAnEdgeAreASolid)
 {
   vtkNew<vtkGridPotential> potential;
@@ -65,7 +66,8 @@ TEST(TestMeshDefects, CubesThatShareAnEdgeAreASolid)
   EXPECT_NEAR(ValueAt(potential, { -0.8, -0.5, 0.5 }), -0.2, 1e-6) << "closed: no shell";
 }
 
-// A point in five triangles or six is lost: they are left out, and leave a hole of as many edges.
+// The lost point belongs to five or six triangles. They are ignored, and leave a hole with as many
+// edges.
 TEST(TestMeshDefects, BrokenPolygonsAreLeftOut)
 {
   for (const double bad : { NaN, Infinity, 1e200 })
@@ -151,7 +153,7 @@ TEST(TestMeshDefects, LatticesTooLargeAreRefused)
   expect("Reach must be", [](vtkGridPotential* p) { p->SetReach(NaN); });
   expect("MeshThickness must be", [](vtkGridPotential* p) { p->SetMeshThickness(NaN); });
   expect(tooMany, [](vtkGridPotential* p) { p->SetMaximumNumberOfVoxels(100000); });
-  // A sliver of no area, as long as 1e8 voxels.
+  // A sliver without area, 1e8 voxels long.
   expect(tooMany,
     [](vtkGridPotential* p)
     {

@@ -1,4 +1,4 @@
-// vtkGridPotential of a mesh: its distances.
+// Distances of vtkGridPotential to a mesh.
 
 #include "Potentials/MeshShapes.h"
 #include "Support/MessageCapture.h"
@@ -28,10 +28,9 @@ double LengthOf(const Point& x)
 }
 }
 
-// The mesh lies up to r/8 (dtheta^2 + dphi^2) within the sphere. At the distance rho from the
-// centre the second derivatives of the distance sum up to 2 / rho, so that trilinear interpolation
-// is off by h^2 / 4 rho, and its gradient by about 2 h / rho. Samples are floats, up to 16 voxels:
-// 1e-6 h.
+// The mesh lies up to r/8 (dtheta^2 + dphi^2) within the sphere. At a distance rho from the centre
+// the second derivatives of the distance sum up to 2 / rho. Trilinear interpolation is then off by
+// h^2 / 4 rho, and its gradient by about 2 h / rho. Samples are floats, up to 16 voxels: 1e-6 h.
 TEST(TestMeshPotential, SphereHasItsDistance)
 {
   const double h = 2.0 * Radius / 64.0, reach = 2.0 * Radius * std::sqrt(3.0) / 8.0;
@@ -65,8 +64,8 @@ TEST(TestMeshPotential, SphereHasItsDistance)
   }
 }
 
-// The gradient of the interpolation, not of the distance: differences within a voxel are exact but
-// for rounding, 1e-16 / 1e-6, as F is linear along each axis there.
+// The gradient is that of the interpolation, not of the distance. F is linear along each axis
+// within a voxel, so differences are exact up to rounding, 1e-16 / 1e-6.
 TEST(TestMeshPotential, GradientIsThatOfTheValue)
 {
   vtkNew<vtkGridPotential> potential;
@@ -81,7 +80,7 @@ TEST(TestMeshPotential, GradientIsThatOfTheValue)
       c = 0.05 * (place + std::min(std::max(c / 0.05 - place, 0.01), 0.99));
     }
     const double value = ValueAt(potential, x);
-    if (std::fabs(value) > 0.3) // Reach is .346
+    if (std::fabs(value) > 0.3) // Reach is 0.346
     {
       continue;
     }
@@ -117,8 +116,9 @@ TEST(TestMeshPotential, EqualPointsAreOne)
   EXPECT_NEAR(ValueAt(potential, { 0.7, 0.0, 0.0 }), -0.1, 0.02) << "inside of strips";
 }
 
-// The notch of an L is outside: its faces are cut as polygons, not as fans from any corner. Flat
-// faces are exact but for the samples being floats, up to 2 / h = 40 voxels: 1e-6.
+// The notch of an L is outside: its faces are triangulated as polygons, not as fans from any
+// corner. Flat faces are exact up to the single precision of samples, up to 2 / h = 40 voxels:
+// 1e-6.
 TEST(TestMeshPotential, PolygonsMayBeConcave)
 {
   std::vector<Point> places;
@@ -151,7 +151,7 @@ TEST(TestMeshPotential, PolygonsMayBeConcave)
   }
 }
 
-// As releases of VTK cut quadrangles along other diagonals.
+// Releases of VTK cut quadrangles along different diagonals.
 TEST(TestMeshPotential, QuadranglesAreCutAlongTheShorterDiagonalThatIsInside)
 {
   using Corners = std::vector<Point>;
@@ -187,7 +187,8 @@ TEST(TestMeshPotential, BodiesAreUnitedAndVoidsFilled)
   potential->SetInput(Append(MakeSphere(0.5, 40), MakeSphere(0.5, 40, 180.0, { 0.6, 0.0, 0.0 })));
   EXPECT_EQ(std::string(potential->GetDefects()), "") << "defects";
   EXPECT_LT(ValueAt(potential, { 0.3, 0.0, 0.0 }), -0.1) << "in both";
-  // .02 from the other one's wall, .44 from the surface of the two; Reach is .27.
+  // The point is 0.02 from the other ball's wall and 0.44 from the surface of the union; Reach is
+  // 0.27.
   EXPECT_NEAR(ValueAt(potential, { 0.12, 0.0, 0.0 }), -0.27, 0.03) << "beside an inner wall";
   EXPECT_LT(ValueAt(potential, { -0.2, 0.0, 0.0 }), -0.1) << "in one";
   EXPECT_GT(ValueAt(potential, { 0.3, 0.6, 0.0 }), 0.1) << "in none";
@@ -195,7 +196,7 @@ TEST(TestMeshPotential, BodiesAreUnitedAndVoidsFilled)
   EXPECT_LT(ValueAt(potential, { 0.0, 0.0, 0.0 }), -0.1) << "in a void";
 }
 
-// OpenVDB's own transform would refuse voxels below 1e-5. Powers of two change no bit.
+// OpenVDB's own transform would refuse voxels below 1e-5. Scaling by powers of two changes no bit.
 TEST(TestMeshPotential, AnyUnitOfLengthWillDo)
 {
   const auto sphere = MakeSphere(Radius, 30);

@@ -1,4 +1,4 @@
-// The estimate of the memory that distances to a mesh take, against what they do take.
+// Estimated memory for distances to a mesh, compared with the actual one.
 
 #include "Grid/MeshDistance.h"
 #include "Grid/MeshVoxels.h"
@@ -22,20 +22,20 @@ namespace
 
 constexpr double Band = 5.0;
 
-// Half the voxels or twice as many: a surface or a line passes up to 1.5 times as many cubes as
-// hold its band; where it turns, cubes hold some of the band twice.
+// Tolerance: a factor of two. A surface or a line crosses up to 1.5 times as many cubes as contain
+// its band. At bends, several cubes contain the same part of the band.
 void CheckEstimate(vtkPolyData* polygons, const std::string& what)
 {
   const MeshTriangles mesh = ReadTriangles(polygons);
   const auto taken =
     static_cast<double>(MakeMeshDistance(mesh, { 1.0, Band, false })->activeVoxelCount());
-  // Their boxes hold more than the maximum, so that cubes are counted.
+  // The bounding boxes contain more voxels than the maximum, so that cubes are counted.
   const double told = EstimateVoxelsNear(mesh, 1.0, Band, 4.0 * taken);
   EXPECT_GT(told, 0.5 * taken) << what << " takes " << taken;
   EXPECT_LT(told, 2.0 * taken) << what << " takes " << taken;
 }
 
-// Long triangles of no width to speak of, from the origin to places all around.
+// Long triangles of negligible width, from the origin to points all around.
 vtkSmartPointer<vtkPolyData> MakeNeedles(int count, double length)
 {
   std::vector<Point> points{ { 0.0, 0.0, 0.0 } };
@@ -64,7 +64,7 @@ TEST(TestMeshVoxels, SpheresOfLargeTriangles)
   CheckEstimate(MakeSphere(150.0, 6), "a diamond");
 }
 
-// By area, they would take next to nothing.
+// An estimate from areas would be nearly 0.
 TEST(TestMeshVoxels, Needles)
 {
   CheckEstimate(MakeNeedles(1, 2000.0), "a needle");
@@ -77,17 +77,17 @@ TEST(TestMeshVoxels, SmallMeshesAreWithinTheirBox)
   EXPECT_EQ(EstimateVoxelsNear(mesh, 1.0, 5.0, 1e9), 30.0 * 30.0 * 11.0);
 }
 
-// Halving the longest edge of this one, as of all needles whose corners are not evenly far apart,
-// makes 3^n pieces of 2^-n of its length.
+// Halving the longest edge of this needle makes 3^n pieces of 2^-n of its length. The same holds
+// for all needles whose corners are unevenly spaced.
 TEST(TestMeshVoxels, NeedlesOfAMillionVoxelsTakeNoTime)
 {
   const MeshTriangles mesh = ReadTriangles(
     MakeMesh({ { 0.0, 0.0, 0.0 }, { 1e6, 0.0, 1e3 }, { 1.0, 0.0, 0.0 } }, { { 0, 1, 2 } }));
-  // 10^5 cubes along it, and one more for each of 100 steps aside.
+  // 10^5 cubes along the needle, and one more for each of 100 sideways steps.
   EXPECT_NEAR(EstimateVoxelsNear(mesh, 1.0, Band, 1e9), 1e8, 1e6);
 }
 
-// As for 10^9 voxels along each axis: memory and time end with the maximum.
+// The input has 10^9 voxels along each axis. Memory and time are limited by the maximum.
 TEST(TestMeshVoxels, CountingEndsBeyondTheMaximum)
 {
   const MeshTriangles mesh = ReadTriangles(MakeSphere(1e9, 20));

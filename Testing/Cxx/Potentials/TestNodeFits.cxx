@@ -1,5 +1,5 @@
-// The fits of the node scheme, eight particles side by side in single precision, against those of
-// vtkSkeletonPotential, one after the other in double precision.
+// Fits of the node scheme, for eight particles at once in single precision, compared with those of
+// vtkSkeletonPotential, one by one in double precision.
 
 #include "Support/ParticlesAtRest.h"
 #include "Support/SkeletonShapes.h"
@@ -26,7 +26,8 @@ constexpr double Voxel = 0.1;
 constexpr double R = 0.1; // a particle's own radius
 constexpr double Reach = 4.5 * R;
 
-// A block of so many along an axis, as a fluid's: each up to a quarter of the spacing off.
+// A cube of `side` particles along each axis, as in a fluid: each is displaced by up to a quarter
+// of the spacing.
 std::vector<SkeletonVertex> MakeBlock(int side)
 {
   Random random(5);
@@ -84,7 +85,7 @@ TEST(TestNodeFits, EigenvaluesAreThoseOfDoubles)
       {
         for (int k = i; k < 3; ++k)
         {
-          // Some have a row of zeros, as a sheet has, or twice the same eigenvalue.
+          // Some matrices have a row of zeros, as for a sheet, or a double eigenvalue.
           const bool isZero = lane == 1 && k == 2;
           const double entry = isZero ? 0.0 : lane == 2 ? (i == k) : random.Between(-1.0, 1.0);
           rows[lane][i][k] = rows[lane][k][i] = entry;
@@ -118,8 +119,9 @@ TEST(TestNodeFits, CubeRootsAreThoseOfDoubles)
 namespace
 {
 
-// At the faces of a block, farther from its edges than anything that a kernel depends on: there
-// neighbours are many, the reach is whole, and both have the same model.
+// Visits nodes at the faces of a block, at a distance from its edges that exceeds the kernel's
+// dependence. Particles have many neighbours there and the full kernel radius, and both potentials
+// use the same model.
 template <class Visit>
 void ForEachSumAtFaces(int side, Visit&& visit)
 {
@@ -142,7 +144,7 @@ void ForEachSumAtFaces(int side, Visit&& visit)
         Voxel * (leaf.Origin[1] + (n >> 3 & 7)), Voxel * (leaf.Origin[2] + (n & 7)) };
       const auto within =
         std::count_if(x.begin(), x.end(), [&](double place) { return isBetween(place, margin); });
-      // Three and a half voxels below the skin, which is R outside of the outermost particles.
+      // Three and a half voxels below the skin, which lies R outside the outermost particles.
       const bool isDeep = std::all_of(
         x.begin(), x.end(), [&](double place) { return isBetween(place, 3.5 * Voxel - R); });
       if (((leaf.Rows >> (n >> 3)) & 1) && within >= 2 && !isDeep)
@@ -170,7 +172,7 @@ TEST(TestNodeFits, ABlockHasTheSumsOfDoubles)
   EXPECT_GT(compared, 300);
 }
 
-// They have no fits: none of their kernels reaches the band around the skin.
+// Particles deep in a body have no fits: none of their kernels reaches the band around the skin.
 TEST(TestNodeFits, ParticlesDeepInABodyAreNotMissed)
 {
   double largest = 0.0;
@@ -191,7 +193,7 @@ TEST(TestNodeFits, OneParticleIsABallAroundIt)
     Shell shell;
     nodes.FindShell(false, shell);
     ASSERT_FALSE(shell.Leaves.empty());
-    // A ball is larger by .155 / r of its radius, in voxels, and its kernel shorter.
+    // A ball is larger by 0.155 / r of its radius, in voxels, and its kernel is shorter.
     const double own = R / Voxel, ball = own + 0.155 / own, reach = 0.7 * Reach / Voxel;
     const double lone = std::pow(1.0 - ball * ball / reach / reach, 3.0);
     for (const ShellLeaf& leaf : shell.Leaves)

@@ -1,5 +1,6 @@
-// AVERAGED_CENTRE and ANISOTROPIC against what they promise: lone balls, planes and volumes of the
-// true size, exact gradients, the same bits everywhere, and what to do with bad neighbourhoods.
+// Properties of AVERAGED_CENTRE and ANISOTROPIC: isolated balls, planes and volumes of the true
+// size, exact gradients, bitwise identical results everywhere, and robustness to bad
+// neighbourhoods.
 
 #include "Support/MessageCapture.h"
 #include "Support/SkeletonShapes.h"
@@ -72,7 +73,7 @@ std::vector<Point> MakeBox(int x, int y, int z)
   return places;
 }
 
-// Where F changes its sign on the way from one place to another, to 2^-40 of it.
+// Point of a segment where F changes its sign, to 2^-40 of the length.
 double FindSurface(vtkSkeletonPotential* potential, const Point& inside, const Point& outside)
 {
   double low = 0.0, high = 1.0;
@@ -89,8 +90,8 @@ double FindSurface(vtkSkeletonPotential* potential, const Point& inside, const P
   return low;
 }
 
-// Of the inside, by columns of points r/4 apart: each surface is off by half of that at random, so
-// that the sum over many columns is good to a thousandth.
+// Volume of the inside, from columns of points r/4 apart. Each surface is off by half of that at
+// random, so that the sum over many columns is accurate to a thousandth.
 double FindVolume(vtkSkeletonPotential* potential, const Point& low, const Point& high)
 {
   const double step = 0.25 * R;
@@ -138,7 +139,7 @@ TEST_P(TestParticleModels, LoneParticleIsABallOfItsOwnRadius)
   }
 }
 
-// The aim is .15 r; the lattice's own plane is exact but for the share of the edges.
+// The aim is 0.15 r. The plane of the lattice itself is exact, apart from a fraction at the edges.
 TEST_P(TestParticleModels, LayersOfABodyAreAPlane)
 {
   auto potential = this->MakePotential(MakeBox(16, 16, 10));
@@ -175,15 +176,15 @@ TEST_P(TestParticleModels, SheetsThatAreApartHaveAGapBetween)
   const std::size_t count = places.size();
   for (std::size_t i = 0; i < count; ++i)
   {
-    // The layers that face each other are 5.5 r apart, so the surfaces would be 3.5 r apart.
+    // Facing layers are 5.5 r apart, so their surfaces would be 3.5 r apart.
     places.push_back({ places[i][0], places[i][1], places[i][2] + 2 * Spacing + 5.5 * R });
   }
   auto potential = this->MakePotential(places);
   EXPECT_GT(ValueAt(potential, { 1.2, 1.2, 2.5 * Spacing + 2.75 * R }), 0.0);
 }
 
-// Central differences of a step e are good to e^2 of the third derivative, of size 1/r^2, and to
-// the rounding of F over e: 1e-6 of both together.
+// Central differences of a step e are accurate to e^2 of the third derivative, of size 1/r^2, and
+// to the rounding of F over e: 1e-6 for the sum of both.
 TEST_P(TestParticleModels, GradientIsThatOfTheFunction)
 {
   auto potential = this->MakePotential(MakeCloud(1, 300, 1.5));
@@ -228,7 +229,7 @@ TEST_P(TestParticleModels, BatchesAndInstructionSetsGiveTheSameBits)
   EXPECT_TRUE(all[0] == all[1] && all[0] == all[2]);
 }
 
-// As an axis of a neighbourhood has no length there, or a particle no neighbour.
+// An axis of the neighbourhood has length zero, or a particle has no neighbour.
 TEST_P(TestParticleModels, DegenerateNeighbourhoodsHaveASurface)
 {
   const std::vector<std::vector<Point>> shapes = { std::vector<Point>(50, Point{ 1, 1, 1 }),
@@ -236,7 +237,7 @@ TEST_P(TestParticleModels, DegenerateNeighbourhoodsHaveASurface)
   for (const std::vector<Point>& shape : shapes)
   {
     auto potential = this->MakePotential(shape);
-    // In the middle: the last ones at the ends and corners are where the surface is round.
+    // Only the middle is tested: the surface is round at the last particles of ends and corners.
     EXPECT_LT(ValueAt(potential, shape[shape.size() / 2]), 0.0) << shape.size() << " particles";
     for (const Point& x : shape)
     {

@@ -1,4 +1,5 @@
-// The shell of particles holds all nodes near their skin: where it ends, the target is on one side.
+// The shell of particles contains all nodes near their skin. All other nodes around it have the
+// sign of one side.
 
 #include "Support/ParticlesAtRest.h"
 #include "Support/SkeletonShapes.h"
@@ -34,7 +35,8 @@ void Add(Cloud& cloud, double x, double y, double z)
   cloud.push_back(particle);
 }
 
-// A block with or without its middle, as a fluid's: each particle up to a quarter of a spacing off.
+// A block with or without its middle, as in a fluid: each particle is displaced by up to a quarter
+// of the spacing.
 Cloud MakeBlock(int side, bool isHollow)
 {
   Random random(3);
@@ -68,7 +70,7 @@ Cloud MakeSpray(int count)
   return cloud;
 }
 
-// The target at all nodes around the particles, and which of them are in the shell.
+// The target at all nodes around the particles, and the nodes that the shell contains.
 class Field
 {
 public:
@@ -108,7 +110,7 @@ public:
   bool IsInShell(int x, int y, int z) const { return this->InShell[At(x, y, z)]; }
   bool IsInside(int x, int y, int z) const { return this->Nodes.IsInside({ x, y, z }); }
 
-  // Calls function for the nodes outside within a distance [voxels].
+  // Calls the function for the outside nodes within a distance [voxels].
   template <class Function>
   void ForEachOutsideNear(int x, int y, int z, double distance, Function&& function) const
   {
@@ -170,7 +172,7 @@ private:
   std::vector<bool> InShell;
 };
 
-// band: around the nodes inside [voxels].
+// `band`: width around the inside nodes [voxels].
 void Check(const Cloud& cloud, double voxelSize, double band)
 {
   const Field field(cloud, voxelSize);

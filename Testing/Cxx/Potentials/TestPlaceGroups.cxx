@@ -1,4 +1,4 @@
-// Places in groups of near ones: each in one, none too wide.
+// Groups of nearby points: each point is in one group, and no group is too wide.
 
 #include "PlaceGroups.h"
 

@@ -1,5 +1,5 @@
-// vtkSkeletonPotential at many places at once, which go side by side where they share their cells,
-// against the same places one by one. == means the same bits.
+// vtkSkeletonPotential at many points at once, evaluated together if they share their cells,
+// compared with the same points one by one. == means bitwise identical.
 
 #include "Support/MessageCapture.h"
 #include "Support/SkeletonShapes.h"
@@ -20,7 +20,7 @@ namespace TestSkeletonBatch
 constexpr InstructionSet AllSets[] = { InstructionSet::Baseline, InstructionSet::Avx2,
   InstructionSet::Avx512 };
 
-// Places near the elements, one to forty within `size`, which goes down to a hundredth.
+// Clusters of points near the elements: one to forty within `size`, or down to a hundredth of it.
 std::vector<Point> Crowds(SkeletonBuilder& shape, Random& random, double size)
 {
   std::vector<Point> places;
@@ -42,7 +42,7 @@ bool IsSame(double a, double b)
   return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
 }
 
-// Places where a batch gives other bits than the place by itself.
+// Number of points where a batch and a single evaluation differ in any bit.
 int CountDifferent(vtkSkeletonPotential* potential, const std::vector<Point>& places)
 {
   std::vector<double> values(places.size()), valuesOnly(places.size());
@@ -107,7 +107,7 @@ TEST(TestSkeletonBatch, CrowdsGiveTheBitsOfSinglePlaces)
   SetInstructionSet(usual);
 }
 
-// In the middle of a crowd, as a NaN is neither below nor above anything.
+// The points are in the middle of a cluster. Comparisons with NaN are always false.
 TEST(TestSkeletonBatch, PlacesThatAreNotFiniteLeaveTheirCrowdAlone)
 {
   Random random(9);
@@ -147,7 +147,8 @@ TEST(TestSkeletonBatch, ValuesHaveOneComponentWhateverTheirArrayHadBefore)
   EXPECT_EQ(values->GetValue(1), 0.5) << "outside";
 }
 
-// All that lies beyond 2^31 of the finest cells is in the last one, but not in one of the coarse.
+// All points beyond 2^31 of the finest cells fall into the last one, but into different coarse
+// cells.
 TEST(TestSkeletonBatch, PlacesBeyondTheFinestCellsAreNotTakenTogether)
 {
   Random random(10);

@@ -1,5 +1,5 @@
-// The sums of vtkSkeletonPotential against those over all elements one by one, and by all ways to
-// evaluate it. Where values are compared by ==, the same bits are meant.
+// Sums of vtkSkeletonPotential compared with sums over all elements one by one, and with all
+// methods of evaluation. == means bitwise identical.
 
 #include "Support/SkeletonShapes.h"
 
@@ -28,8 +28,9 @@ double Round(double value)
 
 const char* const KernelNames[] = { "Wyvill", "cubic spline", "metaball" };
 
-// The elements of a shape whose segments share no points, each in a potential of its own, in the
-// order in which they are added. The threshold is lost beside a contribution: F is that, negated.
+// Elements of a shape whose segments share no points, each in a potential of its own, in the order
+// of insertion. The threshold vanishes beside a contribution by rounding: F is the negated
+// contribution.
 std::vector<vtkNew<vtkSkeletonPotential>> TakeApart(SkeletonBuilder& shape, int points, int kernel)
 {
   const int elements = points + static_cast<int>(shape.Lines->GetNumberOfCells());
@@ -86,7 +87,7 @@ void CheckAgainstParts(SkeletonBuilder& shape, int points, int kernel,
   EXPECT_TRUE(touched > static_cast<int>(places.size()) / 4) << sentence << ": supports are met";
 }
 
-// Radii vary 100 times: many lattices are merged.
+// Radii vary by a factor of 100: many lattices are merged.
 TEST(TestSkeletonCells, CellsGiveTheSumOverAllElements)
 {
   for (const int kernel : { 0, 1, 2 })
@@ -99,7 +100,7 @@ TEST(TestSkeletonCells, CellsGiveTheSumOverAllElements)
   }
 }
 
-// So many that they are listed by several tasks.
+// The number of elements is so large that several tasks list them.
 TEST(TestSkeletonCells, CellsOfManyElementsGiveTheSumOverAll)
 {
   Random random(11);
@@ -108,8 +109,8 @@ TEST(TestSkeletonCells, CellsOfManyElementsGiveTheSumOverAll)
   CheckAgainstParts(shape, 6500, 0, PlacesNear(shape, random, 60), "9000 elements");
 }
 
-// One size of cells, huge empty space, coordinates that leave few digits to the radius, many
-// elements in one place, a flat cloud.
+// One size of cells, huge empty space, coordinates so large that the radius keeps few digits, many
+// elements at one point, a flat cloud.
 TEST(TestSkeletonCells, CellsAreRightForAnyLayout)
 {
   Random random(5);
@@ -155,8 +156,8 @@ void Move(SkeletonBuilder& shape, Random& random, double way, double growth)
   shape.Radii->Modified();
 }
 
-// Small ways, which keep the cells, and large ones; radii that breathe, and that shrink; far from
-// the origin, where a way is rounded.
+// Short displacements, which keep the cells, and long ones. Radii that oscillate and radii that
+// shrink. Coordinates far from the origin, where displacements are rounded.
 TEST(TestSkeletonCells, ElementsThatMoveGiveTheBitsOfFreshOnes)
 {
   for (const double offset : { 0.0, 1e9 })
@@ -192,7 +193,7 @@ TEST(TestSkeletonCells, ElementsThatMoveGiveTheBitsOfFreshOnes)
   }
 }
 
-// One lattice of cells, and several that are merged.
+// One lattice of cells, and several merged lattices.
 TEST(TestSkeletonCells, AnyInstructionSetGivesTheSameBits)
 {
   const InstructionSet usual = GetInstructionSet();
@@ -269,7 +270,7 @@ TEST(TestSkeletonCells, BatchesAndArraysGiveTheSameBits)
   EXPECT_EQ(different, 0) << "arrays and single gradients that differ";
 }
 
-// The first evaluation, and with it the reading of the input, is that of four threads at once.
+// Four threads make the first evaluation at the same time, which reads the input.
 TEST(TestSkeletonCells, ThreadsThatReadTheInputTogetherGiveTheSameBits)
 {
   Random random(7);

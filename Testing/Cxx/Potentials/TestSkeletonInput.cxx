@@ -1,5 +1,5 @@
-// What vtkSkeletonPotential takes for elements, what it does with input of no use, and how it works
-// together with the rest of VTK.
+// Inputs that vtkSkeletonPotential accepts as elements, useless inputs, and its cooperation with
+// other classes of VTK.
 
 #include "Support/MessageCapture.h"
 #include "Support/SkeletonShapes.h"
@@ -24,7 +24,7 @@ namespace
 std::atomic<long> Allocations{ 0 };
 }
 
-// Not inlined, or compilers see malloc meet delete.
+// Prevents inlining: compilers would otherwise see malloc paired with delete.
 [[gnu::noinline]] void* operator new(std::size_t size)
 {
   ++Allocations;
@@ -90,7 +90,7 @@ TEST(TestSkeletonInput, ChangesOfTheInputAreSeen)
   changes("no input", 0.25);
 }
 
-// One is good; the others are bad in one number each.
+// One element is valid. Each of the others has one invalid number.
 TEST(TestSkeletonInput, ElementsOfNoUseAreIgnored)
 {
   SkeletonBuilder good;

@@ -1,5 +1,4 @@
-// vtkSkeletonPotential against its formulas. Where values are compared by ==, the same bits are
-// meant.
+// vtkSkeletonPotential compared with its formulas. == means bitwise identical.
 
 #include "Support/SkeletonShapes.h"
 
@@ -21,7 +20,7 @@ const std::array<int, 3> AllKernels = { vtkSkeletonPotential::WYVILL,
   vtkSkeletonPotential::CUBIC_SPLINE, vtkSkeletonPotential::METABALL };
 const char* const KernelNames[] = { "Wyvill", "cubic spline", "metaball" };
 
-// The kernels as they are defined, and their derivatives.
+// Kernels by their definition, and their derivatives.
 double KernelAt(int kernel, double q)
 {
   if (q >= 1.0)
@@ -92,7 +91,7 @@ TEST(TestSkeletonPotential, KernelsHaveTheirValuesAndSlopes)
 }
 
 // Central differences with step h are off by h/2 times the jump or variation of the second
-// derivative, at most 24 strength / radius^2 per element and end, and by rounding, 1e-15 / h.
+// derivative, at most 24 strength / radius^2 per element and end. Rounding adds 1e-15 / h.
 TEST(TestSkeletonPotential, GradientIsThatOfTheValue)
 {
   const double h = 1e-7;
@@ -133,7 +132,7 @@ TEST(TestSkeletonPotential, GradientIsThatOfTheValue)
   }
 }
 
-// A segment acts as a point does at the same distance. Rounding only: 1e-14.
+// A segment acts like a point at the same distance. Tolerance for rounding: 1e-14.
 TEST(TestSkeletonPotential, SegmentIsACapsule)
 {
   SkeletonBuilder shape;
@@ -159,7 +158,8 @@ TEST(TestSkeletonPotential, SegmentIsACapsule)
   }
 }
 
-// At a quarter of the length, radius and strength are a quarter of the way. Rounding only: 1e-14.
+// At a quarter of the length, radius and strength have changed by a quarter of the difference.
+// Tolerance for rounding: 1e-14.
 TEST(TestSkeletonPotential, RadiusAndStrengthRunLinearly)
 {
   SkeletonBuilder shape;
@@ -177,7 +177,8 @@ TEST(TestSkeletonPotential, RadiusAndStrengthRunLinearly)
   }
 }
 
-// Cut into pieces, or as cells of their own, a line stays as it was. Rounding only: 1e-13.
+// Cutting a line into pieces, or into cells of their own, changes nothing. Tolerance for rounding:
+// 1e-13.
 TEST(TestSkeletonPotential, JointsDoNotBulge)
 {
   SkeletonBuilder whole;
@@ -212,7 +213,8 @@ TEST(TestSkeletonPotential, JointsDoNotBulge)
   }
 }
 
-// On the outer side of a bend or branching the joint acts as one point. Rounding only: 1e-14.
+// On the outer side of a bend or branching, the joint acts as one point. Tolerance for rounding:
+// 1e-14.
 TEST(TestSkeletonPotential, BendsAndBranchesAreOneAtTheJoint)
 {
   SkeletonBuilder shape;
@@ -231,8 +233,8 @@ TEST(TestSkeletonPotential, BendsAndBranchesAreOneAtTheJoint)
   EXPECT_NEAR(ValueAt(potential, { 0.0, 0.0, 0.0 }), -1.5, 1e-14) << "a vertex cell adds a point";
 }
 
-// Contour vertices lie where F is 0 by linear interpolation over a step of h, off by
-// h^2/8 * |W''| / |W'|; W'' <= 12 for all kernels, W' at the surface is known.
+// Contour vertices lie where linear interpolation of F over a step of h is 0. They are off by h^2/8
+// * |W''| / |W'|. W'' <= 12 for all kernels, and W' at the surface follows from the kernel.
 TEST(TestSkeletonPotential, SampledSurfaceIsASphere)
 {
   const double fractions[] = { 0.45420202, 0.36117586, 0.42264973 };

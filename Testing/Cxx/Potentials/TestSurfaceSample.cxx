@@ -1,4 +1,4 @@
-// Points that stand for a surface, of which nobody knows how many there will be.
+// Points that represent a surface whose number of points is unknown in advance.
 
 #include "SurfaceSample.h"
 
@@ -11,7 +11,7 @@ using namespace activesurface;
 namespace TestSurfaceSample
 {
 
-// All as long as there are less than two times Most; then each second, fourth ...
+// All points are kept below twice Most; beyond that, every second, fourth and so on.
 TEST(TestSurfaceSample, GatheredPointsAreEvenlyApart)
 {
   constexpr std::size_t most = SurfaceSample::Most;

@@ -47,7 +47,7 @@ TEST(TestSavedState, StateComesBackAndGoesOnToTheSameBits)
   EXPECT_TRUE(AreIdentical(*copy, *band)) << "later";
 }
 
-// As files were written before there was one.
+// Older files have no Outside column.
 TEST(TestSavedState, AFileWithoutTheShareOutsideIsRead)
 {
   const auto band = std::make_shared<NarrowBand>(VoxelSizeOf(32));

@@ -1,4 +1,4 @@
-// What is in a .vdb file, before OpenVDB reads it.
+// Validation of a .vdb file before OpenVDB reads it.
 
 #include "Support/OutputFiles.h"
 #include "Support/Throws.h"
@@ -28,7 +28,7 @@ namespace TestVDBFile
 namespace
 {
 
-// Three voxels in two leaves, and a box of vectors.
+// Writes a grid with three voxels in two leaves, and a grid with a box of vectors.
 std::string WriteTwoGrids(std::uint32_t compression = openvdb::io::COMPRESS_BLOSC)
 {
   openvdb::initialize();
@@ -49,8 +49,8 @@ std::string WriteTwoGrids(std::uint32_t compression = openvdb::io::COMPRESS_BLOS
 
 constexpr int NumberOfPoints = 1000;
 
-// Points along a line, in one leaf, which pack well, with numbers. Their first byte is 1: where one
-// tells whether what follows is packed, it does not stand for that.
+// Writes points along a line, in one leaf, which compress well, with numbers. Their first byte is
+// 1. At the position of the flag for compression this byte must not be read as the flag.
 std::string WritePoints(std::uint32_t compression = openvdb::io::COMPRESS_BLOSC)
 {
   using namespace openvdb::points;
@@ -88,7 +88,7 @@ std::string BytesOf(Number number)
   return std::string(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-// That a file with these bytes is refused with these words.
+// Checks that a file with these bytes is refused with these words.
 void CheckRefused(const std::string& bytes, const std::string& words)
 {
   const std::string name = OutputName("damaged.vdb");
@@ -124,7 +124,7 @@ TEST(TestVDBFile, GridsAreReadAsTheyWereWritten)
   EXPECT_EQ(grid->activeVoxelCount(), 3u);
 }
 
-// At each length, by steps of a prime: wherever it ends, in the header, in a topology, in values.
+// Files are truncated at lengths by steps of a prime: in the header, in a topology, in values.
 TEST(TestVDBFile, FilesThatAreCutShortAreRefused)
 {
   const std::string name = WriteTwoGrids();
@@ -140,7 +140,7 @@ TEST(TestVDBFile, FilesThatAreCutShortAreRefused)
   }
 }
 
-// A leaf's one value of 4 bytes, too few to pack, says that it is 3 bytes long.
+// A leaf has one value of 4 bytes, too short for compression, whose stored length is 3 bytes.
 TEST(TestVDBFile, ValuesThatAreTooFewAreRefused)
 {
   std::string bytes = ReadBytes(WriteTwoGrids(openvdb::io::COMPRESS_ZIP));
@@ -150,7 +150,7 @@ TEST(TestVDBFile, ValuesThatAreTooFewAreRefused)
   CheckRefused(bytes, "values are missing");
 }
 
-// The packed positions tell their size twice, before all pages and in their own head.
+// The compressed positions declare their size twice: before all pages and in their own head.
 TEST(TestVDBFile, PagesOfPointsThatTellTwoSizesAreRefused)
 {
   std::string bytes = ReadBytes(WritePoints());
@@ -161,7 +161,7 @@ TEST(TestVDBFile, PagesOfPointsThatTellTwoSizesAreRefused)
   CheckRefused(bytes, "packed values are of another size");
 }
 
-// Which are in no page, unlike those of other files.
+// Uncompressed points are in no page, unlike those of other files.
 TEST(TestVDBFile, PointsThatAreNotPackedAreRead)
 {
   const std::string name = WritePoints(openvdb::io::COMPRESS_NONE);
