@@ -18,7 +18,7 @@ namespace activesurface
 struct Shape
 {
   std::function<double(const Point&)> Value;
-  /** |gradient| of Value; left empty: 1, Value is a distance. */
+  /** Norm of the gradient of Value; empty if Value is a distance. */
   std::function<double(const Point&)> Slope;
 };
 
@@ -28,14 +28,14 @@ struct Ball
   double Radius;
 };
 
-/** The distance to the nearest of several balls. */
+/** Distance to the nearest of several balls. */
 Shape MakeBalls(const std::vector<Ball>& balls);
 Shape MakeBall(const Point& centre, double radius);
 
-/** Around an axis parallel to z. */
+/** Torus around an axis parallel to z. */
 Shape MakeTorus(const Point& centre, double ringRadius, double tubeRadius);
 
-/** Threshold - sum of (1 - r^2/radius^2)^3: no distance, and flat far away. */
+/** Threshold - sum of (1 - r^2/radius^2)^3: not a distance, and constant far away. */
 Shape MakeMetaballs(const std::vector<Point>& centres, double radius, double threshold);
 
 /** Six metaballs on the axes, merged into one body. */
@@ -59,30 +59,32 @@ Shape MakeBallInShell(double outerRadius, double innerRadius, double ballRadius)
 /** (|x - c|^2 - r^2) / 2 r: a sphere whose slope is 1 only at the surface. */
 Shape MakeAlgebraicBall(const Point& centre, double radius);
 
-/** At the origin; no distance: its slope is 1 or less, depending on the direction. */
+/** Ellipsoid at the origin. Its value is not a distance: the slope is 1 or less, depending on the
+ * direction. */
 Shape MakeEllipsoid(const Point& semiAxes);
 
-/** A disk around the z axis, its middle plane at a height. */
+/** Disk around the z axis with its middle plane at a height. */
 Shape MakeSlab(double height, double thickness, double radius);
 
-/** The same everywhere: a target of this value moves the surface with a uniform speed. */
+/** Constant value: as a target, it moves the surface with a uniform speed. */
 Shape MakeConstant(double value);
 
-/** Value / slope, clamped to +-reach: the first-order distance to a shape that is no distance. */
+/** Value / slope, clamped to +-reach: first-order distance to a shape whose value is no
+ * distance. */
 Shape Normalise(const Shape& shape, double reach);
 
-/** Grows a shape about the origin. */
+/** Scales a shape about the origin. */
 Shape Scale(const Shape& shape, double factor);
 
-/** Takes what is at the origin to a point. */
+/** Moves a shape from the origin to a point. */
 Shape Move(const Shape& shape, const Point& to);
 
-/** By central differences, for shapes of size 1. */
+/** Gradient by central differences, for shapes of size 1. */
 Point GetGradient(const Shape& shape, const Point& point);
 
 InitialFunction MakeInitialFunction(const Shape& shape);
 
-/** A shape that stands still or follows a trajectory. */
+/** A static shape, or one that follows a trajectory. */
 class ShapeTarget : public Target
 {
 public:
@@ -102,7 +104,7 @@ private:
 
 /**
  * Starts the surface on a shape within Box, at time 0. Sets a maximum of active voxels that no
- * sound surface reaches: noise throws instead of filling the memory.
+ * sound surface reaches: noise throws instead of exhausting the memory.
  */
 void StartOn(NarrowBand& band, const Shape& shape);
 

@@ -1,5 +1,5 @@
 /**
- * A target that fails where a test wants it to.
+ * A target that fails on request of a test.
  */
 #ifndef FailingTarget_h
 #define FailingTarget_h
@@ -12,7 +12,7 @@
 namespace activesurface
 {
 
-/** What a target has been asked. */
+/** Calls of a target so far. */
 struct AskedTarget
 {
   double Time = 0.0;
@@ -20,7 +20,7 @@ struct AskedTarget
   int Evaluations = 0; //< calls of Evaluate
 };
 
-/** Fails in an evaluation by a rule. */
+/** Fails in an evaluation if the rule returns true. */
 class FailingTarget : public RegionTarget
 {
 public:
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  Rule Fails; //< none: never
+  Rule Fails; //< empty: never
   mutable AskedTarget Asked;
 };
 

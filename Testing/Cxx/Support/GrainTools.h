@@ -1,5 +1,5 @@
 /**
- * Particles with arrays, for the tests of what the skin takes of them.
+ * Particles with arrays, for tests of the arrays that the skin gets from them.
  */
 #ifndef GrainTools_h
 #define GrainTools_h
@@ -25,24 +25,24 @@ struct Grain
   double Temperature;
 };
 
-/** 60 grains at random in a ball of radius .4 around (x, 0, 0). */
+/** 60 random grains in a ball of radius 0.4 around (x, 0, 0). */
 std::vector<Grain> MakeBlob(double x);
 
-/** Points without cells; arrays "id" (int), "temperature" (double, active), "constant"
- * (float, 7.25) and "name" (text, "grain <id>"). */
+/** Points without cells. Arrays: "id" (int), "temperature" (double, active), "constant" (float,
+ * 7.25) and "name" (text, "grain <id>"). */
 vtkSmartPointer<vtkPolyData> MakeCloud(const std::vector<Grain>& grains);
 
-/** Gives all points the same numbers. */
+/** Adds an array with the same numbers for all points. */
 void AddFloats(vtkPolyData* points, const char* name, int components, double value);
 
-/** A kernel of particles, of the distance over the reach, which is < 1. */
+/** Kernel of particles: a function of the distance over the kernel radius, which is < 1. */
 using KernelFormula = double (*)(double);
 inline double Wyvill(double q)
 {
   return std::pow(1.0 - q * q, 3.0);
 }
 
-/** What the skin has to have at x, by the formula of the kernel. */
+/** Expected values of the skin at x, from the formula of the kernel. */
 struct Expected
 {
   double Temperature;
@@ -51,7 +51,7 @@ struct Expected
 Expected FindExpected(
   const std::vector<Grain>& grains, const double x[3], KernelFormula kernel = Wyvill);
 
-/** All point arrays of the skin, one after the other. */
+/** Bytes of all point arrays of the skin, one after the other. */
 std::string GetArrayBytes(vtkActiveImplicitSurface* filter);
 
 }

@@ -1,5 +1,5 @@
-// What the tests of vtkGridPotential share: values at points, threads that take them at
-// once, and images.
+// Helpers for the tests of vtkGridPotential: values at points, concurrent evaluation by threads,
+// and images.
 #ifndef GridShapes_h
 #define GridShapes_h
 
@@ -30,13 +30,13 @@ inline Point GradientAt(vtkGridPotential* potential, Point x)
   return gradient;
 }
 
-// Bit by bit: NaN equals NaN.
+// Compares bitwise: NaN equals NaN.
 inline bool AreSameBytes(const std::vector<double>& a, const std::vector<double>& b)
 {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-// Values and gradients (4 numbers each), one point after the other.
+// Values and gradients (4 numbers for each point), one point after the other.
 inline std::vector<double> SampleAll(vtkGridPotential* potential, const std::vector<Point>& points)
 {
   std::vector<double> samples;
@@ -49,7 +49,7 @@ inline std::vector<double> SampleAll(vtkGridPotential* potential, const std::vec
   return samples;
 }
 
-// SampleAll by several threads at once, of which the first to come reads the input.
+// SampleAll by several threads at once: the first of them reads the input.
 inline std::vector<std::vector<double>> SampleByThreads(
   vtkGridPotential* potential, const std::vector<Point>& points)
 {
@@ -66,8 +66,8 @@ inline std::vector<std::vector<double>> SampleByThreads(
   return samples;
 }
 
-// Spacing (.5, .25, 2), an extent that starts at (2, -3, 10), and axes turned about z by an angle
-// of cosine .8, then cyclically exchanged.
+// Spacing (0.5, 0.25, 2), an extent that starts at (2, -3, 10), and axes turned about z by an angle
+// of cosine 0.8, then cyclically exchanged.
 struct Place
 {
   explicit Place(bool isTurned)
@@ -91,7 +91,7 @@ struct Place
     return x;
   }
 
-  // The gradient in space of one by pixel.
+  // Gradient in space from a gradient per pixel.
   Point Turn(const Point& rise) const
   {
     Point gradient = { 0.0, 0.0, 0.0 };
@@ -115,7 +115,7 @@ using Field = std::function<double(double i, double j, double k)>;
 
 inline double Linear(double i, double j, double k)
 {
-  return 2.0 * i + 3.0 * j + 5.0 * k - 40.0; // 1 to 56: any type holds it
+  return 2.0 * i + 3.0 * j + 5.0 * k - 40.0; // 1 to 56: fits every type
 }
 
 inline vtkSmartPointer<vtkImageData> MakeImage(const Place& place, int type, const Field& field)

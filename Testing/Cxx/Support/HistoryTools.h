@@ -1,5 +1,5 @@
 /**
- * What the pipeline's tests read of a skin and of its history.
+ * Measures of a skin and values of its history for the pipeline tests.
  */
 #ifndef HistoryTools_h
 #define HistoryTools_h
@@ -18,19 +18,19 @@ namespace activesurface
 /** Triangles, and their normals if they have any. */
 Mesh GetMesh(vtkPolyData* triangles);
 
-/** Edges and vertices that are not those of a closed manifold, and unused vertices. */
+/** Number of edges and vertices that violate a closed manifold, and of unused vertices. */
 std::size_t CountDefects(const Mesh& mesh);
 
-/** "bodies voids Euler-number": of a mesh, and of a row of the history. */
+/** "bodies voids Euler-number" of a mesh, or of a row of the history. */
 std::string DescribeTopology(const Mesh& mesh);
 std::string DescribeTopology(vtkActiveImplicitSurface* filter, int row);
 
-/** Of the history as it is now. A column that is missing throws. */
+/** Values of the present history. A missing column throws. */
 int CountRows(vtkActiveImplicitSurface* filter);
 double GetNumber(vtkActiveImplicitSurface* filter, int row, const char* column);
 std::string GetLastEvent(vtkActiveImplicitSurface* filter);
 
-/** All rows but those from `end` on, with digits enough to tell any two doubles apart. */
+/** All rows before `end`, with enough digits to distinguish any two doubles. */
 std::string GetHistoryText(vtkActiveImplicitSurface* filter, int end = 1000000);
 
 }

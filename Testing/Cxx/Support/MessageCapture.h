@@ -1,5 +1,5 @@
 /**
- * The messages of a VTK object, kept off the console so that a test can check them.
+ * Captures the messages of a VTK object, which do not reach the console, for checks by a test.
  */
 #ifndef MessageCapture_h
 #define MessageCapture_h
@@ -15,7 +15,7 @@
 namespace activesurface
 {
 
-/** Captures from its construction until its destruction. */
+/** Captures messages during its lifetime. */
 class MessageCapture
 {
 public:
@@ -26,19 +26,19 @@ public:
 
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
-  /** Of the executive, if the object is an algorithm: that a request has failed. */
+  /** Errors of the executive, if the object is an algorithm: failed requests. */
   std::vector<std::string> PipelineErrors;
 
-  /** Of all three kinds. */
+  /** Number of messages of all three kinds. */
   std::size_t CountAll() const;
 
-  /** Whether an error or a warning of the object contains the words. */
+  /** Returns true if an error or a warning of the object contains the words. */
   bool Has(const std::string& words) const;
 
-  /** The last error of the object; none: empty. */
+  /** Last error of the object, or an empty string. */
   std::string GetLastError() const;
 
-  /** How many of the messages contain the words; prints all if it is not just one. */
+  /** Number of messages that contain the words. Prints all messages unless the number is 1. */
   static int Count(const std::vector<std::string>& messages, const std::string& words);
 
 private:

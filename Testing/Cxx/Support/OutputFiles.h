@@ -1,5 +1,5 @@
 /**
- * Where a test leaves its files: a folder of its own, as ctest runs several at once.
+ * Output files of a test, in a folder of its own, because ctest runs several tests at once.
  */
 #ifndef OutputFiles_h
 #define OutputFiles_h
@@ -12,7 +12,7 @@
 #include <iterator>
 #include <string>
 
-/** The path of a file in the folder of the test that runs. */
+/** Path of a file in the folder of the current test. */
 inline std::string OutputName(const std::string& name)
 {
   const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
@@ -22,7 +22,7 @@ inline std::string OutputName(const std::string& name)
   return (folder / name).string();
 }
 
-/** A folder there, empty; its path ends in a slash. */
+/** Creates an empty folder there; its path ends in a slash. */
 inline std::string EmptyFolder(const std::string& name)
 {
   const std::string folder = OutputName(name);

@@ -1,4 +1,4 @@
-// Particles that do not move, for the node scheme.
+// Static particles for the node scheme.
 
 #ifndef ParticlesAtRest_h
 #define ParticlesAtRest_h
@@ -10,7 +10,7 @@
 class ParticlesAtRest final : public activesurface::NodeParticles
 {
 public:
-  // The caller's.
+  // The caller keeps the particles.
   explicit ParticlesAtRest(const std::vector<activesurface::SkeletonVertex>& particles)
     : Particles(particles)
   {

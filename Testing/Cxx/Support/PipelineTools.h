@@ -1,5 +1,6 @@
 /**
- * What the pipeline's tests are written with: an input that moves and counts, and skins over it.
+ * Tools for the pipeline tests: a time-dependent input that counts its executions, and skins over
+ * it.
  */
 #ifndef PipelineTools_h
 #define PipelineTools_h
@@ -31,7 +32,7 @@ struct Particle
   int Id;
 };
 
-/** Particles that are a function of time, with the point array "id". */
+/** Source of particles that depend on time, with the point array "id". */
 class ParticleSource : public vtkPolyDataAlgorithm
 {
 public:
@@ -40,15 +41,16 @@ public:
 
   using Cloud = std::function<std::vector<Particle>(double time)>;
   void SetCloud(const Cloud& cloud);
-  /** Published; none: only TIME_RANGE 0..10 if continuous, else no time at all. */
+  /** Time steps to publish. If empty, the source publishes only TIME_RANGE 0..10 if continuous,
+   * else no time. */
   void SetSteps(const std::vector<double>& steps);
   void SetContinuous(bool continuous);
-  /** RequestData fails from that execution on, counted from 0. */
+  /** RequestData fails from this execution on, counted from 0. */
   void SetFailingExecution(int execution) { this->FailingExecution = execution; }
-  /** It modifies itself when it executes, as it should not. */
+  /** If set, the source modifies itself while it executes, which sources should not do. */
   void SetRestless(bool restless) { this->Restless = restless; }
 
-  /** The times it was executed for, in order. */
+  /** Times of all executions, in order. */
   std::vector<double> Executions;
   std::string GetExecutions() const;
 
@@ -66,33 +68,34 @@ private:
   bool Restless = false;
 };
 
-/** Adds one for each execution of an algorithm from now on. */
+/** Adds one to `executions` for each future execution of an algorithm. */
 void CountExecutions(vtkAlgorithm* algorithm, int& executions);
 
-/** The points, triangles and normals of the skin, byte by byte; of an empty skin: none. */
+/** Points, triangles and normals of the skin as bytes; empty for an empty skin. */
 std::string GetBytes(vtkActiveImplicitSurface* filter);
 
-/** GetBytes after an update for that time. */
+/** GetBytes after an update to this time. */
 std::string GetBytesAt(vtkActiveImplicitSurface* filter, double time);
 
-/** Box of the skin; empty skins have x min > x max. */
+/** Bounding box of the skin; an empty skin has x min > x max. */
 std::array<double, 6> GetSkinBounds(vtkActiveImplicitSurface* filter);
 
-/** A ball of radius .6 that goes towards one of radius .4, in 11 steps of .1. */
+/** A ball of radius 0.6 that shrinks towards one of radius 0.4, in 11 steps of 0.1. */
 vtkSmartPointer<vtkActiveImplicitSurface> MakeShrinkingBall();
 
-/** Particles of radius .3, voxels of .05 in the box +-1 and an Attraction of 10; without an input.
+/** Particles of radius 0.3, voxels of 0.05 in the box +-1 and an Attraction of 10; without an
+ * input.
  */
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSkin();
 
-/** The same over an input; its particles, if it has any, have no ids. */
+/** MakeSkin with an input whose particles have no ids. */
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOver(vtkAlgorithm* source);
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOver(vtkDataObject* data);
 
-/** With the ids of the particles. */
+/** MakeSkin with an input whose particles have ids. */
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOver(ParticleSource* source);
 
-/** The squared distance to a centre on the x axis, minus that of a ball's surface. */
+/** Squared distance to a centre on the x axis, minus the squared radius. */
 vtkSmartPointer<vtkImplicitFunction> MakeBallFunction(double radius, double x = 0.0);
 
 /** Least and largest distance of the skin's points from a centre on the x axis. */
@@ -103,11 +106,11 @@ struct Radii
 };
 Radii GetRadii(vtkActiveImplicitSurface* filter, double x = 0.0);
 
-/** Checks that the skin is a ball around the origin, as far as the tolerance. */
+/** Checks that the skin is a ball around the origin, within the tolerance. */
 void CheckBall(
   vtkActiveImplicitSurface* filter, double radius, double tolerance, const std::string& name);
 
-/** One ball that goes along x from 0, .2 for each unit of time. */
+/** One ball that moves along x from 0, by 0.2 per unit of time. */
 std::vector<Particle> MovingBall(double time);
 
 /** The moving ball at the time steps 0 to 4. */

@@ -1,5 +1,5 @@
 /**
- * A place in space, or a vector.
+ * A point in space, or a vector.
  */
 #ifndef Point_h
 #define Point_h

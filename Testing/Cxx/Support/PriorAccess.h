@@ -1,5 +1,5 @@
 /**
- * Sources that run in situ, as VTK 9.4 and later have them.
+ * Sources that run in situ, supported by VTK 9.4 and later.
  */
 #ifndef PriorAccess_h
 #define PriorAccess_h
@@ -15,8 +15,8 @@ inline bool IsPriorAccessKnown()
   return VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0);
 }
 
-/** From its next time on, the first again, no time of the source can be had twice. False where VTK
- * does not know that. */
+/** Declares that no time of the source is available a second time, once it has executed for its
+ * first time again. Returns false for versions of VTK without this feature. */
 inline bool ForbidPriorAccess(vtkAlgorithm* source)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)

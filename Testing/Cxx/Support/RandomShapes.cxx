@@ -7,7 +7,7 @@ namespace activesurface
 namespace
 {
 
-/** In [-1, 1], of the corner of a cell: a hash of its numbers. */
+/** Number in [-1, 1] for the corner of a cell: a hash of the corner's coordinates. */
 double NoiseAt(const std::int64_t corner[3])
 {
   std::uint64_t bits = 1;

@@ -24,16 +24,16 @@ class RandomShapes
 public:
   explicit RandomShapes(std::uint32_t seed);
 
-  /** least + (most - least) * bits / 2^32: uniform, without `most`. */
+  /** Uniform in [least, most): least + (most - least) * bits / 2^32. */
   double DrawBetween(double least, double most);
 
-  /** Within .05 along each axis. */
+  /** Point within 0.05 along each axis. */
   Point DrawPointNear(const Point& point);
 
-  /** Within 10 %. */
+  /** Length within 10 %. */
   double DrawLengthNear(double length);
 
-  /** A ball whose centre and radius are drawn as above. */
+  /** Ball whose centre and radius are drawn as above. */
   Ball DrawBallNear(const Ball& ball);
 
 private:
@@ -41,7 +41,7 @@ private:
 };
 
 /** The shape plus noise in [-amplitude, amplitude], drawn at the corners of cells and trilinear in
- * between: what an image of this spacing has. */
+ * between, as in an image of this spacing. */
 Shape MakeNoisy(const Shape& shape, double cell, double amplitude);
 }
 

@@ -1,5 +1,5 @@
 /**
- * Targets that tell where their surface can be.
+ * Targets that report the regions of their surface.
  */
 #ifndef RegionTargets_h
 #define RegionTargets_h
@@ -27,7 +27,7 @@ inline TargetRegion RegionAround(const Ball& ball, RegionSeeds seeds)
   return region;
 }
 
-/** A shape with regions, both of a time. */
+/** A shape with regions, both functions of time. */
 class RegionTarget : public ShapeTarget
 {
 public:
@@ -61,7 +61,7 @@ inline RegionTarget MakeStanding(const Shape& shape, const std::vector<TargetReg
   return { [shape](double) { return shape; }, [regions](double) { return regions; } };
 }
 
-/** Balls of a time, each with its region. */
+/** Balls as a function of time, each with its region. */
 inline RegionTarget MakeMovingBalls(const std::function<std::vector<Ball>(double)>& balls,
   RegionSeeds seeds = RegionSeeds::PartAtCentre)
 {
@@ -101,7 +101,7 @@ inline void CheckSound(const NarrowBand& band, const Topology& expected)
   EXPECT_EQ(topology.EulerCharacteristic, expected.EulerCharacteristic) << "Euler number";
 }
 
-/** What the tests of new parts start with. */
+/** Start of the tests of new parts. */
 namespace twoballs
 {
 constexpr int Nodes = 48;

@@ -1,5 +1,5 @@
 /**
- * Whether two skins have the same bytes, and some at all.
+ * Compares the bytes of two skins.
  */
 #ifndef SameSkins_h
 #define SameSkins_h
@@ -11,8 +11,8 @@
 namespace activesurface
 {
 
-/** Success when the bytes of two skins, or of their arrays, are equal. Failure when both are empty:
- * two skins that failed to appear are no proof. */
+/** Success if the bytes of two skins, or of their arrays, are equal. Failure if both are empty: two
+ * missing skins are no proof. */
 inline testing::AssertionResult AreSameSkins(const std::string& first, const std::string& second)
 {
   if (first != second)

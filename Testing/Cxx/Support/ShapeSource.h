@@ -1,5 +1,5 @@
 /**
- * Meshes, images and lines as an input that moves and counts, and some of them.
+ * A source of time-dependent meshes, images and lines that counts its executions, and some shapes.
  */
 #ifndef ShapeSource_h
 #define ShapeSource_h
@@ -19,8 +19,8 @@ class vtkPolyData;
 namespace activesurface
 {
 
-/** Data sets, all of one type, that are a function of time. It writes all of its images into the
- * memory of the one before, if VTK lets it. */
+/** Source of data sets of one type that depend on time. The source writes each image into the
+ * memory of the one before, if VTK permits. */
 class ShapeSource : public vtkAlgorithm
 {
 public:
@@ -28,10 +28,10 @@ public:
   vtkTypeMacro(ShapeSource, vtkAlgorithm);
 
   using Shape = std::function<vtkSmartPointer<vtkDataSet>(double time)>;
-  /** steps: published; none: no time at all. */
+  /** `steps`: time steps to publish. If empty, the source publishes no time. */
   void SetShape(const Shape& shape, const std::vector<double>& steps = {});
 
-  /** The times it was executed for, in order. */
+  /** Times of all executions, in order. */
   std::vector<double> Executions;
   std::string GetExecutions() const;
 
@@ -54,15 +54,15 @@ private:
 vtkSmartPointer<ShapeSource> MakeSource(
   const ShapeSource::Shape& shape, const std::vector<double>& steps = {});
 
-/** A ball with its centre on the x axis, as triangles: inside the ball, by .0016 of the radius at
- * most, that is the sum of the sagittas of 64 chords around and of 63 from pole to pole. */
+/** A ball with its centre on the x axis, as triangles. The mesh lies inside the ball by at most
+ * 0.0016 of the radius, the sum of the sagittas of 64 chords around and of 63 from pole to pole. */
 vtkSmartPointer<vtkPolyData> MakeBallMesh(double radius, double x = 0.0);
 
-/** The squared distance to a centre on the x axis, minus that of a ball's surface, in pixels of .05
- * in the box +-1: what vtkSphere gives. */
+/** Squared distance to a centre on the x axis, minus the squared radius, in pixels of 0.05 in the
+ * box +-1: the values of vtkSphere. */
 vtkSmartPointer<vtkImageData> MakeBallImage(double radius, double x = 0.0);
 
-/** Two segments with a joint, and a lone point that is not in a cell, nor a vertex. */
+/** Two segments with a joint, and an isolated point that belongs to no cell. */
 vtkSmartPointer<vtkPolyData> MakeLines();
 
 }

@@ -1,4 +1,4 @@
-// What the tests of vtkSkeletonPotential share: skeletons made point by point, and random places.
+// Helpers for the tests of vtkSkeletonPotential: skeletons made point by point, and random points.
 #ifndef SkeletonShapes_h
 #define SkeletonShapes_h
 
@@ -77,7 +77,7 @@ private:
   std::mt19937_64 Generator;
 };
 
-// A vtkPolyData with the point arrays "r" and "s", made point by point.
+// Builds a vtkPolyData with the point arrays "r" and "s" point by point.
 class SkeletonBuilder
 {
 public:
@@ -122,8 +122,8 @@ public:
   vtkNew<vtkCellArray> Verts;
 };
 
-// Elements of every size, points and tapered segments, some of them long and thin; `spread` is the
-// side of the cube that they are in.
+// Adds elements of every size, points and tapered segments, some of them long and thin. `spread` is
+// the side of the cube that contains them.
 inline void Fill(
   SkeletonBuilder& shape, Random& random, int points, int segments, double radius, double spread)
 {
@@ -148,7 +148,7 @@ inline void Fill(
   }
 }
 
-// Places near the elements: anywhere in a random support, or just inside or outside its end.
+// Points near the elements: anywhere in a random support, or just inside or outside its boundary.
 inline std::vector<Point> PlacesNear(SkeletonBuilder& shape, Random& random, int count)
 {
   std::vector<Point> places;

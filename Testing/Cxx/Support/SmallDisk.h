@@ -1,5 +1,5 @@
 /**
- * A disk that is full after so many bytes, as far as this process sees it.
+ * Simulates a full disk for this process: files are limited in size.
  */
 #ifndef SmallDisk_h
 #define SmallDisk_h
@@ -11,7 +11,7 @@
 namespace activesurface
 {
 
-/** Files are limited to that size while it lives. */
+/** Limits files to this size during its lifetime. */
 class SmallDisk
 {
 public:

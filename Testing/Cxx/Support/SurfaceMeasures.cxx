@@ -76,7 +76,7 @@ std::size_t CountBadEdges(const Mesh& mesh)
   return bad;
 }
 
-// For each vertex the other two corners of its triangles, in the triangles' order.
+// For each vertex, the other two corners of its triangles, in the order of the triangles.
 std::vector<std::vector<HalfEdge>> GetFans(const Mesh& mesh)
 {
   std::vector<std::vector<HalfEdge>> fans(mesh.GetNumberOfPoints());
@@ -109,7 +109,7 @@ bool IsOneClosedFan(const std::vector<HalfEdge>& fan)
   return length == fan.size();
 }
 
-// For each vertex a vertex that stands for its connected part of the mesh.
+// For each vertex, a vertex that represents its connected part of the mesh.
 std::vector<std::int64_t> FindParts(const Mesh& mesh)
 {
   std::vector<std::int64_t> parent(mesh.GetNumberOfPoints());
@@ -162,7 +162,7 @@ Point GetNodeGradient(
   return gradient;
 }
 
-// The gradient at the linear crossing of an edge, interpolated between the edge's nodes.
+// Gradient at the linear crossing of an edge, interpolated between the edge's nodes.
 double GetCrossingSlope(const openvdb::FloatGrid::ConstAccessor& potential,
   const openvdb::Coord& lower, const openvdb::Coord& upper)
 {

@@ -1,5 +1,5 @@
 /**
- * What the exact tests measure on a skin.
+ * Measures of a skin for the exact tests.
  */
 #ifndef SurfaceMeasures_h
 #define SurfaceMeasures_h
@@ -12,7 +12,7 @@
 
 namespace activesurface
 {
-/** The triangles of a skin, as Skin::Write gives them. */
+/** Triangles of a skin in the layout of Skin::Write. */
 struct Mesh
 {
   std::vector<float> Points;
@@ -23,25 +23,26 @@ struct Mesh
   std::size_t GetNumberOfTriangles() const { return this->Corners.size() / 3; }
   Point GetPoint(std::size_t vertex) const;
   Point GetNormal(std::size_t vertex) const;
-  /** Along the triangle's own normal, as long as twice its area. */
+  /** Vector along the triangle's own normal, of twice its area. */
   Point GetAreaVector(std::size_t triangle) const;
 };
 Mesh Polygonise(const NarrowBand& band);
 
 double GetArea(const Mesh& mesh);
-/** Positive when the triangles are counter-clockwise seen from outside. */
+/** Positive if the triangles are counter-clockwise seen from outside. */
 double GetVolume(const Mesh& mesh);
 
-/** How a mesh fails to be a closed oriented manifold; all zero if it is one. */
+/** Violations of a closed oriented manifold; all zero if there are none. */
 struct MeshDefects
 {
-  std::size_t Edges = 0;    //< not run through exactly once in each direction
+  std::size_t Edges = 0;    //< not traversed exactly once in each direction
   std::size_t Vertices = 0; //< whose triangles do not form one closed fan
   std::size_t Unused = 0;   //< vertices of no triangle
 };
 MeshDefects FindDefects(const Mesh& mesh);
 
-/** Of a closed mesh. Each of its parts bounds a body from outside or a void from inside. */
+/** Topology of a closed mesh. Each of its parts bounds a body from outside or a void from
+ * inside. */
 struct Topology
 {
   int Components = 0;
@@ -61,10 +62,11 @@ struct Range
 /** Distances of the vertices from a centre. */
 Range GetRadii(const Mesh& mesh, const Point& centre);
 
-/** |gradient| of the potential, by central differences, at the sample points; 1: a distance. */
+/** Norm of the potential's gradient, by central differences, at the sample points; 1 for a
+ * distance. */
 Range GetSlopes(const NarrowBand& band);
 
-/** How far the skin is from a shape: first-order distances [voxels], angles of normals [degrees].
+/** Deviation of the skin from a shape: first-order distances [voxels], angles of normals [degrees].
  */
 struct Deviation
 {
@@ -75,8 +77,8 @@ struct Deviation
 };
 Deviation GetDeviation(const Mesh& mesh, const Shape& shape, double voxelSize);
 
-/** Leaves, masks and values are the same to the bit. Throws std::logic_error for two empty bands,
- * which are no proof. */
+/** Returns true if leaves, masks and values are bitwise identical. Throws std::logic_error for two
+ * empty bands, which are no proof. */
 bool AreIdentical(const NarrowBand& first, const NarrowBand& second);
 }
 

@@ -1,12 +1,13 @@
 /**
- * The folders of the tests, known to one source only: the others compile alike wherever they lie.
+ * Folders of the tests. Only one source contains their paths, so that all others compile alike in
+ * any location.
  */
 #ifndef TestFolders_h
 #define TestFolders_h
 
 /** Testing/Data. */
 extern const char* const TestDataFolder;
-/** Where tests leave their files. */
+/** Folder for output files of tests. */
 extern const char* const TestOutputFolder;
 
 #endif

@@ -1,5 +1,5 @@
-// The main of all tests. A filter that selects no test is an error: a name that has changed would
-// pass otherwise.
+// The main function of all tests. A filter that selects no test is an error; otherwise a renamed
+// test would pass.
 
 #include <gtest/gtest.h>
 

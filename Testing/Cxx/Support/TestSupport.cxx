@@ -1,4 +1,4 @@
-// What the other tests rely on: each helper passes when it should and fails when it should.
+// Helpers of the other tests: each passes and fails when it should.
 
 #include "Support/OutputFiles.h"
 #include "Support/SameSkins.h"

@@ -1,5 +1,5 @@
 /**
- * Whether an action throws the exception that it should, with the message that it should.
+ * Checks the type and the message of an exception.
  */
 #ifndef Throws_h
 #define Throws_h
@@ -9,8 +9,8 @@
 #include <string>
 
 /**
- * Success when action() throws an Exception whose message contains the words. Any other exception
- * passes through, and fails the test.
+ * Success if action() throws an Exception whose message contains the words. Any other exception
+ * propagates, and fails the test.
  */
 template <class Exception, class Action>
 testing::AssertionResult Throws(Action action, const std::string& words)

@@ -1,5 +1,5 @@
 /**
- * Where the exact tests and the benchmarks take place, and the plainest motion there.
+ * Domain of the exact tests and the benchmarks, and the simplest motion there.
  */
 #ifndef UnitBox_h
 #define UnitBox_h
@@ -11,7 +11,7 @@ namespace activesurface
 /** [-1,1]^3. */
 constexpr double Box[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
 
-/** For n nodes along each side of Box. */
+/** Voxel size for n nodes along each side of Box. */
 constexpr double VoxelSizeOf(int n)
 {
   return 2.0 / (n - 1);
