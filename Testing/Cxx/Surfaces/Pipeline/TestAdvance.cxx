@@ -1,4 +1,5 @@
-// Frames that a simulation pushes: the skins of the finished series, and what is refused.
+// Frames pushed by a simulation: the skins equal those of the finished series, and invalid frames
+// are refused.
 
 #include "Support/GrainTools.h"
 #include "Support/MessageCapture.h"
@@ -28,7 +29,7 @@ namespace TestAdvance
 
 const std::vector<double> AllTimes = { 0.5, 1.0, 2.0, 2.5, 4.0, 4.25 };
 
-// Two balls that part; a third is born at 2, the first is gone at 4.
+// Two balls that move apart. A third is born at time 2, the first is gone at time 4.
 std::vector<Particle> Part(double time)
 {
   std::vector<Particle> particles = { { -0.1 * time, 0.0, 0.0, 2 } };
@@ -74,12 +75,12 @@ Filter Prepare(Filter filter)
   return filter;
 }
 
-// The paper's sums; and what moves a skin by default, born and carried.
+// The sums of the paper. The default motion of particles, with births and Transport, follows below.
 Filter MakePlain()
 {
   auto filter = Prepare(MakeSkin());
   filter->ComputeVelocityOn();
-  filter->TangentialVelocityOff(); // that of a first step waits for the next one
+  filter->TangentialVelocityOff(); // at a first step it waits for the next one
   return filter;
 }
 
@@ -124,7 +125,7 @@ double GetTime(vtkActiveImplicitSurface* filter)
   return filter->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
 }
 
-// The rest of the way, and its skins.
+// Pushes the remaining frames and checks their skins.
 void GoesOn(vtkActiveImplicitSurface* filter, std::size_t first,
   const std::vector<std::string>& expected, const std::string& sentence)
 {
@@ -136,7 +137,8 @@ void GoesOn(vtkActiveImplicitSurface* filter, std::size_t first,
   }
 }
 
-// One error with these words; the skin is that of the last frame, and goes on.
+// Checks for one error with these words. The skin is that of the last frame, and later frames
+// continue from it.
 void Refuses(const std::function<void(vtkActiveImplicitSurface*)>& push, const std::string& words)
 {
   const std::vector<std::string> expected = RunAfterwards(MakePlain());
@@ -164,7 +166,7 @@ TEST(TestAdvance, GivesTheSkinsOfTheFinishedSeries)
   }
 }
 
-// Its points alone are new, and the frame's own time is another one.
+// Only the points are new, and the frame carries a different time of its own.
 TEST(TestAdvance, TakesOneObjectThatIsWrittenOver)
 {
   const std::vector<std::string> expected = RunAfterwards(MakePlain());
@@ -180,7 +182,7 @@ TEST(TestAdvance, TakesOneObjectThatIsWrittenOver)
   }
 }
 
-// A pipeline downstream has a time of its own, or none; only the newest skin is there.
+// A pipeline downstream requests a time of its own, or none. Only the newest skin is available.
 TEST(TestAdvance, OtherUpdatesAreForTheNewestFrame)
 {
   auto filter = MakePlain();
@@ -240,7 +242,7 @@ TEST(TestAdvance, AFrameThatCannotBeReadIsAsIfItHadNotBeen)
   Refuses(push, "all time steps of the input have to be of one kind");
 }
 
-// As in any input: particles that are not finite are left out.
+// Particles with coordinates that are not finite are ignored, as in any input.
 TEST(TestAdvance, ParticlesThatAreNotFiniteAreLeftOut)
 {
   const std::vector<std::string> expected = RunAfterwards(MakePlain());
@@ -294,7 +296,7 @@ TEST(TestAdvance, AFrameThatIsRefusedLeavesAnotherInput)
   EXPECT_TRUE(filter->UpdateTimeStep(AllTimes[1]));
 }
 
-// Half of the way is kept; the rest comes with an update, or with the next frame.
+// The finished part of the interval is kept. An update, or the next frame, completes it.
 TEST(TestAdvance, AMotionThatStopsGoesOn)
 {
   const std::vector<std::string> expected = RunAfterwards(MakePlain());
@@ -319,7 +321,7 @@ TEST(TestAdvance, AMotionThatStopsGoesOn)
   }
 }
 
-// Frames that are gone cannot be had again.
+// Earlier frames are unavailable.
 TEST(TestAdvance, APropertyRestartsTheMotionAtTheNewestFrame)
 {
   auto filter = MakePlain();

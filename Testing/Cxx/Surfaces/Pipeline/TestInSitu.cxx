@@ -1,4 +1,4 @@
-// A simulation that is still running: its time steps come one by one, and none comes again.
+// A running simulation publishes its time steps one by one, and none of them is available twice.
 
 #include "Support/GrainTools.h"
 #include "Support/MessageCapture.h"
@@ -20,7 +20,7 @@ namespace TestInSitu
 
 const std::vector<double> AllSteps = { 0.5, 1.0, 2.0, 2.5, 4.0, 4.25 };
 
-// Two balls that part, and a third that is born at 2.
+// Two balls that move apart, and a third that is born at time 2.
 std::vector<Particle> Part(double time)
 {
   std::vector<Particle> particles = { { 0.1 * time, 0.0, 0.0, 1 }, { -0.1 * time, 0.0, 0.0, 2 } };
@@ -44,7 +44,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeWatcher(ParticleSource* source)
   auto filter = MakeSkinOver(source);
   filter->SetStartTime(AllSteps.front());
   filter->ComputeVelocityOn();
-  filter->TangentialVelocityOff(); // that of a first step waits for the next one
+  filter->TangentialVelocityOff(); // at a first step it waits for the next one
   return filter;
 }
 
@@ -53,7 +53,7 @@ std::string GetAllBytes(vtkActiveImplicitSurface* filter)
   return GetBytes(filter) + GetArrayBytes(filter);
 }
 
-// What a run over a finished simulation gives at each step.
+// Skins at each step of a run over a finished simulation.
 std::vector<std::string> RunAfterwards()
 {
   auto source = MakeRunning(AllSteps);
@@ -67,7 +67,7 @@ std::vector<std::string> RunAfterwards()
   return skins;
 }
 
-// The list of time steps grows, and with it the source is modified; the newest step is asked for.
+// The list of time steps grows, which modifies the source. The newest step is requested.
 TEST(TestInSitu, GrowingStepsGiveTheSameSkins)
 {
   const std::vector<std::string> expected = RunAfterwards();
@@ -79,15 +79,16 @@ TEST(TestInSitu, GrowingStepsGiveTheSameSkins)
     filter->UpdateTimeStep(AllSteps[i]);
     EXPECT_TRUE(GetAllBytes(filter) == expected[i]) << "at " << AllSteps[i];
   }
-  // Once more when the next one has come, to see whether the series is still the same.
+  // Each step is requested again when the next one has appeared, to check that the series is
+  // unchanged.
   EXPECT_EQ(source->GetExecutions(), std::string("0.5 0.5 1 1 2 2 2.5 2.5 4 4 4.25 "))
     << "times asked for";
   EXPECT_EQ(filter->GetHistory()->GetNumberOfRows(), vtkIdType(AllSteps.size())) << "rows";
   EXPECT_EQ(filter->GetHistory()->GetValueByName(0, "Time").ToDouble(), 0.5) << "first of them";
 }
 
-// With what moves a skin over particles by default, too: the first step alone stands still, so its
-// target carries nothing; the one that moves has to.
+// Same test with the default motion over particles. The first step alone is static, so its target
+// transports nothing; the moving target has to.
 TEST(TestInSitu, ParticlesOfGrowingStepsCarryTheSkin)
 {
   const auto prepare = [](ParticleSource* source)
@@ -113,7 +114,7 @@ TEST(TestInSitu, ParticlesOfGrowingStepsCarryTheSkin)
   }
 }
 
-// What has been there before is as it was, also between steps.
+// Earlier skins are unchanged, also between steps.
 TEST(TestInSitu, GrowingStepsKeepThePast)
 {
   auto finished = MakeRunning(AllSteps);
@@ -132,7 +133,7 @@ TEST(TestInSitu, GrowingStepsKeepThePast)
   EXPECT_TRUE(GetAllBytes(filter) == expected) << "between two old steps";
 }
 
-// Not grown at its end alone: that is another input.
+// A list that grows elsewhere than at its end is a different input.
 TEST(TestInSitu, OtherStepsStartAnew)
 {
   auto source = MakeRunning({ 0.5, 1.0, 2.0 });
@@ -147,8 +148,8 @@ TEST(TestInSitu, OtherStepsStartAnew)
   EXPECT_TRUE(GetAllBytes(filter) == GetAllBytes(fresh)) << "the same as a new filter";
 }
 
-// A single step stands still, on the filter's own clock; when it has gone on along that, the next
-// step of the input is a new start.
+// A single step is static and follows the filter's own clock. If that clock has advanced the skin,
+// the next step of the input restarts the motion.
 TEST(TestInSitu, AStillInputThatBeginsToMoveStartsAnewIfTheSkinHasMoved)
 {
   auto source = MakeRunning({ 0.5 });
@@ -159,7 +160,7 @@ TEST(TestInSitu, AStillInputThatBeginsToMoveStartsAnewIfTheSkinHasMoved)
   EXPECT_TRUE(GetAllBytes(filter) == RunAfterwards()[1]) << "the skin of a finished simulation";
 }
 
-// The other way, of VTK 9.4 and later. No time is asked for twice, whatever the user does.
+// The alternative of VTK 9.4 and later. No time is requested twice, whatever the user does.
 TEST(TestInSitu, NoPriorAccessIsObeyed)
 {
   auto source = MakeRunning({});

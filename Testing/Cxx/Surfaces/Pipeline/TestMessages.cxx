@@ -1,5 +1,5 @@
-// What cannot be done: one error that says why, empty outputs, and a filter that works again when
-// the cause is gone.
+// Impossible requests give one error with a reason and empty outputs. The filter works again when
+// the cause is removed.
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
@@ -47,7 +47,8 @@ vtkSmartPointer<vtkPolyData> MakeTwoPoints()
   return data;
 }
 
-// An update says one error with these words, besides the executive's, and leaves nothing behind.
+// Checks that an update reports one error with these words, besides the executive's, and leaves no
+// output.
 void Refuses(vtkActiveImplicitSurface* filter, const std::string& words, double time = 0.2)
 {
   MessageCapture messages(filter);
@@ -137,7 +138,7 @@ TEST(TestMessages, TooManyVoxelsAreAnError)
   Refuses(filter, "MaximumNumberOfActiveVoxels");
 }
 
-// The second of them comes late in the motion.
+// The second error occurs late in the motion.
 TEST(TestMessages, GrowingBeyondTheMaximumIsAnError)
 {
   auto filter = MakeShrinkingBall();
@@ -145,7 +146,7 @@ TEST(TestMessages, GrowingBeyondTheMaximumIsAnError)
   large->SetRadius(0.9);
   filter->SetTargetFunction(large);
   filter->SetModelBounds(-0.65, 0.65, -0.65, 0.65, -0.65, 0.65);
-  filter->SetMaximumNumberOfActiveVoxels(10000); // a ball of radius .6 has 7200, of .9 16000
+  filter->SetMaximumNumberOfActiveVoxels(10000); // radius 0.6: 7200 voxels, 0.9: 16000
   Works(filter, "at first");
   Refuses(filter, "MaximumNumberOfActiveVoxels", 1.0);
   filter->SetMaximumNumberOfActiveVoxels(60000);
@@ -366,7 +367,7 @@ TEST(TestMessages, NoSurfaceWithinTheBoundsIsAWarning)
   EXPECT_EQ(messages.Warnings.size(), 1u) << "warnings in all";
 }
 
-// One message for all steps.
+// The warning appears once for all steps.
 TEST(TestMessages, TargetThatIsNotFiniteIsAWarning)
 {
   auto filter = MakeShrinkingBall();

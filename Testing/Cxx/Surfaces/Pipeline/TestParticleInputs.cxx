@@ -1,4 +1,4 @@
-// Particles as tables and in blocks: the skins of the same particles as one vtkPolyData.
+// Particles in tables and in blocks give the same skins as one vtkPolyData with these particles.
 
 #include "Support/GrainTools.h"
 #include "Support/MessageCapture.h"
@@ -42,7 +42,7 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 using Names = std::array<const char*, 3>;
 
-// Numbers that single precision has exactly.
+// All coordinates are exact in single precision.
 std::vector<Particle> Drops(double time = 0.0)
 {
   return { { -0.25 - 0.125 * time, 0.0, 0.125, 4 }, { 0.25 + 0.125 * time, 0.0, 0.0, 7 },
@@ -184,7 +184,7 @@ TEST(TestParticleInputs, ColumnsOfWholeNumbersAreExact)
   EXPECT_TRUE(AreSameSkins(GetAllBytes(filter), GetAllBytes(cloud)));
 }
 
-// Chosen as arrays of points, or of rows.
+// Arrays are chosen as point arrays or as row arrays.
 TEST(TestParticleInputs, ColumnsAreArrays)
 {
   for (const int association :
@@ -256,7 +256,7 @@ TEST(TestParticleInputs, NumbersThatAreNotFiniteAreLeftOut)
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, "1 particle is left out"), 1) << "warnings";
 }
 
-// The pipeline would hand over one after the other, to a skin each.
+// The pipeline would otherwise pass block after block, each to a skin of its own.
 TEST(TestParticleInputs, BlocksAreParticlesInTheirOrder)
 {
   const auto parts = Split();
@@ -346,7 +346,7 @@ TEST(TestParticleInputs, WithoutRowsOrPointsThereAreNoParticles)
   }
 }
 
-// What comes may be another class from frame to frame.
+// The class of the frames may change from one to the next.
 TEST(TestParticleInputs, TablesAndBlocksArePushedToo)
 {
   const auto prepare = []

@@ -1,4 +1,5 @@
-// What the skin takes of the particles under it: their arrays, and their velocity along the skin.
+// Data that the skin gets from the particles under it: their arrays, and their velocity along the
+// skin.
 
 #include "Support/GrainTools.h"
 #include "Support/MessageCapture.h"
@@ -22,8 +23,8 @@ using namespace activesurface;
 namespace TestPassedArrays
 {
 
-// Each average of 7.25 is off by the rounding of a sum of weights that is 1 but for rounding; the
-// array is of floats.
+// The sum of weights is 1 up to rounding, so each average of 7.25 is wrong by that rounding. The
+// array has floats.
 TEST(TestPassedArrays, AConstantStaysTheConstant)
 {
   auto filter = MakeSkinOver(MakeSource([](double) { return MakeCloud(MakeBlob(0.0)); }));
@@ -71,7 +72,7 @@ void CheckAverages(int number, KernelFormula kernel)
   EXPECT_EQ(otherIds, vtkIdType(0)) << "points with another id, kernel " << number;
 }
 
-// The weights are the kernel's, by its formula; the id is that of the largest.
+// Weights follow the formula of the kernel. The id is that of the largest weight.
 TEST(TestPassedArrays, AnAverageIsTheFormula)
 {
   CheckAverages(vtkSkeletonPotential::WYVILL, Wyvill);
@@ -100,7 +101,7 @@ TEST(TestPassedArrays, TwoBallsKeepTheirOwn)
   EXPECT_EQ(wrong, vtkIdType(0)) << "points that have what is not theirs";
 }
 
-// A skin that starts far outside all kernels: it has the values of the nearest particle there.
+// A skin that starts far outside all kernels has the values of the nearest particle there.
 TEST(TestPassedArrays, WhereNoKernelReachesTheNearestCounts)
 {
   const std::vector<Grain> grains = { { -0.5, 0.0, 0.0, 1, 1.5 }, { 0.5, 0.0, 0.0, 2, 2.5 } };
@@ -124,9 +125,9 @@ TEST(TestPassedArrays, WhereNoKernelReachesTheNearestCounts)
   EXPECT_EQ(wrong, vtkIdType(0)) << "of which are wrong";
 }
 
-// Particle 2 is born beside particle 1 on the way from step 0 to step 1, at 300 instead of 100: at
-// a fraction f it has f of its weight, so that its value comes in by f / (1 + f) where both weigh
-// the same, and nowhere by more than it weighs.
+// Particle 2, of value 300, is born beside particle 1, of value 100, between step 0 and step 1. At
+// a fraction f its weight is multiplied by f. Where both kernels are equal, its part of the value
+// is f / (1 + f), and nowhere more than its weight.
 TEST(TestPassedArrays, ABirthComesInByItsStrength)
 {
   const auto cloud = [](double time)
@@ -166,7 +167,7 @@ TEST(TestPassedArrays, BetweenStepsValuesGoEvenly)
   EXPECT_NEAR(range[1], 10.0 + 0.25 * 30.0, 1e-12) << "largest";
 }
 
-// Grains that are born and die, in a cloud that flows: 4 frames.
+// Grains that are born and die, in a moving cloud: 4 frames.
 vtkSmartPointer<ShapeSource> MakeFlow()
 {
   return MakeSource(
@@ -194,7 +195,8 @@ void WishForAll(vtkActiveImplicitSurface* filter)
   filter->TangentialVelocityOn();
 }
 
-// Turned on late, at a time that a checkpoint restores, and with other frames at hand.
+// Arrays are switched on late, at a time restored from a checkpoint, while other frames are in
+// memory.
 TEST(TestPassedArrays, ArraysDoNotDependOnTheWay)
 {
   for (const double time : { 0.0, 0.5, 1.0, 2.75, 3.0 })

@@ -1,4 +1,4 @@
-// Colours of the particles, on the skin: averaged, and whole numbers again.
+// Colours of the particles on the skin: averaged, then rounded to integers.
 
 #include "Support/GrainTools.h"
 #include "Support/PipelineTools.h"
@@ -21,7 +21,8 @@ namespace TestPassedColors
 namespace
 {
 
-// A red and a blue particle, apart on the x axis; "rgb", "rgba" and "label" of unsigned char.
+// A red and a blue particle, apart on the x axis; "rgb", "rgba" and "label" are arrays of unsigned
+// char.
 const std::vector<Grain> Two = { { -0.1, 0.0, 0.0, 1, 0.0 }, { 0.1, 0.0, 0.0, 2, 1.0 } };
 
 vtkSmartPointer<vtkDataSet> MakeColored(double)
@@ -55,8 +56,9 @@ vtkUnsignedCharArray* GetBytes(vtkActiveImplicitSurface* filter, const char* nam
 
 }
 
-// The temperature is the share of the second particle, in double precision: the colour is what it
-// says, to the nearest whole number. Both sum up in the same order, to 1e-13, far from any half.
+// The temperature is the weight of the second particle, in double precision. Colours are the
+// corresponding averages, rounded to the nearest integer. Both sums use the same order, to 1e-13,
+// far from any half.
 TEST(TestPassedColors, ColorsAreTheRoundedAverages)
 {
   auto filter = MakeColoredSkin();
@@ -84,8 +86,9 @@ TEST(TestPassedColors, ColorsAreTheRoundedAverages)
   EXPECT_LT(50, between) << "points between the two";
 }
 
-// Where both weigh the same, red and blue are 127.5 each: halves go upwards, to 128; the third
-// component is 11.5, thus 12. The lattice has nodes at x = 0, and edges along y and z that cross.
+// Where both particles have the same weight, red and blue are 127.5 each. Halves are rounded up, to
+// 128; the third component is 11.5, thus 12. The lattice has nodes at x = 0, and edges along y and
+// z that cross.
 TEST(TestPassedColors, TheMiddleIsTheAverage)
 {
   auto filter = MakeColoredSkin();

@@ -1,4 +1,4 @@
-// The outputs shared out in pieces, as to the ranks of a parallel program: nothing twice.
+// Outputs divided into pieces, as for the ranks of a parallel program: nothing occurs twice.
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
@@ -69,7 +69,8 @@ TEST(TestPieces, OtherPiecesAreEmptyAndCostNothing)
     << "then the first piece, as ever";
 }
 
-// The input is at a step after the first update, and VTK would give its time to the piece.
+// After the first update the input is at a step, and VTK would assign the time of that step to the
+// piece.
 TEST(TestPieces, OtherPiecesHaveTheTimeOfTheFirst)
 {
   auto filter = MakeSkinOver(MakeMovingBall());
@@ -86,7 +87,7 @@ TEST(TestPieces, OtherPiecesHaveTheTimeOfTheFirst)
   }
 }
 
-// Particles have no bounds before they are read, and nobody was connected who needed them.
+// Particles have no bounds before they are read, and no consumer that needs bounds was connected.
 TEST(TestPieces, PiecesOfAnImageWithoutABoxAreParts)
 {
   auto whole = MakeSkinOver(MakeMovingBall());
@@ -116,7 +117,8 @@ TEST(TestPieces, ThereMayBeMorePiecesThanNodes)
   EXPECT_EQ(messages.Errors.size(), 0u) << "errors";
 }
 
-// Pieces of an image share a layer of nodes, or not; every node is in one at least, with its value.
+// Pieces of an image may share a layer of nodes. Every node is in at least one piece, with its
+// value.
 TEST(TestPieces, PiecesOfTheImageMakeUpTheWhole)
 {
   auto filter = MakeShrinkingBall();

@@ -1,5 +1,5 @@
-// What times the pipeline asks of the filter, and what the filter asks of its input: how often, in
-// which order, and that the result does not depend on it.
+// Times that the pipeline requests of the filter, and times that the filter requests of its input:
+// number and order of the requests. The result does not depend on them.
 
 #include "Support/PipelineTools.h"
 
@@ -146,7 +146,7 @@ TEST(TestPipeline, EarlierTimeRestarts)
 {
   auto source = MakeMovingBall();
   auto filter = MakeSkinOver(source);
-  filter->SetCheckpointInterval(10); // more than there are steps
+  filter->SetCheckpointInterval(10); // more than the number of steps
   const std::string first = GetBytesAt(filter, 1.0);
   filter->UpdateTimeStep(2.0);
   filter->ResetCounters();
@@ -156,7 +156,7 @@ TEST(TestPipeline, EarlierTimeRestarts)
   EXPECT_TRUE(AreSameSkins(first, again)) << "the same bytes";
 }
 
-// The skin at a time depends on that time alone, to the byte.
+// The skin at a time depends only on that time, bitwise.
 TEST(TestPipeline, OrderOfRequestsDoesNotMatter)
 {
   auto direct = MakeSkinOver(MakeMovingBall());
@@ -197,7 +197,8 @@ TEST(TestPipeline, TimesBetweenLeaveTheTrajectoryAlone)
     << "the next step's bytes";
 }
 
-// 3 * .1 is not .3: that would be a branch to almost the next step, and the step again.
+// 3 * .1 is not .3. The difference must not cause a branch to almost the next step, followed by the
+// step itself.
 TEST(TestPipeline, TimesThatDifferByRoundingAreTheStep)
 {
   auto filter = MakeShrinkingBall();
@@ -234,8 +235,8 @@ TEST(TestPipeline, TimesBeyondTheStepsAreTheFirstAndTheLast)
 }
 
 // The first-order distance of vtkSphere, (r^2 - R^2) / 2r, gives r^2 = R^2 + (r0^2 - R^2) e^(-t).
-// Five substeps of .1 have .9^5 for e^(-.5): a radius that is .003 or .05 h less. Crossings of
-// chords are within h^2 / 8r, .02 h.
+// Five substeps of 0.1 give 0.9^5 instead of e^(-0.5): the radius is smaller by 0.003, 0.05 h.
+// Crossings of chords are within h^2 / 8r, 0.02 h.
 TEST(TestPipeline, TimeScaleIsMotionTimePerPipelineTime)
 {
   auto slow = MakeShrinkingBall();
@@ -277,7 +278,7 @@ TEST(TestPipeline, ProgressRisesToOneAndCanBeStopped)
       }
     });
   auto filter = MakeShrinkingBall();
-  filter->SetCheckpointInterval(0); // the way is long every time
+  filter->SetCheckpointInterval(0); // each request repeats the whole motion
   filter->AddObserver(vtkCommand::ProgressEvent, watcher);
   filter->UpdateTimeStep(1.0);
   EXPECT_EQ(watch.Falls, 0) << "falls of the progress";

@@ -1,4 +1,5 @@
-// The potential's image, output port 1: its extent, its values, and when it is made.
+// The image of the potential, output port 1: its extent, its values, and the time of its
+// computation.
 
 #include "Support/PipelineTools.h"
 
@@ -51,8 +52,8 @@ double GetTime(vtkDataObject* data)
 
 }
 
-// The potential starts as vtkSphere's first-order distance (r^2 - R^2) / 2r; divided by its slope,
-// that is off by d^2 / 2R at the distance d: .052 h at d = h, and .058 h with the next order.
+// The potential starts as vtkSphere's first-order distance (r^2 - R^2) / 2r, divided by its slope.
+// The error at the distance d is d^2 / 2R: 0.052 h at d = h, and 0.058 h with the next order.
 TEST(TestPotentialImage, ValuesAreDistancesFromTheSkin)
 {
   auto filter = MakeShrinkingBall();
@@ -170,8 +171,8 @@ TEST(TestPotentialImage, ContoursOfTheImageAreTheSkin)
   EXPECT_NEAR(bounds[4], GetSkinBounds(filter)[4], 0.02 * VoxelSize) << "least z";
 }
 
-// Of particles the bounds are known when they have been read: for those who are connected to the
-// image that is beforehand, for the price of no execution more.
+// Bounds of particles are defined after reading. A consumer of the image gets them beforehand,
+// without an additional execution.
 TEST(TestPotentialImage, ExtentOverParticlesIsKnownToConsumers)
 {
   auto source = MakeMovingBall();
@@ -181,7 +182,8 @@ TEST(TestPotentialImage, ExtentOverParticlesIsKnownToConsumers)
   consumer->SetInputConnection(filter->GetOutputPort(1));
   consumer->SetValue(0, 0.0);
   consumer->UpdateInformation();
-  // The support's box is .6 long, with a quarter more .75: .375 are 7.5 voxels.
+  // The support's box is 0.6 long, and 0.75 with a margin of a quarter: half of that, 0.375, is 7.5
+  // voxels.
   EXPECT_EQ(GetWholeExtent(filter), "-8 8 -8 8 -8 8 ") << "WHOLE_EXTENT beforehand";
   consumer->UpdateTimeStep(1.0);
   EXPECT_EQ(source->GetExecutions(), "0 1 ") << "times asked for";

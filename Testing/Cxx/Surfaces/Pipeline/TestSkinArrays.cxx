@@ -1,4 +1,4 @@
-// The point arrays that the filter gives the skin on request, and the substeps of a moving target.
+// Optional point arrays of the skin, and the substeps of a moving target.
 
 #include "Support/PipelineTools.h"
 
@@ -28,8 +28,8 @@ std::string GetArrayBytes(vtkActiveImplicitSurface* filter, const char* name)
     static_cast<std::size_t>(4 * array->GetNumberOfValues()));
 }
 
-// Thirty time constants after its start the skin goes as fast as its particle, .2 along x, so that
-// a vertex has the normal speed .2 n_x: within 5 % in the mean.
+// Thirty time constants after its start the skin moves as fast as its particle, 0.2 along x. A
+// vertex has the normal speed 0.2 n_x, within 5 % in the mean.
 TEST(TestSkinArrays, VelocityIsThatOfTheParticle)
 {
   auto source = MakeMovingBall();
@@ -55,7 +55,8 @@ TEST(TestSkinArrays, VelocityIsThatOfTheParticle)
   EXPECT_LT(error / size, 0.05) << "mean error over the mean speed";
 }
 
-// The input has to be asked again for where the target is when a checkpoint is the time itself.
+// If a checkpoint is at the requested time, the filter has to request the input again for the
+// motion of the target.
 TEST(TestSkinArrays, VelocityDoesNotDependOnTheWay)
 {
   for (const double time : { 1.0, 2.5, 0.0 })
@@ -91,7 +92,7 @@ TEST(TestSkinArrays, ArraysAreThereOnRequestAndDoNotRestart)
   EXPECT_EQ(GetArray(filter, "MeanCurvature")->GetNumberOfTuples(), points) << "curvatures";
 }
 
-// At an Attraction of .01 the stable step is a hundred intervals long.
+// At an Attraction of 0.01 the stable step is a hundred intervals long.
 TEST(TestSkinArrays, MovingTargetIsLookedAtFourTimesFromStepToStep)
 {
   auto filter = MakeSkinOver(MakeMovingBall());

@@ -1,4 +1,4 @@
-// SkinDistance: on which side of the skin a point is, and how far from it.
+// SkinDistance: the side of the skin on which a point lies, and its distance.
 
 #include "Support/SurfaceMeasures.h"
 
@@ -39,7 +39,7 @@ Motion Attracted(double attraction)
   return motion;
 }
 
-// Attracted outward: compressed, slopes above 1.
+// A ball attracted outward: the potential is compressed, with slopes above 1.
 std::unique_ptr<NarrowBand> MakeGrownBall()
 {
   auto band = std::make_unique<NarrowBand>(H);
@@ -49,7 +49,7 @@ std::unique_ptr<NarrowBand> MakeGrownBall()
   return band;
 }
 
-// By tension alone, which leaves slopes as they become: r / r0, here .55 / .7.
+// A ball moved only by tension, which does not correct slopes: r / r0, here 0.55 / 0.7.
 std::unique_ptr<NarrowBand> MakeShrunkBall()
 {
   auto band = std::make_unique<NarrowBand>(H);
@@ -107,9 +107,9 @@ vtkSmartPointer<vtkPolyData> MakePolyData(const Mesh& mesh)
 }
 }
 
-// u / |grad u| is off by d^2 / 2 times how fast the slope changes, relative to it: 1 / r for the
-// algebraic ball, 1 / r - r / r0^2 after tension, so .032 h and .015 h at d = h. Interpolation adds
-// h^2 / 4r = .02 h. Noise of the ball itself is measured.
+// u / |grad u| is wrong by d^2 / 2 times the relative change of the slope. That is 1 / r for the
+// algebraic ball and 1 / r - r / r0^2 after tension, so 0.032 h and 0.015 h at d = h. Interpolation
+// adds h^2 / 4r = 0.02 h. The noise of the ball itself is measured.
 namespace
 {
 void CheckDistance(const NarrowBand& band, double slope)
@@ -142,8 +142,9 @@ TEST(TestSkinDistance, BallsHaveTheirDistance)
   CheckDistance(*MakeShrunkBall(), 0.55 / 0.7);
 }
 
-// A triangle within a voxel is off the trilinear surface by h^2 / 8 times curvatures: .1 h is ample
-// for radii of 2 h and more. So is the share of the points that are as near as that.
+// A triangle within a voxel is off the trilinear surface by h^2 / 8 times curvatures: 0.1 h is
+// ample for radii of 2 h and more. The fraction of points within that distance of the mesh bounds
+// the number of differences.
 TEST(TestSkinDistance, SidesAreThoseOfTheMesh)
 {
   auto band = MakeMetaballBand();
@@ -167,11 +168,11 @@ TEST(TestSkinDistance, SidesAreThoseOfTheMesh)
   }
   EXPECT_GT(inside, 2000) << "points inside";
   EXPECT_LT(farthest, 0.1) << "distance of the farthest one that differs [h]";
-  const double share = 0.2 * H * GetArea(mesh) / 8.0; // of the box
+  const double share = 0.2 * H * GetArea(mesh) / 8.0; // fraction of the box
   EXPECT_LT(different / 1e5, 0.25 * share) << "share of those that differ";
 }
 
-// U is linear along lattice edges, and 0 where the skin has its vertices: these are rounded to
+// U is linear along lattice edges, and 0 at the vertices of the skin. Vertices are rounded to
 // floats, 6e-8 or 1.4e-6 h, at slopes up to 1.5 (here over the same slope).
 TEST(TestSkinDistance, VerticesOfTheSkinAreAtZero)
 {
@@ -186,8 +187,9 @@ TEST(TestSkinDistance, VerticesOfTheSkinAreAtZero)
   EXPECT_LT(largest, 1e-5) << "largest distance of a vertex [h]";
 }
 
-// Within a voxel, where it is not clamped. The quotient's third derivatives are at most about 1e3 /
-// h^2 (its slopes being 1 or so; .05 at worst), times step^2 / 6, and rounding 1e-16 / 1e-4.
+// Points are within a voxel, where the value is not clamped. The quotient's third derivatives are
+// at most about 1e3 / h^2 (its slopes are about 1, at worst 0.05), times step^2 / 6. Rounding adds
+// 1e-16 / 1e-4.
 TEST(TestSkinDistance, GradientIsThatOfTheValue)
 {
   auto band = MakeMetaballBand();
@@ -285,7 +287,7 @@ TEST(TestSkinDistance, NoSkinIsOutsideEverywhere)
   }
 }
 
-// Through vtkGridPotential too, by several threads, and when the band has moved on and gone.
+// Includes vtkGridPotential, several threads, and a band that has moved or been deleted.
 TEST(TestSkinDistance, SnapshotKeepsItsBytes)
 {
   auto band = MakeGrownBall();

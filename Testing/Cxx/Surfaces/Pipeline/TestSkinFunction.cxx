@@ -1,4 +1,4 @@
-// GetSkinFunction: the skin as an implicit function, which any other may use.
+// GetSkinFunction: the skin as an implicit function, for use in any other filter.
 
 #include "Support/HistoryTools.h"
 #include "Support/MessageCapture.h"
@@ -34,7 +34,7 @@ namespace
 {
 
 constexpr double Pi = 3.14159265358979323846;
-constexpr double VoxelSize = 0.0625; // of MakeShrinkingBall
+constexpr double VoxelSize = 0.0625; // voxel size of MakeShrinkingBall
 
 double ValueAt(vtkImplicitFunction* function, double x, double y = 0.0, double z = 0.0)
 {
@@ -42,15 +42,15 @@ double ValueAt(vtkImplicitFunction* function, double x, double y = 0.0, double z
   return function->EvaluateFunction(place);
 }
 
-// The radius that the last row's volume tells: of the polygons.
+// Radius from the volume in the last row: that of the polygons.
 double GetRadius(vtkActiveImplicitSurface* filter)
 {
   const double volume = GetNumber(filter, CountRows(filter) - 1, "Volume");
   return std::cbrt(3.0 * volume / (4.0 * Pi));
 }
 
-// Zero at the skin's radius, by the sagitta h^2 / 8 r = .02 h, and a distance within 1.5 voxels: to
-// the curvature's h^2 / 2 r = .08 h or so.
+// The function is zero at the skin's radius, up to the sagitta h^2 / 8 r = 0.02 h. Within 1.5
+// voxels it is a distance, up to the effect of curvature, about h^2 / 2 r = 0.08 h.
 void IsTheBall(vtkImplicitFunction* function, double radius, const std::string& name)
 {
   for (const double offset : { -1.0, 0.0, 1.0 })
@@ -113,7 +113,7 @@ TEST(TestSkinFunction, SkinFunctionIsThatOfTheLastUpdate)
   IsTheBall(function, 0.6, "back at 0");
 }
 
-// Asked for later, it is the skin that is there.
+// A later request returns the present skin.
 TEST(TestSkinFunction, SkinFunctionMayBeAskedForLater)
 {
   auto filter = MakeShrinkingBall();
@@ -143,7 +143,7 @@ TEST(TestSkinFunction, SkinFunctionIsOutsideAfterAnError)
   IsTheBall(function, radius, "when it is mended");
 }
 
-// The state is dropped when information is asked for, and there is no skin to take a picture of.
+// A request for information discards the state, so no skin is available for the function.
 TEST(TestSkinFunction, SkinFunctionAfterAChangeIsOutside)
 {
   auto filter = MakeShrinkingBall();
@@ -163,7 +163,7 @@ TEST(TestSkinFunction, SkinFunctionAfterAChangeIsOutside)
   IsOutside(fed->GetSkinFunction(), "of an input that has changed");
 }
 
-// A filter that is gone leaves its function, with the skin that it had.
+// The function outlives the filter, and keeps its last skin.
 TEST(TestSkinFunction, SkinFunctionOutlivesTheFilter)
 {
   vtkSmartPointer<vtkImplicitFunction> function;
@@ -178,7 +178,7 @@ TEST(TestSkinFunction, SkinFunctionOutlivesTheFilter)
 namespace
 {
 
-// A ball that becomes a torus, as it is on the way to it.
+// A ball that becomes a torus, during the motion.
 vtkSmartPointer<vtkActiveImplicitSurface> MakeTorusSkin()
 {
   auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
@@ -205,7 +205,7 @@ vtkSmartPointer<vtkPoints> DrawPoints(int count)
   return points;
 }
 
-// Whether the points are within a skin, by rays through its triangles.
+// Finds the points within a skin by rays through its triangles.
 vtkSmartPointer<vtkSelectEnclosedPoints> Enclose(vtkPoints* points, vtkPolyData* skin)
 {
   vtkNew<vtkPolyData> cloud;
@@ -220,9 +220,10 @@ vtkSmartPointer<vtkSelectEnclosedPoints> Enclose(vtkPoints* points, vtkPolyData*
 
 }
 
-// Within a voxel the trilinear surface and the triangles are apart by the sagitta of its diagonal,
-// 3 h^2 / 8 r = .085 h for the tube's radius of 4.4 h, less than .1 h; in the mean by that of its
-// side, .03 h. Of 1e5 points in a volume of 8, as many are between them: 1e5 * area * .03 h / 8.
+// Within a voxel the trilinear surface and the triangles differ by the sagitta of its diagonal, 3
+// h^2 / 8 r = 0.085 h for the tube's radius of 4.4 h, less than 0.1 h. The mean difference is the
+// sagitta of the voxel's side, 0.03 h. Of 1e5 points in a volume of 8, 1e5 * area * 0.03 h / 8 lie
+// between both.
 TEST(TestSkinFunction, SkinFunctionHasTheSidesOfTheMesh)
 {
   constexpr int count = 100000;
@@ -267,7 +268,7 @@ TEST(TestSkinFunction, SkinFunctionCanBeUsedByThreads)
       std::copy(gradient, gradient + 3, values.begin() + 4 * i + 1);
     }
   };
-  // The threads first: one of them has to prepare the function for all.
+  // The threads run first: one of them has to prepare the function for all.
   std::array<std::vector<double>, 4> all;
   std::vector<std::thread> threads;
   for (std::vector<double>& values : all)
@@ -287,9 +288,9 @@ TEST(TestSkinFunction, SkinFunctionCanBeUsedByThreads)
   }
 }
 
-// The second skin starts as a ball and goes to the first one, e^-12 of the way is left: .0001 h. On
-// a lattice of the same voxels its crossings are those of the target's trilinear cells, up to their
-// sagitta, .02 h.
+// The second skin starts as a ball and moves to the first skin; e^-12 of the distance remains:
+// 0.0001 h. On a lattice of the same voxels, its crossings are those of the target's trilinear
+// cells, up to their sagitta, 0.02 h.
 TEST(TestSkinFunction, SkinFunctionCanBeATarget)
 {
   auto first = MakeTorusSkin();
@@ -313,13 +314,13 @@ TEST(TestSkinFunction, SkinFunctionCanBeATarget)
   };
   EXPECT_LT(deviation(), 0.05) << "mean distance of the skins [h]";
   EXPECT_EQ(DescribeTopology(second, 1), "1 0 0") << "bodies, voids, Euler number";
-  first->UpdateTimeStep(0.0); // a ball of .6
+  first->UpdateTimeStep(0.0); // a ball of 0.6
   EXPECT_LT(deviation(), 0.05) << "mean distance of the skins [h], the first one made anew";
   EXPECT_EQ(DescribeTopology(second, 1), "1 0 2") << "bodies, voids, Euler number";
 }
 
-// A plane through the centre: a disc of the ball's radius, and its circle. Sagittas of h^2 / 8 r =
-// .0008 each, of the skin's cells and of the plane's pieces of .02.
+// A plane through the centre cuts out a disc of the ball's radius, and its circle. The skin's cells
+// and the plane's pieces of 0.02 add a sagitta of h^2 / 8 r = 0.0008 each.
 TEST(TestSkinFunction, SkinFunctionCutsAndClips)
 {
   auto filter = MakeShrinkingBall();

@@ -1,4 +1,4 @@
-// How long the vectors of "Velocity" may be: MaximumVelocity, and what it is by itself.
+// Bound of the vectors of "Velocity": MaximumVelocity, and its automatic value.
 
 #include "Support/GrainTools.h"
 #include "Support/MessageCapture.h"
@@ -37,8 +37,8 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeMovingSkin(const Cloud& cloud, dou
   return filter;
 }
 
-// Two grains of which the first stands still and the other comes from the right at .1. They touch
-// at time 2 or so.
+// Two grains: the first one stands still, the other approaches from the right with speed 0.1. Their
+// balls touch at about time 2.
 std::vector<Grain> Meeting(double time)
 {
   return { { -0.2, 0.0, 0.0, 1, 0.0 }, { 0.25 - 0.1 * time, 0.0, 0.0, 2, 0.0 } };
@@ -71,7 +71,7 @@ double FindLargest(vtkActiveImplicitSurface* filter, double time)
   return largest;
 }
 
-// Vectors in single precision.
+// Vectors have single precision.
 constexpr double Rounding = 1e-6;
 
 TEST(TestVelocityBound, PartsThatMergeGoNoFasterThanTheirParticles)
@@ -88,12 +88,12 @@ TEST(TestVelocityBound, PartsThatMergeGoNoFasterThanTheirParticles)
   EXPECT_LT(2.0 * MeetingSpeed, largest) << "largest one without a bound, on the way";
 }
 
-// In their direction; shorter ones are what they were, to the bit.
+// Long vectors keep their direction; short ones are bitwise unchanged.
 TEST(TestVelocityBound, OnlyLongVectorsAreShortened)
 {
   auto bounded = MakeMovingSkin(Meeting, 0.5 * MeetingSpeed);
   auto unbounded = MakeMovingSkin(Meeting, Unbounded);
-  bounded->TangentialVelocityOff(); // what is along the skin is not shortened
+  bounded->TangentialVelocityOff(); // only the normal part is shortened
   unbounded->TangentialVelocityOff();
   EXPECT_LT(FindLargest(bounded, 2.5), 0.5 * MeetingSpeed * (1.0 + Rounding)) << "largest velocity";
   unbounded->UpdateTimeStep(2.5);
@@ -117,8 +117,8 @@ TEST(TestVelocityBound, OnlyLongVectorsAreShortened)
   EXPECT_LT(10, kept) << "others";
 }
 
-// A skin follows a ball with a lag that is right to .12 voxel (front.md of NarrowBand), and so its
-// speed to that times Attraction: by so much it may be over the bound at its front.
+// A skin follows a ball with a lag that is accurate to 0.12 voxel (front.md of NarrowBand). The
+// error of its speed is that times Attraction, by which the front may exceed the bound.
 TEST(TestVelocityBound, ATranslationIsNotShortened)
 {
   constexpr double attraction = 10.0;
@@ -159,7 +159,7 @@ TEST(TestVelocityBound, TheBoundIsPerMotionTime)
     << "largest velocity, ten times as fast";
 }
 
-// Particles that grow, or stand still, and functions.
+// Growing or static particles, and functions.
 TEST(TestVelocityBound, WhatGrowsOrStandsStillIsNotBoundToStand)
 {
   const Cloud still = [](double) { return Meeting(2.5); };

@@ -1,4 +1,4 @@
-// Which states are let go when there is no memory for all.
+// Choice of the checkpoints to discard if the memory does not suffice for all.
 
 #include "Support/AnalyticShapes.h"
 
@@ -14,7 +14,8 @@ using namespace activesurface;
 namespace TestCheckpointRoom
 {
 
-// The start stays; of the others goes the first of those that leave the smallest gap.
+// The start is never discarded. Of the others, the first of those is discarded whose removal leaves
+// the smallest gap.
 TEST(TestCheckpointRoom, TheStepsThatAreLeftAreFarApart)
 {
   NarrowBand band(VoxelSizeOf(16));

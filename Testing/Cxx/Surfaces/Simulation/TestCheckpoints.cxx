@@ -1,4 +1,4 @@
-// States that are kept to go back to: what they cost, and that nothing can be told from them.
+// Checkpoints reduce the cost of earlier times, and never change a result.
 
 #include "Support/MessageCapture.h"
 #include "Support/OutputFiles.h"
@@ -33,7 +33,7 @@ using namespace activesurface;
 namespace TestCheckpoints
 {
 
-// Two drops that meet and part again, in 31 steps; voxels of .08.
+// Two drops that meet and separate again, in 31 steps; voxels of 0.08.
 vtkSmartPointer<ParticleSource> MakeDrops()
 {
   auto source = vtkSmartPointer<ParticleSource>::New();
@@ -88,8 +88,8 @@ std::string GetAllAt(vtkActiveImplicitSurface* filter, double time)
     std::string(bytes, static_cast<std::size_t>(4 * distances->GetNumberOfValues()));
 }
 
-// 200 times in any order, a third of them between the steps; raw numbers of the generator, which
-// are the same everywhere.
+// 200 times in any order, a third of them between the steps. Raw numbers of the generator are the
+// same on all platforms.
 std::vector<double> DrawTimes(int count)
 {
   std::mt19937 random(4);
@@ -102,7 +102,7 @@ std::vector<double> DrawTimes(int count)
   return times;
 }
 
-// By a filter of its own that goes there directly.
+// Result of a new filter that advances to this time directly.
 std::string GetFresh(double time)
 {
   auto source = MakeDrops();
@@ -139,7 +139,7 @@ TEST(TestCheckpoints, AnyOrderOfTimesGivesTheSameBytes)
   EXPECT_EQ(wrong, 0u) << "skins or histories that differ from a fresh run's";
 }
 
-// From the checkpoint to the step: nine steps at most of an interval of ten.
+// The way from a checkpoint to a step has at most nine steps, for an interval of ten.
 TEST(TestCheckpoints, GoingBackCostsLessThanAnInterval)
 {
   for (const int interval : { 10, 4 })
@@ -170,11 +170,11 @@ TEST(TestCheckpoints, GoingBackCostsLessThanAnInterval)
   }
 }
 
-// Stopped 50 times, after as many substeps as it happens, and asked for any time next.
+// The update is aborted 50 times, after varying numbers of substeps, before a request for any time.
 TEST(TestCheckpoints, AbortsLeaveNoTrace)
 {
   auto filter = MakeSkinOverDrops(MakeDrops());
-  filter->SetCheckpointInterval(10); // ways long enough to be stopped
+  filter->SetCheckpointInterval(10); // motions long enough to be aborted
   int left = 0;
   vtkNew<vtkCallbackCommand> watcher;
   watcher->SetClientData(&left);
@@ -231,13 +231,14 @@ TEST(TestCheckpoints, ChangingTheCheckpointsDoesNotRestart)
   EXPECT_EQ(filter->GetSubsteps(), vtkIdType(0)) << "substeps";
 }
 
-// In another filter, as in another program: from the file on, to later times and between them.
+// Another filter, as in another program, resumes from the file to later times and times between
+// them.
 TEST(TestCheckpoints, SavedStateGoesOnToTheSameBytes)
 {
   const std::string file = OutputName("state.vdb");
   auto source = MakeDrops();
   auto first = MakeSkinOverDrops(source);
-  GetBytesAt(first, 1.25); // the state is that of the step before
+  GetBytesAt(first, 1.25); // the saved state is that of the previous step
   EXPECT_TRUE(first->SaveState(file.c_str())) << "the state is saved";
   auto second = MakeSkinOverDrops(MakeDrops());
   EXPECT_TRUE(second->LoadState(file.c_str())) << "the state is loaded";
@@ -279,7 +280,7 @@ TEST(TestCheckpoints, StatesThatDoNotFitAreRefused)
     << "other voxels";
 }
 
-// A file cut off anywhere, or with a wrong byte, is an error or a state, never a crash.
+// A file truncated anywhere, or with a wrong byte, gives an error or a state, never a crash.
 TEST(TestCheckpoints, DamagedFilesAreNoStates)
 {
   const std::string file = OutputName("state_to_damage.vdb");
@@ -300,7 +301,7 @@ TEST(TestCheckpoints, DamagedFilesAreNoStates)
   EXPECT_EQ(messages.Errors.size(), 20u) << "a sentence for each";
 }
 
-// Whatever there is room for: the file that was there before stays, and no other is left.
+// For any limit of the disk, the earlier file survives, and no other file remains.
 TEST(TestCheckpoints, AFullDiskLeavesTheStateBefore)
 {
   const std::string folder = EmptyFolder("full_disk");
@@ -324,7 +325,7 @@ TEST(TestCheckpoints, AFullDiskLeavesTheStateBefore)
   EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 0.5), good)) << "and is that of its time";
 }
 
-// 4 bytes per active voxel is the aim; the signs and masks are in it.
+// The aim is 4 bytes per active voxel, including signs and masks.
 TEST(TestCheckpoints, PackedStateIsSmallAndGoesOnToTheSameBytes)
 {
   for (const int n : { 40, 96 })

@@ -1,4 +1,4 @@
-// A particle that dies between two steps: the skin over it shrinks, and does not pop.
+// A particle that dies between two steps: its skin shrinks, and does not vanish suddenly.
 
 #include "Support/PipelineTools.h"
 
@@ -26,7 +26,7 @@ constexpr double Attraction = 20.0;
 constexpr double Reach = 0.05;
 constexpr double Support = 0.6;
 
-// A ball at -.5 that stays, and one at .5 that dies between the times 0 and 1.
+// A ball at -0.5 that remains, and one at 0.5 that dies between the times 0 and 1.
 vtkSmartPointer<vtkActiveImplicitSurface> MakeDroplet()
 {
   auto source = vtkSmartPointer<ParticleSource>::New();
@@ -49,7 +49,8 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeDroplet()
   return filter;
 }
 
-// Radius of the lone droplet's skin at a time: dr/dt = -Attraction * F / |dF/dr| within the reach.
+// Radius of the isolated droplet's skin at a time: dr/dt = -Attraction * F / |dF/dr|, limited by
+// the reach.
 double GetDropletRadius(double time)
 {
   constexpr int steps = 20000;
@@ -74,7 +75,8 @@ double GetVolume(vtkActiveImplicitSurface* filter)
 
 }
 
-// The skin goes as far as its speed tells, within .12 voxels as that of a ball that moves.
+// The displacement of the skin follows from its speed, within 0.12 voxel, the error for a moving
+// ball.
 TEST(TestDroplet, DyingDropletShrinksAsItsPotentialTells)
 {
   auto filter = MakeDroplet();
@@ -86,10 +88,10 @@ TEST(TestDroplet, DyingDropletShrinksAsItsPotentialTells)
   }
 }
 
-// No faster than Attraction * Reach: from one time to the next the volume loses what a shell as
-// thick as that has, with .1 voxels of the ball's area for the error of the volume, and 3 voxels'
-// ball of which the lattice loses sight. The volume of a ball of 11 voxels is right to .58 %,
-// row 1.
+// The skin is no faster than Attraction * Reach. Between two times the volume decreases by at most
+// that of a shell of this thickness. The tolerance adds 0.1 voxel times the ball's area for the
+// error of the volume, and a ball of 3 voxels' diameter, too small for the lattice. The volume of a
+// ball of 11 voxels is accurate to 0.58 %.
 TEST(TestDroplet, DyingDropletDoesNotPop)
 {
   constexpr double dt = 0.05;

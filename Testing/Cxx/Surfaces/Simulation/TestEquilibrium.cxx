@@ -1,4 +1,4 @@
-// EvolutionMode EQUILIBRIUM: one update takes the skin to rest, at no time.
+// EvolutionMode EQUILIBRIUM: one update advances the skin to its steady state, independent of time.
 
 #include "Support/HistoryTools.h"
 #include "Support/MessageCapture.h"
@@ -36,7 +36,7 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double VoxelSize = VoxelSizeOf(40);
 constexpr double Goal = 0.6;
 
-// A ball of radius .5 that goes to rest on one of .6.
+// A ball of radius 0.5 that moves to its steady state on one of 0.6.
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSettlingBall(double tension = 0.005)
 {
   auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
@@ -100,7 +100,7 @@ TEST(TestEquilibrium, NoTimesArePublished)
   CheckModes(MakeSkinOver(MakeMovingBall()), "of the input,");
 }
 
-// r = (R + sqrt(R^2 - 8 b / a)) / 2, within .04 h: see SettledBallHasTheExactRadius of TestSettle.
+// r = (R + sqrt(R^2 - 8 b / a)) / 2, within 0.04 h: see SettledBallHasTheExactRadius of TestSettle.
 TEST(TestEquilibrium, OneUpdateGivesTheExactRadius)
 {
   for (const double tension : { 0.0, 0.005, 0.02 })
@@ -121,7 +121,7 @@ TEST(TestEquilibrium, OneUpdateGivesTheExactRadius)
   }
 }
 
-// Waves of half a voxel keep some of the skin moving.
+// Noise with waves of half a voxel keeps a part of the skin moving.
 TEST(TestEquilibrium, TheEventTellsWhatStillMoves)
 {
   vtkNew<vtkSphere> ball;
@@ -183,7 +183,7 @@ namespace
 
 struct Stopper
 {
-  vtkIdType Substeps; // stops after so many
+  vtkIdType Substeps; // number of substeps until the abort
 
   static void Watch(vtkObject* caller, unsigned long, void* self, void*)
   {
@@ -197,8 +197,8 @@ struct Stopper
 
 }
 
-// Also when it is stopped several times, and when its substeps are used up: they are counted from
-// the start.
+// Includes several aborts, and a maximum number of substeps that is reached. Substeps are counted
+// from the start.
 TEST(TestEquilibrium, StoppedWayToRestGoesOn)
 {
   for (const int maximum : { 10000, 150 })
@@ -251,8 +251,8 @@ TEST(TestEquilibrium, SecondUpdateCostsNothing)
   EXPECT_EQ(filter->GetTargetEvaluations(), evaluations) << "evaluations of the target";
 }
 
-// The ball of particles is at .2 times the time, which begins at 1. Within a voxel: what matters is
-// that it is not .4 or more.
+// The centre of the ball of particles is 0.2 times the time, which begins at 1. Tolerance of one
+// voxel: the centre must not be at 0.4 or more.
 TEST(TestEquilibrium, FirstStepOfTheInputIsTheTarget)
 {
   auto source = MakeMovingBall();
@@ -272,8 +272,8 @@ TEST(TestEquilibrium, FirstStepOfTheInputIsTheTarget)
   EXPECT_EQ(source->GetExecutions(), "1 ") << "times asked for";
 }
 
-// Of all bodies of a volume the ball has the least area. Spread and tolerance as HeldBallIsAtRest
-// of TestSettle has them; the volume is held to 1e-6.
+// The ball has the least area of all bodies of a given volume. Spread and tolerance are those of
+// HeldBallIsAtRest in TestSettle; the volume is held to 1e-6.
 TEST(TestEquilibrium, HeldBoxBecomesABallOfItsVolume)
 {
   auto filter = MakeSettlingBall(1.0);
@@ -294,7 +294,7 @@ TEST(TestEquilibrium, HeldBoxBecomesABallOfItsVolume)
 
 TEST(TestEquilibrium, SkinThatVanishesIsAtRest)
 {
-  auto filter = MakeSettlingBall(0.1); // 8 b / a = .8 > R^2
+  auto filter = MakeSettlingBall(0.1); // 8 b / a = 0.8 > R^2
   MessageCapture messages(filter);
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << "points";

@@ -1,4 +1,5 @@
-// What an exact control tells of a target that it cannot follow, and that it tells it of no other.
+// Warnings of an exact control about a target that it cannot follow. Other targets cause no
+// warning.
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
@@ -61,7 +62,8 @@ TEST(TestExactWarnings, ATargetOutsideIsAWarning)
   EXPECT_EQ(CountWarnings(area), 1) << "warnings in all, with the area held";
 }
 
-// What is met, or only just within reach at one side, is followed; a skin at rest rests.
+// A target that the skin meets, or that is just within reach at one side, can be followed. A skin
+// in a steady state causes no warning.
 TEST(TestExactWarnings, ATargetThatIsMetIsNoWarning)
 {
   const auto ball = MakeSphere(0.0, 0.4);

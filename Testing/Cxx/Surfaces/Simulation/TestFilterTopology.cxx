@@ -1,5 +1,5 @@
-// Bodies, voids and handles through the pipeline: what targets that move have, skins and their
-// histories have. The target's own come from its formula, polygonised by vtkFlyingEdges3D.
+// Bodies, voids and handles through the pipeline: skins and histories have those of the moving
+// target. The target's topology comes from its formula, polygonised by vtkFlyingEdges3D.
 
 #include "Support/HistoryTools.h"
 #include "Support/PipelineTools.h"
@@ -35,20 +35,20 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-// A potential, negative inside, at a time.
+// A potential at a time, negative inside.
 using Formula = std::function<double(const Point&)>;
 
-// What moves, in the box +-1 and at the times 0, 1 .. LastStep: an input, and its formula. Between
-// the steps it moves in proportion to time, and .08 or more from one step to the next.
+// A moving input and its formula, in the box +-1 and at the times 0, 1 .. LastStep. Between the
+// steps the motion is proportional to time, at least 0.08 from one step to the next.
 struct Scene
 {
   std::function<vtkSmartPointer<vtkDataSet>(double time)> Input;
   std::function<Formula(double time)> Inside;
   int LastStep;
-  std::string Story; // what it goes through, as DescribeTopology says it
+  std::string Story; // sequence of DescribeTopology results
 };
 
-// On a lattice finer than that of the finest skin, .025.
+// The lattice is finer than that of the finest skin, 0.025.
 std::string GetTopologyOf(const Formula& formula)
 {
   constexpr int half = 50;
@@ -71,9 +71,10 @@ std::string GetTopologyOf(const Formula& formula)
   return DescribeTopology(GetMesh(polygons->GetOutput()));
 }
 
-// At each step; empty next to an event, where the lag and the lattice decide. The steps before and
-// after have the same then, so that an event is a step away at least: 50 times the lag of 1 /
-// Attraction, and about two of the coarse skin's voxels: thinner things it does not resolve.
+// Expected topology at each step. An empty string is a step next to an event, where the lag and the
+// lattice decide. Elsewhere the steps before and after have the same topology, so that an event is
+// at least one step away. That is 50 times the lag of 1 / Attraction, and about two of the coarse
+// skin's voxels, which do not resolve thinner parts.
 std::vector<std::string> GetExpected(const Scene& scene)
 {
   std::vector<std::string> all;
@@ -153,9 +154,9 @@ void IsFollowed(const Scene& scene)
 struct Blob
 {
   Point Centre;
-  double Radius; //< where its kernel ends
+  double Radius; //< kernel radius
 };
-constexpr double ReachPerRadius = 4.5; // of the filter's balls
+constexpr double ReachPerRadius = 4.5; // ratio for the filter's balls
 using Cloud = std::function<std::vector<Blob>(double time)>;
 
 vtkSmartPointer<vtkPolyData> MakeBlobs(const std::vector<Blob>& blobs)
@@ -200,7 +201,7 @@ Scene MakeScene(const Cloud& cloud, int lastStep, const std::string& story)
   return { [cloud](double time) { return MakeBlobs(cloud(time)); }, inside, lastStep, story };
 }
 
-// Seven particles that make a ball of radius .35 or so, times a scale.
+// Seven particles that form a ball of radius about 0.35, times a scale.
 void AddBall(std::vector<Blob>& blobs, const Point& centre, double scale)
 {
   blobs.push_back({ centre, 0.4 * scale });
@@ -212,7 +213,7 @@ void AddBall(std::vector<Blob>& blobs, const Point& centre, double scale)
   }
 }
 
-// On a spiral around a sphere, as even as can be.
+// Particles on a spiral around a sphere, as evenly spaced as possible.
 std::vector<Blob> MakeShellOfParticles(double radius)
 {
   constexpr int count = 150;
@@ -244,7 +245,7 @@ TEST(TestFilterTopology, TwoCloudsMeetAndPart)
   IsFollowed(MakeScene(cloud, 10, "2 0 4, 1 0 2, 2 0 4"));
 }
 
-// By its radii, which become 0; and by its particles, which stay until the step that lacks them.
+// A cloud vanishes as its radii become 0, or as its particles are missing in a step.
 TEST(TestFilterTopology, OneOfTwoCloudsVanishes)
 {
   const Cloud shrinking = [](double time)
@@ -291,7 +292,7 @@ TEST(TestFilterTopology, VoidOfAShellCloses)
   IsFollowed(MakeScene(cloud, 6, "1 1 4, 1 0 2"));
 }
 
-// The particles are up to five times as dense as their radii tell.
+// The particles are up to five times as dense as their radii suggest.
 TEST(TestFilterTopology, VoidClosesAndOpens)
 {
   const Cloud cloud = [](double time)
@@ -302,7 +303,7 @@ TEST(TestFilterTopology, VoidClosesAndOpens)
 namespace
 {
 
-// The share of the second of two shapes: 0, .1 .. 1 .. .1, 0.
+// Weight of the second of two shapes: 0, 0.1 .. 1 .. 0.1, 0.
 double GetShare(double time)
 {
   return 1.0 - 0.1 * std::abs(10.0 - time);
@@ -336,8 +337,8 @@ vtkSmartPointer<vtkImageData> MakeFormulaImage(const Formula& formula)
 
 }
 
-// The level of the centre changes by .083 from step to step, and the slope of the blend is at most
-// 1: a way of .083 at least.
+// The level of the centre changes by 0.083 from step to step, and the slope of the blend is at most
+// 1: a displacement of at least 0.083.
 TEST(TestFilterTopology, ImageOfABallBecomesATorusAndABall)
 {
   IsFollowed({ [](double time) { return MakeFormulaImage(BlendBallAndTorus(time)); },

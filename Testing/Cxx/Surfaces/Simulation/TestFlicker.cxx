@@ -1,5 +1,5 @@
-// A pool of particles that jitter: the skin over them flickers less than their own surface, as much
-// as its rate tells. Testing/Benchmarks/flicker.py has the whole table.
+// A pool of particles with jitter: the skin flickers less than the particles' own surface, at the
+// ratio that its rate predicts. Testing/Benchmarks/flicker.py prints the whole table.
 
 #include "Support/PipelineTools.h"
 #include "Support/ShapeSource.h"
@@ -24,7 +24,7 @@ namespace
 {
 
 constexpr int Frames = 40;
-constexpr int FirstFrame = 10; // e^-3.5 of the start is left at the lowest rate
+constexpr int FirstFrame = 10; // e^-3.5 of the start remains at the lowest rate
 constexpr double Spacing = 0.1;
 constexpr double Radius = 2.0 * Spacing;
 constexpr double Jitter = 0.1 * Radius;
@@ -35,8 +35,8 @@ constexpr double Bottom = 0.1;
 
 using Heights = std::vector<double>;
 
-// 12 by 12 by 4 particles at their places of rest, but for a jitter that is new in each frame:
-// even, of the standard deviation Jitter.
+// 12 by 12 by 4 particles at their lattice points, with jitter that is new in each frame: uniform,
+// with the standard deviation Jitter.
 vtkSmartPointer<vtkPolyData> MakePool(int frame)
 {
   std::mt19937_64 generator(frame);
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkPolyData> MakePool(int frame)
   return pool;
 }
 
-// Columns in the middle of the pool.
+// Heights of columns in the middle of the pool.
 template <class GetHeight>
 Heights MeasureColumns(GetHeight getHeight)
 {
@@ -67,7 +67,7 @@ Heights MeasureColumns(GetHeight getHeight)
   return heights;
 }
 
-// Of the level of the frame's own potential, exactly.
+// Exact heights of the iso-surface of the frame's own potential.
 Heights MeasureFrame(int frame)
 {
   vtkNew<vtkSkeletonPotential> potential;
@@ -108,7 +108,7 @@ Heights MeasureSkin(vtkPolyData* skin)
     });
 }
 
-// Root of the mean square of the second difference in time.
+// Root mean square of the second difference in time.
 double GetFlicker(const std::vector<Heights>& rows)
 {
   double sum = 0.0;
@@ -163,9 +163,9 @@ double GetFlickerOfSkin(double rate)
   return GetFlicker(rows);
 }
 
-// Heights n, independent from frame to frame, with straight ways in between, and x' = rate (n - x):
-// x(k+1) = d x(k) + a n(k) + b n(k+1). The second difference of its response to a single n, over
-// that of n itself, sqrt(6).
+// Heights n are independent from frame to frame and linear in between: x' = rate (n - x), x(k+1) =
+// d x(k) + a n(k) + b n(k+1). The ratio is the second difference of the response to a single n,
+// over that of n itself, sqrt(6).
 double PredictRatio(double rate)
 {
   const double d = std::exp(-rate);
@@ -175,16 +175,16 @@ double PredictRatio(double rate)
   const double first = b;
   const double second = c - 2.0 * b;
   const double third = (d - 2.0) * c + b;
-  const double fourth = c * (1.0 - d) * (1.0 - d); // and on by the factor d
+  const double fourth = c * (1.0 - d) * (1.0 - d); // then multiplied by d repeatedly
   return std::sqrt(
     (first * first + second * second + third * third + fourth * fourth / (1.0 - d * d)) / 6.0);
 }
 
 }
 
-// The ratio of two roots of mean squares over 28 frames and a surface of about 3 by 3 independent
-// bumps, sqrt(1 / 250) = 6 %, and substeps of a tenth of the rate's time, which look at the
-// beginning of each: together 15 %.
+// The measured ratio is that of two roots of mean squares over 28 frames and about 3 by 3
+// independent bumps: an error of sqrt(1 / 250) = 6 %. Substeps are a tenth of the rate's time
+// constant and evaluate the target at their beginning. Tolerance for both: 15 %.
 TEST(TestFlicker, SkinFlickersAsItsRateTells)
 {
   const double frames = GetFlickerOfFrames();
@@ -197,7 +197,7 @@ TEST(TestFlicker, SkinFlickersAsItsRateTells)
   }
 }
 
-// A lag of two and of three frames buys this much.
+// A lag of two or three frames achieves these reductions.
 TEST(TestFlicker, SkinFlickersAFifthAndATenth)
 {
   const double frames = GetFlickerOfFrames();

@@ -1,5 +1,5 @@
-// Parts of meshes and images that the skin does not meet get a skin, and hollows open; what it
-// meets changes by no bit.
+// Parts of meshes and images that the skin does not meet get a skin, and hollows open. Parts that
+// it meets stay bitwise identical.
 
 #include "Support/HistoryTools.h"
 #include "Support/MessageCapture.h"
@@ -31,9 +31,9 @@ namespace TestGridParts
 namespace
 {
 
-constexpr double VoxelSize = 0.05; // MakeSkin's
+constexpr double VoxelSize = 0.05; // voxel size of MakeSkin
 
-// As derived in TestTargets.cxx.
+// Derivation: see TestTargets.cxx.
 constexpr double GridError = 0.06 * VoxelSize;
 
 vtkSmartPointer<vtkPolyData> Append(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes)
@@ -47,7 +47,7 @@ vtkSmartPointer<vtkPolyData> Append(const std::vector<vtkSmartPointer<vtkPolyDat
   return both->GetOutput();
 }
 
-/** In the box +-1, in pixels of .05. */
+/** Image in the box +-1, in pixels of 0.05. */
 vtkSmartPointer<vtkImageData> MakeImage(
   const std::function<double(double x, double y, double z)>& function)
 {
@@ -92,7 +92,7 @@ TEST(TestGridParts, MorphBetweenShapesThatDoNotMeet)
     EXPECT_EQ(DescribeTopology(filter, 2), "1 0 2");
     EXPECT_NEAR(GetRadii(filter, 0.5).Least, 0.3, GridError);
     EXPECT_NEAR(GetRadii(filter, 0.5).Largest, 0.3, GridError);
-    // That the skin lags behind, and no other.
+    // The only warning is about the lag of the skin.
     EXPECT_EQ(messages.CountAll(), 1u);
     EXPECT_TRUE(messages.Has("outside the skin"));
     filter->CreatePartsOff();
@@ -137,7 +137,7 @@ TEST(TestGridParts, BubbleOpensDeepInside)
   EXPECT_NEAR(GetRadii(filter).Largest, 0.7, GridError);
 }
 
-// The other way round: a body without end around a ball, which is a hollow.
+// Inverted shape: an unbounded body around a ball, which is a hollow.
 TEST(TestGridParts, InvertedPartIsAHollow)
 {
   auto filter = MakeSkinOver(MakeBallMesh(0.3));
@@ -151,7 +151,7 @@ TEST(TestGridParts, InvertedPartIsAHollow)
   EXPECT_NEAR(GetRadii(filter).Least, 0.3, GridError);
 }
 
-// A part that one step has more than the one before: it grows on the way there.
+// A step has one part more than the step before: the part grows in between.
 TEST(TestGridParts, PartOfASeriesAppearsOnTheWayToItsStep)
 {
   for (const MakeBallOf& make : Kinds)
@@ -184,9 +184,10 @@ TEST(TestGridParts, PartOfASeriesAppearsOnTheWayToItsStep)
   }
 }
 
-// Two balls that share a lens of a voxel, shapes of another topology: the skin meets them. Where F
-// is .1 at most, the blend of the balls has a piece of its own at .3 of the way: at the centre it
-// is .7 * .1 - .3 * .3 < 0, and between there and the lens .7 * .1 - .3 * .15 > 0.
+// Two balls that share a lens of one voxel, as shapes of another topology: the skin meets them. If
+// F is limited to 0.1, the blend of the balls has an isolated piece at 0.3 of the interval. At the
+// centre it is 0.7 * 0.1 - 0.3 * 0.3 < 0, and between the centre and the lens 0.7 * 0.1 - 0.3 *
+// 0.15 > 0.
 TEST(TestGridParts, ShapesThatMeetChangeByNoBit)
 {
   using Morph = std::function<vtkSmartPointer<vtkDataSet>(double t)>;
@@ -215,8 +216,8 @@ TEST(TestGridParts, ShapesThatMeetChangeByNoBit)
   }
 }
 
-// Tension takes balls below 2.83 sqrt(Tension / Attraction), here .28: they are not created again
-// and again.
+// Tension removes balls below 2.83 sqrt(Tension / Attraction), here 0.28. They must not be created
+// again and again.
 TEST(TestGridParts, WhatTensionTakesIsNotCreated)
 {
   for (const double radius : { 0.2, 0.4 })
@@ -244,9 +245,9 @@ TEST(TestGridParts, PaperCreatesNone)
   EXPECT_EQ(GetNumber(filter, 1, "Components"), 1.0);
 }
 
-// A triangle a million voxels away, which has no inside, costs itself: a start from all nodes of
-// the box was refused. The mesh is not closed any more, so other triangles are tried as the nearest
-// one of a node: distances agree to a thousandth of a voxel.
+// An isolated triangle, a million voxels away and without an inside, costs only itself. A start
+// from all nodes of the box would be refused. The mesh is no longer closed, so another triangle may
+// be found as the nearest one of a node: distances agree to a thousandth of a voxel.
 TEST(TestGridParts, StrayTriangleCostsItself)
 {
   vtkNew<vtkPoints> points;
@@ -262,7 +263,7 @@ TEST(TestGridParts, StrayTriangleCostsItself)
   const auto volumeOver = [](vtkPolyData* mesh)
   {
     auto filter = MakeSkinOver(mesh);
-    filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0); // those of the mesh
+    filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0); // bounds of the mesh
     filter->SetTargetReach(0.3);
     MessageCapture messages(filter);
     filter->UpdateTimeStep(1.0);
@@ -270,7 +271,7 @@ TEST(TestGridParts, StrayTriangleCostsItself)
     return GetNumber(filter, 1, "Volume");
   };
   const double alone = volumeOver(MakeBallMesh(0.5));
-  const double area = 3.1416; // of the ball
+  const double area = 3.1416; // area of the ball
   EXPECT_NEAR(volumeOver(Append({ MakeBallMesh(0.5), stray })), alone, 0.001 * VoxelSize * area);
 }
 

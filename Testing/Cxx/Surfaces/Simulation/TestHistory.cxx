@@ -1,4 +1,4 @@
-// The history of a skin: a row for each time step on the way, the same whatever came between.
+// History of a skin: one row for each time step, whatever requests came in between.
 
 #include "Support/HistoryTools.h"
 #include "Support/MessageCapture.h"
@@ -36,7 +36,7 @@ std::string GetHistoryAt(vtkActiveImplicitSurface* filter, double time)
   return GetHistoryText(filter);
 }
 
-// Two particles that meet and part: the skin has two bodies, one, and two.
+// Two particles that meet and separate: the skin has two bodies, then one, then two.
 vtkSmartPointer<vtkActiveImplicitSurface> MakeMeeting()
 {
   vtkNew<ParticleSource> source;
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeMeeting()
   return filter;
 }
 
-// A ball that has nothing in common with its target.
+// A ball that does not overlap its target.
 vtkSmartPointer<vtkActiveImplicitSurface> MakeVanishing()
 {
   auto filter = MakeShrinkingBall();
@@ -93,15 +93,15 @@ TEST(TestHistory, EachStepHasARow)
     EXPECT_LT(row == 0 ? 0.0 : GetNumber(filter, row, "Volume"),
       GetNumber(filter, std::max(row - 1, 0), "Volume"))
       << "Volume falls" << name;
-    // About 20 (d / h)^2, as MaximumNumberOfActiveVoxels says; those of a ball of .4, .6: 3300,
-    // 7400.
+    // About 20 (d / h)^2, as in the documentation of MaximumNumberOfActiveVoxels. Balls of 0.4 and
+    // 0.6 have 3300 and 7400.
     EXPECT_NEAR(GetNumber(filter, row, "ActiveVoxels"), 5300, 2900) << "ActiveVoxels" << name;
   }
 }
 
-// The speed at the start of a step, Attraction (F - 0) / |grad F| = (r^2 - R^2) / 2r at the radius
-// that the skin has then; the target's distance is taken at chords, within h^2 / 8r = .001. At the
-// nodes' crossings it is the largest that counts: as much more.
+// The speed at the start of a step is Attraction (F - 0) / |grad F| = (r^2 - R^2) / 2r, at the
+// skin's radius at that time. The target's distance is evaluated at chords, within h^2 / 8r =
+// 0.001. The maximum over the nodes' crossings adds as much.
 TEST(TestHistory, MaxSpeedIsThatOfTheStep)
 {
   auto filter = MakeShrinkingBall();
@@ -132,12 +132,12 @@ TEST(TestHistory, SubstepsAddUp)
   }
 }
 
-// Polygons both; the mesh has single precision, 6e-8 of each coordinate.
+// Both are computed from polygons. The mesh has single precision, 6e-8 of each coordinate.
 TEST(TestHistory, AreaAndVolumeAreThoseOfTheMesh)
 {
   for (const auto& filter : { MakeShrinkingBall(), MakeMeeting() })
   {
-    for (const double time : { 0.0, 1.0, 2.0, 4.0 }) // of the ball 0 and 1 only
+    for (const double time : { 0.0, 1.0, 2.0, 4.0 }) // the ball has only times 0 and 1
     {
       filter->UpdateTimeStep(time);
       vtkNew<vtkMassProperties> mass;
@@ -211,7 +211,7 @@ TEST(TestHistory, ErrorAtTheStartLeavesNoTrace)
   auto filter = MakeMeeting();
   filter->UpdateTimeStep(1.0);
   MessageCapture messages(filter);
-  filter->SetAttraction(9.0); // starts anew, with a voxel too many
+  filter->SetAttraction(9.0); // restarts, with a voxel too many
   filter->SetMaximumNumberOfActiveVoxels(atStart - 1);
   filter->UpdateTimeStep(2.0);
   EXPECT_EQ(MessageCapture::Count(messages.Errors, "vtkActiveImplicitSurface ("), 1)
@@ -223,7 +223,7 @@ TEST(TestHistory, ErrorAtTheStartLeavesNoTrace)
   EXPECT_EQ(GetHistoryAt(filter, 4.0), expected) << "when it is mended";
 }
 
-// As TestKeptState's ball that grows: what is kept of the step that failed counts once.
+// Growing ball, as in TestKeptState: the finished substeps of the failed step count once.
 TEST(TestHistory, ErrorWithinAStepLeavesNoTrace)
 {
   const auto make = []

@@ -1,4 +1,4 @@
-// The shape that the skin starts with, from input port 1.
+// Initial shape of the skin from input port 1.
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
@@ -29,10 +29,10 @@ namespace
 
 constexpr double VoxelSize = 0.0625;
 
-// The mesh is .0016 r inside the ball, .02 h; interpolation is off by .04 h, chords by .01 h.
+// The mesh is 0.0016 r inside the ball, 0.02 h. Interpolation adds 0.04 h, chords 0.01 h.
 constexpr double Tolerance = 0.08 * VoxelSize;
 
-// As MakeShrinkingBall, but that the start comes through port 1.
+// MakeShrinkingBall with the start from port 1.
 vtkSmartPointer<vtkActiveImplicitSurface> MakeShrinking(vtkAlgorithm* start)
 {
   auto filter = MakeShrinkingBall();
@@ -52,7 +52,7 @@ void Refuses(vtkAlgorithm* start, const std::string& words)
   MessageCapture messages(filter);
   filter->UpdateTimeStep(0.2);
   EXPECT_EQ(MessageCapture::Count(messages.Errors, words), 1) << "errors with \"" << words << "\"";
-  vtkPolyData* skin = filter->GetOutput(); // none where an input is composite
+  vtkPolyData* skin = filter->GetOutput(); // null for composite inputs
   EXPECT_EQ(skin ? skin->GetNumberOfPoints() : 0, 0) << "points";
 }
 
@@ -71,7 +71,7 @@ TEST(TestInitial, MeshIsLikeTheFunction)
   EXPECT_EQ(messages.CountAll(), 0u) << "messages";
 }
 
-// Inside is where TargetIsoValue and InvertTarget say, for an image; they are the target's too.
+// TargetIsoValue and InvertTarget define the inside of an initial image, as for the target.
 TEST(TestInitial, ImageIsLikeTheFunction)
 {
   auto filter = MakeShrinking(MakeSource([](double) { return MakeBallImage(0.6); }));
@@ -174,7 +174,7 @@ TEST(TestInitial, ChangeOfTheInputRestarts)
     << "the same bytes";
 }
 
-// An earlier time starts anew on the shape that is held.
+// An earlier time restarts from the stored initial shape.
 TEST(TestInitial, InputIsAskedForItsFirstStepOnly)
 {
   auto source = MakeSource([](double t) { return MakeBallMesh(0.6 + 0.01 * t); }, { 3, 4, 5 });
@@ -195,13 +195,13 @@ TEST(TestInitial, OneSourceMayBeBoth)
   both->UpdateTimeStep(1.0);
   both->UpdateTimeStep(2.0);
   EXPECT_EQ(source->GetExecutions(), "0 1 2 ") << "times asked for";
-  // It goes .1 per unit of time and lags behind by .1 (1 - e^-2).
+  // The target moves by 0.1 per unit of time. The skin lags behind by 0.1 (1 - e^-2).
   const auto bounds = GetSkinBounds(both);
   const double centre = 0.5 * (bounds[0] + bounds[1]);
   EXPECT_NEAR(centre, 0.2 - 0.1 * (1.0 - std::exp(-2.0)), 0.5 * VoxelSize) << "centre";
 }
 
-// Of a mesh with .6 and a quarter of its width more: 1.5 * .6.
+// Bounds of a mesh of radius 0.6 with a quarter of its width added: 1.5 * 0.6.
 TEST(TestInitial, BoundsComeFromTheInput)
 {
   auto filter = MakeShrinking(MakeMeshSource(0.6));

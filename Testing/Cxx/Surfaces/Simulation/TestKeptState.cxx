@@ -1,5 +1,5 @@
-// What is kept when a motion does not get to its end: all substeps that were finished; and that
-// going on from there gives what an undisturbed motion gives, to the byte.
+// An incomplete motion keeps all finished substeps. Resuming gives a result bitwise identical to an
+// undisturbed motion.
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
@@ -23,10 +23,10 @@ namespace TestKeptState
 namespace
 {
 
-constexpr int Few = 10000; // a ball of radius .6 has 7200 active voxels, one of .9 16000
+constexpr int Few = 10000; // active voxels: radius 0.6: 7200, 0.9: 16000
 constexpr int Many = 60000;
 
-// A ball of radius .6 that becomes one of .9, in steps of 1 with about 9 substeps in the first.
+// A ball of radius 0.6 that becomes one of 0.9, in steps of 1 with about 9 substeps in the first.
 vtkSmartPointer<vtkActiveImplicitSurface> MakeGrowingBall(int maximum)
 {
   auto filter = MakeShrinkingBall();
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeGrowingBall(int maximum)
   return filter;
 }
 
-// An update that comes to an error with these words, and leaves no output.
+// Checks that an update fails with these words and leaves no output.
 void Fails(vtkActiveImplicitSurface* filter, double time, const std::string& words)
 {
   MessageCapture messages(filter);
@@ -48,7 +48,7 @@ void Fails(vtkActiveImplicitSurface* filter, double time, const std::string& wor
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << "points";
 }
 
-// One that has failed between the steps 0 and 1.
+// A filter that has failed between the steps 0 and 1.
 vtkSmartPointer<vtkActiveImplicitSurface> MakeInterrupted()
 {
   auto filter = MakeGrowingBall(Few);
@@ -57,7 +57,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeInterrupted()
   return filter;
 }
 
-// Stops after so many substeps.
+// Aborts after `Left` substeps.
 struct Stopper
 {
   int Left;
@@ -95,7 +95,7 @@ TEST(TestKeptState, RaisingTheMaximumGoesOn)
   EXPECT_EQ(filter->GetSubsteps(), direct->GetSubsteps()) << "substeps in all";
 }
 
-// The guard comes after a substep, and before any other one.
+// The limit is checked after a substep, and before the next one.
 TEST(TestKeptState, ErrorsOneAfterTheOtherGainNothing)
 {
   auto direct = MakeGrowingBall(Many);
@@ -142,7 +142,7 @@ TEST(TestKeptState, StoppedStartIsMadeAgain)
     << "the same bytes";
 }
 
-// What is between two steps is no state to branch off, nor the step before it.
+// A state between two steps is no state to branch from, and neither is the step before.
 TEST(TestKeptState, TimesBeforeTheNextStepStartAnew)
 {
   auto direct = MakeGrowingBall(Many);
@@ -173,8 +173,8 @@ TEST(TestKeptState, InterruptedBranchLeavesTheStepAlone)
   EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 1.0), atOne)) << "the same bytes at the next step";
 }
 
-// The source fails at its fourth execution, without being modified. Step 2 is asked for once more
-// as VTK takes a time that has failed for made.
+// The source fails at its fourth execution, without being modified. Step 2 is requested again,
+// because VTK treats a failed time as available.
 TEST(TestKeptState, InputThatFailsKeepsTheLastStep)
 {
   auto source = MakeMovingBall();
@@ -190,7 +190,7 @@ TEST(TestKeptState, InputThatFailsKeepsTheLastStep)
   EXPECT_EQ(filter->GetSubsteps(), direct->GetSubsteps()) << "substeps in all";
 }
 
-// The same, where the step that fails is the one that the pipeline asks for.
+// Same test, with a failure of the step that the pipeline requests.
 TEST(TestKeptState, NextStepThatFailsKeepsTheOneBefore)
 {
   auto source = MakeMovingBall();
@@ -208,8 +208,7 @@ TEST(TestKeptState, NextStepThatFailsKeepsTheOneBefore)
   EXPECT_EQ(filter->GetSubsteps(), direct->GetSubsteps()) << "substeps in all";
 }
 
-// The same, where nothing has been made before: VTK would give the empty data of the failure for
-// it.
+// Same test, without any earlier result: VTK would pass the empty data of the failure.
 TEST(TestKeptState, FirstStepThatFailsIsMadeAgain)
 {
   for (const double time : { 0.0, 3.0 })

@@ -34,24 +34,24 @@ constexpr double Voxel = 0.04;
 constexpr double Bound = 1.0;
 constexpr double BodyRadius = 0.5;
 
-// Half of what the sum is within the body, so that the surface is at its end for any number of
-// particles: with supports of 2.5 times their distance, 4/3 pi 2.5^3 times the kernel's mean,
-// 16/105. The coarse ones are a little larger, so that the bodies are: a support that is wide
-// against the body loses at its round end.
+// Half of the sum within the body, so that the surface is at its boundary for any number of
+// particles. For supports of 2.5 times the spacing, the sum is 4/3 pi 2.5^3 times the kernel's
+// mean, 16/105. The coarse supports are a little larger, so that the bodies have the same size: a
+// support that is wide compared with the body loses volume at the round boundary.
 constexpr double Threshold = 4.98;
 constexpr double FineSupport = 2.5;
 constexpr double CoarseSupport = 2.8;
 constexpr int Fine = 400;
 constexpr int Coarse = 50;
 
-// A substep of c = CFL, in units of the rate, takes c of what is left: as -ln(1 - c) / c times the
-// rate would in the limit of small ones.
+// A substep of c = CFL, in units of the rate, removes c of the remaining distance. The same results
+// from -ln(1 - c) / c times the rate in the limit of small substeps.
 constexpr double CFL = 0.1;
 
 using Points = std::vector<std::array<double, 3>>;
 
-// A cubic lattice, jittered by a fifth of its distance: those nearest to the centre. Each has the
-// same share of the body's volume.
+// Points of a cubic lattice nearest to the centre, with a jitter of a fifth of the spacing. Each
+// represents the same part of the body's volume.
 Points MakeLatticeBall(int count, double spacing)
 {
   std::mt19937_64 generator(count);
@@ -81,8 +81,8 @@ double GetSpacing(int count)
   return BodyRadius * std::cbrt(4.0 / 3.0 * std::acos(-1.0) / count);
 }
 
-// With the arrays "reach", where kernels end, and "size", which the filter takes for a quarter of
-// it, as at this threshold no particle has a ball.
+// Particles with the arrays "reach", the kernel radius, and "size". The size is a quarter of the
+// reach, because at this threshold no single particle has a ball.
 vtkSmartPointer<vtkPolyData> MakeParticles(int count)
 {
   vtkNew<vtkPoints> points;
@@ -129,7 +129,7 @@ vtkSmartPointer<vtkPolyData> MakeSurface(vtkImplicitFunction* potential)
   return contour->GetOutput();
 }
 
-// How far points are from a surface.
+// Distances of points from a surface.
 struct Distances
 {
   double Mean = 0.0;
@@ -162,7 +162,7 @@ double GetLargestGradient(vtkImplicitFunction* potential, vtkPolyData* surface)
   return largest;
 }
 
-// The fine particles at the first of the time steps, the coarse ones at the others.
+// Fine particles at the first time step, coarse ones at the others.
 vtkSmartPointer<vtkActiveImplicitSurface> MakeSkin(const std::vector<double>& steps)
 {
   const vtkSmartPointer<ShapeSource> source =
@@ -190,7 +190,7 @@ vtkSmartPointer<vtkPolyData> GetSkinAt(vtkActiveImplicitSurface* filter, double 
   return skin;
 }
 
-// The two levels, and how far their surfaces are apart.
+// Both levels, and the distance between their surfaces.
 struct Levels
 {
   vtkSmartPointer<vtkSkeletonPotential> Potential = MakePotential(Coarse);
@@ -198,7 +198,7 @@ struct Levels
   vtkSmartPointer<vtkPolyData> After = MakeSurface(this->Potential);
   Distances Jump = Measure(this->Before, this->After);
 
-  // Of the coarse potential, anywhere between the two.
+  // Largest gradient of the coarse potential between both surfaces.
   double GetGradient() const
   {
     return std::max(GetLargestGradient(this->Potential, this->Before),
@@ -206,7 +206,8 @@ struct Levels
   }
 };
 
-// Both skins are .0015 voxels off in the mean (row 10), and .12 at most while they move (row 12).
+// Both skins are wrong by 0.0015 voxel in the mean, and by at most 0.12 while they move (front.md
+// of NarrowBand, Accuracy).
 constexpr double MeanError = 0.003 * Voxel;
 constexpr double LargestError = 0.12 * Voxel;
 
@@ -218,7 +219,7 @@ void JumpsNoFartherThan(
   EXPECT_LT(0.5 * share * bound.Mean, jump.Mean) << "the skin is on its way, " << name;
 }
 
-// The number of pieces, of voids and of handles is the same at all steps.
+// The numbers of pieces, of voids and of handles are the same at all steps.
 void HasOneTopology(vtkTable* history)
 {
   for (const char* column : { "Components", "Voids", "EulerCharacteristic" })
@@ -234,7 +235,7 @@ void HasOneTopology(vtkTable* history)
 
 constexpr double Rates[] = { 0.5, 1.0, 2.0 }; // times the length of the first frame
 
-// normalize off: the gradient makes the rate.
+// `normalize` off: the gradient determines the rate.
 void CheckFirstFrame(
   const std::vector<double>& steps, bool normalize, const std::function<double(double rate)>& share)
 {
@@ -254,7 +255,7 @@ void CheckFirstFrame(
   }
 }
 
-// All at once: the fade takes a millionth of the frame.
+// Sudden change: the fade lasts a millionth of the frame.
 const std::vector<double> AtOnce = { 0.0, 1e-6, 1.0, 2.0 };
 const std::vector<double> Faded = { 0.0, 1.0, 2.0 };
 
@@ -263,7 +264,8 @@ double Relaxation(double rate)
   return 1.0 - std::exp(-rate);
 }
 
-// Of a target that goes evenly: dx/dt = rate (t - x) has x(1) = 1 - (1 - e^-rate) / rate.
+// Relaxation towards a target in uniform motion: dx/dt = rate (t - x) has x(1) = 1 - (1 - e^-rate)
+// / rate.
 double FadedRelaxation(double rate)
 {
   return 1.0 - Relaxation(rate) / rate;

@@ -1,5 +1,5 @@
-// What the filter does of itself over particles: sizes and attraction that are found, Transport,
-// parts that are created, tension that spares drops, and what it says.
+// Automatic behaviour over particles: sizes and attraction, Transport, creation of parts, weighted
+// tension, and messages.
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
@@ -34,7 +34,7 @@ vtkSmartPointer<ParticleSource> MakeSource(const ParticleSource::Cloud& cloud)
   return source;
 }
 
-// Nothing is set but the ids, and the spacing.
+// Only the ids and the spacing are set.
 vtkSmartPointer<vtkActiveImplicitSurface> MakePlainSkin(const ParticleSource::Cloud& cloud)
 {
   auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
@@ -44,7 +44,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakePlainSkin(const ParticleSource::Cl
   return filter;
 }
 
-// A block of 4 x 4 x 4, from x on.
+// A block of 4 x 4 x 4 particles that starts at x.
 std::vector<Particle> MakeBlock(double x)
 {
   std::vector<Particle> particles;
@@ -72,7 +72,8 @@ int CountParts(vtkActiveImplicitSurface* filter, double time)
   return CountIn(filter, time, "Components");
 }
 
-// A block of 14 x 14 x 14 around 0 that makes room for a ball in its middle, as water does.
+// A block of 14 x 14 x 14 particles around 0, displaced by a ball in its middle as by a bubble in
+// water.
 std::vector<Particle> MakeBlockAround(double radius)
 {
   constexpr int side = 14;
@@ -105,19 +106,19 @@ TEST(TestLivingParticles, AutomaticAttractionIsSixFromStepToStep)
   auto plain = MakePlainSkin(MakeMovingBlock);
   auto set = MakePlainSkin(MakeMovingBlock);
   set->AutomaticAttractionOff();
-  set->SetAttraction(6.0); // of steps that are 1 apart
+  set->SetAttraction(6.0); // for steps that are 1 apart
   EXPECT_TRUE(AreSameSkins(GetBytesAt(plain, 2.0), GetBytesAt(set, 2.0)));
   set->SetAttraction(1.0);
   EXPECT_FALSE(AreSameSkins(GetBytesAt(plain, 2.0), GetBytesAt(set, 2.0))) << "1 is 1 without it";
 }
 
-// Without Transport the target has gone three voxels, where u is 3: after the step it is
-// psi + (3 - psi) e^-3, so the skin is at psi = -.16 voxel or farther behind.
+// Without Transport the target has moved three voxels, where u is 3. After the step the potential
+// is psi + (3 - psi) e^-3, so the skin is at psi = -0.16 voxel or farther behind.
 TEST(TestLivingParticles, TransportTakesTheLagAway)
 {
   auto filter = MakePlainSkin(MakeMovingBlock);
   filter->SetAttraction(3.0);
-  filter->AutomaticSmoothingOff(); // within noise the target is followed slowly
+  filter->AutomaticSmoothingOff(); // within the noise the skin follows slowly
   const auto lagAt = [&](double time)
   {
     filter->UpdateTimeStep(time);
@@ -143,13 +144,13 @@ TEST(TestLivingParticles, ParticleThatAppearsAwayGetsASkinOfItsOwn)
   auto filter = MakePlainSkin(appearing);
   EXPECT_EQ(CountParts(filter, 0.0), 1);
   EXPECT_EQ(CountParts(filter, 1.0), 2) << "in the step in which it comes";
-  // Of its own radius, and what the triangles lose.
+  // Its own radius, plus the deficit of the triangles.
   EXPECT_NEAR(GetSkinBounds(filter)[1], 30.0 + 1.155 * R, 0.1 * R);
   filter->CreatePartsOff();
   EXPECT_EQ(CountParts(filter, 1.0), 1) << "without CreateParts";
 }
 
-// A bubble of 0, 6, 7 and 5 r.
+// A bubble of radius 0, 6, 7 and 5 r.
 TEST(TestLivingParticles, HollowThatParticlesMakeOpens)
 {
   const auto breathing = [](double time)
@@ -227,7 +228,8 @@ TEST(TestLivingParticles, SkinThatHasVanishedComesBackWithParticles)
   EXPECT_EQ(messages.CountAll(), 1u);
 }
 
-// Tension / Attraction = r^2 would take balls up to 2.4 r; the ball of a lone particle has r.
+// Tension / Attraction = r^2 would remove balls up to 2.4 r. The ball of an isolated particle has
+// r.
 TEST(TestLivingParticles, TensionSparesDrops)
 {
   const auto withDrop = [](double)

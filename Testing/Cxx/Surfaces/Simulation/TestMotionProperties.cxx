@@ -1,4 +1,4 @@
-// The properties of the motion strategy reach the numerics, and start the motion anew.
+// Properties of the motion strategy reach the numerics, and restart the motion.
 
 #include "Support/HistoryTools.h"
 #include "Support/MessageCapture.h"
@@ -28,7 +28,7 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 using Filter = vtkActiveImplicitSurface*;
 
-// A shape under tension alone, in the box +-1 of n nodes a side.
+// A shape that moves only by tension, in the box +-1 with n nodes along each side.
 vtkSmartPointer<vtkActiveImplicitSurface> MakeTense(const Shape& start, int n)
 {
   auto filter = vtkSmartPointer<vtkActiveImplicitSurface>::New();
@@ -55,7 +55,7 @@ void IsHeld(Filter filter, const char* column, double expected, double tolerance
   }
 }
 
-// Of a ball under a penalty: what is missing at last.
+// Final relative deficit of a ball under a penalty.
 double GetMissingShare(Filter filter, const char* column)
 {
   filter->UpdateTimeStep(1e9);
@@ -77,7 +77,8 @@ double GetOffset(double power, double right)
 
 }
 
-// 1e-5 is promised through splits; here the tension tears a dumbbell, and the ball follows.
+// The documentation promises 1e-5 through splits. Here tension splits a dumbbell, then the ball
+// follows.
 TEST(TestMotionProperties, ExactVolumeIsHeldInTheHistory)
 {
   const Shape peanut = MakeDumbbell({ CentreA, { 1.0, 0.0, 0.0 }, 0.5, 0.3, 0.1 });
@@ -114,8 +115,8 @@ TEST(TestMotionProperties, TargetVolumeAndAreaAreHeld)
   IsHeld(area, "Area", 3.0);
 }
 
-// e (1 - e)^(1/3) = 2 b / (g r0) for the volume, e (1 - e)^(1/2) = 2 b / (g r0) for the area, r0
-// that of the polygons; within 1 % as in TestControls, where the balls are the same.
+// e (1 - e)^(1/3) = 2 b / (g r0) for the volume, e (1 - e)^(1/2) = 2 b / (g r0) for the area, with
+// r0 of the polygons. Tolerance 1 % as in TestControls, which uses the same balls.
 TEST(TestMotionProperties, PenaltiesLeaveTheirOffsets)
 {
   constexpr double stiffness = 100.0;
@@ -157,8 +158,8 @@ TEST(TestMotionProperties, BothExactIsAnError)
   EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 0.016), bytes)) << "the same bytes when it is mended";
 }
 
-// Within 1e-6, that is single precision; .93 is on no node. The wall is at some faces only: beyond
-// the others, the shape ends before.
+// Tolerance 1e-6, single precision; 0.93 is on no node. Only some faces are reached: the shape ends
+// before the others.
 TEST(TestMotionProperties, BoundedSkinStaysWithin)
 {
   auto filter = MakeTense(MakeBall({ 0.1, 0.0, 0.0 }, 0.5), 40);
@@ -189,7 +190,7 @@ TEST(TestMotionProperties, BoundedSkinStaysWithin)
     << "without walls it goes through";
 }
 
-// The start reaches through a face too: the skin begins closed on it, and within.
+// The start extends through a face too: the skin begins closed on the face, and within.
 TEST(TestMotionProperties, BoundedSkinStartsClosed)
 {
   auto filter = MakeTense(MakeBall({ 0.5, 0.01, -0.02 }, 0.7), 40);
@@ -240,9 +241,9 @@ TEST(TestMotionProperties, PaperFaithfulSetsSixProperties)
     << "changed lines";
 }
 
-// The rate of r^2 - R^2 is 2 R = 1.2: after 20 time constants nothing is left of the way. The plain
-// mean of F at a node's crossings, all within a voxel of it along a chord, is that of a radius off
-// by h^2 / 2R = .04 h at most.
+// The rate of r^2 - R^2 is 2 R = 1.2: after 20 time constants nothing remains of the distance. The
+// plain mean of F over a node's crossings, all within a voxel along a chord, corresponds to a
+// radius wrong by at most h^2 / 2R = 0.04 h.
 TEST(TestMotionProperties, PaperSchemeArrivesAtABall)
 {
   auto filter = MakeTense(MakeBall(CentreA, 0.4), 40);
@@ -260,7 +261,7 @@ TEST(TestMotionProperties, PaperSchemeArrivesAtABall)
   EXPECT_NEAR((radii.Mean - 0.6) / VoxelSizeOf(40), 0.0, 0.04) << "error of the radius [h]";
 }
 
-// The bounds that TestEvaluation has for the band itself, between the same balls.
+// Same bounds and balls as for the band itself in TestEvaluation.
 TEST(TestMotionProperties, EvaluationAtNodesRoughensTheNormals)
 {
   const Shape end = MakeBall({ 0.21, 0.13, 0.07 }, 0.6);
@@ -284,7 +285,7 @@ TEST(TestMotionProperties, EvaluationAtNodesRoughensTheNormals)
 namespace
 {
 
-// Substeps for the next step after a change, over those of a step.
+// Ratio of the substeps for the next step after a change to the substeps of a step.
 double GetSteps(const std::function<void(Filter)>& change)
 {
   auto filter = MakeShrinkingBall();
@@ -321,7 +322,7 @@ TEST(TestMotionProperties, StrategyStartsTheMotionAnew)
   {
     EXPECT_GT(GetSteps(change), 2.0) << "steps after a change of " << name;
   }
-  // A step is one of at most 1.2 times as many substeps: they grow as the ball shrinks.
+  // A single step has a ratio of at most 1.2: substeps become more as the ball shrinks.
   EXPECT_LT(GetSteps([](Filter) {}), 1.2) << "steps without a change";
   EXPECT_LT(GetSteps([](Filter f) { f->SetNumberOfThreads(1); }), 1.2) << "NumberOfThreads";
   EXPECT_LT(GetSteps([](Filter f) { f->SetMaximumNumberOfActiveVoxels(1000000); }), 1.2)

@@ -1,4 +1,4 @@
-// The column Outside of the history: how much of the target is outside the skin, and its warning.
+// The column Outside of the history: the part of the target outside the skin, and its warning.
 
 #include "Support/HistoryTools.h"
 #include "Support/MessageCapture.h"
@@ -34,7 +34,7 @@ constexpr double Spacing = 0.2;
 constexpr double R = 0.5 * Spacing;
 constexpr double BallRadius = 0.5;
 
-// A block of 4 x 4 x 4, and from the time 1 on another particle, far away.
+// A block of 4 x 4 x 4 particles, and from time 1 on another one, far away.
 std::vector<Particle> MakeBlockAndDrop(double time)
 {
   std::vector<Particle> particles;
@@ -63,7 +63,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOverDrop(bool createsParts)
   return filter;
 }
 
-// Particles or lines through the points (x, 0, 0).
+// Particles at, or lines through, the points (x, 0, 0).
 vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<double>& places, bool areLinked)
 {
   vtkNew<vtkPoints> points;
@@ -105,7 +105,7 @@ double GetOutsideAt(vtkActiveImplicitSurface* filter, double time)
 
 }
 
-// One of 65 particles is .015 of them.
+// One of 65 particles is 0.015 of them.
 TEST(TestOutside, ALostDropIsToldOnce)
 {
   auto filter = MakeSkinOverDrop(false);
@@ -141,7 +141,7 @@ TEST(TestOutside, ADropWithAPartIsInside)
   EXPECT_EQ(messages.CountAll(), 0u);
 }
 
-// The skin's ball is right to a hundredth of r: its chords are within h^2 / (8 * .5) of it.
+// The skin's ball is accurate to a hundredth of r: its chords are within h^2 / (8 * 0.5).
 TEST(TestOutside, AParticleMayBeOutsideByItsOwnRadius)
 {
   const std::vector<double> places = { 0.0, 0.4, BallRadius + 0.5 * R, BallRadius + 0.95 * R,
@@ -163,7 +163,7 @@ TEST(TestOutside, AParticleMayBeOutsideByItsOwnRadius)
   }
 }
 
-// By KernelRadius, of which 2 r are so many parts, or by the array of radii.
+// The radius follows from KernelRadius, a multiple of 2 r, or from the array of radii.
 TEST(TestOutside, AKernelTellsTheRadiusToo)
 {
   const auto points = MakePoints({ 0.0, BallRadius + 0.95 * R, BallRadius + 1.05 * R }, false);
@@ -187,8 +187,8 @@ TEST(TestOutside, AKernelTellsTheRadiusToo)
   EXPECT_EQ(GetOutsideAt(second, 0.1), 1.0 / 3.0) << "now it is the other one";
 }
 
-// Of a ball of radius .8 all that is beyond .5 and a voxel of .05: 1 - (.55 / .8)^3 = .675. So many
-// points at random are right to three times sqrt(.675 * .325 / 4096) = .022.
+// For a ball of radius 0.8, the part beyond 0.5 and a voxel of 0.05 is 1 - (0.55 / 0.8)^3 = 0.675.
+// Random points are accurate to three times sqrt(0.675 * 0.325 / 4096) = 0.022.
 TEST(TestOutside, AShapeCountsByItsVolume)
 {
   constexpr double radius = 0.8, share = 0.675, tolerance = 0.022;
@@ -202,20 +202,20 @@ TEST(TestOutside, AShapeCountsByItsVolume)
   overFunction->SetTargetFunction(MakeBallFunction(radius));
   EXPECT_NEAR(GetOutsideAt(overFunction, 0.1), share, tolerance) << "a function";
 
-  // A mesh grows with its level: .7 + .1.
+  // A mesh grows with its level: 0.7 + 0.1.
   auto level = MakeStandingBall(0.05);
   level->SetInputData(MakeBallMesh(0.7));
   level->SetTargetIsoValue(0.1);
   EXPECT_NEAR(GetOutsideAt(level, 0.1), share, tolerance) << "a level of a mesh";
 
-  // What is not inside it, in the box: 8 - 4 pi / 3 .8^3.
+  // The part of the box outside the ball: 8 - 4 pi / 3 0.8^3.
   auto inverse = MakeStandingBall(0.05);
   inverse->SetInputData(MakeBallMesh(radius));
   inverse->SetInvertTarget(true);
   EXPECT_EQ(GetOutsideAt(inverse, 0.1), 1.0) << "the ball of the skin is nowhere in it";
 }
 
-// All of half the ball is beyond the wall, where the skin may not go.
+// One of three particles is beyond the wall, which the skin cannot cross.
 TEST(TestOutside, WhatIsBeyondAWallDoesNotCount)
 {
   for (const bool isBounded : { false, true })
@@ -245,7 +245,7 @@ TEST(TestOutside, AMovingMeshThatIsLostIsTold)
   EXPECT_FALSE(messages.Has("Transport"));
 }
 
-// Else each metamorphosis would be told at its start.
+// Otherwise each metamorphosis would cause a warning at its start.
 TEST(TestOutside, ASkinOnItsWayIsNotLost)
 {
   auto filter = MakeStandingBall(0.05);

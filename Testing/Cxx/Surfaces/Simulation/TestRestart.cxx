@@ -1,4 +1,4 @@
-// What starts the motion anew, and what does not.
+// Changes that restart the motion, and changes that do not.
 
 #include "Support/GrainTools.h"
 #include "Support/MessageCapture.h"
@@ -27,7 +27,7 @@ namespace TestRestart
 namespace
 {
 
-// Whether the change makes the motion start anew: then the next step has to come after the first.
+// Returns true if the change restarts the motion: the next step then has to come after the first.
 bool Restarts(const std::function<void(vtkActiveImplicitSurface*)>& change)
 {
   auto filter = MakeShrinkingBall();
@@ -116,7 +116,7 @@ TEST(TestRestart, ChangesUpstreamRestart)
     << "the same bytes";
 }
 
-// The same times and more, as of a simulation that goes on: of the same data or of others.
+// The same times and more, as from a running simulation, with other data.
 TEST(TestRestart, MoreTimesOfOtherDataRestart)
 {
   const std::vector<ShapeSource::Shape> series = {
@@ -188,7 +188,7 @@ TEST(TestRestart, AnInitialShapeThatModifiesItselfDoesNotRestart)
   EXPECT_EQ(source->GetExecutions(), "0 1 2 3 4 ") << "times asked for";
 }
 
-// Another consumer of the input takes it to another time; the steps that are held stay valid.
+// Another consumer of the input requests another time; the stored steps stay valid.
 TEST(TestRestart, OtherConsumersOfTheInputDoNotMatter)
 {
   auto source = MakeMovingBall();
@@ -240,7 +240,7 @@ constexpr const char* Replaced = "data that replace each other are no time steps
 
 }
 
-// The loop that one writes first: new data and a later time, each time.
+// A user's first loop: new data and a later time in each iteration.
 TEST(TestRestart, DataThatAreReplacedFromTimeToTimeAreOneWarning)
 {
   auto filter = MakeSkinOver(MakePoint(0.0));
@@ -273,8 +273,8 @@ TEST(TestRestart, OneObjectThatIsWrittenOverIsThatWarningToo)
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, Replaced), 1) << "warnings";
 }
 
-// Who changes the data and looks at the same time again, or at an earlier one, or changes
-// something else, or has time steps, knows what he does.
+// No warning is due if data are replaced at the same or an earlier time, if another property has
+// changed too, or if the input has time steps.
 TEST(TestRestart, OtherRestartsAreNoWarning)
 {
   auto filter = MakeSkinOver(MakePoint(0.0));
@@ -290,7 +290,7 @@ TEST(TestRestart, OtherRestartsAreNoWarning)
   filter->SetInputData(MakePoint(0.1));
   filter->SetTension(0.002);
   filter->UpdateTimeStep(0.4);
-  filter->UpdateTimeStep(7.0); // which is that of the last step
+  filter->UpdateTimeStep(7.0); // the time of the last step
   filter->SetInputData(MakePoint(0.0));
   filter->UpdateTimeStep(8.0);
   filter->SetInputConnection(MakeMovingBall()->GetOutputPort());
@@ -308,7 +308,7 @@ TEST(TestRestart, OtherRestartsAreNoWarning)
   EXPECT_EQ(messages.CountAll(), 0u) << "messages";
 }
 
-// Nor is it one of a motion that has never begun.
+// No warning is due either for a motion that has never begun.
 TEST(TestRestart, AnErrorThatIsMendedIsNoWarning)
 {
   auto filter = MakeSkinOver(MakePoint(0.0));

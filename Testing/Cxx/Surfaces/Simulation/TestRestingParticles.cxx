@@ -1,5 +1,5 @@
-// Particles of which some do not move: the skin over them rests, costs little, and is the same as
-// if all were looked at anew.
+// Particles of which some do not move: the skin over them is converged and costs little. The result
+// is the same as if all particles were evaluated again.
 
 #include "Support/PipelineTools.h"
 
@@ -17,8 +17,7 @@ namespace TestRestingParticles
 namespace
 {
 
-// A heap that does not move, and three particles that fall on it here and there, from step 1 to
-// step 3.
+// A static heap, and three particles that fall on it at different places, from step 1 to step 3.
 std::vector<Particle> MakeHeap(double time)
 {
   std::vector<Particle> particles;
@@ -36,13 +35,13 @@ std::vector<Particle> MakeHeap(double time)
   return particles;
 }
 
-// With others, more than the heap has, that fade in and out where no skin is: so much changes from
-// one substep to the next that all counts as changed.
+// The heap with a larger number of other particles that fade in and out far from the skin. The
+// change from one substep to the next is so large that everything counts as changed.
 std::vector<Particle> MakeHeapAndOthers(double time)
 {
   std::vector<Particle> particles = MakeHeap(time);
   const int step = static_cast<int>(time);
-  for (int i = 0; i < (step > 0 ? 60 : 0); ++i) // none at the start, which would be a skin
+  for (int i = 0; i < (step > 0 ? 60 : 0); ++i) // none at the start: they would have a skin
   {
     particles.push_back({ 0.7, 0.7, 0.7, 1000 * (step + 1) + i });
   }

@@ -1,5 +1,5 @@
-// Kinds of input: each data set is one of them, and a target of its own attracts as the one that
-// the motion uses.
+// Kinds of input: each data set has one kind, and a separate target attracts like that of the
+// motion.
 
 #include "Potentials/MeshShapes.h"
 #include "Simulation/TargetBuilder.h"
@@ -25,7 +25,7 @@ namespace TestTargetBuilder
 namespace
 {
 
-// As if a user had chosen none.
+// No array has been chosen by the user.
 class NoArrays : public ChosenArrays
 {
 public:
@@ -49,7 +49,7 @@ std::unique_ptr<InputShape> Read(vtkDataSet* data)
   return MakeInputShape({ data, NoArrays(data), ParticleArrays() });
 }
 
-// Points in a row, all joined by lines or none; the first one is at (from, from, from).
+// Points in a row, all or none joined by lines; the first one is at (from, from, from).
 vtkSmartPointer<vtkPolyData> MakeRow(int count, double from, bool joined)
 {
   auto row = vtkSmartPointer<vtkPolyData>::New();
@@ -87,7 +87,7 @@ vtkSmartPointer<vtkImageData> MakeBallImage(double radius)
   return image;
 }
 
-// A builder that has got two steps and knows its domain.
+// A builder with two steps and a domain.
 struct Steps
 {
   Steps(vtkDataSet* first, vtkDataSet* second)
@@ -108,7 +108,7 @@ struct Steps
   TargetBuilder Builder{ this->Settings, this->Messages };
 };
 
-// Values and slopes at places all over the domain.
+// Values and slopes at points all over the domain.
 std::vector<double> Sample(const PotentialTarget& target)
 {
   constexpr std::size_t count = 500;

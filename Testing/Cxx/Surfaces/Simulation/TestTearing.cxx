@@ -1,5 +1,4 @@
-// When a skin is torn on its way from one function to another: at the time that the path to the
-// tear takes.
+// A skin splits during the motion from one function to another, at the predicted time.
 
 #include "Support/HistoryTools.h"
 #include "Support/PipelineTools.h"
@@ -22,13 +21,13 @@ namespace TestTearing
 namespace
 {
 
-// A ball of radius .5 at the origin goes to another shape, and is torn at the origin. By symmetry
-// the skin comes there straight from the side, and nothing comes sooner, as the distance to the
-// target is largest on that way; so the time is the integral of 1 / (Attraction * distance).
+// A ball of radius 0.5 at the origin moves to another shape, and splits at the origin. By symmetry
+// the skin gets there straight from the side. No other point gets there sooner, as the distance to
+// the target is largest on that path. The time is the integral of 1 / (Attraction * distance).
 struct Metamorphosis
 {
   Shape End;
-  std::function<double(double)> DistanceAt; // to the target, so far from the origin
+  std::function<double(double)> DistanceAt; // to the target, at this distance from the origin
   std::string Before, After;
 
   double GetTime() const
@@ -43,7 +42,7 @@ struct Metamorphosis
   }
 };
 
-// Within the time in which the skin goes two voxels: thinner sheets are not resolved.
+// The tolerance is the time in which the skin moves two voxels: thinner sheets are not resolved.
 void IsTornInTime(const Metamorphosis& metamorphosis, double voxelSize)
 {
   vtkNew<vtkSphere> start;
@@ -51,7 +50,7 @@ void IsTornInTime(const Metamorphosis& metamorphosis, double voxelSize)
   filter->SetInitialFunction(start);
   filter->SetTargetFunction(MakeFunction(metamorphosis.End));
   filter->SetModelBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
-  filter->NormalizeTargetOff(); // they are distances, of no gradient on the way
+  filter->NormalizeTargetOff(); // distances, without a gradient on the path
   filter->SetVoxelSize(voxelSize);
   filter->SetTimeStepSize(0.05);
   filter->SetNumberOfTimeSteps(71);

@@ -1,5 +1,5 @@
-// The velocity of the skin through the filter: along its normal against finite differences of the
-// skin itself, along the surface against that of the particles.
+// Velocity of the skin through the filter. The normal part is compared with finite differences of
+// the skin itself, the tangential part with the velocity of the particles.
 
 #include "Support/GrainTools.h"
 #include "Support/MessageCapture.h"
@@ -46,9 +46,9 @@ struct Comparison
   std::size_t Points = 0;
 };
 
-// The central difference over +-interval of the distance to the skin, a function of place, at the
-// points of the skin. Where two surfaces meet there is none: points within two voxels of the plane
-// x = 0 are left out if the skin is torn there.
+// Central difference over +-interval of the distance to the skin, a function of position, at the
+// points of the skin. The difference is undefined where two surfaces meet: points within two voxels
+// of the plane x = 0 are ignored if the skin splits there.
 Comparison Compare(vtkActiveImplicitSurface* filter, double time, double interval, bool tears)
 {
   filter->UpdateTimeStep(time);
@@ -99,8 +99,8 @@ int CountParts(vtkActiveImplicitSurface* filter, double time)
   return filter->GetHistory()->GetValueByName(last, "Components").ToInt();
 }
 
-// Chords of the skin's triangles are off by h^2 / (8 r), .0003 here, and the skin goes .01 to .02
-// over the interval: so much of a difference is the measurement's.
+// Chords of the skin's triangles are off by h^2 / (8 r), 0.0003 here, and the skin moves 0.01 to
+// 0.02 over the interval. Their ratio is the error of the measurement.
 TEST(TestVelocity, VelocityOfATranslatingSkinIsItsDifference)
 {
   auto filter = MakeMovingSkin(
@@ -112,8 +112,8 @@ TEST(TestVelocity, VelocityOfATranslatingSkinIsItsDifference)
   EXPECT_LT(comparison.Error, 0.05) << "mean error of it";
 }
 
-// The skin is on its target: without Transport's part there would be no velocity left. Between two
-// steps, at a step, and at the last one, where the way to it counts.
+// The skin is on its target: without Transport the velocity would be zero. Times are between two
+// steps, at a step, and at the last one, where the preceding interval counts.
 TEST(TestVelocity, VelocityOfACarriedSkinIsItsDifference)
 {
   auto filter = MakeMovingSkin(
@@ -137,7 +137,7 @@ TEST(TestVelocity, VelocityOfACarriedSkinIsItsDifference)
 
 TEST(TestVelocity, VelocityOfAGrowingSkinIsItsDifference)
 {
-  // Six grains that part while they are one body.
+  // Six grains that move apart while they are one body.
   auto filter = MakeMovingSkin(
     [](double time)
     {
@@ -155,7 +155,7 @@ TEST(TestVelocity, VelocityOfAGrowingSkinIsItsDifference)
   EXPECT_LT(comparison.Error, 0.05) << "mean error of it";
 }
 
-// Before, and after the split.
+// Times are before and after the split.
 TEST(TestVelocity, VelocityOfASplittingSkinIsItsDifference)
 {
   auto filter = MakeMovingSkin(
@@ -175,7 +175,7 @@ TEST(TestVelocity, VelocityOfASplittingSkinIsItsDifference)
   }
 }
 
-// Largest difference between the velocity, but for what is along the normal, and a vector's.
+// Largest difference between the velocity and a vector, without the normal component.
 double CompareDrift(vtkActiveImplicitSurface* filter, const std::array<double, 3>& expected)
 {
   vtkPointData* arrays = filter->GetOutput()->GetPointData();
@@ -214,8 +214,8 @@ double CompareWhole(vtkActiveImplicitSurface* filter,
   return error / whole;
 }
 
-// A slab of grains around the origin, along x and y, turned by an angle; 1.6 by .8, far more than
-// the kernels reach.
+// A slab of grains around the origin, along x and y, turned by an angle; 1.6 by 0.8, far larger
+// than the kernels.
 std::vector<Grain> MakeSlab(double angle, double shift)
 {
   std::vector<Grain> grains;
@@ -231,9 +231,9 @@ std::vector<Grain> MakeSlab(double angle, double shift)
   return grains;
 }
 
-// The skin is carried with its particles. What is left along the normal is how well it has come to
-// its target: a tenth of the mean speed is a bound that the normal part alone misses by far, as
-// most of the slab's surface moves along itself.
+// The skin is transported with its particles. The normal error depends on how far the skin has
+// converged to its target. The bound is a tenth of the mean speed. The normal part alone exceeds it
+// by far, as most of the slab's surface moves tangentially.
 TEST(TestVelocity, ATranslatingSlabHasItsWholeVelocity)
 {
   auto filter = MakeMovingSkin([](double time) { return MakeSlab(0.0, 0.1 * time - 0.2); });
@@ -250,26 +250,26 @@ TEST(TestVelocity, ATranslatingSlabHasItsWholeVelocity)
 
 TEST(TestVelocity, ATurningSlabHasItsWholeVelocity)
 {
-  constexpr double rate = 0.15; // a chord between steps is .3 % shorter than its arc
+  constexpr double rate = 0.15; // a chord between steps is 0.3 % shorter than its arc
   auto filter = MakeMovingSkin([](double time) { return MakeSlab(rate * time, 0.0); });
   for (const double time : { 1.0, 3.0 })
   {
     filter->UpdateTimeStep(time);
-    // Particles go straight from step to step: their velocity is the one half a step before.
+    // Particles move straight from step to step: their velocity is that of half a step before.
     const double c = std::cos(0.5 * rate), s = std::sin(0.5 * rate);
     const auto field = [&](const double* x)
     {
       const double u = -rate * x[1], v = rate * x[0];
       return std::array<double, 3>{ c * u + s * v, c * v - s * u, 0.0 };
     };
-    // At the rim the average is one of particles on one side, up to a third of the reach of .3
-    // further in: slower by rate * .1, a fifth of the mean speed.
+    // At the rim the average comes from particles on one side, further in by up to a third of the
+    // kernel radius of 0.3: slower by rate * 0.1, a fifth of the mean speed.
     EXPECT_LT(CompareWhole(filter, field), 0.2) << "by default at " << time;
   }
 }
 
-// All particles go alike, so does their average; floats of size .2 are good to 2e-8, their products
-// with unit normals to a few times that.
+// All particles have the same velocity, and so has their average. Floats of size 0.2 are accurate
+// to 2e-8, their products with unit normals to a few times that.
 TEST(TestVelocity, DriftIsThatOfTheParticles)
 {
   auto filter = MakeMovingSkin([](double time) { return MakeBlob(0.2 * time - 0.4); });
@@ -284,7 +284,7 @@ TEST(TestVelocity, DriftIsThatOfTheParticles)
   EXPECT_LT(CompareDrift(filter, { 0.0, 0.0, 0.0 }), 1e-7) << "none when it is not wanted";
 }
 
-// In a unit of motion time, as the velocity along the normal.
+// The unit is motion time, as for the velocity along the normal.
 TEST(TestVelocity, DriftIsPerMotionTime)
 {
   auto filter = MakeMovingSkin([](double time) { return MakeBlob(0.2 * time - 0.4); });
@@ -294,7 +294,8 @@ TEST(TestVelocity, DriftIsPerMotionTime)
   EXPECT_LT(CompareDrift(filter, { 2.0, 0.0, 0.0 }), 2e-6) << "ten times as fast";
 }
 
-// The particles stand still, but their array tells of a flow; those deep inside know nothing of it.
+// The particles stand still, but their array describes a flow. Particles deep inside do not
+// contribute.
 TEST(TestVelocity, DriftComesFromTheChosenArray)
 {
   auto source = MakeSource(

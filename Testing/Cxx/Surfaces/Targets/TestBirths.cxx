@@ -1,5 +1,5 @@
-// Particles that are born and die between two steps: the potential is exactly the formula, and
-// continuous in time. What the skin does is a matter of TestDroplet and TestLevelOfDetail.
+// Particles that are born and die between two steps: the potential equals the formula exactly, and
+// is continuous in time. TestDroplet and TestLevelOfDetail test the response of the skin.
 
 #include "Support/SkeletonShapes.h"
 
@@ -26,7 +26,7 @@ namespace
 
 constexpr double Threshold = 0.5;
 
-// Wyvill's kernel falls by 6 q (1 - q^2)^2 at most, which is largest at q = 1 / sqrt(5).
+// The slope of Wyvill's kernel is at most 6 q (1 - q^2)^2, which is largest at q = 1 / sqrt(5).
 constexpr double SteepestKernel = 1.7173;
 
 struct Numbered
@@ -52,7 +52,7 @@ std::shared_ptr<InputShape> MakeFrame(const std::vector<Numbered>& cloud, bool h
   return std::make_shared<ParticleShape>(std::move(particles));
 }
 
-// Two frames, the steps 0 and 1, and their particles in between as a target.
+// Two frames, the steps 0 and 1, and the particles between them as a target.
 struct Way
 {
   Way(std::shared_ptr<InputShape> earlier, std::shared_ptr<InputShape> later)
@@ -88,7 +88,7 @@ struct Way
   ParticleTarget Target{ this->Frames, MakeOptions() };
 };
 
-// Of a set by hand, with the strengths multiplied by a share.
+// Adds particles to a reference shape, with their strengths multiplied by `share`.
 void AddTo(SkeletonBuilder& shape, const std::vector<SkeletonVertex>& particles, double share = 1.0)
 {
   for (const SkeletonVertex& p : particles)
@@ -132,8 +132,8 @@ std::vector<SkeletonVertex> GetVertices(const std::vector<Numbered>& cloud)
   return vertices;
 }
 
-// Sums of some tens of terms of size 1, in another order and with positions that are rounded
-// otherwise: 1e-12.
+// Sums of some tens of terms of size 1, in another order and with differently rounded positions:
+// 1e-12.
 void IsThePotential(Way& way, double fraction, SkeletonBuilder& byHand, const std::string& name)
 {
   vtkNew<vtkSkeletonPotential> potential;
@@ -154,7 +154,7 @@ void IsThePotential(Way& way, double fraction, SkeletonBuilder& byHand, const st
 
 constexpr double Fractions[] = { 0.0, 0.25, 0.5, 0.875, 1.0 };
 
-// All of the one set die, all of the other are born.
+// Checks that all particles of the earlier set die and all of the later set are born.
 void IsACrossFade(Way& way, const std::vector<Numbered>& earlier,
   const std::vector<Numbered>& later, const std::string& name)
 {
@@ -286,8 +286,9 @@ TEST(TestBirths, EmptyStepsFadeEverything)
   IsACrossFade(nothing, {}, {}, "nothing at all");
 }
 
-// Just before and after a step F differs by the rate of its terms at most: a particle of strength
-// up to 1 and radius from .4 that moves by up to sqrt(3), and grows by up to .2, in a step.
+// Just before and after a step, F differs by at most the rate of its terms. A particle has a
+// strength up to 1 and a radius of at least 0.4. Within a step the particle moves by up to sqrt(3),
+// and grows by up to 0.2.
 TEST(TestBirths, PotentialIsContinuousAcrossSteps)
 {
   constexpr double small = 1e-6;
@@ -310,7 +311,7 @@ TEST(TestBirths, PotentialIsContinuousAcrossSteps)
   EXPECT_LT(1e-3 * small, largest) << "it does change";
 }
 
-// 1 + (1e-17 - 1) is 0: a support without a size.
+// 1 + (1e-17 - 1) is 0: a support of size 0.
 TEST(TestBirths, RadiusStaysPositive)
 {
   const Numbered large = { { { 0.0, 0.0, 0.0 }, 1.0, 1.0 }, 0 };

@@ -1,4 +1,4 @@
-// The region in which particles have changed: nothing of it is missed, and little besides is in it.
+// Region of changed particles: contains all changes, and little else.
 
 #include "Support/RandomShapes.h"
 
@@ -19,7 +19,7 @@ namespace
 {
 using Bounds = ChangedRegion::Box;
 
-// Within +-size along x and y, and a tenth of that along z.
+// Random box within +-size along x and y, and a tenth of that along z.
 Bounds DrawBox(RandomShapes& random, double size, double width)
 {
   Bounds box;
@@ -33,7 +33,7 @@ Bounds DrawBox(RandomShapes& random, double size, double width)
   return box;
 }
 
-// With room between them, or less than none.
+// Returns true if the boxes are at most `room` apart; `room` may be negative.
 bool Touch(const Bounds& a, const Bounds& b, double room)
 {
   bool touch = true;
@@ -52,7 +52,7 @@ bool TouchAny(const std::vector<Bounds>& boxes, const Bounds& box, double room)
 
 }
 
-// Cells are half as wide as the boxes in the mean, or wider where more than 64 would be needed.
+// Cells are half as wide as the boxes in the mean, or wider if more than 64 would be needed.
 TEST(TestChangedRegion, BoxesAreFoundAndLittleElse)
 {
   for (const int count : { 1, 3, 40, 400 })
@@ -94,7 +94,7 @@ TEST(TestChangedRegion, NothingAndEverything)
   EXPECT_TRUE(region.Touches(box.data())) << "everywhere";
 }
 
-// Faces that meet touch; so does a box without extent, and one of an absurd place or size.
+// Faces that meet touch. Boxes without extent, and boxes at extreme coordinates, are found.
 TEST(TestChangedRegion, EdgesOfTheRange)
 {
   ChangedRegion region;

@@ -1,5 +1,5 @@
-// Implicit functions whose input is the output of an algorithm: brought up to date when they are
-// evaluated, and changed by whatever changes upstream.
+// Implicit functions with the output of an algorithm as input: evaluation updates the algorithm,
+// and any upstream change modifies the function.
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
@@ -26,7 +26,7 @@ namespace TestConnectedFunctions
 namespace
 {
 
-// The first of the moving ball's particles is at x = .2 t.
+// The first of the moving ball's particles is at x = 0.2 t.
 double FindLeast(vtkSkeletonPotential* potential)
 {
   double best = 0.0, least = 1.0;
@@ -60,8 +60,8 @@ TEST(TestConnectedFunctions, ConnectedSkeletonFollowsItsAlgorithm)
   EXPECT_EQ(ValueAt(potential, { 0.5, 3.0, 0.0 }), 0.5) << "disconnected";
 }
 
-// A sphere of 64 x 64 triangles is within 2 r sin^2(pi / 64) = .0024 of round; and a point at a
-// distance from it lies between samples of distances, at most .25 voxels = .006 off.
+// A sphere of 64 x 64 triangles is within 2 r sin^2(pi / 64) = 0.0024 of the exact one. A point at
+// a distance from the sphere lies between samples of distances, at most 0.25 voxels = 0.006 off.
 TEST(TestConnectedFunctions, ConnectedMeshFollowsItsAlgorithm)
 {
   vtkNew<vtkSphereSource> sphere;
@@ -158,7 +158,7 @@ TEST(TestConnectedFunctions, AnAlgorithmOfTheWrongKindIsOneError)
   EXPECT_EQ(messages.Errors.size(), 1u) << "errors";
 }
 
-// What the filter gets is the same, and it starts anew when its function's input has changed only.
+// The result is the same, and the motion restarts only if the input of its function has changed.
 TEST(TestConnectedFunctions, SkinFollowsAConnectedFunction)
 {
   vtkNew<vtkLineSource> line;

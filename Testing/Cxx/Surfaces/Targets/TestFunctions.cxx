@@ -1,4 +1,4 @@
-// Implicit functions as targets: any of VTK, whatever its scale, its sign and its gradient.
+// Implicit functions as targets: any function of VTK, of any scale, sign and gradient.
 
 #include "Support/GridShapes.h"
 #include "Support/PipelineTools.h"
@@ -33,7 +33,7 @@ namespace
 
 constexpr double VoxelSize = 0.0625;
 
-// From a ball of radius .6 towards the target for a while; the bytes of the skin.
+// Bytes of the skin after a motion from a ball of radius 0.6 towards the target.
 std::string BytesTowards(vtkImplicitFunction* target)
 {
   auto filter = MakeShrinkingBall();
@@ -50,7 +50,7 @@ std::array<double, 6> BoundsTowards(vtkImplicitFunction* target, double time)
   return GetSkinBounds(filter);
 }
 
-// Not in the list of those that may be called by several threads.
+// A class that is not in the list of thread-safe functions.
 class ShyBall : public vtkSphere
 {
 public:
@@ -69,8 +69,8 @@ vtkStandardNewMacro(ShyBall);
 
 }
 
-// VTK gives a union the gradient of a difference, here that of the wrong ball, which would change
-// the speed by the ratio of the two.
+// VTK returns for a union the gradient of a difference, here that of the wrong ball. The speed
+// would change by the ratio of the two.
 TEST(TestFunctions, BooleansHaveTheGradientOfTheTermThatDecides)
 {
   auto ball = MakeBallFunction(0.4, 0.0);
@@ -114,8 +114,8 @@ TEST(TestFunctions, BooleansMayBeNested)
     << "the same bytes as the ball alone";
 }
 
-// A superquadric of roundness 1 is a ball. VTK gives it no gradient; central differences of a
-// quadratic function are exact but for rounding.
+// A superquadric of roundness 1 is a ball. VTK returns no gradient for it; central differences of a
+// quadratic function are exact up to rounding.
 TEST(TestFunctions, FunctionsWithoutGradientGetOne)
 {
   vtkNew<vtkSuperquadric> round;
@@ -176,7 +176,7 @@ TEST(TestFunctions, InsideMayBeAboveTheIsoValue)
     << "radius at the iso value";
 }
 
-// Beyond the reach the speed is Attraction * TargetReach: uniform, so exact but for chords, .13 h
+// Beyond the reach the speed is Attraction * TargetReach: uniform, so exact up to chords, 0.13 h
 // (front.md of NarrowBand, Accuracy).
 TEST(TestFunctions, FarTargetsAttractWithConstantSpeed)
 {
@@ -189,8 +189,9 @@ TEST(TestFunctions, FarTargetsAttractWithConstantSpeed)
   EXPECT_NEAR(GetSkinBounds(filter)[1], 0.6 - 2.0 * 0.05 * 2.0, 0.13 * VoxelSize) << "radius";
 }
 
-// V = .4^2 - r^2, so r = .4 (1 + c e^(-.8 t)) / (1 - c e^(-.8 t)), c = .2. First order in time:
-// substeps of .1 have .92^5 for e^(-.4), which makes the radius .002 or .03 h less; chords .02 h.
+// V = 0.4^2 - r^2, so r = 0.4 (1 + c e^(-0.8 t)) / (1 - c e^(-0.8 t)), c = 0.2. The error is first
+// order in time: substeps of 0.1 give 0.92^5 instead of e^(-0.4), a radius smaller by 0.002 or 0.03
+// h. Chords add 0.02 h.
 TEST(TestFunctions, WithoutNormalizationTheValueItselfAttracts)
 {
   auto filter = MakeShrinkingBall();
@@ -219,7 +220,7 @@ TEST(TestFunctions, SkeletonPotentialsNeedNoBounds)
   filter->Update();
   EXPECT_GT(filter->GetOutput()->GetNumberOfPolys(), 1000) << "triangles on the initial shape";
 
-  // Its input counts for the MTime.
+  // The MTime of the function's input counts.
   filter->SetTargetFunction(potential);
   filter->SetInitialFunction(nullptr);
   filter->Update();
@@ -237,7 +238,7 @@ TEST(TestFunctions, UnknownFunctionsAreEvaluatedByOneThread)
   shy->SetRadius(0.4);
   EXPECT_TRUE(AreSameSkins(BytesTowards(shy), BytesTowards(MakeBallFunction(0.4, 0.0))))
     << "the same bytes";
-  // Enough work for more than one, if they were let.
+  // The work suffices for more than one thread, if the class permitted it.
   auto filter = MakeShrinkingBall();
   filter->SetTargetFunction(shy);
   filter->SetInitialFunction(shy);
@@ -262,8 +263,8 @@ TEST(TestFunctions, FunctionsAreLetGo)
   EXPECT_EQ(ball->GetReferenceCount(), count) << "references afterwards";
 }
 
-// Distances to a ball, sampled as finely as the skin: trilinear interpolation is off by spacing^2 /
-// 4r = .04 voxels, the skin's rest by another .04 (front.md of NarrowBand, Accuracy).
+// Distances to a ball, sampled as finely as the skin. Trilinear interpolation is off by spacing^2 /
+// 4r = 0.04 voxel, and the skin by another 0.04 (front.md of NarrowBand, Accuracy).
 TEST(TestFunctions, GridPotentialIsATargetOfTheSkin)
 {
   Place place(false);

@@ -1,5 +1,4 @@
-// What the filter tells of a mesh or image that is its target: parts too thin for the voxels, and
-// polygons that cannot be.
+// Warnings about a mesh or image as target: parts too thin for the voxels, and invalid polygons.
 
 #include "Potentials/MeshShapes.h"
 #include "Support/MessageCapture.h"
@@ -31,7 +30,7 @@ namespace
 constexpr double Voxel = 0.05;
 constexpr double Pi = 3.14159265358979323846;
 
-// Three times what a share is off by at random, see SurfaceSample.
+// Three times the random error of a fraction; see SurfaceSample.
 double Sampling(double share)
 {
   return 3.0 * std::sqrt(share * (1.0 - share) / 8192.0);
@@ -70,7 +69,7 @@ double FindShare(vtkDataSet* data, double thickness = 0.0)
   return potential->FindThinShare(2.0 * Voxel);
 }
 
-// The faces of a slab of 4 x 4 count, its rims do not.
+// The faces of a slab of 4 x 4 count as thin, its rims do not.
 double GetShareOfSlab(double thickness)
 {
   return 2.0 * 16.0 / (2.0 * 16.0 + 4.0 * 4.0 * thickness);
@@ -78,7 +77,7 @@ double GetShareOfSlab(double thickness)
 
 using Function = std::function<double(double x, double y, double z)>;
 
-// In the box +-1.5.
+// Image in the box +-1.5.
 vtkSmartPointer<vtkImageData> MakeImage(double pixel, const Function& function)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -102,7 +101,7 @@ double Ball(double x, double y, double z)
   return std::sqrt(x * x + y * y + z * z) - 0.5;
 }
 
-// From x = 0 to 1, |y| < .4, 1.5 voxels thick.
+// A fin from x = 0 to 1, |y| < 0.4, 1.5 voxels thick.
 double Fin(double x, double y, double z)
 {
   return std::max({ std::fabs(x - 0.5) - 0.5, std::fabs(y) - 0.4, std::fabs(z) - 0.75 * Voxel });
@@ -113,9 +112,9 @@ double BallWithFin(double x, double y, double z)
   return std::min(Ball(x, y, z), Fin(x, y, z));
 }
 
-// Of both its sides, what is out of the ball: of the rectangle without the disk, in whose plane the
-// ball has this radius. Half a voxel beside the ball may count or not: there the way out along the
-// normal leads along the ball.
+// Area of both sides of the fin outside the ball: the rectangle without the disk that the ball cuts
+// out of the plane of a side. Points within half a voxel of the ball may count or not, because the
+// line along the normal runs along the ball there.
 struct Exposed
 {
   double Area;
@@ -142,13 +141,13 @@ TEST(TestMeshTargets, SlabsThinnerThanTwoVoxelsAreThin)
   }
   EXPECT_EQ(FindShare(MakeBox(4.0, 4.0, 2.0 * Voxel)), 0.0) << "two voxels";
   EXPECT_EQ(FindShare(MakeBox(4.0, 4.0, 2.1 * Voxel)), 0.0) << "more";
-  // Interpolation rounds edges off within a voxel of them, where the way ends.
+  // Interpolation rounds edges off within a voxel, where the line ends.
   EXPECT_EQ(FindShare(Turn(MakeBox(4.0, 4.0, 3.0 * Voxel))), 0.0) << "three voxels, turned";
 }
 
-// Not even beside the edges of the cubes. Nor of a tetrahedron, which are of 70.5 degrees, but for
-// its corners, which interpolation rounds off: three voxels long at most, of sides of 57 voxels,
-// 4 faces x 3 corners x 3^2 of 4 faces x 57^2.
+// Thick bodies have no thin parts, not even at the edges of cubes. A tetrahedron has edges of 70.5
+// degrees, and only its corners, which interpolation rounds off, are thin. They are at most three
+// voxels long, with sides of 57 voxels: 4 faces x 3 corners x 3^2 of 4 faces x 57^2.
 TEST(TestMeshTargets, ThickBodiesAreNot)
 {
   EXPECT_EQ(FindShare(MakeSphere(0.5, 40)), 0.0) << "ball";
@@ -162,7 +161,7 @@ TEST(TestMeshTargets, ThickBodiesAreNot)
   EXPECT_LT(FindShare(Turn(tetrahedron)), corners) << "tetrahedron, turned";
 }
 
-// Two bodies that overlap. It does not matter which way the polygons are turned.
+// Two bodies that overlap. The orientation of the polygons does not matter.
 TEST(TestMeshTargets, AFinIsItsShareOfTheArea)
 {
   const auto ball = MakeSphere(0.5, 80);
@@ -185,12 +184,12 @@ TEST(TestMeshTargets, ShellsAreAsThickAsTheyAreMade)
 {
   const auto bowl = MakeSphere(0.8, 40, 90.0);
   EXPECT_EQ(FindShare(bowl, 2.1 * Voxel), 0.0) << "more than two voxels";
-  // But for the rim: beside it the way out rises slowly within less than a voxel of its length.
+  // The rim is excluded: next to it the depth rises slowly, within less than a voxel.
   EXPECT_NEAR(FindShare(bowl, 1.5 * Voxel), 1.0, Voxel / 0.8) << "less";
   EXPECT_EQ(FindShare(bowl), 0.0) << "an open mesh has no thickness";
 }
 
-// By distances, and by a mask of 0 and 1, whose pixels are finer or coarser.
+// The image holds distances, or a mask of 0 and 1, with finer or coarser pixels.
 TEST(TestMeshTargets, PartsOfImagesAreThinToo)
 {
   const Exposed exposed = FindExposedFin();
@@ -201,14 +200,15 @@ TEST(TestMeshTargets, PartsOfImagesAreThinToo)
   const double doubt = 0.5 * exposed.Doubt / whole + Sampling(share);
   for (const double pixel : { 0.02, 0.03 })
   {
-    // The lines count the fin's outline to half a pixel.
+    // The rows of pixels resolve the fin's outline to half a pixel.
     const double outline = 0.5 * pixel * 2.0 * (0.8 + 2.0 * 0.7 + 0.93) / whole;
     EXPECT_NEAR(FindShare(MakeImage(pixel, BallWithFin)), share, doubt + outline) << "distance";
   }
   const double thin = FindShare(MakeImage(
     0.025, [](double x, double y, double z) { return BallWithFin(x, y, z) < 0.0 ? -0.5 : 0.5; }));
-  // 3 pixels are inside, |z| <= .025: as thick. A mask has its surface in steps, of more area: by
-  // half at the most on a ball (|n_x| + |n_y| + |n_z| is 1.5 in the mean), not on the fin.
+  // 3 pixels are inside, |z| <= 0.025: the same thickness. A mask has a stepped surface with a
+  // larger area: on a ball by at most half (|n_x| + |n_y| + |n_z| is 1.5 in the mean), on the fin
+  // by nothing.
   EXPECT_LT(exposed.Area / (1.5 * whole) - doubt, thin) << "mask, at least";
   EXPECT_LT(thin, share + doubt + 0.05) << "mask, at most";
 }
@@ -276,7 +276,7 @@ TEST(TestMeshTargets, ThickTargetsAreNoWarning)
   EXPECT_EQ(CountWarnings(MakeSource(image), ""), 0) << "image";
 }
 
-// After a change of the voxels, it is told again, or no more.
+// After a change of the voxel size, the thickness is checked again.
 TEST(TestMeshTargets, TheWarningIsOfTheVoxels)
 {
   auto source = MakeSource([](double) { return MakeBox(1.0, 1.0, 3.0 * Voxel); });
@@ -289,7 +289,7 @@ TEST(TestMeshTargets, TheWarningIsOfTheVoxels)
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, Thin), 1) << "one and a half";
 }
 
-// It used to end the program.
+// Regression test: such polygons crashed the program.
 TEST(TestMeshTargets, PolygonsWithMissingPointsAreLeftOut)
 {
   const auto broken = [](double)
@@ -301,7 +301,7 @@ TEST(TestMeshTargets, PolygonsWithMissingPointsAreLeftOut)
   };
   const auto source = MakeSource(broken);
   auto filter = MakeFilter(source);
-  filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0); // from the mesh
+  filter->SetModelBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0); // bounds of the mesh
   MessageCapture messages(filter);
   filter->Update();
   EXPECT_EQ(MessageCapture::Count(

@@ -1,4 +1,4 @@
-// Skeletons, meshes and images as the target: how they go from step to step.
+// Skeletons, meshes and images as the target: their motion between steps.
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
@@ -26,11 +26,11 @@ namespace
 
 constexpr double VoxelSize = 0.05;
 
-// As derived in TestTargets.cxx.
+// Derivation: see TestTargets.cxx.
 constexpr double MeshError = 0.06 * VoxelSize;
 constexpr double ImageError = 0.06 * VoxelSize;
 
-// The centre goes along x with .2 per unit of time; it is at rest until the first step.
+// The centre moves along x by 0.2 per unit of time, from a standstill at the first step.
 void FollowsTheBall(ShapeSource* source, double tolerance)
 {
   auto filter = MakeSkinOver(source);
@@ -46,8 +46,8 @@ void FollowsTheBall(ShapeSource* source, double tolerance)
 
 }
 
-// A lag of U / Attraction as for particles, within .12 h. The zero set of blended distances goes
-// through the points of the straight way on the x axis.
+// The lag is U / Attraction as for particles, within 0.12 h. On the x axis, the zero set of blended
+// distances contains the points of the straight path.
 TEST(TestMovingTargets, SkinFollowsAMovingMesh)
 {
   const auto source = MakeSource([](double t) { return MakeBallMesh(0.5, 0.2 * t); }, { 0, 1, 2 });
@@ -61,14 +61,14 @@ TEST(TestMovingTargets, SkinFollowsAMovingImage)
   FollowsTheBall(source, 0.12 * VoxelSize + ImageError);
 }
 
-// Half the way between two functions is their mean: of r^2 - .36 and r^2 - .16, r^2 - .26.
+// Halfway between two functions is their mean: for r^2 - 0.36 and r^2 - 0.16, r^2 - 0.26.
 TEST(TestMovingTargets, StepsAreBlendedEvenly)
 {
   const auto shape = [](double t) { return MakeBallImage(t == 0.0 ? 0.6 : 0.4); };
   auto filter = MakeSkinOver(MakeSource(shape, { 0, 1 }));
   filter->SetAttraction(100.0);
   filter->UpdateTimeStep(0.5);
-  // The radius falls by .2 per unit of time: a lag of .002, .04 h.
+  // The radius decreases by 0.2 per unit of time: a lag of 0.002, 0.04 h.
   CheckBall(filter, std::sqrt(0.26), ImageError + 0.06 * VoxelSize, "half way");
 }
 
@@ -118,9 +118,9 @@ TEST(TestMovingTargets, KindThatChangesIsAnError)
     << "the same bytes before it, afterwards";
 }
 
-// Half the way to an empty step nothing is inside any more: from then on the skin shrinks at
-// Attraction * TargetReach, .2 per unit of time, until half the way back. CFL: a skin at rest would
-// take one substep.
+// From halfway to the empty step on, no point is inside the target. The skin shrinks at Attraction
+// * TargetReach, 0.2 per unit of time, until halfway back. CFL is set because a skin in a steady
+// state would make one substep.
 TEST(TestMovingTargets, EmptyStepIsNoTarget)
 {
   const auto leaving = [](double t)

@@ -1,4 +1,4 @@
-// What is made of particles does not depend on their order in the input.
+// Results from particles do not depend on their order in the input.
 
 #include "Support/PipelineTools.h"
 
@@ -28,9 +28,9 @@ namespace
 constexpr int Count = 400;
 constexpr int Twins = 20;
 
-// Particles at random, some of them twice; listed in the order of a seed, 0: as they are drawn. The
-// twins cancel each other but for rounding: their strengths are 1e8 and -1e8, so that a sum is off
-// by 1e-8 or so if it is taken in another order, which single precision shows.
+// Random particles, some of them twice, in an order given by a seed (0: in the order of drawing).
+// Twins cancel except for rounding: their strengths are 1e8 and -1e8. A sum in another order is off
+// by about 1e-8, which single precision shows.
 vtkSmartPointer<vtkPolyData> MakeParticles(unsigned seed)
 {
   std::mt19937 random(7);
@@ -107,7 +107,7 @@ TEST(TestParticleOrder, WithIdsItIsTheirs)
   }
 }
 
-// Else the tests above could not fail: sums are rounded, in whatever order they are taken.
+// Otherwise the tests above could not fail: sums are rounded in any order.
 TEST(TestParticleOrder, AnotherOrderWouldGiveOtherBytes)
 {
   EXPECT_FALSE(AreSameSkins(MakeSkin(0, true), MakeSkin(0, false)));

@@ -1,4 +1,4 @@
-// The estimate of the particles' spacing, and what it costs.
+// Estimate of the particles' spacing, and its cost.
 
 #include "Targets/ParticleSpacing.h"
 
@@ -56,7 +56,7 @@ TEST(TestParticleSpacing, IsTheDistanceOfALatticesNeighbours)
   EXPECT_NEAR(FindSpacing(sheet), Spacing, 1e-12);
 }
 
-// The ball to the third nearest of random points holds 2.674 of them as often as not.
+// The ball to the third nearest of random points has a median volume of 2.674 over their density.
 TEST(TestParticleSpacing, OfRandomPointsIsNearlyTheRootOfTheirVolume)
 {
   std::mt19937_64 generator(3);
@@ -84,7 +84,7 @@ TEST(TestParticleSpacing, IsNoneWithoutTwoPlaces)
   EXPECT_NEAR(FindSpacing(pair), Spacing, 1e-12);
 }
 
-// Single precision would see 16 places at a coordinate of 10^6 instead of 20.
+// In single precision, a coordinate of 10^6 has only 16 distinct values for the 20 points.
 TEST(TestParticleSpacing, IsExactFarFromTheOrigin)
 {
   EXPECT_NEAR(FindSpacing(MakeLattice(20, 1e6)), Spacing, 1e-8);
@@ -93,7 +93,7 @@ TEST(TestParticleSpacing, IsExactFarFromTheOrigin)
   EXPECT_NEAR(FindSpacing(stray), Spacing, 1e-8);
 }
 
-// Whatever the unit, and whatever else there is.
+// The result is independent of the unit and of other points.
 TEST(TestParticleSpacing, HasNoUnitOfItsOwn)
 {
   for (const double unit : { 1e-100, 1e-25, 1e25, 1e100 })
@@ -106,14 +106,14 @@ TEST(TestParticleSpacing, HasNoUnitOfItsOwn)
   }
 }
 
-// Bins of one size would have all but the stray in one of them: each sample would look at all
-// particles, a hundred times as long.
+// With bins of one size, all particles but the stray would be in one bin. Each sample would search
+// all particles, and need a hundred times as long.
 TEST(TestParticleSpacing, AStrayCostsNothing)
 {
   const ParticleFrame frame = MakeLattice(40);
   ParticleFrame stray = frame;
   Add(stray, 1e6 * Spacing, 0.0, 0.0);
-  GetSeconds(frame); // what is loaded and allocated once
+  GetSeconds(frame); // loads and allocates once
   const double without = GetSeconds(frame);
   EXPECT_LT(GetSeconds(stray), 10.0 * without);
 }

@@ -1,5 +1,4 @@
-// Particles as the target: how they move between steps, what they are made of, and which of them
-// count.
+// Particles as the target: their motion between steps, their shapes, and the particles that count.
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
@@ -54,7 +53,7 @@ double GetCentre(vtkActiveImplicitSurface* filter)
   return 0.5 * (bounds[0] + bounds[1]);
 }
 
-// Three that move apart.
+// Three particles that move apart.
 std::vector<Particle> Three(double t)
 {
   return { { -0.5 - 0.1 * t, 0.0, 0.0, 3 }, { 0.1 * t, 0.0, 0.0, 9 }, { 0.5, 0.1 * t, 0.0, -4 } };
@@ -99,7 +98,7 @@ vtkSmartPointer<vtkActiveImplicitSurface> MakeSkinOverData(vtkPointSet* points)
 
 }
 
-// A ball that moves with U lags behind by U / Attraction; .12 h as for a function.
+// A ball that moves with U lags behind by U / Attraction; tolerance 0.12 h as for a function.
 TEST(TestParticles, SkinFollowsParticlesBetweenSteps)
 {
   auto filter = MakeSkinOver(MakeSource(MovingBall));
@@ -130,7 +129,7 @@ TEST(TestParticles, ParticlesAreMatchedByTheirIds)
     << "by number if they are in order";
 }
 
-// How they fade is a matter of TestBirths.
+// TestBirths tests the fade itself.
 TEST(TestParticles, ParticleThatIsMissingLaterFadesOut)
 {
   const auto still = [](double) { return Three(0.0); };
@@ -149,7 +148,7 @@ TEST(TestParticles, ParticleThatIsMissingLaterFadesOut)
   EXPECT_GT(GetSkinBounds(filter)[0], -0.2) << "gone at the next step";
 }
 
-// Near enough to an old one to pull its skin.
+// The new particle is so near to an old one that it attracts the old one's skin.
 TEST(TestParticles, NewParticleFadesIn)
 {
   const auto two = [](double)
@@ -197,14 +196,15 @@ TEST(TestParticles, WithoutIdsOtherCountsAreCrossFaded)
   const auto bounds = GetSkinBounds(filter);
   auto other = MakeSkinOver(MakeSource(still));
   other->UpdateTimeStep(1.0);
-  // A ball far off does not come out of nothing. The others fade into themselves: their sum stays.
+  // An isolated ball does not appear from nothing. The other particles fade into themselves: their
+  // sum is constant.
   for (int i = 0; i < 6; ++i)
   {
     EXPECT_NEAR(bounds[i], GetSkinBounds(other)[i], 1e-4 * VoxelSize) << "they stay";
   }
 }
 
-// Half the way no sum is above the threshold any more.
+// From halfway on, no sum exceeds the threshold.
 TEST(TestParticles, NoParticlesLaterMakeTheSkinVanish)
 {
   const auto leaving = [](double t) { return t < 1.0 ? MovingBall(0.0) : std::vector<Particle>(); };
@@ -222,8 +222,8 @@ TEST(TestParticles, NoParticlesLaterMakeTheSkinVanish)
   EXPECT_EQ(messages.Errors.size(), 0u) << "errors";
 }
 
-// A WYVILL ball has its surface at reach * sqrt(1 - cbrt(threshold / strength)). Crossings of
-// chords are within h^2 / 8r, and of this potential's curvature as much: .1 h.
+// The surface of a WYVILL ball is at reach * sqrt(1 - cbrt(threshold / strength)). Crossings of
+// chords are within h^2 / 8r, and this potential's curvature adds as much: 0.1 h.
 TEST(TestParticles, RadiusAndStrengthComeFromArrays)
 {
   vtkSmartPointer<vtkPolyData> points = MakePoints({ { -0.5, 0.0, 0.0 }, { 0.4, 0.0, 0.0 } });
@@ -278,8 +278,8 @@ TEST(TestParticles, KernelAndThresholdShapeTheSkin)
   EXPECT_NEAR(radius(), 0.6 * std::sqrt(1.0 - std::cbrt(0.25)), 0.1 * VoxelSize) << "threshold";
 }
 
-// The same arithmetic, by two ways; but the start over particles is sampled near them alone, which
-// gives the distances to 4e-6 voxel (TestSparseStart).
+// Both compute the same formula. The start over particles is sampled only near them, which gives
+// distances to 4e-6 voxel (TestSparseStart).
 TEST(TestParticles, ParticlesActLikeASkeletonPotential)
 {
   vtkSmartPointer<vtkPolyData> points =
@@ -304,7 +304,7 @@ TEST(TestParticles, ParticlesActLikeASkeletonPotential)
   }
 }
 
-// Neighbours on a lattice of distance .1, of which the boundary is no exception.
+// Neighbours on a lattice of spacing 0.1, including its boundary.
 TEST(TestParticles, SpacingIsEstimated)
 {
   std::vector<std::array<double, 3>> lattice;
@@ -312,7 +312,7 @@ TEST(TestParticles, SpacingIsEstimated)
   {
     lattice.push_back({ 0.1 * (i % 10), 0.1 * (i / 10 % 10), 0.1 * (i / 100) });
   }
-  lattice.push_back(lattice.front()); // a point twice is no neighbour
+  lattice.push_back(lattice.front()); // a duplicate is no neighbour
   lattice.push_back({ 50.0, 0.0, 0.0 });
   auto estimated = MakeSkinOverData(MakePoints(lattice));
   estimated->SetKernelRadius(0.0);
@@ -324,7 +324,7 @@ TEST(TestParticles, SpacingIsEstimated)
     << "warnings that say the value";
   auto given = MakeSkinOverData(MakePoints(lattice));
   given->SetKernelRadius(0.2);
-  // Not to the byte: the distances of the lattice are rounded.
+  // The bytes differ: distances of the lattice are rounded.
   EXPECT_NEAR(double(bytes.size()) / GetBytesAt(given, 0.1).size(), 1.0, 0.01) << "as 0.2";
 }
 
@@ -351,7 +351,7 @@ TEST(TestParticles, BoundsComeFromTheParticles)
   filter->SetVoxelSize(0.0);
   filter->OutputPotentialOn();
   filter->Update();
-  // The supports' box is .8 long, with a quarter more 1.
+  // The supports' box is 0.8 long, and 1 with a margin of a quarter.
   EXPECT_NEAR(filter->GetPotential()->GetSpacing()[0], 1.0 / 64.0, 1e-9) << "voxel size";
   EXPECT_GT(filter->GetOutput()->GetNumberOfPolys(), 0) << "triangles";
 }
@@ -368,7 +368,7 @@ TEST(TestParticles, AnyPointSetWillDo)
     << "a vtkUnstructuredGrid with a vertex: all its points count";
 }
 
-// 41 steps of 992 particles at 25 per second; the reader calls them 0, 1, 2 ...
+// 41 steps of 992 particles at 25 per second; the reader numbers them 0, 1, 2 ...
 TEST(TestParticles, TheSplashIsReadOnceAndStaysClosed)
 {
   vtkNew<vtkXMLPolyDataReader> reader;

@@ -1,4 +1,4 @@
-// What is wrong with an input is told by the filter alone, not also by what it is made of.
+// Only the filter reports defects of an input; its internal objects stay silent.
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
@@ -23,7 +23,7 @@ namespace TestQuietShapes
 namespace
 {
 
-// What comes to the console otherwise.
+// Captures text that would otherwise go to the console.
 class Console : public vtkOutputWindow
 {
 public:

@@ -1,5 +1,5 @@
-// TargetNoise: what is nearer to the target follows slowly; and AutomaticSmoothing, which sets it
-// over particles that move.
+// TargetNoise: the skin follows slowly within this distance of the target. AutomaticSmoothing sets
+// the distance over moving particles.
 
 #include "Support/PipelineTools.h"
 #include "Support/SameSkins.h"
@@ -28,7 +28,7 @@ namespace
 constexpr double Rate = 10.0;
 constexpr double Voxel = 0.05;
 
-// A ball that goes from one radius to another.
+// Radius at a time of a ball that moves from one radius to another.
 double GetRadiusAt(double time, double from, double to, double noise)
 {
   vtkNew<vtkSphere> start, target;
@@ -58,7 +58,7 @@ constexpr double Spacing = 0.1;
 constexpr double R = 0.5 * Spacing;
 constexpr int Frames = 14;
 
-// 12 x 12 x 4, of which each trembles by a tenth of r, anew in each step.
+// 12 x 12 x 4 particles, each with a jitter of a tenth of r that is new in each step.
 std::vector<Particle> MakePool(double time)
 {
   std::mt19937_64 generator(static_cast<unsigned>(time));
@@ -150,8 +150,8 @@ Unrest Measure(vtkActiveImplicitSurface* filter)
 
 }
 
-// d' = -.03 Attraction d where d is small beside the noise: a fifth of it adds .16 % of Attraction.
-// .02 voxel is the error of a radius.
+// d' = -0.03 Attraction d if d is small compared with the noise. At a fifth of the noise the rate
+// is larger by 0.16 % of Attraction. The tolerance is the error of a radius, 0.02 voxel.
 TEST(TestTargetNoise, NearTheTargetTheSkinFollowsSlowly)
 {
   const double to = 0.5, away = 0.04, noise = 0.2, time = 1.0;
@@ -165,7 +165,7 @@ TEST(TestTargetNoise, NearTheTargetTheSkinFollowsSlowly)
   }
 }
 
-// Beyond three times the noise the rate is all of Attraction, but for a hundredth.
+// Beyond three times the noise the rate is Attraction, to a hundredth.
 TEST(TestTargetNoise, FarFromTheTargetItMakesNoDifference)
 {
   const double from = 0.3, to = 0.8, noise = 0.05, time = 0.12;
@@ -189,7 +189,7 @@ TEST(TestTargetNoise, AutomaticSmoothingIsOfTheSpacing)
   EXPECT_FALSE(AreSameSkins(GetBytesAt(plain, 3.0), GetBytesAt(set, 3.0)));
 }
 
-// A pool at rest whose particles tremble.
+// A pool whose particles only jitter.
 TEST(TestTargetNoise, TheSkinOfAPoolStandsStillAndIsFlat)
 {
   auto smooth = MakeSkinOfPool();

@@ -1,4 +1,4 @@
-// Skeletons, meshes and images as the target: what they are made of.
+// Skeletons, meshes and images as the target: the shapes that they define.
 
 #include "Support/MessageCapture.h"
 #include "Support/PipelineTools.h"
@@ -36,11 +36,12 @@ namespace
 constexpr double VoxelSize = 0.05;
 constexpr int Points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 
-// The mesh is .0016 r = .016 h inside the ball; interpolation of distances is off by
-// h^2 / 8 * 2 / r = .025 h, and chords of the skin by h^2 / 8 r = .013 h.
+// The mesh is 0.0016 r = 0.016 h inside the ball. Interpolation of distances adds h^2 / 8 * 2 / r =
+// 0.025 h, and chords of the skin h^2 / 8 r = 0.013 h.
 constexpr double MeshError = 0.06 * VoxelSize;
 
-// Interpolation of squared distances is off by 3 * 2 * h^2 / 8, over 2 r = 1 .038 h; chords .013 h.
+// Interpolation of squared distances is off by 3 * 2 * h^2 / 8, over 2 r = 1: 0.038 h. Chords add
+// 0.013 h.
 constexpr double ImageError = 0.06 * VoxelSize;
 
 void UnsetBounds(vtkActiveImplicitSurface* filter)
@@ -58,7 +59,7 @@ void Refuses(vtkActiveImplicitSurface* filter, const std::string& words)
 
 }
 
-// The same arithmetic, by two ways; bounds and voxels are found alike.
+// Both compute the same formula, with the same bounds and voxels.
 TEST(TestTargets, LinesActLikeASkeletonPotential)
 {
   vtkSmartPointer<vtkPolyData> lines = MakeLines();
@@ -143,7 +144,7 @@ TEST(TestTargets, ImageOfABallGivesABall)
   filter->UpdateTimeStep(1.0);
   CheckBall(filter, 0.5, ImageError, "at the end");
 
-  // Rounding to integers is .5 of 1000, .01 h.
+  // Rounding to integers is 0.5 of 1000, 0.01 h.
   vtkSmartPointer<vtkImageData> shorts = MakeBallImage(0.5);
   vtkDataArray* values = shorts->GetPointData()->GetScalars();
   vtkNew<vtkShortArray> rounded;
@@ -157,7 +158,7 @@ TEST(TestTargets, ImageOfABallGivesABall)
   CheckBall(filter, 0.5, ImageError + 0.01 * VoxelSize, "of short integers");
 }
 
-// A box of (2, 3, 4) pixels of half its size more, turned so that its x goes along -y.
+// A box of (2, 3, 4) pixels with a margin of half its size, turned so that its x goes along -y.
 TEST(TestTargets, ImageIsWhereItsDirectionSays)
 {
   vtkSmartPointer<vtkImageData> image = MakeBallImage(0.5, 0.25);
@@ -194,7 +195,7 @@ TEST(TestTargets, InvertedImageHasItsInsideAbove)
   inverted->SetTargetIsoValue(-0.11);
   EXPECT_TRUE(AreSameSkins(GetBytesAt(plain, 0.5), GetBytesAt(inverted, 0.5)))
     << "the same bytes at a level";
-  // Its inside is closed by the box of the image.
+  // The box of the image closes its inside.
   plain->SetTargetIsoValue(0.0);
   plain->InvertTargetOn();
   UnsetBounds(plain);
