@@ -1,9 +1,9 @@
-"""Lists the lines and branches that the tests do not reach, of a JSON file that llvm-cov exports.
+"""Lists the lines and branches that the tests do not reach, from a JSON file of llvm-cov.
 
 Run: python3 missed_lines.py coverage.json
 
-A line of the list is a file and a range of lines that never ran, or a line and the result that
-a condition there never had, in any instance of a template. The last lines are llvm-cov's totals.
+A line of the list is a file and a range of lines that never ran, or a line and a result that a
+condition there never had, in any instance of a template. The last lines are llvm-cov's totals.
 """
 
 import json
@@ -14,7 +14,7 @@ from pathlib import Path
 
 
 def count_lines(segments):
-    """How often each line of a file ran, of lines with code."""
+    """Number of executions of each line of a file that has code."""
     counts = {}
     before = None
     by_line = {line: list(group) for line, group in groupby(segments, key=lambda s: s[0])}
@@ -34,7 +34,7 @@ def count_lines(segments):
 
 
 def count_branches(branches):
-    """How often each condition, by its place, was true and false."""
+    """Numbers of true and false results of each condition, by its place."""
     counts = {}
     for first_line, first_column, last_line, last_column, true, false, *_ in branches:
         place = first_line, first_column, last_line, last_column
@@ -44,7 +44,7 @@ def count_branches(branches):
 
 
 def join_ranges(lines):
-    """Numbers as texts, neighbours as one range."""
+    """Line numbers as texts, consecutive ones as one range."""
     texts = []
     for _, group in groupby(enumerate(lines), key=lambda pair: pair[1] - pair[0]):
         numbers = [number for _, number in group]
@@ -59,7 +59,7 @@ def list_missed(name, entry):
         yield f"{name}:{text}: never ran"
     for (line, column, *_), counts in sorted(count_branches(entry["branches"]).items()):
         if not lines.get(line) or not any(counts):
-            continue  # it is told already, or known when it is compiled, or never asked
+            continue  # listed already, constant at compile time, or never evaluated
         for result, count in zip(("true", "false"), counts):
             if count == 0:
                 yield f"{name}:{line}: column {column} was never {result}"

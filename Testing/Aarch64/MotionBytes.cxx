@@ -1,5 +1,5 @@
-// Moves surfaces in all ways, and prints a hash of each one's potential: the same lines on any
-// processor. Run: MotionBytes
+// Moves surfaces with every kind of motion, and prints a hash of each potential: the same lines on
+// any processor. Run: MotionBytes
 
 #include "Support/AnalyticShapes.h"
 
@@ -18,7 +18,7 @@ using namespace activesurface;
 namespace
 {
 
-/** FNV-1a. */
+/** FNV-1a hash. */
 class Hash
 {
 public:
@@ -81,7 +81,7 @@ std::vector<Scene> MakeScenes()
   return scenes;
 }
 
-// Polynomials, as libraries may differ in the last digit of a cosine.
+// Velocities are polynomials: libraries may differ in the last digit of a cosine.
 Shape MakeFlowingRing()
 {
   Shape ring = MakeTorus({ .01, .02, .013 }, .5, .22);
@@ -90,8 +90,8 @@ Shape MakeFlowingRing()
   return ring;
 }
 
-// By regions, as dense starts sweep by OpenVDB, whose library a compiler may have given fused
-// multiply-adds.
+// The start uses regions. Dense starts call sweeps in OpenVDB's library, which a compiler may have
+// built with fused multiply-adds.
 InitialFunction MakeStart()
 {
   InitialFunction function = MakeInitialFunction(MakeSixMetaballs());

@@ -1,15 +1,15 @@
-// How exact tension is, against the resolution and the time step.
+// Accuracy of tension against the resolution and the time step.
 //
 // Run: BenchmarkConvergence [largest n] [dt factor]      (default 128, a quarter of a minute; all
 // factors)
 //
-// A ball of radius .6 in [-1,1]^3, n nodes along a side, shrinks under tension alone to radius .3.
+// A ball of radius 0.6 in [-1,1]^3, n nodes along a side, shrinks by tension only to radius 0.3.
 // Exact: r^2 = r0^2 - 4 Tension t. The substep is factor * h^2 / Tension. Columns:
 //
-//   error: of the mean radius, relative to .3 [%]
+//   error: of the mean radius, relative to 0.3 [%]
 //
-//   skin: the same of the skin of an exact ball of radius .3, whose points lie on chords of the
-//   sphere: h^2 / 24 r^2 too near on average; the surface itself is off by the difference
+//   skin: the same error for the skin of an exact ball of radius 0.3. Its points lie on chords of
+//   the sphere: h^2 / 24 r^2 too near on average. The error of the surface itself is the difference
 //
 //   spread: largest minus least radius [h]
 //
@@ -34,7 +34,7 @@ namespace
 {
 constexpr double StartRadius = 0.6;
 constexpr double EndRadius = 0.3;
-// No symmetry of the lattice favours it.
+// A point that no symmetry of the lattice favours.
 constexpr double Centre[3] = { 0.013, 0.007, -0.021 };
 
 class NoTarget : public Target
@@ -75,7 +75,7 @@ InitialFunction MakeBall(double radius)
 
 struct Radii
 {
-  double Error = 0.0; //< of their mean, relative to EndRadius
+  double Error = 0.0; //< of the mean radius, relative to EndRadius
   double Spread = 0.0;
 };
 

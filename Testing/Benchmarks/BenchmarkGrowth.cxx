@@ -1,20 +1,19 @@
-// How time and memory grow: with the resolution, with the number of threads, and with the number of
+// Growth of time and memory with the resolution, with the number of threads, and with the number of
 // particles around the same surface.
 //
 // Run: BenchmarkGrowth [quick]
 //
-// Resolution: a ball of radius .6 in [-1,1]^3, n nodes along a side, the default scheme
-// (attraction to a moving ball, tension); seconds per substep, and the largest memory that a
-// process of its own has held during start and substeps, less what it held after a run at n = 16.
-// Exponents are those of the straight line through the logarithms, by least squares. "while
-// advancing" is the same peak for the substeps alone: the start, which samples the bounds and
-// sweeps distances, needs more.
+// Resolution: a ball of radius 0.6 in [-1,1]^3, n nodes along a side, the default scheme
+// (attraction to a moving ball, tension). Prints seconds per substep, and the peak memory of a
+// separate process during start and substeps, less that of a run at n = 16. Exponents are slopes of
+// the straight line through the logarithms, by least squares. "while advancing" is the peak of the
+// substeps only. The start, which samples the bounds and sweeps distances, needs more.
 //
-// Threads: the largest n, 1 to all threads, against one.
+// Threads: the largest n, 1 to all threads, relative to one.
 //
-// Particles: a ball of radius 1 filled with 1,000 times 1, 2, 4 ... of them, whose kernels shrink
-// as their spacing does; the voxel stays. Seconds per frame of the filter, of which the search
-// structure of the particles is a part.
+// Particles: a ball of radius 1 filled with 1,000 times 1, 2, 4 ... particles, whose kernels shrink
+// with their spacing; the voxel is constant. Prints seconds per frame of the filter, which include
+// the search structure of the particles.
 
 #include "Measuring.h"
 #include "OpenVDB.h"
@@ -43,7 +42,7 @@ using namespace activesurface;
 namespace
 {
 
-/** In kB, since the process began or ForgetPeak. */
+/** Peak memory in kB since the process began or since ForgetPeak. */
 double ReadPeak()
 {
   std::ifstream status("/proc/self/status");
@@ -62,7 +61,7 @@ void ForgetPeak()
   std::ofstream("/proc/self/clear_refs") << 5;
 }
 
-/** What a process of its own has found for one n. */
+/** Measurements of a separate process for one n. */
 struct Need
 {
   double Voxels = 0.0;
@@ -101,7 +100,7 @@ Need MeasureNeed(int n, double before)
   return need;
 }
 
-/** Before this process has started any thread. */
+/** Measures in a child process. Call before this process has started any thread. */
 Need MeasureInChild(int n)
 {
   int ends[2];
@@ -112,7 +111,7 @@ Need MeasureInChild(int n)
   const pid_t child = fork();
   if (child == 0)
   {
-    // What the first band of all needs besides: code, threads' stacks.
+    // The first band allocates code and stacks of threads, which do not count.
     MeasureNeed(16, 0.0);
     ForgetPeak();
     const Need need = MeasureNeed(n, ReadPeak());
@@ -238,7 +237,8 @@ void GrowWithThreads(int n, int repetitions)
   }
 }
 
-/** In a ball of radius 1 at a place, on a lattice of `spacing`, each a little off. */
+/** Particles in a ball of radius 1 at a place, on a lattice of `spacing`, each slightly
+ * displaced. */
 vtkSmartPointer<vtkPolyData> FillBall(double spacing, double place)
 {
   std::mt19937 random(1);
@@ -266,7 +266,8 @@ vtkSmartPointer<vtkPolyData> FillBall(double spacing, double place)
   return cloud;
 }
 
-/** .1 of time towards a cloud that goes half a voxel to and fro; frame 0 is the start. */
+/** Seconds for 0.1 of time towards a cloud that oscillates by half a voxel; frame 0 is the
+ * start. */
 double AdvanceFrame(double spacing, int frame, vtkActiveImplicitSurface* surface)
 {
   const auto cloud = FillBall(spacing, 0.01 * (frame % 2));
@@ -282,7 +283,7 @@ double AdvanceFrame(double spacing, int frame, vtkActiveImplicitSurface* surface
 
 void GrowWithParticles(double count, int frames)
 {
-  // A ball has 4/3 pi / spacing^3 of them.
+  // A ball contains 4/3 pi / spacing^3 particles.
   const double spacing = std::cbrt(4.18879 / count);
   vtkNew<vtkActiveImplicitSurface> surface;
   surface->SetNumberOfThreads(1);
@@ -314,7 +315,7 @@ int main(int argc, char** argv)
 {
   openvdb::initialize();
   const bool isQuick = IsQuick(argc, argv);
-  GrowWithResolution(isQuick ? 256 : 512, isQuick ? 3 : 5); // before there are threads
+  GrowWithResolution(isQuick ? 256 : 512, isQuick ? 3 : 5); // before any thread starts
   GrowWithThreads(isQuick ? 128 : 256, isQuick ? 7 : 15);
   for (double count = 1000.0; count <= (isQuick ? 16e3 : 256e3); count *= 4.0)
   {

@@ -1,16 +1,16 @@
-// A whole metamorphosis, against OpenVDB's LevelSetMorphing: ball to torus, mesh to mesh.
+// A whole metamorphosis compared with OpenVDB's LevelSetMorphing: ball to torus, mesh to mesh.
 //
 // Run: BenchmarkMorph [quick]
 //
-// What is compared is the same motion. LevelSetMorphing moves its grid by (phi - target) |grad
-// phi|, which at the surface, where phi is 0, is our Attraction 1 to the target's distance. Neither
-// clamps the distance. Time goes on in pieces of .5 for both, to 10, when exp(-10) of the way is
-// left; after each the mean distance of the surface's points (crossings of the lattice's edges) to
-// the target is measured, off the clock. The worst contestant's best error is what all of them
-// reach: `to the same error` is the time until then.
+// Both sides compute the same motion. LevelSetMorphing moves its grid by (phi - target) |grad phi|.
+// At the surface, where phi is 0, this is our Attraction 1 to the target's distance. Neither side
+// clamps the distance. Both advance in intervals of 0.5 up to time 10, when exp(-10) of the
+// distance remains. After each interval, off the clock, the mean distance of the surface's points
+// (crossings of the lattice's edges) to the target is measured. All contestants reach the largest
+// of their best errors: `to the same error` is the time until then.
 //
-// OpenVDB gets what it needs for nothing: the target's distances on a grid that is as wide as the
-// band's way (MorphScenes.h), and its start. Our formula is evaluated on the clock. Steps are
+// OpenVDB gets two inputs at no cost: its start, and the target's distances on a grid as wide as
+// the motion of the band (MorphScenes.h). Our formula is evaluated on the clock. Steps are
 // OpenVDB's iterations and our substeps. One thread.
 
 #include "Crossings.h"
@@ -30,7 +30,7 @@ namespace
 constexpr double Piece = 0.5;
 constexpr int Pieces = 20;
 
-/** After each piece. */
+/** Results after each interval. */
 struct Course
 {
   std::vector<double> Seconds; //< since the start
@@ -53,7 +53,7 @@ double ErrorOf(const openvdb::FloatGrid& grid, const Target& target)
   return sum / count;
 }
 
-/** advance(begin, end): returns its steps. */
+/** Measures a course. advance(begin, end) returns its number of steps. */
 template <class Advance, class Measure>
 Course Follow(const Advance& advance, const Measure& measure)
 {
@@ -90,7 +90,7 @@ Course FollowTheirs(const MorphScene& scene, bool isCheapest)
     [&] { return ErrorOf(*grid, *scene.Goal); });
 }
 
-/** The first piece with no more than that error. */
+/** First interval with at most this error. */
 std::size_t FindEnd(const Course& course, double error)
 {
   std::size_t i = 0;
@@ -101,7 +101,7 @@ std::size_t FindEnd(const Course& course, double error)
   return i;
 }
 
-/** The worst contestant's best error: all reach it. */
+/** Largest of the contestants' best errors, which all of them reach. */
 double FindCommonError(const std::vector<std::vector<Course>>& all)
 {
   double common = 0.0;
@@ -113,7 +113,7 @@ double FindCommonError(const std::vector<std::vector<Course>>& all)
   return common;
 }
 
-/** Seconds after that piece, one per repetition. */
+/** Seconds after this interval, one number per repetition. */
 Costs SecondsAfter(const std::vector<Course>& courses, std::size_t piece)
 {
   Costs seconds;

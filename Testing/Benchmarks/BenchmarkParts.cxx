@@ -1,18 +1,19 @@
-// Where the time of a substep goes; and what a scene costs of which nine tenths rest.
+// Distribution of time over the parts of a substep, and cost of a scene of which nine tenths are
+// converged.
 //
 // Run: BenchmarkParts [quick]
 //
-// The library's hot path has no clocks in it. The passes of a substep are called here one by one,
-// in the order in which BandState calls them for attraction and tension, on a band of our own; in
-// the end its potential must be, bit by bit, that of a NarrowBand that has advanced as often, or
-// this program fails: so it cannot fall behind what it takes apart. Relaxation is a term of the
-// step's kernel: its time is that of the kernel with it less that of the same kernel without.
-// Polygonising is beside the substep, but in the same unit. Shares are of the sum of the substep's
+// The library has no clocks in its hot path. This program calls the passes of a substep one by one,
+// in the order of BandState for attraction and tension, on a band of its own. In the end its
+// potential must be bitwise identical to that of a NarrowBand after as many substeps, or the
+// program fails. So it cannot differ from the library. Relaxation is a term of the step's kernel:
+// its time is that of the kernel with relaxation less that of the same kernel without. Polygonising
+// is no part of the substep, but has the same unit. Fractions are of the sum of the substep's
 // parts.
 //
-// At rest: ten balls in a row, n nodes along it, which have come to rest; the target is the same
-// row, of which the first one or all balls begin to swing. Once without and once with a
-// Tension that smooths a third of a voxel. Seconds per substep, with the same steps in time.
+// At rest: ten converged balls in a row, n nodes along it. The target is the same row, of which the
+// first ball or all balls begin to oscillate. Runs once without and once with a Tension that
+// smooths a third of a voxel. Prints seconds per substep, with the same steps in time.
 
 #include "Leaves/GhostFill.h"
 #include "Leaves/Layers.h"
@@ -40,7 +41,7 @@ using namespace activesurface;
 namespace
 {
 
-/** A band whose passes are in the open. */
+/** A band whose passes can be called one by one. */
 struct OpenBand
 {
   double VoxelSize;
@@ -49,7 +50,7 @@ struct OpenBand
   LeafTable Leaves;
   ActiveSet Set;
   SubstepBuffers Buffers;
-  std::map<std::string, double> Seconds; //< per part, since it was cleared
+  std::map<std::string, double> Seconds; //< per part, since the last clear
 
   explicit OpenBand(const NarrowBand& band)
     : VoxelSize(band.GetVoxelSize())
@@ -111,7 +112,7 @@ struct OpenBand
 
   void StepForwardWith(StepCoefficients coefficients)
   {
-    std::vector<float> speeds(512 * this->Leaves.Size()); // each step takes their room
+    std::vector<float> speeds(512 * this->Leaves.Size()); // each step overwrites them
     for (std::size_t i = 0; i < this->Leaves.Size(); ++i)
     {
       std::copy_n(this->Buffers.SpeedOf(i), 512, speeds.data() + 512 * i);
@@ -125,7 +126,7 @@ struct OpenBand
       return SecondsOf([&] { StepForward(this->Leaves, this->Set, coefficients, this->Buffers); });
     };
     const double whole = seconds();
-    // Both once more, with the caches alike; the last one leaves what the step is to be.
+    // Runs both again, with similar caches; the last one leaves the result of the step.
     const float relaxation = coefficients.Relaxation;
     coefficients.Relaxation = 0.f;
     const double without = seconds();
@@ -205,7 +206,7 @@ double Polygonise(const NarrowBand& band)
 
 using Parts = std::map<std::string, Costs>;
 
-/** Nanoseconds per active voxel and substep of each part, and of what they add up to. */
+/** Nanoseconds per active voxel and substep of each part, and of their sum. */
 void AddTurn(OpenBand& open, NarrowBand& band, int substeps, Parts& parts)
 {
   const Motion motion = MakeMotion(10.0, 0.001);
@@ -278,7 +279,7 @@ Contestant MakeRow(const std::string& name, int n, int moving, double tension)
   FormulaTarget<RowOfBalls> still{ RowOfBalls() };
   band->Advance(0.0, motion, still);
   auto target = std::make_shared<SwingingBalls>(moving);
-  motion.LongestStep = 1e-3; // the same for all
+  motion.LongestStep = 1e-3; // same step for all contestants
   return { name,
     [=]
     {

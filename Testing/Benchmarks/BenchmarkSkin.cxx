@@ -1,13 +1,13 @@
-// From potential to mesh with normals, against vtkFlyingEdges3D on a dense image of the same
-// potential and OpenVDB's volumeToMesh on the same grid.
+// From the potential to a mesh with normals, compared with vtkFlyingEdges3D on a dense image of the
+// same potential and OpenVDB's volumeToMesh on the same grid.
 //
 // Run: BenchmarkSkin [quick]
 //
-// A ball of radius .9 in [-1,1]^3, n nodes along a side. Ours and vtkFlyingEdges3D write the same
-// mesh to a vertex, points and normals in single precision, 64-bit corners; filling the dense image
-// is not counted, and every array is allocated anew each time. volumeToMesh gives quads without
-// normals; "with normals" takes them from the gradient of the grid at its points, the cheapest way
-// that OpenVDB has (six trilinear samples each).
+// A ball of radius 0.9 in [-1,1]^3, n nodes along a side. Our code and vtkFlyingEdges3D write the
+// same mesh, vertex by vertex: points and normals in single precision, 64-bit corners. Filling the
+// dense image does not count, and every array is allocated in each repetition. volumeToMesh
+// produces quads without normals. "with normals" evaluates them from the gradient of the grid at
+// the points, the cheapest method in OpenVDB (six trilinear samples each).
 
 #include "Measuring.h"
 #include "NarrowBandGrid.h"
@@ -40,7 +40,7 @@ double MakeSkin(const NarrowBand& band, std::size_t& triangles)
       const Skin skin(band);
       triangles = skin.GetNumberOfTriangles();
       const std::size_t count = skin.GetNumberOfPoints();
-      // Not vectors, which would be zeroed first.
+      // Plain arrays: vectors would be zeroed first.
       const std::unique_ptr<float[]> points(new float[3 * count]);
       const std::unique_ptr<float[]> normals(new float[3 * count]);
       const std::unique_ptr<std::int64_t[]> corners(new std::int64_t[3 * triangles]);

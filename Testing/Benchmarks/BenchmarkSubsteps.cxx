@@ -1,18 +1,18 @@
-// What substeps buy: errors of known motions against the number of substeps.
+// Errors of known motions against the number of substeps.
 //
 // Run: BenchmarkSubsteps [n] [motion]     (nodes along a side of [-1,1]^3; default 64, half a
-// minute; the motions whose name holds the word)
+// minute; the motions whose name contains the word)
 //
-// A ball, whose radius or centre is known, moves
+// A ball with an exact radius or centre moves
 //
-//   uniform speed: from .3 by .3, outward, on a target that is -1 everywhere
-//   approach: from .3 to a ball of radius .55 at Attraction 1; the largest error in 40 frames
-//   tension alone: from .6 to .3
-//   rest under tension: from .5 to (1 + sqrt(1 - 8 Tension / (Attraction R^2))) R / 2
-//   lag: behind a target that goes .8 in a time of 1, at Attraction 10, 25 frames
+//   uniform speed: from 0.3 by 0.3, outward, on a target that is -1 everywhere
+//   approach: from 0.3 to a ball of radius 0.55 at Attraction 1; the largest error in 40 frames
+//   tension alone: from 0.6 to 0.3
+//   rest under tension: from 0.5 to (1 + sqrt(1 - 8 Tension / (Attraction R^2))) R / 2
+//   lag: behind a target that moves 0.8 in a time of 1, at Attraction 10, 25 frames
 //
 // by substeps of CFL 1 and less. Columns: error of the mean radius (of the centre, for the lag) in
-// voxels, its spread over the surface, substeps, milliseconds of the processor.
+// voxels, its spread over the surface, substeps, milliseconds of processor time.
 
 #include "Measuring.h"
 #include "OpenVDB.h"
@@ -33,7 +33,7 @@ using namespace activesurface;
 namespace
 {
 
-/** The mean place and radius of the skin's points, and the spread of the radii. */
+/** Mean x and radius of the skin's points, and the spread of the radii. */
 struct Measured
 {
   double X = 0.0;
@@ -93,8 +93,8 @@ struct Journey
   double Tension;
   double Time;
   int Frames;
-  std::function<double(double, const Measured&)> Error; //< at a time
-  bool IsLargest = false;                               //< the error is the largest of all frames
+  std::function<double(double, const Measured&)> Error; //< error at a time
+  bool IsLargest = false;                               //< the largest error of all frames counts
 };
 
 struct Line

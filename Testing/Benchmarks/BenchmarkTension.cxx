@@ -1,20 +1,20 @@
-// What a substep costs, against OpenVDB's LevelSetFilter::meanCurvature: a ball of radius .6 in
+// Cost of a substep, compared with OpenVDB's LevelSetFilter::meanCurvature: a ball of radius 0.6 in
 // [-1,1]^3, n nodes along a side.
 //
 // Run: BenchmarkTension [quick]
 //
-// Costs are nanoseconds per active voxel and substep, each per active voxel of its own band (ours
-// is 5 voxels wide and has 7 n^2 of them, OpenVDB's of half width 3 has 6 to 7 n^2), with all that
-// a substep needs: in OpenVDB the step, renormalisation, the new band.
+// Costs are nanoseconds per active voxel and substep, each per active voxel of its own band. Our
+// band is 5 voxels wide and has 7 n^2 of them, OpenVDB's of half width 3 has 6 to 7 n^2. Costs
+// include all parts of a substep: in OpenVDB the step, renormalisation and the new band.
 //
-//   tension: tension alone
+//   tension: tension only
 //
 //   default scheme: attraction to a moving ball, whose distance is a formula, and tension
 //
-// "shrinks to .3" is the same motion to the same time: the ball shrinks under tension alone,
-// exactly r^2 = .36 - 4 Tension t, to r = .3. Seconds for all of it, and the error of the mean
-// radius at its end. OpenVDB's step is h^2 / 6 in this time, ours h^2 / 4. Radii are those of the
-// crossings of the lattice's edges, for both.
+// "shrinks to .3" is the same motion to the same time: the ball shrinks by tension only, exactly
+// r^2 = 0.36 - 4 Tension t, to r = 0.3. Prints the total seconds, and the final error of the mean
+// radius. OpenVDB's step is h^2 / 6 in this time, ours h^2 / 4. Radii are those of the crossings of
+// the lattice's edges, for both.
 
 #include "Crossings.h"
 #include "Measuring.h"
@@ -43,7 +43,7 @@ openvdb::FloatGrid::Ptr MakeLevelSetBall(int n)
     static_cast<float>(StartRadius), openvdb::Vec3f(0.f), static_cast<float>(VoxelSizeOf(n)));
 }
 
-// Enough to be timed, few enough to stay near the same number of voxels.
+// Enough substeps for the clock, but so few that the number of voxels stays nearly constant.
 int CountSubsteps(int n)
 {
   return std::max(4, 1280 / n);
@@ -55,7 +55,7 @@ Contestant MakeOurs(const std::string& name, int n, const Motion& motion, int th
   band->SetNumberOfThreads(threads);
   band->Start(0.0, Box, MakeInitial(BallDistance()));
   auto target = std::make_shared<MovingBall>();
-  AdvanceSubsteps(*band, 2, motion, *target); // memory is there from now on
+  AdvanceSubsteps(*band, 2, motion, *target); // memory is allocated from here on
   return { name,
     [=]
     {

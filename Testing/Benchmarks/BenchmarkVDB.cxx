@@ -1,6 +1,6 @@
 /**
- * How long a skin takes into a .vdb file: its triangles, the true distances to them, and the file,
- * looked through, by the size of its active values. Processor time.
+ * Time to write a skin into a .vdb file: its triangles, the exact distances to them, and the file
+ * with its validation, in several compressions, by the size of its active values. Processor time.
  *
  *   BenchmarkVDB [voxel size, 0.01] [threads, 0: all]
  */
@@ -24,7 +24,7 @@ namespace
 
 constexpr double Megabyte = 1e6;
 
-// Of the processor, over all threads, so that other programs do not count.
+// Processor time over all threads, so that other programs do not count.
 template <class Work>
 double Time(Work&& work)
 {

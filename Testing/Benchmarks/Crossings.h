@@ -1,6 +1,6 @@
 /**
- * Where a potential in a grid vanishes: the linear crossings of the lattice's edges, which are the
- * points of the skin. So both sides of a comparison are measured alike.
+ * Zeros of a potential in a grid: the linear crossings of the lattice's edges, which are the points
+ * of the skin. Both sides of a comparison are thus measured alike.
  */
 #ifndef Crossings_h
 #define Crossings_h
@@ -12,7 +12,7 @@
 namespace activesurface
 {
 
-/** x y z each, node (i,j,k) at (i,j,k) * voxelSize. */
+/** x y z of each crossing; node (i,j,k) is at (i,j,k) * voxelSize. */
 inline std::vector<double> FindCrossings(const openvdb::FloatGrid& grid, double voxelSize)
 {
   std::vector<double> points;

@@ -1,9 +1,9 @@
 /**
- * How the benchmarks measure, and how they tell it.
+ * Measurement and output of the benchmarks.
  *
- * What is compared runs in turns, once each per repetition, so that a machine that becomes slower
- * does so for all; a ratio is formed within a repetition. Every figure is a median with the least
- * and the largest value.
+ * Contestants run in turns, once each per repetition, so that a slower machine slows down all of
+ * them. A ratio is formed within a repetition. Every figure is a median with the least and the
+ * largest value.
  */
 #ifndef Measuring_h
 #define Measuring_h
@@ -20,29 +20,29 @@ using Costs = std::vector<double>;
 
 double MedianOf(Costs costs);
 
-/** With one thread (WithThreads) the processor's time, which other programs do not lengthen; else
- * the clock's. */
+/** Processor time with one thread (WithThreads), which other programs do not lengthen; else wall
+ * time. */
 double SecondsOf(const std::function<void()>& work);
 
-/** Runs work where TBB has that many threads, and VTK's and OpenVDB's parallel loops with it. */
+/** Runs `work` with this number of threads in TBB and in the parallel loops of VTK and OpenVDB. */
 void WithThreads(int threads, const std::function<void()>& work);
 
-/** All that TBB may use. */
+/** Number of threads that TBB may use. */
 int CountThreads();
 
-/** 1, and all if there are more. */
+/** 1, and the number of all threads if there are more. */
 std::vector<int> ThreadsToMeasure();
 
 struct Contestant
 {
   std::string Name;
-  std::function<double()> Cost; //< measured by itself, so that preparations are not
+  std::function<double()> Cost; //< measures itself, so that preparations do not count
 };
 
-/** The costs of each contestant, in turns. */
+/** Costs of each contestant, measured in turns. */
 std::vector<Costs> MeasureInTurns(const std::vector<Contestant>& contestants, int repetitions);
 
-/** What a figure belongs to. */
+/** Subject of a figure. */
 struct Work
 {
   std::string Part;
@@ -60,11 +60,11 @@ void Tell(const Work& work, const std::string& name, const std::string& unit, co
 void TellRatio(const Work& work, const std::string& name, const Costs& theirs, const Costs& ours);
 ///@}
 
-/** Tells the costs of all, and how many times faster the first one is than each other. */
+/** Prints the costs of all contestants, and the ratios to the first one. */
 void TellContest(const Work& work, const std::string& unit,
   const std::vector<Contestant>& contestants, const std::vector<Costs>& costs);
 
-/** Whether the program was called with the argument "quick". */
+/** Returns true if the program was called with the argument "quick". */
 bool IsQuick(int argc, char** argv);
 
 }

@@ -16,7 +16,7 @@ namespace activesurface
 namespace
 {
 
-constexpr double Margin = 8.0; // the band, and what it is dilated by
+constexpr double Margin = 8.0; // the band and its dilation
 
 void SetBounds(MorphScene& scene, double size)
 {
@@ -47,7 +47,7 @@ double SampleGrid(const openvdb::FloatGrid::ConstAccessor& values, const double*
   return openvdb::tools::BoxSampler::sample(values, openvdb::Vec3d(at));
 }
 
-/** Distances from a grid, between the nodes trilinear. */
+/** Distances from a grid, trilinear between the nodes. */
 class GridTarget : public Target
 {
 public:
@@ -94,8 +94,8 @@ struct Mesh
   std::vector<openvdb::Vec4I> Quads;
 };
 
-/** The six faces of a cube, each `cells` by `cells` quads, blown up. Seams meet to the bit, since a
- * point of two faces is computed from the same numbers. */
+/** The six faces of a cube, each with `cells` by `cells` quads, mapped to a star-shaped body. Seams
+ * match bitwise, since a point of two faces is computed from the same numbers. */
 Mesh BlowUpCube(int cells, const RadiusOfDirection& radius)
 {
   Mesh mesh;
@@ -183,7 +183,7 @@ MorphScene MakeBallToTorus(double radius)
 
 MorphScene MakeMeshToMesh(double radius)
 {
-  // Nowhere are the two farther apart than .4 radius.
+  // The two bodies are at most 0.4 radius apart.
   const auto reach = static_cast<float>(0.5 * radius + Margin);
   const Mesh start = MakeHeadWithEars(radius);
   MorphScene scene;

@@ -1,6 +1,5 @@
 /**
- * The schemes of OpenVDB's level set tools that are compared with: their defaults, and the
- * cheapest.
+ * Schemes of OpenVDB's level set tools for the comparison: their defaults, and the cheapest.
  */
 #ifndef OpenVDBSchemes_h
 #define OpenVDBSchemes_h

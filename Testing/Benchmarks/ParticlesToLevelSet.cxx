@@ -1,13 +1,13 @@
-// OpenVDB's way from particles to a mesh, one frame for each line of the standard input;
-// particles.py drives it, and compares.
+// Conversion of particles to a mesh by OpenVDB, one frame for each line of the standard input;
+// particles.py starts this program, and compares.
 //
 // Run: ParticlesToLevelSet <threads>
 //
-// A line is: path of a file of positions (x y z, single precision), radius of the spheres, voxel
-// size. Answered is a line: seconds, number of quads. The spheres are joined
-// (tools::ParticlesToLevelSet), smoothed by four steps of LevelSetFilter::meanCurvature, and meshed
-// (tools::volumeToMesh, no normals); all with OpenVDB's defaults. Reading the file is off the
-// clock.
+// Each input line holds the path of a file of positions (x y z, single precision), the radius of
+// the spheres, and the voxel size. Each output line holds seconds and the number of quads. The
+// spheres are joined (tools::ParticlesToLevelSet), smoothed by four steps of
+// LevelSetFilter::meanCurvature, and meshed (tools::volumeToMesh, no normals), all with OpenVDB's
+// defaults. Reading the file is off the clock.
 
 #include "Measuring.h"
 

@@ -1,5 +1,5 @@
 /**
- * What the benchmarks move: distances by formula, evaluated without a virtual call per point.
+ * Targets of the benchmarks: distances by formula, evaluated without a virtual call per point.
  */
 #ifndef Scenes_h
 #define Scenes_h
@@ -27,7 +27,7 @@ struct BallDistance
   }
 };
 
-/** Around the z axis. */
+/** Distance to a torus around the z axis. */
 struct TorusDistance
 {
   double RingRadius = 0.0;
@@ -40,8 +40,8 @@ struct TorusDistance
   }
 };
 
-/** Ten balls along x, alike; the first ones are moved along y. Radius and distance are such that
- * they fill Box. */
+/** Ten equal balls along x; the first ones are moved along y. Radius and spacing are such that the
+ * balls fill Box. */
 struct RowOfBalls
 {
   static constexpr int Count = 10;
@@ -95,7 +95,8 @@ protected:
   Distance Form;
 };
 
-/** To and fro along x, faster than a tenth of a voxel per substep, so that nothing comes to rest.
+/** A ball that oscillates along x, faster than a tenth of a voxel per substep, so that no leaf
+ * converges.
  */
 class MovingBall : public FormulaTarget<BallDistance>
 {
@@ -107,7 +108,7 @@ public:
   void MoveTo(double time) override { this->Form.X = 0.1 * std::sin(3.0 * time); }
 };
 
-/** That many substeps, however long they are. */
+/** Advances a number of substeps of any length. */
 inline AdvanceReport AdvanceSubsteps(
   NarrowBand& band, int substeps, const Motion& motion, Target& target)
 {

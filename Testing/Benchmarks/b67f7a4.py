@@ -1,10 +1,11 @@
-"""Figures of commit b67f7a4, whose skins over particles took substeps, to print beside today's.
+"""Figures of commit b67f7a4, whose skins over particles needed substeps, to print beside today's.
 
-They are from its Testing/README.md, section Speed, unless another place is said: two cores of an
-AMD EPYC that others use too, in another hour, so that ratios can be compared, seconds hardly.
+They are from its Testing/README.md, section Speed, unless a comment gives another source. The
+machine was two shared cores of an AMD EPYC, at another time: ratios can be compared, seconds
+hardly.
 """
 
-# quality.py, voxels of one particle radius: seconds a frame, and splashsurf's in the same run.
+# quality.py, voxels of one particle radius: seconds per frame, and splashsurf's in the same run.
 SECONDS = {
     "pool": (0.024, 0.025),
     "jitter": (0.024, 0.032),
@@ -17,8 +18,8 @@ SECONDS = {
     "dam": (0.104, 0.049),
 }
 
-# quality.py's others. The page has the pool's p95, the flicker and the splash's isolated particles;
-# the rest was measured later, of that version.
+# Other figures of quality.py. The page has the pool's p95, the flicker and the splash's isolated
+# particles. The rest was measured later, with that version.
 QUALITY = {
     "pool": {
         "flatness, mean [deg]": 0.75,
@@ -53,8 +54,8 @@ QUALITY = {
     "ball": {"lag at 2 r per frame [voxels]": 0.010},
 }
 
-# large.py, voxels of one particle radius: seconds a frame and bytes for each particle, and
-# splashsurf's; middles of three runs.
+# large.py, voxels of one particle radius: seconds per frame and bytes per particle, and
+# splashsurf's; medians of three runs.
 LARGE = {
     250_000: ((1.1, 1900), (0.77, 950)),
     1_000_000: ((3.4, 1800), (2.15, 640)),

@@ -26,7 +26,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Examples" / "Pytho
 from fluid_scenes import load_scene  # noqa: E402
 
 FIRST = 4
-EVERY = 5  # of the vertices
+EVERY = 5  # step through the vertices
 CONVERGED = "converged: TimeIntegration=0 CFL=0.1"
 CONFIGS = ["default:", "half as long: CFL=0.5", "explicit: TimeIntegration=0"]
 
@@ -54,7 +54,7 @@ def count_parts(skin):
 
 
 def distances(skin, converged):
-    """Of some vertices; none where one of the skins is empty."""
+    """Distances of some vertices; empty if one of the skins is empty."""
     if 0 in (skin.GetNumberOfPolys(), converged.GetNumberOfPolys()):
         return []
     distance = vtkImplicitPolyDataDistance()

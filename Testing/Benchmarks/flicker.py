@@ -1,8 +1,8 @@
-"""How much less a living skin flickers than the surface of each frame by itself; prints a table.
+"""Flicker of a living skin compared with the surface of each frame by itself; prints a table.
 
-A pool of particles that rest, but for a jitter of a tenth of their radius, new in each frame: what
-a viewer should see is a level that does not move. Measured is the flicker, the rms of the second
-difference in time of the surface's height over fixed columns, for
+The scene is a static pool of particles with a jitter of a tenth of their radius, new in each frame.
+A viewer should see a level that does not move. Flicker is the rms of the second difference in time
+of the surface's height over fixed columns, for
 - frame by frame: the iso-surface of each frame's particles, vtkFlyingEdges3D over
   vtkSkeletonPotential;
 - the living skin, vtkActiveImplicitSurface with ParticleModel SUM and without Transport, for
@@ -10,10 +10,11 @@ difference in time of the surface's height over fixed columns, for
   first is what to begin with;
 - splashsurf, if the Python package pysplashsurf is there, with its weighted smoothing.
 
-"lag" is that of a pool that rises steadily without a jitter, in frames: what a low Attraction
-costs. "level" is how far the mean height is from that frame by frame, in spacings: what a high
-Tension costs, as the pool's rim gives way. A skin with a small Attraction takes few substeps, and
-looks at the particles at the begin of each: a small CFL makes it see their mean over a frame.
+"lag" is that of a pool that rises steadily without a jitter, in frames: the cost of a low
+Attraction. "level" is the distance of the mean height from that frame by frame, in spacings: the
+cost of a high Tension, as the pool's rim recedes. A skin with a small Attraction makes few
+substeps, and evaluates the particles at the beginning of each. A small CFL averages them over a
+frame.
 
 Run: python3 flicker.py, with active_implicit_surfaces on PYTHONPATH. Takes about a minute.
 """
@@ -38,7 +39,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Examples" / "Pytho
 from particle_series import ParticleSeries, make_particles  # noqa: E402
 
 FRAMES = 40
-FIRST = 10  # the skin has forgotten how it began
+FIRST = 10  # frame from which the start no longer matters
 SPACING = 0.1
 RADIUS = 2 * SPACING
 JITTER = 0.1 * RADIUS
@@ -64,7 +65,7 @@ SKINS = (
 
 
 def rest():
-    """Staggered layers, so that no column is above particles all the way down."""
+    """Staggered layers, so that no column has particles directly below each other."""
     places = [
         (i + 0.5 * (k % 2), j + 0.5 * (k % 2), k)
         for k in range(DEEP)
@@ -87,7 +88,7 @@ def frame_of(places):
 
 
 def heights(surface):
-    """Of the surface over a square of columns, clear of the pool's sides."""
+    """Heights of the surface over a square of columns, away from the pool's sides."""
     locator = vtkStaticCellLocator()
     locator.SetDataSet(surface)
     locator.BuildLocator()

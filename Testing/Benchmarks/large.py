@@ -57,8 +57,8 @@ def peak():
 
 
 def make_when_asked(name, particles, voxel):
-    """For each line of input a frame: prints the number of particles, its seconds, and the bytes
-    for each particle so far."""
+    """For each line of input makes a frame, and prints the number of particles, the seconds, and
+    the bytes per particle so far."""
     (maker,) = [maker for maker in all_makers() if maker.name == name]
     scene = pool(particles)
     begun, count = peak(), len(scene.frames[0][0])
@@ -74,7 +74,7 @@ def begin(name, particles, voxel):
 
 
 def ask(process):
-    """The line that the process prints for its next frame, as numbers."""
+    """Numbers of the line that the process prints for its next frame."""
     process.stdin.write("\n")
     process.stdin.flush()
     line = process.stdout.readline()
@@ -84,7 +84,7 @@ def ask(process):
 
 
 def measure(names, particles, voxel):
-    """The number of particles, and for each maker its seconds a frame and bytes."""
+    """Number of particles, and for each maker its seconds per frame and bytes."""
     lines = {name: [] for name in names}
     with contextlib.ExitStack() as stack:
         processes = {name: stack.enter_context(begin(name, particles, voxel)) for name in names}
@@ -99,7 +99,7 @@ def measure(names, particles, voxel):
 
 
 def tell(head, rows, references):
-    """references: the seconds of those that each row is compared with."""
+    """references: seconds of the makers to compare each row with."""
     for name, (seconds, size) in rows.items():
         line = f"{head} {name:>12} {seconds:8.2f} {size:15.0f}"
         print(line + "".join(f"{theirs / seconds:17.2f}" for theirs in references), flush=True)

@@ -1,22 +1,23 @@
-"""Time per frame of a smoothed skin over moving particles, against pysplashsurf and OpenVDB.
+"""Time per frame of a smoothed skin over moving particles, compared with pysplashsurf and OpenVDB.
 
 Run: python3 particles.py quick|full <threads> <path of ParticlesToLevelSet>
 
 Scenes: the splash in Testing/Data (992 particles), and pools of 25,600 and 250,000 particles under
-waves, all with particles of radius r = .05 that are 2 r apart, 25 frames a second; voxel = 1, .75
-and .5 r. Each makes the same frames in turns, and a ratio is that of a frame:
+waves. All particles have the radius r = 0.05 and are 2 r apart, 25 frames a second; voxel = 1, 0.75
+and 0.5 r. All contestants make the same frames in turns, and a ratio is that of a frame:
 
-- frame: vtkActiveImplicitSurface with its defaults; triangles with normals. Its first frame, the
-  start, is told by itself, as later ones go on from it.
+- frame: vtkActiveImplicitSurface with its defaults; triangles with normals. The first frame, the
+  start, is reported separately, as later frames continue from it.
 - pysplashsurf (PyPI): its recommended smoothing, 25 weighted iterations, with normals, without the
   optional mesh cleanup.
 - OpenVDB: ParticlesToLevelSet with spheres of 2 r, which close the gaps, four smoothing steps,
   volumeToMesh, without normals; in a process of its own (ParticlesToLevelSet.cxx).
 
-The splash's last frame, held still until the skin rests, tells what a settled frame costs.
+The cost of a converged frame is measured on the splash's last frame, repeated until the skin is in
+a steady state.
 
-With one thread, times are the processor's, else the clock's. quick leaves out the large pool, and
-the other one's fine voxels. Lines and JSON are as in Measuring.h.
+Times are processor times with one thread, else wall times. quick omits the large pool, and the fine
+voxels of the smaller one. Lines and JSON are as in Measuring.h.
 """
 
 import json
@@ -29,7 +30,7 @@ import time
 from pathlib import Path
 
 SIZE, THREADS, OPENVDB = sys.argv[1], int(sys.argv[2]), sys.argv[3]
-# Before anything starts threads.
+# Set before any thread starts.
 os.environ["RAYON_NUM_THREADS"] = os.environ["VTK_SMP_MAX_THREADS"] = str(THREADS)
 if THREADS == 1:
     os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
@@ -57,7 +58,7 @@ def splash(count):
 
 
 def pool(across, deep, count):
-    """Waves of deep water: each particle goes round on a circle that shrinks with depth."""
+    """Waves of deep water: each particle moves on a circle that shrinks with depth."""
     i, j, k = numpy.meshgrid(*map(numpy.arange, (across, across, deep)), indexing="ij")
     rest = 2 * R * numpy.stack([i, j, k - deep], axis=-1).reshape(-1, 3).astype(float)
     rest += numpy.random.default_rng(1).normal(0, 0.1 * R, rest.shape)
@@ -72,7 +73,7 @@ def pool(across, deep, count):
 
 
 def series_of(frames):
-    """At the times 0, 1, 2 ..."""
+    """Series with the times 0, 1, 2 ..."""
     return ParticleSeries([(frame,) for frame in frames], rate=1)
 
 
@@ -148,7 +149,7 @@ def compare(scene, frames, factor, program, folder):
 
 
 def hold_still(factor, count=12):
-    """The same frame again and again: the first times after the start, and the last ones."""
+    """Repeats one frame: the first times after the start, and the last ones."""
     surface = make_skin(series_of(splash(1) * count), factor * R)
     surface.UpdateTimeStep(0)
     costs = [seconds_of(lambda step=step: surface.UpdateTimeStep(step)) for step in range(1, count)]

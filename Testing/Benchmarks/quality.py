@@ -80,7 +80,7 @@ def arguments():
 
 
 def before(name, voxel):
-    """The figures of b67f7a4."""
+    """Figures of b67f7a4."""
     if voxel != 1:
         return {}
     own, theirs = b67f7a4.SECONDS[name]

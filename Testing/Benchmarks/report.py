@@ -1,10 +1,10 @@
-"""Holds the benchmarks' figures against what is aimed at: a table, and everything as JSON.
+"""Compares the benchmarks' figures with the aims: a table, and everything as JSON.
 
 Run: python3 report.py benchmarks.jsonl quick|full benchmarks.json
 
-benchmarks.jsonl has an object on each line, as Measuring.h and particles.py write them. An aim is
-met when the median of its least favourable case meets it; the table shows that one, and beside it
-the most favourable, and both as commit b67f7a4 had them. A dash means that nothing was measured.
+benchmarks.jsonl has an object on each line, as written by Measuring.h and particles.py. An aim is
+met if the median of its least favourable case meets it. The table shows that case next to the most
+favourable one, and both as measured for commit b67f7a4. A dash means that nothing was measured.
 """
 
 import json
@@ -18,16 +18,16 @@ from pathlib import Path
 
 @dataclass
 class Aim:
-    """Of the figures of a part whose name and case match, and with as many threads."""
+    """Aim for the figures of a part whose name and case match, with the same number of threads."""
 
     text: str
     limit: float
     part: str
     name: str
     case: str = ""
-    threads: int = 1  # 0: as many as there are, if there are two at least
+    threads: int = 1  # 0: all threads, on two cores or more
     at_most: bool = False
-    before: str = "-"  # of commit b67f7a4: the least and the most favourable case of quick runs
+    before: str = "-"  # b67f7a4: least and most favourable case of quick runs
 
     def selects(self, row):
         threads_match = row["threads"] == self.threads or (
@@ -41,7 +41,7 @@ class Aim:
         )
 
     def judge(self, rows):
-        """The least and the most favourable figure, and by which factor the aim is met."""
+        """Least and most favourable figure, and the factor by which the aim is met."""
         found = sorted(row["median"] for row in rows if self.selects(row))
         if not found:
             return None
@@ -49,9 +49,9 @@ class Aim:
         return worst, best, self.limit / worst if self.at_most else worst / self.limit
 
 
-# "shrinks" is the tension to the same time, so with an error: ours is the smaller one. Before, of
-# morphs: by either scheme of substeps; of particles (SUM, without Transport, voxels of r and .5 r):
-# by the faster one. From Testing/README.md of that commit.
+# "shrinks" is the tension to the same time, with an error: ours is the smaller one. `before` of
+# morphs: either scheme of substeps. `before` of particles (SUM, without Transport, voxels of r and
+# 0.5 r): the faster scheme. Source: Testing/README.md of that commit.
 AIMS = [
     Aim(
         "default scheme [ns per active voxel, substep]",

@@ -1,4 +1,4 @@
-"""A closed skin as numpy sees it: triangles, volumes, heights, signed distances."""
+"""A closed skin as arrays of numpy: triangles, volumes, heights, signed distances."""
 
 import numpy as np
 from fluid_solver import pairs_within
@@ -31,13 +31,13 @@ class Skin:
         return (a * np.cross(b, c)).sum() / 6
 
     def centroid(self):
-        """Of the volume within."""
+        """Centroid of the volume within."""
         a, b, c = np.moveaxis(self.corners, 1, 0)
         volumes = (a * np.cross(b, c)).sum(axis=1) / 6
         return (volumes[:, None] * (a + b + c) / 4).sum(axis=0) / volumes.sum()
 
     def distances(self, places):
-        """Signed, negative within."""
+        """Signed distances, negative within."""
         if self.empty or len(places) == 0:
             return np.full(len(places), np.inf)
         function, values = vtkImplicitPolyDataDistance(), vtkDoubleArray()
@@ -46,7 +46,7 @@ class Skin:
         return vtk_to_numpy(values).copy()
 
     def heights(self, columns, top, bottom):
-        """The first hit from above at each (x, z); NaN where there is none."""
+        """Height of the first hit from above at each (x, z); NaN if there is none."""
         heights = np.full(len(columns), np.nan)
         if self.empty:
             return heights
@@ -61,7 +61,7 @@ class Skin:
         return heights
 
     def part_at(self, place):
-        """The part nearest to a place."""
+        """The part nearest to a point."""
         parts = vtkPolyDataConnectivityFilter()
         parts.SetInputData(self.data)
         parts.SetExtractionModeToClosestPointRegion()
@@ -71,13 +71,13 @@ class Skin:
 
 
 def neighbours(places, reach):
-    """How many each place has."""
+    """Number of neighbours of each point."""
     pairs = pairs_within(np.asarray(places, float).T, reach)
     return np.bincount(np.concatenate(pairs), minlength=len(places))
 
 
 def clusters(places, reach):
-    """A number for each place, the same for those that are linked."""
+    """A label for each point; linked points have the same label."""
     first, second = pairs_within(np.asarray(places, float).T, reach)
     label = np.arange(len(places))
     while True:

@@ -1,4 +1,4 @@
-"""What makes a skin of each frame of a scene: the filter in some configuration, or splashsurf."""
+"""Makers of a skin for each frame of a scene: the filter in some configuration, or splashsurf."""
 
 import sys
 import time
@@ -32,7 +32,7 @@ class LivingSkin:
                 )
 
     def make(self, scene, voxel):
-        """For each frame its skin, and the seconds that it took."""
+        """For each frame its skin, and its seconds."""
         series, surface = ParticleSeries(scene.frames, RATE), vtkActiveImplicitSurface()
         surface.SetInputConnection(series.GetOutputPort())
         surface.SetInputArrayToProcess(1, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "id")
@@ -49,7 +49,7 @@ class LivingSkin:
 
 
 def living_skin(config):
-    """What "name: Property=value ..." stands for."""
+    """Maker for "name: Property=value ..."."""
     name, colon, settings = config.partition(":")
     pairs = [tuple(setting.split("=", 1)) for setting in settings.split()]
     if not colon or any(len(pair) != 2 for pair in pairs):
@@ -57,9 +57,9 @@ def living_skin(config):
     return LivingSkin(name.strip(), pairs)
 
 
-# By the README of splashsurf 0.14.1, "Recommended settings" and "Weighted surface smoothing": a
-# kernel of two particle radii, thresholds of .6 to .7, cubes of .5 to 1 radius, which are the
-# voxels here, and one of two removals of slivers before the mesh is smoothed.
+# Settings of the README of splashsurf 0.14.1, "Recommended settings" and "Weighted surface
+# smoothing". A kernel of two particle radii, thresholds of 0.6 to 0.7, cubes of 0.5 to 1 radius,
+# which are the voxels here, and one of two removals of slivers before the smoothing.
 RECOMMENDED = {
     "smoothing_length": 2.0,
     "iso_surface_threshold": 0.6,
@@ -72,7 +72,7 @@ RECOMMENDED = {
 
 
 class SplashSurf:
-    """pysplashsurf, with its recommended settings but for those given."""
+    """pysplashsurf with its recommended settings, except for those given."""
 
     def __init__(self, name, **others):
         self.name, self.settings = name, RECOMMENDED | others
@@ -99,7 +99,7 @@ def splash_surfs():
 
 
 def numbers(text):
-    """The numbers that commas separate."""
+    """Numbers separated by commas."""
     return [float(number) for number in text.split(",")]
 
 

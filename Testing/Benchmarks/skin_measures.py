@@ -1,16 +1,17 @@
-"""Measures of the skins of a scene. Each takes the scene, its skins and the voxel, and gives
+"""
+Measures of the skins of a scene. Each has the parameters scene, skins and voxel, and returns
 {name: figure}; r is the particles' radius, half of their spacing."""
 
 import numpy as np
 from fluid_solver import pairs_within
 from skin_geometry import clusters, neighbours
 
-FIRST = 4  # frame from which a skin has forgotten how it began
-BIRTH_FRAMES = 8  # that a new particle is watched
+FIRST = 4  # frame from which the start no longer matters
+BIRTH_FRAMES = 8  # frames in which a new particle is observed
 
 
 def columns_of(scene, across=24):
-    """Places (x, z) more than 4 r from the walls."""
+    """Points (x, z) more than 4 r from the walls."""
     margin = 2.0 * scene.spacing
     lines = [np.linspace(margin, scene.size[axis] - margin, across) for axis in (0, 2)]
     return np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, 2)
@@ -62,7 +63,7 @@ def flatness(scene, skin, level):
 
 
 def kept(scene, skins, step, choose):
-    """Shares of the chosen particles inside, and of those outside by more than r."""
+    """Fractions of the chosen particles inside, and outside by more than r."""
     inside = outside = total = 0
     for index in range(len(skins) - 1, 0, -step):
         chosen = choose(scene.frames[index])
@@ -78,7 +79,7 @@ def isolated(scene):
 
 
 def splash(scene, skins, voxel):
-    """Over every fourth frame."""
+    """Fraction of particles kept and volume, over every fourth frame."""
     everything = kept(scene, skins, 4, lambda frame: slice(None))
     volumes = [
         skin.volume() / (len(frame[0]) * scene.spacing**3)
@@ -93,8 +94,8 @@ def splash(scene, skins, voxel):
 
 
 def sheet(scene, skins, voxel):
-    """Of the cells between four particles, by area: those whose sides are no longer than 2.6 r are
-    whole, those longer than 4 r are torn. Asked is whether the middle is inside."""
+    """Fractions of the cells between four particles whose middle is inside, weighted by their
+    longest side. Cells with sides up to 2.6 r are whole; cells with a side beyond 4 r are torn."""
     across = round(len(scene.frames[0][0]) ** 0.5)
     amounts = {"whole": [0.0, 0.0], "torn": [0.0, 0.0]}
     for (places, _, _), skin in list(zip(scene.frames, skins))[1:]:
@@ -135,7 +136,7 @@ def flicker(scene, skins, voxel):
 
 
 def births(scene, skins, voxel):
-    """Frames until new particles are inside (0: in the frame in which they appear)."""
+    """Frames until new particles are inside (0: in the frame of their birth)."""
     seen, born, inside_at, near, last_age = set(scene.frames[0][2].tolist()), {}, {}, set(), {}
     for index in range(1, len(skins)):
         places, _, ids = scene.frames[index]
@@ -165,7 +166,8 @@ def rain(scene, skins, voxel):
 
 
 def first_volumes(scene, skins, later=4):
-    """Of each new drop's part of the skin, in its first frame against some frames later."""
+    """Volume of each new drop's part of the skin, in its first frame relative to some frames later.
+    """
     ratios, sizes, seen = [], [], set(scene.frames[0][2].tolist())
     for index in range(1, len(skins) - later):
         places, _, ids = scene.frames[index]
@@ -190,7 +192,7 @@ def first_volumes(scene, skins, later=4):
 
 
 def part_volume(scene, skin, frame, drop):
-    """Of the part about a drop; 0 if the nearest one is that of something else."""
+    """Volume of the part about a drop; 0 if the nearest part belongs to something else."""
     places = frame[0][np.isin(frame[2], drop)].astype(float)
     if skin.empty or len(places) == 0:
         return 0.0

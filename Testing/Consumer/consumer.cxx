@@ -1,5 +1,5 @@
-// Uses the installed package as a stranger would: both libraries, their headers, no source tree.
-// The argument is the version that find_package should have found.
+// Uses the installed package like an outside project: both libraries, their headers, no source
+// tree. The argument is the version that find_package should have found.
 
 #include <activesurface/NarrowBand.h>
 #include <vtkActiveImplicitSurface.h>

@@ -57,15 +57,16 @@ def write_frames(path, particles, frames, fps):
 
 
 def say_encoding_by_default(path):
-    """VTK 9.1 hands the tag of the appended data to libexpat in pieces. Since 2.6, and in Debian's
-    2.5.0-1+deb12u2, it puts off what comes in pieces, unless the tag is short."""
+    """Works around libexpat. VTK 9.1 passes the tag of the appended data to libexpat in pieces.
+    Since 2.6, and in Debian's 2.5.0-1+deb12u2, libexpat defers such pieces, unless the tag is
+    short."""
     text = Path(path).read_text()
     Path(path).write_text(text.replace('<AppendedData encoding="base64">', "<AppendedData>"))
 
 
 def say_ids_once(path):
-    """They are the same at each time step, and written once, but named each time: VTK 9.6 warns of
-    each name but the first."""
+    """Names the ids once. They are the same at each time step and stored once, but named each time:
+    VTK 9.6 warns of each name except the first."""
     text = Path(path).read_text()
     tag = re.compile(r'[ \t]*<DataArray[^>]*Name="id"[^>]*/>\n')
     once = re.sub(r' TimeStep="\d+"', "", tag.search(text)[0])

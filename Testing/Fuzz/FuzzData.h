@@ -1,5 +1,5 @@
-// Point sets and meshes of any points, cells and arrays: point numbers that do not exist, cells
-// without points, arrays of any type, not as long as they should.
+// Point sets and meshes of arbitrary points, cells and arrays: missing point numbers, cells without
+// points, arrays of any type and of a wrong length.
 
 #ifndef FuzzData_h
 #define FuzzData_h
@@ -19,8 +19,8 @@ namespace activesurface
 
 constexpr int MostPoints = 24, MostCells = 12, MostCorners = 6;
 constexpr const char* ArrayNames[] = { "size", "id", "weight", "velocity" };
-// Of shapes of size 4. Across the origin a shape takes eight of OpenVDB's largest nodes, of half a
-// megabyte each, instead of one, and an execution three times as long.
+// Centre of shapes of size 4. A shape across the origin allocates eight of OpenVDB's largest nodes,
+// of half a megabyte each, instead of one, and makes an execution three times as long.
 constexpr double Center = 16;
 
 inline void AddPoints(FuzzInput& input, vtkPolyData* data)
@@ -54,7 +54,7 @@ inline vtkSmartPointer<vtkCellArray> MakeCells(FuzzInput& input, int points)
   return cells;
 }
 
-// Named as SetArrays chooses them.
+// Adds an array with a name that SetArrays chooses.
 inline void AddArray(FuzzInput& input, const char* name, int points, vtkPolyData* data)
 {
   constexpr int types[] = { VTK_FLOAT, VTK_DOUBLE, VTK_INT, VTK_ID_TYPE, VTK_UNSIGNED_CHAR,
@@ -69,7 +69,7 @@ inline void AddArray(FuzzInput& input, const char* name, int points, vtkPolyData
     for (int component = 0; component < array->GetNumberOfComponents(); ++component)
     {
       const double number = input.TakeNumber();
-      // What does not fit is no number of the array's type.
+      // Integer arrays get integers: other values may not be representable.
       const bool isFloating =
         array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
       array->SetComponent(i, component, isFloating ? number : input.Below(100));

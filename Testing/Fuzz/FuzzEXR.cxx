@@ -1,4 +1,4 @@
-// Any bytes as an .exr file.
+// Arbitrary bytes as an .exr file.
 
 #include "FuzzInput.h"
 

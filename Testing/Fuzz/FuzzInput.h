@@ -1,4 +1,4 @@
-// What the fuzzers make of libFuzzer's bytes: numbers one after another, or a file.
+// Input from libFuzzer's bytes: numbers one after another, or a file.
 
 #ifndef FuzzInput_h
 #define FuzzInput_h
@@ -13,7 +13,7 @@
 namespace activesurface
 {
 
-// Numbers from the front of the bytes; zeros when these have come to their end.
+// Reads numbers from the front of the bytes, and zeros after the end.
 class FuzzInput
 {
 public:
@@ -40,7 +40,7 @@ public:
 
   int Below(int limit) { return this->Take<std::uint8_t>() % limit; }
 
-  // Most often on the scale of a shape of size 1, now and then any number at all.
+  // Returns mostly numbers on the scale of a shape of size 1, sometimes any number at all.
   double TakeNumber()
   {
     const int kind = this->Below(16);
@@ -54,7 +54,7 @@ private:
   std::size_t Left;
 };
 
-// A file of this process in memory, with these bytes.
+// A file in memory with these bytes, private to this process.
 class FuzzFile
 {
 public:

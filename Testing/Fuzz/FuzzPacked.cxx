@@ -1,4 +1,4 @@
-// A packed band in which any bytes have been changed, or any bytes alone.
+// A packed band in which arbitrary bytes have been changed, or only arbitrary bytes.
 
 #include "FuzzInput.h"
 
@@ -58,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   catch (const std::invalid_argument&)
   {
-    // A voxel size that none can have.
+    // The voxel size is invalid.
   }
   return 0;
 }

@@ -1,5 +1,5 @@
-// Two time steps of a vtkPolyData of any kind (FuzzData.h), read and asked as by the filter, but
-// without a skin: ten times as many executions in a minute as of FuzzTarget.
+// Two time steps of an arbitrary vtkPolyData (FuzzData.h), read and evaluated as in the filter, but
+// without a skin: ten times as many executions per minute as FuzzTarget.
 
 #include "FuzzData.h"
 
@@ -15,7 +15,7 @@ using namespace activesurface;
 namespace
 {
 
-// By name; which of them are chosen, the bytes say.
+// Finds arrays by name. The input bytes select the arrays that are chosen.
 class FuzzArrays : public ChosenArrays
 {
 public:
@@ -110,11 +110,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   }
   catch (const std::invalid_argument&)
   {
-    // Data that cannot be used, or that do not fit together.
+    // The data are unusable, or do not fit together.
   }
   catch (const std::runtime_error&)
   {
-    // Sizes that the guard refuses.
+    // The sizes exceed the guard.
   }
   return 0;
 }

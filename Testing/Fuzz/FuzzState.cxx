@@ -1,4 +1,4 @@
-// Any bytes as a saved state; one that is read goes on, and is packed and unpacked.
+// Arbitrary bytes as a saved state. A valid state is resumed, packed and unpacked.
 
 #include "FuzzInput.h"
 

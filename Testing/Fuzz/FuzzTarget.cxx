@@ -1,4 +1,4 @@
-// A vtkPolyData of any kind (FuzzData.h) as what attracts a skin, and as what it starts on.
+// An arbitrary vtkPolyData (FuzzData.h) as the target of a skin, and as its initial shape.
 
 #include "FuzzData.h"
 

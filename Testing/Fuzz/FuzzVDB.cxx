@@ -1,4 +1,5 @@
-// Any bytes as a .vdb file: its list, then each grid within a small box, dense and sparse.
+// Arbitrary bytes as a .vdb file: its list of grids, then each grid within a small box, dense and
+// sparse.
 
 #include "FuzzInput.h"
 

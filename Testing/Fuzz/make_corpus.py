@@ -1,4 +1,4 @@
-"""Writes the files with which the fuzzers begin (Testing/Fuzz/Corpus), each of a kind of its own.
+"""Writes the initial files of the fuzzers (Testing/Fuzz/Corpus), one of each kind.
 
 Run: python3 make_corpus.py, with the package and Testing/Python in PYTHONPATH
 """
@@ -20,7 +20,7 @@ CORPUS = HERE / "Corpus"
 
 
 def small_ball():
-    """Away from the origin, where it is in one node of the tree, so that files are small."""
+    """A ball away from the origin, within one node of the tree, so that files are small."""
     surface = vtkActiveImplicitSurface()
     surface.SetTargetFunction(ball(0.6, (3, 3, 3)))
     surface.SetModelBounds(2, 4, 2, 4, 2, 4)
@@ -31,7 +31,7 @@ def small_ball():
 
 def write_grids(folder):
     surface = small_ball()
-    for compression in (1, 2):  # without compression files are ten times as large
+    for compression in (1, 2):  # uncompressed files are ten times as large
         writer = vtkActiveVDBWriter()
         writer.SetInputConnection(surface.GetOutputPort())
         writer.SetCompression(compression)

@@ -28,7 +28,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 TREE = ROOT / "build" / "mutants"
 BUILD = TREE / "build" / "release"
-# Nothing that a result depends on, or what would only fail to compile.
+# Files that no result depends on, or whose mutants would only fail to compile.
 LEFT_OUT = {"CompilerBuiltins.h", "InstructionSets.h", "InstructionSets.cxx", "OpenVDB.h"}
 
 HEADER = """#ifndef ActiveMutant_h
@@ -78,11 +78,11 @@ KILLED = "killed"
 LISTED = re.compile(rf"^(Filters/\S+):(\d+): (?:{UNNOTICED}|{UNREACHED}|{TIMED_OUT}): (.*)$", re.M)
 # A mutant that hangs would hang in each test that reaches it.
 MOST_TIME_OUTS = 3
-TIME_OUT = "timed out"  # in place of an exit status
+TIME_OUT = "timed out"  # replaces an exit status
 
 
 def find_candidates(path):
-    """(line number, line with @ for the mutant's number)."""
+    """(line number, line with @ for the mutant's number) of each candidate."""
     lines = path.read_text(encoding="utf-8").split("\n")
     constant = False
     for i, line in enumerate(lines):
@@ -102,13 +102,13 @@ def find_candidates(path):
 
 
 def find_all_candidates():
-    """(file, line number, text), of all sources."""
+    """(file, line number, text) of each candidate in all sources."""
     sources = [
         path
         for path in sorted((ROOT / "Filters").rglob("*"))
         if path.suffix in (".h", ".cxx")
         and path.name not in LEFT_OUT
-        # A wrapped header's inline setters are VTK's; a wrapper would not understand more.
+        # Inline setters of a wrapped header are VTK's; a wrapper would not parse more.
         and not (path.name.startswith("vtk") and path.suffix == ".h")
     ]
     return [
@@ -130,7 +130,8 @@ def draw(count, seed):
 
 
 def find_again(listing):
-    """The mutants of an earlier output; of equal statements of a file, the nearest to the line."""
+    """Mutants of an earlier output; among equal statements of a file, the one nearest to the line.
+    """
     candidates = find_all_candidates()
     chosen = set()
     for file, line, text in LISTED.findall(Path(listing).read_text(encoding="utf-8")):
@@ -143,8 +144,8 @@ def find_again(listing):
 
 
 def write_tree(mutants, dropped):
-    """The copy with all mutants but those that do not compile."""
-    # New files too, which are in no commit yet.
+    """Writes the copy with all mutants except those that do not compile."""
+    # The list includes new files, which are in no commit yet.
     listing = ["git", "-C", ROOT, "ls-files", "--cached", "--others", "--exclude-standard"]
     names = subprocess.check_output(listing, text=True).split("\n")
     for name in filter(None, names):
@@ -172,7 +173,7 @@ def write_tree(mutants, dropped):
 
 
 def build(mutants):
-    """Compiles; returns the numbers of those that do not."""
+    """Compiles; returns the numbers of the mutants that do not compile."""
     dropped = set()
     while True:
         write_tree(mutants, dropped)
@@ -195,7 +196,7 @@ def build(mutants):
 
 
 def list_tests():
-    """name: (command, environment), of the tests that need nothing installed or displayed."""
+    """name: (command, environment) of the tests that need nothing installed or displayed."""
     text = subprocess.check_output(["ctest", "--test-dir", BUILD, "--show-only=json-v1"], text=True)
     tests = {}
     for test in json.loads(text)["tests"]:
@@ -227,7 +228,7 @@ def run(test, more, limit):
 
 
 def find_reach(tests, pool):
-    """mutant: [(seconds, test)], of the tests that pass and reach it."""
+    """mutant: [(seconds, test)] of the passing tests that reach it."""
     logs = TREE / "logs"
     shutil.rmtree(logs, ignore_errors=True)
     logs.mkdir()
@@ -247,7 +248,7 @@ def find_reach(tests, pool):
 
 
 def try_mutant(number, tests, reached):
-    """Whether a test notices."""
+    """Result of the tests for a mutant."""
     time_outs = 0
     for seconds, name in sorted(reached[number]):
         status, _ = run(tests[name], {"ACTIVE_MUTANT": str(number)}, 10 + 5 * seconds)

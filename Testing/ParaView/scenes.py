@@ -1,4 +1,4 @@
-"""What the tests in ParaView look at: the splash, coarse, and the bytes of what comes out."""
+"""Scene of the tests in ParaView: the coarse splash, and the bytes of its outputs."""
 
 from pathlib import Path
 
@@ -26,13 +26,13 @@ COARSE = {
 
 
 def skin_bytes(surface, time):
-    """Points, triangles and point arrays of the skin at a time, and how many triangles."""
+    """Points, triangles and point arrays of the skin at a time, and the number of triangles."""
     surface.UpdatePipeline(time)
     return bytes_of(servermanager.Fetch(surface, idx=0))
 
 
 def triangles_at(surface, time):
-    """The bytes of each triangle's corners, points and normals, sorted."""
+    """Bytes of each triangle's corners, points and normals, sorted."""
     surface.UpdatePipeline(time)
     skin = servermanager.Fetch(surface, idx=0)
     assert skin.GetNumberOfPolys() > 100, "there is next to no skin"

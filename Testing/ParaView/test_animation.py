@@ -1,4 +1,4 @@
-"""Time in ParaView: the time keeper, playing, scrubbing, and properties that change on the way."""
+"""Time in ParaView: the time keeper, playing, scrubbing, and property changes during the motion."""
 
 import unittest
 
@@ -18,7 +18,7 @@ from paraview.simple import (
 from scenes import IN_USE, skin_bytes, splash
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-# Another value of each property; those that the skin over particles does not depend on, too.
+# A second value of each property, including properties without effect on a skin over particles.
 OTHER_VALUES = {
     "Anisotropy": 1,
     "AreaControl": 1,
@@ -81,9 +81,9 @@ OTHER_VALUES = {
     "VolumeStiffness": 3,
     "VoxelSize": 0.1,
 }
-# Inputs, what is only read, and what would be an error or no skin at all over these particles.
+# Inputs, read-only properties, and properties without a valid second value over these particles.
 NOT_CHANGED = {"Input", "Initial", "TimestepValues", "ArrivalTime"} | set(IN_USE)
-# What does not show in the second step: other times are published, or the input's hold.
+# Changes are invisible in the second step: other times are published, or the input's times apply.
 WITHOUT_EFFECT = set(
     """
     AutomaticAttraction BoundedDomain CFL CheckpointInterval CheckpointMemory
@@ -141,7 +141,7 @@ class ChangesInMidAnimation(unittest.TestCase):
 
     def test_no_change_leaves_stale_output(self):
         ResetSession()
-        fresh = {}  # by name, needed and other value: each is made once
+        fresh = {}  # by name, conditions and value; each is made once
         for name in sorted(set(OTHER_VALUES) - WITHOUT_SKIN):
             with self.subTest(name):
                 needed = self.needed(name)
@@ -171,7 +171,7 @@ class ChangesInMidAnimation(unittest.TestCase):
 
     @staticmethod
     def needed(name):
-        """Properties with which the skin depends on this one."""
+        """Properties that this one needs for an effect on the skin."""
         return {
             "AreaStiffness": {"AreaControl": 1},
             "TargetArea": {"AreaControl": 1},
@@ -199,7 +199,7 @@ class ChangesInMidAnimation(unittest.TestCase):
         normals, velocities = (vtk_to_numpy(data.GetArray(n)) for n in ("Normals", "Velocity"))
         differences = velocities - wind
         along = numpy.einsum("ij,ij->i", differences, normals)[:, None]
-        # Single precision of velocities of some ten units, and of the normals.
+        # Velocities of some ten units, and the normals, have single precision.
         self.assertLess(abs(differences - along * normals).max(), 1e-4)
 
     def test_another_input_is_another_skin(self):
@@ -227,7 +227,7 @@ class ChangesInMidAnimation(unittest.TestCase):
 
 
 def plain_value(surface, name):
-    """As it can be set again."""
+    """Value of a property in a form that can be set again."""
     value = getattr(surface, name)
     if name in ("InitialFunction", "ObstacleFunction"):
         return "None"

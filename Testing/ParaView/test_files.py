@@ -48,7 +48,7 @@ def values_of(source, name, time=0.0):
 
 
 def grids_of(path):
-    """What the class itself finds: the names of the grids, metadata, and the reader."""
+    """Names of the grids, metadata and reader, from the class itself."""
     reader = vtkActiveVDBReader()
     reader.SetFileName(str(path))
     reader.Update()
@@ -62,12 +62,12 @@ class Files(unittest.TestCase):
         FOLDER.mkdir(parents=True, exist_ok=True)
 
     def tearDown(self):
-        for view in GetRenderViews():  # ParaView 5.11 crashes if one is there at its end
+        for view in GetRenderViews():  # ParaView 5.11 crashes at exit if a view exists
             Delete(view)
         ResetSession()
 
     def path(self, name):
-        """Of a file that is not there yet."""
+        """Path of a file that does not exist yet."""
         path = FOLDER / name
         path.unlink(missing_ok=True)
         return path
@@ -115,8 +115,9 @@ class VDB(Files):
         probe.Update()
         found = probe.GetOutput().GetPointData()
         self.assertTrue(vtk_to_numpy(found.GetArray("vtkValidPointMask")).all())
-        # Points of the skin are on the lattice's edges. The distance changes no faster than one
-        # goes, so that in the middle of an edge the mean of its ends is half a voxel off at most.
+        # Points of the skin are on the lattice's edges. The slope of a distance is at most 1. In
+        # the middle of an edge, the mean of the distances at its ends is therefore off by at most
+        # half a voxel.
         self.assertLess(
             abs(vtk_to_numpy(found.GetArray("surface"))).max(), 0.5 * COARSE["VoxelSize"]
         )
@@ -170,7 +171,7 @@ class VDB(Files):
         reader.IndexRegion = [0, 3, 0, 3, 0, 5]
         self.assertEqual(len(values_of(reader, "surface")), 4 * 4 * 6)
         reader.DownsamplingFactor = 2
-        # 0, 2 and 4, and along z 6 too: the region is covered.
+        # Samples are at 0, 2 and 4, and along z at 6 too, so that the region is covered.
         self.assertEqual(len(values_of(reader, "surface")), 3 * 3 * 4)
 
     def test_an_image_comes_back(self):
@@ -229,7 +230,7 @@ class EXR(Files):
         SaveScreenshot(str(png), view)
         SaveScreenshot(str(exr), view)
         pictures = {}
-        # ParaView's own reader of .png makes cells of the pixels.
+        # ParaView's own reader of .png converts pixels to cells.
         for reader, path in ((vtkPNGReader(), png), (vtkActiveEXRReader(), exr)):
             reader.SetFileName(str(path))
             reader.Update()
@@ -255,8 +256,8 @@ class EXR(Files):
         self.assertEqual(seen.sum(), (values_of(layers, "Z") < render.FAR / 2).sum())
         self.assertGreater(seen.sum(), 1000)
         places, normals = (values_of(layers, name)[seen].astype(float) for name in ("P", "N"))
-        # The middle of a facet, of 1/64 of a turn both ways, is that much nearer to the center;
-        # and the depth buffer's 24 bits add less than 1e-4 here.
+        # The middle of a facet, of 1/64 of a turn in both directions, is nearer to the center by
+        # the sagitta. The depth buffer's 24 bits add less than 1e-4 here.
         sagitta = 0.5 * (1 - numpy.cos(numpy.pi / 64) ** 2)
         distances = numpy.linalg.norm(places, axis=1)
         self.assertLess(abs(distances - 0.5).max(), sagitta + 1e-4)
@@ -265,6 +266,6 @@ class EXR(Files):
 
 
 if __name__ == "__main__":
-    # ParaView puts things away in its order only where the script comes to its end.
+    # ParaView cleans up in the right order only if the script reaches its end.
     if not unittest.main(exit=False).result.wasSuccessful():
         raise SystemExit(1)

@@ -1,4 +1,5 @@
-"""Implicit functions in ParaView: targets, starting shapes, in Clip; moved in mid-animation."""
+"""Implicit functions in ParaView: as targets, as starting shapes, in Clip; also moved during an
+animation."""
 
 import unittest
 
@@ -41,7 +42,7 @@ class Functions(unittest.TestCase):
         surface = ball()
         available = surface.GetProperty("TargetFunction").GetAvailable()
         self.assertEqual(
-            [name.replace(" ", "") for name in available],  # as ParaView 5.13 tells them
+            [name.replace(" ", "") for name in available],  # ParaView 5.13 omits spaces
             [name.replace(" ", "") for name in OFFERED],
         )
         inputs = {"Skeleton Potential": PolyLineSource(), "Image or Mesh": Sphere(Radius=0.6)}
@@ -53,9 +54,9 @@ class Functions(unittest.TestCase):
             skins.add(skin_bytes(surface, 0.2)[0])
         self.assertEqual(len(skins), len(OFFERED))
 
-    # vtkSphere is r^2 - R^2, to first order (r^2 - R^2) / 2r away: r^2 - R^2 falls by exp(-4 t), to
-    # r = .5845. Marching cubes are off by h^2 / 8r = .003, and steps of CFL / 4 = .0125 in time by
-    # half a step's way, .0125 * 4 * .13 / 2 = .003.
+    # F = r^2 - R^2 of vtkSphere has the first-order distance (r^2 - R^2) / 2r. F decreases by
+    # exp(-4 t), to r = 0.5845. Marching cubes are off by h^2 / 8r = 0.003. Steps of CFL / 4 =
+    # 0.0125 in time are off by half a step's displacement, 0.0125 * 4 * 0.13 / 2 = 0.003.
     def test_a_small_ball_grows_towards_a_larger_one(self):
         surface = ball(InitialFunction="Sphere", CFL=0.05)
         surface.InitialFunction.Radius = 0.4
@@ -81,7 +82,7 @@ class Functions(unittest.TestCase):
         fresh.TargetFunction.Input = line
         self.assertEqual(skin_bytes(fresh, 0.3), after)
 
-    # .4542 of the radius of influence on either side, and on the ends.
+    # The surface is at 0.4542 of the radius of influence on either side, and at the ends.
     def test_clip_cuts_along_a_skeleton(self):
         clip = Clip(Input=Wavelet(), ClipType="Skeleton Potential")
         clip.ClipType.Input = PolyLineSource(Points=[-5, 0, 0, 5, 0, 0])

@@ -1,4 +1,4 @@
-"""What ParaView's window of messages gets: each warning and each error once, in few words."""
+"""Contents of ParaView's window of messages: each warning and each error once, in few words."""
 
 import unittest
 
@@ -15,7 +15,7 @@ class Messages(unittest.TestCase):
         vtkOutputWindow.SetInstance(self.window)
 
     def show(self, surface):
-        """Asks for all outputs, as the panel does when a change is applied."""
+        """Requests all outputs, like the panel after Apply."""
         view = CreateView("RenderView")
         Show(surface, view)
         Render(view)

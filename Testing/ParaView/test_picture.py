@@ -1,8 +1,8 @@
-"""A view of the splash in ParaView looks as it did.
+"""Compares a view of the splash in ParaView with a baseline.
 
-The picture is left in the test's output folder. To renew the baseline: look at it, and copy it over
-Testing/Baselines/test_paraview_splash.png. (A plain script: unittest's exit leaves the windows of
-ParaView to X, which is an error.)
+The picture remains in the test's output folder. To renew the baseline: view the picture, and copy
+it over Testing/Baselines/test_paraview_splash.png. (A plain script: unittest's exit leaves the
+windows of ParaView to X, which is an error.)
 """
 
 import os
@@ -42,7 +42,7 @@ view.CameraViewUp = [0, 1, 0]
 ResetCamera(view)
 SaveScreenshot(str(PICTURE), view)
 
-# Edges may fall to another pixel: those are about 2000 of 120 000, of which few do.
+# About 2000 of 120 000 pixels are on edges, and few of these may differ.
 made, expected = pixels(PICTURE), pixels(BASELINE)
 assert made.shape == expected.shape, "another size"
 different = (abs(made - expected).max(axis=1) > 16).sum()

@@ -1,4 +1,4 @@
-"""The presets on the filter, by the function and by the macros; and the example states."""
+"""Presets on the filter, by the function and by the macros; and the example states."""
 
 import os
 import re
@@ -79,7 +79,7 @@ class Presets(unittest.TestCase):
 
     @staticmethod
     def with_presets(radius, *names):
-        """A new surface after these presets, over particles with or without an array of radii."""
+        """A new surface with these presets, over particles with or without an array of radii."""
         surface, particles = splash(VoxelSize=0, ParticleSpacing=0, Attraction=1)
         if radius:
             surface.Input = Calculator(Input=particles, ResultArrayName="radius", Function=radius)
@@ -107,7 +107,7 @@ class Presets(unittest.TestCase):
 
 
 class States(unittest.TestCase):
-    """They open wherever the program was started, and however this ParaView is set up."""
+    """States open in any working directory, and with any settings of ParaView."""
 
     def setUp(self):
         ResetSession()

@@ -33,9 +33,9 @@ CLASSES = {
     ("writers", "ActiveEXRWriter"): active_implicit_surfaces.vtkActiveEXRWriter,
     SCREENSHOT: active_implicit_surfaces.vtkActiveEXRWriter,
 }
-# What a proxy has in another way, or not at all, and why. Controller: ParaView sets the global one.
+# Properties that a proxy offers differently or not at all. ParaView sets the global Controller.
 ELSEWHERE = {
-    SURFACE: {"Controller", "TargetFunction"},  # its target is the input
+    SURFACE: {"Controller", "TargetFunction"},  # the target is the input
     FUNCTIONS: {
         "Controller",
         "Anisotropy",
@@ -49,14 +49,14 @@ ELSEWHERE = {
         "PeriodicBounds",
         "TangentialVelocity",
     },  # no input
-    ("implicit_functions", "SkeletonPotential"): {"InputConnection"},  # by Input
+    ("implicit_functions", "SkeletonPotential"): {"InputConnection"},  # set by Input
     ("implicit_functions", "GridPotential"): {"InputConnection"},
-    # What an image without arrays carries is lost in the filter that ParaView puts after each.
+    # The filter that ParaView puts after each source loses the metadata of an image without arrays.
     ("sources", "ActiveVDBReader"): {"OutputDense"},
-    ("writers", "ActiveVDBWriter"): {"Controller", "InputData"},  # by Input
+    ("writers", "ActiveVDBWriter"): {"Controller", "InputData"},  # set by Input
     ("sources", "ActiveEXRReader"): set(),
     ("writers", "ActiveEXRWriter"): {"WorldToCamera", "WorldToNDC"},  # no matrices in the panel
-    SCREENSHOT: {  # a picture at a time, of all that is seen
+    SCREENSHOT: {  # one picture at a time, of the visible scene
         "DisplaySize",
         "FrameNumber",
         "TimeCode",
@@ -65,13 +65,14 @@ ELSEWHERE = {
         "WriteAllTimeSteps",
     },
 }
-LISTS = {"FileName", "GridName"}  # of the readers, which are empty at first
+LISTS = {"FileName", "GridName"}  # of the readers; initially empty
 OTHER_DEFAULTS = {
     (FUNCTIONS, "ModelBounds"): [-1, 1, -1, 1, -1, 1],  # functions have no bounds
-    (SCREENSHOT, "ColorEncoding"): [1],  # what a view shows is for a display
+    (SCREENSHOT, "ColorEncoding"): [1],  # a view's colors are for a display
 }
 DECORATOR = "PropertyWidgetDecorator"  # shows a property in some cases only
-# By the filter's panel, besides ParticleModel and ParticleSpacing, which images do not have.
+# Always shown in the filter's panel, as are ParticleModel and ParticleSpacing if the input is no
+# image.
 ALWAYS_SHOWN = """
     Attraction Tension EvolutionMode VolumeControl InitialFunction ObstacleFunction TimeScale
     VoxelSize Input ComputeNormals ComputeVelocity ComputeCurvature Initial
@@ -84,7 +85,7 @@ def new_proxy(key):
 
 
 def every_property():
-    """(key, class, name, proxy's property) of all that is in both, but inputs and functions."""
+    """(key, class, name, proxy's property) of all common properties except inputs and functions."""
     for key, kind in CLASSES.items():
         proxy = new_proxy(key)
         for name in own_properties(kind):
@@ -233,7 +234,7 @@ class Proxies(unittest.TestCase):
             self.assertEqual(made.Input, wavelet)
 
     def test_the_panel_shows_what_is_in_use(self):
-        """The panel reads it when a change is applied, before the data are made again."""
+        """The panel reads the values when a change is applied, before the next update."""
         surface, _ = splash(VoxelSize=0, ParticleSpacing=0, Attraction=1)
         surface.UpdatePipeline(1)
         surface.UpdatePipelineInformation()
@@ -264,7 +265,7 @@ class Proxies(unittest.TestCase):
             (Slice, "SliceType"),
             (ExtractCellsByRegion, "IntersectWith"),
         ):
-            # Without spaces, as ParaView 5.13 tells them.
+            # ParaView 5.13 lists them without spaces.
             available = made(Input=wavelet).GetProperty(name).GetAvailable()
             offered = [function.replace(" ", "") for function in available]
             self.assertIn("SkeletonPotential", offered)

@@ -1,4 +1,4 @@
-"""What the example makes in ParaView is what the plain Python example makes, byte by byte.
+"""The example in ParaView and the plain Python example give bitwise identical results.
 
 Run: pvbatch test_same_bytes.py <folder of the plain one> <folder of ParaView's>
 """

@@ -45,7 +45,7 @@ from vtkmodules.vtkIOXML import (
 PVSERVER, RANKS = sys.argv.pop(1), int(sys.argv.pop(1))
 FOLDER = Path(os.environ.get("ACTIVE_TEST_OUTPUT", ".")) / f"server_{RANKS}"
 FILES = ("wavelet.vdb", "wavelet.exr")
-# Also where root runs the tests, on fewer processors than ranks.
+# Settings for tests run by root, and for fewer processors than ranks.
 MPI = {
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
@@ -56,7 +56,7 @@ MPI = {
 
 
 def write_files():
-    """A volume, as .vdb, and a picture, as .exr."""
+    """Writes a volume as .vdb, and a picture as .exr."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     wavelet = Wavelet(WholeExtent=[-9, 9, -9, 9, 0, 0])
     for name in FILES:
@@ -64,7 +64,7 @@ def write_files():
 
 
 def write_partitioned():
-    """The splash at step 20 as a .pvtp of three pieces."""
+    """Writes the splash at step 20 as a .pvtp of three pieces."""
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(str(DATA))
     reader.UpdateTimeStep(20)
@@ -90,13 +90,13 @@ def write_partitioned():
 
 
 def partitioned():
-    """Particles of which each rank reads its pieces; and of which each has a part of space."""
+    """Particles from pieces, read by each rank; and the same particles partitioned by space."""
     particles = OpenDataFile(str(FOLDER / "splash.pvtp"))
     return particles, RedistributeDataSet(Input=particles)
 
 
 def picture(surface, name):
-    """The pixels of a view of the skin."""
+    """Pixels of a view of the skin."""
     view = CreateRenderView(ViewSize=[300, 200], OrientationAxesVisibility=0)
     shown = Show(surface, view)
     shown.ColorArrayName = [None, ""]
@@ -116,7 +116,8 @@ def picture(surface, name):
 
 
 def results(name):
-    """Skins, pictures, sizes of image and history, of a filter and of a source; what is read."""
+    """Skins, pictures, sizes of image and history, of a filter and of a source; also data that were
+    read."""
     write_partitioned()
     surface, _ = splash()
     found = [triangles_at(surface, time) for time in (3, 1, 3)]
@@ -149,12 +150,12 @@ def start_server():
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     command = ["mpirun", "-np", str(RANKS)] if RANKS > 1 else []
-    # This program is an MPI run of its own, which the server is not part of.
+    # This program is an MPI run of its own, and the server does not belong to it.
     server = subprocess.Popen(
         [*command, PVSERVER, f"--server-port={port}"],
         env={k: v for k, v in os.environ.items() if not k.startswith(("OMPI_", "PMIX_"))} | MPI,
         stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,  # what it says when it is told to end
+        stderr=subprocess.DEVNULL,  # messages at its termination
         text=True,
     )
     for line in server.stdout:

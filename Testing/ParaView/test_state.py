@@ -1,4 +1,4 @@
-"""States of a session, saved and loaded, and data, saved and read again."""
+"""States of a session and data, saved and read again."""
 
 import os
 import unittest
@@ -66,7 +66,7 @@ class Data(unittest.TestCase):
         surface.UpdatePipeline(3)
         for port, suffix in enumerate((".vtp", ".vti", ".csv")):
             file = str(FOLDER / f"saved{suffix}")
-            # Appended data cannot be read by ParaView 5.11 with the newest libexpat of Debian 12.
+            # ParaView 5.11 cannot read appended data with the newest libexpat of Debian 12.
             mode = {} if suffix == ".csv" else {"DataMode": "Binary"}
             SaveData(file, proxy=OutputPort(surface, port), **mode)
             read = OpenDataFile(file)

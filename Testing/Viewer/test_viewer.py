@@ -1,4 +1,4 @@
-"""The page of Examples/Python/viewer.py as a person sees and uses it, in a headless Chromium.
+"""The page of Examples/Python/viewer.py, seen and used as by a person, in a headless Chromium.
 
 Run by Testing/Viewer/run. Its last pictures are in build/viewer.
 """
@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 VIEWER = ROOT / "Examples" / "Python" / "viewer.py"
 PICTURES = ROOT / "build" / "viewer"
 SPACING, FRAMES = 0.1, 8
-SECONDS = 60  # that a step may take on a busy machine; most take less than one
+SECONDS = 60  # limit for a step on a busy machine; most need less than one
 
 
 def block(step):
@@ -41,7 +41,7 @@ def free_port():
 
 
 def pixels_of(png):
-    """An array [row, column, R G B] of whole numbers."""
+    """Array [row, column, R G B] of integers."""
     reader = vtkPNGReader()
     reader.SetFileName(str(png))
     reader.Update()
@@ -51,7 +51,7 @@ def pixels_of(png):
 
 
 def is_water(pixels):
-    """Where the color is that of the skin: clearly more blue than red, in light and in shade."""
+    """Mask of the skin's color: clearly more blue than red, in light and in shade."""
     return pixels[..., 2] - pixels[..., 0] > 30
 
 
@@ -65,7 +65,7 @@ class Page(unittest.TestCase):
             numpy.savetxt(file, block(step), delimiter=",", header="x,y,z", comments="")
 
     def open(self):
-        """The page, once it shows a picture."""
+        """Opens the page and waits for its first picture."""
         port = free_port()
         names = [str(file) for file in self.files]
         options = ["--server", "--port", str(port), "--timeout", "0"]
@@ -88,7 +88,7 @@ class Page(unittest.TestCase):
         return page
 
     def go_to(self, page, server, address):
-        """Waits for the server, but not for one that has ended."""
+        """Waits for the server, and fails if the server has ended."""
         host, _, port = address.rpartition("/")[2].partition(":")
         with socket.socket() as line:
             while line.connect_ex((host, int(port))):
@@ -103,14 +103,15 @@ class Page(unittest.TestCase):
         page.wait_for_function("s => document.querySelector('img.picture').src != s", arg=source)
 
     def wait_until_done(self, page):
-        """All skins are made, and a picture with soft shades is the last thing to do."""
+        """Waits until all skins are made, and the last task, a picture with soft shades, is done.
+        """
         page.wait_for_selector("img.picture.soft")
         page.wait_for_function(
             "() => document.querySelector('.made').getAttribute('aria-valuenow') == 100"
         )
 
     def picture(self, page, name):
-        """What the browser draws of the picture, as pixels."""
+        """The picture as drawn by the browser, as pixels."""
         path = PICTURES / f"{name}.png"
         page.locator("img.picture").screenshot(path=path)
         return pixels_of(path)
@@ -125,11 +126,12 @@ class Page(unittest.TestCase):
         return page.locator(".frame").inner_text().partition(",")[0]
 
     def scrub(self, page, frame):
-        """To a frame, the first of which is 1, by a click on the slider of time."""
+        """Moves to a frame, the first of which is 1, by a click on the time slider."""
         box = page.locator(".time .v-slider-track").bounding_box()
         place = box["x"] + (box["width"] - 1) * (frame - 1) / (FRAMES - 1)
         page.mouse.click(place, box["y"] + box["height"] / 2)
-        # The browser tells the frame at once, the server the time, with the picture.
+        # The browser shows the frame at once, and the time when the server has sent it with the
+        # picture.
         time = f"{(frame - 1) / 25:.3g}"
         expect(page.locator(".frame")).to_contain_text(f"frame {frame} of {FRAMES}, time {time}")
 
@@ -148,7 +150,8 @@ class Page(unittest.TestCase):
         expect(page.get_by_text("Distance of the lattice nodes")).to_be_visible()
         self.wait_until_done(page)
         page.screenshot(path=PICTURES / "page.png")
-        # The block's height and its way down fill the picture's, of which it is about half.
+        # The block's height and its fall fill the picture's height, of which the block is about
+        # half.
         share = is_water(self.picture(page, "start")).mean()
         self.assertTrue(0.03 < share < 0.5, share)
         lines = page.locator(".history polyline").evaluate_all(
@@ -170,7 +173,7 @@ class Page(unittest.TestCase):
         self.scrub(page, FRAMES)
         self.wait_until_done(page)
         after = is_water(self.picture(page, "last"))
-        # It has fallen, by .7 of the .8 + .7 that the camera holds; rows count from below.
+        # The block has fallen by 0.7 of the visible 0.8 + 0.7; rows count from below.
         rows = [numpy.nonzero(water)[0].mean() for water in (before, after)]
         self.assertLess(rows[1], rows[0] - 0.2 * len(before))
 
@@ -182,16 +185,16 @@ class Page(unittest.TestCase):
         thumb = self.middle_of(page, ".slider-particle_spacing [role=slider]")
         page.mouse.move(*thumb)
         page.mouse.down()
-        page.mouse.move(thumb[0] + 400, thumb[1], steps=10)  # past its end
+        page.mouse.move(thumb[0] + 400, thumb[1], steps=10)  # beyond the slider's end
         self.wait_for_another(page, source)
         page.mouse.up()
         expect(page.locator("span.particle_spacing")).to_have_text("0.2")
-        expect(page.locator("span.voxel_size")).to_have_text("0.1")  # it follows
+        expect(page.locator("span.voxel_size")).to_have_text("0.1")  # the voxel size follows
         self.wait_until_done(page)
         expect(page.locator(".save-vtp")).to_be_enabled()
-        # Its corners are rounded by two spacings in place of one: what is seen of a cube of 8
+        # The corners are rounded by two spacings instead of one. The visible area of a cube of 8
         # changes by more than a tenth.
-        page.locator(".note .v-alert__close button").click()  # particles are outside, it says
+        page.locator(".note .v-alert__close button").click()  # a note about particles outside
         expect(page.locator(".note")).to_have_count(0)
         after = is_water(self.picture(page, "after_drag"))
         self.assertGreater((after != before).sum(), 0.1 * before.sum())
@@ -210,7 +213,7 @@ class Page(unittest.TestCase):
         self.wait_for_another(page, source)
         self.wait_until_done(page)
         nearer = self.picture(page, "nearer")
-        # 1.1 times nearer is about 1.2 times the area.
+        # A factor of 1.1 nearer means about 1.2 times the area.
         self.assertGreater(is_water(nearer).mean(), 1.1 * is_water(turned).mean())
 
     def test_files_are_those_of_the_frame(self):
@@ -229,12 +232,12 @@ class Page(unittest.TestCase):
                 self.compare(read_vtk(path), skins[step - 1], suffix)
 
     def compare(self, saved, skin, suffix):
-        if suffix == "vdb":  # its voxels are half of the spacing
+        if suffix == "vdb":  # voxels are half of the spacing
             self.assertAlmostEqual(saved.GetSpacing()[0], 0.5 * SPACING)
         else:
             self.assertEqual(saved.GetNumberOfPolys(), skin.GetNumberOfPolys())
             places = [vtk_to_numpy(one.GetPoints().GetData()) for one in (saved, skin)]
-            # .obj has six digits, and the spacing found is .1 but for the file's rounding.
+            # .obj has six digits, and the estimated spacing is 0.1 up to the file's rounding.
             self.assertLess(abs(places[0] - places[1]).max(), 1e-5)
 
     def test_an_error_is_told_and_what_was_made_can_be_seen(self):

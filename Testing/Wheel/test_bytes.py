@@ -1,4 +1,4 @@
-"""A wheel makes the bytes of Testing/Baselines/hashes.json, as the build with Debian's VTK does.
+"""A wheel produces the hashes of Testing/Baselines/hashes.json, like the build with Debian's VTK.
 
 Run by Testing/Wheel/run, in an environment with the wheel.
 """
@@ -12,8 +12,8 @@ from pathlib import Path
 import active_implicit_surfaces
 
 TESTING = Path(__file__).resolve().parents[1]
-OPENVDB = "libopenvdb-*.so.10.*"  # that of the table
-# VTK 9.7 names the corners of the triangles of a quadrangle in another order than VTK 9.1.
+OPENVDB = "libopenvdb-*.so.10.*"  # version of the baseline
+# VTK 9.7 orders the corners of the triangles of a quadrangle differently from VTK 9.1.
 CUT_BY_VTK = {"mesh", "mesh_moves"}
 
 

@@ -1,4 +1,4 @@
-"""An installed wheel: what is in it, the program, and what it says beside another VTK.
+"""An installed wheel: its contents, its program, and its message beside another VTK.
 
 Run by Testing/Wheel/run, in an environment with the wheel and pyvista[cvista].
 """
