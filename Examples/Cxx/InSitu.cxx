@@ -1,5 +1,5 @@
-// A simulation of two blocks of particles that fly through one another, and its skin, which is
-// taken on in the simulation's own loop; a .vtp file is written for each frame.
+// A simulation of two blocks of particles that fly through one another, and its skin, which
+// advances in the simulation's own loop. A .vtp file is written for each frame.
 //
 // Run: InSitu [--output <folder>]
 
@@ -18,7 +18,7 @@ namespace
 constexpr double Spacing = 0.1, Speed = 1.0, dt = 0.1;
 constexpr int Frames = 11;
 
-// Where the simulation has its particles: blocks of 6 x 6 x 6.
+// Positions of the particles: two blocks of 6 x 6 x 6.
 void Simulate(double time, vtkPoints* points)
 {
   points->Reset();
@@ -38,10 +38,10 @@ int main(int argc, char* argv[])
   const std::filesystem::path folder = named ? argv[2] : "output";
   std::filesystem::create_directories(folder);
 
-  vtkNew<vtkPolyData> particles; // written over at each frame
+  vtkNew<vtkPolyData> particles; // overwritten in each frame
   particles->SetPoints(vtkNew<vtkPoints>());
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetDataModeToBinary(); // which VTK 9.1 can read with any libexpat
+  writer->SetDataModeToBinary(); // VTK 9.1 reads this mode with any libexpat
 
   vtkNew<vtkActiveImplicitSurface> surface;
   surface->SetParticleSpacing(Spacing);

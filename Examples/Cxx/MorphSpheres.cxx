@@ -1,4 +1,4 @@
-// Two balls grow into one another and become one; a .vtp file is written for each time step.
+// Two balls grow together and become one; a .vtp file is written for each time step.
 //
 // Run: MorphSpheres [--output <folder>]
 
@@ -48,7 +48,7 @@ int main(int argc, char* argv[])
   surface->SetNumberOfTimeSteps(Steps);
 
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetDataModeToBinary(); // which VTK 9.1 can read with any libexpat
+  writer->SetDataModeToBinary(); // VTK 9.1 reads this mode with any libexpat
   for (int step = 0; step < Steps; ++step)
   {
     surface->UpdateTimeStep(step * StepSize);

@@ -28,14 +28,14 @@ folder.mkdir(parents=True, exist_ok=True)
 particles = XMLPolyDataReader(FileName=str(DATA))
 skin = ActiveImplicitSurface(
     Input=particles,
-    TimeScale=1 / 25,  # the file's time steps are numbered 0, 1, 2 ...
+    TimeScale=1 / 25,  # the file numbers its time steps 0, 1, 2 ...
     VoxelSize=0.03,
     ParticleSpacing=0.085,
 )
 SaveData(
     str(folder / "pv_skin.vtp"),
     proxy=OutputPort(skin, 0),
-    DataMode="Binary",  # which ParaView 5.11 can read with any libexpat
+    DataMode="Binary",  # ParaView 5.11 reads this mode with any libexpat
     Writetimestepsasfileseries=1,
     Filenamesuffix="_%.4d",
 )

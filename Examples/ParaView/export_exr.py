@@ -28,7 +28,7 @@ skin = ActiveImplicitSurface(
     TimeScale=1 / 25,
     VoxelSize=0.05,
     ParticleSpacing=0.085,
-    ComputeVelocity=1,  # [length/time], for the layer forward
+    ComputeVelocity=1,  # [length/time], for the layer "forward"
 )
 
 skin.UpdatePipeline(STEP)

@@ -17,7 +17,7 @@ SIZE = 400
 
 
 def output_folder(description):
-    """The folder named by --output, made if it is not there."""
+    """Creates the folder named by --output."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--output", type=Path, default=Path("output"), metavar="DIR")
     folder = parser.parse_args().output
@@ -26,7 +26,7 @@ def output_folder(description):
 
 
 def save_moments(surface, times, picture):
-    """A view for each of the times, which it keeps as no animation takes it along."""
+    """Saves a picture of views with one of the times each, which no animation changes."""
     layout = CreateLayout("Moments")
     cell = 0
     for i, time in enumerate(times):
@@ -47,7 +47,7 @@ def save_moments(surface, times, picture):
 
 
 def print_history(surface, column, every):
-    """Of the history, output port 2, some rows of a column."""
+    """Prints some rows of a column of the history, output port 2."""
     surface.UpdatePipeline(surface.TimestepValues[-1])
     table = servermanager.Fetch(surface, idx=2)
     for row in range(0, table.GetNumberOfRows(), every):

@@ -24,7 +24,8 @@ surface = ActiveImplicitSurfaceFunctions(
 star, balls = surface.InitialFunction, surface.TargetFunction
 star.Input = PolyPointSource(Points=star_points)
 star.Radius = 0.9
-# Points so far apart do not influence each other: balls of radius .45, as (1 - .75^2)^3 = .0837.
+# The points are so far apart that they do not influence each other. They become balls of radius
+# 0.45, as (1 - 0.75^2)^3 = 0.0837.
 balls.Input = PolyPointSource(Points=[-0.6, 0, 0, 0.6, 0, 0])
 balls.Radius = 0.6
 balls.Threshold = (1 - 0.75**2) ** 3

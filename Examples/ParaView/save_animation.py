@@ -29,7 +29,7 @@ skin = ActiveImplicitSurface(
     TimeScale=1 / 25,
     VoxelSize=0.05,
     ParticleSpacing=0.085,
-    ComputeVelocity=1,  # [length/time], in the files, for motion blur elsewhere
+    ComputeVelocity=1,  # [length/time], for motion blur in other programs
 )
 
 view = GetActiveViewOrCreate("RenderView")
@@ -48,7 +48,7 @@ SaveAnimation(str(folder / "pv_frame.png"), view, FrameWindow=FRAMES, SuffixForm
 SaveData(
     str(folder / "pv_animated.vtp"),
     proxy=OutputPort(skin, 0),
-    DataMode="Binary",  # which ParaView 5.11 can read with any libexpat
+    DataMode="Binary",  # ParaView 5.11 reads this mode with any libexpat
     Writetimestepsasfileseries=1,
     Firsttimestep=FRAMES[0],
     Lasttimestep=FRAMES[1],

@@ -21,14 +21,14 @@ particles = vtkXMLPolyDataReader()
 particles.SetFileName(str(DATA))
 surface = vtkActiveImplicitSurface()
 surface.SetInputConnection(particles.GetOutputPort())
-surface.SetTimeScale(SECONDS_PER_STEP)  # the file's time steps are numbered 0, 1, 2 ...
+surface.SetTimeScale(SECONDS_PER_STEP)  # the file numbers its time steps 0, 1, 2 ...
 surface.SetParticleSpacing(0.085)
 surface.SetVoxelSize(0.03)
 
 components = vtkPolyDataConnectivityFilter()
 components.SetExtractionModeToAllRegions()
 writer = vtkXMLPolyDataWriter()
-writer.SetDataModeToBinary()  # which VTK 9.1 can read with any libexpat
+writer.SetDataModeToBinary()  # VTK 9.1 reads this mode with any libexpat
 balls, skins, files, seconds = [], [], [], 0.0
 for step in range(STEPS):
     start = time.perf_counter()

@@ -24,7 +24,7 @@ def coat_scene(name, description, pictured, width=2000, solids=(), floor=0, **op
     surface.SetParticleSpacing(scene.spacing)
 
     writer = vtkXMLPolyDataWriter()
-    writer.SetDataModeToBinary()  # which VTK 9.1 can read with any libexpat
+    writer.SetDataModeToBinary()  # VTK 9.1 reads this mode with any libexpat
     writer.SetInputConnection(surface.GetOutputPort())
     balls, skins, files, seconds = [], [], [], 0.0
     for step, frame in enumerate(scene.frames):

@@ -17,7 +17,7 @@ RADII, PHASES = (0.3, 0.36, 0.26), np.array([0.0, 2.1, 4.2])
 
 
 def body_at(time):
-    """Particles of three lumps that go up and down."""
+    """Particles of three lumps that move up and down."""
     lifts = 0.08 * np.sin(5 * time + PHASES)
     lumps = zip(LUMPS, RADII, lifts)
     return np.concatenate([ball(r, SPACING) + place + (0, lift, 0) for place, r, lift in lumps])
@@ -30,7 +30,7 @@ def distance(function, places):
 
 
 def bounce(function, places, velocities):
-    """Takes grains out of the skin, along its normal, and turns their velocity round."""
+    """Moves grains out of the skin along its normal, and reflects their velocity."""
     hits = np.flatnonzero(distance(function, places) < GRAIN)
     near, step = places[hits], 0.3 * SPACING
     slopes = [distance(function, near + d) - distance(function, near - d) for d in step * np.eye(3)]

@@ -29,10 +29,10 @@ PAPER = (0.96, 0.96, 0.95)
 WATER = (0.36, 0.66, 0.86)
 CLAY = (0.95, 0.66, 0.46)
 VIEW_ANGLE = 14.0
-FINENESS = 2  # a frame is rendered this many times larger, then averaged
-BORDER = 12  # pixels that are left out, as the shade in corners ends before the picture does
+FINENESS = 2  # supersampling factor of a frame
+BORDER = 12  # pixels cut off: the shade in corners ends before the picture does
 
-# Key, fill and rim, placed as the camera sees them: direction, color, intensity.
+# Key, fill and rim light relative to the camera: direction, color, intensity.
 LIGHTS = (
     ((-1.0, 1.4, 1.2), (1.00, 0.97, 0.92), 0.80),
     ((1.3, 0.1, 0.8), (0.85, 0.92, 1.00), 0.45),
@@ -41,7 +41,7 @@ LIGHTS = (
 
 
 def output_folder(description):
-    """The folder named by --output, made if it is not there."""
+    """Creates the folder named by --output."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--output", type=Path, default=Path("output"), metavar="DIR")
     folder = parser.parse_args().output
@@ -50,14 +50,14 @@ def output_folder(description):
 
 
 def skin_actor(surface, color=WATER):
-    """A surface as it is now; what becomes of it later does not show."""
+    """Actor for a copy of a surface; later changes of the surface do not show."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(_copy(surface))
     return _actor(mapper, color)
 
 
 def ball_actor(points, radius, color=CLAY):
-    """A ball at each of the points, as they are now."""
+    """A ball at each of the points, at their present positions."""
     ball = vtkSphereSource()
     ball.SetRadius(radius)
     ball.SetThetaResolution(24)
@@ -70,7 +70,7 @@ def ball_actor(points, radius, color=CLAY):
 
 
 def colored(actor, array):
-    """The actor in the colors of a point array of bytes, R G B."""
+    """Shows an actor in the colors of a point array of bytes, R G B."""
     mapper = actor.GetMapper()
     mapper.ScalarVisibilityOn()
     mapper.SetScalarModeToUsePointFieldData()
@@ -135,7 +135,7 @@ def _actor(mapper, color):
 
 
 def _floor_actor(actors, height):
-    """A floor in the color of the background, which shows by the shade upon it."""
+    """A floor in the color of the background, visible by the shade on it."""
     bounds = vtkBoundingBox()
     for actor in actors:
         bounds.AddBounds(actor.GetBounds())
@@ -155,7 +155,7 @@ def _floor_actor(actors, height):
 
 
 def _camera_that_fits(actors, view):
-    """A camera in the direction `view`, and width by height of what it has to see."""
+    """A camera in the direction `view`, and the width and height of its field of view."""
     camera = vtkCamera()
     camera.SetPosition(view)
     camera.SetViewAngle(VIEW_ANGLE)
@@ -174,7 +174,7 @@ def _camera_that_fits(actors, view):
 
 
 def _bounds_seen_by(camera, actors):
-    """The box of the actors' points along the camera's axes."""
+    """Bounding box of the actors' points along the camera's axes."""
     bounds = vtkBoundingBox()
     turned = vtkTransformPolyDataFilter()
     turned.SetTransform(camera.GetViewTransformObject())
@@ -222,7 +222,7 @@ def _shoot(window, actors, camera):
 
 
 def _shade_in_corners(camera):
-    """Ambient occlusion, in proportion to what the camera sees."""
+    """Ambient occlusion, in proportion to the camera's field of view."""
     seen = camera.GetDistance() * math.radians(VIEW_ANGLE)
     shade = vtkSSAOPass()
     shade.SetRadius(0.2 * seen)

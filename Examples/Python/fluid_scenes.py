@@ -31,7 +31,7 @@ from fluid_solver import Fluid
 
 RATE = 25
 SPACING = 0.05
-ACROSS = 24  # particles, of the smaller boxes
+ACROSS = 24  # particles along the smaller boxes
 COHESION = 15.0  # acceleration of neighbours 1.3 spacings apart
 
 
@@ -50,7 +50,7 @@ def lattice(low, high, spacing):
 
 
 def shaken(places, amount, seed):
-    """Each coordinate moved by up to the amount."""
+    """Moves each coordinate by up to the amount."""
     return places + amount * (2.0 * np.random.default_rng(seed).random(places.shape) - 1.0)
 
 
@@ -63,7 +63,8 @@ def ball(radius, spacing, seed=1):
 
 
 def record(name, fluid, count, before=lambda frame: None, **motion):
-    """That many frames; what is called before each but the first may add and take particles."""
+    """`count` frames. `before` is called before each frame except the first, and may add and remove
+    particles."""
     frames = []
     for frame in range(count):
         if frame:
@@ -77,7 +78,7 @@ def record(name, fluid, count, before=lambda frame: None, **motion):
 
 
 def settled(across, deep, spacing, height, settling=40, cohesion=COHESION):
-    """A box with a pool that was stirred a little and came to rest."""
+    """A box with a pool that has settled after a little stirring."""
     fluid = Fluid(spacing, (across * spacing, height, across * spacing), cohesion)
     places = lattice((0, 0, 0), (across * spacing, deep * spacing, across * spacing), spacing)
     fluid.add(shaken(places, 0.15 * spacing, 2), (0.1, 0.0, 0.07))
@@ -156,7 +157,7 @@ def splash(size_of=20000, count=26):
 
 
 def dam(count=30, across=12, high=40):
-    """The box is three columns long; what hits its end goes up along it."""
+    """The box is three columns long; water that hits its end rises along it."""
     fluid = Fluid(SPACING, (60 * SPACING, 2 * high * SPACING, across * SPACING), 3.0)
     column = lattice((0, 0, 0), (20 * SPACING, high * SPACING, across * SPACING), SPACING)
     fluid.add(shaken(column, 0.1 * SPACING, 6), (0.0, 0.0, 0.0))
@@ -165,7 +166,8 @@ def dam(count=30, across=12, high=40):
 
 
 def fountain(count=40, across=ACROSS):
-    """An arc from a nozzle above one side; the drain is in the corners: what flows in flows out."""
+    """An arc from a nozzle above one side. Drains are in the corners: as much water leaves as
+    enters."""
     speed, layers = 4.4, 3
     fluid = settled(across, 3, SPACING, 40 * SPACING, settling=12)
     disc = lattice((-3 * SPACING,) * 2, (3 * SPACING,) * 2, SPACING)
@@ -187,7 +189,7 @@ def fountain(count=40, across=ACROSS):
 
 
 def _free(places, fluid):
-    """Which places are not taken by a particle of the fluid."""
+    """Mask of the places that are free of particles of the fluid."""
     apart = places.T[:, :, None] - fluid.places[:, None, :]
     return (apart * apart).sum(axis=0).min(axis=1) > (0.8 * SPACING) ** 2
 
@@ -195,7 +197,7 @@ def _free(places, fluid):
 def rain(count=40):
     fluid = settled(ACROSS, 3, SPACING, 40 * SPACING, settling=12)
     random = np.random.default_rng(5)
-    cells = random.permutation(36)  # drops of one time are apart
+    cells = random.permutation(36)  # simultaneous drops are apart
 
     def before(frame):
         for cell in cells[2 * frame % 36 :][:2] if frame % 2 else ():
@@ -211,7 +213,7 @@ def rain(count=40):
 
 
 def sheet(count=20, across=32):
-    """Stretched along x by 4 % of its length in each frame, some gaps more than others."""
+    """Sheet stretched along x by 4 % of its length in each frame, some gaps more than others."""
     weights = 0.6 + 0.8 * np.random.default_rng(3).random(across - 1)
     flat = lattice((0, 0, 0), (across * SPACING, SPACING, across * SPACING), SPACING)
     ids, offsets = np.arange(len(flat)), shaken(flat, 0.03 * SPACING, 4) - flat
@@ -253,7 +255,7 @@ SCENES = {
 
 
 def load_scene(name, folder, **options):
-    """From the folder; what is not there is made and put there."""
+    """Loads a scene from the folder, and makes it first if it is missing."""
     said = "".join(f"_{value}" for value in options.values())
     path = Path(folder) / f"{name}{said}.npz"
     if not path.exists():

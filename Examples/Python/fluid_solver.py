@@ -8,17 +8,17 @@ roots in a fixed order only, so the same particles come out on any machine.
 import numpy as np
 
 GRAVITY = (0.0, -9.81, 0.0)
-SUPPORT = 2.0  # reach of a particle, in spacings
-# Density of the interior against that of a cubic lattice: with it a settled pool of N particles is
-# as high as N spacing^3 over its floor.
+SUPPORT = 2.0  # support radius of a particle, in spacings
+# Density of the interior relative to that of a cubic lattice. With this ratio, a settled pool of N
+# particles is as high as N spacing^3 over its floor.
 REST = 0.963
 ITERATIONS = 4
-SOFTNESS = 0.05  # of a constraint, against the stiffness within a lattice
-# Share of the kernel that counts behind a wall: a lattice's next layer has that much of it.
+SOFTNESS = 0.05  # of a constraint, relative to the stiffness within a lattice
+# Fraction of the kernel that counts behind a wall: the part of a lattice's next layer.
 WALL = 0.63
-XSPH = 0.03  # share of the neighbours' mean velocity that a particle takes up in each substep
-COURANT = 0.4  # spacings that the fastest particle goes in a substep
-LONGEST = 0.008  # seconds of a substep, for the cohesion
+XSPH = 0.03  # fraction of the neighbours' mean velocity that a particle adopts in each substep
+COURANT = 0.4  # spacings that the fastest particle moves in a substep
+LONGEST = 0.008  # seconds of a substep, limited by the cohesion
 
 
 class Fluid:
@@ -35,7 +35,7 @@ class Fluid:
         self.rest_density *= REST
 
     def add(self, places, velocity):
-        """New particles with new ids; velocity is one for all, or one for each."""
+        """Adds particles with new ids; velocity is one for all, or one for each."""
         count = len(places)
         velocities = np.broadcast_to(np.asarray(velocity, float), (count, 3))
         ids = np.arange(self.next_id, self.next_id + count)
@@ -51,8 +51,8 @@ class Fluid:
         self.ids = self.ids[chosen]
 
     def advance(self, seconds, gravity=GRAVITY, damping=0.0):
-        """Moves on in equal substeps; gravity is a vector or, for a shaken box, a function of
-        the time since the start of this call."""
+        """Advances in equal substeps. gravity is a vector or, for a shaken box, a function of the
+        time since the start of this call."""
         speed = np.sqrt(_squared(self.velocities).max(initial=0.0)) + 9.81 * seconds
         substeps = int(np.ceil(seconds * max(speed / (COURANT * self.spacing), 1.0 / LONGEST)))
         for substep in range(substeps):
@@ -61,7 +61,7 @@ class Fluid:
             self.velocities *= 1.0 - damping
 
     def frame(self):
-        """Places, velocities [n, 3] and ids, in the order of the ids."""
+        """Positions, velocities [n, 3] and ids, in the order of the ids."""
         order = np.argsort(self.ids, kind="stable")
         places, velocities = self.places[:, order].T, self.velocities[:, order].T
         return places.astype(np.float32), velocities.astype(np.float32), self.ids[order]
@@ -94,7 +94,7 @@ class Fluid:
         return apart / length, np.maximum(1.0 - length / self.support, 0.0)
 
     def _corrections(self, places, pairs):
-        """Where particles are too dense they go apart, each by its own share of the excess."""
+        """Displacements of too dense particles, each by its own part of the excess."""
         first, second = pairs
         count = places.shape[1]
         direction, w = self._apart(places, pairs)
@@ -115,10 +115,10 @@ class Fluid:
         return moves
 
     def _walls(self, places):
-        """The density that is missing behind floor and sides, and its gradient.
+        """Missing density behind floor and sides, and its gradient.
 
-        Of the half space behind a plane at a distance d, the kernel (1 - q)^3 has the share
-        (3 w^5 - 2 w^6) / 2, w = 1 - d / support; planes at right angles cut independently.
+        The half space behind a plane at a distance d contains the fraction (3 w^5 - 2 w^6) / 2 of
+        the kernel (1 - q)^3, w = 1 - d / support; planes at right angles cut independently.
         """
         free, slopes = np.ones_like(places), np.zeros_like(places)
         for axis, size in enumerate(self.size):
@@ -134,7 +134,8 @@ class Fluid:
         return 1.0 - free[0] * free[1] * free[2], slopes
 
     def _cohere(self, places, pairs):
-        """Accelerations of neighbours towards a spacing: apart below, together up to 1.6 of it."""
+        """Accelerations of neighbours towards a spacing: repulsive below, attractive up to 1.6 of
+        it."""
         direction, w = self._apart(places, pairs)
         distance = SUPPORT * (1.0 - w)  # in spacings
         force = self.cohesion * (distance - 1.0) * np.maximum(1.6 - distance, 0.0) / 0.09
@@ -150,13 +151,13 @@ class Fluid:
 
 
 def pairs_within(places, reach):
-    """Indices of all pairs nearer than that, each pair once; places has a row for each axis."""
+    """Indices of all pairs nearer than `reach`, each pair once; places has a row for each axis."""
     cells, row, layer = _cells(places, reach)
     order = np.argsort(cells, kind="stable")
     cells, sorted_places = cells[order], np.take(places, order, axis=1)
     here = np.arange(len(cells))
     firsts, seconds = [], []
-    # Three cells side by side are a range of the sorted ones. Of the rows around, those after.
+    # Three adjacent cells are a range of the sorted ones. Only later rows are searched.
     for step in (0, row, layer - row, layer, layer + row):
         begin = here + 1 if step == 0 else np.searchsorted(cells, cells + step - 1, "left")
         count = np.searchsorted(cells, cells + step + 1, "right") - begin
@@ -170,7 +171,7 @@ def pairs_within(places, reach):
 
 
 def _cells(places, width):
-    """The number of each particle's cell, and what to add for the next row and layer."""
+    """Number of each particle's cell, and the offsets of the next row and layer."""
     index = np.floor(places / width).astype(np.int64)
     index -= index.min(axis=1, keepdims=True) - 1
     row, layer, _ = index.max(axis=1) + 2
@@ -182,7 +183,7 @@ def _squared(vectors):
 
 
 def _gather(first, second, values, count, sign=1):
-    """The sum over each particle's pairs; with sign -1 the second one has the opposite."""
+    """Sum over each particle's pairs; with sign -1 the second particle gets the opposite value."""
     firsts = np.bincount(first, values, count)
     seconds = np.bincount(second, values, count)
     return firsts + seconds if sign > 0 else firsts - seconds

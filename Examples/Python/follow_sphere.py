@@ -21,7 +21,7 @@ for time in (0.0, 0.2, 0.4, 0.6, 0.8):
 
 folder = film_strip.output_folder(__doc__)
 frames = []
-for time in (0.0, 0.2, 0.4, 0.6, 0.8):  # going back starts anew, with the same result
+for time in (0.0, 0.2, 0.4, 0.6, 0.8):  # earlier times restart, with the same result
     surface.UpdateTimeStep(time)
     frames.append([film_strip.skin_actor(surface.GetOutput())])
 film_strip.write_film_strip(folder / "follow_sphere.png", frames, floor=-0.95)

@@ -12,16 +12,16 @@ from fluid_scenes import RATE, lattice, shaken
 VOLUME = 4 / 3 * np.pi * 0.5**3
 FINE, COARSE, CHANGE, BACK, FRAMES = 400, 50, 4, 14, 25
 SHOWN = (3, 5, 13, 15, 24)
-# Half of the sum of kernels within a body whose particles reach 2.5 times their distance.
+# Half of the sum of kernels within a body of particles with kernel radii of 2.5 spacings.
 THRESHOLD, REACH = 4.98, {FINE: 2.5, COARSE: 2.8}
 
 
 def body(count):
-    """That many particles, each with the same share of the body's volume."""
+    """`count` particles, each with the same part of the body's volume."""
     spacing = np.cbrt(VOLUME / count)
     places = shaken(lattice((-10 * spacing,) * 3, (10 * spacing,) * 3, spacing), 0.15 * spacing, 2)
     nearest = np.argsort((places**2).sum(axis=1), kind="stable")[:count]
-    ids = np.arange(count) + 1000 * (count == COARSE)  # no particle is in both
+    ids = np.arange(count) + 1000 * (count == COARSE)  # no particle is in both bodies
     return as_particles(places[nearest], ids=ids, radii=np.full(count, REACH[count] * spacing))
 
 

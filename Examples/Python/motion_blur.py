@@ -12,7 +12,7 @@ from film_strip import output_folder, write_pixels
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 DATA = Path(__file__).resolve().parents[2] / "Testing" / "Data" / "sph_drop.vtp"
-STEP, SIZE, SAMPLES, REACH = 9, (640, 400), 24, 24  # REACH [pixels] of the largest blur
+STEP, SIZE, SAMPLES, REACH = 9, (640, 400), 24, 24  # REACH: largest blur [pixels]
 
 
 def widest(vectors):

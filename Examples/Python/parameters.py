@@ -14,8 +14,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 DATA = Path(__file__).resolve().parents[2] / "Testing" / "Data" / "sph_drop.vtp"
 FIRST, LAST, R, RATE = 21, 24, 0.05, 25
 USUAL = {"particle_spacing": 2 * R, "voxel_size": 0.6 * R}
-SMOOTH = 150 * R**2  # Attraction * r^2, as Attraction is 6 for each frame
-PLAIN = {"automatic_smoothing": False}  # nothing else smooths
+SMOOTH = 150 * R**2  # Attraction * r^2: Attraction is 6 for each frame
+PLAIN = {"automatic_smoothing": False}  # without other smoothing
 
 STRIPS = {
     "spacing": [{"particle_spacing": spacing} for spacing in (0.07, 0.1, 0.15)],
@@ -35,7 +35,7 @@ def skin_of(series, **options):
 
 
 def without_drops(step):
-    """What is low at the end, and in the last frames what is high too."""
+    """Particles below a height at the end, and in the last frames all particles."""
     kept = np.flatnonzero(places[-1][:, 1] < (0.62 if step < 2 else np.inf))
     return as_particles(places[step][kept], ids=kept)
 

@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 
 def make_particles(positions, velocities=None, ids=None):
-    """Points with the arrays Velocity and id, where they are given."""
+    """Points with the arrays Velocity and id, if given."""
     particles, points = vtkPolyData(), vtkPoints()
     points.SetData(numpy_to_vtk(positions, deep=True))
     particles.SetPoints(points)
@@ -21,7 +21,7 @@ def make_particles(positions, velocities=None, ids=None):
 
 
 class ParticleSeries(VTKPythonAlgorithmBase):
-    """The frames, each (positions, velocities, ids), at the times 0, 1/rate, 2/rate ..."""
+    """Source of frames (positions, velocities, ids) at the times 0, 1/rate, 2/rate ..."""
 
     def __init__(self, frames, rate=25):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")

@@ -10,21 +10,21 @@ from fluid_scenes import RATE, SPACING, ball, lattice, shaken
 from particle_series import make_particles
 
 WIDTH, DEPTH, FRAMES = 2.7, 0.35, 14
-# Where each drop falls in (x, z), and when.
+# Position (x, z) and time of each drop's impact.
 DROPS = ((0.8, 0.9, -0.2), (1.95, 0.8, 0.02), (1.2, 2.0, 0.15), (2.2, 1.9, 0.38), (0.6, 1.9, 0.5))
 REST = lattice((0, 0, 0), (WIDTH, DEPTH, WIDTH), SPACING)
 POOL, DROP, SPLASH = shaken(REST, 0.005, 1), ball(0.14, SPACING), ball(0.055, SPACING)
 
 
 def ring(age, distance):
-    """Height of the water at a distance from where a drop has fallen in."""
+    """Height of the water at a distance from the impact of a drop."""
     way = distance - 1.2 * age
     grown = np.clip(age / 0.08, 0, 1)
     return 0.1 * grown * np.exp(-1.2 * age - (way / 0.2) ** 2) * np.cos(18 * way)
 
 
 def parts_of(number, x, z, age):
-    """The drop that falls, and those that it throws up, with their numbers."""
+    """The falling drop and the droplets of its splash, each with its first id."""
     first = len(POOL) + 10000 * number
     if age < 0.02:
         yield DROP + (x, DEPTH + 0.1 - 3 * age - 4.9 * age**2, z), first

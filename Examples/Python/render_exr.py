@@ -21,16 +21,16 @@ particles = vtkXMLPolyDataReader()
 particles.SetFileName(str(DATA))
 surface = vtkActiveImplicitSurface()
 surface.SetInputConnection(particles.GetOutputPort())
-surface.SetTimeScale(SECONDS_PER_STEP)  # the file's time steps are numbered 0, 1, 2 ...
+surface.SetTimeScale(SECONDS_PER_STEP)  # the file numbers its time steps 0, 1, 2 ...
 surface.SetVoxelSize(0.03)
 surface.SetKernelRadius(0.17)
 surface.SetParticleThreshold(0.7)
 surface.SetAttraction(100)
-surface.SetComputeVelocity(True)  # per second, as TimeScale says
+surface.SetComputeVelocity(True)  # per second, by TimeScale
 
 renderer, window = vtkRenderer(), vtkRenderWindow()
 window.SetOffScreenRendering(True)
-window.SetAlphaBitPlanes(True)  # so that alpha tells what is skin
+window.SetAlphaBitPlanes(True)  # alpha marks the skin
 window.SetSize(960, 540)
 window.AddRenderer(renderer)
 camera = renderer.GetActiveCamera()
@@ -51,7 +51,7 @@ for step in range(FIRST, LAST + 1):
     steps = vtk_to_numpy(image.GetPointData().GetArray("forward"))
     print(f"step {step}: up to {numpy.linalg.norm(steps, axis=1).max():.1f} pixels of motion")
 
-picture = folder / "render_exr.png"  # the last one's colors, to look at
+picture = folder / "render_exr.png"  # colors of the last picture, for viewing
 png = vtkPNGWriter()
 png.SetFileName(str(picture))
 png.SetInputData(image)

@@ -23,10 +23,10 @@ for tension in TENSIONS:
     surface.SetInputData(particles.GetOutput())
     surface.SetParticleModelToSum()
     surface.SetKernelRadius(3 * RADIUS)
-    surface.SetTensionWeighting(False)  # tension everywhere, as in the paper
+    surface.SetTensionWeighting(False)  # same tension everywhere, as in the paper
     surface.SetVoxelSize(RADIUS / 2)
     surface.SetTension(tension * RADIUS**2)  # Attraction is 1
-    surface.SetCreateParts(False)  # drops that tension takes away stay away
+    surface.SetCreateParts(False)  # drops lost to tension do not reappear
     surface.UpdateTimeStep(1.0)
     skin = surface.GetOutput()
     print(f"tension {tension} r^2: {skin.GetNumberOfPolys()} triangles", flush=True)

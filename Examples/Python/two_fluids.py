@@ -19,7 +19,7 @@ from two_layers import write_fluids
 
 
 def skins_of(path, spacing):
-    """For each frame both skins, and the first as a function."""
+    """For each frame both skins, and the first one as a function."""
     options = {"particle_spacing": spacing}
     first = active.frames(path, where="phase=1", **options)
     light = active.ParticleSeries(path, where="phase=2")

@@ -32,13 +32,13 @@ except ImportError as error:
 
 DATA = Path(__file__).resolve().parents[2] / "Testing" / "Data" / "sph_drop.vtp"
 SIZE = (960, 640)
-FRAME_DURATION = 0.04  # seconds, while it plays
-PATIENCE = 0.5  # seconds without a change until what takes long begins: the motion, a soft picture
+FRAME_DURATION = 0.04  # seconds per frame while playing
+PATIENCE = 0.5  # seconds without a change before long tasks begin: the motion, a soft picture
 LOWEST, HIGHEST = 0, 85  # degrees of the camera above the ground
 
 
 class Viewer:
-    """The state of the page, and the one task that does all work: the most urgent piece first."""
+    """State of the page, and the single task that does all work, the most urgent piece first."""
 
     def __init__(self, server, motion):
         self.server, self.state, self.motion = server, server.state, motion
@@ -47,7 +47,7 @@ class Viewer:
         self.awake, self.wanted, self.before = asyncio.Event(), {"picture", "soft picture"}, []
         self.changed_at = self.next_frame_at = 0.0
         for scene in (self.quick, self.soft):
-            scene.renderer.GetActiveCamera().Dolly(1 / 1.1)  # room to turn
+            scene.renderer.GetActiveCamera().Dolly(1 / 1.1)  # margin for turning
         self.state.update({"step": 0, "playing": False, "note": "", **motion.sliders})
         self.tell()
         self.state.change(*SLIDERS)(self.on_slider)
@@ -85,7 +85,7 @@ class Viewer:
         self.redraw()
 
     def save(self, suffix):
-        """The bytes of a file with the skin of this frame, for the browser to keep."""
+        """Bytes of a file with the skin of this frame, for a download by the browser."""
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "skin" + suffix)
             voxel = {"SetVoxelSize": self.motion.values()["voxel_size"]} if suffix == ".vdb" else {}
@@ -105,13 +105,13 @@ class Viewer:
             with self.state:
                 self.state.note = note or self.state.note
             if has_worked:
-                await asyncio.sleep(0.005)  # for what the browser has sent
+                await asyncio.sleep(0.005)  # lets messages from the browser in
                 continue
             with suppress(asyncio.TimeoutError):
                 await asyncio.wait_for(self.awake.wait(), FRAME_DURATION)
 
     def do_one_thing(self):
-        """Whether there was anything to do."""
+        """Does the most urgent piece of work; returns False if there is none."""
         is_quiet = time.monotonic() - self.changed_at > PATIENCE
         if "picture" in self.wanted:
             self.wanted.discard("picture")
@@ -165,7 +165,7 @@ class Viewer:
         self.tell()
 
     def tell(self):
-        """What the page says of the motion."""
+        """Updates the page's facts about the motion."""
         step, times, motion = self.state.step, self.motion.times, self.motion
         self.state.values = {name: f"{value:.3g}" for name, value in motion.values().items()}
         self.state.made = 0 if "motion" in self.wanted else len(motion.skins)

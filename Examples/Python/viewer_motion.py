@@ -5,7 +5,7 @@ from active_implicit_surfaces.particle_files import open_particles
 from active_implicit_surfaces.presets import estimate_spacing
 from active_implicit_surfaces.series import TemporalSource
 
-# Property: least, greatest and first value of its slider, and what 1 on the slider stands for.
+# Property: least, greatest and first value of its slider, and the unit of the slider.
 SLIDERS = {
     "particle_spacing": (0.5, 2.0, 1.0, lambda v: v["estimated_spacing"]),
     "kernel_radius": (1.5, 4.0, 2.25, lambda v: v["particle_spacing"]),
@@ -14,11 +14,11 @@ SLIDERS = {
     "transport": (0.0, 1.0, 1.0, lambda v: 1.0),
     "tension": (0.0, 4.0, 0.0, lambda v: v["attraction"] * (0.5 * v["particle_spacing"]) ** 2),
 }
-COARSE, RUN_UP = 2.0, 3  # a preview: voxels so much larger, so many frames before the one shown
+COARSE, RUN_UP = 2.0, 3  # of a preview: factor of the voxels, and frames before the one shown
 
 
 class Motion:
-    """The skins of a series of files, as the sliders are; those in `skins` are made."""
+    """Skins of a series of files for the values of the sliders. `skins` holds the finished ones."""
 
     def __init__(self, files):
         self.files = open_particles(files)
@@ -33,17 +33,17 @@ class Motion:
         self.restart()
 
     def restart(self):
-        """Begins anew at the first frame."""
+        """Restarts at the first frame."""
         self.skins, self._has_stopped = [], False
         self._run = active.frames(self._source(0, len(self.times)), **self._options())
         self._coming = iter(self._run)
 
     def stop(self):
-        """Makes no more skins, until it begins anew."""
+        """Makes no more skins until the next restart."""
         self._has_stopped = True
 
     def is_whole(self):
-        """Whether there are no more skins to make."""
+        """Returns true if there are no more skins to make."""
         return self._has_stopped or len(self.skins) == len(self.times)
 
     def advance(self):
@@ -51,24 +51,25 @@ class Motion:
         self.skins.append(next(self._coming).skin)
 
     def preview(self, step):
-        """About the skin of a frame, soon: coarse, and by a motion that begins shortly before."""
+        """Quick approximation of the skin of a frame: coarse, from a motion that begins shortly
+        before."""
         first = max(0, step - RUN_UP)
         options = {**self._options(), "voxel_size": COARSE * self.values()["voxel_size"]}
-        # The frame after it tells where the particles go.
+        # The frame after it is needed for the motion of the particles.
         run = iter(active.frames(self._source(first, step + 2), **options))
         for _ in range(first, step):
             next(run)
         return next(run).skin
 
     def values(self):
-        """The properties in the units of the data."""
+        """Properties in the units of the data."""
         found = dict(self._data)
         for name, (_, _, _, one) in SLIDERS.items():
             found[name] = self.sliders[name] * one(found)
         return {name: found[name] for name in SLIDERS}
 
     def volumes(self):
-        """(time, volume) of the skins that are made."""
+        """(time, volume) of the finished skins."""
         if not self.skins:
             return []
         table = self._run.surface.GetHistory()
@@ -76,7 +77,7 @@ class Motion:
         return [(times.GetValue(i), volumes.GetValue(i)) for i in range(table.GetNumberOfRows())]
 
     def _estimate_spacing(self):
-        """That of the first frame with particles, as the filter does."""
+        """Spacing of the first frame with particles, as in the filter."""
         found = (estimate_spacing(self.files.load(step)) for step in range(len(self.times)))
         spacing = next((one for one in found if one > 0), 0.0)
         if spacing == 0:
@@ -87,7 +88,8 @@ class Motion:
         return TemporalSource(lambda i: self.files.load(first + i), self.times[first:last])
 
     def _options(self):
-        """What was changed; else the filter finds it, but the spacing is that of the sliders."""
+        """Properties that have been changed, and the spacing and the voxel size of the sliders. The
+        filter determines the others."""
         changed = {name for name, slider in SLIDERS.items() if self.sliders[name] != slider[2]}
         wanted = changed | {"particle_spacing", "voxel_size"}
         return {name: value for name, value in self.values().items() if name in wanted}

@@ -73,7 +73,7 @@ def _add_save_button(suffix):
 
 @contextmanager
 def _tooltip(text, location):
-    """Text beside what is made within, which has to bind `props`."""
+    """Shows text beside the elements created within, which have to bind `props`."""
     bubble = v3.VTooltip(text=text, max_width=340, location=location)
     with bubble, v3.Template(v_slot_activator="{ props }"):
         yield
@@ -131,7 +131,7 @@ def _add_view(count):
 
 
 def draw_history(points, before, times, now):
-    """Volume over time as SVG, with that of the motion before in gray."""
+    """Volume over time as SVG, with that of the previous motion in gray."""
     top = _round_up(max((volume for _, volume in points + before), default=1.0))
 
     def across(time):
@@ -152,7 +152,7 @@ def draw_history(points, before, times, now):
 
 
 def _round_up(number):
-    """To one digit."""
+    """Rounds up to one digit."""
     if number <= 0:
         return 1.0
     place = 10.0 ** math.floor(math.log10(number))

@@ -23,14 +23,14 @@ particles = vtkXMLPolyDataReader()
 particles.SetFileName(str(DATA))
 surface = vtkActiveImplicitSurface()
 surface.SetInputConnection(particles.GetOutputPort())
-surface.SetTimeScale(SECONDS_PER_STEP)  # the file's time steps are numbered 0, 1, 2 ...
+surface.SetTimeScale(SECONDS_PER_STEP)  # the file numbers its time steps 0, 1, 2 ...
 surface.SetVoxelSize(0.03)
 surface.SetKernelRadius(0.17)
 surface.SetParticleThreshold(0.7)
 surface.SetAttraction(100)
 surface.ComputeVelocityOn()
 
-writer = vtkActiveVDBWriter()  # WriteAllTimeStepsOn() and one Write() do all 41 frames
+writer = vtkActiveVDBWriter()  # WriteAllTimeStepsOn() and one Write() would write all 41 frames
 writer.SetInputConnection(surface.GetOutputPort())
 writer.SetFileName(str(folder / "splash.####.vdb"))
 writer.SetUnits("m")
