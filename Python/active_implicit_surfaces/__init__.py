@@ -22,7 +22,7 @@ from . import vtk_build
 vtk_build.refuse_another()
 
 try:
-    # The base classes must be known before the classes derived from them.
+    # Base classes have to be imported before the classes derived from them.
     import vtkmodules.vtkCommonDataModel
     import vtkmodules.vtkCommonExecutionModel  # noqa: F401
     import vtkmodules.vtkIOImage  # noqa: F401
@@ -53,9 +53,9 @@ except ImportError as error:
     ) from error
 
 if _HAS_IO:
-    vtkActiveEXRReader.RegisterWithFactory()  # so that vtkImageReader2Factory knows .exr
+    vtkActiveEXRReader.RegisterWithFactory()  # vtkImageReader2Factory then knows .exr
 
-# Where the functions are; they need numpy, which the classes do not.
+# Modules of the functions. They need numpy, unlike the classes.
 _FUNCTIONS = {
     "ActiveSurfaceWarning": "messages",
     "Frame": "runner",

@@ -23,10 +23,10 @@ from .runner import Skins, copy_of, update
 from .series import ParticleSeries, TemporalSource
 from .times import times_between
 
-# Numbers of SetInputArrayToProcess, and the keywords that give such an array.
+# Indices of SetInputArrayToProcess, and the keywords that choose such an array.
 _ARRAYS = {"radii": 0, "ids": 1, "strengths": 2, "velocities": 5}
-_MANY = 100  # particles, of which the distance of neighbours tells something
-_FAR = 1.5  # as a factor: half and twice are
+_MANY = 100  # particles, from which the distance of neighbours is meaningful
+_FAR = 1.5  # factor up or down beyond which a length is unsuitable
 _SAME = 1.01
 _LEAST_REACH = 1.2  # of a kernel, in spacings
 
@@ -330,7 +330,7 @@ def configure(
     if "ids" not in chosen:
         found = {usual_ids(frame) for frame in told if frame.GetNumberOfPoints()}
         found = found or {usual_ids(first)}
-        chosen["ids"] = found.pop() if len(found) == 1 else ""  # "": not all frames have them
+        chosen["ids"] = found.pop() if len(found) == 1 else ""  # "": some frames lack them
     for role, name in chosen.items():
         if name:
             points = vtkDataObject.FIELD_ASSOCIATION_POINTS

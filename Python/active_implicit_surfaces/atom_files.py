@@ -43,7 +43,7 @@ def _read_gro_frame(lines: dict[int, str]) -> Frame:
     width = dots[1] - dots[0] if len(dots) > 2 else 8
     starts = range(20, 20 + 6 * width, width)
     ends = [len(line.rstrip()) for line in lines.values()]
-    are_moving = bool(lines) and min(ends) > starts[5]  # else some have no velocity
+    are_moving = bool(lines) and min(ends) > starts[5]  # else some lines have no velocity
     columns = [(start, start + width) for start in starts][: 6 if are_moving else 3]
     table = _numbers_in(lines, columns)
     names = [(line[5:10].strip(), line[10:15].strip()) for line in lines.values()]

@@ -22,7 +22,7 @@ from .data_objects import add_array, array_names, has_polygons, texts_of
 from .messages import few, warn
 
 _FORM = re.compile(r"(?P<name>[^=<>!]+)(?P<sign>==?|!=|<=|>=|<|>)(?P<values>.+)")
-_VALUE = re.compile(  # between quotes or not, up to the next comma
+_VALUE = re.compile(  # with or without quotes, up to the next comma
     r"""\s*(?:"([^"]*)"|'([^']*)'|([^,=<>!"]*[^,=<>!"\s]))\s*(?:,(?=.)|$)"""
 )
 _COMPONENT = re.compile(r"(?P<name>.+)[_:.\[](?P<axis>[xyz012])\]?")
@@ -34,7 +34,7 @@ _COMPARE = {
 }
 _MARK = "active_implicit_surfaces chosen"
 _LABEL_ARRAYS = ("label", "labels")
-_MOST_LABELS = 1000  # distinct values of an image; more are no labels
+_MOST_LABELS = 1000  # distinct values of an image of labels
 _MOST_LISTED = 20  # distinct values of an array in a message
 _LINK = 1.5  # spacings between neighbours of one piece
 
@@ -245,7 +245,7 @@ def _choose_label(data: Any, label: int) -> Any:
     values = _labels_in(data)
     if not data.IsA("vtkImageData"):
         name = next(name for name in _LABEL_ARRAYS if _has(data, name))
-        return choose(data, f"{name}={label}", note=lambda _: None)  # one of other frames
+        return choose(data, f"{name}={label}", note=lambda _: None)  # a label of other frames
     if not (values == label).any():
         there = few(labels_of(data), 20)
         raise ValueError(f"The image has no label {label}; it has {there}.")

@@ -12,7 +12,7 @@ from vtkmodules.vtkFiltersCore import vtkCellDataToPointData
 from .data_objects import add_array, vtk_points
 from .messages import few, listening
 
-_OVER, _FULL = 0.1, 1e-3  # of fractions of volume: how far beyond 0 and 1; what is empty or full
+_OVER, _FULL = 0.1, 1e-3  # of fractions of volume: tolerance beyond 0 and 1, and of empty or full
 
 
 def contour(image: Any, level: float, *, above: bool = False) -> Any:

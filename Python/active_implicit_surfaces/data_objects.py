@@ -66,7 +66,7 @@ def finite_points(cloud: Any) -> Any:
     return kept
 
 
-# Keywords, and the names of the arrays that they become.
+# Keywords, and the names of their arrays.
 STANDARD_NAMES = {
     "velocities": "Velocity",
     "ids": "id",

@@ -43,7 +43,7 @@ def find_display() -> None:
 
 def _start_server() -> str:
     """Starts Xvfb; returns the number of its display, which it finds itself."""
-    # Without -noreset it drops its state when its last window closes, and the next one fails.
+    # -noreset keeps the state when the last window closes; otherwise the next window fails.
     command = "Xvfb -displayfd 1 -screen 0 1280x1024x24 -noreset -nolisten tcp"
     server = subprocess.Popen(
         command.split(),

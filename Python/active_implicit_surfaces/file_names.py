@@ -24,11 +24,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 
-# ####, %04d, $F4, {} and {:04d}: where a pattern has the number of a frame.
+# Placeholders for the number of a frame: ####, %04d, $F4, {} and {:04d}.
 _NUMBER = re.compile(r"#+|%0?\d*d|\$F\d*|\{(?::0?\d*d)?\}")
 INDEX_SUFFIXES = (".pvd", ".series")
 _NOTES = (".txt", ".dat")  # in a folder, beside others
-_ROUNDING = 1e-12  # of the largest time of an index: two that differ by less are one
+_ROUNDING = 1e-12  # of an index's largest time: tolerance of equal times
 
 
 class Listing(NamedTuple):

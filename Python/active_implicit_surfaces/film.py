@@ -33,7 +33,7 @@ def check_film(path: Path) -> None:
             f"or write {path.with_suffix('.ogv')} or {path.with_suffix('')}.####.png."
         )
     if suffix == ".exr":
-        importlib.import_module(".render", __package__)  # an ImportError if this VTK cannot
+        importlib.import_module(".render", __package__)  # ImportError if this VTK lacks it
     find_display()
 
 
@@ -94,7 +94,7 @@ class Film(Sink):
     def _write_exr(self, path: Path, step: int) -> None:
         from . import render, vtkActiveEXRWriter
 
-        # To the next frame; of the last one, from the frame before.
+        # Interval to the next frame; for the last frame, that from the frame before.
         way = self.times[min(step, len(self.times) - 2) :][:2]
         writer = vtkActiveEXRWriter()
         writer.SetFramesPerSecond(self.fps)
@@ -138,7 +138,7 @@ class _Ffmpeg:
             pixels = vtk_to_numpy(image.GetPointData().GetScalars())
             self.process.stdin.write(numpy.ascontiguousarray(pixels[:, :3]).tobytes())
         except BrokenPipeError:
-            pass  # close() tells why
+            pass  # close() reports the reason
 
     def close(self, is_whole: bool) -> None:
         try:

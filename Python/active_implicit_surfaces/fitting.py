@@ -10,7 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from .data_objects import vtk_points
 
 FITS = ("none", "centre", "box")
-_FAR = 1.5  # times the size, or half of it beside
+_FAR = 1.5  # largest ratio of sizes
 
 
 def fitted(shape: Any, model: Any, fit: str) -> Any:

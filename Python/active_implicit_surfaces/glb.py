@@ -57,7 +57,7 @@ def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
     for name, values in others.items():
         attributes |= _split(_attribute_of(name, attributes), values, are_mixed)
     parts = {name: one.astype("<f4") for name, one in attributes.items() if one is not None}
-    if not triangles:  # glTF has no arrays without numbers
+    if not triangles:  # glTF has no empty arrays
         path.write_bytes(_pack({"asset": _ASSET, "scene": 0, "scenes": [{}]}, []))
         return
     corners = triangles[0].ravel().astype("<u4")
@@ -215,7 +215,7 @@ def _check_views(content: Any, size: int) -> None:
 def _check_accessor(content: Any, accessor: Any) -> None:
     count = int(accessor["count"])
     own = _SIZES[int(accessor["componentType"])] * _COMPONENTS[accessor["type"]]
-    view = content["bufferViews"][_natural(accessor["bufferView"])]  # VTK takes no other
+    view = content["bufferViews"][_natural(accessor["bufferView"])]  # VTK accepts no others
     start, step = int(accessor.get("byteOffset", 0)), int(view.get("byteStride", own))
     if start < 0 or count < 1 or step < 0:
         raise ValueError
@@ -252,7 +252,7 @@ def _check_references(content: Any) -> None:
         raise ValueError
     roots = [_natural(node) for scene in scenes for node in scene.get("nodes", [])]
     if any(above[root] for root in roots) or any(count > 1 for count in above):
-        raise ValueError  # no tree
+        raise ValueError  # not a tree
 
 
 def _natural(number: Any) -> int:

@@ -22,7 +22,7 @@ from .messages import quiet, warn
 IMAGE_SUFFIXES = (".vti", ".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd")
 _FIELD = re.compile(r"(?m)^[ \t]*([^#:=\n]+?)[ \t]*[:=]+[ \t]*(.*?)[ \t\r]*$")
 _TURNS = ("TransformMatrix", "Rotation", "Orientation")  # of a .mha
-_ALONG = 0.999  # cosine of an axis of the image and one of space
+_ALONG = 0.999  # cosine between axes of image and space
 _DAMAGE = (ValueError, KeyError, OverflowError, EOFError, zlib.error, gzip.BadGzipFile)
 
 
@@ -143,7 +143,7 @@ def _place(path: Path, image: Any, origin: Any, axes: Any) -> Any:
     image.SetOrigin(*origin)
     lengths = numpy.linalg.norm(axes, axis=1, keepdims=True)
     axes = axes / numpy.where(lengths > 0, lengths, 1)
-    order = abs(axes).argmax(axis=1)  # of the axes of space
+    order = abs(axes).argmax(axis=1)  # among the axes of space
     signs = axes[range(3), order]
     if sorted(order) != [0, 1, 2] or not (abs(signs) >= _ALONG).all():
         warn(f"{path}: the image is turned in space, not by right angles; this is left out.")

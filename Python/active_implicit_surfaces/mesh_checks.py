@@ -19,7 +19,7 @@ from .mesh_writers import origin_for_floats
 
 _NOT_OF_CORNERS = (b"#", b"g", b"o", b"s", b"mtllib", b"usemtl", b"vt", b"vn")
 _CORNER = re.compile(rb"(-?\d+)(?:/(-?\d*)(?:/(-?\d*))?)?")
-_ENDS_OF_LINES = re.compile(rb"\\\r?\n")  # with the next line, one
+_ENDS_OF_LINES = re.compile(rb"\\\r?\n")  # joined with the next line
 
 
 def check_obj(path: Path) -> None:
@@ -32,7 +32,7 @@ def check_obj(path: Path) -> None:
         if cells[0] in counts:
             counts[cells[0]] += 1
         elif cells[0] in (b"f", b"l", b"p"):
-            # Numbers below 0 count from the last one so far.
+            # Negative numbers count from the last point so far.
             faces.append((cells[1:], tuple(counts.values())))
     whole = tuple(counts.values())
     for corners, so_far in faces:

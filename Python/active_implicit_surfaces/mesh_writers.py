@@ -16,7 +16,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from .data_objects import array_names, points_of
 from .messages import warn
 
-# What a format holds of a mesh, besides points and polygons.
+# Contents of a mesh that a format can store, besides points and polygons.
 _NUMBERS = ("normals", "colours", "numbers")
 _EVERYTHING = (*_NUMBERS, "words", "cells", "lines")
 _HELD: dict[str, tuple[str, ...]] = {
@@ -25,10 +25,10 @@ _HELD: dict[str, tuple[str, ...]] = {
     ".vdb": (*_NUMBERS, "cells", "lines"),
     **dict.fromkeys((".csv", ".json", ".npz"), (*_NUMBERS, "words")),
     ".obj": ("normals", "colours", "lines"),
-    ".stl": ("normals",),  # those of its triangles
+    ".stl": ("normals",),  # normals of its triangles
     ".xyz": (),
 }
-_ROUNDING = 1.0 / 64.0  # of an edge, by which single precision may move points
+_ROUNDING = 1.0 / 64.0  # of an edge: allowed displacement of points by single precision
 _PLY_TYPES = {"u1": "uchar", "i4": "int", "f4": "float", "f8": "double"}
 
 
@@ -219,7 +219,7 @@ def _columns(mesh: Any) -> list[tuple[str, str, Any]]:
 
 
 def _components(name: str, count: int) -> list[str]:
-    plain = re.sub(r"[^!-~]", "_", name)  # neither spaces nor what is not ASCII
+    plain = re.sub(r"[^!-~]", "_", name)  # no spaces, ASCII only
     if count == 1:
         return [plain]
     return [f"{plain}_{one}" for one in ("xyzw" if count <= 4 else range(count))][:count]

@@ -42,7 +42,7 @@ def listening(*algorithms: Any) -> Iterator[Messages]:
         for event, said in (("ErrorEvent", heard.errors), ("WarningEvent", heard.warnings)):
             observers.append((algorithm, algorithm.AddObserver(event, _collector(said))))
         if hasattr(algorithm, "GetExecutive"):
-            # What the pipeline adds to an error does not say more.
+            # Errors of the executive add nothing.
             executive = algorithm.GetExecutive()
             observers.append((executive, executive.AddObserver("ErrorEvent", lambda *_: None)))
     try:
@@ -71,7 +71,7 @@ class quiet:
     def errors(self) -> list[str]:
         """What was said of errors so far."""
         said = self._window.GetOutput() or ""
-        text = said.decode("latin-1") if isinstance(said, bytes) else said  # bytes: of no UTF-8
+        text = said.decode("latin-1") if isinstance(said, bytes) else said  # bytes: no valid UTF-8
         parts = re.split(r"\n(?=ERROR: |Warning: |Generic Warning: )", text)
         return [plain(part) for part in parts if part.startswith("ERROR: ")]
 
@@ -90,7 +90,7 @@ def warn(*messages: str) -> None:
 
 def _collector(said: list[str]) -> Callable[..., None]:
     def collect(caller: Any, event: str, text: str | None) -> None:
-        if text:  # readers that pass on what another one has said do so without text
+        if text:  # readers forward another reader's message without text
             said.append(plain(text))
 
     collect.CallDataType = "string0"  # type: ignore[attr-defined]

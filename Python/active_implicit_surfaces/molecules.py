@@ -15,12 +15,12 @@ _DEFAULT = "species:S:1:pos:R:3"
 _PAIR = re.compile(r"""([A-Za-z_][\w-]*)\s*=\s*("[^"]*"|'[^']*'|\{[^}]*\}|\[[^]]*\]|[^\s,]+)""")
 _SYMBOLS = ("species", "element", "elements", "symbol", "symbols", "name", "atom_name")
 _NUMBERS = ("z", "numbers", "atomic_number", "atomic_numbers")
-# In a list of names the second letter of those that begin with C, H, N, O, P, S is a place in the
-# molecule, as in CA, HG, but for these.
+# In a list of names, the second letter after C, H, N, O, P or S is a position in the molecule, as
+# in CA and HG. These elements are the exceptions.
 _PLACED, _UNPLACED = "CHNOPS", ("CL", "CU", "NA", "SE")
-_ALONE = "CHNOPSBDFIK"  # what a longer name may begin with
+_ALONE = "CHNOPSBDFIK"  # possible first letters of longer names
 _IONS = {"SOD": "Na", "CLA": "Cl", "POT": "K", "CAL": "Ca", "CES": "Cs", "LIT": "Li"}  # CHARMM's
-_LARGEST_RADIUS = 10.0  # what the table has for elements whose radius is unknown is larger
+_LARGEST_RADIUS = 10.0  # larger entries of the table mean an unknown radius
 
 
 def read_molecule(lines: list[str]) -> Frames:

@@ -15,8 +15,8 @@ from . import properties, vtkActiveImplicitSurface
 from .presets import PRESETS, apply_preset
 from .series import TemporalSource
 
-_RADIUS = 0  # of SetInputArrayToProcess
-# What users set for themselves, too: it stays unless it is what the other preset had set.
+_RADIUS = 0  # index of SetInputArrayToProcess
+# Lengths that users set too. A length stays unless the other preset has set it.
 _LENGTHS = {"VoxelSize", "KernelRadius", "RadiusArray"}
 
 

@@ -46,7 +46,7 @@ PARTICLE_SUFFIXES = tuple(
 )
 TARGET_SUFFIXES = (*PARTICLE_SUFFIXES, *IMAGE_SUFFIXES)
 
-# What zipfile raises besides; of these NotImplementedError is a RuntimeError.
+# Other exceptions of zipfile. NotImplementedError is a RuntimeError.
 _DAMAGE_OF_ARCHIVES = (zipfile.BadZipFile, zlib.error, RuntimeError, OverflowError)
 
 _ABOUT_MESHES = " The commands convert and morph take its surface."
@@ -96,7 +96,7 @@ class ParticleFiles:
         """
         data = self._loaders[step]()
         if self._label is not None and data.IsA("vtkImageData") and len(self) > 1:
-            return image_of_label(data, self._label)  # in some frames it may be nowhere
+            return image_of_label(data, self._label)  # some frames may lack the label
         return choose(data, self._where, self._label, self._note_absent)
 
     @functools.cached_property
@@ -199,7 +199,7 @@ def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | Non
     steps = list(info.Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ())
     if len(steps) < 2:
         return [lambda: _points_of(path, update(reader, path), noted)], None
-    # These readers number the steps that a file holds.
+    # These readers number the steps of a file.
     counted = steps == [float(i) for i in range(len(steps))]
     loaders = [_step_loader(path, reader, time, noted) for time in steps]
     return loaders, None if counted else steps
@@ -209,7 +209,7 @@ def _step_loader(path: Path, reader: Any, time: float, noted: set[str]) -> Any:
     def load() -> Any:
         data = update(reader, path, time)
         copy = data.NewInstance()
-        copy.DeepCopy(data)  # the readers of such files write the next step into the same arrays
+        copy.DeepCopy(data)  # the readers of such files reuse the same arrays for the next step
         return _points_of(path, copy, noted)
 
     return load
@@ -225,7 +225,7 @@ def _read_own(path: Path, noted: set[str], read: Callable[[], Any]) -> Any:
             _note(noted, path, str(each.message))
         return found
     except OSError as error:
-        if error.strerror is None:  # with a sentence of our own
+        if error.strerror is None:  # a message of our own
             raise
         raise OSError(f"{path} cannot be read as particles: {error.strerror}.") from error
     except (ValueError, KeyError, IndexError, UnicodeDecodeError, EOFError, csv.Error) as error:

@@ -211,7 +211,7 @@ def _is_number(column: Any) -> bool:
 
 
 def _polygons(rows: Sequence[Any], count: int) -> Any:
-    if isinstance(rows, numpy.ndarray):  # of one length
+    if isinstance(rows, numpy.ndarray):  # of equal length
         ids, lengths = rows.reshape(-1).astype(numpy.int64), [rows.shape[1]] * len(rows)
     else:
         ids, lengths = numpy.concatenate(rows).astype(numpy.int64), [*map(len, rows)]
@@ -225,7 +225,7 @@ def _add_arrays(mesh: Any, attributes: Any, arrays: dict[str, Any]) -> None:
     left = {name.removeprefix("diffuse_"): values for name, values in arrays.items()}
     if {*_COLOURS[:3]} <= {*left}:
         colours = numpy.stack([left.pop(name) for name in _COLOURS if name in left], axis=-1)
-        if colours.dtype.kind == "f":  # shares
+        if colours.dtype.kind == "f":  # fractions
             colours = numpy.rint(255 * colours.clip(0, 1))
         name = "RGBA"[: colours.shape[1]]
         add_array(mesh, name, colours.astype("u1"), attributes)

@@ -22,15 +22,15 @@ PRESETS = {
     "grains": "for sand and beads that roll and pile: balls that stay balls; radii by --radii",
     "paper": "to compare with the paper: its own scheme, of kernels, which shows each particle",
 }
-# The kernel WYVILL, (1 - q^2)^3, is that at q = .7947: reaches little beyond their surface let
-# atoms melt together where they touch, and no further.
+# The kernel WYVILL, (1 - q^2)^3, has this level at q = 0.7947. With kernels little larger than the
+# atoms, touching atoms merge only near their contact.
 ATOM_LEVEL, REACH_OF_ATOM = 0.05, 1.0 / 0.7947
-_RADII = 0  # of SetInputArrayToProcess
-_SAMPLED = 2000  # particles whose neighbours are looked for
+_RADII = 0  # index of SetInputArrayToProcess
+_SAMPLED = 2000  # particles whose neighbours are searched
 _NEIGHBOURS = 3
-_VOXELS_OF_GRAIN = 3.0  # in a radius: 1,000 grains that touch have their volume to 3 %
-_COARSE = 0.1  # of a spacing, of which positions are multiples
-_STEPS = 6.0  # factors e that the filter itself takes from a step to the next
+_VOXELS_OF_GRAIN = 3.0  # per radius: 1,000 grains that touch have their volume to 3 %
+_COARSE = 0.1  # largest grid step of positions, in spacings
+_STEPS = 6.0  # factors e per step, the filter's own choice
 
 
 def apply_preset(
@@ -46,7 +46,7 @@ def apply_preset(
     step = (interval or median_step(source.times)) * options.get("time_scale", 1.0)
     if name == "paper":
         surface.PaperFaithful()
-        # The speed is in proportion to a sum of kernels, which falls by about 1 over a radius.
+        # The speed is proportional to a sum of kernels, which decreases by about 1 over a radius.
         surface.SetAttraction(_STEPS / step * 0.5 * spacing)
     else:
         _smooth(surface, spacing, options.get("attraction"), step)

@@ -31,7 +31,7 @@ class Property:
     default: Any
     choices: tuple[str, ...]
     comment: str
-    owner: str  # the class that declares it
+    owner: str  # class that declares it
 
     @property
     def keyword(self) -> str:

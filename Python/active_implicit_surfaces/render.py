@@ -52,11 +52,11 @@ except ImportError as error:
         "(ACTIVE_BUILD_IO is off); build the package with ACTIVE_BUILD_IO on."
     ) from error
 
-FAR = 1e10  # what Blender writes where nothing is; finite, so that filters of pictures make no NaN
-# Of depth, by which a value and the depth buffer may differ and be of the same surface: the buffer
-# has 24 bits, of which perspective leaves about 14 far away.
+FAR = 1e10  # Blender's value of the background; finite, so that filters of pictures produce no NaN
+# Tolerance of depth for values of one surface. The depth buffer has 24 bits, of which perspective
+# leaves about 14 far away.
 _SAME_DEPTH = 1e-4
-_COARSE = 3e-5  # of the camera's distance, of which places are multiples: about a tenth of a pixel
+_COARSE = 3e-5  # grid of points, relative to the camera's distance: about a tenth of a pixel
 
 
 def write_exr(

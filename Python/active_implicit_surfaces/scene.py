@@ -29,12 +29,12 @@ COLORS = {
     "paper": (0.95, 0.66, 0.46),
 }
 VIEW_ANGLE = 20.0
-FINENESS = 2  # a picture is rendered this many times larger, then averaged
-BORDER = 12  # pixels that are left out, as the shade in corners ends before the picture does
-# From the scene to the camera; with y or z up, x goes to the right.
+FINENESS = 2  # supersampling factor of a picture
+BORDER = 12  # pixels cut off: the shade in corners ends before the picture does
+# From the scene to the camera; with y or z up, x points to the right.
 VIEWS = {"x": (0.5, 1.0, 0.45), "y": (0.45, 0.5, 1.0), "z": (0.45, -1.0, 0.5)}
 
-# Key, fill and rim, placed as the camera sees them: direction, color, intensity.
+# Key, fill and rim light relative to the camera: direction, color, intensity.
 LIGHTS = (
     ((-1.0, 1.4, 1.2), (1.00, 0.97, 0.92), 0.80),
     ((1.3, 0.1, 0.8), (0.85, 0.92, 1.00), 0.45),

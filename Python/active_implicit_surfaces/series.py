@@ -68,7 +68,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         self.failure: Exception | None = None
         self._load = load
         self._kept: dict[int, Any] = {}
-        self._first: int | None = None  # step with points
+        self._first: int | None = None  # first step with points
         self._output_type = output_type
         self._any_order = any_order
         self._whole: TemporalSource | None = None
@@ -94,7 +94,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         frames = [first]
         for step in sorted({last // 2, last} if self._any_order else set()):
             if step > (self._first or 0):
-                with suppress(Exception):  # it is raised when the run comes to this frame
+                with suppress(Exception):  # raised when the run comes to this frame
                     frames.append(self._read(step))
         return frames
 

@@ -22,8 +22,9 @@ from .molecules import add_elements
 from .tables import FIELD, SYMBOLS, Frame, Frames, group_columns, number
 
 _BGEO, _NEWER_BGEO = b"BgeoV", b"\x7fNSJ"
-_BGEO_TYPES = {0: ">f4", 1: ">i4", 4: ">i4", 5: ">f4"}  # 4: the number of a text
-# Of a dump: where frames begin; the ends of the columns x; s is in shares of the box, u unwrapped.
+_BGEO_TYPES = {0: ">f4", 1: ">i4", 4: ">i4", 5: ">f4"}  # 4: the index of a text
+# Patterns of a dump: beginnings of frames; suffixes of the columns x. s: fraction of the box, u:
+# unwrapped.
 _DUMP = re.compile(
     rb"^(?:ITEM: UNITS\r?\n.*\n)?(?:ITEM: TIME\r?\n(?P<time>.*)\n)?ITEM: TIMESTEP", re.MULTILINE
 )
@@ -56,7 +57,7 @@ def read_bgeo(path: Path) -> Frames:
         raise ValueError(f"it is damaged ({error})") from error
     frame = {name: rows[name].astype(kind[1:]) for name, kind, _ in fields}
     for name, listed in texts.items():
-        if frame[name].ndim == 1 and listed:  # -1: none
+        if frame[name].ndim == 1 and listed:  # -1: no text
             frame[name] = numpy.array([*listed, ""])[frame[name].clip(-1, len(listed))]
     return [{**frame, "positions": frame["positions"][:, :3]}], None
 
@@ -82,7 +83,7 @@ def _read_attribute(
     if kind == 4:
         listed = [take_text() for _ in range(take(">i")[0])]
     else:
-        take(f"{4 * width}x")  # the value by default
+        take(f"{4 * width}x")  # default value
     return (name, _BGEO_TYPES[kind], (width,) if width > 1 else ()), listed, start
 
 
@@ -142,7 +143,7 @@ def _box_of(head: str, body: str) -> tuple[Frame, Any]:
         edges, origin = rows[:, :3], rows[:, 3]
     else:
         xy, xz, yz = rows[:, 2] if rows.shape == (3, 3) else numpy.zeros(3)
-        low = [min(0, xy, xz, xy + xz), min(0, yz), 0]  # of the corners of a slanted box
+        low = [min(0, xy, xz, xy + xz), min(0, yz), 0]  # corners of a slanted box
         high = [max(0, xy, xz, xy + xz), max(0, yz), 0]
         origin, size = rows[:, 0] - low, rows[:, 1] - high - rows[:, 0] + low
         edges = numpy.diag(size) + [[0, 0, 0], [xy, 0, 0], [xz, yz, 0]]

@@ -137,7 +137,7 @@ def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
     if suffix not in MESH_SUFFIXES:
         raise OSError(f"{path}: meshes and images are read from {', '.join(MESH_SUFFIXES)}.")
     data = _read_glb(path) if suffix == ".glb" else read_vtk(path)
-    count = data.GetNumberOfElements(vtkDataObject.POINT)  # a surface has no loose points
+    count = data.GetNumberOfElements(vtkDataObject.POINT)  # a surface has no unconnected points
     if data.IsA("vtkCompositeDataSet"):
         data = surface_of(data)
     _check_corners(path, data)
@@ -200,7 +200,7 @@ def write_particles(path: Path, cloud: Any) -> None:
             with temporary.open("wb") as file:
                 numpy.savez(file, positions=positions, **arrays)
         elif suffix == ".xyz":
-            head = "" if len(positions) else "x y z"  # or else nothing
+            head = "" if len(positions) else "x y z"  # else an empty file
             numpy.savetxt(temporary, positions, fmt=_format_of(positions), header=head)
         elif suffix == ".csv":
             _write_csv(temporary, positions, arrays)
@@ -212,7 +212,7 @@ def write_particles(path: Path, cloud: Any) -> None:
 
 def _prepare_writer(writer: Any, suffix: str, mesh: Any) -> None:
     if suffix == ".vtp":
-        writer.SetDataModeToBinary()  # which VTK 9.1 can read with any libexpat
+        writer.SetDataModeToBinary()  # VTK 9.1 reads this mode with any libexpat
     if suffix == ".vtk":
         writer.SetFileTypeToBinary()
     if suffix == ".vdb" and mesh.IsA("vtkPolyData"):
@@ -264,7 +264,7 @@ def _read_glb(path: Path) -> Any:
     if is_own and not has_meshes:
         return vtkPolyData()  # an empty skin
     reader = vtkGLTFReader()
-    reader.SetApplyDeformationsToGeometry(not is_own)  # leaves out the rotation of the node
+    reader.SetApplyDeformationsToGeometry(not is_own)  # ignores the rotation of the node
     reader.SetFileName(str(path))
     with quiet(), listening(reader) as heard:
         reader.Update()
@@ -296,7 +296,7 @@ def _turned_outward(nodes: Any) -> Any:
 
 def _with_vertices(cloud: Any) -> Any:
     """Points as cells, which some programs want to see them."""
-    from vtkmodules.vtkFiltersCore import vtkMaskPoints  # here: not in all installations
+    from vtkmodules.vtkFiltersCore import vtkMaskPoints  # missing in some installations
 
     vertices = vtkMaskPoints()
     vertices.SetInputData(cloud)

@@ -20,13 +20,13 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from .accessible import Arcs, Neighbours, chunks, exposed_arcs, find_neighbours, ranges
 from .data_objects import add_array
 
-BAND = 2.0  # voxels from the surface within which distances are exact
+BAND = 2.0  # distance from the surface with exact values, in voxels
 MOST_POINTS = 100_000_000  # of an image
 MOST_PAIRS = 20_000_000  # of atoms whose accessible balls overlap
-VOXEL = 0.25  # of the root mean square radius
+VOXEL = 0.25  # relative to the root mean square radius
 _SIDE = 4  # points along an edge of a block
-_CHORD = 0.1  # voxels that triangles lose, for a curvature of one per voxel
-_INSIDE = 1e-9  # of a radius: nearer to a ball's surface is on it
+_CHORD = 0.1  # voxels lost by triangles, per curvature of one per voxel
+_INSIDE = 1e-9  # relative to a radius: tolerance of points on a ball's surface
 
 
 def usual_voxel(radii: Any) -> float:

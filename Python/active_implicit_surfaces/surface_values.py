@@ -28,7 +28,7 @@ except ImportError as error:
         "does not have; write pictures as .png, or use the package with Debian's VTK or VTK's own."
     ) from error
 
-_POINT_FIELD = 3  # VTK_SCALAR_MODE_USE_POINT_FIELD_DATA, which vtkValuePass takes
+_POINT_FIELD = 3  # VTK_SCALAR_MODE_USE_POINT_FIELD_DATA for vtkValuePass
 
 
 def distances_along_axis(points: Any, camera: Any) -> Any:
@@ -169,7 +169,7 @@ def _render_values(window: Any, renderer: Any, surface: Any) -> Any:
         window.RemoveRenderer(other)
     window.AddRenderer(drawn)
     try:
-        _draw(window, drawn, values, "id", 1)  # VTK 9.1 draws the first without depth
+        _draw(window, drawn, values, "id", 1)  # VTK 9.1 draws the first one without depth
         return {name: _draw(window, drawn, values, name, shape[name]) for name in shape}
     finally:
         values.ReleaseGraphicsResources(window)
@@ -185,6 +185,6 @@ def _draw(window: Any, renderer: Any, values: Any, name: str, count: int) -> Any
         values.SetInputComponentToProcess(component)
         window.Render()
         drawn.append(vtk_to_numpy(values.GetFloatImageDataArray(renderer)).astype(float))
-    # NaN where nothing is drawn, which no comparison likes.
+    # Replaces NaN of the background, which does not compare.
     numbers = numpy.stack(drawn, axis=1) if count > 1 else drawn[0]
     return numpy.where(numpy.isnan(numbers), numpy.inf, numbers)

@@ -17,17 +17,17 @@ import numpy
 from .messages import few, warn
 
 Frame = dict[str, Any]
-# The frames, or functions that read one, and their times if the file has them.
+# Frames, or functions that read one, and their times if the file has them.
 Frames = tuple[Sequence[Frame | Callable[[], Frame]], "list[float] | None"]
-FIELD, SYMBOLS = "\0field", "\0symbols"  # of a frame, which no column is called
+FIELD, SYMBOLS = "\0field", "\0symbols"  # of a frame; no column has these names
 
 POSITIONS = (
     *("positions", "position", "points", "point", "vertices", "coordinates", "coordinate"),
     *("coords", "coord", "pos"),
 )
-_OTHERS = ("location", "locations", "centroid", "center", "centre", "r")  # of columns only
+_OTHERS = ("location", "locations", "centroid", "center", "centre", "r")  # only as columns
 _LENGTHS = ("m", "mm", "cm", "km", "um", "nm", "in", "ft")
-# Vectors that are the positions, the most certain first.
+# Vectors that may be the positions, the most certain first.
 _RANKS = {name: rank for rank, name in enumerate(("", *POSITIONS, *_OTHERS, *_LENGTHS, "p"))}
 _AXES = dict(zip("xyzijk012", 3 * (0, 1, 2)))
 _UNIT = re.compile(r"\s*[\[(](?![ijkxyz012][\])])[^])]*[\])]\s*$", re.IGNORECASE)
@@ -36,13 +36,13 @@ _AXIS_LAST = re.compile(
 )
 _AXIS_FIRST = re.compile(r"([xyz])[-:_. /]?(.+)", re.IGNORECASE)
 _TIMES, _COUNTS = ("time", "times", "timevalue", "t"), ("frame", "timestep", "time_step", "step")
-_SEPARATORS = ("\t", ";", "|", ",", None)  # None: blanks
+_SEPARATORS = ("\t", ";", "|", ",", None)  # None: whitespace
 # "Na" is sodium.
 _MISSING = frozenset(("", "-", *"na NA n/a N/A null Null NULL none None NONE".split()))
 _COMMENT = re.compile(r"^\s*(?:#|%|//|!)+\s*")
 _DECIMAL_COMMA = re.compile(r"([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)")
 _FORTRAN = re.compile(r"(?<=[\d.])[dD](?=[-+]?\d+$)")  # 1.5D-3
-_SAMPLED = 40  # lines that are searched for the header, and for what columns hold
+_SAMPLED = 40  # lines searched for the header and for the types of columns
 
 
 class _Form(NamedTuple):
@@ -225,7 +225,7 @@ def _load(lines: list[str], form: _Form) -> Any:
         warnings.simplefilter("error")
         try:
             if form.has_commas and form.separator == ",":
-                raise ValueError  # between quotes
+                raise ValueError  # inside quotes
             if form.has_commas:
                 rows = [row.replace(",", ".") for row in rows]
             return _parse(rows, form, None if is_whole else form.columns, float)

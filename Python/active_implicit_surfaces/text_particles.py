@@ -69,14 +69,14 @@ def read_json(path: Path) -> Frames:
     """A list of positions, or an object of arrays with "positions", or rows with x, y and z."""
     data = json.loads(path.read_text(encoding="utf-8"))
     if isinstance(data, list) and data and all(isinstance(row, dict) for row in data):
-        data = {name: [row.get(name) for row in data] for name in data[0]}  # a row each
+        data = {name: [row.get(name) for row in data] for name in data[0]}  # one row per dictionary
     if isinstance(data, list):
         return _from_arrays({"positions": _even_array("list", data)})
     if not isinstance(data, dict):
         raise ValueError("it is neither a list of positions nor an object of arrays")
     return _from_arrays(
         {
-            # pandas has a column as an object of its rows.
+            # pandas writes a column as an object of its rows.
             name: _even_array(
                 f'array "{name}"', [*values.values()] if isinstance(values, dict) else values
             )
@@ -130,7 +130,7 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
     if counts is not None and positions.ndim == 2:
         if int(counts.sum()) == len(positions):
             return _cut(arrays, found, counts)
-        if counts.shape != positions.shape[:1]:  # else it is one of the particles'
+        if counts.shape != positions.shape[:1]:  # else an array of the particles
             raise ValueError(
                 f'its array "counts" adds up to {int(counts.sum())}, where "{found}" has '
                 f"{len(positions)} rows"

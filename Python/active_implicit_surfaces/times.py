@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-FRAMES_PER_SECOND = 25.0  # where nothing gives the times
+FRAMES_PER_SECOND = 25.0  # default without other information
 
 
 def check_times(times: Iterable[float]) -> list[float]:

@@ -23,7 +23,7 @@ from .runner import Sink
 from .times import rate_of
 
 USD_SUFFIXES = (".usdc", ".usda")
-_MOST_INT = 2**31  # of 32 bits
+_MOST_INT = 2**31  # limit of 32 bits
 _NEEDED = "usd-core is not installed; pip install usd-core, or write skin_####.glb or skin_####.vtp"
 
 
@@ -120,7 +120,7 @@ class UsdFilm(Sink):
         for name, values in others.items():
             self._add_primvar(name, values, time)
         if self.path.suffix == ".usdc":
-            self._stage.Save()  # a frame need not stay in memory
+            self._stage.Save()  # frees the memory of the frame
 
     def _move(self, origin: Any) -> Any:
         """Moves the prim to an origin, in double precision; returns the origin."""
@@ -131,7 +131,7 @@ class UsdFilm(Sink):
             own = self._mesh.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble)
             moved = origin if self.up == "z" else turned_up(self.up, origin)
             own.Set(Gf.Vec3d(*moved.tolist()))
-            self._mesh.SetXformOpOrder([own, *others])  # the last one acts first
+            self._mesh.SetXformOpOrder([own, *others])  # the last one applies first
         return origin
 
     def _add_primvar(self, name: str, values: Any, time: float) -> None:

@@ -11,7 +11,7 @@ import sys
 
 # Written by CMake when it copies this file into the build folder.
 VERSION = "@VTK_VERSION@"
-LIBRARY = "@vtk_library@"  # the name by which the compiled libraries ask for it; or empty
+LIBRARY = "@vtk_library@"  # name in the compiled libraries; or empty
 PACKAGE = "@vtk_package@"  # vtkmodules, or cvista: a build of VTK that PyVista can use
 BUILT_FOR = "@built_for@"
 
@@ -19,7 +19,7 @@ BUILT_FOR = "@built_for@"
 def is_loaded(library: str) -> bool:
     """Whether the process has a library of this name, in the ELF sense: then it is used again."""
     if not library or not hasattr(os, "RTLD_NOLOAD"):
-        return True  # a static VTK, or a system without such names: the version has to do
+        return True  # static VTK, or no such names: only the version is checked
     try:
         ctypes.CDLL(library, mode=os.RTLD_NOLOAD | os.RTLD_LAZY)
     except OSError:
@@ -44,7 +44,7 @@ def refuse_another() -> None:
 def check() -> None:
     """An ImportError unless Python finds the VTK that the package was built with."""
     if VERSION.startswith("@"):
-        return  # this is the source folder, where no library is: what is said of that holds
+        return  # source folder without libraries
     core = importlib.import_module(f"{PACKAGE}.vtkCommonCore")
     found: str = core.vtkVersion.GetVTKVersion()
     if found.split(".")[:2] == VERSION.split(".")[:2] and is_loaded(LIBRARY):

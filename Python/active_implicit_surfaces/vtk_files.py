@@ -34,7 +34,7 @@ READERS = {
     ".obj": ("vtkmodules.vtkIOGeometry", "vtkOBJReader"),
     ".vdb": ("active_implicit_surfaces.vtkActiveIO", "vtkActiveVDBReader"),
 }
-# Checks before VTK's reader, which accepts any bytes or crashes at them.
+# Checks before VTK's reader, which accepts any bytes or crashes.
 _CHECKS = {".obj": check_obj, ".stl": check_stl}
 
 _NO_POINTS = "No Points element available"

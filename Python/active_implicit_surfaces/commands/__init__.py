@@ -30,7 +30,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = list(sys.argv[1:] if arguments is None else arguments)
     try:
         return _run(given)
-    except SystemExit as end:  # of argparse
+    except SystemExit as end:  # raised by argparse
         return int(end.code or 0)
     except KeyboardInterrupt:
         print("\nactive-surface: interrupted.", file=sys.stderr)
@@ -61,7 +61,7 @@ def _run(given: list[str]) -> int:
     module = importlib.import_module("." + command, __name__)
     with warnings.catch_warnings():
         warnings.simplefilter("always", ActiveSurfaceWarning)
-        # A note is shown once, though it holds of each frame.
+        # A warning is shown once, even if each frame causes it.
         show = functools.cache(_show_note)
         warnings.showwarning = lambda message, *_, **__: show(str(message))
         return int(module.run(given[1:]))

@@ -157,7 +157,7 @@ def _way(file: Path, output: Path) -> str:
 
 def _holds_particles(path: Path, output: Path) -> bool:
     found = holds_particles(path)
-    return suffix_of(output) not in _MESHES if found is None else found  # else an empty skin
+    return suffix_of(output) not in _MESHES if found is None else found  # None: an empty skin
 
 
 def _particles(options: Any, listing: Listing, output: Path) -> _Conversion:
@@ -175,7 +175,7 @@ def _shapes(options: Any, listing: Listing, output: Path) -> _Conversion:
     if suffix_of(output) not in _MESHES:
         raise OSError(f"{output}: meshes are written as {', '.join(_MESHES)}.")
     note = note_once() if len(listing.frames) > 1 else None
-    up = options.up  # axis in a .glb: that of the first file with points, for all of them
+    up = options.up  # up axis of a .glb: from the first file with points, for all of them
 
     def load(step: int) -> Any:
         file, *parts = listing.frames[step]

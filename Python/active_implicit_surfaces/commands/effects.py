@@ -19,9 +19,9 @@ from ..file_names import suffix_of
 from ..messages import ActiveSurfaceWarning
 from .options import Parser, properties_of
 
-_START = "property_"  # of the properties' names among the options
+_START = "property_"  # prefix of the properties' names among the options
 _MOTION = "series evolution_mode=equilibrium volume_control=exact area_control=exact"
-_ACTING = (  # rows, and what has them: options, and properties after a colon
+_ACTING = (  # rows, and their options and (after a colon) properties
     ("render", "size no_ground"),
     ("render glb usd", "up"),
     ("no_times render", "fps"),
@@ -130,7 +130,7 @@ def rows_of(own: properties.Property) -> list[str]:
         "published where the input has": "pipeline",
     }
     found = [row for words, row in told.items() if re.search(words, own.comment)]
-    if own.keyword != "pass_target_arrays":  # of atoms too, with --probe
+    if own.keyword != "pass_target_arrays":  # also of atoms, with --probe
         found += filter(None, [classes.get(own.owner)])
     return _rows(":" + own.keyword) + found
 

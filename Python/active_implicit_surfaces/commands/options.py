@@ -13,7 +13,7 @@ from ..presets import PRESETS
 
 WIDTH = 100
 PICTURE_SIZE = (1280, 720)
-# Properties that --help tells, as most want to set them.
+# Properties that --help lists, because most users want to set them.
 MAIN_PROPERTIES = {
     "particle_spacing": "distance of neighbouring particles (default: estimated)",
     "voxel_size": "resolution (default: found)",
@@ -35,7 +35,7 @@ class Parser(argparse.ArgumentParser):
                 prog, max_help_position=30, width=WIDTH
             ),
             allow_abbrev=False,
-            add_help=False,  # add_help() puts it where it is wanted
+            add_help=False,  # add_help() adds it in the right place
         )
 
     def error(self, message: str) -> NoReturn:
@@ -55,7 +55,7 @@ def _about_unknown(word: str, parser: argparse.ArgumentParser) -> str:
 
     names = [name for action in parser._actions for name in action.option_strings]
     name = word.partition("=")[0]
-    # All short options are alike: -r is no slip of -o.
+    # Short options resemble each other too much: -r is no typing error for -o.
     near = difflib.get_close_matches(name, names, 1, 0.5) if name.startswith("--") else []
     hint = f", did you mean {near[0]}?" if near else ""
     return f"there is no option {word}{hint}".rstrip("?")

@@ -40,7 +40,7 @@ class Resumption(Sink):
         self.description = json.loads(json.dumps(description))
         self.view: list[Any] | None = None
         self._files = files
-        self._may_grow = len(files) > 1 == len({*files})  # a file of several frames: only its name
+        self._may_grow = len(files) > 1 == len({*files})  # a file of several frames cannot
         self._saved = time.monotonic()
         self._way, self._is_kept, self._first, self._done = Skins(), False, 0, 0
 
@@ -77,10 +77,10 @@ class Resumption(Sink):
         if not now and time.monotonic() - self._saved < _SECONDS_BETWEEN_STATES:
             return
         before = self.notes.read_bytes() if self.notes.exists() else None
-        self.notes.unlink(missing_ok=True)  # a state without notes is none
+        self.notes.unlink(missing_ok=True)  # a state without notes is invalid
         with listening(surface) as heard:
             surface.SaveState(str(self.state))
-        if heard.errors and before is not None:  # the state before is still there
+        if heard.errors and before is not None:  # the previous state still exists
             self.notes.write_bytes(before)
         heard.raise_error(OSError)
         notes = {
@@ -121,9 +121,9 @@ class Resumption(Sink):
     def __exit__(self, kind: Any, *_: Any) -> None:
         if kind is None and not self._is_kept:
             self.forget()
-        elif self._done > self._first:  # else the state is there already
-            # After an error the filter is still at the last frame that it has finished, and this
-            # error is the one to report.
+        elif self._done > self._first:  # else the state has been saved
+            # After an error the filter is still at the last finished frame, and this error has to
+            # be reported.
             with nullcontext() if kind is None else suppress(OSError):
                 self.save(self._way.surface, self._way.times, self._done, now=True)
 

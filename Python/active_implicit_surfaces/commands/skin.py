@@ -38,7 +38,7 @@ from .resume import Resumption
 from .view import find_view
 
 _DEFAULT = "skin_####.vtp"
-_DESCRIBED = (  # options that skins depend on, besides properties and arrays
+_DESCRIBED = (  # options that affect skins, besides properties and arrays
     *("where", "label", "minimum_piece", "minimum_volume", "frames", "preroll", "output_fps"),
     *("preset", "probe", "periodic"),
 )

@@ -11,9 +11,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from ..presets import estimate_spacing
 
 _FRAMES = 64  # of a series that are read
-_LOWER, _FLATTER = 0.05, 1.5  # of the box: by how much of it, by what factor
-_STRAYS, _ROOM = 0.005, 0.25  # share of particles at each side; by how much they may make it larger
-_SAMPLED = 2000  # particles of a frame among which it is looked for strays
+_LOWER, _FLATTER = 0.05, 1.5  # fraction of the box, ratio of its sides
+_STRAYS, _ROOM = 0.005, 0.25  # fraction of particles at each side; relative enlargement allowed
+_SAMPLED = 2000  # particles of a frame that are searched for strays
 
 
 def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
