@@ -14,7 +14,7 @@ DROP = Path(__file__).resolve().parents[1] / "Data" / "sph_drop.vtp"
 
 
 class Outcome:
-    """Exit code, and what was printed."""
+    """Exit code and printed output of a command."""
 
     def __init__(self, *arguments):
         out, err = io.StringIO(), io.StringIO()
@@ -31,7 +31,7 @@ class CommandTest(unittest.TestCase):
         self.addCleanup(temporary.cleanup)
         self.folder = Path(temporary.name)
         self.addCleanup(os.chdir, os.getcwd())
-        os.chdir(self.folder)  # where names by default go
+        os.chdir(self.folder)  # default output folder
 
     def succeed(self, *arguments):
         outcome = Outcome(*arguments)
@@ -39,7 +39,7 @@ class CommandTest(unittest.TestCase):
         return outcome
 
     def fail_with(self, code, *arguments):
-        """The one sentence that a failing command says."""
+        """The single error message of a failing command."""
         outcome = Outcome(*arguments)
         self.assertEqual(outcome.code, code, outcome.err)
         lines = [
@@ -52,7 +52,7 @@ class CommandTest(unittest.TestCase):
         return lines[0]
 
     def hidden(self, folder=None):
-        """Files that a command should not leave."""
+        """Hidden files, which a command should not leave behind."""
         return [path.name for path in (folder or self.folder).rglob(".*")]
 
 
@@ -63,5 +63,5 @@ def grid(count=5, spacing=0.1):
 
 
 def moving_grid(frames=4):
-    """A lattice that goes along x."""
+    """A lattice that moves along x."""
     return numpy.stack([grid() + [0.05 * step, 0, 0] for step in range(frames)])

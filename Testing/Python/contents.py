@@ -1,7 +1,7 @@
-"""What data objects and files hold, as one hash: names, types and raw bytes in a fixed order.
+"""Contents of data objects and files as one hash: names, types and raw bytes in a fixed order.
 
-Left out is what may differ though the content is the same: MTimes, how a file is packed, random
-ids, and the version of this package.
+Omitted are values that may differ for the same content: MTimes, compression, random ids, and the
+version of this package.
 """
 
 import hashlib
@@ -15,13 +15,13 @@ from listener import Listener
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
-# Metadata of .vdb files and attributes of .exr files that name versions or ways of packing.
+# Metadata of .vdb files and attributes of .exr files that name versions or methods of compression.
 OF_THE_WRITER = ("creator", "software", "file_", "compression", "compressionLevel", "zipLevel")
 
 
 @contextmanager
 def no_errors(*algorithms):
-    """Errors of the algorithms, which VTK only prints, are exceptions."""
+    """Turns errors of the algorithms, which VTK only prints, into exceptions."""
     listeners = [Listener(algorithm) for algorithm in algorithms]
     try:
         yield
@@ -34,10 +34,10 @@ def no_errors(*algorithms):
 
 
 class Contents:
-    """Takes data objects one after another; hash() tells all that it was given.
+    """Receives data objects one after another; hash() is the hash of all of them.
 
-    A skin, an image or a table without content is an error, unless may_be_empty says that this is
-    the point: a hash of nothing proves nothing.
+    A skin, an image or a table without content is an error, unless may_be_empty is set: a hash of
+    nothing proves nothing.
     """
 
     def __init__(self):
@@ -57,7 +57,7 @@ class Contents:
     def array(self, array):
         """A vtkAbstractArray with its name, its type and the names of its components.
 
-        The type is numpy's: VTK has several names for whole numbers of 64 bits.
+        The type is numpy's: VTK has several names for integers of 64 bits.
         """
         count = array.GetNumberOfComponents()
         self.text(array.GetName(), count)
@@ -79,7 +79,7 @@ class Contents:
             self.text("attributes", kind)
             self.arrays(data.GetAttributesAsFieldData(kind), OF_THE_WRITER)
         active = (data.GetPointData().GetScalars(), data.GetPointData().GetNormals())
-        # Not by their truth: an array without values is false with VTK 9.7.
+        # Compares with None: an array without values is false in VTK 9.7.
         self.text(*(None if array is None else array.GetName() for array in active))
         key = vtkDataObject.DATA_TIME_STEP()
         if data.GetInformation().Has(key):
@@ -171,7 +171,8 @@ class Contents:
 
     @contextmanager
     def file(self, name, decode):
-        """The path of a file to write, which decode, vdb or exr of this object, then takes up."""
+        """Yields the path of a file to write, then passes the file to `decode`, the method vdb
+        or exr."""
         with TemporaryDirectory() as folder:
             path = Path(folder) / name
             yield str(path)

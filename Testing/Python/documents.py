@@ -1,4 +1,4 @@
-"""The pages of the documentation, taken apart: code blocks, links, anchors."""
+"""Parser of the documentation's pages: code blocks, links, anchors."""
 
 import re
 from pathlib import Path
@@ -33,12 +33,12 @@ def links(text):
 
 
 def _linked(text):
-    """Code within the text of a link is part of it; other code is left out."""
+    """Keeps code within the text of a link; removes other code."""
     return re.sub(r"`([^`\n]*)`", lambda code: re.sub(r"[][()]", "", code[1]), text)
 
 
 def anchors(text):
-    """What #... of a link to this page may be, as GitHub makes it of the headings."""
+    """Anchors (#...) of this page, derived from the headings as on GitHub."""
     found = []
     for heading in HEADING.findall(FENCE.sub("", text)):
         plain = re.sub(r"\[([^][]*)\]\([^()]*\)", r"\1", heading).replace("`", "").lower()
@@ -49,7 +49,7 @@ def anchors(text):
 
 
 def broken_links(root=ROOT):
-    """'page: target' of each link that leads to no file, or to no heading."""
+    """'page: target' of each link to a missing file or heading."""
     broken = []
     for page in pages(root):
         for target in links((root / page).read_text(encoding="utf-8")):
@@ -67,7 +67,7 @@ def broken_links(root=ROOT):
 
 
 def reached(start, root=ROOT):
-    """Pages to which links lead from a page, by any number of them."""
+    """Pages that can be reached from a page by any number of links."""
     seen, todo = set(), [(root / start).resolve()]
     while todo:
         page = todo.pop()
@@ -80,7 +80,7 @@ def reached(start, root=ROOT):
 
 
 def commands(body):
-    """The commands of a block for the shell: comments left out, joined where a line goes on."""
+    """Commands of a shell block, without comments, with continuation lines joined."""
     lines = re.sub(r"\\\n", " ", body).splitlines()
     plain = (re.sub(r"(^|\s)#.*$", "", line).strip() for line in lines)
     return [part.strip() for line in plain if line for part in line.split("&&")]

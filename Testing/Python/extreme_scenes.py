@@ -1,4 +1,4 @@
-"""Small and cheap surfaces in which absurd values are tried."""
+"""Small and cheap surfaces for tests with absurd values."""
 
 from active_implicit_surfaces import (
     vtkActiveImplicitSurface,
@@ -161,7 +161,8 @@ def output_of(source):
     return source.GetOutput()
 
 
-# Of the scenes other than the first, the properties that matter there more, or in another way.
+# Properties to test again in scenes other than the first, because they have a larger or a different
+# effect there.
 SCENES = {
     penalties: "Tension AreaStiffness VolumeStiffness TargetArea TargetVolume CFL",
     exact_volume: "Tension TargetVolume VolumeControl AreaControl",

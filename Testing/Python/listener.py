@@ -1,4 +1,4 @@
-"""What an object of VTK says."""
+"""Messages of a VTK object."""
 
 import re
 
@@ -7,12 +7,12 @@ from vtkmodules.vtkCommonCore import VTK_STRING
 
 
 def sentence_of(text):
-    """What a message says, without where it says it from."""
+    """Text of a message without its place in the source."""
     return re.sub(r"^(ERROR|Warning): In .*?\n.*?\): ", "", text, flags=re.S).strip()
 
 
 class Listener:
-    """What an object says from now on."""
+    """Future messages of an object."""
 
     def __init__(self, thing):
         self.errors = []
@@ -30,7 +30,7 @@ class Listener:
         self.observe(thing, "ErrorEvent", on_error)
         self.observe(thing, "WarningEvent", on_warning)
         if hasattr(thing, "GetExecutive"):
-            # What the pipeline adds to an error is not of interest, but would be printed.
+            # Errors of the executive add nothing, but would be printed.
             self.observe(thing.GetExecutive(), "ErrorEvent", lambda caller, event: None)
 
     def observe(self, thing, event, function):

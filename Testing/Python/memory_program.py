@@ -1,5 +1,5 @@
-"""The splash with so many more MiB of address space than its first step has taken: what is said of
-step 3, and the hash of its skin once the limit is gone.
+"""Runs the splash with a limit of address space, a number of MiB above the use after its first
+step. Prints the errors of step 3, and the hash of its skin without the limit.
 
 Run: python3 memory_program.py <MiB> (test_limits.py does)
 """
@@ -24,7 +24,7 @@ def main():
     _, surface = splash()
     surface.SetVoxelSize(0.018)
     surface.SetNumberOfThreads(2)
-    # Threads begin now: glibc ends a program that has no memory for a thread's own variables.
+    # Starts the threads now: glibc ends a program that has no memory for a thread's own variables.
     surface.UpdateTimeStep(0)
     listener = Listener(surface)
     limit_memory(int(float(sys.argv[1]) * 2**20))

@@ -1,8 +1,8 @@
 """Compares a picture of a skin with its baseline: -V <baseline.png> -T <folder for differences>.
 
-The comparison overlooks smooth differences, so the skin is shown in flat, hard-edged bands of
-color, chosen by one component of its normals. To renew a baseline: look at the picture that the
-failed test leaves in the folder, and copy it over the baseline.
+The comparison ignores smooth differences, so the skin is shown in flat, hard-edged bands of color,
+chosen by one component of its normals. To renew a baseline: view the picture that the failed test
+leaves in the folder, and copy it over the baseline.
 """
 
 import sys
@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkTestingRendering import vtkTesting
 
-# An odd number, so that no two of them meet at 0, which is the value of flat parts.
+# The number of bands is odd, so that no two bands meet at 0, the value of flat parts.
 BANDS = (
     (0.10, 0.10, 0.35),
     (0.90, 0.45, 0.10),
@@ -22,11 +22,11 @@ BANDS = (
     (0.35, 0.75, 0.95),
     (0.95, 0.60, 0.75),
 )
-MAXIMUM_ERROR = 10.0  # in units of a pixel that differs outright; the picture has 640 000
+MAXIMUM_ERROR = 10.0  # in units of a completely different pixel; the picture has 640 000
 
 
 def same_as_baseline(skin, view, component):
-    """0 if the skin, seen from the direction `view`, looks like the baseline, else 1."""
+    """Returns 0 if the skin, seen from the direction `view`, matches the baseline, else 1."""
     window = _window_with(_banded_actor(skin, component), view)
     window.Render()
     testing = vtkTesting()

@@ -1,4 +1,4 @@
-"""What the wrapped classes say of their properties, by reflection, so that none is forgotten."""
+"""Properties of the wrapped classes, by reflection, so that none is forgotten."""
 
 import re
 
@@ -6,14 +6,15 @@ PACKAGE = "active_implicit_surfaces"
 
 
 def own_properties(kind):
-    """Names X of the methods SetX(value) of a class and its own superclasses, those of VTK not."""
+    """Names X of the methods SetX(value) of a class and its own superclasses, without those of
+    VTK."""
     ours = [base for base in kind.__mro__ if base.__module__.startswith(PACKAGE)]
     setters = {name for base in ours for name in vars(base) if name.startswith("Set")}
     return sorted(name[3:] for name in setters if takes_a_value(getattr(kind, name)))
 
 
 def takes_a_value(setter):
-    """Whether it is no SetXToSomething()."""
+    """Returns true unless the method is a SetXToSomething()."""
     return re.match(r"Set\w+\(self\)", setter.__doc__) is None
 
 

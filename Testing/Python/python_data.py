@@ -1,4 +1,4 @@
-"""Data as other libraries would give it, and how much a skin holds."""
+"""Data in the form of other libraries, and the volume of a skin."""
 
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -13,7 +13,7 @@ def volume_of(skin):
 
 
 class Library:
-    """An object of another library: only what is read of it."""
+    """An object of another library with only the members that are read."""
 
     def __init__(self, **members):
         self.__dict__.update(members)
@@ -27,5 +27,5 @@ def make_points(positions, kind=vtkPolyData):
 
 
 def as_array(numbers):
-    """A VTK array of its own memory."""
+    """A VTK array with its own memory."""
     return numpy_to_vtk(numbers, deep=True)

@@ -12,7 +12,7 @@ from random_shapes import FUNCTIONS, INITIALS, OBSTACLES, OTHERS, PARTICLES, TAR
 from test_restart import DOES_NOT_RESTART, RESTARTS, half_box
 from vtkmodules.vtkCommonDataModel import vtkImplicitFunction
 
-# Coarse, so that a case takes a fraction of a second.
+# Coarse values: a case needs a fraction of a second.
 BASE = {
     "VoxelSize": 0.15,
     "Attraction": 4.0,
@@ -21,7 +21,7 @@ BASE = {
 }
 BOX = (-1.0, 1.0, -1.0, 1.0, -1.0, 1.0)
 SHAPES_OF = ("TargetFunction", "InitialFunction", "ObstacleFunction")
-# Other values than a factor of two around those of test_restart.py.
+# Values other than a factor of two around those of test_restart.py.
 SPECIAL = {
     "VoxelSize": (0.1, 0.15, 0.2),
     "MaximumNumberOfActiveVoxels": (300, 3000, 60000),
@@ -31,8 +31,8 @@ SPECIAL = {
     "CFL": (0.3, 0.5, 1.0),
     "Anisotropy": (1.0, 2.0, 4.0, 9.0),
 }
-# What is refused (test_property_values.py has all of it); words are numbers that Python has no
-# literals for.
+# Values that are refused (test_property_values.py has all of them). Words stand for numbers without
+# a Python literal.
 REFUSED = (
     ("VoxelSize", "nan"),
     ("TargetIsoValue", "inf"),
@@ -49,8 +49,8 @@ REFUSED = (
 
 
 def values_of_properties():
-    """Of each property that is no shape, the values to draw from: its default, and those that
-    test_restart.py tries, with twice and half of numbers."""
+    """Values to draw from for each property that is no shape: its default, and the values of
+    test_restart.py, with twice and half of numbers."""
     defaults = vtkActiveImplicitSurface()
     tried = {name: [value for _, value in cases] for name, cases in RESTARTS.items()}
     tried |= {name: [value] for name, (_, value) in DOES_NOT_RESTART.items()}
@@ -72,7 +72,7 @@ VALUES = values_of_properties()
 
 
 def draw_shape(random, shapes, share=1.0):
-    """A name and a seed, or none."""
+    """A name and a seed, or None."""
     if random.random() >= share:
         return None
     return (random.choice(sorted(shapes)), random.randint(1, 10**6))
@@ -89,7 +89,7 @@ def draw_change(random):
 
 
 def draw_properties(random, target):
-    """Some of any; those that matter most more often."""
+    """Some properties, important ones more often."""
     properties = dict(draw_change(random) for _ in range(random.randint(0, 5)))
     if random.random() < 0.4:
         properties["TimeIntegration"] = random.choice((0, 1))
@@ -107,7 +107,7 @@ def draw_properties(random, target):
 
 
 def draw_time(random):
-    """At a step, between steps, and now and then beyond them."""
+    """A time at a step, between steps, and sometimes outside the range."""
     return random.choice(
         (
             0.1 * random.randint(0, 10),
@@ -118,7 +118,7 @@ def draw_time(random):
 
 
 def draw_trouble(random):
-    """What is aborted, fails or is refused, on the way to a time."""
+    """An aborted, failing or refused operation during the motion to a time."""
     kind = random.choice(("abort", "fail", "refuse", "no target", "no file", "no folder", "damage"))
     if kind == "abort":
         return (kind, random.choice((1, 2, 4, 8, 16, 32)), draw_time(random))
@@ -159,7 +159,7 @@ def draw_case(random):
 
 
 def smaller_cases(case):
-    """Each with something less than this one."""
+    """Cases that each omit one part of this one."""
     for i in range(len(case["operations"]) - 1):
         left = case["operations"][:i] + case["operations"][i + 1 :]
         yield {**case, "operations": left}
@@ -172,7 +172,7 @@ def smaller_cases(case):
 
 
 def minimise(case, fails):
-    """A case that fails too, and passes with anything less; `fails` tries one."""
+    """Smallest case that still fails: without any part the case passes. `fails` tries a case."""
     while True:
         for smaller in smaller_cases(case):
             if fails(smaller):

@@ -1,5 +1,5 @@
-"""Tries a random case (random_cases.py): after each request the skin is sound, each error is a
-sentence, and at the end a fresh filter gives the same bytes."""
+"""Tries a random case (random_cases.py). After each request the skin is valid and each error is
+a message. At the end a new filter gives the same bytes."""
 
 import math
 import re
@@ -21,7 +21,7 @@ PORTS = {"target": 0, "initial": 1}
 
 
 class Case:
-    """One filter through the operations of a case."""
+    """Applies the operations of a case to one filter."""
 
     def __init__(self, case):
         self.shapes = {role: case[role] for role in ("target", "initial", "obstacle")}
@@ -36,27 +36,27 @@ class Case:
         return vtkActiveImplicitSurface()
 
     def part_of(self, role, shape, arrays):
-        """What this process brings of a shape whose arrays are chosen: all of it."""
+        """Part of a shape, with chosen arrays, in this process: all of it."""
         return shape
 
     def is_struck(self):
-        """Whether what fails or is stopped next does so in this process."""
+        """Returns true if the next failure or abort happens in this process."""
         return True
 
     def is_first(self):
-        """Whether this process writes what others read too."""
+        """Returns true if this process writes the files that others read."""
         return True
 
     def is_so_on_any(self, is_so):
-        """Of the processes."""
+        """Returns true if the condition holds in any of the processes."""
         return is_so
 
     def wait(self):
-        """For the other processes."""
+        """Waits for the other processes."""
 
     @contextmanager
     def folder(self):
-        """One of all processes."""
+        """Folder shared by all processes."""
         with tempfile.TemporaryDirectory() as folder:
             yield Path(folder)
 
@@ -92,8 +92,8 @@ class Case:
         self.request(time)
 
     def do_potential(self, time):
-        """The potential's image: its port has a clock of its own, but history and skin function
-        are of what was made last."""
+        """Updates the image of the potential. Its port has a time of its own, but history and
+        skin function belong to the last update."""
         self.listener.forget()
         self.surface.UpdateInformation()
         key = Pipeline.UPDATE_TIME_STEP()
@@ -106,7 +106,7 @@ class Case:
         self.surface.Modified()
 
     def do_piece(self, time, piece, pieces):
-        """The first of several pieces has all of the skin."""
+        """Checks that pieces other than the first are empty."""
         self.update(time, piece, pieces)
         self.check_messages()
         if not self.listener.errors:
@@ -132,7 +132,7 @@ class Case:
         self.put_shape(self.surface, self.made, "obstacle")
 
     def do_save_and_load(self):
-        """Of what is there with the properties of now."""
+        """Saves and loads the present state, with the present properties."""
         self.update(self.time or 0.0)
         with self.folder() as folder:
             file = str(folder / "state.vdb")
@@ -143,7 +143,7 @@ class Case:
         self.update(self.time or 0.0)
 
     def do_abort(self, count, time):
-        """Stopped at the count-th time that it tells its progress."""
+        """Aborts at the count-th progress event."""
         left = [count]
         is_struck = self.is_struck()
 
@@ -160,7 +160,7 @@ class Case:
         self.counts["stopped"] += self.is_so_on_any(is_struck and left[0] <= 0)
 
     def do_fail(self, time):
-        """The input fails, if it is asked for anything."""
+        """The input fails, if the request executes it."""
         source = self.made["target"]
         if isinstance(source, Source):
             source.fails = self.is_struck()
@@ -205,7 +205,7 @@ class Case:
             self.check_messages(1)
 
     def set_back(self, scene):
-        """The properties and shapes of a scene, as when it was made."""
+        """Restores the initial properties and shapes of a scene."""
         defaults = vtkActiveImplicitSurface()
         wanted = {**BASE, **scene["properties"]}
         for name in self.properties:
@@ -248,7 +248,7 @@ class Case:
         assert self.surface.GetHistory().GetNumberOfRows() == 0, "an error, and a history"
 
     def check_time(self, time):
-        """The time asked for, or the step that is nearer to it than a millionth of the interval."""
+        """Checks for the requested time, or for a step within a millionth of the interval of it."""
         information = self.surface.GetOutput().GetInformation()
         key = self.surface.GetOutput().DATA_TIME_STEP()
         steps = self.surface.GetOutputInformation(0).Get(Pipeline.TIME_STEPS())
@@ -268,12 +268,12 @@ class Case:
         assert told == expected, f"DATA_TIME_STEP is {told}, asked {time}, steps {steps}"
 
     def check_limits(self):
-        """No more active voxels than were allowed while the skin moved."""
+        """Checks that active voxels never exceeded the limits during the motion."""
         voxels = vtk_to_numpy(self.surface.GetHistory().GetColumnByName("ActiveVoxels"))
         assert voxels.max() <= max(self.guards), f"{voxels.max()} active voxels"
 
     def check_last_row(self):
-        """At a time step the last row is of this skin."""
+        """Checks that at a time step the last row belongs to this skin."""
         history, skin = self.surface.GetHistory(), self.surface.GetOutput()
         information = skin.GetInformation()
         last = history.GetValueByName(history.GetNumberOfRows() - 1, "Time").ToDouble()
@@ -284,7 +284,7 @@ class Case:
         check_parts(history, points_of(skin), triangles_of(skin))
 
     def result(self):
-        """What the outputs hold, or the error."""
+        """Hash of the outputs, or the error."""
         if self.listener.errors:
             return sentence_of(self.listener.errors[0])
         contents = Contents()
@@ -292,7 +292,8 @@ class Case:
         return contents.hash()
 
     def fresh(self):
-        """Another filter, asked for nothing but the last time, by other threads."""
+        """Result of a new filter that requests only the last time, with another number of
+        threads."""
         other = Case({**self.shapes, "properties": self.properties})
         other.surface.SetNumberOfThreads(self.surface.GetNumberOfThreads() % 3 + 1)
         other.request(self.time)
@@ -300,13 +301,13 @@ class Case:
 
     def check_fresh(self):
         own, fresh = self.result(), self.fresh()
-        # A smaller limit refuses the way, but keeps what is there.
+        # A smaller limit stops a new motion, but keeps an existing skin.
         if "MaximumNumberOfActiveVoxels" not in own + fresh:
             assert own == fresh, f"a fresh filter gives {fresh}, this one {own}"
 
 
 def check(case):
-    """Tries a case; what was counted, or an AssertionError."""
+    """Tries a case. Returns the counts, or raises an AssertionError."""
     tried = Case(case)
     for operation in case["operations"]:
         tried.do(*operation)

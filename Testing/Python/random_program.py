@@ -1,7 +1,7 @@
-"""Tries the cases on its standard input, one to a line, and tells of each what was found.
+"""Tries the cases on its standard input, one on each line, and prints the result of each.
 
-It has two gigabytes, and for each case 20 seconds of the processor's time, whatever the machine
-does meanwhile.
+The program has two gigabytes, and for each case 20 seconds of processor time, independent of other
+load.
 """
 
 import resource
@@ -23,7 +23,7 @@ def allow_a_case():
 
 
 def outcome(case):
-    """What failed, or nothing, and what was counted."""
+    """Failure, or an empty text, and counts."""
     try:
         return "", check(case)
     except AssertionError as failure:

@@ -1,8 +1,8 @@
-"""Shapes for random cases, each made by its name and the seed of a generator: targets of every
-kind, standing and moving, shapes to start on, obstacles.
+"""Shapes for random cases, each made from its name and the seed of a generator: targets of every
+kind, static and moving, initial shapes, obstacles.
 
-A target is made of what attracts (a function, data or an algorithm) and the names of its arrays by
-the numbers of SetInputArrayToProcess.
+A target consists of the attracting object (a function, data or an algorithm) and the names of its
+arrays by the indices of SetInputArrayToProcess.
 """
 
 from random import Random
@@ -35,11 +35,11 @@ from vtkmodules.vtkCommonDataModel import (
     vtkTable,
 )
 
-STEP = 0.25  # from one time step of a moving target to the next
+STEP = 0.25  # interval of the time steps of a moving target
 
 
 class Source(Steps):
-    """Time steps of a target; it fails to make one while `fails` is set."""
+    """Time steps of a target. Requests fail while `fails` is set."""
 
     fails = False
 
@@ -48,7 +48,7 @@ class Source(Steps):
 
 
 def moving(make, random):
-    """Three to five time steps of what make(i) makes."""
+    """Three to five time steps, made by make(i)."""
     return Source({i * STEP: make(i) for i in range(random.randint(3, 5))})
 
 
@@ -61,7 +61,7 @@ def places(random, most=40):
 
 
 def some_arrays(random, count):
-    """Arrays of particles, each there or not, and their numbers."""
+    """Optional arrays of particles, and their indices."""
     arrays, numbers = {}, {}
     if random.random() < 0.3:
         arrays["size"] = [random.uniform(0.2, 0.5) for _ in range(count)]
@@ -83,7 +83,7 @@ def moved(position, way, share):
 
 
 def births_and_deaths(random):
-    """Particles by ids, of which each step has some, in any order, and now and then none."""
+    """Particles with ids. Each step has some of them, in any order, and sometimes none."""
     positions = places(random)
     ways = [place(random, 0.2) for _ in positions]
 
@@ -96,7 +96,8 @@ def births_and_deaths(random):
 
 
 def emitter(random):
-    """Particles that leave one place, a few more at each step; by ids or by their numbers."""
+    """Particles that leave one point, a few more at each step; matched by ids or by their
+    indices."""
     origin = place(random, 0.2)
     ways = [place(random, 0.3) for _ in range(5 * random.randint(1, 5))]
 
@@ -114,7 +115,7 @@ def unmatched_particles(random):
 
 
 def as_table(points):
-    """The same particles as a table: a column for each axis, in any order, and their arrays."""
+    """Table of the same particles: a column for each axis, in any order, and their arrays."""
     table = vtkTable()
     positions = numpy.array([points.GetPoint(i) for i in range(points.GetNumberOfPoints())])
     for axis, values in zip("xyz", positions.reshape(-1, 3).T):
@@ -127,7 +128,7 @@ def as_table(points):
 
 
 def as_blocks(points, random):
-    """The same particles, cut into blocks, of which some have none, and some are within others."""
+    """Blocks of the same particles. Some blocks are empty, and some are nested."""
     count = points.GetNumberOfPoints()
     cuts = sorted(random.randint(0, count) for _ in range(random.randint(0, 3)))
     blocks = vtkMultiBlockDataSet()
@@ -153,7 +154,7 @@ def rows_of(points, rows):
 
 
 def in_another_form(kind, change):
-    """Particles, standing or moving, each step of which is changed."""
+    """Particles, static or moving, with a change of each step."""
 
     def make(random):
         target, numbers = kind(random)
@@ -232,7 +233,7 @@ def image_target(random):
 
 def moving_image(random):
     seed = random.randint(0, 1000)
-    count = Random(seed)  # the same size at all steps
+    count = Random(seed)  # same size at all steps
     frames = [an_image(Random(seed)), an_image(count)]
     return moving(lambda i: frames[i % 2], random), random.choice(({}, {3: "G"}))
 
@@ -255,7 +256,7 @@ def balls_apart(random):
 
 
 def a_difference(random):
-    """Often with a hollow."""
+    """A difference of balls, often with a hollow."""
     difference = vtkImplicitBoolean()
     difference.SetOperationTypeToDifference()
     difference.AddFunction(ball(random.uniform(0.5, 0.7)))
@@ -333,11 +334,11 @@ OTHERS = (
 
 
 def shape_of(kind):
-    """A shape without names of arrays, as one that has none."""
+    """A shape in the form of one with array names, but without any."""
     return lambda random: (kind(random), {})
 
 
-# By their names: what makes a target, a shape to start on, an obstacle.
+# Makers of targets, initial shapes and obstacles by their names.
 TARGETS = {kind.__name__: shape_of(kind) for kind in FUNCTIONS}
 TARGETS |= {kind.__name__: kind for kind in (*PARTICLES, *OTHERS)}
 INITIALS = {kind.__name__: shape_of(kind) for kind in (*FUNCTIONS, a_mesh, an_image)}
@@ -346,7 +347,7 @@ SHAPES = {"target": TARGETS, "initial": INITIALS, "obstacle": OBSTACLES}
 
 
 def make_shape(role, shape):
-    """What ("name", seed) stands for in the role of a target, an initial shape or an obstacle."""
+    """Shape of ("name", seed) in the role of a target, an initial shape or an obstacle."""
     if shape is None:
         return None, {}
     name, seed = shape

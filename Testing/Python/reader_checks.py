@@ -1,4 +1,4 @@
-"""What the tests of readers share."""
+"""Helpers of the tests of readers."""
 
 import numpy
 from active_implicit_surfaces.data_objects import texts_of

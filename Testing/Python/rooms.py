@@ -1,7 +1,7 @@
-"""Which room of Filters may include which: what test_layering.py holds the tree against."""
+"""Includes that each room of Filters may have, for test_layering.py."""
 
-# Room: the rooms, and the single files of other rooms, that it may include besides its own. A
-# module's own folder, "NarrowBand" say, is a room as well.
+# Room: the rooms, and single files of other rooms, that it may include besides its own. A module's
+# own folder, such as "NarrowBand", is a room as well.
 NUMERICS = [
     "NarrowBand/OpenVDB",
     "NarrowBand/CompilerBuiltins",

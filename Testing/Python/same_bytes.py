@@ -1,4 +1,4 @@
-"""The table of runs whose bytes are to stay, and what all of them use."""
+"""Table of the runs whose bytes must not change, and their common helpers."""
 
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from contents import Contents, no_errors
@@ -6,13 +6,13 @@ from same_bytes_shapes import BOX
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImplicitFunction
 
 RUNS = {}  # by name: (group, function of a Contents)
-THREADS = {"number": 0}  # of every surface; 0: all that there are
+THREADS = {"number": 0}  # of every surface; 0: all threads
 VOXEL = 0.06
 POINTS = vtkDataObject.FIELD_ASSOCIATION_POINTS
 
 
 def run(group):
-    """Makes a function a run: it gives what it has made to the Contents that it is called with."""
+    """Registers a function as a run: it passes its results to its argument, a Contents."""
 
     def add(function):
         assert function.__name__ not in RUNS, function.__name__
@@ -29,12 +29,12 @@ def hash_of(name):
 
 
 def make(target=None, initial=None, arrays=None, **properties):
-    """A surface: what attracts it and what it starts on (functions, data or algorithms), names of
-    arrays by their numbers, and properties by their names."""
+    """A surface from its target and initial shape (functions, data or algorithms), names of
+    arrays by their indices, and properties by their names."""
     surface = vtkActiveImplicitSurface()
     surface.SetVoxelSize(VOXEL)
     surface.SetAttraction(4)
-    surface.SetParticleModelToSum()  # whose bytes are older, as are those with these:
+    surface.SetParticleModelToSum()  # older baselines use this model, and:
     surface.SetTimeIntegrationToExplicit()
     surface.CreatePartsOff()
     surface.SetNumberOfThreads(THREADS["number"])
@@ -67,7 +67,7 @@ def follow(contents, surface, *times, may_be_empty=False):
 
 
 def rest(contents, surface):
-    """Skin and history of a surface that goes to rest."""
+    """Skin and history of a surface in its steady state."""
     surface.SetEvolutionModeToEquilibrium()
     with no_errors(surface):
         surface.Update()

@@ -1,4 +1,5 @@
-"""Runs: every way of moving, controls, walls, rest, and requests for times in any order."""
+"""Runs: every kind of motion, controls, walls, steady states, and requests for times in any
+order."""
 
 from same_bytes import follow, make, rest, run
 from same_bytes_shapes import Steps, ball, block, cloud, scattered, two_balls, union
@@ -8,7 +9,7 @@ TIMES = (0.0, 0.2, 0.5)
 
 
 def grow(**properties):
-    """From a ball to a union of a ball and a block."""
+    """Motion from a ball to a union of a ball and a block."""
     target = union(ball(0.4, (0.3, 0, 0)), block(-0.7, 0.2, -0.3, 0.3, -0.2, 0.2))
     return make(target, ball(0.5), **properties)
 

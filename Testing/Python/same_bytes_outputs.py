@@ -31,7 +31,7 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
 
 def decorated(way):
-    """Particles with arrays of floats, vectors and whole numbers."""
+    """Particles with arrays of floats, vectors and integers."""
     positions = [(x + way, y, z) for x, y, z in scattered(30)]
     data = cloud(positions, name=list(range(30)), heat=[way + i / 32 for i in range(30)])
     add_array(data.GetPointData(), "push", positions, numpy.float32)
@@ -89,7 +89,7 @@ def potential_image_in_default_bounds(contents):
 
 @run("outputs")
 def pieces(contents):
-    """All of the skin is the first piece; of the image each is a part."""
+    """The first piece contains the whole skin; each piece of the image is a part of it."""
     surface = split()
     surface.UpdateTimeStep(0.4)
     keys, requests = surface.GetExecutive(), vtkInformationVector()
@@ -148,7 +148,7 @@ def grid_potential_of_meshes(contents):
         potential.SetReach(reach)
         potential.SetMeshThickness(thickness)
         potential.SetIsoValue(0.05)
-        with no_errors(potential):  # and no warning of the open edges is printed
+        with no_errors(potential):  # the warning of open edges is not printed
             contents.function(potential, lattice())
 
 
@@ -181,7 +181,7 @@ def state_of_particles(contents):
         return make(births_and_deaths(), arrays={1: "name"}, KernelRadius=0.35)
 
     first = particles()
-    first.UpdateTimeStep(1.3)  # the state is that of 1
+    first.UpdateTimeStep(1.3)  # the saved state is that of time 1
     with contents.file("state.vdb", contents.vdb) as path:
         assert first.SaveState(path)
         other = particles()
@@ -272,7 +272,7 @@ def write_exr(contents, change):
 
 @run("files")
 def exr_of_layers(contents):
-    for compression in range(4):  # all without loss
+    for compression in range(4):  # all lossless ones
         write_exr(contents, lambda writer, packed=compression: writer.SetCompression(packed))
 
 

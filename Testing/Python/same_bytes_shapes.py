@@ -1,4 +1,5 @@
-"""Inputs made by sums, products and square roots only, which round alike on every machine."""
+"""Inputs made only by sums, products and square roots, whose rounding is the same on all
+machines."""
 
 import itertools
 from math import sqrt
@@ -54,7 +55,7 @@ def add_array(data, name, values, dtype=numpy.float64):
 
 
 def cloud(positions, **arrays):
-    """Points, and point arrays by their names; those of whole numbers are int64."""
+    """Points, and point arrays by their names; integer arrays are int64."""
     points = vtkPoints()
     points.SetDataTypeToDouble()
     for position in positions:
@@ -118,7 +119,7 @@ def globe(radius):
 
 
 def middle(corners, a, b):
-    """Number of the point between two corners, which is added unless it is there."""
+    """Index of the point between two corners; adds the point if it is missing."""
     between = [x + y for x, y in zip(corners[a], corners[b])]
     length = sqrt(sum(x * x for x in between))
     point = tuple(x / length for x in between)
@@ -156,7 +157,7 @@ def quadric(a, b, c, level=0.36):
 
 
 def lattice(count=7, half=0.9):
-    """Points of a coarse lattice, away from the nodes of the skins'."""
+    """Points of a coarse lattice, away from the nodes of skins."""
     ticks = [half * (2 * i / (count - 1) - 1) + 0.013 for i in range(count)]
     return list(itertools.product(ticks, repeat=3))
 

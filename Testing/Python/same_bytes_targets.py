@@ -1,4 +1,4 @@
-"""Runs: every kind of target, and every kind of start."""
+"""Runs: every kind of target, and every kind of initial shape."""
 
 from active_implicit_surfaces import (
     vtkActiveImplicitSurface,
@@ -94,7 +94,7 @@ def particles_of_anisotropic_kernels(contents):
 
 @run("targets")
 def particles_with_nothing_set(contents):
-    """Spacing, reach, voxel and attraction are found."""
+    """Estimates spacing, kernel radius, voxel size and attraction."""
     surface = vtkActiveImplicitSurface()
     surface.SetNumberOfThreads(THREADS["number"])
     target = births_and_deaths()

@@ -1,15 +1,15 @@
-"""Whether the address sanitizer watches: programs are slower, and use terabytes of addresses."""
+"""Detects the address sanitizer, which slows programs down and uses terabytes of addresses."""
 
 import ctypes
 import os
 import resource
 
 IS_SANITIZED = hasattr(ctypes.CDLL(None), "__asan_init")
-# As the preset says; counters of lines are slow too.
+# Set by the preset; line counters are slow too.
 SLOWNESS = int(os.environ.get("ACTIVE_TEST_SLOWNESS", "1"))
 
 
 def limit_memory(most):
-    """Of addresses [bytes]."""
+    """Limits the address space [bytes]."""
     if not IS_SANITIZED:
         resource.setrlimit(resource.RLIMIT_AS, (most, most))

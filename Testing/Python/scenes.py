@@ -1,4 +1,4 @@
-"""What several tests look at: the splash of particles, and the two morphs of the paper."""
+"""Common scenes of the tests: the splash of particles, and the two metamorphoses of the paper."""
 
 import math
 from pathlib import Path
@@ -40,7 +40,7 @@ def tube_to_box():
     tube = vtkSkeletonPotential()
     tube.SetInput(line.GetOutput())
     tube.SetRadius(0.45)
-    from vtkmodules.vtkCommonDataModel import vtkSuperquadric  # here: not in every build of VTK
+    from vtkmodules.vtkCommonDataModel import vtkSuperquadric  # missing in some builds of VTK
 
     box = vtkSuperquadric()
     box.SetSize(1.0)

@@ -1,11 +1,11 @@
-"""What holds of every skin, whatever made it; each function raises an AssertionError otherwise."""
+"""Properties of every valid skin; each function raises an AssertionError if one is violated."""
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-# Unit vectors in single precision: three squares, their sum and the root round by 2^-24 each.
+# Unit vectors have single precision: three squares, their sum and the root round by 2^-24 each.
 UNIT = 4 * 2.0**-24
-# Share of a voxel within which the sign at a node may be lost in rounding.
+# Fraction of a voxel within which rounding may change the sign at a node.
 ON_THE_SKIN = 1e-3
 
 
@@ -19,7 +19,7 @@ def triangles_of(skin):
 
 
 def opposite_sides(triangles, count):
-    """Of each side of a triangle, the side of another one that runs the other way."""
+    """For each side of a triangle, the reverse side of another one."""
     start, end = triangles.ravel(), numpy.roll(triangles, -1, axis=1).ravel()
     sides, reverse = start * count + end, end * count + start
     order = numpy.argsort(sides)
@@ -32,7 +32,7 @@ def opposite_sides(triangles, count):
 
 
 def least_of_cycles(following):
-    """Of each element the least one of its cycle of the permutation."""
+    """For each element, the smallest one of its cycle of the permutation."""
     least = numpy.arange(len(following))
     while True:
         smaller = numpy.minimum(least, least[following])
@@ -43,7 +43,8 @@ def least_of_cycles(following):
 
 
 def check_manifold(triangles, count):
-    """Each side has one opposite, and the triangles around a point are one ring."""
+    """Checks that each side has one opposite, and that the triangles around a point form one
+    ring."""
     assert (triangles.min(initial=0) >= 0) and (triangles.max(initial=-1) < count), "point numbers"
     assert len(numpy.unique(triangles)) == count, "points without triangles"
     opposite = opposite_sides(triangles, count)
@@ -62,17 +63,17 @@ def check_normals(skin, points, triangles, voxel):
     assert numpy.isfinite(lengths).all(), "a normal is not finite"
     worst = numpy.abs(lengths - 1).max(initial=0.0)
     assert worst <= UNIT, f"a normal has length 1 + {worst}"
-    # Areas weigh the triangles: slivers may be turned, the skin as a whole may not.
+    # The check weights triangles by area: slivers may be inverted, the skin as a whole may not.
     corners = points.astype(float)[triangles]
     sides = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     if numpy.linalg.norm(sides, axis=1).sum() / 2 < (voxel or 0) ** 2:
-        return  # around a single node: the lattice does not tell the gradient beside it
+        return  # single node: the lattice does not resolve the gradient
     outward = numpy.einsum("ij,ij->", sides, normals[triangles].sum(axis=1))
     assert outward > 0, "normals and triangles disagree on the outside"
 
 
 def winding_numbers(corners, places):
-    """How often the triangles go round each place: 1 within a skin, 0 outside.
+    """Winding number of the triangles around each point: 1 within a skin, 0 outside.
 
     Van Oosterom and Strackee's solid angle of a triangle.
     """
@@ -89,7 +90,7 @@ def winding_numbers(corners, places):
 
 
 def check_sides(function, corners, nodes, voxel):
-    """The function's sign at nodes of the lattice is the side of the mesh that they are on."""
+    """Checks that the function's sign at nodes of the lattice matches the side of the mesh."""
     for node, turns in zip(nodes, winding_numbers(corners, nodes)):
         value = function.FunctionValue(node)
         if abs(value) > ON_THE_SKIN * voxel:
@@ -98,7 +99,7 @@ def check_sides(function, corners, nodes, voxel):
 
 
 def some_nodes(points, voxel, count=24, seed=1):
-    """Nodes of the lattice within two voxels of the skin's box."""
+    """Random nodes of the lattice within two voxels of the skin's box."""
     low = numpy.floor(points.min(axis=0) / voxel) - 2
     high = numpy.ceil(points.max(axis=0) / voxel) + 2
     draws = numpy.random.default_rng(seed).random((count, 3))
@@ -106,7 +107,7 @@ def some_nodes(points, voxel, count=24, seed=1):
 
 
 def check_parts(history, points, triangles):
-    """The last row tells the parts, and Euler's characteristic, of these triangles."""
+    """Checks the parts and Euler's characteristic in the last row against these triangles."""
     opposite = opposite_sides(triangles, len(points))
     least = numpy.arange(len(triangles))
     while True:
@@ -133,8 +134,9 @@ def check_history(history):
 
 
 def check_skin(surface, voxel=None):
-    """A closed manifold of finite points, turned outward, or none; of what is told beside it, all
-    agrees. At a time step the history's last row is of this skin."""
+    """Checks for a closed manifold of finite points, oriented outward, or an empty skin. Arrays
+    and history have to be consistent. At a time step the history's last row belongs to this
+    skin."""
     skin, history = surface.GetOutput(), surface.GetHistory()
     points, triangles = points_of(skin), triangles_of(skin)
     assert numpy.isfinite(points).all(), "a point is not finite"

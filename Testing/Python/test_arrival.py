@@ -1,5 +1,6 @@
 # ctest: LABELS exact
-"""ArrivalTime: the skin is the target at a given time, for every kind of target, from any start.
+"""ArrivalTime: the skin reaches the target at a given time, for every kind of target, from any
+start.
 
 Run: python3 test_arrival.py
 """
@@ -28,7 +29,7 @@ def points_of(surface):
 
 
 def make_surface(**properties):
-    """Its start is a ball on the left; nothing of it is in the balls around FAR."""
+    """A surface that starts as a ball on the left, away from the balls around FAR."""
     surface = vtkActiveImplicitSurface()
     surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
     surface.SetVoxelSize(VOXEL)
@@ -71,8 +72,8 @@ class ItArrives(unittest.TestCase):
         self.assertLess(numpy.abs(radii - radius).max(), slack)
 
     def test_at_every_kind_of_target_that_the_skin_does_not_meet(self):
-        """To a tenth of a voxel; chords of the mesh and of the image's cells take up to h^2 / 8R,
-        .02 voxel, besides."""
+        """The tolerance is a tenth of a voxel, plus h^2 / 8R, 0.02 voxel, for chords of the mesh
+        and of the image's cells."""
         for integration in (0, 1):
             for source in (mesh_of_ball(0.35, FAR), image_of_ball(0.35, FAR), None):
                 surface = make_surface(TimeIntegration=integration)
@@ -90,8 +91,8 @@ class ItArrives(unittest.TestCase):
                 self.assert_is_ball(surface, 0.35, 0.12 * VOXEL)
 
     def test_at_particles_that_stand_still(self):
-        """A lone particle is a ball of its own radius, half of the spacing; 2 % of it is what the
-        model says of itself."""
+        """An isolated particle is a ball of its own radius, half of the spacing. The documented
+        error of the model is 2 % of the radius."""
         surface = make_surface(ParticleSpacing=0.6)
         surface.SetInputData(particles([FAR]))
         surface.UpdateTimeStep(ARRIVAL)
@@ -110,7 +111,7 @@ class ItArrives(unittest.TestCase):
         self.assertEqual(surface.GetOutput().GetNumberOfPoints(), 0)
 
     def test_the_time_is_that_of_the_pipeline(self):
-        """From the first step on, whatever the unit of the motion's own time."""
+        """The interval begins at the first step, whatever the unit of the motion's own time."""
         for scale in (0.04, 25.0):
             surface = make_surface(StartTime=-7.0, TimeScale=scale)
             surface.SetTargetFunction(ball(0.35, FAR))
@@ -123,7 +124,7 @@ class ItArrives(unittest.TestCase):
             self.assertAlmostEqual(radii.mean(), (core + 0.35) / 2, delta=VOXEL)
 
     def test_the_velocity_is_what_is_left_over_the_time_that_is_left(self):
-        """Of a ball that grows by .3 in the time. K is known to a voxel."""
+        """Speed of a ball that grows by 0.3 in the time. K is accurate to a voxel."""
         surface = make_surface(InitialFunction=ball(0.3), ComputeVelocity=1)
         surface.SetTargetFunction(ball(0.6))
         surface.UpdateTimeStep(0.0)
@@ -197,7 +198,7 @@ class WhatIsRefused(unittest.TestCase):
         self.assert_refused(surface, "has to be finite")
 
     def test_at_rest_there_is_no_time(self):
-        """EQUILIBRIUM has no use for it."""
+        """EQUILIBRIUM ignores ArrivalTime."""
         surface = make_surface(EvolutionMode=1, InitialFunction=ball(0.3, FAR))
         surface.SetTargetFunction(ball(0.35, FAR))
         said = Listener(surface)

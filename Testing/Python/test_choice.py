@@ -128,7 +128,8 @@ class Components(unittest.TestCase):
 
 
 class Labels(CommandTest):
-    """A label map: box 3 of 6 x 6 x 6 points, box 5 of 4 x 6 x 6, which touch, and 9 far off."""
+    """A label map: box 3 of 6 x 6 x 6 points, the adjacent box 5 of 4 x 6 x 6, and the distant
+    box 9."""
 
     def setUp(self):
         super().setUp()
@@ -145,8 +146,8 @@ class Labels(CommandTest):
 
     def test_one_and_several_of_an_image(self):
         self.succeed("convert", "map.vti", "--label", 3, "-o", "three.stl")
-        # Half a voxel outside of the points; bevels of edges and corners cut off 4 %, and rounding
-        # of the distance as much.
+        # The surface is half a voxel outside of the points. Bevels of edges and corners remove 4 %,
+        # and rounding of the distance as much.
         self.assertAlmostEqual(volume_of(self.folder / "three.stl"), 6**3, delta=0.08 * 6**3)
         self.succeed("convert", "map.vti", "--labels", "all", "-o", "part_##.stl")
         made = sorted(path.name for path in self.folder.glob("part*"))
@@ -193,7 +194,8 @@ class Labels(CommandTest):
 
 
 class Programs(CommandTest):
-    """A lattice of 125 of Type 1 beside one of 27 of Type 2, which moves, as files 10 to 16."""
+    """A lattice of 125 particles of Type 1 beside a moving one of 27 of Type 2, as files 10 to
+    16."""
 
     def setUp(self):
         super().setUp()

@@ -1,7 +1,7 @@
 # ctest: DISPLAY LABELS contract
-"""What other libraries see in the files of one run: the table of Filters/IO/README.md.
+"""Files of one run as read by other libraries: the table of Filters/IO/README.md.
 
-Each test is skipped where its library is not installed (pip install trimesh meshio OpenImageIO).
+Each test is skipped if its library is not installed (pip install trimesh meshio OpenImageIO).
 """
 
 import importlib
@@ -10,13 +10,13 @@ import unittest
 import numpy
 from command_line import CommandTest, grid
 
-SPEED = 1.25  # along x: .05 in a frame, at 25 frames per second
+SPEED = 1.25  # along x: 0.05 in a frame, at 25 frames per second
 VOLUME = 0.5**3
 NAMES = ("ply", "obj", "stl", "glb", "vdb")
 
 
 def library(name):
-    """The library, or the end of the test with a sentence."""
+    """Imports the library, or skips the test."""
     try:
         return importlib.import_module(name)
     except ImportError:
@@ -29,7 +29,7 @@ class Clients(CommandTest):
         steps = numpy.stack([grid() + [0.05 * step, 0, 0] for step in range(3)])
         heat = numpy.tile(numpy.arange(125.0), (3, 1))
         numpy.savez("p.npz", positions=steps, heat=heat, ids=numpy.tile(numpy.arange(125), (3, 1)))
-        # Heights along z: up in the data is said to be z, in a .glb it is y.
+        # Heights are along z. The option declares z as up; in a .glb up is y.
         self.common = ("skin", "p.npz", "--particle-spacing", 0.1, "--up", "z", "--quiet")
 
     def write(self, suffix):
@@ -87,7 +87,7 @@ class Clients(CommandTest):
         layers = {name: pixels[..., i] for i, name in enumerate(names)}
         covered = layers["A"] > 0.99
         self.assertLess(covered.mean(), 0.5, "the ground is a layer of its own")
-        # A pixel that is carried along x by the motion of a frame lies where `forward` says.
+        # A pixel that moves along x during a frame is displaced by `forward`.
         matrix = numpy.reshape(image.spec().getattribute("worldToNDC"), (4, 4))
         points = numpy.stack([layers[f"P.{axis}"][covered] for axis in "XYZ"], -1).astype(float)
         moved = [numpy.c_[p, numpy.ones(len(p))] @ matrix for p in (points, points + [0.05, 0, 0])]

@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""active-surface and what is wrong: one sentence, exit code 1 for data, 2 for the command line."""
+"""Errors of active-surface: one message, exit code 1 for data, 2 for the command line."""
 
 import json
 import unittest
@@ -15,7 +15,7 @@ from command_line import DROP, CommandTest, Outcome, grid
 from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-HELP_LINES = 50  # of a screen
+HELP_LINES = 50  # lines of a screen
 
 
 class Help(CommandTest):
@@ -74,7 +74,7 @@ class Usage(CommandTest):
 
 
 class Data(CommandTest):
-    """Files with something wrong in them."""
+    """Files with errors in them."""
 
     def put(self, name, content):
         path = self.folder / name

@@ -1,5 +1,5 @@
 # ctest: DISPLAY LABELS contract
-"""Films: every kind of file, light and ground, a camera that holds the whole series."""
+"""Films: every kind of file, light and ground, a camera that shows the whole series."""
 
 import os
 import stat
@@ -18,7 +18,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 SIZE = (160, 90)
 SMALL = ("--size", "160x90")
-# Stands in for ffmpeg: keeps its command line, and what it gets.
+# Replaces ffmpeg: keeps the command line and the input.
 FFMPEG = """#!/bin/sh
 for last; do :; done
 echo "$@" > "$last.command"
@@ -38,7 +38,7 @@ def pixels_of(path):
 
 
 def is_skin(pixels):
-    """Where the water is: blue by far more than the paper and its shade."""
+    """Mask of the water: blue by far more than the paper and its shade."""
     return pixels[..., 2] - pixels[..., 0] > 40
 
 
@@ -64,7 +64,8 @@ class Films(CommandTest):
             self.assertFalse(edge.any(), "the skin leaves the picture")
             middles.append(numpy.nonzero(water)[1].mean())
         self.assertEqual(middles, sorted(middles), "x goes to the right")
-        # What goes along x by 2 lengths of the lattice, 4 times its side, fills most of the width.
+        # The motion along x is 2 lengths of the lattice, 4 times its side, and fills most of the
+        # width.
         self.assertGreater(middles[2] - middles[0], 0.4 * SIZE[0])
         self.assertEqual(self.hidden(), [])
 
@@ -92,7 +93,7 @@ class Films(CommandTest):
         brightness = picture.sum(axis=2)
         self.assertGreater(brightness[water].max(), 1.3 * brightness[water].min(), "no shading")
         paper = numpy.rint(255 * numpy.array(scene.PAPER)).sum()
-        # At the left the ground is open: what shades corners leaves a percent or two there.
+        # At the left the ground is open: ambient occlusion leaves one or two percent there.
         background = numpy.median(brightness[:, 0])
         self.assertAlmostEqual(background, paper, delta=0.03 * paper, msg="the background")
         below = numpy.nonzero(water)[0].max() + 2
@@ -191,7 +192,7 @@ class Films(CommandTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue(is_skin(pixels_of(self.folder / "a_2.png")).any())
         server = Path("/proc") / done.stdout.split()[-1]
-        for _ in range(100):  # it ends soon after the program
+        for _ in range(100):  # the server ends soon after the program
             if not server.exists():
                 break
             time.sleep(0.1)

@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""active-surface skin, morph, convert and info with every format, there and back."""
+"""active-surface skin, morph, convert and info with every format, in both directions."""
 
 import json
 import math
@@ -22,11 +22,11 @@ from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 from vtkmodules.vtkIOParallelXML import vtkXMLPPolyDataWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLUnstructuredGridWriter
 
-# Digits that a text file of 9 digits, or a float, keeps of coordinates below 1.
+# Relative accuracy of a text file with 9 digits, or of a float, for coordinates below 1.
 FLOAT = 6e-8
 VOXEL = 0.05
-# Volume of a ball of radius .6: between nodes distances are off by voxel^2 / 8 / radius, and as
-# much again is cut off by flat triangles; times its area.
+# Volume error of a ball of radius 0.6. Between nodes distances are off by voxel^2 / 8 / radius, and
+# flat triangles remove as much again; times the area.
 LEVEL_SET_ERROR = 2 * VOXEL**2 / 8 / 0.6 * 4 * math.pi * 0.36
 
 
@@ -63,7 +63,7 @@ class Particles(CommandTest):
                 self.assert_reads(made, kept)
                 info = json.loads(self.succeed("info", made, "--json").out)
                 self.assertEqual((info["points"], info["holds"]), (125, "particles"))
-                # The lattice's spacing.
+                # spacing of the lattice
                 self.assertAlmostEqual(info["spacing"], 0.1, delta=4 * FLOAT)
                 self.succeed("skin", made, "-o", self.folder / f"skin{suffix}.vtp")
         self.assertEqual(self.hidden(), [])
@@ -132,8 +132,8 @@ class Particles(CommandTest):
         self.assertEqual([numbers.GetValue(i) for i in range(3)], [8, 1, 1])
         self.succeed("skin", path, "--preset", "molecule", "-o", self.folder / "w_#.vtp")
         bounds = read_vtk(self.folder / "w_0.vtp").GetBounds()
-        # Oxygen's van der Waals radius is 1.52; the hydrogens' influence is on the other side
-        # (y > 0), and adds a little; a voxel is .32.
+        # Oxygen's van der Waals radius is 1.52. The hydrogens' influence is on the other side (y >
+        # 0), and adds a little; a voxel is 0.32.
         self.assertAlmostEqual(bounds[2], -1.52, delta=0.16)
 
     def test_npz_with_frames_and_times(self):
@@ -210,7 +210,7 @@ class Particles(CommandTest):
         self.assertEqual(positions_of(first).tobytes(), before)
 
     def test_vdb_points(self):
-        """Of a file that OpenVDB 10 has written: the same lattice, in its own order."""
+        """Reads a file written by OpenVDB 10: the same lattice, in another order."""
         cloud = open_particles(DROP.with_name("lattice_points.vdb")).load(0)
         made = numpy.array(sorted(positions_of(cloud).round(6).tolist()))
         wanted = numpy.array(sorted(grid().round(6).tolist()))
@@ -288,7 +288,7 @@ class Meshes(CommandTest):
         writer.Write()
         image = self.folder / "a.vti"
         self.succeed("convert", image, "-o", self.folder / "a.ply")
-        # The function is quadratic: a cut between nodes is off by voxel^2 / 8 / .6 at most.
+        # The function is quadratic: a crossing between nodes is off by at most voxel^2 / 8 / 0.6.
         self.assertAlmostEqual(
             read_shape(self.folder / "a.ply").GetBounds()[1], 0.6, delta=VOXEL**2 / 8 / 0.6
         )

@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""active-surface skin: what it makes of the data in the repository, and how a run goes on."""
+"""active-surface skin: results for the data in the repository, and resumed runs."""
 
 import io
 import itertools
@@ -41,9 +41,9 @@ class Skins(CommandTest):
             self.assert_has_volume_of_particles(files[step], step)
 
     def assert_has_volume_of_particles(self, file, step):
-        """N particles fill N cubes of their spacing, .1. Edges, 13 of the pool at the start and
-        longer in the splash, are rounded with at most the reach, .225: each unit of them loses
-        (1 - pi/4) .225^2 = .011, a fifth of the volume with those of the crown."""
+        """N particles fill N cubes of their spacing, 0.1. Edges, 13 of the pool at the start and
+        longer in the splash, are rounded with at most the kernel radius, 0.225. Each unit of
+        them loses (1 - pi/4) 0.225^2 = 0.011, a fifth of the volume with those of the crown."""
         from vtkmodules.vtkFiltersCore import vtkMassProperties
 
         measure = vtkMassProperties()
@@ -84,7 +84,7 @@ class Skins(CommandTest):
                 output = self.folder / "s.####.vtp"
                 self.succeed("skin", self.folder / name, "-o", output, "--fps", 10)
                 last = read_shape(self.folder / "s.0011.vtp").GetCenter()[0]
-                # The lattice's middle is .2; it goes .05 a frame. A voxel is .05.
+                # The lattice's middle is 0.2 and moves by 0.05 per frame. A voxel is 0.05.
                 self.assertAlmostEqual(last, 0.2 + 11 * 0.05, delta=0.025)
 
     def test_numbers_of_files_are_kept_and_gaps_are_gaps_in_time(self):
@@ -170,7 +170,7 @@ class Skins(CommandTest):
 
 
 class GoingOn(CommandTest):
-    """A run of six frames that fails at its fourth, and goes on."""
+    """A run of six frames that fails at its fourth, and is resumed."""
 
     def setUp(self):
         super().setUp()
@@ -280,7 +280,7 @@ class Progress(unittest.TestCase):
             ),
             mock.patch.object(progress, "_SECONDS_BETWEEN_LINES", between),
         ):
-            told = progress.Progress(100, 40, stream=stream)  # each look at the clock takes 2 s
+            told = progress.Progress(100, 40, stream=stream)  # each query of the clock takes 2 s
             told.add(40)
             told.add(59)
         return stream.getvalue()
@@ -289,7 +289,7 @@ class Progress(unittest.TestCase):
         text = self.tell(Terminal())
         self.assertEqual(text.count("\r"), 2)
         self.assertNotIn("\n", text)
-        # 20 frames in 4 s, and 40 to come.
+        # 20 frames in 4 s, with 40 remaining.
         self.assertIn("[" + 18 * "#" + 12 * "-" + "] 60 of 100 frames, 5 frames/s, 0:08 left", text)
 
     def test_lines_elsewhere(self):
@@ -307,7 +307,7 @@ class Program(unittest.TestCase):
 
     def test_an_interruption_while_vtk_is_loaded_is_no_traceback(self):
         with tempfile.TemporaryDirectory() as folder:
-            stub = Path(folder) / "vtkmodules" / "__init__.py"  # a VTK at which Ctrl-C is pressed
+            stub = Path(folder) / "vtkmodules" / "__init__.py"  # a VTK that raises Ctrl-C
             stub.parent.mkdir()
             stub.write_text("import os, signal\nos.kill(os.getpid(), signal.SIGINT)\n")
             done = subprocess.run(
@@ -324,7 +324,7 @@ class Program(unittest.TestCase):
         for command in ([sys.executable, "-m", "active_implicit_surfaces"], [str(launcher)]):
             environment = {**os.environ, "PYTHONPATH": str(package)}
             if command[0] == str(launcher):
-                del environment["PYTHONPATH"]  # it finds the package by itself
+                del environment["PYTHONPATH"]  # the launcher finds the package itself
             with self.subTest(command[-1]):
                 for arguments, code in (["--version"], 0), (["skin"], 2), (["info", "none.vtp"], 1):
                     done = subprocess.run(

@@ -1,5 +1,5 @@
 # ctest: DISPLAY LABELS contract
-"""Pictures .exr of the program can be composited: A is the skin's, the ground is a layer apart."""
+"""Pictures .exr of the program for compositing: A is the skin's, the ground is a separate layer."""
 
 import unittest
 
@@ -11,7 +11,7 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 SMALL = ("--size", "160x90", "--particle-spacing", 0.1, "--quiet")
-HALF = 2.0**-11  # of a number of 16 bits
+HALF = 2.0**-11  # relative accuracy of 16 bits
 
 
 def read_exr(path):
@@ -54,9 +54,9 @@ class Composites(CommandTest):
         layers, _ = self.render()
         skin, ground = layers["RGBA"], layers["ground"]
         over = skin[:, :3] + (1 - skin[:, 3:]) * ground[:, :3]
-        light = ((numpy.array(scene.PAPER) + 0.055) / 1.055) ** 2.4  # of sRGB
+        light = ((numpy.array(scene.PAPER) + 0.055) / 1.055) ** 2.4  # sRGB to linear
         beside = over[skin[:, 3] == 0]
-        # The window has 8 bits: half a step of 255, times the slope of sRGB, 2.3 at most.
+        # The window has 8 bits: half a step of 255, times the slope of sRGB, at most 2.3.
         numpy.testing.assert_allclose(beside, numpy.tile(light, (len(beside), 1)), atol=1.2 / 255)
         rim = (skin[:, 3] > 0) & (skin[:, 3] < 1)
         self.assertGreater(rim.sum(), 50)

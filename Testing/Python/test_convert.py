@@ -1,7 +1,8 @@
 # ctest: LABELS contract
-"""active-surface convert: surfaces of images and grids are closed, outward, and in their place.
+"""active-surface convert: surfaces of images and grids are closed, outward, and in the right
+place.
 
-Volumes and areas are added up here, triangle by triangle, from what was written.
+Volumes and areas are sums over the triangles of the written files.
 """
 
 import unittest
@@ -18,7 +19,7 @@ BALL = 4 / 3 * numpy.pi
 
 
 def triangles(mesh):
-    """The corners of the triangles, (n, 3, 3), and their numbers."""
+    """Corners of the triangles, (n, 3, 3), and their point numbers."""
     if mesh.GetNumberOfPolys() == 0:
         return numpy.zeros((0, 3, 3)), numpy.zeros((0, 3), int)
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
@@ -29,7 +30,7 @@ def triangles(mesh):
 
 
 def volume(mesh):
-    """Above 0 where the triangles look outward."""
+    """Volume; positive if the triangles are oriented outward."""
     a, b, c = numpy.moveaxis(triangles(mesh)[0], 1, 0)
     return float(numpy.einsum("ij,ij->i", a, numpy.cross(b, c)).sum() / 6)
 
@@ -40,7 +41,7 @@ def least_area(mesh):
 
 
 def open_edges(mesh):
-    """Edges that are not run through once in each direction, corners at one place being one."""
+    """Edges that are not traversed once in each direction, with corners at one point merged."""
     places = triangles(mesh)[0].reshape(-1, 3)
     _, numbers = numpy.unique(places, axis=0, return_inverse=True)
     corners = numbers.reshape(-1, 3)
@@ -50,7 +51,7 @@ def open_edges(mesh):
 
 
 def image_of(function, count=41, half=1.5, origin=0.0, dtype=numpy.float64, cells=False):
-    """The function's values at points, or in cells, of a cube of the given half side."""
+    """Values of the function at points, or in cells, of a cube of the given half side."""
     axis = numpy.linspace(-half, half, count) + origin
     spacing = axis[1] - axis[0]
     image = vtkImageData()
@@ -92,7 +93,7 @@ class Contours(unittest.TestCase):
         self.check(mesh, 1.5**3, 0.02)
 
     def test_it_is_closed_at_the_border(self):
-        """A ball of radius 1 in a box of half side .8: what the box cuts off is missing."""
+        """A ball of radius 1 in a box of half side 0.8, which cuts off six caps."""
         mesh = contours.contour(image_of(ball, 81, 0.8), 0.0)
         cap = numpy.pi * 0.2**2 * (3 - 0.2) / 3
         faces = 6 * numpy.pi * (1 - 0.8**2)  # at the border, up to a voxel beyond its points

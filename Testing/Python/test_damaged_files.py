@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""Damaged meshes and points are an OSError, or what is left of them: never a crash.
+"""Damaged meshes and points give an OSError, or the readable rest: never a crash.
 
 Run: python3 test_damaged_files.py
 ACTIVE_RANDOM_CASES in the environment is another number of damages.
@@ -21,7 +21,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
 TIMES = int(os.environ.get("ACTIVE_RANDOM_CASES", "300"))
-HEADER = 600  # bytes, of which a third of the damages are
+HEADER = 600  # bytes, hit by a third of the damages
 
 
 def damaged(content, chance):
@@ -44,7 +44,7 @@ class DamagedFiles(unittest.TestCase):
         self.ball = source.GetOutput()
 
     def damage(self, path, read):
-        """How many of the damaged files were read, and what was said of the others."""
+        """Number of damaged files that were read, and the errors of the others."""
         chance, content, whole, said = random.Random(path.name), path.read_bytes(), 0, []
         for _ in range(TIMES):
             path.write_bytes(damaged(content, chance))

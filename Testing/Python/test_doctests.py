@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""The examples in the docstrings run, and give what they say."""
+"""The examples in the docstrings run, and give the documented results."""
 
 import doctest
 import importlib
@@ -8,7 +8,8 @@ import unittest
 
 import active_implicit_surfaces
 
-# Need a display, files, a VTK with all its passes, or PyVista, or begin a program.
+# Modules whose examples need a display, files, a VTK with all its passes, or PyVista, or start a
+# program.
 LEFT_OUT = {"render", "surface_values", "pyvista_accessor", "__main__"}
 WITH_EXAMPLES = {"api", "data_objects", "file_names", "morphing", "properties", "series"}
 

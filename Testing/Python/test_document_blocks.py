@@ -1,15 +1,15 @@
 # ctest: DISPLAY LONGER LABELS contract TIMEOUT 600
-"""Every code block of every page does what it says.
+"""Every code block of every page works as described.
 
-- python: part of an example, or of test_pyvista.py, line by line; else it is run here, with data of
-  the names it uses.
+- python: part of an example, or of test_pyvista.py, line by line; else run here, with data of the
+  names it uses.
 - cpp: part of an example, line by line.
-- bash: `active-surface` is run here; other commands are ones that the tests run elsewhere, and name
-  scripts, presets and targets that there are.
-- cmake: what the project Testing/Consumer says.
+- bash: `active-surface` is run here. Other commands are run by other tests, and name existing
+  scripts, presets and targets.
+- cmake: contents of the project Testing/Consumer.
 - no language: a drawing.
 
-Of each page one block is run; with ACTIVE_LONG in the environment (Testing/run --long) all of them.
+One block of each page is run; with ACTIVE_LONG in the environment (Testing/run --long) all of them.
 """
 
 import contextlib
@@ -52,7 +52,7 @@ PRESETS = {
     for preset in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]
 }
 TARGETS = {"documentation"}
-# Testing/Wheel/run does the same; ParaView's tests set the same path of plugins.
+# Commands that Testing/Wheel/run executes too; ParaView's tests set the same path of plugins.
 OTHERS = {
     "pip install 'pyvista[cvista]' build/wheel/dist/*.whl",
     "ACTIVE_VTK=system pip install .",
@@ -67,14 +67,15 @@ def tidy(text):
 
 
 def contains(program, snippet):
-    """Whether the snippet's lines stand in the program one after the other, equally indented."""
+    """Returns true if the snippet's lines are consecutive in the program, with equal
+    indentation."""
     lines = program.splitlines()
     starts = range(len(lines) - len(snippet) + 1)
     return any(tidy("\n".join(lines[i : i + len(snippet)])) == snippet for i in starts)
 
 
 def is_known(command):
-    """Whether a command that is not run here is one that there is."""
+    """Returns true if a command that is not run here exists."""
     words = shlex.split(command)
     if words[0] == "bash":
         return (ROOT / words[1]).is_file()
@@ -106,7 +107,7 @@ class Blocks(CommandTest):
         self.put_on_path("ffmpeg", FFMPEG)
 
     def write_particles(self):
-        """The series that the pages speak of, three frames each."""
+        """The series named in the pages, three frames each."""
         (self.folder / "run").mkdir()
         entries = ""
         for step, places in enumerate(moving_grid(3)):
@@ -152,7 +153,7 @@ class Blocks(CommandTest):
         self.addCleanup(patch.stop)
 
     def names(self):
-        """What the blocks use and do not make themselves."""
+        """Variables that the blocks use but do not define."""
         renderer, window, actor = vtkRenderer(), vtkRenderWindow(), vtkActor()
         actor.SetMapper(vtkPolyDataMapper())
         actor.GetMapper().SetInputConnection(self.ball.GetOutputPort())
@@ -170,7 +171,7 @@ class Blocks(CommandTest):
             exec(compile(body, "block", "exec"), self.names())
 
     def run_once(self, run, *arguments):
-        """Once in a page, or always."""
+        """Runs once per page, or always."""
         if RUN_ALL or not self.has_run:
             run(*arguments)
         self.has_run = True

@@ -1,5 +1,5 @@
 # ctest: WITHOUT_PACKAGE LABELS contract
-"""The documents: each link leads somewhere, each page is reached, each example is shown."""
+"""Documents: each link has a target, each page is reachable, each example is shown."""
 
 import re
 import tempfile
@@ -21,9 +21,9 @@ MODULES = {
     "viewer_motion",
     "viewer_page",
 }
-# Takes minutes to make its particles; test_picture_splash.py is its test.
+# Examples that need minutes to make their particles; test_picture_splash.py tests them.
 TOO_LONG = {"splash"}
-# A page, not a script: its test is Testing/Viewer.
+# Examples with a browser page; Testing/Viewer tests them.
 PAGES = {"viewer"}
 
 

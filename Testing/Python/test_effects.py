@@ -1,7 +1,8 @@
 # ctest: LABELS contract
-"""An option that has no effect where it is given is an error that names it and says where it acts.
+"""An option without effect in its context is an error that names it and the contexts with an
+effect.
 
-What the program takes for without effect is tried with the filter: its skins are the same.
+The filter confirms each option that the program regards as without effect: its skins are the same.
 """
 
 import unittest
@@ -37,7 +38,7 @@ def another(own):
 
 
 def bytes_of(frames):
-    """Points and arrays of the last of some skins."""
+    """Points and arrays of the last of several skins."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ActiveSurfaceWarning)
         *_, (_, skin) = frames
@@ -153,7 +154,7 @@ class Errors(CommandTest):
 
 
 class TheFilter(unittest.TestCase):
-    """The rules hold of the filter itself."""
+    """The rules hold for the filter itself."""
 
     def assert_same(self, make, own, **others):
         plain, changed = make(**others), make(**{**others, own.keyword: another(own)})

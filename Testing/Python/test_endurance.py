@@ -1,5 +1,6 @@
 # ctest: LABELS contract long TIMEOUT 3600
-"""One filter through much: aborted, failed and refused operations, random ones, a film in a loop.
+"""Long runs of one filter: aborted, failed and refused operations, random ones, a film in a
+loop.
 
 Run: python3 test_endurance.py
 ACTIVE_RANDOM_CASES in the environment is another number of operations and frames;
@@ -48,7 +49,7 @@ def coarse_splash():
 
 class Endurance(unittest.TestCase):
     def test_troubles_leave_no_trace(self):
-        """50 operations that are aborted, fail or are refused, each at any time."""
+        """50 operations that are aborted, fail or are refused, each at a random time."""
         for number, scene in enumerate(SCENES):
             with self.subTest(scene["target"], seed=SEED + number):
                 random = Random(SEED + number)
@@ -67,7 +68,7 @@ class Endurance(unittest.TestCase):
                     case.check_fresh()
 
     def test_many_operations_leave_no_trace(self):
-        """Any operations; properties are drawn, so that some are set back now and then."""
+        """Random operations; values of properties include defaults."""
         for number, scene in enumerate(SCENES):
             print(f"{COUNT // len(SCENES)} operations of seed {SEED + number}", flush=True)
             random = Random(SEED + number)
@@ -85,7 +86,7 @@ class Endurance(unittest.TestCase):
         self.go_round(surface, surface.UpdateTimeStep)
 
     def test_a_film_that_is_pushed_in_a_loop(self):
-        """Each loop is a trajectory of its own."""
+        """Each loop is a separate trajectory."""
         particles, surface = coarse_splash()
         frames = []
         for step in range(STEPS):
@@ -102,9 +103,9 @@ class Endurance(unittest.TestCase):
         self.go_round(surface, push)
 
     def go_round(self, surface, show):
-        """The same bytes in each loop, and flat memory. The allocators give back pages, or not, as
-        threads happen to run: the least of the last three loops may be 1 % above the most of the
-        third to the fifth."""
+        """Each loop gives the same bytes, and memory stays constant. The allocators may or may
+        not return pages, depending on the timing of threads. The least of the last three loops
+        may be 1 % above the most of the third to the fifth."""
         first, pages = [], []
         loops = max(9, COUNT // STEPS)
         for loop in range(loops):

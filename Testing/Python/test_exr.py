@@ -1,8 +1,8 @@
 # ctest: LABELS contract
-"""EXR files that other programs make and read, and the two classes as Python sees them.
+"""EXR files written and read by other programs, and the two classes from Python.
 
 The programs are those of Debian's package openexr; the module OpenEXR of PyPI is used if it is
-there.
+installed.
 
 Run: python3 test_exr.py
 """
@@ -33,7 +33,7 @@ CHANNELS = {
 def image_of_layers():
     random = numpy.random.default_rng(5)
     count = WIDTH * HEIGHT
-    # Halves, so that nothing is rounded.
+    # Values are halves, so that nothing is rounded.
     layers = {
         name: random.random((count, components)).astype(numpy.float16).astype(numpy.float32)
         for name, components in (("RGBA", 4), ("Z", 1), ("P", 3), ("N", 3), ("forward", 2))
@@ -97,14 +97,14 @@ class OtherPrograms(unittest.TestCase):
         told = self.run_program("exrheader", self.path)
         for channel, kind in CHANNELS.items():
             self.assertIn(f"    {channel}, {kind}, sampling 1 1\n", told)
-        self.assertIn("compression (type compression): zip", told)  # more words as versions go
+        self.assertIn("compression (type compression): zip", told)  # later versions print more
         self.assertIn(f"dataWindow (type box2i): (0 0) - ({WIDTH - 1} {HEIGHT - 1})", told)
         self.assertIn("time 01:02:03:04", told)
         self.assertIn("framesPerSecond (type rational): 25/1", told)
         self.assertIn('owner (type string): "the tests"', told)
 
     def look_by_exrinfo(self):
-        """What it tells, and what is wrong. OpenEXR 3.1 leaves its exit status to chance."""
+        """Output and errors of exrinfo. The exit status of OpenEXR 3.1 is random."""
         done = subprocess.run(
             ["exrinfo", "-s", "-v", str(self.path)], check=False, capture_output=True, text=True
         )

@@ -1,9 +1,10 @@
 # ctest: LABELS contract long TIMEOUT 900
 """Absurd values of every property of the three classes, before the first update and after one.
 
-Each is refused by one error that names the property, or clamped as its comment says, or it works:
-a closed skin of finite points, or none and a warning. Nothing crashes, hangs or eats the memory.
-The name of each case is printed before it runs, so that the last one tells what crashed.
+Each value is refused with one error that names the property, or clamped as its comment documents,
+or accepted. The result is a closed skin of finite points, or an empty one and a warning. Nothing
+crashes, hangs or exhausts the memory. The name of each case is printed before it runs, so that the
+last name identifies a crash.
 
 Run: python3 test_extremes.py
 """
@@ -40,8 +41,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
 
 MEMORY = 4 << 30  # bytes of address space
-LONGEST = 2.0 * SLOWNESS  # seconds of the processor that a case may take
-HANGS = 30 * SLOWNESS  # such seconds after which the test ends itself
+LONGEST = 2.0 * SLOWNESS  # processor time limit of a case [s]
+HANGS = 30 * SLOWNESS  # processor time after which the test ends itself [s]
 
 INT_MAX = 2**31 - 1
 NUMBERS = (0.0, -0.0, -1.0, 1e-300, -1e-300, 1e300, -1e300, math.nan, math.inf, -math.inf)
@@ -49,12 +50,12 @@ INTEGERS = (0, -1, 1, INT_MAX, -INT_MAX - 1)
 NAMES = (None, "", "absent")
 
 FIRST, LATER = 0.1, 0.2
-# What an error calls a property whose name it does not tell.
+# Words that errors use instead of a property's name.
 NAMES_FOR = {"ScalarArrayName": "array", "RadiusArrayName": "array", "StrengthArrayName": "array"}
 
 
 def extremes_of(default):
-    """Absurd values for a property that has this one now; none for functions and data."""
+    """Absurd values for a property with this present value; none for functions and data."""
     if isinstance(default, float):
         yield from NUMBERS
     elif isinstance(default, int):
@@ -70,7 +71,7 @@ def extremes_of(default):
 
 
 def documented_bounds(kind, name):
-    """Least and largest value that the comment tells."""
+    """Least and largest value according to the comment."""
     comment = " ".join(comment_of(kind, name).split())
     told = re.search(r"Range: (\d+) to (\d+)", comment)
     if told:
@@ -88,7 +89,7 @@ def points_of(skin):
 
 
 def is_closed(skin):
-    """Whether each edge is in two triangles that agree on the side."""
+    """Returns true if each edge belongs to two triangles with consistent orientation."""
     corners = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     ends = numpy.roll(corners, -1, axis=1).ravel()
     edges = corners.astype(numpy.int64).ravel() * skin.GetNumberOfPoints() + ends
@@ -99,7 +100,7 @@ def is_closed(skin):
 
 
 def end_if_it_hangs():
-    """However busy the machine is: the kernel counts the processor's time of this program."""
+    """Limits processor time, which is independent of other load."""
     end = int(time.process_time()) + HANGS
     resource.setrlimit(resource.RLIMIT_CPU, (end, resource.RLIM_INFINITY))
 
@@ -115,7 +116,7 @@ class Case(unittest.TestCase):
         return self.subTest(" ".join(str(word) for word in words))
 
     def assert_is_clamped(self, thing, name, value):
-        """If the value has become another one, it is the bound that the comment tells."""
+        """Checks that a changed value is the bound in the comment."""
         got = get(thing, name)
         if got == value or value is None or not isinstance(value, (int, float)):
             return
@@ -130,7 +131,7 @@ class Case(unittest.TestCase):
             self.assertEqual(got, bound)
 
     def assert_is_sane(self, surface):
-        """Finite and closed."""
+        """Checks for a finite and closed skin."""
         skin = surface.GetOutput()
         self.assertTrue(numpy.isfinite(points_of(skin)).all(), "a point is not finite")
         normals = skin.GetPointData().GetNormals()
@@ -160,7 +161,7 @@ class Case(unittest.TestCase):
         self.assertLess(time.process_time() - began, LONGEST)
 
     def check(self, surface, listener, name, pipeline_time=LATER):
-        """Updates, and returns whether that is refused."""
+        """Updates, and returns true if the update is refused."""
         self.update(surface, listener, pipeline_time)
         if listener.errors:
             self.assert_is_refused(surface, listener, name)
@@ -172,7 +173,7 @@ class Case(unittest.TestCase):
 
 
 class OfTheSurface(Case):
-    """Each property of the filter, and those of a scene again there."""
+    """Each property of the filter, and those of a scene again in that scene."""
 
     def go_through(self, make, names):
         self.reference = make()
@@ -210,7 +211,8 @@ class OfTheSurface(Case):
 
 
 class OfThePotentials(Case):
-    """Each property of the implicit functions: finite values, or one error that names it."""
+    """Each property of the implicit functions: finite values, or one error that names the
+    property."""
 
     PLACES = ((0, 0, 0), (0.3, 0.1, 0.2), (0.5, 0, 0), (7, 0, 0))
 
@@ -270,7 +272,7 @@ class OfThePotentials(Case):
 
 
 class Together(Case):
-    """Absurd values in combinations and places that are worth a look."""
+    """Absurd values in selected combinations and positions."""
 
     def assert_survives(self, make, words, change, *times):
         with self.begin(make.__name__, *words):

@@ -1,5 +1,5 @@
 # ctest: DISPLAY LABELS contract
-"""Files of skins at coordinates of a map, 5e6 with a spacing of .01: right, or with a sentence.
+"""Files of skins at map coordinates, 5e6 with a spacing of 0.01: accurate, or with a message.
 
 Run: python3 test_far_files.py
 """
@@ -74,7 +74,7 @@ class Files(CommandTest):
         self.assertLess(numpy.abs(boxes[0] - boxes[1]).max(), 0.05 * SPACING)
 
     def test_each_axis_of_a_glb(self):
-        """World coordinates as a reader of glTF finds them, by the node's matrix."""
+        """World coordinates from the node's matrix, as in a reader of glTF."""
         for up in ("y", *TO_Y):
             path = self.folder / "a.glb"
             write_mesh(path, self.skins[0], up=up)
@@ -107,7 +107,7 @@ class Files(CommandTest):
             stage = Usd.Stage.Open(f"film{up}.usda")
             mesh = UsdGeom.Mesh(stage.GetDefaultPrim())
             local = numpy.array(mesh.GetPointsAttr().Get(1), float)
-            matrix = numpy.array(mesh.ComputeLocalToWorldTransform(1))  # rows are multiplied by it
+            matrix = numpy.array(mesh.ComputeLocalToWorldTransform(1))  # the matrix multiplies rows
             world = local @ matrix[:3, :3] + matrix[3, :3]
             wanted = points_of(self.skins[1]) @ matrix[:3, :3].round(6)  # a quaternion of floats
             self.assertLess(numpy.abs(world - wanted).max(), EXACT, up)
@@ -159,7 +159,7 @@ class SinglePrecision(CommandTest):
             active.skin(far.astype("f4") * 0 + grid().astype("f4") + 1000, particle_spacing=0.1)
 
     def test_an_obj_with_colours_and_normals_of_its_own(self):
-        """VTK repeats points that have several normals, and has one place for all of these."""
+        """VTK duplicates points that have several normals, at one position."""
         vertices = [[0, 0, 0], [0.01, 0, 0], [0, 0.01, 0], [0, 0, 0.01]]
         lines = [
             f"v {x!r} {y!r} {z!r} {i / 4} 0 0"

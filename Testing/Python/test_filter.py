@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""vtkActiveImplicitSurface as a Python user has it: time, garbage, and what is let go.
+"""vtkActiveImplicitSurface from Python: time, garbage collection, and released objects.
 
 Run: python3 test_filter.py
 """
@@ -49,7 +49,7 @@ def make_shrinking_ball():
 
 
 class Travellers(VTKPythonAlgorithmBase):
-    """Two particles that go apart, in steps; it notes for which times it is executed."""
+    """Two particles that move apart, in steps; records the times of its executions."""
 
     def __init__(self, steps):
         super().__init__(nInputPorts=0, outputType="vtkPolyData")
@@ -167,7 +167,7 @@ class ValuesInUse(unittest.TestCase):
 
 
 class Observers(unittest.TestCase):
-    """What would take away what the update works on is refused, with a sentence."""
+    """Calls that would remove objects in use by the update are refused with an error message."""
 
     def check(self, make, event, expected):
         calls = {

@@ -1,6 +1,6 @@
 # ctest: LABELS contract
-"""The spacing does not depend on the first frame only: emitters that begin with nothing, with one
-particle or with strays get the spacing of the frames that have particles, in the filter itself.
+"""The spacing depends on more than the first frame. Emitters may begin with no particle, with
+one or with strays: the filter itself uses the spacing of later frames with particles.
 
 Run: python3 test_first_frames.py
 """
@@ -31,7 +31,7 @@ def same_skins(one, other):
 
 
 class Counting(ParticleSeries):
-    """Lists the steps that were requested; those in `broken` fail."""
+    """Lists the requested steps; steps in `broken` fail."""
 
     def __init__(self, frames, broken=()):
         super().__init__([(frame, None, numpy.arange(len(frame))) for frame in frames])

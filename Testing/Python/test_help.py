@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""help() tells unit, range and default of every property of the classes, and truly."""
+"""help() documents unit, range and default of every property of the classes correctly."""
 
 import pydoc
 import re
@@ -19,7 +19,7 @@ from active_implicit_surfaces import (
 )
 from properties import comment_of, get, own_properties
 
-# Of each class: numbers with a range, of which some have a unit; and what is no number.
+# Properties of each class: numbers with a range, some of them with a unit; and others.
 NUMBERS = {
     vtkActiveImplicitSurface: """
         TargetIsoValue TargetReach VoxelSize MaximumNumberOfActiveVoxels Attraction Tension CFL
@@ -96,7 +96,7 @@ WITH_UNIT = {
 
 
 def every(*lists):
-    """(class, name) of the properties in these."""
+    """(class, name) of the properties in these lists."""
     return [(kind, name) for names in lists for kind in names for name in names[kind]]
 
 

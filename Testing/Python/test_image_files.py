@@ -1,5 +1,6 @@
 # ctest: LABELS contract
-"""Images as .nii, .nii.gz, .nrrd, .nhdr, .mha and .mhd: in place, whole, or an error.
+"""Images as .nii, .nii.gz, .nrrd, .nhdr, .mha and .mhd: in the right place, complete, or an
+error.
 
 Run: python3 test_image_files.py
 """
@@ -36,7 +37,7 @@ space origin: (1,2,3)
 
 
 class Images(CommandTest):
-    """The distance to a ball of radius 2, in every format."""
+    """Distance to a ball of radius 2, in every format."""
 
     def setUp(self):
         super().setUp()
@@ -93,7 +94,7 @@ class Images(CommandTest):
         self.assertGreater(read_shape(self.folder / "m_1.vtp").GetNumberOfPolys(), 50)
 
     def test_axes_along_those_of_space_are_put_right(self):
-        """Each value stands where the file's directions say."""
+        """Each value is at the position given by the file's directions."""
         spacing = numpy.array(SPACING)[:, None]
         cube = self.flat.reshape(SIZE, order="F")
         for rows in ([[-1, 0, 0], [0, -1, 0], [0, 0, 1]], [[0, 0, -1], [1, 0, 0], [0, 1, 0]]):
@@ -159,7 +160,7 @@ class Images(CommandTest):
         self.put(name, head.encode() + b"\n" + values.astype("<f8").tobytes())
 
     def test_inside_is_what_the_border_is_not(self):
-        """A mask of fractions, and densities with a level, as a level set."""
+        """A mask of fractions, and densities with a level, treated as a level set."""
         inside = self.flat < 0
         volume = abs(measure(self.contour("a.nrrd"))["volume"])
         for values, level in (

@@ -1,5 +1,5 @@
 # ctest: LABELS exact
-"""The level of an image's surface and the voxel size are found from the image.
+"""The level of an image's surface and the voxel size are derived from the image.
 
 Run: python3 test_image_levels.py
 """
@@ -62,7 +62,7 @@ class Levels(unittest.TestCase):
         fraction = numpy.clip(0.5 - DISTANCE, 0, 1)
         self.check(fraction)
         noise = numpy.random.default_rng(1).uniform(-0.02, 0.02, fraction.shape)
-        self.check(fraction + noise * (noise > 0.012))  # as a solver leaves them
+        self.check(fraction + noise * (noise > 0.012))  # noise as left by a solver
         self.check(fraction - noise * (noise > 0.012))
 
     def test_pixels_that_are_no_numbers_do_not_count(self):

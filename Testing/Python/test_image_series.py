@@ -1,5 +1,5 @@
 # ctest: DISPLAY LABELS contract
-"""Images over time as the target of skin: fractions of volume, distances, labels.
+"""Time series of images as the target of skin: fractions of volume, distances, labels.
 
 Run: python3 test_image_series.py
 """
@@ -17,12 +17,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
-SIDE, RADIUS, STEP = 30, 0.2, 0.05  # pixels of a unit, of the ball, its way along x in a frame
+SIDE, RADIUS, STEP = 30, 0.2, 0.05  # pixels per unit; radius and displacement per frame of the ball
 VOLUME = 4 / 3 * math.pi * RADIUS**3
 
 
 def image(step, kind, count=1):
-    """A ball, which moves; of labels, further ones of radii that shrink to the sides along y."""
+    """A moving ball; for labels, further balls of decreasing radii along y."""
     axis = numpy.arange(SIDE * count) / SIDE
     z, y, x = numpy.meshgrid(axis[:SIDE], axis, axis[:SIDE], indexing="ij")
     distances = [
@@ -52,7 +52,7 @@ class Series(CommandTest):
             writer.Write()
 
     def assert_ball(self, mesh, step, y=0.5):
-        """The volume to 6 % (a pixel is a sixth of the radius), the place to half a pixel."""
+        """Tolerances: volume 6 % (a pixel is a sixth of the radius), position half a pixel."""
         found, box = measure(mesh), mesh.GetBounds()
         self.assertAlmostEqual(found["volume"] / VOLUME, 1, delta=0.06)
         self.assertAlmostEqual(0.5 * (box[0] + box[1]), 0.3 + STEP * step, delta=0.5 / SIDE)

@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""Meshes and images as the target and the start of vtkActiveImplicitSurface.
+"""Meshes and images as target and initial shape of vtkActiveImplicitSurface.
 
 Run: python3 test_inputs.py
 """
@@ -28,7 +28,7 @@ def make_ball(radius):
 
 
 class GrowingBall(VTKPythonAlgorithmBase):
-    """A mesh of a ball of radius .3 at time 0, .6 at the last of its 21 time steps, 2."""
+    """Mesh of a ball of radius 0.3 at time 0, 0.6 at the last of its 21 time steps, 2."""
 
     def __init__(self):
         super().__init__(nInputPorts=0, outputType="vtkPolyData")
@@ -53,7 +53,7 @@ class GrowingBall(VTKPythonAlgorithmBase):
 
 class Inputs(unittest.TestCase):
     def setUp(self):
-        self.mesh = vtkSphereSource()  # of radius .5
+        self.mesh = vtkSphereSource()  # radius 0.5
         self.mesh.SetThetaResolution(64)
         self.mesh.SetPhiResolution(64)
         self.image = vtkSampleFunction()
@@ -66,7 +66,7 @@ class Inputs(unittest.TestCase):
         self.surface.UpdateTimeStep(time)
         bounds = self.surface.GetOutput().GetBounds()
         for side, bound in enumerate(bounds):
-            # As in TestTargets.cxx: .06 voxels.
+            # Tolerance of TestTargets.cxx: 0.06 voxel.
             self.assertAlmostEqual(bound, 0.5 if side % 2 else -0.5, delta=0.003)
 
     def test_a_mesh_is_a_target(self):
@@ -124,7 +124,7 @@ class Inputs(unittest.TestCase):
         source = GrowingBall()
         forced = vtkForceTime()  # lists its time as often as the source has steps
         forced.SetInputConnection(source.GetOutputPort())
-        forced.SetForcedTime(4.0 / 3.0)  # a radius of .5
+        forced.SetForcedTime(4.0 / 3.0)  # a radius of 0.5
         forced.IgnorePipelineTimeOn()
         self.surface.SetInputConnection(forced.GetOutputPort())
         self.surface.SetStartTime(7.0)
@@ -138,7 +138,7 @@ class Inputs(unittest.TestCase):
 
 
 class ParticlesWithoutIds(unittest.TestCase):
-    """A cube of particles at four time steps: half-way, and at the end."""
+    """A cube of particles at four time steps: halfway, and at the end."""
 
     def setUp(self):
         cube = numpy.stack(numpy.meshgrid(*[numpy.arange(8.0)] * 3), -1).reshape(-1, 3)

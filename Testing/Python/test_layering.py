@@ -1,9 +1,9 @@
 # ctest: WITHOUT_PACKAGE LABELS contract
-"""Who may include whom: each module of Filters, and each room of it, is a floor of one stack.
+"""Rules of inclusion: each module of Filters, and each room of it, is a floor of one stack.
 
-A module's own folder holds what others include, its sub-folders ("rooms") are private, and an
-include names its room: `#include "Leaves/LeafTable.h"`. Prints the floors of the tree as it is.
-Each rule is first shown to find a file that breaks it, in a tree made up for that.
+A module's own folder contains files that others include. Its sub-folders ("rooms") are private. An
+include names its room: `#include "Leaves/LeafTable.h"`. Prints the floors of the present tree. Each
+rule is first checked to find a violation, in a tree made for that.
 """
 
 import re
@@ -24,7 +24,7 @@ NOT_FOR_WRAPPED_HEADERS = re.compile(
 )
 # Libraries that are built once, for VTK and for ParaView's VTK.
 NUMERICS = ("NarrowBand", "VDB")
-# Many sources include them, and OpenVDB takes seconds to read.
+# Headers that many sources include. OpenVDB needs seconds to compile.
 WITHOUT_OPENVDB = (
     "NarrowBand/NarrowBand.h",
     "NarrowBand/Obstacle.h",
@@ -51,12 +51,12 @@ def includes_of(path):
 
 
 def unit_of(root, path):
-    """A header and its source are one unit: NarrowBand/Leaves/LeafTable."""
+    """Unit of a header and its source: NarrowBand/Leaves/LeafTable."""
     return path.relative_to(root / "Filters").with_suffix("").as_posix()
 
 
 def find_in_filters(root, include):
-    """The file of Filters that an include names, or means though it does not name its room."""
+    """File of Filters that an include names, or refers to without its room."""
     named = [root / "Filters" / module / include for module in MODULES]
     meant = sorted((root / "Filters").rglob(Path(include).name))
     return next((path for path in [*named, *meant] if path.is_file()), None)
@@ -74,7 +74,7 @@ def is_allowed(unit, other):
 
 
 def reached_includes(root, header):
-    """What a header includes, and what the headers of Filters that it includes do."""
+    """Direct and indirect includes of a header, through headers of Filters."""
     reached, waiting = set(), [header]
     while waiting:
         for include in set(includes_of(waiting.pop())) - reached:
@@ -86,7 +86,7 @@ def reached_includes(root, header):
 
 
 def reached_by_test(root, test):
-    """What a C++ test includes, and what the tests' own headers that it includes do."""
+    """Direct and indirect includes of a C++ test, through the tests' own headers."""
     tests = root / "Testing" / "Cxx"
     reached, waiting = set(), [test]
     while waiting:
@@ -111,7 +111,7 @@ def find_arrows(root):
 
 
 def find_floors(arrows):
-    """Unit: its floor, above all units that it includes. Raises ValueError for a circle."""
+    """Unit: its floor, above all units that it includes. Raises ValueError for a cycle."""
     floors, open_units = {}, []
 
     def floor(unit):
@@ -129,7 +129,7 @@ def find_floors(arrows):
 
 
 def describe_floors(arrows):
-    """The stack of each module, from the top down."""
+    """Stack of each module, from the top down."""
     lines = []
     for module in MODULES:
         own = {
@@ -146,7 +146,7 @@ def describe_floors(arrows):
 
 
 def find_broken_includes(root, path):
-    """(include, why) of a file of Filters."""
+    """(include, reason) of each violation in a file of Filters."""
     unit = unit_of(root, path)
     for include in includes_of(path):
         own = find_in_filters(root, include)
@@ -172,7 +172,7 @@ def find_broken_includes(root, path):
 
 
 def find_broken_arrows(root):
-    """One sentence for each include that breaks a rule."""
+    """One message for each include that breaks a rule."""
     broken = [
         f"{path.relative_to(root)} includes {include}: {why}"
         for path in sources_in(root / "Filters")
@@ -231,7 +231,7 @@ class RulesFindWhatBreaksThem(unittest.TestCase):
         path.write_text(text + "\n", encoding="utf-8")
 
     def assert_found(self, name, text, include):
-        """With this file in it, exactly this include breaks a rule."""
+        """Checks that with this file, exactly this include breaks a rule."""
         self.write(name, text)
         broken = find_broken_arrows(self.root)
         self.assertEqual(len(broken), 1, broken)

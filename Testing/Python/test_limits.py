@@ -1,6 +1,6 @@
 # ctest: LABELS contract memory TIMEOUT 900
-"""What comes from outside, at its limits: crowds, numbers at the ends of their range, frames that
-change or vanish, a source that fails again and again, no memory, names that are no files.
+"""Extreme input: clusters of particles, numbers at the ends of their range, frames that change
+or vanish, a source that fails repeatedly, no memory, names that are no files.
 
 Absurd properties are in test_extremes.py.
 
@@ -69,7 +69,7 @@ def surface_over(data, arrays=(), **properties):
 
 
 def said_at(surface, time=0.1):
-    """The errors of an update, as sentences; without any the skin is sound."""
+    """Error messages of an update; without errors the skin is valid."""
     listener = Listener(surface)
     surface.UpdateTimeStep(time)
     if not listener.errors:
@@ -85,7 +85,7 @@ def hash_of(surface):
 
 class Crowds(unittest.TestCase):
     def test_many_particles_in_one_place_are_refused(self):
-        """Each would be visited for each: 10^10 visits here, 10^14 for 10^7 particles."""
+        """Each particle would visit each other: 10^10 visits here, 10^14 for 10^7 particles."""
         here = points_at(numpy.zeros((100000, 3)))
         for model in (1, 2):
             surface = surface_over(here, ParticleModel=model, ParticleSpacing=SPACING)
@@ -100,7 +100,8 @@ class Crowds(unittest.TestCase):
         self.assertGreater(surface.GetOutput().GetNumberOfPoints(), 0)
 
     def test_doubled_particles_are_usual(self):
-        """Of as many as are looked at for crowds, each particle is there twice."""
+        """Each particle occurs twice; the number is that of the sample that is searched for
+        clusters."""
         ticks = numpy.arange(26) * SPACING
         grid = numpy.stack(numpy.meshgrid(ticks, ticks, ticks), axis=-1).reshape(-1, 3)
         surface = surface_over(
@@ -111,7 +112,7 @@ class Crowds(unittest.TestCase):
 
 class FarAway(unittest.TestCase):
     def test_a_mesh_with_a_point_far_away_is_refused(self):
-        """Its distances would take 1.6 GB for the first one, whose skin takes 1 MB at most."""
+        """Distances would need 1.6 GB for the first mesh, whose skin needs at most 1 MB."""
         for far in (300.0, 1e4, 1e8):
             with self.subTest(far=far):
                 mesh = globe(1.0)
@@ -143,7 +144,8 @@ class Numbers(unittest.TestCase):
                             self.assertRegex(said, "ParticleSpacing|VoxelSize|ModelBounds")
 
     def test_scales_and_places(self):
-        """A skin at any scale that the voxels may have, else an error that names what to set."""
+        """Result is a skin at any scale that voxels can have, else an error that names the
+        property to set."""
         at_origin = numpy.array(scattered(30))
         for scale in (1e-300, 1e-40, 1e-30, 1e-20, 1e20, 1e30, 1e300):
             for data in (points_at(at_origin * scale), globe(scale)):
@@ -170,7 +172,7 @@ class Numbers(unittest.TestCase):
                     self.assertIn("VoxelSize", said)
 
     def test_more_cells_than_there_are_values(self):
-        """2^31 cells and more, of which no memory is asked for."""
+        """2^31 cells and more, for which no memory is requested."""
         for count in (1291, 50000, 2**21):
             with self.subTest(count=count):
                 data = vtkImageData()
@@ -201,7 +203,7 @@ ARRAYS = [(0, "size"), (1, "name")]
 
 class Arrays(unittest.TestCase):
     def test_without_a_value_for_each_particle(self):
-        """They are not passed on, and cannot be chosen; in place of a crash."""
+        """Arrays of a wrong length are not passed on and cannot be chosen; they caused a crash."""
         data = cloud(scattered(30), short=[0.5] * 7, long=[0.5] * 31, whole=[0.5] * 30)
         surface = surface_over(data, ParticleSpacing=SPACING, PassTargetArrays=1)
         self.assertEqual(said_at(surface), [])
@@ -215,8 +217,8 @@ class Arrays(unittest.TestCase):
 
 class Files(unittest.TestCase):
     def test_an_attribute_that_is_longer_than_it_says(self):
-        """OpenEXR read past it, took a number there for the size of the next one, and allocated
-        1.7 GB for a file of 622 bytes. Found by Testing/Fuzz."""
+        """OpenEXR read beyond the end, interpreted a number there as the next size, and
+        allocated 1.7 GB for a file of 622 bytes. Found by Testing/Fuzz."""
         folder = Path(__file__).resolve().parents[1] / "Fuzz/Corpus/FuzzEXR"
         for name in ("attribute_longer_than_it_says.exr", "channels_without_end.exr"):
             with self.subTest(name):
@@ -271,7 +273,7 @@ class Frames(unittest.TestCase):
         names = ("particles", "others", "nothing", "others", "particles")
         surface = self.over(*names, kind=Unreliable)
         failures = 0
-        # Each time two steps are made at least, of which one is new.
+        # Each attempt makes at least two steps, one of them new.
         while said_at(surface, 1.0):
             failures += 1
             self.assertLessEqual(failures, len(names))
@@ -284,7 +286,7 @@ class Frames(unittest.TestCase):
 @unittest.skipIf(IS_SANITIZED, "the sanitizer uses terabytes of addresses")
 class Memory(unittest.TestCase):
     def test_whatever_there_is(self):
-        """One sentence, and the skin of a run with enough once there is."""
+        """One error message, and the skin of a normal run once memory suffices."""
         told, hashes = [], set()
         for more in (0.5, 2, 4, 7, 11, 16, 24, 48, 1000):
             ran = subprocess.run(
@@ -306,7 +308,7 @@ class Memory(unittest.TestCase):
 
 
 class Names(unittest.TestCase):
-    """Names that are no files, for everything that writes one."""
+    """Names that are no files, for every writer."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -319,7 +321,7 @@ class Names(unittest.TestCase):
         self.surface.Update()
 
     def writers(self):
-        """(object that tells errors, function of a name)."""
+        """(object that reports errors, function of a name)."""
         grids = vtkActiveVDBWriter()
         grids.SetInputConnection(self.surface.GetOutputPort())
         picture = vtkActiveEXRWriter()
@@ -360,7 +362,7 @@ class Names(unittest.TestCase):
         real = self.folder / "real"
         real.write_text("here before")
         for kind, (teller, write) in self.writers().items():
-            for target in ("real", "gone", "link"):  # the last one is the link itself
+            for target in ("real", "gone", "link"):  # "link" is the link itself
                 with self.subTest(kind, target=target):
                     link = self.folder / "link"
                     link.unlink(missing_ok=True)

@@ -1,8 +1,8 @@
 # ctest: LABELS exact
-"""Data far from the world's origin: the skin is that of the same data near it, moved.
+"""Data far from the world's origin: the skin is that of the same data near it, translated.
 
-The distance is a multiple of 2^16 voxels, as the lattice's origin is: positions on the lattice
-then are the same but for the rounding of the input, 1e-7 voxels.
+The distance is a multiple of 2^16 voxels, like the lattice's origin. Positions on the lattice are
+then the same up to the rounding of the input, 1e-7 voxels.
 
 Run: python3 test_map_coordinates.py
 """
@@ -27,7 +27,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 VOXEL = 0.05
 MAP = numpy.array([157.0, 16500.0, 0.0]) * 2**16 * VOXEL  # 1.1e9 voxels north
 NEAR, FAR = numpy.zeros(3), MAP
-EXACT = 1e-4 * VOXEL  # floats near the origin: .6e-6 of 64 voxels; the rest is room for sums
+EXACT = 1e-4 * VOXEL  # floats near the origin: 0.6e-6 of 64 voxels; the rest is a margin for sums
 
 
 def points_of(data):
@@ -118,7 +118,8 @@ def moving(origin):
 
 class MapCoordinates(unittest.TestCase):
     def check(self, make, time=0.0, has_rims=False):
-        """make(origin): a surface, or one and what it needs; at a rim a skin has no normal."""
+        """make(origin) returns a surface, or a surface and its data; at a rim a skin has no
+        normal."""
         skins = []
         for origin in (NEAR, FAR):
             made = make(origin)
@@ -179,7 +180,7 @@ class MapCoordinates(unittest.TestCase):
         def make(origin):
             grid = vtkGridPotential()
             grid.SetInput(image(origin))
-            start = ball(origin + (0.0, 0.0, 3.0), 0.3)  # which does not touch the target
+            start = ball(origin + (0.0, 0.0, 3.0), 0.3)  # away from the target
             box = tuple(numpy.array([-1, 1, -1, 1, -1, 4]) + numpy.repeat(origin, 2))
             surface = surface_over(
                 None, TargetFunction=grid, InitialFunction=start, ModelBounds=box, CreateParts=True
@@ -220,7 +221,7 @@ class MapCoordinates(unittest.TestCase):
         self.assertTrue(source and others)
 
     def test_files(self):
-        """A .vdb of the filter's skin, and one of any mesh there."""
+        """A .vdb file of the filter's skin, and one of any mesh there."""
         surface = surface_over(mesh(FAR))
         surface.Update()
         with tempfile.TemporaryDirectory() as folder:

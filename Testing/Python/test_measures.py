@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""Measures of meshes, by info and by the history, against what is exact.
+"""Measures of meshes, by info and by the history, compared with exact values.
 
 Run: python3 test_measures.py
 """

@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""Readers of meshes keep colours, outward faces and empty meshes, of all programs.
+"""Readers of meshes preserve colours, outward faces and empty meshes of other programs.
 
 Run: python3 test_mesh_files.py
 """
@@ -16,7 +16,7 @@ from reader_checks import array_of
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
-# A tetrahedron of volume 1/6 whose faces look outward, and colours of its corners.
+# A tetrahedron of volume 1/6 with outward faces, and colours of its corners.
 PLACES = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
 FACES = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
 COLOURS = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [51, 102, 204]]
@@ -40,7 +40,7 @@ def obj(colours):
 
 
 def glb(*nodes):
-    """A .glb of another program, whose nodes all have the tetrahedron."""
+    """A .glb of another program, in which all nodes contain the tetrahedron."""
     places, corners = (numpy.array(a, k).tobytes() for a, k in ((PLACES, "<f4"), (FACES, "<u4")))
     views = [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 48}]
     described = {

@@ -25,7 +25,7 @@ LAST = 4
 
 
 def block(n):
-    """n^3 particles, one spacing apart, around a place that no lattice of voxels has."""
+    """n^3 particles, one spacing apart, around a point off every lattice of voxels."""
     axis = numpy.arange(n) - (n - 1) / 2 + 0.137
     return numpy.stack(numpy.meshgrid(axis, axis, axis, indexing="ij"), -1).reshape(-1, 3)
 
@@ -84,7 +84,8 @@ def column(surface, name):
 
 class Truths(unittest.TestCase):
     def test_a_lone_particle_is_a_ball_of_its_own_radius(self):
-        """To second order: the error of the volume falls by 4 from voxel to half of it."""
+        """The error is second order: the error of the volume decreases by 4 if the voxel is
+        halved."""
         errors = []
         for voxel in (R / 4, R / 8):
             skin = at(skin_of(lambda t: (numpy.full((1, 3), 0.1371), [7]), voxel=voxel), LAST)
@@ -93,7 +94,7 @@ class Truths(unittest.TestCase):
         self.assertLess(errors[1], errors[0] / 3)
 
     def test_a_block_that_moves_keeps_its_shape_and_its_place(self):
-        """3.3 voxels a frame: behind by less than the attraction leaves, e^-6 of that way."""
+        """3.3 voxels a frame: the lag is less than the attraction leaves, e^-6 of that distance."""
         way = 3.3 * R
         surface = skin_of(lambda t: (block(6) + (way * t, 0, 0), range(216)))
         first = at(surface, 0)
@@ -141,7 +142,8 @@ class Truths(unittest.TestCase):
         self.assertGreater(middle.min(), wall - 0.05 * R)  # a twentieth of a voxel
 
     def test_the_skin_ends_at_an_obstacle_within_a_body(self):
-        """A void around the obstacle: no vertex is deeper in it than a twentieth of a voxel."""
+        """A void around the obstacle: no vertex is deeper in the obstacle than a twentieth of a
+        voxel."""
         centre, radius = numpy.full(3, 0.137), 1.6
         obstacle = vtkSphere()
         obstacle.SetCenter(centre)
@@ -229,7 +231,7 @@ class Bytes(unittest.TestCase):
         self.assert_same(points_of(alone), points_of(many))
         first = points_of(alone).copy()
         at(alone, 1)
-        self.assert_same(first, points_of(alone))  # particles that stand still
+        self.assert_same(first, points_of(alone))  # static particles
 
     def test_instruction_sets(self):
         program = (

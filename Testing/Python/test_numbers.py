@@ -1,8 +1,9 @@
 # ctest: LABELS contract
-"""Points, area, volume and Euler number of three skins in time are those of Baselines/numbers.json.
+"""Points, area, volume and Euler number of three skins at several times equal
+Baselines/numbers.json.
 
-Run: python3 test_numbers.py. A change that is meant to move them: python3 test_numbers.py --update,
-and say why in the commit.
+Run: python3 test_numbers.py. After an intended change: python3 test_numbers.py --update, with the
+reason in the commit.
 """
 
 import json
@@ -19,13 +20,14 @@ SCENES = {
     "tube_to_box": (tube_to_box, (0.0, 0.1, 0.3, 1.0, 3.0)),
     "star_to_balls": (star_to_balls, (0.0, 0.5, 1.5, 2.0, 3.0)),
 }
-# The potential is kept in single precision, 6e-8, and each substep rounds anew. A few hundred of
-# them by another compiler may differ by some 1e-5; what a change of the scheme moves is 1e-3.
+# The potential has single precision, 6e-8, and each substep rounds. A few hundred roundings by
+# another compiler may differ by some 1e-5. A change of the scheme has an effect of 1e-3.
 TOLERANCE = 1e-4
 
 
 def numbers_of(skin):
-    """The Euler number of a closed surface of triangles: of 3 sides each, shared by two."""
+    """Measures of a skin. Its Euler number: a closed surface has triangles of 3 sides, each
+    shared by two."""
     properties = vtkMassProperties()
     properties.SetInputData(skin)
     return {

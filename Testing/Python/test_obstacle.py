@@ -1,5 +1,5 @@
 # ctest: LABELS exact
-"""ObstacleFunction: the skin ends on it, closed, whatever makes it move.
+"""ObstacleFunction: the skin ends on the obstacle, closed, for every kind of motion.
 
 Run: python3 test_obstacle.py
 """
@@ -30,7 +30,7 @@ from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 
 VOXEL = 0.05
 RADIUS = 0.6
-HEIGHT = -0.22  # of the ground, below which the obstacle is
+HEIGHT = -0.22  # of the ground, above the obstacle
 
 
 def ball(radius, center=(0.0, 0.0, 0.0)):
@@ -41,7 +41,7 @@ def ball(radius, center=(0.0, 0.0, 0.0)):
 
 
 def ground(height=HEIGHT, normal=(0.0, 1.0, 0.0)):
-    """Negative below."""
+    """Plane function, negative below."""
     plane = vtkPlane()
     plane.SetOrigin(0.0, height, 0.0)
     plane.SetNormal(normal)
@@ -72,7 +72,7 @@ def content(surface):
 
 
 def cap_volume(radius, cut):
-    """Of a ball about the origin, above a plane at this height."""
+    """Volume of a ball about the origin, above a plane at this height."""
     height = radius - cut
     return math.pi * height * height * (3 * radius - height) / 3
 
@@ -86,15 +86,15 @@ def particles(places):
 
 class TheSkinEndsOnIt(unittest.TestCase):
     def assert_sound(self, surface, depth):
-        """Closed, and no deeper in the ground than that."""
+        """Checks that the skin is closed, and no deeper in the ground than this."""
         self.assertTrue(is_closed_manifold(surface.GetOutput()))
         self.assertGreaterEqual(points_of(surface)[:, 1].min(), HEIGHT - depth)
 
     def assert_is_cap(self, surface):
-        """A plane is known exactly at the nodes and from node to node, so that only rounding, 1e-6,
-        is beyond it. Chords of the lattice take h^2 / 8R of the ball's radius, .2 % of the volume,
-        those of a mesh as much; all along the rim, of length 3.5, a triangle with two sides of a
-        voxel at most is cut off, h^2 / 2: .6 %."""
+        """Checks the volume of the cap. A plane is exact at the nodes and between nodes, so that
+        the skin is beyond it only by rounding, 1e-6. Chords of the lattice remove h^2 / 8R of
+        the ball's radius, 0.2 % of the volume, those of a mesh as much. All along the rim, of
+        length 3.5, a triangle with two sides of at most a voxel is cut off, h^2 / 2: 0.6 %."""
         self.assert_sound(surface, 1e-5)
         expected = cap_volume(RADIUS, HEIGHT)
         self.assertAlmostEqual(last(surface, "Volume") / expected, 1.0, delta=0.01)
@@ -105,8 +105,8 @@ class TheSkinEndsOnIt(unittest.TestCase):
         surface.SetTargetFunction(ball(RADIUS))
         surface.UpdateTimeStep(6.0)
         self.assert_is_cap(surface)
-        # It is not pressed on the ground, by Attraction * .38: what is left is at the rim, which is
-        # within a voxel of its place.
+        # MaxSpeed excludes the pull into the ground, Attraction * 0.38. The remaining speed is at
+        # the rim, which is within a voxel of its place.
         self.assertLess(last(surface, "MaxSpeed"), 4 * VOXEL)
 
     def test_every_kind_of_input_starts_as_a_cap(self):
@@ -128,8 +128,8 @@ class TheSkinEndsOnIt(unittest.TestCase):
                 self.assert_is_cap(surface)
 
     def test_a_round_one_is_entered_by_a_chord_at_most(self):
-        """Distances F / |grad F| = (r^2 - R^2) / 2r have second derivatives of up to 2 / R beside
-        the surface, so that from node to node they are linear to h^2 / 4R."""
+        """Distances F / |grad F| = (r^2 - R^2) / 2r have second derivatives of up to 2 / R
+        beside the surface, so that between nodes they are linear to h^2 / 4R."""
         radius = 0.4
         surface = make_surface(ball(radius, (0.013, -0.4, 0.02)), Attraction=4, TimeStepSize=1)
         surface.SetInitialFunction(ball(0.2, (0, 0.5, 0)))
@@ -141,7 +141,7 @@ class TheSkinEndsOnIt(unittest.TestCase):
         self.assertLess(distances.min(), radius + VOXEL, "it touches it")
 
     def test_tension_does_not_creep_through(self):
-        """A drop on the ground, drawn flat against it from both sides, in all models of motion."""
+        """A drop on the ground, flattened against it from both sides, in all models of motion."""
         for properties in ({}, {"PaperScheme": 1}, {"VolumeControl": 1}, {"AreaControl": 1}):
             with self.subTest(**properties):
                 surface = make_surface(ground(), Attraction=0, Tension=0.05, **properties)
@@ -152,7 +152,7 @@ class TheSkinEndsOnIt(unittest.TestCase):
                     self.assert_sound(surface, 1e-5)
 
     def test_the_volume_is_exact(self):
-        """That of the triangles, to 1e-9 in most substeps."""
+        """The volume of the triangles is held, to 1e-9 in most substeps."""
         surface = make_surface(ground(), Attraction=0, Tension=0.02, VolumeControl=2)
         surface.SetInitialFunction(ball(RADIUS))
         surface.SetTargetFunction(ball(RADIUS))
@@ -189,8 +189,8 @@ class TheSkinEndsOnIt(unittest.TestCase):
 
 class OverParticles(unittest.TestCase):
     def test_the_start_and_new_parts_are_outside_of_it(self):
-        """The rock lies where the drop of the splash falls; start, new parts, and the way
-        of the particles: nothing is inside. Chords as above."""
+        """The rock lies where the drop of the splash falls. At the start, with new parts, and
+        during the motion of the particles, no vertex is inside. Chords as above."""
         rock, radius = ball(0.25, (0.0, 0.05, 0.0)), 0.25
         _, surface = splash()
         surface.SetObstacleFunction(rock)
@@ -260,7 +260,7 @@ class ItIsPartOfTheMotion(unittest.TestCase):
         lifted.SetTransform(transform)
         surface.SetObstacleFunction(lifted)
         surface.UpdateTimeStep(0.7)
-        transform.Translate(0.0, -0.12, 0.0)  # of the point that is looked at
+        transform.Translate(0.0, -0.12, 0.0)  # of the evaluated point
         surface.UpdateTimeStep(0.7)
         self.assertGreater(points_of(surface)[:, 1].min(), -0.1 - 1e-5)
         surface.SetObstacleFunction(None)

@@ -1,5 +1,5 @@
 # ctest: LABELS exact
-"""Meshes with holes have an inside, by winding numbers.
+"""Meshes with holes have an inside, defined by winding numbers.
 
 Run: python3 test_open_meshes.py
 """
@@ -47,7 +47,7 @@ def box_without_a_face():
 
 
 def scan():
-    """A ball without 3 % of its triangles, here and there."""
+    """A ball without 3 % of its triangles, chosen at random."""
     holes = numpy.random.default_rng(3).random(100000) < 0.03
     return without(ball(), lambda i: holes[i])
 
@@ -90,7 +90,8 @@ class OpenMeshes(unittest.TestCase):
                     self.assertAlmostEqual(volume_of(skin) / wanted, 1.0, delta=0.01)
 
     def test_away_from_holes_it_is_the_closed_mesh(self):
-        """To a thousandth of a voxel: other triangles are tried as the nearest one of a node."""
+        """Tolerance of a thousandth of a voxel: another triangle may be found as the nearest one
+        of a node."""
         potentials = []
         whole = ball()
         is_cap = [whole.GetCell(i).GetBounds()[4] > 0.9 for i in range(whole.GetNumberOfCells())]

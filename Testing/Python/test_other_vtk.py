@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""Beside another VTK than that of the build the import is an ImportError, and no crash.
+"""With another VTK than that of the build, the import raises an ImportError and does not crash.
 
 The other VTK is a package vtkmodules of empty modules in a temporary folder.
 """
@@ -25,7 +25,7 @@ class vtkVersion:
 
 
 def import_beside(version):
-    """What importing the package says where vtkmodules is of this version."""
+    """Result of importing the package with a vtkmodules of this version."""
     with tempfile.TemporaryDirectory() as folder:
         modules = Path(folder) / "vtkmodules"
         modules.mkdir()

@@ -1,5 +1,5 @@
 # ctest: LABELS acceptance
-"""The history's Outside is what Testing/Benchmarks/quality.py calls "outside by more than r".
+"""The history's Outside equals "outside by more than r" of Testing/Benchmarks/quality.py.
 
 Run: python3 test_outside.py
 """
@@ -18,11 +18,11 @@ sys.path += [str(ROOT / "Testing" / "Benchmarks"), str(ROOT / "Examples" / "Pyth
 from skin_geometry import Skin  # noqa: E402
 from skin_measures import kept  # noqa: E402
 
-ROUNDING = 1e-4 * VOXEL  # of the mesh's points, in single precision, and more
+ROUNDING = 1e-4 * VOXEL  # of the mesh's points, in single precision, with a margin
 
 
 def measure(attraction):
-    """For each of the first steps: Outside, that share by quality.py, and that of ties."""
+    """For each of the first steps: Outside, the same fraction by quality.py, and that of ties."""
     particles, surface = splash()
     surface.SetAttraction(attraction)
     surface.CreatePartsOff()
@@ -43,7 +43,7 @@ def measure(attraction):
 
 class OutsideAgrees(unittest.TestCase):
     def test_with_drops_that_are_lost(self):
-        """Slow, and without new parts, it loses many; splashes are where signs are hardest."""
+        """A slow skin without new parts loses many particles. Signs are hardest in splashes."""
         rows = measure(attraction=10)
         self.assertGreater(rows[:, 0].max(), 0.05)
         for step, (outside, expected, ties) in enumerate(rows):

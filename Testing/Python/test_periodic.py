@@ -26,12 +26,12 @@ SPACING = 0.1
 VOXEL = 0.5 * SPACING
 SIDE = 2.0
 BOX = (0.0, SIDE, 0.0, SIDE, 1.0, -1.0)
-DEPTH = 8  # particles
+DEPTH = 8  # in particles
 STEPS = 5
 
 
 def water(time):
-    """A layer with a wave and noise, which flows along x and y."""
+    """A layer with a wave and noise, which moves along x and y."""
     count = round(SIDE / SPACING)
     lattice = numpy.stack(numpy.meshgrid(*2 * [range(count)], range(DEPTH), indexing="ij"), -1)
     places = lattice.reshape(-1, 3) * SPACING
@@ -82,7 +82,7 @@ def open_edges(skin):
 
 
 def heights(skin, shift=(0, 0)):
-    """Heights of the surface above each node (x, y) of the lattice, by its number [voxels]."""
+    """Heights of the surface [voxels] above each node (x, y) of the lattice, by index."""
     nodes = points_of(skin) / VOXEL
     whole = numpy.rint(nodes[:, :2])
     above = (numpy.abs(nodes[:, :2] - whole) < 1e-3).all(axis=1) & (nodes[:, 2] > 8)
@@ -116,7 +116,7 @@ class Water(unittest.TestCase):
         self.check_cuts(1, 0.3, 0.1, TimeIntegration=vtkActiveImplicitSurface.EXPLICIT)
 
     def check_cuts(self, steps, most, mean, **properties):
-        shift = numpy.array([13, 9])  # voxels
+        shift = numpy.array([13, 9])  # in voxels
         moved = [water(t) + [*(VOXEL * shift), 0] for t in range(STEPS)]
         here = surface_over([wrapped(water(t)) for t in range(STEPS)], **properties)
         there = surface_over([wrapped(places) for places in moved], **properties)
@@ -247,7 +247,7 @@ class Drops(unittest.TestCase):
         few = numpy.array([[2, y, z] for y in (0.2, 3.8) for z in (0.2, 3.8)])
         for model in (0, 2):
             found = []
-            for x in (3.8, 2.8):  # through the side, and within
+            for x in (3.8, 2.8):  # across the side, and within
                 places = numpy.vstack([few, [[x, 2, 2]]])
                 balls = as_particles(places, radii=numpy.array(4 * [0.1] + [0.5]))
                 surface = vtkActiveImplicitSurface()

@@ -1,11 +1,11 @@
 # ctest: PICTURE
-"""Depth, normals and motion of a skin look as they did, which 8 bits could not tell.
+"""Depth, normals and motion of a skin match the baseline, with more precision than 8 bits have.
 
-A cube is on its way to a ball, seen along its diagonal. The baseline is an .exr. Per pixel: depth
-within 1e-4 (the buffer's step here is 1e-7; other ways to round vertices move it by slopes of some
-hundreds), a normal's component within 2e-3 (a half's step near 1 is 1e-3), motion within a
-hundredth of a pixel. At most 1 of 200 pixels may be another's: silhouettes are drawn by other rules
-elsewhere. To renew the baseline: look at the .exr that the failed test leaves in the folder, and
+A cube moves towards a ball, seen along its diagonal. The baseline is an .exr. Tolerances per pixel:
+depth 1e-4 (the buffer's step here is 1e-7; another rounding of vertices is amplified by slopes of
+some hundreds), a normal's component 2e-3 (a half's step near 1 is 1e-3), motion a hundredth of a
+pixel. At most 1 of 200 pixels may belong to another surface: other systems rasterise silhouettes
+differently. To renew the baseline: view the .exr that the failed test leaves in the folder, and
 copy it over.
 
 Run: python3 test_picture_layers.py -V <baseline.png> -T <folder>

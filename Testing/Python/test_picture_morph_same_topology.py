@@ -1,5 +1,5 @@
 # ctest: PICTURE
-"""The tube on its way to a box, half-way, looks as it did.
+"""The tube, halfway to a box, matches the baseline.
 
 Run: python3 test_picture_morph_same_topology.py -V <baseline.png> -T <folder>
 """

@@ -1,5 +1,5 @@
 # ctest: PICTURE
-"""The star on its way to two balls, drawn out to a thread, looks as it did.
+"""The star, stretched to a thread between two balls, matches the baseline.
 
 Run: python3 test_picture_morph_topology.py -V <baseline.png> -T <folder>
 """

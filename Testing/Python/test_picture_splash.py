@@ -1,5 +1,5 @@
 # ctest: PICTURE
-"""The skin of the splash at step 25, when drops fly, looks as it did.
+"""The skin of the splash at step 25, with flying drops, matches the baseline.
 
 Run: python3 test_picture_splash.py -V <baseline.png> -T <folder>
 """

@@ -1,5 +1,5 @@
 # ctest: LABELS exact
-"""The solvent-excluded surface, against quadrature and against grids.
+"""The solvent-excluded surface, compared with quadrature and with grids.
 
 Run: python3 test_probe.py
 """
@@ -22,7 +22,7 @@ TURN = numpy.array([0.6, 0.64, 0.48])  # along no axis of the lattice
 
 
 def cyclohexane():
-    """A chair: six carbons, and two hydrogens at each; radii of van der Waals [angstrom]."""
+    """A chair: six carbons, and two hydrogens at each; van der Waals radii [angstrom]."""
     angles, sign = numpy.arange(6) * numpy.pi / 3, (-1.0) ** numpy.arange(6)
     ring = numpy.stack([numpy.cos(angles), numpy.sin(angles), 0 * angles], axis=1)
     carbons = 1.46 * ring + numpy.outer(sign, [0, 0, 0.25])
@@ -38,7 +38,7 @@ def cluster(count=25, side=7.0, seed=3):
 
 
 def lowest(points, centers, radii):
-    """The distance to the nearest ball, negative within one."""
+    """Distance to the nearest ball, negative within it."""
     found = numpy.full(points.shape[:-1], numpy.inf)
     for center, radius in zip(centers, radii):
         numpy.minimum(found, numpy.linalg.norm(points - center, axis=-1) - radius, out=found)
@@ -60,10 +60,11 @@ def dots_on(centers, reaches, count):
 
 
 def volume_and_area(centers, radii, probe, step=0.25, slab=0.2):
-    """By a grid: points within the accessible balls, farther than the probe from their outside.
+    """Volume and area from a grid: points within the accessible balls, farther than the probe
+    from their outside.
 
-    That is as far as the nearest dot on these balls. The area is that of a slab around the surface
-    over its thickness; without a probe that of the dots.
+    The distance to the outside is that to the nearest dot on these balls. The area is the volume of
+    a slab around the surface over its thickness; without a probe it is that of the dots.
     """
     low, high = (centers.min(0) - 4, centers.max(0) + 4)
     axes = [numpy.arange(a, b, step) for a, b in zip(low, high)]
@@ -82,11 +83,12 @@ def volume_and_area(centers, radii, probe, step=0.25, slab=0.2):
 
 
 def two_balls(distance, radius, probe):
-    """Volume and area of two equal balls and of what the probe leaves between, by quadrature."""
+    """Volume and area of two equal balls and of the gap that the probe cannot enter, by
+    quadrature."""
     x = numpy.linspace(-distance / 2 - radius, distance / 2 + radius, 200001)
     ball = numpy.sqrt(numpy.maximum(0.0, radius**2 - (numpy.abs(x) - distance / 2) ** 2))
     reach = radius + probe
-    ring = numpy.sqrt(max(0.0, reach**2 - distance**2 / 4))  # of centres that touch both
+    ring = numpy.sqrt(max(0.0, reach**2 - distance**2 / 4))  # of centres that touch both balls
     contact = distance / 2 * (1 - radius / reach)
     neck = ring - numpy.sqrt(numpy.maximum(0.0, probe**2 - x**2))
     has_neck = distance < 2 * reach
@@ -119,7 +121,7 @@ class Measures(unittest.TestCase):
                     self.check(*atoms, probe, volume_and_area(*atoms, probe))
 
     def test_the_grid_of_this_test(self):
-        """The reference is right for two balls, by quadrature."""
+        """The reference is accurate for two balls, by quadrature."""
         for distance in (3.0, 7.0):
             centers = numpy.outer([0, distance], TURN / numpy.linalg.norm(TURN)) + 0.12
             for probe in (0.0, WATER):
@@ -130,7 +132,8 @@ class Measures(unittest.TestCase):
 
 class Distances(unittest.TestCase):
     def test_exact_at_the_points_of_the_image(self):
-        """Each is the least to what no ball holds of 30,000 points on each accessible ball."""
+        """The reference at each point is the least distance to any of 30,000 free dots on each
+        accessible ball."""
         centers, radii = cluster()
         for probe, most in ((0.0, 0.02), (WATER, 0.05)):
             reach = radii + probe
@@ -144,7 +147,7 @@ class Distances(unittest.TestCase):
             exit = numpy.array([numpy.linalg.norm(dots - one, axis=1).min() for one in points])
             expected = numpy.clip(probe + numpy.where(away > 0, away, -exit), -0.8, 0.8)
             error = values[tuple(place.T)] - expected
-            self.assertGreater(error.min(), -1e-6)  # dots are as far as the surface, or farther
+            self.assertGreater(error.min(), -1e-6)  # dots are at least as far as the surface
             self.assertLess(error.max(), most)
             self.assertGreater((numpy.abs(expected) < 0.8).sum(), 50)
 
@@ -188,7 +191,8 @@ class Skins(unittest.TestCase):
         self.assertIsNone(plain.GetPointData().GetArray("residue"))
 
     def test_a_trajectory(self):
-        """Each skin is within a percent of a single frame, though atoms move by 0.9 in a step."""
+        """Each skin is within a percent of that of a single frame, though atoms move by 0.9 in a
+        step."""
         centers, radii = cluster()
         walk = numpy.random.default_rng(2).normal(0.5, 0.2, (6, *centers.shape)).cumsum(axis=0)
         series = [as_particles(centers + way, radii=radii) for way in walk]
@@ -197,7 +201,7 @@ class Skins(unittest.TestCase):
             self.assertLess(abs(measure(skin)["volume"] / alone["volume"] - 1), 0.01)
 
     def test_a_frame_without_atoms(self):
-        """A molecule out of nothing has its volume a frame later."""
+        """A molecule that appears has its full volume a frame later."""
         centers, radii = cyclohexane()
         there = as_particles(centers, radii=radii)
         nothing = as_particles(numpy.zeros((0, 3)), radii=numpy.zeros(0))

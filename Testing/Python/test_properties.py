@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""What holds for every property of every class, by reflection, so that none is forgotten.
+"""Rules for every property of every class, by reflection, so that none is forgotten.
 
 Run: python3 test_properties.py
 """
@@ -20,14 +20,14 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject
 
 
 def classes():
-    """Those of the package, but for the abstract ones."""
+    """Classes of the package, without the abstract ones."""
     named = inspect.getmembers(active_implicit_surfaces, inspect.isclass)
     found = [kind for name, kind in named if name.startswith("vtk") and issubclass(kind, vtkObject)]
     return [kind for kind in found if not kind.__name__.endswith("Algorithm")]
 
 
 def readable(kind):
-    """Properties that have a value to get."""
+    """Properties with a getter."""
     getters = {name: getattr(kind, "Get" + name, None) for name in own_properties(kind)}
     return [
         name for name, getter in getters.items() if getter and f"Get{name}(self)" in getter.__doc__

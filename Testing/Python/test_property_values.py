@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""The values of vtkActiveImplicitSurface's properties: defaults, what is clamped, what is refused.
+"""Values of vtkActiveImplicitSurface's properties: defaults, clamped values, refused values.
 
 Run: python3 test_property_values.py
 """
@@ -51,7 +51,7 @@ DEFAULTS = {
     "MaximumNumberOfActiveVoxels": 50000000,
     "NumberOfThreads": 0,
 }
-# What a property becomes when it is set to something out of its range that can be mended.
+# Results of clamping values out of range: (property, value, result).
 CLAMPED = [
     ("VoxelSize", -1.0, 0.0),
     ("TargetReach", -1.0, 0.0),
@@ -73,7 +73,7 @@ CLAMPED = [
     ("NumberOfThreads", -3, 0),
     ("MaximumNumberOfActiveVoxels", 0, 1),
 ]
-# What cannot be mended, and what is said of it.
+# Values that are refused.
 REFUSED = [
     ("VoxelSize", math.nan),
     ("TargetReach", math.nan),

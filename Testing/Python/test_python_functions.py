@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""skin, frames, morph, LiveSurface ...: what goes in, what comes out, what is refused."""
+"""skin, frames, morph, LiveSurface ...: accepted inputs, results, errors."""
 
 import gc
 import math
@@ -40,8 +40,8 @@ class Particles(unittest.TestCase):
                 self.assertEqual(bytes_of(active.skin(particles, **SPACING)), wanted)
 
     def test_the_skin_has_the_volume_of_the_particles(self):
-        # A cube of side 1, whose 12 edges are rounded with at most the reach, 2.25 spacings: each
-        # loses (1 - pi/4) of the reach squared.
+        # A cube of side 1, whose 12 edges are rounded with at most the kernel radius, 2.25
+        # spacings. Each loses (1 - pi/4) of the radius squared.
         skin = active.skin(grid(10), **SPACING)
         lost = 12 * (1 - math.pi / 4) * 0.225**2
         self.assertAlmostEqual(volume_of(skin), 1.0, delta=lost)
@@ -197,7 +197,7 @@ class Series(unittest.TestCase):
     def test_every_kind_of_series_gives_the_same_skins(self):
         moving = moving_grid()
         wanted = self.centres(moving, fps=10)
-        # The lattice's middle is .2, and goes .05 a frame; a voxel is .05.
+        # The lattice's middle is 0.2 and moves by 0.05 per frame; a voxel is 0.05.
         for step, centre in enumerate(wanted):
             self.assertAlmostEqual(centre, 0.2 + 0.05 * step, delta=0.0125)
         times = [0, 0.1, 0.2, 3 / 10]
@@ -273,7 +273,8 @@ class Live(unittest.TestCase):
         for options in ({}, SPACING, {"preset": "viscous"}, {"transport": 0.0}):
             with self.subTest(options):
                 if "preset" in options:
-                    # A preset knows the usual interval of a series: of the live one, the first dt.
+                    # A preset uses the usual interval of a series. For the live one that is the
+                    # first dt.
                     self.assertEqual(numpy.median(numpy.diff(times)).round(9), 0.1)
                 wanted = [bytes_of(f.skin) for f in active.frames(moving, times=times, **options)]
                 live = active.LiveSurface(**options)

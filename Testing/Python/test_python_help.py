@@ -1,7 +1,7 @@
 # ctest: LABELS contract
-"""help() of the package's functions tells each parameter, unit, default, result and error.
+"""help() of the package's functions documents each parameter, unit, default, result and error.
 
-The same of the classes of VTK: test_help.py.
+test_help.py tests the same for the classes of VTK.
 """
 
 import inspect
@@ -25,15 +25,15 @@ FUNCTIONS = {
     "render.capture": render.capture,
     "render.camera_matrices": render.camera_matrices,
 }
-# A tuple, an exception, and a class whose methods raise; their words are in the pages too.
+# A tuple, an exception, and a class whose methods raise; the pages describe them too.
 OTHERS = {"Frame", "ActiveSurfaceWarning", "LiveSurface"}
-WITHOUT_ERRORS = {"render.camera_matrices", "TemporalSource"}  # its attribute `failure` has them
+WITHOUT_ERRORS = {"render.camera_matrices", "TemporalSource"}  # the attribute `failure` holds them
 QUANTITIES = {"times", "fps", "duration", "frame_duration", "far"}
-NOT_A_RESULT = {"ParticleSeries", "TemporalSource"}  # what is made is the object
+NOT_A_RESULT = {"ParticleSeries", "TemporalSource"}  # constructors
 
 
 def sections(documented):
-    """Title and lines of each section of a docstring as numpydoc has it."""
+    """Title and lines of each section of a docstring in numpydoc's format."""
     lines = inspect.cleandoc(documented.__doc__).splitlines()
     starts = [i for i in range(len(lines) - 1) if re.fullmatch("-{4,}", lines[i + 1])]
     ends = [*starts[1:], len(lines)]
@@ -55,7 +55,7 @@ def parameters(documented):
 
 
 def as_told(value):
-    """A default as the docstrings write it."""
+    """A default in the docstrings' format."""
     if isinstance(value, float):
         return f"{value:g}".replace("+", "")
     return ", ".join(value) if isinstance(value, tuple) else str(value)

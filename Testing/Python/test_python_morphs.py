@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""morph and plot_history: shapes in, arrival on time; what a plot shows, what is refused."""
+"""morph and plot_history: shapes, arrival on time, contents of a plot, errors."""
 
 import sys
 import types
@@ -40,11 +40,12 @@ class Morphs(unittest.TestCase):
         for duration in (1.0, 20.0):
             way = list(active.morph(cube(), ball(), duration, frames=11, voxel_size=0.05))
             self.assertEqual([frame.time for frame in way], [duration * i / 10 for i in range(11)])
-            # At the end within a tenth of a voxel of the mesh, whose chords are h^2 / 8R inside.
+            # At the end the skin is within a tenth of a voxel of the mesh, whose chords are h^2 /
+            # 8R inside.
             last = numpy.linalg.norm(vtk_to_numpy(way[-1].skin.GetPoints().GetData()), axis=1)
             self.assertLess(numpy.abs(last - 0.6).max(), 0.15 * 0.05)
             self.assertAlmostEqual(volume_of(way[0].skin), 1.0, delta=0.025 * 6)
-            # And at half of the time the corners have half of their way to go, to a voxel.
+            # Halfway in time, the corners have half of their distance left, to a voxel.
             radii = numpy.linalg.norm(vtk_to_numpy(way[5].skin.GetPoints().GetData()), axis=1)
             self.assertAlmostEqual(radii.max(), 0.733, delta=0.05)
 
@@ -55,8 +56,8 @@ class Morphs(unittest.TestCase):
         bar.SetZLength(0.2)
         way = active.morph(ball(0.3), output_of(bar), 3.0, frames=7, voxel_size=0.02)
         reached = numpy.array([frame.skin.GetBounds()[1] for frame in way])
-        # From .3 to 1 evenly, to a voxel; the front may be flat or a cap, which is as high as the
-        # bar is thick.
+        # The front moves from 0.3 to 1 evenly, to a voxel. The front may be flat or a cap, whose
+        # height is the bar's thickness.
         expected = 0.3 + 0.7 * numpy.arange(7) / 6
         self.assertLess(numpy.abs(reached - expected).max(), 0.02 + 0.1)
         self.assertLess(abs(reached[-1] - 1.0), 0.1 * 0.02)
@@ -123,7 +124,7 @@ class Morphs(unittest.TestCase):
 
 
 class Axes:
-    """What plot_history uses of matplotlib's axes."""
+    """Methods of matplotlib's axes that plot_history calls."""
 
     def __init__(self):
         self.calls = []

@@ -1,7 +1,7 @@
 # ctest: DISPLAY LABELS contract
 """Skins and morphs as methods of PyVista's data sets.
 
-Skipped where PyVista 0.48 or later is not there; Testing/Wheel/run has it.
+Skipped without PyVista 0.48 or later; Testing/Wheel/run has it.
 """
 
 import doctest
@@ -74,7 +74,7 @@ class Accessor(unittest.TestCase):
         self.assertEqual(times, (0.0, 0.5, 1.0, 1.5, 2.0))
         for skin in skins:
             self.assertIsInstance(skin, pyvista.PolyData)
-        # To half a voxel, as morph says.
+        # morph documents a tolerance of half a voxel.
         for skin, mesh in ((skins[0], cube), (skins[-1], ball)):
             distance = numpy.abs(numpy.array(skin.bounds) - numpy.array(mesh.bounds)).max()
             self.assertLess(distance, 0.5 * voxel)
@@ -106,7 +106,7 @@ class Accessor(unittest.TestCase):
 
     def test_a_skin_is_plotted(self):
         skin = pyvista.PolyData(grid()).active_surface.skin(**SPACING)
-        size, across = 300, 10.0  # pixels, and the length that they show
+        size, across = 300, 10.0  # pixels, and their length
         plotter = pyvista.Plotter(off_screen=True, window_size=(size, size))
         plotter.background_color = "white"
         plotter.add_mesh(skin, color="steelblue", smooth_shading=True)
@@ -116,7 +116,8 @@ class Accessor(unittest.TestCase):
         picture = plotter.screenshot(os.environ.get("ACTIVE_PICTURE"), return_img=True)
         plotter.close()
         covered = (picture.astype(int).sum(axis=2) < 3 * 255).sum() * (across / size) ** 2
-        # It is inside the skin's bounds, and holds the square of the centres of the particles.
+        # The covered area is inside the skin's bounds, and contains the square of the particles'
+        # centres.
         x0, x1, y0, y1, _, _ = skin.bounds
         pixel = across / size
         self.assertLess(covered, (x1 - x0 + 2 * pixel) * (y1 - y0 + 2 * pixel))

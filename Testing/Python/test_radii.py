@@ -1,5 +1,5 @@
 # ctest: LABELS exact
-"""A radius is a radius: the skin shows what is given for a ball or a tube without neighbours.
+"""A radius is a radius: the skin shows the given ball or tube if it has no neighbours.
 
 Run: python3 test_radii.py
 """
@@ -16,7 +16,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-FAR = 12.0  # between balls, in the largest radius: no kernel reaches so far
+FAR = 12.0  # between balls, in the largest radius, beyond every kernel
 SHARE = 0.03
 
 
@@ -26,7 +26,7 @@ def corners_of(skin):
 
 
 def radii_of_balls(skin, centers):
-    """For each center the radius of the ball that has the volume of the skin there."""
+    """For each center, the radius of the ball that has the volume of the skin there."""
     corners = corners_of(skin)
     numbers = numpy.abs(corners.mean(1)[:, None, 0] - centers[None, :, 0]).argmin(1)
     a, b, c = (corners[:, k] - centers[numbers] for k in range(3))
@@ -36,7 +36,7 @@ def radii_of_balls(skin, centers):
 
 
 def balls(radii, seed=0):
-    """Far from each other, at places that no lattice of voxels has."""
+    """Distant points, off every lattice of voxels."""
     centers = numpy.random.default_rng(seed).uniform(-0.5, 0.5, (len(radii), 3))
     centers[:, 0] += FAR * max(radii) * numpy.arange(len(radii))
     return centers
@@ -63,11 +63,12 @@ class Balls(unittest.TestCase):
                     self.check([0.5] * 4, 0.1, particle_model="sum", **options)
 
     def test_a_spread_of_sizes(self):
-        """The smallest of the balls is a voxel and a half."""
+        """The radius of the smallest ball is a voxel and a half."""
         self.check([1.0, 0.6, 0.3, 0.15], 0.1, share=0.05)
 
     def test_balls_that_overlap(self):
-        """The skin goes far around them, as around a fluid eight times as dense: it is not cut."""
+        """The skin lies far outside the balls, as for a fluid eight times as dense. It is not
+        cut."""
         spread = numpy.arange(4)
         centers = numpy.stack([0.1 * spread, 0.05 * (spread % 3), 0 * spread], -1)
         radii = 0.2 + 0.02 * spread
@@ -94,7 +95,7 @@ class Balls(unittest.TestCase):
 
 
 class Grains(unittest.TestCase):
-    """Balls of the radius .5 that touch, in a lattice that is turned against the voxels."""
+    """Balls of radius 0.5 that touch, in a lattice that is rotated against the voxels."""
 
     def setUp(self):
         turn, _ = numpy.linalg.qr(numpy.random.default_rng(1).normal(size=(3, 3)))
@@ -108,17 +109,17 @@ class Grains(unittest.TestCase):
     def test_a_thousand_that_touch_keep_their_volume(self):
         for options in ({"radii": numpy.full(1000, 0.5)}, {"particle_spacing": 1.0}, {}):
             with warnings.catch_warnings():
-                warnings.simplefilter("error")  # no note on a short kernel
+                warnings.simplefilter("error")  # no warning of a short kernel
                 skin = active.skin(self.lattice(10), preset="grains", **options)
             self.assertAlmostEqual(measure(skin)["volume"] / self.wanted, 1000, delta=30)
 
     def test_those_apart_stay_apart(self):
-        """Gaps are .4 of the radius, a voxel and a quarter."""
+        """Gaps are 0.4 of the radius, a voxel and a quarter."""
         skin = active.skin(self.lattice(5, 1.2), preset="grains", radii=numpy.full(125, 0.5))
         self.assertEqual(measure(skin)["pieces"], 125)
 
     def test_they_keep_it_while_they_fall(self):
-        """Also by an array that is not called radius, beside one that is."""
+        """Includes an array that is not called radius, beside one that is."""
         balls = self.lattice(5, 1.3)
         arrays = {"size": numpy.full(125, 0.5), "radius": numpy.full(125, 0.1)}
         steps = [as_particles(balls - [0, 0.1 * step, 0], **arrays) for step in range(4)]
@@ -155,7 +156,8 @@ class Tubes(unittest.TestCase):
 
 class Kernels(unittest.TestCase):
     def test_a_radius_of_particles_goes_with_that_of_kernels(self):
-        """4.5 times as wide: the skin is that of a spacing of two radii."""
+        """Kernels are 4.5 times as wide as the radii: the skin is that of a spacing of two
+        radii."""
         block = numpy.stack(numpy.meshgrid(*[numpy.arange(6.0)] * 3), -1).reshape(-1, 3) + 0.137
         given = active.skin(block, radii=numpy.full(216, 0.5), voxel_size=0.5)
         known = active.skin(block, particle_spacing=1.0, voxel_size=0.5)

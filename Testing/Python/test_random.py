@@ -1,9 +1,9 @@
 # ctest: LABELS contract long TIMEOUT 3600
-"""Random scenes, properties and orders of requests: skins are sound, errors are sentences, and
-however a filter came to a time, its bytes are those of a fresh one.
+"""Random scenes, properties and orders of requests: skins are valid and errors are messages.
+However a filter came to a time, its bytes are those of a new one.
 
-The seed is printed. A case that fails is printed as a short program, from which nothing can be left
-out. Cases run in programs of their own, so that a crash or a hang is a failure like others.
+The seed is printed. A failed case is printed as a short program of which no part can be omitted.
+Cases run in separate processes, so that a crash or a hang is a failure like others.
 
 Run: python3 test_random.py [--cases N] [--seed N] [--jobs N]
 ACTIVE_RANDOM_CASES in the environment is another number of cases.
@@ -24,17 +24,17 @@ from random_cases import draw_case, minimise
 
 HERE = Path(__file__).resolve().parent
 CASES = 300
-BLOCK = 50  # cases to a program
+BLOCK = 50  # cases per process
 SEED = 20261122
 
-# Cases that failed once, and why.
+# Cases of fixed defects, with their causes.
 FOUND = (
-    # A first time step that fails was taken for made, and empty.
+    # A first time step that failed was treated as available, and empty.
     {
         "target": ("unmatched_particles", 29845),
         "operations": [("fail", 0.522947349948669), ("time", 0.7082218516460795)],
     },
-    # Other pieces had the time of the input's step, or one beyond the last one.
+    # Other pieces got the time of the input's step, or a time beyond the last one.
     {
         "target": ("unmatched_particles", 754407),
         "operations": [("piece", 1.0, 1, 3), ("time", 0.8)],
@@ -43,19 +43,20 @@ FOUND = (
         "target": ("emitter", 829168),
         "operations": [("time", 0.25), ("piece", 0.25, 1, 3), ("time", 0.5)],
     },
-    # Where no skin was to come, as nothing was at the first step, one of size 1e-31 came.
+    # The first step was empty, so no skin was expected, but a skin of size 1e-31 appeared.
     {"target": ("births_and_deaths", 410836), "operations": [("time", 0.25)]},
     {
         "target": ("births_and_deaths", 549585),
         "properties": {"ParticleModel": 0},
         "operations": [("time", 0.1)],
     },
-    # The skin function, first asked for after an input had failed, did not know the skin.
+    # The skin function, first requested after a failure of the input, did not have the skin.
     {
         "target": ("moving_skeleton", 451632),
         "operations": [("save and load",), ("fail", 1.0), ("time", 0.0)],
     },
-    # A way to a target was gone on after the target had been made anew, as its kind became known.
+    # An interrupted motion was resumed although its target had been rebuilt when the kind of input
+    # became known.
     {
         "target": ("table", 548627),
         "initial": ("an_ellipsoid", 407916),
@@ -78,26 +79,26 @@ FOUND = (
             ("time", 0.7769081287213302),
         ],
     },
-    # A state loaded beyond an empty first step took the spacing of another step than the run had.
+    # A state loaded beyond an empty first step used the spacing of another step than the run.
     {
         "target": ("blocks", 518),
         "properties": {"ModelBounds": (-1.0, 1.0, -1.0, 1.0, -1.0, 1.0)},
         "operations": [("time", 0.6832981095362682), ("save and load",), ("time", 0.25)],
     },
-    # The state of a skin that has vanished could be saved, but not loaded.
+    # The state of a vanished skin could be saved, but not loaded.
     {
         "target": ("a_ball", 281445),
         "properties": {"TargetIsoValue": -1.0, "ModelBounds": (-1.0, 1.0, -1.0, 1.0, -1.0, 1.0)},
         "operations": [("time", 0.6), ("save and load",), ("time", 0.78)],
     },
-    # Where nothing was at two steps, the skin went another way once particles were known.
+    # Two steps were empty, and the skin moved differently once particles had been read.
     {
         "target": ("births_and_deaths", 632483),
         "initial": ("a_mesh", 830424),
         "properties": {"TargetIsoValue": -0.03, "ParticleSpacing": 0.2},
         "operations": [("time", 1.0), ("time", 0.25)],
     },
-    # With EQUILIBRIUM a first time step that failed was taken for made, and empty.
+    # With EQUILIBRIUM a first time step that failed was treated as available, and empty.
     {
         "target": ("births_and_deaths", 786125),
         "properties": {"TimeScale": 3.0},
@@ -107,13 +108,13 @@ FOUND = (
             ("time", 0.4844346128063809),
         ],
     },
-    # After an error for too many active voxels the same skin was given.
+    # After an error about too many active voxels the same skin was returned.
     {
         "target": ("unmatched_particles", 607979),
         "properties": {"InvertTarget": 1},
         "operations": [("time", 1.0), ("time", 0.9)],
     },
-    # With Transport and evaluation at nodes ghosts were limited, but not those of a loaded state.
+    # With Transport and evaluation at nodes, ghosts were limited, but not those of a loaded state.
     {
         "target": ("table", 910850),
         "initial": ("some_balls", 251552),
@@ -137,7 +138,8 @@ check({case})
 
 
 def try_cases(cases):
-    """(case, failure or empty text, counts) of each; a program that ends goes on with the next."""
+    """(case, failure or empty text, counts) of each case. If a process ends, a new one continues
+    with the next case."""
     left = list(cases)
     while left:
         done, log = run_program(left)
@@ -149,7 +151,7 @@ def try_cases(cases):
 
 
 def run_program(cases):
-    """What the program has told of the cases, and how it ended."""
+    """Results that the program printed for the cases, and its end."""
     ran = subprocess.run(
         [sys.executable, str(HERE / "random_program.py")],
         input="\n".join(map(repr, cases)),
@@ -162,12 +164,13 @@ def run_program(cases):
 
 
 def kind_of(failure):
-    """What two failures of one cause have in common: their first words, without numbers."""
+    """Kind of a failure: its first words, without numbers. Failures of one cause have the same
+    kind."""
     return re.sub(r"-?[\d.]+|\b[0-9a-f]{64}\b", "N", " ".join(failure.split()[:8]))
 
 
 def report(case, failure):
-    """Prints the least case that fails likewise, as a program."""
+    """Prints the smallest case that fails likewise, as a program."""
 
     def fails(other):
         return any(kind_of(told) == kind_of(failure) for _, told, _ in try_cases([other]))
@@ -179,7 +182,7 @@ def report(case, failure):
 
 
 def try_all(cases, jobs):
-    """Failures, and the sums of what was counted."""
+    """Failures, and the sums of the counts."""
     blocks = [cases[i : i + BLOCK] for i in range(0, len(cases), BLOCK)]
     failures, sums = [], {}
     with ThreadPoolExecutor(jobs) as pool:
@@ -212,7 +215,7 @@ def main():
         if kind_of(failure) not in told:
             told.add(kind_of(failure))
             report(case, failure)
-    # That the cases are what they are meant to be: most requests show a skin.
+    # Checks that the cases are useful: most requests show a skin.
     few = not failures and sums["skins"] < 0.6 * sums["requests"]
     if few:
         print("Less than 60 % of the requests show a skin: the cases are of little use.")

@@ -1,5 +1,6 @@
 # ctest: LABELS contract
-"""Readers go by what a file says: the dialect of a table, the columns of atoms and of vertices.
+"""Readers follow the contents of a file: the dialect of a table, the columns of atoms and of
+vertices.
 
 Run: python3 test_readers.py
 """
@@ -63,7 +64,7 @@ class Tables(ReaderTest):
                 self.assert_points(finite_points(series.load(0)), ROWS)
 
     def test_names_of_positions(self):
-        """In any order of columns, beside other vectors."""
+        """Columns in any order, beside other vectors."""
         for names in (
             "x_pos y_pos z_pos",
             "xpos ypos zpos",
@@ -248,7 +249,7 @@ class Molecules(ReaderTest):
             with self.subTest(symbols):
                 found, said = self.numbers(*symbols)
                 self.assertIn(f"{unknown}: there is no such element", said)
-        self.assertIsNone(found)  # none is known: the radii follow from the distances
+        self.assertIsNone(found)  # unknown radii follow from the distances
 
     def test_properties_name_the_columns(self):
         for properties, row, wanted in (

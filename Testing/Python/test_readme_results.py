@@ -1,7 +1,7 @@
 # ctest: DISPLAY LABELS contract
-"""What the pages' own command lines make: skins that are closed, look outward and have the volume.
+"""Results of the pages' own command lines: closed, outward skins of the right volume.
 
-Films are tested by test_document_blocks.py.
+test_document_blocks.py tests films.
 
 Run: python3 test_readme_results.py
 """
@@ -20,13 +20,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 PAGES = ("README.md", "Python/README.md", "Python/command_line.md")
 MESHES = (".vtp", ".ply", ".obj", ".stl", ".glb", ".vdb")
-# The particles are 5 x 5 x 5, 0.1 apart. Presets and models round their corners more or less.
+# The particles are 5 x 5 x 5, 0.1 apart. Presets and models round their corners differently.
 PARTICLES = (0.5**3, 0.25)
 CUBE, BALL = (1.0, 0.02), (numpy.pi / 6, 0.15)  # VTK's own ball has eight sides
 
 
 def measure(mesh):
-    """Signed volume, and the edges that are not run through once in each direction."""
+    """Signed volume, and the edges that are not traversed once in each direction."""
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     faces = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     a, b, c = (points[faces[:, i]] for i in range(3))
@@ -38,14 +38,14 @@ def measure(mesh):
 
 
 class Results(blocks.Blocks):
-    test_all_of_them = None  # is run by its own file
+    test_all_of_them = None  # run by its own file
 
     def setUp(self):
         super().setUp()
         self.numbers = 0
 
     def made_by(self, command):
-        """The files that a command makes, by name; those of an earlier one are removed."""
+        """Files that a command makes, by name; files of earlier commands are removed."""
         known = {"bunny.stl", "horse.stl", "horse.ply", "skin_0040.vdb"}
         for path in self.folder.glob("*"):
             if path.suffix in MESHES and path.name not in known and "splash" not in path.name:

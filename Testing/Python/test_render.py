@@ -1,9 +1,10 @@
 # ctest: DISPLAY LABELS exact
-"""The layers of a render window against what a camera and a ball must give, in both projections.
+"""Layers of a render window compared with the values for a camera and a ball, in both
+projections.
 
-The camera of the test is made of its own vectors: nothing of VTK's matrices is used to check them.
-The ball is of flat triangles, whose vertices are on the sphere and have its normals; what its
-chords leave of the radius, CHORD, is the tolerance along a normal.
+The test computes the camera from its own vectors, without VTK's matrices. The ball has flat
+triangles, whose vertices are on the sphere and have its normals. The sagitta of its chords, CHORD,
+is the tolerance along a normal.
 
 Run: python3 test_render.py
 """
@@ -39,7 +40,7 @@ DURATION = 0.25
 CHORD = RADIUS * (2 - math.cos(math.pi / AROUND) - math.cos(math.pi / 2 / (DOWN - 1)))
 POSITION = numpy.array([1.0, 2.0, 5.0])
 ANGLE, SCALE = 30.0, 1.3
-# Where a ray touches the ball rather than hits it, tolerances grow beyond bounds: not looked at.
+# At grazing rays tolerances grow without bound: such pixels are not compared.
 STEEPEST = 0.2
 
 
@@ -77,7 +78,7 @@ def floor_actor():
 
 
 def glyph_actor():
-    """The ball again, as a glyph: it has depth, and no values."""
+    """The ball as a glyph: it has depth, and no values."""
     points, place = vtkPoints(), vtkPolyData()
     points.InsertNextPoint(CENTER)
     place.SetPoints(points)
@@ -111,7 +112,7 @@ def window_with(*actors, parallel=False):
 
 
 def axes():
-    """Right, up and ahead."""
+    """Unit vectors right, up and ahead."""
     ahead = (CENTER - POSITION) / numpy.linalg.norm(CENTER - POSITION)
     right = numpy.cross(ahead, (0.1, 1, 0))
     right /= numpy.linalg.norm(right)
@@ -119,7 +120,8 @@ def axes():
 
 
 def rays(parallel):
-    """Origins and directions through the pixels' centers; directions have 1 along the axis."""
+    """Origins and directions through the pixels' centers; directions have length 1 along the
+    axis."""
     right, up, ahead = axes()
     x, y = numpy.meshgrid(numpy.arange(WIDTH) + 0.5, numpy.arange(HEIGHT) + 0.5)
     x, y = (x.ravel() - WIDTH / 2) / (HEIGHT / 2), (y.ravel() - HEIGHT / 2) / (HEIGHT / 2)
@@ -131,7 +133,7 @@ def rays(parallel):
 
 
 def project(places, parallel):
-    """Pixels from the lower left."""
+    """Pixel coordinates from the lower left."""
     right, up, ahead = axes()
     away = places - POSITION
     half = SCALE if parallel else math.tan(math.radians(ANGLE / 2)) * (away @ ahead)
@@ -140,7 +142,7 @@ def project(places, parallel):
 
 
 def hits(parallel):
-    """Depth of the ball in each pixel, NaN where it is not hit, and how steeply it is."""
+    """Depth of the ball in each pixel (NaN for a miss), and steepness."""
     origins, directions = rays(parallel)
     a = (directions**2).sum(1)
     b = ((origins - CENTER) * directions).sum(1)
@@ -175,9 +177,9 @@ class Layers(unittest.TestCase):
         looked_at = steep > STEEPEST
         self.assertGreater(looked_at.sum(), 2000)
         near, distant = camera_range
-        # A step of a depth buffer of 24 bits, in world units.
+        # Step of a depth buffer of 24 bits, in world units.
         step = (distant - near if parallel else depth**2 * (1 / near - 1 / distant)) / 2**24
-        # Three: half of one by rounding, and single precision of what makes it.
+        # Three steps: half a step of rounding, and single precision of its inputs.
         along = CHORD / steep + 3 * step + 1e-6
         off = numpy.abs(layers["Z"] - depth)
         self.assertLess((off / along)[looked_at].max(), 1.0, "Z")
@@ -187,7 +189,8 @@ class Layers(unittest.TestCase):
         off = numpy.linalg.norm(layers["N"] - normals, axis=1)
         self.assertLess((off * RADIUS / along / ray / 2)[looked_at].max(), 1.0, "N")
         motion = project(places + DURATION * SPEED, parallel) - project(places, parallel)
-        # Nearer by `along`, a place moves more by that share; 2 for its own motion in depth.
+        # A point nearer by `along` moves more by that fraction; the factor 2 allows for its own
+        # motion in depth.
         share = 1e-5 if parallel else 2 * along / depth + 1e-5
         most = numpy.linalg.norm(motion, axis=1) * share
         off = numpy.linalg.norm(layers["forward"] - motion, axis=1)
@@ -278,7 +281,7 @@ class Layers(unittest.TestCase):
         self.assertLess(numpy.abs(read["RGBA"][:, 0] - light).max(), 2**-11, "decoded from sRGB")
         data = reader.GetOutput().GetFieldData()
         self.assertEqual(data.GetAbstractArray("comments").GetValue(0), "a ball")
-        # worldToNDC takes P to the pixel that it was seen in.
+        # worldToNDC maps P to its pixel.
         to_picture = vtk_to_numpy(data.GetArray("worldToNDC")).reshape(4, 4)
         to_camera = vtk_to_numpy(data.GetArray("worldToCamera")).reshape(4, 4)
         pixel = numpy.flatnonzero(made["id"])[7]

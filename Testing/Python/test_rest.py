@@ -1,8 +1,6 @@
 # ctest: LABELS contract
-"""EQUILIBRIUM ends, over masks and distances with edges too, with a warning if a part of the skin
-oscillates; a slow motion does not end it.
-
-Run: python3 test_rest.py
+"""EQUILIBRIUM ends over masks and distances with edges too, with a warning if a part of the skin
+oscillates. A slow motion does not end it.
 """
 
 import unittest
@@ -19,8 +17,8 @@ X, Y, Z = numpy.mgrid[0:SIZE, 0:SIZE, 0:SIZE] - 19.6
 BALL = numpy.sqrt(X**2 + Y**2 + Z**2) - 12
 BOX = numpy.maximum(numpy.maximum(abs(X) - 11, abs(Y) - 7), abs(Z) - 13)
 ROD = numpy.maximum(numpy.hypot(X, Y) - 3, abs(Z) - 16)
-MOST_SUBSTEPS = 2500  # of 10,000, after which it would end anyway
-LOUD = 0.05  # share of the skin that moves, from which on there is a sentence
+MOST_SUBSTEPS = 2500  # of 10,000, the maximum
+LOUD = 0.05  # moving fraction of the skin that causes a message
 
 
 def image(values):

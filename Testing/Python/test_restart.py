@@ -1,9 +1,9 @@
 # ctest: LABELS contract
-"""Each property of the surface starts the skin anew when it changes, or is listed as one that
+"""Each property of the surface restarts the motion when it changes, or is listed as one that
 does not.
 
-A changed property whose skin went on would show the skin of the old value, so the old and the new
-value have to give different skins in the scene in which a property is tried.
+Without a restart, the skin would still be that of the old value. The old and the new value
+therefore have to give different skins in the scene of each property.
 
 Run: python3 test_restart.py
 """
@@ -38,7 +38,7 @@ def morph(**properties):
     return make(two_balls(0.3, 0.4), ball(0.5), VoxelSize=COARSE, **properties)
 
 
-# A function and one that holds it are as old as each other when the inner one has changed last.
+# A function and another that contains it have the same MTime if the inner one has changed last.
 INNER = ball(0.6)
 OUTER = union(INNER, ball(0.4, (0.4, 0, 0)))
 
@@ -124,7 +124,7 @@ def appearing_particles():
 
 
 def crossing_particles(**properties):
-    """By their numbers they go straight, by their names to and fro."""
+    """Particles move straight if matched by index, and oscillate if matched by name."""
     steps = {}
     for i in range(5):
         names = [i % 2, 1 - i % 2]
@@ -150,7 +150,7 @@ def samples():
     return make(target, image(quadric(1, 1, 1), G=quadric(3, 1, 2)), VoxelSize=COARSE)
 
 
-# (scene, another value of the property), one or more for each that starts the skin anew.
+# (scene, another value of the property), at least one for each property that restarts the motion.
 RESTARTS = {
     "AreaControl": [(morph, 1), (morph, 2)],
     "AreaStiffness": [(area_penalty, 2.0)],
@@ -198,7 +198,7 @@ RESTARTS = {
     "VolumeStiffness": [(volume_penalty, 2.0)],
     "VoxelSize": [(morph, 0.12)],
 }
-# What is made of the skin, and what of the machine may be used: (scene, another value).
+# Properties of outputs, and of the use of the machine: (scene, another value).
 ARRAYS = {
     "ComputeCurvature": (morph, 1),
     "ComputeNormals": (morph, 0),
@@ -234,7 +234,7 @@ def move_a_particle(surface):
     data.Modified()
 
 
-# What is no property, but starts the skin anew when it changes: (scene, change).
+# Other changes that restart the motion: (scene, change).
 OTHER_CHANGES = {
     "array of radii": (particles, choose_array(0, "size")),
     "array of ids": (crossing_by_substeps, choose_array(1, "name")),
@@ -278,7 +278,7 @@ def content(surface):
 
 
 def shape(surface):
-    """Points and triangles, without the arrays that outputs are about."""
+    """Points and triangles, without the arrays that properties of outputs control."""
     skin, bare = surface.GetOutput(), Contents()
     copied = type(skin)()
     copied.SetPoints(skin.GetPoints())

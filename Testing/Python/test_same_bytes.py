@@ -1,10 +1,10 @@
 # ctest: LABELS contract
-"""What is computed stays the same to the bit: many runs have the hashes of Baselines/hashes.json.
+"""Results stay bitwise identical: many runs have the hashes of Baselines/hashes.json.
 
-With one thread and two, and with every instruction set.
+Runs use one thread and two, and every instruction set.
 
-Run: python3 test_same_bytes.py. After a change that is meant to move them:
-python3 test_same_bytes.py --write, and say why in the commit.
+Run: python3 test_same_bytes.py. After an intended change:
+python3 test_same_bytes.py --write, with the reason in the commit.
 python3 test_same_bytes.py --print [<run>...] prints names and hashes.
 """
 
@@ -21,10 +21,10 @@ import same_bytes_targets  # noqa: F401
 from same_bytes import RUNS, THREADS, hash_of
 
 TABLE = Path(__file__).resolve().parents[1] / "Baselines" / "hashes.json"
-# OpenVDB's own meshToVolume makes these, which another version may do in another way.
+# OpenVDB's own meshToVolume makes these; other versions may give other bytes.
 BY_OPENVDB = "meshes by OpenVDB"
 OPENVDB = 10
-# Runs through all kernels: what is done for each thread, and in each instruction set.
+# Runs that cover all kernels, for each number of threads and each instruction set.
 SHORT = """
     particles_with_radii_and_strengths particles_of_every_kernel_and_threshold skeleton mesh
     image_of_samples parts_split with_tension paper_faithful volume_exactly rest_under_tension
@@ -60,12 +60,12 @@ def print_hashes(names):
     for name in names or RUNS:
         try:
             print(name, hash_of(name), flush=True)
-        except Exception as error:  # a run that fails is a difference too, and the others go on
+        except Exception as error:  # a failed run is a difference too; the others continue
             print(name, f"{type(error).__name__}: {error}", flush=True)
 
 
 def hashes_with(instruction_set):
-    """Of the short runs, in a process of its own: the set is chosen when the library loads."""
+    """Hashes of the short runs, in a separate process: the set is chosen when the library loads."""
     said = subprocess.run(
         [sys.executable, __file__, "--print", *SHORT],
         env={**os.environ, "ACTIVE_INSTRUCTION_SET": instruction_set},

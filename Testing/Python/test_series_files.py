@@ -61,7 +61,7 @@ class Indices(ReaderTest):
         return self.put("a.pvd", f"<VTKFile><Collection>{rows}</Collection></VTKFile>")
 
     def xs(self, path):
-        """The x of the points of each frame, the times and what was said."""
+        """The x of the points of each frame, the times and the warnings."""
         with warnings.catch_warnings(record=True) as said:
             warnings.simplefilter("always")
             series = open_particles(path)

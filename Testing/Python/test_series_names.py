@@ -1,7 +1,6 @@
 # ctest: LABELS contract
-"""Series of files as other programs and users name them: indices, home folders, patterns, gaps.
-
-Run: python3 test_series_names.py
+"""Series of files with names from other programs and users: indices, home folders, patterns,
+gaps.
 """
 
 import os

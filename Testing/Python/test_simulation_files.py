@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""Particles of simulations: .bgeo by partio itself, dumps of LAMMPS, .gro, .pdb, PySPH's .hdf5.
+"""Particles of simulations: .bgeo of partio itself, dumps of LAMMPS, .gro, .pdb, PySPH's .hdf5.
 
 Run: python3 test_simulation_files.py
 """
@@ -17,7 +17,7 @@ from command_line import grid
 from reader_checks import ReaderTest, array_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-# By partio's own writer: 3 particles with velocity, id, density and a text.
+# Written by partio itself: 3 particles with velocity, id, density and a text.
 PARTIO = base64.b64decode(
     "H4sIAAAAAAAA/3NKT80PY2BgYAViZgZUwILEZmTgKEvNyU/OLKkEq2NFUcmUmQJUwQDGDAzsKal5xSCFjAijsjPzIEpA"
     "hjIxsJYnlqQWMTDnZ+bYNTAwABGDZ4kKg30DRLk9wmh2lyqo2AIGhgMQdQIgdWAM5O+H6GFzqXIAO9RBAKiuAaxOAaTG"
@@ -175,7 +175,8 @@ class Atoms(ReaderTest):
         self.assert_refused("it has no ATOM", self.put("b.pdb", cell))
 
     def test_a_lone_atom_has_its_radius_in_either_unit(self):
-        """Calcium of 2.4 Angstrom, in nm and in Angstrom; by the volume of its skin, to 3 %."""
+        """Calcium of 2.4 Angstrom, in nm and in Angstrom. The radius follows from the skin's
+        volume, to 3 %."""
         self.put("a.gro", "ion\n    1\n    1CA      CA    1   0.000   0.000   0.000\n1 1 1\n")
         ion = "HETATM    1 CA    CA A   1       0.000   0.000   0.000  1.00  0.00          CA\n"
         self.put("a.pdb", ion)

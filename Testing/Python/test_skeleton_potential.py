@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""vtkSkeletonPotential as Python sees it: properties, errors, and a contour of its samples."""
+"""vtkSkeletonPotential from Python: properties, errors, and a contour of its samples."""
 
 import math
 import re
@@ -85,7 +85,7 @@ class SkeletonPotential(unittest.TestCase):
         # Halfway the radius is 2; at half of it Wyvill's kernel is (3/4)^3.
         self.assertAlmostEqual(potential.FunctionValue(2, 1, 0), 0.5 - 0.75**3, delta=1e-15)
         self.assertEqual(potential.FunctionValue(0, 9, 0), 0.5 + 2)
-        # Its slope there is -27/16 per radius, upwards.
+        # The slope there is -27/16 per radius, upwards.
         gradient = potential.FunctionGradient(0, 10, 0)
         self.assertAlmostEqual(gradient[1], -2 * 27 / 16 / 2, delta=1e-15)
         bounds = [0.0] * 6

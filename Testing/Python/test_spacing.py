@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""The spacing of particles: from the frames that tell it, and notes about lengths that are off."""
+"""Spacing of particles: from the frames that define it, with warnings about unsuitable lengths."""
 
 import unittest
 import warnings
@@ -14,7 +14,7 @@ SPACING = 0.05
 
 
 def block(*sides):
-    """Particles in the middles of cubes of this spacing."""
+    """Particles in the centres of cubes of this spacing."""
     axes = [numpy.arange(SPACING / 2, side, SPACING) for side in sides]
     return numpy.stack(numpy.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
 
@@ -53,7 +53,7 @@ class Series(unittest.TestCase):
                 self.assertAlmostEqual(found / VOLUME, 1.0, delta=0.2)
 
     def test_a_sparse_last_frame_does_not_decide(self):
-        """A splash of which only spray is left."""
+        """A splash of which only spray remains."""
         series = ParticleSeries([BODY, BODY, SPRAY], fps=25)
         self.assertAlmostEqual(series_spacing(series.frames_that_tell()), SPACING, delta=1e-6)
 

@@ -1,5 +1,5 @@
 # ctest: WITHOUT_PACKAGE LABELS contract
-"""Holds Testing/Data/sph_drop.vtp against what it claims to be: a drop of particles, over time.
+"""Compares Testing/Data/sph_drop.vtp with its description: a drop of particles, over time.
 
 Run: python3 test_sph_drop.py
 """
@@ -71,14 +71,14 @@ class SphDrop(unittest.TestCase):
         for step in (40, 3, 17, 0, 16, 39, 4):
             self.assertEqual(read_positions(reader, step), self.frames[step])
 
-    # From each step to the next, some bound moves by at least 0.0040; the margin is a factor of 2.
+    # Some bound moves by at least 0.0040 between consecutive steps; the margin is a factor of 2.
     def test_bounds_change_at_each_step(self):
         bounds = [[f(axis) for axis in zip(*frame) for f in (min, max)] for frame in self.frames]
         for before, after in zip(bounds, bounds[1:]):
             self.assertGreater(max(abs(a - b) for a, b in zip(before, after)), 0.002)
 
-    # Largest offset from the axis 0.907, lowest and highest centre 0.093 and 1.699; the margin is a
-    # radius.
+    # The largest offset from the axis is 0.907, the lowest and highest centre are at 0.093 and
+    # 1.699. The margin is a radius.
     def test_particles_stay_in_the_basin(self):
         for frame in self.frames:
             for x, y, z in frame:
@@ -86,7 +86,7 @@ class SphDrop(unittest.TestCase):
                 self.assertGreater(y, 0.093 - RADIUS)
                 self.assertLess(y, 1.699 + RADIUS)
 
-    # The topmost particle of the drop feels nothing but gravity in the first frames: the second
+    # Only gravity acts on the topmost particle of the drop in the first frames: the second
     # difference of its height is -g dt^2. Three roundings, one of them twice, make 4 * ROUNDING;
     # the simulation's single precision adds less than 1e-6. This fixes order and rate of frames.
     def test_drop_falls_freely_before_it_lands(self):
@@ -96,9 +96,9 @@ class SphDrop(unittest.TestCase):
             fall = after - 2 * now + before
             self.assertAlmostEqual(fall, -GRAVITY * FRAME**2, delta=4 * ROUNDING + 1e-6)
 
-    # No particle outruns a free fall of the topmost one, at 1.03 downwards, to the lowest height
-    # ever reached: sqrt(1.03^2 + 2 g 1.606) = 5.7, or 0.228 in a frame. The data's fastest particle
-    # moves 0.178 (step 9 to 10), a margin of 28%.
+    # No particle is faster than a free fall of the topmost one, at 1.03 downwards, to the lowest
+    # height ever reached: sqrt(1.03^2 + 2 g 1.606) = 5.7, or 0.228 per frame. The data's fastest
+    # particle moves by 0.178 (step 9 to 10), a margin of 28%.
     def test_no_particle_outruns_free_fall(self):
         highest = max(point[1] for point in self.frames[0])
         lowest = min(point[1] for frame in self.frames for point in frame)

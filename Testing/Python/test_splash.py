@@ -1,5 +1,5 @@
 # ctest: LABELS acceptance long
-"""The skin over a splash of 992 particles keeps what the package promises, in all 41 steps.
+"""The skin over a splash of 992 particles meets the package's promises in all 41 steps.
 
 Run: python3 test_splash.py
 """
@@ -20,7 +20,8 @@ from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 
 
 def is_closed_manifold(skin):
-    """Each side of a triangle is one of exactly one other, the other way: all turned alike."""
+    """Checks that each side of a triangle is the reverse side of exactly one other: consistent
+    orientation."""
     triangles = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     start = triangles.astype(numpy.int64).ravel()
     end = numpy.roll(triangles, -1, axis=1).astype(numpy.int64).ravel()
@@ -38,7 +39,7 @@ def count_pieces(skin):
 
 
 def surface_of(particles):
-    """The surface that the particles have now, on the lattice of the skin."""
+    """Present surface of the particles, on the lattice of the skin."""
     potential = vtkSkeletonPotential()
     potential.SetInput(particles)
     potential.SetParticleModelToAnisotropic()
@@ -70,7 +71,7 @@ def mean_distance(points, surface):
 
 
 def count_clusters(places, gap):
-    """How many sets of places there are that are farther from each other than a gap."""
+    """Number of clusters: points nearer than the gap are in one cluster."""
     near = numpy.linalg.norm(places[:, None] - places[None], axis=2) < gap
     left, clusters = numpy.ones(len(places), bool), 0
     while left.any():
@@ -88,7 +89,7 @@ def count_clusters(places, gap):
 class Splash(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        """Goes through all steps once; what is needed of a skin is kept."""
+        """Visits all steps once, and keeps the required data of each skin."""
         cls.messages, cls.closed, cls.pieces, cls.distances = [], [], [], []
         cls.clusters = []
         particles, surface = splash()
@@ -111,13 +112,15 @@ class Splash(unittest.TestCase):
     def test_is_closed_and_manifold_at_each_step(self):
         self.assertEqual([step for step in range(STEPS) if not self.closed[step]], [])
 
-    # Both ways, lest a drop without skin goes unseen. Half a voxel is what the package promises; to
-    # be 1/100 s behind a fluid whose surface moves at 1 per second is a third of a voxel.
+    # Distances are measured in both directions, so that a drop without skin is detected. The
+    # package promises half a voxel. A lag of 1/100 s behind a fluid whose surface moves at 1 per
+    # second is a third of a voxel.
     def test_is_within_half_a_voxel_of_the_particles_surface(self):
         for step, distances in enumerate(self.distances):
             self.assertLess(max(distances), 0.5, f"at step {step}")
 
-    # The drop is apart from the pool until it lands; four drops fly, and two heaps are left apart.
+    # The drop is separate from the pool until it lands. Then four drops fly, and two heaps remain
+    # apart.
     def test_merges_and_splits(self):
         self.assertEqual(self.pieces[:8], [2] * 8)
         self.assertEqual(self.pieces[9:21], [1] * 12)
@@ -126,7 +129,8 @@ class Splash(unittest.TestCase):
         self.assertEqual(self.pieces[38:], [3] * 3)
 
     def test_particles_are_apart_where_the_skin_is(self):
-        """Those nearer than 2.8 r are in one piece, and none reaches over more than 4 r."""
+        """Particles nearer than 2.8 r are in one piece, and no piece spans a gap of more than 4
+        r."""
         for step, (most, least) in enumerate(self.clusters):
             with self.subTest(step=step):
                 self.assertLessEqual(self.pieces[step], most)

@@ -1,5 +1,6 @@
 # ctest: LABELS contract
-"""Texts of particles, as names of atoms and residues: read, chosen by --where, written.
+"""Text arrays of particles, such as names of atoms and residues: read, chosen by --where,
+written.
 
 Run: python3 test_text_arrays.py
 """

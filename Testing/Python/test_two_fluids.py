@@ -1,5 +1,5 @@
 # ctest: LABELS exact
-"""Two skins that share a surface, as of Examples/Python/two_fluids.py.
+"""Two skins that share a surface, as in Examples/Python/two_fluids.py.
 
 Run: python3 test_two_fluids.py
 """
@@ -21,7 +21,7 @@ import two_layers  # noqa: E402
 
 SPACING = 0.04
 VOXEL = 0.5 * SPACING
-FRAMES = 7  # to where the wave is steepest
+FRAMES = 7  # until the wave is steepest
 
 
 def points_of(skin):
@@ -51,7 +51,7 @@ class Interface(unittest.TestCase):
         self.assertGreater(least, -0.2 * VOXEL)
 
     def test_gap(self):
-        """From the first skin, where it has the second fluid before it and no edge near."""
+        """Gap from the first skin, at points that face the second fluid, away from edges."""
         heavy, light = self.skins[:2]
         points = points_of(heavy)
         edge, box = 3 * SPACING, numpy.array([two_layers.SIZE[0], numpy.inf, two_layers.SIZE[2]])

@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""A film of skins in one .usdc or .usda, as usd-core and Blender read it; skipped without them.
+"""A film of skins in one .usdc or .usda, as read by usd-core and Blender; skipped without them.
 
 Run: python3 test_usd.py    (pip install usd-core; bpy)
 """

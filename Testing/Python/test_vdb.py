@@ -1,5 +1,5 @@
 # ctest: LABELS acceptance
-"""Our .vdb files as OpenVDB's own tools see them, and theirs as vtkActiveVDBReader does."""
+"""Our .vdb files in OpenVDB's own tools, and theirs in vtkActiveVDBReader."""
 
 import subprocess
 import tempfile
@@ -16,7 +16,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 try:
     import openvdb
-except ImportError:  # its name before OpenVDB 11
+except ImportError:  # name before OpenVDB 11
     import pyopenvdb as openvdb
 
 DATA = Path(__file__).resolve().parents[1] / "Data"

@@ -1,5 +1,5 @@
 # ctest: LABELS contract
-"""What a film's camera holds of a series, and which axis it takes for up."""
+"""Points of a series that a film's camera shows, and the axis that it uses as up."""
 
 import unittest
 
@@ -14,7 +14,7 @@ RATE = 25.0
 
 
 class Series:
-    """Frames in memory, with what find_view asks of files."""
+    """Frames in memory, with the attributes that find_view reads of files."""
 
     kind = "vtkPolyData"
 
@@ -27,13 +27,13 @@ class Series:
 
 
 def turned(points, up):
-    """Points of a world with z up in one with another axis up."""
+    """Rotates points from a world with z up to one with another axis up."""
     moved = numpy.roll(points, "xyz".index(up[-1]) - 2, axis=-1)
     return moved * (-1.0 if up[0] == "-" else 1.0)
 
 
 def block(*counts):
-    """A lattice of so many particles along the axes."""
+    """A lattice of `counts` particles along the axes."""
     axes = [0.1 * numpy.arange(count) for count in counts]
     return numpy.stack(numpy.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
 
@@ -82,8 +82,8 @@ class TheBox(CommandTest):
         moving = moving_grid(200)
         moving[50, 3] = numpy.nan
         held = self.held(moving)
-        # The first and the last frame count, and the margin is 2 % of the longest side, or
-        # 1.2 times the spacing, .1.
+        # The first and the last frame count. The margin is 2 % of the longest side, or 1.2 times
+        # the spacing, 0.1.
         self.assertTrue(numpy.isfinite(held).all())
         length = 199 * 0.05 + 0.4
         self.assertGreater(0.02 * length, 1.2 * 0.1)
@@ -92,10 +92,10 @@ class TheBox(CommandTest):
 
     def test_strays_do_not_make_all_else_small(self):
         strays = numpy.array([[9.0, 0.2, 0.2], [0.2, 0.2, -9.0]])
-        # 2 of 627: less than .5 % at a side.
+        # 2 of 627: less than 0.5 % at a side.
         held = self.held(numpy.concatenate([*[grid()] * 5, strays]))
-        # The heap's .4, a quarter of it, and the margin, which is 2 % or 1.2 times the spacing: of
-        # particles in the same place, 0.
+        # The heap's side 0.4, a quarter of it, and the margin. The margin is 2 %, or 1.2 times the
+        # spacing, which is 0 for coincident particles.
         self.assertAlmostEqual(held[:, 0].max(), 0.4 * 1.25 + 0.02 * 0.5, places=6)
         self.assertAlmostEqual(held[:, 2].min(), -0.4 * 0.25 - 0.02 * 0.5, places=6)
 

@@ -1,5 +1,6 @@
 # ctest: LABELS contract
-"""What Examples/Python/viewer.py shows: whole motions and previews. Its page: Testing/Viewer."""
+"""Skins shown by Examples/Python/viewer.py: whole motions and previews. Testing/Viewer tests its
+page."""
 
 import sys
 import tempfile
@@ -61,7 +62,7 @@ class TheMotion(unittest.TestCase):
             self.assertAlmostEqual(value, wanted[name], msg=name)
         self.make_all()
         before = places(self.motion.skins[-1])
-        # Given instead of found, a value changes nothing but the last digits.
+        # An explicit value instead of an estimate changes only the last digits.
         self.motion.sliders = {**self.motion.sliders, "kernel_radius": 2.25 + 1e-12}
         self.motion.restart()
         self.make_all()
@@ -91,9 +92,9 @@ class TheMotion(unittest.TestCase):
         self.assertEqual(len(self.motion.skins), 1)
         self.make_all()
         whole = self.motion.skins[-1]
-        # Voxels of twice the size: a quarter of the points.
+        # Voxels are twice as large: a quarter of the points.
         self.assertLess(preview.GetNumberOfPoints(), 0.4 * whole.GetNumberOfPoints())
-        # Both are the surface of the same particles, each to its own voxel.
+        # Both are surfaces of the same particles, each accurate to its own voxel.
         coarse = viewer_motion.COARSE * self.motion.values()["voxel_size"]
         for near, true in zip(preview.GetBounds(), whole.GetBounds(), strict=True):
             self.assertLess(abs(near - true), coarse)

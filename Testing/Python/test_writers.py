@@ -1,7 +1,7 @@
 # ctest: LABELS contract
-"""Meshes that are written have their normals and arrays, or one sentence says which are left out.
+"""Written meshes have their normals and arrays, or one warning names the omitted ones.
 
-Files are taken apart here as their formats say; trimesh reads them too where it is installed.
+The test parses files according to their formats; trimesh reads them too if installed.
 """
 
 import importlib.util
@@ -27,7 +27,7 @@ AXES = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
 
 
 def read_ply(path):
-    """The vertices as a table of the properties' names, and the types of the properties."""
+    """Vertices as a table with the properties' names, and the types of the properties."""
     head, _, body = path.read_bytes().partition(b"end_header\n")
     lines = [line.split() for line in head.decode("ascii").splitlines()]
     count = next(int(line[2]) for line in lines if line[:2] == ["element", "vertex"])
@@ -37,7 +37,7 @@ def read_ply(path):
 
 
 def read_glb(path):
-    """The attributes of the vertices, and the JSON."""
+    """Attributes of the vertices, and the JSON."""
     content = path.read_bytes()
     (length,) = struct.unpack_from("<I", content, 12)
     described, data = json.loads(content[20 : 20 + length]), content[28 + length :]
@@ -66,7 +66,7 @@ def read_obj(path):
 
 
 def turned(quaternion, vector):
-    """A vector, rotated by x y z w."""
+    """Rotates a vector by x y z w."""
     axis, real = numpy.array(quaternion[:3]), quaternion[3]
     twice = 2 * numpy.cross(axis, vector)
     return vector + real * twice + numpy.cross(axis, twice)
@@ -106,7 +106,7 @@ class Writers(CommandTest):
         return self.ball
 
     def write(self, name, mesh, **options):
-        """The file and the notes of writing it."""
+        """The file and the warnings of writing it."""
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             skin_files.write_mesh(self.folder / name, mesh, **options)
@@ -165,7 +165,7 @@ class Writers(CommandTest):
         widths = {own.shape[1] for name, own in found.items() if name.startswith("_")}
         self.assertEqual(widths, {1}, "Blender fails at several")
         numpy.testing.assert_array_equal(found["NORMAL"], self.normals())
-        # glTF's colours are light: 188 of 255 is half of it by sRGB.
+        # glTF's colours are linear light: sRGB 188 of 255 is half of it.
         self.assertAlmostEqual(numpy.interp(0.5, *light_of(self.colours, found)), 188, delta=3)
         look = described["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"]
         self.assertEqual(look, [1, 1, 1, 1])
@@ -311,7 +311,7 @@ class Program(CommandTest):
 
 
 def light_of(colours, found):
-    """Light in the file, ascending, and the colours of a display that it is of."""
+    """Light in the file, ascending, and the corresponding colours of a display."""
     order = numpy.argsort(found["COLOR_0"][:, 0])
     return found["COLOR_0"][order, 0], colours[order, 0]
 

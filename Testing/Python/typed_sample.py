@@ -1,4 +1,4 @@
-"""What the package looks like to a type checker: Testing/lint holds it against mypy --strict."""
+"""Use of the package for a type checker: Testing/lint runs mypy --strict on it."""
 
 import active_implicit_surfaces as active
 import numpy
