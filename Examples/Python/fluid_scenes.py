@@ -8,7 +8,7 @@ its corner at the origin, the size scene.size, and is open above. The scenes:
 
     pool      at rest, ten layers deep; scene.drops are the ids of twelve drops above it, single
               particles and pairs, of which half stand still and half fall
-    jitter    the pool without drops, each particle a tenth of r off in each direction, anew in
+    jitter    the pool without drops, each particle displaced by r / 10 in each direction, new in
               each frame
     slosh     the pool in a box that is shaken
     splash    a ball falls into a pool; scene.size_of is a number of particles, 20,000 if not given
@@ -63,8 +63,8 @@ def ball(radius, spacing, seed=1):
 
 
 def record(name, fluid, count, before=lambda frame: None, **motion):
-    """`count` frames. `before` is called before each frame except the first, and may add and remove
-    particles."""
+    """`count` frames. `before` is called before each frame except the first, and may add and
+    remove particles."""
     frames = []
     for frame in range(count):
         if frame:

@@ -51,8 +51,8 @@ class Fluid:
         self.ids = self.ids[chosen]
 
     def advance(self, seconds, gravity=GRAVITY, damping=0.0):
-        """Advances in equal substeps. gravity is a vector or, for a shaken box, a function of the
-        time since the start of this call."""
+        """Advances in equal substeps. gravity is a vector or, for a shaken box, a function of
+        the time since the start of this call."""
         speed = np.sqrt(_squared(self.velocities).max(initial=0.0)) + 9.81 * seconds
         substeps = int(np.ceil(seconds * max(speed / (COURANT * self.spacing), 1.0 / LONGEST)))
         for substep in range(substeps):
@@ -134,8 +134,8 @@ class Fluid:
         return 1.0 - free[0] * free[1] * free[2], slopes
 
     def _cohere(self, places, pairs):
-        """Accelerations of neighbours towards a spacing: repulsive below, attractive up to 1.6 of
-        it."""
+        """Accelerations of neighbours towards a spacing: repulsive below, attractive up to 1.6
+        of it."""
         direction, w = self._apart(places, pairs)
         distance = SUPPORT * (1.0 - w)  # in spacings
         force = self.cohesion * (distance - 1.0) * np.maximum(1.6 - distance, 0.0) / 0.09

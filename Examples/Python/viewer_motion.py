@@ -88,8 +88,8 @@ class Motion:
         return TemporalSource(lambda i: self.files.load(first + i), self.times[first:last])
 
     def _options(self):
-        """Properties that have been changed, and the spacing and the voxel size of the sliders. The
-        filter determines the others."""
+        """Properties that have been changed, and the spacing and the voxel size of the sliders.
+        The filter determines the others."""
         changed = {name for name, slider in SLIDERS.items() if self.sliders[name] != slider[2]}
         wanted = changed | {"particle_spacing", "voxel_size"}
         return {name: value for name, value in self.values().items() if name in wanted}

@@ -1,4 +1,5 @@
-"""Time per frame of a smoothed skin over moving particles, compared with pysplashsurf and OpenVDB.
+"""Time per frame of a smoothed skin over moving particles, compared with pysplashsurf and
+OpenVDB.
 
 Run: python3 particles.py quick|full <threads> <path of ParticlesToLevelSet>
 

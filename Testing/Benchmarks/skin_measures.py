@@ -1,5 +1,4 @@
-"""
-Measures of the skins of a scene. Each has the parameters scene, skins and voxel, and returns
+"""Measures of the skins of a scene. Each has the parameters scene, skins and voxel, and returns
 {name: figure}; r is the particles' radius, half of their spacing."""
 
 import numpy as np
@@ -166,8 +165,7 @@ def rain(scene, skins, voxel):
 
 
 def first_volumes(scene, skins, later=4):
-    """Volume of each new drop's part of the skin, in its first frame relative to some frames later.
-    """
+    """Volume of each new drop's part of the skin, in its first frame over some frames later."""
     ratios, sizes, seen = [], [], set(scene.frames[0][2].tolist())
     for index in range(1, len(skins) - later):
         places, _, ids = scene.frames[index]

@@ -65,8 +65,8 @@ def say_encoding_by_default(path):
 
 
 def say_ids_once(path):
-    """Names the ids once. They are the same at each time step and stored once, but named each time:
-    VTK 9.6 warns of each name except the first."""
+    """Names the ids once. They are the same at each time step and stored once, but named each
+    time: VTK 9.6 warns of each name except the first."""
     text = Path(path).read_text()
     tag = re.compile(r'[ \t]*<DataArray[^>]*Name="id"[^>]*/>\n')
     once = re.sub(r' TimeStep="\d+"', "", tag.search(text)[0])

@@ -130,8 +130,7 @@ def draw(count, seed):
 
 
 def find_again(listing):
-    """Mutants of an earlier output; among equal statements of a file, the one nearest to the line.
-    """
+    """Mutants of an earlier output; among equal statements of a file, the nearest to the line."""
     candidates = find_all_candidates()
     chosen = set()
     for file, line, text in LISTED.findall(Path(listing).read_text(encoding="utf-8")):

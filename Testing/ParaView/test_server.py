@@ -116,8 +116,8 @@ def picture(surface, name):
 
 
 def results(name):
-    """Skins, pictures, sizes of image and history, of a filter and of a source; also data that were
-    read."""
+    """Skins, pictures, sizes of image and history, of a filter and of a source; also data that
+    were read."""
     write_partitioned()
     surface, _ = splash()
     found = [triangles_at(surface, time) for time in (3, 1, 3)]

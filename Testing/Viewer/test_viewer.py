@@ -103,8 +103,7 @@ class Page(unittest.TestCase):
         page.wait_for_function("s => document.querySelector('img.picture').src != s", arg=source)
 
     def wait_until_done(self, page):
-        """Waits until all skins are made, and the last task, a picture with soft shades, is done.
-        """
+        """Waits for all skins, and for the last task, a picture with soft shades."""
         page.wait_for_selector("img.picture.soft")
         page.wait_for_function(
             "() => document.querySelector('.made').getAttribute('aria-valuenow') == 100"

@@ -1,4 +1,5 @@
-"""A wheel produces the hashes of Testing/Baselines/hashes.json, like the build with Debian's VTK.
+"""A wheel produces the hashes of Testing/Baselines/hashes.json, like the build with Debian's
+VTK.
 
 Run by Testing/Wheel/run, in an environment with the wheel.
 """

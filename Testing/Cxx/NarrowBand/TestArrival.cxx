@@ -296,7 +296,8 @@ TEST(TestArrival, HalfSpaceIsReachedWithinTheBounds)
   EXPECT_NEAR(extent.Maximum, 0.0, H * AtTheEnd);
 }
 // The corners of a box within a ring graze the ring or miss it by a voxel. The overlap is too thin
-// to grow from, so the box needs a core of its own. A core fits into the ring on the way back.
+// to grow from, so the box needs a core of its own. In the opposite direction a core fits into the
+// ring.
 TEST(TestArrival, ShapesThatGrazeEachOtherArrive)
 {
   const Shape ring = {

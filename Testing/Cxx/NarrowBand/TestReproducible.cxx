@@ -194,7 +194,7 @@ TEST(TestReproducible, InterruptionLeavesNoTrace)
   }
 }
 
-// The same object was used for another motion before.
+// Former use of the object for another motion has no effect.
 TEST(TestReproducible, FormerUseLeavesNoTrace)
 {
   const auto reference = RunScene(Scenes[1], 2, { MakeSixMetaballs(), MakeRing() });

@@ -58,7 +58,8 @@ TEST(TestTracking, UniformSpeedMovesASphereByTheTimeAtRandom)
 }
 
 // dr/dt = a (R - r): r = R + (r0 - R) e^(-a t). Frames of 0.1 limit the forward Euler step to 0.1.
-// Its error alone is up to 0.5 a dt (R - r0) e^-1 = 0.0037 = 0.06 h at n = 32, 0.12 h at n = 64.
+// The error of this step is up to 0.5 a dt (R - r0) e^-1 = 0.0037 = 0.06 h at n = 32, 0.12 h at n =
+// 64.
 void CheckApproach(int n, const Ball& from, double to, double tolerance)
 {
   const double h = VoxelSizeOf(n);

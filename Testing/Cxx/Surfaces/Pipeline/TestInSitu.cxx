@@ -87,7 +87,7 @@ TEST(TestInSitu, GrowingStepsGiveTheSameSkins)
   EXPECT_EQ(filter->GetHistory()->GetValueByName(0, "Time").ToDouble(), 0.5) << "first of them";
 }
 
-// Same test with the default motion over particles. The first step alone is static, so its target
+// Same test with the default motion over particles. A single first step is static, so its target
 // transports nothing; the moving target has to.
 TEST(TestInSitu, ParticlesOfGrowingStepsCarryTheSkin)
 {

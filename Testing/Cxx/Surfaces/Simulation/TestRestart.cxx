@@ -116,7 +116,7 @@ TEST(TestRestart, ChangesUpstreamRestart)
     << "the same bytes";
 }
 
-// The same times and more, as from a running simulation, with other data.
+// Input with the same times and more, as from a running simulation, but with other data.
 TEST(TestRestart, MoreTimesOfOtherDataRestart)
 {
   const std::vector<ShapeSource::Shape> series = {

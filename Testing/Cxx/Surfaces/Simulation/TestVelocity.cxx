@@ -232,8 +232,8 @@ std::vector<Grain> MakeSlab(double angle, double shift)
 }
 
 // The skin is transported with its particles. The normal error depends on how far the skin has
-// converged to its target. The bound is a tenth of the mean speed. The normal part alone exceeds it
-// by far, as most of the slab's surface moves tangentially.
+// converged to its target. The bound is a tenth of the mean speed. The normal part exceeds it by
+// far, as most of the slab's surface moves tangentially.
 TEST(TestVelocity, ATranslatingSlabHasItsWholeVelocity)
 {
   auto filter = MakeMovingSkin([](double time) { return MakeSlab(0.0, 0.1 * time - 0.2); });
