@@ -1,4 +1,5 @@
-"""How the page of viewer.py looks: sliders and the history at its left, picture and time beside."""
+"""Layout of the page of viewer.py: sliders and the history on its left, picture and time on its
+right."""
 
 import math
 import re

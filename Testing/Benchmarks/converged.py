@@ -1,13 +1,13 @@
-"""How far a skin over moving particles is from the one of a converged run, frame by frame.
+"""Distance of a skin over moving particles from that of a converged run, frame by frame.
 
 Run: python3 converged.py [--scenes pool,slosh,splash,...] [--size N] [--every N]
                           [--config "name: Property=value ..."] ...
 
-The converged run makes explicit substeps with a CFL of .1, else with the defaults; so do the
-others but for their properties. For each the mean and the 99th percentile of the distances, in
-voxels, from its vertices to the converged skin, of all frames after the first four; how many of
-these frames have another number of parts; the seconds of a frame. Voxels are one particle radius.
-Scenes are those of quality.py. Takes minutes for each scene.
+The converged run makes explicit substeps with a CFL of 0.1, with default values of all other
+properties. The other runs differ from the defaults by their own properties. Columns, over all
+frames after the first four: mean and 99th percentile of the distances from a run's vertices to the
+converged skin [voxels], number of frames with another number of parts, and seconds per frame.
+Voxels are one particle radius. Scenes are those of quality.py. Needs minutes for each scene.
 """
 
 import argparse

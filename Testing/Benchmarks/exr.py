@@ -1,8 +1,8 @@
-"""How long a picture of 1920 x 1080 with all layers takes to be written and read, on one core.
+"""Time to write and to read a picture of 1920 x 1080 with all layers, on one core.
 
-The picture is the splash's skin at step 20, as a shot would frame it, with a floor behind it that
-fills the rest (--bare: without): RGBA, N and forward HALF, Z and P FLOAT, id UINT, as
-active_implicit_surfaces.render writes them. Times are of the processor, the best of five.
+The picture is the splash's skin at step 20, framed as in a shot, with a floor behind it that fills
+the rest (--bare: without). Channels are those of active_implicit_surfaces.render: RGBA, N and
+forward HALF, Z and P FLOAT, id UINT. Times are processor times, the best of five.
 
 Run: bash Testing/with_display python3 Testing/Benchmarks/exr.py [--bare]
 """

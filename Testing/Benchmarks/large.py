@@ -1,17 +1,18 @@
-"""Seconds a frame and memory over many particles, by the filter's defaults and by pysplashsurf.
+"""Seconds per frame and memory over many particles, for the filter's defaults and for
+pysplashsurf.
 
-Run: python3 large.py [--voxel 1,0.5] [<particles> ...]   (250000 1000000 4000000 unless said)
+Run: python3 large.py [--voxel 1,0.5] [<particles> ...]   (default: 250000 1000000 4000000)
 
-A pool half as deep as wide, without walls, its particles 2 r apart and off their places by an
-eighth of that, under waves as high as a tenth of its width. The filter gets the spacing, the voxels
-and the ids; splashsurf has the settings that quality.py says, with its cleanup of the mesh and
-without ("no cleanup"). Each maker has a process of its own, and they make each frame in turns;
-frames after the first one count. "over splashsurf" is the ratio of the medians of seconds: above 1
-the row is faster. Memory is what a maker takes at the peak beyond what it has with the particles
-read, over their number. b67f7a4 is that commit in another hour.
+The scene is a pool half as deep as wide, without walls, under waves as high as a tenth of its
+width. Its particles are 2 r apart, with random displacements of an eighth of that. The filter gets
+the spacing, the voxels and the ids. splashsurf has the settings of quality.py, with and without its
+cleanup of the mesh ("no cleanup"). Each maker has a separate process, and the makers make each
+frame in turns; frames after the first one count. "over splashsurf" is the ratio of the medians of
+seconds: above 1 the row is faster. Memory is the peak of a maker, less its memory after reading the
+particles, over their number. b67f7a4 is that commit, measured at another time.
 
-Takes one to two minutes for each million particles at voxels of r, two to four at .5 r; and up to
-6 kB for each particle.
+Needs one to two minutes per million particles at voxels of r, two to four at 0.5 r, and up to 6 kB
+per particle.
 """
 
 import argparse

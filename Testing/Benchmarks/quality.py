@@ -1,37 +1,39 @@
-"""How good a skin over particles is: size, flatness, drops, sheets, lag, flicker, births; a table.
+"""Quality of a skin over particles: size, flatness, drops, sheets, lag, flicker, births; prints
+a table.
 
 Run: python3 quality.py [--scenes pool,splash,...] [--voxel 1,0.5] [--size 8000]
          [--config "name: Property=value ..."] ... [--label name] [--set Property=value ...]
          [--scene-folder FOLDER] [--pictures FOLDER]
 
-Each --config is a column: the filter with Set<Property>(value) called, the voxel size and the ids
-given, times in seconds. A value is a number, of particle radii if it ends in r (3.4r), of their
-squares if in r2. --set and --label are one more column. Without any, the columns are the filter's
-defaults and the values of Examples/Python/coat_particles.py. Then come the figures of commit
-b67f7a4, for voxels of r and in seconds of another hour, and, if pysplashsurf is there, splashsurf
-with the settings that its README recommends, and without its cleanup of the mesh ("no cleanup").
+Each --config is a column: the filter after Set<Property>(value), with the voxel size and the ids,
+times in seconds. A value is a number, in particle radii if it ends in r (3.4r), in their squares if
+in r2. --set and --label add one column. By default, the columns are the filter's defaults and the
+values of Examples/Python/coat_particles.py. The next column has the figures of commit b67f7a4, for
+voxels of r and with seconds measured at another time. If pysplashsurf is installed, two columns
+have splashsurf with the settings that its README recommends, with and without its cleanup of the
+mesh ("no cleanup").
 
-All make each frame in turns, at voxels of one particle radius r and then of .5 r; with --voxel 1 it
-takes a quarter of the time. "speed over" is the ratio of the medians of seconds: above 1 the column
+All makers make each frame in turns, at voxels of one particle radius r and then of 0.5 r; --voxel 1
+needs a quarter of the time. "speed over" is the ratio of the medians of seconds: above 1 the column
 is faster.
 
-The scenes are those of Examples/Python/fluid_scenes.py; r is half of the particles' spacing, "rest"
-the volume N (2 r)^3 and the height that it has in the box:
+The scenes are those of Examples/Python/fluid_scenes.py. r is half of the particles' spacing. "rest"
+is the volume N (2 r)^3 and the height of this volume in the box:
 
 - flatness (pool): angle of the top's triangles to the mean normal of those within 3 r, by area,
   more than 4 r from the walls; height over rest of the top;
-- drops kept (pool): share of the single and paired particles above the pool that are inside;
+- drops kept (pool): fraction of the single and paired particles above the pool that are inside;
   isolated (splash, dam): those with at most two neighbours within 3.2 r;
-- sheet: share of the layer's cells, by area, whose middle is inside, where they are whole (sides up
-  to 2.6 r) and where they are torn (beyond 4 r, which should be 0);
-- lag (ball): how far the centre of the skin's volume is behind that of the particles;
-- flicker: second difference in time of the top's height over fixed columns; slosh's has the water's
-  own acceleration in it, which is the same for all columns;
+- sheet: fraction of the layer's cells whose middle is inside, weighted by their longest side, for
+  whole cells (sides up to 2.6 r) and torn ones (a side beyond 4 r, which should give 0);
+- lag (ball): distance of the centre of the skin's volume behind that of the particles;
+- flicker: second difference in time of the top's height over fixed columns; for slosh it includes
+  the water's own acceleration, which is the same for all columns;
 - births (fountain, rain): frames until a new particle is inside; volume of a new drop's skin in its
-  first frame against that four frames later.
+  first frame relative to that four frames later.
 
---pictures renders a frame of each scene, columns side by side (needs a display, as of
-`bash Testing/with_display`). Scenes are made when first asked for, which takes minutes.
+--pictures renders a frame of each scene, columns side by side (needs a display, as of `bash
+Testing/with_display`). Scenes are made at their first use, which takes minutes.
 """
 
 import argparse

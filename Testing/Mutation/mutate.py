@@ -1,16 +1,18 @@
-"""Which deleted statements and flipped conditions of Filters no test notices.
+"""Finds deleted statements and flipped conditions of Filters that no test detects.
 
     python3 Testing/Mutation/mutate.py --count 300 --seed 1 | tee survivors.txt
     python3 Testing/Mutation/mutate.py --again survivors.txt
 
-Copies the tree to build/mutants, draws mutants at random, and compiles all of them at once: each is
-asleep unless the environment variable ACTIVE_MUTANT is its number. Every test runs once to find
-which mutants it reaches; then each mutant runs the tests that reach it, quickest first, until one
-fails.
-Prints the survivors, and those that nothing but a time-out notices. Needs what Testing/run has
-installed, and an hour or so.
-With --again it tries only the mutants that an earlier output lists, as far as the sources still
-have their statements: when tests have been added, this takes little more than all tests once.
+Copies the tree to build/mutants, draws mutants at random, and compiles all of them at once. A
+mutant is active only if the environment variable ACTIVE_MUTANT is its number. Every test runs once
+to find the mutants that it reaches. Then each mutant runs the tests that reach it, fastest first,
+until one fails.
+
+Prints the survivors, and mutants that only a time-out detects. Needs the packages of Testing/run,
+and about an hour.
+
+With --again only the mutants of an earlier output are tried, as far as the sources still contain
+their statements. After an addition of tests, this needs little more time than all tests once.
 """
 
 import argparse

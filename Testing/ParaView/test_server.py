@@ -1,4 +1,4 @@
-"""The same bytes with a server, of one rank or more, as within one program; and nothing twice.
+"""A server, of one rank or more, gives the same bytes as a single program, and nothing twice.
 
 Each rank has a part of a skin: skins are compared as sets of triangles.
 

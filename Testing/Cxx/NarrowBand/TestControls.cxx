@@ -215,7 +215,7 @@ TEST(TestControls, OtherVolumeThanAtTheStartCanBeHeld)
   motion.TargetVolume = 4.0 / 3.0 * Pi * radius * radius * radius;
   band.Advance(0.01, motion, none);
   EXPECT_NEAR(band.GetVolume() / motion.TargetVolume, 1.0, 1e-6) << "volume over TargetVolume";
-  // Radius of the ball of that volume: its polygons lie within it by h^2 / 8 r = .01 h.
+  // Radius of the ball of that volume. The polygons lie within the ball by h^2 / 8 r = 0.01 h.
   EXPECT_NEAR(GetRadii(Polygonise(band), CentreA).Mean / radius, 1.0, 0.002)
     << "radius over the exact one";
 }

@@ -243,13 +243,13 @@ TEST(TestTargets, OpenMeshIsAWarningOrAShell)
   filter->UpdateTimeStep(0.0);
   const Radii radii = GetRadii(filter);
   EXPECT_NEAR(radii.Largest, 0.6, MeshError) << "outer radius of the shell";
-  // At the rim it is round: no point is nearer to the centre than the inner wall.
+  // The shell is round at the rim: no point is nearer to the centre than the inner wall.
   EXPECT_NEAR(radii.Least, 0.4, MeshError) << "inner radius of the shell";
   EXPECT_GT(GetSkinBounds(filter)[4], -0.15) << "z min of the shell";
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, "open edges"), 1) << "warnings";
 }
 
-// With a quarter more for a mesh, and two voxels on each side of an image.
+// The margin is a quarter of the size of a mesh, and two voxels on each side of an image.
 TEST(TestTargets, BoundsComeFromTheTarget)
 {
   const auto spacing = [](vtkDataSet* data)
