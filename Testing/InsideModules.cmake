@@ -1,7 +1,7 @@
-# The modules with all their symbols: tests and benchmarks reach what the libraries hide. They link
-# these and never the libraries, which would be second copies.
+# The modules with all their symbols: tests and benchmarks use symbols that the libraries hide. They
+# link these targets and never the libraries, which would be second copies.
 #
-# active_add_inside(<module> <target>...): Inside<module>, and what it links.
+# active_add_inside(<module> <target>...): Inside<module>, and its linked targets.
 function (active_add_inside module)
   if (TARGET Inside${module})
     return()
@@ -21,6 +21,6 @@ active_add_inside(IO InsidePotentials VTK::CommonMath VTK::IOImage VTK::Parallel
   OpenEXR::OpenEXR
   $<$<BOOL:${LIBDEFLATE_LIBRARY}>:${LIBDEFLATE_LIBRARY}>)
 
-# They include OpenVDB themselves, whose templates have to be visible (see OpenVDB.h).
+# These targets include OpenVDB themselves, whose templates have to be visible (see OpenVDB.h).
 set(CMAKE_CXX_VISIBILITY_PRESET default)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN OFF)
