@@ -226,10 +226,10 @@ void vtkActiveVDBWriter::WriteSteps()
   activesurface::RunOnAllRanks(this->Controller, [&] { source.emplace(this); });
   if (!this->WriteAllTimeSteps)
   {
+    activesurface::RunOnAllRanks(this->Controller, [&] { source->Update(); });
     activesurface::RunOnAllRanks(this->Controller,
       [&]
       {
-        source->Update();
         vtkDataObject* data = FindData(this);
         const int frame = data ? source->FindStep(GetTime(data)) : 0;
         this->WriteData(MakeFrameName(this->FileName, frame, false), data, frame);
@@ -249,10 +249,11 @@ void vtkActiveVDBWriter::WriteSteps()
           throw std::runtime_error("Writing was stopped before the time step " + std::to_string(i) +
             "; the files of those before it are there.");
         }
-        const int frame = static_cast<int>(i);
         source->Update(steps[i]);
-        this->WriteData(MakeFrameName(this->FileName, frame, true), FindData(this), frame);
       });
+    const int frame = static_cast<int>(i);
+    activesurface::RunOnAllRanks(this->Controller,
+      [&] { this->WriteData(MakeFrameName(this->FileName, frame, true), FindData(this), frame); });
     this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(steps.size()));
   }
 }
@@ -260,6 +261,11 @@ void vtkActiveVDBWriter::WriteSteps()
 // Rank 0 has all data of the file.
 void vtkActiveVDBWriter::WriteData(const std::string& file, vtkDataObject* data, int frame)
 {
+  auto attached = data ? activesurface::GetAttachedState(data->GetInformation()) : nullptr;
+  if (attached && attached->Gather)
+  {
+    attached = attached->Gather();
+  }
   if (!activesurface::IsFirstRank(this->Controller))
   {
     return;
@@ -275,7 +281,7 @@ void vtkActiveVDBWriter::WriteData(const std::string& file, vtkDataObject* data,
   choice.Kind = kinds[this->GridClass];
   choice.VoxelSize = this->VoxelSize;
   activesurface::VDBContent content(choice);
-  content.Add(data);
+  content.Add(data, attached);
   activesurface::WriteVDB(
     file, content.GetGrids(), MakeMetadata(data, frame, this->Units), GetFlags(this->Compression));
 }

@@ -29,6 +29,7 @@ void NarrowBand::CopyNumbersTo(NarrowBand& copy) const
   members.Threads = this->State->Threads;
   members.Maximum = this->State->Maximum;
   members.Work = this->State->Work;
+  members.SetPart(this->State->Part);
 }
 
 std::unique_ptr<NarrowBand> NarrowBand::Clone() const
@@ -47,6 +48,7 @@ std::unique_ptr<NarrowBand> NarrowBand::MakePartWithin(const Walls& walls) const
   auto part = std::make_unique<NarrowBand>(this->State->VoxelSize);
   this->CopyNumbersTo(*part);
   BandState& members = *part->State;
+  members.SetPart(nullptr); // periodic boxes are not shared out
   members.HasGhosts = false;
   part->Run(
     [&] { members.Restore(CutAtWalls(this->State->Potential->tree(), walls, members.VoxelSize)); });
@@ -68,11 +70,21 @@ std::string NarrowBand::Pack() const
   const StateNumbers n = this->State->GetNumbers();
   const PackedNumbers packed = { n.VoxelSize, n.Time, n.StartArea, n.StartVolume, n.BoxSize,
     n.Paper ? 1.0 : 0.0, n.HasGhosts ? 1.0 : 0.0 };
-  return std::string(reinterpret_cast<const char*>(packed.data()), sizeof packed) +
-    PackBand(this->State->Leaves, n.HasGhosts);
+  std::string bytes(reinterpret_cast<const char*>(packed.data()), sizeof packed);
+  const BandState& members = *this->State;
+  if (members.Part)
+  {
+    PackPart(members.Leaves, n.HasGhosts, members.Potential->tree(), bytes);
+  }
+  else
+  {
+    PackBand(members.Leaves, n.HasGhosts, bytes);
+  }
+  return bytes;
 }
 
-std::unique_ptr<NarrowBand> NarrowBand::Unpack(const std::string& bytes)
+std::unique_ptr<NarrowBand> NarrowBand::Unpack(
+  const std::string& bytes, const std::shared_ptr<const BandPart>& part)
 {
   PackedNumbers packed;
   if (bytes.size() < sizeof packed)
@@ -85,8 +97,13 @@ std::unique_ptr<NarrowBand> NarrowBand::Unpack(const std::string& bytes)
   auto band = std::make_unique<NarrowBand>(numbers.VoxelSize);
   BandState& members = *band->State;
   members.SetNumbers(numbers);
-  band->Run(
-    [&] { members.Restore(UnpackBand(bytes.substr(sizeof packed), members.GetBackground())); });
+  members.SetPart(part);
+  const auto unpack = [&, rest = bytes.substr(sizeof packed)]
+  {
+    return part ? UnpackPart(rest, members.GetBackground())
+                : UnpackBand({ rest }, members.GetBackground());
+  };
+  band->Run([&] { members.Restore(unpack()); });
   return band;
 }
 

@@ -15,16 +15,31 @@ bool IsControlled(const Motion& motion)
 
 }
 
+OldPotential BandState::GetOld()
+{
+  const Domain* space = this->Part ? this->Part->Space.get() : nullptr;
+  this->Fetched.Clear();
+  return { this->Leaves, this->Potential->tree(), space, &this->Fetched };
+}
+
 void BandState::MakeNodeFrame(const NodeFrame& frame, const Motion& motion, NodeTarget& target)
 {
   const openvdb::FloatTree::Ptr before = this->Potential->treePtr();
   const openvdb::FloatTree::Ptr after = this->Nodes.Make(frame, motion, target);
   const bool hadGhosts = this->HasGhosts;
+  const std::shared_ptr<const BandPart> partBefore = this->Part;
   try
   {
     this->HasGhosts = IsControlled(motion); // which moves the surface by a substep
     this->Leaves = LeafTable();             // all leaves are new
+    this->SetPart(nullptr);
+    this->Leaves.SetDomain(this->Space.get());
     this->Restore(after);
+    if (this->Space)
+    {
+      this->SetPart(CountTogether(this->Leaves, this->Space));
+      this->Crossings = this->Part->Crossings;
+    }
     if (frame.End > frame.Begin)
     {
       this->RestoreControlled(motion);
@@ -33,6 +48,7 @@ void BandState::MakeNodeFrame(const NodeFrame& frame, const Motion& motion, Node
   catch (...)
   {
     this->Leaves = LeafTable();
+    this->SetPart(partBefore);
     this->HasGhosts = hadGhosts;
     this->Restore(before);
     throw;
@@ -42,18 +58,20 @@ void BandState::MakeNodeFrame(const NodeFrame& frame, const Motion& motion, Node
 void BandState::AdvanceOnNodes(
   double end, const Motion& motion, Target& target, AdvanceReport& report)
 {
-  const OldPotential old{ this->Leaves, this->Potential->tree() };
+  OldPotential old = this->GetOld();
   const double duration = end - this->Time;
   this->MakeNodeFrame(
-    { old, this->Time, end, duration, this->VoxelSize, this->Maximum }, motion, *target.GetNodes());
+    { old, this->Time, end, duration, this->VoxelSize, this->Maximum, this->Space.get() }, motion,
+    *target.GetNodes());
   ++report.Substeps;
   report.TargetEvaluations += this->Nodes.CountEvaluations();
 }
 
 void BandState::StartOnNodes(const Motion& motion, double duration, Target& target)
 {
-  const OldPotential old{ this->Leaves, this->Potential->tree() };
-  this->MakeNodeFrame({ old, this->Time, this->Time, duration, this->VoxelSize, this->Maximum },
+  OldPotential old = this->GetOld();
+  this->MakeNodeFrame(
+    { old, this->Time, this->Time, duration, this->VoxelSize, this->Maximum, this->Space.get() },
     motion, *target.GetNodes());
   CheckSize(this->CountActive(), this->Maximum);
   this->StartMeasure = this->Measure();

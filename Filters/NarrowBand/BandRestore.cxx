@@ -13,6 +13,7 @@ namespace activesurface
 void BandState::MakeEmpty()
 {
   this->Potential = openvdb::FloatGrid::create(Far);
+  this->SetPart(nullptr);
   this->Leaves.SetBackground(Far);
   this->Leaves.Rebuild(this->Potential->tree());
   this->Crossings = 0;
@@ -44,7 +45,8 @@ void BandState::AdoptTree(const openvdb::FloatTree::Ptr& tree)
   {
     RebuildLayers(this->Leaves, this->Set, *tree);
   }
-  this->Crossings = NumberCrossings(this->Leaves);
+  const std::size_t crossings = NumberCrossings(this->Leaves);
+  this->Crossings = this->Part ? this->Part->Crossings : crossings;
 }
 
 void BandState::Restore(const openvdb::FloatTree::Ptr& tree)

@@ -62,7 +62,7 @@ void BandState::SwitchScheme(const Motion& motion)
 
 SkinMeasure BandState::Measure() const
 {
-  const SkinMeasure skin = MeasureSkin(this->Leaves);
+  const SkinMeasure skin = this->Part ? this->Part->Measure : MeasureSkin(this->Leaves);
   const double square = this->VoxelSize * this->VoxelSize;
   return { skin.Area * square, skin.Volume * square * this->VoxelSize };
 }

@@ -4,6 +4,7 @@
 #ifndef BandState_h
 #define BandState_h
 
+#include "BandPart.h"
 #include "Leaves/ActiveSet.h"
 #include "Leaves/BandBackup.h"
 #include "Motion.h"
@@ -42,8 +43,11 @@ struct BandState
   SubstepBuffers Buffers;
   Displacement Trace;
   SteadyWindow Window;
-  BandBackup Backup; // of what was before new parts
-  NodeStep Nodes;    // kept for its memory
+  std::shared_ptr<const BandPart> Part; // null: the band is whole
+  std::shared_ptr<const Domain> Space;  // of the next frames; null: they are whole
+  FetchedLeaves Fetched;                // kept for its memory
+  BandBackup Backup;                    // of what was before new parts
+  NodeStep Nodes;                       // kept for its memory
 
   void MakeEmpty();
   /** An empty surface that begins at a time; bounds: for the size of the model. */
@@ -53,6 +57,8 @@ struct BandState
   void AdoptTree(const openvdb::FloatTree::Ptr& tree);
   /** Replaces the potential; ghosts follow from its active nodes. */
   void Restore(const openvdb::FloatTree::Ptr& tree);
+  /** Says of which whole the leaves are a part; comes before they are replaced. */
+  void SetPart(const std::shared_ptr<const BandPart>& part);
   /** Makes the ghosts, which substeps need. */
   void AddGhosts();
   StateNumbers GetNumbers() const
@@ -89,13 +95,16 @@ struct BandState
   void StartOnNodes(const Motion& motion, double duration, Target& target);
   std::size_t CountActive() const
   {
-    return this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ActiveNodes; });
+    return this->Part
+      ? this->Part->ActiveNodes
+      : this->Leaves.Count([](const LeafSummary& leaf) { return leaf.ActiveNodes; });
   }
-  /** Area and volume in world units. */
+  /** Area and volume of all ranks in world units. */
   SkinMeasure Measure() const;
 
 private:
   struct Move;
+  OldPotential GetOld();
   void MakeNodeFrame(const NodeFrame& frame, const Motion& motion, NodeTarget& target);
   void FillGhostsOfAll();
   void BoundLayers();

@@ -35,11 +35,15 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace activesurface
 {
 
+struct BandPart;
 struct BandState;
+struct LeafCost;
+class Domain;
 class LeafTable;
 
 class ACTIVENARROWBAND_EXPORT NarrowBand
@@ -65,10 +69,29 @@ public:
   /**
    * The state as bytes, without loss (see State/PackedBand.h); and the band restored from
    * them, whose further motion gives the same bytes. For this process, not for files. Without the
-   * work done (GetWork).
+   * work done (GetWork). part: SharePart of the band.
    */
   std::string Pack() const;
-  static std::unique_ptr<NarrowBand> Unpack(const std::string& bytes);
+  static std::unique_ptr<NarrowBand> Unpack(
+    const std::string& bytes, const std::shared_ptr<const BandPart>& part = nullptr);
+  ///@}
+
+  ///@{
+  /**
+   * Bands on several ranks that are parts of one. After SetDomain the next frames of the node
+   * scheme are such parts: Start and Advance are collective then, and areas, volumes and numbers of
+   * nodes are those of all ranks. null: they are whole.
+   */
+  void SetDomain(const std::shared_ptr<const Domain>& domain);
+  /** Null if the band is whole. */
+  const BandPart* GetPart() const;
+  std::shared_ptr<const BandPart> SharePart() const;
+  /** Adds what this rank's leaves cost. */
+  void ListCosts(std::vector<LeafCost>& costs) const;
+  /** The whole band, on all ranks or on the first one; else null. Collective; only for a part. */
+  std::unique_ptr<NarrowBand> GatherWhole(bool onAll) const;
+  /** Makes a part the whole, and the next frames too. Collective. */
+  void MakeWhole();
   ///@}
 
   /** Threads that TBB may use, 1024 at most; 0: all. The result does not depend on it. */

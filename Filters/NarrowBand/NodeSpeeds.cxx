@@ -135,7 +135,7 @@ VertexMotion FindMotion(const NarrowBand& band, const SkinForces& forces, double
   skin.Write(vertices.Points.data(), vertices.Normals.data(), corners.data());
   Target& target = forces.Attractor;
   constexpr double wholeWay = 1.0;
-  target.GetNodes()->PlaceNodes(forces.Begin, forces.End, wholeWay, band.GetVoxelSize());
+  target.GetNodes()->PlaceNodes({ forces.Begin, forces.End, wholeWay, band.GetVoxelSize() });
   FindWays(band, *target.GetNodes(), vertices);
   target.MoveTo(forces.Begin);
   AddDistances(band, target, -share, -1.0, vertices);

@@ -46,14 +46,26 @@ struct LeafMotion
   bool IsStill = true;           //< all displacements are 0
 };
 
+class Domain;
+
+/** A motion of the target. */
+struct NodeMotion
+{
+  double Begin, End; //< motion times
+  double Transport;  //< factor of displacements
+  double VoxelSize;
+  const Domain* Space = nullptr; //< shared out to ranks; null: all is this rank's
+};
+
 class NodeTarget
 {
 public:
   virtual ~NodeTarget() = default;
 
-  /** Places the target at the motion time `end`; displacements are those since `begin`, times
-   * `transport`. Called by one thread. */
-  virtual void PlaceNodes(double begin, double end, double transport, double voxelSize) = 0;
+  /** Places the target at the end of a motion; displacements are those since its begin. Called by
+   * one thread; collective where space is shared out: what follows then holds in leaves of this
+   * rank, and sides in those around them. */
+  virtual void PlaceNodes(const NodeMotion& motion) = 0;
 
   /** Finds the shell of the placed target; and the leaves inside, if they are wanted. */
   virtual void FindShell(bool wantsInside, Shell& shell) const = 0;

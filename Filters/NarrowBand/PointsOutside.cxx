@@ -79,7 +79,7 @@ struct VoxelCorners
 class SkinSearch
 {
 public:
-  /** leaves: the box of all leaves, which holds all that is inside. */
+  /** leaves: the box of all leaves, in which all triangles are. */
   SkinSearch(const NarrowBand& band, const openvdb::CoordBBox& leaves)
     : VoxelSize(band.GetVoxelSize())
     , Leaves(leaves)
@@ -95,8 +95,9 @@ public:
     {
       return false;
     }
-    const openvdb::CoordBBox here = this->FindVoxels(place, 0.0);
-    if (!here.empty() && this->IsInside(here.min(), place))
+    constexpr double farthest = 1e9; // as node numbers are 32-bit integers
+    const Vec3d voxel(std::floor(place[0]), std::floor(place[1]), std::floor(place[2]));
+    if (voxel.length() < farthest && this->IsInside(Coord(openvdb::Vec3i(voxel)), place))
     {
       return false;
     }

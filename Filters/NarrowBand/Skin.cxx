@@ -1,5 +1,6 @@
 #include "Skin.h"
 
+#include "BandPart.h"
 #include "Leaves/LeafBlock.h"
 #include "Leaves/LeafKernels.h"
 #include "NarrowBand.h"
@@ -237,14 +238,36 @@ Skin::Skin(const NarrowBand& band)
   this->NumberOfTriangles = this->FirstTriangle.back();
 }
 
-std::vector<std::size_t> Skin::ShareTriangles(int ranks) const
+std::vector<Skin::TriangleRange> Skin::ListTriangles(int rank, int ranks) const
 {
-  std::vector<std::size_t> shares = ShareLeaves(this->FirstTriangle, ranks);
-  for (std::size_t& leaf : shares)
+  const LeafTable& table = this->Band.GetLeaves();
+  std::vector<TriangleRange> ranges;
+  if (!this->Band.GetPart())
   {
-    leaf = this->FirstTriangle[leaf];
+    const std::vector<std::size_t> leaves = ShareLeaves(this->FirstTriangle, ranks);
+    const auto i = static_cast<std::size_t>(rank);
+    ranges.push_back({ this->FirstTriangle[leaves[i]], this->FirstTriangle[leaves[i + 1]] });
+    return ranges;
   }
-  return shares;
+  for (std::size_t i = 0; i < table.Size(); ++i)
+  {
+    const TriangleRange leaf = { this->FirstTriangle[i], this->FirstTriangle[i + 1] };
+    if (table.SummaryOf(i).IsForeign || leaf.First == leaf.Last)
+    {
+      continue;
+    }
+    if (ranges.empty() || ranges.back().Last != leaf.First)
+    {
+      ranges.push_back(leaf);
+    }
+    ranges.back().Last = leaf.Last;
+  }
+  return ranges;
+}
+
+std::vector<std::int64_t> Skin::NumberVertices() const
+{
+  return activesurface::NumberVertices(this->Band.GetLeaves(), this->Band.GetPart());
 }
 
 template <class Number>

@@ -28,9 +28,18 @@ public:
   std::size_t GetNumberOfPoints() const { return this->NumberOfPoints; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
 
-  /** Shares the triangles out to ranks, by ranges of leaves: the first triangle of each rank, and
-   * at the end the number of triangles. It depends on the surface and the number of ranks only. */
-  std::vector<std::size_t> ShareTriangles(int ranks) const;
+  struct TriangleRange
+  {
+    std::size_t First;
+    std::size_t Last; //< not included
+  };
+  /** Triangles of a rank. Of a whole band the ranks have ranges with about as many triangles, of a
+   * part a rank has those of its own leaves; those of all ranks one after the other are all. */
+  std::vector<TriangleRange> ListTriangles(int rank, int ranks) const;
+
+  /** Number in the skin of all ranks of each vertex; -1 for some that no triangle of this rank has.
+   */
+  std::vector<std::int64_t> NumberVertices() const;
 
   /** Whether points in single precision would be off by a hundredth of a voxel, because the surface
    * is that far from the origin. */

@@ -29,7 +29,9 @@ struct SkinPart
   bool IsVoid() const { return !(this->Volume > 0.0); }
 };
 
-/** The parts in the order of their first vertices; the same potential gives the same bytes. */
+/** The parts in the order of their first vertices; the same potential gives the same bytes.
+ * Collective if the band is a part on one of several ranks: the first one finds them, others none.
+ */
 ACTIVENARROWBAND_EXPORT std::vector<SkinPart> FindSkinParts(const NarrowBand& band);
 
 }

@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -33,6 +34,9 @@ struct AttachedState
   /** Point arrays of the whole skin on rank 0 if the output is one rank's part; else null. */
   vtkSmartPointer<vtkPointData> WholeArrays;
   std::vector<std::pair<std::string, double>> Motion; //< properties that shape the motion
+  /** Where Skin is one rank's part: makes the same of all of it, on rank 0, else null. Collective.
+   */
+  std::function<std::shared_ptr<const AttachedState>()> Gather;
 };
 
 ///@{

@@ -22,8 +22,6 @@ constexpr double BeyondOwnRadius = 0.1;
 // Around the skin: that of the potential [voxels]. A hollow of two own radii between particles can
 // be a part of their body, so it is in the shell too.
 constexpr double Band = 3.0;
-// An ellipsoid's longest half-axis over the particle's reach, where it is a body's.
-constexpr double StretchInBody = 1.3;
 // A displacement longer than this is none [voxels].
 constexpr double LongestDisplacement = 1e6;
 
@@ -75,14 +73,64 @@ private:
   const NodeParticles& Given;
 };
 
+// Particles listed on this rank.
+class ParticleNodes::ListedParticles final : public NodeParticles
+{
+public:
+  ListedParticles(const NodeParticles& all, const std::vector<std::uint32_t>& listed)
+    : All(all)
+    , Listed(listed)
+  {
+  }
+
+  std::size_t Size() const override { return this->Listed.size(); }
+  SkeletonVertex Get(std::size_t n) const override { return this->All.Get(this->Listed[n]); }
+  bool FindVelocity(std::size_t n, double (&velocity)[3]) const override
+  {
+    return this->All.FindVelocity(this->Listed[n], velocity);
+  }
+  const ParticleFits& GetFits() const override { return this->All.GetFits(); }
+
+private:
+  const NodeParticles& All;
+  const std::vector<std::uint32_t>& Listed;
+};
+
 void ParticleNodes::Build(const NodeParticles& given, const NodeParticleOptions& options)
 {
   this->Options = options;
-  const std::size_t count = given.Size();
   const double longest =
-    FindMost(count, 0.0, [&given](std::size_t n) { return given.Get(n).Radius; });
+    FindMost(given.Size(), 0.0, [&given](std::size_t n) { return given.Get(n).Radius; });
+  this->Ghosts.Find(options.Space, FindMarginOfNodes(options, longest), given.Size(),
+    [&](std::size_t n)
+    {
+      const SkeletonVertex particle = given.Get(n);
+      NodeIndex node;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double place = particle.Position[axis] / options.VoxelSize;
+        CheckPlace(place);
+        node[axis] = static_cast<int>(std::floor(place));
+      }
+      return node;
+    });
+  if (options.Space)
+  {
+    this->BuildListed(ListedParticles(given, this->Ghosts.GetListed()), longest);
+  }
+  else
+  {
+    this->BuildListed(given, longest);
+  }
+}
+
+void ParticleNodes::BuildListed(const NodeParticles& given, double longest)
+{
+  const NodeParticleOptions& options = this->Options;
+  const std::size_t count = given.Size();
   this->Blocks.Build(CubesOf(*this, given),
     { options.VoxelSize, StretchInBody * longest, options.Model != ParticleModel::Sum });
+  this->Ghosts.SetOrder(this->Blocks.GetOrder());
   this->Resize(count);
   RunPieces(count, ParticlesPerTask,
     [&](std::size_t begin, std::size_t end)
@@ -126,7 +174,7 @@ void ParticleNodes::FindFits(const NodeParticles& given)
   this->Fits.Find(this->Blocks,
     { this->X.data(), this->Y.data(), this->Z.data(), this->OwnRadius.data(), this->Reach.data(),
       this->Strength.data() },
-    options);
+    this->Ghosts, options);
   this->Bulks = this->Fits.GetBulks();
 }
 

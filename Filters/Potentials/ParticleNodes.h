@@ -11,6 +11,7 @@
 #define ParticleNodes_h
 
 #include "NodeTarget.h"
+#include "Nodes/GhostParticles.h"
 #include "Nodes/NodeFits.h"
 #include "Nodes/ParticleBlocks.h"
 #include "Nodes/ParticleRuns.h"
@@ -45,17 +46,26 @@ struct NodeParticleOptions
   double VoxelSize = 1.0;
   double OwnRadius = 0.0; // [length]; 0: the particle's reach over ReachPerRadius
   double ReachPerRadius = 4.5;
-  double Anisotropy = 4.0;    // largest ratio of an ellipsoid's axes
-  bool WantsBulks = true;     // else all particles count as in a body
-  bool HasVelocities = false; // else no particle moves
-  double Duration = 0.0;      // by which velocities are multiplied
-  bool HasNoise = false;      // whether the motion of a body is without that of single particles
+  double Anisotropy = 4.0;       // largest ratio of an ellipsoid's axes
+  bool WantsBulks = true;        // else all particles count as in a body
+  bool HasVelocities = false;    // else no particle moves
+  double Duration = 0.0;         // by which velocities are multiplied
+  bool HasNoise = false;         // whether the motion of a body is without that of single particles
+  const Domain* Space = nullptr; // shared out to ranks, for ParticleModel::Anisotropic only
 };
+
+// Longest half-axis of an ellipsoid over the particle's reach, where it is a body's.
+constexpr double StretchInBody = 1.3;
+
+// Distance along each axis from a rank's leaves within which it needs particles [voxels].
+VTKACTIVEPOTENTIALS_EXPORT int FindMarginOfNodes(
+  const NodeParticleOptions& options, double longestReach);
 
 class VTKACTIVEPOTENTIALS_EXPORT ParticleNodes
 {
 public:
-  // Keeps its memory.
+  // Keeps its memory. Collective with a domain; the particles then are at least those within the
+  // margin of this rank's space.
   void Build(const NodeParticles& given, const NodeParticleOptions& options);
 
   void FindShell(bool wantsInside, Shell& shell) const;
@@ -67,6 +77,8 @@ public:
 
 private:
   class CubesOf;
+  class ListedParticles;
+  void BuildListed(const NodeParticles& given, double longestReach);
   void Resize(std::size_t count);
   void Place(const NodeParticles& given, std::size_t k);
   void FindFits(const NodeParticles& given);
@@ -79,6 +91,7 @@ private:
 
   NodeParticleOptions Options;
   ParticleBlocks Blocks;
+  GhostParticles Ghosts;
 
   // By the order of the blocks, with room for a vector of eight more.
   UnsetVector<float> X, Y, Z;    // places

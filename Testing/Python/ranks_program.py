@@ -16,7 +16,7 @@ from ranks_scenes import RUNS, make_splash, run, splash_particles
 from same_bytes_shapes import Steps, cloud
 from scenes import star_to_balls, tube_to_box
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkSphere
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 
@@ -41,6 +41,74 @@ def restart(ranks, keeper, folder):
     _, surface = make_splash()
     assert surface.LoadState(os.path.join(folder, "saved.vdb"))
     keeper.update("restart_4", surface, 4)
+
+
+WITHOUT_PARTICLES = {
+    "ComputeVelocity": False,
+    "TangentialVelocity": False,
+    "PassTargetArrays": False,
+    "OutputPotential": False,
+    "ComputeCurvature": True,
+}
+
+
+@run
+def shared(ranks, keeper, folder):
+    """Each rank has a part of the surface: other owners at each step; in between; back; a file."""
+    _, surface = make_splash(**WITHOUT_PARTICLES)
+    for time in (2, 3.5, 1, 4):
+        keeper.update(f"shared_{time}", surface, time)
+    surface.SaveState(os.path.join(folder, "shared.vdb"))
+    writer = vtkActiveVDBWriter()
+    writer.SetInputConnection(surface.GetOutputPort())
+    writer.SetFileName(os.path.join(folder, "shared_skin.vdb"))
+    assert writer.Write()
+    surface.SetComputeVelocity(True)  # for which all ranks need the whole
+    keeper.update("shared_5", surface, 5)
+    surface.SetComputeVelocity(False)
+    keeper.update("shared_6", surface, 6)
+
+
+@run
+def shared_fine(ranks, keeper, folder):
+    """Voxels so small that tension reaches over four nodes."""
+    _, surface = make_splash(VoxelSize=0.02, **WITHOUT_PARTICLES)
+    keeper.update("shared_fine_2", surface, 2)
+
+
+@run
+def shared_walls(ranks, keeper, folder):
+    """Walls and an obstacle, which cut the body, and an empty time step."""
+
+    def particles(step):
+        spread = numpy.indices((8, 8, 24)).reshape(3, -1).T * 0.1
+        spread += [0.2 * step, 0.02 * step * step, 0.05 * step]
+        return {"position": spread[: 0 if step == 4 else None]}
+
+    obstacle = vtkSphere()
+    obstacle.SetCenter(1.2, 0.9, 1.0)
+    obstacle.SetRadius(0.4)
+    source = Particles(6, particles, in_blocks)
+    surface = make_surface(source, 0.05, ParticleSpacing=0.1, **WITHOUT_PARTICLES)
+    surface.SetModelBounds(-0.3, 1.6, -0.3, 2.4, -0.3, 3.0)
+    surface.SetBoundedDomain(True)
+    surface.SetObstacleFunction(obstacle)
+    for time in (1, 3, 3.5, 5):
+        keeper.update(f"shared_walls_{time}", surface, time)
+
+
+@run
+def shared_estimate(ranks, keeper, folder):
+    """Fast particles without ids whose spacing is estimated; ranks without any."""
+
+    def particles(step):
+        places = numpy.random.default_rng(1).random((900, 3))
+        return {"position": places * [1, 1, 2] + [step, 0, 0.5 * step]}
+
+    source = Particles(5, particles, lambda step, count, pieces: numpy.zeros(count, dtype=int))
+    surface = make_surface(source, 0.06, **WITHOUT_PARTICLES)
+    for time in (1, 4):
+        keeper.update(f"shared_estimate_{time}", surface, time)
 
 
 @run

@@ -14,6 +14,7 @@ NUMERICS = [
 ]
 MAY_INCLUDE = {
     "NarrowBand/Leaves": [
+        "NarrowBand/Domain",
         "NarrowBand/OpenVDB",
         "NarrowBand/CompilerBuiltins",
         "NarrowBand/InstructionSets",
@@ -29,6 +30,7 @@ MAY_INCLUDE = {
         "NarrowBand/Leaves",
         "NarrowBand/Parts",
         "NarrowBand/CubeTriangles",
+        "NarrowBand/FixedSum",
         "NarrowBand/Trilinear",
         "NarrowBand/Walls",
     ],
@@ -38,6 +40,8 @@ MAY_INCLUDE = {
         "NarrowBand/IndexMap",
         "NarrowBand/Leaves",
         "NarrowBand/NodeTarget",
+        "NarrowBand/Domain",
+        "NarrowBand/RankBytes",
         "NarrowBand/Substep",
         "NarrowBand/Walls",
     ],
@@ -69,6 +73,9 @@ MAY_INCLUDE = {
         "NarrowBand/IndexMap",
         "NarrowBand/InstructionSets",
         "NarrowBand/NodeTarget",
+        "NarrowBand/Domain",
+        "NarrowBand/RankBytes",
+        "NarrowBand/RanksAround",
         "Potentials/NeighbourLimit",
         "Potentials/ParallelTasks",
         "Potentials/UnsetVector",

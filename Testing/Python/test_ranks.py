@@ -18,6 +18,7 @@ from ranks_checks import assert_same_outputs, start_ranks
 PROGRAM = Path(__file__).with_name("ranks_program.py")
 SIZES = (1, 2, 3, 4)
 SAME = ("splash", "emitter", "table", "meshes", "image", "skeleton", "grid", "morph", "live")
+SHARED = ("shared", "shared_fine", "shared_walls", "shared_estimate")
 # A run takes seconds. A rank that waits for another one waits for ever.
 LONGEST = 120
 
@@ -110,6 +111,22 @@ class Ranks(unittest.TestCase):
                 self.assertEqual(
                     state_in(folder / "splash.vdb"), state_in(self.alone / "splash.vdb")
                 )
+
+    def test_same_bytes_where_each_rank_has_a_part(self):
+        alone = self.folder()
+        start(0, ",".join(SHARED), alone)
+        for size in (2, 3, 4, 7, 16):
+            with self.subTest(ranks=size):
+                folder = self.folder()
+                start(size, ",".join(SHARED), folder)
+                self.assertEqual(self.names_in(folder), self.names_in(alone))
+                for name in self.names_in(folder):
+                    self.assert_same(folder, size, name, alone)
+                    whole = load(alone, name, 1)[0]["points"]
+                    for part in load(folder, name, size):
+                        numpy.testing.assert_array_equal(part["points"], whole[part["ids"]])
+                for file in ("shared.vdb", "shared_skin.vdb"):
+                    self.assertEqual(state_in(folder / file), state_in(alone / file), file)
 
     def test_shares_are_even_and_none_is_empty(self):
         folder = self.folder()
@@ -226,6 +243,14 @@ class Ranks(unittest.TestCase):
                 with self.subTest(ranks=size, start=name):
                     self.assertEqual(len(texts), 1, "the first rank says it for all")
                     self.assertIn(reasons[name.rsplit("_", 1)[0]], texts[0])
+
+    def test_a_source_without_pieces_is_told(self):
+        folder = self.folder()
+        start(2, "table,meshes,shared_walls", folder)
+        for name in ("table_1", "meshes_0.3", "shared_walls_1"):
+            said = [list(part["warnings"]) for part in load(folder, name + ".errors", 2)]
+            told = [sum("make pieces" in text for text in own) for own in said]
+            self.assertEqual(told, [1 if name == "table_1" else 0, 0], said)
 
     def test_what_one_rank_stops_all_stop(self):
         expected = self.folder()

@@ -20,11 +20,10 @@
 namespace activesurface
 {
 
-void VDBContent::Add(vtkDataObject* data)
+void VDBContent::Add(vtkDataObject* data, const std::shared_ptr<const AttachedState>& attached)
 {
   auto mesh = vtkPolyData::SafeDownCast(data);
   auto image = vtkImageData::SafeDownCast(data);
-  const auto attached = data ? GetAttachedState(data->GetInformation()) : nullptr;
   if (this->Choice.State && !attached)
   {
     throw std::invalid_argument("WriteState needs an output of a vtkActiveImplicitSurface, from "

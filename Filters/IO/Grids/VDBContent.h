@@ -39,7 +39,8 @@ public:
   }
 
   // Throws std::invalid_argument, with a sentence, for data that cannot become the chosen grids.
-  void Add(vtkDataObject* data);
+  // attached: to the data, or gathered from all ranks; may be null.
+  void Add(vtkDataObject* data, const std::shared_ptr<const AttachedState>& attached);
 
   const openvdb::GridPtrVec& GetGrids() const { return this->Grids; }
 

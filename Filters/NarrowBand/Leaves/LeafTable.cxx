@@ -1,5 +1,7 @@
 #include "Leaves/LeafTable.h"
 
+#include "Domain.h"
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -95,6 +97,7 @@ void LeafTable::Rebuild(PotentialTree& tree)
       const std::int32_t known = this->Find(nodes[i]->origin());
       leaves[i] = known >= 0 ? this->Leaves[known] : BandLeaf(*nodes[i]);
       summaries[i] = known >= 0 ? this->Summaries[known] : LeafSummary();
+      summaries[i].IsForeign = this->IsForeign(nodes[i]->origin());
     });
   std::swap(this->Leaves, leaves);
   std::swap(this->Summaries, summaries);
@@ -115,6 +118,7 @@ LeafList LeafTable::Add(const std::vector<openvdb::Coord>& origins, PotentialTre
     const std::size_t i = this->Leaves.size();
     added.push_back(static_cast<std::int32_t>(i));
     this->Summaries.resize(i + 1); // first, as memory may end
+    this->Summaries[i].IsForeign = this->IsForeign(origin);
     this->Leaves.emplace_back(*tree.touchLeaf(origin));
     this->AddToIndex(i);
     this->FindNeighbours(i, tree);
@@ -168,6 +172,11 @@ LeafList LeafTable::FindAround(const LeafList& leaves) const
     }
   }
   return around;
+}
+
+bool LeafTable::IsForeign(const openvdb::Coord& origin) const
+{
+  return this->Space && !this->Space->IsOwn({ origin[0], origin[1], origin[2] });
 }
 
 void LeafTable::BuildIndex()

@@ -75,7 +75,8 @@ struct LeafSummary
   std::int32_t ActiveNodes = 0;
   std::int32_t ZeroNodes = 0; //< nodes of layer 0
   std::int32_t Crossings = 0;
-  bool IsUsed = false; //< whether a node is in a layer or active
+  bool IsUsed = false;    //< whether a node is in a layer or active
+  bool IsForeign = false; //< whether another rank owns it
 };
 
 struct BandLeaf
@@ -106,12 +107,17 @@ struct BandLeaf
   int Crossings = 0;                              //< crossed edges of this leaf
 };
 
+class Domain;
+
 /** Which of the 512 values of a leaf are negative. */
 LeafMask InsideNodes(const float* values);
 
 class LeafTable
 {
 public:
+  /** Says who owns the leaves; null: all are this rank's. Comes before Rebuild. */
+  void SetDomain(const Domain* domain) { this->Space = domain; }
+
   /** Reads the leaves of the tree anew; keeps what is known of those that the table had. */
   void Rebuild(PotentialTree& tree);
 
@@ -198,14 +204,14 @@ public:
       leaves.size(), [&](std::size_t place) { function(static_cast<std::size_t>(leaves[place])); });
   }
 
-  /** The sum of function(summary), an integer, over all leaves. */
+  /** The sum of function(summary), an integer, over this rank's leaves. */
   template <class Function>
   std::size_t Count(Function&& function) const
   {
     std::size_t count = 0;
     for (const LeafSummary& summary : this->Summaries)
     {
-      count += static_cast<std::size_t>(function(summary));
+      count += summary.IsForeign ? 0 : static_cast<std::size_t>(function(summary));
     }
     return count;
   }
@@ -244,6 +250,7 @@ private:
   }
 
   void FindNeighbours(std::size_t i, const PotentialTree& tree);
+  bool IsForeign(const openvdb::Coord& origin) const;
   void BuildIndex();
   void AddToIndex(std::size_t i);
 
@@ -252,6 +259,7 @@ private:
   std::size_t Sorted = 0;             // how many there were at Rebuild
   std::vector<std::int32_t> Index;    // open-addressing hash of the origins
   std::array<std::array<float, 8>, 2> Background{};
+  const Domain* Space = nullptr;
   LeafMask Nothing;
   LeafMask Everything = LeafMask::All();
 };

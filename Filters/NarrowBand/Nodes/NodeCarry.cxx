@@ -48,19 +48,13 @@ struct OldBlock
   {
     constexpr std::size_t lanes = 8;
     this->Values.resize(this->Count() + lanes - 1);
-    NodeIndex origin;
-    for (origin[0] = this->Low[0] & ~7; origin[0] < this->Low[0] + this->Size[0]; origin[0] += 8)
-    {
-      for (origin[1] = this->Low[1] & ~7; origin[1] < this->Low[1] + this->Size[1]; origin[1] += 8)
-      {
-        for (origin[2] = this->Low[2] & ~7; origin[2] < this->Low[2] + this->Size[2];
-             origin[2] += 8)
-        {
-          this->ReadLeaf(old, origin);
-        }
-      }
-    }
+    this->ForEachLeaf([this, &old](const NodeIndex& origin) { this->ReadLeaf(old, origin); });
     RunCompiled(LimitKernel{ this->Values.data(), this->Count() });
+  }
+
+  void ListLeaves(std::vector<NodeIndex>& origins) const
+  {
+    this->ForEachLeaf([&origins](const NodeIndex& origin) { origins.push_back(origin); });
   }
 
   bool IsOfOneValue() const
@@ -70,6 +64,23 @@ struct OldBlock
   }
 
 private:
+  template <class Visit>
+  void ForEachLeaf(Visit&& visit) const
+  {
+    NodeIndex origin;
+    for (origin[0] = this->Low[0] & ~7; origin[0] < this->Low[0] + this->Size[0]; origin[0] += 8)
+    {
+      for (origin[1] = this->Low[1] & ~7; origin[1] < this->Low[1] + this->Size[1]; origin[1] += 8)
+      {
+        for (origin[2] = this->Low[2] & ~7; origin[2] < this->Low[2] + this->Size[2];
+             origin[2] += 8)
+        {
+          visit(origin);
+        }
+      }
+    }
+  }
+
   void ReadLeaf(const OldPotential& old, const NodeIndex& origin)
   {
     int first[3], end[3];
@@ -275,6 +286,32 @@ void CarryNodes(const OldPotential& old, const NodeLeaf& leaf, const LeafMotion&
     else
     {
       std::copy_n(psi + 8 * row, 8, carried + 8 * row);
+    }
+  }
+}
+
+void ListOldLeaves(const NodeLeaf& leaf, const LeafMotion& motion, std::vector<NodeIndex>& origins)
+{
+  origins.push_back(leaf.Origin);
+  if (motion.IsStill)
+  {
+    return;
+  }
+  alignas(32) float feet[64][3][8];
+  RunCompiled(FeetKernel{ motion, feet });
+  OldBlock block;
+  FindBox(leaf, feet, 64, block);
+  if (block.Count() <= UsualNodes)
+  {
+    block.ListLeaves(origins);
+    return;
+  }
+  for (int row = 0; row < 64; ++row)
+  {
+    FindBox(leaf, feet + row, 1, block);
+    if (block.Count() <= MostNodes)
+    {
+      block.ListLeaves(origins);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "Leaves/LeafTable.h"
 #include "Leaves/NodeArrays.h"
 #include "NodeTarget.h"
+#include "Nodes/OldPotential.h"
 
 #include <tbb/parallel_for.h>
 
@@ -19,9 +20,6 @@
 namespace activesurface
 {
 
-/** Limit of |u| and |psi| in the node scheme [voxels]. */
-constexpr float NodeLimit = 3.f;
-
 struct NodeLeaf : ShellLeaf
 {
   /** Numbers of the 27 leaves around it, by NeighbourNumber; NoLeafInside or NoLeafOutside. */
@@ -31,21 +29,23 @@ struct NodeLeaf : ShellLeaf
 class NodeLeaves
 {
 public:
-  /** isInside(origin): the side of a leaf that is not in the shell; called by several threads at
-   * once if it is thread-safe. */
+  /** own: how many of the first leaves are this rank's. isInside(origin): the side of a leaf that
+   * is not in the shell; called by several threads at once if it is thread-safe. */
   template <class IsInside>
-  void Adopt(const std::vector<ShellLeaf>& shell, bool isThreadSafe, IsInside&& isInside)
+  void Adopt(
+    const std::vector<ShellLeaf>& shell, std::size_t own, bool isThreadSafe, IsInside&& isInside)
   {
+    this->Own = own;
     this->Leaves.resize(shell.size());
     this->Numbers.Clear(shell.size());
-    for (const ShellLeaf& leaf : shell)
+    for (std::size_t i = 0; i < shell.size(); ++i)
     {
-      this->Numbers.Add(leaf.Origin);
+      static_cast<ShellLeaf&>(this->Leaves[i]) = shell[i];
+      this->Numbers.Add(shell[i].Origin);
     }
     const auto adopt = [&](std::size_t i)
     {
       NodeLeaf& leaf = this->Leaves[i];
-      static_cast<ShellLeaf&>(leaf) = shell[i];
       for (int n = 0; n < 27; ++n)
       {
         const NodeIndex origin = { leaf.Origin[0] + 8 * (n / 9 - 1),
@@ -59,7 +59,7 @@ public:
       this->ForEach(adopt);
       return;
     }
-    for (std::size_t i = 0; i < shell.size(); ++i)
+    for (std::size_t i = 0; i < own; ++i)
     {
       adopt(i);
     }
@@ -68,15 +68,38 @@ public:
   /** The number of the leaf with an origin, or one below 0. */
   std::int32_t Find(const NodeIndex& origin) const { return this->Numbers.Find(origin); }
   std::size_t Size() const { return this->Leaves.size(); }
+  std::size_t GetOwn() const { return this->Own; }
   NodeLeaf& operator[](std::size_t i) { return this->Leaves[i]; }
   const NodeLeaf& operator[](std::size_t i) const { return this->Leaves[i]; }
 
-  /** Calls function(i) for every leaf, in parallel. */
+  ///@{
+  /** Call function(i) for this rank's leaves, and for all, in parallel. */
   template <class Function>
   void ForEach(Function&& function) const
   {
+    ForRange(this->Own, function);
+  }
+  template <class Function>
+  void ForAll(Function&& function) const
+  {
+    ForRange(this->Leaves.size(), function);
+  }
+  ///@}
+
+  /** Runs a kernel on each of this rank's leaves, compiled for the chosen instruction set. */
+  template <class Kernel>
+  void RunKernel(const Kernel& kernel) const
+  {
+    const auto run = CompiledKernel<Kernel, std::size_t>::GetBest();
+    this->ForEach([&kernel, run](std::size_t i) { run(kernel, i); });
+  }
+
+private:
+  template <class Function>
+  static void ForRange(std::size_t size, Function&& function)
+  {
     constexpr std::size_t grain = 4;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, this->Leaves.size(), grain),
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, grain),
       [&](const tbb::blocked_range<std::size_t>& range)
       {
         for (std::size_t i = range.begin(); i != range.end(); ++i)
@@ -86,16 +109,8 @@ public:
       });
   }
 
-  /** Runs a kernel on every leaf, compiled for the chosen instruction set. */
-  template <class Kernel>
-  void RunKernel(const Kernel& kernel) const
-  {
-    const auto run = CompiledKernel<Kernel, std::size_t>::GetBest();
-    this->ForEach([&kernel, run](std::size_t i) { run(kernel, i); });
-  }
-
-private:
   std::vector<NodeLeaf> Leaves;
+  std::size_t Own = 0; // this rank's, the first ones
   IndexMap Numbers;
 };
 

@@ -268,6 +268,7 @@ void RunStages(const NodeFields& fields, const StageCoefficients& law)
   const float borne = TensionOfStage * static_cast<float>(count);
   for (int stage = 0; stage < count; ++stage)
   {
+    fields.Halo.Refresh(fields.Potential);
     law.Tension <= borne         ? RunStage<1>(fields, law, count)
       : law.Tension <= 5 * borne ? RunStage<2>(fields, law, count)
                                  : RunStage<4>(fields, law, count);

@@ -11,6 +11,7 @@
 #ifndef NodeStages_h
 #define NodeStages_h
 
+#include "Nodes/NodeHalo.h"
 #include "Nodes/NodeLeaves.h"
 
 #include <array>
@@ -39,6 +40,7 @@ struct NodeFields
     IsFar; //< leaves that stay as they are: Potential, Room and Psi are alike
   NodeArrays& Potential;
   NodeArrays& Room; //< overwritten
+  const NodeHalo& Halo;
 };
 
 /** psi = G / |grad G| by central differences, at most NodeLimit in size; G is 1 where nothing is

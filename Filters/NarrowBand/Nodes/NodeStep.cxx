@@ -6,8 +6,6 @@
 #include "OpenVDB.h"
 #include "Substep/TimeStep.h"
 
-#include <openvdb/tools/SignedFloodFill.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -66,24 +64,18 @@ void ForEachBeyond(
   }
 }
 
-/** Returns true if a leaf has values between the limits, or both of them. */
-bool IsNearSurface(const float* values)
-{
-  return std::any_of(values, values + 512,
-    [values](float value)
-    { return std::fabs(value) < NodeLimit || (value < 0.f) != (values[0] < 0.f); });
-}
-
 }
 
 openvdb::FloatTree::Ptr NodeStep::Make(
   const NodeFrame& frame, const Motion& motion, NodeTarget& target)
 {
-  target.PlaceNodes(frame.Begin, frame.End, motion.Transport, frame.VoxelSize);
+  target.PlaceNodes({ frame.Begin, frame.End, motion.Transport, frame.VoxelSize, frame.Space });
   this->FindLeaves(frame, motion, target);
   this->Evaluate(target);
+  this->Halo.Refresh(this->Room);
   FindDistances(this->Leaves, this->Room, this->Psi);
   this->Confine(this->Psi, frame, motion);
+  this->FetchOld(frame, target);
   this->Carry(frame, target);
   StageCoefficients law;
   law.Decay = static_cast<float>(motion.Attraction * frame.Duration);
@@ -91,11 +83,14 @@ openvdb::FloatTree::Ptr NodeStep::Make(
     static_cast<float>(motion.Tension * frame.Duration / (frame.VoxelSize * frame.VoxelSize));
   law.Noise = target.GetNoise();
   law.IsWeighted = motion.WeightedTension;
-  RunStages({ this->Leaves, this->Psi, this->Bulk, this->IsFar, this->Potential, this->Room }, law);
+  RunStages(
+    { this->Leaves, this->Psi, this->Bulk, this->IsFar, this->Potential, this->Room, this->Halo },
+    law);
   this->Confine(this->Potential, frame, motion);
   this->KeepWhatRests(frame.Old, RestingChange * law.Decay);
   this->Repeat(frame, motion, target);
-  return this->MakeTree();
+  this->Halo.Refresh(this->Potential);
+  return this->MakeTree(frame, motion);
 }
 
 std::size_t NodeStep::CountEvaluations() const
@@ -111,7 +106,7 @@ std::size_t NodeStep::CountEvaluations() const
 void NodeStep::FindLeaves(const NodeFrame& frame, const Motion& motion, const NodeTarget& target)
 {
   const bool isConfined = motion.Box.Present || motion.Solid;
-  target.FindShell(isConfined, this->Near);
+  target.FindShell(isConfined || frame.Space, this->Near);
   // At least an eighth of the nodes is active in a leaf that the surface crosses.
   constexpr std::size_t fewestNodes = 64, margin = 4;
   CheckSize(fewestNodes / margin * this->Near.Leaves.size(), frame.MaximumNumberOfActiveVoxels);
@@ -119,11 +114,12 @@ void NodeStep::FindLeaves(const NodeFrame& frame, const Motion& motion, const No
   {
     this->AddConfined(frame, motion);
   }
+  const std::size_t own = this->Halo.Find(frame.Space, this->Near.Leaves);
   if (motion.Solid)
   {
-    this->SampleSolid(*motion.Solid);
+    this->SampleSolid(own, *motion.Solid);
   }
-  this->Leaves.Adopt(this->Near.Leaves, !motion.Solid || motion.Solid->IsThreadSafe(),
+  this->Leaves.Adopt(this->Near.Leaves, own, !motion.Solid || motion.Solid->IsThreadSafe(),
     [&](const NodeIndex& origin)
     { return target.IsInside(CentreOf(origin)) && !this->IsSolid(origin, frame, motion); });
   const std::size_t count = this->Leaves.Size();
@@ -155,10 +151,11 @@ void NodeStep::AddConfined(const NodeFrame& frame, const Motion& motion)
     [](const ShellLeaf& a, const ShellLeaf& b) { return a.Origin < b.Origin; });
 }
 
-void NodeStep::SampleSolid(Obstacle& solid) const
+void NodeStep::SampleSolid(std::size_t own, Obstacle& solid) const
 {
   std::vector<Obstacle::LeafOrigin> origins;
-  std::transform(this->Near.Leaves.begin(), this->Near.Leaves.end(), std::back_inserter(origins),
+  std::transform(this->Near.Leaves.begin(),
+    this->Near.Leaves.begin() + static_cast<std::ptrdiff_t>(own), std::back_inserter(origins),
     [](const ShellLeaf& leaf) { return leaf.Origin; });
   solid.SampleLeaves(origins);
   solid.Check();
@@ -245,7 +242,14 @@ void NodeStep::Carry(const NodeFrame& frame, const NodeTarget& target)
     {
       const NodeLeaf& leaf = this->Leaves[i];
       LeafMotion motion;
-      target.FindMotion(leaf, motion);
+      if (this->Motions.empty())
+      {
+        target.FindMotion(leaf, motion);
+      }
+      else
+      {
+        motion = this->Motions[i];
+      }
       std::copy_n(motion.Bulk, LeafMotion::Points, this->Bulk[i].begin());
       this->IsStill[i] = motion.IsStill ? 1 : 0;
       if (isStart)
@@ -277,22 +281,22 @@ void NodeStep::KeepWhatRests(const OldPotential& old, float tolerance)
   this->Leaves.ForEach(
     [&](std::size_t i)
     {
-      const BandLeaf* before = this->IsStill[i] ? old.FindLeaf(this->Leaves[i].Origin) : nullptr;
-      if (!before)
+      const OldLeaf before = this->IsStill[i] ? old.FindLeaf(this->Leaves[i].Origin) : OldLeaf();
+      if (!before.Value)
       {
         return;
       }
       float* now = this->Potential.Of(i);
       bool rests = true;
-      before->UpToLayer[1].ForEach(
+      before.FirstLayers->ForEach(
         [&](int node)
         {
-          const float kept = std::min(std::max(before->Value[node], -NodeLimit), NodeLimit);
+          const float kept = std::min(std::max(before.Value[node], -NodeLimit), NodeLimit);
           rests = rests && std::fabs(kept - now[node]) <= tolerance;
         });
       if (rests)
       {
-        std::copy_n(before->Value, 512, now);
+        std::copy_n(before.Value, 512, now);
       }
     });
 }
@@ -328,33 +332,6 @@ void NodeStep::Repeat(const NodeFrame& frame, const Motion& motion, const NodeTa
     [&](std::size_t i, const NodeIndex&)
     { std::copy_n(this->Room.Of(i), 512, this->Potential.Of(i)); });
   this->Confine(this->Potential, frame, motion);
-}
-
-openvdb::FloatTree::Ptr NodeStep::MakeTree() const
-{
-  std::vector<std::unique_ptr<PotentialLeaf>> made(this->Leaves.Size());
-  this->Leaves.ForEach(
-    [&](std::size_t i)
-    {
-      const float* values = this->Potential.Of(i);
-      if (IsNearSurface(values))
-      {
-        const NodeIndex& origin = this->Leaves[i].Origin;
-        made[i] = std::make_unique<PotentialLeaf>(
-          openvdb::Coord(origin[0], origin[1], origin[2]), Far, true);
-        std::copy_n(values, 512, made[i]->buffer().data());
-      }
-    });
-  auto tree = std::make_shared<openvdb::FloatTree>(Far);
-  for (std::unique_ptr<PotentialLeaf>& leaf : made)
-  {
-    if (leaf)
-    {
-      tree->addLeaf(leaf.release());
-    }
-  }
-  openvdb::tools::signedFloodFillWithValues(*tree, Far, -Far);
-  return tree;
 }
 
 }

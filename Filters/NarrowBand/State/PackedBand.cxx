@@ -49,33 +49,87 @@ std::size_t SizeOf(const Counts& counts)
   return sizeof(Counts) + counts.Leaves * sizeof(LeafBits) + counts.Nodes * sizeof(float);
 }
 
+LeafMask KnownNodes(const BandLeaf& leaf, bool hasGhosts)
+{
+  return hasGhosts ? leaf.Active : leaf.UpToLayer[LastLayer];
 }
 
-std::string PackBand(const LeafTable& table, bool hasGhosts)
+/** Calls visit(leaf) for the leaves that are packed. */
+template <class Visit>
+void ForEachPacked(const LeafTable& table, bool hasForeign, Visit&& visit)
 {
-  std::vector<LeafBits> leaves;
-  std::vector<float> magnitudes;
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
-    const BandLeaf& leaf = table[i];
-    if (table.SummaryOf(i).IsUsed)
+    const LeafSummary& summary = table.SummaryOf(i);
+    if (summary.IsUsed && (hasForeign || !summary.IsForeign))
     {
-      const LeafMask known = hasGhosts ? leaf.Active : leaf.UpToLayer[LastLayer];
-      leaves.push_back(
-        { { leaf.Origin[0], leaf.Origin[1], leaf.Origin[2], 0 }, leaf.Inside, known });
-      known.ForEach([&](int node) { magnitudes.push_back(std::fabs(leaf.Value[node])); });
+      visit(table[i]);
     }
   }
-  const Counts counts{ leaves.size(), magnitudes.size() };
-  std::string bytes(SizeOf(counts), '\0');
-  char* to = Write(&counts, 1, &bytes[0]);
-  to = Write(leaves.data(), leaves.size(), to);
-  Write(magnitudes.data(), magnitudes.size(), to);
-  return bytes;
+}
+
+void AppendLeaves(const LeafTable& table, bool hasGhosts, bool hasForeign, std::string& bytes)
+{
+  Counts counts;
+  ForEachPacked(table, hasForeign,
+    [&](const BandLeaf& leaf)
+    {
+      ++counts.Leaves;
+      counts.Nodes += static_cast<std::uint64_t>(KnownNodes(leaf, hasGhosts).Count());
+    });
+  const std::size_t before = bytes.size();
+  bytes.resize(before + SizeOf(counts));
+  char* bits = Write(&counts, 1, &bytes[before]);
+  char* magnitudes = bits + counts.Leaves * sizeof(LeafBits);
+  ForEachPacked(table, hasForeign,
+    [&](const BandLeaf& leaf)
+    {
+      const LeafBits own = { { leaf.Origin[0], leaf.Origin[1], leaf.Origin[2], 0 }, leaf.Inside,
+        KnownNodes(leaf, hasGhosts) };
+      bits = Write(&own, 1, bits);
+      own.Active.ForEach(
+        [&](int node)
+        {
+          const float magnitude = std::fabs(leaf.Value[node]);
+          magnitudes = Write(&magnitude, 1, magnitudes);
+        });
+    });
+}
+
+}
+
+void PackBand(const LeafTable& table, bool hasGhosts, std::string& bytes)
+{
+  AppendLeaves(table, hasGhosts, false, bytes);
+}
+
+void PackPart(
+  const LeafTable& table, bool hasGhosts, const openvdb::FloatTree& tree, std::string& bytes)
+{
+  std::vector<openvdb::Coord> inside;
+  auto tile = tree.cbeginValueOff();
+  tile.setMaxDepth(openvdb::FloatTree::ValueOffCIter::LEAF_DEPTH - 1);
+  for (; tile; ++tile)
+  {
+    if (*tile < 0.f)
+    {
+      inside.push_back(tile.getCoord());
+    }
+  }
+  const std::uint64_t count = inside.size();
+  const std::size_t before = bytes.size();
+  bytes.resize(before + sizeof count + count * sizeof(openvdb::Coord));
+  Write(inside.data(), inside.size(), Write(&count, 1, &bytes[before]));
+  AppendLeaves(table, hasGhosts, true, bytes);
 }
 
 namespace
 {
+
+openvdb::Coord OriginOf(const LeafBits& bits)
+{
+  return { bits.Origin[0], bits.Origin[1], bits.Origin[2] };
+}
 
 void FillLeaf(const LeafBits& bits, float background, const float*& magnitude, PotentialLeaf& leaf)
 {
@@ -116,9 +170,8 @@ std::uint64_t CountActive(const std::vector<LeafBits>& leaves)
   return active;
 }
 
-}
-
-openvdb::FloatTree::Ptr UnpackBand(const std::string& bytes, float background)
+/** Adds leaves to a tree. */
+void UnpackLeaves(const std::string& bytes, std::vector<LeafBits>& leaves, openvdb::FloatTree& tree)
 {
   Counts counts;
   if (bytes.size() < sizeof counts)
@@ -127,28 +180,68 @@ openvdb::FloatTree::Ptr UnpackBand(const std::string& bytes, float background)
   }
   const char* from = Read(bytes.data(), 1, &counts);
   CheckCounts(bytes, counts);
-  std::vector<LeafBits> leaves(counts.Leaves);
+  std::vector<LeafBits> here(counts.Leaves);
   std::vector<float> magnitudes(counts.Nodes);
-  from = Read(from, leaves.size(), leaves.data());
+  from = Read(from, here.size(), here.data());
   Read(from, magnitudes.size(), magnitudes.data());
-  if (CountActive(leaves) != counts.Nodes)
+  if (CountActive(here) != counts.Nodes)
   {
     RefuseState();
   }
-  auto tree = std::make_shared<openvdb::FloatTree>(background);
   const float* magnitude = magnitudes.data();
-  const auto leafOf = [&tree](const LeafBits& bits)
-  { return tree->touchLeaf(openvdb::Coord(bits.Origin[0], bits.Origin[1], bits.Origin[2])); };
+  for (const LeafBits& bits : here)
+  {
+    FillLeaf(bits, tree.background(), magnitude, *tree.touchLeaf(OriginOf(bits)));
+  }
+  leaves.insert(leaves.end(), here.begin(), here.end());
+}
+
+void SetActive(const std::vector<LeafBits>& leaves, openvdb::FloatTree& tree)
+{
   for (const LeafBits& bits : leaves)
   {
-    FillLeaf(bits, background, magnitude, *leafOf(bits));
+    SetActive(bits, *tree.probeLeaf(OriginOf(bits)));
+  }
+}
+
+}
+
+openvdb::FloatTree::Ptr UnpackBand(const std::vector<std::string>& parts, float background)
+{
+  auto tree = std::make_shared<openvdb::FloatTree>(background);
+  std::vector<LeafBits> leaves;
+  for (const std::string& bytes : parts)
+  {
+    UnpackLeaves(bytes, leaves, *tree);
   }
   openvdb::tools::signedFloodFillWithValues(*tree, background, -background);
-  for (const LeafBits& bits : leaves)
-  {
-    SetActive(bits, *leafOf(bits));
-  }
+  SetActive(leaves, *tree);
   CheckTree(*tree);
+  return tree;
+}
+
+openvdb::FloatTree::Ptr UnpackPart(const std::string& bytes, float background)
+{
+  std::uint64_t count = 0;
+  if (bytes.size() < sizeof count)
+  {
+    RefuseState();
+  }
+  const char* from = Read(bytes.data(), 1, &count);
+  if (count > bytes.size() || sizeof count + count * sizeof(openvdb::Coord) > bytes.size())
+  {
+    RefuseState();
+  }
+  std::vector<openvdb::Coord> inside(count);
+  Read(from, inside.size(), inside.data());
+  auto tree = std::make_shared<openvdb::FloatTree>(background);
+  std::vector<LeafBits> leaves;
+  UnpackLeaves(bytes.substr(sizeof count + count * sizeof(openvdb::Coord)), leaves, *tree);
+  SetActive(leaves, *tree);
+  for (const openvdb::Coord& origin : inside)
+  {
+    tree->addTile(1, origin, -background, false);
+  }
   return tree;
 }
 

@@ -11,16 +11,26 @@
 #include "Leaves/LeafTable.h"
 
 #include <string>
+#include <vector>
 
 namespace activesurface
 {
 
-/** Bytes for this process: byte order and layout are those of the machine. */
-std::string PackBand(const LeafTable& table, bool hasGhosts);
+/** Appends the leaves of this rank. Bytes for this process: byte order and layout are those of the
+ * machine. */
+void PackBand(const LeafTable& table, bool hasGhosts, std::string& bytes);
 
-/** The tree with its known nodes, and + or - the background elsewhere. Throws std::runtime_error
- * for bytes that PackBand did not write. */
-openvdb::FloatTree::Ptr UnpackBand(const std::string& bytes, float background);
+/** The tree with its known nodes, and + or - the background elsewhere. parts: of each rank. Throws
+ * std::runtime_error for bytes that PackBand did not write. */
+openvdb::FloatTree::Ptr UnpackBand(const std::vector<std::string>& parts, float background);
+
+///@{
+/** The same with the leaves of other ranks that this one has, and with the sides of leaves that are
+ * missing. */
+void PackPart(
+  const LeafTable& table, bool hasGhosts, const openvdb::FloatTree& tree, std::string& bytes);
+openvdb::FloatTree::Ptr UnpackPart(const std::string& bytes, float background);
+///@}
 
 }
 

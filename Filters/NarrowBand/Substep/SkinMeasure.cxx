@@ -33,16 +33,15 @@ double Dot(const Vector& a, const Vector& b)
   return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 }
 
-/** Crossings of the edges of a leaf's voxels, relative to the reference. */
+/** Crossings of the edges of a leaf's voxels. */
 struct CrossingsOfLeaf
 {
   double Origin[3];
   double Along[3 * CornersOfLeaf]; // by EdgePlace, for crossed edges: 0 to 1
 
-  ACTIVE_ALWAYS_INLINE CrossingsOfLeaf(
-    const LeafTable& table, std::size_t i, const openvdb::Coord& reference)
+  ACTIVE_ALWAYS_INLINE CrossingsOfLeaf(const LeafTable& table, std::size_t i)
   {
-    const openvdb::Coord origin = table[i].Origin - reference;
+    const openvdb::Coord& origin = table[i].Origin;
     for (int axis = 0; axis < 3; ++axis)
     {
       this->Origin[axis] = double(origin[axis]);
@@ -80,7 +79,6 @@ ACTIVE_ALWAYS_INLINE void AddTriangle(const Vector corners[3], SkinMeasure& sum)
 struct MeasureLeaf
 {
   const LeafTable& Table;
-  const openvdb::Coord& Reference;
   SkinMeasure* Parts;
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
@@ -88,7 +86,7 @@ struct MeasureLeaf
     SkinMeasure sum;
     if (this->Table[i].UpToLayer[0].Any())
     {
-      const CrossingsOfLeaf crossings(this->Table, i, this->Reference);
+      const CrossingsOfLeaf crossings(this->Table, i);
       const VoxelTriangles* all = &TrianglesOfVoxel(0);
       ForEachCrossedVoxel(this->Table, i,
         [&](int node, unsigned bits) ACTIVE_INLINED
@@ -109,27 +107,20 @@ struct MeasureLeaf
 
 }
 
-SkinMeasure MeasureSkin(const LeafTable& table)
+SkinSums SumSkin(const LeafTable& table)
 {
-  // Any point is a valid reference for a closed surface; a nearby one keeps the sums small. Leaves
-  // without surface are skipped, because their existence depends on earlier requests.
-  const LeafList order = table.FindTreeOrder();
-  const auto first = std::find_if(
-    order.begin(), order.end(), [&](std::int32_t i) { return table[i].UpToLayer[0].Any(); });
-  SkinMeasure total;
-  if (first == order.end())
-  {
-    return total;
-  }
-  const openvdb::Coord reference = table[*first].Origin;
   std::vector<SkinMeasure> parts(table.Size());
-  ForEachLeaf(table, MeasureLeaf{ table, reference, parts.data() });
-  for (const std::int32_t i : order)
+  ForEachLeaf(table, MeasureLeaf{ table, parts.data() });
+  SkinSums sums;
+  for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    total.Area += parts[i].Area;
-    total.Volume += parts[i].Volume;
+    if (!table.SummaryOf(i).IsForeign)
+    {
+      sums.Area.Add(parts[i].Area);
+      sums.Volume.Add(parts[i].Volume);
+    }
   }
-  return total;
+  return sums;
 }
 
 }

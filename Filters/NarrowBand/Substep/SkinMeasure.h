@@ -4,6 +4,7 @@
 #ifndef SkinMeasure_h
 #define SkinMeasure_h
 
+#include "FixedSum.h"
 #include "Leaves/LeafTable.h"
 
 #include <cmath>
@@ -24,9 +25,28 @@ inline double AreaGainOfSphere(double area)
   return std::sqrt(16.0 * pi * area);
 }
 
-/** Measures in voxels. Leaves are summed in the order of the tree, so the result does not depend
- * on the number of threads. */
-SkinMeasure MeasureSkin(const LeafTable& table);
+/** Sums over leaves in any order, in voxels. */
+struct SkinSums
+{
+  FixedSum Area, Volume;
+
+  void Add(const SkinSums& other)
+  {
+    this->Area.Add(other.Area);
+    this->Volume.Add(other.Volume);
+  }
+  SkinMeasure Get() const { return { this->Area.Get(), this->Volume.Get() }; }
+};
+
+/** Sums over the leaves of this rank. Their volume is that of a closed surface once the sums of all
+ * ranks are added up. */
+SkinSums SumSkin(const LeafTable& table);
+
+/** Measures of a band that is whole here, in voxels. */
+inline SkinMeasure MeasureSkin(const LeafTable& table)
+{
+  return SumSkin(table).Get();
+}
 
 }
 

@@ -4,6 +4,7 @@
 #include "ParallelTasks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace activesurface
@@ -18,10 +19,11 @@ struct NodeFits::Search
   FitNeighbours Neighbours;
 };
 
-void NodeFits::Find(
-  const ParticleBlocks& blocks, const FitColumns& given, const NodeFitOptions& options)
+void NodeFits::Find(const ParticleBlocks& blocks, const FitColumns& given,
+  const GhostParticles& ghosts, const NodeFitOptions& options)
 {
   this->Blocks = &blocks;
+  this->Ghosts = &ghosts;
   this->Given = given;
   this->Options = options;
   const std::size_t count = blocks.GetOrder().size();
@@ -35,53 +37,22 @@ void NodeFits::Find(
     std::fill(this->Bulk.begin(), this->Bulk.end(), 0.f);
     return;
   }
-  const auto isNear = [](std::uint32_t, bool isNearSurface) { return isNearSurface; };
+  const auto isNear = [&ghosts](std::uint32_t k, bool isNearSurface)
+  { return isNearSurface && ghosts.IsOwn(k); };
   this->ForEachGroup(isNear, [this](Search& search) { this->FindShapes(search); });
+  this->ShareShapes();
   if (!options.HasEllipsoids)
   {
     return;
   }
   this->FindLongestReach();
   this->ForEachGroup([this](std::uint32_t k, bool isNearSurface)
-    { return isNearSurface && this->IsAtSurface(k); },
+    { return isNearSurface && this->Ghosts->IsOwn(k) && this->IsAtSurface(k); },
     [this](Search& search) { this->FindLacks(search); });
+  this->ShareLacks();
   this->ListSurface();
   this->ForEachGroup(isNear, [this](Search& search) { this->FindStrengths(search); });
-}
-
-void NodeFits::Resize(std::size_t count)
-{
-  this->Row.Build(*this->Blocks);
-  for (UnsetVector<float>* numbers : { &this->Wide2, &this->InverseWide2, &this->Bulk })
-  {
-    numbers->resize(count + LanePadding);
-  }
-  RunEach(count + LanePadding,
-    [this, count](std::size_t k)
-    {
-      const bool isNeighbour = count > k && this->Given.Strength[k] > 0.f;
-      const float wide =
-        isNeighbour ? static_cast<float>(this->Options.WidePerReach) * this->Given.Reach[k] : 0.f;
-      this->Wide2[k] = wide * wide;
-      this->InverseWide2[k] = isNeighbour ? 1.f / (wide * wide) : 0.f;
-      this->Bulk[k] = 1.f;
-    });
-  this->WidestReach =
-    std::sqrt(FindMost(count, 0.f, [this](std::size_t k) { return this->Wide2[k]; }));
-  const std::size_t near = this->Row.Size();
-  for (UnsetVector<float>* numbers : { &this->EX, &this->EY, &this->EZ, &this->EReach2, &this->Deep,
-         &this->Thin, &this->Shape, &this->Lone, &this->Share, &this->Lack })
-  {
-    numbers->resize(near + LanePadding);
-  }
-  this->Places.resize(6 * near);
-  this->Ellipsoids.resize(near);
-  RunEach(near + LanePadding,
-    [this](std::size_t i)
-    {
-      this->EX[i] = this->EY[i] = this->EZ[i] = this->EReach2[i] = 0.f;
-      this->Share[i] = this->Lack[i] = 0.f;
-    });
+  this->ShareStrengths();
 }
 
 // By a sample that is spread over the list.

@@ -7,6 +7,7 @@
 #define NodeFits_h
 
 #include "Nodes/FitKernels.h"
+#include "Nodes/GhostParticles.h"
 #include "Nodes/NearRows.h"
 #include "Nodes/NodeSums.h"
 #include "Nodes/ParticleBlocks.h"
@@ -39,8 +40,10 @@ class NodeFits
 {
 public:
   // Keeps its memory. Throws std::invalid_argument for too many neighbours (NeighbourLimit.h);
-  // without ellipsoids bulks are 0 then.
-  void Find(const ParticleBlocks& blocks, const FitColumns& given, const NodeFitOptions& options);
+  // without ellipsoids bulks are 0 then. ghosts: of which other ranks find the fits; collective if
+  // there are any.
+  void Find(const ParticleBlocks& blocks, const FitColumns& given, const GhostParticles& ghosts,
+    const NodeFitOptions& options);
 
   // In [0,1]; 1 deep in a body.
   const float* GetBulks() const { return this->Bulk.data(); }
@@ -77,6 +80,10 @@ private:
   void ListSurface();
   void FindStrengths(Search& search);
   void FindLongestReach();
+  bool HasRow(std::uint32_t k) const { return this->Row[k + 1] > this->Row[k]; }
+  void ShareShapes();
+  void ShareLacks();
+  void ShareStrengths();
   bool IsAtSurface(std::uint32_t k) const
   {
     const std::uint32_t i = this->Row[k];
@@ -84,6 +91,7 @@ private:
   }
 
   const ParticleBlocks* Blocks = nullptr;
+  const GhostParticles* Ghosts = nullptr;
   FitColumns Given{};
   NodeFitOptions Options;
   double WidestReach = 0.0;

@@ -103,7 +103,7 @@ void OutputPorts::Fill(const SurfaceProperties& properties, SurfaceSimulation& s
     {
       vtkDataObject* data = vtkDataObject::GetData(output, port);
       FillPort(port, properties, simulation, output->GetInformationObject(port), data);
-      AttachState(simulation, data,
+      AttachState(properties.Outputs, simulation, data,
         port == Skin
           ? KeepShare(simulation.GetBand(), properties.Share, vtkPolyData::SafeDownCast(data))
           : nullptr);

@@ -45,14 +45,9 @@ FloatArray MakeVelocity(const SkinContext& skin)
   return velocity;
 }
 
-FloatArray MakeCurvature(const SkinContext& skin)
+FloatArray MakeCurvatureOf(const SkinContext& skin)
 {
-  const std::vector<float> curvatures = FindCurvatures(skin.Simulation.GetBand());
-  auto array = FloatArray::New();
-  array->SetName("MeanCurvature");
-  array->SetNumberOfTuples(static_cast<vtkIdType>(curvatures.size()));
-  std::copy(curvatures.begin(), curvatures.end(), array->GetPointer(0));
-  return array;
+  return MakeCurvature(skin.Simulation.GetBand());
 }
 
 // A point array, the property that asks for it, and what it is made of besides the band.
@@ -66,7 +61,7 @@ struct SkinArray
 
 constexpr SkinArray Arrays[] = {
   { &OutputProperties::Velocity, true, true, MakeVelocity },
-  { &OutputProperties::Curvature, false, false, MakeCurvature },
+  { &OutputProperties::Curvature, false, false, MakeCurvatureOf },
 };
 
 bool HasRequested(const OutputProperties& properties, bool SkinArray::*need)
@@ -110,6 +105,16 @@ void ShortenVectors(double longest, const vtkFloatArray* normals, vtkFloatArray*
   }
 }
 
+}
+
+vtkSmartPointer<vtkFloatArray> MakeCurvature(const NarrowBand& band)
+{
+  const std::vector<float> curvatures = FindCurvatures(band);
+  auto array = FloatArray::New();
+  array->SetName("MeanCurvature");
+  array->SetNumberOfTuples(static_cast<vtkIdType>(curvatures.size()));
+  std::copy(curvatures.begin(), curvatures.end(), array->GetPointer(0));
+  return array;
 }
 
 bool NeedNormals(const OutputProperties& properties)

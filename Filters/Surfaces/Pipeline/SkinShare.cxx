@@ -11,6 +11,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace activesurface
@@ -19,31 +20,40 @@ namespace activesurface
 namespace
 {
 
-struct Triangles
-{
-  vtkIdType First;
-  vtkIdType Last; // not included
-};
+using Ranges = std::vector<Skin::TriangleRange>;
 
-// The points of the triangles, in the order of the whole; and of each point of the whole its place
-// among them, or -1.
+// Calls visit(triangle) for each.
+template <class Visit>
+void ForEachTriangle(const Ranges& ranges, Visit&& visit)
+{
+  for (const Skin::TriangleRange& range : ranges)
+  {
+    for (std::size_t i = range.First; i < range.Last; ++i)
+    {
+      visit(static_cast<vtkIdType>(i));
+    }
+  }
+}
+
+// The points of the triangles, in their order; and of each point here its place among them, or -1.
 struct UsedPoints
 {
   vtkNew<vtkIdList> Points;
   std::vector<vtkIdType> Places;
 
-  UsedPoints(vtkPolyData* skin, const Triangles& triangles)
+  UsedPoints(vtkPolyData* skin, const Ranges& ranges)
     : Places(static_cast<std::size_t>(skin->GetNumberOfPoints()), -1)
   {
     vtkNew<vtkIdList> corners;
-    for (vtkIdType i = triangles.First; i < triangles.Last; ++i)
-    {
-      skin->GetPolys()->GetCellAtId(i, corners);
-      for (vtkIdType corner : *corners)
+    ForEachTriangle(ranges,
+      [&](vtkIdType i)
       {
-        this->Places[static_cast<std::size_t>(corner)] = 0;
-      }
-    }
+        skin->GetPolys()->GetCellAtId(i, corners);
+        for (vtkIdType corner : *corners)
+        {
+          this->Places[static_cast<std::size_t>(corner)] = 0;
+        }
+      });
     for (std::size_t i = 0; i < this->Places.size(); ++i)
     {
       if (this->Places[i] == 0)
@@ -56,35 +66,37 @@ struct UsedPoints
 };
 
 vtkSmartPointer<vtkCellArray> Renumber(
-  vtkCellArray* whole, const Triangles& triangles, const std::vector<vtkIdType>& places)
+  vtkCellArray* whole, const Ranges& ranges, const std::vector<vtkIdType>& places)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   vtkNew<vtkIdList> corners;
-  for (vtkIdType i = triangles.First; i < triangles.Last; ++i)
-  {
-    whole->GetCellAtId(i, corners);
-    for (vtkIdType& corner : *corners)
+  ForEachTriangle(ranges,
+    [&](vtkIdType i)
     {
-      corner = places[static_cast<std::size_t>(corner)];
-    }
-    cells->InsertNextCell(corners);
-  }
+      whole->GetCellAtId(i, corners);
+      for (vtkIdType& corner : *corners)
+      {
+        corner = places[static_cast<std::size_t>(corner)];
+      }
+      cells->InsertNextCell(corners);
+    });
   return cells;
 }
 
-void AddGlobalIds(vtkIdList* numbers, vtkPointData* arrays)
+// numbers: of all points here, in the skin of all ranks.
+void AddGlobalIds(vtkIdList* points, const std::vector<std::int64_t>& numbers, vtkPointData* arrays)
 {
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName("GlobalPointIds");
-  ids->SetNumberOfValues(numbers->GetNumberOfIds());
-  for (vtkIdType i = 0; i < numbers->GetNumberOfIds(); ++i)
+  ids->SetNumberOfValues(points->GetNumberOfIds());
+  for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
   {
-    ids->SetValue(i, numbers->GetId(i));
+    ids->SetValue(i, static_cast<vtkIdType>(numbers[static_cast<std::size_t>(points->GetId(i))]));
   }
   arrays->SetGlobalIds(ids);
 }
 
-// The arrays of the whole at these points.
+// The arrays at these points.
 vtkSmartPointer<vtkPointData> CopyArrays(vtkPointData* whole, vtkIdList* points)
 {
   vtkNew<vtkIdList> order;
@@ -97,18 +109,19 @@ vtkSmartPointer<vtkPointData> CopyArrays(vtkPointData* whole, vtkIdList* points)
   arrays->CopyAllOn();
   arrays->CopyAllocate(whole, points->GetNumberOfIds());
   arrays->CopyData(whole, points, order);
-  AddGlobalIds(points, arrays);
   return arrays;
 }
 
-void KeepTriangles(const Triangles& triangles, vtkPolyData* skin)
+void KeepTriangles(
+  const Ranges& ranges, const std::vector<std::int64_t>& numbers, vtkPolyData* skin)
 {
-  const UsedPoints used(skin, triangles);
+  const UsedPoints used(skin, ranges);
   vtkNew<vtkPoints> points;
   points->SetDataType(skin->GetPoints()->GetDataType());
   skin->GetPoints()->GetPoints(used.Points, points);
-  const auto cells = Renumber(skin->GetPolys(), triangles, used.Places);
+  const auto cells = Renumber(skin->GetPolys(), ranges, used.Places);
   const auto arrays = CopyArrays(skin->GetPointData(), used.Points);
+  AddGlobalIds(used.Points, numbers, arrays);
   skin->SetPoints(points);
   skin->SetPolys(cells);
   skin->GetPointData()->ShallowCopy(arrays);
@@ -124,15 +137,13 @@ vtkSmartPointer<vtkPointData> KeepShare(
     return nullptr;
   }
   vtkSmartPointer<vtkPointData> whole;
-  if (share.Rank == 0)
+  if (share.Rank == 0 && !band.GetPart())
   {
     whole = vtkSmartPointer<vtkPointData>::New();
     whole->ShallowCopy(skin->GetPointData());
   }
-  const std::vector<std::size_t> first = Skin(band).ShareTriangles(share.Size);
-  const auto rank = static_cast<std::size_t>(share.Rank);
-  KeepTriangles(
-    { static_cast<vtkIdType>(first[rank]), static_cast<vtkIdType>(first[rank + 1]) }, skin);
+  const Skin triangles(band);
+  KeepTriangles(triangles.ListTriangles(share.Rank, share.Size), triangles.NumberVertices(), skin);
   return whole;
 }
 

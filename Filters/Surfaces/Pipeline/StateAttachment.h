@@ -10,10 +10,12 @@ namespace activesurface
 {
 
 class SurfaceSimulation;
+struct OutputProperties;
 
 // Of a simulation at the requested time. arrays: those of all of the skin, where the data are a
-// part; else null.
-void AttachState(const SurfaceSimulation& simulation, vtkDataObject* data, vtkPointData* arrays);
+// part of what this rank has; else null.
+void AttachState(const OutputProperties& properties, const SurfaceSimulation& simulation,
+  vtkDataObject* data, vtkPointData* arrays);
 
 }
 

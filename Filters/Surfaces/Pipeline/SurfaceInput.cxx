@@ -3,7 +3,10 @@
 #include "AttachedData.h"
 #include "ParticleData.h"
 #include "Ranks/PieceGather.h"
+#include "Targets/ContentSum.h"
+#include "Targets/HomeParticles.h"
 #include "Targets/InputKinds.h"
+#include "Targets/ParticleShape.h"
 #include "WholeInput.h"
 
 #include "vtkAbstractArray.h"
@@ -211,7 +214,7 @@ bool SurfaceInput::IsSplit(vtkInformation* information) const
 }
 
 std::unique_ptr<InputShape> SurfaceInput::Read(
-  vtkInformation* information, const ParticleArrays& kept) const
+  vtkInformation* information, const ParticleArrays& kept, bool areShared) const
 {
   vtkDataObject* object = vtkDataObject::GetData(information);
   const auto readOwn = [&]
@@ -231,8 +234,45 @@ std::unique_ptr<InputShape> SurfaceInput::Read(
   {
     return readOwn();
   }
+  if (areShared && kind == PieceKind::Particles)
+  {
+    return this->ReadHome(piece, kept);
+  }
   const vtkSmartPointer<vtkDataSet> whole = GatherWhole(this->Ranks, piece, name);
   return MakeInputShape({ whole, ArraysOf(*this, whole), kept });
+}
+
+// The particles whose home this rank is.
+std::unique_ptr<InputShape> SurfaceInput::ReadHome(
+  const InputPiece& piece, const ParticleArrays& kept) const
+{
+  auto own = vtkPolyData::SafeDownCast(piece.Data);
+  vtkDataArray* ids = own ? vtkDataArray::SafeDownCast(this->FindArray(IdArray, own)) : nullptr;
+  const HomePoints points = SendHome(this->Ranks, own, ids, own ? SumContent(own) : 0);
+  auto home = std::make_shared<HomePart>();
+  home->Data = points.Data;
+  home->Ranks = this->Ranks;
+  home->Make = [this, kept](vtkPolyData* some, bool areAll)
+  { return this->MakeShape(some, areAll, kept); };
+  std::unique_ptr<InputShape> shape = this->MakeShape(points.Data, false, kept);
+  dynamic_cast<ParticleShape&>(*shape).SetWhole(
+    DescribeWhole(this->Ranks, *shape->GetParticles(), points.AllPoints));
+  shape->Content = points.Content;
+  shape->Home = home;
+  return shape;
+}
+
+std::unique_ptr<InputShape> SurfaceInput::MakeShape(
+  vtkPolyData* points, bool areAll, const ParticleArrays& kept) const
+{
+  if (points->GetNumberOfPoints() == 0) // and so without the arrays
+  {
+    ParticleFrame none;
+    none.HasIds = this->IsArrayChosen(IdArray);
+    return std::make_unique<ParticleShape>(std::move(none), kept);
+  }
+  const ArraysOf chosen(*this, points);
+  return MakeInputShape({ points, chosen, kept, areAll ? nullptr : NumbersOfPoints });
 }
 
 void SurfaceInput::Check(vtkDataObject* data) const

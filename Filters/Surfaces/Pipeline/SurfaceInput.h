@@ -3,7 +3,7 @@
 #ifndef SurfaceInput_h
 #define SurfaceInput_h
 
-#include "Ranks/Agreement.h"
+#include "Agreement.h"
 #include "Ranks/InputPiece.h"
 #include "Targets/InputData.h"
 #include "Targets/InputShape.h"
@@ -18,6 +18,7 @@ class vtkAbstractArray;
 class vtkAlgorithm;
 class vtkDataObject;
 class vtkDataSet;
+class vtkPolyData;
 class vtkInformation;
 
 namespace activesurface
@@ -66,10 +67,11 @@ public:
   // What to keep of particles: all their arrays, and the array of velocities, if one was chosen.
   ParticleArrays DescribeParticleArrays(bool all, bool velocities) const;
 
-  // Of the pieces of all ranks. Throws std::invalid_argument for data that cannot be a target, and
-  // for arrays that are missing or unfit.
-  std::unique_ptr<InputShape> Read(
-    vtkInformation* information, const ParticleArrays& kept = ParticleArrays()) const;
+  // Reads the pieces of all ranks. areShared: of particles each rank keeps a part. Throws
+  // std::invalid_argument for data that cannot be a target, and for arrays that are missing or
+  // unfit.
+  std::unique_ptr<InputShape> Read(vtkInformation* information,
+    const ParticleArrays& kept = ParticleArrays(), bool areShared = false) const;
 
   // Throws as Read does, for this rank's piece alone.
   void Check(vtkDataObject* data) const;
@@ -90,6 +92,9 @@ private:
   vtkAbstractArray* FindArray(int index, vtkDataSet* data) const;
   vtkAbstractArray* FindValues(vtkDataSet* image) const;
   InputPiece MakePiece(vtkDataSet* data, const ParticleArrays& kept) const;
+  std::unique_ptr<InputShape> ReadHome(const InputPiece& piece, const ParticleArrays& kept) const;
+  std::unique_ptr<InputShape> MakeShape(
+    vtkPolyData* points, bool areAll, const ParticleArrays& kept) const;
   void Request(vtkInformation* information) const;
   bool UpdateProducer() const;
 

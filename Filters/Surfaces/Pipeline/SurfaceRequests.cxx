@@ -75,9 +75,10 @@ SurfaceSettings SurfaceRequests::FindSettings(const SurfaceProperties& propertie
   return settings;
 }
 
-RequestedArrays SurfaceRequests::FindArrays(const OutputProperties& properties) const
+RequestedArrays SurfaceRequests::FindArrays(const OutputProperties& properties, int port) const
 {
   RequestedArrays arrays;
+  arrays.Potential = properties.Potential || port == OutputPorts::Potential;
   arrays.Speeds = NeedSpeeds(properties);
   arrays.TangentialVelocity = properties.Velocity && properties.TangentialVelocity;
   arrays.FastestParticle = properties.Velocity && properties.MaximumVelocity == 0.0;
@@ -185,14 +186,14 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
     return;
   }
   vtkInformation* target = Get(input, SurfaceInput::Target);
-  const PipelineTime time =
-    this->FindRequestedTime(output->GetInformationObject(RequestedPort(request)));
+  const int port = RequestedPort(request);
+  const PipelineTime time = this->FindRequestedTime(output->GetInformationObject(port));
   if (this->Clock.Request(target, time.Value))
   {
     this->Simulation.Reset();
   }
   this->Simulation.Configure(this->FindSettings(properties));
-  this->Simulation.Request(time, this->FindArrays(properties.Outputs));
+  this->Simulation.Request(time, this->FindArrays(properties.Outputs, port));
   if (target)
   {
     this->CompositeTarget =
@@ -305,7 +306,19 @@ void SurfaceRequests::AgreeOnRequest(
   if (!activesurface::AgreeOnRequest(this->Ranks, properties, this->Simulation, port, time))
   {
     this->Simulation.Reset();
-    this->Simulation.Request(time, this->FindArrays(properties.Outputs));
+    this->Simulation.Request(time, this->FindArrays(properties.Outputs, port));
+  }
+}
+
+// VTK asks such a source on the first rank only.
+void SurfaceRequests::WarnOfPieces(vtkInformation* target) const
+{
+  if (target && this->Ranks.GetRank() == 0 &&
+    !target->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()) && !target->Has(SDDP::WHOLE_EXTENT()))
+  {
+    this->Simulation.Warn("no pieces",
+      "The input does not say that it can make pieces (CAN_HANDLE_PIECE_REQUEST), so it is read on "
+      "the first rank only. If the other ranks have parts of it, publish the key.");
   }
 }
 
@@ -330,6 +343,7 @@ void SurfaceRequests::FillOutputs(const SurfaceProperties& properties, vtkInform
   if (!this->Ranks.IsAlone())
   {
     this->AgreeOnRequest(properties, request, output);
+    this->WarnOfPieces(Get(input, SurfaceInput::Target));
   }
   this->Simulation.GetSettings().Check();
   ForEachOutputProperty(properties.Outputs,
@@ -343,58 +357,6 @@ void SurfaceRequests::FillOutputs(const SurfaceProperties& properties, vtkInform
   {
     this->ClearOutputs(output);
   }
-}
-
-void SurfaceRequests::Push(const SurfaceProperties& properties, vtkDataObject* data, double dt)
-{
-  this->Update.Refuse("Advance");
-  if (!this->Simulation.HasBegun()) // a first frame was refused
-  {
-    this->Pushed.Stop();
-  }
-  if (data && this->Target.IsConnected() && !this->Pushed.AreConnected())
-  {
-    this->Target.Check(data); // one that is refused does not take the place of another input
-  }
-  this->Pushed.Push(properties, data, dt);
-}
-
-void SurfaceRequests::Restart()
-{
-  this->Update.Refuse("ResetTrajectory");
-  this->Simulation.Reset();
-  this->Pushed.Stop();
-}
-
-bool SurfaceRequests::WithdrawFrame()
-{
-  if (!this->Simulation.WithdrawLastStep())
-  {
-    return false;
-  }
-  this->Pushed.Withdraw();
-  this->Simulation.SetTargetMTime(this->Target.GetPipelineMTime());
-  return true;
-}
-
-void SurfaceRequests::SaveState(const std::string& file)
-{
-  const auto write = [&]
-  {
-    if (this->Ranks.GetRank() == 0)
-    {
-      WriteState(file, this->Simulation.GetState());
-    }
-  };
-  RunTogether(this->Ranks, write);
-}
-
-void SurfaceRequests::LoadState(const std::string& file)
-{
-  this->Update.Refuse("LoadState");
-  SavedState state;
-  RunTogether(this->Ranks, [&] { state = ReadState(file); });
-  this->Simulation.SetState(state);
 }
 
 }

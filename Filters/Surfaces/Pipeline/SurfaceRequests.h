@@ -7,6 +7,7 @@
 #ifndef SurfaceRequests_h
 #define SurfaceRequests_h
 
+#include "Agreement.h"
 #include "Pipeline/InputClock.h"
 #include "Pipeline/OutputPorts.h"
 #include "Pipeline/PushedFrames.h"
@@ -15,7 +16,6 @@
 #include "Pipeline/TargetSteps.h"
 #include "Pipeline/UpdateUnderWay.h"
 #include "Pipeline/UserMessages.h"
-#include "Ranks/Agreement.h"
 
 #include <cstdint>
 #include <string>
@@ -72,14 +72,14 @@ public:
   void LoadState(const std::string& file);
 
   // Of the skin that was made last; the same object always.
-  vtkGridPotential* GetSkinFunction() { return this->Outputs.GetSkinFunction(this->Simulation); }
+  vtkGridPotential* GetSkinFunction();
 
 private:
   class MTimesAfterwards;
 
   SurfaceSettings FindSettings(const SurfaceProperties& properties) const;
   bool ReadClock(const SurfaceProperties& properties, vtkInformation* target);
-  RequestedArrays FindArrays(const OutputProperties& properties) const;
+  RequestedArrays FindArrays(const OutputProperties& properties, int port) const;
   const SurfaceDomain* FindDomain(
     const SurfaceProperties& properties, vtkInformationVector** input, bool isWanted);
   PipelineTime FindRequestedTime(vtkInformation* output) const;
@@ -87,6 +87,7 @@ private:
   void ReadFirst(vtkInformationVector** input);
   void SettleSpacing(vtkInformation* target);
   bool Advance(vtkInformationVector** input);
+  void WarnOfPieces(vtkInformation* target) const;
   void AgreeOnRequest(
     const SurfaceProperties& properties, vtkInformation* request, vtkInformationVector* output);
   void FillOutputs(const SurfaceProperties& properties, vtkInformation* request,

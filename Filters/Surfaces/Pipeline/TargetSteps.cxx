@@ -80,7 +80,8 @@ void TargetSteps::SettleSpacing(vtkInformation* target, Agreement& ranks)
     }
     this->Simulation.SettleSpacing(samples);
   }
-  this->Simulation.AddFrame(0, std::move(first));
+  const bool isReadAgain = this->Simulation.SharesSpace() && !ranks.IsAlone() && first->HasPoints();
+  this->Simulation.AddFrame(0, isReadAgain ? this->Make(target, 0, true) : std::move(first));
 }
 
 void TargetSteps::TakeFirst(vtkInformation* target)
@@ -120,7 +121,8 @@ std::unique_ptr<InputShape> TargetSteps::Make(vtkInformation* target, int step, 
 
 std::unique_ptr<InputShape> TargetSteps::Read(vtkInformation* target) const
 {
-  return this->Target.Read(target, this->Simulation.GetRequestedArrays().Kept);
+  return this->Target.Read(
+    target, this->Simulation.GetRequestedArrays().Kept, this->Simulation.SharesSpace());
 }
 
 }

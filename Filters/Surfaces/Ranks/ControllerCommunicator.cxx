@@ -78,13 +78,11 @@ std::int64_t ControllerCommunicator::Max(std::int64_t own)
 std::vector<Bytes> ControllerCommunicator::AllGather(const Bytes& own)
 {
   const std::vector<std::size_t> lengths = GatherLengths(this->Controller, own.size());
-  std::vector<Bytes> all(lengths.size());
   if (*std::max_element(lengths.begin(), lengths.end()) > LongMessage)
   {
-    this->SwapInPairs(own, lengths, all);
-    all[static_cast<std::size_t>(this->GetRank())] = own;
-    return all;
+    return this->SwapInPairs([&own](int) -> const Bytes& { return own; }, lengths);
   }
+  std::vector<Bytes> all(lengths.size());
   std::vector<vtkIdType> counts(lengths.begin(), lengths.end());
   std::vector<vtkIdType> offsets(1, 0);
   std::partial_sum(counts.begin(), counts.end(), std::back_inserter(offsets));
@@ -98,11 +96,21 @@ std::vector<Bytes> ControllerCommunicator::AllGather(const Bytes& own)
   return all;
 }
 
+std::vector<Bytes> ControllerCommunicator::Swap(
+  const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes)
+{
+  return this->SwapInPairs(
+    [&toEach](int rank) -> const Bytes& { return toEach[static_cast<std::size_t>(rank)]; }, sizes);
+}
+
 // In each round a rank meets one other; of the two the lower one speaks first.
-void ControllerCommunicator::SwapInPairs(
-  const Bytes& own, const std::vector<std::size_t>& sizes, std::vector<Bytes>& fromEach)
+template <class GetOwn>
+std::vector<Bytes> ControllerCommunicator::SwapInPairs(
+  GetOwn&& getOwn, const std::vector<std::size_t>& sizes)
 {
   const int rank = this->GetRank(), size = this->GetSize();
+  std::vector<Bytes> fromEach(sizes.size());
+  fromEach[static_cast<std::size_t>(rank)] = getOwn(rank);
   for (int round = 1; round < RoundUpToPowerOfTwo(size); ++round)
   {
     const int other = rank ^ round;
@@ -110,18 +118,20 @@ void ControllerCommunicator::SwapInPairs(
     {
       continue;
     }
-    fromEach[other].resize(sizes[other]);
+    Bytes& from = fromEach[static_cast<std::size_t>(other)];
+    from.resize(sizes[static_cast<std::size_t>(other)]);
     if (rank < other)
     {
-      this->Send(own, other);
-      this->Receive(fromEach[other], other);
+      this->Send(getOwn(other), other);
+      this->Receive(from, other);
     }
     else
     {
-      this->Receive(fromEach[other], other);
-      this->Send(own, other);
+      this->Receive(from, other);
+      this->Send(getOwn(other), other);
     }
   }
+  return fromEach;
 }
 
 void ControllerCommunicator::Send(const Bytes& bytes, int rank)
@@ -147,7 +157,7 @@ void ControllerCommunicator::Receive(Bytes& bytes, int rank)
 Agreement MakeAgreement(vtkMultiProcessController* controller)
 {
   return controller && controller->GetNumberOfProcesses() > 1
-    ? Agreement(std::make_unique<ControllerCommunicator>(controller))
+    ? Agreement(std::make_shared<ControllerCommunicator>(controller))
     : Agreement();
 }
 

@@ -3,8 +3,8 @@
 #ifndef ControllerCommunicator_h
 #define ControllerCommunicator_h
 
-#include "Ranks/Agreement.h"
-#include "Ranks/Communicator.h"
+#include "Agreement.h"
+#include "Communicator.h"
 
 #include "vtkSmartPointer.h"
 
@@ -23,10 +23,12 @@ public:
   int GetSize() const override;
   std::int64_t Max(std::int64_t own) override;
   std::vector<Bytes> AllGather(const Bytes& own) override;
+  std::vector<Bytes> Swap(
+    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) override;
 
 private:
-  void SwapInPairs(
-    const Bytes& own, const std::vector<std::size_t>& sizes, std::vector<Bytes>& fromEach);
+  template <class GetOwn>
+  std::vector<Bytes> SwapInPairs(GetOwn&& getOwn, const std::vector<std::size_t>& sizes);
   void Send(const Bytes& bytes, int rank);
   void Receive(Bytes& bytes, int rank);
 

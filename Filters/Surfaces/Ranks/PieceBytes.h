@@ -3,7 +3,7 @@
 #ifndef PieceBytes_h
 #define PieceBytes_h
 
-#include "Ranks/Communicator.h"
+#include "Communicator.h"
 
 namespace activesurface
 {

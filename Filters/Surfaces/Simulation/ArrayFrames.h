@@ -17,9 +17,12 @@ struct RequestedArrays
   bool Passed = false;             // those of the particles
   bool TangentialVelocity = false; // of the particles
   bool FastestParticle = false;    // its speed, where there are particles
+  bool Potential = false;          // besides the skin
   ParticleArrays Kept;             // of the particles, when their frames are read
 
   bool NeedParticles() const { return this->Passed || this->TangentialVelocity; }
+  // Returns true if ranks that share out space need all of the skin, and of the particles.
+  bool NeedWhole() const { return this->Potential || this->Speeds || this->NeedParticles(); }
 };
 
 // A moment between two frames: at Fraction of the way from the step First to the next one.

@@ -1,5 +1,6 @@
 #include "Simulation/Checkpoints.h"
 
+#include "BandPart.h"
 #include "NarrowBand.h"
 
 #include <iterator>
@@ -19,18 +20,29 @@ void Checkpoints::SetLimits(int interval, std::size_t memory)
   this->MakeRoom();
 }
 
+// Ranks forget the same states.
+Checkpoints::Saved Checkpoints::Save(const NarrowBand& band)
+{
+  constexpr std::size_t bytesPerNode = 6; // with the bits of its leaf
+  Saved saved{ band.Pack(), band.SharePart(), 0 };
+  const std::size_t ofAll = bytesPerNode * band.GetNumberOfActiveNodes();
+  saved.Size = saved.Part ? ofAll / static_cast<std::size_t>(saved.Part->GetRanks().GetSize())
+                          : saved.Bytes.size();
+  return saved;
+}
+
 void Checkpoints::Add(int step, const NarrowBand& band)
 {
   if (this->Interval > 0 && step % this->Interval == 0 && !this->States.count(step))
   {
-    this->States[step] = band.Pack();
+    this->States[step] = Save(band);
     this->MakeRoom();
   }
 }
 
 void Checkpoints::Keep(int step, const NarrowBand& band)
 {
-  this->States[step] = band.Pack();
+  this->States[step] = Save(band);
 }
 
 int Checkpoints::FindUpTo(int step) const
@@ -41,7 +53,8 @@ int Checkpoints::FindUpTo(int step) const
 
 std::unique_ptr<NarrowBand> Checkpoints::Restore(int step) const
 {
-  return NarrowBand::Unpack(this->States.at(step));
+  const Saved& saved = this->States.at(step);
+  return NarrowBand::Unpack(saved.Bytes, saved.Part);
 }
 
 std::size_t Checkpoints::GetSize() const
@@ -49,7 +62,7 @@ std::size_t Checkpoints::GetSize() const
   std::size_t size = 0;
   for (const auto& [step, state] : this->States)
   {
-    size += state.size();
+    size += state.Size;
   }
   return size;
 }

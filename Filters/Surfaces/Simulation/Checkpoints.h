@@ -11,6 +11,7 @@
 namespace activesurface
 {
 
+struct BandPart;
 class NarrowBand;
 
 class Checkpoints
@@ -34,12 +35,20 @@ public:
   std::unique_ptr<NarrowBand> Restore(int step) const;
 
 private:
+  struct Saved
+  {
+    std::string Bytes;
+    std::shared_ptr<const BandPart> Part;
+    std::size_t Size; // in the memory; of a part the same on all ranks
+  };
+
+  static Saved Save(const NarrowBand& band);
   void MakeRoom();
   std::size_t GetSize() const;
 
   int Interval = 10;
   std::size_t Memory = std::size_t(256) << 20;
-  std::map<int, std::string> States; // by step
+  std::map<int, Saved> States; // by step
 };
 
 }

@@ -16,10 +16,6 @@ namespace
 // evaluated on its way, however slow the surface is.
 constexpr double SubstepsOfMovingTarget = 4.0;
 
-// The node scheme evaluates the target only near its surface: a skin that comes closer by fewer
-// factors e in a time step may be elsewhere.
-constexpr double FewestFactorsOfNodes = 2.0;
-
 // Automatic attraction: distances fall by so many factors e from one step to the next.
 constexpr double FactorsPerStep = 6.0;
 // Automatic tension, in units of Attraction * (half of the particles' spacing)^2; in a body of half
@@ -168,7 +164,7 @@ Motion MotionDriver::GetMotion(int step, bool hasParticles) const
       motion.Attraction = FactorsPerStep / length;
     }
     if (hasParticles && this->Settings.UsesNodes() &&
-      motion.Attraction * length >= FewestFactorsOfNodes)
+      motion.Attraction * length >= SurfaceSettings::FewestFactorsOfNodes)
     {
       this->UseNodes(motion.Attraction, motion);
     }

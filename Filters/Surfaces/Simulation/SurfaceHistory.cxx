@@ -20,16 +20,23 @@ void HistoryRecorder::Interrupt()
 {
   this->Parts.clear();
   this->HasParts = false;
+  this->Before.reset();
 }
 
-void HistoryRecorder::ContinueFrom(const NarrowBand& band)
+void HistoryRecorder::ContinueFrom(const std::shared_ptr<const NarrowBand>& band)
 {
-  this->Parts = FindSkinParts(band);
-  this->HasParts = true;
+  this->Interrupt();
+  this->Before = band;
 }
 
 HistoryRow HistoryRecorder::MakeRow(const NarrowBand& band, const RecordedMoment& moment)
 {
+  if (this->Before)
+  {
+    this->Parts = FindSkinParts(*this->Before);
+    this->HasParts = true;
+    this->Before.reset();
+  }
   std::vector<SkinPart> parts = FindSkinParts(band);
   HistoryRow row;
   row.Time = moment.Time.Value;

@@ -8,6 +8,7 @@
 #include "SkinParts.h"
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,10 @@ public:
   // The surface is not there any more, or at another place: rows stay, the next one tells no event;
   // or what has happened since this place.
   void Interrupt();
-  void ContinueFrom(const NarrowBand& band);
+  void ContinueFrom(const std::shared_ptr<const NarrowBand>& band);
 
-  // Of a surface that has just arrived at a time; its work is that since the row before.
+  // Records a surface that has just arrived at a time, with its work since the row before.
+  // Collective where ranks share out space: only the first one records parts of the skin.
   void Record(std::size_t row, const NarrowBand& band, const RecordedMoment& moment);
 
   // The share outside of a row; NaN for one that is not known.
@@ -56,6 +58,7 @@ private:
   std::vector<HistoryRow> Rows;
   std::vector<SkinPart> Parts;
   bool HasParts = false;
+  std::shared_ptr<const NarrowBand> Before; // whose parts are found when they are needed
 };
 
 }

@@ -169,6 +169,29 @@ void CheckProperty(const Property& property, double value)
   }
 }
 
+bool SurfaceSettings::CanShareSpace() const
+{
+  const bool hasControl =
+    this->Law.VolumeControl != Control::None || this->Law.AreaControl != Control::None;
+  const bool hasRadii = !this->Inputs.Arrays.front().empty();
+  if (!this->UsesInput() || !this->UsesNodes() || !this->Inputs.TargetMoves ||
+    this->StartsElsewhere() || this->Particles.Model != ParticleModel::Anisotropic ||
+    this->Particles.ArePeriodic() || hasControl || hasRadii)
+  {
+    return false;
+  }
+  const std::vector<double>& steps = this->Inputs.Steps;
+  for (std::size_t i = 1; i < steps.size() && !this->HasAutomaticAttraction(); ++i)
+  {
+    const double factors = this->Law.Attraction * this->TimeScale * (steps[i] - steps[i - 1]);
+    if (!(factors >= FewestFactorsOfNodes))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 const char* SurfaceSettings::FindWhatNeedsSubsteps() const
 {
   const Motion& law = this->Law;

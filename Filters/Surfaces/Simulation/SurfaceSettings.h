@@ -137,6 +137,12 @@ struct SurfaceSettings
   // Name of the first property that the node scheme does not support; null: all are supported.
   const char* FindWhatNeedsSubsteps() const;
   bool UsesNodes() const { return !this->FindWhatNeedsSubsteps(); }
+  // Attraction times a duration below which substeps replace the node scheme, which evaluates the
+  // target only near its surface: a skin that comes closer by fewer factors e may be elsewhere.
+  static constexpr double FewestFactorsOfNodes = 2.0;
+  // Returns true if ranks may share out space: the node scheme makes all time steps, over
+  // ellipsoids of one radius.
+  bool CanShareSpace() const;
   // Returns true if a tension and noise of 0 are replaced by values from the spacing of particles.
   bool SmoothsParticles() const
   {

@@ -58,6 +58,7 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
 void SurfaceSimulation::Reset()
 {
   this->Unverified = -1;
+  this->Shared.Clear();
   this->Shapes.Clear();
   this->Coverage.Clear();
   this->Driver.Clear();
@@ -70,6 +71,7 @@ void SurfaceSimulation::Reset()
 void SurfaceSimulation::ResetTrajectory()
 {
   this->Way.Reset();
+  this->Whole.reset();
   this->History.Interrupt();
 }
 
@@ -83,7 +85,7 @@ void SurfaceSimulation::Rewind(int step)
     try
     {
       this->Way.Begin(saved, this->Saved.Restore(saved));
-      this->History.ContinueFrom(*this->ViewOf(this->Way.ShareAtStep()));
+      this->History.ContinueFrom(this->ViewOf(this->Way.ShareAtStep()));
     }
     catch (const std::exception&)
     {
@@ -187,7 +189,8 @@ void SurfaceSimulation::AddFrame(int step, std::shared_ptr<InputShape> shape)
     this->FirstStep = this->Way.GetStep();
     this->LastStepAdded = step;
   }
-  this->Shapes.Add(step, std::move(shape));
+  this->Shapes.Add(step, shape);
+  this->Shared.Add(step, std::move(shape));
 }
 
 bool SurfaceSimulation::Advance(const FrameSource& frames, const ProgressFunction& progress)
@@ -201,6 +204,7 @@ bool SurfaceSimulation::Advance(const FrameSource& frames, const ProgressFunctio
     }
     if (this->Way.IsAt(this->Requested))
     {
+      this->PrepareOutputs();
       return true;
     }
     if (!this->AdvanceLeg(this->GetPartOf(progress)))
@@ -208,6 +212,23 @@ bool SurfaceSimulation::Advance(const FrameSource& frames, const ProgressFunctio
       return false;
     }
   }
+}
+
+// Gathers the whole skin if ranks share out space and outputs need it.
+void SurfaceSimulation::PrepareOutputs()
+{
+  this->Whole.reset();
+  if (!this->Arrays.NeedWhole())
+  {
+    return;
+  }
+  if (this->Arrays.Speeds || this->Arrays.NeedParticles())
+  {
+    const ArrayFrames needed = this->FindArrayFrames();
+    this->Shared.MakeWhole(needed.First, needed.Last);
+  }
+  const std::shared_ptr<const NarrowBand> band = this->Way.Share(this->Requested);
+  this->Whole = band->GetPart() ? band->GatherWhole(true) : nullptr;
 }
 
 // Of the way to the requested time, from the start or the step where it began, the next step.
@@ -222,6 +243,7 @@ ProgressFunction SurfaceSimulation::GetPartOf(const ProgressFunction& progress) 
 bool SurfaceSimulation::AdvanceLeg(const ProgressFunction& progress)
 {
   this->View.Clear(); // or the band would be copied before it is moved
+  this->Whole.reset();
   if (!this->Way.HasBegun())
   {
     return this->Start(progress);
@@ -274,9 +296,13 @@ bool SurfaceSimulation::StartBand(const ProgressFunction& progress)
       this->Messages.Say("empty", NothingToStartOn);
     }
   }
-  else if (!this->Driver.Start(*band, *domain, progress))
+  else
   {
-    return false;
+    this->Shared.Place(*band, 0, 0);
+    if (!this->Driver.Start(*band, *domain, progress))
+    {
+      return false;
+    }
   }
   this->Way.Begin(0, std::move(band));
   this->Record(0, this->Settings.GetStep(0), "");
@@ -288,6 +314,7 @@ bool SurfaceSimulation::AdvanceStep(const ProgressFunction& progress)
   const int step = this->Way.GetStep();
   NarrowBand& band = this->Way.GetBandToMove();
   const MotionTime end = this->Settings.GetMotionTimeOf(step + 1);
+  this->Shared.Place(band, step, step + 1);
   if (!this->Driver.AdvanceTo(band, step, end, progress))
   {
     return false;
@@ -313,8 +340,11 @@ bool SurfaceSimulation::AdvanceToSteadyState(const ProgressFunction& progress)
 bool SurfaceSimulation::AdvanceBranch(const ProgressFunction& progress)
 {
   const PipelineTime end = this->Requested.Time;
-  const bool isThere = this->Driver.AdvanceTo(
-    this->Way.GetBranchTo(end), this->Way.GetStep(), this->Settings.ToMotionTime(end), progress);
+  const int step = this->Way.GetStep();
+  NarrowBand& band = this->Way.GetBranchTo(end);
+  this->Shared.Place(band, step, step + 1);
+  const bool isThere =
+    this->Driver.AdvanceTo(band, step, this->Settings.ToMotionTime(end), progress);
   if (isThere)
   {
     this->Way.FinishBranch();
@@ -337,64 +367,6 @@ void SurfaceSimulation::Record(std::size_t row, PipelineTime time, const std::st
   this->History.Record(row, *view, { time, outside, event });
   band.ForgetWork();
   this->Saved.Add(step, band);
-}
-
-SavedState SurfaceSimulation::GetState() const
-{
-  SavedState state;
-  if (this->Way.HasBegun() && !this->Way.IsUnderWay() && !this->Settings.IsEquilibrium())
-  {
-    const int step = this->Way.GetStep();
-    state.Band = this->Way.Share({ step, this->Settings.GetStep(step), false });
-    state.Origin = this->GetOrigin();
-    state.Time = this->Settings.GetStep(step).Value;
-    state.History = this->History.GetRows(static_cast<std::size_t>(step) + 1);
-    state.Spacing = this->Shapes.GetEstimatedSpacing();
-  }
-  return state;
-}
-
-void SurfaceSimulation::SetState(const SavedState& state)
-{
-  this->Reset();
-  this->Loaded = state;
-  this->LoadedIsNew = true;
-}
-
-// The target has to be at its start, from which the voxels and the particles' radius come.
-void SurfaceSimulation::RestoreLoaded()
-{
-  const RequestedTime time = this->Settings.FindRequested({ this->Loaded.Time });
-  const NarrowBand& band = *this->Loaded.Band;
-  const double motionTime = this->Settings.ToMotionTime(time.Time).Value;
-  // A skin that has vanished keeps the time at which it did.
-  const bool isOfAnotherTime =
-    !band.IsEmpty() && std::fabs(band.GetTime() - motionTime) > 1e-9 * std::fabs(motionTime);
-  const bool isOfAnotherLattice = band.GetVoxelSize() != this->FindDomain()->VoxelSize ||
-    this->Loaded.Origin != this->GetOrigin();
-  if (time.Between || isOfAnotherTime || isOfAnotherLattice)
-  {
-    throw std::invalid_argument(
-      "The loaded state is not one of this surface: its time is not a time step, or VoxelSize "
-      "or the place of the data differs. Set the properties that it was saved with.");
-  }
-  this->Shapes.KeepEstimatedSpacing(this->Loaded.Spacing);
-  this->Saved.Keep(time.Step, band);
-  // Each checkpoint has its rows: what is known of later steps stays.
-  this->History.Restore(this->Loaded.History);
-}
-
-Motion SurfaceSimulation::GetMotion() const
-{
-  const ArrayFrames frames = this->FindArrayFrames();
-  return this->Driver.GetMotion(
-    this->Way.GetStep(), this->Shapes.HasParticles(frames.First, frames.Last));
-}
-
-std::vector<HistoryRow> SurfaceSimulation::GetHistory() const
-{
-  return this->History.GetRows(
-    this->Settings.IsEquilibrium() ? 2 : static_cast<std::size_t>(this->Requested.Step) + 1);
 }
 
 }

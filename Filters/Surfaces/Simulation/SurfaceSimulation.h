@@ -18,6 +18,7 @@
 #include "Simulation/Checkpoints.h"
 #include "Simulation/MotionDriver.h"
 #include "Simulation/RestartWarning.h"
+#include "Simulation/SharedFrames.h"
 #include "Simulation/SkinAttributes.h"
 #include "Simulation/StateFile.h"
 #include "Simulation/SurfaceHistory.h"
@@ -88,6 +89,11 @@ public:
   int FindMissingStep() const;
   int GetLastStepAdded() const { return this->LastStepAdded; }
   void AddFrame(int step, std::shared_ptr<InputShape> shape);
+  // Returns true if ranks, where there are several, each keep a part of the frames that come next.
+  bool SharesSpace() const
+  {
+    return this->Settings.CanShareSpace() && this->Shapes.FindSpacing() > 0.0;
+  }
 
   // Where the surface is and which frames it will ask for: the same text on all ranks of a parallel
   // program as long as they keep step.
@@ -123,6 +129,7 @@ public:
   void Reset();
 
   // The surface, when Advance has reached the requested time.
+  // This rank's part of it, or all if what was requested needs that.
   const NarrowBand& GetBand() const { return *this->ShareBand(); }
   // World position of the band's node (0, 0, 0), which the band's positions are relative to.
   const std::array<double, 3>& GetOrigin() const { return this->Shapes.GetOrigin(); }
@@ -134,7 +141,7 @@ public:
   // The state, which in a periodic box extends beyond the sides.
   std::shared_ptr<const NarrowBand> ShareWholeBand() const
   {
-    return this->Way.Share(this->Requested);
+    return this->Whole ? this->Whole : this->Way.Share(this->Requested);
   }
   // Whether it is the state at a step, to go on from.
   bool IsAtStep() const { return !this->Requested.Between && !this->Settings.IsEquilibrium(); }
@@ -146,7 +153,16 @@ public:
   // The same of an earlier request.
   const NarrowBand* FindSkinAt(const RequestedTime& time) const
   {
-    return this->Way.IsAt(time) ? this->ViewOf(this->Way.Share(time)).get() : nullptr;
+    const bool isWhole = this->Whole && time.Time == this->Requested.Time;
+    return !this->Way.IsAt(time) ? nullptr
+      : isWhole                  ? this->Whole.get()
+                                 : this->ViewOf(this->Way.Share(time)).get();
+  }
+
+  // Warns a user once for each reason.
+  void Warn(const std::string& reason, const std::string& sentence) const
+  {
+    this->Messages.Say(reason, sentence);
   }
 
   // What the skin has there besides its shape: its motion, and what FindAttributes tells.
@@ -168,6 +184,8 @@ public:
   // The state at the last step that is not after the requested time; its band is null if there is
   // none, as with EvolutionMode EQUILIBRIUM.
   SavedState GetState() const;
+  // Gathers the state of all ranks on the first one; others get no band. Collective.
+  SavedState GatherState() const;
   // From now on, and as long as the settings stay the same after the next Configure, the surface
   // starts with this state.
   void SetState(const SavedState& state);
@@ -200,6 +218,7 @@ private:
       this->Shapes, WantWay(this->Arrays, this->Shapes));
   }
   int FindMissingStepOfArrays() const;
+  void PrepareOutputs();
   ProgressFunction GetPartOf(const ProgressFunction& progress) const;
 
   bool AdvanceLeg(const ProgressFunction& progress);
@@ -227,6 +246,7 @@ private:
   Warnings Messages;
   RestartWarning Restarts;
   TargetBuilder Shapes{ this->Settings, this->Messages };
+  SharedFrames Shared{ this->Shapes };
   MotionDriver Driver{ this->Settings, this->Shapes, this->Messages };
   int LastStepAdded = 0;
   int Unverified = -1; // a step to be read again, as the source has changed while it got more steps
@@ -237,6 +257,7 @@ private:
 
   Trajectory Way{ this->Settings };
   mutable BoxView View;
+  std::shared_ptr<const NarrowBand> Whole; // of ranks that share out space, if outputs need it
   Checkpoints Saved;
   HistoryRecorder History;
   TargetCoverage Coverage{ this->Settings, this->Shapes };

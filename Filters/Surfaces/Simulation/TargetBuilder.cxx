@@ -2,6 +2,8 @@
 
 #include "Targets/ImplicitTarget.h"
 #include "Targets/NoShape.h"
+#include "Targets/ParticleShape.h"
+#include "Targets/ParticleTarget.h"
 
 #include <cmath>
 #include <sstream>
@@ -57,6 +59,30 @@ void TargetBuilder::Add(int step, std::shared_ptr<InputShape> shape)
   this->Kind = shape->HasPoints() ? shape : this->Kind;
   this->Frames.Add(step, std::move(shape), this->GetBox());
   this->Tell("shuffled particles", this->Frames.DescribeMatches());
+}
+
+void TargetBuilder::SetPart(
+  int step, const std::shared_ptr<InputShape>& shape, const ParticleFrame& home)
+{
+  shape->MoveTo(this->GetOrigin());
+  dynamic_cast<ParticleShape&>(*shape).SetWhole(*home.Whole);
+  this->Prepare(step, *shape);
+  this->Frames.Add(step, shape);
+}
+
+void TargetBuilder::SetPair(int step, const std::shared_ptr<InputShape>& earlier,
+  const std::shared_ptr<InputShape>& later, bool areShuffled)
+{
+  this->Frames.SetPair(step, earlier, later,
+    PairParticles(*earlier->GetParticles(), *later->GetParticles(), areShuffled));
+  this->Tell("shuffled particles", this->Frames.DescribeMatches());
+}
+
+int TargetBuilder::FindMarginOfRanks(int step) const
+{
+  const double reach = this->Frames.GetParticles(step).Particles.GetCommonRadius();
+  return FindMarginOfNodes(
+    ParticleTarget::GetNodeOptions(this->GetOptions(), this->Domain.VoxelSize), reach);
 }
 
 void TargetBuilder::Tell(const std::string& reason, const std::string& sentence)

@@ -1,7 +1,9 @@
 #include "Simulation/TargetCoverage.h"
 
+#include "BandPart.h"
 #include "NarrowBand.h"
 #include "Obstacle.h"
+#include "RankBytes.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/TargetBuilder.h"
 
@@ -74,6 +76,40 @@ Found Count(const NarrowBand& band, const std::vector<PointWithMargin>& points)
   return { CountOutside(band, points), points.size() };
 }
 
+// Removes the points in space of other ranks.
+std::vector<PointWithMargin> KeepOwn(const NarrowBand& band, std::vector<PointWithMargin> points)
+{
+  if (const BandPart* part = band.GetPart())
+  {
+    const auto isForeign = [&](const PointWithMargin& point)
+    {
+      NodeIndex node;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        node[axis] = static_cast<int>(std::floor(point.Position[axis] / band.GetVoxelSize()));
+      }
+      return !part->Space->IsOwn(node);
+    };
+    points.erase(std::remove_if(points.begin(), points.end(), isForeign), points.end());
+  }
+  return points;
+}
+
+// Adds up the counts of all ranks. Collective if the band is a part.
+Found AddUp(const NarrowBand& band, const Found& own)
+{
+  if (!band.GetPart())
+  {
+    return own;
+  }
+  Found all;
+  for (const Bytes& bytes : band.GetPart()->GetRanks().Exchange(ToBytes(std::vector<Found>{ own })))
+  {
+    all += FromBytes<Found>(bytes).at(0);
+  }
+  return all;
+}
+
 }
 
 TargetCoverage::TargetCoverage(const SurfaceSettings& settings, const TargetBuilder& shapes)
@@ -103,9 +139,9 @@ double TargetCoverage::FindOutside(const NarrowBand& band, const Motion& motion,
     for (std::size_t first = 0; first < frame->Particles.size(); first += inPiece)
     {
       const std::size_t end = std::min(first + inPiece, frame->Particles.size());
-      found += Count(band, Within(motion, this->ListParticles(*frame, first, end)));
+      found += Count(band, KeepOwn(band, Within(motion, this->ListParticles(*frame, first, end))));
     }
-    return found.GetShare();
+    return AddUp(band, found).GetShare();
   }
   if (!this->ArePointsKnown)
   {

@@ -18,6 +18,7 @@ namespace activesurface
 
 class MovingTarget;
 class TargetFrames;
+struct HomePart;
 struct ParticleArrays;
 struct ParticleFrame;
 struct ShapeOptions;
@@ -93,6 +94,9 @@ public:
 
   /** Checksum of the data that it was made of (ContentSum.h). */
   std::uint64_t Content = 0;
+
+  /** The part of the input whose home is this rank, if ranks have parts of it; else null. */
+  std::shared_ptr<const HomePart> Home;
 
 protected:
   /** Adds the offset to all positions. */

@@ -65,7 +65,7 @@ bool IsSingle(vtkPointSet* points)
   return points->GetPoints() && points->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
-// Gives the particles the ids of their points, or without any the numbers of the points.
+// Gives the particles the ids or numbers of their points; without any their places here.
 void TakeIds(std::vector<std::int64_t> ids, ParticleFrame& frame)
 {
   if (frame.Ignored == 0)
@@ -161,6 +161,26 @@ void ParticleFrame::MoveBy(const double offset[3])
 {
   this->Particles.MoveBy(offset);
   this->HasFits = false;
+  for (int axis = 0; this->Whole && axis < 3; ++axis)
+  {
+    this->Whole->Low[axis] += offset[axis];
+    this->Whole->High[axis] += offset[axis];
+  }
+}
+
+WholeFrame ParticleFrame::Describe() const
+{
+  WholeFrame whole;
+  whole.Particles = this->Particles.size();
+  for (const SkeletonVertex& particle : this->Particles)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      whole.Low[axis] = std::min(whole.Low[axis], particle.Position[axis]);
+      whole.High[axis] = std::max(whole.High[axis], particle.Position[axis]);
+    }
+  }
+  return whole;
 }
 
 bool ParticleFrame::GetBounds(double bounds[6]) const
@@ -169,6 +189,16 @@ bool ParticleFrame::GetBounds(double bounds[6]) const
   {
     bounds[2 * axis] = HUGE_VAL;
     bounds[2 * axis + 1] = -HUGE_VAL;
+  }
+  if (this->Whole)
+  {
+    const double radius = this->Particles.GetCommonRadius();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds[2 * axis] = this->Whole->Low[axis] - radius;
+      bounds[2 * axis + 1] = this->Whole->High[axis] + radius;
+    }
+    return this->Whole->Particles > 0;
   }
   for (const SkeletonVertex& particle : this->Particles)
   {
@@ -188,7 +218,8 @@ ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
   vtkDataArray* radii = AsNumbers(arrays.Radii, count, "radii");
   vtkDataArray* ids = AsNumbers(arrays.Ids, count, "ids");
   vtkDataArray* strengths = AsNumbers(arrays.Strengths, count, "strengths");
-  std::vector<std::int64_t> allIds = ids ? ReadIds(ids) : std::vector<std::int64_t>();
+  vtkDataArray* numbers = ids ? ids : arrays.Numbers;
+  std::vector<std::int64_t> allIds = numbers ? ReadIds(numbers) : std::vector<std::int64_t>();
 
   ParticleFrame frame;
   frame.HasRadii = radii != nullptr;

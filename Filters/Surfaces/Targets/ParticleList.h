@@ -89,6 +89,9 @@ public:
                          : *std::max_element(each.begin(), each.end());
   }
 
+  // The radius of all particles, unless they have different ones.
+  double GetCommonRadius() const { return this->Radii.Common; }
+
   void SetRadius(double radius) { this->Radii = { radius, {} }; }
   void ScaleRadii(double factor)
   {

@@ -43,50 +43,16 @@ void MatchIds(const std::vector<std::int64_t>& earlier, const std::vector<std::i
   }
 }
 
-double DiagonalOf(const ParticleList& particles, const PeriodicBox& box)
+double DiagonalOf(const WholeFrame& whole, const PeriodicBox& box)
 {
-  double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
-  for (const SkeletonVertex& particle : particles)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      low[axis] = std::min(low[axis], particle.Position[axis]);
-      high[axis] = std::max(high[axis], particle.Position[axis]);
-    }
-  }
   double square = 0.0;
-  for (std::size_t axis = 0; axis < 3 && !particles.empty(); ++axis)
+  for (std::size_t axis = 0; axis < 3 && whole.Particles > 0; ++axis)
   {
     const double side = box.Length[axis];
-    const double length = side > 0.0 ? side : high[axis] - low[axis];
+    const double length = side > 0.0 ? side : whole.High[axis] - whole.Low[axis];
     square += length * length;
   }
   return std::sqrt(square);
-}
-
-using ParticleStep = std::array<double, 3>;
-
-// Of partners, evenly picked.
-std::vector<ParticleStep> PickWays(const ParticleFrame& earlier, const ParticleFrame& later,
-  const std::vector<std::size_t>& partners, const PeriodicBox& box)
-{
-  constexpr std::size_t enough = 1000;
-  const std::size_t stride = 1 + partners.size() / enough;
-  std::vector<ParticleStep> ways;
-  for (std::size_t i = 0; i < partners.size(); i += stride)
-  {
-    if (partners[i] != NoPartner)
-    {
-      const SkeletonVertex from = earlier.Particles[i], to = later.Particles[partners[i]];
-      ParticleStep way;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        way[axis] = box.Nearest(axis, to.Position[axis] - from.Position[axis]);
-      }
-      ways.push_back(way);
-    }
-  }
-  return ways;
 }
 
 // The later particles that are nobody's partner.
@@ -111,53 +77,77 @@ std::vector<std::size_t> FindBirths(const std::vector<std::size_t>& partners, st
   return births;
 }
 
-// Returns true if half of the displacements, less their mean, are long for the cloud's diagonal.
-bool GoAcross(const std::vector<ParticleStep>& ways, std::size_t particles, double diagonal)
+bool CanMatch(const ParticleFrame& earlier, const ParticleFrame& later)
+{
+  return earlier.HasIds == later.HasIds &&
+    (earlier.HasIds || earlier.CountAllPoints() == later.CountAllPoints());
+}
+
+}
+
+std::vector<NumberedWay> PickWays(const ParticleFrame& earlier, const ParticleFrame& later,
+  const std::vector<std::size_t>& partners, const PeriodicBox& box)
+{
+  constexpr std::size_t enough = 1000;
+  const auto stride = static_cast<std::int64_t>(1 + earlier.CountAllParticles() / enough);
+  std::vector<NumberedWay> ways;
+  for (std::size_t i = 0; i < partners.size(); ++i)
+  {
+    if (partners[i] != NoPartner && earlier.Ids[i] % stride == 0)
+    {
+      const SkeletonVertex from = earlier.Particles[i], to = later.Particles[partners[i]];
+      NumberedWay way{ earlier.Ids[i], {} };
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        way.Way[axis] = box.Nearest(axis, to.Position[axis] - from.Position[axis]);
+      }
+      ways.push_back(way);
+    }
+  }
+  return ways;
+}
+
+// Half of the displacements, less their mean, are long for the cloud's diagonal.
+bool AreShuffled(
+  std::vector<NumberedWay> ways, const ParticleFrame& earlier, const PeriodicBox& box)
 {
   constexpr std::size_t fewParticles = 100; // whose indices are always believed
   constexpr double acrossTheCloud = 0.2;    // of its diagonal
-  if (ways.empty() || particles < fewParticles)
+  if (ways.empty() || earlier.HasIds || earlier.CountAllParticles() < fewParticles)
   {
     return false;
   }
-  ParticleStep mean = { 0.0, 0.0, 0.0 };
-  for (const ParticleStep& way : ways)
+  std::sort(ways.begin(), ways.end(),
+    [](const NumberedWay& a, const NumberedWay& b) { return a.Number < b.Number; });
+  std::array<double, 3> mean = { 0.0, 0.0, 0.0 };
+  for (const NumberedWay& way : ways)
   {
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      mean[axis] += way[axis] / static_cast<double>(ways.size());
+      mean[axis] += way.Way[axis] / static_cast<double>(ways.size());
     }
   }
   std::vector<double> lengths;
-  for (const ParticleStep& way : ways)
+  for (const NumberedWay& way : ways)
   {
-    const double x = way[0] - mean[0], y = way[1] - mean[1], z = way[2] - mean[2];
+    const double x = way.Way[0] - mean[0], y = way.Way[1] - mean[1], z = way.Way[2] - mean[2];
     lengths.push_back(std::sqrt(x * x + y * y + z * z));
   }
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle > acrossTheCloud * diagonal;
+  const WholeFrame whole = earlier.Whole ? *earlier.Whole : earlier.Describe();
+  return *middle > acrossTheCloud * DiagonalOf(whole, box);
 }
 
-}
-
-ParticleMatches MatchParticles(
-  const ParticleFrame& earlier, const ParticleFrame& later, const PeriodicBox& box)
+ParticleMatches PairParticles(
+  const ParticleFrame& earlier, const ParticleFrame& later, bool areShuffled)
 {
-  const bool sameCount =
-    earlier.Particles.size() + earlier.Ignored == later.Particles.size() + later.Ignored;
   ParticleMatches matches;
+  matches.AreShuffled = areShuffled;
   matches.Partners.assign(earlier.Particles.size(), NoPartner);
-  if (earlier.HasIds == later.HasIds && (earlier.HasIds || sameCount))
+  if (CanMatch(earlier, later) && !areShuffled)
   {
     MatchIds(earlier.Ids, later.Ids, matches.Partners);
-  }
-  if (!earlier.HasIds &&
-    GoAcross(PickWays(earlier, later, matches.Partners, box), earlier.Particles.size(),
-      DiagonalOf(earlier.Particles, box)))
-  {
-    matches.AreShuffled = true;
-    matches.Partners.assign(earlier.Particles.size(), NoPartner);
   }
   for (std::size_t i = 0; i < matches.Partners.size(); ++i)
   {
@@ -168,6 +158,15 @@ ParticleMatches MatchParticles(
   }
   matches.Births = FindBirths(matches.Partners, later.Particles.size());
   return matches;
+}
+
+ParticleMatches MatchParticles(
+  const ParticleFrame& earlier, const ParticleFrame& later, const PeriodicBox& box)
+{
+  ParticleMatches matches = PairParticles(earlier, later, false);
+  return AreShuffled(PickWays(earlier, later, matches.Partners, box), earlier, box)
+    ? PairParticles(earlier, later, true)
+    : matches;
 }
 
 double FindLongestWay(const ParticleFrame& earlier, const ParticleFrame& later,

@@ -34,6 +34,26 @@ struct ParticleMatches
 ParticleMatches MatchParticles(
   const ParticleFrame& earlier, const ParticleFrame& later, const PeriodicBox& box);
 
+// Pairs particles with the same ids or indices, unless these cannot be the same, or are shuffled.
+ParticleMatches PairParticles(
+  const ParticleFrame& earlier, const ParticleFrame& later, bool areShuffled);
+
+// The displacement of a particle from step to step, and its index.
+struct NumberedWay
+{
+  std::int64_t Number;
+  double Way[3];
+};
+
+// Displacements of about a thousand partners at most, evenly picked by their index.
+std::vector<NumberedWay> PickWays(const ParticleFrame& earlier, const ParticleFrame& later,
+  const std::vector<std::size_t>& partners, const PeriodicBox& box);
+
+// Returns true if displacements are those of different particles with the same index. earlier: may
+// be a part of the frame; ways: of the whole frame, in any order.
+bool AreShuffled(
+  std::vector<NumberedWay> ways, const ParticleFrame& earlier, const PeriodicBox& box);
+
 // How far the fastest of the particles goes that are in both steps, its way and the change of its
 // radius together; 0 if none is.
 double FindLongestWay(const ParticleFrame& earlier, const ParticleFrame& later,

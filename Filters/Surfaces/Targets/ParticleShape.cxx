@@ -5,6 +5,8 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
@@ -42,6 +44,8 @@ ParticleFrame ReadPoints(const InputData& input)
   arrays.Strengths = input.Chosen.FindStrengths();
   arrays.Velocities = input.Kept.Velocities.empty() ? nullptr : input.Chosen.FindVelocities();
   arrays.Passed = input.Kept.All ? input.Data->GetPointData() : nullptr;
+  arrays.Numbers =
+    input.NumbersOfPoints ? input.Data->GetPointData()->GetArray(input.NumbersOfPoints) : nullptr;
   return ReadParticles(vtkPointSet::SafeDownCast(input.Data), arrays);
 }
 
@@ -59,16 +63,17 @@ ParticleShape::ParticleShape(const InputData& input)
 {
 }
 
-ParticleShape::ParticleShape(ParticleFrame particles)
+ParticleShape::ParticleShape(ParticleFrame particles, const ParticleArrays& kept)
   : Particles(std::move(particles))
+  , Kept(kept)
 {
 }
 
 std::string ParticleShape::Prepare(ShapePreparation& preparation)
 {
-  if (this->Particles.Ignored > 0)
+  const std::size_t count = this->Particles.CountAllPoints() - this->Particles.CountAllParticles();
+  if (count > 0)
   {
-    const std::size_t count = this->Particles.Ignored;
     preparation.Report("ignored particles",
       std::to_string(count) + (count > 1 ? " particles are" : " particle is") + " left out " +
         preparation.When +

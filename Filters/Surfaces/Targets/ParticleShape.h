@@ -18,10 +18,13 @@ public:
 
   /** Throws std::invalid_argument for cells that are no vertices, and for unfit arrays. */
   explicit ParticleShape(const InputData& input);
-  explicit ParticleShape(ParticleFrame particles);
+  explicit ParticleShape(ParticleFrame particles, const ParticleArrays& kept = ParticleArrays());
+
+  /** Says that it is a part, of which whole. */
+  void SetWhole(const WholeFrame& whole) { this->Particles.Whole = whole; }
 
   const char* GetName() const override { return "particles"; }
-  bool IsEmpty() const override { return this->Particles.Particles.empty(); }
+  bool IsEmpty() const override { return this->Particles.CountAllParticles() == 0; }
   bool HasCells() const override { return this->HasVertices; }
 
   std::string Prepare(ShapePreparation& preparation) override;

@@ -107,12 +107,26 @@ void ParticleTarget::BuildBody(
   elements.Build();
 }
 
-void ParticleTarget::PlaceNodes(double begin, double end, double transport, double voxelSize)
+NodeParticleOptions ParticleTarget::GetNodeOptions(const ShapeOptions& options, double voxelSize)
 {
-  this->VoxelSize = voxelSize;
+  NodeParticleOptions nodes;
+  nodes.Model = options.Model;
+  nodes.VoxelSize = voxelSize;
+  nodes.OwnRadius = 0.5 * options.SpacingInUse;
+  nodes.ReachPerRadius = 2.0 * GetReachPerSpacing(options.Model);
+  nodes.Anisotropy = options.Anisotropy;
+  nodes.WantsBulks = options.WantsBulks();
+  nodes.HasNoise = options.NoiseAtNodes > 0.0;
+  nodes.HasVelocities = options.Carries;
+  return nodes;
+}
+
+void ParticleTarget::PlaceNodes(const NodeMotion& motion)
+{
+  this->VoxelSize = motion.VoxelSize;
   const int step = this->GetStepOfWay();
   const bool needsFits = this->Options.NodesNeedFits();
-  ParticleTrack track = this->MakeTrack(step, this->FindFraction(end), needsFits);
+  ParticleTrack track = this->MakeTrack(step, this->FindFraction(motion.End), needsFits);
   track.SetDuration(this->GetDuration());
   if (this->Options.Model != ParticleModel::Anisotropic)
   {
@@ -120,20 +134,15 @@ void ParticleTarget::PlaceNodes(double begin, double end, double transport, doub
     this->BuildBody(this->AtNodes, this->ElementsAtNodes, this->BodyAtNodes);
     track.SetFits(this->AtNodes.Fits);
   }
-  NodeParticleOptions options;
-  options.Model = this->Options.Model;
-  options.VoxelSize = voxelSize;
-  const bool hasRadii =
-    this->Frames.GetParticles(step).HasRadii || this->Frames.GetParticles(step + 1).HasRadii;
-  options.OwnRadius = hasRadii ? 0.0 : 0.5 * this->Options.SpacingInUse;
-  options.ReachPerRadius = hasRadii ? std::max(this->Frames.GetParticles(step).ReachPerRadius,
-                                        this->Frames.GetParticles(step + 1).ReachPerRadius)
-                                    : 2.0 * GetReachPerSpacing(this->Options.Model);
-  options.Anisotropy = this->Options.Anisotropy;
-  options.WantsBulks = this->Options.WantsBulks();
-  options.Duration = transport * (end - begin);
-  options.HasNoise = this->Options.NoiseAtNodes > 0.0;
-  options.HasVelocities = this->Options.Carries;
+  NodeParticleOptions options = GetNodeOptions(this->Options, motion.VoxelSize);
+  if (this->Frames.GetParticles(step).HasRadii || this->Frames.GetParticles(step + 1).HasRadii)
+  {
+    options.OwnRadius = 0.0;
+    options.ReachPerRadius = std::max(this->Frames.GetParticles(step).ReachPerRadius,
+      this->Frames.GetParticles(step + 1).ReachPerRadius);
+  }
+  options.Duration = motion.Transport * (motion.End - motion.Begin);
+  options.Space = motion.Space;
   this->Nodes.Build(track, options);
 }
 

@@ -31,8 +31,11 @@ public:
   // want them.
   ParticleTarget(const TargetFrames& frames, const ShapeOptions& options);
 
+  // For particles of one radius.
+  static NodeParticleOptions GetNodeOptions(const ShapeOptions& options, double voxelSize);
+
   NodeTarget* GetNodes() override { return this; }
-  void PlaceNodes(double begin, double end, double transport, double voxelSize) override;
+  void PlaceNodes(const NodeMotion& motion) override;
   void FindShell(bool wantsInside, Shell& shell) const override
   {
     this->Nodes.FindShell(wantsInside, shell);

@@ -34,7 +34,7 @@ double ShapePreparation::GetReachPerRadius(ParticleModel model) const
 
 void ShapePreparation::GiveRadius(ParticleModel model, ParticleFrame& frame)
 {
-  if (frame.Particles.empty())
+  if (frame.CountAllParticles() == 0)
   {
     return;
   }

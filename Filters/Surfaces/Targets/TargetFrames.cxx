@@ -38,7 +38,7 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape, const Period
     std::swap(earlier, later);
   }
   ParticleMatches matches;
-  if (earlier.Shape && earlier.Step + 1 == later.Step)
+  if (earlier.Shape && earlier.Step + 1 == later.Step && !earlier.Shape->Home && !later.Shape->Home)
   {
     matches = MatchParticles(ParticlesOf(earlier.Shape.get()), ParticlesOf(later.Shape.get()), box);
   }

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace activesurface
@@ -19,7 +20,17 @@ public:
   void Clear();
 
   // The step replaces itself, or else the elder of the two that are held. box: of particles.
+  // Parts of shapes on several ranks are not matched.
   void Add(int step, std::shared_ptr<InputShape> shape, const PeriodicBox& box = {});
+
+  // Replaces all by a step and the next one, and their matches.
+  void SetPair(int step, std::shared_ptr<InputShape> earlier, std::shared_ptr<InputShape> later,
+    ParticleMatches matches)
+  {
+    this->Earlier = { step, std::move(earlier) };
+    this->Later = { step + 1, std::move(later) };
+    this->Matches = std::move(matches);
+  }
 
   bool Has(int step) const { return this->Find(step) != nullptr; }
 

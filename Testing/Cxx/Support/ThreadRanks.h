@@ -4,8 +4,8 @@
 #ifndef ThreadRanks_h
 #define ThreadRanks_h
 
-#include "Ranks/Agreement.h"
-#include "Ranks/Communicator.h"
+#include "Agreement.h"
+#include "Communicator.h"
 
 #include <algorithm>
 #include <condition_variable>
@@ -80,6 +80,25 @@ public:
   std::vector<Bytes> AllGather(const Bytes& own) override
   {
     return this->Place.Meet(this->Rank, own);
+  }
+
+  std::vector<Bytes> Swap(
+    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) override
+  {
+    std::vector<Bytes> fromEach(toEach.size());
+    for (std::size_t to = 0; to < toEach.size(); ++to)
+    {
+      const std::vector<Bytes> all = this->Place.Meet(this->Rank, toEach[to]);
+      fromEach = static_cast<int>(to) == this->Rank ? all : fromEach;
+    }
+    for (std::size_t from = 0; from < sizes.size(); ++from)
+    {
+      if (fromEach[from].size() != sizes[from])
+      {
+        throw std::logic_error("a rank has sent more or less than was expected");
+      }
+    }
+    return fromEach;
   }
 
 private:

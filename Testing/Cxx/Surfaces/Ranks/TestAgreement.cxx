@@ -1,6 +1,6 @@
 // Rounds of ranks: all tell, stop and fail together, and nobody waits for one that has gone.
 
-#include "Ranks/Agreement.h"
+#include "Agreement.h"
 #include "Support/ThreadRanks.h"
 
 #include <gtest/gtest.h>

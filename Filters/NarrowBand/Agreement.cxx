@@ -1,6 +1,9 @@
-#include "Ranks/Agreement.h"
+#include "Agreement.h"
+
+#include "RankBytes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace activesurface
@@ -28,11 +31,11 @@ bool IsOfMemory(const std::exception& error)
 }
 
 Agreement::Agreement()
-  : Agreement(std::make_unique<SerialCommunicator>())
+  : Agreement(std::make_shared<SerialCommunicator>())
 {
 }
 
-Agreement::Agreement(std::unique_ptr<Communicator> ranks)
+Agreement::Agreement(std::shared_ptr<Communicator> ranks)
   : Ranks(std::move(ranks))
 {
 }
@@ -41,6 +44,26 @@ std::vector<Bytes> Agreement::Exchange(const Bytes& own)
 {
   this->GoOn(true);
   return this->Ranks->AllGather(own);
+}
+
+std::vector<Bytes> Agreement::Distribute(const std::vector<Bytes>& toEach)
+{
+  std::vector<std::uint64_t> lengths;
+  std::transform(toEach.begin(), toEach.end(), std::back_inserter(lengths),
+    [](const Bytes& bytes) { return std::uint64_t(bytes.size()); });
+  std::vector<std::size_t> sizes;
+  for (const Bytes& ofRank : this->Exchange(ToBytes(lengths)))
+  {
+    sizes.push_back(FromBytes<std::uint64_t>(ofRank).at(static_cast<std::size_t>(this->GetRank())));
+  }
+  return this->Ranks->Swap(toEach, sizes);
+}
+
+std::vector<Bytes> Agreement::Distribute(
+  const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes)
+{
+  this->GoOn(true);
+  return this->Ranks->Swap(toEach, sizes);
 }
 
 bool Agreement::GoOn(bool own)

@@ -1,10 +1,11 @@
 /**
- * Ranks of a parallel program and their two collective operations: every rank makes the same calls
- * in the same order.
+ * Ranks of a parallel program and their collective operations: every rank makes the same calls in
+ * the same order.
  */
 #ifndef Communicator_h
 #define Communicator_h
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -30,6 +31,11 @@ public:
 
   /** Returns the bytes of each rank, by rank. Collective. */
   virtual std::vector<Bytes> AllGather(const Bytes& own) = 0;
+
+  /** Sends bytes to each rank, and returns those that each has sent to this one, by rank. sizes:
+   * how many come from each. Nothing is sent where there are none. Collective. */
+  virtual std::vector<Bytes> Swap(
+    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) = 0;
 };
 
 /** A program of one process. */
@@ -40,6 +46,11 @@ public:
   int GetSize() const override { return 1; }
   std::int64_t Max(std::int64_t own) override { return own; }
   std::vector<Bytes> AllGather(const Bytes& own) override { return { own }; }
+  std::vector<Bytes> Swap(
+    const std::vector<Bytes>& toEach, const std::vector<std::size_t>&) override
+  {
+    return toEach;
+  }
 };
 
 }

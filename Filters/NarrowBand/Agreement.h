@@ -9,7 +9,8 @@
 #ifndef Agreement_h
 #define Agreement_h
 
-#include "Ranks/Communicator.h"
+#include "ActiveNarrowBandExport.h"
+#include "Communicator.h"
 
 #include <exception>
 #include <memory>
@@ -22,28 +23,29 @@ namespace activesurface
 {
 
 /** What all ranks have agreed upon to fail with. */
-class RankError : public std::runtime_error
+class ACTIVENARROWBAND_EXPORT RankError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
 /** Memory has ended on one of them. */
-class RankMemoryError : public RankError
+class ACTIVENARROWBAND_EXPORT RankMemoryError : public RankError
 {
 public:
   using RankError::RankError;
 };
 
 /** Whether memory has ended, here or on another rank. */
-bool IsOfMemory(const std::exception& error);
+ACTIVENARROWBAND_EXPORT bool IsOfMemory(const std::exception& error);
 
-class Agreement
+class ACTIVENARROWBAND_EXPORT Agreement
 {
 public:
   /** Of a program of one process. */
   Agreement();
-  explicit Agreement(std::unique_ptr<Communicator> ranks);
+  /** Copies share the communicator. */
+  explicit Agreement(std::shared_ptr<Communicator> ranks);
 
   int GetRank() const { return this->Ranks->GetRank(); }
   int GetSize() const { return this->Ranks->GetSize(); }
@@ -51,6 +53,14 @@ public:
 
   /** A round: the bytes of each rank, by rank. Throws RankError if one has failed. */
   std::vector<Bytes> Exchange(const Bytes& own);
+
+  ///@{
+  /** A round: sends bytes to each rank and returns those that each has sent to this one, by rank;
+   * the second where each rank knows how many come from each. Throw RankError if one has failed. */
+  std::vector<Bytes> Distribute(const std::vector<Bytes>& toEach);
+  std::vector<Bytes> Distribute(
+    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes);
+  ///@}
 
   /** A round: whether every rank wants to go on. Throws RankError if one has failed. */
   bool GoOn(bool own);
@@ -64,7 +74,7 @@ public:
 private:
   [[noreturn]] void ThrowTogether(const std::string& sentence);
 
-  std::unique_ptr<Communicator> Ranks;
+  std::shared_ptr<Communicator> Ranks;
 };
 
 /** Runs a task on every rank, which may have rounds of its own: what goes wrong on one rank goes

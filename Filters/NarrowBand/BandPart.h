@@ -1,0 +1,52 @@
+/**
+ * A band of which each rank has a part: its own leaves, and those of other ranks around its space.
+ */
+#ifndef BandPart_h
+#define BandPart_h
+
+#include "ActiveNarrowBandExport.h"
+#include "Domain.h"
+#include "Leaves/LeafTable.h"
+#include "Substep/SkinMeasure.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace activesurface
+{
+
+/** What a rank knows of the whole band. */
+struct BandPart
+{
+  /** Vertices of a leaf: the number of the first one in the whole skin, and their edges. */
+  struct LeafVertices
+  {
+    NodeIndex Origin;
+    std::int64_t First;
+    std::array<LeafMask, 3> Edge; //< as of BandLeaf
+  };
+
+  std::shared_ptr<const Domain> Space;
+  std::size_t Crossings = 0; //< of all ranks
+  std::size_t ActiveNodes = 0;
+  SkinMeasure Measure;               //< [voxels]
+  std::int64_t FirstVertex = 0;      //< of this rank's leaves
+  std::vector<LeafVertices> Foreign; //< leaves of other ranks, sorted by their origins
+
+  Agreement& GetRanks() const { return this->Space->GetRanks(); }
+};
+
+/** Collective. */
+std::shared_ptr<const BandPart> CountTogether(
+  const LeafTable& table, const std::shared_ptr<const Domain>& space);
+
+/** Number in the whole skin of each vertex of a table; -1 where it is not known: of leaves that are
+ * not beside this rank's. part: null where the table is whole. */
+std::vector<std::int64_t> NumberVertices(const LeafTable& table, const BandPart* part);
+
+}
+
+#endif

@@ -1,0 +1,47 @@
+/**
+ * A sum that does not depend on the order of its terms, nor on who adds them up.
+ */
+#ifndef FixedSum_h
+#define FixedSum_h
+
+#include <cmath>
+#include <cstdint>
+
+namespace activesurface
+{
+
+/** In integers, and in units of 2^-32: each term is rounded by half a unit. */
+class FixedSum
+{
+public:
+  /** value: finite, below 10^15 in size. */
+  void Add(double value)
+  {
+    const double whole = std::floor(value);
+    this->Wholes += static_cast<std::int64_t>(whole);
+    this->Parts += std::llround((value - whole) * Units);
+  }
+
+  void Add(const FixedSum& other)
+  {
+    this->Wholes += other.Wholes;
+    this->Parts += other.Parts;
+  }
+
+  double Get() const
+  {
+    constexpr int bits = 32;
+    const std::int64_t carry = this->Parts >> bits;
+    const std::int64_t rest = this->Parts - (carry << bits);
+    return static_cast<double>(this->Wholes + carry) + static_cast<double>(rest) / Units;
+  }
+
+private:
+  static constexpr double Units = 4294967296.0;
+  std::int64_t Wholes = 0;
+  std::int64_t Parts = 0;
+};
+
+}
+
+#endif

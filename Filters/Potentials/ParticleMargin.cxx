@@ -1,0 +1,27 @@
+// How far from its space a rank needs particles.
+
+#include "ParticleFit.h"
+#include "ParticleNodes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace activesurface
+{
+
+int FindMarginOfNodes(const NodeParticleOptions& options, double longestReach)
+{
+  // Margins of nodes around leaves, and for sides of leaves [voxels]; of full cells [own radii].
+  constexpr double nodesAround = 5.0, leafAround = 12.0, cellsBeside = 4.0;
+  // A centre moves by less than its neighbourhood's radius.
+  const double wide = GetNeighbourhoodPerRadius(options.Model) * longestReach;
+  const double ellipsoid =
+    longestReach * std::max(std::cbrt(options.Anisotropy * options.Anisotropy), 1.0) + wide;
+  const double filling = StretchInBody * longestReach + cellsBeside * options.OwnRadius;
+  const double voxels =
+    std::max(ellipsoid / options.VoxelSize + nodesAround, filling / options.VoxelSize + leafAround);
+  constexpr double most = 1e6;
+  return static_cast<int>(std::ceil(std::min(voxels, most)));
+}
+
+}

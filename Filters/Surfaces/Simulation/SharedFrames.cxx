@@ -1,0 +1,289 @@
+#include "Simulation/SharedFrames.h"
+
+#include "Domain.h"
+#include "IndexMap.h"
+#include "NarrowBand.h"
+#include "ParticleNodes.h"
+#include "RankBytes.h"
+#include "RanksAround.h"
+#include "Simulation/TargetBuilder.h"
+#include "Targets/HomeParticles.h"
+#include "Targets/ParticleFrame.h"
+
+#include "vtkIdList.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace activesurface
+{
+
+namespace
+{
+
+NodeIndex NodeOf(const SkeletonVertex& particle, double voxelSize)
+{
+  constexpr double farthest = 1e9; // as node numbers are 32-bit integers
+  NodeIndex node;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double place = std::floor(particle.Position[axis] / voxelSize);
+    node[axis] = static_cast<int>(std::min(std::max(place, -farthest), farthest));
+  }
+  return node;
+}
+
+// Lists the ranks around the path of a particle between two nodes.
+void ListRanks(
+  const NodeIndex& from, const NodeIndex& to, RanksAround& around, std::vector<int>& ranks)
+{
+  const NodeIndex a = RanksAround::CellOf(from), b = RanksAround::CellOf(to);
+  NodeIndex cell;
+  for (cell[0] = std::min(a[0], b[0]); cell[0] <= std::max(a[0], b[0]); ++cell[0])
+  {
+    for (cell[1] = std::min(a[1], b[1]); cell[1] <= std::max(a[1], b[1]); ++cell[1])
+    {
+      for (cell[2] = std::min(a[2], b[2]); cell[2] <= std::max(a[2], b[2]); ++cell[2])
+      {
+        for (const int rank : around.Find(cell))
+        {
+          if (std::find(ranks.begin(), ranks.end(), rank) == ranks.end())
+          {
+            ranks.push_back(rank);
+          }
+        }
+      }
+    }
+  }
+}
+
+double CountCells(const NodeIndex& from, const NodeIndex& to)
+{
+  const NodeIndex a = RanksAround::CellOf(from), b = RanksAround::CellOf(to);
+  double count = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    count *= std::fabs(double(a[axis]) - b[axis]) + 1.0;
+  }
+  return count;
+}
+
+using IdLists = std::vector<vtkSmartPointer<vtkIdList>>;
+
+// The points of one step that go to each rank.
+class Parcels
+{
+public:
+  explicit Parcels(int ranks)
+    : Lists(static_cast<std::size_t>(ranks))
+  {
+    for (vtkSmartPointer<vtkIdList>& list : this->Lists)
+    {
+      list = vtkSmartPointer<vtkIdList>::New();
+    }
+  }
+
+  void Add(vtkIdType point, const std::vector<int>& ranks)
+  {
+    for (const int rank : ranks)
+    {
+      this->Lists[static_cast<std::size_t>(rank)]->InsertNextId(point);
+    }
+  }
+
+  // Collective; returns this rank's points.
+  vtkSmartPointer<vtkPolyData> Send(const HomePart& home) const
+  {
+    std::vector<Bytes> toEach;
+    toEach.reserve(this->Lists.size());
+    for (const vtkSmartPointer<vtkIdList>& list : this->Lists)
+    {
+      toEach.push_back(
+        list->GetNumberOfIds() > 0 ? PackPoints(SelectPoints(home.Data, list)) : Bytes());
+    }
+    return MergePoints(home.Ranks.Distribute(toEach));
+  }
+
+private:
+  IdLists Lists;
+};
+
+}
+
+void SharedFrames::Clear()
+{
+  this->Earlier = this->Later = Held();
+}
+
+void SharedFrames::Add(int step, std::shared_ptr<InputShape> shape)
+{
+  if (this->Later.Step == step || this->Earlier.Step == step)
+  {
+    (this->Later.Step == step ? this->Later : this->Earlier).Shape = std::move(shape);
+    return;
+  }
+  this->Earlier = std::exchange(this->Later, { step, std::move(shape) });
+  if (this->Earlier.Step == step + 1) // as TargetFrames does
+  {
+    std::swap(this->Earlier, this->Later);
+  }
+}
+
+InputShape* SharedFrames::Find(int step) const
+{
+  return this->Later.Step == step ? this->Later.Shape.get()
+    : this->Earlier.Step == step  ? this->Earlier.Shape.get()
+                                  : nullptr;
+}
+
+bool SharedFrames::ArePlaceable(int first, int last) const
+{
+  for (int step = first; step <= last; ++step)
+  {
+    const InputShape* shape = this->Find(step);
+    if (!shape || !shape->Home)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void SharedFrames::Place(NarrowBand& band, int first, int last)
+{
+  if (!this->ArePlaceable(first, last))
+  {
+    this->MakeWhole(first, last);
+    band.MakeWhole();
+    return;
+  }
+  const std::shared_ptr<const Domain> space = this->ShareSpace(band, last);
+  this->Send(first, last, last > first ? this->MatchHomes(first) : ParticleMatches(), *space);
+  band.SetDomain(space);
+}
+
+void SharedFrames::MakeWhole(int first, int last)
+{
+  for (int step = first; step <= last; ++step)
+  {
+    const InputShape* part = this->Shapes.GetFrames().Find(step);
+    if (part && part->Home)
+    {
+      std::shared_ptr<InputShape> whole = part->Home->Make(GatherPoints(*part->Home), true);
+      whole->Content = part->Content;
+      this->Shapes.Add(step, whole);
+    }
+  }
+}
+
+// Costs are those of the particles at the later step and of the leaves of the surface.
+std::shared_ptr<const Domain> SharedFrames::ShareSpace(const NarrowBand& band, int last) const
+{
+  const InputShape& shape = *this->Find(last);
+  const double voxelSize = band.GetVoxelSize();
+  IndexMap leaves;
+  std::vector<LeafCost> costs;
+  for (const SkeletonVertex& particle : shape.GetParticles()->Particles)
+  {
+    NodeIndex leaf = NodeOf(particle, voxelSize);
+    for (int& place : leaf)
+    {
+      place &= ~7;
+    }
+    const auto i = static_cast<std::size_t>(leaves.Add(leaf));
+    if (i == costs.size())
+    {
+      costs.push_back({ leaf, 0.0 });
+    }
+    costs[i].Cost += 1.0;
+  }
+  band.ListCosts(costs);
+  return Domain::Share(shape.Home->Ranks, std::move(costs));
+}
+
+// Matches the particles whose home is this rank.
+ParticleMatches SharedFrames::MatchHomes(int first) const
+{
+  const ParticleFrame& earlier = *this->Find(first)->GetParticles();
+  const ParticleFrame& later = *this->Find(first + 1)->GetParticles();
+  const PeriodicBox noBox;
+  ParticleMatches matches = PairParticles(earlier, later, false);
+  std::vector<NumberedWay> ways;
+  const std::vector<NumberedWay> own = PickWays(earlier, later, matches.Partners, noBox);
+  for (const Bytes& bytes : this->Find(first)->Home->Ranks.Exchange(ToBytes(own)))
+  {
+    const std::vector<NumberedWay> part = FromBytes<NumberedWay>(bytes);
+    ways.insert(ways.end(), part.begin(), part.end());
+  }
+  return AreShuffled(std::move(ways), earlier, noBox) ? PairParticles(earlier, later, true)
+                                                      : matches;
+}
+
+// A particle goes, with its places in both steps, to all ranks that it comes near to in between.
+void SharedFrames::Send(int first, int last, const ParticleMatches& matches, const Domain& space)
+{
+  const InputShape& earlier = *this->Find(first);
+  const InputShape* later = last > first ? this->Find(last) : nullptr;
+  const ParticleFrame& from = *earlier.GetParticles();
+  const double voxelSize = this->Shapes.FindDomain()->VoxelSize;
+  RanksAround around(space, this->Shapes.FindMarginOfRanks(first));
+  const int size = space.GetRanks().GetSize();
+  Parcels parcels[2] = { Parcels(size), Parcels(size) };
+  std::vector<int> all(static_cast<std::size_t>(size)), ranks;
+  for (int rank = 0; rank < size; ++rank)
+  {
+    all[static_cast<std::size_t>(rank)] = rank;
+  }
+  const auto list = [&](const NodeIndex& a, const NodeIndex& b)
+  {
+    constexpr double mostCells = 4096.0;
+    ranks.clear();
+    if (CountCells(a, b) > mostCells)
+    {
+      ranks = all;
+      return;
+    }
+    ListRanks(a, b, around, ranks);
+  };
+  for (std::size_t i = 0; i < from.Particles.size(); ++i)
+  {
+    const NodeIndex node = NodeOf(from.Particles[i], voxelSize);
+    const std::size_t partner = later ? matches.Partners[i] : NoPartner;
+    list(node,
+      partner == NoPartner ? node : NodeOf(later->GetParticles()->Particles[partner], voxelSize));
+    parcels[0].Add(from.GetPoint(i), ranks);
+    if (partner != NoPartner)
+    {
+      parcels[1].Add(later->GetParticles()->GetPoint(partner), ranks);
+    }
+  }
+  for (const std::size_t birth : matches.Births)
+  {
+    const ParticleFrame& to = *later->GetParticles();
+    const NodeIndex node = NodeOf(to.Particles[birth], voxelSize);
+    list(node, node);
+    parcels[1].Add(to.GetPoint(birth), ranks);
+  }
+  const auto make = [this](const InputShape& home, const Parcels& sent)
+  {
+    std::shared_ptr<InputShape> shape = home.Home->Make(sent.Send(*home.Home), false);
+    shape->Content = home.Content;
+    shape->Home = home.Home;
+    return shape;
+  };
+  std::shared_ptr<InputShape> own = make(earlier, parcels[0]);
+  this->Shapes.SetPart(first, own, from);
+  if (later)
+  {
+    std::shared_ptr<InputShape> next = make(*later, parcels[1]);
+    this->Shapes.SetPart(last, next, *later->GetParticles());
+    this->Shapes.SetPair(first, own, next, matches.AreShuffled);
+  }
+}
+
+}

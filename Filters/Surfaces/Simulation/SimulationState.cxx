@@ -1,0 +1,79 @@
+// The state of a simulation, saved and restored, and its history.
+
+#include "Simulation/SurfaceSimulation.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace activesurface
+{
+
+SavedState SurfaceSimulation::GetState() const
+{
+  SavedState state;
+  if (this->Way.HasBegun() && !this->Way.IsUnderWay() && !this->Settings.IsEquilibrium())
+  {
+    const int step = this->Way.GetStep();
+    state.Band = this->Way.Share({ step, this->Settings.GetStep(step), false });
+    state.Origin = this->GetOrigin();
+    state.Time = this->Settings.GetStep(step).Value;
+    state.History = this->History.GetRows(static_cast<std::size_t>(step) + 1);
+    state.Spacing = this->Shapes.GetEstimatedSpacing();
+  }
+  return state;
+}
+
+SavedState SurfaceSimulation::GatherState() const
+{
+  SavedState state = this->GetState();
+  if (state.Band && state.Band->GetPart())
+  {
+    state.Band = state.Band->GatherWhole(false);
+  }
+  return state;
+}
+
+void SurfaceSimulation::SetState(const SavedState& state)
+{
+  this->Reset();
+  this->Loaded = state;
+  this->LoadedIsNew = true;
+}
+
+// The target has to be at its start, from which the voxels and the particles' radius come.
+void SurfaceSimulation::RestoreLoaded()
+{
+  const RequestedTime time = this->Settings.FindRequested({ this->Loaded.Time });
+  const NarrowBand& band = *this->Loaded.Band;
+  const double motionTime = this->Settings.ToMotionTime(time.Time).Value;
+  // A skin that has vanished keeps the time at which it did.
+  const bool isOfAnotherTime =
+    !band.IsEmpty() && std::fabs(band.GetTime() - motionTime) > 1e-9 * std::fabs(motionTime);
+  const bool isOfAnotherLattice = band.GetVoxelSize() != this->FindDomain()->VoxelSize ||
+    this->Loaded.Origin != this->GetOrigin();
+  if (time.Between || isOfAnotherTime || isOfAnotherLattice)
+  {
+    throw std::invalid_argument(
+      "The loaded state is not one of this surface: its time is not a time step, or VoxelSize "
+      "or the place of the data differs. Set the properties that it was saved with.");
+  }
+  this->Shapes.KeepEstimatedSpacing(this->Loaded.Spacing);
+  this->Saved.Keep(time.Step, band);
+  // Each checkpoint has its rows: what is known of later steps stays.
+  this->History.Restore(this->Loaded.History);
+}
+
+Motion SurfaceSimulation::GetMotion() const
+{
+  const ArrayFrames frames = this->FindArrayFrames();
+  return this->Driver.GetMotion(
+    this->Way.GetStep(), this->Shapes.HasParticles(frames.First, frames.Last));
+}
+
+std::vector<HistoryRow> SurfaceSimulation::GetHistory() const
+{
+  return this->History.GetRows(
+    this->Settings.IsEquilibrium() ? 2 : static_cast<std::size_t>(this->Requested.Step) + 1);
+}
+
+}
