@@ -11,7 +11,7 @@ namespace
 {
 
 /** Beyond this margin [nodes] all ranks count as near: so large a box holds too many leaves. */
-constexpr int MostMargin = 192;
+constexpr int MostMargin = 96;
 
 }
 

@@ -70,6 +70,17 @@ def shared(ranks, keeper, folder):
 
 
 @run
+def shared_back(ranks, keeper, folder):
+    """Back to the start without checkpoints, then with other arrays of the same frames."""
+    _, surface = make_splash(CheckpointInterval=0, **WITHOUT_PARTICLES)
+    for number, time in enumerate((0, 1, 0, 1)):
+        keeper.update(f"shared_back_{number}", surface, time)
+    surface.SetPassTargetArrays(True)
+    for number, time in enumerate((0, 1, 0)):
+        keeper.update(f"shared_back_arrays_{number}", surface, time)
+
+
+@run
 def shared_fine(ranks, keeper, folder):
     """Voxels so small that tension reaches over four nodes."""
     _, surface = make_splash(VoxelSize=0.02, **WITHOUT_PARTICLES)

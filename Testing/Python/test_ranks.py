@@ -18,7 +18,7 @@ from ranks_checks import assert_same_outputs, start_ranks
 PROGRAM = Path(__file__).with_name("ranks_program.py")
 SIZES = (1, 2, 3, 4)
 SAME = ("splash", "emitter", "table", "meshes", "image", "skeleton", "grid", "morph", "live")
-SHARED = ("shared", "shared_fine", "shared_walls", "shared_estimate")
+SHARED = ("shared", "shared_back", "shared_fine", "shared_walls", "shared_estimate")
 # A run takes seconds. A rank that waits for another one waits for ever.
 LONGEST = 120
 

@@ -231,7 +231,7 @@ void SharedFrames::Send(int first, int last, const ParticleMatches& matches, con
   const InputShape* later = last > first ? this->Find(last) : nullptr;
   const ParticleFrame& from = *earlier.GetParticles();
   const double voxelSize = this->Shapes.FindDomain()->VoxelSize;
-  RanksAround around(space, this->Shapes.FindMarginOfRanks(first));
+  RanksAround around(space, this->Shapes.FindMarginOfRanks());
   const int size = space.GetRanks().GetSize();
   Parcels parcels[2] = { Parcels(size), Parcels(size) };
   std::vector<int> all(static_cast<std::size_t>(size)), ranks;

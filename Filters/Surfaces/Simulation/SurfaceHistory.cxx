@@ -26,7 +26,13 @@ void HistoryRecorder::Interrupt()
 void HistoryRecorder::ContinueFrom(const std::shared_ptr<const NarrowBand>& band)
 {
   this->Interrupt();
-  this->Before = band;
+  if (band->GetPart()) // whose parts of the skin ranks find together
+  {
+    this->Before = band;
+    return;
+  }
+  this->Parts = FindSkinParts(*band);
+  this->HasParts = true;
 }
 
 HistoryRow HistoryRecorder::MakeRow(const NarrowBand& band, const RecordedMoment& moment)

@@ -1,6 +1,9 @@
 #include "Simulation/SurfaceSimulation.h"
 
 #include "Simulation/MotionWarnings.h"
+#include "Targets/HomeParticles.h"
+
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -188,6 +191,10 @@ void SurfaceSimulation::AddFrame(int step, std::shared_ptr<InputShape> shape)
     this->Loaded = SavedState();
     this->FirstStep = this->Way.GetStep();
     this->LastStepAdded = step;
+    if (shape->Home) // from a part no spacing can be estimated
+    {
+      shape = shape->Home->Make(GatherPoints(*shape->Home), true);
+    }
   }
   this->Shapes.Add(step, shape);
   this->Shared.Add(step, std::move(shape));

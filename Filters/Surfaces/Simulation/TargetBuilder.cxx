@@ -78,11 +78,13 @@ void TargetBuilder::SetPair(int step, const std::shared_ptr<InputShape>& earlier
   this->Tell("shuffled particles", this->Frames.DescribeMatches());
 }
 
-int TargetBuilder::FindMarginOfRanks(int step) const
+// A node more than the nodes need: a place between two steps is rounded.
+int TargetBuilder::FindMarginOfRanks()
 {
-  const double reach = this->Frames.GetParticles(step).Particles.GetCommonRadius();
-  return FindMarginOfNodes(
-    ParticleTarget::GetNodeOptions(this->GetOptions(), this->Domain.VoxelSize), reach);
+  const double reach = this->GetPreparation().GetRadius(this->Settings.Particles.Model);
+  return 1 +
+    FindMarginOfNodes(
+      ParticleTarget::GetNodeOptions(this->GetOptions(), this->Domain.VoxelSize), reach);
 }
 
 void TargetBuilder::Tell(const std::string& reason, const std::string& sentence)

@@ -45,7 +45,7 @@ public:
     const std::shared_ptr<InputShape>& later, bool areShuffled);
   // Distance along each axis from a rank's leaves within which it needs particles of a step
   // [voxels].
-  int FindMarginOfRanks(int step) const;
+  int FindMarginOfRanks();
 
   const TargetFrames& GetFrames() const { return this->Frames; }
 

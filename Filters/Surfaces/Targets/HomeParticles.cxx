@@ -47,6 +47,7 @@ vtkSmartPointer<vtkPolyData> AddNumbers(vtkPolyData* points, std::uint64_t first
 
 std::size_t HomeOfId(double id, std::size_t ranks)
 {
+  id += 0.0; // -0 is 0
   std::uint64_t key = 0;
   std::memcpy(&key, &id, sizeof key);
   key = (key ^ (key >> 31)) * 0x9e3779b97f4a7c15ull;

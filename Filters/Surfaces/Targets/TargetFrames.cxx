@@ -38,7 +38,9 @@ void TargetFrames::Add(int step, std::shared_ptr<InputShape> shape, const Period
     std::swap(earlier, later);
   }
   ParticleMatches matches;
-  if (earlier.Shape && earlier.Step + 1 == later.Step && !earlier.Shape->Home && !later.Shape->Home)
+  this->AreMatched =
+    earlier.Shape && earlier.Step + 1 == later.Step && !earlier.Shape->Home && !later.Shape->Home;
+  if (this->AreMatched)
   {
     matches = MatchParticles(ParticlesOf(earlier.Shape.get()), ParticlesOf(later.Shape.get()), box);
   }
@@ -76,7 +78,7 @@ vtkImplicitFunction* TargetFrames::GetFunction(int step) const
 
 const ParticleMatches* TargetFrames::FindMatches(int step) const
 {
-  return this->Has(step) && this->Has(step + 1) ? &this->Matches : nullptr;
+  return this->AreMatched && this->Has(step) && this->Has(step + 1) ? &this->Matches : nullptr;
 }
 
 ParticleTrack TargetFrames::GetTrack(int step, const PeriodicBox& box, double fraction) const

@@ -30,6 +30,7 @@ public:
     this->Earlier = { step, std::move(earlier) };
     this->Later = { step + 1, std::move(later) };
     this->Matches = std::move(matches);
+    this->AreMatched = true;
   }
 
   bool Has(int step) const { return this->Find(step) != nullptr; }
@@ -47,7 +48,8 @@ public:
   // From a step to the next one, if it is held; as long as no step is added.
   ParticleTrack GetTrack(int step, const PeriodicBox& box, double fraction) const;
 
-  // Of the particles of a step and those of the next one; null if not both are held.
+  // Of the particles of a step and those of the next one; null if not both are held, or are not
+  // matched.
   const ParticleMatches* FindMatches(int step) const;
 
   // What a user should know of how the steps were matched; empty if nothing.
@@ -61,6 +63,7 @@ private:
   };
 
   Held Earlier, Later;
+  bool AreMatched = false;
   ParticleMatches Matches; // of Earlier and Later, if these are consecutive
 };
 
