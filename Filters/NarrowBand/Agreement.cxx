@@ -1,7 +1,5 @@
 #include "Agreement.h"
 
-#include "RankBytes.h"
-
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -14,7 +12,7 @@ namespace
 
 constexpr const char* MemoryHasEnded = "There is not enough memory.";
 
-/** What a rank says at the beginning of a round; the largest counts. */
+/** State of a rank at the beginning of a round; the largest counts. */
 enum State : std::int64_t
 {
   Fine = 0,
@@ -40,13 +38,13 @@ Agreement::Agreement(std::shared_ptr<Communicator> ranks)
 {
 }
 
-std::vector<Bytes> Agreement::Exchange(const Bytes& own)
+std::vector<Bytes> Agreement::Exchange(const Bytes& own) const
 {
   this->GoOn(true);
   return this->Ranks->AllGather(own);
 }
 
-std::vector<Bytes> Agreement::Distribute(const std::vector<Bytes>& toEach)
+std::vector<Bytes> Agreement::Distribute(const std::vector<Bytes>& toEach) const
 {
   std::vector<std::uint64_t> lengths;
   std::transform(toEach.begin(), toEach.end(), std::back_inserter(lengths),
@@ -60,13 +58,21 @@ std::vector<Bytes> Agreement::Distribute(const std::vector<Bytes>& toEach)
 }
 
 std::vector<Bytes> Agreement::Distribute(
-  const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes)
+  const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) const
 {
   this->GoOn(true);
   return this->Ranks->Swap(toEach, sizes);
 }
 
-bool Agreement::GoOn(bool own)
+std::vector<Bytes> Agreement::GatherToFirst(Bytes own) const
+{
+  std::vector<Bytes> toEach(static_cast<std::size_t>(this->GetSize()));
+  toEach.front() = std::move(own);
+  std::vector<Bytes> all = this->Distribute(toEach);
+  return this->GetRank() == 0 ? all : std::vector<Bytes>();
+}
+
+bool Agreement::GoOn(bool own) const
 {
   const std::int64_t state = this->Ranks->Max(own ? Fine : Stopping);
   if (state == Failed)
@@ -76,19 +82,19 @@ bool Agreement::GoOn(bool own)
   return state == Fine;
 }
 
-void Agreement::Fail(const std::string& sentence)
+void Agreement::Fail(const std::string& sentence) const
 {
   this->Ranks->Max(Failed);
   this->ThrowTogether(sentence);
 }
 
-void Agreement::FailForMemory()
+void Agreement::FailForMemory() const
 {
   this->Fail(MemoryHasEnded);
 }
 
 /** Empty: this rank has not failed. */
-void Agreement::ThrowTogether(const std::string& sentence)
+void Agreement::ThrowTogether(const std::string& sentence) const
 {
   const std::vector<Bytes> all = this->Ranks->AllGather({ sentence.begin(), sentence.end() });
   const auto isSame = [&all](const Bytes& other) { return other == all.front(); };

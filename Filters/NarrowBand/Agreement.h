@@ -11,6 +11,7 @@
 
 #include "ActiveNarrowBandExport.h"
 #include "Communicator.h"
+#include "RankBytes.h"
 
 #include <exception>
 #include <memory>
@@ -52,27 +53,51 @@ public:
   bool IsAlone() const { return this->GetSize() < 2; }
 
   /** A round: the bytes of each rank, by rank. Throws RankError if one has failed. */
-  std::vector<Bytes> Exchange(const Bytes& own);
+  std::vector<Bytes> Exchange(const Bytes& own) const;
 
   ///@{
   /** A round: sends bytes to each rank and returns those that each has sent to this one, by rank;
    * the second where each rank knows how many come from each. Throw RankError if one has failed. */
-  std::vector<Bytes> Distribute(const std::vector<Bytes>& toEach);
+  std::vector<Bytes> Distribute(const std::vector<Bytes>& toEach) const;
   std::vector<Bytes> Distribute(
-    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes);
+    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) const;
+  ///@}
+
+  /** A round: the bytes of each rank on the first one, nothing on others. */
+  std::vector<Bytes> GatherToFirst(Bytes own) const;
+
+  ///@{
+  /** A round: the value of each rank, by rank; and the values of all, those of a rank after those
+   * of the ranks before. */
+  template <class Value>
+  std::vector<Value> ExchangeValue(const Value& own) const
+  {
+    return this->ExchangeValues(std::vector<Value>{ own });
+  }
+  template <class Value>
+  std::vector<Value> ExchangeValues(const std::vector<Value>& own) const
+  {
+    std::vector<Value> all;
+    for (const Bytes& bytes : this->Exchange(ToBytes(own)))
+    {
+      const std::vector<Value> values = FromBytes<Value>(bytes);
+      all.insert(all.end(), values.begin(), values.end());
+    }
+    return all;
+  }
   ///@}
 
   /** A round: whether every rank wants to go on. Throws RankError if one has failed. */
-  bool GoOn(bool own);
+  bool GoOn(bool own) const;
 
   /** In place of whatever round the others are in. The sentence of the first rank that has failed,
    * after the rank's number, unless all have failed with the same sentence. */
-  [[noreturn]] void Fail(const std::string& sentence);
+  [[noreturn]] void Fail(const std::string& sentence) const;
   /** The same where memory has ended: a RankMemoryError on all. */
-  [[noreturn]] void FailForMemory();
+  [[noreturn]] void FailForMemory() const;
 
 private:
-  [[noreturn]] void ThrowTogether(const std::string& sentence);
+  [[noreturn]] void ThrowTogether(const std::string& sentence) const;
 
   std::shared_ptr<Communicator> Ranks;
 };
@@ -81,7 +106,7 @@ private:
  * wrong on all. Each waits for the others at the end, or a late error of one would find them gone.
  */
 template <class Task>
-void RunTogether(Agreement& ranks, Task&& task)
+void RunTogether(const Agreement& ranks, Task&& task)
 {
   try
   {

@@ -27,15 +27,13 @@ bool IsBefore(const BandPart::LeafVertices& a, const BandPart::LeafVertices& b)
   return a.Origin < b.Origin;
 }
 
-/** Tells the ranks around the first vertices of this rank's leaves; returns theirs. */
+/** Sends the first vertices of this rank's leaves to the ranks around; returns theirs. */
 std::vector<BandPart::LeafVertices> SwapFirstVertices(const LeafTable& table, const BandPart& part)
 {
-  constexpr int side = 8;
-  const int rank = part.GetRanks().GetRank();
   std::vector<std::vector<BandPart::LeafVertices>> toEach(
     static_cast<std::size_t>(part.GetRanks().GetSize()));
   std::int64_t first = part.FirstVertex;
-  std::vector<int> owners;
+  std::vector<int> others;
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
     if (table.SummaryOf(i).IsForeign || table[i].Crossings == 0)
@@ -43,12 +41,11 @@ std::vector<BandPart::LeafVertices> SwapFirstVertices(const LeafTable& table, co
       continue;
     }
     const NodeIndex origin = OriginOf(table[i]);
-    owners.assign(1, rank);
-    part.Space->ListOwners({ origin[0] - side, origin[1] - side, origin[2] - side },
-      { origin[0] + side, origin[1] + side, origin[2] + side }, owners);
-    for (std::size_t k = 1; k < owners.size(); ++k)
+    others.clear();
+    part.Space->ListOthersAround(origin, others);
+    for (const int other : others)
     {
-      toEach[static_cast<std::size_t>(owners[k])].push_back({ origin, first, table[i].Edge });
+      toEach[static_cast<std::size_t>(other)].push_back({ origin, first, table[i].Edge });
     }
     first += table[i].Crossings;
   }
@@ -78,9 +75,8 @@ std::shared_ptr<const BandPart> CountTogether(
   own.Sums = SumSkin(table);
   SkinSums sums;
   int rank = 0;
-  for (const Bytes& bytes : part->GetRanks().Exchange(ToBytes(std::vector<RankCounts>{ own })))
+  for (const RankCounts& counts : part->GetRanks().ExchangeValue(own))
   {
-    const RankCounts counts = FromBytes<RankCounts>(bytes).at(0);
     part->FirstVertex +=
       rank++ < part->GetRanks().GetRank() ? static_cast<std::int64_t>(counts.Crossings) : 0;
     part->Crossings += counts.Crossings;
@@ -95,7 +91,8 @@ std::shared_ptr<const BandPart> CountTogether(
 namespace
 {
 
-/** The edges of a leaf of another rank are not all known here, and some are none there. */
+/** Numbers vertices on the edges that the owner of a leaf has: others here end at missing leaves.
+ */
 void NumberForeign(
   const BandLeaf& leaf, const BandPart::LeafVertices* owners, std::vector<std::int64_t>& numbers)
 {

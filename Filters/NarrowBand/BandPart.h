@@ -18,7 +18,7 @@
 namespace activesurface
 {
 
-/** What a rank knows of the whole band. */
+/** Facts of the whole band on a rank. */
 struct BandPart
 {
   /** Vertices of a leaf: the number of the first one in the whole skin, and their edges. */
@@ -36,15 +36,15 @@ struct BandPart
   std::int64_t FirstVertex = 0;      //< of this rank's leaves
   std::vector<LeafVertices> Foreign; //< leaves of other ranks, sorted by their origins
 
-  Agreement& GetRanks() const { return this->Space->GetRanks(); }
+  const Agreement& GetRanks() const { return this->Space->GetRanks(); }
 };
 
-/** Collective. */
+/** Counts what all ranks have. Collective. */
 std::shared_ptr<const BandPart> CountTogether(
   const LeafTable& table, const std::shared_ptr<const Domain>& space);
 
-/** Number in the whole skin of each vertex of a table; -1 where it is not known: of leaves that are
- * not beside this rank's. part: null where the table is whole. */
+/** Numbers the vertices of a table as in the whole skin; -1 for those of leaves away from this
+ * rank's own. part: null if the table is whole. */
 std::vector<std::int64_t> NumberVertices(const LeafTable& table, const BandPart* part);
 
 }

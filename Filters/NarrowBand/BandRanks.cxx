@@ -48,22 +48,12 @@ void NarrowBand::ListCosts(std::vector<LeafCost>& costs) const
 std::unique_ptr<NarrowBand> NarrowBand::GatherWhole(bool onAll) const
 {
   const BandState& members = *this->State;
-  Agreement& ranks = members.Part->GetRanks();
+  const Agreement& ranks = members.Part->GetRanks();
   std::string own;
   PackBand(members.Leaves, members.HasGhosts, own);
   const Bytes bytes(own.begin(), own.end());
-  std::vector<Bytes> all;
-  if (onAll)
-  {
-    all = ranks.Exchange(bytes);
-  }
-  else
-  {
-    std::vector<Bytes> toEach(static_cast<std::size_t>(ranks.GetSize()));
-    toEach.front() = bytes;
-    all = ranks.Distribute(toEach);
-  }
-  if (!onAll && ranks.GetRank() > 0)
+  const std::vector<Bytes> all = onAll ? ranks.Exchange(bytes) : ranks.GatherToFirst(bytes);
+  if (all.empty())
   {
     return nullptr;
   }

@@ -1,18 +1,14 @@
 #include "Domain.h"
 
-#include "RankBytes.h"
-
 #include <algorithm>
 #include <utility>
 
 namespace activesurface
 {
 
-namespace
-{
-
-/** As IsBeforeInTree: nodes of a tree hold 4096, 128 and 8 lattice nodes along an axis. */
-bool IsBefore(const NodeIndex& a, const NodeIndex& b)
+/** Nodes of a tree hold 4096, 128 and 8 lattice nodes along an axis, and their children by x, y, z.
+ */
+bool IsBeforeInTree(const NodeIndex& a, const NodeIndex& b)
 {
   for (const int shift : { 12, 7, 3 })
   {
@@ -28,10 +24,13 @@ bool IsBefore(const NodeIndex& a, const NodeIndex& b)
   return false;
 }
 
+namespace
+{
+
 void Sort(std::vector<LeafCost>& costs)
 {
   std::sort(costs.begin(), costs.end(),
-    [](const LeafCost& a, const LeafCost& b) { return IsBefore(a.Origin, b.Origin); });
+    [](const LeafCost& a, const LeafCost& b) { return IsBeforeInTree(a.Origin, b.Origin); });
 }
 
 double Sum(const std::vector<LeafCost>& costs)
@@ -74,16 +73,10 @@ Domain::Domain(const Agreement& ranks, std::vector<NodeIndex> firsts)
 std::shared_ptr<const Domain> Domain::Share(const Agreement& ranks, std::vector<LeafCost> own)
 {
   constexpr std::size_t samplesPerRank = 64, mostSamples = 4096;
-  Agreement agreement = ranks;
   const auto size = static_cast<std::size_t>(ranks.GetSize());
   Sort(own);
-  std::vector<LeafCost> all;
-  for (const Bytes& bytes :
-    agreement.Exchange(ToBytes(Thin(own, std::min(samplesPerRank * size, mostSamples)))))
-  {
-    const std::vector<LeafCost> costs = FromBytes<LeafCost>(bytes);
-    all.insert(all.end(), costs.begin(), costs.end());
-  }
+  std::vector<LeafCost> all =
+    ranks.ExchangeValues(Thin(own, std::min(samplesPerRank * size, mostSamples)));
   Sort(all);
   const double each = Sum(all) / static_cast<double>(size);
   std::vector<NodeIndex> firsts;
@@ -98,13 +91,14 @@ std::shared_ptr<const Domain> Domain::Share(const Agreement& ranks, std::vector<
   }
   constexpr int last = 1 << 30;
   firsts.resize(size - 1, { last, last, last });
-  return std::make_shared<const Domain>(agreement, firsts);
+  return std::make_shared<const Domain>(ranks, firsts);
 }
 
 int Domain::OwnerOf(const NodeIndex& node) const
 {
   return static_cast<int>(
-    std::upper_bound(this->Firsts.begin(), this->Firsts.end(), node, IsBefore) -
+    std::upper_bound(this->Firsts.begin(), this->Firsts.end(), node,
+      [](const NodeIndex& a, const NodeIndex& b) { return IsBeforeInTree(a, b); }) -
     this->Firsts.begin());
 }
 
@@ -125,6 +119,15 @@ void Domain::ListOwners(const NodeIndex& low, const NodeIndex& high, std::vector
       }
     }
   }
+}
+
+void Domain::ListOthersAround(const NodeIndex& leaf, std::vector<int>& others) const
+{
+  constexpr int side = 8;
+  others.push_back(this->Ranks.GetRank());
+  this->ListOwners({ leaf[0] - side, leaf[1] - side, leaf[2] - side },
+    { leaf[0] + side, leaf[1] + side, leaf[2] + side }, others);
+  others.erase(std::find(others.begin(), others.end(), this->Ranks.GetRank()));
 }
 
 }

@@ -8,6 +8,9 @@
 #include "Agreement.h"
 #include "NodeTarget.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -20,6 +23,22 @@ struct LeafCost
   NodeIndex Origin;
   double Cost;
 };
+
+/** The node below a place, relative to the node (0, 0, 0); at most 10^9 in size. */
+inline NodeIndex NodeBelow(const double (&place)[3], double voxelSize)
+{
+  constexpr double farthest = 1e9; // as node numbers are 32-bit integers
+  NodeIndex node;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double below = std::floor(place[axis] / voxelSize);
+    node[axis] = static_cast<int>(std::min(std::max(below, -farthest), farthest));
+  }
+  return node;
+}
+
+/** The order of a tree's leaves, by nodes in them. */
+bool IsBeforeInTree(const NodeIndex& a, const NodeIndex& b);
 
 class ACTIVENARROWBAND_EXPORT Domain
 {
@@ -38,11 +57,13 @@ public:
   /** Adds the ranks that own leaves with nodes in a box to those listed, each of them once. */
   void ListOwners(const NodeIndex& low, const NodeIndex& high, std::vector<int>& owners) const;
 
-  /** Its rounds are those of all ranks. */
-  Agreement& GetRanks() const { return this->Ranks; }
+  /** Adds the other ranks that own leaves around one of this rank. */
+  void ListOthersAround(const NodeIndex& leaf, std::vector<int>& others) const;
+
+  const Agreement& GetRanks() const { return this->Ranks; }
 
 private:
-  mutable Agreement Ranks;
+  const Agreement Ranks;
   std::vector<NodeIndex> Firsts;
 };
 

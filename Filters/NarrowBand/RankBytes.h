@@ -45,8 +45,6 @@ public:
   {
   }
 
-  std::size_t GetLeft() const { return this->Left; }
-
   template <class Value>
   std::vector<Value> Read(std::size_t count)
   {

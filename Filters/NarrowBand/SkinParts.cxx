@@ -346,17 +346,12 @@ private:
 };
 
 /** The sets of all ranks on the first one, none on others. */
-SkinSets Gather(SkinSets& own, Agreement& ranks)
+SkinSets Gather(SkinSets& own, const Agreement& ranks)
 {
-  std::vector<Bytes> toEach(static_cast<std::size_t>(ranks.GetSize()));
-  toEach.front() = own.Pack();
   SkinSets all;
-  for (const Bytes& bytes : ranks.Distribute(toEach))
+  for (const Bytes& bytes : ranks.GatherToFirst(own.Pack()))
   {
-    if (!bytes.empty())
-    {
-      all.AddPacked(bytes);
-    }
+    all.AddPacked(bytes);
   }
   all.Unite();
   std::for_each(all.Blocks.begin(), all.Blocks.end(), MakeUnique);

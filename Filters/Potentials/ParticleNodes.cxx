@@ -105,14 +105,11 @@ void ParticleNodes::Build(const NodeParticles& given, const NodeParticleOptions&
     [&](std::size_t n)
     {
       const SkeletonVertex particle = given.Get(n);
-      NodeIndex node;
-      for (int axis = 0; axis < 3; ++axis)
+      for (const double position : particle.Position)
       {
-        const double place = particle.Position[axis] / options.VoxelSize;
-        CheckPlace(place);
-        node[axis] = static_cast<int>(std::floor(place));
+        CheckPlace(position / options.VoxelSize);
       }
-      return node;
+      return NodeBelow(particle.Position, options.VoxelSize);
     });
   if (options.Space)
   {

@@ -245,9 +245,9 @@ public:
    * component along the normal. A skin that catches up, as in the notch of two parts that have just
    * merged, moves at up to Attraction * TargetReach, which blurs into streaks. Range: >= 0; 0 is
    * the speed of the fastest particle that is in both steps, its radius' change included (or by
-   * SetInputArrayToProcess(5, ...) with TangentialVelocity), on the way from the step before (at
-   * the first step, to the next one); no bound if none moves, or for other targets. Does not
-   * restart the motion. Default: 0.
+   * SetInputArrayToProcess(5, ...) with TangentialVelocity), over the interval since the step
+   * before (at the first step, to the next one); no bound if none moves, or for other targets. Does
+   * not restart the motion. Default: 0.
    */
   vtkSetClampMacro(MaximumVelocity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVelocity, double);

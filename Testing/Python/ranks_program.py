@@ -9,6 +9,7 @@ import sys
 import numpy
 import ranks_failures  # noqa: F401  whose runs are among them
 from active_implicit_surfaces import LiveSurface, vtkActiveVDBReader, vtkActiveVDBWriter
+from listener import Listener
 from python_data import as_array
 from random_shapes import as_table
 from ranks import POINTS, Keeper, Particles, at_random, begin, in_blocks, make_surface
@@ -63,6 +64,10 @@ def shared(ranks, keeper, folder):
     writer.SetInputConnection(surface.GetOutputPort())
     writer.SetFileName(os.path.join(folder, "shared_skin.vdb"))
     assert writer.Write()
+    listener = Listener(surface)
+    surface.GetSkinFunction()  # which knows a part only, and says so
+    keeper.keep("function", warnings=numpy.array(listener.warnings, dtype=str))
+    surface.RemoveAllObservers()
     surface.SetComputeVelocity(True)  # for which all ranks need the whole
     keeper.update("shared_5", surface, 5)
     surface.SetComputeVelocity(False)

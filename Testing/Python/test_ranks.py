@@ -120,7 +120,12 @@ class Ranks(unittest.TestCase):
                 folder = self.folder()
                 start(size, ",".join(SHARED), folder)
                 self.assertEqual(self.names_in(folder), self.names_in(alone))
+                told = [list(part["warnings"]) for part in load(folder, "function", size)]
+                self.assertIn("this rank's part", told[0][0])
+                self.assertEqual(told[1:], [[]] * (size - 1), "the first rank says it for all")
                 for name in self.names_in(folder):
+                    if name == "function":
+                        continue
                     self.assert_same(folder, size, name, alone)
                     whole = load(alone, name, 1)[0]["points"]
                     for part in load(folder, name, size):

@@ -45,21 +45,9 @@ unsigned NegativeBits(const float* values)
 
 }
 
-/** Nodes of a tree hold 4096, 128 and 8 lattice nodes along an axis, and their children by x, y, z.
- */
 bool IsBeforeInTree(const openvdb::Coord& a, const openvdb::Coord& b)
 {
-  for (const int shift : { 12, 7, 3 })
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if ((a[axis] >> shift) != (b[axis] >> shift))
-      {
-        return (a[axis] >> shift) < (b[axis] >> shift);
-      }
-    }
-  }
-  return false;
+  return IsBeforeInTree(NodeIndex{ a[0], a[1], a[2] }, NodeIndex{ b[0], b[1], b[2] });
 }
 
 LeafMask InsideNodes(const float* values)

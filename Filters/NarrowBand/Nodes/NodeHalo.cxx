@@ -14,15 +14,6 @@ namespace
 
 constexpr std::size_t BytesOfLeaf = 512 * sizeof(float);
 
-/** Adds the other ranks that own a leaf around one of this rank. */
-void ListRanksAround(const Domain& domain, const NodeIndex& origin, std::vector<int>& ranks)
-{
-  constexpr int side = 8;
-  const NodeIndex low = { origin[0] - side, origin[1] - side, origin[2] - side };
-  const NodeIndex high = { origin[0] + side, origin[1] + side, origin[2] + side };
-  domain.ListOwners(low, high, ranks);
-}
-
 }
 
 std::size_t NodeHalo::Find(const Domain* domain, std::vector<ShellLeaf>& shell)
@@ -65,16 +56,15 @@ std::size_t NodeHalo::Find(const Domain* domain, std::vector<ShellLeaf>& shell)
 
 void NodeHalo::ListSent(const std::vector<ShellLeaf>& own)
 {
-  const int rank = this->Space->GetRanks().GetRank();
   this->Sent.assign(static_cast<std::size_t>(this->Space->GetRanks().GetSize()), {});
-  std::vector<int> ranks;
+  std::vector<int> others;
   for (std::size_t i = 0; i < own.size(); ++i)
   {
-    ranks.assign(1, rank);
-    ListRanksAround(*this->Space, own[i].Origin, ranks);
-    for (std::size_t k = 1; k < ranks.size(); ++k)
+    others.clear();
+    this->Space->ListOthersAround(own[i].Origin, others);
+    for (const int other : others)
     {
-      this->Sent[static_cast<std::size_t>(ranks[k])].push_back(i);
+      this->Sent[static_cast<std::size_t>(other)].push_back(i);
     }
   }
 }

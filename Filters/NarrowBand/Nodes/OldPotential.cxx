@@ -21,7 +21,7 @@ void OldPotential::Fetch(const std::vector<NodeIndex>& wanted)
   {
     return;
   }
-  Agreement& ranks = this->Space->GetRanks();
+  const Agreement& ranks = this->Space->GetRanks();
   std::vector<std::vector<NodeIndex>> ofEach(static_cast<std::size_t>(ranks.GetSize()));
   IndexMap known;
   for (const NodeIndex& origin : wanted)

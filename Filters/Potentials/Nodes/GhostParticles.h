@@ -25,9 +25,7 @@ public:
   void Find(const Domain* domain, int margin, std::size_t count,
     const std::function<NodeIndex(std::size_t)>& nodeOf);
 
-  bool AreShared() const { return this->Space != nullptr; }
-
-  // Numbers of the listed particles, ascending; all but a domain has been given.
+  // Numbers of the listed particles, ascending; nothing without a domain.
   const std::vector<std::uint32_t>& GetListed() const { return this->Listed; }
 
   // Says where each listed particle is in the columns that follow. order: the particle at each
@@ -37,10 +35,15 @@ public:
   // Returns true if this rank owns the particle at a place of the columns.
   bool IsOwn(std::uint32_t k) const { return this->Own.empty() || this->Own[k]; }
 
-  // Sends get(k) of own particles, and calls set(k, value) for ghosts. Collective.
+  // Sends get(k) of own particles, and calls set(k, value) for ghosts. Collective; does nothing
+  // without a domain.
   template <class Value, class Get, class Set>
   void Share(Get&& get, Set&& set) const
   {
+    if (!this->Space)
+    {
+      return;
+    }
     std::vector<Bytes> toEach;
     std::vector<std::size_t> sizes;
     toEach.reserve(this->Sent.size());

@@ -48,10 +48,6 @@ void NodeFits::Resize(std::size_t count)
 // known.
 void NodeFits::ShareShapes()
 {
-  if (!this->Ghosts->AreShared())
-  {
-    return;
-  }
   struct SharedShape
   {
     float Bulk, X, Y, Z, Reach2;
@@ -87,10 +83,6 @@ void NodeFits::ShareShapes()
 
 void NodeFits::ShareLacks()
 {
-  if (!this->Ghosts->AreShared())
-  {
-    return;
-  }
   this->Ghosts->Share<std::array<float, 2>>(
     [this](std::uint32_t k)
     {
@@ -110,10 +102,6 @@ void NodeFits::ShareLacks()
 
 void NodeFits::ShareStrengths()
 {
-  if (!this->Ghosts->AreShared())
-  {
-    return;
-  }
   this->Ghosts->Share<float>([this](std::uint32_t k)
     { return this->HasRow(k) ? this->Ellipsoids[this->Row[k]].Strength : 0.f; },
     [this](std::uint32_t k, float strength)

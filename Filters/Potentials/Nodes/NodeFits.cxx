@@ -4,7 +4,6 @@
 #include "ParallelTasks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace activesurface

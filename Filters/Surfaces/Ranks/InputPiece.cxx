@@ -18,6 +18,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
@@ -55,16 +56,6 @@ void RemoveUnsent(const PieceArrays& arrays, vtkPointData* data, vtkIdType point
   }
 }
 
-void CopyPoints(vtkPoints* from, vtkIdList* kept, vtkPoints* to)
-{
-  to->SetDataType(from->GetDataType());
-  to->SetNumberOfPoints(kept->GetNumberOfIds());
-  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
-  {
-    to->SetPoint(i, from->GetPoint(kept->GetId(i)));
-  }
-}
-
 // Without the duplicates of what is another rank's.
 void RemoveDuplicates(vtkUnsignedCharArray* ghosts, vtkPolyData* points)
 {
@@ -80,21 +71,30 @@ void RemoveDuplicates(vtkUnsignedCharArray* ghosts, vtkPolyData* points)
   {
     return;
   }
-  vtkNew<vtkPoints> places;
-  CopyPoints(points->GetPoints(), kept, places);
-  vtkNew<vtkPointData> arrays;
-  arrays->CopyAllOn();
-  arrays->CopyAllocate(points->GetPointData(), kept->GetNumberOfIds());
-  vtkNew<vtkIdList> order;
-  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
-  {
-    order->InsertNextId(i);
-  }
-  arrays->CopyData(points->GetPointData(), kept, order);
-  points->SetPoints(places);
-  points->GetPointData()->ShallowCopy(arrays);
+  points->ShallowCopy(SelectPoints(points, kept));
 }
 
+}
+
+vtkSmartPointer<vtkPolyData> SelectPoints(vtkPolyData* points, vtkIdList* selected)
+{
+  const vtkIdType count = selected->GetNumberOfIds();
+  auto some = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> places;
+  places->SetDataType(points->GetPoints()->GetDataType());
+  points->GetPoints()->GetPoints(selected, places);
+  some->SetPoints(places);
+  vtkNew<vtkIdList> order;
+  order->SetNumberOfIds(count);
+  std::iota(order->begin(), order->end(), vtkIdType(0));
+  some->GetPointData()->CopyAllOn();
+  some->GetPointData()->CopyAllocate(points->GetPointData(), count);
+  some->GetPointData()->CopyData(points->GetPointData(), selected, order);
+  if (points->GetNumberOfCells() > 0 && count > 0)
+  {
+    MakeOneCell(some);
+  }
+  return some;
 }
 
 void RequestPiece(vtkInformation* input, int rank, int size)

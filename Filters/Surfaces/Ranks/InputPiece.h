@@ -14,6 +14,7 @@
 
 class vtkAbstractArray;
 class vtkDataSet;
+class vtkIdList;
 class vtkImageData;
 class vtkInformation;
 class vtkPointSet;
@@ -46,6 +47,9 @@ struct PieceArrays
   bool All = false;
   std::vector<vtkAbstractArray*> Chosen;
 };
+
+// Some points with their arrays; a cell of them if there are cells.
+vtkSmartPointer<vtkPolyData> SelectPoints(vtkPolyData* points, vtkIdList* selected);
 
 // Copies refer to the same arrays where nothing is left out.
 InputPiece MakeParticlePiece(vtkPointSet* points, const PieceArrays& arrays);

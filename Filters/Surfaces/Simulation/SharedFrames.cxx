@@ -4,10 +4,10 @@
 #include "IndexMap.h"
 #include "NarrowBand.h"
 #include "ParticleNodes.h"
-#include "RankBytes.h"
 #include "RanksAround.h"
 #include "Simulation/TargetBuilder.h"
 #include "Targets/HomeParticles.h"
+#include "Targets/NoShape.h"
 #include "Targets/ParticleFrame.h"
 
 #include "vtkIdList.h"
@@ -25,18 +25,6 @@ namespace activesurface
 
 namespace
 {
-
-NodeIndex NodeOf(const SkeletonVertex& particle, double voxelSize)
-{
-  constexpr double farthest = 1e9; // as node numbers are 32-bit integers
-  NodeIndex node;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double place = std::floor(particle.Position[axis] / voxelSize);
-    node[axis] = static_cast<int>(std::min(std::max(place, -farthest), farthest));
-  }
-  return node;
-}
 
 // Lists the ranks around the path of a particle between two nodes.
 void ListRanks(
@@ -115,37 +103,16 @@ private:
 
 }
 
-void SharedFrames::Clear()
+void SharedFrames::Add(int step, const std::shared_ptr<InputShape>& shape)
 {
-  this->Earlier = this->Later = Held();
-}
-
-void SharedFrames::Add(int step, std::shared_ptr<InputShape> shape)
-{
-  if (this->Later.Step == step || this->Earlier.Step == step)
-  {
-    (this->Later.Step == step ? this->Later : this->Earlier).Shape = std::move(shape);
-    return;
-  }
-  this->Earlier = std::exchange(this->Later, { step, std::move(shape) });
-  if (this->Earlier.Step == step + 1) // as TargetFrames does
-  {
-    std::swap(this->Earlier, this->Later);
-  }
-}
-
-InputShape* SharedFrames::Find(int step) const
-{
-  return this->Later.Step == step ? this->Later.Shape.get()
-    : this->Earlier.Step == step  ? this->Earlier.Shape.get()
-                                  : nullptr;
+  this->Homes.Add(step, shape->Home ? shape : std::make_shared<NoShape>());
 }
 
 bool SharedFrames::ArePlaceable(int first, int last) const
 {
   for (int step = first; step <= last; ++step)
   {
-    const InputShape* shape = this->Find(step);
+    const InputShape* shape = this->Homes.Find(step);
     if (!shape || !shape->Home)
     {
       return false;
@@ -184,13 +151,13 @@ void SharedFrames::MakeWhole(int first, int last)
 // Costs are those of the particles at the later step and of the leaves of the surface.
 std::shared_ptr<const Domain> SharedFrames::ShareSpace(const NarrowBand& band, int last) const
 {
-  const InputShape& shape = *this->Find(last);
+  const InputShape& shape = *this->Homes.Find(last);
   const double voxelSize = band.GetVoxelSize();
   IndexMap leaves;
   std::vector<LeafCost> costs;
   for (const SkeletonVertex& particle : shape.GetParticles()->Particles)
   {
-    NodeIndex leaf = NodeOf(particle, voxelSize);
+    NodeIndex leaf = NodeBelow(particle.Position, voxelSize);
     for (int& place : leaf)
     {
       place &= ~7;
@@ -209,17 +176,12 @@ std::shared_ptr<const Domain> SharedFrames::ShareSpace(const NarrowBand& band, i
 // Matches the particles whose home is this rank.
 ParticleMatches SharedFrames::MatchHomes(int first) const
 {
-  const ParticleFrame& earlier = *this->Find(first)->GetParticles();
-  const ParticleFrame& later = *this->Find(first + 1)->GetParticles();
+  const ParticleFrame& earlier = *this->Homes.Find(first)->GetParticles();
+  const ParticleFrame& later = *this->Homes.Find(first + 1)->GetParticles();
   const PeriodicBox noBox;
   ParticleMatches matches = PairParticles(earlier, later, false);
-  std::vector<NumberedWay> ways;
-  const std::vector<NumberedWay> own = PickWays(earlier, later, matches.Partners, noBox);
-  for (const Bytes& bytes : this->Find(first)->Home->Ranks.Exchange(ToBytes(own)))
-  {
-    const std::vector<NumberedWay> part = FromBytes<NumberedWay>(bytes);
-    ways.insert(ways.end(), part.begin(), part.end());
-  }
+  std::vector<NumberedWay> ways = this->Homes.Find(first)->Home->Ranks.ExchangeValues(
+    PickWays(earlier, later, matches.Partners, noBox));
   return AreShuffled(std::move(ways), earlier, noBox) ? PairParticles(earlier, later, true)
                                                       : matches;
 }
@@ -227,8 +189,8 @@ ParticleMatches SharedFrames::MatchHomes(int first) const
 // A particle goes, with its places in both steps, to all ranks that it comes near to in between.
 void SharedFrames::Send(int first, int last, const ParticleMatches& matches, const Domain& space)
 {
-  const InputShape& earlier = *this->Find(first);
-  const InputShape* later = last > first ? this->Find(last) : nullptr;
+  const InputShape& earlier = *this->Homes.Find(first);
+  const InputShape* later = last > first ? this->Homes.Find(last) : nullptr;
   const ParticleFrame& from = *earlier.GetParticles();
   const double voxelSize = this->Shapes.FindDomain()->VoxelSize;
   RanksAround around(space, this->Shapes.FindMarginOfRanks());
@@ -252,10 +214,12 @@ void SharedFrames::Send(int first, int last, const ParticleMatches& matches, con
   };
   for (std::size_t i = 0; i < from.Particles.size(); ++i)
   {
-    const NodeIndex node = NodeOf(from.Particles[i], voxelSize);
+    const NodeIndex node = NodeBelow(from.Particles[i].Position, voxelSize);
     const std::size_t partner = later ? matches.Partners[i] : NoPartner;
     list(node,
-      partner == NoPartner ? node : NodeOf(later->GetParticles()->Particles[partner], voxelSize));
+      partner == NoPartner
+        ? node
+        : NodeBelow(later->GetParticles()->Particles[partner].Position, voxelSize));
     parcels[0].Add(from.GetPoint(i), ranks);
     if (partner != NoPartner)
     {
@@ -265,7 +229,7 @@ void SharedFrames::Send(int first, int last, const ParticleMatches& matches, con
   for (const std::size_t birth : matches.Births)
   {
     const ParticleFrame& to = *later->GetParticles();
-    const NodeIndex node = NodeOf(to.Particles[birth], voxelSize);
+    const NodeIndex node = NodeBelow(to.Particles[birth].Position, voxelSize);
     list(node, node);
     parcels[1].Add(to.GetPoint(birth), ranks);
   }

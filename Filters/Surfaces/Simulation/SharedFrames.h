@@ -6,6 +6,7 @@
 
 #include "Targets/InputShape.h"
 #include "Targets/ParticleMatches.h"
+#include "Targets/TargetFrames.h"
 
 #include <memory>
 
@@ -25,10 +26,10 @@ public:
   {
   }
 
-  void Clear();
+  void Clear() { this->Homes.Clear(); }
 
-  // Has been added to the shapes too; the two that were added last are held.
-  void Add(int step, std::shared_ptr<InputShape> shape);
+  // A frame that has been added to the shapes too.
+  void Add(int step, const std::shared_ptr<InputShape>& shape);
 
   // Shares out space for the next frame of a band, which is at the step `first` or starts there,
   // and gives each rank the particles of the steps up to `last` near its part. Makes band and
@@ -39,20 +40,13 @@ public:
   void MakeWhole(int first, int last);
 
 private:
-  struct Held
-  {
-    int Step = -1;
-    std::shared_ptr<InputShape> Shape;
-  };
-
-  InputShape* Find(int step) const;
   bool ArePlaceable(int first, int last) const;
   std::shared_ptr<const Domain> ShareSpace(const NarrowBand& band, int last) const;
   ParticleMatches MatchHomes(int first) const;
   void Send(int first, int last, const ParticleMatches& matches, const Domain& space);
 
   TargetBuilder& Shapes;
-  Held Earlier, Later;
+  TargetFrames Homes; // without the shapes that are whole on each rank
 };
 
 }

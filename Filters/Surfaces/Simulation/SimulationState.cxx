@@ -59,7 +59,7 @@ void SurfaceSimulation::RestoreLoaded()
   }
   this->Shapes.KeepEstimatedSpacing(this->Loaded.Spacing);
   this->Saved.Keep(time.Step, band);
-  // Each checkpoint has its rows: what is known of later steps stays.
+  // Each checkpoint has its rows; rows of later steps stay.
   this->History.Restore(this->Loaded.History);
 }
 

@@ -197,7 +197,7 @@ void SurfaceSimulation::AddFrame(int step, std::shared_ptr<InputShape> shape)
     }
   }
   this->Shapes.Add(step, shape);
-  this->Shared.Add(step, std::move(shape));
+  this->Shared.Add(step, shape);
 }
 
 bool SurfaceSimulation::Advance(const FrameSource& frames, const ProgressFunction& progress)

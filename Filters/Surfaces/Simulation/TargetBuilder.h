@@ -43,7 +43,7 @@ public:
   void SetPart(int step, const std::shared_ptr<InputShape>& shape, const ParticleFrame& home);
   void SetPair(int step, const std::shared_ptr<InputShape>& earlier,
     const std::shared_ptr<InputShape>& later, bool areShuffled);
-  // Distance along each axis from a rank's leaves within which it needs particles of a step
+  // Distance along each axis from a rank's leaves within which it needs particles
   // [voxels].
   int FindMarginOfRanks();
 

@@ -3,7 +3,6 @@
 #include "BandPart.h"
 #include "NarrowBand.h"
 #include "Obstacle.h"
-#include "RankBytes.h"
 #include "Simulation/SurfaceSettings.h"
 #include "Simulation/TargetBuilder.h"
 
@@ -82,14 +81,7 @@ std::vector<PointWithMargin> KeepOwn(const NarrowBand& band, std::vector<PointWi
   if (const BandPart* part = band.GetPart())
   {
     const auto isForeign = [&](const PointWithMargin& point)
-    {
-      NodeIndex node;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        node[axis] = static_cast<int>(std::floor(point.Position[axis] / band.GetVoxelSize()));
-      }
-      return !part->Space->IsOwn(node);
-    };
+    { return !part->Space->IsOwn(NodeBelow(point.Position, band.GetVoxelSize())); };
     points.erase(std::remove_if(points.begin(), points.end(), isForeign), points.end());
   }
   return points;
@@ -103,9 +95,9 @@ Found AddUp(const NarrowBand& band, const Found& own)
     return own;
   }
   Found all;
-  for (const Bytes& bytes : band.GetPart()->GetRanks().Exchange(ToBytes(std::vector<Found>{ own })))
+  for (const Found& found : band.GetPart()->GetRanks().ExchangeValue(own))
   {
-    all += FromBytes<Found>(bytes).at(0);
+    all += found;
   }
   return all;
 }

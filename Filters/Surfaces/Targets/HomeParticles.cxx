@@ -1,6 +1,5 @@
 #include "Targets/HomeParticles.h"
 
-#include "RankBytes.h"
 #include "Ranks/InputPiece.h"
 #include "Ranks/PieceBytes.h"
 #include "Ranks/WholeOfPieces.h"
@@ -57,27 +56,6 @@ std::size_t HomeOfId(double id, std::size_t ranks)
 
 }
 
-vtkSmartPointer<vtkPolyData> SelectPoints(vtkPolyData* points, vtkIdList* selected)
-{
-  const vtkIdType count = selected->GetNumberOfIds();
-  auto some = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> places;
-  places->SetDataType(points->GetPoints()->GetDataType());
-  points->GetPoints()->GetPoints(selected, places);
-  some->SetPoints(places);
-  vtkNew<vtkIdList> order;
-  order->SetNumberOfIds(count);
-  std::iota(order->begin(), order->end(), vtkIdType(0));
-  some->GetPointData()->CopyAllOn();
-  some->GetPointData()->CopyAllocate(points->GetPointData(), count);
-  some->GetPointData()->CopyData(points->GetPointData(), selected, order);
-  if (points->GetNumberOfCells() > 0 && count > 0)
-  {
-    MakeOneCell(some);
-  }
-  return some;
-}
-
 Bytes PackPoints(vtkPolyData* points)
 {
   return points->GetNumberOfPoints() > 0 ? PackPiece({ PieceKind::Particles, points }) : Bytes();
@@ -113,7 +91,8 @@ vtkSmartPointer<vtkPolyData> MergePoints(const std::vector<Bytes>& parts)
                                                       : SelectPoints(points, order);
 }
 
-HomePoints SendHome(Agreement& ranks, vtkPolyData* points, vtkDataArray* ids, std::uint64_t content)
+HomePoints SendHome(
+  const Agreement& ranks, vtkPolyData* points, vtkDataArray* ids, std::uint64_t content)
 {
   const auto size = static_cast<std::size_t>(ranks.GetSize());
   const auto count = static_cast<std::uint64_t>(points ? points->GetNumberOfPoints() : 0);
@@ -121,9 +100,8 @@ HomePoints SendHome(Agreement& ranks, vtkPolyData* points, vtkDataArray* ids, st
   HomePoints home;
   std::uint64_t first = 0;
   int rank = 0;
-  for (const Bytes& bytes : ranks.Exchange(ToBytes(std::vector<PieceFacts>{ own })))
+  for (const PieceFacts& facts : ranks.ExchangeValue(own))
   {
-    const PieceFacts facts = FromBytes<PieceFacts>(bytes).at(0);
     first += rank++ < ranks.GetRank() ? facts.Points : 0;
     home.AllPoints += facts.Points;
     constexpr std::uint64_t factor = 0x9e3779b97f4a7c15ull;
@@ -158,12 +136,12 @@ HomePoints SendHome(Agreement& ranks, vtkPolyData* points, vtkDataArray* ids, st
   return home;
 }
 
-WholeFrame DescribeWhole(Agreement& ranks, const ParticleFrame& part, std::size_t points)
+WholeFrame DescribeWhole(const Agreement& ranks, const ParticleFrame& part, std::size_t points)
 {
   WholeFrame whole;
-  for (const Bytes& bytes : ranks.Exchange(ToBytes(std::vector<WholeFrame>{ part.Describe() })))
+  for (const WholeFrame& ofRank : ranks.ExchangeValue(part.Describe()))
   {
-    whole.Add(FromBytes<WholeFrame>(bytes).at(0));
+    whole.Add(ofRank);
   }
   whole.Points = points;
   return whole;

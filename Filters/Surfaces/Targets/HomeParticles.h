@@ -33,7 +33,7 @@ constexpr const char* NumbersOfPoints = "vtkActiveNumbersOfPoints";
 struct HomePart
 {
   vtkSmartPointer<vtkPolyData> Data; // with NumbersOfPoints
-  mutable Agreement Ranks;
+  Agreement Ranks;
   // Makes shapes of points of the same input: of some, with their numbers, or of all without.
   std::function<std::unique_ptr<InputShape>(vtkPolyData* points, bool areAll)> Make;
 };
@@ -48,13 +48,10 @@ struct HomePoints
 // Sends this rank's points home; returns those whose home it is. ids: of the points, or null.
 // Collective.
 HomePoints SendHome(
-  Agreement& ranks, vtkPolyData* points, vtkDataArray* ids, std::uint64_t content);
+  const Agreement& ranks, vtkPolyData* points, vtkDataArray* ids, std::uint64_t content);
 
 // Describes the parts of all ranks together. points: number of the input's points. Collective.
-WholeFrame DescribeWhole(Agreement& ranks, const ParticleFrame& part, std::size_t points);
-
-// Some points with their arrays.
-vtkSmartPointer<vtkPolyData> SelectPoints(vtkPolyData* points, vtkIdList* selected);
+WholeFrame DescribeWhole(const Agreement& ranks, const ParticleFrame& part, std::size_t points);
 
 // Points of several ranks in one, by ascending numbers. Bytes are those of PackPoints.
 Bytes PackPoints(vtkPolyData* points);

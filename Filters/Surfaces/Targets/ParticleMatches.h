@@ -49,8 +49,8 @@ struct NumberedWay
 std::vector<NumberedWay> PickWays(const ParticleFrame& earlier, const ParticleFrame& later,
   const std::vector<std::size_t>& partners, const PeriodicBox& box);
 
-// Returns true if displacements are those of different particles with the same index. earlier: may
-// be a part of the frame; ways: of the whole frame, in any order.
+// Returns true if the displacements, of the whole frame in any order, are those of different
+// particles with the same index. earlier may be a part of the frame.
 bool AreShuffled(
   std::vector<NumberedWay> ways, const ParticleFrame& earlier, const PeriodicBox& box);
 

@@ -48,7 +48,7 @@ public:
   // From a step to the next one, if it is held; as long as no step is added.
   ParticleTrack GetTrack(int step, const PeriodicBox& box, double fraction) const;
 
-  // Of the particles of a step and those of the next one; null if not both are held, or are not
+  // Matches of the particles of a step and of the next one; null if not both are held, or are not
   // matched.
   const ParticleMatches* FindMatches(int step) const;
 
