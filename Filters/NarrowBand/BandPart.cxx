@@ -3,6 +3,7 @@
 #include "RankBytes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace activesurface
 {
@@ -10,11 +11,25 @@ namespace activesurface
 namespace
 {
 
+template <class Value>
+void AppendTo(std::vector<Value>& all, const std::vector<Value>& values)
+{
+  all.insert(all.end(), values.begin(), values.end());
+}
+
 struct RankCounts
 {
   std::size_t Crossings = 0;
   std::size_t ActiveNodes = 0;
   SkinSums Sums;
+  std::int64_t Counted = 0; //< vertices of the leaves that it counts
+};
+
+/** A leaf, its number of vertices, then the number of those before. */
+struct CountedLeaf
+{
+  NodeIndex Origin;
+  std::int64_t Vertices;
 };
 
 NodeIndex OriginOf(const BandLeaf& leaf)
@@ -27,27 +42,116 @@ bool IsBefore(const BandPart::LeafVertices& a, const BandPart::LeafVertices& b)
   return a.Origin < b.Origin;
 }
 
+bool HasVertices(const LeafTable& table, std::size_t i)
+{
+  return !table.SummaryOf(i).IsForeign && table[i].Crossings > 0;
+}
+
+/** Numbers the vertices of all ranks in the order of the tree: each rank counts those of a range of
+ * leaves, whoever owns them. */
+class VertexCount
+{
+public:
+  /** Collective, as Answer. */
+  VertexCount(const LeafTable& table, const Domain& space)
+    : Space(space)
+    , Asked(static_cast<std::size_t>(space.GetRanks().GetSize()))
+  {
+    for (std::size_t i = 0; i < table.Size(); ++i)
+    {
+      if (HasVertices(table, i))
+      {
+        const NodeIndex origin = OriginOf(table[i]);
+        this->Asked[this->CounterOf(origin)].push_back({ origin, table[i].Crossings });
+      }
+    }
+    std::vector<Bytes> sent;
+    std::transform(
+      this->Asked.begin(), this->Asked.end(), std::back_inserter(sent), ToBytes<CountedLeaf>);
+    for (const Bytes& bytes : space.GetRanks().Distribute(sent))
+    {
+      this->Leaves.push_back(FromBytes<CountedLeaf>(bytes));
+    }
+    this->Count();
+  }
+
+  /** Of the leaves that this rank counts. */
+  std::int64_t GetSum() const { return this->Sum; }
+
+  /** Returns the first vertex of each leaf of the table that is this rank's and has vertices.
+   * before: vertices that lower ranks count. */
+  std::vector<std::int64_t> Answer(std::int64_t before)
+  {
+    std::vector<Bytes> answers;
+    std::vector<std::size_t> sizes;
+    for (std::vector<CountedLeaf>& leaves : this->Leaves)
+    {
+      std::vector<std::int64_t> firsts;
+      std::transform(leaves.begin(), leaves.end(), std::back_inserter(firsts),
+        [before](const CountedLeaf& leaf) { return before + leaf.Vertices; });
+      answers.push_back(ToBytes(firsts));
+    }
+    for (const std::vector<CountedLeaf>& leaves : this->Asked)
+    {
+      sizes.push_back(leaves.size() * sizeof(std::int64_t));
+    }
+    std::vector<std::int64_t> all; // leaves are asked for in the order of the tree, as the counters
+    for (const Bytes& bytes : this->Space.GetRanks().Distribute(answers, sizes))
+    {
+      AppendTo(all, FromBytes<std::int64_t>(bytes));
+    }
+    return all;
+  }
+
+private:
+  std::size_t CounterOf(const NodeIndex& origin) const
+  {
+    return static_cast<std::size_t>(this->Space.CounterOf(origin));
+  }
+
+  /** Replaces the vertices of each leaf by those before it. */
+  void Count()
+  {
+    std::vector<CountedLeaf*> order;
+    for (std::vector<CountedLeaf>& leaves : this->Leaves)
+    {
+      std::transform(leaves.begin(), leaves.end(), std::back_inserter(order),
+        [](CountedLeaf& leaf) { return &leaf; });
+    }
+    std::sort(order.begin(), order.end(),
+      [](const CountedLeaf* a, const CountedLeaf* b) { return IsBeforeInTree(a->Origin, b->Origin); });
+    for (CountedLeaf* leaf : order)
+    {
+      this->Sum += std::exchange(leaf->Vertices, this->Sum);
+    }
+  }
+
+  const Domain& Space;
+  std::vector<std::vector<CountedLeaf>> Asked;  // by counter
+  std::vector<std::vector<CountedLeaf>> Leaves; // by owner
+  std::int64_t Sum = 0;
+};
+
 /** Sends the first vertices of this rank's leaves to the ranks around; returns theirs. */
 std::vector<BandPart::LeafVertices> SwapFirstVertices(const LeafTable& table, const BandPart& part)
 {
   std::vector<std::vector<BandPart::LeafVertices>> toEach(
     static_cast<std::size_t>(part.GetRanks().GetSize()));
-  std::int64_t first = part.FirstVertex;
+  auto first = part.FirstVertices.begin();
   std::vector<int> others;
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
-    if (table.SummaryOf(i).IsForeign || table[i].Crossings == 0)
+    if (!HasVertices(table, i))
     {
       continue;
     }
     const NodeIndex origin = OriginOf(table[i]);
-    others.clear();
     part.Space->ListOthersAround(origin, others);
     for (const int other : others)
     {
-      toEach[static_cast<std::size_t>(other)].push_back({ origin, first, table[i].Edge });
+      toEach[static_cast<std::size_t>(other)].push_back({ origin, *first, table[i].Edge });
     }
-    first += table[i].Crossings;
+    ++first;
   }
   std::vector<Bytes> sent;
   std::transform(
@@ -55,8 +159,7 @@ std::vector<BandPart::LeafVertices> SwapFirstVertices(const LeafTable& table, co
   std::vector<BandPart::LeafVertices> foreign;
   for (const Bytes& bytes : part.GetRanks().Distribute(sent))
   {
-    const auto leaves = FromBytes<BandPart::LeafVertices>(bytes);
-    foreign.insert(foreign.end(), leaves.begin(), leaves.end());
+    AppendTo(foreign, FromBytes<BandPart::LeafVertices>(bytes));
   }
   std::sort(foreign.begin(), foreign.end(), IsBefore);
   return foreign;
@@ -73,17 +176,20 @@ std::shared_ptr<const BandPart> CountTogether(
   own.Crossings = table.Count([](const LeafSummary& leaf) { return leaf.Crossings; });
   own.ActiveNodes = table.Count([](const LeafSummary& leaf) { return leaf.ActiveNodes; });
   own.Sums = SumSkin(table);
+  VertexCount vertices(table, *space);
+  own.Counted = vertices.GetSum();
   SkinSums sums;
+  std::int64_t before = 0;
   int rank = 0;
   for (const RankCounts& counts : part->GetRanks().ExchangeValue(own))
   {
-    part->FirstVertex +=
-      rank++ < part->GetRanks().GetRank() ? static_cast<std::int64_t>(counts.Crossings) : 0;
+    before += rank++ < part->GetRanks().GetRank() ? counts.Counted : 0;
     part->Crossings += counts.Crossings;
     part->ActiveNodes += counts.ActiveNodes;
     sums.Add(counts.Sums);
   }
   part->Measure = sums.Get();
+  part->FirstVertices = vertices.Answer(before);
   part->Foreign = SwapFirstVertices(table, *part);
   return part;
 }
@@ -114,7 +220,7 @@ void NumberForeign(
 std::vector<std::int64_t> NumberVertices(const LeafTable& table, const BandPart* part)
 {
   std::vector<std::int64_t> numbers;
-  std::int64_t own = part ? part->FirstVertex : 0;
+  std::size_t own = 0;
   for (std::size_t i = 0; i < table.Size(); ++i)
   {
     if (table.SummaryOf(i).IsForeign)
@@ -126,9 +232,11 @@ std::vector<std::int64_t> NumberVertices(const LeafTable& table, const BandPart*
       NumberForeign(table[i], isKnown ? &*found : nullptr, numbers);
       continue;
     }
+    const auto count = static_cast<std::int64_t>(numbers.size());
+    const std::int64_t first = part && HasVertices(table, i) ? part->FirstVertices[own++] : count;
     for (int k = 0; k < table[i].Crossings; ++k)
     {
-      numbers.push_back(own++);
+      numbers.push_back(first + k);
     }
   }
   return numbers;

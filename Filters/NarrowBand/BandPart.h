@@ -32,8 +32,9 @@ struct BandPart
   std::shared_ptr<const Domain> Space;
   std::size_t Crossings = 0; //< of all ranks
   std::size_t ActiveNodes = 0;
-  SkinMeasure Measure;               //< [voxels]
-  std::int64_t FirstVertex = 0;      //< of this rank's leaves
+  SkinMeasure Measure; //< [voxels]
+  /** Of each leaf of this rank that has vertices, in the table's order. */
+  std::vector<std::int64_t> FirstVertices;
   std::vector<LeafVertices> Foreign; //< leaves of other ranks, sorted by their origins
 
   const Agreement& GetRanks() const { return this->Space->GetRanks(); }

@@ -1,7 +1,8 @@
 #include "Domain.h"
 
 #include <algorithm>
-#include <utility>
+#include <array>
+#include <numeric>
 
 namespace activesurface
 {
@@ -33,20 +34,17 @@ void Sort(std::vector<LeafCost>& costs)
     [](const LeafCost& a, const LeafCost& b) { return IsBeforeInTree(a.Origin, b.Origin); });
 }
 
-double Sum(const std::vector<LeafCost>& costs)
+template <class Iterator>
+double Sum(Iterator begin, Iterator end)
 {
-  double sum = 0.0;
-  for (const LeafCost& leaf : costs)
-  {
-    sum += leaf.Cost;
-  }
-  return sum;
+  return std::accumulate(
+    begin, end, 0.0, [](double sum, const LeafCost& leaf) { return sum + leaf.Cost; });
 }
 
 /** Returns at most `most` leaves with equal costs for sorted ones. */
 std::vector<LeafCost> Thin(const std::vector<LeafCost>& costs, std::size_t most)
 {
-  const double each = Sum(costs) / static_cast<double>(most);
+  const double each = Sum(costs.begin(), costs.end()) / static_cast<double>(most);
   std::vector<LeafCost> thinned;
   double before = 0.0;
   for (const LeafCost& leaf : costs)
@@ -64,70 +62,123 @@ std::vector<LeafCost> Thin(const std::vector<LeafCost>& costs, std::size_t most)
 
 }
 
-Domain::Domain(const Agreement& ranks, std::vector<NodeIndex> firsts)
-  : Ranks(ranks)
-  , Firsts(std::move(firsts))
-{
-}
-
 std::shared_ptr<const Domain> Domain::Share(const Agreement& ranks, std::vector<LeafCost> own)
 {
-  constexpr std::size_t samplesPerRank = 64, mostSamples = 4096;
+  constexpr std::size_t mostSamples = 4096, leastSamplesOfRank = 256;
   const auto size = static_cast<std::size_t>(ranks.GetSize());
   Sort(own);
   std::vector<LeafCost> all =
-    ranks.ExchangeValues(Thin(own, std::min(samplesPerRank * size, mostSamples)));
+    ranks.ExchangeValues(Thin(own, std::max(mostSamples / size, leastSamplesOfRank)));
   Sort(all);
-  const double each = Sum(all) / static_cast<double>(size);
-  std::vector<NodeIndex> firsts;
-  double before = 0.0;
-  for (const LeafCost& leaf : all)
+  const std::shared_ptr<Domain> domain(new Domain(ranks));
+  for (std::size_t rank = 1; rank < size && !all.empty(); ++rank)
   {
-    while (firsts.size() + 1 < size && before >= static_cast<double>(firsts.size() + 1) * each)
-    {
-      firsts.push_back(leaf.Origin);
-    }
-    before += leaf.Cost;
+    domain->Firsts.push_back(all[rank * all.size() / size].Origin);
   }
-  constexpr int last = 1 << 30;
-  firsts.resize(size - 1, { last, last, last });
-  return std::make_shared<const Domain>(ranks, firsts);
+  domain->Divide(all.begin(), all.end(), 0, ranks.GetSize());
+  return domain;
+}
+
+// By the plane across the longest side of the box of the costs that divides them as the ranks.
+void Domain::Divide(CostIterator begin, CostIterator end, int first, int last)
+{
+  const int middle = first + (last - first) / 2;
+  if (middle == first || begin == end)
+  {
+    return;
+  }
+  Cut& cut = this->Cuts[static_cast<std::size_t>(middle)];
+  int longest = -1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto sides = std::minmax_element(begin, end,
+      [axis](const LeafCost& a, const LeafCost& b) { return a.Origin[axis] < b.Origin[axis]; });
+    const int length = sides.second->Origin[axis] - sides.first->Origin[axis];
+    cut.Axis = length > longest ? axis : cut.Axis;
+    longest = std::max(longest, length);
+  }
+  const int axis = cut.Axis;
+  std::stable_sort(begin, end,
+    [axis](const LeafCost& a, const LeafCost& b) { return a.Origin[axis] < b.Origin[axis]; });
+  const double wanted = Sum(begin, end) * (middle - first) / (last - first);
+  double before = 0.0, nearest = HUGE_VAL;
+  CostIterator upper = begin;
+  for (CostIterator leaf = begin; leaf != end; ++leaf)
+  {
+    const bool isNext = leaf == begin || leaf->Origin[axis] != (leaf - 1)->Origin[axis];
+    if (isNext && std::fabs(before - wanted) < nearest)
+    {
+      nearest = std::fabs(before - wanted);
+      upper = leaf;
+    }
+    before += leaf->Cost;
+  }
+  constexpr int side = 8;
+  const bool isAllBelow = std::fabs(before - wanted) < nearest;
+  upper = isAllBelow ? end : upper;
+  cut.Place = isAllBelow ? (end - 1)->Origin[axis] + side : upper->Origin[axis];
+  this->Divide(begin, upper, first, middle);
+  this->Divide(upper, end, middle, last);
 }
 
 int Domain::OwnerOf(const NodeIndex& node) const
 {
-  return static_cast<int>(
-    std::upper_bound(this->Firsts.begin(), this->Firsts.end(), node,
-      [](const NodeIndex& a, const NodeIndex& b) { return IsBeforeInTree(a, b); }) -
-    this->Firsts.begin());
+  int first = 0, last = this->Ranks.GetSize();
+  while (last - first > 1)
+  {
+    const int middle = first + (last - first) / 2;
+    const Cut& cut = this->Cuts[static_cast<std::size_t>(middle)];
+    (node[static_cast<std::size_t>(cut.Axis)] < cut.Place ? last : first) = middle;
+  }
+  return first;
 }
 
 void Domain::ListOwners(const NodeIndex& low, const NodeIndex& high, std::vector<int>& owners) const
 {
-  NodeIndex leaf;
-  for (leaf[0] = low[0] & ~7; leaf[0] <= high[0]; leaf[0] += 8)
+  constexpr std::size_t mostHalvings = 32; // of a number of ranks
+  std::array<std::array<int, 2>, mostHalvings> upper;
+  std::size_t waiting = 0;
+  int first = 0, last = this->Ranks.GetSize();
+  owners.clear();
+  while (true)
   {
-    for (leaf[1] = low[1] & ~7; leaf[1] <= high[1]; leaf[1] += 8)
+    while (last - first > 1)
     {
-      for (leaf[2] = low[2] & ~7; leaf[2] <= high[2]; leaf[2] += 8)
+      const int middle = first + (last - first) / 2;
+      const Cut& cut = this->Cuts[static_cast<std::size_t>(middle)];
+      const auto axis = static_cast<std::size_t>(cut.Axis);
+      const bool isBelow = low[axis] < cut.Place, isAbove = high[axis] >= cut.Place;
+      if (isBelow && isAbove)
       {
-        const int owner = this->OwnerOf(leaf);
-        if (std::find(owners.begin(), owners.end(), owner) == owners.end())
-        {
-          owners.push_back(owner);
-        }
+        upper[waiting++] = { middle, last };
       }
+      (isBelow ? last : first) = middle;
     }
+    owners.push_back(first);
+    if (waiting == 0)
+    {
+      return;
+    }
+    first = upper[--waiting][0];
+    last = upper[waiting][1];
   }
 }
 
 void Domain::ListOthersAround(const NodeIndex& leaf, std::vector<int>& others) const
 {
   constexpr int side = 8;
-  others.push_back(this->Ranks.GetRank());
   this->ListOwners({ leaf[0] - side, leaf[1] - side, leaf[2] - side },
-    { leaf[0] + side, leaf[1] + side, leaf[2] + side }, others);
-  others.erase(std::find(others.begin(), others.end(), this->Ranks.GetRank()));
+    { leaf[0] + 2 * side - 1, leaf[1] + 2 * side - 1, leaf[2] + 2 * side - 1 }, others);
+  others.erase(
+    std::remove(others.begin(), others.end(), this->Ranks.GetRank()), others.end());
+}
+
+int Domain::CounterOf(const NodeIndex& leaf) const
+{
+  return static_cast<int>(
+    std::upper_bound(this->Firsts.begin(), this->Firsts.end(), leaf,
+      [](const NodeIndex& a, const NodeIndex& b) { return IsBeforeInTree(a, b); }) -
+    this->Firsts.begin());
 }
 
 }

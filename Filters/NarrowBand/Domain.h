@@ -1,5 +1,5 @@
 /**
- * Which rank owns which part of space: ranges of leaves in the order of the tree.
+ * Which rank owns which part of space: boxes of leaves.
  */
 #ifndef Domain_h
 #define Domain_h
@@ -43,9 +43,6 @@ bool IsBeforeInTree(const NodeIndex& a, const NodeIndex& b);
 class ACTIVENARROWBAND_EXPORT Domain
 {
 public:
-  /** firsts: the first leaf of each rank but the first one, ascending in the order of the tree. */
-  Domain(const Agreement& ranks, std::vector<NodeIndex> firsts);
-
   /** Shares space out so that all ranks have about the same costs. own: the costs that this rank
    * knows, in any order. Collective: the same on all ranks. */
   static std::shared_ptr<const Domain> Share(const Agreement& ranks, std::vector<LeafCost> own);
@@ -54,17 +51,36 @@ public:
   int OwnerOf(const NodeIndex& node) const;
   bool IsOwn(const NodeIndex& node) const { return this->OwnerOf(node) == this->Ranks.GetRank(); }
 
-  /** Adds the ranks that own leaves with nodes in a box to those listed, each of them once. */
+  /** Replaces a list by the ranks that own leaves with nodes in a box, ascending. */
   void ListOwners(const NodeIndex& low, const NodeIndex& high, std::vector<int>& owners) const;
 
-  /** Adds the other ranks that own leaves around one of this rank. */
+  /** Lists the other ranks that own leaves around one of this rank. */
   void ListOthersAround(const NodeIndex& leaf, std::vector<int>& others) const;
+
+  /** A rank for each leaf, ascending in the order of the tree; they have about equally many. */
+  int CounterOf(const NodeIndex& leaf) const;
 
   const Agreement& GetRanks() const { return this->Ranks; }
 
 private:
+  /** A plane between leaves: nodes with a smaller number along the axis are the lower ranks'. */
+  struct Cut
+  {
+    int Axis = 0;
+    int Place = 1 << 30;
+  };
+  using CostIterator = std::vector<LeafCost>::iterator;
+
+  explicit Domain(const Agreement& ranks)
+    : Ranks(ranks)
+    , Cuts(static_cast<std::size_t>(ranks.GetSize()))
+  {
+  }
+  void Divide(CostIterator begin, CostIterator end, int first, int last);
+
   const Agreement Ranks;
-  std::vector<NodeIndex> Firsts;
+  std::vector<Cut> Cuts;         // of ranks [first, last) at their middle, and so on in halves
+  std::vector<NodeIndex> Firsts; // in the order of the tree, of each counter but the first one
 };
 
 }

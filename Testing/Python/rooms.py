@@ -75,7 +75,6 @@ MAY_INCLUDE = {
         "NarrowBand/NodeTarget",
         "NarrowBand/Domain",
         "NarrowBand/RankBytes",
-        "NarrowBand/RanksAround",
         "Potentials/NeighbourLimit",
         "Potentials/ParallelTasks",
         "Potentials/UnsetVector",

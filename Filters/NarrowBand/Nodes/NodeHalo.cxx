@@ -60,7 +60,6 @@ void NodeHalo::ListSent(const std::vector<ShellLeaf>& own)
   std::vector<int> others;
   for (std::size_t i = 0; i < own.size(); ++i)
   {
-    others.clear();
     this->Space->ListOthersAround(own[i].Origin, others);
     for (const int other : others)
     {

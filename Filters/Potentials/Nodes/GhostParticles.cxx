@@ -1,7 +1,5 @@
 #include "Nodes/GhostParticles.h"
 
-#include "RanksAround.h"
-
 #include <algorithm>
 
 namespace activesurface
@@ -22,11 +20,12 @@ void GhostParticles::Find(const Domain* domain, int margin, std::size_t count,
   const int rank = domain->GetRanks().GetRank();
   this->Sent.assign(size, {});
   this->Received.assign(size, {});
-  RanksAround around(*domain, margin);
+  std::vector<int> ranks;
   for (std::size_t n = 0; n < count; ++n)
   {
     const NodeIndex node = nodeOf(n);
-    const std::vector<int>& ranks = around.Find(RanksAround::CellOf(node));
+    domain->ListOwners({ node[0] - margin, node[1] - margin, node[2] - margin },
+      { node[0] + margin, node[1] + margin, node[2] + margin }, ranks);
     if (std::find(ranks.begin(), ranks.end(), rank) == ranks.end())
     {
       continue;

@@ -20,8 +20,8 @@ namespace activesurface
 class GhostParticles
 {
 public:
-  // Lists the particles whose cell has this rank around it. Null: all are this rank's. nodeOf: the
-  // node below a particle. margin: see RanksAround.
+  // Lists the particles near this rank's space. Null: all are this rank's. nodeOf: the node below a
+  // particle. margin: distance along each axis from it [nodes].
   void Find(const Domain* domain, int margin, std::size_t count,
     const std::function<NodeIndex(std::size_t)>& nodeOf);
 

@@ -4,7 +4,6 @@
 #include "IndexMap.h"
 #include "NarrowBand.h"
 #include "ParticleNodes.h"
-#include "RanksAround.h"
 #include "Simulation/TargetBuilder.h"
 #include "Targets/HomeParticles.h"
 #include "Targets/NoShape.h"
@@ -25,41 +24,6 @@ namespace activesurface
 
 namespace
 {
-
-// Lists the ranks around the path of a particle between two nodes.
-void ListRanks(
-  const NodeIndex& from, const NodeIndex& to, RanksAround& around, std::vector<int>& ranks)
-{
-  const NodeIndex a = RanksAround::CellOf(from), b = RanksAround::CellOf(to);
-  NodeIndex cell;
-  for (cell[0] = std::min(a[0], b[0]); cell[0] <= std::max(a[0], b[0]); ++cell[0])
-  {
-    for (cell[1] = std::min(a[1], b[1]); cell[1] <= std::max(a[1], b[1]); ++cell[1])
-    {
-      for (cell[2] = std::min(a[2], b[2]); cell[2] <= std::max(a[2], b[2]); ++cell[2])
-      {
-        for (const int rank : around.Find(cell))
-        {
-          if (std::find(ranks.begin(), ranks.end(), rank) == ranks.end())
-          {
-            ranks.push_back(rank);
-          }
-        }
-      }
-    }
-  }
-}
-
-double CountCells(const NodeIndex& from, const NodeIndex& to)
-{
-  const NodeIndex a = RanksAround::CellOf(from), b = RanksAround::CellOf(to);
-  double count = 1.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    count *= std::fabs(double(a[axis]) - b[axis]) + 1.0;
-  }
-  return count;
-}
 
 using IdLists = std::vector<vtkSmartPointer<vtkIdList>>;
 
@@ -193,24 +157,18 @@ void SharedFrames::Send(int first, int last, const ParticleMatches& matches, con
   const InputShape* later = last > first ? this->Homes.Find(last) : nullptr;
   const ParticleFrame& from = *earlier.GetParticles();
   const double voxelSize = this->Shapes.FindDomain()->VoxelSize;
-  RanksAround around(space, this->Shapes.FindMarginOfRanks());
-  const int size = space.GetRanks().GetSize();
+  const int margin = this->Shapes.FindMarginOfRanks(), size = space.GetRanks().GetSize();
   Parcels parcels[2] = { Parcels(size), Parcels(size) };
-  std::vector<int> all(static_cast<std::size_t>(size)), ranks;
-  for (int rank = 0; rank < size; ++rank)
-  {
-    all[static_cast<std::size_t>(rank)] = rank;
-  }
+  std::vector<int> ranks;
   const auto list = [&](const NodeIndex& a, const NodeIndex& b)
   {
-    constexpr double mostCells = 4096.0;
-    ranks.clear();
-    if (CountCells(a, b) > mostCells)
+    NodeIndex low, high;
+    for (int axis = 0; axis < 3; ++axis)
     {
-      ranks = all;
-      return;
+      low[axis] = std::min(a[axis], b[axis]) - margin;
+      high[axis] = std::max(a[axis], b[axis]) + margin;
     }
-    ListRanks(a, b, around, ranks);
+    space.ListOwners(low, high, ranks);
   };
   for (std::size_t i = 0; i < from.Particles.size(); ++i)
   {

@@ -4,7 +4,6 @@
 #include "Domain.h"
 #include "FixedSum.h"
 #include "RankBytes.h"
-#include "RanksAround.h"
 #include "Support/ThreadRanks.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +12,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <set>
 #include <vector>
 
 using namespace activesurface;
@@ -66,9 +66,10 @@ TEST(TestDomain, CostsAreBalancedAndTheSameOnAllRanks)
     EXPECT_EQ(owners[static_cast<std::size_t>(rank)], owners[0]);
   }
   const double mean = std::accumulate(costs.begin(), costs.end(), 0.0) / size;
-  // Each rank sends 320 samples: a border is off by one sample of each rank at the most.
-  EXPECT_LT(*std::max_element(costs.begin(), costs.end()), (1.0 + 2.0 / 64) * mean);
-  EXPECT_GT(*std::min_element(costs.begin(), costs.end()), (1.0 - 2.0 / 64) * mean);
+  // A plane is off by half a layer of leaves. Two or three planes bound a part, across sides of 16
+  // leaves or more.
+  EXPECT_LT(*std::max_element(costs.begin(), costs.end()), 1.15 * mean);
+  EXPECT_GT(*std::min_element(costs.begin(), costs.end()), 0.85 * mean);
 }
 
 TEST(TestDomain, AllNodesOfALeafHaveItsOwner)
@@ -96,24 +97,34 @@ TEST(TestDomain, NothingToShareIsOneRanks)
     });
 }
 
-// Whoever owns a leaf within the margin of a node is around the node's cell.
-TEST(TestDomain, RanksAroundAPlaceOwnAllLeavesNearIt)
+TEST(TestDomain, OwnersInABoxAreThoseOfItsNodes)
 {
-  RunOnRanks(4,
+  RunOnRanks(7,
     [&](Agreement& ranks)
     {
-      constexpr int margin = 21;
-      const auto domain = Domain::Share(ranks, MakeLeaves(ranks.GetRank(), 4));
-      RanksAround around(*domain, margin);
+      const auto domain = Domain::Share(ranks, MakeLeaves(ranks.GetRank(), 7));
       std::mt19937 random(11);
-      for (int i = 0; i < 2000; ++i)
+      const auto draw = [&](int side) { return static_cast<int>(random() % side) - side / 2; };
+      for (int i = 0; i < 500; ++i)
       {
-        const auto draw = [&](int side) { return static_cast<int>(random() % side) - side / 2; };
-        const NodeIndex node = { draw(400), draw(300), draw(100) };
-        const NodeIndex near = { node[0] + draw(2 * margin), node[1] + draw(2 * margin),
-          node[2] + draw(2 * margin) };
-        const std::vector<int>& found = around.Find(RanksAround::CellOf(node));
-        EXPECT_NE(std::find(found.begin(), found.end(), domain->OwnerOf(near)), found.end());
+        const NodeIndex low = { draw(400), draw(300), draw(100) };
+        const NodeIndex high = { low[0] + 40 + draw(80), low[1] + 30 + draw(60),
+          low[2] + 20 + draw(40) };
+        std::set<int> expected;
+        NodeIndex node;
+        for (node[0] = low[0]; node[0] <= high[0]; ++node[0])
+        {
+          for (node[1] = low[1]; node[1] <= high[1]; ++node[1])
+          {
+            for (node[2] = low[2]; node[2] <= high[2]; ++node[2])
+            {
+              expected.insert(domain->OwnerOf(node));
+            }
+          }
+        }
+        std::vector<int> found;
+        domain->ListOwners(low, high, found);
+        EXPECT_EQ(found, std::vector<int>(expected.begin(), expected.end()));
       }
     });
 }
