@@ -175,14 +175,14 @@ bool SurfaceInput::IsSplit(vtkInformation* information) const
   return vtkCompositeDataSet::SafeDownCast(data) && !Takes(this->Port, data);
 }
 
-std::unique_ptr<InputShape> SurfaceInput::Read(
+std::shared_ptr<InputShape> SurfaceInput::Read(
   vtkInformation* information, const ParticleArrays& kept, bool areShared) const
 {
   vtkDataObject* object = vtkDataObject::GetData(information);
   const auto readOwn = [&]
   {
     const vtkSmartPointer<vtkDataSet> data = AsDataSet(object);
-    return MakeInputShape({ data, ArraysOf(*this, data), kept });
+    return std::shared_ptr<InputShape>(MakeInputShape({ data, ArraysOf(*this, data), kept }));
   };
   if (this->Ranks.IsAlone())
   {
@@ -198,43 +198,41 @@ std::unique_ptr<InputShape> SurfaceInput::Read(
   }
   if (areShared && kind == PieceKind::Particles)
   {
-    return this->ReadHome(piece, kept);
+    return this->ReadHome(piece, kept, name);
   }
-  const vtkSmartPointer<vtkDataSet> whole = GatherWhole(this->Ranks, piece, name);
-  return MakeInputShape({ whole, ArraysOf(*this, whole), kept });
+  return this->ReadWhole(piece, kept, name);
 }
 
 // The particles whose home this rank is.
-std::unique_ptr<InputShape> SurfaceInput::ReadHome(
-  const InputPiece& piece, const ParticleArrays& kept) const
+std::shared_ptr<InputShape> SurfaceInput::ReadHome(
+  const InputPiece& piece, const ParticleArrays& kept, const std::string& name) const
 {
-  auto own = vtkPolyData::SafeDownCast(piece.Data);
-  vtkDataArray* ids = own ? vtkDataArray::SafeDownCast(this->FindArray(IdArray, own)) : nullptr;
-  const HomePoints points = SendHome(this->Ranks, own, ids, own ? SumContent(own) : 0);
+  const auto own = piece.Data
+    ? MakeInputShape({ piece.Data, ArraysOf(*this, piece.Data), kept })
+    : std::make_unique<ParticleShape>(ParticleFrame());
+  const std::shared_ptr<ParticleShape> shape =
+    SendHome(this->Ranks, dynamic_cast<const ParticleShape&>(*own), kept);
   auto home = std::make_shared<HomePart>();
-  home->Data = points.Data;
   home->Ranks = this->Ranks;
-  home->Make = [this, kept](vtkPolyData* some, bool areAll)
-  { return this->MakeShape(some, areAll, kept); };
-  std::unique_ptr<InputShape> shape = this->MakeShape(points.Data, false, kept);
-  dynamic_cast<ParticleShape&>(*shape).SetWhole(
-    DescribeWhole(this->Ranks, *shape->GetParticles(), points.AllPoints));
-  shape->Content = points.Content;
+  if (kept.All)
+  {
+    InputPiece copy = piece; // the next step may write over the input's arrays
+    if (piece.Data)
+    {
+      copy.Data.TakeReference(piece.Data->NewInstance());
+      copy.Data->DeepCopy(piece.Data);
+    }
+    home->ReadWhole = [this, copy, kept, name] { return this->ReadWhole(copy, kept, name); };
+  }
   shape->Home = home;
   return shape;
 }
 
-std::unique_ptr<InputShape> SurfaceInput::MakeShape(
-  vtkPolyData* points, bool areAll, const ParticleArrays& kept) const
+std::unique_ptr<InputShape> SurfaceInput::ReadWhole(
+  const InputPiece& piece, const ParticleArrays& kept, const std::string& name) const
 {
-  if (points->GetNumberOfPoints() == 0) // and so without the arrays
-  {
-    ParticleFrame none;
-    none.HasIds = this->IsArrayChosen(IdArray);
-    return std::make_unique<ParticleShape>(std::move(none), kept);
-  }
-  const ArraysOf chosen(*this, points);
-  return MakeInputShape({ points, chosen, kept, areAll ? nullptr : NumbersOfPoints });
+  const vtkSmartPointer<vtkDataSet> whole = GatherWhole(this->Ranks, piece, name);
+  return MakeInputShape({ whole, ArraysOf(*this, whole), kept });
 }
 
 void SurfaceInput::Check(vtkDataObject* data) const

@@ -70,7 +70,7 @@ public:
   // Reads the pieces of all ranks. areShared: of particles each rank keeps a part. Throws
   // std::invalid_argument for data that cannot be a target, and for arrays that are missing or
   // unfit.
-  std::unique_ptr<InputShape> Read(vtkInformation* information,
+  std::shared_ptr<InputShape> Read(vtkInformation* information,
     const ParticleArrays& kept = ParticleArrays(), bool areShared = false) const;
 
   // Throws as Read does, for this rank's piece alone.
@@ -92,9 +92,10 @@ private:
   vtkAbstractArray* FindArray(int index, vtkDataSet* data) const;
   vtkAbstractArray* FindValues(vtkDataSet* image) const;
   InputPiece MakePiece(vtkDataSet* data, const ParticleArrays& kept) const;
-  std::unique_ptr<InputShape> ReadHome(const InputPiece& piece, const ParticleArrays& kept) const;
-  std::unique_ptr<InputShape> MakeShape(
-    vtkPolyData* points, bool areAll, const ParticleArrays& kept) const;
+  std::shared_ptr<InputShape> ReadHome(
+    const InputPiece& piece, const ParticleArrays& kept, const std::string& name) const;
+  std::unique_ptr<InputShape> ReadWhole(
+    const InputPiece& piece, const ParticleArrays& kept, const std::string& name) const;
   void Request(vtkInformation* information) const;
   bool UpdateProducer() const;
 

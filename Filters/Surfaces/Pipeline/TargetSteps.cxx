@@ -67,7 +67,7 @@ void TargetSteps::Request(vtkInformation* target)
 void TargetSteps::SettleSpacing(vtkInformation* target, Agreement& ranks)
 {
   const SurfaceSettings& settings = this->Simulation.GetSettings();
-  std::unique_ptr<InputShape> first = this->Make(target, 0, true);
+  std::shared_ptr<InputShape> first = this->Make(target, 0, true);
   if (!first->HasPoints() || first->GetParticles())
   {
     std::vector<TargetBuilder::SpacingSample> samples{ this->Simulation.SampleSpacing(*first) };
@@ -101,7 +101,7 @@ void TargetSteps::TakeRequested(vtkInformation* target)
   }
 }
 
-std::unique_ptr<InputShape> TargetSteps::Make(vtkInformation* target, int step, bool mayGoBack)
+std::shared_ptr<InputShape> TargetSteps::Make(vtkInformation* target, int step, bool mayGoBack)
 {
   const double time = this->Simulation.GetSettings().GetStep(step).Value;
   if (!mayGoBack)
@@ -119,7 +119,7 @@ std::unique_ptr<InputShape> TargetSteps::Make(vtkInformation* target, int step, 
   return this->Read(target);
 }
 
-std::unique_ptr<InputShape> TargetSteps::Read(vtkInformation* target) const
+std::shared_ptr<InputShape> TargetSteps::Read(vtkInformation* target) const
 {
   return this->Target.Read(
     target, this->Simulation.GetRequestedArrays().Kept, this->Simulation.SharesSpace());

@@ -38,10 +38,10 @@ public:
 
   // Another step, by an update from within. Throws std::runtime_error if it cannot be had;
   // mayGoBack: whether one that was made before can.
-  std::unique_ptr<InputShape> Make(vtkInformation* target, int step, bool mayGoBack);
+  std::shared_ptr<InputShape> Make(vtkInformation* target, int step, bool mayGoBack);
 
   // What the input has now.
-  std::unique_ptr<InputShape> Read(vtkInformation* target) const;
+  std::shared_ptr<InputShape> Read(vtkInformation* target) const;
 
 private:
   enum

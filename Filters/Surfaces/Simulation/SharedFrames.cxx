@@ -7,11 +7,9 @@
 #include "Simulation/TargetBuilder.h"
 #include "Targets/HomeParticles.h"
 #include "Targets/NoShape.h"
+#include "Targets/ParticleBytes.h"
 #include "Targets/ParticleFrame.h"
-
-#include "vtkIdList.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
+#include "Targets/ParticleShape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,44 +23,43 @@ namespace activesurface
 namespace
 {
 
-using IdLists = std::vector<vtkSmartPointer<vtkIdList>>;
-
-// The points of one step that go to each rank.
+// The particles of one step that go to each rank.
 class Parcels
 {
 public:
   explicit Parcels(int ranks)
-    : Lists(static_cast<std::size_t>(ranks))
+    : Chosen(static_cast<std::size_t>(ranks))
   {
-    for (vtkSmartPointer<vtkIdList>& list : this->Lists)
-    {
-      list = vtkSmartPointer<vtkIdList>::New();
-    }
   }
 
-  void Add(vtkIdType point, const std::vector<int>& ranks)
+  void Add(std::size_t particle, const std::vector<int>& ranks)
   {
     for (const int rank : ranks)
     {
-      this->Lists[static_cast<std::size_t>(rank)]->InsertNextId(point);
+      this->Chosen[static_cast<std::size_t>(rank)].push_back(static_cast<std::uint32_t>(particle));
     }
   }
 
-  // Collective; returns this rank's points.
-  vtkSmartPointer<vtkPolyData> Send(const HomePart& home) const
+  // Returns this rank's part of the step. Collective.
+  std::shared_ptr<ParticleShape> Send(const InputShape& home) const
   {
+    const ParticleFrame& particles = *home.GetParticles();
     std::vector<Bytes> toEach;
-    toEach.reserve(this->Lists.size());
-    for (const vtkSmartPointer<vtkIdList>& list : this->Lists)
+    toEach.reserve(this->Chosen.size());
+    for (const ParticleChoice& ofRank : this->Chosen)
     {
-      toEach.push_back(
-        list->GetNumberOfIds() > 0 ? PackPoints(SelectPoints(home.Data, list)) : Bytes());
+      toEach.push_back(PackParticles(particles, ofRank));
     }
-    return MergePoints(home.Ranks.Distribute(toEach));
+    ParticleFrame part = MergeParticles(home.Home->Ranks.Distribute(toEach), particles);
+    part.Whole = particles.Whole;
+    std::shared_ptr<ParticleShape> shape =
+      dynamic_cast<const ParticleShape&>(home).MakeOther(std::move(part));
+    shape->Home = home.Home;
+    return shape;
   }
 
 private:
-  IdLists Lists;
+  std::vector<ParticleChoice> Chosen; // by rank
 };
 
 }
@@ -105,9 +102,7 @@ void SharedFrames::MakeWhole(int first, int last)
     const InputShape* part = this->Shapes.GetFrames().Find(step);
     if (part && part->Home)
     {
-      std::shared_ptr<InputShape> whole = part->Home->Make(GatherPoints(*part->Home), true);
-      whole->Content = part->Content;
-      this->Shapes.Add(step, whole);
+      this->Shapes.Add(step, GatherShape(*this->Homes.Find(step)));
     }
   }
 }
@@ -178,10 +173,10 @@ void SharedFrames::Send(int first, int last, const ParticleMatches& matches, con
       partner == NoPartner
         ? node
         : NodeBelow(later->GetParticles()->Particles[partner].Position, voxelSize));
-    parcels[0].Add(from.GetPoint(i), ranks);
+    parcels[0].Add(i, ranks);
     if (partner != NoPartner)
     {
-      parcels[1].Add(later->GetParticles()->GetPoint(partner), ranks);
+      parcels[1].Add(partner, ranks);
     }
   }
   for (const std::size_t birth : matches.Births)
@@ -189,21 +184,14 @@ void SharedFrames::Send(int first, int last, const ParticleMatches& matches, con
     const ParticleFrame& to = *later->GetParticles();
     const NodeIndex node = NodeBelow(to.Particles[birth].Position, voxelSize);
     list(node, node);
-    parcels[1].Add(to.GetPoint(birth), ranks);
+    parcels[1].Add(birth, ranks);
   }
-  const auto make = [this](const InputShape& home, const Parcels& sent)
-  {
-    std::shared_ptr<InputShape> shape = home.Home->Make(sent.Send(*home.Home), false);
-    shape->Content = home.Content;
-    shape->Home = home.Home;
-    return shape;
-  };
-  std::shared_ptr<InputShape> own = make(earlier, parcels[0]);
-  this->Shapes.SetPart(first, own, from);
+  const std::shared_ptr<ParticleShape> own = parcels[0].Send(earlier);
+  this->Shapes.SetPart(first, own);
   if (later)
   {
-    std::shared_ptr<InputShape> next = make(*later, parcels[1]);
-    this->Shapes.SetPart(last, next, *later->GetParticles());
+    const std::shared_ptr<ParticleShape> next = parcels[1].Send(*later);
+    this->Shapes.SetPart(last, next);
     this->Shapes.SetPair(first, own, next, matches.AreShuffled);
   }
 }

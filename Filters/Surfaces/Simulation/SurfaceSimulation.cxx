@@ -193,7 +193,7 @@ void SurfaceSimulation::AddFrame(int step, std::shared_ptr<InputShape> shape)
     this->LastStepAdded = step;
     if (shape->Home) // from a part no spacing can be estimated
     {
-      shape = shape->Home->Make(GatherPoints(*shape->Home), true);
+      shape = GatherShape(*shape);
     }
   }
   this->Shapes.Add(step, shape);

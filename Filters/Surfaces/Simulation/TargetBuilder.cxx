@@ -61,11 +61,9 @@ void TargetBuilder::Add(int step, std::shared_ptr<InputShape> shape)
   this->Tell("shuffled particles", this->Frames.DescribeMatches());
 }
 
-void TargetBuilder::SetPart(
-  int step, const std::shared_ptr<InputShape>& shape, const ParticleFrame& home)
+void TargetBuilder::SetPart(int step, const std::shared_ptr<InputShape>& shape)
 {
   shape->MoveTo(this->GetOrigin());
-  dynamic_cast<ParticleShape&>(*shape).SetWhole(*home.Whole);
   this->Prepare(step, *shape);
   this->Frames.Add(step, shape);
 }

@@ -38,9 +38,8 @@ public:
   void Add(int step, std::shared_ptr<InputShape> shape);
   bool Has(int step) const { return this->Frames.Has(step); }
 
-  // Replaces a step by this rank's part of it; and a step and the next one by their parts. home:
-  // the particles that this rank keeps.
-  void SetPart(int step, const std::shared_ptr<InputShape>& shape, const ParticleFrame& home);
+  // Replaces a step by this rank's part of it; and a step and the next one by their parts.
+  void SetPart(int step, const std::shared_ptr<InputShape>& shape);
   void SetPair(int step, const std::shared_ptr<InputShape>& earlier,
     const std::shared_ptr<InputShape>& later, bool areShuffled);
   // Distance along each axis from a rank's leaves within which it needs particles

@@ -1,20 +1,13 @@
 #include "Targets/HomeParticles.h"
 
-#include "Ranks/InputPiece.h"
-#include "Ranks/PieceBytes.h"
-#include "Ranks/WholeOfPieces.h"
-
-#include "vtkDataArray.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkTypeInt64Array.h"
+#include "Targets/ParticleBytes.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace activesurface
 {
@@ -28,114 +21,48 @@ struct PieceFacts
   std::uint64_t Points;
   std::uint64_t Content;
   std::uint64_t HasCells;
+  std::uint64_t HasIds;
 };
 
-vtkSmartPointer<vtkPolyData> AddNumbers(vtkPolyData* points, std::uint64_t first)
+// What the pieces are together.
+struct AllFacts
 {
-  auto numbered = vtkSmartPointer<vtkPolyData>::New();
-  numbered->SetPoints(points->GetPoints());
-  numbered->GetPointData()->ShallowCopy(points->GetPointData());
-  vtkNew<vtkTypeInt64Array> numbers;
-  numbers->SetName(NumbersOfPoints);
-  numbers->SetNumberOfValues(points->GetNumberOfPoints());
-  std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + points->GetNumberOfPoints(),
-    static_cast<vtkTypeInt64>(first));
-  numbered->GetPointData()->AddArray(numbers);
-  return numbered;
+  std::uint64_t PointsBefore = 0; // of lower ranks
+  std::uint64_t Points = 0;
+  std::uint64_t Content = 0;
+  bool HasCells = false;
+  bool HasIds = false;
+};
+
+AllFacts CombineFacts(const Agreement& ranks, const ParticleShape& piece)
+{
+  const ParticleFrame& particles = *piece.GetParticles();
+  const std::size_t points = particles.CountAllPoints();
+  const PieceFacts own = { points, points > 0 ? piece.Content : 0,
+    points > 0 && piece.HasCells() ? 1u : 0u, particles.HasIds ? 1u : 0u };
+  AllFacts all;
+  int rank = 0;
+  for (const PieceFacts& facts : ranks.ExchangeValue(own))
+  {
+    constexpr std::uint64_t factor = 0x9e3779b97f4a7c15ull;
+    all.PointsBefore += rank++ < ranks.GetRank() ? facts.Points : 0;
+    all.Points += facts.Points;
+    all.Content = (all.Content ^ facts.Content) * factor + facts.Points;
+    all.HasCells = all.HasCells || facts.HasCells;
+    all.HasIds = all.HasIds || facts.HasIds;
+  }
+  return all;
 }
 
-std::size_t HomeOfId(double id, std::size_t ranks)
+std::size_t HomeOfId(std::int64_t id, std::size_t ranks)
 {
-  id += 0.0; // -0 is 0
-  std::uint64_t key = 0;
-  std::memcpy(&key, &id, sizeof key);
+  auto key = static_cast<std::uint64_t>(id);
   key = (key ^ (key >> 31)) * 0x9e3779b97f4a7c15ull;
   key = (key ^ (key >> 29)) * 0xbf58476d1ce4e5b9ull;
   return static_cast<std::size_t>((key ^ (key >> 32)) % ranks);
 }
 
-}
-
-Bytes PackPoints(vtkPolyData* points)
-{
-  return points->GetNumberOfPoints() > 0 ? PackPiece({ PieceKind::Particles, points }) : Bytes();
-}
-
-vtkSmartPointer<vtkPolyData> MergePoints(const std::vector<Bytes>& parts)
-{
-  std::vector<InputPiece> pieces;
-  std::vector<vtkDataSet*> data;
-  for (const Bytes& bytes : parts)
-  {
-    if (!bytes.empty())
-    {
-      pieces.push_back(UnpackPiece(bytes));
-      data.push_back(pieces.back().Data);
-    }
-  }
-  if (data.empty())
-  {
-    return vtkSmartPointer<vtkPolyData>::New();
-  }
-  const vtkSmartPointer<vtkDataSet> whole = AppendPieces(data, "The input");
-  auto points = vtkPolyData::SafeDownCast(whole);
-  vtkNew<vtkTypeInt64Array> numbers; // a reader may have made another array of integers
-  numbers->DeepCopy(points->GetPointData()->GetArray(NumbersOfPoints));
-  vtkNew<vtkIdList> order;
-  order->SetNumberOfIds(points->GetNumberOfPoints());
-  std::iota(order->begin(), order->end(), vtkIdType(0));
-  // Faster than std::sort on parts that are in order.
-  std::stable_sort(order->begin(), order->end(),
-    [&numbers](vtkIdType a, vtkIdType b) { return numbers->GetValue(a) < numbers->GetValue(b); });
-  return std::is_sorted(order->begin(), order->end()) ? vtkSmartPointer<vtkPolyData>(points)
-                                                      : SelectPoints(points, order);
-}
-
-HomePoints SendHome(
-  const Agreement& ranks, vtkPolyData* points, vtkDataArray* ids, std::uint64_t content)
-{
-  const auto size = static_cast<std::size_t>(ranks.GetSize());
-  const auto count = static_cast<std::uint64_t>(points ? points->GetNumberOfPoints() : 0);
-  const PieceFacts own = { count, content, points && points->GetNumberOfCells() > 0 ? 1u : 0u };
-  HomePoints home;
-  std::uint64_t first = 0;
-  int rank = 0;
-  for (const PieceFacts& facts : ranks.ExchangeValue(own))
-  {
-    first += rank++ < ranks.GetRank() ? facts.Points : 0;
-    home.AllPoints += facts.Points;
-    constexpr std::uint64_t factor = 0x9e3779b97f4a7c15ull;
-    home.Content = (home.Content ^ facts.Content) * factor + facts.Points;
-  }
-  std::vector<Bytes> toEach(size);
-  if (count > 0)
-  {
-    const vtkSmartPointer<vtkPolyData> numbered = AddNumbers(points, first);
-    if (own.HasCells)
-    {
-      MakeOneCell(numbered);
-    }
-    std::vector<vtkSmartPointer<vtkIdList>> lists(size);
-    for (vtkSmartPointer<vtkIdList>& list : lists)
-    {
-      list = vtkSmartPointer<vtkIdList>::New();
-    }
-    for (std::uint64_t i = 0; i < count; ++i)
-    {
-      const auto point = static_cast<vtkIdType>(i);
-      const std::size_t to =
-        ids ? HomeOfId(ids->GetComponent(point, 0), size) : (first + i) * size / home.AllPoints;
-      lists[to]->InsertNextId(point);
-    }
-    for (std::size_t to = 0; to < size; ++to)
-    {
-      toEach[to] = PackPoints(SelectPoints(numbered, lists[to]));
-    }
-  }
-  home.Data = MergePoints(ranks.Distribute(toEach));
-  return home;
-}
-
+// The particles in the box of all ranks. Collective.
 WholeFrame DescribeWhole(const Agreement& ranks, const ParticleFrame& part, std::size_t points)
 {
   WholeFrame whole;
@@ -147,11 +74,59 @@ WholeFrame DescribeWhole(const Agreement& ranks, const ParticleFrame& part, std:
   return whole;
 }
 
-vtkSmartPointer<vtkPolyData> GatherPoints(const HomePart& home)
+}
+
+std::shared_ptr<ParticleShape> SendHome(
+  const Agreement& ranks, const ParticleShape& piece, const ParticleArrays& kept)
 {
-  vtkSmartPointer<vtkPolyData> all = MergePoints(home.Ranks.Exchange(PackPoints(home.Data)));
-  all->GetPointData()->RemoveArray(NumbersOfPoints);
-  return all;
+  const auto size = static_cast<std::size_t>(ranks.GetSize());
+  const AllFacts all = CombineFacts(ranks, piece);
+  ParticleFrame own = *piece.GetParticles();
+  own.HasIds = all.HasIds;
+  if (!own.HasIds)
+  {
+    for (std::int64_t& number : own.Ids)
+    {
+      number += static_cast<std::int64_t>(all.PointsBefore);
+    }
+  }
+  std::vector<ParticleChoice> chosen(size);
+  for (std::size_t i = 0; i < own.Ids.size(); ++i)
+  {
+    const std::int64_t id = own.Ids[i];
+    const std::size_t to =
+      own.HasIds ? HomeOfId(id, size) : static_cast<std::uint64_t>(id) * size / all.Points;
+    chosen[to].push_back(static_cast<std::uint32_t>(i));
+  }
+  std::vector<Bytes> toEach;
+  toEach.reserve(size);
+  for (const ParticleChoice& ofRank : chosen)
+  {
+    toEach.push_back(PackParticles(own, ofRank));
+  }
+  ParticleFrame home = MergeParticles(ranks.Distribute(toEach), own);
+  home.Whole = DescribeWhole(ranks, home, all.Points);
+  auto shape = std::make_shared<ParticleShape>(std::move(home), kept, all.HasCells);
+  shape->Content = all.Content;
+  return shape;
+}
+
+std::shared_ptr<InputShape> GatherShape(const InputShape& home)
+{
+  std::shared_ptr<InputShape> whole;
+  if (home.Home->ReadWhole)
+  {
+    whole = home.Home->ReadWhole();
+    whole->Content = home.Content;
+    return whole;
+  }
+  const ParticleFrame& part = *home.GetParticles();
+  ParticleChoice all(part.Particles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  ParticleFrame frame =
+    MergeParticles(home.Home->Ranks.Exchange(PackParticles(part, all)), part);
+  frame.Ignored = part.CountAllPoints() - part.CountAllParticles();
+  return dynamic_cast<const ParticleShape&>(home).MakeOther(std::move(frame));
 }
 
 }

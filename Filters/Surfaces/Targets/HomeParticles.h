@@ -1,4 +1,4 @@
-// Particles of an input of which each rank keeps some, its home part, and how points get there and
+// Particles of an input of which each rank keeps some, its home part, and how they get there and
 // from there to other ranks.
 //
 // The home of a particle follows from its id, or from its number in the whole input: so a particle
@@ -8,57 +8,30 @@
 #define HomeParticles_h
 
 #include "Agreement.h"
-#include "Targets/InputShape.h"
-#include "Targets/ParticleFrame.h"
+#include "Targets/ParticleShape.h"
 
-#include "vtkSmartPointer.h"
-
-#include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <memory>
-#include <vector>
-
-class vtkDataArray;
-class vtkIdList;
-class vtkPolyData;
 
 namespace activesurface
 {
 
-// Array of points' numbers in the whole input.
-constexpr const char* NumbersOfPoints = "vtkActiveNumbersOfPoints";
-
-// The part of an input whose home is this rank.
+// What a shape knows of which this rank has the home part.
 struct HomePart
 {
-  vtkSmartPointer<vtkPolyData> Data; // with NumbersOfPoints
   Agreement Ranks;
-  // Makes shapes of points of the same input: of some, with their numbers, or of all without.
-  std::function<std::unique_ptr<InputShape>(vtkPolyData* points, bool areAll)> Make;
+  // Reads the whole input, with arrays that are not sent home. Collective; null if there are none.
+  std::function<std::unique_ptr<InputShape>()> ReadWhole;
 };
 
-struct HomePoints
-{
-  vtkSmartPointer<vtkPolyData> Data;
-  std::size_t AllPoints = 0;
-  std::uint64_t Content = 0; // of all ranks
-};
-
-// Sends this rank's points home; returns those whose home it is. ids: of the points, or null.
+// Sends the particles of this rank's piece of an input home; returns those whose home it is.
 // Collective.
-HomePoints SendHome(
-  const Agreement& ranks, vtkPolyData* points, vtkDataArray* ids, std::uint64_t content);
+std::shared_ptr<ParticleShape> SendHome(
+  const Agreement& ranks, const ParticleShape& piece, const ParticleArrays& kept);
 
-// Describes the parts of all ranks together. points: number of the input's points. Collective.
-WholeFrame DescribeWhole(const Agreement& ranks, const ParticleFrame& part, std::size_t points);
-
-// Points of several ranks in one, by ascending numbers. Bytes are those of PackPoints.
-Bytes PackPoints(vtkPolyData* points);
-vtkSmartPointer<vtkPolyData> MergePoints(const std::vector<Bytes>& parts);
-
-// All points of an input, on all ranks: as one process has them. Collective.
-vtkSmartPointer<vtkPolyData> GatherPoints(const HomePart& home);
+// All particles of an input, on all ranks: as one process has them. home: this rank's part.
+// Collective.
+std::shared_ptr<InputShape> GatherShape(const InputShape& home);
 
 }
 

@@ -51,9 +51,6 @@ struct InputData
   vtkDataSet* Data;
   const ChosenArrays& Chosen;
   const ParticleArrays& Kept;
-  /** Name of the array with the points' numbers in the whole input, where Data are a part of it;
-   * else null. */
-  const char* NumbersOfPoints = nullptr;
 };
 
 }

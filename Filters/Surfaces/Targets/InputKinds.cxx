@@ -47,7 +47,7 @@ std::unique_ptr<InputShape> MakeInputShape(const InputData& input)
     if (input.Data && kind.Fits(input.Data))
     {
       std::unique_ptr<InputShape> shape = kind.Make(input);
-      shape->Content = input.NumbersOfPoints ? 0 : SumContent(input.Data); // a part has its own
+      shape->Content = SumContent(input.Data);
       return shape;
     }
   }

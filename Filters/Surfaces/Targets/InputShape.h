@@ -99,6 +99,13 @@ public:
   std::shared_ptr<const HomePart> Home;
 
 protected:
+  /** The checksum and the origin. */
+  void CopyFacts(const InputShape& other)
+  {
+    this->Content = other.Content;
+    this->Origin = other.Origin;
+  }
+
   /** Adds the offset to all positions. */
   virtual void MoveBy(const double offset[3]);
 

@@ -65,7 +65,7 @@ bool IsSingle(vtkPointSet* points)
   return points->GetPoints() && points->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
-// Gives the particles the ids or numbers of their points; without any their places here.
+// Gives the particles the ids of their points; without any their numbers.
 void TakeIds(std::vector<std::int64_t> ids, ParticleFrame& frame)
 {
   if (frame.Ignored == 0)
@@ -218,8 +218,7 @@ ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays)
   vtkDataArray* radii = AsNumbers(arrays.Radii, count, "radii");
   vtkDataArray* ids = AsNumbers(arrays.Ids, count, "ids");
   vtkDataArray* strengths = AsNumbers(arrays.Strengths, count, "strengths");
-  vtkDataArray* numbers = ids ? ids : arrays.Numbers;
-  std::vector<std::int64_t> allIds = numbers ? ReadIds(numbers) : std::vector<std::int64_t>();
+  std::vector<std::int64_t> allIds = ids ? ReadIds(ids) : std::vector<std::int64_t>();
 
   ParticleFrame frame;
   frame.HasRadii = radii != nullptr;

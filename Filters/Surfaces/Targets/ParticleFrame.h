@@ -19,7 +19,6 @@
 #include <vector>
 
 class vtkAbstractArray;
-class vtkDataArray;
 class vtkPointSet;
 
 namespace activesurface
@@ -32,8 +31,7 @@ struct PointArrays
   vtkAbstractArray* Ids = nullptr;
   vtkAbstractArray* Strengths = nullptr;
   vtkAbstractArray* Velocities = nullptr;
-  vtkPointData* Passed = nullptr;  // all that the skin may be asked to have too
-  vtkDataArray* Numbers = nullptr; // of points that are a part: in the whole input
+  vtkPointData* Passed = nullptr; // all that the skin may be asked to have too
 };
 
 // All particles of a frame of which each rank has a part.

@@ -89,6 +89,13 @@ public:
                          : *std::max_element(each.begin(), each.end());
   }
 
+  bool AreSingle() const { return this->IsSingle; }
+  // Whether one is not of full strength.
+  bool HaveStrengths() const
+  {
+    return !this->Strengths.Each.empty() || this->Strengths.Common != 1.0;
+  }
+
   // The radius of all particles, unless they have different ones.
   double GetCommonRadius() const { return this->Radii.Common; }
 

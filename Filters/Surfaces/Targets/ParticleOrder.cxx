@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace activesurface
 {
@@ -39,6 +40,31 @@ auto CompareKeys(const ParticleList& particles)
   };
 }
 
+// Sorts keys that are in order in each of a few runs, as where ranks have each sent some.
+// ends: of the runs.
+template <class Key, class IsBefore>
+void MergeRuns(std::vector<std::size_t> ends, std::vector<Key>& keys, IsBefore&& isBefore)
+{
+  const auto at = [&keys](std::size_t i)
+  { return keys.begin() + static_cast<std::ptrdiff_t>(i); };
+  while (ends.size() > 1)
+  {
+    std::vector<std::size_t> merged;
+    std::size_t begin = 0;
+    for (std::size_t run = 1; run < ends.size(); run += 2)
+    {
+      std::inplace_merge(at(begin), at(ends[run - 1]), at(ends[run]), isBefore);
+      begin = ends[run];
+      merged.push_back(begin);
+    }
+    if (begin != ends.back())
+    {
+      merged.push_back(ends.back());
+    }
+    ends.swap(merged);
+  }
+}
+
 // keyOf: a number for each particle.
 template <class Number, class KeyOf>
 std::vector<std::size_t> FindOrder(const ParticleList& particles, KeyOf&& keyOf)
@@ -46,13 +72,17 @@ std::vector<std::size_t> FindOrder(const ParticleList& particles, KeyOf&& keyOf)
   const auto isBefore = CompareKeys<Number>(particles);
   const std::size_t count = particles.size();
   const auto make = [&keyOf](std::size_t i) { return OrderKey<Number>{ keyOf(i), i }; };
-  std::size_t next = 1;
-  while (next < count && isBefore(make(next - 1), make(next)))
+  constexpr std::size_t mostRuns = 64;
+  std::vector<std::size_t> ends;
+  for (std::size_t next = 1; next < count && ends.size() < mostRuns; ++next)
   {
-    ++next;
+    if (!isBefore(make(next - 1), make(next)))
+    {
+      ends.push_back(next);
+    }
   }
   std::vector<std::size_t> order;
-  if (next >= count)
+  if (ends.empty())
   {
     return order;
   }
@@ -62,7 +92,15 @@ std::vector<std::size_t> FindOrder(const ParticleList& particles, KeyOf&& keyOf)
   {
     keys.push_back(make(i));
   }
-  std::sort(keys.begin(), keys.end(), isBefore);
+  if (ends.size() < mostRuns)
+  {
+    ends.push_back(count);
+    MergeRuns(std::move(ends), keys, isBefore);
+  }
+  else
+  {
+    std::sort(keys.begin(), keys.end(), isBefore);
+  }
   order.reserve(count);
   for (const OrderKey<Number>& key : keys)
   {

@@ -5,7 +5,6 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCellType.h"
-#include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
@@ -44,8 +43,6 @@ ParticleFrame ReadPoints(const InputData& input)
   arrays.Strengths = input.Chosen.FindStrengths();
   arrays.Velocities = input.Kept.Velocities.empty() ? nullptr : input.Chosen.FindVelocities();
   arrays.Passed = input.Kept.All ? input.Data->GetPointData() : nullptr;
-  arrays.Numbers =
-    input.NumbersOfPoints ? input.Data->GetPointData()->GetArray(input.NumbersOfPoints) : nullptr;
   return ReadParticles(vtkPointSet::SafeDownCast(input.Data), arrays);
 }
 
@@ -63,10 +60,20 @@ ParticleShape::ParticleShape(const InputData& input)
 {
 }
 
-ParticleShape::ParticleShape(ParticleFrame particles, const ParticleArrays& kept)
+ParticleShape::ParticleShape(
+  ParticleFrame particles, const ParticleArrays& kept, bool hasVertices)
   : Particles(std::move(particles))
   , Kept(kept)
+  , HasVertices(hasVertices)
 {
+}
+
+std::shared_ptr<ParticleShape> ParticleShape::MakeOther(ParticleFrame particles) const
+{
+  auto other =
+    std::make_shared<ParticleShape>(std::move(particles), this->Kept, this->HasVertices);
+  other->CopyFacts(*this);
+  return other;
 }
 
 std::string ParticleShape::Prepare(ShapePreparation& preparation)

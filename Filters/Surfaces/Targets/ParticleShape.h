@@ -18,10 +18,11 @@ public:
 
   /** Throws std::invalid_argument for cells that are no vertices, and for unfit arrays. */
   explicit ParticleShape(const InputData& input);
-  explicit ParticleShape(ParticleFrame particles, const ParticleArrays& kept = ParticleArrays());
+  explicit ParticleShape(ParticleFrame particles, const ParticleArrays& kept = ParticleArrays(),
+    bool hasVertices = false);
 
-  /** Says that it is a part, of which whole. */
-  void SetWhole(const WholeFrame& whole) { this->Particles.Whole = whole; }
+  /** Other particles of the same input, relative to the same origin. */
+  std::shared_ptr<ParticleShape> MakeOther(ParticleFrame particles) const;
 
   const char* GetName() const override { return "particles"; }
   bool IsEmpty() const override { return this->Particles.CountAllParticles() == 0; }
