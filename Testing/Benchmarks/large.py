@@ -21,6 +21,7 @@ import resource
 import statistics
 import subprocess
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import b67f7a4
@@ -53,7 +54,14 @@ def all_makers():
     return [LivingSkin("defaults", [("ParticleSpacing", "2r")]), *splash_surfs()]
 
 
+def begin_peak():
+    """Forgets the memory that this process has had so far; bytes that it has now."""
+    Path("/proc/self/clear_refs").write_text("5")
+    return peak()
+
+
 def peak():
+    """Most bytes that this process has had since begin_peak."""
     return 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
 
@@ -62,7 +70,7 @@ def make_when_asked(name, particles, voxel):
     the bytes per particle so far."""
     (maker,) = [maker for maker in all_makers() if maker.name == name]
     scene = pool(particles)
-    begun, count = peak(), len(scene.frames[0][0])
+    begun, count = begin_peak(), len(scene.frames[0][0])
     frames = maker.make(scene, voxel)
     for _ in sys.stdin:
         _, seconds = next(frames)

@@ -11,7 +11,6 @@ processors are shared.
 
 import argparse
 import os
-import resource
 import statistics
 import subprocess
 import sys
@@ -38,11 +37,6 @@ def find_ranks():
     return controller, ranks.allgather, ranks.rank, ranks.size
 
 
-def most_memory():
-    """That this process has had so far, in MB."""
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e3
-
-
 def measure(particles, threads, is_parallel):
     """Prints seconds a frame, those of the first one, and MB."""
     controller, gather, rank, size = None, (lambda own: [own]), 0, 1
@@ -53,12 +47,12 @@ def measure(particles, threads, is_parallel):
     for places, _, ids in large.pool(particles).frames:
         order = numpy.argsort(places[:, 0], kind="stable")
         own = numpy.sort(numpy.array_split(order, size)[rank])
-        before = before or most_memory()
+        before = before or large.begin_peak()
         gather(None)  # all begin together
         start = time.perf_counter()
         live.advance(places[own], 1 / 25, ids=ids[own])
         seconds.append(max(gather(time.perf_counter() - start)))
-    most = max(gather(most_memory() - before))
+    most = max(gather(large.peak() - before)) / 1e6
     if rank == 0:
         print("figures:", statistics.median(seconds[1:]), seconds[0], most)
     del controller
