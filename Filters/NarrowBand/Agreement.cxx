@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace activesurface
@@ -12,13 +13,24 @@ namespace
 
 constexpr const char* MemoryHasEnded = "There is not enough memory.";
 
-/** State of a rank at the beginning of a round; the largest counts. */
+/** What a rank brings to the beginning of a round in place of a number >= 0. */
 enum State : std::int64_t
 {
-  Fine = 0,
-  Stopping = 1,
-  Failed = 2
+  Stopping = -1,
+  Failed = -2
 };
+
+template <class Number>
+std::vector<Bytes> MakeRoom(const std::vector<Number>& lengths)
+{
+  std::vector<Bytes> room;
+  room.reserve(lengths.size());
+  for (const Number length : lengths)
+  {
+    room.emplace_back(static_cast<std::size_t>(length));
+  }
+  return room;
+}
 
 }
 
@@ -38,13 +50,32 @@ Agreement::Agreement(std::shared_ptr<Communicator> ranks)
 {
 }
 
-std::vector<Bytes> Agreement::Exchange(const Bytes& own) const
+// Every round begins with this.
+std::vector<std::int64_t> Agreement::Begin(std::int64_t own) const
 {
-  this->GoOn(true);
-  return this->Ranks->AllGather(own);
+  std::vector<std::int64_t> all = this->Ranks->AllGather(own);
+  if (std::find(all.begin(), all.end(), Failed) != all.end())
+  {
+    this->ThrowTogether("");
+  }
+  return all;
 }
 
-std::vector<Bytes> Agreement::Distribute(const std::vector<Bytes>& toEach) const
+// Memory may end on one rank while it makes room for much.
+std::vector<Bytes> Agreement::Exchange(const Bytes& own) const
+{
+  constexpr std::int64_t much = std::int64_t(1) << 20;
+  const std::vector<std::int64_t> lengths = this->Begin(static_cast<std::int64_t>(own.size()));
+  std::vector<Bytes> all = MakeRoom(lengths);
+  if (std::accumulate(lengths.begin(), lengths.end(), std::int64_t(0)) > much)
+  {
+    this->Begin(0);
+  }
+  this->Ranks->AllGather(own, all);
+  return all;
+}
+
+std::vector<Bytes> Agreement::Distribute(std::vector<Bytes> toEach) const
 {
   std::vector<std::uint64_t> lengths;
   std::transform(toEach.begin(), toEach.end(), std::back_inserter(lengths),
@@ -54,14 +85,20 @@ std::vector<Bytes> Agreement::Distribute(const std::vector<Bytes>& toEach) const
   {
     sizes.push_back(FromBytes<std::uint64_t>(ofRank).at(static_cast<std::size_t>(this->GetRank())));
   }
-  return this->Ranks->Swap(toEach, sizes);
+  return this->Distribute(std::move(toEach), sizes);
 }
 
 std::vector<Bytes> Agreement::Distribute(
-  const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) const
+  std::vector<Bytes> toEach, const std::vector<std::size_t>& sizes) const
 {
-  this->GoOn(true);
-  return this->Ranks->Swap(toEach, sizes);
+  const auto rank = static_cast<std::size_t>(this->GetRank());
+  std::vector<std::size_t> lengths = sizes;
+  lengths[rank] = 0;
+  std::vector<Bytes> fromEach = MakeRoom(lengths);
+  fromEach[rank] = std::move(toEach[rank]);
+  this->Begin(0);
+  this->Ranks->Swap(toEach, fromEach);
+  return fromEach;
 }
 
 std::vector<Bytes> Agreement::GatherToFirst(Bytes own) const
@@ -74,17 +111,13 @@ std::vector<Bytes> Agreement::GatherToFirst(Bytes own) const
 
 bool Agreement::GoOn(bool own) const
 {
-  const std::int64_t state = this->Ranks->Max(own ? Fine : Stopping);
-  if (state == Failed)
-  {
-    this->ThrowTogether("");
-  }
-  return state == Fine;
+  const std::vector<std::int64_t> all = this->Begin(own ? 0 : Stopping);
+  return std::find(all.begin(), all.end(), Stopping) == all.end();
 }
 
 void Agreement::Fail(const std::string& sentence) const
 {
-  this->Ranks->Max(Failed);
+  this->Ranks->AllGather(Failed);
   this->ThrowTogether(sentence);
 }
 
@@ -96,7 +129,9 @@ void Agreement::FailForMemory() const
 /** Empty: this rank has not failed. */
 void Agreement::ThrowTogether(const std::string& sentence) const
 {
-  const std::vector<Bytes> all = this->Ranks->AllGather({ sentence.begin(), sentence.end() });
+  std::vector<Bytes> all =
+    MakeRoom(this->Ranks->AllGather(static_cast<std::int64_t>(sentence.size())));
+  this->Ranks->AllGather({ sentence.begin(), sentence.end() }, all);
   const auto isSame = [&all](const Bytes& other) { return other == all.front(); };
   const auto first =
     std::find_if(all.begin(), all.end(), [](const Bytes& other) { return !other.empty(); });

@@ -58,9 +58,9 @@ public:
   ///@{
   /** A round: sends bytes to each rank and returns those that each has sent to this one, by rank;
    * the second where each rank knows how many come from each. Throw RankError if one has failed. */
-  std::vector<Bytes> Distribute(const std::vector<Bytes>& toEach) const;
+  std::vector<Bytes> Distribute(std::vector<Bytes> toEach) const;
   std::vector<Bytes> Distribute(
-    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) const;
+    std::vector<Bytes> toEach, const std::vector<std::size_t>& sizes) const;
   ///@}
 
   /** A round: the bytes of each rank on the first one, nothing on others. */
@@ -97,6 +97,7 @@ public:
   [[noreturn]] void FailForMemory() const;
 
 private:
+  std::vector<std::int64_t> Begin(std::int64_t own) const;
   [[noreturn]] void ThrowTogether(const std::string& sentence) const;
 
   std::shared_ptr<Communicator> Ranks;

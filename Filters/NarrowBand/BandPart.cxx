@@ -68,7 +68,7 @@ public:
     std::vector<Bytes> sent;
     std::transform(
       this->Asked.begin(), this->Asked.end(), std::back_inserter(sent), ToBytes<CountedLeaf>);
-    for (const Bytes& bytes : space.GetRanks().Distribute(sent))
+    for (const Bytes& bytes : space.GetRanks().Distribute(std::move(sent)))
     {
       this->Leaves.push_back(FromBytes<CountedLeaf>(bytes));
     }
@@ -96,7 +96,7 @@ public:
       sizes.push_back(leaves.size() * sizeof(std::int64_t));
     }
     std::vector<std::int64_t> all; // leaves are asked for in the order of the tree, as the counters
-    for (const Bytes& bytes : this->Space.GetRanks().Distribute(answers, sizes))
+    for (const Bytes& bytes : this->Space.GetRanks().Distribute(std::move(answers), sizes))
     {
       AppendTo(all, FromBytes<std::int64_t>(bytes));
     }
@@ -157,7 +157,7 @@ std::vector<BandPart::LeafVertices> SwapFirstVertices(const LeafTable& table, co
   std::transform(
     toEach.begin(), toEach.end(), std::back_inserter(sent), ToBytes<BandPart::LeafVertices>);
   std::vector<BandPart::LeafVertices> foreign;
-  for (const Bytes& bytes : part.GetRanks().Distribute(sent))
+  for (const Bytes& bytes : part.GetRanks().Distribute(std::move(sent)))
   {
     AppendTo(foreign, FromBytes<BandPart::LeafVertices>(bytes));
   }

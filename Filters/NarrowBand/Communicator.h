@@ -26,16 +26,15 @@ public:
   virtual int GetRank() const = 0;
   virtual int GetSize() const = 0;
 
-  /** Returns the largest of the ranks' numbers. Collective. */
-  virtual std::int64_t Max(std::int64_t own) = 0;
+  /** Returns the number of each rank, by rank. Collective. */
+  virtual std::vector<std::int64_t> AllGather(std::int64_t own) = 0;
 
-  /** Returns the bytes of each rank, by rank. Collective. */
-  virtual std::vector<Bytes> AllGather(const Bytes& own) = 0;
+  /** Puts the bytes of each rank, by rank, where there is room for as many. Collective. */
+  virtual void AllGather(const Bytes& own, std::vector<Bytes>& all) = 0;
 
-  /** Sends bytes to each rank, and returns those that each has sent to this one, by rank. sizes:
-   * how many come from each. Nothing is sent where there are none. Collective. */
-  virtual std::vector<Bytes> Swap(
-    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) = 0;
+  /** Sends bytes to each other rank, and puts those that each of them has sent where there is room
+   * for as many. Nothing is sent where there are none. Collective. */
+  virtual void Swap(const std::vector<Bytes>& toEach, std::vector<Bytes>& fromEach) = 0;
 };
 
 /** A program of one process. */
@@ -44,13 +43,9 @@ class SerialCommunicator final : public Communicator
 public:
   int GetRank() const override { return 0; }
   int GetSize() const override { return 1; }
-  std::int64_t Max(std::int64_t own) override { return own; }
-  std::vector<Bytes> AllGather(const Bytes& own) override { return { own }; }
-  std::vector<Bytes> Swap(
-    const std::vector<Bytes>& toEach, const std::vector<std::size_t>&) override
-  {
-    return toEach;
-  }
+  std::vector<std::int64_t> AllGather(std::int64_t own) override { return { own }; }
+  void AllGather(const Bytes& own, std::vector<Bytes>& all) override { all = { own }; }
+  void Swap(const std::vector<Bytes>&, std::vector<Bytes>&) override {}
 };
 
 }

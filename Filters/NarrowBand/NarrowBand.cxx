@@ -315,9 +315,13 @@ std::size_t NarrowBand::GetNumberOfGhosts() const
   std::size_t count = 0;
   for (std::size_t i = 0; i < this->State->Leaves.Size(); ++i)
   {
-    count += this->State->Leaves[i].UpToLayer[LastLayer].Count();
+    const LeafSummary& leaf = this->State->Leaves.SummaryOf(i);
+    if (!leaf.IsForeign)
+    {
+      count += this->State->Leaves[i].UpToLayer[LastLayer].Count() - leaf.ActiveNodes;
+    }
   }
-  return count - this->GetNumberOfActiveNodes();
+  return count;
 }
 
 const LeafTable& NarrowBand::GetLeaves() const

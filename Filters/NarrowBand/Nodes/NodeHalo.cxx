@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace activesurface
 {
@@ -41,7 +42,7 @@ std::size_t NodeHalo::Find(const Domain* domain, std::vector<ShellLeaf>& shell)
     toEach.push_back(ToBytes(origins));
   }
   this->Received.clear();
-  for (const Bytes& bytes : domain->GetRanks().Distribute(toEach))
+  for (const Bytes& bytes : domain->GetRanks().Distribute(std::move(toEach)))
   {
     std::vector<std::size_t> leaves;
     for (const NodeIndex& origin : FromBytes<NodeIndex>(bytes))
@@ -91,7 +92,7 @@ void NodeHalo::Refresh(const NodeArrays& numbers) const
   {
     sizes.push_back(leaves.size() * BytesOfLeaf);
   }
-  const std::vector<Bytes> fromEach = this->Space->GetRanks().Distribute(toEach, sizes);
+  const std::vector<Bytes> fromEach = this->Space->GetRanks().Distribute(std::move(toEach), sizes);
   for (std::size_t rank = 0; rank < fromEach.size(); ++rank)
   {
     for (std::size_t k = 0; k < this->Received[rank].size(); ++k)

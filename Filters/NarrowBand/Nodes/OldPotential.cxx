@@ -4,6 +4,7 @@
 #include "RankBytes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace activesurface
 {
@@ -35,11 +36,11 @@ void OldPotential::Fetch(const std::vector<NodeIndex>& wanted)
   }
   std::vector<Bytes> requests, answers;
   std::transform(ofEach.begin(), ofEach.end(), std::back_inserter(requests), ToBytes<NodeIndex>);
-  for (const Bytes& request : ranks.Distribute(requests))
+  for (const Bytes& request : ranks.Distribute(std::move(requests)))
   {
     answers.push_back(this->Answer(FromBytes<NodeIndex>(request)));
   }
-  const std::vector<Bytes> received = ranks.Distribute(answers);
+  const std::vector<Bytes> received = ranks.Distribute(std::move(answers));
   for (std::size_t rank = 0; rank < received.size(); ++rank)
   {
     const auto leaves = FromBytes<FetchedLeaves::Leaf>(received[rank]);

@@ -2,7 +2,6 @@
 
 #include "AttachedData.h"
 #include "ParticleData.h"
-#include "Ranks/PieceGather.h"
 #include "Targets/ContentSum.h"
 #include "Targets/HomeParticles.h"
 #include "Targets/InputKinds.h"
@@ -28,6 +27,7 @@
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace activesurface
 {
@@ -188,39 +188,44 @@ std::shared_ptr<InputShape> SurfaceInput::Read(
   {
     return readOwn();
   }
-  const InputPiece piece =
-    HasNothing(object) ? InputPiece() : this->MakePiece(AsDataSet(object), kept);
+  const OwnPiece own = HasNothing(object) ? OwnPiece() : this->MakeOwn(AsDataSet(object), kept);
   const std::string name = "The input of port " + std::to_string(this->Port);
-  const PieceKind kind = AgreeOnKind(this->Ranks, piece.Kind, name);
-  if (kind == PieceKind::Nothing && HasNothing(object)) // an error, as in one process
+  const AllPieces all = AgreeOnPieces(this->Ranks, own.Facts, name);
+  if (all.Kind == PieceKind::Nothing && HasNothing(object)) // an error, as in one process
   {
     return readOwn();
   }
-  if (areShared && kind == PieceKind::Particles)
+  if (areShared && all.Kind == PieceKind::Particles)
   {
-    return this->ReadHome(piece, kept, name);
+    return this->ReadHome(own, all, kept, name);
   }
-  return this->ReadWhole(piece, kept, name);
+  std::shared_ptr<InputShape> whole = this->ReadWhole(own.Piece, kept, name);
+  if (all.Kind == PieceKind::Particles) // the same as of parts
+  {
+    whole->Content = all.Content;
+  }
+  return whole;
 }
 
 // The particles whose home this rank is.
-std::shared_ptr<InputShape> SurfaceInput::ReadHome(
-  const InputPiece& piece, const ParticleArrays& kept, const std::string& name) const
+std::shared_ptr<InputShape> SurfaceInput::ReadHome(const OwnPiece& own, const AllPieces& all,
+  const ParticleArrays& kept, const std::string& name) const
 {
-  const auto own = piece.Data
-    ? MakeInputShape({ piece.Data, ArraysOf(*this, piece.Data), kept })
-    : std::make_unique<ParticleShape>(ParticleFrame());
-  const std::shared_ptr<ParticleShape> shape =
-    SendHome(this->Ranks, dynamic_cast<const ParticleShape&>(*own), kept);
+  ParticleFrame particles =
+    own.Shape ? dynamic_cast<ParticleShape&>(*own.Shape).TakeParticles() : ParticleFrame();
+  particles.HasIds = this->IsArrayChosen(IdArray);
+  const auto shape = std::make_shared<ParticleShape>(
+    SendHome(this->Ranks, std::move(particles), all.PointsBefore, all.Points), kept, all.HaveCells);
+  shape->Content = all.Content;
   auto home = std::make_shared<HomePart>();
   home->Ranks = this->Ranks;
   if (kept.All)
   {
-    InputPiece copy = piece; // the next step may write over the input's arrays
-    if (piece.Data)
+    InputPiece copy = own.Piece; // the next step may write over the input's arrays
+    if (copy.Data)
     {
-      copy.Data.TakeReference(piece.Data->NewInstance());
-      copy.Data->DeepCopy(piece.Data);
+      copy.Data.TakeReference(own.Piece.Data->NewInstance());
+      copy.Data->DeepCopy(own.Piece.Data);
     }
     home->ReadWhole = [this, copy, kept, name] { return this->ReadWhole(copy, kept, name); };
   }
@@ -245,15 +250,34 @@ void SurfaceInput::Check(vtkDataObject* data) const
 }
 
 // What is wrong with this rank's own part is found here, where the rank can be told.
-InputPiece SurfaceInput::MakePiece(vtkDataSet* data, const ParticleArrays& kept) const
+SurfaceInput::OwnPiece SurfaceInput::MakeOwn(vtkDataSet* data, const ParticleArrays& kept) const
 {
-  const ArraysOf chosen(*this, data);
-  MakeInputShape({ data, chosen, kept });
-  auto polyData = vtkPolyData::SafeDownCast(data);
+  OwnPiece own;
+  own.Shape = MakeInputShape({ data, ArraysOf(*this, data), kept });
+  own.Facts.Content = own.Shape->Content;
   if (data->GetNumberOfPoints() == 0)
   {
     return {};
   }
+  own.Piece = this->MakePiece(data, kept);
+  own.Facts.Kind = own.Piece.Kind;
+  if (own.Piece.Kind == PieceKind::Particles)
+  {
+    vtkDataSet* points = own.Piece.Data;
+    if (points->GetNumberOfPoints() != data->GetNumberOfPoints()) // without ghosts
+    {
+      own.Shape = MakeInputShape({ points, ArraysOf(*this, points), kept });
+    }
+    own.Facts.Points = static_cast<std::uint64_t>(points->GetNumberOfPoints());
+    own.Facts.HasCells = points->GetNumberOfCells() > 0;
+  }
+  return own;
+}
+
+InputPiece SurfaceInput::MakePiece(vtkDataSet* data, const ParticleArrays& kept) const
+{
+  const ArraysOf chosen(*this, data);
+  auto polyData = vtkPolyData::SafeDownCast(data);
   if (auto image = vtkImageData::SafeDownCast(data))
   {
     return MakeImagePiece(image, chosen.FindValues());

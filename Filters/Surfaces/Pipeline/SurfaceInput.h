@@ -4,7 +4,7 @@
 #define SurfaceInput_h
 
 #include "Agreement.h"
-#include "Ranks/InputPiece.h"
+#include "Ranks/PieceGather.h"
 #include "Targets/InputData.h"
 #include "Targets/InputShape.h"
 
@@ -18,7 +18,6 @@ class vtkAbstractArray;
 class vtkAlgorithm;
 class vtkDataObject;
 class vtkDataSet;
-class vtkPolyData;
 class vtkInformation;
 
 namespace activesurface
@@ -91,9 +90,16 @@ private:
   std::string DescribeArray(int index) const;
   vtkAbstractArray* FindArray(int index, vtkDataSet* data) const;
   vtkAbstractArray* FindValues(vtkDataSet* image) const;
+  struct OwnPiece
+  {
+    InputPiece Piece;
+    std::unique_ptr<InputShape> Shape; // of the piece; null: nothing
+    PieceFacts Facts;
+  };
+  OwnPiece MakeOwn(vtkDataSet* data, const ParticleArrays& kept) const;
   InputPiece MakePiece(vtkDataSet* data, const ParticleArrays& kept) const;
-  std::shared_ptr<InputShape> ReadHome(
-    const InputPiece& piece, const ParticleArrays& kept, const std::string& name) const;
+  std::shared_ptr<InputShape> ReadHome(const OwnPiece& own, const AllPieces& all,
+    const ParticleArrays& kept, const std::string& name) const;
   std::unique_ptr<InputShape> ReadWhole(
     const InputPiece& piece, const ParticleArrays& kept, const std::string& name) const;
   void Request(vtkInformation* information) const;

@@ -4,9 +4,7 @@
 #include "vtkMultiProcessController.h"
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
-#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -18,7 +16,7 @@ namespace
 
 constexpr std::size_t MostAtOnce = std::size_t(1) << 30; // MPI counts in int
 // Gathered in pairs: without a copy of all, and MPI counts what all send at once in int, too.
-constexpr std::size_t LongMessage = std::size_t(1) << 16;
+constexpr vtkIdType LongMessage = 1 << 16;
 
 constexpr int TagOfSwaps = 18091; // MPI grants 32767 at most
 
@@ -40,14 +38,6 @@ void Check(int isDone)
   }
 }
 
-std::vector<std::size_t> GatherLengths(vtkMultiProcessController* controller, std::size_t own)
-{
-  const auto length = static_cast<long long>(own);
-  std::vector<long long> lengths(static_cast<std::size_t>(controller->GetNumberOfProcesses()));
-  Check(controller->AllGather(&length, lengths.data(), 1));
-  return { lengths.begin(), lengths.end() };
-}
-
 }
 
 ControllerCommunicator::ControllerCommunicator(vtkMultiProcessController* controller)
@@ -67,50 +57,50 @@ int ControllerCommunicator::GetSize() const
   return this->Controller->GetNumberOfProcesses();
 }
 
-std::int64_t ControllerCommunicator::Max(std::int64_t own)
+std::vector<std::int64_t> ControllerCommunicator::AllGather(std::int64_t own)
 {
-  const long long mine = own;
-  long long largest = mine;
-  Check(this->Controller->AllReduce(&mine, &largest, 1, vtkCommunicator::MAX_OP));
-  return largest;
+  const long long number = own;
+  std::vector<long long> numbers(static_cast<std::size_t>(this->GetSize()));
+  Check(this->Controller->AllGather(&number, numbers.data(), 1));
+  return { numbers.begin(), numbers.end() };
 }
 
-std::vector<Bytes> ControllerCommunicator::AllGather(const Bytes& own)
+void ControllerCommunicator::AllGather(const Bytes& own, std::vector<Bytes>& all)
 {
-  const std::vector<std::size_t> lengths = GatherLengths(this->Controller, own.size());
-  if (*std::max_element(lengths.begin(), lengths.end()) > LongMessage)
+  std::vector<vtkIdType> counts, offsets(1, 0);
+  for (const Bytes& ofRank : all)
   {
-    return this->SwapInPairs([&own](int) -> const Bytes& { return own; }, lengths);
+    counts.push_back(static_cast<vtkIdType>(ofRank.size()));
+    offsets.push_back(offsets.back() + counts.back());
   }
-  std::vector<Bytes> all(lengths.size());
-  std::vector<vtkIdType> counts(lengths.begin(), lengths.end());
-  std::vector<vtkIdType> offsets(1, 0);
-  std::partial_sum(counts.begin(), counts.end(), std::back_inserter(offsets));
+  if (*std::max_element(counts.begin(), counts.end()) > LongMessage)
+  {
+    all[static_cast<std::size_t>(this->GetRank())] = own;
+    this->SwapInPairs([&own](int) -> const Bytes& { return own; }, all);
+    return;
+  }
   Bytes received(static_cast<std::size_t>(offsets.back()) + 1); // not null
   Check(this->Controller->AllGatherV(own.data(), received.data(),
     static_cast<vtkIdType>(own.size()), counts.data(), offsets.data()));
   for (std::size_t rank = 0; rank < all.size(); ++rank)
   {
-    all[rank].assign(received.data() + offsets[rank], received.data() + offsets[rank + 1]);
+    std::copy(received.data() + offsets[rank], received.data() + offsets[rank + 1],
+      all[rank].begin());
   }
-  return all;
 }
 
-std::vector<Bytes> ControllerCommunicator::Swap(
-  const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes)
+void ControllerCommunicator::Swap(const std::vector<Bytes>& toEach, std::vector<Bytes>& fromEach)
 {
-  return this->SwapInPairs(
-    [&toEach](int rank) -> const Bytes& { return toEach[static_cast<std::size_t>(rank)]; }, sizes);
+  this->SwapInPairs(
+    [&toEach](int rank) -> const Bytes& { return toEach[static_cast<std::size_t>(rank)]; },
+    fromEach);
 }
 
 // In each round a rank meets one other; of the two the lower one speaks first.
 template <class GetOwn>
-std::vector<Bytes> ControllerCommunicator::SwapInPairs(
-  GetOwn&& getOwn, const std::vector<std::size_t>& sizes)
+void ControllerCommunicator::SwapInPairs(GetOwn&& getOwn, std::vector<Bytes>& fromEach)
 {
   const int rank = this->GetRank(), size = this->GetSize();
-  std::vector<Bytes> fromEach(sizes.size());
-  fromEach[static_cast<std::size_t>(rank)] = getOwn(rank);
   for (int round = 1; round < RoundUpToPowerOfTwo(size); ++round)
   {
     const int other = rank ^ round;
@@ -119,7 +109,6 @@ std::vector<Bytes> ControllerCommunicator::SwapInPairs(
       continue;
     }
     Bytes& from = fromEach[static_cast<std::size_t>(other)];
-    from.resize(sizes[static_cast<std::size_t>(other)]);
     if (rank < other)
     {
       this->Send(getOwn(other), other);
@@ -131,7 +120,6 @@ std::vector<Bytes> ControllerCommunicator::SwapInPairs(
       this->Send(getOwn(other), other);
     }
   }
-  return fromEach;
 }
 
 void ControllerCommunicator::Send(const Bytes& bytes, int rank)

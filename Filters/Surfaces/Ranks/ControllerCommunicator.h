@@ -21,14 +21,13 @@ public:
 
   int GetRank() const override;
   int GetSize() const override;
-  std::int64_t Max(std::int64_t own) override;
-  std::vector<Bytes> AllGather(const Bytes& own) override;
-  std::vector<Bytes> Swap(
-    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) override;
+  std::vector<std::int64_t> AllGather(std::int64_t own) override;
+  void AllGather(const Bytes& own, std::vector<Bytes>& all) override;
+  void Swap(const std::vector<Bytes>& toEach, std::vector<Bytes>& fromEach) override;
 
 private:
   template <class GetOwn>
-  std::vector<Bytes> SwapInPairs(GetOwn&& getOwn, const std::vector<std::size_t>& sizes);
+  void SwapInPairs(GetOwn&& getOwn, std::vector<Bytes>& fromEach);
   void Send(const Bytes& bytes, int rank);
   void Receive(Bytes& bytes, int rank);
 

@@ -41,14 +41,21 @@ PieceKind FindKind(const std::vector<PieceKind>& kinds, const std::string& what)
 
 }
 
-PieceKind AgreeOnKind(Agreement& ranks, PieceKind own, const std::string& what)
+AllPieces AgreeOnPieces(const Agreement& ranks, const PieceFacts& own, const std::string& what)
 {
+  AllPieces all;
   std::vector<PieceKind> kinds;
-  for (const Bytes& ofRank : ranks.Exchange({ static_cast<char>(own) }))
+  for (const PieceFacts& facts : ranks.ExchangeValue(own))
   {
-    kinds.push_back(static_cast<PieceKind>(ofRank.at(0)));
+    constexpr std::uint64_t factor = 0x9e3779b97f4a7c15ull;
+    all.PointsBefore += static_cast<int>(kinds.size()) < ranks.GetRank() ? facts.Points : 0;
+    all.Points += facts.Points;
+    all.Content = (all.Content ^ facts.Content) * factor + facts.Points;
+    all.HaveCells = all.HaveCells || facts.HasCells;
+    kinds.push_back(facts.Kind);
   }
-  return FindKind(kinds, what);
+  all.Kind = FindKind(kinds, what);
+  return all;
 }
 
 vtkSmartPointer<vtkDataSet> GatherWhole(

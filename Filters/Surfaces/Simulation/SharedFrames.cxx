@@ -50,7 +50,7 @@ public:
     {
       toEach.push_back(PackParticles(particles, ofRank));
     }
-    ParticleFrame part = MergeParticles(home.Home->Ranks.Distribute(toEach), particles);
+    ParticleFrame part = MergeParticles(home.Home->Ranks.Distribute(std::move(toEach)), particles);
     part.Whole = particles.Whole;
     std::shared_ptr<ParticleShape> shape =
       dynamic_cast<const ParticleShape&>(home).MakeOther(std::move(part));

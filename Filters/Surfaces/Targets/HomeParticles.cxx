@@ -15,45 +15,6 @@ namespace activesurface
 namespace
 {
 
-// Facts of a rank's piece of an input.
-struct PieceFacts
-{
-  std::uint64_t Points;
-  std::uint64_t Content;
-  std::uint64_t HasCells;
-  std::uint64_t HasIds;
-};
-
-// What the pieces are together.
-struct AllFacts
-{
-  std::uint64_t PointsBefore = 0; // of lower ranks
-  std::uint64_t Points = 0;
-  std::uint64_t Content = 0;
-  bool HasCells = false;
-  bool HasIds = false;
-};
-
-AllFacts CombineFacts(const Agreement& ranks, const ParticleShape& piece)
-{
-  const ParticleFrame& particles = *piece.GetParticles();
-  const std::size_t points = particles.CountAllPoints();
-  const PieceFacts own = { points, points > 0 ? piece.Content : 0,
-    points > 0 && piece.HasCells() ? 1u : 0u, particles.HasIds ? 1u : 0u };
-  AllFacts all;
-  int rank = 0;
-  for (const PieceFacts& facts : ranks.ExchangeValue(own))
-  {
-    constexpr std::uint64_t factor = 0x9e3779b97f4a7c15ull;
-    all.PointsBefore += rank++ < ranks.GetRank() ? facts.Points : 0;
-    all.Points += facts.Points;
-    all.Content = (all.Content ^ facts.Content) * factor + facts.Points;
-    all.HasCells = all.HasCells || facts.HasCells;
-    all.HasIds = all.HasIds || facts.HasIds;
-  }
-  return all;
-}
-
 std::size_t HomeOfId(std::int64_t id, std::size_t ranks)
 {
   auto key = static_cast<std::uint64_t>(id);
@@ -76,39 +37,28 @@ WholeFrame DescribeWhole(const Agreement& ranks, const ParticleFrame& part, std:
 
 }
 
-std::shared_ptr<ParticleShape> SendHome(
-  const Agreement& ranks, const ParticleShape& piece, const ParticleArrays& kept)
+ParticleFrame SendHome(
+  const Agreement& ranks, ParticleFrame piece, std::uint64_t before, std::uint64_t all)
 {
   const auto size = static_cast<std::size_t>(ranks.GetSize());
-  const AllFacts all = CombineFacts(ranks, piece);
-  ParticleFrame own = *piece.GetParticles();
-  own.HasIds = all.HasIds;
-  if (!own.HasIds)
-  {
-    for (std::int64_t& number : own.Ids)
-    {
-      number += static_cast<std::int64_t>(all.PointsBefore);
-    }
-  }
   std::vector<ParticleChoice> chosen(size);
-  for (std::size_t i = 0; i < own.Ids.size(); ++i)
+  for (std::size_t i = 0; i < piece.Ids.size(); ++i)
   {
-    const std::int64_t id = own.Ids[i];
+    std::int64_t& id = piece.Ids[i];
+    id += piece.HasIds ? 0 : static_cast<std::int64_t>(before);
     const std::size_t to =
-      own.HasIds ? HomeOfId(id, size) : static_cast<std::uint64_t>(id) * size / all.Points;
+      piece.HasIds ? HomeOfId(id, size) : static_cast<std::uint64_t>(id) * size / all;
     chosen[to].push_back(static_cast<std::uint32_t>(i));
   }
   std::vector<Bytes> toEach;
   toEach.reserve(size);
   for (const ParticleChoice& ofRank : chosen)
   {
-    toEach.push_back(PackParticles(own, ofRank));
+    toEach.push_back(PackParticles(piece, ofRank));
   }
-  ParticleFrame home = MergeParticles(ranks.Distribute(toEach), own);
-  home.Whole = DescribeWhole(ranks, home, all.Points);
-  auto shape = std::make_shared<ParticleShape>(std::move(home), kept, all.HasCells);
-  shape->Content = all.Content;
-  return shape;
+  ParticleFrame home = MergeParticles(ranks.Distribute(std::move(toEach)), piece);
+  home.Whole = DescribeWhole(ranks, home, all);
+  return home;
 }
 
 std::shared_ptr<InputShape> GatherShape(const InputShape& home)

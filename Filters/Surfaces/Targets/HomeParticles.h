@@ -10,6 +10,7 @@
 #include "Agreement.h"
 #include "Targets/ParticleShape.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -25,9 +26,9 @@ struct HomePart
 };
 
 // Sends the particles of this rank's piece of an input home; returns those whose home it is.
-// Collective.
-std::shared_ptr<ParticleShape> SendHome(
-  const Agreement& ranks, const ParticleShape& piece, const ParticleArrays& kept);
+// before, all: points of lower ranks' pieces, and of all. Collective.
+ParticleFrame SendHome(
+  const Agreement& ranks, ParticleFrame piece, std::uint64_t before, std::uint64_t all);
 
 // All particles of an input, on all ranks: as one process has them. home: this rank's part.
 // Collective.

@@ -46,42 +46,30 @@ void AppendPlaces(const ParticleList& particles, const ParticleChoice& chosen, B
     });
 }
 
+// Makes particles of places; the ids follow, and strengths if there are.
 template <class Place>
-std::vector<SkeletonVertex> ReadPlaces(BytesReader& reader, std::size_t count)
+void ReadParticlesOf(const PackedHead& head, BytesReader& reader, ParticleFrame& frame)
 {
-  std::vector<SkeletonVertex> particles;
-  particles.reserve(count);
-  for (const Place& place : reader.Read<Place>(count))
+  const auto places = reader.Read<Place>(head.Count);
+  const auto ids = reader.Read<std::int64_t>(head.Count);
+  const auto strengths = reader.Read<double>(head.HasStrengths ? head.Count : 0);
+  frame.Ids.insert(frame.Ids.end(), ids.begin(), ids.end());
+  SkeletonVertex particle;
+  particle.Radius = particle.Strength = 1.0;
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    SkeletonVertex particle;
-    std::copy(place.begin(), place.end(), particle.Position);
-    particle.Radius = particle.Strength = 1.0;
-    particles.push_back(particle);
+    std::copy(places[i].begin(), places[i].end(), particle.Position);
+    particle.Strength = head.HasStrengths ? strengths[i] : 1.0;
+    frame.Particles.Add(particle);
   }
-  return particles;
 }
 
 void AddPacked(const Bytes& bytes, ParticleFrame& frame)
 {
   BytesReader reader(bytes);
   const PackedHead head = reader.Read<PackedHead>(1).front();
-  std::vector<SkeletonVertex> particles = head.IsSingle
-    ? ReadPlaces<SingleTriple>(reader, head.Count)
-    : ReadPlaces<Triple>(reader, head.Count);
-  const auto ids = reader.Read<std::int64_t>(head.Count);
-  frame.Ids.insert(frame.Ids.end(), ids.begin(), ids.end());
-  if (head.HasStrengths)
-  {
-    const auto strengths = reader.Read<double>(head.Count);
-    for (std::size_t i = 0; i < strengths.size(); ++i)
-    {
-      particles[i].Strength = strengths[i];
-    }
-  }
-  for (const SkeletonVertex& particle : particles)
-  {
-    frame.Particles.Add(particle);
-  }
+  head.IsSingle ? ReadParticlesOf<SingleTriple>(head, reader, frame)
+                : ReadParticlesOf<Triple>(head, reader, frame);
   if (head.HasVelocities)
   {
     const auto velocities = reader.Read<Triple>(head.Count);

@@ -8,6 +8,8 @@
 #include "Targets/InputShape.h"
 #include "Targets/ParticleFrame.h"
 
+#include <utility>
+
 namespace activesurface
 {
 
@@ -20,6 +22,9 @@ public:
   explicit ParticleShape(const InputData& input);
   explicit ParticleShape(ParticleFrame particles, const ParticleArrays& kept = ParticleArrays(),
     bool hasVertices = false);
+
+  /** Leaves it empty. */
+  ParticleFrame TakeParticles() { return std::move(this->Particles); }
 
   /** Other particles of the same input, relative to the same origin. */
   std::shared_ptr<ParticleShape> MakeOther(ParticleFrame particles) const;

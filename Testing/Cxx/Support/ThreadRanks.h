@@ -6,6 +6,7 @@
 
 #include "Agreement.h"
 #include "Communicator.h"
+#include "RankBytes.h"
 
 #include <algorithm>
 #include <condition_variable>
@@ -71,37 +72,50 @@ public:
   int GetRank() const override { return this->Rank; }
   int GetSize() const override { return this->Place.GetSize(); }
 
-  std::int64_t Max(std::int64_t own) override
+  std::vector<std::int64_t> AllGather(std::int64_t own) override
   {
-    const std::vector<Bytes> all = this->Place.Meet(this->Rank, Bytes(1, static_cast<char>(own)));
-    return std::max_element(all.begin(), all.end())->front();
+    std::vector<std::int64_t> numbers;
+    for (const Bytes& ofRank : this->Place.Meet(this->Rank, ToBytes<std::int64_t>({ own })))
+    {
+      numbers.push_back(FromBytes<std::int64_t>(ofRank).front());
+    }
+    return numbers;
   }
 
-  std::vector<Bytes> AllGather(const Bytes& own) override
+  void AllGather(const Bytes& own, std::vector<Bytes>& all) override
   {
-    return this->Place.Meet(this->Rank, own);
+    Put(this->Place.Meet(this->Rank, own), all, -1);
   }
 
-  std::vector<Bytes> Swap(
-    const std::vector<Bytes>& toEach, const std::vector<std::size_t>& sizes) override
+  void Swap(const std::vector<Bytes>& toEach, std::vector<Bytes>& fromEach) override
   {
-    std::vector<Bytes> fromEach(toEach.size());
     for (std::size_t to = 0; to < toEach.size(); ++to)
     {
       const std::vector<Bytes> all = this->Place.Meet(this->Rank, toEach[to]);
-      fromEach = static_cast<int>(to) == this->Rank ? all : fromEach;
-    }
-    for (std::size_t from = 0; from < sizes.size(); ++from)
-    {
-      if (fromEach[from].size() != sizes[from])
+      if (static_cast<int>(to) == this->Rank)
       {
-        throw std::logic_error("a rank has sent more or less than was expected");
+        Put(all, fromEach, this->Rank);
       }
     }
-    return fromEach;
   }
 
 private:
+  static void Put(const std::vector<Bytes>& sent, std::vector<Bytes>& room, int except)
+  {
+    for (std::size_t from = 0; from < sent.size(); ++from)
+    {
+      if (static_cast<int>(from) == except)
+      {
+        continue;
+      }
+      if (sent[from].size() != room[from].size())
+      {
+        throw std::logic_error("a rank has sent more or less than was expected");
+      }
+      room[from] = sent[from];
+    }
+  }
+
   MeetingPoint& Place;
   const int Rank;
 };

@@ -129,4 +129,19 @@ TEST(TestAgreement, AProgramOfOneProcessAgreesWithItself)
   EXPECT_EQ(RunToError(1, [](Agreement& ranks) { ranks.Fail("no file."); }), "no file.");
 }
 
+// One that has no room for what it is sent fails before the others send it.
+TEST(TestAgreement, AllFailWhereOneHasNoRoom)
+{
+  const auto distribute = [](Agreement& ranks)
+  {
+    RunTogether(ranks,
+      [&]
+      {
+        const std::size_t most = std::vector<char>().max_size();
+        ranks.Distribute(std::vector<Bytes>(3), { 0, 0, ranks.GetRank() == 1 ? most + 1 : 0 });
+      });
+  };
+  EXPECT_EQ(RunToError(3, distribute).substr(0, 14), "On rank 1 of 3");
+}
+
 }
