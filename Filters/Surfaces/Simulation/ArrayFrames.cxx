@@ -8,7 +8,7 @@ namespace activesurface
 namespace
 {
 
-// Whether the way is the one to the requested step, from the step before.
+// Returns true if the interval is the one before the requested step.
 bool LooksBack(const SurfaceSettings& settings, const RequestedTime& time,
   const RequestedArrays& arrays, const TargetBuilder& target)
 {

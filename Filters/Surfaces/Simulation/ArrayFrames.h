@@ -1,4 +1,4 @@
-// Which frames of the target tell the arrays of the skin at the requested time.
+// Frames of the target that the arrays of the skin at the requested time are computed from.
 
 #ifndef ArrayFrames_h
 #define ArrayFrames_h
@@ -10,39 +10,39 @@
 namespace activesurface
 {
 
-// What the skin shall have besides its shape.
+// Requested arrays and attributes of the skin.
 struct RequestedArrays
 {
   bool Speeds = false;
-  bool Passed = false;             // those of the particles
+  bool Passed = false;             // point arrays of the particles
   bool TangentialVelocity = false; // of the particles
-  bool FastestParticle = false;    // its speed, where there are particles
-  bool Potential = false;          // besides the skin
-  ParticleArrays Kept;             // of the particles, when their frames are read
+  bool FastestParticle = false;    // speed of the fastest particle
+  bool Potential = false;          // the output Potential, not an array
+  ParticleArrays Kept;             // arrays of particles that are kept when frames are read
 
   bool NeedParticles() const { return this->Passed || this->TangentialVelocity; }
-  // Returns true if ranks that share out space need all of the skin, and of the particles.
+  // Returns true if the whole skin is needed on each rank, where ranks have parts of it.
   bool NeedWhole() const { return this->Potential || this->Speeds || this->NeedParticles(); }
 };
 
-// A moment between two frames: at Fraction of the way from the step First to the next one.
+// A time between two frames, at a fraction of the interval from the step First to the next one.
 struct ArrayFrames
 {
   int First = 0;
-  int Last = 0; // the last frame that has to be there: First, or the next one
+  int Last = 0; // last frame needed: First, or the next one
   double Fraction = 0.0;
-  double Duration = 0.0; // motion time from First to the next step; 0 if there is none
+  double Duration = 0.0; // from First to the next step [motion time]; 0 without a next step
 };
 
-// wantsWay: whether the way of particles to the requested time is wanted, or at the first step from
-// there; else the particles there.
+// wantsWay: true for the interval up to the requested time (at the first step, the interval after
+// it), which particle velocities need; false for the frames at the requested time only.
 ArrayFrames FindArrayFrames(const SurfaceSettings& settings, const RequestedTime& time,
   const RequestedArrays& arrays, const TargetBuilder& target, bool wantsWay);
 
-// Whether the arrays want the way of particles.
+// Returns true if the arrays depend on the displacement of particles between two steps.
 bool WantWay(const RequestedArrays& arrays, const TargetBuilder& target);
 
-// Whether the frame of a step is there, and was read with all that the arrays need of particles.
+// Returns true if the frame of a step is held and was read with the particle arrays needed.
 bool HasArrays(const TargetBuilder& target, int step, const RequestedArrays& arrays);
 
 }

@@ -1,5 +1,5 @@
-// The part of a surface in a periodic box, which outputs show. The state extends beyond the sides,
-// so that the surface is carried in from there.
+// The part of a surface within the sides of a periodic box, for the outputs. The state itself
+// extends beyond the sides, so that the surface enters the box from there.
 
 #ifndef BoxView_h
 #define BoxView_h
@@ -18,7 +18,8 @@ class BoxView
 public:
   void Clear() { this->Last = {}; }
 
-  // Closed at the sides. The last two are kept, so that the same surface has the same part.
+  // Returns the part within the sides, closed at them. Caches the parts of the last two surfaces:
+  // the same surface yields the same object.
   std::shared_ptr<const NarrowBand> Cut(
     const std::shared_ptr<const NarrowBand>& whole, const Walls& sides)
   {

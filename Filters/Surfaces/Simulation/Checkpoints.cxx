@@ -20,10 +20,10 @@ void Checkpoints::SetLimits(int interval, std::size_t memory)
   this->MakeRoom();
 }
 
-// Ranks forget the same states.
+// The size of a part is its mean over the ranks, so that all ranks remove the same states.
 Checkpoints::Saved Checkpoints::Save(const NarrowBand& band)
 {
-  constexpr std::size_t bytesPerNode = 6; // with the bits of its leaf
+  constexpr std::size_t bytesPerNode = 6; // including the masks of its leaf
   Saved saved{ band.Pack(), band.SharePart(), 0 };
   const std::size_t ofAll = bytesPerNode * band.GetNumberOfActiveNodes();
   saved.Size = saved.Part ? ofAll / static_cast<std::size_t>(saved.Part->GetRanks().GetSize())
@@ -67,8 +67,8 @@ std::size_t Checkpoints::GetSize() const
   return size;
 }
 
-// The start is needed most: without it all is done anew. Of the others the one that leaves the
-// smallest gap goes.
+// Removes the first state last: without it an earlier time restarts the motion. Of the others,
+// removes the one that leaves the smallest gap.
 void Checkpoints::MakeRoom()
 {
   while (!this->States.empty() && this->GetSize() > this->Memory)

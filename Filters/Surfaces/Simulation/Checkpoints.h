@@ -1,4 +1,4 @@
-// States at some of the steps that a surface has been at, to go back to.
+// States of a surface at some of its steps, to resume from.
 
 #ifndef Checkpoints_h
 #define Checkpoints_h
@@ -17,19 +17,19 @@ class NarrowBand;
 class Checkpoints
 {
 public:
-  // Every so many steps, 0: none; in so many bytes.
+  // interval: steps between two states; 0 turns checkpoints off. memory: capacity [bytes].
   void SetLimits(int interval, std::size_t memory);
 
   void Clear() { this->States.clear(); }
 
-  // Keeps the state if the step is one to keep. Those that are needed least go when memory ends:
-  // the ones without which the steps that are left lie closest together.
+  // Saves the state if the step is a multiple of the interval. While the capacity is exceeded,
+  // removes the state that leaves the smallest gap between steps; the first state is removed last.
   void Add(int step, const NarrowBand& band);
 
-  // Keeps it in any case, instead of one at the same step.
+  // Saves the state at any step and replaces an older one there. Ignores both limits.
   void Keep(int step, const NarrowBand& band);
 
-  // The last one that is not after a step; -1 if there is none.
+  // Returns the last saved step <= step, or -1.
   int FindUpTo(int step) const;
 
   std::unique_ptr<NarrowBand> Restore(int step) const;
@@ -39,7 +39,7 @@ private:
   {
     std::string Bytes;
     std::shared_ptr<const BandPart> Part;
-    std::size_t Size; // in the memory; of a part the same on all ranks
+    std::size_t Size; // [bytes]; for a part an estimate that is equal on all ranks
   };
 
   static Saved Save(const NarrowBand& band);

@@ -12,18 +12,18 @@ namespace activesurface
 namespace
 {
 
-// Least number of substeps from one step to the next while the target moves: so many times it is
-// evaluated on its way, however slow the surface is.
+// Least number of substeps from one step to the next over a moving target. The target is evaluated
+// at least this often in the interval, however slow the surface is.
 constexpr double SubstepsOfMovingTarget = 4.0;
 
-// Automatic attraction: distances fall by so many factors e from one step to the next.
+// Automatic attraction: distances fall by a factor e^6 from one step to the next.
 constexpr double FactorsPerStep = 6.0;
-// Automatic tension, in units of Attraction * (half of the particles' spacing)^2; in a body of half
-// the bulk a third of it acts.
+// Automatic tension, in units of Attraction * (half of the particles' spacing)^2. TensionWeighting
+// reduces it to a sixth where the bulk is 1/2 (Nodes/NodeStages.cxx).
 constexpr double TensionOfSpacing = 1.0 / 2.0;
 
-// The surface in a periodic box ends beyond the sides, at this share of the margin: particles have
-// copies in all of the margin, as the target needs neighbours.
+// Distance of the walls from the sides of a periodic box, as a fraction of its margin. Particles
+// are repeated in the whole margin, so those at the walls have their neighbours too.
 constexpr double ShareOfMargin = 0.5;
 
 constexpr char NoNodes[] =
@@ -79,19 +79,21 @@ bool MotionDriver::StartsOnNodes() const
     this->Shapes.HasParticles(0, 0);
 }
 
-// Particles that stand still keep the skin that starts on them.
+// Returns true if the skin stays as it starts: on static particles.
 bool MotionDriver::StaysOnNodes() const
 {
   return !this->Settings.Inputs.TargetMoves && this->StartsOnNodes();
 }
 
 // Starts as after a time step of the automatic attraction, so that the first frame is as smooth as
-// the others. The length of the step does not matter, as it may be unknown yet.
+// the others. The length of this step may be unknown yet: an automatic tension does not depend on
+// it, as it is in proportion to the attraction. A given Tension under automatic attraction does,
+// and is left out.
 void MotionDriver::StartOnNodes(NarrowBand& band, const SurfaceDomain& domain)
 {
   Motion motion = this->GetMotion(-1);
   const double given = motion.Attraction > 0.0 ? motion.Tension / motion.Attraction : 0.0;
-  motion.Attraction = FactorsPerStep; // in the unit of time
+  motion.Attraction = FactorsPerStep; // per unit of time; the duration below is 1
   motion.Tension = this->Settings.HasAutomaticAttraction() ? 0.0 : given * FactorsPerStep;
   this->UseNodes(FactorsPerStep, motion);
   band.StartOnNodes(0.0, domain.Bounds, motion, 1.0, this->Shapes.GetTarget());
@@ -102,7 +104,7 @@ void MotionDriver::StartOnNodes(NarrowBand& band, const SurfaceDomain& domain)
   }
 }
 
-// Once the voxels are known.
+// Returns null without an obstacle, or before there is a domain.
 Obstacle* MotionDriver::FindObstacle() const
 {
   vtkImplicitFunction* function = this->Settings.Inputs.ObstacleFunction;
@@ -141,7 +143,7 @@ Motion MotionDriver::GetMotion(int step, bool hasParticles) const
 {
   Motion motion = this->Settings.Law;
   const SurfaceDomain* domain = this->Shapes.FindDomain();
-  motion.CreateParts = motion.CreateParts && !motion.Paper && domain; // which tells the voxels
+  motion.CreateParts = motion.CreateParts && !motion.Paper && domain; // needs the voxel size
   motion.WeightedTension = false;
   motion.Transport = 0.0;
   motion.Solid = this->FindObstacle();
@@ -155,7 +157,7 @@ Motion MotionDriver::GetMotion(int step, bool hasParticles) const
   const int last = this->Settings.GetNumberOfSteps() - 1;
   if (this->Settings.Inputs.TargetMoves && step >= 0 && last > 0)
   {
-    // At the last step it is that of the way there.
+    // The last step has no interval after it; the one before it counts.
     const double* steps = this->Settings.Inputs.Steps.data() + std::min(step, last - 1);
     const double length = this->Settings.TimeScale * (steps[1] - steps[0]);
     motion.LongestStep = length / SubstepsOfMovingTarget;
@@ -172,7 +174,7 @@ Motion MotionDriver::GetMotion(int step, bool hasParticles) const
   return motion;
 }
 
-// attraction: to which an automatic tension belongs.
+// attraction: rate that an automatic tension is in proportion to.
 void MotionDriver::UseNodes(double attraction, Motion& motion) const
 {
   const Motion& law = this->Settings.Law;
@@ -186,7 +188,8 @@ void MotionDriver::UseNodes(double attraction, Motion& motion) const
   }
 }
 
-// On its way to the next step, if that is known.
+// Places the target in the interval from a step to the next one, or at the step if no next frame
+// is held.
 void MotionDriver::PlaceTargetFrom(int step)
 {
   this->Shapes.UseFramesFrom(step);
@@ -199,7 +202,7 @@ void MotionDriver::PlaceTargetFrom(int step)
   }
 }
 
-// Counts what was done before an exception too.
+// Adds the work of `advance` to the counters, also if it throws.
 template <class Advance>
 AdvanceReport MotionDriver::Count(const NarrowBand& band, Advance&& advance)
 {
@@ -272,8 +275,8 @@ AdvanceReport MotionDriver::AdvanceOrArrive(NarrowBand& band, int step, MotionTi
     band, time.Value, this->Settings.GetArrival().Value, motion, progress);
 }
 
-// What is left to go is found once for each step: so an interruption, or a request between two
-// steps, does not change the way to the next one.
+// Computes the remaining distances once for each step, so that neither an interruption nor a
+// request between two steps changes the motion to the next step.
 void MotionDriver::PrepareArrival(NarrowBand& band, int step, const Motion& motion)
 {
   PotentialTarget& target = this->Shapes.GetTarget();

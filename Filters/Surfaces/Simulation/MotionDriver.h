@@ -1,4 +1,4 @@
-// Moves a band by the law of motion, with the target where it is at that time.
+// Moves a band by the law of motion, with the target at the band's time.
 
 #ifndef MotionDriver_h
 #define MotionDriver_h
@@ -20,45 +20,46 @@ namespace activesurface
 class MotionDriver
 {
 public:
-  // All three are the caller's.
+  // Keeps references to all three.
   MotionDriver(const SurfaceSettings& settings, TargetBuilder& shapes, Warnings& messages);
   MotionDriver(const MotionDriver&) = delete;
   void operator=(const MotionDriver&) = delete;
 
-  // Comes when the settings have changed.
+  // Has to be called after a change of the settings.
   void Clear()
   {
     this->Solid.reset();
     this->Arriving.reset();
   }
 
-  // None of them changes the motion.
+  // Neither limit changes the motion.
   void SetNumberOfThreads(int threads) { this->Threads = threads; }
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumVoxels = maximum; }
 
-  // Puts the band on the shape that it starts with. All return false if `progress` has stopped
-  // them, and throw what NarrowBand throws.
+  // Initializes the band from the initial shape, or from the target. This and the two functions
+  // below return false if `progress` has stopped them, and throw what NarrowBand throws.
   bool Start(NarrowBand& band, const SurfaceDomain& domain, const ProgressFunction& progress);
 
-  // From a step, or from where it was interrupted after it, to a time that is not after the next
-  // step.
+  // Advances from a step, or from an interruption after it, to a time up to the next step.
   bool AdvanceTo(NarrowBand& band, int step, MotionTime time, const ProgressFunction& progress);
 
-  // Also true when the substeps are used up, with a warning; the report tells.
+  // Returns true, with a warning, if MaximumSubsteps is reached: see report.IsSteady.
   bool AdvanceToSteadyState(
     NarrowBand& band, const ProgressFunction& progress, AdvanceReport& report);
 
-  // On the way from a step to the next one, over particles or not; before the first step: -1.
+  // Returns the parameters of the motion from a step to the next one; step -1: at the start.
+  // hasParticles: a frame at one end of this interval has particles.
   Motion GetMotion(int step, bool hasParticles) const;
   Motion GetMotion(int step) const
   {
     return this->GetMotion(step, this->Shapes.HasParticles(step, step + 1));
   }
 
-  // The walls, those of a periodic box at a distance from its sides.
+  // Returns the walls of the bounded domain, or on periodic axes walls at a distance beyond the
+  // sides of the box.
   Walls MakeWalls(double beyond) const;
 
-  // Since ResetCounters, also of motions that ended in an exception.
+  // Counts since ResetCounters, including motions that ended in an exception.
   std::size_t GetSubsteps() const { return this->Substeps; }
   std::size_t GetTargetEvaluations() const { return this->TargetEvaluations; }
   void ResetCounters() { this->Substeps = this->TargetEvaluations = 0; }
@@ -86,10 +87,10 @@ private:
   std::size_t MaximumVoxels = 0;
   std::size_t Substeps = 0;
   std::size_t TargetEvaluations = 0;
-  mutable std::unique_ptr<Obstacle> Solid; // null until it is asked for
-  std::unique_ptr<Arrival> Arriving;       // from a step on; kept as a motion may be interrupted
-  int ArrivingFrom = -1;                   // that step
-  std::size_t ArrivingAt = 0;              // the target's number
+  mutable std::unique_ptr<Obstacle> Solid; // null until FindObstacle creates it
+  std::unique_ptr<Arrival> Arriving;       // kept over interruptions of the motion
+  int ArrivingFrom = -1;                   // step at which it was created
+  std::size_t ArrivingAt = 0;              // its target, see GetTargetNumber
 };
 
 }

@@ -1,4 +1,4 @@
-// What a user should know of a motion that has ended.
+// Warnings about a motion that has ended, and its event in the history.
 
 #ifndef MotionWarnings_h
 #define MotionWarnings_h
@@ -13,29 +13,29 @@ namespace activesurface
 struct MotionEnd
 {
   MotionTime Time;
-  bool WasEmpty;    // already before
-  bool MayComeBack; // a skin that has vanished
+  bool WasEmpty;    // before the motion
+  bool MayComeBack; // a vanished skin may be created again
 };
 
-// That the skin has vanished, that the target was out of reach of one that EXACT holds, and that
-// the target was not finite.
+// Warns if the skin has vanished, if a control EXACT cancelled all of the attraction, or if the
+// target was not finite at some points.
 void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& messages);
 
 struct Outside
 {
   PipelineTime Time;
-  double Share;          // of the target
-  const Motion& Law;     // that the skin moved by
-  bool ParticlesAreLost; // else parts of a volume
+  double Share;          // fraction of the target
+  const Motion& Law;     // by which the skin moved
+  bool ParticlesAreLost; // else parts of the target's inside
 };
 
-// That more than a hundredth of the target is outside the skin.
+// Warns if more than 1 % of the target is outside the skin.
 void WarnOfOutside(const Outside& outside, Warnings& messages);
 
-/** Event of the history, where the way to rest has ended before. */
+/** Event of the history if MaximumSubsteps was reached before a steady state. */
 constexpr const char* NotAtRest = "not at rest";
 
-/** Returns the event of the history: steady, oscillating in a share of the skin, or neither. */
+/** Returns the event: steady, steady except for an oscillating fraction, or NotAtRest. */
 std::string DescribeRest(const AdvanceReport& report);
 
 // Warns if the substeps ended before a steady state, or if a part of the skin oscillates.

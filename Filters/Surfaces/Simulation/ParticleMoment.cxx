@@ -11,7 +11,7 @@ namespace activesurface
 namespace
 {
 
-// Those of the later step, with their places in the earlier one.
+// Returns the origins of the later step's particles: their indices in both steps.
 std::vector<ParticleOrigin> FindOriginsOfLater(std::size_t count, const ParticleMatches* matches)
 {
   std::vector<ParticleOrigin> origins(count);

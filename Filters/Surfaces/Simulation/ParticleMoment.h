@@ -1,4 +1,4 @@
-// The particles at a moment, and what they were at the steps before and after it.
+// The particles at a time, and their indices at the steps before and after it.
 
 #ifndef ParticleMoment_h
 #define ParticleMoment_h
@@ -16,23 +16,24 @@ struct ParticleMoment
 {
   std::vector<SkeletonVertex> Particles;
   std::vector<ParticleOrigin> Origins; // of the particles
-  // Which the origins tell of; null if not known.
+  // Frames that the origins index; null if not held.
   const ParticleFrame* Earlier = nullptr;
   const ParticleFrame* Later = nullptr;
-  double Fraction = 0.0; // of the way from Earlier to Later
+  double Fraction = 0.0; // of the interval from Earlier to Later, in [0,1]
   PeriodicBox Box;
 
-  // x y z of each particle, NaN where it is not known: from the frames' velocities if they have
-  // them, else from the way between the frames, which takes so long.
+  // Returns x y z for each particle, NaN where unknown: the velocities of the frames if one of them
+  // has any, else the displacement between the frames over `duration`.
   std::vector<double> FindVelocities(double duration) const;
 };
 
-// At a fraction of the way from a step to the next one; at 0 and 1 exactly the particles of that
-// step. The moment refers to the frames, which have to hold the step where it is.
+// Interpolates the particles at a fraction of the interval from a step to the next one. 0 and 1
+// yield exactly the particles of one step. The frames have to hold `step` if fraction < 1, else the
+// step after it. The result refers to the frames.
 ParticleMoment FindMoment(
   const TargetFrames& frames, int step, const PeriodicBox& box, double fraction);
 
-// An array's tuple, or another quantity, between the two steps.
+// Interpolates a value linearly; a particle that is in one of the steps only keeps its value there.
 double Mix(double earlier, double later, const ParticleOrigin& origin, double fraction);
 
 }

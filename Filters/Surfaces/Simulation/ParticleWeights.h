@@ -1,7 +1,6 @@
-// How much each particle counts at a place: by what its kernel adds there, in sum 1.
-//
-// Where no kernel reaches, as on a skin that lags behind, the nearest particle counts alone. A
-// negative strength counts by its size.
+// Weights of the particles at a point: the absolute contributions of their kernels, normalized to a
+// sum of 1. Outside of all kernels, as on a skin that lags behind, the nearest particle has weight
+// 1.
 
 #ifndef ParticleWeights_h
 #define ParticleWeights_h
@@ -20,10 +19,10 @@ namespace activesurface
 class ParticleWeights
 {
 public:
-  // There has to be a particle.
+  // particles: at least one.
   ParticleWeights(const std::vector<SkeletonVertex>& particles, SkeletonKernel kernel);
 
-  // By ascending particle, at least one. Thread-safe.
+  // Replaces weights by at least one, in ascending order of particles. Thread-safe.
   void Find(const double x[3], std::vector<SkeletonWeight>& weights) const;
 
 private:

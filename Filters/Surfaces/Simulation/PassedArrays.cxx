@@ -24,18 +24,18 @@ namespace
 
 constexpr std::size_t Grain = 1024;
 
-// Numbers of the particles, to be averaged.
+// An array of the particles to be averaged on the skin.
 struct Column
 {
   std::size_t Components = 1;
   std::vector<double> Values;         // of the particles
-  vtkSmartPointer<vtkDataArray> Name; // an empty array of the name and type to be made
+  vtkSmartPointer<vtkDataArray> Name; // empty; has the name and type of the result
   std::vector<double> Averages;       // of the skin's points
 };
 
 using Columns = std::vector<Column>;
 
-// As VTK keeps colours, RGB or RGBA.
+// Returns true for VTK's type of colours, RGB or RGBA.
 bool IsColor(vtkAbstractArray* array)
 {
   const int components = array->GetNumberOfComponents();
@@ -52,7 +52,7 @@ vtkPointData* FindArrays(const ParticleFrame* frame)
   return frame ? frame->Passed.Get() : nullptr;
 }
 
-// An array of both steps around a moment, or of the only one that counts.
+// An array at both steps around a time; null at a step that does not count.
 struct Pair
 {
   vtkAbstractArray* Earlier = nullptr;
@@ -73,7 +73,7 @@ bool Has(const ParticleFrame* frame)
   return frame && !frame->Particles.empty();
 }
 
-// Empty for an array that cannot be passed.
+// Returns an empty pair for an array that cannot be passed.
 Pair FindPair(const ParticleMoment& moment, const char* name)
 {
   const bool wantsEarlier = moment.Fraction < 1.0 && Has(moment.Earlier);
@@ -85,7 +85,7 @@ Pair FindPair(const ParticleMoment& moment, const char* name)
   return isMissing || !pair.IsAlike() ? Pair() : pair;
 }
 
-// Where a particle's tuple is: at the nearer step of those that it is in.
+// The tuple of a particle, at the nearer of the steps that contain it.
 struct Place
 {
   vtkAbstractArray* Array;
@@ -125,7 +125,7 @@ Column MakeColumn(const ParticleMoment& moment, const Pair& pair)
   return column;
 }
 
-// x, y, z, and how much of the weights is of particles whose velocity is known.
+// Components x, y, z, 1 of each particle; all are 0 if its velocity is unknown.
 Column MakeVelocityColumn(const std::vector<double>& velocities)
 {
   Column column;
@@ -143,7 +143,7 @@ Column MakeVelocityColumn(const std::vector<double>& velocities)
   return column;
 }
 
-// Fills the averages, and for each point of the skin which particle has the largest weight.
+// Computes the averages. Returns the particle of the largest weight for each point of the skin.
 std::vector<vtkIdType> Average(const PassedArrays& passed, vtkPolyData* skin, Columns& columns)
 {
   const ParticleWeights particles(passed.Moment.Particles, passed.Kernel);
@@ -182,8 +182,8 @@ std::vector<vtkIdType> Average(const PassedArrays& passed, vtkPolyData* skin, Co
   return nearest;
 }
 
-// To the nearest whole number, halves upwards; VTK would cut off. Sums of weights are 1 but for
-// rounding.
+// Rounds to the nearest integer, halves upwards; VTK would truncate. Clamps, as the sum of the
+// weights is 1 only up to rounding.
 void RoundColors(std::vector<double>& averages)
 {
   constexpr double largest = 255.0;
@@ -260,7 +260,7 @@ void CopyActiveScalars(const PassedArrays& passed, vtkPolyData* skin)
   }
 }
 
-// Of the arrays that the particles have, those that the skin gets, in their order.
+// Returns the arrays that are passed to the skin, in the order of the particles' arrays.
 std::vector<Pair> FindPairs(const PassedArrays& passed, vtkPolyData* skin)
 {
   const ParticleMoment& moment = passed.Moment;

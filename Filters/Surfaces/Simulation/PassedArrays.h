@@ -1,4 +1,4 @@
-// What the skin takes of the particles under it.
+// Transfers point arrays and velocities of the particles to the skin.
 
 #ifndef PassedArrays_h
 #define PassedArrays_h
@@ -16,18 +16,21 @@ namespace activesurface
 
 struct PassedArrays
 {
-  ParticleMoment Moment; // without particles: nothing is passed
+  ParticleMoment Moment; // without particles nothing is passed
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
   bool Arrays = false;            // all point arrays of the particles
-  std::vector<double> Velocities; // of the particles, x y z each, NaN for unknown; or empty
+  std::vector<double> Velocities; // x y z of each particle, NaN: unknown; or empty
 };
 
-// Gives the skin the particles' arrays: floating-point ones and colours (unsigned char, of 3 or 4
-// components; rounded to the nearest whole number, halves upwards) as averages with the kernels'
-// weights, others from the particle of the largest weight. A name that the skin has already, or
-// that is not alike at both steps around the moment, is left out, and so are ghost levels. To the
-// skin's "Velocity", which is along the directions, adds the average velocity of the particles, but
-// for what is along the directions. Does nothing without particles.
+// Adds the particles' arrays to the skin. Floating-point arrays and colours (unsigned char, 3 or 4
+// components; rounded to the nearest integer, halves upwards) are averages with the weights of
+// ParticleWeights.h; other arrays have the value of the particle of the largest weight. Leaves out
+// ghost levels and arrays of a name that the skin has already. Leaves out arrays that one of the
+// two steps does not have, or has with another type or number of components.
+//
+// If there are velocities, adds their average, without its component along `directions`, to the
+// skin's array "Velocity", which is along `directions` (unit vectors). Does nothing without
+// particles.
 void PassArrays(const PassedArrays& passed, const vtkFloatArray* directions, vtkPolyData* skin);
 
 }

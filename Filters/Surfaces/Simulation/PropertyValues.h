@@ -1,4 +1,4 @@
-// Values of the filter's properties: to fields of the settings, and as text.
+// Copies values of the filter's properties to fields of the settings, and prints them.
 
 #ifndef PropertyValues_h
 #define PropertyValues_h

@@ -10,7 +10,7 @@ namespace activesurface
 namespace
 {
 
-// Whether they differ only by the data of an input that has no time steps.
+// Returns true if the settings differ only by the data of an input without time steps.
 bool AreDataReplaced(const SurfaceSettings& old, const SurfaceSettings& next)
 {
   SurfaceSettings same = next;

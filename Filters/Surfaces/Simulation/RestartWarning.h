@@ -1,5 +1,5 @@
-// The warning of a motion that starts anew at every frame, as data are replaced between two times
-// that are asked for: a loop that was meant to make a film.
+// Warns if the motion restarts because the input's data were replaced between requests for two
+// ascending times, as in a loop that is meant to animate the skin.
 
 #ifndef RestartWarning_h
 #define RestartWarning_h
@@ -17,17 +17,17 @@ class Warnings;
 class RestartWarning
 {
 public:
-  // Before other settings replace those of a surface that was asked for this time last.
+  // Has to be called before the settings change. requested: last requested time of the surface.
   void Note(
     const SurfaceSettings& old, const SurfaceSettings& next, bool hasBegun, PipelineTime requested);
 
-  // When a time is asked for; said once.
+  // Has to be called with each requested time. Warns once at most.
   void Tell(PipelineTime requested, const Warnings& messages);
 
 private:
   static constexpr double Never = std::numeric_limits<double>::infinity();
 
-  double LastTime = Never; // of a surface whose data have been replaced since
+  double LastTime = Never; // last one requested before the data were replaced
   bool IsTold = false;
 };
 

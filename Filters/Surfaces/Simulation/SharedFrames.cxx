@@ -23,7 +23,7 @@ namespace activesurface
 namespace
 {
 
-// The particles of one step that go to each rank.
+// Indices of one step's particles that each rank receives.
 class Parcels
 {
 public:
@@ -107,7 +107,8 @@ void SharedFrames::MakeWhole(int first, int last)
   }
 }
 
-// Costs are those of the particles at the later step and of the leaves of the surface.
+// Balances the costs of the ranks: 1 for each particle of the step `last`, and those of the leaves
+// of the band.
 std::shared_ptr<const Domain> SharedFrames::ShareSpace(const NarrowBand& band, int last) const
 {
   const InputShape& shape = *this->Homes.Find(last);
@@ -132,7 +133,7 @@ std::shared_ptr<const Domain> SharedFrames::ShareSpace(const NarrowBand& band, i
   return Domain::Share(shape.Home->Ranks, std::move(costs));
 }
 
-// Matches the particles whose home is this rank.
+// Matches the particles that this rank owns; the same decision on all ranks. Collective.
 ParticleMatches SharedFrames::MatchHomes(int first) const
 {
   const ParticleFrame& earlier = *this->Homes.Find(first)->GetParticles();
@@ -145,7 +146,8 @@ ParticleMatches SharedFrames::MatchHomes(int first) const
                                                       : matches;
 }
 
-// A particle goes, with its places in both steps, to all ranks that it comes near to in between.
+// Sends each particle, at both steps, to all ranks whose space it may come near to between them:
+// those in the box around its two positions, enlarged by the margin.
 void SharedFrames::Send(int first, int last, const ParticleMatches& matches, const Domain& space)
 {
   const InputShape& earlier = *this->Homes.Find(first);

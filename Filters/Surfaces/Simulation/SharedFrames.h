@@ -1,5 +1,5 @@
-// The frames of particles where each rank has a part: before the surface moves, each rank gets the
-// particles near its part of space.
+// Distributed frames of particles. Each rank owns some of the particles of a frame; before the
+// surface moves, each rank receives all particles near its part of space.
 
 #ifndef SharedFrames_h
 #define SharedFrames_h
@@ -20,7 +20,7 @@ class TargetBuilder;
 class SharedFrames
 {
 public:
-  // The shapes are the caller's.
+  // Keeps a reference to the shapes.
   explicit SharedFrames(TargetBuilder& shapes)
     : Shapes(shapes)
   {
@@ -28,15 +28,15 @@ public:
 
   void Clear() { this->Homes.Clear(); }
 
-  // A frame that has been added to the shapes too.
+  // Adds a frame, which has to be added to the shapes too.
   void Add(int step, const std::shared_ptr<InputShape>& shape);
 
-  // Shares out space for the next frame of a band, which is at the step `first` or starts there,
-  // and gives each rank the particles of the steps up to `last` near its part. Makes band and
-  // frames whole where the frames are. Collective, if there are several ranks.
+  // Partitions space for the next frame of a band, which is at the step `first` or starts there,
+  // and sends to each rank the particles of the steps up to `last` near its part. Gathers band and
+  // frames on all ranks if one of these frames is not distributed. Collective.
   void Place(NarrowBand& band, int first, int last);
 
-  // Gives all ranks all particles of the steps. Collective, if there are several ranks.
+  // Gathers the particles of distributed steps on all ranks. Collective.
   void MakeWhole(int first, int last);
 
 private:
@@ -46,7 +46,7 @@ private:
   void Send(int first, int last, const ParticleMatches& matches, const Domain& space);
 
   TargetBuilder& Shapes;
-  TargetFrames Homes; // without the shapes that are whole on each rank
+  TargetFrames Homes; // particles that this rank owns; NoShape for a frame that is not distributed
 };
 
 }

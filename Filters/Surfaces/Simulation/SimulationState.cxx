@@ -1,4 +1,4 @@
-// The state of a simulation, saved and restored, and its history.
+// Saves and restores the state of a simulation; returns its history.
 
 #include "Simulation/SurfaceSimulation.h"
 
@@ -40,13 +40,13 @@ void SurfaceSimulation::SetState(const SavedState& state)
   this->LoadedIsNew = true;
 }
 
-// The target has to be at its start, from which the voxels and the particles' radius come.
+// Requires StartTarget, which prepares the first frame for the voxel size of the domain.
 void SurfaceSimulation::RestoreLoaded()
 {
   const RequestedTime time = this->Settings.FindRequested({ this->Loaded.Time });
   const NarrowBand& band = *this->Loaded.Band;
   const double motionTime = this->Settings.ToMotionTime(time.Time).Value;
-  // A skin that has vanished keeps the time at which it did.
+  // A vanished skin keeps the time at which it vanished.
   const bool isOfAnotherTime =
     !band.IsEmpty() && std::fabs(band.GetTime() - motionTime) > 1e-9 * std::fabs(motionTime);
   const bool isOfAnotherLattice = band.GetVoxelSize() != this->FindDomain()->VoxelSize ||
@@ -59,7 +59,7 @@ void SurfaceSimulation::RestoreLoaded()
   }
   this->Shapes.KeepEstimatedSpacing(this->Loaded.Spacing);
   this->Saved.Keep(time.Step, band);
-  // Each checkpoint has its rows; rows of later steps stay.
+  // Restores the rows up to this step, unless more are recorded already.
   this->History.Restore(this->Loaded.History);
 }
 

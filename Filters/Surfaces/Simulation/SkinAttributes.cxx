@@ -30,7 +30,7 @@ std::vector<float> SkinAttributes::FindSpeeds(const NarrowBand& band, const Moti
   int step = moves ? this->Time.Step : 0;
   if (this->Shapes.MayCarry())
   {
-    // Velocities are those of the way that is looked at for all arrays, whatever else is held.
+    // Uses the interval of the other arrays, whichever frames are held.
     step = FindArrayFrames(this->Settings, this->Time, this->Arrays, this->Shapes, true).First;
   }
   const int next = moves && this->Shapes.Has(step + 1) ? step + 1 : step;
@@ -95,7 +95,7 @@ double SkinAttributes::FindFastestParticle(const PassedArrays& passed) const
   for (std::size_t i = 0; fastest > 0.0 && i < velocities.size(); i += 3)
   {
     const double speed = std::hypot(velocities[i], velocities[i + 1], velocities[i + 2]);
-    fastest = speed > fastest ? speed : fastest; // false for one that is not known
+    fastest = speed > fastest ? speed : fastest; // false for NaN
   }
   return fastest;
 }

@@ -1,4 +1,4 @@
-// What the skin has at the requested time besides its shape. Asking for it changes nothing.
+// Attributes of the skin at the requested time, such as speeds. Reading them changes no state.
 
 #ifndef SkinAttributes_h
 #define SkinAttributes_h
@@ -19,19 +19,21 @@ struct Motion;
 class SkinAttributes
 {
 public:
-  // All are the caller's; the frames that FindArrayFrames names have to be there.
+  // Keeps references to all. The frames that FindArrayFrames returns have to be held.
   SkinAttributes(const SurfaceSettings& settings, const TargetBuilder& shapes,
     const Warnings& messages, const RequestedTime& time, const RequestedArrays& arrays);
 
-  // Normal speeds at the vertices of the skin, by the law of motion; none for an empty skin.
+  // Returns the normal speeds at the vertices of the skin, by the law of motion; none for an empty
+  // skin.
   std::vector<float> FindSpeeds(const NarrowBand& band, const Motion& motion) const;
 
-  // What the skin takes of particles, as requested; refers to the frames.
+  // Returns the requested arrays of the particles. The result refers to the frames.
   PassedArrays FindPassedArrays() const;
 
-  // The speed of the fastest particle on the way to the requested time (at the first step, from
-  // there), of those that are at both of its ends, and of the passed velocities. 0 where none
-  // moves, and for other targets.
+  // Returns the largest speed of the particles in the interval up to the requested time, at the
+  // first step in the interval after it: their displacement plus their change of radius over the
+  // duration, or a larger passed velocity. Returns 0 if no particle is matched between two held
+  // frames or none moves, and for other targets.
   double FindFastestParticle(const PassedArrays& passed) const;
 
 private:

@@ -43,7 +43,7 @@ void WriteState(const std::string& file, const SavedState& state)
     openvdb::io::File out(replacement.GetTemporaryName());
     out.write(openvdb::GridCPtrVec{ MakeSavedGrid(state) });
     out.close();
-    ValidateVDB(replacement.GetTemporaryName()); // OpenVDB does not tell of a full disk
+    ValidateVDB(replacement.GetTemporaryName()); // OpenVDB does not report a full disk
     replacement.Finish();
   }
   catch (const std::exception& error)

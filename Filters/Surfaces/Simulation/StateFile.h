@@ -1,4 +1,4 @@
-// The state of a surface in a file, a .vdb with metadata, to be taken up again later.
+// Writes and reads the state of a surface, to resume from: a .vdb file with metadata.
 
 #ifndef StateFile_h
 #define StateFile_h
@@ -10,11 +10,11 @@
 namespace activesurface
 {
 
-// Throws std::runtime_error if there is no state, or the file cannot be written; then there is
-// none, or the one before.
+// Throws std::runtime_error if there is no state or the file cannot be written. An existing file is
+// then kept.
 void WriteState(const std::string& file, const SavedState& state);
 
-// Throws std::runtime_error for a file that cannot be read or holds no state.
+// Throws std::runtime_error if the file cannot be read or contains no state.
 SavedState ReadState(const std::string& file);
 
 }

@@ -30,8 +30,8 @@ void MoveToOrigin(SurfaceDomain& domain)
   }
 }
 
-// Returns the voxel size around images: no coarser than their pixels, unless the lattice gets too
-// large. With the margin the longest side is VoxelsAcross if pixels are no finer.
+// Returns the voxel size for images. With the margin the longest side has VoxelsAcross voxels, or
+// more if pixels are finer: voxels are then as large as pixels, down to 1/1000 of the longest side.
 double FindVoxelSizeOfImages(double longest, double pixel)
 {
   constexpr double mostAcross = 1000.0;
@@ -39,7 +39,8 @@ double FindVoxelSizeOfImages(double longest, double pixel)
   return pixel > 0.0 ? std::min(coarsest, std::max(pixel, longest / mostAcross)) : coarsest;
 }
 
-// A narrower box has no node inside, and as many copies of particles as there is memory for.
+// Throws for a period of less than four voxels. A much shorter one contains no node, and its copies
+// of particles exhaust the memory.
 void CheckPeriodicBox(const ParticleSettings& particles, double voxelSize)
 {
   constexpr double fewestVoxels = 4.0;
@@ -57,7 +58,7 @@ void CheckPeriodicBox(const ParticleSettings& particles, double voxelSize)
   }
 }
 
-// voxelSize: used if there is neither a VoxelSize nor a spacing; 0: by the bounds.
+// voxelSize: used without VoxelSize and spacing; 0: a 64th of the longest side.
 SurfaceDomain MakeDomainOf(
   const SurfaceSettings& settings, const double bounds[6], double particleSpacing, double voxelSize)
 {
@@ -101,7 +102,7 @@ SurfaceDomain MakeDomainOf(
 
 bool SurfaceDomain::GetExtent(int extent[6]) const
 {
-  constexpr double rounding = 1e-6; // a bound on a node, but for rounding, is that node
+  constexpr double rounding = 1e-6; // tolerance for bounds at a node [voxels]
   constexpr double farthest = 1e9;
   for (int axis = 0; axis < 3; ++axis)
   {

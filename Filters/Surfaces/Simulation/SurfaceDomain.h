@@ -1,4 +1,4 @@
-// Where a surface starts and at which resolution: known from the bounds.
+// Bounds, lattice and target reach of a surface, from the settings and the first shapes.
 
 #ifndef SurfaceDomain_h
 #define SurfaceDomain_h
@@ -14,35 +14,37 @@ struct SurfaceSettings;
 
 struct SurfaceDomain
 {
-  // World position of the lattice node (0, 0, 0), which all positions within the simulation are
-  // relative to: a multiple of VoxelSize near the bounds, 0 along an axis where that is near.
+  // World position of the lattice node (0, 0, 0), the origin of all positions in the simulation: 0
+  // along an axis with bounds near 0, else near the centre of the bounds (LatticeOrigin.h).
   std::array<double, 3> Origin = {};
   double Bounds[6] = {}; // relative to Origin
   double VoxelSize = 0.0;
-  double Reach = 0.0;
+  double Reach = 0.0; // of the target [length]
 
-  // Lattice nodes within the bounds, first and last of each axis; false if there are too many.
+  // Finds the first and last index, along each axis, of the smallest box of nodes that contains the
+  // bounds. Returns false for indices beyond 10^9.
   bool GetExtent(int extent[6]) const;
 };
 
-// What the targets and the initial shape tell.
+// Bounds and sizes from the first frame of the target and the initial shape.
 struct FirstShapes
 {
-  vtkBoundingBox Shapes;
-  vtkBoundingBox Images;
-  double ParticleSpacing; // 0: there are no particles, or it is not known
-  double Pixel;           // of the finest image [length]; 0: there is none
+  vtkBoundingBox Shapes;  // of all others
+  vtkBoundingBox Images;  // of those that are images
+  double ParticleSpacing; // [length]; 0: no particles, or unknown
+  double Pixel;           // of the finest image [length]; 0: no image
 };
 
-// With the bounds given by the settings.
+// Makes the domain from the bounds of the settings.
 SurfaceDomain MakeDomain(const SurfaceSettings& settings);
 
-// With the box of the target and the initial shape: shapes enlarged by a quarter of their longest
-// side, half of it at each end, and with images by two voxels at each end.
+// Makes the domain from the boxes of the target and the initial shape. The box of shapes is
+// enlarged by an eighth of its longest side at each end. If there are images, the box of both is
+// enlarged by two voxels at each end.
 SurfaceDomain MakeDomain(const SurfaceSettings& settings, const FirstShapes& first);
 
-// Before anything is there: without an extent. The settings have their own sizes, or the spacing is
-// known.
+// Makes a domain without extent, for a start on an empty frame. Requires HasOwnSizes() of the
+// settings or a spacing > 0.
 SurfaceDomain MakeDomainOfNothing(const SurfaceSettings& settings, double particleSpacing);
 
 }

@@ -26,7 +26,7 @@ void HistoryRecorder::Interrupt()
 void HistoryRecorder::ContinueFrom(const std::shared_ptr<const NarrowBand>& band)
 {
   this->Interrupt();
-  if (band->GetPart()) // whose parts of the skin ranks find together
+  if (band->GetPart()) // FindSkinParts is collective, so Record calls it later
   {
     this->Before = band;
     return;

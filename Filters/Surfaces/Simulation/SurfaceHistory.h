@@ -1,4 +1,4 @@
-// What has become of a surface, step by step.
+// Records the history of a surface: measures and events at each step.
 
 #ifndef SurfaceHistory_h
 #define SurfaceHistory_h
@@ -20,36 +20,37 @@ class NarrowBand;
 struct RecordedMoment
 {
   PipelineTime Time;
-  double Outside;    // share of the target outside the skin
-  std::string Event; // replaces the one that is found, unless it is empty
+  double Outside;    // fraction of the target outside the skin
+  std::string Event; // empty: found by comparison with the row before
 };
 
-// The rows of a surface on its way, of the farthest way so far. It remembers the parts of the skin
-// at the row before, to tell what has happened to them.
+// Rows up to the latest step that was reached, also after a return to an earlier one. Keeps the
+// parts of the skin at the last row, to find the events of the next one.
 class HistoryRecorder
 {
 public:
   void Clear();
 
-  // The surface is not there any more, or at another place: rows stay, the next one tells no event;
-  // or what has happened since this place.
+  // Forgets the parts of the skin: the next row has no event. ContinueFrom uses the parts of a band
+  // instead: the next row has the events since then. Both keep the rows.
   void Interrupt();
   void ContinueFrom(const std::shared_ptr<const NarrowBand>& band);
 
-  // Records a surface that has just arrived at a time, with its work since the row before.
-  // Collective where ranks share out space: only the first one records parts of the skin.
+  // Records the band at a time, and its work since the row before. Collective for a part of a band:
+  // only rank 0 then records parts of the skin.
   void Record(std::size_t row, const NarrowBand& band, const RecordedMoment& moment);
 
-  // The share outside of a row; NaN for one that is not known.
+  // Returns the fraction of the target outside the skin in a row; NaN without such a row.
   double GetOutside(std::size_t row) const;
 
-  // All rows of a state that was loaded, unless more are known.
+  // Replaces the rows by those of a loaded state, unless more are recorded already.
   void Restore(const std::vector<HistoryRow>& rows);
 
-  // The input has gone on before its first time.
+  // Sets the time of the first row: when an input of one step gets more, this time changes from
+  // StartTime to the input's first time step.
   void SetFirstTime(PipelineTime time);
 
-  // The first rows, so many at most.
+  // Returns the first rows, `most` at most.
   std::vector<HistoryRow> GetRows(std::size_t most) const;
 
 private:
@@ -58,7 +59,7 @@ private:
   std::vector<HistoryRow> Rows;
   std::vector<SkinPart> Parts;
   bool HasParts = false;
-  std::shared_ptr<const NarrowBand> Before; // whose parts are found when they are needed
+  std::shared_ptr<const NarrowBand> Before; // band at the last row; Record finds its parts
 };
 
 }

@@ -23,7 +23,7 @@ void AppendNumbers(const std::array<double, 6>& values, std::vector<double>& num
   numbers.insert(numbers.end(), values.begin(), values.end());
 }
 
-// All properties.
+// Returns the values of all properties, to compare settings.
 std::vector<double> ListNumbers(const SurfaceSettings& settings)
 {
   std::vector<double> numbers;
@@ -71,7 +71,8 @@ void CheckBox(const Property& property, const std::array<double, 6>& bounds)
   }
 }
 
-// The first step that is not finite, or not after the one before; as many as there are, if none is.
+// Returns the index of the first step that is not finite or not after the one before it; the number
+// of steps if all are valid.
 std::size_t FindBadStep(const std::vector<double>& steps)
 {
   std::size_t i = 0;
@@ -110,7 +111,7 @@ void CheckSteps(const std::vector<double>& steps, bool areOfInput)
 
 bool SurfaceInputs::operator==(const SurfaceInputs& other) const
 {
-  // A member that is missing here does not compile.
+  // The bindings list all members, so a new member that is missing here does not compile.
   const auto compare = [](const SurfaceInputs& a, const SurfaceInputs& b)
   {
     const auto& [function, moves, time, initial, hasInitial, initialTime, obstacle, obstacleTime,

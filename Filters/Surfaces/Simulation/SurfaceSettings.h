@@ -25,8 +25,8 @@ namespace activesurface
 
 enum class EvolutionMode
 {
-  Transient,  // along the time steps
-  Equilibrium // to the steady state of the first step, the only step
+  Transient,  // moves along the time steps
+  Equilibrium // moves to the steady state of the first step, the only one
 };
 
 // Automatic: the node scheme over particles, unless a setting needs substeps.
@@ -40,7 +40,7 @@ struct ParticleSettings
 {
   ParticleModel Model = ParticleModel::Anisotropic;
   double Spacing = 0.0; // 0: estimated
-  double Radius = 0.0;  // 0: by the spacing
+  double Radius = 0.0;  // 0: from the spacing
   double Anisotropy = 4.0;
   double Threshold = 0.5;
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
@@ -56,15 +56,15 @@ struct ParticleSettings
   }
 };
 
-// Inputs of the ports, and the functions that replace them.
+// Inputs of the ports and the functions that replace them.
 struct SurfaceInputs
 {
-  // Target: a function, or else the input, which is constant over the steps unless it moves.
+  // Target: a function, or the input if null. The input is static unless TargetMoves.
   vtkImplicitFunction* TargetFunction = nullptr;
   bool TargetMoves = false;
   std::uint64_t TargetMTime = 0; // of the function, or of the whole upstream pipeline
 
-  // Initial shape, if it is not the target.
+  // Initial shape; without a function and an input it is the target.
   vtkImplicitFunction* InitialFunction = nullptr;
   bool HasInitialInput = false;
   std::uint64_t InitialMTime = 0; // of the function, or of the whole upstream pipeline
@@ -73,12 +73,12 @@ struct SurfaceInputs
   vtkImplicitFunction* ObstacleFunction = nullptr;
   std::uint64_t ObstacleMTime = 0;
 
-  std::array<std::string, 5> Arrays; // selected arrays
+  std::array<std::string, 5> Arrays; // descriptions of the selected arrays
   std::vector<double> Steps;         // pipeline times; the first one is motion time 0
-  std::vector<double> InputSteps;    // of the input, equal neighbours merged; may be empty
-  bool OnlyForward = false;          // no step of the input can be requested again
+  std::vector<double> InputSteps;    // of the input, without repeated times; may be empty
+  bool OnlyForward = false;          // the input cannot repeat a step
 
-  // Returns true if Steps are those of the input.
+  // Returns true if Steps are those of the input, not of the filter's own clock.
   bool HaveOwnSteps() const { return this->OnlyForward || this->InputSteps.size() > 1; }
 
   bool WithdrawStep() // removes the last step of a forward-only input
@@ -100,7 +100,7 @@ struct SurfaceSettings
   double TimeScale = 1.0; // motion time per pipeline time
   bool AutomaticAttraction = true;
   bool AutomaticSmoothing = true;
-  double Noise = 0.0; // of the target; 0: none, or see SmoothsParticles
+  double Noise = 0.0; // of the target [length]; 0: none, or automatic if SmoothsParticles
   IntegrationChoice Integration = IntegrationChoice::Automatic;
   double ArrivalTime = 0.0; // pipeline time after the first step; 0: no arrival
 
@@ -124,7 +124,7 @@ struct SurfaceSettings
   bool AreContinuedBy(const SurfaceSettings& others) const;
 
   bool UsesInput() const { return !this->Inputs.TargetFunction; }
-  bool StartsElsewhere() const // not on the target
+  bool StartsElsewhere() const // on an initial shape, not on the target
   {
     return this->Inputs.InitialFunction || this->Inputs.HasInitialInput;
   }
@@ -137,13 +137,16 @@ struct SurfaceSettings
   // Name of the first property that the node scheme does not support; null: all are supported.
   const char* FindWhatNeedsSubsteps() const;
   bool UsesNodes() const { return !this->FindWhatNeedsSubsteps(); }
-  // Attraction times a duration below which substeps replace the node scheme, which evaluates the
-  // target only near its surface: a skin that comes closer by fewer factors e may be elsewhere.
+  // Least Attraction * duration of a time step by the node scheme; below it substeps replace the
+  // scheme. The node scheme evaluates the target only near its surface; a skin whose distance falls
+  // by less than a factor e^2 may be elsewhere.
   static constexpr double FewestFactorsOfNodes = 2.0;
-  // Returns true if ranks may share out space: the node scheme makes all time steps, over
-  // ellipsoids of one radius.
+  // Returns true if ranks may partition space: the node scheme makes all time steps, over a moving
+  // input of anisotropic particles of one radius. Requires that there is no VolumeControl, no
+  // AreaControl, no periodic box and no initial shape.
   bool CanShareSpace() const;
-  // Returns true if a tension and noise of 0 are replaced by values from the spacing of particles.
+  // Returns true if a TargetNoise of 0 is replaced by a value from the particle spacing; for a
+  // Tension of 0 see HasAutomaticTension.
   bool SmoothsParticles() const
   {
     return this->AutomaticSmoothing && this->Particles.Model != ParticleModel::Sum &&
@@ -159,7 +162,7 @@ struct SurfaceSettings
   {
     return !this->IsEquilibrium() && time.Value < this->GetArrival().Value;
   }
-  // Returns true if voxel size and target reach do not depend on the target.
+  // Returns true if voxel size and target reach follow from the settings only.
   bool HasOwnSizes() const
   {
     return this->Particles.Spacing > 0.0 || (this->VoxelSize > 0.0 && this->Reach > 0.0);
@@ -186,7 +189,7 @@ struct SurfaceSettings
   // Properties by name and value, for the metadata of files.
   std::vector<std::pair<std::string, double>> ListForFiles() const;
 
-  // Throws std::invalid_argument with the name of the invalid property.
+  // Throws std::invalid_argument, with a message for the user, if a property is invalid.
   void Check() const;
 };
 
@@ -197,7 +200,7 @@ struct SurfaceSettings
 // Each line passes to a visitor the property's name and range, its field, and the filter's getter:
 // visit(property, field, [](auto& filter) { return filter.GetX(); }).
 
-// Valid numbers of a property. Words: "<Name> has to be <Words>."
+// Valid numbers of a property. Words: end of the message "<Name> has to be <Words>."
 struct PropertyRange
 {
   double Low;

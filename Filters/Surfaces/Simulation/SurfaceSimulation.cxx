@@ -37,7 +37,7 @@ void SurfaceSimulation::Configure(const SurfaceSettings& settings)
   {
     if (settings.Inputs.TargetMoves != this->Settings.Inputs.TargetMoves)
     {
-      this->Shapes.ForgetTarget(); // it was made to stand still, and carries nothing
+      this->Shapes.ForgetTarget(); // it was made as a static target without velocities
     }
     if (settings.Inputs.TargetMTime != this->Settings.Inputs.TargetMTime &&
       !settings.Inputs.OnlyForward)
@@ -78,7 +78,7 @@ void SurfaceSimulation::ResetTrajectory()
   this->History.Interrupt();
 }
 
-// Takes the surface to the last checkpoint up to a step, if that is nearer.
+// Restores the last checkpoint up to a step, if it is later than the surface.
 void SurfaceSimulation::Rewind(int step)
 {
   const int saved = this->Saved.FindUpTo(step);
@@ -92,7 +92,7 @@ void SurfaceSimulation::Rewind(int step)
     }
     catch (const std::exception&)
     {
-      this->ResetTrajectory(); // no memory for it: the long way may do with less
+      this->ResetTrajectory(); // too little memory: a motion from the start may need less
     }
   }
 }
@@ -111,7 +111,7 @@ void SurfaceSimulation::Request(PipelineTime time, const RequestedArrays& arrays
   {
     if (this->Settings.Inputs.OnlyForward && !this->Way.IsUnderWay())
     {
-      this->Saved.Keep(step, this->Way.GetBand()); // it cannot be reached again
+      this->Saved.Keep(step, this->Way.GetBand()); // this step cannot be computed again
     }
     this->ResetTrajectory();
   }
@@ -159,7 +159,7 @@ int SurfaceSimulation::FindMissingStep() const
   return this->Shapes.Has(step) ? step + 1 : step;
 }
 
-// After a return to a checkpoint the frames that tell the arrays may not be there.
+// Finds a frame that the arrays need and that is not held, as after a return to a checkpoint.
 int SurfaceSimulation::FindMissingStepOfArrays() const
 {
   if (!this->Arrays.Speeds && !this->Arrays.NeedParticles())
@@ -187,11 +187,11 @@ void SurfaceSimulation::AddFrame(int step, std::shared_ptr<InputShape> shape)
     {
       return;
     }
-    this->Reset(); // another series, which happens to have the same times and more
+    this->Reset(); // another series that begins with the same times
     this->Loaded = SavedState();
     this->FirstStep = this->Way.GetStep();
     this->LastStepAdded = step;
-    if (shape->Home) // from a part no spacing can be estimated
+    if (shape->Home) // the spacing is estimated from all particles
     {
       shape = GatherShape(*shape);
     }
@@ -221,7 +221,7 @@ bool SurfaceSimulation::Advance(const FrameSource& frames, const ProgressFunctio
   }
 }
 
-// Gathers the whole skin if ranks share out space and outputs need it.
+// Gathers the whole skin, and the particles, from all ranks if outputs need them.
 void SurfaceSimulation::PrepareOutputs()
 {
   this->Whole.reset();
@@ -238,7 +238,8 @@ void SurfaceSimulation::PrepareOutputs()
   this->Whole = band->GetPart() ? band->GatherWhole(true) : nullptr;
 }
 
-// Of the way to the requested time, from the start or the step where it began, the next step.
+// Maps the progress of the next step to that of the whole motion, from FirstStep to the requested
+// time.
 ProgressFunction SurfaceSimulation::GetPartOf(const ProgressFunction& progress) const
 {
   const double parts = this->Requested.Step - this->FirstStep + (this->Requested.Between ? 1 : 0);
@@ -249,7 +250,7 @@ ProgressFunction SurfaceSimulation::GetPartOf(const ProgressFunction& progress) 
 
 bool SurfaceSimulation::AdvanceLeg(const ProgressFunction& progress)
 {
-  this->View.Clear(); // or the band would be copied before it is moved
+  this->View.Clear(); // a view holds the band, which would be copied before it is moved
   this->Whole.reset();
   if (!this->Way.HasBegun())
   {

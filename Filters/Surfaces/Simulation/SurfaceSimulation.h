@@ -1,4 +1,4 @@
-// A surface through time, whatever the order in which times are requested.
+// A surface over time; times may be requested in any order.
 //
 //   simulation.Configure(settings);
 //   simulation.Request(time, arrays);
@@ -7,8 +7,8 @@
 //   simulation.Advance(frames, progress); // asks frames(step) for the target at the steps it needs
 //   simulation.GetBand() is the surface at that time
 //
-// A motion that was interrupted, by the user or by an error, is taken up again by the next Advance.
-// A request for an earlier time takes the surface back to a checkpoint.
+// The next Advance continues a motion that the user or an error has interrupted. A request for an
+// earlier time restores a checkpoint.
 
 #ifndef SurfaceSimulation_h
 #define SurfaceSimulation_h
@@ -40,7 +40,7 @@
 namespace activesurface
 {
 
-// None of them changes the motion.
+// No limit changes the motion.
 struct SimulationLimits
 {
   int Threads = 0;
@@ -54,20 +54,22 @@ class SurfaceSimulation
 public:
   using FrameSource = std::function<std::shared_ptr<InputShape>(int step)>;
 
-  // Told, once for each reason and as long as the settings stay the same, what a user should know.
+  // Sets the listener for warnings and notes. Each reason is reported once, and again after a
+  // change of the settings.
   void SetWarning(const Warnings::Listener& warning) { this->Messages.SetListener(warning); }
   void SetLimits(const SimulationLimits& limits);
-  // Resets everything if these are other settings, unless only further steps have come.
+  // Resets everything if the settings have changed, unless they only append time steps.
   void Configure(const SurfaceSettings& settings);
   const SurfaceSettings& GetSettings() const { return this->Settings; }
-  // Whether a motion that has begun goes on with them.
   bool HasBegun() const { return this->Way.HasBegun(); }
+  // Returns true if a motion that has begun continues with these settings.
   bool IsContinuedBy(const SurfaceSettings& settings) const
   {
     return this->HasBegun() && (this->Settings == settings || this->IsLengthenedBy(settings));
   }
 
-  // Withdraws the last step, unless its frame has come in; false: it stays.
+  // Removes the last step if the surface is at the step before it and its frame is not held.
+  // Returns false if the step stays.
   bool WithdrawLastStep()
   {
     const int last = this->Settings.GetNumberOfSteps() - 1;
@@ -75,28 +77,27 @@ public:
     return isNext && this->Settings.Inputs.WithdrawStep();
   }
 
-  // What makes the inputs has changed its MTime, but not them.
+  // Sets the MTime of an input's pipeline without a restart, as its data have not changed.
   void SetTargetMTime(std::uint64_t time) { this->Settings.Inputs.TargetMTime = time; }
   void SetInitialMTime(std::uint64_t time) { this->Settings.Inputs.InitialMTime = time; }
 
-  // The time to go to, and what the skin shall have there.
+  // Sets the time for Advance, and the arrays of the skin at this time.
   void Request(PipelineTime time, const RequestedArrays& arrays);
   const RequestedTime& GetRequestedTime() const { return this->Requested; }
   const RequestedArrays& GetRequestedArrays() const { return this->Arrays; }
 
-  // The step whose frame is needed first to get there, or -1 if none is; and the step that came
-  // last, or 0.
+  // Returns the step of the next frame that Advance needs, or -1; and the step added last, or 0.
   int FindMissingStep() const;
   int GetLastStepAdded() const { return this->LastStepAdded; }
   void AddFrame(int step, std::shared_ptr<InputShape> shape);
-  // Returns true if ranks, where there are several, each keep a part of the frames that come next.
+  // Returns true if each of several ranks keeps only a part of the next frames.
   bool SharesSpace() const
   {
     return this->Settings.CanShareSpace() && this->Shapes.FindSpacing() > 0.0;
   }
 
-  // Where the surface is and which frames it will ask for: the same text on all ranks of a parallel
-  // program as long as they keep step.
+  // Describes the time of the surface and the frames that it needs. Ranks compare this text, which
+  // is the same on all ranks while their states agree.
   std::string DescribeState() const
   {
     return this->Way.Describe() + ", needs " + std::to_string(this->FindMissingStep()) +
@@ -104,7 +105,7 @@ public:
       (this->Loaded.Band ? ", loaded" : "");
   }
 
-  // Before the first frame, see TargetBuilder.
+  // Estimate of the spacing before the first frame, see TargetBuilder.
   bool WantsSpacing() const { return this->Shapes.WantsSpacing() && this->FindMissingStep() == 0; }
   std::vector<int> ListSpacingSteps() const { return this->Shapes.ListSpacingSteps(); }
   TargetBuilder::SpacingSample SampleSpacing(const InputShape& shape) const
@@ -116,41 +117,42 @@ public:
     this->Shapes.SettleSpacing(samples);
   }
 
-  // Whether the initial shape has to come in before the surface can start.
+  // Returns true if the surface needs SetInitial before it can start.
   bool WantsInitial() const { return this->Shapes.WantsInitial(); }
   void SetInitial(std::shared_ptr<InputShape> shape) { this->Shapes.SetInitial(std::move(shape)); }
 
-  // To the requested time; false if `progress` has stopped it. Throws std::invalid_argument for
-  // settings that cannot be, and what NarrowBand and `frames` throw: at the start everything then
-  // is reset, later the state is that of the last finished substep.
+  // Advances to the requested time; returns false if `progress` has stopped it. Throws
+  // std::invalid_argument for invalid settings, and what NarrowBand and `frames` throw. An
+  // exception at the start resets everything; after a later one the state is that of the last
+  // finished substep.
   bool Advance(const FrameSource& frames, const ProgressFunction& progress);
 
-  // Forgets the state, and the frames.
+  // Discards the state, the checkpoints, the history and the frames.
   void Reset();
 
-  // The surface, when Advance has reached the requested time.
-  // This rank's part of it, or all if what was requested needs that.
+  // The surface after Advance has reached the requested time: this rank's part of it, or the whole
+  // if the requested arrays need that.
   const NarrowBand& GetBand() const { return *this->ShareBand(); }
-  // World position of the band's node (0, 0, 0), which the band's positions are relative to.
+  // World position of the band's node (0, 0, 0). The band's positions are relative to it.
   const std::array<double, 3>& GetOrigin() const { return this->Shapes.GetOrigin(); }
-  // To keep: it does not change any more.
+  // Shares ownership of the surface, which is not modified later.
   std::shared_ptr<const NarrowBand> ShareBand() const
   {
     return this->ViewOf(this->ShareWholeBand());
   }
-  // The state, which in a periodic box extends beyond the sides.
+  // The whole state, which extends beyond the sides of a periodic box.
   std::shared_ptr<const NarrowBand> ShareWholeBand() const
   {
     return this->Whole ? this->Whole : this->Way.Share(this->Requested);
   }
-  // Whether it is the state at a step, to go on from.
+  // Returns true if the requested time is a step: a motion can resume from this state.
   bool IsAtStep() const { return !this->Requested.Between && !this->Settings.IsEquilibrium(); }
-  // Null when the surface is not at the requested time.
+  // Returns null if the surface is not at the requested time.
   const NarrowBand* FindSkin() const
   {
     return this->Way.IsAt(this->Requested) ? &this->GetBand() : nullptr;
   }
-  // The same of an earlier request.
+  // Returns null if the surface is not at the time of an earlier request.
   const NarrowBand* FindSkinAt(const RequestedTime& time) const
   {
     const bool isWhole = this->Whole && time.Time == this->Requested.Time;
@@ -159,20 +161,21 @@ public:
                                  : this->ViewOf(this->Way.Share(time)).get();
   }
 
-  // Warns a user once for each reason.
+  // Warns once for each reason.
   void Warn(const std::string& reason, const std::string& sentence) const
   {
     this->Messages.Say(reason, sentence);
   }
 
-  // What the skin has there besides its shape: its motion, and what FindAttributes tells.
+  // Attributes of the skin at the requested time.
   SkinAttributes FindAttributes() const
   {
     return { this->Settings, this->Shapes, this->Messages, this->Requested, this->Arrays };
   }
-  // Of the skin that was requested.
+  // Returns the parameters of the motion at the requested time, for speeds.
   Motion GetMotion() const;
-  // On the last way to it; before that on the first way, as soon as the inputs are read.
+  // Values in the interval before the requested time, at the first step after it. All are 0 while
+  // there is neither a domain nor a skin.
   ValuesInUse GetValuesInUse() const
   {
     const int from = this->Requested.Step - (this->Requested.Between ? 0 : 1);
@@ -181,27 +184,28 @@ public:
       : ValuesInUse();
   }
 
-  // The state at the last step that is not after the requested time; its band is null if there is
-  // none, as with EvolutionMode EQUILIBRIUM.
+  // Returns the state at the last step up to the requested time. The band is null without such a
+  // state: before the start, after an interruption, and with EvolutionMode EQUILIBRIUM.
   SavedState GetState() const;
-  // Gathers the state of all ranks on the first one; others get no band. Collective.
+  // Gathers the state of all ranks on rank 0; others get no band. Collective.
   SavedState GatherState() const;
-  // From now on, and as long as the settings stay the same after the next Configure, the surface
-  // starts with this state.
+  // Resets, and starts the surface with this state from now on. A change of settings after the next
+  // Configure discards it.
   void SetState(const SavedState& state);
 
-  // Of the steps up to the requested time.
+  // Rows of the steps up to the requested time.
   std::vector<HistoryRow> GetHistory() const;
 
-  // Null as long as the bounds are not known, see TargetBuilder.
+  // Null while the bounds are unknown, see TargetBuilder.
   const SurfaceDomain* FindDomain() { return this->Shapes.FindDomain(); }
 
   const MotionDriver& GetDriver() const { return this->Driver; }
   void ResetCounters() { this->Driver.ResetCounters(); }
 
 private:
-  // Whether further steps have come, and the way so far is one along these. An input of one step
-  // stands still, and the filter has its own clock as long as it does.
+  // Returns true if the settings only append steps to the input, and the motion so far is valid for
+  // them. An input of one step is static and the filter uses its own clock, so a motion along that
+  // clock is not valid once the input has more steps.
   bool IsLengthenedBy(const SurfaceSettings& settings) const
   {
     const bool isOnSteps =
@@ -228,14 +232,14 @@ private:
   bool AdvanceToSteadyState(const ProgressFunction& progress);
   bool AdvanceBranch(const ProgressFunction& progress);
   void Record(std::size_t row, PipelineTime time, const std::string& event);
-  // The part of a surface that outputs show.
+  // Returns the part of a surface that outputs show: within the sides of a periodic box.
   std::shared_ptr<const NarrowBand> ViewOf(const std::shared_ptr<const NarrowBand>& band) const
   {
     return band && this->Shapes.GetBox().Any() ? this->View.Cut(band, this->Driver.MakeWalls(0.0))
                                                : band;
   }
-  // Whether the share outside has not fallen; it falls while a skin that starts elsewhere
-  // approaches the target.
+  // Returns true if the fraction of the target outside the skin has not decreased. The
+  // fraction decreases while a skin approaches the target from another initial shape.
   bool Loses(std::size_t row, double outside) const
   {
     const double atStart = this->Settings.StartsElsewhere() ? 1.0 : 0.0;
@@ -249,20 +253,20 @@ private:
   SharedFrames Shared{ this->Shapes };
   MotionDriver Driver{ this->Settings, this->Shapes, this->Messages };
   int LastStepAdded = 0;
-  int Unverified = -1; // a step to be read again, as the source has changed while it got more steps
+  int Unverified = -1; // step to read again and compare: the source was modified
 
   RequestedTime Requested;
   RequestedArrays Arrays;
-  int FirstStep = -1; // where the way to the requested time began, for the progress
+  int FirstStep = -1; // at which the motion to the requested time began, for the progress
 
   Trajectory Way{ this->Settings };
   mutable BoxView View;
-  std::shared_ptr<const NarrowBand> Whole; // of ranks that share out space, if outputs need it
+  std::shared_ptr<const NarrowBand> Whole; // gathered from all ranks, if outputs need it
   Checkpoints Saved;
   HistoryRecorder History;
   TargetCoverage Coverage{ this->Settings, this->Shapes };
   SavedState Loaded;
-  bool LoadedIsNew = false; // it has been set since the last Configure
+  bool LoadedIsNew = false; // set since the last Configure
 };
 
 }

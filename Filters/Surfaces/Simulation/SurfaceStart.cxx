@@ -28,7 +28,8 @@ double FindMargin(const SurfaceStart& start)
   return start.Box.Present ? 2.0 * start.Domain.VoxelSize : 0.0;
 }
 
-// The box to sample: within walls so wide that the surface can close on them.
+// Finds the box to sample. With walls it is two voxels wider at each end, so that the surface can
+// close at them.
 void FindBounds(const SurfaceStart& start, double bounds[6])
 {
   const double margin = FindMargin(start);
@@ -47,7 +48,8 @@ void CutAtWalls(const Walls& box, std::size_t count, const double* points, doubl
   }
 }
 
-// In the shape's own unit, so that the surface is where it should be on the edges that it crosses.
+// Subtracts the obstacle. Multiplies its depths by the slope of the shape: in one unit, linear
+// interpolation along an edge finds the right crossing.
 void CutAtObstacle(
   const SurfaceStart& start, std::size_t count, const double* points, double* values)
 {
@@ -71,6 +73,7 @@ void CutAtObstacle(
   }
 }
 
+// Sets the flags of `function` even if the start has evaluated it nowhere.
 void EvaluateAtCorners(const InitialFunction& function, const double bounds[6])
 {
   for (int corner = 0; corner < 8; ++corner)
@@ -89,8 +92,8 @@ void EvaluateAtCorners(const InitialFunction& function, const double bounds[6])
 bool StartOn(
   NarrowBand& band, const SurfaceStart& start, Warnings& messages, const ProgressFunction& progress)
 {
-  std::atomic<bool> isFinite{ false };  // anywhere
-  std::atomic<bool> hasInside{ false }; // but for the obstacle
+  std::atomic<bool> isFinite{ false };  // at any point
+  std::atomic<bool> hasInside{ false }; // before the obstacle is subtracted
   InitialFunction function;
   function.ThreadSafe = start.Shape.IsThreadSafe() && (!start.Solid || start.Solid->IsThreadSafe());
   function.Evaluate = [&](std::size_t count, const double* points, double* values)
@@ -113,7 +116,7 @@ bool StartOn(
     function.ForEachRegion = [&start](const RegionVisitor& visit)
     { start.Shape.ForEachRegion(visit); };
   }
-  if (!start.Solid) // it cuts faces into the shape, where the shape has no surface
+  if (!start.Solid) // its faces are not on the surface of the shape
   {
     function.Surface = start.Shape.FindSurface();
     function.Surface.DepthOfWalls = FindMargin(start);
@@ -124,8 +127,8 @@ bool StartOn(
   {
     return false;
   }
-  // The rim of shape and wall is round in the distances of the start, by a few hundredths of a
-  // voxel.
+  // Sharpens the edge between shape and wall, which the distances of the start round by a few
+  // hundredths of a voxel.
   if (start.Box.Present || start.Solid)
   {
     band.Confine(start.Box, start.Solid);
@@ -135,7 +138,7 @@ bool StartOn(
     const bool isCovered = start.Solid && hasInside;
     if (!isCovered)
     {
-      EvaluateAtCorners(function, bounds); // where nothing was, as there is no surface
+      EvaluateAtCorners(function, bounds); // without a surface it may be unevaluated
     }
     messages.Say("empty",
       isCovered    ? CoveredStart

@@ -1,4 +1,4 @@
-// A surface put on the shape that it starts with.
+// Initializes a surface from the shape that it starts with.
 
 #ifndef SurfaceStart_h
 #define SurfaceStart_h
@@ -20,7 +20,7 @@ struct SurfaceStart
   PotentialTarget& Shape;
 };
 
-// False if the progress function has stopped it. Warns of a start without a surface. Throws as
+// Returns false if `progress` has stopped it. Warns if the shape has no surface. Throws as
 // NarrowBand::Start.
 bool StartOn(NarrowBand& band, const SurfaceStart& start, Warnings& messages,
   const ProgressFunction& progress);

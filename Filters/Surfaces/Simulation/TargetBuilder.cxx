@@ -16,13 +16,15 @@ namespace activesurface
 namespace
 {
 
-// How far the initial shape has to be known around its surface [voxels]: the band and its ghosts.
+// Distance from its surface within which a mesh as initial shape is sampled [voxels]: that of the
+// band and its ghosts.
 constexpr double InitialReach = 8.0;
 
-// The distances to a mesh are known in a wider band than the skin's, in fewer bytes per voxel.
+// Largest number of voxels of distances to a mesh, per active voxel: their band is wider than the
+// skin's and has fewer bytes per voxel.
 constexpr double MeshVoxelsPerActive = 10.0;
 
-// The surface of particles at rest is off by up to a quarter of their spacing.
+// The surface of static particles deviates by up to a quarter of their spacing.
 constexpr double NoiseOfSpacing = 0.25;
 
 }
@@ -76,7 +78,7 @@ void TargetBuilder::SetPair(int step, const std::shared_ptr<InputShape>& earlier
   this->Tell("shuffled particles", this->Frames.DescribeMatches());
 }
 
-// A node more than the nodes need: a place between two steps is rounded.
+// Adds a node to the margin of the node scheme, as positions between two steps are rounded.
 int TargetBuilder::FindMarginOfRanks()
 {
   const double reach = this->GetPreparation().GetRadius(this->Settings.Particles.Model);
@@ -101,7 +103,7 @@ TargetBuilder::KindPointer TargetBuilder::FindKind(int first, int last) const
   {
     if (const InputShape* shape = this->Frames.Find(step); shape && shape->HasPoints())
     {
-      return this->Kind; // all frames are of one
+      return this->Kind; // all frames have this kind
     }
   }
   return none;
@@ -171,7 +173,7 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
 {
   ShapePreparation preparation = this->GetPreparation();
   preparation.When = this->DescribeStep(step);
-  // Distances to a level of a mesh have to be known around that level.
+  // A level of a mesh needs distances on both sides of that level.
   preparation.Reach = preparation.Options.Level.Reach + std::fabs(this->Settings.IsoValue);
   preparation.MeshHint = " (Its Reach is TargetReach and the size of TargetIsoValue together, its "
                          "maximum ten times MaximumNumberOfActiveVoxels.)";
@@ -186,7 +188,7 @@ void TargetBuilder::Prepare(int step, InputShape& shape)
   this->WarnOfThinParts(shape, where);
 }
 
-// Of the first shape that there is: to look at each one of a motion would cost too much.
+// Checks only the first frame with points: to check every frame would cost too much.
 void TargetBuilder::WarnOfThinParts(const InputShape& shape, const std::string& where)
 {
   if (this->ThinPartsKnown || !this->DomainKnown || !shape.HasPoints())
@@ -224,7 +226,8 @@ void TargetBuilder::SetInitial(std::shared_ptr<InputShape> shape)
   this->Initial = std::move(shape);
 }
 
-// Distance by which the surface of a body of particles trembles.
+// Returns the distance by which the surface of a body of particles flickers: TargetNoise or, with
+// SmoothsParticles, a fraction of the spacing.
 double TargetBuilder::GetNoiseAtNodes() const
 {
   if (!this->Settings.UsesNodes())

@@ -1,5 +1,5 @@
-// The shapes that a surface is attracted by and starts on: from the functions of the settings, or
-// from the frames of the inputs, as these come in.
+// Creates the target and the initial shape of a surface: from the functions of the settings, or
+// from the frames of the inputs.
 
 #ifndef TargetBuilder_h
 #define TargetBuilder_h
@@ -23,129 +23,131 @@ namespace activesurface
 class TargetBuilder
 {
 public:
-  // The settings are the caller's; after a change of them comes Clear.
+  // Keeps references to both. Clear has to follow a change of the settings.
   TargetBuilder(const SurfaceSettings& settings, Warnings& warnings);
   TargetBuilder(const TargetBuilder&) = delete;
   void operator=(const TargetBuilder&) = delete;
 
   void Clear();
 
-  // Guard of the distances to the meshes that come: ten times as many voxels.
+  // Limits the voxels of distances to later meshes to ten times this number.
   void SetMaximumNumberOfActiveVoxels(std::size_t maximum) { this->MaximumActiveVoxels = maximum; }
 
-  // The target at a step; the two that were added last are held. Throws std::invalid_argument for
-  // one that does not fit those before or cannot be used; it then is not held.
+  // Adds the frame of a step; the last two frames are held. Throws std::invalid_argument, and does
+  // not hold the frame, if it is of another kind than those before or cannot be used.
   void Add(int step, std::shared_ptr<InputShape> shape);
   bool Has(int step) const { return this->Frames.Has(step); }
 
-  // Replaces a step by this rank's part of it; and a step and the next one by their parts.
+  // Replaces the frame of a step by this rank's part of it; SetPair replaces two in succession.
   void SetPart(int step, const std::shared_ptr<InputShape>& shape);
   void SetPair(int step, const std::shared_ptr<InputShape>& earlier,
     const std::shared_ptr<InputShape>& later, bool areShuffled);
-  // Distance along each axis from a rank's leaves within which it needs particles
+  // Returns the distance along each axis from a rank's leaves within which it needs particles
   // [voxels].
   int FindMarginOfRanks();
 
   const TargetFrames& GetFrames() const { return this->Frames; }
 
-  // True if the held frame of a step was made of the same data as another.
+  // Returns true if the held frame of a step was made of the same data as `shape`.
   bool IsUnchanged(int step, const InputShape& shape) const
   {
     return this->Frames.Find(step)->Content == shape.Content;
   }
 
-  // Whether one of the frames from a step to another, as far as they are held, has particles; of a
-  // target that stands still its only frame. Later frames do not count: they may not be known yet.
+  // Returns true if one of the held frames from `first` to `last` has particles; for a static
+  // target its only frame counts. Later frames do not count: they may be unknown yet.
   bool HasParticles(int first, int last) const
   {
     return this->FindKind(first, last)->GetParticles() != nullptr;
   }
-  // Whether particles may come, as nothing else has.
+  // Returns true if the input has particles, or has had no points yet.
   bool MayHaveParticles() const
   {
     return this->Settings.UsesInput() && (!this->Kind->HasPoints() || this->Kind->GetParticles());
   }
-  // And whether their velocity carries the surface.
+  // Returns true if, in addition, the velocity of particles carries the surface.
   bool MayCarry() const { return this->MayHaveParticles() && this->GetOptions().Carries; }
 
-  // Usual distance of the particles; 0: not known.
+  // Returns the spacing of the particles, given or estimated; 0: unknown.
   double FindSpacing() const;
 
-  // The periodic box, from the origin of the shapes.
+  // Returns the periodic box of particles, relative to the origin of the shapes.
   PeriodicBox GetBox() const;
-  // Its margin around the particles of a step that is held; by the spacing if none is.
+  // Returns the margin of the box for the particles of a step; from the spacing without
+  // particles.
   double FindMargin(int step) const;
 
-  // The particles' spacing [length]; 0 where none was estimated. One that is kept is that of a
-  // state whose first steps, not read again, have particles.
+  // Returns the estimated spacing of the particles [length]; 0: no estimate. KeepEstimatedSpacing
+  // sets a missing estimate to that of a loaded state, whose first frames may not be read again.
   double GetEstimatedSpacing() const { return this->EstimatedSpacing; }
   void KeepEstimatedSpacing(double spacing)
   {
     this->EstimatedSpacing = this->EstimatedSpacing > 0.0 ? this->EstimatedSpacing : spacing;
   }
 
-  // Particles and spacing of a frame.
+  // Number and spacing of the particles of a frame.
   struct SpacingSample
   {
     std::size_t Particles = 0;
     double Spacing = 0.0; // 0: unknown
     bool HasRadii = false;
   };
-  // Returns true if the spacing has to be found from several frames before the first is added.
+  // Returns true if SettleSpacing is needed before the first frame is added.
   bool WantsSpacing() const;
-  // Steps besides the first that are sampled for it.
+  // Returns the steps to sample in addition to the first one.
   std::vector<int> ListSpacingSteps() const;
   static SpacingSample SampleSpacing(const InputShape& shape, const PeriodicBox& box);
-  // Sets the spacing to the least one of the frames that have enough particles; to that of the
-  // first sample, which is the first frame's, if that is the same to 1 %.
+  // Sets the spacing to the smallest one of the frames with enough particles, or to that of the
+  // first sample, the first frame's, if it differs by at most 1 %.
   void SettleSpacing(const std::vector<SpacingSample>& samples);
 
-  // A box that holds the inside of the target at a step that is held, if it is no particles; within
-  // the domain's for a function, or one that is inverted. Not valid where there is no target.
+  // Returns a box that contains the inside of the target at a held step; for a function or an
+  // inverted target the bounds of the domain. Not valid if there is no target.
   vtkBoundingBox FindBoundsOfInside(int step) const;
 
-  // The initial shape, if the settings have one as input. Throws as Add.
+  // Sets the initial shape from its input. Throws std::invalid_argument if it is not usable.
   void SetInitial(std::shared_ptr<InputShape> shape);
   bool WantsInitial() const { return this->Settings.Inputs.HasInitialInput && !this->Initial; }
 
-  // Null as long as the bounds are not known: before the first frames came in, or for functions
-  // that have none. Throws for settings that cannot be.
+  // Returns null while the bounds are unknown: before the first frames are added, or for functions
+  // without bounds. Throws std::invalid_argument for invalid settings.
   const SurfaceDomain* FindDomain();
-  // Null too where it was not asked for.
+  // Also returns null before the first call of FindDomain.
   const SurfaceDomain* GetDomain() const { return this->DomainKnown ? &this->Domain : nullptr; }
   // Origin of the positions of all shapes, see SurfaceDomain.
   const std::array<double, 3>& GetOrigin() const { return this->Domain.Origin; }
 
-  // Whether the surface would start on an empty frame.
+  // Returns true if the first frame is missing or empty, and there is no other initial shape.
   bool StartsOnNothing() const;
 
-  // Makes another target, at the first frame. Comes after FindDomain, before GetTarget.
+  // Makes a new target, at the first frame. Requires FindDomain; precedes GetTarget.
   void StartTarget();
-  // Makes it ready to be evaluated at points.
+  // Prepares the target for evaluation at points.
   void CompleteTarget();
 
-  // What attracts. It may be another one after UseFramesFrom, and goes with Clear and ForgetTarget.
+  // Returns the target, made if necessary. UseFramesFrom may replace it; Clear and ForgetTarget
+  // delete it.
   PotentialTarget& GetTarget();
-  // The target is of the kind of a step and the next one.
+  // Selects the kind of the target: that of the frames of a step and the next one.
   void UseFramesFrom(int step);
-  // Another number is another one.
+  // Incremented whenever a target is made.
   std::size_t GetTargetNumber() const { return this->TargetNumber; }
-  // The next one is made with the settings as they are then.
+  // Deletes the target. The next GetTarget makes one with the settings at that time.
   void ForgetTarget()
   {
     this->Moving = nullptr;
     this->Target.reset();
   }
-  // The same, where it goes from step to step; else null.
+  // Returns the target if it is made of frames of the input, else null.
   MovingTarget* GetMovingTarget();
 
-  // Another one that attracts alike, on its way from a step that is held to the next between two
-  // motion times. It uses the frames that are held, until the next Add or Clear. hasPoints: whether
-  // it can be evaluated at points, at the beginning of the way.
+  // Returns a separate target with the same attraction. This target moves from a held step to the
+  // next one between two motion times. Add and Clear invalidate it, as it uses the held frames.
+  // hasPoints: it can be evaluated at points, at the beginning of the interval.
   std::unique_ptr<PotentialTarget> MakeTargetAt(
     int step, double begin, double end, bool hasPoints = true) const;
 
-  // What the surface starts on; null: on the target. Comes after StartTarget.
+  // Returns the initial shape; null: the surface starts on the target. Requires StartTarget.
   std::unique_ptr<PotentialTarget> MakeStart();
 
 private:
@@ -157,13 +159,13 @@ private:
   ShapeOptions GetOptions() const;
   ShapePreparation GetPreparation();
   void Prepare(int step, InputShape& shape);
-  void Tell(const std::string& reason, const std::string& sentence); // unless it is empty
+  void Tell(const std::string& reason, const std::string& sentence); // unless the sentence is empty
   void WarnOfThinParts(const InputShape& shape, const std::string& where);
   void PrepareInitial();
   double GetSpacing() const;
-  double GetPixel() const; // of the first images [length]; 0: there are none
+  double GetPixel() const; // of the finest first image [length]; 0: no image
   double GetNoiseAtNodes() const;
-  // The shapes that are held, to positions relative to the domain's origin.
+  // Makes positions of the held shapes relative to the domain's origin.
   void MoveToOrigin();
   bool AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const;
   std::unique_ptr<PotentialTarget> MakeFunctionTarget() const;
@@ -174,17 +176,17 @@ private:
   std::size_t MaximumActiveVoxels = 50000000;
 
   TargetFrames Frames;
-  KindPointer Kind; // the last shape that has one
+  KindPointer Kind; // the last frame with points; all have the same kind
   double EstimatedSpacing = 0.0;
-  bool ThinPartsKnown = false; // and told
+  bool ThinPartsKnown = false; // checked and reported
   std::shared_ptr<InputShape> Initial;
   bool DomainKnown = false;
   SurfaceDomain Domain;
 
-  std::unique_ptr<PotentialTarget> Target; // null: to be made
+  std::unique_ptr<PotentialTarget> Target; // null until it is needed
   KindPointer KindOfTarget;
-  MovingTarget* Moving = nullptr; // the same, if it is one
-  std::size_t TargetNumber = 0;   // how many were made
+  MovingTarget* Moving = nullptr; // Target, if it is of the input
+  std::size_t TargetNumber = 0;   // number of targets made
 };
 
 }

@@ -19,8 +19,8 @@ constexpr std::size_t EnoughInside = 4096;
 constexpr int PointsPerBatch = 4096;
 constexpr int MostBatches = 16;
 
-// Point number i is at the fractional parts of 1/2 + i times these: powers of 1/x, x^4 = x + 1,
-// which spread evenly at any count (a Kronecker sequence in three dimensions).
+// Point i has the fractional parts of 1/2 + i * Steps as coordinates. These are powers of 1/x with
+// x^4 = x + 1: any number of points is spread evenly (a Kronecker sequence in three dimensions).
 constexpr double Steps[3] = { 0.8191725133961645, 0.6710436067037893, 0.5497004779019703 };
 
 std::vector<double> SpreadPoints(const double bounds[6], int batch)
@@ -43,7 +43,7 @@ PointWithMargin MakePoint(const double x[3], double margin)
   return { { x[0], x[1], x[2] }, margin };
 }
 
-// Leaves out what is beyond walls or in the obstacle.
+// Removes points beyond walls or in the obstacle.
 std::vector<PointWithMargin> Within(const Motion& motion, std::vector<PointWithMargin> points)
 {
   const auto isBeyond = [&motion](const PointWithMargin& point)

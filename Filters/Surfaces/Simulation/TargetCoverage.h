@@ -1,11 +1,11 @@
-// How much of the target is outside the skin.
+// The fraction of the target outside the skin.
 //
-// Of particles, and of the points of a skeleton, those count that are outside by more than their
-// own radius (ParticleModel.h). Of other targets the inside is told by points that are spread
-// evenly in its box (a low-discrepancy sequence, 4096 points inside at least where they are a
-// sixteenth of the box): those count that are outside by more than a voxel. A share of 1 % is so
-// known to .16 %, the standard deviation of as many points at random. What is beyond walls or in
-// the obstacle does not count.
+// For particles and skeletons: the fraction of their points of positive strength that are outside
+// by more than their own radius (ParticleModel.h). For other targets: the fraction of sample points
+// of the inside that are outside the skin by more than a voxel. Sample points are a low-discrepancy
+// sequence in the target's box; at least 4096 are inside the target if it fills 1/16 of the box. A
+// fraction of 1 % then has a standard deviation of at most 0.16 %, that of 4096 random points.
+// Points beyond walls or in the obstacle do not count.
 
 #ifndef TargetCoverage_h
 #define TargetCoverage_h
@@ -27,13 +27,14 @@ struct SurfaceSettings;
 class TargetCoverage
 {
 public:
-  // Both are the caller's.
+  // Keeps references to both.
   TargetCoverage(const SurfaceSettings& settings, const TargetBuilder& shapes);
 
-  // Comes when the settings or the inputs have changed.
+  // Has to be called after a change of the settings or the inputs.
   void Clear();
 
-  // The share, in [0,1], of the target at a step that is held; 0 where there is no target.
+  // Returns the fraction, in [0,1], for the target at a held step; 0 without a target. Collective
+  // if the band is a part.
   double FindOutside(const NarrowBand& band, const Motion& motion, int step);
 
 private:
@@ -45,7 +46,7 @@ private:
 
   const SurfaceSettings& Settings;
   const TargetBuilder& Shapes;
-  std::vector<PointWithMargin> Points; // of a target that stands still
+  std::vector<PointWithMargin> Points; // of the target; a static one keeps them
   bool ArePointsKnown = false;
 };
 

@@ -1,4 +1,4 @@
-// The bounds of the target and of the initial shape, and the domain that follows from them.
+// Domain of a surface, from the bounds of the target and of the initial shape.
 
 #include "Simulation/TargetBuilder.h"
 
@@ -73,7 +73,8 @@ void TargetBuilder::MoveToOrigin()
   }
 }
 
-// Of the first target and the initial shape, as far as they have any; false if more will be known.
+// Adds the bounds of the first frame, the functions and the initial shape, where they have any.
+// Returns false if an input is still to be added.
 bool TargetBuilder::AddFirstBounds(vtkBoundingBox& shapes, vtkBoundingBox& images) const
 {
   if (this->WantsInitial() || (this->Settings.UsesInput() && !this->Frames.Has(0)))
@@ -105,7 +106,8 @@ double TargetBuilder::GetPixel() const
   return least;
 }
 
-// Of particles that look at their neighbours; 0: not known.
+// Returns the spacing that determines voxel size and reach; 0 if it is unknown, or estimated for a
+// sum of kernels.
 double TargetBuilder::GetSpacing() const
 {
   const ParticleSettings& particles = this->Settings.Particles;
@@ -123,7 +125,7 @@ vtkBoundingBox TargetBuilder::FindBoundsOfInside(int step) const
     shape->AddBounds(this->GetOptions(), shapes, images);
     if (shapes.IsValid())
     {
-      shapes.Inflate(std::fabs(this->Settings.IsoValue)); // a level of the distance
+      shapes.Inflate(std::fabs(this->Settings.IsoValue)); // distance of the level
     }
     shapes.AddBox(images);
   }

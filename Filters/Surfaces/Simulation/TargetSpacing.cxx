@@ -1,4 +1,4 @@
-// The usual distance of the particles of a series, from several of its frames.
+// Estimates the spacing of the particles of a series from several of its frames.
 
 #include "Simulation/TargetBuilder.h"
 
@@ -10,7 +10,7 @@ namespace activesurface
 namespace
 {
 
-// Least share of the most particles in a frame that is used: fewer may be strays.
+// Least number of particles of a sampled frame, over the largest number: fewer may be strays.
 constexpr double EnoughParticles = 0.1;
 constexpr double Same = 1.01;
 

@@ -1,4 +1,4 @@
-// The two clocks of a surface, as types that cannot be mixed up, and the time that was asked for.
+// The two clocks of a surface, as separate types, and a requested time.
 
 #ifndef Times_h
 #define Times_h
@@ -6,7 +6,7 @@
 namespace activesurface
 {
 
-// What the pipeline's TIME_STEPS and requests count in.
+// Time of the pipeline's TIME_STEPS and requests.
 struct PipelineTime
 {
   double Value = 0.0;
@@ -23,9 +23,9 @@ struct MotionTime
 
 struct RequestedTime
 {
-  int Step = 0; // the last one that is not after the time
+  int Step = 0; // last step <= Time
   PipelineTime Time;
-  bool Between = false; // after that step, before the next one
+  bool Between = false; // Time lies between this step and the next one
 };
 
 }

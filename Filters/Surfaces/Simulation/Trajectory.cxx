@@ -32,7 +32,7 @@ bool Trajectory::IsUnderWay() const
   {
     return false;
   }
-  // Parts are created before a substep, which may then fail.
+  // A substep may fail after it has created parts: time is unchanged then, the band is not.
   return this->Band->GetTime() > this->Settings.GetMotionTimeOf(this->Step).Value ||
     this->Band->GetWork().CreatedParts > 0;
 }

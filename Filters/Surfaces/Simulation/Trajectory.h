@@ -1,9 +1,8 @@
-// The surface on its way from step to step, and its branch to a time between two steps.
+// The motion of a surface from step to step, and its branch to a time between two steps.
 //
-// The states at the steps, the trajectory, do not depend on which times between them were asked
-// for: such a time is reached by a branch, a copy of the earlier step's state. A way that was
-// interrupted goes on from the substep where it was left. What lies between two steps then is no
-// state to branch off.
+// The states at the steps, the trajectory, do not depend on requests for times between them. Such a
+// time is reached by a branch: a copy of the earlier step's state. An interrupted motion resumes
+// from its last substep. No branch starts from the state of an interruption.
 
 #ifndef Trajectory_h
 #define Trajectory_h
@@ -20,48 +19,50 @@ namespace activesurface
 class Trajectory
 {
 public:
-  // The settings are the caller's.
+  // Keeps a reference to the settings.
   explicit Trajectory(const SurfaceSettings& settings);
 
-  // Not started.
+  // Returns to the state before the start.
   void Reset();
 
-  // The surface is at a step, with this band.
+  // Sets the step and the band at it.
   void Begin(int step, std::unique_ptr<NarrowBand> band);
 
   bool HasBegun() const { return this->Step >= 0; }
-  // The step, or the one before where it is under way; -1: not started.
+  // Returns the last step that was reached; -1: not started.
   int GetStep() const { return this->Step; }
 
-  // Whether it has gone nowhere yet.
+  // Returns true if the surface has not moved from the first step, or has not started.
   bool IsAtStart() const { return this->Step <= 0 && !this->IsUnderWay() && !this->HasBranch(); }
 
-  // Whether it has been interrupted on its way to the next step. A surface that has vanished stays
-  // at the time at which it did.
+  // Returns true if the motion to the next step was interrupted. A vanished surface keeps the time
+  // at which it vanished.
   bool IsUnderWay() const;
 
-  // Whether it has begun and is there; a surface that goes to its steady state has to be told by
+  // Returns true if the surface is at the time. With EvolutionMode EQUILIBRIUM it is after
   // FinishSteadyState.
   bool IsAt(const RequestedTime& time) const;
   bool HasBranch() const { return this->Branch != nullptr; }
 
-  // The band to be moved on from the step; a copy while an output, at another port or elsewhere,
-  // holds it.
+  // Returns the band to move to the next step: a copy if an output holds the present one. Discards
+  // the branch.
   NarrowBand& GetBandToMove();
-  // It has got to the next step.
+  // Has to be called when the band is at the next step.
   void FinishStep() { ++this->Step; }
-  // It has come to rest, or used up its substeps.
+  // Has to be called in a steady state, or when MaximumSubsteps is reached.
   void FinishSteadyState() { this->IsSteady = true; }
 
-  // The band to be moved to a time between this step and the next; begun anew for another time.
+  // Returns the band to move to a time between this step and the next one. Another time than before
+  // starts a new branch.
   NarrowBand& GetBranchTo(PipelineTime time);
   void FinishBranch() { this->BranchIsUnderWay = false; }
 
-  // Where it is, to the last bit of the time.
+  // Describes the step and the exact time.
   std::string Describe() const;
 
   const NarrowBand& GetBand() const { return *this->Band; }
-  // To keep, at a time where it is: it does not change any more. Null before the first step.
+  // Returns the band at a time for which IsAt() is true, to keep: it is not modified later. Null
+  // before the first step.
   std::shared_ptr<const NarrowBand> Share(const RequestedTime& time) const;
   std::shared_ptr<const NarrowBand> ShareAtStep() const { return this->Band; }
 
@@ -70,7 +71,7 @@ private:
 
   const SurfaceSettings& Settings;
   int Step = -1;
-  std::shared_ptr<NarrowBand> Band; // at the step, or under way to the next one
+  std::shared_ptr<NarrowBand> Band; // at the step, or interrupted before the next one
   bool IsSteady = false;
   std::shared_ptr<NarrowBand> Branch; // from the step to BranchTime
   PipelineTime BranchTime;

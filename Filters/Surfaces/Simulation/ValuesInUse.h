@@ -1,4 +1,4 @@
-// What a skin was made with, where properties leave it to the filter.
+// Values in use for properties that the filter can set automatically.
 
 #ifndef ValuesInUse_h
 #define ValuesInUse_h
@@ -10,7 +10,7 @@ namespace activesurface
 
 class TargetBuilder;
 
-// Lengths in world units, rates per motion time; 0: there is none.
+// In world units and motion time; 0: none, or unknown.
 struct ValuesInUse
 {
   double VoxelSize = 0.0;
@@ -19,7 +19,7 @@ struct ValuesInUse
   double Tension = 0.0;
 };
 
-// motion: of the skin.
+// motion: parameters by which the skin moved.
 ValuesInUse FindValuesInUse(const Motion& motion, const TargetBuilder& shapes);
 
 }

@@ -1,4 +1,4 @@
-// Warnings and notes for users, each reported once for each reason.
+// Warnings and notes for users, each reason reported once.
 
 #ifndef Warnings_h
 #define Warnings_h
@@ -15,7 +15,7 @@ class Warnings
 public:
   enum class Kind
   {
-    Note, // what the filter chose; nothing is wrong
+    Note, // a choice of the filter, no problem
     Warning
   };
   using Listener = std::function<void(Kind kind, const std::string& sentence)>;
@@ -29,7 +29,7 @@ public:
     }
   }
 
-  // All may be told again.
+  // Allows all reasons to be reported again.
   void Forget() { this->Told.clear(); }
 
 private:
