@@ -20,20 +20,19 @@ void WarnOfMotion(const AdvanceReport& report, const MotionEnd& end, Warnings& m
   if (report.Substeps > 0 && report.UniformPulls == report.Substeps)
   {
     std::ostringstream text;
-    text
-      << "On the way to the motion time " << time.Value
-      << " the target pulled the skin inward with the same speed everywhere, which EXACT undoes, "
-      << "so the skin did not move towards it: the target lies outside of the skin, or farther "
-      << "inside than TargetReach. Does the target meet the initial shape? This is told once.";
-    messages.Say("pulled in vain", text.str());
+    text << "Before the motion time " << time.Value
+         << " the target attracted the skin inward at the same speed everywhere, which EXACT "
+         << "cancels, so the skin did not move towards it: the target lies outside of the skin, or "
+         << "farther inside than TargetReach. Does the target meet the initial shape?";
+    messages.Say("cancelled attraction", text.str());
   }
   if (report.DroppedSamples > 0)
   {
     std::ostringstream text;
-    text << "On the way to the motion time " << time.Value
-         << " the target was not a finite number at " << report.DroppedSamples << " of "
-         << report.TargetEvaluations
-         << " points of the skin; they were left out. This is told once.";
+    text << "Before the motion time " << time.Value << " the target was not a finite number at "
+         << report.DroppedSamples << " of " << report.TargetEvaluations
+         << " points of the skin; they were ignored. Check the target for values that "
+         << "are not finite.";
     messages.Say("not finite", text.str());
   }
 }
@@ -53,7 +52,7 @@ void WarnOfOutside(const Outside& outside, Warnings& messages)
        << std::setprecision(outside.Share < .1 ? 2 : 3) << 100.0 * outside.Share << " % of the "
        << (particles ? "particles are outside the skin by more than their own radius"
                      : "target's inside is outside the skin by more than a voxel")
-       << "; the column Outside of the history tells it of each time step. "
+       << "; the column Outside of the history has this percentage for each time step. "
        << (isHeld ? "What VolumeControl or AreaControl holds may be too little for all of it. "
                   : "")
        << "To keep up, raise Attraction"

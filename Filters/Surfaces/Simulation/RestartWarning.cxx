@@ -34,10 +34,10 @@ void RestartWarning::Tell(PipelineTime requested, const Warnings& messages)
   {
     this->IsTold = true;
     std::ostringstream text;
-    text << "The input's data are others than at the last update, for the time " << this->LastTime
-         << ", so the motion has started anew: data that replace each other are no time steps. For "
-            "a skin that lives on, push each frame by Advance(particles, dt), or connect a source "
-            "with TIME_STEPS (in Python: ParticleSeries, temporal_source).";
+    text << "The input was replaced after the time " << this->LastTime
+         << ", so the surface was restarted. Replacing the input does not advance time: call "
+            "Advance(particles, dt) for each frame, or connect a source that publishes TIME_STEPS "
+            "(in Python: ParticleSeries, temporal_source).";
     messages.Say("replaced data", text.str());
   }
   this->LastTime = Never;

@@ -49,7 +49,7 @@ void WriteState(const std::string& file, const SavedState& state)
   catch (const std::exception& error)
   {
     throw std::runtime_error("The state cannot be written to " + file + ": " + error.what() +
-      "; check that the folder exists, may be written to and has room.");
+      "; check that the folder exists and is writable, and that the disk is not full.");
   }
 }
 

@@ -15,7 +15,7 @@ namespace
 
 constexpr char CoveredStart[] =
   "The obstacle covers the initial shape, so there is no skin; check that ObstacleFunction is "
-  "negative inside the obstacle alone.";
+  "negative only inside the obstacle.";
 constexpr char StartWithoutSurface[] =
   "The initial shape, or the target where there is none, has no surface within the bounds, or none "
   "that the voxels can hold, so there is no skin; check VoxelSize, ModelBounds and TargetIsoValue.";

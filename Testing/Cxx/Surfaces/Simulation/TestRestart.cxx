@@ -236,7 +236,7 @@ vtkSmartPointer<vtkPolyData> MakePoint(double x)
   return frame;
 }
 
-constexpr const char* Replaced = "data that replace each other are no time steps";
+constexpr const char* Replaced = "Replacing the input does not advance time";
 
 }
 
