@@ -14,11 +14,12 @@ namespace activesurface
 namespace
 {
 
-constexpr std::size_t MostAtOnce = std::size_t(1) << 30; // MPI counts in int
-// Gathered in pairs: without a copy of all, and MPI counts what all send at once in int, too.
+constexpr std::size_t MostAtOnce = std::size_t(1) << 30; // bytes; MPI counts in int
+// Longer messages [bytes] are exchanged in pairs: no rank then holds a second copy of all bytes,
+// and their sum may exceed the range of int, in which MPI counts.
 constexpr vtkIdType LongMessage = 1 << 16;
 
-constexpr int TagOfSwaps = 18091; // MPI grants 32767 at most
+constexpr int TagOfSwaps = 18091; // MPI guarantees tags only up to 32767
 
 int RoundUpToPowerOfTwo(int number)
 {
@@ -79,7 +80,7 @@ void ControllerCommunicator::AllGather(const Bytes& own, std::vector<Bytes>& all
     this->SwapInPairs([&own](int) -> const Bytes& { return own; }, all);
     return;
   }
-  Bytes received(static_cast<std::size_t>(offsets.back()) + 1); // not null
+  Bytes received(static_cast<std::size_t>(offsets.back()) + 1); // so that data() is not null
   Check(this->Controller->AllGatherV(own.data(), received.data(),
     static_cast<vtkIdType>(own.size()), counts.data(), offsets.data()));
   for (std::size_t rank = 0; rank < all.size(); ++rank)
@@ -96,7 +97,7 @@ void ControllerCommunicator::Swap(const std::vector<Bytes>& toEach, std::vector<
     fromEach);
 }
 
-// In each round a rank meets one other; of the two the lower one speaks first.
+// In each pass, a rank exchanges bytes with one other rank. The lower rank sends first.
 template <class GetOwn>
 void ControllerCommunicator::SwapInPairs(GetOwn&& getOwn, std::vector<Bytes>& fromEach)
 {

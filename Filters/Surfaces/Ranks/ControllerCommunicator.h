@@ -1,4 +1,4 @@
-// The ranks of a vtkMultiProcessController.
+// Communicator of the ranks of a vtkMultiProcessController.
 
 #ifndef ControllerCommunicator_h
 #define ControllerCommunicator_h
@@ -34,7 +34,7 @@ private:
   vtkSmartPointer<vtkMultiProcessController> Controller;
 };
 
-// Of a program of one process if the controller is null or has one only.
+// Returns the agreement of one process if the controller is null or has only one process.
 Agreement MakeAgreement(vtkMultiProcessController* controller);
 
 }

@@ -34,7 +34,8 @@ bool IsDuplicate(unsigned char ghost)
   return (ghost & vtkDataSetAttributes::DUPLICATEPOINT) != 0;
 }
 
-// One of another length than the points cannot go with them.
+// Returns true for a wanted array that has a name and one tuple for each point, and is not the
+// ghost array.
 bool IsSent(vtkAbstractArray* array, const PieceArrays& arrays, vtkIdType points)
 {
   const auto& chosen = arrays.Chosen;
@@ -56,7 +57,7 @@ void RemoveUnsent(const PieceArrays& arrays, vtkPointData* data, vtkIdType point
   }
 }
 
-// Without the duplicates of what is another rank's.
+// Removes duplicate points, which another rank owns.
 void RemoveDuplicates(vtkUnsignedCharArray* ghosts, vtkPolyData* points)
 {
   vtkNew<vtkIdList> kept;
@@ -134,7 +135,7 @@ InputPiece MakeCellPiece(vtkPolyData* cells, const PieceArrays& arrays)
   auto piece = vtkSmartPointer<vtkPolyData>::New();
   if (cells->GetCellGhostArray())
   {
-    piece->DeepCopy(cells); // whose cells it removes
+    piece->DeepCopy(cells); // RemoveGhostCells must not change the input's cells
     piece->RemoveGhostCells();
   }
   else

@@ -1,9 +1,10 @@
-// What a rank has of an input, and what all ranks have together.
+// The piece of an input on one rank, reduced to the data that are needed.
 //
-// A rank asks for its own piece. What it gets is reduced to what is needed, and sent to all others;
-// each rank puts the pieces together to the same whole. What two pieces share at their border is in
-// the whole once: ghosts are left out, equal points of meshes are merged later (see
-// MeshTriangles.h), and nodes of images have one place.
+// Each rank requests its own piece. The pieces of meshes, skeletons and images are sent to all
+// ranks and assembled to the whole input there (PieceGather.h); particles may stay distributed
+// instead (Targets/HomeParticles.h). Data at the border of two pieces occur once in the whole:
+// ghosts are left out, equal points of meshes are merged later (MeshTriangles.h), and nodes of
+// images are identified by their index.
 
 #ifndef InputPiece_h
 #define InputPiece_h
@@ -23,7 +24,7 @@ class vtkPolyData;
 namespace activesurface
 {
 
-// The piece of this rank, without ghosts; of an image, its block.
+// Requests this rank's piece without ghost layers; for an image, the block of this rank.
 void RequestPiece(vtkInformation* input, int rank, int size);
 
 enum class PieceKind : char
@@ -32,7 +33,7 @@ enum class PieceKind : char
   Particles = 'p',
   Cells = 'c', // a mesh or a skeleton
   Image = 'i',
-  GridImage = 'g' // an image that has a grid attached, which is whole on each rank that has one
+  GridImage = 'g' // an image with an attached grid, which is complete on each rank that has one
 };
 
 struct InputPiece
@@ -41,17 +42,17 @@ struct InputPiece
   vtkSmartPointer<vtkDataSet> Data; // null: nothing
 };
 
-// Arrays: all point arrays, or those of the list, of which some may be null.
+// Point arrays to send: all, or only the chosen ones, which may be null.
 struct PieceArrays
 {
   bool All = false;
   std::vector<vtkAbstractArray*> Chosen;
 };
 
-// Some points with their arrays; a cell of them if there are cells.
+// Returns the selected points with their arrays, and one vertex cell if `points` has cells.
 vtkSmartPointer<vtkPolyData> SelectPoints(vtkPolyData* points, vtkIdList* selected);
 
-// Copies refer to the same arrays where nothing is left out.
+// Return a piece that shares the points and arrays of the input unless some are removed.
 InputPiece MakeParticlePiece(vtkPointSet* points, const PieceArrays& arrays);
 InputPiece MakeCellPiece(vtkPolyData* cells, const PieceArrays& arrays);
 InputPiece MakeImagePiece(vtkImageData* image, vtkAbstractArray* values);

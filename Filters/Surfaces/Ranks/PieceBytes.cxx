@@ -62,7 +62,7 @@ bool IsImage(PieceKind kind)
   return kind == PieceKind::Image || kind == PieceKind::GridImage;
 }
 
-// The attached grid; nothing if there is none.
+// Returns the attached grid as bytes; empty if there is none.
 std::string WriteGrid(vtkDataSet* data)
 {
   const openvdb::FloatGrid::ConstPtr grid = GetAttachedGrid(data->GetInformation());
@@ -86,7 +86,7 @@ void ReadGrid(const std::string& text, vtkDataSet* data)
 
 }
 
-// The kind, the length of the data, the data, the grid.
+// Layout: kind (1 byte), length of the data (8 bytes), data, grid.
 Bytes PackPiece(const InputPiece& piece)
 {
   Bytes bytes(1, static_cast<char>(piece.Kind));

@@ -1,4 +1,4 @@
-// A piece of an input as bytes, and back: nothing is rounded, numbers keep their types.
+// Serializes a piece of an input. Lossless: numbers keep their types and all bits.
 
 #ifndef PieceBytes_h
 #define PieceBytes_h
@@ -10,7 +10,7 @@ namespace activesurface
 
 struct InputPiece;
 
-// Throw std::runtime_error if it cannot be done.
+// Throw std::runtime_error if a piece cannot be written or read.
 Bytes PackPiece(const InputPiece& piece);
 InputPiece UnpackPiece(const Bytes& bytes);
 

@@ -17,7 +17,7 @@ namespace activesurface
 namespace
 {
 
-// The kind of those ranks that have anything.
+// Returns the kind of the pieces with data. Throws if two differ.
 PieceKind FindKind(const std::vector<PieceKind>& kinds, const std::string& what)
 {
   PieceKind kind = PieceKind::Nothing;

@@ -1,4 +1,4 @@
-// What all ranks have of an input together; see InputPiece.h.
+// Gathers the pieces of an input from all ranks; see InputPiece.h.
 
 #ifndef PieceGather_h
 #define PieceGather_h
@@ -12,7 +12,7 @@
 namespace activesurface
 {
 
-// Facts of a rank's piece of an input.
+// Facts of one rank's piece of an input.
 struct PieceFacts
 {
   PieceKind Kind = PieceKind::Nothing;
@@ -21,23 +21,23 @@ struct PieceFacts
   std::uint64_t Content = 0; // checksum
 };
 
-// What all pieces are together.
+// Facts of the whole input.
 struct AllPieces
 {
-  PieceKind Kind = PieceKind::Nothing; // if none has anything
+  PieceKind Kind = PieceKind::Nothing; // if no rank has data
   bool HaveCells = false;
   std::uint64_t Points = 0;
-  std::uint64_t PointsBefore = 0; // of lower ranks
+  std::uint64_t PointsBefore = 0; // in the pieces of lower ranks
   std::uint64_t Content = 0;
 };
 
-// A round of the ranks. Throws std::invalid_argument for pieces of several kinds, with the same
-// sentence on each rank.
+// Combines the facts of all pieces. Throws std::invalid_argument, with the same message on each
+// rank, for pieces of several kinds. `what` names the input in messages. Collective.
 AllPieces AgreeOnPieces(const Agreement& ranks, const PieceFacts& own, const std::string& what);
 
-// A round of the ranks: each one's own piece comes in, the whole goes out, the same on each rank;
-// an empty vtkPolyData if no rank has anything. `what` is how errors call the input. Throws
-// std::invalid_argument for pieces that do not fit together, with the same sentence on each rank.
+// Assembles the pieces of all ranks and returns the same whole on each rank; an empty vtkPolyData
+// if no rank has data. `what` names the input in messages. Throws std::invalid_argument, with the
+// same message on each rank, for pieces that do not fit together. Collective.
 vtkSmartPointer<vtkDataSet> GatherWhole(
   Agreement& ranks, const InputPiece& own, const std::string& what);
 

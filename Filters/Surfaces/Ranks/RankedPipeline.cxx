@@ -32,7 +32,8 @@ int RankedPipeline::ForwardUpstream(vtkInformation* request)
   }
   const bool isForData = request->Has(REQUEST_DATA()) || request->Has(REQUEST_UPDATE_EXTENT());
   bool& hasFailed = isForData ? this->DataFailed : this->InformationFailed;
-  // The extent is requested before the data, and the data object before the information.
+  // UPDATE_EXTENT precedes DATA, and DATA_OBJECT precedes INFORMATION: a second request keeps the
+  // failure of the first.
   const bool isSecond = request->Has(REQUEST_DATA()) || request->Has(REQUEST_INFORMATION());
   hasFailed = !isDone || (isSecond && hasFailed);
   return 1;

@@ -1,6 +1,6 @@
-// An executive for ranks that work together: an input that has failed on one of them is no reason
-// for that rank not to be called. It comes to the round in which the others wait for it, and tells
-// them.
+// Executive of a filter that runs on several ranks together. The filter executes even if its input
+// has failed on this rank: it then joins the collective call in which the other ranks wait, and
+// reports the failure there.
 
 #ifndef RankedPipeline_h
 #define RankedPipeline_h
@@ -16,11 +16,11 @@ public:
   static RankedPipeline* New();
   vtkTypeMacro(RankedPipeline, vtkCompositeDataPipeline);
 
-  // Of an algorithm that has such an executive; another one is left as it is. Off: it does what any
-  // other does.
+  // Turns this behaviour on or off for an algorithm with this executive; another executive is left
+  // unchanged. If off, this executive does what its superclass does.
   static void SetIsOneOfMany(vtkAlgorithm* algorithm, bool isOneOfMany);
 
-  // Whether the inputs have failed, when they were asked last. False for another executive.
+  // Returns true if the inputs failed at their last request; false for another executive.
   static bool HaveInputsFailed(vtkAlgorithm* algorithm);
 
 protected:

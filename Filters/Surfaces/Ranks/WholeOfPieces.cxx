@@ -33,8 +33,8 @@ bool AreAlike(vtkAbstractArray* a, vtkAbstractArray* b)
     a->GetNumberOfComponents() == b->GetNumberOfComponents();
 }
 
-// The array of this name of each piece, null for those that are null; empty if one does not have
-// it.
+// Returns the array with this name of each piece, null for a null piece; empty if a piece lacks the
+// array.
 std::vector<vtkAbstractArray*> FindArrays(
   const Pieces& pieces, const char* name, const std::string& what)
 {
@@ -75,7 +75,7 @@ vtkSmartPointer<vtkAbstractArray> MakeArray(vtkAbstractArray* like, vtkIdType tu
   return array;
 }
 
-// Which arrays are the active ones is known from the first piece.
+// Copies the active attributes of the first piece.
 void CopyAttributes(vtkPointData* from, vtkPointData* to)
 {
   for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
@@ -113,7 +113,7 @@ void AppendArrays(const Pieces& pieces, const std::string& what, vtkDataSet* who
   CopyAttributes(reference, whole->GetPointData());
 }
 
-// In double precision if one piece is.
+// Joins the points, in double precision if the points of one piece are.
 vtkSmartPointer<vtkPoints> AppendPoints(const Pieces& pieces)
 {
   vtkIdType count = 0;
@@ -164,7 +164,7 @@ bool AreOnOneLattice(vtkImageData* a, vtkImageData* b)
     std::equal(matrix, matrix + 9, b->GetDirectionMatrix()->GetData());
 }
 
-// Null pieces have none. The whole has the structure, on all extents.
+// Returns an image on the lattice of the pieces that covers all their extents. Skips null pieces.
 vtkSmartPointer<vtkImageData> MakeWholeImage(const Pieces& pieces, const std::string& what)
 {
   auto first = vtkImageData::SafeDownCast(FindFirst(pieces));
@@ -192,7 +192,7 @@ vtkSmartPointer<vtkImageData> MakeWholeImage(const Pieces& pieces, const std::st
   return image;
 }
 
-// Row by row. Marks the nodes of the whole that the piece has.
+// Copies the values of a piece row by row and marks the copied nodes in isKnown.
 void CopyRows(vtkImageData* piece, vtkAbstractArray* from, vtkImageData* whole,
   vtkAbstractArray* to, std::vector<char>& isKnown)
 {

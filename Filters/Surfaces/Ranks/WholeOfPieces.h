@@ -1,4 +1,4 @@
-// Pieces put together, in the order of the ranks.
+// Joins pieces in the order of the ranks.
 
 #ifndef WholeOfPieces_h
 #define WholeOfPieces_h
@@ -14,11 +14,12 @@ class vtkPolyData;
 namespace activesurface
 {
 
-// A vertex of all points: the sign that particles had cells.
+// Gives the points one vertex cell, on point 0: a mark that the particles had cells.
 void MakeOneCell(vtkPolyData* points);
 
-// Of one kind, null where a rank has nothing, at least one not null. Point arrays that a piece does
-// not have are left out. Throw std::invalid_argument for pieces that do not fit.
+// Join pieces of one kind. A piece is null if its rank has no data; at least one is not null.
+// AppendPieces leaves out point arrays that are missing in a piece; AssembleImage throws for them.
+// Both throw std::invalid_argument for pieces that do not fit together.
 vtkSmartPointer<vtkDataSet> AppendPieces(
   const std::vector<vtkDataSet*>& pieces, const std::string& what);
 vtkSmartPointer<vtkDataSet> AssembleImage(
