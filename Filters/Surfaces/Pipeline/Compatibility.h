@@ -1,4 +1,4 @@
-// What differs between the versions of VTK that this builds with (9.1 to 9.6).
+// Differences between the supported versions of VTK (9.1 to 9.6).
 
 #ifndef Compatibility_h
 #define Compatibility_h
@@ -12,7 +12,8 @@
 namespace activesurface
 {
 
-// Whether the user has asked a running algorithm to stop; to be called by the thread that runs it.
+// Returns true if the user has asked a running algorithm to stop. Call this from the thread that
+// runs the algorithm.
 inline bool IsAborted(vtkAlgorithm* algorithm)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -22,12 +23,12 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
 #endif
 }
 
-// Whether times of an input can be had again, and in any order.
+// Access of an input to earlier times (NO_PRIOR_TEMPORAL_ACCESS).
 enum class PriorAccess
 {
   Free,
-  Continue, // no: this time comes after those that were asked for before
-  Reset     // no: this time is the first
+  Continue, // none: this time follows those requested before
+  Reset     // none: this time starts a new sequence
 };
 
 inline PriorAccess GetPriorAccess(vtkInformation* input)

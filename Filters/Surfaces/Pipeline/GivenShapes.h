@@ -1,4 +1,4 @@
-// Whether a surface has what it needs: one target, and one initial shape at most.
+// Checks that a surface has exactly one target and at most one initial shape.
 
 #ifndef GivenShapes_h
 #define GivenShapes_h
@@ -8,7 +8,7 @@ namespace activesurface
 
 struct SurfaceInputs;
 
-// What comes through the ports; a composite data set is no shape.
+// Inputs of the ports. A composite data set is not accepted as a shape.
 struct GivenShapes
 {
   bool TargetInput = false;
@@ -17,8 +17,9 @@ struct GivenShapes
   bool InitialIsComposite = false;
 };
 
-// With the functions of the settings. Throws std::invalid_argument; of composite data RankError, as
-// they are composite on all ranks, which VTK calls as often as each has blocks: no round is common.
+// Throws std::invalid_argument if a target is missing, or if there are two targets or two initial
+// shapes. Throws RankError for composite data: the data are composite on all ranks, and VTK calls
+// each rank once for each of its blocks, so the ranks have no collective call in common.
 void CheckShapes(const SurfaceInputs& functions, const GivenShapes& given);
 
 }

@@ -22,7 +22,7 @@ std::vector<double> MakeOwnSteps(const ClockProperties& properties, int count)
   return steps;
 }
 
-// vtkForceTime lists the time that it holds on to as often as its own input has steps.
+// vtkForceTime publishes its fixed time once for each step of its input.
 std::vector<double> MergeEqualNeighbours(std::vector<double> steps)
 {
   steps.erase(std::unique(steps.begin(), steps.end()), steps.end());

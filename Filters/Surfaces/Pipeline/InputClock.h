@@ -1,8 +1,9 @@
-// The time steps of a filter: those of its target, or its own.
+// Time steps of a filter: the steps of its target, or its own.
 //
-// In situ the target's steps are not all known. Either its list of time steps grows, or it says
-// that no time can be had twice (VTK 9.4 and later); then the steps are the times that were
-// requested. Or its frames are pushed (PushedFrames.h); then they are the times of the frames.
+// In situ, future steps of the target are unavailable. There are three cases:
+// - The target's list of time steps grows.
+// - The target offers no time twice (VTK 9.4 and later). The steps are then the requested times.
+// - Frames are pushed (PushedFrames.h). The steps are then the times of the frames.
 
 #ifndef InputClock_h
 #define InputClock_h
@@ -19,7 +20,7 @@ namespace activesurface
 // The filter's own clock, for a target without time steps.
 struct ClockProperties
 {
-  double StartTime = 0.0; // pipeline time, as TimeStepSize
+  double StartTime = 0.0; // in pipeline time, like TimeStepSize
   double TimeStepSize = 0.1;
   int NumberOfTimeSteps = 11;
 };
@@ -27,31 +28,33 @@ struct ClockProperties
 class InputClock
 {
 public:
-  // From the filter's properties and what the target says; null: there is none.
+  // Uses the filter's properties and the target's information, which is null without an input
+  // target.
   void Read(const ClockProperties& properties, bool isEquilibrium, vtkInformation* target);
-  // Of frames that are pushed.
+  // Uses the times of pushed frames as the steps.
   void Read(const std::vector<double>& pushed);
 
-  // Before data for a time are requested. Whether all that was before is to be forgotten.
+  // Call this before data for a time are requested. Returns true if the target starts a new
+  // sequence of times, so that earlier data are to be discarded.
   bool Request(vtkInformation* target, double time);
 
-  // Whether the steps are those of pushed frames, and the newest of them.
+  // Returns true if the steps are the times of pushed frames; GetNewest returns the last of them.
   bool ArePushed() const { return this->IsPushed; }
   PipelineTime GetNewest() const { return { this->Steps.back() }; }
 
-  // TargetMoves, OnlyForward, Steps and InputSteps.
+  // Writes TargetMoves, OnlyForward, Steps and InputSteps.
   void WriteTo(SurfaceInputs& inputs) const;
 
-  // The TIME_STEPS to publish. Empty for an in-situ source until a time has been requested, and
-  // over pushed frames, of which only the newest can be had.
+  // TIME_STEPS to publish. For a target that offers no time twice these are the target's own steps,
+  // which may be empty. Empty for pushed frames, of which only the newest is available.
   const std::vector<double>& GetPublishedSteps() const { return this->Published; }
 
 private:
   bool IsPushed = false;
   bool TargetMoves = false;
   bool OnlyForward = false;
-  std::vector<double> Requested;  // in situ
-  std::vector<double> InputSteps; // all, even if only one
+  std::vector<double> Requested;  // times, in situ
+  std::vector<double> InputSteps; // all steps of the target, even a single one
   std::vector<double> Steps;
   std::vector<double> Published;
 };

@@ -1,4 +1,4 @@
-// How an input is asked for its data, and when it has changed.
+// Updates of an input, and detection of changes upstream.
 
 #include "Pipeline/SurfaceInput.h"
 #include "WholeInput.h"

@@ -25,7 +25,8 @@ namespace activesurface
 namespace
 {
 
-// The history comes along with the others, but not with other pieces of the image.
+// The history is filled along with each requested port. Exception: on one process, not with a piece
+// other than piece 0.
 bool IsFilled(int port, const SurfaceProperties& properties, vtkInformation* request,
   vtkInformationVector* output)
 {
@@ -95,7 +96,7 @@ void OutputPorts::MarkUnfilled(
 void OutputPorts::Fill(const SurfaceProperties& properties, SurfaceSimulation& simulation,
   vtkInformation* request, vtkInformationVector* output)
 {
-  // The extent may be known since now only.
+  // The domain may not have been available before.
   PublishExtent(output->GetInformationObject(Potential), simulation.FindDomain());
   for (int port = 0; port < NumberOfPorts; ++port)
   {

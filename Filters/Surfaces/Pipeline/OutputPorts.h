@@ -1,4 +1,4 @@
-// The filter's output ports: which of them a request fills, and with what.
+// Output ports of the filter: selects the ports that a request fills, and fills them.
 
 #ifndef OutputPorts_h
 #define OutputPorts_h
@@ -27,23 +27,23 @@ public:
     NumberOfPorts = 3
   };
 
-  // Whether the request is for nothing: another piece of the skin or of the history than the
-  // first, which is all of it. Ranks that work together have something each.
+  // Returns true if the request yields no data: on one process, a piece other than piece 0 of the
+  // skin or the history, as piece 0 is complete. With several ranks, each request fills an output.
   static bool IsForNothing(
     const OutputShare& share, vtkInformation* request, vtkInformationVector* output);
 
-  // Marks the ports that this request leaves unfilled with DATA_NOT_GENERATED.
+  // Marks the ports that the request leaves unfilled with DATA_NOT_GENERATED.
   static void MarkUnfilled(
     const SurfaceProperties& properties, vtkInformation* request, vtkInformationVector* output);
 
-  // From a simulation at the requested time.
+  // Fills the ports. The simulation must be at the requested time.
   void Fill(const SurfaceProperties& properties, SurfaceSimulation& simulation,
     vtkInformation* request, vtkInformationVector* output);
 
-  // Empties all of them, and the skin function; they do not count as made.
+  // Empties all outputs and the skin function, and marks the outputs with DATA_NOT_GENERATED.
   void Clear(vtkInformationVector* output);
 
-  // Of the skin that was made last; the same object always.
+  // Implicit function of the last skin; always returns the same object.
   vtkGridPotential* GetSkinFunction(const SurfaceSimulation& simulation)
   {
     return this->Function.Get(
@@ -52,7 +52,7 @@ public:
 
 private:
   SkinFunction Function;
-  // What the outputs hold, also after a request for something else has failed upstream.
+  // Time of the outputs. Unchanged if a later request fails upstream.
   bool AreFilled = false;
   RequestedTime Filled;
 };

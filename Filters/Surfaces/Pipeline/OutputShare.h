@@ -1,4 +1,4 @@
-// What of the outputs is this rank's.
+// Part of the outputs that belongs to this rank.
 
 #ifndef OutputShare_h
 #define OutputShare_h
@@ -6,7 +6,7 @@
 namespace activesurface
 {
 
-// All of them in a program of one process.
+// Rank and number of ranks. One process has the complete outputs.
 struct OutputShare
 {
   int Rank = 0;

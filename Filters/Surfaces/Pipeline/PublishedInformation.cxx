@@ -19,7 +19,8 @@ namespace activesurface
 namespace
 {
 
-// Whether it is not empty, and within. VTK splits an empty extent into pieces that are neither.
+// Returns true if the extent is not empty and within `whole`. VTK splits an empty extent into
+// pieces that fail both tests.
 bool IsPartOf(const int extent[6], const int whole[6])
 {
   bool isPart = true;

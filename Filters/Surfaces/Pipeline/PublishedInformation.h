@@ -1,4 +1,4 @@
-// What the output ports say about themselves, and what is asked of them.
+// Information of the output ports, and the requests at these ports.
 
 #ifndef PublishedInformation_h
 #define PublishedInformation_h
@@ -19,21 +19,24 @@ struct SurfaceDomain;
 // The output port that a request is for.
 int RequestedPort(vtkInformation* request);
 
-// None for a surface in equilibrium, which is at no time, and over pushed frames, of which the
-// newest can be had. Without steps, those of the input.
+// Publishes the steps. Publishes no times if hasNone: for a surface in equilibrium, which has no
+// time, and for pushed frames, of which only the newest is available. Without steps, the output
+// keeps the times that VTK copied from the input.
 void PublishTimes(vtkInformation* output, const std::vector<double>& steps, bool hasNone);
 void PublishTime(vtkDataObject* data, PipelineTime time, bool isEquilibrium);
 
-// Of the potential's image; empty without a domain.
+// Publishes the extent, origin and spacing of the potential's image; an empty extent without a
+// domain.
 void PublishExtent(vtkInformation* output, const SurfaceDomain* domain);
 
-// If UPDATE_EXTENT is empty or outside the image, requests the extent of the requested piece; of
-// this rank's piece, if no rank has asked for less than the image.
+// Replaces an UPDATE_EXTENT that is empty or outside the image by the extent of the requested
+// piece. On several ranks, a rank that requests one piece gets its own part instead of the whole
+// image.
 void RequestSomeExtent(vtkInformation* output, const OutputShare& share);
 
-// Whether another piece than the first is requested. Outputs are shared out in pieces to the ranks
-// of a parallel program: all of a skin or a history is its first piece, while of the image each
-// rank gets its own part.
+// Returns true if a piece other than piece 0 is requested. If a parallel program distributes the
+// outputs of single-process filters, piece 0 has all of the skin and the history, and each rank
+// gets its own part of the image.
 bool IsOtherPiece(vtkInformation* output);
 
 }

@@ -56,8 +56,8 @@ PushedFrames::PushedFrames(vtkAlgorithm* filter)
 {
 }
 
-// The producer and its executive refer to each other, and VTK's garbage collector does not look at
-// them when it deletes the filter.
+// Breaks the reference cycle of the producer and its executive, which VTK's garbage collector does
+// not find when it deletes the filter.
 PushedFrames::~PushedFrames()
 {
   this->Producer->SetOutput(nullptr);

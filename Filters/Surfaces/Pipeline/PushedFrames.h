@@ -1,5 +1,5 @@
-// Frames that a running simulation pushes into a filter one by one, as the input of port 0, and
-// their times. Only the newest one is there.
+// Frames that a running simulation pushes into a filter one by one, as the input of port 0, and the
+// times of the frames. Only the newest frame is available.
 
 #ifndef PushedFrames_h
 #define PushedFrames_h
@@ -26,20 +26,22 @@ public:
   PushedFrames(const PushedFrames&) = delete;
   void operator=(const PushedFrames&) = delete;
 
-  // None while something else is the filter's input: whoever connects it does not push any more.
+  // Times of the frames. Discards them if port 0 is not connected to the frames: a user who
+  // connects another input has stopped pushing.
   const std::vector<double>& GetTimes();
 
-  // Whether the frames are the filter's input.
+  // Returns true if port 0 is connected to the frames.
   bool AreConnected() const;
 
-  // Makes the data the newest frame, dt after the one before, and the frames the filter's input.
-  // The arrays are shared. Throws std::invalid_argument for what cannot be; then all is as before.
+  // Makes the data the newest frame, at dt after the previous one, and connects port 0 to the
+  // frames. The first frame is at StartTime. Shares the data's arrays. Throws std::invalid_argument
+  // for invalid data or dt, and then changes nothing.
   void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt);
-  // Puts the frame before the newest one back.
+  // Removes the newest frame; the previous one is the newest again.
   void Withdraw();
-  // The newest frame is the first one.
+  // Makes the newest frame the first one.
   void ForgetPast() { this->Times = { this->Times.back() }; }
-  // The next frame is the first one.
+  // Makes the next frame the first one.
   void Stop() { this->Times.clear(); }
 
 private:

@@ -25,7 +25,7 @@ void Tell(std::ostream& text, const Property& property, const std::array<double,
   text << "\n";
 }
 
-// A line each, numbers to the last bit: what has to be the same for the ranks to keep step.
+// Lists the values that must agree on all ranks, one on a line, with all bits of each number.
 std::string DescribeRequest(
   const SurfaceProperties& properties, const SurfaceSettings& settings, int port, PipelineTime time)
 {
@@ -51,7 +51,7 @@ std::string DescribeRequest(
   return text.str();
 }
 
-// What the first line is about that is not the same in both.
+// Returns the name in the first line that differs.
 std::string FindDifference(const std::string& one, const std::string& other)
 {
   std::istringstream lines(one), others(other);

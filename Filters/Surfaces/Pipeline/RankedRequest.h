@@ -1,4 +1,4 @@
-// What the ranks of a parallel program ask of their filters has to be the same: one skin, one time.
+// Checks that all ranks of a parallel program make the same request: one skin, one time.
 
 #ifndef RankedRequest_h
 #define RankedRequest_h
@@ -12,14 +12,14 @@
 namespace activesurface
 {
 
-// A round of the ranks: each tells its settings, what is requested, and where its surface is.
-// Returns whether all surfaces are at the same place: if not, all have to start anew. Throws
-// std::invalid_argument, with the same sentence on each rank, where requests differ.
+// Compares the settings, the request and the state of the surface on all ranks. Returns false if
+// the states differ: then all ranks must restart. Throws std::invalid_argument, with the same
+// message on each rank, if settings or requests differ. Collective.
 bool AgreeOnRequest(Agreement& ranks, const SurfaceProperties& properties,
   const SurfaceSimulation& simulation, int port, PipelineTime time);
 
-// Where memory ends in a task, on this rank or on another one: startAnew(), and an error with this
-// sentence.
+// Runs a task. If memory runs out, on this rank or on another one, calls startAnew() and throws
+// std::runtime_error with this sentence.
 void RunWithinMemory(
   const std::function<void()>& task, const std::function<void()>& startAnew, const char* sentence);
 

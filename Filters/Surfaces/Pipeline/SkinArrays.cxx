@@ -28,7 +28,7 @@ struct SkinContext
 
 using FloatArray = vtkSmartPointer<vtkFloatArray>;
 
-// The normal velocity; what is along the skin comes with the passed arrays.
+// Returns the normal velocity. The tangential part is added with the passed arrays.
 FloatArray MakeVelocity(const SkinContext& skin)
 {
   const std::vector<float> speeds =
@@ -50,7 +50,7 @@ FloatArray MakeCurvatureOf(const SkinContext& skin)
   return MakeCurvature(skin.Simulation.GetBand());
 }
 
-// A point array, the property that asks for it, and what it is made of besides the band.
+// A point array, the property that requests it, and its inputs besides the band.
 struct SkinArray
 {
   bool OutputProperties::*IsRequested;
@@ -71,7 +71,9 @@ bool HasRequested(const OutputProperties& properties, bool SkinArray::*need)
     { return array.*need && properties.*array.IsRequested; });
 }
 
-// Shortens what is along the normal: the particles' own velocity along the skin is no error.
+// Limits a vector to the length `longest`. The normal part is shortened first, as the tangential
+// part is the particles' own velocity; that part is shortened only if it is longer than `longest`
+// itself.
 void ShortenVector(double longest, const double normal[3], float* vector)
 {
   double along = 0.0, square = 0.0;

@@ -1,4 +1,4 @@
-// The point arrays that the skin has besides its points and normals.
+// Point arrays of the skin besides points and normals.
 
 #ifndef SkinArrays_h
 #define SkinArrays_h
@@ -13,15 +13,15 @@ class vtkPolyData;
 namespace activesurface
 {
 
-// Whether one of them needs the outward normals, or the speeds of the skin's vertices.
+// Return true if a requested array needs the outward normals, or the speeds of the skin's vertices.
 bool NeedNormals(const OutputProperties& properties);
 bool NeedSpeeds(const OutputProperties& properties);
 
-// "MeanCurvature", of the skin of a band.
+// Returns the array "MeanCurvature" of a band's skin.
 vtkSmartPointer<vtkFloatArray> MakeCurvature(const NarrowBand& band);
 
-// From a simulation at the requested time, whose skin has its points. normals: at these points;
-// empty if nothing needs them.
+// Adds the requested arrays. The simulation must be at the requested time, and `skin` must have its
+// points. normals: outward normals at the points; empty if no array needs them.
 void AddSkinArrays(const OutputProperties& properties, const SurfaceSimulation& simulation,
   const vtkFloatArray* normals, vtkPolyData* skin);
 

@@ -1,4 +1,4 @@
-// The skin of a surface as an implicit function for others.
+// Implicit function of a surface's skin, for other filters.
 
 #ifndef SkinFunction_h
 #define SkinFunction_h
@@ -22,16 +22,16 @@ public:
   SkinFunction();
   ~SkinFunction();
 
-  // The same object always. The first time it is asked for it becomes that of this skin, later it
-  // is that of the skin for which it was last renewed; null: outside everywhere. The band's
-  // positions are relative to the origin.
+  // Returns the function; always the same object. The first call makes it from this band, and Renew
+  // replaces its skin. Null: the function is outside everywhere. Positions in the band are relative
+  // to the origin.
   vtkGridPotential* Get(const NarrowBand* band, const std::array<double, 3>& origin);
 
-  // Takes a snapshot, if anybody has asked for the function.
+  // Replaces the skin by a snapshot of this one, if Get has been called before.
   void Renew(const NarrowBand* band, const std::array<double, 3>& origin);
 
 private:
-  vtkSmartPointer<vtkGridPotential> Function; // null until somebody asks for it
+  vtkSmartPointer<vtkGridPotential> Function; // null until the first call of Get
 };
 
 }

@@ -1,4 +1,4 @@
-// The distance to the skin of a NarrowBand as samples.
+// Distance to the skin of a NarrowBand, as grid samples.
 
 #ifndef SkinSamples_h
 #define SkinSamples_h
@@ -16,7 +16,7 @@ class SkinDistance;
 class SkinSamples : public GridSamples
 {
 public:
-  // The skin's positions are relative to the origin.
+  // Positions in the skin are relative to the origin.
   SkinSamples(std::shared_ptr<const SkinDistance> skin, const std::array<double, 3>& origin);
   ~SkinSamples() override;
 

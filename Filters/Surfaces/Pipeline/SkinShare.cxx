@@ -22,7 +22,7 @@ namespace
 
 using Ranges = std::vector<Skin::TriangleRange>;
 
-// Calls visit(triangle) for each.
+// Calls visit(triangle) for each triangle of the ranges.
 template <class Visit>
 void ForEachTriangle(const Ranges& ranges, Visit&& visit)
 {
@@ -35,7 +35,8 @@ void ForEachTriangle(const Ranges& ranges, Visit&& visit)
   }
 }
 
-// The points of the triangles, in their order; and of each point here its place among them, or -1.
+// Points of the triangles in their order, and for each point of the skin its index among them, or
+// -1.
 struct UsedPoints
 {
   vtkNew<vtkIdList> Points;
@@ -83,7 +84,7 @@ vtkSmartPointer<vtkCellArray> Renumber(
   return cells;
 }
 
-// numbers: of all points here, in the skin of all ranks.
+// numbers: for each point of `skin`, its index in the skin of all ranks.
 void AddGlobalIds(vtkIdList* points, const std::vector<std::int64_t>& numbers, vtkPointData* arrays)
 {
   vtkNew<vtkIdTypeArray> ids;
@@ -96,7 +97,7 @@ void AddGlobalIds(vtkIdList* points, const std::vector<std::int64_t>& numbers, v
   arrays->SetGlobalIds(ids);
 }
 
-// The arrays at these points.
+// Returns the arrays at these points.
 vtkSmartPointer<vtkPointData> CopyArrays(vtkPointData* whole, vtkIdList* points)
 {
   vtkNew<vtkIdList> order;

@@ -1,4 +1,4 @@
-// The skin shared out to the ranks of a parallel program.
+// Distributes the skin over the ranks of a parallel program.
 
 #ifndef SkinShare_h
 #define SkinShare_h
@@ -15,10 +15,10 @@ namespace activesurface
 
 class NarrowBand;
 
-// Leaves this rank's triangles of a skin, with their points and the array "GlobalPointIds", the
-// points' numbers in the whole: points at a border are on both sides of it, with the same bytes.
-// Returns the arrays of the whole on rank 0, for writers, if the band is whole; else null. Does
-// nothing if the share is all.
+// Reduces a skin to this rank's triangles and their points, and adds the array "GlobalPointIds"
+// with the point indices in the whole skin. Points at the border of two parts are in both, bitwise
+// identical. Returns the arrays of the whole skin on rank 0, for writers, if the band is whole;
+// else null. Changes nothing in a program of one process.
 vtkSmartPointer<vtkPointData> KeepShare(
   const NarrowBand& band, const OutputShare& share, vtkPolyData* skin);
 

@@ -22,7 +22,8 @@ namespace activesurface
 namespace
 {
 
-// Gathers the state of all ranks, with the arrays that the skin has without particles.
+// Gathers the state of all ranks, with the skin's arrays that need no particles. Null on ranks that
+// do not receive the whole band. Collective.
 std::shared_ptr<const AttachedState> GatherState(
   const AttachedState& part, bool normals, bool curvature)
 {

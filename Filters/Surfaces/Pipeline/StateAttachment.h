@@ -1,4 +1,4 @@
-// The time of an output, and the state of the surface that is attached to it: for writers of files.
+// Attaches the time and the surface's state to an output, for file writers.
 
 #ifndef StateAttachment_h
 #define StateAttachment_h
@@ -12,8 +12,8 @@ namespace activesurface
 class SurfaceSimulation;
 struct OutputProperties;
 
-// Of a simulation at the requested time. arrays: those of all of the skin, where the data are a
-// part of what this rank has; else null.
+// The simulation must be at the requested time. arrays: the arrays of the whole skin if `data` has
+// only this rank's part; else null.
 void AttachState(const OutputProperties& properties, const SurfaceSimulation& simulation,
   vtkDataObject* data, vtkPointData* arrays);
 

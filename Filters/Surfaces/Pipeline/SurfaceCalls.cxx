@@ -1,4 +1,4 @@
-// What is asked of a surface besides VTK's pipeline requests.
+// Calls of a surface other than VTK's pipeline requests.
 
 #include "NarrowBand.h"
 #include "Pipeline/SurfaceRequests.h"
@@ -23,13 +23,13 @@ vtkGridPotential* SurfaceRequests::GetSkinFunction()
 void SurfaceRequests::Push(const SurfaceProperties& properties, vtkDataObject* data, double dt)
 {
   this->Update.Refuse("Advance");
-  if (!this->Simulation.HasBegun()) // a first frame was refused
+  if (!this->Simulation.HasBegun()) // the first frame was refused
   {
     this->Pushed.Stop();
   }
   if (data && this->Target.IsConnected() && !this->Pushed.AreConnected())
   {
-    this->Target.Check(data); // one that is refused does not take the place of another input
+    this->Target.Check(data); // refused data must not replace another input
   }
   this->Pushed.Push(properties, data, dt);
 }

@@ -56,7 +56,7 @@ std::string ListArrays(vtkPointData* arrays)
   return names.empty() ? "it has no point arrays with names" : "its point arrays are " + names;
 }
 
-// As a rank gets it of a table that another rank has.
+// Returns true for a table without columns. A rank receives one if another rank has the table.
 bool HasNothing(vtkDataObject* data)
 {
   auto table = vtkTable::SafeDownCast(data);
@@ -65,7 +65,7 @@ bool HasNothing(vtkDataObject* data)
 
 }
 
-// The arrays of one data set.
+// Chosen arrays of one data set.
 class SurfaceInput::ArraysOf : public ChosenArrays
 {
 public:
@@ -191,7 +191,7 @@ std::shared_ptr<InputShape> SurfaceInput::Read(
   const OwnPiece own = HasNothing(object) ? OwnPiece() : this->MakeOwn(AsDataSet(object), kept);
   const std::string name = "The input of port " + std::to_string(this->Port);
   const AllPieces all = AgreeOnPieces(this->Ranks, own.Facts, name);
-  if (all.Kind == PieceKind::Nothing && HasNothing(object)) // an error, as in one process
+  if (all.Kind == PieceKind::Nothing && HasNothing(object)) // throws, as in one process
   {
     return readOwn();
   }
@@ -200,14 +200,14 @@ std::shared_ptr<InputShape> SurfaceInput::Read(
     return this->ReadHome(own, all, kept, name);
   }
   std::shared_ptr<InputShape> whole = this->ReadWhole(own.Piece, kept, name);
-  if (all.Kind == PieceKind::Particles) // the same as of parts
+  if (all.Kind == PieceKind::Particles) // the checksum that ReadHome sets
   {
     whole->Content = all.Content;
   }
   return whole;
 }
 
-// The particles whose home this rank is.
+// Returns the particles that this rank owns.
 std::shared_ptr<InputShape> SurfaceInput::ReadHome(const OwnPiece& own, const AllPieces& all,
   const ParticleArrays& kept, const std::string& name) const
 {
@@ -221,7 +221,7 @@ std::shared_ptr<InputShape> SurfaceInput::ReadHome(const OwnPiece& own, const Al
   home->Ranks = this->Ranks;
   if (kept.All)
   {
-    InputPiece copy = own.Piece; // the next step may write over the input's arrays
+    InputPiece copy = own.Piece; // the next step may overwrite the input's arrays
     if (copy.Data)
     {
       copy.Data.TakeReference(own.Piece.Data->NewInstance());
@@ -249,7 +249,7 @@ void SurfaceInput::Check(vtkDataObject* data) const
   }
 }
 
-// What is wrong with this rank's own part is found here, where the rank can be told.
+// Validates this rank's own data before the exchange, so that the error names this rank.
 SurfaceInput::OwnPiece SurfaceInput::MakeOwn(vtkDataSet* data, const ParticleArrays& kept) const
 {
   OwnPiece own;
@@ -264,7 +264,7 @@ SurfaceInput::OwnPiece SurfaceInput::MakeOwn(vtkDataSet* data, const ParticleArr
   if (own.Piece.Kind == PieceKind::Particles)
   {
     vtkDataSet* points = own.Piece.Data;
-    if (points->GetNumberOfPoints() != data->GetNumberOfPoints()) // without ghosts
+    if (points->GetNumberOfPoints() != data->GetNumberOfPoints()) // ghosts were removed
     {
       own.Shape = MakeInputShape({ points, ArraysOf(*this, points), kept });
     }
@@ -312,7 +312,7 @@ vtkAbstractArray* SurfaceInput::FindValues(vtkDataSet* image) const
   return values;
 }
 
-// Null if none is chosen.
+// Returns null if no array is chosen.
 vtkAbstractArray* SurfaceInput::FindArray(int index, vtkDataSet* data) const
 {
   if (!this->IsArrayChosen(index))

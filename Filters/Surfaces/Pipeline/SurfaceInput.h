@@ -1,4 +1,4 @@
-// What comes through an input port: times, shapes, and whether something upstream has changed.
+// Input port of a surface: its times, its shapes, and changes upstream.
 
 #ifndef SurfaceInput_h
 #define SurfaceInput_h
@@ -32,53 +32,54 @@ public:
     Initial = 1
   };
 
-  // The ranks are the caller's. Read is a round of theirs; the rest is a matter of each one.
+  // The caller owns `ranks`. Only Read is collective.
   SurfaceInput(vtkAlgorithm* filter, Ports port, Agreement& ranks);
 
-  // What a port takes; it may be left empty.
+  // Accepted data types of a port. Each port is optional.
   static void DescribePort(int port, vtkInformation* information);
   static bool Takes(int port, vtkDataObject* data);
 
   bool IsConnected() const;
 
-  // Changes whenever an algorithm or data upstream is modified, not when another time is read.
+  // Changes if an algorithm or data upstream is modified, but not if another time is requested.
+  // Returns 0 without an input.
   std::uint64_t GetPipelineMTime() const;
 
-  // Whether nothing has changed since it was such an MTime.
+  // Returns true if the input is connected and its pipeline MTime is still `time`.
   bool IsStillAt(std::uint64_t time) const
   {
     return this->IsConnected() && this->GetPipelineMTime() == time;
   }
 
-  // The time steps that the input offers; none without an input.
+  // Time steps of the input; empty without an input.
   static std::vector<double> GetTimeSteps(vtkInformation* information);
-  // Whether the input offers any time in a range, without steps.
+  // Returns true if the input has a time range without time steps.
   static bool IsContinuous(vtkInformation* information);
 
-  // Which arrays were chosen for radii, ids, strengths and the values of the target's and the
-  // initial image; empty where none was.
+  // Descriptions of the arrays chosen for radii, ids, strengths, and the values of the target's and
+  // the initial image; an empty string if none is chosen.
   std::array<std::string, 5> DescribeArrays() const;
 
-  // Whether the data are of blocks that the pipeline hands over one after the other, as if each
-  // were the input. True before a request for data only.
+  // Returns true if the pipeline passes the blocks of the data one by one, each as if it were the
+  // input. Valid only before a request for data.
   bool IsSplit(vtkInformation* information) const;
 
-  // What to keep of particles: all their arrays, and the array of velocities, if one was chosen.
+  // Arrays of particles to keep: all arrays, and the array of velocities if one is chosen.
   ParticleArrays DescribeParticleArrays(bool all, bool velocities) const;
 
-  // Reads the pieces of all ranks. areShared: of particles each rank keeps a part. Throws
-  // std::invalid_argument for data that cannot be a target, and for arrays that are missing or
-  // unfit.
+  // Reads the pieces of all ranks. areShared: each rank keeps only a part of the particles. Throws
+  // std::invalid_argument for data that cannot be a target, and for missing or unsuitable arrays.
+  // Collective.
   std::shared_ptr<InputShape> Read(vtkInformation* information,
     const ParticleArrays& kept = ParticleArrays(), bool areShared = false) const;
 
-  // Throws as Read does, for this rank's piece alone.
+  // Throws as Read does, but only for the data of this rank.
   void Check(vtkDataObject* data) const;
 
-  // All of it, or this rank's piece, at its first time step or time, if it has any.
+  // Requests all data, or this rank's piece, at the first time step or the start of the time range.
   void RequestFirst(vtkInformation* information) const;
 
-  // Brings the input up to date, at a time or the first one; false if it fails.
+  // Update the input to a time, or to its first time. Return false on failure.
   bool Update(vtkInformation* information, double time) const;
   bool UpdateFirst(vtkInformation* information) const;
 
@@ -93,7 +94,7 @@ private:
   struct OwnPiece
   {
     InputPiece Piece;
-    std::unique_ptr<InputShape> Shape; // of the piece; null: nothing
+    std::unique_ptr<InputShape> Shape; // of the piece; null if the rank has no data
     PieceFacts Facts;
   };
   OwnPiece MakeOwn(vtkDataSet* data, const ParticleArrays& kept) const;

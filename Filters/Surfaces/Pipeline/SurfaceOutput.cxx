@@ -25,7 +25,7 @@ namespace activesurface
 namespace
 {
 
-// Points of the array's precision.
+// Writes the triangles and returns their points in the array's precision.
 template <class Array>
 vtkSmartPointer<Array> WriteTriangles(const Skin& triangles, float* normals, std::int64_t* corners)
 {

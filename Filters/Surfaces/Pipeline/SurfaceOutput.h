@@ -1,4 +1,4 @@
-// A surface as VTK data.
+// Converts a surface to VTK data.
 
 #ifndef SurfaceOutput_h
 #define SurfaceOutput_h
@@ -17,19 +17,19 @@ namespace activesurface
 class NarrowBand;
 struct HistoryRow;
 
-// Triangles; valid and empty for an empty surface. Fills the outward normals at the points, unless
-// they are null.
+// Writes the triangles of the skin; valid and empty for an empty surface. Fills the outward normals
+// at the points unless `normals` is null.
 void FillSkin(const NarrowBand& band, vtkFloatArray* normals, vtkPolyData* skin);
 
-// Makes points that are relative to an origin world coordinates, in double precision; nothing for
-// an origin of zero.
+// Converts points relative to an origin to world coordinates in double precision. Changes nothing
+// if the origin is zero.
 void MoveToWorld(const std::array<double, 3>& origin, vtkPolyData* skin);
 
-// The distances on an extent of the lattice, as scalars "Potential". origin: position of node 0.
+// Writes distances on an extent of the lattice as scalars "Potential". origin: position of node 0.
 void FillPotential(const NarrowBand& band, const int extent[6], const std::array<double, 3>& origin,
   vtkImageData* potential);
 
-// One row each, one column for each member, by its name. Of a table that is empty.
+// Fills an empty table: one row for each history row, one column for each member, with its name.
 void FillHistory(const std::vector<HistoryRow>& rows, vtkTable* table);
 
 }

@@ -1,4 +1,4 @@
-// What the filter's properties say, as its pipeline requests need it.
+// Values of the filter's properties, for its pipeline requests.
 
 #ifndef SurfaceProperties_h
 #define SurfaceProperties_h
@@ -10,7 +10,7 @@
 namespace activesurface
 {
 
-// What the outputs have besides the shape of the skin. None of it restarts the motion.
+// Contents of the outputs besides the shape of the skin. Changes do not restart the motion.
 struct OutputProperties
 {
   bool Normals = true;
@@ -24,14 +24,14 @@ struct OutputProperties
 
 struct SurfaceProperties
 {
-  SurfaceSettings Settings; // of the inputs only the functions are known
+  SurfaceSettings Settings; // of the inputs only the functions are set
   ClockProperties Clock;
   SimulationLimits Limits;
   OutputProperties Outputs;
   OutputShare Share;
 };
 
-// Calls visit as ForEachMotionProperty does, for each of OutputProperties.
+// Calls visit for each of OutputProperties, as ForEachMotionProperty does.
 template <class Properties, class Visitor>
 void ForEachOutputProperty(Properties& outputs, Visitor&& visit)
 {

@@ -29,7 +29,7 @@ namespace activesurface
 namespace
 {
 
-vtkInformation* Get(vtkInformationVector** input, SurfaceInput::Ports port) // null: not connected
+vtkInformation* Get(vtkInformationVector** input, SurfaceInput::Ports port) // null if not connected
 {
   return input[port]->GetInformationObject(0);
 }
@@ -90,7 +90,7 @@ RequestedArrays SurfaceRequests::FindArrays(const OutputProperties& properties, 
   return arrays;
 }
 
-// Whether there are times to publish.
+// Returns true if the filter has times to publish.
 bool SurfaceRequests::ReadClock(const SurfaceProperties& properties, vtkInformation* target)
 {
   const bool isEquilibrium = properties.Settings.IsEquilibrium();
@@ -103,7 +103,7 @@ bool SurfaceRequests::ReadClock(const SurfaceProperties& properties, vtkInformat
   this->Clock.Read(this->Pushed.GetTimes());
   if (!this->Simulation.IsContinuedBy(this->FindSettings(properties)))
   {
-    this->Pushed.ForgetPast(); // it cannot be had again
+    this->Pushed.ForgetPast(); // past frames are unavailable
     this->Clock.Read(this->Pushed.GetTimes());
   }
   return false;
@@ -125,14 +125,14 @@ void SurfaceRequests::PublishInformation(
   image->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
 }
 
-// Null if it is not known. Errors are not told here but when data are requested.
+// Returns null if the domain is unavailable. Errors are reported later, when data are requested.
 const SurfaceDomain* SurfaceRequests::FindDomain(
   const SurfaceProperties& properties, vtkInformationVector** input, bool isWanted)
 {
   try
   {
     this->Simulation.Configure(this->FindSettings(properties));
-    const SurfaceDomain* domain = this->Simulation.FindDomain(); // ranks read together, not here
+    const SurfaceDomain* domain = this->Simulation.FindDomain(); // several ranks do not read here
     if (!domain && isWanted && this->Ranks.IsAlone())
     {
       this->ReadFirst(input);
@@ -146,7 +146,7 @@ const SurfaceDomain* SurfaceRequests::FindDomain(
   }
 }
 
-// What the start needs of the inputs, updated from within.
+// Reads the data that the start needs, by updates from within.
 void SurfaceRequests::ReadFirst(vtkInformationVector** input)
 {
   vtkInformation* target = Get(input, SurfaceInput::Target);
@@ -205,8 +205,8 @@ void SurfaceRequests::RequestInputs(const SurfaceProperties& properties, vtkInfo
   {
     this->CompositeInitial = this->Initial.GetPipelineMTime();
   }
-  // One source at both ports is at the target's time, which is the first one when the start needs
-  // it.
+  // If both ports have the same source, it is requested at the target's time, which is the first
+  // one when the initial shape is needed.
   if (initial && initial != target)
   {
     this->Initial.RequestFirst(initial);
@@ -221,8 +221,8 @@ void SurfaceRequests::CheckInputs() const
       this->Initial.IsStillAt(this->CompositeInitial) });
 }
 
-// Some algorithms modify themselves while they execute, which is no reason to start anew; nor if
-// they fail.
+// Stores the inputs' MTimes after an update, even a failed one. Some algorithms modify themselves
+// while they execute; that must not restart the motion.
 class SurfaceRequests::MTimesAfterwards
 {
 public:
@@ -249,7 +249,7 @@ private:
   SurfaceRequests& Requests;
 };
 
-// Pushed frames cannot be read ahead.
+// Later frames of a simulation that pushes are unavailable, so their spacing is not estimated here.
 void SurfaceRequests::SettleSpacing(vtkInformation* target)
 {
   if (target && !this->Clock.ArePushed() && this->Simulation.WantsSpacing())
@@ -258,7 +258,7 @@ void SurfaceRequests::SettleSpacing(vtkInformation* target)
   }
 }
 
-// With what the inputs were asked for, then as many more steps of the target as are needed.
+// Advances with the requested inputs, then with further steps of the target as needed.
 bool SurfaceRequests::Advance(vtkInformationVector** input)
 {
   const MTimesAfterwards afterwards(*this);
@@ -281,7 +281,7 @@ bool SurfaceRequests::Advance(vtkInformationVector** input)
     });
 }
 
-// A piece without content has the time of the one with it.
+// Gives an empty piece the time of the piece with data.
 void SurfaceRequests::PublishTimeOfNothing(
   const SurfaceProperties& properties, vtkInformation* request, vtkInformationVector* output) const
 {
@@ -293,7 +293,7 @@ void SurfaceRequests::PublishTimeOfNothing(
     steps.empty() ? asked : PipelineTime{ FindStep(steps, asked.Value).Time }, isEquilibrium);
 }
 
-// Some ranks may have started anew, as something upstream has changed there or failed.
+// Restarts all ranks if their states differ: some restart if something changed or failed upstream.
 void SurfaceRequests::AgreeOnRequest(
   const SurfaceProperties& properties, vtkInformation* request, vtkInformationVector* output)
 {
@@ -310,7 +310,7 @@ void SurfaceRequests::AgreeOnRequest(
   }
 }
 
-// VTK asks such a source on the first rank only.
+// VTK reads a source without piece requests on rank 0 only.
 void SurfaceRequests::WarnOfPieces(vtkInformation* target) const
 {
   if (target && this->Ranks.GetRank() == 0 &&

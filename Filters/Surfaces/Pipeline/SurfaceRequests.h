@@ -1,8 +1,8 @@
-// VTK's pipeline requests to a surface, answered by a SurfaceSimulation.
+// Answers VTK's pipeline requests by a SurfaceSimulation.
 //
-// A request for data may need several time steps of the input. The first of them is requested as
-// usual (RequestInputs), the others by updates of the input from within (RequestData), not by VTK's
-// CONTINUE_EXECUTING: in its loop the pipeline hangs for good if the input fails (VTK 9.1 to 9.6).
+// A request for data may need several time steps of the input. The first step is requested as usual
+// (RequestInputs), the others by updates of the input within RequestData. VTK's CONTINUE_EXECUTING
+// is not used: its loop never ends if the input fails (VTK 9.1 to 9.6).
 
 #ifndef SurfaceRequests_h
 #define SurfaceRequests_h
@@ -34,44 +34,45 @@ class SurfaceRequests
 public:
   explicit SurfaceRequests(vtkAlgorithm* filter);
 
-  // The ranks that make one skin together; null: this process alone. Starts anew.
+  // Sets the ranks that make one skin together; null: only this process. Restarts the motion if
+  // there are or were several ranks.
   void SetController(vtkMultiProcessController* controller);
   OutputShare GetShare() const { return { this->Ranks.GetRank(), this->Ranks.GetSize() }; }
 
   SurfaceSimulation& GetSimulation() { return this->Simulation; }
   UserMessages& GetMessages() { return this->Messages; }
 
-  // Times and extent.
+  // Publishes times and extent.
   void PublishInformation(const SurfaceProperties& properties, vtkInformationVector** input,
     vtkInformationVector* output);
 
   void RequestInputs(const SurfaceProperties& properties, vtkInformation* request,
     vtkInformationVector** input, vtkInformationVector* output);
 
-  // Fills the outputs; throws std::exception whose message is shown to the user. All ranks take
-  // part.
+  // Fills the outputs. Throws std::exception with a message for the user. Collective.
   void RequestData(const SurfaceProperties& properties, vtkInformation* request,
     vtkInformationVector** input, vtkInformationVector* output);
 
-  // A frame, which the next update goes to. Throws as PushedFrames does.
+  // Adds a frame, to which the next update advances. Throws as PushedFrames does.
   void Push(const SurfaceProperties& properties, vtkDataObject* data, double dt);
-  // Whether an update has got to the newest frame.
+  // Returns true if the last update reached the newest frame.
   bool IsAtNewestFrame() const { return this->Simulation.FindSkin() != nullptr; }
-  // After an update that has not: whether the frame was refused, and the one before is the newest
-  // again.
+  // Removes the newest frame if the last update refused it, and returns true; the previous frame is
+  // then the newest again. Call this if IsAtNewestFrame returns false.
   bool WithdrawFrame();
-  // The next update, or the next frame, is a new start. Throws std::logic_error within an update.
+  // Makes the next update, or the next frame, start a new motion. Throws std::logic_error within an
+  // update.
   void Restart();
 
-  // Leaves empty outputs that do not count as made.
+  // Empties the outputs and marks them as not generated.
   void ClearOutputs(vtkInformationVector* output) { this->Outputs.Clear(output); }
 
-  // Throw std::exception whose message is shown to the user: LoadState also within an update. All
-  // ranks take part: the first one writes, each one reads.
+  // Write and read a file with the state. Throw std::exception with a message for the user,
+  // LoadState also within an update. Collective: rank 0 writes, each rank reads.
   void SaveState(const std::string& file);
   void LoadState(const std::string& file);
 
-  // Of the skin that was made last; the same object always.
+  // Implicit function of the last skin; always returns the same object.
   vtkGridPotential* GetSkinFunction();
 
 private:
@@ -108,7 +109,7 @@ private:
 
   UpdateUnderWay Update;
 
-  // Of the last inputs that were composite data sets.
+  // MTimes of the last composite inputs.
   std::uint64_t CompositeTarget = 0;
   std::uint64_t CompositeInitial = 0;
 };

@@ -25,8 +25,9 @@ std::string Format(double time)
 
 }
 
-// VTK takes an algorithm that has failed to make a time to have made it: only after a request for
-// another time it executes again. The last step that it has made costs least.
+// Returns a step other than `missing`, if possible. VTK regards a failed request for a time as
+// fulfilled, so the algorithm executes again only after a request for another time. The step made
+// last costs least.
 int TargetSteps::FindStepBeside(int missing) const
 {
   const int made = this->Simulation.GetLastStepAdded();
@@ -62,8 +63,8 @@ void TargetSteps::Request(vtkInformation* target)
   }
 }
 
-// A step that cannot be made is left out: that is an error when the surface gets there. The first
-// one is kept.
+// Leaves out steps that fail: they are an error when the surface reaches them. Keeps the first
+// step, or reads it again if ranks share space.
 void TargetSteps::SettleSpacing(vtkInformation* target, Agreement& ranks)
 {
   const SurfaceSettings& settings = this->Simulation.GetSettings();

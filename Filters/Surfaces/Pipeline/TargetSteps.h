@@ -1,5 +1,5 @@
-// Which time steps the input of the target is asked for: the first one on the pipeline's own way,
-// others from within.
+// Requests time steps of the target's input: the first one in the usual pipeline pass, others by
+// updates from within.
 
 #ifndef TargetSteps_h
 #define TargetSteps_h
@@ -17,30 +17,31 @@ namespace activesurface
 class TargetSteps
 {
 public:
-  // Both are the caller's.
+  // The caller owns both.
   TargetSteps(SurfaceInput& target, SurfaceSimulation& simulation)
     : Target(target)
     , Simulation(simulation)
   {
   }
 
-  // Asks for the step that the simulation needs first, when the inputs are requested.
+  // Requests the step that the simulation needs first. Call this when the inputs are requested.
   void Request(vtkInformation* target);
 
-  // What has come of it, if it is needed still; null: there is no input.
+  // Adds the requested step to the simulation if that step is still missing. Null: there is no
+  // input.
   void TakeRequested(vtkInformation* target);
 
-  // Reads the first step, and further ones to find the particles' spacing. Collective.
+  // Reads the first step, and more steps to estimate the particle spacing. Collective.
   void SettleSpacing(vtkInformation* target, Agreement& ranks);
 
-  // The first step, which the input has now, unless it was taken.
+  // Adds the first step, which the input has now, if it is still missing.
   void TakeFirst(vtkInformation* target);
 
-  // Another step, by an update from within. Throws std::runtime_error if it cannot be had;
-  // mayGoBack: whether one that was made before can.
+  // Returns a step, by an update from within. mayGoBack: earlier steps are available again. Throws
+  // std::runtime_error if the step is unavailable.
   std::shared_ptr<InputShape> Make(vtkInformation* target, int step, bool mayGoBack);
 
-  // What the input has now.
+  // Returns the current data of the input.
   std::shared_ptr<InputShape> Read(vtkInformation* target) const;
 
 private:
@@ -53,8 +54,8 @@ private:
 
   SurfaceInput& Target;
   SurfaceSimulation& Simulation;
-  int Requested = NoStep;        // of the simulation's
-  bool LastUpdateFailed = false; // or has not come back yet
+  int Requested = NoStep;        // step of the simulation
+  bool LastUpdateFailed = false; // or has not returned yet
 };
 
 }

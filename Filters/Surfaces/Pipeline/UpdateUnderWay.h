@@ -1,5 +1,5 @@
-// Whether an update is under way. Observers are called then, of its progress and its messages; what
-// they ask for may not take away what it works on.
+// Records that an update is running. An update calls observers of its progress and messages; their
+// calls must not remove the data in use.
 
 #ifndef UpdateUnderWay_h
 #define UpdateUnderWay_h
@@ -18,7 +18,7 @@ public:
   public:
     explicit Scope(UpdateUnderWay& update)
       : Update(update)
-      , Before(update.Is) // an observer may ask for information
+      , Before(update.Is) // an observer may request information
     {
       this->Update.Is = true;
     }
@@ -31,7 +31,7 @@ public:
     const bool Before;
   };
 
-  // Throws std::logic_error for a call of an observer.
+  // Throws std::logic_error if an observer makes this call during an update.
   void Refuse(const std::string& call) const
   {
     if (this->Is)

@@ -1,9 +1,9 @@
-// Warnings and errors of the filter, as VTK shows them; fewer of them within ParaView.
+// Warnings and errors of the filter, shown by VTK; fewer within ParaView.
 //
-// ParaView opens a window for each warning and each error. It asks for each output port by itself,
-// again for each view, and lets each pipeline that gets nothing add what its request was. So within
-// ParaView the same warning is shown once, a note without opening the window, and an error once for
-// each change; the outputs are then empty.
+// ParaView opens a window for each warning and each error. It requests each output port separately,
+// and again for each view. If a request fails, each pipeline adds a message with the request. So
+// within ParaView the same warning is shown once, a note does not open the window, and the same
+// error is shown once after each change of the filter. The outputs are then empty.
 
 #ifndef UserMessages_h
 #define UserMessages_h
@@ -30,10 +30,10 @@ public:
 
   void Warn(Warnings::Kind kind, const std::string& sentence);
 
-  // Shows an error. Returns what the request for data returns, after the outputs were emptied.
+  // Shows an error. Returns the value for RequestData to return once the outputs are empty.
   int Fail(const std::string& sentence);
 
-  // After a request without an error.
+  // Call this after a request without an error.
   void ForgetError() { this->LastError.clear(); }
 
 private:
