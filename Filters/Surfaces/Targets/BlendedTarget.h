@@ -1,5 +1,5 @@
-// Any shapes as a target that goes from step to step: F = (1 - f) F0 + f F1 at a fraction f of the
-// way, where F0 and F1 are the functions of the two steps.
+// Target that moves between the shapes of two steps: F = (1 - f) F0 + f F1 at the fraction f of the
+// interval, where F0 and F1 are the functions of the two steps.
 
 #ifndef BlendedTarget_h
 #define BlendedTarget_h
@@ -19,16 +19,16 @@ namespace activesurface
 class BlendedTarget : public MovingTarget
 {
 public:
-  // The frames are the caller's, have to hold what MoveAlong asks for, and functions where they are
-  // not empty. differences: the step of FunctionSampler. outside: the value of a frame without a
-  // function, an empty one.
-  // knowsParts: whether the functions tell of their parts, see GridParts.h.
+  // The caller owns the frames. They must contain the steps that MoveAlong uses; each step that is
+  // not empty must have a function. differences: step of the central differences (FunctionSampler).
+  // outside: value of a frame without a function. knowsParts: the parts of the functions are
+  // available (GridParts.h).
   BlendedTarget(const TargetFrames& frames, double differences, double outside, bool knowsParts,
     const TargetOptions& options);
 
   bool IsThreadSafe() const override;
   bool HasRegions() const override { return this->KnowsParts; }
-  // The parts of both steps.
+  // Visits the parts of both steps.
   void ForEachPart(const PartVisitor& visit) const override;
   SurfacePoints FindSurface() const override;
 
@@ -41,7 +41,7 @@ private:
   struct Shape
   {
     int Step = -1;
-    std::unique_ptr<FunctionSampler> Function; // null: nothing is there
+    std::unique_ptr<FunctionSampler> Function; // null for an empty frame
     vtkSmartPointer<vtkImplicitFunction> Source;
   };
 
@@ -53,7 +53,7 @@ private:
   const double Differences;
   const double Outside;
   const bool KnowsParts;
-  double Blend = 0.0; // of the later shape
+  double Blend = 0.0; // weight of the later shape
   Shape Earlier, Later;
 };
 

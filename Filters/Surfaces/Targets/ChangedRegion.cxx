@@ -12,8 +12,9 @@ namespace
 
 constexpr int MostCells = 64; // along an axis
 
-// Cells about half as wide as the boxes are: a box is marked in a few. By a sum of integers, which
-// is the same in any order of the boxes.
+// Returns the number of cells along an axis, 1 to 64. Cells have half the mean width of the boxes,
+// so that each box marks only a few. The widths are summed as integers: the result does not depend
+// on the order of the boxes.
 int FindSide(const std::vector<ChangedRegion::Box>& boxes, int axis, double extent)
 {
   constexpr double parts = 1 << 20; // of the extent
@@ -21,7 +22,7 @@ int FindSide(const std::vector<ChangedRegion::Box>& boxes, int axis, double exte
   for (const ChangedRegion::Box& box : boxes)
   {
     const double share = (box[2 * axis + 1] - box[2 * axis]) / extent;
-    widths += std::llround(parts * (share < 1.0 ? share : 1.0)); // also where it is not a number
+    widths += std::llround(parts * (share < 1.0 ? share : 1.0)); // also 1 for NaN
   }
   const double side =
     2.0 * parts * double(boxes.size()) / double(std::max<std::int64_t>(widths, 1));
@@ -39,7 +40,7 @@ ChangedRegion::Box Join(const ChangedRegion::Box& a, const ChangedRegion::Box& b
   return both;
 }
 
-// Calls function(cell) for these cells until it returns true; whether it did.
+// Calls function(cell) for the cells in the range until it returns true. Returns true if it did.
 template <class Function>
 bool FindCell(const std::array<int, 6>& range, const std::array<int, 3>& side, Function&& function)
 {

@@ -1,5 +1,5 @@
-// Where something has changed: a set of boxes, of which is asked whether another box touches one.
-// The answer errs on the safe side: boxes are kept as cells of a lattice.
+// Region in which something has changed: a set of boxes, with a test whether another box touches
+// one. The test is conservative, as the boxes are stored as cells of a lattice.
 
 #ifndef ChangedRegion_h
 #define ChangedRegion_h
@@ -15,16 +15,17 @@ class ChangedRegion
 public:
   using Box = std::array<double, 6>; // xmin xmax ymin ymax zmin zmax
 
-  // Only what these boxes touch has changed. They have to be finite.
+  // Only the inside of these boxes has changed. They must be finite.
   void Set(const std::vector<Box>& boxes);
 
-  // All of space has.
+  // All of space has changed.
   void SetEverywhere();
 
   bool Touches(const double bounds[6]) const;
 
 private:
-  // The cells that a box touches, if it touches Bounds: first and last along each axis.
+  // Range of the cells that a box touches: first and last index along each axis. The box must touch
+  // Bounds.
   std::array<int, 6> FindCells(const double bounds[6]) const;
 
   bool IsEverywhere = true;

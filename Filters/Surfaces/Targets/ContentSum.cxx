@@ -42,7 +42,7 @@ std::uint64_t MixBytes(std::uint64_t hash, const char* bytes, std::size_t count)
   return Mix(hash, rest + count);
 }
 
-// Into the hash of each tuple.
+// Mixes each tuple of the array into the hash with the same index.
 void MixTuples(vtkDataArray* array, std::vector<std::uint64_t>& hashes)
 {
   const auto count = static_cast<vtkIdType>(hashes.size());

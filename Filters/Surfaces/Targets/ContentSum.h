@@ -1,4 +1,4 @@
-// Checksums of data sets, to find out whether a time step that is read again has changed.
+// Checksums of data sets, which detect whether a time step has changed when it is read again.
 
 #ifndef ContentSum_h
 #define ContentSum_h
@@ -10,8 +10,9 @@ class vtkDataSet;
 namespace activesurface
 {
 
-// Points, point arrays, and the cells of a vtkPolyData. Of points without other cells than vertices
-// their order does not matter.
+// Sums points, point arrays, the cells of a vtkPolyData except vertices, and the extent, origin and
+// spacing of an image. The result does not depend on the order of the points if there are neither
+// such cells nor an image.
 std::uint64_t SumContent(vtkDataSet* data);
 
 }

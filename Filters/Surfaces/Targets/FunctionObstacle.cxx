@@ -24,7 +24,7 @@ double FindDistance(double value, const double gradient[3])
 std::unique_ptr<Obstacle> MakeObstacle(
   vtkImplicitFunction* function, double voxelSize, const std::array<double, 3>& origin)
 {
-  // In voxels, of the differences that stand in for gradients that a function does not give.
+  // Step of the differences that replace gradients a function does not provide [voxels].
   constexpr double step = 0.125;
   const auto sampler = std::make_shared<const FunctionSampler>(function, step * voxelSize, origin);
   const auto distances = [sampler](std::size_t count, const double* points, double* results)

@@ -13,9 +13,9 @@ class vtkImplicitFunction;
 namespace activesurface
 {
 
-// Its distances are F / |grad F|, to first order; where the gradient vanishes or is not finite it
-// is far away, on the side of the sign of F. origin: of the obstacle's points. The
-// function must not change meanwhile.
+// The distances are F / |grad F|, exact to first order. Where the gradient vanishes or is not
+// finite, the distance is infinite with the sign of F, or 0 if F is 0. origin: origin of the
+// obstacle's points. The function must not change during the obstacle's lifetime.
 std::unique_ptr<Obstacle> MakeObstacle(
   vtkImplicitFunction* function, double voxelSize, const std::array<double, 3>& origin);
 

@@ -21,7 +21,8 @@ namespace activesurface
 namespace
 {
 
-// Functions that only read themselves when they are evaluated. Subclasses have names of their own.
+// Returns true for the classes that do not change when evaluated. Subclasses have other class names
+// and are excluded.
 bool OnlyReadsItself(vtkImplicitFunction* function)
 {
   constexpr std::array<const char*, 10> known = { "vtkBox", "vtkCone", "vtkCylinder",
@@ -32,18 +33,18 @@ bool OnlyReadsItself(vtkImplicitFunction* function)
     known.begin(), known.end(), [name](const char* other) { return !std::strcmp(name, other); });
 }
 
-// The gradients that VTK has for others than these are right.
+// Returns true if VTK's gradient is correct.
 bool HasGradient(vtkImplicitFunction* function)
 {
-  return !vtkImplicitBoolean::SafeDownCast(function) && // of a union, it is that of a difference
-    !vtkImplicitSum::SafeDownCast(function) &&          // whose terms may be among these
-    !function->IsA("vtkSuperquadric"); // it is always 0; not all builds of VTK have the class
+  return !vtkImplicitBoolean::SafeDownCast(function) && // of a union: that of a difference
+    !vtkImplicitSum::SafeDownCast(function) &&          // its terms may be among these classes
+    !function->IsA("vtkSuperquadric"); // always 0 in VTK; not all builds have the class
 }
 
 using Batch =
   std::function<void(vtkIdType count, const double* points, double* values, double* gradients)>;
 
-// EvaluateBatch of a function that has it, as it is now; empty for others.
+// Returns EvaluateBatch for the function's current properties; empty if the class does not have it.
 template <class Potential>
 Batch FindBatch(vtkImplicitFunction* function)
 {
@@ -59,7 +60,7 @@ Batch FindBatch(vtkImplicitFunction* function)
 
 }
 
-// A function, and those that it is made of.
+// A function and the functions that it is composed of.
 struct FunctionSampler::Node
 {
   Node(vtkImplicitFunction* function, double step);
@@ -68,7 +69,7 @@ struct FunctionSampler::Node
   double SampleAt(const double x[3], double gradient[3]) const;
 
   bool ThreadSafe = false;
-  Batch InBatches; // evaluates the function, if it is one of those with EvaluateBatch
+  Batch InBatches; // EvaluateBatch, if the function has it
 
 private:
   double SampleBoolean(const double x[3], double gradient[3]) const;
@@ -147,7 +148,7 @@ double FunctionSampler::Node::SampleAt(const double x[3], double gradient[3]) co
   return this->ValueAt(x);
 }
 
-// The value of the term that decides, and its gradient.
+// Returns the value of the term that determines the result, and that term's gradient.
 double FunctionSampler::Node::SampleBoolean(const double x[3], double gradient[3]) const
 {
   const int operation = this->Boolean->GetOperationType();
@@ -157,7 +158,7 @@ double FunctionSampler::Node::SampleBoolean(const double x[3], double gradient[3
   for (const Node& term : this->Terms)
   {
     const double value = term.ValueAt(x);
-    // Turned so that the least one decides.
+    // The term with the lowest rank determines the result.
     double rank = value;
     if (operation == vtkImplicitBoolean::VTK_UNION_OF_MAGNITUDES)
     {
@@ -178,7 +179,7 @@ double FunctionSampler::Node::SampleBoolean(const double x[3], double gradient[3
         : 1.0;
     }
   }
-  decides->SampleAt(x, gradient); // its length is what is asked for: the sign does not matter
+  decides->SampleAt(x, gradient); // users need only its length, so the sign is left as it is
   return sign * least;
 }
 

@@ -1,8 +1,9 @@
 // Values and gradients of any vtkImplicitFunction.
 //
-// Gradients are the function's own where they can be trusted, else central differences. VTK's
-// vtkImplicitBoolean gives a union and an intersection the gradient of a difference: it is taken
-// apart here, and the term that decides gives the gradient.
+// Uses the function's own gradient if it is reliable, else central differences. VTK's
+// vtkImplicitBoolean returns the gradient of a difference for a union and an intersection. So a
+// vtkImplicitBoolean is evaluated term by term, and the term that determines the value provides the
+// gradient. The sign of such a gradient may be wrong; its length is correct.
 
 #ifndef FunctionSampler_h
 #define FunctionSampler_h
@@ -19,16 +20,16 @@ namespace activesurface
 class FunctionSampler
 {
 public:
-  // step: of the central differences [world units]; origin: what the points are relative to. The
-  // function must not change meanwhile.
+  // step: of the central differences [world units]. origin: the points are relative to this
+  // position. The function must not change during the sampler's lifetime.
   FunctionSampler(
     vtkImplicitFunction* function, double step, const std::array<double, 3>& origin = {});
   ~FunctionSampler();
 
-  // True for the functions whose evaluation is known to leave them unchanged.
+  // Returns true if the function is of a class that does not change when evaluated.
   bool IsThreadSafe() const;
 
-  // At points (x y z each); gradients may be null.
+  // Evaluates the function at points (x y z each). gradients may be null.
   void Sample(std::size_t count, const double* points, double* values, double* gradients) const;
 
   struct Node;

@@ -1,5 +1,6 @@
 /**
- * A shape that is told by an implicit function, made of a copy of the input's data.
+ * A shape given by an implicit function. Points and cells are copies of the input's; the values of
+ * an image are shared with the input (ImageShape.cxx).
  */
 #ifndef FunctionShape_h
 #define FunctionShape_h
@@ -24,16 +25,19 @@ protected:
   explicit FunctionShape(vtkSmartPointer<vtkDataSet> data);
 
   /**
-   * A copy of points and cells alone: what comes through the input may be written over by the next
-   * step.
+   * Returns a copy of only the points and cells. A copy is needed because the next step may
+   * overwrite the input.
    */
   static vtkSmartPointer<vtkDataSet> CopyPointsAndCells(vtkDataSet* data);
 
-  /** Between the functions of the frames; outside: the value of an empty frame. */
+  /**
+   * Returns a target that interpolates between the functions of the frames. outside: value of an
+   * empty frame.
+   */
   std::unique_ptr<MovingTarget> MakeBlend(const TargetFrames& frames, const ShapeOptions& options,
     double outside, const TargetOptions& level) const;
 
-  /** Whether the functions tell of their parts, see GridParts.h. */
+  /** Returns true if the parts of the functions are available (GridParts.h). */
   virtual bool KnowsParts() const { return true; }
 
   void MoveBy(const double offset[3]) override;

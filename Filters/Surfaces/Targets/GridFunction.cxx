@@ -24,8 +24,9 @@ void ReadGrid(vtkGridPotential* grid, vtkDataSet* data)
 
 std::string DescribeThinParts(vtkImplicitFunction* function, double voxelSize)
 {
-  // A patch that shows: of a body 64 voxels across, ten voxels by ten. And six times what the
-  // share is off by, see SurfaceSample, so that it is not there by chance.
+  // A fraction this large is visible: on a body 64 voxels across, a patch of about ten voxels by
+  // ten. It is six times the sampling error of the fraction (SurfaceSample.h), so it is not there
+  // by chance.
   constexpr double negligible = 0.005;
   constexpr double voxels = 2.0;
   auto grid = vtkGridPotential::SafeDownCast(function);

@@ -1,6 +1,4 @@
-/**
- * The implicit function of a mesh or an image.
- */
+/** Functions for the vtkGridPotential of a mesh or an image. */
 #ifndef GridFunction_h
 #define GridFunction_h
 
@@ -14,13 +12,15 @@ namespace activesurface
 {
 
 /**
- * Gives the data to a function whose other properties are set, and has it read them. Throws
- * std::runtime_error for data that cannot be used; defects are left to the caller.
+ * Sets the input of a function and reads it. Set the other properties before. Throws
+ * std::runtime_error for unusable data. Defects are left to the caller.
  */
 void ReadGrid(vtkGridPotential* grid, vtkDataSet* data);
 
-/** What a user should know of its parts that are thinner than two voxels, as a sentence; empty if
- * they are a negligible share of its surface. */
+/**
+ * Returns a message about parts thinner than two voxels; empty if these are a negligible fraction
+ * of the surface.
+ */
 std::string DescribeThinParts(vtkImplicitFunction* function, double voxelSize);
 
 }

@@ -17,7 +17,7 @@ vtkGridPotential* FindGrid(vtkImplicitFunction* function)
   return grid && !grid->GetTransform() ? grid : nullptr;
 }
 
-/** A part relative to an origin, of either side. */
+/** A part relative to an origin, with inside and outside exchanged if inverted. */
 class RelativePart : public TargetPart
 {
 public:

@@ -1,6 +1,4 @@
-/**
- * Where the surface of a function is, and its parts: known of meshes and images.
- */
+/** Surface points and connected parts of a function; available for meshes and images. */
 #ifndef GridParts_h
 #define GridParts_h
 
@@ -16,15 +14,17 @@ namespace activesurface
 
 struct TargetOptions;
 
-/** Whether they are known. */
+/** Returns true if the parts of a function are available. */
 bool KnowsParts(vtkImplicitFunction* function, const TargetOptions& options);
 
-/** Of F - iso, or of iso - F if it is inverted; none where they are not known. Their points are
- * given relative to an origin. */
+/**
+ * Visits the parts of F - iso, or of iso - F if inverted; none if they are unavailable. Their
+ * points are relative to the origin.
+ */
 void ForEachPartOf(vtkImplicitFunction* function, const TargetOptions& options,
   const PartVisitor& visit, const std::array<double, 3>& origin = {});
 
-/** None where it is not known, or the inside has no end. */
+/** Returns points near the surface; none if they are unavailable or the inside is unbounded. */
 SurfacePoints FindSurfaceOf(vtkImplicitFunction* function, const TargetOptions& options);
 
 }

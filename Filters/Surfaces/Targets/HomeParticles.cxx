@@ -23,7 +23,7 @@ std::size_t HomeOfId(std::int64_t id, std::size_t ranks)
   return static_cast<std::size_t>((key ^ (key >> 32)) % ranks);
 }
 
-// The particles in the box of all ranks. Collective.
+// Sums the particle counts and joins the boxes of all ranks. Collective.
 WholeFrame DescribeWhole(const Agreement& ranks, const ParticleFrame& part, std::size_t points)
 {
   WholeFrame whole;

@@ -1,8 +1,8 @@
-// Particles of an input of which each rank keeps some, its home part, and how they get there and
-// from there to other ranks.
+// Distributed particles of an input. Each rank keeps some of the particles, its home part.
 //
-// The home of a particle follows from its id, or from its number in the whole input: so a particle
-// has the same one in each time step, and its places in two steps are known on one rank.
+// The home rank of a particle follows from its id, or from its index in the whole input. So a
+// particle has the same home in each time step, and its positions in two steps are available on one
+// rank.
 
 #ifndef HomeParticles_h
 #define HomeParticles_h
@@ -17,20 +17,22 @@
 namespace activesurface
 {
 
-// What a shape knows of which this rank has the home part.
+// Data of a shape of which this rank has the home part.
 struct HomePart
 {
   Agreement Ranks;
-  // Reads the whole input, with arrays that are not sent home. Collective; null if there are none.
+  // Reads the whole input, including arrays that are not sent home; null if there are no such
+  // arrays. Collective.
   std::function<std::unique_ptr<InputShape>()> ReadWhole;
 };
 
-// Sends the particles of this rank's piece of an input home; returns those whose home it is.
-// before, all: points of lower ranks' pieces, and of all. Collective.
+// Sends the particles of this rank's piece to their home ranks, and returns the particles whose
+// home is this rank. before: number of points in the pieces of lower ranks. all: number of points
+// in all pieces. Collective.
 ParticleFrame SendHome(
   const Agreement& ranks, ParticleFrame piece, std::uint64_t before, std::uint64_t all);
 
-// All particles of an input, on all ranks: as one process has them. home: this rank's part.
+// Returns all particles of an input on each rank, as one process has them. home: this rank's part.
 // Collective.
 std::shared_ptr<InputShape> GatherShape(const InputShape& home);
 

@@ -15,14 +15,14 @@ namespace activesurface
 namespace
 {
 
-constexpr double Beyond = 0.1; // that fractions may be below 0 or above 1
+constexpr double Beyond = 0.1; // overshoot of fractions below 0 or above 1
 constexpr double NearEnds = 1e-3;
 
-// Range of the finite values, and how many are those of an empty or a full voxel.
+// Range of the finite values, and the number of values of empty or full voxels.
 struct ValueCounts
 {
   double Low = HUGE_VAL, High = -HUGE_VAL;
-  std::size_t AtEnds = 0; // of fractions, empty or full
+  std::size_t AtEnds = 0; // values close to 0 or 1
   std::size_t All = 0;
 
   template <class Array>

@@ -1,6 +1,4 @@
-/**
- * Finds the level of an image of a mask or of volume fractions.
- */
+/** Estimates the level of an image of a mask or of volume fractions. */
 #ifndef ImageLevel_h
 #define ImageLevel_h
 
@@ -14,21 +12,24 @@ namespace activesurface
 struct ImageLevel
 {
   double IsoValue;
-  bool Invert; //< whether inside is above
+  bool Invert; //< inside is above the level
 };
 
 /**
- * Returns the level of a mask (all values are one of two, none negative), which is between them, or
- * of volume fractions (0 to 1 with an overshoot of 0.1, most of them 0 or 1), which is 0.5; inside
- * is above. Returns `given` for other values, and if all are equal. Values that are not finite are
- * ignored.
+ * Returns the level that suits the values; inside is above:
+ *
+ * - mask (only two different values, none negative): midway between the two values
+ * - volume fractions (all > -0.1, the largest within 0.1 of 1, more than half within 0.001 of 0 or
+ *   1): 0.5
+ *
+ * Returns `given` for other values, and if all are equal. Ignores values that are not finite.
  */
 ImageLevel FindUsualLevel(vtkDataArray* values, const ImageLevel& given);
 
-/** Returns a sentence for users if some values are not finite, else "". */
+/** Returns a message for the user if some values are not finite, else "". */
 std::string DescribeNotFinite(vtkDataArray* values);
 
-/** Returns a sentence for users if the values differ but none of them is inside, else "". */
+/** Returns a message for the user if the values differ but none of them is inside, else "". */
 std::string DescribeLevel(vtkDataArray* values, const ImageLevel& level);
 
 }

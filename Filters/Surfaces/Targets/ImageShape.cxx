@@ -36,7 +36,7 @@ vtkDataArray* AsSamples(vtkAbstractArray* values, vtkDataSet* image)
   return numbers;
 }
 
-// The lattice with the samples alone, or with the grid that is attached.
+// Returns the lattice with only the samples or the attached grid.
 vtkSmartPointer<vtkDataSet> ReadImage(const InputData& input)
 {
   vtkAbstractArray* values = input.Chosen.FindValues();
@@ -45,7 +45,7 @@ vtkSmartPointer<vtkDataSet> ReadImage(const InputData& input)
   image->CopyStructure(input.Data);
   if (values)
   {
-    // Not a copy. A VTK image makes a new array where another object holds the one that it had.
+    // Shares the array. VTK does not overwrite an image's array while another object refers to it.
     image->GetPointData()->SetScalars(AsSamples(values, input.Data));
   }
   else
@@ -124,7 +124,7 @@ std::unique_ptr<MovingTarget> ImageShape::MakeTarget(
   const TargetFrames& frames, const ShapeOptions& options) const
 {
   TargetOptions level = options.Level;
-  level.IsoValue = 0.0; // the function has them already
+  level.IsoValue = 0.0; // already applied by the function
   level.Invert = false;
   return MakeBlend(frames, options, level.Reach, level);
 }

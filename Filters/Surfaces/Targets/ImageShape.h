@@ -1,6 +1,4 @@
-/**
- * An image: its samples, or the grid that is attached to it, see vtkGridPotential.
- */
+/** An image: its samples or its attached grid (vtkGridPotential). */
 #ifndef ImageShape_h
 #define ImageShape_h
 
@@ -15,13 +13,16 @@ class ImageShape : public FunctionShape
 public:
   static bool Fits(vtkDataSet* data);
 
-  /** Throws std::invalid_argument for unfit values. */
+  /** Throws std::invalid_argument for unsuitable values. */
   explicit ImageShape(const InputData& input);
 
   const char* GetName() const override { return "an image"; }
   bool CanStart() const override { return true; }
 
-  /** The function has the level and the side of the options, or of its values (ImageLevel.h). */
+  /**
+   * Makes the function. Uses the level and side of the options; if the level is 0, those that suit
+   * the values (ImageLevel.h).
+   */
   std::string Prepare(ShapePreparation& preparation) override;
   std::string DescribeThinParts(const ShapeOptions& options) const override;
   void AddBounds(

@@ -16,7 +16,7 @@ namespace activesurface
 class ImplicitTarget : public PotentialTarget
 {
 public:
-  // As of FunctionSampler.
+  // step, origin: see FunctionSampler.
   ImplicitTarget(vtkImplicitFunction* function, double step, const TargetOptions& options,
     const std::array<double, 3>& origin = {})
     : PotentialTarget(options)
@@ -27,7 +27,7 @@ public:
   }
 
   bool IsThreadSafe() const override { return this->Function.IsThreadSafe(); }
-  // The function does not change while the surface advances: see FunctionSampler.
+  // The function must not change while the surface advances (FunctionSampler).
   bool MayHaveChanged(const double[6]) const override { return false; }
 
   bool HasRegions() const override { return KnowsParts(this->Source, this->GetOptions()); }
@@ -51,7 +51,7 @@ protected:
 private:
   vtkSmartPointer<vtkImplicitFunction> Source;
   FunctionSampler Function;
-  std::array<double, 3> Origin; // what the target's points are relative to, those of Source not
+  std::array<double, 3> Origin; // of the target's points, not those of Source
 };
 
 }

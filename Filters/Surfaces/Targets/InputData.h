@@ -1,6 +1,6 @@
 /**
- * What comes through an input port, to make a shape of: a data set, the arrays that were chosen of
- * it, and which arrays of particles are to be kept besides.
+ * Data of an input port, from which a shape is made: the data set, its chosen arrays, and the
+ * particle arrays to keep.
  */
 #ifndef InputData_h
 #define InputData_h
@@ -14,8 +14,8 @@ namespace activesurface
 {
 
 /**
- * The point arrays that a user has chosen, by what they are for. Each is null if none was chosen,
- * and throws std::invalid_argument if the one that was chosen is missing.
+ * Point arrays that the user has chosen, by purpose. Each function returns null if no array is
+ * chosen, and throws std::invalid_argument if the chosen array is missing.
  */
 class ChosenArrays
 {
@@ -28,17 +28,17 @@ public:
   virtual vtkAbstractArray* FindVelocities() const = 0;
 
   /**
-   * The chosen values of an image, else its active scalars. Null for an image that has a grid
-   * attached in place of them; throws if it has neither.
+   * Returns the chosen values of an image, else its active scalars. Null for an image that has an
+   * attached grid instead; throws if it has neither.
    */
   virtual vtkAbstractArray* FindValues() const = 0;
 };
 
-/** Which arrays of particles are kept, besides radii, ids and strengths. */
+/** Arrays of particles to keep besides radii, ids and strengths. */
 struct ParticleArrays
 {
-  bool All = false;       //< copies of all of them, for the skin
-  std::string Velocities; //< a description of the chosen array; empty: no velocities
+  bool All = false;       //< copies of all arrays, for the skin
+  std::string Velocities; //< description of the chosen array; empty: no velocities
 
   bool operator==(const ParticleArrays& other) const
   {

@@ -17,7 +17,7 @@ namespace
 
 struct InputKind
 {
-  bool (*Fits)(vtkDataSet* data); // not null
+  bool (*Fits)(vtkDataSet* data); // the data are not null
   std::unique_ptr<InputShape> (*Make)(const InputData& input);
 };
 
@@ -29,7 +29,7 @@ constexpr InputKind KindOf()
           } };
 }
 
-// The first one that fits is taken.
+// The first kind that fits is used.
 constexpr InputKind Kinds[] = {
   KindOf<NoShape>(),
   KindOf<ImageShape>(),

@@ -1,6 +1,4 @@
-/**
- * The kinds of input, and which of them a data set is.
- */
+/** The kinds of input, and the choice of the kind for a data set. */
 #ifndef InputKinds_h
 #define InputKinds_h
 
@@ -13,14 +11,16 @@ namespace activesurface
 
 class InputShape;
 
-/** The VTK classes of data that have a kind, and that the input ports take; of the others that
- * port 0 takes, AsDataSet makes one of these. */
+/**
+ * VTK classes that both input ports accept, and further classes that port 0 accepts. AsDataSet
+ * converts trees and tables to a data set.
+ */
 constexpr const char* InputTypes[] = { "vtkPointSet", "vtkImageData", "vtkDataObjectTree" };
 constexpr const char* MoreTargetTypes[] = { "vtkTable" };
 
 /**
- * Throws std::invalid_argument for data that cannot be a target, and for arrays that are missing or
- * unfit.
+ * Returns a shape of the kind of the data. Throws std::invalid_argument for data that cannot be a
+ * target, and for missing or unsuitable arrays.
  */
 std::unique_ptr<InputShape> MakeInputShape(const InputData& input);
 

@@ -1,6 +1,6 @@
 /**
- * What the input is at one of its time steps, as one kind of target. Each kind is a class of its
- * own, in a file of its own; InputKinds.cxx lists them.
+ * The input at one time step, as one kind of target. Each kind is a class in its own file.
+ * InputKinds.cxx lists the kinds.
  */
 #ifndef InputShape_h
 #define InputShape_h
@@ -32,74 +32,86 @@ public:
   void operator=(const InputShape&) = delete;
   virtual ~InputShape();
 
-  /** As messages call the kind: "particles", "a mesh". */
+  /** Name of the kind in messages: "particles", "a mesh". */
   virtual const char* GetName() const = 0;
   bool IsOfKindOf(const InputShape& other) const;
 
-  /** Without points it has no kind: it fits between the shapes of all kinds. */
+  /**
+   * Returns false for an input without points. It has no kind, and fits between shapes of all
+   * kinds.
+   */
   virtual bool HasPoints() const { return true; }
 
-  /** Without points that can be used: no surface can start there. */
+  /** Returns true if there is no usable point: no surface can start there. */
   virtual bool IsEmpty() const { return false; }
 
-  /** Makes all positions relative to an origin, from those of the last call or of the input. If
-   * they change, Prepare has to come again. */
+  /**
+   * Makes all positions relative to an origin, initially 0. If the origin changes, call Prepare
+   * again.
+   */
   void MoveTo(const std::array<double, 3>& origin);
 
-  /** Else points alone. */
+  /** Returns false if there are only points. */
   virtual bool HasCells() const { return true; }
 
-  /** Whether another shape is what an empty one of this kind looks like. */
+  /** Returns true if the other shape may be an empty shape of this kind. */
   virtual bool IsEmptyAs(const InputShape& other) const;
 
-  /** Whether a surface can start on it as the input of port 1. */
+  /** Returns true if a surface can start on it as the input of port 1. */
   virtual bool CanStart() const { return false; }
 
   /**
-   * Radii and functions are made; what is left out is reported. Comes before all that follows, and
-   * may come again when the domain is known. Returns what is wrong with the data though they can be
-   * used, a sentence; or nothing. Throws std::invalid_argument and std::runtime_error.
+   * Makes radii and functions, and reports data that are left out. Call this before all functions
+   * below, and again when the domain is available. Returns a message about defects of usable data,
+   * or an empty string. Throws std::invalid_argument and std::runtime_error.
    */
   virtual std::string Prepare(ShapePreparation& preparation);
 
-  /** What a user should know of parts that are too thin for the voxels, a sentence; or nothing.
-   * Comes after Prepare, when the domain is known. */
+  /**
+   * Returns a message about parts that are too thin for the voxels, or an empty string. Call this
+   * after Prepare, when the domain is available.
+   */
   virtual std::string DescribeThinParts(const ShapeOptions& options) const;
 
-  /** The box of a shape, which the domain is to be larger than, or of an image, which it is. */
+  /**
+   * Adds the box of a shape, which the domain must enclose, or of an image, which the domain
+   * equals.
+   */
   virtual void AddBounds(
     const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const;
 
-  /** Smallest distance of an image's samples along an axis [length]; 0 for other kinds. */
+  /**
+   * Smallest spacing of an image along the axes with several samples [length]; 0 for other kinds.
+   */
   virtual double GetPixel() const { return 0.0; }
 
   /**
-   * What attracts, along frames of this kind and empty ones. The frames are the caller's, and have
-   * to hold what the target's MoveAlong asks for.
+   * Returns the target along frames of this kind and empty frames. The caller owns the frames; they
+   * must contain the steps that the target's MoveAlong uses.
    */
   virtual std::unique_ptr<MovingTarget> MakeTarget(
     const TargetFrames& frames, const ShapeOptions& options) const = 0;
 
-  /** Null for a kind that is no implicit function. */
+  /** Null for a kind without an implicit function, and before Prepare has made it. */
   virtual vtkImplicitFunction* GetFunction() const { return nullptr; }
 
   /** Null unless the kind is particles. */
   virtual const ParticleFrame* GetParticles() const { return nullptr; }
 
-  /** The points that it is made of, particles or those of a skeleton; null for other kinds. */
+  /** The points of particles or of a skeleton; null for other kinds. */
   virtual const ParticleFrame* GetPoints() const { return this->GetParticles(); }
 
-  /** Whether it was read with these, or has no use for them. */
+  /** Returns true if it was read with these arrays or does not use arrays. */
   virtual bool HasArrays(const ParticleArrays& arrays) const;
 
-  /** Checksum of the data that it was made of (ContentSum.h). */
+  /** Checksum of the input's data (ContentSum.h). */
   std::uint64_t Content = 0;
 
-  /** The part of the input whose home is this rank, if ranks have parts of it; else null. */
+  /** Set if this shape is this rank's home part of the input (HomeParticles.h); else null. */
   std::shared_ptr<const HomePart> Home;
 
 protected:
-  /** The checksum and the origin. */
+  /** Copies the checksum and the origin. */
   void CopyFacts(const InputShape& other)
   {
     this->Content = other.Content;

@@ -76,7 +76,7 @@ std::string MeshShape::Prepare(ShapePreparation& preparation)
       "(vtkCleanPolyData); of a mesh that is meant to be open, a MeshThickness > 0 makes a shell.";
 }
 
-// At another level its parts are thicker, or thinner.
+// Returns an empty string for other levels than 0, where the parts have another thickness.
 std::string MeshShape::DescribeThinParts(const ShapeOptions& options) const
 {
   return options.Level.IsoValue == 0.0
@@ -90,7 +90,7 @@ void MeshShape::AddBounds(
   const std::array<double, 6> bounds = FindBounds(vtkPolyData::SafeDownCast(this->Data));
   if (bounds[0] > bounds[1])
   {
-    return; // no polygon of use: there will be an error when the mesh is read
+    return; // no usable polygon: an error follows when the mesh is read
   }
   vtkBoundingBox shell(bounds.data());
   shell.Inflate(0.5 * options.MeshThickness);

@@ -1,6 +1,6 @@
 /**
- * Polygons: the distance to a closed mesh, or to the shell that MeshThickness makes of an open one,
- * see vtkGridPotential.
+ * Polygons: the distance to a closed mesh, or to a shell around an open mesh if MeshThickness > 0
+ * (vtkGridPotential).
  */
 #ifndef MeshShape_h
 #define MeshShape_h
@@ -16,13 +16,13 @@ class MeshShape : public FunctionShape
 public:
   static bool Fits(vtkDataSet* data);
 
-  /** Throws std::invalid_argument if there are lines too. */
+  /** Throws std::invalid_argument if there are also lines. */
   explicit MeshShape(const InputData& input);
 
   const char* GetName() const override { return "a mesh"; }
   bool CanStart() const override { return true; }
 
-  /** The points of a mesh that has lost its polygons. */
+  /** A mesh without polygons consists of points only. */
   bool IsEmptyAs(const InputShape& other) const override { return !other.HasCells(); }
 
   std::string Prepare(ShapePreparation& preparation) override;

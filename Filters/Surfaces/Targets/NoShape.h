@@ -1,6 +1,4 @@
-/**
- * An input without points: there is no target at that step.
- */
+/** An input without points: the target is empty at that step. */
 #ifndef NoShape_h
 #define NoShape_h
 
@@ -22,7 +20,7 @@ public:
   bool HasPoints() const override { return false; }
   bool IsEmpty() const override { return true; }
 
-  /** As of particles: it has none. */
+  /** Returns a ParticleTarget; this shape contributes no particles. */
   std::unique_ptr<MovingTarget> MakeTarget(
     const TargetFrames& frames, const ShapeOptions& options) const override;
 };

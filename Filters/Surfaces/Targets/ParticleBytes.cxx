@@ -46,7 +46,7 @@ void AppendPlaces(const ParticleList& particles, const ParticleChoice& chosen, B
     });
 }
 
-// Makes particles of places; the ids follow, and strengths if there are.
+// Reads positions, ids and, if present, strengths. Adds the particles to the frame.
 template <class Place>
 void ReadParticlesOf(const PackedHead& head, BytesReader& reader, ParticleFrame& frame)
 {

@@ -1,4 +1,4 @@
-// Particles of a frame as bytes that ranks send each other; nothing is rounded.
+// Packs particles of a frame into bytes for messages between ranks. Lossless.
 
 #ifndef ParticleBytes_h
 #define ParticleBytes_h
@@ -12,13 +12,14 @@
 namespace activesurface
 {
 
-using ParticleChoice = std::vector<std::uint32_t>; // numbers of particles in a frame
+using ParticleChoice = std::vector<std::uint32_t>; // indices of particles in a frame
 
-// The chosen particles, with ids and velocities; without radii and passed arrays.
+// Packs positions, ids, strengths and velocities of the chosen particles. Radii and passed arrays
+// are left out.
 Bytes PackParticles(const ParticleFrame& frame, const ParticleChoice& chosen);
 
-// Particles of several ranks in one frame, in its order. like: a frame that says whether there are
-// ids, and what radius all have.
+// Merges the particles of several ranks into one frame, in the order of ParticleOrder.h. like:
+// frame that provides HasIds, HasVelocities and the common radius.
 ParticleFrame MergeParticles(const std::vector<Bytes>& parts, const ParticleFrame& like);
 
 }

@@ -20,7 +20,8 @@ namespace activesurface
 namespace
 {
 
-// The array as numbers, so many for each point, or null if there is none.
+// Returns the array as numbers; null if there is none. Throws unless it has the given number of
+// components and one tuple for each point.
 vtkDataArray* AsNumbers(
   vtkAbstractArray* array, vtkIdType points, const char* what, int components = 1)
 {
@@ -65,7 +66,7 @@ bool IsSingle(vtkPointSet* points)
   return points->GetPoints() && points->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
-// Gives the particles the ids of their points; without any their numbers.
+// Sets the ids of the particles: those of their points, or the point indices if `ids` is empty.
 void TakeIds(std::vector<std::int64_t> ids, ParticleFrame& frame)
 {
   if (frame.Ignored == 0)
@@ -85,7 +86,7 @@ void TakeIds(std::vector<std::int64_t> ids, ParticleFrame& frame)
   }
 }
 
-// Ids and points go with the particles.
+// Sorts particles, ids and points by FindParticleOrder.
 void Sort(ParticleFrame& frame)
 {
   const std::vector<std::size_t> order =
@@ -106,7 +107,8 @@ void Sort(ParticleFrame& frame)
   ParticleList::PermuteList(order, frame.Ids);
 }
 
-// One that is not finite counts as unknown, NaN.
+// Copies the velocities of the particles. Values that are not finite count as unavailable when they
+// are used.
 void KeepVelocities(vtkDataArray* velocities, ParticleFrame& frame)
 {
   if (velocities)
@@ -120,8 +122,8 @@ void KeepVelocities(vtkDataArray* velocities, ParticleFrame& frame)
   }
 }
 
-// Copies: what comes through the input may be written over by the next step. Arrays without a value
-// for each point are left out.
+// Copies the arrays that have one tuple for each point. A copy is needed because the next step may
+// overwrite the input's arrays.
 void KeepArrays(vtkPointData* arrays, vtkIdType count, ParticleFrame& frame)
 {
   if (!arrays)

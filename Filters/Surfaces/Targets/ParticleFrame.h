@@ -1,4 +1,4 @@
-// The particles of one step of the input.
+// Particles of one step of the input.
 
 #ifndef ParticleFrame_h
 #define ParticleFrame_h
@@ -24,21 +24,21 @@ class vtkPointSet;
 namespace activesurface
 {
 
-// What is known of the particles besides their positions; may be null.
+// Arrays of the particles; each may be null.
 struct PointArrays
 {
   vtkAbstractArray* Radii = nullptr;
   vtkAbstractArray* Ids = nullptr;
   vtkAbstractArray* Strengths = nullptr;
   vtkAbstractArray* Velocities = nullptr;
-  vtkPointData* Passed = nullptr; // all that the skin may be asked to have too
+  vtkPointData* Passed = nullptr; // all arrays that the skin may show
 };
 
-// All particles of a frame of which each rank has a part.
+// Totals over all ranks of a frame that is distributed.
 struct WholeFrame
 {
   std::size_t Points = 0;
-  std::size_t Particles = 0; // points that can be used
+  std::size_t Particles = 0; // usable points
   double Low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
   double High[3] = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL }; // box of the particles' positions
 
@@ -56,18 +56,18 @@ struct WholeFrame
 struct ParticleFrame
 {
   ParticleList Particles;
-  std::vector<std::int64_t> Ids; // from the array, else point numbers in the whole input
+  std::vector<std::int64_t> Ids; // from the array, else point indices in the whole input
   bool HasIds = false;           // from the array
-  bool HasRadii = false;         // from the array, else to be given by GiveRadius
-  double ReachPerRadius = 1.0;   // of the array: particles have their reaches, see UseRadii
+  bool HasRadii = false;         // from the array; else call GiveRadius
+  double ReachPerRadius = 1.0;   // support radius / radius of the array, see UseRadii
   bool HasVelocities = false;    // from an array
   mutable bool HasFits = false;
-  std::size_t Ignored = 0;       // points left out: not finite, or without a size
-  std::vector<vtkIdType> Points; // of the input, which the particles are; empty: all, in order
-  mutable ParticleFits Fits;     // of the particles, once they were found, see ParticleTrack.h
-  std::vector<std::array<double, 3>> Velocities; // of the particles, if there are
-  vtkSmartPointer<vtkPointData> Passed; // of the input's points, a copy; null if not wanted
-  std::optional<WholeFrame> Whole;      // of which this is a part; then all have one radius
+  std::size_t Ignored = 0;       // points left out: not finite, or without a positive radius
+  std::vector<vtkIdType> Points; // input point of each particle; empty: all, in order
+  mutable ParticleFits Fits;     // of each particle, if HasFits (ParticleTrack.h)
+  std::vector<std::array<double, 3>> Velocities; // of each particle, if HasVelocities
+  vtkSmartPointer<vtkPointData> Passed; // copy of the input's point arrays; null if not wanted
+  std::optional<WholeFrame> Whole;      // if distributed; then all have one radius
 
   std::size_t CountAllPoints() const
   {
@@ -77,7 +77,7 @@ struct ParticleFrame
   {
     return this->Whole ? this->Whole->Particles : this->Particles.size();
   }
-  // Without the points of all ranks.
+  // Returns this rank's particle count and box. Points is 0.
   WholeFrame Describe() const;
 
   vtkIdType GetPoint(std::size_t particle) const
@@ -85,19 +85,20 @@ struct ParticleFrame
     return this->Points.empty() ? static_cast<vtkIdType>(particle) : this->Points[particle];
   }
 
-  // The reach of each.
+  // Sets the support radius of all particles.
   void GiveRadius(double radius);
-  // The reaches that belong to the radii of the array, which are those of balls.
+  // Converts the radii of the array, which are those of balls, to support radii.
   void UseRadii(double reachPerRadius);
 
-  // To other positions, which fits are to be found for again.
+  // Adds an offset to all positions. Discards the fits.
   void MoveBy(const double offset[3]);
 
-  // The box of the supports of all; false without particles.
+  // Box of the supports of all particles, on all ranks; returns false without particles.
   bool GetBounds(double bounds[6]) const;
 };
 
-// Throws std::invalid_argument for arrays that cannot be radii, ids or strengths of the points.
+// Throws std::invalid_argument for arrays that cannot be radii, ids, strengths or velocities of the
+// points.
 ParticleFrame ReadParticles(vtkPointSet* points, const PointArrays& arrays);
 
 }

@@ -1,5 +1,5 @@
-// A list of particles in little memory: coordinates in single precision if they are exact in it,
-// one radius and one strength if all have the same.
+// A compact list of particles: coordinates in single precision if exact, and one radius or strength
+// if all particles have the same.
 
 #ifndef ParticleList_h
 #define ParticleList_h
@@ -58,7 +58,7 @@ public:
     return particle;
   }
 
-  // Makes room in an empty list. isSingle: the coordinates are exact in single precision.
+  // Reserves capacity in an empty list. isSingle: the coordinates are exact in single precision.
   void Reserve(std::size_t count, bool isSingle)
   {
     this->IsSingle = isSingle;
@@ -90,13 +90,13 @@ public:
   }
 
   bool AreSingle() const { return this->IsSingle; }
-  // Whether one is not of full strength.
+  // Returns true if a strength is not 1.
   bool HaveStrengths() const
   {
     return !this->Strengths.Each.empty() || this->Strengths.Common != 1.0;
   }
 
-  // The radius of all particles, unless they have different ones.
+  // Radius of all particles. Do not use it if the radii differ.
   double GetCommonRadius() const { return this->Radii.Common; }
 
   void SetRadius(double radius) { this->Radii = { radius, {} }; }
@@ -121,7 +121,7 @@ public:
     }
   }
 
-  // Sorts: the particle order[i] becomes number i.
+  // Sorts the list: the particle order[i] gets the index i.
   void Permute(const std::vector<std::size_t>& order)
   {
     PermuteList(order, this->Single);
@@ -150,10 +150,10 @@ private:
   struct Column
   {
     double Common = 1.0;
-    std::vector<double> Each; // empty if all are Common
+    std::vector<double> Each; // empty if all values are Common
 
     double Get(std::size_t i) const { return this->Each.empty() ? this->Common : this->Each[i]; }
-    // count: how many there are before it.
+    // count: number of values so far.
     void Add(double value, std::size_t count)
     {
       if (count == 0)
@@ -183,7 +183,7 @@ private:
   }
 
   bool IsSingle = false;
-  // One of the two is empty.
+  // One of these two lists is empty.
   std::vector<std::array<float, 3>> Single;
   std::vector<std::array<double, 3>> Double;
   Column Radii, Strengths;

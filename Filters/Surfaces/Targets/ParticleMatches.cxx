@@ -11,12 +11,12 @@ namespace activesurface
 namespace
 {
 
-// Indices of the particles, by ascending id; equal ids stay in order.
+// Indices of the particles by ascending id; equal ids keep their order.
 std::vector<std::size_t> SortByIds(const std::vector<std::int64_t>& ids)
 {
   std::vector<std::size_t> order(ids.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  if (!std::is_sorted(ids.begin(), ids.end())) // as they usually are
+  if (!std::is_sorted(ids.begin(), ids.end())) // usually sorted
   {
     std::stable_sort(
       order.begin(), order.end(), [&ids](std::size_t a, std::size_t b) { return ids[a] < ids[b]; });
@@ -55,7 +55,7 @@ double DiagonalOf(const WholeFrame& whole, const PeriodicBox& box)
   return std::sqrt(square);
 }
 
-// The later particles that are nobody's partner.
+// Returns the later particles without a partner.
 std::vector<std::size_t> FindBirths(const std::vector<std::size_t>& partners, std::size_t later)
 {
   std::vector<bool> isPartner(later, false);
@@ -107,12 +107,13 @@ std::vector<NumberedWay> PickWays(const ParticleFrame& earlier, const ParticleFr
   return ways;
 }
 
-// Half of the displacements, less their mean, are long for the cloud's diagonal.
+// The criterion: the median displacement, after subtraction of the mean, exceeds 20 % of the
+// cloud's diagonal.
 bool AreShuffled(
   std::vector<NumberedWay> ways, const ParticleFrame& earlier, const PeriodicBox& box)
 {
-  constexpr std::size_t fewParticles = 100; // whose indices are always believed
-  constexpr double acrossTheCloud = 0.2;    // of its diagonal
+  constexpr std::size_t fewParticles = 100; // for fewer, indices are always used
+  constexpr double acrossTheCloud = 0.2;    // fraction of the cloud's diagonal
   if (ways.empty() || earlier.HasIds || earlier.CountAllParticles() < fewParticles)
   {
     return false;

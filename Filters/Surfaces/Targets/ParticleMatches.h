@@ -1,12 +1,14 @@
-// Which particles of two steps of the input are the same, and their way from one to the other.
+// Matches the particles of two steps of the input, and defines their motion in between.
 //
-// A particle moves in a straight line from one step to the next, in a periodic box to the nearest
-// of its copies there, and its radius and strength change evenly. Particles are matched by their
-// ids, or by their index where there are none and the steps have equally many, else not at all; nor
-// where indices would send most of them across the cloud, as of an input that lists them in another
-// order each time. One without a partner in the next step dies: at a fraction f of the way it has 1
-// - f of its strength. One without a partner in the step before is born: it has f of its strength.
-// So their sum is continuous in time, whatever the steps hold.
+// A particle moves in a straight line to its position in the next step, in a periodic box to the
+// nearest copy. Its radius and strength change linearly. Particles are matched by their ids.
+// Without ids they are matched by their index, if the two steps have equally many points. Indices
+// are not used if they would move most particles across the cloud, as happens if an input lists the
+// particles in another order in each step.
+//
+// Let f be the fraction of the interval. A particle without a partner in the next step dies: its
+// strength is multiplied by (1-f). A particle without a partner in the step before is born: its
+// strength is multiplied by f. So the sum of kernels is continuous in time for any two steps.
 
 #ifndef ParticleMatches_h
 #define ParticleMatches_h
@@ -24,50 +26,51 @@ constexpr std::size_t NoPartner = static_cast<std::size_t>(-1);
 
 struct ParticleMatches
 {
-  // For each earlier one its partner's place among the later, or NoPartner.
+  // Index of the partner in the later step for each earlier particle, or NoPartner.
   std::vector<std::size_t> Partners;
-  std::vector<std::size_t> Deaths; // earlier ones without a partner, by ascending place
-  std::vector<std::size_t> Births; // later ones that are nobody's partner, by ascending place
-  bool AreShuffled = false;        // indices are not the same particles
+  std::vector<std::size_t> Deaths; // indices without a partner in the earlier step, ascending
+  std::vector<std::size_t> Births; // indices without a partner in the later step, ascending
+  bool AreShuffled = false;        // equal indices are different particles
 };
 
 ParticleMatches MatchParticles(
   const ParticleFrame& earlier, const ParticleFrame& later, const PeriodicBox& box);
 
-// Pairs particles with the same ids or indices, unless these cannot be the same, or are shuffled.
+// Pairs particles with the same ids or indices. Pairs none if areShuffled, or if only one step has
+// ids, or if two steps without ids have different numbers of points.
 ParticleMatches PairParticles(
   const ParticleFrame& earlier, const ParticleFrame& later, bool areShuffled);
 
-// The displacement of a particle from step to step, and its index.
+// Displacement of a particle from step to step, and its index.
 struct NumberedWay
 {
   std::int64_t Number;
   double Way[3];
 };
 
-// Displacements of about a thousand partners at most, evenly picked by their index.
+// Returns the displacements of partners, at most about 1,000, evenly selected by index.
 std::vector<NumberedWay> PickWays(const ParticleFrame& earlier, const ParticleFrame& later,
   const std::vector<std::size_t>& partners, const PeriodicBox& box);
 
-// Returns true if the displacements, of the whole frame in any order, are those of different
-// particles with the same index. earlier may be a part of the frame.
+// Returns true if equal indices are different particles, judged by the displacements of the whole
+// frame in any order. `earlier` may be a part of the frame.
 bool AreShuffled(
   std::vector<NumberedWay> ways, const ParticleFrame& earlier, const PeriodicBox& box);
 
-// How far the fastest of the particles goes that are in both steps, its way and the change of its
-// radius together; 0 if none is.
+// Largest sum of displacement and change of radius, among the particles of both steps; 0 if there
+// are none.
 double FindLongestWay(const ParticleFrame& earlier, const ParticleFrame& later,
   const ParticleMatches& matches, const PeriodicBox& box);
 
-// A particle's places in the two steps; NoPartner where it is not in the step.
+// Indices of a particle in the two steps; NoPartner if it is absent.
 struct ParticleOrigin
 {
   std::size_t Earlier;
   std::size_t Later;
 };
 
-// Finds x y z of a particle that moves evenly from step to step in a duration. Returns false if it
-// is in one of the steps only, or the duration is 0; a step may be null then.
+// Finds the velocity (x y z) of a particle that moves uniformly from step to step. Returns false if
+// the particle is in only one step (the other frame may be null), or if the duration is 0.
 bool FindVelocity(const ParticleFrame* earlier, const ParticleFrame* later,
   const ParticleOrigin& origin, const PeriodicBox& box, double duration, double (&velocity)[3]);
 

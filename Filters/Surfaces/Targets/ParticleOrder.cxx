@@ -10,8 +10,8 @@ namespace activesurface
 namespace
 {
 
-// What decides most comparisons, beside the particle's place in the frame: to sort the particles
-// themselves, or their places alone, takes three times as long.
+// Sort key: the number that decides most comparisons, and the particle's index in the frame.
+// Sorting the particles themselves, or only their indices, takes three times as long.
 template <class Number>
 struct OrderKey
 {
@@ -40,8 +40,8 @@ auto CompareKeys(const ParticleList& particles)
   };
 }
 
-// Sorts keys that are in order in each of a few runs, as where ranks have each sent some.
-// ends: of the runs.
+// Sorts keys that consist of a few sorted runs, as several ranks send them. ends: end index of each
+// run.
 template <class Key, class IsBefore>
 void MergeRuns(std::vector<std::size_t> ends, std::vector<Key>& keys, IsBefore&& isBefore)
 {
@@ -65,7 +65,7 @@ void MergeRuns(std::vector<std::size_t> ends, std::vector<Key>& keys, IsBefore&&
   }
 }
 
-// keyOf: a number for each particle.
+// keyOf(i): the first key of particle i.
 template <class Number, class KeyOf>
 std::vector<std::size_t> FindOrder(const ParticleList& particles, KeyOf&& keyOf)
 {

@@ -1,8 +1,7 @@
-// The order of particles in a frame, which does not depend on how the input lists them.
+// Order of the particles in a frame, independent of the order in the input.
 //
-// What is summed over particles is rounded, and so depends on their order. An input that was
-// written by several ranks, or passed on by them in pieces, has the same particles in another
-// order.
+// Sums over particles depend on the order by rounding. The order in the input is not reliable: it
+// changes if several ranks write the input or pass it on in pieces.
 
 #ifndef ParticleOrder_h
 #define ParticleOrder_h
@@ -16,8 +15,8 @@
 namespace activesurface
 {
 
-// Which particle comes first, second, ... By id if there are ids, else (null) by place: x, y, z,
-// radius, strength. Equal ones stay in their order. Empty if all are in order.
+// Returns the indices of the particles in order; empty if they are in order already. Keys: id (if
+// ids is not null), x, y, z, radius, strength, index.
 std::vector<std::size_t> FindParticleOrder(
   const ParticleList& particles, const std::vector<std::int64_t>* ids);
 

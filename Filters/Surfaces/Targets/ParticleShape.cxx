@@ -18,7 +18,8 @@ namespace activesurface
 namespace
 {
 
-// A vtkPolyData of another kind has been taken for that.
+// Throws for cells other than vertices. A vtkPolyData needs no check: with lines or polygons it is
+// a skeleton or a mesh (InputKinds.cxx).
 void CheckHasVerticesOnly(vtkDataSet* data)
 {
   const vtkIdType count = vtkPolyData::SafeDownCast(data) ? 0 : data->GetNumberOfCells();

@@ -1,6 +1,4 @@
-/**
- * Points alone: particles, see ParticleTarget.
- */
+/** Particles: points without cells, or with vertices only (ParticleTarget.h). */
 #ifndef ParticleShape_h
 #define ParticleShape_h
 
@@ -18,15 +16,15 @@ class ParticleShape : public InputShape
 public:
   static bool Fits(vtkDataSet* data);
 
-  /** Throws std::invalid_argument for cells that are no vertices, and for unfit arrays. */
+  /** Throws std::invalid_argument for cells other than vertices, and for unsuitable arrays. */
   explicit ParticleShape(const InputData& input);
   explicit ParticleShape(ParticleFrame particles, const ParticleArrays& kept = ParticleArrays(),
     bool hasVertices = false);
 
-  /** Leaves it empty. */
+  /** Moves the particles out; this shape is empty afterwards. */
   ParticleFrame TakeParticles() { return std::move(this->Particles); }
 
-  /** Other particles of the same input, relative to the same origin. */
+  /** Returns a shape of other particles of the same input, relative to the same origin. */
   std::shared_ptr<ParticleShape> MakeOther(ParticleFrame particles) const;
 
   const char* GetName() const override { return "particles"; }

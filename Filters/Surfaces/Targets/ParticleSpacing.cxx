@@ -26,7 +26,8 @@ double FindMedian(std::vector<double>& values)
   return *middle;
 }
 
-// Where most particles are, and half of how far from there; halves, as whole differences overflow.
+// Medians of the coordinates, and half of the median distance from there along the widest axis.
+// Halves are used because full differences may overflow.
 struct Middle
 {
   double At[3];
@@ -58,14 +59,13 @@ Middle FindMiddle(const ParticleList& particles)
 
 constexpr std::size_t Samples = 1000;
 
-// To the particles that are nearest to a place, of which one is that place itself; the third is
-// looked for.
+// Number of nearest points to find: the particle itself and three neighbours.
 constexpr std::size_t Nearest = 4;
-using Distances = std::array<double, Nearest>; // ascending, HUGE_VAL for those that are not there
+using Distances = std::array<double, Nearest>; // ascending; HUGE_VAL if there is no such particle
 
-// Particles by their neighbourhood. The tree's leaves stay small however far strays are. It
-// calculates in single precision: so around where most particles are, and in units of how far they
-// are from there.
+// Search tree of the particles. The leaves of an octree stay small even if a few particles are far
+// away. The tree works in single precision, so its coordinates are relative to the middle of most
+// particles, in units of their distance from there.
 class Neighbourhoods
 {
 public:
@@ -86,7 +86,8 @@ public:
     this->Tree->BuildLocator();
   }
 
-  // More are looked at, as the tree cannot tell which of those of a lattice are nearest.
+  // Evaluates more candidates: in single precision the tree cannot rank nearly equal distances, as
+  // in a lattice.
   Distances FindNearest(const double from[3]) const
   {
     constexpr std::size_t looked = 17;
@@ -109,7 +110,7 @@ public:
 private:
   std::array<double, 3> ToTree(const double x[3]) const
   {
-    constexpr double farAway = 1e15; // the square of which is finite
+    constexpr double farAway = 1e15; // its square is finite in single precision
     std::array<double, 3> place;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -124,7 +125,7 @@ private:
   vtkNew<vtkOctreePointLocator> Tree;
 };
 
-// About a thousand of all.
+// Selects 1,000 to 2,000 particles, or all if there are fewer.
 std::vector<SkeletonVertex> PickSamples(const ParticleList& particles)
 {
   const std::size_t stride = std::max<std::size_t>(1, particles.size() / Samples);

@@ -1,4 +1,4 @@
-// The usual distance of particles.
+// Typical distance between neighbouring particles.
 
 #ifndef ParticleSpacing_h
 #define ParticleSpacing_h
@@ -8,12 +8,14 @@
 namespace activesurface
 {
 
-// Median distance of a particle to its third nearest, among about a thousand of them: the cube root
-// of the volume per particle within 14 %, for lattices as for random points, where the nearest is
-// at .55 of it, and for sheets. 0 if no two particles have different positions.
+// Returns the median distance of a particle to its third nearest neighbour, over a sample of 1,000
+// to 2,000 particles (all if fewer). For lattices and random points it is within 14 % of the cube
+// root of the volume per particle; in sheets, of the square root of the area per particle. The
+// nearest random point is at 0.55 of that root. Returns 0 if no two particles have different
+// positions.
 double FindSpacing(const ParticleFrame& frame);
 
-// Median among about a thousand of them; there has to be one.
+// Returns the median radius over such a sample; there must be a particle.
 double FindMedianRadius(const ParticleFrame& frame);
 
 }

@@ -10,8 +10,8 @@ namespace activesurface
 namespace
 {
 
-// Where a hollow is, if the particle is at the side of one: a spacing from it or, where its surface
-// is farther from it, one and a half.
+// Visits the points at 1 and 1.5 spacings outward of a particle, where a hollow may be. The second
+// is for a surface that is farther from the particle.
 void VisitHollow(
   const SkeletonVertex& particle, const double outward[3], const RegionVisitor& visit)
 {
@@ -57,7 +57,7 @@ void ParticleTarget::Place(int step, double fraction)
   this->FindChanged();
 }
 
-// Once for each step of the input.
+// Makes the fits of a frame, once for each step of the input.
 void ParticleTarget::FindFits(const ParticleFrame& frame) const
 {
   FitOptions fit;
@@ -146,7 +146,7 @@ void ParticleTarget::PlaceNodes(const NodeMotion& motion)
   this->Nodes.Build(track, options);
 }
 
-// Ellipsoids by rows; other models node by node.
+// Evaluates ellipsoids row by row, other models node by node.
 void ParticleTarget::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
 {
   if (this->Options.Model == ParticleModel::Anisotropic)
@@ -187,7 +187,7 @@ void ParticleTarget::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
   visit(
     [&](int n)
     {
-      // The root makes a sum nearly linear, as in ParticleNodes.h.
+      // The fourth root makes a sum nearly linear, as in ParticleNodes.h.
       const double sum = std::max(level - *next, 0.0) / level;
       values[n] = static_cast<float>(
         this->IsSum() ? 1.0 - std::sqrt(std::sqrt(sum)) : (*next - iso) / outside);
@@ -195,7 +195,7 @@ void ParticleTarget::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
     });
 }
 
-// In cells of another size sums are in another order, so that all of them change by rounding.
+// If the cell size changes, the order of the sums changes, and with it the rounding of all sums.
 void ParticleTarget::NoteCells(double before, double now)
 {
   if (now != before)
@@ -204,19 +204,20 @@ void ParticleTarget::NoteCells(double before, double now)
   }
 }
 
-// Sums depend on the particles in reach alone: where these are the same, so are the sums.
+// Finds where particles have changed. Sums elsewhere are unchanged, as they depend only on the
+// particles whose support contains the point.
 void ParticleTarget::FindChanged()
 {
   if (this->Options.Box.Any())
   {
-    this->Changed.SetEverywhere(); // as several copies are of one particle
+    this->Changed.SetEverywhere(); // copies of a particle have no unique match
     return;
   }
   const PlacedChanges changes(this->Previous, this->Now);
   const PlacedCounts counts = changes.Count();
   if (counts.Changed > std::max(counts.Before, counts.After) / 4)
   {
-    this->Changed.SetEverywhere(); // to look closer would not pay
+    this->Changed.SetEverywhere(); // a closer test would cost more than it saves
     return;
   }
   changes.ListSupports(this->ChangedSupports);

@@ -1,8 +1,8 @@
-// Moving particles as a target, by a sum of kernels, F = threshold - sum of strength *
-// kernel(distance / radius), or by a model that looks at their neighbours, see ParticlePotential.h.
+// Moving particles as a target. F is either a sum of kernels, threshold - sum of strength *
+// kernel(distance / radius), or a model with neighbours (ParticlePotential.h).
 //
-// Outside all reaches F is constant, without a gradient: a skin out there is attracted with the
-// constant speed that belongs to the target's reach.
+// Outside all supports F is constant with gradient zero. There the target attracts a skin with the
+// constant speed that belongs to its Reach.
 
 #ifndef ParticleTarget_h
 #define ParticleTarget_h
@@ -27,11 +27,10 @@ class ParticleTarget
   , public NodeTarget
 {
 public:
-  // The frames are the caller's, and have to hold what MoveAlong asks for, with fits if the options
-  // want them.
+  // The caller owns the frames. They must contain the steps that MoveAlong uses.
   ParticleTarget(const TargetFrames& frames, const ShapeOptions& options);
 
-  // For particles of one radius.
+  // Options of the node scheme for particles of one radius.
   static NodeParticleOptions GetNodeOptions(const ShapeOptions& options, double voxelSize);
 
   NodeTarget* GetNodes() override { return this; }
@@ -52,8 +51,9 @@ public:
   }
   bool HasRegions() const override { return true; }
   bool IsWithinRegions() const override { return true; }
-  // The reach of each particle, as a part that no skin reaches has one inside; and, if there are
-  // fits, a place beside each at the edge of a body, as hollows have such edges.
+  // Visits the support of each particle, as any part that the skin does not meet contains a
+  // support. If there are fits, also visits two points outside each particle at the edge of a body,
+  // where a hollow may be.
   std::size_t CountRegionSources() const override { return this->Now.Particles.size(); }
   void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override;
 
@@ -69,7 +69,7 @@ private:
   ParticleTrack MakeTrack(int step, double fraction, bool needsFits) const;
   void FindFits(const ParticleFrame& frame) const;
   void BuildBody(const PlacedParticles& placed, Skeleton& elements, ParticlePotential& body) const;
-  // Level of the sum of kernels at the skin.
+  // Value of the sum of kernels at the skin.
   double GetLevel() const
   {
     return this->IsSum() ? this->Options.Threshold - this->Options.Level.IsoValue : 0.5;

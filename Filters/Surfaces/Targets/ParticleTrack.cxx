@@ -26,7 +26,7 @@ ParticleFit Between(const ParticleFit& a, const ParticleFit& b, double fraction)
   fit.Bulk = Between(a.Bulk, b.Bulk, fraction);
   fit.OwnRadius = Between(a.OwnRadius, b.OwnRadius, fraction);
   fit.Strength = Between(a.Strength, b.Strength, fraction);
-  fit.Reach = std::max(a.Reach, b.Reach); // an ellipsoid between two is within the larger reach
+  fit.Reach = std::max(a.Reach, b.Reach); // bounds every ellipsoid in between
   for (int axis = 0; axis < 3; ++axis)
   {
     fit.Offset[axis] = Between(a.Offset[axis], b.Offset[axis], fraction);
@@ -110,7 +110,7 @@ void ParticleTrack::ListCopies()
   this->Count = this->Copies.size();
 }
 
-// Each particle has a copy in each box around, as far as kernels reach.
+// Throws if particles would need copies in more than four boxes on each side.
 void ParticleTrack::CheckBox(double margin) const
 {
   constexpr double mostLengths = 4.0;
@@ -183,7 +183,7 @@ SkeletonVertex ParticleTrack::Between(const ParticleOrigin& origin) const
     moved.Position[axis] = from.Position[axis] + this->Fraction * way;
   }
   const double radius = activesurface::Between(from.Radius, to.Radius, this->Fraction);
-  moved.Radius = radius > 0.0 ? radius : to.Radius; // which rounding may have swallowed
+  moved.Radius = radius > 0.0 ? radius : to.Radius; // rounding may make it 0
   moved.Strength = activesurface::Between(from.Strength, to.Strength, this->Fraction);
   return moved;
 }

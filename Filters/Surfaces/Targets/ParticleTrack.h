@@ -1,4 +1,4 @@
-// The particles between two time steps of the input, see ParticleMatches.h.
+// Particles between two time steps of the input (ParticleMatches.h).
 
 #ifndef ParticleTrack_h
 #define ParticleTrack_h
@@ -14,14 +14,15 @@
 namespace activesurface
 {
 
-// The particles at a fraction in [0,1] of the time between two steps, each interpolated when it is
-// asked for: at 0, and without a later step, those of the earlier step; else those of the earlier
-// step in their order, then the births in theirs, without those that have faded to nothing. In a
-// periodic box, in place of each one its copies in the box and the margin.
+// Particles at a fraction in [0,1] of the interval between two steps, interpolated on request. At
+// 0, or without a later step, these are the particles of the earlier step. Else they are the
+// particles of the earlier step in their order, then the births in their order, without particles
+// faded to zero. In a periodic box each particle is replaced by its copies in the box and the
+// margin.
 class ParticleTrack final : public NodeParticles
 {
 public:
-  // All are the caller's. later, and so matches, may be null.
+  // The caller owns the frames and the matches. later and matches may both be null.
   ParticleTrack(const ParticleFrame& earlier, const ParticleFrame* later,
     const ParticleMatches* matches, const PeriodicBox& box, double fraction);
 
@@ -35,24 +36,25 @@ public:
     return this->OriginOf(this->Copies.empty() ? this->KeptAt(n) : this->Copies[n].Particle);
   }
 
-  // Replaces lists by the particles and their origins.
+  // Replaces the contents of the lists by the particles and their origins.
   void List(std::vector<SkeletonVertex>& particles, std::vector<ParticleOrigin>& origins) const;
 
-  // Replaces fits by those of the particles; the frames' are found. One that fades shrinks with its
-  // volume: a lone particle grows from nothing.
+  // Replaces the contents of `fits` by the fits of the particles. The fits of the frames must have
+  // been found before (FindFits). The volume of a fading particle shrinks to zero with its
+  // strength.
   void InterpolateFits(ParticleFits& fits) const;
 
-  // Sets the duration from step to step [motion time], by which FindVelocity divides; at 0 it finds
-  // no velocity.
+  // Sets the duration from step to step for FindVelocity [motion time]. At 0, FindVelocity returns
+  // false.
   void SetDuration(double duration) { this->Duration = duration; }
   bool FindVelocity(std::size_t n, double (&velocity)[3]) const override;
 
-  // The caller's, as long as the track is in use.
+  // The caller owns the fits and must keep them as long as the track.
   void SetFits(const ParticleFits& fits) { this->Fits = &fits; }
   const ParticleFits& GetFits() const override { return *this->Fits; }
 
 private:
-  // n: of all, with those that have faded.
+  // n: index that counts faded particles too.
   ParticleOrigin OriginOf(std::size_t n) const;
   SkeletonVertex Place(const ParticleOrigin& origin) const;
   SkeletonVertex Between(const ParticleOrigin& origin) const;
@@ -63,8 +65,8 @@ private:
 
   struct Copy
   {
-    std::uint32_t Particle;        // of all, with those that have faded
-    std::array<int, 3> BoxLengths; // by which it is moved
+    std::uint32_t Particle;        // index that counts faded particles too
+    std::array<int, 3> BoxLengths; // displacement in lengths of the box
   };
 
   const ParticleFrame* Earlier;
@@ -79,17 +81,18 @@ private:
   std::vector<Copy> Copies;        // empty without a periodic box
 };
 
-// Finds the fits of a frame's particles among their copies, once. Throws as FitParticles.
+// Finds the fits of a frame's particles among their copies, unless HasFits. Throws as FitParticles
+// does.
 void FindFits(const ParticleFrame& frame, const FitOptions& options, const PeriodicBox& box);
 
 struct PlacedParticles
 {
   std::vector<SkeletonVertex> Particles;
-  ParticleFits Fits; // of each, or empty
+  ParticleFits Fits; // of each particle, or empty
   std::vector<ParticleOrigin> Origins;
 };
 
-// Keeps the memory of what it writes to.
+// Writes the particles of a track. Reuses the memory of `placed`.
 void PlaceParticles(const ParticleTrack& track, bool needsFits, PlacedParticles& placed);
 
 }

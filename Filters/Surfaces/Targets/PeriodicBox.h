@@ -1,4 +1,4 @@
-// Copies of places in a periodic box.
+// Copies of points in a periodic box.
 
 #ifndef PeriodicBox_h
 #define PeriodicBox_h
@@ -14,19 +14,19 @@ namespace activesurface
 
 struct PeriodicBox : Periods
 {
-  // Width around the box in which copies of particles count: there they have an effect on the
-  // surface within, by an ellipsoid's reach (1.3 kernel radii), and by the neighbourhoods that make
-  // it and its strength.
+  // Width of the margin around the box in which copies of particles affect the surface inside:
+  // directly, through the support of an ellipsoid (1.3 kernel radii), or as neighbours that change
+  // the ellipsoid and its strength.
   static double GetMargin(double kernelRadius) { return 3.2 * kernelRadius; }
 
-  // The shortest of the differences that are the same but for whole lengths of the box.
+  // Returns the shortest difference that is equal up to whole lengths of the box.
   double Nearest(std::size_t axis, double difference) const
   {
     const double length = this->Length[axis];
     return length > 0.0 ? difference - length * std::round(difference / length) : difference;
   }
 
-  // Moves a place to its copy within the box.
+  // Moves a point to its copy within the box.
   void Wrap(double (&place)[3]) const
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -43,8 +43,8 @@ struct PeriodicBox : Periods
     return std::equal(place, place + 3, wrapped);
   }
 
-  // The first and the last number of lengths by which a copy is in the box or its margin; the first
-  // is larger if none is.
+  // Range of the offsets, in lengths of the box, at which a copy is in the box or its margin. The
+  // first is larger than the last if there are none.
   std::array<int, 2> FindCopies(std::size_t axis, double x, double margin) const
   {
     const double length = this->Length[axis];

@@ -24,14 +24,14 @@ bool IsSameFit(const ParticleFit& a, const ParticleFit& b)
     std::equal(a.Metric, a.Metric + 6, b.Metric);
 }
 
-// The earlier ones in their order, then the births in theirs.
+// The order of a track: particles of the earlier step, then births.
 bool IsBefore(const ParticleOrigin& a, const ParticleOrigin& b)
 {
   return a.Earlier != b.Earlier ? a.Earlier < b.Earlier
                                 : a.Earlier == NoPartner && a.Later < b.Later;
 }
 
-// For how many numbers below count it is so.
+// Counts the n < count with function(n).
 template <class Function>
 std::size_t CountIf(std::size_t count, Function&& function)
 {

@@ -1,4 +1,4 @@
-// What changes from one placement of particles on their way to the next.
+// Changes between two placements of moving particles.
 
 #ifndef PlacedChanges_h
 #define PlacedChanges_h
@@ -12,10 +12,10 @@
 namespace activesurface
 {
 
-// The box in which a particle adds something.
+// Box of a particle's support.
 ChangedRegion::Box SupportOf(const PlacedParticles& placed, std::size_t i);
 
-// Of particles, in each placement.
+// Numbers of particles: in the two placements, and changed between them.
 struct PlacedCounts
 {
   std::size_t Before = 0;
@@ -26,16 +26,16 @@ struct PlacedCounts
 class PlacedChanges
 {
 public:
-  // Both are the caller's.
+  // The caller owns both.
   PlacedChanges(const PlacedParticles& then, const PlacedParticles& now);
 
   PlacedCounts Count() const;
 
-  // Replaces supports by those of what has changed, before and after.
+  // Replaces the contents of `supports` by the supports of the changed particles, before and after.
   void ListSupports(std::vector<ChangedRegion::Box>& supports) const;
 
 private:
-  // The same particle in both, or NoPartner.
+  // Indices of one particle in the two placements; NoPartner if it is absent.
   struct Pair
   {
     std::size_t Then;
@@ -49,7 +49,7 @@ private:
 
   const PlacedParticles& Before;
   const PlacedParticles& After;
-  std::vector<Pair> Pairs; // empty where both hold the same ones
+  std::vector<Pair> Pairs; // empty if both have the same particles
 };
 
 }

@@ -10,7 +10,8 @@ namespace activesurface
 namespace
 {
 
-// Noise is followed by this share of Attraction: at the automatic one by a sixth in a time step.
+// Fraction of Attraction that acts on noise. With the automatic attraction (six factors e in a time
+// step), noise decreases by a sixth in a time step.
 constexpr double SlowShare = 0.03;
 
 }
@@ -40,7 +41,7 @@ void PotentialTarget::TurnIntoDistance(double length, double& value, double& slo
   slope = 0.0;
 }
 
-// F s(F / Noise), s a smooth step from SlowShare to 1.
+// Replaces F by F s(F / Noise), where s is a smooth step from SlowShare to 1.
 void PotentialTarget::FollowNoiseSlowly(double& value, double& slope) const
 {
   if (slope == 0.0)
@@ -80,7 +81,7 @@ void PotentialTarget::Evaluate(
       }
       else if (!std::isfinite(slope))
       {
-        value = std::nan(""); // no step would be stable there: the sample is to be dropped
+        value = std::nan(""); // no time step would be stable: drops the sample
       }
     }
   }

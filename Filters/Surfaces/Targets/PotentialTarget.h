@@ -1,5 +1,5 @@
-// A potential F as the target of a surface: which of its level sets, which side of it, and whether
-// F itself or the distance that it tells is what attracts.
+// A potential F as the target of a surface: the level and the side of F, and the choice of F or the
+// distance derived from F as the attraction.
 
 #ifndef PotentialTarget_h
 #define PotentialTarget_h
@@ -17,13 +17,13 @@ struct TargetOptions
   double IsoValue = 0.0;
   bool Invert = false;
 
-  // (F - iso) / |grad F|, the first-order distance, clamped to +-Reach, instead of F - iso. Where
-  // the gradient vanishes or is not finite there is no distance: +-Reach by the sign of F - iso.
+  // Use the first-order distance (F - iso) / |grad F|, clamped to +-Reach, instead of F - iso.
+  // Where the gradient vanishes or is not finite, the value is +-Reach with the sign of F - iso.
   bool Normalize = true;
   double Reach = std::numeric_limits<double>::infinity();
 
-  // Where the surface is off by less than this, that may be noise, and attracts by a small share
-  // [length]. 0: none. With Normalize only.
+  // Distance below which a deviation of the surface may be noise; the attraction is then reduced,
+  // down to 3 % [length]. 0: none. Used with Normalize only.
   double Noise = 0.0;
 };
 
@@ -35,22 +35,22 @@ public:
   void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const override;
 
-  // F - iso, negative inside, never normalized: for its zero set alone.
+  // Returns F - iso, negative inside, never normalized. Use it only for the zero set.
   void EvaluateLevel(std::size_t count, const double* points, double* values) const;
 
-  // The same, and |grad F|, 1 where it is 0 or not finite.
+  // Also returns |grad F|, or 1 where that is 0 or not finite.
   void EvaluateLevel(std::size_t count, const double* points, double* values, double* slopes) const;
 
-  // Whether its regions together hold its zero set.
+  // Returns true if the regions contain the whole zero set.
   virtual bool IsWithinRegions() const { return false; }
 
-  // Places near its zero set, for the start; none where they are not known.
+  // Points near the zero set, for the start; none if unavailable.
   virtual SurfacePoints FindSurface() const { return {}; }
 
 protected:
   const TargetOptions& GetOptions() const { return this->Options; }
 
-  // F at points (x y z each), and its gradient unless gradients is null.
+  // Evaluates F at points (x y z each), and its gradient unless `gradients` is null.
   virtual void Sample(
     std::size_t count, const double* points, double* values, double* gradients) const = 0;
 

@@ -1,6 +1,4 @@
-/**
- * What the kinds of input need of the filter's properties, and of the surface.
- */
+/** Values of the filter's properties and of the surface that the kinds of input need. */
 #ifndef ShapeOptions_h
 #define ShapeOptions_h
 
@@ -14,38 +12,44 @@ namespace activesurface
 
 struct ShapeOptions
 {
-  ParticleModel Model = ParticleModel::Sum; //< of particles; skeletons are sums
+  ParticleModel Model = ParticleModel::Sum; //< of particles; skeletons are always sums
   double ParticleSpacing = 0.0;             //< [length]; 0: estimated
-  double SpacingInUse = 0.0;                //< the same, or the estimate; 0: not known
-  double KernelRadius = 0.0; //< reach of particles and skeletons [length]; 0: by the spacing
-  double Anisotropy = 4.0;   //< of particles, largest ratio of axes
+  double SpacingInUse = 0.0;                //< ParticleSpacing or its estimate; 0: unavailable
+  double KernelRadius = 0.0; //< support radius of particles, skeletons [length]; 0: by the spacing
+  double Anisotropy = 4.0;   //< of particles: largest ratio of axes
   double Threshold = 0.5;    //< of sums
   SkeletonKernel Kernel = SkeletonKernel::Wyvill;
   PeriodicBox Box;            //< of particles
   double MeshThickness = 0.0; //< [length]; 0: closed meshes
 
-  /** Its Reach counts as soon as the bounds are known, and so does VoxelSize [length]. */
+  /** Level.Reach and VoxelSize [length] are valid once the bounds are available. */
   TargetOptions Level;
   double VoxelSize = 0.0;
 
-  bool IsOnNodes = false;    //< whether particles are a target of the node scheme
-  double NoiseAtNodes = 0.0; //< and their noise there [length], in place of the level's
+  bool IsOnNodes = false;    //< particles are a target of the node scheme
+  double NoiseAtNodes = 0.0; //< noise at nodes [length], in place of Level.Noise
 
-  /** Whether the target tells its velocity, where tension is to act, and where hollows can be. */
+  /**
+   * Flags: the target provides its velocity; the target determines where tension acts; hollows can
+   * open.
+   */
   bool Carries = false;
   bool WeighsTension = false;
   bool OpensHollows = false;
 
-  /** Returns true if a target at points looks at the particles' neighbours; and if it needs to. */
+  /**
+   * WantsFits: a target at points evaluates the particles' neighbours. NeedsFits: its model
+   * requires them.
+   */
   bool WantsFits() const { return this->NeedsFits() || this->OpensHollows; }
   bool NeedsFits() const { return this->Model != ParticleModel::Sum; }
-  /** Returns true for the model whose fits nodes do not find themselves. */
+  /** Returns true for the model whose fits the node scheme does not compute itself. */
   bool NodesNeedFits() const { return this->Model == ParticleModel::AveragedCentre; }
 
-  /** Whether what is a body of particles matters. */
+  /** Returns true if the distinction between bodies and isolated particles matters. */
   bool WantsBulks() const { return this->WeighsTension || this->NoiseAtNodes > 0.0; }
 
-  /** Spacing of the samples that stand in for gradients that a function does not give [length]. */
+  /** Step of the differences that replace gradients a function does not provide [length]. */
   double GetDifferenceStep() const { return 0.125 * this->VoxelSize; }
 };
 

@@ -1,6 +1,4 @@
-/**
- * What a shape is prepared with before it is used: see InputShape::Prepare.
- */
+/** Arguments and results of InputShape::Prepare. */
 #ifndef ShapePreparation_h
 #define ShapePreparation_h
 
@@ -24,40 +22,47 @@ struct ShapePreparation
   }
 
   ShapeOptions Options;
-  double& EstimatedSpacing; //< of all time steps [length]; 0: there is no estimate yet
+  double& EstimatedSpacing; //< for all time steps [length]; 0: no estimate yet
   std::string When;         //< "at the time step 2", for messages
 
-  bool IsDomainKnown = false; //< else voxel size and reach are not
-  double Reach = 0.0;         //< how far around its surface a mesh has to be known [length]
-  double MaximumVoxels = 0.0; //< that the distances to a mesh may take
-  std::string MeshHint;       //< what the error of a mesh that would take more adds
+  bool IsDomainKnown = false; //< else voxel size and reach are undefined
+  double Reach = 0.0;         //< width around a mesh in which distances are needed [length]
+  double MaximumVoxels = 0.0; //< limit for the distances to a mesh [voxels]
+  std::string MeshHint;       //< appended to each error of a mesh; explains these limits
 
-  /** Warns a user, once for each reason. */
+  /** Warns the user, once for each reason. */
   std::function<void(const std::string& reason, const std::string& sentence)> Report;
 
-  /** Informs a user of a choice of the filter, once for each reason. */
+  /** Informs the user of a choice of the filter, once for each reason. */
   std::function<void(const std::string& reason, const std::string& sentence)> Note;
 
-  /** Usual distance of the particles; 0: not known, and of no use. */
+  /**
+   * Typical distance of the particles: ParticleSpacing or the estimate; 0 if unavailable and
+   * unused.
+   */
   double GetSpacing() const;
 
-  /** Reach of points without a radius of their own. */
+  /** Support radius of points without a radius of their own. */
   double GetRadius(ParticleModel model) const;
 
-  /** Reach of a kernel over the radius of the ball that it makes without neighbours. */
+  /**
+   * Support radius of an isolated particle's kernel, divided by the radius of the particle's ball.
+   */
   double GetReachPerRadius(ParticleModel model) const;
 
-  /** Returns the usual distance of a frame's particles, at most a diameter if radii are given; 0 if
-   * no two are apart. */
+  /**
+   * Returns the typical distance of a frame's particles. With radii: at most the median diameter.
+   * If no two particles are apart: that diameter, or 0 without radii.
+   */
   static double FindSpacingOf(const ParticleFrame& frame, const PeriodicBox& box);
 
-  /** Reports the spacing in use if neither a spacing, a reach nor radii are given. */
+  /** Reports the estimated spacing unless radii or KernelRadius are given. */
   void ReportSpacing(bool haveRadii) const;
 
   /**
-   * Gives a frame's particles their reaches, by their radii where they have them. Estimates the
-   * spacing from this frame if there is none yet; throws std::invalid_argument if no two particles
-   * are apart and there is no radius either.
+   * Sets the support radii of a frame's particles, from their radii if there are any. Estimates the
+   * spacing from this frame if it is needed and there is none yet. Throws std::invalid_argument if
+   * no two particles are apart and there are neither radii nor a KernelRadius.
    */
   void GiveRadius(ParticleModel model, ParticleFrame& frame);
 
@@ -65,8 +70,10 @@ private:
   void EstimateSpacing(ParticleModel model, const ParticleFrame& frame);
 };
 
-/** Returns what is wrong with the shape, and throws why it cannot be used (std::runtime_error), in
- * a sentence that begins with where it is from. */
+/**
+ * Prepares a shape. Returns a message about defects, or an empty string. Throws std::runtime_error
+ * if the shape is unusable. Messages begin with `where`.
+ */
 std::string PrepareShape(
   InputShape& shape, ShapePreparation& preparation, const std::string& where);
 

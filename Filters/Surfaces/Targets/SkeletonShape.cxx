@@ -19,12 +19,12 @@ namespace activesurface
 namespace
 {
 
-// What the point arrays of the copy are called.
+// Names of the point arrays of the copy.
 constexpr const char* RadiusName = "Radius";
 constexpr const char* ReachName = "Reach";
 constexpr const char* StrengthName = "Strength";
 
-// Keeps what an object reports, in place of the output window.
+// Stores the last message of an object, which then does not appear in the output window.
 class LastReport
 {
 public:
@@ -48,7 +48,7 @@ private:
   unsigned long Tag;
 };
 
-// A copy, by another name.
+// Adds a copy of the array with another name.
 void AddArray(vtkDataSet* data, vtkAbstractArray* array, const char* name)
 {
   if (array)
@@ -61,7 +61,7 @@ void AddArray(vtkDataSet* data, vtkAbstractArray* array, const char* name)
   }
 }
 
-// Adds the reaches of the kernels that make balls and tubes of the given radii.
+// Adds the support radii of kernels that make balls and tubes of the given radii.
 void AddReaches(vtkDataSet* data, double reachPerRadius)
 {
   vtkDataArray* radii = data->GetPointData()->GetArray(RadiusName);

@@ -1,6 +1,4 @@
-/**
- * Lines: a skeleton of segments, see vtkSkeletonPotential.
- */
+/** Lines: a skeleton of segments (vtkSkeletonPotential). */
 #ifndef SkeletonShape_h
 #define SkeletonShape_h
 
@@ -16,14 +14,14 @@ class SkeletonShape : public FunctionShape
 public:
   static bool Fits(vtkDataSet* data);
 
-  /** Throws std::invalid_argument for unfit arrays. */
+  /** Throws std::invalid_argument for unsuitable arrays. */
   explicit SkeletonShape(const InputData& input);
 
   const char* GetName() const override { return "a skeleton of lines"; }
   bool IsEmpty() const override { return this->Points.Particles.empty(); }
   const ParticleFrame* GetPoints() const override { return &this->Points; }
 
-  /** The function needs no voxels: it is made at once. */
+  /** Makes the function at the first call, as it needs no voxels. */
   std::string Prepare(ShapePreparation& preparation) override;
   void AddBounds(
     const ShapeOptions& options, vtkBoundingBox& shapes, vtkBoundingBox& images) const override;

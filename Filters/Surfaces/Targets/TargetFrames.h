@@ -1,4 +1,4 @@
-// Two consecutive steps of the input at most, and the way between them.
+// At most two steps of the input, usually consecutive, and the particle motion between them.
 
 #ifndef TargetFrames_h
 #define TargetFrames_h
@@ -19,11 +19,11 @@ class TargetFrames
 public:
   void Clear();
 
-  // The step replaces itself, or else the elder of the two that are held. box: of particles.
-  // Parts of shapes on several ranks are not matched.
+  // Adds a step. If the step is held already, replaces it; else drops Earlier. box: of particles.
+  // Distributed shapes are not matched.
   void Add(int step, std::shared_ptr<InputShape> shape, const PeriodicBox& box = {});
 
-  // Replaces all by a step and the next one, and their matches.
+  // Replaces the held steps by a step and the next one, with their matches.
   void SetPair(int step, std::shared_ptr<InputShape> earlier, std::shared_ptr<InputShape> later,
     ParticleMatches matches)
   {
@@ -35,24 +35,25 @@ public:
 
   bool Has(int step) const { return this->Find(step) != nullptr; }
 
-  // That is held; -1 if none is.
+  // Returns the step added last, or the higher of two consecutive steps; -1 if none is held.
   int FindLastStep() const { return this->Later.Shape ? this->Later.Step : -1; }
 
-  // Null if the step is not held.
+  // Returns the shape of a step; null if the step is not held.
   InputShape* Find(int step) const;
 
-  // Of the step's shape; no particles and null if it has none.
+  // Return the particles or the function of a step's shape; no particles, or null, if there are
+  // none.
   const ParticleFrame& GetParticles(int step) const;
   vtkImplicitFunction* GetFunction(int step) const;
 
-  // From a step to the next one, if it is held; as long as no step is added.
+  // Returns the track from a step to the next one, if that is held. Valid until a step is added.
   ParticleTrack GetTrack(int step, const PeriodicBox& box, double fraction) const;
 
-  // Matches of the particles of a step and of the next one; null if not both are held, or are not
-  // matched.
+  // Returns the particle matches of a step and the next one; null if one is not held, or if they
+  // are not matched.
   const ParticleMatches* FindMatches(int step) const;
 
-  // What a user should know of how the steps were matched; empty if nothing.
+  // Returns a message about the matching; empty if there is none.
   std::string DescribeMatches() const;
 
 private:
@@ -64,7 +65,7 @@ private:
 
   Held Earlier, Later;
   bool AreMatched = false;
-  ParticleMatches Matches; // of Earlier and Later, if these are consecutive
+  ParticleMatches Matches; // of Earlier and Later, if AreMatched
 };
 
 }
