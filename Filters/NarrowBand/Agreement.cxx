@@ -13,7 +13,7 @@ namespace
 
 constexpr const char* MemoryHasEnded = "There is not enough memory.";
 
-/** What a rank brings to the beginning of a round in place of a number >= 0. */
+/** Sent in place of a number >= 0 at the beginning of an operation. */
 enum State : std::int64_t
 {
   Stopping = -1,
@@ -50,7 +50,7 @@ Agreement::Agreement(std::shared_ptr<Communicator> ranks)
 {
 }
 
-// Every round begins with this.
+// Begins every operation. Throws if a rank has failed.
 std::vector<std::int64_t> Agreement::Begin(std::int64_t own) const
 {
   std::vector<std::int64_t> all = this->Ranks->AllGather(own);
@@ -61,7 +61,8 @@ std::vector<std::int64_t> Agreement::Begin(std::int64_t own) const
   return all;
 }
 
-// Memory may end on one rank while it makes room for much.
+// The buffers of a large message may exhaust the memory of one rank, so ranks begin again after
+// their allocation.
 std::vector<Bytes> Agreement::Exchange(const Bytes& own) const
 {
   constexpr std::int64_t much = std::int64_t(1) << 20;
@@ -126,7 +127,7 @@ void Agreement::FailForMemory() const
   this->Fail(MemoryHasEnded);
 }
 
-/** Empty: this rank has not failed. */
+/** sentence: empty if this rank has not failed. */
 void Agreement::ThrowTogether(const std::string& sentence) const
 {
   std::vector<Bytes> all =

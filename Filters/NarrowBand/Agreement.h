@@ -1,10 +1,10 @@
 /**
- * Rounds in which ranks tell each other something, fail together, or stop together.
+ * Collective operations of ranks that also agree on failure and on stopping.
  *
- * Every rank takes part in the same rounds in the same order. A rank that has failed takes part in
- * the next one by Fail, whatever round it is: then the round ends with a RankError on all of them,
- * which has the same sentence everywhere. So no rank waits for one that has gone. A rank whose
- * process has ended takes no part; that is for MPI to notice.
+ * All ranks call the same operations in the same order. A rank that has failed calls Fail in place
+ * of the next operation, whichever that is. That operation then throws RankError with the same
+ * message on all ranks, so no rank waits for a failed one. A rank whose process has ended cannot
+ * call Fail; MPI has to detect that.
  */
 #ifndef Agreement_h
 #define Agreement_h
@@ -23,27 +23,27 @@
 namespace activesurface
 {
 
-/** What all ranks have agreed upon to fail with. */
+/** Error that all ranks throw together, with the same message. */
 class ACTIVENARROWBAND_EXPORT RankError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/** Memory has ended on one of them. */
+/** Error if the lowest rank that failed has run out of memory. */
 class ACTIVENARROWBAND_EXPORT RankMemoryError : public RankError
 {
 public:
   using RankError::RankError;
 };
 
-/** Whether memory has ended, here or on another rank. */
+/** Returns true for std::bad_alloc and RankMemoryError. */
 ACTIVENARROWBAND_EXPORT bool IsOfMemory(const std::exception& error);
 
 class ACTIVENARROWBAND_EXPORT Agreement
 {
 public:
-  /** Of a program of one process. */
+  /** For a program of one process. */
   Agreement();
   /** Copies share the communicator. */
   explicit Agreement(std::shared_ptr<Communicator> ranks);
@@ -52,23 +52,25 @@ public:
   int GetSize() const { return this->Ranks->GetSize(); }
   bool IsAlone() const { return this->GetSize() < 2; }
 
-  /** A round: the bytes of each rank, by rank. Throws RankError if one has failed. */
+  /** Collective. Returns the bytes of each rank, by rank. Throws RankError if a rank has failed. */
   std::vector<Bytes> Exchange(const Bytes& own) const;
 
   ///@{
-  /** A round: sends bytes to each rank and returns those that each has sent to this one, by rank;
-   * the second where each rank knows how many come from each. Throw RankError if one has failed. */
+  /** Collective. Sends bytes to each rank and returns the bytes that each rank has sent to this
+   * one, by rank. sizes: numbers of bytes from each rank; without them the ranks exchange the sizes
+   * first. Throw RankError if a rank has failed. */
   std::vector<Bytes> Distribute(std::vector<Bytes> toEach) const;
   std::vector<Bytes> Distribute(
     std::vector<Bytes> toEach, const std::vector<std::size_t>& sizes) const;
   ///@}
 
-  /** A round: the bytes of each rank on the first one, nothing on others. */
+  /** Collective. Returns the bytes of each rank, by rank, on rank 0, and nothing on the other
+   * ranks. */
   std::vector<Bytes> GatherToFirst(Bytes own) const;
 
   ///@{
-  /** A round: the value of each rank, by rank; and the values of all, those of a rank after those
-   * of the ranks before. */
+  /** Collective. Returns the value of each rank, by rank; or the values of all ranks, concatenated
+   * by rank. */
   template <class Value>
   std::vector<Value> ExchangeValue(const Value& own) const
   {
@@ -87,13 +89,16 @@ public:
   }
   ///@}
 
-  /** A round: whether every rank wants to go on. Throws RankError if one has failed. */
+  /** Collective. Returns true if `own` is true on all ranks. Throws RankError if a rank has failed.
+   */
   bool GoOn(bool own) const;
 
-  /** In place of whatever round the others are in. The sentence of the first rank that has failed,
-   * after the rank's number, unless all have failed with the same sentence. */
+  /** Replaces the operation that the other ranks call. Throws RankError on all ranks, with the
+   * message of the lowest rank that failed. The number of that rank precedes the message, unless
+   * all ranks have failed with the same one. */
   [[noreturn]] void Fail(const std::string& sentence) const;
-  /** The same where memory has ended: a RankMemoryError on all. */
+  /** Fails because memory has ended. Throws RankMemoryError on all ranks, unless a lower rank has
+   * failed for another reason. */
   [[noreturn]] void FailForMemory() const;
 
 private:
@@ -103,9 +108,9 @@ private:
   std::shared_ptr<Communicator> Ranks;
 };
 
-/** Runs a task on every rank, which may have rounds of its own: what goes wrong on one rank goes
- * wrong on all. Each waits for the others at the end, or a late error of one would find them gone.
- */
+/** Runs a task on every rank. The task may call collective operations. An exception on one rank
+ * becomes a RankError on all ranks. Ranks wait for each other at the end; otherwise a late error of
+ * one rank would find the others gone. */
 template <class Task>
 void RunTogether(const Agreement& ranks, Task&& task)
 {

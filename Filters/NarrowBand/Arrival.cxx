@@ -17,8 +17,8 @@ namespace activesurface
 namespace
 {
 
-/** By how many factors e the time that is left falls along an interval, from the first one on:
- * distances fall as much. At the end of the last one 1/22000 of them would be left. */
+/** Decrease of ln(remaining time) in each interval; distances fall by the same factor. The sum of
+ * 10 would leave 1/22000 of the distances. */
 constexpr std::array<double, 24> Decays = { .25, .25, .25, .25, .25, .25, .25, .25, .25, .25, .25,
   .25, .25, .25, .25, .25, .5, .5, .5, .5, 1., 1., 1., 1. };
 
@@ -28,12 +28,12 @@ struct Interval
   double Attraction;
 };
 
-/** The interval that a time before the end is in. They do not depend on what is asked for, or on
- * where a motion was interrupted. */
+/** Returns the interval that contains a time before `end`. The intervals depend only on `end`, not
+ * on the requested times or on interruptions. */
 Interval FindInterval(double time, double end)
 {
   Interval interval{ 0.0, 0.0 };
-  double left = 0.0; // its logarithm
+  double left = 0.0; // ln(remaining time / end)
   for (std::size_t i = 0; i < Decays.size() && !(time < interval.End); ++i)
   {
     left -= Decays[i];

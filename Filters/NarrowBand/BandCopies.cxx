@@ -1,4 +1,4 @@
-// Copies of a band: as another band, and as bytes.
+// Copies of a band: another band, or bytes.
 
 #include "BandState.h"
 #include "NarrowBand.h"
@@ -17,7 +17,7 @@ namespace activesurface
 namespace
 {
 
-/** StateNumbers as they lie in packed bytes. */
+/** Order of the StateNumbers in packed bytes. */
 using PackedNumbers = std::array<double, 7>;
 
 }
@@ -48,7 +48,7 @@ std::unique_ptr<NarrowBand> NarrowBand::MakePartWithin(const Walls& walls) const
   auto part = std::make_unique<NarrowBand>(this->State->VoxelSize);
   this->CopyNumbersTo(*part);
   BandState& members = *part->State;
-  members.SetPart(nullptr); // periodic boxes are not shared out
+  members.SetPart(nullptr); // periodic boxes are not partitioned
   members.HasGhosts = false;
   part->Run(
     [&] { members.Restore(CutAtWalls(this->State->Potential->tree(), walls, members.VoxelSize)); });

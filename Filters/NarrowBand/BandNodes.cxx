@@ -1,4 +1,4 @@
-// Time steps of a band by the node scheme, see Nodes/NodeStep.h.
+// Frames of a band by the node scheme; see Nodes/NodeStep.h.
 
 #include "BandState.h"
 
@@ -30,7 +30,7 @@ void BandState::MakeNodeFrame(const NodeFrame& frame, const Motion& motion, Node
   const std::shared_ptr<const BandPart> partBefore = this->Part;
   try
   {
-    this->HasGhosts = IsControlled(motion); // which moves the surface by a substep
+    this->HasGhosts = IsControlled(motion); // an exact control moves the surface with ghosts
     this->Leaves = LeafTable();             // all leaves are new
     this->SetPart(nullptr);
     this->Leaves.SetDomain(this->Space.get());

@@ -22,10 +22,10 @@ struct RankCounts
   std::size_t Crossings = 0;
   std::size_t ActiveNodes = 0;
   SkinSums Sums;
-  std::int64_t Counted = 0; //< vertices of the leaves that it counts
+  std::int64_t Counted = 0; //< vertices of the leaves that the rank counts
 };
 
-/** A leaf, its number of vertices, then the number of those before. */
+/** A leaf with its number of vertices, which Count replaces by the number of vertices before. */
 struct CountedLeaf
 {
   NodeIndex Origin;
@@ -47,12 +47,12 @@ bool HasVertices(const LeafTable& table, std::size_t i)
   return !table.SummaryOf(i).IsForeign && table[i].Crossings > 0;
 }
 
-/** Numbers the vertices of all ranks in the order of the tree: each rank counts those of a range of
- * leaves, whoever owns them. */
+/** Numbers the vertices of all ranks in the order of the tree. Each rank counts the vertices of a
+ * range of leaves, whichever ranks own them. */
 class VertexCount
 {
 public:
-  /** Collective, as Answer. */
+  /** Collective, as is Answer. */
   VertexCount(const LeafTable& table, const Domain& space)
     : Space(space)
     , Asked(static_cast<std::size_t>(space.GetRanks().GetSize()))
@@ -75,11 +75,11 @@ public:
     this->Count();
   }
 
-  /** Of the leaves that this rank counts. */
+  /** Number of vertices in the leaves that this rank counts. */
   std::int64_t GetSum() const { return this->Sum; }
 
-  /** Returns the first vertex of each leaf of the table that is this rank's and has vertices.
-   * before: vertices that lower ranks count. */
+  /** Returns the first vertex of each own leaf that has vertices, in the table's order. before:
+   * number of vertices that lower ranks count. */
   std::vector<std::int64_t> Answer(std::int64_t before)
   {
     std::vector<Bytes> answers;
@@ -95,7 +95,7 @@ public:
     {
       sizes.push_back(leaves.size() * sizeof(std::int64_t));
     }
-    std::vector<std::int64_t> all; // leaves are asked for in the order of the tree, as the counters
+    std::vector<std::int64_t> all; // counters and their leaves follow the order of the tree
     for (const Bytes& bytes : this->Space.GetRanks().Distribute(std::move(answers), sizes))
     {
       AppendTo(all, FromBytes<std::int64_t>(bytes));
@@ -109,7 +109,7 @@ private:
     return static_cast<std::size_t>(this->Space.CounterOf(origin));
   }
 
-  /** Replaces the vertices of each leaf by those before it. */
+  /** Replaces the number of vertices of each leaf by the number of vertices before it. */
   void Count()
   {
     std::vector<CountedLeaf*> order;
@@ -132,7 +132,7 @@ private:
   std::int64_t Sum = 0;
 };
 
-/** Sends the first vertices of this rank's leaves to the ranks around; returns theirs. */
+/** Sends the first vertices of own leaves to the ranks around them; returns those received. */
 std::vector<BandPart::LeafVertices> SwapFirstVertices(const LeafTable& table, const BandPart& part)
 {
   std::vector<std::vector<BandPart::LeafVertices>> toEach(
@@ -197,8 +197,8 @@ std::shared_ptr<const BandPart> CountTogether(
 namespace
 {
 
-/** Numbers vertices on the edges that the owner of a leaf has: others here end at missing leaves.
- */
+/** Numbers the vertices of another rank's leaf. Edges that the owner does not have get -1: they end
+ * at leaves that are missing on this rank. */
 void NumberForeign(
   const BandLeaf& leaf, const BandPart::LeafVertices* owners, std::vector<std::int64_t>& numbers)
 {

@@ -1,5 +1,6 @@
 /**
- * A band of which each rank has a part: its own leaves, and those of other ranks around its space.
+ * Partition of a band among ranks: each rank has its own leaves, and those of other ranks around
+ * its space.
  */
 #ifndef BandPart_h
 #define BandPart_h
@@ -18,34 +19,35 @@
 namespace activesurface
 {
 
-/** Facts of the whole band on a rank. */
+/** Facts of the whole band, and numbers of the vertices on this rank. */
 struct BandPart
 {
-  /** Vertices of a leaf: the number of the first one in the whole skin, and their edges. */
+  /** Vertices of a leaf: the number of the first vertex in the whole skin, and their edges. */
   struct LeafVertices
   {
     NodeIndex Origin;
     std::int64_t First;
-    std::array<LeafMask, 3> Edge; //< as of BandLeaf
+    std::array<LeafMask, 3> Edge; //< crossed edges, as in BandLeaf
   };
 
   std::shared_ptr<const Domain> Space;
-  std::size_t Crossings = 0; //< of all ranks
+  std::size_t Crossings = 0; //< crossed edges of all ranks
   std::size_t ActiveNodes = 0;
   SkinMeasure Measure; //< [voxels]
-  /** Of each leaf of this rank that has vertices, in the table's order. */
+  /** First vertex of each own leaf that has vertices, in the table's order. */
   std::vector<std::int64_t> FirstVertices;
   std::vector<LeafVertices> Foreign; //< leaves of other ranks, sorted by their origins
 
   const Agreement& GetRanks() const { return this->Space->GetRanks(); }
 };
 
-/** Counts what all ranks have. Collective. */
+/** Sums counts and measures over all ranks, and numbers the vertices. Collective. */
 std::shared_ptr<const BandPart> CountTogether(
   const LeafTable& table, const std::shared_ptr<const Domain>& space);
 
-/** Numbers the vertices of a table as in the whole skin; -1 for those of leaves away from this
- * rank's own. part: null if the table is whole. */
+/** Returns the number of each vertex of a table in the whole skin. The number is -1 in leaves far
+ * from this rank's own, and on edges that the owner of the leaf does not have. part: null if the
+ * table is whole. */
 std::vector<std::int64_t> NumberVertices(const LeafTable& table, const BandPart* part);
 
 }

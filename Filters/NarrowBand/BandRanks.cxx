@@ -1,4 +1,4 @@
-// A band of which each rank has a part, and the whole of it.
+// Bands partitioned among ranks, and their conversion to whole bands.
 
 #include "BandState.h"
 #include "NarrowBand.h"
@@ -33,7 +33,7 @@ std::shared_ptr<const BandPart> NarrowBand::SharePart() const
 
 void NarrowBand::ListCosts(std::vector<LeafCost>& costs) const
 {
-  constexpr double costOfLeaf = 100.0; // in particles
+  constexpr double costOfLeaf = 100.0; // [cost of a particle]
   const LeafTable& leaves = this->State->Leaves;
   for (std::size_t i = 0; i < leaves.Size(); ++i)
   {

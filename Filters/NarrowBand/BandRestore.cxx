@@ -1,4 +1,4 @@
-// The potential of a band replaced as a whole: emptied, or restored from a tree.
+// Replacement of the whole potential: by an empty one, or by a tree.
 
 #include "BandState.h"
 
@@ -82,7 +82,8 @@ void BandState::AddGhosts()
   }
 }
 
-// Nodes of the layers in leaves that the node scheme had no use for are beyond its limit.
+// Clamps the layers to +-NodeLimit. In leaves that the node scheme has not made, nodes have + or -
+// the background.
 void BandState::BoundLayers()
 {
   this->Leaves.ForEach(

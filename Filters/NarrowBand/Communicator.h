@@ -1,6 +1,6 @@
 /**
- * Ranks of a parallel program and their collective operations: every rank makes the same calls in
- * the same order.
+ * Ranks of a parallel program and their collective operations. Every rank has to make the same
+ * calls in the same order.
  */
 #ifndef Communicator_h
 #define Communicator_h
@@ -22,18 +22,19 @@ public:
   void operator=(const Communicator&) = delete;
   virtual ~Communicator() = default;
 
-  /** In [0, GetSize()). */
+  /** Rank of this process, in [0, GetSize()). */
   virtual int GetRank() const = 0;
   virtual int GetSize() const = 0;
 
-  /** Returns the number of each rank, by rank. Collective. */
+  /** Collective. Returns `own` of each rank, by rank. */
   virtual std::vector<std::int64_t> AllGather(std::int64_t own) = 0;
 
-  /** Puts the bytes of each rank, by rank, where there is room for as many. Collective. */
+  /** Collective. Copies `own` of each rank to `all`, by rank. The elements have to have the right
+   * sizes. */
   virtual void AllGather(const Bytes& own, std::vector<Bytes>& all) = 0;
 
-  /** Sends bytes to each other rank, and puts those that each of them has sent where there is room
-   * for as many. Nothing is sent where there are none. Collective. */
+  /** Collective. Sends toEach[rank] to each other rank and receives fromEach[rank] from it. The
+   * elements of fromEach have to have the right sizes. Empty messages are not sent. */
   virtual void Swap(const std::vector<Bytes>& toEach, std::vector<Bytes>& fromEach) = 0;
 };
 

@@ -1,6 +1,7 @@
 /**
- * What standard C++17 lacks and GCC and Clang have: bits of words, relaxed loads of plain numbers,
- * prefetching, inlining, and functions for one instruction set. Another compiler needs this header.
+ * Features of GCC and Clang that standard C++17 lacks: bits of words, relaxed access to plain
+ * numbers, prefetching, inlining, and functions for one instruction set. A port to another compiler
+ * replaces them here, and the vectors in FloatLanes.h.
  */
 #ifndef CompilerBuiltins_h
 #define CompilerBuiltins_h
@@ -16,12 +17,13 @@
 #define ACTIVE_FOR_AVX512
 #endif
 
-// Of functions, and of lambdas behind their parameters: what is called from a kernel is compiled
-// with its instructions only when it becomes a part of it.
+// For functions and, after the parameters, for lambdas. A callee gets the instruction set of a
+// kernel only if it is inlined into the kernel.
 #define ACTIVE_ALWAYS_INLINE inline __attribute__((always_inline))
 #define ACTIVE_INLINED __attribute__((always_inline))
 
-// Before a loop over a few lanes: GCC unrolls it before it looks for vectors, and then finds none.
+// Precedes a loop over a few lanes. GCC would unroll the loop before vectorisation, and then not
+// vectorise it.
 #ifdef __clang__
 #define ACTIVE_LANES _Pragma("clang loop unroll(disable)")
 #else
@@ -31,13 +33,13 @@
 namespace activesurface
 {
 
-/** Number of the lowest bit of a word that is not 0. */
+/** Index of the lowest set bit; the word must not be 0. */
 ACTIVE_ALWAYS_INLINE int LowestBit(std::uint64_t word)
 {
   return __builtin_ctzll(word);
 }
 
-/** Number of bits set. The baseline instruction set has no instruction for it. */
+/** Number of set bits, by arithmetic: the baseline instruction set has no instruction for this. */
 inline int CountBits(std::uint64_t word)
 {
   word -= (word >> 1) & 0x5555555555555555ull;
@@ -46,7 +48,8 @@ inline int CountBits(std::uint64_t word)
   return static_cast<int>((word * 0x0101010101010101ull) >> 56);
 }
 
-/** A number that another thread may write with StoreRelaxed meanwhile: one value or the other. */
+/** Reads a number that another thread may write with StoreRelaxed at the same time. Returns the old
+ * or the new value. */
 ACTIVE_ALWAYS_INLINE float LoadRelaxed(const float* from)
 {
   float number;
@@ -59,13 +62,13 @@ ACTIVE_ALWAYS_INLINE void StoreRelaxed(float number, float* to)
   __atomic_store(to, &number, __ATOMIC_RELAXED);
 }
 
-/** Adds to a number that other threads add to meanwhile. */
+/** Adds to a number to which other threads may add at the same time. */
 inline void AddRelaxed(std::uint32_t number, std::uint32_t* to)
 {
   __atomic_fetch_add(to, number, __ATOMIC_RELAXED);
 }
 
-/** Sets bits in a word that other threads set bits in meanwhile. */
+/** Sets bits of a word in which other threads may set bits at the same time. */
 inline void AddBitsRelaxed(std::uint64_t bits, std::uint64_t* to)
 {
   if ((__atomic_load_n(to, __ATOMIC_RELAXED) & bits) != bits)
@@ -74,13 +77,13 @@ inline void AddBitsRelaxed(std::uint64_t bits, std::uint64_t* to)
   }
 }
 
-/** Asks for the cache line of an address ahead of its use. */
+/** Prefetches the cache line of an address. */
 ACTIVE_ALWAYS_INLINE void Prefetch(const void* address)
 {
   __builtin_prefetch(address);
 }
 
-/** Whether the processor has what ACTIVE_FOR_AVX2 or ACTIVE_FOR_AVX512 ask for. */
+/** Returns true if the processor has the instructions of ACTIVE_FOR_AVX2. */
 inline bool HasAvx2()
 {
 #if defined(__x86_64__)
@@ -92,6 +95,7 @@ inline bool HasAvx2()
 #endif
 }
 
+/** Returns true if the processor has the instructions of ACTIVE_FOR_AVX512. */
 inline bool HasAvx512()
 {
 #if defined(__x86_64__)

@@ -4,15 +4,16 @@
 #include <utility>
 #include <vector>
 
-// How the table is made. On each face, every run of inside corners is cut off by one segment, from
-// the edge where a walk around the face enters the run to the edge where it leaves it. A crossed
-// edge lies on two faces, is entered on one and left on the other, and so the segments chain up
-// into closed loops. The loops are then filled with triangles.
+// Construction of the table. On each face, every run of inside corners is cut off by one segment,
+// from the edge where a walk around the face enters the run to the edge where it leaves the run. A
+// crossed edge lies on two faces, is entered on one and left on the other, and so the segments form
+// closed loops. The loops are then filled with triangles.
 //
 // A diagonal between two edges of one face is never used: the neighbour across that face might draw
-// the same one, and the mesh edge would have four triangles. Others run through the interior of the
-// voxel, where no neighbour can meet them. Every loop of all 256 cases (3 to 7 edges) can be filled
-// that way without an extra vertex; the test goes through them.
+// the same diagonal, and the mesh edge would have four triangles. Other diagonals run through the
+// interior of the voxel, where no neighbour can meet them. Every loop of all 256 cases (3 to 7
+// edges) can be filled so without an extra vertex; TestCubeTriangles checks the triangles of all
+// cases.
 
 namespace activesurface
 {
@@ -60,14 +61,14 @@ int EdgeBetween(int corner, int otherCorner)
   return edge;
 }
 
-// Twice the coordinate of the edge's midpoint: 0 or 2 on a face, 1 in between.
+// Twice the coordinate of the edge's midpoint [voxels]: 0 or 2 on a face, 1 in between.
 int MiddleOfEdge(int edge, int axis)
 {
   return OffsetOfCorner(LowerCornerOfEdge[edge], axis) +
     OffsetOfCorner(UpperCornerOfEdge(edge), axis);
 }
 
-// Squared length, in half voxels; Forbidden where both edges lie on one face.
+// Squared length [half voxels]; Forbidden if both edges lie on one face.
 int CostOfDiagonal(int edge, int otherEdge)
 {
   int cost = 0;
@@ -80,7 +81,7 @@ int CostOfDiagonal(int edge, int otherEdge)
   return cost;
 }
 
-// The one face rule: each run of inside corners is cut off by itself.
+// Cuts off each run of inside corners by its own segment.
 void CutFace(const Corners& face, unsigned insideBits, std::array<int, EdgesOfVoxel>& next)
 {
   for (int i = 0; i < 4; ++i)
@@ -126,7 +127,7 @@ std::vector<Loop> TraceLoops(unsigned insideBits)
   return loops;
 }
 
-// The cheapest way to fill the part of a loop that the chord from first to last cuts off.
+// Returns the cheapest filling of the part of a loop between `first` and `last`.
 Filling FillLoop(const Loop& loop, int first, int last)
 {
   Filling best;

@@ -4,12 +4,12 @@
  * shared mesh vertex on each lattice edge whose ends differ in sign.
  *
  * Laid over a lattice of any signs, they form a mesh in which, off the outer boundary,
- * - each mesh edge belongs to exactly two triangles, which run through it in opposite directions,
- * - the triangles around a vertex form one closed fan,
- * - triangles are counter-clockwise seen from outside (normals point from inside to outside).
+ *  - each mesh edge belongs to exactly two triangles, which run through it in opposite directions,
+ *  - the triangles around a vertex form one closed fan,
+ *  - triangles are counter-clockwise seen from outside (normals point from inside to outside).
  * This also holds for ambiguous faces (two diagonally opposite inside corners): the two inside
- * corners are always separated. The rule depends on the signs of the face alone, so both voxels of
- * a face cut it alike.
+ * corners are always separated. The rule depends only on the signs of the face, so both voxels of a
+ * face cut it alike.
  *
  * Numbering. Corner c = 4 x + 2 y + z, the order of an OpenVDB leaf. Edge e = 4 axis + 2 u + v,
  * where u and v are the offsets of the edge along the two other axes, in the order x, y, z.
@@ -31,7 +31,7 @@ constexpr int EdgesOfVoxel = 12;
 constexpr std::array<std::uint8_t, EdgesOfVoxel> LowerCornerOfEdge = { 0, 1, 2, 3, 0, 1, 4, 5, 0, 2,
   4, 6 };
 
-/** 0 or 1: where a corner lies along an axis (0: x, 1: y, 2: z). */
+/** Position of a corner along an axis (0: x, 1: y, 2: z): 0 or 1. */
 constexpr int OffsetOfCorner(int corner, int axis)
 {
   return corner >> (2 - axis) & 1;
@@ -47,7 +47,7 @@ constexpr int UpperCornerOfEdge(int edge)
   return LowerCornerOfEdge[edge] + (4 >> AxisOfEdge(edge));
 }
 
-/** Count triangles; each row of Edge holds the three voxel edges of one of them. */
+/** The first Count rows of Edge are triangles; a row holds three edges of the voxel. */
 struct VoxelTriangles
 {
   static constexpr int MaximumCount = 5;
@@ -56,9 +56,9 @@ struct VoxelTriangles
 };
 
 /**
- * The triangles of a voxel whose corner c is inside (negative) where bit c of insideBits is set.
- * Range: 0 to 255; higher bits are ignored. Thread-safe; the first call builds the table. Its 256
- * entries are contiguous and begin with that of 0.
+ * Returns the triangles of a voxel whose corner c is inside (negative) if bit c of insideBits is
+ * set. Range: 0 to 255; higher bits are ignored. Thread-safe; the first call builds the table. The
+ * table is contiguous: insideBits is the offset from the result for 0.
  */
 ACTIVENARROWBAND_EXPORT const VoxelTriangles& TrianglesOfVoxel(unsigned insideBits);
 }

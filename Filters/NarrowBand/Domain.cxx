@@ -7,8 +7,8 @@
 namespace activesurface
 {
 
-/** Nodes of a tree hold 4096, 128 and 8 lattice nodes along an axis, and their children by x, y, z.
- */
+/** Nodes of a tree span 4096, 128 and 8 lattice nodes along an axis. Their children are ordered by
+ * x, y, z. */
 bool IsBeforeInTree(const NodeIndex& a, const NodeIndex& b)
 {
   for (const int shift : { 12, 7, 3 })
@@ -41,7 +41,7 @@ double Sum(Iterator begin, Iterator end)
     begin, end, 0.0, [](double sum, const LeafCost& leaf) { return sum + leaf.Cost; });
 }
 
-/** Returns at most `most` leaves with equal costs for sorted ones. */
+/** Samples sorted costs at equal steps: returns at most `most` leaves of one cost. */
 std::vector<LeafCost> Thin(const std::vector<LeafCost>& costs, std::size_t most)
 {
   const double each = Sum(costs.begin(), costs.end()) / static_cast<double>(most);
@@ -79,7 +79,8 @@ std::shared_ptr<const Domain> Domain::Share(const Agreement& ranks, std::vector<
   return domain;
 }
 
-// By the plane across the longest side of the box of the costs that divides them as the ranks.
+// Cuts the costs between the ranks below and from `middle` on. The plane is normal to the longest
+// side of the costs' box; it divides the costs as nearly as possible in the ratio of the ranks.
 void Domain::Divide(CostIterator begin, CostIterator end, int first, int last)
 {
   const int middle = first + (last - first) / 2;
@@ -135,7 +136,7 @@ int Domain::OwnerOf(const NodeIndex& node) const
 
 void Domain::ListOwners(const NodeIndex& low, const NodeIndex& high, std::vector<int>& owners) const
 {
-  constexpr std::size_t mostHalvings = 32; // of a number of ranks
+  constexpr std::size_t mostHalvings = 32; // of a 32-bit number of ranks
   std::array<std::array<int, 2>, mostHalvings> upper;
   std::size_t waiting = 0;
   int first = 0, last = this->Ranks.GetSize();

@@ -1,5 +1,5 @@
 /**
- * Which rank owns which part of space: boxes of leaves.
+ * Partition of space among ranks: each rank owns the leaves in a box.
  */
 #ifndef Domain_h
 #define Domain_h
@@ -17,17 +17,17 @@
 namespace activesurface
 {
 
-/** Cost of what is in a leaf. */
+/** Cost of a leaf, in units of the cost of a particle. */
 struct LeafCost
 {
   NodeIndex Origin;
   double Cost;
 };
 
-/** The node below a place, relative to the node (0, 0, 0); at most 10^9 in size. */
+/** Returns the node at or below a position; coordinates are clamped to +-10^9. */
 inline NodeIndex NodeBelow(const double (&place)[3], double voxelSize)
 {
-  constexpr double farthest = 1e9; // as node numbers are 32-bit integers
+  constexpr double farthest = 1e9; // node coordinates are 32-bit integers
   NodeIndex node;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -37,33 +37,34 @@ inline NodeIndex NodeBelow(const double (&place)[3], double voxelSize)
   return node;
 }
 
-/** The order of a tree's leaves, by nodes in them. */
+/** Returns true if the leaf of node a precedes the leaf of node b in the order of a tree. */
 bool IsBeforeInTree(const NodeIndex& a, const NodeIndex& b);
 
 class ACTIVENARROWBAND_EXPORT Domain
 {
 public:
-  /** Shares space out so that all ranks have about the same costs. own: the costs that this rank
-   * knows, in any order. Collective: the same on all ranks. */
+  /** Partitions space so that all ranks have about equal costs. own: the costs that this rank
+   * knows, in any order. Collective; all ranks get the same partition. */
   static std::shared_ptr<const Domain> Share(const Agreement& ranks, std::vector<LeafCost> own);
 
-  /** The rank that owns the leaf of a node. */
+  /** Returns the rank that owns the leaf of a node. */
   int OwnerOf(const NodeIndex& node) const;
   bool IsOwn(const NodeIndex& node) const { return this->OwnerOf(node) == this->Ranks.GetRank(); }
 
-  /** Replaces a list by the ranks that own leaves with nodes in a box, ascending. */
+  /** Replaces `owners` by the ranks that own leaves with nodes in a box, ascending. */
   void ListOwners(const NodeIndex& low, const NodeIndex& high, std::vector<int>& owners) const;
 
-  /** Lists the other ranks that own leaves around one of this rank. */
+  /** Replaces `others` by the other ranks that own neighbours of a leaf, ascending. */
   void ListOthersAround(const NodeIndex& leaf, std::vector<int>& others) const;
 
-  /** A rank for each leaf, ascending in the order of the tree; they have about equally many. */
+  /** Returns the rank that counts a leaf. Counters ascend in the order of the tree; they have about
+   * equally many of the sampled leaves. */
   int CounterOf(const NodeIndex& leaf) const;
 
   const Agreement& GetRanks() const { return this->Ranks; }
 
 private:
-  /** A plane between leaves: nodes with a smaller number along the axis are the lower ranks'. */
+  /** A plane between leaves: lower ranks own the nodes with smaller coordinates along the axis. */
   struct Cut
   {
     int Axis = 0;
@@ -79,8 +80,8 @@ private:
   void Divide(CostIterator begin, CostIterator end, int first, int last);
 
   const Agreement Ranks;
-  std::vector<Cut> Cuts;         // of ranks [first, last) at their middle, and so on in halves
-  std::vector<NodeIndex> Firsts; // in the order of the tree, of each counter but the first one
+  std::vector<Cut> Cuts;         // of ranks [first, last): at the number of the middle one
+  std::vector<NodeIndex> Firsts; // first leaf of each counter but rank 0, in the order of the tree
 };
 
 }

@@ -1,5 +1,5 @@
 /**
- * A sum that does not depend on the order of its terms, nor on who adds them up.
+ * A sum that does not depend on the order of its terms, or on the ranks and threads that add them.
  */
 #ifndef FixedSum_h
 #define FixedSum_h
@@ -10,11 +10,11 @@
 namespace activesurface
 {
 
-/** In integers, and in units of 2^-32: each term is rounded by half a unit. */
+/** Integers in units of 2^-32; each term is rounded by at most half a unit. */
 class FixedSum
 {
 public:
-  /** value: finite, below 10^15 in size. */
+  /** value: finite, magnitude below 10^15. */
   void Add(double value)
   {
     const double whole = std::floor(value);

@@ -1,6 +1,6 @@
 /**
- * Eight floats side by side, for kernels that are compiled for several instruction sets: see
- * InstructionSets.h. Each lane gives the bits that the same operations give on one number.
+ * Vectors of eight floats, for kernels compiled for several instruction sets (InstructionSets.h).
+ * Each lane gives the same bits as the operations on a single number.
  */
 #ifndef FloatLanes_h
 #define FloatLanes_h
@@ -20,7 +20,7 @@ namespace activesurface
 using Lanes = float __attribute__((vector_size(32)));
 using LaneMask = std::int32_t __attribute__((vector_size(32))); //< -1: true, 0: false
 
-/** In a loop: GCC compiles Lanes{ x, x, ... } for the baseline before it is inlined, by way of
+/** Sets lanes in a loop. GCC compiles Lanes{ x, x, ... } for the baseline before inlining, through
  * memory, which is four times as slow. */
 ACTIVE_ALWAYS_INLINE Lanes AllLanes(float x)
 {
@@ -73,7 +73,7 @@ ACTIVE_ALWAYS_INLINE Lanes Size(const Lanes& x)
   return reinterpret_cast<Lanes>(reinterpret_cast<const LaneMask&>(x) & all);
 }
 
-/** Square roots, rounded correctly. */
+/** Correctly rounded square roots. */
 ACTIVE_ALWAYS_INLINE Lanes Root(const Lanes& x)
 {
   Lanes root;
@@ -92,10 +92,10 @@ ACTIVE_ALWAYS_INLINE Lanes Root(const Lanes& x)
   return root;
 }
 
-/** x^(-1/3) to six digits, of numbers > 0. */
+/** x^(-1/3) to six digits; x > 0. */
 ACTIVE_ALWAYS_INLINE Lanes InverseCubeRoot(const Lanes& x)
 {
-  // The exponent divided by -3, then four steps of Newton's.
+  // The start divides the exponent by -3. Four steps of Newton's method follow.
   constexpr std::int32_t start = 0x54a2fa8c;
   LaneMask bits;
   std::memcpy(&bits, &x, sizeof bits);
@@ -110,7 +110,7 @@ ACTIVE_ALWAYS_INLINE Lanes InverseCubeRoot(const Lanes& x)
   return root;
 }
 
-/** One bit for each lane in which the condition holds. */
+/** Returns one bit for each lane in which the condition holds. */
 ACTIVE_ALWAYS_INLINE unsigned BitsOf(const LaneMask& condition)
 {
 #ifdef __SSE2__
@@ -127,7 +127,7 @@ ACTIVE_ALWAYS_INLINE unsigned BitsOf(const LaneMask& condition)
 #endif
 }
 
-/** 0 up to `from`, 1 beyond `to`, a cubic polynomial between; from < to. */
+/** 0 below `from`, 1 above `to`, a cubic polynomial in between; from < to. */
 ACTIVE_ALWAYS_INLINE Lanes SmoothStep(float from, float to, const Lanes& x)
 {
   const Lanes t = Least(

@@ -1,5 +1,5 @@
 /**
- * Numbers of blocks of a lattice, by their indices.
+ * Consecutive numbers of lattice blocks, found by the blocks' indices.
  */
 #ifndef IndexMap_h
 #define IndexMap_h
@@ -13,13 +13,13 @@
 namespace activesurface
 {
 
-/** A hash table with open addressing. Keeps its memory. */
+/** Hash table with open addressing. Clear keeps the memory. */
 class IndexMap
 {
 public:
   static constexpr std::int32_t None = -1;
 
-  /** Removes all entries; makes room for `expected` of them. */
+  /** Removes all entries and reserves slots for `expected` entries. */
   void Clear(std::size_t expected)
   {
     this->Count = 0;
@@ -31,14 +31,14 @@ public:
     this->Slots.assign(size, Slot());
   }
 
-  /** The number of an index, or None. */
+  /** Returns the number of an index, or None. */
   std::int32_t Find(const NodeIndex& index) const
   {
     const Slot& slot = this->Slots[this->FindSlot(index)];
     return slot.Number;
   }
 
-  /** The number of an index; if it has none, the smallest one that no index has. */
+  /** Returns the number of an index. A new index gets the next number, beginning with 0. */
   std::int32_t Add(const NodeIndex& index)
   {
     if (2 * (this->Count + 1) > this->Slots.size())

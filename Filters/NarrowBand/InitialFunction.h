@@ -1,5 +1,5 @@
 /**
- * The shape of the surface at its start.
+ * The initial shape of the surface.
  */
 #ifndef InitialFunction_h
 #define InitialFunction_h
@@ -13,20 +13,20 @@
 namespace activesurface
 {
 
-/** Places near the zero set of a function. */
+/** Points near the zero set of a function. */
 struct SurfacePoints
 {
-  /** Visits them (x y z). Empty: not known. */
+  /** Visits the points (x y z). Empty: the points are unknown. */
   std::function<void(const std::function<void(const double x[3])>& visit)> ForEach;
 
-  /** Wherever the function changes sign, but at walls, one of them is so near along each axis
-   * [length]. */
+  /** Every sign change of the function, except at walls, has a point within this distance along
+   * each axis [length]. */
   double Reach = 0.0;
 
   /** Box outside which the function is not negative. */
   double Bounds[6] = {};
 
-  /** Walls so deep within the bounds of the start may cut the shape off [length]. */
+  /** Walls may cut the shape off up to this far inside the bounds of the start [length]. */
   double DepthOfWalls = 0.0;
 };
 
@@ -37,15 +37,15 @@ struct InitialFunction
   bool ThreadSafe = true;
 
   /**
-   * Visits boxes that together hold the zero set: the start then costs what they hold, whatever the
-   * bounds. Elsewhere the function keeps its sign, and is not evaluated. Empty: not known; the
-   * function is sampled everywhere within the bounds.
+   * Visits boxes that together contain the zero set. The cost of the start then depends on the
+   * boxes, not on the bounds. Outside the boxes the function keeps its sign and is not evaluated.
+   * Empty: the boxes are unknown, and the function is sampled everywhere within the bounds.
    */
   std::function<void(const RegionVisitor& visit)> ForEachRegion;
 
   /**
-   * Points near the zero set, if there are any, in place of regions: the start then costs what is
-   * near the points, and is bitwise the one without them.
+   * Points near the zero set, used in place of regions if present. The cost of the start then
+   * depends on the points. The result is bitwise identical to that without points.
    */
   SurfacePoints Surface;
 };

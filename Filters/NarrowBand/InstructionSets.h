@@ -1,10 +1,10 @@
 /**
- * Which instruction sets the kernels (of rows, of leaves, of skeletons) are compiled for, and which
- * one runs.
+ * Instruction sets for which kernels (of rows, leaves and skeletons) are compiled, and the choice
+ * among them.
  *
- * At its first use the library chooses the best set of the processor, or the one named by the
+ * At its first use the library chooses the best set of the processor, or the set named by the
  * environment variable ACTIVE_INSTRUCTION_SET: sse2, avx2 or avx512. A set that the processor lacks
- * is replaced by the best one below it. Results do not depend on the choice: rows are vectorised
+ * is replaced by the best set below it. Results do not depend on the choice: rows are vectorised
  * lane by lane, nothing is summed across lanes, and contraction to fused multiply-add is off.
  */
 #ifndef InstructionSets_h
@@ -23,15 +23,15 @@ enum class InstructionSet
   Avx512
 };
 
-/** The set that kernels run with. */
+/** Returns the set with which kernels run. */
 ACTIVENARROWBAND_EXPORT InstructionSet GetInstructionSet();
 
-/** Chooses another set, or the best one below it that the processor has; returns the choice. It
- * holds for the whole program; do not call it while a band, skin or skeleton is working. */
+/** Chooses a set, or the best set below it that the processor has. Returns the choice, which
+ * applies to the whole program. Must not be called while a band, skin or skeleton is computed. */
 ACTIVENARROWBAND_EXPORT InstructionSet SetInstructionSet(InstructionSet wanted);
 
-/** A function object compiled for each instruction set. Its operator() must be
- * ACTIVE_ALWAYS_INLINE, and so must be what it calls. */
+/** A function object compiled for each instruction set. Its operator() and all functions that it
+ * calls must be ACTIVE_ALWAYS_INLINE. */
 template <class Kernel, class... Arguments>
 struct CompiledKernel
 {
@@ -53,7 +53,7 @@ struct CompiledKernel
   }
 };
 
-/** Calls a kernel without arguments, compiled for the chosen instruction set. */
+/** Runs a kernel without arguments, compiled for the chosen instruction set. */
 template <class Kernel>
 void RunCompiled(const Kernel& kernel)
 {

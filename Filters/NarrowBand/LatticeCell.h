@@ -1,5 +1,5 @@
 /**
- * Places among the nodes of a lattice, for all that interpolates between them.
+ * Positions in the cells of a lattice, for interpolation between nodes.
  */
 #ifndef LatticeCell_h
 #define LatticeCell_h
@@ -11,10 +11,11 @@
 namespace activesurface
 {
 
-/** The voxel that holds a place [voxels], and where in it the place is, as Trilinear.h has it. */
+/** The voxel that contains a position [voxels], and the fractions of the position, as in
+ * Trilinear.h. */
 struct LatticeCell
 {
-  /** The place has to fit into lattice coordinates. */
+  /** place: has to fit into lattice coordinates. */
   explicit LatticeCell(const double place[3])
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -30,8 +31,8 @@ struct LatticeCell
   double Fraction[3];
 };
 
-/** Whether a place [voxels] is more than a voxel beyond a box of nodes, or the box is empty. So
- * is what is not a number, or would not fit into lattice coordinates. */
+/** Returns true if a position [voxels] is more than a voxel outside a box of nodes, if the box is
+ * empty, or if the position is NaN. All other positions fit into lattice coordinates. */
 inline bool IsBeyond(const openvdb::CoordBBox& nodes, const double place[3])
 {
   bool isBeyond = nodes.empty();

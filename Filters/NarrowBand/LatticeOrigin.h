@@ -1,5 +1,5 @@
 /**
- * Where a lattice has its node (0, 0, 0), so that single precision holds positions on it.
+ * Position of a lattice's node (0, 0, 0) at which single precision represents the lattice.
  */
 #ifndef LatticeOrigin_h
 #define LatticeOrigin_h
@@ -10,10 +10,11 @@ namespace activesurface
 {
 
 /**
- * World position of that node along one axis, for data within bounds: 0 if these come within 2^17
- * voxels of 0, where floats are exact to a 64th of a voxel; else near their centre, in steps of
- * 2^16 voxels, so that runs over neighbouring data mostly have the same one. 0 too for bounds that
- * are not finite, or more than 10^9 voxels apart: they are for the caller to refuse.
+ * Returns the world position of that node along one axis, for data within bounds. The position is 0
+ * if the bounds come within 2^17 voxels of 0, where floats are exact to 1/64 voxel. Otherwise it is
+ * near the centre of the bounds, in steps of 2^16 voxels, so that runs over neighbouring data
+ * mostly share it. It is also 0 for bounds that are not finite or are more than 10^9 voxels apart;
+ * the caller has to refuse such bounds.
  */
 inline double FindLatticeOrigin(double low, double high, double voxelSize)
 {

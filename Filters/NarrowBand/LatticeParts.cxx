@@ -24,8 +24,8 @@ constexpr std::int32_t Unbounded = 0; // the component of the background
 struct Block
 {
   openvdb::Coord Origin;
-  std::int32_t Size;  // nodes along an axis: 8, and more of a tile
-  std::int32_t First; // of its components, which end where those of the next one begin
+  std::int32_t Size;  // nodes along an axis: 8 in a leaf, 8 or more in a tile
+  std::int32_t First; // first component; components end at First of the next block
 };
 
 /** Connected nodes of a block. */
@@ -33,10 +33,10 @@ struct Component
 {
   std::int32_t Block;
   bool IsInside;
-  LeafMask Nodes; // all of them in a tile
+  LeafMask Nodes; // all nodes of a tile
 };
 
-/** Components, and which of them are connected across the faces of the blocks. */
+/** Components of all blocks, joined across the faces of the blocks. */
 class Components
 {
 public:
@@ -63,7 +63,7 @@ public:
   const Component& operator[](std::size_t i) const { return this->All[i]; }
   const Block& BlockOf(const Component& component) const { return this->Blocks[component.Block]; }
 
-  /** The least number of the components that are connected with it. */
+  /** Returns the smallest number of a connected component. */
   std::int32_t FindRoot(std::int32_t i)
   {
     while (this->Parent[i] != i)
@@ -89,8 +89,8 @@ private:
     }
   }
 
-  /** Those beyond all leaves and all of the inside are as the background. A node of the tree has
-   * 32^3 of them, and at the origin eight such nodes meet. */
+  /** Adds the tiles in the box of all leaves and inside nodes; tiles beyond are background. A child
+   * of the root has 32^3 tiles, and eight such children meet at the origin. */
   void AddTiles(const openvdb::MaskTree& inside)
   {
     openvdb::CoordBBox all, leaves;
@@ -117,7 +117,7 @@ private:
     this->Numbers.addTile(level, origin, number, true);
   }
 
-  /** Adds the components of these nodes to the last block. */
+  /** Splits nodes into connected components of the last block. */
   void Split(LeafMask nodes, bool areInside)
   {
     while (nodes.Any())
@@ -134,7 +134,8 @@ private:
     }
   }
 
-  /** With what is across a face, unless that is smaller: from there it is done too. */
+  /** Joins the components of a block with those across a face. A smaller block across the face
+   * joins them itself. */
   void Connect(std::int32_t block, int axis, int sign)
   {
     const Block& own = this->Blocks[block];
@@ -180,8 +181,8 @@ private:
   openvdb::tree::ValueAccessor<openvdb::Int32Tree> Recent{ this->Numbers };
 };
 
-/** The last nodes that are left when those at the border are taken off again and again, and how
- * often. What is beyond the leaf counts as one of them. */
+/** Erodes nodes until another step would remove all, at most 8 times. Returns the remaining nodes
+ * and the number of steps. Nodes beyond the leaf count as set. */
 LeafMask FindDeepest(LeafMask nodes, int& depth)
 {
   constexpr int most = 8;
@@ -208,7 +209,7 @@ struct Piece
   openvdb::Coord Origin;
   std::int32_t Size;
   LeafMask Nodes;
-  openvdb::Coord Sample; // a deepest node of it
+  openvdb::Coord Sample; // its deepest node that is nearest to the centre
   int Depth;
 
   Piece(const Component& component, const Block& block)
@@ -270,7 +271,7 @@ public:
     }
   }
 
-  /** All nodes; of a tile each eighth along each axis. */
+  /** Visits all nodes; in tiles larger than a leaf every eighth node along each axis. */
   void ForEachPoint(const PointVisitor& visit) const override
   {
     for (const Piece& piece : this->Pieces)

@@ -16,8 +16,9 @@ namespace activesurface
 struct LatticeShape;
 
 /**
- * Nodes of one side are connected along edges. What is connected with the background, the unbounded
- * outside, is no hollow. They are found by leaves and tiles, once: the cost goes with the surface.
+ * Nodes of one side are connected along edges. Outside nodes that are connected with the
+ * background, the unbounded outside, are not in a hollow. The constructor searches leaves and
+ * tiles; its cost grows with the surface.
  */
 class ACTIVENARROWBAND_EXPORT LatticeParts
 {
@@ -27,7 +28,7 @@ public:
   LatticeParts(const LatticeParts&) = delete;
   void operator=(const LatticeParts&) = delete;
 
-  /** In an order that depends on the shape alone. */
+  /** Visits parts and hollows in an order that depends only on the shape. */
   void ForEachPart(const PartVisitor& visit) const;
 
 private:

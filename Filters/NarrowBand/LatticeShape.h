@@ -1,5 +1,5 @@
 /**
- * A shape on a lattice of its own: the nodes inside it, and where they are.
+ * A shape on a lattice of its own: its inside nodes and their positions.
  */
 #ifndef LatticeShape_h
 #define LatticeShape_h
@@ -21,7 +21,7 @@ struct LatticeShape
   Point Origin{ 0.0 }; //< of the node (0, 0, 0)
   Point Axis[3] = { Point(1.0, 0.0, 0.0), Point(0.0, 1.0, 0.0), Point(0.0, 0.0, 1.0) };
 
-  /** In world units. */
+  /** Returns the position of a node [world units]. */
   Point PlaceOf(const Point& node) const
   {
     return this->Origin + node[0] * this->Axis[0] + node[1] * this->Axis[1] +

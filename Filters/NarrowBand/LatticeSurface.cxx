@@ -34,17 +34,17 @@ LeafMask MaskAt(const MaskAccessor& inside, const openvdb::Coord& origin)
   return inside.isValueOn(origin) ? LeafMask::All() : mask;
 }
 
-/** Cells by their lower corners, eight along each axis. */
+/** 8^3 cells, numbered by their lower corners. */
 struct CellBlock
 {
   openvdb::Coord Origin;
   LeafMask Cells;
 };
 
-/** The cells of a block whose corners differ. */
+/** Returns the cells of a block whose corners differ in sign. */
 LeafMask FindMixedCells(const MaskAccessor& inside, const openvdb::Coord& origin)
 {
-  LeafMask all[8], any[8]; // of the blocks ahead: bits 2, 1, 0 of the number for x, y, z
+  LeafMask all[8], any[8]; // of the blocks ahead: bits 2, 1, 0 of the index for x, y, z
   for (int ahead = 0; ahead < 8; ++ahead)
   {
     all[ahead] = any[ahead] =
@@ -52,7 +52,7 @@ LeafMask FindMixedCells(const MaskAccessor& inside, const openvdb::Coord& origin
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int count = 4 >> axis; // blocks that are left
+    const int count = 4 >> axis; // remaining blocks
     for (int i = 0; i < count; ++i)
     {
       all[i] = all[i] & SeenAhead(all[i], all[i + count], axis, 1);
@@ -62,7 +62,7 @@ LeafMask FindMixedCells(const MaskAccessor& inside, const openvdb::Coord& origin
   return any[0].Without(all[0]);
 }
 
-/** Blocks that have a corner in a leaf. */
+/** Returns the origins of the blocks whose cells have a corner in a leaf. */
 std::vector<openvdb::Coord> FindBlocks(const openvdb::MaskTree& inside)
 {
   std::vector<openvdb::Coord> blocks;
@@ -79,7 +79,7 @@ std::vector<openvdb::Coord> FindBlocks(const openvdb::MaskTree& inside)
   return blocks;
 }
 
-/** Whether a tile that is inside is next to one that is outside. */
+/** Returns true if an inside tile touches an outside tile. */
 bool IsTileBare(const MaskAccessor& inside, const openvdb::CoordBBox& tile)
 {
   for (int face = 0; face < 6; ++face)

@@ -1,5 +1,5 @@
 /**
- * Where the surface of a shape on a lattice is.
+ * Points near the surface of a shape on a lattice.
  */
 #ifndef LatticeSurface_h
 #define LatticeSurface_h
@@ -13,8 +13,9 @@ namespace activesurface
 struct LatticeShape;
 
 /**
- * The centres of the cells whose corners differ in sign: a function that is interpolated between
- * the nodes has its zero set there. Not known if tiles of both sides meet.
+ * Returns the centres of the cells whose corners differ in sign. A function that is interpolated
+ * between the nodes has its zero set in these cells. The points are unknown if an inside tile
+ * touches an outside tile.
  */
 ACTIVENARROWBAND_EXPORT SurfacePoints FindSurfacePoints(const LatticeShape& shape);
 

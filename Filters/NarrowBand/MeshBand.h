@@ -1,6 +1,6 @@
 /**
- * Distances to triangles on the nodes near them, by OpenVDB's own converter. It takes half a minute
- * to compile, so only this library compiles it.
+ * Distances to triangles at nodes near them, by OpenVDB's converter. Compilation of the converter
+ * takes half a minute, so only this library compiles it.
  */
 #ifndef MeshBand_h
 #define MeshBand_h
@@ -23,17 +23,17 @@ public:
   virtual openvdb::Vec3d GetCorner(std::size_t triangle, std::size_t corner) const = 0;
 };
 
-/** Both have the identity as transform. */
+/** Both grids have the identity as transform. */
 struct MeshBand
 {
   static constexpr openvdb::Int32 NoTriangle = -1;
 
-  openvdb::FloatGrid::Ptr Distances; //< [voxels]; + or - the half width beyond it
+  openvdb::FloatGrid::Ptr Distances; //< [voxels]; beyond the half width + or - the half width
   openvdb::Int32Grid::Ptr Triangles; //< number of the nearest triangle, where Distances is active
 };
 
-/** Up to halfWidth [voxels] on either side. Signed: negative inside of what the triangles enclose,
- * which have to be closed. */
+/** Computes distances up to halfWidth [voxels] on either side. Signed distances are negative
+ * inside; their triangles have to be closed. */
 ACTIVENARROWBAND_EXPORT MeshBand MakeMeshBand(
   const LatticeTriangles& mesh, float halfWidth, bool isSigned);
 

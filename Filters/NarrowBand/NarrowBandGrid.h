@@ -1,5 +1,5 @@
 /**
- * The potential of a NarrowBand as a grid of OpenVDB, to read and for files.
+ * The potential of a NarrowBand as an OpenVDB grid, for reading and for files.
  */
 #ifndef NarrowBandGrid_h
 #define NarrowBandGrid_h
@@ -12,14 +12,16 @@
 namespace activesurface
 {
 
-/** u = phi / VoxelSize; active mask = band, the ghosts are inactive values in the same leaves. */
+/** Returns u = phi / VoxelSize. The active mask is the band; ghosts are inactive values in the same
+ * leaves. */
 ACTIVENARROWBAND_EXPORT openvdb::FloatGrid::ConstPtr GetPotential(const NarrowBand& band);
 
 ///@{
 /**
- * The state as a grid for files, without loss: the potential at the active nodes, + or - the
- * background elsewhere, and the other members as metadata (except GetWork). FromGrid throws
- * std::runtime_error for any other grid.
+ * Convert the state to a grid for files, and back, without loss. The grid has the potential at the
+ * active nodes (without ghosts at all nodes of the layers), + or - the background elsewhere, and
+ * the other members as metadata, except GetWork. FromGrid throws std::runtime_error for any other
+ * grid.
  */
 ACTIVENARROWBAND_EXPORT openvdb::FloatGrid::Ptr ToGrid(const NarrowBand& band);
 ACTIVENARROWBAND_EXPORT std::unique_ptr<NarrowBand> FromGrid(const openvdb::FloatGrid& grid);

@@ -17,18 +17,18 @@ namespace activesurface
 namespace
 {
 
-/** At the vertices. */
+/** Motion at the vertices. */
 struct VertexMotion
 {
   std::vector<double> Points;  //< x y z of each
   std::vector<float> Normals;  //< of each
-  std::vector<double> Ways;    //< displacement of each, in the whole frame [length]
+  std::vector<double> Ways;    //< displacement of each in the whole frame [length]
   std::vector<float> Bulks;    //< of each
-  std::vector<double> Changes; //< of the distance to the target along the way [length]
+  std::vector<double> Changes; //< change of the distance to the target along the path [length]
 };
 
-/** Linear interpolation between the points of a leaf's motion; place: in nodes from its first one.
- */
+/** Interpolates linearly between the points of a leaf's motion. place: in nodes from the leaf's
+ * first node. */
 float Interpolate(const float (&values)[LeafMotion::Points], const double (&place)[3])
 {
   int low[3];
@@ -86,8 +86,8 @@ void FindWays(const NarrowBand& band, NodeTarget& nodes, VertexMotion& vertices)
     });
 }
 
-/** Adds sign times the target's distance, a share of the way farther. Both ends have to be finite.
- */
+/** Adds sign * distance to the target at each vertex, moved by share * displacement. A distance
+ * that is not finite makes the change not finite. */
 void AddDistances(
   const NarrowBand& band, const Target& target, double share, double sign, VertexMotion& vertices)
 {

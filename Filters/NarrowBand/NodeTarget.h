@@ -1,6 +1,5 @@
 /**
- * A target that is evaluated at the nodes of the lattice, once for each frame: see
- * Nodes/NodeStep.h.
+ * A target that is evaluated at the nodes of the lattice once per frame; see Nodes/NodeStep.h.
  */
 #ifndef NodeTarget_h
 #define NodeTarget_h
@@ -14,47 +13,47 @@ namespace activesurface
 
 using NodeIndex = std::array<int, 3>;
 
-/** In place of ==, which calls memcmp. */
+/** Compares two indices; == of std::array calls memcmp. */
 inline bool AreSame(const NodeIndex& a, const NodeIndex& b)
 {
   return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-/** A leaf of 8^3 nodes at which the surface of the target can be. A row is 8 nodes along z; row
- * (x, y) is bit 8 x + y. */
+/** A leaf of 8^3 nodes that the surface of the target may cross. A row is 8 nodes along z; row (x,
+ * y) is bit 8 x + y. */
 struct ShellLeaf
 {
   NodeIndex Origin;         //< of its first node
   std::uint64_t Rows;       //< rows in the shell
-  std::uint64_t InsideRows; //< rows that are inside the target as a whole; none of Rows
+  std::uint64_t InsideRows; //< rows wholly inside the target; disjoint from Rows
 };
 
 /** Leaves near the surface of a target; every other leaf is on one side of the surface. */
 struct Shell
 {
   std::vector<ShellLeaf> Leaves;       //< ascending by their origins (x, y, z)
-  std::vector<NodeIndex> InsideLeaves; //< other leaves inside, in any order; if wanted
+  std::vector<NodeIndex> InsideLeaves; //< other leaves inside, in any order; on request
 };
 
-/** Motion of the target in a leaf, at 27 points that are 4 nodes apart: point 9 i + 3 j + k is at
- * the node (4 i, 4 j, 4 k) of the leaf. */
+/** Motion of the target in a leaf, at 27 points 4 nodes apart: point 9 i + 3 j + k is at the node
+ * (4 i, 4 j, 4 k) of the leaf. */
 struct LeafMotion
 {
   static constexpr int Points = 27;
   float Displacement[3][Points]; //< since the last frame [voxels]
-  float Bulk[Points];            //< in [0,1], how much of a body of particles is around the point
+  float Bulk[Points];            //< in [0,1]: 0 around a lone particle, 1 in a body
   bool IsStill = true;           //< all displacements are 0
 };
 
 class Domain;
 
-/** A motion of the target. */
+/** Interval of a motion of the target. */
 struct NodeMotion
 {
   double Begin, End; //< motion times
   double Transport;  //< factor of displacements
   double VoxelSize;
-  const Domain* Space = nullptr; //< shared out to ranks; null: all is this rank's
+  const Domain* Space = nullptr; //< partition among ranks; null: this rank owns all
 };
 
 class NodeTarget
@@ -62,25 +61,25 @@ class NodeTarget
 public:
   virtual ~NodeTarget() = default;
 
-  /** Places the target at the end of a motion; displacements are those since its begin. Called by
-   * one thread; collective where space is shared out: what follows then holds in leaves of this
-   * rank, and sides in those around them. */
+  /** Places the target at the end of a motion; displacements begin at its begin. Called by one
+   * thread. Collective if space is partitioned: results then hold in the leaves of this rank, and
+   * sides also in the leaves around them. */
   virtual void PlaceNodes(const NodeMotion& motion) = 0;
 
-  /** Finds the shell of the placed target; and the leaves inside, if they are wanted. */
+  /** Finds the shell of the placed target, and the inside leaves if wanted. */
   virtual void FindShell(bool wantsInside, Shell& shell) const = 0;
 
   /** Returns true if a node outside the shell is inside the target. */
   virtual bool IsInside(const NodeIndex& node) const = 0;
 
-  /** A potential at the nodes of a leaf's Rows, negative inside, with the zero set of the target;
-   * nearly linear across it, 1 where nothing is near. Several threads may call it at once. */
+  /** Writes a potential at the nodes of a leaf's Rows: negative inside, 0 at the target's surface,
+   * nearly linear across the surface, 1 far from the target. Thread-safe. */
   virtual void EvaluateLeaf(const ShellLeaf& leaf, float* values) const = 0;
 
-  /** Several threads may call it at once. */
+  /** Thread-safe. */
   virtual void FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const = 0;
 
-  /** Distance within which the surface of a body is noise, see TargetNoise [voxels]; 0: none. */
+  /** Distance within which the surface of a body is noise [voxels], see TargetNoise; 0: none. */
   virtual float GetNoise() const = 0;
 };
 

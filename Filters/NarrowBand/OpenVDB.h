@@ -1,9 +1,9 @@
 /**
- * OpenVDB, with its templates visible beyond this library, as everything else here is not.
+ * OpenVDB, with its templates visible beyond this library; all else in this library is hidden.
  *
- * OpenVDB's grids keep static members and flags of "called once" in templates. Each program must
- * have one of each: were the members hidden and the flags not, the first library to call would fill
- * its own members alone, and the others would read null. So OpenVDB is included by this header, and
+ * OpenVDB's grids keep static members, and flags for single calls, in templates. A program must
+ * have one copy of each. If members were hidden and flags were not, the first library to call would
+ * fill only its own members, and other libraries would read null. Include OpenVDB by this header,
  * before any other header of OpenVDB.
  */
 #ifndef OpenVDB_h
@@ -13,8 +13,8 @@
 #include <openvdb/openvdb.h>
 #pragma GCC visibility pop
 
-/** Calls X with the name of each type of tree whose grids sources here make; all are among those
- * that OpenVDB's library registers. */
+/** Calls X with the name of each tree type whose grids sources here make. OpenVDB's library
+ * registers all these types. */
 #define OpenVDB_ForEachTree(X)                                                                     \
   X(BoolTree)                                                                                      \
   X(MaskTree)                                                                                      \
@@ -26,9 +26,9 @@
   X(Vec3DTree)                                                                                     \
   X(Vec3ITree)
 
-// The functions of a grid take ten seconds to compile. OpenVDB's library has those that are
-// virtual, compiled for the types that it registers; the others are inlined or stand in
-// OpenVDB.cxx. Where too few are inlined, ACTIVE_COMPILE_GRIDS compiles them all.
+// The functions of a grid take ten seconds to compile. OpenVDB's library has the virtual functions,
+// compiled for the types that it registers. Other functions are inlined or are in OpenVDB.cxx.
+// Where too few are inlined, ACTIVE_COMPILE_GRIDS compiles all of them.
 #define OpenVDB_Declare(Name)                                                                      \
   extern template class openvdb::tree::Tree<openvdb::Name::RootNodeType>;                          \
   extern template class openvdb::Grid<openvdb::Name>;

@@ -25,7 +25,7 @@ using openvdb::Coord;
 using openvdb::Vec3d;
 using Tree = openvdb::FloatTree;
 
-// Not registered with the tree: cheap to make for each task.
+// Not registered with the tree, so that each task can make one at low cost.
 using Reader = openvdb::tree::ValueAccessor<const Tree, false>;
 
 constexpr unsigned AllInside = 255;
@@ -47,7 +47,7 @@ struct VoxelCorners
 
   bool IsCrossed() const { return this->Inside != 0 && this->Inside != AllInside; }
 
-  /** Where an edge crosses the surface, from the lower corner. */
+  /** Position of the surface on an edge, from the lower corner. */
   Vec3d GetVertex(int edge) const
   {
     const int lower = LowerCornerOfEdge[edge], axis = AxisOfEdge(edge);
@@ -56,7 +56,8 @@ struct VoxelCorners
     return at;
   }
 
-  /** Whether a triangle of the skin in this voxel is so near; place: from the lower corner. */
+  /** Returns true if a triangle of the skin in this voxel is within the distance. place: from the
+   * lower corner. */
   bool HasTriangleWithin(const Vec3d& place, double distance) const
   {
     const VoxelTriangles& triangles = TrianglesOfVoxel(this->Inside);
@@ -75,11 +76,11 @@ struct VoxelCorners
   }
 };
 
-/** The potential of a band, for one task. */
+/** Searches the potential of a band, for one task. */
 class SkinSearch
 {
 public:
-  /** leaves: the box of all leaves, in which all triangles are. */
+  /** leaves: box of all leaves, which contains all triangles. */
   SkinSearch(const NarrowBand& band, const openvdb::CoordBBox& leaves)
     : VoxelSize(band.GetVoxelSize())
     , Leaves(leaves)
@@ -95,7 +96,7 @@ public:
     {
       return false;
     }
-    constexpr double farthest = 1e9; // as node numbers are 32-bit integers
+    constexpr double farthest = 1e9; // node coordinates are 32-bit integers
     const Vec3d voxel(std::floor(place[0]), std::floor(place[1]), std::floor(place[2]));
     if (voxel.length() < farthest && this->IsInside(Coord(openvdb::Vec3i(voxel)), place))
     {
@@ -105,7 +106,8 @@ public:
   }
 
 private:
-  /** The voxels of the leaves, by their lower corners, that are so near along each axis. */
+  /** Returns the voxels of the leaves, by their lower corners, within the margin along each axis.
+   */
   openvdb::CoordBBox FindVoxels(const Vec3d& place, double margin) const
   {
     openvdb::CoordBBox voxels;

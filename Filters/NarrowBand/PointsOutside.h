@@ -1,5 +1,5 @@
 /**
- * Which points lie outside the surface, each by more than a distance of its own.
+ * Points outside the surface, each by more than a distance of its own.
  */
 #ifndef PointsOutside_h
 #define PointsOutside_h
@@ -21,12 +21,12 @@ struct PointWithMargin
 };
 
 /**
- * How many of the points are outside and farther than their margins from all triangles of the skin;
- * all of them if there is no surface. Margins may be wider than the band. A point without finite
- * numbers does not count.
+ * Returns the number of points that are outside and farther than their margins from all triangles
+ * of the skin; without a surface all points are. Margins may be wider than the band. Points with
+ * numbers that are not finite do not count.
  *
- * One look at the potential for a point inside or far away, else one at each voxel within the
- * margin; no memory. The result does not depend on the threads.
+ * Reads one voxel of the potential for a point inside or far from the leaves, otherwise the voxels
+ * of the leaves within the margin. Allocates no memory. The result does not depend on the threads.
  */
 ACTIVENARROWBAND_EXPORT std::size_t CountOutside(
   const NarrowBand& band, const std::vector<PointWithMargin>& points);

@@ -9,9 +9,9 @@ namespace activesurface
 namespace
 {
 
-constexpr double Short = .35; // half of ln 2, and a little
+constexpr double Short = .35; // half of ln 2, rounded up
 
-/** x + x^2/2 + x^3/6 + ..., for |x| <= Short. */
+/** Sums x + x^2/2 + x^3/6 + ..., for |x| <= Short. */
 double SumSeries(double x)
 {
   constexpr int terms = 15;
@@ -27,8 +27,8 @@ double SumSeries(double x)
 
 double Exponential(double x)
 {
-  constexpr double largest = 800.0; // beyond that e^x is 0 or infinite
-  // ln 2 in two parts, of which the first has so few bits that its multiples are exact.
+  constexpr double largest = 800.0; // beyond, e^x is 0 or infinite
+  // ln 2 in two parts. The first has so few bits that its multiples are exact.
   constexpr double high = 0x1.62e42feep-1, low = 0x1.a39ef35793c76p-33;
   const double limited = std::min(std::max(x, -largest), largest);
   if (std::isnan(limited))
@@ -55,7 +55,7 @@ double CubeRoot(double x)
   const double fraction = std::frexp(std::fabs(x), &exponent);
   const int whole = static_cast<int>(std::floor(exponent / 3.0));
   const double part = std::ldexp(fraction, exponent - 3 * whole); // in [1/2, 4)
-  double root = .65 + .26 * part;                                 // within a fifth
+  double root = .65 + .26 * part;                                 // to 10 %
   for (int n = 0; n < 5; ++n)
   {
     root -= (root - part / (root * root)) / 3.0; // Newton's method

@@ -1,7 +1,7 @@
 /**
- * Exponentials and roots by additions, multiplications and divisions alone: the same bits on any
- * processor. Those of a C library differ in the last bit, once in a thousand calls, with the
- * processor's instructions and the library's release.
+ * Exponentials and roots by additions, multiplications and divisions only: all processors give the
+ * same bits. C libraries differ in the last bit, once in a thousand calls, with the processor's
+ * instructions and the library's release.
  */
 #ifndef PortableMath_h
 #define PortableMath_h
@@ -11,13 +11,13 @@
 namespace activesurface
 {
 
-/** e^x, right to 1e-15. */
+/** e^x, to 1e-15 of its value. */
 ACTIVENARROWBAND_EXPORT double Exponential(double x);
 
-/** e^x - 1, likewise, without cancellation near 0. */
+/** e^x - 1, to 1e-15 of its value even near 0. */
 ACTIVENARROWBAND_EXPORT double ExponentialMinusOne(double x);
 
-/** Right to 1e-15. */
+/** To 1e-15 of its value. */
 ACTIVENARROWBAND_EXPORT double CubeRoot(double x);
 
 }

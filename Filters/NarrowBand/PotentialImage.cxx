@@ -17,8 +17,7 @@ namespace activesurface
 namespace
 {
 
-/** u divided by its central gradient norm: a distance in voxels to second order near the surface.
- */
+/** Returns u divided by its central gradient norm: a distance of first order [voxels]. */
 float DistanceAt(
   const openvdb::tree::ValueAccessor<const PotentialTree>& potential, const openvdb::Coord& node)
 {
@@ -29,7 +28,7 @@ float DistanceAt(
   }
   const float square = CentralGradientSquare<float>(
     node, [&potential](const openvdb::Coord& next) { return potential.getValue(next); });
-  // A flat spot on a medial axis must not throw the node out of the clamp's sign or to infinity.
+  // Where the gradient vanishes, on a medial axis, the quotient would be infinite or NaN.
   const float distance = square > 0.f ? value / std::sqrt(square) : value;
   return std::min(std::max(distance, -HalfWidth), HalfWidth);
 }

@@ -1,5 +1,6 @@
 /**
- * Numbers and plain structs as the bytes that ranks send; all ranks are of one kind of machine.
+ * Numbers and plain structs as bytes that ranks send. All ranks have to run on machines of one
+ * kind.
  */
 #ifndef RankBytes_h
 #define RankBytes_h
@@ -35,7 +36,7 @@ Bytes ToBytes(const std::vector<Value>& values)
   return bytes;
 }
 
-/** Reads what was appended, in the same order. */
+/** Reads values in the order in which they were appended. */
 class BytesReader
 {
 public:

@@ -1,5 +1,5 @@
 /**
- * Reports of motions that follow one another.
+ * Sum of the reports of successive motions.
  */
 #ifndef ReportSum_h
 #define ReportSum_h
@@ -11,7 +11,7 @@
 namespace activesurface
 {
 
-/** Adds the work of a motion: counts, and the largest speed. How it has ended is not added. */
+/** Adds the counts of a motion, and keeps the largest speed. Does not add how the motion ended. */
 inline void AddWork(AdvanceReport& sum, const AdvanceReport& report)
 {
   sum.Substeps += report.Substeps;

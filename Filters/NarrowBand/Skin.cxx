@@ -20,7 +20,7 @@ namespace
 
 constexpr int StrideInBlock[3] = { LeafBlock::X, LeafBlock::Y, LeafBlock::Z };
 
-/** Adds weight * central gradient at a node of the block. */
+/** Adds weight * twice the central gradient at a node of the block. */
 ACTIVE_ALWAYS_INLINE void AddGradient(const float* u, double weight, double gradient[3])
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -30,7 +30,8 @@ ACTIVE_ALWAYS_INLINE void AddGradient(const float* u, double weight, double grad
   }
 }
 
-/** Normals of the vertices on one axis of a leaf; roots and divisions are for the vector unit. */
+/** Normals of a leaf's vertices on one axis. Arrays let the compiler vectorise roots and divisions.
+ */
 class NormalsOfAxis
 {
 public:
@@ -39,7 +40,7 @@ public:
   {
   }
 
-  /** t: how far the crossing is from the lower to the upper node. */
+  /** t: position of the crossing from the lower node (0) to the upper node (1). */
   ACTIVE_ALWAYS_INLINE void Add(const float* lower, const float* upper, double t)
   {
     double gradient[3] = { 0.0, 0.0, 0.0 };
@@ -71,7 +72,7 @@ public:
       normals[2] = z[k];
       if (!(this->X[k] > 0.0))
       {
-        // No gradient: at least from inside to outside.
+        // Without a gradient the normal is along the edge, from inside to outside.
         std::fill_n(normals, 3, 0.f);
         normals[this->Axis] = this->IsInside[k] ? 1.f : -1.f;
       }
@@ -82,13 +83,13 @@ private:
   const int Axis;
   int Count = 0;
   double X[512], Y[512], Z[512]; //< gradients
-  bool IsInside[512];            //< the lower node
+  bool IsInside[512];            //< side of the lower node
 };
 
-/** Least distance of a vertex from the ends of its edge [voxels]. Where the potential is 0 at a
- * node, the vertices around it would coincide there, and triangles between them would have no area.
- * Neighbouring numbers at the coordinate c are at most c * epsilon apart: twice that keeps corners
- * apart, and triangles oriented, when each is rounded by half of it. */
+/** Returns the least distance of a vertex from the ends of its edge [voxels]. Where the potential
+ * is 0 at a node, the vertices around the node would coincide, and triangles between them would
+ * have no area. Neighbouring floats at the coordinate c are at most c * epsilon apart. Twice that
+ * distance keeps corners apart and triangles oriented when each corner is rounded by half of it. */
 template <class Number>
 double MarginOfVertices(std::int64_t farthestNode)
 {
@@ -96,7 +97,7 @@ double MarginOfVertices(std::int64_t farthestNode)
   return std::max(least, 2.0 * std::numeric_limits<Number>::epsilon() * double(farthestNode + 8));
 }
 
-/** The vertices of a leaf: where the surface crosses the edges that begin in it. */
+/** Writes the vertices of a leaf: where the surface crosses the edges that begin in the leaf. */
 template <class Number>
 struct WriteVertices
 {
@@ -203,7 +204,7 @@ struct WriteTriangles
   }
 };
 
-/** Both, while what a leaf's neighbours hold is in the caches. */
+/** Writes the vertices and triangles of a leaf while its neighbours' values are in the caches. */
 template <class Number>
 struct WriteLeaf
 {

@@ -1,9 +1,10 @@
 /**
- * The surface as triangles: outward, closed, each edge in exactly two of them.
+ * The surface as triangles: closed, oriented outward, each edge in exactly two triangles.
  *
- * One vertex per crossed lattice edge, where the linear interpolation is zero; triangles voxel by
- * voxel (see CubeTriangles.h). Only the band is visited. Vertices and triangles are written in the
- * order of the leaves, so the same potential gives the same bytes.
+ * Each crossed lattice edge has one vertex, where the linear interpolation is zero, but at least
+ * 2^-13 voxel from the nodes. Triangles are made voxel by voxel (see CubeTriangles.h). Only the
+ * band is visited. Vertices and triangles are written in the order of the leaves, so the same
+ * potential gives the same bytes.
  */
 #ifndef Skin_h
 #define Skin_h
@@ -33,16 +34,17 @@ public:
     std::size_t First;
     std::size_t Last; //< not included
   };
-  /** Triangles of a rank. Of a whole band the ranks have ranges with about as many triangles, of a
-   * part a rank has those of its own leaves; those of all ranks one after the other are all. */
+  /** Returns the triangles of a rank. A whole band is divided into ranges with about equally many
+   * triangles. In a part, a rank has the triangles of its own leaves. The triangles of all ranks
+   * are disjoint, and together they are the whole skin. */
   std::vector<TriangleRange> ListTriangles(int rank, int ranks) const;
 
-  /** Number in the skin of all ranks of each vertex; -1 for some that no triangle of this rank has.
-   */
+  /** Returns the number of each vertex in the skin of all ranks; -1 for some vertices that no
+   * triangle of this rank has. */
   std::vector<std::int64_t> NumberVertices() const;
 
-  /** Whether points in single precision would be off by a hundredth of a voxel, because the surface
-   * is that far from the origin. */
+  /** Returns true if the surface is so far from the origin that single precision would move points
+   * by a hundredth of a voxel. */
   bool NeedsDoublePrecision() const { return this->FarthestNode > (1 << 17); }
 
   ///@{
@@ -60,10 +62,10 @@ private:
   void WriteAs(Number* points, float* normals, std::int64_t* corners) const;
 
   const NarrowBand& Band;
-  std::int64_t FarthestNode = 0; // largest lattice coordinate
+  std::int64_t FarthestNode = 0; // largest magnitude of a leaf's coordinate
   std::size_t NumberOfPoints = 0;
   std::size_t NumberOfTriangles = 0;
-  std::vector<std::size_t> FirstTriangle; // per leaf
+  std::vector<std::size_t> FirstTriangle; // of each leaf; at the end the number of all
 };
 
 }

@@ -21,10 +21,10 @@ namespace
 
 constexpr float LeastGradientNorm = .05f;
 
-// Not registered with the tree: cheap to make for each call, from any thread.
+// Not registered with the tree, so that each call can make one at low cost, from any thread.
 using Reader = openvdb::tree::ValueAccessor<const PotentialTree, false>;
 
-/** u at a node `steps` along an axis, if it is in the layers: a step more, and its value. */
+/** Reads u one node farther along an axis. If that node is in the layers, increments steps. */
 void LookAlong(const LeafTable& table, const LeafTable::Place& node, int axis, int side, int& steps,
   float& value)
 {
@@ -36,7 +36,7 @@ void LookAlong(const LeafTable& table, const LeafTable::Place& node, int axis, i
   }
 }
 
-/** |grad u| at a node of the layers, from those of its neighbours that are in the layers. */
+/** Returns |grad u| at a node of the layers, from the neighbours that are in the layers. */
 float GradientNormAt(const LeafTable& table, const LeafTable::Place& node)
 {
   const float own = table[node.Leaf].Value[node.Node];
@@ -68,7 +68,7 @@ openvdb::CoordBBox CrossedNodes(const LeafTable& table)
 
 }
 
-// Two trees of the same leaves. Where there is no leaf, only the sign of the potential is read.
+// Two trees with the same leaves. Where there is no leaf, only the sign of the potential is read.
 struct SkinDistance::State
 {
   explicit State(const NarrowBand& band)
@@ -88,12 +88,12 @@ struct SkinDistance::State
   PotentialTree Potential;
   PotentialTree GradientNorms;
   openvdb::CoordBBox Crossed; //< corners of the crossed voxels
-  openvdb::CoordBBox Leaves;  //< holds all that is inside
+  openvdb::CoordBBox Leaves;  //< contains all that is inside
 };
 
 void SkinDistance::State::ReadLeaves(const LeafTable& table)
 {
-  // Copies of one tree: their leaves come in the order of the table.
+  // Both are copies of one tree, so their leaves are in the order of the table.
   std::vector<PotentialLeaf*> potential, norms;
   this->Potential.getNodes(potential);
   this->GradientNorms.getNodes(norms);

@@ -1,5 +1,5 @@
 /**
- * How far a point is from the surface, and on which side: a snapshot of a NarrowBand.
+ * Distance of a point from the surface, and its side, from a snapshot of a NarrowBand.
  *
  * With x in voxels, U(x) the trilinear interpolation of the potential u, and G(x) that of its
  * gradient norm |grad u| at the nodes (central differences; one-sided where a neighbour is beyond
@@ -7,9 +7,10 @@
  *
  *   VoxelSize * U(x) / G(x), clamped to +-HalfWidth voxels, negative inside.
  *
- * A distance to first order: exact at the surface, good within about 1.5 voxels. Nodes beyond all
- * layers count as u = +-HalfWidth with gradient norm 1; norms below 0.05 count as 0.05. The sign is
- * that of U, so the surface passes through the vertices of the Skin.
+ * The value is a distance of first order: exact at the surface, good within about 1.5 voxels. Nodes
+ * beyond all layers count as u = +-HalfWidth with gradient norm 1; norms below 0.05 count as 0.05.
+ * The sign is that of U, so the surface passes through the vertices of the Skin, to 2^-13
+ * voxel.
  *
  * Evaluation takes constant time, allocates nothing and is thread-safe. Memory: two numbers for
  * each node of the band's leaves.
@@ -26,24 +27,25 @@ namespace activesurface
 
 class NarrowBand;
 
-/** How far distances reach on either side of the surface [voxels]; beyond, they are clamped. */
+/** Limit of distances on either side of the surface [voxels]. */
 constexpr float HalfWidth = 3.f;
 
 class ACTIVENARROWBAND_EXPORT SkinDistance
 {
 public:
-  /** Copies what it needs: the band may change or be deleted afterwards. */
+  /** Copies the potential: the band may change or be deleted afterwards. */
   explicit SkinDistance(const NarrowBand& band);
   ~SkinDistance();
 
   /**
-   * The value at a point [world units], and unless gradient is null the exact derivatives of the
-   * formula, 0 where it is clamped. HalfWidth voxels everywhere if there is no surface. Both are
-   * NaN if the point is not finite.
+   * Returns the value at a point [world units]. Writes the exact derivatives of the formula unless
+   * gradient is null; they are 0 where the value is clamped. The value is HalfWidth voxels
+   * everywhere if there is no surface. Value and derivatives are NaN if the point is not finite.
    */
   double Evaluate(const double x[3], double* gradient) const;
 
-  /** Box of the voxels that the surface crosses [world units]; false, and untouched, if none. */
+  /** Box of the voxels that the surface crosses [world units]. Returns false, with bounds
+   * unchanged, if there is no surface. */
   bool GetBounds(double bounds[6]) const;
 
 private:

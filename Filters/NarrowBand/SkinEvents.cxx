@@ -10,14 +10,15 @@ namespace activesurface
 namespace
 {
 
-/** Bodies of both moments that belong together. */
+/** Bodies before and after that are connected by neighbouring blocks. */
 struct Family
 {
   std::vector<double> Before; //< volumes
   std::vector<double> After;
 };
 
-/** Which of `before` and, numbered behind them, `after` are connected by neighbouring blocks. */
+/** Sets of parts that neighbouring blocks connect. Parts of `after` are numbered behind `before`.
+ */
 class Kinship
 {
 public:
@@ -60,7 +61,8 @@ private:
     std::size_t Part;
   };
 
-  // Blocks that differ along z alone are next to each other in the order of the places.
+  // Joins a part with the parts around a block. Blocks that differ only along z are successive in
+  // the sorted places.
   void JoinAround(const PartBlock& block, std::size_t part, const std::vector<SkinPart>& before,
     bool isVoid, const std::vector<Place>& places)
   {
@@ -113,7 +115,8 @@ double Sum(const std::vector<double>& volumes)
   return std::accumulate(volumes.begin(), volumes.end(), 0.0);
 }
 
-/** Of a family that has become smaller: whether its smallest bodies are still in the others. */
+/** Returns true if the remaining bodies have at least half of the volume of the smallest bodies, as
+ * many as are missing. The family has fewer bodies after than before. */
 bool HasMerged(Family family)
 {
   std::sort(family.Before.begin(), family.Before.end());
@@ -128,7 +131,7 @@ std::int64_t CountVoids(const std::vector<SkinPart>& parts)
   return std::count_if(parts.begin(), parts.end(), [](const SkinPart& p) { return p.IsVoid(); });
 }
 
-/** Handles, of all parts. */
+/** Returns the number of handles of all parts. */
 std::int64_t CountHoles(const std::vector<SkinPart>& parts)
 {
   std::int64_t holes = 0;
@@ -155,7 +158,7 @@ std::string FindEvents(const std::vector<SkinPart>& before, const std::vector<Sk
     gone += fewer > 0 && !merged ? fewer : 0;
     come += family.Before.empty() ? -fewer : 0;
   }
-  // One that has come as another has gone has moved farther than blocks can tell.
+  // A birth cancels a vanishing: the body has moved farther than blocks can detect.
   const bool vanish = gone > come, birth = come > gone;
   const std::int64_t voids = CountVoids(after) - CountVoids(before);
   const std::int64_t holes = CountHoles(after) - CountHoles(before);

@@ -1,5 +1,5 @@
 /**
- * What the speed of the skin follows from, besides the surface.
+ * Inputs of the speed of the skin, except the surface.
  */
 #ifndef SkinForces_h
 #define SkinForces_h
@@ -16,7 +16,7 @@ struct SkinForces
   Target& Attractor;
   double StartArea;
   double StartVolume;
-  /** Motion times of the frames before and after the surface, for the node scheme. */
+  /** Times of the frames before and after the surface, for the node scheme. */
   double Begin = 0.0;
   double End = 0.0;
 };

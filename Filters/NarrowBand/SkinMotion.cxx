@@ -19,7 +19,7 @@ namespace activesurface
 namespace
 {
 
-/** Curvatures per voxel at the active nodes of a leaf, 512 in all. */
+/** Writes 512 curvatures of a leaf [1/voxel]; valid are those at active nodes. */
 void FindNodeCurvatures(const LeafTable& table, std::size_t i, float* curvatures)
 {
   constexpr float sharpest = 4.f;
@@ -40,7 +40,7 @@ void FindNodeCurvatures(const LeafTable& table, std::size_t i, float* curvatures
   }
 }
 
-/** From the nodes to the crossings. */
+/** Interpolates from the nodes to the crossings of a leaf, and multiplies by a factor. */
 void Interpolate(const LeafTable& table, std::size_t i, const std::vector<float>& atNodes,
   float factor, float* atVertices)
 {
@@ -61,7 +61,7 @@ void Interpolate(const LeafTable& table, std::size_t i, const std::vector<float>
   }
 }
 
-/** Area that belongs to each vertex: a third of its triangles'. */
+/** Returns the area of each vertex: a third of the area of its triangles. */
 std::vector<double> FindVertexAreas(const Skin& skin)
 {
   std::vector<double> points(3 * skin.GetNumberOfPoints()), areas(skin.GetNumberOfPoints());
@@ -84,9 +84,8 @@ std::vector<double> FindVertexAreas(const Skin& skin)
   return areas;
 }
 
-/** The uniform speed that keeps the volume, or the area, whose change is the mean of speed *
- * curvature.
- */
+/** Returns the uniform speed that keeps the volume, or else the area. The change of the area is the
+ * integral of speed * curvature. */
 double FindHoldingSpeed(const Skin& skin, const Motion& motion,
   const std::vector<float>& curvatures, const std::vector<float>& speeds)
 {
@@ -102,7 +101,7 @@ double FindHoldingSpeed(const Skin& skin, const Motion& motion,
   return whole != 0.0 ? -change / whole : 0.0;
 }
 
-/** The target's speed and the tension at each vertex. */
+/** Adds the target's speed and the tension at each vertex. */
 void AddTargetSpeed(const NarrowBand& band, const SkinForces& forces,
   const std::vector<float>& curvatures, std::vector<float>& speeds)
 {

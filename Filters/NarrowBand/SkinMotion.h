@@ -15,15 +15,17 @@ namespace activesurface
 class NarrowBand;
 
 /**
- * Sum of the principal curvatures [1/length], positive where the skin bulges outward: eq. (5) of
- * the paper at the nodes, interpolated along the edges; at most 4 per voxel.
+ * Returns the sum of the principal curvatures [1/length], positive where the skin bulges outward:
+ * eq. (5) of the paper at the nodes, interpolated along the edges. Clamped to +-4 per voxel at the
+ * nodes.
  */
 ACTIVENARROWBAND_EXPORT std::vector<float> FindCurvatures(const NarrowBand& band);
 
 /**
- * Normal speed [length/time], outward positive, by the equation of motion at the time of the band:
- * attraction, tension, penalties, and for exact controls the uniform speed that holds what they
- * hold. Attraction is 0 where the target is not finite. In the node scheme: see NodeSpeeds.h.
+ * Returns the normal speed [length/time], outward positive, by the equation of motion at the time
+ * of the band: attraction, tension, penalties, and the uniform speed by which exact controls keep
+ * volume or area. Attraction is 0 where the target is not finite. The node scheme: see
+ * NodeSpeeds.h.
  */
 ACTIVENARROWBAND_EXPORT std::vector<float> FindSpeeds(
   const NarrowBand& band, const SkinForces& forces);

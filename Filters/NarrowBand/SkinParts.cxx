@@ -17,7 +17,7 @@ namespace activesurface
 namespace
 {
 
-/** Sets of vertices that triangles connect; a set bears the number of its first vertex. */
+/** Sets of vertices that triangles connect. The number of a set is that of its first vertex. */
 class VertexSets
 {
 public:
@@ -48,10 +48,10 @@ private:
   std::vector<std::int64_t> Parent;
 };
 
-/** Triangles that are connected: by this rank's, or by those of all ranks. */
+/** Connected triangles, of this rank or of all ranks. */
 struct ConnectedTriangles
 {
-  /** Number of its first vertex in the skin of all ranks. */
+  /** Number of the first vertex in the skin of all ranks. */
   std::int64_t FirstVertex = std::numeric_limits<std::int64_t>::max();
   std::int64_t Vertices = 0;
   std::int64_t Triangles = 0;
@@ -68,7 +68,7 @@ struct ConnectedTriangles
   }
 };
 
-/** A vertex that several ranks have, and the number of its set on this one. */
+/** A vertex that several ranks have, and the number of its set on this rank. */
 struct SharedVertex
 {
   std::int64_t Number;
@@ -83,7 +83,7 @@ struct SkinSets
   std::vector<SharedVertex> Shared;
 
   Bytes Pack();
-  /** Adds the sets of a rank. */
+  /** Adds the packed sets of a rank. */
   void AddPacked(const Bytes& bytes);
   /** Unites sets that have a vertex in common. */
   void Unite();
@@ -105,7 +105,8 @@ void AddTriangle(const double* const corner[3], double voxelSize, ConnectedTrian
   set.Volume.Add((at[0] * normal[0] + at[1] * normal[1] + at[2] * normal[2]) / 6.0);
 }
 
-/** The block of a vertex: several vertices in a row are in the same one. */
+/** Adds the block of a vertex unless it is the last one: successive vertices often share a block.
+ */
 void AddBlock(const double x[3], double blockSize, std::vector<PartBlock>& blocks)
 {
   PartBlock block;
@@ -236,7 +237,7 @@ public:
   }
 
 private:
-  /** Calls visit(corner) for each triangle of this rank; corner: the first one of three. */
+  /** Calls visit(corner) for each triangle of this rank; corner: the first of three. */
   template <class Visit>
   void ForEachTriangle(Visit&& visit) const
   {
@@ -305,12 +306,13 @@ private:
       });
   }
 
-  /** Lists vertices of other ranks in triangles of this one, and the reverse. */
+  /** Lists vertices of other ranks in this rank's triangles, and own vertices in other triangles.
+   */
   void ListShared(SkinSets& sets) const
   {
     std::vector<char> isShared(this->SetOf.size(), 0);
     std::size_t next = 0;
-    // Corners up to `end` whose vertex is this rank's, or is not.
+    // Marks vertices with IsOwn == isOwn among the corners up to `end`.
     const auto mark = [&](std::size_t end, char isOwn)
     {
       for (; next < end; ++next)
@@ -339,13 +341,13 @@ private:
   std::vector<double> Points;
   std::vector<std::int64_t> Corners;
   std::vector<std::int64_t> Numbers; // in the skin of all ranks
-  std::vector<std::int64_t> SetOf;   // of each vertex; -1 if it has none here
+  std::vector<std::int64_t> SetOf;   // of each vertex; -1: none on this rank
   std::vector<char> IsOwn;
-  std::vector<Skin::TriangleRange> Ranges; // in corners
+  std::vector<Skin::TriangleRange> Ranges; // of corners
   std::int64_t Count = 0;
 };
 
-/** The sets of all ranks on the first one, none on others. */
+/** Collects the sets of all ranks on rank 0; other ranks get none. */
 SkinSets Gather(SkinSets& own, const Agreement& ranks)
 {
   SkinSets all;
@@ -381,7 +383,7 @@ std::vector<SkinPart> FindSkinParts(const NarrowBand& band)
     SkinPart part;
     part.Area = set.Area.Get() * voxel * voxel;
     part.Volume = set.Volume.Get() * voxel * voxel * voxel;
-    // A closed part of F triangles has 3 F / 2 edges: V - E + F.
+    // V - E + F: a closed part of F triangles has E = 3 F / 2 edges.
     part.EulerCharacteristic = set.Vertices - set.Triangles / 2;
     part.Blocks = std::move(sets.Blocks[s]);
     parts.push_back(std::move(part));

@@ -15,7 +15,7 @@ namespace activesurface
 
 class NarrowBand;
 
-/** A cube of four voxels a side, by its coordinates. Tells roughly where a part is. */
+/** A cube of four voxels a side, by its coordinates. Locates a part roughly. */
 using PartBlock = std::array<std::int32_t, 3>;
 constexpr int VoxelsOfBlock = 4;
 
@@ -24,14 +24,13 @@ struct SkinPart
   double Area = 0.0;                    //< world units
   double Volume = 0.0;                  //< enclosed; negative for a void
   std::int64_t EulerCharacteristic = 0; //< 2 - 2 * handles
-  std::vector<PartBlock> Blocks;        //< the blocks that it touches, ascending
+  std::vector<PartBlock> Blocks;        //< blocks that contain its vertices, ascending
 
   bool IsVoid() const { return !(this->Volume > 0.0); }
 };
 
-/** The parts in the order of their first vertices; the same potential gives the same bytes.
- * Collective if the band is a part on one of several ranks: the first one finds them, others none.
- */
+/** Returns the parts in the order of their first vertices; the same potential gives the same bytes.
+ * Collective if the band is partitioned among ranks: rank 0 gets all parts, other ranks none. */
 ACTIVENARROWBAND_EXPORT std::vector<SkinPart> FindSkinParts(const NarrowBand& band);
 
 }

@@ -11,8 +11,8 @@ namespace
 
 std::atomic<bool> IsExiting{ false };
 
-/** A static constructed after TBB's, so destroyed before it: from then on trees are leaked, because
- * freeing them needs TBB. */
+/** A static object constructed after TBB's, so destroyed before them. Trees released later are
+ * leaked, because freeing them needs TBB. */
 struct ExitSentinel
 {
   ~ExitSentinel() { IsExiting = true; }

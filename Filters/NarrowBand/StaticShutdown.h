@@ -1,6 +1,6 @@
 /**
- * Trees that outlive the static objects of TBB. OpenVDB frees trees by means of TBB, but ParaView
- * deletes its objects after TBB's static objects are destroyed: freeing a tree then would abort a
+ * Release of trees at the end of a program. OpenVDB frees trees by means of TBB, but ParaView
+ * deletes its objects after TBB's static objects are destroyed. Freeing a tree then would abort a
  * program whose work is done.
  */
 #ifndef StaticShutdown_h

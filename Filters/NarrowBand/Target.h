@@ -12,7 +12,7 @@
 namespace activesurface
 {
 
-/** What is wanted of a target at each of some points. */
+/** Results of a target at some points. */
 struct TargetResults
 {
   /** F - iso, negative inside the target. A value that is not finite drops its sample point. */
@@ -30,14 +30,14 @@ public:
   virtual ~Target() = default;
 
   /**
-   * Sets the motion time of the next evaluations. Called by one thread, at the beginning of each
+   * Sets the motion time of the next evaluations. Called by one thread at the beginning of each
    * substep.
    */
   virtual void MoveTo(double time) { static_cast<void>(time); }
 
   /**
-   * Whether results in this box (xmin xmax ymin ymax zmin zmax) may differ from those before the
-   * last MoveTo. Where they do not, converged leaves are not evaluated again.
+   * Returns true if results in a box (xmin xmax ymin ymax zmin zmax) may differ from those before
+   * the last MoveTo. Otherwise converged leaves in the box are not evaluated again.
    */
   virtual bool MayHaveChanged(const double bounds[6]) const
   {
@@ -45,22 +45,20 @@ public:
     return true;
   }
 
-  /** Writes the results at `count` points (x y z each, world coordinates). A point must give the
-   * same bytes in any batch. */
+  /** Writes the results at `count` points (x y z each, world coordinates). The results of a point
+   * must be bitwise identical in any batch. */
   virtual void Evaluate(
     std::size_t count, const double* points, const TargetResults& results) const = 0;
 
-  /**
-   * Whether ForEachRegion and ForEachPart together know where new parts can be.
-   */
+  /** Returns true if ForEachRegion and ForEachPart together cover all new parts. */
   virtual bool HasRegions() const { return false; }
 
   /**
    * Visits the boxes in which new parts of the target, or new hollows, can be at the time of the
-   * last MoveTo; one that meets a part is enough. The boxes, and their order, have to depend on the
-   * time alone, else so does what a restart creates. What they cost is said in TargetRegion.h. A
-   * part that touches the skin is not created, as the skin gets there by itself: as long as that
-   * may end, its boxes have to come again.
+   * last MoveTo; one box that meets a part is enough. The boxes and their order must depend only on
+   * the time, otherwise a restart may create other parts. TargetRegion.h describes the cost. A part
+   * that touches the skin is not created, because the skin grows into it. Its boxes have to be
+   * visited again as long as the contact may end.
    */
   void ForEachRegion(const RegionVisitor& visit) const
   {
@@ -68,8 +66,8 @@ public:
   }
 
   ///@{
-  /** The same by sources, as particles are, each of any number of boxes: those of the sources from
-   * first to end - 1. Several threads may call it at once. */
+  /** Visits regions by sources, for example particles, with any number of boxes each. first, end:
+   * the sources from first to end - 1. Thread-safe. */
   virtual std::size_t CountRegionSources() const { return 0; }
   virtual void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const
   {
@@ -80,17 +78,17 @@ public:
   ///@}
 
   /**
-   * Visits the parts of the shapes that the target is on its way between, and their hollows: those
-   * that the skin does not meet are created when the target is there. In any order, but it has to
-   * depend on the time alone.
+   * Visits the parts and hollows of the shapes between which the target moves. Parts that the skin
+   * does not meet are created when the target reaches them. The order may be any that depends only
+   * on the time.
    */
   virtual void ForEachPart(const PartVisitor& visit) const { static_cast<void>(visit); }
 
-  /** Returns this target as one at lattice nodes, for TimeIntegration::Nodes; null if it has no
-   * such form. */
+  /** Returns this target at lattice nodes, for TimeIntegration::Nodes; null if there is no such
+   * form. */
   virtual NodeTarget* GetNodes() { return nullptr; }
 
-  /** Whether several threads may call Evaluate at once. */
+  /** Returns true if several threads may call Evaluate at once. */
   virtual bool IsThreadSafe() const { return true; }
 };
 

@@ -1,5 +1,5 @@
 /**
- * Where the surface of a function can be: boxes, or the connected parts of a shape.
+ * Places where the surface of a function can be: boxes, or the connected parts of a shape.
  */
 #ifndef TargetRegion_h
 #define TargetRegion_h
@@ -10,11 +10,12 @@ namespace activesurface
 {
 
 /**
- * What tells whether a region has a part of the target that no skin reaches, or a hollow: the
- * values at all nodes of the leaves that the box touches; or the value at its centre, which the
- * part or the hollow holds; or the same for parts alone, or for hollows alone. The last two are for
- * particles: within one a part is looked for, beside it a hollow. Where the skin is around the one
- * and not around the other, they cost no value.
+ * Nodes at which a region compares the target with the skin, to find a part of the target that the
+ * skin does not reach, or a hollow. AllNodes: all nodes of the leaves that the box touches. Centre:
+ * the centre of the box, which the part or hollow contains. PartAtCentre and HollowAtCentre: the
+ * centre, only for parts or only for hollows. Particles use the last two: a part is searched for in
+ * a particle, a hollow next to a particle. They cost no evaluation if the skin contains the centre
+ * of PartAtCentre, or does not contain that of HollowAtCentre.
  */
 enum class RegionSeeds
 {
@@ -24,11 +25,11 @@ enum class RegionSeeds
   HollowAtCentre
 };
 
-/** A box, in world units. One that is empty or not finite holds nothing. */
+/** A box [world units]. A box that is empty or not finite contains nothing. */
 struct TargetRegion
 {
   double Bounds[6] = {};                     //< xmin xmax ymin ymax zmin zmax
-  RegionSeeds Seeds = RegionSeeds::AllNodes; //< for new parts; at the start they are all the same
+  RegionSeeds Seeds = RegionSeeds::AllNodes; //< for new parts; not used at the start
 };
 
 using RegionVisitor = std::function<void(const TargetRegion&)>;
@@ -37,8 +38,8 @@ using RegionVisitor = std::function<void(const TargetRegion&)>;
 using PointVisitor = std::function<bool(const double x[3])>;
 
 /**
- * A connected part of the inside of a shape that the target is, or goes to; or a hollow of it, a
- * part of its outside that is enclosed.
+ * A connected part of the inside of a shape that the target is or becomes; or a hollow of the
+ * shape: an enclosed part of its outside.
  */
 class TargetPart
 {
@@ -47,10 +48,10 @@ public:
 
   virtual bool IsHollow() const = 0;
 
-  /** Some points of it, the deepest ones first: some in each piece of a few voxels. */
+  /** Visits some points of the part, the deepest ones first: at least one in each leaf or tile. */
   virtual void ForEachSample(const PointVisitor& visit) const = 0;
 
-  /** All that are known; a skin that holds none of them does not meet the part. */
+  /** Visits all known points. A skin that contains none of them does not meet the part. */
   virtual void ForEachPoint(const PointVisitor& visit) const = 0;
 };
 

@@ -6,8 +6,8 @@ namespace activesurface
 {
 
 /**
- * Each thread that moves bands keeps its arenas, one for each number of workers: TBB (2021.8) loses
- * 7 kB with each arena that workers have joined.
+ * Keeps the arenas of each thread, one for each number of workers: TBB (2021.8) leaks 7 kB per
+ * arena that workers have joined.
  */
 tbb::task_arena& FindArena(int threads)
 {

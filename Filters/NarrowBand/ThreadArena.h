@@ -1,5 +1,5 @@
 /**
- * The arenas of TBB in which bands are moved.
+ * TBB arenas in which bands are moved.
  */
 #ifndef ThreadArena_h
 #define ThreadArena_h
@@ -9,7 +9,7 @@
 namespace activesurface
 {
 
-/** Of the calling thread; threads: at most, 0: all that there are. */
+/** Returns the arena of the calling thread for at most `threads` threads; 0: all. */
 tbb::task_arena& FindArena(int threads);
 
 }

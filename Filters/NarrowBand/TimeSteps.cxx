@@ -8,7 +8,7 @@ namespace activesurface
 namespace
 {
 
-/** A time that is so near a step, in units of the distance to the next one, is that step. */
+/** Tolerance of times, relative to the interval between two steps. */
 constexpr double RoundingOfTimes = 1e-6;
 
 }

@@ -1,5 +1,5 @@
 /**
- * Trilinear interpolation within one voxel, shared by all samples on a lattice.
+ * Trilinear interpolation within one voxel, for all samples on a lattice.
  */
 #ifndef Trilinear_h
 #define Trilinear_h
@@ -7,18 +7,19 @@
 namespace activesurface
 {
 
-/** Corner c = 4 i + 2 j + k of a voxel, i j k in {0,1}: the layout of the eight values. */
+/** Layout of the eight values: corner c = 4 i + 2 j + k of a voxel, i j k in {0,1}. */
 constexpr int CornersOfCell = 8;
 
-/** Interpolates from a (t = 0) to b (t = 1): exact at both ends; has their sign if they agree. */
+/** Interpolates from a (t = 0) to b (t = 1): exact at both ends, and of their sign if they agree.
+ */
 inline double Between(double a, double b, double t)
 {
   return (1.0 - t) * a + t * b;
 }
 
 /**
- * The value at the fractions t in [0,1] of a voxel, and its derivatives by t unless gradient is
- * null. If all corners have one sign, the value has it too, whatever the rounding.
+ * Returns the value at the fractions t in [0,1] of a voxel, and its derivatives by t unless
+ * gradient is null. If all corners have one sign, rounding does not change the sign of the value.
  */
 inline double Trilinear(const double corner[CornersOfCell], const double t[3], double* gradient)
 {

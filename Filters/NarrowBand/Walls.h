@@ -1,5 +1,5 @@
 /**
- * A box that the surface may not leave.
+ * A box that confines the surface.
  */
 #ifndef Walls_h
 #define Walls_h
@@ -16,7 +16,7 @@ struct Walls
   double Bounds[6] = {}; //< xmin xmax ymin ymax zmin zmax, world units
 };
 
-/** A periodic box: what leaves it through one side comes in through the other. */
+/** A periodic box: a surface that leaves through one side enters through the opposite one. */
 struct Periods
 {
   double Low[3] = {};
@@ -25,7 +25,7 @@ struct Periods
   bool Any() const { return this->Length[0] > 0. || this->Length[1] > 0. || this->Length[2] > 0.; }
 };
 
-/** Distance to the box, negative inside. */
+/** Returns the distance to the box, negative inside. */
 inline double DistanceToWalls(const Walls& walls, const double x[3])
 {
   double inside = -HUGE_VAL, square = 0.0;
