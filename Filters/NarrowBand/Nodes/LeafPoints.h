@@ -1,5 +1,5 @@
 /**
- * Numbers at 27 points of a leaf, 4 nodes apart, as those of LeafMotion.
+ * Interpolation between the 27 points of a leaf, 4 nodes apart, of a LeafMotion.
  */
 #ifndef LeafPoints_h
 #define LeafPoints_h
@@ -9,7 +9,7 @@
 namespace activesurface
 {
 
-/** Returns the eight numbers of the row (x, y, .), linear between the points. */
+/** Returns the eight numbers of row (x, y), linear between the points. */
 ACTIVE_ALWAYS_INLINE Lanes ExpandRow(const float* points, int x, int y)
 {
   const float tx = .25f * static_cast<float>(x & 3), ty = .25f * static_cast<float>(y & 3);

@@ -12,13 +12,13 @@ namespace activesurface
 namespace
 {
 
-/** Nodes of a block of old values. */
+/** Largest blocks of old values [nodes]: for a whole leaf, and for one row. */
 constexpr std::size_t UsualNodes = std::size_t(48) * 48 * 48;
 constexpr std::size_t MostNodes = std::size_t(128) * 128 * 128;
 
 struct LimitKernel
 {
-  float* Values; //< and up to seven more
+  float* Values; //< padded with up to seven numbers
   std::size_t Count;
 
   ACTIVE_ALWAYS_INLINE void operator()() const
@@ -113,11 +113,11 @@ private:
   }
 };
 
-/** The feet of the rows of a leaf: where their nodes were. */
+/** Finds the feet of a leaf's nodes: the positions x - D(x) from which the values come. */
 struct FeetKernel
 {
   const LeafMotion& Motion;
-  float (*Feet)[3][8]; //< of 64 rows, from the first node of the leaf
+  float (*Feet)[3][8]; //< of 64 rows, relative to the first node of the leaf
 
   ACTIVE_ALWAYS_INLINE void operator()() const
   {
@@ -135,7 +135,7 @@ struct FeetKernel
   }
 };
 
-/** Interpolates a row. At[axis] are the lower nodes in the block, T the distances from them. */
+/** Interpolates the old values at the feet of a row. */
 struct RowKernel
 {
   const float* Block;
@@ -201,7 +201,8 @@ private:
     return Mix(low, high, t[0]);
   }
 
-  /** By the second differences at both ends of the edge that is nearest. */
+  /** Returns t (1 - t) / 2 times the second difference along an axis, interpolated between both
+   * ends of the nearest edge. */
   ACTIVE_ALWAYS_INLINE Lanes Curve(const int* at, int stride, const Lanes& t) const
   {
     const Lanes before = this->Get(at, -stride), a = this->Get(at, 0);
@@ -211,7 +212,7 @@ private:
   }
 };
 
-/** The box of the old nodes that rows read. */
+/** Finds the box of the old nodes that the interpolation of rows reads. */
 void FindBox(const NodeLeaf& leaf, const float (*feet)[3][8], int rows, OldBlock& block)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -232,7 +233,7 @@ void CarryRows(const OldPotential& old, const NodeLeaf& leaf, const float (*feet
   OldBlock& block, float* carried)
 {
   block.Read(old);
-  if (block.IsOfOneValue()) // as the interpolated ones are then
+  if (block.IsOfOneValue()) // so interpolated values are equal too
   {
     std::fill_n(carried, 8 * rows, block.Values[0]);
     return;

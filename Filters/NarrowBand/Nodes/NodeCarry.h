@@ -12,13 +12,14 @@
 namespace activesurface
 {
 
-/** Writes the carried values of a leaf, at most NodeLimit in size. D is linear between the points
- * of the motion; values are interpolated linearly, with second differences along the axes. Keeps
- * `psi` where neighbouring points of the motion are more than a hundred voxels apart. */
+/** Writes the carried values of a leaf, clamped to +-NodeLimit. D is linear between the points of
+ * the motion. Values are interpolated linearly, with second differences along the axes. A row keeps
+ * `psi` if its old nodes fill a box of more than 128^3 nodes. */
 void CarryNodes(const OldPotential& old, const NodeLeaf& leaf, const LeafMotion& motion,
   const float* psi, float* carried);
 
-/** Adds the origins of the old leaves that CarryNodes reads for a leaf, and its own. */
+/** Adds the leaf's own origin and the origins of the old leaves that CarryNodes reads for the leaf.
+ */
 void ListOldLeaves(const NodeLeaf& leaf, const LeafMotion& motion, std::vector<NodeIndex>& origins);
 
 }

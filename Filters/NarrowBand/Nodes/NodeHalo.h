@@ -1,5 +1,5 @@
 /**
- * The leaves of other ranks around those of this rank: their owners send what is in them.
+ * Halo of a rank: leaves of other ranks around its own leaves, with values that the owners send.
  */
 #ifndef NodeHalo_h
 #define NodeHalo_h
@@ -19,13 +19,13 @@ class Domain;
 class NodeHalo
 {
 public:
-  /** Leaves in a shell the leaves that this rank owns, in their order; adds those of other ranks
-   * around its space, with no rows. Returns how many are own. Collective. Without a domain all are
-   * own. */
+  /** Collective. Removes other ranks' leaves from a shell, then appends those around this rank's
+   * space, without rows. Keeps the order of own leaves and returns their number. Without a domain
+   * all leaves are own. */
   std::size_t Find(const Domain* domain, std::vector<ShellLeaf>& shell);
 
-  /** Replaces the numbers in the leaves of other ranks by those of their owners. Collective; does
-   * nothing without a domain. */
+  /** Collective. Replaces the numbers in other ranks' leaves by those of the owners. Does nothing
+   * without a domain. */
   void Refresh(const NodeArrays& numbers) const;
 
 private:
@@ -34,8 +34,8 @@ private:
   void ListSent(const std::vector<ShellLeaf>& own);
 
   const Domain* Space = nullptr;
-  Lists Sent;     // own leaves, for each rank
-  Lists Received; // leaves of each rank
+  Lists Sent;     // own leaves to be sent to each rank
+  Lists Received; // leaves received from each rank
 };
 
 }

@@ -1,5 +1,5 @@
 /**
- * The leaves of the node scheme, with their neighbours and numbers at their nodes.
+ * The leaves of the node scheme and their neighbours, and blocks of numbers around a leaf.
  */
 #ifndef NodeLeaves_h
 #define NodeLeaves_h
@@ -22,15 +22,16 @@ namespace activesurface
 
 struct NodeLeaf : ShellLeaf
 {
-  /** Numbers of the 27 leaves around it, by NeighbourNumber; NoLeafInside or NoLeafOutside. */
+  /** Numbers of the 27 leaves around the leaf, by NeighbourNumber; NoLeafInside or NoLeafOutside
+   * where there is none. Set only for own leaves. */
   std::array<std::int32_t, 27> Near;
 };
 
 class NodeLeaves
 {
 public:
-  /** own: how many of the first leaves are this rank's. isInside(origin): the side of a leaf that
-   * is not in the shell; called by several threads at once if it is thread-safe. */
+  /** own: number of this rank's leaves, which come first. isInside(origin): the side of a leaf that
+   * is not in the shell; called by several threads at once if isThreadSafe. */
   template <class IsInside>
   void Adopt(
     const std::vector<ShellLeaf>& shell, std::size_t own, bool isThreadSafe, IsInside&& isInside)
@@ -65,7 +66,7 @@ public:
     }
   }
 
-  /** The number of the leaf with an origin, or one below 0. */
+  /** Returns the number of the leaf with an origin, or a negative number. */
   std::int32_t Find(const NodeIndex& origin) const { return this->Numbers.Find(origin); }
   std::size_t Size() const { return this->Leaves.size(); }
   std::size_t GetOwn() const { return this->Own; }
@@ -73,7 +74,7 @@ public:
   const NodeLeaf& operator[](std::size_t i) const { return this->Leaves[i]; }
 
   ///@{
-  /** Call function(i) for this rank's leaves, and for all, in parallel. */
+  /** ForEach calls function(i) for this rank's leaves, ForAll for all leaves; both in parallel. */
   template <class Function>
   void ForEach(Function&& function) const
   {
@@ -86,7 +87,7 @@ public:
   }
   ///@}
 
-  /** Runs a kernel on each of this rank's leaves, compiled for the chosen instruction set. */
+  /** Runs a kernel on this rank's leaves in parallel, compiled for the chosen instruction set. */
   template <class Kernel>
   void RunKernel(const Kernel& kernel) const
   {
@@ -110,12 +111,12 @@ private:
   }
 
   std::vector<NodeLeaf> Leaves;
-  std::size_t Own = 0; // this rank's, the first ones
+  std::size_t Own = 0; // this rank's leaves come first
   IndexMap Numbers;
 };
 
-/** The numbers of a leaf and of W <= 4 nodes around it, in rows of 16 along z that begin 4 nodes
- * before the leaf. Leaves that are not there have + or - `outside`. */
+/** The numbers of a leaf and of W <= 4 nodes around the leaf, in rows of 16 along z that begin 4
+ * nodes before the leaf. Nodes of missing leaves have + or - `outside`. */
 template <int W>
 struct NodeBlock
 {

@@ -12,26 +12,28 @@ namespace activesurface
 namespace
 {
 
-/** Least number of stages: four decay steps of e^(-1.5) at the usual attraction. */
+/** Least number of stages: four decays by e^(-1.5) at the usual attraction a = 6. */
 constexpr int FewestStages = 4;
 
-/** A stage is stable for Tension dt / h^2 = TensionOfStage by differences over 2 nodes, as .15 is
- * below the limit 1/6 of explicit diffusion; over 4 and 8 nodes for 4 and 16 times as much. The
- * widest ones are blind for waves of 8 nodes: more than half of the tension by them is unstable. */
+/** Largest Tension dt / h^2 of a stage by differences over 2 nodes: explicit diffusion is stable up
+ * to 1/6. Differences over 4 and 8 nodes allow 4 and 16 times as much. Those over 8 nodes do not
+ * damp waves of 8 nodes: with more than half of the tension by them, stages are unstable. */
 constexpr float TensionOfStage = .15f;
 constexpr float TensionOfStages = 10.f * TensionOfStage;
 
-/** Share of the attraction within the noise: at the usual one distances fall by a sixth in a frame.
- */
+/** Factor of the attraction within the noise: distances fall by a sixth in a frame at the usual
+ * attraction. */
 constexpr float SlowShare = .03f;
-/** Where the bulk is full noise reaches farther: particles of a body agree on the surface. */
+/** Full bodies: the bulk becomes full between FullFrom and FullTo. The noise of full bodies reaches
+ * NoiseOfFull times as far, because the particles of a body agree on the surface. */
 constexpr float FullFrom = .5f, FullTo = .75f, NoiseOfFull = 1.5f;
-/** Out of balance by less than this share of the noise the skin moves at this share of a. */
+/** If attraction and tension are out of balance by less than Imbalance times the noise, both are
+ * reduced to SlowestShare of a. */
 constexpr float Imbalance = .25f, SlowestShare = .008f;
-/** Weight of tension in a body of half the bulk over that of a full one. */
+/** Weight of tension per bulk: TensionOfHalf up to FullFrom, 1 from FullTo on. */
 constexpr float TensionOfHalf = 1.f / 3.f;
 
-/** kappa |grad u| by differences over 2 S nodes; 0 where the gradient is. */
+/** kappa |grad u| by differences over 2 S nodes, clamped to +-1; 0 where the gradient vanishes. */
 template <int S, int W>
 ACTIVE_ALWAYS_INLINE Lanes Bend(const float* c)
 {
@@ -83,7 +85,7 @@ struct DistanceKernel
   }
 };
 
-/** One stage of `Count`. W: nodes that the widest differences reach. */
+/** One of Count stages. W: number of nodes to either side that the widest differences read. */
 template <int W>
 struct StageKernel
 {
@@ -91,8 +93,8 @@ struct StageKernel
   const StageCoefficients& Law;
   int Count;
 
-  /** The pulls of all rows first: what follows is a chain of divisions, of which the processor can
-   * have several rows in hand if a row is short. */
+  /** Finds the tension of all rows first. The second loop is a chain of divisions; its iterations
+   * are short, so that the processor overlaps several rows. */
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
     if (this->Fields.IsFar[i])
@@ -138,8 +140,8 @@ private:
     return BitsOf(isFar) == 0xffu;
   }
 
-  /** b g kappa |grad u|. Tension beyond the stable limit of narrow differences goes by wider ones.
-   */
+  /** Returns b g kappa |grad u|. Tension above the stable limit of narrow differences is computed
+   * by wider ones. */
   ACTIVE_ALWAYS_INLINE Lanes FindPull(const float* c, const Lanes& bulk) const
   {
     if (!(this->Law.Tension > 0.f))
@@ -196,14 +198,14 @@ private:
     return psi - decayed * miss + AllLanes(share) * pull * lambda * mean;
   }
 
-  /** Within the noise of a body the attraction is small; and attraction and tension both, where
-   * they are nearly in balance, so that fixed points stay. */
+  /** Reduces the attraction within the noise of a body. Reduces attraction and tension together
+   * where they nearly balance, so that fixed points stay. */
   ACTIVE_ALWAYS_INLINE void Slow(const Lanes& u, const Lanes& miss, const Lanes& pull,
     const Lanes& bulk, Lanes& rate, Lanes& lambda) const
   {
     const Lanes one = AllLanes(1.f), full = SmoothStep(FullFrom, FullTo, bulk);
     const Lanes body = Least(bulk + bulk, one);
-    // The slope of u is not 1 off the skin, where frames differ by more.
+    // Off the skin the slope of u is not 1, and frames differ by more.
     const Lanes noise =
       (one + AllLanes(NoiseOfFull - 1.f) * full) * AllLanes(this->Law.Noise) * (one + Size(u));
     const Lanes slow = one - body * AllLanes(1.f - SlowShare);
@@ -214,7 +216,7 @@ private:
     lambda = Pick(body > AllLanes(0.f), lambda, one);
   }
 
-  /** q^4 / (1 + q^4) of q = a / b */
+  /** Returns q^4 / (1 + q^4) for q = a / b. */
   static ACTIVE_ALWAYS_INLINE Lanes Step(const Lanes& a, const Lanes& b)
   {
     constexpr float least = 1e-30f; // where b^4 underflows

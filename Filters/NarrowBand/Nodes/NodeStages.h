@@ -1,12 +1,12 @@
 /**
- * Distances to the target at the nodes, and the stages that bring the potential to them:
+ * Distances to the target at the nodes, and the stages that move the potential towards them:
  *
  *   w' = b g kappa |grad w| + a s (psi - w)
  *
- * over one unit of time, a = Attraction dt, b = Tension dt / h^2, g the weight of tension, psi the
- * signed distance to the target [voxels], kappa the sum of the principal curvatures. s is 1, but
- * in a body of particles small where psi - w is within the noise of their surface. At a fixed
- * point attraction and tension are in balance, exactly as in the equation of motion.
+ * over one unit of time. a = Attraction dt, b = Tension dt / h^2, g is the weight of tension, psi
+ * the signed distance to the target [voxels], kappa the sum of the principal curvatures. s is 1,
+ * except in a body of particles where psi - w is within the noise of its surface: there s is small.
+ * At a fixed point attraction and tension balance, exactly as in the equation of motion.
  */
 #ifndef NodeStages_h
 #define NodeStages_h
@@ -28,7 +28,7 @@ struct StageCoefficients
   bool IsWeighted = false; //< whether bulks weigh the tension; else g = 1
 };
 
-/** In [0,1], at the points of a LeafMotion. */
+/** Bulk in [0,1] at the points of a LeafMotion. */
 using LeafBulk = std::array<float, LeafMotion::Points>;
 
 struct NodeFields
@@ -37,20 +37,20 @@ struct NodeFields
   const NodeArrays& Psi;
   const std::vector<LeafBulk>& Bulk;
   const std::vector<char>&
-    IsFar; //< leaves that stay as they are: Potential, Room and Psi are alike
+    IsFar; //< leaves that do not change: Potential, Room and Psi have equal values
   NodeArrays& Potential;
   NodeArrays& Room; //< overwritten
   const NodeHalo& Halo;
 };
 
-/** psi = G / |grad G| by central differences, at most NodeLimit in size; G is 1 where nothing is
- * near. Outside the rows of the shell psi has the limit. */
+/** Sets psi = G / |grad G| by central differences, clamped to +-NodeLimit. G is 1 far from the
+ * target. psi is at the limit outside the rows of the shell. */
 void FindDistances(const NodeLeaves& leaves, const NodeArrays& potential, NodeArrays& psi);
 
-/** Number of stages for which the tension is stable. */
+/** Returns the number of stages for which the tension is stable. */
 int CountStages(const StageCoefficients& coefficients);
 
-/** The share of a change of psi [voxels] that the potential follows in the frame. */
+/** Returns the fraction of a change of psi [voxels] that the potential follows in a frame. */
 float FindFollowedShare(const StageCoefficients& coefficients, float change, float bulk);
 
 void RunStages(const NodeFields& fields, const StageCoefficients& coefficients);

@@ -16,10 +16,10 @@ namespace activesurface
 namespace
 {
 
-/** From the centre of a leaf to its corners, and the band around the surface [voxels]. */
+/** Half the diagonal of a leaf's nodes, plus the width of the band [voxels]. */
 constexpr double ReachOfLeaf = 6.1 + NodeLimit;
 
-/** Leaves in which no particle moves keep their bytes if they change by less than this share of
+/** Leaves in which no particle moves keep their bytes if they change by less than this times
  * Attraction dt [voxels]. */
 constexpr float RestingChange = 3e-4f;
 
@@ -41,7 +41,7 @@ double DepthInObstacle(const Obstacle& solid, const NodeIndex& node, double voxe
 }
 
 /** Calls function(i, origin) for the leaves with nodes beyond the sides of a periodic box, in
- * parallel if it is thread-safe. */
+ * parallel if isThreadSafe. */
 template <class Function>
 void ForEachBeyond(
   const NodeLeaves& leaves, const PeriodicLattice& lattice, bool isThreadSafe, Function&& function)
@@ -107,7 +107,7 @@ void NodeStep::FindLeaves(const NodeFrame& frame, const Motion& motion, const No
 {
   const bool isConfined = motion.Box.Present || motion.Solid;
   target.FindShell(isConfined || frame.Space, this->Near);
-  // At least an eighth of the nodes is active in a leaf that the surface crosses.
+  // A leaf that the surface crosses has at least an eighth of its nodes active.
   constexpr std::size_t fewestNodes = 64, margin = 4;
   CheckSize(fewestNodes / margin * this->Near.Leaves.size(), frame.MaximumNumberOfActiveVoxels);
   if (isConfined)
@@ -131,7 +131,7 @@ void NodeStep::FindLeaves(const NodeFrame& frame, const Motion& motion, const No
   this->IsStill.assign(count, 0);
 }
 
-/** Inside the target walls and the obstacle are surfaces of their own. */
+/** Adds leaves inside the target that the surface of a wall or of the obstacle may cross. */
 void NodeStep::AddConfined(const NodeFrame& frame, const Motion& motion)
 {
   std::vector<ShellLeaf>& shell = this->Near.Leaves;
@@ -168,8 +168,8 @@ bool NodeStep::IsSolid(const NodeIndex& origin, const NodeFrame& frame, const Mo
     (motion.Solid && DepthInObstacle(*motion.Solid, centre, frame.VoxelSize) > 0.0);
 }
 
-/** Finds the depths of a leaf's nodes in walls and obstacle [voxels]; false if neither is near.
- */
+/** Finds the depths of a leaf's nodes in walls and obstacle [voxels]. Returns false if neither is
+ * near. */
 bool NodeStep::FindDepths(
   const NodeIndex& origin, const NodeFrame& frame, const Motion& motion, float (&depths)[512]) const
 {
@@ -190,7 +190,7 @@ bool NodeStep::FindDepths(
   return true;
 }
 
-/** G into Room. */
+/** Writes G to Room; rows outside the shell get + or - 1. */
 void NodeStep::Evaluate(const NodeTarget& target)
 {
   this->Leaves.ForEach(
@@ -209,7 +209,7 @@ void NodeStep::Evaluate(const NodeTarget& target)
     });
 }
 
-/** Where a wall or the obstacle reaches, all rows of a leaf count. */
+/** Raises numbers to the depths in walls and obstacle. All rows of leaves near them count. */
 void NodeStep::Confine(NodeArrays& numbers, const NodeFrame& frame, const Motion& motion)
 {
   if (!motion.Box.Present && !motion.Solid)
@@ -301,7 +301,7 @@ void NodeStep::KeepWhatRests(const OldPotential& old, float tolerance)
     });
 }
 
-/** Beyond the sides of a periodic box the potential is that at the opposite sides. */
+/** Copies the potential beyond the sides of a periodic box from the opposite sides. */
 void NodeStep::Repeat(const NodeFrame& frame, const Motion& motion, const NodeTarget& target)
 {
   if (!motion.Period.Any())

@@ -1,9 +1,9 @@
 /**
- * A frame of the node scheme: the potential is carried by the motion of the target, the target is
- * evaluated once, at the nodes near its surface, and stages bring the potential to it.
+ * A frame of the node scheme. The motion of the target carries the potential. The target is
+ * evaluated once, at the nodes near its surface. Stages move the potential towards the target.
  *
- * Nothing is iterated, extended or searched for: where the target has a new part, psi is negative
- * there, and a part appears; where it has none any more, the skin ends.
+ * No iteration, extension or search is needed. Where the target has a new part, psi is negative and
+ * a part appears; where a part of the target has gone, the skin ends.
  */
 #ifndef NodeStep_h
 #define NodeStep_h
@@ -20,25 +20,25 @@
 namespace activesurface
 {
 
-/** A frame, from the state of the last one. */
+/** A frame and the state of the last frame. */
 struct NodeFrame
 {
   OldPotential& Old;
-  double Begin, End; //< motion times; equal for a start, which begins on the target itself
-  double Duration;   //< of attraction and tension; End - Begin, but for a start
+  double Begin, End; //< motion times; equal for a start, which begins at the target
+  double Duration;   //< of attraction and tension; End - Begin, except for a start
   double VoxelSize;
   std::size_t MaximumNumberOfActiveVoxels;
-  const Domain* Space = nullptr; //< shared out to ranks; null: all is this rank's
+  const Domain* Space = nullptr; //< partition among ranks; null: this rank owns all
 };
 
 class NodeStep
 {
 public:
   /** Returns a tree with the potential at the end of the frame. Throws std::runtime_error beyond
-   * the maximum of active voxels, or where the obstacle is not a number. Keeps its memory. */
+   * the maximum of active voxels, or if the obstacle is NaN. Keeps its memory. */
   openvdb::FloatTree::Ptr Make(const NodeFrame& frame, const Motion& motion, NodeTarget& target);
 
-  /** Number of nodes at which the last frame has evaluated the target. */
+  /** Returns the number of nodes at which the last frame evaluated the target. */
   std::size_t CountEvaluations() const;
 
 private:
@@ -63,9 +63,9 @@ private:
   NodeLeaves Leaves;
   NodeArrays Potential, Room, Psi;
   std::vector<LeafBulk> Bulk;
-  std::vector<LeafMotion> Motions; //< of each leaf, where the old ones are on several ranks
+  std::vector<LeafMotion> Motions; //< of each leaf, if other ranks have some old leaves
   std::vector<char> IsStill;       //< leaves in which the target has not moved
-  std::vector<char> IsFar;         //< leaves that neither the target nor the skin is near
+  std::vector<char> IsFar;         //< leaves far from the target and from the skin
 };
 
 }

@@ -1,4 +1,4 @@
-// The trees before and after a frame of the node scheme, of which ranks may have parts.
+// Trees before and after a frame of the node scheme; each may be partitioned among ranks.
 
 #include "Nodes/NodeStep.h"
 #include "OpenVDB.h"
@@ -15,7 +15,7 @@ namespace activesurface
 namespace
 {
 
-/** Returns true if a leaf has values between the limits, or both of them. */
+/** Returns true if a leaf has values between the limits, or values of both signs. */
 bool IsNearSurface(const float* values)
 {
   return std::any_of(values, values + 512,
@@ -25,7 +25,7 @@ bool IsNearSurface(const float* values)
 
 }
 
-/** From the ranks that own them. */
+/** Fetches the old leaves that this rank reads from the ranks that own them. */
 void NodeStep::FetchOld(const NodeFrame& frame, const NodeTarget& target)
 {
   this->Motions.clear();
@@ -78,7 +78,8 @@ openvdb::FloatTree::Ptr NodeStep::MakeTree(const NodeFrame& frame, const Motion&
   return tree;
 }
 
-/** Where leaves of other ranks are missing, no filling finds what is inside. */
+/** Adds tiles inside the surface. Leaves of other ranks are missing, so flood fill cannot find
+ * them. */
 void NodeStep::AddSides(
   const NodeFrame& frame, const Motion& motion, openvdb::FloatTree& tree) const
 {

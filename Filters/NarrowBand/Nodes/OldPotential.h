@@ -19,14 +19,14 @@ class Domain;
 /** Limit of |u| and |psi| in the node scheme [voxels]. */
 constexpr float NodeLimit = 3.f;
 
-/** A leaf of the last frame; null where there is none. */
+/** A leaf of the last frame; null if there is none. */
 struct OldLeaf
 {
-  const float* Value = nullptr;          //< 512 of them
+  const float* Value = nullptr;          //< 512 values
   const LeafMask* FirstLayers = nullptr; //< nodes of the layers 0 and 1
 };
 
-/** Leaves of the last frame that this rank has asked their owners for. */
+/** Leaves of the last frame that this rank has received from their owners. */
 class FetchedLeaves
 {
 public:
@@ -69,11 +69,11 @@ struct OldPotential
 {
   const LeafTable& Leaves;
   const PotentialTree& Tree;
-  const Domain* Space = nullptr; //< of the last frame; null: all of it is here
+  const Domain* Space = nullptr; //< partition of the last frame; null: all leaves are here
   FetchedLeaves* Fetched = nullptr;
 
-  /** Asks the owners for leaves of other ranks. wanted: origins, also of own ones. Collective; does
-   * nothing where all is here. */
+  /** Collective. Requests leaves of other ranks from their owners. wanted: origins; own leaves are
+   * ignored. Does nothing if all leaves are here. */
   void Fetch(const std::vector<NodeIndex>& wanted);
 
   OldLeaf FindLeaf(const NodeIndex& origin) const
@@ -84,7 +84,7 @@ struct OldPotential
   /** The 512 values of a leaf, or null. */
   const float* Find(const NodeIndex& origin) const { return this->FindLeaf(origin).Value; }
 
-  /** + or - NodeLimit, the side of a leaf for which Find returns null. */
+  /** Returns + or - NodeLimit: the side of a leaf for which Find returns null. */
   float SideOf(const NodeIndex& origin) const
   {
     const bool isInside =

@@ -1,5 +1,5 @@
 /**
- * The places in a periodic box of which nodes beyond its sides are copies.
+ * Positions in a periodic box that nodes beyond its sides repeat.
  */
 #ifndef PeriodicLattice_h
 #define PeriodicLattice_h
@@ -24,7 +24,7 @@ public:
     }
   }
 
-  /** Returns true if no node of a leaf is beyond a side. */
+  /** Returns true if all nodes of a leaf are within the sides. */
   bool IsWithin(const NodeIndex& origin) const
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -39,7 +39,7 @@ public:
     return true;
   }
 
-  /** Returns the value at a node, or beyond a side that at the place of which it is a copy, linear
+  /** Returns the value at a node. Beyond a side it is the value at the repeated position, linear
    * between the nodes there. */
   template <class ValueAt>
   float Interpolate(const NodeIndex& node, ValueAt&& valueAt) const
@@ -68,7 +68,8 @@ public:
   }
 
 private:
-  /** A side that is a node but for rounding is one. */
+  /** Returns the repeated coordinate. Differences of 1e-6 from sides and nodes
+   * are rounding. */
   double Wrap(int axis, int node) const
   {
     constexpr double rounding = 1e-6;

@@ -19,10 +19,11 @@ namespace
 using openvdb::Coord;
 using openvdb::CoordBBox;
 
-/** Nodes on both sides of a wall that have values. */
+/** Number of nodes with values on either side of a wall. */
 constexpr int Band = 3;
 
-/** Adds leaves inside the surface where a wall is: one side of it, at a coordinate [voxels]. */
+/** Adds leaves inside the surface near one side of the walls. wall: coordinate of the side
+ * [voxels]. */
 void AddLeavesAt(openvdb::FloatTree& tree, const CoordBBox& leaves, int axis, double wall)
 {
   const double low = leaves.min()[axis], high = leaves.max()[axis];

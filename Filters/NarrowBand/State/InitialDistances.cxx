@@ -25,10 +25,10 @@ namespace
 
 using Leaves = openvdb::tree::LeafManager<openvdb::FloatTree>;
 
-/** The function at the active nodes of a leaf, times a scale. */
+/** Evaluates the function at the active nodes of a leaf, times a scale. */
 void SampleNodes(const NodeFunction& function, double scale, PotentialLeaf& leaf)
 {
-  constexpr double most = 1e6; // far from the surface functions may do what they like
+  constexpr double most = 1e6; // far from the surface functions may have any values
   std::vector<openvdb::Coord> nodes;
   for (auto it = leaf.cbeginValueOn(); it; ++it)
   {
@@ -40,7 +40,7 @@ void SampleNodes(const NodeFunction& function, double scale, PotentialLeaf& leaf
   for (auto it = leaf.beginValueOn(); it; ++it, ++value)
   {
     const double scaled = std::min(std::max(scale * *value, -most), most);
-    // What rounds to zero keeps its side.
+    // A negative value that rounds to zero keeps its sign.
     const float stored = static_cast<float>(scaled);
     it.setValue(scaled < 0.0 ? std::min(stored, -1e-30f) : stored);
   }
@@ -60,10 +60,10 @@ void ForEach(std::size_t count, bool isParallel, Function&& function)
   }
 }
 
-/** The function near the crossed nodes, where it is scaled to about 1. */
+/** Samples the function near the crossed nodes, scaled to about 1 at them. */
 openvdb::FloatTree::Ptr SampleNearby(CrossedNodes& crossed, const NodeFunction& function)
 {
-  // One node more than the layers, so that every layer has central differences.
+  // One layer of nodes beyond the band's layers, for central differences in every layer.
   openvdb::tools::dilateActiveValues(
     crossed.Nodes, NumberOfLayers, openvdb::tools::NN_FACE, openvdb::tools::IGNORE_TILES);
   auto tree = std::make_shared<openvdb::FloatTree>(crossed.Nodes, Far, openvdb::TopologyCopy());
@@ -75,7 +75,7 @@ openvdb::FloatTree::Ptr SampleNearby(CrossedNodes& crossed, const NodeFunction& 
   return tree;
 }
 
-/** |F| / |grad F| by central differences; negative where a neighbour is missing or F is flat. */
+/** Returns |F| / |grad F| by central differences; -1 if a neighbour is missing or F is flat. */
 float FirstOrderDistance(const openvdb::tree::ValueAccessor<const openvdb::FloatTree>& function,
   const openvdb::Coord& node)
 {
@@ -91,8 +91,8 @@ float FirstOrderDistance(const openvdb::tree::ValueAccessor<const openvdb::Float
     : -1.f;
 }
 
-/** Sets the active nodes of `potential`, distances from fast sweeping, to the smoother first-order
- * distance of the function within half of them either way. */
+/** Replaces the distances from fast sweeping at the active nodes of `potential` by the function's
+ * first-order distances, which are smoother, clamped to 0.5 to 1.5 times the swept distances. */
 void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& potential)
 {
   Leaves leaves(potential);
@@ -110,8 +110,8 @@ void SmoothDistances(const openvdb::FloatTree& function, openvdb::FloatTree& pot
     });
 }
 
-/** Whether a node is inside by more than what fast sweeping takes for zero, of the largest value
- * around; it refuses others. */
+/** Returns true if a node is below -1e-8 * largest, with the largest value around. Fast
+ * sweeping counts smaller magnitudes as zero, and refuses a function without other inside nodes. */
 bool HasInside(const openvdb::FloatTree& function, float largest)
 {
   constexpr float zero = 1e-8f;
@@ -148,7 +148,7 @@ struct Slab
   }
 };
 
-/** Slabs of so many leaves or more, and at least so many planes. */
+/** Returns slabs of at least 1000 leaves and 6 planes; the last one may be smaller. */
 std::vector<Slab> FindSlabs(const openvdb::FloatTree& tree)
 {
   constexpr int fewestLeaves = 1000;
@@ -173,12 +173,12 @@ std::vector<Slab> FindSlabs(const openvdb::FloatTree& tree)
   return slabs;
 }
 
-/** A slab and what surrounds it, moved to where few nodes of a tree hold it. */
+/** A slab and its margins, shifted so that few nodes of a tree contain them. */
 class SweptSlab
 {
 public:
-  /** A surface may end at the margin's faces: what that does to the distances there does not reach
-   * the slab. */
+  /** Planes of leaves around a slab. The surface may end at the margin's faces; the error of
+   * distances there does not reach the slab. */
   static constexpr int Margin = 2;
 
   SweptSlab(const openvdb::FloatTree& function, const Slab& slab)
@@ -190,7 +190,7 @@ public:
     {
       if (slab.Has(*leaf, Margin))
       {
-        auto copy = new PotentialLeaf(*leaf); // the tree's from then on
+        auto copy = new PotentialLeaf(*leaf); // owned by the tree
         copy->setOrigin(leaf->origin() - this->Shift);
         this->Function->tree().addLeaf(copy);
       }
@@ -201,7 +201,7 @@ public:
   {
     openvdb::FloatTree& function = this->Function->tree();
     openvdb::tools::signedFloodFillWithValues(function, Far, -Far);
-    // A sheet that is inside by rounding alone keeps the function: there is no better distance.
+    // A sheet that is inside only by rounding keeps the function: there is no better distance.
     this->Distances = HasInside(function, LargestOf(function))
       ? openvdb::tools::sdfToSdf(*this->Function, 0.f, 1)
       : this->Function->deepCopy();
@@ -209,7 +209,7 @@ public:
     this->Function.reset();
   }
 
-  /** Replaces the active values of the slab. */
+  /** Replaces the active values of the slab by distances. */
   void Write(openvdb::FloatTree& tree) const
   {
     for (auto leaf = tree.beginLeaf(); leaf; ++leaf)
@@ -256,7 +256,7 @@ openvdb::FloatTree::Ptr MakeNearbyDistances(CrossedNodes& crossed, const NodeFun
     return nullptr;
   }
   openvdb::tools::signedFloodFillWithValues(*tree, Far, -Far);
-  // Distances replace the function where no later slab looks at it any more.
+  // Distances replace the function of a slab after the next slab has copied its margin.
   std::unique_ptr<SweptSlab> before;
   for (const Slab& slab : FindSlabs(*tree))
   {

@@ -28,12 +28,12 @@ struct NodeFunction
 };
 
 /**
- * The nodes near the crossed ones get the function's first-order distance F/|grad F|, which is
- * smooth where F is, clamped to within half of OpenVDB's fast-sweeping distance around it. Sweeping
- * needs several times the memory of its input, so it is done slab by slab.
+ * Gives nodes near the crossed ones the function's first-order distance F/|grad F|, which is smooth
+ * where F is, clamped to 0.5 to 1.5 times OpenVDB's fast-sweeping distance. Sweeping needs several
+ * times the memory of its input, so it is done slab by slab.
  *
- * Returns a tree of distances in voxels with background Far, inside tiles -Far; null if nothing is
- * inside. Clears the crossed nodes, because their memory is needed.
+ * Returns a tree of distances [voxels] with background Far and inside tiles -Far; null if nothing
+ * is inside. Clears the crossed nodes to free their memory.
  */
 openvdb::FloatTree::Ptr MakeNearbyDistances(CrossedNodes& crossed, const NodeFunction& function);
 

@@ -20,9 +20,10 @@ namespace activesurface
 namespace
 {
 
-/** A ball of .6 of the diameter of a box of n^3 voxels needs about 7 n^2 active ones, one that
- * fills it 20 n^2: a box for 7 n^2 too many is refused before sampling. So is one with so many
- * nodes that sampling them would take minutes, as for a stray particle far from the others. */
+/** Refuses too large boxes before sampling. In a box of n^3 voxels, a ball of .6 of its diameter
+ * needs about 7 n^2 active voxels, and a ball that fills the box 20 n^2; the limit is 7 n^2. A box
+ * is also refused if sampling its nodes would take minutes, as with a stray particle far from the
+ * others. */
 void CheckSize(const LatticeBox& box, std::size_t maximum)
 {
   constexpr double nodesPerActiveVoxel = 40.0;
@@ -39,7 +40,7 @@ void CheckSize(const LatticeBox& box, std::size_t maximum)
   }
 }
 
-/** Values of the function at nodes, closed at the faces of the box. */
+/** Values of the function at nodes. The shape is closed at the faces of the box. */
 class Sampler
 {
 public:
@@ -145,7 +146,7 @@ void AddCrossedVoxels(
   }
 }
 
-/** The corners of all crossed voxels; false when `progress` stopped it. */
+/** Finds the corners of all crossed voxels. Returns false if `progress` stopped it. */
 bool FindCrossedNodes(const Sampler& sampler, const LatticeBox& box, std::size_t maximum,
   const ProgressFunction& progress, CrossedNodes& crossed)
 {

@@ -14,18 +14,18 @@ namespace activesurface
 {
 
 /**
- * The lattice within the bounds is sampled plane by plane; two planes are kept. The nodes near sign
+ * Samples the lattice within the bounds plane by plane, and keeps two planes. Nodes near sign
  * changes get distances (InitialDistances.h). If the function is negative at a face of the bounds,
- * the shape is closed half a voxel inside it. A value that is not a number counts as outside.
+ * the shape is closed half a voxel inside the outermost nodes. NaN counts as outside.
  *
- * Returns a tree of u with background Far, inside tiles -Far; null if `progress` stopped it. Throws
- * as NarrowBand::Start does.
+ * Returns a tree of u with background Far and inside tiles -Far; null if `progress` stopped it.
+ * Throws like NarrowBand::Start.
  */
 openvdb::FloatTree::Ptr MakeInitialPotential(double voxelSize, const double bounds[6],
   const InitialFunction& function, std::size_t maximumNumberOfActiveVoxels,
   const ProgressFunction& progress);
 
-/** Throws std::runtime_error: the band needs more than so many active voxels. */
+/** Throws std::runtime_error: the band needs more active voxels than the maximum. */
 [[noreturn]] void RefuseSize(std::size_t maximumNumberOfActiveVoxels);
 
 }

@@ -11,10 +11,10 @@
 namespace activesurface
 {
 
-/** Node numbers are 32-bit integers. */
+/** Limit of node coordinates, which are 32-bit integers. */
 constexpr double FarthestNode = 1e9;
 
-/** Lattice nodes first..last of the three axes; the outermost ones lie on or beyond the bounds. */
+/** Lattice nodes First..Last along each axis; the outermost ones lie on or beyond the bounds. */
 struct LatticeBox
 {
   openvdb::Coord First;
@@ -32,8 +32,8 @@ struct LatticeBox
   }
 };
 
-/** Throws std::invalid_argument for bounds that are empty, not finite or absurd for the voxel size.
- */
+/** Throws std::invalid_argument for bounds that are empty, not finite, or 10^9 voxels or more from
+ * 0. */
 LatticeBox FindLatticeBox(double voxelSize, const double bounds[6]);
 
 }

@@ -16,10 +16,10 @@ namespace activesurface
 namespace
 {
 
-/** What is known of a leaf without its values. */
+/** Packed data of a leaf, except its magnitudes. */
 struct LeafBits
 {
-  std::int32_t Origin[4]; //< the last one 0: no byte is left unset
+  std::int32_t Origin[4]; //< the last one is 0, so that no byte is unset
   LeafMask Inside;
   LeafMask Active;
 };
@@ -30,7 +30,7 @@ struct Counts
   std::uint64_t Nodes = 0;
 };
 
-/** Copies some of them to or from bytes; returns the next byte. */
+/** Copies `count` values to or from bytes; returns the next byte. */
 template <class Value>
 char* Write(const Value* from, std::size_t count, char* to)
 {
@@ -139,7 +139,7 @@ void FillLeaf(const LeafBits& bits, float background, const float*& magnitude, P
     const float size = bits.Active.Has(node) ? *magnitude++ : background;
     value[node] = bits.Inside.Has(node) ? -size : size;
   }
-  leaf.setValuesOn(); // that flooding leaves it as it is
+  leaf.setValuesOn(); // so that flood fill does not change the leaf
 }
 
 void SetActive(const LeafBits& bits, PotentialLeaf& leaf)
@@ -170,7 +170,7 @@ std::uint64_t CountActive(const std::vector<LeafBits>& leaves)
   return active;
 }
 
-/** Adds leaves to a tree. */
+/** Adds packed leaves to a list and to a tree. */
 void UnpackLeaves(const std::string& bytes, std::vector<LeafBits>& leaves, openvdb::FloatTree& tree)
 {
   Counts counts;

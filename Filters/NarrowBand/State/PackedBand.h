@@ -1,9 +1,9 @@
 /**
- * The state of a surface in few bytes: what cannot be recomputed, without loss.
+ * The state of a surface in few bytes, without loss: only data that cannot be recomputed.
  *
- * Stored are the signs and the known nodes as bits, and the magnitudes of the potential there. The
- * layers follow from the signs, bitwise. Known are the active nodes, and ghosts follow from them;
- * without ghosts, all nodes of the layers.
+ * Stored are the signs and the known nodes as bits, and the magnitudes of the potential at known
+ * nodes. The layers follow from the signs, bitwise. With ghosts the known nodes are the active
+ * ones, and the ghosts follow from them. Without ghosts all nodes of the layers are known.
  */
 #ifndef PackedBand_h
 #define PackedBand_h
@@ -16,17 +16,17 @@
 namespace activesurface
 {
 
-/** Appends the leaves of this rank. Bytes for this process: byte order and layout are those of the
- * machine. */
+/** Appends the leaves of this rank. Byte order and layout are those of the machine: the bytes are
+ * for this process. */
 void PackBand(const LeafTable& table, bool hasGhosts, std::string& bytes);
 
-/** The tree with its known nodes, and + or - the background elsewhere. parts: of each rank. Throws
- * std::runtime_error for bytes that PackBand did not write. */
+/** Returns the tree with its known nodes, and + or - the background elsewhere. parts: bytes of each
+ * rank. Throws std::runtime_error for bytes that PackBand did not write. */
 openvdb::FloatTree::Ptr UnpackBand(const std::vector<std::string>& parts, float background);
 
 ///@{
-/** The same with the leaves of other ranks that this one has, and with the sides of leaves that are
- * missing. */
+/** Pack and unpack a part of a band: also the leaves of other ranks on this rank, and the sides of
+ * missing leaves. */
 void PackPart(
   const LeafTable& table, bool hasGhosts, const openvdb::FloatTree& tree, std::string& bytes);
 openvdb::FloatTree::Ptr UnpackPart(const std::string& bytes, float background);

@@ -15,7 +15,8 @@ namespace activesurface
 namespace
 {
 
-/** No surface comes there, and coordinates of neighbours would overflow. */
+/** Returns true beyond 2^30 nodes. No surface gets there, and coordinates of neighbours would
+ * overflow. */
 bool IsTooFar(const openvdb::Coord& origin)
 {
   constexpr int farthest = 1 << 30;

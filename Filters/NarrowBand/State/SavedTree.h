@@ -1,5 +1,5 @@
 /**
- * Whether the tree of a saved state can be one, and what is said where it cannot.
+ * Validation of the tree of a saved state.
  */
 #ifndef SavedTree_h
 #define SavedTree_h
@@ -9,8 +9,8 @@
 namespace activesurface
 {
 
-/** A surface lies within leaves: no edge from a leaf to a tile crosses it, or the band would grow
- * along the whole tile. Throws std::runtime_error where one does. */
+/** Throws std::runtime_error if the surface crosses an edge from a leaf to a tile, because the band
+ * would grow along the whole tile, or if a leaf is beyond 2^30 nodes. */
 void CheckTree(const openvdb::FloatTree& tree);
 
 /** Throws std::runtime_error: the saved state is damaged. */

@@ -16,9 +16,10 @@ namespace
 
 constexpr const char* Names[] = { "active_voxel_size", "active_time", "active_start_area",
   "active_start_volume", "active_box_size", "active_paper_scheme" };
-constexpr const char* WithoutGhosts = "active_without_ghosts"; // only where it is so
+constexpr const char* WithoutGhosts = "active_without_ghosts"; // present only without ghosts
 
-/** OpenVDB has no voxels below that; the grid's own transform then is not to scale. */
+/** Grids with smaller voxels get a transform of voxel size 1: OpenVDB refuses voxels below about
+ * 1e-5. */
 constexpr double SmallestVoxel = 1e-4;
 
 double GetNumber(const openvdb::FloatGrid& grid, const char* name)

@@ -18,16 +18,17 @@ struct StateNumbers
   double StartVolume = 0.0;
   double BoxSize = 1.0;
   bool Paper = false;
-  bool HasGhosts = true;  //< else the node scheme has set all nodes of the layers
+  bool HasGhosts = true;  //< false: the node scheme has set all nodes of the layers
   float Background = 0.f; //< not stored: it follows from Paper
 };
 
-/** A copy of the potential, with the numbers as metadata. Active are the active nodes; without
- * ghosts, all nodes of the layers. Elsewhere it is + or - the background. */
+/** Returns a copy of the potential with the numbers as metadata. The active nodes are active;
+ * without ghosts, all nodes of the layers are. Inactive nodes have + or - the background. */
 openvdb::FloatGrid::Ptr MakeStateGrid(
   const openvdb::FloatTree& potential, const StateNumbers& numbers);
 
-/** Throws std::runtime_error if a number is missing or a value is not finite. */
+/** Throws std::runtime_error if a number is missing, a value is not finite, or the tree is damaged
+ * (SavedTree.h). */
 StateNumbers ReadStateGrid(const openvdb::FloatGrid& grid);
 
 }
