@@ -1,5 +1,5 @@
 /**
- * A band as it was before a substep, for the case that an error ends it half-way.
+ * A copy of a band before a substep, for an error that interrupts the substep.
  */
 #ifndef BandBackup_h
 #define BandBackup_h
@@ -12,13 +12,13 @@ namespace activesurface
 class BandBackup
 {
 public:
-  /** Nothing is kept. */
+  /** Drops the copy. */
   void Forget() { this->Tree.reset(); }
 
-  /** Keeps the tree as it is, unless one is kept. */
+  /** Copies the tree unless a copy is kept. */
   void Keep(const PotentialTree& tree);
 
-  /** Null if none is kept. */
+  /** Returns the copy, or null. */
   openvdb::FloatTree::Ptr Get() const { return this->Tree; }
 
 private:

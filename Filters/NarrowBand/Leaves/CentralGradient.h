@@ -11,8 +11,8 @@
 namespace activesurface
 {
 
-/** Square of the gradient at a node [per voxel], by central differences in the precision Real.
- * valueAt(coordinates): the value of a node. */
+/** Returns the squared gradient at a node [1/voxel^2], by central differences in the precision
+ * Real. valueAt(coordinates): the value of a node. */
 template <class Real, class ValueAt>
 Real CentralGradientSquare(const openvdb::Coord& node, ValueAt&& valueAt)
 {

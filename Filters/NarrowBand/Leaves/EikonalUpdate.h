@@ -1,11 +1,11 @@
 /**
- * The second-order eikonal update of a node: along each axis from the nearer side, with a_i the
- * distances one and two steps that way, negative beyond the surface,
+ * The second-order eikonal update of a node. a_i are the distances one and two steps away, along
+ * each axis on the nearer side, negative beyond the surface:
  *
- *   sum of w^2 (a - t)^2 = 1,   t = (4 a1 - a2) / 3, w = 3/2 if a2 <= a1 is known,
+ *   sum of w^2 (a - t)^2 = 1,   t = (4 a1 - a2) / 3, w = 3/2 if there is an a2 <= a1,
  *                               else t = a1, w = 1
  *
- * over those axes that the wave comes from, t < a.
+ * over the axes from which the wave comes, t < a.
  */
 #ifndef EikonalUpdate_h
 #define EikonalUpdate_h
@@ -27,19 +27,18 @@ struct UpwindTerm
   double Weight;
 };
 
-/** The term of first order. */
 ACTIVE_ALWAYS_INLINE UpwindTerm FirstOrderTerm(double a1)
 {
   return { a1, 1.0 };
 }
 
-/** The term of second order, if a2 is no farther than a1. */
+/** The term of second order if a2 <= a1, else of first order. */
 ACTIVE_ALWAYS_INLINE UpwindTerm SecondOrderTerm(double a1, double a2)
 {
   return a2 <= a1 ? UpwindTerm{ (4.0 * a1 - a2) / 3.0, 1.5 } : FirstOrderTerm(a1);
 }
 
-/** The a that is larger than all terms used, the smallest ones first. Sorts the terms. */
+/** Solves for a with the smallest terms, as many as are smaller than a. Sorts the terms. */
 ACTIVE_ALWAYS_INLINE double SolveEikonal(std::array<UpwindTerm, 3>& terms, int count)
 {
   for (int i = 1; i < count; ++i)

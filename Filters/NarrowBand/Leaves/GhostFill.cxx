@@ -13,8 +13,8 @@ namespace activesurface
 namespace
 {
 
-/** Nodes of a layer whose value is not the last substep's: ghosts, and those that entered, which
- * only affected leaves can have. */
+/** Nodes of a layer that the last substep has not updated: ghosts, and nodes that entered the band.
+ * Only affected leaves can have the latter. */
 ACTIVE_ALWAYS_INLINE LeafMask NodesToFill(const BandLeaf& leaf, bool isAffected, int layer)
 {
   const LeafMask valid = isAffected ? leaf.Active & leaf.Updated : leaf.Active;
@@ -30,7 +30,7 @@ struct FillLayer
 {
   LeafTable& Table;
   int Layer;
-  bool IsAffected; //< whether the leaves are
+  bool IsAffected; //< whether the leaves are affected
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t i) const
   {
@@ -54,7 +54,8 @@ LeafList Without(const LeafList& leaves, const LeafList& others)
   return rest;
 }
 
-// Three-point rays over three layers end up to nine nodes from what has moved.
+// Three-point rays over three layers end up to nine nodes from an updated node: beyond the affected
+// leaves.
 void FillBesideAffected(LeafTable& table, const ActiveSet& set)
 {
   const LeafList beyond = Without(table.FindAround(set.Affected), set.Affected);

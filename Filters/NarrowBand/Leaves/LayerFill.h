@@ -1,5 +1,5 @@
 /**
- * How |u| of the nodes of a layer follows from the layers inside.
+ * Extrapolation of |u| to the nodes of a layer from the layers inside; see GhostFill.h.
  */
 #ifndef LayerFill_h
 #define LayerFill_h
@@ -14,7 +14,7 @@
 namespace activesurface
 {
 
-/** Sums over the candidates for a node's value. */
+/** Weighted sums over the candidates for a node's value. */
 struct Candidates
 {
   float Sum;
@@ -27,7 +27,8 @@ struct Candidates
   }
 };
 
-/** Of three nodes in one direction. A step that is no increase has weight 0. */
+/** Growth g from three nodes in one direction. step: increase from the second to the first one; a
+ * step of 0 has weight 0. */
 ACTIVE_ALWAYS_INLINE float LimitedGrowth(float step, float second, float third)
 {
   const float most = 2.f * step;
@@ -39,7 +40,7 @@ ACTIVE_ALWAYS_INLINE float Increase(float first, float second)
   return std::max(first - second, 0.f);
 }
 
-/** In place of the value of a node that may not be used. */
+/** Replaces the value of a node that must not be used. */
 constexpr float Missing = -std::numeric_limits<float>::infinity();
 
 /** The extrapolated |u| of the nodes of one layer in one leaf. */
@@ -76,7 +77,7 @@ public:
   }
 
 private:
-  /** Rays are as long as the nodes of smaller layers go, up to three. */
+  /** Adds rays of three nodes. A ray ends at the first node that is not in a smaller layer. */
   template <int Axis, int Sign>
   ACTIVE_ALWAYS_INLINE void AddRays(const LeafMask& nodes)
   {
@@ -107,7 +108,7 @@ private:
       });
   }
 
-  /** Where the three-point rays do not say enough: with all other candidates. */
+  /** Returns the mean over all candidates, where the three-point rays have too little weight. */
   float FindUncertain(int node) const
   {
     Candidates other = { 0.f, 0.f };
@@ -130,11 +131,12 @@ private:
     }
     this->AddCorners(node, smallest, other);
     const float weight = this->Weight[node] + other.Weight;
-    // No inner increase: a medial axis, where the potential is flat.
+    // No candidate has an increase: on a medial axis the potential is flat.
     return weight > 0.f ? (this->Sum[node] + other.Sum) / weight : smallest;
   }
 
-  /** Around the corners of a square: p + q - r, from two neighbours and the node between them. */
+  /** Adds candidates p + q - r: p and q are two neighbours, r is the fourth corner of their square.
+   */
   void AddCorners(int node, float smallest, Candidates& other) const
   {
     for (int first = 0; first < 2; ++first)
@@ -154,7 +156,7 @@ private:
   }
 
   ///@{
-  /** |u| of a node of a smaller layer, else Missing. */
+  /** Returns |u| of a node of a smaller layer, else Missing. */
   float At(const LeafTable::Place& place) const
   {
     const bool isInner =
@@ -184,7 +186,7 @@ private:
   const LeafTable& Table;
   const std::int32_t Leaf;
   const int Inner; //< last layer whose values may be used
-  // Of the layer's nodes; all else is not set. Three-point rays alone count in the sums.
+  // Set only for the layer's nodes. Sum and Weight contain only three-point rays.
   float Sum[512];
   float Weight[512];
   float LargestStep[512];

@@ -12,7 +12,7 @@ namespace activesurface
 namespace
 {
 
-constexpr int RowsWritten = 16; // of which 9 mean something: as many as fill a vector
+constexpr int RowsWritten = 16; // 9 are used, 16 fill a vector
 constexpr int RowsRead = RowsWritten + 8;
 
 using RowBytes = std::array<std::uint8_t, 8>;
@@ -35,7 +35,7 @@ ACTIVE_ALWAYS_INLINE std::uint64_t WordOf(const RowBytes& bytes)
 }
 
 /** The signs of a leaf and of one node around it: rows of ten bits, bit z + 1, at [x + 1][y + 1].
- * All loops run over y, which the compiler turns into vector code. */
+ * All loops run over y, so that the compiler vectorises them. */
 struct SignBlock
 {
   std::uint16_t Row[10][RowsRead] = {};
@@ -81,7 +81,7 @@ private:
   }
 };
 
-/** Crossed voxels with lower corners -1..7 around a leaf; bit z + 1. */
+/** Crossed voxels with lower corners -1..7 around a leaf, at bit z + 1. */
 struct CrossedVoxels
 {
   std::uint16_t Row[9][RowsRead];
@@ -116,7 +116,7 @@ struct CrossedVoxels
     return corners;
   }
 
-  /** The crossed voxels of all rows, of the first and of the last ones, in x and in y. */
+  /** The crossed voxels of the first, of all and of the last rows, in x and in y. */
   struct Shadows
   {
     unsigned Of[3][3] = {}; //< first, all, last
@@ -147,7 +147,7 @@ struct CrossedVoxels
   }
 };
 
-/** Bits of the neighbours in which a crossed voxel has a corner. */
+/** Returns the bits of the neighbours in which a crossed voxel has a corner. */
 std::uint32_t NeighboursTouched(const CrossedVoxels::Shadows& shadows)
 {
   constexpr unsigned bits[3] = { 0x001u, 0x1ffu, 0x100u };
@@ -159,7 +159,7 @@ std::uint32_t NeighboursTouched(const CrossedVoxels::Shadows& shadows)
   return touched;
 }
 
-/** Bits of the neighbours without a leaf. */
+/** Returns the bits of the neighbours without a leaf. */
 std::uint32_t NeighboursWithoutLeaf(const BandLeaf& leaf)
 {
   std::uint32_t missing = 0;

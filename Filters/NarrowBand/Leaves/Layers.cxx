@@ -11,7 +11,7 @@ namespace activesurface
 namespace
 {
 
-/** Layers 0..m: layers 0..m-1 and their 6-neighbours. */
+/** Finds layers 0..m: layers 0..m-1 and their 6-neighbours. */
 struct AddLayer
 {
   LeafTable& Table;
@@ -58,7 +58,7 @@ LeafList AddMissingLeaves(LeafTable& table, PotentialTree& tree, const LeafList&
   return table.Add(missing, tree);
 }
 
-/** Nodes whose neighbours one and two steps away on the axes are all in the layers. */
+/** Returns the nodes whose neighbours one and two steps away on the axes are all in the layers. */
 ACTIVE_ALWAYS_INLINE LeafMask HaveAxisStencil(const LeafTable& table, const BandLeaf& leaf)
 {
   const LeafMask& all = leaf.UpToLayer[LastLayer];
@@ -73,7 +73,7 @@ ACTIVE_ALWAYS_INLINE LeafMask HaveAxisStencil(const LeafTable& table, const Band
   return complete;
 }
 
-/** Nodes whose four neighbours on the diagonals between two axes are all in the layers. */
+/** Returns the nodes whose four neighbours on the diagonals between two axes are in the layers. */
 template <int A, int B>
 ACTIVE_ALWAYS_INLINE LeafMask HaveDiagonals(const LeafTable& table, const BandLeaf& leaf)
 {
@@ -98,7 +98,7 @@ ACTIVE_ALWAYS_INLINE LeafMask HaveDiagonals(const LeafTable& table, const BandLe
   return complete;
 }
 
-/** The band, and the pockets beyond it. */
+/** Finds the nodes of the band and the pockets beyond it. */
 ACTIVE_ALWAYS_INLINE void FindActiveNodes(LeafTable& table, std::size_t i)
 {
   BandLeaf& leaf = table[i];
@@ -125,8 +125,8 @@ ACTIVE_ALWAYS_INLINE void FindCrossedEdges(LeafTable& table, std::size_t i)
   }
 }
 
-/** Sets nodes that have left the layers to the background. The other nodes outside have it already.
- */
+/** Sets nodes that have left the layers to the background, which the other nodes outside have
+ * already. */
 ACTIVE_ALWAYS_INLINE void DeactivateNodes(const LeafTable& table, BandLeaf& leaf)
 {
   leaf.HoldsStaleValue.Without(leaf.UpToLayer[LastLayer])
@@ -137,7 +137,7 @@ ACTIVE_ALWAYS_INLINE void DeactivateNodes(const LeafTable& table, BandLeaf& leaf
   leaf.HoldsStaleValue = leaf.UpToLayer[LastLayer];
 }
 
-/** What follows from the layers: no leaf needs what is found in another one. */
+/** Finds all data that follow from the layers. No leaf reads another leaf's results. */
 struct UseLayers
 {
   LeafTable& Table;
@@ -151,7 +151,8 @@ struct UseLayers
   }
 };
 
-/** New leaves change the layers around them, as far as the leaves next to them. */
+/** Finds the layers. New leaves change layers in the leaves next to them; these are searched again.
+ */
 void GrowLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree)
 {
   LeafList leaves = set.Affected;

@@ -1,6 +1,6 @@
 /**
- * The layers of the band, found from the signs of the potential, in the affected leaves of a
- * substep: elsewhere they stay as they are.
+ * The layers of the band, from the signs of the potential, in the affected leaves of a substep. In
+ * other leaves they do not change.
  */
 #ifndef Layers_h
 #define Layers_h
@@ -11,22 +11,22 @@ namespace activesurface
 {
 
 /**
- * From Inside of every leaf: the layers and the crossed edges of the affected leaves. Creates the
- * leaves that a layer has reached, in the table, in the tree and as affected ones in the set.
+ * Finds the layers and the crossed edges of the affected leaves, from Inside of every leaf. Creates
+ * the leaves that a layer reaches: in the table, in the tree, and as affected leaves in the set.
  */
 void FindLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
-/** FindLayers, then finds the active nodes (band and pockets) and sets the nodes outside all layers
- * to + or - the background. */
+/** Calls FindLayers, finds the active nodes (band and pockets) and sets the nodes outside all
+ * layers to + or - the background. */
 void RebuildLayers(LeafTable& table, ActiveSet& set, PotentialTree& tree);
 
-/** Replaces leaves without nodes of a layer and without active nodes by tiles of their sign. */
+/** Replaces leaves without layers and without active nodes by tiles of their sign. */
 void DropEmptyLeaves(LeafTable& table, PotentialTree& tree);
 
-/** Numbers the crossed edges leaf by leaf, axis by axis, node by node; returns how many. */
+/** Numbers the crossed edges leaf by leaf, axis by axis, node by node; returns their number. */
 std::size_t NumberCrossings(LeafTable& table);
 
-/** Reads the active masks from the leaves of the tree, or writes them there. */
+/** Copy the active masks from the leaves of the tree, or to them. */
 void ReadActiveMasks(LeafTable& table);
 void WriteActiveMasks(const LeafTable& table);
 

@@ -1,6 +1,6 @@
 /**
- * The values of a leaf and the halo that stencils read, in contiguous memory: two nodes along the
- * axes, one along the diagonals of two axes. The rest of the block is not set.
+ * The values of a leaf and of the halo that stencils read, in contiguous memory: two nodes along
+ * the axes, one along the diagonals of two axes. Other values of the block are not set.
  */
 #ifndef LeafBlock_h
 #define LeafBlock_h
@@ -33,13 +33,13 @@ struct LeafBlock
 
   alignas(64) float Value[Side * Side * Side];
 
-  /** The potential. */
+  /** Gathers the potential. */
   ACTIVE_ALWAYS_INLINE void Gather(const LeafTable& table, const BandLeaf& leaf)
   {
     this->Gather(table, leaf, PotentialOf{ table });
   }
 
-  /** Another field; arrayOf(leaf): the 512 numbers of a leaf. */
+  /** Gathers another field; arrayOf(leaf): the 512 numbers of a leaf. */
   template <class ArrayOf>
   ACTIVE_ALWAYS_INLINE void Gather(
     const LeafTable& table, const BandLeaf& leaf, const ArrayOf& arrayOf)
@@ -55,7 +55,7 @@ struct LeafBlock
     this->GatherRows<1, 1, 0>(table, leaf, arrayOf);
   }
 
-  /** Gathers only what the stencils of the row (x, y) of the leaf read. */
+  /** Gathers only the values that the stencils of row (x, y) of the leaf read. */
   ACTIVE_ALWAYS_INLINE void GatherAround(const LeafTable& table, const BandLeaf& leaf, int x, int y)
   {
     constexpr int steps[][2] = { { 0, 0 }, { -2, 0 }, { -1, 0 }, { 1, 0 }, { 2, 0 }, { 0, -2 },
@@ -72,10 +72,10 @@ struct LeafBlock
   const float* Row(int x, int y) const { return this->Value + PlaceOf(x, y); }
 
 private:
-  /** Where a row begins in the block; x and y are relative to the leaf. */
+  /** Offset of a row in the block; x and y are relative to the leaf. */
   static constexpr int PlaceOf(int x, int y) { return (x + Halo) * X + (y + Halo) * Y + Halo; }
 
-  /** The rows of a leaf; without a leaf, the background row stands for all of them. */
+  /** The rows of a leaf; a missing leaf has the background row for all of them. */
   struct Rows
   {
     const float* First;
@@ -94,7 +94,7 @@ private:
     }
   };
 
-  /** The leaf's neighbour (nx, ny), and those before and after it along z. */
+  /** The leaf's neighbour (nx, ny), and the leaves before and after it along z. */
   struct RowSource
   {
     Rows Before, Middle, After;

@@ -1,5 +1,5 @@
 /**
- * The faces of a leaf, and what is connected within it and across them.
+ * Faces of a leaf, and connections within a leaf and across its faces.
  */
 #ifndef LeafFaces_h
 #define LeafFaces_h
@@ -9,7 +9,7 @@
 namespace activesurface
 {
 
-/** Bits on the face of a mask that looks in the direction of an axis and a sign. */
+/** Returns true if the mask has nodes on the face in the direction of an axis and a sign. */
 inline bool TouchesFace(const LeafMask& mask, int axis, int sign)
 {
   if (axis == 0)
@@ -26,13 +26,14 @@ inline bool TouchesFace(const LeafMask& mask, int axis, int sign)
   return any != 0;
 }
 
-/** The nodes of the next leaf, in the direction of an axis and a sign, that are next to these. */
+/** Returns the nodes of the next leaf, in the direction of an axis and a sign, next to these nodes.
+ */
 inline LeafMask SeenAcross(const LeafMask& mask, int axis, int sign)
 {
   return sign > 0 ? SeenBehind(LeafMask(), mask, axis, 1) : SeenAhead(LeafMask(), mask, axis, 1);
 }
 
-/** Adds what is connected with these nodes, along edges, within the nodes of their leaf. */
+/** Returns `from` and all nodes of the leaf that edges within `nodes` connect with it. */
 inline LeafMask GrowInLeaf(const LeafMask& from, const LeafMask& nodes)
 {
   const LeafMask nothing;

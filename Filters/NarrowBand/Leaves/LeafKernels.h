@@ -10,8 +10,8 @@
 namespace activesurface
 {
 
-/** Prefetches the 512 numbers of the leaf that comes next. Processors do not predict these reads:
- * rows are read out of order, and each leaf lies in a page of its own. */
+/** Prefetches the 512 numbers of the next leaf. Processors do not predict these reads: rows are
+ * read out of order, and each leaf lies in a page of its own. */
 ACTIVE_ALWAYS_INLINE void FetchAhead(const float* numbers)
 {
   constexpr int inALine = 16;
@@ -30,7 +30,7 @@ void ForEachLeaf(const LeafTable& table, const Kernel& kernel)
   table.ForEach([&kernel, run](std::size_t i) { run(kernel, i); });
 }
 
-/** The same for the leaves of a list. */
+/** Calls kernel(i) for the leaves of a list, in parallel. */
 template <class Kernel>
 void ForEachLeaf(const LeafTable& table, const LeafList& leaves, const Kernel& kernel)
 {
@@ -38,7 +38,7 @@ void ForEachLeaf(const LeafTable& table, const LeafList& leaves, const Kernel& k
   table.ForEach(leaves, [&kernel, run](std::size_t i) { run(kernel, i); });
 }
 
-/** The same in this thread, in the order of the list. */
+/** Calls kernel(i) for the leaves of a list, in this thread and in the list's order. */
 template <class Kernel>
 void ForEachLeafInTurn(const LeafTable& table, const LeafList& leaves, const Kernel& kernel)
 {

@@ -1,6 +1,6 @@
 /**
- * Numbers and bits some steps along an axis from the nodes of a leaf, in it or in the leaves before
- * and after it.
+ * Numbers and bits some steps along an axis from the nodes of a leaf, in the leaf or in its
+ * neighbours on the axis.
  */
 #ifndef LeafLine_h
 #define LeafLine_h
@@ -33,9 +33,9 @@ public:
   }
 
   /**
-   * The number `steps` along the axis. Without a neighbour leaf the value is arbitrary, and a value
-   * may be concurrently written by another thread; callers must mask out both (relaxed atomic
-   * load).
+   * Returns the number `steps` along the axis. Without a neighbour leaf the value is arbitrary, and
+   * another thread may write the value at the same time (relaxed atomic load). Callers must mask
+   * out both cases.
    */
   ACTIVE_ALWAYS_INLINE float At(int node, int steps) const
   {
@@ -50,8 +50,8 @@ private:
   const float* Plane[Planes]; //< first node of each plane, by its place along the axis
 };
 
-/** The mask whose node n is set if `mask` has n + Steps along an axis; next: the mask of the leaf
- * in that direction. Steps: -7 to 7. */
+/** Returns the mask whose node n is set if `mask` has n + Steps along an axis. next: the mask of
+ * the leaf in that direction. Steps: -7 to 7. */
 template <int Axis, int Steps>
 ACTIVE_ALWAYS_INLINE LeafMask Seen(const LeafMask& mask, const LeafMask& next)
 {

@@ -2,8 +2,8 @@
  * One bit per node of a leaf, and the bits of its 6-neighbours.
  *
  * A leaf has 8 x 8 x 8 nodes; node (x,y,z) is bit 8 y + z of word x, as in OpenVDB. A mask is
- * shifted by one node together with the mask of the neighbour leaf, which supplies the missing
- * plane. So a whole leaf is dilated, compared or counted with a few dozen word operations.
+ * shifted by some nodes together with the mask of the neighbour leaf, which supplies the missing
+ * planes. A whole leaf is dilated, compared or counted with a few dozen word operations.
  */
 #ifndef LeafMask_h
 #define LeafMask_h
@@ -95,8 +95,8 @@ struct LeafMask
   }
 };
 
-/** The mask whose node n is set if `mask` has n + steps along x, y or z (axis 0, 1, 2); `next` is
- * the mask of the neighbour leaf in that direction. steps: 1 to 7. */
+/** Returns the mask whose node n is set if `mask` has n + steps along x, y or z (axis 0, 1, 2).
+ * next: the mask of the neighbour leaf in that direction. steps: 1 to 7. */
 ACTIVE_ALWAYS_INLINE LeafMask SeenAhead(
   const LeafMask& mask, const LeafMask& next, int axis, int steps)
 {
@@ -112,7 +112,7 @@ ACTIVE_ALWAYS_INLINE LeafMask SeenAhead(
   return seen;
 }
 
-/** The same backwards: node n is set if `mask` has n - steps. */
+/** Returns the mask whose node n is set if `mask` has n - steps. steps: 1 to 7. */
 ACTIVE_ALWAYS_INLINE LeafMask SeenBehind(
   const LeafMask& mask, const LeafMask& previous, int axis, int steps)
 {

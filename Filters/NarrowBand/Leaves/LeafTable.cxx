@@ -25,7 +25,7 @@ std::size_t Hash(const openvdb::Coord& origin)
   return static_cast<std::size_t>(key ^ (key >> 32));
 }
 
-/** Which of eight numbers are negative, one bit each. */
+/** Returns one bit for each of eight numbers: set if the number is negative. */
 unsigned NegativeBits(const float* values)
 {
 #ifdef __SSE2__
@@ -70,11 +70,11 @@ BandLeaf::BandLeaf(PotentialLeaf& leaf)
 
 void LeafTable::Rebuild(PotentialTree& tree)
 {
-  // The old index still finds the entries whose masks go on.
+  // The old index still finds the entries that are kept.
   std::vector<PotentialLeaf*> nodes;
   tree.getNodes(nodes);
   std::vector<BandLeaf> leaves;
-  leaves.reserve(nodes.size() + nodes.size() / 8); // surfaces that grow do so by little
+  leaves.reserve(nodes.size() + nodes.size() / 8); // growing surfaces grow slowly
   leaves.resize(nodes.size());
   std::vector<LeafSummary> summaries;
   summaries.reserve(leaves.capacity());

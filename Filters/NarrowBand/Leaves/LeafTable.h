@@ -1,10 +1,10 @@
 /**
- * The leaves of the potential, each with its masks and its 26 neighbours. They are in the order of
- * the tree, except leaves added since Rebuild, which are the last.
+ * The leaves of the potential, each with its masks and its 26 neighbours. Leaves are in the order
+ * of the tree, except those added since Rebuild, which come last.
  *
- * All that is derived from the signs of the potential is here: layers, active nodes, crossed edges.
- * All passes over the band run over this table, one leaf at a time, in parallel; a pass writes only
- * the leaf it is called for.
+ * The table has all data derived from the signs of the potential: layers, active nodes, crossed
+ * edges. All passes over the band run over this table, one leaf at a time, in parallel. A pass
+ * writes only the leaf for which it is called.
  */
 #ifndef LeafTable_h
 #define LeafTable_h
@@ -25,28 +25,27 @@ namespace activesurface
 using PotentialTree = openvdb::FloatTree;
 using PotentialLeaf = PotentialTree::LeafNodeType;
 
-/** In place of a neighbour's number: it has no leaf, all its nodes are on one side of the surface.
- */
+/** Number of a neighbour without a leaf: all its nodes are on one side of the surface. */
 constexpr std::int32_t NoLeafOutside = -1;
 constexpr std::int32_t NoLeafInside = -2;
 
 /** Magnitude of u beyond the layers [voxels]; only the sign has a meaning. */
 constexpr float Far = 1000.f;
 
-/** Numbers of leaves, ascending. */
+/** Numbers of leaves, ascending except in FindTreeOrder. */
 using LeafList = std::vector<std::int32_t>;
 
-constexpr int NumberOfLayers = 5; // 0..2 band, 3 and 4 rings
+constexpr int NumberOfLayers = 5; // 0..2 band, 3 and 4 ghosts
 constexpr int LastBandLayer = 2;
 constexpr int LastLayer = NumberOfLayers - 1;
 
-/** Number of a neighbour: offsets in {-1,0,1}; 13 is the leaf itself. */
+/** Number of a neighbour; offsets in {-1,0,1}. 13 is the leaf itself. */
 constexpr int NeighbourNumber(int dx, int dy, int dz)
 {
   return 9 * (dx + 1) + 3 * (dy + 1) + dz + 1;
 }
 
-/** The neighbour across a face. axis 0..2, sign -1 or 1. */
+/** Number of the neighbour across a face. axis 0..2, sign -1 or 1. */
 constexpr int FaceNumber(int axis, int sign)
 {
   return 13 + sign * (axis == 0 ? 9 : axis == 1 ? 3 : 1);
@@ -58,8 +57,8 @@ constexpr int Stride(int axis)
   return axis == 0 ? 64 : axis == 1 ? 8 : 1;
 }
 
-/** The speed in a leaf, kept as long as it is valid: until the leaf or a neighbour is updated, or
- * the target changes there. */
+/** The speed in a leaf. It is valid until the leaf or a neighbour is updated, or the target changes
+ * there. */
 struct LeafSpeed
 {
   bool IsKnown = false;
@@ -68,7 +67,7 @@ struct LeafSpeed
   double TargetSlope = 0.0; //< largest |dF/dn|
 };
 
-/** What every substep reads of all leaves, converged ones too: small, so that it costs little. */
+/** Data that every substep reads of all leaves, converged ones too; small to reduce the cost. */
 struct LeafSummary
 {
   LeafSpeed Speed;
@@ -109,32 +108,33 @@ struct BandLeaf
 
 class Domain;
 
-/** Which of the 512 values of a leaf are negative. */
+/** Returns the mask of the negative ones among the 512 values of a leaf. */
 LeafMask InsideNodes(const float* values);
 
 class LeafTable
 {
 public:
-  /** Says who owns the leaves; null: all are this rank's. Comes before Rebuild. */
+  /** Sets the owners of the leaves; null: all leaves are this rank's. Precedes Rebuild. */
   void SetDomain(const Domain* domain) { this->Space = domain; }
 
-  /** Reads the leaves of the tree anew; keeps what is known of those that the table had. */
+  /** Reads the leaves of the tree; keeps the data of leaves that the table had. */
   void Rebuild(PotentialTree& tree);
 
-  /** Adds these leaves to the tree and to the table, unless they are there; the numbers of the
-   * others do not change. Returns the numbers of the new leaves, ascending. */
+  /** Adds missing leaves to the tree and the table; the numbers of other leaves do not change.
+   * Returns the numbers of the new leaves, ascending. */
   LeafList Add(const std::vector<openvdb::Coord>& origins, PotentialTree& tree);
 
   ///@{
-  /** Whether all leaves are in the order of the tree; and their numbers in that order. */
+  /** IsSorted returns true if all leaves are in the order of the tree; FindTreeOrder returns their
+   * numbers in that order. */
   bool IsSorted() const { return this->Sorted == this->Leaves.size(); }
   LeafList FindTreeOrder() const;
   ///@}
 
-  /** These leaves and their neighbours. */
+  /** Returns these leaves and their neighbours. */
   LeafList FindAround(const LeafList& leaves) const;
 
-  /** All leaves for which condition(i) holds. */
+  /** Returns all leaves for which condition(i) holds. */
   template <class Condition>
   LeafList FindAll(Condition&& condition) const
   {
@@ -159,7 +159,8 @@ public:
   ACTIVE_ALWAYS_INLINE void Summarise(std::size_t i);
 
   ///@{
-  /** Mask of a neighbour. Without a leaf it is empty, but Inside is full on the inner side. */
+  /** Mask of a neighbour. Without a leaf the mask is empty, but Inside of a neighbour inside the
+   * surface is full. */
   const LeafMask& UpToLayerOf(std::int32_t number, int layer) const
   {
     return number >= 0 ? this->Leaves[number].UpToLayer[layer] : this->Nothing;
@@ -172,7 +173,7 @@ public:
   }
   ///@}
 
-  /** Leaf number and node of the node `steps` away along an axis; the leaf number may be < 0. */
+  /** Leaf and node of a node `steps` away along an axis, at most 8; Leaf < 0: there is no leaf. */
   struct Place
   {
     std::int32_t Leaf;
@@ -186,7 +187,7 @@ public:
     return { side == 0 ? leaf : this->Leaves[leaf].Neighbour[FaceNumber(axis, side)], moved };
   }
 
-  /** The same for offsets of at most one on each axis (edge and corner neighbours included). */
+  /** Step for offsets of at most 8 on each axis (edge and corner neighbours included). */
   Place Offset(std::int32_t leaf, int node, int dx, int dy, int dz) const;
 
   /** Calls function(i) for every leaf, in parallel. */
@@ -196,7 +197,7 @@ public:
     ForRange(this->Leaves.size(), function);
   }
 
-  /** The same for the leaves of a list. */
+  /** Calls function(i) for the leaves of a list, in parallel. */
   template <class Function>
   void ForEach(const LeafList& leaves, Function&& function) const
   {
@@ -204,7 +205,7 @@ public:
       leaves.size(), [&](std::size_t place) { function(static_cast<std::size_t>(leaves[place])); });
   }
 
-  /** The sum of function(summary), an integer, over this rank's leaves. */
+  /** Returns the sum of function(summary), an integer, over this rank's leaves. */
   template <class Function>
   std::size_t Count(Function&& function) const
   {
@@ -216,7 +217,7 @@ public:
     return count;
   }
 
-  /** The value of all nodes beyond the layers; with a minus sign inside. */
+  /** Sets the value of all nodes beyond the layers; inside the surface it is negated. */
   void SetBackground(float value)
   {
     this->Background[0].fill(value);
@@ -224,13 +225,13 @@ public:
   }
   float GetBackground() const { return this->Background[0][0]; }
   float BackgroundOf(std::int32_t number) const { return *this->BackgroundRowOf(number); }
-  /** Eight copies of it. */
+  /** Eight copies of BackgroundOf. */
   const float* BackgroundRowOf(std::int32_t number) const
   {
     return this->Background[number == NoLeafInside ? 1 : 0].data();
   }
 
-  /** Number of a leaf by its origin, or a negative number. */
+  /** Returns the number of a leaf by its origin, or a negative number. */
   std::int32_t Find(const openvdb::Coord& origin) const;
 
 private:
@@ -255,8 +256,8 @@ private:
   void AddToIndex(std::size_t i);
 
   std::vector<BandLeaf> Leaves;
-  std::vector<LeafSummary> Summaries; // of each
-  std::size_t Sorted = 0;             // how many there were at Rebuild
+  std::vector<LeafSummary> Summaries; // of each leaf
+  std::size_t Sorted = 0;             // number of leaves at Rebuild
   std::vector<std::int32_t> Index;    // open-addressing hash of the origins
   std::array<std::array<float, 8>, 2> Background{};
   const Domain* Space = nullptr;
@@ -264,7 +265,7 @@ private:
   LeafMask Everything = LeafMask::All();
 };
 
-/** The order of a tree's leaves, by their origins. */
+/** Returns true if the leaf at origin a precedes the leaf at b in the order of a tree. */
 bool IsBeforeInTree(const openvdb::Coord& a, const openvdb::Coord& b);
 
 ACTIVE_ALWAYS_INLINE void LeafTable::Summarise(std::size_t i)
@@ -277,7 +278,7 @@ ACTIVE_ALWAYS_INLINE void LeafTable::Summarise(std::size_t i)
   summary.IsUsed = leaf.UpToLayer[LastLayer].Any() || leaf.Active.Any();
 }
 
-/** Nodes at either end of a crossed edge. */
+/** Returns the nodes at either end of a crossed edge. */
 LeafMask NodesWithCrossing(const LeafTable& table, const BandLeaf& leaf);
 
 }

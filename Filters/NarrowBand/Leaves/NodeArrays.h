@@ -11,11 +11,11 @@
 namespace activesurface
 {
 
-/** 512 numbers per leaf, in blocks that are small enough for free memory of the heap. */
+/** 512 numbers per leaf, in blocks of 64 KiB: small enough to use the heap's free memory. */
 class NodeArrays
 {
 public:
-  /** Enlarges the arrays to this many leaves; the values of the leaves before are kept. */
+  /** Enlarges the arrays to `leaves` leaves; keeps the values of earlier leaves. */
   void MakeRoom(std::size_t leaves)
   {
     while (LeavesAtOnce * this->Blocks.size() < leaves)
