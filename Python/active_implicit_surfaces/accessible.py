@@ -1,7 +1,7 @@
 """Boundary of a union of balls: exact distances from inside, by its patches, arcs and corners.
 
 With radii of atoms plus that of a probe this is the solvent-accessible surface (Lee and Richards,
-J. Mol. Biol. 55, 1971). From a point inside, the nearest point of it lies on a ball, on the circle
+J. Mol. Biol. 55, 1971). The surface point nearest to an inner point lies on a ball, on the circle
 where two balls meet, or where three do (Connolly, J. Appl. Cryst. 16, 1983). VTK has no such class.
 
 >>> import numpy
@@ -32,9 +32,9 @@ class Arcs(NamedTuple):
     radii, halves : array (n,)
         Radius of the circle, and half of the angle, at most pi.
     axes : array (n, 3, 3)
-        Rows are the direction of the arc's middle, the one across, the axis of the circle.
+        Rows: direction of the arc's middle, direction across it, axis of the circle.
     balls : array (n, 2)
-        The two balls on whose border the arc is.
+        Indices of the two balls that meet in the arc.
     """
 
     centers: Any
@@ -44,26 +44,26 @@ class Arcs(NamedTuple):
     balls: Any
 
     def rows(self, chosen: Any) -> Arcs:
-        """Some of the arcs."""
+        """Returns the chosen arcs."""
         return Arcs(*(values[chosen] for values in self))
 
 
 class Neighbours(NamedTuple):
-    """For ball i `counts[i]` of `others` from `starts[i]` on, the nearest first."""
+    """Neighbour lists: ball i has `counts[i]` `others` from `starts[i]` on, nearest first."""
 
     starts: Any
     counts: Any
     others: Any
 
     def expand(self, balls: Any, most: int | None = None) -> tuple[Any, Any]:
-        """Positions in `balls`, each repeated for every neighbour, and the neighbours."""
+        """Returns positions in `balls`, repeated for each neighbour, and the neighbours."""
         counts = self.counts[balls] if most is None else numpy.minimum(self.counts[balls], most)
         rows = numpy.repeat(numpy.arange(len(balls)), counts)
         return rows, self.others[ranges(self.starts[balls], counts)]
 
 
 def ranges(starts: Any, counts: Any) -> Any:
-    """Concatenates start, start + 1 ... of `count` numbers for each start."""
+    """Concatenates the ranges [start, start + count) of all starts."""
     ends = numpy.cumsum(counts)
     return numpy.arange(ends[-1] if len(ends) else 0) + numpy.repeat(starts - ends + counts, counts)
 
@@ -79,7 +79,7 @@ def chunks(counts: Any) -> Iterator[slice]:
 
 
 def find_neighbours(centers: Any, radii: Any) -> Neighbours:
-    """The balls that each ball overlaps."""
+    """Returns the balls that each ball overlaps."""
     size = 2.0 * radii.max()
     cells = numpy.floor((centers - centers.min(axis=0)) / size).astype(numpy.int64) + 1
     strides = numpy.cumprod([1, *(cells.max(axis=0) + 2)[:2]])
@@ -101,7 +101,7 @@ def find_neighbours(centers: Any, radii: Any) -> Neighbours:
 
 
 def exposed_arcs(centers: Any, radii: Any, neighbours: Neighbours | None = None) -> Arcs:
-    """The arcs where two balls meet outside all others."""
+    """Returns the arcs where two balls meet outside all others."""
     near = neighbours or find_neighbours(centers, radii)
     first, second = near.expand(numpy.arange(len(centers)))
     circles = _circles(centers, radii, first, second)
@@ -125,7 +125,7 @@ def exposed_arcs(centers: Any, radii: Any, neighbours: Neighbours | None = None)
 
 
 def _circles(centers: Any, radii: Any, first: Any, second: Any) -> Arcs:
-    """The whole circles where pairs of balls meet, each pair once."""
+    """Returns the whole circles where pairs of balls meet, each pair once."""
     once = first < second
     first, second = first[once], second[once]
     way = centers[second] - centers[first]
@@ -149,9 +149,9 @@ def _circles(centers: Any, radii: Any, first: Any, second: Any) -> Arcs:
 def _covered(
     circles: Arcs, centers: Any, radii: Any, near: Neighbours, most: int | None = None
 ) -> tuple[Any, Any, Any]:
-    """Rows of circles, and the angles from and to which other balls cover each, from 0 to 2 pi.
+    """Returns rows of circles, and start and end of the angles [0, 2 pi] that other balls cover.
 
-    Those of each ball's nearest neighbours only, if `most` says how many.
+    With `most`, only this number of nearest neighbours of each ball is tested.
     """
     rows, third = near.expand(circles.balls[:, 0], most)
     other = third != circles.balls[rows, 1]
@@ -176,9 +176,9 @@ def _covered(
 
 
 def _gaps(rows: Any, starts: Any, ends: Any, count: int) -> tuple[Any, Any, Any]:
-    """Rows, and from and to where no interval of the row is, as angles of one turn.
+    """Returns rows, and start and end angles of the gaps between the intervals of a row.
 
-    A gap across the angle 0 stays in one piece, so that it may end beyond a turn.
+    A gap across the angle 0 stays in one piece, so its end may exceed 2 pi.
     """
     turn, every = 2 * numpy.pi, numpy.arange(count)
     rows = numpy.concatenate([rows, every, every])

@@ -1,4 +1,4 @@
-"""Skins over particles as Python functions: one frame, a series, a simulation that still runs."""
+"""Functions that make skins over particles: one frame, a series, a running simulation."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ from .times import times_between
 
 # Indices of SetInputArrayToProcess, and the keywords that choose such an array.
 _ARRAYS = {"radii": 0, "ids": 1, "strengths": 2, "velocities": 5}
-_MANY = 100  # particles, from which the distance of neighbours is meaningful
+_MANY = 100  # particles; with fewer the neighbours' distance is not meaningful
 _FAR = 1.5  # factor up or down beyond which a length is unsuitable
 _SAME = 1.01
-_LEAST_REACH = 1.2  # of a kernel, in spacings
+_LEAST_REACH = 1.2  # least kernel radius, in spacings
 
 
 def skin(
@@ -41,22 +41,22 @@ def skin(
     arrays: dict[str, Any] | None = None,
     **options: Any,
 ) -> Any:
-    """The skin over particles, as they are.
+    """Returns the skin over one frame of particles.
 
     Parameters
     ----------
     particles : array (n, 3), vtkPointSet, or an object with `points` or `vertices`
-        PyVista's and meshio's, and trimesh's; all points count, cells do not.
+        Of PyVista, meshio or trimesh. All points are particles; cells are ignored.
     radii : array (n,) or str, optional
-        Radius of each particle [length], which its ball shows; or the name of an array.
+        Radius of each particle's ball [length], or the name of a point array.
     strengths : array (n,) or str, optional
-        Weight of each particle, or the name of an array; 0 is no particle.
+        Weight of each particle, or the name of a point array; 0 is the same as no particle.
     probe : float, optional
         See `frames`.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
-        A choice of properties; those that are given besides hold.
+        Named set of property values; properties given as options override it.
     arrays : dict of arrays, optional
-        More point arrays; with ``pass_target_arrays=True`` the skin has them.
+        Further point arrays; ``pass_target_arrays=True`` passes them to the skin.
     **options
         Properties of vtkActiveImplicitSurface in snake case, such as ``particle_spacing=0.1``.
 
@@ -68,9 +68,9 @@ def skin(
     Raises
     ------
     ValueError
-        The filter's own sentence where it cannot make a skin.
+        The filter reports an error; the text is the filter's message.
     TypeError
-        An unknown keyword, with the nearest one, or particles of an unknown kind.
+        Unknown keyword (the text names the closest one), or particles of a wrong type.
 
     Examples
     --------
@@ -99,40 +99,40 @@ def skin(
 
 
 class frames(Skins):
-    """The skins over a series of particles or images, each made from the one before.
+    """Iterator over the skins of a series of particles or images, each evolved from the previous.
 
     Parameters
     ----------
     particles : iterable of particles, ParticleSeries, pattern or list of files, or callable(time)
-        See ParticleSeries. Images may be label masks, fractions of volume (0 to 1, inside above
-        0.5) or distances (inside below 0), else give ``target_iso_value`` and ``invert_target``.
+        See ParticleSeries. Images are masks of a label, volume fractions (inside above 0.5) or
+        distances (inside below 0); for others set ``target_iso_value`` and ``invert_target``.
     times : sequence of float, optional
         See ParticleSeries [time].
     fps : float, optional
         See ParticleSeries [1/time].
     where : str or sequence of str, optional
-        Conditions that the particles meet: "Type=1", "T>300", "id!=3,4", "x<0.5", "resname=LIG".
+        All conditions must be met: "Type=1", "T>300", "id!=3,4", "x<0.5", "resname=LIG".
     minimum_piece : int
-        Particles in clusters of fewer than these get no skin. Default: 1.
+        Least number of particles of a cluster; smaller ones get no skin. Default: 1.
     minimum_volume : float
-        Likewise for a smaller volume [length^3], spacing^3 for each particle. Default: 0.
+        Least volume of a cluster [length^3], spacing^3 per particle. Default: 0.
     probe : float, optional
-        Radius of a probe [length] that rolls over particles with radii, atoms: the skin is their
-        solvent-excluded surface; of 0 their balls. For water and Angstroms 1.4. With
-        ``pass_target_arrays=True`` it has the arrays of the nearest atom.
+        Radius of a probe [length] that rolls over atoms (particles with radii): the skin is their
+        solvent-excluded surface, with 0 the union of their balls. Water: 1.4 Angstrom. With
+        ``pass_target_arrays=True`` the skin has the arrays of the nearest atom.
     periodic : bool
-        Finds ``periodic_bounds`` in the particles' field data: "Lattice", edges as rows [length],
-        "Origin" and "pbc", as files of molecules have them. Default: False.
+        Reads ``periodic_bounds`` from the field data of molecule files: "Lattice" (edges as rows
+        [length]), "Origin" and "pbc". Default: False.
     output_fps : float, optional
-        Skins per second [1/time], frames in between included. Default: at the particles' times.
+        Skins per unit of time [1/time], also between frames. Default: at the particles' times.
     preset : {"viscous", "molecule", "grains", "paper"}, optional
-        A choice of properties; those that are given besides hold.
+        Named set of property values; properties given as options override it.
     arrays : dict of str, optional
-        Names of the particles' arrays of ``radii`` (of balls), ``ids``, ``strengths``,
-        ``velocities``. Default: as ids an array that is called id, ids, particle_id, particleid or
-        pid, in small or capital letters; of the others none.
+        Names of point arrays for ``radii`` (of balls), ``ids``, ``strengths``, ``velocities``.
+        Default: for ids an array named id, ids, particle_id, particleid or pid (upper or lower
+        case); none for the others.
     progress : callable(int, int), optional
-        Called after each frame with the number of those done and of all.
+        Called after each frame with the numbers of finished frames and of all frames.
     **options
         Properties of vtkActiveImplicitSurface in snake case.
 
@@ -144,16 +144,16 @@ class frames(Skins):
     Raises
     ------
     ValueError
-        The filter's own sentence where it cannot make a skin, or times that do not increase.
+        The filter reports an error (the text is its message), or the times do not increase.
     TypeError
-        An unknown keyword, with the nearest one, or particles of an unknown kind.
+        Unknown keyword (the text names the closest one), or particles of a wrong type.
     OSError
-        A file that cannot be read.
+        A file cannot be read.
 
     Attributes
     ----------
     surface : vtkActiveImplicitSurface
-        The filter, for its history and more.
+        The filter, for example for `history`.
     source : TemporalSource
 
     Examples
@@ -217,7 +217,7 @@ class frames(Skins):
         self._example = particles[0] if isinstance(particles, (list, tuple)) and particles else None
 
     def make(self, step: int) -> Any:
-        """The filter's own output at a step, with the arrays of atoms if wanted."""
+        """Returns the filter's own output at a step, with the atoms' arrays if requested."""
         skin = super().make(step)
         if self._atoms:
             self._atoms.add_arrays(skin, self.times[step])
@@ -225,23 +225,23 @@ class frames(Skins):
 
 
 class LiveSurface:
-    """A skin that follows a simulation as it runs: push particles, get the skin.
+    """Skin over a running simulation: `advance` passes the particles of a frame, returns its skin.
 
-    A push costs one frame, however many there have been; the skins are the same, byte for byte, as
-    those that `frames` makes of the finished series.
+    A call costs one frame, whatever the number of earlier frames. The skins are bitwise identical
+    to those that `frames` makes of the finished series.
 
     Parameters
     ----------
     start : float
-        Time of the first push.
+        Time of the first frame [time]. Default: 0.
     preset, arrays, **options
-        As for `frames`.
+        See `frames`.
 
     Attributes
     ----------
     surface : vtkActiveImplicitSurface
     time : float or None
-        Of the last push.
+        Time of the last skin; None before the first one.
 
     Examples
     --------
@@ -271,14 +271,14 @@ class LiveSurface:
         self._options = {"preset": preset, "arrays": arrays, **options}
 
     def advance(self, particles: Any, dt: float, **arrays: Any) -> Any:
-        """The skin a time `dt` after the last push, over these particles.
+        """Advances by `dt` to these particles and returns their skin.
 
         Parameters
         ----------
         particles
-            As for `skin`. They are read until the next push; change no array in the meantime.
+            See `skin`. Their arrays are read until the next call; do not change them before it.
         dt : float
-            Time since the last push; of no meaning at the first one, which is at `start`.
+            Time since the last call [time], more than 0. The first call is at `start`.
         **arrays
             Point arrays: ``ids=``, ``velocities=``, or any name.
 
@@ -289,7 +289,7 @@ class LiveSurface:
         Raises
         ------
         ValueError
-            The filter's own sentence; the skin is as it was, and goes on with the next push.
+            Wrong `dt`, or an error of the filter; the next call continues from the last skin.
         """
         if not 0 < dt < float("inf"):
             raise ValueError(f"dt has to be more than 0 and finite, not {dt}.")
@@ -346,7 +346,7 @@ def configure(
 def _settle_spacing(
     surface: Any, source: TemporalSource, frames: list[Any], is_given: bool, has_radii: bool
 ) -> None:
-    """Chooses a spacing if none is given, as the filter would; warns of a given one that is off."""
+    """Sets the filter's own estimate if no spacing is given; warns if a given one does not fit."""
     own = series_spacing(frames)
     warn(*describe_precision(frames[0], surface.GetParticleSpacing() or own))
     if not (surface.GetParticleSpacing() or surface.GetKernelRadius() or has_radii):
@@ -358,24 +358,24 @@ def _settle_spacing(
 
 
 def _describe_lengths(surface: Any, own: float) -> list[str]:
-    """Sentences about a spacing or radius that does not fit the distance of neighbours."""
+    """Returns warnings about a spacing or radius that does not fit the neighbours' distance."""
     spacing, radius = surface.GetParticleSpacing(), surface.GetKernelRadius()
     if spacing and not 1 / _FAR <= spacing / own <= _FAR:
         return [
-            f"particle_spacing is {spacing:g}, but most neighbours are {own:g} apart: a skin falls "
-            "into drops where it is too small, and is a lump where it is too large."
+            f"particle_spacing is {spacing:g}, but most neighbours are {own:g} apart: the skin "
+            "breaks into drops if the spacing is too small, and is a lump if it is too large."
         ]
     if radius and not spacing and radius < _LEAST_REACH * own:
         return [
-            f"kernel_radius is {radius:g}, but most neighbours are {own:g} apart, so that few are "
-            f"reached. If {radius:g} is the particles' own radius or spacing, give "
+            f"kernel_radius is {radius:g}, but most neighbours are {own:g} apart, so kernels reach "
+            f"few of them. If {radius:g} is the particles' own radius or spacing, give "
             f"particle_spacing {own:g} instead."
         ]
     return []
 
 
 def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
-    """Raises ValueError if the first frame, unless it is empty, has not all arrays."""
+    """Raises ValueError if the first frame lacks a chosen array, unless the frame is empty."""
     arrays = first.GetPointData() if first.IsA("vtkPointSet") else None
     if arrays is None or first.GetNumberOfPoints() == 0:
         return
@@ -390,7 +390,7 @@ def _check_arrays(first: Any, chosen: dict[str, str]) -> None:
 
 
 def _sort_arrays(given: dict[str, Any]) -> tuple[dict[str, str], dict[str, Any]]:
-    """The names of arrays, and the arrays themselves, of keywords that may be either."""
+    """Splits keywords that are a name or an array into names and arrays."""
     names, values = {}, {}
     for role, array in given.items():
         if isinstance(array, str):

@@ -1,4 +1,4 @@
-"""Atoms of .gro and .pdb files, whose columns have fixed places, as frames of a molecule."""
+"""Reads atoms from .gro and .pdb files, which have fixed columns, as frames of a molecule."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _CELL = ((6, 15), (15, 24), (24, 33), (33, 40), (40, 47), (47, 54))  # columns o
 
 
 def read_gro(path: Path) -> Frames:
-    """The frames of a .gro, in nanometres; times are those of the titles."""
+    """Reads the frames of a .gro [nm]; the times are read from the titles."""
     lines = path.read_text(encoding="latin-1").splitlines()
     frames, times, place = list[Frame](), list[float](), 0
     while place < len(lines) and (lines[place].strip() or not frames):
@@ -58,7 +58,7 @@ def _read_gro_frame(lines: dict[int, str]) -> Frame:
 
 
 def _edges_of(line: str) -> Frame:
-    """The box of a .gro: its sides, then what turns it; of large ones without blanks between."""
+    """Reads the box of a .gro: sides, then off-diagonal entries; long numbers have no blanks."""
     are_apart = all(cell.count(".") < 2 for cell in line.split())
     cells = [*map(float, line.split() if are_apart else re.findall(r"-?\d+\.\d{5}", line))]
     if len(cells) not in (3, 9):
@@ -69,10 +69,10 @@ def _edges_of(line: str) -> Frame:
 
 
 def read_pdb(path: Path) -> Frames:
-    """The models of a .pdb as frames; of atoms in two places the first one.
+    """Reads the models of a .pdb as frames; of alternate locations of an atom the first one.
 
-    "residue" is the number in the chain, "chain" its letter, "resname" and "name" those of the
-    residue and the atom; "hetero" is 1 for HETATM.
+    "residue" is the number in the chain, "chain" the letter of the chain, "resname" and "name"
+    the names of residue and atom; "hetero" is 1 for HETATM.
     """
     models, field, seen = [dict[int, str]()], Frame(), set[str]()
     for place, line in enumerate(path.read_text(encoding="latin-1").splitlines(), start=1):
@@ -111,7 +111,7 @@ def _read_model(lines: dict[int, str]) -> Frame:
 
 
 def _cell_of(cell: Any) -> Frame:
-    """The edges of CRYST1, lengths and angles; none if the lengths are 1, as without a cell."""
+    """Returns the edges of CRYST1 (lengths, angles); empty if all lengths are 1, for no cell."""
     (a, b, c), (cos_bc, cos_ac, cos_ab) = cell[:3], numpy.cos(numpy.radians(cell[3:]))
     sine = max(1e-9, math.sqrt(max(0.0, 1 - cos_ab**2)))
     slant = (cos_bc - cos_ac * cos_ab) / sine
@@ -121,12 +121,12 @@ def _cell_of(cell: Any) -> Frame:
 
 
 def _symbol_of(residue: str, name: str) -> str:
-    """The name of an atom in capital letters; of an ion, a residue of its own, the element."""
+    """Returns an atom's name in capitals; for an ion (a residue of its own) the element."""
     return name.capitalize() if name.upper() == residue.upper() else name.upper()
 
 
 def _numbers_in(lines: dict[int, str], columns: Sequence[tuple[int, int]]) -> Any:
-    """The numbers in columns of lines, which are by their numbers in the file."""
+    """Reads numbers from columns of `lines`, whose keys are line numbers of the file."""
     table = numpy.empty((len(lines), len(columns)))
     for row, (place, line) in enumerate(lines.items()):
         try:

@@ -1,4 +1,4 @@
-"""Chooses what counts before the skin is made: conditions on arrays, labels, size of pieces.
+"""Selects the particles or cells of a skin: conditions on arrays, labels, size of pieces.
 
 >>> import numpy
 >>> from active_implicit_surfaces import choice
@@ -40,7 +40,7 @@ _LINK = 1.5  # spacings between neighbours of one piece
 
 
 class Condition(NamedTuple):
-    """The name of an array, a sign, and values as they are written."""
+    """Array name, comparison sign, and values as text."""
 
     name: str
     sign: str
@@ -48,12 +48,12 @@ class Condition(NamedTuple):
 
 
 def conditions(where: str | Sequence[str]) -> list[Condition]:
-    """Conditions from text: "Type=1", "Type=1,3", "T>300", "id!=7", "resname=LIG", 'name="a, b"'.
+    """Parses conditions: "Type=1", "Type=1,3", "T>300", "id!=7", "resname=LIG", 'name="a, b"'.
 
     Raises
     ------
     ValueError
-        Text of another form.
+        A text is not of this form.
     """
     found = []
     for text in [where] if isinstance(where, str) else where:
@@ -70,7 +70,7 @@ def conditions(where: str | Sequence[str]) -> list[Condition]:
 
 
 def _split_values(text: str) -> list[str]:
-    """The values between commas, without quotes; none if something else is between them."""
+    """Splits a text at commas and removes quotes; returns [] if the text is not such a list."""
     values, place = list[str](), 0
     while place < len(text):
         found = _VALUE.match(text, place)
@@ -82,7 +82,7 @@ def _split_values(text: str) -> list[str]:
 
 
 def _number(text: str) -> list[float]:
-    """The number that a text is; none if it is none."""
+    """Parses a number: [number], or [] if the text is none."""
     try:
         return [float(text)]
     except ValueError:
@@ -95,16 +95,17 @@ def choose(
     label: int | None = None,
     note: Callable[[str], None] | None = None,
 ) -> Any:
-    """The points of a cloud, or the polygons of a mesh, that meet all conditions.
+    """Returns the points of a cloud, or the polygons of a mesh, that meet all conditions.
 
-    An array of vectors counts by its length, or as v_x, v:0 ... by a component; x, y and z are the
-    position unless arrays have these names. Polygons count if all their points do, or by an array
-    of cells. Texts are compared as they are, numbers as numbers.
+    Vectors are compared by length, or by a component as v_x, v:0 ...; x, y and z are the position
+    unless arrays have these names. A polygon is selected if all its points are, or by a cell array.
+    Texts are compared as text, numbers as numbers.
 
-    Values that the array has nowhere get a note, as where a name is misspelt; without any of them
-    NAME=VALUE is an error, unless `note` is given, which then is called with the sentence.
+    A value that does not occur in the array, such as a misspelt name, causes a warning. If none of
+    the values of NAME=VALUE occurs, it is an error. If `note` is given, it is called with the
+    message in each case instead.
 
-    A label chooses those whose array "label" or "labels" has it; an image becomes 1 there and 0
+    A label selects points by the array "label" or "labels"; an image becomes 1 at the label and 0
     elsewhere.
 
     Raises
@@ -120,7 +121,7 @@ def choose(
             return data
         if not data.IsA("vtkPointSet"):
             raise ValueError(
-                "Conditions choose particles and polygons; of an image, choose labels."
+                "Conditions select particles and polygons; for an image, choose a label."
             )
         values, is_of_cells = _values_of(data, condition.name)
         chosen = _meets(values, condition, note)
@@ -130,7 +131,7 @@ def choose(
 
 
 def _meets(values: Any, condition: Condition, note: Callable[[str], None] | None) -> Any:
-    """The values that meet a condition, as an array of bool."""
+    """Returns a bool for each value: whether it meets the condition."""
     name, sign, wanted = condition
     is_text = values.dtype.kind == "U"
     numbers = [number for text in wanted for number in _number(text)]
@@ -151,7 +152,7 @@ def _meets(values: Any, condition: Condition, note: Callable[[str], None] | None
 
 
 def _describe_values(name: str, values: Any) -> str:
-    """The values of an array for a message: all of them, or the first, or the range of numbers."""
+    """Describes an array for a message: all distinct values, the first ones, or the range."""
     distinct = numpy.unique(values)
     if values.dtype.kind == "U" or len(distinct) <= _MOST_LISTED:
         listed = (repr("") if value == "" else value for value in distinct.tolist())
@@ -160,7 +161,7 @@ def _describe_values(name: str, values: Any) -> str:
 
 
 def note_once() -> Callable[[str], None]:
-    """A function for `choose` that warns of each absent value once for a series."""
+    """Returns a function for `choose` that warns of each absent value once for a series."""
     noted = set[str]()
 
     def note(said: str) -> None:
@@ -173,7 +174,7 @@ def note_once() -> Callable[[str], None]:
 
 
 def _values_of(data: Any, name: str) -> tuple[Any, bool]:
-    """One number or text for each point, or for each cell, and whether it is for cells."""
+    """Returns one value for each point or cell, and True if the values are of cells."""
     for is_of_cells, attributes in enumerate((data.GetPointData(), data.GetCellData())):
         array = attributes.GetArray(name)
         texts = texts_of(attributes, name)
@@ -224,12 +225,12 @@ def _marked(data: Any, marks: Any, is_of_cells: bool) -> Any:
 
 
 def labels_of(data: Any) -> list[int]:
-    """The labels of an image, of its points or cells, but 0; or those of an array of particles.
+    """Returns the labels of an image's points or cells except 0, or those of a particle array.
 
     Raises
     ------
     ValueError
-        There are none: no integers, or more than a thousand values.
+        There are no labels: the values are no integers, or more than a thousand.
     """
     values = numpy.unique(_labels_in(data))
     if values.dtype.kind == "U":
@@ -237,7 +238,7 @@ def labels_of(data: Any) -> list[int]:
     if values.dtype.kind not in "iu" and not numpy.array_equal(values, values.round()):
         raise ValueError("There are no labels: the values are no whole numbers.")
     if len(values) > _MOST_LABELS:
-        raise ValueError(f"There are no labels: the values are {len(values)} different ones.")
+        raise ValueError(f"There are no labels: the array has {len(values)} different values.")
     return [int(value) for value in values if value != 0 or not data.IsA("vtkImageData")]
 
 
@@ -253,7 +254,7 @@ def _choose_label(data: Any, label: int) -> Any:
 
 
 def image_of_label(data: Any, label: int) -> Any:
-    """An image that is 1 where another has a label, and 0 elsewhere."""
+    """Returns an image that is 1 where `data` has the label, and 0 elsewhere."""
     is_there = _labels_in(data) == label
     own = data.NewInstance()
     own.CopyStructure(data)
@@ -279,9 +280,9 @@ def _labels_in(data: Any) -> Any:
 
 
 def without_small_pieces(cloud: Any, minimum: int, spacing: float) -> Any:
-    """The particles of clusters with a minimum of them.
+    """Removes the particles of clusters of fewer than `minimum`.
 
-    Neighbours are at most 1.5 spacings apart.
+    Neighbours in a cluster are at most 1.5 spacings apart.
     """
     from vtkmodules.vtkFiltersPoints import vtkEuclideanClusterExtraction
 

@@ -1,4 +1,4 @@
-"""The surface of an image, as the filter starts on it: closed, outward, all triangles with area."""
+"""Closed surface of an image, the filter's initial skin: outward, without degenerate triangles."""
 
 from __future__ import annotations
 
@@ -16,27 +16,27 @@ _OVER, _FULL = 0.1, 1e-3  # of fractions of volume: tolerance beyond 0 and 1, an
 
 
 def contour(image: Any, level: float, *, above: bool = False) -> Any:
-    """The surface of an image at a level.
+    """Returns the surface of an image at a level.
 
     Parameters
     ----------
     image : vtkImageData
-        Its active scalars, of points or cells, have one component.
+        Active scalars, of points or cells, with one component.
     level : float
         Unit of the values.
     above : bool
-        Inside is above the level: a fog, a density. Default: below, as in a level set.
+        Inside is above the level, as in a fog volume or a density. Else below, as in a level set.
 
     Returns
     -------
     vtkPolyData
-        Triangles that look outward, closed at the border of the image, with normals; none unless
+        Triangles oriented outward, closed at the border of the image, with normals; empty unless
         there are values on both sides of the level.
 
     Raises
     ------
     ValueError
-        With the filter's sentence: values that are no numbers, too many voxels.
+        Values are NaN, or there are too many voxels; the text is the filter's message.
     """
     from . import vtkActiveImplicitSurface
 
@@ -61,11 +61,11 @@ def contour(image: Any, level: float, *, above: bool = False) -> Any:
 
 
 def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
-    """The level of an image, and whether inside is above it.
+    """Returns the level of an image, and True if inside is above the level.
 
-    Of a mask, with two values, it is between them, and of fractions, most of which are 0 or 1, it
-    is 0.5, inside above; else it is 0, and inside below. Inside is also above a given level if most
-    of the image's border is below it.
+    Mask (two values): the mean of the values, inside above. Volume fractions (most are 0 or 1):
+    0.5, inside above. Else: 0, inside below. Inside is above a given level also if most of the
+    image's border is below the level.
     """
     image, values = _with_point_values(image)
     usual, is_mask = _usual_level(values)
@@ -77,12 +77,12 @@ def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
 
 
 def level_of_series(images: list[Any]) -> tuple[float, bool]:
-    """The usual level of images that are frames of one series, and whether inside is above it.
+    """Returns one level for the images of a series, and True if inside is above the level.
 
     Raises
     ------
     ValueError
-        Images without an inside: maps of several labels, or values of 0 and more.
+        The images have no inside: several labels, or no values below 0.
     """
     every = [_with_point_values(image)[1] for image in images]
     level, above = _usual_level(numpy.concatenate(every))
@@ -103,7 +103,7 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
 
 
 def as_level_set(image: Any, level: float, above: bool) -> Any:
-    """The image, or one that is below 0 where it is above the level."""
+    """Returns the image itself, or level - values if inside is above the level."""
     if not above:
         return image
     values = _with_point_values(image)[1]
@@ -124,7 +124,7 @@ def _usual_level(values: Any) -> tuple[float, bool]:
 
 
 def _with_point_values(image: Any) -> tuple[Any, Any]:
-    """The image with values at its points, and these."""
+    """Returns the image with point values, and the values."""
     if image.GetPointData().GetScalars() is None and image.GetCellData().GetScalars() is not None:
         convert = vtkCellDataToPointData()
         convert.SetInputData(image)
@@ -132,20 +132,20 @@ def _with_point_values(image: Any) -> tuple[Any, Any]:
         image = convert.GetOutput()
     scalars = image.GetPointData().GetScalars()
     if scalars is None or scalars.GetNumberOfComponents() != 1:
-        raise ValueError("The image has no scalars of one component, of which a surface could be.")
+        raise ValueError("The image has no scalars with one component, which a surface needs.")
     return image, vtk_to_numpy(scalars)
 
 
 def _voxel_size(image: Any) -> float:
-    """The smallest spacing of an axis with more than one point."""
+    """Returns the smallest spacing of an axis with more than one point."""
     sides = [s for s, n in zip(image.GetSpacing(), image.GetDimensions()) if n > 1]
     return float(min(sides or image.GetSpacing()))
 
 
 def _on_the_lattice(image: Any) -> tuple[Any, Any]:
-    """The image moved so that its points are nodes of the filter's lattice, and the way back.
+    """Moves the image's points onto nodes of the filter's lattice; returns also the offset back.
 
-    The values then are those of the nodes, not interpolated once more.
+    The node values are then the image's values, without interpolation.
     """
     origin = numpy.array(image.GetOrigin())
     place = numpy.rint(origin / _voxel_size(image)) * _voxel_size(image)

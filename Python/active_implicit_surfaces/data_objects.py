@@ -1,4 +1,4 @@
-"""Particles and meshes of Python's libraries as VTK's data objects, without a copy where it goes.
+"""Converts particles and meshes of Python libraries to VTK's data objects, if possible uncopied.
 
 >>> import numpy
 >>> from active_implicit_surfaces import data_objects
@@ -28,12 +28,12 @@ _USUAL_IDS = ("id", "ids", "particle_id", "particleid", "pid")
 
 
 def as_particles(particles: Any, **arrays: Any) -> Any:
-    """Points and their arrays as a vtkPolyData, whose memory is the particles' own where it can be.
+    """Returns points and their arrays as a vtkPolyData, which shares their memory if possible.
 
     Parameters
     ----------
     particles : array (n, 3), vtkPointSet, or an object with `points` or `vertices`
-        Cells are left out: all points count.
+        All points are used; cells are left out.
     **arrays : array (n,) or (n, k), optional
         Point arrays to add: ``velocities`` becomes "Velocity", ``ids`` "id", ``radii`` "radius",
         ``strengths`` "strength"; any other keeps its name.
@@ -54,7 +54,7 @@ def as_particles(particles: Any, **arrays: Any) -> Any:
 
 
 def finite_points(cloud: Any) -> Any:
-    """A point set without the points that are not finite, which the filter leaves out too."""
+    """Removes points with coordinates that are not finite, which the filter ignores too."""
     if cloud.GetNumberOfPoints() == 0:
         return cloud
     points = vtk_to_numpy(cloud.GetPoints().GetData())
@@ -66,7 +66,7 @@ def finite_points(cloud: Any) -> Any:
     return kept
 
 
-# Keywords, and the names of their arrays.
+# Keywords, and the names of the arrays that they set.
 STANDARD_NAMES = {
     "velocities": "Velocity",
     "ids": "id",
@@ -76,7 +76,7 @@ STANDARD_NAMES = {
 
 
 def as_shape(shape: Any) -> Any:
-    """A mesh or an image as what the filter takes: a vtkPolyData with polygons, or a vtkImageData.
+    """Converts a mesh or image to the filter's input: vtkPolyData with polygons, or vtkImageData.
 
     Parameters
     ----------
@@ -105,14 +105,14 @@ def as_shape(shape: Any) -> Any:
 
 
 def like(example: Any, skin: Any) -> Any:
-    """The skin as the library of the example would have it: PyVista's if that is PyVista's."""
+    """Returns the skin as a pyvista.PolyData if `example` is of PyVista, else as it is."""
     if type(example).__module__.partition(".")[0] == "pyvista":
         return sys.modules["pyvista"].wrap(skin)
     return skin
 
 
 def is_vtk(thing: Any) -> bool:
-    """Whether this is an object of VTK, or of a class derived from one."""
+    """Returns True for an object of a VTK class or of a class derived from one."""
     if isinstance(thing, vtkObjectBase):
         return True
     if hasattr(thing, "IsA") and hasattr(thing, "GetClassName"):
@@ -129,7 +129,7 @@ def _is_vtk(thing: Any, name: str) -> bool:
 
 
 def _points_of(particles: Any) -> tuple[Any, Any]:
-    """The particles' vtkPoints, and their point arrays if they are VTK's."""
+    """Returns the particles' vtkPoints, and the point arrays of a VTK object."""
     if is_vtk(particles):
         if not particles.IsA("vtkPointSet"):
             raise TypeError(
@@ -144,7 +144,7 @@ def _points_of(particles: Any) -> tuple[Any, Any]:
 
 
 def vtk_points(positions: Any) -> Any:
-    """An array (n, 3) as vtkPoints."""
+    """Converts an array (n, 3) to vtkPoints."""
     try:
         numbers = numpy.asarray(_without_mask(positions))
         numbers = numbers if numbers.dtype in ("f4", "f8") else numbers.astype(float)
@@ -175,13 +175,13 @@ def vtk_points(positions: Any) -> Any:
 
 
 def points_of(data: Any) -> Any:
-    """Coordinates, an array (n, 3)."""
+    """Returns the coordinates, an array (n, 3)."""
     points = data.GetPoints()
     return vtk_to_numpy(points.GetData()) if points else numpy.zeros((0, 3), "f4")
 
 
 def _without_mask(values: Any) -> Any:
-    """Numbers that are masked are none; such particles are left out."""
+    """Replaces masked numbers by NaN; the filter ignores such particles."""
     if not isinstance(values, numpy.ma.MaskedArray):
         return values
     kind = values.dtype if values.dtype.kind == "f" else float
@@ -189,7 +189,7 @@ def _without_mask(values: Any) -> Any:
 
 
 def _point_data(particles: Any) -> Mapping[str, Any]:
-    """Point arrays of an object like meshio's."""
+    """Returns the point arrays of an object like meshio's."""
     if is_vtk(particles):
         return {}
     data = getattr(particles, "point_data", {})
@@ -197,12 +197,12 @@ def _point_data(particles: Any) -> Mapping[str, Any]:
 
 
 def has_polygons(data: Any) -> bool:
-    """Whether this is a surface, not points or lines alone."""
+    """Returns True for a surface: data with polygons, not only points or lines."""
     return bool(data.IsA("vtkPolyData") and data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0)
 
 
 def blocks_of(data: Any) -> Iterator[Any]:
-    """The data sets in the blocks of a composite one, at any depth."""
+    """Returns the data sets in the blocks of a composite data set, at any depth."""
     blocks = data.NewIterator()
     while not blocks.IsDoneWithTraversal():
         yield blocks.GetCurrentDataObject()
@@ -210,12 +210,12 @@ def blocks_of(data: Any) -> Iterator[Any]:
 
 
 def array_names(attributes: Any) -> list[str]:
-    """The names of the arrays of points, cells or fields; empty for those without."""
+    """Returns the names of the arrays of points, cells or fields; "" for arrays without a name."""
     return [attributes.GetArrayName(i) or "" for i in range(attributes.GetNumberOfArrays())]
 
 
 def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> None:
-    """Adds a point array, or one of other attributes; one of numbers shares its memory.
+    """Adds an array to the points, or to `attributes`; numbers share their memory.
 
     Texts become a vtkStringArray.
     """
@@ -226,7 +226,7 @@ def add_array(cloud: Any, name: str, values: Any, attributes: Any = None) -> Non
     if numbers.dtype == bool:
         numbers = numbers.astype("u1")
     if numbers.dtype.kind not in "iuf" and not is_text:
-        raise TypeError(f'The array "{name}" is one of neither numbers nor texts.')
+        raise TypeError(f'The array "{name}" holds neither numbers nor texts.')
     if numbers.dtype.itemsize == 2 and numbers.dtype.kind == "f":
         numbers = numbers.astype("f4")
     is_of_points = attributes is None
@@ -251,7 +251,7 @@ def _string_array(texts: Any) -> Any:
 
 
 def texts_of(attributes: Any, name: str) -> Any:
-    """The array of texts of a name, as one of numpy; none if there is none."""
+    """Returns a named array of texts as a numpy array; None if there is no such array."""
     array = attributes.GetAbstractArray(name)
     if array is None or not array.IsA("vtkStringArray") or array.GetNumberOfComponents() != 1:
         return None
@@ -259,7 +259,7 @@ def texts_of(attributes: Any, name: str) -> Any:
 
 
 def cell_array(offsets: Any, ids: Any) -> Any:
-    """Cells from where each begins and ends in the numbers of their points."""
+    """Makes a vtkCellArray from offsets and point ids."""
     cells = vtkCellArray()
     cells.SetData(
         numpy_to_vtkIdTypeArray(offsets.astype(numpy.int64), deep=True),
@@ -269,7 +269,7 @@ def cell_array(offsets: Any, ids: Any) -> Any:
 
 
 def _mesh(vertices: Any, kinds: list[Any]) -> Any:
-    """Polygons of the rows of these arrays of point numbers."""
+    """Makes a mesh whose polygons are the rows of these arrays of point ids."""
     mesh = vtkPolyData()
     mesh.SetPoints(vtk_points(vertices))
     offsets, numbers = [numpy.zeros(1, dtype=numpy.int64)], []
@@ -287,7 +287,7 @@ def _mesh(vertices: Any, kinds: list[Any]) -> Any:
 
 
 def usual_ids(cloud: Any) -> str:
-    """The name of an array of ids that is called so; empty if there is none."""
+    """Returns the name of an array with a usual name for ids; "" if there is none."""
     if not hasattr(cloud, "GetPointData"):
         return ""
     arrays = cloud.GetPointData()

@@ -1,4 +1,4 @@
-"""An X display for pictures, where VTK needs one: that of the user, else one of its own."""
+"""X display for pictures, if VTK needs one: the user's display, else a virtual one."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ def vtk_version() -> tuple[int, ...]:
 
 
 def find_display() -> None:
-    """Starts a virtual display where there is none and VTK would end the program without.
+    """Starts a virtual display if there is none and VTK would end the program without one.
 
-    It ends with the thread that calls this, which has to be one that stays.
+    The display ends with the calling thread, so call this from a thread that stays alive.
 
     Raises
     ------
@@ -35,14 +35,14 @@ def find_display() -> None:
         return
     if shutil.which("Xvfb") is None:
         raise OSError(
-            "Pictures need an X display: DISPLAY is not set, and the program Xvfb, which stands in "
-            "for one, is not on PATH; install it (Debian: xvfb)."
+            "Pictures need an X display: DISPLAY is not set, and the program Xvfb, a virtual "
+            "display, is not on PATH; install it (Debian: xvfb)."
         )
     os.environ["DISPLAY"] = ":" + _start_server()
 
 
 def _start_server() -> str:
-    """Starts Xvfb; returns the number of its display, which it finds itself."""
+    """Starts Xvfb and returns the display number that Xvfb has chosen."""
     # -noreset keeps the state when the last window closes; otherwise the next window fails.
     command = "Xvfb -displayfd 1 -screen 0 1280x1024x24 -noreset -nolisten tcp"
     server = subprocess.Popen(

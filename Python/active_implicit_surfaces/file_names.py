@@ -27,12 +27,12 @@ from typing import Any, NamedTuple
 # Placeholders for the number of a frame: ####, %04d, $F4, {} and {:04d}.
 _NUMBER = re.compile(r"#+|%0?\d*d|\$F\d*|\{(?::0?\d*d)?\}")
 INDEX_SUFFIXES = (".pvd", ".series")
-_NOTES = (".txt", ".dat")  # in a folder, beside others
+_NOTES = (".txt", ".dat")  # ignored in a folder with other files
 _ROUNDING = 1e-12  # of an index's largest time: tolerance of equal times
 
 
 class Listing(NamedTuple):
-    """The files of each frame, its parts; what an index tells: times, and what it says twice."""
+    """Files (parts) of each frame; times of an index, and a note on its repeated entries."""
 
     frames: list[tuple[Path, ...]]
     times: list[float] | None = None
@@ -40,12 +40,12 @@ class Listing(NamedTuple):
 
     @property
     def files(self) -> list[Path]:
-        """The first file of each frame."""
+        """Returns the first file of each frame."""
         return [parts[0] for parts in self.frames]
 
 
 def natural_key(name: str | Path, numbers: re.Pattern[str] | None = None) -> list[Any]:
-    """For sorting: signs, digits, decimals and exponents count as numbers."""
+    """Returns a sort key: signs, digits, decimals and exponents are compared as numbers."""
     parts = (numbers or _numbers_in([str(name)])).split(str(name))
     return [_value(part) if i % 2 else part for i, part in enumerate(parts)]
 
@@ -58,7 +58,7 @@ def _numbers_in(names: list[str]) -> re.Pattern[str]:
     """Finds the numbers in the names of a series.
 
     A minus after a letter is a sign if another name has a digit there (t-1, t0), else a hyphen
-    (run-1, run-2). A dot parts two counters if decimals would not end so (1.9, 1.10).
+    (run-1, run-2). A dot separates two counters if the parts are no decimals (1.9, 1.10).
     """
     start = len(os.path.commonprefix(names))
     after = {name[start : start + 1] for name in names}
@@ -72,9 +72,9 @@ def _numbers_in(names: list[str]) -> re.Pattern[str]:
 
 
 def suffix_of(name: str | Path) -> str:
-    """The extension in lower case: of a.VTP .vtp, of a.vtp.series .series, of a.nii.gz .nii.gz.
+    """Returns the extension in lower case: a.VTP .vtp, a.vtp.series .series, a.nii.gz .nii.gz.
 
-    Of dump.100, as LAMMPS calls them, .dump.
+    LAMMPS names such as dump.100 have the extension .dump.
     """
     lower = Path(name).name.lower()
     if re.fullmatch(r"(.*\.)?dump[._]?(.*\.)?\d+", lower):
@@ -84,8 +84,8 @@ def suffix_of(name: str | Path) -> str:
 
 
 def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) -> Listing:
-    """The files that names, patterns, folders and indices stand for; only the name of a file is a
-    pattern. Of a folder, the files whose extensions are known.
+    """Expands names, patterns, folders and indices to files. Only the name of a file may be a
+    pattern. A folder stands for its files with `known` extensions.
 
     Raises
     ------
@@ -104,12 +104,12 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
         files.sort(key=lambda file: natural_key(file, numbers))
     if not files:
         raise OSError("There are no files.")
-    note = f"{twice[0]} is named more than once, and is one frame." if twice else ""
+    note = f"{twice[0]} is named more than once; it is used as one frame." if twice else ""
     return Listing([(file,) for file in files], note=note or _describe_two_numbers(files, numbers))
 
 
 def _describe_two_numbers(files: list[Path], numbers: re.Pattern[str]) -> str:
-    """A sentence about names with all pairs of two numbers, which may be parts of frames."""
+    """Describes names that have all pairs of two numbers, of which one may be a part number."""
     parts = [tuple(numbers.split(str(file))[1::2]) for file in files]
     columns = [sorted({*column}, key=float) for column in zip(*parts)]
     running = [column for column in columns if len(column) > 1]
@@ -150,7 +150,7 @@ def _expand_one(path: Path, known: Sequence[str]) -> list[Path]:
 
 
 def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
-    """Those of one series."""
+    """Returns the files of the one series in a folder; raises OSError for none or several."""
     found = [path for path in folder.iterdir() if path.is_file() and suffix_of(path) in known]
     found = [path for path in found if not path.name.startswith(".")]
     found = [path for path in found if suffix_of(path) not in _NOTES] or found
@@ -167,10 +167,10 @@ def _files_in(folder: Path, known: Sequence[str]) -> list[Path]:
 
 
 def read_index(index: Path) -> Listing:
-    """The frames and times of a .pvd or a .series.
+    """Reads the frames and times of a .pvd or a .series.
 
-    Parts of one time are a frame; of two entries for the same part, as a restarted run adds them,
-    the later counts.
+    Parts with the same time are one frame. A later entry replaces an earlier one for the same
+    part, which a restarted run leaves.
     """
     try:
         text = index.read_text(encoding="utf-8")
@@ -211,13 +211,13 @@ def read_index(index: Path) -> Listing:
 
 
 def _beside(index: Path, name: str) -> Path:
-    """The file of an index; separators of folders may be those of Windows."""
+    """Returns the path of a file in an index; folder separators may be those of Windows."""
     path = index.parent / name
     return path if path.exists() else index.parent / name.replace("\\", "/")
 
 
 def _read_pvd(text: str) -> list[tuple[float, str, str]]:
-    """Time, part and file of each entry."""
+    """Returns time, part and file of each entry."""
     return [
         (
             float(one.get("timestep", 0)),
@@ -233,7 +233,7 @@ def _read_series(text: str) -> list[tuple[float, str, str]]:
 
 
 def write_index(index: Path, files: Sequence[Path], times: Sequence[float]) -> None:
-    """Writes a .pvd or a .series of files in the index' own folder, as a whole or not at all."""
+    """Writes a .pvd or a .series, atomically; the files are in the folder of the index."""
     names = [os.path.relpath(file, index.parent) for file in files]
     with replacing(index) as temporary:
         text = _pvd(names, times) if suffix_of(index) == ".pvd" else _series(names, times)
@@ -255,12 +255,12 @@ def _series(names: Sequence[str], times: Sequence[float]) -> str:
 
 
 def has_number(name: str | Path) -> bool:
-    """Whether a name says where the number of a frame stands."""
+    """Returns True if a name has a placeholder for the frame number."""
     return _NUMBER.search(Path(name).name) is not None
 
 
 def numbered(name: str | Path, number: int) -> Path:
-    """The name of a frame: its number in place of the #### (with so many digits at least)."""
+    """Returns the name of a frame: #### is replaced by its number, zero-padded to that width."""
     path = Path(name)
     mark = _NUMBER.search(path.name)
     if mark is None:
@@ -275,7 +275,7 @@ def _with_number(name: str, mark: re.Match[str], number: int) -> str:
 
 
 def labelled(name: str | Path, label: int, is_series: bool, is_one_of_several: bool) -> Path:
-    """The name for a label: in place of the first ####, if that is not for the frames."""
+    """Returns the name for a label, which replaces the first #### not needed for frames."""
     path = Path(name)
     marks = list(_NUMBER.finditer(path.name))
     if len(marks) > is_series:
@@ -289,20 +289,20 @@ def labelled(name: str | Path, label: int, is_series: bool, is_one_of_several: b
 
 
 def names_of(name: str | Path, numbers: Sequence[int]) -> list[Path]:
-    """The names of frames of these numbers; of one frame the name itself, unless it has a ####."""
+    """Returns the names of numbered frames; for one frame `name` itself, unless it has a ####."""
     is_series = len(numbers) > 1 or has_number(name)
     return [numbered(name, number) if is_series else Path(name) for number in numbers]
 
 
 def numbers_of(files: Sequence[str | Path]) -> list[int]:
-    """The numbers of the frames: whole ones by which the names differ, else 0, 1, 2 ..."""
+    """Returns frame numbers: the integers in which the names differ, else 0, 1, 2 ..."""
     numbers = running_numbers(files)
     whole = [number for number in numbers if isinstance(number, int)]
     return whole if len(whole) == len(numbers) else list(range(len(files)))
 
 
 def running_numbers(files: Sequence[str | Path]) -> list[float]:
-    """The numbers by which the names of files differ, if they increase; else 0, 1, 2 ..."""
+    """Returns the numbers in which the names differ, if they increase; else 0, 1, 2 ..."""
     names = list(map(str, files))
     parts = list(map(_numbers_in(names).split, names))
     places = range(min(map(len, parts), default=0))
@@ -315,27 +315,27 @@ def running_numbers(files: Sequence[str | Path]) -> list[float]:
 
 
 def check_distinct(inputs: Iterable[Path], outputs: Iterable[Path]) -> None:
-    """Raises OSError if a file would be written over one that is read."""
+    """Raises OSError if an output file is also an input file."""
     read = {file.resolve() for file in inputs}
     for name in outputs:
         if name.resolve() in read:
-            raise OSError(f"{name} is one of the files that are read; choose another --output.")
+            raise OSError(f"{name} is one of the input files; choose another --output.")
 
 
 def without_number(name: str | Path) -> Path:
-    """The name of the series: skin_####.vtp is skin.vtp."""
+    """Returns the name without placeholder: skin.vtp for skin_####.vtp."""
     path = Path(name)
     stem = _NUMBER.sub("", path.stem).strip("._- ")
     return path.with_name((stem or "skin") + path.suffix)
 
 
 def make_folder_of(path: Path) -> None:
-    """Makes the folder of a file, where it is not there.
+    """Makes the folder of a file if it does not exist.
 
     Raises
     ------
     OSError
-        It cannot be made.
+        The folder cannot be made.
     """
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -345,7 +345,7 @@ def make_folder_of(path: Path) -> None:
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """A name to write under; then the file gets its own, as a whole or not at all.
+    """Yields a temporary name to write to; on success the file is renamed to `path`.
 
     Raises
     ------

@@ -38,7 +38,7 @@ def check_film(path: Path) -> None:
 
 
 class Film(Sink):
-    """Pictures of one skin after the other.
+    """Writes a film or numbered pictures of a series of skins.
 
     Parameters
     ----------
@@ -46,11 +46,11 @@ class Film(Sink):
         film.mp4, film.ogv, picture.####.png or picture.####.exr.
     scene : Scene
     times : list of float
-        Of the pictures.
+        Times of the pictures [time].
     numbers : list of int
-        In the names of the pictures; one alone needs none.
+        Frame numbers for the names of the pictures; not used for a single picture.
     fps : float, optional
-        Default: that at which the film is as long as the series.
+        Frames per second [1/time]. Default: the film is as long as the series.
     """
 
     def __init__(
@@ -82,7 +82,7 @@ class Film(Sink):
         self._ending.__exit__(*error)
 
     def add(self, step: int, skin: Any) -> None:
-        """Renders a skin of this step of the times."""
+        """Renders the skin of a step."""
         self.scene.show(skin)
         if self._stream is not None:
             self._stream.write(self.scene.picture())
@@ -117,11 +117,11 @@ def _write_png(path: Path, image: Any) -> None:
         writer.SetFileName(str(temporary))
         writer.Write()
         if writer.GetErrorCode() or not temporary.exists():
-            raise OSError(f"{path} cannot be written; check the folder, and that it has room.")
+            raise OSError(f"{path} cannot be written; check the folder and its free space.")
 
 
 class _Ffmpeg:
-    """Raw pictures into the program ffmpeg."""
+    """Pipes raw pictures into the program ffmpeg."""
 
     def __init__(self, path: Path, temporary: Path, size: tuple[int, int], fps: float) -> None:
         self.path = path
@@ -151,7 +151,7 @@ class _Ffmpeg:
 
 
 class _Ogg:
-    """An Ogg Theora film, which VTK writes itself."""
+    """Ogg Theora film, written by VTK."""
 
     def __init__(self, path: Path, temporary: Path, size: tuple[int, int], fps: float) -> None:
         try:
@@ -174,4 +174,4 @@ class _Ogg:
         if self.started:
             self.writer.End()
         if is_whole and (not self.started or self.writer.GetErrorCode()):
-            raise OSError(f"{self.path} cannot be written; check the folder, and that it has room.")
+            raise OSError(f"{self.path} cannot be written; check the folder and its free space.")

@@ -1,4 +1,4 @@
-"""One shape in the place of another: the second shape of a metamorphosis at the first one's."""
+"""Moves and scales the second shape of a metamorphosis to the first one."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ _FAR = 1.5  # largest ratio of sizes
 
 
 def fitted(shape: Any, model: Any, fit: str) -> Any:
-    """The shape where the model is.
+    """Returns the shape, moved and scaled to the model.
 
     Parameters
     ----------
     shape, model : vtkPolyData or vtkImageData
     fit : str
-        "none": as it is. "centre": the centre of its box is that of the model's. "box": its longest
-        side is that of the model's too.
+        "none": unchanged. "centre": moved to the centre of the model's bounds. "box": scaled to
+        the longest side of these bounds too.
     """
     centre, size = _box(shape)
     to_centre, to_size = _box(model)
@@ -40,7 +40,7 @@ def fitted(shape: Any, model: Any, fit: str) -> Any:
 
 
 def describe_difference(first: Any, last: Any) -> str:
-    """A sentence if two shapes differ much in size or place; else nothing."""
+    """Returns a warning if two shapes differ much in size or position; else nothing."""
     (centre, size), (to_centre, to_size) = _box(first), _box(last)
     if size == 0 or to_size == 0:
         return ""
@@ -55,7 +55,7 @@ def describe_difference(first: Any, last: Any) -> str:
 
 
 def _box(shape: Any) -> tuple[Any, float]:
-    """The centre of the bounds, and their longest side; 0 for a shape without points."""
+    """Returns centre and longest side of the bounds; zeros for a shape without points."""
     if shape.GetNumberOfPoints() == 0:
         return numpy.zeros(3), 0.0
     bounds = numpy.array(shape.GetBounds()).reshape(3, 2)

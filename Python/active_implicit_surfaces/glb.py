@@ -1,4 +1,4 @@
-"""Triangles as a .glb, the binary file of glTF 2.0, of which VTK 9.1 writes the text form only."""
+"""Writes triangles as a .glb, binary glTF 2.0; VTK 9.1 writes only the text form of glTF."""
 
 from __future__ import annotations
 
@@ -40,11 +40,11 @@ TO_Y = {
 def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
     """Writes the triangles of a vtkPolyData with their normals, colours and point arrays.
 
-    Colours are COLOR_0, as linear light; other arrays _NAME in capital letters, as floats; vectors
-    beside numbers _NAME_X, _NAME_Y, _NAME_Z. Vertices
-    have the data's coordinates; the node is rotated, so that the data's axis `up` is glTF's, y.
-    Where single precision is too coarse for them, they are less an origin to which the node moves
-    them.
+    Colours become COLOR_0, as linear light. Other arrays become _NAME in capital letters, as
+    floats; if scalars and vectors occur together, vectors become _NAME_X, _NAME_Y, _NAME_Z.
+    Vertices have the data's coordinates. The node rotates the data's axis `up` to y, which is up
+    in glTF. If single precision is too coarse, the vertices are relative to an origin, and the
+    node translates by this origin.
     """
     origin = origin_for_floats(mesh)
     warn_of_rounding(".glb", mesh, origin)
@@ -66,7 +66,7 @@ def write_glb(path: Path, mesh: Any, up: str = "y") -> None:
 
 
 def _place(up: str, origin: Any) -> dict[str, Any]:
-    """Where a node is: an axis turned to y, and an origin."""
+    """Returns the transform of a node: rotation of axis `up` to y, and translation by `origin`."""
     turn = {"rotation": TO_Y[up]} if up in TO_Y else {}
     if not origin.any():
         return turn
@@ -75,7 +75,7 @@ def _place(up: str, origin: Any) -> dict[str, Any]:
 
 
 def turned_up(up: str, vector: Any) -> Any:
-    """A vector after the rotation that turns an axis into y."""
+    """Rotates a vector by the rotation that turns axis `up` into y."""
     if up not in TO_Y:
         return vector
     axis, w = numpy.array(TO_Y[up][:3]), TO_Y[up][3]
@@ -83,7 +83,7 @@ def turned_up(up: str, vector: Any) -> Any:
 
 
 def linear_light(colours: Any) -> Any:
-    """Of colours of a display, 0 to 255, as sRGB has it; a fourth component is 0 to 1."""
+    """Converts sRGB colours, 0 to 255, to linear light, 0 to 1; alpha is only scaled."""
     light = colours / 255.0
     display = light[:, :3]
     light[:, :3] = numpy.where(
@@ -93,7 +93,7 @@ def linear_light(colours: Any) -> Any:
 
 
 def display_colours(light: Any) -> Any:
-    """Of linear light, 0 to 1, the colours of a display, 0 to 255; a fourth component is alpha."""
+    """Converts linear light, 0 to 1, to sRGB colours, 0 to 255; a fourth component is alpha."""
     colours = light.clip(0.0, 1.0)
     plain = colours[:, :3]
     colours[:, :3] = numpy.where(
@@ -110,7 +110,7 @@ def _attribute_of(name: str, taken: dict[str, Any]) -> str:
 
 
 def _split(name: str, values: Any, are_mixed: bool) -> dict[str, Any]:
-    """An attribute has up to four components; of more, or beside others, each is an attribute.
+    """Splits an array of more than four components, or of mixed widths, into one per component.
 
     Blender's importer (5.0) mixes up custom attributes of different widths, and fails.
     """
@@ -175,10 +175,10 @@ def _pack(content: dict[str, Any], arrays: list[Any]) -> bytes:
 
 
 def check_glb(path: Path) -> tuple[bool, bool, Any]:
-    """Raises OSError unless the accessors of a .glb lie within its bytes: VTK takes any.
+    """Raises OSError unless the accessors of a .glb lie within its bytes, which VTK does not check.
 
-    Returns whether this package has written it, so that its vertices have the data's coordinates,
-    whether it has meshes, and the origin of its vertices, None if that is 0.
+    Returns True if this package has written the file, so that its vertices have the data's
+    coordinates; True if the file has meshes; and the origin of its vertices, None for 0.
     """
     try:
         with path.open("rb") as file:
@@ -239,7 +239,7 @@ def _check_primitive(accessors: Any, primitive: Any) -> None:
 
 
 def _check_references(content: Any) -> None:
-    """Of scenes to nodes, of nodes to meshes and to nodes below."""
+    """Checks references of scenes to nodes, and of nodes to meshes and child nodes."""
     nodes, meshes = content.get("nodes", []), content.get("meshes", [])
     above = [0] * len(nodes)
     for node in nodes:

@@ -1,4 +1,4 @@
-"""What has happened to a skin, as a plot or a table."""
+"""History of a skin (area, volume, pieces, events) as arrays, a plot or a table."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _PLOTTED = ("Volume", "Area", "Components")
 
 
 def history(surface: Any) -> dict[str, Any]:
-    """The history of a filter, an array for each column and an entry for each time.
+    """Returns the history of a filter: an array for each column, with an entry for each time.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def plot_history(surface: Any, columns: Sequence[str] = _PLOTTED, axes: Any = No
     Parameters
     ----------
     surface : vtkActiveImplicitSurface, frames, morph or LiveSurface
-        What has a history so far.
+        A filter, or an object with one, that has been updated.
     columns : sequence of str
         Columns of the history: Substeps, MaxSpeed, Area, Volume, ActiveVoxels, Components, Voids,
         EulerCharacteristic, Outside. Default: Volume, Area, Components.
@@ -78,7 +78,7 @@ def plot_history(surface: Any, columns: Sequence[str] = _PLOTTED, axes: Any = No
     Raises
     ------
     ImportError
-        No axes were given, and matplotlib is not there.
+        No axes are given, and matplotlib is not installed.
     ValueError
         There is no such column, or no history.
     """
@@ -107,9 +107,9 @@ def plot_history(surface: Any, columns: Sequence[str] = _PLOTTED, axes: Any = No
 
 
 class HistoryFile(Sink):
-    """Writes a filter's history at the end of a run, also of one that fails.
+    """Writes a filter's history at the end of a run, also if the run fails.
 
-    As a table, .csv, or with matplotlib as a plot, .png, .svg or .pdf.
+    The file is a table (.csv), or a plot by matplotlib (.png, .svg, .pdf).
     """
 
     def __init__(self, path: Path, surface: Any) -> None:

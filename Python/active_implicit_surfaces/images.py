@@ -1,5 +1,5 @@
-"""Images of medicine by VTK's readers, which do not see that the end of a .mha or .nrrd is missing,
-take the first of three axes of a .nrrd as one of components, and leave out the origin of a .nii.
+"""Reads medical images by VTK's readers, and corrects three of their errors: they accept a .mha or
+.nrrd whose end is missing, read the first of three .nrrd axes as components, ignore .nii origins.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ _DAMAGE = (ValueError, KeyError, OverflowError, EOFError, zlib.error, gzip.BadGz
 
 
 def read_image(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
-    """The image of any of these files but .vti; `update` gives what a reader makes.
+    """Reads an image of any of these formats except .vti; `update` returns a reader's output.
 
     Raises
     ------
     OSError
-        It is damaged.
+        The file is damaged.
     """
     try:
         if ".nii" in path.name.lower()[-7:]:
@@ -65,7 +65,7 @@ def _check_size(reader: Any, size: int) -> None:
 
 
 def _read_nifti(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
-    """The image with its origin and scale of values."""
+    """Reads a .nii with its origin and its scale of values."""
     with (gzip.open if path.suffix.lower() == ".gz" else open)(path, "rb") as file:
         _check_size(reader, len(file.read()))
     image = update(reader)
@@ -83,7 +83,7 @@ def _read_nifti(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
 
 
 def _parts_of(path: Path) -> tuple[dict[str, str], bytes]:
-    """The header, and the values without compression."""
+    """Returns the header, and the uncompressed values."""
     content, is_meta = path.read_bytes(), ".mh" in path.suffix.lower()
     end = re.search(rb"ElementDataFile\s*=.*\n?" if is_meta else rb"\r?\n\r?\n|\s*\Z", content)
     if end is None:
@@ -111,7 +111,7 @@ def _parts_of(path: Path) -> tuple[dict[str, str], bytes]:
 def _read_nrrd(
     path: Path, fields: dict[str, str], values: bytes, reader: Any, update: Callable[[Any], Any]
 ) -> Any:
-    """What VTK makes of the values alone, placed in space."""
+    """Lets VTK read only the values, and sets the position of the image."""
     sizes = fields["sizes"].split()
     if len(sizes) not in (3, 4) or not 0 < math.prod(map(int, sizes)) <= len(values):
         raise ValueError(
@@ -136,9 +136,9 @@ def _read_nrrd(
 
 
 def _place(path: Path, image: Any, origin: Any, axes: Any) -> Any:
-    """The image at its place, its axes those of space; turned axes, which are rows, are a note.
+    """Places an image; `axes` are rows. Rotations other than by right angles are a warning.
 
-    Rows of the values are moved where axes are mirrored or change places.
+    Values are reordered if axes are mirrored or permuted.
     """
     image.SetOrigin(*origin)
     lengths = numpy.linalg.norm(axes, axis=1, keepdims=True)
@@ -146,7 +146,7 @@ def _place(path: Path, image: Any, origin: Any, axes: Any) -> Any:
     order = abs(axes).argmax(axis=1)  # among the axes of space
     signs = axes[range(3), order]
     if sorted(order) != [0, 1, 2] or not (abs(signs) >= _ALONG).all():
-        warn(f"{path}: the image is turned in space, not by right angles; this is left out.")
+        warn(f"{path}: the image is rotated by other than right angles; the rotation is ignored.")
     elif (order != (0, 1, 2)).any() or (signs < 0).any():
         _move_rows(image, order.tolist(), signs)
     return image

@@ -20,7 +20,7 @@ from .mesh_writers import polygons_of
 
 
 def measure(mesh: Any) -> dict[str, Any]:
-    """Measures a vtkPolyData; points at one place are one.
+    """Measures a vtkPolyData; coincident points are merged.
 
     Returns
     -------
@@ -56,7 +56,7 @@ def measure(mesh: Any) -> dict[str, Any]:
 
 
 def _parts(faces: Any, count: int) -> Any:
-    """The lowest point of the connected surface of each point."""
+    """Returns for each point the lowest point id of its connected surface."""
     lowest = numpy.arange(count)
     while len(faces):
         own = lowest[faces].min(axis=1)

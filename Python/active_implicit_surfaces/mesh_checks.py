@@ -1,6 +1,6 @@
-"""Checks that .obj and .stl are whole: VTK's readers take, or crash at, any bytes.
+"""Checks that .obj and .stl are complete: VTK's readers accept any bytes, or crash.
 
-VTK also leaves out the colours and digits of an .obj, and gives it numbers of groups.
+VTK's reader also drops colours and digits of an .obj, and adds an array of group numbers.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _ENDS_OF_LINES = re.compile(rb"\\\r?\n")  # joined with the next line
 
 
 def check_obj(path: Path) -> None:
-    """Raises OSError unless each corner of a polygon names places and normals that are there."""
+    """Raises OSError unless each polygon corner refers to existing vertices and normals."""
     counts = {b"v": 0, b"vt": 0, b"vn": 0}
     faces = []
     for cells in _rows(path):
@@ -42,7 +42,7 @@ def check_obj(path: Path) -> None:
 
 
 def add_vertices(path: Path, data: Any) -> None:
-    """Gives the points of an .obj the colours of its vertices, `v x y z r g b`, and all digits."""
+    """Adds the vertex colours of an .obj, `v x y z r g b`, and all digits of its coordinates."""
     data.GetCellData().RemoveArray("GroupIds")
     rows = [cells[1:7] for cells in _rows(path) if cells[0] == b"v"]
     if data.GetNumberOfPoints() == 0:
@@ -65,7 +65,7 @@ def add_vertices(path: Path, data: Any) -> None:
 
 
 def _vertices_of(points: Any, places: Any) -> Any:
-    """The vertex of each point, where VTK has repeated those with several normals."""
+    """Returns the vertex of each point; VTK repeats vertices that have several normals."""
     both = numpy.concatenate([places.astype(points.dtype), points])
     _, first, numbers = numpy.unique(both, axis=0, return_index=True, return_inverse=True)
     return first[numbers.reshape(-1)[len(places) :]]
@@ -81,7 +81,7 @@ def _rows(path: Path) -> Iterator[list[bytes]]:
 def _check_corner(
     path: Path, corner: bytes, whole: tuple[int, ...], so_far: tuple[int, ...]
 ) -> tuple[bool, ...]:
-    """Which of place, texture and normal it has."""
+    """Returns which of vertex, texture and normal the corner has; raises OSError if damaged."""
     found = _CORNER.fullmatch(corner)
     if found is None:
         raise OSError(f"{path} cannot be read: it is damaged; a polygon has no numbers.")
@@ -93,13 +93,13 @@ def _check_corner(
 
 
 def is_empty_stl(path: Path) -> bool:
-    """Whether this is a binary file without triangles, which VTK reads as text."""
+    """Returns True for a binary file without triangles, which VTK would read as text."""
     content = path.read_bytes() if path.stat().st_size == 84 else b""
     return content[80:] == bytes(4) and not content.lstrip().lower().startswith(b"solid")
 
 
 def check_stl(path: Path) -> None:
-    """Raises OSError unless a binary file has as many triangles as it says: VTK takes any."""
+    """Raises OSError if a binary file has not the triangles of its header: VTK does not check."""
     with path.open("rb") as file:
         head = file.read(84)
     size, count = path.stat().st_size, int.from_bytes(head[80:84], "little")

@@ -1,6 +1,6 @@
-"""Meshes and particles as .ply, .obj and .stl.
+"""Writes meshes and particles as .ply, .obj and .stl.
 
-VTK's own writers leave out normals, point arrays and digits, and write no mesh without points.
+VTK's own writers drop normals, point arrays and digits, and cannot write a mesh without points.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _PLY_TYPES = {"u1": "uchar", "i4": "int", "f4": "float", "f8": "double"}
 
 
 def arrays_of(data: Any) -> tuple[Any, Any, dict[str, Any]]:
-    """Normals and colours (0 to 255), or None, and the other point arrays of numbers by name.
+    """Returns normals and colours (0 to 255), each or None, and other numeric point arrays by name.
 
     Colours are the first array of bytes with 3 or 4 components.
     """
@@ -46,7 +46,7 @@ def arrays_of(data: Any) -> tuple[Any, Any, dict[str, Any]]:
 
 
 def _point_arrays(data: Any) -> list[tuple[str, str, Any]]:
-    """The role of each point array in a file, its name, and itself."""
+    """Yields role, name and values of each point array."""
     own, found = data.GetPointData(), list[tuple[str, str, Any]]()
     for i in range(own.GetNumberOfArrays()):
         array, role = own.GetAbstractArray(i), "numbers"
@@ -62,7 +62,7 @@ def _point_arrays(data: Any) -> list[tuple[str, str, Any]]:
 
 
 def warn_of_losses(suffix: str, data: Any) -> None:
-    """Warns of what a file of this extension cannot hold of a mesh; says which formats can."""
+    """Warns of data that a format cannot hold, and names formats that can."""
     found = [(role, name) for role, name, _ in _point_arrays(data)]
     found += [("cells", f"{name} (of cells)") for name in array_names(data.GetCellData())]
     if data.IsA("vtkPolyData") and data.GetNumberOfLines():
@@ -78,8 +78,8 @@ def warn_of_losses(suffix: str, data: Any) -> None:
 
 
 def origin_for_floats(mesh: Any) -> Any:
-    """An origin, itself of single precision, near a mesh to whose points single precision is too
-    coarse; 0 where it is not.
+    """Returns an origin (of single precision) near a mesh whose coordinates are too large for
+    single precision; 0 for other meshes.
     """
     points = points_of(mesh)
     if _rounding(points) <= _ROUNDING * edge_of(mesh):
@@ -88,7 +88,7 @@ def origin_for_floats(mesh: Any) -> Any:
 
 
 def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
-    """Warns where single precision, of points less an origin, moves them visibly."""
+    """Warns if rounding points minus `origin` to single precision moves them visibly."""
     rounding, edge = _rounding(points_of(mesh) - origin), edge_of(mesh)
     if rounding > _ROUNDING * edge:
         warn(
@@ -99,7 +99,7 @@ def warn_of_rounding(suffix: str, mesh: Any, origin: Any = 0.0) -> None:
 
 
 def warn_of_coarse(path: Path, mesh: Any) -> None:
-    """Warns of a mesh that was read whose points are of single precision and too coarse."""
+    """Warns if a mesh from a file has points of single precision, too coarse for its edges."""
     points = points_of(mesh)
     if points.dtype.itemsize > 4 or len(points) == 0:
         return
@@ -112,7 +112,7 @@ def warn_of_coarse(path: Path, mesh: Any) -> None:
 
 
 def edge_of(mesh: Any) -> float:
-    """The usual length of an edge; infinite without polygons."""
+    """Returns the usual length of an edge; infinite without polygons."""
     points = points_of(mesh)
     ends = [points[corners[:, :2]].astype(float) for corners in polygons_of(mesh)]
     lengths = [numpy.linalg.norm(end[:, 1] - end[:, 0], axis=1) for end in ends]
@@ -124,7 +124,7 @@ def _rounding(points: Any) -> float:
 
 
 def write_ply(path: Path, mesh: Any) -> None:
-    """Writes points, polygons and point arrays: those of several components as name_x, name_y ...
+    """Writes points, polygons and point arrays; vectors become name_x, name_y ...
 
     Normals are nx, ny and nz, colours red, green, blue and alpha.
     """
@@ -185,7 +185,7 @@ def write_obj(path: Path, mesh: Any) -> None:
 
 
 def polygons_of(mesh: Any) -> list[Any]:
-    """Corners of the polygons, an array (n, k) for each number of corners k."""
+    """Returns the polygons' corners: an array (n, k) for each number of corners k."""
     return _corners(mesh.GetPolys(), 3)
 
 
@@ -201,7 +201,7 @@ def _corners(cells: Any, least: int) -> list[Any]:
 
 
 def _columns(mesh: Any) -> list[tuple[str, str, Any]]:
-    """The properties of a vertex in a .ply: name, type, values."""
+    """Returns the properties of a .ply vertex: name, type, values."""
     normals, colours, others = arrays_of(mesh)
     parts = [(["x", "y", "z"], points_of(mesh))]
     if normals is not None:
@@ -226,7 +226,7 @@ def _components(name: str, count: int) -> list[str]:
 
 
 def _ply_kind(values: Any) -> str:
-    """The type of a .ply that has these numbers as they are, as far as there is one."""
+    """Returns the .ply type that holds these numbers exactly, if there is one."""
     if values.dtype.kind == "f":
         return "f4" if values.dtype.itemsize <= 4 else "f8"
     if values.dtype == "u1":

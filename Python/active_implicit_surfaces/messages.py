@@ -1,4 +1,4 @@
-"""What VTK's objects say, as exceptions and warnings of Python."""
+"""Turns messages of VTK's objects into exceptions and warnings of Python."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutput
 
 
 class ActiveSurfaceWarning(UserWarning):
-    """What the filter warns of, as its sentence."""
+    """Warning of the filter or of a reader; the text is its message."""
 
 
 class Messages:
-    """The sentences that an algorithm says while it is listened to."""
+    """Error and warning texts that `listening` has collected."""
 
     def __init__(self) -> None:
         self.errors: list[str] = []
@@ -29,7 +29,7 @@ class Messages:
 
 
 def plain(text: str) -> str:
-    """The sentence of a message, without the place in the code and the object's address."""
+    """Returns the text of a VTK message without source line and object address."""
     text = re.sub(r"^\s*(ERROR|Warning|Generic Warning): In .*?, line \d+\n", "", text)
     return " ".join(re.sub(r"^\S+ \((0x)?[0-9a-fA-F]+\): ", "", text).split())
 
@@ -53,7 +53,7 @@ def listening(*algorithms: Any) -> Iterator[Messages]:
 
 
 class quiet:
-    """What VTK's readers, their parsers and writers print is kept in place of being shown."""
+    """Collects what VTK's readers, parsers and writers would print."""
 
     def __enter__(self) -> quiet:
         self._shown = vtkOutputWindow.GetInstance()
@@ -69,7 +69,7 @@ class quiet:
 
     @property
     def errors(self) -> list[str]:
-        """What was said of errors so far."""
+        """Returns the error texts collected so far."""
         said = self._window.GetOutput() or ""
         text = said.decode("latin-1") if isinstance(said, bytes) else said  # bytes: no valid UTF-8
         parts = re.split(r"\n(?=ERROR: |Warning: |Generic Warning: )", text)
@@ -77,13 +77,13 @@ class quiet:
 
 
 def few(words: Iterable[Any], most: int = 8) -> str:
-    """The first of some words, or numbers, as a, b, c ..."""
+    """Joins the first words or numbers as "a, b, c ..."."""
     listed = [str(word) for word in words]
     return ", ".join(listed[:most]) + " ..." * (len(listed) > most)
 
 
 def warn(*messages: str) -> None:
-    """Passes warnings of the filter on to Python's."""
+    """Issues warnings of the filter as Python warnings."""
     for text in messages:
         warnings.warn(text, ActiveSurfaceWarning, stacklevel=3)
 

@@ -24,7 +24,7 @@ _LARGEST_RADIUS = 10.0  # larger entries of the table mean an unknown radius
 
 
 def read_molecule(lines: list[str]) -> Frames:
-    """The frames of a file whose first line is the number of atoms."""
+    """Reads the frames of a file whose first line is the number of atoms."""
     frames: list[Frame] = []
     times, place = [], 0
     while place < len(lines):
@@ -65,7 +65,7 @@ def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str])
 
 
 def _usual_properties(rows: list[list[str]]) -> str:
-    """The columns of a plain file: symbol, x, y, z, then numbers; without a symbol, x, y, z."""
+    """Returns the columns of a plain file: symbol (if any), x, y, z, then numbers."""
     width = min(map(len, rows), default=4)
     if width == 3 and all(number(cell) is not None for row in rows for cell in row):
         return "pos:R:3"
@@ -75,7 +75,7 @@ def _usual_properties(rows: list[list[str]]) -> str:
 
 
 def _columns_of(properties: str) -> list[tuple[str, str, int, int]]:
-    """Name, kind, first column and width of each property."""
+    """Returns name, kind, first column and width of each property."""
     words, found, first = properties.split(":"), [], 0
     for name, kind, size in zip(words[::3], words[1::3], words[2::3]):
         if kind not in ("S", "R", "I", "L") or not size.isdigit():
@@ -114,7 +114,7 @@ def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> N
 
 
 def _cell_of(pairs: dict[str, str]) -> dict[str, Any]:
-    """The periodic cell: its three vectors, and along which of them it repeats."""
+    """Returns the periodic cell: three vectors, and the ones along which it repeats."""
     if "lattice" not in pairs:
         return {}
     numbers = [float(word) for word in re.split(r"[\s,]+", pairs["lattice"].strip())]
@@ -130,10 +130,10 @@ def _cell_of(pairs: dict[str, str]) -> dict[str, Any]:
 
 
 def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:
-    """Atomic numbers, van der Waals radii, and elements as texts.
+    """Adds atomic numbers, van der Waals radii, and elements as texts.
 
-    Symbols are elements, or names of atoms if `are_names` or if one of them is no element. The
-    length `unit` is an Angstrom.
+    Symbols are elements, or names of atoms if `are_names` or if one symbol is no element. `unit`
+    is the length of one Angstrom.
     """
     from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
 
@@ -162,10 +162,10 @@ def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False
 
 
 def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
-    """The atomic number of each symbol, 0 if it is no element.
+    """Returns the atomic number of each symbol, 0 if it is no element.
 
-    Symbols are names of atoms if one is a name and no element (CB, OW), if there are CA, C and N,
-    or CA alone, which are the chain of a protein.
+    Symbols are names of atoms if one is a name and no element (CB, OW), or if the symbols are
+    CA, C and N, or only CA: the backbone of a protein.
     """
     letters = {symbol: _letters_of(symbol) for symbol in symbols}
     as_elements = {symbol: _number(symbol, own, table) for symbol, own in letters.items()}
@@ -186,7 +186,7 @@ def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
 
 
 def _may_be_a_name(letters: str, element: int) -> bool:
-    """Whether an element may be an atom's name too, as HG and CD are."""
+    """Returns True if the symbol of an element may also be an atom's name, as HG and CD are."""
     is_pair = len(letters) == 2 and letters.isupper() and letters not in _UNPLACED
     return bool(element) and is_pair and letters[0] in _PLACED
 
@@ -202,7 +202,7 @@ def _number(symbol: str, element: str, table: Any) -> int:
 
 
 def _guess(name: str, table: Any) -> str:
-    """The element of an atom's name: of CA that is C, of FE Fe."""
+    """Guesses the element from an atom's name: C for CA, Fe for FE."""
     upper = name.upper()
     if upper in _IONS:
         return _IONS[upper]

@@ -1,4 +1,4 @@
-"""One shape becomes another in a given time."""
+"""Metamorphosis: one shape becomes another in a given time."""
 
 from __future__ import annotations
 
@@ -18,26 +18,26 @@ _OF_DURATION = {"arrival_time", "number_of_time_steps", "start_time", "time_step
 
 
 class morph(Skins):
-    """The skins on the way from one shape to another, which it reaches at the end.
+    """Iterator over the skins between two shapes; the last skin coincides with the second shape.
 
-    No points correspond: the surface moves along its normal, splits and merges. Each part goes with
-    an even speed, and arrives at the end; parts that only one of the shapes has grow or shrink.
+    No point correspondence is needed: the surface moves along its normal, splits and merges. Each
+    part moves at constant speed and arrives at the end; parts of only one shape grow or shrink.
 
     Parameters
     ----------
     a, b : vtkPolyData, vtkImageData, vtkImplicitFunction, or an object with `vertices` and `faces`
-        Closed meshes, or images: inside is below `target_iso_value`, or the higher value of a mask,
-        which has two. PyVista's, trimesh's and meshio's objects are taken too.
+        Closed meshes, or images: inside is below `target_iso_value`, or at the higher value of a
+        two-valued mask. Objects of PyVista, trimesh and meshio are accepted.
     duration : float
-        The time at which `b` is reached (ArrivalTime) [time], to a tenth of a voxel; more than 0.
+        Time at which `b` is reached to a tenth of a voxel (ArrivalTime) [time]; more than 0.
         Default: 1.
     frames : int
-        Number of skins, the first and the last included; 2 or more. Default: 25.
+        Number of skins, including the first and the last; 2 or more. Default: 25.
     fit : str
-        Where `b` is brought before: "none", "centre" (its box has the centre of `a`'s) or "box"
-        (the longest side of `a`'s too). For shapes of other units or places. Default: "none".
+        Moves `b` to `a` first, for other units or positions: "none", "centre" (of the bounds), or
+        "box" (also scales to the longest side of `a`'s bounds). Default: "none".
     progress : callable(int, int), optional
-        Called after each skin with the number of those done and of all.
+        Called after each skin with the numbers of finished skins and of all skins.
     **options
         Properties of vtkActiveImplicitSurface in snake case, such as ``voxel_size=0.02``. Two
         functions need ``model_bounds``.
@@ -50,15 +50,15 @@ class morph(Skins):
     Raises
     ------
     ValueError
-        The filter's own sentence where it cannot make a skin, or a duration or number of frames out
-        of its range; or a skin that is empty though both shapes are not.
+        The filter reports an error (the text is its message), duration or frames are out of range,
+        or a skin is empty although both shapes are not.
 
     Warns
     -----
     UserWarning
         The shapes differ in size by more than half, or are apart by more than half of their size.
     TypeError
-        An unknown keyword, with the nearest one, or a shape of an unknown kind.
+        Unknown keyword (the text names the closest one), or a shape of a wrong type.
 
     Attributes
     ----------
@@ -96,7 +96,7 @@ class morph(Skins):
         if not 0 < duration < float("inf"):
             raise ValueError(f"duration has to be more than 0 and finite, not {duration}.")
         for name in _OF_DURATION & set(options):
-            raise TypeError(f"{name} follows from duration and frames; give duration alone.")
+            raise TypeError(f"{name} follows from duration and frames; give duration only.")
         if int(frames) != frames or frames < 2:
             raise ValueError(f"frames have to be 2 or more, not {frames}.")
         if fit not in FITS:

@@ -1,4 +1,4 @@
-"""The presets of `active-surface --preset` for the filter in ParaView, for its Python and macros.
+"""Applies the presets of `active-surface --preset` in ParaView's Python and macros.
 
 >>> from active_implicit_surfaces.presets import PRESETS
 >>> sorted(PRESETS)
@@ -16,23 +16,23 @@ from .presets import PRESETS, apply_preset
 from .series import TemporalSource
 
 _RADIUS = 0  # index of SetInputArrayToProcess
-# Lengths that users set too. A length stays unless the other preset has set it.
+# Lengths that users set too: kept, unless another preset has set them.
 _LENGTHS = {"VoxelSize", "KernelRadius", "RadiusArray"}
 
 
 def apply(name: str, surface: Any = None) -> dict[str, Any]:
     """Sets the properties of a preset on a filter Active Implicit Surface of a ParaView session.
 
-    The values are seen in the panel, where they can be changed, and saved in states. They come
-    from the spacing of the particles at the first time step, which is brought to the client for
-    that, and from the time between two steps. A Particle Spacing that was set before is kept; what
-    only other presets set goes back to its default, but for lengths of your own.
+    The values appear in the panel, can be changed there, and are saved in state files. They depend
+    on the spacing of the particles at the first time step, which are sent to the client, and on
+    the time between two steps. A Particle Spacing set before is kept. Properties that only other
+    presets set return to their defaults, except lengths set by the user.
 
     Parameters
     ----------
     name : {"viscous", "molecule", "grains", "paper"}
     surface : proxy, optional
-        As paraview.simple.ActiveImplicitSurface gives it. Default: the active source.
+        Result of paraview.simple.ActiveImplicitSurface(). Default: the active source.
 
     Returns
     -------
@@ -74,7 +74,7 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
 
 
 class Frames(TemporalSource):
-    """The first frame of a series, and the times of all."""
+    """First frame of a series, and the times of all frames."""
 
     def __init__(self, first: Any, times: list[float]) -> None:
         super().__init__(lambda step: first, times)
@@ -84,7 +84,7 @@ class Frames(TemporalSource):
 
 
 def _changes(name: str, frames: Frames, given: dict[str, Any]) -> dict[str, Any]:
-    """What a preset sets on a new filter, by ParaView's names."""
+    """Returns the properties that a preset sets on a new filter, by ParaView's names."""
     plain = vtkActiveImplicitSurface()
     apply_preset(plain, frames, name, None, given)
     found = {
@@ -97,7 +97,7 @@ def _changes(name: str, frames: Frames, given: dict[str, Any]) -> dict[str, Any]
 
 
 def _values(value: Any) -> list[str]:
-    """Returns the elements of a property, which ParaView gives as a list or as one value."""
+    """Returns the elements of a property, which ParaView returns as a list or as one value."""
     return [str(part) for part in ([value] if isinstance(value, (int, float)) else value)]
 
 

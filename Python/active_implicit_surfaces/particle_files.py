@@ -1,4 +1,4 @@
-"""Particles or images from files of many kinds, one or a series, as frames of a ParticleSeries."""
+"""Reads particles or images from one file or a series, as the frames of a ParticleSeries."""
 
 from __future__ import annotations
 
@@ -53,17 +53,17 @@ _ABOUT_MESHES = " The commands convert and morph take its surface."
 
 
 class ParticleFiles:
-    """The frames of a series of files, or of one file that has several.
+    """Frames of a series of files, or of one file with several frames.
 
     Attributes
     ----------
     times : list of float
     names : list of Path
-        The file of each frame, of several parts the first.
+        File of each frame; the first one of several parts.
     files : list of Path
         All files.
     numbers : list of int
-        Those in the names of the files, if they differ by them, else 0, 1, 2 ...
+        Frame numbers from the names of the files, if the names differ in them, else 0, 1, 2 ...
     """
 
     def __init__(
@@ -85,14 +85,14 @@ class ParticleFiles:
         return len(self.times)
 
     def load(self, step: int) -> Any:
-        """The particles of a frame that were chosen, a vtkPolyData; or an image.
+        """Returns the selected particles of a frame as a vtkPolyData, or an image.
 
         Raises
         ------
         OSError
             The file cannot be read, or has no particles.
         ValueError
-            There is no array, or no value, to choose by.
+            An array or a value of a condition does not exist.
         """
         data = self._loaders[step]()
         if self._label is not None and data.IsA("vtkImageData") and len(self) > 1:
@@ -101,7 +101,7 @@ class ParticleFiles:
 
     @functools.cached_property
     def kind(self) -> str:
-        """The class of the frames: vtkPolyData, or vtkImageData for images."""
+        """Returns the class of the frames: vtkPolyData, or vtkImageData for images."""
         is_image = suffix_of(self.names[0]) in IMAGE_SUFFIXES
         may_be = suffix_of(self.names[0]) in (".vtk", ".vdb")
         is_image = is_image or (may_be and self._loaders[0]().IsA("vtkImageData"))
@@ -116,10 +116,10 @@ def open_particles(
     where: str | Sequence[str] = (),
     label: int | None = None,
 ) -> ParticleFiles:
-    """Files of particles as frames, or those chosen (see `choice`); patterns, folders and indices.
+    """Opens files of particles as frames; names may be patterns, folders and indices.
 
-    Times are `times`, else as `fps` says, else those of the index or of the files, else 25 frames
-    per second. Where numbers of files are left out, the time between is as much longer.
+    Particles may be selected (see `choice`). Times are `times`, else those of `fps`, else those of
+    the index or of the files, else 25 frames per second. Gaps in file numbers are gaps in time.
     """
     listing, noted = expand(names, TARGET_SUFFIXES), set[str]()
     files, told = listing.files, listing.times
@@ -142,7 +142,7 @@ def open_particles(
 
 
 def labels_in(files: ParticleFiles) -> list[int]:
-    """The labels of the first frame, one in the middle and the last."""
+    """Returns the labels of the first, the middle and the last frame."""
     steps = {0, len(files) // 2, len(files) - 1}
     return sorted({label for step in steps for label in labels_of(files.load(step))})
 
@@ -156,7 +156,7 @@ def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
                 _note(
                     noted,
                     path,
-                    f"it has {len(loaders)} frames; as one of a series it is one, the first.",
+                    f"it has {len(loaders)} frames; in a series only the first one is used.",
                 )
             clouds.append(loaders[0]())
         if len(clouds) > 1 and (lost := _arrays_of_some(clouds)):
@@ -169,14 +169,14 @@ def _later(parts: tuple[Path, ...], noted: set[str]) -> Any:
 
 
 def _note(noted: set[str], path: Path, text: str) -> None:
-    """Warns of what a file has, once for a series."""
+    """Warns about a file, once for each text in a series."""
     if text not in noted:
         noted.add(text)
         warn(f"{path}: {text}")
 
 
 def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | None]:
-    """A function for each frame of a file, and the times that it tells."""
+    """Returns a loader for each frame of a file, and the times in the file."""
     check_readable(path)
     suffix = suffix_of(path)
     if suffix in _OWN_READERS:
@@ -216,7 +216,7 @@ def _step_loader(path: Path, reader: Any, time: float, noted: set[str]) -> Any:
 
 
 def _read_own(path: Path, noted: set[str], read: Callable[[], Any]) -> Any:
-    """The result of one of this package's readers, whose warnings and errors name the file."""
+    """Returns the result of a reader of this package; its warnings and errors name the file."""
     try:
         with warnings.catch_warnings(record=True) as said:
             warnings.simplefilter("always", ActiveSurfaceWarning)
@@ -251,7 +251,7 @@ def _maker(path: Path, frame: Frame | Callable[[], Frame], noted: set[str]) -> A
 
 
 def _points_of(path: Path, data: Any, noted: set[str]) -> Any:
-    """The points of whatever data set that is, with their arrays; a note says that it is a mesh."""
+    """Returns the points of any data set with their arrays; warns if the data set is a mesh."""
     if data.IsA("vtkCompositeDataSet"):
         data = _append([block for block in blocks_of(data) if block.IsA("vtkPointSet")])
     if data.IsA("vtkImageData"):
@@ -264,14 +264,14 @@ def _points_of(path: Path, data: Any, noted: set[str]) -> Any:
 
 
 def _arrays_of_some(clouds: list[Any]) -> list[str]:
-    """The arrays that not all clouds with points have."""
+    """Returns the names of arrays that some, but not all, clouds with points have."""
     arrays = [cloud.GetPointData() for cloud in clouds if cloud.GetNumberOfPoints()]
     names = [set(array_names(own)) for own in arrays]
     return sorted(set[str]().union(*names) - set[str].intersection(*names)) if names else []
 
 
 def _append(clouds: list[Any]) -> Any:
-    """The points of all, with the arrays that all have."""
+    """Returns the points of all clouds, with the arrays that all of them have."""
     together = vtkAppendFilter()
     for cloud in clouds or [vtkPolyData()]:
         together.AddInputData(cloud)
@@ -280,7 +280,7 @@ def _append(clouds: list[Any]) -> Any:
 
 
 def _times_inside(files: list[Path]) -> list[float] | None:
-    """The times that all files tell in their heads, if they increase."""
+    """Returns the times stored in the files, if all files have one and they increase."""
     readers = {
         **dict.fromkeys((".vtp", ".vtu", ".vti"), _time_of_xml),
         ".vdb": _time_of_vdb,

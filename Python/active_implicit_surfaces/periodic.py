@@ -1,4 +1,4 @@
-"""The periodic box of particles, as files have it."""
+"""Periodic box of particles, from the field data of their files."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ _ROUNDING = 1e-6  # of the longest edge
 
 
 def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
-    """The property PeriodicBounds of particles in a box.
+    """Returns the value of PeriodicBounds for particles in a box.
 
     Parameters
     ----------
     frames : iterable of vtkDataSet
-        Their field data are "Lattice", the box's edges as rows [length], and, if they are there,
-        "Origin", its corner, and "pbc", which axes are periodic.
+        Field data: "Lattice", edges of the box as rows [length]; optional "Origin", corner of the
+        box [length], and "pbc", a flag for each periodic axis.
 
     Raises
     ------
     ValueError
-        If there is no box, or it is slanted, not periodic, or another one in a later frame.
+        There is no box, or the box is slanted, not periodic, or not the same in all frames.
     """
     boxes = [_box_of(frame) for frame in frames]
     size = max(abs(number) for number in boxes[0])
@@ -36,7 +36,7 @@ def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
 
 
 def with_periodic_bounds(options: dict[str, Any], source: Any) -> dict[str, Any]:
-    """The options and the box of a TemporalSource; a ValueError if they have one already."""
+    """Adds the box of a TemporalSource to the options; ValueError if they have one already."""
     if "periodic_bounds" in options:
         raise ValueError("Give either periodic or periodic_bounds.")
     return {**options, "periodic_bounds": periodic_bounds(source.frames_that_tell())}

@@ -1,4 +1,4 @@
-"""Reads .ply files: VTK's reader goes on beyond the end of one that is not whole, and leaves out
+"""Reads .ply files: VTK's reader reads beyond the end of an incomplete file, and ignores
 properties that it does not know.
 """
 
@@ -33,7 +33,7 @@ _ENDS_EARLY = "it is damaged: it ends before its elements do"
 
 
 class _Property(NamedTuple):
-    """A column of an element; of lists, with the type of their lengths."""
+    """Column of an element; for lists also the type of their lengths."""
 
     name: str
     kind: str
@@ -47,16 +47,16 @@ class _Element(NamedTuple):
 
 
 class _DamageError(ValueError):
-    """With what is wrong."""
+    """Damage of a file; the text describes it."""
 
 
 def read_ply(path: Path) -> Any:
-    """The mesh or points of a .ply, with its properties of vertices and polygons as arrays.
+    """Reads a mesh or points from a .ply; properties of vertices and polygons become arrays.
 
     Raises
     ------
     OSError
-        It is damaged, or has no vertices.
+        The file is damaged, or has no vertices.
     """
     try:
         content = path.read_bytes()
@@ -78,7 +78,7 @@ def read_ply(path: Path) -> Any:
 
 
 def _read_header(content: bytes) -> tuple[str, list[_Element], int]:
-    """The order of bytes, empty for text; the elements; where they begin."""
+    """Returns the byte order ("" for text), the elements, and the offset of their data."""
     end = content.index(b"end_header")
     start = content.index(b"\n", end) + 1
     text = content[:end].decode("latin-1").replace("\r\n", "\n")
@@ -105,7 +105,7 @@ def _read_header(content: bytes) -> tuple[str, list[_Element], int]:
 def _read_binary(
     content: bytes, start: int, order: str, element: _Element
 ) -> tuple[dict[str, Any], int]:
-    """The columns of an element, and where it ends. Most often all lists have one length."""
+    """Returns the columns of an element, and its end. Fast if all lists have the same length."""
     if element.rows == 0:
         return {}, start
     first, _ = _read_row(content, start, order, element)
@@ -129,7 +129,7 @@ def _read_binary(
 
 
 def _read_row(content: bytes, start: int, order: str, element: _Element) -> tuple[list[Any], int]:
-    """The numbers, and the arrays of lists, of a row, and where it ends."""
+    """Returns the numbers and the lists of a row, and the offset of its end."""
 
     def take(kind: str, count: int) -> Any:
         nonlocal start
@@ -161,7 +161,7 @@ def _read_text(lines: Any, element: _Element) -> dict[str, Any]:
             try:
                 values = [float(cell) for cell in cells[:count]]
             except ValueError:
-                raise _DamageError("it is damaged: a row has what is no number") from None
+                raise _DamageError("it is damaged: a row has a value that is no number") from None
             del cells[:count]
             row.append(numpy.array(values) if each.length_kind else values[0])
         rows.append(row)
@@ -169,7 +169,7 @@ def _read_text(lines: Any, element: _Element) -> dict[str, Any]:
 
 
 def _columns_of(element: _Element, rows: list[list[Any]]) -> dict[str, Any]:
-    """Arrays of numbers, and lists of arrays, from rows."""
+    """Converts rows to columns: arrays of numbers, and lists of arrays."""
     return {
         each.name: list(column)
         if each.length_kind
@@ -216,12 +216,12 @@ def _polygons(rows: Sequence[Any], count: int) -> Any:
     else:
         ids, lengths = numpy.concatenate(rows).astype(numpy.int64), [*map(len, rows)]
     if ids.size and (ids.min() < 0 or ids.max() >= count):
-        raise _DamageError("it is damaged: a polygon has corners that are not there")
+        raise _DamageError("it is damaged: a polygon refers to a vertex that does not exist")
     return cell_array(numpy.cumsum(numpy.array([0, *lengths])), ids)
 
 
 def _add_arrays(mesh: Any, attributes: Any, arrays: dict[str, Any]) -> None:
-    """Adds numbers as VTK's reader names them: Normals, RGB or RGBA (of bytes), TCoords."""
+    """Adds arrays, named as VTK's reader does: Normals, RGB or RGBA (of bytes), TCoords."""
     left = {name.removeprefix("diffuse_"): values for name, values in arrays.items()}
     if {*_COLOURS[:3]} <= {*left}:
         colours = numpy.stack([left.pop(name) for name in _COLOURS if name in left], axis=-1)

@@ -1,7 +1,7 @@
-"""Choices of properties for a purpose, found from the data.
+"""Presets: named sets of property values, scaled to the data.
 
-Lengths are in units of the particles' own radius r, half of their spacing; rates in units of the
-time between two frames.
+Lengths are in units of the particle radius r, half of the spacing; rates are per time between two
+frames.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ ATOM_LEVEL, REACH_OF_ATOM = 0.05, 1.0 / 0.7947
 _RADII = 0  # index of SetInputArrayToProcess
 _SAMPLED = 2000  # particles whose neighbours are searched
 _NEIGHBOURS = 3
-_VOXELS_OF_GRAIN = 3.0  # per radius: 1,000 grains that touch have their volume to 3 %
+_VOXELS_OF_GRAIN = 3.0  # per radius: the volume of 1,000 touching grains is exact to 3 %
 _COARSE = 0.1  # largest grid step of positions, in spacings
 _STEPS = 6.0  # factors e per step, the filter's own choice
 
@@ -36,7 +36,7 @@ _STEPS = 6.0  # factors e per step, the filter's own choice
 def apply_preset(
     surface: Any, source: Any, name: str, interval: float | None, options: Mapping[str, Any]
 ) -> None:
-    """Sets the properties of a preset; `options` are those that will be set after it."""
+    """Sets the properties of a preset; `options` are set later and override them."""
     if name not in PRESETS:
         raise ValueError(f"There is no preset {name!r}; there are {', '.join(PRESETS)}.")
     if name in ("molecule", "grains"):
@@ -53,9 +53,9 @@ def apply_preset(
 
 
 def estimate_spacing(cloud: Any) -> float:
-    """The median distance of a particle to its third nearest, as the filter estimates it.
+    """Returns the median distance to the third nearest particle, which the filter uses too.
 
-    0 if there is one particle alone.
+    Returns 0 for a single particle.
     """
     cloud = finite_points(cloud)
     count = cloud.GetNumberOfPoints()
@@ -74,7 +74,7 @@ def estimate_spacing(cloud: Any) -> float:
 
 
 def describe_precision(cloud: Any, spacing: float) -> list[str]:
-    """A sentence on positions whose single precision is too coarse for a spacing."""
+    """Returns a warning if positions in single precision are too coarse for a spacing."""
     points = points_of(finite_points(cloud))
     if points.dtype.itemsize > 4 or len(points) == 0:
         return []
@@ -88,16 +88,16 @@ def describe_precision(cloud: Any, spacing: float) -> list[str]:
 
 
 def is_point_cloud(data: Any) -> bool:
-    """Whether it is points alone: no lines of a skeleton, no mesh, no image."""
+    """Returns True for only points: no lines of a skeleton, no mesh, no image."""
     if data.IsA("vtkPolyData"):
         return not has_polygons(data) and data.GetNumberOfLines() == 0
     return bool(data.IsA("vtkPointSet"))
 
 
 def series_spacing(frames: list[Any]) -> float:
-    """The spacing of the densest of some frames of particles; 0 if none tells it.
+    """Returns the spacing of the densest of some frames; 0 if no frame has enough particles.
 
-    A frame of few particles beside one of many counts for nothing: spray before a splash.
+    Frames with few particles, such as spray before a splash, are ignored if others have many.
     """
     clouds = [frame for frame in frames if is_point_cloud(frame)]
     most = max((cloud.GetNumberOfPoints() for cloud in clouds), default=0)
@@ -113,13 +113,13 @@ def _smooth(surface: Any, spacing: float, attraction: float | None, step: float)
 
 
 def median_step(times: list[float]) -> float:
-    """The median time between two frames; 1 if there is one."""
+    """Returns the median time between two frames; 1 if there is only one frame."""
     steps = numpy.diff(times)
     return float(numpy.median(steps)) if len(steps) else 1.0
 
 
 def _show_balls(surface: Any, source: Any, are_grains: bool, options: Mapping[str, Any]) -> None:
-    """Sums of short kernels: radii of the array chosen, else of "radius", else by the spacing."""
+    """Sets sums of short kernels, with radii of the chosen array, "radius", or the spacing."""
     first = source.first_frame()
     chosen = surface.GetInputArrayInformation(_RADII).Get(vtkDataObject.FIELD_NAME())
     radii = first.GetPointData().GetArray(chosen or "radius") if first.GetNumberOfPoints() else None

@@ -1,4 +1,4 @@
-"""Series of atoms as a series of images of their solvent-excluded surface, and arrays of the skin.
+"""Converts a series of atoms to images of their solvent-excluded surface; arrays of the skin.
 
 >>> import active_implicit_surfaces as active
 >>> skin = active.skin([[0, 0, 0], [3, 0, 0]], radii=[1.7, 1.7], probe=1.4)
@@ -26,7 +26,7 @@ _FOLLOWING = 24.0  # factors e by which the skin approaches its target in a step
 
 
 class ProbedAtoms:
-    """The solvent-excluded surface of each frame of atoms.
+    """Solvent-excluded surface of each frame of atoms.
 
     Parameters
     ----------
@@ -34,14 +34,14 @@ class ProbedAtoms:
     probe : float
         Radius of the probe [length], 0 or more.
     preset, arrays, options
-        As of `frames`: the array of "radii", by default "radius", and "voxel_size", by default a
-        quarter of the root mean square radius of the first frame, which is set, as "attraction"
-        is; others have no effect. "pass_target_arrays", of the filter over particles, is removed.
+        See `frames`. Used are the array of "radii" (default: "radius") and "voxel_size" (default: a
+        quarter of the root mean square radius of the first frame). "voxel_size" and "attraction"
+        are set in `options`, "pass_target_arrays" is removed.
 
     Attributes
     ----------
     source : TemporalSource
-        Of images.
+        Source of the images.
     """
 
     def __init__(
@@ -54,9 +54,9 @@ class ProbedAtoms:
     ) -> None:
         first, idle = atoms.first_frame(), sorted({*arrays} - {"radii"})
         if not 0 <= probe < float("inf"):
-            raise ValueError(f"The probe has to have a radius of 0 or more, not {probe:g}.")
+            raise ValueError(f"The probe's radius has to be 0 or more, not {probe:g}.")
         if first.IsA("vtkImageData"):
-            raise ValueError("A probe rolls over atoms; images have none.")
+            raise ValueError("A probe needs atoms; images have none.")
         if preset is not None or idle:
             other = f"preset {preset}" if preset else f"array of {idle[0]}"
             raise ValueError(f"With a probe the {other} has no effect; leave it out.")
@@ -89,7 +89,7 @@ class ProbedAtoms:
         )
 
     def add_arrays(self, skin: Any, time: float) -> None:
-        """Gives a skin the arrays of the nearest atom, of the step nearest in time, if wanted."""
+        """Adds the arrays of the nearest atom, of the step nearest in time, if requested."""
         if not self._passes:
             return
         times = self._atoms.times
@@ -113,7 +113,7 @@ class ProbedAtoms:
 
 
 def _nearest_points(cloud: Any, mesh: Any) -> Any:
-    """The point of a cloud nearest to each point of a mesh."""
+    """Returns the point of a cloud nearest to each point of a mesh."""
     found = vtkIdList()
     locator = vtkStaticPointLocator()
     locator.SetDataSet(cloud)

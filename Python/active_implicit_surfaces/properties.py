@@ -1,4 +1,4 @@
-"""The filter's properties as keywords and options, found in the class itself.
+"""Properties of the filter as keywords and options, found by inspection of the class.
 
 >>> from active_implicit_surfaces import properties
 >>> spacing = properties.find("particle_spacing")
@@ -24,7 +24,7 @@ PACKAGE = __package__
 
 @dataclass(frozen=True)
 class Property:
-    """One property X of the filter, with its SetX and GetX."""
+    """Property X of the filter, with SetX and GetX."""
 
     name: str
     kind: str  # "switch", "choice", "integer", "number", "numbers" or "function"
@@ -35,23 +35,23 @@ class Property:
 
     @property
     def keyword(self) -> str:
-        """The name in snake case."""
+        """Returns the name in snake case."""
         return "_".join(_words(self.name))
 
     @property
     def option(self) -> str:
-        """The name as an option of the command line."""
+        """Returns the name as an option of the command line."""
         return "--" + "-".join(_words(self.name))
 
     @property
     def range(self) -> str:
-        """What the comment says of the range; empty if nothing."""
+        """Returns the range from the comment; "" if the comment has none."""
         found = re.search(r"Range: (.*?)\.(?= |$)(?! ?\d)", self.comment)
         return found[1] if found else ""
 
     @property
     def summary(self) -> str:
-        """The first sentence of the comment, with the default."""
+        """Returns the first sentence of the comment, with the default."""
         first = re.match(r"(.*?[.:])(?= [A-Z]|$)", self.comment)
         text = first[1].rstrip(".:") if first else self.comment
         value = self.choices[self.default] if self.kind == "choice" else self.default
@@ -59,17 +59,17 @@ class Property:
 
 
 def every() -> tuple[Property, ...]:
-    """All properties, in the order of their names."""
+    """Returns all properties, sorted by name."""
     return tuple(_table().values())
 
 
 def find(keyword: str) -> Property:
-    """The property of a keyword.
+    """Returns the property of a keyword.
 
     Raises
     ------
     TypeError
-        There is none; the sentence names the nearest.
+        There is no such property; the text names the closest one.
     """
     found = _table().get(keyword)
     if found is None:
@@ -82,14 +82,14 @@ def find(keyword: str) -> Property:
 def put(surface: Any, values: Mapping[str, Any]) -> None:
     """Sets properties of a filter by their keywords.
 
-    Choices are words, as ``"averaged_centre"``, or numbers.
+    Choices are words such as ``"averaged_centre"``, or numbers.
 
     Raises
     ------
     TypeError
-        No such property, or a value of another kind.
+        There is no such property, or a value has a wrong type.
     ValueError
-        A value out of the property's range, or an unknown word.
+        A value is out of the property's range, or a word is unknown.
     """
     for one in values:
         find(one)
@@ -173,7 +173,7 @@ def _describe(surface: Any, name: str) -> Property:
 
 
 def _choices(surface: Any, name: str) -> tuple[str, ...]:
-    """The words of SetXToWord(), in the order of their numbers."""
+    """Returns the words of SetXToWord(), in the order of their values."""
     before = getattr(surface, "Get" + name)()
     start, numbered = f"Set{name}To", {}
     for method in dir(type(surface)):

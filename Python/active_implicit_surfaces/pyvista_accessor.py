@@ -1,9 +1,9 @@
-"""Skins as methods of PyVista's data sets, which PyVista (from 0.48) loads by itself from a wheel.
+"""Skins as methods of PyVista's data sets; PyVista 0.48 and later finds them in a wheel.
 
 cloud.active_surface.skin(...)               the skin over the points
 mesh.active_surface.morph_to(other, 2.0)     the mesh becomes another one
 
-Elsewhere `import active_implicit_surfaces.pyvista_accessor` makes them known.
+Without a wheel `import active_implicit_surfaces.pyvista_accessor` registers them.
 """
 
 from __future__ import annotations
@@ -24,19 +24,19 @@ if not hasattr(pyvista, "register_dataset_accessor"):
 
 @pyvista.register_dataset_accessor("active_surface", pyvista.DataSet)
 class ActiveSurfaceAccessor:
-    """The functions of active_implicit_surfaces for one data set."""
+    """Functions of active_implicit_surfaces for one data set."""
 
     def __init__(self, dataset: Any) -> None:
         self._dataset = dataset
 
     def skin(self, **options: Any) -> Any:
-        """The skin over the points of this data set, as particles; its cells do not count.
+        """Returns the skin over the points of this data set as particles; cells are ignored.
 
         Parameters
         ----------
         **options
             ``radii``, ``strengths``, ``preset``, ``arrays`` and the properties of
-            vtkActiveImplicitSurface, as of active_implicit_surfaces.skin.
+            vtkActiveImplicitSurface; see active_implicit_surfaces.skin.
 
         Returns
         -------
@@ -46,9 +46,9 @@ class ActiveSurfaceAccessor:
         Raises
         ------
         ValueError
-            The filter's own sentence where it cannot make a skin.
+            The filter reports an error; the text is the filter's message.
         TypeError
-            An unknown keyword, with the nearest one, or a data set whose points are a grid.
+            Unknown keyword (the text names the closest one), or the points are a grid.
 
         Examples
         --------
@@ -61,15 +61,15 @@ class ActiveSurfaceAccessor:
         return skin(self._dataset, **options)
 
     def morph_to(self, other: Any, duration: float = 1.0, **options: Any) -> morph:
-        """The skins on the way from this closed mesh, or image, to another one.
+        """Returns an iterator over the skins from this closed mesh, or image, to another one.
 
         Parameters
         ----------
-        other : pyvista.PolyData, pyvista.ImageData, or what active_implicit_surfaces.morph takes
+        other : pyvista.PolyData, pyvista.ImageData, or what active_implicit_surfaces.morph accepts
         duration : float
-            The time at which `other` is reached.
+            Time at which `other` is reached [time]. Default: 1.
         **options
-            ``frames``, ``progress`` and the properties of vtkActiveImplicitSurface, as of
+            ``frames``, ``progress`` and the properties of vtkActiveImplicitSurface; see
             active_implicit_surfaces.morph.
 
         Returns

@@ -1,4 +1,4 @@
-"""What a vtkRenderWindow shows, as the layers that compositing programs work with.
+"""Converts the content of a vtkRenderWindow to layers for compositing programs.
 
 >>> from active_implicit_surfaces import render
 >>> render.write_exr(window, "picture.exr", frame_duration=1 / 24)
@@ -8,7 +8,7 @@ Layers, as point arrays of the image that capture() returns, and their channels 
     RGBA     R G B A, HALF      the picture, as linear light; see `encoding`
     Z        Z, FLOAT           distance from the camera along its axis [world units], with
                                 perspective and without; `far` where nothing is
-    P        P.X P.Y P.Z, FLOAT place in the world, less `origin`; 0 where nothing is
+    P        P.X P.Y P.Z, FLOAT position in the world minus `origin`; 0 where nothing is
     N        N.X N.Y N.Z, HALF  unit normal along the world's axes, as the data has it (outward on a
                                 closed skin), not turned to the camera; 0 where nothing is
     forward  forward.u .v, HALF motion until the next frame [pixels], u to the right, v up; 0 where
@@ -16,14 +16,14 @@ Layers, as point arrays of the image that capture() returns, and their channels 
     id       id, UINT           1 for the renderer's first actor, 2 for its second and so on; 0
                                 where nothing is
 
-Z and P are of the depth buffer, so of everything opaque in the renderer; what other renderers draw
-over it is in the picture only. N, forward and id are of the surfaces of actors whose mapper has a
-data set (vtkPolyDataMapper, vtkDataSetMapper) or blocks of them, as those of ParaView: these are
-rendered again, without lights, with the values in place of colors. What is translucent is in the
-picture only. Layers are sampled at the pixels' centers; only the picture is antialiased. It has the
-8 bits of the window, alpha is the window's too: 0 on a background whose BackgroundAlpha is 0, and
-on all that is `apart`. Colors are multiplied by alpha, as OpenEXR wants them, if such a background
-is black, as it is where something is apart.
+Z and P are read from the depth buffer, so they show everything opaque in the renderer. N, forward
+and id show the surfaces of actors whose mapper has a data set (vtkPolyDataMapper, vtkDataSetMapper)
+or blocks of data sets, as in ParaView; these surfaces are rendered again, without lights, with
+values in place of colors. Translucent objects, and what other renderers draw on top, are only in
+the picture. Layers are sampled at the pixels' centers; only the picture is antialiased. The picture
+has the 8 bits of the window, and its alpha: 0 on a background whose BackgroundAlpha is 0, and on
+actors that are `apart`. If such a background is black (it is if actors are apart), colors are
+premultiplied by alpha, as OpenEXR requires.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ except ImportError as error:
         "(ACTIVE_BUILD_IO is off); build the package with ACTIVE_BUILD_IO on."
     ) from error
 
-FAR = 1e10  # Blender's value of the background; finite, so that filters of pictures produce no NaN
+FAR = 1e10  # value of the background in Blender; finite, so that image filters produce no NaN
 # Tolerance of depth for values of one surface. The depth buffer has 24 bits, of which perspective
 # leaves about 14 far away.
 _SAME_DEPTH = 1e-4
@@ -67,7 +67,7 @@ def write_exr(
     writer: Any = None,
     **options: Any,
 ) -> Any:
-    """Writes what the window shows as an .exr file with layers.
+    """Writes the content of the window as an .exr file with layers.
 
     Parameters
     ----------
@@ -76,23 +76,23 @@ def write_exr(
     frame_duration : float
         Time until the next frame [time of the velocities], more than 0. Default: 1.
     writer : vtkActiveEXRWriter, optional
-        One with settings of your own (compression, attributes); it gets input, file name, types,
-        matrices.
+        Writer with other settings (compression, attributes); input, file name, types and matrices
+        are set here.
     **options
-        Those of capture(). `origin` is 0 unless single precision is too coarse for places in the
-        world, as for coordinates of a map: then a note and the attribute worldOrigin name it.
+        Options of capture(). `origin` is 0 unless single precision is too coarse for positions in
+        the world, as for map coordinates; a warning and the attribute worldOrigin then name it.
 
     Returns
     -------
     vtkImageData
-        What capture() made of the window.
+        Result of capture().
 
     Raises
     ------
     OSError
         The file cannot be written.
     ValueError
-        As of capture().
+        See capture().
     """
     if "origin" not in options:
         options["origin"] = _origin_of(options.get("renderer") or _renderer_of(window))
@@ -139,30 +139,30 @@ def capture(
     apart: Mapping[str, Any] | None = None,
     origin: Sequence[float] | None = None,
 ) -> Any:
-    """Renders the window, and returns its layers as the point arrays of an image.
+    """Renders the window and returns its layers as point arrays of an image.
 
     Parameters
     ----------
     window : vtkRenderWindow
     renderer : vtkRenderer, optional
-        The one whose layers are wanted, which has to fill the window. Default: the window's first.
+        Renderer to capture; it has to fill the window. Default: the first of the window.
     velocity : str
-        Name of a point array of 3 components, in the data's own coordinates; surfaces without it
-        stand still. Default: "Velocity".
+        Name of a point array of 3 components [length/time], in the data's own coordinates; surfaces
+        without this array stand still. Default: "Velocity".
     frame_duration : float
         Time until the next frame [time of the velocities]. Default: 1.
     camera_after : vtkCamera, optional
         The camera of the next frame, if it moves.
     encoding : {"srgb", "linear"}
-        "srgb" if the window's colors look right on a display (what VTK's shading is made for),
-        "linear" if they are light already; here the array RGBA holds the window's 8 bits as they
-        are, write_exr decodes them. Default: "srgb".
+        Meaning of the window's colors: "srgb" for display colors (usual in VTK), "linear" for
+        linear light. RGBA holds the window's 8 bits unchanged; write_exr decodes them.
+        Default: "srgb".
     far : float
-        Z where nothing is [length]. Default: 1e10.
+        Z of the background [length]. Default: 1e10.
     apart : dict of vtkActor, optional
-        Actors that are in no layer but those of their own: of ``{"ground": actor}`` these are
-        ground.R, .G, .B, .A and ground.Z. The background is left out too, also where the dict is
-        empty, so that A is what the other actors cover. Default: none.
+        Actors that have layers of their own and are in no other layer: ``{"ground": actor}`` gives
+        ground.R, .G, .B, .A and ground.Z. The background is left out too, even if the dict is
+        empty, so that A is the coverage of the other actors. Default: none.
     origin : (float, float, float), optional
         Point of the world [length] that is subtracted from P, which has single precision.
 
@@ -173,7 +173,7 @@ def capture(
     Raises
     ------
     ValueError
-        Another encoding, a window that cannot draw, or a renderer that does not fill it.
+        The encoding is unknown, the window cannot draw, or the renderer does not fill it.
     """
     if encoding not in ("srgb", "linear"):
         raise ValueError(f'encoding is "srgb" or "linear", not {encoding!r}.')
@@ -184,7 +184,7 @@ def capture(
         )
     renderer = renderer or _renderer_of(window)
     if tuple(renderer.GetViewport()) != (0.0, 0.0, 1.0, 1.0):
-        raise ValueError("The renderer does not fill the window (SetViewport), so no layer would.")
+        raise ValueError("The renderer does not fill the window; SetViewport(0, 0, 1, 1).")
     settings = velocity, frame_duration, camera_after, far, origin or (0.0, 0.0, 0.0)
     if apart is None:
         return _image(window, _layers(window, renderer, *settings))
@@ -230,7 +230,7 @@ def _layers(
 
 @contextmanager
 def _only(renderer: Any, is_shown: Any) -> Iterator[None]:
-    """Shows some actors before nothing."""
+    """Shows only some actors, without background."""
     hidden = [one for one in renderer.GetActors() if one.GetVisibility() and not is_shown(one)]
     color, alpha = renderer.GetBackground(), renderer.GetBackgroundAlpha()
     renderer.SetBackground(0.0, 0.0, 0.0)
@@ -247,7 +247,7 @@ def _only(renderer: Any, is_shown: Any) -> Iterator[None]:
 
 
 def _light(picture: Any) -> Any:
-    """Linear light of a display's colors, which are multiplied by alpha before and after."""
+    """Converts display colors to linear light; both are premultiplied by alpha."""
     alpha = picture[:, 3:] / 255.0
     plain = picture[:, :3] / numpy.where(alpha > 0.0, alpha, 1.0)
     light = linear_light(numpy.minimum(plain, 255.0)) * alpha
@@ -255,7 +255,7 @@ def _light(picture: Any) -> Any:
 
 
 def camera_matrices(renderer: Any, origin: Sequence[float] | None = None) -> Any:
-    """Where a renderer's camera is, as OpenEXR's worldToCamera and worldToNDC want it.
+    """Returns the camera as the matrices worldToCamera and worldToNDC of OpenEXR.
 
     Parameters
     ----------
@@ -279,7 +279,7 @@ def camera_matrices(renderer: Any, origin: Sequence[float] | None = None) -> Any
 
 
 def _origin_of(renderer: Any) -> tuple[float, ...] | None:
-    """The camera's focal point where single precision is too coarse for what it shows."""
+    """Returns the camera's focal point if single precision is too coarse for the scene."""
     camera = renderer.GetActiveCamera()
     focus = numpy.array(camera.GetFocalPoint(), "f4")
     if numpy.spacing(numpy.abs(focus).max()) <= _COARSE * camera.GetDistance():
@@ -308,7 +308,7 @@ def _matrix(numbers: Any) -> Any:
 
 
 def _projection(renderer: Any, camera: Any) -> Any:
-    """World to the cube from -1 to 1."""
+    """Returns the matrix from the world to the cube [-1, 1]^3."""
     aspect = renderer.GetTiledAspectRatio()
     return _numbers(camera.GetCompositeProjectionTransformMatrix(aspect, -1, 1))
 
@@ -320,7 +320,7 @@ def _picture(window: Any, size: tuple[int, int]) -> Any:
 
 
 def _places(depth: Any, size: tuple[int, int], projection: Any, camera: Any) -> Any:
-    """Where in the world the pixels' centers are, at these depths, and how far along the axis."""
+    """Returns world positions of the pixels' centers at these depths, and axial distances."""
     x = (numpy.arange(size[0]) + 0.5) / size[0] * 2.0 - 1.0
     y = (numpy.arange(size[1]) + 0.5) / size[1] * 2.0 - 1.0
     cube = numpy.empty((len(depth), 4))
@@ -334,7 +334,7 @@ def _places(depth: Any, size: tuple[int, int], projection: Any, camera: Any) -> 
 
 
 def _pixels(places: Any, projection: Any, size: tuple[int, int]) -> Any:
-    """Where in the picture places are, in pixels from the lower left."""
+    """Projects points into the picture [pixels from the lower left]."""
     clip = places @ projection[:, :3].T + projection[:, 3]
     return (clip[:, :2] / clip[:, 3:] + 1.0) * 0.5 * numpy.array(size)
 

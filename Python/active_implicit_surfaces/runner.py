@@ -1,4 +1,4 @@
-"""One loop over frames, with sinks: files, films, the state of a run, progress."""
+"""Loop over frames, with sinks: files, films, the state of a run, progress."""
 
 from __future__ import annotations
 
@@ -13,27 +13,27 @@ from .messages import listening, warn
 
 
 class Frame(NamedTuple):
-    """A skin, and its time."""
+    """Skin and its time."""
 
     time: float
     skin: Any
 
 
 class Sink:
-    """Receives the frames of a run: a context manager, which ends with the run."""
+    """Receiver of the frames of a run; a context manager, which exits at the end of the run."""
 
     def __enter__(self) -> Any:
         return self
 
     def __exit__(self, kind: Any, *_: Any) -> None:
-        """Finishes what was made; `kind` is None unless the run has failed."""
+        """Finishes the output; `kind` is None unless the run has failed."""
 
     def add(self, step: int, data: Any) -> None:
-        """Takes the data of a step."""
+        """Receives the data of a step."""
 
 
 class FileSeries(Sink):
-    """A file for each frame, and at the end their index.
+    """Writes a file for each frame, and at the end an index of the files.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ class FileSeries(Sink):
 
 
 def run(make: Callable[[int], Any], steps: Iterable[int], sinks: Iterable[Sink] = ()) -> None:
-    """Makes the data of each step and gives them to the sinks, in order."""
+    """Makes the data of each step and passes them to the sinks, in order."""
     with ExitStack() as stack:
         own = [stack.enter_context(sink) for sink in sinks]
         for step in steps:
@@ -71,7 +71,7 @@ def run(make: Callable[[int], Any], steps: Iterable[int], sinks: Iterable[Sink] 
 
 
 class Skins:
-    """The skins of a filter at some times, one after the other.
+    """Iterator over the skins of a filter at some times.
 
     Attributes
     ----------
@@ -90,7 +90,7 @@ class Skins:
         return len(self.times)
 
     def __next__(self) -> Frame:
-        """The next skin, as of one loop over all of them."""
+        """Returns the next frame of a single pass, which is independent of for loops."""
         if self._loop is None:
             self._loop = iter(self)
         return next(self._loop)
@@ -103,13 +103,13 @@ class Skins:
             yield Frame(time, like(self._example, skin))
 
     def make(self, step: int) -> Any:
-        """The filter's own output at a step, which the next one writes over."""
+        """Returns the filter's own output at a step, which the next step overwrites."""
         update(self.surface, self.times[step], self.source)
         return self.surface.GetOutput()
 
 
 def update(surface: Any, time: float, source: Any = None) -> None:
-    """Takes a filter to a time; its errors are ValueError, those of the source what they are."""
+    """Updates a filter to a time; raises ValueError for its errors, or the source's exception."""
     with listening(*filter(None, (surface, source))) as heard:
         surface.UpdateTimeStep(time)
     if source is not None and source.failure is not None:
@@ -119,7 +119,7 @@ def update(surface: Any, time: float, source: Any = None) -> None:
 
 
 def copy_of(data: Any) -> Any:
-    """A data object of the same arrays that the next update does not change."""
+    """Returns a shallow copy, which the next update does not change."""
     copy = data.NewInstance()
     copy.ShallowCopy(data)
     return copy

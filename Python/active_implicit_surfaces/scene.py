@@ -1,4 +1,4 @@
-"""A studio for skins: light, ground, and a camera that holds a box."""
+"""Scene for pictures of skins: lights, ground, and a fixed camera."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ COLORS = {
 }
 VIEW_ANGLE = 20.0
 FINENESS = 2  # supersampling factor of a picture
-BORDER = 12  # pixels cut off: the shade in corners ends before the picture does
+BORDER = 12  # pixels cut off: ambient occlusion is incomplete at the border of the picture
 # From the scene to the camera; with y or z up, x points to the right.
 VIEWS = {"x": (0.5, 1.0, 0.45), "y": (0.45, 0.5, 1.0), "z": (0.45, -1.0, 0.5)}
 
@@ -43,24 +43,24 @@ LIGHTS = (
 
 
 class Scene:
-    """Renders one skin after the other, seen by one camera.
+    """Renders skins with one fixed camera.
 
     Parameters
     ----------
     held : array (n, 3)
-        Points that the camera holds; the ground is below them all.
+        Points in view; the ground is below all of them.
     size : (int, int)
-        Of the pictures, in pixels.
+        Size of the pictures [pixels].
     up : {"x", "y", "z", "-x", "-y", "-z"}
     color : (float, float, float)
     soft : bool
-        Whether corners are shaded (not for layers, whose depth this takes).
+        Ambient occlusion; has to be off for layers, because it uses the depth buffer.
     ground : bool
 
     Attributes
     ----------
     apart : dict
-        The ground's actor, as render.capture() takes it.
+        Actor of the ground, for `apart` of render.capture().
     """
 
     def __init__(
@@ -94,12 +94,12 @@ class Scene:
         self.window.AddRenderer(self.renderer)
 
     def show(self, skin: Any) -> None:
-        """Puts this skin into the scene."""
+        """Sets the skin of the scene."""
         self.mapper.SetInputData(skin)
         self.actor.SetVisibility(skin.GetNumberOfPoints() > 0)
 
     def picture(self) -> Any:
-        """What the camera sees, as a vtkImageData of RGB."""
+        """Renders the scene and returns a vtkImageData of RGB."""
         taken = vtkWindowToImageFilter()
         self.window.Render()
         taken.SetInput(self.window)
@@ -108,7 +108,7 @@ class Scene:
         return self._inner_part(vtk_to_numpy(taken.GetOutput().GetPointData().GetScalars()))
 
     def _inner_part(self, pixels: Any) -> Any:
-        """The mean of each fineness x fineness pixels, without the border, as an image."""
+        """Returns the mean of each fineness x fineness pixels, without the border, as an image."""
         fineness, (width, height) = self.fineness, self.size
         start = fineness * self.border
         rows = pixels.reshape(-1, fineness * (width + 2 * self.border), 3)
@@ -132,7 +132,7 @@ class Scene:
             self.renderer.AddLight(light)
 
     def _place_camera(self, points: Any, up: int, sign: float) -> None:
-        """So near that all points are just within the picture."""
+        """Places the camera so near that all points are just within the picture."""
         to_camera, upward = numpy.array(VIEWS["xyz"[up]]), sign * numpy.eye(3)[up]
         to_camera[up] *= sign
         to_camera = to_camera / numpy.linalg.norm(to_camera)
@@ -156,7 +156,7 @@ class Scene:
             self.renderer.SetPass(_shade_in_corners(2.0 * half * distance))
 
     def _add_ground(self, low: Any, high: Any, up: int, sign: float) -> Any:
-        """A ground in the color of the background, which shows by the shade upon it."""
+        """Adds a ground in the color of the background, visible by its ambient occlusion."""
         reach, height = (
             4.0 * float(numpy.linalg.norm(high - low)),
             min(sign * low[up], sign * high[up]),
@@ -189,7 +189,7 @@ def _set_look(look: Any, color: tuple[float, float, float]) -> None:
 
 
 def _shade_in_corners(seen: float) -> Any:
-    """Ambient occlusion, in proportion to what the camera sees."""
+    """Turns on ambient occlusion with a radius proportional to the size of the view."""
     shade = vtkSSAOPass()
     shade.SetRadius(0.2 * seen)
     shade.SetBias(0.008 * seen)

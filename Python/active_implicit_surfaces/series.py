@@ -1,4 +1,4 @@
-"""Particles over time as sources of a VTK pipeline.
+"""Sources of a VTK pipeline for particles over time.
 
 >>> import numpy
 >>> from active_implicit_surfaces import ParticleSeries, vtkActiveImplicitSurface
@@ -31,28 +31,28 @@ from .data_objects import as_particles, is_vtk
 from .particle_files import open_particles
 from .times import check_times, times_at
 
-_ROUNDING = 1e-6  # of a number of particles
+_ROUNDING = 1e-6  # tolerance of a number of particles
 
 
 class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
-    """A source whose output at the i-th of its time steps is what a function makes of i.
+    """VTK source whose output at time step i is the result of a function of i.
 
     Parameters
     ----------
     load : callable(int)
-        Gives the data of a step: a vtkDataObject of `output_type`, or particles as `as_particles`
-        takes them. The last two are kept.
+        Returns the data of a step: a vtkDataObject of `output_type`, or particles in a form that
+        `as_particles` accepts. The data of the last two steps are cached.
     times : sequence of float
-        Increasing [time].
+        Increasing times [time].
     output_type : str
-        The VTK class of the data. Default: "vtkPolyData".
+        VTK class of the data. Default: "vtkPolyData".
     any_order : bool
-        Whether `load` may be called for later steps before it is for earlier ones. Default: False.
+        `load` may be called for later steps before earlier ones. Default: False.
 
     Attributes
     ----------
     failure : Exception or None
-        What `load` has raised in the last update; the output then is empty.
+        Exception of `load` in the last update; the output is then empty.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         self._whole: TemporalSource | None = None
 
     def frame(self, step: int) -> Any:
-        """The data of a step, as a vtkDataObject."""
+        """Returns the data of a step, as a vtkDataObject."""
         if step not in self._kept:
             data = self._read(step)
             for old in sorted(self._kept)[:-1]:
@@ -87,7 +87,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return data if is_vtk(data) and data.IsA(self._output_type) else as_particles(data)
 
     def frames_that_tell(self) -> list[Any]:
-        """The first frame with points, one in the middle and the last, if they can be read now."""
+        """Returns the first frame with points, a middle and the last one, if readable now."""
         if self._whole:
             return self._whole.frames_that_tell()
         first, last = self.first_frame(), len(self.times) - 1
@@ -99,7 +99,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return frames
 
     def first_frame(self) -> Any:
-        """The first one with points, as emitters begin with none; if there is none, the first."""
+        """Returns the first frame with points (emitters start empty), else the first frame."""
         if self._whole:
             return self._whole.first_frame()
         if self._first is None:
@@ -107,31 +107,31 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return self.frame(self._first)
 
     def part(self, steps: Sequence[int]) -> TemporalSource:
-        """A source of some of the steps, whose lengths are those of the whole series."""
+        """Returns a source of some steps; lengths are still estimated from the whole series."""
         times = [self.times[step] for step in steps]
         own = TemporalSource(lambda i: self.frame(steps[i]), times, self._output_type)
         own._whole = self
         return own
 
     def leave_out_pieces(self, minimum: int, volume: float, spacing: float) -> int:
-        """Leaves out particles in clusters of fewer than a minimum, or of a smaller volume.
+        """Removes particles in clusters of fewer than `minimum`, or of less than `volume`.
 
-        Returns the least number of particles, each of which has the volume spacing^3.
+        A particle has the volume spacing^3. Returns the least number of particles of a cluster.
         """
         least = math.ceil(volume / spacing**3 - _ROUNDING) if spacing else 0
         minimum = max(minimum, least)
         if self._output_type == "vtkImageData":
-            raise ValueError("minimum_piece chooses particles; images have none.")
+            raise ValueError("minimum_piece needs particles; images have none.")
         self._change(lambda data: without_small_pieces(as_particles(data), minimum, spacing))
         return minimum
 
     def use_usual_level(self) -> None:
-        """Makes images level sets, below 0 inside, by one rule for all of them.
+        """Converts images to level sets, negative inside, by one rule for all images.
 
         Raises
         ------
         ValueError
-            The images have no inside: several labels, or values of 0 and more.
+            The images have no inside: several labels, or no values below 0.
         """
         if self._output_type == "vtkImageData":
             level, above = level_of_series(self.frames_that_tell())
@@ -147,7 +147,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         return not frame.IsA("vtkPointSet") or frame.GetNumberOfPoints() > 0
 
     def step_of(self, time: float) -> int:
-        """The last step up to a time; the first one before it."""
+        """Returns the last step not after a time; the first step for earlier times."""
         return max(0, bisect_right(self.times, time) - 1)
 
     def RequestInformation(self, request: Any, inputs: Any, outputs: Any) -> int:
@@ -170,26 +170,26 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
 
 
 class ParticleSeries(TemporalSource):
-    """Particles or images over time: a source with time steps, of arrays, files or a function.
+    """VTK source with time steps, from particles or images in arrays, files or a function.
 
     Parameters
     ----------
     frames : iterable of particles, pattern or list of files, or callable(time)
-        Particles as `as_particles` takes them, or images; files as `active-surface` reads them.
+        Particles in a form that `as_particles` accepts, or images; files of `active-surface`.
     times : sequence of float, optional
-        A time for each frame [time], increasing; a callable needs them.
+        Time of each frame [time], increasing; required for a callable.
     fps : float, optional
-        Frames per second [1/time], more than 0, where there are no times: 0, 1/fps, 2/fps ...
-        Default: the times that the files tell, else 25.
+        Frames per unit of time [1/time], more than 0, instead of times: 0, 1/fps, 2/fps ...
+        Default: the times in the files, else 25.
     where : str or sequence of str, optional
-        Conditions that the particles meet: "Type=1", "T>300", "id!=3,4", "x<0.5", "resname=LIG".
+        All conditions must be met: "Type=1", "T>300", "id!=3,4", "x<0.5", "resname=LIG".
 
     Raises
     ------
     ValueError
-        Times that do not increase or are not as many as the frames, times and fps, or no frames.
+        Times do not increase or match the frames, times and fps are both given, or no frames.
     OSError
-        No such file, or one that cannot be read.
+        A file does not exist or cannot be read.
 
     Examples
     --------
@@ -210,7 +210,7 @@ class ParticleSeries(TemporalSource):
     ) -> None:
         conditions(where)
         if times is not None and fps is not None:
-            raise ValueError("Times and frames per second are two ways to say the same; give one.")
+            raise ValueError("Times and frames per second exclude each other; give one of them.")
         load, found, kind = _loader(frames, times, fps)
         as_points = as_particles if kind == "vtkPolyData" else (lambda image: image)
         note = note_once() if len(found) > 1 else None
@@ -224,7 +224,7 @@ class ParticleSeries(TemporalSource):
 def _loader(
     frames: Any, times: Sequence[float] | None, fps: float | None
 ) -> tuple[Callable[[int], Any], Sequence[float], str]:
-    """The function that gives a step, the times, and the class of the data."""
+    """Returns the loader of a step, the times, and the class of the data."""
     if callable(frames):
         if times is None:
             raise TypeError("A function of time needs `times`.")

@@ -1,6 +1,6 @@
-"""Particles of simulations: .bgeo, dumps of LAMMPS, .hdf5 of PySPH.
+"""Reads particles of simulations: .bgeo, dumps of LAMMPS, .hdf5 of PySPH.
 
-Readers return what those of `text_particles` do.
+The functions return the same structures as those of `text_particles`.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .tables import FIELD, SYMBOLS, Frame, Frames, group_columns, number
 
 _BGEO, _NEWER_BGEO = b"BgeoV", b"\x7fNSJ"
 _BGEO_TYPES = {0: ">f4", 1: ">i4", 4: ">i4", 5: ">f4"}  # 4: the index of a text
-# Patterns of a dump: beginnings of frames; suffixes of the columns x. s: fraction of the box, u:
+# Patterns of a dump: starts of frames; suffixes of the columns x. s: fraction of the box, u:
 # unwrapped.
 _DUMP = re.compile(
     rb"^(?:ITEM: UNITS\r?\n.*\n)?(?:ITEM: TIME\r?\n(?P<time>.*)\n)?ITEM: TIMESTEP", re.MULTILINE
@@ -34,7 +34,7 @@ _WHOLE = ("id", "type", "mol", "proc", "ix", "iy", "iz")
 
 
 def read_bgeo(path: Path) -> Frames:
-    """Points and attributes of Houdini's classic format, as partio and SPlisHSPlasH write it."""
+    """Reads points and attributes of Houdini's classic format, written by partio, SPlisHSPlasH."""
     content = path.read_bytes()
     try:
         content = gzip.decompress(content) if content[:2] == b"\x1f\x8b" else content
@@ -65,7 +65,7 @@ def read_bgeo(path: Path) -> Frames:
 def _read_attribute(
     content: bytes, start: int
 ) -> tuple[tuple[str, str, tuple[int, ...]], list[str], int]:
-    """Name, kind and shape of an attribute, its list of texts, and where the next one begins."""
+    """Returns name, kind and shape of an attribute, its texts, and the offset of the next one."""
 
     def take(form: str) -> Any:
         nonlocal start
@@ -88,7 +88,7 @@ def _read_attribute(
 
 
 def read_dump(path: Path) -> Frames:
-    """The frames of a text dump of LAMMPS, each read when it is used."""
+    """Opens the frames of a text dump of LAMMPS, each read when it is used."""
     with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
         found = [(head.start(), head["time"]) for head in _DUMP.finditer(content)]
         is_binary, end = b"\0" in content[:4096], len(content)
@@ -137,7 +137,7 @@ def _read_dumped(path: Path, start: int, end: int) -> Frame:
 
 
 def _box_of(head: str, body: str) -> tuple[Frame, Any]:
-    """Edges and periodic sides of the box as .xyz files have them, and its corner."""
+    """Returns edges and periodic axes of the box in the form of .xyz files, and its corner."""
     rows = numpy.array([[float(cell) for cell in line.split()] for line in body.splitlines()])
     if rows.shape == (3, 4):
         edges, origin = rows[:, :3], rows[:, 3]
@@ -152,7 +152,7 @@ def _box_of(head: str, body: str) -> tuple[Frame, Any]:
 
 
 def read_pysph(path: Path) -> Frames:
-    """The particles of all kinds, whose names are "array"."""
+    """Reads the particles of all kinds; the names of the kinds become the array "array"."""
     with _hdf5(path) as file:
         solver = file.get("solver_data")
         time = None if solver is None else solver.attrs.get("t")
@@ -187,7 +187,7 @@ def _read_kinds(path: Path) -> Frame:
 
 
 def _read_arrays(group: Any, kind: str) -> Frame:
-    """The arrays of the particles of one kind, with its name."""
+    """Returns the arrays of the particles of one kind, with the name of the kind."""
     arrays = Frame(array=numpy.full(len(group["x"]), kind))
     for name, own in group.items():
         stride = int(own.attrs.get("stride", 1))

@@ -1,4 +1,4 @@
-"""Skins and other meshes to and from files; particles to files."""
+"""Reads and writes skins and other meshes; writes particles."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ from .messages import listening, quiet
 from .particle_files import PARTICLE_SUFFIXES
 from .vtk_files import check_readable, read_vtk
 
-# A function of this package, or a class of VTK.
+# Writers: a function of this package, or a class of VTK.
 MESH_WRITERS: dict[str, Any] = {
     ".vtp": ("vtkmodules.vtkIOXML", "vtkXMLPolyDataWriter"),
     ".ply": write_ply,
@@ -60,13 +60,13 @@ PARTICLE_OUT_SUFFIXES = (".vtp", ".ply", ".vtk", ".csv", ".xyz", ".json", ".npz"
 
 
 def check_suffix(path: Path, known: tuple[str, ...], what: str) -> None:
-    """Raises ValueError if a file of that extension cannot be written."""
+    """Raises ValueError if files with the extension of `path` cannot be written."""
     if suffix_of(path) not in known:
         raise ValueError(f"{path}: {what} are written as {', '.join(known)}.")
 
 
 def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **settings: Any) -> None:
-    """Writes a mesh in the format of the extension, as a whole or not at all.
+    """Writes a mesh in the format of the extension, atomically: completely or not at all.
 
     Warns of arrays that the format cannot hold.
 
@@ -74,18 +74,18 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
     ----------
     path : Path
     mesh : vtkPolyData or vtkImageData
-        A skin for .vdb: the filter's own output, whose grid then is written.
+        For a skin as .vdb: the filter's own output, whose grid is written.
     port : vtkAlgorithmOutput, optional
-        Where the mesh comes from, for the number of its frame in a .vdb.
+        Output port of the mesh's source, which gives a .vdb its frame number.
     up : {"x", "y", "z", "-x", "-y", "-z"}
-        Axis of the data that points up, for a .glb, where y does. Default: "y".
+        Axis of the data that points up, for a .glb, in which y is up. Default: "y".
     **settings
-        Calls of the writer: ``SetVoxelSize=0.1``.
+        Methods of the writer and their argument: ``SetVoxelSize=0.1``.
 
     Raises
     ------
     OSError
-        With the writer's sentence.
+        The file cannot be written; the text is the writer's message.
     """
     suffix = suffix_of(path)
     warn_of_losses(suffix, mesh)
@@ -111,17 +111,17 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
         with quiet(), listening(writer) as heard:
             writer.Write()
         if heard.errors or writer.GetErrorCode() or not temporary.exists():
-            said = heard.errors[0] if heard.errors else "check the folder, and that it has room."
+            said = heard.errors[0] if heard.errors else "check the folder and its free space."
             raise OSError(f"{path} cannot be written: {said}".replace(str(temporary), str(path)))
 
 
 def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
-    """A mesh or an image; with further parts a mesh, of images at their usual level.
+    """Reads a mesh or an image; several parts become a mesh, with images at their usual level.
 
     Raises
     ------
     OSError
-        It cannot be read.
+        A file cannot be read.
     """
     if parts:
         together = vtkAppendPolyData()
@@ -161,7 +161,7 @@ def holds_particles(path: Path) -> bool | None:
     Raises
     ------
     OSError
-        It cannot be read.
+        The file cannot be read.
     """
     suffix = suffix_of(path)
     if suffix not in INPUT_SUFFIXES:
@@ -180,7 +180,7 @@ def holds_particles(path: Path) -> bool | None:
 
 
 def surface_of(blocks: Any) -> Any:
-    """The surfaces of all blocks as one mesh."""
+    """Returns the surfaces of all blocks as one mesh."""
     surface = vtkCompositeDataGeometryFilter()
     surface.SetInputData(blocks)
     surface.Update()
@@ -188,7 +188,7 @@ def surface_of(blocks: Any) -> Any:
 
 
 def write_particles(path: Path, cloud: Any) -> None:
-    """Writes points and their arrays in the format of the extension, as a whole or not at all."""
+    """Writes points and their arrays in the format of the extension, completely or not at all."""
     suffix = suffix_of(path)
     if suffix in (".vtp", ".ply", ".vtk"):
         write_mesh(path, _with_vertices(cloud) if cloud.GetNumberOfPoints() else cloud)
@@ -222,7 +222,7 @@ def _prepare_writer(writer: Any, suffix: str, mesh: Any) -> None:
 
 
 def _skin_of_nothing() -> Any:
-    """A filter whose skin and grid are empty."""
+    """Returns a filter whose skin and grid are empty."""
     from . import vtkActiveImplicitSurface
 
     surface = vtkActiveImplicitSurface()
@@ -233,7 +233,7 @@ def _skin_of_nothing() -> Any:
 
 
 def _triangles(mesh: Any) -> Any:
-    """The mesh as triangles alone."""
+    """Converts all polygons to triangles; drops other cells."""
     if mesh.GetNumberOfStrips() or (
         mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3
     ):
@@ -247,13 +247,13 @@ def _triangles(mesh: Any) -> Any:
 
 
 def _check_corners(path: Path, data: Any) -> None:
-    """Raises OSError where a cell has a point that is not there: VTK's filters take any."""
+    """Raises OSError if a cell refers to a point that does not exist; VTK does not check."""
     if not data.IsA("vtkPolyData"):
         return
     for cells in (data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips()):
         corners = vtk_to_numpy(cells.GetConnectivityArray())
         if corners.size and (corners.min() < 0 or corners.max() >= data.GetNumberOfPoints()):
-            raise OSError(f"{path} cannot be read: it is damaged; a cell has no such points.")
+            raise OSError(f"{path} cannot be read: it is damaged; a cell refers to missing points.")
 
 
 def _read_glb(path: Path) -> Any:
@@ -283,7 +283,7 @@ def _read_glb(path: Path) -> Any:
 
 
 def _turned_outward(nodes: Any) -> Any:
-    """The meshes of a .glb, reversed where the node mirrors them, as glTF says."""
+    """Reverses meshes of a .glb whose node mirrors them, as glTF demands."""
     for mesh in blocks_of(nodes):
         matrix = mesh.GetFieldData().GetArray("globalTransform")
         if matrix is not None and numpy.linalg.det(vtk_to_numpy(matrix).reshape(4, 4)) < 0:
@@ -295,7 +295,7 @@ def _turned_outward(nodes: Any) -> Any:
 
 
 def _with_vertices(cloud: Any) -> Any:
-    """Points as cells, which some programs want to see them."""
+    """Adds a vertex cell for each point; some programs show only cells."""
     from vtkmodules.vtkFiltersCore import vtkMaskPoints  # missing in some installations
 
     vertices = vtkMaskPoints()
@@ -332,12 +332,12 @@ def _write_csv(path: Path, positions: Any, arrays: dict[str, Any]) -> None:
 
 
 def _quoted(text: str) -> str:
-    """A cell of a .csv."""
+    """Quotes a cell of a .csv."""
     return '"' + text.replace('"', '""') + '"' if re.search('[",\n]', text) else text
 
 
 def _format_of(values: Any) -> str:
-    """A format that keeps all digits."""
+    """Returns a format that keeps all digits."""
     if values.dtype.kind != "f":
         return "%s" if values.dtype.kind == "U" else "%d"
     return "%.9g" if values.dtype.itemsize <= 4 else "%.17g"

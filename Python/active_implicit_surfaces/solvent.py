@@ -1,7 +1,7 @@
 """Solvent-excluded surface of atoms as an image of distances, exact at the image's points.
 
-A probe, a ball, rolls over the atoms: inside is what it cannot reach. With the radius 0 that is
-the van der Waals surface.
+A probe, a ball, rolls over the atoms; points that it cannot reach are inside. With radius 0 the
+surface is the van der Waals surface.
 
 >>> from active_implicit_surfaces.solvent import excluded_distance
 >>> image = excluded_distance([[0, 0, 0], [3, 0, 0]], [1.7, 1.7], probe=1.4, voxel=0.25)
@@ -21,37 +21,37 @@ from .accessible import Arcs, Neighbours, chunks, exposed_arcs, find_neighbours,
 from .data_objects import add_array
 
 BAND = 2.0  # distance from the surface with exact values, in voxels
-MOST_POINTS = 100_000_000  # of an image
-MOST_PAIRS = 20_000_000  # of atoms whose accessible balls overlap
+MOST_POINTS = 100_000_000  # limit for an image
+MOST_PAIRS = 20_000_000  # limit for pairs of atoms whose accessible balls overlap
 VOXEL = 0.25  # relative to the root mean square radius
 _SIDE = 4  # points along an edge of a block
-_CHORD = 0.1  # voxels lost by triangles, per curvature of one per voxel
+_CHORD = 0.1  # voxels lost by flat triangles, per curvature of 1/voxel
 _INSIDE = 1e-9  # relative to a radius: tolerance of points on a ball's surface
 
 
 def usual_voxel(radii: Any) -> float:
-    """A quarter of the root mean square radius, 0.3 to 0.45 Angstrom."""
+    """Returns a quarter of the root mean square radius, usually 0.3 to 0.45 Angstrom."""
     return VOXEL * float(numpy.sqrt(numpy.mean(numpy.square(radii))))
 
 
 def excluded_distance(centers: Any, radii: Any, probe: float, voxel: float) -> Any:
-    """Signed distances to the solvent-excluded surface, negative inside.
+    """Returns signed distances to the solvent-excluded surface, negative inside.
 
     Parameters
     ----------
     centers : array (n, 3)
-        [length]
+        Centres of the atoms [length].
     radii : array (n,)
-        Van der Waals radii [length]; atoms without one do not count.
+        Van der Waals radii [length]; atoms without a radius are ignored.
     probe : float
         Radius of the probe [length]; 0 or more.
     voxel : float
-        Distance of the image's points [length], which lie at multiples of it.
+        Spacing of the image's points [length]; their coordinates are multiples of the spacing.
 
     Returns
     -------
     vtkImageData
-        With the array "distance", cut off at two voxels.
+        Image with the point array "distance" [length], clamped to two voxels.
 
     Raises
     ------
@@ -62,7 +62,7 @@ def excluded_distance(centers: Any, radii: Any, probe: float, voxel: float) -> A
     balls = numpy.column_stack([numpy.asarray(centers, float).reshape(-1, 3), radii])
     balls = numpy.unique(balls[(radii > 0) & numpy.isfinite(balls).all(axis=1)], axis=0)
     if len(balls) == 0:
-        raise ValueError("No atom has a radius, so that a probe has nothing to roll over.")
+        raise ValueError("No atom has a radius, so a probe has nothing to roll over.")
     centers, radii = balls[:, :3], balls[:, 3] + probe
     grid = _Grid(centers, balls[:, 3], voxel, BAND * voxel, probe)
     _check_overlaps(centers, radii, probe)
@@ -75,19 +75,19 @@ def excluded_distance(centers: Any, radii: Any, probe: float, voxel: float) -> A
 
 
 def _check_overlaps(centers: Any, radii: Any, probe: float) -> None:
-    """Raises ValueError where the atoms within reach of the probe are too many."""
+    """Raises ValueError if the probe touches too many atoms at once."""
     size = 2.0 * radii.max()
     cells = numpy.floor((centers - centers.min(axis=0)) / size)
     _, counts = numpy.unique(cells, axis=0, return_counts=True)
     if 4 * int((counts.astype(numpy.int64) ** 2).sum()) > MOST_PAIRS:
         raise ValueError(
-            f"A probe of {probe:g} touches too many atoms at once; it has to be smaller. The usual "
-            "one, of water, is 1.4 Angstrom, in the length unit of the atoms."
+            f"A probe of {probe:g} touches too many atoms at once; reduce its radius. The usual "
+            "probe, water, has 1.4 Angstrom, in the length unit of the atoms."
         )
 
 
 def empty_image(voxel: float) -> Any:
-    """Distances with nothing inside, for a frame without atoms."""
+    """Returns an image of distances with an empty inside, for a frame without atoms."""
     image = vtkImageData()
     image.SetDimensions(2, 2, 2)
     image.SetSpacing(*3 * [voxel])
@@ -97,10 +97,10 @@ def empty_image(voxel: float) -> Any:
 
 
 def for_triangles(image: Any) -> Any:
-    """An image of distances whose skin, of flat triangles, holds the volume of the round surface.
+    """Corrects distances so that a skin of flat triangles has the volume of the round surface.
 
-    Triangles with corners on a ball of r voxels lie 0.2 / r voxels within it on the mean. So the
-    distance changes by 0.1 of its Laplacian, which is the curvature, in voxels.
+    Triangles with corners on a ball of r voxels lie 0.2 / r voxels inside the ball on average. The
+    correction is 0.1 of the distance's Laplacian, which is the curvature [1/voxel].
     """
     array = image.GetPointData().GetScalars()
     values = vtk_to_numpy(array).reshape(image.GetDimensions()[::-1])
@@ -117,10 +117,10 @@ def for_triangles(image: Any) -> Any:
 
 
 class _Grid:
-    """Blocks of 4 x 4 x 4 points near atoms, and for each point what is found of its distance.
+    """Blocks of 4 x 4 x 4 points near atoms, with the state of the distance for each point.
 
-    `depth` is how far into its deepest accessible ball the point is, `owner` that ball, `exit`
-    the distance found to where the probe's centre can be.
+    `depth` is the depth of the point in its deepest accessible ball, `owner` the index of this
+    ball, `exit` the least distance found so far to possible centres of the probe.
     """
 
     def __init__(self, centers: Any, radii: Any, voxel: float, band: float, probe: float) -> None:
@@ -142,7 +142,7 @@ class _Grid:
         self.depth = self.exit = self.owner = numpy.zeros((0, _SIDE**3))
 
     def add_balls(self, centers: Any, radii: Any) -> None:
-        """Finds the depth of all points that are not far outside, and the ball of each."""
+        """Finds depth and owner of all points that are not far outside."""
         keys, balls = self._blocks_near(centers, radii + max(0.0, self.band - self.probe))
         order = numpy.lexsort((balls, keys))
         keys, balls = keys[order], balls[order]
@@ -163,7 +163,7 @@ class _Grid:
         self.exit = numpy.where(self.depth > 0, numpy.inf, self.depth)
 
     def add_patches(self, centers: Any, radii: Any, near: Neighbours, arcs: Arcs) -> None:
-        """The exit straight out of the ball of a point, where no other ball is in the way."""
+        """Sets the exit radially out of the owner of a point, if no other ball covers it."""
         is_open = near.counts == 0
         is_open[arcs.balls] = True
         reached = (self.depth > 0) & (self.depth < self.probe + self.band) & is_open[self.owner]
@@ -183,7 +183,7 @@ class _Grid:
             self.exit[row[free], corner[free]] = self.depth[row[free], corner[free]]
 
     def add_arcs(self, arcs: Arcs) -> None:
-        """The exits to the nearest point of the arcs."""
+        """Updates the exits with the nearest points of the arcs."""
         wanted = numpy.isinf(self.exit) & (self.depth < self.probe + self.band)
         holds = numpy.zeros(int(numpy.prod(self.shape)), bool)
         holds[self.blocks[wanted.any(axis=1)]] = True
@@ -208,7 +208,7 @@ class _Grid:
             self.exit[own_rows[own]] = numpy.where(wanted[own_rows[own]], least, known)
 
     def image(self) -> Any:
-        """The distances as an image."""
+        """Returns the distances as an image."""
         values = numpy.full((int(numpy.prod(self.shape)), _SIDE**3), self.band, dtype=numpy.float32)
         values[self.blocks] = numpy.clip(self.probe - self.exit, -self.band, self.band)
         values = values.reshape(*self.shape, *3 * [_SIDE]).transpose(2, 5, 1, 4, 0, 3)
@@ -221,12 +221,12 @@ class _Grid:
         return image
 
     def _starts(self, keys: Any) -> Any:
-        """The first point of each block (n, 3)."""
+        """Returns the first point of each block, an array (n, 3)."""
         block = numpy.stack(numpy.unravel_index(keys, self.shape), axis=-1)
         return self.voxel * (block * _SIDE + self.low)
 
     def _blocks_near(self, centers: Any, reaches: Any, holds: Any = None) -> tuple[Any, Any]:
-        """Pairs of a block and a ball around a centre that touches it."""
+        """Returns pairs of a block and a ball that touches the block."""
         edge = _SIDE * self.voxel
         half = 0.5 * (_SIDE - 1) * self.voxel
         start = self.voxel * self.low + half  # centre of the first block
@@ -253,7 +253,7 @@ class _Grid:
 
 
 def _distances_to(arcs: Arcs, x: Any, y: Any, z: Any) -> Any:
-    """The distances of points (n, m), along the axes of n arcs, to their arc."""
+    """Returns distances (n, m) of m points, in the axes of each of n arcs, to the arc."""
     radius, half = arcs.radii[:, None], arcs.halves[:, None]
     cos, sin, y = numpy.cos(half), numpy.sin(half), numpy.abs(y)
     inwards = numpy.hypot(x, y) - radius

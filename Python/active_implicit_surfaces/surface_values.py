@@ -1,4 +1,4 @@
-"""The nearest surface in each pixel of a window: its depth, normal, velocity and actor."""
+"""Renders the nearest surface in each pixel of a window: depth, normal, velocity and actor."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ _POINT_FIELD = 3  # VTK_SCALAR_MODE_USE_POINT_FIELD_DATA for vtkValuePass
 
 
 def distances_along_axis(points: Any, camera: Any) -> Any:
-    """From the camera."""
+    """Returns distances from the camera along its axis."""
     return (points - camera.GetPosition()) @ numpy.array(camera.GetDirectionOfProjection())
 
 
 def surface_values(window: Any, renderer: Any, velocity: Any) -> Any:
-    """The depth buffer, and the values of the nearest surface in each pixel."""
+    """Returns the depth buffer, and the values of the nearest surface in each pixel."""
     samples = window.GetMultiSamples()
     window.SetMultiSamples(0)
     try:
@@ -49,9 +49,9 @@ def surface_values(window: Any, renderer: Any, velocity: Any) -> Any:
 
 
 def _render_depth(window: Any, renderer: Any) -> Any:
-    """The depth buffer without the renderers drawn after this one, which clear it where they are.
+    """Returns the depth buffer without the renderers drawn after this one, which would clear it.
 
-    ParaView's axes and its widget of the camera's orientation have such ones, shown or not.
+    ParaView's axes and its camera orientation widget have such renderers, visible or not.
     """
     later = [
         other
@@ -72,7 +72,7 @@ def _render_depth(window: Any, renderer: Any) -> Any:
 
 
 def _stand_in(renderer: Any, velocity: Any) -> Any:
-    """All opaque surfaces in one, in world coordinates, with their values as point arrays."""
+    """Merges all opaque surfaces, in world coordinates, with their values as point arrays."""
     together = vtkAppendPolyData()
     camera = renderer.GetActiveCamera()
     actors, index = renderer.GetActors(), 0
@@ -89,7 +89,7 @@ def _stand_in(renderer: Any, velocity: Any) -> Any:
 
 
 def _surface_of(actor: Any) -> Any:
-    """An actor's opaque surface in world coordinates, or None."""
+    """Returns an actor's opaque surface in world coordinates, or None."""
     mapper = actor.GetMapper()
     if not actor.GetVisibility() or mapper is None or actor.HasTranslucentPolygonalGeometry():
         return None
@@ -120,7 +120,7 @@ def _surface_of(actor: Any) -> Any:
 
 
 def _with_values(surface: Any, velocity: Any, index: int, camera: Any) -> Any:
-    """The surface with the arrays that are rendered, and no other."""
+    """Returns the surface with only the arrays that are rendered."""
     only = surface.NewInstance()
     only.CopyStructure(surface)
     count = surface.GetNumberOfPoints()
@@ -143,7 +143,7 @@ def _with_values(surface: Any, velocity: Any, index: int, camera: Any) -> Any:
 
 
 def _render_values(window: Any, renderer: Any, surface: Any) -> Any:
-    """The arrays of the surface, as vtkValuePass draws them into a buffer of floats."""
+    """Renders the arrays of the surface by vtkValuePass into a buffer of floats."""
     shape = {"normal": 3, "velocity": 3, "id": 1, "distance": 1}
     pixels = window.GetSize()[0] * window.GetSize()[1]
     if surface is None:

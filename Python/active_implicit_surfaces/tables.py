@@ -1,5 +1,5 @@
-"""Tables of numbers as text: the separator, the quotes, the decimal mark and the header are those
-that the file has; a column of times makes frames.
+"""Reads tables of numbers as text. Separator, quotes, decimal mark and header are detected; a
+column of times splits the rows into frames.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ _SAMPLED = 40  # lines searched for the header and for the types of columns
 
 
 class _Form(NamedTuple):
-    """How a table is written. Columns: the numbers of those that are read."""
+    """Format of a table; `columns` are the indices of the columns to read."""
 
     separator: str | None
     names: list[str]
@@ -56,7 +56,7 @@ class _Form(NamedTuple):
 
 
 def read_table(text: str) -> Frames:
-    """Columns x, y, z by their names (Points:0, pos_x, P[x] ... too), or the first three."""
+    """Reads columns x, y, z by name (Points:0, pos_x, P[x] ... too), or the first three."""
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     form = _examine(lines, _find_header(lines) or _find_numbers(lines))
     names = [form.names[i] for i in form.columns] if form.names else []
@@ -74,9 +74,9 @@ def read_table(text: str) -> Frames:
 
 
 def group_columns(names: Sequence[str]) -> dict[str, list[int]]:
-    """Names of arrays and their columns; those without a name are left out.
+    """Groups named columns into arrays; columns without a name are left out.
 
-    a:0 a:1 a:2, a[0] ..., a_x ..., ax ay az, x-a y-a z-a are a vector a, x y z the positions.
+    a:0 a:1 a:2, a[0] ..., a_x ..., ax ay az, x-a y-a z-a form a vector a; x y z the positions.
     """
     plain = [*map(_plain, names)]
     vectors = _vectors_in(plain, _AXIS_LAST, (2, 3, 4), 1)
@@ -95,14 +95,14 @@ def group_columns(names: Sequence[str]) -> dict[str, list[int]]:
 
 
 def _plain(name: str) -> str:
-    """The name of a column without quotes and unit."""
+    """Returns the name of a column without quotes and unit."""
     return _UNIT.sub("", name.strip("\"' "))
 
 
 def _vectors_in(
     names: Sequence[str], form: re.Pattern[str], axes: Sequence[int], base: int
 ) -> dict[str, list[int]]:
-    """Vectors of which all three components are there; `axes`, `base`: groups of the form."""
+    """Returns vectors with all three components; `axes`, `base`: groups of the pattern `form`."""
     columns: dict[str, dict[int, int]] = {}
     for i, name in enumerate(names):
         if parts := form.fullmatch(name):
@@ -124,7 +124,7 @@ def _split(line: str, separator: str | None) -> list[str]:
 
 
 def number(cell: str, has_commas: bool = True) -> float | None:
-    """The number in a cell, NaN if the cell is empty; none if it is text."""
+    """Returns the number in a cell, NaN if the cell is empty; None if it is text."""
     if cell in _MISSING:
         return math.nan
     try:
@@ -138,13 +138,13 @@ def _is_number(cell: str) -> bool:
 
 
 def _rows(lines: list[str], start: int) -> list[int]:
-    """The numbers of the first lines that have something."""
+    """Returns the indices of the first lines with data."""
     rows = range(start, min(len(lines), start + _SAMPLED))
     return [i for i in rows if lines[i].strip() and not _COMMENT.match(lines[i])]
 
 
 def _find_header(lines: list[str]) -> _Form | None:
-    """The line that names positions, in a comment too."""
+    """Finds the header, which names positions and may be a comment."""
     misfit = ""
     for place, line in enumerate(lines[:_SAMPLED]):
         text = _COMMENT.sub("", line)
@@ -171,7 +171,7 @@ def _find_header(lines: list[str]) -> _Form | None:
 
 
 def _are_row_names(lines: list[str], rows: list[int], separator: str | None) -> bool:
-    """Whether rows begin with their numbers or names, for which R's headers have no column."""
+    """Returns True if rows start with a row name, for which R's headers have no column."""
     heads = [number(_split(lines[i], separator)[0]) for i in rows]
     steps = {after - before for before, after in zip(heads, heads[1:]) if before and after}
     return steps <= {1.0} and len({_split(lines[i], separator)[0] for i in rows}) == len(rows)
@@ -184,7 +184,7 @@ def _about_misfit(row: int, cells: list[str], place: int, names: list[str]) -> s
 
 
 def _find_numbers(lines: list[str]) -> _Form:
-    """The first line of three numbers; what is before it may be a header."""
+    """Finds the first line of three numbers; the text before may be a header."""
     rows = _rows(lines, 0)
     for place, row in enumerate(rows):
         for separator in _SEPARATORS:
@@ -201,7 +201,7 @@ def _find_numbers(lines: list[str]) -> _Form:
 
 
 def _examine(lines: list[str], form: _Form) -> _Form:
-    """The form with its decimal mark, and the columns of numbers."""
+    """Completes the format: decimal mark, and columns of numbers."""
     rows = [_split(lines[i], form.separator) for i in _rows(lines, form.start)]
     cells = [cell for row in rows for cell in row]
     has_commas = any(map(_DECIMAL_COMMA.fullmatch, cells)) and not any(
@@ -216,7 +216,7 @@ def _examine(lines: list[str], form: _Form) -> _Form:
 
 
 def _load(lines: list[str], form: _Form) -> Any:
-    """The numbers of the columns, one row for each line."""
+    """Reads the columns of numbers, one row for each line."""
     rows = lines[form.start :]
     if not _rows(rows, 0):
         return numpy.zeros((0, len(form.columns)))
@@ -240,7 +240,7 @@ def _parse(rows: list[str], form: _Form, columns: Sequence[int] | None, kind: ty
 
 
 def _load_by_rows(lines: list[str], form: _Form, is_whole: bool) -> Any:
-    """As `_load`, for rows with empty cells, and to find the first that is none."""
+    """Slower `_load`: accepts empty cells, and names the line of the first error."""
     table, width = [], len(form.names) or max(form.columns) + 1
     for place, cells in _cells_of(lines, form):
         if len(cells) <= max(form.columns) or (is_whole and len(cells) > width):
@@ -254,7 +254,7 @@ def _load_by_rows(lines: list[str], form: _Form, is_whole: bool) -> Any:
 
 
 def _cells_of(lines: list[str], form: _Form) -> Iterator[tuple[int, list[str]]]:
-    """The cells of each row, with the number of its line."""
+    """Yields the line number and the cells of each row."""
     for place, line in enumerate(lines[form.start :], start=form.start + 1):
         text = line.split("#")[0] if form.separator is None else line
         if text.strip() and not _COMMENT.match(text):
@@ -262,7 +262,7 @@ def _cells_of(lines: list[str], form: _Form) -> Iterator[tuple[int, list[str]]]:
 
 
 def _load_texts(lines: list[str], form: _Form, columns: dict[str, int], count: int) -> Frame:
-    """The columns of texts, of `count` rows; a cell that is missing is empty."""
+    """Reads `count` rows of the columns of text; missing cells become empty texts."""
     table, numbers, rows = (
         numpy.empty((0, len(columns)), str),
         [*columns.values()],
@@ -293,7 +293,7 @@ def _counts_rows(column: Any) -> bool:
 
 
 def _split_by_time(frame: Frame) -> Frames:
-    """The rows of each time, or of each number of a frame."""
+    """Splits the rows into frames by the column of times or of frame numbers."""
     numbers = [name for name, values in frame.items() if values.dtype.kind != "U"]
     lower = {name if name in ("t", "T") else name.lower(): name for name in numbers}
     name = next((name for name in (*_TIMES, *_COUNTS) if name in lower), None)

@@ -1,7 +1,7 @@
-"""Particles of .csv, .xyz, .json, .npy and .npz files as arrays of numpy.
+"""Reads particles from .csv, .xyz, .json, .npy and .npz files as numpy arrays.
 
-Each reader gives a list of frames, dictionaries of arrays with the positions as "positions", and
-the times of the frames if the file tells them.
+Each reader returns a list of frames (dictionaries of arrays, one of them "positions"), and the
+times of the frames, None if the file has no times.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ _HEAD = 1 << 16  # bytes
 
 
 def read_csv(path: Path) -> Frames:
-    """A table, with a header or without."""
+    """Reads a table with or without a header."""
     return read_table(_text_of(path.read_bytes()))
 
 
 def time_of_csv(path: Path) -> float | None:
-    """The time in the first rows, if the table has a column of times."""
+    """Returns the time in the first rows, if the table has a column of times."""
     with path.open("rb") as file:
         head = file.read(_HEAD)
     try:
@@ -40,7 +40,7 @@ def time_of_csv(path: Path) -> float | None:
 
 
 def _text_of(content: bytes) -> str:
-    """Text as UTF-8, else as the marks at its begin say, else as Latin-1, which has any byte."""
+    """Decodes text as UTF-8, else by its byte order mark, else as Latin-1 (any bytes)."""
     for encoding in ("utf-8-sig", *(("utf-16",) if content[:2] in _UTF_16 else ()), "latin-1"):
         with contextlib.suppress(UnicodeDecodeError):
             text = content.decode(encoding)
@@ -53,7 +53,7 @@ def _text_of(content: bytes) -> str:
 
 
 def read_xyz(path: Path) -> Frames:
-    """Columns x y z; frames of a molecule, with count and elements; or raw 32-bit floats."""
+    """Reads columns x y z; or frames of a molecule, with count and elements; or 32-bit floats."""
     content = path.read_bytes()
     if b"\0" in content[:4096] and content[:2] not in _UTF_16:
         if len(content) % 12:
@@ -66,7 +66,7 @@ def read_xyz(path: Path) -> Frames:
 
 
 def read_json(path: Path) -> Frames:
-    """A list of positions, or an object of arrays with "positions", or rows with x, y and z."""
+    """Reads a list of positions, or an object of arrays with "positions", or rows with x, y, z."""
     data = json.loads(path.read_text(encoding="utf-8"))
     if isinstance(data, list) and data and all(isinstance(row, dict) for row in data):
         data = {name: [row.get(name) for row in data] for name in data[0]}  # one row per dictionary
@@ -96,9 +96,9 @@ def _even_array(what: str, values: Any) -> Any:
 
 
 def read_numpy(path: Path) -> Frames:
-    """An array (n, 3) or (frames, n, 3), by itself or with others, "fps" or "times".
+    """Reads an array (n, 3) or (frames, n, 3), and with it others, "fps" or "times".
 
-    With "counts", the particles of each frame, the rows of the frames follow each other.
+    With "counts" (particles of each frame) the rows of all frames are concatenated.
     """
     with path.open("rb") as file:
         found = numpy.load(file, allow_pickle=False)
@@ -144,7 +144,7 @@ def _from_arrays(arrays: Mapping[str, Any]) -> Frames:
 
 
 def _cut(arrays: Mapping[str, Any], found: str, counts: Any) -> Frames:
-    """The frames of arrays whose rows follow each other."""
+    """Splits concatenated arrays into frames."""
     ends = numpy.cumsum(counts)
     rows = {
         "positions" if name == found else name: values
@@ -159,7 +159,7 @@ def _cut(arrays: Mapping[str, Any], found: str, counts: Any) -> Frames:
 
 
 def _share(frames: list[Frame], name: str, values: Any, positions: Any) -> None:
-    """Gives an array to the frames, if its shape is that of the particles'."""
+    """Adds an array to the frames, if its shape matches the particles."""
     if values.dtype.kind not in "biufU":
         return
     if values.shape[: positions.ndim - 1] == positions.shape[:-1]:
@@ -175,10 +175,10 @@ def _times(arrays: Mapping[str, Any], count: int) -> list[float] | None:
         if name in arrays and arrays[name].shape == (count,):
             return [float(time) for time in arrays[name]]
     if "times" in arrays and arrays["times"].ndim == 1:
-        raise ValueError(f'its array "times" has {len(arrays["times"])} for {count} frames')
+        raise ValueError(f'its array "times" has {len(arrays["times"])} values for {count} frames')
     if "fps" in arrays and arrays["fps"].size == 1:
         rate = float(arrays["fps"].ravel()[0])
         if not rate > 0:
-            raise ValueError(f'its "fps" is {rate:g}, where it is a number above 0')
+            raise ValueError(f'its "fps" is {rate:g}, not a number above 0')
         return [step / rate for step in range(count)]
     return None

@@ -1,4 +1,4 @@
-"""Times of frames: those that are given, and those that follow from frames per second."""
+"""Times of frames, given or computed from frames per second."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ FRAMES_PER_SECOND = 25.0  # default without other information
 
 
 def check_times(times: Iterable[float]) -> list[float]:
-    """The times as a list.
+    """Returns the times as a list.
 
     Raises
     ------
     ValueError
-        There is none, or they do not increase.
+        There are no times, or they do not increase.
     """
     own = [float(time) for time in times]
     if not own:
@@ -24,32 +24,32 @@ def check_times(times: Iterable[float]) -> list[float]:
 
 
 def times_at(places: Iterable[float], fps: float | None) -> list[float]:
-    """Places in a film, counted in frames, as times."""
+    """Converts positions counted in frames to times."""
     rate = FRAMES_PER_SECOND if fps is None else check_rate(fps)
     return [place / rate for place in places]
 
 
 def check_rate(fps: float) -> float:
-    """Frames per second, or a ValueError."""
+    """Returns valid frames per second; raises ValueError for others."""
     if not 0 < fps < float("inf"):
         raise ValueError(f"Frames per second have to be more than 0, not {fps:g}.")
     return fps
 
 
 def places_of(numbers: Sequence[float]) -> list[float]:
-    """Where frames are, in steps of the least difference of their numbers."""
+    """Returns positions of frames, in units of the least difference of their numbers."""
     step = min((after - before for before, after in zip(numbers, numbers[1:])), default=1)
     return [round((number - numbers[0]) / step, 6) for number in numbers]
 
 
 def times_between(times: Sequence[float], fps: float) -> list[float]:
-    """The multiples of 1/fps after the first of some times, up to the last of them."""
+    """Returns the multiples of 1/fps from the first to the last of some times."""
     count = int((times[-1] - times[0]) * check_rate(fps) * (1.0 + 1e-9) + 1e-6)
     return [min(times[0] + i / fps, times[-1]) for i in range(count + 1)]
 
 
 def rate_of(times: Sequence[float]) -> float:
-    """The frames per second at which a film is as long as its times, where that is a usual one."""
+    """Returns the frames per second at which a film is as long as its times; 25 if unusual."""
     if len(times) < 2:
         return FRAMES_PER_SECOND
     rate = (len(times) - 1) / (times[-1] - times[0])

@@ -1,4 +1,4 @@
-"""A film of meshes in one file of USD, by the library usd-core."""
+"""Writes a film of meshes in one USD file, by the library usd-core."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _NEEDED = "usd-core is not installed; pip install usd-core, or write skin_####.g
 def check_usd(path: Path) -> None:
     """Raises OSError if such a film cannot be written here."""
     if has_number(path):
-        raise OSError(f"{path} holds all frames in one file; leave out the number of a frame.")
+        raise OSError(f"{path} holds all frames in one file; remove the frame number from it.")
     try:
         import pxr.Usd  # noqa: F401
     except ImportError as error:
@@ -49,9 +49,10 @@ class UsdFilm(Sink):
         film.usdc or, as text, film.usda.
     times : list of float
     fps : float, optional
-        Time codes of a unit of time. Default: as many as there are frames in it.
+        Time codes per unit of time [1/time]. Default: the mean number of frames in it.
     up : {"x", "y", "z", "-x", "-y", "-z"}
-        Axis of the data that points up: z or y is the stage's; for others the prim is rotated.
+        Axis of the data that points up. y and z set the stage's up axis; for others the prim is
+        rotated.
     time_scale : float
         Time of the velocities per unit of `times`, the filter's TimeScale. Default: 1.
     """
@@ -90,7 +91,7 @@ class UsdFilm(Sink):
         self._ending.__exit__(kind, *error)
 
     def add(self, step: int, data: Any) -> None:
-        """Writes a mesh at a step of the times."""
+        """Writes the mesh of a step."""
         from pxr import UsdGeom, Vt
 
         warn_of_losses(self.path.suffix, data)
@@ -135,7 +136,7 @@ class UsdFilm(Sink):
         return origin
 
     def _add_primvar(self, name: str, values: Any, time: float) -> None:
-        """Sets an array of each vertex: integers, numbers, vectors, or of more components."""
+        """Sets a vertex array of integers, floats, vectors, or more components."""
         from pxr import Sdf, UsdGeom, Vt
 
         kind, array, wide = Sdf.ValueTypeNames.FloatArray, Vt.FloatArray, values.shape[1]
@@ -148,7 +149,7 @@ class UsdFilm(Sink):
             is_wide = len(values) > 0 and (values.min() < -_MOST_INT or values.max() >= _MOST_INT)
             if not self._wide.setdefault(name, is_wide):
                 if is_wide:
-                    raise OSError(f"{self.path}: {name} begins with 32 bits, and is wider later.")
+                    raise OSError(f"{self.path}: {name} has 32 bits in earlier frames, 64 later.")
                 kind, array = Sdf.ValueTypeNames.IntArray, Vt.IntArray  # Blender has no wider ones
         plain = re.sub(r"\W|^(?=\d)", "_", name, flags=re.ASCII)
         interface = UsdGeom.PrimvarsAPI(self._mesh)

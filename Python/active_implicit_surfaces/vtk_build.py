@@ -1,6 +1,6 @@
-"""Which VTK this package was built with, and whether Python has found the same one.
+"""Checks that Python finds the VTK that this package was built with.
 
-Two copies of VTK in one process end it, without an exception. So this is asked before the compiled
+Two copies of VTK crash a process without an exception, so the check runs before the compiled
 libraries load.
 """
 
@@ -17,7 +17,7 @@ BUILT_FOR = "@built_for@"
 
 
 def is_loaded(library: str) -> bool:
-    """Whether the process has a library of this name, in the ELF sense: then it is used again."""
+    """Returns True if the process has loaded a library of this (ELF) name, which is then reused."""
     if not library or not hasattr(os, "RTLD_NOLOAD"):
         return True  # static VTK, or no such names: only the version is checked
     try:
@@ -28,7 +28,7 @@ def is_loaded(library: str) -> bool:
 
 
 def refuse_another() -> None:
-    """An ImportError if the process has loaded a VTK of another name, as PyVista does."""
+    """Raises ImportError if the process has loaded a VTK of another name, as PyVista may."""
     for name in tuple(sys.modules):
         root, _, rest = name.partition(".")
         if rest == "vtkCommonCore" and root != PACKAGE and not PACKAGE.startswith("@"):
@@ -42,7 +42,7 @@ def refuse_another() -> None:
 
 
 def check() -> None:
-    """An ImportError unless Python finds the VTK that the package was built with."""
+    """Raises ImportError unless Python finds the VTK that the package was built with."""
     if VERSION.startswith("@"):
         return  # source folder without libraries
     core = importlib.import_module(f"{PACKAGE}.vtkCommonCore")
@@ -59,5 +59,5 @@ def check() -> None:
 
 
 def _short(package: str) -> str:
-    """PyVista's name of the backend, and PyPI's of the distribution."""
+    """Returns PyVista's name of the backend, which is also the distribution's on PyPI."""
     return package.removesuffix("modules")

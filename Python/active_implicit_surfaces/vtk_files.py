@@ -1,4 +1,4 @@
-"""Files by VTK's readers and those of this package, whose errors are OSError with a sentence."""
+"""Reads files by readers of VTK and of this package; their errors become OSError."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def check_readable(path: Path) -> None:
 
 
 def open_vtk(path: Path) -> Any:
-    """A reader that knows what the file says of itself: its times, its grids."""
+    """Returns a reader that has read the file's metadata: times, grids."""
     reader = _reader_of(path)
     with quiet(), listening(reader) as heard:
         reader.UpdateInformation()
@@ -105,7 +105,7 @@ def _check_steps(path: Path) -> None:
 
 
 def update(reader: Any, path: Path, time: float | None = None) -> Any:
-    """The output of a reader, at a time step."""
+    """Returns the output of a reader at a time step."""
     with quiet() as said, listening(reader) as heard:
         if time is None:
             reader.Update()

@@ -38,7 +38,7 @@ CLASSES = (
 
 
 def properties_of(kind):
-    """Each X of a method SetX(value) that is this package's, and the comment of that method."""
+    """Returns X and the comment for each method SetX(value) of this package."""
     ours = [base for base in kind.__mro__ if base.__module__.startswith(active.__name__)]
     for name in sorted({name for base in ours for name in vars(base) if name.startswith("Set")}):
         text = getattr(kind, name).__doc__
@@ -48,7 +48,7 @@ def properties_of(kind):
 
 
 def escaped(text):
-    """Text without meaning to Sphinx."""
+    """Escapes Sphinx markup in a text."""
     return re.sub(r"([\\*_`|<>])", r"\\\1", text)
 
 
@@ -57,7 +57,7 @@ def keyword(name):
 
 
 def page_of(kind):
-    """What a class says of itself, and its properties."""
+    """Returns the page of a class: its comment and its properties."""
     name, indented = kind.__name__, re.sub(r"^", "    ", kind.__doc__.strip(), flags=re.MULTILINE)
     lines = [name, "=" * len(name), "", ".. code-block:: none", "", indented, ""]
     for own, comment in properties_of(kind):

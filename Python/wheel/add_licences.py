@@ -1,7 +1,7 @@
-"""Puts the licences of the libraries that a wheel bundles beside its own.
+"""Adds the licences of bundled libraries to a wheel.
 
-Run: python3 add_licences.py WHEEL FOLDER. WHEEL is what auditwheel has repaired, FOLDER takes the
-new one. The licences are those of the Debian packages that the libraries are from.
+Run: python3 add_licences.py WHEEL FOLDER. WHEEL is the output of auditwheel repair; the new wheel
+is written to FOLDER. Licences come from the Debian packages of the libraries.
 """
 
 import re
@@ -18,14 +18,14 @@ def output_of(*command):
 
 
 def installed_libraries():
-    """This machine's libraries by the names of their files, as auditwheel follows links."""
+    """Returns this machine's libraries by file name, with links resolved as by auditwheel."""
     found = re.findall(r"=> (\S+)$", output_of("/sbin/ldconfig", "-p"), re.MULTILINE)
     paths = [Path(path).resolve() for path in reversed(found)]  # the first of a name counts
     return {path.name: path for path in paths}
 
 
 def package_of(path):
-    """The Debian package of a file, and its version."""
+    """Returns the Debian package of a file, and its version."""
     for name in (str(path), str(path).removeprefix("/usr")):  # as Debian has merged these folders
         try:
             package = output_of("dpkg-query", "-S", name).partition(":")[0]
@@ -35,11 +35,11 @@ def package_of(path):
             "dpkg-query", "-W", "-f", "${Version}\t${source:Package} ${source:Version}", package
         ).split("\t")
         return package, version, source
-    sys.exit(f"{path} is of no Debian package, so that its licence is not known.")
+    sys.exit(f"{path} belongs to no Debian package, so no licence was found for it.")
 
 
 def copy_licences(libraries, folder):
-    """One file for each package, and a list of libraries; returns the names of the files."""
+    """Writes a file for each package and a list of libraries; returns the file names."""
     installed, lines, names = installed_libraries(), [], set()
     for library in sorted(libraries):
         original = CHANGED_NAME.sub("", library)

@@ -1,4 +1,4 @@
-"""The dependency of a wheel on the VTK that it is built with, as ACTIVE_VTK of pyproject.toml says.
+"""Dependency of a wheel on the VTK that it is built with: ACTIVE_VTK of pyproject.toml.
 
 Called by scikit-build-core when it writes the wheel's metadata.
 """

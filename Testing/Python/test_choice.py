@@ -243,9 +243,9 @@ class Programs(CommandTest):
             file_names.read_index(self.folder / "t.ply.series").times, [0.2, 0.25, 0.3]
         )
         one = self.succeed("skin", "p_*.npz", "--frames", "13:13", "--transport", 0.5, *QUIET)
-        self.assertIn("Of no effect on one frame: --transport", one.err)
+        self.assertIn("No effect on one frame: --transport", one.err)
         arguments = ("--frames", "13:13", "--preroll", 2, "--transport", 0.5, *QUIET)
-        self.assertNotIn("Of no effect", self.succeed("skin", "p_*.npz", *arguments).err)
+        self.assertNotIn("No effect", self.succeed("skin", "p_*.npz", *arguments).err)
         said = self.fail_with(1, "skin", "p_*.npz", "--frames", "20:30")
         self.assertIn("No frame is in --frames 20:30:1; there are 10 to 16.", said)
         for wrong in ("10", "a:b", "1:2:0", "1:2:3:4"):

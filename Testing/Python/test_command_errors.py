@@ -225,14 +225,16 @@ class Data(CommandTest):
             ["convert", "p_*.npz", "-o", "p_#.npz"],
         ):
             said = Outcome(*command).err
-            self.assertRegex(said, "is one of the files that are read|skins are written as")
+            self.assertRegex(said, "is one of the input files|skins are written as")
         self.succeed("convert", "p_*.npz", "-o", "q_#.ply")
-        self.assertIn("is one of the files", self.fail_with(1, "skin", "q_*.ply", "-o", "q_#.ply"))
+        self.assertIn(
+            "is one of the input files", self.fail_with(1, "skin", "q_*.ply", "-o", "q_#.ply")
+        )
         self.succeed("skin", "p_0.npz", "-o", "cube_0.ply")
         command = ["morph", "cube_0.ply", "cube_0.ply", "-o", "cube_#.ply"]
-        self.assertIn("is one of the files", self.fail_with(1, *command))
+        self.assertIn("is one of the input files", self.fail_with(1, *command))
         command = ["convert", "cube_0.ply", "-o", "cube_#.ply"]
-        self.assertIn("is one of the files", self.fail_with(1, *command))
+        self.assertIn("is one of the input files", self.fail_with(1, *command))
         self.assertEqual((self.folder / "p_1.npz").read_bytes(), before)
 
     def test_meshes_that_are_none(self):

@@ -136,7 +136,7 @@ class Errors(CommandTest):
             ("--time-scale", 2),
         ):
             said = self.succeed("skin", "one.npy", "-o", "s.ply", *more).err
-            self.assertIn(f"note: Of no effect on one frame: {more[0]};", said)
+            self.assertIn(f"note: No effect on one frame: {more[0]};", said)
         for more in ("--voxel-size", 0.05), ("--volume-control", "exact", "--target-volume", 0.1):
             said = self.succeed("skin", "one.npy", "-o", "s.ply", *more).err
             self.assertNotIn("no effect", said)

@@ -126,7 +126,7 @@ class Images(CommandTest):
         content = (self.folder / "a.mha").read_bytes()
         turn = b"TransformMatrix = 0.8 -0.6 0 0.6 0.8 0 0 0 1"
         self.put("t.mha", content.replace(b"TransformMatrix = 1 0 0 0 1 0 0 0 1", turn))
-        self.assertIn("not by right angles", self.succeed("info", "t.mha").err)
+        self.assertIn("by other than right angles", self.succeed("info", "t.mha").err)
 
     def test_damage_is_an_error(self):
         for name in NAMES:

@@ -84,7 +84,7 @@ class Indices(ReaderTest):
         (self.folder / "1.csv").rename(self.folder / "1_0002.csv")
         index.write_text(index.read_text().replace("1.csv", "1_0002.csv"))
         said = self.fail_with(1, "convert", index, "-o", self.folder / "1_####.csv")
-        self.assertIn("1_0002.csv is one of the files that are read", said)
+        self.assertIn("1_0002.csv is one of the input files", said)
 
     def test_parts_of_a_mesh_are_one_mesh(self):
         for i, cube in enumerate(cubes()):

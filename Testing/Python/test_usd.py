@@ -135,7 +135,7 @@ class Films(CommandTest):
         wide = numpy.stack([numpy.arange(125) + 2**40 * step for step in range(4)])
         numpy.savez("w.npz", positions=points, code=wide)
         said = self.fail_with(1, "skin", "w.npz", *COMMON, "--pass-target-arrays", "-o", "w.usdc")
-        self.assertIn("w.usdc: code begins with 32 bits, and is wider later.", said)
+        self.assertIn("w.usdc: code has 32 bits in earlier frames, 64 later.", said)
 
     def test_what_cannot_be(self):
         with mock.patch.dict(sys.modules, {"pxr": None}):

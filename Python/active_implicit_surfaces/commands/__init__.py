@@ -1,6 +1,6 @@
 """The command line: `active-surface`, or `python3 -m active_implicit_surfaces`.
 
-Exit codes: 0, done; 1, something is wrong with the data or the machine; 2, with the command line.
+Exit codes: 0 success, 1 error of data or machine, 2 error of the command line, 130 interrupted.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def _run(given: list[str]) -> int:
         "active-surface",
         "COMMAND ...",
         "Living skins over particles, and metamorphosis.\n\ncommands:\n" + listed,
-        epilog="active-surface COMMAND --help tells the options of a command.",
+        epilog="Run 'active-surface COMMAND --help' for the options of a command.",
     )
     add_help(parser)
     parser.add_argument("--version", action="version", version=f"active-surface {__version__}")

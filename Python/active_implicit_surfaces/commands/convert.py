@@ -1,4 +1,4 @@
-"""active-surface convert: from one format to another."""
+"""active-surface convert: converts files from one format to another."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def _convert(options: Any, listing: Listing, kind: Callable[..., _Conversion]) -
 
 
 def _warning_of_none(load: Callable[[int], Any], where: str) -> Callable[[int], Any]:
-    """As `load`, with a note on steps of which nothing is left."""
+    """Wraps `load` to warn of steps in which nothing meets the conditions."""
 
     def load_with_note(step: int) -> Any:
         data = load(step)
@@ -133,12 +133,12 @@ def make_parser() -> Parser:
         ),
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
-    parser.add_argument("-o", "--output", required=True, metavar="NAME", help="#### for the number")
+    parser.add_argument("-o", "--output", required=True, metavar="NAME", help="#### is the number")
     parser.add_argument(
-        "--voxel-size", type=positive, metavar="X", help="of a mesh in a .vdb (default: 64th of it)"
+        "--voxel-size", type=positive, metavar="X", help="for meshes to .vdb (default: size / 64)"
     )
     parser.add_argument(
-        "--level", type=float, metavar="X", help="of an image's surface (default: 0; of a fog: 0.5)"
+        "--level", type=float, metavar="X", help="of an image's surface (default: 0, fog: 0.5)"
     )
     add_choice_options(parser)
     add_up_option(parser, "found", "in a .glb")
@@ -148,7 +148,7 @@ def make_parser() -> Parser:
 
 
 def _way(file: Path, output: Path) -> str:
-    """From what to what a file is converted."""
+    """Returns the kind of a conversion, such as mesh_to_vdb."""
     if _holds_particles(file, output):
         return "particles"
     kind = "image" if read_shape(file).IsA("vtkImageData") else "mesh"
@@ -199,7 +199,7 @@ def _shapes(options: Any, listing: Listing, output: Path) -> _Conversion:
 
 
 def _contour(file: Path, image: Any, options: Any) -> Any:
-    """The surface of an image or of a grid; an empty one of what is empty."""
+    """Returns the surface of an image or a grid; an empty surface for empty data."""
     if image.GetNumberOfPoints() == 0:
         return vtkPolyData()
     try:

@@ -1,7 +1,7 @@
-"""Options that have no effect where they are given: an error, which says where they act.
+"""Rejects options that have no effect in a run, and says where they act.
 
-A run has facts, as "render", or "particle_model=sum" for each choice and switch of its filter. An
-option acts if the run has at least one fact of each of the option's rows. Rows are in the tables
+A run has facts, such as "render", or "particle_model=sum" for each choice and switch of its filter.
+An option acts if the run has at least one fact of each of the option's rows. Rows are in the tables
 below, or follow from the filter's classes and their documentation.
 """
 
@@ -80,9 +80,9 @@ def check_effects(
     facts: Iterable[str],
     surface: Any = None,
 ) -> None:
-    """Ends the program if an option has no effect; where more frames would help, warns of it.
+    """Ends the program if an option has no effect; only warns if it acts on a series of frames.
 
-    Without a surface the properties are those of the options.
+    Without a surface the properties are read from the options.
     """
     given = vars(options)
     if surface is None:
@@ -103,12 +103,12 @@ def check_effects(
                 where = " or ".join(map(_phrase, row.split()))
                 parser.error(f"{option} has no effect here: it acts {where}")
     if idle:
-        text = f"Of no effect on one frame: {', '.join(idle)}; give a series, or leave it out."
+        text = f"No effect on one frame: {', '.join(idle)}; give a series, or leave it out."
         warnings.warn(text, ActiveSurfaceWarning, stacklevel=2)
 
 
 def _given(options: Namespace) -> Iterator[tuple[str, list[str]]]:
-    """The options of a command line, and their rows."""
+    """Yields the given options of a command line, and their rows."""
     for name, value in vars(options).items():
         if name.startswith(_START) and value is not None:
             own = properties.find(name[len(_START) :])
@@ -119,7 +119,7 @@ def _given(options: Namespace) -> Iterator[tuple[str, list[str]]]:
 
 
 def rows_of(own: properties.Property) -> list[str]:
-    """The rows of a property: the table's, and those that class and documentation tell."""
+    """Returns the rows of a property: from the tables, its class and its documentation."""
     classes = {
         "vtkActiveMotionAlgorithm": f"{_MOTION} particles",  # a first skin is smoothed too
         "vtkActiveParticleAlgorithm": "particles",

@@ -1,4 +1,4 @@
-"""active-surface info: what is in files."""
+"""active-surface info: describes the contents of files."""
 
 from __future__ import annotations
 
@@ -62,9 +62,9 @@ def make_parser() -> Parser:
         "active-surface info",
         "FILE ... [--json] [--csv]",
         wrapped(
-            "What is in a file or a series: points, bounds, spacing, arrays, times; of meshes "
-            "area, volume, pieces, voids and open edges; the grids of a .vdb, and what of it the "
-            "filter can go on from; the layers of an .exr; the labels of an image."
+            "Describes a file or a series: points, bounds, spacing, arrays, times; for meshes "
+            "area, volume, pieces, voids and open edges; the grids of a .vdb, and whether the "
+            "filter can resume from it; the layers of an .exr; the labels of an image."
         ),
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
@@ -151,7 +151,7 @@ def _count_texts(texts: Any) -> str:
 
 
 def _shape_in(path: Path) -> Any:
-    """The mesh or image of a file; none if it holds particles."""
+    """Returns the mesh or image of a file; None if the file holds particles."""
     is_shape = suffix_of(path) in MESH_SUFFIXES and suffix_of(path) != ".vdb"
     return read_shape(path) if is_shape and not holds_particles(path) else None
 
@@ -190,7 +190,7 @@ def _measure_all(frames: list[tuple[Path, ...]], where: Sequence[str]) -> list[d
 
 
 def _labels(image: Any) -> dict[str, Any]:
-    """The points or cells of each label of an image; nothing if it has none."""
+    """Counts the points or cells of each label of an image; empty if there are no labels."""
     scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
     values = None if scalars is None else vtk_to_numpy(scalars)
     if values is None or values.ndim > 1:
@@ -207,7 +207,7 @@ def _describe_vdb(files: list[Path]) -> dict[str, Any]:
     grids = [_describe_grid(reader, i) for i in range(reader.GetNumberOfGrids())]
     found: dict[str, Any] = {"files": len(files), "file": str(files[0]), "grids": grids}
     if any(grid["name"] == "potential" for grid in grids):
-        found["state"] = "yes: the filter's LoadState goes on from it"
+        found["state"] = "yes: the filter's LoadState resumes from it"
     for name in ("creator", "time", "frame", "units"):
         if text := reader.GetMetadata(name):
             found[name] = text
@@ -269,7 +269,7 @@ def _lines(found: dict[str, Any], indent: str = "") -> list[str]:
 
 
 def _digits_of(values: Any) -> int:
-    """Digits of numbers: 6, or more where they differ by little, as bounds on a map do."""
+    """Returns significant digits: 6, or more for numbers that differ little, as on a map."""
     if not isinstance(values, list) or not all(isinstance(value, float) for value in values):
         return 6
     ends = values[: len(values) // 2 * 2]

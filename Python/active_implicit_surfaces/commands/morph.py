@@ -62,7 +62,7 @@ def make_parser() -> Parser:
         "active-surface morph",
         "FIRST LAST [-o morph_####.vtp] [--render film.mp4] [options]",
         "One shape becomes another: it moves along its normal, splits and merges, and arrives at\n"
-        "the end of the duration. What only one of the shapes has grows, or shrinks.\n"
+        "the end of the duration. Parts of only one of the shapes grow or shrink.\n"
         + wrapped(f"Closed meshes and images: {', '.join(MESH_SUFFIXES)}."),
         epilog="Every property of the filter is an option too, as --number-of-threads 1:\n"
         "--help-properties.",
@@ -71,14 +71,14 @@ def make_parser() -> Parser:
     parser.add_argument("last", metavar="LAST", help=argparse.SUPPRESS)
     add_output_options(parser, _DEFAULT)
     parser.add_argument(
-        "--duration", type=positive, default=1.0, metavar="X", help="time of the way (default: 1)"
+        "--duration", type=positive, default=1.0, metavar="X", help="time of motion (default: 1)"
     )
     parser.add_argument(
         "--frames",
         type=int,
         default=25,
         metavar="N",
-        help="skins, both ends included (default: 25)",
+        help="number of skins, both ends included (default: 25)",
     )
     parser.add_argument(
         "--fit",
@@ -86,7 +86,7 @@ def make_parser() -> Parser:
         nargs="?",
         const="box",
         default="none",
-        help="bring LAST to the place of FIRST: centre, or box for its size too (default: none)",
+        help="move LAST to FIRST: centre, or box to scale it too (default: none)",
     )
     add_choice_options(parser)
     add_property_options(parser, ("voxel_size", "tension"))
@@ -98,6 +98,6 @@ def make_parser() -> Parser:
 
 
 def _corners_of(shapes: list[Any]) -> Any:
-    """The corners of the shapes' boxes."""
+    """Returns the corners of the shapes' bounding boxes."""
     boxes = [shape.GetBounds() for shape in shapes]
     return numpy.array([corner for box in boxes for corner in product(box[:2], box[2:4], box[4:])])

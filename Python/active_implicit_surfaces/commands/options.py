@@ -23,7 +23,7 @@ MAIN_PROPERTIES = {
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser whose help fits a screen, and whose errors are a sentence."""
+    """Parser whose help is at most 100 columns wide, and whose errors are one sentence."""
 
     def __init__(self, name: str, usage: str, description: str, epilog: str = "") -> None:
         super().__init__(
@@ -40,7 +40,7 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         text = message.rstrip(".")
-        print(f"{self.prog}: {text}; {self.prog} --help tells what there is.", file=sys.stderr)
+        print(f"{self.prog}: {text}; run '{self.prog} --help' for its use.", file=sys.stderr)
         raise SystemExit(2)
 
     def parse_args(self, args: Any = None, namespace: Any = None) -> Any:
@@ -68,7 +68,7 @@ class _HelpProperties(argparse.Action):
 
 
 def add_property_options(parser: Parser, shown: Sequence[str] = ()) -> None:
-    """An option for each property of the filter; --help tells those that are shown."""
+    """Adds an option for each property of the filter; --help lists those of `shown`."""
     every = {own.keyword: own for own in properties.every() if own.kind != "function"}
     for keyword in dict.fromkeys([*shown, *every]):
         own = every[keyword]
@@ -87,7 +87,7 @@ def add_property_options(parser: Parser, shown: Sequence[str] = ()) -> None:
 
 
 def add_help(group: Any, properties: bool = False) -> None:
-    """--help and --help-properties."""
+    """Adds --help, and --help-properties if `properties` is true."""
     group.add_argument("-h", "--help", action="help", help="print this")
     if properties:
         group.add_argument(
@@ -96,7 +96,7 @@ def add_help(group: Any, properties: bool = False) -> None:
 
 
 def properties_of(options: argparse.Namespace, parser: Parser) -> dict[str, Any]:
-    """The properties that were given, checked against their ranges."""
+    """Returns the given properties; ends the program if a value is out of its range."""
     start = "property_"
     given = {
         name[len(start) :]: value
@@ -111,8 +111,8 @@ def properties_of(options: argparse.Namespace, parser: Parser) -> dict[str, Any]
 
 
 def properties_help() -> str:
-    """All properties as options, with kind, range and default."""
-    lines = ["properties of the filter (help(vtkActiveImplicitSurface) tells more):"]
+    """Returns the help of all properties as options, with kind, range and default."""
+    lines = ["properties of the filter (details: help(vtkActiveImplicitSurface)):"]
     for own in properties.every():
         if own.kind == "function":
             continue
@@ -133,17 +133,17 @@ def _form(own: properties.Property) -> str:
 
 
 def wrapped(text: str) -> str:
-    """A text as lines of the help."""
+    """Wraps a text to the width of the help."""
     return "\n".join(textwrap.wrap(text, WIDTH - 1))
 
 
 def preset_help() -> str:
-    """What the presets are for."""
+    """Lists the presets and their purposes."""
     return "\n".join(f"  {name:<10}{text}" for name, text in PRESETS.items())
 
 
 def add_choice_options(group: Any) -> None:
-    """--where and --label."""
+    """Adds --where and --label."""
     group.add_argument(
         "--where",
         action="append",
@@ -156,7 +156,7 @@ def add_choice_options(group: Any) -> None:
 
 
 def add_picture_options(parser: Parser, up: str) -> None:
-    """How pictures are; `up` is what --up is by default."""
+    """Adds the options of pictures; `up` is the default of --up."""
     pictures = parser.add_argument_group("pictures")
     pictures.add_argument(
         "--size",
@@ -169,7 +169,7 @@ def add_picture_options(parser: Parser, up: str) -> None:
 
 
 def add_up_option(group: Any, default: str, where: str) -> None:
-    """--up."""
+    """Adds --up."""
     group.add_argument(
         "--up",
         choices=("x", "y", "z", "-x", "-y", "-z"),
@@ -179,15 +179,15 @@ def add_up_option(group: Any, default: str, where: str) -> None:
 
 
 def picture_size(text: str) -> tuple[int, int]:
-    """Of 640x360."""
+    """Parses a size [pixels] such as 640x360."""
     parts = text.lower().split("x")
     if len(parts) != 2 or not all(part.isdigit() and 16 <= int(part) <= 16384 for part in parts):
-        raise argparse.ArgumentTypeError(f"{text} is no size; say it as 1280x720")
+        raise argparse.ArgumentTypeError(f"{text} is no size; write 1280x720")
     return int(parts[0]), int(parts[1])
 
 
 def times_list(text: str) -> list[float]:
-    """Of 0,0.1,0.2 or FIRST:LAST:COUNT."""
+    """Parses 0,0.1,0.2 or FIRST:LAST:COUNT."""
     try:
         if text.count(":") == 2:
             first, last, count = text.split(":")
@@ -198,7 +198,7 @@ def times_list(text: str) -> list[float]:
         return [float(part) for part in text.split(",")]
     except ValueError:
         raise argparse.ArgumentTypeError(
-            f"{text} are no times; say them as 0,0.1,0.2 or as FIRST:LAST:COUNT"
+            f"{text} are no times; write 0,0.1,0.2 or FIRST:LAST:COUNT"
         ) from None
 
 
@@ -225,14 +225,14 @@ def frame_range(text: str) -> tuple[int | None, int | None, int]:
 
 
 def whole(text: str) -> int:
-    """A whole number of 0 or more."""
+    """Parses a whole number of 0 or more."""
     if not text.isdecimal():
         raise argparse.ArgumentTypeError(f"{text} is no whole number of 0 or more")
     return int(text)
 
 
 def positive(text: str) -> float:
-    """A number above 0."""
+    """Parses a number above 0."""
     try:
         value = float(text)
     except ValueError:

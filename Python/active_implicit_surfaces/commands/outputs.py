@@ -1,4 +1,4 @@
-"""What skin and morph write: skins with their index, films."""
+"""Outputs of the commands skin and morph: skins with their index, films."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ from .options import PICTURE_SIZE, Parser
 
 
 def add_output_options(parser: Parser, default: str) -> None:
-    """-o and --render."""
+    """Adds -o and --render."""
     parser.add_argument(
         "-o",
         "--output",
         metavar="NAME",
-        help=f"skins, #### for the number: {', '.join(SKIN_SUFFIXES)}; or all "
+        help=f"skins, #### is the number: {', '.join(SKIN_SUFFIXES)}; or all "
         f"in one .usdc, .usda (default: {default}, and none with only --render)",
     )
     parser.add_argument(
@@ -43,7 +43,7 @@ def add_output_options(parser: Parser, default: str) -> None:
 def each_label(
     options: Namespace, find: Callable[[], list[int]], is_series: bool, default: str
 ) -> Iterator[Namespace]:
-    """The options of the run for each label, with names of its own; or of the run for all data.
+    """Yields the options of one run per label, with output names of its own; or of a single run.
 
     `find` returns all labels, `default` is the name of outputs.
     """
@@ -64,14 +64,14 @@ def each_label(
 
 
 class Outputs:
-    """The names of what a run writes, and the sinks that write it.
+    """File names of a run's outputs, and the sinks that write them.
 
     Attributes
     ----------
     output : Path or None
-        The name of the skins.
+        Name of the skins.
     names : list of Path
-        The file of each frame.
+        File of each frame.
     """
 
     def __init__(self, parser: Parser, options: Any) -> None:
@@ -114,7 +114,7 @@ class Outputs:
             make_folder_of(Path(name))
 
     def sinks(self, way: Skins, find_view: Callable[[], tuple[Any, str]], color: str) -> list[Sink]:
-        """The sinks of a run over `way`; the view is points that the camera holds, and an axis."""
+        """Returns the sinks of a run over `way`; a view is the points in view and the up axis."""
         view, found = cache(find_view), list[Sink]()
 
         def up() -> str:

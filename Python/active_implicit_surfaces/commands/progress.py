@@ -1,4 +1,4 @@
-"""How far a series is: a bar on a terminal, a line now and then elsewhere."""
+"""Progress of a series: a bar on a terminal, else a line from time to time."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _BAR, _SECONDS_BETWEEN_LINES = 30, 10.0
 
 
 class Progress(Sink):
-    """Tells on standard error how many frames are done, how fast, and how long it takes yet."""
+    """Prints to standard error the number of finished frames, the speed and the time left."""
 
     def __init__(self, total: int, done: int = 0, quiet: bool = False, stream: Any = None) -> None:
         self.stream = stream or sys.stderr
@@ -21,7 +21,7 @@ class Progress(Sink):
         self.start = self.said = time.monotonic()
 
     def add(self, step: int, data: Any = None) -> None:
-        """This frame is done."""
+        """Counts one more finished frame."""
         self.done = step + 1
         now = time.monotonic()
         if self.quiet:
@@ -36,7 +36,7 @@ class Progress(Sink):
         self.stream.flush()
 
     def text(self, now: float) -> str:
-        """12 of 41 frames, 3.2 frames/s, 0:09 left."""
+        """Returns a text such as "12 of 41 frames, 3.2 frames/s, 0:09 left"."""
         count = self.done - self.first
         rate = count / max(now - self.start, 1e-9)
         words = f"{self.done} of {self.total} frames, {rate:.3g} frames/s"

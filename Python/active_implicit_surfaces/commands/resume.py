@@ -1,4 +1,4 @@
-"""A run that was cut off goes on: the filter's state beside the skins, and what it belongs to."""
+"""Resumes an interrupted run from the filter's state, saved next to the skins with its options."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ _SECONDS_BETWEEN_STATES = 20.0
 
 
 class Resumption(Sink):
-    """The state of the last frames done; a sink, once it is bound to a run.
+    """Saved state of the last finished frame; a sink once it is bound to a run.
 
     Parameters
     ----------
     output : Path
-        Name of the series of skins; the state is hidden beside it.
+        Name of the series of skins; the state is in hidden files of the same folder.
     description : dict
-        What the skins depend on: the options. Another one is another run.
+        Options that the skins depend on; a run with other options cannot be resumed.
     files : list of Path
-        The last file read for each frame. Files of those that are done may not change.
+        Last file read for each frame. Files of finished frames may not change.
 
     Attributes
     ----------
     view : list or None
-        What the camera of pictures holds, kept with the state: it does not move where frames come.
+        Points in view and up axis of pictures, saved so that the camera stays when frames arrive.
     """
 
     def __init__(self, output: Path, description: dict[str, Any], files: list[Path]) -> None:
@@ -45,14 +45,14 @@ class Resumption(Sink):
         self._way, self._is_kept, self._first, self._done = Skins(), False, 0, 0
 
     def load(self, surface: Any, times: list[float]) -> int:
-        """Gives the filter the state; returns the number of frames that are done, 0 without one.
+        """Restores the filter's state; returns the number of finished frames, 0 without a state.
 
         Raises
         ------
         OSError
             The state cannot be read.
         ValueError
-            It is of another run.
+            The state belongs to another run.
         """
         if not self.state.exists() or not self.notes.exists():
             return 0
@@ -63,7 +63,7 @@ class Resumption(Sink):
             if view:
                 view = [[[float(x) for x in point] for point in view[0]], str(view[1])]
         except (ValueError, KeyError, TypeError, IndexError) as error:
-            raise OSError(f"{self.notes} is damaged; remove it to begin anew.") from error
+            raise OSError(f"{self.notes} is damaged; remove it to start again.") from error
         self._compare(then, past, times[:done])
         self._compare_files(files)
         with listening(surface) as heard:
@@ -73,7 +73,7 @@ class Resumption(Sink):
         return done
 
     def save(self, surface: Any, times: list[float], done: int, now: bool = False) -> None:
-        """Keeps the state after a frame, if the last one is old enough."""
+        """Saves the state after a frame, unless the last save is recent and `now` is false."""
         if not now and time.monotonic() - self._saved < _SECONDS_BETWEEN_STATES:
             return
         before = self.notes.read_bytes() if self.notes.exists() else None
@@ -95,12 +95,12 @@ class Resumption(Sink):
         self._saved = time.monotonic()
 
     def bind(self, way: Skins, names: list[Path], is_kept: bool) -> int:
-        """Binds the state to a run: the first frame to make, 0 unless the state is kept.
+        """Binds the state to a run; returns the first frame to make, 0 unless the state is kept.
 
         Raises
         ------
         OSError, ValueError
-            As of load, or a skin of an earlier frame is no longer there.
+            See load; or the skin of an earlier frame is missing.
         """
         self._way, self._is_kept = way, is_kept
         if not is_kept:
@@ -138,11 +138,11 @@ class Resumption(Sink):
             if before != now:
                 raise ValueError(
                     f"The skins so far were made {_with(name, before)}, further ones would be made "
-                    f"{_with(name, now)}; run without --resume to make them all anew."
+                    f"{_with(name, now)}; run without --resume to make all skins again."
                 )
         if past != times:
             raise ValueError(
-                "The frames so far had other times; run without --resume to make them all anew."
+                "The frames so far had other times; run without --resume to make all skins again."
             )
 
     def _compare_files(self, then: list[list[Any]]) -> None:
@@ -151,7 +151,7 @@ class Resumption(Sink):
                 what = "has changed since" if before[0] == now[0] else f"was {before[0]}"
                 raise ValueError(
                     f"The skins so far were made of other files: {now[0]} {what}; run without "
-                    "--resume to make them all anew."
+                    "--resume to make all skins again."
                 )
 
     def _marks(self, count: int) -> list[list[Any]]:

@@ -112,7 +112,7 @@ class _Plan(NamedTuple):
 
 
 def _plan(options: Any, files: ParticleFiles) -> _Plan:
-    """The skins of --frames, --preroll and --output-fps over these files."""
+    """Plans the skins of --frames, --preroll and --output-fps over these files."""
     low, high, stride = options.frames or (None, None, 1)
     first, last = (files.numbers[i] if n is None else n for i, n in ((0, low), (-1, high)))
     wanted = [
@@ -154,7 +154,7 @@ def make_parser() -> Parser:
     parser.add_argument("files", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     add_output_options(parser, _DEFAULT)
     parser.add_argument(
-        "--preset", choices=PRESETS, metavar="NAME", help="what the particles are (see below)"
+        "--preset", choices=PRESETS, metavar="NAME", help="kind of the particles (see below)"
     )
     parser.add_argument(
         "--probe", type=float, metavar="X", help="radius of a ball that rolls over atoms (1.4)"
@@ -163,12 +163,12 @@ def make_parser() -> Parser:
     _add_input_options(parser)
     add_picture_options(parser, "found")
     more = parser.add_argument_group("more")
-    more.add_argument("--resume", action="store_true", help="go on where a run was cut off")
+    more.add_argument("--resume", action="store_true", help="continue an interrupted run")
     more.add_argument("--index", metavar="NAME", help="the .pvd or .series of the skins, or none")
     more.add_argument(
         "--history", metavar="NAME", help="a .csv of volume, area, pieces, events ..."
     )
-    more.add_argument("--plot", metavar="NAME", help="these as a plot: .png, .svg, .pdf")
+    more.add_argument("--plot", metavar="NAME", help="the same as a plot: .png, .svg, .pdf")
     more.add_argument("--quiet", action="store_true", help="no progress")
     add_help(more, properties=True)
     return parser
@@ -177,10 +177,10 @@ def make_parser() -> Parser:
 def _add_input_options(parser: Parser) -> None:
     files = parser.add_argument_group("of the files")
     files.add_argument(
-        "--fps", type=positive, metavar="X", help="frames per second (default: as files say, or 25)"
+        "--fps", type=positive, metavar="X", help="frames per second (default: the files', or 25)"
     )
     add_choice_options(files)
-    told = "particles of a piece, at least; or its --minimum-volume X"
+    told = "least count of particles of a piece; or --minimum-volume X"
     files.add_argument("--minimum-piece", type=whole, metavar="N", help=told)
     files.add_argument("--minimum-volume", type=positive, help=argparse.SUPPRESS)
     told = "numbers, B included; --preroll N frames before A"
@@ -197,7 +197,7 @@ def _add_input_options(parser: Parser) -> None:
 
 
 def _find_view(options: Any, files: Any, kept: Resumption | None) -> tuple[Any, str]:
-    """Box in view and vertical axis; a resumed run keeps both."""
+    """Returns the box in view and the up axis; a resumed run keeps both."""
     if kept and kept.view:
         return numpy.array(kept.view[0]), str(kept.view[1])
     has_balls = options.preset in ("molecule", "grains") or options.probe is not None

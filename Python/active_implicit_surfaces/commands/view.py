@@ -1,4 +1,4 @@
-"""What the camera of a film holds, and which axis points up: the same for a whole series."""
+"""View of a film: the points in view and the up axis, the same for a whole series."""
 
 from __future__ import annotations
 
@@ -17,12 +17,13 @@ _SAMPLED = 2000  # particles of a frame that are searched for strays
 
 
 def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
-    """Points around all particles of a series, and the axis that points up, y or z.
+    """Returns points around all particles of a series, and the up axis, y or z.
 
-    Of each frame those points count that are farthest in 26 directions. Strays, as drops that fly
-    off, are held only as far as the rest does not become small.
+    The points are the extremes of each frame in 26 directions. Strays, such as drops that fly off,
+    are kept in view only as far as the rest does not become small.
 
-    Up is as `lie` says of the average of the series. Of images it is z, and their box is in view.
+    The up axis is that of `lie` for the average of the series. For images the up axis is z, and
+    their bounds are in view.
     """
     axis = numpy.array([-1.0, 0.0, 1.0])
     ways = numpy.stack(numpy.meshgrid(axis, axis, axis), -1).reshape(-1, 3).T
@@ -51,7 +52,7 @@ def find_view(files: Any, reaches: str | None = None) -> tuple[Any, str]:
 
 
 def lie(low: Any, high: Any, mean: Any) -> str:
-    """The one of y and z along which particles lie low in their box, or flat; z if neither."""
+    """Returns the axis, y or z, along which particles lie low in their box, or flat; else z."""
     sides = high - low
     place = (mean - low) / numpy.maximum(sides, 1e-300)
     if abs(place[1] - place[2]) >= _LOWER:
@@ -60,14 +61,14 @@ def lie(low: Any, high: Any, mean: Any) -> str:
 
 
 def _without_strays(outermost: Any, sampled: Any) -> Any:
-    """The outermost points, drawn towards the others where these are few and far off."""
+    """Returns the outermost points; few and distant ones are moved towards the others."""
     low, high = numpy.quantile(sampled, [_STRAYS, 1.0 - _STRAYS], axis=0)
     room = _ROOM * float((high - low).max())
     return numpy.clip(outermost, low - room, high + room)
 
 
 def _own_size(cloud: Any, reaches: str | None) -> float:
-    """How far the skin is from the particles, at most about."""
+    """Estimates the largest distance of the skin from the particles."""
     array = cloud.GetPointData().GetArray(reaches) if reaches else None
     if array is not None and array.GetNumberOfTuples():
         return float(array.GetRange()[1])
