@@ -1,5 +1,5 @@
 # The target `documentation`: API pages in <build folder>/documentation/html (Python's:
-# Python/Documentation.cmake). What a class tells of itself stands in its header; sub-folders of a
+# Python/Documentation.cmake). The documentation of a class is in its header; sub-folders of a
 # module are private and left out.
 
 set(DOXYGEN_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/documentation")

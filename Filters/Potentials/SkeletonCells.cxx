@@ -350,7 +350,7 @@ void SkeletonCells::FillLists()
   const std::size_t size = this->RangeStarts.back();
   if (size > std::numeric_limits<Index>::max())
   {
-    throw std::length_error("A skeleton of so many elements is not supported.");
+    throw std::length_error("The skeleton has too many elements; use fewer elements.");
   }
   this->Lists.resize(size);
   this->Balls.resize(4 * size);

@@ -181,7 +181,7 @@ void vtkSkeletonPotential::FitBody()
   if (own.Skeleton.HasSegments())
   {
     throw std::invalid_argument("Lines can only be a SUM, but ParticleModel is another; set it to "
-                                "SUM, or connect points alone.");
+                                "SUM, or remove the lines.");
   }
   activesurface::FitOptions options;
   options.Model = static_cast<activesurface::ParticleModel>(this->ParticleModel);

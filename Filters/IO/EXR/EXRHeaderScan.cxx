@@ -89,7 +89,7 @@ public:
     const std::uint32_t version = this->Number();
     if ((version & 0xff) != 2)
     {
-      Refuse("it has a version of the format that is not known");
+      Refuse("its version of the format is not supported");
     }
     const bool multiPart = (version & MultiPartFlag) != 0;
     std::vector<PartClaims> parts;

@@ -111,7 +111,7 @@ void PlanArray(
   const bool picture = scalars && array->GetName() && IsColor(array, array->GetName());
   if (!array->GetName() || !*array->GetName())
   {
-    Refuse("A point array of the input has no name, which its channels would bear.");
+    Refuse("A point array of the input has no name; name it, as its channels need one.");
   }
   const auto channels = ComponentChannels(array, array->GetName(), picture);
   for (std::size_t i = 0; i < channels.size(); ++i)

@@ -71,7 +71,7 @@ void VDBContent::AddState(const AttachedState& attached)
   {
     throw std::invalid_argument(
       "WriteState needs the skin at one of its time steps, with EvolutionMode TRANSIENT: between "
-      "two steps, or at rest, there is no state that the motion goes on from.");
+      "two steps, or in a steady state, there is no state to resume from.");
   }
   if (this->Choice.State)
   {

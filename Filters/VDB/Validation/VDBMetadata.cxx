@@ -22,7 +22,7 @@ void ValidateLeafSizes(ByteSource& source, VDBMetadata& metadata)
   const std::uint64_t count = source.Read<std::uint32_t>();
   if (count > source.GetSize() / leastLeaf)
   {
-    RefuseDamage("it tells sizes of more leaves than it can have");
+    RefuseDamage("it lists sizes of more leaves than it can have");
   }
   const auto walk = [&source](std::uint32_t stored, std::uint64_t bytes)
   {
