@@ -7,7 +7,7 @@ if (sphinx_is_missing OR SKBUILD)
   return()
 endif ()
 
-# conf.py writes pages beside itself.
+# conf.py writes pages to its own folder.
 set(pages "${CMAKE_BINARY_DIR}/documentation/python-pages")
 add_custom_target(documentation_python
   COMMAND "${CMAKE_COMMAND}" -E rm -rf "${pages}"

@@ -1,4 +1,4 @@
-"""Grains fall on a moving skin and bounce off it: the skin is a function that tells the distance.
+"""Grains fall on a moving skin and bounce off it: the skin is a function, the distance to it.
 
 Run: python3 collisions.py [--output FOLDER]
 """

@@ -3,7 +3,7 @@
     scene = load_scene("fountain", "folder")      # made once, then read from folder/fountain.npz
     for positions, velocities, ids in scene.frames:
 
-All particles are scene.spacing = 2 r apart at rest, so that N of them fill N (2 r)^3; the box has
+Particles at rest are scene.spacing = 2 r apart, so that N of them fill N (2 r)^3; the box has
 its corner at the origin, the size scene.size, and is open above. The scenes:
 
     pool      at rest, ten layers deep; scene.drops are the ids of twelve drops above it, single

@@ -1,4 +1,4 @@
-"""A ball tears into two; prints what the history tells of it and plots its volume and pieces.
+"""A ball splits into two; prints the events of its history, plots its volume and pieces.
 
 Run: python3 plot_history.py [--output FOLDER]
 """

@@ -18,7 +18,7 @@ COLORS = (WATER, CLAY, (0.6, 0.8, 0.5), (0.8, 0.7, 0.9))
 
 
 def particles_at(time):
-    """Two lumps on their way round each other."""
+    """Two lumps that move around each other."""
     angles = 3 * time + np.array([0, np.pi])
     places = np.stack([0.62 * np.cos(angles), 0.1 * np.sin(2 * angles), 0.3 * np.sin(angles)], 1)
     return np.concatenate([ball(0.42, SPACING) + place for place in places])
@@ -34,7 +34,7 @@ for frame in range(PICTURED[-1] + 1):
     places = particles_at(frame / RATE)
     owners = np.clip((places[:, 0] + 1.05) / 2.1 * ranks.size, 0, ranks.size - 1).astype(int)
     own = np.flatnonzero(owners == ranks.rank)
-    part = live.advance(places[own], 1 / RATE, ids=own)  # ids tell who is who on whatever rank
+    part = live.advance(places[own], 1 / RATE, ids=own)  # ids match particles across ranks
     if frame in PICTURED:
         writer = vtkXMLPPolyDataWriter()  # a .pvtp, and a .vtp of each rank
         writer.SetFileName(str(folder / f"ranks_{frame}.pvtp"))

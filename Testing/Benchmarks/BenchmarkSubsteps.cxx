@@ -7,7 +7,7 @@
 //
 //   uniform speed: from 0.3 by 0.3, outward, on a target that is -1 everywhere
 //   approach: from 0.3 to a ball of radius 0.55 at Attraction 1; the largest error in 40 frames
-//   tension alone: from 0.6 to 0.3
+//   only tension: from 0.6 to 0.3
 //   rest under tension: from 0.5 to (1 + sqrt(1 - 8 Tension / (Attraction R^2))) R / 2
 //   lag: behind a target that moves 0.8 in a time of 1, at Attraction 10, 25 frames
 //
@@ -169,7 +169,7 @@ int main(int argc, char** argv)
           [](double time, const Measured& is) { return is.Radius - .55 + .25 * std::exp(-time); },
           true },
         ball, n, wanted);
-      PrintLines({ "tension alone", { .6 }, 0.0, 1.0, .0675, 1, radiusIs(.3) }, ball, n, wanted);
+      PrintLines({ "only tension", { .6 }, 0.0, 1.0, .0675, 1, radiusIs(.3) }, ball, n, wanted);
       const double rest = .25 * (1.0 + std::sqrt(1.0 - 8.0 * .015 / .25));
       PrintLines(
         { "rest under tension", { .5 }, 1.0, .015, 14.0, 1, radiusIs(rest) }, smaller, n, wanted);

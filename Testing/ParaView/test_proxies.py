@@ -199,7 +199,7 @@ class Proxies(unittest.TestCase):
                     prop, "vtkSMEnumerationDomain"
                 )
                 if unit and number and name not in LISTS:
-                    self.assertRegex(text, r"\[[^\]]+\]", f"{unit[0]} is not told")
+                    self.assertRegex(text, r"\[[^\]]+\]", f"{unit[0]} is not in the text")
 
     def test_every_property_of_the_panel_is_in_one_group(self):
         for key in (SURFACE, FUNCTIONS):

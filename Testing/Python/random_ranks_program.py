@@ -1,4 +1,4 @@
-"""Random cases of test_random_ranks.py: the same of a seed on any number of ranks.
+"""Random cases of test_random_ranks.py: a seed gives the same cases on any number of ranks.
 
 Run: python3 random_ranks_program.py <seed> <cases> <folder> [--alone]; without --alone, under
 mpiexec.
@@ -48,7 +48,7 @@ class Motion:
 
 
 def draw_properties(random):
-    """Those that matter for ranks, and up to three of any."""
+    """Draws properties that matter for ranks, and up to three others."""
     properties = {
         "VoxelSize": random.choice((0.08, 0.12)),
         "ParticleModel": random.randint(0, 2),

@@ -25,7 +25,7 @@ def dealt(points, owners, step, piece, pieces):
 
 
 class DealtSource(Source):
-    """Of the particles of each time step those of a piece."""
+    """Source of the particles of one piece at each time step."""
 
     def __init__(self, steps, owners):
         super().__init__(steps)
@@ -108,7 +108,7 @@ class RankedCase(Case):
         super().do(name, *arguments)
 
     def do_piece(self, time, piece, pieces):
-        """As ParaView asks; pieces follow the ranks."""
+        """Updates one piece, as ParaView requests it; the piece is the rank."""
         self.time = time
         self.update(time, self.ranks.rank, self.ranks.size)
         self.check_messages()
@@ -118,7 +118,7 @@ class RankedCase(Case):
         self.surface.Modified()  # on all ranks, as on the one that has stopped
 
     def check_outputs(self):
-        """As far as a part of a skin can be looked at."""
+        """Checks that apply to a part of a skin."""
         if self.is_first():
             self.check_limits()
         self.counts["skins"] += self.is_so_on_any(self.surface.GetOutput().GetNumberOfPoints() > 0)

@@ -39,7 +39,7 @@ def begin(is_alone):
 
 
 class Particles(VTKPythonAlgorithmBase):
-    """Of the particles of each step those that belong to the piece.
+    """Source of the particles of one piece at each step.
 
     particles(step): arrays by name, "position" one of them. owners(step, count, pieces): whose each
     of them is.
@@ -133,7 +133,7 @@ def outputs_of(surface):
 
 
 def triangles_of(skin):
-    """A row for each triangle: all that is known of its corners, as bytes."""
+    """Returns a row of bytes for each triangle: all values of its corners."""
     if skin.GetNumberOfPolys() == 0:
         return numpy.zeros((0, 0), dtype=numpy.uint8)
     corners = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 3)
@@ -148,7 +148,7 @@ def triangles_of(skin):
 
 
 def points_of(skin):
-    """Of a part of a skin with their numbers in the whole."""
+    """Returns the points of a part of a skin, with their global ids."""
     ids = skin.GetPointData().GetGlobalIds()
     points = skin.GetPoints()
     return {
@@ -177,7 +177,7 @@ def history_of(table):
 
 
 def load(folder, name, ranks):
-    """What the ranks have kept, by rank."""
+    """Loads the files that the ranks have saved, by rank."""
     loaded = []
     for rank in range(ranks):
         with numpy.load(os.path.join(folder, f"{name}.{rank}.npz")) as kept:

@@ -13,9 +13,9 @@ NO_MPI = 77  # by with_ranks
 
 
 def start_ranks(program, size, arguments, longest):
-    """What a program says on so many ranks, which share the cores; 0: without MPI, by --alone.
+    """Runs a program on `size` ranks, which share the cores; with 0 without MPI, by --alone.
 
-    It may take so many seconds: a rank that waits for another one waits for ever.
+    Fails after `longest` seconds, since ranks may wait for each other for ever.
     """
     command = [sys.executable, str(program), *map(str, arguments)]
     with subprocess.Popen(

@@ -19,7 +19,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 
 class Failing(Particles):
-    """Fails at a step on a rank as long as it is told to."""
+    """Source that fails at a step on a rank while `fails` is set."""
 
     fails = False
 
@@ -66,7 +66,7 @@ def missing_file(ranks, keeper, folder):
 
 @run
 def missing_columns(ranks, keeper, folder):
-    """All ranks have tables without columns; then the first one alone, the others no points."""
+    """All ranks have tables without columns; then only the first one, the others no points."""
     for name, count in (("no_columns", ranks.size), ("few_columns", 1)):
         surface = make_surface(voxel=0.1, ParticleSpacing=0.1)
         empty = vtkTable() if ranks.rank < count else vtkPolyData()
@@ -122,7 +122,7 @@ def bad_state(ranks, keeper, folder):
 
 @run
 def aborted(ranks, keeper, folder):
-    """Stopped on the last rank in the middle of a step; then all go on."""
+    """Aborts on the last rank in the middle of a step; then all ranks continue."""
     _, surface = make_splash(VoxelSize=0.1)
 
     def stop(caller, event):

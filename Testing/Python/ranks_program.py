@@ -1,4 +1,4 @@
-"""The runs of test_ranks.py; what the ranks have made goes into a folder.
+"""Runs of test_ranks.py; each rank saves its results in a folder.
 
 Run: python3 ranks_program.py <run>[,<run>...] <folder> [--alone], under mpiexec but for --alone.
 """
@@ -146,7 +146,7 @@ def emitter(ranks, keeper, folder):
 
 
 def part_of_ball(radius, ranks):
-    """Of the triangles of a ball those of a rank, with their points."""
+    """Returns a rank's triangles of a ball, with their points."""
     ball = vtkSphereSource()
     ball.SetRadius(radius)
     ball.SetThetaResolution(24)
@@ -167,7 +167,7 @@ def part_of_ball(radius, ranks):
 
 @run
 def table(ranks, keeper, folder):
-    """Of a source that makes no pieces the first rank alone gets anything, not even columns."""
+    """A source without pieces gives data only to the first rank, to others not even columns."""
     places = [(0.1 * i, 0.05 * (i % 3)) for i in range(12)]
     steps = {z: as_table(cloud([(x, y, 0.05 * z) for x, y in places])) for z in range(2)}
     surface = make_surface(Steps(steps), 0.05, ParticleSpacing=0.15)

@@ -2,8 +2,8 @@
 """Ranks make the skins of one process, of random particles, properties and distributions.
 
 Run: python3 test_random_ranks.py [--cases <each>] [--seed <first>] [--sizes <ranks> ...]. A failure
-tells the seed, the case, which random_ranks_program.py draws from it, and how many ranks. Skipped
-where there is no MPI, see with_ranks.
+names the seed, the case, which random_ranks_program.py draws from it, and the number of ranks.
+Skipped without MPI, see with_ranks.
 """
 
 import argparse
@@ -37,7 +37,7 @@ class RandomRanks(unittest.TestCase):
             self.assertEqual(bool(len(part["errors"])), bool(len(alone[0]["errors"])), kept)
 
     def try_seed(self, seed, cases):
-        """How many skins there were."""
+        """Compares the cases of a seed on all sizes; returns the number of skins."""
         alone = self.folder()
         start(1, seed, 0, alone)  # or all are skipped
         start(0, seed, cases, alone)

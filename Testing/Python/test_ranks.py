@@ -24,7 +24,7 @@ LONGEST = 120
 
 
 def start(size, run, folder, longest=LONGEST):
-    """The run on so many ranks, which share the cores; 0: without MPI."""
+    """Starts a run on `size` ranks, which share the cores; with 0 without MPI."""
     start_ranks(PROGRAM, size, [run, folder], longest)
 
 
@@ -44,7 +44,7 @@ def is_running(process):
 
 
 def has_ended(process, within):
-    """mpiexec may end a little before those that it has told to; so many seconds later at most."""
+    """Waits `within` seconds for a process; mpiexec may end a little before its processes."""
     last = time.monotonic() + within
     while is_running(process) and time.monotonic() < last:
         time.sleep(0.1)

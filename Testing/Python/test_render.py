@@ -256,7 +256,7 @@ class Layers(unittest.TestCase):
             layers = layers_of(render.capture(window))
             pictures.append(layers["RGBA"])
             depths.append(layers["Z"][layers["id"] == 1])
-        self.assertTrue((pictures[0] == pictures[1]).all(), "no color tells")
+        self.assertTrue((pictures[0] == pictures[1]).all(), "the colors do not differ")
         # Single precision of vertices, 1e-7, times the slope of pixels at the rim, some hundreds.
         self.assertLess(numpy.abs(depths[1] - depths[0] - 0.01).max(), 1e-4)
 

@@ -293,7 +293,7 @@ class Restart(unittest.TestCase):
         change(fresh)
         update(old, THEN)
         update(fresh, THEN)
-        self.assertNotEqual(content(old), content(fresh), "the scene does not tell the change")
+        self.assertNotEqual(content(old), content(fresh), "the change has no effect on the scene")
 
         update(surface, BEFORE)
         change(surface)

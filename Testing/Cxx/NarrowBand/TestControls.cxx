@@ -139,8 +139,8 @@ void CheckHeld(const Journey& journey, int n, double (NarrowBand::*measure)() co
   }
   const std::string name = std::string(journey.Name) + ", n = " + std::to_string(n);
   EXPECT_GT(substeps, 10.0) << "substeps, " << name;
-  EXPECT_LT(largest, journey.Tolerance) << "largest relative error on the way, " << name;
-  EXPECT_TRUE(expectedSeen) << "the expected bodies on the way, " << name;
+  EXPECT_LT(largest, journey.Tolerance) << "largest relative error of all steps, " << name;
+  EXPECT_TRUE(expectedSeen) << "the expected bodies at some step, " << name;
 }
 
 Motion ExactWay(double attraction, double tension)

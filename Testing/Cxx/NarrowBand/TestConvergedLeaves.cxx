@@ -316,7 +316,7 @@ TEST(TestConvergedLeaves, ATargetThatSoftensElsewhereLeavesNoTrace)
   anew.Advance(2.5, MakeMotion(0.0), changes);
   const AdvanceReport report = remembered.Advance(2.5, MakeMotion(0.0), tells);
   EXPECT_TRUE(AreIdentical(anew, remembered)) << "the same to the bit";
-  EXPECT_TRUE(GetLeftHalf(remembered) != before) << "the left ball goes on";
+  EXPECT_TRUE(GetLeftHalf(remembered) != before) << "the left ball moves";
   EXPECT_GT(report.Substeps, 0u) << "substeps";
 }
 

@@ -116,9 +116,9 @@ void CheckScene(const Scene& scene, Control area, double tolerance)
     const std::string name = scene.Name + ", CFL " + std::to_string(cfl);
     const Way way = Follow(scene, area, cfl);
     EXPECT_TRUE(way.IsSound) << "finite and closed: " << name;
-    EXPECT_LT(way.MostParts, scene.Parts + 1) << "most parts on the way: " << name;
+    EXPECT_LT(way.MostParts, scene.Parts + 1) << "most parts at any step: " << name;
     EXPECT_EQ(way.LastParts, 1) << "parts at last: " << name;
-    EXPECT_LT(way.WorstError, tolerance) << "largest relative error on the way: " << name;
+    EXPECT_LT(way.WorstError, tolerance) << "largest relative error of all steps: " << name;
   }
 }
 
@@ -181,7 +181,7 @@ TEST(TestExactControl, ALostPotentialIsAnErrorAndIsNotTaken)
   const double end = band.GetTime() + 0.1;
   band.Advance(end, motion, target);
   before->Advance(end, motion, target);
-  EXPECT_TRUE(AreIdentical(band, *before)) << "with a smaller CFL it goes on from there";
+  EXPECT_TRUE(AreIdentical(band, *before)) << "with a smaller CFL the motion resumes";
 }
 
 // The control is accurate to 1e-9 of the wanted number; potentials are floats. From half to twice

@@ -40,8 +40,7 @@ Scene MakeScene(const char* name, double time, double attraction, double tension
 std::vector<Scene> MakeScenes()
 {
   std::vector<Scene> scenes = { MakeScene("tracking", 0.6, 1.0, 0.0),
-    MakeScene("tracking under tension", 0.6, 1.0, 0.02),
-    MakeScene("tension alone", 0.3, 0.0, 0.1) };
+    MakeScene("tracking under tension", 0.6, 1.0, 0.02), MakeScene("only tension", 0.3, 0.0, 0.1) };
   Scene held = MakeScene("penalties", 0.3, 1.0, 0.05);
   held.Way.AreaControl = held.Way.VolumeControl = Control::Penalty;
   scenes.push_back(held);
@@ -220,8 +219,8 @@ TEST(TestReproducible, CloneIsABranch)
   EXPECT_TRUE(AreIdentical(*unmoved, *band)) << "moving a clone leaves the original as it was";
   EXPECT_EQ(band->GetTime(), half) << "time of the original";
   band->Advance(scene.Time, scene.Way, target);
-  EXPECT_TRUE(AreIdentical(*branch, *band)) << "a clone goes the way of the original";
-  EXPECT_FALSE(AreIdentical(*unmoved, *band)) << "the comparison tells two times apart";
+  EXPECT_TRUE(AreIdentical(*branch, *band)) << "a clone moves as the original does";
+  EXPECT_FALSE(AreIdentical(*unmoved, *band)) << "the comparison detects another time";
 }
 
 // Powers of two are exact in floating point. Lengths are scaled by 2^10 and tension [length^2/time]

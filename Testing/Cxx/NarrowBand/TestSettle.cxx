@@ -162,7 +162,7 @@ TEST(TestSettle, SleepDoesNotFreezeSlowMotion)
   }
   // Sum of the bound of SurfaceArrivesAtItsTarget, a lag of speed / Attraction = 0.001 h and the
   // thousandth.
-  EXPECT_LT(farthest, 0.004 + 0.001 + 0.001) << "largest mean distance on the way [h]";
+  EXPECT_LT(farthest, 0.004 + 0.001 + 0.001) << "largest mean distance of all steps [h]";
 }
 
 // The target extends through the wall. The surface ends on the target within and lies flat on the

@@ -70,8 +70,7 @@ void CheckTopology(const Shape& start, const Shape& end, const Topology& expecte
     EXPECT_EQ(topology.EulerCharacteristic, expected.EulerCharacteristic)
       << "Euler number, " << name;
     EXPECT_EQ(FindDefects(mesh).Edges, 0u) << "edges that are not in two triangles, " << name;
-    EXPECT_TRUE(report.Vanished == (expected.Components == 0))
-      << "report tells if it vanished, " << name;
+    EXPECT_TRUE(report.Vanished == (expected.Components == 0)) << "report.Vanished, " << name;
   }
 }
 

@@ -221,7 +221,7 @@ TEST_P(TestParticleModels, BatchesAndInstructionSetsGiveTheSameBits)
     potential->EvaluateBatch(count, places[0].data(), numbers.data(), numbers.data() + count);
     for (std::size_t i = 0; i < places.size(); i += 37)
     {
-      EXPECT_EQ(ValueAt(potential, places[i]), numbers[i]) << "alone, as in the batch";
+      EXPECT_EQ(ValueAt(potential, places[i]), numbers[i]) << "single evaluation as in the batch";
     }
     all.push_back(numbers);
   }

@@ -261,7 +261,7 @@ TEST(TestSkeletonInput, WorksInABooleanAndUnderATransform)
   vtkNew<vtkDoubleArray> values;
   a->FunctionValue(points, values);
   EXPECT_EQ(values->GetValue(0), -0.5) << "moved to the origin";
-  EXPECT_EQ(values->GetValue(1), 0.5 - std::pow(0.75, 3)) << "and half a radius beside it";
+  EXPECT_EQ(values->GetValue(1), 0.5 - std::pow(0.75, 3)) << "half a radius from the origin";
   const double x[3] = { 0.5, 0.0, 0.0 };
   double g[3];
   a->FunctionGradient(x, g);

@@ -120,7 +120,7 @@ private:
   const int Rank;
 };
 
-/** Runs a program on so many ranks; what one throws is thrown, of the first one. */
+/** Runs a program on `size` ranks, as threads; rethrows the exception of the first that fails. */
 inline void RunOnRanks(int size, const std::function<void(MeetingPoint& place, int rank)>& program)
 {
   MeetingPoint place(size);

@@ -140,7 +140,7 @@ TEST(TestSkinFunction, SkinFunctionIsOutsideAfterAnError)
   EXPECT_LT(double(changed), double(function->GetMTime())) << "MTime before and after the error";
   filter->SetCFL(1.0);
   filter->UpdateTimeStep(0.5);
-  IsTheBall(function, radius, "when it is mended");
+  IsTheBall(function, radius, "after the correction");
 }
 
 // A request for information discards the state, so no skin is available for the function.
@@ -284,7 +284,7 @@ TEST(TestSkinFunction, SkinFunctionCanBeUsedByThreads)
   evaluate(alone);
   for (const std::vector<double>& values : all)
   {
-    EXPECT_TRUE(values == alone) << "the same values as alone";
+    EXPECT_TRUE(values == alone) << "the values of a single thread";
   }
 }
 
@@ -315,7 +315,7 @@ TEST(TestSkinFunction, SkinFunctionCanBeATarget)
   EXPECT_LT(deviation(), 0.05) << "mean distance of the skins [h]";
   EXPECT_EQ(DescribeTopology(second, 1), "1 0 0") << "bodies, voids, Euler number";
   first->UpdateTimeStep(0.0); // a ball of 0.6
-  EXPECT_LT(deviation(), 0.05) << "mean distance of the skins [h], the first one made anew";
+  EXPECT_LT(deviation(), 0.05) << "mean distance of the skins [h], the first one restarted";
   EXPECT_EQ(DescribeTopology(second, 1), "1 0 2") << "bodies, voids, Euler number";
 }
 

@@ -85,7 +85,7 @@ TEST(TestVelocityBound, PartsThatMergeGoNoFasterThanTheirParticles)
       << "largest velocity at " << time;
     largest = std::max(largest, FindLargest(unbounded, time));
   }
-  EXPECT_LT(2.0 * MeetingSpeed, largest) << "largest one without a bound, on the way";
+  EXPECT_LT(2.0 * MeetingSpeed, largest) << "largest velocity without a bound";
 }
 
 // Long vectors keep their direction; short ones are bitwise unchanged.
@@ -165,8 +165,7 @@ TEST(TestVelocityBound, WhatGrowsOrStandsStillIsNotBoundToStand)
   const Cloud still = [](double) { return Meeting(2.5); };
   auto standing = MakeMovingSkin(still, 0.0);
   standing->SetInitialFunction(MakeBallFunction(0.9));
-  EXPECT_LT(MeetingSpeed, FindLargest(standing, 0.25))
-    << "a skin on its way to particles that stand still";
+  EXPECT_LT(MeetingSpeed, FindLargest(standing, 0.25)) << "a skin that moves to static particles";
   auto direct = MakeMovingSkin(still, Unbounded);
   direct->SetInitialFunction(MakeBallFunction(0.9));
   direct->UpdateTimeStep(0.25);
@@ -175,7 +174,7 @@ TEST(TestVelocityBound, WhatGrowsOrStandsStillIsNotBoundToStand)
   auto ball = MakeShrinkingBall();
   ball->ComputeVelocityOn();
   const double largest = FindLargest(ball, 0.2);
-  EXPECT_LT(0.05, largest) << "a skin on its way to a function";
+  EXPECT_LT(0.05, largest) << "a skin that moves to a function";
   ball->ResetCounters();
   ball->SetMaximumVelocity(0.5 * largest);
   EXPECT_NEAR(FindLargest(ball, 0.2), 0.5 * largest, Rounding) << "with a bound";

@@ -1,4 +1,4 @@
-// Rounds of ranks: all tell, stop and fail together, and nobody waits for one that has gone.
+// Collectives: all ranks report, stop and fail together, and no rank waits for one that has left.
 
 #include "Agreement.h"
 #include "Support/ThreadRanks.h"

@@ -31,7 +31,7 @@ namespace TestInputPiece
 namespace
 {
 
-// So many points in a row, with an array of each kind.
+// Makes `count` points in a row, with an array of each kind.
 vtkSmartPointer<vtkPolyData> MakeRow(int first, int count)
 {
   vtkNew<vtkPoints> points;

@@ -70,7 +70,7 @@ TEST(TestExactWarnings, ATargetThatIsMetIsNoWarning)
   EXPECT_EQ(CountWarnings(MakeHeld(ball, ball)), 0) << "warnings, at rest on the target";
   EXPECT_EQ(CountWarnings(MakeHeld(ball, MakeSphere(0.0, 0.3))), 0) << "inside, within reach";
   EXPECT_EQ(CountWarnings(MakeHeld(ball, MakeSphere(0.0, 0.7))), 0) << "inside the target";
-  EXPECT_EQ(CountWarnings(MakeHeld(ball, MakeSphere(0.2, 0.4))), 0) << "on the way aside";
+  EXPECT_EQ(CountWarnings(MakeHeld(ball, MakeSphere(0.2, 0.4))), 0) << "on a sideways motion";
   EXPECT_EQ(CountWarnings(MakeHeld(MakeSphere(-0.4, 0.3), MakeSphere(0.3, 0.3))), 0)
     << "nearly in touch";
 }

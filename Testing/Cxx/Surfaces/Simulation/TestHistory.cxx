@@ -220,7 +220,7 @@ TEST(TestHistory, ErrorAtTheStartLeavesNoTrace)
   EXPECT_EQ(filter->GetHistory()->GetNumberOfColumns(), 0) << "columns after an error";
   filter->SetMaximumNumberOfActiveVoxels(1000000);
   filter->SetAttraction(10.0);
-  EXPECT_EQ(GetHistoryAt(filter, 4.0), expected) << "when it is mended";
+  EXPECT_EQ(GetHistoryAt(filter, 4.0), expected) << "after the correction";
 }
 
 // Growing ball, as in TestKeptState: the finished substeps of the failed step count once.
@@ -246,7 +246,7 @@ TEST(TestHistory, ErrorWithinAStepLeavesNoTrace)
   EXPECT_GT(filter->GetSubsteps(), 0) << "substeps before it";
   EXPECT_EQ(CountRows(filter), 0) << "rows after an error";
   filter->SetMaximumNumberOfActiveVoxels(60000);
-  EXPECT_EQ(GetHistoryAt(filter, 2.0), expected) << "when it is mended";
+  EXPECT_EQ(GetHistoryAt(filter, 2.0), expected) << "after the correction";
 }
 
 TEST(TestHistory, AbortLeavesNoTrace)

@@ -216,7 +216,7 @@ void JumpsNoFartherThan(
 {
   EXPECT_LT(jump.Mean, share * bound.Mean + MeanError) << "mean jump, " << name;
   EXPECT_LT(jump.Largest, share * bound.Largest + LargestError) << "largest jump, " << name;
-  EXPECT_LT(0.5 * share * bound.Mean, jump.Mean) << "the skin is on its way, " << name;
+  EXPECT_LT(0.5 * share * bound.Mean, jump.Mean) << "the skin moves, " << name;
 }
 
 // The numbers of pieces, of voids and of handles are the same at all steps.

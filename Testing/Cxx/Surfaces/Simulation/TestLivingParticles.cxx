@@ -186,7 +186,7 @@ TEST(TestLivingParticles, FirstStepMayBeEmpty)
   MessageCapture messages(filter);
   EXPECT_EQ(CountParts(filter, 0.0), 0);
   EXPECT_EQ(CountParts(filter, 1.0), 1);
-  EXPECT_EQ(messages.CountAll(), 0u) << "nothing to be told";
+  EXPECT_EQ(messages.CountAll(), 0u) << "messages";
   auto whole = MakePlainSkin([](double) { return MakeBlock(0.0); });
   whole->UpdateTimeStep(2.0);
   filter->UpdateTimeStep(2.0);

@@ -155,7 +155,7 @@ TEST(TestMotionProperties, BothExactIsAnError)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << "points";
   EXPECT_EQ(CountRows(filter), 0) << "rows";
   filter->SetAreaControlToNone();
-  EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 0.016), bytes)) << "the same bytes when it is mended";
+  EXPECT_TRUE(AreSameSkins(GetBytesAt(filter, 0.016), bytes)) << "bytes after the correction";
 }
 
 // Tolerance 1e-6, single precision; 0.93 is on no node. Only some faces are reached: the shape ends

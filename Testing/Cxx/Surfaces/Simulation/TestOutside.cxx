@@ -124,10 +124,10 @@ TEST(TestOutside, ALostDropIsToldOnce)
   EXPECT_EQ(messages.CountAll(), 1u);
   filter->UpdateTimeStep(0.0);
   filter->UpdateTimeStep(3.0);
-  EXPECT_EQ(messages.CountAll(), 1u) << "going back tells it no more";
+  EXPECT_EQ(messages.CountAll(), 1u) << "an earlier time does not repeat the warning";
   filter->SetTension(1e-5);
   filter->UpdateTimeStep(3.0);
-  EXPECT_EQ(messages.CountAll(), 2u) << "a new run tells it again";
+  EXPECT_EQ(messages.CountAll(), 2u) << "a new run repeats the warning";
 }
 
 TEST(TestOutside, ADropWithAPartIsInside)

@@ -145,7 +145,7 @@ TEST(TestTargetBuilder, EachDataSetIsOfOneKind)
 {
   const auto name = [](vtkDataSet* data) { return std::string(Read(data)->GetName()); };
   EXPECT_EQ(name(vtkNew<vtkPolyData>()), "nothing") << "no points";
-  EXPECT_EQ(name(MakeRow(3, 0.0, false)), "particles") << "points alone";
+  EXPECT_EQ(name(MakeRow(3, 0.0, false)), "particles") << "only points";
   EXPECT_EQ(name(MakeRow(3, 0.0, true)), "a skeleton of lines") << "lines";
   EXPECT_EQ(name(MakeSphere(0.5, 8)), "a mesh") << "polygons";
   EXPECT_EQ(name(MakeBallImage(0.5)), "an image") << "an image";

@@ -245,7 +245,7 @@ TEST(TestVelocity, ATranslatingSlabHasItsWholeVelocity)
   }
   filter->TangentialVelocityOff();
   filter->UpdateTimeStep(2.5);
-  EXPECT_GT(CompareWhole(filter, field), 0.5) << "the normal part alone";
+  EXPECT_GT(CompareWhole(filter, field), 0.5) << "only the normal part";
 }
 
 TEST(TestVelocity, ATurningSlabHasItsWholeVelocity)

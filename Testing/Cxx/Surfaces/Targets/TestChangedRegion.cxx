@@ -87,7 +87,7 @@ TEST(TestChangedRegion, NothingAndEverything)
 {
   const Bounds box = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
   ChangedRegion region;
-  EXPECT_TRUE(region.Touches(box.data())) << "before anything is known all may have changed";
+  EXPECT_TRUE(region.Touches(box.data())) << "everything may have changed before Set";
   region.Set({});
   EXPECT_FALSE(region.Touches(box.data())) << "no boxes";
   region.SetEverywhere();

@@ -111,7 +111,7 @@ TEST(TestFunctions, BooleansMayBeNested)
   outer->AddFunction(inner);
   outer->AddFunction(MakeBallFunction(0.2, -5.0));
   EXPECT_TRUE(AreSameSkins(BytesTowards(outer), BytesTowards(ball)))
-    << "the same bytes as the ball alone";
+    << "the same bytes as only the ball";
 }
 
 // A superquadric of roundness 1 is a ball. VTK returns no gradient for it; central differences of a

@@ -211,7 +211,7 @@ TEST(TestParticles, NoParticlesLaterMakeTheSkinVanish)
   auto filter = MakeSkinOver(MakeSource(leaving));
   MessageCapture messages(filter);
   filter->UpdateTimeStep(0.4);
-  EXPECT_GT(filter->GetOutput()->GetNumberOfPolys(), 0) << "triangles on the way";
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPolys(), 0) << "triangles between the steps";
   filter->UpdateTimeStep(1.0);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPolys(), 0) << "triangles at the step without any";
   EXPECT_TRUE(filter->GetOutput()->GetPoints() != nullptr) << "the output is valid";

@@ -235,9 +235,9 @@ TEST(TestTargets, OpenMeshIsAWarningOrAShell)
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, "MeshThickness > 0 makes a shell"), 1)
     << "warnings";
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, "at a seam, merge the points"), 1)
-    << "warnings that tell the remedy";
+    << "warnings that name the remedy";
   EXPECT_EQ(MessageCapture::Count(messages.Warnings, "open edges"), 1)
-    << "warnings that tell the edges";
+    << "warnings that name the edges";
   messages.Warnings.clear();
   filter->SetMeshThickness(0.2);
   filter->UpdateTimeStep(0.0);
