@@ -119,7 +119,8 @@ private:
         [](CountedLeaf& leaf) { return &leaf; });
     }
     std::sort(order.begin(), order.end(),
-      [](const CountedLeaf* a, const CountedLeaf* b) { return IsBeforeInTree(a->Origin, b->Origin); });
+      [](const CountedLeaf* a, const CountedLeaf* b)
+      { return IsBeforeInTree(a->Origin, b->Origin); });
     for (CountedLeaf* leaf : order)
     {
       this->Sum += std::exchange(leaf->Vertices, this->Sum);

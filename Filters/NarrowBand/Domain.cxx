@@ -170,8 +170,7 @@ void Domain::ListOthersAround(const NodeIndex& leaf, std::vector<int>& others) c
   constexpr int side = 8;
   this->ListOwners({ leaf[0] - side, leaf[1] - side, leaf[2] - side },
     { leaf[0] + 2 * side - 1, leaf[1] + 2 * side - 1, leaf[2] + 2 * side - 1 }, others);
-  others.erase(
-    std::remove(others.begin(), others.end(), this->Ranks.GetRank()), others.end());
+  others.erase(std::remove(others.begin(), others.end(), this->Ranks.GetRank()), others.end());
 }
 
 int Domain::CounterOf(const NodeIndex& leaf) const

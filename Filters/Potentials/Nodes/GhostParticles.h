@@ -60,7 +60,8 @@ public:
       toEach.push_back(ToBytes(values));
       sizes.push_back(this->Received[rank].size() * sizeof(Value));
     }
-    const std::vector<Bytes> fromEach = this->Space->GetRanks().Distribute(std::move(toEach), sizes);
+    const std::vector<Bytes> fromEach =
+      this->Space->GetRanks().Distribute(std::move(toEach), sizes);
     for (std::size_t rank = 0; rank < fromEach.size(); ++rank)
     {
       const std::vector<Value> values = FromBytes<Value>(fromEach[rank]);

@@ -85,15 +85,15 @@ void ControllerCommunicator::AllGather(const Bytes& own, std::vector<Bytes>& all
     static_cast<vtkIdType>(own.size()), counts.data(), offsets.data()));
   for (std::size_t rank = 0; rank < all.size(); ++rank)
   {
-    std::copy(received.data() + offsets[rank], received.data() + offsets[rank + 1],
-      all[rank].begin());
+    std::copy(
+      received.data() + offsets[rank], received.data() + offsets[rank + 1], all[rank].begin());
   }
 }
 
 void ControllerCommunicator::Swap(const std::vector<Bytes>& toEach, std::vector<Bytes>& fromEach)
 {
-  this->SwapInPairs(
-    [&toEach](int rank) -> const Bytes& { return toEach[static_cast<std::size_t>(rank)]; },
+  this->SwapInPairs([&toEach](int rank) -> const Bytes&
+    { return toEach[static_cast<std::size_t>(rank)]; },
     fromEach);
 }
 

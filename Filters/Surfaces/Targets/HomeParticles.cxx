@@ -73,8 +73,7 @@ std::shared_ptr<InputShape> GatherShape(const InputShape& home)
   const ParticleFrame& part = *home.GetParticles();
   ParticleChoice all(part.Particles.size());
   std::iota(all.begin(), all.end(), 0u);
-  ParticleFrame frame =
-    MergeParticles(home.Home->Ranks.Exchange(PackParticles(part, all)), part);
+  ParticleFrame frame = MergeParticles(home.Home->Ranks.Exchange(PackParticles(part, all)), part);
   frame.Ignored = part.CountAllPoints() - part.CountAllParticles();
   return dynamic_cast<const ParticleShape&>(home).MakeOther(std::move(frame));
 }

@@ -45,8 +45,7 @@ auto CompareKeys(const ParticleList& particles)
 template <class Key, class IsBefore>
 void MergeRuns(std::vector<std::size_t> ends, std::vector<Key>& keys, IsBefore&& isBefore)
 {
-  const auto at = [&keys](std::size_t i)
-  { return keys.begin() + static_cast<std::ptrdiff_t>(i); };
+  const auto at = [&keys](std::size_t i) { return keys.begin() + static_cast<std::ptrdiff_t>(i); };
   while (ends.size() > 1)
   {
     std::vector<std::size_t> merged;

@@ -61,8 +61,7 @@ ParticleShape::ParticleShape(const InputData& input)
 {
 }
 
-ParticleShape::ParticleShape(
-  ParticleFrame particles, const ParticleArrays& kept, bool hasVertices)
+ParticleShape::ParticleShape(ParticleFrame particles, const ParticleArrays& kept, bool hasVertices)
   : Particles(std::move(particles))
   , Kept(kept)
   , HasVertices(hasVertices)
@@ -71,8 +70,7 @@ ParticleShape::ParticleShape(
 
 std::shared_ptr<ParticleShape> ParticleShape::MakeOther(ParticleFrame particles) const
 {
-  auto other =
-    std::make_shared<ParticleShape>(std::move(particles), this->Kept, this->HasVertices);
+  auto other = std::make_shared<ParticleShape>(std::move(particles), this->Kept, this->HasVertices);
   other->CopyFacts(*this);
   return other;
 }
