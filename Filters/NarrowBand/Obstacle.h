@@ -1,10 +1,10 @@
 /**
- * A solid that the surface may not enter, on the nodes of the lattice.
+ * A solid that the surface may not enter, sampled at the nodes of the lattice.
  *
- * It is known by its depths: minus the signed distance, positive inside, exact to first order near
- * its surface. A node's depth follows from the function alone; those of whole leaves are kept once
- * they have been sampled, as the obstacle does not change. Where it is farther away than Reach
- * voxels it does not count.
+ * The depth of a node is minus the signed distance to the obstacle: positive inside, exact to first
+ * order near the obstacle's surface. A depth follows from the function alone. The obstacle does not
+ * change, so the depths of a leaf are sampled once and stored. An obstacle has no effect at nodes
+ * more than Reach voxels outside.
  */
 #ifndef Obstacle_h
 #define Obstacle_h
@@ -30,7 +30,7 @@ public:
   using DistanceFunction =
     std::function<void(std::size_t count, const double* points, double* distances)>;
 
-  /** [voxels]; more than the band is wide, on either side of the surface. */
+  /** Distance beyond which the obstacle has no effect [voxels]; more than half the band's width. */
   static constexpr float Reach = 8.f;
 
   Obstacle(double voxelSize, const DistanceFunction& distances, bool isThreadSafe);
@@ -40,16 +40,16 @@ public:
 
   bool IsThreadSafe() const { return this->ThreadSafe; }
 
-  /** Samples those of the leaves, by their origins, that are not known. By one thread at a time. */
+  /** Samples the leaves at these origins, except leaves already sampled. Calls must not overlap. */
   void SampleLeaves(const std::vector<LeafOrigin>& origins);
   bool IsKnown(const LeafOrigin& origin) const;
 
-  /** The depths [voxels] at the 512 nodes of a leaf that is known, below all of the band's values
-   * where the obstacle does not count; null if it does so nowhere. */
+  /** Returns the depths [voxels] at the 512 nodes of a sampled leaf, or null if the obstacle has no
+   * effect at any of them. Nodes without effect have a depth below all values of the band. */
   const float* FindDepths(const LeafOrigin& origin) const;
 
-  /** The depth at a point [world units], linear from node to node; -infinity where the obstacle
-   * does not count, and where the function is not a number. */
+  /** Returns the depth at a point [world units], interpolated linearly between nodes; -infinity
+   * where the obstacle has no effect, and where the function is not a number. */
   double DepthAt(const double x[3]) const;
 
   /** Throws std::runtime_error if the function was not a number at a node of a leaf. */

@@ -41,7 +41,8 @@ struct ParticleFit
   // Distance of the surface from the averaged centre, as a weighted mean over particles.
   double OwnRadius; // AveragedCentre
 
-  // Anisotropic: the ellipsoid of influence, dT Metric d = 1, around the position plus Offset.
+  // Anisotropic: the ellipsoid of influence, d^T Metric d = 1, where d is the vector from its
+  // centre. The centre is the particle's position plus Offset.
   double Strength;
   double Reach; // at least the longest half-axis
   double Offset[3];

@@ -53,10 +53,11 @@ public:
   /**
    * Radius of the kernel of a particle, or of a line of a skeleton [length]: the distance at which
    * its influence ends, unless an array of radii is chosen. Larger values are smoother and slower.
-   * (An array of radii has those of balls and tubes, which the skin shows for isolated elements.
-   * Kernels end at 4.5 (ANISOTROPIC) or 6 (AVERAGED_CENTRE) times that radius. With SUM they end
-   * where they make this ball.) Range: >= 0; 1e-30 to 1e30, or 0, which is 2 (SUM, and lines), 3
-   * (AVERAGED_CENTRE) or 2.25 (ANISOTROPIC) times ParticleSpacing. Default: 0.
+   * (An array of radii has the radii of the balls and tubes that the skin shows for isolated
+   * elements. Kernels end at 4.5 (ANISOTROPIC) or 6 (AVERAGED_CENTRE) times that radius. With SUM
+   * they end where an isolated element gets that radius.) Range: >= 0; 1e-30 to 1e30, or 0, which
+   * is 2 (SUM, and lines), 3 (AVERAGED_CENTRE) or 2.25 (ANISOTROPIC) times ParticleSpacing.
+   * Default: 0.
    */
   vtkSetClampMacro(KernelRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(KernelRadius, double);
@@ -86,8 +87,9 @@ public:
 
   ///@{
   /**
-   * Level of the particles' summed influence, 1 at the centre of an isolated one, on their surface
-   * with SUM: lower values give thicker bodies. Range: > 0; else all space would be inside.
+   * Level of the particles' summed influence at which SUM places the surface: lower values give
+   * thicker bodies. An isolated particle has an influence of 1 at its centre. Range: > 0; else all
+   * space would be inside.
    * Default: 0.5.
    */
   vtkSetMacro(ParticleThreshold, double);
@@ -108,12 +110,13 @@ public:
 
   ///@{
   /**
-   * Adds to "Velocity" its component along the skin, so that it is the whole motion, as motion blur
-   * needs. The component is the particles' own velocity, averaged with their kernels' weights. It
-   * is read from the array that SetInputArrayToProcess(5, ...) chooses, else from the particles'
-   * displacement since the previous step (at the first step, to the next one). Particles without
-   * either are ignored; without any, and for other targets, the component is 0. Off: only the
-   * normal velocity. Does not restart the motion. Default: on.
+   * Adds the tangential component to "Velocity", so that the array is the whole motion of the skin,
+   * as motion blur needs. The component is the velocity of the particles, averaged with the weights
+   * of their kernels. Velocities are read from the array that SetInputArrayToProcess(5, ...)
+   * chooses, else found from the displacement since the previous step (at the first step, to the
+   * next one). Particles with neither are ignored. The component is 0 if no particle has a
+   * velocity, and for other targets. Off: only the normal velocity. Does not restart the motion.
+   * Default: on.
    */
   vtkSetMacro(TangentialVelocity, vtkTypeBool);
   vtkGetMacro(TangentialVelocity, vtkTypeBool);

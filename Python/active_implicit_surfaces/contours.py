@@ -82,7 +82,7 @@ def level_of_series(images: list[Any]) -> tuple[float, bool]:
     Raises
     ------
     ValueError
-        The images have no inside: several labels, or no values below 0.
+        The inside is undefined: the images have several labels, or no values below 0.
     """
     every = [_with_point_values(image)[1] for image in images]
     level, above = _usual_level(numpy.concatenate(every))

@@ -46,7 +46,7 @@ PARTICLE_SUFFIXES = tuple(
 )
 TARGET_SUFFIXES = (*PARTICLE_SUFFIXES, *IMAGE_SUFFIXES)
 
-# Other exceptions of zipfile. NotImplementedError is a RuntimeError.
+# Exceptions of zipfile for damaged archives; its NotImplementedError is a RuntimeError.
 _DAMAGE_OF_ARCHIVES = (zipfile.BadZipFile, zlib.error, RuntimeError, OverflowError)
 
 _ABOUT_MESHES = " The commands convert and morph take its surface."
@@ -199,7 +199,7 @@ def _open_one(path: Path, noted: set[str]) -> tuple[list[Any], list[float] | Non
     steps = list(info.Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ())
     if len(steps) < 2:
         return [lambda: _points_of(path, update(reader, path), noted)], None
-    # These readers number the steps of a file.
+    # Steps 0, 1, 2, ... are numbers that the reader has assigned, not times of the file.
     counted = steps == [float(i) for i in range(len(steps))]
     loaders = [_step_loader(path, reader, time, noted) for time in steps]
     return loaders, None if counted else steps

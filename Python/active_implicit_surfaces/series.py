@@ -131,7 +131,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
         Raises
         ------
         ValueError
-            The images have no inside: several labels, or no values below 0.
+            The inside is undefined: the images have several labels, or no values below 0.
         """
         if self._output_type == "vtkImageData":
             level, above = level_of_series(self.frames_that_tell())

@@ -60,8 +60,9 @@ public:
   }
 
 private:
-  /** Adds parts that meet the surface only where their common region is too thin to grow from.
-   * Such parts would vanish together with the region that only the surface has. */
+  /** Adds a core for each part that the surface touches only where surface and target overlap in a
+   * region too thin to grow from. Without a core the overlap would vanish together with the
+   * adjacent regions that only the surface has, and the part would never grow. */
   void AddBarelyReached()
   {
     std::vector<char> isKnown(this->Known);

@@ -108,7 +108,7 @@ struct BandLeaf
 
 class Domain;
 
-/** Returns the mask of the negative ones among the 512 values of a leaf. */
+/** Returns the mask of the negative values among the 512 values of a leaf. */
 LeafMask InsideNodes(const float* values);
 
 class LeafTable
@@ -159,8 +159,8 @@ public:
   ACTIVE_ALWAYS_INLINE void Summarise(std::size_t i);
 
   ///@{
-  /** Mask of a neighbour. Without a leaf the mask is empty, but Inside of a neighbour inside the
-   * surface is full. */
+  /** Returns the mask of a neighbour. If the neighbour has no leaf, the mask is empty, except that
+   * InsideOf returns a full mask for a neighbour inside the surface. */
   const LeafMask& UpToLayerOf(std::int32_t number, int layer) const
   {
     return number >= 0 ? this->Leaves[number].UpToLayer[layer] : this->Nothing;
@@ -173,7 +173,8 @@ public:
   }
   ///@}
 
-  /** Leaf and node of a node `steps` away along an axis, at most 8; Leaf < 0: there is no leaf. */
+  /** Leaf and number of a node; Leaf is negative if the node has no leaf. Step returns the node
+   * `steps` nodes away along an axis; |steps| is at most 8. */
   struct Place
   {
     std::int32_t Leaf;

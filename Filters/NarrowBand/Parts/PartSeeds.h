@@ -45,7 +45,8 @@ inline bool Differs(double target, bool isInside)
   return !std::isnan(target) && (target < 0.0) != isInside;
 }
 
-/** Adds leaves without nodes. NewParts.h describes the seeds of regions and parts of shapes. */
+/** Adds the leaves from which the search starts, with empty masks. NewParts.h describes the seeds
+ * of regions and parts of shapes. */
 class PartSeeds
 {
 public:

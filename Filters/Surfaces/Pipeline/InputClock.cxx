@@ -22,7 +22,7 @@ std::vector<double> MakeOwnSteps(const ClockProperties& properties, int count)
   return steps;
 }
 
-// vtkForceTime publishes its fixed time once for each step of its input.
+// Removes repeated times: vtkForceTime publishes its fixed time once for each step of its input.
 std::vector<double> MergeEqualNeighbours(std::vector<double> steps)
 {
   steps.erase(std::unique(steps.begin(), steps.end()), steps.end());

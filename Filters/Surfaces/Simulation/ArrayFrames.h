@@ -21,7 +21,8 @@ struct RequestedArrays
   ParticleArrays Kept;             // arrays of particles that are kept when frames are read
 
   bool NeedParticles() const { return this->Passed || this->TangentialVelocity; }
-  // Returns true if the whole skin is needed on each rank, where ranks have parts of it.
+  // Returns true if an output needs the whole skin on each rank. A skin that is distributed over
+  // ranks is then gathered.
   bool NeedWhole() const { return this->Potential || this->Speeds || this->NeedParticles(); }
 };
 

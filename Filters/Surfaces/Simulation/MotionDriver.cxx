@@ -79,16 +79,16 @@ bool MotionDriver::StartsOnNodes() const
     this->Shapes.HasParticles(0, 0);
 }
 
-// Returns true if the skin stays as it starts: on static particles.
+// Returns true if the target is static particles: the skin then stays as it starts.
 bool MotionDriver::StaysOnNodes() const
 {
   return !this->Settings.Inputs.TargetMoves && this->StartsOnNodes();
 }
 
-// Starts as after a time step of the automatic attraction, so that the first frame is as smooth as
-// the others. The length of this step may be unknown yet: an automatic tension does not depend on
-// it, as it is in proportion to the attraction. A given Tension under automatic attraction does,
-// and is left out.
+// Starts as after one time step with the automatic attraction, so that the first frame is as smooth
+// as the others. The duration of this step may be unknown yet. An automatic tension is proportional
+// to the attraction, so the tension does not depend on the duration. The effect of a given Tension
+// under automatic attraction does depend on the duration, so that Tension is ignored here.
 void MotionDriver::StartOnNodes(NarrowBand& band, const SurfaceDomain& domain)
 {
   Motion motion = this->GetMotion(-1);
@@ -157,7 +157,7 @@ Motion MotionDriver::GetMotion(int step, bool hasParticles) const
   const int last = this->Settings.GetNumberOfSteps() - 1;
   if (this->Settings.Inputs.TargetMoves && step >= 0 && last > 0)
   {
-    // The last step has no interval after it; the one before it counts.
+    // The last step has no interval after it, so the interval before it is used.
     const double* steps = this->Settings.Inputs.Steps.data() + std::min(step, last - 1);
     const double length = this->Settings.TimeScale * (steps[1] - steps[0]);
     motion.LongestStep = length / SubstepsOfMovingTarget;

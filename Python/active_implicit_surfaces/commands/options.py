@@ -148,9 +148,9 @@ def add_choice_options(group: Any) -> None:
         "--where",
         action="append",
         metavar="COND",
-        help="only these: Type=1, element=Na,Cl, id!=3, 'T>300', 'x<2'",
+        help="use only what meets COND: Type=1, element=Na,Cl, id!=3, 'T>300', 'x<2'",
     )
-    for option, told in (("--label", "one output for each label, or for all"), ("--labels", None)):
+    for option, told in (("--label", "labels, or all: one output for each"), ("--labels", None)):
         text = told or argparse.SUPPRESS
         group.add_argument(option, dest="labels", type=label_list, metavar="N,N...", help=text)
 
