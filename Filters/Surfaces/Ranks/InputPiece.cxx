@@ -57,26 +57,7 @@ void RemoveUnsent(const PieceArrays& arrays, vtkPointData* data, vtkIdType point
   }
 }
 
-// Removes duplicate points, which another rank owns.
-void RemoveDuplicates(vtkUnsignedCharArray* ghosts, vtkPolyData* points)
-{
-  vtkNew<vtkIdList> kept;
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    if (!IsDuplicate(ghosts->GetValue(i)))
-    {
-      kept->InsertNextId(i);
-    }
-  }
-  if (kept->GetNumberOfIds() == points->GetNumberOfPoints())
-  {
-    return;
-  }
-  points->ShallowCopy(SelectPoints(points, kept));
-}
-
-}
-
+// Returns the selected points with their arrays, and one vertex cell if `points` has cells.
 vtkSmartPointer<vtkPolyData> SelectPoints(vtkPolyData* points, vtkIdList* selected)
 {
   const vtkIdType count = selected->GetNumberOfIds();
@@ -96,6 +77,26 @@ vtkSmartPointer<vtkPolyData> SelectPoints(vtkPolyData* points, vtkIdList* select
     MakeOneCell(some);
   }
   return some;
+}
+
+// Removes duplicate points, which another rank owns.
+void RemoveDuplicates(vtkUnsignedCharArray* ghosts, vtkPolyData* points)
+{
+  vtkNew<vtkIdList> kept;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    if (!IsDuplicate(ghosts->GetValue(i)))
+    {
+      kept->InsertNextId(i);
+    }
+  }
+  if (kept->GetNumberOfIds() == points->GetNumberOfPoints())
+  {
+    return;
+  }
+  points->ShallowCopy(SelectPoints(points, kept));
+}
+
 }
 
 void RequestPiece(vtkInformation* input, int rank, int size)

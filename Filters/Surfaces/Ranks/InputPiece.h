@@ -15,7 +15,6 @@
 
 class vtkAbstractArray;
 class vtkDataSet;
-class vtkIdList;
 class vtkImageData;
 class vtkInformation;
 class vtkPointSet;
@@ -48,9 +47,6 @@ struct PieceArrays
   bool All = false;
   std::vector<vtkAbstractArray*> Chosen;
 };
-
-// Returns the selected points with their arrays, and one vertex cell if `points` has cells.
-vtkSmartPointer<vtkPolyData> SelectPoints(vtkPolyData* points, vtkIdList* selected);
 
 // Return a piece that shares the points and arrays of the input unless some are removed.
 InputPiece MakeParticlePiece(vtkPointSet* points, const PieceArrays& arrays);

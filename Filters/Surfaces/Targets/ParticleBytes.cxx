@@ -133,9 +133,7 @@ ParticleFrame MergeParticles(const std::vector<Bytes>& parts, const ParticleFram
     FindParticleOrder(frame.Particles, frame.HasIds ? &frame.Ids : nullptr);
   if (!order.empty())
   {
-    frame.Particles.Permute(order);
-    ParticleList::PermuteList(order, frame.Ids);
-    ParticleList::PermuteList(order, frame.Velocities);
+    frame.Permute(order);
   }
   frame.GiveRadius(like.Particles.GetCommonRadius());
   return frame;

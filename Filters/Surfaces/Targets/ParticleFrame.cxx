@@ -103,8 +103,7 @@ void Sort(ParticleFrame& frame)
   {
     ParticleList::PermuteList(order, frame.Points);
   }
-  frame.Particles.Permute(order);
-  ParticleList::PermuteList(order, frame.Ids);
+  frame.Permute(order);
 }
 
 // Copies the velocities of the particles. Values that are not finite count as unavailable when they
@@ -141,6 +140,13 @@ void KeepArrays(vtkPointData* arrays, vtkIdType count, ParticleFrame& frame)
   }
 }
 
+}
+
+void ParticleFrame::Permute(const std::vector<std::size_t>& order)
+{
+  this->Particles.Permute(order);
+  ParticleList::PermuteList(order, this->Ids);
+  ParticleList::PermuteList(order, this->Velocities);
 }
 
 void ParticleFrame::GiveRadius(double radius)

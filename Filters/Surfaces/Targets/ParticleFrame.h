@@ -85,6 +85,9 @@ struct ParticleFrame
     return this->Points.empty() ? static_cast<vtkIdType>(particle) : this->Points[particle];
   }
 
+  // The particle order[i] becomes number i, with its id and velocity.
+  void Permute(const std::vector<std::size_t>& order);
+
   // Sets the support radius of all particles.
   void GiveRadius(double radius);
   // Converts the radii of the array, which are those of balls, to support radii.
