@@ -2,7 +2,7 @@
  * A solid that the surface may not enter, sampled at the nodes of the lattice.
  *
  * The depth of a node is minus the signed distance to the obstacle: positive inside, exact to first
- * order near the obstacle's surface. A depth follows from the function alone. The obstacle does not
+ * order near the obstacle's surface. A depth depends only on the function. The obstacle does not
  * change, so the depths of a leaf are sampled once and stored. An obstacle has no effect at nodes
  * more than Reach voxels outside.
  */
