@@ -1,6 +1,5 @@
 // How far from its space a rank needs particles.
 
-#include "ParticleFit.h"
 #include "ParticleNodes.h"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 
 #include "Nodes/MotionMeans.h"
 #include "ParallelTasks.h"
-#include "ParticleFit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +15,7 @@ namespace
 
 // Kernel radius of the means of motion and bulk, in own radii.
 constexpr double ReachOfMotion = 4.5;
-// From a particle to its skin, in own radii beyond the first: of ellipsoids in a body, and of the
-// averaged centre.
+// From a particle of a body to its skin, in own radii beyond the first.
 constexpr double BeyondOwnRadius = 0.1;
 // Around the skin: that of the potential [voxels]. A hollow of two own radii between particles can
 // be a part of their body, so it is in the shell too.
@@ -63,7 +61,7 @@ public:
       cube.Position[axis] = particle.Position[axis];
     }
     cube.HalfSide = this->Nodes.GetOwnRadius(particle);
-    cube.Shell = this->Nodes.FindShellRadius(particle);
+    cube.Shell = this->Nodes.Options.AreForPoints ? 0.0 : this->Nodes.FindShellRadius(particle);
     cube.Filling = std::min(std::max(particle.Strength, 0.0), 1.0);
     return cube;
   }
@@ -89,7 +87,6 @@ public:
   {
     return this->All.FindVelocity(this->Listed[n], velocity);
   }
-  const ParticleFits& GetFits() const override { return this->All.GetFits(); }
 
 private:
   const NodeParticles& All;
@@ -126,7 +123,8 @@ void ParticleNodes::BuildListed(const NodeParticles& given, double longest)
   const NodeParticleOptions& options = this->Options;
   const std::size_t count = given.Size();
   this->Blocks.Build(CubesOf(*this, given),
-    { options.VoxelSize, StretchInBody * longest, options.Model != ParticleModel::Sum });
+    { options.VoxelSize, StretchInBody * longest,
+      options.Model != ParticleModel::Sum && !options.AreForPoints });
   this->Ghosts.SetOrder(this->Blocks.GetOrder());
   this->Resize(count);
   RunPieces(count, ParticlesPerTask,
@@ -139,7 +137,7 @@ void ParticleNodes::BuildListed(const NodeParticles& given, double longest)
     });
   this->MostReachOfMotion = FindMost(count, 0.0,
     [this](std::size_t k) { return ReachOfMotion * static_cast<double>(this->OwnRadius[k]); });
-  this->FindFits(given);
+  this->FindFits();
 }
 
 // Distance within which the shell holds all nodes around a particle [length].
@@ -156,15 +154,15 @@ double ParticleNodes::FindShellRadius(const SkeletonVertex& particle) const
   return skin + std::max(own + voxel, Band * voxel);
 }
 
-void ParticleNodes::FindFits(const NodeParticles& given)
+void ParticleNodes::FindFits()
 {
   const bool isAnisotropic = this->Options.Model == ParticleModel::Anisotropic;
-  this->Bulks = this->Bulk.data();
-  if (!isAnisotropic && (!given.GetFits().empty() || !this->Options.WantsBulks))
+  if (!isAnisotropic && !this->Options.WantsBulks)
   {
     return;
   }
   NodeFitOptions options;
+  options.HasTriangles = !this->Options.AreForPoints;
   options.WidePerReach = GetNeighbourhoodPerRadius(this->Options.Model);
   options.Anisotropy = this->Options.Anisotropy;
   options.HasEllipsoids = isAnisotropic;
@@ -172,13 +170,12 @@ void ParticleNodes::FindFits(const NodeParticles& given)
     { this->X.data(), this->Y.data(), this->Z.data(), this->OwnRadius.data(), this->Reach.data(),
       this->Strength.data() },
     this->Ghosts, options);
-  this->Bulks = this->Fits.GetBulks();
 }
 
 void ParticleNodes::Resize(std::size_t count)
 {
   for (UnsetVector<float>* numbers :
-    { &this->X, &this->Y, &this->Z, &this->DX, &this->DY, &this->DZ, &this->IsMoved, &this->Bulk,
+    { &this->X, &this->Y, &this->Z, &this->DX, &this->DY, &this->DZ, &this->IsMoved,
       &this->OwnRadius, &this->Reach, &this->Strength, &this->InverseReach2 })
   {
     numbers->resize(count + LanePadding);
@@ -209,7 +206,6 @@ void ParticleNodes::Place(const NodeParticles& given, std::size_t k)
     *displacements[0] = *displacements[1] = *displacements[2] = 0.f;
   }
   this->IsMoved[k] = isKnown ? 1.f : 0.f;
-  this->Bulk[k] = given.GetFits().empty() ? 1.f : static_cast<float>(given.GetFits()[n].Bulk);
   const double own = this->GetOwnRadius(particle) / voxel, reach = ReachOfMotion * own;
   this->OwnRadius[k] = static_cast<float>(own);
   this->Reach[k] = static_cast<float>(particle.Radius / voxel);
@@ -373,8 +369,11 @@ void ParticleNodes::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
 void ParticleNodes::FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const
 {
   constexpr double size = 8.0;
+  const bool hasBulks =
+    this->Options.Model == ParticleModel::Anisotropic || this->Options.WantsBulks;
   const MotionColumns columns = { { this->X.data(), this->Y.data(), this->Z.data() },
-    { this->DX.data(), this->DY.data(), this->DZ.data() }, this->IsMoved.data(), this->Bulks,
+    { this->DX.data(), this->DY.data(), this->DZ.data() }, this->IsMoved.data(),
+    hasBulks ? this->Fits.GetBulks() : nullptr,
     this->InverseReach2.data() };
   FindMotionMeans(columns, this->ListNear(leaf.Origin, size, this->MostReachOfMotion),
     this->Options.HasNoise, motion);

@@ -33,8 +33,6 @@ public:
   virtual SkeletonVertex Get(std::size_t n) const = 0;
   // Finds x y z [length / motion time]. Returns false if unknown.
   virtual bool FindVelocity(std::size_t n, double (&velocity)[3]) const = 0;
-  // Fits of all, for ParticleModel::AveragedCentre; or empty.
-  virtual const ParticleFits& GetFits() const = 0;
 
 protected:
   ~NodeParticles() = default;
@@ -48,6 +46,7 @@ struct NodeParticleOptions
   double ReachPerRadius = 4.5;
   double Anisotropy = 4.0;       // largest ratio of an ellipsoid's axes
   bool WantsBulks = true;        // else all particles count as in a body
+  bool AreForPoints = false;     // fits everywhere, as ParticlePotential needs, not only near nodes
   bool HasVelocities = false;    // else no particle moves
   double Duration = 0.0;         // by which velocities are multiplied
   bool HasNoise = false;         // whether the motion of a body is without that of single particles
@@ -71,6 +70,10 @@ public:
   void FindShell(bool wantsInside, Shell& shell) const;
   bool IsInside(const NodeIndex& node) const;
 
+  // For points, in place of nodes.
+  const ParticleBlocks& GetBlocks() const { return this->Blocks; }
+  const NodeFits& GetFits() const { return this->Fits; }
+
   // Only for ParticleModel::Anisotropic.
   void EvaluateLeaf(const ShellLeaf& leaf, float* values) const;
   void FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const;
@@ -81,7 +84,7 @@ private:
   void BuildListed(const NodeParticles& given, double longestReach);
   void Resize(std::size_t count);
   void Place(const NodeParticles& given, std::size_t k);
-  void FindFits(const NodeParticles& given);
+  void FindFits();
   double GetOwnRadius(const SkeletonVertex& particle) const;
   double FindShellRadius(const SkeletonVertex& particle) const;
   void ListLeaves(bool wantsInside, std::vector<NodeIndex>& origins) const;
@@ -97,11 +100,9 @@ private:
   UnsetVector<float> X, Y, Z;    // places
   UnsetVector<float> DX, DY, DZ; // displacements
   UnsetVector<float> IsMoved;    // 1, or 0 if the displacement is unknown
-  UnsetVector<float> Bulk;       // of the given fits
   UnsetVector<float> OwnRadius, Reach, Strength;
   UnsetVector<float> InverseReach2; // of the means of motion
   NodeFits Fits;
-  const float* Bulks = nullptr;   // of whichever fits
   double MostReachOfMotion = 0.0; // [voxels]
 };
 

@@ -19,16 +19,6 @@ bool SkeletonVertex::IsUsable() const
     std::fabs(this->Strength) <= LargestSize;
 }
 
-double FindLargestRadius(const std::vector<SkeletonVertex>& vertices)
-{
-  double largest = 0.0;
-  for (const SkeletonVertex& vertex : vertices)
-  {
-    largest = std::max(largest, vertex.Radius);
-  }
-  return largest;
-}
-
 void Skeleton::Clear()
 {
   this->Points.clear();

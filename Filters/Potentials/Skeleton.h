@@ -24,9 +24,6 @@ struct VTKACTIVEPOTENTIALS_EXPORT SkeletonVertex
   bool IsUsable() const;
 };
 
-// Returns the largest radius, 0 if there are no vertices.
-VTKACTIVEPOTENTIALS_EXPORT double FindLargestRadius(const std::vector<SkeletonVertex>& vertices);
-
 // Contribution of a point of the skeleton to the sum at a position.
 struct SkeletonWeight
 {

@@ -3,7 +3,6 @@
 #include "BatchEvaluation.h"
 #include "FunctionInput.h"
 #include "ParticleData.h"
-#include "ParticleFit.h"
 #include "ParticlePotential.h"
 #include "Skeleton.h"
 #include "Skeleton/SkeletonInput.h"
@@ -159,7 +158,7 @@ void vtkSkeletonPotential::ReadElements()
   {
     own.Skeleton.Clear();
     own.Skeleton.Build();
-    own.Body.Clear();
+    own.Body.Build({}, {});
     vtkErrorMacro(<< error.what() << " The function is Threshold everywhere.");
   }
   if (own.IgnoredElements > 0 && !own.HasOwnElements)
@@ -183,12 +182,11 @@ void vtkSkeletonPotential::FitBody()
     throw std::invalid_argument("Lines can only be a SUM, but ParticleModel is another; set it to "
                                 "SUM, or remove the lines.");
   }
-  activesurface::FitOptions options;
-  options.Model = static_cast<activesurface::ParticleModel>(this->ParticleModel);
+  activesurface::ParticlePotential::Options options;
   options.OwnRadius = 0.5 * this->ParticleSpacing;
+  options.ReachPerRadius = 2.0 * GetReachPerSpacing(options.Model);
   options.Anisotropy = this->Anisotropy;
-  const std::vector<activesurface::SkeletonVertex> points = own.Skeleton.ListPoints();
-  own.Body.Build(options.Model, points, FitParticles(options, points));
+  own.Body.Build(own.Skeleton.ListPoints(), options);
 }
 
 vtkIdType vtkSkeletonPotential::AddOwnElements()
@@ -213,14 +211,15 @@ vtkIdType vtkSkeletonPotential::AddOwnElements()
 bool vtkSkeletonPotential::GetSkeletonBounds(double bounds[6])
 {
   this->Build();
-  if (this->Internal->Skeleton.GetNumberOfElements() == 0)
+  const Internals& own = *this->Internal;
+  double found[6];
+  const bool isSum = this->ParticleModel == SUM;
+  if (isSum ? own.Skeleton.GetNumberOfElements() == 0 : !own.Body.FindBounds(found))
   {
     vtkMath::UninitializeBounds(bounds);
     return false;
   }
-  const Internals& own = *this->Internal;
-  std::copy_n(
-    this->ParticleModel == SUM ? own.Skeleton.GetBounds() : own.Body.GetBounds(), 6, bounds);
+  std::copy_n(isSum ? own.Skeleton.GetBounds() : found, 6, bounds);
   return true;
 }
 
@@ -285,7 +284,7 @@ void vtkSkeletonPotential::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StrengthArrayName: " << this->StrengthArrayName << "\n";
   os << indent << "Kernel: " << kernels[this->Kernel] << "\n";
   os << indent << "Threshold: " << this->Threshold << "\n";
-  const char* models[] = { "Sum", "AveragedCentre", "Anisotropic" };
+  const char* models[] = { "Sum", "Anisotropic" };
   os << indent << "ParticleModel: " << models[this->ParticleModel] << "\n";
   os << indent << "ParticleSpacing: " << this->ParticleSpacing << "\n";
   os << indent << "Anisotropy: " << this->Anisotropy << "\n";

@@ -33,20 +33,16 @@
  * segment elsewhere. Only a shared point id makes a joint, not equal coordinates. To thicken a
  * joint, give its point a vertex cell.
  *
- * Particles as a body of fluid. ParticleModel AVERAGED_CENTRE and ANISOTROPIC fit each point to its
- * neighbourhood. An isolated point is a ball of its own radius r, half of ParticleSpacing. The
- * surface of a body passes at distance r outside its outermost points: a layer is a plane, and N
- * points in a box have a volume of about N (2 r)^3. Only points are possible; lines need SUM.
- * Points of strength <= 0 are ignored. Kernel and Threshold apply only to SUM. F is 0 on the
- * surface and, with AVERAGED_CENTRE, a length. With x_i the points around x and c, r' the means of
- * their positions and fitted radii, weighted by (1 - q^2)^2:
+ * Particles as a body of fluid. ParticleModel ANISOTROPIC fits an ellipsoid to the neighbourhood of
+ * each point (Yu, Turk 2013), as vtkActiveImplicitSurface does. An isolated point is a ball of its
+ * own radius r, half of ParticleSpacing. The surface of a body passes at distance r outside its
+ * outermost points: a layer is a plane, and N points in a box have a volume of about N (2 r)^3. Only
+ * points are possible; lines need SUM. Points of strength <= 0 are ignored. Kernel and Threshold
+ * apply only to SUM. With c_i, G_i the centre and the shape of an ellipsoid:
  *
- *     AVERAGED_CENTRE  F(x) = |x - c| - g r'
- *     ANISOTROPIC      F(x) = 1/2 - sum of s_i (1 - q_i^2)^3, q_i = |G_i (x - c_i)|
+ *     F(x) = 1/2 - 1/2 sum of s_i (1 - q_i^2)^3, q_i = |G_i (x - c_i)|
  *
- * g goes from 1 to -1 far from all points, because c would make bridges between parts there.
- * Solenthaler, Schlaefli and Pajarola 2007 describe this fault. Sources: Zhu, Bridson 2005; Yu,
- * Turk 2013.
+ * F is computed in single precision, to about 1e-6.
  *
  * Bad input. Elements are ignored if a coordinate, radius or strength is not finite (or above
  * 1e100), or a radius is <= 0 (or below 1e-100). GetNumberOfIgnoredElements() counts them, and a
@@ -89,8 +85,7 @@ public:
   enum ParticleModelType
   {
     SUM = 0,
-    AVERAGED_CENTRE = 1,
-    ANISOTROPIC = 2
+    ANISOTROPIC = 1
   };
 
   ///@{
@@ -164,23 +159,20 @@ public:
 
   ///@{
   /**
-   * Model that makes a surface of points. SUM (0), of Kernel. AVERAGED_CENTRE (1), flat for a body
-   * of fluid, a ball of its own radius for an isolated point. ANISOTROPIC (2), kernels stretched
-   * along their neighbourhood, which keeps thin sheets and edges sharp, at a higher cost. Lines
-   * need SUM, else there is an error. Default: SUM.
+   * Model that makes a surface of points. SUM (0), of Kernel. ANISOTROPIC (1), flat for a body of
+   * fluid, a ball of its own radius for an isolated point. Lines need SUM, else there is an error.
+   * Default: SUM.
    */
   vtkSetClampMacro(ParticleModel, int, SUM, ANISOTROPIC);
   vtkGetMacro(ParticleModel, int);
   void SetParticleModelToSum() { this->SetParticleModel(SUM); }
-  void SetParticleModelToAveragedCentre() { this->SetParticleModel(AVERAGED_CENTRE); }
   void SetParticleModelToAnisotropic() { this->SetParticleModel(ANISOTROPIC); }
   ///@}
 
   ///@{
   /**
    * Usual distance of neighbours [length], twice a point's own radius; not used by SUM.
-   * Range: >= 0; 1e-100 to 1e100, or 0 for 1 / 3 (AVERAGED_CENTRE) or 1 / 2.25 (ANISOTROPIC) of a
-   * point's Radius. Default: 0.
+   * Range: >= 0; 1e-100 to 1e100, or 0 for 1 / 2.25 of a point's Radius. Default: 0.
    */
   vtkSetClampMacro(ParticleSpacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleSpacing, double);

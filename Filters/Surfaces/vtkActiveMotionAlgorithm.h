@@ -102,7 +102,7 @@ public:
   /**
    * Applies Tension where particles are a body of fluid, and reduces it to zero for an isolated
    * particle or a thread of few: drops keep their size. The weight depends on a particle's
-   * neighbours within 3 (AVERAGED_CENTRE) or 3.6 spacings. A third of Tension acts with half of a
+   * neighbours within 3.6 spacings. A third of Tension acts with half of a
    * body's neighbours, all of it with three quarters of them. Of no use to other targets, in
    * explicit substeps and with PaperScheme. Default: on.
    */

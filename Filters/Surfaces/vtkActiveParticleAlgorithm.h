@@ -22,16 +22,14 @@ public:
   ///@{
   /**
    * Model of the surface of particles, as in vtkSkeletonPotential. SUM (0): a sum of ParticleKernel
-   * at ParticleThreshold, the paper's, bumpy and more than r too wide at the defaults.
-   * AVERAGED_CENTRE (1) and ANISOTROPIC (2) are flat for a body of particles and a ball of radius r
-   * for an isolated one, and have the particles' volume. ANISOTROPIC keeps sheets, threads and
-   * narrow gaps sharper, with fewer particles per kernel. Lines of a skeleton are always a SUM.
+   * at ParticleThreshold, the paper's, bumpy and more than r too wide at the defaults. ANISOTROPIC
+   * (1), ellipsoids fitted to the neighbours, is flat for a body of particles and a ball of radius r
+   * for an isolated one, and has the particles' volume. Lines of a skeleton are always a SUM.
    * PaperFaithful() in Python chooses SUM. Default: ANISOTROPIC.
    */
   vtkSetClampMacro(ParticleModel, int, SUM, ANISOTROPIC);
   vtkGetMacro(ParticleModel, int);
   void SetParticleModelToSum() { this->SetParticleModel(SUM); }
-  void SetParticleModelToAveragedCentre() { this->SetParticleModel(AVERAGED_CENTRE); }
   void SetParticleModelToAnisotropic() { this->SetParticleModel(ANISOTROPIC); }
   ///@}
 
@@ -54,10 +52,9 @@ public:
    * Radius of the kernel of a particle, or of a line of a skeleton [length]: the distance at which
    * its influence ends, unless an array of radii is chosen. Larger values are smoother and slower.
    * (An array of radii has the radii of the balls and tubes that the skin shows for isolated
-   * elements. Kernels end at 4.5 (ANISOTROPIC) or 6 (AVERAGED_CENTRE) times that radius. With SUM
-   * they end where an isolated element gets that radius.) Range: >= 0; 1e-30 to 1e30, or 0, which
-   * is 2 (SUM, and lines), 3 (AVERAGED_CENTRE) or 2.25 (ANISOTROPIC) times ParticleSpacing.
-   * Default: 0.
+   * elements. Kernels end at 4.5 times that radius, with SUM where an isolated element gets that
+   * radius.) Range: >= 0; 1e-30 to 1e30, or 0, which is 2 (SUM, and lines) or 2.25 (ANISOTROPIC)
+   * times ParticleSpacing. Default: 0.
    */
   vtkSetClampMacro(KernelRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(KernelRadius, double);
@@ -140,8 +137,7 @@ public:
   enum ParticleModelType
   {
     SUM = 0,
-    AVERAGED_CENTRE = 1,
-    ANISOTROPIC = 2
+    ANISOTROPIC = 1
   };
 
 protected:

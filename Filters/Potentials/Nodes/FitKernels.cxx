@@ -228,7 +228,8 @@ private:
     const Lanes far = reach *
       (AllLanes(LeastReach) +
         AllLanes(1.f - LeastReach) * SmoothStep(DensityOfLeastReach, DensityOfFullReach, density));
-    const Lanes loss = AllLanes(LossOfTriangles) / Largest(own, AllLanes(LeastBall));
+    const Lanes loss = AllLanes(this->Law.HasTriangles ? LossOfTriangles : 0.f) /
+      Largest(own, AllLanes(LeastBall));
     const Lanes ball = own + loss * (one - shape);
     StoreLanes(this->Fits.Bulk, bulk);
     StoreLanes(this->Fits.Deep, deep);
@@ -297,19 +298,21 @@ private:
   }
 };
 
+template <bool HasGradient>
 struct EllipsoidKernel
 {
   const FitGroup& Group;
   const FitNeighbours& Neighbours;
   const NodeEllipsoid* Ellipsoids;
   float* Sums;
+  float (*Gradients)[8];
 
   ACTIVE_ALWAYS_INLINE void operator()() const
   {
     const Lanes x0 = LoadLanes(this->Group.Place[0]), y0 = LoadLanes(this->Group.Place[1]),
                 z0 = LoadLanes(this->Group.Place[2]);
     const Lanes one = AllLanes(1.f), zero = AllLanes(0.f);
-    Lanes sum = zero;
+    Lanes sum = zero, gx = zero, gy = zero, gz = zero;
     for (const FitNeighbour& n : this->Neighbours)
     {
       const NodeEllipsoid& e = this->Ellipsoids[n.Number];
@@ -321,8 +324,21 @@ struct EllipsoidKernel
       const Lanes mz = AllLanes(m[2]) * x + AllLanes(m[4]) * y + AllLanes(m[5]) * z;
       const Lanes u = Largest(one - (x * mx + y * my + z * mz), zero);
       sum += AllLanes(e.Strength) * (u * u * u);
+      if (HasGradient)
+      {
+        const Lanes rate = AllLanes(-6.f * e.Strength) * (u * u);
+        gx += rate * mx;
+        gy += rate * my;
+        gz += rate * mz;
+      }
     }
     StoreLanes(this->Sums, sum);
+    if (HasGradient)
+    {
+      StoreLanes(this->Gradients[0], gx);
+      StoreLanes(this->Gradients[1], gy);
+      StoreLanes(this->Gradients[2], gz);
+    }
   }
 };
 
@@ -366,7 +382,13 @@ void FindGroupFits(const FitLaw& law, const FitGroup& group, const FitNeighbours
 void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
   const NodeEllipsoid* ellipsoids, float (&sums)[8])
 {
-  RunCompiled(EllipsoidKernel{ group, neighbours, ellipsoids, sums });
+  RunCompiled(EllipsoidKernel<false>{ group, neighbours, ellipsoids, sums, nullptr });
+}
+
+void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
+  const NodeEllipsoid* ellipsoids, PointSums& sums)
+{
+  RunCompiled(EllipsoidKernel<true>{ group, neighbours, ellipsoids, sums.Sum, sums.Gradient });
 }
 
 void SumShares(const FitGroup& group, const FitNeighbours& neighbours, const ShareColumns& columns,

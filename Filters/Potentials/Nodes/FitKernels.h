@@ -2,7 +2,7 @@
 // neighbours. Lengths in voxels.
 //
 // A particle's fit is its ellipsoid: what its neighbourhood is like (Yu and Turk 2013), near a
-// surface; see ParticleFit.h for the strength. Few neighbours have a shorter reach, so that drops
+// surface; see NodeFits.h for the strength. Few neighbours have a shorter reach, so that drops
 // do not grow into each other's kernels: from a lone particle to a body it grows by the density of
 // the neighbours. A ball is a little larger than its particle, for what triangles between points on
 // a sphere lose.
@@ -62,6 +62,7 @@ struct FitLaw
 {
   float WidePerReach; // neighbourhood over reach of the kernel
   float Anisotropy;   // largest ratio of axes
+  bool HasTriangles;  // else a ball has no loss, see FindLossOfBall
 };
 
 // The fits of a group, but for the strengths.
@@ -95,6 +96,15 @@ struct NodeEllipsoid;
 // the ellipsoids' centres.
 void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
   const NodeEllipsoid* ellipsoids, float (&sums)[8]);
+
+// The same sums and their gradients.
+struct PointSums
+{
+  alignas(32) float Sum[8];
+  alignas(32) float Gradient[3][8];
+};
+void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
+  const NodeEllipsoid* ellipsoids, PointSums& sums);
 
 // Sums over the neighbours at the group's places of weight * Share and of weight * Share * Lack.
 struct ShareColumns

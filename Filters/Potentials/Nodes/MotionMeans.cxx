@@ -76,7 +76,7 @@ private:
       to.Square += to.Displacement[axis] * to.Displacement[axis];
     }
     to.IsMoved = this->Columns.IsMoved[k];
-    to.Bulk = this->Columns.Bulk[k];
+    to.Bulk = this->Columns.Bulk ? this->Columns.Bulk[k] : 1.f;
     to.InverseReach2 = this->Columns.InverseReach2[k];
   }
 };

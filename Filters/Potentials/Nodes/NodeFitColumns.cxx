@@ -44,6 +44,38 @@ void NodeFits::Resize(std::size_t count)
     });
 }
 
+bool NodeFits::FindBox(std::uint32_t k, float (&box)[6]) const
+{
+  const std::uint32_t row = this->Row[k];
+  if (!this->HasRow(k) || !(this->EReach2[row] > 0.f))
+  {
+    return false;
+  }
+  const float centre[3] = { this->EX[row], this->EY[row], this->EZ[row] };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box[2 * axis] = centre[axis] - this->Ellipsoids[row].Extent[axis];
+    box[2 * axis + 1] = centre[axis] + this->Ellipsoids[row].Extent[axis];
+  }
+  return true;
+}
+
+bool NodeFits::FindOutward(std::uint32_t k, float (&outward)[3]) const
+{
+  const std::uint32_t row = this->Row[k];
+  if (!this->HasRow(k) || !(this->Deep[row] > 0.f))
+  {
+    return false;
+  }
+  const float* away = &this->Places[6 * row];
+  const float length = std::sqrt(away[0] * away[0] + away[1] * away[1] + away[2] * away[2]);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    outward[axis] = 2.f * this->Given.OwnRadius[k] * away[axis] / length;
+  }
+  return true;
+}
+
 // A particle that its owner counts as near the surface is so here too, where fewer particles are
 // known.
 void NodeFits::ShareShapes()

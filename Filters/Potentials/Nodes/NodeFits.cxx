@@ -12,7 +12,7 @@ namespace activesurface
 // A group and its neighbours; one for each thread, kept for its memory.
 struct NodeFits::Search
 {
-  std::uint32_t Block = 0; // whose origin is that of the places
+  NodeIndex Home{}; // block whose origin is that of the places
   FitGroup Group;
   ParticleRuns Runs;
   FitNeighbours Neighbours;
@@ -34,6 +34,7 @@ void NodeFits::Find(const ParticleBlocks& blocks, const FitColumns& given,
       RefuseNeighbours(count);
     }
     std::fill(this->Bulk.begin(), this->Bulk.end(), 0.f);
+    std::fill(this->Deep.begin(), this->Deep.end(), 0.f);
     return;
   }
   const auto isNear = [&ghosts](std::uint32_t k, bool isNearSurface)
@@ -67,7 +68,7 @@ bool NodeFits::HasTooManyNeighbours() const
   for (std::size_t n = 0; n < ParticlesOfSample; ++n)
   {
     const auto k = static_cast<std::uint32_t>(n * count / ParticlesOfSample);
-    search.Block = this->Blocks->GetBlockOf()[k];
+    search.Home = (*this->Blocks)[this->Blocks->GetBlockOf()[k]].At;
     search.Group.Count = 1;
     search.Group.Members[0] = k;
     this->FillGroup(search);
@@ -86,8 +87,8 @@ void NodeFits::ForEachGroup(IsWanted&& isWanted, Visit&& visit) const
     [&](std::size_t task)
     {
       thread_local Search search;
-      search.Block = static_cast<std::uint32_t>(task / side);
-      const ParticleBlocks::Block& block = (*this->Blocks)[search.Block];
+      const ParticleBlocks::Block& block = (*this->Blocks)[task / side];
+      search.Home = block.At;
       const int x = static_cast<int>(task % side);
       for (int y = 0; y < side; ++y)
       {
@@ -142,7 +143,7 @@ void NodeFits::Gather(
 {
   FitGroup& group = search.Group;
   group.FindBox();
-  const NodeIndex& home = (*this->Blocks)[search.Block].At;
+  const NodeIndex& home = search.Home;
   const double size = this->Blocks->GetBlockSize();
   double low[3], high[3];
   for (int axis = 0; axis < 3; ++axis)
@@ -176,7 +177,7 @@ void NodeFits::FindShapes(Search& search)
   this->GatherNeighbours(search);
   GroupFits fits;
   const FitLaw law = { static_cast<float>(this->Options.WidePerReach),
-    static_cast<float>(this->Options.Anisotropy) };
+    static_cast<float>(this->Options.Anisotropy), this->Options.HasTriangles };
   FindGroupFits(law, search.Group, search.Neighbours,
     { this->InverseWide2.data(), this->Given.Strength }, fits);
   for (int i = 0; i < search.Group.Count; ++i)
@@ -280,11 +281,25 @@ void NodeFits::SumBeside(
 {
   if (this->PlaceBeside(search, counting, place))
   {
-    const EllipsoidColumns columns = this->GetColumns();
-    this->Gather(search, { columns.X, columns.Y, columns.Z, columns.Reach2 }, this->LongestReach,
-      [this](std::uint32_t k) { return this->Row[k]; });
+    this->GatherEllipsoids(search);
     SumEllipsoids(search.Group, search.Neighbours, this->Ellipsoids.data(), sums);
   }
+}
+
+void NodeFits::GatherEllipsoids(Search& search) const
+{
+  const EllipsoidColumns columns = this->GetColumns();
+  this->Gather(search, { columns.X, columns.Y, columns.Z, columns.Reach2 }, this->LongestReach,
+    [this](std::uint32_t k) { return this->Row[k]; });
+}
+
+void NodeFits::SumAt(const NodeIndex& home, const FitGroup& group, PointSums& sums) const
+{
+  thread_local Search search;
+  search.Home = home;
+  search.Group = group;
+  this->GatherEllipsoids(search);
+  SumEllipsoids(search.Group, search.Neighbours, this->Ellipsoids.data(), sums);
 }
 
 void NodeFits::FindLacks(Search& search)

@@ -33,7 +33,8 @@ struct NodeFitOptions
 {
   double WidePerReach = 1.0; // neighbourhood over reach
   double Anisotropy = 4.0;   // largest ratio of axes
-  bool HasEllipsoids = true; // else only the bulks are found
+  bool HasEllipsoids = true; // else only bulks and what is outward are found
+  bool HasTriangles = true;  // balls are larger by what triangles lose
 };
 
 class NodeFits
@@ -59,6 +60,18 @@ public:
   // From the particle, centre and all [voxels].
   double GetLongestReach() const { return this->LongestReach; }
 
+  // Evaluates the sum of the ellipsoids, and its gradient, at the places of a group, relative to a
+  // block. Thread-safe.
+  void SumAt(const NodeIndex& home, const FitGroup& group, PointSums& sums) const;
+
+  // Finds the box of the ellipsoid of the particle k of the columns, relative to its block: xmin
+  // xmax ymin ... Returns false if it has none.
+  bool FindBox(std::uint32_t k, float (&box)[6]) const;
+
+  // Finds the vector, two own radii long, away from the neighbours of a particle at the edge of a
+  // body. Returns false for other particles.
+  bool FindOutward(std::uint32_t k, float (&outward)[3]) const;
+
 private:
   struct Search;
 
@@ -70,6 +83,7 @@ private:
   template <class RowOf>
   void Gather(Search& search, const PlaceColumns& columns, double reach, RowOf&& rowOf) const;
   void GatherNeighbours(Search& search) const;
+  void GatherEllipsoids(Search& search) const;
   void FindShapes(Search& search);
   void KeepShape(std::uint32_t k, int column, const GroupFits& fits);
   void FindLacks(Search& search);

@@ -21,9 +21,7 @@ void MovingTarget::MoveAlong(int step, double begin, double end)
 void MovingTarget::MoveTo(double time)
 {
   const bool placed = this->PlaceOnce(this->FindFraction(time));
-  this->Recent = this->HasJumped ? Change::Everything
-    : placed                     ? Change::LastPlace
-                                 : Change::Nothing;
+  this->HasChanged = this->HasJumped || placed;
   this->HasJumped = false;
   this->Complete();
 }
@@ -46,17 +44,6 @@ double MovingTarget::FindFraction(double time) const
   const double length = this->End - this->Begin;
   const double fraction = length > 0.0 ? (time - this->Begin) / length : 0.0;
   return std::min(std::max(fraction, 0.0), 1.0);
-}
-
-bool MovingTarget::MayHaveChanged(const double bounds[6]) const
-{
-  return this->Recent == Change::Everything ||
-    (this->Recent == Change::LastPlace && this->HasChangedIn(bounds));
-}
-
-bool MovingTarget::HasChangedIn(const double[6]) const
-{
-  return true;
 }
 
 bool MovingTarget::IsAt(int step, double fraction) const

@@ -21,7 +21,7 @@ public:
   void Complete();
 
   void MoveTo(double time) override;
-  bool MayHaveChanged(const double bounds[6]) const override;
+  bool MayHaveChanged(const double[6]) const override { return this->HasChanged; }
 
 protected:
   // Places the target at a fraction in [0,1] of the interval from this step to the next.
@@ -40,17 +40,7 @@ protected:
   // Duration from the step to the next one [motion time]; 0 if the target stays.
   double GetDuration() const { return this->End - this->Begin; }
 
-  // Returns true if the last Place may have changed values in a box.
-  virtual bool HasChangedIn(const double bounds[6]) const;
-
 private:
-  enum class Change
-  {
-    Nothing,
-    LastPlace,
-    Everything
-  };
-
   bool IsAt(int step, double fraction) const;
   bool PlaceOnce(double fraction);
 
@@ -60,8 +50,8 @@ private:
   int Step = -1; // current step, or the step to place again; -1: none
   double Fraction = 0.0;
   bool IsPlaced = false;
-  bool HasJumped = true;              // changed other than by MoveTo
-  Change Recent = Change::Everything; // changes by the last MoveTo
+  bool HasJumped = true;  // changed other than by MoveTo
+  bool HasChanged = true; // by the last MoveTo
   bool IsFinished = false;
 };
 

@@ -162,13 +162,11 @@ void ParticleFrame::UseRadii(double reachPerRadius)
   }
   this->Particles.ScaleRadii(reachPerRadius / this->ReachPerRadius);
   this->ReachPerRadius = reachPerRadius;
-  this->HasFits = false;
 }
 
 void ParticleFrame::MoveBy(const double offset[3])
 {
   this->Particles.MoveBy(offset);
-  this->HasFits = false;
   for (int axis = 0; this->Whole && axis < 3; ++axis)
   {
     this->Whole->Low[axis] += offset[axis];

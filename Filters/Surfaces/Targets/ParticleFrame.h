@@ -3,7 +3,6 @@
 #ifndef ParticleFrame_h
 #define ParticleFrame_h
 
-#include "ParticleFit.h"
 #include "Targets/ParticleList.h"
 
 #include "vtkPointData.h"
@@ -61,10 +60,8 @@ struct ParticleFrame
   bool HasRadii = false;         // from the array; else call GiveRadius
   double ReachPerRadius = 1.0;   // support radius / radius of the array, see UseRadii
   bool HasVelocities = false;    // from an array
-  mutable bool HasFits = false;
   std::size_t Ignored = 0;       // points left out: not finite, or without a positive radius
   std::vector<vtkIdType> Points; // input point of each particle; empty: all, in order
-  mutable ParticleFits Fits;     // of each particle, if HasFits (ParticleTrack.h)
   std::vector<std::array<double, 3>> Velocities; // of each particle, if HasVelocities
   vtkSmartPointer<vtkPointData> Passed; // copy of the input's point arrays; null if not wanted
   std::optional<WholeFrame> Whole;      // if distributed; then all have one radius
@@ -93,7 +90,7 @@ struct ParticleFrame
   // Converts the radii of the array, which are those of balls, to support radii.
   void UseRadii(double reachPerRadius);
 
-  // Adds an offset to all positions. Discards the fits.
+  // Adds an offset to all positions.
   void MoveBy(const double offset[3]);
 
   // Box of the supports of all particles, on all ranks; returns false without particles.

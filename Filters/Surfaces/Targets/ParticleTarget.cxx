@@ -1,8 +1,9 @@
 #include "Targets/ParticleTarget.h"
 
+#include "ParallelTasks.h"
+
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace activesurface
 {
@@ -28,16 +29,36 @@ void VisitHollow(
   }
 }
 
-}
-
-namespace
-{
-
 TargetOptions LevelOf(const ShapeOptions& options)
 {
   TargetOptions level = options.Level;
   level.Noise = options.IsOnNodes ? 0.0 : level.Noise;
   return level;
+}
+
+void SetElements(const std::vector<SkeletonVertex>& particles, Skeleton& elements)
+{
+  elements.Clear();
+  for (const SkeletonVertex& particle : particles)
+  {
+    elements.AddPoint(particle);
+  }
+  elements.Build();
+}
+
+std::vector<SkeletonVertex> ListParticles(const ParticleTrack& track)
+{
+  std::vector<SkeletonVertex> particles(track.Size());
+  RunEach(track.Size(), [&](std::size_t n) { particles[n] = track.Get(n); });
+  return particles;
+}
+
+void FindSupport(const SkeletonVertex& particle, double (&bounds)[6])
+{
+  for (int side = 0; side < 6; ++side)
+  {
+    bounds[side] = particle.Position[side / 2] + (side % 2 == 0 ? -1.0 : 1.0) * particle.Radius;
+  }
 }
 
 }
@@ -51,60 +72,33 @@ ParticleTarget::ParticleTarget(const TargetFrames& frames, const ShapeOptions& o
 
 void ParticleTarget::Place(int step, double fraction)
 {
-  std::swap(this->Previous, this->Now);
-  const bool needsFits = this->Options.WantsFits();
-  PlaceParticles(this->MakeTrack(step, fraction, needsFits), needsFits, this->Now);
-  this->FindChanged();
+  this->Now = ListParticles(this->Frames.GetTrack(step, this->Options.Box, fraction));
 }
 
-// Makes the fits of a frame, once for each step of the input.
-void ParticleTarget::FindFits(const ParticleFrame& frame) const
+double ParticleTarget::FindOwnRadius(int step, double& reachPerRadius) const
 {
-  FitOptions fit;
-  fit.Model = this->Options.Model;
-  fit.OwnRadius = frame.HasRadii ? 0.0 : 0.5 * this->Options.SpacingInUse;
-  fit.Anisotropy = this->Options.Anisotropy;
-  fit.SparesCrowds = !this->Options.NeedsFits();
-  activesurface::FindFits(frame, fit, this->Options.Box);
-}
-
-ParticleTrack ParticleTarget::MakeTrack(int step, double fraction, bool needsFits) const
-{
-  ParticleTrack track = this->Frames.GetTrack(step, this->Options.Box, fraction);
-  for (const ParticleFrame* frame : { &track.GetEarlier(), track.GetLater() })
-  {
-    if (frame && needsFits)
-    {
-      this->FindFits(*frame);
-    }
-  }
-  return track;
+  const ParticleFrame &earlier = this->Frames.GetParticles(step),
+                      &later = this->Frames.GetParticles(step + 1);
+  const bool haveRadii = earlier.HasRadii || later.HasRadii;
+  reachPerRadius = haveRadii ? std::max(earlier.ReachPerRadius, later.ReachPerRadius)
+                             : 2.0 * GetReachPerSpacing(this->Options.Model);
+  return haveRadii ? 0.0 : 0.5 * this->Options.SpacingInUse;
 }
 
 void ParticleTarget::Finish()
 {
-  const double before = this->Body.GetCellSize();
-  this->BuildBody(this->Now, this->Elements, this->Body);
-  if (!this->IsSum())
+  if (this->IsSum())
   {
-    this->NoteCells(before, this->Body.GetCellSize());
+    SetElements(this->Now, this->Elements);
   }
-}
-
-void ParticleTarget::BuildBody(
-  const PlacedParticles& placed, Skeleton& elements, ParticlePotential& body) const
-{
-  if (!this->IsSum())
+  if (!this->IsSum() || this->Options.OpensHollows)
   {
-    body.Build(this->Options.Model, placed.Particles, placed.Fits);
-    return;
+    ParticlePotential::Options options;
+    options.Model = this->Options.Model;
+    options.OwnRadius = this->FindOwnRadius(this->GetStepOfWay(), options.ReachPerRadius);
+    options.Anisotropy = this->Options.Anisotropy;
+    this->Body.Build(this->Now, options);
   }
-  elements.Clear();
-  for (const SkeletonVertex& particle : placed.Particles)
-  {
-    elements.AddPoint(particle);
-  }
-  elements.Build();
 }
 
 NodeParticleOptions ParticleTarget::GetNodeOptions(const ShapeOptions& options, double voxelSize)
@@ -125,31 +119,24 @@ void ParticleTarget::PlaceNodes(const NodeMotion& motion)
 {
   this->VoxelSize = motion.VoxelSize;
   const int step = this->GetStepOfWay();
-  const bool needsFits = this->Options.NodesNeedFits();
-  ParticleTrack track = this->MakeTrack(step, this->FindFraction(motion.End), needsFits);
+  ParticleTrack track =
+    this->Frames.GetTrack(step, this->Options.Box, this->FindFraction(motion.End));
   track.SetDuration(this->GetDuration());
-  if (this->Options.Model != ParticleModel::Anisotropic)
+  if (this->IsSum())
   {
-    PlaceParticles(track, needsFits, this->AtNodes);
-    this->BuildBody(this->AtNodes, this->ElementsAtNodes, this->BodyAtNodes);
-    track.SetFits(this->AtNodes.Fits);
+    SetElements(ListParticles(track), this->ElementsAtNodes);
   }
   NodeParticleOptions options = GetNodeOptions(this->Options, motion.VoxelSize);
-  if (this->Frames.GetParticles(step).HasRadii || this->Frames.GetParticles(step + 1).HasRadii)
-  {
-    options.OwnRadius = 0.0;
-    options.ReachPerRadius = std::max(this->Frames.GetParticles(step).ReachPerRadius,
-      this->Frames.GetParticles(step + 1).ReachPerRadius);
-  }
+  options.OwnRadius = this->FindOwnRadius(step, options.ReachPerRadius);
   options.Duration = motion.Transport * (motion.End - motion.Begin);
   options.Space = motion.Space;
   this->Nodes.Build(track, options);
 }
 
-// Evaluates ellipsoids row by row, other models node by node.
+// Evaluates ellipsoids row by row, a sum node by node.
 void ParticleTarget::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
 {
-  if (this->Options.Model == ParticleModel::Anisotropic)
+  if (!this->IsSum())
   {
     this->Nodes.EvaluateLeaf(leaf, values);
     return;
@@ -173,55 +160,16 @@ void ParticleTarget::EvaluateLeaf(const ShellLeaf& leaf, float* values) const
       points[3 * count + 1] = this->VoxelSize * (leaf.Origin[1] + (n >> 3 & 7));
       points[3 * count++ + 2] = this->VoxelSize * (leaf.Origin[2] + (n & 7));
     });
-  if (this->IsSum())
-  {
-    this->ElementsAtNodes.Evaluate(
-      this->Options.Kernel, this->GetLevel(), count, points, found, nullptr);
-  }
-  else
-  {
-    this->BodyAtNodes.Evaluate(count, points, found, nullptr);
-  }
-  const double *next = found, level = this->GetLevel(), iso = this->Options.Level.IsoValue;
-  const double outside = this->BodyAtNodes.GetOutside() - iso;
+  this->ElementsAtNodes.Evaluate(
+    this->Options.Kernel, this->GetLevel(), count, points, found, nullptr);
+  const double *next = found, level = this->GetLevel();
   visit(
     [&](int n)
     {
       // The fourth root makes a sum nearly linear, as in ParticleNodes.h.
-      const double sum = std::max(level - *next, 0.0) / level;
-      values[n] = static_cast<float>(
-        this->IsSum() ? 1.0 - std::sqrt(std::sqrt(sum)) : (*next - iso) / outside);
-      ++next;
+      const double sum = std::max(level - *next++, 0.0) / level;
+      values[n] = static_cast<float>(1.0 - std::sqrt(std::sqrt(sum)));
     });
-}
-
-// If the cell size changes, the order of the sums changes, and with it the rounding of all sums.
-void ParticleTarget::NoteCells(double before, double now)
-{
-  if (now != before)
-  {
-    this->Changed.SetEverywhere();
-  }
-}
-
-// Finds where particles have changed. Sums elsewhere are unchanged, as they depend only on the
-// particles whose support contains the point.
-void ParticleTarget::FindChanged()
-{
-  if (this->Options.Box.Any())
-  {
-    this->Changed.SetEverywhere(); // copies of a particle have no unique match
-    return;
-  }
-  const PlacedChanges changes(this->Previous, this->Now);
-  const PlacedCounts counts = changes.Count();
-  if (counts.Changed > std::max(counts.Before, counts.After) / 4)
-  {
-    this->Changed.SetEverywhere(); // a closer test would cost more than it saves
-    return;
-  }
-  changes.ListSupports(this->ChangedSupports);
-  this->Changed.Set(this->ChangedSupports);
 }
 
 void ParticleTarget::VisitRegions(
@@ -231,22 +179,22 @@ void ParticleTarget::VisitRegions(
   part.Seeds = RegionSeeds::PartAtCentre;
   for (std::size_t i = first; i < end; ++i)
   {
-    if (this->Now.Particles[i].Strength > 0.0)
+    const SkeletonVertex& particle = this->Now[i];
+    if (!(particle.Strength > 0.0))
     {
-      const ChangedRegion::Box box = SupportOf(this->Now, i);
-      std::copy(box.begin(), box.end(), part.Bounds);
-      visit(part);
-      if (!this->Now.Fits.empty() && this->Now.Fits[i].IsAtEdge())
-      {
-        VisitHollow(this->Now.Particles[i], this->Now.Fits[i].Outward, visit);
-      }
+      continue;
+    }
+    if (this->IsSum() || !this->Body.FindSupport(i, part.Bounds))
+    {
+      FindSupport(particle, part.Bounds);
+    }
+    visit(part);
+    double outward[3];
+    if ((!this->IsSum() || this->Options.OpensHollows) && this->Body.FindOutward(i, outward))
+    {
+      VisitHollow(particle, outward, visit);
     }
   }
-}
-
-bool ParticleTarget::HasChangedIn(const double bounds[6]) const
-{
-  return this->Changed.Touches(bounds);
 }
 
 void ParticleTarget::Sample(

@@ -1,5 +1,5 @@
 // Moving particles as a target. F is either a sum of kernels, threshold - sum of strength *
-// kernel(distance / radius), or a model with neighbours (ParticlePotential.h).
+// kernel(distance / radius), or one of ellipsoids (ParticlePotential.h).
 //
 // Outside all supports F is constant with gradient zero. There the target attracts a skin with the
 // constant speed that belongs to its Reach.
@@ -11,9 +11,7 @@
 #include "ParticleNodes.h"
 #include "ParticlePotential.h"
 #include "Skeleton.h"
-#include "Targets/ChangedRegion.h"
 #include "Targets/MovingTarget.h"
-#include "Targets/PlacedChanges.h"
 #include "Targets/ShapeOptions.h"
 #include "Targets/TargetFrames.h"
 
@@ -52,46 +50,37 @@ public:
   bool HasRegions() const override { return true; }
   bool IsWithinRegions() const override { return true; }
   // Visits the support of each particle, as any part that the skin does not meet contains a
-  // support. If there are fits, also visits two points outside each particle at the edge of a body,
-  // where a hollow may be.
-  std::size_t CountRegionSources() const override { return this->Now.Particles.size(); }
+  // support. Also visits two points outside each particle at the edge of a body, where a hollow may
+  // be.
+  std::size_t CountRegionSources() const override { return this->Now.size(); }
   void VisitRegions(std::size_t first, std::size_t end, const RegionVisitor& visit) const override;
 
 protected:
   void Place(int step, double fraction) override;
   void Finish() override;
-  bool HasChangedIn(const double bounds[6]) const override;
   void Sample(
     std::size_t count, const double* points, double* values, double* gradients) const override;
 
 private:
   bool IsSum() const { return this->Options.Model == ParticleModel::Sum; }
-  ParticleTrack MakeTrack(int step, double fraction, bool needsFits) const;
-  void FindFits(const ParticleFrame& frame) const;
-  void BuildBody(const PlacedParticles& placed, Skeleton& elements, ParticlePotential& body) const;
+  // Returns the own radius of the particles of a step and the next one [length], 0 if they have
+  // radii, and sets their ratio to the support radii.
+  double FindOwnRadius(int step, double& reachPerRadius) const;
   // Value of the sum of kernels at the skin.
-  double GetLevel() const
-  {
-    return this->IsSum() ? this->Options.Threshold - this->Options.Level.IsoValue : 0.5;
-  }
-  void FindChanged();
-  void NoteCells(double before, double now);
+  double GetLevel() const { return this->Options.Threshold - this->Options.Level.IsoValue; }
 
   const TargetFrames& Frames;
   const ShapeOptions Options;
-  PlacedParticles Now;
-  PlacedParticles Previous;
-  std::vector<ChangedRegion::Box> ChangedSupports;
-  ChangedRegion Changed;  // from Previous to Now
+
+  // State of explicit substeps.
+  std::vector<SkeletonVertex> Now;
   Skeleton Elements;      // of a sum
-  ParticlePotential Body; // of the other models
+  ParticlePotential Body; // of ellipsoids; of a sum only to find hollows
 
   // State of the node scheme.
   double VoxelSize = 1.0;
-  PlacedParticles AtNodes;
   ParticleNodes Nodes;
-  Skeleton ElementsAtNodes;      // of a sum
-  ParticlePotential BodyAtNodes; // of the averaged centre
+  Skeleton ElementsAtNodes; // of a sum
 };
 
 }

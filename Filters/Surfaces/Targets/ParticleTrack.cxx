@@ -1,7 +1,6 @@
 #include "Targets/ParticleTrack.h"
 
 #include "ParallelTasks.h"
-#include "PortableMath.h"
 
 #include <algorithm>
 #include <sstream>
@@ -13,36 +12,9 @@ namespace activesurface
 namespace
 {
 
-const ParticleFits NoFits;
-
 double Between(double a, double b, double fraction)
 {
   return a + fraction * (b - a);
-}
-
-ParticleFit Between(const ParticleFit& a, const ParticleFit& b, double fraction)
-{
-  ParticleFit fit{};
-  fit.Bulk = Between(a.Bulk, b.Bulk, fraction);
-  fit.OwnRadius = Between(a.OwnRadius, b.OwnRadius, fraction);
-  fit.Strength = Between(a.Strength, b.Strength, fraction);
-  fit.Reach = std::max(a.Reach, b.Reach); // bounds every ellipsoid in between
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    fit.Offset[axis] = Between(a.Offset[axis], b.Offset[axis], fraction);
-    fit.Outward[axis] = Between(a.Outward[axis], b.Outward[axis], fraction);
-  }
-  for (int i = 0; i < 6; ++i)
-  {
-    fit.Metric[i] = Between(a.Metric[i], b.Metric[i], fraction);
-  }
-  return fit;
-}
-
-ParticleFit Shrunk(ParticleFit fit, double share)
-{
-  fit.OwnRadius *= CubeRoot(share);
-  return fit;
 }
 
 SkeletonVertex Faded(SkeletonVertex particle, double share)
@@ -60,7 +32,6 @@ ParticleTrack::ParticleTrack(const ParticleFrame& earlier, const ParticleFrame* 
   , Matches(matches)
   , Box(box)
   , Fraction(later ? fraction : 0.0)
-  , Fits(&NoFits)
   , Count(earlier.Particles.size())
 {
   if (this->Fraction != 0.0)
@@ -201,58 +172,10 @@ void ParticleTrack::List(
     });
 }
 
-void ParticleTrack::InterpolateFits(ParticleFits& fits) const
-{
-  fits.resize(this->Count);
-  const ParticleFits& earlier = this->Earlier->Fits;
-  const ParticleFits& later = this->Later ? this->Later->Fits : earlier;
-  RunEach(this->Count,
-    [&](std::size_t n)
-    {
-      const ParticleOrigin origin = this->GetOrigin(n);
-      fits[n] = this->Fraction == 0.0 ? earlier[origin.Earlier]
-        : origin.Later == NoPartner   ? Shrunk(earlier[origin.Earlier], 1.0 - this->Fraction)
-        : origin.Earlier == NoPartner
-        ? Shrunk(later[origin.Later], this->Fraction)
-        : activesurface::Between(earlier[origin.Earlier], later[origin.Later], this->Fraction);
-    });
-}
-
 bool ParticleTrack::FindVelocity(std::size_t n, double (&velocity)[3]) const
 {
   return activesurface::FindVelocity(
     this->Earlier, this->Later, this->GetOrigin(n), this->Box, this->Duration, velocity);
-}
-
-void PlaceParticles(const ParticleTrack& track, bool needsFits, PlacedParticles& placed)
-{
-  track.List(placed.Particles, placed.Origins);
-  placed.Fits.clear();
-  if (needsFits)
-  {
-    track.InterpolateFits(placed.Fits);
-  }
-}
-
-void FindFits(const ParticleFrame& frame, const FitOptions& options, const PeriodicBox& box)
-{
-  if (frame.HasFits)
-  {
-    return;
-  }
-  std::vector<SkeletonVertex> particles;
-  std::vector<ParticleOrigin> origins;
-  ParticleTrack(frame, nullptr, nullptr, box, 0.0).List(particles, origins);
-  const ParticleFits all = FitParticles(options, particles);
-  frame.Fits.resize(frame.Particles.size());
-  for (std::size_t i = 0; i < particles.size(); ++i)
-  {
-    if (box.Holds(particles[i].Position))
-    {
-      frame.Fits[origins[i].Earlier] = all[i];
-    }
-  }
-  frame.HasFits = true;
 }
 
 }

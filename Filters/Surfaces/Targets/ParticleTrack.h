@@ -39,19 +39,10 @@ public:
   // Replaces the contents of the lists by the particles and their origins.
   void List(std::vector<SkeletonVertex>& particles, std::vector<ParticleOrigin>& origins) const;
 
-  // Replaces the contents of `fits` by the fits of the particles. The fits of the frames must have
-  // been found before (FindFits). The volume of a fading particle shrinks to zero with its
-  // strength.
-  void InterpolateFits(ParticleFits& fits) const;
-
   // Sets the duration from step to step for FindVelocity [motion time]. At 0, FindVelocity returns
   // false.
   void SetDuration(double duration) { this->Duration = duration; }
   bool FindVelocity(std::size_t n, double (&velocity)[3]) const override;
-
-  // The caller owns the fits and must keep them as long as the track.
-  void SetFits(const ParticleFits& fits) { this->Fits = &fits; }
-  const ParticleFits& GetFits() const override { return *this->Fits; }
 
 private:
   // n: index that counts faded particles too.
@@ -75,25 +66,10 @@ private:
   PeriodicBox Box;
   double Fraction;
   double Duration = 0.0;
-  const ParticleFits* Fits;
   std::size_t Count = 0;
   std::vector<std::uint32_t> Kept; // empty if none has faded
   std::vector<Copy> Copies;        // empty without a periodic box
 };
-
-// Finds the fits of a frame's particles among their copies, unless HasFits. Throws as FitParticles
-// does.
-void FindFits(const ParticleFrame& frame, const FitOptions& options, const PeriodicBox& box);
-
-struct PlacedParticles
-{
-  std::vector<SkeletonVertex> Particles;
-  ParticleFits Fits; // of each particle, or empty
-  std::vector<ParticleOrigin> Origins;
-};
-
-// Writes the particles of a track. Reuses the memory of `placed`.
-void PlaceParticles(const ParticleTrack& track, bool needsFits, PlacedParticles& placed);
 
 }
 

@@ -37,15 +37,6 @@ struct ShapeOptions
   bool WeighsTension = false;
   bool OpensHollows = false;
 
-  /**
-   * WantsFits: a target at points evaluates the particles' neighbours. NeedsFits: its model
-   * requires them.
-   */
-  bool WantsFits() const { return this->NeedsFits() || this->OpensHollows; }
-  bool NeedsFits() const { return this->Model != ParticleModel::Sum; }
-  /** Returns true for the model whose fits the node scheme does not compute itself. */
-  bool NodesNeedFits() const { return this->Model == ParticleModel::AveragedCentre; }
-
   /** Returns true if the distinction between bodies and isolated particles matters. */
   bool WantsBulks() const { return this->WeighsTension || this->NoiseAtNodes > 0.0; }
 
