@@ -19,7 +19,7 @@ PLAIN = {"automatic_smoothing": False}  # without other smoothing
 
 STRIPS = {
     "spacing": [{"particle_spacing": spacing} for spacing in (0.07, 0.1, 0.15)],
-    "model": [{"particle_model": name} for name in ("sum", "averaged_centre", "anisotropic")],
+    "model": [{"particle_model": name} for name in ("sum", "anisotropic")],
     "voxel": [{"voxel_size": voxels * R} for voxels in (2, 1, 0.5)],
     "attraction": [{"attraction": rate, "transport": 0} for rate in (5, 25, 150)],
     "tension": [{"tension": times * SMOOTH, **PLAIN} for times in (0, 2, 8)],

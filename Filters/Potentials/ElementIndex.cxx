@@ -1,14 +1,20 @@
 #include "ElementIndex.h"
 
-#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
 
 namespace activesurface
 {
+
 namespace
 {
-// Safety margin as a fraction of the radius: larger gives more false candidates, smaller more
-// rebuilds.
-constexpr double MarginOfMoving = 0.1;
+
+// A segment is made of balls one radius apart, or of this number of larger ones.
+constexpr double MostBalls = 64.0;
+// Of squared radii: bound on the rounding of squared distances.
+constexpr double Rounding = 1.0 + 1e-9;
+
 }
 
 void ElementIndex::AddBall(const double centre[3], double radius)
@@ -33,58 +39,136 @@ void ElementIndex::Add(const Capsule& support)
   this->Supports.push_back(support);
 }
 
-// Returns true if each element lies within the support that the cells list.
-bool ElementIndex::AreListed() const
-{
-  constexpr double largest = 1.0 + 2.0 * MarginOfMoving; // larger supports give too many candidates
-  const auto isWithin = [](const double at[3], double radius, const double centre[3], double reach)
-  {
-    const double x = at[0] - centre[0], y = at[1] - centre[1], z = at[2] - centre[2];
-    const double room = reach - radius;
-    return room >= 0.0 && reach <= largest * radius && x * x + y * y + z * z <= room * room;
-  };
-  // A condition at both ends of a segment also holds between them, because all quantities are
-  // linear.
-  return this->Listed.size() == this->Supports.size() &&
-    std::equal(this->Supports.begin(), this->Supports.end(), this->Listed.begin(),
-      [&](const Capsule& now, const Capsule& then)
-      {
-        return isWithin(now.Start, now.StartRadius, then.Start, then.StartRadius) &&
-          isWithin(now.End, now.EndRadius, then.End, then.EndRadius);
-      });
-}
-
 void ElementIndex::Build()
 {
-  if (this->AreListed())
+  double farthest = 0.0;
+  for (int side = 0; side < 6 && !this->Supports.empty(); ++side)
   {
-    return;
+    farthest = std::max(farthest, std::fabs(this->Bounds[side]));
   }
-  const bool moves = this->Listed.size() == this->Supports.size();
-  const double factor = moves ? 1.0 + MarginOfMoving : 1.0;
-  double largest = 0.0;
-  this->Listed = this->Supports;
-  for (Capsule& capsule : this->Listed)
+  this->Slack = 32.0 * std::numeric_limits<double>::epsilon() * farthest;
+  this->Balls.clear();
+  for (std::size_t i = 0; i < this->Supports.size(); ++i)
   {
-    largest = std::max({ largest, capsule.StartRadius, capsule.EndRadius });
-    capsule.StartRadius *= factor;
-    capsule.EndRadius *= factor;
+    this->AddBalls(static_cast<Index>(i), this->Supports[i]);
   }
-  double wide[6];
-  for (int side = 0; side < 6; ++side)
+  if (this->Balls.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
   {
-    wide[side] = this->Bounds[side] + (side % 2 ? 1.0 : -1.0) * (factor - 1.0) * largest;
+    throw std::length_error("The skeleton has too many elements; use fewer elements.");
   }
-  try
+  this->MakeLattices();
+  this->FillCells();
+}
+
+// Balls that contain the support together.
+void ElementIndex::AddBalls(Index element, const Capsule& support)
+{
+  double edge[3];
+  for (int axis = 0; axis < 3; ++axis)
   {
-    this->Cells.Build(this->Listed, wide);
+    edge[axis] = support.End[axis] - support.Start[axis];
   }
-  catch (...)
+  const double length = std::hypot(edge[0], edge[1], edge[2]);
+  const double radius = std::max(support.StartRadius, support.EndRadius);
+  const int count = static_cast<int>(std::min(std::ceil(length / radius), MostBalls));
+  const int pieces = std::max(count, 1);
+  const double reach = radius + 0.5 * length / pieces + (length > 0.0 ? this->Slack : 0.0);
+  for (int piece = 0; piece < pieces; ++piece)
   {
-    this->Listed.clear();
-    this->Cells = SkeletonCells(); // a partial build would list missing elements
-    throw;
+    Ball ball{ {}, reach, element };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double middle = (piece + 0.5) / pieces;
+      ball.Centre[axis] = support.Start[axis] + (length > 0.0 ? middle * edge[axis] : 0.0);
+    }
+    this->Balls.push_back(ball);
   }
+}
+
+// A ball counts as no smaller than rounding.
+int ElementIndex::LevelOf(const Ball& ball) const
+{
+  return std::ilogb(std::max(ball.Radius, this->Slack));
+}
+
+void ElementIndex::MakeLattices()
+{
+  this->Lattices.clear();
+  for (const Ball& ball : this->Balls)
+  {
+    const int level = this->LevelOf(ball);
+    auto lattice = std::find_if(this->Lattices.begin(), this->Lattices.end(),
+      [level](const Lattice& other) { return other.Number == level; });
+    if (lattice == this->Lattices.end())
+    {
+      lattice = this->Lattices.insert(lattice, { level, 0.0 });
+    }
+    lattice->CellSize = std::max({ lattice->CellSize, ball.Radius, this->Slack });
+  }
+  std::sort(this->Lattices.begin(), this->Lattices.end(),
+    [](const Lattice& a, const Lattice& b) { return a.Number < b.Number; });
+}
+
+// A counting sort by cells.
+void ElementIndex::FillCells()
+{
+  const std::size_t count = this->Balls.size();
+  this->Cells.Clear(count);
+  this->CellOfBall.resize(count);
+  this->Starts.assign(1, 0);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Ball& ball = this->Balls[i];
+    const int level = this->LevelOf(ball);
+    const Lattice& lattice = *std::find_if(this->Lattices.begin(), this->Lattices.end(),
+      [level](const Lattice& other) { return other.Number == level; });
+    std::int64_t cell[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      cell[axis] = static_cast<std::int64_t>(CellOf(ball.Centre[axis], lattice.CellSize));
+    }
+    this->CellOfBall[i] = static_cast<Index>(this->Cells.Add(KeyOf(lattice, cell)));
+    if (this->CellOfBall[i] + 2 > this->Starts.size())
+    {
+      this->Starts.push_back(0);
+    }
+    ++this->Starts[this->CellOfBall[i] + 1];
+  }
+  for (std::size_t cell = 1; cell < this->Starts.size(); ++cell)
+  {
+    this->Starts[cell] += this->Starts[cell - 1];
+  }
+  for (std::vector<double>* column : { &this->X, &this->Y, &this->Z, &this->Radius2 })
+  {
+    column->resize(count);
+  }
+  this->Elements.resize(count);
+  for (std::size_t i = count; i-- > 0;)
+  {
+    const Ball& ball = this->Balls[i];
+    const Index at = --this->Starts[this->CellOfBall[i] + 1];
+    this->X[at] = ball.Centre[0];
+    this->Y[at] = ball.Centre[1];
+    this->Z[at] = ball.Centre[2];
+    this->Radius2[at] = ball.Radius * ball.Radius * Rounding;
+    this->Elements[at] = ball.Element;
+  }
+  // Each end has become a start.
+  this->Starts.erase(this->Starts.begin());
+  this->Starts.push_back(static_cast<Index>(count));
+}
+
+bool ElementIndex::FindCell(const double x[3], NodeIndex& cell) const
+{
+  constexpr double farthest = 1 << 30;
+  bool isNear = !this->Lattices.empty();
+  for (int axis = 0; axis < 3 && isNear; ++axis)
+  {
+    const double place = CellOf(x[axis], this->Lattices.front().CellSize);
+    isNear = std::fabs(place) < farthest;
+    cell[axis] = isNear ? static_cast<int>(place) : 0;
+  }
+  return isNear;
 }
 
 }

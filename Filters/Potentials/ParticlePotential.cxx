@@ -1,12 +1,12 @@
 #include "ParticlePotential.h"
 
 #include "ParallelTasks.h"
+#include "PointGroups.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <tuple>
 
 namespace activesurface
 {
@@ -74,96 +74,60 @@ void ParticlePotential::Build(
   }
 }
 
-// Points sorted by the part of a block that they are in. Places are relative to the block, so that
-// a sum does not depend on the other points.
+// Some points and their results.
 class ParticlePotential::Batch
 {
 public:
-  static constexpr std::size_t Capacity = 256;
-
-  Batch(const ParticlePotential& potential, std::size_t count, const double* points, double* values,
-    double* gradients)
+  Batch(const ParticlePotential& potential, const double* points, double* values, double* gradients)
     : Potential(potential)
     , Blocks(potential.Nodes.GetBlocks())
     , Points(points)
     , Values(values)
     , Gradients(gradients)
   {
-    for (std::uint32_t i = 0; i < count; ++i)
-    {
-      this->Add(i);
-    }
-    std::sort(this->Items, this->Items + this->Count);
   }
 
-  void Evaluate()
+  // In groups by parts of blocks. Places are relative to the block, so that a sum does not depend
+  // on the other points.
+  void Evaluate(std::size_t count) const
   {
-    for (std::size_t first = 0; first < this->Count;)
-    {
-      std::size_t end = first + 1;
-      while (end < this->Count && end - first < 8 && this->Items[end].IsBeside(this->Items[first]))
-      {
-        ++end;
-      }
-      this->EvaluateGroup(first, static_cast<int>(end - first));
-      first = end;
-    }
+    const PointGroups groups(
+      count, [this](std::size_t i, NodeIndex& part) { return this->FindPart(i, part); });
+    groups.ForEach([this](const NodeIndex& part, const std::size_t* members, int size)
+      { this->EvaluateGroup({ part[0] >> 2, part[1] >> 2, part[2] >> 2 }, members, size); });
   }
 
 private:
-  struct Item
-  {
-    NodeIndex Block;
-    std::uint32_t Part;
-    std::uint32_t Point;
-
-    bool operator<(const Item& other) const
-    {
-      return std::tie(this->Block, this->Part, this->Point) <
-        std::tie(other.Block, other.Part, other.Point);
-    }
-    bool IsBeside(const Item& other) const
-    {
-      return AreSame(this->Block, other.Block) && this->Part == other.Part;
-    }
-  };
-
-  // Points beyond all particles get their values here.
-  void Add(std::uint32_t i)
+  // Returns false for points beyond all particles, which get their values here.
+  bool FindPart(std::size_t i, NodeIndex& part) const
   {
     const double* x = this->Points + 3 * i;
     const double farthest = std::max({ std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2]) });
-    if (!std::isfinite(x[0] + x[1] + x[2]))
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
     {
       constexpr double none = std::numeric_limits<double>::quiet_NaN();
       this->Write(i, none, none, none, none);
-      return;
+      return false;
     }
     if (!(farthest < Farthest * this->Potential.Unit) || this->Potential.Places.empty())
     {
       this->Write(i, 0.5, 0.0, 0.0, 0.0);
-      return;
+      return false;
     }
-    Item& item = this->Items[this->Count++];
-    item.Part = 0;
-    item.Point = i;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const int cell = this->Blocks.CellOf(x[axis] / this->Potential.Unit);
-      item.Block[axis] = cell >> 3;
-      item.Part = 4 * item.Part + static_cast<std::uint32_t>((cell & 7) >> 1);
+      part[axis] = this->Blocks.CellOf(x[axis] / this->Potential.Unit) >> 1;
     }
+    return true;
   }
 
-  void EvaluateGroup(std::size_t first, int count)
+  void EvaluateGroup(const NodeIndex& home, const std::size_t* members, int count) const
   {
     FitGroup group;
     group.Count = count;
-    const NodeIndex& home = this->Items[first].Block;
     for (int i = 0; i < 8; ++i)
     {
-      const double* x =
-        this->Points + 3 * this->Items[first + static_cast<std::size_t>(std::min(i, count - 1))].Point;
+      const double* x = this->Points + 3 * members[std::min(i, count - 1)];
       for (int axis = 0; axis < 3; ++axis)
       {
         group.Place[axis][i] = static_cast<float>(
@@ -172,15 +136,17 @@ private:
     }
     PointSums sums;
     this->Potential.Nodes.GetFits().SumAt(home, group, sums);
+    const double half = 0.5 / this->Potential.Unit;
     for (int i = 0; i < count; ++i)
     {
-      const double half = 0.5 / this->Potential.Unit;
-      this->Write(this->Items[first + static_cast<std::size_t>(i)].Point, 0.5 - 0.5 * sums.Sum[i],
-        -half * sums.Gradient[0][i], -half * sums.Gradient[1][i], -half * sums.Gradient[2][i]);
+      this->Write(members[i], 0.5 - 0.5 * static_cast<double>(sums.Sum[i]),
+        -half * static_cast<double>(sums.Gradient[0][i]),
+        -half * static_cast<double>(sums.Gradient[1][i]),
+        -half * static_cast<double>(sums.Gradient[2][i]));
     }
   }
 
-  void Write(std::uint32_t i, double value, double x, double y, double z)
+  void Write(std::size_t i, double value, double x, double y, double z) const
   {
     this->Values[i] = value;
     if (this->Gradients)
@@ -196,18 +162,16 @@ private:
   const double* Points;
   double* Values;
   double* Gradients;
-  std::size_t Count = 0;
-  Item Items[Capacity];
 };
 
 void ParticlePotential::Evaluate(
   std::size_t count, const double* points, double* values, double* gradients) const
 {
-  for (std::size_t first = 0; first < count; first += Batch::Capacity)
+  for (std::size_t first = 0; first < count; first += PointGroups::Capacity)
   {
-    Batch(*this, std::min(count - first, Batch::Capacity), points + 3 * first, values + first,
-      gradients ? gradients + 3 * first : nullptr)
-      .Evaluate();
+    Batch(
+      *this, points + 3 * first, values + first, gradients ? gradients + 3 * first : nullptr)
+      .Evaluate(std::min(count - first, PointGroups::Capacity));
   }
 }
 

@@ -68,14 +68,14 @@ public:
   const double* GetBounds() const { return this->Near.GetBounds(); }
 
 private:
-  using Index = SkeletonCells::Index;
+  using Index = ElementIndex::Index;
 
   template <class Kernel>
   struct Evaluation;
   template <class Kernel>
   void AddWeights(const double x[3], std::vector<SkeletonWeight>& weights) const;
   template <class Kernel, class Sums>
-  ACTIVE_ALWAYS_INLINE void AddAll(const SkeletonCells::Place& place, Sums& sums) const;
+  ACTIVE_ALWAYS_INLINE void AddAll(const ElementIndex::Place& place, Sums& sums) const;
   template <class Kernel, class Sums>
   ACTIVE_ALWAYS_INLINE void AddHits(const Index* hits, std::size_t count, Sums& sums) const;
 

@@ -5,7 +5,7 @@
 >>> spacing.name, spacing.option, spacing.kind, spacing.default
 ('ParticleSpacing', '--particle-spacing', 'number', 0.0)
 >>> properties.find("particle_model").choices
-('sum', 'averaged_centre', 'anisotropic')
+('sum', 'anisotropic')
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def find(keyword: str) -> Property:
 def put(surface: Any, values: Mapping[str, Any]) -> None:
     """Sets properties of a filter by their keywords.
 
-    Choices are words such as ``"averaged_centre"``, or numbers.
+    Choices are words such as ``"anisotropic"``, or numbers.
 
     Raises
     ------

@@ -96,7 +96,7 @@ def draw_properties(random, target):
     if random.random() < 0.3:
         properties["Tension"] = random.choice(VALUES["Tension"])
     if random.random() < 0.3:
-        properties["ParticleModel"] = random.randint(0, 2)
+        properties["ParticleModel"] = random.randint(0, 1)
     if random.random() < 0.5:
         properties["ParticleSpacing"] = random.choice((0.2, 0.3))
     if random.random() < 0.3:

@@ -51,7 +51,7 @@ def draw_properties(random):
     """Draws properties that matter for ranks, and up to three others."""
     properties = {
         "VoxelSize": random.choice((0.08, 0.12)),
-        "ParticleModel": random.randint(0, 2),
+        "ParticleModel": random.randint(0, 1),
         "ParticleSpacing": SPACING,
         "TimeIntegration": random.choice((0, 1)),
         "Tension": random.choice(VALUES["Tension"]),

@@ -293,7 +293,7 @@ def a_potential(random):
         function = vtkSkeletonPotential()
         kind = random.choice((particles, skeleton))
         function.SetInput(kind(random)[0])
-        function.SetParticleModel(random.randint(0, 2) if kind is particles else 0)
+        function.SetParticleModel(random.randint(0, 1) if kind is particles else 0)
         function.SetRadius(random.uniform(0.3, 0.6))
         return function
     function = vtkGridPotential()

@@ -80,16 +80,8 @@ MAY_INCLUDE = {
         "Potentials/UnsetVector",
     ],
     "Potentials/Skeleton": [
-        "NarrowBand/PortableMath",
+        "Potentials/PointGroups",
         "Potentials/Skeleton",
-        "Potentials/SkeletonCells",
-        "Potentials/BallCells",
-        "Potentials/FinitePlaces",
-        "Potentials/PlaceGroups",
-        "Potentials/ParallelTasks",
-        "Potentials/SkeletonKernel",
-        "Potentials/ElementIndex",
-        "Potentials/ParticleModel",
     ],
     "Potentials/Grid": [
         "Potentials/GridSamples",

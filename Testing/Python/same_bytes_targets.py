@@ -81,14 +81,8 @@ def particles_are_born_and_die(contents):
 
 
 @run("targets")
-def particles_of_averaged_centres(contents):
-    surface = make(births_and_deaths(), arrays={1: "name"}, ParticleModel=1, ParticleSpacing=0.2)
-    follow(contents, surface, 0.0, 0.5, 1.0, 1.75, 2.0)
-
-
-@run("targets")
 def particles_of_anisotropic_kernels(contents):
-    surface = make(births_and_deaths(), arrays={1: "name"}, ParticleModel=2, ParticleSpacing=0.2)
+    surface = make(births_and_deaths(), arrays={1: "name"}, ParticleModel=1, ParticleSpacing=0.2)
     follow(contents, surface, 0.0, 0.5, 1.0, 1.75, 2.0)
 
 

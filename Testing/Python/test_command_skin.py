@@ -149,11 +149,11 @@ class Skins(CommandTest):
 
     def test_properties_reach_the_filter(self):
         moving = self.save_moving(2)
-        chosen = "--voxel-size .04 --compute-curvature --particle-model averaged-centre".split()
+        chosen = "--voxel-size .04 --compute-curvature --particle-model sum".split()
         self.succeed("skin", moving, "-o", self.folder / "a_#.vtp", *chosen)
         made = read_vtk(self.folder / "a_1.vtp")
         self.assertTrue(made.GetPointData().HasArray("MeanCurvature"))
-        spacing = {"voxel_size": 0.04, "particle_model": "averaged_centre"}
+        spacing = {"voxel_size": 0.04, "particle_model": "sum"}
         points = [frame.skin for frame in api.frames(moving_grid(2), **spacing)][1].GetPoints()
         self.assertEqual(
             bytes_of(self.folder / "a_1.vtp"), vtk_to_numpy(points.GetData()).tobytes()

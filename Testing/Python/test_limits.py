@@ -87,11 +87,10 @@ class Crowds(unittest.TestCase):
     def test_many_particles_in_one_place_are_refused(self):
         """Each particle would visit each other: 10^10 visits here, 10^14 for 10^7 particles."""
         here = points_at(numpy.zeros((100000, 3)))
-        for model in (1, 2):
-            surface = surface_over(here, ParticleModel=model, ParticleSpacing=SPACING)
-            (said,) = said_at(surface)
-            self.assertIn("neighbours in reach on the average", said)
-            self.assertIn("ParticleSpacing", said)
+        surface = surface_over(here, ParticleModel=1, ParticleSpacing=SPACING)
+        (said,) = said_at(surface)
+        self.assertIn("neighbours in reach on the average", said)
+        self.assertIn("ParticleSpacing", said)
 
     def test_a_sum_takes_them(self):
         here = points_at(numpy.zeros((100000, 3)))
@@ -134,7 +133,7 @@ class Numbers(unittest.TestCase):
             [1e300, 0.3, 1e-300] * 10,
         ):
             for number in (0, 2):
-                for model in (0, 1, 2):
+                for model in (0, 1):
                     with self.subTest(values=values[:3], number=number, model=model):
                         data = cloud(places, values=values)
                         surface = surface_over(

@@ -38,7 +38,7 @@ DEFAULTS = {
     "CreateParts": 1,
     "TensionWeighting": 1,
     "Transport": 1.0,
-    "ParticleModel": 2,  # vtkSkeletonPotential.ANISOTROPIC
+    "ParticleModel": 1,  # vtkSkeletonPotential.ANISOTROPIC
     "ParticleSpacing": 0.0,
     "KernelRadius": 0.0,
     "Anisotropy": 4.0,

@@ -143,7 +143,7 @@ class Properties(unittest.TestCase):
         for keyword, value, words in (
             ("anisotropy", 300, "1 to 100"),
             ("tension", -1, ">= 0"),
-            ("particle_model", "round", "sum, averaged_centre, anisotropic"),
+            ("particle_model", "round", "sum, anisotropic"),
             ("particle_model", 7, r"'anisotropic' \(2\), not 7"),
         ):
             with self.subTest(keyword), self.assertRaisesRegex(ValueError, words):

@@ -52,9 +52,6 @@ class Balls(unittest.TestCase):
     def test_anisotropic(self):
         self.check([0.5] * 8, 0.25)
 
-    def test_averaged_centre(self):
-        self.check([0.5] * 8, 0.125, particle_model="averaged_centre")
-
     def test_sums_of_any_kernel_and_threshold(self):
         for kernel in ("wyvill", "cubic_spline", "metaball"):
             for threshold in (0.05, 0.5, 0.8):

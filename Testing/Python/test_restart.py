@@ -93,7 +93,7 @@ def particles():
 
 def body_of_particles():
     target = cloud(scattered(60))
-    return make(target, VoxelSize=COARSE, ParticleModel=2, ParticleSpacing=0.3)
+    return make(target, VoxelSize=COARSE, ParticleModel=1, ParticleSpacing=0.3)
 
 
 def followed_particles():
@@ -104,7 +104,7 @@ def smoothed_particles():
     steps = {
         i * BEFORE: cloud([(x + 0.1 * i, y, z) for x, y, z in scattered(60)]) for i in range(5)
     }
-    return make(Steps(steps), VoxelSize=COARSE, ParticleModel=2, ParticleSpacing=0.3, **NODES)
+    return make(Steps(steps), VoxelSize=COARSE, ParticleModel=1, ParticleSpacing=0.3, **NODES)
 
 
 def tense_particles():
@@ -175,7 +175,7 @@ RESTARTS = {
     "PaperScheme": [(morph, 1)],
     "PeriodicBounds": [(body_of_particles, (-1.0, 1.0, -1.0, 1.0, 1.0, -1.0))],
     "ParticleKernel": [(particles, 1), (particles, 2)],
-    "ParticleModel": [(particles, 1), (particles, 2), (body_of_particles, 1)],
+    "ParticleModel": [(particles, 1), (body_of_particles, 0)],
     "KernelRadius": [(particles, 0.5), (particles, 0.0)],
     "ParticleSpacing": [(body_of_particles, 0.2), (body_of_particles, 0.0)],
     "ParticleThreshold": [(particles, 0.4)],

@@ -29,7 +29,7 @@ SHORT = """
     particles_with_radii_and_strengths particles_of_every_kernel_and_threshold skeleton mesh
     image_of_samples parts_split with_tension paper_faithful volume_exactly rest_under_tension
     target_evaluation_at_closest_points skeleton_potential_of_lines curvature_and_velocity
-    arrays_of_the_particles particles_of_averaged_centres particles_of_anisotropic_kernels
+    arrays_of_the_particles particles_of_anisotropic_kernels
 """.split()
 
 

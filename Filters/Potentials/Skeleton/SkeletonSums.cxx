@@ -1,11 +1,11 @@
-// Sums a skeleton's contributions: side by side at several points that share their cells, else
+// Sums a skeleton's contributions: side by side at several points in one cell, else
 // point by point. The results are bitwise identical.
 
+#include "PointGroups.h"
 #include "Skeleton.h"
-#include "Skeleton/HitVisits.h"
-#include "Skeleton/SkeletonBatch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace activesurface
@@ -15,7 +15,7 @@ namespace
 // Fewer points are faster one by one.
 constexpr int FewestLanes = 3;
 
-ACTIVE_ALWAYS_INLINE SkeletonCells::Place PlaceAt(const double x[3])
+ACTIVE_ALWAYS_INLINE ElementIndex::Place PlaceAt(const double x[3])
 {
   return { { x[0], x[1], x[2] }, { x[0], x[1], x[2] } };
 }
@@ -36,9 +36,9 @@ ACTIVE_ALWAYS_INLINE SkeletonLanes TakePlaces(
   return lanes;
 }
 
-ACTIVE_ALWAYS_INLINE SkeletonCells::Place FindBox(const SkeletonLanes& lanes)
+ACTIVE_ALWAYS_INLINE ElementIndex::Place FindBox(const SkeletonLanes& lanes)
 {
-  SkeletonCells::Place box;
+  ElementIndex::Place box;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double* x = lanes.X[axis];
@@ -75,10 +75,9 @@ ACTIVE_ALWAYS_INLINE void Skeleton::AddHits(
 }
 
 template <class Kernel, class Sums>
-ACTIVE_ALWAYS_INLINE void Skeleton::AddAll(const SkeletonCells::Place& place, Sums& sums) const
+ACTIVE_ALWAYS_INLINE void Skeleton::AddAll(const ElementIndex::Place& place, Sums& sums) const
 {
-  VisitHits(this->Near.GetCells(), place,
-    [this, &sums](const Index* hits, std::size_t count) ACTIVE_INLINED
+  this->Near.VisitHits(place, [this, &sums](const Index* hits, std::size_t count) ACTIVE_INLINED
     { this->AddHits<Kernel>(hits, count, sums); });
 }
 
@@ -93,9 +92,18 @@ struct Skeleton::Evaluation
 
   ACTIVE_ALWAYS_INLINE void operator()(std::size_t count) const
   {
-    const SkeletonBatch batch(this->Elements.Near.GetCells(), count, this->Points);
-    batch.ForEachGroup(
-      [this](const std::size_t* members, int size) ACTIVE_INLINED
+    std::size_t alone[PointGroups::Capacity];
+    std::size_t countAlone = 0;
+    const PointGroups groups(count,
+      [&](std::size_t i, NodeIndex& cell)
+      {
+        const bool isGrouped = this->IsFinite(i) && this->FindCell(i, cell);
+        alone[countAlone] = i;
+        countAlone += isGrouped ? 0 : 1;
+        return isGrouped;
+      });
+    groups.ForEach(
+      [this](const NodeIndex&, const std::size_t* members, int size) ACTIVE_INLINED
       {
         if (size >= FewestLanes)
         {
@@ -107,15 +115,33 @@ struct Skeleton::Evaluation
           this->EvaluateAt(members[i]);
         }
       });
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    constexpr double nowhere[4] = { nan, nan, nan, nan };
-    batch.GetFinite().ForEachOther(
-      [this, &nowhere](std::size_t i) ACTIVE_INLINED { this->Write(i, nowhere); });
+    for (std::size_t i = 0; i < countAlone; ++i)
+    {
+      this->EvaluateAt(alone[i]);
+    }
   }
 
 private:
+  bool IsFinite(std::size_t i) const
+  {
+    const double* x = this->Points + 3 * i;
+    return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+  }
+
+  bool FindCell(std::size_t i, NodeIndex& cell) const
+  {
+    return this->Elements.Near.FindCell(this->Points + 3 * i, cell);
+  }
+
   ACTIVE_ALWAYS_INLINE void EvaluateAt(std::size_t i) const
   {
+    if (!this->IsFinite(i))
+    {
+      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+      constexpr double nowhere[4] = { nan, nan, nan, nan };
+      this->Write(i, nowhere);
+      return;
+    }
     const double* x = this->Points + 3 * i;
     SkeletonPlace place{ { x[0], x[1], x[2] } };
     this->Elements.template AddAll<Kernel>(PlaceAt(x), place);
@@ -151,11 +177,11 @@ void Skeleton::Evaluate(SkeletonKernel kernel, double threshold, std::size_t cou
   {
     using Kind = Evaluation<decltype(kind)>;
     const auto run = CompiledKernel<Kind, std::size_t>::GetBest();
-    for (std::size_t first = 0; first < count; first += SkeletonBatch::Capacity)
+    for (std::size_t first = 0; first < count; first += PointGroups::Capacity)
     {
       const Kind part{ *this, threshold, points + 3 * first, values + first,
         gradients ? gradients + 3 * first : nullptr };
-      run(part, std::min(count - first, SkeletonBatch::Capacity));
+      run(part, std::min(count - first, PointGroups::Capacity));
     }
   };
   switch (kernel)
@@ -193,7 +219,7 @@ void Skeleton::FindWeights(
 template <class Kernel>
 void Skeleton::AddWeights(const double x[3], std::vector<SkeletonWeight>& weights) const
 {
-  VisitHits(this->Near.GetCells(), PlaceAt(x),
+  this->Near.VisitHits(PlaceAt(x),
     [this, &weights, x](const Index* hits, std::size_t count)
     {
       for (std::size_t i = 0; i < count && hits[i] < this->Points.size(); ++i)

@@ -1,13 +1,13 @@
 #include "Simulation/PassedArrays.h"
 
-#include "Simulation/ParticleWeights.h"
-
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStaticPointLocator.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -142,6 +142,60 @@ Column MakeVelocityColumn(const std::vector<double>& velocities)
   }
   return column;
 }
+
+// Weights of the particles at a point: the absolute contributions of their kernels, normalized to a
+// sum of 1. Outside of all kernels, as on a skin that lags behind, the nearest particle has weight
+// 1.
+class ParticleWeights
+{
+public:
+  // particles: at least one.
+  ParticleWeights(const std::vector<SkeletonVertex>& particles, SkeletonKernel kernel)
+    : Kernel(kernel)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->SetNumberOfPoints(static_cast<vtkIdType>(particles.size()));
+    for (std::size_t i = 0; i < particles.size(); ++i)
+    {
+      points->SetPoint(static_cast<vtkIdType>(i), particles[i].Position);
+      this->Elements.AddPoint(particles[i]);
+    }
+    this->Elements.Build();
+    this->Cloud->SetPoints(points);
+    this->Locator->SetDataSet(this->Cloud);
+    this->Locator->BuildLocator();
+  }
+
+  // Replaces weights by at least one, in ascending order of particles. Thread-safe.
+  void Find(const double x[3], std::vector<SkeletonWeight>& weights) const
+  {
+    this->Elements.FindWeights(this->Kernel, x, weights);
+    double sum = 0.0;
+    for (SkeletonWeight& weight : weights)
+    {
+      weight.Weight = std::fabs(weight.Weight);
+      sum += weight.Weight;
+    }
+    if (!(sum > 0.0))
+    {
+      const vtkIdType nearest =
+        const_cast<vtkStaticPointLocator*>(this->Locator.Get())->FindClosestPoint(x);
+      weights.assign(1, { static_cast<std::uint32_t>(nearest), 1.0 });
+      return;
+    }
+    for (SkeletonWeight& weight : weights)
+    {
+      weight.Weight /= sum;
+    }
+  }
+
+private:
+  const SkeletonKernel Kernel;
+  Skeleton Elements;
+  vtkNew<vtkPolyData> Cloud;
+  vtkNew<vtkStaticPointLocator> Locator;
+};
 
 // Computes the averages. Returns the particle of the largest weight for each point of the skin.
 std::vector<vtkIdType> Average(const PassedArrays& passed, vtkPolyData* skin, Columns& columns)

@@ -1,11 +1,12 @@
-// Fits of the node scheme, for eight particles at once in single precision, compared with those of
-// vtkSkeletonPotential, one by one in double precision.
+// Fits of particles, for eight at once in single precision, compared with those of all pairs in
+// double precision.
 
+#include "Support/FitsOfDoubles.h"
 #include "Support/ParticlesAtRest.h"
 #include "Support/SkeletonShapes.h"
 
 #include "Nodes/LaneMatrix.h"
-#include "ParticleNodes.h"
+#include "ParticlePotential.h"
 #include "vtkMath.h"
 
 #include <gtest/gtest.h>
@@ -45,21 +46,6 @@ std::vector<SkeletonVertex> MakeBlock(int side)
     particles.push_back(particle);
   }
   return particles;
-}
-
-vtkSmartPointer<vtkSkeletonPotential> MakeReference(const std::vector<SkeletonVertex>& particles)
-{
-  SkeletonBuilder shape;
-  for (const SkeletonVertex& particle : particles)
-  {
-    const double* x = particle.Position;
-    shape.Add({ x[0], x[1], x[2] }, particle.Radius, 1.0);
-  }
-  auto potential = vtkSmartPointer<vtkSkeletonPotential>::New();
-  shape.GiveTo(potential);
-  potential->SetParticleModelToAnisotropic();
-  potential->SetParticleSpacing(2.0 * R);
-  return potential;
 }
 
 void Build(const std::vector<SkeletonVertex>& particles, ParticleNodes& nodes)
@@ -119,21 +105,17 @@ TEST(TestNodeFits, CubeRootsAreThoseOfDoubles)
 namespace
 {
 
-// Visits nodes at the faces of a block, at a distance from its edges that exceeds the kernel's
-// dependence. Particles have many neighbours there and the full kernel radius, and both potentials
-// use the same model.
+// Visits the nodes of the shell of a block that are no deeper than the band around its skin.
 template <class Visit>
-void ForEachSumAtFaces(int side, Visit&& visit)
+void ForEachNode(int side, const std::vector<SkeletonVertex>& particles, Visit&& visit)
 {
-  const std::vector<SkeletonVertex> particles = MakeBlock(side);
-  const vtkSmartPointer<vtkSkeletonPotential> reference = MakeReference(particles);
   ParticleNodes nodes;
   Build(particles, nodes);
   Shell shell;
   nodes.FindShell(false, shell);
-  const double last = 2.0 * R * (side - 1), margin = 13.0 * R;
-  const auto isBetween = [last](double place, double off)
-  { return place > off && place < last - off; };
+  const double last = 2.0 * R * (side - 1);
+  // Three and a half voxels below the skin, which lies R outside the outermost particles.
+  constexpr double deep = 3.5 * Voxel - R;
   for (const ShellLeaf& leaf : shell.Leaves)
   {
     float values[512];
@@ -142,43 +124,71 @@ void ForEachSumAtFaces(int side, Visit&& visit)
     {
       const Point x = { Voxel * (leaf.Origin[0] + (n >> 6)),
         Voxel * (leaf.Origin[1] + (n >> 3 & 7)), Voxel * (leaf.Origin[2] + (n & 7)) };
-      const auto within =
-        std::count_if(x.begin(), x.end(), [&](double place) { return isBetween(place, margin); });
-      // Three and a half voxels below the skin, which lies R outside the outermost particles.
       const bool isDeep = std::all_of(
-        x.begin(), x.end(), [&](double place) { return isBetween(place, 3.5 * Voxel - R); });
-      if (((leaf.Rows >> (n >> 3)) & 1) && within >= 2 && !isDeep)
+        x.begin(), x.end(), [&](double place) { return place > deep && place < last - deep; });
+      if (((leaf.Rows >> (n >> 3)) & 1) && !isDeep)
       {
-        visit(values[n], 2.0 * (0.5 - ValueAt(reference, x)));
+        visit(values[n], x);
       }
     }
   }
+}
+
+double ToNodes(double sum)
+{
+  return 1.0 - std::sqrt(std::sqrt(sum));
 }
 
 }
 
 TEST(TestNodeFits, ABlockHasTheSumsOfDoubles)
 {
+  constexpr int side = 12;
+  const std::vector<SkeletonVertex> particles = MakeBlock(side);
+  std::vector<Point> places;
+  for (const SkeletonVertex& particle : particles)
+  {
+    places.push_back({ particle.Position[0], particle.Position[1], particle.Position[2] });
+  }
+  const FitsOfDoubles reference(places, R, Reach, 0.155 * Voxel);
   int compared = 0;
-  ForEachSumAtFaces(20,
-    [&compared](float value, double sum)
+  ForEachNode(side, particles,
+    [&](float value, const Point& x)
     {
+      const double sum = reference.SumAt(x);
       if (sum > 0.05 && sum < 8.0)
       {
-        EXPECT_NEAR(value, 1.0 - std::sqrt(std::sqrt(sum)), 1e-4) << sum;
+        EXPECT_NEAR(value, ToNodes(sum), 1e-4) << sum;
         ++compared;
       }
     });
-  EXPECT_GT(compared, 300);
+  EXPECT_GT(compared, 1000);
 }
 
 // Particles deep in a body have no fits: none of their kernels reaches the band around the skin.
 TEST(TestNodeFits, ParticlesDeepInABodyAreNotMissed)
 {
+  constexpr int side = 24;
+  const std::vector<SkeletonVertex> particles = MakeBlock(side);
+  ParticlePotential everywhere;
+  ParticlePotential::Options options;
+  options.OwnRadius = R;
+  everywhere.Build(particles, options);
+  // At the faces, where no ball is larger by what its triangles lose.
+  constexpr double last = 2.0 * R * (side - 1), margin = 13.0 * R;
   double largest = 0.0;
-  ForEachSumAtFaces(24,
-    [&largest](float value, double sum)
-    { largest = std::max(largest, std::fabs(value - 1.0 + std::sqrt(std::sqrt(sum)))); });
+  ForEachNode(side, particles,
+    [&](float value, const Point& x)
+    {
+      const auto within = std::count_if(x.begin(), x.end(),
+        [&](double place) { return place > margin && place < last - margin; });
+      double found = 0.0;
+      everywhere.Evaluate(1, x.data(), &found, nullptr);
+      if (within >= 2)
+      {
+        largest = std::max(largest, std::fabs(value - ToNodes(1.0 - 2.0 * found)));
+      }
+    });
   EXPECT_LT(largest, 1e-4);
 }
 

@@ -1,6 +1,5 @@
-// Properties of AVERAGED_CENTRE and ANISOTROPIC: isolated balls, planes and volumes of the true
-// size, exact gradients, bitwise identical results everywhere, and robustness to bad
-// neighbourhoods.
+// Properties of ANISOTROPIC: isolated balls, planes and volumes of the true size, gradients, bitwise
+// identical results everywhere, and robustness to bad neighbourhoods.
 
 #include "Support/MessageCapture.h"
 #include "Support/SkeletonShapes.h"
@@ -11,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 #include <vector>
 
 using namespace activesurface;
@@ -24,38 +22,27 @@ namespace
 constexpr double Spacing = 0.2;
 constexpr double R = 0.5 * Spacing; // a particle's own radius
 
-struct ModelCase
+constexpr double Reach = 2.25 * Spacing;
+
+void Choose(vtkSkeletonPotential* potential)
 {
-  const char* Name;
-  int Model;
-  double ReachPerSpacing;
-};
+  potential->SetParticleModelToAnisotropic();
+  potential->SetParticleSpacing(Spacing);
+  potential->SetRadius(Reach);
+}
 
-class TestParticleModels : public testing::TestWithParam<ModelCase>
+vtkSmartPointer<vtkSkeletonPotential> MakePotential(const std::vector<Point>& places)
 {
-protected:
-  vtkSmartPointer<vtkSkeletonPotential> MakePotential(const std::vector<Point>& places) const
+  SkeletonBuilder shape;
+  for (const Point& x : places)
   {
-    SkeletonBuilder shape;
-    for (const Point& x : places)
-    {
-      shape.Add(x, this->GetReach(), 1.0);
-    }
-    auto potential = vtkSmartPointer<vtkSkeletonPotential>::New();
-    shape.GiveTo(potential);
-    this->Choose(potential);
-    return potential;
+    shape.Add(x, Reach, 1.0);
   }
-
-  void Choose(vtkSkeletonPotential* potential) const
-  {
-    potential->SetParticleModel(this->GetParam().Model);
-    potential->SetParticleSpacing(Spacing);
-    potential->SetRadius(this->GetReach());
-  }
-
-  double GetReach() const { return this->GetParam().ReachPerSpacing * Spacing; }
-};
+  auto potential = vtkSmartPointer<vtkSkeletonPotential>::New();
+  shape.GiveTo(potential);
+  Choose(potential);
+  return potential;
+}
 
 std::vector<Point> MakeBox(int x, int y, int z)
 {
@@ -129,20 +116,20 @@ std::vector<Point> MakeCloud(unsigned seed, int count, double side)
 }
 }
 
-TEST_P(TestParticleModels, LoneParticleIsABallOfItsOwnRadius)
+TEST(TestParticleModels, LoneParticleIsABallOfItsOwnRadius)
 {
-  auto potential = this->MakePotential({ { 0.1, 0.2, 0.3 } });
+  auto potential = MakePotential({ { 0.1, 0.2, 0.3 } });
   for (const Point& way : std::vector<Point>{ { 1, 0, 0 }, { 0, -1, 0 }, { .6, 0, .8 } })
   {
     const Point far = { 0.1 + way[0], 0.2 + way[1], 0.3 + way[2] };
-    EXPECT_NEAR(FindSurface(potential, { 0.1, 0.2, 0.3 }, far), R, 1e-9);
+    EXPECT_NEAR(FindSurface(potential, { 0.1, 0.2, 0.3 }, far), R, 1e-6 * R);
   }
 }
 
 // The aim is 0.15 r. The plane of the lattice itself is exact, apart from a fraction at the edges.
-TEST_P(TestParticleModels, LayersOfABodyAreAPlane)
+TEST(TestParticleModels, LayersOfABodyAreAPlane)
 {
-  auto potential = this->MakePotential(MakeBox(16, 16, 10));
+  auto potential = MakePotential(MakeBox(16, 16, 10));
   for (const double x : { 1.5, 1.55, 1.6, 1.66, 1.7 })
   {
     const Point inside = { x, 1.6, 1.0 };
@@ -152,9 +139,9 @@ TEST_P(TestParticleModels, LayersOfABodyAreAPlane)
   }
 }
 
-TEST_P(TestParticleModels, SheetOfOneLayerIsAsThickAsAParticle)
+TEST(TestParticleModels, SheetOfOneLayerIsAsThickAsAParticle)
 {
-  auto potential = this->MakePotential(MakeBox(16, 16, 1));
+  auto potential = MakePotential(MakeBox(16, 16, 1));
   for (const double x : { 1.5, 1.6, 1.66 })
   {
     const double height = FindSurface(potential, { x, 1.6, R }, { x, 1.6, R + 1.0 });
@@ -162,15 +149,15 @@ TEST_P(TestParticleModels, SheetOfOneLayerIsAsThickAsAParticle)
   }
 }
 
-TEST_P(TestParticleModels, BoxHasTheVolumeOfItsParticles)
+TEST(TestParticleModels, BoxHasTheVolumeOfItsParticles)
 {
-  auto potential = this->MakePotential(MakeBox(12, 12, 12));
+  auto potential = MakePotential(MakeBox(12, 12, 12));
   potential->Build();
   const double volume = FindVolume(potential, { -.3, -.3, -.3 }, { 2.7, 2.7, 2.7 });
   EXPECT_NEAR(volume / (12 * 12 * 12 * Spacing * Spacing * Spacing), 1.0, 0.02);
 }
 
-TEST_P(TestParticleModels, SheetsThatAreApartHaveAGapBetween)
+TEST(TestParticleModels, SheetsThatAreApartHaveAGapBetween)
 {
   std::vector<Point> places = MakeBox(12, 12, 3);
   const std::size_t count = places.size();
@@ -179,17 +166,17 @@ TEST_P(TestParticleModels, SheetsThatAreApartHaveAGapBetween)
     // Facing layers are 5.5 r apart, so their surfaces would be 3.5 r apart.
     places.push_back({ places[i][0], places[i][1], places[i][2] + 2 * Spacing + 5.5 * R });
   }
-  auto potential = this->MakePotential(places);
+  auto potential = MakePotential(places);
   EXPECT_GT(ValueAt(potential, { 1.2, 1.2, 2.5 * Spacing + 2.75 * R }), 0.0);
 }
 
-// Central differences of a step e are accurate to e^2 of the third derivative, of size 1/r^2, and
-// to the rounding of F over e: 1e-6 for the sum of both.
-TEST_P(TestParticleModels, GradientIsThatOfTheFunction)
+// Central differences of a step e are accurate to e^2 of the third derivative, below 10 / R^3, and
+// to the rounding of F, 2e-7, over e; gradients are of size 1 / R.
+TEST(TestParticleModels, GradientIsThatOfTheFunction)
 {
-  auto potential = this->MakePotential(MakeCloud(1, 300, 1.5));
+  auto potential = MakePotential(MakeCloud(1, 300, 1.5));
   Random random(2);
-  const double e = 1e-5 * R;
+  const double e = 5e-3 * R;
   for (int i = 0; i < 200; ++i)
   {
     const Point x = random.In(-0.2, 1.7);
@@ -200,12 +187,12 @@ TEST_P(TestParticleModels, GradientIsThatOfTheFunction)
       before[axis] -= e;
       after[axis] += e;
       const double slope = (ValueAt(potential, after) - ValueAt(potential, before)) / (2.0 * e);
-      EXPECT_NEAR(gradient[axis], slope, 1e-5 * (1.0 + std::fabs(slope)));
+      EXPECT_NEAR(gradient[axis], slope, 5e-4 / R);
     }
   }
 }
 
-TEST_P(TestParticleModels, BatchesAndInstructionSetsGiveTheSameBits)
+TEST(TestParticleModels, BatchesAndInstructionSetsGiveTheSameBits)
 {
   const InstructionSet usual = GetInstructionSet();
   const std::vector<Point> places = MakeCloud(4, 3000, 1.6);
@@ -214,7 +201,7 @@ TEST_P(TestParticleModels, BatchesAndInstructionSetsGiveTheSameBits)
     { InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512 })
   {
     SetInstructionSet(set);
-    auto potential = this->MakePotential(MakeCloud(3, 400, 1.5));
+    auto potential = MakePotential(MakeCloud(3, 400, 1.5));
     potential->Build();
     std::vector<double> numbers(4 * places.size());
     const auto count = static_cast<vtkIdType>(places.size());
@@ -230,13 +217,13 @@ TEST_P(TestParticleModels, BatchesAndInstructionSetsGiveTheSameBits)
 }
 
 // An axis of the neighbourhood has length zero, or a particle has no neighbour.
-TEST_P(TestParticleModels, DegenerateNeighbourhoodsHaveASurface)
+TEST(TestParticleModels, DegenerateNeighbourhoodsHaveASurface)
 {
   const std::vector<std::vector<Point>> shapes = { std::vector<Point>(50, Point{ 1, 1, 1 }),
     MakeBox(20, 1, 1), MakeBox(9, 9, 1), { { 0, 0, 0 }, { Spacing, 0, 0 } } };
   for (const std::vector<Point>& shape : shapes)
   {
-    auto potential = this->MakePotential(shape);
+    auto potential = MakePotential(shape);
     // Only the middle is tested: the surface is round at the last particles of ends and corners.
     EXPECT_LT(ValueAt(potential, shape[shape.size() / 2]), 0.0) << shape.size() << " particles";
     for (const Point& x : shape)
@@ -249,61 +236,56 @@ TEST_P(TestParticleModels, DegenerateNeighbourhoodsHaveASurface)
   }
 }
 
-TEST_P(TestParticleModels, ParticlesWithoutStrengthAddNothing)
+TEST(TestParticleModels, ParticlesWithoutStrengthAddNothing)
 {
   SkeletonBuilder with, without;
   for (const Point& x : MakeCloud(5, 60, 0.8))
   {
-    with.Add(x, this->GetReach(), 1.0);
-    without.Add(x, this->GetReach(), 1.0);
+    with.Add(x, Reach, 1.0);
+    without.Add(x, Reach, 1.0);
   }
   for (const Point& x : MakeCloud(6, 20, 0.8))
   {
-    with.Add(x, this->GetReach(), -1.0);
-    with.Add(x, this->GetReach(), 0.0);
+    with.Add(x, Reach, -1.0);
+    with.Add(x, Reach, 0.0);
   }
   vtkNew<vtkSkeletonPotential> one;
   vtkNew<vtkSkeletonPotential> other;
   with.GiveTo(one);
   without.GiveTo(other);
-  this->Choose(one);
-  this->Choose(other);
+  Choose(one);
+  Choose(other);
   for (const Point& x : MakeCloud(7, 200, 0.8))
   {
     EXPECT_EQ(ValueAt(one, x), ValueAt(other, x));
   }
 }
 
-TEST_P(TestParticleModels, NothingAndNowhere)
+TEST(TestParticleModels, NothingAndNowhere)
 {
   vtkNew<vtkSkeletonPotential> empty;
-  this->Choose(empty);
+  Choose(empty);
   EXPECT_EQ(ValueAt(empty, { 0, 0, 0 }), 0.5);
-  auto potential = this->MakePotential({ { 0, 0, 0 } });
+  auto potential = MakePotential({ { 0, 0, 0 } });
   const Point far = { 1e3, 0, 0 };
   EXPECT_GT(ValueAt(potential, far), 0.0);
   EXPECT_EQ(GradientAt(potential, far)[0], 0.0);
   EXPECT_TRUE(std::isnan(ValueAt(potential, { std::nan(""), 0, 0 })));
 }
 
-TEST_P(TestParticleModels, LinesAreRefused)
+TEST(TestParticleModels, LinesAreRefused)
 {
   SkeletonBuilder shape;
   shape.Join({ shape.Add({ 0, 0, 0 }), shape.Add({ 1, 0, 0 }) });
   vtkNew<vtkSkeletonPotential> potential;
   shape.GiveTo(potential);
-  this->Choose(potential);
+  Choose(potential);
   MessageCapture messages(potential);
   EXPECT_EQ(ValueAt(potential, { 0, 0, 0 }), 0.5);
   EXPECT_EQ(MessageCapture::Count(messages.Errors, "Lines can only be a SUM"), 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, TestParticleModels,
-  testing::Values(ModelCase{ "AveragedCentre", vtkSkeletonPotential::AVERAGED_CENTRE, 3.0 },
-    ModelCase{ "Anisotropic", vtkSkeletonPotential::ANISOTROPIC, 2.25 }),
-  [](const auto& info) { return std::string(info.param.Name); });
-
-TEST(TestParticleModelsAnisotropy, OneIsRound)
+TEST(TestParticleModels, OneIsRound)
 {
   SkeletonBuilder shape;
   for (const Point& x : MakeBox(9, 9, 1))

@@ -331,7 +331,7 @@ TEST(TestSkeletonInput, AnErrorLeavesNoElements)
   shape.Join({ shape.Add({ 0.0, 0.0, 0.0 }), shape.Add({ 5.0, 0.0, 0.0 }) });
   vtkNew<vtkSkeletonPotential> potential;
   shape.GiveTo(potential);
-  potential->SetParticleModel(vtkSkeletonPotential::AVERAGED_CENTRE);
+  potential->SetParticleModel(vtkSkeletonPotential::ANISOTROPIC);
   const MessageCapture messages(potential);
   double bounds[6];
   EXPECT_FALSE(potential->GetSkeletonBounds(bounds)) << "bounds";

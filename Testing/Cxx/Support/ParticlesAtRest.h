@@ -23,11 +23,9 @@ public:
     velocity[0] = velocity[1] = velocity[2] = 0.0;
     return true;
   }
-  const activesurface::ParticleFits& GetFits() const override { return this->Fits; }
 
 private:
   const std::vector<activesurface::SkeletonVertex>& Particles;
-  activesurface::ParticleFits Fits;
 };
 
 #endif

@@ -158,8 +158,7 @@ TEST(TestLivingParticles, HollowThatParticlesMakeOpens)
     const double radii[] = { 0.0, 6.0, 7.0, 5.0 };
     return MakeBlockAround(R * radii[static_cast<int>(time)]);
   };
-  for (const int model : { vtkActiveImplicitSurface::SUM, vtkActiveImplicitSurface::AVERAGED_CENTRE,
-         vtkActiveImplicitSurface::ANISOTROPIC })
+  for (const int model : { vtkActiveImplicitSurface::SUM, vtkActiveImplicitSurface::ANISOTROPIC })
   {
     SCOPED_TRACE(model);
     auto filter = MakePlainSkin(breathing);

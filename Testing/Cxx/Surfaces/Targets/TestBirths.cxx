@@ -64,9 +64,10 @@ struct Way
 
   std::vector<SkeletonVertex> PlaceAt(double fraction)
   {
-    PlacedParticles placed;
-    PlaceParticles(this->Frames.GetTrack(0, {}, fraction), false, placed);
-    return placed.Particles;
+    std::vector<SkeletonVertex> particles;
+    std::vector<ParticleOrigin> origins;
+    this->Frames.GetTrack(0, {}, fraction).List(particles, origins);
+    return particles;
   }
 
   double ValueAt(const Point& x) const
@@ -321,20 +322,6 @@ TEST(TestBirths, RadiusStaysPositive)
   EXPECT_GT(way.PlaceAt(1.0)[0].Radius, 0.0) << "radius at the end";
   way.Target.MoveTo(1.0);
   EXPECT_NEAR(way.ValueAt({ 0.0, 0.0, 0.0 }), Threshold - 1.0, 1e-12) << "value at the centre";
-}
-
-TEST(TestBirths, PlacingKeepsItsMemory)
-{
-  Random random(9);
-  Way way(MakeFrame(MakeCloud(random, 100, 0)), MakeFrame(MakeCloud(random, 100, 50)));
-  PlacedParticles placed;
-  PlaceParticles(way.Frames.GetTrack(0, {}, 0.5), false, placed);
-  const SkeletonVertex* memory = placed.Particles.data();
-  for (const double f : Fractions)
-  {
-    PlaceParticles(way.Frames.GetTrack(0, {}, f), false, placed);
-    EXPECT_TRUE(placed.Particles.data() == memory) << "the same memory";
-  }
 }
 
 }
