@@ -18,8 +18,7 @@ active_add_inside(VDB InsideNarrowBand VTK::CommonCore VTK::CommonDataModel)
 active_add_inside(Potentials InsideVDB VTK::CommonExecutionModel)
 active_add_inside(Surfaces InsidePotentials VTK::CommonMath VTK::IOXML VTK::ParallelCore)
 active_add_inside(IO InsidePotentials VTK::CommonMath VTK::IOImage VTK::ParallelCore
-  OpenEXR::OpenEXR
-  $<$<BOOL:${LIBDEFLATE_LIBRARY}>:${LIBDEFLATE_LIBRARY}>)
+  OpenEXR::OpenEXR)
 
 # These targets include OpenVDB themselves, whose templates have to be visible (see OpenVDB.h).
 set(CMAKE_CXX_VISIBILITY_PRESET default)

@@ -32,8 +32,8 @@
  * on. Without a placeholder the number is put before the extension, name.0000.exr. FilePrefix and
  * FilePattern are not used. Pipeline time becomes the attribute "time".
  *
- * ZIP and ZIPS are packed by all threads that vtkSMPTools may use; the bytes are the same for any
- * number of threads.
+ * All threads that vtkSMPTools may use pack the pixels, unless the program has set OpenEXR's own
+ * number of threads. The bytes do not depend on that number.
  *
  * A file is written whole or not at all: first under a temporary name in the same folder, then
  * renamed. A failure is one error with a sentence, ErrorCode returns the kind (vtkErrorCode), and

@@ -10,7 +10,6 @@
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfPartType.h>
-#include <ImfTileDescription.h>
 
 #include <cstring>
 
@@ -59,24 +58,6 @@ EXRExtent Flip(const Imath::Box2i& window, const Imath::Box2i& display)
 {
   return { window.min.x - display.min.x, window.max.x - display.min.x, display.max.y - window.max.y,
     display.max.y - window.min.y };
-}
-
-double CountBytesOfChunk(const Imf::Header& header)
-{
-  double bytes = 0.0;
-  const Imf::ChannelList& channels = header.channels();
-  for (auto channel = channels.begin(); channel != channels.end(); ++channel)
-  {
-    bytes += channel.channel().type == Imf::HALF ? 2.0 : 4.0;
-  }
-  if (header.hasTileDescription())
-  {
-    const Imf::TileDescription& tile = header.tileDescription();
-    return bytes * tile.xSize * tile.ySize;
-  }
-  const Imath::Box2i& window = header.dataWindow();
-  return bytes * (double(window.max.x) - window.min.x + 1.0) *
-    CountLinesOfChunk(static_cast<unsigned>(header.compression()));
 }
 
 EXRPart Describe(const Imf::Header& header)

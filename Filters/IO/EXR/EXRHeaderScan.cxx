@@ -2,6 +2,10 @@
 
 #include "FileError.h"
 
+#include <ImfChannelList.h>
+#include <ImfHeader.h>
+#include <ImfTileDescription.h>
+
 #include <algorithm>
 #include <cstring>
 #include <iterator>
@@ -303,9 +307,22 @@ void CheckEXRHeaders(EXRInput& input)
   HeaderScan(input).Run();
 }
 
-int CountLinesOfChunk(unsigned compression)
+double CountBytesOfChunk(const Imf::Header& header)
 {
-  return FindCompression(compression).Lines;
+  double bytes = 0.0;
+  const Imf::ChannelList& channels = header.channels();
+  for (auto channel = channels.begin(); channel != channels.end(); ++channel)
+  {
+    bytes += channel.channel().type == Imf::HALF ? 2.0 : 4.0;
+  }
+  if (header.hasTileDescription())
+  {
+    const Imf::TileDescription& tile = header.tileDescription();
+    return bytes * tile.xSize * tile.ySize;
+  }
+  const Imath::Box2i& window = header.dataWindow();
+  return bytes * (double(window.max.x) - window.min.x + 1.0) *
+    FindCompression(static_cast<unsigned>(header.compression())).Lines;
 }
 
 bool IsEXR(std::istream& stream)

@@ -6,6 +6,8 @@
 
 #include "EXR/EXRStreams.h"
 
+#include <ImfForward.h>
+
 namespace activesurface
 {
 
@@ -13,9 +15,8 @@ namespace activesurface
 // tiles, tables and attributes have to fit into a file of this size. Rewinds the stream.
 void CheckEXRHeaders(EXRInput& input);
 
-// Lines of a scan-line image that OpenEXR packs into one chunk, by the compression's number in the
-// header.
-int CountLinesOfChunk(unsigned compression);
+// Bytes of the lines, or of the tile, that OpenEXR packs at a time; subsampled channels count whole.
+double CountBytesOfChunk(const Imf::Header& header);
 
 // Returns true if the stream begins with the first bytes of an EXR file.
 bool IsEXR(std::istream& stream);

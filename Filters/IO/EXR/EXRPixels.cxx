@@ -174,7 +174,6 @@ bool IsInPlace(const EXRSource& source)
 EXRSamples MakeSamples(const EXRSource& source)
 {
   EXRSamples samples;
-  samples.Channel = source.Channel;
   samples.Type = source.Type;
   vtkDataArray* array = source.Array;
   void* values = array->GetVoidPointer(0);

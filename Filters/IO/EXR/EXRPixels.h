@@ -31,7 +31,6 @@ struct EXRSource
 // Samples of a channel, in the order of the array's tuples.
 struct EXRSamples
 {
-  std::string Channel;
   EXRPixel Type = EXRPixel::FLOAT;
   const char* First = nullptr;
   std::size_t Stride = 0;      // bytes

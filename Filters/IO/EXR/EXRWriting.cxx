@@ -1,12 +1,12 @@
 #include "EXR/EXRWriting.h"
 
 #include "EXR/EXRAttributes.h"
+#include "EXR/EXRHeaderScan.h"
 #include "EXR/EXRStreams.h"
 #include "FileError.h"
 #include "FileReplacement.h"
-#ifdef ACTIVE_PACKS_ZIP
-#include "EXR/EXRZip.h"
-#endif
+
+#include "vtkSMPTools.h"
 
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
@@ -15,8 +15,11 @@
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
+#include <ImfThreading.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 namespace activesurface
 {
@@ -108,6 +111,7 @@ Imf::Header MakeHeader(const EXRHeaderSettings& settings, const std::vector<EXRS
   const Windows windows = MakeWindows(settings);
   Imf::Header header(windows.Display, windows.Data, static_cast<float>(settings.PixelAspectRatio),
     Imath::V2f(0.0f, 0.0f), 1.0f, Imf::INCREASING_Y, ToImf(settings.Packing));
+  header.zipCompressionLevel() = settings.Level;
   AddAttributes(settings, header);
   for (const EXRSource& source : sources)
   {
@@ -141,49 +145,57 @@ Imf::Slice MakeSlice(const EXRSamples& samples, const Imath::Box2i& window)
     samples.Stride, static_cast<std::size_t>(-row));
 }
 
-void WriteByOpenEXR(
-  EXROutput& output, const Imf::Header& header, const std::vector<EXRSamples>& channels)
+// Worker threads of OpenEXR, for one file. OpenEXR has none unless the program sets their number,
+// which is then kept.
+class PackingThreads
 {
-  const Imath::Box2i& window = header.dataWindow();
-  Imf::FrameBuffer frame;
-  for (const EXRSamples& channel : channels)
+public:
+  PackingThreads()
+    : AreOwn(Imf::globalThreadCount() == 0)
   {
-    frame.insert(channel.Channel, MakeSlice(channel, window));
+    const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+    if (this->AreOwn && threads > 1)
+    {
+      Imf::setGlobalThreadCount(threads);
+    }
   }
-  Imf::OutputFile file(output, header, 0);
-  file.setFrameBuffer(frame);
-  file.writePixels(window.max.y - window.min.y + 1);
-}
+  ~PackingThreads()
+  {
+    if (this->AreOwn)
+    {
+      Imf::setGlobalThreadCount(0);
+    }
+  }
+  PackingThreads(const PackingThreads&) = delete;
+  void operator=(const PackingThreads&) = delete;
 
-// OpenEXR from 3.2 on packs with libdeflate and several threads itself.
-void WriteChannels(
-  EXROutput& output, const Imf::Header& header, const std::vector<EXRSamples>& channels, int level)
-{
-#ifdef ACTIVE_PACKS_ZIP
-  if (IsZipped(header))
-  {
-    WriteZipped(output, header, channels, level);
-    return;
-  }
-  WriteByOpenEXR(output, header, channels);
-#else
-  Imf::Header leveled = header;
-  leveled.zipCompressionLevel() = level;
-  WriteByOpenEXR(output, leveled, channels);
-#endif
-}
+private:
+  const bool AreOwn;
+};
 
 void WritePixels(
   EXROutput& output, const EXRHeaderSettings& settings, const std::vector<EXRSource>& sources)
 {
   const Imf::Header header = MakeHeader(settings, sources);
-  std::vector<EXRSamples> channels;
+  const Imath::Box2i& window = header.dataWindow();
+  std::vector<EXRSamples> channels; // outlives the frame buffer, which refers to it
   channels.reserve(sources.size());
+  Imf::FrameBuffer frame;
   for (const EXRSource& source : sources)
   {
     channels.push_back(MakeSamples(source));
+    frame.insert(source.Channel, MakeSlice(channels.back(), window));
   }
-  WriteChannels(output, header, channels, settings.Level);
+  if (CountBytesOfChunk(header) > std::numeric_limits<std::int32_t>::max())
+  {
+    throw FileError(vtkErrorCode::UserError,
+      "the image is too wide for the format: the rows that are packed at a time (16 by ZIP, 32 by "
+      "PIZ and DWAA) need more than 2 GiB.");
+  }
+  const PackingThreads threads;
+  Imf::OutputFile file(output, header);
+  file.setFrameBuffer(frame);
+  file.writePixels(window.max.y - window.min.y + 1);
 }
 
 // Calls an action on the file's name and converts exceptions to FileError.
