@@ -1,10 +1,9 @@
 #define VTK_DEPRECATION_LEVEL 0 // MemoryBuffer, which VTK 9.6 deprecates
 #include "vtkActiveEXRReader.h"
 
-#include "EXR/EXRHeaderScan.h"
-#include "EXR/EXRSeries.h"
+#include "EXR/EXRImage.h"
 #include "FileError.h"
-#include "TimeSteps.h"
+#include "FileSeries.h"
 
 #include "vtkImageData.h"
 #include "vtkImageReader2Factory.h"
@@ -26,7 +25,7 @@ using activesurface::FileError;
 struct vtkActiveEXRReader::Series
 {
   std::vector<std::string> Names;
-  std::vector<double> Times; // empty for one file
+  activesurface::FileTimes Times;
   EXRExtent Extent{};
   std::vector<EXRPart> Parts; // of the first file
   activesurface::EXRMemory Memory;
@@ -34,6 +33,26 @@ struct vtkActiveEXRReader::Series
 };
 
 vtkStandardNewMacro(vtkActiveEXRReader);
+
+namespace
+{
+
+// Calls read(file) with an open file. Errors name the file.
+template <class Read>
+void WithFile(const std::string& name, const activesurface::EXRMemory& memory, const Read& read)
+{
+  try
+  {
+    EXRFile file(name, memory);
+    read(file);
+  }
+  catch (const FileError& error)
+  {
+    throw FileError(error.GetCode(), "Cannot read \"" + name + "\": " + error.what() + ".");
+  }
+}
+
+}
 
 vtkActiveEXRReader::vtkActiveEXRReader()
   : Files(std::make_unique<Series>())
@@ -60,8 +79,10 @@ const char* vtkActiveEXRReader::GetDescriptiveName()
 
 int vtkActiveEXRReader::CanReadFile(const char* name)
 {
+  constexpr char magic[4] = { 0x76, 0x2f, 0x31, 0x01 };
+  char bytes[4] = {};
   std::ifstream stream(name ? name : "", std::ios::binary);
-  return stream && activesurface::IsEXR(stream) ? 3 : 0;
+  return stream.read(bytes, 4) && std::equal(bytes, bytes + 4, magic) ? 3 : 0;
 }
 
 int vtkActiveEXRReader::GetNumberOfParts()
@@ -184,13 +205,13 @@ void vtkActiveEXRReader::NameFiles()
 void vtkActiveEXRReader::ScanFiles()
 {
   Series& files = *this->Files;
-  files.Times.clear();
   files.Parts.clear();
-  bool rising = files.Names.size() > 1;
+  files.Times = {};
+  std::vector<double> times;
   for (const std::string& name : files.Names)
   {
-    activesurface::WithEXRFile(name, files.Memory,
-      [&](EXRFile& file)
+    WithFile(name, files.Memory,
+      [&](const EXRFile& file)
       {
         if (files.Parts.empty())
         {
@@ -199,16 +220,11 @@ void vtkActiveEXRReader::ScanFiles()
         const EXRPart& part = activesurface::FindEXRPart(file, this->Part);
         activesurface::FindEXRLayers(part, files.Selection); // throws if there are none
         const EXRExtent& extent = this->Window == DISPLAY ? part.Display : part.Data;
-        const bool first = files.Times.empty();
-        files.Extent = first ? extent : activesurface::UniteExtents(files.Extent, extent);
-        rising = rising && part.HasTime && (first || part.Time > files.Times.back());
-        files.Times.push_back(part.Time);
+        files.Extent = times.empty() ? extent : activesurface::UniteExtents(files.Extent, extent);
+        times.push_back(part.Time);
       });
   }
-  for (std::size_t i = 0; i < files.Times.size() && !rising; ++i)
-  {
-    files.Times[i] = static_cast<double>(i);
-  }
+  files.Times = activesurface::FileTimes(std::move(times));
 }
 
 void vtkActiveEXRReader::Publish(vtkInformation* information)
@@ -226,15 +242,7 @@ void vtkActiveEXRReader::Publish(vtkInformation* information)
   this->NumberOfScalarComponents = static_cast<int>(layers.front().Channels.size());
   vtkDataObject::SetPointDataActiveScalarInfo(
     information, this->DataScalarType, this->NumberOfScalarComponents);
-  information->Remove(Pipeline::TIME_STEPS());
-  information->Remove(Pipeline::TIME_RANGE());
-  if (files.Names.size() > 1)
-  {
-    const double range[2] = { files.Times.front(), files.Times.back() };
-    information->Set(
-      Pipeline::TIME_STEPS(), files.Times.data(), static_cast<int>(files.Times.size()));
-    information->Set(Pipeline::TIME_RANGE(), range, 2);
-  }
+  files.Times.Publish(information);
 }
 
 int vtkActiveEXRReader::RequestInformation(
@@ -281,30 +289,21 @@ void TakePart(vtkInformation* information, vtkImageData* image)
 
 void vtkActiveEXRReader::ReadStep(vtkInformation* information)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   const Series& files = *this->Files;
-  std::size_t step = 0;
-  if (information->Has(Pipeline::UPDATE_TIME_STEP()) && !files.Times.empty())
-  {
-    const double time = information->Get(Pipeline::UPDATE_TIME_STEP());
-    step = static_cast<std::size_t>(activesurface::FindStep(files.Times, time).Step);
-  }
+  const int number = files.Times.FindFile(information);
   vtkImageData* output = vtkImageData::GetData(information);
   output->Initialize();
   output->SetSpacing(this->DataSpacing);
   output->SetOrigin(this->DataOrigin);
   constexpr double bytesPerMiB = 1 << 20;
-  activesurface::WithEXRFile(files.Names[step], files.Memory,
+  WithFile(files.Names[static_cast<std::size_t>(number)], files.Memory,
     [&](EXRFile& file)
     {
       activesurface::ReadEXRImage(file, static_cast<std::size_t>(this->Part), files.Selection,
         files.Extent, this->MaximumMemory * bytesPerMiB, output);
     });
   TakePart(information, output);
-  if (files.Names.size() > 1)
-  {
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), files.Times[step]);
-  }
+  files.Times.Mark(number, output);
 }
 
 int vtkActiveEXRReader::RequestData(

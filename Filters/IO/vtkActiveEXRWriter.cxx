@@ -3,7 +3,7 @@
 #include "EXR/EXRPlan.h"
 #include "EXR/EXRWriting.h"
 #include "FileError.h"
-#include "FrameName.h"
+#include "FileSeries.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"

@@ -1,11 +1,9 @@
 #include "vtkActiveVDBReader.h"
 
-#include "Grids/GridChoice.h"
+#include "FileSeries.h"
 #include "Grids/GridFacts.h"
-#include "Grids/ImageArrays.h"
 #include "Grids/ImageReading.h"
 #include "Grids/PointArrays.h"
-#include "Grids/VDBSeries.h"
 
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
@@ -29,8 +27,18 @@ vtkStandardNewMacro(vtkActiveVDBReader);
 
 struct vtkActiveVDBReader::Internals
 {
-  activesurface::VDBSeries Series;
+  vtkMTimeType Version = 0; // of the reader, whose files have these times
+  activesurface::FileTimes Times;
+  int Number = -1; // of the open file
+  activesurface::ChosenGrids Chosen;
   vtkNew<vtkStringArray> Names; // of all grids, for GetGridNames
+
+  // Returns null if there is no such grid.
+  const VDBGrid* FindGrid(int i) const
+  {
+    const std::vector<VDBGrid>& grids = this->Chosen.File.Grids;
+    return i >= 0 && i < static_cast<int>(grids.size()) ? &grids[i] : nullptr;
+  }
 
   // Region as a box in voxels.
   openvdb::CoordBBox FindBox(const vtkActiveVDBReader* reader) const;
@@ -109,14 +117,25 @@ int vtkActiveVDBReader::FillOutputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+// Reads the files again if the reader has changed.
 void vtkActiveVDBReader::OpenFile(vtkInformation* output)
 {
-  activesurface::VDBSeries& series = this->Internal->Series;
-  series.FindTimes(this->FileNames, this->GetMTime());
-  const int file = output->Has(SDDP::UPDATE_TIME_STEP())
-    ? series.FindFile(output->Get(SDDP::UPDATE_TIME_STEP()))
-    : 0;
-  series.Open(this->FileNames, this->GridNames, file, this->GetMTime());
+  Internals& own = *this->Internal;
+  if (own.Version != this->GetMTime())
+  {
+    own.Chosen = {};
+    own.Number = -1;
+    own.Times = activesurface::FileTimes(activesurface::ReadTimes(this->FileNames));
+    own.Version = this->GetMTime();
+  }
+  const int number = own.Times.FindFile(output);
+  if (own.Number != number)
+  {
+    own.Chosen = {};
+    own.Number = -1;
+    own.Chosen = activesurface::ChooseGrids(this->FileNames[number], this->GridNames);
+    own.Number = number;
+  }
 }
 
 openvdb::CoordBBox vtkActiveVDBReader::Internals::FindBox(const vtkActiveVDBReader* reader) const
@@ -127,10 +146,9 @@ openvdb::CoordBBox vtkActiveVDBReader::Internals::FindBox(const vtkActiveVDBRead
   }
   if (reader->Region == WORLD)
   {
-    return activesurface::FindVoxels(
-      *this->Series.GetChosen().front().Transform, reader->WorldRegion);
+    return activesurface::FindVoxels(*this->Chosen.Grids.front().Transform, reader->WorldRegion);
   }
-  return this->Series.FindActiveBox();
+  return this->Chosen.FindActiveBox();
 }
 
 // Errors are reported by RequestInformation, which runs next.
@@ -144,10 +162,11 @@ int vtkActiveVDBReader::RequestDataObject(
   }
   catch (const std::exception&)
   {
-    this->Internal->Series.Close();
+    this->Internal->Chosen.Grids.clear();
+    this->Internal->Number = -1;
   }
   vtkDataObject* data = vtkDataObject::GetData(out);
-  const bool isOfPoints = this->Internal->Series.IsOfPoints();
+  const bool isOfPoints = this->Internal->Chosen.AreOfPoints();
   if (!data || !data->IsA(isOfPoints ? "vtkPolyData" : "vtkImageData"))
   {
     vtkSmartPointer<vtkDataObject> made;
@@ -171,10 +190,10 @@ void vtkActiveVDBReader::PublishExtent(vtkInformation* output) const
 {
   const Internals& own = *this->Internal;
   output->Remove(SDDP::WHOLE_EXTENT());
-  if (!own.Series.IsOfPoints())
+  if (!own.Chosen.AreOfPoints())
   {
     const ImagePlace place = activesurface::MakeImagePlace(
-      *own.Series.GetChosen().front().Transform, own.FindBox(this), this->DownsamplingFactor);
+      *own.Chosen.Grids.front().Transform, own.FindBox(this), this->DownsamplingFactor);
     output->Set(SDDP::WHOLE_EXTENT(), place.Extent, 6);
   }
 }
@@ -193,15 +212,7 @@ int vtkActiveVDBReader::RequestInformation(
   {
     return this->Fail(output, error.what());
   }
-  const std::vector<double>& times = this->Internal->Series.GetTimes();
-  out->Remove(SDDP::TIME_STEPS());
-  out->Remove(SDDP::TIME_RANGE());
-  if (times.size() > 1)
-  {
-    const double range[2] = { times.front(), times.back() };
-    out->Set(SDDP::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-    out->Set(SDDP::TIME_RANGE(), range, 2);
-  }
+  this->Internal->Times.Publish(out);
   return 1;
 }
 
@@ -212,11 +223,11 @@ int vtkActiveVDBReader::RequestData(
   try
   {
     this->OpenFile(out);
-    const activesurface::VDBSeries& series = this->Internal->Series;
+    const Internals& own = *this->Internal;
     vtkDataObject* data = vtkDataObject::GetData(out);
     data->Initialize();
     auto image = vtkImageData::SafeDownCast(data);
-    if (series.IsOfPoints() == (image != nullptr))
+    if (own.Chosen.AreOfPoints() == (image != nullptr))
     {
       throw std::runtime_error("The files of the series have grids of different kinds, points and "
                                "volumes; choose one by GridName.");
@@ -225,11 +236,7 @@ int vtkActiveVDBReader::RequestData(
     {
       this->FillOutput(data);
     }
-    if (series.GetTimes().size() > 1)
-    {
-      data->GetInformation()->Set(
-        vtkDataObject::DATA_TIME_STEP(), series.GetTimes()[series.GetFileNumber()]);
-    }
+    own.Times.Mark(own.Number, data);
     if (image)
     {
       out->Set(SDDP::WHOLE_EXTENT(), image->GetExtent(), 6);
@@ -251,33 +258,21 @@ int vtkActiveVDBReader::RequestData(
 
 void vtkActiveVDBReader::FillOutput(vtkDataObject* data)
 {
-  if (auto image = vtkImageData::SafeDownCast(data))
+  const Internals& own = *this->Internal;
+  if (auto points = vtkPolyData::SafeDownCast(data))
   {
-    this->MakeImage(image);
+    const openvdb::GridBase::Ptr grid =
+      activesurface::ReadVDBGrid(own.Chosen.FileName, own.Chosen.Grids.front());
+    activesurface::ReadPoints(*grid, this->MaximumNumberOfPoints, points);
+    return;
   }
-  else
-  {
-    this->MakePoints(vtkPolyData::SafeDownCast(data));
-  }
-}
-
-void vtkActiveVDBReader::MakeImage(vtkImageData* image)
-{
   activesurface::ImageRequest request;
-  request.Box = this->Internal->FindBox(this);
+  request.Box = own.FindBox(this);
   request.IsPart = this->Region != ACTIVE && !request.Box.empty();
   request.DownsamplingFactor = this->DownsamplingFactor;
   request.IsDense = this->OutputDense != 0;
   request.MaximumNumberOfPoints = this->MaximumNumberOfPoints;
-  activesurface::ReadImage(this->Internal->Series, request, image);
-}
-
-void vtkActiveVDBReader::MakePoints(vtkPolyData* points)
-{
-  const Internals& own = *this->Internal;
-  const openvdb::GridBase::Ptr grid =
-    activesurface::ReadVDBGrid(own.Series.GetFileName(), own.Series.GetChosen().front());
-  activesurface::ReadPoints(*grid, this->MaximumNumberOfPoints, points);
+  activesurface::ReadImage(own.Chosen, request, vtkImageData::SafeDownCast(data));
 }
 
 vtkImageData* vtkActiveVDBReader::GetImageOutput()
@@ -292,14 +287,14 @@ vtkPolyData* vtkActiveVDBReader::GetPolyDataOutput()
 
 int vtkActiveVDBReader::GetNumberOfGrids()
 {
-  return static_cast<int>(this->Internal->Series.GetFile().Grids.size());
+  return static_cast<int>(this->Internal->Chosen.File.Grids.size());
 }
 
 vtkStringArray* vtkActiveVDBReader::GetGridNames()
 {
   vtkStringArray* names = this->Internal->Names;
   names->SetNumberOfValues(0);
-  for (const VDBGrid& grid : this->Internal->Series.GetFile().Grids)
+  for (const VDBGrid& grid : this->Internal->Chosen.File.Grids)
   {
     names->InsertNextValue(grid.Name);
   }
@@ -308,68 +303,68 @@ vtkStringArray* vtkActiveVDBReader::GetGridNames()
 
 const char* vtkActiveVDBReader::GetGridName(int i)
 {
-  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  const VDBGrid* grid = this->Internal->FindGrid(i);
   return grid ? grid->Name.c_str() : "";
 }
 
 const char* vtkActiveVDBReader::GetGridType(int i)
 {
-  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  const VDBGrid* grid = this->Internal->FindGrid(i);
   return grid ? grid->GetValueType() : "";
 }
 
 const char* vtkActiveVDBReader::GetGridClass(int i)
 {
-  return activesurface::GetGridClass(this->Internal->Series.FindGrid(i));
+  return activesurface::GetGridClass(this->Internal->FindGrid(i));
 }
 
 bool vtkActiveVDBReader::GetGridIsHalfFloat(int i)
 {
-  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  const VDBGrid* grid = this->Internal->FindGrid(i);
   return grid && grid->IsHalf;
 }
 
 bool vtkActiveVDBReader::GetGridIsInstance(int i)
 {
-  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  const VDBGrid* grid = this->Internal->FindGrid(i);
   return grid && !grid->Parent.empty();
 }
 
 vtkIdType vtkActiveVDBReader::GetGridActiveVoxels(int i)
 {
-  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  const VDBGrid* grid = this->Internal->FindGrid(i);
   return grid ? static_cast<vtkIdType>(grid->ActiveVoxels) : 0;
 }
 
 void vtkActiveVDBReader::GetGridBox(int i, int box[6])
 {
-  activesurface::GetActiveBox(this->Internal->Series.FindGrid(i), box);
+  activesurface::GetActiveBox(this->Internal->FindGrid(i), box);
 }
 
 void vtkActiveVDBReader::GetGridVoxelSize(int i, double size[3])
 {
-  activesurface::GetVoxelSize(this->Internal->Series.FindGrid(i), size);
+  activesurface::GetVoxelSize(this->Internal->FindGrid(i), size);
 }
 
 std::string vtkActiveVDBReader::GetMetadata(const std::string& name)
 {
-  return activesurface::GetMetadata(this->Internal->Series.GetFile().Metadata.get(), name);
+  return activesurface::GetMetadata(this->Internal->Chosen.File.Metadata.get(), name);
 }
 
 std::string vtkActiveVDBReader::GetAllMetadata()
 {
-  return activesurface::GetAllMetadata(this->Internal->Series.GetFile().Metadata.get());
+  return activesurface::GetAllMetadata(this->Internal->Chosen.File.Metadata.get());
 }
 
 std::string vtkActiveVDBReader::GetGridMetadata(int i, const std::string& name)
 {
-  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  const VDBGrid* grid = this->Internal->FindGrid(i);
   return activesurface::GetMetadata(grid ? grid->Metadata.get() : nullptr, name);
 }
 
 std::string vtkActiveVDBReader::GetAllGridMetadata(int i)
 {
-  const VDBGrid* grid = this->Internal->Series.FindGrid(i);
+  const VDBGrid* grid = this->Internal->FindGrid(i);
   return activesurface::GetAllMetadata(grid ? grid->Metadata.get() : nullptr);
 }
 

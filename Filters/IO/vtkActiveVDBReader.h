@@ -195,8 +195,6 @@ private:
   void OpenFile(vtkInformation* output);
   void PublishExtent(vtkInformation* output) const;
   void FillOutput(vtkDataObject* data);
-  void MakeImage(vtkImageData* image);
-  void MakePoints(vtkPolyData* points);
 
   std::vector<std::string> FileNames;
   std::vector<std::string> GridNames;

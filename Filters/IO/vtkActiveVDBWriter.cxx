@@ -2,14 +2,14 @@
 
 #include "AttachedData.h"
 #include "FileError.h"
-#include "FrameName.h"
+#include "FileSeries.h"
 #include "Grids/VDBContent.h"
 #include "Grids/VDBOutput.h"
 #include "OpenVDB.h"
-#include "RankedWriting.h"
 #include "TimeSteps.h"
 #include "WholeInput.h"
 
+#include "vtkCommunicator.h"
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
@@ -130,6 +130,42 @@ openvdb::MetaMap MakeMetadata(vtkDataObject* data, int frame, const std::string&
   return metadata;
 }
 
+// Returns true on rank 0. Null controller: a single process.
+bool IsFirstRank(vtkMultiProcessController* controller)
+{
+  return !controller || controller->GetLocalProcessId() == 0;
+}
+
+// Collective. Runs a part of the writing on each rank. Throws on all ranks if it has failed on one
+// of them. Every rank has to call it the same number of times.
+template <class Task>
+void RunOnAllRanks(vtkMultiProcessController* controller, Task&& task)
+{
+  std::exception_ptr error;
+  try
+  {
+    task();
+  }
+  catch (...)
+  {
+    error = std::current_exception();
+  }
+  const int hasFailed = error ? 1 : 0;
+  int hasAnyFailed = hasFailed;
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    controller->AllReduce(&hasFailed, &hasAnyFailed, 1, vtkCommunicator::MAX_OP);
+  }
+  if (error)
+  {
+    std::rethrow_exception(error);
+  }
+  if (hasAnyFailed)
+  {
+    throw std::runtime_error("Another rank has failed to write the file; its own error says why.");
+  }
+}
+
 }
 
 vtkActiveVDBWriter::vtkActiveVDBWriter()
@@ -223,11 +259,11 @@ void vtkActiveVDBWriter::WriteSteps()
 {
   using activesurface::MakeFrameName;
   std::optional<Source> source;
-  activesurface::RunOnAllRanks(this->Controller, [&] { source.emplace(this); });
+  RunOnAllRanks(this->Controller, [&] { source.emplace(this); });
   if (!this->WriteAllTimeSteps)
   {
-    activesurface::RunOnAllRanks(this->Controller, [&] { source->Update(); });
-    activesurface::RunOnAllRanks(this->Controller,
+    RunOnAllRanks(this->Controller, [&] { source->Update(); });
+    RunOnAllRanks(this->Controller,
       [&]
       {
         vtkDataObject* data = FindData(this);
@@ -241,7 +277,7 @@ void vtkActiveVDBWriter::WriteSteps()
   this->UpdateProgress(0.0);
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
-    activesurface::RunOnAllRanks(this->Controller,
+    RunOnAllRanks(this->Controller,
       [&]
       {
         if (this->GetAbortExecute())
@@ -252,7 +288,7 @@ void vtkActiveVDBWriter::WriteSteps()
         source->Update(steps[i]);
       });
     const int frame = static_cast<int>(i);
-    activesurface::RunOnAllRanks(this->Controller,
+    RunOnAllRanks(this->Controller,
       [&] { this->WriteData(MakeFrameName(this->FileName, frame, true), FindData(this), frame); });
     this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(steps.size()));
   }
@@ -266,7 +302,7 @@ void vtkActiveVDBWriter::WriteData(const std::string& file, vtkDataObject* data,
   {
     attached = attached->Gather();
   }
-  if (!activesurface::IsFirstRank(this->Controller))
+  if (!IsFirstRank(this->Controller))
   {
     return;
   }

@@ -227,7 +227,7 @@ class Files(unittest.TestCase):
                 reader.Update()
                 self.assertEqual(len(listener.errors), 1)
                 said = sentence_of(listener.errors[0])
-                self.assertIn("the list of channels in its header is not as long as it says", said)
+                self.assertIn("of its header is not as long as it says", said)
 
 
 class Frames(unittest.TestCase):

@@ -1,31 +1,19 @@
 #include "EXR/EXRFile.h"
 
-#include "EXR/EXRAttributes.h"
 #include "EXR/EXRHeaderScan.h"
 #include "FileError.h"
 
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
 #include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
-#include <ImfPartType.h>
 
 #include <cstring>
 
 namespace activesurface
 {
-
-struct EXRFile::OpenFile
-{
-  OpenFile(std::istream& stream, const std::string& name)
-    : Input(stream, name)
-  {
-  }
-
-  EXRInput Input;
-  std::unique_ptr<Imf::MultiPartInputFile> Parts;
-};
 
 namespace
 {
@@ -64,9 +52,7 @@ EXRPart Describe(const Imf::Header& header)
 {
   EXRPart part;
   part.Name = header.hasName() ? header.name() : "";
-  part.Type = header.hasType()
-    ? header.type()
-    : (header.hasTileDescription() ? Imf::TILEDIMAGE : Imf::SCANLINEIMAGE);
+  part.Type = header.type(); // OpenEXR adds a missing one
   part.Data = Flip(header.dataWindow(), header.displayWindow());
   part.Display = Flip(header.displayWindow(), header.displayWindow());
   const Imf::ChannelList& channels = header.channels();
@@ -78,7 +64,6 @@ EXRPart Describe(const Imf::Header& header)
   }
   if (const auto* time = header.findTypedAttribute<Imf::DoubleAttribute>("time"))
   {
-    part.HasTime = true;
     part.Time = time->value();
   }
   part.ChunkBytes = CountBytesOfChunk(header);
@@ -197,37 +182,35 @@ void ReadPixels(
 
 }
 
-EXRFile::EXRFile(std::istream& stream, const std::string& name)
-  : File(std::make_unique<OpenFile>(stream, name))
+EXRFile::EXRFile(const std::string& name, const EXRMemory& memory)
+  : Input(name, memory)
 {
-  OpenFile& file = *this->File;
-  CheckEXRHeaders(file.Input);
-  Guard(file.Input,
-    [this, &file]
+  Guard(this->Input,
+    [this]
     {
-      file.Parts = std::make_unique<Imf::MultiPartInputFile>(file.Input, 0);
-      for (int part = 0; part < file.Parts->parts(); ++part)
+      CheckEXRHeaders(this->Input);
+      this->File = std::make_unique<Imf::MultiPartInputFile>(this->Input, 0);
+      for (int part = 0; part < this->File->parts(); ++part)
       {
-        this->Parts.push_back(Describe(file.Parts->header(part)));
+        this->Parts.push_back(Describe(this->File->header(part)));
       }
     });
 }
 
 EXRFile::~EXRFile() = default;
 
-void EXRFile::CopyAttributes(std::size_t part, vtkFieldData* data) const
+const Imf::Header& EXRFile::GetHeader(std::size_t part) const
 {
-  CopyEXRAttributes(this->File->Parts->header(static_cast<int>(part)), data);
+  return this->File->header(static_cast<int>(part));
 }
 
 void EXRFile::Read(
   std::size_t part, const EXRExtent& extent, const std::vector<EXRDestination>& channels)
 {
-  OpenFile& file = *this->File;
-  Guard(file.Input,
+  Guard(this->Input,
     [&]
     {
-      Imf::InputPart input(*file.Parts, static_cast<int>(part));
+      Imf::InputPart input(*this->File, static_cast<int>(part));
       ReadPixels(input, extent, channels);
     });
 }

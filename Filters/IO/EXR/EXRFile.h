@@ -8,24 +8,18 @@
 #define EXRFile_h
 
 #include "EXR/EXRLayers.h"
+#include "EXR/EXRStreams.h"
+
+#include <ImfForward.h>
 
 #include <array>
-#include <istream>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
 
-class vtkFieldData;
-
 namespace activesurface
 {
-
-struct EXRChannel
-{
-  std::string Name;
-  EXRPixel Type = EXRPixel::HALF;
-  int XSampling = 1, YSampling = 1;
-};
 
 using EXRExtent = std::array<int, 4>; // first and last column, first and last row
 
@@ -35,9 +29,8 @@ struct EXRPart
   std::string Type; // scanlineimage, tiledimage, deepscanline or deeptile
   std::vector<EXRChannel> Channels;
   EXRExtent Data{}, Display{};
-  bool HasTime = false;
-  double Time = 0.0;       // the attribute "time"
-  double ChunkBytes = 0.0; // of the lines or the tile that OpenEXR unpacks at a time
+  double Time = std::nan(""); // the attribute "time"
+  double ChunkBytes = 0.0;    // of the lines or the tile that OpenEXR unpacks at a time
 };
 
 // Destination of a channel's pixels: unsigned int for UINT channels, float for the others.
@@ -51,14 +44,12 @@ struct EXRDestination
 class EXRFile
 {
 public:
-  // Reads the headers. Throws FileError. The stream has to outlive the object.
-  EXRFile(std::istream& stream, const std::string& name);
+  // Reads the headers. Throws FileError. Bytes in memory have to outlive the object.
+  EXRFile(const std::string& name, const EXRMemory& memory);
   ~EXRFile();
 
   const std::vector<EXRPart>& GetParts() const { return this->Parts; }
-
-  // Adds an array for each attribute of one or a few numbers or texts.
-  void CopyAttributes(std::size_t part, vtkFieldData* data) const;
+  const Imf::Header& GetHeader(std::size_t part) const;
 
   // Reads channels into images that cover the extent. The extent contains the part's data window.
   // Pixels outside the data window keep their values.
@@ -68,9 +59,8 @@ private:
   EXRFile(const EXRFile&) = delete;
   void operator=(const EXRFile&) = delete;
 
-  struct OpenFile;
-
-  std::unique_ptr<OpenFile> File;
+  EXRInput Input;
+  std::unique_ptr<Imf::MultiPartInputFile> File;
   std::vector<EXRPart> Parts;
 };
 

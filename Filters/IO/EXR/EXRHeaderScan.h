@@ -1,5 +1,5 @@
 // Validates the sizes in the headers of an EXR file against the file size before OpenEXR allocates
-// memory. The scan knows the layout of headers, not the meaning of most attributes.
+// memory for them.
 
 #ifndef EXRHeaderScan_h
 #define EXRHeaderScan_h
@@ -11,15 +11,13 @@
 namespace activesurface
 {
 
-// Throws a FileError, with a sentence, unless the stream begins with valid EXR headers. Windows,
-// tiles, tables and attributes have to fit into a file of this size. Rewinds the stream.
+// Reads the headers by OpenEXR's attributes and rewinds the stream. Throws std::exception if an
+// attribute is not of the size that it states, or a file of this size cannot hold the image.
 void CheckEXRHeaders(EXRInput& input);
 
-// Bytes of the lines, or of the tile, that OpenEXR packs at a time; subsampled channels count whole.
+// Bytes of the lines, or of the tile, that OpenEXR packs at a time; subsampled channels count
+// whole.
 double CountBytesOfChunk(const Imf::Header& header);
-
-// Returns true if the stream begins with the first bytes of an EXR file.
-bool IsEXR(std::istream& stream);
 
 }
 

@@ -111,10 +111,10 @@ void GroupLayer(const std::string& layer, Waiting waiting, std::vector<EXRLayer>
 
 }
 
-std::vector<EXRLayer> GroupChannels(const std::vector<EXRNamedPixel>& channels)
+std::vector<EXRLayer> GroupChannels(const std::vector<EXRChannel>& channels)
 {
   std::map<std::string, Waiting> byLayer; // the picture's own layer, "", comes first
-  for (const EXRNamedPixel& channel : channels)
+  for (const EXRChannel& channel : channels)
   {
     const SplitName name = Split(channel.Name);
     byLayer[name.Layer].emplace(name.Component, channel.Type);

@@ -26,14 +26,15 @@ struct EXRLayer
   bool Integer = false;
 };
 
-struct EXRNamedPixel
+struct EXRChannel
 {
   std::string Name;
-  EXRPixel Type;
+  EXRPixel Type = EXRPixel::HALF;
+  int XSampling = 1, YSampling = 1;
 };
 
 // Groups channels into arrays, in display order: the picture first.
-std::vector<EXRLayer> GroupChannels(const std::vector<EXRNamedPixel>& channels);
+std::vector<EXRLayer> GroupChannels(const std::vector<EXRChannel>& channels);
 
 // Names the channels of an array with `components` components; `color` if they are colors.
 std::vector<std::string> NameChannels(const std::string& array, int components, bool color);

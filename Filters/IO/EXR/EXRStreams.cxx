@@ -2,24 +2,46 @@
 
 #include "FileError.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 namespace activesurface
 {
 
-EXRInput::EXRInput(std::istream& stream, const std::string& name)
+EXRInput::EXRInput(const std::string& name, const EXRMemory& memory)
   : Imf::IStream(name.c_str())
-  , Stream(stream)
+  , Memory(memory.Bytes)
+  , Size(memory.Size)
 {
-  stream.seekg(0, std::ios::end);
-  const std::streamoff size = stream.tellg();
-  stream.seekg(0);
-  if (!stream || size < 0)
+  if (!this->Memory)
   {
-    throw FileError(vtkErrorCode::CannotOpenFileError, "it is no file that can be read");
+    this->Open(name);
+  }
+}
+
+void EXRInput::Open(const std::string& name)
+{
+  std::error_code error;
+  const auto status = std::filesystem::status(name, error);
+  if (!std::filesystem::exists(status))
+  {
+    throw FileError(vtkErrorCode::FileNotFoundError, "there is no such file");
+  }
+  if (std::filesystem::is_directory(status))
+  {
+    throw FileError(vtkErrorCode::CannotOpenFileError, "it is a folder");
+  }
+  this->File.open(name, std::ios::binary | std::ios::ate);
+  const std::streamoff size = this->File.tellg();
+  if (!this->File || size < 0)
+  {
+    throw FileError(vtkErrorCode::CannotOpenFileError,
+      std::string("it cannot be opened: ") + std::strerror(errno));
   }
   this->Size = static_cast<std::uint64_t>(size);
+  this->seekg(0);
 }
 
 bool EXRInput::read(char bytes[], int count)
@@ -29,8 +51,11 @@ bool EXRInput::read(char bytes[], int count)
     this->EndedEarly = true;
     throw FileError(vtkErrorCode::PrematureEndOfFileError, "it ends too early");
   }
-  this->Stream.read(bytes, count);
-  if (!this->Stream)
+  if (this->Memory)
+  {
+    std::copy_n(this->Memory + this->Position, count, bytes);
+  }
+  else if (!this->File.read(bytes, count))
   {
     throw FileError(vtkErrorCode::CannotOpenFileError, "it cannot be read to its end");
   }
@@ -45,8 +70,11 @@ void EXRInput::seekg(std::uint64_t position)
     this->EndedEarly = true;
     throw FileError(vtkErrorCode::PrematureEndOfFileError, "it ends too early");
   }
-  this->Stream.clear();
-  this->Stream.seekg(static_cast<std::streamoff>(position));
+  if (!this->Memory)
+  {
+    this->File.clear();
+    this->File.seekg(static_cast<std::streamoff>(position));
+  }
   this->Position = position;
 }
 

@@ -8,31 +8,41 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <istream>
+#include <fstream>
 #include <string>
 
 namespace activesurface
 {
 
+// A file's contents in memory, used in place of a file.
+struct EXRMemory
+{
+  const char* Bytes = nullptr;
+  std::size_t Size = 0;
+};
+
 class EXRInput : public Imf::IStream
 {
 public:
-  // The caller owns the stream, which has to outlive this object.
-  EXRInput(std::istream& stream, const std::string& name);
+  // Opens the file or, if there are any, the bytes in memory, which have to outlive this object.
+  // Throws FileError on failure.
+  EXRInput(const std::string& name, const EXRMemory& memory);
 
   bool read(char bytes[], int count) override;
   std::uint64_t tellg() override { return this->Position; }
   void seekg(std::uint64_t position) override;
-  void clear() override { this->Stream.clear(); }
 
   std::uint64_t GetSize() const { return this->Size; }
   // Returns true if a read reached beyond the end.
   bool HasEndedEarly() const { return this->EndedEarly; }
 
 private:
-  std::istream& Stream;
+  void Open(const std::string& name);
+
+  std::ifstream File;
+  const char* const Memory; // null for a file
+  std::uint64_t Size;
   std::uint64_t Position = 0;
-  std::uint64_t Size = 0;
   bool EndedEarly = false;
 };
 

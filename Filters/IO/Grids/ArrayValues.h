@@ -1,15 +1,18 @@
-// Converts values of VTK arrays to OpenVDB types.
+// Values of VTK arrays and of OpenVDB.
 
 #ifndef ArrayValues_h
 #define ArrayValues_h
 
 #include "OpenVDB.h"
 #include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+#include "vtkTypeTraits.h"
 
 #include <openvdb/Types.h>
 
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace activesurface
 {
@@ -36,6 +39,18 @@ Value GetValue(vtkDataArray* array, vtkIdType tuple)
   {
     return static_cast<Value>(array->GetComponent(tuple, 0));
   }
+}
+
+// Number of a VTK array that stores a number of a grid.
+template <class Number>
+using StoredNumber = std::conditional_t<std::is_same<Number, bool>::value, unsigned char,
+  std::conditional_t<std::is_same<Number, openvdb::Int64>::value, vtkTypeInt64, Number>>;
+
+template <class Number>
+vtkSmartPointer<vtkDataArray> MakeArrayOf()
+{
+  return vtk::TakeSmartPointer(
+    vtkDataArray::CreateDataArray(vtkTypeTraits<StoredNumber<Number>>::VTKTypeID()));
 }
 
 // Calls function(zero) with a zero of the value type of a grid that stores the array without loss.

@@ -66,9 +66,7 @@ const VDBGrid& FindGrid(const VDBFile& file, const std::string& name)
     "The file has no grid \"" + name + "\"; its grids are: " + ListNames(file) + ".");
 }
 
-}
-
-std::vector<VDBGrid> ChooseGrids(const VDBFile& file, const std::vector<std::string>& names)
+std::vector<VDBGrid> Choose(const VDBFile& file, const std::vector<std::string>& names)
 {
   if (names.empty())
   {
@@ -92,6 +90,32 @@ std::vector<VDBGrid> ChooseGrids(const VDBFile& file, const std::vector<std::str
     }
   }
   return grids;
+}
+
+}
+
+bool ChosenGrids::AreOfPoints() const
+{
+  return !this->Grids.empty() && std::string(this->Grids.front().GetValueType()) == "points";
+}
+
+openvdb::CoordBBox ChosenGrids::FindActiveBox() const
+{
+  openvdb::CoordBBox box;
+  for (const VDBGrid& grid : this->Grids)
+  {
+    box.expand(grid.ActiveBox);
+  }
+  return box;
+}
+
+ChosenGrids ChooseGrids(const std::string& fileName, const std::vector<std::string>& names)
+{
+  ChosenGrids chosen;
+  chosen.FileName = fileName;
+  chosen.File = ValidateVDB(fileName);
+  chosen.Grids = Choose(chosen.File, names);
+  return chosen;
 }
 
 double ImagePlace::CountPoints() const

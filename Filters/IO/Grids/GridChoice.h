@@ -11,10 +11,22 @@
 namespace activesurface
 {
 
-// Chooses grids by name or, without names, the best one by class. The choice is volumes of one
-// transform, or one grid of points. Throws std::invalid_argument with a list of the available
-// grids.
-std::vector<VDBGrid> ChooseGrids(const VDBFile& file, const std::vector<std::string>& names);
+// A validated file and the grids that are read of it: volumes of one transform, or one grid of
+// points.
+struct ChosenGrids
+{
+  std::string FileName;
+  VDBFile File;
+  std::vector<VDBGrid> Grids;
+
+  bool AreOfPoints() const;
+  // Bounding box of the active voxels.
+  openvdb::CoordBBox FindActiveBox() const;
+};
+
+// Chooses grids by name or, without names, the best one by class. Throws std::exception if the file
+// cannot be read; std::invalid_argument, with a list of the available grids, for other names.
+ChosenGrids ChooseGrids(const std::string& fileName, const std::vector<std::string>& names);
 
 // Position and size of an image whose points are every `factor`th voxel of a grid.
 struct ImagePlace

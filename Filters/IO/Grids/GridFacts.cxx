@@ -1,9 +1,44 @@
 #include "Grids/GridFacts.h"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 namespace activesurface
 {
+
+namespace
+{
+
+// Returns NaN if there is no time or it is not a number.
+double GetTime(const openvdb::MetaMap& metadata)
+{
+  if (const auto number = metadata.getMetadata<openvdb::DoubleMetadata>("time"))
+  {
+    return number->value();
+  }
+  const auto number = metadata.getMetadata<openvdb::FloatMetadata>("time");
+  return number ? number->value() : std::nan("");
+}
+
+}
+
+std::vector<double> ReadTimes(const std::vector<std::string>& files)
+{
+  if (files.empty())
+  {
+    throw std::invalid_argument("There is no FileName to read.");
+  }
+  std::vector<double> times;
+  for (const std::string& name : files)
+  {
+    const VDBFile file = ValidateVDB(name, false);
+    const double time = GetTime(*file.Metadata);
+    times.push_back(
+      std::isnan(time) && !file.Grids.empty() ? GetTime(*file.Grids.front().Metadata) : time);
+  }
+  return times;
+}
 
 const char* GetGridClass(const VDBGrid* grid)
 {

@@ -1,17 +1,20 @@
 #include "Grids/ImageReading.h"
 
 #include "AttachedGrid.h"
-#include "Grids/GridChoice.h"
-#include "Grids/ImageArrays.h"
+#include "Grids/ArrayValues.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+
+#include <tbb/parallel_for.h>
 
 #include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <type_traits>
 
 namespace activesurface
 {
@@ -63,11 +66,66 @@ void ActivateFirstArray(vtkPointData* arrays)
   }
 }
 
+template <class Grid>
+vtkSmartPointer<vtkDataArray> Fill(const Grid& grid, const int extent[6], int factor)
+{
+  using Value = typename Grid::ValueType;
+  using Traits = openvdb::VecTraits<Value>;
+  using Stored = std::conditional_t<Traits::IsVec, Value, StoredNumber<Value>>;
+  const auto array = MakeArrayOf<typename Traits::ElementType>();
+  array->SetNumberOfComponents(Traits::Size);
+  const vtkIdType row = vtkIdType(extent[1]) - extent[0] + 1;
+  const vtkIdType plane = row * (vtkIdType(extent[3]) - extent[2] + 1);
+  array->SetNumberOfTuples(plane * (vtkIdType(extent[5]) - extent[4] + 1));
+  auto values = static_cast<Stored*>(array->GetVoidPointer(0));
+  tbb::parallel_for(extent[4], extent[5] + 1,
+    [&](int z)
+    {
+      auto reader = grid.getConstUnsafeAccessor();
+      Stored* value = values + (vtkIdType(z) - extent[4]) * plane;
+      for (int y = extent[2]; y <= extent[3]; ++y)
+      {
+        for (int x = extent[0]; x <= extent[1]; ++x)
+        {
+          *value++ = reader.getValue(openvdb::Coord(x * factor, y * factor, z * factor));
+        }
+      }
+    });
+  return array;
 }
 
-void ReadImage(const VDBSeries& series, const ImageRequest& request, vtkImageData* image)
+// Calls Fill with the grid's actual type, if it is one of these types.
+template <class Grid, class... Others>
+vtkSmartPointer<vtkDataArray> Dispatch(
+  const openvdb::GridBase& grid, const int extent[6], int factor)
 {
-  const openvdb::math::Transform& transform = *series.GetChosen().front().Transform;
+  if (grid.isType<Grid>())
+  {
+    return Fill(static_cast<const Grid&>(grid), extent, factor);
+  }
+  if constexpr (sizeof...(Others) > 0)
+  {
+    return Dispatch<Others...>(grid, extent, factor);
+  }
+  throw std::invalid_argument(
+    "The grid \"" + grid.getName() + "\" of type " + grid.type() + " cannot become an image.");
+}
+
+// Returns the values of every `factor`th voxel in an extent. Throws std::invalid_argument for grids
+// of other types than numbers and vectors.
+vtkSmartPointer<vtkDataArray> MakeImageArray(
+  const openvdb::GridBase& grid, const int extent[6], int factor)
+{
+  using namespace openvdb;
+  return Dispatch<FloatGrid, DoubleGrid, Int32Grid, Int64Grid, BoolGrid, MaskGrid, Vec3SGrid,
+    Vec3DGrid, Vec3IGrid>(grid, extent, factor);
+}
+
+}
+
+void ReadImage(const ChosenGrids& chosen, const ImageRequest& request, vtkImageData* image)
+{
+  const openvdb::math::Transform& transform = *chosen.Grids.front().Transform;
   const int factor = request.DownsamplingFactor;
   const ImagePlace place = MakeImagePlace(transform, request.Box, factor);
   CheckSize(place, request);
@@ -79,17 +137,17 @@ void ReadImage(const VDBSeries& series, const ImageRequest& request, vtkImageDat
     part = transform.indexToWorld(box);
   }
   Place(place, image);
-  for (const VDBGrid& chosen : series.GetChosen())
+  for (const VDBGrid& facts : chosen.Grids)
   {
     const openvdb::GridBase::Ptr grid =
-      ReadVDBGrid(series.GetFileName(), chosen, request.IsPart ? &part : nullptr);
+      ReadVDBGrid(chosen.FileName, facts, request.IsPart ? &part : nullptr);
     if (request.IsDense && image->GetNumberOfPoints() > 0)
     {
       const auto array = MakeImageArray(*grid, place.Extent, factor);
-      array->SetName(chosen.Name.c_str());
+      array->SetName(facts.Name.c_str());
       image->GetPointData()->AddArray(array);
     }
-    if (&chosen == &series.GetChosen().front())
+    if (&facts == &chosen.Grids.front())
     {
       Attach(image->GetInformation(), AsLevelSet(grid));
     }

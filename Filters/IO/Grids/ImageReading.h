@@ -3,7 +3,7 @@
 #ifndef ImageReading_h
 #define ImageReading_h
 
-#include "Grids/VDBSeries.h"
+#include "Grids/GridChoice.h"
 
 #include "vtkType.h"
 
@@ -22,7 +22,7 @@ struct ImageRequest
 };
 
 // Throws std::exception if the image would be too large, or the file cannot be read.
-void ReadImage(const VDBSeries& series, const ImageRequest& request, vtkImageData* image);
+void ReadImage(const ChosenGrids& chosen, const ImageRequest& request, vtkImageData* image);
 
 }
 

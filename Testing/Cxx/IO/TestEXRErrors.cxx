@@ -256,7 +256,7 @@ TEST(TestEXRErrors, FilesThatAreNoneAreRefused)
   const std::string type = "box2i";
   *std::search(changed.begin(), changed.end(), type.begin(), type.end()) = 'B';
   WriteBytes(bad, changed);
-  refuse(bad, vtkErrorCode::FileFormatError, "is no window");
+  refuse(bad, vtkErrorCode::FileFormatError, "attribute \"dataWindow\"");
 }
 
 // An image with time steps, empty at the third of them.

@@ -1,5 +1,6 @@
-#include "EXR/EXRSeries.h"
+#include "EXR/EXRImage.h"
 
+#include "EXR/EXRAttributes.h"
 #include "FileError.h"
 
 #include "vtkDataArray.h"
@@ -12,64 +13,13 @@
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <iterator>
 
 namespace activesurface
 {
 
 namespace
 {
-
-// Stream over bytes in memory, without a copy.
-class MemoryBuffer : public std::streambuf
-{
-public:
-  explicit MemoryBuffer(const EXRMemory& memory)
-  {
-    char* begin = const_cast<char*>(memory.Bytes); // streambuf lacks const; only read
-    this->setg(begin, begin, begin + memory.Size);
-  }
-
-protected:
-  pos_type seekpos(pos_type position, std::ios_base::openmode mode) override
-  {
-    return this->seekoff(off_type(position), std::ios::beg, mode);
-  }
-
-  pos_type seekoff(off_type offset, std::ios_base::seekdir from, std::ios_base::openmode) override
-  {
-    const off_type size = this->egptr() - this->eback();
-    const off_type base =
-      from == std::ios::beg ? 0 : (from == std::ios::end ? size : this->gptr() - this->eback());
-    if (base + offset < 0 || base + offset > size)
-    {
-      return pos_type(off_type(-1));
-    }
-    this->setg(this->eback(), this->eback() + base + offset, this->egptr());
-    return base + offset;
-  }
-};
-
-void OpenFile(const std::string& name, std::ifstream& stream)
-{
-  std::error_code error;
-  const auto status = std::filesystem::status(name, error);
-  if (!std::filesystem::exists(status))
-  {
-    throw FileError(vtkErrorCode::FileNotFoundError, "there is no such file");
-  }
-  if (std::filesystem::is_directory(status))
-  {
-    throw FileError(vtkErrorCode::CannotOpenFileError, "it is a folder");
-  }
-  stream.open(name, std::ios::binary);
-  if (!stream)
-  {
-    throw FileError(
-      vtkErrorCode::CannotOpenFileError, std::string("it cannot be opened: ") + strerror(errno));
-  }
-}
 
 double CountPixels(const EXRExtent& extent)
 {
@@ -93,11 +43,6 @@ double CountBytes(const EXRPart& part, const std::vector<EXRLayer>& layers, cons
     channels += sampling > 1.0 ? 1.0 / sampling : 0.0;
   }
   return bytesOfPixel * channels * CountPixels(extent) + 3.0 * part.ChunkBytes;
-}
-
-bool Covers(const EXRExtent& whole, const EXRExtent& piece)
-{
-  return UniteExtents(whole, piece) == whole;
 }
 
 vtkSmartPointer<vtkDataArray> MakeArray(const EXRLayer& layer, vtkIdType pixels)
@@ -148,40 +93,11 @@ std::vector<EXRDestination> AddArrays(
   return channels;
 }
 
-void SetExtent(vtkImageData* image, const EXRExtent& extent)
-{
-  image->SetExtent(extent[0], extent[1], extent[2], extent[3], 0, 0);
-}
-
 }
 
 EXRExtent UniteExtents(const EXRExtent& a, const EXRExtent& b)
 {
   return { std::min(a[0], b[0]), std::max(a[1], b[1]), std::min(a[2], b[2]), std::max(a[3], b[3]) };
-}
-
-void WithEXRFile(
-  const std::string& name, const EXRMemory& memory, const std::function<void(EXRFile&)>& read)
-{
-  try
-  {
-    if (memory.Bytes)
-    {
-      MemoryBuffer buffer(memory);
-      std::istream stream(&buffer);
-      EXRFile file(stream, name);
-      read(file);
-      return;
-    }
-    std::ifstream stream;
-    OpenFile(name, stream);
-    EXRFile file(stream, name);
-    read(file);
-  }
-  catch (const FileError& error)
-  {
-    throw FileError(error.GetCode(), "Cannot read \"" + name + "\": " + error.what() + ".");
-  }
 }
 
 const EXRPart& FindEXRPart(const EXRFile& file, std::size_t part)
@@ -204,14 +120,9 @@ const EXRPart& FindEXRPart(const EXRFile& file, std::size_t part)
 
 std::vector<EXRLayer> FindEXRLayers(const EXRPart& part, const EXRSelection& selection)
 {
-  std::vector<EXRNamedPixel> channels;
-  for (const EXRChannel& channel : part.Channels)
-  {
-    if (selection.Has(channel.Name))
-    {
-      channels.push_back({ channel.Name, channel.Type });
-    }
-  }
+  std::vector<EXRChannel> channels;
+  std::copy_if(part.Channels.begin(), part.Channels.end(), std::back_inserter(channels),
+    [&selection](const EXRChannel& channel) { return selection.Has(channel.Name); });
   if (channels.empty())
   {
     throw FileError(vtkErrorCode::UserError, "it has none of the channels that are enabled");
@@ -232,15 +143,15 @@ void ReadEXRImage(EXRFile& file, std::size_t part, const EXRSelection& selection
       "reading it takes " + std::to_string(static_cast<long long>(bytes / (1 << 20)) + 1) +
         " MiB, more than MaximumMemory allows");
   }
-  SetExtent(image, decoded);
-  file.Read(part, decoded, AddArrays(layers, image, !Covers(description.Data, decoded)));
+  image->SetExtent(decoded[0], decoded[1], decoded[2], decoded[3], 0, 0);
+  file.Read(part, decoded, AddArrays(layers, image, decoded != description.Data));
   image->GetPointData()->SetActiveScalars(layers.front().Array.c_str());
   if (decoded != extent)
   {
     int cropped[6] = { extent[0], extent[1], extent[2], extent[3], 0, 0 };
     image->Crop(cropped);
   }
-  file.CopyAttributes(part, image->GetFieldData());
+  CopyEXRAttributes(file.GetHeader(part), image->GetFieldData());
 }
 
 }

@@ -1,28 +1,16 @@
-// Reads the files of a series as time steps into images.
+// Reads a part of an EXR file into an image.
 
-#ifndef EXRSeries_h
-#define EXRSeries_h
+#ifndef EXRImage_h
+#define EXRImage_h
 
 #include "EXR/EXRFile.h"
 
-#include <functional>
 #include <set>
 
 class vtkImageData;
 
 namespace activesurface
 {
-
-// A file's contents in memory, used in place of a file.
-struct EXRMemory
-{
-  const char* Bytes = nullptr;
-  std::size_t Size = 0;
-};
-
-// Calls read(file) with an open file. Throws FileError with a sentence that names the file.
-void WithEXRFile(
-  const std::string& name, const EXRMemory& memory, const std::function<void(EXRFile&)>& read);
 
 // Selected channels: all except Exceptions or, if All is false, only these.
 struct EXRSelection

@@ -1,0 +1,41 @@
+// Series of files, one for each time step: names and times.
+
+#ifndef FileSeries_h
+#define FileSeries_h
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkInformation;
+
+namespace activesurface
+{
+
+// Inserts the number into the pattern. It replaces the last run of # in the file's name, padded to
+// the run's length, else %d or %0Nd. Without a placeholder, and if `always`, four digits are put
+// before the extension.
+std::string MakeFrameName(const std::string& pattern, int number, bool always);
+
+// Times of a series' files, by file. NaN: the file states none. Times that are not finite or do not
+// ascend are replaced by file indices.
+class FileTimes
+{
+public:
+  FileTimes() = default;
+  explicit FileTimes(std::vector<double> stated);
+
+  // Index of the file for the time that is requested of an output.
+  int FindFile(vtkInformation* output) const;
+  // Sets the time steps of an output, if there are several files.
+  void Publish(vtkInformation* output) const;
+  // Sets the time of a file's data, if there are several files.
+  void Mark(int file, vtkDataObject* data) const;
+
+private:
+  std::vector<double> Times;
+};
+
+}
+
+#endif
