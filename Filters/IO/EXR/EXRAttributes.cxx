@@ -2,12 +2,12 @@
 
 #include "FileError.h"
 
-#include "vtkDoubleArray.h"
+#include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+#include "vtkTypeTraits.h"
 
 #include <ImfBoxAttribute.h>
 #include <ImfChromaticitiesAttribute.h>
@@ -15,7 +15,6 @@
 #include <ImfDoubleAttribute.h>
 #include <ImfFloatAttribute.h>
 #include <ImfFloatVectorAttribute.h>
-#include <ImfFramesPerSecond.h>
 #include <ImfIntAttribute.h>
 #include <ImfMatrixAttribute.h>
 #include <ImfRationalAttribute.h>
@@ -25,8 +24,10 @@
 #include <ImfTimeCodeAttribute.h>
 #include <ImfVecAttribute.h>
 
-#include <array>
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
+#include <type_traits>
 #include <vector>
 
 namespace activesurface
@@ -35,37 +36,11 @@ namespace activesurface
 namespace
 {
 
-template <class Array, class Numbers>
-void AddNumbers(const char* name, const Numbers& numbers, vtkFieldData* data)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(std::size(numbers)));
-  array->SetNumberOfTuples(1);
-  vtkIdType i = 0;
-  for (const auto number : numbers)
-  {
-    array->SetValue(i++, number);
-  }
-  data->AddArray(array);
-}
-
-void AddTexts(const char* name, const std::vector<std::string>& texts, vtkFieldData* data)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const std::string& text : texts)
-  {
-    array->InsertNextValue(text);
-  }
-  data->AddArray(array);
-}
-
 // OpenEXR multiplies row vectors by matrices, VTK multiplies matrices by column vectors.
 template <int size, class Matrix>
-std::array<double, size * size> Transpose(const Matrix& matrix)
+std::vector<double> Transpose(const Matrix& matrix)
 {
-  std::array<double, size * size> numbers{};
+  std::vector<double> numbers(size * size);
   for (int row = 0; row < size; ++row)
   {
     for (int column = 0; column < size; ++column)
@@ -76,122 +51,115 @@ std::array<double, size * size> Transpose(const Matrix& matrix)
   return numbers;
 }
 
-std::string Write(const Imf::TimeCode& code)
+// Overloads convert the value of an attribute to the numbers, or the texts, of an array.
+template <class Number>
+std::enable_if_t<std::is_arithmetic<Number>::value, std::vector<Number>> ToArray(Number value)
+{
+  return { value };
+}
+
+template <class Number>
+std::vector<Number> ToArray(const std::vector<Number>& values)
+{
+  return values;
+}
+
+template <class Number>
+std::vector<Number> ToArray(const Imath::Vec2<Number>& v)
+{
+  return { v.x, v.y };
+}
+
+std::vector<float> ToArray(const Imath::V3f& v)
+{
+  return { v.x, v.y, v.z };
+}
+
+std::vector<int> ToArray(const Imath::Box2i& box)
+{
+  return { box.min.x, box.min.y, box.max.x, box.max.y };
+}
+
+std::vector<double> ToArray(const Imf::Rational& ratio)
+{
+  return { double(ratio.n), double(ratio.d) };
+}
+
+std::vector<float> ToArray(const Imf::Chromaticities& c)
+{
+  return { c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y };
+}
+
+std::vector<double> ToArray(const Imath::M33f& matrix)
+{
+  return Transpose<3>(matrix);
+}
+
+std::vector<double> ToArray(const Imath::M44f& matrix)
+{
+  return Transpose<4>(matrix);
+}
+
+std::vector<std::string> ToArray(const std::string& text)
+{
+  return { text };
+}
+
+std::vector<std::string> ToArray(const Imf::TimeCode& code)
 {
   char text[64];
   std::snprintf(text, sizeof(text), "%02d:%02d:%02d:%02d", code.hours(), code.minutes(),
     code.seconds(), code.frame());
-  return text;
+  return { text };
 }
 
-std::string Write(Imf::Compression compression)
+std::vector<std::string> ToArray(const Imf::Compression& compression)
 {
   static const char* const names[] = { "none", "rle", "zips", "zip", "piz", "pxr24", "b44", "b44a",
     "dwaa", "dwab" };
   const auto number = static_cast<std::size_t>(compression);
-  return number < std::size(names) ? names[number] : std::to_string(number);
+  return { number < std::size(names) ? names[number] : std::to_string(number) };
 }
 
-template <class Attribute>
-const Attribute* Cast(const Imf::Attribute& attribute)
+void Add(const char* name, const std::vector<std::string>& texts, vtkFieldData* data)
 {
-  return dynamic_cast<const Attribute*>(&attribute);
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& text : texts)
+  {
+    array->InsertNextValue(text);
+  }
+  data->AddArray(array);
 }
 
-bool CopyNumbers(const char* name, const Imf::Attribute& attribute, vtkFieldData* data)
+template <class Number>
+void Add(const char* name, const std::vector<Number>& numbers, vtkFieldData* data)
 {
-  using Ints = std::vector<int>;
-  using Floats = std::vector<float>;
-  if (const auto* asInt = Cast<Imf::IntAttribute>(attribute))
-  {
-    AddNumbers<vtkIntArray>(name, Ints{ asInt->value() }, data);
-  }
-  else if (const auto* asFloat = Cast<Imf::FloatAttribute>(attribute))
-  {
-    AddNumbers<vtkFloatArray>(name, Floats{ asFloat->value() }, data);
-  }
-  else if (const auto* asDouble = Cast<Imf::DoubleAttribute>(attribute))
-  {
-    AddNumbers<vtkDoubleArray>(name, std::vector<double>{ asDouble->value() }, data);
-  }
-  else if (const auto* asFloats = Cast<Imf::FloatVectorAttribute>(attribute))
-  {
-    AddNumbers<vtkFloatArray>(name, asFloats->value(), data);
-  }
-  else if (const auto* asRational = Cast<Imf::RationalAttribute>(attribute))
-  {
-    AddNumbers<vtkDoubleArray>(name,
-      std::vector<double>{ double(asRational->value().n), double(asRational->value().d) }, data);
-  }
-  else if (const auto* asColours = Cast<Imf::ChromaticitiesAttribute>(attribute))
-  {
-    const Imf::Chromaticities& c = asColours->value();
-    AddNumbers<vtkFloatArray>(name,
-      Floats{ c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y },
-      data);
-  }
-  else
-  {
-    return false;
-  }
-  return true;
+  const auto array =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(vtkTypeTraits<Number>::VTKTypeID()));
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(numbers.size()));
+  array->SetNumberOfTuples(1);
+  std::copy(numbers.begin(), numbers.end(), static_cast<Number*>(array->GetVoidPointer(0)));
+  data->AddArray(array);
 }
 
-bool CopyVectors(const char* name, const Imf::Attribute& attribute, vtkFieldData* data)
+// Returns false for an attribute of another type.
+template <class Value>
+bool Copy(const char* name, const Imf::Attribute& attribute, vtkFieldData* data)
 {
-  using Ints = std::vector<int>;
-  using Floats = std::vector<float>;
-  if (const auto* asBox = Cast<Imf::Box2iAttribute>(attribute))
+  const auto* typed = dynamic_cast<const Imf::TypedAttribute<Value>*>(&attribute);
+  if (typed)
   {
-    const Imath::Box2i& box = asBox->value();
-    AddNumbers<vtkIntArray>(name, Ints{ box.min.x, box.min.y, box.max.x, box.max.y }, data);
+    Add(name, ToArray(typed->value()), data);
   }
-  else if (const auto* asInts = Cast<Imf::V2iAttribute>(attribute))
-  {
-    AddNumbers<vtkIntArray>(name, Ints{ asInts->value().x, asInts->value().y }, data);
-  }
-  else if (const auto* asPair = Cast<Imf::V2fAttribute>(attribute))
-  {
-    AddNumbers<vtkFloatArray>(name, Floats{ asPair->value().x, asPair->value().y }, data);
-  }
-  else if (const auto* asTriple = Cast<Imf::V3fAttribute>(attribute))
-  {
-    const Imath::V3f& v = asTriple->value();
-    AddNumbers<vtkFloatArray>(name, Floats{ v.x, v.y, v.z }, data);
-  }
-  else if (const auto* asMatrix3 = Cast<Imf::M33fAttribute>(attribute))
-  {
-    AddNumbers<vtkDoubleArray>(name, Transpose<3>(asMatrix3->value()), data);
-  }
-  else if (const auto* asMatrix4 = Cast<Imf::M44fAttribute>(attribute))
-  {
-    AddNumbers<vtkDoubleArray>(name, Transpose<4>(asMatrix4->value()), data);
-  }
-  else
-  {
-    return false;
-  }
-  return true;
+  return typed != nullptr;
 }
 
-void CopyTexts(const char* name, const Imf::Attribute& attribute, vtkFieldData* data)
+template <class... Values>
+void CopyAny(const char* name, const Imf::Attribute& attribute, vtkFieldData* data)
 {
-  if (const auto* asText = Cast<Imf::StringAttribute>(attribute))
-  {
-    AddTexts(name, { asText->value() }, data);
-  }
-  else if (const auto* asTexts = Cast<Imf::StringVectorAttribute>(attribute))
-  {
-    AddTexts(name, asTexts->value(), data);
-  }
-  else if (const auto* asTime = Cast<Imf::TimeCodeAttribute>(attribute))
-  {
-    AddTexts(name, { Write(asTime->value()) }, data);
-  }
-  else if (const auto* asCompression = Cast<Imf::CompressionAttribute>(attribute))
-  {
-    AddTexts(name, { Write(asCompression->value()) }, data);
-  }
+  static_cast<void>((Copy<Values>(name, attribute, data) || ...));
 }
 
 }
@@ -200,11 +168,9 @@ void CopyEXRAttributes(const Imf::Header& header, vtkFieldData* data)
 {
   for (auto entry = header.begin(); entry != header.end(); ++entry)
   {
-    if (!CopyNumbers(entry.name(), entry.attribute(), data) &&
-      !CopyVectors(entry.name(), entry.attribute(), data))
-    {
-      CopyTexts(entry.name(), entry.attribute(), data);
-    }
+    CopyAny<int, float, double, Imf::FloatVector, Imf::Rational, Imf::Chromaticities, Imath::Box2i,
+      Imath::V2i, Imath::V2f, Imath::V3f, Imath::M33f, Imath::M44f, std::string, Imf::StringVector,
+      Imf::TimeCode, Imf::Compression>(entry.name(), entry.attribute(), data);
   }
 }
 
@@ -221,11 +187,6 @@ void AddTimeCode(Imf::Header& header, const std::string& text)
       "TimeCode \"" + text + "\" is not hours:minutes:seconds:frame, as in 01:00:00:12");
   }
   Imf::addTimeCode(header, Imf::TimeCode(hours, minutes, seconds, frame));
-}
-
-void AddFramesPerSecond(Imf::Header& header, double rate)
-{
-  Imf::addFramesPerSecond(header, Imf::guessExactFps(rate));
 }
 
 }

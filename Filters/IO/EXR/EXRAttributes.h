@@ -20,9 +20,6 @@ void CopyEXRAttributes(const Imf::Header& header, vtkFieldData* data);
 // Sets timeCode from "hh:mm:ss:ff". Throws FileError if the text has another form.
 void AddTimeCode(Imf::Header& header, const std::string& text);
 
-// Sets framesPerSecond, as an exact ratio for rates such as 24000/1001.
-void AddFramesPerSecond(Imf::Header& header, double rate);
-
 }
 
 #endif

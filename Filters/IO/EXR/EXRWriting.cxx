@@ -11,6 +11,7 @@
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
 #include <ImfFrameBuffer.h>
+#include <ImfFramesPerSecond.h>
 #include <ImfMatrixAttribute.h>
 #include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
@@ -94,7 +95,8 @@ void AddAttributes(const EXRHeaderSettings& settings, Imf::Header& header)
   }
   if (settings.FramesPerSecond > 0.0)
   {
-    AddFramesPerSecond(header, settings.FramesPerSecond);
+    // An exact ratio for rates such as 24000/1001.
+    Imf::addFramesPerSecond(header, Imf::guessExactFps(settings.FramesPerSecond));
   }
   if (settings.WorldToCamera.Set)
   {

@@ -1,9 +1,10 @@
 #include "Grids/PointArrays.h"
 
+#include "Grids/ArrayValues.h"
 #include "OpenVDB.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
-#include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -17,12 +18,10 @@
 #include <openvdb/points/AttributeGroup.h>
 #include <openvdb/points/PointDataGrid.h>
 
-#include <cmath>
-#include <functional>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace activesurface
@@ -73,6 +72,23 @@ Leaves CollectLeaves(const PointDataGrid& grid, std::int64_t maximum, std::int64
   return leaves;
 }
 
+// Calls open(leaf) for each leaf, and the function that it returns, (index in the leaf, index of
+// the point), for each point.
+template <class Open>
+void ForEachPoint(const Leaves& leaves, const Open& open)
+{
+  vtkIdType point = 0;
+  for (const Leaf* leaf : leaves)
+  {
+    const auto visit = open(*leaf);
+    const auto count = static_cast<openvdb::Index>(CountPoints(*leaf));
+    for (openvdb::Index i = 0; i < count; ++i)
+    {
+      visit(i, point++);
+    }
+  }
+}
+
 vtkSmartPointer<vtkPoints> MakePositions(
   const PointDataGrid& grid, const Leaves& leaves, std::int64_t count)
 {
@@ -93,100 +109,43 @@ vtkSmartPointer<vtkPoints> MakePositions(
   return points;
 }
 
-template <class Value, bool IsNumber = std::is_arithmetic<Value>::value>
-struct Parts
-{
-  using Element = Value;
-  static constexpr int Count = 1;
-  static double Get(const Value& value, int) { return static_cast<double>(value); }
-};
-
-template <class Value>
-struct Parts<Value, false>
-{
-  using Element = typename Value::value_type;
-  static constexpr int Count = sizeof(Value) / sizeof(Element);
-  static double Get(const Value& value, int i)
-  {
-    return static_cast<double>(reinterpret_cast<const Element*>(&value)[i]);
-  }
-};
-
-template <class Element>
-int GetVTKType()
-{
-  if (std::is_floating_point<Element>::value)
-  {
-    return sizeof(Element) == 4 ? VTK_FLOAT : VTK_DOUBLE;
-  }
-  constexpr bool isSigned = std::is_signed<Element>::value;
-  switch (sizeof(Element))
-  {
-    case 1:
-      return isSigned ? VTK_TYPE_INT8 : VTK_TYPE_UINT8;
-    case 2:
-      return isSigned ? VTK_TYPE_INT16 : VTK_TYPE_UINT16;
-    case 4:
-      return isSigned ? VTK_TYPE_INT32 : VTK_TYPE_UINT32;
-    default:
-      return isSigned ? VTK_TYPE_INT64 : VTK_TYPE_UINT64;
-  }
-}
-
 using Maker = vtkSmartPointer<vtkAbstractArray> (*)(const Leaves&, std::size_t, std::int64_t);
 
 template <class Value>
 vtkSmartPointer<vtkAbstractArray> MakeArray(
   const Leaves& leaves, std::size_t attribute, std::int64_t count)
 {
-  using Part = Parts<Value>;
-  const openvdb::Index stride =
-    leaves.empty() ? 1 : leaves.front()->constAttributeArray(attribute).stride();
-  vtkSmartPointer<vtkDataArray> array;
-  array.TakeReference(vtkDataArray::CreateDataArray(GetVTKType<typename Part::Element>()));
-  array->SetNumberOfComponents(static_cast<int>(stride) * Part::Count);
-  array->SetNumberOfTuples(count);
-  vtkIdType point = 0;
-  for (const Leaf* leaf : leaves)
-  {
-    const AttributeHandle<Value> handle(leaf->constAttributeArray(attribute));
-    if (handle.stride() != stride || !handle.hasConstantStride())
+  using Traits = openvdb::ValueTraits<Value>;
+  using Element = typename Traits::ElementType;
+  using Array = vtkAOSDataArrayTemplate<StoredNumber<Element>>;
+  const openvdb::Index stride = leaves.front()->constAttributeArray(attribute).stride();
+  const auto made = MakeArrayOf<Element>();
+  made->SetNumberOfComponents(static_cast<int>(stride) * Traits::Elements);
+  made->SetNumberOfTuples(count);
+  auto array = vtkArrayDownCast<Array>(made.Get());
+  ForEachPoint(leaves,
+    [=](const Leaf& leaf)
     {
-      throw std::runtime_error("An attribute has another number of values in each point.");
-    }
-    for (std::int64_t i = 0; i < CountPoints(*leaf); ++i, ++point)
-    {
-      for (openvdb::Index s = 0; s < stride; ++s)
+      const auto handle = AttributeHandle<Value>::create(leaf.constAttributeArray(attribute));
+      if (handle->stride() != stride || !handle->hasConstantStride())
       {
-        const Value value = handle.get(static_cast<openvdb::Index>(i), s);
-        for (int part = 0; part < Part::Count; ++part)
-        {
-          array->SetComponent(
-            point, static_cast<int>(s) * Part::Count + part, Part::Get(value, part));
-        }
+        throw std::runtime_error("An attribute has another number of values in each point.");
       }
-    }
-  }
-  return array;
-}
-
-// Specialised because doubles have too few digits for 64-bit integers.
-template <>
-vtkSmartPointer<vtkAbstractArray> MakeArray<openvdb::Int64>(
-  const Leaves& leaves, std::size_t attribute, std::int64_t count)
-{
-  auto array = vtkSmartPointer<vtkTypeInt64Array>::New();
-  array->SetNumberOfTuples(count);
-  vtkIdType point = 0;
-  for (const Leaf* leaf : leaves)
-  {
-    const AttributeHandle<openvdb::Int64> handle(leaf->constAttributeArray(attribute));
-    for (std::int64_t i = 0; i < CountPoints(*leaf); ++i)
-    {
-      array->SetValue(point++, handle.get(static_cast<openvdb::Index>(i)));
-    }
-  }
-  return array;
+      return [=](openvdb::Index i, vtkIdType point)
+      {
+        int component = 0;
+        for (openvdb::Index s = 0; s < stride; ++s)
+        {
+          const Value value = handle->get(i, s);
+          const auto* const elements = reinterpret_cast<const Element*>(&value);
+          for (int part = 0; part < Traits::Elements; ++part)
+          {
+            array->SetTypedComponent(point, component++, elements[part]);
+          }
+        }
+      };
+    });
+  return made;
 }
 
 vtkSmartPointer<vtkAbstractArray> MakeStrings(
@@ -194,16 +153,14 @@ vtkSmartPointer<vtkAbstractArray> MakeStrings(
 {
   auto array = vtkSmartPointer<vtkStringArray>::New();
   array->SetNumberOfValues(count);
-  vtkIdType point = 0;
-  for (const Leaf* leaf : leaves)
-  {
-    const StringAttributeHandle handle(
-      leaf->constAttributeArray(attribute), leaf->attributeSet().descriptor().getMetadata());
-    for (std::int64_t i = 0; i < CountPoints(*leaf); ++i)
+  ForEachPoint(leaves,
+    [&](const Leaf& leaf)
     {
-      array->SetValue(point++, handle.get(static_cast<openvdb::Index>(i)));
-    }
-  }
+      const auto handle = std::make_shared<StringAttributeHandle>(
+        leaf.constAttributeArray(attribute), leaf.attributeSet().descriptor().getMetadata());
+      return [&array, handle](openvdb::Index i, vtkIdType point)
+      { array->SetValue(point, handle->get(i)); };
+    });
   return array;
 }
 
@@ -258,15 +215,13 @@ void AddGroups(const Leaves& leaves, std::int64_t count, vtkPointData* data)
     vtkNew<vtkUnsignedCharArray> array;
     array->SetName(group.first.c_str());
     array->SetNumberOfTuples(count);
-    vtkIdType point = 0;
-    for (const Leaf* leaf : leaves)
-    {
-      const GroupHandle handle = leaf->groupHandle(group.first);
-      for (std::int64_t i = 0; i < CountPoints(*leaf); ++i)
+    ForEachPoint(leaves,
+      [&](const Leaf& leaf)
       {
-        array->SetValue(point++, handle.get(static_cast<openvdb::Index>(i)) ? 1 : 0);
-      }
-    }
+        const GroupHandle handle = leaf.groupHandle(group.first);
+        return [&array, handle](openvdb::Index i, vtkIdType point)
+        { array->SetValue(point, handle.get(i) ? 1 : 0); };
+      });
     data->AddArray(array);
   }
 }
