@@ -27,6 +27,13 @@ private:
   unsigned long Code;
 };
 
+// Returns the code of a FileError, UnknownError for others.
+inline unsigned long GetErrorCode(const std::exception& error)
+{
+  const auto* known = dynamic_cast<const FileError*>(&error);
+  return known ? known->GetCode() : static_cast<unsigned long>(vtkErrorCode::UnknownError);
+}
+
 }
 
 #endif

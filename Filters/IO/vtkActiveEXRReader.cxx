@@ -256,13 +256,9 @@ int vtkActiveEXRReader::RequestInformation(
     this->Publish(outputs->GetInformationObject(0));
     return 1;
   }
-  catch (const FileError& error)
-  {
-    return this->Fail(error.GetCode(), error.what(), outputs);
-  }
   catch (const std::exception& error)
   {
-    return this->Fail(vtkErrorCode::UnknownError, error.what(), outputs);
+    return this->Fail(activesurface::GetErrorCode(error), error.what(), outputs);
   }
 }
 
@@ -315,13 +311,9 @@ int vtkActiveEXRReader::RequestData(
     this->ReadStep(outputs->GetInformationObject(0));
     return 1;
   }
-  catch (const FileError& error)
-  {
-    return this->Fail(error.GetCode(), error.what(), outputs);
-  }
   catch (const std::exception& error)
   {
-    return this->Fail(vtkErrorCode::UnknownError, error.what(), outputs);
+    return this->Fail(activesurface::GetErrorCode(error), error.what(), outputs);
   }
 }
 

@@ -8,9 +8,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -21,13 +19,10 @@ using activesurface::FileError;
 struct vtkActiveEXRWriter::Settings
 {
   activesurface::EXRChoices Choices;
-  std::map<std::string, std::string> Texts{ { "software",
-    "Active Implicit Surfaces for VTK " ACTIVE_VERSION } };
-  std::map<std::string, double> Numbers;
-  vtkSmartPointer<vtkMatrix4x4> WorldToCamera, WorldToNDC;
-  std::vector<double> Times; // of the input
-  int Step = 0;              // index of the step that is being written
-  bool Asked = false;        // the input has been requested
+  activesurface::EXRHeaderSettings Header; // without the writer's own properties
+  std::vector<double> Times;               // of the input
+  int Step = 0;                            // index of the step that is being written
+  bool Asked = false;                      // the input has been requested
 };
 
 vtkStandardNewMacro(vtkActiveEXRWriter);
@@ -35,6 +30,7 @@ vtkStandardNewMacro(vtkActiveEXRWriter);
 vtkActiveEXRWriter::vtkActiveEXRWriter()
   : Chosen(std::make_unique<Settings>())
 {
+  this->Chosen->Header.Texts["software"] = "Active Implicit Surfaces for VTK " ACTIVE_VERSION;
 }
 
 vtkActiveEXRWriter::~vtkActiveEXRWriter()
@@ -44,38 +40,38 @@ vtkActiveEXRWriter::~vtkActiveEXRWriter()
 
 void vtkActiveEXRWriter::SetWorldToCamera(vtkMatrix4x4* matrix)
 {
-  if (this->Chosen->WorldToCamera != matrix)
+  if (this->Chosen->Header.WorldToCamera != matrix)
   {
-    this->Chosen->WorldToCamera = matrix;
+    this->Chosen->Header.WorldToCamera = matrix;
     this->Modified();
   }
 }
 
 void vtkActiveEXRWriter::SetWorldToNDC(vtkMatrix4x4* matrix)
 {
-  if (this->Chosen->WorldToNDC != matrix)
+  if (this->Chosen->Header.WorldToNDC != matrix)
   {
-    this->Chosen->WorldToNDC = matrix;
+    this->Chosen->Header.WorldToNDC = matrix;
     this->Modified();
   }
 }
 
 vtkMatrix4x4* vtkActiveEXRWriter::GetWorldToCamera()
 {
-  return this->Chosen->WorldToCamera;
+  return this->Chosen->Header.WorldToCamera;
 }
 
 vtkMatrix4x4* vtkActiveEXRWriter::GetWorldToNDC()
 {
-  return this->Chosen->WorldToNDC;
+  return this->Chosen->Header.WorldToNDC;
 }
 
 void vtkActiveEXRWriter::AddAttribute(const char* name, const char* text)
 {
   if (name && *name && text)
   {
-    this->Chosen->Numbers.erase(name);
-    this->Chosen->Texts[name] = text;
+    this->Chosen->Header.Numbers.erase(name);
+    this->Chosen->Header.Texts[name] = text;
     this->Modified();
   }
 }
@@ -84,16 +80,16 @@ void vtkActiveEXRWriter::AddAttribute(const char* name, double number)
 {
   if (name && *name)
   {
-    this->Chosen->Texts.erase(name);
-    this->Chosen->Numbers[name] = number;
+    this->Chosen->Header.Texts.erase(name);
+    this->Chosen->Header.Numbers[name] = number;
     this->Modified();
   }
 }
 
 void vtkActiveEXRWriter::ClearAttributes()
 {
-  this->Chosen->Texts.clear();
-  this->Chosen->Numbers.clear();
+  this->Chosen->Header.Texts.clear();
+  this->Chosen->Header.Numbers.clear();
   this->Modified();
 }
 
@@ -204,29 +200,15 @@ void vtkActiveEXRWriter::WriteStep(vtkImageData* image)
     const int number = this->FrameNumber + this->Chosen->Step;
     this->WriteImage(image, activesurface::MakeFrameName(name, number, this->WriteAllTimeSteps));
   }
-  catch (const FileError& error)
-  {
-    this->Fail(error.GetCode(), "Cannot write \"" + name + "\": " + error.what());
-  }
   catch (const std::exception& error)
   {
-    this->Fail(vtkErrorCode::UnknownError, "Cannot write \"" + name + "\": " + error.what());
+    this->Fail(
+      activesurface::GetErrorCode(error), "Cannot write \"" + name + "\": " + error.what());
   }
 }
 
 namespace
 {
-
-activesurface::EXRMatrix Copy(vtkMatrix4x4* matrix)
-{
-  activesurface::EXRMatrix copy;
-  if (matrix)
-  {
-    copy.Set = true;
-    std::copy_n(matrix->GetData(), 16, copy.Elements.begin());
-  }
-  return copy;
-}
 
 void CheckSize(vtkImageData* image, const int displaySize[2])
 {
@@ -259,18 +241,14 @@ void vtkActiveEXRWriter::WriteImage(vtkImageData* image, const std::string& name
 {
   CheckSize(image, this->DisplaySize);
   const Settings& chosen = *this->Chosen;
-  activesurface::EXRHeaderSettings header;
-  header.Packing = static_cast<activesurface::EXRPacking>(this->Compression);
+  activesurface::EXRHeaderSettings header = chosen.Header;
+  header.Compression = this->Compression;
   header.Level = this->CompressionLevel;
   std::copy_n(image->GetExtent(), 4, header.Extent.begin());
   std::copy_n(this->DisplaySize, 2, header.DisplaySize.begin());
   header.PixelAspectRatio = this->PixelAspectRatio;
   header.FramesPerSecond = this->FramesPerSecond;
   header.TimeCode = this->TimeCode ? this->TimeCode : "";
-  header.WorldToCamera = Copy(chosen.WorldToCamera);
-  header.WorldToNDC = Copy(chosen.WorldToNDC);
-  header.Texts = chosen.Texts;
-  header.Numbers = chosen.Numbers;
   vtkInformation* information = image->GetInformation();
   if (information->Has(vtkDataObject::DATA_TIME_STEP()))
   {

@@ -316,10 +316,8 @@ void vtkActiveVDBWriter::WriteData(const std::string& file, vtkDataObject* data,
     openvdb::GRID_FOG_VOLUME };
   choice.Kind = kinds[this->GridClass];
   choice.VoxelSize = this->VoxelSize;
-  activesurface::VDBContent content(choice);
-  content.Add(data, attached);
-  activesurface::WriteVDB(
-    file, content.GetGrids(), MakeMetadata(data, frame, this->Units), GetFlags(this->Compression));
+  activesurface::WriteVDB(file, activesurface::MakeGrids(data, attached, choice),
+    MakeMetadata(data, frame, this->Units), GetFlags(this->Compression));
 }
 
 void vtkActiveVDBWriter::PrintSelf(ostream& os, vtkIndent indent)

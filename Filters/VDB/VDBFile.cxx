@@ -2,7 +2,6 @@
 
 #include "OpenVDB.h"
 #include "Validation/ByteSource.h"
-#include "Validation/OpenVDBCompatibility.h"
 #include "Validation/VDBMetadata.h"
 #include "Validation/VDBPoints.h"
 #include "Validation/VDBTree.h"
@@ -22,6 +21,26 @@ namespace activesurface
 
 namespace
 {
+
+/** Opens an openvdb::io::File without delayed loading, so that its grids are independent of the
+ * file. Later versions have no delayed loading. */
+template <class File>
+auto OpenAtOnce(File& file, int) -> decltype(file.open(false))
+{
+  return file.open(false);
+}
+
+template <class File>
+auto OpenAtOnce(File& file, long) -> decltype(file.open())
+{
+  return file.open();
+}
+
+template <class File>
+void OpenAtOnce(File& file)
+{
+  OpenAtOnce(file, 0);
+}
 
 constexpr std::uint32_t OldestVersion = openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION;
 constexpr const char* HalfSuffix = "_HalfFloat";

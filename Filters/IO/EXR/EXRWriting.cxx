@@ -28,31 +28,18 @@ namespace activesurface
 namespace
 {
 
-Imf::Compression ToImf(EXRPacking packing)
-{
-  switch (packing)
-  {
-    case EXRPacking::NONE:
-      return Imf::NO_COMPRESSION;
-    case EXRPacking::ZIPS:
-      return Imf::ZIPS_COMPRESSION;
-    case EXRPacking::PIZ:
-      return Imf::PIZ_COMPRESSION;
-    case EXRPacking::DWAA:
-      return Imf::DWAA_COMPRESSION;
-    default:
-      return Imf::ZIP_COMPRESSION;
-  }
-}
+// By vtkActiveEXRWriter::CompressionType.
+constexpr Imf::Compression Compressions[] = { Imf::NO_COMPRESSION, Imf::ZIP_COMPRESSION,
+  Imf::ZIPS_COMPRESSION, Imf::PIZ_COMPRESSION, Imf::DWAA_COMPRESSION };
 
-Imath::M44f ToImf(const EXRMatrix& matrix)
+Imath::M44f ToImf(const vtkMatrix4x4& matrix)
 {
   Imath::M44f transposed;
   for (int row = 0; row < 4; ++row)
   {
     for (int column = 0; column < 4; ++column)
     {
-      transposed[column][row] = static_cast<float>(matrix.Elements[4 * row + column]);
+      transposed[column][row] = static_cast<float>(matrix.GetElement(row, column));
     }
   }
   return transposed;
@@ -98,13 +85,13 @@ void AddAttributes(const EXRHeaderSettings& settings, Imf::Header& header)
     // An exact ratio for rates such as 24000/1001.
     Imf::addFramesPerSecond(header, Imf::guessExactFps(settings.FramesPerSecond));
   }
-  if (settings.WorldToCamera.Set)
+  if (settings.WorldToCamera)
   {
-    Imf::addWorldToCamera(header, ToImf(settings.WorldToCamera));
+    Imf::addWorldToCamera(header, ToImf(*settings.WorldToCamera));
   }
-  if (settings.WorldToNDC.Set)
+  if (settings.WorldToNDC)
   {
-    Imf::addWorldToNDC(header, ToImf(settings.WorldToNDC));
+    Imf::addWorldToNDC(header, ToImf(*settings.WorldToNDC));
   }
 }
 
@@ -112,7 +99,7 @@ Imf::Header MakeHeader(const EXRHeaderSettings& settings, const std::vector<EXRS
 {
   const Windows windows = MakeWindows(settings);
   Imf::Header header(windows.Display, windows.Data, static_cast<float>(settings.PixelAspectRatio),
-    Imath::V2f(0.0f, 0.0f), 1.0f, Imf::INCREASING_Y, ToImf(settings.Packing));
+    Imath::V2f(0.0f, 0.0f), 1.0f, Imf::INCREASING_Y, Compressions[settings.Compression]);
   header.zipCompressionLevel() = settings.Level;
   AddAttributes(settings, header);
   for (const EXRSource& source : sources)
@@ -128,7 +115,7 @@ void CheckLoss(const EXRHeaderSettings& settings, const std::vector<EXRSource>& 
   const auto isData = [](const EXRSource& source)
   { return !IsColorChannel(source.Channel) || source.Type == EXRPixel::UINT; };
   const auto data = std::find_if(sources.begin(), sources.end(), isData);
-  if (settings.Packing == EXRPacking::DWAA && data != sources.end())
+  if (Compressions[settings.Compression] == Imf::DWAA_COMPRESSION && data != sources.end())
   {
     throw FileError(vtkErrorCode::UserError,
       "Compression DWAA loses what the eye does not see, and channel " + data->Channel +

@@ -5,6 +5,9 @@
 
 #include "EXR/EXRPixels.h"
 
+#include "vtkMatrix4x4.h"
+#include "vtkSmartPointer.h"
+
 #include <array>
 #include <map>
 #include <string>
@@ -13,32 +16,16 @@
 namespace activesurface
 {
 
-enum class EXRPacking
-{
-  NONE = 0,
-  ZIP = 1,
-  ZIPS = 2,
-  PIZ = 3,
-  DWAA = 4
-};
-
-// A matrix in VTK's convention, row by row. Not written unless Set.
-struct EXRMatrix
-{
-  bool Set = false;
-  std::array<double, 16> Elements{};
-};
-
 struct EXRHeaderSettings
 {
-  EXRPacking Packing = EXRPacking::ZIP;
+  int Compression = 1;              // of vtkActiveEXRWriter
   int Level = 4;                    // of ZIP and ZIPS
   std::array<int, 4> Extent{};      // first and last column, first and last row from below
   std::array<int, 2> DisplaySize{}; // 0: the extent is the display window
   double PixelAspectRatio = 1.0;
-  double FramesPerSecond = 0.0; // 0: not written
-  std::string TimeCode;         // empty: not written
-  EXRMatrix WorldToCamera, WorldToNDC;
+  double FramesPerSecond = 0.0;                            // 0: not written
+  std::string TimeCode;                                    // empty: not written
+  vtkSmartPointer<vtkMatrix4x4> WorldToCamera, WorldToNDC; // null: not written
   std::map<std::string, std::string> Texts;
   std::map<std::string, double> Numbers;
 };

@@ -1,8 +1,8 @@
 #include "Grids/ImageGrids.h"
 
 #include "Grids/ArrayValues.h"
-#include "Grids/LatticeMesh.h"
 #include "OpenVDB.h"
+#include "SkinDistance.h"
 
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -80,8 +80,6 @@ openvdb::GridBase::Ptr CopyLevelSet(vtkImageData* image, vtkDataArray* array)
   return grid;
 }
 
-}
-
 openvdb::math::Transform::Ptr MakeImageTransform(vtkImageData* image)
 {
   const double* origin = image->GetOrigin();
@@ -104,6 +102,8 @@ openvdb::math::Transform::Ptr MakeImageTransform(vtkImageData* image)
     throw std::invalid_argument("The image cannot be placed in a .vdb file: a spacing is 0, or its "
                                 "voxels are smaller than about 1e-5; scale the scene up.");
   }
+}
+
 }
 
 openvdb::GridBase::Ptr MakeImageGrid(

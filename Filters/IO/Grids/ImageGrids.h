@@ -11,10 +11,6 @@ class vtkImageData;
 namespace activesurface
 {
 
-// Transform from index coordinates to an image's points. Throws std::invalid_argument if a spacing
-// is 0 or too small.
-openvdb::math::Transform::Ptr MakeImageTransform(vtkImageData* image);
-
 // Returns a grid whose active values are those that differ from the background, 0. A level set
 // needs one component and cubic voxels. Its background is 3 voxels, and values beyond are clamped.
 // Throws std::invalid_argument for arrays that do not fit.

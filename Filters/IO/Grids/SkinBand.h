@@ -4,16 +4,38 @@
 // nearest triangles of its neighbours nearer to the surface. The search moves to nearer triangles
 // around the foot point until there are none. Each layer of nodes depends only on the previous
 // layer, so the result does not depend on the number of threads.
+//
+// OpenVDB's conversion of meshes with the walk of MeshDistance.h needs twice the time here, and its
+// distances are up to half a voxel too long near medial axes.
 
 #ifndef SkinBand_h
 #define SkinBand_h
 
-#include "Grids/LatticeMesh.h"
+#include "MeshBand.h"
+#include "SkinDistance.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
 
 namespace activesurface
 {
 
 class NarrowBand;
+
+// Triangle mesh in lattice coordinates [voxels].
+struct LatticeMesh : LatticeTriangles
+{
+  std::vector<openvdb::Vec3d> Points;
+  std::vector<std::array<std::int64_t, 3>> Triangles;
+
+  std::size_t GetNumberOfPoints() const override { return this->Points.size(); }
+  std::size_t GetNumberOfTriangles() const override { return this->Triangles.size(); }
+  openvdb::Vec3d GetCorner(std::size_t triangle, std::size_t corner) const override
+  {
+    return this->Points[this->Triangles[triangle][corner]];
+  }
+};
 
 // Returns the skin on the band's lattice, in the same coordinates.
 LatticeMesh MakeSkinMesh(const NarrowBand& band);

@@ -3,7 +3,7 @@
 #ifndef SkinGrids_h
 #define SkinGrids_h
 
-#include "Grids/LatticeMesh.h"
+#include "Grids/SkinBand.h"
 
 class vtkDataArray;
 

@@ -1,10 +1,10 @@
 #include "Grids/VDBContent.h"
 
-#include "Grids/ClosedMesh.h"
 #include "Grids/ImageGrids.h"
-#include "Grids/LatticeMesh.h"
 #include "Grids/SkinBand.h"
 #include "Grids/SkinGrids.h"
+#include "LatticeOrigin.h"
+#include "MeshTriangles.h"
 #include "NarrowBand.h"
 #include "SavedGrid.h"
 
@@ -15,12 +15,104 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <string>
 
 namespace activesurface
 {
 
-void VDBContent::Add(vtkDataObject* data, const std::shared_ptr<const AttachedState>& attached)
+namespace
+{
+
+constexpr double VoxelsAcross = 64.0;
+
+void CheckIsClosed(const MeshTriangles& mesh)
+{
+  if (mesh.Defects.BrokenPolygons > 0)
+  {
+    throw std::invalid_argument(mesh.Defects.Describe() + " Mend it before it is written.");
+  }
+  if (mesh.Triangles.empty())
+  {
+    throw std::invalid_argument("The input has no polygons: there is no surface to write.");
+  }
+  if (!mesh.Defects.IsClosed())
+  {
+    throw std::invalid_argument(
+      "The mesh is not closed, so it has no inside: " + std::to_string(mesh.Defects.OddEdges) +
+      " of its edges belong to one polygon only, or to another odd number of them. Close it first "
+      "(vtkFillHolesFilter), or let a vtkActiveImplicitSurface make a shell of it "
+      "(MeshThickness).");
+  }
+}
+
+double FindLongestSide(const MeshTriangles& mesh)
+{
+  const std::array<double, 6> bounds = mesh.GetBounds();
+  return std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+}
+
+// Returns the triangles of ReadTriangles on a lattice; points keep their indices. A voxelSize of 0
+// becomes a 64th of the longest side of the mesh's bounds. origin: becomes the world position of
+// the lattice's node (0, 0, 0).
+LatticeMesh ReadClosedMesh(vtkPolyData* data, double& voxelSize, std::array<double, 3>& origin)
+{
+  const MeshTriangles read = ReadTriangles(data);
+  CheckIsClosed(read);
+  const double side = FindLongestSide(read);
+  voxelSize = voxelSize > 0.0 ? voxelSize : side / VoxelsAcross;
+  constexpr double mostVoxels = 1 << 20;
+  if (!(side / voxelSize <= mostVoxels))
+  {
+    throw std::invalid_argument("The mesh is more than a million voxels long; enlarge VoxelSize.");
+  }
+  const std::array<double, 6> bounds = read.GetBounds();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    origin[axis] = FindLatticeOrigin(bounds[2 * axis], bounds[2 * axis + 1], voxelSize);
+  }
+  LatticeMesh mesh;
+  const openvdb::Vec3d offset(origin.data());
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    mesh.Points.push_back((openvdb::Vec3d(data->GetPoint(i)) - offset) / voxelSize);
+  }
+  for (const MeshTriangles::Triangle& corners : read.Origins)
+  {
+    mesh.Triangles.push_back({ corners[0], corners[1], corners[2] });
+  }
+  return mesh;
+}
+
+class Content
+{
+public:
+  explicit Content(const VDBChoice& choice)
+    : Choice(choice)
+  {
+  }
+
+  void Add(vtkDataObject* data, const std::shared_ptr<const AttachedState>& attached);
+
+  openvdb::GridPtrVec Grids;
+
+private:
+  void AddState(const AttachedState& attached);
+  void AddSkin(const NarrowBand& band, vtkPointData* arrays);
+  void AddMesh(vtkPolyData* mesh);
+  void AddSurface(
+    const LatticeMesh& mesh, const MeshBand& band, double voxelSize, vtkPointData* arrays);
+  void AddArrays(const LatticeMesh& mesh, const MeshBand& band, vtkPointData* arrays);
+  // Translates all grids added so far.
+  void MoveBy(const std::array<double, 3>& offset);
+  void AddImage(vtkImageData* image);
+  void Add(const openvdb::GridBase::Ptr& grid);
+
+  const VDBChoice& Choice;
+};
+
+void Content::Add(vtkDataObject* data, const std::shared_ptr<const AttachedState>& attached)
 {
   auto mesh = vtkPolyData::SafeDownCast(data);
   auto image = vtkImageData::SafeDownCast(data);
@@ -50,7 +142,7 @@ void VDBContent::Add(vtkDataObject* data, const std::shared_ptr<const AttachedSt
   }
 }
 
-void VDBContent::Add(const openvdb::GridBase::Ptr& grid)
+void Content::Add(const openvdb::GridBase::Ptr& grid)
 {
   const std::string name = grid->getName();
   const bool isTaken = (this->Choice.State && name == SavedGridName) ||
@@ -65,7 +157,7 @@ void VDBContent::Add(const openvdb::GridBase::Ptr& grid)
   this->Grids.push_back(grid);
 }
 
-void VDBContent::AddState(const AttachedState& attached)
+void Content::AddState(const AttachedState& attached)
 {
   if (this->Choice.State && !attached.IsAtStep)
   {
@@ -79,13 +171,13 @@ void VDBContent::AddState(const AttachedState& attached)
   }
 }
 
-void VDBContent::AddSkin(const NarrowBand& band, vtkPointData* arrays)
+void Content::AddSkin(const NarrowBand& band, vtkPointData* arrays)
 {
   const LatticeMesh mesh = MakeSkinMesh(band);
   band.Run([&] { this->AddSurface(mesh, MakeSkinBand(band, mesh), band.GetVoxelSize(), arrays); });
 }
 
-void VDBContent::AddMesh(vtkPolyData* data)
+void Content::AddMesh(vtkPolyData* data)
 {
   if (data->GetNumberOfPoints() == 0)
   {
@@ -99,7 +191,7 @@ void VDBContent::AddMesh(vtkPolyData* data)
   this->MoveBy(origin);
 }
 
-void VDBContent::AddSurface(
+void Content::AddSurface(
   const LatticeMesh& mesh, const MeshBand& band, double voxelSize, vtkPointData* arrays)
 {
   const openvdb::FloatGrid::Ptr surface = MakeSurfaceGrid(band, voxelSize);
@@ -115,7 +207,7 @@ void VDBContent::AddSurface(
   }
 }
 
-void VDBContent::AddArrays(const LatticeMesh& mesh, const MeshBand& band, vtkPointData* arrays)
+void Content::AddArrays(const LatticeMesh& mesh, const MeshBand& band, vtkPointData* arrays)
 {
   if (this->Choice.Velocity)
   {
@@ -140,7 +232,7 @@ void VDBContent::AddArrays(const LatticeMesh& mesh, const MeshBand& band, vtkPoi
   }
 }
 
-void VDBContent::MoveBy(const std::array<double, 3>& offset)
+void Content::MoveBy(const std::array<double, 3>& offset)
 {
   for (const openvdb::GridBase::Ptr& grid : this->Grids)
   {
@@ -151,7 +243,7 @@ void VDBContent::MoveBy(const std::array<double, 3>& offset)
   }
 }
 
-void VDBContent::AddImage(vtkImageData* image)
+void Content::AddImage(vtkImageData* image)
 {
   if (this->Choice.Density || this->Choice.Velocity)
   {
@@ -173,6 +265,16 @@ void VDBContent::AddImage(vtkImageData* image)
       this->Add(MakeImageGrid(image, array, openvdb::GRID_UNKNOWN));
     }
   }
+}
+
+}
+
+openvdb::GridPtrVec MakeGrids(vtkDataObject* data,
+  const std::shared_ptr<const AttachedState>& attached, const VDBChoice& choice)
+{
+  Content content(choice);
+  content.Add(data, attached);
+  return content.Grids;
 }
 
 }
