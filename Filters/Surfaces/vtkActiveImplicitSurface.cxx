@@ -28,6 +28,12 @@ using activesurface::SurfaceRequests;
 
 vtkStandardNewMacro(vtkActiveImplicitSurface);
 
+static_assert(static_cast<int>(vtkActiveImplicitSurface::ANISOTROPIC) ==
+      static_cast<int>(vtkSkeletonPotential::ANISOTROPIC) &&
+    static_cast<int>(vtkActiveImplicitSurface::METABALL) ==
+      static_cast<int>(vtkSkeletonPotential::METABALL),
+  "The filter's models and kernels are the potential's.");
+
 vtkActiveImplicitSurface::vtkActiveImplicitSurface()
   : Requests(std::make_unique<SurfaceRequests>(this))
 {
@@ -317,26 +323,16 @@ int vtkActiveImplicitSurface::RequestData(
 SurfaceProperties vtkActiveImplicitSurface::FindProperties()
 {
   SurfaceProperties properties;
-  activesurface::SurfaceSettings& settings = properties.Settings;
-  activesurface::ForEachProperty(settings,
+  activesurface::ForEachOfAll(properties,
     [this](const activesurface::Property&, auto& field, auto&& get)
     { activesurface::AssignProperty(get(*this), field); });
-  settings.Inputs.TargetFunction = this->TargetFunction;
-  settings.Inputs.TargetMTime = this->TargetFunction ? this->TargetFunction->GetMTime() : 0;
-  settings.Inputs.InitialFunction = this->InitialFunction;
-  settings.Inputs.InitialMTime = this->InitialFunction ? this->InitialFunction->GetMTime() : 0;
-  settings.Inputs.ObstacleFunction = this->ObstacleFunction;
-  settings.Inputs.ObstacleMTime = this->ObstacleFunction ? this->ObstacleFunction->GetMTime() : 0;
-  properties.Clock = { this->GetStartTime(), this->GetTimeStepSize(),
-    this->GetNumberOfTimeSteps() };
-  properties.Limits.Threads = this->GetNumberOfThreads();
-  properties.Limits.MaximumVoxels =
-    static_cast<std::size_t>(this->GetMaximumNumberOfActiveVoxels());
-  properties.Limits.CheckpointInterval = this->GetCheckpointInterval();
-  properties.Limits.CheckpointMemory = static_cast<std::size_t>(this->GetCheckpointMemory()) << 20;
-  activesurface::ForEachOutputProperty(properties.Outputs,
-    [this](const activesurface::Property&, auto& field, auto&& get)
-    { activesurface::AssignProperty(get(*this), field); });
+  activesurface::SurfaceInputs& inputs = properties.Settings.Inputs;
+  inputs.TargetFunction = this->TargetFunction;
+  inputs.TargetMTime = this->TargetFunction ? this->TargetFunction->GetMTime() : 0;
+  inputs.InitialFunction = this->InitialFunction;
+  inputs.InitialMTime = this->InitialFunction ? this->InitialFunction->GetMTime() : 0;
+  inputs.ObstacleFunction = this->ObstacleFunction;
+  inputs.ObstacleMTime = this->ObstacleFunction ? this->ObstacleFunction->GetMTime() : 0;
   properties.Share = this->Requests->GetShare();
   return properties;
 }
@@ -345,10 +341,9 @@ void vtkActiveImplicitSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   SurfaceProperties unused;
-  const auto print = [&](const activesurface::Property& property, auto&, auto&& get)
-  { activesurface::PrintProperty(os << indent, property, get(*this)); };
-  activesurface::ForEachShapeProperty(unused.Settings, print);
-  activesurface::ForEachOutputProperty(unused.Outputs, print);
+  activesurface::ForEachOfAll(unused,
+    [&](const activesurface::Property& property, auto&, auto&& get)
+    { activesurface::PrintProperty(os << indent, property, get(*this)); });
   os << indent << "TargetFunction: " << this->TargetFunction << "\n"
      << indent << "InitialFunction: " << this->InitialFunction << "\n"
      << indent << "ObstacleFunction: " << this->ObstacleFunction << "\n"

@@ -3,15 +3,28 @@
  * @brief   a surface that follows a target through time and keeps its state
  *
  * The surface (skin) is the zero set of a potential phi, negative inside, stored on the lattice
- * nodes near it. It moves along its normal (see vtkActiveMotionAlgorithm), splits and merges. See
- * Desbrun and Cani-Gascuel, Active Implicit Surface for Animation, Graphics Interface 1998.
+ * nodes near it. It moves along its normal, splits and merges. See Desbrun and Cani-Gascuel, Active
+ * Implicit Surface for Animation, Graphics Interface 1998.
+ *
+ * Normal speed of the skin, outward positive (eq. (2) to (4) and section 5 of the paper, the sign
+ * of the tension corrected):
+ *
+ *   V = Attraction * (TargetIsoValue - F) - Tension * kappa
+ *       + Transport * (v . n) + AreaStiffness * (A0 - A) / A0 + VolumeStiffness * (V0 - V) / V0
+ *
+ * F is the target, or the distance to it, reduced within TargetNoise. kappa is the sum of the
+ * principal curvatures, v the velocity of the target's particles. The last two terms belong to
+ * AreaControl and VolumeControl PENALTY.
+ *
+ * Changing a property restarts the motion, except where its comment says otherwise.
  *
  * Input, port 0 (optional): the target; else TargetFunction.
  * - Particles: a vtkPointSet without cells or with vertices. All points are used, as points of a
- *   vtkSkeletonPotential. vtkActiveParticleAlgorithm has the surface of particles.
- *   SetInputArrayToProcess(0, ...) chooses an array of radii (of balls and tubes), (1, ...) of ids,
- *   (2, ...) of strengths. Without them KernelRadius, the point numbers and 1 are used. Or a
- *   vtkTable with the columns x, y, z (Points:0, Points:1, Points:2; pos_x ...), whose other
+ *   vtkSkeletonPotential. ParticleSpacing is the main property: it sets each particle's own radius
+ *   r, half of the spacing, its kernel radius and, where these are 0, VoxelSize (r) and TargetReach
+ *   (6 r). SetInputArrayToProcess(0, ...) chooses an array of radii (of balls and tubes), (1, ...)
+ *   of ids, (2, ...) of strengths. Without them KernelRadius, the point numbers and 1 are used.
+ *   Or a vtkTable with the columns x, y, z (Points:0, Points:1, Points:2; pos_x ...), whose other
  *   columns are its arrays. Or blocks of particles (vtkMultiBlockDataSet, vtkPartitionedDataSet,
  *   ...): all points in the order of the blocks, with the arrays that all blocks have. A single
  *   block with points may be of any kind.
@@ -72,9 +85,9 @@
 #ifndef vtkActiveImplicitSurface_h
 #define vtkActiveImplicitSurface_h
 
-#include "vtkActiveParticleAlgorithm.h"
 #include "vtkActiveSurfacesModule.h" // for the export macro
-#include "vtkSmartPointer.h"         // for the functions
+#include "vtkImageAlgorithm.h"
+#include "vtkSmartPointer.h" // for the functions
 
 #include <memory> // for the requests
 
@@ -90,221 +103,641 @@ class SurfaceRequests;
 struct SurfaceProperties;
 }
 
-class VTKACTIVESURFACES_EXPORT vtkActiveImplicitSurface : public vtkActiveParticleAlgorithm
+class VTKACTIVESURFACES_EXPORT vtkActiveImplicitSurface : public vtkImageAlgorithm
 {
 public:
   static vtkActiveImplicitSurface* New();
-  vtkTypeMacro(vtkActiveImplicitSurface, vtkActiveParticleAlgorithm);
+  vtkTypeMacro(vtkActiveImplicitSurface, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  // @name Target
+
   ///@{
-  /**
-   * Target, negative inside, instead of an input: any implicit function. All threads evaluate
+  /** Target, negative inside, instead of an input: any implicit function. All threads evaluate
    * functions that only read their own data (vtkSphere, vtkBox, vtkPlane, vtkPlanes, vtkCylinder,
    * vtkCone, vtkQuadric, vtkSuperquadric, vtkSkeletonPotential, vtkGridPotential;
-   * vtkImplicitBoolean of such) without a transform; else one thread does. Restarts the motion.
-   * Default: none.
-   */
+   * vtkImplicitBoolean of such) without a transform; else one thread does. Default: none. */
   virtual void SetTargetFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetTargetFunction();
   ///@}
 
   ///@{
-  /**
-   * Shape of the skin at the first time, negative inside, closed within a voxel of ModelBounds. Not
-   * together with input port 1. Restarts the motion. Default: none, the skin starts on the input of
-   * port 1, or else on the target, as it is at the first time.
-   */
+  /** Shape of the skin at the first time, negative inside, closed within a voxel of ModelBounds.
+   * Not together with input port 1. Default: none, the skin starts on the input of port 1, or else
+   * on the target, as it is at the first time. */
   virtual void SetInitialFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetInitialFunction();
   ///@}
 
   ///@{
-  /**
-   * Obstacle that the skin may not enter, negative inside: a rock (a vtkSphere), a container's wall
-   * (the function of its inside with the sign inverted, as by a vtkImplicitBoolean). The skin ends
-   * on the obstacle, closed, whatever moves the skin. The obstacle is sampled once at lattice
+  /** Obstacle that the skin may not enter, negative inside: a rock (a vtkSphere), a container's
+   * wall (the function of its inside with the sign inverted, as by a vtkImplicitBoolean). The skin
+   * ends on the obstacle, closed, whatever moves the skin. The obstacle is sampled once at lattice
    * nodes, as F / |grad F|, where the skin comes within 8 voxels. Obstacles thinner than two voxels
    * leak. The obstacle is static: a change, of its transform too, restarts the motion. It is not
-   * part of a saved state, so set it again. Threads as for TargetFunction. Default: none.
-   */
+   * part of a saved state, so set it again. Threads as for TargetFunction. Default: none. */
   virtual void SetObstacleFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetObstacleFunction();
   ///@}
 
   ///@{
-  /**
-   * Level of the target that attracts the skin [unit of the target's values]; of images at port 1
-   * too. Range: finite. Default: 0, which for masks (images of two values, none negative) or
-   * fractions of volume (0 to 1, most of them 0 or 1) is the level between, with the inside above.
-   */
+  /** Level of the target that attracts the skin [unit of the target's values]; of images at port
+   * 1 too. Range: finite. Default: 0, which for masks (images of two values, none negative) or
+   * fractions of volume (0 to 1, most of them 0 or 1) is the level between, with the inside
+   * above. */
   vtkSetMacro(TargetIsoValue, double);
   vtkGetMacro(TargetIsoValue, double);
   ///@}
 
   ///@{
-  /**
-   * Puts the inside above TargetIsoValue; for images at port 1 too. Default: off, below.
-   */
+  /** Puts the inside above TargetIsoValue; for images at port 1 too. Default: off, below. */
   vtkSetMacro(InvertTarget, vtkTypeBool);
   vtkGetMacro(InvertTarget, vtkTypeBool);
   vtkBooleanMacro(InvertTarget, vtkTypeBool);
   ///@}
 
   ///@{
-  /**
-   * Attracts by the distance (F - TargetIsoValue) / |grad F|, clamped to +-TargetReach, instead of
+  /** Attracts by the distance (F - TargetIsoValue) / |grad F|, clamped to +-TargetReach, instead of
    * F - TargetIsoValue. Attraction is then a rate for any scale of the target. Where the target is
    * flat, the skin moves at constant speed. Off: the speed is as uneven as F, and steep targets
-   * cost many small substeps. Default: on.
-   */
+   * cost many small substeps. Default: on. */
   vtkSetMacro(NormalizeTarget, vtkTypeBool);
   vtkGetMacro(NormalizeTarget, vtkTypeBool);
   vtkBooleanMacro(NormalizeTarget, vtkTypeBool);
   ///@}
 
   ///@{
-  /**
-   * Distance [length] from the target beyond which the attraction is constant: the largest speed is
-   * Attraction * TargetReach. Larger values move distant skins faster, for more substeps.
-   * Range: >= 0; 0 is 3 ParticleSpacing over particles whose spacing is known, else an eighth of
-   * the bounds' diagonal. Default: 0.
-   */
+  /** Distance [length] from the target beyond which the attraction is constant: the largest speed
+   * is Attraction * TargetReach. Larger values move distant skins faster, for more substeps. Range:
+   * >= 0; 0 is 3 ParticleSpacing over particles whose spacing is known, else an eighth of the
+   * bounds' diagonal. Default: 0. */
   vtkSetClampMacro(TargetReach, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetReach, double);
   ///@}
 
   ///@{
-  /**
-   * Spacing of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are at
-   * its multiples. Half the size needs 4 times the memory, 8 (with Tension 16) times the time.
+  /** Thickness [length] of the shell that an input mesh with open edges becomes; a closed mesh
+   * stays a solid. Below about two voxels the shell has holes. Range: >= 0, at most 1e30. Default:
+   * 0, no shell: holes are closed from rim to rim, by winding numbers, with a warning. */
+  vtkSetClampMacro(MeshThickness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MeshThickness, double);
+  ///@}
+
+  // @name Particles
+
+  enum ParticleModelType
+  {
+    SUM = 0,
+    ANISOTROPIC = 1
+  };
+
+  ///@{
+  /** Model of the surface of particles, as in vtkSkeletonPotential. SUM (0): a sum of
+   * ParticleKernel at ParticleThreshold, the paper's, bumpy and more than r too wide at the
+   * defaults. ANISOTROPIC (1), ellipsoids fitted to the neighbours, is flat for a body of particles
+   * and a ball of radius r for an isolated one, and has the particles' volume. Lines of a skeleton
+   * are always a SUM. PaperFaithful() chooses SUM. Default: ANISOTROPIC. */
+  vtkSetClampMacro(ParticleModel, int, SUM, ANISOTROPIC);
+  vtkGetMacro(ParticleModel, int);
+  void SetParticleModelToSum() { this->SetParticleModel(SUM); }
+  void SetParticleModelToAnisotropic() { this->SetParticleModel(ANISOTROPIC); }
+  ///@}
+
+  ///@{
+  /** Usual distance of neighbouring particles [length], 2 r: the side of the cube that a particle
+   * fills. Range: >= 0; 1e-30 to 1e30, or 0, which is the median distance of a particle to its
+   * third nearest, with a warning that says the value (or, where KernelRadius or an array of radii
+   * is given, the spacing that belongs to it). The estimate is the least of those of the first, the
+   * middle and the last time step. Steps with less than a tenth of the largest number of particles
+   * are ignored. These steps are read when the skin starts. If the input cannot go back in time,
+   * the estimate is that of the first particles. Default: 0. */
+  vtkSetClampMacro(ParticleSpacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ParticleSpacing, double);
+  ///@}
+
+  ///@{
+  /** Radius of the kernel of a particle, or of a line of a skeleton [length]: the distance at which
+   * its influence ends, unless an array of radii is chosen. Larger values are smoother and slower.
+   * (An array of radii has the radii of the balls and tubes that the skin shows for isolated
+   * elements. Kernels end at 4.5 times that radius, with SUM where an isolated element gets that
+   * radius.) Range: >= 0; 1e-30 to 1e30, or 0, which is 2 (SUM, and lines) or 2.25 (ANISOTROPIC)
+   * times ParticleSpacing. Default: 0. */
+  vtkSetClampMacro(KernelRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(KernelRadius, double);
+  ///@}
+
+  ///@{
+  /** Largest ratio of the axes of a particle's influence [1], with ANISOTROPIC: 1 for balls. Range:
+   * 1 to 100. Default: 4. */
+  vtkSetClampMacro(Anisotropy, double, 1.0, 100.0);
+  vtkGetMacro(Anisotropy, double);
+  ///@}
+
+  enum ParticleKernelType
+  {
+    WYVILL = 0,
+    CUBIC_SPLINE = 1,
+    METABALL = 2
+  };
+
+  ///@{
+  /** Decrease of a particle's influence with distance, with SUM, from vtkSkeletonPotential: WYVILL
+   * (0), smooth; CUBIC_SPLINE (1), narrower, the kernel of SPH; METABALL (2). It also weights the
+   * arrays that the skin gets from the particles. Default: WYVILL. */
+  vtkSetClampMacro(ParticleKernel, int, WYVILL, METABALL);
+  vtkGetMacro(ParticleKernel, int);
+  void SetParticleKernelToWyvill() { this->SetParticleKernel(WYVILL); }
+  void SetParticleKernelToCubicSpline() { this->SetParticleKernel(CUBIC_SPLINE); }
+  void SetParticleKernelToMetaball() { this->SetParticleKernel(METABALL); }
+  ///@}
+
+  ///@{
+  /** Level [1] of the particles' summed influence at which SUM places the surface: lower values
+   * give thicker bodies. An isolated particle has an influence of 1 at its centre. Range: > 0; else
+   * all space would be inside. Default: 0.5. */
+  vtkSetMacro(ParticleThreshold, double);
+  vtkGetMacro(ParticleThreshold, double);
+  ///@}
+
+  ///@{
+  /** Periodic box (xmin, xmax, ymin, ymax, zmin, zmax) [length] of the particles, as of a
+   * simulation of molecules. A particle that leaves the box through a side enters through the
+   * opposite side, wherever the input lists it. Between two time steps it moves on the shortest
+   * path. The skin is closed at the sides of the box. Range: finite; an axis with min >= max is not
+   * periodic. Default: (1, -1, 1, -1, 1, -1), none is. */
+  vtkSetVector6Macro(PeriodicBounds, double);
+  vtkGetVector6Macro(PeriodicBounds, double);
+  ///@}
+
+  // @name Resolution
+
+  ///@{
+  /** Spacing of the lattice nodes [length]: the smallest detail that the skin can show. Nodes are
+   * at its multiples. Half the size needs 4 times the memory, 8 (with Tension 16) times the time.
    * Range: >= 0; 1e-30 to 1e30, or 0, which is half of ParticleSpacing over particles (also of the
    * estimated one, unless ParticleModel is SUM or ModelBounds are set), else a 64th of the bounds'
-   * longest side, over images at most a pixel (the smallest spacing) or a 1000th. Default: 0.
-   */
+   * longest side, over images at most a pixel (the smallest spacing) or a 1000th. Default: 0. */
   vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
 
   ///@{
-  /**
-   * Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled, one
-   * evaluation for each lattice node, and which the potential's image covers. The skin may leave
-   * the box later. Range: finite, min < max on each axis, or unset. Default: unset (1, -1, 1, -1,
-   * 1, -1), the box of the first target and the initial shape (inputs, vtkSkeletonPotential and
-   * vtkGridPotential have one), enlarged by an eighth of its longest side, with images two voxels.
-   */
+  /** Box (xmin, xmax, ymin, ymax, zmin, zmax) [length] in which the initial shape is sampled,
+   * one evaluation for each lattice node, and which the potential's image covers. The skin may
+   * leave the box later. Range: finite, min < max on each axis, or unset. Default: unset (1, -1,
+   * 1, -1, 1, -1), the box of the first target and the initial shape (inputs,
+   * vtkSkeletonPotential and vtkGridPotential have one), enlarged by an eighth of its longest
+   * side, with images two voxels. */
   vtkSetVector6Macro(ModelBounds, double);
   vtkGetVector6Macro(ModelBounds, double);
   ///@}
 
   ///@{
-  /**
-   * Keeps the skin within ModelBounds: the target is cut off at the faces of that box, and the skin
-   * ends on them, closed. Range: on or off. Default: off.
-   */
+  /** Keeps the skin within ModelBounds: the target is cut off at the faces of that box, and the
+   * skin ends on them, closed. Range: on or off. Default: off. */
   vtkSetMacro(BoundedDomain, vtkTypeBool);
   vtkGetMacro(BoundedDomain, vtkTypeBool);
   vtkBooleanMacro(BoundedDomain, vtkTypeBool);
   ///@}
 
+  // @name Motion
+
   ///@{
-  /**
-   * Thickness [length] of the shell that an input mesh with open edges becomes; a closed mesh stays
-   * a solid. Below about two voxels the shell has holes. Range: >= 0, at most 1e30. Default: 0, no
-   * shell: holes are closed from rim to rim, by winding numbers, with a warning.
-   */
-  vtkSetClampMacro(MeshThickness, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MeshThickness, double);
+  /** Rate [1/time] at which the skin approaches the target: the distance falls by a factor e in
+   * a time of 1 / Attraction. With NormalizeTarget off its unit is [length/time] per unit of the
+   * target. Range: >= 0. Default: 1; over a moving input that means more, see
+   * AutomaticAttraction. */
+  vtkSetClampMacro(Attraction, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Attraction, double);
   ///@}
 
   ///@{
-  /**
-   * Adds outward unit normals of the potential to the skin, the point array "Normals".
-   * Does not restart the motion. Default: on.
-   */
+  /** Replaces an Attraction of 1, the default, by a value that follows an input with time steps.
+   * That value is 6 over the time from a step to the next one, so that 1/400 of a distance is left.
+   * Any other Attraction is used unchanged, and so is 1 over other targets and with PaperScheme.
+   * Default: on. */
+  vtkSetMacro(AutomaticAttraction, vtkTypeBool);
+  vtkGetMacro(AutomaticAttraction, vtkTypeBool);
+  vtkBooleanMacro(AutomaticAttraction, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /** Weight of surface tension [length^2/time]: adds -Tension * (sum of the principal curvatures)
+   * to the speed. It smooths, and shrinks parts that the target does not hold. A ball without a
+   * target has radius sqrt(r0^2 - 4 * Tension * t). The distance to a ball of radius R holds a ball
+   * of radius R/2 + sqrt(R^2/4 - 2 * Tension / Attraction), or none where R < 2.83 sqrt(Tension /
+   * Attraction). Targets whose F / |grad F| is larger inside hold smaller balls: particles down to
+   * about 2.4; a vtkSphere, whose F is r^2 - R^2, one of radius sqrt(R^2 - 4 * Tension /
+   * Attraction). There are at least 4 * Tension * time / VoxelSize^2 substeps. Range: >= 0.
+   * Default: 0, none, or see AutomaticSmoothing. */
+  vtkSetClampMacro(Tension, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Tension, double);
+  ///@}
+
+  ///@{
+  /** Replaces a Tension and a TargetNoise of 0, the defaults, by values from the spacing 2 r of
+   * particles: Attraction * r^2 / 2, if TensionWeighting is on, and r / 2. Any other value is used
+   * unchanged. So is 0 over other targets, with ParticleModel SUM, with PaperScheme, and where
+   * other explicit substeps are needed (see TimeIntegration). Default: on. */
+  vtkSetMacro(AutomaticSmoothing, vtkTypeBool);
+  vtkGetMacro(AutomaticSmoothing, vtkTypeBool);
+  vtkBooleanMacro(AutomaticSmoothing, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /** Applies Tension where particles are a body of fluid, and reduces it to zero for an isolated
+   * particle or a thread of few: drops keep their size. The weight depends on a particle's
+   * neighbours within 3.6 spacings. A third of Tension acts with half of a
+   * body's neighbours, all of it with three quarters of them. Of no use to other targets, in
+   * explicit substeps and with PaperScheme. Default: on. */
+  vtkSetMacro(TensionWeighting, vtkTypeBool);
+  vtkGetMacro(TensionWeighting, vtkTypeBool);
+  vtkBooleanMacro(TensionWeighting, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /** Amplitude [length] of noise in the target's surface. A skin within this distance of the target
+   * follows slowly, at 3 % of Attraction. Beyond, it soon follows at full Attraction; in a body of
+   * particles from 1.5 times the distance on. Particles move the skin of a body, as by Transport,
+   * only if they move together: velocities within the error of their mean are ignored. Drops and
+   * threads follow as before. The skin of a fluid in a steady state is therefore smooth and does
+   * not move, and is at most this distance from the target. With NormalizeTarget. Range: >= 0.
+   * Default: 0, none, or see AutomaticSmoothing. */
+  vtkSetClampMacro(TargetNoise, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TargetNoise, double);
+  ///@}
+
+  ///@{
+  /** Fraction [1] of the particles' own velocity that carries the skin: adds Transport * (v . n) to
+   * the speed. v is the mean velocity of nearby particles, from their motion to the next time step.
+   * With 1 the skin does not lag behind moving particles. Of no use to other targets, in explicit
+   * substeps and with PaperScheme. Range: 0 to 1. Default: 1. */
+  vtkSetClampMacro(Transport, double, 0.0, 1.0);
+  vtkGetMacro(Transport, double);
+  ///@}
+
+  ///@{
+  /** Creates a skin for parts of the target that no skin reaches: emitters, rain, spray, morphs
+   * between shapes that do not overlap. A part appears with its size in that substep. Voids that
+   * only the target has, deep inside the skin, are created, too. Of a mesh or an image, or a
+   * vtkGridPotential as a function, that is a connected part, or a void, that the skin does not
+   * meet at all. Of particles, it is a part that the skin does not reach by itself. Parts that
+   * Tension would remove are not created. Off: a skin only appears where the previous skin has
+   * been. Of no use to skeletons of lines, to other functions and to the PaperScheme. Default:
+   * on. */
+  vtkSetMacro(CreateParts, vtkTypeBool);
+  vtkGetMacro(CreateParts, vtkTypeBool);
+  vtkBooleanMacro(CreateParts, vtkTypeBool);
+  ///@}
+
+  enum EvolutionModeType
+  {
+    TRANSIENT = 0,
+    EQUILIBRIUM = 1
+  };
+
+  ///@{
+  /** Motion through the time steps, or to a steady state. TRANSIENT (0): the skin follows the time
+   * steps. EQUILIBRIUM (1): there are no time steps; each update moves the skin to a steady state
+   * on the target of the first time step. The motion ends by RestTolerance or
+   * MaximumNumberOfSubsteps. The history records which of them ended it, and a warning reports the
+   * latter. Default: TRANSIENT. */
+  vtkSetClampMacro(EvolutionMode, int, TRANSIENT, EQUILIBRIUM);
+  vtkGetMacro(EvolutionMode, int);
+  void SetEvolutionModeToTransient() { this->SetEvolutionMode(TRANSIENT); }
+  void SetEvolutionModeToEquilibrium() { this->SetEvolutionMode(EQUILIBRIUM); }
+  ///@}
+
+  ///@{
+  /** Largest normal speed [voxels/time] of a steady skin, with EvolutionMode EQUILIBRIUM. Unless
+   * it is 0, the motion also ends if only an oscillation remains; a warning reports oscillation
+   * of more than 5 % of the skin. Values below 1e-7 are below rounding. Range: >= 0. Default:
+   * 0.001. */
+  vtkSetClampMacro(RestTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(RestTolerance, double);
+  ///@}
+
+  ///@{
+  /** Maximum number of substeps of an update, with EvolutionMode EQUILIBRIUM. Range: >= 0. Default:
+   * 10000. */
+  vtkSetClampMacro(MaximumNumberOfSubsteps, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumberOfSubsteps, int);
+  ///@}
+
+  enum TimeIntegrationType
+  {
+    EXPLICIT = 0,
+    AUTOMATIC = 1
+  };
+
+  ///@{
+  /** Integration in time. EXPLICIT (0): substeps as short as the fastest part of the skin needs.
+   * AUTOMATIC (1): over particles one step for each time step, else EXPLICIT. That step carries the
+   * skin, evaluates the target once, at lattice nodes near its surface, and relaxes the skin
+   * towards it. Particles use EXPLICIT, with a warning, for features that only substeps support: an
+   * Attraction that shortens distances by less than e^2 in a time step, penalties, InvertTarget,
+   * TargetIsoValue (with SUM: at least ParticleThreshold), EQUILIBRIUM, CreateParts or
+   * NormalizeTarget off, TargetEvaluation and GradientScheme other than by default, PaperScheme.
+   * Explicit substeps ignore Transport, TensionWeighting and AutomaticSmoothing. Default:
+   * AUTOMATIC. */
+  vtkSetClampMacro(TimeIntegration, int, EXPLICIT, AUTOMATIC);
+  vtkGetMacro(TimeIntegration, int);
+  void SetTimeIntegrationToExplicit() { this->SetTimeIntegration(EXPLICIT); }
+  void SetTimeIntegrationToAutomatic() { this->SetTimeIntegration(AUTOMATIC); }
+  ///@}
+
+  ///@{
+  /** Fraction [1] of the stable time step that a substep uses. Smaller values are more accurate in
+   * time, and take 1 / CFL times as long. Range: 1e-6 to 1. Default: 1. */
+  vtkSetMacro(CFL, double);
+  vtkGetMacro(CFL, double);
+  ///@}
+
+  enum TargetEvaluationType
+  {
+    SHIFTED = 0,
+    NODE = 1,
+    CLOSEST_POINT = 2
+  };
+
+  ///@{
+  /** Points at which the target is evaluated for the speed of a lattice node. SHIFTED (0): the
+   * crossings of the node's edges with the skin (paper, section 4.3), extended from there. NODE
+   * (1): the node itself, which freezes into a staircase (the paper's Figs. 2 and 3). CLOSEST_POINT
+   * (2): the closest point of the skin, as smooth as SHIFTED and four times the evaluations.
+   * Default: SHIFTED. */
+  vtkSetClampMacro(TargetEvaluation, int, SHIFTED, CLOSEST_POINT);
+  vtkGetMacro(TargetEvaluation, int);
+  void SetTargetEvaluationToShifted() { this->SetTargetEvaluation(SHIFTED); }
+  void SetTargetEvaluationToNode() { this->SetTargetEvaluation(NODE); }
+  void SetTargetEvaluationToClosestPoint() { this->SetTargetEvaluation(CLOSEST_POINT); }
+  ///@}
+
+  enum GradientSchemeType
+  {
+    CENTRAL = 0,
+    UPWIND = 1
+  };
+
+  ///@{
+  /** Differences that advect the potential: CENTRAL (0), the paper's, which are unstable by
+   * themselves, or UPWIND (1), one-sided, from the side that the skin comes from. Default:
+   * UPWIND. */
+  vtkSetClampMacro(GradientScheme, int, CENTRAL, UPWIND);
+  vtkGetMacro(GradientScheme, int);
+  void SetGradientSchemeToCentral() { this->SetGradientScheme(CENTRAL); }
+  void SetGradientSchemeToUpwind() { this->SetGradientScheme(UPWIND); }
+  ///@}
+
+  ///@{
+  /** Moves the skin by the paper's own scheme. The scheme has thresholds at 3 voxels, plain means
+   * of the samples (or TargetEvaluation) and F at the nodes beyond, central differences, its time
+   * steps (6) and (7) in a box of unit size. For comparison: it is slower and less accurate.
+   * Default: off. */
+  vtkSetMacro(PaperScheme, vtkTypeBool);
+  vtkGetMacro(PaperScheme, vtkTypeBool);
+  vtkBooleanMacro(PaperScheme, vtkTypeBool);
+  ///@}
+
+  // @name Conservation
+
+  enum ControlType
+  {
+    NONE = 0,
+    PENALTY = 1,
+    EXACT = 2
+  };
+
+  ///@{
+  /** Control of the volume of the skin (paper, section 5.2). NONE (0). PENALTY (1): a speed in
+   * proportion to the missing fraction. A ball of radius r0 without a target keeps missing a
+   * fraction e, e (1 - e)^(1/3) = 2 Tension / (VolumeStiffness r0), and collapses where
+   * VolumeStiffness * r0 < 4.233 Tension. EXACT (2): a uniform displacement after each substep
+   * restores the volume, to 1e-6 and through splits to 1e-5, without stiffness; a substep then
+   * takes three times as long. Default: NONE. */
+  vtkSetClampMacro(VolumeControl, int, NONE, EXACT);
+  vtkGetMacro(VolumeControl, int);
+  void SetVolumeControlToNone() { this->SetVolumeControl(NONE); }
+  void SetVolumeControlToPenalty() { this->SetVolumeControl(PENALTY); }
+  void SetVolumeControlToExact() { this->SetVolumeControl(EXACT); }
+  ///@}
+
+  ///@{
+  /** Speed [length/time] per missing fraction of the volume, with VolumeControl PENALTY. There are
+   * at least VolumeStiffness * time * area / volume substeps. Range: >= 0. Default: 1. */
+  vtkSetClampMacro(VolumeStiffness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(VolumeStiffness, double);
+  ///@}
+
+  ///@{
+  /** Volume [length^3] that VolumeControl conserves, with EXACT from the first frame on. Range: >=
+   * 0; 0 is that of the skin at the start. Default: 0. */
+  vtkSetClampMacro(TargetVolume, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TargetVolume, double);
+  ///@}
+
+  ///@{
+  /** Control of the area of the skin (paper, section 5.1): NONE (0), PENALTY (1) or EXACT (2), as
+   * with VolumeControl. The offset of a penalty is e (1 - e)^(1/2) = 2 Tension / (AreaStiffness
+   * r0), its least stiffness 5.196 Tension / r0. Not EXACT together with VolumeControl EXACT: one
+   * displacement cannot restore both. Default: NONE. */
+  vtkSetClampMacro(AreaControl, int, NONE, EXACT);
+  vtkGetMacro(AreaControl, int);
+  void SetAreaControlToNone() { this->SetAreaControl(NONE); }
+  void SetAreaControlToPenalty() { this->SetAreaControl(PENALTY); }
+  void SetAreaControlToExact() { this->SetAreaControl(EXACT); }
+  ///@}
+
+  ///@{
+  /** Speed [length/time] per missing fraction of the area, with AreaControl PENALTY. Range: >= 0.
+   * Default: 1. */
+  vtkSetClampMacro(AreaStiffness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(AreaStiffness, double);
+  ///@}
+
+  ///@{
+  /** Area [length^2] that AreaControl conserves, with EXACT from the first frame on. Range: >= 0; 0
+   * is that of the skin at the start. Default: 0. */
+  vtkSetClampMacro(TargetArea, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TargetArea, double);
+  ///@}
+
+  // @name Time
+
+  ///@{
+  /** Motion time per pipeline time [time/pipeline time]; Attraction and Tension are rates of motion
+   * time. An input with the steps 0, 1, 2 ... at 25 per second has TimeScale 1/25. Range: > 0.
+   * Default: 1. */
+  vtkSetMacro(TimeScale, double);
+  vtkGetMacro(TimeScale, double);
+  ///@}
+
+  ///@{
+  /** Time at which the skin coincides with a static target [pipeline time after the first time
+   * step], to 0.1 voxel where the target is a distance nearby. Each part moves at constant speed;
+   * thin limbs grow along their length. Parts of only one of the two shapes grow from a core (with
+   * CreateParts) or shrink. Attraction keeps the skin on the target after that time. Ignored with
+   * EvolutionMode EQUILIBRIUM; needs NormalizeTarget. Range: >= 0; 0: by Attraction, the skin comes
+   * near for ever. Default: 0. */
+  vtkSetClampMacro(ArrivalTime, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ArrivalTime, double);
+  ///@}
+
+  ///@{
+  /** First time step [pipeline time], published where the input has no time steps, or one; equal
+   * neighbours among its steps count as one. Range: finite. Default: 0. */
+  vtkSetMacro(StartTime, double);
+  vtkGetMacro(StartTime, double);
+  ///@}
+
+  ///@{
+  /** Interval of the time steps [pipeline time] that are published where the input has none. Range:
+   * > 0. Default: 0.1. */
+  vtkSetMacro(TimeStepSize, double);
+  vtkGetMacro(TimeStepSize, double);
+  ///@}
+
+  ///@{
+  /** Number of time steps that are published where the input has none. Range: 1 to 1000000.
+   * Default: 11. */
+  vtkSetClampMacro(NumberOfTimeSteps, int, 1, 1000000);
+  vtkGetMacro(NumberOfTimeSteps, int);
+  ///@}
+
+  // @name Output
+
+  ///@{
+  /** Adds outward unit normals of the potential to the skin, the point array "Normals". Does not
+   * restart the motion. Default: on. */
   vtkSetMacro(ComputeNormals, vtkTypeBool);
   vtkGetMacro(ComputeNormals, vtkTypeBool);
   vtkBooleanMacro(ComputeNormals, vtkTypeBool);
   ///@}
 
   ///@{
-  /**
-   * Adds the point array "Velocity" [length/time]: the normal velocity by the equation of motion
+  /** Adds the point array "Velocity" [length/time]: the normal velocity by the equation of motion
    * and, over particles, their velocity along the skin (TangentialVelocity). Valid through splits
-   * and merges. Costs an evaluation of the target. Does not restart the motion. Default: off.
-   */
+   * and merges. Costs an evaluation of the target. Does not restart the motion. Default: off. */
   vtkSetMacro(ComputeVelocity, vtkTypeBool);
   vtkGetMacro(ComputeVelocity, vtkTypeBool);
   vtkBooleanMacro(ComputeVelocity, vtkTypeBool);
   ///@}
 
   ///@{
-  /**
-   * Largest length [length/time] of the vectors of "Velocity"; longer vectors lose part of their
+  /** Adds the tangential component to "Velocity", so that the array is the whole motion of the
+   * skin, as motion blur needs. The component is the velocity of the particles, averaged with the
+   * weights of their kernels. Velocities are read from the array that SetInputArrayToProcess(5,
+   * ...) chooses, else found from the displacement since the previous step (at the first step, to
+   * the next one). Particles with neither are ignored. The component is 0 if no particle has a
+   * velocity, and for other targets. Off: only the normal velocity. Does not restart the motion.
+   * Default: on. */
+  vtkSetMacro(TangentialVelocity, vtkTypeBool);
+  vtkGetMacro(TangentialVelocity, vtkTypeBool);
+  vtkBooleanMacro(TangentialVelocity, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /** Largest length [length/time] of the vectors of "Velocity"; longer vectors lose part of their
    * component along the normal. A skin that catches up, as in the notch of two parts that have just
    * merged, moves at up to Attraction * TargetReach, which blurs into streaks. Range: >= 0; 0 is
    * the speed of the fastest particle that is in both steps, its radius' change included (or by
    * SetInputArrayToProcess(5, ...) with TangentialVelocity), over the interval since the step
    * before (at the first step, to the next one); no bound if none moves, or for other targets. Does
-   * not restart the motion. Default: 0.
-   */
+   * not restart the motion. Default: 0. */
   vtkSetClampMacro(MaximumVelocity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVelocity, double);
   ///@}
 
   ///@{
-  /**
-   * Adds the point array "MeanCurvature" [1/length] to the skin: the sum of the principal
+  /** Adds the point array "MeanCurvature" [1/length] to the skin: the sum of the principal
    * curvatures. The sum is 2/r on a ball of radius r, negative where the skin is concave, and at
-   * most 4 per voxel. Does not restart the motion. Default: off.
-   */
+   * most 4 per voxel. Does not restart the motion. Default: off. */
   vtkSetMacro(ComputeCurvature, vtkTypeBool);
   vtkGetMacro(ComputeCurvature, vtkTypeBool);
   vtkBooleanMacro(ComputeCurvature, vtkTypeBool);
   ///@}
 
   ///@{
-  /**
-   * Makes the potential's image, output port 1, with each skin, so that GetPotential() has it after
-   * Update(); Update(1) always makes it. The image needs 4 bytes for each lattice node in the
-   * bounds. Does not restart the motion. Default: off.
-   */
+  /** Adds the point arrays of nearby particles to the skin. Floating-point arrays and colours
+   * (unsigned char, 3 or 4 components, rounded, halves up) are averaged with the kernels' weights.
+   * Others, such as ids and names, come from the particle of the largest weight. Points outside all
+   * kernels use the nearest particle. Values are linear between two steps. Arrays are omitted if
+   * they are ghost levels, have a name of the skin's own arrays, lack a value for a point, or are
+   * not alike at both steps. Does not restart the motion. Default: off. */
+  vtkSetMacro(PassTargetArrays, vtkTypeBool);
+  vtkGetMacro(PassTargetArrays, vtkTypeBool);
+  vtkBooleanMacro(PassTargetArrays, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /** Makes the potential's image, output port 1, with each skin, so that GetPotential() has it
+   * after Update(); Update(1) always makes it. The image needs 4 bytes for each lattice node in the
+   * bounds. Does not restart the motion. Default: off. */
   vtkSetMacro(OutputPotential, vtkTypeBool);
   vtkGetMacro(OutputPotential, vtkTypeBool);
   vtkBooleanMacro(OutputPotential, vtkTypeBool);
   ///@}
 
+  // @name Limits
+
   ///@{
-  /**
-   * Ranks that compute one skin, and update, save and load together. Each provides a piece of the
-   * inputs and outputs a part of the skin. Restarts the motion. Default: VTK's global controller.
-   */
+  /** Interval of stored states, in time steps. A request for an earlier time recomputes at most
+   * this number of steps, unless CheckpointMemory removes states. 0 stores none: the motion starts
+   * over. Does not restart the motion. Range: >= 0. Default: 1. */
+  vtkSetClampMacro(CheckpointInterval, int, 0, VTK_INT_MAX);
+  vtkGetMacro(CheckpointInterval, int);
+  ///@}
+
+  ///@{
+  /** Memory [MiB] for stored states: 5 to 8 bytes per active voxel each. When it is full, the
+   * states whose removal leaves the smallest gaps are removed. Does not restart the motion. Range:
+   * >= 0. Default: 256. */
+  vtkSetClampMacro(CheckpointMemory, int, 0, VTK_INT_MAX);
+  vtkGetMacro(CheckpointMemory, int);
+  ///@}
+
+  ///@{
+  /** Memory limit: a band of more active voxels is an error. A ball of diameter d has about 20 * (d
+   * / VoxelSize)^2 active voxels. Distances to a mesh that need ten times as many voxels are an
+   * error, too. Does not restart the motion. Range: >= 1. Default: 50000000. */
+  vtkSetClampMacro(MaximumNumberOfActiveVoxels, vtkIdType, 1, VTK_ID_MAX);
+  vtkGetMacro(MaximumNumberOfActiveVoxels, vtkIdType);
+  ///@}
+
+  ///@{
+  /** Number of threads that move the skin. Does not change the result, nor restart the motion.
+   * Range: 0 to 1024; 0 is all that TBB may use. Default: 0. */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /** Ranks that compute one skin, and update, save and load together. Each provides a piece of the
+   * inputs and outputs a part of the skin. Another controller of a single process does not restart
+   * the motion. Default: VTK's global controller. */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
 
+  // @name
+
   ///@{
-  /**
-   * Save or load the state of the skin as a .vdb file with metadata. SaveState saves the last time
+  /** Save or load the state of the skin as a .vdb file with metadata. SaveState saves the last time
    * step up to the time of the last update. LoadState loads it into a filter with the same
    * properties and inputs. Any time from that of the state on then continues from there, bitwise
-   * identically. Return false, with an error, if there is no state, or reading or writing fails.
-   */
+   * identically. Return false, with an error, if there is no state, or reading or writing fails. */
   bool SaveState(const char* file);
   bool LoadState(const char* file);
   ///@}
 
-  /**
-   * For a simulation's own loop: moves the skin to the next frame, dt [pipeline time] after the
+  /** For a simulation's own loop: moves the skin to the next frame, dt [pipeline time] after the
    * last one. The result is bitwise identical to that over the finished series. The frame becomes
    * the input of port 0; it may be the same object with new contents. The first frame is at
    * StartTime, whatever its dt. GetOutput() is at the newest frame, whatever time is requested. A
    * property that restarts the motion restarts it at that frame. Velocities do not use the next
    * frame. Returns false, with an error, if there is no skin. A refused frame changes nothing. A
    * frame at which the motion stopped before its end (an abort, MaximumNumberOfActiveVoxels)
-   * counts: Update() or the next frame resumes. Range of dt: > 0, finite.
-   */
+   * counts: Update() or the next frame resumes. Range of dt: > 0, finite. */
   bool Advance(vtkDataObject* frame, double dt);
 
   /** Restarts the motion: at the next update, or at StartTime with the next Advance. */
@@ -321,10 +754,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Actual values where a property leaves the choice to the filter, in the units of the properties.
-   * 0 if there is none, and before the first update has read the inputs.
-   */
+  /** Actual values where a property leaves the choice to the filter, in the units of the
+   * properties. 0 if there is none, and before the first update has read the inputs. */
   double GetVoxelSizeInUse();
   double GetParticleSpacingInUse();
   double GetAttractionInUse();
@@ -340,14 +771,12 @@ public:
   /** One row for each time step up to the skin, see above. */
   vtkTable* GetHistory();
 
-  /**
-   * The skin as an implicit function: a vtkGridPotential that any thread may evaluate in constant
+  /** The skin as an implicit function: a vtkGridPotential that any thread may evaluate in constant
    * time. It is trilinear and has the correct sign everywhere. It is a first-order distance
    * [length] within about 1.5 voxels of the skin, clamped to +-3 voxels. The object is always the
    * same, with the new skin after each update. It is outside everywhere before the first update and
    * after an error. As the target of another surface it restarts that one with each change: to
-   * follow a moving skin, connect its output port instead.
-   */
+   * follow a moving skin, connect its output port instead. */
   vtkImplicitFunction* GetSkinFunction();
 
   vtkMTimeType GetMTime() override;
@@ -379,20 +808,60 @@ private:
   vtkSmartPointer<vtkImplicitFunction> TargetFunction;
   vtkSmartPointer<vtkImplicitFunction> InitialFunction;
   vtkSmartPointer<vtkImplicitFunction> ObstacleFunction;
-  vtkSmartPointer<vtkMultiProcessController> Controller;
   double TargetIsoValue = 0.0;
   vtkTypeBool InvertTarget = 0;
   vtkTypeBool NormalizeTarget = 1;
   double TargetReach = 0.0;
-  double VoxelSize = 0.0;
-  vtkTypeBool BoundedDomain = 0;
-  double ModelBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double MeshThickness = 0.0;
+  int ParticleModel = ANISOTROPIC;
+  double ParticleSpacing = 0.0;
+  double KernelRadius = 0.0;
+  double Anisotropy = 4.0;
+  int ParticleKernel = WYVILL;
+  double ParticleThreshold = 0.5;
+  double PeriodicBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  double VoxelSize = 0.0;
+  double ModelBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  vtkTypeBool BoundedDomain = 0;
+  double Attraction = 1.0;
+  vtkTypeBool AutomaticAttraction = 1;
+  double Tension = 0.0;
+  vtkTypeBool AutomaticSmoothing = 1;
+  vtkTypeBool TensionWeighting = 1;
+  double TargetNoise = 0.0;
+  double Transport = 1.0;
+  vtkTypeBool CreateParts = 1;
+  int EvolutionMode = TRANSIENT;
+  double RestTolerance = 1e-3;
+  int MaximumNumberOfSubsteps = 10000;
+  int TimeIntegration = AUTOMATIC;
+  double CFL = 1.0;
+  int TargetEvaluation = SHIFTED;
+  int GradientScheme = UPWIND;
+  vtkTypeBool PaperScheme = 0;
+  int VolumeControl = NONE;
+  double VolumeStiffness = 1.0;
+  double TargetVolume = 0.0;
+  int AreaControl = NONE;
+  double AreaStiffness = 1.0;
+  double TargetArea = 0.0;
+  double TimeScale = 1.0;
+  double ArrivalTime = 0.0;
+  double StartTime = 0.0;
+  double TimeStepSize = 0.1;
+  int NumberOfTimeSteps = 11;
   vtkTypeBool ComputeNormals = 1;
   vtkTypeBool ComputeVelocity = 0;
+  vtkTypeBool TangentialVelocity = 1;
   double MaximumVelocity = 0.0;
   vtkTypeBool ComputeCurvature = 0;
+  vtkTypeBool PassTargetArrays = 0;
   vtkTypeBool OutputPotential = 0;
+  int CheckpointInterval = 1;
+  int CheckpointMemory = 256;
+  vtkIdType MaximumNumberOfActiveVoxels = 50000000;
+  int NumberOfThreads = 0;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
   std::unique_ptr<activesurface::SurfaceRequests> Requests;
 };

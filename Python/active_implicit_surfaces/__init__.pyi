@@ -13,12 +13,9 @@ from .series import ParticleSeries as ParticleSeries
 
 __version__: str
 
-vtkActiveClockAlgorithm: Any
 vtkActiveEXRReader: Any
 vtkActiveEXRWriter: Any
 vtkActiveImplicitSurface: Any
-vtkActiveMotionAlgorithm: Any
-vtkActiveParticleAlgorithm: Any
 vtkActiveVDBReader: Any
 vtkActiveVDBWriter: Any
 vtkGridPotential: Any

@@ -90,7 +90,7 @@ def _changes(name: str, frames: Frames, given: dict[str, Any]) -> dict[str, Any]
     found = {
         one.name: value
         for one in properties.every()
-        if (value := getattr(plain, "Get" + one.name)()) != one.default
+        if one.kind != "object" and (value := getattr(plain, "Get" + one.name)()) != one.default
     }
     radii = plain.GetInputArrayInformation(_RADIUS).Get(vtkDataObject.FIELD_NAME())
     return {**found, "RadiusArray": ["POINTS", radii]} if radii else found

@@ -1,4 +1,4 @@
-"""Properties of the filter as keywords and options, found by inspection of the class.
+"""Properties of the filter as keywords and options, from properties.json: the table of its header.
 
 >>> from active_implicit_surfaces import properties
 >>> spacing = properties.find("particle_spacing")
@@ -12,14 +12,14 @@ from __future__ import annotations
 
 import difflib
 import functools
+import json
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
-from . import vtkActiveImplicitSurface
-
-PACKAGE = __package__
+TABLE = Path(__file__).with_name("properties.json")
 
 
 @dataclass(frozen=True)
@@ -27,11 +27,14 @@ class Property:
     """Property X of the filter, with SetX and GetX."""
 
     name: str
-    kind: str  # "switch", "choice", "integer", "number", "numbers" or "function"
+    kind: str  # "switch", "choice", "integer", "number", "numbers" or "object"
+    group: str
     default: Any
     choices: tuple[str, ...]
+    range: str  # "" if there is none
+    unit: str
+    sentence: str  # the first of the comment
     comment: str
-    owner: str  # class that declares it
 
     @property
     def keyword(self) -> str:
@@ -44,22 +47,16 @@ class Property:
         return "--" + "-".join(_words(self.name))
 
     @property
-    def range(self) -> str:
-        """Returns the range from the comment; "" if the comment has none."""
-        found = re.search(r"Range: (.*?)\.(?= |$)(?! ?\d)", self.comment)
-        return found[1] if found else ""
-
-    @property
     def summary(self) -> str:
         """Returns the first sentence of the comment, with the default."""
-        first = re.match(r"(.*?[.:])(?= [A-Z]|$)", self.comment)
-        text = first[1].rstrip(".:") if first else self.comment
+        if self.kind == "object":
+            return self.sentence
         value = self.choices[self.default] if self.kind == "choice" else self.default
-        return text if self.kind == "function" else f"{text} (default: {_plain(self.kind, value)})"
+        return f"{self.sentence} (default: {_plain(self.kind, value)})"
 
 
 def every() -> tuple[Property, ...]:
-    """Returns all properties, sorted by name."""
+    """Returns all properties, in their groups."""
     return tuple(_table().values())
 
 
@@ -119,7 +116,7 @@ def _put_one(surface: Any, own: Property, value: Any) -> None:
     if kind == "choice" and got != wanted:
         words = ", ".join(f"{word!r} ({number})" for number, word in enumerate(own.choices))
         raise ValueError(f"{own.keyword} is one of {words}, not {value!r}.")
-    if kind != "function" and got != wanted and wanted == wanted:
+    if kind != "object" and got != wanted and wanted == wanted:
         limits = f"its range: {own.range}" if own.range else f"its range; it became {got}"
         raise ValueError(f"{own.keyword} = {value!r} is out of {limits}.")
 
@@ -133,57 +130,18 @@ def _number_of_choice(own: Property, word: str) -> int:
 
 @functools.cache
 def _table() -> dict[str, Property]:
-    surface, found = vtkActiveImplicitSurface(), {}
-    for name in _names(type(surface)):
-        own = _describe(surface, name)
-        found[own.keyword] = own
-    return found
+    every_class = json.loads(TABLE.read_text(encoding="utf-8"))
+    return {own.keyword: own for own in map(_read, every_class["vtkActiveImplicitSurface"])}
 
 
-def _names(kind: type) -> list[str]:
-    ours = [base for base in kind.__mro__ if base.__module__.startswith(PACKAGE)]
-    setters = {name for base in ours for name in vars(base) if name.startswith("Set")}
-    taking = (name for name in setters if not re.match(r"\w+\(self\)", _text(kind, name)))
-    return sorted(name[3:] for name in taking)
-
-
-def _text(kind: type, name: str) -> str:
-    return getattr(kind, name).__doc__ or ""
-
-
-def _describe(surface: Any, name: str) -> Property:
-    kind = type(surface)
-    signatures, _, rest = _text(kind, "Set" + name).rpartition("\nC++: ")
-    comment = " ".join((rest.partition("\n\n")[2] if signatures else rest).split())
-    default, choices = getattr(surface, "Get" + name)(), _choices(surface, name)
-    if choices:
-        sort = "choice"
-    elif hasattr(kind, name + "On"):
-        sort = "switch"
-    elif isinstance(default, tuple):
-        sort = "numbers"
-    elif isinstance(default, float):
-        sort = "number"
-    elif isinstance(default, int):
-        sort = "integer"
-    else:
-        sort = "function"
-    owner = next(base.__name__ for base in kind.__mro__ if "Set" + name in vars(base))
-    return Property(name, sort, default, choices, comment, owner)
-
-
-def _choices(surface: Any, name: str) -> tuple[str, ...]:
-    """Returns the words of SetXToWord(), in the order of their values."""
-    before = getattr(surface, "Get" + name)()
-    start, numbered = f"Set{name}To", {}
-    for method in dir(type(surface)):
-        if method.startswith(start):
-            getattr(surface, method)()
-            word = "_".join(_words(method[len(start) :]))
-            numbered[getattr(surface, "Get" + name)()] = word
-    if numbered:
-        getattr(surface, "Set" + name)(before)
-    return tuple(word for _, word in sorted(numbered.items()))
+def _read(row: Mapping[str, Any]) -> Property:
+    several = row["kind"] == "numbers"
+    choices = tuple("_".join(_words(word)) for word in row["choices"])
+    return Property(
+        choices=choices,
+        default=tuple(row["default"]) if several else row["default"],
+        **{key: row[key] for key in "name kind group range unit sentence comment".split()},
+    )
 
 
 def _words(name: str) -> list[str]:

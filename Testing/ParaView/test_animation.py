@@ -1,7 +1,10 @@
 """Time in ParaView: the time keeper, playing, scrubbing, and property changes during the motion."""
 
+import sys
 import unittest
+from pathlib import Path
 
+import active_implicit_surfaces
 import numpy
 from paraview import servermanager
 from paraview.simple import (
@@ -18,71 +21,36 @@ from paraview.simple import (
 from scenes import IN_USE, skin_bytes, splash
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-# A second value of each property, including properties without effect on a skin over particles.
-OTHER_VALUES = {
-    "Anisotropy": 1,
-    "AreaControl": 1,
-    "AreaStiffness": 3,
+sys.path.append(str(Path(__file__).resolve().parents[1] / "Python"))
+from properties import needed_values, other_values, rows_of  # noqa: E402
+
+ROWS = rows_of(active_implicit_surfaces.vtkActiveImplicitSurface)
+# A second value of each property, including properties without effect on a skin over particles: by
+# rules, or one that leaves enough of the coarse splash.
+OTHER_VALUES = {name: values[0] for name, row in ROWS.items() if (values := other_values(row))} | {
     "Attraction": 40,
-    "AutomaticAttraction": 0,
-    "AutomaticSmoothing": 0,
-    "BoundedDomain": 1,
-    "CFL": 0.5,
-    "CheckpointInterval": 1,
-    "CheckpointMemory": 1,
-    "ComputeCurvature": 1,
-    "ComputeNormals": 0,
-    "ComputeVelocity": 1,
-    "CreateParts": 0,
-    "EvolutionMode": 1,
-    "GradientScheme": 0,
     "IdArray": ["POINTS", "id"],
     "InitialArray": ["POINTS", "RTData"],
     "InitialFunction": "Sphere",
-    "InvertTarget": 1,
-    "MaximumNumberOfActiveVoxels": 1000000,
-    "MaximumNumberOfSubsteps": 10,
-    "MaximumVelocity": 0.1,
-    "MeshThickness": 1,
-    "ModelBounds": [-1, 2, -1, 3, -1, 2],
-    "NormalizeTarget": 0,
-    "NumberOfThreads": 1,
-    "NumberOfTimeSteps": 5,
-    "ObstacleFunction": "Plane",
-    "OutputPotential": 1,
-    "PaperScheme": 1,
-    "ParticleKernel": 2,
-    "ParticleModel": 0,
     "KernelRadius": 0.2,
+    "MaximumNumberOfSubsteps": 10,
+    "ModelBounds": [-1, 2, -1, 3, -1, 2],
+    "ObstacleFunction": "Plane",
     "ParticleSpacing": 0.07,
-    "ParticleThreshold": 0.5,
-    "PassTargetArrays": 1,
     "PeriodicBounds": [-1, 2, -1, 3, 1, -1],
     "RadiusArray": ["POINTS", "id"],
     "RestTolerance": 1,
-    "StartTime": 1,
     "StrengthArray": ["POINTS", "id"],
-    "TangentialVelocity": 0,
     "TargetArea": 2,
     "TargetArray": ["POINTS", "id"],
-    "TargetEvaluation": 2,
-    "TargetIsoValue": 0.1,
-    "TargetNoise": 0.1,
-    "TargetReach": 0.01,
     "TargetVolume": 2,
-    "Tension": 0.02,
-    "TensionWeighting": 0,
-    "TimeIntegration": 0,
     "TimeScale": 1 / 50,
-    "TimeStepSize": 0.2,
-    "Transport": 0,
     "VelocityArray": ["POINTS", "id"],
-    "VolumeControl": 2,
-    "VolumeStiffness": 3,
     "VoxelSize": 0.1,
 }
 # Inputs, read-only properties, and properties without a valid second value over these particles.
 NOT_CHANGED = {"Input", "Initial", "TimestepValues", "ArrivalTime"} | set(IN_USE)
+del OTHER_VALUES["ArrivalTime"]
 # Changes are invisible in the second step: other times are published, or the input's times apply.
 WITHOUT_EFFECT = set(
     """
@@ -172,19 +140,14 @@ class ChangesInMidAnimation(unittest.TestCase):
     @staticmethod
     def needed(name):
         """Properties that this one needs for an effect on the skin."""
-        return {
-            "AreaStiffness": {"AreaControl": 1},
-            "TargetArea": {"AreaControl": 1},
-            "VolumeStiffness": {"VolumeControl": 1},
-            "TargetVolume": {"VolumeControl": 2},
+        more = {
             "RestTolerance": {"EvolutionMode": 1, "MaximumNumberOfSubsteps": 20},
             "MaximumNumberOfSubsteps": {"EvolutionMode": 1, "MaximumNumberOfSubsteps": 20},
             "EvolutionMode": {"MaximumNumberOfSubsteps": 20},
             "PaperScheme": {"Attraction": 1},
-            "MaximumVelocity": {"ComputeVelocity": 1},
-            "TangentialVelocity": {"ComputeVelocity": 1},
             "NormalizeTarget": {"Attraction": 1},
-        }.get(name, {})
+        }
+        return (needed_values(ROWS[name]) if name in ROWS else {}) | more.get(name, {})
 
     def test_the_skin_goes_along_with_the_particles(self):
         ResetSession()

@@ -24,7 +24,7 @@ from scenes import DATA, skin_bytes, splash
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "Examples" / "ParaView"
-NAMES = [one.name for one in active.properties.every() if one.kind not in ("function", "numbers")]
+NAMES = [one.name for one in active.properties.every() if one.kind not in ("object", "numbers")]
 
 
 def values_of(proxy):

@@ -6,8 +6,10 @@
 `draw_case` draws one, `random_checks.check` tries it.
 """
 
+import math
+
 from active_implicit_surfaces import vtkActiveImplicitSurface
-from properties import own_properties
+from properties import refused_values, rows_of
 from random_shapes import FUNCTIONS, INITIALS, OBSTACLES, OTHERS, PARTICLES, TARGETS
 from test_restart import DOES_NOT_RESTART, RESTARTS, half_box
 from vtkmodules.vtkCommonDataModel import vtkImplicitFunction
@@ -20,7 +22,6 @@ BASE = {
     "MaximumNumberOfSubsteps": 30,
 }
 BOX = (-1.0, 1.0, -1.0, 1.0, -1.0, 1.0)
-SHAPES_OF = ("TargetFunction", "InitialFunction", "ObstacleFunction")
 # Values other than a factor of two around those of test_restart.py.
 SPECIAL = {
     "VoxelSize": (0.1, 0.15, 0.2),
@@ -31,20 +32,18 @@ SPECIAL = {
     "CFL": (0.3, 0.5, 1.0),
     "Anisotropy": (1.0, 2.0, 4.0, 9.0),
 }
-# Values that are refused (test_property_values.py has all of them). Words stand for numbers without
-# a Python literal.
+ROWS = rows_of(vtkActiveImplicitSurface)
+
+# Values that are refused, also by the limit. Words stand for numbers without a Python literal.
 REFUSED = (
-    ("VoxelSize", "nan"),
-    ("TargetIsoValue", "inf"),
-    ("ModelBounds", (0.0, 1.0, 2.0, -2.0, 0.0, 1.0)),
-    ("Attraction", "nan"),
-    ("Tension", "nan"),
-    ("CFL", 0.0),
-    ("TimeScale", 0.0),
-    ("TimeStepSize", "nan"),
-    ("ParticleThreshold", -0.5),
     ("MaximumNumberOfActiveVoxels", 1),
-    ("MaximumVelocity", "inf"),
+    ("ModelBounds", (0.0, 1.0, 2.0, -2.0, 0.0, 1.0)),
+    *(
+        (row.name, value if math.isfinite(value) else str(value))
+        for row in ROWS.values()
+        for value in refused_values(row)
+        if row.kind == "number"
+    ),
 )
 
 
@@ -55,8 +54,8 @@ def values_of_properties():
     tried = {name: [value for _, value in cases] for name, cases in RESTARTS.items()}
     tried |= {name: [value] for name, (_, value) in DOES_NOT_RESTART.items()}
     found = {}
-    for name in own_properties(vtkActiveImplicitSurface):
-        if name in SHAPES_OF or name == "Controller":  # objects
+    for name, row in ROWS.items():
+        if row.kind == "object":
             continue
         default = getattr(defaults, "Get" + name)()
         values = [default]

@@ -2,6 +2,7 @@
 """Errors of active-surface: one message, exit code 1 for data, 2 for the command line."""
 
 import json
+import re
 import unittest
 from unittest import mock
 
@@ -27,12 +28,15 @@ class Help(CommandTest):
                 self.assertLessEqual(max(map(len, told.splitlines())), 100)
                 self.assertIn("usage: active-surface", told)
 
-    def test_help_of_properties_has_every_one(self):
+    def test_help_of_properties_has_every_one_under_its_group(self):
         from active_implicit_surfaces import properties
 
         told = self.succeed("skin", "--help-properties").out
+        groups = list(dict.fromkeys(own.group for own in properties.every()))
+        self.assertEqual(re.findall(r"^\w+$", told, re.MULTILINE), groups)
+        self.assertLessEqual({"Particles", "Resolution", "Motion", "Output", "Limits"}, set(groups))
         for own in properties.every():
-            if own.kind != "function":
+            if own.kind != "object":
                 self.assertIn(f"  {own.option}", told)
                 self.assertIn(own.summary[:20], " ".join(told.split()))
 

@@ -1,181 +1,129 @@
 # ctest: LABELS contract
-"""help() documents unit, range and default of every property of the classes correctly."""
+"""The table of properties is that of the compiled classes, and each comment, which help() and the
+panels show, has default, range and unit."""
 
 import pydoc
 import re
 import unittest
 
 import active_implicit_surfaces
-from active_implicit_surfaces import (
-    vtkActiveClockAlgorithm,
-    vtkActiveEXRReader,
-    vtkActiveEXRWriter,
-    vtkActiveImplicitSurface,
-    vtkActiveMotionAlgorithm,
-    vtkActiveVDBReader,
-    vtkActiveVDBWriter,
-    vtkGridPotential,
-    vtkSkeletonPotential,
-)
-from properties import comment_of, get, own_properties
-
-# Properties of each class: numbers with a range, some of them with a unit; and others.
-NUMBERS = {
-    vtkActiveImplicitSurface: """
-        TargetIsoValue TargetReach VoxelSize MaximumNumberOfActiveVoxels Attraction Tension CFL
-        VolumeStiffness AreaStiffness TargetVolume TargetArea RestTolerance
-        MaximumNumberOfSubsteps StartTime TimeStepSize NumberOfTimeSteps TimeScale ArrivalTime
-        KernelRadius TargetNoise
-        ParticleSpacing Anisotropy Transport ParticleThreshold MeshThickness NumberOfThreads
-        CheckpointInterval CheckpointMemory
-        MaximumVelocity
-    """.split(),
-    vtkSkeletonPotential: "Radius Threshold ParticleSpacing Anisotropy".split(),
-    vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness MaximumNumberOfVoxels".split(),
-    vtkActiveEXRReader: "Part MaximumMemory".split(),
-    vtkActiveEXRWriter: "CompressionLevel PixelAspectRatio FramesPerSecond FrameNumber".split(),
-    vtkActiveVDBReader: "DownsamplingFactor MaximumNumberOfPoints".split(),
-    vtkActiveVDBWriter: ["VoxelSize"],
-}
-SWITCHES = {
-    vtkActiveImplicitSurface: """
-        InvertTarget NormalizeTarget BoundedDomain ComputeNormals ComputeVelocity TangentialVelocity
-        PassTargetArrays ComputeCurvature OutputPotential PaperScheme AutomaticAttraction
-        AutomaticSmoothing CreateParts TensionWeighting
-    """.split(),
-    vtkSkeletonPotential: [],
-    vtkGridPotential: ["InvertInside"],
-    vtkActiveEXRReader: [],
-    vtkActiveEXRWriter: ["WriteAllTimeSteps"],
-    vtkActiveVDBReader: ["OutputDense"],
-    vtkActiveVDBWriter: """
-        WriteAllTimeSteps WriteState WriteDensity WriteVelocity WritePointArrays HalfFloat
-    """.split(),
-}
-CHOICES = {
-    vtkActiveImplicitSurface: """
-        VolumeControl AreaControl EvolutionMode TargetEvaluation TimeIntegration GradientScheme
-        ParticleKernel
-        ParticleModel
-    """.split(),
-    vtkSkeletonPotential: ["Kernel", "ParticleModel"],
-    vtkGridPotential: [],
-    vtkActiveEXRReader: ["Window"],
-    vtkActiveEXRWriter: "Compression ColorEncoding".split(),
-    vtkActiveVDBReader: ["Region"],
-    vtkActiveVDBWriter: "GridClass Compression".split(),
-}
-OTHERS = {
-    vtkActiveImplicitSurface: """
-        TargetFunction InitialFunction ObstacleFunction ModelBounds PeriodicBounds Controller
-    """.split(),
-    vtkSkeletonPotential: "Input InputConnection RadiusArrayName StrengthArrayName".split(),
-    vtkGridPotential: "Input InputConnection ScalarArrayName".split(),
-    vtkActiveEXRReader: [],
-    vtkActiveEXRWriter: "DisplaySize TimeCode WorldToCamera WorldToNDC".split(),
-    vtkActiveVDBReader: "FileName GridName IndexRegion WorldRegion".split(),
-    vtkActiveVDBWriter: "FileName InputData Units Controller".split(),
-}
-WITH_UNIT = {
-    vtkActiveImplicitSurface: """
-        TargetIsoValue TargetReach VoxelSize ModelBounds Attraction Tension VolumeStiffness
-        AreaStiffness TargetVolume TargetArea RestTolerance StartTime TimeStepSize TimeScale
-        ArrivalTime KernelRadius ParticleSpacing MeshThickness CheckpointMemory MaximumVelocity
-        PeriodicBounds
-        TargetNoise
-    """.split(),
-    vtkSkeletonPotential: """
-        Radius RadiusArrayName StrengthArrayName Threshold ParticleSpacing
-    """.split(),
-    vtkGridPotential: "IsoValue VoxelSize Reach MeshThickness".split(),
-    vtkActiveEXRReader: ["MaximumMemory"],
-    vtkActiveEXRWriter: "DisplaySize FramesPerSecond".split(),
-    vtkActiveVDBReader: ["WorldRegion"],
-    vtkActiveVDBWriter: ["VoxelSize"],
-}
+from properties import CLASSES, get, put, rows_of
 
 
-def every(*lists):
-    """(class, name) of the properties in these lists."""
-    return [(kind, name) for names in lists for kind in names for name in names[kind]]
+def every(*kinds):
+    """(class, row) of the properties of some kinds, or of all."""
+    rows = ((kind, row) for kind in CLASSES for row in rows_of(kind).values())
+    return [(kind, row) for kind, row in rows if not kinds or row.kind in kinds]
 
 
-class HelpTellsEverything(unittest.TestCase):
-    def about(self, kind, name):
-        return self.subTest(f"{kind.__name__}.{name}")
+def setters_of(kind):
+    """Names X of the methods SetX(value) that a class itself declares."""
+    return {
+        name[3:]
+        for name, method in vars(kind).items()
+        if name.startswith("Set") and not re.match(r"Set\w+\(self\)", method.__doc__)
+    }
 
-    def test_every_property_is_in_one_list(self):
-        for kind in NUMBERS:
+
+class Case(unittest.TestCase):
+    def about(self, kind, row):
+        return self.subTest(f"{kind.__name__}.{row.name}")
+
+
+class TableAndClasses(Case):
+    """The table, which is read from the sources, and the classes as compiled are the same."""
+
+    def test_every_property_is_in_the_table(self):
+        for kind in CLASSES:
             with self.subTest(kind.__name__):
-                listed = NUMBERS[kind] + SWITCHES[kind] + CHOICES[kind] + OTHERS[kind]
-                self.assertEqual(sorted(listed), own_properties(kind))
+                self.assertEqual(setters_of(kind), set(rows_of(kind)))
+        self.assertGreater(len(every()), 100)
 
-    def test_the_motion_is_among_the_properties_of_the_surface(self):
-        clock = own_properties(vtkActiveClockAlgorithm)
-        motion = own_properties(vtkActiveMotionAlgorithm)
-        self.assertIn("ArrivalTime", clock)
-        self.assertIn("Tension", motion)
-        self.assertLess(set(clock), set(motion))
-        self.assertLess(set(motion), set(own_properties(vtkActiveImplicitSurface)))
+    def test_the_comment_is_that_of_help(self):
+        for kind, row in every():
+            with self.about(kind, row):
+                signatures, _, text = getattr(kind, "Set" + row.name).__doc__.rpartition("\nC++: ")
+                comment = text.partition("\n\n")[2] if signatures else text
+                self.assertEqual(" ".join(comment.split()), row.comment)
 
-    def test_every_property_tells_its_default(self):
-        for kind, name in every(NUMBERS, SWITCHES, CHOICES, OTHERS):
-            with self.about(kind, name):
-                comment = comment_of(kind, name)
-                self.assertIn("Default:", comment)
+    def test_the_default_is_that_of_a_new_object(self):
+        for kind, row in every("switch", "choice", "integer", "number", "integers", "numbers"):
+            with self.about(kind, row):
+                value = get(kind(), row.name)
+                self.assertEqual(list(value) if isinstance(value, tuple) else value, row.default)
 
-    def test_every_number_tells_its_range(self):
-        for kind, name in every(NUMBERS):
-            with self.about(kind, name):
-                comment = comment_of(kind, name)
-                self.assertIn("Range:", comment)
+    def test_the_bounds_are_those_of_the_macro(self):
+        for kind, row in every():
+            with self.about(kind, row):
+                self.assertEqual(hasattr(kind, f"Get{row.name}MinValue"), row.clamped)
+                for bound, end in ((row.least, "Min"), (row.largest, "Max")):
+                    if row.clamped and bound is not None:
+                        self.assertEqual(getattr(kind(), f"Get{row.name}{end}Value")(), bound)
 
-    def test_every_quantity_tells_its_unit(self):
-        for kind, name in every(WITH_UNIT):
-            with self.about(kind, name):
-                comment = comment_of(kind, name)
-                self.assertRegex(comment, r"\[[^\]]+\]")
+    def test_switches_and_choices_have_their_methods(self):
+        for kind, row in every():
+            with self.about(kind, row):
+                self.assertEqual(hasattr(kind, row.name + "On"), row.kind == "switch")
+                for value, word in enumerate(row.choices):
+                    thing = kind()
+                    put(thing, row.name, (value + 1) % len(row.choices))
+                    getattr(thing, f"Set{row.name}To{word}")()
+                    self.assertEqual(get(thing, row.name), value)
 
-    def test_every_choice_tells_its_values(self):
-        for kind, name in every(CHOICES):
-            with self.about(kind, name):
-                comment = comment_of(kind, name)
-                values = getattr(kind(), f"Get{name}MaxValue")() + 1
-                told = {int(value) for value in re.findall(r"\s\((\d)\)", comment)}
-                self.assertEqual(told, set(range(values)))
+    def test_every_property_of_the_filter_has_a_group(self):
+        for row in rows_of(active_implicit_surfaces.vtkActiveImplicitSurface).values():
+            self.assertRegex(row.group, r"^[A-Z][a-z]+$", row.name)
 
-    def test_a_default_that_is_a_number_is_the_one_a_new_object_has(self):
-        told = 0
-        for kind, name in every(NUMBERS):
-            with self.about(kind, name):
-                comment = comment_of(kind, name)
-                number = re.search(r"Default:\s*(-?\d[\d.]*(?:e[+-]?\d+)?)", comment)
+
+class Comments(Case):
+    def test_every_comment_has_the_default(self):
+        for kind, row in every():
+            with self.about(kind, row):
+                self.assertIn("Default:", row.comment)
+
+    def test_every_number_has_a_range(self):
+        for kind, row in every("number", "integer"):
+            with self.about(kind, row):
+                self.assertRegex(row.range, r"^(>=? -?\d|finite|[\d.e+-]+ to [\d.e+-]+)")
+                if row.clamped and row.largest is not None:
+                    low, high = re.match(r"(\S+) to ([^;]+)", row.range).groups()
+                    self.assertEqual((float(low), float(high)), (row.least, row.largest))
+                elif row.clamped:
+                    self.assertRegex(row.range, rf"^>= {row.least:g}")
+
+    def test_every_quantity_has_a_unit(self):
+        for kind, row in every("number", "numbers"):
+            with self.about(kind, row):
+                self.assertTrue(row.unit, "write [1] for a pure number")
+
+    def test_every_choice_has_its_values(self):
+        for kind, row in every("choice"):
+            with self.about(kind, row):
+                told = {int(value) for value in re.findall(r"\s\((\d)\)", row.comment)}
+                self.assertEqual(told, set(range(len(row.choices))))
+
+    def test_the_default_of_the_comment_is_that_of_the_class(self):
+        for kind, row in every("number", "integer"):
+            with self.about(kind, row):
+                number = re.search(r"Default:\s*(-?\d[\d.]*(?:e[+-]?\d+)?)", row.comment)
                 self.assertIsNotNone(number)
-                self.assertEqual(get(kind(), name), float(number[1].rstrip(".")))
-                told += 1
-        self.assertEqual(told, len(every(NUMBERS)))
-
-    def test_a_switch_tells_how_it_is_made(self):
-        for kind, name in every(SWITCHES):
-            with self.about(kind, name):
-                comment = " ".join(comment_of(kind, name).split())
-                self.assertIn("Default: on" if get(kind(), name) else "Default: off", comment)
-
-    def test_a_choice_tells_which_it_begins_with(self):
-        for kind, name in every(CHOICES):
-            with self.about(kind, name):
-                comment = comment_of(kind, name)
-                word = re.search(r"Default:\s*(\w+)", comment)[1]
-                self.assertEqual(get(kind(), name), getattr(kind, word, 0))
+                self.assertEqual(row.default, float(number[1].rstrip(".")))
+        for kind, row in every("switch"):
+            with self.about(kind, row):
+                self.assertIn("Default: on" if row.default else "Default: off", row.comment)
+        for kind, row in every("choice"):
+            with self.about(kind, row):
+                word = re.search(r"Default:\s*(\w+)", row.comment)[1]
+                self.assertEqual(row.default, getattr(kind, word))
 
     def test_help_shows_all_of_it(self):
-        shown = {kind: pydoc.plain(pydoc.render_doc(kind)) for kind in NUMBERS}
-        for kind, name in every(NUMBERS, SWITCHES, CHOICES, OTHERS):
-            with self.about(kind, name):
-                self.assertTrue("Set" + name in shown[kind], "help() does not show it")
+        shown = {kind: pydoc.plain(pydoc.render_doc(kind)) for kind in CLASSES}
+        for kind, row in every():
+            with self.about(kind, row):
+                self.assertTrue("Set" + row.name in shown[kind], "help() does not show it")
 
     def test_the_classes_and_the_package_say_what_they_are(self):
-        for kind in (*NUMBERS, vtkActiveClockAlgorithm, vtkActiveMotionAlgorithm):
+        for kind in CLASSES:
             self.assertTrue(kind.__doc__)
         self.assertRegex(active_implicit_surfaces.__version__, r"^\d+\.\d+\.\d+$")
 

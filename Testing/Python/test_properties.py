@@ -20,10 +20,9 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject
 
 
 def classes():
-    """Classes of the package, without the abstract ones."""
+    """Classes of the package."""
     named = inspect.getmembers(active_implicit_surfaces, inspect.isclass)
-    found = [kind for name, kind in named if name.startswith("vtk") and issubclass(kind, vtkObject)]
-    return [kind for kind in found if not kind.__name__.endswith("Algorithm")]
+    return [kind for name, kind in named if name.startswith("vtk") and issubclass(kind, vtkObject)]
 
 
 def readable(kind):

@@ -35,9 +35,7 @@ std::string DescribeRequest(
   { Tell(text, property, value); };
   ForEachProperty(settings, tell);
   ForEachOutputProperty(properties.Outputs, tell);
-  text << "MaximumNumberOfActiveVoxels: " << properties.Limits.MaximumVoxels
-       << "\nCheckpointInterval: " << properties.Limits.CheckpointInterval
-       << "\nCheckpointMemory: " << properties.Limits.CheckpointMemory << "\n";
+  ForEachLimit(properties.Limits, tell);
   const SurfaceInputs& inputs = settings.Inputs;
   text << "the time steps of the input: " << inputs.TargetMoves << inputs.OnlyForward;
   std::for_each(

@@ -31,26 +31,43 @@ struct SurfaceProperties
   OutputShare Share;
 };
 
-// Calls visit for each of OutputProperties, as ForEachMotionProperty does.
+// Calls visit for each property of the outputs, as ForEachProperty does.
 template <class Properties, class Visitor>
 void ForEachOutputProperty(Properties& outputs, Visitor&& visit)
 {
   using namespace ranges;
-  visit(Property{ "ComputeNormals", Any, false }, outputs.Normals,
-    [](auto& filter) { return filter.GetComputeNormals(); });
-  visit(Property{ "ComputeVelocity", Any, false }, outputs.Velocity,
-    [](auto& filter) { return filter.GetComputeVelocity(); });
-  visit(Property{ "TangentialVelocity", Any, false }, outputs.TangentialVelocity,
-    [](auto& filter) { return filter.GetTangentialVelocity(); });
-  visit(Property{ "MaximumVelocity",
-          OrZero("a finite number > 0, or 0 for the speed of the fastest particle"), false },
-    outputs.MaximumVelocity, [](auto& filter) { return filter.GetMaximumVelocity(); });
-  visit(Property{ "ComputeCurvature", Any, false }, outputs.Curvature,
-    [](auto& filter) { return filter.GetComputeCurvature(); });
-  visit(Property{ "PassTargetArrays", Any, false }, outputs.PassTargetArrays,
-    [](auto& filter) { return filter.GetPassTargetArrays(); });
-  visit(Property{ "OutputPotential", Any, false }, outputs.Potential,
-    [](auto& filter) { return filter.GetOutputPotential(); });
+  ACTIVE_PROPERTY(ComputeNormals, outputs.Normals, Any);
+  ACTIVE_PROPERTY(ComputeVelocity, outputs.Velocity, Any);
+  ACTIVE_PROPERTY(TangentialVelocity, outputs.TangentialVelocity, Any);
+  ACTIVE_PROPERTY(MaximumVelocity, outputs.MaximumVelocity,
+    OrZero("a finite number > 0, or 0 for the speed of the fastest particle"));
+  ACTIVE_PROPERTY(ComputeCurvature, outputs.Curvature, Any);
+  ACTIVE_PROPERTY(PassTargetArrays, outputs.PassTargetArrays, Any);
+  ACTIVE_PROPERTY(OutputPotential, outputs.Potential, Any);
+}
+
+// Calls visit for each limit that has to be the same on all ranks.
+template <class Limits, class Visitor>
+void ForEachLimit(Limits& limits, Visitor&& visit)
+{
+  using namespace ranges;
+  ACTIVE_PROPERTY(CheckpointInterval, limits.CheckpointInterval, Any);
+  ACTIVE_PROPERTY(CheckpointMemory, limits.CheckpointMemory, Any);
+  ACTIVE_PROPERTY(MaximumNumberOfActiveVoxels, limits.MaximumVoxels, Any);
+}
+
+// Calls visit for all properties but functions and the controller.
+template <class Properties, class Visitor>
+void ForEachOfAll(Properties& properties, Visitor&& visit)
+{
+  using namespace ranges;
+  ForEachProperty(properties.Settings, visit);
+  ACTIVE_PROPERTY(StartTime, properties.Clock.StartTime, Any);
+  ACTIVE_PROPERTY(TimeStepSize, properties.Clock.TimeStepSize, Any);
+  ACTIVE_PROPERTY(NumberOfTimeSteps, properties.Clock.NumberOfTimeSteps, Any);
+  ForEachOutputProperty(properties.Outputs, visit);
+  ForEachLimit(properties.Limits, visit);
+  ACTIVE_PROPERTY(NumberOfThreads, properties.Limits.Threads, Any);
 }
 
 }

@@ -149,13 +149,16 @@ std::vector<std::pair<std::string, double>> SurfaceSettings::ListForFiles() cons
 {
   std::vector<std::pair<std::string, double>> list;
   ForEachProperty(*this,
-    [&list](const Property& property, const auto& value, auto&&)
+    [this, &list](const Property& property, const auto& value, auto&&)
     {
-      std::vector<double> numbers;
-      AppendNumbers(value, numbers);
-      if (property.IsRecorded)
+      // Files record the voxel size itself; boxes are no numbers.
+      if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::array<double, 6>>)
       {
-        list.emplace_back(property.Name, numbers.front());
+        const double number = static_cast<double>(value);
+        if (static_cast<const void*>(&value) != &this->VoxelSize)
+        {
+          list.emplace_back(property.Name, number);
+        }
       }
     });
   return list;

@@ -91,7 +91,7 @@ struct SurfaceInputs
   bool operator==(const SurfaceInputs& other) const;
 };
 
-// Each property is a field here or in Motion, and an entry of a ForEach...Property function below.
+// Each property is a field here or in Motion, and a line of ForEachProperty below.
 struct SurfaceSettings
 {
   Motion Law;
@@ -193,13 +193,6 @@ struct SurfaceSettings
   void Check() const;
 };
 
-// The list of all properties that determine the motion. A property is declared by its macro in the
-// filter's header, and once in this list. The list is used to collect, compare and validate
-// settings, and for the metadata of files and PrintSelf.
-//
-// Each line passes to a visitor the property's name and range, its field, and the filter's getter:
-// visit(property, field, [](auto& filter) { return filter.GetX(); }).
-
 // Valid numbers of a property. Words: end of the message "<Name> has to be <Words>."
 struct PropertyRange
 {
@@ -219,7 +212,6 @@ struct Property
 {
   const char* Name;
   PropertyRange Range;
-  bool IsRecorded; // in the metadata of files
 };
 
 // Throws std::invalid_argument for a value out of range.
@@ -248,136 +240,81 @@ constexpr PropertyRange Length(const char* words)
   return { ShortestLength, LongestLength, true, words };
 }
 
-}
-
-// Properties of vtkActiveClockAlgorithm.
-template <class Settings, class Visitor>
-void ForEachClockProperty(Settings& settings, Visitor&& visit)
+constexpr PropertyRange Between(double low, double high, const char* words)
 {
-  using namespace ranges;
-  auto& steady = settings.SteadyState;
-  visit(Property{ "ArrivalTime", OrZero("a finite number > 0, or 0 for a skin that may be late"),
-          true },
-    settings.ArrivalTime, [](auto& filter) { return filter.GetArrivalTime(); });
-  visit(Property{ "TimeScale", Positive, true }, settings.TimeScale,
-    [](auto& filter) { return filter.GetTimeScale(); });
-  visit(Property{ "EvolutionMode", Any, true }, settings.Evolution,
-    [](auto& filter) { return filter.GetEvolutionMode(); });
-  visit(Property{ "RestTolerance", AtLeastZero, true }, steady.Tolerance,
-    [](auto& filter) { return filter.GetRestTolerance(); });
-  visit(Property{ "MaximumNumberOfSubsteps", Any, true }, steady.MaximumSubsteps,
-    [](auto& filter) { return filter.GetMaximumNumberOfSubsteps(); });
+  return { low, high, false, words };
 }
 
-// Properties of vtkActiveMotionAlgorithm.
-template <class Settings, class Visitor>
-void ForEachMotionProperty(Settings& settings, Visitor&& visit)
-{
-  using namespace ranges;
-  auto& motion = settings.Law;
-  visit(Property{ "Attraction", AtLeastZero, true }, motion.Attraction,
-    [](auto& filter) { return filter.GetAttraction(); });
-  visit(Property{ "AutomaticAttraction", Any, true }, settings.AutomaticAttraction,
-    [](auto& filter) { return filter.GetAutomaticAttraction(); });
-  visit(Property{ "Tension",
-          { 0.0, Largest, true, "a finite number >= 0: a negative one would be unstable" }, true },
-    motion.Tension, [](auto& filter) { return filter.GetTension(); });
-  visit(Property{ "AutomaticSmoothing", Any, true }, settings.AutomaticSmoothing,
-    [](auto& filter) { return filter.GetAutomaticSmoothing(); });
-  visit(Property{ "TargetNoise", Length("between 1e-30 and 1e30, or 0 for none"), true },
-    settings.Noise, [](auto& filter) { return filter.GetTargetNoise(); });
-  // Below 1e-6 a substep's displacement is lost in rounding.
-  visit(Property{ "CFL", { 1e-6, 1.0, false, "between 1e-6 and 1" }, true }, motion.CFL,
-    [](auto& filter) { return filter.GetCFL(); });
-  visit(Property{ "VolumeControl", Any, true }, motion.VolumeControl,
-    [](auto& filter) { return filter.GetVolumeControl(); });
-  visit(Property{ "AreaControl", Any, true }, motion.AreaControl,
-    [](auto& filter) { return filter.GetAreaControl(); });
-  visit(Property{ "VolumeStiffness", AtLeastZero, true }, motion.VolumeStiffness,
-    [](auto& filter) { return filter.GetVolumeStiffness(); });
-  visit(Property{ "AreaStiffness", AtLeastZero, true }, motion.AreaStiffness,
-    [](auto& filter) { return filter.GetAreaStiffness(); });
-  visit(Property{ "TargetVolume", OrZero("a finite number > 0, or 0 for the volume at the start"),
-          true },
-    motion.TargetVolume, [](auto& filter) { return filter.GetTargetVolume(); });
-  visit(
-    Property{ "TargetArea", OrZero("a finite number > 0, or 0 for the area at the start"), true },
-    motion.TargetArea, [](auto& filter) { return filter.GetTargetArea(); });
-  visit(Property{ "TensionWeighting", Any, true }, motion.WeightedTension,
-    [](auto& filter) { return filter.GetTensionWeighting(); });
-  visit(Property{ "Transport", { 0.0, 1.0, false, "between 0 and 1" }, true }, motion.Transport,
-    [](auto& filter) { return filter.GetTransport(); });
-  visit(Property{ "CreateParts", Any, true }, motion.CreateParts,
-    [](auto& filter) { return filter.GetCreateParts(); });
-  visit(Property{ "TargetEvaluation", Any, true }, motion.Evaluation,
-    [](auto& filter) { return filter.GetTargetEvaluation(); });
-  visit(Property{ "GradientScheme", Any, true }, motion.Gradient,
-    [](auto& filter) { return filter.GetGradientScheme(); });
-  visit(Property{ "TimeIntegration", Any, true }, settings.Integration,
-    [](auto& filter) { return filter.GetTimeIntegration(); });
-  visit(Property{ "PaperScheme", Any, true }, motion.Paper,
-    [](auto& filter) { return filter.GetPaperScheme(); });
 }
 
-// Properties of vtkActiveParticleAlgorithm.
-template <class Settings, class Visitor>
-void ForEachParticleProperty(Settings& settings, Visitor&& visit)
-{
-  using namespace ranges;
-  auto& particles = settings.Particles;
-  visit(Property{ "ParticleModel", Any, true }, particles.Model,
-    [](auto& filter) { return filter.GetParticleModel(); });
-  visit(Property{ "ParticleSpacing",
-          Length("between 1e-30 and 1e30, or 0 for one that is estimated"), true },
-    particles.Spacing, [](auto& filter) { return filter.GetParticleSpacing(); });
-  visit(
-    Property{ "KernelRadius",
-      Length("between 1e-30 and 1e30, or 0 for the one that belongs to ParticleSpacing"), true },
-    particles.Radius, [](auto& filter) { return filter.GetKernelRadius(); });
-  visit(Property{ "Anisotropy", { 1.0, 100.0, false, "between 1 and 100" }, true },
-    particles.Anisotropy, [](auto& filter) { return filter.GetAnisotropy(); });
-  visit(Property{ "ParticleKernel", Any, true }, particles.Kernel,
-    [](auto& filter) { return filter.GetParticleKernel(); });
-  visit(Property{ "ParticleThreshold",
-          { Smallest, Largest, false, "a finite number > 0: at 0 or below, all space is inside" },
-          true },
-    particles.Threshold, [](auto& filter) { return filter.GetParticleThreshold(); });
-  visit(Property{ "PeriodicBounds", Any, false }, particles.Periodic,
-    [](auto& filter) { return filter.GetPeriodicBounds(); });
-}
+// A line of ForEachProperty: name of the property, its field, its range.
+#define ACTIVE_PROPERTY(name, field, range)                                                        \
+  visit(Property{ #name, range }, field, [](auto& filter) { return filter.Get##name(); })
 
-// Properties of vtkActiveImplicitSurface itself.
-template <class Settings, class Visitor>
-void ForEachShapeProperty(Settings& settings, Visitor&& visit)
-{
-  using namespace ranges;
-  visit(Property{ "TargetIsoValue", Any, true }, settings.IsoValue,
-    [](auto& filter) { return filter.GetTargetIsoValue(); });
-  visit(Property{ "InvertTarget", Any, true }, settings.Invert,
-    [](auto& filter) { return filter.GetInvertTarget(); });
-  visit(Property{ "NormalizeTarget", Any, true }, settings.Normalize,
-    [](auto& filter) { return filter.GetNormalizeTarget(); });
-  visit(Property{ "TargetReach",
-          OrZero("a finite number > 0, or 0 for one by the particles or the bounds"), true },
-    settings.Reach, [](auto& filter) { return filter.GetTargetReach(); });
-  visit(Property{ "VoxelSize",
-          Length("between 1e-30 and 1e30, or 0 for one by the particles or the bounds"), false },
-    settings.VoxelSize, [](auto& filter) { return filter.GetVoxelSize(); });
-  visit(Property{ "ModelBounds", Any, false }, settings.Bounds,
-    [](auto& filter) { return filter.GetModelBounds(); });
-  visit(Property{ "BoundedDomain", Any, true }, settings.Bounded,
-    [](auto& filter) { return filter.GetBoundedDomain(); });
-  visit(Property{ "MeshThickness", { 0.0, LongestLength, true, "between 0 and 1e30" }, true },
-    settings.MeshThickness, [](auto& filter) { return filter.GetMeshThickness(); });
-}
-
+// Calls visit(property, field, getter) for each property that determines the motion; the getter
+// returns the property's value from the filter. The filter's header declares the properties by
+// VTK's macros.
 template <class Settings, class Visitor>
 void ForEachProperty(Settings& settings, Visitor&& visit)
 {
-  ForEachMotionProperty(settings, visit);
-  ForEachClockProperty(settings, visit);
-  ForEachParticleProperty(settings, visit);
-  ForEachShapeProperty(settings, visit);
+  using namespace ranges;
+  auto& motion = settings.Law;
+  auto& particles = settings.Particles;
+  ACTIVE_PROPERTY(TargetIsoValue, settings.IsoValue, Any);
+  ACTIVE_PROPERTY(InvertTarget, settings.Invert, Any);
+  ACTIVE_PROPERTY(NormalizeTarget, settings.Normalize, Any);
+  ACTIVE_PROPERTY(TargetReach, settings.Reach,
+    OrZero("a finite number > 0, or 0 for one by the particles or the bounds"));
+  ACTIVE_PROPERTY(
+    MeshThickness, settings.MeshThickness, Between(0.0, LongestLength, "between 0 and 1e30"));
+
+  ACTIVE_PROPERTY(ParticleModel, particles.Model, Any);
+  ACTIVE_PROPERTY(ParticleSpacing, particles.Spacing,
+    Length("between 1e-30 and 1e30, or 0 for one that is estimated"));
+  ACTIVE_PROPERTY(KernelRadius, particles.Radius,
+    Length("between 1e-30 and 1e30, or 0 for the one that belongs to ParticleSpacing"));
+  ACTIVE_PROPERTY(Anisotropy, particles.Anisotropy, Between(1.0, 100.0, "between 1 and 100"));
+  ACTIVE_PROPERTY(ParticleKernel, particles.Kernel, Any);
+  ACTIVE_PROPERTY(ParticleThreshold, particles.Threshold,
+    Between(Smallest, Largest, "a finite number > 0: at 0 or below, all space is inside"));
+  ACTIVE_PROPERTY(PeriodicBounds, particles.Periodic, Any);
+
+  ACTIVE_PROPERTY(VoxelSize, settings.VoxelSize,
+    Length("between 1e-30 and 1e30, or 0 for one by the particles or the bounds"));
+  ACTIVE_PROPERTY(ModelBounds, settings.Bounds, Any);
+  ACTIVE_PROPERTY(BoundedDomain, settings.Bounded, Any);
+
+  ACTIVE_PROPERTY(Attraction, motion.Attraction, AtLeastZero);
+  ACTIVE_PROPERTY(AutomaticAttraction, settings.AutomaticAttraction, Any);
+  ACTIVE_PROPERTY(Tension, motion.Tension,
+    Between(0.0, Largest, "a finite number >= 0: a negative one would be unstable"));
+  ACTIVE_PROPERTY(AutomaticSmoothing, settings.AutomaticSmoothing, Any);
+  ACTIVE_PROPERTY(TensionWeighting, motion.WeightedTension, Any);
+  ACTIVE_PROPERTY(TargetNoise, settings.Noise, Length("between 1e-30 and 1e30, or 0 for none"));
+  ACTIVE_PROPERTY(Transport, motion.Transport, Between(0.0, 1.0, "between 0 and 1"));
+  ACTIVE_PROPERTY(CreateParts, motion.CreateParts, Any);
+  ACTIVE_PROPERTY(EvolutionMode, settings.Evolution, Any);
+  ACTIVE_PROPERTY(RestTolerance, settings.SteadyState.Tolerance, AtLeastZero);
+  ACTIVE_PROPERTY(MaximumNumberOfSubsteps, settings.SteadyState.MaximumSubsteps, Any);
+  ACTIVE_PROPERTY(TimeIntegration, settings.Integration, Any);
+  // Below 1e-6 a substep's displacement is lost in rounding.
+  ACTIVE_PROPERTY(CFL, motion.CFL, Between(1e-6, 1.0, "between 1e-6 and 1"));
+  ACTIVE_PROPERTY(TargetEvaluation, motion.Evaluation, Any);
+  ACTIVE_PROPERTY(GradientScheme, motion.Gradient, Any);
+  ACTIVE_PROPERTY(PaperScheme, motion.Paper, Any);
+
+  ACTIVE_PROPERTY(VolumeControl, motion.VolumeControl, Any);
+  ACTIVE_PROPERTY(VolumeStiffness, motion.VolumeStiffness, AtLeastZero);
+  ACTIVE_PROPERTY(TargetVolume, motion.TargetVolume,
+    OrZero("a finite number > 0, or 0 for the volume at the start"));
+  ACTIVE_PROPERTY(AreaControl, motion.AreaControl, Any);
+  ACTIVE_PROPERTY(AreaStiffness, motion.AreaStiffness, AtLeastZero);
+  ACTIVE_PROPERTY(
+    TargetArea, motion.TargetArea, OrZero("a finite number > 0, or 0 for the area at the start"));
+
+  ACTIVE_PROPERTY(TimeScale, settings.TimeScale, Positive);
+  ACTIVE_PROPERTY(ArrivalTime, settings.ArrivalTime,
+    OrZero("a finite number > 0, or 0 for a skin that may be late"));
 }
 
 }

@@ -28,7 +28,7 @@ void SurfaceSimulation::SetLimits(const SimulationLimits& limits)
   this->Driver.SetNumberOfThreads(limits.Threads);
   this->Driver.SetMaximumNumberOfActiveVoxels(limits.MaximumVoxels);
   this->Shapes.SetMaximumNumberOfActiveVoxels(limits.MaximumVoxels);
-  this->Saved.SetLimits(limits.CheckpointInterval, limits.CheckpointMemory);
+  this->Saved.SetLimits(limits.CheckpointInterval, limits.CheckpointMemory << 20);
 }
 
 void SurfaceSimulation::Configure(const SurfaceSettings& settings)

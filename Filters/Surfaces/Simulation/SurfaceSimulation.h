@@ -46,7 +46,7 @@ struct SimulationLimits
   int Threads = 0;
   std::size_t MaximumVoxels = 0;
   int CheckpointInterval = 1;
-  std::size_t CheckpointMemory = 0; // bytes
+  std::size_t CheckpointMemory = 0; // MiB
 };
 
 class SurfaceSimulation

@@ -2,7 +2,7 @@
 
 A run has facts, such as "render", or "particle_model=sum" for each choice and switch of its filter.
 An option acts if the run has at least one fact of each of the option's rows. Rows are in the tables
-below, or follow from the filter's classes and their documentation.
+below, or follow from the properties' groups and documentation.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _ACTING = (  # rows, and their options and (after a colon) properties
     ("no_times render", "fps"),
     ("series render", "fps"),
     ("series", "ids output_fps :time_scale"),
-    ("particles", "ids strengths velocities preset periodic :periodic_bounds"),
+    ("particles", "ids strengths velocities preset periodic :tangential_velocity"),
     ("particles atoms", "radii minimum_piece minimum_volume :pass_target_arrays"),
     ("atoms particles", "probe"),
     ("range", "preroll"),
@@ -119,10 +119,11 @@ def _given(options: Namespace) -> Iterator[tuple[str, list[str]]]:
 
 
 def rows_of(own: properties.Property) -> list[str]:
-    """Returns the rows of a property: from the tables, its class and its documentation."""
-    classes = {
-        "vtkActiveMotionAlgorithm": f"{_MOTION} particles",  # a first skin is smoothed too
-        "vtkActiveParticleAlgorithm": "particles",
+    """Returns the rows of a property: from the tables, its group and its documentation."""
+    groups = {
+        "Motion": f"{_MOTION} particles",  # a first skin is smoothed too
+        "Conservation": f"{_MOTION} particles",
+        "Particles": "particles",
     }
     told = {
         "(Of no use to|over) other targets": "particles",
@@ -130,8 +131,7 @@ def rows_of(own: properties.Property) -> list[str]:
         "published where the input has": "pipeline",
     }
     found = [row for words, row in told.items() if re.search(words, own.comment)]
-    if own.keyword != "pass_target_arrays":  # also of atoms, with --probe
-        found += filter(None, [classes.get(own.owner)])
+    found += filter(None, [groups.get(own.group)])
     return _rows(":" + own.keyword) + found
 
 

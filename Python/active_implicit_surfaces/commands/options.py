@@ -69,7 +69,7 @@ class _HelpProperties(argparse.Action):
 
 def add_property_options(parser: Parser, shown: Sequence[str] = ()) -> None:
     """Adds an option for each property of the filter; --help lists those of `shown`."""
-    every = {own.keyword: own for own in properties.every() if own.kind != "function"}
+    every = {own.keyword: own for own in properties.every() if own.kind != "object"}
     for keyword in dict.fromkeys([*shown, *every]):
         own = every[keyword]
         settings: dict[str, Any] = {"dest": "property_" + keyword, "help": argparse.SUPPRESS}
@@ -111,11 +111,14 @@ def properties_of(options: argparse.Namespace, parser: Parser) -> dict[str, Any]
 
 
 def properties_help() -> str:
-    """Returns the help of all properties as options, with kind, range and default."""
-    lines = ["properties of the filter (details: help(vtkActiveImplicitSurface)):"]
+    """Returns the help of all properties as options, under their groups."""
+    lines, group = ["properties of the filter (details: help(vtkActiveImplicitSurface))"], ""
     for own in properties.every():
-        if own.kind == "function":
+        if own.kind == "object":
             continue
+        if own.group != group:
+            group = own.group
+            lines += ["", group]
         lines.append(f"  {_form(own)}")
         text = own.summary + (f"; range: {own.range}" if own.range else "")
         lines += textwrap.wrap(text, WIDTH - 8, initial_indent=8 * " ", subsequent_indent=8 * " ")

@@ -260,7 +260,7 @@ TEST(TestAdvance, ParticlesThatAreNotFiniteAreLeftOut)
 TEST(TestAdvance, ThereIsNoTimeInEquilibrium)
 {
   auto filter = MakePlain();
-  filter->SetEvolutionMode(vtkActiveMotionAlgorithm::EQUILIBRIUM);
+  filter->SetEvolutionMode(vtkActiveImplicitSurface::EQUILIBRIUM);
   MessageCapture messages(filter);
   EXPECT_FALSE(Push(filter, 0));
   EXPECT_EQ(MessageCapture::Count(messages.Errors, "no time to advance in"), 1) << "errors";

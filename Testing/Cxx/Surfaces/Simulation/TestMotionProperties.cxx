@@ -265,8 +265,8 @@ TEST(TestMotionProperties, PaperSchemeArrivesAtABall)
 TEST(TestMotionProperties, EvaluationAtNodesRoughensTheNormals)
 {
   const Shape end = MakeBall({ 0.21, 0.13, 0.07 }, 0.6);
-  for (const int evaluation : { vtkActiveMotionAlgorithm::SHIFTED, vtkActiveMotionAlgorithm::NODE,
-         vtkActiveMotionAlgorithm::CLOSEST_POINT })
+  for (const int evaluation : { vtkActiveImplicitSurface::SHIFTED, vtkActiveImplicitSurface::NODE,
+         vtkActiveImplicitSurface::CLOSEST_POINT })
   {
     auto filter = MakeTense(MakeBall({ 0.0, 0.0, 0.0 }, 0.4), 40);
     filter->SetTargetFunction(MakeFunction(end));
@@ -276,7 +276,7 @@ TEST(TestMotionProperties, EvaluationAtNodesRoughensTheNormals)
     filter->SetTimeStepSize(2.0);
     filter->UpdateTimeStep(20.0);
     const double angle = GetDeviation(GetMesh(filter->GetOutput()), end, VoxelSizeOf(40)).MeanAngle;
-    const bool isRough = evaluation == vtkActiveMotionAlgorithm::NODE;
+    const bool isRough = evaluation == vtkActiveImplicitSurface::NODE;
     EXPECT_LT(isRough ? 10.0 : angle, isRough ? angle : 2.0)
       << "mean angle of the normals [degrees], evaluation " << evaluation;
   }

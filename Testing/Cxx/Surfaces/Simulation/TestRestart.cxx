@@ -301,7 +301,7 @@ TEST(TestRestart, OtherRestartsAreNoWarning)
   filter->UpdateTimeStep(3.0);
   filter->Advance(MakePoint(0.0), 1.0);
   filter->Advance(MakePoint(0.1), 1.0);
-  filter->SetEvolutionMode(vtkActiveMotionAlgorithm::EQUILIBRIUM);
+  filter->SetEvolutionMode(vtkActiveImplicitSurface::EQUILIBRIUM);
   filter->Update();
   filter->SetInputData(MakePoint(0.1));
   filter->UpdateTimeStep(9.0);
