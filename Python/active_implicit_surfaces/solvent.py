@@ -1,7 +1,9 @@
 """Solvent-excluded surface of atoms as an image of distances, exact at the image's points.
 
 A probe, a ball, rolls over the atoms; points that it cannot reach are inside. With radius 0 the
-surface is the van der Waals surface.
+surface is the van der Waals surface. The probe's centres are outside the accessible balls, of radii
+of atoms plus probe (Lee and Richards, J. Mol. Biol. 55, 1971). The nearest of them to an inner
+point lies on a ball, or on an arc where two balls meet (Connolly, J. Appl. Cryst. 16, 1983).
 
 >>> from active_implicit_surfaces.solvent import excluded_distance
 >>> image = excluded_distance([[0, 0, 0], [3, 0, 0]], [1.7, 1.7], probe=1.4, voxel=0.25)
@@ -15,18 +17,20 @@ from typing import Any
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkStaticPointLocator
 
-from .accessible import Arcs, Neighbours, chunks, exposed_arcs, find_neighbours, ranges
-from .data_objects import add_array
+from .data_objects import add_array, as_particles
 
 BAND = 2.0  # distance from the surface with exact values, in voxels
 MOST_POINTS = 100_000_000  # limit for an image
 MOST_PAIRS = 20_000_000  # limit for pairs of atoms whose accessible balls overlap
 VOXEL = 0.25  # relative to the root mean square radius
-_SIDE = 4  # points along an edge of a block
 _CHORD = 0.1  # voxels lost by flat triangles, per curvature of 1/voxel
 _INSIDE = 1e-9  # relative to a radius: tolerance of points on a ball's surface
+_NARROWEST = 1e-9  # of an arc [rad]
+_FEW = 12  # neighbours, which cover most circles within a molecule
+_TURN = 2.0 * numpy.pi
 
 
 def usual_voxel(radii: Any) -> float:
@@ -63,14 +67,14 @@ def excluded_distance(centers: Any, radii: Any, probe: float, voxel: float) -> A
     balls = numpy.unique(balls[(radii > 0) & numpy.isfinite(balls).all(axis=1)], axis=0)
     if len(balls) == 0:
         raise ValueError("No atom has a radius, so a probe has nothing to roll over.")
-    centers, radii = balls[:, :3], balls[:, 3] + probe
-    grid = _Grid(centers, balls[:, 3], voxel, BAND * voxel, probe)
-    _check_overlaps(centers, radii, probe)
-    near = find_neighbours(centers, radii)
-    arcs = exposed_arcs(centers, radii, near)
-    grid.add_balls(centers, radii)
-    grid.add_patches(centers, radii, near, arcs)
-    grid.add_arcs(arcs)
+    grid = _Grid(balls[:, :3], balls[:, 3], voxel, probe)
+    _check_overlaps(grid.centers, grid.radii, probe)
+    grid.add_balls()
+    near = _neighbours(grid.centers, grid.radii)
+    for ball, others in enumerate(near):
+        grid.add_patch(ball, others)
+    for ball, others in enumerate(near):
+        grid.add_arcs(ball, others)
     return grid.image()
 
 
@@ -88,12 +92,7 @@ def _check_overlaps(centers: Any, radii: Any, probe: float) -> None:
 
 def empty_image(voxel: float) -> Any:
     """Returns an image of distances with an empty inside, for a frame without atoms."""
-    image = vtkImageData()
-    image.SetDimensions(2, 2, 2)
-    image.SetSpacing(*3 * [voxel])
-    add_array(image, "distance", numpy.full(8, BAND * voxel), image.GetPointData())
-    image.GetPointData().SetActiveScalars("distance")
-    return image
+    return _image_of(numpy.full((2, 2, 2), BAND * voxel), voxel, numpy.zeros(3))
 
 
 def for_triangles(image: Any) -> Any:
@@ -116,147 +115,177 @@ def for_triangles(image: Any) -> Any:
     return image
 
 
-class _Grid:
-    """Blocks of 4 x 4 x 4 points near atoms, with the state of the distance for each point.
+def _image_of(values: Any, voxel: float, origin: Any) -> Any:
+    image = vtkImageData()
+    image.SetDimensions(*values.shape)
+    image.SetSpacing(*3 * [voxel])
+    image.SetOrigin(*origin)
+    add_array(image, "distance", values.ravel(order="F"), image.GetPointData())
+    image.GetPointData().SetActiveScalars("distance")
+    return image
 
-    `depth` is the depth of the point in its deepest accessible ball, `owner` the index of this
+
+class _Grid:
+    """Points near atoms. `depth` of a point is that in its deepest accessible ball, `owner` this
     ball, `exit` the least distance found so far to possible centres of the probe.
     """
 
-    def __init__(self, centers: Any, radii: Any, voxel: float, band: float, probe: float) -> None:
-        self.voxel, self.band, self.probe = voxel, band, probe
+    def __init__(self, centers: Any, radii: Any, voxel: float, probe: float) -> None:
+        self.centers, self.radii = centers, radii + probe
+        self.voxel, self.band, self.probe = voxel, BAND * voxel, probe
         margin = radii[:, None] + (BAND + 1) * voxel
         self.low = numpy.floor((centers - margin).min(axis=0) / voxel).astype(numpy.int64)
         high = numpy.ceil((centers + margin).max(axis=0) / voxel).astype(numpy.int64)
-        self.shape = (high - self.low) // _SIDE + 1
-        count = int(numpy.prod(self.shape.astype(float))) * _SIDE**3
+        self.shape = high - self.low + 1
+        count = int(numpy.prod(self.shape.astype(float)))
         if count > MOST_POINTS:
             least = voxel * (count / MOST_POINTS) ** (1 / 3)
             raise ValueError(
                 f"An image of voxels of {voxel:g} around the atoms has {count} points, more than "
                 f"{MOST_POINTS}; set the voxel size to {least:.2g} or more."
             )
-        self.corners = numpy.stack(numpy.meshgrid(*3 * [numpy.arange(_SIDE)], indexing="ij"), -1)
-        self.corners = self.corners.reshape(-1, 3)
-        self.blocks = numpy.zeros(0, numpy.int64)
-        self.depth = self.exit = self.owner = numpy.zeros((0, _SIDE**3))
+        self.depth = numpy.full(self.shape, -numpy.inf, "f4")
+        self.owner = numpy.zeros(self.shape, "i4")
+        self.exit = self.depth
 
-    def add_balls(self, centers: Any, radii: Any) -> None:
+    def add_balls(self) -> None:
         """Finds depth and owner of all points that are not far outside."""
-        keys, balls = self._blocks_near(centers, radii + max(0.0, self.band - self.probe))
-        order = numpy.lexsort((balls, keys))
-        keys, balls = keys[order], balls[order]
-        self.blocks, firsts, counts = numpy.unique(keys, return_index=True, return_counts=True)
-        self.depth = numpy.full((len(self.blocks), _SIDE**3), -numpy.inf)
-        self.owner = numpy.zeros(self.depth.shape, numpy.int64)
-        for own in chunks(counts * _SIDE**3):
-            pairs = slice(firsts[own][0], firsts[own][-1] + counts[own][-1])
-            away = self._starts(keys[pairs]) - centers[balls[pairs]]
-            x, y, z = ((away[..., None] + self.voxel * numpy.arange(_SIDE)) ** 2).swapaxes(0, 1)
-            away = x[:, :, None, None] + y[:, None, :, None] + z[:, None, None, :]
-            depth = radii[balls[pairs], None] - numpy.sqrt(away.reshape(len(x), -1))
-            deepest = numpy.maximum.reduceat(depth, firsts[own] - firsts[own][0], axis=0)
-            self.depth[own] = deepest
-            rows = numpy.repeat(numpy.arange(own.stop - own.start), counts[own])
-            pair, point = numpy.nonzero(depth == deepest[rows])
-            self.owner[own.start + rows[pair], point] = balls[pairs][pair]
-        self.exit = numpy.where(self.depth > 0, numpy.inf, self.depth)
+        for ball, (center, radius) in enumerate(zip(self.centers, self.radii)):
+            box, axes = self._box(center, radius + max(0.0, self.band - self.probe))
+            x, y, z = ((axis - own) ** 2 for axis, own in zip(axes, center))
+            depth = radius - numpy.sqrt(x[:, None, None] + y[:, None] + z)
+            is_deeper = depth > self.depth[box]
+            self.depth[box][is_deeper] = depth[is_deeper]
+            self.owner[box][is_deeper] = ball
+        self.exit = numpy.where(self.depth > 0, numpy.float32(numpy.inf), self.depth)
 
-    def add_patches(self, centers: Any, radii: Any, near: Neighbours, arcs: Arcs) -> None:
+    def add_patch(self, ball: int, others: Any) -> None:
         """Sets the exit radially out of the owner of a point, if no other ball covers it."""
-        is_open = near.counts == 0
-        is_open[arcs.balls] = True
-        reached = (self.depth > 0) & (self.depth < self.probe + self.band) & is_open[self.owner]
-        row, corner = numpy.nonzero(reached)
-        owner = self.owner[row, corner]
-        for own in chunks(near.counts[owner] + 1):
-            points = self._starts(self.blocks[row[own]]) + self.voxel * self.corners[corner[own]]
-            ball = owner[own]
-            way = points - centers[ball]
-            length = numpy.linalg.norm(way, axis=1)[:, None]
-            goal = centers[ball] + way * (radii[ball, None] / numpy.maximum(length, 1e-300))
-            rows, others = near.expand(ball)
-            away = ((goal[rows] - centers[others]) ** 2).sum(axis=1)
-            blocked = numpy.zeros(len(ball), bool)
-            blocked[rows[away < (radii[others] * (1 - _INSIDE)) ** 2]] = True
-            free = numpy.flatnonzero(~blocked) + own.start
-            self.exit[row[free], corner[free]] = self.depth[row[free], corner[free]]
+        center, radius = self.centers[ball], self.radii[ball]
+        box, axes = self._box(center, radius)
+        depth = self.depth[box]
+        is_own = (self.owner[box] == ball) & (depth > 0) & (depth < self.probe + self.band)
+        places, points = _points_in(axes, is_own)
+        if not len(points):
+            return
+        way = points - center
+        length = numpy.linalg.norm(way, axis=1)[:, None]
+        goals = center + way * (radius / numpy.maximum(length, 1e-300))
+        is_free = numpy.ones(len(goals), bool)
+        for own in (others[:_FEW], others[_FEW:]):
+            (left,) = numpy.nonzero(is_free)
+            away = _squares(goals[left], self.centers[own])
+            is_free[left] = (away >= (self.radii[own] * (1 - _INSIDE)) ** 2).all(axis=1)
+        free = tuple(place[is_free] for place in places)
+        self.exit[box][free] = depth[free]
 
-    def add_arcs(self, arcs: Arcs) -> None:
-        """Updates the exits with the nearest points of the arcs."""
-        wanted = numpy.isinf(self.exit) & (self.depth < self.probe + self.band)
-        holds = numpy.zeros(int(numpy.prod(self.shape)), bool)
-        holds[self.blocks[wanted.any(axis=1)]] = True
-        short = arcs.halves < 0.5 * numpy.pi
-        chord = numpy.where(short, numpy.cos(arcs.halves), 0.0)[:, None] * arcs.radii[:, None]
-        middles = arcs.centers + chord * arcs.axes[:, 0]
-        widths = numpy.where(short, numpy.sin(arcs.halves), 1.0) * arcs.radii
-        keys, numbers = self._blocks_near(middles, widths + self.probe + self.band, holds)
-        order = numpy.argsort(keys, kind="stable")
-        keys, numbers = keys[order], numbers[order]
-        found, firsts, counts = numpy.unique(keys, return_index=True, return_counts=True)
-        own_rows = numpy.searchsorted(self.blocks, found)
-        for own in chunks(counts * _SIDE**3):
-            pairs = slice(firsts[own][0], firsts[own][-1] + counts[own][-1])
-            some = arcs.rows(numbers[pairs])
-            away = self._starts(keys[pairs]) - some.centers
-            places = numpy.einsum("ikj,ij->ik", some.axes, away)[:, :, None]
-            places = places + some.axes @ (self.voxel * self.corners.T)
-            distances = _distances_to(some, *places.swapaxes(0, 1))
-            least = numpy.minimum.reduceat(distances, firsts[own] - firsts[own][0], axis=0)
-            known = self.exit[own_rows[own]]
-            self.exit[own_rows[own]] = numpy.where(wanted[own_rows[own]], least, known)
+    def add_arcs(self, ball: int, others: Any) -> None:
+        """Updates the exits that are not radial with the arcs of a ball and later ones."""
+        for center, radius, half, axes in _arcs_of(ball, others, self.centers, self.radii):
+            is_short = half < 0.5 * numpy.pi
+            middle = center + (radius * numpy.cos(half) * axes[0] if is_short else 0.0)
+            width = radius * (numpy.sin(half) if is_short else 1.0)
+            box, lines = self._box(middle, width + self.probe + self.band)
+            depth, exit = self.depth[box], self.exit[box]
+            is_wanted = (depth > 0) & (exit != depth) & (depth < self.probe + self.band)
+            places, points = _points_in(lines, is_wanted)
+            x, y, z = axes @ (points - center).T
+            found = _distances_to(radius, half, x, numpy.abs(y), z)
+            exit[places] = numpy.minimum(exit[places], found)
 
     def image(self) -> Any:
         """Returns the distances as an image."""
-        values = numpy.full((int(numpy.prod(self.shape)), _SIDE**3), self.band, dtype=numpy.float32)
-        values[self.blocks] = numpy.clip(self.probe - self.exit, -self.band, self.band)
-        values = values.reshape(*self.shape, *3 * [_SIDE]).transpose(2, 5, 1, 4, 0, 3)
-        image = vtkImageData()
-        image.SetDimensions(*map(int, self.shape * _SIDE))
-        image.SetSpacing(*3 * [self.voxel])
-        image.SetOrigin(*(self.voxel * self.low))
-        add_array(image, "distance", values.reshape(-1), image.GetPointData())
-        image.GetPointData().SetActiveScalars("distance")
-        return image
+        values = numpy.clip(self.probe - self.exit, -self.band, self.band)
+        return _image_of(values.astype("f4"), self.voxel, self.voxel * self.low)
 
-    def _starts(self, keys: Any) -> Any:
-        """Returns the first point of each block, an array (n, 3)."""
-        block = numpy.stack(numpy.unravel_index(keys, self.shape), axis=-1)
-        return self.voxel * (block * _SIDE + self.low)
-
-    def _blocks_near(self, centers: Any, reaches: Any, holds: Any = None) -> tuple[Any, Any]:
-        """Returns pairs of a block and a ball that touches the block."""
-        edge = _SIDE * self.voxel
-        half = 0.5 * (_SIDE - 1) * self.voxel
-        start = self.voxel * self.low + half  # centre of the first block
-        low, high = centers - reaches[:, None] - half, centers + reaches[:, None] + half
-        first = numpy.maximum(numpy.ceil((low - start) / edge), 0).astype(numpy.int64)
-        last = numpy.minimum(numpy.floor((high - start) / edge), self.shape - 1).astype(numpy.int64)
-        sizes = numpy.maximum(last - first + 1, 0)
-        counts, found = sizes.prod(axis=1), list[Any]()
-        for own in chunks(counts):
-            rows = numpy.repeat(numpy.arange(own.start, own.stop), counts[own])
-            index = ranges(numpy.zeros(own.stop - own.start, numpy.int64), counts[own])
-            _, wide, deep = sizes[rows].T
-            place = numpy.stack([index // (wide * deep), index // deep % wide, index % deep], -1)
-            place += first[rows]
-            outside = numpy.abs(start + edge * place - centers[rows]) - half
-            away = (numpy.maximum(outside, 0.0) ** 2).sum(axis=1)
-            keys = numpy.ravel_multi_index(tuple(place.T), self.shape)
-            near = away <= reaches[rows] ** 2
-            near &= True if holds is None else holds[keys]
-            found.append((keys[near], rows[near]))
-        none = [(numpy.zeros(0, numpy.int64), numpy.zeros(0, numpy.int64))]
-        keys, rows = (numpy.concatenate(own) for own in zip(*(found or none)))
-        return keys, rows
+    def _box(self, center: Any, reach: float) -> tuple[Any, list[Any]]:
+        """Returns the slices around a ball, and the coordinates along each axis."""
+        first = numpy.ceil((center - reach) / self.voxel).astype(numpy.int64) - self.low
+        end = numpy.floor((center + reach) / self.voxel).astype(numpy.int64) - self.low + 1
+        first, end = first.clip(0, self.shape), end.clip(0, self.shape)
+        axes = [self.voxel * numpy.arange(*cut) for cut in zip(first + self.low, end + self.low)]
+        return tuple(map(slice, first, end)), axes
 
 
-def _distances_to(arcs: Arcs, x: Any, y: Any, z: Any) -> Any:
-    """Returns distances (n, m) of m points, in the axes of each of n arcs, to the arc."""
-    radius, half = arcs.radii[:, None], arcs.halves[:, None]
-    cos, sin, y = numpy.cos(half), numpy.sin(half), numpy.abs(y)
-    inwards = numpy.hypot(x, y) - radius
+def _points_in(axes: list[Any], chosen: Any) -> tuple[Any, Any]:
+    """Returns the indices and the positions of the chosen points of a box."""
+    places = numpy.nonzero(chosen)
+    return places, numpy.stack([axis[own] for axis, own in zip(axes, places)], axis=1)
+
+
+def _squares(points: Any, others: Any) -> Any:
+    return ((points[:, None] - others) ** 2).sum(axis=2)
+
+
+def _neighbours(centers: Any, radii: Any) -> list[Any]:
+    """Returns the balls that each ball overlaps, nearest first."""
+    locator, found, near = vtkStaticPointLocator(), vtkIdList(), list[Any]()
+    cloud = as_particles(centers)
+    locator.SetDataSet(cloud)
+    locator.BuildLocator()
+    for ball, (center, radius) in enumerate(zip(centers, radii)):
+        locator.FindPointsWithinRadius(radius + radii.max(), center, found)
+        others = numpy.array([found.GetId(i) for i in range(found.GetNumberOfIds())])
+        away = ((centers[others] - center) ** 2).sum(axis=1)
+        own = (away < (radius + radii[others]) ** 2) & (others != ball)
+        near.append(others[own][numpy.lexsort((others[own], away[own]))])
+    return near
+
+
+def _arcs_of(ball: int, near: Any, centers: Any, radii: Any) -> Any:
+    """Yields the arcs outside all others where a ball meets later ones: centre, radius and half of
+    the angle, and axes in rows: to the arc's middle, across it, of the circle.
+    """
+    second = near[near > ball]
+    way = centers[second] - centers[ball]
+    distance = numpy.linalg.norm(way, axis=1)
+    meet = distance > numpy.abs(radii[ball] - radii[second])
+    second, way, distance = second[meet], way[meet], distance[meet]
+    axis = way / distance[:, None]
+    along = (distance**2 + radii[ball] ** 2 - radii[second] ** 2) / (2 * distance)
+    middles = centers[ball] + along[:, None] * axis
+    sizes = numpy.sqrt(numpy.maximum(radii[ball] ** 2 - along**2, 0.0))
+    one = numpy.cross(axis, numpy.eye(3)[numpy.abs(axis).argmin(axis=1)])
+    one /= numpy.linalg.norm(one, axis=1)[:, None]
+    frames = numpy.stack([one, numpy.cross(axis, one), axis], axis=1)
+    left = numpy.arange(len(second))
+    for others in (near[:_FEW], near):
+        if not len(left):
+            return
+        away = centers[others] - middles[left, None]
+        x, y = numpy.einsum("ijk,ilk->lij", away, frames[left, :2])
+        excess = (away**2).sum(axis=2) + sizes[left, None] ** 2 - radii[others] ** 2
+        scale = 2.0 * sizes[left, None] * numpy.hypot(x, y)
+        covers = (excess < scale) & (others != second[left, None])
+        rows, low, high = _gaps(covers, numpy.arctan2(y, x), excess, scale)
+        left = left[rows] if others is near else left[numpy.unique(rows)]
+    for place, start, end in zip(left, low, high):
+        turned, half = 0.5 * (start + end), 0.5 * (end - start)
+        (x, y, z), cos, sin = frames[place], numpy.cos(turned), numpy.sin(turned)
+        axes = numpy.stack([cos * x + sin * y, cos * y - sin * x, z])
+        yield middles[place], sizes[place], half, axes
+
+
+def _gaps(covers: Any, angles: Any, excess: Any, scale: Any) -> tuple[Any, Any, Any]:
+    """Returns rows, and start and end in [0, 2 pi] of the gaps that no ball covers."""
+    with numpy.errstate(divide="ignore", invalid="ignore"):
+        half = numpy.where(excess <= -scale, numpy.pi, numpy.arccos(excess / scale))
+    starts = numpy.where(covers, (angles - half) % _TURN, 0.0)
+    ends = numpy.where(covers, starts + 2 * half, 0.0)
+    none = numpy.zeros((len(covers), 1))
+    starts = numpy.hstack([starts, numpy.zeros(starts.shape), none + _TURN])
+    ends = numpy.hstack([numpy.minimum(ends, _TURN), ends - _TURN, none + _TURN])
+    order = starts.argsort(axis=1)
+    starts, ends = (numpy.take_along_axis(own, order, 1) for own in (starts, ends))
+    reached = numpy.maximum.accumulate(numpy.hstack([none, ends[:, :-1]]), axis=1)
+    rows, places = numpy.nonzero(starts > reached + _NARROWEST)
+    return rows, reached[rows, places], starts[rows, places]
+
+
+def _distances_to(radius: float, half: float, x: Any, y: Any, z: Any) -> Any:
+    """Returns distances of points, in the axes of an arc, to the arc."""
+    cos, sin = numpy.cos(half), numpy.sin(half)
     to_end = (x - radius * cos) ** 2 + (y - radius * sin) ** 2
-    ahead = (y * cos <= x * sin) | (half >= numpy.pi)
-    return numpy.sqrt(z**2 + numpy.where(ahead, inwards**2, to_end))
+    is_ahead = (y * cos <= x * sin) | (half >= numpy.pi)
+    inwards = (numpy.hypot(x, y) - radius) ** 2
+    return numpy.sqrt(z**2 + numpy.where(is_ahead, inwards, to_end))
