@@ -50,10 +50,7 @@ class Condition(NamedTuple):
 def conditions(where: str | Sequence[str]) -> list[Condition]:
     """Parses conditions: "Type=1", "Type=1,3", "T>300", "id!=7", "resname=LIG", 'name="a, b"'.
 
-    Raises
-    ------
-    ValueError
-        A text is not of this form.
+    Raises ValueError if a text is not of this form.
     """
     found = []
     for text in [where] if isinstance(where, str) else where:
@@ -108,11 +105,8 @@ def choose(
     A label selects points by the array "label" or "labels"; an image becomes 1 at the label and 0
     elsewhere.
 
-    Raises
-    ------
-    ValueError
-        There is no such array or value, an image has no such label, or a condition is for an
-        image.
+    Raises ValueError if there is no such array or value, an image has no such label, or a condition
+    is for an image.
     """
     if label is not None and data.GetNumberOfPoints():
         data = _choose_label(data, label)
@@ -227,10 +221,7 @@ def _marked(data: Any, marks: Any, is_of_cells: bool) -> Any:
 def labels_of(data: Any) -> list[int]:
     """Returns the labels of an image's points or cells except 0, or those of a particle array.
 
-    Raises
-    ------
-    ValueError
-        There are no labels: the values are no integers, or more than a thousand.
+    Raises ValueError if the values are no integers, or more than a thousand.
     """
     values = numpy.unique(_labels_in(data))
     if values.dtype.kind == "U":

@@ -18,25 +18,16 @@ _OVER, _FULL = 0.1, 1e-3  # of fractions of volume: tolerance beyond 0 and 1, an
 def contour(image: Any, level: float, *, above: bool = False) -> Any:
     """Returns the surface of an image at a level.
 
-    Parameters
-    ----------
-    image : vtkImageData
-        Active scalars, of points or cells, with one component.
-    level : float
-        Unit of the values.
-    above : bool
-        Inside is above the level, as in a fog volume or a density. Else below, as in a level set.
+    - image (vtkImageData): active scalars, of points or cells, with one component.
+    - level (float): unit of the values.
+    - above (bool): inside is above the level, as in a fog volume or a density. Else below, as in a
+      level set.
 
-    Returns
-    -------
-    vtkPolyData
-        Triangles oriented outward, closed at the border of the image, with normals; empty unless
-        there are values on both sides of the level.
+    Returns vtkPolyData: triangles oriented outward, closed at the border of the image, with
+    normals; empty unless there are values on both sides of the level.
 
-    Raises
-    ------
-    ValueError
-        Values are NaN, or there are too many voxels; the text is the filter's message.
+    Raises ValueError if values are NaN, or there are too many voxels; the text is the filter's
+    message.
     """
     from . import vtkActiveImplicitSurface
 
@@ -79,10 +70,7 @@ def usual_level(image: Any, level: float | None = None) -> tuple[float, bool]:
 def level_of_series(images: list[Any]) -> tuple[float, bool]:
     """Returns one level for the images of a series, and True if inside is above the level.
 
-    Raises
-    ------
-    ValueError
-        The inside is undefined: the images have several labels, or no values below 0.
+    Raises ValueError if the images have several labels, or no values below 0.
     """
     every = [_with_point_values(image)[1] for image in images]
     level, above = _usual_level(numpy.concatenate(every))

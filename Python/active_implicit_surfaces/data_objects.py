@@ -30,17 +30,11 @@ _USUAL_IDS = ("id", "ids", "particle_id", "particleid", "pid")
 def as_particles(particles: Any, **arrays: Any) -> Any:
     """Returns points and their arrays as a vtkPolyData, which shares their memory if possible.
 
-    Parameters
-    ----------
-    particles : array (n, 3), vtkPointSet, or an object with `points` or `vertices`
-        All points are used; cells are left out.
-    **arrays : array (n,) or (n, k), optional
-        Point arrays to add: ``velocities`` becomes "Velocity", ``ids`` "id", ``radii`` "radius",
-        ``strengths`` "strength"; any other keeps its name.
-
-    Returns
-    -------
-    vtkPolyData
+    - particles (array (n, 3), vtkPointSet, or an object with `points` or `vertices`): all points
+      are used; cells are left out.
+    - **arrays (array (n,) or (n, k), optional): point arrays to add: ``velocities`` becomes
+      "Velocity", ``ids`` "id", ``radii`` "radius", ``strengths`` "strength"; any other keeps its
+      name.
     """
     points, own = _points_of(particles)
     cloud = vtkPolyData()
@@ -78,10 +72,8 @@ STANDARD_NAMES = {
 def as_shape(shape: Any) -> Any:
     """Converts a mesh or image to the filter's input: vtkPolyData with polygons, or vtkImageData.
 
-    Parameters
-    ----------
-    shape : vtkPolyData, vtkImageData, vtkUnstructuredGrid, or an object with `vertices` and `faces`
-        (as trimesh's), or with `points` and `cells` (as meshio's)
+    `shape` is a vtkPolyData, vtkImageData or vtkUnstructuredGrid, or an object with `vertices` and
+    `faces` (as trimesh's), or with `points` and `cells` (as meshio's).
     """
     if _is_vtk(shape, "vtkImageData"):
         return shape

@@ -25,10 +25,7 @@ def find_display() -> None:
 
     The display ends with the calling thread, so call this from a thread that stays alive.
 
-    Raises
-    ------
-    OSError
-        The program Xvfb is missing, or does not start.
+    Raises OSError if the program Xvfb is missing, or does not start.
     """
     needs = vtk_version() < (9, 4) and "vtkXOpenGL" in vtkRenderWindow().GetClassName()
     if not needs or os.environ.get("DISPLAY"):

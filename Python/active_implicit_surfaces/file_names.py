@@ -87,10 +87,7 @@ def expand(names: str | Path | Sequence[str | Path], known: Sequence[str] = ()) 
     """Expands names, patterns, folders and indices to files. Only the name of a file may be a
     pattern. A folder stands for its files with `known` extensions.
 
-    Raises
-    ------
-    OSError
-        A file is missing, a pattern fits none, or an index cannot be read.
+    Raises OSError if a file is missing, a pattern fits none, or an index cannot be read.
     """
     several = [names] if isinstance(names, (str, Path)) else names
     given = [Path(name).expanduser() for name in several]
@@ -332,10 +329,7 @@ def without_number(name: str | Path) -> Path:
 def make_folder_of(path: Path) -> None:
     """Makes the folder of a file if it does not exist.
 
-    Raises
-    ------
-    OSError
-        The folder cannot be made.
+    Raises OSError if the folder cannot be made.
     """
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -347,10 +341,7 @@ def make_folder_of(path: Path) -> None:
 def replacing(path: Path) -> Iterator[Path]:
     """Yields a temporary name to write to; on success the file is renamed to `path`.
 
-    Raises
-    ------
-    OSError
-        The file cannot be written there.
+    Raises OSError if the file cannot be written there.
     """
     temporary = path.with_name(f".{os.getpid()}.{path.name}")
     try:

@@ -40,17 +40,12 @@ def check_film(path: Path) -> None:
 class Film(Sink):
     """Writes a film or numbered pictures of a series of skins.
 
-    Parameters
-    ----------
-    path : Path
-        film.mp4, film.ogv, picture.####.png or picture.####.exr.
-    scene : Scene
-    times : list of float
-        Times of the pictures [time].
-    numbers : list of int
-        Frame numbers for the names of the pictures; not used for a single picture.
-    fps : float, optional
-        Frames per second [1/time]. Default: the film is as long as the series.
+    - path (Path): film.mp4, film.ogv, picture.####.png or picture.####.exr.
+    - scene (Scene)
+    - times (list of float): times of the pictures [time].
+    - numbers (list of int): frame numbers for the names of the pictures; not used for a single
+      picture.
+    - fps (float, optional): frames per second [1/time]. Default: the film is as long as the series.
     """
 
     def __init__(

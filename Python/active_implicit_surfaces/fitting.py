@@ -16,12 +16,9 @@ _FAR = 1.5  # largest ratio of sizes
 def fitted(shape: Any, model: Any, fit: str) -> Any:
     """Returns the shape, moved and scaled to the model.
 
-    Parameters
-    ----------
-    shape, model : vtkPolyData or vtkImageData
-    fit : str
-        "none": unchanged. "centre": moved to the centre of the model's bounds. "box": scaled to
-        the longest side of these bounds too.
+    - shape, model (vtkPolyData or vtkImageData)
+    - fit (str): "none": unchanged. "centre": moved to the centre of the model's bounds. "box":
+      scaled to the longest side of these bounds too.
     """
     centre, size = _box(shape)
     to_centre, to_size = _box(model)

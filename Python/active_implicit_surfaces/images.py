@@ -29,10 +29,7 @@ _DAMAGE = (ValueError, KeyError, OverflowError, EOFError, zlib.error, gzip.BadGz
 def read_image(path: Path, reader: Any, update: Callable[[Any], Any]) -> Any:
     """Reads an image of any of these formats except .vti; `update` returns a reader's output.
 
-    Raises
-    ------
-    OSError
-        The file is damaged.
+    Raises OSError if the file is damaged.
     """
     try:
         if ".nii" in path.name.lower()[-7:]:

@@ -55,15 +55,12 @@ _ABOUT_MESHES = " The commands convert and morph take its surface."
 class ParticleFiles:
     """Frames of a series of files, or of one file with several frames.
 
-    Attributes
-    ----------
-    times : list of float
-    names : list of Path
-        File of each frame; the first one of several parts.
-    files : list of Path
-        All files.
-    numbers : list of int
-        Frame numbers from the names of the files, if the names differ in them, else 0, 1, 2 ...
+    Attributes:
+    - times (list of float)
+    - names (list of Path): file of each frame; the first one of several parts.
+    - files (list of Path): all files.
+    - numbers (list of int): frame numbers from the names of the files, if the names differ in them,
+      else 0, 1, 2 ...
     """
 
     def __init__(
@@ -87,12 +84,8 @@ class ParticleFiles:
     def load(self, step: int) -> Any:
         """Returns the selected particles of a frame as a vtkPolyData, or an image.
 
-        Raises
-        ------
-        OSError
-            The file cannot be read, or has no particles.
-        ValueError
-            An array or a value of a condition does not exist.
+        Raises OSError if the file cannot be read, or has no particles; ValueError if an array or a
+        value of a condition does not exist.
         """
         data = self._loaders[step]()
         if self._label is not None and data.IsA("vtkImageData") and len(self) > 1:

@@ -14,16 +14,11 @@ _ROUNDING = 1e-6  # of the longest edge
 def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
     """Returns the value of PeriodicBounds for particles in a box.
 
-    Parameters
-    ----------
-    frames : iterable of vtkDataSet
-        Field data: "Lattice", edges of the box as rows [length]; optional "Origin", corner of the
-        box [length], and "pbc", a flag for each periodic axis.
+    - frames (iterable of vtkDataSet): field data: "Lattice", edges of the box as rows [length];
+      optional "Origin", corner of the box [length], and "pbc", a flag for each periodic axis.
 
-    Raises
-    ------
-    ValueError
-        There is no box, or the box is slanted, not periodic, or not the same in all frames.
+    Raises ValueError if there is no box, or the box is slanted, not periodic, or not the same in all
+    frames.
     """
     boxes = [_box_of(frame) for frame in frames]
     size = max(abs(number) for number in boxes[0])

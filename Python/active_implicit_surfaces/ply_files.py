@@ -53,21 +53,16 @@ class _DamageError(ValueError):
 def read_ply(path: Path) -> Any:
     """Reads a mesh or points from a .ply; properties of vertices and polygons become arrays.
 
-    Raises
-    ------
-    OSError
-        The file is damaged, or has no vertices.
+    Raises OSError if the file is damaged, or has no vertices.
     """
     try:
         content = path.read_bytes()
         order, elements, start = _read_header(content)
-        lines = iter([] if order else content[start:].splitlines())
+        if not order:
+            content, start = _doubles_of(content[start:]), 0
         found: dict[str, dict[str, Any]] = {}
         for element in elements:
-            if order:
-                columns, start = _read_binary(content, start, order, element)
-            else:
-                columns = _read_text(lines, element)
+            columns, start = _read_element(content, start, order, element)
             found.setdefault(element.name, columns)
         return _mesh_of(path, found)
     except (ValueError, KeyError, IndexError, OverflowError) as error:
@@ -102,7 +97,15 @@ def _read_header(content: bytes) -> tuple[str, list[_Element], int]:
     return order, elements, start
 
 
-def _read_binary(
+def _doubles_of(text: bytes) -> bytes:
+    """Converts the numbers of a text to binary doubles."""
+    try:
+        return numpy.array(text.split(), dtype="<f8").tobytes()
+    except ValueError:
+        raise _DamageError("it is damaged: a row has a value that is no number") from None
+
+
+def _read_element(
     content: bytes, start: int, order: str, element: _Element
 ) -> tuple[dict[str, Any], int]:
     """Returns the columns of an element, and its end. Fast if all lists have the same length."""
@@ -112,20 +115,27 @@ def _read_binary(
     fields: list[Any] = []
     for i, each in enumerate(element.properties):
         if each.length_kind:
-            fields.append((f"length {i}", order + each.length_kind))
-        fields.append((str(i), order + each.kind, numpy.shape(first[i])))
+            fields.append((f"length {i}", _stored(order, each.length_kind)))
+        fields.append((str(i), _stored(order, each.kind), numpy.shape(first[i])))
     end = start + element.rows * numpy.dtype(fields).itemsize
     if end <= len(content):
         table = numpy.frombuffer(content, fields, element.rows, start)
         lengths = (table[name] for name, *_ in fields if name.startswith("length"))
         if all((own == own[0]).all() for own in lengths):
             columns = enumerate(element.properties)
-            return {each.name: _native(table[str(i)]) for i, each in columns}, end
+            return {each.name: table[str(i)].astype(each.kind) for i, each in columns}, end
     rows = []
     for _ in range(element.rows):
         row, start = _read_row(content, start, order, element)
         rows.append(row)
-    return _columns_of(element, rows), start
+    return {
+        each.name: list(column) if each.length_kind else numpy.array(column).astype(each.kind)
+        for each, column in zip(element.properties, zip(*rows))
+    }, start
+
+
+def _stored(order: str, kind: str) -> str:
+    return order + kind if order else "<f8"  # text
 
 
 def _read_row(content: bytes, start: int, order: str, element: _Element) -> tuple[list[Any], int]:
@@ -133,11 +143,11 @@ def _read_row(content: bytes, start: int, order: str, element: _Element) -> tupl
 
     def take(kind: str, count: int) -> Any:
         nonlocal start
-        values = numpy.zeros(0, order + kind)
+        values = numpy.zeros(0, _stored(order, kind))
         if start + count * values.itemsize > len(content):
             raise _DamageError(_ENDS_EARLY)
         if count:
-            values = numpy.frombuffer(content, order + kind, count, start)
+            values = numpy.frombuffer(content, values.dtype, count, start)
         start += values.nbytes
         return values
 
@@ -148,34 +158,6 @@ def _read_row(content: bytes, start: int, order: str, element: _Element) -> tupl
         else:
             row.append(take(each.kind, 1)[0])
     return row, start
-
-
-def _read_text(lines: Any, element: _Element) -> dict[str, Any]:
-    rows = []
-    for _ in range(element.rows):
-        cells, row = next(lines, b"").split(), list[Any]()
-        for each in element.properties:
-            count = max(int(cells.pop(0)), 0) if each.length_kind and cells else 1
-            if len(cells) < count:
-                raise _DamageError("it is damaged: a row has fewer numbers than its header says")
-            try:
-                values = [float(cell) for cell in cells[:count]]
-            except ValueError:
-                raise _DamageError("it is damaged: a row has a value that is no number") from None
-            del cells[:count]
-            row.append(numpy.array(values) if each.length_kind else values[0])
-        rows.append(row)
-    return _columns_of(element, rows)
-
-
-def _columns_of(element: _Element, rows: list[list[Any]]) -> dict[str, Any]:
-    """Converts rows to columns: arrays of numbers, and lists of arrays."""
-    return {
-        each.name: list(column)
-        if each.length_kind
-        else numpy.array(column).astype(each.kind, copy=False)
-        for each, column in zip(element.properties, zip(*rows))
-    }
 
 
 def _mesh_of(path: Path, found: dict[str, dict[str, Any]]) -> Any:
@@ -239,7 +221,3 @@ def _add_arrays(mesh: Any, attributes: Any, arrays: dict[str, Any]) -> None:
             attributes.SetActiveTCoords("TCoords")
     for name, values in left.items():
         add_array(mesh, name, values, attributes)
-
-
-def _native(values: Any) -> Any:
-    return values.astype(values.dtype.newbyteorder("="))

@@ -28,20 +28,14 @@ _FOLLOWING = 24.0  # factors e by which the skin approaches its target in a step
 class ProbedAtoms:
     """Solvent-excluded surface of each frame of atoms.
 
-    Parameters
-    ----------
-    atoms : TemporalSource
-    probe : float
-        Radius of the probe [length], 0 or more.
-    preset, arrays, options
-        See `frames`. Used are the array of "radii" (default: "radius") and "voxel_size" (default: a
-        quarter of the root mean square radius of the first frame). "voxel_size" and "attraction"
-        are set in `options`, "pass_target_arrays" is removed.
+    - atoms (TemporalSource)
+    - probe (float): radius of the probe [length], 0 or more.
+    - preset, arrays, options: see `frames`. Used are the array of "radii" (default: "radius") and
+      "voxel_size" (default: a quarter of the root mean square radius of the first frame).
+      "voxel_size" and "attraction" are set in `options`, "pass_target_arrays" is removed.
 
-    Attributes
-    ----------
-    source : TemporalSource
-        Source of the images.
+    Attributes:
+    - source (TemporalSource): source of the images.
     """
 
     def __init__(

@@ -35,12 +35,9 @@ class Sink:
 class FileSeries(Sink):
     """Writes a file for each frame, and at the end an index of the files.
 
-    Parameters
-    ----------
-    names : list of Path
-    write : callable(Path, data)
-    index : Path, optional
-        A .pvd or a .series, with a time for each name.
+    - names (list of Path)
+    - write (callable(Path, data))
+    - index (Path, optional): a .pvd or a .series, with a time for each name.
     """
 
     def __init__(
@@ -73,10 +70,9 @@ def run(make: Callable[[int], Any], steps: Iterable[int], sinks: Iterable[Sink] 
 class Skins:
     """Iterator over the skins of a filter at some times.
 
-    Attributes
-    ----------
-    surface : vtkActiveImplicitSurface
-    times : list of float
+    Attributes:
+    - surface (vtkActiveImplicitSurface)
+    - times (list of float)
     """
 
     surface: Any

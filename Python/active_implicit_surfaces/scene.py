@@ -45,22 +45,15 @@ LIGHTS = (
 class Scene:
     """Renders skins with one fixed camera.
 
-    Parameters
-    ----------
-    held : array (n, 3)
-        Points in view; the ground is below all of them.
-    size : (int, int)
-        Size of the pictures [pixels].
-    up : {"x", "y", "z", "-x", "-y", "-z"}
-    color : (float, float, float)
-    soft : bool
-        Ambient occlusion; has to be off for layers, because it uses the depth buffer.
-    ground : bool
+    - held (array (n, 3)): points in view; the ground is below all of them.
+    - size ((int, int)): size of the pictures [pixels].
+    - up ({"x", "y", "z", "-x", "-y", "-z"})
+    - color ((float, float, float))
+    - soft (bool): ambient occlusion; has to be off for layers, because it uses the depth buffer.
+    - ground (bool)
 
-    Attributes
-    ----------
-    apart : dict
-        Actor of the ground, for `apart` of render.capture().
+    Attributes:
+    - apart (dict): actor of the ground, for `apart` of render.capture().
     """
 
     def __init__(

@@ -70,22 +70,16 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
 
     Warns of arrays that the format cannot hold.
 
-    Parameters
-    ----------
-    path : Path
-    mesh : vtkPolyData or vtkImageData
-        For a skin as .vdb: the filter's own output, whose grid is written.
-    port : vtkAlgorithmOutput, optional
-        Output port of the mesh's source, which gives a .vdb its frame number.
-    up : {"x", "y", "z", "-x", "-y", "-z"}
-        Axis of the data that points up, for a .glb, in which y is up. Default: "y".
-    **settings
-        Methods of the writer and their argument: ``SetVoxelSize=0.1``.
+    - path (Path)
+    - mesh (vtkPolyData or vtkImageData): for a skin as .vdb: the filter's own output, whose grid is
+      written.
+    - port (vtkAlgorithmOutput, optional): output port of the mesh's source, which gives a .vdb its
+      frame number.
+    - up ({"x", "y", "z", "-x", "-y", "-z"}): axis of the data that points up, for a .glb, in which
+      y is up. Default: "y".
+    - **settings: methods of the writer and their argument: ``SetVoxelSize=0.1``.
 
-    Raises
-    ------
-    OSError
-        The file cannot be written; the text is the writer's message.
+    Raises OSError if the file cannot be written; the text is the writer's message.
     """
     suffix = suffix_of(path)
     warn_of_losses(suffix, mesh)
@@ -118,10 +112,7 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
 def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
     """Reads a mesh or an image; several parts become a mesh, with images at their usual level.
 
-    Raises
-    ------
-    OSError
-        A file cannot be read.
+    Raises OSError if a file cannot be read.
     """
     if parts:
         together = vtkAppendPolyData()
@@ -158,10 +149,7 @@ def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
 def holds_particles(path: Path) -> bool | None:
     """Returns True if a file holds only points, no mesh and no image; None if it is empty.
 
-    Raises
-    ------
-    OSError
-        The file cannot be read.
+    Raises OSError if the file cannot be read.
     """
     suffix = suffix_of(path)
     if suffix not in INPUT_SUFFIXES:

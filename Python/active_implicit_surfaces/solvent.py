@@ -41,26 +41,15 @@ def usual_voxel(radii: Any) -> float:
 def excluded_distance(centers: Any, radii: Any, probe: float, voxel: float) -> Any:
     """Returns signed distances to the solvent-excluded surface, negative inside.
 
-    Parameters
-    ----------
-    centers : array (n, 3)
-        Centres of the atoms [length].
-    radii : array (n,)
-        Van der Waals radii [length]; atoms without a radius are ignored.
-    probe : float
-        Radius of the probe [length]; 0 or more.
-    voxel : float
-        Spacing of the image's points [length]; their coordinates are multiples of the spacing.
+    - centers (array (n, 3)): centres of the atoms [length].
+    - radii (array (n,)): van der Waals radii [length]; atoms without a radius are ignored.
+    - probe (float): radius of the probe [length]; 0 or more.
+    - voxel (float): spacing of the image's points [length]; their coordinates are multiples of the
+      spacing.
 
-    Returns
-    -------
-    vtkImageData
-        Image with the point array "distance" [length], clamped to two voxels.
+    Returns vtkImageData: image with the point array "distance" [length], clamped to two voxels.
 
-    Raises
-    ------
-    ValueError
-        No atom has a radius, or the image would be too large.
+    Raises ValueError if no atom has a radius, or the image would be too large.
     """
     radii = numpy.asarray(radii, float).reshape(-1)
     balls = numpy.column_stack([numpy.asarray(centers, float).reshape(-1, 3), radii])

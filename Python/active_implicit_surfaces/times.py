@@ -10,10 +10,7 @@ FRAMES_PER_SECOND = 25.0  # default without other information
 def check_times(times: Iterable[float]) -> list[float]:
     """Returns the times as a list.
 
-    Raises
-    ------
-    ValueError
-        There are no times, or they do not increase.
+    Raises ValueError if there are no times, or times do not increase.
     """
     own = [float(time) for time in times]
     if not own:

@@ -43,18 +43,14 @@ class UsdFilm(Sink):
     Points, polygons, normals, velocities [length/time], colours (displayColor, as linear light) and
     arrays (primvars) have a sample at each time. Time codes are times in frames.
 
-    Parameters
-    ----------
-    path : Path
-        film.usdc or, as text, film.usda.
-    times : list of float
-    fps : float, optional
-        Time codes per unit of time [1/time]. Default: the mean number of frames in it.
-    up : {"x", "y", "z", "-x", "-y", "-z"}
-        Axis of the data that points up. y and z set the stage's up axis; for others the prim is
-        rotated.
-    time_scale : float
-        Time of the velocities per unit of `times`, the filter's TimeScale. Default: 1.
+    - path (Path): film.usdc or, as text, film.usda.
+    - times (list of float)
+    - fps (float, optional): time codes per unit of time [1/time]. Default: the mean number of
+      frames in it.
+    - up ({"x", "y", "z", "-x", "-y", "-z"}): axis of the data that points up. y and z set the
+      stage's up axis; for others the prim is rotated.
+    - time_scale (float): time of the velocities per unit of `times`, the filter's TimeScale.
+      Default: 1.
     """
 
     def __init__(

@@ -66,12 +66,9 @@ def each_label(
 class Outputs:
     """File names of a run's outputs, and the sinks that write them.
 
-    Attributes
-    ----------
-    output : Path or None
-        Name of the skins.
-    names : list of Path
-        File of each frame.
+    Attributes:
+    - output (Path or None): name of the skins.
+    - names (list of Path): file of each frame.
     """
 
     def __init__(self, parser: Parser, options: Any) -> None:

@@ -18,19 +18,14 @@ _SECONDS_BETWEEN_STATES = 20.0
 class Resumption(Sink):
     """Saved state of the last finished frame; a sink once it is bound to a run.
 
-    Parameters
-    ----------
-    output : Path
-        Name of the series of skins; the state is in hidden files of the same folder.
-    description : dict
-        Options that the skins depend on; a run with other options cannot be resumed.
-    files : list of Path
-        Last file read for each frame. Files of finished frames may not change.
+    - output (Path): name of the series of skins; the state is in hidden files of the same folder.
+    - description (dict): options that the skins depend on; a run with other options cannot be
+      resumed.
+    - files (list of Path): last file read for each frame. Files of finished frames may not change.
 
-    Attributes
-    ----------
-    view : list or None
-        Points in view and up axis of pictures, saved so that the camera stays when frames arrive.
+    Attributes:
+    - view (list or None): points in view and up axis of pictures, saved so that the camera stays
+      when frames arrive.
     """
 
     def __init__(self, output: Path, description: dict[str, Any], files: list[Path]) -> None:
@@ -47,12 +42,7 @@ class Resumption(Sink):
     def load(self, surface: Any, times: list[float]) -> int:
         """Restores the filter's state; returns the number of finished frames, 0 without a state.
 
-        Raises
-        ------
-        OSError
-            The state cannot be read.
-        ValueError
-            The state belongs to another run.
+        Raises OSError if the state cannot be read; ValueError if the state belongs to another run.
         """
         if not self.state.exists() or not self.notes.exists():
             return 0
@@ -97,10 +87,7 @@ class Resumption(Sink):
     def bind(self, way: Skins, names: list[Path], is_kept: bool) -> int:
         """Binds the state to a run; returns the first frame to make, 0 unless the state is kept.
 
-        Raises
-        ------
-        OSError, ValueError
-            See load; or the skin of an earlier frame is missing.
+        Raises OSError or ValueError as load(), or if the skin of an earlier frame is missing.
         """
         self._way, self._is_kept = way, is_kept
         if not is_kept:
