@@ -8,7 +8,7 @@ from typing import Any
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from . import properties, vtkActiveImplicitSurface
-from .data_objects import STANDARD_NAMES, array_names, as_particles, like, usual_ids
+from .data_objects import STANDARD_NAMES, array_names, as_particles, copy_of, like, usual_ids
 from .messages import listening, warn
 from .periodic import with_periodic_bounds
 from .presets import (
@@ -19,7 +19,7 @@ from .presets import (
     series_spacing,
 )
 from .probing import ProbedAtoms
-from .runner import Skins, copy_of, update
+from .runner import Skins, update
 from .series import ParticleSeries, TemporalSource
 from .times import times_between
 

@@ -1,20 +1,222 @@
-"""Reads atoms from .gro and .pdb files, which have fixed columns, as frames of a molecule."""
+"""Atoms of .xyz, .gro and .pdb files: columns, elements, their radii."""
 
 from __future__ import annotations
 
 import math
 import re
 from collections.abc import Sequence
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
 import numpy
 
-from .molecules import add_elements
-from .tables import FIELD, SYMBOLS, Frame, Frames
+from .messages import few, warn
+from .tables import FIELD, SYMBOLS, Frame, Frames, number
 
+_DEFAULT = "species:S:1:pos:R:3"
+_PAIR = re.compile(r"""([A-Za-z_][\w-]*)\s*=\s*("[^"]*"|'[^']*'|\{[^}]*\}|\[[^]]*\]|[^\s,]+)""")
+_SYMBOLS = ("species", "element", "elements", "symbol", "symbols", "name", "atom_name")
+_NUMBERS = ("z", "numbers", "atomic_number", "atomic_numbers")
+# In a list of names, the second letter after C, H, N, O, P or S is a position in the molecule, as
+# in CA and HG. These elements are the exceptions.
+_PLACED, _UNPLACED = "CHNOPS", ("CL", "CU", "NA", "SE")
+_ALONE = "CHNOPSBDFIK"  # possible first letters of longer names
+_IONS = {"SOD": "Na", "CLA": "Cl", "POT": "K", "CAL": "Ca", "CES": "Cs", "LIT": "Li"}  # CHARMM's
+_LARGEST_RADIUS = 10.0  # larger entries of the table mean an unknown radius
 _ANGSTROM = 0.1  # in the nanometres of a .gro
 _CELL = ((6, 15), (15, 24), (24, 33), (33, 40), (40, 47), (47, 54))  # columns of CRYST1
+
+
+def read_molecule(lines: list[str]) -> Frames:
+    """Reads the frames of a file whose first line is the number of atoms."""
+    frames: list[Frame] = []
+    times, place = [], 0
+    while place < len(lines):
+        if not lines[place].strip():
+            place += 1
+            continue
+        if not re.fullmatch(r"\s*\d+\s*", lines[place]):
+            raise ValueError(f"line {place + 1} is not the number of atoms that begins a frame")
+        count = int(lines[place])
+        comment = lines[place + 1] if place + 1 < len(lines) else ""
+        pairs = {name.lower(): value.strip("\"'{}[]") for name, value in _PAIR.findall(comment)}
+        frames.append(_read_frame(lines[place + 2 : place + 2 + count], count, place, pairs))
+        times.append(next((number(pairs[name]) for name in ("time", "t") if name in pairs), None))
+        place += 2 + count
+    add_elements(frames)
+    known = [time for time in times if time is not None]
+    are_times = len(known) == len(frames) and all(a < b for a, b in zip(known, known[1:]))
+    return frames, known if are_times else None
+
+
+def _read_frame(lines: list[str], count: int, place: int, pairs: dict[str, str]) -> Frame:
+    rows = [line.split() for line in lines]
+    columns = _columns_of(pairs.get("properties") or _usual_properties(rows))
+    width = max(first + size for _, _, first, size in columns)
+    if len(rows) < count:
+        raise ValueError(f"it has fewer atoms than the {count} that line {place + 1} says")
+    short = next((i for i, row in enumerate(rows) if len(row) < width), None)
+    if short is not None:
+        raise ValueError(
+            f"line {place + 3 + short} has {len(rows[short])} column(s) where an atom has {width}, "
+            f"or it has fewer atoms than the {count} that line {place + 1} says"
+        )
+    frame: Frame = {}
+    for name, kind, first, size in columns:
+        _add_column(frame, name, kind, [row[first : first + size] for row in rows])
+    frame[FIELD] = _cell_in(pairs)
+    return frame
+
+
+def _usual_properties(rows: list[list[str]]) -> str:
+    """Returns the columns of a plain file: symbol (if any), x, y, z, then numbers."""
+    width = min(map(len, rows), default=4)
+    if width == 3 and all(number(cell) is not None for row in rows for cell in row):
+        return "pos:R:3"
+    are_numbers = (all(number(row[i]) is not None for row in rows) for i in range(4, width))
+    extra = enumerate(takewhile(bool, are_numbers), start=4)
+    return ":".join([_DEFAULT, *(f"column {i}:R:1" for i, _ in extra)])
+
+
+def _columns_of(properties: str) -> list[tuple[str, str, int, int]]:
+    """Returns name, kind, first column and width of each property."""
+    words, found, first = properties.split(":"), [], 0
+    for name, kind, size in zip(words[::3], words[1::3], words[2::3]):
+        if kind not in ("S", "R", "I", "L") or not size.isdigit():
+            break
+        found.append((name, kind, first, int(size)))
+        first += int(size)
+    if len(words) != 3 * len(found) or not any(
+        name.lower() in ("pos", "positions", "position") and kind in "RI" and size == 3
+        for name, kind, _, size in found
+    ):
+        raise ValueError(f"its Properties={properties} name no positions, as {_DEFAULT} does")
+    return found
+
+
+def _add_column(frame: Frame, name: str, kind: str, cells: list[list[str]]) -> None:
+    lower, size = name.lower(), len(cells[0]) if cells else 1
+    if size == 1 and (lower in _NUMBERS or (kind == "S" and lower in _SYMBOLS)):
+        frame.setdefault(SYMBOLS, [cell[0] for cell in cells])
+    if kind == "S":
+        if size == 1:
+            frame[name] = numpy.array([cell[0] for cell in cells], dtype=str)
+        return
+    if kind == "L":
+        cells = [["1" if cell.lower() in ("t", "true", "1") else "0" for cell in c] for c in cells]
+    try:
+        values = numpy.array(cells, dtype=float if kind == "R" else int)
+    except ValueError as error:
+        numbers = [[number(cell) for cell in row] for row in cells]
+        if kind != "R" or any(None in row for row in numbers):
+            raise ValueError(f"its column {name} holds what is no number ({error})") from error
+        values = numpy.array(numbers, dtype=float)
+    if lower in ("pos", "positions", "position"):
+        frame["positions"] = values.reshape(-1, 3)
+    else:
+        frame[name] = values[:, 0] if size == 1 and cells else values
+
+
+def _cell_in(pairs: dict[str, str]) -> dict[str, Any]:
+    """Returns the periodic cell: three vectors, and the ones along which it repeats."""
+    if "lattice" not in pairs:
+        return {}
+    numbers = [float(word) for word in re.split(r"[\s,]+", pairs["lattice"].strip())]
+    if len(numbers) != 9:
+        raise ValueError(f"its Lattice has {len(numbers)} numbers, not 9")
+    repeats = [word[0].lower() in "t1" for word in (pairs.get("pbc") or "T T T").split()]
+    cell = {
+        "Lattice": numpy.array(numbers).reshape(3, 3),
+        "pbc": numpy.array([repeats], dtype="u1"),
+    }
+    corner = [float(word) for word in re.split(r"[\s,]+", pairs.get("origin", "").strip()) if word]
+    return {**cell, "Origin": numpy.array([corner])} if len(corner) == 3 else cell
+
+
+def add_elements(frames: list[Frame], unit: float = 1.0, are_names: bool = False) -> None:
+    """Adds atomic numbers, van der Waals radii, and elements as texts.
+
+    Symbols are elements, or names of atoms if `are_names` or if one symbol is no element. `unit`
+    is the length of one Angstrom.
+    """
+    from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
+
+    table = vtkPeriodicTable()
+    listed = [frame.pop(SYMBOLS, None) for frame in frames]
+    symbols = {symbol for own in listed for symbol in own or ()}
+    found = (
+        {name: _number(name, _guess(_letters_of(name), table), table) for name in symbols}
+        if are_names
+        else _elements_of(symbols, table)
+    )
+    radii = {number: table.GetVDWRadius(number) for number in {0, *found.values()}}
+    radii = {n: radius if radius < _LARGEST_RADIUS else 0.0 for n, radius in radii.items()}
+    unknown = sorted(symbol for symbol, number in found.items() if not radii[number])
+    are_known = len(unknown) < len(found)
+    for frame, own in zip(frames, listed):
+        if own is not None and (are_known or not found):
+            numbers = [found[symbol] for symbol in own]
+            names = [table.GetSymbol(n) if n else "" for n in numbers]
+            frame.setdefault("element", numpy.array(names, dtype=str))
+            frame["atomic_number"] = numpy.array(numbers, dtype="u1")
+            frame["radius"] = unit * numpy.array([radii[n] for n in numbers], dtype="f4")
+    if unknown:
+        effect = "have the radius 0" if are_known else "all have a radius by their distance"
+        warn(f"{few(unknown)}: there is no such element; these atoms {effect}. Write elements.")
+
+
+def _elements_of(symbols: set[str], table: Any) -> dict[str, int]:
+    """Returns the atomic number of each symbol, 0 if it is no element.
+
+    Symbols are names of atoms if one is a name and no element (CB, OW), or if the symbols are
+    CA, C and N, or only CA: the backbone of a protein.
+    """
+    letters = {symbol: _letters_of(symbol) for symbol in symbols}
+    as_elements = {symbol: _number(symbol, own, table) for symbol, own in letters.items()}
+    as_names = {
+        symbol: _number(symbol, _guess(own, table), table) for symbol, own in letters.items()
+    }
+    is_chain = {"CA"} == symbols or {"CA", "C", "N"} <= symbols
+    if not is_chain and all(as_elements[symbol] or not as_names[symbol] for symbol in symbols):
+        doubtful = sorted(s for s, own in letters.items() if _may_be_a_name(own, as_elements[s]))
+        if doubtful:
+            said = [f"{symbol} is {table.GetSymbol(as_elements[symbol])}" for symbol in doubtful]
+            warn(f"Elements in capital letters: {few(said)}. If not so, write elements.")
+        return as_elements
+    other = sorted(s for s, z in as_names.items() if z and z != table.GetAtomicNumber(s))
+    meant = [f"{symbol} is {table.GetSymbol(as_names[symbol])}" for symbol in other]
+    warn(f"The atoms have names in place of elements: {few(meant)}. If not so, write elements.")
+    return as_names
+
+
+def _may_be_a_name(letters: str, element: int) -> bool:
+    """Returns True if the symbol of an element may also be an atom's name, as HG and CD are."""
+    is_pair = len(letters) == 2 and letters.isupper() and letters not in _UNPLACED
+    return bool(element) and is_pair and letters[0] in _PLACED
+
+
+def _letters_of(name: str) -> str:
+    return re.sub(r"[^A-Za-z]", "", name)
+
+
+def _number(symbol: str, element: str, table: Any) -> int:
+    if symbol.isdigit():
+        return int(symbol) if 0 < int(symbol) <= table.GetNumberOfElements() else 0
+    return int(table.GetAtomicNumber(element)) if element else 0
+
+
+def _guess(name: str, table: Any) -> str:
+    """Guesses the element from an atom's name: C for CA, Fe for FE."""
+    upper = name.upper()
+    if upper in _IONS:
+        return _IONS[upper]
+    is_cased = len(name) == 2 and name[0].isupper() and name[1].islower()
+    if (is_cased or upper in _UNPLACED) and table.GetAtomicNumber(name):
+        return name
+    if upper[:1] not in _PLACED and table.GetAtomicNumber(upper[:2]):
+        return upper[:2]
+    return upper[:1] if upper[:1] in _ALONE else ""
 
 
 def read_gro(path: Path) -> Frames:
@@ -88,12 +290,12 @@ def read_pdb(path: Path) -> Frames:
             field = _cell_of(_numbers_in({place: line}, _CELL)[0])
     if not models[0]:
         raise ValueError("it has no ATOM")
-    frames = [{**_read_model(lines), FIELD: field} for lines in models if lines]
+    frames = [{**_read_pdb_frame(lines), FIELD: field} for lines in models if lines]
     add_elements(frames, are_names=True)
     return frames, None
 
 
-def _read_model(lines: dict[int, str]) -> Frame:
+def _read_pdb_frame(lines: dict[int, str]) -> Frame:
     texts = {"resname": (17, 20), "name": (12, 16), "chain": (21, 22)}
     return {
         "positions": _numbers_in(lines, [(30, 38), (38, 46), (46, 54)]),

@@ -18,7 +18,7 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
-from .data_objects import add_array, array_names, has_polygons, texts_of
+from .data_objects import add_array, array_names, copy_of, has_polygons, output_of, texts_of
 from .messages import few, warn
 
 _FORM = re.compile(r"(?P<name>[^=<>!]+)(?P<sign>==?|!=|<=|>=|<|>)(?P<values>.+)")
@@ -169,23 +169,21 @@ def note_once() -> Callable[[str], None]:
 
 def _values_of(data: Any, name: str) -> tuple[Any, bool]:
     """Returns one value for each point or cell, and True if the values are of cells."""
-    for is_of_cells, attributes in enumerate((data.GetPointData(), data.GetCellData())):
-        array = attributes.GetArray(name)
-        texts = texts_of(attributes, name)
-        if array is not None:
+    held = ((data.GetPointData(), False), (data.GetCellData(), True))
+    for attributes, is_of_cells in held:
+        if (array := attributes.GetArray(name)) is not None:
             values = vtk_to_numpy(array)
-            values = numpy.linalg.norm(values, axis=1) if values.ndim > 1 else values
-            return values, bool(is_of_cells)
-        if texts is not None:
-            return texts, bool(is_of_cells)
+            return numpy.linalg.norm(values, axis=1) if values.ndim > 1 else values, is_of_cells
+        if (texts := texts_of(attributes, name)) is not None:
+            return texts, is_of_cells
     if name in ("x", "y", "z"):
         return vtk_to_numpy(data.GetPoints().GetData())[:, "xyz".index(name)], False
     if component := _COMPONENT.fullmatch(name):
         axis = "xyz012".index(component["axis"]) % 3
-        for is_of_cells, attributes in enumerate((data.GetPointData(), data.GetCellData())):
+        for attributes, is_of_cells in held:
             array = attributes.GetArray(component["name"])
             if array is not None and array.GetNumberOfComponents() > axis:
-                return vtk_to_numpy(array)[:, axis], bool(is_of_cells)
+                return vtk_to_numpy(array)[:, axis], is_of_cells
     listed = ", ".join(["x", "y", "z", *array_names(data.GetPointData())])
     raise ValueError(f"There is no array {name!r} to choose by; there are {listed}.")
 
@@ -194,24 +192,19 @@ def _marked(data: Any, marks: Any, is_of_cells: bool) -> Any:
     from vtkmodules.vtkFiltersCore import vtkThreshold, vtkThresholdPoints
     from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
-    own = data.NewInstance()
-    own.ShallowCopy(data)
+    own = copy_of(data)
     add_array(own, _MARK, marks, own.GetCellData() if is_of_cells else None)
-    one = vtkThreshold() if has_polygons(data) or is_of_cells else vtkThresholdPoints()
+    is_of_mesh = has_polygons(data) or is_of_cells
+    one = vtkThreshold() if is_of_mesh else vtkThresholdPoints()
     kind = "CELLS" if is_of_cells else "POINTS"
     one.SetInputArrayToProcess(0, 0, 0, getattr(vtkDataObject, f"FIELD_ASSOCIATION_{kind}"), _MARK)
-    one.SetInputData(own)
-    if isinstance(one, vtkThreshold):
+    if is_of_mesh:
         one.SetLowerThreshold(0.5)
         one.SetUpperThreshold(1.5)
-        outside = vtkGeometryFilter()
-        outside.SetInputConnection(one.GetOutputPort())
-        outside.Update()
-        found = outside.GetOutput()
+        found = output_of(vtkGeometryFilter(), output_of(one, own))
     else:
         one.ThresholdByUpper(0.5)
-        one.Update()
-        found = one.GetOutput()
+        found = output_of(one, own)
     for attributes in (found.GetPointData(), found.GetCellData()):
         attributes.RemoveArray(_MARK)
     found.SetFieldData(data.GetFieldData())
@@ -280,12 +273,10 @@ def without_small_pieces(cloud: Any, minimum: int, spacing: float) -> Any:
     if cloud.GetNumberOfPoints() == 0 or not 0 < spacing < float("inf"):
         return cloud
     clusters = vtkEuclideanClusterExtraction()
-    clusters.SetInputData(cloud)
     clusters.SetRadius(_LINK * spacing)
     clusters.SetExtractionModeToAllClusters()
     clusters.ColorClustersOn()
-    clusters.Update()
-    found = clusters.GetOutput()
+    found = output_of(clusters, cloud)
     ids = vtk_to_numpy(found.GetPointData().GetArray("ClusterId"))
     found.GetPointData().RemoveArray("ClusterId")
     return _marked(found, (numpy.bincount(ids)[ids] >= minimum).astype("u1"), False)

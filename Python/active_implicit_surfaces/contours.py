@@ -9,7 +9,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCellDataToPointData
 
-from .data_objects import add_array, vtk_points
+from .data_objects import add_array, copy_of, output_of, vtk_points
 from .messages import few, listening
 
 _OVER, _FULL = 0.1, 1e-3  # of fractions of volume: tolerance beyond 0 and 1, and of empty or full
@@ -114,10 +114,7 @@ def _usual_level(values: Any) -> tuple[float, bool]:
 def _with_point_values(image: Any) -> tuple[Any, Any]:
     """Returns the image with point values, and the values."""
     if image.GetPointData().GetScalars() is None and image.GetCellData().GetScalars() is not None:
-        convert = vtkCellDataToPointData()
-        convert.SetInputData(image)
-        convert.Update()
-        image = convert.GetOutput()
+        image = output_of(vtkCellDataToPointData(), image)
     scalars = image.GetPointData().GetScalars()
     if scalars is None or scalars.GetNumberOfComponents() != 1:
         raise ValueError("The image has no scalars with one component, which a surface needs.")
@@ -137,7 +134,6 @@ def _on_the_lattice(image: Any) -> tuple[Any, Any]:
     """
     origin = numpy.array(image.GetOrigin())
     place = numpy.rint(origin / _voxel_size(image)) * _voxel_size(image)
-    moved = image.NewInstance()
-    moved.ShallowCopy(image)
+    moved = copy_of(image)
     moved.SetOrigin(*place)
     return moved, origin - place

@@ -82,10 +82,7 @@ def as_shape(shape: Any) -> Any:
             raise ValueError("The mesh has no polygons; for a skin over points use skin().")
         return shape
     if _is_vtk(shape, "vtkPointSet"):
-        outside = vtkGeometryFilter()
-        outside.SetInputData(shape)
-        outside.Update()
-        return as_shape(outside.GetOutput())
+        return as_shape(output_of(vtkGeometryFilter(), shape))
     if hasattr(shape, "vertices") and hasattr(shape, "faces"):
         return _mesh(shape.vertices, [shape.faces])
     if hasattr(shape, "points") and hasattr(shape, "cells"):
@@ -94,6 +91,21 @@ def as_shape(shape: Any) -> Any:
         f"A {type(shape).__name__} is no mesh and no image; give a vtkPolyData, a vtkImageData, or "
         "an object with vertices and faces or with points and cells."
     )
+
+
+def output_of(algorithm: Any, *data: Any) -> Any:
+    """Returns the output of a filter for data; of an appending filter for several."""
+    for one in data:
+        (algorithm.AddInputData if len(data) > 1 else algorithm.SetInputData)(one)
+    algorithm.Update()
+    return algorithm.GetOutput()
+
+
+def copy_of(data: Any) -> Any:
+    """Returns a shallow copy, which the next update of its source does not change."""
+    copy = data.NewInstance()
+    copy.ShallowCopy(data)
+    return copy
 
 
 def like(example: Any, skin: Any) -> Any:

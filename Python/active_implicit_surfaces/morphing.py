@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import properties, vtkActiveImplicitSurface
 from .contours import as_level_set, level_of_series
-from .data_objects import as_shape, is_vtk
-from .fitting import FITS, describe_difference, fitted
+from .data_objects import as_shape, copy_of, is_vtk, vtk_points
 from .messages import warn
 from .runner import Skins
 
+FITS = ("none", "centre", "box")
+_FAR = 1.5  # largest ratio of sizes
 _OF_DURATION = {"arrival_time", "number_of_time_steps", "start_time", "time_step_size"}
 
 
@@ -104,7 +106,6 @@ class morph(Skins):
         self.times = [duration * i / (frames - 1) for i in range(frames)]
         self.surface = vtkActiveImplicitSurface()
         self._example, self._progress = a, progress
-        self._producers: list[Any] = []
         self._connect(a, b, fit, not {"target_iso_value", "invert_target"} & set(options))
         properties.put(self.surface, options)
         self._expects_skin = _is_function(b) or as_shape(b).GetNumberOfPoints() > 0
@@ -137,24 +138,56 @@ class morph(Skins):
             if fit != "none":
                 raise TypeError("fit needs two meshes or images: a function has no box.")
         else:
-            last = fitted(last, first, fit)
-            if said := describe_difference(first, last):
+            last = _fitted(last, first, fit)
+            if said := _describe_difference(first, last):
                 warn(said)
-        if _is_function(first):
-            self.surface.SetInitialFunction(first)
-        else:
-            self.surface.SetInputConnection(1, self._producer(first))
-        if _is_function(last):
-            self.surface.SetTargetFunction(last)
-        else:
-            self.surface.SetInputConnection(0, self._producer(last))
-
-    def _producer(self, shape: Any) -> Any:
-        producer = vtkTrivialProducer()
-        producer.SetOutput(shape)
-        self._producers.append(producer)
-        return producer.GetOutputPort()
+        set_last, set_first = self.surface.SetTargetFunction, self.surface.SetInitialFunction
+        for port, (shape, set_function) in enumerate(((last, set_last), (first, set_first))):
+            if _is_function(shape):
+                set_function(shape)
+            else:
+                self.surface.SetInputDataObject(port, shape)
 
 
 def _is_function(shape: Any) -> bool:
     return is_vtk(shape) and bool(shape.IsA("vtkImplicitFunction"))
+
+
+def _fitted(shape: Any, model: Any, fit: str) -> Any:
+    """Returns the shape, moved and scaled to the model as `morph` says."""
+    centre, size = _box(shape)
+    to_centre, to_size = _box(model)
+    if fit == "none" or size == 0 or to_size == 0:
+        return shape
+    scale = to_size / size if fit == "box" else 1.0
+    moved = copy_of(shape)
+    if shape.IsA("vtkImageData"):
+        moved.SetOrigin(*(to_centre + scale * (numpy.array(shape.GetOrigin()) - centre)))
+        moved.SetSpacing(*(scale * numpy.array(shape.GetSpacing())))
+        return moved
+    places = vtk_to_numpy(shape.GetPoints().GetData()).astype(float)
+    moved.SetPoints(vtk_points(to_centre + scale * (places - centre)))
+    return moved
+
+
+def _describe_difference(first: Any, last: Any) -> str:
+    """Returns a warning if two shapes differ much in size or position; else nothing."""
+    (centre, size), (to_centre, to_size) = _box(first), _box(last)
+    if size == 0 or to_size == 0:
+        return ""
+    apart = float(numpy.linalg.norm(to_centre - centre))
+    if 1 / _FAR <= to_size / size <= _FAR and apart <= 0.5 * max(size, to_size):
+        return ""
+    return (
+        f"The first shape is {size:g} long and the last one {to_size:g}; their centres are "
+        f"{apart:g} apart. If these are other units or another place, fit brings the last one to "
+        "the first: --fit box, or centre."
+    )
+
+
+def _box(shape: Any) -> tuple[Any, float]:
+    """Returns centre and longest side of the bounds; zeros for a shape without points."""
+    if shape.GetNumberOfPoints() == 0:
+        return numpy.zeros(3), 0.0
+    bounds = numpy.array(shape.GetBounds()).reshape(3, 2)
+    return bounds.mean(axis=1), float(numpy.ptp(bounds, axis=1).max())

@@ -60,7 +60,7 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     given = {"particle_spacing": proxy.ParticleSpacing, "time_scale": proxy.TimeScale}
     if not given["particle_spacing"]:
         del given["particle_spacing"]
-    frames = Frames(particles, times)
+    frames = TemporalSource(lambda step: particles, times)
     chosen = _changes(name, frames, given)
     for other in PRESETS:
         changes = _changes(other, frames, given)
@@ -73,17 +73,7 @@ def apply(name: str, surface: Any = None) -> dict[str, Any]:
     return chosen
 
 
-class Frames(TemporalSource):
-    """First frame of a series, and the times of all frames."""
-
-    def __init__(self, first: Any, times: list[float]) -> None:
-        super().__init__(lambda step: first, times)
-
-    def frame(self, step: int) -> Any:
-        return self._load(step)
-
-
-def _changes(name: str, frames: Frames, given: dict[str, Any]) -> dict[str, Any]:
+def _changes(name: str, frames: TemporalSource, given: dict[str, Any]) -> dict[str, Any]:
     """Returns the properties that a preset sets on a new filter, by ParaView's names."""
     plain = vtkActiveImplicitSurface()
     apply_preset(plain, frames, name, None, given)

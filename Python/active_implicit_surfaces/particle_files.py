@@ -18,7 +18,14 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from . import atom_files, simulation_files, text_particles
 from .choice import choose, image_of_label, labels_of, note_once
-from .data_objects import add_array, array_names, as_particles, blocks_of, has_polygons
+from .data_objects import (
+    add_array,
+    array_names,
+    as_particles,
+    blocks_of,
+    has_polygons,
+    output_of,
+)
 from .file_names import expand, numbers_of, running_numbers, suffix_of
 from .images import IMAGE_SUFFIXES
 from .messages import ActiveSurfaceWarning, warn
@@ -265,11 +272,7 @@ def _arrays_of_some(clouds: list[Any]) -> list[str]:
 
 def _append(clouds: list[Any]) -> Any:
     """Returns the points of all clouds, with the arrays that all of them have."""
-    together = vtkAppendFilter()
-    for cloud in clouds or [vtkPolyData()]:
-        together.AddInputData(cloud)
-    together.Update()
-    return together.GetOutput()
+    return output_of(vtkAppendFilter(), *(clouds or [vtkPolyData()]))
 
 
 def _times_inside(files: list[Path]) -> list[float] | None:

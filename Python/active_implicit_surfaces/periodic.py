@@ -17,8 +17,7 @@ def periodic_bounds(frames: Iterable[Any]) -> tuple[float, ...]:
     - frames (iterable of vtkDataSet): field data: "Lattice", edges of the box as rows [length];
       optional "Origin", corner of the box [length], and "pbc", a flag for each periodic axis.
 
-    Raises ValueError if there is no box, or the box is slanted, not periodic, or not the same in all
-    frames.
+    Raises ValueError if there is no box, or the box is slanted, not periodic, or changes.
     """
     boxes = [_box_of(frame) for frame in frames]
     size = max(abs(number) for number in boxes[0])

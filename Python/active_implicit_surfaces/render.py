@@ -39,7 +39,7 @@ from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
-from .data_objects import add_array
+from .data_objects import add_array, copy_of
 from .glb import linear_light
 from .messages import listening, warn
 from .surface_values import distances_along_axis, surface_values
@@ -114,8 +114,7 @@ def write_exr(
     if is_linear or apart is not None:
         writer.SetColorEncodingToLinear()
     if apart is not None and not is_linear:
-        written = image.NewInstance()
-        written.ShallowCopy(image)
+        written = copy_of(image)
         for name in pictures:
             add_array(written, name, _light(vtk_to_numpy(image.GetPointData().GetArray(name))))
     with listening(writer) as heard:

@@ -7,7 +7,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from .data_objects import like
+from .data_objects import copy_of, like
 from .file_names import write_index
 from .messages import listening, warn
 
@@ -112,10 +112,3 @@ def update(surface: Any, time: float, source: Any = None) -> None:
         raise source.failure
     heard.raise_error(ValueError)
     warn(*heard.warnings)
-
-
-def copy_of(data: Any) -> Any:
-    """Returns a shallow copy, which the next update does not change."""
-    copy = data.NewInstance()
-    copy.ShallowCopy(data)
-    return copy

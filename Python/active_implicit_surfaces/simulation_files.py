@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy
 
-from .molecules import add_elements
+from .atom_files import add_elements
 from .tables import FIELD, SYMBOLS, Frame, Frames, group_columns, number
 
 _BGEO, _NEWER_BGEO = b"BgeoV", b"\x7fNSJ"

@@ -22,6 +22,7 @@ from .data_objects import (
     as_shape,
     blocks_of,
     has_polygons,
+    output_of,
     points_of,
     texts_of,
     vtk_points,
@@ -115,15 +116,7 @@ def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
     Raises OSError if a file cannot be read.
     """
     if parts:
-        together = vtkAppendPolyData()
-        for part in (path, *parts):
-            shape = read_shape(part)
-            if shape.IsA("vtkImageData"):
-                level, above = usual_level(shape)
-                shape = contour(shape, level, above=above)
-            together.AddInputData(shape)
-        together.Update()
-        return together.GetOutput()
+        return output_of(vtkAppendPolyData(), *map(_surface_in, (path, *parts)))
     suffix = suffix_of(path)
     if suffix not in MESH_SUFFIXES:
         raise OSError(f"{path}: meshes and images are read from {', '.join(MESH_SUFFIXES)}.")
@@ -144,6 +137,14 @@ def read_shape(path: Path, parts: Sequence[Path] = ()) -> Any:
         return shape
     except ValueError as error:
         raise OSError(f"{path} is no mesh: {error}") from error
+
+
+def _surface_in(path: Path) -> Any:
+    shape = read_shape(path)
+    if not shape.IsA("vtkImageData"):
+        return shape
+    level, above = usual_level(shape)
+    return contour(shape, level, above=above)
 
 
 def holds_particles(path: Path) -> bool | None:
@@ -169,10 +170,7 @@ def holds_particles(path: Path) -> bool | None:
 
 def surface_of(blocks: Any) -> Any:
     """Returns the surfaces of all blocks as one mesh."""
-    surface = vtkCompositeDataGeometryFilter()
-    surface.SetInputData(blocks)
-    surface.Update()
-    return surface.GetOutput()
+    return output_of(vtkCompositeDataGeometryFilter(), blocks)
 
 
 def write_particles(path: Path, cloud: Any) -> None:
@@ -226,11 +224,9 @@ def _triangles(mesh: Any) -> Any:
         mesh.GetNumberOfPoints() and mesh.GetPolys().IsHomogeneous() != 3
     ):
         cut = vtkTriangleFilter()
-        cut.SetInputData(mesh)
         cut.PassLinesOff()
         cut.PassVertsOff()
-        cut.Update()
-        return cut.GetOutput()
+        return output_of(cut, mesh)
     return mesh
 
 
@@ -275,10 +271,7 @@ def _turned_outward(nodes: Any) -> Any:
     for mesh in blocks_of(nodes):
         matrix = mesh.GetFieldData().GetArray("globalTransform")
         if matrix is not None and numpy.linalg.det(vtk_to_numpy(matrix).reshape(4, 4)) < 0:
-            reverse = vtkReverseSense()
-            reverse.SetInputData(mesh)
-            reverse.Update()
-            mesh.ShallowCopy(reverse.GetOutput())
+            mesh.ShallowCopy(output_of(vtkReverseSense(), mesh))
     return nodes
 
 
@@ -287,13 +280,11 @@ def _with_vertices(cloud: Any) -> Any:
     from vtkmodules.vtkFiltersCore import vtkMaskPoints  # missing in some installations
 
     vertices = vtkMaskPoints()
-    vertices.SetInputData(cloud)
     vertices.SetOnRatio(1)
     vertices.SetMaximumNumberOfPoints(max(1, cloud.GetNumberOfPoints()))
     vertices.GenerateVerticesOn()
     vertices.SingleVertexPerCellOn()
-    vertices.Update()
-    return vertices.GetOutput()
+    return output_of(vertices, cloud)
 
 
 def _arrays_of(cloud: Any) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from vtkmodules.vtkRenderingOpenGL2 import (
     vtkSequencePass,
 )
 
-from .data_objects import add_array
+from .data_objects import add_array, output_of
 
 try:
     from vtkmodules.vtkRenderingOpenGL2 import vtkValuePass
@@ -73,7 +73,7 @@ def _render_depth(window: Any, renderer: Any) -> Any:
 
 def _stand_in(renderer: Any, velocity: Any) -> Any:
     """Merges all opaque surfaces, in world coordinates, with their values as point arrays."""
-    together = vtkAppendPolyData()
+    surfaces = list[Any]()
     camera = renderer.GetActiveCamera()
     actors, index = renderer.GetActors(), 0
     actors.InitTraversal()
@@ -81,11 +81,8 @@ def _stand_in(renderer: Any, velocity: Any) -> Any:
         index += 1
         surface = _surface_of(actor)
         if surface is not None:
-            together.AddInputData(_with_values(surface, velocity, index, camera))
-    if together.GetNumberOfInputConnections(0) == 0:
-        return None
-    together.Update()
-    return together.GetOutput()
+            surfaces.append(_with_values(surface, velocity, index, camera))
+    return output_of(vtkAppendPolyData(), *surfaces) if surfaces else None
 
 
 def _surface_of(actor: Any) -> Any:
@@ -100,23 +97,17 @@ def _surface_of(actor: Any) -> Any:
     if not has_blocks and not data.IsA("vtkDataSet"):
         return None
     outside = vtkCompositeDataGeometryFilter() if has_blocks else vtkGeometryFilter()
-    outside.SetInputData(data)
-    outside.Update()
-    surface = outside.GetOutput()
+    surface = output_of(outside, data)
     if surface.GetNumberOfCells() == 0:
         return None
-    source = outside
     if surface.GetPointData().GetNormals() is None:
-        source = vtkPolyDataNormals()
-        source.SetInputConnection(outside.GetOutputPort())
-        source.SplittingOff()
-    to_world = vtkTransform()
+        normals = vtkPolyDataNormals()
+        normals.SplittingOff()
+        surface = output_of(normals, surface)
+    to_world, turned = vtkTransform(), vtkTransformFilter()
     to_world.SetMatrix(actor.GetMatrix())
-    turned = vtkTransformFilter()
     turned.SetTransform(to_world)
-    turned.SetInputConnection(source.GetOutputPort())
-    turned.Update()
-    return turned.GetOutput()
+    return output_of(turned, surface)
 
 
 def _with_values(surface: Any, velocity: Any, index: int, camera: Any) -> Any:

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy
 
-from .molecules import read_molecule
+from .atom_files import read_molecule
 from .tables import POSITIONS, Frame, Frames, read_table
 
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")

@@ -11,8 +11,7 @@ import numpy
 
 from .. import runner
 from ..choice import choose, labels_of
-from ..fitting import FITS
-from ..morphing import morph
+from ..morphing import FITS, morph
 from ..skin_files import MESH_SUFFIXES, read_shape
 from .effects import check_effects
 from .options import (
