@@ -9,6 +9,7 @@ from pathlib import Path
 import active_implicit_surfaces as active
 from active_implicit_surfaces import paraview_presets
 from active_implicit_surfaces.presets import PRESETS
+from active_implicit_surfaces.series import TemporalSource
 from paraview.simple import (
     Calculator,
     FindSource,
@@ -39,7 +40,8 @@ class Presets(unittest.TestCase):
         for name in PRESETS:
             with self.subTest(name):
                 surface, particles = splash(VoxelSize=0, Attraction=1)
-                source = paraview_presets.Frames(fetch(particles), list(surface.TimestepValues))
+                cloud = fetch(particles)
+                source = TemporalSource(lambda step, cloud=cloud: cloud, surface.TimestepValues)
                 options = {"particle_spacing": surface.ParticleSpacing, "time_scale": 1 / 25}
                 wanted = active.frames(source, preset=name, **options).surface
                 chosen = paraview_presets.apply(name, surface)

@@ -3,18 +3,13 @@
 from active_implicit_surfaces import (
     vtkActiveImplicitSurface,
 )
+from same_bytes_shapes import ball
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkSphere
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 
 VOXEL = 1 / 12
-
-
-def make_ball(radius):
-    ball = vtkSphere()
-    ball.SetRadius(radius)
-    return ball
 
 
 def make_surface():
@@ -31,8 +26,8 @@ def make_surface():
 def ball_to_ball():
     surface = make_surface()
     surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
-    surface.SetInitialFunction(make_ball(0.45))
-    surface.SetTargetFunction(make_ball(0.6))
+    surface.SetInitialFunction(ball(0.45))
+    surface.SetTargetFunction(ball(0.6))
     return surface
 
 
@@ -143,7 +138,7 @@ def open_mesh():
 
 def make_image():
     sample = vtkSampleFunction()
-    sample.SetImplicitFunction(make_ball(0.6))
+    sample.SetImplicitFunction(ball(0.6))
     sample.SetModelBounds(-1, 1, -1, 1, -1, 1)
     sample.SetSampleDimensions(20, 20, 20)
     return sample
@@ -154,11 +149,6 @@ def image():
     surface = make_surface()
     surface.SetInputConnection(sample.GetOutputPort())
     return surface
-
-
-def output_of(source):
-    source.Update()
-    return source.GetOutput()
 
 
 # Properties to test again in scenes other than the first, because they have a larger or a different

@@ -6,7 +6,7 @@ import random
 import numpy
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from listener import Listener
-from python_data import as_array, make_points
+from shapes import as_array, make_points, with_properties
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
@@ -94,9 +94,7 @@ def make_surface(source=None, voxel=0.06, **properties):
     surface.SetVoxelSize(voxel)
     if source:
         surface.SetInputConnection(source.GetOutputPort())
-    for name, value in properties.items():
-        getattr(surface, "Set" + name)(value)
-    return surface
+    return with_properties(surface, properties)
 
 
 class Keeper:

@@ -4,10 +4,10 @@ import os
 import signal
 
 import numpy
-from python_data import as_array
 from ranks import POINTS, Particles, Pipeline, at_random, in_blocks, make_surface
 from ranks_scenes import STEPS, make_splash, run, splash_particles
 from scenes import DATA
+from shapes import as_array
 from vtkmodules.vtkCommonDataModel import (
     vtkImageData,
     vtkImplicitVolume,

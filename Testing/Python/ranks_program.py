@@ -10,12 +10,12 @@ import numpy
 import ranks_failures  # noqa: F401  whose runs are among them
 from active_implicit_surfaces import LiveSurface, vtkActiveVDBReader, vtkActiveVDBWriter
 from listener import Listener
-from python_data import as_array
 from random_shapes import as_table
 from ranks import POINTS, Keeper, Particles, at_random, begin, in_blocks, make_surface
 from ranks_scenes import RUNS, make_splash, run, splash_particles
 from same_bytes_shapes import Steps, cloud
 from scenes import star_to_balls, tube_to_box
+from shapes import as_array
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkSphere
 from vtkmodules.vtkFiltersSources import vtkSphereSource

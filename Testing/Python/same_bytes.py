@@ -3,6 +3,7 @@
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from contents import Contents, no_errors
 from same_bytes_shapes import BOX
+from shapes import with_properties
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImplicitFunction
 
 RUNS = {}  # by name: (group, function of a Contents)
@@ -44,9 +45,7 @@ def make(target=None, initial=None, arrays=None, **properties):
         surface.SetModelBounds(BOX)
     for number, name in (arrays or {}).items():
         surface.SetInputArrayToProcess(number, int(number == 4), 0, POINTS, name)
-    for name, value in properties.items():
-        getattr(surface, "Set" + name)(value)
-    return surface
+    return with_properties(surface, properties)
 
 
 def connect(surface, port, set_function, shape):

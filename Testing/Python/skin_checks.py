@@ -1,17 +1,13 @@
 """Properties of every valid skin; each function raises an AssertionError if one is violated."""
 
 import numpy
+from shapes import points_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 # Unit vectors have single precision: three squares, their sum and the root round by 2^-24 each.
 UNIT = 4 * 2.0**-24
 # Fraction of a voxel within which rounding may change the sign at a node.
 ON_THE_SKIN = 1e-3
-
-
-def points_of(skin):
-    points = skin.GetPoints()
-    return vtk_to_numpy(points.GetData()) if points else numpy.zeros((0, 3), numpy.float32)
 
 
 def triangles_of(skin):

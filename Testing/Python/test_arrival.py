@@ -12,20 +12,16 @@ from pathlib import Path
 import numpy
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from listener import Listener
+from same_bytes_shapes import ball
 from scenes import splash
-from test_obstacle import ball, particles
+from shapes import ball_mesh, make_points, points_of, with_properties
 from test_splash import is_closed_manifold
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 
 VOXEL = 0.05
 ARRIVAL = 2.0
 FAR = (0.5, 0.03, -0.02)
-
-
-def points_of(surface):
-    return vtk_to_numpy(surface.GetOutput().GetPoints().GetData()).astype(float)
 
 
 def make_surface(**properties):
@@ -37,18 +33,7 @@ def make_surface(**properties):
     surface.SetArrivalTime(ARRIVAL)
     surface.SetTimeStepSize(0.5)
     surface.SetNumberOfTimeSteps(9)
-    for name, value in properties.items():
-        getattr(surface, f"Set{name}")(value)
-    return surface
-
-
-def mesh_of_ball(radius, center):
-    source = vtkSphereSource()
-    source.SetRadius(radius)
-    source.SetCenter(center)
-    source.SetThetaResolution(96)
-    source.SetPhiResolution(96)
-    return source
+    return with_properties(surface, properties)
 
 
 def image_of_ball(radius, center):
@@ -75,7 +60,7 @@ class ItArrives(unittest.TestCase):
         """The tolerance is a tenth of a voxel, plus h^2 / 8R, 0.02 voxel, for chords of the mesh
         and of the image's cells."""
         for integration in (0, 1):
-            for source in (mesh_of_ball(0.35, FAR), image_of_ball(0.35, FAR), None):
+            for source in (ball_mesh(0.35, 96, FAR), image_of_ball(0.35, FAR), None):
                 surface = make_surface(TimeIntegration=integration)
                 if source:
                     surface.SetInputConnection(source.GetOutputPort())
@@ -94,7 +79,7 @@ class ItArrives(unittest.TestCase):
         """An isolated particle is a ball of its own radius, half of the spacing. The documented
         error of the model is 2 % of the radius."""
         surface = make_surface(ParticleSpacing=0.6)
-        surface.SetInputData(particles([FAR]))
+        surface.SetInputData(make_points([FAR]))
         surface.UpdateTimeStep(ARRIVAL)
         self.assert_is_ball(surface, 0.3, 0.02 * 0.3 + 0.1 * VOXEL)
 

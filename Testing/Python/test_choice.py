@@ -15,20 +15,13 @@ from active_implicit_surfaces.particle_files import open_particles
 from active_implicit_surfaces.skin_files import read_shape
 from command_line import CommandTest, grid
 from reader_checks import array_of
+from shapes import volume_of
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersCore import vtkMassProperties
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 QUIET = ("--quiet", "--particle-spacing", 0.1)
-
-
-def volume_of(path):
-    mass = vtkMassProperties()
-    mass.SetInputData(read_shape(path))
-    mass.Update()
-    return mass.GetVolume()
 
 
 def ids_of(data):

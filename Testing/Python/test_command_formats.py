@@ -14,9 +14,10 @@ from active_implicit_surfaces.particle_files import open_particles
 from active_implicit_surfaces.skin_files import read_shape
 from active_implicit_surfaces.vtk_files import read_vtk
 from command_line import DROP, CommandTest, grid, moving_grid
+from shapes import volume_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkSphere, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkMassProperties
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 from vtkmodules.vtkIOParallelXML import vtkXMLPPolyDataWriter
@@ -32,12 +33,6 @@ LEVEL_SET_ERROR = 2 * VOXEL**2 / 8 / 0.6 * 4 * math.pi * 0.36
 
 def positions_of(cloud):
     return vtk_to_numpy(cloud.GetPoints().GetData())
-
-
-def volume_of(mesh):
-    measure = vtkMassProperties()
-    measure.SetInputData(mesh)
-    return measure.GetVolume()
 
 
 class Particles(CommandTest):

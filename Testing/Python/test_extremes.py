@@ -37,6 +37,7 @@ from extreme_scenes import (
 from listener import Listener
 from properties import comment_of, get, own_properties, put
 from sanitized import SLOWNESS, limit_memory
+from skin_checks import points_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
 
@@ -81,11 +82,6 @@ def documented_bounds(kind, name):
         return float(told[1]), math.inf
     values = [float(value) for value in re.findall(r"\((\d)\)", comment)]
     return (min(values), max(values)) if values else (math.nan, math.nan)
-
-
-def points_of(skin):
-    points = skin.GetPoints()
-    return vtk_to_numpy(points.GetData()) if points else numpy.zeros((0, 3))
 
 
 def is_closed(skin):

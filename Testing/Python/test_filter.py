@@ -11,41 +11,17 @@ import weakref
 
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from listener import Listener
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from same_bytes_shapes import ball
+from shapes import bytes_of, make_points, surface_in_box
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkSphere, vtkTable
+from vtkmodules.vtkCommonCore import vtkIntArray
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 
-def make_points(positions):
-    points = vtkPoints()
-    points.SetDataTypeToDouble()
-    for position in positions:
-        points.InsertNextPoint(position)
-    data = vtkPolyData()
-    data.SetPoints(points)
-    return data
-
-
-def skin_bytes(surface):
-    return vtk_to_numpy(surface.GetOutput().GetPoints().GetData()).tobytes()
-
-
-def make_ball(radius):
-    ball = vtkSphere()
-    ball.SetRadius(radius)
-    return ball
-
-
 def make_shrinking_ball():
-    surface = vtkActiveImplicitSurface()
-    surface.SetInitialFunction(make_ball(0.6))
-    surface.SetTargetFunction(make_ball(0.4))
-    surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
-    surface.SetVoxelSize(0.0625)
-    return surface
+    return surface_in_box(InitialFunction=ball(0.6), TargetFunction=ball(0.4), VoxelSize=0.0625)
 
 
 class Travellers(VTKPythonAlgorithmBase):
@@ -187,12 +163,12 @@ class Observers(unittest.TestCase):
                 surface.AddObserver(event, observe)
                 surface.UpdateTimeStep(0.5)
                 self.assertIn(f"{name} has been called in an update", listener.errors[0])
-                self.assertEqual(skin_bytes(surface), expected)
+                self.assertEqual(bytes_of(surface), expected)
 
     def test_of_progress(self):
         reference = make_shrinking_ball()
         reference.UpdateTimeStep(0.5)
-        self.check(make_shrinking_ball, "ProgressEvent", skin_bytes(reference))
+        self.check(make_shrinking_ball, "ProgressEvent", bytes_of(reference))
 
     def test_of_a_warning(self):
         source = Travellers([0.0, 1.0])
@@ -205,7 +181,7 @@ class Observers(unittest.TestCase):
         reference = make()
         reference.AddObserver("WarningEvent", lambda *_: None)
         reference.UpdateTimeStep(0.5)
-        self.check(make, "WarningEvent", skin_bytes(reference))
+        self.check(make, "WarningEvent", bytes_of(reference))
 
 
 class Failures(unittest.TestCase):
@@ -284,7 +260,7 @@ class Garbage(unittest.TestCase):
 
     def test_a_function_without_bounds(self):
         surface = vtkActiveImplicitSurface()
-        surface.SetTargetFunction(make_ball(0.5))
+        surface.SetTargetFunction(ball(0.5))
         self.assert_says(surface, "set ModelBounds")
 
     def test_an_array_that_is_not_there(self):
@@ -322,17 +298,17 @@ class Garbage(unittest.TestCase):
 
 class Lifetime(unittest.TestCase):
     def test_everything_is_let_go(self):
-        ball = make_ball(0.5)
-        count = ball.GetReferenceCount()
+        shape = ball(0.5)
+        count = shape.GetReferenceCount()
         surface = make_shrinking_ball()
-        surface.SetTargetFunction(ball)
+        surface.SetTargetFunction(shape)
         surface.Update()
-        self.assertGreater(ball.GetReferenceCount(), count)
+        self.assertGreater(shape.GetReferenceCount(), count)
         reference = weakref.ref(surface)
         del surface
         gc.collect()
         self.assertIsNone(reference())
-        self.assertEqual(ball.GetReferenceCount(), count)
+        self.assertEqual(shape.GetReferenceCount(), count)
 
     def test_the_skin_outlives_the_filter(self):
         surface = make_shrinking_ball()

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy
 from active_implicit_surfaces import vtkActiveImplicitSurface
+from shapes import with_properties
 from skin_checks import points_of, triangles_of
 from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkCommonDataModel import vtkDataObject
@@ -48,9 +49,7 @@ def surface_over(source, **properties):
     surface = vtkActiveImplicitSurface()
     surface.SetInputConnection(source.GetOutputPort())
     surface.SetInputArrayToProcess(1, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "id")
-    for name, value in properties.items():
-        getattr(surface, f"Set{name}")(value)
-    return surface
+    return with_properties(surface, properties)
 
 
 def series(first, count=6):

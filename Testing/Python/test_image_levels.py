@@ -9,10 +9,8 @@ import unittest
 import numpy
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from listener import Listener
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from shapes import image_of, volume_of, with_properties
 from vtkmodules.vtkCommonCore import vtkLogger
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersCore import vtkMassProperties
 
 SIZE, RADIUS = 50, 15.3
 PLACES = numpy.mgrid[0:SIZE, 0:SIZE, 0:SIZE] - 24.4
@@ -21,28 +19,17 @@ BALL = 4 / 3 * numpy.pi * RADIUS**3
 INSIDE = DISTANCE < 0
 
 
-def image(values, spacing=(1, 1, 1)):
-    result = vtkImageData()
-    result.SetDimensions(values.shape[::-1])
-    result.SetSpacing(spacing)
-    result.GetPointData().SetScalars(numpy_to_vtk(values.ravel(), deep=True))
-    return result
-
-
 def surface_of(values, **properties):
     surface = vtkActiveImplicitSurface()
-    surface.SetInputData(0, image(values, properties.pop("spacing", (1, 1, 1))))
-    for name, value in properties.items():
-        getattr(surface, f"Set{name}")(value)
+    surface.SetInputData(0, image_of(values, properties.pop("spacing", (1, 1, 1))))
+    with_properties(surface, properties)
     surface.UpdateTimeStep(0.0)
     return surface
 
 
 def volume(values, **properties):
     skin = surface_of(values, **properties).GetOutput()
-    measure = vtkMassProperties()
-    measure.SetInputData(skin)
-    return measure.GetVolume() if skin.GetNumberOfCells() else 0.0
+    return volume_of(skin)
 
 
 class Levels(unittest.TestCase):
@@ -76,7 +63,7 @@ class Levels(unittest.TestCase):
         distance[middle, middle, middle] = numpy.nan
         distance[0, 0, 0] = numpy.inf
         surface = vtkActiveImplicitSurface()
-        surface.SetInputData(0, image(distance))
+        surface.SetInputData(0, image_of(distance))
         heard = Listener(surface)
         surface.UpdateTimeStep(0.0)
         told = " ".join(" ".join(heard.warnings).split())
@@ -101,7 +88,7 @@ class Levels(unittest.TestCase):
     def test_several_labels_have_no_level(self):
         three = numpy.where(DISTANCE < -8, 2, numpy.where(INSIDE, 1, 0)).astype("u1")
         surface = vtkActiveImplicitSurface()
-        surface.SetInputData(0, image(three))
+        surface.SetInputData(0, image_of(three))
         heard = Listener(surface)
         surface.UpdateTimeStep(0.0)
         self.assertEqual(surface.GetOutput().GetNumberOfCells(), 0)
@@ -112,7 +99,7 @@ class Levels(unittest.TestCase):
     def test_what_has_an_inside_needs_no_sentence(self):
         for values in (DISTANCE, INSIDE.astype("u1"), numpy.zeros((9, 9, 9))):
             surface = vtkActiveImplicitSurface()
-            surface.SetInputData(0, image(values))
+            surface.SetInputData(0, image_of(values))
             heard = Listener(surface)
             surface.UpdateTimeStep(0.0)
             self.assertNotIn("Its values are", " ".join(heard.warnings))

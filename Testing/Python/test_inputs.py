@@ -8,56 +8,28 @@ import unittest
 
 import numpy
 from active_implicit_surfaces import series, vtkActiveImplicitSurface
+from active_implicit_surfaces.data_objects import as_particles
 from listener import Listener
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkSphere
+from same_bytes_shapes import Steps, ball
+from shapes import ball_mesh, bytes_of, output_of, volume_of
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
-from vtkmodules.vtkFiltersCore import vtkMassProperties
 from vtkmodules.vtkFiltersHybrid import vtkForceTime
-from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
 
 
-def make_ball(radius):
-    ball = vtkSphere()
-    ball.SetRadius(radius)
-    return ball
-
-
-class GrowingBall(VTKPythonAlgorithmBase):
-    """Mesh of a ball of radius 0.3 at time 0, 0.6 at the last of its 21 time steps, 2."""
-
-    def __init__(self):
-        super().__init__(nInputPorts=0, outputType="vtkPolyData")
-        self.steps = [0.1 * step for step in range(21)]
-
-    def RequestInformation(self, request, inputs, outputs):
-        information = outputs.GetInformationObject(0)
-        information.Set(Pipeline.TIME_STEPS(), self.steps, len(self.steps))
-        information.Set(Pipeline.TIME_RANGE(), [self.steps[0], self.steps[-1]], 2)
-        return 1
-
-    def RequestData(self, request, inputs, outputs):
-        time = outputs.GetInformationObject(0).Get(Pipeline.UPDATE_TIME_STEP())
-        ball = vtkSphereSource()
-        ball.SetThetaResolution(64)
-        ball.SetPhiResolution(64)
-        ball.SetRadius(0.3 + 0.15 * time)
-        ball.Update()
-        vtkPolyData.GetData(outputs).ShallowCopy(ball.GetOutput())
-        return 1
+def growing_ball():
+    """Mesh of a ball of radius 0.3 at time 0, 0.7 at the last of its 21 time steps, 2."""
+    times = [0.1 * step for step in range(21)]
+    return Steps({time: output_of(ball_mesh(0.3 + 0.2 * time)) for time in times})
 
 
 class Inputs(unittest.TestCase):
     def setUp(self):
-        self.mesh = vtkSphereSource()  # radius 0.5
-        self.mesh.SetThetaResolution(64)
-        self.mesh.SetPhiResolution(64)
+        self.mesh = ball_mesh()  # radius 0.5
         self.image = vtkSampleFunction()
-        self.image.SetImplicitFunction(make_ball(0.5))
+        self.image.SetImplicitFunction(ball(0.5))
         self.image.SetModelBounds(-1, 1, -1, 1, -1, 1)
         self.surface = vtkActiveImplicitSurface()
         self.surface.SetVoxelSize(0.05)
@@ -84,47 +56,36 @@ class Inputs(unittest.TestCase):
         text = "\n".join(
             ["id,Points:0,Points:1,Points:2"] + [f"{n},{x},{y},{z}" for x, y, z, n in rows]
         )
-        table, cloud, points, ids = (
-            vtkDelimitedTextReader(),
-            vtkPolyData(),
-            vtkPoints(),
-            vtkIntArray(),
-        )
+        table = vtkDelimitedTextReader()
         table.SetReadFromInputString(True)
         table.SetInputString(text)
         table.SetHaveHeaders(True)
-        points.SetDataTypeToDouble()
-        ids.SetName("id")
-        for *place, number in rows:
-            points.InsertNextPoint(place)
-            ids.InsertNextValue(number)
-        cloud.SetPoints(points)
-        cloud.GetPointData().AddArray(ids)
+        cloud = as_particles([place for *place, _ in rows], ids=[number for *_, number in rows])
         self.surface.SetInputArrayToProcess(1, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "id")
         self.surface.SetInputData(cloud)
         self.surface.Update()
-        expected = vtk_to_numpy(self.surface.GetOutput().GetPoints().GetData()).tobytes()
+        expected = bytes_of(self.surface)
         self.surface.SetInputConnection(table.GetOutputPort())
         messages = Listener(self.surface)
         self.surface.Update()
         self.assertIn("DetectNumericColumns", messages.errors[0])
         table.DetectNumericColumnsOn()
         self.surface.Update()
-        made = vtk_to_numpy(self.surface.GetOutput().GetPoints().GetData()).tobytes()
+        made = bytes_of(self.surface)
         self.assertTrue(expected)
         self.assertEqual(made, expected)
         self.assertEqual(len(messages.errors), 1)
 
     def test_a_mesh_is_an_initial_shape(self):
-        self.surface.SetTargetFunction(make_ball(0.4))
+        self.surface.SetTargetFunction(ball(0.4))
         self.surface.SetInputConnection(1, self.mesh.GetOutputPort())
         self.assert_is_the_ball(0.0)
 
     def test_a_forced_time_is_a_static_target(self):
-        source = GrowingBall()
+        source = growing_ball()
         forced = vtkForceTime()  # lists its time as often as the source has steps
         forced.SetInputConnection(source.GetOutputPort())
-        forced.SetForcedTime(4.0 / 3.0)  # a radius of 0.5
+        forced.SetForcedTime(1.0)  # a radius of 0.5
         forced.IgnorePipelineTimeOn()
         self.surface.SetInputConnection(forced.GetOutputPort())
         self.surface.SetStartTime(7.0)
@@ -152,9 +113,7 @@ class ParticlesWithoutIds(unittest.TestCase):
         heard, volumes = Listener(surface), []
         for time in (0.0, 0.5, 1.5, 3.0):
             surface.UpdateTimeStep(time)
-            mass = vtkMassProperties()
-            mass.SetInputData(surface.GetOutput())
-            volumes.append(mass.GetVolume())
+            volumes.append(volume_of(surface.GetOutput()))
         self.assertEqual(heard.errors, [])
         return volumes, heard.warnings
 

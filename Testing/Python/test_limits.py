@@ -37,28 +37,18 @@ from same_bytes_shapes import (
     scattered,
 )
 from sanitized import IS_SANITIZED
+from shapes import make_points, with_properties
 from skin_checks import check_skin
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 SPACING = 0.25
 NAN = float("nan")
 
 
-def points_at(places):
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(numpy.ascontiguousarray(places), deep=True))
-    data = vtkPolyData()
-    data.SetPoints(points)
-    return data
-
-
 def surface_over(data, arrays=(), **properties):
     surface = vtkActiveImplicitSurface()
     surface.SetMaximumNumberOfActiveVoxels(100000)
-    for name, value in properties.items():
-        getattr(surface, "Set" + name)(value)
+    with_properties(surface, properties)
     if isinstance(data, Source):
         surface.SetInputConnection(data.GetOutputPort())
     else:
@@ -86,14 +76,14 @@ def hash_of(surface):
 class Crowds(unittest.TestCase):
     def test_many_particles_in_one_place_are_refused(self):
         """Each particle would visit each other: 10^10 visits here, 10^14 for 10^7 particles."""
-        here = points_at(numpy.zeros((100000, 3)))
+        here = make_points(numpy.zeros((100000, 3)))
         surface = surface_over(here, ParticleModel=1, ParticleSpacing=SPACING)
         (said,) = said_at(surface)
         self.assertIn("neighbours in reach on the average", said)
         self.assertIn("ParticleSpacing", said)
 
     def test_a_sum_takes_them(self):
-        here = points_at(numpy.zeros((100000, 3)))
+        here = make_points(numpy.zeros((100000, 3)))
         surface = surface_over(here, ParticleModel=0, ParticleSpacing=SPACING)
         self.assertEqual(said_at(surface), [])
         self.assertGreater(surface.GetOutput().GetNumberOfPoints(), 0)
@@ -104,7 +94,7 @@ class Crowds(unittest.TestCase):
         ticks = numpy.arange(26) * SPACING
         grid = numpy.stack(numpy.meshgrid(ticks, ticks, ticks), axis=-1).reshape(-1, 3)
         surface = surface_over(
-            points_at(numpy.repeat(grid, 2, axis=0)), ParticleModel=1, ParticleSpacing=SPACING
+            make_points(numpy.repeat(grid, 2, axis=0)), ParticleModel=1, ParticleSpacing=SPACING
         )
         self.assertEqual(said_at(surface, 0.0), [])
 
@@ -147,7 +137,7 @@ class Numbers(unittest.TestCase):
         property to set."""
         at_origin = numpy.array(scattered(30))
         for scale in (1e-300, 1e-40, 1e-30, 1e-20, 1e20, 1e30, 1e300):
-            for data in (points_at(at_origin * scale), globe(scale)):
+            for data in (make_points(at_origin * scale), globe(scale)):
                 with self.subTest("scale", scale=scale):
                     surface = surface_over(data)
                     errors = said_at(surface)
@@ -156,10 +146,10 @@ class Numbers(unittest.TestCase):
                         self.assertRegex(said, "ParticleSpacing|VoxelSize|ModelBounds")
                     if 1e-29 < scale < 1e29:
                         self.assertGreater(surface.GetOutput().GetNumberOfPoints(), 0)
-        surface = surface_over(points_at(at_origin + 1e9), ParticleSpacing=SPACING)
+        surface = surface_over(make_points(at_origin + 1e9), ParticleSpacing=SPACING)
         self.assertEqual(said_at(surface), [])
         self.assertGreater(surface.GetOutput().GetNumberOfPoints(), 0)
-        surface = surface_over(points_at(at_origin + 1e30), ParticleSpacing=SPACING)
+        surface = surface_over(make_points(at_origin + 1e30), ParticleSpacing=SPACING)
         self.assertRegex(said_at(surface)[0], "ModelBounds")
 
     def test_images(self):

@@ -18,11 +18,10 @@ from active_implicit_surfaces import (
     vtkActiveVDBWriter,
     vtkGridPotential,
 )
-from same_bytes_shapes import Steps
+from same_bytes_shapes import Steps, ball
+from shapes import ball_mesh, image_of, make_points, output_of, points_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkSphere
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 VOXEL = 0.05
 MAP = numpy.array([157.0, 16500.0, 0.0]) * 2**16 * VOXEL  # 1.1e9 voxels north
@@ -30,22 +29,10 @@ NEAR, FAR = numpy.zeros(3), MAP
 EXACT = 1e-4 * VOXEL  # floats near the origin: 0.6e-6 of 64 voxels; the rest is a margin for sums
 
 
-def points_of(data):
-    return vtk_to_numpy(data.GetPoints().GetData())
-
-
-def points_at(places):
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(numpy.ascontiguousarray(places, float), deep=True))
-    data = vtkPolyData()
-    data.SetPoints(points)
-    return data
-
-
 def particles(origin, time=0.0):
     places = numpy.random.default_rng(5).uniform(-0.02, 0.02, (343, 3))
     places += numpy.stack(numpy.meshgrid(*[numpy.arange(7) * 0.11 - 0.3] * 3), -1).reshape(-1, 3)
-    data = points_at(places + origin + (0.04 * time, 0.0, 0.02 * time))
+    data = make_points(places + origin + (0.04 * time, 0.0, 0.02 * time))
     heat = numpy_to_vtk(places[:, 0].copy(), deep=True)
     heat.SetName("heat")
     data.GetPointData().AddArray(heat)
@@ -53,41 +40,25 @@ def particles(origin, time=0.0):
 
 
 def mesh(origin, radius=0.5):
-    ball = vtkSphereSource()
-    ball.SetRadius(radius)
-    ball.SetThetaResolution(24)
-    ball.SetPhiResolution(24)
-    ball.Update()
     data = vtkPolyData()
-    data.DeepCopy(ball.GetOutput())
-    data.SetPoints(points_at(points_of(data) + origin).GetPoints())
+    data.DeepCopy(output_of(ball_mesh(radius, 24)))
+    data.SetPoints(make_points(points_of(data) + origin).GetPoints())
     return data
 
 
 def image(origin):
     places = numpy.indices((33, 33, 33)) * VOXEL - 16 * VOXEL + 0.003
-    samples = numpy.sqrt((places**2).sum(0)) - 0.5
-    data = vtkImageData()
-    data.SetDimensions(33, 33, 33)
-    data.SetSpacing(VOXEL, VOXEL, VOXEL)
+    data = image_of(numpy.sqrt((places**2).sum(0)) - 0.5, 3 * [VOXEL])
     data.SetOrigin(*(origin - 16 * VOXEL + 0.003))
-    data.GetPointData().SetScalars(numpy_to_vtk(samples.ravel(order="F").copy(), deep=True))
     return data
 
 
 def skeleton(origin):
-    data = points_at(numpy.array([[-0.3, 0, 0.1], [0.2, 0.1, 0], [0.3, -0.3, 0.2]]) + origin)
+    data = make_points(numpy.array([[-0.3, 0, 0.1], [0.2, 0.1, 0], [0.3, -0.3, 0.2]]) + origin)
     lines = vtkCellArray()
     lines.InsertNextCell(3, (0, 1, 2))
     data.SetLines(lines)
     return data
-
-
-def ball(origin, radius=0.5):
-    sphere = vtkSphere()
-    sphere.SetCenter(*origin)
-    sphere.SetRadius(radius)
-    return sphere
 
 
 def surface_over(data, **properties):
@@ -161,8 +132,8 @@ class MapCoordinates(unittest.TestCase):
 
         def function(origin):
             box = tuple(numpy.array(bounds) + numpy.repeat(origin, 2))
-            target = ball(origin + (0.013, 0.007, 0.003), 0.49)  # on no node
-            obstacle = ball(origin + (0.41, 0.03, 0.01), 0.3)
+            target = ball(0.49, origin + (0.013, 0.007, 0.003))  # on no node
+            obstacle = ball(0.3, origin + (0.41, 0.03, 0.01))
             return (
                 surface_over(
                     None, TargetFunction=target, ObstacleFunction=obstacle, ModelBounds=box
@@ -180,7 +151,7 @@ class MapCoordinates(unittest.TestCase):
         def make(origin):
             grid = vtkGridPotential()
             grid.SetInput(image(origin))
-            start = ball(origin + (0.0, 0.0, 3.0), 0.3)  # away from the target
+            start = ball(0.3, origin + (0.0, 0.0, 3.0))  # away from the target
             box = tuple(numpy.array([-1, 1, -1, 1, -1, 4]) + numpy.repeat(origin, 2))
             surface = surface_over(
                 None, TargetFunction=grid, InitialFunction=start, ModelBounds=box, CreateParts=True

@@ -14,9 +14,9 @@ from pathlib import Path
 import numpy
 from active_implicit_surfaces import ParticleSeries, vtkActiveImplicitSurface
 from active_implicit_surfaces.data_objects import as_particles
+from shapes import points_of, volume_of, with_properties
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkSphere
-from vtkmodules.vtkFiltersCore import vtkMassProperties
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 DROP = Path(__file__).resolve().parents[1] / "Data" / "sph_drop.vtp"
@@ -44,9 +44,7 @@ def skin_of(function, steps=LAST + 1, voxel=R, **properties):
     surface.SetInputArrayToProcess(1, 0, 0, 0, "id")
     surface.SetParticleSpacing(2 * R)
     surface.SetVoxelSize(voxel)
-    for name, value in properties.items():
-        getattr(surface, f"Set{name}")(value)
-    return surface
+    return with_properties(surface, properties)
 
 
 def make_surface(**properties):
@@ -58,24 +56,12 @@ def make_surface(**properties):
     surface.SetParticleSpacing(0.1)
     surface.SetVoxelSize(0.05)
     surface.SetInputArrayToProcess(1, 0, 0, 0, "id")
-    for name, value in properties.items():
-        getattr(surface, f"Set{name}")(value)
-    return surface
+    return with_properties(surface, properties)
 
 
 def at(surface, t):
     surface.UpdateTimeStep(t)
     return surface.GetOutput()
-
-
-def volume(skin):
-    mass = vtkMassProperties()
-    mass.SetInputData(skin)
-    return mass.GetVolume()
-
-
-def points_of(surface):
-    return vtk_to_numpy(surface.GetOutput().GetPoints().GetData())
 
 
 def column(surface, name):
@@ -89,7 +75,7 @@ class Truths(unittest.TestCase):
         errors = []
         for voxel in (R / 4, R / 8):
             skin = at(skin_of(lambda t: (numpy.full((1, 3), 0.1371), [7]), voxel=voxel), LAST)
-            errors.append(abs(volume(skin) / (4 / 3 * numpy.pi * R**3) - 1))
+            errors.append(abs(volume_of(skin) / (4 / 3 * numpy.pi * R**3) - 1))
         self.assertLess(errors[1], 0.01)
         self.assertLess(errors[1], errors[0] / 3)
 
@@ -98,10 +84,10 @@ class Truths(unittest.TestCase):
         way = 3.3 * R
         surface = skin_of(lambda t: (block(6) + (way * t, 0, 0), range(216)))
         first = at(surface, 0)
-        low, size = first.GetBounds()[0], volume(first)
+        low, size = first.GetBounds()[0], volume_of(first)
         last = at(surface, LAST)
         self.assertAlmostEqual(last.GetBounds()[0] - low, LAST * way, delta=0.05 * R)
-        self.assertAlmostEqual(volume(last) / size, 1.0, delta=0.005)
+        self.assertAlmostEqual(volume_of(last) / size, 1.0, delta=0.005)
 
     def test_two_particles_merge_and_part(self):
         def pair(t):

@@ -12,32 +12,22 @@ from pathlib import Path
 import numpy
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from listener import Listener
+from same_bytes_shapes import ball
 from scenes import splash
+from shapes import ball_mesh, bytes_of, make_points, points_of, with_properties
 from test_splash import is_closed_manifold
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkImplicitBoolean,
     vtkPlane,
-    vtkPolyData,
     vtkQuadric,
-    vtkSphere,
 )
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 
 VOXEL = 0.05
 RADIUS = 0.6
 HEIGHT = -0.22  # of the ground, above the obstacle
-
-
-def ball(radius, center=(0.0, 0.0, 0.0)):
-    sphere = vtkSphere()
-    sphere.SetRadius(radius)
-    sphere.SetCenter(center)
-    return sphere
 
 
 def ground(height=HEIGHT, normal=(0.0, 1.0, 0.0)):
@@ -53,13 +43,7 @@ def make_surface(obstacle, **properties):
     surface.SetModelBounds(-1, 1, -1, 1, -1, 1)
     surface.SetVoxelSize(VOXEL)
     surface.SetObstacleFunction(obstacle)
-    for name, value in properties.items():
-        getattr(surface, f"Set{name}")(value)
-    return surface
-
-
-def points_of(surface):
-    return vtk_to_numpy(surface.GetOutput().GetPoints().GetData()).astype(float)
+    return with_properties(surface, properties)
 
 
 def last(surface, column):
@@ -67,21 +51,10 @@ def last(surface, column):
     return history.GetValueByName(history.GetNumberOfRows() - 1, column).ToDouble()
 
 
-def content(surface):
-    return points_of(surface).tobytes()
-
-
 def cap_volume(radius, cut):
     """Volume of a ball about the origin, above a plane at this height."""
     height = radius - cut
     return math.pi * height * height * (3 * radius - height) / 3
-
-
-def particles(places):
-    points, data = vtkPoints(), vtkPolyData()
-    points.SetData(numpy_to_vtk(numpy.array(places, float), deep=True))
-    data.SetPoints(points)
-    return data
 
 
 class TheSkinEndsOnIt(unittest.TestCase):
@@ -110,10 +83,7 @@ class TheSkinEndsOnIt(unittest.TestCase):
         self.assertLess(last(surface, "MaxSpeed"), 4 * VOXEL)
 
     def test_every_kind_of_input_starts_as_a_cap(self):
-        source, samples, mesh = vtkSphereSource(), vtkSampleFunction(), vtkTriangleFilter()
-        source.SetRadius(RADIUS)
-        source.SetThetaResolution(96)
-        source.SetPhiResolution(96)
+        source, samples, mesh = ball_mesh(RADIUS, 96), vtkSampleFunction(), vtkTriangleFilter()
         mesh.SetInputConnection(source.GetOutputPort())
         samples.SetImplicitFunction(ball(RADIUS))
         samples.SetModelBounds(-1, 1, -1, 1, -1, 1)
@@ -204,7 +174,7 @@ class OverParticles(unittest.TestCase):
         places = [(0.2 * i, 0.2 * j, 0.2 * k) for i in range(4) for j in range(4) for k in range(4)]
         surface = make_surface(ball(0.5, (3.0, 0.0, 0.0)), ParticleSpacing=0.2)
         surface.SetModelBounds(-1, 5, -1, 1, -1, 1)
-        surface.SetInputDataObject(particles([*places, (3.0, 0.0, 0.0), (3.1, 0.1, 0.0)]))
+        surface.SetInputDataObject(make_points([*places, (3.0, 0.0, 0.0), (3.1, 0.1, 0.0)]))
         surface.SetInitialFunction(ball(0.3, (0.3, 0.3, 0.3)))
         surface.SetTimeStepSize(1.0)
         surface.SetAttraction(4.0)
@@ -226,7 +196,7 @@ class ItIsPartOfTheMotion(unittest.TestCase):
         for name, value in properties.items():
             getattr(surface, f"Set{name}")(value)
         surface.UpdateTimeStep(time)
-        return content(surface)
+        return bytes_of(surface)
 
     def test_threads_and_order_leave_no_trace(self):
         expected = self.at(0.7, NumberOfThreads=1)
@@ -237,7 +207,7 @@ class ItIsPartOfTheMotion(unittest.TestCase):
         surface = self.make(ground())
         for time in (1.0, 0.25, 0.7, 0.4, 0.7):
             surface.UpdateTimeStep(time)
-        self.assertEqual(content(surface), expected)
+        self.assertEqual(bytes_of(surface), expected)
 
     def test_a_state_goes_on(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -247,7 +217,7 @@ class ItIsPartOfTheMotion(unittest.TestCase):
             self.assertTrue(first.SaveState(file))
             second.LoadState(file)
             second.UpdateTimeStep(0.7)
-            self.assertEqual(content(second), self.at(0.7))
+            self.assertEqual(bytes_of(second), self.at(0.7))
 
     def test_a_change_restarts(self):
         plane = ground()
@@ -255,7 +225,7 @@ class ItIsPartOfTheMotion(unittest.TestCase):
         surface.UpdateTimeStep(0.7)
         plane.SetOrigin(0.0, -0.1, 0.0)
         surface.UpdateTimeStep(0.7)
-        self.assertEqual(content(surface), self.at(0.7, ground(-0.1)))
+        self.assertEqual(bytes_of(surface), self.at(0.7, ground(-0.1)))
         lifted, transform = ground(), vtkTransform()
         lifted.SetTransform(transform)
         surface.SetObstacleFunction(lifted)

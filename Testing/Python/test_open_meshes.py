@@ -10,10 +10,10 @@ import unittest
 import numpy
 from active_implicit_surfaces import vtkActiveImplicitSurface, vtkGridPotential
 from listener import Listener
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from shapes import ball_mesh, output_of, points_of, volume_of
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkReverseSense
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkFiltersCore import vtkReverseSense
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
 
 VOXEL = 0.05
 
@@ -30,14 +30,10 @@ def without(mesh, is_left_out):
     return data
 
 
-def ball(start=0.0, resolution=64):
-    source = vtkSphereSource()
-    source.SetRadius(1.0)
-    source.SetThetaResolution(resolution)
-    source.SetPhiResolution(resolution)
+def ball(start=0.0):
+    source = ball_mesh(1.0)
     source.SetStartPhi(start)
-    source.Update()
-    return source.GetOutput()
+    return output_of(source)
 
 
 def box_without_a_face():
@@ -66,13 +62,6 @@ def skin_of(mesh, threads=0):
     listener = Listener(surface)
     surface.Update()
     return surface.GetOutput(), listener.warnings
-
-
-def volume_of(skin):
-    mass = vtkMassProperties()
-    mass.SetInputData(skin)
-    mass.Update()
-    return mass.GetVolume()
 
 
 class OpenMeshes(unittest.TestCase):
@@ -111,7 +100,7 @@ class OpenMeshes(unittest.TestCase):
             self.assertAlmostEqual(opened, closed, delta=0.001 * VOXEL)
 
     def test_the_number_of_threads_does_not_matter(self):
-        points = [vtk_to_numpy(skin_of(scan(), n)[0].GetPoints().GetData()) for n in (1, 2)]
+        points = [points_of(skin_of(scan(), n)[0]) for n in (1, 2)]
         numpy.testing.assert_array_equal(*points)
 
     def test_a_sheet_has_no_inside(self):

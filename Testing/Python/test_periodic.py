@@ -18,8 +18,9 @@ from active_implicit_surfaces import (
 from active_implicit_surfaces.data_objects import as_particles
 from command_line import CommandTest
 from listener import Listener
+from shapes import points_of, volume_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 SPACING = 0.1
@@ -60,17 +61,6 @@ def surface_over(frames, **properties):
 def skin_at(surface, time):
     surface.UpdateTimeStep(time)
     return surface.GetOutput()
-
-
-def points_of(skin):
-    return vtk_to_numpy(skin.GetPoints().GetData()).astype(float)
-
-
-def volume_of(skin):
-    mass = vtkMassProperties()
-    mass.SetInputData(skin)
-    mass.Update()
-    return mass.GetVolume()
 
 
 def open_edges(skin):

@@ -13,15 +13,11 @@ import active_implicit_surfaces as active
 import numpy
 from active_implicit_surfaces import data_objects, properties
 from command_line import DROP, grid, moving_grid
-from python_data import Library, as_array, make_points, volume_of
+from shapes import Library, as_array, bytes_of, make_points, volume_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkSphere, vtkTable, vtkUnstructuredGrid
 
 SPACING = {"particle_spacing": 0.1}
-
-
-def bytes_of(skin):
-    return vtk_to_numpy(skin.GetPoints().GetData()).tobytes()
 
 
 class Particles(unittest.TestCase):

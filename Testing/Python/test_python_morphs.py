@@ -10,7 +10,7 @@ import active_implicit_surfaces as active
 import numpy
 from active_implicit_surfaces import histories
 from command_line import grid, moving_grid
-from python_data import Library, make_points, volume_of
+from shapes import Library, ball_mesh, make_points, output_of, volume_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkSphere
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
@@ -18,17 +18,8 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 SPACING = {"particle_spacing": 0.1}
 
 
-def output_of(source):
-    source.Update()
-    return source.GetOutput()
-
-
-def ball(radius=0.6, resolution=64):
-    source = vtkSphereSource()
-    source.SetRadius(radius)
-    source.SetThetaResolution(resolution)
-    source.SetPhiResolution(resolution)
-    return output_of(source)
+def ball(radius=0.6):
+    return output_of(ball_mesh(radius))
 
 
 def cube():

@@ -11,7 +11,7 @@ import active_implicit_surfaces as active
 import numpy
 from active_implicit_surfaces.data_objects import as_particles
 from active_implicit_surfaces.measures import measure
-from python_data import as_array
+from shapes import as_array
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData

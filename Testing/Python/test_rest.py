@@ -8,9 +8,8 @@ import unittest
 import numpy
 from active_implicit_surfaces import vtkActiveImplicitSurface
 from listener import Listener
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkSphere
-from vtkmodules.vtkFiltersCore import vtkMassProperties
+from shapes import image_of, volume_of, with_properties
+from vtkmodules.vtkCommonDataModel import vtkSphere
 
 SIZE = 40
 X, Y, Z = numpy.mgrid[0:SIZE, 0:SIZE, 0:SIZE] - 19.6
@@ -21,20 +20,12 @@ MOST_SUBSTEPS = 2500  # of 10,000, the maximum
 LOUD = 0.05  # moving fraction of the skin that causes a message
 
 
-def image(values):
-    result = vtkImageData()
-    result.SetDimensions(values.shape[::-1])
-    result.GetPointData().SetScalars(numpy_to_vtk(values.ravel(), deep=True))
-    return result
-
-
 def settle(values, **properties):
     """Returns the steady surface, its messages, and the last row of its history."""
     surface = vtkActiveImplicitSurface()
-    surface.SetInputData(0, image(values))
+    surface.SetInputData(0, image_of(values))
     surface.SetEvolutionModeToEquilibrium()
-    for name, value in properties.items():
-        getattr(surface, f"Set{name}")(value)
+    with_properties(surface, properties)
     heard = Listener(surface)
     surface.Update()
     table = surface.GetOutputDataObject(2)
@@ -73,9 +64,7 @@ class Rest(unittest.TestCase):
         for tension in (0.0, 0.05):
             slow = {"Attraction": 0.02, "Tension": 0.02 * tension}
             surface, _, _ = settle(BALL, InitialFunction=start, **slow)
-            measure = vtkMassProperties()
-            measure.SetInputData(surface.GetOutput())
-            radius = numpy.cbrt(measure.GetVolume() / (4 / 3 * numpy.pi))
+            radius = numpy.cbrt(volume_of(surface.GetOutput()) / (4 / 3 * numpy.pi))
             self.assertLess(abs(radius - 12), 0.05)
 
 

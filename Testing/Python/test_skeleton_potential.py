@@ -7,23 +7,14 @@ import unittest
 
 from active_implicit_surfaces import vtkSkeletonPotential
 from listener import Listener
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from shapes import make_points
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray
 from vtkmodules.vtkFiltersCore import vtkContourFilter
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 
 NUMBERS = ["Radius", "Threshold"]
 PROPERTIES = [*NUMBERS, "Input", "RadiusArrayName", "StrengthArrayName", "Kernel"]
-
-
-def make_points(positions):
-    points = vtkPoints()
-    points.SetDataTypeToDouble()
-    for position in positions:
-        points.InsertNextPoint(position)
-    data = vtkPolyData()
-    data.SetPoints(points)
-    return data
 
 
 def add_array(data, name, values):

@@ -8,7 +8,7 @@ import active_implicit_surfaces as active
 import numpy
 from active_implicit_surfaces.presets import estimate_spacing, series_spacing
 from active_implicit_surfaces.series import ParticleSeries
-from vtkmodules.vtkFiltersCore import vtkMassProperties
+from shapes import volume_of
 
 SPACING = 0.05
 
@@ -25,13 +25,6 @@ BOTH = numpy.vstack([SPRAY, BODY])
 VOLUME = len(BODY) * SPACING**3
 
 
-def volume(skin):
-    mass = vtkMassProperties()
-    mass.SetInputData(skin)
-    mass.Update()
-    return mass.GetVolume()
-
-
 def notes_of(*arguments, **options):
     with warnings.catch_warnings(record=True) as heard:
         warnings.simplefilter("always")
@@ -44,7 +37,7 @@ class Series(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             *_, (_, skin) = active.frames(frames)
-        return volume(skin)
+        return volume_of(skin)
 
     def test_a_sparse_first_frame_does_not_decide(self):
         for first in (SPRAY, SPRAY[:1], SPRAY[:2]):

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy
 from active_implicit_surfaces import ParticleSeries
 from active_implicit_surfaces.measures import measure
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from shapes import points_of
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Examples" / "Python"))
@@ -22,10 +22,6 @@ import two_layers  # noqa: E402
 SPACING = 0.04
 VOXEL = 0.5 * SPACING
 FRAMES = 7  # until the wave is steepest
-
-
-def points_of(skin):
-    return vtk_to_numpy(skin.GetPoints().GetData()).astype(float)
 
 
 class Interface(unittest.TestCase):

@@ -14,6 +14,7 @@ import numpy
 from active_implicit_surfaces import ActiveSurfaceWarning, api, data_objects, skin_files
 from active_implicit_surfaces.mesh_writers import polygons_of
 from command_line import DROP, CommandTest, grid
+from shapes import output_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkFiltersSources import (
@@ -76,11 +77,6 @@ def put(mesh, name, values, data=None):
     array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
     array.SetName(name)
     (data or mesh.GetPointData()).AddArray(array)
-
-
-def output_of(source):
-    source.Update()
-    return source.GetOutput()
 
 
 class Writers(CommandTest):
