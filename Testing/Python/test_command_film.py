@@ -68,6 +68,7 @@ class Films(CommandTest):
         # width.
         self.assertGreater(middles[2] - middles[0], 0.4 * SIZE[0])
         self.assertEqual(self.hidden(), [])
+        self.assertEqual(sorted(self.folder.glob("*.vtp")), [], "no skins, as none are named")
 
     def test_the_camera_stays_where_a_run_goes_on(self):
         def go_on(offsets):
@@ -80,10 +81,6 @@ class Films(CommandTest):
 
         self.assertGreater(go_on([0.0, 0.1]), 100)
         self.assertEqual(go_on([0.0, 0.1, 20.0]), 0, "far from what the first pictures show")
-
-    def test_without_the_name_of_skins_there_are_none(self):
-        self.render("f_##.png")
-        self.assertEqual(sorted(self.folder.glob("*.vtp")), [])
 
     def test_light_and_ground(self):
         numpy.savez(self.data, positions=grid())
@@ -203,19 +200,6 @@ class Films(CommandTest):
         numpy.savez(self.data, positions=grid())
         said = self.fail_with(1, "skin", self.data, "--render", self.folder / "a.png", *SMALL)
         self.assertIn("cannot be written", said)
-
-    def test_a_morph(self):
-        from active_implicit_surfaces.skin_files import write_mesh
-        from vtkmodules.vtkFiltersSources import vtkCubeSource
-
-        cube = vtkCubeSource()
-        cube.Update()
-        path = Path(self.folder / "cube.stl")
-        write_mesh(path, cube.GetOutput())
-        output = self.folder / "m.##.png"
-        size = ["--size", "160x90", "--frames", 2]
-        self.succeed("morph", path, path, "--render", output, *size)
-        self.assertEqual(len(list(self.folder.glob("m.??.png"))), 2)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@
 
 import json
 import math
-import re
 import struct
 import unittest
 
@@ -105,15 +104,6 @@ class Particles(CommandTest):
                 (self.folder / name).write_text("\n".join(lines) + "\n")
                 self.assert_reads(self.folder / name)
 
-    def test_columns_become_vectors(self):
-        (self.folder / "a.csv").write_text("x,y,z,vx,vy,vz,T,n:0,n:1,n:2\n1,2,3,4,5,6,7,8,9,10\n")
-        cloud = open_particles(self.folder / "a.csv").load(0)
-        arrays = cloud.GetPointData()
-        self.assertEqual(positions_of(cloud).tolist(), [[1, 2, 3]])
-        self.assertEqual(arrays.GetArray("v").GetTuple(0), (4, 5, 6))
-        self.assertEqual(arrays.GetArray("T").GetTuple(0), (7,))
-        self.assertEqual(arrays.GetArray("n").GetTuple(0), (8, 9, 10))
-
     def test_raw_floats(self):
         (self.folder / "a.xyz").write_bytes(grid().astype("<f4").tobytes())
         self.assert_reads(self.folder / "a.xyz")
@@ -170,32 +160,6 @@ class Particles(CommandTest):
             with self.subTest(words):
                 numpy.savez(self.folder / "a.npz", positions=positions, **more)
                 self.assertIn(words, self.fail_with(1, "info", self.folder / "a.npz"))
-
-    def test_a_comment_that_names_columns_is_a_header(self):
-        (self.folder / "a.csv").write_text("# x,y,z,T\n1,2,3,4\n")
-        cloud = open_particles(self.folder / "a.csv").load(0)
-        self.assertEqual(cloud.GetPoint(0), (1.0, 2.0, 3.0))
-        self.assertEqual(cloud.GetPointData().GetArray("T").GetTuple1(0), 4.0)
-        (self.folder / "a.csv").write_text("# x,y,z\n")
-        self.assertEqual(open_particles(self.folder / "a.csv").load(0).GetNumberOfPoints(), 0)
-
-    def test_rows_that_do_not_fit_are_named(self):
-        for name, text, said in (
-            ("a.csv", "x,y,z\n1,2,3\n1,2\n", "line 3 has 2 column(s), others have 3"),
-            ("b.csv", "x,y,z\n1,2,3\n\n4,5,six\n", 'line 4 has "six" in place of a number'),
-            ("c.xyz", "1 2 3\n4 5 6 7\n", "line 2 has 4 column(s), others have 3"),
-        ):
-            (self.folder / name).write_text(text)
-            with self.assertRaisesRegex(OSError, re.escape(said)):
-                open_particles(self.folder / name).load(0)
-
-    def test_csv_keeps_all_digits(self):
-        places = grid() + (650000.017946, 0, 5200000.09693)
-        numpy.savez(self.folder / "a.npz", positions=places, mass=numpy.full(125, 0.1))
-        self.succeed("convert", self.folder / "a.npz", "-o", self.folder / "a.csv")
-        cloud = open_particles(self.folder / "a.csv").load(0)
-        numpy.testing.assert_array_equal(positions_of(cloud), places)
-        self.assertEqual(cloud.GetPointData().GetArray("mass").GetTuple1(7), 0.1)
 
     def test_frames_of_one_file_stay_as_they_were(self):
         series = open_particles(DROP)

@@ -162,14 +162,6 @@ class Errors(unittest.TestCase):
         with self.assertWarnsRegex(active.ActiveSurfaceWarning, "ParticleSpacing of 0.1 is used"):
             active.skin(grid())
 
-    def test_a_spacing_far_from_that_of_the_particles_is_told(self):
-        for spacing in (0.03, 0.4):
-            with self.assertWarnsRegex(active.ActiveSurfaceWarning, "neighbours are 0.1 apart"):
-                active.skin(grid(), particle_spacing=spacing)
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            active.skin(grid(), particle_spacing=0.15)
-
     def test_files_are_an_OSError(self):
         with self.assertRaisesRegex(OSError, "no file"):
             active.frames("none.vtp")

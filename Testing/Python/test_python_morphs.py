@@ -10,7 +10,7 @@ import active_implicit_surfaces as active
 import numpy
 from active_implicit_surfaces import histories
 from command_line import grid, moving_grid
-from shapes import Library, ball_mesh, make_points, output_of, volume_of
+from shapes import Library, ball_mesh, image_of, make_points, output_of, volume_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkSphere
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
@@ -97,6 +97,26 @@ class Morphs(unittest.TestCase):
                     self.assertAlmostEqual(volume_of(frame.skin), volume, delta=0.02)
         way = active.morph(cube(), function, frames=3, voxel_size=0.1)
         self.assertAlmostEqual(volume_of(list(way)[-1].skin), wanted[-1], delta=0.02)
+
+    def test_the_second_shape_is_fitted_to_the_first(self):
+        places = numpy.mgrid[0:25, 0:25, 0:25] - 12.0
+        image = image_of(numpy.sqrt((places**2).sum(0)) - 9, 3 * [0.5])  # 12 long, the ball 9
+        for shape, fit, radius in (
+            (output_of(ball_mesh(3, 64, (10, 0, 0))), "box", 0.5),
+            (output_of(ball_mesh(3, 64, (10, 0, 0))), "centre", 3.0),
+            (image, "box", 0.5 * 9 / 12),
+        ):
+            with self.subTest(fit=fit, radius=radius), warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                *_, (_, skin) = active.morph(cube(), shape, frames=2, fit=fit, voxel_size=0.1)
+                for value, wanted in zip(skin.GetBounds(), 3 * [-radius, radius]):
+                    self.assertAlmostEqual(value, wanted, delta=0.02)
+        with self.assertWarnsRegex(active.ActiveSurfaceWarning, "centres are 10 apart"):
+            active.morph(cube(), output_of(ball_mesh(0.5, 32, (10, 0, 0))))
+        with self.assertRaisesRegex(ValueError, "fit is one of none, centre, box, not 'size'"):
+            active.morph(cube(), ball(), fit="size")
+        with self.assertRaisesRegex(TypeError, "a function has no box"):
+            active.morph(cube(), vtkSphere(), fit="box")
 
     def test_what_is_no_morph(self):
         for arguments, words in (

@@ -157,6 +157,8 @@ class Tables(ReaderTest):
             "it has x, z; text is in y": "x;y;z\n1.5;2,5;3\n",
             "no columns x, y and z of numbers; it has none": "x,y,z\na,b,c\nd,e,f\n",
             "line 4 has 1 column": 'x,y,z\n1,2,3\n1,,3\n"4,5,6\n',
+            "line 2 has 4 column": "1 2 3\n4 5 6 7\n",
+            'line 4 has "six" in place of a number': "x,y,z\n1,2,3\n\n4,5,six\n",
             "it is no text": b"x,y,z\n1,2,\0\n",
         }.items():
             with self.subTest(words):

@@ -14,27 +14,15 @@ import numpy
 import test_document_blocks as blocks
 from active_implicit_surfaces import skin
 from active_implicit_surfaces.contours import contour
+from active_implicit_surfaces.measures import measure
 from active_implicit_surfaces.skin_files import read_shape
 from command_line import grid
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 PAGES = ("README.md", "Python/README.md", "Python/command_line.md")
 MESHES = (".vtp", ".ply", ".obj", ".stl", ".glb", ".vdb")
 # The particles are 5 x 5 x 5, 0.1 apart. Presets and models round their corners differently.
 PARTICLES = (0.5**3, 0.25)
 CUBE, BALL = (1.0, 0.02), (numpy.pi / 6, 0.15)  # VTK's own ball has eight sides
-
-
-def measure(mesh):
-    """Signed volume, and the edges that are not traversed once in each direction."""
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
-    faces = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    a, b, c = (points[faces[:, i]] for i in range(3))
-    volume = numpy.einsum("ij,ij->i", a, numpy.cross(b, c)).sum() / 6
-    _, numbers = numpy.unique(points, axis=0, return_inverse=True)
-    edges = numpy.vstack([numbers[faces][:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
-    there, back = {*map(tuple, edges)}, {*map(tuple, edges[:, ::-1])}
-    return float(volume), len(there ^ back)
 
 
 class Results(blocks.Blocks):
@@ -56,11 +44,9 @@ class Results(blocks.Blocks):
 
     def check(self, path, wanted, share):
         is_grid = path.suffix == ".vdb"
-        volume, open_edges = measure(
-            contour(read_shape(path), 0.0) if is_grid else read_shape(path)
-        )
-        self.assertEqual(open_edges, 0, path.name)
-        self.assertAlmostEqual(volume / wanted, 1.0, delta=share, msg=path.name)
+        found = measure(contour(read_shape(path), 0.0) if is_grid else read_shape(path))
+        self.assertEqual(found["open edges"], 0, path.name)
+        self.assertAlmostEqual(found["volume"] / wanted, 1.0, delta=share, msg=path.name)
         self.numbers += 1
 
     def check_command(self, command):
@@ -70,7 +56,7 @@ class Results(blocks.Blocks):
             self.check(made[0], *CUBE)
             self.check(made[-1], *BALL)
         elif kind == "convert":
-            self.check(made[0], measure(skin(grid(), particle_spacing=0.1))[0], 0.01)
+            self.check(made[0], measure(skin(grid(), particle_spacing=0.1))["volume"], 0.01)
         elif kind == "skin":
             self.assertTrue(made, command)
             for path in made:

@@ -261,14 +261,6 @@ class Meshes(ReaderTest):
             write_mesh(self.folder / f"a{suffix}", mesh)
             self.assert_refused("holds no particles, but a mesh", self.folder / f"a{suffix}")
 
-    def test_an_empty_mesh_becomes_any_file(self):
-        write_mesh(self.folder / "a.vtp", vtkPolyData())
-        for suffix in (".vdb", ".ply", ".stl", ".obj", ".glb"):
-            with self.subTest(suffix):
-                self.succeed("convert", "a.vtp", "-o", f"b{suffix}")
-        self.succeed("convert", "b.vdb", "-o", "c.vtp")
-        self.assertEqual(read_shape(self.folder / "c.vtp").GetNumberOfPoints(), 0)
-
 
 class Empty(ReaderTest):
     """Frames without particles in a series."""
