@@ -51,6 +51,13 @@ class CommandTest(unittest.TestCase):
         self.assertRegex(lines[0], r"^active-surface( \w+)?: .*[.]$")
         return lines[0]
 
+    def put(self, name, content):
+        """A file of these bytes, or of this text."""
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
     def hidden(self, folder=None):
         """Hidden files, which a command should not leave behind."""
         return [path.name for path in (folder or self.folder).rglob(".*")]

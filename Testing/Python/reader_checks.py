@@ -19,12 +19,6 @@ def array_of(cloud, name):
 
 
 class ReaderTest(CommandTest):
-    def put(self, name, text):
-        path = self.folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(text if isinstance(text, bytes) else text.encode())
-        return path
-
     def assert_points(self, cloud, wanted):
         numpy.testing.assert_allclose(points_of(cloud), wanted, rtol=1e-6)
 

@@ -34,6 +34,16 @@ def output_of(source):
     return source.GetOutput()
 
 
+def write(writer, data, path):
+    """Writes data by a writer of VTK, not as appended data, which VTK 9.1 may not read."""
+    if hasattr(writer, "SetDataModeToBinary"):
+        writer.SetDataModeToBinary()
+    writer.SetInputData(data)
+    writer.SetFileName(str(path))
+    writer.Write()
+    return path
+
+
 def ball_mesh(radius=0.5, resolution=64, center=(0, 0, 0)):
     """The source of a ball's mesh."""
     source = vtkSphereSource()

@@ -27,6 +27,15 @@ def opposite_sides(triangles, count):
     return order[found]
 
 
+def is_closed(skin):
+    """Returns True if each side of a triangle is the reverse side of exactly one other."""
+    try:
+        opposite_sides(triangles_of(skin), skin.GetNumberOfPoints())
+    except AssertionError:
+        return False
+    return True
+
+
 def least_of_cycles(following):
     """For each element, the smallest one of its cycle of the permutation."""
     least = numpy.arange(len(following))

@@ -15,7 +15,7 @@ from listener import Listener
 from same_bytes_shapes import ball
 from scenes import splash
 from shapes import ball_mesh, make_points, points_of, with_properties
-from test_splash import is_closed_manifold
+from skin_checks import is_closed
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
 
@@ -52,7 +52,7 @@ def bytes_at(surface, *times):
 
 class ItArrives(unittest.TestCase):
     def assert_is_ball(self, surface, radius, slack):
-        self.assertTrue(is_closed_manifold(surface.GetOutput()))
+        self.assertTrue(is_closed(surface.GetOutput()))
         radii = numpy.linalg.norm(points_of(surface) - FAR, axis=1)
         self.assertLess(numpy.abs(radii - radius).max(), slack)
 
@@ -70,7 +70,7 @@ class ItArrives(unittest.TestCase):
                 for time in (1.0, 2.0):
                     surface.UpdateTimeStep(time)
                     self.assertEqual(said.errors + said.warnings, [])
-                    self.assertTrue(is_closed_manifold(surface.GetOutput()))
+                    self.assertTrue(is_closed(surface.GetOutput()))
                 self.assert_is_ball(surface, 0.35, 0.12 * VOXEL)
                 surface.UpdateTimeStep(4.0)
                 self.assert_is_ball(surface, 0.35, 0.12 * VOXEL)

@@ -15,9 +15,8 @@ from active_implicit_surfaces.particle_files import open_particles
 from active_implicit_surfaces.skin_files import read_shape
 from command_line import CommandTest, grid
 from reader_checks import array_of
-from shapes import volume_of
+from shapes import image_of, volume_of, write
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
@@ -128,26 +127,21 @@ class Labels(CommandTest):
         super().setUp()
         values = numpy.zeros((12, 12, 22), "i2")  # z, y, x
         values[3:9, 3:9, 3:9], values[3:9, 3:9, 9:13], values[3:9, 3:9, 16:20] = 3, 5, 9
-        image, array = vtkImageData(), numpy_to_vtk(values.ravel())
-        image.SetDimensions(22, 12, 12)
-        array.SetName("labels")
-        image.GetPointData().SetScalars(array)
-        writer = vtkXMLImageDataWriter()
-        writer.SetInputData(image)
-        writer.SetFileName(str(self.folder / "map.vti"))
-        writer.Write()
+        write(vtkXMLImageDataWriter(), image_of(values), self.folder / "map.vti")
 
     def test_one_and_several_of_an_image(self):
         self.succeed("convert", "map.vti", "--label", 3, "-o", "three.stl")
         # The surface is half a voxel outside of the points. Bevels of edges and corners remove 4 %,
         # and rounding of the distance as much.
-        self.assertAlmostEqual(volume_of(self.folder / "three.stl"), 6**3, delta=0.08 * 6**3)
+        self.assertAlmostEqual(
+            volume_of(read_shape(self.folder / "three.stl")), 6**3, delta=0.08 * 6**3
+        )
         self.succeed("convert", "map.vti", "--labels", "all", "-o", "part_##.stl")
         made = sorted(path.name for path in self.folder.glob("part*"))
         self.assertEqual(made, ["part_03.stl", "part_05.stl", "part_09.stl"])
         self.succeed("convert", "map.vti", "--labels", "5,9", "-o", "part.ply")
         for label in (5, 9):
-            own = volume_of(self.folder / f"part_{label}.ply")
+            own = volume_of(read_shape(self.folder / f"part_{label}.ply"))
             self.assertAlmostEqual(own, 6 * 6 * 4, delta=0.1 * 144)
         said = self.fail_with(1, "convert", "map.vti", "--label", 4, "-o", "none.stl")
         self.assertIn("The image has no label 4; it has 3, 5, 9.", said)

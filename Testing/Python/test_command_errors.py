@@ -80,11 +80,6 @@ class Usage(CommandTest):
 class Data(CommandTest):
     """Files with errors in them."""
 
-    def put(self, name, content):
-        path = self.folder / name
-        path.write_bytes(content if isinstance(content, bytes) else content.encode())
-        return path
-
     def assert_skin_fails(self, words, *files):
         said = self.fail_with(1, "skin", *files, "-o", self.folder / "out" / "s_#.vtp")
         self.assertIn(words, said)

@@ -13,7 +13,7 @@ from active_implicit_surfaces.particle_files import open_particles
 from active_implicit_surfaces.skin_files import read_shape
 from active_implicit_surfaces.vtk_files import read_vtk
 from command_line import DROP, CommandTest, grid, moving_grid
-from shapes import volume_of
+from shapes import output_of, volume_of, write
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkSphere, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
@@ -64,20 +64,11 @@ class Particles(CommandTest):
 
     def test_other_formats_in(self):
         cloud = data_objects.as_particles(grid(), id=numpy.arange(125))
-        parallel = vtkXMLPPolyDataWriter()
-        parallel.SetInputData(cloud)
-        parallel.SetDataModeToBinary()
-        parallel.SetFileName(str(self.folder / "a.pvtp"))
-        parallel.Write()
+        write(vtkXMLPPolyDataWriter(), cloud, self.folder / "a.pvtp")
         points = vtkAppendFilter()
         points.AddInputData(cloud)
-        points.Update()
-        self.assertIsInstance(points.GetOutput(), vtkUnstructuredGrid)
-        unstructured = vtkXMLUnstructuredGridWriter()
-        unstructured.SetInputData(points.GetOutput())
-        unstructured.SetDataModeToBinary()
-        unstructured.SetFileName(str(self.folder / "a.vtu"))
-        unstructured.Write()
+        self.assertIsInstance(output_of(points), vtkUnstructuredGrid)
+        write(vtkXMLUnstructuredGridWriter(), output_of(points), self.folder / "a.vtu")
         for name in ("a.pvtp", "a.vtu"):
             self.assert_reads(self.folder / name, ["id"])
 
@@ -235,17 +226,13 @@ class Meshes(CommandTest):
         self.assertEqual(list(self.folder.glob("c_*")), [])
 
     def test_images(self):
-        function, sample, writer = vtkSphere(), vtkSampleFunction(), vtkXMLImageDataWriter()
+        function, sample = vtkSphere(), vtkSampleFunction()
         function.SetRadius(0.6)
         sample.SetImplicitFunction(function)
         sample.SetModelBounds(-1, 1, -1, 1, -1, 1)
         sample.SetSampleDimensions(41, 41, 41)
         sample.ComputeNormalsOff()
-        writer.SetDataModeToBinary()
-        writer.SetInputConnection(sample.GetOutputPort())
-        writer.SetFileName(str(self.folder / "a.vti"))
-        writer.Write()
-        image = self.folder / "a.vti"
+        image = write(vtkXMLImageDataWriter(), output_of(sample), self.folder / "a.vti")
         self.succeed("convert", image, "-o", self.folder / "a.ply")
         # The function is quadratic: a crossing between nodes is off by at most voxel^2 / 8 / 0.6.
         self.assertAlmostEqual(

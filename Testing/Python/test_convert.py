@@ -12,7 +12,7 @@ from active_implicit_surfaces import contours, skin, vtkActiveVDBWriter
 from active_implicit_surfaces.measures import measure
 from active_implicit_surfaces.skin_files import read_shape
 from command_line import CommandTest, grid
-from shapes import points_of
+from shapes import points_of, write
 from skin_checks import check_manifold, triangles_of
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -119,16 +119,8 @@ class Program(CommandTest):
         super().setUp()
         self.skin = skin(grid(), particle_spacing=0.1)
 
-    def write(self, writer, data, name, **settings):
-        for setting, value in settings.items():
-            getattr(writer, "Set" + setting)(value)
-        writer.SetInputData(data)
-        writer.SetFileName(str(self.folder / name))
-        self.assertTrue(writer.Write())
-        return self.folder / name
-
     def test_a_skin_by_way_of_vdb_looks_as_it_did(self):
-        source = self.write(vtkActiveVDBWriter(), self.skin, "skin.vdb")
+        source = write(vtkActiveVDBWriter(), self.skin, self.folder / "skin.vdb")
         for name in ("a.stl", "a.ply", "a.obj", "a.vtp"):
             self.succeed("convert", source, "-o", self.folder / name)
             made = read_shape(self.folder / name)
@@ -136,9 +128,7 @@ class Program(CommandTest):
 
     def test_a_label_map_is_converted_without_options(self):
         labels = image_of(inside, dtype=numpy.int16)
-        writer = vtkXMLImageDataWriter()
-        writer.SetDataModeToBinary()
-        source = self.write(writer, labels, "labels.vti")
+        source = write(vtkXMLImageDataWriter(), labels, self.folder / "labels.vti")
         self.succeed("convert", source, "-o", self.folder / "a.stl")
         self.assertAlmostEqual(volume(read_shape(self.folder / "a.stl")) / BALL, 1.0, delta=0.05)
         said = self.fail_with(1, "convert", source, "-o", self.folder / "b.stl", "--level", 2)

@@ -31,6 +31,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  draws
 from active_implicit_surfaces import data_objects, skin, vtkActiveVDBWriter
 from command_line import CommandTest, grid, moving_grid
 from documents import ROOT
+from shapes import write
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
@@ -87,12 +88,6 @@ def is_known(command):
     return command in OTHERS
 
 
-def written(writer, data, path):
-    writer.SetInputData(data)
-    writer.SetFileName(str(path))
-    assert writer.Write()
-
-
 class Blocks(CommandTest):
     def setUp(self):
         super().setUp()
@@ -100,10 +95,10 @@ class Blocks(CommandTest):
         for source in (self.cube, self.ball):
             source.Update()
         self.write_particles()
-        written(vtkSTLWriter(), self.cube.GetOutput(), "bunny.stl")
-        written(vtkSTLWriter(), self.ball.GetOutput(), "horse.stl")
-        written(vtkPLYWriter(), self.ball.GetOutput(), "horse.ply")
-        written(vtkActiveVDBWriter(), skin(grid(), particle_spacing=0.1), "skin_0040.vdb")
+        write(vtkSTLWriter(), self.cube.GetOutput(), "bunny.stl")
+        write(vtkSTLWriter(), self.ball.GetOutput(), "horse.stl")
+        write(vtkPLYWriter(), self.ball.GetOutput(), "horse.ply")
+        write(vtkActiveVDBWriter(), skin(grid(), particle_spacing=0.1), "skin_0040.vdb")
         self.put_on_path("ffmpeg", FFMPEG)
 
     def write_particles(self):
@@ -112,12 +107,12 @@ class Blocks(CommandTest):
         entries = ""
         for step, places in enumerate(moving_grid(3)):
             cloud = data_objects.as_particles(places)
-            written(vtkXMLPolyDataWriter(), cloud, f"splash_{step:04}.vtp")
-            written(vtkXMLUnstructuredGridWriter(), self.as_grid(cloud), f"run/p_{step}.vtu")
+            write(vtkXMLPolyDataWriter(), cloud, f"splash_{step:04}.vtp")
+            write(vtkXMLUnstructuredGridWriter(), self.as_grid(cloud), f"run/p_{step}.vtu")
             numpy.savetxt(
                 f"splash_{step:04}.csv", places, delimiter=",", header="x,y,z", comments=""
             )
-            written(vtkXMLImageDataWriter(), self.fractions(places), f"alpha_{step}.vti")
+            write(vtkXMLImageDataWriter(), self.fractions(places), f"alpha_{step}.vti")
             entries += f'<DataSet timestep="{0.04 * step}" file="splash_{step:04}.vtp"/>'
         text = (
             f'<VTKFile type="Collection" version="0.1"><Collection>{entries}</Collection></VTKFile>'

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import numpy
 from active_implicit_surfaces import vtkActiveEXRReader, vtkActiveEXRWriter
+from shapes import write
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkImageReader2Factory
@@ -165,20 +166,14 @@ class AsPythonSeesThem(unittest.TestCase):
     def test_the_factory_has_the_reader_since_the_import(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "a.exr"
-            writer = vtkActiveEXRWriter()
-            writer.SetInputData(image_of_layers())
-            writer.SetFileName(str(path))
-            writer.Write()
+            write(vtkActiveEXRWriter(), image_of_layers(), path)
             found = vtkImageReader2Factory.CreateImageReader2(str(path))
             self.assertIsInstance(found, vtkActiveEXRReader)
 
     def test_bytes_in_memory_are_a_file(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "a.exr"
-            writer = vtkActiveEXRWriter()
-            writer.SetInputData(image_of_layers())
-            writer.SetFileName(str(path))
-            writer.Write()
+            write(vtkActiveEXRWriter(), image_of_layers(), path)
             content = path.read_bytes()
         reader = vtkActiveEXRReader()
         reader.SetMemoryBuffer(content)
@@ -190,11 +185,8 @@ class AsPythonSeesThem(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             contents = []
             for name in ("a.exr", "b.exr"):
-                writer = vtkActiveEXRWriter()
-                writer.SetInputData(image_of_layers())
-                writer.SetFileName(str(Path(folder) / name))
-                writer.Write()
-                contents.append((Path(folder) / name).read_bytes())
+                path = write(vtkActiveEXRWriter(), image_of_layers(), Path(folder) / name)
+                contents.append(path.read_bytes())
         self.assertEqual(*contents)
 
 

@@ -37,7 +37,8 @@ from extreme_scenes import (
 from listener import Listener
 from properties import comment_of, get, own_properties, put
 from sanitized import SLOWNESS, limit_memory
-from skin_checks import points_of
+from shapes import points_of
+from skin_checks import is_closed
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
 
@@ -82,17 +83,6 @@ def documented_bounds(kind, name):
         return float(told[1]), math.inf
     values = [float(value) for value in re.findall(r"\((\d)\)", comment)]
     return (min(values), max(values)) if values else (math.nan, math.nan)
-
-
-def is_closed(skin):
-    """Returns true if each edge belongs to two triangles with consistent orientation."""
-    corners = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    ends = numpy.roll(corners, -1, axis=1).ravel()
-    edges = corners.astype(numpy.int64).ravel() * skin.GetNumberOfPoints() + ends
-    others = ends.astype(numpy.int64) * skin.GetNumberOfPoints() + corners.ravel()
-    return len(numpy.unique(edges)) == len(edges) and numpy.array_equal(
-        numpy.sort(edges), numpy.sort(others)
-    )
 
 
 def end_if_it_hangs():

@@ -18,6 +18,7 @@ from active_implicit_surfaces.messages import ActiveSurfaceWarning
 from active_implicit_surfaces.particle_files import open_particles
 from active_implicit_surfaces.skin_files import read_shape, write_mesh
 from command_line import CommandTest, grid
+from shapes import write
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -181,10 +182,7 @@ class SinglePrecision(CommandTest):
             read_shape(self.folder / "b.obj")
 
     def test_a_mesh_near_the_origin_has_no_note(self):
-        writer = vtkXMLPolyDataWriter()
-        writer.SetInputData(active.skin(grid(), particle_spacing=0.1))
-        writer.SetFileName("a.vtp")
-        writer.Write()
+        write(vtkXMLPolyDataWriter(), active.skin(grid(), particle_spacing=0.1), "a.vtp")
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             for suffix in (".stl", ".glb", ".obj", ".ply"):

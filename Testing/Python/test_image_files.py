@@ -15,6 +15,7 @@ import numpy
 from active_implicit_surfaces.measures import measure
 from active_implicit_surfaces.skin_files import read_shape
 from command_line import CommandTest
+from shapes import write
 from test_damaged_files import damaged
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -50,13 +51,13 @@ class Images(CommandTest):
         self.image.SetOrigin(*ORIGIN)
         self.image.GetPointData().SetScalars(numpy_to_vtk(self.flat, deep=True))
         for name in ("a.nii", "a.nii.gz"):
-            self.write(vtkNIFTIImageWriter(), name)
+            write(vtkNIFTIImageWriter(), self.image, self.folder / name)
         for name, is_small in (("a.mha", False), ("b.mha", True), ("c.mhd", False)):
             writer = vtkMetaImageWriter()
             writer.SetCompression(is_small)
             if name == "c.mhd":
                 writer.SetRAWFileName("c.raw")
-            self.write(writer, name)
+            write(writer, self.image, self.folder / name)
         raw, text = self.flat.tobytes(), HEAD.format("float", "little", "raw")
         self.put("a.nrrd", text.encode() + b"\n" + raw)
         packed = gzip.compress(self.flat.astype(">f8").tobytes())
@@ -64,14 +65,6 @@ class Images(CommandTest):
         self.put("b.nrrd", head.encode() + b"\r\n" + packed)
         self.put("d.raw", raw)
         self.put("c.nhdr", text.encode() + b"data file: d.raw\n")
-
-    def write(self, writer, name):
-        writer.SetInputData(self.image)
-        writer.SetFileName(str(self.folder / name))
-        writer.Write()
-
-    def put(self, name, content):
-        (self.folder / name).write_bytes(content)
 
     def test_place_and_values(self):
         for name in NAMES:

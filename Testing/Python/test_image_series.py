@@ -13,8 +13,7 @@ import numpy
 from active_implicit_surfaces.measures import measure
 from active_implicit_surfaces.skin_files import read_shape
 from command_line import CommandTest
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from shapes import image_of, write
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 SIDE, RADIUS, STEP = 30, 0.2, 0.05  # pixels per unit; radius and displacement per frame of the ball
@@ -35,21 +34,13 @@ def image(step, kind, count=1):
         values = numpy.clip(0.5 - distances[0] * SIDE, 0, 1) * 1.0001 - 1e-6  # overshoots
     else:
         values = sum((i + 2) * (own < 0) for i, own in enumerate(distances)).astype("i2")
-    found, array = vtkImageData(), numpy_to_vtk(values.ravel(), deep=True)
-    found.SetDimensions(SIDE, SIDE * count, SIDE)
-    found.SetSpacing(3 * [1 / SIDE])
-    array.SetName("values")
-    found.GetPointData().SetScalars(array)
-    return found
+    return image_of(values, 3 * [1 / SIDE])
 
 
 class Series(CommandTest):
     def write(self, kind, count=1):
         for step in range(4):
-            writer = vtkXMLImageDataWriter()
-            writer.SetInputData(image(step, kind, count))
-            writer.SetFileName(str(self.folder / f"v_{step}.vti"))
-            writer.Write()
+            write(vtkXMLImageDataWriter(), image(step, kind, count), f"v_{step}.vti")
 
     def assert_ball(self, mesh, step, y=0.5):
         """Tolerances: volume 6 % (a pixel is a sixth of the radius), position half a pixel."""

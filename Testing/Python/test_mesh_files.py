@@ -13,6 +13,7 @@ from active_implicit_surfaces.measures import measure
 from active_implicit_surfaces.skin_files import MESH_WRITERS, read_shape
 from command_line import CommandTest
 from reader_checks import array_of
+from shapes import write
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
@@ -64,11 +65,6 @@ def glb(*nodes):
 
 
 class MeshFiles(CommandTest):
-    def put(self, name, content):
-        path = self.folder / name
-        path.write_bytes(content if isinstance(content, bytes) else content.encode())
-        return path
-
     def test_colours_of_other_programs(self):
         shares = (numpy.array(COLOURS) / 255).round(4).tolist()
         for name, text in (
@@ -132,9 +128,7 @@ class MeshFiles(CommandTest):
             (vtkXMLPolyDataWriter(), vtkPolyData(), "e.vtp"),
             (vtkXMLUnstructuredGridWriter(), vtkUnstructuredGrid(), "e.vtu"),
         ):
-            writer.SetInputData(empty)
-            writer.SetFileName(name)
-            writer.Write()
+            write(writer, empty, name)
             for suffix in MESH_WRITERS:
                 with self.subTest(name=name, suffix=suffix):
                     self.succeed("convert", name, "-o", f"f{suffix}")

@@ -15,7 +15,7 @@ from listener import Listener
 from same_bytes_shapes import ball
 from scenes import splash
 from shapes import ball_mesh, bytes_of, make_points, points_of, with_properties
-from test_splash import is_closed_manifold
+from skin_checks import is_closed
 from vtkmodules.vtkCommonDataModel import (
     vtkImplicitBoolean,
     vtkPlane,
@@ -60,7 +60,7 @@ def cap_volume(radius, cut):
 class TheSkinEndsOnIt(unittest.TestCase):
     def assert_sound(self, surface, depth):
         """Checks that the skin is closed, and no deeper in the ground than this."""
-        self.assertTrue(is_closed_manifold(surface.GetOutput()))
+        self.assertTrue(is_closed(surface.GetOutput()))
         self.assertGreaterEqual(points_of(surface)[:, 1].min(), HEIGHT - depth)
 
     def assert_is_cap(self, surface):
@@ -105,7 +105,7 @@ class TheSkinEndsOnIt(unittest.TestCase):
         surface.SetInitialFunction(ball(0.2, (0, 0.5, 0)))
         surface.SetTargetFunction(ball(0.8))
         surface.UpdateTimeStep(4.0)
-        self.assertTrue(is_closed_manifold(surface.GetOutput()))
+        self.assertTrue(is_closed(surface.GetOutput()))
         distances = numpy.linalg.norm(points_of(surface) - (0.013, -0.4, 0.02), axis=1)
         self.assertGreater(distances.min(), radius - VOXEL * VOXEL / (4 * radius) - 1e-5)
         self.assertLess(distances.min(), radius + VOXEL, "it touches it")
@@ -166,7 +166,7 @@ class OverParticles(unittest.TestCase):
         surface.SetObstacleFunction(rock)
         for step in range(0, 41, 4):
             surface.UpdateTimeStep(step)
-            self.assertTrue(is_closed_manifold(surface.GetOutput()))
+            self.assertTrue(is_closed(surface.GetOutput()))
             distances = numpy.linalg.norm(points_of(surface) - (0.0, 0.05, 0.0), axis=1)
             self.assertGreater(distances.min(), radius - 0.03 * 0.03 / (4 * radius) - 1e-5)
 

@@ -13,6 +13,7 @@ from active_implicit_surfaces import solvent
 from active_implicit_surfaces.data_objects import as_particles
 from active_implicit_surfaces.measures import measure
 from command_line import CommandTest
+from shapes import write
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
@@ -274,11 +275,8 @@ class Command(CommandTest):
             self.fail_with(2, "skin", path, "--probe", 1.4, option)
 
     def test_images(self):
-        image = self.folder / "image.vti"
-        writer = vtkXMLImageDataWriter()
-        writer.SetInputData(solvent.excluded_distance([[0, 0, 0]], [1.7], 0.0, 0.4))
-        writer.SetFileName(str(image))
-        writer.Write()
+        ball = solvent.excluded_distance([[0, 0, 0]], [1.7], 0.0, 0.4)
+        image = write(vtkXMLImageDataWriter(), ball, self.folder / "image.vti")
         self.assertIn("images have none", self.fail_with(1, "skin", image, "--probe", 1.4))
 
 

@@ -16,6 +16,7 @@ from active_implicit_surfaces.particle_files import open_particles
 from active_implicit_surfaces.skin_files import read_shape, write_mesh, write_particles
 from command_line import Outcome, grid
 from reader_checks import ReaderTest, array_of, points_of
+from shapes import write as write_data
 from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkCubeSource
@@ -31,14 +32,6 @@ POINT = "x,y,z\n0,0,0\n"
 
 def count_in(path):
     return open_particles(path).load(0).GetNumberOfPoints()
-
-
-def write_vtk(writer, path, data):
-    writer.SetInputData(data)
-    writer.SetFileName(str(path))
-    if hasattr(writer, "SetDataModeToBinary"):
-        writer.SetDataModeToBinary()
-    writer.Write()
 
 
 def cubes(count=2):
@@ -215,7 +208,7 @@ class Blocks(ReaderTest):
         blocks.SetBlock(2, nested)
         blocks.SetBlock(3, vtkPolyData())
         for step in range(2):
-            write_vtk(vtkXMLMultiBlockDataWriter(), self.folder / f"a_{step}.vtm", blocks)
+            write_data(vtkXMLMultiBlockDataWriter(), blocks, self.folder / f"a_{step}.vtm")
         self.assertEqual(len(array_of(open_particles("a_*.vtm").load(1), "id")), 250)
         self.assertEqual(json.loads(self.succeed("info", "a_0.vtm", "--json").out)["points"], 250)
         self.succeed("skin", "a_*.vtm", "-o", "s_#.ply")
@@ -228,7 +221,7 @@ class Blocks(ReaderTest):
         blocks = vtkMultiBlockDataSet()
         for i, cube in enumerate(cubes()):
             blocks.SetBlock(i, cube)
-        write_vtk(vtkXMLMultiBlockDataWriter(), self.folder / "a.vtm", blocks)
+        write_data(vtkXMLMultiBlockDataWriter(), blocks, self.folder / "a.vtm")
         self.succeed("convert", "a.vtm", "-o", "a.stl")
         self.assertEqual(read_shape(self.folder / "a.stl").GetNumberOfPolys(), 24)
         self.assertEqual(json.loads(self.succeed("info", "a.vtm", "--json").out)["holds"], "a mesh")
@@ -236,7 +229,7 @@ class Blocks(ReaderTest):
     def test_a_piece_that_is_missing(self):
         blocks = vtkMultiBlockDataSet()
         blocks.SetBlock(0, as_particles(grid()))
-        write_vtk(vtkXMLMultiBlockDataWriter(), self.folder / "a.vtm", blocks)
+        write_data(vtkXMLMultiBlockDataWriter(), blocks, self.folder / "a.vtm")
         next((self.folder / "a").iterdir()).unlink()
         self.assert_refused("cannot be read", self.folder / "a.vtm")
 
@@ -290,7 +283,7 @@ class Empty(ReaderTest):
                 own = kind()
                 if data.GetNumberOfPoints():
                     own.SetPoints(data.GetPoints())
-                write_vtk(writer(), path, own)
+                write_data(writer(), own, path)
 
             with self.subTest(suffix):
                 self.assert_goes_on(suffix, write)

@@ -9,6 +9,7 @@ import unittest
 import numpy
 from active_implicit_surfaces import vtkSkeletonPotential
 from scenes import PARTICLE_SPACING, STEPS, VOXEL, splash
+from skin_checks import is_closed
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkFiltersCore import (
@@ -17,17 +18,6 @@ from vtkmodules.vtkFiltersCore import (
     vtkPolyDataConnectivityFilter,
 )
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
-
-
-def is_closed_manifold(skin):
-    """Checks that each side of a triangle is the reverse side of exactly one other: consistent
-    orientation."""
-    triangles = vtk_to_numpy(skin.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    start = triangles.astype(numpy.int64).ravel()
-    end = numpy.roll(triangles, -1, axis=1).astype(numpy.int64).ravel()
-    sides = numpy.sort(start * skin.GetNumberOfPoints() + end)
-    reverse = numpy.sort(end * skin.GetNumberOfPoints() + start)
-    return bool((sides[1:] > sides[:-1]).all()) and numpy.array_equal(sides, reverse)
 
 
 def count_pieces(skin):
@@ -98,7 +88,7 @@ class Splash(unittest.TestCase):
         for step in range(STEPS):
             surface.UpdateTimeStep(step)
             skin, target = surface.GetOutput(), surface_of(particles.GetOutput())
-            cls.closed.append(is_closed_manifold(skin))
+            cls.closed.append(is_closed(skin))
             cls.pieces.append(count_pieces(skin))
             places = vtk_to_numpy(particles.GetOutput().GetPoints().GetData()).astype(float)
             cls.clusters.append(
