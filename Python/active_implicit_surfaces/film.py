@@ -41,7 +41,6 @@ class Film(Sink):
     """Writes a film or numbered pictures of a series of skins.
 
     - path (Path): film.mp4, film.ogv, picture.####.png or picture.####.exr.
-    - scene (Scene)
     - times (list of float): times of the pictures [time].
     - numbers (list of int): frame numbers for the names of the pictures; not used for a single
       picture.

@@ -63,7 +63,6 @@ class ParticleFiles:
     """Frames of a series of files, or of one file with several frames.
 
     Attributes:
-    - times (list of float)
     - names (list of Path): file of each frame; the first one of several parts.
     - files (list of Path): all files.
     - numbers (list of int): frame numbers from the names of the files, if the names differ in them,

@@ -28,7 +28,6 @@ _FOLLOWING = 24.0  # factors e by which the skin approaches its target in a step
 class ProbedAtoms:
     """Solvent-excluded surface of each frame of atoms.
 
-    - atoms (TemporalSource)
     - probe (float): radius of the probe [length], 0 or more.
     - preset, arrays, options: see `frames`. Used are the array of "radii" (default: "radius") and
       "voxel_size" (default: a quarter of the root mean square radius of the first frame).

@@ -35,8 +35,6 @@ class Sink:
 class FileSeries(Sink):
     """Writes a file for each frame, and at the end an index of the files.
 
-    - names (list of Path)
-    - write (callable(Path, data))
     - index (Path, optional): a .pvd or a .series, with a time for each name.
     """
 
@@ -68,12 +66,7 @@ def run(make: Callable[[int], Any], steps: Iterable[int], sinks: Iterable[Sink] 
 
 
 class Skins:
-    """Iterator over the skins of a filter at some times.
-
-    Attributes:
-    - surface (vtkActiveImplicitSurface)
-    - times (list of float)
-    """
+    """Iterator over the skins of a filter at some times."""
 
     surface: Any
     times: list[float]

@@ -47,10 +47,7 @@ class Scene:
 
     - held (array (n, 3)): points in view; the ground is below all of them.
     - size ((int, int)): size of the pictures [pixels].
-    - up ({"x", "y", "z", "-x", "-y", "-z"})
-    - color ((float, float, float))
     - soft (bool): ambient occlusion; has to be off for layers, because it uses the depth buffer.
-    - ground (bool)
 
     Attributes:
     - apart (dict): actor of the ground, for `apart` of render.capture().

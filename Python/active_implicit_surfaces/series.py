@@ -128,10 +128,7 @@ class TemporalSource(VTKPythonAlgorithmBase):  # type: ignore[misc]
     def use_usual_level(self) -> None:
         """Converts images to level sets, negative inside, by one rule for all images.
 
-        Raises
-        ------
-        ValueError
-            The inside is undefined: the images have several labels, or no values below 0.
+        Raises ValueError if the images have several labels, or no values below 0.
         """
         if self._output_type == "vtkImageData":
             level, above = level_of_series(self.frames_that_tell())

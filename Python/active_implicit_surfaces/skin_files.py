@@ -71,7 +71,6 @@ def write_mesh(path: Path, mesh: Any, port: Any = None, up: str = "y", **setting
 
     Warns of arrays that the format cannot hold.
 
-    - path (Path)
     - mesh (vtkPolyData or vtkImageData): for a skin as .vdb: the filter's own output, whose grid is
       written.
     - port (vtkAlgorithmOutput, optional): output port of the mesh's source, which gives a .vdb its

@@ -44,7 +44,6 @@ class UsdFilm(Sink):
     arrays (primvars) have a sample at each time. Time codes are times in frames.
 
     - path (Path): film.usdc or, as text, film.usda.
-    - times (list of float)
     - fps (float, optional): time codes per unit of time [1/time]. Default: the mean number of
       frames in it.
     - up ({"x", "y", "z", "-x", "-y", "-z"}): axis of the data that points up. y and z set the

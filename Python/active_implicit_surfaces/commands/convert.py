@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -216,20 +217,15 @@ def _contour(file: Path, image: Any, options: Any) -> Any:
     scalars = image.GetPointData().GetScalars() or image.GetCellData().GetScalars()
     if surface.GetNumberOfPoints() == 0 and suffix_of(file) != ".vdb" and scalars is not None:
         low, high = scalars.GetRange()
-        labels = [] if options.level is not None or low < 0 else _labels_of(image)
+        labels = list[int]()
+        with suppress(ValueError):
+            labels = labels_of(image) if options.level is None and low >= 0 else []
         raise OSError(
             f"{file} has no surface at the level {level:g}: its values are from {low:g} to "
             f"{high:g}; choose another --level"
             + (f", or a --label of {few(labels, 20)}." if labels else ".")
         )
     return surface
-
-
-def _labels_of(image: Any) -> list[int]:
-    try:
-        return labels_of(image)
-    except ValueError:
-        return []
 
 
 def _is_level_set(file: Path) -> bool:
