@@ -28,6 +28,7 @@ ROWS = rows_of(active_implicit_surfaces.vtkActiveImplicitSurface)
 # A second value of each property, including properties without effect on a skin over particles: by
 # rules, or one that leaves enough of the coarse splash.
 OTHER_VALUES = {name: values[0] for name, row in ROWS.items() if (values := other_values(row))} | {
+    "Anisotropy": 1,
     "Attraction": 40,
     "IdArray": ["POINTS", "id"],
     "InitialArray": ["POINTS", "RTData"],
@@ -56,7 +57,7 @@ WITHOUT_EFFECT = set(
     """
     AutomaticAttraction BoundedDomain CFL CheckpointInterval CheckpointMemory
     MaximumNumberOfActiveVoxels MeshThickness ModelBounds NumberOfThreads NumberOfTimeSteps
-    OutputPotential ParticleKernel ParticleThreshold StartTime TargetReach TimeStepSize
+    OutputPotential ParticleKernel StartTime TargetReach TimeStepSize
     VelocityArray
 """.split()
 )

@@ -17,8 +17,9 @@ ROWS = rows_of(vtkActiveImplicitSurface)
 PLAIN = {name for name, row in ROWS.items() if row.kind != "object"}
 # Tests with values or properties by rules.
 BY_RULES = """
-    Python/properties.py Python/test_help.py Python/test_property_values.py Python/test_properties.py
-    Python/test_extremes.py Python/random_cases.py ParaView/test_proxies.py
+    Python/properties.py Python/test_help.py Python/test_property_values.py
+    Python/test_properties.py Python/test_extremes.py Python/random_cases.py
+    ParaView/test_proxies.py
 """.split()
 
 
@@ -33,7 +34,7 @@ def recipe():
 
 def declarations_of(name):
     """Files of Filters that declare a property: macro, line of ForEachProperty, panel."""
-    pattern = rf'(Macro\({name}\b|_PROPERTY\(\s*{name},|name="{name}")'
+    pattern = rf'(Macro\({name}\b|_PROPERTY\(\s*{name},|<Own name="{name}")'
     return {file for file, text in SOURCES.items() if re.search(pattern, text)}
 
 
