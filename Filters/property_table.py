@@ -51,7 +51,7 @@ def _read_property(
 ) -> dict[str, Any] | None:
     """Returns the property of a block, if its first method sets one."""
     comment, code = re.match(r"\s*/\*\*(.*?)\*/(.*)", block, re.DOTALL).groups()  # type: ignore[union-attr]
-    told = " ".join(comment.replace("\n   * ", " ").replace("\n   *", " ").split())
+    text = " ".join(comment.replace("\n   * ", " ").replace("\n   *", " ").split())
     declared = _find_setter(code)
     if declared is None:
         return None
@@ -61,10 +61,10 @@ def _read_property(
         kind, words = "choice", sorted(choices, key=lambda word: constants[choices[word]])
     elif f"vtkBooleanMacro({name}" in code:
         kind = "switch"
-    range_told = re.search(r"Range: (.*?)\.(?= |$)(?! ?\d)", told)
-    unit = re.search(r"\[([^\]]+)\]", told)
-    sentence = re.match(r"(.*?[.:])(?= [A-Z]|$)", told)
-    limits = [_value(word, constants) for word in bounds] or _told_limits(told)
+    stated = re.search(r"Range: (.*?)\.(?= |$)(?! ?\d)", text)
+    unit = re.search(r"\[([^\]]+)\]", text)
+    sentence = re.match(r"(.*?[.:])(?= [A-Z]|$)", text)
+    limits = [_value(word, constants) for word in bounds] or _stated_limits(text)
     return {
         "name": name,
         "kind": kind,
@@ -74,10 +74,10 @@ def _read_property(
         "clamped": bool(bounds),
         "least": limits[0],
         "largest": limits[1],
-        "range": range_told[1] if range_told else "",
+        "range": stated[1] if stated else "",
         "unit": unit[1] if unit else "",
-        "sentence": (sentence[1] if sentence else told).rstrip(".:"),
-        "comment": told,
+        "sentence": (sentence[1] if sentence else text).rstrip(".:"),
+        "comment": text,
     }
 
 
@@ -98,8 +98,8 @@ def _find_setter(code: str) -> tuple[str, str, str, list[str]] | None:
     return setter[1], "object", setter[2].rstrip("*"), []
 
 
-def _told_limits(told: str) -> list[Any]:
-    limits = re.search(rf"Range: ({NUMBER}) to ({NUMBER})(?=[.;])", told)
+def _stated_limits(text: str) -> list[Any]:
+    limits = re.search(rf"Range: ({NUMBER}) to ({NUMBER})(?=[.;])", text)
     return [_plain(limits[1]), _plain(limits[2])] if limits else [None, None]
 
 

@@ -12,7 +12,7 @@ namespace
 
 // A segment is made of balls one radius apart, or of this number of larger ones.
 constexpr double MostBalls = 64.0;
-// Of squared radii: bound on the rounding of squared distances.
+// Factor of squared radii, for the rounding of squared distances.
 constexpr double Rounding = 1.0 + 1e-9;
 
 }

@@ -108,7 +108,7 @@ private:
 
   std::vector<Capsule> Supports;
   double Bounds[6];
-  double Slack = 0.0; // bound on the rounding error of a coordinate
+  double Slack = 0.0;            // bound on the rounding error of a coordinate
   std::vector<Lattice> Lattices; // fine to coarse
   IndexMap Cells;
   std::vector<Index> Starts; // of each cell, and the end of the last
@@ -170,7 +170,8 @@ ACTIVE_ALWAYS_INLINE void ElementIndex::VisitHits(const Place& place, Visitor vi
     }
   }
   std::sort(hits.begin(), hits.end());
-  visit(hits.data(), static_cast<std::size_t>(std::unique(hits.begin(), hits.end()) - hits.begin()));
+  visit(
+    hits.data(), static_cast<std::size_t>(std::unique(hits.begin(), hits.end()) - hits.begin()));
 }
 
 }

@@ -373,8 +373,7 @@ void ParticleNodes::FindMotion(const ShellLeaf& leaf, LeafMotion& motion) const
     this->Options.Model == ParticleModel::Anisotropic || this->Options.WantsBulks;
   const MotionColumns columns = { { this->X.data(), this->Y.data(), this->Z.data() },
     { this->DX.data(), this->DY.data(), this->DZ.data() }, this->IsMoved.data(),
-    hasBulks ? this->Fits.GetBulks() : nullptr,
-    this->InverseReach2.data() };
+    hasBulks ? this->Fits.GetBulks() : nullptr, this->InverseReach2.data() };
   FindMotionMeans(columns, this->ListNear(leaf.Origin, size, this->MostReachOfMotion),
     this->Options.HasNoise, motion);
 }

@@ -35,15 +35,14 @@ private:
 
 }
 
-void ParticlePotential::Build(
-  const std::vector<SkeletonVertex>& particles, const Options& options)
+void ParticlePotential::Build(const std::vector<SkeletonVertex>& particles, const Options& options)
 {
   const std::size_t count = particles.size();
   const double least = -FindMost(count, -HUGE_VAL,
     [&](std::size_t n)
     {
-      return -(options.OwnRadius > 0.0 ? options.OwnRadius
-                                       : particles[n].Radius / options.ReachPerRadius);
+      return -(
+        options.OwnRadius > 0.0 ? options.OwnRadius : particles[n].Radius / options.ReachPerRadius);
     });
   this->Unit = count > 0 ? least : 1.0;
   const double farthest = FindMost(count, 0.0,
@@ -93,8 +92,10 @@ public:
   {
     const PointGroups groups(
       count, [this](std::size_t i, NodeIndex& part) { return this->FindPart(i, part); });
-    groups.ForEach([this](const NodeIndex& part, const std::size_t* members, int size)
-      { this->EvaluateGroup({ part[0] >> 2, part[1] >> 2, part[2] >> 2 }, members, size); });
+    groups.ForEach(
+      [this](const NodeIndex& part, const std::size_t* members, int size) {
+        this->EvaluateGroup({ part[0] >> 2, part[1] >> 2, part[2] >> 2 }, members, size);
+      });
   }
 
 private:
@@ -169,8 +170,7 @@ void ParticlePotential::Evaluate(
 {
   for (std::size_t first = 0; first < count; first += PointGroups::Capacity)
   {
-    Batch(
-      *this, points + 3 * first, values + first, gradients ? gradients + 3 * first : nullptr)
+    Batch(*this, points + 3 * first, values + first, gradients ? gradients + 3 * first : nullptr)
       .Evaluate(std::min(count - first, PointGroups::Capacity));
   }
 }
@@ -187,7 +187,8 @@ bool ParticlePotential::FindSupport(std::size_t particle, double (&bounds)[6]) c
   const NodeIndex& at = blocks[blocks.GetBlockOf()[k]].At;
   for (int side = 0; side < 6; ++side)
   {
-    bounds[side] = this->Unit * (blocks.GetBlockSize() * at[side / 2] + static_cast<double>(box[side]));
+    bounds[side] =
+      this->Unit * (blocks.GetBlockSize() * at[side / 2] + static_cast<double>(box[side]));
   }
   return true;
 }
@@ -216,8 +217,8 @@ bool ParticlePotential::FindBounds(double (&bounds)[6]) const
     {
       for (int side = 0; side < 6; ++side)
       {
-        const double both = side % 2 == 0 ? std::min(bounds[side], own[side])
-                                          : std::max(bounds[side], own[side]);
+        const double both =
+          side % 2 == 0 ? std::min(bounds[side], own[side]) : std::max(bounds[side], own[side]);
         bounds[side] = isAny ? both : own[side];
       }
       isAny = true;

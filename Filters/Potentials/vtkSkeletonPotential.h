@@ -36,9 +36,9 @@
  * Particles as a body of fluid. ParticleModel ANISOTROPIC fits an ellipsoid to the neighbourhood of
  * each point (Yu, Turk 2013), as vtkActiveImplicitSurface does. An isolated point is a ball of its
  * own radius r, half of ParticleSpacing. The surface of a body passes at distance r outside its
- * outermost points: a layer is a plane, and N points in a box have a volume of about N (2 r)^3. Only
- * points are possible; lines need SUM. Points of strength <= 0 are ignored. Kernel and Threshold
- * apply only to SUM. With c_i, G_i the centre and the shape of an ellipsoid:
+ * outermost points: a layer is a plane, and N points in a box have a volume of about N (2 r)^3.
+ * Only points are possible; lines need SUM. Points of strength <= 0 are ignored. Kernel and
+ * Threshold apply only to SUM. With c_i, G_i the centre and the shape of an ellipsoid:
  *
  *     F(x) = 1/2 - 1/2 sum of s_i (1 - q_i^2)^3, q_i = |G_i (x - c_i)|
  *

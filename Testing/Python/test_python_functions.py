@@ -140,7 +140,7 @@ class Properties(unittest.TestCase):
             ("anisotropy", 300, "1 to 100"),
             ("tension", -1, ">= 0"),
             ("particle_model", "round", "sum, anisotropic"),
-            ("particle_model", 7, r"'anisotropic' \(2\), not 7"),
+            ("particle_model", 7, r"'anisotropic' \(1\), not 7"),
         ):
             with self.subTest(keyword), self.assertRaisesRegex(ValueError, words):
                 active.skin(grid(), **{keyword: value})

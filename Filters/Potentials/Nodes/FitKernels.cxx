@@ -228,8 +228,8 @@ private:
     const Lanes far = reach *
       (AllLanes(LeastReach) +
         AllLanes(1.f - LeastReach) * SmoothStep(DensityOfLeastReach, DensityOfFullReach, density));
-    const Lanes loss = AllLanes(this->Law.HasTriangles ? LossOfTriangles : 0.f) /
-      Largest(own, AllLanes(LeastBall));
+    const Lanes loss =
+      AllLanes(this->Law.HasTriangles ? LossOfTriangles : 0.f) / Largest(own, AllLanes(LeastBall));
     const Lanes ball = own + loss * (one - shape);
     StoreLanes(this->Fits.Bulk, bulk);
     StoreLanes(this->Fits.Deep, deep);

@@ -97,7 +97,7 @@ struct NodeEllipsoid;
 void SumEllipsoids(const FitGroup& group, const FitNeighbours& neighbours,
   const NodeEllipsoid* ellipsoids, float (&sums)[8]);
 
-// The same sums and their gradients.
+// Sums as above, and their gradients.
 struct PointSums
 {
   alignas(32) float Sum[8];

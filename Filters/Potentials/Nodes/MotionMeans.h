@@ -15,7 +15,7 @@ struct MotionColumns
   const float* Place[3]; // relative to some origin
   const float* Displacement[3];
   const float* IsMoved; // 1, or 0 if the displacement is unknown
-  const float* Bulk; // null: all are 1
+  const float* Bulk;    // null: all are 1
   const float* InverseReach2;
 };
 

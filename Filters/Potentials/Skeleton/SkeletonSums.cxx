@@ -77,7 +77,8 @@ ACTIVE_ALWAYS_INLINE void Skeleton::AddHits(
 template <class Kernel, class Sums>
 ACTIVE_ALWAYS_INLINE void Skeleton::AddAll(const ElementIndex::Place& place, Sums& sums) const
 {
-  this->Near.VisitHits(place, [this, &sums](const Index* hits, std::size_t count) ACTIVE_INLINED
+  this->Near.VisitHits(place,
+    [this, &sums](const Index* hits, std::size_t count) ACTIVE_INLINED
     { this->AddHits<Kernel>(hits, count, sums); });
 }
 

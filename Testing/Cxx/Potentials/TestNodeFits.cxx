@@ -180,8 +180,8 @@ TEST(TestNodeFits, ParticlesDeepInABodyAreNotMissed)
   ForEachNode(side, particles,
     [&](float value, const Point& x)
     {
-      const auto within = std::count_if(x.begin(), x.end(),
-        [&](double place) { return place > margin && place < last - margin; });
+      const auto within = std::count_if(
+        x.begin(), x.end(), [&](double place) { return place > margin && place < last - margin; });
       double found = 0.0;
       everywhere.Evaluate(1, x.data(), &found, nullptr);
       if (within >= 2)

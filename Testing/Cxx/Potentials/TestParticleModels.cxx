@@ -1,5 +1,5 @@
-// Properties of ANISOTROPIC: isolated balls, planes and volumes of the true size, gradients, bitwise
-// identical results everywhere, and robustness to bad neighbourhoods.
+// Properties of ANISOTROPIC: isolated balls, planes and volumes of the true size, gradients,
+// bitwise identical results everywhere, and robustness to bad neighbourhoods.
 
 #include "Support/MessageCapture.h"
 #include "Support/SkeletonShapes.h"

@@ -48,8 +48,7 @@ FitsOfDoubles::FitsOfDoubles(
   {
     if (fit.Deep + fit.Thin > 0.0)
     {
-      const double value =
-        (fit.Deep * this->SumAt(fit.Away) + fit.Thin * this->SumAt(fit.Across)) /
+      const double value = (fit.Deep * this->SumAt(fit.Away) + fit.Thin * this->SumAt(fit.Across)) /
         (fit.Deep + fit.Thin);
       fit.Share = 1.0 - (1.0 - fit.Deep) * (1.0 - fit.Thin);
       fit.Lack = value - fit.Lone;
