@@ -72,7 +72,7 @@ vtkSmartPointer<vtkDataArray> Fill(const Grid& grid, const int extent[6], int fa
   using Value = typename Grid::ValueType;
   using Traits = openvdb::VecTraits<Value>;
   using Stored = std::conditional_t<Traits::IsVec, Value, StoredNumber<Value>>;
-  const auto array = MakeArrayOf<typename Traits::ElementType>();
+  auto array = MakeArrayOf<typename Traits::ElementType>();
   array->SetNumberOfComponents(Traits::Size);
   const vtkIdType row = vtkIdType(extent[1]) - extent[0] + 1;
   const vtkIdType plane = row * (vtkIdType(extent[3]) - extent[2] + 1);
