@@ -29,7 +29,6 @@ from extreme_scenes import (
     ball_to_ball,
     image,
     make_image,
-    output_of,
     particles,
     tension_to_rest,
     to_rest,
@@ -37,7 +36,7 @@ from extreme_scenes import (
 from listener import Listener
 from properties import comment_of, get, own_properties, put
 from sanitized import SLOWNESS, limit_memory
-from shapes import points_of
+from shapes import output_of, points_of
 from skin_checks import is_closed
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
