@@ -1,6 +1,7 @@
 #include "ElementIndex.h"
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -70,8 +71,7 @@ void ElementIndex::AddBalls(Index element, const Capsule& support)
   }
   const double length = std::hypot(edge[0], edge[1], edge[2]);
   const double radius = std::max(support.StartRadius, support.EndRadius);
-  const int count = static_cast<int>(std::min(std::ceil(length / radius), MostBalls));
-  const int pieces = std::max(count, 1);
+  const int pieces = static_cast<int>(std::clamp(std::ceil(length / radius), 1.0, MostBalls));
   const double reach = radius + 0.5 * length / pieces + (length > 0.0 ? this->Slack : 0.0);
   for (int piece = 0; piece < pieces; ++piece)
   {
@@ -101,7 +101,8 @@ void ElementIndex::MakeLattices()
       [level](const Lattice& other) { return other.Number == level; });
     if (lattice == this->Lattices.end())
     {
-      lattice = this->Lattices.insert(lattice, { level, 0.0 });
+      this->Lattices.push_back({ level, 0.0 });
+      lattice = std::prev(this->Lattices.end());
     }
     lattice->CellSize = std::max({ lattice->CellSize, ball.Radius, this->Slack });
   }

@@ -3,6 +3,8 @@
 #include "ParallelTasks.h"
 #include "PointGroups.h"
 
+#include "vtkBoundingBox.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,7 +37,8 @@ private:
 
 }
 
-void ParticlePotential::Build(const std::vector<SkeletonVertex>& particles, const Options& options)
+void ParticlePotential::Build(
+  const std::vector<SkeletonVertex>& particles, NodeParticleOptions options)
 {
   const std::size_t count = particles.size();
   const double least = -FindMost(count, -HUGE_VAL,
@@ -57,14 +60,10 @@ void ParticlePotential::Build(const std::vector<SkeletonVertex>& particles, cons
       "A point is more than 10^9 of its own radii from the origin, which single precision cannot "
       "resolve; move the points, or check ParticleSpacing and the radii.");
   }
-  NodeParticleOptions nodes;
-  nodes.Model = options.Model;
-  nodes.VoxelSize = this->Unit;
-  nodes.OwnRadius = options.OwnRadius;
-  nodes.ReachPerRadius = options.ReachPerRadius;
-  nodes.Anisotropy = options.Anisotropy;
-  nodes.AreForPoints = true;
-  this->Nodes.Build(ParticlesAtRest(particles), nodes);
+  options.VoxelSize = this->Unit;
+  options.WantsBulks = true;
+  options.AreForPoints = true;
+  this->Nodes.Build(ParticlesAtRest(particles), options);
   const UnsetVector<std::uint32_t>& order = this->Nodes.GetBlocks().GetOrder();
   this->Places.resize(count);
   for (std::size_t k = 0; k < count; ++k)
@@ -209,22 +208,16 @@ bool ParticlePotential::FindOutward(std::size_t particle, double (&outward)[3]) 
 
 bool ParticlePotential::FindBounds(double (&bounds)[6]) const
 {
-  bool isAny = false;
+  vtkBoundingBox all;
   for (std::size_t n = 0; n < this->Places.size(); ++n)
   {
-    double own[6];
-    if (this->FindSupport(n, own))
+    if (this->FindSupport(n, bounds))
     {
-      for (int side = 0; side < 6; ++side)
-      {
-        const double both =
-          side % 2 == 0 ? std::min(bounds[side], own[side]) : std::max(bounds[side], own[side]);
-        bounds[side] = isAny ? both : own[side];
-      }
-      isAny = true;
+      all.AddBounds(bounds);
     }
   }
-  return isAny;
+  all.GetBounds(bounds);
+  return all.IsValid();
 }
 
 }

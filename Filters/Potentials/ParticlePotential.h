@@ -20,18 +20,11 @@ namespace activesurface
 class VTKACTIVEPOTENTIALS_EXPORT ParticlePotential
 {
 public:
-  struct Options
-  {
-    ParticleModel Model = ParticleModel::Anisotropic;
-    double OwnRadius = 0.0; // [length]; 0: support radius / ReachPerRadius
-    double ReachPerRadius = 4.5;
-    double Anisotropy = 4.0; // largest ratio of an ellipsoid's axes
-  };
-
-  // Precedes the first evaluation. Particles with a strength <= 0 add nothing. With
-  // ParticleModel::Sum only FindOutward works. Throws as ParticleNodes do, and
-  // std::invalid_argument for particles more than 10^9 own radii from the origin.
-  void Build(const std::vector<SkeletonVertex>& particles, const Options& options);
+  // Precedes the first evaluation. Uses the options' model, radii and anisotropy. Particles with a
+  // strength <= 0 add nothing. With ParticleModel::Sum only FindOutward works. Throws as
+  // ParticleNodes do, and std::invalid_argument for particles more than 10^9 own radii from the
+  // origin.
+  void Build(const std::vector<SkeletonVertex>& particles, NodeParticleOptions options);
 
   // Evaluates at points (x y z each); gradients may be null. A point that is not finite gets NaN.
   // Thread-safe.

@@ -182,7 +182,7 @@ void vtkSkeletonPotential::FitBody()
     throw std::invalid_argument("Lines can only be a SUM, but ParticleModel is another; set it to "
                                 "SUM, or remove the lines.");
   }
-  activesurface::ParticlePotential::Options options;
+  activesurface::NodeParticleOptions options;
   options.OwnRadius = 0.5 * this->ParticleSpacing;
   options.ReachPerRadius = 2.0 * GetReachPerSpacing(options.Model);
   options.Anisotropy = this->Anisotropy;

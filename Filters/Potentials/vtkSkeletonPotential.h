@@ -187,8 +187,9 @@ public:
   ///@}
 
   /**
-   * Box of all influence [length]: points and ends of segments, enlarged by their radii. F is
-   * Threshold outside. Returns false, with uninitialized bounds, without elements. Reads the input.
+   * Box of all influence [length]: points and ends of segments, enlarged by their radii, or the
+   * ellipsoids of ANISOTROPIC. F is constant outside. Returns false, with uninitialized bounds,
+   * without elements. Reads the input.
    */
   bool GetSkeletonBounds(double bounds[6]);
 
@@ -219,7 +220,7 @@ public:
   ///@}
 
   /**
-   * Exact gradient of F, without the transform; 0 away from all elements.
+   * Gradient of F, without the transform; 0 away from all elements.
    */
   void EvaluateGradient(double x[3], double g[3]) override;
 

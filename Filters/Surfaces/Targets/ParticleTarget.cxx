@@ -1,7 +1,5 @@
 #include "Targets/ParticleTarget.h"
 
-#include "ParallelTasks.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -46,13 +44,6 @@ void SetElements(const std::vector<SkeletonVertex>& particles, Skeleton& element
   elements.Build();
 }
 
-std::vector<SkeletonVertex> ListParticles(const ParticleTrack& track)
-{
-  std::vector<SkeletonVertex> particles(track.Size());
-  RunEach(track.Size(), [&](std::size_t n) { particles[n] = track.Get(n); });
-  return particles;
-}
-
 void FindSupport(const SkeletonVertex& particle, double (&bounds)[6])
 {
   for (int side = 0; side < 6; ++side)
@@ -72,7 +63,7 @@ ParticleTarget::ParticleTarget(const TargetFrames& frames, const ShapeOptions& o
 
 void ParticleTarget::Place(int step, double fraction)
 {
-  this->Now = ListParticles(this->Frames.GetTrack(step, this->Options.Box, fraction));
+  this->Frames.GetTrack(step, this->Options.Box, fraction).List(this->Now);
 }
 
 double ParticleTarget::FindOwnRadius(int step, double& reachPerRadius) const
@@ -93,10 +84,8 @@ void ParticleTarget::Finish()
   }
   if (!this->IsSum() || this->Options.OpensHollows)
   {
-    ParticlePotential::Options options;
-    options.Model = this->Options.Model;
+    NodeParticleOptions options = GetNodeOptions(this->Options, 1.0);
     options.OwnRadius = this->FindOwnRadius(this->GetStepOfWay(), options.ReachPerRadius);
-    options.Anisotropy = this->Options.Anisotropy;
     this->Body.Build(this->Now, options);
   }
 }
@@ -124,7 +113,8 @@ void ParticleTarget::PlaceNodes(const NodeMotion& motion)
   track.SetDuration(this->GetDuration());
   if (this->IsSum())
   {
-    SetElements(ListParticles(track), this->ElementsAtNodes);
+    track.List(this->AtNodes);
+    SetElements(this->AtNodes, this->ElementsAtNodes);
   }
   NodeParticleOptions options = GetNodeOptions(this->Options, motion.VoxelSize);
   options.OwnRadius = this->FindOwnRadius(step, options.ReachPerRadius);

@@ -80,7 +80,8 @@ private:
   // State of the node scheme.
   double VoxelSize = 1.0;
   ParticleNodes Nodes;
-  Skeleton ElementsAtNodes; // of a sum
+  std::vector<SkeletonVertex> AtNodes; // of a sum
+  Skeleton ElementsAtNodes;
 };
 
 }

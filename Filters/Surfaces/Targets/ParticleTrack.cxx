@@ -159,17 +159,18 @@ SkeletonVertex ParticleTrack::Between(const ParticleOrigin& origin) const
   return moved;
 }
 
+void ParticleTrack::List(std::vector<SkeletonVertex>& particles) const
+{
+  particles.resize(this->Count);
+  RunEach(this->Count, [&](std::size_t n) { particles[n] = this->Get(n); });
+}
+
 void ParticleTrack::List(
   std::vector<SkeletonVertex>& particles, std::vector<ParticleOrigin>& origins) const
 {
-  particles.resize(this->Count);
+  this->List(particles);
   origins.resize(this->Count);
-  RunEach(this->Count,
-    [&](std::size_t n)
-    {
-      origins[n] = this->GetOrigin(n);
-      particles[n] = this->Get(n);
-    });
+  RunEach(this->Count, [&](std::size_t n) { origins[n] = this->GetOrigin(n); });
 }
 
 bool ParticleTrack::FindVelocity(std::size_t n, double (&velocity)[3]) const

@@ -36,7 +36,8 @@ public:
     return this->OriginOf(this->Copies.empty() ? this->KeptAt(n) : this->Copies[n].Particle);
   }
 
-  // Replaces the contents of the lists by the particles and their origins.
+  // Replace the contents of the lists by the particles, and by their origins.
+  void List(std::vector<SkeletonVertex>& particles) const;
   void List(std::vector<SkeletonVertex>& particles, std::vector<ParticleOrigin>& origins) const;
 
   // Sets the duration from step to step for FindVelocity [motion time]. At 0, FindVelocity returns

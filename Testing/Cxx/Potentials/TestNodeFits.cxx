@@ -171,7 +171,7 @@ TEST(TestNodeFits, ParticlesDeepInABodyAreNotMissed)
   constexpr int side = 24;
   const std::vector<SkeletonVertex> particles = MakeBlock(side);
   ParticlePotential everywhere;
-  ParticlePotential::Options options;
+  NodeParticleOptions options;
   options.OwnRadius = R;
   everywhere.Build(particles, options);
   // At the faces, where no ball is larger by what its triangles lose.

@@ -273,6 +273,16 @@ TEST(TestParticleModels, NothingAndNowhere)
   EXPECT_TRUE(std::isnan(ValueAt(potential, { std::nan(""), 0, 0 })));
 }
 
+TEST(TestParticleModels, PlacesBeyondSinglePrecisionAreRefused)
+{
+  const Point far = { 0.0, 2e9 * R, 0.0 };
+  EXPECT_EQ(ValueAt(MakePotential({ { 0, 0, 0 } }), far), 0.5) << "a point, not a particle";
+  auto potential = MakePotential({ { 0, 0, 0 }, far });
+  MessageCapture messages(potential);
+  EXPECT_EQ(ValueAt(potential, { 0, 0, 0 }), 0.5);
+  EXPECT_EQ(MessageCapture::Count(messages.Errors, "10^9 of its own radii"), 1);
+}
+
 TEST(TestParticleModels, LinesAreRefused)
 {
   SkeletonBuilder shape;
