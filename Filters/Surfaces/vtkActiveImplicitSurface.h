@@ -169,7 +169,7 @@ public:
   ///@{
   /** Distance [length] from the target beyond which the attraction is constant: the largest speed
    * is Attraction * TargetReach. Larger values move distant skins faster, for more substeps. Range:
-   * >= 0; 0 is 3 ParticleSpacing over particles whose spacing is known, else an eighth of the
+   * >= 0; 0 is 3 ParticleSpacing over particles (set or estimated), else an eighth of the
    * bounds' diagonal. Default: 0. */
   vtkSetClampMacro(TargetReach, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TargetReach, double);
